@@ -17,7 +17,7 @@ PEERS_PY := $(PEERS)/bin/python
 
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help demo test test-browser test-fuzz test-mechanisms test-lowest test-newest test-pyright test-arm64 docs bench bench-analysis bench-pages bench-peers bench-solvers solvers-ir three clean
+.PHONY: help demo test test-browser test-fuzz test-mechanisms test-lowest test-newest test-pyright test-arm64 test-undefined docs bench bench-analysis bench-pages bench-peers bench-solvers solvers-ir three clean
 
 help:
 	@echo "make demo   install into $(VENV), run the bicycle demo, plot and animate it into build/"
@@ -29,6 +29,7 @@ help:
 	@echo "make test-newest  the same on the newest Python that is here"
 	@echo "make test-pyright  the types as pyright reads them (needs npm and a network)"
 	@echo "make test-arm64  bits and a part of the tests on AArch64 under emulation (needs apt-get)"
+	@echo "make test-undefined  tests of solvers, in a process that ends where their C is undefined"
 	@echo "make docs   build the documentation into build/docs; a warning is an error"
 	@echo "make bench  ratios against the released pydy 0.9.4"
 	@echo "make bench-peers  ratios against heyoka, CasADi, JAX and Pinocchio; operation counts; trees"
@@ -73,6 +74,11 @@ test-pyright: $(VENV)/.installed-test
 test-arm64: $(VENV)/.installed-test
 	tools/arm64.sh
 
+test-undefined: $(VENV)/.installed-test
+	PYTHONPATH=tools $(PY) -m pytest -q -p undefined tests/solvers tests/ensemble/test_lanes.py \
+		tests/system/test_events.py tests/system/test_projection.py \
+		tests/system/test_sensitivities.py tests/system/test_adjoint_gradients.py
+
 docs: $(VENV)/.installed-docs
 	$(PY) -m sphinx -W --keep-going --doctree-dir build/doctrees docs build/docs
 
@@ -98,7 +104,7 @@ bench-analysis: $(VENV)/.installed-test $(PEERS)/.installed
 	$(PY) benchmarks/analysis.py
 	$(PY) benchmarks/derivatives.py --peer-python $(PEERS_PY)
 
-# After a change of the modules that numba compiles, and after a merge of two.
+# After a change of the loops in C, and after a merge of two.
 solvers-ir: $(VENV)/.installed-loops
 	$(PY) tools/solvers_ir.py
 

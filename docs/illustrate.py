@@ -22,7 +22,8 @@ HERE = Path(__file__).parent
 sys.path.insert(0, str(HERE))
 PAGES = (
     *("animation", "ensembles", "results", "solvers", "system"),
-    *("howto/constraint-forces", "howto/constraints", "howto/equilibria", "howto/events"),
+    *("howto/bodies", "howto/constraint-forces", "howto/constraints", "howto/equilibria"),
+    "howto/events",
     *("howto/fits", "howto/inputs", "howto/live", "howto/orbits", "howto/prescribed-motion"),
     "howto/sensitivities",
 )

@@ -27,7 +27,8 @@ def packages(extra):
 def test_all_is_what_users_need_and_no_tool_of_contributors():
     features = {"control", "cython", "ensemble", "labels", "plot"}
     assert packages("all") == set().union(*map(packages, features))
-    assert not packages("all") & {"ruff", "mypy", "pytest", "sphinx", "furo", "numba", "playwright"}
+    tools = {"ruff", "mypy", "pytest", "sphinx", "furo", "ziglang", "playwright"}
+    assert not packages("all") & tools
 
 
 @pytest.mark.parametrize("extra", ["plot", "labels", "ensemble"])

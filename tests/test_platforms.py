@@ -13,8 +13,9 @@ from llvmlite import binding
 
 from graphs import everything, solves
 from pydy import _cache_folder, cli
-from pydy._backends.llvm import jit, native
-from pydy._backends.llvm.sweep import sweep_module
+from pydy._backends.llvm import native
+from pydy._backends.llvm.compiling import Source
+from pydy._backends.llvm.native import sweep_module
 from pydy._backends.llvm.text import kernel_text
 from pydy._names import printable
 from pydy.examples import bicycle_ride
@@ -120,7 +121,7 @@ def test_no_two_files_differ_in_case_alone():
 
 
 def test_keys_of_the_cache_are_in_lower_case():
-    assert re.fullmatch(r"[0-9a-f]{64}", jit.Source("X", str, ()).key)
+    assert re.fullmatch(r"[0-9a-f]{64}", Source("X", str, ()).key)
 
 
 # -- consoles without UTF-8 -----------------------------------------------------------------------

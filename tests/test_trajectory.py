@@ -14,6 +14,7 @@ import zoo
 from cases import system_of
 from pydy._dataset import write_netcdf
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
+from pydy.plot import plot_energy, plot_phase, plot_sensitivities
 from pydy.system import System
 from pydy.trajectory import EventRecord, Trajectory
 
@@ -509,6 +510,48 @@ def test_a_trajectory_plots_itself():
     ax = trajectory.plot(["q", "u"], units={"q": "m"}, time_unit="s")
     assert [t.get_text() for t in ax.get_legend().get_texts()] == ["$q$ (m)", "$u$"]
     plt.close("all")
+
+
+def spring():
+    """An oscillator with x = cos t, known at three times and, by the solver, between them."""
+    system = multi_mass_spring_damper()
+    system.constants = {"c0": 0.0}
+    system.initial_conditions = {"x0": 1.0}
+    system.times, system.ode_solver = [0.0, 1.0, 6.0], "dop853"
+    return system.simulate(rtol=1e-11, atol=1e-11, sensitivities=["k0"])
+
+
+def test_plots_show_what_the_solver_knows_between_the_times():
+    plt = pytest.importorskip("matplotlib.pyplot")
+    trajectory = spring()
+    pictures = [*trajectory.plot(), plot_energy(trajectory), plot_phase(trajectory, "x0")]
+    x, v, kinetic, phase = (ax.lines[0].get_data() for ax in pictures)
+    t = x[0]
+    assert {0.0, 1.0, 6.0} <= set(t)
+    assert np.diff(t).max() < 2 * 6.0 / 400
+    np.testing.assert_allclose(x[1], np.cos(t), atol=1e-9)
+    np.testing.assert_allclose(v[1], -np.sin(t), atol=1e-9)
+    np.testing.assert_allclose(kinetic[1], np.sin(t) ** 2 / 2, atol=1e-9)
+    np.testing.assert_allclose(np.hypot(*phase), 1.0, atol=1e-9)
+    slopes = plot_sensitivities(trajectory, "x0").lines[0].get_data()
+    np.testing.assert_allclose(slopes[1], -slopes[0] / 2 * np.sin(slopes[0]), atol=1e-8)
+    kept = pickle.loads(pickle.dumps(trajectory)).plot(["x0"]).lines[0]
+    np.testing.assert_array_equal(kept.get_xdata(), trajectory.times)
+    plt.close("all")
+
+
+def test_animations_show_what_the_solver_knows_between_the_times():
+    trajectory = spring()
+    given = {"ramp": trajectory.times}
+    scene = trajectory.animate(series=["x0"]).animate(trajectory, series=given, fps=20.0)
+    t, moving = scene.times, scene._animation
+    np.testing.assert_allclose(t, np.linspace(0.0, 6.0, 121), atol=1e-12)
+    np.testing.assert_allclose(scene.poses[:, 0, :3, 3].sum(1), np.cos(t), atol=1e-9)
+    np.testing.assert_allclose(moving.series["x0"], np.cos(t), atol=1e-9)
+    np.testing.assert_allclose(moving.series["ramp"], t, atol=1e-12)
+    assert len(trajectory.animate().animate(trajectory, fps=None).times) == 3
+    slow = trajectory.animate().animate(trajectory, speed=1e-4)
+    assert len(slow.times) <= 7201
 
 
 def test_a_trajectory_animates_the_bodies_of_its_model():

@@ -84,7 +84,7 @@ def install(python: str, folder: Path, options: list[str]) -> bool:
     subprocess.run([python, "-m", "venv", "--clear", folder], check=True)
     pip = [folder / "bin/python", "-m", "pip", "--disable-pip-version-check", "install", "--quiet"]
     # No wheel for this Python: that is the answer, not an hour of compiling.
-    packages = ["--prefer-binary", "--only-binary", "llvmlite,numba,numpy,scipy,pandas,matplotlib"]
+    packages = ["--prefer-binary", "--only-binary", "llvmlite,numpy,scipy,pandas,matplotlib"]
     done = subprocess.run([*pip, *packages, *options, "--editable", ".[test]"], cwd=ROOT)
     if done.returncode == 0:
         stamp.touch()

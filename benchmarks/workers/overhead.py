@@ -2,6 +2,11 @@
 
 from __future__ import annotations
 
+import ctypes
+import sys
+from functools import partial
+from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any
 
 import numpy as np
@@ -9,51 +14,34 @@ from harness import frozen
 from harness.program import solver_function
 from harness.scenarios import scenario
 from harness.serve import Repeated, serve
-from numba import njit
 
-from pydy.solvers.loop.intrinsics import address_of, call_kernel, combine
-from pydy.solvers.run.layout import ESTIMATES, KERNEL, STAGES, STATES
+from pydy._array_layout import address
+from pydy._backends.llvm import jit
+from pydy._backends.llvm.compiling import Source, target_lines
+from pydy.solvers.run.layout import STAGES
 from pydy.solvers.run.methods import method_arrays
 from pydy.solvers.run.problem import BLOCK, blocks, kernel_problem
+from pydy.solvers.run.table import rows_of, table_of
 from pydy.solvers.solver import SOLVERS
+
+sys.path.append(str(Path(__file__).resolve().parents[2] / "tools"))
+
+import solvers_ir
 
 HORIZON, SHORT, TOLERANCE = 10.0, 1e-3, 1e-9
 CHAIN, STEPS = 2000, 200
 
 
-@njit
-def _chain(problem, x, start, out, count):  # type: ignore[no-untyped-def]
-    """Evaluate again and again, each time at a state that depends on all of the last result."""
-    for _ in range(count):
-        call_kernel(
-            problem.words[KERNEL],
-            address_of(problem.clock, 0),
-            address_of(x, 0),
-            address_of(problem.r, 0),
-            address_of(problem.c, 0),
-            address_of(out, 0),
-        )
-        for i in range(problem.words[STATES]):
-            x[i] = start[i] + 1e-12 * out[i]
+def _text(text: str, brief: bool) -> str:
+    return target_lines() + text
 
 
-@njit
-def _combinations(method, step, stages, x, y, rows, size, count):  # type: ignore[no-untyped-def]
-    """Compute all linear combinations of `count` steps."""
-    for _ in range(count):
-        for row in range(1, rows):
-            first = method.rows[row]
-            combine(
-                address_of(y, 0),
-                address_of(x, 0),
-                address_of(step, 0),
-                address_of(stages, 0),
-                address_of(method.offsets, first),
-                address_of(method.weights, first),
-                method.rows[row + 1] - first - 1,
-                1,
-                size,
-            )
+def _loops() -> Any:
+    """Return the compiled loops of overhead.c."""
+    with TemporaryDirectory() as folder:
+        source = Path(__file__).with_suffix(".c")
+        text = solvers_ir.neutral(solvers_ir.compiled(source, Path(folder)))
+    return jit.load(Source(text, partial(_text, text), ("chain", "combinations"), loops=True))
 
 
 class Overhead:
@@ -81,22 +69,22 @@ class Overhead:
         self.least = run(SHORT, full_output=True)[1]["evaluations"]
         n = len(own.start)
         length = BLOCK * blocks(n)
-        x, out = np.zeros(length), np.zeros(length)
-        x[:n] = own.start
+        x, out, start = np.zeros(length), np.zeros(length), np.zeros(length)
+        x[:n] = start[:n] = own.start
         problem = kernel_problem(function.native(args), n)
         arrays = method_arrays(method, length)
-        stages = int(arrays.shape[STAGES])
-        rows = stages + 1 + int(arrays.shape[ESTIMATES])
-        values = np.random.default_rng(1).normal(size=(stages + 1) * length)
-        step, y, size = np.full(BLOCK, 1e-3), np.zeros(length), blocks(n)
-        self.start = x.copy()
+        stages = np.random.default_rng(1).normal(size=(int(arrays.shape[STAGES]) + 1) * length)
+        step = np.full(BLOCK, 1e-3)
+        parts = (problem, arrays, (x, start, out, step, stages))
+        table = table_of(*map(rows_of, parts))
+        self.alive = parts, table, _loops()
+        kind = ctypes.CFUNCTYPE(*[ctypes.c_int64] * 3)
+        chain, combinations = (kind(place) for place in self.alive[-1].addresses.values())
         self.measures = {
             "run": Repeated(lambda: run(HORIZON)),
             "short": Repeated(lambda: run(SHORT)),
-            "kernel": Repeated(lambda: _chain(problem, x, self.start, out, CHAIN)),
-            "bare": Repeated(
-                lambda: _combinations(arrays, step, values, self.start, y, rows, size, STEPS)
-            ),
+            "kernel": Repeated(lambda: chain(address(table), CHAIN)),
+            "bare": Repeated(lambda: combinations(address(table), STEPS)),
         }
         self.evaluations = info["evaluations"]
         self.attempts = info["steps"] + info["rejected"]

@@ -28,7 +28,7 @@ def _field(thing: Any, offset: int, kind: Any) -> Any:
 
 
 def _found(array: np.ndarray) -> tuple[Any, ...]:
-    """Return what lies at the offsets, but for the shape."""
+    """Return what lies at the offsets, except the shape."""
     word, whole = ctypes.c_size_t, ctypes.c_int32
     kinds = ((KIND, word), (DATA, word), (NDIM, whole), (DESCR, word), (FLAGS, whole))
     return tuple(_field(array, offset, kind) for offset, kind in kinds)

@@ -237,6 +237,8 @@ def file_of(value: Any, what: str) -> Path:
             f"{what} is {str(path)!r}, but there is no folder {str(path.parent)!r}: make it first, "
             "with `Path(...).mkdir(parents=True)`, or choose another."
         )
+    if path.is_dir():
+        raise IsADirectoryError(f"{what} must be a file, got the folder {str(path)!r}: add a name.")
     return path
 
 

@@ -17,19 +17,6 @@ import numpy as np
 from pydy._checks import file_of
 from pydy._files import replacing
 
-__all__ = [
-    "ENERGIES",
-    "KINDS",
-    "OUTPUTS",
-    "SENSITIVITY",
-    "STATES",
-    "Parts",
-    "from_dataset",
-    "read_netcdf",
-    "to_dataset",
-    "write_netcdf",
-]
-
 # Kinds of quantities, in the order of their names.
 STATES = ("coordinate", "speed", "auxiliary")
 OUTPUTS = ("output", "constraint", "force")
@@ -39,23 +26,15 @@ ENERGIES = ("kinetic_energy", "potential_energy", "total_energy")
 
 @dataclass
 class Parts:
-    """What a dataset holds.
+    """What a dataset holds."""
 
-    Attributes
-    ----------
-    times : ndarray, shape (m,)
-    columns : dict of str to dict of str to ndarray
-        Names and values, by role.
-    constants : dict of str to float
-    latex : dict of str to str
-    sensitivity : (names, ndarray of shape (m, q, k)) or None
-        Names of the parameters, and derivatives of the states and outputs.
-    """
-
-    times: np.ndarray
+    times: np.ndarray  # (m,)
+    # names and values, by role
     columns: dict[str, dict[str, np.ndarray]] = field(default_factory=dict)
     constants: dict[str, float] = field(default_factory=dict)
     latex: dict[str, str] = field(default_factory=dict)
+    # (names, (m, q, k)): names of the parameters, and derivatives of the states
+    # and outputs
     sensitivity: tuple[list[str], np.ndarray] | None = None
 
 
@@ -103,7 +82,7 @@ def to_dataset(
 
 
 def from_dataset(dataset: Any) -> Parts:
-    """Return what a Dataset of `to_dataset` holds; older files have no labels."""
+    """Take a Dataset of `to_dataset` apart; older files have no labels."""
     parts = Parts(np.array(dataset["time"]))
     for name, variable in dataset.variables.items():
         if name in dataset.dims:

@@ -7,8 +7,6 @@ from html import escape
 
 import numpy as np
 
-__all__ = ["html_table", "table_of_columns"]
-
 
 def html_table(caption: str, rows: Iterable[Sequence[str]]) -> str:
     """Return a table in HTML; the first cell of each row is its title."""

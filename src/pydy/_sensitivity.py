@@ -9,8 +9,6 @@ import numpy as np
 
 from pydy._names import name_of, unique_names
 
-__all__ = ["Sensitivity", "SensitivityModel"]
-
 
 class SensitivityModel(Protocol):
     """What sensitivities may ask of the model they come from.

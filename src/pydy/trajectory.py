@@ -2,22 +2,234 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from os import PathLike
 from typing import Any
 
 import numpy as np
 
-from pydy._checks import check_mapping, listed, number, real_array, shown
-from pydy._dataset import OUTPUTS, STATES, write_netcdf
+from pydy._checks import check_mapping, choice, flag, listed, number, real_array, shown
+from pydy._dataset import ENERGIES, KINDS, OUTPUTS, STATES, read_netcdf, to_dataset, write_netcdf
 from pydy._html import table_of_columns
+from pydy._interpolation import Model, Samples, checked_times
+from pydy._names import latex_of, latex_of_rate, name_of, nearest, unique_names, written_out
+from pydy._optional import require
 from pydy._sensitivity import Sensitivity, SensitivityModel
-from pydy._trajectory.columns import Columns
-from pydy._trajectory.event_record import EventRecord
-from pydy._trajectory.interpolation import Model, Samples, checked_times
-from pydy._trajectory.tables import checked_table, dataframe_of, dataset_of, loaded_from
 
 __all__ = ["EventRecord", "Model", "Sensitivity", "Trajectory"]
+
+# -- The quantities of a trajectory: their symbols by kind, found by symbol or by name -------------
+
+
+class Columns:
+    """Symbols of columns, in the order of their kinds.
+
+    Parameters
+    ----------
+    symbols : mapping of str to sequence of symbols
+        By kind; as for `pydy.trajectory.Trajectory`.
+
+    Attributes
+    ----------
+    kinds : dict of str to tuple of symbols
+    symbols : list
+        All of them.
+    names : tuple of str
+        Of all of them.
+    latex_by_name : dict of str to str
+        What is known of it already.
+    """
+
+    def __init__(self, symbols: Mapping[str, Sequence[Any]]) -> None:
+        given = check_mapping("symbols", symbols)
+        self.kinds = {
+            kind: tuple(listed(f"symbols[{kind!r}]", given.get(kind, ()), hashable=True))
+            for kind in KINDS
+        }
+        self.symbols = list(self.of(*KINDS))
+        self.names = unique_names(self.symbols)
+        self.latex_by_name: dict[str, str] = {}
+        self._place = {s: k for k, s in reversed(list(enumerate(self.symbols)))}
+        self._place_of_name = {n: k for k, n in enumerate(self.names)}
+
+    def of(self, *kinds: str) -> tuple[Any, ...]:
+        """Return the symbols of some kinds, in the order in which the kinds are given."""
+        return tuple(s for kind in kinds for s in self.kinds[kind])
+
+    def names_of(self, *kinds: str) -> tuple[str, ...]:
+        """Return the names of the quantities of some kinds, in the order of the columns."""
+        for kind in kinds:
+            choice(kind, KINDS, "`kinds`")
+        all_kinds = [kind for kind in KINDS for _ in self.kinds[kind]]
+        return tuple(n for n, k in zip(self.names, all_kinds, strict=True) if k in kinds)
+
+    def latex(self, key: Any) -> str:
+        """Return the LaTeX of a quantity's symbol."""
+        k = self.find(key)
+        if self.names[k] not in self.latex_by_name:
+            self.latex_by_name[self.names[k]] = latex_of(self.symbols[k])
+        return self.latex_by_name[self.names[k]]
+
+    def latex_of_rate(self, key: Any) -> str:
+        """Return the LaTeX of a quantity's derivative by time."""
+        k = self.find(key)
+        name = f"{self.names[k]}'"
+        if name not in self.latex_by_name:
+            self.latex_by_name[name] = latex_of_rate(self.symbols[k])
+        return self.latex_by_name[name]
+
+    def find(self, key: Any) -> int:
+        """Return the position of a quantity, given its symbol or its name."""
+        k = self._place.get(key) if isinstance(key, Hashable) else None
+        if k is None:
+            k = self._place_of_name.get(name_of(key))
+            if k is None and isinstance(key, str):  # as a symbol is printed: 'q1(t)'
+                alike = [j for j, s in enumerate(self.symbols) if str(s) == key]
+                k = alike[0] if len(alike) == 1 else None
+            own = None if k is None else self.symbols[k]
+            symbols = own is not None and str not in (type(own), type(key))
+            if symbols and own != key and str(own) == str(key):
+                raise KeyError(
+                    f"`{written_out(key)}` is not one of the trajectory's quantities: "
+                    f"`{written_out(own)}` is another symbol, because its assumptions differ. "
+                    "Use that one, or its name."
+                )
+        if k is None:
+            raise KeyError(
+                f"`{key}` is not one of the trajectory's quantities: {', '.join(self.names)}. "
+                f"{nearest(str(key), self.names, or_all=False)}".rstrip()
+            )
+        return k
+
+    def __contains__(self, key: Any) -> bool:
+        return key in self._place or name_of(key) in self._place_of_name
+
+
+# -- EventRecord: an event as a simulation met it --------------------------------------------------
+
+
+@dataclass(frozen=True, eq=False)
+class EventRecord:
+    """An event that happened at one instant of a simulation.
+
+    Attributes
+    ----------
+    time : float
+    name : str
+    index : int
+        Its place among the events that were watched.
+    before, after : ndarray, shape (n,)
+        The states on both sides; the same without a reset.
+    time_sensitivity : ndarray, shape (k,), or None
+        Derivatives of the event's time by the parameters, of a simulation with sensitivities.
+    sensitivity_before, sensitivity_after : ndarray, shape (n, k), or None
+        Derivatives of the states on both sides, at a fixed time.
+    """
+
+    time: float
+    name: str
+    index: int
+    before: np.ndarray
+    after: np.ndarray
+    time_sensitivity: np.ndarray | None = None
+    sensitivity_before: np.ndarray | None = None
+    sensitivity_after: np.ndarray | None = None
+
+    def __repr__(self) -> str:
+        """Return what happened and when; the states are left out."""
+        return f"EventRecord({self.name!r} at t = {self.time!r})"
+
+
+# -- A trajectory as a labelled table, and from a file ---------------------------------------------
+
+
+def checked_table(argument: str, values: Any, m: int, width: int) -> np.ndarray:
+    """Return an own copy with one row for each time and one column for each symbol."""
+    table = np.empty((m, 0)) if values is None else np.array(real_array(values, f"`{argument}`"))
+    if table.shape != (m, width):
+        raise ValueError(
+            f"`{argument}` must have the shape ({m}, {width}), one row for each time and one "
+            f"column for each symbol, got {table.shape}."
+        )
+    return table
+
+
+def dataset_of(
+    trajectory: Any, sensitivity: Sensitivity | None, derivatives: bool, energy: bool
+) -> Any:
+    """Return the Dataset of `Trajectory.to_xarray`."""
+    derivatives, energy = flag(derivatives, "`derivatives`"), flag(energy, "`energy`")
+    columns = [
+        (name, kind, trajectory.latex(name), trajectory[name])
+        for kind in KINDS
+        for name in trajectory.names_of(kind)
+    ]
+    if derivatives:
+        for k, name in enumerate(trajectory.names_of(*STATES)):
+            latex = trajectory.latex_of_rate(name)
+            columns.append((f"{name}'", "derivative", latex, trajectory.derivatives[:, k]))
+    if energy:
+        for k, name in enumerate(ENERGIES):
+            latex = rf"\text{{{name.replace('_', ' ')}}}"
+            columns.append((name, "energy", latex, trajectory.energy[:, k]))
+    names = unique_names(list(trajectory.constants))
+    constants = {
+        name: (latex_of(s), float(v))
+        for name, (s, v) in zip(names, trajectory.constants.items(), strict=True)
+    }
+    xarray = require("xarray", "labels", "Trajectory.to_xarray")
+    return to_dataset(xarray, trajectory.times, columns, constants, sensitivity)
+
+
+def dataframe_of(trajectory: Any) -> Any:
+    """Return the DataFrame of `Trajectory.to_dataframe`."""
+    pandas = require("pandas", "labels", "Trajectory.to_dataframe")
+    index = pandas.Index(trajectory.times, name="time")
+    return pandas.DataFrame({name: trajectory[name] for name in trajectory.names}, index=index)
+
+
+@dataclass(frozen=True, eq=False)
+class Loaded:
+    """What a file holds."""
+
+    arguments: dict[str, Any]  # of `Trajectory`
+    latex: dict[str, str]
+    sensitivity: tuple[list[str], np.ndarray] | None  # (names, (m, q, k))
+    derivatives: np.ndarray | None
+    energy: np.ndarray | None
+
+
+def loaded_from(path: str | PathLike[str], record: Callable[..., Any]) -> Loaded:
+    """Read a file of `Trajectory.save`; `record` makes an event of its attributes."""
+    xarray = require("xarray", "labels", "Trajectory.load")
+    parts, statistics, events = read_netcdf(xarray, path, record)
+    m = len(parts.times)
+    table = {
+        kind: np.array(list(columns.values())).reshape(len(columns), m).T
+        for kind, columns in parts.columns.items()
+    }
+    empty = np.empty((m, 0))
+
+    def together(*kinds: str) -> np.ndarray:
+        return np.concatenate([table.get(kind, empty) for kind in kinds], axis=1)
+
+    arguments = {
+        "times": parts.times,
+        "states": together(*STATES),
+        "symbols": {kind: tuple(parts.columns.get(kind, ())) for kind in KINDS},
+        "outputs": together(*OUTPUTS),
+        "specifieds": together("specified"),
+        "constants": parts.constants,
+        "events": events,
+        "statistics": statistics,
+    }
+    return Loaded(
+        arguments, parts.latex, parts.sensitivity, table.get("derivative"), table.get("energy")
+    )
+
+
+# -- The trajectory --------------------------------------------------------------------------------
 
 
 class Trajectory:
@@ -26,7 +238,8 @@ class Trajectory:
     `System.simulate` returns a Trajectory, and `Trajectory.load` reads one from a file. Quantities
     are accessed by symbol or by name: ``trajectory[q1]``, ``trajectory['q1']``,
     ``trajectory['q1(t)']``; a list of them returns an array with one column for each,
-    ``trajectory[['q1', 'u1']]``. ``np.asarray(trajectory)`` returns its `states`.
+    ``trajectory[['q1', 'u1']]``. Between the times they are ``trajectory.at(t)['q1']``, also in
+    plots and animations. ``np.asarray(trajectory)`` returns its `states`.
 
     Parameters
     ----------
@@ -45,8 +258,7 @@ class Trajectory:
     model : Model, optional
         Evaluates derivatives, outputs and energy at other times.
     dense : callable, optional
-        The solver's own interpolant: times (k,) to states (k, n), with their sensitivities after
-        them if it has these.
+        The solver's own interpolant: times (k,) to states (k, n), then sensitivities if any.
     sensitivities : (parameters, values), optional
         Parameters, mapped to their numbers of columns, and the derivatives of the states with
         respect to them, shape (m, n, k).
@@ -302,10 +514,9 @@ class Trajectory:
 
         The states come from the solver's dense output if there is one, as after `System.simulate`
         with a native solver. Otherwise, also after pickling and `load`, they are cubic Hermite
-        interpolants of the states and their exact derivatives, with an error of fourth order in the
-        spacing of `times` (doubling the number of times makes it 16 times smaller). At the time of
-        an event it is the state after it. Outputs and specifieds are evaluated again; without a
-        model, as after `load`, they are interpolated linearly.
+        interpolants of the states and their exact derivatives: twice as many times make their error
+        16 times smaller. At the time of an event it is the state after it. Outputs and specifieds
+        are evaluated again; without a model, as after `load`, they are interpolated linearly.
 
         Parameters
         ----------
@@ -452,7 +663,8 @@ class Trajectory:
         """Write the trajectory to a NetCDF file.
 
         The format is NetCDF 3, which every NetCDF library reads. Derivatives are also written, and
-        energies if they are known, so that a loaded trajectory can be interpolated and plotted.
+        energies if they are known, so that a loaded trajectory can be interpolated and plotted; the
+        solver's dense output is not, nor is it pickled.
 
         Parameters
         ----------

@@ -4,7 +4,7 @@ import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
 
-from pydy._mechanics.balance import is_potential_of
+from pydy._mechanics.balance import has_momenta_of, is_potential_of
 from pydy._mechanics.kane import equations_of_kane
 
 M, G, L = sm.symbols("m g l", positive=True)
@@ -54,3 +54,19 @@ def test_a_velocity_that_was_simplified_with_the_constraint_counts_as_it_is_ther
     assert is_potential_of(equations, M * G * q[1], [-M * G * along])
     free, q, u = bead()
     assert not is_potential_of(free, M * G * q[1], [-M * G * along])
+
+
+@pytest.mark.parametrize("size", [1e-9, 1.0, 1e24])
+def test_a_small_load_is_told_beside_large_ones(size):
+    equations, q, u = bead()
+    energy, power = size * q[0] ** 2 / 2, -size * q[0] * u[0]
+    assert is_potential_of(equations, energy, [power])
+    assert not is_potential_of(equations, energy, [power, -1e-9 * size * u[0] ** 2])
+
+
+@pytest.mark.parametrize("size", [1e-9, 1.0, 1e24])
+def test_a_light_bodys_momentum_is_told_beside_that_of_a_heavy_one(size):
+    equations, q, u = bead()
+    kinetic = size * (u[0] ** 2 + 1e-9 * u[1] ** 2)
+    assert has_momenta_of(equations, kinetic - G * q[1], kinetic)
+    assert not has_momenta_of(equations, size * u[0] ** 2, kinetic)

@@ -46,6 +46,13 @@ def test_the_rate_of_a_holonomic_constraint_is_none():
     assert found.enforced == (0,)
 
 
+@pytest.mark.parametrize("unit", [1e-18, 1e-12, 1e9])
+def test_what_is_enforced_is_so_in_any_unit(unit):
+    found = classified([unit * CIRCLE], [ALONG, SKATE])
+    assert found.enforced == (0,)
+    assert found.nonholonomic == (SKATE,)
+
+
 def test_a_rate_may_be_scaled_and_simplified_with_the_constraint():
     found = classified([CIRCLE], [(Q[0] ** 2 + Q[1] ** 2) / L**2 * ALONG])
     assert found.nonholonomic == ()

@@ -101,6 +101,49 @@ def test_redundant_constraints_do_no_harm():
     close(double.evaluate_ode([0.3, 0.09, 1.0, 0.6]), single.evaluate_ode([0.3, 0.09, 1.0, 0.6]))
 
 
+@pytest.mark.parametrize("configuration", [{}, {x: 0.3, y: 0.09}])
+def test_a_row_of_roundings_constrains_nothing(configuration):
+    # What SymPy leaves of a gap along the axis of a linkage in an oblique plane.
+    noise = 5.4e-20 * sm.sin(x) + 2.7e-19 * sm.cos(y) - 8.5e-19
+    rows = [noise, 0.7 * (y - x**2), noise * 0.3 + 1e-19 * sm.sin(y)]
+    made = System(bead(holonomic_constraints=rows, configuration=configuration))
+    at = {x: 0.3, y: 0.09, vx: 1.0, vy: 0.6}
+    made.initial_conditions, made.times = at, [0.0, 0.1]
+    single = System(bead(), initial_conditions=at)
+    assert made.states == single.states
+    close(made.evaluate_ode(), single.evaluate_ode())
+    close(made.linearize().A, single.linearize().A)
+    made.integrate()
+    made.ode_solver = "dop853"
+    made.integrate(constraints="baumgarte", gain=3.0)
+    made.integrate(constraints="project")
+
+
+def test_speeds_keep_constraints_of_different_units():
+    rows = {"holonomic_constraints": [1e-17 * (y - x**2)], "nonholonomic_constraints": [vx - 1]}
+    assert len(bead(**rows).multibody.velocity) == 2
+
+
+def test_constraints_of_different_units_are_stabilised_alike():
+    frame, origin, end = me.ReferenceFrame("N"), me.Point("O"), me.Point("P")
+    origin.set_vel(frame, 0)
+    z, vz = me.dynamicsymbols("z vz")
+    end.set_pos(origin, x * frame.x + y * frame.y + z * frame.z)
+    found = []
+    for unit in (1.0, 1e-13):
+        rows = [y - x**2, unit * (z - sm.sin(x))]
+        body, forces = me.Particle("bead", end, 1), [(end, -9.81 * frame.y)]
+        made = Definition(
+            frame, [x, y, z], [vx, vy, vz], bodies=[body], loads=forces, holonomic_constraints=rows
+        )
+        system = System(made, times=np.linspace(0.0, 0.5, 3), ode_solver="dop853")
+        system.initial_conditions = {x: 0.3, y: 0.091, z: 0.29, vx: 0.1, vy: 0.06, vz: 0.095}
+        options = {"constraints": "baumgarte", "gain": 4.0, "rtol": 1e-10, "atol": 1e-10}
+        found.append(system.integrate(**options)[:, [system.states.index(s) for s in (x, y, z)]])
+    close(found[1], found[0], 1e-7)
+    assert abs(found[0][-1, 2] - np.sin(found[0][-1, 0])) < 0.005
+
+
 def test_the_derivatives_of_the_coordinates_are_the_speeds_by_default():
     system = System(bead(speeds=None, dependent_coordinates=[y], dependent_speeds=[y.diff(T)]))
     assert system.speeds == [x.diff(T), y.diff(T)]
@@ -146,6 +189,12 @@ WRONG = {
     },
     r"holonomic constraint 0, `-?.*vx.*`, holds speeds or derivatives": {
         "holonomic_constraints": [x - vx]
+    },
+    "`holonomic_constraints` must hold expressions that are zero, got True": {
+        "holonomic_constraints": [True]
+    },
+    "`nonholonomic_constraints` must hold expressions that are zero, got False": {
+        "nonholonomic_constraints": [False]
     },
     "must have 1 coordinates": {"dependent_coordinates": [x, y]},
     r"do not give the speeds vx": {

@@ -343,3 +343,63 @@ def test_an_inertia_written_in_decimals_is_symmetric_up_to_rounding():
     lost = me.inertia(frame, 1, 1, 1) + 1e-9 * (frame.x | frame.y)
     with pytest.raises(ValueError, match="The inertia of the body b is not symmetric"):
         check_bodies([me.RigidBody("b", origin, frame, 1, (lost, origin))])
+
+
+def test_a_load_on_a_body_turned_by_a_quaternion_is_counted():
+    """Without a constraint of its length: the matrix is a rotation only where it is one."""
+    e, w = me.dynamicsymbols("e0:4"), me.dynamicsymbols("w1:4")
+    n, b, o = me.ReferenceFrame("N"), me.ReferenceFrame("B"), me.Point("O")
+    o.set_vel(n, 0)
+    b.orient_quaternion(n, e)
+    b.set_ang_vel(n, sum((u * axis for u, axis in zip(w, b, strict=True)), me.Vector(0)))
+    c, tip = (o.locatenew(name, y * b.y - 1.1 * b.x) for name, y in (("C", 0), ("tip", 0.3)))
+    q1, q2, q3 = e[1:]
+    q_dot = sm.Matrix([[-q1, -q2, -q3], [e[0], -q3, q2], [q3, e[0], -q1], [-q2, q1, e[0]]])
+    rates = dict(zip(sm.Matrix(e).diff(T), q_dot * sm.Matrix(w) / 2, strict=True))
+    c.set_vel(n, c.pos_from(o).express(n).dt(n).subs(rates))
+    tip.v2pt_theory(o, n, b)
+    body = me.RigidBody("body", c, b, 2, (me.inertia(b, 1, 2, 3), c))
+    system = System(
+        Definition(
+            n,
+            e,
+            w,
+            bodies=[body],
+            loads=[(tip, 5.0 * n.y)],
+            kinematic_equations=[rate - value for rate, value in rates.items()],
+        )
+    )
+    system.outputs = system.reaction(body, o, loads=[]).outputs("pin")
+    found = system.evaluate_outputs([0.5, 0.5, -0.5, 0.5, 0.0, 0.0, 0.0], 0.0)
+    rate = system.evaluate_ode([0.5, 0.5, -0.5, 0.5, 0.0, 0.0, 0.0], 0.0)[4:]
+    turn = np.array(b.dcm(n).T.subs(dict(zip(e, (0.5, 0.5, -0.5, 0.5), strict=True))), float)
+    expected = 2.0 * np.cross(turn @ rate, turn @ [-1.1, 0.0, 0.0]) - [0.0, 5.0, 0.0]
+    np.testing.assert_allclose(found[:3], expected, atol=1e-13)
+
+
+def test_a_load_belongs_to_the_nearest_of_two_bodies_welded_together():
+    x, u = me.dynamicsymbols("x u")
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    base = origin.locatenew("base", x * frame.x)
+    top = base.locatenew("top", 0.3 * frame.y)
+    spot = top.locatenew("spot", 0.2 * frame.x)
+    for point in (base, top, spot):
+        point.set_vel(frame, u * frame.x)
+    bodies = [
+        me.RigidBody(p.name, p, frame, m, (me.inertia(frame, 1, 1, 1), p))
+        for p, m in ((base, 2), (top, 3))
+    ]
+    definition = Definition(
+        frame,
+        [x],
+        [u],
+        bodies=bodies,
+        loads=[(spot, 10 * frame.x)],
+        kinematic_equations=[x.diff(T) - u],
+    )
+    system = System(definition)
+    for body, force in zip(bodies, (4.0, -4.0), strict=True):
+        system.outputs = system.reaction(body, base).outputs("weld")
+        found = system.evaluate_outputs([0.0, 0.0], 0.0)
+        np.testing.assert_allclose(found[:3], [force, 0.0, 0.0], atol=1e-14)

@@ -6,6 +6,8 @@ import sympy.physics.mechanics as me
 
 from pydy._mechanics.kane import equations_of_kane
 from pydy._mechanics.potential import find_potential
+from pydy.mechanics import Definition
+from pydy.system import System
 
 Q, U = me.dynamicsymbols("x y"), me.dynamicsymbols("u v")
 M, K, L, G, C = sm.symbols("m k l g c", positive=True)
@@ -79,3 +81,55 @@ def test_damping_and_what_depends_on_time_have_none(plane):
     loads = [(place, -C * U[0] * frame.x), (place, sm.sin(me.dynamicsymbols._t) * frame.y)]
     found = potential(plane, loads)
     assert (found.expression, found.unknown) == (0, [])
+
+
+def test_a_spring_between_decimal_places_has_that_of_its_length():
+    """Its length's square and its pull are rounded in different ways."""
+    q, u = me.dynamicsymbols("q u")
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    turned = frame.orientnew("B", "Axis", (q, frame.z))
+    turned.set_ang_vel(frame, u * frame.z)
+    place = origin.locatenew("P", 1.863 * turned.x - 0.69 * turned.y + 0.1 * turned.z)
+    hook = origin.locatenew("H", 0.96 * frame.x + 2.592 * frame.y - 1.1 * frame.z)
+    place.v2pt_theory(origin, frame, turned)
+    hook.set_vel(frame, 0)
+    spring = me.LinearSpring(0.37, me.LinearPathway(place, hook), 1.21)
+    kane = me.KanesMethod(
+        frame,
+        [q],
+        [u],
+        kd_eqs=[q.diff() - u],
+        bodies=[me.Particle("P", place, M)],
+        forcelist=spring.to_loads(),
+    )
+    found = find_potential(equations_of_kane(kane))
+    assert not found.unknown
+    length = place.pos_from(hook).express(frame).magnitude()
+    apart = sm.lambdify(q, found.expression - 0.37 * (length - 1.21) ** 2 / 2)
+    assert max(abs(apart(x) - apart(0.0)) for x in (0.4, 1.3, 2.9)) < 1e-14
+
+
+def test_a_constant_force_on_what_a_quaternion_turns_has_that_of_its_place():
+    """No constraint says that the quaternion has the length one."""
+    e, w, time = me.dynamicsymbols("e0:4"), me.dynamicsymbols("w1:4"), me.dynamicsymbols._t
+    frame, turned, origin = me.ReferenceFrame("N"), me.ReferenceFrame("B"), me.Point("O")
+    origin.set_vel(frame, 0)
+    turned.orient_quaternion(frame, e)
+    turned.set_ang_vel(frame, sum((s * a for s, a in zip(w, frame, strict=True)), me.Vector(0)))
+    place = origin.locatenew("P", L * turned.x)
+    place.v2pt_theory(origin, frame, turned)
+    q1, q2, q3 = e[1:]
+    rates = sm.Matrix([[-q1, -q2, -q3], [e[0], q3, -q2], [-q3, e[0], q1], [q2, -q1, e[0]]])
+    definition = Definition(
+        frame,
+        e,
+        w,
+        bodies=[me.RigidBody("B", origin, turned, M, (me.inertia(turned, 1, 2, 3), origin))],
+        loads=[(place, -M * G * frame.z)],
+        kinematic_equations=list(sm.Matrix(e).diff(time) - rates * sm.Matrix(w) / 2),
+    )
+    system = System(definition, constants={M: 2.0, G: 3.0, L: 5.0})
+    for x in ([1.0, 0, 0, 0, 0, 0, 0], [0.5, 0.5, -0.5, 0.5, 0, 0, 0]):
+        height = 2.0 * (x[1] * x[3] - x[0] * x[2]) * 5.0
+        assert system.evaluate_energy(x).potential == pytest.approx(6.0 * height, abs=1e-14)

@@ -38,7 +38,7 @@ def rates(page, x, r=()):
 
 @pytest.mark.parametrize("longest", [4000, 60])
 def test_rates_are_as_accurate_as_numpys(tmp_path, loaded, monkeypatch, longest):
-    monkeypatch.setattr("pydy.export.straight.LONGEST", longest)
+    monkeypatch.setattr("pydy.export.javascript.LONGEST", longest)
     bicycle = whipple_bicycle.derive()
     system = System(bicycle.definition, constants=whipple_bicycle.benchmark_parameters(bicycle))
     x = np.random.default_rng(1).uniform(-0.3, 0.3, system.num_states)

@@ -9,7 +9,7 @@ import sympy.physics.mechanics as me
 import xarray as xr
 
 from ensemble_cases import identical
-from pydy.ensemble.file_names import file_names
+from pydy.ensemble.store import file_names
 from pydy.system import System
 
 NAMES = [

@@ -308,6 +308,16 @@ def test_a_dimension_must_not_be_called_like_a_result(oscillator):
         oscillator.integrate_ensemble(initial_conditions={x: xr.DataArray([1.0, 2.0], dims="x0")})
 
 
+@pytest.mark.parametrize("labels", [{}, {"coords": {"c0": [5.0, 6.0]}}])
+def test_a_dimension_called_like_what_does_not_vary_along_it_is_refused(oscillator, labels):
+    # Labels 5 and 6 would stand for values of c0, which is 1 in all samples.
+    stiff = xr.DataArray([1.0, 2.0], dims="c0", **labels)
+    with pytest.raises(ValueError, match="the dimension `c0`, but that is the name of `c0`"):
+        oscillator.integrate_ensemble(constants={"k0": stiff})
+    varied = {"k0": stiff, "c0": xr.DataArray([5.0, 6.0], dims="c0")}
+    assert oscillator.integrate_ensemble(constants=varied)["c0"].values.tolist() == [5.0, 6.0]
+
+
 def test_labels_of_one_dimension_must_agree(oscillator):
     x, v = oscillator.states
     a = xr.DataArray([1.0, 2.0], dims="run", coords={"run": [0, 1]})

@@ -12,6 +12,7 @@ import xarray as xr
 
 from ensemble_cases import identical, pendulum, random_values
 from pydy._errors import PyDyUserWarning
+from pydy.ensemble import store as stores
 from pydy.ensemble.work import Work
 from pydy.inputs import SampledInput
 from pydy.models import multi_mass_spring_damper
@@ -190,6 +191,37 @@ def test_a_name_stands_for_functions_and_nothing_else(system, tmp_path):
 def test_resume_is_true_false_or_a_name(system, tmp_path, resume):
     with pytest.raises(TypeError, match="`resume`, unless it is a name for functions, must be"):
         run(system, tmp_path / "s.zarr", resume=resume)
+
+
+# -- a start that fails -------------------------------------------------------------------------
+
+
+def test_a_store_is_there_as_a_whole_or_not_at_all(system, tmp_path, monkeypatch):
+    def full(*arguments):
+        raise OSError("no space left")
+
+    path = tmp_path / "new" / "s.zarr"
+    with monkeypatch.context() as patch:
+        patch.setattr(stores, "write_coordinates", full)
+        with pytest.raises(OSError, match="no space left"):
+            run(system, path)
+    assert list(path.parent.iterdir()) == []
+    run(system, path)
+    assert list(path.parent.iterdir()) == [path]
+
+
+def test_a_store_that_another_process_made_meanwhile_stays(system, tmp_path, monkeypatch):
+    path, written = tmp_path / "s.zarr", stores.write_coordinates
+
+    def raced(*arguments):
+        written(*arguments)
+        path.mkdir()
+        (path / "results").write_text("of another process")
+
+    monkeypatch.setattr(stores, "write_coordinates", raced)
+    with pytest.raises(OSError, match=r"s\.zarr"):
+        run(system, path)
+    assert (path / "results").read_text() == "of another process"
 
 
 # -- damage ---------------------------------------------------------------------------------------

@@ -17,12 +17,16 @@ from types import SimpleNamespace
 import fmpy
 import numpy as np
 import pytest
+import sympy as sm
 from fmpy import instantiate_fmu, read_model_description, simulate_fmu
+from fmpy.fmi1 import FMICallException
 from fmpy.validation import validate_fmu
 
+from ball import bouncing_ball
 from exported_models import TIMES, ball, hostile, pendulum, spring_of
 from pydy.errors import GeneratorError
 from pydy.export.fmu import compiler
+from pydy.solvers import Event
 
 VERSIONS = ("3.0", "2.0")
 KINDS = ("CoSimulation", "ModelExchange")
@@ -112,6 +116,21 @@ def test_a_terminal_event_ends_the_simulation(tmp_path):
     assert result["time"][-1] == pytest.approx(np.sqrt(2 / 9.81), abs=0.06)
 
 
+def test_an_event_that_depends_on_constants_is_found_or_told_to_be_nan(tmp_path):
+    system, bounce = bouncing_ball()
+    system.initial_conditions = {"q": 1.0, "u": 0.0}
+    above = bounce.expression  # q − d
+    options = {"fmi_type": "CoSimulation", "stop_time": 1.0, "output_interval": 0.01}
+    path = system.export(tmp_path / "low.fmu", events=Event(above, terminal=True)).path
+    result = simulate_fmu(str(path), **options, output=["q"])
+    assert result["time"][-1] == pytest.approx(np.sqrt(2 * 0.9 / 9.81), abs=0.011)
+    path = system.export(tmp_path / "root.fmu", events=Event(sm.sqrt(above))).path
+    told = []
+    with pytest.raises(FMICallException, match="fmi3DoStep failed"):
+        simulate_fmu(str(path), **options, logger=lambda *words: told.append(words[-1]))
+    assert b"an event is NaN" in told[0]
+
+
 def sensitivities(unit, call):
     """Return d(unknowns)/d(knowns) of a unit in its initial state, column by column."""
     description = read_model_description(unit)
@@ -154,12 +173,18 @@ def test_adjoint_derivatives_are_the_same_transposed(units):
     )
 
 
+@pytest.mark.parametrize("known", ["__GNUC__", "__FP_FAST_FMA", "nothing"])
 @pytest.mark.parametrize("fmi", VERSIONS)
-def test_its_sources_compile_without_a_warning(units, tmp_path, fmi):
+def test_its_sources_compile_without_a_warning(units, tmp_path, fmi, known):
     with zipfile.ZipFile(units["ball", fmi]) as archive:
         archive.extractall(tmp_path)
     strict = ["-std=c99", "-O1", "-Wall", "-Wextra", "-Werror", "-pedantic", "-fPIC", "-shared"]
     folder = tmp_path / "sources"
+    numbers = (folder / "real.h").read_text(encoding="utf-8")
+    for name in {"__GNUC__", "__FP_FAST_FMA"} - {known}:  # of other compilers, and processors
+        numbers = numbers.replace(name, "UNKNOWN")
+    numbers = numbers.replace("__FP_FAST_FMA", "__GNUC__")
+    (folder / "real.h").write_text(numbers, encoding="utf-8")
     command = [*compiler(), *strict, "-o", "unit.so", "all.c", "-lm"]
     done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr

@@ -4,8 +4,7 @@ import re
 
 from exported_models import ball, hostile, pendulum
 from pydy._graph.operations import OPERATIONS
-from pydy.export.javascript import literal
-from pydy.export.straight import LONGEST, PRELUDE, javascript_of
+from pydy.export.javascript import LONGEST, PRELUDE, javascript_of, literal
 
 
 def test_every_function_of_an_operation_is_defined():
@@ -41,7 +40,7 @@ def test_very_long_programs_are_divided(monkeypatch):
     system.generate_ode_function()
     program = system.model.assembly.program("rates")
     whole = javascript_of(program, "rates")
-    monkeypatch.setattr("pydy.export.straight.LONGEST", 50)
+    monkeypatch.setattr("pydy.export.javascript.LONGEST", 50)
     parts = javascript_of(program, "rates")
     assert "function rates_1(" in parts
     assert "function rates_1(" not in whole

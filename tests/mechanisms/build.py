@@ -108,8 +108,8 @@ class Model:
                     for a, b in zip(q, u, strict=True):
                         equations[b] = a.diff(T)
         partner = dict(equations)
-        for mixed, i, j, k in mixing(self.real):
-            scale = 1 if mixed["plain"] else sm.cos(self.q[k])
+        for mixed, i, j, k, unit in mixing(self.real):
+            scale = 1 if mixed["plain"] else sm.cos(self.q[k] / sm.nsimplify(unit))
             ui, uj = self.u[i], self.u[j]
             equations[ui] = equations[ui] + sm.Float(mixed["part"], 17) * scale * partner[uj]
             if mixed["swing"]:
@@ -126,6 +126,7 @@ class Model:
     def _tree(self):
         bodies = self.tree["bodies"]
         self.frames, self.centres, self.hinges, self.axes, self.bodies = [], [], [], [], []
+        self.spots = {}
         for k, body in enumerate(bodies):
             frame, start = self.frame(body["on"]), self.centre(body["on"])
             point = self.moved(start, vector(body["at"], frame), 0, frame)
@@ -192,6 +193,7 @@ class Model:
         wall = me.RigidBody("wall", self.origin, self.ground)
         self.system = me.System.from_newtonian(wall)
         self.frames, self.centres, self.hinges, self.axes, self.bodies = [], [], [], [], []
+        self.spots = {}
         for k, body in enumerate(self.tree["bodies"]):
             parent = wall if body["on"] < 0 else self.bodies[body["on"]]
             frame = parent.frame
@@ -206,8 +208,8 @@ class Model:
             kind, options = JOINTS[body["joint"]][3], {}
             if kind is me.PlanarJoint:
                 options = {
-                    "rotation_coordinate": q[0], "planar_coordinates": q[1:],
-                    "rotation_speed": u[0], "planar_speeds": u[1:],
+                    "rotation_coordinate": q[2], "planar_coordinates": q[:2],
+                    "rotation_speed": u[2], "planar_speeds": u[:2],
                 }  # fmt: skip
             elif kind is not me.WeldJoint:
                 options = {"coordinates": q, "speeds": u}
@@ -251,6 +253,7 @@ class Model:
         point = self.centre(body).locatenew(self.name("S"), vector(spot["at"], self.frame(body)))
         if self.said:
             point.v2pt_theory(self.centre(body), self.ground, self.frame(body))
+        self.spots.setdefault(body, []).append(point)
         return point
 
     def velocity(self, point):
@@ -389,8 +392,8 @@ def joints(data):
         return None
     model = Model(data | {"said": False}, joints=True)
     system = model.system
-    if model.positions:
-        system.add_holonomic_constraints(*model.positions)
+    if positions := [e for e in model.positions if e != 0]:
+        system.add_holonomic_constraints(*positions)
     if model.speeds:
         system.add_nonholonomic_constraints(*model.speeds)
     for load in model.loads:

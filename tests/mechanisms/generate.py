@@ -176,9 +176,11 @@ def settle(data):
         if loop["kind"] != "again":
             LOOPS[loop["kind"]].settle(world, loop)
         data["loops"].append(loop)
+        before = data["u"]
         # Neither a mechanism that cannot move nor one whose prescribed motion it cannot follow.
         if not _fit_speeds(data):
             data["loops"].pop()
+            data["u"] = before
     _fit_speeds(data)
 
 
@@ -214,7 +216,7 @@ def physical(data):
 
     found = replaced(copy.deepcopy(data), sized)
     of_q, of_u = lengths(data)
-    for mixed, i, j, _ in mixing(found):
+    for mixed, i, j, *_ in mixing(found):
         mixed["part"] *= length ** (of_u[i] - of_u[j])
         mixed["size"] *= length ** of_u[i] / second
         mixed["frequency"] /= second

@@ -136,7 +136,7 @@ JOINTS = {
     "pin": (8, [Turn()], lambda rng: {"axis": draw_axis(rng)}, me.PinJoint),
     "slide": (4, [Slide()], lambda rng: {"axis": draw_axis(rng)}, me.PrismaticJoint),
     "cylinder": (2, [Turn(), Slide()], lambda rng: {"axis": draw_axis(rng)}, me.CylindricalJoint),
-    "planar": (1, [Turn("x"), Slide("y"), Slide("z")], lambda rng: {}, me.PlanarJoint),
+    "planar": (1, [Slide("y"), Slide("z"), Turn("x")], lambda rng: {}, me.PlanarJoint),
     "ball": (2, [Turn("x"), Turn("y"), Turn("z")], lambda rng: {}, me.SphericalJoint),
     "weld": (1, [], lambda rng: {}, me.WeldJoint),
     "cardan": (2, [Turn("x"), Turn("z")], lambda rng: {}, None),

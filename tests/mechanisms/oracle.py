@@ -39,14 +39,15 @@ def layout(data):
 
 
 def mixing(data):
-    """Of each combination of speeds: places of both speeds and of the coordinate."""
+    """Of each combination of speeds: places of both speeds and of the coordinate, and its unit."""
     places = [p for elements in layout(data)[0] for p in elements if len(p[0].lengths) != 4]
     q = [k for _, of_q, _ in places for k in range(of_q.start, of_q.stop)]
+    units = [data["units"][0] if length else 1 for e, _, _ in places for length in e.lengths]
     u = [k for _, _, of_u in places for k in range(of_u.start, of_u.stop)]
     for mixed in data["speeds"]:
         i, j, k = (mixed[name] % len(q) if q else 0 for name in ("of", "with", "turn"))
         if i > j:
-            yield mixed, u[i], u[j], q[k]
+            yield mixed, u[i], u[j], q[k], units[k]
 
 
 def _each(numbers, f):
@@ -96,8 +97,8 @@ class World:
                 rows += [(e[:, 3], e[:, 0], -e[:, 1]), (-e[:, 2], e[:, 1], e[:, 0])]
                 G[:, of_q, of_u] = np.moveaxis(np.array(rows), 2, 0)
         Y[0] = np.eye(self.nu)
-        for mixed, i, j, k in mixing(self.data):
-            turn = cos_sin(q[:, None, k])[0][:, 0]
+        for mixed, i, j, k, unit in mixing(self.data):
+            turn = cos_sin(q[:, None, k] / unit)[0][:, 0]
             Y[:, i, j] += mixed["part"] * (turn if not mixed["plain"] else np.array([1, 0, 0]))
             if mixed["swing"]:  # and something that depends on time alone
                 t = np.array([[self.time], [1], [0]], LONG)

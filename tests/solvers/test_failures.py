@@ -71,7 +71,7 @@ def test_fixed_steps_stop_where_the_state_is_not_finite_any_more():
             return x**2
 
     error = failure(rk4, f, [1.0], TIMES)
-    assert "met derivatives that are not finite with a step size of 0.001" in str(error)
+    assert "met derivatives or errors that are not finite with a step size of 0.001" in str(error)
     assert 1.0 < error.time < 1.1
 
 
@@ -81,7 +81,7 @@ def test_derivatives_that_are_not_finite_are_named_with_time_and_state(solver):
         return [np.sqrt(1.0 - t) if t <= 1.0 else np.nan, x[0]]
 
     error = failure(solver, f, [0.0, 3.0], TIMES)
-    assert "met derivatives that are not finite" in str(error)
+    assert "met derivatives or errors that are not finite" in str(error)
     assert "division by zero or a function outside its domain" in str(error)
     assert "x[0] = 0.66" in str(error)
     assert abs(error.time - 1.0) < 2e-3
@@ -92,7 +92,7 @@ def test_derivatives_that_are_not_finite_are_named_with_time_and_state(solver):
 @pytest.mark.parametrize("solver", ALL)
 def test_derivatives_that_are_not_finite_at_the_start_are_named(solver, bad):
     error = failure(solver, lambda x, t: [bad, 1.0], [0.0, 3.0], TIMES)
-    assert "met derivatives that are not finite" in str(error)
+    assert "met derivatives or errors that are not finite" in str(error)
     assert error.time == 0.0
     assert "nan" not in str(error)
 

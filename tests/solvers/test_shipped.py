@@ -5,14 +5,15 @@ import re
 import shutil
 import subprocess
 import sys
-from pathlib import Path
 
 import numpy as np
 import pytest
 import solvers_ir
 
 from pydy.models import multi_mass_spring_damper
-from pydy.solvers.run import shipped
+from pydy.solvers import tuning
+from pydy.solvers.core import declarations
+from pydy.solvers.run import layout, shipped
 from pydy.solvers.solver import SOLVERS
 
 ENTRIES = sorted(solvers_ir.ENTRIES)
@@ -30,41 +31,6 @@ def run(code, **environment):
     return done.stdout.splitlines()
 
 
-# -- numba ----------------------------------------------------------------------------------------
-
-EVERYTHING = """
-import sys
-sys.modules["numba"] = None  # importing it is an error
-sys.path[:0] = {path!r}
-from cases import system_of
-from zoo import fourbar
-from pydy.models import multi_mass_spring_damper
-from pydy.solvers import Event
-from pydy.solvers.solver import SOLVERS
-
-chain, linkage = multi_mass_spring_damper(), system_of(fourbar())
-x, v = chain.states
-for system in (chain, linkage):
-    system.times = [0.0, 0.1, 0.2]
-for name, solver in SOLVERS.items():
-    accuracy = {{"rtol": 1e-6}} if solver.adaptive else {{"step": 0.01}}
-    chain.ode_solver = linkage.ode_solver = name
-    chain.initial_conditions = {{x: 0.1}}
-    chain.integrate(events=[Event(x - 0.05)], **accuracy)
-    linkage.integrate(constraints="project", **accuracy)
-    solver(lambda x, t: -x, [1.0], [0.0, 1.0], **accuracy)
-    if name != "radau":
-        chain.integrate_ensemble(initial_conditions={{v: [1.0, 2.0]}}, ode_solver=name, **accuracy)
-del sys.modules["numba"]
-print([name for name in sys.modules if name.split(".")[0] == "numba"])
-"""
-
-
-def test_no_solver_event_projection_or_ensemble_needs_numba():
-    tests = str(Path(__file__).parents[1])
-    assert run(EVERYTHING.format(path=[tests]))[-1] == "[]"
-
-
 # -- what is shipped ------------------------------------------------------------------------------
 
 
@@ -78,30 +44,45 @@ def test_there_is_ir_for_each_entry_and_for_nothing_else():
 
 
 @pytest.mark.parametrize("name", ENTRIES)
+def test_the_ir_is_what_the_compiler_makes_of_the_sources(name):
+    pytest.importorskip("ziglang")
+    assert solvers_ir.written(name) == (solvers_ir.IR / f"{name}.ll").read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize("name", ENTRIES)
 def test_the_ir_is_for_no_processor_and_needs_nothing_but_libm(name):
     text = (solvers_ir.IR / f"{name}.ll").read_text(encoding="utf-8")
     assert not re.search(r"^target |target-cpu|target-features", text, flags=re.MULTILINE)
     called = set(re.findall(r"^declare [^@]*@([\w.]+)", text, flags=re.MULTILINE))
     assert {f for f in called if not f.startswith("llvm.")} <= solvers_ir.LIBRARY
     assert not re.search(r"inttoptr \(i64 \d", text)  # an address of the process that wrote it
-    assert not solvers_ir.PICKLE.search(text)  # an exception
     outside = re.findall(r"^define (?!internal)[^@]*@([\w.]+)", text, flags=re.MULTILINE)
     assert outside == [name]
 
 
-def test_the_digest_depends_on_every_module_that_compiled_code_is_made_of(tmp_path, monkeypatch):
-    names = {path.name for path in solvers_ir.sources("advance")}
-    assert {"explicit.py", "runge_kutta.py", "rates.py", "layout.py", "solvers_ir.py"} <= names
-    assert not {"implicit.py", "stepper.py", "integration.py"} & names
+def test_the_digest_depends_on_every_file_that_an_entry_is_made_of(tmp_path, monkeypatch):
+    names = declarations.included("advance.c").keys()
+    assert {"advance.c", "run.h", "step.h", "sums.h", "real.h"} <= names
+    assert not {"newton.h", "lanes.h", "layout.h"} & names
 
-    monkeypatch.setattr(solvers_ir, "SRC", tmp_path / "src")
-    shutil.copytree(Path(solvers_ir.IR).parent, tmp_path / "src" / "pydy" / "solvers")
-    shutil.copytree(Path(solvers_ir.__file__).parent, tmp_path / "tools")
-    monkeypatch.setattr(solvers_ir, "__file__", str(tmp_path / "tools" / "solvers_ir.py"))
     first = solvers_ir.digest("advance")
-    far = tmp_path / "src" / "pydy" / "solvers" / "loop" / "rates.py"
+    shutil.copytree(declarations.FOLDER, tmp_path / "core")
+    monkeypatch.setattr(declarations, "FOLDER", tmp_path / "core")
+    assert solvers_ir.digest("advance") == first
+    far = tmp_path / "core" / "real.h"
     far.write_text(far.read_text(encoding="utf-8") + "\n", encoding="utf-8")
     assert solvers_ir.digest("advance") != first
+
+
+def test_the_digest_depends_on_the_tuples_and_numbers_of_python(monkeypatch):
+    first = solvers_ir.digest("advance")
+    monkeypatch.setattr(tuning, "SLIVER", 0.5 * tuning.SLIVER)
+    other = solvers_ir.digest("advance")
+    assert other != first
+    monkeypatch.setattr(tuning, "FOR_PYTHON_ALONE", 0.5, raising=False)
+    assert solvers_ir.digest("advance") == other
+    monkeypatch.setattr(layout.Memory, "_fields", layout.Memory._fields[::-1])
+    assert solvers_ir.digest("advance") not in (first, other)
 
 
 # -- at first use ---------------------------------------------------------------------------------

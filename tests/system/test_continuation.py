@@ -9,7 +9,9 @@ import pydy.analysis.continuation
 from hoop import bead_on_a_hoop
 from pydy import System
 from pydy.errors import AnalysisInterrupted, EquilibriumError
+from pydy.mechanics import Definition
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
+from ziegler import zieglers_pendulum
 
 
 def in_a_potential(force):
@@ -84,6 +86,33 @@ def test_where_damping_turns_negative_an_oscillation_begins():
     (point,) = system.follow_equilibria({"c0": [1.0, -0.7]}).special
     assert point.kind == "Hopf"
     assert point.value == pytest.approx(0.0, abs=1e-9)
+    assert point.frequency == pytest.approx(2.0, rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("damping", "force", "accuracy"),
+    [
+        (0.0, 3.5 - np.sqrt(2.0), 1e-12),
+        (1e-3, 41.0 / 28.0 + 1e-6 / 2.0, 1e-9),
+        (0.3, 41.0 / 28.0 + 0.09 / 2.0, 1e-12),
+    ],
+)
+def test_zieglers_pendulum_flutters_at_the_published_force(damping, force, accuracy):
+    (point,) = zieglers_pendulum(damping).follow_equilibria({"P": [0.0, 2.5]}).special
+    assert point.kind == "Hopf"
+    assert point.value == pytest.approx(force, rel=accuracy)
+
+
+def test_an_oscillation_begins_beside_one_that_is_not_damped():
+    x, y, u, v = me.dynamicsymbols("x y u v")
+    c = sm.Symbol("c")
+    N, O = me.ReferenceFrame("N"), me.Point("O")
+    O.set_vel(N, 0)
+    P = O.locatenew("P", x * N.x + y * N.y)
+    loads = [(P, -(4 * x + c * u) * N.x - 9 * y * N.y)]
+    system = System(Definition(N, [x, y], [u, v], bodies=[me.Particle("p", P, 1)], loads=loads))
+    (point,) = system.follow_equilibria({"c": [1.0, -0.7]}).special
+    assert point.value == pytest.approx(0.0, abs=1e-12)
     assert point.frequency == pytest.approx(2.0, rel=1e-9)
 
 

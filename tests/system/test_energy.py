@@ -10,7 +10,8 @@ import sympy.physics.mechanics as me
 from sympy.physics.mechanics.models import n_link_pendulum_on_cart
 
 import zoo
-from cases import system_of
+from cases import close, system_of
+from pydy.mechanics import Definition
 from pydy.models import multi_mass_spring_damper
 from pydy.system import System
 
@@ -385,3 +386,54 @@ def test_a_trajectory_knows_its_energy():
     trajectory = system.simulate(**TIGHT)
     expected = system.evaluate_energy(trajectory.states)
     np.testing.assert_array_equal(trajectory.energy.T, expected)
+
+
+def carried(**options):
+    """A mass on a carriage that is moved by y(t): the equations hold y'' alone."""
+    x, v, y = me.dynamicsymbols("x v y")
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    end = origin.locatenew("P", (x + y) * frame.x)
+    body = me.Particle("A", end, 2)
+    loads = [(end, 3 * frame.x)]
+    definition = Definition(frame, [x], [v], bodies=[body], loads=loads)
+    return System(definition, initial_conditions={x: 0.5, v: 0.2}, **options), y
+
+
+@pytest.mark.parametrize("named", [False, True])
+def test_rates_of_a_prescribed_motion_that_the_equations_do_not_hold_follow_from_it(named):
+    system, y = carried()
+    system.specifieds = {"y" if named else y: 0.3 * sm.sin(2 * T)}
+    close(system.evaluate_ode(t=0.4), [0.2, 1.5 + 1.2 * np.sin(0.8)])
+    energy = system.evaluate_energy(t=0.4)
+    speed, place = 0.2 + 0.6 * np.cos(0.8), 0.5 + 0.3 * np.sin(0.8)
+    close([energy.kinetic, energy.potential], [speed**2, -3 * place])
+
+
+def test_rates_of_a_prescribed_motion_that_are_not_given_are_asked_for():
+    system, y = carried()
+    system.specifieds = {y: 0.4, y.diff(T, 2): 1.5}
+    with pytest.raises(ValueError, match=r"energy holds Derivative\(y\(t\), t\).*in `specifieds`"):
+        system.evaluate_energy()
+    system.specifieds = {y: 0.4, y.diff(T): 0.3, y.diff(T, 2): 1.5}
+    close(system.evaluate_energy().kinetic, 0.25)
+    system.specifieds = {y.diff(T): 0.3}
+    with pytest.raises(ValueError, match=r"energy holds y\(t\), which the equations"):
+        system.evaluate_energy()
+
+
+def test_a_motion_that_moves_nothing_else_counts_in_the_energy():
+    x, v, y = me.dynamicsymbols("x v y")
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    places = {"A": x * frame.x, "B": y * frame.y}
+    bodies = [me.Particle(name, origin.locatenew(name, s), 2) for name, s in places.items()]
+    system = System(Definition(frame, [x], [v], bodies=bodies), initial_conditions={v: 0.2})
+    with pytest.raises(ValueError, match=r"energy holds Derivative\(y\(t\), t\)"):
+        system.evaluate_energy()
+    system.specifieds = {y: sm.sin(3 * T)}
+    close(system.evaluate_energy(t=0.1).kinetic, 0.04 + 9 * np.cos(0.3) ** 2)
+    system.specifieds = {y.diff(T): 3.0}
+    close(system.evaluate_energy(t=0.1).kinetic, 0.04 + 9)
+    with pytest.raises(ValueError, match="z"):
+        system.specifieds = {me.dynamicsymbols("z"): 3.0}

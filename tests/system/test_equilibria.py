@@ -240,3 +240,53 @@ def test_a_combination_that_is_free_is_named_beside_what_is_free_alone():
     assert found.free == ("0.5 q1 + q2", "q3")
     assert found[q[1]] == pytest.approx(2.0 * found[q[0]], abs=1e-12)
     assert found[q[2]] == pytest.approx(7.0, abs=1e-9)
+
+
+@pytest.fixture(scope="module")
+def hanging_chain():
+    """Five links between two points at one height, by the links' angles."""
+    count = 5
+    q, u = me.dynamicsymbols(f"q:{count}"), me.dynamicsymbols(f"u:{count}")
+    m, length, g, width = constants = sm.symbols("m l g d")
+    ground, start = me.ReferenceFrame("N"), me.Point("O")
+    start.set_vel(ground, 0)
+    joint, bodies, loads = start, [], []
+    for k, (angle, rate) in enumerate(zip(q, u, strict=True)):
+        link = me.ReferenceFrame(f"A{k}")
+        link.orient_axis(ground, ground.z, angle)
+        link.set_ang_vel(ground, rate * ground.z)
+        center, end = (joint.locatenew(f"P{k}", share * length * link.x) for share in (0.5, 1))
+        center.v2pt_theory(joint, ground, link)
+        end.v2pt_theory(joint, ground, link)
+        about = me.inertia(link, 0, 0, m * length**2 / 12)
+        bodies.append(me.RigidBody(f"B{k}", center, link, m, (about, center)))
+        loads.append((center, -m * g * ground.y))
+        joint = end
+    gap = joint.pos_from(start) - width * ground.x
+    held = [gap.dot(axis) for axis in (ground.x, ground.y)]
+    rates = [angle.diff(zoo.T) - rate for angle, rate in zip(q, u, strict=True)]
+    moved = [joint.vel(ground).dot(axis) for axis in (ground.x, ground.y)]
+    kane = me.KanesMethod(
+        ground, q[:-2], u[:-2], rates, q_dependent=q[-2:], configuration_constraints=held,
+        u_dependent=u[-2:], velocity_constraints=moved, bodies=bodies, forcelist=loads,
+    )  # fmt: skip
+    return System(kane), q, constants
+
+
+@pytest.mark.parametrize(("metre", "second"), [(1e9, 1.0), (1.0, 1.0), (1e-7, 1 / 3600)])
+@pytest.mark.parametrize("spread", [0.5, 3.0])
+def test_a_chain_far_from_rest_hangs_by_equal_forces_in_any_units(
+    hanging_chain, metre, second, spread
+):
+    """Links of a chain that hangs change the slope of its joints' forces by equal parts."""
+    system, q, constants = hanging_chain
+    sizes = (1e-3, 0.25 * metre, 9.81 * metre / second**2, 0.75 * metre)
+    system.constants = dict(zip(constants, sizes, strict=True))
+    rng = np.random.default_rng(1)
+    start = np.linspace(-1.2, 1.2, len(q)) + rng.uniform(-spread, spread, len(q))
+    system.initial_conditions = dict(zip(q, start, strict=True))
+    found = system.find_equilibrium()
+    angles = np.array([found[angle] for angle in q])
+    assert np.cos(angles).sum() == pytest.approx(3.0, rel=1e-12)
+    assert np.sin(angles).sum() == pytest.approx(0.0, abs=1e-12)
+    assert np.diff(np.tan(angles), n=2) == pytest.approx(0.0, abs=1e-9)

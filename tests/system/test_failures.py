@@ -10,7 +10,7 @@ from scipy.integrate import ODEintWarning, odeint, solve_ivp
 
 import zoo
 from pydy._errors import IntegrationError, PyDyUserWarning, SingularMatrixError
-from pydy.models import n_link_pendulum_on_cart
+from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from pydy.system import System
 
 T = me.dynamicsymbols._t
@@ -117,7 +117,9 @@ def test_a_thread_beside_the_main_one_gets_the_error_too():
 @pytest.mark.parametrize("solver", ["odeint", "dop853", "radau"])
 def test_a_bad_choice_of_dependents_is_named(solver):
     system = on_a_circle(ode_solver=solver, equations="method")
-    with pytest.raises(IntegrationError, match="derivatives that are not finite") as caught:
+    with pytest.raises(
+        IntegrationError, match="derivatives or errors that are not finite"
+    ) as caught:
         system.integrate()
     message = str(caught.value)
     assert "cannot be solved there for the dependent speeds vy(t)" in message
@@ -174,7 +176,7 @@ def test_a_specified_that_is_not_finite_is_named(value):
         specifieds={PUSH: lambda x, t: value if t > 0.5 else 0.0},
         initial_conditions={X: 0.6, Y: 0.8},
     )
-    with pytest.raises(IntegrationError, match="derivatives that are not finite"):
+    with pytest.raises(IntegrationError, match="derivatives or errors that are not finite"):
         system.integrate()
     with pytest.raises(IntegrationError, match=rf"The specified `F\(t\)` is {value} there"):
         on_a_circle(specifieds={PUSH: lambda x, t: value}, ode_solver="dop853").integrate()
@@ -260,3 +262,17 @@ def test_a_length_of_zero_that_leaves_a_pendulum_without_inertia_is_named():
     system.times = np.linspace(0.0, 1.0, 3)
     with pytest.raises(SingularMatrixError, match=r"The cause is the constant `l0`, which is zero"):
         system.integrate()
+
+
+@pytest.mark.parametrize("solver", ["odeint", "dop853", "radau"])
+def test_numbers_out_of_the_range_of_step_control_are_told_with_the_remedy(solver):
+    system = multi_mass_spring_damper()
+    system.constants = {"m0": 1.0, "k0": 1.0, "c0": 0.0}
+    position, _ = system.states
+    system.initial_conditions, system.times = {position: 1e300}, np.linspace(0.0, 1.0, num=3)
+    if solver != "odeint":
+        system.ode_solver = solver
+    with pytest.raises(IntegrationError, match=r"`v0\(t\)` is -1e\+300 there.* raise `atol`"):
+        system.integrate()
+    states = system.integrate(rtol=1e-9, atol=1e290)
+    np.testing.assert_allclose(states[:, 0] / 1e300, np.cos(system.times), atol=1e-7)

@@ -293,6 +293,7 @@ def bad(**more):
         (["k0"], bad(measured={"bogus": swing()}), {}, "measured of trial 0` has the key `bogus`"),
         (["k0"], bad(measured={}), {}, "at least one quantity"),
         (["k0"], bad(measured={"x0": swing() + np.inf}), {}, "NaN where a sample is missing"),
+        (["k0"], bad(measured={"x0": swing() + np.nan}), {}, "one sample that is not NaN"),
         (["k0"], bad(noise=-1.0), {}, "`noise` of trial 0 must be positive"),
         (["k0"], bad(noise={"v0": 1.0}), {}, "an entry for each measured quantity"),
         (["k0"], [bad(noise=1.0), bad()], {}, "of all trials, or of none"),

@@ -5,11 +5,13 @@ from functools import cache
 import numpy as np
 import pytest
 import sympy as sm
+import sympy.physics.mechanics as me
 from scipy.optimize import brentq
 from scipy.signal import StateSpace
 
 import zoo
 from cases import close, system_of
+from circle import on_a_circle
 from pydy.errors import PyDyUserWarning
 from pydy.examples import whipple_bicycle
 from pydy.linearize import constrained_eigenvalues
@@ -124,6 +126,15 @@ def test_inputs_and_outputs_have_names():
     close(model.C[2], np.zeros(6))
     by_input = system.evaluate_jacobian(wrt="specifieds")
     close(model.B, by_input[:, [1, 0]])
+
+
+@pytest.mark.parametrize("speed", [1e-9, 1e9])
+def test_a_model_has_the_same_states_in_any_unit_of_time(speed):
+    """On a circle of one metre, y'' = -y v²/(1 - y²)."""
+    model = on_a_circle(0.7, speed).linearize()
+    x, y = np.cos(0.7), np.sin(0.7)
+    assert model.states == ("y", "v")
+    close(model.A * [[1, 1], [1 / speed**2, 1 / speed]], [[0, 1], [-(1 + y**2) / x**2, -2 * y / x]])
 
 
 def test_an_output_may_depend_on_an_input_at_once():
@@ -311,3 +322,23 @@ def test_poles_are_plotted():
     several = system.linearize(np.zeros((3, 2)), np.arange(3.0))
     assert len(several.plot_poles(axes).collections[1].get_offsets()) == 6
     plt.close("all")
+
+
+@pytest.mark.parametrize("metre", [1e9, 1.0, 1e-7, 1e-12])
+def test_a_constraint_of_squares_keeps_its_rank_in_any_units(metre):
+    """A pendulum by its bob's place, hanging aside of a force along x: sqrt(hypot(3, 4) / l)."""
+    x, y, v, w = me.dynamicsymbols("x y v w")
+    ground, bob = me.ReferenceFrame("N"), me.Point("P")
+    bob.set_vel(ground, v * ground.x + w * ground.y)
+    kane = me.KanesMethod(
+        ground, [x], [v],
+        kd_eqs=[x.diff(zoo.T) - v, y.diff(zoo.T) - w],
+        q_dependent=[y], configuration_constraints=[x**2 + y**2 - sm.Float(metre) ** 2],
+        u_dependent=[w], velocity_constraints=[x * v + y * w],
+        bodies=[me.Particle("P", bob, 1)],
+        forcelist=[(bob, 3 * metre * ground.x - 4 * metre * ground.y)],
+    )  # fmt: skip
+    system = System(kane)
+    system.initial_conditions = {x: 0.6 * metre, y: -0.8 * metre}
+    values = np.sort_complex(system.linearize().eigenvalues)
+    assert values == pytest.approx(np.array([-1j, 1j]) * np.sqrt(5.0), rel=1e-6, abs=1e-6)

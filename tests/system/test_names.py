@@ -11,7 +11,7 @@ import zoo
 from cases import close
 from pydy.analysis import Trial
 from pydy.codegen.ode_function_generators import generate_ode_function
-from pydy.errors import PyDyUserWarning
+from pydy.errors import PyDyUserWarning, UnsupportedFunctionError
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from pydy.solvers import Event
 from pydy.system import System
@@ -199,6 +199,20 @@ def test_a_list_of_symbols_must_be_one(system, argument, value):
 def test_time_is_no_constant(system):
     with pytest.raises(ValueError, match="`constants_symbols` has `t`, which is time"):
         System(system.eom_method, constants_symbols=[me.dynamicsymbols._t])
+
+
+def test_a_constant_whose_symbol_is_the_time_is_named():
+    # It used to be told that it cancels.
+    with pytest.raises(ValueError, match=r"`t` is the time, `dynamicsymbols\._t`"):
+        two_masses(me.dynamicsymbols._t, constants={me.dynamicsymbols._t: 2.0})
+
+
+def test_a_function_of_another_symbol_for_time_is_named():
+    force = sm.Function("F")(sm.Symbol("t", real=True))
+    with pytest.raises(
+        UnsupportedFunctionError, match=r"other assumptions than `dynamicsymbols\._t`"
+    ):
+        two_masses(second=force)
 
 
 def test_ensembles_take_names(system):

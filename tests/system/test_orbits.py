@@ -227,6 +227,29 @@ def test_the_period_of_a_free_oscillation_does_not_depend_on_units(metre, second
     assert not orbit.equilibrium
 
 
+@pytest.mark.parametrize(("metre", "second"), [(1.0, 1.0), (1e9, 1e-3)])
+def test_a_pendulum_that_nearly_stands_is_fast_on_its_way(metre, second):
+    """At both ends of its swing it hardly moves; its period is the elliptic integral."""
+    system = on_a_line(lambda x, v, mu: -39.0 * metre / second**2 * sm.sin(x / metre))
+    system.initial_conditions = {"x": 3.1415 * metre, "v": 0.0}
+    orbit = system.find_periodic_orbit(7.2809 * second)
+    amplitude = orbit.initial_conditions[system.states[0]] / metre
+    expected = 4.0 * ellipk(np.sin(amplitude / 2) ** 2) / np.sqrt(39.0)
+    assert orbit.period / second == pytest.approx(expected, rel=1e-5)
+
+
+@pytest.mark.parametrize(("metre", "second"), [(1.0, 1.0), (1e9, 1e-3), (1e-7, 1e-5)])
+def test_a_first_flight_that_runs_away_sets_no_sizes(metre, second):
+    """x'' = w² x + cos t has one bounded motion, −cos t / (1 + w²), with the multiplier e²⁵."""
+    rate = 25.0 / (2.0 * np.pi)
+    system = on_a_line(lambda x, v, mu: (rate**2 * x + metre * sm.cos(t / second)) / second**2)
+    system.initial_conditions = {"x": -0.05 * metre, "v": 0.0}
+    orbit = system.find_periodic_orbit(2.0 * np.pi * second)
+    x, v = (orbit.initial_conditions[s] for s in system.states)
+    assert x / metre == pytest.approx(-1.0 / (1.0 + rate**2), rel=1e-10)
+    assert v * second / metre == pytest.approx(0.0, abs=1e-10)
+
+
 def test_where_there_is_no_orbit_what_is_left_is_told():
     system = on_a_line(lambda x, v, mu: mu + 0 * x)
     with pytest.raises(PeriodicOrbitError, match=r"Nearest, at x = .*change over it"):
@@ -250,6 +273,18 @@ def test_what_does_not_fit_is_named(call, message):
     system.initial_conditions = {}
     with pytest.raises(ValueError, match="are an equilibrium, which is no orbit"):
         system.find_periodic_orbit(1.0)
+
+
+def test_where_constraints_leave_nothing_to_search_for_it_says_so():
+    x, v = me.dynamicsymbols("x v")
+    N, O = me.ReferenceFrame("N"), me.Point("O")
+    O.set_vel(N, 0)
+    slider = me.Particle("slider", O.locatenew("P", x * N.x), 1)
+    driven = Definition(N, [x], [v], bodies=[slider], holonomic_constraints=[x - sm.sin(t)])
+    system = System(driven)
+    system.set_dependent_initial_conditions()
+    with pytest.raises(ValueError, match=r"no state to search for.*`simulate`"):
+        system.find_periodic_orbit(2.0 * np.pi)
 
 
 def test_ctrl_c_hands_over_what_came_nearest(monkeypatch, capsys):

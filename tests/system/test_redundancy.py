@@ -7,6 +7,7 @@ import sympy.physics.mechanics as me
 
 import loops
 from pydy._mechanics import dependents
+from pydy.errors import PyDyUserWarning
 from pydy.mechanics import Definition
 from pydy.system import System
 
@@ -64,6 +65,85 @@ def test_redundant_constraints_that_contradict_each_other_in_a_length_are_named(
     system.ode_solver = "dop853"
     with pytest.raises(ValueError, match=r"`-2\*l \+ p\(t\) \+ q\(t\)` was left out .* it is -1 "):
         system.integrate()
+
+
+LENGTHS = sm.symbols("a b c")
+
+
+def pair(rows, constants=(), **options):
+    """Two particles on a line."""
+    frame, origin = loops._ground()
+    q, p, u, v = me.dynamicsymbols("q p u v")
+    bodies = [
+        me.Particle(name, origin.locatenew(name, s * frame.x), 1)
+        for name, s in (("A", q), ("B", p))
+    ]
+    options = {kind: [e(q, p, u, v) for e in rows] for kind, rows in rows.items()}
+    definition = Definition(frame, [q, p], [u, v], bodies=bodies, **options)
+    start = {q: 4e4, p: 6e4}
+    return System(definition, dict(constants), initial_conditions=start, times=TIMES)
+
+
+def far(q, p, u, v):
+    return q + p - 1e5
+
+
+def together(q, p, u, v):
+    return u + v
+
+
+def rest(value):
+    return lambda *states: value
+
+
+@pytest.mark.parametrize(
+    ("others", "left"),
+    [
+        ({"holonomic_constraints": [far]}, 7.3e-12),  # of 1e5 - 1e5
+        ({"holonomic_constraints": []}, -1.1e-16),  # of a cosine between directions
+        ({"nonholonomic_constraints": [together]}, 1.1e-16),
+    ],
+)
+def test_what_rounding_leaves_of_numbers_contradicts_nothing(others, left):
+    system = pair({kind: [*rows, rest(left)] for kind, rows in others.items()})
+    system.integrate()
+    system.linearize()
+
+
+@pytest.mark.parametrize("others", [[far], []])
+def test_a_number_that_is_no_rounding_contradicts(others):
+    system = pair({"holonomic_constraints": [*others, rest(2e-8)]})
+    with pytest.raises(ValueError, match=r"`2.0*E-8` was left out .* it is 2e-08 "):
+        system.integrate()
+
+
+@pytest.mark.parametrize("others", [[far], []])
+def test_lengths_that_must_agree_are_constants_and_judged_as_they_were_typed(others):
+    a, b, c = LENGTHS
+    rows = {"holonomic_constraints": [*others, rest(a + b - c)]}
+    for third in (0.1 + 0.2, 0.300001):
+        pair(rows, {a: 0.1, b: 0.2, c: third}).integrate()
+    with pytest.raises(ValueError, match=r"`a \+ b - c` was left out .* it is -0.1 "):
+        pair(rows, {a: 0.1, b: 0.2, c: 0.4}).integrate()
+    with pytest.raises(ValueError, match=r"`a \+ b - c` was left out .* it is -0.1 "):
+        pair(rows, {a: 0.1, b: 0.2, c: 0.4}).integrate_ensemble()
+
+
+def test_a_condition_of_speeds_that_holds_none_is_one_of_the_constants():
+    a, b, c = LENGTHS
+    rows = {"nonholonomic_constraints": [together, rest(a * b - c)]}
+    pair(rows, {a: 0.1, b: 3.0, c: 0.3}).integrate()
+    with pytest.warns(PyDyUserWarning, match="redundant velocity constraint: a\\*b - c"):
+        pair(rows, {a: 0.1, b: 3.0, c: 0.4}).integrate()
+
+
+def test_long_rows_hold_up_to_their_rounding():
+    # A nanometre of a million kilometres.
+    def row(q, p, u, v):
+        return q - p - 1e18
+
+    system = pair({"holonomic_constraints": [row]})
+    assert len(system.eom_method.multibody.holonomic) == 1
 
 
 @pytest.mark.parametrize(

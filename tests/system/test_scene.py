@@ -5,6 +5,8 @@ import pytest
 import sympy as sm
 from sympy.physics.mechanics import (
     KanesMethod,
+    LagrangesMethod,
+    Lagrangian,
     Particle,
     Point,
     ReferenceFrame,
@@ -59,6 +61,43 @@ def test_gravity_may_be_a_number(mass):
     kane = KanesMethod(N, [y], [v], kd_eqs=[y.diff() - v], bodies=[Particle("ball", P, mass)],
                        forcelist=[(P, -mass * 9.81 * N.y), (P, thrust * N.x)])  # fmt: skip
     assert System(kane).scene()._look.up.tolist() == [0, 1, 0]
+
+
+def hanging(axis, weight, energy=None):
+    """A pendulum by Lagrange's method that hangs along an axis, whose weight no load tells."""
+    N, O = ReferenceFrame("N"), Point("O")
+    O.set_vel(N, 0)
+    l, m = sm.Symbol("l"), sm.Symbol("m")
+    down, aside = -{"x": N.x, "y": N.y, "z": N.z}[axis], {"x": N.y, "y": N.z, "z": N.x}[axis]
+    P = O.locatenew("P", l * (sm.cos(q) * down + sm.sin(q) * aside))
+    P.set_vel(N, P.pos_from(O).dt(N))
+    bob = Particle("bob", P, m if weight.free_symbols else 2)
+    bob.potential_energy = -weight * l * sm.cos(q) if energy is None else energy
+    return System(LagrangesMethod(Lagrangian(N, bob), [q], bodies=[bob], frame=N))
+
+
+G, K, M = sm.symbols("g, k, m")
+
+
+@pytest.mark.parametrize("axis", ["x", "y", "z"])
+@pytest.mark.parametrize("weight", [M * G, M * 9.81, sm.Float(19.62), -M * G])
+def test_gravity_may_be_in_the_potential_energy_alone(axis, weight):
+    scene = hanging(axis, weight).scene()
+    up = np.array([axis == "x", axis == "y", axis == "z"], dtype=float)
+    np.testing.assert_array_equal(scene._look.up, -up if weight == -M * G else up)
+    assert scene._look.ground is None
+
+
+def test_springs_are_told_from_weights():
+    l = sm.Symbol("l")
+    spring = K * (q - 1) ** 2 / 2
+    both = hanging("y", M * G, -M * G * l * sm.cos(q) + spring).scene()
+    assert both._look.up.tolist() == [0, 1, 0]
+    both = hanging("y", M, -M * 9.81 * l * sm.cos(q) + spring).scene()
+    assert both._look.up.tolist() == [0, 1, 0]
+    alone = hanging("y", M, spring).scene()
+    assert alone._look.up.tolist() == [0, 0, 1]
+    assert alone._look.ground is False
 
 
 def test_a_rigid_body_gets_the_box_with_its_inertia():

@@ -126,3 +126,17 @@ def test_a_system_with_it_is_copied_pickled_and_printed(system):
         np.testing.assert_array_equal(other.integrate(**TIGHT), expected)
     assert "solve_ivp, method RK45" in repr(system)
     assert repr(system.ode_solver) == "scipy.integrate.solve_ivp with method='RK45'"
+
+
+@pytest.mark.parametrize("outer", ["odeint", "LSODA"])
+@pytest.mark.parametrize("inner", ["odeint", "LSODA"])
+def test_lsoda_is_not_started_by_what_it_calls(system, inner, outer):
+    # SciPy keeps its state in one place: the run outside went on with that of the run inside.
+    preview = copy.deepcopy(system)
+    preview.ode_solver = inner
+    system.ode_solver = outer
+    system.specifieds = {"f0": lambda x, t: 0.5 - 0.0 * preview.integrate()[-1, 0]}
+    with pytest.raises(RuntimeError, match=f"`{inner}` cannot be started by a function that"):
+        system.integrate()
+    preview.ode_solver = "dop853"
+    close(system.integrate(**TIGHT), preview.integrate(**TIGHT), 1e-6)

@@ -11,6 +11,7 @@ from scipy.linalg import expm
 import zoo
 from ball import bouncing_ball
 from cases import system_of
+from circle import on_a_circle
 from pydy import System
 from pydy.errors import IntegrationError, IntegrationInterrupted
 from pydy.inputs import SampledInput
@@ -537,6 +538,19 @@ def test_the_norm_of_a_quaternion_is_held_in_sensitivities():
     names = [str(next(iter(system.constants_symbols)))]
     held = system.simulate(sensitivities=names, constraints="project", rtol=1e-5, atol=1e-5)
     assert off_the_constraints(system, held, names) < 1e-12
+
+
+@pytest.mark.parametrize("speed", [1e-9, 1.0, 1e9])
+def test_dependent_conditions_follow_in_any_unit_of_time(speed):
+    """y = √(1 - x²), v = -x u/y; the least singular value is 1e-18 of the largest at 1e9 m/s."""
+    found = on_a_circle(0.7, speed).simulate(sensitivities=["x", "u"]).sensitivity
+    x, y = np.cos(0.7), np.sin(0.7)
+    ratios = (
+        found["y", "x"][0] * y / x,
+        found["v", "x"][0] * y**2 / speed,
+        found["v", "u"][0] * y / x,
+    )
+    assert ratios == pytest.approx((-1.0, 1.0, -1.0), rel=1e-12)
 
 
 def test_the_states_as_a_group_leave_out_dependent_ones():

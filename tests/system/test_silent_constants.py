@@ -79,6 +79,35 @@ def test_a_symbol_of_an_events_expression_is_a_constant(ball):
     close(event.time, np.sqrt(2 * 0.8 / 10.0), 1e-9)
 
 
+def test_constants_of_events_are_told(ball):
+    with pytest.raises(ValueError, match=r"in events only, .* `system.constants\['e'\] = ...`"):
+        ball.constants = {E: 0.5}
+    with pytest.raises(ValueError, match=r"in events only, .* `system.constants\['e'\] = ...`"):
+        System(ball.eom_method, constants={"e": 0.5})
+    with pytest.raises(ValueError, match=r"Did you mean `m`\?$"):
+        ball.constants = {"M": 0.5}
+    ball.constants[E] = 0.5
+    assert "  elsewhere  e = 0.5\n" in repr(ball)
+    with pytest.raises(ValueError, match="in events only"):
+        ball.evaluate_ode()
+    del ball.constants[E]
+    assert "elsewhere" not in repr(ball)
+    ball.simulate(events=[BOUNCE])
+    assert "  elsewhere  e = (1.0)\n" in repr(ball)
+    ball.constants["e"] = 0.7
+    assert "  elsewhere  e = 0.7\n" in repr(ball)
+
+
+def test_a_system_may_be_told_the_constants_of_its_events(ball):
+    values = {E: 0.5, "g": 10.0}
+    told = System(ball.eom_method, values, constants_symbols=[E, G, M], ode_solver="dop853")
+    told.initial_conditions, told.times = {Q: 1.0}, TIMES
+    assert told.constants_symbols == {E, G, M}
+    assert "elsewhere" not in repr(told)
+    close(told.evaluate_ode(), [0.0, -10.0])
+    close(told.simulate(events=[BOUNCE], **TIGHT)["q"][-1], bounced(0.5)[0], 1e-9)
+
+
 def test_ensembles_fits_and_gradients_take_the_constants_of_events(ball):
     height, slope = bounced(0.5)
     heights = ball.integrate_ensemble(

@@ -16,6 +16,7 @@ from pydy.errors import AnalysisInterrupted, EquilibriumError
 from pydy.examples import whipple_bicycle
 from pydy.mechanics import Definition
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
+from ziegler import zieglers_pendulum
 
 MOVING = ["x", "theta_R", "theta_F"]
 
@@ -313,3 +314,30 @@ def test_eigenvalues_do_not_depend_on_units(rate):
     (crossing,) = sweep.crossings()
     assert crossing.value == pytest.approx(0.0, abs=1e-12 * m * rate)
     assert crossing.eigenvalue.imag == pytest.approx(rate, rel=1e-9)
+
+
+@pytest.mark.parametrize("forces", [np.linspace(0.0, 2.5, 7), np.linspace(2.5, 0.0, 50)])
+def test_flutter_without_damping_begins_at_the_published_force(forces):
+    sweep = zieglers_pendulum(0.0).eigenvalues({"P": forces})
+    (crossing,) = sweep.crossings()
+    assert crossing.value == pytest.approx(3.5 - np.sqrt(2.0), rel=1e-12)
+    assert crossing.oscillatory
+    assert crossing.stabilizing == (forces[-1] < forces[0])
+
+
+def test_a_bead_without_damping_leaves_the_bottom_of_its_hoop_at_the_critical_rate():
+    system, _, turn = bead_on_a_hoop()
+    rates = np.linspace(1.0, 8.0, 23)
+    (crossing,) = system.eigenvalues({turn: rates}, at=[0.0, 0.0]).crossings()
+    assert crossing.value == pytest.approx(np.sqrt(9.81 / 0.5), rel=1e-12)
+    assert not crossing.oscillatory
+    assert not crossing.stabilizing
+
+
+def test_a_sweep_goes_on_where_its_second_block_begins():
+    """A bicycle's wheels turn at another speed there than at the equilibrium before."""
+    bicycle = whipple_bicycle.derive()
+    system = System(bicycle.definition, constants=whipple_bicycle.benchmark_parameters(bicycle))
+    speeds = np.linspace(0.0, 2.57, num=258)
+    sweep = system.eigenvalues({"u_x": speeds}, moving=["x", "theta_R", "theta_F"])
+    assert np.isfinite(sweep.eigenvalues).all()

@@ -15,7 +15,7 @@ from sympy.physics.mechanics import (
 )
 
 from pydy.viz import Arrow, Line, Scene, Sphere, Visual
-from pydy.viz.poses import Geometry, Names, pose_program
+from pydy.viz.motion import Geometry, Names, pose_program
 
 q = dynamicsymbols("q:6")
 l, m = sm.symbols("l, m")

@@ -11,8 +11,8 @@ from sympy.physics.mechanics import Particle, Point, ReferenceFrame, dynamicsymb
 
 from pydy.trajectory import Trajectory
 from pydy.viz import Arrow, Line, Plane, Scene, Sphere, Trace, Visual
+from pydy.viz.animation import Look, frame
 from pydy.viz.arguments import watchable_speed
-from pydy.viz.framing import Look, frame
 from pydy.viz.motion import sampled
 
 q, u = dynamicsymbols("q, u")

@@ -116,6 +116,10 @@ def _shares(assembly: Assembly, holonomic: list[int], velocity: list[int]) -> np
             "constraints='project'."
         )
     reach, motion = parts["gradient"] @ parts["kinematics"], parts["motion"]
+    # Rows of size one: some may be lengths in kilometres, others squares of micrometres.
+    sizes = [np.linalg.norm(a, axis=(0, 2))[:, None] for a in (reach, motion)]
+    sizes = [np.where(size > 0.0, size, 1.0) for size in sizes]
+    reach, motion = reach / sizes[0], motion / sizes[1]
     # At a single state other factors may do too: redundant rows depend on each other there.
     share, left = _combined(np.concatenate([*reach.transpose(0, 2, 1)]), motion)
     genuine = left > SAME_SHARE
@@ -128,7 +132,9 @@ def _shares(assembly: Assembly, holonomic: list[int], velocity: list[int]) -> np
                 "constraints='project', or write the velocity constraints as `holonomic.diff(t)`."
             )
     share[genuine] = 0.0
-    return np.where(np.abs(share) < NO_SHARE, 0.0, share)
+    share[np.abs(share) < NO_SHARE] = 0.0
+    result: np.ndarray = share * (sizes[1] / sizes[0].T)
+    return result
 
 
 def _combined(columns: np.ndarray, rows: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

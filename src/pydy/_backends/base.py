@@ -28,8 +28,6 @@ from pydy._backends.registry import compile_program
 from pydy._graph.program import Program
 from pydy._kernel import Kernel
 
-__all__ = ["Backend", "kernel_of", "strict"]
-
 
 class Backend(Protocol):
     """What `generator=` accepts."""

@@ -9,8 +9,6 @@ from pydy._graph.interpret import run
 from pydy._graph.program import Program
 from pydy._kernel import Kernel
 
-__all__ = ["NumPyBackend"]
-
 
 class NumPyBackend:
     """Evaluates Programs with NumPy.

@@ -11,8 +11,6 @@ from pydy._graph.program import Program
 from pydy._kernel import Kernel
 from pydy._names import nearest
 
-__all__ = ["compile_program", "names", "refusal", "register", "resolve"]
-
 # Names to classes, or to where a class lies: a back end's own imports wait until it is asked for.
 _BACKENDS: dict[str, Any] = {
     "llvm": "pydy._backends.llvm.backend:LLVMBackend",

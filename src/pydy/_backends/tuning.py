@@ -6,23 +6,6 @@ unless it says otherwise. What depends on the processor is in `pydy._backends.ll
 
 from __future__ import annotations
 
-__all__ = [
-    "BASIC_BLOCK",
-    "FALLBACK_STACK",
-    "FOR_SINCOS",
-    "IDLE_SECONDS",
-    "LARGE",
-    "LINES",
-    "LOOP",
-    "MOST_RESULTS",
-    "MOST_WITHOUT_FALLBACKS",
-    "QUIET_SECONDS",
-    "SHORT",
-    "SPARSE",
-    "TEMPORARY",
-    "TOGETHER",
-]
-
 # Operations in one basic block: LLVM's time grows faster than a block's length. 30 and 120: no
 # gain.
 BASIC_BLOCK = 60
@@ -30,6 +13,11 @@ BASIC_BLOCK = 60
 # Instructions after which a block ends that mostly reads and writes, such as a matrix for a
 # fallback. 60 operations with what they read and write take fewer.
 LINES = 240
+
+# Bytes that LLVM may take, and more for each letter of IR. Its passes took 10 MB, and 27 bytes for
+# each letter of 100 links.
+ROOM = 2**24
+ROOM_PER_LETTER = 32
 
 # Registers left to intermediate results. Fewer: LLVM moves values to memory a second time; more:
 # no gain.

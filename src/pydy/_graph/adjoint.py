@@ -11,9 +11,10 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from pydy._graph.derivative import of_half_power
+from pydy._graph.derivative import times
 from pydy._graph.node import Graph
 from pydy._graph.operations import OPERATIONS, is_symmetric
+from pydy._graph.roots import at_rest, of_half_power, slope
 
 __all__ = ["adjoints"]
 
@@ -85,7 +86,24 @@ class _Sweep:
             self.terms.setdefault(node, []).append((term, coefficient))
 
     def of(self, node: int) -> int:
-        return self.graph.sum(self.terms.get(node, ()))
+        """Return the adjoint of a node; what comes by one way of a switch stays under it."""
+        g, terms = self.graph, self.terms.get(node, ())
+        ways: dict[tuple[int, bool], Terms] = {}
+        rest: Terms = []
+        for term, coefficient in terms:
+            c, core = g.scaled(term)
+            if g.ops[core] == "select" and g.zero in g.args[core][1:]:
+                which, yes, no = g.args[core]
+                taken = no == g.zero
+                way = ways.setdefault((which, taken), [])
+                way.append((yes if taken else no, c * coefficient))
+            else:
+                rest.append((term, coefficient))
+        for (which, taken), parts in ways.items():
+            total = g.sum(parts)
+            ends = (total, g.zero) if taken else (g.zero, total)
+            rest.append((g.call("select", which, *ends), 1.0))
+        return g.sum(rest)
 
     def through(self, node: int) -> None:
         """Hand the adjoint of a node to its operands."""
@@ -110,10 +128,10 @@ class _Sweep:
                 if n in self.active:
                     by_radicand = of_half_power(g, args, k)
                     if by_radicand is not None:
-                        self.add(g.args[n][0], g.mul(bar, by_radicand))
+                        self.add(g.args[n][0], times(g, bar, by_radicand))
                         continue
                     others = [(m, f) for j, (m, f) in enumerate(args) if j != k]
-                    self.add(n, g.product([(bar, 1), *others, (n, e - 1)], float(e)))
+                    self.add(n, times(g, bar, g.product([*others, (n, e - 1)], float(e))))
         elif op == "select":
             self.add(args[1], g.call("select", args[0], bar, g.zero))
             self.add(args[2], g.call("select", args[0], g.zero, bar))
@@ -122,14 +140,11 @@ class _Sweep:
         elif op in OPERATIONS:
             partials = OPERATIONS[op].partials
             if partials is not None:  # else it is piecewise constant
-                for n, d in zip(args, partials(g, node, *args), strict=True):
-                    if n not in self.active:
-                        continue
-                    if g.ops[d] == "select":  # an infinite adjoint goes to what is chosen alone
-                        which, *ends = g.args[d]
-                        self.add(n, g.call("select", which, *(g.mul(bar, end) for end in ends)))
-                    else:
-                        self.add(n, g.mul(bar, d))
+                slopes = [times(g, bar, d) for d in partials(g, node, *args)]
+                if at_rest(g, node) is not None:
+                    slopes[0] = slope(g, node, bar)
+                for n, d in zip(args, slopes, strict=True):
+                    self.add(n, d)
 
     def _as_found(self, n: int, entries: Sequence[int]) -> bool:
         """Return whether a guard is differentiated as its solution was found."""

@@ -5,6 +5,9 @@ the structure that is there. Linear solves are differentiated by the implicit ru
 follows ``A x' = b' − A' x``, one more right-hand side for the factors that exist already, instead
 of a derivative of the elimination (Griewank & Walther, Evaluating Derivatives, 2nd ed., §15.1).
 
+A root that may be at rest is a variable too, as −1 − root, until it is known what is made of it
+(`pydy._graph.roots`).
+
 A guarded solution of a system that is not symmetric is differentiated as it was found. Where the
 guard falls back those derivatives may have no correct digits, and NaN stands for them: they are
 then to be taken by the systems, which costs more operations and holds everywhere.
@@ -19,6 +22,7 @@ from typing import Literal
 
 from pydy._graph.node import Graph
 from pydy._graph.operations import OPERATIONS, is_symmetric
+from pydy._graph.roots import at_rest, of_half_power, slope
 
 __all__ = [
     "Guards",
@@ -29,7 +33,7 @@ __all__ = [
     "directional",
     "has_other_ways",
     "jacobian",
-    "of_half_power",
+    "times",
 ]
 
 Row = dict[int, int]
@@ -116,7 +120,8 @@ def directional(
         if node not in rows:
             rows[node] = _row(graph, node, rows, vectors, guards)
     zero = graph.zero
-    return [{k: d for k, d in sorted(rows[n].items()) if d != zero} for n in outputs]
+    settled = [_settled(graph, n, rows) for n in outputs]
+    return [{k: d for k, d in sorted(row.items()) if d != zero} for row in settled]
 
 
 class Rows:
@@ -151,13 +156,14 @@ class Rows:
         """Return the row of a node."""
         if node not in self.known:
             self._fill(node)
-        return self.known[node]
+        return _settled(self.graph, node, self.known)
 
     def through(self, node: int) -> Row:
         """Return the row of a node from its operands' rows, whatever was given for it."""
         for operand in self.graph.operands(node):
             self(operand)
-        return _row(self.graph, node, self.known, self._vectors, self._guards)
+        row = _row(self.graph, node, self.known, self._vectors, self._guards)
+        return _without_roots(self.graph, row, self.known)
 
     def _fill(self, root: int) -> None:
         graph, known = self.graph, self.known
@@ -207,6 +213,9 @@ def _row(
             k: g.call("select", condition, rows[yes].get(k, zero), rows[no].get(k, zero))
             for k in keys
         }
+    if op in ("factor", "solve", "guard"):
+        for n in g.operands(node):
+            _settled(g, n, rows)
     if op == "solve":
         vectors[node] = _solve_rows(g, node, args[0], args[1], rows)
         return {}
@@ -228,44 +237,36 @@ def _row(
     operation = OPERATIONS.get(op)
     if operation is None or operation.partials is None or not any(rows[n] for n in args):
         return {}  # constants, other inputs, steps, conditions, factors
+    if rows[args[0]] and at_rest(g, node) is not None:
+        by_root: Row = {-1 - node: g.one}
+        if op == "sqrt":
+            return by_root
+        by_exponent = operation.partials(g, node, *args)[1]
+        return _combine(g, [(by_root, None, 1.0), (rows[args[1]], by_exponent, 1.0)])
     partials = operation.partials(g, node, *args)
     if op == "sqrt" and g.ops[args[0]] in ("max", "min", "select"):
         # Where the radicand stays zero an infinite slope has no part in it.
-        slopes = _combine(g, [(rows[args[0]], partials[0], 1.0)])
-        still = {k: g.call("eq", d, g.zero) for k, d in rows[args[0]].items()}
+        own = _settled(g, args[0], rows)
+        slopes = _combine(g, [(own, partials[0], 1.0)])
+        still = {k: g.call("eq", d, g.zero) for k, d in own.items()}
         return {k: g.call("select", still[k], g.zero, d) for k, d in slopes.items()}
     return _combine(g, [(rows[n], d, 1.0) for n, d in zip(args, partials, strict=True)])
 
 
-def of_half_power(g: Graph, args: Sequence[tuple[int, int]], k: int) -> int | None:
-    """Return a product's derivative by the radicand y of its factor √y, where y may be zero.
-
-    Of y √y that is √y/2. By the root first it would be y/(2 √y), NaN where y is zero. Of f √y with
-    a sum of squares y, as in drag, it is zero where both f and y are: f then goes to zero with √y.
-    """
-    n, e = args[k]
-    if e != 1 or g.ops[n] != "sqrt":
-        return None
-    radicand, powers = g.args[n][0], dict(args)
-    _, core = g.scaled(radicand)
-    factors = g.args[core] if g.ops[core] == "prod" else ((core, 1),)
-    if all(powers.get(m, 0) >= f for m, f in factors):
-        return g.product([*args, (radicand, -1)], 0.5)
-    if len(args) == 1 or not _of_squares(g, core):
-        return None
-    rest = [(m, f) for j, (m, f) in enumerate(args) if j != k]
-    both = g.call("and", *(g.call("eq", m, g.zero) for m in (n, g.product(rest))))
-    return g.call("select", both, g.zero, g.product([*rest, (n, -1)], 0.5))
+def _settled(g: Graph, node: int, rows: dict[int, Row]) -> Row:
+    """Return the row of a node by the variables alone, from now on."""
+    if any(key < 0 for key in rows[node]):
+        rows[node] = _without_roots(g, rows[node], rows)
+    return rows[node]
 
 
-def _of_squares(g: Graph, node: int) -> bool:
-    """Return whether a node is a sum of squares that may all be zero."""
-    if g.ops[node] != "sum":
-        return False
-    c0, terms = g.args[node]
-    even = (g.ops[n] == "prod" and all(e % 2 == 0 for m, e in g.args[n] if not g.constant[m])
-            for n, _ in terms)  # fmt: skip
-    return c0 == 0.0 and all(c > 0.0 for _, c in terms) and all(even)
+def _without_roots(g: Graph, row: Row, rows: dict[int, Row]) -> Row:
+    """Return a row by the variables alone, not by roots."""
+    while (key := min(row, default=0)) < 0:
+        others = {k: d for k, d in row.items() if k != key}
+        by_radicand = slope(g, -1 - key, row[key])
+        row = _combine(g, [(others, None, 1.0), (rows[g.args[-1 - key][0]], by_radicand, 1.0)])
+    return row
 
 
 def _where_sound(g: Graph, sound: int, rows: Sequence[Row]) -> list[Row]:
@@ -288,12 +289,21 @@ def _where_sound(g: Graph, sound: int, rows: Sequence[Row]) -> list[Row]:
     return result
 
 
+def times(g: Graph, a: int, b: int) -> int:
+    """Return a product of slopes; beyond a switch that leaves it out one may be infinite."""
+    for switch, other in ((a, b), (b, a)):
+        if g.ops[switch] == "select" and g.zero in g.args[switch][1:]:
+            which, *ends = g.args[switch]
+            return g.call("select", which, *(times(g, end, other) for end in ends))
+    return g.mul(a, b)
+
+
 def _combine(g: Graph, parts: Sequence[tuple[Row, int | None, float]]) -> Row:
     """Return Σ coefficient · factor · row."""
     terms: dict[int, list[tuple[int, float]]] = {}
     for row, factor, coefficient in parts:
         for key, d in row.items():
-            product = d if factor is None else g.mul(d, factor)
+            product = d if factor is None else times(g, d, factor)
             terms.setdefault(key, []).append((product, coefficient))
     return {k: g.sum(t) for k, t in terms.items()}
 

@@ -1,6 +1,6 @@
 """Arithmetic modulo a prime: what an expression is worth at a random point, without rounding.
 
-Sums, products and quotients of the inputs that agree there agree everywhere, but for a chance of
+Sums, products and quotients of the inputs that agree there agree everywhere, up to a chance of
 about the degree in 2⁶¹ (J. T. Schwartz, "Fast probabilistic algorithms for verification of
 polynomial identities", Journal of the ACM 27 (1980) 701-717).
 """

@@ -7,6 +7,7 @@ coefficients, powers, linear solves) is in a second table, which says where the 
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -139,6 +140,26 @@ def _select(g: Any, nodes: Nodes, values: Sequence[Any]) -> int | None:
     return yes if yes == no else None
 
 
+def _root(g: Any, nodes: Nodes, values: Sequence[Any]) -> int | None:
+    """Take squares out of a root: √(c x² y) is √c |x| √y, with a slope where x passes zero."""
+    c, core = g.scaled(nodes[0])
+    factors = g.args[core] if g.ops[core] == "prod" else ()
+    if c < 0.0 or all(-2 < e < 2 for _, e in factors):
+        return None
+    halves = [(m, int(e / 2)) for m, e in factors]
+    left = [(m, e % 2 if e > 0 else -(-e % 2)) for m, e in factors]
+    odd = [m for m, e in left if e]
+    # What is left alone under a root is not negative.
+    out = g.product([(m, e) for m, e in halves if [m] != odd])
+    root = g.call("sqrt", g.product(left))
+    return int(
+        g.product(
+            [(g.call("abs", out), 1), *((m, e) for m, e in halves if [m] == odd), (root, 1)],
+            math.sqrt(c),
+        )
+    )
+
+
 def _kept(g: Any, nodes: Nodes, values: Sequence[Any]) -> int | None:
     return nodes[0] if values[0] is not None or g.ops[nodes[0]] == "kept" else None
 
@@ -195,7 +216,9 @@ _infix("mul", np.multiply, "*", "arithmetic fmul")
 _infix("div", np.divide, "/", "arithmetic fdiv")
 register(Operation("neg", 1, np.negative, "-{0}", "negation"))
 
-_function("sqrt", np.sqrt, "intrinsic sqrt", lambda g, n, x: (g.product([(n, -1)], 0.5),))
+_function(
+    "sqrt", np.sqrt, "intrinsic sqrt", lambda g, n, x: (g.product([(n, -1)], 0.5),), rewrite=_root
+)
 _function("exp", np.exp, "libm exp", lambda g, n, x: (n,), sympy="exp")
 _function("log", np.log, "libm log", lambda g, n, x: (g.powi(x, -1),))
 _function(

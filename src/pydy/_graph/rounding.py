@@ -16,7 +16,9 @@ from pydy._graph.operations import OPERATIONS
 __all__ = ["rounding_bounds"]
 
 
-def rounding_bounds(graph: Graph, nodes: Sequence[int], inherited: bool = True) -> list[int]:
+def rounding_bounds(
+    graph: Graph, nodes: Sequence[int], inherited: bool = True, constants: bool = False
+) -> list[int]:
     """Return bounds on the rounding errors of `nodes`, in units of 2⁻⁵².
 
     The states are taken as rounded too; time, specifieds and what depends on constants alone are
@@ -30,28 +32,35 @@ def rounding_bounds(graph: Graph, nodes: Sequence[int], inherited: bool = True) 
     inherited : bool
         Whether the roundings of operands count; else only those of the last operations, which is a
         part of the bounds that costs little.
+    constants : bool
+        Whether constants are taken as rounded, and what is computed from them.
     """
     if not inherited:
         return [_own(graph, n) for n in nodes]
+    rounded = ("x", "p") if constants else ("x",)
     bounds: dict[int, int] = {}
     for node in graph.reachable(nodes):
-        bounds[node] = _bound(graph, node, bounds)
+        bounds[node] = _bound(graph, node, bounds, rounded)
     return [bounds[n] for n in nodes]
 
 
-def _bound(g: Graph, node: int, bounds: dict[int, int]) -> int:
+def _bound(g: Graph, node: int, bounds: dict[int, int], rounded: tuple[str, ...]) -> int:
     op, args = g.ops[node], g.args[node]
     if op == "input":
-        return g.call("abs", node) if args[0] == "x" else g.zero
+        return g.call("abs", node) if args[0] in rounded else g.zero
     if op == "select":
         return g.call("select", args[0], bounds[args[1]], bounds[args[2]])
     operation = OPERATIONS.get(op)
-    if g.constant[node] or (operation is not None and operation.partials is None):
+    exact = g.constant[node] and (op == "const" or "p" not in rounded)
+    if exact or (operation is not None and operation.partials is None):
         return g.zero  # steps and conditions too
     own = _own(g, node)
     if op in ("factor", "solve", "item"):
         return own  # linear solves are not looked into
-    partials = Rows(g, {n: {n: g.one} for n in g.operands(node)}).through(node)
+    operands = g.operands(node)
+    # y √y is differentiated by y.
+    given = [*operands, *(g.args[n][0] for n in operands if g.ops[n] == "sqrt")]
+    partials = Rows(g, {n: {n: g.one} for n in given}).through(node)
     inherited = [
         (g.mul(g.call("abs", d), bounds[n]), 1.0)
         for n, d in partials.items()

@@ -53,7 +53,7 @@ class Passes:
 
     @classmethod
     def none(cls) -> Passes:
-        """Return the switches all off but for the plain eliminations, which rewrite nothing."""
+        """Return the switches all off except for the plain eliminations, which rewrite nothing."""
         return cls(frozenset(cls.names()) - {"ldl", "lu"})
 
     def running(self) -> tuple[str, ...]:

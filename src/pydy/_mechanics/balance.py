@@ -12,9 +12,10 @@ from typing import Any
 import numpy as np
 
 from pydy._graph.derivative import dense_jacobian
+from pydy._graph.rounding import rounding_bounds
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.generic import GenericStates
-from pydy._mechanics.tuning import AGREEING
+from pydy._mechanics.tuning import CANCELLING
 
 __all__ = ["has_momenta_of", "is_potential_of"]
 
@@ -32,12 +33,8 @@ def is_potential_of(equations: Equations, potential: Any, powers: Sequence[Any])
     """
     states = GenericStates(equations, (potential, *powers), "the energy")
     gained = states.rates([states.read(potential)])
-    terms = [*gained, *states.read.all(powers)]
-    values = next(states.samples([("terms", (len(terms),), terms)], _TRIALS), None)
-    if values is None:
-        return False
-    found = values["terms"]
-    return bool(abs(found.sum()) <= AGREEING * max(np.abs(found).sum(), np.finfo(float).tiny))
+    lost = states.graph.sum([(n, 1.0) for n in (*gained, *states.read.all(powers))])
+    return _vanish(states, [lost])
 
 
 def has_momenta_of(equations: Equations, lagrangian: Any, kinetic: Any) -> bool:
@@ -45,9 +42,13 @@ def has_momenta_of(equations: Equations, lagrangian: Any, kinetic: Any) -> bool:
     states = GenericStates(equations, (lagrangian, kinetic), "the energy")
     nodes = states.read.all((lagrangian, kinetic))
     shape = 2, len(states.speeds)
-    block = ("momenta", shape, dense_jacobian(states.graph, nodes, states.speeds))
-    values = next(states.samples([block], _TRIALS), None)
-    if values is None:
-        return False
-    found, expected = values["momenta"]
-    return bool(np.abs(found - expected).max() <= AGREEING * np.abs(expected).max())
+    momenta = np.reshape(dense_jacobian(states.graph, nodes, states.speeds), shape).tolist()
+    return _vanish(states, [states.graph.sub(a, b) for a, b in zip(*momenta, strict=True)])
+
+
+def _vanish(states: GenericStates, nodes: Sequence[int]) -> bool:
+    """Return whether nodes are no more than rounding errors of their own terms."""
+    pairs = [*nodes, *rounding_bounds(states.graph, nodes)]
+    samples = states.samples([("pairs", (2, len(nodes)), pairs)], _TRIALS)
+    found = [np.abs(sample["pairs"]) for sample in samples]
+    return bool(found) and all((left <= CANCELLING * bound).all() for left, bound in found)

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from pydy._graph.derivative import dense_jacobian
 from pydy._graph.interpret import run
 from pydy._graph.lower import lower
 from pydy._graph.node import Graph
@@ -14,6 +15,7 @@ from pydy._graph.switches import Passes
 from pydy._mechanics.tuning import SAME_AXES
 
 _STATES = 3
+_STEPS = 12  # of Newton's method, which doubles the digits with each
 
 __all__ = ["numbers_of", "terms_of", "transposed", "turned", "unrounded"]
 
@@ -53,12 +55,36 @@ def unrounded(graph: Graph, nodes: Sequence[int]) -> list[int]:
     ]
 
 
-def numbers_of(graph: Graph, flat: Sequence[int]) -> np.ndarray:
-    """Return values of nodes at random states, one row for each state."""
-    inputs = [n for n in graph.reachable(flat) if graph.ops[n] == "input"]
-    places = {n: graph.input("x", k) for k, n in enumerate(inputs)}
-    nodes = substitute(graph, flat, places)
-    blocks = [("all", (len(nodes),), nodes)]
-    program = lower(graph, (len(inputs), 0, 0), blocks, passes=Passes.none())
+def numbers_of(graph: Graph, flat: Sequence[int], held: Sequence[int] = ()) -> np.ndarray:
+    """Return values of nodes at random states, one row for each state.
+
+    Parameters
+    ----------
+    graph : Graph
+    flat : sequence of nodes
+    held : sequence of nodes
+        Rows that are zero at these states: an orientation by a quaternion is one where the sum of
+        its squares is one. All that they hold is moved, as two random lengths need not close.
+    """
+    inputs = [n for n in graph.reachable([*flat, *held]) if graph.ops[n] == "input"]
+    places = [graph.input("x", k) for k in range(len(inputs))]
+    nodes = substitute(graph, [*flat, *held], dict(zip(inputs, places, strict=True)))
+    rows = nodes[len(flat) :]
     x = np.random.default_rng(0).uniform(0.5, 1.5, (_STATES, len(inputs)))
-    return run(program, np.zeros(_STATES), x, np.zeros((_STATES, 0)), np.zeros(0))[0]
+
+    def values(nodes: Sequence[int]) -> np.ndarray:
+        block = ("all", (len(nodes),), nodes)
+        program = lower(graph, (len(inputs), 0, 0), [block], passes=Passes.none())
+        return run(program, np.zeros(_STATES), x, np.zeros((_STATES, 0)), np.zeros(0))[0]
+
+    if rows:
+        slopes = dense_jacobian(graph, rows, places)
+        for _ in range(_STEPS):
+            found = values([*rows, *slopes])
+            if not np.isfinite(found).all():
+                break
+            left, slope = found[:, : len(rows)], found[:, len(rows) :]
+            for k in range(_STATES):
+                matrix = slope[k].reshape(len(rows), -1)
+                x[k] -= np.linalg.lstsq(matrix, left[k], rcond=None)[0]
+    return values(nodes[: len(flat)])

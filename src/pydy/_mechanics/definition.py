@@ -276,7 +276,8 @@ def _functions(argument: str, symbols: Any, rates: Sequence[Any] = ()) -> tuple[
 def _expressions(argument: str, expressions: Any) -> tuple[Any, ...]:
     found = tuple(listed(argument, expressions, "expressions"))
     for expression in found:
-        if not isinstance(expression, (sm.Expr, int, float)):
+        number = isinstance(expression, (int, float)) and not isinstance(expression, bool)
+        if not (number or isinstance(expression, sm.Expr)):
             raise TypeError(
                 f"`{argument}` must hold expressions that are zero, got {shown(expression)}."
             )

@@ -15,11 +15,12 @@ import numpy as np
 from pydy._checks import describe
 from pydy._errors import few
 from pydy._graph.identities import signatures
+from pydy._graph.rounding import rounding_bounds
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.formed import kinematics_of
 from pydy._mechanics.generic import Block, GenericStates, row_units
 from pydy._mechanics.reader import Multibody
-from pydy._mechanics.tuning import NEARLY_DEPENDENT, OPEN, SMALL_PIVOT
+from pydy._mechanics.tuning import NEARLY_DEPENDENT, OPEN, ROUNDED, SMALL_PIVOT
 
 __all__ = ["Chosen", "constrained"]
 
@@ -111,7 +112,8 @@ def constrained(
     """
     velocity = _moving_rows(kinematics_of(body), velocity)
     body = replace(body, holonomic=tuple(holonomic), velocity=tuple(velocity))
-    (places, q_dep), (motions, u_dep) = _choose(kinematics_of(body), coordinates, speeds, near)
+    found = _choose(kinematics_of(body), coordinates, speeds, near)
+    (places, q_dep), (motions, u_dep), rounded = found
     order = {q: k for k, q in enumerate(body.coordinates)}
     moved = _behind(body.coordinates, q_dep)
     return replace(
@@ -125,7 +127,9 @@ def constrained(
         dependent_coordinates=q_dep,
         dependent_speeds=u_dep,
         chosen=(*(() if coordinates else q_dep), *(() if speeds else u_dep)),
-        redundant=tuple(e for k, e in enumerate(body.velocity) if k not in motions.rows),
+        redundant=tuple(
+            e for k, e in enumerate(body.velocity) if k not in {*motions.rows, *rounded}
+        ),
         closed=tuple(e for k, e in enumerate(body.holonomic) if k not in places.rows),
         changing=speeds is None,
     )
@@ -147,7 +151,7 @@ def _choose(
     coordinates: Sequence[Any] | None,
     speeds: Sequence[Any] | None,
     near: Mapping[Any, float] | None,
-) -> tuple[tuple[Chosen, tuple[Any, ...]], tuple[Chosen, tuple[Any, ...]]]:
+) -> tuple[tuple[Chosen, tuple[Any, ...]], tuple[Chosen, tuple[Any, ...]], list[int]]:
     """Return the independent constraints, and the coordinates and speeds that follow from them.
 
     Parameters
@@ -163,6 +167,8 @@ def _choose(
     -------
     (Chosen, tuple), (Chosen, tuple)
         For the holonomic, then for the velocity constraints.
+    list of int
+        Velocity constraints that are rounding errors.
 
     Raises
     ------
@@ -170,18 +176,14 @@ def _choose(
         The constraints contradict each other, or do not give what the user chose.
     """
     states = GenericStates(equations, (), "the constraints")
-    residuals = [*states.holonomic, *states.velocity]
-    tables = [
-        states.table("holonomic", states.holonomic, states.coordinates),
-        states.table("velocity", states.velocity, states.speeds),
-    ]
-    blocks = [*tables, ("residuals", (len(residuals),), residuals)]
+    tables, every = _searched(states, near)
     _check_linear(equations, states, tables)
-    every = list(states.samples(blocks, _TRIALS, near=near))
+    rounded: list[int] = []
+    if not _closed(every) and every and (rows := _of_rounding(every, len(states.holonomic))):
+        rounded = [k - len(states.holonomic) for k in rows if k >= len(states.holonomic)]
+        states.leave_out(rows)
+        tables, every = _searched(states, near)
     samples = _closed(every)
-    if not near and samples and _seem_redundant([s["velocity"] for s in samples]):
-        every += states.samples(blocks, _AROUND, around=True)
-        samples = _closed(every)
     if not every:
         raise ValueError(
             "The constraints cannot be evaluated: they give NaN or infinity at random states. "
@@ -210,7 +212,40 @@ def _choose(
         if chosen is not None:
             best_choice = _checked(name, symbols, chosen, matrices, len(best_choice.columns))
         found.append((best_choice, tuple(symbols[k] for k in best_choice.columns)))
-    return found[0], found[1]
+    return found[0], found[1], rounded
+
+
+def _searched(
+    states: GenericStates, near: Mapping[Any, float] | None
+) -> tuple[list[Block], list[dict[str, np.ndarray]]]:
+    """Return the constraints' derivatives by coordinates and by speeds, and values of both."""
+    residuals = [*states.holonomic, *states.velocity]
+    bounds = rounding_bounds(states.graph, residuals)
+    tables = [
+        states.table("holonomic", states.holonomic, states.coordinates),
+        states.table("velocity", states.velocity, states.speeds),
+    ]
+    blocks = [*tables, ("residuals", (len(residuals),), residuals)]
+    blocks.append(("bounds", (len(bounds),), bounds))
+    every = list(states.samples(blocks, _TRIALS, near=near))
+    samples = _closed(every)
+    if not near and samples and _seem_redundant([s["velocity"] for s in samples]):
+        every += states.samples(blocks, _AROUND, around=True)
+    return tables, every
+
+
+def _of_rounding(samples: list[dict[str, np.ndarray]], holonomic: int) -> list[int]:
+    """Return the rows whose terms are no larger than rounding errors of all others of their kind.
+
+    SymPy adds up numbers beforehand: of a linkage in an oblique plane it leaves a row of 1e-17.
+    """
+    sizes = np.max([s["bounds"] for s in samples], axis=0)
+    found: list[int] = []
+    for part in (range(holonomic), range(holonomic, len(sizes))):
+        order = sorted((k for k in part if sizes[k] > 0.0), key=lambda k: sizes[k])
+        gaps = [i for i in range(1, len(order)) if sizes[order[i - 1]] <= ROUNDED * sizes[order[i]]]
+        found += order[: gaps[-1]] if gaps else []
+    return found
 
 
 def _check_linear(equations: Equations, states: GenericStates, tables: Sequence[Block]) -> None:
@@ -242,10 +277,19 @@ def _closed(samples: list[dict[str, np.ndarray]]) -> list[dict[str, np.ndarray]]
 
 
 def _openness(samples: list[dict[str, np.ndarray]]) -> list[float]:
-    """Return how far states are from the constraints, whatever the units of the rows."""
+    """Return how far states are from the constraints, whatever the units of the rows.
+
+    What rounding leaves does not count. SymPy adds up numbers beforehand: a row that is a number
+    is what it left of some as large as those of the other rows.
+    """
     units = [row_units(np.array([s[name] for s in samples])) for name in ("holonomic", "velocity")]
     every = np.concatenate(units)
-    return [float(np.abs(s["residuals"] / every).max(initial=0.0)) for s in samples]
+    found = []
+    for s in samples:
+        sizes = np.abs(s["residuals"])
+        rounded = ROUNDED * np.where(s["bounds"] > 0.0, s["bounds"], s["bounds"].max(initial=0.0))
+        found.append(float(np.where(sizes <= rounded, 0.0, sizes / every).max(initial=0.0)))
+    return found
 
 
 def _seem_redundant(matrices: list[np.ndarray]) -> bool:

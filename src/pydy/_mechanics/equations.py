@@ -53,6 +53,8 @@ class Equations:
         What the equations of motion can be formed from, where the method knows it.
     enforced : tuple of int
         The places of the holonomic constraints whose rates the velocity constraints imply.
+    repeated : tuple of expressions
+        The velocity constraints that follow from those and from `nonholonomic`.
     """
 
     time: sm.Symbol
@@ -76,6 +78,7 @@ class Equations:
     formed: Formed | None = field(default=None, repr=False)
     multibody: Multibody | None = field(default=None, repr=False)
     enforced: tuple[int, ...] = ()
+    repeated: tuple[Any, ...] = ()
 
     def __repr__(self) -> str:
         q, u = (", ".join(map(name_of, part)) for part in (self.coordinates, self.speeds))
@@ -102,13 +105,19 @@ class Equations:
 
     @property
     def expressions(self) -> tuple[Any, ...]:
-        """What the equations of motion are made of, as far as it is written as expressions."""
+        """What the equations of motion are made of, as far as it is written as expressions.
+
+        Constraints that were left out as redundant are so with the right numbers only.
+        """
+        closed, redundant = self.left_out
         return (
             *self.coordinate_derivatives,
             *self.mass_matrix,
             *self.forcing,
             *self.holonomic,
             *self.velocity,
+            *closed,
+            *redundant,
         )
 
     def in_states(self, expression: Any) -> Any:
@@ -126,6 +135,11 @@ class Equations:
         if body is None:
             return (), ()
         return body.closed, tuple(map(self.in_states, body.redundant))
+
+    @property
+    def constrained(self) -> bool:
+        """Whether there are constraints, those that were left out as redundant included."""
+        return bool(self.holonomic or self.velocity or any(self.left_out))
 
     @cached_property
     def kinetic_energy(self) -> Any:
@@ -147,7 +161,7 @@ class Equations:
             {len(self.holonomic) + k: e for k, e in enumerate(self.nonholonomic)},
             {
                 len(self.holonomic) + len(self.nonholonomic) + k: e
-                for k, e in enumerate(self.multibody.redundant)
+                for k, e in enumerate(self.repeated)
             },
             [s for s in found if not s.is_Symbol and s not in states and s not in self.symbols],
         )

@@ -14,7 +14,7 @@ them.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from itertools import pairwise
+from itertools import pairwise, permutations
 from typing import Any
 
 import numpy as np
@@ -31,6 +31,7 @@ from pydy._mechanics.components import numbers_of
 from pydy._mechanics.dynamics import Load, inertia_seen, loads_and_inertias
 from pydy._mechanics.elimination import composite
 from pydy._mechanics.form import moving
+from pydy._mechanics.frames import orientation_rows, rotations
 from pydy._mechanics.kinematics import Kinematics, Vec
 from pydy._mechanics.lagrangian import lagranges_equations
 from pydy._mechanics.multipliers import multipliers_of
@@ -213,10 +214,26 @@ class ConstraintForces:
                 rest.append(where)
         pairs = [(where, body) for where in rest for body in bodies]
         carried = self._vanishing([self._slip(body, where) for where, body in pairs])
+        along: dict[Any, list[Any]] = {where: [] for where in rest}
         for (where, body), moves_along in zip(pairs, carried, strict=True):
             if moves_along:
-                found[where].append(body)
-        return found
+                along[where].append(body)
+        return found | {where: self._without_welded(where, own) for where, own in along.items()}
+
+    def _without_welded(self, point: Any, bodies: Sequence[Any]) -> list[Any]:
+        """Leave out bodies that are welded to another one from which a point is fewer steps away.
+
+        At a hinge are two bodies as well, which turn in different ways.
+        """
+        away = distances(point, places) if len(bodies) > 1 else {}
+        pairs = [
+            (far, [self._spin(near.frame), self._spin(far.frame, -1.0)])
+            for near, far in permutations(bodies, 2)
+            if away[near.masscenter] < away[far.masscenter] and is_rigid(near) and is_rigid(far)
+        ]
+        welded = self._vanishing([spins for _, spins in pairs])
+        left = [far for (far, _), same in zip(pairs, welded, strict=True) if same]
+        return [body for body in bodies if body not in left]
 
     def _located_by(self, point: Any) -> list[Any]:
         """Return a point, the one it was located from, and so on, as far as their order tells."""
@@ -281,7 +298,8 @@ class ConstraintForces:
         flat = [n for vectors in sums for v in vectors for n in v]
         if not flat:
             return [True] * len(sums)
-        values = numbers_of(self._kinematics.graph, flat)
+        k = self._kinematics
+        values = numbers_of(k.graph, flat, orientation_rows(rotations(k.inertial), k.read))
         values, found = values.reshape(len(values), -1, 3), []
         for vectors in sums:
             own, values = values[:, : len(vectors)], values[:, len(vectors) :]

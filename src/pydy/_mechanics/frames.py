@@ -2,14 +2,21 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+from itertools import combinations_with_replacement
 from typing import Any
 
-from pydy._graph.node import Graph
-from pydy._mechanics.components import turned, unrounded
-from pydy._mechanics.planes import plane_rotations
-from pydy._mechanics.reader import InputReader, Tree
+import numpy as np
 
-__all__ = ["Frames"]
+from pydy._errors import UnsupportedFunctionError
+from pydy._graph.from_sympy import SymPyReader
+from pydy._graph.node import Graph
+from pydy._mechanics.components import numbers_of, turned, unrounded
+from pydy._mechanics.planes import plane_rotations
+from pydy._mechanics.reader import InputReader, Tree, distances, oriented
+from pydy._mechanics.tuning import ROUNDED
+
+__all__ = ["Frames", "orientation_rows", "rotations"]
 
 Vec = list[int]
 
@@ -97,3 +104,31 @@ class Frames:
         """Return the user's matrix that gives components in a frame from those in its parent."""
         matrix = self.tree.rotation(frame, parent)
         return [self.read.all(matrix.row(i)) for i in range(3)]
+
+
+def rotations(inertial: Any) -> list[Any]:
+    """Return the matrices of all orientations, from the inertial frame outwards."""
+    away = distances(inertial, oriented)
+    return [m for frame in away for f, m in oriented(frame).items() if away[f] > away[frame]]
+
+
+def orientation_rows(matrices: Iterable[Any], read: SymPyReader) -> list[int]:
+    """Return rows that vanish where matrices are rotations.
+
+    There are some for quaternions, whose squares have the sum one; angles give rotations always.
+    Matrices that cannot be read are nobody's whose motion is known.
+    """
+    g, rows = read.graph, []
+    for matrix in matrices:
+        try:
+            nodes = read.all(matrix)
+        except UnsupportedFunctionError:
+            continue
+        columns = [nodes[k::3] for k in range(3)]
+        for i, j in combinations_with_replacement(range(3), 2):
+            parts = [(g.mul(a, b), 1.0) for a, b in zip(columns[i], columns[j], strict=True)]
+            rows.append(g.sum([*parts, (g.one, -1.0 if i == j else 0.0)]))
+    if not rows:
+        return []
+    apart = np.abs(numbers_of(g, rows)).max(axis=0)
+    return [row for row, left in zip(rows, apart, strict=True) if left > ROUNDED]

@@ -1,8 +1,9 @@
 """Numbers at generic states that keep the constraints: what ranks and identities are judged by.
 
-A user may have simplified a velocity or a rate with a constraint, so that it holds only there. All
-symbols that are not states count as specifieds: the search for a consistent state may move them
-too, since a four-bar with lengths chosen at random need not close.
+Quaternions are of length one, whether a constraint says so or not. A user may have simplified a
+velocity or a rate with a constraint, so that it holds only there. All symbols that are not states
+count as specifieds: the search for a consistent state may move them too, since a four-bar with
+lengths chosen at random need not close.
 """
 
 from __future__ import annotations
@@ -22,6 +23,7 @@ from pydy._graph.program import Program
 from pydy._graph.switches import Passes
 from pydy._graph.symbols import input_nodes
 from pydy._mechanics.equations import Equations
+from pydy._mechanics.frames import orientation_rows, rotations
 from pydy._mechanics.symbols import find_symbols, rate_of, sort_symbols
 from pydy._mechanics.tuning import CLOSED, FULL_STEPS
 
@@ -61,6 +63,8 @@ class GenericStates:
         graph = self.graph = Graph()
         t, q, u = equations.time, equations.coordinates, equations.speeds
         states = [*q, *u]
+        made_from = equations.mechanism
+        turns = [] if made_from is None else rotations(made_from.frame)
         known = {*states, *equations.zeros, t, *equations.coordinate_rates}
         found = {
             s
@@ -70,6 +74,7 @@ class GenericStates:
                     *equations.holonomic,
                     *equations.velocity,
                     *equations.coordinate_derivatives,
+                    *turns,
                 )
             )
             if s not in known
@@ -92,6 +97,14 @@ class GenericStates:
         self._moved = {node for node, _ in self.moving}
         self.holonomic = self.read.all(equations.holonomic)
         self.velocity = self.read.all(equations.velocity)
+        self._turning = orientation_rows(turns, self.read)
+
+    def leave_out(self, rows: Sequence[int]) -> None:
+        """Take constraints, holonomic ones first, as satisfied."""
+        split, zero = len(self.holonomic), self.graph.zero
+        every = [*self.holonomic, *self.velocity]
+        every = [zero if k in rows else node for k, node in enumerate(every)]
+        self.holonomic, self.velocity = every[:split], every[split:]
 
     def changes(self, node: int) -> bool:
         """Return whether a node depends on the configuration or on time."""
@@ -131,10 +144,11 @@ class GenericStates:
             Where the search begins.
         """
         free = [*self.coordinates, *self._others]
+        held = [*self.holonomic, *self._turning, *self._without_speeds()]
         closing = self._program(
             [
-                ("holonomic", (len(self.holonomic),), self.holonomic),
-                self.table("gradient", self.holonomic, free),
+                ("held", (len(held),), held),
+                self.table("gradient", held, free),
                 ("velocity", (len(self.velocity),), self.velocity),
                 self.table("slope", self.velocity, self.speeds),
             ]
@@ -146,6 +160,11 @@ class GenericStates:
             own = {name: block[k] for name, block in values.items()}
             if all(np.isfinite(v).all() for v in own.values()):
                 yield own
+
+    def _without_speeds(self) -> list[int]:
+        """Return the velocity constraints that no speed can keep: conditions for all the rest."""
+        speeds, g = set(self.speeds), self.graph
+        return [n for n in self.velocity if speeds.isdisjoint(g.reachable([n]))]
 
     def _program(self, blocks: Sequence[Block]) -> Program:
         # Evaluated a few times: to look for what is shared takes longer than it saves.
@@ -180,9 +199,7 @@ class GenericStates:
                 if not searching:
                     break
                 now, still = residuals(searching), []
-                for k, gradient, left in zip(
-                    searching, now["gradient"], now["holonomic"], strict=True
-                ):
+                for k, gradient, left in zip(searching, now["gradient"], now["held"], strict=True):
                     if not (np.isfinite(gradient).all() and np.isfinite(left).all()):
                         usable.remove(k)
                     elif np.abs(left / units).max(initial=0.0) >= CLOSED:
@@ -194,7 +211,7 @@ class GenericStates:
         now = residuals(usable)
         for k, slope, left in zip(usable, now["slope"], now["velocity"], strict=True):
             if left.size and np.isfinite(slope).all():
-                x[k, n:] -= np.linalg.lstsq(slope, left, rcond=None)[0]
+                x[k, n:] -= _solved(slope, left, FULL_STEPS[-1])
         return t, x, r, p
 
 

@@ -49,7 +49,7 @@ def _place(graph: Graph, pull: Vec, own: dict[int, Vec]) -> int | None:
 
 
 def _alike(graph: Graph, a: Vec, b: Vec) -> bool:
-    """Return whether vectors are equal, but for the rounding of numbers."""
+    """Return whether vectors are equal up to the rounding of numbers."""
     for x, y in zip(a, b, strict=True):
         one, two = _split(graph, x), _split(graph, y)
         if one[1] != two[1] or abs(one[0] - two[0]) > ALIKE * abs(one[0]):

@@ -25,7 +25,7 @@ from pydy._graph.node import Graph
 from pydy._graph.rewrite import substitute
 from pydy._graph.rounding import rounding_bounds
 from pydy._graph.tuning import INDEPENDENT, REDUNDANT, SINGULAR
-from pydy._mechanics.tuning import CLEAR_PIVOT, SOUND_PIVOT, UNCERTAIN
+from pydy._mechanics.tuning import CLEAR_PIVOT, GUARDED_UP_TO, LIGHT, SOUND_PIVOT, UNCERTAIN
 
 __all__ = [
     "Constraints",
@@ -68,10 +68,23 @@ class Constraints:
 def accelerations_of_held(
     graph: Graph, matrix: list[list[int]], forcing: list[int], held: Constraints
 ) -> list[int]:
-    """Return u' with M u' = F + Jᵀ λ and J u' + b = 0; M, of all speeds, is positive definite."""
-    first = held.rows[: held.rank]
-    free, *moved = graph.solve(matrix, [forcing, *first], "ldl")
-    weights = [graph.powi(matrix[k][k], -1) for k in range(len(free))]
+    """Return u' with M u' = F + Jᵀ λ and J u' + b = 0; M, of all speeds, is mostly definite."""
+    first, heavy = held.rows[: held.rank], graph.boolean(True)
+    if len(forcing) <= GUARDED_UP_TO:
+        eliminated = _Elimination(graph, matrix)
+        free, *moved = [eliminated.solution(column) for column in (forcing, *first)]
+        for k, pivot in enumerate(eliminated.pivots):
+            heavy = graph.call("and", heavy, _is_above(graph, pivot, matrix[k][k], LIGHT))
+    else:
+        free, *moved = graph.solve(matrix, [forcing, *first], "ldl")
+    weights = _mobilities(graph, matrix)
+    for row in held.rows:
+        # What is light and tied to what is heavy would be found as a difference of large numbers.
+        shares = [graph.mul(w, graph.powi(c, 2)) for w, c in zip(weights, row, strict=True)]
+        for k, share in enumerate(shares):
+            others = [(n, 1.0) for j, n in enumerate(shares) if j != k and n != graph.zero]
+            if others and share != graph.zero:
+                heavy = graph.call("and", heavy, _is_above(graph, graph.sum(others), share, LIGHT))
     square = _products(graph, first, moved)
     right = [
         graph.sum([(_dot(graph, row, free), -1.0), (b, -1.0)])
@@ -80,6 +93,7 @@ def accelerations_of_held(
     usual = _usual(graph, _squares(graph, held.rows, weights))
     sizes = [graph.add(square[i][i], usual[i]) for i in range(held.rank)]
     found, sound = solved_soundly(graph, square, right, sizes)
+    sound = graph.call("and", heavy, sound)
     fast = [
         graph.sum([(free[i], 1.0), (_dot(graph, [row[i] for row in moved], found), 1.0)])
         for i in range(len(free))
@@ -98,7 +112,7 @@ def accelerations(
     """Return `fast` where it is sound, else u' by the system of all rows; see the module."""
     rows, n = held.rows, len(forcing)
     parts = (g, matrix, forcing, rows, held.drift, held.rank, g.boolean(False), [g.zero] * n)
-    weights = [g.zero if m[k] == g.zero else g.powi(m[k], -1) for k, m in enumerate(matrix)]
+    weights = _mobilities(g, matrix)
     own = _squares(g, rows, weights)
     usual = _usual(g, own)
     units = _roundings(g, matrix, rows)
@@ -142,18 +156,32 @@ def accelerations(
     return g.guard(unit, [*chosen, g.zero], sound, [*fast, g.zero])[:n]
 
 
+def _mobilities(graph: Graph, matrix: Sequence[list[int]]) -> list[int]:
+    """Return what each speed gains of a unit of impulse by itself; zero where it moves no mass."""
+    found = []
+    for k, line in enumerate(matrix):
+        massless = graph.call("eq", line[k], graph.zero)
+        found.append(graph.call("select", massless, graph.zero, graph.powi(line[k], -1)))
+    return found
+
+
+def _is_above(graph: Graph, node: int, size: int, share: float) -> int:
+    """Return whether a node is more than a share of a size."""
+    return graph.call("lt", graph.sum([(size, share)]), node)
+
+
 def _roundings(
     graph: Graph, matrix: Sequence[list[int]], rows: Sequence[Sequence[int]]
 ) -> list[int]:
     """Return how large rounding errors of rows are, columns in units of equal energy."""
     bounds = iter(rounding_bounds(graph, [c for row in rows for c in row]))
-    units = []
+    weights, units = _mobilities(graph, matrix), []
     for row in rows:
         squares = [graph.powi(graph.add(graph.call("abs", c), next(bounds)), 2) for c in row]
         heavy = [
-            (graph.div(x, matrix[j][j]), 1.0)
-            for j, x in enumerate(squares)
-            if matrix[j][j] != graph.zero and x != graph.zero
+            (graph.mul(x, weight), 1.0)
+            for x, weight in zip(squares, weights, strict=True)
+            if graph.zero not in (x, weight)
         ]
         size = graph.call("sqrt", graph.sum(heavy or [(x, 1.0) for x in squares]))
         units.append(graph.sum([(size, SINGULAR)]))
@@ -271,8 +299,7 @@ def solved_soundly(
     """Return the solution by LDLᵀ, and whether no pivot is small beside its row's size."""
     eliminated, sound = _Elimination(graph, square), graph.boolean(True)
     for pivot, size in zip(eliminated.pivots, sizes, strict=True):
-        limit = graph.sum([(size, SOUND_PIVOT)])
-        sound = graph.call("and", sound, graph.call("lt", limit, pivot))
+        sound = graph.call("and", sound, _is_above(graph, pivot, size, SOUND_PIVOT))
     return eliminated.solution(right), sound
 
 

@@ -10,20 +10,25 @@ configuration in another way may have one or not: it is named rather than left o
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 from functools import cache
 from typing import Any
 
+import numpy as np
 import sympy as sm
 from sympy.physics.mechanics import Point, ReferenceFrame, Vector
 
 from pydy._errors import UnsupportedFunctionError
+from pydy._graph.node import Graph
 from pydy._mechanics.balance import has_momenta_of, is_potential_of
+from pydy._mechanics.components import numbers_of
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.mechanism import Mechanism
-from pydy._mechanics.reader import given_velocity, places
+from pydy._mechanics.reader import InputReader, given_velocity, places
 from pydy._mechanics.symbols import find_symbols, replace_symbols
+from pydy._mechanics.tuning import CANCELLING
 
 __all__ = ["Potential", "find_potential"]
 
@@ -81,7 +86,10 @@ def find_potential(equations: Equations) -> Potential:
     mechanism = equations.mechanism
     if mechanism is None:
         return Potential()
-    found = _Search(equations, mechanism).result()
+    with warnings.catch_warnings():
+        # SymPy makes up velocities that nobody set, and warns where there are several ways.
+        warnings.simplefilter("ignore", UserWarning)
+        found = _Search(equations, mechanism).result()
     if mechanism.lagrangian is not None:
         found.expression += _within(equations, mechanism)
     return found
@@ -367,34 +375,57 @@ def _primitive(force: Any, x: Any) -> Any:
     return None if found.has(sm.Integral) else found
 
 
+def _numbers(expressions: Sequence[Any]) -> np.ndarray:
+    """Return the values of expressions at random states and constants, one row for each draw."""
+    graph = Graph()
+    return numbers_of(graph, InputReader(graph, {}, ()).all(expressions))
+
+
 def _ratio(force: Vector, line: Vector) -> Any:
-    """Return s of ``force = s · line``, or None when it cannot be seen."""
-    along = {frame: parts for parts, frame in line.args}
-    if {frame for _, frame in force.args} != set(along):
+    """Return s of ``force = s · line``, or None when it cannot be seen.
+
+    Numbers are compared: places given in decimals are rounded, and forces by other ways.
+    """
+    along = {(f, i): part for parts, f in line.args for i, part in enumerate(parts)}
+    pulls = {(f, i): part for parts, f in force.args for i, part in enumerate(parts)}
+    places = list(along | pulls)
+    pairs = [(pulls.get(p, sm.S.Zero), along.get(p, sm.S.Zero)) for p in places]
+    values = _numbers([part for pair in pairs for part in pair]).reshape(-1, len(pairs), 2)
+    pull, way = values[..., 0], values[..., 1]
+    largest = int(np.abs(way[0]).argmax())
+    if not (np.isfinite(values).all() and way[:, largest].all()):
         return None
-    found = None
-    for parts, frame in force.args:
-        for f, r in zip(parts, along[frame], strict=True):
-            if f == 0 and r == 0:
-                continue
-            if r == 0:
-                return None
-            ratio = f / r
-            if found is None:
-                found = ratio
-            elif ratio != found:
-                return None
-    return found
+    found = pull[:, [largest]] / way[:, [largest]]
+    # The potential as a whole is compared with the loads' power in the end.
+    if (np.abs(pull - found * way) > CANCELLING * np.abs(pull).max(axis=1, keepdims=True)).any():
+        return None
+    f, r = pairs[largest]
+    return f / r
 
 
 def _in_terms_of(expression: Any, square: Any, distance: Any) -> Any:
-    """Write an expression in terms of a distance, where it holds the distance's square."""
+    """Write an expression in terms of a distance: so many times its square are written by it."""
+    moving = find_symbols([square])
+    bases = [
+        e
+        for e in {square, *(p.base for p in expression.atoms(sm.Pow))}
+        if find_symbols([e]) == moving
+    ]
+    values = _numbers([square, *bases])
+    shares = values[:, 1:] / values[:, :1]
+    alike = np.abs(shares - shares[0]).max(axis=0) <= CANCELLING * np.abs(shares[0])
+    named = {
+        base: (1 if abs(share - 1.0) <= CANCELLING else sm.Float(share)) * distance**2
+        for base, share, same in zip(bases, shares[0], alike, strict=True)
+        if same
+    }
 
     def is_power(e: Any) -> bool:
-        return bool(e == square or (e.is_Pow and e.base == square))
+        return bool(e in named or (e.is_Pow and e.base in named))
 
     return expression.replace(
-        is_power, lambda e: distance**2 if e == square else distance ** (2 * e.exp)
+        is_power,
+        lambda e: named[e] if e in named else sm.powdenest(named[e.base] ** e.exp, force=True),
     )
 
 

@@ -6,8 +6,6 @@ from collections.abc import Collection, Sequence
 from typing import Any
 
 from pydy._graph.derivative import dense_rows, jacobian
-from pydy._graph.identities import signatures
-from pydy._graph.modular import inverse
 from pydy._graph.node import Graph
 from pydy._graph.rewrite import substitute
 from pydy._mechanics.divided import Group, divided
@@ -18,7 +16,7 @@ from pydy._mechanics.multipliers import (
     accelerations_of_held,
     solved_soundly,
 )
-from pydy._mechanics.spread import nearly_parallel
+from pydy._mechanics.spread import definite, nearly_parallel
 from pydy._mechanics.tuning import GUARDED_UP_TO, LIGHT, LIGHTEST, SOUND_SHARE
 
 __all__ = ["reduced", "slopes"]
@@ -49,7 +47,7 @@ def reduced(
     if given or moved:
         return *whole, None
     bound = _held(kinematics, rows, drift)
-    if kinematics.body.changing and _is_definite(g, matrix):
+    if kinematics.body.changing and definite(g, matrix):
         return *whole, accelerations_of_held(g, matrix, forcing, bound)
     base = [g.zero] * p + solved[p]
     basis = _Basis(g, moves, upper, base, apart)
@@ -184,13 +182,6 @@ def _held(kinematics: Kinematics, rows: list[list[int]], drift: list[int]) -> Co
     d = len(body.velocity)
     pairs = list(zip(places, along, strict=True))
     return Constraints(rows, drift, d, rates, read.all(velocity), pairs)
-
-
-def _is_definite(g: Graph, matrix: Sequence[list[int]]) -> bool:
-    """Return whether every motion moves a mass."""
-    n = len(matrix)
-    values = signatures(g, [node for row in matrix for node in row])
-    return inverse([list(values[i * n : i * n + n]) for i in range(n)]) is not None
 
 
 def _constraints(

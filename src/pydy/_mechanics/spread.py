@@ -20,12 +20,13 @@ from pydy._mechanics.tuning import (
     GUARDED_UP_TO,
     LARGE_PART,
     LESS_OFTEN,
+    NEARLY_DEPENDENT,
     OFTEN,
     SOUND_PIVOT,
     SOUND_SHARE,
 )
 
-__all__ = ["Spread", "nearly_parallel"]
+__all__ = ["Spread", "definite", "nearly_parallel"]
 
 _STATES = 512
 _RANGE = 1.0  # of states; constants and specifieds are between a half and three halves
@@ -95,6 +96,23 @@ def nearly_parallel(
         large = (part > LARGE_PART) & (weights[:, None, found] < SOUND_PIVOT * sizes[:, None, :])
         loose = np.flatnonzero(large.any(axis=2).any(axis=0))
     return Spread(sorted(found), {int(k) for k in loose})
+
+
+def definite(graph: Graph, matrix: Sequence[Sequence[int]]) -> bool:
+    """Return whether every motion moves a mass at most states, as far as floats tell.
+
+    Coefficients that are no binary fractions leave rounding errors of a singular matrix.
+    """
+    n = len(matrix)
+    values = _at_states(graph, [e for row in matrix for e in row])
+    if values is None or not len(values):
+        return False
+    masses = values.reshape(-1, n, n)
+    own = np.sqrt(np.abs(np.diagonal(masses, axis1=1, axis2=2)))
+    own[own == 0.0] = 1.0
+    shares = masses / (own[:, :, None] * own[:, None, :])
+    least = np.linalg.svd(shares, compute_uv=False)[:, -1]
+    return bool(np.median(least) > NEARLY_DEPENDENT[0])
 
 
 def _weak(square: np.ndarray, apart: Sequence[int]) -> float:

@@ -23,7 +23,7 @@ __all__ = ["Turn", "joined_turns", "turn_of"]
 
 @dataclass(frozen=True)
 class Turn:
-    """Two anchors that are two others, turned by an angle, but for signs.
+    """Two anchors that are two others, turned by an angle, up to signs.
 
     Attributes
     ----------

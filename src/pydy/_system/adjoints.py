@@ -3,111 +3,197 @@
 from __future__ import annotations
 
 from bisect import bisect_right
-from collections.abc import Sequence
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import partial
 from typing import Any
 
 import numpy as np
+import sympy as sm
 
+from pydy._assembly.assembly import Assembly
 from pydy._assembly.definition import Definition
 from pydy._assembly.model import CompiledModel
+from pydy._checks import Places, shown
 from pydy._errors import IntegrationError, IntegrationInterrupted, SingularMatrixError
 from pydy._forks import cached_property
 from pydy._graph.backward import event_program
 from pydy._graph.products import derivative_program
 from pydy._graph.program import Program
 from pydy._graph.simplify import simplify
-from pydy._kernel import Kernel, KernelCall
+from pydy._kernel import Inputs, Kernel, KernelCall
 from pydy._optional import progress_of
 from pydy._system.causes import explain
-from pydy._system.objective import extended, node_of, read_term
+from pydy._system.dependents import latest_dependents
 from pydy._system.parameters import Parameter, read_parameters
-from pydy._system.projections import Projections
 from pydy._system.samples import by_samples, marker, mean_spacing
 from pydy._system.sensitivities import Sensitive
+from pydy._system.setup import Setup
 from pydy._system.simulation import begin
-from pydy._system.snapshot import Snapshot
 from pydy._system.solving import native_solver
 from pydy.analysis.adjoint import AdjointGradient
+from pydy.analysis.tuning import FREE
 from pydy.codegen.arguments import SpecifiedsPlan
 from pydy.inputs import SampledInput
-from pydy.solvers.adjoint.backward import WayBack
 from pydy.solvers.adjoint.recording import Recording
 from pydy.solvers.events import Event, EventRecord, forcing_time
 from pydy.solvers.options import read_options
 from pydy.solvers.outcome import EVENT_GRAZES, OUTCOMES, TERMINATED
-from pydy.solvers.run.integration import Integration
+from pydy.solvers.run.constraints import CompiledConstraints
 from pydy.solvers.solver import Solver
 from pydy.solvers.tableaus import tableau_of
 
-__all__ = ["adjoint_gradient"]
+
+def read_term(definition: Definition, term: Any, argument: str) -> Any:
+    """Return the place of an output, or an expression."""
+    outputs = Places(definition.outputs_symbols, "outputs of the system")
+    place = outputs.get(term, argument)
+    if place is not None:
+        return place
+    if isinstance(term, str):
+        k = definition.places["states"].get(term, argument)
+        term = term if k is None else definition.states[k]
+    if isinstance(term, (int, float)) and not isinstance(term, bool):
+        term = sm.Float(term)
+    scalar = isinstance(term, sm.Expr) and term.is_commutative and not term.is_Matrix
+    if not scalar:
+        raise ValueError(
+            f"`{argument}` must be an output of the system, by symbol or name, or an expression of "
+            f"its states, specifieds, constants and time, got {shown(term)}."
+        )
+    return term
+
+
+def node_of(assembly: Assembly, term: Any, argument: str) -> int:
+    """Return an output's node or an expression's, in a graph that may grow."""
+    return assembly.outputs[term] if isinstance(term, int) else assembly.read([term], argument)[0]
+
+
+def extended(term: Any, marked: bool, assembly: Assembly) -> Assembly:
+    """Return the equations with the integral and the marker of samples as their last states."""
+    n, s, c = assembly.sizes
+    more = [] if term is None else [node_of(assembly, term, "`integral`")]
+    if marked:
+        more.append(assembly.graph.input("r", s))
+    return replace(assembly, sizes=(n + len(more), s + marked, c), rates=[*assembly.rates, *more])
+
+
+class Projections:
+    """The projections at the ends of some steps.
+
+    A projection moves sensitivities S by −K (c_x S + c_θ), with the residuals c and the least
+    correction K in the norm of the projection, of positions and then of velocities. So an adjoint λ
+    becomes λ − c_xᵀ Kᵀ λ before it, and the derivatives by θ gain −(Kᵀ λ) · c_θ.
+
+    Parameters
+    ----------
+    model : CompiledModel
+    constraints : CompiledConstraints
+    wanted : tuple of (group, index)
+        Inputs that are differentiated by.
+    call : callable
+        Returns the call of a Kernel with so many inputs after r.
+    times : ndarray, shape (m,)
+    states : ndarray, shape (m, n)
+        As they were projected.
+
+    Attributes
+    ----------
+    times : ndarray, shape (m,)
+    """
+
+    def __init__(
+        self,
+        model: CompiledModel,
+        constraints: CompiledConstraints,
+        wanted: tuple[tuple[str, int], ...],
+        call: Callable[[Kernel, int], KernelCall],
+        times: np.ndarray,
+        states: np.ndarray,
+    ) -> None:
+        self.times, self._x, self._wanted, self._model = times, states, wanted, model
+        self._constraints = constraints
+        plain = call(constraints.kernel, 0)
+        self._r = Inputs(plain.r, plain.sampled).rows(states, times)
+        self._p = plain.p
+        out = model.evaluate(constraints.kernel, times, states, self._r, self._p)
+        self._parts = constraints.kernel.program.by_block(out)
+        h, v, n = constraints.holonomic, constraints.velocity, states.shape[1]
+        self._slopes = np.zeros((len(times), v, n))
+        if v:
+            by_state = model.compiled_jacobian("velocity", "x")
+            found = model.evaluate(by_state, times, states, self._r, self._p)
+            self._slopes = found.reshape(len(times), v, n)
+        self._multipliers = np.zeros((len(times), h + v))
+
+    def back(self, k: int, adjoint: np.ndarray) -> np.ndarray:
+        """Return the adjoint of the state before projection k, from that after it."""
+        wanted = self._constraints
+        h, v, q, u = wanted.holonomic, wanted.velocity, wanted.coordinates, wanted.speeds
+        part = {name: values[k] for name, values in self._parts.items()}
+        inverse = np.eye(u)
+        if wanted.weighted:
+            inverse = _inverse_factor(part["kinetic_hessian"].reshape(u, u))
+        adjoint = adjoint.copy()
+        multipliers = self._multipliers[k]
+        if v:
+            rows = part["velocity_gradient"].reshape(v, u) @ inverse
+            multipliers[h:] = (inverse @ _least(rows)).T @ adjoint[q : q + u]
+            adjoint -= multipliers[h:] @ self._slopes[k]
+        if h:
+            gradient = part["gradient"].reshape(h, q)
+            reach = part["kinematics"].reshape(q, u) @ inverse
+            correction = reach @ _least(gradient @ reach)
+            # Rows that no speed reaches.
+            correction = correction + _least(gradient) @ (np.eye(h) - gradient @ correction)
+            multipliers[:h] = correction.T @ adjoint[:q]
+            adjoint[:q] -= multipliers[:h] @ gradient
+        return adjoint
+
+    def totals(self) -> tuple[np.ndarray, np.ndarray]:
+        """Return the derivatives by what is wanted: their sum (w,), and those of each (m, w)."""
+        model, wanted = self._model, self._wanted
+        if not wanted:
+            return np.zeros(0), np.zeros((len(self.times), 0))
+        assembly = model.assembly
+
+        def make() -> Program:
+            own = assembly.fork()
+            nodes = simplify(own.graph, [*own.holonomic, *own.velocity], own.passes)
+            return derivative_program(
+                own.graph, nodes, wanted, "vector-jacobian", own.sizes, own.passes
+            )
+
+        kernel = model.compiled_by(("adjoint of the constraints", wanted), make)
+        rows = np.broadcast_to(self._r, (len(self.times), self._r.shape[1]))
+        r = np.concatenate([rows, -self._multipliers], axis=1)
+        found = model.evaluate(kernel, self.times, self._x, r, self._p)
+        total: Any = found.sum(axis=0)
+        return total, found
+
+
+def _inverse_factor(matrix: np.ndarray) -> np.ndarray:
+    """Return L⁻ᵀ of a Cholesky factor; the identity where there is none, as the projection does."""
+    try:
+        factor = np.linalg.cholesky(matrix)
+    except np.linalg.LinAlgError:
+        return np.eye(len(matrix))
+    rounding = 4.0 * len(matrix) * np.finfo(float).eps
+    if not (np.diag(factor) ** 2 > rounding * np.diag(matrix)).all():
+        return np.eye(len(matrix))
+    inverse: np.ndarray = np.linalg.inv(factor).T
+    return inverse
+
+
+def _least(rows: np.ndarray) -> np.ndarray:
+    """Return what solves equations with the least change; dependent rows do not count."""
+    lengths = np.linalg.norm(rows, axis=1)
+    lengths = np.where(lengths > 0.0, lengths, 1.0)
+    found: np.ndarray = np.linalg.pinv(rows / lengths[:, None], rcond=FREE) / lengths
+    return found
+
 
 Place = tuple[str, int]
-
-
-def adjoint_gradient(
-    now: Snapshot,
-    solver: Any,
-    wrt: Any,
-    final: Any,
-    integral: Any,
-    options: dict[str, Any],
-    dependent: Sequence[Any],
-) -> AdjointGradient:
-    """Return what `System.adjoint_gradient` describes."""
-    definition, plan = now.definition, now.plan
-    if isinstance(solver, Solver) and solver.name == "radau":
-        raise ValueError(
-            "`adjoint_gradient` goes back through the steps of an explicit method, but "
-            "`ode_solver` is 'radau'. Choose another solver of pydy.solvers, or call "
-            "system.simulate(sensitivities=…), which goes forward."
-        )
-    solver = native_solver(solver)
-    if final is None and integral is None:
-        raise ValueError(
-            "`final` or `integral` must be given: an output or an expression of states, "
-            "specifieds, constants and time."
-        )
-    parameters = read_parameters(definition, plan, wrt, "wrt", dependent)
-    final, integral = (
-        None if term is None else read_term(definition, term, name)
-        for term, name in ((final, "final"), (integral, "integral"))
-    )
-    start = begin(now, solver, options)
-    model = start.model
-    task = _Task(definition, plan, now.p, parameters, model, final, integral)
-    places = [definition.states.index(s) for s in dependent]
-    sensitive = Sensitive(definition, model, plan, parameters, now.p, "wrt")
-    beginning = sensitive.start(now.x, float(start.times[0]), places)[:, : sensitive.count]
-    try:
-        run = task.run(solver, now.x, start.times, start.options)
-    except (IntegrationError, IntegrationInterrupted, SingularMatrixError) as error:
-        if not isinstance(error, SingularMatrixError):
-            n = len(definition.states)
-            error.states, error.state = error.states[:, :n], error.state[:n]
-        if not isinstance(error, IntegrationInterrupted):
-            explain(error, definition, model, plan, now.p)
-        raise
-    n = len(definition.states)
-    reached = run.info["reached"]
-    states = run.states[:reached, :n].copy()
-    try:
-        values, by_state = run.gradient(sensitive, beginning)
-    except KeyboardInterrupt as stop:
-        raise IntegrationInterrupted(
-            "The gradient was interrupted on the way back through the motion, which is whole: it "
-            "is in the attributes `times` and `states` of this error.",
-            start.times[:reached].copy(), states, run.end, run.last[:n].copy(), run.info,
-        ) from stop  # fmt: skip
-
-    def motion() -> Any:
-        times = start.times[:reached].copy()
-        return now.trajectory(times, states, events=run.records, statistics=run.info)
-
-    counts = {p.symbol: p.count for p in parameters}
-    statistics = {k: v for k, v in run.info.items() if k not in ("events", "reached")}
-    return AdjointGradient(run.value, values, counts, by_state, run.end, statistics, motion)
 
 
 @dataclass(frozen=True, eq=False)
@@ -182,6 +268,8 @@ class _Task:
         self, solver: Solver, x0: np.ndarray, times: np.ndarray, options: dict[str, Any]
     ) -> _Run:
         """Integrate, and note the steps."""
+        from pydy.solvers.run.integration import Integration
+
         n, model = len(x0), self.whole
         rates = self.call_whole(model.compiled("rates"))
         more = rates.kernel.program.num_states - n
@@ -308,6 +396,8 @@ class _Run:
         self.stopped = info["code"] == TERMINATED
         self.last = last if self.stopped or not len(states) else states[-1]
         further, kept = len(task.wanted), len(task.sampled)
+        from pydy.solvers.adjoint.backward import WayBack
+
         self._back = WayBack(method, rates, task.turned, further, kept)
         self._kept = kept
         integrals = 0 if task.integral is None else 1
@@ -449,7 +539,7 @@ class _Run:
         )  # fmt: skip
 
     def _by_parameters(self) -> np.ndarray:
-        """Return the derivatives by all parameters, but for what goes through the first state."""
+        """Return the derivatives by all parameters, except what goes through the first state."""
         task = self.task
         place = {one: k for k, one in enumerate(task.wanted)}
         sampled = {p.symbol: k for k, p in enumerate(task.sampled)}
@@ -474,3 +564,119 @@ def _not_finite(start: float, end: float) -> ValueError:
         "though the motion is: look there for the square root of zero, or another function without "
         "a derivative. `system.evaluate_jacobian` tells which."
     )
+
+
+class Gradients(Setup):
+    """Gradients of a scalar of a motion with respect to many parameters."""
+
+    def adjoint_gradient(
+        self,
+        wrt: Any,
+        *,
+        final: Any = None,
+        integral: Any = None,
+        **solver_kwargs: Any,
+    ) -> AdjointGradient:
+        """Return a scalar of a simulation and its derivatives with respect to many parameters.
+
+        The scalar is the value of an expression at the end of the motion, an integral along it, or
+        the sum of both. The motion is integrated once, then the adjoint of its steps is applied
+        from the last to the first: the cost hardly depends on the number of parameters. For few
+        parameters, or many quantities, use `simulate` with `sensitivities`.
+
+        Parameters
+        ----------
+        wrt : {'constants', 'states', 'specifieds'}, symbol, name, or iterable of these
+            Constants; states, for their initial conditions; specifieds that are numbers or samples.
+        final : output or expression, optional
+            A function of states, specifieds, constants and time, evaluated at the last of the
+            times, or after a terminal event, whose time also depends on the parameters.
+        integral : output or expression, optional
+            Integrated from the first time to the end, as an additional state under error control.
+        **solver_kwargs
+            Options of an explicit native solver (``'dop853'`` if `ode_solver` is not native);
+            `events`, `constraints` and `gain` as in `integrate`. ``progress=True`` shows a bar for
+            the motion, and one for the way back.
+
+        Returns
+        -------
+        AdjointGradient
+
+        Raises
+        ------
+        ValueError
+            The system has no such parameter, a specified is a Python function, or the solver is not
+            explicit.
+        SingularMatrixError, IntegrationError
+            As in `integrate`; also if the motion only grazes an event that changes it.
+        IntegrationInterrupted
+            The user interrupted it; the error holds the motion so far, or all of it if it was
+            interrupted on the way back.
+
+        Examples
+        --------
+        How far a mass on a spring moves in a second:
+
+        >>> from pydy.models import multi_mass_spring_damper
+        >>> system = multi_mass_spring_damper()
+        >>> system.constants = {'c0': 0.0}
+        >>> system.initial_conditions = {'x0': 1.0}
+        >>> system.times = [0.0, 1.0]
+        >>> found = system.adjoint_gradient('constants', final='x0', rtol=1e-10, atol=1e-10)
+        >>> round(found.value, 8), round(found['k0'], 8), round(found['m0'], 8)
+        (0.54030231, -0.42073549, 0.42073549)
+        """
+        now, solver = self._now(solver_kwargs.get("events")), self.ode_solver
+        definition, plan = now.definition, now.plan
+        dependent = latest_dependents(definition, self._dependent)
+        if isinstance(solver, Solver) and solver.name == "radau":
+            raise ValueError(
+                "`adjoint_gradient` goes back through the steps of an explicit method, but "
+                "`ode_solver` is 'radau'. Choose another solver of pydy.solvers, or call "
+                "system.simulate(sensitivities=…), which goes forward."
+            )
+        solver = native_solver(solver)
+        if final is None and integral is None:
+            raise ValueError(
+                "`final` or `integral` must be given: an output or an expression of states, "
+                "specifieds, constants and time."
+            )
+        parameters = read_parameters(definition, plan, wrt, "wrt", dependent)
+        final, integral = (
+            None if term is None else read_term(definition, term, name)
+            for term, name in ((final, "final"), (integral, "integral"))
+        )
+        start = begin(now, solver, solver_kwargs)
+        model = start.model
+        task = _Task(definition, plan, now.p, parameters, model, final, integral)
+        places = [definition.states.index(s) for s in dependent]
+        sensitive = Sensitive(definition, model, plan, parameters, now.p, "wrt")
+        beginning = sensitive.start(now.x, float(start.times[0]), places)[:, : sensitive.count]
+        try:
+            run = task.run(solver, now.x, start.times, start.options)
+        except (IntegrationError, IntegrationInterrupted, SingularMatrixError) as error:
+            if not isinstance(error, SingularMatrixError):
+                n = len(definition.states)
+                error.states, error.state = error.states[:, :n], error.state[:n]
+            if not isinstance(error, IntegrationInterrupted):
+                explain(error, definition, model, plan, now.p)
+            raise
+        n = len(definition.states)
+        reached = run.info["reached"]
+        states = run.states[:reached, :n].copy()
+        try:
+            values, by_state = run.gradient(sensitive, beginning)
+        except KeyboardInterrupt as stop:
+            raise IntegrationInterrupted(
+                "The gradient was interrupted on the way back through the motion, which is whole: "
+                "it is in the attributes `times` and `states` of this error.",
+                start.times[:reached].copy(), states, run.end, run.last[:n].copy(), run.info,
+            ) from stop  # fmt: skip
+
+        def motion() -> Any:
+            times = start.times[:reached].copy()
+            return now.trajectory(times, states, events=run.records, statistics=run.info)
+
+        counts = {p.symbol: p.count for p in parameters}
+        statistics = {k: v for k, v in run.info.items() if k not in ("events", "reached")}
+        return AdjointGradient(run.value, values, counts, by_state, run.end, statistics, motion)

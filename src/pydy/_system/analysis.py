@@ -18,14 +18,15 @@ from pydy._kernel import Kernel
 from pydy._names import unique_names
 from pydy._system.balance import GROUPS, evaluated, feedback, located, members
 from pydy._system.evaluation import samples
+from pydy._system.setup import Setup
 from pydy._system.snapshot import Snapshot
 from pydy._system.start import surely_held, violations
 from pydy._system.tuning import BESIDE, TRIED
 from pydy.analysis.equilibria import Equilibrium
 from pydy.analysis.linear import LinearModel, independent_places, tangents
+from pydy.analysis.scaling import equilibrated
+from pydy.analysis.tuning import NOTHING
 from pydy.codegen.arguments import SpecifiedsPlan
-
-__all__ = ["Point", "linearize", "variables"]
 
 
 def variables(definition: Definition, wrt: Any) -> str | tuple[tuple[str, int], ...]:
@@ -102,96 +103,49 @@ class Point:
         return [b for b in ("holonomic", "velocity") if getattr(self.definition.equations, b)]
 
     def tangents(self) -> tuple[np.ndarray, np.ndarray]:
-        """Return T, shape (m, n, k), and the places of the independent states."""
-        definition, x = self.definition, self.x
-        equations, n = definition.equations, x.shape[1]
-        gradient = np.zeros((len(x), 0, n))
-        if self.blocks:
-            gradient = np.concatenate([self.slopes(b) for b in self.blocks], axis=1)
-            gradient /= self._sizes(gradient)
-        chosen = [
-            definition.states.index(state)
-            for state in (*equations.dependent_coordinates, *equations.dependent_speeds)
-        ]
-        free, bound = independent_places(gradient[0], chosen)
-        free = free[free < n - len(definition.auxiliaries)]  # integrals of outputs move nothing
-        return tangents(gradient, free, bound), free
+        """Return T, shape (m, n, k), and the places of the independent states.
 
-    def _sizes(self, gradient: np.ndarray) -> np.ndarray:
-        """Return how large the rows of the constraints' gradient are, shape (m, c, 1).
+        Coordinates are tied first: in one system with the speeds, units of time would decide which
+        states are independent.
+        """
+        definition, n = self.definition, self.x.shape[1]
+        equations, moving = definition.equations, n - len(definition.auxiliaries)
+        first = len(equations.coordinates)
+        kinds = {"holonomic": range(first), "velocity": range(first, moving)}
+        dependent = (*equations.dependent_coordinates, *equations.dependent_speeds)
+        chosen = [definition.states.index(state) for state in dependent]
+        free = np.arange(moving)  # integrals of outputs move nothing
+        T = np.broadcast_to(np.eye(n)[:, :moving], (len(self.x), n, moving))
+        for block in self.blocks:
+            gradient = self.slopes(block)
+            moved = gradient / self._sizes(block, gradient, kinds[block]) @ T
+            own = np.flatnonzero(np.isin(free, kinds[block]))
+            named = np.flatnonzero(np.isin(free[own], chosen))
+            bound = own[independent_places(moved[0][:, own], named.tolist())[1]]
+            left = np.setdiff1d(np.arange(len(free)), bound)
+            T, free = T @ tangents(moved, left, bound), free[left]
+        return T, free
+
+    def _sizes(self, block: str, gradient: np.ndarray, own: range) -> np.ndarray:
+        """Return how large the rows of a block's gradient by its own states are, shape (m, c, 1).
 
         A row that vanishes in a singular configuration is rounding errors there: its size is taken
-        beside it.
+        beside it, as far as the states are large. A coordinate that is zero is as large as the
+        others in units of the columns, and one where all are zero.
         """
-        n = gradient.shape[2]
-        offset = BESIDE * np.maximum(np.abs(self.x), 1.0) * np.cos(np.arange(n))
+        n, places = gradient.shape[2], len(self.definition.equations.coordinates)
+        large = np.abs(self.x)
+        columns = equilibrated(gradient[:, :, :places])[2][:, 0]
+        shares = large[:, :places] / columns
+        share = shares.max(axis=1, keepdims=True, initial=0.0)
+        usual = np.where(share > 0.0, share * columns, 1.0)
+        large[:, :places] = np.where(shares > NOTHING * share, large[:, :places], usual)
+        offset = BESIDE * large * np.cos(np.arange(n))
         beside = replace(self, x=self.x + offset)
-        found = [beside.value(self.made.compiled_jacobian(b, "x"), n) for b in self.blocks]
-        moved = np.concatenate(found, axis=1)
-        both = np.stack([gradient, np.where(np.isfinite(moved), moved, 0.0)])
+        moved = beside.value(self.made.compiled_jacobian(block, "x"), n)
+        both = np.stack([gradient, np.where(np.isfinite(moved), moved, 0.0)])[..., own]
         sizes: np.ndarray = np.linalg.norm(both, axis=-1, keepdims=True).max(axis=0)
         return np.where(sizes > 0.0, sizes, 1.0)
-
-
-def linearize(
-    now: Snapshot,
-    at: Any,
-    t: Any,
-    inputs: Iterable[Any] | None,
-    outputs: Iterable[Any] | None,
-) -> LinearModel:
-    """Return what `System.linearize` describes."""
-    definition = now.definition
-    width = len(definition.states)
-    plan, p = now.plan, now.p
-    if isinstance(at, Equilibrium):
-        found = {**at.given, **at.constants, **at.specifieds}
-        kinds = ("specifieds", "constants")
-        r, c = ({s: found[s] for s in getattr(definition, k) if s in found} for k in kinds)
-        plan, p, at = now.plan_with(r or None), now.p_with(c), at.state
-    x, t, single = samples(now.x_with(at, "at"), t, lambda: now.x, now.times, width)
-    places = definition.places
-    names = unique_names(definition.states)
-    made = driven(now.model, definition, plan, perturbed=True)
-    rows = plan.rows(x, t)
-    point = Point(definition, made, plan, t, x, rows, p)
-    value, slopes, blocks = point.value, point.slopes, point.blocks
-    n, s = len(definition.states), len(definition.specifieds)
-    T, free = point.tangents()
-    if blocks:
-        _warn_of_violations(definition, made, t, x, rows, p)
-    A = (slopes("rates") @ T)[:, free]
-    symbols = definition.specifieds if inputs is None else listed("inputs", inputs)
-    columns = [places["specifieds"].find(symbol, "inputs") for symbol in symbols]
-    by_input = np.zeros((len(x), n, s))
-    if columns:
-        by_input = value(made.compiled_jacobian("rates", "r"), s)
-        for block in blocks:
-            moved = value(made.compiled_jacobian(block, "r"), s)[:, :, columns]
-            if moved.any():
-                raise ValueError(
-                    f"The {block} constraints depend on an input of the linear model: the states "
-                    "then do not follow from independent ones alone. Leave prescribed motions out "
-                    "of `inputs`."
-                )
-    B = by_input[:, free][:, :, columns]
-    C, D, titles = _outputs(now, outputs, value, made, slopes, T, columns)
-    rates = value(made.compiled("rates"))[:, free]
-    parts = [A, B, C, D, rates]
-    sound = [np.isfinite(part.reshape(len(x), -1)).all(axis=1) for part in parts]
-    if not np.all(sound):
-        k = int(np.all(sound, axis=0).argmin())
-        raise ValueError(
-            f"The equations or their derivatives are not finite at {_which(k, x)}: there is no "
-            "linear model. `evaluate_ode` and `evaluate_jacobian` say where they are not."
-        )
-    A, B, C, D, rates = (part[0] if single else part for part in parts)
-    return LinearModel(
-        A, B, C, D,
-        tuple(names[k] for k in free),
-        tuple(np.array(unique_names(definition.specifieds))[columns].tolist()),
-        titles, rates,
-    )  # fmt: skip
 
 
 def _which(k: int, x: np.ndarray) -> str:
@@ -249,3 +203,111 @@ def _outputs(
     D = by_input[:, places][:, :, columns]
     titles = unique_names([*definition.states, *definition.outputs_symbols])
     return C, D, tuple(titles[place] for place in places)
+
+
+class LinearModels(Setup):
+    """Linear models of small motions."""
+
+    def linearize(
+        self,
+        at: Any = None,
+        t: Any = None,
+        *,
+        inputs: Iterable[Any] | None = None,
+        outputs: Iterable[Any] | None = None,
+    ) -> LinearModel:
+        """Return the linear model of small motions that satisfy the constraints.
+
+        Parameters
+        ----------
+        at : array_like, shape (n,) or (m, n), dict or Equilibrium, optional
+            States; the initial conditions by default. For several states, such as along a
+            trajectory, each matrix has an additional first axis. A dictionary replaces some of the
+            initial conditions, by symbol or name. An Equilibrium also provides the constants and
+            specifieds that were found or given.
+        t : float or array_like, shape (m,), optional
+            As in `evaluate_ode`.
+        inputs : iterable of specifieds or names, optional
+            All by default. If a specified is given as an expression or a function, the input is an
+            addition to its value, and its feedback is part of A. Functions are differentiated
+            numerically.
+        outputs : iterable of states, outputs or names, optional
+            All states by default.
+
+        Returns
+        -------
+        LinearModel
+
+        Raises
+        ------
+        ValueError
+            The system has no such name, the configuration is singular, or the equations are not
+            finite there.
+
+        Warns
+        -----
+        PyDyUserWarning
+            A state does not satisfy the constraints.
+
+        Examples
+        --------
+        >>> from pydy.models import n_link_pendulum_on_cart
+        >>> system = n_link_pendulum_on_cart()
+        >>> model = system.linearize(outputs=['q1'])
+        >>> model.A[3].round(6)
+        array([0., 2., 0., 0.])
+        >>> float(model.eigenvalues.real.max().round(6))
+        1.414214
+        """
+        now = self._now()
+        definition = now.definition
+        width = len(definition.states)
+        plan, p = now.plan, now.p
+        if isinstance(at, Equilibrium):
+            found = {**at.given, **at.constants, **at.specifieds}
+            kinds = ("specifieds", "constants")
+            r, c = ({s: found[s] for s in getattr(definition, k) if s in found} for k in kinds)
+            plan, p, at = now.plan_with(r or None), now.p_with(c), at.state
+        x, t, single = samples(now.x_with(at, "at"), t, lambda: now.x, now.times, width)
+        places = definition.places
+        names = unique_names(definition.states)
+        made = driven(now.model, definition, plan, perturbed=True)
+        rows = plan.rows(x, t)
+        point = Point(definition, made, plan, t, x, rows, p)
+        value, slopes, blocks = point.value, point.slopes, point.blocks
+        n, s = len(definition.states), len(definition.specifieds)
+        T, free = point.tangents()
+        if definition.equations.constrained:
+            _warn_of_violations(definition, made, t, x, rows, p)
+        A = (slopes("rates") @ T)[:, free]
+        symbols = definition.specifieds if inputs is None else listed("inputs", inputs)
+        columns = [places["specifieds"].find(symbol, "inputs") for symbol in symbols]
+        by_input = np.zeros((len(x), n, s))
+        if columns:
+            by_input = value(made.compiled_jacobian("rates", "r"), s)
+            for block in blocks:
+                moved = value(made.compiled_jacobian(block, "r"), s)[:, :, columns]
+                if moved.any():
+                    raise ValueError(
+                        f"The {block} constraints depend on an input of the linear model: the "
+                        "states then do not follow from independent ones alone. Leave prescribed "
+                        "motions out of `inputs`."
+                    )
+        B = by_input[:, free][:, :, columns]
+        C, D, titles = _outputs(now, outputs, value, made, slopes, T, columns)
+        rates = value(made.compiled("rates"))[:, free]
+        parts = [A, B, C, D, rates]
+        sound = [np.isfinite(part.reshape(len(x), -1)).all(axis=1) for part in parts]
+        if not np.all(sound):
+            k = int(np.all(sound, axis=0).argmin())
+            raise ValueError(
+                f"The equations or their derivatives are not finite at {_which(k, x)}: there is no "
+                "linear model. `evaluate_ode` and `evaluate_jacobian` say where they are not."
+            )
+        A, B, C, D, rates = (part[0] if single else part for part in parts)
+        return LinearModel(
+            A, B, C, D,
+            tuple(names[k] for k in free),
+            tuple(np.array(unique_names(definition.specifieds))[columns].tolist()),
+            titles, rates,
+        )  # fmt: skip

@@ -13,21 +13,11 @@ from pydy._checks import Places, check_mapping, listed, number, real_array
 from pydy._kernel import Kernel
 from pydy._names import unique_names
 from pydy._system.evaluation import row_names
+from pydy._system.setup import Setup
 from pydy._system.snapshot import Snapshot
 from pydy._system.tuning import AGREED
 from pydy.analysis.equilibria import Equilibrium, solve_equilibrium
 from pydy.codegen.arguments import SpecifiedsPlan
-
-__all__ = [
-    "GROUPS",
-    "Balance",
-    "Unknowns",
-    "evaluated",
-    "feedback",
-    "find_equilibrium",
-    "located",
-    "members",
-]
 
 GROUPS = {"states": "x", "specifieds": "r", "constants": "p"}
 """The kinds of symbols, and the arrays that hold their numbers."""
@@ -207,6 +197,17 @@ class Balance:
         rest = [t for b in self.blocks[1:] for t in row_names(self.definition, b)]
         return [names[k] for k in self.rows] + rest
 
+    @property
+    def pairs(self) -> dict[int, int]:
+        """The rows of the residual that are rates of unknown states, and which of the unknowns."""
+        column = dict(zip(*reversed(self.wanted.of("states")), strict=True))
+        return {row: column[k] for row, k in enumerate(self.rows) if k in column}
+
+    @property
+    def held(self) -> int:
+        """How many rows of the residual are constraints; they are the last ones."""
+        return len(self.titles) - len(self.rows)
+
     def inputs(self, z: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
         """Return t (m,), x (m, n), r (m, s) and p, (k,) or (m, k), for unknowns z (m, l)."""
         m = len(z)
@@ -264,28 +265,6 @@ class Balance:
             free=free,
             given={s: value for s, value in self.given.items() if s not in values},
         )
-
-
-def find_equilibrium(
-    now: Snapshot,
-    unknowns: Iterable[Any] | None,
-    given: Mapping[Any, Any] | None,
-    moving: Iterable[Any],
-    bounds: Mapping[Any, Any] | None,
-) -> Equilibrium:
-    """Return what `System.find_equilibrium` describes."""
-    balance = Balance(now, unknowns, given, moving)
-    wanted = balance.wanted
-    return balance.equilibrium(
-        *solve_equilibrium(
-            lambda z: balance.residuals(z[None])[0],
-            lambda z: balance.slopes(z[None])[0],
-            balance.start,
-            _bounds(now.definition, wanted, bounds),
-            wanted.names,
-            balance.titles,
-        )
-    )
 
 
 def feedback(plan: SpecifiedsPlan, x: np.ndarray, t: np.ndarray) -> np.ndarray:
@@ -352,3 +331,74 @@ def _bounds(
         k = wanted.order.index(place)
         low[k], high[k] = limits
     return low, high
+
+
+class Equilibria(Setup):
+    """States in which the system remains."""
+
+    def find_equilibrium(
+        self,
+        unknowns: Iterable[Any] | None = None,
+        given: dict[Any, float] | None = None,
+        *,
+        moving: Iterable[Any] = (),
+        bounds: dict[Any, Any] | None = None,
+    ) -> Equilibrium:
+        """Find a state in which the system remains at rest or moves steadily.
+
+        All other values are those of the System; the search starts from its initial conditions,
+        and where none is near, from where the system settles if its swings die out.
+
+        Parameters
+        ----------
+        unknowns : iterable of symbols or names, optional
+            States, constants and specifieds to solve for; by default all coordinates and speeds
+            that are neither given nor moving.
+        given : dict, optional
+            Values of other states, constants and specifieds for this search; of an unknown, the
+            value to start from.
+        moving : iterable of coordinates, optional
+            Coordinates that may change at a constant rate, such as the position of a vehicle along
+            its path.
+        bounds : dict, optional
+            Maps unknowns to pairs of the lowest and the highest value.
+
+        Returns
+        -------
+        Equilibrium
+            `initial_conditions`, `constants` and `specifieds` can be assigned to the System's
+            attributes of the same names.
+
+        Raises
+        ------
+        EquilibriumError
+            No equilibrium was found; the message says how close the search came and which rows are
+            not satisfied.
+        ValueError
+            A name is not one of the system's.
+
+        Examples
+        --------
+        >>> from pydy.models import multi_mass_spring_damper
+        >>> system = multi_mass_spring_damper(apply_gravity=True)
+        >>> system.constants = {'m0': 2.0, 'k0': 5.0, 'g': 9.81}
+        >>> found = system.find_equilibrium()
+        >>> round(found.values[system.coordinates[0]], 6)
+        3.924
+        >>> system.initial_conditions = found.initial_conditions
+        """
+        now = self._now()
+        balance = Balance(now, unknowns, given, moving)
+        wanted = balance.wanted
+        return balance.equilibrium(
+            *solve_equilibrium(
+                lambda z: balance.residuals(z[None])[0],
+                lambda z: balance.slopes(z[None])[0],
+                balance.start,
+                _bounds(now.definition, wanted, bounds),
+                wanted.names,
+                balance.titles,
+                balance.pairs,
+                balance.held,
+            )
+        )

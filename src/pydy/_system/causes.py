@@ -23,6 +23,9 @@ from pydy.solvers.outcome import NOT_FINITE, OUTCOMES, SINGULAR, STEP_UNDERFLOW
 
 __all__ = ["cause_of", "explain"]
 
+# What a solver squares over tolerances, which are seldom below the precision of floats.
+_LARGEST = float(np.sqrt(np.finfo(float).max) * np.finfo(float).eps)
+
 
 def explain(
     error: IntegrationError | SingularMatrixError,
@@ -64,6 +67,14 @@ def cause_of(
     for symbol, value in zip(definition.specifieds, r, strict=False):
         if not np.isfinite(value):
             return f"The specified `{symbol}` is {value} there."
+    rates = model.interpreted(_rates, (np.array([t]), x[None], r[None], p))["rates"][0]
+    if np.isfinite(rates).all() and np.abs(rates).max(initial=0.0) > _LARGEST:
+        fastest = int(np.abs(rates).argmax())
+        return (
+            f"The derivative of `{definition.states[fastest]}` is {rates[fastest]:.3g} there: "
+            "squares of such numbers over `atol` are out of the range of floats. Choose units in "
+            "which they are smaller, or raise `atol`."
+        )
     equations = definition.equations
     idle = _idle(model.assembly, equations.speeds)
     if idle:
@@ -170,6 +181,11 @@ def _parts(assembly: Assembly) -> dict[str, list[int]]:
         "slopes": dense_jacobian(graph, assembly.velocity, speeds),
         "matrix": assembly.mass_matrix,
     }
+
+
+def _rates(assembly: Assembly) -> dict[str, list[int]]:
+    """Return the derivatives of the states, as nodes."""
+    return {"rates": [*assembly.rates]}
 
 
 def _wild(kinematics: np.ndarray) -> np.ndarray:

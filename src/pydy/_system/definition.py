@@ -16,6 +16,7 @@ from pydy._errors import UnsupportedFunctionError, warn_user
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.symbols import find_symbols, sort_symbols
 from pydy._names import name_of
+from pydy._system.energy import EnergyModel
 from pydy._system.inputs import check_forces, named_outputs, output_groups, sort_out
 from pydy.codegen.arguments import SpecifiedsPlan, symbolic_entries
 from pydy.solvers.events import Event
@@ -80,6 +81,8 @@ class Definer:
     equations : Equations
     base : (constants, specifieds)
         Those of the equations of motion, as found or as the user gave them.
+    energies : EnergyModel
+        Constants and specifieds may be held by these alone.
 
     Attributes
     ----------
@@ -87,22 +90,33 @@ class Definer:
         The constraints as outputs.
     latest : Definition
         The last that was sound.
+    of_events : dict
+        Keyed by the constants of all events that were met.
     """
 
     latest: Definition
 
-    def __init__(self, equations: Equations, base: tuple[Sequence[Any], Sequence[Any]]) -> None:
+    def __init__(
+        self,
+        equations: Equations,
+        base: tuple[Sequence[Any], Sequence[Any]],
+        energies: EnergyModel,
+    ) -> None:
         self._equations = equations
+        self.energies = energies
         self._base = base
         rows = (*equations.holonomic, *equations.nonholonomic)
         self.residuals = {sm.Dummy(f"c{k}"): row for k, row in enumerate(rows)}
         self._key: tuple[dict[Any, Any], list[Any], Given] | None = None
-        self._of_events: dict[Any, None] = {}  # all that were met
+        self.of_events: dict[Any, None] = {}
         self._wider: tuple[Definition, set[Any], Definition] | None = None
         self._warned_of: set[Any] = set()
 
     def __call__(
-        self, outputs: Mapping[Any, Any], forces: Sequence[Any], specifieds: Mapping[Any, Any]
+        self,
+        outputs: Mapping[Any, Any],
+        forces: Sequence[Any],
+        specifieds: Mapping[Any, Any],
     ) -> Definition:
         """Return the Definition.
 
@@ -121,22 +135,20 @@ class Definer:
                 return self.latest
         given = given_in(specifieds)
         own = self.users(outputs, forces)
-        self.latest = define(self._equations, own, self.residuals, forces, self._base, given)
+        self.latest = define(
+            self._equations, own, self.residuals, forces, self._base, given,
+            lambda: self.energies.motions,
+        )  # fmt: skip
         self._key = (dict(outputs), [*outputs, *forces], given)
         self._warn(self.latest)
         return self.latest
 
-    def holding(
-        self,
-        definition: Definition,
-        constants: Mapping[Any, Any],
-        more: Callable[[], Iterable[Any]],
-    ) -> Definition:
+    def holding(self, definition: Definition, constants: Mapping[Any, Any]) -> Definition:
         """Return a Definition with those of a user's constants that events or energies hold."""
         silent = definition.places["constants"].unknown(constants, "constants")
         if not silent:
             return definition
-        known = Places([*dict.fromkeys((*self._of_events, *more()))], "constants")
+        known = Places([*dict.fromkeys((*self.of_events, *self.energies.symbols))], "constants")
         meant = [known.meaning(key, "constants") for key in silent]
         return self.widened(definition, {*meant} & {*known.symbols})
 
@@ -149,7 +161,7 @@ class Definer:
         taken = {*map(name_of, (definition.equations.time, *symbols))}
         held = find_symbols(part for part in parts if isinstance(part, sm.Basic))
         found = [s for s in held if isinstance(s, sm.Symbol) and s.name not in taken]
-        self._of_events.update(dict.fromkeys(found))
+        self.of_events.update(dict.fromkeys(found))
         return found
 
     def widened(self, definition: Definition, more: Iterable[Any]) -> Definition:
@@ -195,6 +207,7 @@ def define(
     forces: Any,
     base: tuple[Sequence[Any], Sequence[Any]],
     given: Given,
+    more: Callable[[], Iterable[Any]],
 ) -> Definition:
     """Check the outputs and forces of a System and sort out its symbols.
 
@@ -209,6 +222,8 @@ def define(
     given : Given
         How specifieds are given. Symbols that occur only in expressions are added, and so are
         motions of which the equations hold derivatives only.
+    more : callable
+        Gives specifieds that energies hold; asked where one is given that nothing else holds.
     """
     constants, specifieds = base
     groups = output_groups({**outputs, **residuals})
@@ -252,22 +267,36 @@ def define(
         tuple(groups),
         auxiliaries,
         tuple(sort_symbols({*constants, *more_constants} - aux)),
-        _ordered(sort_symbols({*specifieds, *more_specifieds}), given, set(results)),
+        _ordered(sort_symbols({*specifieds, *more_specifieds}), given, set(results), more),
         tuple(residuals),
         tuple(names),
     )
 
 
-def _ordered(found: list[Any], given: Given, outputs: set[Any]) -> tuple[Any, ...]:
-    """Return the specifieds in the order of r, with motions that occur by derivatives only."""
+def _ordered(
+    found: list[Any], given: Given, outputs: set[Any], more: Callable[[], Iterable[Any]]
+) -> tuple[Any, ...]:
+    """Return the specifieds in the order of r, with motions that occur by derivatives only.
+
+    So are their derivatives in between, where they follow: energies hold them.
+    """
     lower = {s for d in found if isinstance(d, sm.Derivative) for s in lower_derivatives(d)}
     others = sort_symbols(lower - {*found} - outputs)
     places = Places([*found, *others], "specifieds of the system")
     keys = [places.get(key, "specifieds") for key in given.keys]
+    if None in keys and (extra := {*more()} - {*found} - outputs):
+        others = sort_symbols({*others, *extra})
+        places = Places([*found, *others], "specifieds of the system")
+        keys = [places.get(key, "specifieds") for key in given.keys]
     chosen = [places.symbols[k] for k in keys if k is not None]
     if given.ordered:
         return tuple(dict.fromkeys([*chosen, *found]))
-    motions = [s for s in others if s in chosen]
+    moving = {s for s in chosen if s in given.expressions or name_of(s) in given.expressions}
+    motions = [
+        s
+        for s in others
+        if s in chosen or (s.is_Derivative and not moving.isdisjoint(lower_derivatives(s)))
+    ]
     return tuple(sort_symbols([*found, *motions]) if motions else found)
 
 

@@ -11,12 +11,11 @@ import numpy as np
 import scipy
 
 from pydy._assembly.definition import Definition
-from pydy._checks import Places, listed
+from pydy._checks import Places, describe, listed
 from pydy._errors import PyDyUserWarning, SingularMatrixError, few, warn_user
 from pydy._mechanics.dependents import Chosen
 from pydy._system.snapshot import Snapshot
 from pydy._system.tuning import CANCELLED, DIGITS, UNSOLVED
-from pydy.codegen.arguments import describe
 from pydy.solvers.run.constraints import satisfied
 
 __all__ = [

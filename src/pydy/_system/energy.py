@@ -9,15 +9,16 @@ from typing import Any, NamedTuple
 
 import sympy as sm
 
+from pydy._assembly.definition import Layout
 from pydy._assembly.model import CompiledModel
-from pydy._checks import shown
+from pydy._checks import describe, shown
 from pydy._forks import cached_property
 from pydy._kernel import Kernel
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.potential import find_potential
 from pydy._mechanics.reader import distances, oriented, places
 from pydy._mechanics.symbols import find_symbols, replace_symbols
-from pydy.codegen.arguments import checked_expression, describe
+from pydy.codegen.arguments import checked_expression
 
 __all__ = ["Energy", "EnergyModel", "check_potential"]
 
@@ -74,14 +75,24 @@ class EnergyModel:
             )
         return found.expression
 
-    @cached_property
+    @property
     def symbols(self) -> tuple[Any, ...]:
         """The constants in energies and positions; some may cancel from the equations of motion."""
+        return tuple(s for s in self._held if isinstance(s, sm.Symbol))
+
+    @property
+    def motions(self) -> tuple[Any, ...]:
+        """The specifieds there, of which the equations of motion may hold none."""
+        return tuple(s for s in self._held if not isinstance(s, sm.Symbol))
+
+    @cached_property
+    def _held(self) -> tuple[Any, ...]:
+        """What is neither time nor a state."""
         parts: list[Any] = []
         for name in ("kinetic", "potential"):
             with suppress(ValueError):
                 parts.append(getattr(self, name))
-        mechanism, time = self.equations.mechanism, self.equations.time
+        equations, mechanism = self.equations, self.equations.mechanism
         if mechanism is not None:
             points = [body.masscenter for body in mechanism.bodies]
             for point in points:
@@ -91,21 +102,51 @@ class EnergyModel:
             frames = distances(mechanism.frame, oriented)
             parts += [entry for frame in frames for m in oriented(frame).values() for entry in m]
         found = find_symbols(sm.sympify(part) for part in parts)
-        return tuple(s for s in found if isinstance(s, sm.Symbol) and s != time)
+        states = {*equations.coordinates, *equations.speeds, *equations.zeros, equations.time}
+        states.update((*equations.coordinate_rates, *equations.speed_rates))
+        return tuple(s for s in found if s not in states)
 
-    def kernel(self, model: CompiledModel) -> Kernel:
-        """Return the Kernel of kinetic, potential and total energy."""
+    def expressions(self, layout: Layout) -> tuple[Any, Any]:
+        """Return the kinetic and the potential energy; 1 stands for constants without a value.
+
+        Raises
+        ------
+        ValueError
+            They are not known, or hold what the equations of motion do not.
+        """
         kinetic, potential = self.kinetic, self.potential
         mechanism = self.equations.mechanism
         if mechanism is not None and mechanism.known_energy is not None:
             kinetic = mechanism.known_energy
-        silent = {*self.symbols} - {*model.layout.constants}
-        if silent:  # constants that nobody has given a value
-            ones = dict.fromkeys(silent, sm.Float(1.0))
+        ones = dict.fromkeys({*self.symbols} - {*layout.constants}, sm.Float(1.0))
+        if ones:
             kinetic, potential = (replace_symbols(e, ones) for e in (kinetic, potential))
+        known = {*layout.states, *layout.constants, *layout.specifieds, self.equations.time}
+        known.update(self.equations.coordinate_rates)
+        missing = [s for s in find_symbols([kinetic, potential]) if s not in known]
+        if missing:
+            raise ValueError(
+                f"The energy holds {describe(missing)}, which the equations of motion do not. Give "
+                "the motion as an expression of time, or these values beside it, in `specifieds`."
+            )
+        return kinetic, potential
+
+    def kernel(self, model: CompiledModel) -> Kernel:
+        """Return the Kernel of kinetic, potential and total energy."""
+        kinetic, potential = self.expressions(model.layout)
         return model.compiled_expressions(
             "the energy", (3,), (kinetic, potential, sm.Add(kinetic, potential))
         )
+
+    @cached_property
+    def static(self) -> bool:
+        """Whether all loads depend on nothing but the configuration."""
+        equations, mechanism = self.equations, self.equations.mechanism
+        loads = () if mechanism is None else mechanism.loads
+        parts = [e for _, vector in loads for column, _ in vector.args for e in column]
+        found = find_symbols(map(equations.in_states, parts))
+        coordinates = set(equations.coordinates)
+        return all(s in coordinates or (s.is_Symbol and s != equations.time) for s in found)
 
 
 def check_potential(

@@ -8,9 +8,8 @@ from typing import Any
 import numpy as np
 
 from pydy._assembly.definition import Definition, Layout
-from pydy._checks import describe
+from pydy._checks import describe, real_array
 from pydy._errors import warn_user
-from pydy.codegen.arguments import real_array
 
 __all__ = [
     "row_names",

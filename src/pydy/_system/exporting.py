@@ -1,172 +1,30 @@
-"""From a System's equations and numbers to a `pydy.export.Model`."""
+"""Exports of a System: from its equations and numbers to a `pydy.export.Model`."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
-from typing import Any
+from functools import partial
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import sympy as sm
 
 from pydy._assembly.assembly import Assembly
 from pydy._assembly.definition import Definition
-from pydy._assembly.model import CompiledModel
-from pydy._assembly.specifieds import driven, followed
+from pydy._assembly.specifieds import followed
 from pydy._assembly.stored import stored_program
-from pydy._checks import Places, choice, listed
+from pydy._checks import Places, choice, file_of, listed, text
 from pydy._graph.program import Program
 from pydy._names import name_of, unique_names
+from pydy._system.setup import Setup
 from pydy._system.solving import check_events, event_rates_program, projection_program
 from pydy.codegen.arguments import SpecifiedsPlan
-from pydy.export.model import EventData, Model, Variable, identifiers, with_inputs
-from pydy.viz.live import LiveSystem
 
-__all__ = ["export_model", "live_system"]
-
-
-def export_model(
-    definition: Definition,
-    model: CompiledModel,
-    plan: SpecifiedsPlan,
-    numbers: tuple[np.ndarray, np.ndarray, np.ndarray],
-    *,
-    name: str = "model",
-    events: Any = None,
-    constraints: Any = None,
-    inputs: Iterable[Any] = (),
-) -> Model:
-    """Return what is exported of a System.
-
-    Parameters
-    ----------
-    definition : Definition
-    model : CompiledModel
-    plan : SpecifiedsPlan
-        The specifieds now.
-    numbers : (x0, p, times)
-    name : str
-    events : Event or sequence of Event, optional
-    constraints : {None, 'project'}
-    inputs : iterable of specifieds
-        Those that become inputs although a function or samples give them.
-
-    Raises
-    ------
-    ValueError
-        A specified that only Python can compute, or a projection where there are no constraints.
-    """
-    x0, p, times = numbers
-    start = float(times[0]) if len(times) else 0.0
-    stop = float(times[-1]) if len(times) > 1 else start + 1.0
-    places = _input_places(definition, plan, inputs)
-    assembly = driven(model, definition, plan).assembly
-    n, m, s = len(definition.states), len(assembly.outputs), len(places)
-
-    def stored(what: str, make: Any) -> Any:
-        return lambda: with_inputs(stored_program(assembly, what, lambda: make(assembly)), places)
-
-    def jacobian(assembly: Assembly) -> Program:
-        by = [*(("x", k) for k in range(n)), *(("r", k) for k in places)]
-        both = replace(assembly, rates=[*assembly.rates, *assembly.outputs])
-        return both.jacobian_program("rates", by)
-
-    builders = {
-        "rates": stored("rates", lambda a: a.program("rates")),
-        "outputs": stored("outputs", lambda a: a.program("outputs")),
-        "jacobian": stored(f"exported jacobian {places}", jacobian),
-    }
-    held: dict[str, int] = {}
-    if choice(constraints, (None, "project"), "`constraints`") is not None:
-        held = _constraint_sizes(definition)
-        builders["projection"] = stored("projection", projection_program)
-    checked = check_events(events, definition.places["states"]) if events is not None else ()
-    if checked:
-        expressions = tuple(event.expression for event in checked)
-        resets = [e.reset.get(s, s) for e in checked for s in definition.states]
-        shape = (len(checked), n)
-
-        def formulas(name: str, shape: tuple[int, ...], entries: Sequence[Any]) -> Any:
-            return lambda: with_inputs(assembly.expression_program(name, shape, entries), places)
-
-        builders["events"] = formulas("the events", (len(checked),), expressions)
-        builders["resets"] = formulas("the resets of the events", shape, resets)
-        builders["event_rates"] = lambda: with_inputs(
-            event_rates_program(assembly, expressions), places
-        )
-    r = plan(x0, start) if s else np.zeros(0)
-    symbols = [
-        *definition.states,
-        *(definition.specifieds[k] for k in places),
-        *definition.constants,
-        *definition.outputs_symbols,
-    ]
-    values = [*x0.tolist(), *(float(r[k]) for k in places), *p.tolist(), *[0.0] * m]
-    names = _names(symbols)
-    variables = tuple(map(Variable, names, identifiers(names), values))
-    at_inputs, at_constants, at_outputs = n, n + s, n + s + len(definition.constants)
-    (identifier,) = identifiers([name])
-    return Model(
-        name=identifier,
-        title=name,
-        states=variables[:at_inputs],
-        inputs=variables[at_inputs:at_constants],
-        constants=variables[at_constants:at_outputs],
-        outputs=variables[at_outputs:],
-        builders=builders,
-        events=EventData(
-            tuple(event.name for event in checked),
-            tuple(int(event.direction) for event in checked),
-            tuple(bool(event.terminal) for event in checked),
-            tuple(bool(event.terminal or event.reset) for event in checked),
-        ),
-        start=start,
-        stop=stop,
-        constraints=held,
-    )
-
-
-def live_system(
-    definition: Definition,
-    model: CompiledModel,
-    plan: SpecifiedsPlan,
-    numbers: tuple[np.ndarray, np.ndarray, np.ndarray],
-    dependent: Iterable[Any] | None,
-    *,
-    constraints: Any = "auto",
-    **options: Any,
-) -> LiveSystem:
-    """Return what a live page needs of a System; `options` are those of `export_model`.
-
-    Constraints are held where there are any, unless `constraints` is None. `dependent` are the
-    states that the System solved for last, or None.
-    """
-    equations = definition.equations
-    constrained = bool(equations.holonomic or equations.velocity)
-    if constraints == "auto":
-        constraints = "project" if constrained else None
-    exported = export_model(definition, model, plan, numbers, constraints=constraints, **options)
-    formulas = dict(plan.expressions)
-    for symbol in followed(definition, plan) - formulas.keys():
-        # A derivative of a motion that is an expression.
-        whole = plan.expressions.get(symbol.expr)
-        if whole is not None:
-            formulas[symbol] = whole.diff(equations.time, symbol.derivative_count)
-    dependents: tuple[list[int], list[int]] = ([], [])
-    if constraints is not None:
-        dependents = _dependents(definition, dependent)
-    return LiveSystem(
-        model=exported,
-        states=definition.states,
-        inputs=tuple(definition.specifieds[k] for k in _input_places(definition, plan, ())),
-        constants=definition.constants,
-        outputs=definition.outputs_symbols,
-        definitions=formulas,
-        dependents=dependents,
-        coordinates=len(equations.coordinates),
-        speeds=len(equations.speeds),
-    )
+if TYPE_CHECKING:
+    from pydy.export import Exported, Model
+    from pydy.viz.live import LiveSystem
 
 
 def _dependents(
@@ -241,3 +99,186 @@ def _names(symbols: Sequence[Any]) -> list[str]:
             name = f"der({name_of(symbol.expr)}{f',{order}' if order > 1 else ''})"
         spelled.append(re.sub(r"\s+", " ", name))
     return spelled
+
+
+class Exporting(Setup):
+    """The system as code for other programs and for a page."""
+
+    def export(
+        self,
+        path: Any,
+        *,
+        name: str | None = None,
+        events: Any = None,
+        inputs: Iterable[Any] = (),
+        **options: Any,
+    ) -> Exported:
+        """Write the system as code for another program: C, an FMU, JavaScript or Python.
+
+        Parameters
+        ----------
+        path : path
+            The suffix selects the format: ``.c`` (C99, with a header next to it), ``.fmu`` (a
+            functional mock-up unit for Model Exchange and Co-Simulation), ``.js`` (an ECMAScript
+            module) or ``.py`` (functions that need only NumPy or JAX).
+        name : str, optional
+            Name of the model; by default the stem of the file.
+        events : Event or sequence of Event, optional
+            Events to export with their resets; event indicators in an FMU.
+        inputs : iterable of specifieds, optional
+            Specifieds given by a function or by samples that become inputs.
+        **options
+            ``fmi`` ('3.0' or '2.0') and ``binary`` (False omits the compiled library) for
+            ``.fmu``; ``target`` ('numpy' or 'jax') for ``.py``.
+
+        Returns
+        -------
+        Exported
+            ``path``, ``files``, and ``names``, the identifiers of names that are not valid ones.
+
+        Raises
+        ------
+        ValueError
+            Unknown suffix, or a specified given by a function or by samples.
+        GeneratorError
+            No C compiler was found for the binary of an FMU, or it failed.
+
+        Examples
+        --------
+        >>> import os, tempfile
+        >>> from pydy.models import n_link_pendulum_on_cart
+        >>> system = n_link_pendulum_on_cart(1)
+        >>> folder = tempfile.mkdtemp()
+        >>> exported = system.export(os.path.join(folder, 'pendulum.c'))
+        >>> [file.name for file in exported.files]
+        ['pendulum.c', 'pendulum.h']
+        """
+        from pydy.export.writing import check_options, write
+
+        target = file_of(path, "`path`")
+        check_options(target, options)
+        title = target.stem if name is None else text(name, "`name`")
+        model = self._exportable(name=title, events=events, inputs=inputs)
+        return write(model, target, **options)
+
+    def _exportable(
+        self,
+        *,
+        name: str = "model",
+        events: Any = None,
+        constraints: Any = None,
+        inputs: Iterable[Any] = (),
+    ) -> Model:
+        """Return the Programs, names and numbers of what is exported.
+
+        `constraints` are None or 'project'; `inputs` are specifieds that become inputs although a
+        function or samples give them.
+        """
+        from pydy.export.model import EventData, Model, Variable, identifiers, with_inputs
+
+        now = self._now(events)
+        definition, plan, x0, p, times = now.definition, now.plan, now.x, now.p, now.times
+        start = float(times[0]) if len(times) else 0.0
+        stop = float(times[-1]) if len(times) > 1 else start + 1.0
+        places = _input_places(definition, plan, inputs)
+        assembly = now.driven.assembly
+        n, m, s = len(definition.states), len(assembly.outputs), len(places)
+
+        def stored(what: str, make: Any) -> Any:
+            program = partial(stored_program, assembly, what, lambda: make(assembly))
+            return lambda: with_inputs(program(), places)
+
+        def jacobian(assembly: Assembly) -> Program:
+            by = [*(("x", k) for k in range(n)), *(("r", k) for k in places)]
+            both = replace(assembly, rates=[*assembly.rates, *assembly.outputs])
+            return both.jacobian_program("rates", by)
+
+        builders = {
+            "rates": stored("rates", lambda a: a.program("rates")),
+            "outputs": stored("outputs", lambda a: a.program("outputs")),
+            "jacobian": stored(f"exported jacobian {places}", jacobian),
+        }
+        held: dict[str, int] = {}
+        if choice(constraints, (None, "project"), "`constraints`") is not None:
+            held = _constraint_sizes(definition)
+            builders["projection"] = stored("projection", projection_program)
+        checked = check_events(events, definition.places["states"]) if events is not None else ()
+        if checked:
+            expressions = tuple(event.expression for event in checked)
+            resets = [e.reset.get(s, s) for e in checked for s in definition.states]
+            shape = (len(checked), n)
+
+            def formulas(name: str, shape: tuple[int, ...], entries: Sequence[Any]) -> Any:
+                program = partial(assembly.expression_program, name, shape, entries)
+                return lambda: with_inputs(program(), places)
+
+            builders["events"] = formulas("the events", (len(checked),), expressions)
+            builders["resets"] = formulas("the resets of the events", shape, resets)
+            builders["event_rates"] = lambda: with_inputs(
+                event_rates_program(assembly, expressions), places
+            )
+        r = plan(x0, start) if s else np.zeros(0)
+        symbols = [
+            *definition.states,
+            *(definition.specifieds[k] for k in places),
+            *definition.constants,
+            *definition.outputs_symbols,
+        ]
+        values = [*x0.tolist(), *(float(r[k]) for k in places), *p.tolist(), *[0.0] * m]
+        names = _names(symbols)
+        variables = tuple(map(Variable, names, identifiers(names), values))
+        at_inputs, at_constants, at_outputs = n, n + s, n + s + len(definition.constants)
+        (identifier,) = identifiers([name])
+        return Model(
+            name=identifier,
+            title=name,
+            states=variables[:at_inputs],
+            inputs=variables[at_inputs:at_constants],
+            constants=variables[at_constants:at_outputs],
+            outputs=variables[at_outputs:],
+            builders=builders,
+            events=EventData(
+                tuple(event.name for event in checked),
+                tuple(int(event.direction) for event in checked),
+                tuple(bool(event.terminal) for event in checked),
+                tuple(bool(event.terminal or event.reset) for event in checked),
+            ),
+            start=start,
+            stop=stop,
+            constraints=held,
+        )
+
+    def _live_system(self, *, constraints: Any = "auto", **options: Any) -> LiveSystem:
+        """Return what a page that simulates needs; `options` are those of `_exportable`.
+
+        Constraints are held where there are any, unless `constraints` is None.
+        """
+        from pydy.viz.live import LiveSystem
+
+        now = self._now()
+        definition, plan = now.definition, now.plan
+        equations = definition.equations
+        constrained = bool(equations.holonomic or equations.velocity)
+        if constraints == "auto":
+            constraints = "project" if constrained else None
+        exported = self._exportable(constraints=constraints, **options)
+        formulas = dict(plan.expressions)
+        for symbol in followed(definition, plan) - formulas.keys():
+            # A derivative of a motion that is an expression.
+            whole = plan.expressions.get(symbol.expr)
+            if whole is not None:
+                formulas[symbol] = whole.diff(equations.time, symbol.derivative_count)
+        dependents: tuple[list[int], list[int]] = ([], [])
+        if constraints is not None:
+            dependents = _dependents(definition, self._dependent)
+        return LiveSystem(
+            model=exported,
+            states=definition.states,
+            inputs=tuple(definition.specifieds[k] for k in _input_places(definition, plan, ())),
+            constants=definition.constants,
+            outputs=definition.outputs_symbols,
+            definitions=formulas,
+            dependents=dependents,
+            coordinates=len(equations.coordinates),
+            speeds=len(equations.speeds),
+        )

@@ -2,34 +2,191 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable, Mapping
 from copy import copy
 from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any
 
 import numpy as np
+import sympy.physics.mechanics as me
 
 from pydy._checks import (
     Places,
     check_mapping,
     flag,
     listed,
+    number,
     one_or_more,
     real_array,
+    shown,
     whole,
 )
 from pydy._errors import IntegrationError, SingularMatrixError, warn_user
+from pydy._mechanics.symbols import find_symbols
 from pydy._names import unique_names
 from pydy._optional import progress_of
 from pydy._system.balance import located
 from pydy._system.dependents import latest_dependents
+from pydy._system.setup import Setup
 from pydy._system.solving import native_solver
-from pydy._system.trials import Data, checked_trial
 from pydy._system.tuning import FIT, INSTANT, LEAST_SPREAD
 from pydy.analysis.fit import FitResult, Trial, covariance_of, estimate, held_by
 from pydy.analysis.tuning import LEAST_SIZE
 
-__all__ = ["fit"]
+
+@dataclass(frozen=True, eq=False)
+class Data:
+    """A trial as it was checked.
+
+    Attributes
+    ----------
+    trial : Trial
+    label : str
+    times : ndarray, shape (m,)
+    start : float
+    keys : list
+        What each measured quantity is in a trajectory.
+    names : list of str
+        What the user called it.
+    values, noise : ndarray, shape (m, q)
+    unknown : list of symbols
+        States.
+    """
+
+    trial: Trial
+    label: str
+    times: np.ndarray
+    start: float
+    keys: list[Any]
+    names: list[str]
+    values: np.ndarray
+    noise: np.ndarray
+    unknown: list[Any]
+
+
+def checked_trial(
+    k: int, trial: Any, states: Places, outputs: Places, expressions: dict[Any, Any]
+) -> Data:
+    """Check a trial, the k-th; expressions that it measures get names in `expressions`."""
+    label = f"trial {k}"
+    if not isinstance(trial, Trial):
+        raise TypeError(
+            "`trials` must be pydy.analysis.Trial, or a list of them: Trial(times, "
+            "{'q1': samples}) says when samples were taken, and of which state, output or "
+            "expression. Got "
+            f"{shown(trial)} at {k}."
+        )
+    label = trial.name or label
+    times = real_array(trial.times, f"`times` of {label}")
+    if times.ndim != 1 or not len(times):
+        raise ValueError(f"`times` of {label} must have the shape (m,), got {times.shape}.")
+    if not np.isfinite(times).all():
+        at = int(np.flatnonzero(~np.isfinite(times))[0])
+        raise ValueError(f"`times` of {label} must be finite, got {times[at]!r} at {at}.")
+    if (np.diff(times) <= 0.0).any():
+        at = int(np.flatnonzero(np.diff(times) <= 0.0)[0]) + 1
+        raise ValueError(
+            f"`times` of {label} must ascend, got {times[at]!r} after {times[at - 1]!r}."
+        )
+    begin = float(times[0])
+    if trial.start is not None:
+        begin = number(trial.start, f"`start` of {label}", finite=True)
+        if begin > times[0]:
+            raise ValueError(
+                f"`start` of {label} must not lie after the first of the `times`, "
+                f"{float(times[0])!r}, got {begin!r}."
+            )
+    measured = check_mapping(f"measured of {label}", trial.measured)
+    if not measured:
+        raise ValueError(f"`measured` of {label} must hold at least one quantity.")
+    keys, columns = [], []
+    for key, samples in measured.items():
+        keys.append(_key(key, label, states, outputs, expressions))
+        if keys[-1] in keys[:-1]:
+            raise ValueError(
+                f"`measured` of {label} gives `{keys[-1]}` more than once, by the symbol or by its "
+                "name. Keep one of them."
+            )
+        column = real_array(samples, f"`measured[{key}]` of {label}")
+        if column.shape != times.shape:
+            raise ValueError(
+                f"`measured[{key}]` of {label} must have the shape {times.shape}, a sample for "
+                f"each of the `times`, got {column.shape}."
+            )
+        if np.isinf(column).any():
+            raise ValueError(
+                f"`measured[{key}]` of {label} must be finite, or NaN where a sample is missing."
+            )
+        columns.append(column)
+    values = np.stack(columns, axis=1)
+    if np.isnan(values).all():
+        raise ValueError(
+            f"`measured` of {label} must hold at least one sample that is not NaN, but all "
+            f"{values.size} are. Leave the trial out."
+        )
+    unknown = [
+        states.symbols[states.find(s, f"unknown of {label}")]
+        for s in one_or_more("unknown", trial.unknown)
+    ]
+    names = list(unique_names(list(measured)))
+    known = {**dict(zip(names, keys, strict=True)), **dict(zip(measured, keys, strict=True))}
+    everything = Places([*states.symbols, *outputs.symbols], "states and outputs of the system")
+    noise = _noise(
+        trial.noise,
+        keys,
+        lambda key: known.get(key, everything.meaning(key, "noise")),
+        names,
+        values.shape,
+        label,
+    )
+    return Data(trial, label, times, begin, keys, names, values, noise, unknown)
+
+
+def _key(key: Any, label: str, states: Places, outputs: Places, expressions: dict[Any, Any]) -> Any:
+    for places in (states, outputs):
+        place = places.get(key, "measured")
+        if place is not None:
+            return places.symbols[place]
+    if isinstance(key, str) or not hasattr(key, "free_symbols") or not find_symbols([key]):
+        places = Places([*states.symbols, *outputs.symbols], "states and outputs of the system")
+        places.find(key, f"measured of {label}")  # raises, with names that are alike
+    if key not in expressions:
+        expressions[key] = me.dynamicsymbols(f"measured_{len(expressions)}")
+    return expressions[key]
+
+
+def _noise(
+    given: Any,
+    keys: list[Any],
+    meaning: Callable[[Any], Any],
+    names: list[str],
+    shape: tuple[int, ...],
+    label: str,
+) -> np.ndarray:
+    noise = np.ones(shape)
+    if given is None:
+        return noise
+    entries = [given] * len(keys)
+    if isinstance(given, Mapping):
+        chosen = {meaning(key): value for key, value in given.items()}
+        missing = [n for n, key in zip(names, keys, strict=True) if key not in chosen]
+        if missing or len(chosen) != len(keys):
+            raise ValueError(
+                f"`noise` of {label} must have an entry for each measured quantity, "
+                f"{', '.join(names)}, got {', '.join(map(str, given))}."
+            )
+        entries = [chosen[key] for key in keys]
+    for k, entry in enumerate(entries):
+        column = real_array(entry, f"`noise` of {label}")
+        if column.shape not in ((), shape[:1]) or not (column > 0.0).all():
+            raise ValueError(
+                f"`noise` of {label} must be positive standard deviations, a number or "
+                f"{shape[0]} of them for each measured quantity."
+            )
+        noise[:, k] = column
+    return noise
+
 
 # Weights of the gaps between segments, in shares of a state's spread, from search to search.
 _STAGES = (1e1, 1e3, 1e5)
@@ -302,61 +459,6 @@ class _Fit:
         return z
 
 
-def fit(
-    system: Any,
-    parameters: Any,
-    trials: Any,
-    bounds: Any,
-    priors: Any,
-    segments: Any,
-    most: Any,
-    progress: Any,
-    options: dict[str, Any],
-) -> FitResult:
-    """Return what `System.fit` describes."""
-    alone = isinstance(trials, Trial | np.ndarray)
-    given = [trials] if alone else listed("trials", trials, "pydy.analysis.Trial")
-    if not given:
-        raise ValueError("`trials` must hold at least one pydy.analysis.Trial.")
-    work = _Fit(system, parameters, given, whole(segments, "`segments`"), options)
-    z = work.guess()
-    limits = _bounds(work, bounds, len(z))
-    if not ((limits[0] <= z) & (z <= limits[1])).all():
-        z = np.clip(z, *limits)
-    known = _priors(work, priors)
-    progress = flag(progress, "`progress`")
-    count = 0
-
-    def evaluate(z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        nonlocal count
-        count += 1
-        try:
-            values, slopes = work.evaluate(z)
-            if count == 1 and work.measure():
-                values, slopes = work.evaluate(z)
-        except (IntegrationError, SingularMatrixError):
-            if count == 1:
-                raise
-            values, slopes = np.full(size, np.nan), np.zeros((size, len(z)))
-        told(1, residual=f"{np.sqrt(np.mean(values**2)):.4g}")
-        more = np.zeros((len(known), len(z)))
-        more[np.arange(len(known)), [k for k, _, _ in known]] = [1.0 / s for _, _, s in known]
-        pulls = [(z[k] - mean) / s for k, mean, s in known]
-        return np.append(values, pulls), np.vstack([slopes, more])
-
-    samples = sum(int(np.isfinite(d.values).sum()) for d in work.data)
-    size = samples + (len(z) - work.count)
-    stages = _STAGES if len(z) > work.count else (0.0,)
-    with progress_of(progress, " evaluations") as told:
-        for stage in stages:
-            work.gaps = stage
-            last = stage == stages[-1]
-            z, values, J, found = estimate(
-                evaluate, z, limits, work.names, whole(most, "`most`"), told=last
-            )
-    return _result(work, z, values, J, found, limits, (samples + len(known), count))
-
-
 def _result(
     work: _Fit,
     z: np.ndarray,
@@ -467,3 +569,120 @@ def _priors(work: _Fit, priors: Any) -> list[tuple[int, float, float]]:
         mean, spread = float(numbers[0]), float(numbers[1])
         found += [(place, mean, spread) for place in _places(work, key, "priors")]
     return found
+
+
+class Fitting(Setup):
+    """Fits to measured motions."""
+
+    def fit(
+        self,
+        parameters: Iterable[Any],
+        trials: Trial | Iterable[Trial],
+        *,
+        bounds: dict[Any, Any] | None = None,
+        priors: dict[Any, Any] | None = None,
+        segments: int = 1,
+        most: int = 100,
+        progress: bool = False,
+        **solver_kwargs: Any,
+    ) -> FitResult:
+        """Estimate parameters from measured motions by least squares with exact derivatives.
+
+        The search starts from the System's values; quantities that are not parameters keep these
+        values.
+
+        Parameters
+        ----------
+        parameters : symbol, name, or iterable of these
+            Constants, including those in expressions for specifieds; specifieds that are numbers;
+            and states, for their initial conditions. All trials share these parameters. Unknown
+            initial conditions of single trials are listed in `Trial.unknown`.
+        trials : Trial or iterable of Trial
+            The measurements.
+        bounds : dict, optional
+            Maps parameters to pairs of the lowest and the highest value.
+        priors : dict, optional
+            Maps parameters to pairs of the mean and the standard deviation of prior knowledge.
+        segments : int, optional
+            Number of segments into which each trial is divided. Each has its own initial state, and
+            all must meet in the end: multiple shooting, for long or unstable motions.
+        most : int, optional
+            The maximum number of evaluations.
+        progress : bool, optional
+            Show a progress bar; requires tqdm.
+        **solver_kwargs
+            Options of the native solver (``'dop853'`` if `ode_solver` is not native); `rtol` and
+            `atol` are 1e-9 by default.
+
+        Returns
+        -------
+        FitResult
+
+        Raises
+        ------
+        ValueError, TypeError
+            The system has no such parameter, a specified has no derivatives, or the data are not
+            valid.
+        FitInterrupted
+            The user pressed Ctrl-C; the exception contains the best estimates so far.
+
+        Warns
+        -----
+        PyDyUserWarning
+            The data do not determine some combinations of parameters, a parameter is at a bound, or
+            the search did not converge.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from pydy.analysis import Trial
+        >>> from pydy.models import multi_mass_spring_damper
+        >>> system = multi_mass_spring_damper()
+        >>> times = np.linspace(0.0, 10.0, num=101)
+        >>> swing = np.exp(-0.1 * times) * np.cos(np.sqrt(3.99) * times)  # k = 4, c = 0.2
+        >>> trial = Trial(times, {'x0': swing}, {'x0': 1.0, 'v0': -0.1})
+        >>> result = system.fit(['k0', 'c0'], trial)
+        >>> result.estimates.round(6)
+        array([4. , 0.2])
+        """
+        alone = isinstance(trials, Trial | np.ndarray)
+        given: list[Any] = [trials] if alone else listed("trials", trials, "pydy.analysis.Trial")
+        if not given:
+            raise ValueError("`trials` must hold at least one pydy.analysis.Trial.")
+        work = _Fit(self, parameters, given, whole(segments, "`segments`"), solver_kwargs)
+        z = work.guess()
+        limits = _bounds(work, bounds, len(z))
+        if not ((limits[0] <= z) & (z <= limits[1])).all():
+            z = np.clip(z, *limits)
+        known = _priors(work, priors)
+        progress = flag(progress, "`progress`")
+        count = 0
+
+        def evaluate(z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+            nonlocal count
+            count += 1
+            try:
+                values, slopes = work.evaluate(z)
+                if count == 1 and work.measure():
+                    values, slopes = work.evaluate(z)
+            except (IntegrationError, SingularMatrixError):
+                if count == 1:
+                    raise
+                values, slopes = np.full(size, np.nan), np.zeros((size, len(z)))
+            told(1, residual=f"{np.sqrt(np.mean(values**2)):.4g}")
+            more = np.zeros((len(known), len(z)))
+            more[np.arange(len(known)), [k for k, _, _ in known]] = [1.0 / s for _, _, s in known]
+            pulls = [(z[k] - mean) / s for k, mean, s in known]
+            return np.append(values, pulls), np.vstack([slopes, more])
+
+        samples = sum(int(np.isfinite(d.values).sum()) for d in work.data)
+        size = samples + (len(z) - work.count)
+        stages = _STAGES if len(z) > work.count else (0.0,)
+        with progress_of(progress, " evaluations") as told:
+            for stage in stages:
+                work.gaps = stage
+                last = stage == stages[-1]
+                z, values, J, found = estimate(
+                    evaluate, z, limits, work.names, whole(most, "`most`"), told=last
+                )
+        return _result(work, z, values, J, found, limits, (samples + len(known), count))

@@ -15,8 +15,7 @@ from pydy._mechanics.equations import Equations
 from pydy._mechanics.forces import ConstraintForces
 from pydy._mechanics.reader import read_loads
 from pydy._names import name_of
-
-__all__ = ["Multipliers", "Reaction", "find_multipliers", "find_reaction"]
+from pydy._system.setup import Setup
 
 
 class Multipliers(dict[Any, Any]):
@@ -63,49 +62,6 @@ class Reaction:
             for axis, value in zip("xyz", vector.to_matrix(self.frame), strict=True):
                 found[sm.Symbol(f"{name}_{part}{axis}")] = value
         return found
-
-
-def find_multipliers(equations: Equations) -> Multipliers:
-    """Return the multipliers of all constraints that bind the motion."""
-    if not equations.velocity:
-        return Multipliers()
-    return Multipliers(_forces(equations, bodies=False).multipliers)
-
-
-def find_reaction(
-    equations: Equations, bodies: Any, point: Any, frame: Any, loads: Any
-) -> Reaction:
-    """Return the reaction on some bodies; see `System.reaction`."""
-    forces = _forces(equations, bodies=True)
-    if isinstance(bodies, str) and not any(name_of(body) == bodies for body in forces.body.bodies):
-        joints = equations.mechanism.joints if equations.mechanism is not None else ()
-        named = [joint for joint in joints if joint.name == bodies]
-        bodies = named[0] if len(named) == 1 else bodies
-    if isinstance(bodies, Joint):
-        point = bodies.child_point if point is None else point
-        bodies = _beyond(equations, forces, bodies)
-    members = [_member(forces, item) for item in _several(bodies)]
-    own = forces.body.bodies
-    if not any(item in own for item in members):
-        raise ValueError(
-            f"`bodies` must hold one body of the system or more: {describe(list(own))}."
-        )
-    if not isinstance(point, Point):
-        raise TypeError(f"`point` must be a Point, got {shown(point)}.")
-    if frame is None:
-        frame = forces.body.frame
-    if not isinstance(frame, ReferenceFrame):
-        raise TypeError(f"`frame` must be a ReferenceFrame, got {shown(frame)}.")
-    more = read_loads(listed("loads", loads, "loads"))
-    for where, vector in more:
-        if not isinstance(vector, Vector):
-            raise TypeError(f"`loads` must hold pairs with a Vector, got {shown(vector)}.")
-        if isinstance(where, Point):
-            _check_way(where, point)
-    for item in members:
-        if not isinstance(item, ReferenceFrame):
-            _check_way(item if isinstance(item, Point) else item.masscenter, point)
-    return Reaction(*forces.reaction(members, point, frame, more, f"reaction_{point}"), frame)
 
 
 def _forces(equations: Equations, *, bodies: bool) -> ConstraintForces:
@@ -175,3 +131,144 @@ def _check_way(item: Any, point: Any) -> None:
             f"`point` is {point}, but the position of {item} from there is not known. Use "
             f"`{point}.set_pos(...)`, from a point that is located from the bodies."
         ) from None
+
+
+class Forces(Setup):
+    """Constraint forces, and reactions of joints, bearings and contacts."""
+
+    @property
+    def constraint_forces(self) -> Multipliers:
+        """Multipliers of the constraints: a dictionary that maps symbols to expressions.
+
+        ``lambda0`` belongs to the first row of `constraints`, and so on; redundant constraints that
+        were left out follow behind all others. The multiplier lambda of a row c adds lambda ∂c'/∂u
+        to the equation of each speed u: a force in the direction in which c increases. Its unit
+        times that of c is the unit of work (holonomic) or of power (nonholonomic). A row whose rate
+        is not implied by any velocity constraint, such as the norm of a quaternion, has no
+        multiplier.
+
+        The expressions depend on states, derivatives of the speeds, constants and specifieds. They
+        can be used in outputs, events and scenes; ``system.outputs = system.constraint_forces``
+        makes each an output with its own name. Names can be used as keys.
+
+        Raises
+        ------
+        ValueError
+            The method knows no bodies.
+
+        Examples
+        --------
+        The tension of a string is minus the multiplier of its length:
+
+        >>> import sympy as sm
+        >>> import sympy.physics.mechanics as me
+        >>> from pydy.system import System
+        >>> x, y, u, v = me.dynamicsymbols('x, y, u, v')
+        >>> N, O = me.ReferenceFrame('N'), me.Point('O')
+        >>> O.set_vel(N, 0)
+        >>> P = O.locatenew('P', x*N.x + y*N.y)
+        >>> kane = me.KanesMethod(
+        ...     N, [x], [u], kd_eqs=[x.diff() - u, y.diff() - v], q_dependent=[y],
+        ...     u_dependent=[v], configuration_constraints=[sm.sqrt(x**2 + y**2) - 2],
+        ...     velocity_constraints=[x*u + y*v], bodies=[me.Particle('bob', P, 3)],
+        ...     forcelist=[(P, -30*N.y)],
+        ... )
+        >>> system = System(kane)
+        >>> system.outputs = {'tension': -system.constraint_forces['lambda0']}
+        >>> system.evaluate_outputs([0.0, -2.0, 1.0, 0.0])[0].round(12)  # 3*10 + 3*1**2/2
+        np.float64(31.5)
+        """
+        if not self._equations.velocity:
+            return Multipliers()
+        return Multipliers(_forces(self._equations, bodies=False).multipliers)
+
+    def reaction(
+        self, bodies: Any, point: Any = None, *, frame: Any = None, loads: Iterable[Any] = ()
+    ) -> Reaction:
+        """Return the force and torque of a joint, bearing or contact on a group of bodies.
+
+        They follow from the Newton–Euler equations: the resultant, about a point, of everything
+        that acts on these bodies from outside, except the loads.
+
+        Parameters
+        ----------
+        bodies : RigidBody, Particle, str, or list of them, or Joint
+            All bodies on one side of the cut; for the reaction of a joint on the bodies beyond it,
+            those bodies. A joint of a `sympy.physics.mechanics.System`, or its name, stands for its
+            child and all bodies beyond. A load is included if the point or frame it acts on moves
+            with one of the bodies and with no body outside, nor with the ground; of bodies
+            welded together, it belongs to the one it was located or oriented from. The list may
+            also contain hinges, and massless points and frames whose loads are to be included.
+        point : Point
+            Where the force acts, and about which the torque is taken; by default the joint's own
+            point.
+        frame : ReferenceFrame, optional
+            Frame of the components; by default the inertial frame.
+        loads : iterable of loads, optional
+            Other loads that act on these bodies from outside, not at `point`: the reaction of
+            another joint or contact, from multipliers or from another call. Pairs of a Point and a
+            force, or of a ReferenceFrame and a torque.
+
+        Returns
+        -------
+        Reaction
+            ``force`` and ``torque``, SymPy vectors, which can be projected, added, or drawn as
+            arrows. The method ``outputs(name)`` returns the six components for `outputs`.
+
+        Raises
+        ------
+        TypeError, ValueError
+            An argument is not valid, a position is not known, the method has no bodies, or it is a
+            LagrangesMethod: a Lagrangian does not contain which load acts on which body.
+
+        Notes
+        -----
+        The result may contain masses and inertias that do not affect the motion, such as the
+        products of inertia that a RigidBody names itself. They become constants of the System when
+        the reaction is used, and are 1.0 by default like all others: set them.
+
+        Examples
+        --------
+        >>> import sympy.physics.mechanics as me
+        >>> from pydy.models import n_link_pendulum_on_cart
+        >>> system = n_link_pendulum_on_cart(1)
+        >>> cart, bob = system.eom_method.bodies
+        >>> pin = system.reaction(bob, cart.masscenter)  # of the cart on the rod
+        >>> system.outputs = pin.outputs('pin')
+        >>> system.constants = {'m1': 3.0, 'g': 10.0}
+        >>> system.evaluate_outputs([0.0, 0.0, 0.0, 0.0]).round(12)[:2]
+        array([ 0., 30.])
+        """
+        equations = self._equations
+        forces = _forces(equations, bodies=True)
+        if isinstance(bodies, str) and not any(
+            name_of(body) == bodies for body in forces.body.bodies
+        ):
+            joints = equations.mechanism.joints if equations.mechanism is not None else ()
+            named = [joint for joint in joints if joint.name == bodies]
+            bodies = named[0] if len(named) == 1 else bodies
+        if isinstance(bodies, Joint):
+            point = bodies.child_point if point is None else point
+            bodies = _beyond(equations, forces, bodies)
+        members = [_member(forces, item) for item in _several(bodies)]
+        own = forces.body.bodies
+        if not any(item in own for item in members):
+            raise ValueError(
+                f"`bodies` must hold one body of the system or more: {describe(list(own))}."
+            )
+        if not isinstance(point, Point):
+            raise TypeError(f"`point` must be a Point, got {shown(point)}.")
+        if frame is None:
+            frame = forces.body.frame
+        if not isinstance(frame, ReferenceFrame):
+            raise TypeError(f"`frame` must be a ReferenceFrame, got {shown(frame)}.")
+        more = read_loads(listed("loads", loads, "loads"))
+        for where, vector in more:
+            if not isinstance(vector, Vector):
+                raise TypeError(f"`loads` must hold pairs with a Vector, got {shown(vector)}.")
+            if isinstance(where, Point):
+                _check_way(where, point)
+        for item in members:
+            if not isinstance(item, ReferenceFrame):
+                _check_way(item if isinstance(item, Point) else item.masscenter, point)
+        return Reaction(*forces.reaction(members, point, frame, more, f"reaction_{point}"), frame)

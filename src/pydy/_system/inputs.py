@@ -12,12 +12,12 @@ from sympy.physics.mechanics import dynamicsymbols
 
 from pydy._assembly.outputs import Group
 from pydy._assembly.system import check_accelerations
-from pydy._checks import Places, check_mapping, listed, resolved, shown
+from pydy._checks import Places, check_mapping, describe, listed, real_array, resolved, shown
 from pydy._errors import UnsupportedFunctionError
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.symbols import find_symbols, sort_symbols
 from pydy._names import told_apart
-from pydy.codegen.arguments import checked_expression, describe, real_array
+from pydy.codegen.arguments import checked_expression
 
 __all__ = [
     "SymbolSet",
@@ -163,10 +163,16 @@ def sort_out(
             or function.args != (t,)
             or any(v != t for v in variables)
         ):
+            other = [v for v in (*function.args, *variables) if str(v) == str(t) and v != t]
             raise UnsupportedFunctionError(
                 f"The expressions hold `{symbol}`, which is not a function of time `{t}` alone. "
-                "Make it a function of time and give its values as a specified, or write it with "
-                "elementary functions."
+                + (
+                    f"Its `{t}` has other assumptions than `dynamicsymbols._t`, so that SymPy "
+                    "takes it for another symbol. Make functions of time with `dynamicsymbols`."
+                    if other
+                    else "Make it a function of time and give its values as a specified, or write "
+                    "it with elementary functions."
+                )
             )
         specifieds.append(symbol)
     return sort_symbols(constants), sort_symbols(specifieds)

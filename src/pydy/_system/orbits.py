@@ -14,157 +14,20 @@ from pydy._errors import AnalysisInterrupted, PeriodicOrbitError
 from pydy._names import unique_names
 from pydy._optional import progress_of
 from pydy._system.dependents import latest_dependents
+from pydy._system.simulation import Simulation
 from pydy._system.snapshot import Snapshot
 from pydy._system.solving import native_solver
 from pydy._system.tuning import AT_REST, BEGINNING, ORBIT
+from pydy._system.values import Evaluation
 from pydy.analysis.orbits import Flight, PeriodicOrbit, shoot
 from pydy.analysis.tuning import LEAST_SIZE, STILL
 from pydy.solvers.events import Event
 
-__all__ = ["find_orbit"]
-
 # How long an event is waited for, in periods as guessed.
 _PATIENCE = 5.0
 _SAMPLES = 201
-
-
-def find_orbit(
-    system: Any,
-    now: Snapshot,
-    period: Any,
-    moving: Iterable[Any],
-    until: Any,
-    progress: Any,
-    solver_kwargs: dict[str, Any],
-) -> PeriodicOrbit:
-    """Return what `System.find_periodic_orbit` describes."""
-    guess = number(period, "`period`", finite=True)
-    if not guess > 0.0:
-        raise ValueError(f"`period` must be positive, got {guess!r}.")
-    if until is not None and not isinstance(until, Event):
-        raise TypeError(f"`until` must be a pydy.solvers.Event, got {type(until).__name__}.")
-    definition = now.definition
-    equations, states = definition.equations, definition.places["states"]
-    steady = {states.find(s, "moving") for s in listed("moving", moving)}
-    dependent = latest_dependents(definition, system._dependent)
-    tied = {definition.states.index(s) for s in dependent}
-    count = len(equations.coordinates) + len(equations.speeds)
-    free = [k for k in range(count) if k not in tied | steady]
-    kept = [definition.states[k] for k in range(count) if k not in tied]
-    names = unique_names(definition.states)
-    columns = [kept.index(definition.states[k]) for k in free]
-    rows = [definition.states.index(s) for s in kept]
-    runner = copy(system)
-    runner.ode_solver = native_solver(system.ode_solver)
-    options = {"rtol": ORBIT, "atol": ORBIT, **solver_kwargs}
-    if tied:
-        options.setdefault("constraints", "project")
-    t0 = now.t
-    autonomous = until is None and not _depends_on_time(now)
-
-    def begin(z: np.ndarray) -> None:
-        """Set the states at the start; the dependent ones follow."""
-        x = now.x.copy()
-        x[free] = z
-        runner.initial_conditions = dict(zip(definition.states, x.tolist(), strict=True))
-        if tied:
-            runner.set_dependent_initial_conditions(dependent)
-
-    def run(times: list[float], **more: Any) -> Any:
-        runner.times = times
-        # A state that stays would be followed in steps that are too long for its neighbours.
-        return runner.simulate(sensitivities=kept, control_sensitivities=True, **more, **options)
-
-    nearest: dict[str, Any] = {
-        "period": guess,
-        "initial_conditions": dict(system.initial_conditions),
-    }
-    least = np.inf
-
-    def fly(z: np.ndarray, length: float) -> Flight:
-        nonlocal least
-        begin(z)
-        started = dict(runner.initial_conditions)
-        flight = flown(z, length)
-        gap = float(np.abs(flight.end - z).max(initial=0.0))
-        if gap < least:
-            least = gap
-            nearest.update(period=flight.period, initial_conditions=started)
-        told(1, gap=f"{gap:.3g}")
-        return flight
-
-    def flown(z: np.ndarray, length: float) -> Flight:
-        if until is None:
-            ride = run([t0, t0 + length])
-            end, slopes, instant = ride.states[-1], ride.sensitivity.values[-1], t0 + length
-            rates = runner.evaluate_ode(end, instant)
-        else:
-            first = run([t0, t0 + BEGINNING * guess])
-            runner.initial_conditions = dict(
-                zip(definition.states, first.states[-1].tolist(), strict=True)
-            )
-            ending = replace(until, terminal=True)
-            ride = run([t0 + BEGINNING * guess, t0 + _PATIENCE * guess], events=ending)
-            if not ride.events:
-                raise PeriodicOrbitError(
-                    f"The event `{until.name}` does not happen within {_PATIENCE:g} times the "
-                    f"`period` of {guess:g} s. Give a period nearer to it, or other initial "
-                    "conditions.",
-                    z,
-                    np.full(len(z), np.nan),
-                )
-            event = ride.events[-1]
-            end, instant = event.after, event.time
-            rates = runner.evaluate_ode(end, instant)
-            after = event.sensitivity_after + np.outer(rates, event.time_sensitivity)
-            slopes = after @ first.sensitivity.values[-1][rows]
-        return Flight(end[free], slopes[np.ix_(free, columns)], rates[free], instant - t0)
-
-    start = now.x[free]
-    speeds = np.array(free) >= len(equations.coordinates)
-    slope = None
-    if autonomous:
-        begin(start)
-        slope = runner.evaluate_ode()[free]
-        unit = np.where(speeds, 1.0 / guess, 1.0)
-        moved, size = np.abs(slope) * guess / unit, np.abs(start) / unit
-        if (moved <= STILL * np.maximum(size, LEAST_SIZE * size.max(initial=0.0))).all():
-            raise ValueError(
-                "The initial conditions are an equilibrium, which is no orbit. Start elsewhere, or "
-                "use `find_equilibrium`."
-            )
-        slope = slope / np.linalg.norm(slope)
-    with progress_of(flag(progress, "`progress`"), " flights") as told:
-        try:
-            first = fly(start, guess)
-            sizes = first.sizes(start, speeds)
-            if "atol" not in solver_kwargs:
-                options["atol"] = np.full(len(now.x), ORBIT)
-                options["atol"][free] *= np.minimum(sizes, 1.0)
-            z, flight, residual = shoot(
-                fly, first, sizes, start, guess, slope, [names[k] for k in free]
-            )
-            begin(z)
-            initial = dict(runner.initial_conditions)
-            runner.times = np.linspace(t0, t0 + flight.period, num=_SAMPLES)
-            trajectory = runner.simulate(**options)
-        except KeyboardInterrupt as stop:
-            raise AnalysisInterrupted(
-                "The search for a periodic orbit was interrupted. The period and the initial "
-                "conditions that came nearest to one are in the attribute `results` of this error.",
-                nearest,
-            ) from stop
-    moved = np.ptp(trajectory.states[:, free], axis=0)
-    return PeriodicOrbit(
-        period=flight.period,
-        initial_conditions=initial,
-        states=tuple(names[k] for k in free),
-        monodromy=flight.by_start,
-        residual=residual,
-        autonomous=autonomous,
-        equilibrium=bool((moved <= AT_REST * sizes).all()),
-        trajectory=trajectory,
-    )
+# Samples that tell how large states become on the way, and how often that is looked at again.
+_ON_THE_WAY, _RESIZED = 65, 5
 
 
 def _depends_on_time(now: Snapshot) -> bool:
@@ -176,3 +39,203 @@ def _depends_on_time(now: Snapshot) -> bool:
     return any(
         graph.ops[n] == "input" and graph.args[n][0] == "t" for n in graph.reachable(assembly.rates)
     )
+
+
+class Orbits(Simulation, Evaluation):
+    """Periodic motions."""
+
+    def find_periodic_orbit(
+        self,
+        period: float,
+        *,
+        moving: Iterable[Any] = (),
+        until: Event | None = None,
+        progress: bool = False,
+        **solver_kwargs: Any,
+    ) -> PeriodicOrbit:
+        """Find a periodic motion by shooting, and its Floquet multipliers.
+
+        The search starts from the initial conditions.
+
+        Parameters
+        ----------
+        period : float
+            In s. If the equations depend on time, the period itself; otherwise the initial guess of
+            the period.
+        moving : iterable of coordinates, optional
+            Coordinates that may advance from period to period, such as the position of a vehicle.
+        until : Event, optional
+            The period ends when this happens, after its reset: the impact of a walker's foot, say.
+        progress : bool, optional
+            Whether to show a progress bar, with the remaining gap; requires tqdm.
+        **solver_kwargs
+            Options of the native solver (``'dop853'`` if `ode_solver` is not native); `rtol` and
+            `atol` are 1e-12 by default. Constraints are enforced by projection.
+
+        Returns
+        -------
+        PeriodicOrbit
+
+        Raises
+        ------
+        PeriodicOrbitError
+            No periodic orbit was found; the message says how close the search came.
+        AnalysisInterrupted
+            The user interrupted it; the error holds the motion that came nearest to an orbit.
+
+        Examples
+        --------
+        A damped oscillator driven by a force sin(t):
+
+        >>> import numpy as np
+        >>> from pydy.models import multi_mass_spring_damper
+        >>> system = multi_mass_spring_damper(1, False, True, external_force_as_sin_of_t=True)
+        >>> orbit = system.find_periodic_orbit(2 * np.pi)
+        >>> bool(np.allclose(np.abs(orbit.multipliers), np.exp(-np.pi))), orbit.stable
+        (True, True)
+        """
+        now = self._now()
+        guess = number(period, "`period`", finite=True)
+        if not guess > 0.0:
+            raise ValueError(f"`period` must be positive, got {guess!r}.")
+        if until is not None and not isinstance(until, Event):
+            raise TypeError(f"`until` must be a pydy.solvers.Event, got {type(until).__name__}.")
+        definition = now.definition
+        equations, states = definition.equations, definition.places["states"]
+        steady = {states.find(s, "moving") for s in listed("moving", moving)}
+        dependent = latest_dependents(definition, self._dependent)
+        tied = {definition.states.index(s) for s in dependent}
+        count = len(equations.coordinates) + len(equations.speeds)
+        free = [k for k in range(count) if k not in tied | steady]
+        if not free:
+            raise ValueError(
+                "There is no state to search for: `moving` and the constraints determine all of "
+                "them. The motion is the one that `simulate` returns."
+            )
+        kept = [definition.states[k] for k in range(count) if k not in tied]
+        names = unique_names(definition.states)
+        columns = [kept.index(definition.states[k]) for k in free]
+        rows = [definition.states.index(s) for s in kept]
+        runner = copy(self)
+        runner.ode_solver = native_solver(self.ode_solver)
+        options = {"rtol": ORBIT, "atol": ORBIT, **solver_kwargs}
+        if tied:
+            options.setdefault("constraints", "project")
+        t0 = now.t
+        autonomous = until is None and not _depends_on_time(now)
+
+        def begin(z: np.ndarray) -> None:
+            """Set the states at the start; the dependent ones follow."""
+            x = now.x.copy()
+            x[free] = z
+            runner.initial_conditions = dict(zip(definition.states, x.tolist(), strict=True))
+            if tied:
+                runner.set_dependent_initial_conditions(dependent)
+
+        def run(times: Any, **more: Any) -> Any:
+            runner.times = times
+            # A state that stays would be followed in steps that are too long for its neighbours.
+            return runner.simulate(
+                sensitivities=kept, control_sensitivities=True, **more, **options
+            )
+
+        nearest: dict[str, Any] = {
+            "period": guess,
+            "initial_conditions": dict(self.initial_conditions),
+        }
+        least = np.inf
+
+        def fly(z: np.ndarray, length: float) -> Flight:
+            nonlocal least
+            begin(z)
+            started = dict(runner.initial_conditions)
+            flight = flown(z, length)
+            gap = float(np.abs(flight.end - z).max(initial=0.0))
+            if gap < least:
+                least = gap
+                nearest.update(period=flight.period, initial_conditions=started)
+            told(1, gap=f"{gap:.3g}")
+            return flight
+
+        def flown(z: np.ndarray, length: float) -> Flight:
+            if until is None:
+                ride = run(np.linspace(t0, t0 + length, num=_ON_THE_WAY))
+                end, slopes, instant = ride.states[-1], ride.sensitivity.values[-1], t0 + length
+                rates = runner.evaluate_ode(end, instant)
+            else:
+                first = run([t0, t0 + BEGINNING * guess])
+                runner.initial_conditions = dict(
+                    zip(definition.states, first.states[-1].tolist(), strict=True)
+                )
+                ending = replace(until, terminal=True)
+                times = np.linspace(t0 + BEGINNING * guess, t0 + _PATIENCE * guess, num=_ON_THE_WAY)
+                ride = run(times, events=ending)
+                if not ride.events:
+                    raise PeriodicOrbitError(
+                        f"The event `{until.name}` does not happen within {_PATIENCE:g} times the "
+                        f"`period` of {guess:g} s. Give a period nearer to it, or other initial "
+                        "conditions.",
+                        z,
+                        np.full(len(z), np.nan),
+                    )
+                event = ride.events[-1]
+                end, instant = event.after, event.time
+                rates = runner.evaluate_ode(end, instant)
+                after = event.sensitivity_after + np.outer(rates, event.time_sensitivity)
+                slopes = after @ first.sensitivity.values[-1][rows]
+            most = np.abs(ride.states[:, free]).max(axis=0)
+            return Flight(end[free], slopes[np.ix_(free, columns)], rates[free], instant - t0, most)
+
+        start = now.x[free]
+        speeds = np.array(free) >= len(equations.coordinates)
+        slope = None
+        if autonomous:
+            begin(start)
+            slope = runner.evaluate_ode()[free]
+            unit = np.where(speeds, 1.0 / guess, 1.0)
+            moved, size = np.abs(slope) * guess / unit, np.abs(start) / unit
+            if (moved <= STILL * np.maximum(size, LEAST_SIZE * size.max(initial=0.0))).all():
+                raise ValueError(
+                    "The initial conditions are an equilibrium, which is no orbit. Start "
+                    "elsewhere, or use `find_equilibrium`."
+                )
+            slope = slope / np.linalg.norm(slope)
+        with progress_of(flag(progress, "`progress`"), " flights") as told:
+            try:
+                z, flight = start, fly(start, guess)
+                again = begun = flight.sizes(z, speeds)
+                for _ in range(_RESIZED):
+                    sizes = again
+                    if "atol" not in solver_kwargs:
+                        options["atol"] = np.full(len(now.x), ORBIT)
+                        options["atol"][free] *= np.minimum(sizes, 1.0)
+                    z, flight, residual = shoot(
+                        fly, flight, sizes, z, flight.period, slope, [names[k] for k in free],
+                        float(np.max(options["rtol"])),
+                    )  # fmt: skip
+                    # A first flight that led far away told nothing of the orbit.
+                    again = flight.sizes(z, speeds)
+                    if (again >= 0.5 * sizes).all() or (again <= AT_REST * begun).all():
+                        break
+                begin(z)
+                initial = dict(runner.initial_conditions)
+                runner.times = np.linspace(t0, t0 + flight.period, num=_SAMPLES)
+                trajectory = runner.simulate(**options)
+            except KeyboardInterrupt as stop:
+                raise AnalysisInterrupted(
+                    "The search for a periodic orbit was interrupted. The period and the initial "
+                    "conditions that came nearest to one are in the attribute `results` of this "
+                    "error.",
+                    nearest,
+                ) from stop
+        moved = np.ptp(trajectory.states[:, free], axis=0)
+        return PeriodicOrbit(
+            period=flight.period,
+            initial_conditions=initial,
+            states=tuple(names[k] for k in free),
+            monodromy=flight.by_start,
+            residual=residual,
+            autonomous=autonomous,
+            equilibrium=bool((moved <= AT_REST * begun).all()),
+            trajectory=trajectory,
+        )

@@ -15,7 +15,9 @@ from pydy._assembly.assembly import Assembly
 from pydy._assembly.definition import Definition
 from pydy._assembly.model import CompiledModel
 from pydy._graph.derivative import dense_jacobian
+from pydy._graph.node import Graph
 from pydy._graph.rounding import rounding_bounds
+from pydy._mechanics.tuning import ROUNDED
 from pydy._system.tuning import DIGITS, INDEPENDENT
 from pydy.solvers.tuning import ROUNDING
 
@@ -98,10 +100,12 @@ def evaluated_rows(
         Holonomic constraints, those left out behind the others, then velocity constraints.
     """
     rows, (t, x, r, p) = _Rows(*definition.equations.left_out, what), at
-    residuals = model.interpreted(rows, at)["rows"]
+    found = model.interpreted(rows, at)
     least = ROUNDING / DIGITS
+    if (np.abs(x) >= least).all():
+        return found["rows"], found["sizes"]
     x = np.where(np.abs(x) < least, np.copysign(least, x), x)
-    return residuals, model.interpreted(rows, (t, x, r, p))["sizes"]
+    return found["rows"], model.interpreted(rows, (t, x, r, p))["sizes"]
 
 
 @dataclass(frozen=True)
@@ -123,8 +127,34 @@ class _Rows:
                 "more": dense_jacobian(graph, more, states),
             }
         rows = [*assembly.holonomic, *closed, *assembly.velocity, *more]
-        own = self.what == "sizes"
-        return {"rows": rows, "sizes": rounding_bounds(graph, rows, inherited=not own)}
+        parts = (assembly.holonomic, closed), (assembly.velocity, more)
+        sizes = [size for part in parts for size in self._sizes(graph, *part)]
+        return {"rows": rows, "sizes": sizes}
+
+    def _sizes(self, graph: Graph, kept: list[int], left_out: list[int]) -> list[int]:
+        """Return what rounding is in proportion to.
+
+        SymPy adds up numbers beforehand. A row that is a number is what it left of those of the
+        other rows, or of cosines between directions; so is one that was left out whose terms are
+        no larger than roundings of the rows that were kept.
+        """
+        g, rows, inherited = graph, [*kept, *left_out], self.what == "bounds"
+        of_constants = [n for n in rows if g.constant[n]]
+        sizes = dict(zip(rows, rounding_bounds(g, rows, inherited), strict=True))
+        more = rounding_bounds(g, of_constants, inherited, constants=True)
+        sizes.update(zip(of_constants, more, strict=True))
+        numbers = [n for n in of_constants if g.ops[n] == "const" and n != g.zero]
+        others = [(size, ROUNDED / DIGITS) for n, size in sizes.items() if n not in numbers]
+        sizes.update(dict.fromkeys(numbers, g.sum(others, ROUNDED / DIGITS)))
+        if kept:
+            least = sizes[kept[0]]
+            for n in kept[1:]:
+                least = g.call("min", least, sizes[n])
+            roundings = g.sum([(least, ROUNDED)])
+            for n in {*left_out} - {*numbers}:
+                tiny = g.call("le", sizes[n], roundings)
+                sizes[n] = g.call("select", tiny, g.sum([(least, ROUNDED / DIGITS)]), sizes[n])
+        return [sizes[n] for n in rows]
 
 
 def _rank(rows: np.ndarray) -> int:

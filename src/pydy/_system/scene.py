@@ -13,8 +13,9 @@ from pydy._checks import flag
 from pydy._graph.from_sympy import NodeExpression
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.reader import given_velocity
+from pydy._system.gravity import up_in_lagrangian
 from pydy.viz.defaults import arms, find_origin, guess_up, load_arrows, skeleton
-from pydy.viz.motion import Model
+from pydy.viz.motion import Model, Names
 from pydy.viz.scene import Scene
 from pydy.viz.shapes import Line
 from pydy.viz.visuals import Visual
@@ -77,6 +78,9 @@ def make_scene(
             )
     if "up" not in options and mechanism is not None:
         up = guess_up(reference_frame, bodies, mechanism.loads, constants)
+        if up is None and mechanism.lagrangian is not None and reference_frame is mechanism.frame:
+            names = Names(definition.states, definition.specifieds)
+            up = up_in_lagrangian(mechanism, origin, names, constants)
         # Without gravity z is up and there is no ground to fall on.
         options = {"up": "z", "ground": False, **options} if up is None else {**options, "up": up}
     rates = zip(equations.coordinate_rates, equations.coordinate_derivatives, strict=True)

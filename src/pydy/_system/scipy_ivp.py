@@ -13,7 +13,8 @@ import scipy
 from pydy._checks import shown
 from pydy._errors import IntegrationError
 from pydy._names import nearest
-from pydy.solvers.options import check_option_names
+from pydy._system.scipy_lsoda import refuse_nested
+from pydy.solvers.options import check_option_names, check_scipy_options
 from pydy.solvers.outcome import NOT_FINITE, OUTCOMES, STEP_UNDERFLOW
 from pydy.solvers.solver import SOLVERS, Solver
 
@@ -111,6 +112,8 @@ class SolveIvp:
         method = options.pop("method", self.method)
         if isinstance(method, str) and method in METHODS:
             method = getattr(scipy.integrate, method)
+        if isinstance(method, type) and issubclass(method, scipy.integrate.LSODA):
+            refuse_nested("LSODA")
         solve_ivp = scipy.integrate.solve_ivp
         own = {*signature(solve_ivp).parameters, *signature(method).parameters}
         taken = {"fun", "t_span", "y0", "t0", "t_bound", "t_eval", "args", "events", "vectorized"}
@@ -123,7 +126,12 @@ class SolveIvp:
             return (states, info) if full_output else states
         span = (times[0], times[-1])
         found = solve_ivp(
-            lambda t, x: f(x, t, *args), span, x0, method=method, t_eval=times, **options
+            lambda t, x: f(x, t, *args),
+            span,
+            x0,
+            method=method,
+            t_eval=times,
+            **check_scipy_options(options),
         )
         states = found.y.T
         info = {"nfev": found.nfev, "njev": found.njev, "nlu": found.nlu}

@@ -13,6 +13,8 @@ import numpy as np
 import scipy
 
 from pydy._errors import IntegrationError
+from pydy._system.scipy_lsoda import refuse_nested
+from pydy.solvers.options import check_scipy_options
 from pydy.solvers.outcome import NOT_FINITE, OUTCOMES, STEP_UNDERFLOW, TOO_MANY_STEPS
 
 __all__ = ["call_odeint", "odeint_options"]
@@ -54,7 +56,11 @@ def call_odeint(
     ------
     IntegrationError
         It gave up, after which the rows hold whatever lay in memory, or went on with NaN.
+    RuntimeError
+        It is running already, and has called what calls it.
     """
+    refuse_nested("odeint")
+    options = check_scipy_options(options)
     # The error says more than the warning. Filters are the whole process's: other threads keep it.
     alone = threading.current_thread() is threading.main_thread()
     with warnings.catch_warnings() if alone else nullcontext():
@@ -72,7 +78,7 @@ def call_odeint(
         came[1:] &= info["tcur"] >= times[1:]
     # What is illegal after steps that were not is infinite derivatives.
     if good or (info["message"].startswith(_ILLEGAL) and info["tcur"].max() > times[0]):
-        code, what = NOT_FINITE, "met derivatives that are not finite"
+        code, what = NOT_FINITE, "met derivatives or errors that are not finite"
     else:
         what = info["message"].split(".")[0]
         code = TOO_MANY_STEPS if what.startswith("Excess work") else STEP_UNDERFLOW

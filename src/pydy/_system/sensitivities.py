@@ -272,6 +272,13 @@ class Sensitive:
         equations = self.definition.equations
         return [block for block in ("holonomic", "velocity") if getattr(equations, block)]
 
+    @property
+    def unknowns(self) -> list[range]:
+        """The places of the states that each of these blocks is solved for."""
+        first = len(self.definition.equations.coordinates)
+        every = {"holonomic": range(first), "velocity": range(first, self.columns.states)}
+        return [every[block] for block in self.tied]
+
     def independent(self, dependent: Sequence[int]) -> np.ndarray:
         """Return the sensitivities of the initial state, zero for the dependent ones."""
         values = np.zeros((self.columns.states, self.columns.count))
@@ -298,10 +305,9 @@ class Sensitive:
         args = (instant, x0[None], self.plan.rows(x0[None], instant), self.p)
         model = self.model
         rows = [model.evaluate(model.compiled_jacobian(b, "x"), *args) for b in self.tied]
-        moved = [self._sweep((b,), instant, x0[None], values[None]) for b in self.tied]
-        gradient, residuals = (np.concatenate(part, axis=1)[0] for part in (rows, moved))
-        gradient = gradient.reshape(-1, n)
-        if not follow(values, gradient, residuals.reshape(len(gradient), -1), dependent):
+        moved = [self._sweep((b,), instant, x0[None], values[None])[0] for b in self.tied]
+        gradients = [row.reshape(-1, n) for row in rows]
+        if not follow(values, gradients, np.concatenate(moved), self.unknowns, dependent):
             raise ValueError(self.unsolved(dependent))
 
     def unsolved(self, dependent: Sequence[int]) -> str:

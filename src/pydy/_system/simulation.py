@@ -1,23 +1,30 @@
-"""What `System.integrate` and `System.simulate` do: a solver called, its result with names."""
+"""Simulations of a System: a solver called, its result with names."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import Any, NamedTuple
+from collections.abc import Callable, Iterable
+from typing import Any, Literal, NamedTuple, overload
 
 import numpy as np
 import scipy
 
-from pydy._assembly.definition import Definition
 from pydy._assembly.model import CompiledModel
 from pydy._checks import flag, real_array
 from pydy._errors import IntegrationError, IntegrationInterrupted, SingularMatrixError
 from pydy._system.causes import explain
-from pydy._system.dependents import latest_dependents
+from pydy._system.dependents import (
+    check_dependents,
+    default_dependents,
+    given_values,
+    latest_dependents,
+    solve_dependents,
+)
 from pydy._system.inputs import check_times
+from pydy._system.kept import Motion, check_kept
 from pydy._system.scipy_ivp import SolveIvp
 from pydy._system.scipy_odeint import call_odeint, odeint_options
 from pydy._system.sensitivities import Wanted
+from pydy._system.setup import Setup
 from pydy._system.snapshot import Snapshot
 from pydy._system.solving import prepare
 from pydy._system.start import check_resets, check_start
@@ -26,78 +33,7 @@ from pydy.solvers.options import check_option_names
 from pydy.solvers.solver import Solver
 from pydy.trajectory import Trajectory
 
-__all__ = ["Start", "begin", "integrate", "simulate"]
-
 SolverFunction = Callable[..., Any]
-
-
-def integrate(now: Snapshot, solver: SolverFunction, options: dict[str, Any]) -> Any:
-    """Return what a solver returns.
-
-    Parameters
-    ----------
-    now : Snapshot
-    solver : callable
-        With the signature of odeint.
-    options : dict
-        For the solver, and those that `prepare` understands.
-    """
-    full = options.get("full_output", False)
-    if solver is scipy.integrate.odeint or isinstance(solver, (Solver, SolveIvp)):
-        full = flag(full, "`full_output`")
-    return _solve(now, solver, options, checked=not full)
-
-
-def simulate(
-    now: Snapshot,
-    solver: SolverFunction,
-    options: dict[str, Any],
-    sensitivities: tuple[Any, Any, Any],
-) -> Trajectory:
-    """Return what a solver returns as a Trajectory.
-
-    Parameters
-    ----------
-    now, solver, options
-        As in `integrate`.
-    sensitivities : (parameters, control, dependent)
-        By what the states are differentiated, or None; whether the step control looks at that; and
-        the initial conditions that follow from the others, None for those of the method.
-    """
-    if solver is scipy.integrate.odeint or isinstance(solver, (Solver, SolveIvp)):
-        options = {"full_output": True, **options}
-    if isinstance(solver, Solver):
-        options = {"dense_output": True, **options}
-    wanted, n = None, len(now.definition.states)
-    parameters, control, dependent = sensitivities
-    if parameters is not None:
-        wanted = Wanted(parameters, flag(control, "`control_sensitivities`"))
-    result = _differentiated(now, solver, options, wanted, dependent)
-    states, info = result if isinstance(result, tuple) else (result, None)
-    statistics = dict(info) if isinstance(info, dict) else {}
-    times = statistics.pop("times", now.times)
-    reached = statistics.pop("reached", None)  # an event may have ended it
-    if reached is not None:
-        times, states = times[:reached], states[:reached]
-    events = statistics.pop("events", ())
-    dense = statistics.pop("dense_output", None)
-    if wanted is not None and dense is not None:
-        dense = dense.selected(wanted.select) if isinstance(solver, Solver) else None
-    times = np.array(times, dtype=float)
-    states = np.array(real_array(states, "What the `ode_solver` returns"))
-    width = n if wanted is None else wanted.sensitive.columns.size
-    if states.shape != (len(times), width):
-        raise ValueError(
-            f"The `ode_solver` must return the shape {(len(times), n)}, one row "
-            f"for each of the `times`, got {states.shape}."
-        )
-    if len(times):  # what is NaN to the end comes after a terminal event
-        reached = len(times) - np.isnan(states).all(axis=1)[::-1].argmin()
-        times, states = times[:reached], states[:reached]
-    states, found = (states, {}) if wanted is None else wanted.results(states)
-    return now.trajectory(
-        times, states, events=events, statistics=statistics or None, dense=dense, **found
-    )
 
 
 def _differentiated(
@@ -143,16 +79,12 @@ def begin(now: Snapshot, solver: SolverFunction, options: dict[str, Any]) -> Sta
     times = check_times(now.times)  # the array may have been edited in place
     definition, plan = now.definition, now.plan
     plan.check_times(times, "times")
-    if _is_constrained(definition):
+    if definition.equations.constrained:
         t = float(times[0])
         mended = options.get("constraints") is not None
         check_start(definition, now.driven, t, now.x, plan(now.x, t), now.p, mended=mended)
     model, options = prepare(solver, definition, now.model, plan, options)
     return Start(times, model, options)
-
-
-def _is_constrained(definition: Definition) -> bool:
-    return bool(definition.equations.velocity or definition.equations.holonomic)
 
 
 def _solve(
@@ -179,15 +111,23 @@ def _solve(
         start = (x0, float(times[0]))
         f, x0, options = wanted.problem(definition, model, plan, start, p, places, solver, options)
     args = (plan.values if plan.constant else plan, p)
-    if watched := "events" in options and free and _is_constrained(definition):
+    watched = definition.equations.constrained and isinstance(solver, Solver)
+    given = dict(options)
+    if watched:
         options = {**options, "full_output": True}
     try:
         if not checked or solver is not scipy.integrate.odeint:
             result = solver(f, x0, times, args=args, **options)
             if watched:
-                check_resets(definition, now.driven, result[1]["events"], plan, p)
+                states, info = result
+                if free:
+                    check_resets(definition, now.driven, info["events"], plan, p)
+                states = states[:, : len(definition.states)]
+                check_kept(Motion(now, times, states, given, info, not free))
             return result[0] if watched and not full else result
         result = call_odeint(f, x0, times, args, definition.states, options)
+        if definition.equations.constrained:
+            check_kept(Motion(now, times, result[0], given, result[1], not free))
     except TypeError as error:
         if not isinstance(solver, (Solver, SolveIvp)):
             error.add_note(
@@ -203,8 +143,202 @@ def _solve(
         if wanted is not None:
             wanted.cut(error)
         explain(error, definition, model, plan, p)
-        if watched and isinstance(error, IntegrationError):
-            info: Any = error.info
-            check_resets(definition, now.driven, info["events"], plan, p)
+        if watched and free and isinstance(error, IntegrationError):
+            told: Any = error.info
+            check_resets(definition, now.driven, told["events"], plan, p)
         raise
     return result if options.get("full_output") else result[0]
+
+
+class Simulation(Setup):
+    """Integration, and the initial conditions that it begins with."""
+
+    def set_dependent_initial_conditions(
+        self, dep_vars: Iterable[Any] | None = None, use_jac: bool = False, **root_kwargs: Any
+    ) -> None:
+        """Set the dependent states' initial conditions so that the constraints are satisfied.
+
+        The holonomic constraints are solved for the dependent coordinates with
+        `scipy.optimize.root`, starting from their current values; then the velocity constraints,
+        which are linear, for the dependent speeds.
+
+        Parameters
+        ----------
+        dep_vars : iterable of functions of time, optional
+            One coordinate for each holonomic constraint and one speed for each velocity constraint;
+            by default the dependent ones of the method, but speeds that you gave a value other than
+            zero are kept, as far as the constraints determine others; coordinates too, unless you
+            chose the dependent ones: then their values are what the search begins with, as is a
+            whole state.
+        use_jac : bool, optional
+            Whether the root finder gets the exact Jacobian.
+        **root_kwargs
+            For `scipy.optimize.root`.
+
+        Raises
+        ------
+        ValueError
+            The system has no constraints, or `dep_vars` does not match their number.
+
+        Warns
+        -----
+        PyDyUserWarning
+            The root finder did not converge; its result is set nevertheless. Or a value that you
+            gave had to change.
+        """
+        now, own = self._now(), self._definition.places["states"]
+        # A new dictionary: the old one may be the caller's own. Its keys may be names.
+        conditions, latest = dict(self._initial_conditions), self._dependent or {}
+        keys = {own.symbols[own.find(key, "initial_conditions")]: key for key in conditions}
+        given: dict[Any, float] = {}
+        if dep_vars is None:
+            given = given_values(now, keys, latest)
+            dep_vars = default_dependents(now, given)
+        places = check_dependents(self._definition, dep_vars)
+        x = solve_dependents(now, places, given, flag(use_jac, "`use_jac`"), root_kwargs)
+        solved = {own.symbols[k]: float(x[k]) for part in places for k in part}
+        self._initial_conditions = conditions | {keys.get(s, s): v for s, v in solved.items()}
+        self._dependent = solved
+
+    @overload
+    def integrate(
+        self, *, full_output: Literal[True], **solver_kwargs: Any
+    ) -> tuple[np.ndarray, dict[str, Any]]: ...
+
+    @overload
+    def integrate(self, **solver_kwargs: Any) -> np.ndarray: ...
+
+    def integrate(self, **solver_kwargs: Any) -> Any:
+        """Integrate the equations over `times` from the initial conditions.
+
+        The function of the derivatives is generated first if necessary.
+
+        Parameters
+        ----------
+        **solver_kwargs
+            Options of the `ode_solver`, and these:
+
+            ``constraints='project'``
+                With a native solver: positions and velocities are projected onto the constraints
+                after every step and at every output.
+            ``constraints='baumgarte', gain=g``
+                With any solver: constraint forces are added to the equations so that a residual c
+                decays according to c'' + 2 g c' + g² c = 0.
+            ``events``
+                With a native solver: a list of `pydy.solvers.Event`. Symbols that occur only in
+                them are constants; set their values with ``system.constants['e'] = 0.8``.
+
+        Returns
+        -------
+        ndarray, shape (len(times), n)
+            The states, including auxiliary states, or whatever a custom solver returns.
+
+        Raises
+        ------
+        ValueError
+            There are fewer than two times, or an option is not valid.
+        SingularMatrixError
+            The mass matrix became singular; the message contains time and state.
+        IntegrationError
+            The solver, odeint or a native one, could not continue, or the motion left the
+            constraints or changed its energy without a cause; the error contains the results so
+            far. With ``full_output=True``, the result of odeint is returned unchanged.
+
+        Warns
+        -----
+        PyDyUserWarning
+            The initial conditions violate the constraints by more than rounding to six digits
+            explains, and `constraints` is not set.
+        """
+        now, solver = self._now(solver_kwargs.get("events")), self.ode_solver
+        full = solver_kwargs.get("full_output", False)
+        if solver is scipy.integrate.odeint or isinstance(solver, (Solver, SolveIvp)):
+            full = flag(full, "`full_output`")
+        return _solve(now, solver, solver_kwargs, checked=not full)
+
+    def simulate(
+        self,
+        *,
+        sensitivities: Any = None,
+        control_sensitivities: Any = False,
+        **solver_kwargs: Any,
+    ) -> Trajectory:
+        """Integrate like `integrate`, and return a Trajectory with named quantities.
+
+        Parameters
+        ----------
+        sensitivities : symbol, name, group, or iterable of these, optional
+            Parameters with respect to which the states are differentiated along the motion:
+            constants; states, for their initial conditions; specifieds that are numbers or samples;
+            ``'constants'``, ``'states'`` or ``'specifieds'`` for all of a kind. The derivatives are
+            integrated together with the states, through events and constraints, and are the
+            trajectory's `sensitivity`. Dependent initial conditions that
+            `set_dependent_initial_conditions` solved for depend on the others through the
+            constraints.
+        control_sensitivities : bool, optional
+            Whether the step-size control of a native solver includes the sensitivities; by default
+            it considers only the states.
+        **solver_kwargs
+            Options of the `ode_solver`. A solver may return ``(states, info)``; of the dictionary
+            ``info``, ``'times'`` (where the solver stopped early), ``'events'`` and
+            ``'dense_output'`` are used by the trajectory, and the rest is its `statistics`.
+            `scipy.integrate.odeint` and the solvers of `pydy.solvers` are called with
+            ``full_output=True``, the latter with ``dense_output=True`` unless you pass False.
+
+        Returns
+        -------
+        Trajectory
+            The states, the outputs and specifieds along the motion, and the values that were used;
+            later changes of the System do not affect it. It ends at a terminal event.
+
+        Raises
+        ------
+        ValueError, SingularMatrixError, IntegrationError
+            As in `integrate`; IntegrationError is raised even with ``full_output=True``.
+
+        Examples
+        --------
+        >>> from pydy.models import multi_mass_spring_damper
+        >>> system = multi_mass_spring_damper()
+        >>> x0, v0 = system.states
+        >>> system.initial_conditions = {x0: 1.0}
+        >>> system.times = [0.0, 0.5, 1.0]
+        >>> trajectory = system.simulate(rtol=1e-10, atol=1e-10)
+        >>> trajectory[x0].round(6)
+        array([1.      , 0.895595, 0.6597  ])
+        """
+        now, solver = self._now(solver_kwargs.get("events")), self.ode_solver
+        options = solver_kwargs
+        if solver is scipy.integrate.odeint or isinstance(solver, (Solver, SolveIvp)):
+            options = {"full_output": True, **options}
+        if isinstance(solver, Solver):
+            options = {"dense_output": True, **options}
+        wanted, n = None, len(now.definition.states)
+        if sensitivities is not None:
+            wanted = Wanted(sensitivities, flag(control_sensitivities, "`control_sensitivities`"))
+        result = _differentiated(now, solver, options, wanted, self._dependent)
+        states, info = result if isinstance(result, tuple) else (result, None)
+        statistics = dict(info) if isinstance(info, dict) else {}
+        times = statistics.pop("times", now.times)
+        reached = statistics.pop("reached", None)  # an event may have ended it
+        if reached is not None:
+            times, states = times[:reached], states[:reached]
+        events = statistics.pop("events", ())
+        dense = statistics.pop("dense_output", None)
+        if wanted is not None and dense is not None:
+            dense = dense.selected(wanted.select) if isinstance(solver, Solver) else None
+        times = np.array(times, dtype=float)
+        states = np.array(real_array(states, "What the `ode_solver` returns"))
+        width = n if wanted is None else wanted.sensitive.columns.size
+        if states.shape != (len(times), width):
+            raise ValueError(
+                f"The `ode_solver` must return the shape {(len(times), n)}, one row "
+                f"for each of the `times`, got {states.shape}."
+            )
+        if len(times):  # what is NaN to the end comes after a terminal event
+            reached = len(times) - np.isnan(states).all(axis=1)[::-1].argmin()
+            times, states = times[:reached], states[:reached]
+        states, found = (states, {}) if wanted is None else wanted.results(states)
+        return now.trajectory(
+            times, states, events=events, statistics=statistics or None, dense=dense, **found
+        )

@@ -15,13 +15,53 @@ from pydy._checks import vector
 from pydy._errors import warn_user
 from pydy._forks import cached_property
 from pydy._kernel import Kernel
+from pydy._names import name_of
 from pydy._system.definition import unfollowed
 from pydy._system.energy import EnergyModel
-from pydy._system.numbers import read_constants, read_states
 from pydy.codegen.arguments import SpecifiedsPlan
 from pydy.trajectory import Trajectory
 
 __all__ = ["Snapshot", "checked_plan"]
+
+
+def read_constants(definition: Definition, values: dict[Any, Any]) -> np.ndarray:
+    """Return the constants in order; they are 1.0 without a value."""
+    return _read(definition, "constants", "constants", values, 1.0)
+
+
+def read_states(definition: Definition, values: dict[Any, Any]) -> np.ndarray:
+    """Return the initial conditions in order; they are 0.0 without a value."""
+    return _read(definition, "initial_conditions", "states", values, 0.0)
+
+
+def _read(
+    definition: Definition, argument: str, what: str, values: dict[Any, Any], default: float
+) -> np.ndarray:
+    places = definition.places[what]
+    try:
+        return places.read(argument, values, default)
+    except ValueError as error:
+        mechanism, time = definition.equations.mechanism, definition.equations.time
+        unknown = [key for key in values if places.get(key, argument) is None]
+        if time in unknown:
+            raise ValueError(
+                f"{error} `{time}` is the time, `dynamicsymbols._t`, wherever it occurs. Give the "
+                "quantity another symbol."
+            ) from None
+        gone = [str(key) for key in unknown if mechanism and key in mechanism.symbols]
+        if gone:
+            raise ValueError(
+                f"{error} The bodies or loads hold `{gone[0]}`, but it cancels: the motion does "
+                "not depend on it. Leave it out, or check the velocities and angular velocities "
+                "that were given."
+            ) from None
+        name = name_of(unknown[0]) if unknown else ""
+        if what == "constants" and name.isidentifier() and not places.meant(unknown[0]):
+            raise ValueError(
+                f"{error} If it occurs in events only, assign it in place, "
+                f"`system.constants[{name!r}] = ...`, right before the first call with them."
+            ) from None
+        raise
 
 
 @dataclass(frozen=True, eq=False)

@@ -11,11 +11,11 @@ from pydy._assembly.baumgarte import stabilised
 from pydy._assembly.definition import Definition
 from pydy._assembly.model import CompiledModel
 from pydy._assembly.specifieds import driven
-from pydy._checks import Places, choice, number
+from pydy._checks import Places, choice, describe, number
 from pydy._graph.derivative import dense_jacobian, jacobian
 from pydy._graph.program import Program
 from pydy._mechanics.equations import Equations
-from pydy.codegen.arguments import SpecifiedsPlan, describe
+from pydy.codegen.arguments import SpecifiedsPlan
 from pydy.solvers.events import CompiledEvents, Event
 from pydy.solvers.options import StepOptions
 from pydy.solvers.run.constraints import CompiledConstraints

@@ -15,14 +15,13 @@ from pydy._optional import progress_of
 from pydy._system.analysis import Point
 from pydy._system.balance import Balance, located
 from pydy._system.evaluation import samples
+from pydy._system.setup import Setup
 from pydy._system.snapshot import Snapshot
 from pydy.analysis.continuation import EquilibriumBranch, trace
 from pydy.analysis.equilibria import solve_equilibrium, solve_many
 from pydy.analysis.scaling import equilibrated
-from pydy.analysis.sweeps import EigenvalueSweep, spectra_of
+from pydy.analysis.sweeps import EigenvalueSweep, spectra_of, with_rounding
 from pydy.analysis.tuning import AT_ONCE, FREE, TO_ROUNDING, ZERO_ROOT
-
-__all__ = ["Family", "eigenvalues", "follow_equilibria", "parameter_of"]
 
 
 def parameter_of(definition: Definition, over: Any) -> tuple[Any, np.ndarray]:
@@ -114,6 +113,8 @@ class Family:
                 (-infinite, infinite),
                 self.names[:-1],
                 balance.titles,
+                {row: k for row, k in balance.pairs.items() if k < len(z) - 1},
+                balance.held,
             )[0]
         except EquilibriumError as error:
             error.add_note(f"This was at {self.names[-1]} = {value:.10g}.")
@@ -141,7 +142,7 @@ class Family:
         return self.matrices(np.array([self.alone(row) for row in z]))[0]
 
     def at(self, values: np.ndarray, states: np.ndarray) -> np.ndarray:
-        """Return the state matrices at states as they are, but for the parameter."""
+        """Return the state matrices at states as they are, except the parameter."""
         return self.matrices(self.unknowns_at(values, states))[0]
 
     def unknowns_at(self, values: np.ndarray, states: np.ndarray) -> np.ndarray:
@@ -153,140 +154,220 @@ class Family:
         return z
 
 
-def follow_equilibria(
-    now: Snapshot,
-    over: Any,
-    unknowns: Iterable[Any] | None,
-    given: Mapping[Any, Any] | None,
-    moving: Iterable[Any],
-    step: float,
-    most: int,
-    progress: Any,
-) -> EquilibriumBranch:
-    """Return what `System.follow_equilibria` describes."""
-    definition = now.definition
-    parameter, values = parameter_of(definition, over)
-    longest = number(step, "`step`", finite=True)
-    if not longest > 0.0:
-        raise ValueError(f"`step` must be positive, got {longest!r}.")
-    family = Family(now, parameter, unknowns, given, moving)
-    balance = family.balance
-    if len(family.names) < 2:
-        raise ValueError("`unknowns` must name at least one state, constant or specified.")
-    start = family.alone(np.append(balance.start[:-1], values[0]))
-    active = spectra_of(family.matrices(start[None])[0])[1]
+class Sweeps(Setup):
+    """Eigenvalues and equilibria along a parameter."""
 
-    def spectrum(z: np.ndarray) -> np.ndarray:
-        A = family.matrices(z[None])[0][0]
-        found: np.ndarray = np.linalg.eigvals(A[np.ix_(active, active)]).astype(complex)
-        return found
+    def eigenvalues(
+        self,
+        over: dict[Any, Any],
+        at: Any = None,
+        *,
+        unknowns: Iterable[Any] | None = None,
+        given: dict[Any, float] | None = None,
+        moving: Iterable[Any] = (),
+        progress: bool = False,
+    ) -> EigenvalueSweep:
+        """Return the eigenvalues of the linear models along a parameter, sorted into branches.
 
-    most = whole(most, "`most`", 2)
-    with progress_of(flag(progress, "`progress`"), " points") as told:
-        points, spectra, special, ended = trace(
-            lambda z: balance.residuals(z[None])[0],
-            lambda z: balance.slopes(z[None])[0],
-            spectrum,
-            start,
-            (float(values.min()), float(values.max())),
-            bool(values[-1] > values[0]),
-            longest,
-            most,
-            family.names,
-            lambda value: told(1, **{family.names[-1]: f"{value:.6g}"}),
+        At each value of the parameter, the equilibrium is found from the previous one, and the
+        motions near it that satisfy the constraints are linearised.
+
+        Parameters
+        ----------
+        over : dict
+            One state, constant or specified, by symbol or name, and its values, ascending or
+            descending.
+        at : array_like, shape (n,) or (m, n), or dict, optional
+            States at which to linearise, without a search for equilibria: one, or one for each
+            value.
+        unknowns, given, moving
+            As in `find_equilibrium`.
+        progress : bool, optional
+            Whether to show a progress bar; requires tqdm.
+
+        Returns
+        -------
+        EigenvalueSweep
+
+        Raises
+        ------
+        AnalysisInterrupted
+            The user interrupted it; the error holds the sweep over the first values.
+        EquilibriumError
+            There is no equilibrium at a value of the parameter.
+        ValueError
+            The system has no such name, or the values are neither ascending nor descending.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from pydy.models import multi_mass_spring_damper
+        >>> system = multi_mass_spring_damper()
+        >>> sweep = system.eigenvalues({'c0': np.linspace(-1.0, 3.0, num=9)})
+        >>> [(round(c.value, 9), c.eigenvalue, c.oscillatory) for c in sweep.crossings()]
+        [(0.0, 1j, True)]
+        """
+        now = self._now()
+        definition = now.definition
+        at = now.x_with(at, "at")
+        if at is not None:
+            t = np.zeros(len(at)) if np.ndim(at) == 2 else None
+            at, _, single = samples(at, t, lambda: now.x, now.times, len(definition.states))
+            at = at[0] if single else at
+        parameter, values = parameter_of(definition, over)
+        if at is not None:
+            unknowns = definition.states if unknowns is None else unknowns
+            unknowns = [s for s in unknowns if s != parameter]
+            if at.ndim == 2 and len(at) != len(values):
+                raise ValueError(
+                    f"`at` must have one state, or one for each of the {len(values)} values of "
+                    f"`over`, got {len(at)}."
+                )
+            family = Family(now, parameter, unknowns, given, moving)
+            given_z = family.unknowns_at(values, np.broadcast_to(at, (len(values), at.shape[-1])))
+            models = family.at
+        else:
+            family = Family(now, parameter, unknowns, given, moving)
+            given_z = None
+            models = family.models
+        z, stopped = np.empty((0, len(family.names))), False
+        parts: list[tuple[np.ndarray, np.ndarray]] = []
+        with progress_of(flag(progress, "`progress`"), " values", len(values)) as told:
+            try:
+                for first in range(0, len(values), AT_ONCE):
+                    part = values[first : first + AT_ONCE]
+                    if given_z is None:
+                        further = family.equilibria(part, z[-1] if len(z) else None)
+                    else:
+                        further = given_z[first : first + AT_ONCE]
+                    whole_z = np.vstack([z, further])
+                    # The first decides for all which states are independent.
+                    A, x, free = family.matrices(np.vstack([whole_z[:1], further]))
+                    parts.append((A[1:], x[1:]))
+                    z = whole_z
+                    told(len(further))
+                    if len(further) < len(part):
+                        raise KeyboardInterrupt
+            except KeyboardInterrupt:
+                if not parts:
+                    raise
+                stopped = True
+        A, x = (np.concatenate(arrays) for arrays in zip(*parts, strict=True))
+        names = unique_names(definition.states)
+        spectra, active = spectra_of(A)
+        sweep = EigenvalueSweep(
+            parameter=family.names[-1],
+            values=values[: len(A)],
+            eigenvalues=spectra,
+            A=A,
+            states=tuple(names[k] for k in free),
+            equilibria=x,
+            _active=active,
+            _models=models,
         )
-    z = np.array(points)
-    limit = ZERO_ROOT * max(float(np.abs(s).max(initial=0.0)) for s in spectra)
-    branch = EquilibriumBranch(
-        parameter=family.names[-1],
-        values=z[:, -1].copy(),
-        unknowns=family.names[:-1],
-        solutions=z[:, :-1].copy(),
-        states=balance.inputs(z)[1],
-        stable=np.array([s.real.max(initial=-np.inf) <= limit for s in spectra]),
-        special=tuple(special),
-        ended=ended,
-    )
-    if ended == "interrupted":
-        raise AnalysisInterrupted(
-            f"The branch was interrupted at {branch.parameter} = {z[-1, -1]:.10g}. Its "
-            f"{len(z)} equilibria so far are in the attribute `results` of this error.",
-            branch,
-        )
-    return branch
-
-
-def eigenvalues(
-    now: Snapshot,
-    over: Any,
-    at: Any,
-    unknowns: Iterable[Any] | None,
-    given: Mapping[Any, Any] | None,
-    moving: Iterable[Any],
-    progress: Any,
-) -> EigenvalueSweep:
-    """Return what `System.eigenvalues` describes."""
-    definition = now.definition
-    at = now.x_with(at, "at")
-    if at is not None:
-        t = np.zeros(len(at)) if np.ndim(at) == 2 else None
-        at, _, single = samples(at, t, lambda: now.x, now.times, len(definition.states))
-        at = at[0] if single else at
-    parameter, values = parameter_of(definition, over)
-    if at is not None:
-        unknowns = definition.states if unknowns is None else unknowns
-        unknowns = [s for s in unknowns if s != parameter]
-        if at.ndim == 2 and len(at) != len(values):
-            raise ValueError(
-                f"`at` must have one state, or one for each of the {len(values)} values of "
-                f"`over`, got {len(at)}."
+        if stopped:
+            raise AnalysisInterrupted(
+                f"The sweep was interrupted after {len(A)} of {len(values)} values of "
+                f"{sweep.parameter}. They are in the attribute `results` of this error.",
+                sweep,
             )
+        return sweep
+
+    def follow_equilibria(
+        self,
+        over: dict[Any, Any],
+        unknowns: Iterable[Any] | None = None,
+        given: dict[Any, float] | None = None,
+        *,
+        moving: Iterable[Any] = (),
+        step: float = 0.02,
+        most: int = 500,
+        progress: bool = False,
+    ) -> EquilibriumBranch:
+        """Follow equilibria along a parameter, around folds, and detect bifurcations.
+
+        Parameters
+        ----------
+        over : dict
+            One state, constant or specified, mapped to a list of its first and last value. The
+            search starts from an equilibrium at the first value.
+        unknowns, given, moving
+            As in `find_equilibrium`.
+        step : float, optional
+            The largest step along the branch, as a fraction of the parameter's range.
+        most : int, optional
+            The maximum number of points.
+        progress : bool, optional
+            Whether to show a progress bar; requires tqdm.
+
+        Returns
+        -------
+        EquilibriumBranch
+            It ends where the parameter leaves its range, or where the branch returns to its start.
+
+        Raises
+        ------
+        AnalysisInterrupted
+            The user interrupted it; the error holds the branch so far.
+        EquilibriumError
+            There is no equilibrium at the first value.
+        ValueError
+            A name is not one of the system's.
+
+        Examples
+        --------
+        >>> from pydy.models import multi_mass_spring_damper
+        >>> system = multi_mass_spring_damper()
+        >>> (point,) = system.follow_equilibria({'c0': [1.0, -1.0]}).special
+        >>> point.kind, abs(round(point.value, 9)), round(point.frequency, 9)
+        ('Hopf', 0.0, 1.0)
+        """
+        now = self._now()
+        definition = now.definition
+        parameter, values = parameter_of(definition, over)
+        longest = number(step, "`step`", finite=True)
+        if not longest > 0.0:
+            raise ValueError(f"`step` must be positive, got {longest!r}.")
         family = Family(now, parameter, unknowns, given, moving)
-        given_z = family.unknowns_at(values, np.broadcast_to(at, (len(values), at.shape[-1])))
-        models = family.at
-    else:
-        family = Family(now, parameter, unknowns, given, moving)
-        given_z = None
-        models = family.models
-    z, stopped = np.empty((0, len(family.names))), False
-    parts: list[tuple[np.ndarray, np.ndarray]] = []
-    with progress_of(flag(progress, "`progress`"), " values", len(values)) as told:
-        try:
-            for first in range(0, len(values), AT_ONCE):
-                part = values[first : first + AT_ONCE]
-                if given_z is None:
-                    further = family.equilibria(part, z[-1] if len(z) else None)
-                else:
-                    further = given_z[first : first + AT_ONCE]
-                whole_z = np.vstack([z, further])
-                # The first decides for all which states are independent.
-                A, x, free = family.matrices(np.vstack([whole_z[:1], further]))
-                parts.append((A[1:], x[1:]))
-                z = whole_z
-                told(len(further))
-                if len(further) < len(part):
-                    raise KeyboardInterrupt
-        except KeyboardInterrupt:
-            if not parts:
-                raise
-            stopped = True
-    A, x = (np.concatenate(arrays) for arrays in zip(*parts, strict=True))
-    names = unique_names(definition.states)
-    spectra, active = spectra_of(A)
-    sweep = EigenvalueSweep(
-        parameter=family.names[-1],
-        values=values[: len(A)],
-        eigenvalues=spectra,
-        A=A,
-        states=tuple(names[k] for k in free),
-        equilibria=x,
-        _active=active,
-        _models=models,
-    )
-    if stopped:
-        raise AnalysisInterrupted(
-            f"The sweep was interrupted after {len(A)} of {len(values)} values of "
-            f"{sweep.parameter}. They are in the attribute `results` of this error.",
-            sweep,
+        balance = family.balance
+        if len(family.names) < 2:
+            raise ValueError("`unknowns` must name at least one state, constant or specified.")
+        start = family.alone(np.append(balance.start[:-1], values[0]))
+        active = spectra_of(family.matrices(start[None])[0])[1]
+
+        def spectrum(z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+            return with_rounding(family.matrices(z[None])[0][0][np.ix_(active, active)])
+
+        most = whole(most, "`most`", 2)
+        with progress_of(flag(progress, "`progress`"), " points") as told:
+            points, spectra, special, ended = trace(
+                lambda z: balance.residuals(z[None])[0],
+                lambda z: balance.slopes(z[None])[0],
+                spectrum,
+                start,
+                (float(values.min()), float(values.max())),
+                bool(values[-1] > values[0]),
+                longest,
+                most,
+                family.names,
+                lambda value: told(1, **{family.names[-1]: f"{value:.6g}"}),
+            )
+        z = np.array(points)
+        limit = ZERO_ROOT * max(float(np.abs(s).max(initial=0.0)) for s in spectra)
+        branch = EquilibriumBranch(
+            parameter=family.names[-1],
+            values=z[:, -1].copy(),
+            unknowns=family.names[:-1],
+            solutions=z[:, :-1].copy(),
+            states=balance.inputs(z)[1],
+            stable=np.array([s.real.max(initial=-np.inf) <= limit for s in spectra]),
+            special=tuple(special),
+            ended=ended,
         )
-    return sweep
+        if ended == "interrupted":
+            raise AnalysisInterrupted(
+                f"The branch was interrupted at {branch.parameter} = {z[-1, -1]:.10g}. Its "
+                f"{len(z)} equilibria so far are in the attribute `results` of this error.",
+                branch,
+            )
+        return branch

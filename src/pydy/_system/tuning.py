@@ -10,14 +10,19 @@ __all__ = [
     "BLOCK_BYTES",
     "CANCELLED",
     "DIGITS",
+    "EXCESS",
     "FIT",
     "INDEPENDENT",
     "INSTANT",
     "LARGEST_BLOCK",
     "LEAST_SPREAD",
+    "LEFT",
+    "LOST",
     "NEARLY_SINGULAR",
+    "NEAR_SINGULAR",
     "NO_INERTIA",
     "ORBIT",
+    "PULLED",
     "SMALLEST_BLOCK",
     "TRIED",
     "UNSOLVED",
@@ -25,6 +30,16 @@ __all__ = [
 
 AGREED = 1e-8
 """Differences of a Python function by two steps that agree so well are its derivative."""
+
+EXCESS = 3.0
+"""What the errors of long steps, and of states between them, may be in units of the tolerances."""
+
+LEFT = 1e-2
+"""The share of the states that errors of a method without error control may amount to."""
+
+LOST = 1e-5
+"""The share of the kinetic energy that roundings may change: ε/δ² a distance δ from a singular
+position, down to where branches can no longer be told apart."""
 
 TRIED = 64
 """Samples of an ensemble, or states along a trajectory, whose constraints are looked at.
@@ -59,6 +74,9 @@ FIT, ORBIT = 1e-9, 1e-12
 INSTANT = 1e-9
 """How long, in s, a part of a fit lasts that has a single sample, at its beginning."""
 
+PULLED = 1e-9
+"""What rounding may leave of an energy that is one of weights, in units of the energy."""
+
 LEAST_SPREAD = 1e-2
 """The least scale of the states at which a fit joins parts, in units of their sizes."""
 
@@ -67,6 +85,10 @@ AT_REST = 1e-12
 
 BEGINNING = 1e-3
 """An event that ends a period may be where it begins: it is looked for after this share."""
+
+NEAR_SINGULAR = 0.05
+"""How near constraints come to losing rank that the energy is looked at: steps that are far from
+singular positions, beside which they are small, do not change it."""
 
 NEARLY_SINGULAR = 1e-6
 """A singular value, in units of the largest, near which steps become ever smaller."""

@@ -1,24 +1,204 @@
-"""What the evaluating methods of System do: Kernels at one state or several."""
+"""Values of a System and their exact derivatives: Kernels at one state or several."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
 import numpy as np
+import sympy as sm
 
+from pydy._assembly.assembly import Assembly
+from pydy._assembly.definition import Definition
 from pydy._assembly.model import CompiledModel
 from pydy._assembly.specifieds import driven
+from pydy._checks import Places, flag, listed, real_array, shown
 from pydy._errors import SingularMatrixError
+from pydy._graph.derivative import Guards
+from pydy._graph.node import Graph
+from pydy._graph.products import derivative_program
+from pydy._graph.program import Program
+from pydy._graph.simplify import simplify
 from pydy._kernel import Kernel
+from pydy._mechanics.symbols import find_symbols
+from pydy._system.analysis import variables
 from pydy._system.causes import cause_of, explain
 from pydy._system.energy import Energy
 from pydy._system.evaluation import row_names, samples, specified_rows, warn_not_finite
-from pydy._system.products import prepare_product
+from pydy._system.setup import Setup
 from pydy._system.snapshot import Snapshot
 
-__all__ = ["evaluate_block", "evaluate_energy", "evaluate_product"]
+BLOCKS = {"ode": "rates", "outputs": "outputs", "holonomic": "holonomic", "velocity": "velocity"}
+"""What the user calls the blocks of an Assembly that can be differentiated."""
+
+
+@dataclass(frozen=True)
+class Target:
+    """What is differentiated.
+
+    Attributes
+    ----------
+    block : str
+        Of the Assembly; empty for a choice of outputs and expressions.
+    chosen : tuple
+        Places of outputs, and expressions.
+    names : tuple of str
+    """
+
+    block: str
+    chosen: tuple[Any, ...]
+    names: tuple[str, ...]
+
+    def nodes(self, assembly: Assembly) -> tuple[Graph, list[int]]:
+        """Return the quantities as simplified nodes of a graph that grows on its own."""
+        if self.block:
+            return assembly.simplified(self.block)
+        own = assembly.fork()
+        nodes = [
+            own.outputs[one] if isinstance(one, int) else own.read([one], "`of`")[0]
+            for one in self.chosen
+        ]
+        return own.graph, simplify(own.graph, nodes, assembly.passes)
+
+
+def target_of(definition: Definition, of: Any, *, scalar: bool = False) -> Target:
+    """Return what a user's `of` means: a block, or outputs and expressions.
+
+    Raises
+    ------
+    ValueError
+        It is not one of these, or several where one is needed.
+    """
+    if isinstance(of, str) and of in BLOCKS and not scalar:
+        names = row_names(definition, BLOCKS[of])
+        if not names:
+            raise ValueError(f"`of` is {of!r}, but the system has nothing of this kind.")
+        return Target(BLOCKS[of], (), tuple(names))
+    single = isinstance(of, (str, sm.Basic))
+    entries = [of] if single else listed("of", of)
+    if not entries or (scalar and len(entries) > 1):
+        count = "one output or expression" if scalar else "at least one output or expression"
+        raise ValueError(f"`of` must be {count}, got {shown(of)}.")
+    outputs = Places(definition.outputs_symbols, "outputs of the system")
+    states = definition.places["states"]
+    chosen: list[Any] = []
+    time = definition.equations.time
+    for entry in entries:
+        place = outputs.get(entry, "of")
+        if place is not None:
+            chosen.append(place)
+        elif isinstance(entry, str) and (k := states.get(entry, "of")) is not None:
+            chosen.append(states.symbols[k])
+        elif isinstance(entry, sm.Expr) and set(find_symbols([entry])) - {time}:
+            chosen.append(entry)
+        else:
+            kinds = "" if scalar else f"one of {', '.join(map(repr, BLOCKS))}, or "
+            raise ValueError(
+                f"`of` must be {kinds}outputs of the system, by symbol or name, or expressions of "
+                f"its states, specifieds and constants, got {shown(entry)}."
+            )
+    return Target("", tuple(chosen), tuple(f"the derivative of {e}" for e in entries))
+
+
+@dataclass(frozen=True, eq=False)
+class Derivative:
+    """A product to evaluate.
+
+    Attributes
+    ----------
+    kernel : callable
+        Returns the Kernel for a model.
+    vectors : ndarray or None
+        Inputs at the end of r, shape (1, k) for all samples or (m, k).
+    names : list of str
+        Of the rows of the result.
+    squeeze : bool
+        Whether there is one vector, and no axis for it.
+    perturbed : bool
+        Whether specifieds are differentiated by.
+    """
+
+    kernel: Callable[[CompiledModel], Kernel]
+    vectors: np.ndarray | None
+    names: list[str]
+    squeeze: bool
+    perturbed: bool
+
+
+def prepare_product(
+    definition: Definition, kind: str, of: Any, wrt: Any, v: Any, states: Any
+) -> Derivative:
+    """Return what `System`'s methods of this kind evaluate.
+
+    Parameters
+    ----------
+    definition : Definition
+    kind : str
+        One of `pydy._graph.products.KINDS`.
+    of, wrt, v : object
+        As the user gave them.
+    states : array_like or None
+        As given: whether it is one state or several decides what the axes of `v` mean.
+    """
+    scalar = kind in ("gradient", "hessian-vector")
+    target = target_of(definition, of, scalar=scalar)
+    by = variables(definition, wrt)
+    if isinstance(by, str):
+        group = {"x": definition.states, "r": definition.specifieds, "p": definition.constants}[by]
+        by = tuple((by, k) for k in range(len(group)))
+    by_row = kind in ("jacobian", "jacobian-vector")
+    names = (
+        list(target.names) if by_row else [f"the derivative by {s}" for s in _named(definition, by)]
+    )
+    vectors, count, squeeze = None, 1, False
+    if kind == "gradient":
+        names = [target.names[0], *names]
+    elif kind != "jacobian":
+        length = len(target.names) if kind == "vector-jacobian" else len(by)
+        vectors, count, squeeze = _vectors(v, length, states)
+
+    def build(made: CompiledModel) -> Kernel:
+        assembly = made.assembly
+        key = ("product", kind, target.block, target.chosen, by, count)
+
+        def program(guards: Guards) -> Program:
+            graph, nodes = target.nodes(assembly)
+            return derivative_program(
+                graph, nodes, by, kind, assembly.sizes, assembly.passes, count, guards=guards
+            )
+
+        return made.compiled_derivative(key, program)
+
+    perturbed = any(group == "r" for group, _ in by)
+    return Derivative(build, vectors, names, squeeze, perturbed)
+
+
+def _vectors(v: Any, length: int, states: Any) -> tuple[np.ndarray, int, bool]:
+    """Return vectors as rows of inputs, how many there are a sample, and whether `v` is one."""
+    array = real_array(v, "`v`")
+    many = states is not None and np.ndim(states) == 2
+    m = len(states) if many else 1
+    if array.shape == (length,):
+        return array[None], 1, True
+    if many and array.shape == (m, length):
+        return array, 1, True
+    if not many and array.ndim == 2 and len(array) == length and array.size:
+        return array.reshape(1, -1), array.shape[1], False
+    if many and array.ndim == 3 and array.shape[:2] == (m, length) and array.size:
+        return array.reshape(m, -1), array.shape[2], False
+    one, more = f"({length},)", f"({length}, d)"
+    if many:
+        one, more = f"{one}, ({m}, {length})", f"({m}, {length}, d)"
+    raise ValueError(
+        f"`v` must have the shape {one} or {more}, for one vector or d of them, got {array.shape}."
+    )
+
+
+def _named(definition: Definition, by: tuple[tuple[str, int], ...]) -> list[Any]:
+    groups = {"x": definition.states, "r": definition.specifieds, "p": definition.constants}
+    return [groups[group][place] for group, place in by]
 
 
 def evaluate_block(
@@ -51,13 +231,6 @@ def evaluate_product(
         vectors=made.vectors,
     )
     return out[..., 0] if made.squeeze else out
-
-
-def evaluate_energy(now: Snapshot, x: Any, t: Any, r: Any, p: Any) -> Energy:
-    """Evaluate the kinetic, the potential and the total energy."""
-    names = partial(row_names, now.definition, "energy")
-    values = _sweep(now, now.energies.kernel, names, x, t, r, p)
-    return Energy(*(values.tolist() if values.ndim == 1 else values.T.copy()))
 
 
 def _sweep(
@@ -109,3 +282,376 @@ def _sweep(
         warn_not_finite(out, (instants, states, rows, constants), layout, names(), cause)
     result: np.ndarray = out[0] if single else out
     return result
+
+
+class Evaluation(Setup):
+    """Values and exact derivatives of the equations at one state or several."""
+
+    def evaluate_ode(
+        self, x: Any = None, t: Any = None, *, r: Any = None, p: Any = None
+    ) -> np.ndarray:
+        """Return the derivatives of the states.
+
+        Parameters
+        ----------
+        x : array_like, shape (n,) or (m, n), or dict, optional
+            States, in the order of `states`; the initial conditions by default. A dictionary gives
+            some of them instead, by symbol or name.
+        t : float or array_like, shape (m,), optional
+            Time; by default the first of `times` (all of them for m states), or zero if `times` is
+            empty.
+        r : dict, array_like, shape (s,) or (m, s), or callable, optional
+            Specifieds for this call instead of the System's.
+        p : dict or array_like, shape (k,), optional
+            Constants for this call instead of the System's.
+
+        Returns
+        -------
+        ndarray, shape (n,) or (m, n)
+
+        Raises
+        ------
+        ValueError
+            A shape is not valid.
+        SingularMatrixError
+            The mass matrix is singular; a subclass of `numpy.linalg.LinAlgError`.
+
+        Examples
+        --------
+        >>> from pydy.models import multi_mass_spring_damper
+        >>> system = multi_mass_spring_damper()
+        >>> system.evaluate_ode([1.0, 0.0])
+        array([ 0., -1.])
+        """
+        return evaluate_block(self._now(), "rates", x, t, r, p)
+
+    def evaluate_outputs(
+        self, x: Any = None, t: Any = None, *, r: Any = None, p: Any = None
+    ) -> np.ndarray:
+        """Return the outputs, in the order of `outputs_symbols`.
+
+        The parameters are those of `evaluate_ode`.
+
+        Returns
+        -------
+        ndarray, shape (o,) or (m, o)
+
+        Examples
+        --------
+        >>> import sympy as sm
+        >>> from pydy.models import multi_mass_spring_damper
+        >>> system = multi_mass_spring_damper()
+        >>> x0, v0 = system.states
+        >>> system.outputs = {sm.Symbol('speed'): v0, sm.Symbol('twice'): 2*x0}
+        >>> system.evaluate_outputs([1.0, 3.0])
+        array([3., 2.])
+        """
+        return evaluate_block(self._now(), "outputs", x, t, r, p)
+
+    def evaluate_energy(
+        self, x: Any = None, t: Any = None, *, r: Any = None, p: Any = None
+    ) -> Energy:
+        """Return the kinetic, the potential and the total energy.
+
+        Parameters
+        ----------
+        x, t, r, p
+            As in `evaluate_ode`.
+
+        Returns
+        -------
+        kinetic, potential, total : float or ndarray, shape (m,)
+            A named tuple.
+
+        Raises
+        ------
+        ValueError
+            The method has no bodies, or the potential energy cannot be determined; see
+            `potential_energy`.
+
+        Examples
+        --------
+        >>> from pydy.models import multi_mass_spring_damper
+        >>> system = multi_mass_spring_damper()
+        >>> system.evaluate_energy([1.0, 3.0])
+        Energy(kinetic=4.5, potential=0.5, total=5.0)
+        >>> system.evaluate_energy([[1.0, 3.0], [2.0, 0.0]]).total
+        array([5., 2.])
+        """
+        now = self._now(constants=p)
+        names = partial(row_names, now.definition, "energy")
+        values = _sweep(now, now.energies.kernel, names, x, t, r, p)
+        return Energy(*(values.tolist() if values.ndim == 1 else values.T.copy()))
+
+    def evaluate_constraints(
+        self, x: Any = None, t: Any = None, *, r: Any = None, p: Any = None
+    ) -> np.ndarray:
+        """Return the residuals of the holonomic, then the nonholonomic constraints.
+
+        The parameters are those of `evaluate_ode`.
+
+        Returns
+        -------
+        ndarray, shape (o,) or (m, o)
+            o is `num_constraints`.
+
+        Raises
+        ------
+        ValueError
+            The system has no constraints.
+        """
+        self._need(self.num_constraints, "constraints")
+        return evaluate_block(self._now(), "constraints", x, t, r, p)
+
+    def evaluate_holonomic_constraints(
+        self, x: Any = None, t: Any = None, *, r: Any = None, p: Any = None
+    ) -> np.ndarray:
+        """Return the residuals of the holonomic constraints.
+
+        The parameters are those of `evaluate_ode`.
+
+        Returns
+        -------
+        ndarray, shape (o,) or (m, o)
+            o is `num_holonomic_constraints`.
+
+        Raises
+        ------
+        ValueError
+            The system has no holonomic constraints.
+        """
+        self._need(self.num_holonomic_constraints, "holonomic constraints")
+        return evaluate_block(self._now(), "holonomic", x, t, r, p)
+
+    def evaluate_velocity_constraints(
+        self, x: Any = None, t: Any = None, *, r: Any = None, p: Any = None
+    ) -> np.ndarray:
+        """Return the residuals of all velocity constraints.
+
+        The parameters are those of `evaluate_ode`.
+
+        Returns
+        -------
+        ndarray, shape (o,) or (m, o)
+            o is `num_velocity_constraints`.
+
+        Raises
+        ------
+        ValueError
+            The system has no velocity constraints.
+        """
+        self._need(self.num_velocity_constraints, "velocity constraints")
+        return evaluate_block(self._now(), "velocity", x, t, r, p)
+
+    @staticmethod
+    def _need(count: int, what: str) -> None:
+        if not count:
+            raise ValueError(f"The system has no {what} to evaluate.")
+
+    def evaluate_jacobian(
+        self,
+        x: Any = None,
+        t: Any = None,
+        wrt: Any = "states",
+        *,
+        of: Any = "ode",
+        r: Any = None,
+        p: Any = None,
+    ) -> np.ndarray:
+        """Return exact partial derivatives, computed by differentiating the expression graph.
+
+        If a specified is given as an expression, derivatives with respect to states and constants
+        include it; those with respect to the specified are for an addition to its value. Specifieds
+        given as functions, samples or numbers, or all specifieds if `r` is passed, are held
+        constant.
+
+        Parameters
+        ----------
+        x, t, r, p
+            As in `evaluate_ode`.
+        wrt : {'states', 'specifieds', 'constants'}, symbol or name, or a list, optional
+            The variables, in the order of the arrays x, r and p; a list may contain states,
+            specifieds, constants and groups of these.
+        of : {'ode', 'outputs', 'holonomic', 'velocity'}, output, expression, or list, optional
+            What is differentiated: the state derivatives, all outputs, residuals of constraints, or
+            any outputs and expressions of states, specifieds and constants.
+
+        Returns
+        -------
+        ndarray, shape (o, k) or (m, o, k)
+            One column for each variable, even if there is only one.
+
+        Raises
+        ------
+        ValueError
+            An option is not one of the above, or the system has no variable of that name.
+
+        Examples
+        --------
+        >>> from pydy.models import multi_mass_spring_damper
+        >>> system = multi_mass_spring_damper()
+        >>> system.evaluate_jacobian()
+        array([[ 0.,  1.],
+               [-1., -1.]])
+        >>> system.evaluate_jacobian({'x0': 2.0}, wrt=['k0', 'v0'])
+        array([[ 0.,  1.],
+               [-2., -1.]])
+        """
+        if isinstance(of, str) and of in BLOCKS:
+            by = variables(self._definition, wrt)
+            return evaluate_block(self._now(), BLOCKS[of], x, t, r, p, by)
+        return evaluate_product(self._now(), "jacobian", of, wrt, None, x, t, r, p)
+
+    def evaluate_gradient(
+        self,
+        of: Any,
+        x: Any = None,
+        t: Any = None,
+        wrt: Any = "states",
+        *,
+        r: Any = None,
+        p: Any = None,
+        value: bool = False,
+    ) -> Any:
+        """Return the exact gradient of one quantity, by reverse accumulation.
+
+        It costs a small multiple of evaluating the quantity itself, regardless of the number of
+        variables.
+
+        Parameters
+        ----------
+        of : output or expression
+            An output, by symbol or name, or an expression of states, specifieds and constants.
+        x, t, wrt, r, p
+            As in `evaluate_jacobian`.
+        value : bool, optional
+            Also return the quantity, which is computed anyway.
+
+        Returns
+        -------
+        ndarray, shape (k,) or (m, k)
+            With `value`, a tuple of the quantity, a float or of shape (m,), and its gradient.
+
+        Raises
+        ------
+        ValueError
+            The system has no such name or symbol.
+
+        Examples
+        --------
+        >>> from pydy.models import multi_mass_spring_damper
+        >>> system = multi_mass_spring_damper()
+        >>> x0, v0 = system.states
+        >>> system.evaluate_gradient(system.kinetic_energy + 3*x0**2, {'x0': 0.5, 'v0': 2.0})
+        array([3., 2.])
+        """
+        out = evaluate_product(self._now(), "gradient", of, wrt, None, x, t, r, p)
+        if not flag(value, "`value`"):
+            return out[..., 1:]
+        return (float(out[0]) if out.ndim == 1 else out[:, 0]), out[..., 1:]
+
+    def evaluate_jacobian_vector(
+        self,
+        v: Any,
+        x: Any = None,
+        t: Any = None,
+        wrt: Any = "states",
+        *,
+        of: Any = "ode",
+        r: Any = None,
+        p: Any = None,
+    ) -> np.ndarray:
+        """Return exact directional derivatives: the Jacobian times vectors, without the Jacobian.
+
+        Parameters
+        ----------
+        v : array_like, shape (k,) or (k, d)
+            A direction with one component for each variable of `wrt`, or d of them as columns. For
+            several states, (m, k) or (m, k, d) is also possible.
+        x, t, wrt, of, r, p
+            As in `evaluate_jacobian`.
+
+        Returns
+        -------
+        ndarray, shape (o,), (o, d), (m, o) or (m, o, d)
+
+        Examples
+        --------
+        >>> from pydy.models import multi_mass_spring_damper
+        >>> multi_mass_spring_damper().evaluate_jacobian_vector([1.0, 2.0])
+        array([ 2., -3.])
+        """
+        return evaluate_product(self._now(), "jacobian-vector", of, wrt, v, x, t, r, p)
+
+    def evaluate_vector_jacobian(
+        self,
+        v: Any,
+        x: Any = None,
+        t: Any = None,
+        wrt: Any = "states",
+        *,
+        of: Any = "ode",
+        r: Any = None,
+        p: Any = None,
+    ) -> np.ndarray:
+        """Return vectors times the exact Jacobian, by reverse accumulation.
+
+        Parameters
+        ----------
+        v : array_like, shape (o,) or (o, d)
+            A weight for each row of `of`, or d sets of weights as columns. For several states, (m,
+            o) or (m, o, d) is also possible.
+        x, t, wrt, of, r, p
+            As in `evaluate_jacobian`.
+
+        Returns
+        -------
+        ndarray, shape (k,), (k, d), (m, k) or (m, k, d)
+
+        Examples
+        --------
+        >>> from pydy.models import multi_mass_spring_damper
+        >>> multi_mass_spring_damper().evaluate_vector_jacobian([0.0, 1.0], wrt=['v0', 'x0'])
+        array([-1., -1.])
+        """
+        return evaluate_product(self._now(), "vector-jacobian", of, wrt, v, x, t, r, p)
+
+    def evaluate_hessian_vector(
+        self,
+        v: Any,
+        of: Any,
+        x: Any = None,
+        t: Any = None,
+        wrt: Any = "states",
+        *,
+        r: Any = None,
+        p: Any = None,
+    ) -> np.ndarray:
+        """Return exact second derivatives of one quantity times vectors.
+
+        These are directional derivatives of its gradient. The identity as `v` gives the Hessian.
+
+        Parameters
+        ----------
+        v : array_like, shape (k,) or (k, d)
+            As in `evaluate_jacobian_vector`.
+        of : output or expression
+            As in `evaluate_gradient`.
+        x, t, wrt, r, p
+            As in `evaluate_jacobian`.
+
+        Returns
+        -------
+        ndarray, shape (k,), (k, d), (m, k) or (m, k, d)
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from pydy.models import multi_mass_spring_damper
+        >>> system = multi_mass_spring_damper()
+        >>> x0, v0 = system.states
+        >>> system.evaluate_hessian_vector(np.eye(2), x0**2*v0, [1.0, 5.0])
+        array([[10.,  2.],
+               [ 2.,  0.]])
+        """
+        return evaluate_product(self._now(), "hessian-vector", of, wrt, v, x, t, r, p)

@@ -32,6 +32,7 @@ from pydy.analysis.tuning import (
 __all__ = ["EquilibriumBranch", "SpecialPoint", "trace"]
 
 Function = Callable[[np.ndarray], np.ndarray]
+Spectrum = Callable[[np.ndarray], tuple[np.ndarray, np.ndarray]]
 
 _ITERATIONS = 8
 
@@ -126,17 +127,20 @@ class _Point:
     tangent: np.ndarray
     sign: float  # of the determinant
     spectrum: np.ndarray
+    rounding: np.ndarray  # of the spectrum
 
-    def unstable_pairs(self, limit: float) -> int:
-        """The number of conjugate pairs with a positive real part."""
-        moving = self.spectrum.imag > limit
-        return int((self.spectrum.real[moving] > limit).sum())
+    def pairs(self, limit: float, above: float | np.ndarray) -> np.ndarray:
+        """The upper ones of the conjugate pairs with a real part above a level."""
+        found: np.ndarray = self.spectrum[
+            (self.spectrum.imag > limit) & (self.spectrum.real > above)
+        ]
+        return found
 
 
 class _Curve:
     """F(z) = 0 with equations and unknowns in units of their own, and what is free held."""
 
-    def __init__(self, F: Function, J: Function, spectrum: Function, z: np.ndarray, span: float):
+    def __init__(self, F: Function, J: Function, spectrum: Spectrum, z: np.ndarray, span: float):
         self._F, self._J, self.spectrum = F, J, spectrum
         first = J(z)
         self.scale = sizes_along(first, z, span)
@@ -183,19 +187,24 @@ class _Curve:
                 return z, count
         return None
 
+    def along(self, a: _Point, arc: float) -> _Point | None:
+        """Return the point some way along the tangent of another."""
+        found = self.corrected(a.z + arc * self.scale * a.tangent, a.tangent)
+        return None if found is None else self.point(found[0], a.tangent)
+
     def point(self, z: np.ndarray, before: np.ndarray) -> _Point:
         whole = self._whole(z)
         square = self.rows @ whole
         tangent = np.linalg.svd(square)[2][-1]
         tangent = tangent if tangent @ before >= 0.0 else -tangent
         sign = float(np.linalg.slogdet(np.vstack([square, tangent]))[0])
-        return _Point(z, tangent, sign, self.spectrum(z))
+        return _Point(z, tangent, sign, *self.spectrum(z))
 
 
 def trace(
     F: Function,
     J: Function,
-    spectrum: Function,
+    spectrum: Spectrum,
     start: np.ndarray,
     bounds: tuple[float, float],
     forward: bool,
@@ -211,7 +220,7 @@ def trace(
     F, J : callable
         Of z (k,), the parameter last: shapes (r,) and (r, k).
     spectrum : callable
-        Eigenvalues at z.
+        Eigenvalues at z, and bounds on their rounding.
     start : ndarray, shape (k,)
     bounds : (float, float)
         Of the parameter.
@@ -316,46 +325,65 @@ def _between(
     """Return what is special between two points."""
     found = []
     if a.tangent[-1] * b.tangent[-1] < 0.0:
-        found.append(("fold", _bisected(curve, a, length, lambda p: p.tangent[-1])))
+        arc = _bisected(curve, a, length, lambda p: p.tangent[-1])[1]
+        found.append(("fold", arc, 0.0))
     if a.sign * b.sign < 0.0:
-        found.append(("branch point", _bisected(curve, a, length, lambda p: p.sign)))
-    before, after = a.unstable_pairs(limit), b.unstable_pairs(limit)
-    if before != after:
-        level = min(before, after) + 0.5
-
-        def above(p: _Point) -> float:
-            return p.unstable_pairs(0.0) - level
-
-        found.append(("Hopf", _bisected(curve, a, length, above)))
+        arc = _bisected(curve, a, length, lambda p: p.sign)[1]
+        found.append(("branch point", arc, 0.0))
+    oscillation = _oscillation(curve, a, b, length, limit)
+    if oscillation is not None:
+        found.append(("Hopf", *oscillation))
     result = []
-    for kind, point in found:
-        frequency = 0.0
+    for kind, arc, frequency in found:
+        point = curve.along(a, arc)
+        if point is None:
+            continue
         if kind == "Hopf":
-            pairs = point.spectrum[point.spectrum.imag > limit]
-            if not pairs.size:
-                continue  # the pair became real
-            frequency = float(pairs[np.abs(pairs.real).argmin()].imag)
+            pairs = point.spectrum[point.spectrum.imag > limit].imag
+            frequency = float(pairs[np.abs(pairs - frequency).argmin()])
         values = dict(zip(names[:-1], point.z[:-1].tolist(), strict=True))
         result.append(SpecialPoint(kind, float(point.z[-1]), values, frequency, place))
     return result
 
 
+def _oscillation(
+    curve: _Curve, a: _Point, b: _Point, length: float, limit: float
+) -> tuple[float, float] | None:
+    """Return the arc to a Hopf point between two points, and about its frequency.
+
+    Without damping real parts are zero up to rounding until two frequencies meet. Those that a
+    little damping leaves are told from rounding by its bounds.
+    """
+    before, after = len(a.pairs(limit, limit)), len(b.pairs(limit, limit))
+    unstable = [int((p.spectrum.real > limit).sum()) for p in (a, b)]
+    if before == after or abs(unstable[1] - unstable[0] - 2 * (after - before)) > 1:
+        return None  # or a pair became real
+    told = all(len(p.pairs(limit, p.rounding)) == n for p, n in ((a, before), (b, after)))
+    middle = 0.5 * (before + after)
+
+    def new(p: _Point) -> np.ndarray:
+        return p.pairs(limit, p.rounding if told else limit)
+
+    ends = _bisected(curve, a, length, lambda p: len(new(p)) - middle)
+    beyond = curve.along(a, ends[int(after > before)])
+    pairs = np.empty(0) if beyond is None else new(beyond)
+    return (ends[1], float(pairs[pairs.real.argmin()].imag)) if pairs.size else None
+
+
 def _bisected(
     curve: _Curve, a: _Point, length: float, function: Callable[[_Point], float]
-) -> _Point:
-    """Return the point between `a` and the step's end at which a function changes its sign."""
+) -> tuple[float, float]:
+    """Return arcs from `a`, one before and one after a function changes its sign on a step."""
     low, high, first = 0.0, length, function(a)
-    best = a
     for _ in range(60):
         middle = 0.5 * (low + high)
-        found = curve.corrected(a.z + middle * curve.scale * a.tangent, a.tangent)
-        if found is None:
+        point = curve.along(a, middle)
+        if point is None:
             break
-        best = curve.point(found[0], a.tangent)
-        if function(best) * first > 0.0:
+        if function(point) * first > 0.0:
             low = middle
         else:
             high = middle
         if high - low < BISECTED:
             break
-    return best
+    return low, high

@@ -2,12 +2,13 @@
 
 The unknowns are found by least squares on the derivatives of the states and the residuals of the
 constraints, with exact Jacobians: `scipy.optimize.least_squares` finds the neighbourhood, within
-bounds, and Newton's method with the pseudo-inverse continues to rounding accuracy.
+bounds, and Newton's method with the pseudo-inverse continues to rounding accuracy. Where that finds
+none, the search begins again where the system settles, and then with the rows as they are.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -18,6 +19,7 @@ from pydy._errors import EquilibriumError
 from pydy._names import place_of, unique_names
 from pydy.analysis.directions import direction_text
 from pydy.analysis.scaling import equilibrated, scaled_step
+from pydy.analysis.settling import settled
 from pydy.analysis.tuning import AT_BOUND, FREE, NAMED, NEWTON_STEP, TO_ROUNDING
 
 __all__ = ["Equilibrium", "solve_equilibrium", "solve_many"]
@@ -28,6 +30,8 @@ _ROUNDING = 1e5
 # Of the largest term of all rows, so many: what a linear solve leaves in a row that vanishes.
 _SOLVED = 100.0
 _POLISH = 20
+# Evaluations after which least squares hardly converge any more.
+_TRIED = 200
 
 
 @dataclass(frozen=True, eq=False)
@@ -83,6 +87,8 @@ def solve_equilibrium(
     bounds: tuple[np.ndarray, np.ndarray],
     unknowns: Sequence[str],
     rows: Sequence[str],
+    rates: Mapping[int, int],
+    held: int,
 ) -> tuple[np.ndarray, float, tuple[str, ...]]:
     """Solve ``residual(z) = 0``.
 
@@ -97,6 +103,10 @@ def solve_equilibrium(
         Lowest and highest values.
     unknowns, rows : sequence of str
         Names, for messages.
+    rates : mapping of int to int
+        The rows that are rates of an unknown, and its place.
+    held : int
+        How many of the rows, the last ones, are constraints.
 
     Returns
     -------
@@ -112,14 +122,21 @@ def solve_equilibrium(
         None was found.
     """
     z = np.clip(start, *bounds)
-    for size in (_sizes(jacobian(z), z), np.ones(len(rows))):
-        found, message = _search(residual, jacobian, z, bounds, size)
+    missed: EquilibriumError | None = None
+    for attempt in ("near", "settled", "plain"):
+        with np.errstate(all="ignore"):
+            far = attempt == "settled"
+            begin = settled(residual, jacobian, z, bounds, rates, held) if far else z
+        # Sizes at the start mislead where wheels do not turn yet: the rows as they are do not.
+        size = np.ones(len(rows)) if attempt == "plain" else _sizes(jacobian(begin), begin)
+        found, message = _search(residual, jacobian, begin, bounds, size)
         try:
             accepted = _accepted(residual, jacobian, found, bounds, unknowns, rows, message)
         except EquilibriumError as error:
-            missed = error
+            missed = missed or error
             continue
         return _as_begun(accepted, residual, jacobian, z, bounds, unknowns, rows)
+    assert missed is not None
     raise missed
 
 
@@ -177,6 +194,7 @@ def _search(
             found = scipy.optimize.least_squares(
                 share, z, slopes, bounds, x_scale="jac",
                 xtol=TO_ROUNDING, ftol=TO_ROUNDING, gtol=TO_ROUNDING,
+                max_nfev=_TRIED,
             )  # fmt: skip
         except ValueError as error:  # residuals that are not finite at the start
             return z, str(error)
@@ -184,11 +202,10 @@ def _search(
 
 
 def _sizes(slopes: np.ndarray, z: np.ndarray) -> np.ndarray:
-    """Return the units to search in first: of each row what its terms are of at the start.
+    """Return the units to search in: of each row what its terms are of at the start.
 
     In SI units accelerations under some load are a million times what is left of a constraint,
-    which a search on both as they are would hardly see. Where the start is far away, its sizes may
-    mislead: a bicycle's wheels that do not turn yet.
+    which a search on both as they are would hardly see.
     """
     with np.errstate(all="ignore"):
         terms = _terms(slopes, z)

@@ -21,6 +21,8 @@ __all__ = ["Flight", "PeriodicOrbit", "shoot"]
 
 _ITERATIONS = 40
 _STUCK = 1e8
+# Steps from where rounding is all that is left of the gap.
+_LAST = 3
 # The least period, and the least rates of the states at its end, as shares of those at first.
 _SHORTEST = 0.1
 
@@ -99,19 +101,22 @@ class Flight:
     rates : ndarray, shape (k,)
         Their time derivatives at the end.
     period : float
+    most : ndarray, shape (k,)
+        How large they become on the way.
     """
 
     end: np.ndarray
     by_start: np.ndarray
     rates: np.ndarray
     period: float
+    most: np.ndarray
 
     def sizes(self, start: np.ndarray, speeds: np.ndarray) -> np.ndarray:
         """Return how large the states are on the way: the units to search and integrate in.
 
         A state is zero at the ends of an oscillation through zero, where its rate tells the size.
-        One that is small beside the others may be nothing but their rounding; speeds count as the
-        amplitudes that they have in an oscillation of this period.
+        One that is small compared with the others may be nothing but their rounding; speeds count
+        as the amplitudes that they have in an oscillation of this period.
 
         Parameters
         ----------
@@ -122,7 +127,7 @@ class Flight:
         time = self.period / (2.0 * np.pi)
         unit = np.where(speeds, 1.0 / time, 1.0)
         swing = np.abs(self.rates) * time
-        sizes = np.maximum.reduce([np.abs(start), np.abs(self.end), swing]) / unit
+        sizes = np.maximum.reduce([np.abs(start), np.abs(self.end), swing, self.most]) / unit
         largest = float(sizes.max(initial=0.0))
         if not (np.isfinite(largest) and largest > 0.0):
             return np.ones(len(start))
@@ -136,6 +141,7 @@ class Flight:
             by_start=self.by_start * sizes / sizes[:, None],
             rates=self.rates * period / sizes,
             period=self.period / period,
+            most=self.most / sizes,
         )
 
 
@@ -147,6 +153,7 @@ def shoot(
     period: float,
     slope: np.ndarray | None,
     names: Sequence[str],
+    tolerance: float,
 ) -> tuple[np.ndarray, Flight, float]:
     """Solve for a state that comes back, in units of their sizes.
 
@@ -166,6 +173,8 @@ def shoot(
         the period is not an unknown.
     names : sequence of str
         Of the states.
+    tolerance : float
+        That of the integration.
 
     Raises
     ------
@@ -181,11 +190,7 @@ def shoot(
     found, weight = first, 1.0
     for _ in range(_ITERATIONS):
         size = float(np.abs(gap).max(initial=0.0))
-        whole = flight.by_start - np.eye(k)
-        right = -gap
-        if slope is not None:
-            whole = np.block([[whole, flight.rates[:, None]], [slope[None], np.zeros((1, 1))]])
-            right = np.append(right, -slope @ (z - begun))
+        whole, right = _equations(flight, gap, slope, z - begun)
         new = None
         while weight < _STUCK:
             # After Levenberg and Marquardt, with a weight that vanishes with the gap: orbits of
@@ -215,9 +220,36 @@ def shoot(
         z, period, flight, found, gap = after, new_period, new, real, new.end - after
         weight *= 0.1
     size = float(np.abs(gap).max(initial=0.0))
-    if not size <= ORBIT_CLOSED * _scale(z):
-        raise _lost(names, z * sizes, gap * sizes, period * guess)
+    for left in range(_LAST, -1, -1):
+        size = float(np.abs(gap).max(initial=0.0))
+        if size <= ORBIT_CLOSED * _scale(z):
+            break
+        # Unstable motion makes a larger gap of what rounding and the integration leave: then the
+        # start is as good as steps to a better one are small.
+        whole, right = _equations(flight, gap, slope, z - begun)
+        step = np.linalg.lstsq(whole, right, rcond=tolerance)[0]
+        open_by = np.abs([*step, *(right - whole @ step)]).max()
+        known = size <= tolerance * float(np.linalg.norm(flight.by_start, 2))
+        if known and open_by <= ORBIT_CLOSED * _scale(z):
+            break
+        if not (known and left):
+            raise _lost(names, z * sizes, gap * sizes, period * guess)
+        z, period = z + step[:k], period + (float(step[k]) if slope is not None else 0.0)
+        found = fly(z * sizes, period * guess)
+        flight = found.scaled(sizes, guess)
+        gap = flight.end - z
     return z * sizes, found, float(np.abs(gap * sizes).max(initial=0.0))
+
+
+def _equations(
+    flight: Flight, gap: np.ndarray, slope: np.ndarray | None, moved: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return the linear equations of a step that closes the gap, in the plane of the search."""
+    whole = flight.by_start - np.eye(len(gap))
+    if slope is None:
+        return whole, -gap
+    whole = np.block([[whole, flight.rates[:, None]], [slope[None], np.zeros((1, 1))]])
+    return whole, np.append(-gap, -slope @ moved)
 
 
 def _scale(z: np.ndarray) -> float:

@@ -13,7 +13,7 @@ from pydy._optional import require
 from pydy.analysis.pictures import plot_eigenvalues, plot_root_locus
 from pydy.analysis.tuning import AT_ONCE, CROSSED, ENTRY, TO_ROUNDING
 
-__all__ = ["Crossing", "EigenvalueSweep", "spectra_of"]
+__all__ = ["Crossing", "EigenvalueSweep", "spectra_of", "with_rounding"]
 
 Models = Callable[[np.ndarray, np.ndarray], np.ndarray]
 
@@ -97,7 +97,8 @@ class EigenvalueSweep:
         """Return where branches cross the imaginary axis, ascending in the parameter.
 
         Each crossing is accurate to rounding, computed from linear models at values in between.
-        Only one of a conjugate pair is listed.
+        Only one of a conjugate pair is listed. Without damping, branches lie on the axis until they
+        meet and one becomes unstable: these points are listed too.
         """
         real, limit = self.eigenvalues.real, self._nothing
         found = []
@@ -109,7 +110,62 @@ class EigenvalueSweep:
                 middle = self.eigenvalues[first : last + 1, branch].imag
                 if middle.mean() > -limit:
                     found.append(self._refined(branch, int(first), int(last)))
+            for inside, out in self._departures(branch):
+                if self.eigenvalues[out, branch].imag > -limit:
+                    found.append(self._departed(branch, inside, out))
         return tuple(sorted(found, key=lambda crossing: crossing.value))
+
+    def _departures(self, branch: int) -> list[tuple[int, int]]:
+        """Return where a branch lies on the axis beside a place where it is unstable."""
+        real, limit = self.eigenvalues[:, branch].real, self._nothing
+        seen = np.flatnonzero(np.abs(real) > limit)
+        found = []
+        for k, place in enumerate(seen):
+            if real[place] < 0.0:
+                continue
+            for way, beyond in ((-1, seen[:k][::-1]), (1, seen[k + 1 :])):
+                last = int(beyond[0]) if len(beyond) else (-1 if way < 0 else len(real))
+                if abs(last - place) > 1 and not (len(beyond) and real[last] < 0.0):
+                    found += self._on_axis(branch, int(place), last, way)
+        return found
+
+    def _on_axis(self, branch: int, place: int, last: int, way: int) -> list[tuple[int, int]]:
+        """Return the next value at which nothing but rounding is left, and the one before it."""
+        for k in range(place + way, last, way):
+            spectrum, rounding = self._spectrum(self.A[k])
+            nearest = np.abs(spectrum - self.eigenvalues[k, branch]).argmin()
+            if abs(spectrum[nearest].real) <= rounding[nearest]:
+                return [(k, k - way)]
+        return []
+
+    def _spectrum(self, A: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        return with_rounding(A[np.ix_(self._active, self._active)])
+
+    def _departed(self, branch: int, inside: int, out: int) -> Crossing:
+        """Return the point between two values at which a branch leaves the axis."""
+        places = [inside, out]
+        ends, states = self.eigenvalues[places, branch], self.equilibria[places]
+        values = self.values[places]
+
+        def near(share: float) -> tuple[complex, bool]:
+            value = values[0] + share * (values[1] - values[0])
+            start = states[0] + share * (states[1] - states[0])
+            spectrum, rounding = self._spectrum(self._models(np.array([value]), start[None])[0])
+            k = np.abs(spectrum - (ends[0] + share * (ends[1] - ends[0]))).argmin()
+            return complex(spectrum[k]), bool(spectrum[k].real > rounding[k])
+
+        low, high = 0.0, 1.0
+        while high - low > TO_ROUNDING:
+            middle = 0.5 * (low + high)
+            low, high = (low, middle) if near(middle)[1] else (middle, high)
+        there = near(high)[0]
+        return Crossing(
+            value=float(values[0] + high * (values[1] - values[0])),
+            eigenvalue=complex(0.0, there.imag),
+            branch=branch,
+            oscillatory=abs(there.imag) > self._nothing,
+            stabilizing=inside > out,
+        )
 
     def _refined(self, branch: int, first: int, last: int) -> Crossing:
         a, b = self.values[first], self.values[last]
@@ -187,6 +243,21 @@ def spectra_of(A: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         parts = [np.linalg.eigvals(block[k : k + AT_ONCE]) for k in range(0, m, AT_ONCE)]
         found[:, : len(active)] = _followed(np.concatenate(parts).astype(complex))
     return found, active
+
+
+def with_rounding(A: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return the eigenvalues of a matrix, and bounds on what rounding does to them.
+
+    They are the condition numbers of the eigenvalues times the rounding of the balanced matrix
+    (Golub & Van Loan, Matrix Computations, §7.2.2).
+    """
+    if not A.size:
+        return np.empty(0, dtype=complex), np.empty(0)
+    balanced = scipy.linalg.matrix_balance(A)[0]
+    found, left, right = scipy.linalg.eig(balanced, left=True, right=True)
+    cosines = np.abs((left.conj() * right).sum(axis=0))
+    unit = 8.0 * len(A) * np.finfo(float).eps * np.linalg.norm(balanced)
+    return found, unit / np.maximum(cosines, np.finfo(float).eps)
 
 
 def _followed(spectra: np.ndarray) -> np.ndarray:

@@ -5,6 +5,7 @@ from __future__ import annotations
 __all__ = [
     "AT_BOUND",
     "AT_ONCE",
+    "BENT",
     "BISECTED",
     "CROSSED",
     "DAMPED",
@@ -15,10 +16,12 @@ __all__ = [
     "MARGIN",
     "NAMED",
     "NAMED_IN_FIT",
+    "NEARLY_STRAIGHT",
     "NEWTON_STEP",
     "NOTHING",
     "ON_BRANCH",
     "ORBIT_CLOSED",
+    "SETTLED",
     "SHORTEST_STEP",
     "SLOW",
     "SOLVABLE",
@@ -61,6 +64,13 @@ TO_ROUNDING = 1e-14
 NEWTON_STEP = 1e-9
 """A step this small, relative to the unknowns, ends Newton's method: its square is rounding."""
 
+BENT, NEARLY_STRAIGHT = 0.3, 0.1
+"""How far residuals may be from those of a line, in units of a step, for it to be taken, and for
+the next to be longer."""
+
+SETTLED = 1e4
+"""A step of implicit Euler, in times of the fastest motion, that is one of Newton's method."""
+
 AT_BOUND = 1e-9
 """How near to a bound a value lies at it, relative to the value."""
 
@@ -97,7 +107,8 @@ SLOW = 1e-6
 # -- periodic orbits -------------------------------------------------------------------------------
 
 ORBIT_CLOSED = 1e-9
-"""The gap of an orbit that is closed, in units of its states: integrations are good to 1e-12."""
+"""The gap of an orbit that is closed, in units of its states, or how near the start then is to one
+that closes, where unstable motion makes more of rounding: integrations are good to 1e-12."""
 
 LEAST_SIZE = 1e-3
 """The least size of a state beside the largest one: a micrometre is closed to 1e-7 of it beside

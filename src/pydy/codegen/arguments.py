@@ -21,18 +21,6 @@ from pydy._kernel import Inputs
 from pydy._mechanics.symbols import find_symbols
 from pydy.inputs import SampledInput
 
-__all__ = [
-    "ConstantsArgument",
-    "SpecifiedsArgument",
-    "SpecifiedsPlan",
-    "checked_expression",
-    "describe",
-    "number",
-    "one_format",
-    "real_array",
-    "symbolic_entries",
-]
-
 ARGUMENT_TYPES = ("array", "dictionary", "function")
 _SPECIFIEDS = "specifieds of the system"
 _USUAL = frozenset((float, FunctionType))
@@ -166,7 +154,7 @@ def one_format(values: Mapping[Any, Any], argument: str) -> tuple[Mapping[Any, A
 
 
 def checked_expression(value: Any, what: str) -> Any:
-    """Return a number or an expression as SymPy's; text is none, which SymPy would read."""
+    """Return a number or an expression as SymPy's; no text, which SymPy would read."""
     infinite = value is sm.oo or value is -sm.oo
     if isinstance(value, (sm.Expr, Boolean)) and not (
         infinite or getattr(value, "is_Matrix", False)
@@ -461,7 +449,7 @@ _TOLD: WeakSet[Any] = WeakSet()  # code of functions whose users have been warne
 
 
 def _is_swapped(function: Callable[..., Any], time_first: bool) -> bool:
-    """Return whether the names of a function's arguments say that it takes them the other way."""
+    """Tell whether a function's arguments are named the other way around."""
     timelike = [name in ("t", "time") for name in _argument_names(function)[:2]]
     return timelike == ([False, True] if time_first else [True, False])
 

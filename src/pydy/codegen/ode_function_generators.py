@@ -71,7 +71,7 @@ def generate_ode_function(
     specifieds : sequence of functions of time, optional
         In the order of the array r. Without any, the function is called without r.
     outputs : Matrix or sequence of expressions, optional
-        Evaluated beside the derivatives. They may contain the derivatives of the states.
+        Evaluated together with the derivatives. They may contain the derivatives of the states.
     linear_sys_solver : {'builtin', 'numpy', 'scipy', 'sympy', 'sympy:METHOD'} or callable, optional
         What solves for the derivatives in [2] and [3]: by default LU with partial pivoting in the
         compiled code. 'sympy' solves symbolically first. A callable is used as ``solve(A, b)``.

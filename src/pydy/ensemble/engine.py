@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
+from concurrent.futures import FIRST_COMPLETED, Executor, Future, ThreadPoolExecutor, wait
 from dataclasses import dataclass
 from math import prod
-from threading import Event, Lock
+from threading import Event, Lock, Thread
 from typing import Any
 from uuid import uuid4
 
@@ -18,12 +18,17 @@ from pydy._errors import EnsembleInterrupted, warn_user
 from pydy._optional import require
 from pydy.ensemble import store as stores
 from pydy.ensemble.identity import UnidentifiedError
-from pydy.ensemble.labels import Form, Variable, check_forms, to_dataset
-from pydy.ensemble.samples import Block, Samples, block_sizes
+from pydy.ensemble.samples import (
+    Block,
+    Form,
+    Samples,
+    Variable,
+    block_sizes,
+    check_forms,
+    to_dataset,
+)
 from pydy.ensemble.work import Work
 from pydy.solvers.outcome import NOT_COMPUTED
-
-__all__ = ["Ensemble"]
 
 _LEAST = 64  # samples in a block: fewer leave lanes idle at its end for too long
 _ENDED: set[str] = set()  # runs of Dask in this process that have ended, or were interrupted
@@ -32,26 +37,13 @@ _ONE_BY_ONE = 8  # samples in a block: an interrupt keeps the finished ones
 
 @dataclass(frozen=True, eq=False)
 class Ensemble:
-    """An ensemble that is ready to run.
-
-    Attributes
-    ----------
-    work : Work
-    samples : Samples
-    sizes : tuple of int
-        Of blocks, along each dimension.
-    attrs : dict
-        Of the Dataset.
-    workers : int or None
-        Number of threads; None for one for each processor.
-    progress : bool
-    """
+    """An ensemble that is ready to run."""
 
     work: Work
     samples: Samples
-    sizes: tuple[int, ...]
-    attrs: dict[str, Any]
-    workers: int | None = None
+    sizes: tuple[int, ...]  # of blocks, along each dimension
+    attrs: dict[str, Any]  # of the Dataset
+    workers: int | None = None  # number of threads; None for one for each processor
     progress: bool = False
 
     # -- in memory ----------------------------------------------------------------------------
@@ -139,13 +131,14 @@ class Ensemble:
     ) -> None:
         """Call ``do(block, stop)`` for each block; it ends soon when ``stop()`` is true."""
         stop, bar = Event(), self._bar(blocks)
-        workers = self._threads()
+        workers = _startable(min(self._threads(), len(blocks)))
+        most = max(1, 2 * workers)
         todo = iter(blocks)
         running: dict[Future[None], Block] = {}
-        with ThreadPoolExecutor(max_workers=workers, thread_name_prefix="ensemble") as pool:
+        with ThreadPoolExecutor(workers, "ensemble") if workers else _Here() as pool:
             try:
                 while True:
-                    while len(running) < 2 * workers and (block := next(todo, None)) is not None:
+                    while len(running) < most and (block := next(todo, None)) is not None:
                         running[pool.submit(do, block, stop.is_set)] = block
                     if not running:
                         break
@@ -277,6 +270,35 @@ def _processors() -> int:
     if hasattr(os, "sched_getaffinity"):
         return len(os.sched_getaffinity(0))
     return os.cpu_count() or 1
+
+
+def _startable(number: int) -> int:
+    """Return how many threads can be started, up to a number of them."""
+    end, started = Event(), []
+    try:
+        for _ in range(number):
+            thread = Thread(target=end.wait)
+            thread.start()
+            started.append(thread)
+    except RuntimeError:  # the system's limit
+        pass
+    finally:
+        end.set()
+        for thread in started:
+            thread.join()
+    return len(started)
+
+
+class _Here(Executor):
+    """Calls functions at once in the calling thread, where no other can be started."""
+
+    def submit(self, fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
+        future: Future[Any] = Future()
+        try:
+            future.set_result(fn(*args, **kwargs))
+        except Exception as error:  # noqa: BLE001 - the caller asks the future
+            future.set_exception(error)
+        return future
 
 
 def _compute(work: Work, samples: Samples, forms: dict[str, Form]) -> dict[str, np.ndarray]:

@@ -30,8 +30,6 @@ from typing import Any
 
 import numpy as np
 
-__all__ = ["UnidentifiedError", "fingerprint"]
-
 _STANDARD = Path(sysconfig.get_paths()["stdlib"])
 _INSTALLED = {"site-packages", "dist-packages"}
 _GLOBALS = {"LOAD_GLOBAL", "LOAD_NAME", "LOAD_FROM_DICT_OR_GLOBALS"}

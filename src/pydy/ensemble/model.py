@@ -15,47 +15,119 @@ from pydy._backends.registry import compile_program
 from pydy._graph.program import Program
 from pydy._graph.split import SplitProgram
 from pydy._kernel import Inputs, Kernel, KernelCall
-from pydy.ensemble.columns import EnsembleSensitivities
+from pydy.analysis.dependence import follow
 from pydy.solvers.options import Options
-from pydy.solvers.outcome import FINISHED
+from pydy.solvers.outcome import DEPENDENTS_NOT_GIVEN, FINISHED
+from pydy.solvers.sensitivities import CompiledSensitivities, Sized, scales_of
 from pydy.solvers.tuning import LANES
 
-__all__ = ["Model", "Results", "evaluate_output_columns", "evaluate_outputs", "run"]
+# -- Sensitivities of an ensemble: Programs and numbers, which travel to wherever it is integrated -
+
+
+@dataclass(frozen=True, eq=False)
+class EnsembleSensitivities:
+    """Derivatives of all trajectories by the same parameters."""
+
+    names: tuple[str, ...]  # of the columns that are wanted, k; the others, up to K, are zero
+    rates: SplitProgram  # the derivatives of states and columns by time
+    outputs: Program | None  # the derivatives of the outputs, shape (o, K)
+    start: np.ndarray  # (n, K): those of the initial states; zero for the dependent ones
+    dependent: tuple[int, ...]  # the places of the initial conditions that follow from the others
+    gradients: tuple[Program, ...]  # the derivatives of each block of constraints by the states
+    unknowns: tuple[range, ...]  # the places of the states that each block is solved for
+    residuals: Program | None  # the derivatives of the constraints, shape (c, K)
+    unsolved: str  # what to say where the dependent ones do not follow
+    # (places, SampledInput): the derivatives of sampled inputs by their samples, at the end
+    # of r
+    sampled: tuple[tuple[np.ndarray, Any], ...]
+    # the parameters, where the step control looks at the sensitivities
+    sized: tuple[Sized, ...] | None
+    jumps: tuple[Program, ...]  # what each event does
+
+    @property
+    def programs(self) -> list[Any]:
+        """All Programs."""
+        return [self.rates, self.outputs, self.residuals, *self.gradients, *self.jumps]
+
+    @property
+    def lanes(self) -> SplitProgram:
+        """The derivatives by time, of the wanted columns alone."""
+        rates = self.rates
+        return replace(rates, directions=rates.directions[:, : len(self.names)])
+
+    @property
+    def identity(self) -> Any:
+        """What tells it from others, besides the Programs."""
+        samples = [(c, s.breaks, s.values, s.interpolation) for c, s in self.sampled]
+        return self.names, self.start, self.dependent, samples, self.sized
+
+    @property
+    def further(self) -> int:
+        """How many inputs r has at its end."""
+        return sum(len(places) for places, _ in self.sampled)
+
+    def beginning(
+        self,
+        x: np.ndarray,
+        t: float,
+        inputs: Inputs,
+        p: np.ndarray,
+        kernel: Callable[[Program], Kernel],
+    ) -> tuple[int, np.ndarray]:
+        """Return the sensitivities of one sample at the beginning, shape (n, K).
+
+        Before them comes a code of `outcome`: whether there are any.
+        """
+        values = self.start.copy()
+        if self.gradients:
+            assert self.residuals is not None
+            r, at, p = inputs(x, t)[None], np.array([t]), np.ascontiguousarray(p)
+            s = self.gradients[0].num_specifieds
+            rows = [kernel(g).evaluate(at, x[None], r[:, :s], p)[0][0] for g in self.gradients]
+            gradients = [row.reshape(-1, len(x)) for row in rows]
+            whole = np.concatenate([x, values.ravel()])
+            moved = kernel(self.residuals).evaluate(at, whole[None], r, p)[0][0]
+            if not follow(values, gradients, moved, self.unknowns, self.dependent):
+                return DEPENDENTS_NOT_GIVEN, values
+        return FINISHED, values
+
+    def compiled(
+        self, x: np.ndarray, r: np.ndarray, p: np.ndarray, kernel: Callable[[Program], Kernel]
+    ) -> CompiledSensitivities:
+        """Return what the solver needs to know of one sample."""
+        n, columns = self.start.shape
+        scales = None if self.sized is None else scales_of(self.sized, x, r, p, columns)
+
+        def constraints() -> Kernel:
+            assert self.residuals is not None
+            return kernel(self.residuals)
+
+        return CompiledSensitivities(
+            n, columns, len(self.names), scales, lambda k: kernel(self.jumps[k]), constraints
+        )
+
+
+# -- The model -------------------------------------------------------------------------------------
 
 
 @dataclass(frozen=True, eq=False)
 class Model:
-    """A model with the options of its integration.
+    """A model with the options of its integration."""
 
-    Attributes
-    ----------
-    rates : Program
-        The derivatives of the states.
-    outputs : Program or None
-    states, output_names : tuple of str
-    method : str
-        The name of a native solver.
-    options : Options
-    times : ndarray
-    sampled : tuple of (columns, SampledInput)
-        The entries of r that are samples in time, the same for all members of the ensemble.
-    functions : tuple of (columns, function)
-        The entries of r given by Python functions ``g(x, t)``, which are called at each evaluation.
-    jacobian : Program or None
-        ∂f/∂x, for an implicit method.
-    sensitivities : EnsembleSensitivities or None
-    """
-
-    rates: Program
+    rates: Program  # the derivatives of the states
     outputs: Program | None
     states: tuple[str, ...]
     output_names: tuple[str, ...]
-    method: str
+    method: str  # the name of a native solver
     options: Options
     times: np.ndarray
+    # (columns, SampledInput): the entries of r that are samples in time, the same for all
+    # members of the ensemble
     sampled: tuple[tuple[np.ndarray, Any], ...] = ()
+    # (columns, function): the entries of r given by Python functions ``g(x, t)``, which are
+    # called at each evaluation
     functions: tuple[tuple[np.ndarray, Callable[..., Any]], ...] = ()
-    jacobian: Program | None = None
+    jacobian: Program | None = None  # ∂f/∂x, for an implicit method
     sensitivities: EnsembleSensitivities | None = None
 
     @property
@@ -69,30 +141,18 @@ class Model:
 
 @dataclass(eq=False)
 class Results:
-    """The results of m samples.
+    """The results of m samples."""
 
-    Attributes
-    ----------
-    states : ndarray, shape (n, m, times)
-    steps, rejected, evaluations, status : ndarray of int64, shape (m,)
-    end_time : ndarray, shape (m,)
-        The time up to which each was integrated.
-    events : list
-        For each sample, pairs of the number of an event and its time; empty without events.
-    columns : ndarray, shape (n, k, m, times), or None
-        Sensitivities of the states.
-    moments : list
-        For each sample, the derivatives (k,) of the times of its events.
-    """
-
-    states: np.ndarray
-    steps: np.ndarray
+    states: np.ndarray  # (n, m, times)
+    steps: np.ndarray  # steps, rejected, evaluations, status: int64, (m,)
     rejected: np.ndarray
     evaluations: np.ndarray
     status: np.ndarray
-    end_time: np.ndarray
+    end_time: np.ndarray  # (m,): the time up to which each was integrated
+    # for each sample, pairs of the number of an event and its time; empty without events
     events: list[list[tuple[int, float]]] = field(default_factory=list)
-    columns: np.ndarray | None = None
+    columns: np.ndarray | None = None  # (n, k, m, times): sensitivities of the states
+    # for each sample, the derivatives (k,) of the times of its events
     moments: list[list[np.ndarray]] = field(default_factory=list)
 
 
@@ -319,7 +379,7 @@ def _run_one_by_one(
     states: np.ndarray,
 ) -> Results:
     """Integrate with the solver of single trajectories."""
-    from pydy._errors import IntegrationError, warn_user
+    from pydy._errors import IntegrationError
     from pydy.solvers.run.integration import Integration
 
     (m, n), beside = x.shape, model.sensitivities
@@ -330,7 +390,7 @@ def _run_one_by_one(
     counts = [np.zeros(m, dtype=np.int64) for _ in range(4)]
     states[:] = np.nan
     results = Results(states, counts[0], counts[1], counts[2], counts[3], np.full(m, times[0]))
-    jacobian, passage = model.jacobian, ""
+    jacobian = model.jacobian
     for k in range(m):
         if stopped():
             raise KeyboardInterrupt
@@ -352,13 +412,10 @@ def _run_one_by_one(
         try:
             found = one.run(x[k])
             info = one.info()
-            passage = passage or one.passage()
         except IntegrationError as error:
             found, info = one.reached(), error.info
         results.states[:, k, : len(found)] = found.T
         _take(results, k, info)
-    if passage:
-        warn_user(f"In one sample or more {passage}")
     return results
 
 

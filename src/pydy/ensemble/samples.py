@@ -1,4 +1,4 @@
-"""The numbers of an ensemble, along named dimensions, and their division into blocks."""
+"""What goes into an ensemble and what comes out: arrays along named dimensions, in blocks."""
 
 from __future__ import annotations
 
@@ -11,22 +11,98 @@ from typing import Any
 import numpy as np
 
 from pydy._checks import shown
+from pydy._optional import require
 
-__all__ = ["Block", "Coordinate", "Samples", "block_sizes"]
+# -- What comes out, as an `xarray.Dataset` -------------------------------------------------------
+
+
+PARAMETER, QUANTITY = "parameter", "quantity"  # the dimensions of sensitivities
+
+
+@dataclass(frozen=True, eq=False)
+class Variable:
+    """An array with names for its axes."""
+
+    dims: tuple[Any, ...]
+    values: Any  # of NumPy or Dask
+    attrs: dict[str, Any] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Form:
+    """The form that the results of all samples share."""
+
+    sizes: dict[str, int]  # of the axes after those of the samples, in order
+    dtype: np.dtype[Any]
+
+    @classmethod
+    def of(cls, dims: Sequence[Any], shape: Sequence[int], dtype: Any, first: int) -> Form:
+        """Return the form of an array whose axes before `first` are those of samples."""
+        return cls(dict(zip(map(str, dims[first:]), shape[first:], strict=True)), np.dtype(dtype))
+
+    def __str__(self) -> str:
+        return f"{self.dtype} along {self.sizes}" if self.sizes else f"{self.dtype}"
+
+
+def check_forms(
+    found: Mapping[str, Variable], expected: Mapping[str, Form], samples: Sequence[Any]
+) -> None:
+    """Raise if results do not match those of other samples: assigning would broadcast them.
+
+    Parameters
+    ----------
+    found : mapping
+    expected : mapping
+        The forms of all variables.
+    samples : sequence of str
+        The sample dimensions.
+    """
+    rule = "`reduce` must return the same variables for all blocks of samples"
+    for name in dict.fromkeys((*expected, *found)):
+        if name not in found or name not in expected:
+            raise ValueError(f"{rule}: `{name}` exists for some samples only.")
+        v, form = found[name], expected[name]
+        own = Form.of(v.dims, v.values.shape, v.values.dtype, len(samples))
+        if list(own.sizes.items()) != list(form.sizes.items()) or not np.can_cast(
+            own.dtype, form.dtype
+        ):
+            raise ValueError(f"{rule}: `{name}` is {form} for some, {own} for others.")
+
+
+def to_dataset(
+    variables: Mapping[str, Variable],
+    coordinates: Mapping[str, Coordinate],
+    times: np.ndarray,
+    attrs: Mapping[str, Any] | None = None,
+    labels: Mapping[str, Sequence[str]] | None = None,
+) -> Any:
+    """Return the Dataset of some variables; it has times only where a variable does.
+
+    The same goes for the labels of other dimensions.
+    """
+    xarray = require("xarray", "ensemble", "System.integrate_ensemble")
+    coords: dict[str, Any] = {
+        name: (c.dims, c.values, dict(c.attrs)) for name, c in coordinates.items()
+    }
+    if any("time" in v.dims for v in variables.values()):
+        coords["time"] = ("time", times)
+    along = {d for v in variables.values() for d in v.dims}
+    for dim, names in (labels or {}).items():
+        if dim in along:
+            coords[dim] = (dim, list(names))
+    data = {name: (v.dims, v.values, dict(v.attrs)) for name, v in variables.items()}
+    return xarray.Dataset(data, coords, dict(attrs or {}))
+
+
+# -- What goes in ----------------------------------------------------------------------------------
+
 
 Block = tuple[slice, ...]
 
 
 @dataclass(frozen=True, eq=False)
 class Coordinate:
-    """Values that distinguish samples, for the labels of results.
-
-    Attributes
-    ----------
-    dims : tuple of str
-    values : ndarray
-    attrs : dict
-    """
+    """Values that distinguish samples, for the labels of results."""
 
     dims: tuple[str, ...]
     values: np.ndarray
@@ -35,19 +111,11 @@ class Coordinate:
 
 @dataclass(frozen=True, eq=False)
 class Samples:
-    """Initial states, specifieds and constants of all samples.
+    """Initial states, specifieds and constants of all samples."""
 
-    Attributes
-    ----------
-    dims : dict of str to int
-        Names and sizes of the sample dimensions, in order.
-    x, r, p : tuple of ndarray
-        One array for each state, specified or constant, with one axis for each dimension, of its
-        size, or of size 1 where the value does not depend on it.
-    coordinates : dict of str to Coordinate
-    """
-
-    dims: dict[str, int]
+    dims: dict[str, int]  # names and sizes of the sample dimensions, in order
+    # x, r, p: one array for each state, specified or constant, with one axis for each
+    # dimension, of its size, or of size 1 where the value does not depend on it
     x: tuple[np.ndarray, ...]
     r: tuple[np.ndarray, ...]
     p: tuple[np.ndarray, ...]

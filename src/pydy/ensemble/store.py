@@ -6,7 +6,10 @@ decoded; anything else may be incomplete or damaged, and is written again.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+import os
+import re
+import tempfile
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from threading import Lock
 from typing import Any
@@ -15,16 +18,66 @@ import numpy as np
 
 from pydy._optional import require
 from pydy._version import __version__
-from pydy.ensemble.file_names import file_names
 from pydy.ensemble.identity import fingerprint
-from pydy.ensemble.labels import Form, Variable, check_forms
-from pydy.ensemble.samples import Block, Samples
+from pydy.ensemble.samples import Block, Form, Samples, Variable, check_forms
 from pydy.ensemble.work import Work
 from pydy.solvers.outcome import NOT_COMPUTED
 
-__all__ = ["check", "create", "missing", "opened", "token_of", "write", "write_coordinates"]
+# -- Directory names for variables: each array of a store is a directory ---------------------------
+# Zarr reads ``\`` as ``/`` and creates a directory for each part. Windows allows neither some
+# characters nor files called ``aux``; there and on macOS, ``q`` and ``Q`` are the same file. The
+# names of arrays avoid all of this on every system, so that a store can be written anywhere and
+# copied anywhere.
 
-_TOKEN, _READY = "pydy_ensemble", "pydy_ready"
+
+# Not in names of files on some system; blanks separate the names in the attribute `coordinates`.
+_REFUSED = re.compile(r'[\x00-\x1f<>:"/\\|?*\s]')
+_DEVICE = re.compile(r"(aux|con|nul|prn|com\d|lpt\d)(\..*)?")
+_OF_ZARR = "zarr.json"
+
+
+def file_names(names: Iterable[str]) -> dict[str, str]:
+    r"""Return a file name for each name; the same one if it is valid everywhere.
+
+    Examples
+    --------
+    >>> from pydy.ensemble.store import file_names
+    >>> file_names(["q", "Q", "\\theta", "aux"])
+    {'q': 'q', 'Q': 'Q_2', '\\theta': '_theta', 'aux': '_aux'}
+    """
+    given = list(dict.fromkeys(names))
+    plain = {name for name in given if _serves(name)}
+    found: dict[str, str] = {}
+    taken: set[str] = set()
+    for name in sorted(given, key=lambda name: name not in plain):  # these keep theirs if they can
+        stem = name if name in plain else _REFUSED.sub("_", name).strip(".")
+        if not _serves(stem):
+            stem = "_" + stem.lstrip("_")
+        chosen, number = stem, 2
+        while chosen.casefold() in taken:
+            chosen = f"{stem}_{number}"
+            number += 1
+        taken.add(chosen.casefold())
+        found[name] = chosen
+    return {name: found[name] for name in given}
+
+
+def _serves(name: str) -> bool:
+    folded = name.casefold()
+    return not (
+        _REFUSED.search(name)
+        or name.endswith(".")
+        or name.startswith((".", "__"))
+        or folded == _OF_ZARR
+        or _DEVICE.fullmatch(folded)
+        or not name
+    )
+
+
+# -- The store -------------------------------------------------------------------------------------
+
+
+_TOKEN = "pydy_ensemble"
 _VARIABLES, _COORDINATES = "pydy_variables", "pydy_coordinates"
 _FILES = "pydy_names"  # in the store, of those variables and dimensions that have another one there
 _LABELS = "pydy_labels"
@@ -90,6 +143,11 @@ def check(path: str, token: str, resume: bool) -> bool:
         The path contains something else, or an array of the store is lost.
     """
     if not Path(path).exists():
+        target = Path(os.path.realpath(path))
+        above = next(folder for folder in target.parents if folder.exists())
+        if target.is_symlink() or not above.is_dir():
+            reason = "is a link that leads to itself" if target.is_symlink() else "is below a file"
+            raise ValueError(f"`store` must be a new path, got '{path}', which {reason}.")
         return False
     if not resume:
         raise ValueError(
@@ -109,8 +167,6 @@ def check(path: str, token: str, resume: bool) -> bool:
             "another path. If only the code of functions differs, but not their results, name them "
             "yourself in both calls, resume='name', instead of True."
         )
-    if not attrs.get(_READY):
-        return False
     for name in (*attrs[_VARIABLES], *attrs[_COORDINATES]):
         try:
             _stored(group, name)
@@ -130,7 +186,7 @@ def create(
     sizes: Sequence[int],
     labels: Mapping[str, Sequence[str]],
 ) -> None:
-    """Make a store with all coordinates and no results yet.
+    """Make a store with all coordinates and no results yet; it is there as a whole, or not at all.
 
     Parameters
     ----------
@@ -139,6 +195,23 @@ def create(
     labels : mapping
         Of further dimensions. They are attributes: Zarr has no settled form for arrays of text.
     """
+    target = Path(os.path.realpath(path))
+    target.parent.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory(prefix=".pydy-", dir=target.parent) as folder:
+        aside = Path(folder, target.name)
+        _fill(str(aside), token, example, samples, sizes, labels)
+        os.rename(aside, target)  # refused where another process was first
+
+
+def _fill(
+    path: str,
+    token: str,
+    example: Any,
+    samples: Samples,
+    sizes: Sequence[int],
+    labels: Mapping[str, Sequence[str]],
+) -> None:
+    """Write groups, arrays and coordinates of a new store."""
     zarr = require("zarr", "ensemble", "`store`")
     files = file_names(map(str, (*example.variables, *example.dims)))
     about = {
@@ -164,7 +237,6 @@ def create(
     coordinates = " ".join(files[name] for name in samples.coordinates)
     group.attrs.update({**example.attrs, "coordinates": coordinates})
     write_coordinates(path, samples, example.coords.get("time"))
-    group.attrs[_READY] = True
 
 
 def opened(path: str, chunks: Any) -> Any:
@@ -205,7 +277,7 @@ def _array(
 
 
 def write_coordinates(path: str, samples: Samples, times: Any) -> None:
-    """Write the coordinates, but for those that are there."""
+    """Write the coordinates that are not there yet."""
     group = require("zarr", "ensemble", "`store`").open_group(path, mode="r+")
     for name in group.attrs[_COORDINATES]:
         values = np.asarray(

@@ -9,12 +9,10 @@ from typing import Any
 import numpy as np
 
 from pydy._checks import shown
-from pydy.ensemble.labels import PARAMETER, QUANTITY, SENSITIVITY, Variable, to_dataset
+from pydy._dataset import SENSITIVITY
 from pydy.ensemble.model import Model, Results, evaluate_output_columns, evaluate_outputs, run
-from pydy.ensemble.samples import Samples
+from pydy.ensemble.samples import PARAMETER, QUANTITY, Samples, Variable, to_dataset
 from pydy.solvers.outcome import OUTCOMES
-
-__all__ = ["COUNTS", "Extreme", "Reduction", "Work", "read_reductions"]
 
 COUNTS = ("steps", "rejected", "evaluations", "status", "end_time")
 """What the result tells of each sample beside its states and outputs."""
@@ -125,20 +123,11 @@ def _refuse_twice(produced: Sequence[tuple[str, Reduction]]) -> None:
 
 @dataclass(frozen=True, eq=False)
 class Work:
-    """What is done with each block; this travels to the workers.
-
-    Attributes
-    ----------
-    model : Model
-    reductions : tuple
-        Nothing: all times are kept.
-    attrs : dict of str to dict
-        Attributes of variables, by name.
-    """
+    """What is done with each block; this travels to the workers."""
 
     model: Model
-    reductions: tuple[Reduction, ...]
-    attrs: dict[str, dict[str, Any]]
+    reductions: tuple[Reduction, ...]  # none: all times are kept
+    attrs: dict[str, dict[str, Any]]  # attributes of variables, by name
 
     @property
     def function(self) -> Callable[[Any], Any] | None:

@@ -276,7 +276,7 @@ def derive() -> Bicycle:
         (S, w_B),
         (K, w_H),
         (H, w_H),
-        # A wheel moves with its frame but for the spin about the axle, which is a speed of its own.
+        # A wheel moves with its frame and spins about the axle, with a speed of its own.
         (R, w_E + (omega_R - w_E.dot(E.y)) * E.y),
         (F, w_H + (omega_F - w_H.dot(K.y)) * K.y),
     ):

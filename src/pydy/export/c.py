@@ -9,16 +9,6 @@ from dataclasses import replace
 from pydy._backends.c.source import c_functions
 from pydy.export.model import Model, Variable
 
-__all__ = [
-    "c_comment",
-    "c_header",
-    "c_literal",
-    "c_model_source",
-    "c_string",
-    "functions_of",
-    "with_c_names",
-]
-
 # What any header may define: macros are written in capitals. Those in small letters are reserved
 # in all formats; B0 and the like are in termios.h.
 _MACRO = re.compile(

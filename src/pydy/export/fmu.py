@@ -26,13 +26,10 @@ from pydy._files import replacing
 from pydy._processes import started
 from pydy._version import __version__
 from pydy.export.c import c_header, c_literal, c_model_source, c_string
-from pydy.export.model import Model, Variable
-from pydy.export.resources import resource
-from pydy.solvers.run.layout import ALPHA, BETA, EXPONENT, GROW, SAFETY, SHRINK
+from pydy.export.model import Model, Variable, resource
+from pydy.solvers.core.declarations import included, layout_header
+from pydy.solvers.run.layout import DEPTH
 from pydy.solvers.run.methods import method_arrays
-from pydy.solvers.tableaus import tableau_of
-
-__all__ = ["compiler", "model_description", "write_fmu"]
 
 _METHOD = "dop853"
 _TOLERANCE = 1e-10
@@ -76,11 +73,17 @@ def write_fmu(model: Model, path: Path, fmi: str, binary: bool) -> None:
 
 def _sources(model: Model, fmi: str) -> dict[str, str]:
     interface, head = f"fmi{fmi[0]}.c", [f"{model.title}: exported by pydy {__version__}."]
-    return {
-        "all.c": f'#include "{interface}"\n#include "model.c"\n',
-        interface: resource(interface),
+    loop = {
         "fmu_core.c": resource("fmu_core.c"),
         "fmu_solver.c": resource("fmu_solver.c"),
+        **included("advance.c", "scan_events.c"),
+    }
+    return {
+        # The model's text must not meet the macros of the loop.
+        "all.c": "".join(f'#include "{name}"\n' for name in ("config.h", "model.c", interface)),
+        interface: resource(interface),
+        **loop,
+        "layout.h": layout_header("\n".join(loop.values()), plain=True),
         "config.h": "\n".join([c_header(model, head), *_config(model)]),
         "model.c": c_model_source(model, head),
     }
@@ -98,27 +101,18 @@ def _config(model: Model) -> Iterator[str]:
         "NP": len(model.constants),
         "NE": len(model.events),
     }
-    tableau, arrays = tableau_of(_METHOD), method_arrays(_METHOD, 1)
-    sizes["NSTAGES"] = len(tableau.stages)
-    sizes["NERRORS"] = len(tableau.errors)
-    sizes["NDENSE"] = len(tableau.dense_stages)
-    sizes["NINTERPOLANT"] = len(tableau.interpolant)
+    arrays = method_arrays(_METHOD, len(model.states))
+    sizes["NVECTORS"], sizes["NPARTS"] = len(arrays.nodes), int(arrays.shape[DEPTH])
     for name, size in sizes.items():
         yield f"#define {name} {size}"
     yield f"#define NPREPARED {model.name.upper()}_PREPARED"
-    for name, place in (
-        ("EXPONENT", EXPONENT), ("ALPHA", ALPHA), ("BETA", BETA), ("SAFETY", SAFETY),
-        ("SHRINK", SHRINK), ("GROW", GROW),
-    ):  # fmt: skip
-        yield f"#define {name} {c_literal(arrays.control[place])}"
-    yield _array("int", "ROWS", arrays.rows.tolist())
-    yield _array("int", "STAGES", arrays.offsets.tolist())
-    yield _array("double", "WEIGHTS", arrays.weights.tolist())
-    yield _array("double", "NODES", arrays.nodes.tolist())
+    for name, array in arrays._asdict().items():
+        kind = "double" if array.dtype == float else "int64_t"
+        yield _array(kind, f"METHOD_{name.upper()}", array.tolist())
     events = model.events
-    yield _array("int", "DIRECTIONS", events.directions)
-    yield _array("int", "TERMINAL", map(int, events.terminal))
-    yield _array("int", "ACTING", map(int, events.acting))
+    yield _array("int64_t", "EVENT_DIRECTIONS", events.directions)
+    yield _array("int64_t", "EVENT_TERMINAL", map(int, events.terminal))
+    yield _array("int64_t", "EVENT_ACTING", map(int, events.acting))
     yield ""
 
 
@@ -177,7 +171,8 @@ def _library(sources: dict[str, str], fmi: str, suffix: str) -> bytes:
         else:
             # All code of Windows can be moved, and its C library has the mathematical functions.
             unix = suffix != ".dll"
-            command += ["-std=c99", "-O2", "-fvisibility=hidden", "-shared", "-o", result, "all.c"]
+            command += ["-std=c99", "-O2", "-ffp-contract=off", "-fvisibility=hidden"]
+            command += ["-shared", "-o", result, "all.c"]
             command += ["-fPIC", "-lm"] if unix else []
         try:
             with started(command, cwd=folder) as process:
@@ -192,7 +187,7 @@ def _library(sources: dict[str, str], fmi: str, suffix: str) -> bytes:
 
 
 def _platform(fmi: str) -> tuple[str, str]:
-    """Return what FMI calls this platform, and its suffix of libraries."""
+    """Name this platform as FMI does, with its suffix of libraries."""
     system = {"win32": "windows", "darwin": "darwin"}.get(sys.platform, "linux")
     suffix = {"windows": ".dll", "darwin": ".dylib", "linux": ".so"}[system]
     machine = platform.machine().lower()

@@ -7,12 +7,23 @@ import re
 import unicodedata
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cache
+from importlib.resources import files
 from pathlib import Path
 
 from pydy._forks import cached_property
 from pydy._graph.program import Program
 
-__all__ = ["EventData", "Exported", "Model", "Variable", "identifiers", "with_inputs"]
+# -- The hand-written parts of what is exported ----------------------------------------------------
+
+
+@cache
+def resource(name: str) -> str:
+    """Return the text of a file in `templates`."""
+    return (files("pydy.export") / "templates" / name).read_text(encoding="utf-8")
+
+
+# -- The model -------------------------------------------------------------------------------------
 
 
 @dataclass(frozen=True)

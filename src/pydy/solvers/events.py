@@ -47,7 +47,9 @@ class Event:
     Notes
     -----
     Signs are compared at the ends of four parts of each step: an expression that only touches zero,
-    or crosses and returns within such a part, is not detected.
+    or crosses and returns within such a part, is not detected. Where an expression that had a sign
+    becomes NaN, as ``sqrt(q)`` does where q passes zero, the integration ends with an error; one
+    that is NaN at first is watched from where it is a number on.
 
     An expression that is exactly zero at the first or the last time is an event there. At the first
     time it is only recorded, regardless of `reset` and `terminal`: the initial conditions are the

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, TypedDict
 
 import numpy as np
 
-from pydy._checks import number, real_array
+from pydy._checks import number, real_array, whole
 from pydy._names import nearest
 from pydy.solvers.adjoint.recording import Recording
 from pydy.solvers.events import CompiledEvents
@@ -18,7 +18,14 @@ from pydy.solvers.sensitivities import CompiledSensitivities
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
-__all__ = ["Options", "SolverOptions", "StepOptions", "check_option_names", "read_options"]
+__all__ = [
+    "Options",
+    "SolverOptions",
+    "StepOptions",
+    "check_option_names",
+    "check_scipy_options",
+    "read_options",
+]
 
 _DEFAULT = 1.49012e-8  # odeint's: the square root of the rounding unit
 
@@ -140,6 +147,9 @@ _SAME = (
 )
 
 
+_OPTIONAL = {"rtol", "atol", "tcrit", "ml", "mu", "lband", "uband", "first_step"}  # may be None
+
+
 def check_option_names(solver: str, names: Iterable[str], given: Mapping[str, Any]) -> None:
     """Raise for an option that a solver does not have, and suggest the nearest one."""
     names = sorted(names)
@@ -151,6 +161,22 @@ def check_option_names(solver: str, names: Iterable[str], given: Mapping[str, An
             f"`{solver}` has no option `{unknown[0]}`; its options are {', '.join(names)}. "
             f"{hint or nearest(unknown[0], names, or_all=False)}".rstrip()
         )
+
+
+def check_scipy_options(given: Mapping[str, Any]) -> dict[str, Any]:
+    """Return options of SciPy's solvers, or say which is no number; SciPy's own errors do not."""
+    checked = dict(given)
+    for name, value in given.items():
+        what = f"`{name}`"
+        if name in _OPTIONAL and value is None:
+            continue
+        if name in ("rtol", "atol", "tcrit"):
+            checked[name] = real_array(value, what)
+        elif name in ("hmax", "hmin", "h0", "first_step", "max_step", "min_step"):
+            checked[name] = number(value, what)
+        elif name in ("mxstep", "mxhnil", "mxordn", "mxords", "ml", "mu", "lband", "uband"):
+            checked[name] = whole(value, what, 0)
+    return checked
 
 
 def _check_kinds(given: Mapping[str, Any]) -> None:

@@ -11,11 +11,14 @@ from typing import NamedTuple
 __all__ = [
     "CONSTRAINTS_NOT_MET",
     "DEPENDENTS_NOT_GIVEN",
+    "ENERGY_CHANGED",
     "EVENTS_ACCUMULATE",
     "EVENT_CONSTANT",
     "EVENT_GRAZES",
+    "EVENT_UNDEFINED",
     "FINISHED",
     "INTERRUPTED",
+    "LEFT_CONSTRAINTS",
     "NOT_COMPUTED",
     "NOT_FINITE",
     "NO_CONVERGENCE",
@@ -39,7 +42,7 @@ FINISHED, TOO_MANY_STEPS, STEP_UNDERFLOW, SINGULAR, NOT_FINITE, TERMINATED = ran
 CONSTRAINTS_NOT_MET, NO_CONVERGENCE, EVENTS_ACCUMULATE, START_OFF_CONSTRAINTS = range(6, 10)
 INTERRUPTED, TOLERANCE_TOO_SMALL, EVENT_CONSTANT, RESET_NOT_FINITE = range(10, 14)
 SINGULAR_CONFIGURATION, EVENT_GRAZES, SPEEDS_NOT_GIVEN, DEPENDENTS_NOT_GIVEN = range(14, 18)
-RESET_OFF_CONSTRAINTS = 18
+RESET_OFF_CONSTRAINTS, LEFT_CONSTRAINTS, ENERGY_CHANGED, EVENT_UNDEFINED = range(18, 22)
 
 
 class Outcome(NamedTuple):
@@ -82,7 +85,7 @@ OUTCOMES = {
     ),
     NOT_FINITE: Outcome(
         "not_finite",
-        "met derivatives that are not finite{size}",
+        "met derivatives or errors that are not finite{size}",
         "Check the loads, specifieds and constants there for a division by zero or a function "
         "outside its domain.",
     ),
@@ -158,5 +161,27 @@ OUTCOMES = {
         "reset_off_constraints",
         "met the event `{event}`, whose reset leaves the constraints (the projection {change}),",
         "Let the reset give all states that change, the dependent ones too.",
+    ),
+    LEFT_CONSTRAINTS: Outcome(
+        "left_constraints",
+        "left the constraints, with a residual of {residual:.3g} in the {row}, where its "
+        "tolerances explain {explained:.2g},",
+        "It may have passed close to a singular position, or the rows contradict each other. Pass "
+        "constraints='project', which needs a native solver, or smaller tolerances. The states are "
+        "in the attributes of this error.",
+    ),
+    ENERGY_CHANGED: Outcome(
+        "energy_changed",
+        "changed the total energy by {change:.3g} without a cause, where its tolerances explain "
+        "{explained:.2g} and the kinetic energy is up to {kinetic:.3g},",
+        "It may have passed close to a singular position. Pass constraints='project', "
+        "which needs a native solver, or other tolerances; other constraints may have no such "
+        "position. The states are in the attributes of this error.",
+    ),
+    EVENT_UNDEFINED: Outcome(
+        "event_undefined",
+        "met the event `{event}`, whose expression becomes NaN there,",
+        "Whether it crosses zero cannot be seen. Pass an expression that is defined on both sides, "
+        "as `x - 1` is instead of `sqrt(x - 1)`. The states are in the attributes of this error.",
     ),
 }

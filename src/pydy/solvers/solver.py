@@ -164,7 +164,8 @@ class Solver:
             Only with `full_output`: ``'steps'``, ``'rejected'``, ``'evaluations'``,
             ``'jacobians'``, ``'last_step'`` (its size), ``'time'`` (where it ended), ``'code'`` and
             ``'status'`` (how it ended: a number, 0 when finished, and the same in words),
-            ``'events'`` (list of `EventRecord`).
+            ``'events'`` (list of `EventRecord`), ``'nearness'`` (the least that constraints held by
+            projection came to losing rank; 1 without).
 
         Raises
         ------
@@ -321,8 +322,6 @@ class Prepared:
                 "each other ever faster and accumulate there (Zeno behaviour). "
                 f"{OUTCOMES[EVENTS_ACCUMULATE].remedy}"
             )
-        if passage := self._integration.passage():
-            warn_user(passage)
         return states
 
     def __reduce__(self) -> tuple[Any, ...]:

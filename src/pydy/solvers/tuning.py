@@ -15,13 +15,9 @@ __all__ = [
     "LANES",
     "LEAST_ERROR",
     "LEAST_TOLERANCE",
-    "LOST",
-    "MISSING",
     "NEARLY_SINGULAR",
-    "NEAR_SINGULAR",
     "NEGLIGIBLE",
     "NEGLIGIBLE_SLOPE",
-    "NUDGE",
     "RESOLVED",
     "ROUNDING",
     "ROUNDINGS",
@@ -68,19 +64,6 @@ NEARLY_SINGULAR = 1e-5
 Positions, which are known to a rounding, tell two branches that cross apart down to its square
 root, about 1e-8.
 """
-
-NEAR_SINGULAR = 0.05
-"""How near to losing rank constraints may have multipliers that miss something: those are
-regularised below 1e-2."""
-
-LOST = 1e-5
-"""The share of the kinetic energy of whose loss is told."""
-
-MISSING = 1e-2
-"""The share of the accelerations below which nothing is missing."""
-
-NUDGE = 1e-6
-"""A step along the motion over which a derivative is a difference, in units of the states."""
 
 # -- step-size control, after Hairer, Nørsett, Wanner, Solving ODEs I, II.4, unless stated ---------
 

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -11,41 +11,149 @@ from scipy.spatial.transform import Rotation
 
 from pydy.viz.colours import CYCLE
 from pydy.viz.defaults import default_shape
-from pydy.viz.motion import Motion
-from pydy.viz.poses import Geometry, Placement, place
+from pydy.viz.motion import Geometry, Motion, Placement, place
 from pydy.viz.shapes import Arrow, Line, Plane, Shape, Trace
 from pydy.viz.surfaces import arrow, rods, surface
-from pydy.viz.tuning import USUAL
+from pydy.viz.tuning import ROUND, USUAL
 from pydy.viz.visuals import Visual
 
-__all__ = ["Animation", "Item", "animate"]
+# -- From where a scene is seen: the camera, the ground, and what they follow ----------------------
+
+
+@dataclass(frozen=True)
+class Look:
+    """What the user said about how the scene is to be seen."""
+
+    up: np.ndarray  # (3,): a unit vector, as `view`
+    ground: bool | float | None = None
+    follow: bool | None = None
+    view: np.ndarray | None = None  # (3,): from the scene to the camera
+    title: str = ""
+    axes: float | None = None  # length of the axes at the origin
+    units: Mapping[str, str] = field(default_factory=dict)  # mapping of str to str: of the series
+
+
+@dataclass(frozen=True, eq=False)
+class Framing:
+    """How the scene is seen."""
+
+    # up, right, direction: (3,); unit vectors; `right` is level, `direction` points from the
+    # scene to the camera
+    up: np.ndarray
+    right: np.ndarray
+    direction: np.ndarray
+    target: np.ndarray  # (3,): what the camera looks at, at the first instant
+    extent: np.ndarray  # (3,): edges of the box about the target that is to be seen
+    ground: float | None  # height of the grid along `up`
+    cell: float  # of the grid: 1, 2 or 5 times a power of ten
+    path: np.ndarray | None  # (m, 3): by how much the target moves along
+
+    @property
+    def radius(self) -> float:
+        """Half the diagonal of the box."""
+        return float(np.linalg.norm(self.extent)) / 2
+
+    def scaled(self, factor: float) -> Framing:
+        """Return the same view of a scene whose lengths are multiplied by a number."""
+        return replace(
+            self,
+            target=factor * self.target,
+            extent=factor * self.extent,
+            ground=None if self.ground is None else factor * self.ground,
+            cell=factor * self.cell,
+            path=None if self.path is None else factor * self.path,
+        )
+
+
+def frame(animation: Animation, look: Look) -> Framing:
+    """Return how an animation is best seen."""
+    up = look.up
+    low, high = animation.box
+    path = _path(animation, up)
+    # What is seen by a camera that goes along, but keeps its height: the ground stays in view.
+    rows = np.linspace(0, len(path) - 1, len(animation.bounds)).astype(int)
+    seen = animation.bounds - path[rows, None]
+    near, far = seen[:, 0].min(0), seen[:, 1].max(0)
+    follow = look.follow
+    if follow is None:
+        follow = np.linalg.norm(high - low) > 3 * np.linalg.norm(far - near)
+    if follow:
+        low, high = near, far
+    extent = high - low
+    if not extent.any():
+        extent = np.ones(3)
+    right, depth = _level_axes(up, extent)
+    direction = look.view
+    if direction is None:
+        cloud = np.concatenate([item.positions for item in animation.items])
+        flat = np.ptp(cloud @ depth) < 0.02 * np.ptp(cloud @ right)
+        direction = depth + (0.25 * right + 0.2 * up if flat else 0.55 * right + 0.45 * up)
+        direction = direction / np.linalg.norm(direction)
+    height = None
+    if look.ground is None or look.ground is True:
+        height = float(np.minimum(animation.bounds[:, 0] * up, animation.bounds[:, 1] * up).sum(1)
+                       .min())  # fmt: skip
+    elif look.ground is not False:
+        height = float(look.ground)
+    return Framing(
+        up=up,
+        right=right,
+        direction=direction,
+        target=(low + high) / 2,
+        extent=extent,
+        ground=height,
+        cell=_nice(float(np.linalg.norm(extent)) / 8),
+        path=path if follow else None,
+    )
+
+
+def _level_axes(up: np.ndarray, extent: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return the level axis along which the scene is longer, and the other, towards the viewer."""
+    level = np.eye(3) - np.outer(up, up)
+    # Of a slanting `up`, the two axes that are closest to level.
+    axes = sorted(np.eye(3), key=lambda e: abs(float(e @ up)))[:2]
+    # Edges that are as long up to rounding are in their usual order.
+    unit = float(np.linalg.norm(extent))
+    axes.sort(key=lambda e: (-round(float(e @ extent) / unit, 9), int(e.argmax())))
+    right = level @ axes[0]
+    right /= np.linalg.norm(right)
+    return right, np.cross(right, up)
+
+
+def _path(animation: Animation, up: np.ndarray) -> np.ndarray:
+    """Return how the middle of what moves moves, levelled."""
+    moving = [
+        item.positions
+        for item in animation.items
+        if np.ptp(item.positions, axis=0).any() and not isinstance(item.shape, Plane)
+    ] or [animation.items[0].positions]
+    path = np.mean(moving, axis=0)
+    path -= path[0]
+    level: np.ndarray = path - np.outer(path @ up, up)
+    return level
+
+
+def _nice(value: float) -> float:
+    power = 10.0 ** np.floor(np.log10(value))
+    return float(power * max(k for k in (1, 2, 5) if k * power <= value * (1 + ROUND)))
+
+
+# -- The animation ---------------------------------------------------------------------------------
+
 
 _SEEN = 150  # instants at which the extent of the scene is measured
 
 
 @dataclass(frozen=True, eq=False)
 class Item:
-    """A visual with its numbers at m instants.
-
-    Attributes
-    ----------
-    visual : Visual
-    shape : Shape
-        With numbers for lengths, and a colour.
-    rotations : ndarray, shape (m, 3, 3)
-    positions : ndarray, shape (m, 3)
-    vectors : ndarray, shape (m, 3), or None
-        Of an Arrow, scaled.
-    points : ndarray, shape (m, k, 3), or None
-        Of a Line.
-    """
+    """A visual with its numbers at m instants."""
 
     visual: Visual
-    shape: Shape
-    rotations: np.ndarray
-    positions: np.ndarray
-    vectors: np.ndarray | None = None
-    points: np.ndarray | None = None
+    shape: Shape  # with numbers for lengths, and a colour
+    rotations: np.ndarray  # (m, 3, 3)
+    positions: np.ndarray  # (m, 3)
+    vectors: np.ndarray | None = None  # (m, 3): of an Arrow, scaled
+    points: np.ndarray | None = None  # (m, k, 3): of a Line
 
     @property
     def rigid(self) -> bool:
@@ -87,23 +195,13 @@ class Item:
 
 @dataclass(frozen=True, eq=False)
 class Animation:
-    """A scene's motion, ready to be drawn.
+    """A scene's motion, ready to be drawn."""
 
-    Attributes
-    ----------
-    times : ndarray, shape (m,)
-    items : tuple of Item
-    series : dict of str to ndarray, shape (m,)
-    bounds : ndarray, shape (m', 2, 3)
-        The box around everything but planes at some of the instants.
-    events : tuple of (time, name)
-    """
-
-    times: np.ndarray
+    times: np.ndarray  # (m,)
     items: tuple[Item, ...]
-    series: dict[str, np.ndarray]
-    bounds: np.ndarray
-    events: tuple[tuple[float, str], ...] = ()
+    series: dict[str, np.ndarray]  # (m,)
+    bounds: np.ndarray  # (m', 2, 3): the box around everything but planes at some of the instants
+    events: tuple[tuple[float, str], ...] = ()  # (time, name)
 
     @property
     def poses(self) -> np.ndarray:

@@ -10,25 +10,11 @@ import sympy as sm
 from sympy.physics.mechanics import Particle, RigidBody
 
 from pydy._checks import check_mapping, number, real_array, shown, text
+from pydy._interpolation import filled
 from pydy._mechanics.symbols import find_symbols
 from pydy.viz.shapes import Arrow
+from pydy.viz.tuning import FILLED, ON_TIME
 from pydy.viz.visuals import Visual
-
-__all__ = [
-    "as_visual",
-    "columns_of",
-    "events_of",
-    "ground_height",
-    "in_notebook",
-    "playback",
-    "recorded",
-    "series_of",
-    "symbols_of",
-    "units_of",
-    "unknowns_beside",
-    "watchable_speed",
-    "within",
-]
 
 
 def as_visual(thing: Any) -> Visual:
@@ -44,7 +30,7 @@ def as_visual(thing: Any) -> Visual:
 
 
 def series_of(series: Any) -> dict[str, Any]:
-    """Return what is to be plotted, by label."""
+    """Read the expressions to plot, by label."""
     if isinstance(series, Mapping):
         return {str(label): _entry(expression) for label, expression in series.items()}
     if not isinstance(series, Iterable) or isinstance(series, (str, bytes)):
@@ -119,9 +105,12 @@ def ground_height(value: Any) -> bool | float | None:
     raise ValueError(f"`ground` must be a height, True or False, got {shown(value)}.")
 
 
-def columns_of(series: Mapping[str, Any] | None, count: int) -> dict[str, np.ndarray]:
-    """Return evaluated series, a value for each of `count` instants."""
-    columns = {}
+def columns_of(
+    series: Mapping[str, Any] | None, own: np.ndarray | None, times: np.ndarray
+) -> dict[str, np.ndarray]:
+    """Return evaluated series, a value for each of its own times, by default these, at `times`."""
+    own = times if own is None else own
+    columns, count = {}, len(own)
     for label, values in check_mapping("series", series).items():
         column = real_array(values, f"`series[{label!r}]`")
         if column.shape != (count,):
@@ -129,12 +118,12 @@ def columns_of(series: Mapping[str, Any] | None, count: int) -> dict[str, np.nda
                 f"`series[{label!r}]` must have the shape ({count},), a value for each time, got "
                 f"{column.shape}."
             )
-        columns[str(label)] = column
+        columns[str(label)] = column if count == len(times) else np.interp(times, own, column)
     return columns
 
 
 def recorded(series: Mapping[str, Any], trajectory: Any) -> dict[str, np.ndarray]:
-    """Return those of the series that a trajectory holds."""
+    """Take the series that a trajectory holds."""
     columns = {}
     for label, expression in series.items():
         if hasattr(trajectory, "__contains__") and expression in trajectory:
@@ -185,6 +174,16 @@ def playback(fps: float | None, speed: float | None, duration: float) -> tuple[f
     return chosen, None if fps is None else chosen / fps
 
 
+def filmed(trajectory: Any, fps: float | None, speed: float | None) -> Any:
+    """Return a trajectory with as many instants as a film shows, if it knows what is between."""
+
+    def step_of(duration: float) -> float:
+        step = playback(fps, speed, duration)[1]
+        return np.inf if step is None else max(step * (1.0 - ON_TIME), duration / FILLED)
+
+    return filled(trajectory, step_of)
+
+
 def watchable_speed(duration: float) -> float:
     """Return the speed, 1 or 2 or 5 times a power of ten, at which a film is watched in peace.
 
@@ -198,7 +197,7 @@ def watchable_speed(duration: float) -> float:
 
 
 def in_notebook() -> bool:
-    """Return whether output goes to a notebook."""
+    """Tell whether output goes to a notebook."""
     import sys
 
     # Only a kernel displays; `get_ipython` exists on IPython's terminal too.

@@ -7,8 +7,6 @@ from typing import Any
 
 from pydy._checks import real_array, shown
 
-__all__ = ["CYCLE", "hex_colour"]
-
 CYCLE = (
     "#4c8bd9", "#ee8b3a", "#35a883", "#d9605b", "#9a78c9", "#d672a8", "#8a9a3b", "#2ba3b8",
 )  # fmt: skip

@@ -17,16 +17,6 @@ from pydy.viz.shapes import Arrow, Box, Cylinder, Shape, Sphere
 from pydy.viz.tuning import ALIKE
 from pydy.viz.visuals import Visual
 
-__all__ = [
-    "arms",
-    "default_shape",
-    "find_origin",
-    "guess_up",
-    "load_arrows",
-    "skeleton",
-    "unit_vector",
-]
-
 # A plate is drawn no thinner than this part of its greatest edge.
 _THINNEST = 0.03
 
@@ -166,6 +156,11 @@ def _functions(vector: Any) -> set[Any]:
     }
 
 
+def gravities(expression: Any) -> list[Any]:
+    """Return the symbols in an expression that are called like the acceleration of gravity."""
+    return [s for s in expression.free_symbols if str(s) in ("g", "G", "gravity")]
+
+
 def guess_up(
     frame: Any,
     bodies: Iterable[Any],
@@ -186,9 +181,9 @@ def guess_up(
             continue
         for k in range(3):
             weight = sm.sympify(components[k])
-            gravities = [s for s in weight.free_symbols if str(s) in ("g", "G", "gravity")]
-            if len(gravities) == 1:
-                weight = weight.diff(gravities[0])
+            known = gravities(weight)
+            if len(known) == 1:
+                weight = weight.diff(known[0])
             elif where not in masses or weight.free_symbols - masses[where].free_symbols:
                 continue
             number = weight.xreplace({s: sm.Float(values.get(s, 1.0)) for s in weight.free_symbols})

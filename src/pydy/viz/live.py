@@ -22,12 +22,9 @@ from pydy.export.javascript import javascript_object
 from pydy.export.model import Model, Variable
 from pydy.viz.animation import Animation, Item
 from pydy.viz.arguments import unknowns_beside
-from pydy.viz.motion import Motion
-from pydy.viz.poses import Geometry, Names, pose_program
+from pydy.viz.motion import Geometry, Motion, Names, pose_program
 from pydy.viz.shapes import Arrow, Line, Plane
 from pydy.viz.tuning import RIGID
-
-__all__ = ["Live", "LivePage", "LiveSystem", "Slider", "live_page"]
 
 
 @dataclass(frozen=True)
@@ -37,7 +34,7 @@ class Slider:
     Parameters
     ----------
     low, high : float
-        Range of the slider. The box beside it also accepts numbers outside the range.
+        Range of the slider. The box next to it also accepts numbers outside the range.
     value : float, optional
         Value at the start; by default that of the system.
     unit, label : str, optional
@@ -126,46 +123,30 @@ class Live:
 
 @dataclass(frozen=True, eq=False)
 class LiveSystem:
-    """What a System tells a live page.
-
-    Attributes
-    ----------
-    model : pydy.export.Model
-    states, inputs, constants, outputs : tuple of symbols
-        In the order of the model's variables.
-    definitions : mapping of symbols to expressions
-        Specifieds that are expressions.
-    dependents : (list of int, list of int)
-        Places in x of the coordinates and speeds that the constraints determine.
-    coordinates, speeds : int
-        How many there are.
-    """
+    """What a System tells a live page."""
 
     model: Model
+    # states, inputs, constants, outputs: symbols; in the order of the model's variables
     states: tuple[Any, ...]
     inputs: tuple[Any, ...]
     constants: tuple[Any, ...]
     outputs: tuple[Any, ...]
+    # mapping of symbols to expressions: specifieds that are expressions
     definitions: Mapping[Any, Any]
+    # (list of int, list of int): places in x of the coordinates and speeds that the
+    # constraints determine
     dependents: tuple[list[int], list[int]]
-    coordinates: int
+    coordinates: int  # coordinates, speeds: how many there are
     speeds: int
 
 
 @dataclass(frozen=True, eq=False)
 class LivePage:
-    """What goes into the page.
+    """What goes into the page."""
 
-    Attributes
-    ----------
-    witness : Witness
-        Tells which points move rigidly with each other, whatever the sliders say.
-    code : callable
-        ``code(tracks)`` returns the model's object in JavaScript and what the page's scripts read,
-        for the tracks of the page: pairs of a frame, or None, and a point.
-    """
-
-    witness: Witness
+    witness: Witness  # tells which points move rigidly with each other, whatever the sliders say
+    # ``code(tracks)`` returns the model's object in JavaScript and what the page's scripts
+    # read, for the tracks of the page: pairs of a frame, or None, and a point
     code: Callable[[Sequence[tuple[Any, Any]]], tuple[str, dict[str, Any]]]
 
 
@@ -219,7 +200,7 @@ def live_page(
     animation: Animation,
     motion: Motion,
 ) -> LivePage | None:
-    """Return what a live page holds beside the page of an animation.
+    """Return what a live page holds besides the page of an animation.
 
     Parameters
     ----------
@@ -486,7 +467,7 @@ def _series(
 
 
 def _followed(items: Iterable[Item]) -> list[int]:
-    """Return the visuals whose middle the camera follows, as `pydy.viz.framing` does."""
+    """Return the visuals whose middle the camera follows, as `pydy.viz.animation` does."""
     return [
         k
         for k, item in enumerate(items)

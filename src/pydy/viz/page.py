@@ -29,17 +29,80 @@ from scipy.spatial.transform import Rotation
 
 from pydy._files import write_files
 from pydy._version import __version__
-from pydy.viz.animation import Animation, Item
+from pydy.viz.animation import Animation, Item, Look, frame
 from pydy.viz.colours import CYCLE
-from pydy.viz.framing import Look, frame
-from pydy.viz.labels import typeset
 from pydy.viz.live import LivePage, Witness
-from pydy.viz.shapes import Arrow, Line, Mesh, Trace
-from pydy.viz.solids import Circle, Cube, Icosahedron, Octahedron, Tetrahedron, TorusKnot, Tube
+from pydy.viz.shapes import (
+    Arrow,
+    Circle,
+    Cube,
+    Icosahedron,
+    Line,
+    Mesh,
+    Octahedron,
+    Tetrahedron,
+    TorusKnot,
+    Trace,
+    Tube,
+)
 from pydy.viz.surfaces import surface
 from pydy.viz.tuning import AT_REST, TRACK
 
-__all__ = ["Look", "embedded", "opened", "page", "page_data"]
+# -- Labels as they are typeset: Greek letters by their names, indices lowered ---------------------
+
+
+_LETTERS = [
+    "alpha",
+    "beta",
+    "gamma",
+    "delta",
+    "epsilon",
+    "zeta",
+    "eta",
+    "theta",
+    "iota",
+    "kappa",
+    "lambda",
+    "mu",
+    "nu",
+    "xi",
+    "omicron",
+    "pi",
+    "rho",
+    "varsigma",
+    "sigma",
+    "tau",
+    "upsilon",
+    "phi",
+    "chi",
+    "psi",
+    "omega",
+]
+GREEK = {name: chr(0x3B1 + k) for k, name in enumerate(_LETTERS)}
+GREEK |= {name.capitalize(): chr(0x391 + k) for k, name in enumerate(_LETTERS) if k != 17}
+_SYMBOL = re.compile(r"(?P<base>[A-Za-z]+?)_?(?P<index>\d+|(?<=_)[A-Za-z0-9]+)?(?P<rate>'*)")
+
+
+def typeset(label: str) -> list[str]:
+    """Return a label's base and index; the index of what is no symbol's name is empty.
+
+    Examples
+    --------
+    >>> from pydy.viz.page import typeset
+    >>> typeset('theta_1'), typeset("q2'"), typeset('x_foot'), typeset('kinetic energy')
+    (['θ', '1'], ["q'", '2'], ['x', 'foot'], ['kinetic energy', ''])
+    """
+    found = _SYMBOL.fullmatch(label)
+    if found is None:
+        return [label, ""]
+    base, index, rate = found["base"], found["index"] or "", found["rate"]
+    if base not in GREEK and len(base) > 2 and not index.isdigit():
+        return [label, ""]  # a word
+    return [GREEK.get(base, base) + rate, GREEK.get(index, index)]
+
+
+# -- The page --------------------------------------------------------------------------------------
+
 
 # The scripts of the page, in the order in which they build on each other.
 SCRIPTS = (
@@ -82,7 +145,7 @@ def page(
 
 
 def _policy(html: str) -> str:
-    """Return which scripts and styles a browser may use: those of this page as they are now."""
+    """Allow a browser the scripts and styles of this page as they are now, and no others."""
     own = {
         kind: " ".join(f"'sha256-{_hash(text)}'" for text in re.findall(pattern, html, re.S))
         for kind, pattern in (

@@ -7,48 +7,432 @@ an axis of symmetry have an argument `axis`.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field, fields, replace
+from itertools import pairwise
 from pathlib import Path
-from typing import Any, Self
+from typing import TYPE_CHECKING, Any, ClassVar, Self
 
 import numpy as np
+import sympy as sm
 from sympy.physics.vector import Point, Vector
 
-from pydy._checks import real_array, shown
-from pydy.viz.meshes import read_mesh
-from pydy.viz.shape import Shape, check_axis, real_number
-from pydy.viz.solids import (
-    Circle,
-    Cube,
-    Icosahedron,
-    Octahedron,
-    Tetrahedron,
-    TorusKnot,
-    Tube,
-    hull,
-)
+from pydy._checks import choice, number, real_array, shown
+from pydy._errors import warn_user
+from pydy._names import nearest
+from pydy.viz.colours import hex_colour
+from pydy.viz.tuning import FLAT
 
-__all__ = [
-    "Arrow",
-    "Box",
-    "Capsule",
-    "Circle",
-    "Cone",
-    "Cube",
-    "Cylinder",
-    "Icosahedron",
-    "Line",
-    "Mesh",
-    "Octahedron",
-    "Plane",
-    "Shape",
-    "Sphere",
-    "Tetrahedron",
-    "Torus",
-    "TorusKnot",
-    "Trace",
-    "Tube",
-]
+# -- What all shapes have in common ----------------------------------------------------------------
+
+
+class _Spelling(type):
+    """Takes the other spellings of a shape's arguments that scripts written elsewhere use."""
+
+    def ignore_material(cls) -> None:
+        warn_user(
+            f"`material` of {cls.__name__} is ignored: all shapes have one material. Choose a "
+            "`color` and an `opacity`."
+        )
+
+    if not TYPE_CHECKING:
+
+        def __call__(cls, *args: Any, **options: Any) -> Any:
+            for name, own in cls.spellings.items():
+                if name in options:
+                    if own in options:
+                        raise TypeError(
+                            f"{cls.__name__} got `{own}` and `{name}`, which mean the same. Keep "
+                            "one of them."
+                        )
+                    options[own] = options.pop(name)
+            if options.pop("material", None) is not None:
+                cls.ignore_material()
+            return super().__call__(*args, **options)
+
+
+@dataclass(kw_only=True, unsafe_hash=True)
+class Shape(metaclass=_Spelling):
+    """Attributes common to all shapes.
+
+    Attributes
+    ----------
+    colour or color : str or sequence of 3 numbers, optional
+        A CSS name, ``"#rrggbb"``, or red, green and blue from 0 to 1; by default the next of a
+        cycle of colours.
+    opacity : float
+        From 0 (invisible) to 1 (opaque).
+    name : str, optional
+        Label in the legend, where visuals with the same name share a row.
+    """
+
+    colour: Any = None
+    opacity: float = 1.0
+    name: str | None = None
+
+    if TYPE_CHECKING:
+        color: Any = None
+
+    lengths: ClassVar[tuple[str, ...]] = ()
+    spellings: ClassVar[dict[str, str]] = {"color": "colour"}
+    changes: ClassVar[int] = 0
+
+    def __post_init__(self) -> None:
+        kind = type(self).__name__
+        optional = {entry.name for entry in fields(self) if entry.default is None}
+        for attribute in self.lengths:
+            value = getattr(self, attribute)
+            if value is not None or attribute not in optional:
+                self._set(attribute, _length(value, f"`{attribute}` of {kind}"))
+        if self.colour is not None:
+            self._set("colour", hex_colour(self.colour, f"`colour` of {kind}"))
+        opacity = real_number(self.opacity)
+        if opacity is None or not 0 <= opacity <= 1:
+            raise ValueError(f"`opacity` of {kind} must be from 0 to 1, got {shown(self.opacity)}.")
+        self._set("opacity", opacity)
+        if self.name is not None and not isinstance(self.name, str):
+            raise TypeError(f"`name` of {kind} must be a string, got {self.name!r}.")
+
+    def _set(self, attribute: str, value: Any) -> None:
+        object.__setattr__(self, attribute, value)  # the shape is still in the making
+
+    if not TYPE_CHECKING:
+
+        def __setattr__(self, name: str, value: Any) -> None:
+            own = self.spellings.get(name, name)
+            if own == "material":
+                type(self).ignore_material()
+            elif own not in (names := [f.name for f in fields(self) if f.init]):
+                raise AttributeError(
+                    f"{type(self).__name__} has no attribute `{name}`. {nearest(name, names)}"
+                )
+            elif own not in self.__dict__:
+                self._set(own, value)  # in __init__, which checks it afterwards
+            else:
+                changed = vars(replace(self, **{own: value}))
+                self.__dict__.update(changed, changes=self.changes + 1)
+
+        def __getattr__(self, name: str) -> Any:
+            if name in self.spellings:
+                return getattr(self, self.spellings[name])
+            raise AttributeError(f"{type(self).__name__} has no attribute `{name}`.")
+
+    def measured(self, values: Mapping[Any, Any]) -> Self:
+        """Return this shape with numbers for lengths.
+
+        Parameters
+        ----------
+        values : mapping of symbols to numbers
+
+        Raises
+        ------
+        ValueError
+            A symbol has no value, or the length comes out as no positive number.
+        """
+        numbers: dict[str, Any] = {}
+        kind = type(self).__name__
+        for attribute in self.lengths:
+            expression = getattr(self, attribute)
+            if not isinstance(expression, sm.Basic):
+                continue
+            # By name too: a trajectory from a file has names in the place of symbols.
+            known = {s: values.get(s, values.get(s.name)) for s in expression.free_symbols}
+            missing = sorted(s.name for s, value in known.items() if value is None)
+            if missing:
+                raise ValueError(
+                    f"`{attribute}` of {kind} is `{expression}`, but `{missing[0]}` has no value: "
+                    "shapes may depend on constants only. Give its value in `constants`."
+                )
+            value = real_number(expression.xreplace({s: sm.Float(v) for s, v in known.items()}))
+            if value is None or not 0 < value < np.inf:
+                raise ValueError(
+                    f"`{attribute}` of {kind} is `{expression}`, which must be positive, but comes "
+                    f"out as {value} with the constants' values."
+                )
+            numbers[attribute] = value
+        return replace(self, **numbers) if numbers else self
+
+    def scaled(self, factor: float) -> Self:
+        """Return this shape, which has been measured, with lengths multiplied by a number."""
+        lengths = {name: getattr(self, name) for name in self.lengths}
+        return replace(self, **{k: factor * v for k, v in lengths.items() if v is not None})
+
+    def dimensions(self) -> Iterator[tuple[str, Any]]:
+        """Yield the shape's own fields: what says how it looks, except colour and name."""
+        common = {f.name for f in fields(Shape)}
+        for entry in fields(self):
+            if entry.name not in common:
+                yield entry.name, getattr(self, entry.name)
+
+
+def real_number(value: Any) -> float | None:
+    """Return a value as a float, or None where it is no real number."""
+    try:
+        return number(value, "")
+    except ValueError:
+        return None
+
+
+def _length(value: Any, what: str) -> Any:
+    """Return a length as a float, or as an expression when it has symbols."""
+    if isinstance(value, sm.Expr) and value.free_symbols:
+        return value
+    length = None if isinstance(value, bool) else real_number(value)
+    if length is None or not 0 < length < np.inf:
+        raise ValueError(
+            f"{what} must be a positive number or a SymPy expression of constants, got "
+            f"{shown(value)}."
+        )
+    return length
+
+
+def check_axis(value: Any, kind: str) -> None:
+    """Refuse what is not one of the three axes."""
+    choice(value, ("x", "y", "z"), f"`axis` of {kind}")
+
+
+# -- Polyhedra, discs, knots and tubes -------------------------------------------------------------
+
+
+_AROUND = 12  # corners of a tube's section
+_GOLDEN = (1 + 5**0.5) / 2
+
+
+@dataclass(unsafe_hash=True)
+class Cube(Shape):
+    """A cube about the point, with edges along x, y and z."""
+
+    length: Any
+    lengths = ("length",)
+
+
+@dataclass(unsafe_hash=True)
+class Circle(Shape):
+    """A disc about the point in the plane of x and y."""
+
+    radius: Any = 10.0
+    lengths = ("radius",)
+
+
+@dataclass(unsafe_hash=True)
+class Tetrahedron(Shape):
+    """A tetrahedron whose corners are at a distance of `radius` from the point."""
+
+    radius: Any = 10.0
+    lengths = ("radius",)
+
+
+@dataclass(unsafe_hash=True)
+class Octahedron(Shape):
+    """An octahedron with corners on x, y and z at a distance of `radius` from the point."""
+
+    radius: Any = 10.0
+    lengths = ("radius",)
+
+
+@dataclass(unsafe_hash=True)
+class Icosahedron(Shape):
+    """An icosahedron whose corners are at a distance of `radius` from the point."""
+
+    radius: Any = 10.0
+    lengths = ("radius",)
+
+
+@dataclass(unsafe_hash=True)
+class TorusKnot(Shape):
+    """A trefoil knot about the z axis: a tube of `tube` around a curve of about `radius`."""
+
+    radius: Any
+    tube: Any
+    lengths = ("radius", "tube")
+    spellings = Shape.spellings | {"tube_radius": "tube"}
+
+
+@dataclass(unsafe_hash=True)
+class Tube(Shape):
+    """A tube through points that are fixed in the frame.
+
+    Attributes
+    ----------
+    radius : length
+    points : array_like, shape (n, 3)
+        In the frame's axes, from the shape's point.
+    """
+
+    radius: Any
+    points: Any
+    lengths = ("radius",)
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        points = real_array(self.points, "`points` of Tube")
+        if points.ndim != 2 or points.shape[1] != 3 or len(points) < 2:
+            raise ValueError(
+                "`points` of Tube must have the shape (n, 3) with two points or more, got "
+                f"{shown(self.points)}."
+            )
+        self._set("points", tuple(map(tuple, points.tolist())))
+
+    def scaled(self, factor: float) -> Self:
+        """Return this tube with its points moved as well."""
+        return replace(super().scaled(factor), points=factor * np.array(self.points))
+
+
+def polyhedron(shape: Shape) -> np.ndarray:
+    """Return the corners of a regular polyhedron of radius one."""
+    corners: list[tuple[float, float, float]]
+    if isinstance(shape, Tetrahedron):
+        corners = [(1, 1, 1), (-1, -1, 1), (-1, 1, -1), (1, -1, -1)]
+    elif isinstance(shape, Octahedron):
+        corners = [(s * (k == 0), s * (k == 1), s * (k == 2)) for k in range(3) for s in (1, -1)]
+    else:
+        pairs = [(a, b * _GOLDEN) for a in (1, -1) for b in (1, -1)]
+        corners = [c for a, b in pairs for c in ((0, a, b), (a, b, 0), (b, 0, a))]
+    table = np.array(corners, dtype=float)
+    unit: np.ndarray = table / np.linalg.norm(table[0])
+    return unit
+
+
+def hull(points: Any) -> tuple[np.ndarray, np.ndarray] | None:
+    """Return the triangles of the convex hull of points, or None for what is no list of points.
+
+    They are counter-clockwise from outside.
+    """
+    from scipy.spatial import ConvexHull
+
+    try:
+        table = real_array(points, "")
+    except (TypeError, ValueError):
+        return None
+    if table.ndim != 2 or table.shape[1] != 3 or len(table) < 3 or not np.isfinite(table).all():
+        return None
+    flat = np.linalg.matrix_rank(table - table.mean(0), tol=FLAT * np.ptp(table)) < 3
+    found = ConvexHull(table, qhull_options="QJ" if flat else "Qt").simplices
+    a, b, c = (table[found[:, k]] for k in range(3))
+    inwards = np.einsum("ij,ij->i", np.cross(b - a, c - a), a - table.mean(0)) < 0
+    found[inwards] = found[inwards][:, ::-1]
+    return table, found
+
+
+def knot(radius: float, count: int = 96) -> np.ndarray:
+    """Return the points of a closed trefoil: twice around the z axis, three times through."""
+    angle = np.linspace(0.0, 4 * np.pi, count, endpoint=False)
+    away = radius * (2 + np.cos(1.5 * angle)) / 2
+    height = radius * np.sin(1.5 * angle) / 2
+    return np.stack([away * np.cos(angle), away * np.sin(angle), height], 1)
+
+
+def along(points: np.ndarray, radius: float, closed: bool) -> tuple[np.ndarray, np.ndarray]:
+    """Return the triangles of a tube along points."""
+    if closed:
+        ahead = np.roll(points, -1, 0) - np.roll(points, 1, 0)
+    else:
+        ahead = np.gradient(points, axis=0)
+    ahead /= np.linalg.norm(ahead, axis=1, keepdims=True)
+    side = np.cross(ahead[0], np.eye(3)[int(np.abs(ahead[0]).argmin())])
+    turn = np.arange(_AROUND) * (2 * np.pi / _AROUND)
+    rings = []
+    for point, direction in zip(points, ahead, strict=True):
+        side = side - (side @ direction) * direction  # carried along without a twist
+        side /= np.linalg.norm(side)
+        other = np.cross(direction, side)
+        section = np.outer(np.cos(turn), side) + np.outer(np.sin(turn), other)
+        rings.append(point + radius * section)
+    rows = len(points) if closed else len(points) - 1
+    i, j = np.divmod(np.arange(rows * _AROUND), _AROUND)
+    a, b = i * _AROUND + j, i * _AROUND + (j + 1) % _AROUND
+    n = len(points) * _AROUND
+    c, d = (a + _AROUND) % n, (b + _AROUND) % n
+    faces = [np.stack([a, b, c], 1), np.stack([b, d, c], 1)]
+    if not closed:  # caps
+        k = np.arange(1, _AROUND - 1)
+        faces += [np.stack([0 * k, k + 1, k], 1), n - _AROUND + np.stack([0 * k, k, k + 1], 1)]
+    return np.concatenate(rings), np.concatenate(faces)
+
+
+# -- Meshes: the two formats that every CAD program writes, STL and OBJ ----------------------------
+
+
+# Binary STL: 80 bytes of anything, a count, then for each triangle a normal, three corners and two
+# spare bytes, all little-endian.
+_STL_HEADER = 84
+_STL_TRIANGLE = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("spare", "<u2")])
+
+
+def read_mesh(path: Path) -> tuple[np.ndarray, np.ndarray]:
+    """Return the vertices (n, 3) and the triangles (k, 3) of an STL or OBJ file.
+
+    Raises
+    ------
+    ValueError
+        The suffix is neither, the file is broken, or it holds no triangle.
+    OSError
+        The file cannot be read.
+    """
+    readers = {".stl": _read_stl, ".obj": _read_obj}
+    reader = readers.get(path.suffix.lower())
+    if reader is None:
+        raise ValueError(
+            f"`source` of Mesh is '{path}', but only STL and OBJ files can be read: export the "
+            "part in one of these formats."
+        )
+    try:
+        vertices, faces = reader(path.read_bytes())
+    except (ValueError, IndexError) as error:
+        raise ValueError(
+            f"`source` of Mesh is '{path}', which is not a valid {path.suffix[1:].upper()} file: "
+            f"{error}."
+        ) from None
+    if not len(faces):
+        raise ValueError(f"`source` of Mesh is '{path}', which holds no triangle.")
+    if not np.isfinite(vertices).all():
+        raise ValueError(f"`source` of Mesh is '{path}', which has a vertex that is not finite.")
+    return vertices, faces
+
+
+def _read_stl(data: bytes) -> tuple[np.ndarray, np.ndarray]:
+    # Binary files may begin with "solid" too, so it is the length that tells.
+    count = int.from_bytes(data[80:84], "little") if len(data) >= _STL_HEADER else -1
+    if len(data) == _STL_HEADER + count * _STL_TRIANGLE.itemsize:
+        corners = np.frombuffer(data, _STL_TRIANGLE, count, _STL_HEADER)["corners"]
+    elif data.lstrip()[:5].lower() == b"solid":
+        lines = (line.split() for line in data.decode("ascii", "replace").splitlines())
+        rows = [line[1:] for line in lines if line and line[0].lower() == "vertex"]
+        flat = np.array(rows, dtype=float).reshape(-1, 3)
+        if len(flat) % 3:
+            raise ValueError(f"it has {len(flat)} vertices, which is not a multiple of three")
+        corners = flat.reshape(-1, 3, 3)
+    else:
+        raise ValueError(
+            f"it is {len(data)} bytes long, which does not fit its {max(count, 0)} triangles"
+        )
+    # Shared corners once: half the size or less.
+    vertices, places = np.unique(corners.reshape(-1, 3), axis=0, return_inverse=True)
+    return vertices.astype(float), places.reshape(-1, 3)
+
+
+def _read_obj(data: bytes) -> tuple[np.ndarray, np.ndarray]:
+    vertices: list[list[float]] = []
+    faces: list[tuple[int, int, int]] = []
+    text = data.decode("utf-8", "replace").replace("\\\n", " ")
+    for line in text.splitlines():
+        words = line.split("#")[0].split()
+        if not words:
+            continue
+        if words[0] == "v":
+            x, y, z = map(float, words[1:4])
+            vertices.append([x, y, z])
+        elif words[0] == "f":
+            # "f v/vt/vn ...", from one; negative counts back from the last vertex so far.
+            numbers = [int(word.split("/")[0]) for word in words[1:]]
+            places = [n - 1 if n > 0 else len(vertices) + n for n in numbers]
+            if len(places) < 3 or not all(0 <= k < len(vertices) for k in places):
+                raise ValueError(f"the face `{line.strip()}` does not fit the vertices before it")
+            faces += [(places[0], b, c) for b, c in pairwise(places[1:])]
+    return np.array(vertices, dtype=float).reshape(-1, 3), np.array(faces, dtype=int).reshape(-1, 3)
+
+
+# -- Bodies, planes, and what is drawn between points ----------------------------------------------
 
 
 @dataclass(unsafe_hash=True)

@@ -10,13 +10,21 @@ from functools import cache, singledispatch
 
 import numpy as np
 
-from pydy.viz.shapes import Box, Capsule, Cone, Cylinder, Mesh, Plane, Shape, Sphere, Torus
-from pydy.viz.solids import (
+from pydy.viz.shapes import (
+    Box,
+    Capsule,
     Circle,
+    Cone,
     Cube,
+    Cylinder,
     Icosahedron,
+    Mesh,
     Octahedron,
+    Plane,
+    Shape,
+    Sphere,
     Tetrahedron,
+    Torus,
     TorusKnot,
     Tube,
     along,
@@ -24,8 +32,6 @@ from pydy.viz.solids import (
     knot,
     polyhedron,
 )
-
-__all__ = ["Surface", "arrow", "rods", "surface"]
 
 Surface = tuple[np.ndarray, np.ndarray]
 """Vertices, shape (n, 3), and triangles, shape (k, 3), counter-clockwise from outside."""

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-__all__ = ["ALIKE", "AT_REST", "FLAT", "ON_TIME", "RIGID", "ROUND", "TRACK", "USUAL"]
-
 ALIKE = 1e-6
 """Moments of inertia that differ by no more than this part of the greatest count as equal."""
 
@@ -15,6 +13,9 @@ TRACK = 1e-8
 
 RIGID = 1e-11
 """The same in double precision at random states, of points that are rigidly joined."""
+
+FILLED = 7200
+"""Parts of a film, two minutes of 60 a second, finer than which no instants are added."""
 
 FLAT = 1e-9
 """The thickness of points that lie in a plane, in units of their extent."""

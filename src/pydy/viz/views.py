@@ -11,19 +11,8 @@ from sympy.physics.vector import Point
 
 from pydy._checks import listed, real_array, shown
 from pydy.viz.arguments import within
-from pydy.viz.shape import Shape
+from pydy.viz.shapes import Shape
 from pydy.viz.visuals import Visual
-
-__all__ = [
-    "OrthoGraphicCamera",
-    "PerspectiveCamera",
-    "PointLight",
-    "VisualizationFrame",
-    "animate_states",
-    "animate_system",
-    "direction_of",
-    "show_inline",
-]
 
 
 def VisualizationFrame(*args: Any) -> Visual:

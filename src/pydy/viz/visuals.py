@@ -3,16 +3,38 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NoReturn
 
 from sympy.physics.mechanics import Particle, RigidBody
 from sympy.physics.vector import Point, ReferenceFrame
 
 from pydy._checks import flag
-from pydy.viz.retired import no_attribute
 from pydy.viz.shapes import Line, Shape
 
-__all__ = ["Visual"]
+# -- Names of PyDy's viz package that have no counterpart, with what to use instead ----------------
+
+
+_POSES = "`scene.poses` holds the 4 x 4 matrices of all visuals at all times"
+_REMEDIES = {
+    "create_static_html": "call `scene.to_html(path)`, which writes one file",
+    "remove_static_html": "`scene.to_html(path)` writes one file, which you may delete",
+    "generate_visualization_dict": _POSES,
+    "generate_scene_dict": _POSES,
+    "generate_simulation_dict": _POSES,
+    "generate_transformation_matrix": _POSES,
+    "generate_numeric_transform_function": _POSES,
+    "evaluate_transformation_matrix": _POSES,
+}
+
+
+def no_attribute(thing: Any, name: str) -> NoReturn:
+    """Raise the AttributeError for a name, with a remedy if PyDy's viz package has it."""
+    remedy = f": {_REMEDIES[name]}" if name in _REMEDIES else ""
+    raise AttributeError(f"{type(thing).__name__} has no attribute `{name}`{remedy}.")
+
+
+# -- Visuals ---------------------------------------------------------------------------------------
+
 
 # What can be set after creation.
 _KINDS = {

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import gc
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -18,6 +19,7 @@ import pytest
 from graphs import on_tape
 from pydy._backends.llvm import background, compiling, jit
 from pydy._backends.llvm.backend import LLVMBackend
+from pydy._backends.llvm.compiling import Source
 from pydy._backends.llvm.tiers import _Text
 from pydy._graph.node import Graph
 
@@ -32,7 +34,7 @@ def nonsense(_brief):
     return "this is no IR"
 
 
-SOURCE = jit.Source("three", text, ("three",))
+SOURCE = Source("three", text, ("three",))
 
 
 def program(number):
@@ -86,7 +88,7 @@ def test_a_process_that_has_ended_is_an_error_that_is_expected(helper):
 
 def test_what_does_not_compile_is_an_error_that_is_expected(helper):
     with pytest.raises(compiling.HelperError, match="does not answer"):
-        helper.compile(jit.Source("nonsense", nonsense, ()))
+        helper.compile(Source("nonsense", nonsense, ()))
 
 
 @pytest.mark.parametrize("executable", ["", None, "/usr/bin/blender"])
@@ -98,7 +100,7 @@ def test_a_program_that_is_not_python_is_not_started(helper, monkeypatch, execut
 
 
 def test_a_program_goes_there_and_back(helper):
-    source = jit.Source("program", _Text(program(4), 1, 1), ("kernel", "prepare"))
+    source = Source("program", _Text(program(4), 1, 1), ("kernel", "prepare"))
     assert helper.compile(source) == compiling.object_code(source)
 
 
@@ -106,6 +108,40 @@ def test_what_pythons_own_settings_print_is_no_code(helper, monkeypatch, tmp_pat
     (tmp_path / "sitecustomize.py").write_text("print('good morning' * 100)")
     monkeypatch.setenv("PYTHONPATH", str(tmp_path))
     assert helper.compile(SOURCE) == compiling.object_code(SOURCE)
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="a limit on memory is Linux's")
+def test_without_memory_for_llvm_the_process_goes_on():
+    code = """
+import resource
+from pydy._backends.llvm import compiling
+functions = "".join(f"define i64 @f{k}() {{\\nret i64 {k}\\n}}\\n" for k in range(4000))
+small, large = (
+    compiling.Source(name, lambda brief, t=text: t, ("f0",))
+    for name, text in (("small", functions[:31]), ("large", functions))
+)
+compiling.object_code(small, quick=True)
+with open("/proc/self/statm") as file:
+    taken = int(file.read().split()[0]) * resource.getpagesize()
+limit = resource.getrlimit(resource.RLIMIT_AS)
+resource.setrlimit(resource.RLIMIT_AS, (taken + 2**20, limit[1]))
+try:
+    compiling.object_code(large, quick=True)
+except MemoryError as error:
+    print(error)
+resource.setrlimit(resource.RLIMIT_AS, limit)
+print(len(compiling.object_code(large, quick=True)) > 4000)
+"""
+    done = subprocess.run(
+        [sys.executable, "-c", code],
+        env={**os.environ, "PYDY_CACHE_DIR": "off", "PYTHONPATH": os.pathsep.join(sys.path)},
+        capture_output=True,
+        text=True,
+        timeout=120,
+    )
+    first, second = done.stdout.splitlines() or [done.stderr, ""]
+    assert re.fullmatch(r"Compiling may need \d+ MB of memory, .*`ulimit -v` .*", first)
+    assert second == "True"
 
 
 def test_it_ends_with_the_program():

@@ -6,6 +6,7 @@ from weakref import ref
 import numpy as np
 
 from pydy._backends.llvm import jit
+from pydy._backends.llvm.compiling import Source
 from pydy._backends.llvm.gate import Gate
 
 # Returns the first argument, with one more reference to it.
@@ -22,7 +23,7 @@ define ptr @first(ptr %self, ptr %args, i64 %count) nounwind {
 
 def test_a_function_keeps_its_machine_code():
     """Two threads that make the same gate at once keep one of them, and a function of each."""
-    source = jit.Source("gate of the tests", lambda brief: TEXT, ("first",))
+    source = Source("gate of the tests", lambda brief: TEXT, ("first",))
     code = jit.load_quickly(source)
     gate, left = Gate(b"first", code, "first"), ref(code)
     function = gate.function(np.zeros(1))

@@ -10,8 +10,7 @@ import pytest
 import zoo
 from cases import system_of
 from pydy._backends.llvm import jit
-from pydy._backends.llvm.backend import LLVMBackend
-from pydy._backends.llvm.jacobian_columns import compile_jacobian
+from pydy._backends.llvm.backend import LLVMBackend, compile_jacobian
 from pydy._graph.jacobian_columns import JacobianColumns, columns_program
 from pydy._graph.node import Graph
 from pydy._graph.switches import Passes

@@ -14,6 +14,7 @@ import zoo
 from graphs import on_tape
 from pydy._backends.llvm import background, jit
 from pydy._backends.llvm.backend import LLVMBackend
+from pydy._backends.llvm.compiling import Source
 from pydy._backends.llvm.tiers import _repeats
 from pydy._backends.tuning import LARGE
 from pydy._graph.interpret import run
@@ -92,8 +93,25 @@ def test_a_task_is_done_once_whoever_comes_first():
     assert len(done) == 1
 
 
+def test_where_no_thread_can_be_started_who_needs_a_task_does_it(monkeypatch):
+    # A limit on threads, or an interpreter that ends, made the first evaluation fail.
+    def refuse(thread):
+        raise RuntimeError("can't start new thread")
+
+    done = []
+    task = background.Task(lambda compile_source: done.append(compile_source))
+    with monkeypatch.context() as patch:
+        patch.setattr(background, "_thread", None)
+        patch.setattr(threading.Thread, "start", refuse)
+        background.submit(task)
+        assert background._thread is None  # so that a later task asks again
+    assert not done
+    task.run()
+    assert len(done) == 1
+
+
 def test_an_unknown_symbol_does_not_reach_the_cache(nothing_cached):
-    source = jit.Source("nonsense", lambda brief: "this is no IR", ("f",))
+    source = Source("nonsense", lambda brief: "this is no IR", ("f",))
     with pytest.raises(RuntimeError):
         jit.load(source)
     assert jit.find(source) is None
@@ -104,8 +122,8 @@ def test_code_keeps_alive_what_it_calls(nothing_cached):
     twice = "define double @twice(double %x) {\n%y = fadd double %x, %x\nret double %y\n}"
     more = "%y = call double @twice(double %x)\n%z = fadd double %y, 1.0\nret double %z"
     more = f"declare double @twice(double)\ndefine double @more(double %x) {{\n{more}\n}}"
-    routines = jit.load(jit.Source("twice", lambda brief: twice, ("twice",)))
-    caller = jit.load(jit.Source("more", lambda brief: more, ("more",)), routines)
+    routines = jit.load(Source("twice", lambda brief: twice, ("twice",)))
+    caller = jit.load(Source("more", lambda brief: more, ("more",)), routines)
     alive = weakref.ref(routines)
     jit.memory.clear()
     del routines

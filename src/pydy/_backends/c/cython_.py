@@ -31,8 +31,6 @@ from pydy._kernel import Kernel
 from pydy._names import printable
 from pydy._processes import started
 
-__all__ = ["CythonBackend"]
-
 
 class CythonBackend:
     """Compiles Programs as C, through Cython and the machine's C compiler.

@@ -13,8 +13,6 @@ from pydy._graph.operations import OPERATIONS, TRUTHS, is_constrained, operands
 from pydy._graph.program import Program
 from pydy._graph.tuning import numbered
 
-__all__ = ["c_functions", "c_source"]
-
 # A matrix is singular when a pivot is not above n·eps of its row's and column's scale; its
 # solution is then NaN, by a NaN in the last pivot. A NaN in the matrix is not a failure: every
 # comparison below is false for it, and it comes out as NaN.

@@ -23,8 +23,6 @@ from pydy import _forks
 from pydy._backends.llvm.compiling import Helper, HelperError, Source, object_code
 from pydy._backends.tuning import IDLE_SECONDS, QUIET_SECONDS
 
-__all__ = ["Compile", "Task", "in_use", "submit"]
-
 Compile = Callable[[Source], bytes]
 
 
@@ -85,11 +83,15 @@ def submit(task: Task) -> None:
     global _thread
     in_use()
     with _START:
-        _TASKS[task] = None
         if _thread is None:
             _thread = threading.Thread(target=_work, name="pydy-background", daemon=True)
-            _thread.start()
+            try:
+                _thread.start()
+            except RuntimeError:  # no threads are left, or the interpreter ends
+                _thread = None
+                return  # who needs the task does it
             atexit.register(_end)
+        _TASKS[task] = None
     _SUBMITTED.set()
 
 

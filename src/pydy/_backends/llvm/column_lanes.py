@@ -13,27 +13,18 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from pydy._backends.llvm import jit
+from pydy._backends.llvm.compiling import Source
 from pydy._backends.llvm.ir import Function
 from pydy._backends.llvm.tiers import wide_code
 from pydy._graph.split import SplitProgram
 
-__all__ = ["LanesOfColumns", "compile_lanes_of_columns"]
-
 
 @dataclass(frozen=True, eq=False)
 class LanesOfColumns:
-    """Native code for states and sensitivities of several trajectories.
-
-    Attributes
-    ----------
-    program : SplitProgram
-    addresses : (int, int)
-        Of ``kernel`` and ``prepare``.
-    lanes : int
-    """
+    """Native code for states and sensitivities of several trajectories."""
 
     program: SplitProgram
-    addresses: tuple[int, int]
+    addresses: tuple[int, int]  # (int, int): of ``kernel`` and ``prepare``
     lanes: int
     _owners: tuple[Any, ...] = field(repr=False)
 
@@ -42,7 +33,7 @@ def compile_lanes_of_columns(split: SplitProgram, lanes: int) -> LanesOfColumns:
     """Compile a SplitProgram for several trajectories at a time."""
     shared, column = (wide_code(part, lanes) for part in (split.shared, split.column))
     text = _both(split, lanes, shared, column)
-    source = jit.Source(f"lanes {lanes} {split.digest}", lambda brief: text, ("kernel", "prepare"))
+    source = Source(f"lanes {lanes} {split.digest}", lambda brief: text, ("kernel", "prepare"))
     both = jit.load_quickly(source)
     addresses = both.addresses["kernel"], both.addresses["prepare"]
     return LanesOfColumns(split, addresses, lanes, (shared, column, both))

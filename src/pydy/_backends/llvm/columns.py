@@ -20,6 +20,7 @@ import numpy as np
 
 from pydy._array_layout import address
 from pydy._backends.llvm import jit
+from pydy._backends.llvm.compiling import Source
 from pydy._backends.llvm.ir import WIDTHS, Function
 from pydy._backends.llvm.text import kernel_text
 from pydy._backends.llvm.tiers import calls_routines, shared_routines
@@ -27,8 +28,6 @@ from pydy._backends.registry import compile_program
 from pydy._graph.program import Program
 from pydy._graph.split import SplitProgram
 from pydy._kernel import Kernel
-
-__all__ = ["compile_columns", "lanes_for"]
 
 _KERNEL = ctypes.CFUNCTYPE(ctypes.c_int32, *[ctypes.c_void_p] * 5)
 _PREPARE = ctypes.CFUNCTYPE(None, *[ctypes.c_void_p] * 2)
@@ -54,7 +53,7 @@ def compile_columns(split: SplitProgram) -> Kernel:
     shared = compile_program(split.shared, "llvm", {})
     lanes = lanes_for(split.columns)
     program = split.column
-    source = jit.Source(
+    source = Source(
         f"columns {program.digest} {lanes} {split.columns}",
         _Text(program, lanes, split.columns),
         ("kernel", "prepare"),
@@ -65,7 +64,7 @@ def compile_columns(split: SplitProgram) -> Kernel:
     @cache
     def settled() -> tuple[int, int]:
         assert shared.addresses is not None
-        own = jit.Source(f"both {split.digest}", lambda brief: text, ("kernel", "prepare"))
+        own = Source(f"both {split.digest}", lambda brief: text, ("kernel", "prepare"))
         text = _both(split, lanes, shared.addresses, code)
         both = jit.load_quickly(own)
         keep.append(both)

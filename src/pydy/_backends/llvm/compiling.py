@@ -12,6 +12,7 @@ from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass
 from functools import cache as once
+from mmap import mmap
 from pathlib import Path
 from typing import Any
 
@@ -19,16 +20,7 @@ from llvmlite import __version__ as llvmlite_version
 from llvmlite import binding
 
 from pydy._backends.llvm.targets import target
-
-__all__ = [
-    "Helper",
-    "HelperError",
-    "Source",
-    "object_code",
-    "serve",
-    "target_lines",
-    "target_machine",
-]
+from pydy._backends.tuning import ROOM, ROOM_PER_LETTER
 
 
 def _written_by() -> bytes:
@@ -75,26 +67,16 @@ def target_lines() -> str:
 
 @dataclass(frozen=True)
 class Source:
-    """What can be compiled.
+    """What can be compiled."""
 
-    Attributes
-    ----------
-    what : str
-        Identifies the IR: a Program's digest with the options.
-    text : callable
-        Returns the IR, a module; ``text(True)`` the same in brief, for code that must be ready
-        quickly. It knows the functions of libm, of Python's C interface, and
-        those of the code that is passed as `calls`. It can be pickled.
-    names : tuple of str
-        The functions whose addresses are wanted.
-    loops : bool
-        Whether the code has loops, or does the same many times side by side: LLVM's optimisation
-        passes then pay.
-    """
-
-    what: str
+    what: str  # identifies the IR: a Program's digest with the options
+    # returns the IR, a module; ``text(True)`` the same in brief, for code that must be ready
+    # quickly. It knows the functions of libm, of Python's C interface, and those of the code
+    # that is passed as `calls`. It can be pickled.
     text: Callable[[bool], str]
-    names: tuple[str, ...]
+    names: tuple[str, ...]  # the functions whose addresses are wanted
+    # whether the code has loops, or does the same many times side by side: LLVM's
+    # optimisation passes then pay
     loops: bool = False
 
     @property
@@ -109,6 +91,17 @@ def _emitter(quick: bool) -> Any:
     return target_machine(quick)
 
 
+def _find_room(size: int) -> None:
+    """Raise where memory for LLVM is not to be had: it would end the process."""
+    try:
+        mmap(-1, size).close()  # pages that nobody writes to cost nothing
+    except OSError:
+        raise MemoryError(
+            f"Compiling may need {size / 1e6:.0f} MB of memory, and the process cannot have as "
+            "much. Allow it more: `ulimit -v` or the job's settings limit it."
+        ) from None
+
+
 def object_code(source: Source, quick: bool = False) -> bytes:
     """Compile a module of IR text.
 
@@ -116,8 +109,10 @@ def object_code(source: Source, quick: bool = False) -> bytes:
     straight-line code that comes from a graph without redundancy they cost a third of the time and
     change nothing (measured on pendulums of 10 and 20 links).
     """
+    text = source.text(quick)
+    _find_room(ROOM + ROOM_PER_LETTER * len(text))
     # A context of its own lets two threads compile at the same time.
-    module = binding.parse_assembly(source.text(quick), binding.create_context())
+    module = binding.parse_assembly(text, binding.create_context())
     machine = _emitter(quick)
     if source.loops and not quick:
         tuning = binding.create_pipeline_tuning_options(speed_level=2)

@@ -8,9 +8,6 @@ from typing import Any
 
 from pydy._backends.llvm.jit import Code
 
-__all__ = ["Gate"]
-
-
 _make = ctypes.pythonapi.PyCFunction_NewEx
 _make.restype = ctypes.py_object
 _make.argtypes = [ctypes.c_void_p, ctypes.py_object, ctypes.py_object]

@@ -11,18 +11,6 @@ import struct
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
-__all__ = [
-    "HEAP_DECLARATIONS",
-    "MALLOC",
-    "STACK_BYTES",
-    "WIDTHS",
-    "Function",
-    "hex_double",
-    "literal",
-    "vector_type",
-]
-
-
 WIDTHS = (1, 2, 4, 8)
 """How many lanes code may have."""
 

@@ -13,8 +13,6 @@ from pydy._backends.llvm import background
 from pydy._backends.llvm.background import Compile
 from pydy._backends.llvm.compiling import Source, object_code, target_machine
 
-__all__ = ["Code", "Joined", "Source", "find", "load", "load_quickly", "memory"]
-
 # Linking uses LLVM's global state; compiling does not.
 _LOCK = _forks.Lock()
 

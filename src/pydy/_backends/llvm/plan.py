@@ -13,8 +13,6 @@ from pydy._backends.llvm.ir import Function
 from pydy._graph.operations import operands
 from pydy._graph.program import Program
 
-__all__ = ["Place", "Registers", "fusion", "readers"]
-
 Place = str | tuple[str, int]
 
 

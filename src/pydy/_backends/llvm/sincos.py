@@ -12,16 +12,6 @@ from __future__ import annotations
 
 from pydy._backends.llvm.ir import WIDTHS, Function, literal, vector_type
 
-__all__ = [
-    "LIMIT",
-    "sincos",
-    "sincos_call",
-    "sincos_declarations",
-    "sincos_functions",
-    "sincos_names",
-    "sincos_together",
-]
-
 LIMIT = 1e5
 
 # π/2 as the exact sum of three doubles, to about 1e-49.

@@ -11,8 +11,6 @@ from __future__ import annotations
 from pydy._backends.llvm.ir import Function, hex_double, literal, vector_type
 from pydy._graph.tuning import INDEPENDENT, REDUNDANT, SINGULAR
 
-__all__ = ["mask", "solver_declarations", "solver_functions", "solver_names"]
-
 _INTERNAL = "internal|nounwind"
 _PUBLIC = "|nounwind"
 

@@ -14,32 +14,19 @@ from functools import cache as once
 
 from llvmlite import binding
 
-__all__ = ["Registers", "Target", "chosen", "registers_for", "target"]
-
 
 @dataclass(frozen=True)
 class Registers:
-    """The vector registers of a kind of processor.
+    """The vector registers of a kind of processor."""
 
-    Attributes
-    ----------
-    needs : str
-        A feature, in LLVM's words, that only such processors have; empty for any.
-    count : int
-    doubles : int
-        How many a register holds.
-    widest : int
-        Lanes of straight-line code that does not fit in the registers: wider kernels are made of
-        several parts. It is a width at which the registers hold a dozen values.
-    whole : int
-        Operations up to which code of that many lanes is one basic block, in which LLVM decides
-        what waits in memory.
-    """
-
-    needs: str
+    needs: str  # a feature, in LLVM's words, that only such processors have; empty for any
     count: int
-    doubles: int
+    doubles: int  # how many a register holds
+    # lanes of straight-line code that does not fit in the registers: wider kernels are made
+    # of several parts. It is a width at which the registers hold a dozen values.
     widest: int
+    # operations up to which code of that many lanes is one basic block, in which LLVM
+    # decides what waits in memory
     whole: int
 
 
@@ -68,19 +55,10 @@ _NAMES = ("native", "generic", *_LEVELS)
 
 @dataclass(frozen=True)
 class Target:
-    """What LLVM compiles for.
+    """What LLVM compiles for."""
 
-    Attributes
-    ----------
-    name : str
-        As PYDY_CPU has it.
-    triple, processor, features : str
-        In LLVM's words.
-    registers : Registers
-    """
-
-    name: str
-    triple: str
+    name: str  # as PYDY_CPU has it
+    triple: str  # triple, processor, features: in LLVM's words
     processor: str
     features: str
     registers: Registers

@@ -17,16 +17,6 @@ from pydy._backends.tuning import LOOP
 from pydy._graph.operations import ANGLES
 from pydy._graph.program import Program
 
-__all__ = [
-    "KERNEL_PARAMETERS",
-    "is_small",
-    "kernel_text",
-    "module_text",
-    "prepare_text",
-    "routines_text",
-    "stage_text",
-]
-
 
 def kernel_text(
     program: Program,

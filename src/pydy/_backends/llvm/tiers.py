@@ -15,7 +15,7 @@ from typing import Any
 from pydy import _forks
 from pydy._backends.llvm import jit
 from pydy._backends.llvm.background import Compile
-from pydy._backends.llvm.compiling import object_code
+from pydy._backends.llvm.compiling import Source, object_code
 from pydy._backends.llvm.emit import SOLVES
 from pydy._backends.llvm.native import Quality
 from pydy._backends.llvm.sincos import sincos_names
@@ -27,25 +27,14 @@ from pydy._graph.collector import collector_paused
 from pydy._graph.operations import ANGLES
 from pydy._graph.program import Program
 
-__all__ = ["Tiers", "calls_routines", "shared_routines", "tiers_of", "wide_code", "width_of"]
-
 
 @dataclass(frozen=True)
 class Tiers:
-    """Code for one state.
+    """Code for one state."""
 
-    Attributes
-    ----------
-    source : Source
-    calls : tuple of int
-        The lanes of the shared routines that it needs.
-    short : Source or None
-        The same without fallbacks, where that is much less.
-    """
-
-    source: jit.Source
-    calls: tuple[int, ...]
-    short: jit.Source | None = None
+    source: Source
+    calls: tuple[int, ...]  # the lanes of the shared routines that it needs
+    short: Source | None = None  # the same without fallbacks, where that is much less
 
     def at_hand(self) -> tuple[jit.Code, Quality]:
         code = jit.find(self.source, self._routines())
@@ -72,7 +61,7 @@ def tiers_of(program: Program) -> Tiers:
     short = None
     if len(program.without_fallbacks()) < MOST_WITHOUT_FALLBACKS * len(program.ops):
         name = f"kernel {program.digest} without fallbacks"
-        short = jit.Source(name, partial(_short_text, program), ("kernel", "prepare"))
+        short = Source(name, partial(_short_text, program), ("kernel", "prepare"))
     return Tiers(_source(program, 1, 1, loops=_repeats(program)), calls, short)
 
 
@@ -104,9 +93,9 @@ def wide_code(program: Program, lanes: int, width: int | None = None) -> jit.Cod
     return jit.load(_source(program, lanes, width), routines)
 
 
-def _source(program: Program, lanes: int, width: int, loops: bool = False) -> jit.Source:
+def _source(program: Program, lanes: int, width: int, loops: bool = False) -> Source:
     name, text = f"kernel {program.digest} {lanes} {width}", _Text(program, lanes, width)
-    return jit.Source(name, text, ("kernel", "prepare", "strided")[: 2 + (lanes > 1)], loops=loops)
+    return Source(name, text, ("kernel", "prepare", "strided")[: 2 + (lanes > 1)], loops=loops)
 
 
 def calls_routines(program: Program) -> bool:
@@ -156,7 +145,7 @@ def shared_routines(lanes: int, at_best: bool, compile_source: Compile = object_
     if best is not None:
         return best
     names = solver_names(lanes) + sincos_names(lanes)
-    source = jit.Source(f"routines {lanes}", partial(routines_text, lanes), names, loops=True)
+    source = Source(f"routines {lanes}", partial(routines_text, lanes), names, loops=True)
     code: jit.Code | None
     if not at_best:
         code = jit.find(source)

@@ -1,6 +1,6 @@
 """Differences of neighbouring rows: where each coordinate carries everything after it.
 
-Neighbouring rows of M and b then agree but for one body. With T the identity less the first
+Neighbouring rows of M and b then agree except for one body. With T the identity less the first
 superdiagonal, T M Tᵀ is nearly diagonal and T b short: ``(T M Tᵀ) y = T b`` and ``x = Tᵀ y``, that
 is ``x[i] = y[i] − y[i − 1]``.
 """

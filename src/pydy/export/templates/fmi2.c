@@ -42,7 +42,7 @@ static fmi2Status told(Instance *self, int failed, const char *message)
     return fmi2Error;
 }
 
-static const char *const SINGULAR = "the mass matrix is singular, or a value reference is wrong";
+static const char *const MASS_IS_SINGULAR = "the mass matrix is singular, or a value reference is wrong";
 
 EXPORT const char *fmi2GetTypesPlatform(void) { return "default"; }
 EXPORT const char *fmi2GetVersion(void) { return "2.0"; }
@@ -89,7 +89,7 @@ STATUS fmi2ExitInitializationMode(fmi2Component instance)
 {
     SELF;
     take_sides(m);
-    return told(self, update_rates(m), SINGULAR);
+    return told(self, update_rates(m), MASS_IS_SINGULAR);
 }
 
 STATUS fmi2Terminate(fmi2Component instance) { (void)instance; return fmi2OK; }
@@ -110,7 +110,7 @@ STATUS fmi2GetReal(fmi2Component instance, const Reference *vr, size_t n, double
     int failed = 0;
     for (size_t k = 0; k < n && !failed; k++)
         failed = get_real(m, vr[k], values + k);
-    return told(self, failed, SINGULAR);
+    return told(self, failed, MASS_IS_SINGULAR);
 }
 
 STATUS fmi2SetReal(fmi2Component instance, const Reference *vr, size_t n, const double *values)
@@ -195,7 +195,7 @@ STATUS fmi2GetDirectionalDerivative(fmi2Component instance, const Reference *unk
 {
     SELF;
     const int failed = derivative(m, unknowns, rows, knowns, columns, seed, sensitivity, 0);
-    return told(self, failed, SINGULAR);
+    return told(self, failed, MASS_IS_SINGULAR);
 }
 
 /* -- Model Exchange ----------------------------------------------------------------------------------- */
@@ -256,7 +256,7 @@ STATUS fmi2GetDerivatives(fmi2Component instance, double *rates, size_t n)
     const int failed = n != NX || update_rates(m);
     if (!failed)
         memcpy(rates, m->rates, NX * sizeof(double));
-    return told(self, failed, SINGULAR);
+    return told(self, failed, MASS_IS_SINGULAR);
 }
 
 STATUS fmi2GetEventIndicators(fmi2Component instance, double *values, size_t n)
@@ -304,7 +304,7 @@ STATUS fmi2DoStep(fmi2Component instance, double point, double step, int no_set_
     self->stopped = outcome == ENDED;
     if (outcome == ENDED)
         return fmi2Discard;
-    return told(self, outcome == FAILED, "the integration failed: a singular or infinite state");
+    return told(self, outcome == FAILED, "the state is singular or infinite, or an event is NaN");
 }
 
 STATUS fmi2CancelStep(fmi2Component instance) { (void)instance; return fmi2Error; }

@@ -32,7 +32,7 @@ static fmi3Status told(Instance *self, int failed, const char *message)
     return fmi3Error;
 }
 
-static const char *const SINGULAR = "the mass matrix is singular, or a value reference is wrong";
+static const char *const MASS_IS_SINGULAR = "the mass matrix is singular, or a value reference is wrong";
 
 EXPORT const char *fmi3GetVersion(void) { return "3.0"; }
 
@@ -99,7 +99,7 @@ STATUS fmi3ExitInitializationMode(fmi3Instance instance)
 {
     SELF;
     take_sides(m);
-    return told(self, update_rates(m), SINGULAR);
+    return told(self, update_rates(m), MASS_IS_SINGULAR);
 }
 
 STATUS fmi3EnterEventMode(fmi3Instance instance) { (void)instance; return fmi3OK; }
@@ -121,7 +121,7 @@ STATUS fmi3GetFloat64(fmi3Instance instance, const Reference *vr, size_t n, doub
     int failed = n != nv;
     for (size_t k = 0; k < n && !failed; k++)
         failed = get_real(m, vr[k], values + k);
-    return told(self, failed, SINGULAR);
+    return told(self, failed, MASS_IS_SINGULAR);
 }
 
 STATUS fmi3SetFloat64(
@@ -259,7 +259,7 @@ STATUS fmi3GetDirectionalDerivative(fmi3Instance instance, const Reference *unkn
     SELF;
     const int failed = ns != columns || n != rows
         || derivative(m, unknowns, rows, knowns, columns, seed, sensitivity, 0);
-    return told(self, failed, SINGULAR);
+    return told(self, failed, MASS_IS_SINGULAR);
 }
 
 STATUS fmi3GetAdjointDerivative(fmi3Instance instance, const Reference *unknowns, size_t rows,
@@ -269,7 +269,7 @@ STATUS fmi3GetAdjointDerivative(fmi3Instance instance, const Reference *unknowns
     SELF;
     const int failed = ns != rows || n != columns
         || derivative(m, unknowns, rows, knowns, columns, seed, sensitivity, 1);
-    return told(self, failed, SINGULAR);
+    return told(self, failed, MASS_IS_SINGULAR);
 }
 
 /* -- what this model does not have: structure, clocks, partitions ------------------------------------ */
@@ -398,7 +398,7 @@ STATUS fmi3GetContinuousStateDerivatives(fmi3Instance instance, double *rates, s
     const int failed = n != NX || update_rates(m);
     if (!failed)
         memcpy(rates, m->rates, NX * sizeof(double));
-    return told(self, failed, SINGULAR);
+    return told(self, failed, MASS_IS_SINGULAR);
 }
 
 STATUS fmi3GetEventIndicators(fmi3Instance instance, double *values, size_t n)
@@ -456,5 +456,5 @@ STATUS fmi3DoStep(fmi3Instance instance, double point, double step, bool no_set_
     *event_needed = *early = false;
     *terminate = outcome == ENDED;
     *last = m->t;
-    return told(self, outcome == FAILED, "the integration failed: a singular or infinite state");
+    return told(self, outcome == FAILED, "the state is singular or infinite, or an event is NaN");
 }

@@ -5,7 +5,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "config.h"
+#define ENTRY static
+#include "advance.c"
+#include "scan_events.c"
 
 /* Value references, in this order: time, states, derivatives, inputs, outputs, constants, event
    indicators. */
@@ -23,13 +25,13 @@ typedef struct {
     double t, x[NX + 1], u[NU + 1], p[NP + 1], prepared[NPREPARED];
     double rates[NX + 1], outputs[NY + 1], z[NE + 1], dz[NE + 1];
     int prepared_fresh, rates_fresh, outputs_fresh, running;
-    int sides[NE + 1], fired[NE + 1];
+    int64_t sides[NE + 1], fired[NE + 1];
     /* of the integration */
-    double rtol, h, last_error, growth, last_event[NE + 1];
+    double rtol, last_event[NE + 1], state[FOUND + 1];
+    int64_t counts[PROJECTIONS + 1];
     int crowd[NE + 1];
-    int started;
-    double stages[NSTAGES + 1 + NDENSE][NX + 1], fresh[NX + 1], trial[NX + 1];
-    double errors[NERRORS][NX + 1], interpolant[3 + NINTERPOLANT][NX + 1];
+    double stages[NVECTORS * NX + 1], fresh[NX + 1], trial[NX + 1], errors[2 * NX + 1];
+    double interpolant[NPARTS * NX + 1], probes[2 * NE + 1], probe[NX + 1];
     double resets[NE * NX + 1], derivatives[(NX + NY) * (NX + NU) + 1];
 } Model;
 
@@ -54,7 +56,8 @@ static void model_reset(Model *m)
 /* Note that the state, an input, the time or a constant is another one. */
 static void changed(Model *m)
 {
-    m->rates_fresh = m->outputs_fresh = m->started = 0;
+    m->rates_fresh = m->outputs_fresh = 0;
+    m->counts[STARTED] = 0;
 }
 
 static void prepare(Model *m)
@@ -215,12 +218,6 @@ static void take_sides(Model *m)
 #endif
 }
 
-static int crossed(const Model *m, int k, double value)
-{
-    return (m->sides[k] < 0 && value > 0.0 && DIRECTIONS[k] >= 0)
-        || (m->sides[k] > 0 && value < 0.0 && DIRECTIONS[k] <= 0);
-}
-
 /* Reset the states for the events that have fired; 1 where one of them ends the motion. */
 static int act(Model *m)
 {
@@ -229,13 +226,13 @@ static int act(Model *m)
     for (int k = 0; k < NE; k++) {
         if (!m->fired[k])
             continue;
-        if (ACTING[k]) {
+        if (EVENT_ACTING[k]) {
             prepare(m);
             MODEL(resets)(m->t, m->x, m->u, m->prepared, m->resets);
             memcpy(m->x, m->resets + k * NX, NX * sizeof(double));
             changed(m);
         }
-        ends = ends || TERMINAL[k];
+        ends = ends || EVENT_TERMINAL[k];
         /* so many so close together that they accumulate, as of a ball that comes to rest */
         if (m->t - m->last_event[k] < 1e-11 * (fabs(m->t) + 1.0))
             m->crowd[k]++;
@@ -261,11 +258,11 @@ static int handle_events(Model *m, int *moved)
 #endif
     for (int k = 0; k < NE; k++) {
         /* importers may stop exactly at the crossing */
-        const int there = m->z[k] == 0.0 && m->dz[k] * m->sides[k] < 0.0
-            && DIRECTIONS[k] != m->sides[k];
-        m->fired[k] = crossed(m, k, m->z[k]) || there;
+        const int there = m->z[k] == 0.0 && m->dz[k] * (double)m->sides[k] < 0.0
+            && EVENT_DIRECTIONS[k] != m->sides[k];
+        m->fired[k] = crossed(m->sides[k], m->z[k], EVENT_DIRECTIONS[k]) || there;
         some = some || m->fired[k];
-        *moved = *moved || (m->fired[k] && ACTING[k]);
+        *moved = *moved || (m->fired[k] && EVENT_ACTING[k]);
     }
     if (some)
         return act(m);

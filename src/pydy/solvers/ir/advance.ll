@@ -1,2976 +1,2386 @@
-; sources c32cc0cf9834991fc056df8c5e10ba02812dd185052e4b1032f66b5f1fb37ab4
-; Made by tools/solvers_ir.py with numba 0.68.1, llvmlite 0.50.0.
+; sources 271cfe5fe3c52471e365fffc7830c95b6e5027667dc5299b8270c258fee48f2c
+; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
-define internal fastcc i32 @_sample(ptr noalias %0, ptr %1, i64 %2, ptr %3, i64 %4, i64 %5, ptr %6, i64 %7, ptr %8, i64 %9, i64 %10, double %11) unnamed_addr #0 {
-  %13 = call i64 @llvm.smax.i64(i64 %4, i64 0)
-  br label %14
+define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
+  %4 = alloca [1 x double], align 8
+  %5 = alloca [1 x double], align 8
+  %6 = alloca [1 x double], align 8
+  %7 = icmp eq i64 %2, 1
+  br i1 %7, label %8, label %61
 
-14:                                               ; preds = %93, %12
-  %15 = phi i64 [ 0, %12 ], [ %120, %93 ]
-  %16 = phi i64 [ %13, %12 ], [ %121, %93 ]
-  %17 = icmp sgt i64 %16, 0
-  br i1 %17, label %19, label %18
+8:                                                ; preds = %3
+  %9 = getelementptr inbounds i8, ptr %0, i64 144
+  %10 = load ptr, ptr %9, align 8
+  %11 = getelementptr inbounds i8, ptr %10, i64 8
+  %12 = load i64, ptr %11, align 8
+  %13 = icmp sgt i64 %12, 0
+  br i1 %13, label %14, label %16
 
-18:                                               ; preds = %14
-  store ptr null, ptr %0, align 8
-  ret i32 0
+14:                                               ; preds = %8
+  %15 = getelementptr inbounds i8, ptr %0, i64 312
+  br label %23
 
-19:                                               ; preds = %14
-  %20 = icmp slt i64 %15, 0
-  %21 = select i1 %20, i64 %4, i64 0
-  %22 = add i64 %15, %21
-  %23 = mul i64 %22, %5
-  %24 = getelementptr i64, ptr %3, i64 %23
-  %25 = getelementptr i8, ptr %24, i64 24
-  %26 = load i64, ptr %25, align 8
-  %27 = getelementptr i8, ptr %24, i64 8
-  %28 = load i64, ptr %27, align 8, !noalias !0
-  %29 = getelementptr i8, ptr %24, i64 16
-  %30 = load i64, ptr %29, align 8, !noalias !0
-  %31 = add nsw i64 %28, %30
-  %32 = icmp slt i64 %28, 0
-  %33 = select i1 %32, i64 %7, i64 0
-  %34 = add i64 %28, %33
-  %35 = icmp slt i64 %34, 0
-  br i1 %35, label %50, label %51, !prof !4
+16:                                               ; preds = %23, %8
+  %17 = getelementptr inbounds i8, ptr %0, i64 584
+  %18 = load i64, ptr %17, align 8
+  %19 = icmp sgt i64 %18, 0
+  br i1 %19, label %20, label %34
 
-36:                                               ; preds = %65, %62
-  %37 = phi i64 [ %7, %65 ], [ %63, %62 ]
-  %38 = sub i64 %37, %56
-  %39 = call i64 @llvm.smax.i64(i64 %38, i64 0)
-  %40 = getelementptr double, ptr %6, i64 %56
-  %41 = load double, ptr %40, align 8, !noalias !0
-  %42 = fcmp ogt double %41, %11
-  %43 = select i1 %42, double %41, double %11
-  %44 = icmp slt i64 %26, 0
-  %45 = select i1 %44, i64 %39, i64 0
-  %46 = getelementptr double, ptr %40, i64 %26
-  %47 = getelementptr double, ptr %46, i64 %45
-  %48 = load double, ptr %47, align 8, !noalias !5
-  %49 = fcmp ugt double %48, %43
-  br i1 %49, label %76, label %66
+20:                                               ; preds = %16
+  %21 = getelementptr inbounds i8, ptr %0, i64 576
+  %22 = getelementptr inbounds i8, ptr %0, i64 984
+  br label %41
 
-50:                                               ; preds = %19
+23:                                               ; preds = %14, %23
+  %24 = phi i64 [ 0, %14 ], [ %29, %23 ]
+  %25 = getelementptr inbounds double, ptr %1, i64 %24
+  %26 = load double, ptr %25, align 8
+  %27 = load ptr, ptr %15, align 8
+  %28 = getelementptr inbounds double, ptr %27, i64 %24
+  store double %26, ptr %28, align 8
+  %29 = add nuw nsw i64 %24, 1
+  %30 = load ptr, ptr %9, align 8
+  %31 = getelementptr inbounds i8, ptr %30, i64 8
+  %32 = load i64, ptr %31, align 8
+  %33 = icmp slt i64 %29, %32
+  br i1 %33, label %23, label %16, !llvm.loop !3
+
+34:                                               ; preds = %41, %16
+  %35 = getelementptr inbounds i8, ptr %0, i64 608
+  %36 = load i64, ptr %35, align 8
+  %37 = icmp sgt i64 %36, 0
+  br i1 %37, label %38, label %61
+
+38:                                               ; preds = %34
+  %39 = getelementptr inbounds i8, ptr %0, i64 600
+  %40 = getelementptr inbounds i8, ptr %0, i64 1008
   br label %51
 
-51:                                               ; preds = %50, %19
-  %52 = phi i64 [ 0, %50 ], [ %34, %19 ]
-  %53 = icmp slt i64 %34, %7
-  br i1 %53, label %55, label %54, !prof !8
+41:                                               ; preds = %20, %41
+  %42 = phi i64 [ 0, %20 ], [ %48, %41 ]
+  %43 = load ptr, ptr %22, align 8
+  %44 = getelementptr inbounds double, ptr %43, i64 %42
+  %45 = load double, ptr %44, align 8
+  %46 = load ptr, ptr %21, align 8
+  %47 = getelementptr inbounds double, ptr %46, i64 %42
+  store double %45, ptr %47, align 8
+  %48 = add nuw nsw i64 %42, 1
+  %49 = load i64, ptr %17, align 8
+  %50 = icmp slt i64 %48, %49
+  br i1 %50, label %41, label %34, !llvm.loop !6
 
-54:                                               ; preds = %51
-  br label %55
+51:                                               ; preds = %38, %51
+  %52 = phi i64 [ 0, %38 ], [ %58, %51 ]
+  %53 = load ptr, ptr %40, align 8
+  %54 = getelementptr inbounds i64, ptr %53, i64 %52
+  %55 = load i64, ptr %54, align 8
+  %56 = load ptr, ptr %39, align 8
+  %57 = getelementptr inbounds i64, ptr %56, i64 %52
+  store i64 %55, ptr %57, align 8
+  %58 = add nuw nsw i64 %52, 1
+  %59 = load i64, ptr %35, align 8
+  %60 = icmp slt i64 %58, %59
+  br i1 %60, label %51, label %61, !llvm.loop !7
 
-55:                                               ; preds = %54, %51
-  %56 = phi i64 [ %7, %54 ], [ %52, %51 ]
-  %57 = icmp slt i64 %31, 0
-  %58 = select i1 %57, i64 %7, i64 0
-  %59 = add i64 %31, %58
-  %60 = icmp slt i64 %59, 0
-  br i1 %60, label %61, label %62, !prof !4
+61:                                               ; preds = %51, %34, %3
+  %62 = getelementptr inbounds i8, ptr %0, i64 144
+  %63 = getelementptr inbounds i8, ptr %0, i64 312
+  %64 = getelementptr inbounds i8, ptr %0, i64 576
+  %65 = load ptr, ptr %64, align 8
+  %66 = getelementptr inbounds i8, ptr %0, i64 336
+  %67 = load ptr, ptr %66, align 8
+  %68 = getelementptr inbounds i8, ptr %0, i64 600
+  %69 = load ptr, ptr %68, align 8
+  %70 = getelementptr inbounds i8, ptr %69, i64 56
+  %71 = load i64, ptr %70, align 8
+  %72 = icmp eq i64 %71, 0
+  br i1 %72, label %1489, label %73
 
-61:                                               ; preds = %55
-  br label %62
-
-62:                                               ; preds = %61, %55
-  %63 = phi i64 [ 0, %61 ], [ %59, %55 ]
-  %64 = icmp slt i64 %59, %7
-  br i1 %64, label %36, label %65, !prof !8
-
-65:                                               ; preds = %62
-  br label %36
-
-66:                                               ; preds = %36
-  %67 = add nsw i64 %39, -1
-  %68 = icmp eq i64 %26, %67
-  br i1 %68, label %93, label %69
-
-69:                                               ; preds = %66
-  %70 = icmp slt i64 %26, -1
-  %71 = select i1 %70, i64 %39, i64 0
-  %72 = getelementptr i8, ptr %46, i64 8
-  %73 = getelementptr double, ptr %72, i64 %71
-  %74 = load double, ptr %73, align 8, !noalias !5
-  %75 = fcmp olt double %43, %74
-  br i1 %75, label %93, label %76
-
-76:                                               ; preds = %69, %36
-  %77 = icmp sgt i64 %38, 1
-  br i1 %77, label %78, label %93
-
-78:                                               ; preds = %78, %76
-  %79 = phi i64 [ %89, %78 ], [ %39, %76 ]
-  %80 = phi i64 [ %90, %78 ], [ 0, %76 ]
-  %81 = add nsw i64 %80, %79
-  %82 = ashr i64 %81, 1
-  %83 = icmp slt i64 %82, 0
-  %84 = select i1 %83, i64 %39, i64 0
-  %85 = getelementptr double, ptr %40, i64 %82
-  %86 = getelementptr double, ptr %85, i64 %84
-  %87 = load double, ptr %86, align 8, !noalias !5
-  %88 = fcmp ole double %87, %43
-  %89 = select i1 %88, i64 %79, i64 %82
-  %90 = select i1 %88, i64 %82, i64 %80
-  %91 = sub nsw i64 %89, %90
-  %92 = icmp sgt i64 %91, 1
-  br i1 %92, label %78, label %93
-
-93:                                               ; preds = %78, %76, %69, %66
-  %94 = phi i64 [ %26, %66 ], [ %26, %69 ], [ %90, %78 ], [ 0, %76 ]
-  %95 = icmp slt i64 %94, 0
-  %96 = select i1 %95, i64 %39, i64 0
-  %97 = getelementptr double, ptr %40, i64 %94
-  %98 = getelementptr double, ptr %97, i64 %96
-  %99 = load double, ptr %98, align 8, !noalias !0
-  %100 = fsub double %43, %99
-  %101 = add nsw i64 %28, %94
-  %102 = icmp slt i64 %101, 0
-  %103 = select i1 %102, i64 %9, i64 0
-  %104 = add i64 %101, %103
-  %105 = mul i64 %104, %10
-  %106 = getelementptr double, ptr %8, i64 %105
-  %107 = load double, ptr %106, align 8, !noalias !0
-  %108 = getelementptr i8, ptr %106, i64 8
-  %109 = load double, ptr %108, align 8, !noalias !0
-  %110 = getelementptr i8, ptr %106, i64 16
-  %111 = load double, ptr %110, align 8, !noalias !0
-  %112 = getelementptr i8, ptr %106, i64 24
-  %113 = load double, ptr %112, align 8, !noalias !0
-  %114 = fmul double %100, %113
-  %115 = fadd double %111, %114
-  %116 = fmul double %100, %115
-  %117 = fadd double %109, %116
-  %118 = fmul double %100, %117
-  %119 = fadd double %107, %118
-  %120 = add i64 %15, 1
-  %121 = add nsw i64 %16, -1
-  %122 = load i64, ptr %24, align 8
-  %123 = icmp slt i64 %122, 0
-  %124 = select i1 %123, i64 %2, i64 0
-  %125 = getelementptr double, ptr %1, i64 %122
-  %126 = getelementptr double, ptr %125, i64 %124
-  store double %119, ptr %126, align 8
-  store i64 %94, ptr %25, align 8
-  br label %14
-}
-
-define internal fastcc i32 @write_reached(ptr noalias %0, ptr %1, ptr %2, i64 %3, ptr %4, ptr %5, i64 %6, ptr %7, i64 %8, ptr %9, i64 %10) unnamed_addr {
-  %12 = getelementptr i8, ptr %1, i64 8
-  %13 = load i64, ptr %12, align 8
-  %14 = getelementptr i8, ptr %5, i64 48
-  %15 = load i64, ptr %14, align 8
-  %16 = icmp slt i64 %15, %6
-  br i1 %16, label %17, label %43
-
-17:                                               ; preds = %11
-  %18 = icmp slt i64 %15, 0
-  %19 = select i1 %18, i64 %8, i64 0
-  %20 = getelementptr double, ptr %7, i64 %15
-  %21 = getelementptr double, ptr %20, i64 %19
-  %22 = load double, ptr %21, align 8
-  %23 = load double, ptr %4, align 8
-  %24 = fcmp ugt double %22, %23
-  br i1 %24, label %43, label %25
-
-25:                                               ; preds = %17, %35
-  %26 = phi i64 [ %33, %35 ], [ %15, %17 ]
-  %27 = call i64 @llvm.smax.i64(i64 %13, i64 0)
-  br label %28
-
-28:                                               ; preds = %25, %47
-  %29 = phi i64 [ 0, %25 ], [ %49, %47 ]
-  %30 = phi i64 [ %27, %25 ], [ %48, %47 ]
-  %31 = icmp sgt i64 %30, 0
-  br i1 %31, label %47, label %32
-
-32:                                               ; preds = %28
-  %33 = add nsw i64 %26, 1
-  %34 = icmp slt i64 %33, %6
-  br i1 %34, label %35, label %43
-
-35:                                               ; preds = %32
-  %36 = icmp slt i64 %26, -1
-  %37 = select i1 %36, i64 %8, i64 0
-  %38 = getelementptr double, ptr %7, i64 %33
-  %39 = getelementptr double, ptr %38, i64 %37
-  %40 = load double, ptr %39, align 8
-  %41 = load double, ptr %4, align 8
-  %42 = fcmp ugt double %40, %41
-  br i1 %42, label %43, label %25
-
-43:                                               ; preds = %35, %32, %17, %11
-  %44 = phi i64 [ %33, %35 ], [ %33, %32 ], [ %15, %17 ], [ %15, %11 ]
-  store i64 %44, ptr %14, align 8
-  %45 = icmp eq i64 %44, %6
-  %46 = zext i1 %45 to i8
-  store i8 %46, ptr %0, align 1
-  ret i32 0
-
-47:                                               ; preds = %28
-  %48 = add nsw i64 %30, -1
-  %49 = add i64 %29, 1
-  %50 = icmp slt i64 %29, 0
-  %51 = select i1 %50, i64 %3, i64 0
-  %52 = getelementptr double, ptr %2, i64 %29
-  %53 = getelementptr double, ptr %52, i64 %51
-  %54 = load double, ptr %53, align 8
-  %55 = mul nsw i64 %26, %13
-  %56 = add nsw i64 %55, %29
-  %57 = icmp slt i64 %56, 0
-  %58 = select i1 %57, i64 %10, i64 0
-  %59 = getelementptr double, ptr %9, i64 %56
-  %60 = getelementptr double, ptr %59, i64 %58
-  store double %54, ptr %60, align 8
-  br label %28
-}
-
-define internal fastcc i32 @norm(ptr noalias %0, ptr %1, ptr %2, ptr %3, ptr %4, i64 %5, ptr %6, i64 %7, i64 %8) unnamed_addr #0 {
-  %10 = call i64 @llvm.smax.i64(i64 %8, i64 0)
-  br label %11
-
-11:                                               ; preds = %20, %9
-  %12 = phi i64 [ 0, %9 ], [ %22, %20 ]
-  %13 = phi i64 [ %10, %9 ], [ %21, %20 ]
-  %14 = phi double [ 0.000000e+00, %9 ], [ %46, %20 ]
-  %15 = icmp sgt i64 %13, 0
-  br i1 %15, label %20, label %16
-
-16:                                               ; preds = %11
-  %17 = sitofp i64 %8 to double
-  %18 = fdiv double %14, %17
-  %19 = call double @llvm.sqrt.f64(double %18)
-  store double %19, ptr %0, align 8
-  ret i32 0
-
-20:                                               ; preds = %11
-  %21 = add nsw i64 %13, -1
-  %22 = add i64 %12, 1
-  %23 = getelementptr double, ptr %1, i64 %12
-  %24 = load double, ptr %23, align 8
-  %25 = getelementptr double, ptr %3, i64 %12
-  %26 = load double, ptr %25, align 8
-  %27 = getelementptr double, ptr %2, i64 %12
-  %28 = load double, ptr %27, align 8
-  %29 = icmp slt i64 %12, 0
-  %30 = select i1 %29, i64 %7, i64 0
-  %31 = getelementptr double, ptr %6, i64 %12
-  %32 = getelementptr double, ptr %31, i64 %30
-  %33 = load double, ptr %32, align 8, !noalias !9
-  %34 = select i1 %29, i64 %5, i64 0
-  %35 = getelementptr double, ptr %4, i64 %12
-  %36 = getelementptr double, ptr %35, i64 %34
-  %37 = load double, ptr %36, align 8, !noalias !9
-  %38 = call double @llvm.fabs.f64(double %26)
-  %39 = call double @llvm.fabs.f64(double %28)
-  %40 = fcmp ogt double %38, %39
-  %41 = select i1 %40, double %38, double %39
-  %42 = fmul double %37, %41
-  %43 = fadd double %33, %42
-  %44 = fdiv double %24, %43
-  %45 = fmul double %44, %44
-  %46 = fadd double %14, %45
-  br label %11
-}
-
-declare double @llvm.fabs.f64(double) #1
-
-declare double @llvm.sqrt.f64(double) #1
-
-declare double @llvm.fma.f64(double, double, double) #1
-
-declare double @llvm.rint.f64(double) #1
-
-declare double @llvm.ceil.f64(double) #1
-
-define internal fastcc i32 @_combine_latest(ptr noalias %0, ptr %1, i64 %2, ptr %3, i64 %4, ptr %5, i64 %6, ptr %7, ptr %8, ptr %9, ptr %10, i64 %11, i64 %12, i64 %13, double %14) unnamed_addr {
-  %16 = getelementptr i8, ptr %7, i64 16
-  %17 = load i64, ptr %16, align 8
-  %18 = icmp ne i64 %17, 1
-  %19 = ptrtoint ptr %8 to i64
-  %20 = zext i1 %18 to i64
-  %21 = icmp slt i64 %12, 0
-  %22 = select i1 %21, i64 %2, i64 0
-  %23 = getelementptr i64, ptr %1, i64 %12
-  %24 = getelementptr i64, ptr %23, i64 %22
-  %25 = load i64, ptr %24, align 8, !noalias !12
-  %26 = ptrtoint ptr %9 to i64
-  %27 = ptrtoint ptr %10 to i64
-  %28 = ptrtoint ptr %3 to i64
-  %29 = shl i64 %25, 3
-  %30 = add i64 %29, %28
-  %31 = ptrtoint ptr %5 to i64
-  %32 = add i64 %29, %31
-  %33 = icmp slt i64 %12, -1
-  %34 = select i1 %33, i64 %2, i64 0
-  %35 = getelementptr i8, ptr %23, i64 8
-  %36 = getelementptr i64, ptr %35, i64 %34
-  %37 = load i64, ptr %36, align 8, !noalias !12
-  %38 = xor i64 %25, -1
-  %39 = add i64 %37, %38
-  call fastcc void @pydy_combine(i64 %13, i64 %19, i64 %26, i64 %27, i64 %30, i64 %32, i64 %39, i64 %20, i64 %17), !noalias !12
-  br i1 %18, label %60, label %40
-
-40:                                               ; preds = %15
-  %41 = load i64, ptr %36, align 8
-  %42 = add nsw i64 %41, -1
-  %43 = icmp sgt i64 %41, 0
-  %44 = select i1 %43, i64 0, i64 %6
-  %45 = getelementptr double, ptr %5, i64 %42
-  %46 = getelementptr double, ptr %45, i64 %44
-  %47 = load double, ptr %46, align 8
-  %48 = fmul double %14, %47
-  %49 = select i1 %43, i64 0, i64 %4
-  %50 = getelementptr i64, ptr %3, i64 %42
-  %51 = getelementptr i64, ptr %50, i64 %49
-  %52 = load i64, ptr %51, align 8
-  %53 = getelementptr i8, ptr %7, i64 8
-  %54 = load i64, ptr %53, align 8
-  %55 = call i64 @llvm.smax.i64(i64 %54, i64 0)
-  br label %56
-
-56:                                               ; preds = %40, %61
-  %57 = phi i64 [ 0, %40 ], [ %63, %61 ]
-  %58 = phi i64 [ %55, %40 ], [ %62, %61 ]
-  %59 = icmp sgt i64 %58, 0
-  br i1 %59, label %61, label %60
-
-60:                                               ; preds = %56, %15
-  store ptr null, ptr %0, align 8
-  ret i32 0
-
-61:                                               ; preds = %56
-  %62 = add nsw i64 %58, -1
-  %63 = add i64 %57, 1
-  %64 = shl nsw i64 %57, 3
-  %65 = add nsw i64 %13, %64
-  %66 = add nsw i64 %52, %57
-  %67 = icmp slt i64 %66, 0
-  %68 = select i1 %67, i64 %11, i64 0
-  %69 = getelementptr double, ptr %10, i64 %66
-  %70 = getelementptr double, ptr %69, i64 %68
-  %71 = load double, ptr %70, align 8
-  %72 = inttoptr i64 %65 to ptr
-  %73 = load double, ptr %72, align 8
-  %74 = call double @llvm.fma.f64(double %48, double %71, double %73)
-  store atomic double %74, ptr %72 unordered, align 8
-  br label %56
-}
-
-define internal fastcc void @pydy_combine(i64 %0, i64 %1, i64 %2, i64 %3, i64 %4, i64 %5, i64 %6, i64 %7, i64 %8) unnamed_addr #0 {
-  %10 = inttoptr i64 %2 to ptr
-  %11 = load <8 x double>, ptr %10, align 8
-  %12 = inttoptr i64 %4 to ptr
-  %13 = inttoptr i64 %5 to ptr
-  %14 = lshr i64 %8, 2
-  %15 = and i64 %8, 2305843009213693948
-  %16 = shl i64 %6, 3
-  %17 = getelementptr i8, ptr %12, i64 %16
-  %18 = getelementptr i8, ptr %13, i64 %16
-  br label %19
-
-19:                                               ; preds = %104, %9
-  %20 = phi i64 [ 0, %9 ], [ %110, %104 ]
-  %21 = icmp samesign ult i64 %20, %14
-  br i1 %21, label %22, label %27
-
-22:                                               ; preds = %19
-  %23 = shl i64 %20, 5
-  %24 = or disjoint i64 %23, 8
-  %25 = or disjoint i64 %23, 16
-  %26 = or disjoint i64 %23, 24
-  br label %29
-
-27:                                               ; preds = %19
-  %28 = and i64 %8, 3
-  br label %111
-
-29:                                               ; preds = %36, %22
-  %30 = phi <8 x double> [ zeroinitializer, %22 ], [ %48, %36 ]
-  %31 = phi <8 x double> [ zeroinitializer, %22 ], [ %51, %36 ]
-  %32 = phi <8 x double> [ zeroinitializer, %22 ], [ %54, %36 ]
-  %33 = phi <8 x double> [ zeroinitializer, %22 ], [ %57, %36 ]
-  %34 = phi i64 [ 0, %22 ], [ %58, %36 ]
-  %35 = icmp slt i64 %34, %6
-  br i1 %35, label %36, label %59
-
-36:                                               ; preds = %29
-  %37 = inttoptr i64 %3 to ptr
-  %38 = shl i64 %34, 3
-  %39 = getelementptr i8, ptr %13, i64 %38
-  %40 = load double, ptr %39, align 8
-  %41 = insertelement <8 x double> poison, double %40, i64 0
-  %42 = shufflevector <8 x double> %41, <8 x double> poison, <8 x i32> zeroinitializer
-  %43 = getelementptr i8, ptr %12, i64 %38
-  %44 = load i64, ptr %43, align 8
-  %45 = getelementptr double, ptr %37, i64 %44
-  %46 = getelementptr double, ptr %45, i64 %23
-  %47 = load <8 x double>, ptr %46, align 8
-  %48 = call <8 x double> @llvm.fma.v8f64(<8 x double> %42, <8 x double> %47, <8 x double> %30)
-  %49 = getelementptr i8, ptr %46, i64 64
-  %50 = load <8 x double>, ptr %49, align 8
-  %51 = call <8 x double> @llvm.fma.v8f64(<8 x double> %42, <8 x double> %50, <8 x double> %31)
-  %52 = getelementptr i8, ptr %46, i64 128
-  %53 = load <8 x double>, ptr %52, align 8
-  %54 = call <8 x double> @llvm.fma.v8f64(<8 x double> %42, <8 x double> %53, <8 x double> %32)
-  %55 = getelementptr i8, ptr %46, i64 192
-  %56 = load <8 x double>, ptr %55, align 8
-  %57 = call <8 x double> @llvm.fma.v8f64(<8 x double> %42, <8 x double> %56, <8 x double> %33)
-  %58 = add nuw nsw i64 %34, 1
-  br label %29
-
-59:                                               ; preds = %29
-  %60 = inttoptr i64 %1 to ptr
-  %61 = getelementptr double, ptr %60, i64 %23
-  %62 = load <8 x double>, ptr %61, align 8
-  %63 = call <8 x double> @llvm.fma.v8f64(<8 x double> %11, <8 x double> %30, <8 x double> %62)
-  %64 = getelementptr double, ptr %60, i64 %24
-  %65 = load <8 x double>, ptr %64, align 8
-  %66 = call <8 x double> @llvm.fma.v8f64(<8 x double> %11, <8 x double> %31, <8 x double> %65)
-  %67 = getelementptr double, ptr %60, i64 %25
-  %68 = load <8 x double>, ptr %67, align 8
-  %69 = call <8 x double> @llvm.fma.v8f64(<8 x double> %11, <8 x double> %32, <8 x double> %68)
-  %70 = getelementptr double, ptr %60, i64 %26
-  %71 = load <8 x double>, ptr %70, align 8
-  %72 = call <8 x double> @llvm.fma.v8f64(<8 x double> %11, <8 x double> %33, <8 x double> %71)
-  br label %73
-
-73:                                               ; preds = %80, %59
-  %74 = phi <8 x double> [ %63, %59 ], [ %93, %80 ]
-  %75 = phi <8 x double> [ %66, %59 ], [ %96, %80 ]
-  %76 = phi <8 x double> [ %69, %59 ], [ %99, %80 ]
-  %77 = phi <8 x double> [ %72, %59 ], [ %102, %80 ]
-  %78 = phi i64 [ 0, %59 ], [ %103, %80 ]
-  %79 = icmp slt i64 %78, %7
-  br i1 %79, label %80, label %104
-
-80:                                               ; preds = %73
-  %81 = inttoptr i64 %3 to ptr
-  %82 = shl i64 %78, 3
-  %83 = getelementptr i8, ptr %18, i64 %82
-  %84 = load double, ptr %83, align 8
-  %85 = insertelement <8 x double> poison, double %84, i64 0
-  %86 = shufflevector <8 x double> %85, <8 x double> poison, <8 x i32> zeroinitializer
-  %87 = fmul <8 x double> %11, %86
-  %88 = getelementptr i8, ptr %17, i64 %82
+73:                                               ; preds = %61
+  %74 = getelementptr inbounds i8, ptr %0, i64 624
+  %75 = load ptr, ptr %74, align 8
+  %76 = getelementptr inbounds i8, ptr %0, i64 120
+  %77 = load ptr, ptr %76, align 8
+  %78 = load ptr, ptr %0, align 8
+  %79 = getelementptr inbounds i8, ptr %0, i64 320
+  %80 = load i64, ptr %79, align 8
+  %81 = getelementptr inbounds i8, ptr %0, i64 648
+  %82 = load ptr, ptr %81, align 8
+  %83 = load i64, ptr %82, align 8
+  %84 = icmp ne i64 %83, 1
+  %85 = getelementptr inbounds i8, ptr %78, i64 8
+  %86 = load i64, ptr %85, align 8
+  %87 = icmp slt i64 %86, 1
+  %88 = getelementptr inbounds i8, ptr %78, i64 32
   %89 = load i64, ptr %88, align 8
-  %90 = getelementptr double, ptr %81, i64 %89
-  %91 = getelementptr double, ptr %90, i64 %23
-  %92 = load <8 x double>, ptr %91, align 8
-  %93 = call <8 x double> @llvm.fma.v8f64(<8 x double> %87, <8 x double> %92, <8 x double> %74)
-  %94 = getelementptr i8, ptr %91, i64 64
-  %95 = load <8 x double>, ptr %94, align 8
-  %96 = call <8 x double> @llvm.fma.v8f64(<8 x double> %87, <8 x double> %95, <8 x double> %75)
-  %97 = getelementptr i8, ptr %91, i64 128
-  %98 = load <8 x double>, ptr %97, align 8
-  %99 = call <8 x double> @llvm.fma.v8f64(<8 x double> %87, <8 x double> %98, <8 x double> %76)
-  %100 = getelementptr i8, ptr %91, i64 192
-  %101 = load <8 x double>, ptr %100, align 8
-  %102 = call <8 x double> @llvm.fma.v8f64(<8 x double> %87, <8 x double> %101, <8 x double> %77)
-  %103 = add nuw nsw i64 %78, 1
-  br label %73
+  %90 = icmp eq i64 %89, 1
+  %91 = getelementptr inbounds i8, ptr %0, i64 720
+  %92 = load ptr, ptr %91, align 8
+  %93 = getelementptr inbounds i8, ptr %92, i64 8
+  %94 = load i64, ptr %93, align 8
+  %95 = icmp sgt i64 %94, 0
+  %96 = getelementptr inbounds i8, ptr %0, i64 632
+  %97 = load i64, ptr %96, align 8
+  %98 = getelementptr double, ptr %75, i64 %97
+  %99 = getelementptr i8, ptr %98, i64 -8
+  %100 = load double, ptr %99, align 8
+  %101 = getelementptr inbounds i8, ptr %0, i64 480
+  %102 = load ptr, ptr %101, align 8
+  %103 = load i64, ptr %78, align 8
+  %104 = mul nsw i64 %103, %80
+  %105 = getelementptr inbounds double, ptr %102, i64 %104
+  %106 = load double, ptr %65, align 8
+  %107 = getelementptr inbounds i8, ptr %65, i64 8
+  %108 = load double, ptr %107, align 8
+  %109 = load i64, ptr %69, align 8
+  %110 = icmp eq i64 %109, 0
+  br i1 %110, label %111, label %334
 
-104:                                              ; preds = %73
-  %105 = inttoptr i64 %0 to ptr
-  %106 = getelementptr double, ptr %105, i64 %23
-  store <8 x double> %74, ptr %106, align 8
-  %107 = getelementptr double, ptr %105, i64 %24
-  store <8 x double> %75, ptr %107, align 8
-  %108 = getelementptr double, ptr %105, i64 %25
-  store <8 x double> %76, ptr %108, align 8
-  %109 = getelementptr double, ptr %105, i64 %26
-  store <8 x double> %77, ptr %109, align 8
-  %110 = add nuw nsw i64 %20, 1
-  br label %19
+111:                                              ; preds = %73
+  %112 = getelementptr inbounds i8, ptr %69, i64 24
+  %113 = load i64, ptr %112, align 8
+  %114 = add nsw i64 %113, 1
+  store i64 %114, ptr %112, align 8
+  %115 = load ptr, ptr %63, align 8
+  %116 = load ptr, ptr %101, align 8
+  %117 = getelementptr inbounds i8, ptr %0, i64 168
+  %118 = load ptr, ptr %117, align 8
+  store double %106, ptr %118, align 8
+  %119 = getelementptr inbounds i8, ptr %0, i64 248
+  %120 = load i64, ptr %119, align 8
+  %121 = icmp sgt i64 %120, 0
+  br i1 %121, label %122, label %123
 
-111:                                              ; preds = %160, %27
-  %112 = phi i64 [ 0, %27 ], [ %163, %160 ]
-  %113 = icmp samesign ult i64 %112, %28
-  br i1 %113, label %114, label %117
+122:                                              ; preds = %111
+  tail call fastcc void @sample(ptr noundef nonnull %62) #8
+  br label %123
 
-114:                                              ; preds = %111
-  %115 = add nuw i64 %15, %112
-  %116 = shl i64 %115, 3
-  br label %118
+123:                                              ; preds = %111, %122
+  %124 = load ptr, ptr %62, align 8
+  %125 = load i64, ptr %124, align 8
+  %126 = load ptr, ptr %117, align 8
+  %127 = getelementptr inbounds i8, ptr %0, i64 192
+  %128 = load ptr, ptr %127, align 8
+  %129 = getelementptr inbounds i8, ptr %0, i64 216
+  %130 = load ptr, ptr %129, align 8
+  %131 = inttoptr i64 %125 to ptr
+  %132 = tail call i32 %131(ptr noundef %126, ptr noundef %115, ptr noundef %128, ptr noundef %130, ptr noundef %116) #9
+  %133 = icmp eq i32 %132, 0
+  br i1 %133, label %138, label %134
 
-117:                                              ; preds = %111
-  ret void
+134:                                              ; preds = %123
+  %135 = getelementptr inbounds i8, ptr %69, i64 72
+  store i64 3, ptr %135, align 8
+  %136 = icmp slt i32 %132, 0
+  %137 = select i1 %136, i64 -4, i64 2
+  br label %1489
 
-118:                                              ; preds = %122, %114
-  %119 = phi <8 x double> [ zeroinitializer, %114 ], [ %134, %122 ]
-  %120 = phi i64 [ 0, %114 ], [ %135, %122 ]
-  %121 = icmp slt i64 %120, %6
-  br i1 %121, label %122, label %136
+138:                                              ; preds = %123
+  store i64 1, ptr %69, align 8
+  %139 = getelementptr inbounds i8, ptr %65, i64 24
+  store double 1.000000e-04, ptr %139, align 8
+  %140 = getelementptr inbounds i8, ptr %77, i64 40
+  %141 = load double, ptr %140, align 8
+  %142 = getelementptr inbounds i8, ptr %65, i64 40
+  store double %141, ptr %142, align 8
+  %143 = load ptr, ptr %63, align 8
+  %144 = load ptr, ptr %62, align 8
+  %145 = getelementptr inbounds i8, ptr %144, i64 8
+  %146 = load i64, ptr %145, align 8
+  %147 = load i64, ptr %96, align 8
+  %148 = load ptr, ptr %74, align 8
+  %149 = load ptr, ptr %68, align 8
+  %150 = getelementptr inbounds i8, ptr %149, i64 48
+  %151 = load i64, ptr %150, align 8
+  %152 = icmp slt i64 %151, %147
+  br i1 %152, label %153, label %176
 
-122:                                              ; preds = %118
-  %123 = inttoptr i64 %3 to ptr
-  %124 = shl i64 %120, 3
-  %125 = getelementptr i8, ptr %13, i64 %124
-  %126 = load double, ptr %125, align 8
-  %127 = insertelement <8 x double> poison, double %126, i64 0
-  %128 = shufflevector <8 x double> %127, <8 x double> poison, <8 x i32> zeroinitializer
-  %129 = getelementptr i8, ptr %12, i64 %124
-  %130 = load i64, ptr %129, align 8
-  %131 = getelementptr double, ptr %123, i64 %130
-  %132 = getelementptr double, ptr %131, i64 %116
-  %133 = load <8 x double>, ptr %132, align 8
-  %134 = call <8 x double> @llvm.fma.v8f64(<8 x double> %128, <8 x double> %133, <8 x double> %119)
-  %135 = add nuw nsw i64 %120, 1
-  br label %118
+153:                                              ; preds = %138
+  %154 = icmp sgt i64 %146, 0
+  br label %155
 
-136:                                              ; preds = %118
-  %137 = inttoptr i64 %1 to ptr
-  %138 = getelementptr double, ptr %137, i64 %116
-  %139 = load <8 x double>, ptr %138, align 8
-  %140 = call <8 x double> @llvm.fma.v8f64(<8 x double> %11, <8 x double> %119, <8 x double> %139)
-  br label %141
+155:                                              ; preds = %153, %166
+  %156 = phi i64 [ %151, %153 ], [ %167, %166 ]
+  %157 = getelementptr inbounds double, ptr %148, i64 %156
+  %158 = load double, ptr %157, align 8
+  %159 = load ptr, ptr %64, align 8
+  %160 = load double, ptr %159, align 8
+  %161 = fcmp ugt double %158, %160
+  br i1 %161, label %176, label %162
 
-141:                                              ; preds = %145, %136
-  %142 = phi <8 x double> [ %140, %136 ], [ %158, %145 ]
-  %143 = phi i64 [ 0, %136 ], [ %159, %145 ]
-  %144 = icmp slt i64 %143, %7
-  br i1 %144, label %145, label %160
+162:                                              ; preds = %155
+  br i1 %154, label %163, label %166
 
-145:                                              ; preds = %141
-  %146 = inttoptr i64 %3 to ptr
-  %147 = shl i64 %143, 3
-  %148 = getelementptr i8, ptr %18, i64 %147
-  %149 = load double, ptr %148, align 8
-  %150 = insertelement <8 x double> poison, double %149, i64 0
-  %151 = shufflevector <8 x double> %150, <8 x double> poison, <8 x i32> zeroinitializer
-  %152 = fmul <8 x double> %11, %151
-  %153 = getelementptr i8, ptr %17, i64 %147
-  %154 = load i64, ptr %153, align 8
-  %155 = getelementptr double, ptr %146, i64 %154
-  %156 = getelementptr double, ptr %155, i64 %116
-  %157 = load <8 x double>, ptr %156, align 8
-  %158 = call <8 x double> @llvm.fma.v8f64(<8 x double> %152, <8 x double> %157, <8 x double> %142)
-  %159 = add nuw nsw i64 %143, 1
-  br label %141
+163:                                              ; preds = %162
+  %164 = mul nsw i64 %156, %146
+  %165 = getelementptr double, ptr %1, i64 %164
+  br label %169
 
-160:                                              ; preds = %141
-  %161 = inttoptr i64 %0 to ptr
-  %162 = getelementptr double, ptr %161, i64 %116
-  store <8 x double> %142, ptr %162, align 8
-  %163 = add nuw nsw i64 %112, 1
-  br label %111
-}
+166:                                              ; preds = %169, %162
+  %167 = add i64 %156, 1
+  %168 = icmp eq i64 %167, %147
+  br i1 %168, label %176, label %155, !llvm.loop !8
 
-declare <8 x double> @llvm.fma.v8f64(<8 x double>, <8 x double>, <8 x double>) #1
+169:                                              ; preds = %163, %169
+  %170 = phi i64 [ 0, %163 ], [ %174, %169 ]
+  %171 = getelementptr inbounds double, ptr %143, i64 %170
+  %172 = load double, ptr %171, align 8
+  %173 = getelementptr double, ptr %165, i64 %170
+  store double %172, ptr %173, align 8
+  %174 = add nuw nsw i64 %170, 1
+  %175 = icmp eq i64 %174, %146
+  br i1 %175, label %166, label %169, !llvm.loop !9
 
-define internal fastcc void @pydy_nested(i64 %0, i64 %1, i64 %2, i64 %3, i64 %4, i64 %5, i64 %6) unnamed_addr #0 {
-  %8 = inttoptr i64 %5 to ptr
-  %9 = load <8 x double>, ptr %8, align 8
-  %10 = fsub <8 x double> splat (double 1.000000e+00), %9
-  %11 = inttoptr i64 %2 to ptr
-  %12 = lshr i64 %6, 2
-  %13 = and i64 %6, 2305843009213693948
-  %14 = add i64 %4, -2
-  %15 = mul i64 %3, %14
-  %16 = shl i64 %15, 3
-  %17 = getelementptr i8, ptr %11, i64 %16
-  %18 = getelementptr i8, ptr %17, i64 192
-  %19 = mul i64 %3, -8
-  br label %20
+176:                                              ; preds = %155, %166, %138
+  %177 = phi i64 [ %151, %138 ], [ %156, %155 ], [ %147, %166 ]
+  %178 = load ptr, ptr %68, align 8
+  %179 = getelementptr inbounds i8, ptr %178, i64 48
+  store i64 %177, ptr %179, align 8
+  %180 = icmp eq i64 %177, %147
+  br i1 %180, label %1489, label %181
 
-20:                                               ; preds = %67, %7
-  %21 = phi ptr [ %90, %67 ], [ %18, %7 ]
-  %22 = phi i64 [ %89, %67 ], [ 0, %7 ]
-  %23 = icmp samesign ult i64 %22, %12
-  br i1 %23, label %24, label %37
+181:                                              ; preds = %176
+  %182 = fcmp oeq double %108, 0.000000e+00
+  br i1 %182, label %183, label %334
 
-24:                                               ; preds = %20
-  %25 = shl i64 %22, 5
-  %26 = add i64 %4, -1
-  %27 = mul i64 %26, %3
-  %28 = getelementptr double, ptr %11, i64 %27
-  %29 = getelementptr double, ptr %28, i64 %25
-  %30 = load <8 x double>, ptr %29, align 8
-  %31 = getelementptr i8, ptr %29, i64 64
-  %32 = load <8 x double>, ptr %31, align 8
-  %33 = getelementptr i8, ptr %29, i64 128
-  %34 = load <8 x double>, ptr %33, align 8
-  %35 = getelementptr i8, ptr %29, i64 192
-  %36 = load <8 x double>, ptr %35, align 8
-  br label %41
+183:                                              ; preds = %181
+  %184 = load ptr, ptr %62, align 8
+  %185 = getelementptr inbounds i8, ptr %184, i64 24
+  %186 = load i64, ptr %185, align 8
+  %187 = load ptr, ptr %64, align 8
+  %188 = getelementptr inbounds i8, ptr %187, i64 16
+  %189 = load double, ptr %188, align 8
+  %190 = load ptr, ptr %63, align 8
+  call fastcc void @norm_to(ptr noundef nonnull %4, ptr noundef %190, ptr noundef %190, ptr noundef nonnull %63, i64 noundef %186) #8
+  %191 = load double, ptr %4, align 8
+  %192 = getelementptr inbounds i8, ptr %0, i64 480
+  %193 = load ptr, ptr %192, align 8
+  call fastcc void @norm_to(ptr noundef nonnull %5, ptr noundef %193, ptr noundef %190, ptr noundef nonnull %63, i64 noundef %186) #8
+  %194 = load double, ptr %5, align 8
+  %195 = fcmp uge double %191, 1.000000e-05
+  %196 = fcmp uge double %194, 1.000000e-05
+  %197 = and i1 %195, %196
+  %198 = fmul double %191, 1.000000e-02
+  %199 = fdiv double %198, %194
+  %200 = select i1 %197, double %199, double 0x3EB0C6F7A0B5ED8D
+  %201 = fcmp olt double %189, %200
+  %202 = select i1 %201, double %189, double %200
+  %203 = load ptr, ptr %62, align 8
+  %204 = getelementptr inbounds i8, ptr %203, i64 8
+  %205 = load i64, ptr %204, align 8
+  %206 = icmp sgt i64 %205, 0
+  br i1 %206, label %207, label %209
 
-37:                                               ; preds = %20
-  %38 = and i64 %6, 3
-  %39 = shl i64 %12, 8
-  %40 = getelementptr i8, ptr %17, i64 %39
-  br label %91
+207:                                              ; preds = %183
+  %208 = getelementptr inbounds i8, ptr %0, i64 360
+  br label %233
 
-41:                                               ; preds = %50, %24
-  %42 = phi <8 x double> [ %30, %24 ], [ %55, %50 ]
-  %43 = phi <8 x double> [ %32, %24 ], [ %58, %50 ]
-  %44 = phi <8 x double> [ %34, %24 ], [ %61, %50 ]
-  %45 = phi <8 x double> [ %36, %24 ], [ %63, %50 ]
-  %46 = phi i64 [ %14, %24 ], [ %66, %50 ]
-  %47 = phi ptr [ %21, %24 ], [ %65, %50 ]
-  %48 = phi i64 [ 0, %24 ], [ %64, %50 ]
-  %49 = icmp slt i64 %48, %26
-  br i1 %49, label %50, label %67
+209:                                              ; preds = %233, %183
+  %210 = load ptr, ptr %68, align 8
+  %211 = getelementptr inbounds i8, ptr %210, i64 24
+  %212 = load i64, ptr %211, align 8
+  %213 = add nsw i64 %212, 1
+  store i64 %213, ptr %211, align 8
+  %214 = fadd double %106, %202
+  %215 = getelementptr inbounds i8, ptr %0, i64 360
+  %216 = load ptr, ptr %215, align 8
+  %217 = load ptr, ptr %101, align 8
+  %218 = load i64, ptr %79, align 8
+  %219 = getelementptr inbounds double, ptr %217, i64 %218
+  %220 = load ptr, ptr %117, align 8
+  store double %214, ptr %220, align 8
+  %221 = load i64, ptr %119, align 8
+  %222 = icmp sgt i64 %221, 0
+  br i1 %222, label %223, label %224
 
-50:                                               ; preds = %41
-  %51 = trunc i64 %46 to i1
-  %52 = select i1 %51, <8 x double> %9, <8 x double> %10
-  %53 = getelementptr i8, ptr %47, i64 -192
-  %54 = load <8 x double>, ptr %53, align 8
-  %55 = call <8 x double> @llvm.fma.v8f64(<8 x double> %52, <8 x double> %42, <8 x double> %54)
-  %56 = getelementptr i8, ptr %47, i64 -128
-  %57 = load <8 x double>, ptr %56, align 8
-  %58 = call <8 x double> @llvm.fma.v8f64(<8 x double> %52, <8 x double> %43, <8 x double> %57)
-  %59 = getelementptr i8, ptr %47, i64 -64
-  %60 = load <8 x double>, ptr %59, align 8
-  %61 = call <8 x double> @llvm.fma.v8f64(<8 x double> %52, <8 x double> %44, <8 x double> %60)
-  %62 = load <8 x double>, ptr %47, align 8
-  %63 = call <8 x double> @llvm.fma.v8f64(<8 x double> %52, <8 x double> %45, <8 x double> %62)
-  %64 = add nuw nsw i64 %48, 1
-  %65 = getelementptr i8, ptr %47, i64 %19
-  %66 = add i64 %46, -1
-  br label %41
+223:                                              ; preds = %209
+  tail call fastcc void @sample(ptr noundef nonnull %62) #8
+  br label %224
 
-67:                                               ; preds = %41
-  %68 = inttoptr i64 %1 to ptr
-  %69 = getelementptr double, ptr %68, i64 %25
-  %70 = load <8 x double>, ptr %69, align 8
-  %71 = call <8 x double> @llvm.fma.v8f64(<8 x double> %9, <8 x double> %42, <8 x double> %70)
-  %72 = inttoptr i64 %0 to ptr
-  %73 = getelementptr double, ptr %72, i64 %25
-  store <8 x double> %71, ptr %73, align 8
-  %74 = or disjoint i64 %25, 8
-  %75 = getelementptr double, ptr %68, i64 %74
-  %76 = load <8 x double>, ptr %75, align 8
-  %77 = call <8 x double> @llvm.fma.v8f64(<8 x double> %9, <8 x double> %43, <8 x double> %76)
-  %78 = getelementptr double, ptr %72, i64 %74
-  store <8 x double> %77, ptr %78, align 8
-  %79 = or disjoint i64 %25, 16
-  %80 = getelementptr double, ptr %68, i64 %79
-  %81 = load <8 x double>, ptr %80, align 8
-  %82 = call <8 x double> @llvm.fma.v8f64(<8 x double> %9, <8 x double> %44, <8 x double> %81)
-  %83 = getelementptr double, ptr %72, i64 %79
-  store <8 x double> %82, ptr %83, align 8
-  %84 = or disjoint i64 %25, 24
-  %85 = getelementptr double, ptr %68, i64 %84
-  %86 = load <8 x double>, ptr %85, align 8
-  %87 = call <8 x double> @llvm.fma.v8f64(<8 x double> %9, <8 x double> %45, <8 x double> %86)
-  %88 = getelementptr double, ptr %72, i64 %84
-  store <8 x double> %87, ptr %88, align 8
-  %89 = add nuw nsw i64 %22, 1
-  %90 = getelementptr i8, ptr %21, i64 256
-  br label %20
+224:                                              ; preds = %209, %223
+  %225 = load ptr, ptr %62, align 8
+  %226 = load i64, ptr %225, align 8
+  %227 = load ptr, ptr %117, align 8
+  %228 = load ptr, ptr %127, align 8
+  %229 = load ptr, ptr %129, align 8
+  %230 = inttoptr i64 %226 to ptr
+  %231 = tail call i32 %230(ptr noundef %227, ptr noundef %216, ptr noundef %228, ptr noundef %229, ptr noundef %219) #9
+  %232 = icmp eq i32 %231, 0
+  br i1 %232, label %252, label %250
 
-91:                                               ; preds = %118, %37
-  %92 = phi ptr [ %126, %118 ], [ %40, %37 ]
-  %93 = phi i64 [ %125, %118 ], [ 0, %37 ]
-  %94 = icmp samesign ult i64 %93, %38
-  br i1 %94, label %95, label %103
+233:                                              ; preds = %207, %233
+  %234 = phi i64 [ 0, %207 ], [ %245, %233 ]
+  %235 = load ptr, ptr %63, align 8
+  %236 = getelementptr inbounds double, ptr %235, i64 %234
+  %237 = load double, ptr %236, align 8
+  %238 = load ptr, ptr %101, align 8
+  %239 = getelementptr inbounds double, ptr %238, i64 %234
+  %240 = load double, ptr %239, align 8
+  %241 = fmul double %202, %240
+  %242 = fadd double %237, %241
+  %243 = load ptr, ptr %208, align 8
+  %244 = getelementptr inbounds double, ptr %243, i64 %234
+  store double %242, ptr %244, align 8
+  %245 = add nuw nsw i64 %234, 1
+  %246 = load ptr, ptr %62, align 8
+  %247 = getelementptr inbounds i8, ptr %246, i64 8
+  %248 = load i64, ptr %247, align 8
+  %249 = icmp slt i64 %245, %248
+  br i1 %249, label %233, label %209, !llvm.loop !10
 
-95:                                               ; preds = %91
-  %96 = add nuw i64 %13, %93
-  %97 = shl i64 %96, 3
-  %98 = add i64 %4, -1
-  %99 = mul i64 %98, %3
-  %100 = getelementptr double, ptr %11, i64 %99
-  %101 = getelementptr double, ptr %100, i64 %97
-  %102 = load <8 x double>, ptr %101, align 8
-  br label %104
-
-103:                                              ; preds = %91
-  ret void
-
-104:                                              ; preds = %110, %95
-  %105 = phi <8 x double> [ %102, %95 ], [ %114, %110 ]
-  %106 = phi i64 [ %14, %95 ], [ %117, %110 ]
-  %107 = phi ptr [ %92, %95 ], [ %116, %110 ]
-  %108 = phi i64 [ 0, %95 ], [ %115, %110 ]
-  %109 = icmp slt i64 %108, %98
-  br i1 %109, label %110, label %118
-
-110:                                              ; preds = %104
-  %111 = trunc i64 %106 to i1
-  %112 = select i1 %111, <8 x double> %9, <8 x double> %10
-  %113 = load <8 x double>, ptr %107, align 8
-  %114 = call <8 x double> @llvm.fma.v8f64(<8 x double> %112, <8 x double> %105, <8 x double> %113)
-  %115 = add nuw nsw i64 %108, 1
-  %116 = getelementptr i8, ptr %107, i64 %19
-  %117 = add i64 %106, -1
-  br label %104
-
-118:                                              ; preds = %104
-  %119 = inttoptr i64 %1 to ptr
-  %120 = getelementptr double, ptr %119, i64 %97
-  %121 = load <8 x double>, ptr %120, align 8
-  %122 = call <8 x double> @llvm.fma.v8f64(<8 x double> %9, <8 x double> %105, <8 x double> %121)
-  %123 = inttoptr i64 %0 to ptr
-  %124 = getelementptr double, ptr %123, i64 %97
-  store <8 x double> %122, ptr %124, align 8
-  %125 = add nuw nsw i64 %93, 1
-  %126 = getelementptr i8, ptr %92, i64 64
-  br label %91
-}
-
-define i64 @advance(i64 %0, i64 %1, i64 %2) local_unnamed_addr #2 {
-  %4 = alloca ptr, align 8
-  %5 = alloca ptr, align 8
-  %6 = alloca ptr, align 8
-  %7 = alloca ptr, align 8
-  %8 = alloca ptr, align 8
-  %9 = alloca ptr, align 8
-  %10 = alloca ptr, align 8
-  %11 = alloca ptr, align 8
-  %12 = alloca ptr, align 8
-  %13 = alloca ptr, align 8
-  %14 = alloca ptr, align 8
-  %15 = alloca ptr, align 8
-  %16 = alloca double, align 8
-  %17 = alloca double, align 8
-  %18 = alloca double, align 8
-  %19 = alloca i8, align 1
-  %20 = alloca ptr, align 8
-  %21 = alloca ptr, align 8
-  %22 = alloca i8, align 1
-  %23 = alloca i8, align 1
-  store i8 0, ptr %19, align 1, !noalias !15
-  store ptr null, ptr %20, align 8, !noalias !15
-  store ptr null, ptr %21, align 8, !noalias !15
-  store i8 0, ptr %22, align 1, !noalias !15
-  store i8 0, ptr %23, align 1, !noalias !15
-  %24 = inttoptr i64 %0 to ptr
-  %25 = load i64, ptr %24, align 8, !noalias !19
-  %26 = inttoptr i64 %25 to ptr
-  %27 = getelementptr i8, ptr %24, i64 24
-  %28 = load i64, ptr %27, align 8, !noalias !19
-  %29 = getelementptr i8, ptr %24, i64 32
-  %30 = load i64, ptr %29, align 8, !noalias !19
-  %31 = inttoptr i64 %28 to ptr
-  %32 = getelementptr i8, ptr %24, i64 48
-  %33 = load i64, ptr %32, align 8, !noalias !19
-  %34 = getelementptr i8, ptr %24, i64 56
-  %35 = load i64, ptr %34, align 8, !noalias !19
-  %36 = inttoptr i64 %33 to ptr
-  %37 = getelementptr i8, ptr %24, i64 72
-  %38 = load i64, ptr %37, align 8, !noalias !19
-  %39 = getelementptr i8, ptr %24, i64 80
-  %40 = load i64, ptr %39, align 8, !noalias !19
-  %41 = inttoptr i64 %38 to ptr
-  %42 = getelementptr i8, ptr %24, i64 96
-  %43 = load i64, ptr %42, align 8, !noalias !19
-  %44 = getelementptr i8, ptr %24, i64 104
-  %45 = load i64, ptr %44, align 8, !noalias !19
-  %46 = inttoptr i64 %43 to ptr
-  %47 = getelementptr i8, ptr %24, i64 120
-  %48 = load i64, ptr %47, align 8, !noalias !19
-  %49 = inttoptr i64 %48 to ptr
-  %50 = getelementptr i8, ptr %24, i64 144
-  %51 = load i64, ptr %50, align 8, !noalias !19
-  %52 = inttoptr i64 %51 to ptr
-  %53 = getelementptr i8, ptr %24, i64 168
-  %54 = load i64, ptr %53, align 8, !noalias !19
-  %55 = inttoptr i64 %54 to ptr
-  %56 = getelementptr i8, ptr %24, i64 192
-  %57 = load i64, ptr %56, align 8, !noalias !19
-  %58 = getelementptr i8, ptr %24, i64 200
-  %59 = load i64, ptr %58, align 8, !noalias !19
-  %60 = inttoptr i64 %57 to ptr
-  %61 = getelementptr i8, ptr %24, i64 216
-  %62 = load i64, ptr %61, align 8, !noalias !19
-  %63 = inttoptr i64 %62 to ptr
-  %64 = getelementptr i8, ptr %24, i64 240
-  %65 = load i64, ptr %64, align 8, !noalias !19
-  %66 = getelementptr i8, ptr %24, i64 248
-  %67 = load i64, ptr %66, align 8, !noalias !19
-  %68 = getelementptr i8, ptr %24, i64 256
-  %69 = load i64, ptr %68, align 8, !noalias !19
-  %70 = inttoptr i64 %65 to ptr
-  %71 = getelementptr i8, ptr %24, i64 264
-  %72 = load i64, ptr %71, align 8, !noalias !19
-  %73 = getelementptr i8, ptr %24, i64 272
-  %74 = load i64, ptr %73, align 8, !noalias !19
-  %75 = inttoptr i64 %72 to ptr
-  %76 = getelementptr i8, ptr %24, i64 288
-  %77 = load i64, ptr %76, align 8, !noalias !19
-  %78 = getelementptr i8, ptr %24, i64 296
-  %79 = load i64, ptr %78, align 8, !noalias !19
-  %80 = getelementptr i8, ptr %24, i64 304
-  %81 = load i64, ptr %80, align 8, !noalias !19
-  %82 = inttoptr i64 %77 to ptr
-  %83 = getelementptr i8, ptr %24, i64 312
-  %84 = load i64, ptr %83, align 8, !noalias !19
-  %85 = getelementptr i8, ptr %24, i64 320
-  %86 = load i64, ptr %85, align 8, !noalias !19
-  %87 = inttoptr i64 %84 to ptr
-  %88 = getelementptr i8, ptr %24, i64 336
-  %89 = load i64, ptr %88, align 8, !noalias !19
-  %90 = getelementptr i8, ptr %24, i64 344
-  %91 = load i64, ptr %90, align 8, !noalias !19
-  %92 = inttoptr i64 %89 to ptr
-  %93 = getelementptr i8, ptr %24, i64 360
-  %94 = load i64, ptr %93, align 8, !noalias !19
-  %95 = getelementptr i8, ptr %24, i64 368
-  %96 = load i64, ptr %95, align 8, !noalias !19
-  %97 = inttoptr i64 %94 to ptr
-  %98 = getelementptr i8, ptr %24, i64 384
-  %99 = load i64, ptr %98, align 8, !noalias !19
-  %100 = getelementptr i8, ptr %24, i64 392
-  %101 = load i64, ptr %100, align 8, !noalias !19
-  %102 = inttoptr i64 %99 to ptr
-  %103 = getelementptr i8, ptr %24, i64 408
-  %104 = load i64, ptr %103, align 8, !noalias !19
-  %105 = getelementptr i8, ptr %24, i64 416
-  %106 = load i64, ptr %105, align 8, !noalias !19
-  %107 = inttoptr i64 %104 to ptr
-  %108 = getelementptr i8, ptr %24, i64 432
-  %109 = load i64, ptr %108, align 8, !noalias !19
-  %110 = getelementptr i8, ptr %24, i64 456
-  %111 = load i64, ptr %110, align 8, !noalias !19
-  %112 = getelementptr i8, ptr %24, i64 464
-  %113 = load i64, ptr %112, align 8, !noalias !19
-  %114 = inttoptr i64 %111 to ptr
-  %115 = getelementptr i8, ptr %24, i64 480
-  %116 = load i64, ptr %115, align 8, !noalias !19
-  %117 = getelementptr i8, ptr %24, i64 488
-  %118 = load i64, ptr %117, align 8, !noalias !19
-  %119 = inttoptr i64 %116 to ptr
-  %120 = getelementptr i8, ptr %24, i64 504
-  %121 = load i64, ptr %120, align 8, !noalias !19
-  %122 = getelementptr i8, ptr %24, i64 512
-  %123 = load i64, ptr %122, align 8, !noalias !19
-  %124 = inttoptr i64 %121 to ptr
-  %125 = getelementptr i8, ptr %24, i64 528
-  %126 = load i64, ptr %125, align 8, !noalias !19
-  %127 = getelementptr i8, ptr %24, i64 536
-  %128 = load i64, ptr %127, align 8, !noalias !19
-  %129 = inttoptr i64 %126 to ptr
-  %130 = getelementptr i8, ptr %24, i64 552
-  %131 = load i64, ptr %130, align 8, !noalias !19
-  %132 = getelementptr i8, ptr %24, i64 560
-  %133 = load i64, ptr %132, align 8, !noalias !19
-  %134 = inttoptr i64 %131 to ptr
-  %135 = getelementptr i8, ptr %24, i64 576
-  %136 = load i64, ptr %135, align 8, !noalias !19
-  %137 = getelementptr i8, ptr %24, i64 584
-  %138 = load i64, ptr %137, align 8, !noalias !19
-  %139 = inttoptr i64 %136 to ptr
-  %140 = getelementptr i8, ptr %24, i64 600
-  %141 = load i64, ptr %140, align 8, !noalias !19
-  %142 = getelementptr i8, ptr %24, i64 608
-  %143 = load i64, ptr %142, align 8, !noalias !19
-  %144 = inttoptr i64 %141 to ptr
-  %145 = getelementptr i8, ptr %24, i64 624
-  %146 = load i64, ptr %145, align 8, !noalias !19
-  %147 = getelementptr i8, ptr %24, i64 632
-  %148 = load i64, ptr %147, align 8, !noalias !19
-  %149 = inttoptr i64 %146 to ptr
-  %150 = getelementptr i8, ptr %52, i64 8
-  %151 = load i64, ptr %150, align 8, !noalias !19
-  %152 = mul nsw i64 %148, %151
-  %153 = inttoptr i64 %1 to ptr
-  %154 = icmp eq i64 %2, 1
-  br i1 %154, label %155, label %188
-
-155:                                              ; preds = %3
-  %156 = getelementptr i8, ptr %24, i64 984
-  %157 = load i64, ptr %156, align 8, !noalias !19
-  %158 = getelementptr i8, ptr %24, i64 992
-  %159 = load i64, ptr %158, align 8, !noalias !19
-  %160 = inttoptr i64 %157 to ptr
-  %161 = getelementptr i8, ptr %24, i64 1008
-  %162 = load i64, ptr %161, align 8, !noalias !19
-  %163 = getelementptr i8, ptr %24, i64 1016
-  %164 = load i64, ptr %163, align 8, !noalias !19
-  %165 = inttoptr i64 %162 to ptr
-  %166 = call i64 @llvm.smax.i64(i64 %151, i64 0)
-  br label %167
-
-167:                                              ; preds = %198, %155
-  %168 = phi i64 [ 0, %155 ], [ %200, %198 ]
-  %169 = phi i64 [ %166, %155 ], [ %199, %198 ]
-  %170 = icmp sgt i64 %169, 0
-  br i1 %170, label %198, label %171
-
-171:                                              ; preds = %167
-  %172 = call i64 @llvm.smax.i64(i64 %138, i64 0)
-  br label %173
-
-173:                                              ; preds = %177, %171
-  %174 = phi i64 [ 0, %171 ], [ %179, %177 ]
-  %175 = phi i64 [ %172, %171 ], [ %178, %177 ]
-  %176 = icmp sgt i64 %175, 0
-  br i1 %176, label %177, label %209
-
-177:                                              ; preds = %173
-  %178 = add nsw i64 %175, -1
-  %179 = add i64 %174, 1
-  %180 = icmp slt i64 %174, 0
-  %181 = select i1 %180, i64 %159, i64 0
-  %182 = getelementptr double, ptr %160, i64 %174
-  %183 = getelementptr double, ptr %182, i64 %181
-  %184 = load double, ptr %183, align 8, !noalias !22
-  %185 = select i1 %180, i64 %138, i64 0
-  %186 = getelementptr double, ptr %139, i64 %174
-  %187 = getelementptr double, ptr %186, i64 %185
-  store double %184, ptr %187, align 8, !noalias !22
-  br label %173
-
-188:                                              ; preds = %211, %3
-  %189 = getelementptr i8, ptr %24, i64 648
-  %190 = load i64, ptr %189, align 8, !noalias !19
-  %191 = inttoptr i64 %190 to ptr
-  %192 = getelementptr i8, ptr %24, i64 720
-  %193 = load i64, ptr %192, align 8, !noalias !19
-  %194 = inttoptr i64 %193 to ptr
-  %195 = getelementptr i8, ptr %144, i64 56
-  %196 = load i64, ptr %195, align 8, !noalias !15
-  %197 = icmp eq i64 %196, 0
-  br i1 %197, label %226, label %227
-
-198:                                              ; preds = %167
-  %199 = add nsw i64 %169, -1
-  %200 = add i64 %168, 1
-  %201 = icmp slt i64 %168, 0
-  %202 = select i1 %201, i64 %152, i64 0
-  %203 = getelementptr double, ptr %153, i64 %168
-  %204 = getelementptr double, ptr %203, i64 %202
-  %205 = load double, ptr %204, align 8, !noalias !19
-  %206 = select i1 %201, i64 %86, i64 0
-  %207 = getelementptr double, ptr %87, i64 %168
-  %208 = getelementptr double, ptr %207, i64 %206
-  store double %205, ptr %208, align 8, !noalias !19
-  br label %167
-
-209:                                              ; preds = %173
-  %210 = call i64 @llvm.smax.i64(i64 %143, i64 0)
-  br label %211
-
-211:                                              ; preds = %215, %209
-  %212 = phi i64 [ 0, %209 ], [ %217, %215 ]
-  %213 = phi i64 [ %210, %209 ], [ %216, %215 ]
-  %214 = icmp sgt i64 %213, 0
-  br i1 %214, label %215, label %188
-
-215:                                              ; preds = %211
-  %216 = add nsw i64 %213, -1
-  %217 = add i64 %212, 1
-  %218 = icmp slt i64 %212, 0
-  %219 = select i1 %218, i64 %164, i64 0
-  %220 = getelementptr i64, ptr %165, i64 %212
-  %221 = getelementptr i64, ptr %220, i64 %219
-  %222 = load i64, ptr %221, align 8, !noalias !25
-  %223 = select i1 %218, i64 %143, i64 0
-  %224 = getelementptr i64, ptr %144, i64 %212
-  %225 = getelementptr i64, ptr %224, i64 %223
-  store i64 %222, ptr %225, align 8, !noalias !25
-  br label %211
-
-226:                                              ; preds = %188
-  br label %1466
-
-227:                                              ; preds = %188
-  %228 = getelementptr i8, ptr %24, i64 1032
-  %229 = load i64, ptr %228, align 8, !noalias !15
-  %230 = inttoptr i64 %229 to ptr
-  %231 = getelementptr i8, ptr %24, i64 1056
-  %232 = load i64, ptr %231, align 8, !noalias !15
-  %233 = getelementptr i8, ptr %24, i64 1064
-  %234 = load i64, ptr %233, align 8, !noalias !15
-  %235 = getelementptr i8, ptr %24, i64 1072
-  %236 = load i64, ptr %235, align 8, !noalias !15
-  %237 = inttoptr i64 %232 to ptr
-  %238 = load i64, ptr %26, align 8, !noalias !15
-  %239 = load i64, ptr %191, align 8, !noalias !15
-  %240 = icmp eq i64 %239, 1
-  %241 = getelementptr i8, ptr %26, i64 8
-  %242 = load i64, ptr %241, align 8, !noalias !15
-  %243 = icmp slt i64 %242, 1
-  %244 = mul nsw i64 %238, %86
-  %245 = shl i64 %244, 3
-  %246 = add i64 %245, %116
-  %247 = call i64 @llvm.smin.i64(i64 %148, i64 0)
-  %248 = getelementptr double, ptr %149, i64 %148
-  %249 = getelementptr i8, ptr %248, i64 -8
-  %250 = getelementptr double, ptr %249, i64 %247
-  %251 = load double, ptr %250, align 8, !noalias !15
-  %252 = load double, ptr %139, align 8, !noalias !15
-  %253 = getelementptr i8, ptr %139, i64 8
-  %254 = load double, ptr %253, align 8, !noalias !15
-  %255 = load i64, ptr %144, align 8, !noalias !15
-  %256 = icmp eq i64 %255, 0
-  br i1 %256, label %257, label %427
-
-257:                                              ; preds = %227
-  %258 = getelementptr i8, ptr %144, i64 24
-  %259 = load i64, ptr %258, align 8, !noalias !15
-  %260 = add nsw i64 %259, 1
-  store i64 %260, ptr %258, align 8, !noalias !15
-  store ptr null, ptr %12, align 8, !noalias !28
-  store ptr null, ptr %13, align 8, !noalias !28
-  store double %252, ptr %55, align 8, !noalias !28
-  %261 = icmp sgt i64 %67, 0
-  br i1 %261, label %262, label %265
-
-262:                                              ; preds = %257
-  store ptr null, ptr %12, align 8, !noalias !28
-  %263 = call fastcc i32 @_sample(ptr nonnull %12, ptr %60, i64 %59, ptr %70, i64 %67, i64 %69, ptr %75, i64 %74, ptr %82, i64 %79, i64 %81, double %252) #2
-  switch i32 %263, label %264 [
-    i32 -2, label %265
-    i32 0, label %265
-  ], !prof !35
-
-264:                                              ; preds = %262
-  br label %265
-
-265:                                              ; preds = %262, %262, %257, %264
-  %266 = phi i32 [ %263, %264 ], [ 0, %257 ], [ 0, %262 ], [ 0, %262 ]
-  switch i32 %266, label %271 [
-    i32 -2, label %267
-    i32 0, label %267
-  ], !prof !35
-
-267:                                              ; preds = %265, %265
-  %268 = load i64, ptr %52, align 8, !noalias !36
-  %269 = inttoptr i64 %268 to ptr
-  %270 = call i32 %269(ptr nonnull %55, ptr %87, ptr %60, ptr %63, ptr %119) #2, !noalias !36
-  br label %271
-
-271:                                              ; preds = %265, %267
-  %272 = phi i32 [ %270, %267 ], [ 0, %265 ]
-  %273 = phi i32 [ 0, %267 ], [ %266, %265 ]
-  switch i32 %273, label %1282 [
-    i32 -2, label %1280
-    i32 0, label %1280
-  ], !prof !35
-
-274:                                              ; preds = %1280
-  %275 = getelementptr i8, ptr %144, i64 72
-  store i64 3, ptr %275, align 8, !noalias !15
-  %276 = icmp slt i32 %272, 0
-  %277 = select i1 %276, i64 -4, i64 2
-  br label %1466
-
-278:                                              ; preds = %1280
-  store i64 1, ptr %144, align 8, !noalias !15
-  %279 = getelementptr i8, ptr %49, i64 40
-  %280 = load double, ptr %279, align 8, !noalias !15
-  %281 = getelementptr i8, ptr %139, i64 24
-  store double 1.000000e-04, ptr %281, align 8, !noalias !15
-  %282 = getelementptr i8, ptr %139, i64 40
-  store double %280, ptr %282, align 8, !noalias !15
-  store i8 0, ptr %19, align 1, !noalias !15
-  %283 = call fastcc i32 @write_reached(ptr nonnull %19, ptr %52, ptr %87, i64 %86, ptr nonnull %139, ptr nonnull %144, i64 %148, ptr %149, i64 %148, ptr %153, i64 %152) #2
-  switch i32 %283, label %1286 [
-    i32 -2, label %1283
-    i32 0, label %1283
-  ], !prof !35
-
-284:                                              ; preds = %1283
-  br label %1466
-
-285:                                              ; preds = %1283
-  %286 = fcmp oeq double %254, 0.000000e+00
-  br i1 %286, label %287, label %427
-
-287:                                              ; preds = %285
-  %288 = load i64, ptr %150, align 8, !noalias !15
-  %289 = getelementptr i8, ptr %139, i64 16
-  %290 = load double, ptr %289, align 8, !noalias !15
-  %291 = getelementptr i8, ptr %52, i64 24
-  %292 = load i64, ptr %291, align 8, !noalias !15
-  store double 0.000000e+00, ptr %17, align 8, !noalias !37
-  store double 0.000000e+00, ptr %18, align 8, !noalias !37
-  store double 0.000000e+00, ptr %17, align 8, !noalias !37
-  %293 = call fastcc i32 @norm(ptr nonnull %17, ptr %87, ptr %87, ptr %87, ptr %129, i64 %128, ptr %134, i64 %133, i64 %292) #2
-  %294 = load double, ptr %17, align 8, !noalias !37
-  switch i32 %293, label %1287 [
-    i32 -2, label %295
-    i32 0, label %295
-  ], !prof !35
-
-295:                                              ; preds = %287, %287
-  store double 0.000000e+00, ptr %18, align 8, !noalias !37
-  %296 = call fastcc i32 @norm(ptr nonnull %18, ptr %119, ptr %87, ptr %87, ptr %129, i64 %128, ptr %134, i64 %133, i64 %292) #2
-  %297 = load double, ptr %18, align 8, !noalias !37
-  switch i32 %296, label %1287 [
-    i32 -2, label %298
-    i32 0, label %298
-  ], !prof !35
-
-298:                                              ; preds = %295, %295
-  %299 = fcmp olt double %294, 1.000000e-05
-  %300 = fcmp olt double %297, 1.000000e-05
-  %301 = or i1 %299, %300
-  %302 = fmul double %294, 1.000000e-02
-  %303 = fdiv double %302, %297
-  %304 = select i1 %301, double 0x3EB0C6F7A0B5ED8D, double %303
-  %305 = fcmp olt double %290, %304
-  %306 = select i1 %305, double %290, double %304
-  %307 = call i64 @llvm.smax.i64(i64 %288, i64 0)
-  br label %308
-
-308:                                              ; preds = %298, %1288
-  %309 = phi i64 [ 0, %298 ], [ %1290, %1288 ]
-  %310 = phi i64 [ %307, %298 ], [ %1289, %1288 ]
-  %311 = icmp sgt i64 %310, 0
-  br i1 %311, label %1288, label %312
-
-312:                                              ; preds = %308
-  %313 = load i64, ptr %258, align 8, !noalias !15
-  %314 = add nsw i64 %313, 1
-  store i64 %314, ptr %258, align 8, !noalias !15
-  %315 = shl i64 %86, 3
-  %316 = add i64 %315, %116
-  %317 = fadd double %252, %306
-  store ptr null, ptr %14, align 8, !noalias !41
-  store ptr null, ptr %15, align 8, !noalias !41
-  store double %317, ptr %55, align 8, !noalias !41
-  br i1 %261, label %318, label %321
-
-318:                                              ; preds = %312
-  store ptr null, ptr %14, align 8, !noalias !41
-  %319 = call fastcc i32 @_sample(ptr nonnull %14, ptr %60, i64 %59, ptr %70, i64 %67, i64 %69, ptr %75, i64 %74, ptr %82, i64 %79, i64 %81, double %317) #2
-  switch i32 %319, label %320 [
-    i32 -2, label %321
-    i32 0, label %321
-  ], !prof !35
-
-320:                                              ; preds = %318
-  br label %321
-
-321:                                              ; preds = %318, %318, %312, %320
-  %322 = phi i32 [ %319, %320 ], [ 0, %312 ], [ 0, %318 ], [ 0, %318 ]
-  switch i32 %322, label %329 [
-    i32 -2, label %323
-    i32 0, label %323
-  ], !prof !35
-
-323:                                              ; preds = %321, %321
-  %324 = load i64, ptr %52, align 8, !noalias !48
-  %325 = inttoptr i64 %324 to ptr
-  %326 = inttoptr i64 %316 to ptr
-  %327 = call i32 %325(ptr nonnull %55, ptr %97, ptr %60, ptr %63, ptr %326) #2, !noalias !48
-  %328 = icmp eq i32 %327, 0
+250:                                              ; preds = %224
+  %251 = fmul double %202, 1.000000e-03
   br label %329
 
-329:                                              ; preds = %321, %323
-  %330 = phi i1 [ %328, %323 ], [ true, %321 ]
-  %331 = phi i32 [ 0, %323 ], [ %322, %321 ]
-  switch i32 %331, label %1306 [
-    i32 -2, label %1305
-    i32 0, label %1305
-  ], !prof !35
+252:                                              ; preds = %224
+  %253 = load ptr, ptr %76, align 8
+  %254 = load double, ptr %253, align 8
+  %255 = load ptr, ptr %192, align 8
+  %256 = getelementptr inbounds i8, ptr %0, i64 320
+  %257 = load i64, ptr %256, align 8
+  %258 = getelementptr inbounds double, ptr %255, i64 %257
+  %259 = icmp sgt i64 %186, 0
+  br i1 %259, label %260, label %269
 
-332:                                              ; preds = %1305
-  %333 = fmul double %306, 1.000000e-03
-  br label %422
+260:                                              ; preds = %252, %260
+  %261 = phi i64 [ %267, %260 ], [ 0, %252 ]
+  %262 = getelementptr inbounds double, ptr %258, i64 %261
+  %263 = load double, ptr %262, align 8
+  %264 = getelementptr inbounds double, ptr %255, i64 %261
+  %265 = load double, ptr %264, align 8
+  %266 = fsub double %263, %265
+  store double %266, ptr %262, align 8
+  %267 = add nuw nsw i64 %261, 1
+  %268 = icmp eq i64 %267, %186
+  br i1 %268, label %269, label %260, !llvm.loop !11
 
-334:                                              ; preds = %1305
-  store double 0.000000e+00, ptr %16, align 8, !noalias !49
-  %335 = icmp slt i64 %86, 0
-  %336 = select i1 %335, i64 %118, i64 0
-  %337 = add i64 %86, %336
-  %338 = icmp slt i64 %337, 0
-  br i1 %338, label %345, label %346, !prof !4
+269:                                              ; preds = %260, %252
+  %270 = load ptr, ptr %63, align 8
+  call fastcc void @norm_to(ptr noundef nonnull %6, ptr noundef %258, ptr noundef %270, ptr noundef nonnull %63, i64 noundef %186) #8
+  %271 = load double, ptr %6, align 8
+  %272 = fdiv double %271, %202
+  %273 = fcmp ogt double %194, %272
+  %274 = select i1 %273, double %194, double %272
+  %275 = fcmp ule double %274, 1.000000e-15
+  %276 = fdiv double 1.000000e-02, %274
+  %277 = select i1 %275, double 1.000000e+13, double %276
+  %278 = bitcast double %277 to i64
+  %279 = add nsw i64 %278, -4604544271217802189
+  %280 = ashr i64 %279, 52
+  %281 = and i64 %279, -4503599627370496
+  %282 = sub nsw i64 %278, %281
+  %283 = bitcast i64 %282 to double
+  %284 = fadd double %283, -1.000000e+00
+  %285 = fadd double %283, 1.000000e+00
+  %286 = fdiv double %284, %285
+  %287 = fmul double %286, %286
+  %288 = tail call double @llvm.fma.f64(double %287, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
+  %289 = tail call double @llvm.fma.f64(double %288, double %287, double 0x3FE2776C50EF9BFE)
+  %290 = tail call double @llvm.fma.f64(double %289, double %287, double 0x3FEEC709DC3A03FD)
+  %291 = tail call double @llvm.fma.f64(double %290, double %287, double 0x40071547652B82FE)
+  %292 = trunc nsw i64 %280 to i32
+  %293 = sitofp i32 %292 to double
+  %294 = fmul double %286, %291
+  %295 = fadd double %294, %293
+  %296 = fmul double %254, %295
+  %297 = fcmp ogt double %296, -1.000000e+03
+  %298 = select i1 %297, double %296, double -1.000000e+03
+  %299 = fcmp olt double %298, 1.000000e+03
+  %300 = select i1 %299, double %298, double 1.000000e+03
+  %301 = tail call double @llvm.rint.f64(double %300)
+  %302 = fsub double %300, %301
+  %303 = tail call double @llvm.fma.f64(double %302, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
+  %304 = tail call double @llvm.fma.f64(double %303, double %302, double 0x3F55D87FE78A6730)
+  %305 = tail call double @llvm.fma.f64(double %304, double %302, double 0x3F83B2AB6FBA4E77)
+  %306 = tail call double @llvm.fma.f64(double %305, double %302, double 0x3FAC6B08D704A0BF)
+  %307 = tail call double @llvm.fma.f64(double %306, double %302, double 0x3FCEBFBDFF82C58E)
+  %308 = tail call double @llvm.fma.f64(double %307, double %302, double 0x3FE62E42FEFA39EF)
+  %309 = tail call double @llvm.fma.f64(double %308, double %302, double 1.000000e+00)
+  %310 = bitcast double %309 to i64
+  %311 = fptosi double %301 to i32
+  %312 = sext i32 %311 to i64
+  %313 = shl nsw i64 %312, 52
+  %314 = add nsw i64 %313, %310
+  %315 = bitcast i64 %314 to double
+  %316 = fmul double %202, 1.000000e-03
+  %317 = fcmp olt double %316, 0x3EB0C6F7A0B5ED8D
+  %318 = select i1 %317, double 0x3EB0C6F7A0B5ED8D, double %316
+  %319 = fmul double %202, 1.000000e+02
+  %320 = select i1 %275, double %318, double %315
+  %321 = fcmp olt double %319, %320
+  %322 = select i1 %321, double %319, double %320
+  %323 = tail call double @llvm.fabs.f64(double %106)
+  %324 = fmul double %323, 0x3D30000000000000
+  %325 = fcmp ogt double %324, %322
+  %326 = select i1 %325, double %324, double %322
+  %327 = fcmp olt double %189, %326
+  %328 = select i1 %327, double %189, double %326
+  br label %329
 
-339:                                              ; preds = %350, %354
-  %340 = phi i64 [ 0, %350 ], [ %356, %354 ]
-  %341 = phi i64 [ %353, %350 ], [ %355, %354 ]
-  %342 = icmp sgt i64 %341, 0
-  br i1 %342, label %354, label %343
+329:                                              ; preds = %250, %269
+  %330 = phi double [ %251, %250 ], [ %328, %269 ]
+  %331 = tail call i1 @llvm.is.fpclass.f64(double %330, i32 639)
+  br i1 %331, label %332, label %334
 
-343:                                              ; preds = %339
-  store double 0.000000e+00, ptr %16, align 8, !noalias !49
-  %344 = call fastcc i32 @norm(ptr nonnull %16, ptr %352, ptr %87, ptr %87, ptr %129, i64 %128, ptr %134, i64 %133, i64 %292) #2
-  switch i32 %344, label %1307 [
-    i32 -2, label %362
-    i32 0, label %362
-  ], !prof !35
+332:                                              ; preds = %329
+  %333 = getelementptr inbounds i8, ptr %69, i64 72
+  store i64 4, ptr %333, align 8
+  br label %334
 
-345:                                              ; preds = %334
-  br label %346
+334:                                              ; preds = %181, %332, %329, %73
+  %335 = phi double [ %330, %329 ], [ %330, %332 ], [ %108, %181 ], [ %108, %73 ]
+  %336 = load i64, ptr %70, align 8
+  %337 = icmp eq i64 %336, 0
+  br i1 %337, label %424, label %338
 
-346:                                              ; preds = %345, %334
-  %347 = phi i64 [ 0, %345 ], [ %337, %334 ]
-  %348 = icmp slt i64 %337, %118
-  br i1 %348, label %350, label %349, !prof !8
+338:                                              ; preds = %334
+  %339 = getelementptr inbounds i8, ptr %0, i64 1032
+  %340 = getelementptr inbounds i8, ptr %69, i64 8
+  %341 = getelementptr inbounds i8, ptr %69, i64 16
+  %342 = getelementptr inbounds i8, ptr %69, i64 64
+  %343 = getelementptr inbounds i8, ptr %69, i64 48
+  %344 = getelementptr inbounds i8, ptr %65, i64 16
+  %345 = getelementptr inbounds i8, ptr %69, i64 24
+  %346 = getelementptr inbounds i8, ptr %0, i64 384
+  %347 = getelementptr inbounds i8, ptr %0, i64 360
+  %348 = getelementptr inbounds i8, ptr %0, i64 24
+  %349 = getelementptr inbounds i8, ptr %0, i64 480
+  %350 = getelementptr inbounds i8, ptr %0, i64 48
+  %351 = getelementptr inbounds i8, ptr %0, i64 72
+  %352 = getelementptr inbounds i8, ptr %0, i64 320
+  %353 = getelementptr inbounds i8, ptr %0, i64 96
+  %354 = getelementptr inbounds i8, ptr %0, i64 168
+  %355 = getelementptr inbounds i8, ptr %0, i64 248
+  %356 = getelementptr inbounds i8, ptr %0, i64 192
+  %357 = getelementptr inbounds i8, ptr %0, i64 216
+  %358 = getelementptr inbounds i8, ptr %0, i64 336
+  %359 = getelementptr inbounds i8, ptr %0, i64 24
+  %360 = getelementptr inbounds i8, ptr %0, i64 480
+  %361 = getelementptr inbounds i8, ptr %0, i64 48
+  %362 = getelementptr inbounds i8, ptr %0, i64 72
+  %363 = getelementptr inbounds i8, ptr %0, i64 168
+  %364 = getelementptr inbounds i8, ptr %0, i64 248
+  %365 = getelementptr inbounds i8, ptr %0, i64 192
+  %366 = getelementptr inbounds i8, ptr %0, i64 216
+  %367 = getelementptr inbounds i8, ptr %0, i64 456
+  %368 = getelementptr inbounds i8, ptr %0, i64 320
+  %369 = getelementptr inbounds i8, ptr %0, i64 432
+  %370 = getelementptr inbounds i8, ptr %0, i64 24
+  %371 = getelementptr inbounds i8, ptr %0, i64 480
+  %372 = getelementptr inbounds i8, ptr %0, i64 48
+  %373 = getelementptr inbounds i8, ptr %0, i64 72
+  %374 = getelementptr inbounds i8, ptr %0, i64 336
+  %375 = getelementptr inbounds i8, ptr %0, i64 552
+  %376 = getelementptr inbounds i8, ptr %0, i64 528
+  %377 = getelementptr inbounds i8, ptr %0, i64 336
+  %378 = icmp sgt i64 %80, 0
+  %379 = select i1 %84, i1 %90, i1 false
+  %380 = getelementptr inbounds i8, ptr %0, i64 168
+  %381 = getelementptr inbounds i8, ptr %0, i64 248
+  %382 = getelementptr inbounds i8, ptr %0, i64 192
+  %383 = getelementptr inbounds i8, ptr %0, i64 216
+  %384 = getelementptr inbounds i8, ptr %65, i64 32
+  %385 = getelementptr inbounds i8, ptr %0, i64 1056
+  %386 = getelementptr inbounds i8, ptr %0, i64 1072
+  %387 = getelementptr inbounds i8, ptr %69, i64 48
+  %388 = getelementptr inbounds i8, ptr %0, i64 320
+  %389 = getelementptr inbounds i8, ptr %0, i64 480
+  %390 = getelementptr inbounds i8, ptr %0, i64 504
+  %391 = getelementptr inbounds i8, ptr %0, i64 360
+  %392 = getelementptr inbounds i8, ptr %0, i64 24
+  %393 = getelementptr inbounds i8, ptr %0, i64 48
+  %394 = getelementptr inbounds i8, ptr %0, i64 72
+  %395 = getelementptr inbounds i8, ptr %0, i64 96
+  %396 = getelementptr inbounds i8, ptr %0, i64 168
+  %397 = getelementptr inbounds i8, ptr %0, i64 248
+  %398 = getelementptr inbounds i8, ptr %0, i64 192
+  %399 = getelementptr inbounds i8, ptr %0, i64 216
+  %400 = getelementptr inbounds i8, ptr %0, i64 336
+  %401 = getelementptr inbounds i8, ptr %0, i64 432
+  %402 = getelementptr inbounds i8, ptr %0, i64 24
+  %403 = getelementptr inbounds i8, ptr %0, i64 48
+  %404 = getelementptr inbounds i8, ptr %0, i64 72
+  %405 = getelementptr inbounds i8, ptr %69, i64 72
+  %406 = getelementptr inbounds i8, ptr %0, i64 408
+  %407 = getelementptr inbounds i8, ptr %0, i64 360
+  %408 = getelementptr inbounds i8, ptr %0, i64 408
+  %409 = getelementptr inbounds i8, ptr %69, i64 72
+  %410 = getelementptr inbounds i8, ptr %65, i64 40
+  %411 = getelementptr inbounds i8, ptr %65, i64 24
+  %412 = getelementptr inbounds i8, ptr %65, i64 40
+  %413 = getelementptr inbounds i8, ptr %77, i64 24
+  %414 = getelementptr inbounds i8, ptr %77, i64 8
+  %415 = getelementptr inbounds i8, ptr %77, i64 16
+  %416 = getelementptr inbounds i8, ptr %77, i64 32
+  %417 = getelementptr inbounds i8, ptr %77, i64 40
+  %418 = icmp sgt i64 %80, 0
+  %419 = getelementptr inbounds i8, ptr %69, i64 48
+  %420 = getelementptr inbounds i8, ptr %69, i64 72
+  %421 = getelementptr inbounds i8, ptr %77, i64 24
+  %422 = getelementptr inbounds i8, ptr %77, i64 32
+  %423 = getelementptr inbounds i8, ptr %65, i64 40
+  br label %426
 
-349:                                              ; preds = %346
-  br label %350
+424:                                              ; preds = %1486, %334
+  %425 = phi double [ %335, %334 ], [ %1482, %1486 ]
+  store double %425, ptr %107, align 8
+  br label %1489
 
-350:                                              ; preds = %349, %346
-  %351 = phi i64 [ %118, %349 ], [ %347, %346 ]
-  %352 = getelementptr double, ptr %119, i64 %351
-  %353 = call i64 @llvm.smax.i64(i64 %292, i64 0)
-  br label %339
+426:                                              ; preds = %338, %1486
+  %427 = phi i64 [ %336, %338 ], [ %1487, %1486 ]
+  %428 = phi i64 [ undef, %338 ], [ %1485, %1486 ]
+  %429 = phi double [ %106, %338 ], [ %1483, %1486 ]
+  %430 = phi double [ %335, %338 ], [ %1482, %1486 ]
+  %431 = load ptr, ptr %339, align 8
+  %432 = getelementptr inbounds i8, ptr %431, i64 8
+  %433 = load i64, ptr %432, align 8
+  %434 = icmp sgt i64 %433, 0
+  br i1 %434, label %435, label %440
 
-354:                                              ; preds = %339
-  %355 = add nsw i64 %341, -1
-  %356 = add i64 %340, 1
-  %357 = getelementptr double, ptr %352, i64 %340
-  %358 = load double, ptr %357, align 8, !noalias !49
-  %359 = getelementptr double, ptr %119, i64 %340
-  %360 = load double, ptr %359, align 8, !noalias !49
-  %361 = fsub double %358, %360
-  store double %361, ptr %357, align 8, !noalias !49
-  br label %339
+435:                                              ; preds = %426
+  %436 = load i64, ptr %431, align 8
+  %437 = add nsw i64 %436, 3
+  %438 = icmp slt i64 %433, %437
+  %439 = zext i1 %438 to i32
+  br label %440
 
-362:                                              ; preds = %343, %343
-  %363 = load double, ptr %16, align 8, !noalias !49
-  %364 = fdiv double %363, %306
-  %365 = fcmp ogt double %297, %364
-  %366 = select i1 %365, double %297, double %364
-  %367 = fcmp ogt double %366, 1.000000e-15
-  %368 = fdiv double 1.000000e-02, %366
-  %369 = select i1 %367, double %368, double 1.000000e+13
-  %370 = load double, ptr %49, align 8, !noalias !49
-  %371 = bitcast double %369 to i64
-  %372 = add nsw i64 %371, -4604544271217802189
-  %373 = ashr i64 %372, 52
-  %374 = and i64 %372, -4503599627370496
-  %375 = sub i64 %371, %374
-  %376 = bitcast i64 %375 to double
-  %377 = fadd double %376, -1.000000e+00
-  %378 = fadd double %376, 1.000000e+00
-  %379 = fdiv double %377, %378
-  %380 = fmul double %379, %379
-  %381 = call double @llvm.fma.f64(double %380, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
-  %382 = call double @llvm.fma.f64(double %381, double %380, double 0x3FE2776C50EF9BFE)
-  %383 = call double @llvm.fma.f64(double %382, double %380, double 0x3FEEC709DC3A03FD)
-  %384 = call double @llvm.fma.f64(double %383, double %380, double 0x40071547652B82FE)
-  %385 = fmul double %384, %379
-  %386 = trunc nsw i64 %373 to i32
-  %387 = sitofp i32 %386 to double
-  %388 = fadd double %385, %387
-  %389 = fmul double %388, %370
-  %390 = fcmp ogt double %389, -1.000000e+03
-  %391 = select i1 %390, double %389, double -1.000000e+03
-  %392 = fcmp olt double %391, 1.000000e+03
-  %393 = select i1 %392, double %391, double 1.000000e+03
-  %394 = call double @llvm.rint.f64(double %393)
-  %395 = fsub double %393, %394
-  %396 = call double @llvm.fma.f64(double %395, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
-  %397 = call double @llvm.fma.f64(double %396, double %395, double 0x3F55D87FE78A6730)
-  %398 = call double @llvm.fma.f64(double %397, double %395, double 0x3F83B2AB6FBA4E77)
-  %399 = call double @llvm.fma.f64(double %398, double %395, double 0x3FAC6B08D704A0BF)
-  %400 = call double @llvm.fma.f64(double %399, double %395, double 0x3FCEBFBDFF82C58E)
-  %401 = call double @llvm.fma.f64(double %400, double %395, double 0x3FE62E42FEFA39EF)
-  %402 = call double @llvm.fma.f64(double %401, double %395, double 1.000000e+00)
-  %403 = fptosi double %394 to i32
-  %404 = zext i32 %403 to i64
-  %405 = shl i64 %404, 52
-  %406 = bitcast double %402 to i64
-  %407 = add i64 %405, %406
-  %408 = bitcast i64 %407 to double
-  %409 = fmul double %306, 1.000000e-03
-  %410 = fcmp olt double %409, 0x3EB0C6F7A0B5ED8D
-  %411 = select i1 %410, double 0x3EB0C6F7A0B5ED8D, double %409
-  %412 = fmul double %306, 1.000000e+02
-  %413 = select i1 %367, double %408, double %411
-  %414 = fcmp olt double %412, %413
-  %415 = select i1 %414, double %412, double %413
-  %416 = call double @llvm.fabs.f64(double %252)
-  %417 = fmul double %416, 0x3D30000000000000
-  %418 = fcmp ogt double %417, %415
-  %419 = select i1 %418, double %417, double %415
-  %420 = fcmp olt double %290, %419
-  %421 = select i1 %420, double %290, double %419
-  br label %422
+440:                                              ; preds = %426, %435
+  %441 = phi i32 [ 0, %426 ], [ %439, %435 ]
+  %442 = icmp eq i32 %441, 0
+  br i1 %442, label %444, label %443
 
-422:                                              ; preds = %362, %332
-  %423 = phi double [ %333, %332 ], [ %421, %362 ]
-  %424 = call i1 @llvm.is.fpclass.f64(double %423, i32 384)
-  br i1 %424, label %427, label %425
+443:                                              ; preds = %440
+  store double %430, ptr %107, align 8
+  br label %1489
 
-425:                                              ; preds = %422
-  %426 = getelementptr i8, ptr %144, i64 72
-  store i64 4, ptr %426, align 8, !noalias !15
-  br label %427
+444:                                              ; preds = %440
+  %445 = add nsw i64 %427, -1
+  store i64 %445, ptr %70, align 8
+  %446 = load i64, ptr %340, align 8
+  %447 = load i64, ptr %341, align 8
+  %448 = add nsw i64 %447, %446
+  %449 = load i64, ptr %342, align 8
+  %450 = icmp slt i64 %448, %449
+  br i1 %450, label %452, label %451
 
-427:                                              ; preds = %422, %425, %285, %227
-  %428 = phi double [ %423, %422 ], [ %423, %425 ], [ %254, %285 ], [ %254, %227 ]
-  br label %429
+451:                                              ; preds = %444
+  store double %430, ptr %107, align 8
+  br label %1489
 
-429:                                              ; preds = %1274, %427
-  %430 = phi double [ %428, %427 ], [ %1276, %1274 ]
-  %431 = phi double [ %252, %427 ], [ %434, %1274 ]
-  br label %432
+452:                                              ; preds = %444
+  br i1 %87, label %453, label %457
 
-432:                                              ; preds = %1205, %429
-  %433 = phi double [ %430, %429 ], [ %1199, %1205 ]
-  %434 = phi double [ %431, %429 ], [ %486, %1205 ]
-  %435 = load i64, ptr %195, align 8, !noalias !15
-  %436 = icmp eq i64 %435, 0
-  br i1 %436, label %437, label %438
+453:                                              ; preds = %452
+  %454 = load i64, ptr %343, align 8
+  %455 = getelementptr inbounds double, ptr %75, i64 %454
+  %456 = load double, ptr %455, align 8
+  br label %457
 
-437:                                              ; preds = %432
-  store double %433, ptr %253, align 8, !noalias !15
-  br label %1466
+457:                                              ; preds = %452, %453
+  %458 = phi double [ %456, %453 ], [ %100, %452 ]
+  br i1 %87, label %463, label %459
 
-438:                                              ; preds = %432
-  %439 = getelementptr i8, ptr %230, i64 8
-  %440 = load i64, ptr %439, align 8, !noalias !53
-  %441 = icmp sgt i64 %440, 0
-  br i1 %441, label %442, label %447
+459:                                              ; preds = %457
+  %460 = load double, ptr %344, align 8
+  %461 = fcmp olt double %430, %460
+  %462 = select i1 %461, double %430, double %460
+  br label %469
 
-442:                                              ; preds = %438
-  %443 = load i64, ptr %230, align 8, !noalias !53
-  %444 = add nsw i64 %443, 3
-  %445 = icmp slt i64 %440, %444
-  br i1 %445, label %446, label %447
+463:                                              ; preds = %457
+  %464 = fsub double %458, %429
+  %465 = fdiv double %464, %430
+  %466 = fmul double %465, 0x3FEFFFFFFFFFDCD1
+  %467 = tail call double @llvm.ceil.f64(double %466)
+  %468 = fdiv double %464, %467
+  br label %469
 
-446:                                              ; preds = %442
-  store double %433, ptr %253, align 8, !noalias !15
-  br label %1466
+469:                                              ; preds = %463, %459
+  %470 = phi double [ %462, %459 ], [ %468, %463 ]
+  %471 = fadd double %429, %470
+  %472 = fmul double %470, 1.000000e-03
+  %473 = fsub double %458, %472
+  %474 = fcmp ule double %471, %473
+  %475 = fsub double %458, %429
+  %476 = select i1 %474, double %470, double %475
+  %477 = select i1 %474, double %471, double %458
+  %478 = fmul double %476, 6.250000e-02
+  %479 = fadd double %429, %478
+  %480 = fcmp ule double %479, %429
+  %481 = fcmp une double %477, %458
+  %482 = and i1 %481, %480
+  br i1 %482, label %483, label %484
 
-447:                                              ; preds = %438, %442
-  %448 = add nsw i64 %435, -1
-  store i64 %448, ptr %195, align 8, !noalias !15
-  %449 = getelementptr i8, ptr %144, i64 8
-  %450 = load i64, ptr %449, align 8, !noalias !15
-  %451 = getelementptr i8, ptr %144, i64 16
-  %452 = load i64, ptr %451, align 8, !noalias !15
-  %453 = add nsw i64 %450, %452
-  %454 = getelementptr i8, ptr %144, i64 64
-  %455 = load i64, ptr %454, align 8, !noalias !15
-  %456 = icmp slt i64 %453, %455
-  br i1 %456, label %458, label %457
+483:                                              ; preds = %469
+  store double %476, ptr %107, align 8
+  br label %1481
 
-457:                                              ; preds = %447
-  store double %433, ptr %253, align 8, !noalias !15
-  br label %1466
+484:                                              ; preds = %469
+  %485 = load ptr, ptr %0, align 8
+  %486 = load i64, ptr %485, align 8
+  %487 = load ptr, ptr %346, align 8
+  %488 = insertelement <8 x double> poison, double %476, i64 0
+  %489 = shufflevector <8 x double> %488, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %489, ptr %487, align 8
+  %490 = icmp sgt i64 %486, 1
+  br i1 %490, label %495, label %579
 
-458:                                              ; preds = %447
-  br i1 %243, label %464, label %459
+491:                                              ; preds = %568
+  %492 = add nuw nsw i64 %498, 1
+  %493 = icmp slt i64 %492, %486
+  %494 = icmp eq i64 %492, %486
+  br i1 %494, label %579, label %495, !llvm.loop !12
 
-459:                                              ; preds = %458
-  %460 = getelementptr i8, ptr %139, i64 16
-  %461 = load double, ptr %460, align 8, !noalias !15
-  %462 = fcmp olt double %433, %461
-  %463 = select i1 %462, double %433, double %461
-  br label %477
+495:                                              ; preds = %484, %491
+  %496 = phi i1 [ %493, %491 ], [ %490, %484 ]
+  %497 = phi i64 [ %578, %491 ], [ undef, %484 ]
+  %498 = phi i64 [ %492, %491 ], [ 1, %484 ]
+  %499 = load ptr, ptr %347, align 8
+  %500 = load ptr, ptr %63, align 8
+  %501 = load ptr, ptr %62, align 8
+  %502 = getelementptr inbounds i8, ptr %501, i64 16
+  %503 = load i64, ptr %502, align 8
+  %504 = icmp sgt i64 %503, 1
+  %505 = zext i1 %504 to i64
+  %506 = load ptr, ptr %348, align 8
+  %507 = getelementptr inbounds i64, ptr %506, i64 %498
+  %508 = load i64, ptr %507, align 8
+  %509 = getelementptr i8, ptr %507, i64 8
+  %510 = load i64, ptr %509, align 8
+  %511 = xor i64 %508, -1
+  %512 = add i64 %510, %511
+  %513 = load ptr, ptr %346, align 8
+  %514 = load ptr, ptr %349, align 8
+  %515 = load ptr, ptr %350, align 8
+  %516 = getelementptr inbounds i64, ptr %515, i64 %508
+  %517 = load ptr, ptr %351, align 8
+  %518 = getelementptr inbounds double, ptr %517, i64 %508
+  tail call fastcc void @combine(ptr noundef %499, ptr noundef %500, ptr noundef %513, ptr noundef %514, ptr noundef %516, ptr noundef %518, i64 noundef %512, i64 noundef %505, i64 noundef %503) #8
+  %519 = icmp eq i64 %503, 1
+  br i1 %519, label %520, label %551
 
-464:                                              ; preds = %458
-  %465 = getelementptr i8, ptr %144, i64 48
-  %466 = load i64, ptr %465, align 8, !noalias !15
-  %467 = icmp slt i64 %466, 0
-  %468 = select i1 %467, i64 %148, i64 0
-  %469 = getelementptr double, ptr %149, i64 %466
-  %470 = getelementptr double, ptr %469, i64 %468
-  %471 = load double, ptr %470, align 8, !noalias !15
-  %472 = fsub double %471, %434
-  %473 = fdiv double %472, %433
-  %474 = fmul double %473, 0x3FEFFFFFFFFFDCD1
-  %475 = call double @llvm.ceil.f64(double %474)
-  %476 = fdiv double %472, %475
-  br label %477
+520:                                              ; preds = %495
+  %521 = load ptr, ptr %348, align 8
+  %522 = getelementptr i64, ptr %521, i64 %498
+  %523 = getelementptr i8, ptr %522, i64 8
+  %524 = load i64, ptr %523, align 8
+  %525 = add nsw i64 %524, -1
+  %526 = load ptr, ptr %351, align 8
+  %527 = getelementptr inbounds double, ptr %526, i64 %525
+  %528 = load double, ptr %527, align 8
+  %529 = fmul double %476, %528
+  %530 = load ptr, ptr %349, align 8
+  %531 = load ptr, ptr %350, align 8
+  %532 = getelementptr inbounds i64, ptr %531, i64 %525
+  %533 = load i64, ptr %532, align 8
+  %534 = getelementptr inbounds double, ptr %530, i64 %533
+  %535 = load ptr, ptr %62, align 8
+  %536 = getelementptr inbounds i8, ptr %535, i64 8
+  %537 = load i64, ptr %536, align 8
+  %538 = icmp sgt i64 %537, 0
+  br i1 %538, label %539, label %551
 
-477:                                              ; preds = %464, %459
-  %478 = phi double [ %251, %459 ], [ %471, %464 ]
-  %479 = phi double [ %463, %459 ], [ %476, %464 ]
-  %480 = fadd double %434, %479
-  %481 = fmul double %479, 1.000000e-03
-  %482 = fsub double %478, %481
-  %483 = fcmp ogt double %480, %482
-  %484 = fsub double %478, %434
-  %485 = select i1 %483, double %484, double %479
-  %486 = select i1 %483, double %478, double %480
-  %487 = fmul double %485, 6.250000e-02
-  %488 = fadd double %434, %487
-  %489 = fcmp ogt double %488, %434
-  %490 = fcmp oeq double %486, %478
-  %491 = or i1 %489, %490
-  br i1 %491, label %492, label %1278
+539:                                              ; preds = %520, %539
+  %540 = phi i64 [ %546, %539 ], [ 0, %520 ]
+  %541 = getelementptr inbounds double, ptr %534, i64 %540
+  %542 = load double, ptr %541, align 8
+  %543 = getelementptr inbounds double, ptr %499, i64 %540
+  %544 = load double, ptr %543, align 8
+  %545 = tail call double @llvm.fma.f64(double %529, double %542, double %544)
+  store double %545, ptr %543, align 8
+  %546 = add nuw nsw i64 %540, 1
+  %547 = load ptr, ptr %62, align 8
+  %548 = getelementptr inbounds i8, ptr %547, i64 8
+  %549 = load i64, ptr %548, align 8
+  %550 = icmp slt i64 %546, %549
+  br i1 %550, label %539, label %551, !llvm.loop !13
 
-492:                                              ; preds = %477
-  %493 = call i64 @llvm.smax.i64(i64 %101, i64 0)
-  br label %494
+551:                                              ; preds = %539, %520, %495
+  %552 = load ptr, ptr %349, align 8
+  %553 = load i64, ptr %352, align 8
+  %554 = mul nsw i64 %553, %498
+  %555 = getelementptr inbounds double, ptr %552, i64 %554
+  %556 = load i64, ptr %345, align 8
+  %557 = add nsw i64 %556, 1
+  store i64 %557, ptr %345, align 8
+  %558 = load ptr, ptr %353, align 8
+  %559 = getelementptr inbounds double, ptr %558, i64 %498
+  %560 = load double, ptr %559, align 8
+  %561 = fmul double %476, %560
+  %562 = fadd double %429, %561
+  %563 = load ptr, ptr %347, align 8
+  %564 = load ptr, ptr %354, align 8
+  store double %562, ptr %564, align 8
+  %565 = load i64, ptr %355, align 8
+  %566 = icmp sgt i64 %565, 0
+  br i1 %566, label %567, label %568
 
-494:                                              ; preds = %492, %1308
-  %495 = phi i64 [ 0, %492 ], [ %1310, %1308 ]
-  %496 = phi i64 [ %493, %492 ], [ %1309, %1308 ]
-  %497 = icmp sgt i64 %496, 0
-  br i1 %497, label %1308, label %498
+567:                                              ; preds = %551
+  tail call fastcc void @sample(ptr noundef nonnull %62) #8
+  br label %568
 
-498:                                              ; preds = %494
-  %499 = load i64, ptr %26, align 8, !noalias !15
-  %500 = add i64 %499, -1
-  %501 = call i64 @llvm.smax.i64(i64 %500, i64 0)
-  br label %502
+568:                                              ; preds = %551, %567
+  %569 = load ptr, ptr %62, align 8
+  %570 = load i64, ptr %569, align 8
+  %571 = load ptr, ptr %354, align 8
+  %572 = load ptr, ptr %356, align 8
+  %573 = load ptr, ptr %357, align 8
+  %574 = inttoptr i64 %570 to ptr
+  %575 = tail call i32 %574(ptr noundef %571, ptr noundef %563, ptr noundef %572, ptr noundef %573, ptr noundef %555) #9
+  %576 = sext i32 %575 to i64
+  %577 = icmp eq i32 %575, 0
+  %578 = select i1 %577, i64 %497, i64 %576
+  br i1 %577, label %491, label %579
 
-502:                                              ; preds = %1348, %498
-  %503 = phi i64 [ 1, %498 ], [ %1317, %1348 ]
-  %504 = phi i64 [ %501, %498 ], [ %1316, %1348 ]
-  %505 = icmp slt i64 %504, 1
-  br i1 %505, label %508, label %1315
+579:                                              ; preds = %491, %568, %484
+  %580 = phi i1 [ %490, %484 ], [ %493, %491 ], [ %496, %568 ]
+  %581 = phi i64 [ 0, %484 ], [ %576, %568 ], [ %576, %491 ]
+  %582 = phi i64 [ undef, %484 ], [ %578, %568 ], [ %578, %491 ]
+  br i1 %580, label %636, label %583
 
-506:                                              ; preds = %1348
-  %507 = sext i32 %1345 to i64
-  br label %510
+583:                                              ; preds = %579
+  %584 = load ptr, ptr %358, align 8
+  %585 = load ptr, ptr %63, align 8
+  %586 = load ptr, ptr %62, align 8
+  %587 = getelementptr inbounds i8, ptr %586, i64 16
+  %588 = load i64, ptr %587, align 8
+  %589 = icmp sgt i64 %588, 1
+  %590 = zext i1 %589 to i64
+  %591 = load ptr, ptr %359, align 8
+  %592 = getelementptr inbounds i64, ptr %591, i64 %486
+  %593 = load i64, ptr %592, align 8
+  %594 = getelementptr i8, ptr %592, i64 8
+  %595 = load i64, ptr %594, align 8
+  %596 = xor i64 %593, -1
+  %597 = add i64 %595, %596
+  %598 = load ptr, ptr %346, align 8
+  %599 = load ptr, ptr %360, align 8
+  %600 = load ptr, ptr %361, align 8
+  %601 = getelementptr inbounds i64, ptr %600, i64 %593
+  %602 = load ptr, ptr %362, align 8
+  %603 = getelementptr inbounds double, ptr %602, i64 %593
+  tail call fastcc void @combine(ptr noundef %584, ptr noundef %585, ptr noundef %598, ptr noundef %599, ptr noundef %601, ptr noundef %603, i64 noundef %597, i64 noundef %590, i64 noundef %588) #8
+  %604 = icmp eq i64 %588, 1
+  br i1 %604, label %605, label %636
 
-508:                                              ; preds = %502
-  store ptr null, ptr %21, align 8, !noalias !15
-  %509 = call fastcc i32 @_combine_latest(ptr nonnull %21, ptr %31, i64 %30, ptr %36, i64 %35, ptr %41, i64 %40, ptr %52, ptr %87, ptr %102, ptr %119, i64 %118, i64 %499, i64 %89, double %485) #2
-  switch i32 %509, label %1351 [
-    i32 -2, label %510
-    i32 0, label %510
-  ], !prof !35
+605:                                              ; preds = %583
+  %606 = load ptr, ptr %359, align 8
+  %607 = getelementptr i64, ptr %606, i64 %486
+  %608 = getelementptr i8, ptr %607, i64 8
+  %609 = load i64, ptr %608, align 8
+  %610 = add nsw i64 %609, -1
+  %611 = load ptr, ptr %362, align 8
+  %612 = getelementptr inbounds double, ptr %611, i64 %610
+  %613 = load double, ptr %612, align 8
+  %614 = fmul double %476, %613
+  %615 = load ptr, ptr %360, align 8
+  %616 = load ptr, ptr %361, align 8
+  %617 = getelementptr inbounds i64, ptr %616, i64 %610
+  %618 = load i64, ptr %617, align 8
+  %619 = getelementptr inbounds double, ptr %615, i64 %618
+  %620 = load ptr, ptr %62, align 8
+  %621 = getelementptr inbounds i8, ptr %620, i64 8
+  %622 = load i64, ptr %621, align 8
+  %623 = icmp sgt i64 %622, 0
+  br i1 %623, label %624, label %636
 
-510:                                              ; preds = %508, %508, %506
-  %511 = phi i64 [ %507, %506 ], [ 0, %508 ], [ 0, %508 ]
-  br i1 %505, label %512, label %535
+624:                                              ; preds = %605, %624
+  %625 = phi i64 [ %631, %624 ], [ 0, %605 ]
+  %626 = getelementptr inbounds double, ptr %619, i64 %625
+  %627 = load double, ptr %626, align 8
+  %628 = getelementptr inbounds double, ptr %584, i64 %625
+  %629 = load double, ptr %628, align 8
+  %630 = tail call double @llvm.fma.f64(double %614, double %627, double %629)
+  store double %630, ptr %628, align 8
+  %631 = add nuw nsw i64 %625, 1
+  %632 = load ptr, ptr %62, align 8
+  %633 = getelementptr inbounds i8, ptr %632, i64 8
+  %634 = load i64, ptr %633, align 8
+  %635 = icmp slt i64 %631, %634
+  br i1 %635, label %624, label %636, !llvm.loop !13
 
-512:                                              ; preds = %510
-  %513 = getelementptr i8, ptr %26, i64 32
-  %514 = load i64, ptr %513, align 8, !noalias !15
-  %515 = icmp eq i64 %514, 1
-  br i1 %515, label %516, label %535
+636:                                              ; preds = %624, %605, %583, %579
+  %637 = phi i64 [ %582, %579 ], [ %581, %583 ], [ %581, %605 ], [ %581, %624 ]
+  %638 = icmp eq i64 %637, 0
+  %639 = select i1 %638, i1 %90, i1 false
+  br i1 %639, label %640, label %656
 
-516:                                              ; preds = %512
-  %517 = getelementptr i8, ptr %144, i64 24
-  %518 = load i64, ptr %517, align 8, !noalias !15
-  %519 = add nsw i64 %518, 1
-  store i64 %519, ptr %517, align 8, !noalias !15
-  store ptr null, ptr %8, align 8, !noalias !56
-  store ptr null, ptr %9, align 8, !noalias !56
-  store double %486, ptr %55, align 8, !noalias !56
-  %520 = icmp sgt i64 %67, 0
-  br i1 %520, label %521, label %524
+640:                                              ; preds = %636
+  %641 = load i64, ptr %345, align 8
+  %642 = add nsw i64 %641, 1
+  store i64 %642, ptr %345, align 8
+  %643 = load ptr, ptr %363, align 8
+  store double %477, ptr %643, align 8
+  %644 = load i64, ptr %364, align 8
+  %645 = icmp sgt i64 %644, 0
+  br i1 %645, label %646, label %647
 
-521:                                              ; preds = %516
-  store ptr null, ptr %8, align 8, !noalias !56
-  %522 = call fastcc i32 @_sample(ptr nonnull %8, ptr %60, i64 %59, ptr %70, i64 %67, i64 %69, ptr %75, i64 %74, ptr %82, i64 %79, i64 %81, double %486) #2
-  switch i32 %522, label %523 [
-    i32 -2, label %524
-    i32 0, label %524
-  ], !prof !35
+646:                                              ; preds = %640
+  tail call fastcc void @sample(ptr noundef nonnull %62) #8
+  br label %647
 
-523:                                              ; preds = %521
-  br label %524
+647:                                              ; preds = %640, %646
+  %648 = load ptr, ptr %62, align 8
+  %649 = load i64, ptr %648, align 8
+  %650 = load ptr, ptr %363, align 8
+  %651 = load ptr, ptr %365, align 8
+  %652 = load ptr, ptr %366, align 8
+  %653 = inttoptr i64 %649 to ptr
+  %654 = tail call i32 %653(ptr noundef %650, ptr noundef %67, ptr noundef %651, ptr noundef %652, ptr noundef %105) #9
+  %655 = sext i32 %654 to i64
+  br label %656
 
-524:                                              ; preds = %521, %521, %516, %523
-  %525 = phi i32 [ %522, %523 ], [ 0, %516 ], [ 0, %521 ], [ 0, %521 ]
-  switch i32 %525, label %532 [
-    i32 -2, label %526
-    i32 0, label %526
-  ], !prof !35
-
-526:                                              ; preds = %524, %524
-  %527 = load i64, ptr %52, align 8, !noalias !63
-  %528 = inttoptr i64 %527 to ptr
-  %529 = inttoptr i64 %246 to ptr
-  %530 = call i32 %528(ptr nonnull %55, ptr %92, ptr %60, ptr %63, ptr %529) #2, !noalias !63
-  %531 = sext i32 %530 to i64
-  br label %532
-
-532:                                              ; preds = %524, %526
-  %533 = phi i64 [ %531, %526 ], [ 0, %524 ]
-  %534 = phi i32 [ 0, %526 ], [ %525, %524 ]
-  switch i32 %534, label %1352 [
-    i32 -2, label %535
-    i32 0, label %535
-  ], !prof !35
-
-535:                                              ; preds = %532, %532, %512, %510
-  %536 = phi i64 [ %511, %510 ], [ 0, %512 ], [ %533, %532 ], [ %533, %532 ]
-  %537 = icmp slt i64 %536, 0
-  br i1 %537, label %538, label %539
-
-538:                                              ; preds = %535
-  br label %1466
-
-539:                                              ; preds = %535
-  %540 = icmp eq i64 %536, 0
-  br i1 %540, label %541, label %741
-
-541:                                              ; preds = %539
-  br i1 %243, label %701, label %542
-
-542:                                              ; preds = %541
-  %543 = getelementptr i8, ptr %52, i64 24
-  %544 = load i64, ptr %543, align 8, !noalias !64
-  %545 = getelementptr i8, ptr %52, i64 32
-  %546 = load i64, ptr %545, align 8, !noalias !64
-  %547 = load i64, ptr %241, align 8, !noalias !64
-  %548 = load i64, ptr %26, align 8, !noalias !64
-  %549 = add nsw i64 %548, 1
-  %550 = call i64 @llvm.smax.i64(i64 %547, i64 0)
-  br label %551
-
-551:                                              ; preds = %542, %632
-  %552 = phi i64 [ 0, %542 ], [ %634, %632 ]
-  %553 = phi i64 [ %550, %542 ], [ %633, %632 ]
-  %554 = icmp sgt i64 %553, 0
-  br i1 %554, label %632, label %654
-
-555:                                              ; preds = %664, %668
-  %556 = phi i64 [ 0, %664 ], [ %670, %668 ]
-  %557 = phi i64 [ %667, %664 ], [ %669, %668 ]
-  %558 = phi double [ 0.000000e+00, %664 ], [ %700, %668 ]
-  %559 = phi double [ 0.000000e+00, %664 ], [ %698, %668 ]
-  %560 = icmp sgt i64 %557, 0
-  br i1 %560, label %668, label %561
-
-561:                                              ; preds = %555
-  %562 = load i64, ptr %150, align 8, !noalias !64
-  %563 = add nsw i64 %562, -3
-  %564 = sub i64 %563, %544
-  %565 = add nuw i64 %564, 3
-  %566 = lshr i64 %565, 2
-  %567 = icmp sgt i64 %564, 0
-  %568 = select i1 %567, i64 %566, i64 0
-  br label %569
-
-569:                                              ; preds = %561, %593
-  %570 = phi i64 [ %544, %561 ], [ %595, %593 ]
-  %571 = phi i64 [ %568, %561 ], [ %594, %593 ]
-  %572 = phi double [ 0.000000e+00, %561 ], [ %599, %593 ]
-  %573 = phi double [ 0.000000e+00, %561 ], [ %603, %593 ]
-  %574 = phi double [ 0.000000e+00, %561 ], [ %607, %593 ]
-  %575 = phi double [ 0.000000e+00, %561 ], [ %611, %593 ]
-  %576 = icmp sgt i64 %571, 0
-  br i1 %576, label %593, label %577
-
-577:                                              ; preds = %569
-  %578 = sub nsw i64 %562, %544
-  %579 = and i64 %578, 3
-  %580 = sub nsw i64 %562, %579
-  br label %581
-
-581:                                              ; preds = %577, %612
-  %582 = phi i64 [ %580, %577 ], [ %614, %612 ]
-  %583 = phi i64 [ %579, %577 ], [ %613, %612 ]
-  %584 = phi double [ %572, %577 ], [ %618, %612 ]
-  %585 = icmp sgt i64 %583, 0
-  br i1 %585, label %612, label %586
-
-586:                                              ; preds = %581
-  %587 = fadd double %584, %573
-  %588 = fadd double %574, %575
-  %589 = fadd double %587, %588
-  %590 = fadd double %559, %589
-  %591 = freeze double %590
-  %592 = icmp eq i64 %547, 2
-  br i1 %592, label %619, label %628
-
-593:                                              ; preds = %569
-  %594 = add nsw i64 %571, -1
-  %595 = add i64 %570, 4
-  %596 = getelementptr double, ptr %92, i64 %570
-  %597 = load double, ptr %596, align 8, !noalias !68
-  %598 = fmul double %597, 0.000000e+00
-  %599 = fadd double %572, %598
-  %600 = getelementptr i8, ptr %596, i64 8
-  %601 = load double, ptr %600, align 8, !noalias !68
-  %602 = fmul double %601, 0.000000e+00
-  %603 = fadd double %573, %602
-  %604 = getelementptr i8, ptr %596, i64 16
-  %605 = load double, ptr %604, align 8, !noalias !68
-  %606 = fmul double %605, 0.000000e+00
-  %607 = fadd double %574, %606
-  %608 = getelementptr i8, ptr %596, i64 24
-  %609 = load double, ptr %608, align 8, !noalias !68
-  %610 = fmul double %609, 0.000000e+00
-  %611 = fadd double %575, %610
-  br label %569
-
-612:                                              ; preds = %581
-  %613 = add nsw i64 %583, -1
-  %614 = add i64 %582, 1
-  %615 = getelementptr double, ptr %92, i64 %582
-  %616 = load double, ptr %615, align 8, !noalias !68
-  %617 = fmul double %616, 0.000000e+00
-  %618 = fadd double %584, %617
-  br label %581
-
-619:                                              ; preds = %586
-  %620 = fmul double %558, 1.000000e-02
-  %621 = fadd double %591, %620
-  %622 = sitofp i64 %544 to double
-  %623 = fmul double %621, %622
-  %624 = call double @llvm.sqrt.f64(double %623)
-  %625 = fcmp oeq double %591, 0.000000e+00
-  %626 = fdiv double %591, %624
-  %627 = select i1 %625, double 0.000000e+00, double %626
-  br label %708
-
-628:                                              ; preds = %586
-  %629 = sitofp i64 %544 to double
-  %630 = fdiv double %591, %629
-  %631 = call double @llvm.sqrt.f64(double %630)
-  br label %708
-
-632:                                              ; preds = %551
-  %633 = add nsw i64 %553, -1
-  %634 = add i64 %552, 1
-  %635 = mul nsw i64 %552, %86
-  %636 = shl i64 %635, 3
-  %637 = add i64 %636, %111
-  %638 = add nsw i64 %549, %552
-  %639 = icmp slt i64 %638, 0
-  %640 = select i1 %639, i64 %30, i64 0
-  %641 = getelementptr i64, ptr %31, i64 %638
-  %642 = getelementptr i64, ptr %641, i64 %640
-  %643 = load i64, ptr %642, align 8, !noalias !72
-  %644 = shl i64 %643, 3
-  %645 = add i64 %644, %33
-  %646 = add i64 %644, %38
-  %647 = icmp slt i64 %638, -1
-  %648 = select i1 %647, i64 %30, i64 0
-  %649 = getelementptr i8, ptr %641, i64 8
-  %650 = getelementptr i64, ptr %649, i64 %648
-  %651 = load i64, ptr %650, align 8, !noalias !72
-  %652 = xor i64 %643, -1
-  %653 = add i64 %651, %652
-  call fastcc void @pydy_combine(i64 %637, i64 %109, i64 %99, i64 %116, i64 %645, i64 %646, i64 %653, i64 1, i64 %546) #2, !noalias !72
-  br label %551
-
-654:                                              ; preds = %551
-  %655 = icmp slt i64 %86, 0
-  %656 = select i1 %655, i64 %113, i64 0
-  %657 = add i64 %86, %656
+656:                                              ; preds = %647, %636
+  %657 = phi i64 [ %655, %647 ], [ %637, %636 ]
   %658 = icmp slt i64 %657, 0
-  br i1 %658, label %659, label %660, !prof !4
-
-659:                                              ; preds = %654
-  br label %660
-
-660:                                              ; preds = %659, %654
-  %661 = phi i64 [ 0, %659 ], [ %657, %654 ]
-  %662 = icmp slt i64 %657, %113
-  br i1 %662, label %664, label %663, !prof !8
-
-663:                                              ; preds = %660
-  br label %664
-
-664:                                              ; preds = %663, %660
-  %665 = phi i64 [ %113, %663 ], [ %661, %660 ]
-  %666 = getelementptr double, ptr %114, i64 %665
-  %667 = call i64 @llvm.smax.i64(i64 %544, i64 0)
-  br label %555
-
-668:                                              ; preds = %555
-  %669 = add nsw i64 %557, -1
-  %670 = add i64 %556, 1
-  %671 = getelementptr double, ptr %87, i64 %556
-  %672 = load double, ptr %671, align 8, !noalias !64
-  %673 = getelementptr double, ptr %92, i64 %556
-  %674 = load double, ptr %673, align 8, !noalias !64
-  %675 = icmp slt i64 %556, 0
-  %676 = select i1 %675, i64 %133, i64 0
-  %677 = getelementptr double, ptr %134, i64 %556
-  %678 = getelementptr double, ptr %677, i64 %676
-  %679 = load double, ptr %678, align 8, !noalias !75
-  %680 = select i1 %675, i64 %128, i64 0
-  %681 = getelementptr double, ptr %129, i64 %556
-  %682 = getelementptr double, ptr %681, i64 %680
-  %683 = load double, ptr %682, align 8, !noalias !75
-  %684 = call double @llvm.fabs.f64(double %672)
-  %685 = call double @llvm.fabs.f64(double %674)
-  %686 = fcmp ogt double %684, %685
-  %687 = select i1 %686, double %684, double %685
-  %688 = fmul double %683, %687
-  %689 = fadd double %679, %688
-  %690 = fdiv double 1.000000e+00, %689
-  %691 = getelementptr double, ptr %114, i64 %556
-  %692 = load double, ptr %691, align 8, !noalias !64
-  %693 = fmul double %692, %690
-  %694 = getelementptr double, ptr %666, i64 %556
-  %695 = load double, ptr %694, align 8, !noalias !64
-  %696 = fmul double %695, %690
-  %697 = fmul double %693, %693
-  %698 = fadd double %559, %697
-  %699 = fmul double %696, %696
-  %700 = fadd double %558, %699
-  br label %555
-
-701:                                              ; preds = %541
-  %702 = call i64 @llvm.smax.i64(i64 %86, i64 0)
-  br label %703
-
-703:                                              ; preds = %701, %1353
-  %704 = phi i64 [ 0, %701 ], [ %1355, %1353 ]
-  %705 = phi i64 [ %702, %701 ], [ %1354, %1353 ]
-  %706 = phi double [ 0.000000e+00, %701 ], [ %1362, %1353 ]
-  %707 = icmp sgt i64 %705, 0
-  br i1 %707, label %1353, label %708
-
-708:                                              ; preds = %703, %628, %619
-  %709 = phi double [ %706, %703 ], [ %631, %628 ], [ %627, %619 ]
-  %710 = fcmp olt double %709, 1.000000e+00
-  br i1 %710, label %711, label %741
-
-711:                                              ; preds = %708
-  br i1 %240, label %716, label %712
-
-712:                                              ; preds = %711
-  %713 = getelementptr i8, ptr %26, i64 32
-  %714 = load i64, ptr %713, align 8, !noalias !15
-  %715 = icmp eq i64 %714, 0
-  br i1 %715, label %722, label %741
-
-716:                                              ; preds = %711
-  %717 = getelementptr i8, ptr %191, i64 56
-  %718 = load i64, ptr %717, align 8, !noalias !15
-  %719 = inttoptr i64 %718 to ptr
-  %720 = call i64 %719(i64 %0, double %486, i64 %89) #2, !noalias !15
-  %721 = icmp eq i64 %720, 0
-  br i1 %721, label %722, label %741
-
-722:                                              ; preds = %712, %716
-  %723 = getelementptr i8, ptr %144, i64 24
-  %724 = load i64, ptr %723, align 8, !noalias !15
-  %725 = add nsw i64 %724, 1
-  store i64 %725, ptr %723, align 8, !noalias !15
-  store ptr null, ptr %6, align 8, !noalias !78
-  store ptr null, ptr %7, align 8, !noalias !78
-  store double %486, ptr %55, align 8, !noalias !78
-  %726 = icmp sgt i64 %67, 0
-  br i1 %726, label %727, label %730
-
-727:                                              ; preds = %722
-  store ptr null, ptr %6, align 8, !noalias !78
-  %728 = call fastcc i32 @_sample(ptr nonnull %6, ptr %60, i64 %59, ptr %70, i64 %67, i64 %69, ptr %75, i64 %74, ptr %82, i64 %79, i64 %81, double %486) #2
-  switch i32 %728, label %729 [
-    i32 -2, label %730
-    i32 0, label %730
-  ], !prof !35
-
-729:                                              ; preds = %727
-  br label %730
-
-730:                                              ; preds = %727, %727, %722, %729
-  %731 = phi i32 [ %728, %729 ], [ 0, %722 ], [ 0, %727 ], [ 0, %727 ]
-  switch i32 %731, label %737 [
-    i32 -2, label %732
-    i32 0, label %732
-  ], !prof !35
-
-732:                                              ; preds = %730, %730
-  %733 = load i64, ptr %52, align 8, !noalias !85
-  %734 = inttoptr i64 %733 to ptr
-  %735 = inttoptr i64 %246 to ptr
-  %736 = call i32 %734(ptr nonnull %55, ptr %92, ptr %60, ptr %63, ptr %735) #2, !noalias !85
-  br label %737
-
-737:                                              ; preds = %730, %732
-  %738 = phi i32 [ %736, %732 ], [ 0, %730 ]
-  %739 = phi i32 [ 0, %732 ], [ %731, %730 ]
-  switch i32 %739, label %1366 [
-    i32 -2, label %1363
-    i32 0, label %1363
-  ], !prof !35
-
-740:                                              ; preds = %1363
-  br label %1466
-
-741:                                              ; preds = %1363, %716, %712, %708, %539
-  %742 = phi i1 [ true, %539 ], [ false, %708 ], [ true, %712 ], [ true, %716 ], [ true, %1363 ]
-  %743 = phi i64 [ %536, %539 ], [ 0, %708 ], [ 0, %712 ], [ 0, %716 ], [ %1364, %1363 ]
-  %744 = phi double [ 0.000000e+00, %539 ], [ %709, %708 ], [ %709, %712 ], [ %709, %716 ], [ %709, %1363 ]
-  %745 = phi i1 [ true, %539 ], [ true, %708 ], [ true, %712 ], [ false, %716 ], [ true, %1363 ]
-  %746 = icmp eq i64 %743, 0
-  %747 = and i1 %746, %742
-  %748 = and i1 %747, %745
-  br i1 %748, label %749, label %1209
-
-749:                                              ; preds = %741
-  %750 = load i64, ptr %449, align 8, !noalias !15
-  %751 = add nsw i64 %750, 1
-  store i64 %751, ptr %449, align 8, !noalias !15
-  store double %486, ptr %139, align 8, !noalias !15
-  %752 = getelementptr i8, ptr %139, i64 32
-  store double %485, ptr %752, align 8, !noalias !15
-  %753 = load i64, ptr %439, align 8, !noalias !86
-  %754 = icmp eq i64 %753, 0
-  br i1 %754, label %1367, label %755
-
-755:                                              ; preds = %749
-  %756 = load i64, ptr %230, align 8, !noalias !86
-  %757 = load i64, ptr %150, align 8, !noalias !86
-  %758 = icmp slt i64 %756, 0
-  %759 = select i1 %758, i64 %234, i64 0
-  %760 = add i64 %756, %759
-  %761 = mul i64 %760, %236
-  %762 = getelementptr double, ptr %237, i64 %761
-  store double %434, ptr %762, align 8, !noalias !86
-  %763 = getelementptr i8, ptr %762, i64 8
-  store double %485, ptr %763, align 8, !noalias !86
-  %764 = add nsw i64 %756, 1
-  %765 = icmp slt i64 %756, -1
-  %766 = select i1 %765, i64 %234, i64 0
-  %767 = add i64 %764, %766
-  %768 = mul i64 %767, %236
-  %769 = getelementptr double, ptr %237, i64 %768
-  store double %486, ptr %769, align 8, !noalias !86
-  %770 = getelementptr i8, ptr %769, i64 8
-  store double 0.000000e+00, ptr %770, align 8, !noalias !86
-  %771 = call i64 @llvm.smax.i64(i64 %757, i64 0)
-  br label %772
-
-772:                                              ; preds = %777, %755
-  %773 = phi i64 [ 0, %755 ], [ %779, %777 ]
-  %774 = phi i64 [ %771, %755 ], [ %778, %777 ]
-  %775 = icmp sgt i64 %774, 0
-  br i1 %775, label %777, label %776
-
-776:                                              ; preds = %772
-  store i64 %764, ptr %230, align 8, !noalias !86
-  br label %1367
-
-777:                                              ; preds = %772
-  %778 = add nsw i64 %774, -1
-  %779 = add i64 %773, 1
-  %780 = icmp slt i64 %773, 0
-  %781 = select i1 %780, i64 %86, i64 0
-  %782 = getelementptr double, ptr %87, i64 %773
-  %783 = getelementptr double, ptr %782, i64 %781
-  %784 = load double, ptr %783, align 8, !noalias !86
-  %785 = select i1 %780, i64 %91, i64 0
-  %786 = getelementptr double, ptr %92, i64 %773
-  %787 = getelementptr double, ptr %786, i64 %785
-  %788 = load double, ptr %787, align 8, !noalias !86
-  %789 = icmp slt i64 %773, -2
-  %790 = select i1 %789, i64 %236, i64 0
-  %791 = getelementptr double, ptr %762, i64 %773
-  %792 = getelementptr i8, ptr %791, i64 16
-  %793 = getelementptr double, ptr %792, i64 %790
-  store double %784, ptr %793, align 8, !noalias !86
-  %794 = getelementptr double, ptr %769, i64 %773
-  %795 = getelementptr i8, ptr %794, i64 16
-  %796 = getelementptr double, ptr %795, i64 %790
-  store double %788, ptr %796, align 8, !noalias !86
-  br label %772
-
-797:                                              ; preds = %1367
-  %798 = getelementptr i8, ptr %144, i64 48
-  %799 = load i64, ptr %798, align 8, !noalias !15
-  %800 = icmp slt i64 %799, 0
-  %801 = select i1 %800, i64 %148, i64 0
-  %802 = getelementptr double, ptr %149, i64 %799
-  %803 = getelementptr double, ptr %802, i64 %801
-  %804 = load double, ptr %803, align 8, !noalias !15
-  %805 = fcmp ult double %804, %486
-  br i1 %805, label %808, label %806
-
-806:                                              ; preds = %797
-  store i8 0, ptr %22, align 1, !noalias !15
-  %807 = call fastcc i32 @write_reached(ptr nonnull %22, ptr %52, ptr %92, i64 %91, ptr nonnull %139, ptr nonnull %144, i64 %148, ptr %149, i64 %148, ptr %153, i64 %152) #2
-  switch i32 %807, label %1371 [
-    i32 -2, label %1090
-    i32 0, label %1090
-  ], !prof !35
-
-808:                                              ; preds = %1367, %797
-  %809 = load i64, ptr %26, align 8, !noalias !15
-  %810 = getelementptr i8, ptr %26, i64 16
-  %811 = load i64, ptr %810, align 8, !noalias !15
-  %812 = call i64 @llvm.smax.i64(i64 %811, i64 0)
-  br label %813
-
-813:                                              ; preds = %1419, %808
-  %814 = phi i64 [ %809, %808 ], [ %816, %1419 ]
-  %815 = phi i64 [ %812, %808 ], [ %1420, %1419 ]
-  %816 = add i64 %814, 1
-  %817 = icmp sgt i64 %815, 0
-  br i1 %817, label %1372, label %822
-
-818:                                              ; preds = %1419
-  %819 = getelementptr i8, ptr %144, i64 72
-  store i64 3, ptr %819, align 8, !noalias !15
-  store double %434, ptr %139, align 8, !noalias !15
-  %820 = icmp slt i32 %1417, 0
-  %821 = select i1 %820, i64 -4, i64 2
-  br label %1466
-
-822:                                              ; preds = %813
-  %823 = load i64, ptr %150, align 8, !noalias !89
-  %824 = load i64, ptr %26, align 8, !noalias !89
-  %825 = mul nsw i64 %824, %86
-  %826 = icmp slt i64 %825, 0
-  %827 = select i1 %826, i64 %118, i64 0
-  %828 = add i64 %825, %827
-  %829 = icmp slt i64 %828, 0
-  br i1 %829, label %848, label %849, !prof !4
-
-830:                                              ; preds = %876, %880
-  %831 = phi i64 [ 0, %876 ], [ %882, %880 ]
-  %832 = phi i64 [ %879, %876 ], [ %881, %880 ]
-  %833 = icmp sgt i64 %832, 0
-  br i1 %833, label %880, label %834
-
-834:                                              ; preds = %830
-  %835 = add nsw i64 %824, 1
-  %836 = load i64, ptr %241, align 8, !noalias !89
-  %837 = add nsw i64 %835, %836
-  %838 = load i64, ptr %810, align 8, !noalias !89
-  %839 = add nsw i64 %837, %838
-  %840 = getelementptr i8, ptr %26, i64 24
-  %841 = load i64, ptr %840, align 8, !noalias !89
-  %842 = add i64 %841, -3
-  %843 = call i64 @llvm.smax.i64(i64 %842, i64 0)
-  br label %844
-
-844:                                              ; preds = %834, %900
-  %845 = phi i64 [ 3, %834 ], [ %902, %900 ]
-  %846 = phi i64 [ %843, %834 ], [ %901, %900 ]
-  %847 = icmp sgt i64 %846, 0
-  br i1 %847, label %900, label %1423
-
-848:                                              ; preds = %822
-  br label %849
-
-849:                                              ; preds = %848, %822
-  %850 = phi i64 [ 0, %848 ], [ %828, %822 ]
-  %851 = icmp slt i64 %828, %118
-  br i1 %851, label %853, label %852, !prof !8
-
-852:                                              ; preds = %849
-  br label %853
-
-853:                                              ; preds = %852, %849
-  %854 = phi i64 [ %118, %852 ], [ %850, %849 ]
-  %855 = getelementptr double, ptr %119, i64 %854
-  %856 = icmp slt i64 %86, 0
-  %857 = select i1 %856, i64 %123, i64 0
-  %858 = add i64 %86, %857
-  %859 = icmp slt i64 %858, 0
-  br i1 %859, label %860, label %861, !prof !4
-
-860:                                              ; preds = %853
-  br label %861
-
-861:                                              ; preds = %860, %853
-  %862 = phi i64 [ 0, %860 ], [ %858, %853 ]
-  %863 = icmp slt i64 %858, %123
-  br i1 %863, label %865, label %864, !prof !8
-
-864:                                              ; preds = %861
-  br label %865
-
-865:                                              ; preds = %864, %861
-  %866 = phi i64 [ %123, %864 ], [ %862, %861 ]
-  %867 = getelementptr double, ptr %124, i64 %866
-  %868 = shl nsw i64 %86, 1
-  %869 = add i64 %868, %857
-  %870 = icmp slt i64 %869, 0
-  br i1 %870, label %871, label %872, !prof !4
-
-871:                                              ; preds = %865
-  br label %872
-
-872:                                              ; preds = %871, %865
-  %873 = phi i64 [ 0, %871 ], [ %869, %865 ]
-  %874 = icmp slt i64 %869, %123
-  br i1 %874, label %876, label %875, !prof !8
-
-875:                                              ; preds = %872
-  br label %876
-
-876:                                              ; preds = %875, %872
-  %877 = phi i64 [ %123, %875 ], [ %873, %872 ]
-  %878 = getelementptr double, ptr %124, i64 %877
-  %879 = call i64 @llvm.smax.i64(i64 %823, i64 0)
-  br label %830
-
-880:                                              ; preds = %830
-  %881 = add nsw i64 %832, -1
-  %882 = add i64 %831, 1
-  %883 = getelementptr double, ptr %92, i64 %831
-  %884 = load double, ptr %883, align 8, !noalias !89
-  %885 = getelementptr double, ptr %87, i64 %831
-  %886 = load double, ptr %885, align 8, !noalias !89
-  %887 = fsub double %884, %886
-  %888 = getelementptr double, ptr %119, i64 %831
-  %889 = load double, ptr %888, align 8, !noalias !89
-  %890 = fmul double %485, %889
-  %891 = fsub double %890, %887
-  %892 = getelementptr double, ptr %124, i64 %831
-  store double %887, ptr %892, align 8, !noalias !89
-  %893 = getelementptr double, ptr %867, i64 %831
-  store double %891, ptr %893, align 8, !noalias !89
-  %894 = fsub double %887, %891
-  %895 = getelementptr double, ptr %855, i64 %831
-  %896 = load double, ptr %895, align 8, !noalias !89
-  %897 = fmul double %485, %896
-  %898 = fsub double %894, %897
-  %899 = getelementptr double, ptr %878, i64 %831
-  store double %898, ptr %899, align 8, !noalias !89
-  br label %830
-
-900:                                              ; preds = %844
-  %901 = add nsw i64 %846, -1
-  %902 = add i64 %845, 1
-  %903 = mul nsw i64 %845, %86
-  %904 = shl i64 %903, 3
-  %905 = add i64 %904, %121
-  %906 = add nsw i64 %839, %845
-  %907 = getelementptr i8, ptr %52, i64 16
-  %908 = load i64, ptr %907, align 8, !noalias !93
-  %909 = icmp slt i64 %906, 3
-  %910 = select i1 %909, i64 %30, i64 0
-  %911 = getelementptr i64, ptr %31, i64 %906
-  %912 = getelementptr i8, ptr %911, i64 -24
-  %913 = getelementptr i64, ptr %912, i64 %910
-  %914 = load i64, ptr %913, align 8, !noalias !97
-  %915 = shl i64 %914, 3
-  %916 = add i64 %915, %33
-  %917 = add i64 %915, %38
-  %918 = icmp slt i64 %906, 2
-  %919 = select i1 %918, i64 %30, i64 0
-  %920 = getelementptr i8, ptr %911, i64 -16
-  %921 = getelementptr i64, ptr %920, i64 %919
-  %922 = load i64, ptr %921, align 8, !noalias !97
-  %923 = xor i64 %914, -1
-  %924 = add i64 %922, %923
-  call fastcc void @pydy_combine(i64 %905, i64 %109, i64 %99, i64 %116, i64 %916, i64 %917, i64 %924, i64 1, i64 %908) #2, !noalias !97
-  br label %844
-
-925:                                              ; preds = %1423
-  %926 = getelementptr i8, ptr %194, i64 16
-  %927 = load i64, ptr %926, align 8, !noalias !15
-  %928 = inttoptr i64 %927 to ptr
-  %929 = call i64 %928(i64 %0, double %434, double %485) #2, !noalias !15
-  %930 = getelementptr i8, ptr %139, i64 48
-  %931 = load double, ptr %930, align 8, !noalias !15
-  br label %932
-
-932:                                              ; preds = %925, %1423
-  %933 = phi double [ %931, %925 ], [ 1.000000e+00, %1423 ]
-  %934 = phi i64 [ %929, %925 ], [ 0, %1423 ]
-  %935 = fcmp oeq double %933, 1.000000e+00
-  br i1 %935, label %936, label %938
-
-936:                                              ; preds = %932
-  %937 = load double, ptr %139, align 8, !noalias !15
-  br label %941
-
-938:                                              ; preds = %932
-  %939 = fmul double %933, %485
-  %940 = fadd double %434, %939
-  br label %941
-
-941:                                              ; preds = %938, %936
-  %942 = phi double [ %937, %936 ], [ %940, %938 ]
-  %943 = icmp eq i64 %934, -4
-  %944 = select i1 %943, i64 -4, i64 0
-  br i1 %943, label %998, label %945
-
-945:                                              ; preds = %941
-  %946 = fcmp uge double %933, 1.000000e+00
-  %947 = load i64, ptr %150, align 8, !noalias !15
-  %948 = load i64, ptr %191, align 8, !noalias !15
-  %949 = icmp eq i64 %948, 1
-  %950 = getelementptr i8, ptr %144, i64 48
-  %951 = load i64, ptr %950, align 8, !noalias !15
-  %952 = icmp slt i64 %951, %148
-  br i1 %952, label %953, label %996
-
-953:                                              ; preds = %945
-  %954 = icmp slt i64 %951, 0
-  %955 = select i1 %954, i64 %148, i64 0
-  %956 = getelementptr double, ptr %149, i64 %951
-  %957 = getelementptr double, ptr %956, i64 %955
-  %958 = load double, ptr %957, align 8, !noalias !15
-  %959 = fcmp uge double %958, %942
-  %960 = fcmp une double %958, %942
-  %961 = or i1 %960, %946
-  %962 = and i1 %959, %961
-  br i1 %962, label %996, label %963
-
-963:                                              ; preds = %986, %953
-  %964 = phi i64 [ %951, %953 ], [ %984, %986 ]
-  %965 = icmp slt i64 %964, 0
-  %966 = select i1 %965, i64 %148, i64 0
-  %967 = getelementptr double, ptr %149, i64 %964
-  %968 = getelementptr double, ptr %967, i64 %966
-  %969 = load double, ptr %968, align 8, !noalias !15
-  %970 = fsub double %969, %434
-  %971 = fdiv double %970, %485
-  %972 = mul nsw i64 %964, %947
-  %973 = shl i64 %972, 3
-  %974 = add i64 %973, %1
-  %975 = call i64 @llvm.smax.i64(i64 %106, i64 0)
-  br label %1426
-
-976:                                              ; preds = %1430
-  %977 = getelementptr i8, ptr %191, i64 56
-  %978 = load i64, ptr %977, align 8, !noalias !15
-  %979 = load double, ptr %968, align 8, !noalias !15
-  %980 = inttoptr i64 %978 to ptr
-  %981 = call i64 %980(i64 %0, double %979, i64 %974) #2, !noalias !15
-  %982 = icmp eq i64 %981, 0
-  br i1 %982, label %983, label %998
-
-983:                                              ; preds = %1430, %976
-  %984 = add nsw i64 %964, 1
-  %985 = icmp slt i64 %984, %148
-  br i1 %985, label %986, label %996
-
-986:                                              ; preds = %983
-  %987 = icmp slt i64 %964, -1
-  %988 = select i1 %987, i64 %148, i64 0
-  %989 = getelementptr double, ptr %149, i64 %984
-  %990 = getelementptr double, ptr %989, i64 %988
-  %991 = load double, ptr %990, align 8, !noalias !15
-  %992 = fcmp uge double %991, %942
-  %993 = fcmp une double %991, %942
-  %994 = or i1 %993, %946
-  %995 = and i1 %992, %994
-  br i1 %995, label %996, label %963
-
-996:                                              ; preds = %986, %953, %983, %945
-  %997 = phi i64 [ %951, %953 ], [ %984, %986 ], [ %984, %983 ], [ %951, %945 ]
-  store i64 %997, ptr %950, align 8, !noalias !15
-  br label %998
-
-998:                                              ; preds = %976, %996, %941
-  %999 = phi i64 [ %944, %941 ], [ 0, %996 ], [ %981, %976 ]
-  %1000 = icmp eq i64 %999, 0
-  %1001 = icmp ne i64 %934, 0
-  %1002 = select i1 %1000, i1 %1001, i1 false
-  %1003 = fcmp olt double %933, 1.000000e+00
-  %1004 = and i1 %1002, %1003
-  br i1 %1004, label %1005, label %1043
-
-1005:                                             ; preds = %998
-  %1006 = call i64 @llvm.smax.i64(i64 %106, i64 0)
-  br label %1007
-
-1007:                                             ; preds = %1005, %1031
-  %1008 = phi i64 [ 0, %1005 ], [ %1033, %1031 ]
-  %1009 = phi i64 [ %1006, %1005 ], [ %1032, %1031 ]
-  %1010 = icmp sgt i64 %1009, 0
-  br i1 %1010, label %1031, label %1011
-
-1011:                                             ; preds = %1007
-  %1012 = load i64, ptr %840, align 8, !noalias !100
-  %1013 = getelementptr i8, ptr %52, i64 16
-  %1014 = load i64, ptr %1013, align 8, !noalias !100
-  call fastcc void @pydy_nested(i64 %94, i64 %84, i64 %121, i64 %86, i64 %1012, i64 %104, i64 %1014) #2, !noalias !100
-  %1015 = call i64 @llvm.smax.i64(i64 %91, i64 0)
-  br label %1016
-
-1016:                                             ; preds = %1020, %1011
-  %1017 = phi i64 [ 0, %1011 ], [ %1022, %1020 ]
-  %1018 = phi i64 [ %1015, %1011 ], [ %1021, %1020 ]
-  %1019 = icmp sgt i64 %1018, 0
-  br i1 %1019, label %1020, label %1441
-
-1020:                                             ; preds = %1016
-  %1021 = add nsw i64 %1018, -1
-  %1022 = add i64 %1017, 1
-  %1023 = icmp slt i64 %1017, 0
-  %1024 = select i1 %1023, i64 %96, i64 0
-  %1025 = getelementptr double, ptr %97, i64 %1017
-  %1026 = getelementptr double, ptr %1025, i64 %1024
-  %1027 = load double, ptr %1026, align 8, !noalias !104
-  %1028 = select i1 %1023, i64 %91, i64 0
-  %1029 = getelementptr double, ptr %92, i64 %1017
-  %1030 = getelementptr double, ptr %1029, i64 %1028
-  store double %1027, ptr %1030, align 8, !noalias !104
-  br label %1016
-
-1031:                                             ; preds = %1007
-  %1032 = add nsw i64 %1009, -1
-  %1033 = add i64 %1008, 1
-  %1034 = icmp slt i64 %1008, 0
-  %1035 = select i1 %1034, i64 %106, i64 0
-  %1036 = getelementptr double, ptr %107, i64 %1008
-  %1037 = getelementptr double, ptr %1036, i64 %1035
-  store double %933, ptr %1037, align 8, !noalias !100
-  br label %1007
-
-1038:                                             ; preds = %1441
-  %1039 = getelementptr i8, ptr %191, i64 56
-  %1040 = load i64, ptr %1039, align 8, !noalias !15
-  %1041 = inttoptr i64 %1040 to ptr
-  %1042 = call i64 %1041(i64 %0, double %942, i64 %89) #2, !noalias !15
-  br label %1043
-
-1043:                                             ; preds = %1441, %1038, %998
-  %1044 = phi i64 [ %1042, %1038 ], [ 0, %1441 ], [ %999, %998 ]
-  %1045 = icmp eq i64 %1044, 0
-  br i1 %1045, label %1047, label %1046
-
-1046:                                             ; preds = %1043
-  store double %434, ptr %139, align 8, !noalias !15
-  store double %485, ptr %253, align 8, !noalias !15
-  br label %1069
-
-1047:                                             ; preds = %1043
-  br i1 %935, label %1048, label %1050
-
-1048:                                             ; preds = %1047
-  store i8 0, ptr %23, align 1, !noalias !15
-  %1049 = call fastcc i32 @write_reached(ptr nonnull %23, ptr %52, ptr %92, i64 %91, ptr nonnull %139, ptr nonnull %144, i64 %148, ptr %149, i64 %148, ptr %153, i64 %152) #2
-  switch i32 %1049, label %1444 [
-    i32 -2, label %1050
-    i32 0, label %1050
-  ], !prof !35
-
-1050:                                             ; preds = %1048, %1048, %1047
-  %1051 = icmp eq i64 %934, 0
-  br i1 %1051, label %1069, label %1052
-
-1052:                                             ; preds = %1050
-  %1053 = call i64 @llvm.smax.i64(i64 %86, i64 0)
-  br label %1054
-
-1054:                                             ; preds = %1058, %1052
-  %1055 = phi i64 [ 0, %1052 ], [ %1060, %1058 ]
-  %1056 = phi i64 [ %1053, %1052 ], [ %1059, %1058 ]
-  %1057 = icmp sgt i64 %1056, 0
-  br i1 %1057, label %1058, label %1445
-
-1058:                                             ; preds = %1054
-  %1059 = add nsw i64 %1056, -1
-  %1060 = add i64 %1055, 1
-  %1061 = icmp slt i64 %1055, 0
-  %1062 = select i1 %1061, i64 %91, i64 0
-  %1063 = getelementptr double, ptr %92, i64 %1055
-  %1064 = getelementptr double, ptr %1063, i64 %1062
-  %1065 = load double, ptr %1064, align 8, !noalias !107
-  %1066 = select i1 %1061, i64 %86, i64 0
-  %1067 = getelementptr double, ptr %87, i64 %1055
-  %1068 = getelementptr double, ptr %1067, i64 %1066
-  store double %1065, ptr %1068, align 8, !noalias !107
-  br label %1054
-
-1069:                                             ; preds = %1050, %1445, %1046
-  %1070 = phi i1 [ false, %1046 ], [ false, %1445 ], [ true, %1050 ]
-  %1071 = phi i64 [ %1044, %1046 ], [ %934, %1445 ], [ 0, %1050 ]
-  %1072 = icmp ne i64 %1071, 6
-  %1073 = select i1 %1072, i1 true, i1 %243
-  br i1 %1073, label %1086, label %1074
-
-1074:                                             ; preds = %1069
-  %1075 = load i64, ptr %1368, align 8, !noalias !15
-  %1076 = icmp eq i64 %1075, 0
-  br i1 %1076, label %1077, label %1086
-
-1077:                                             ; preds = %1074
-  %1078 = load i64, ptr %449, align 8, !noalias !15
-  %1079 = add nsw i64 %1078, -1
-  store i64 %1079, ptr %449, align 8, !noalias !15
-  %1080 = load i64, ptr %230, align 8, !noalias !15
-  %1081 = add nsw i64 %1080, -1
-  store i64 %1081, ptr %230, align 8, !noalias !15
-  %1082 = load i64, ptr %451, align 8, !noalias !15
-  %1083 = add nsw i64 %1082, 1
-  store i64 %1083, ptr %451, align 8, !noalias !15
-  %1084 = getelementptr i8, ptr %144, i64 72
-  store i64 6, ptr %1084, align 8, !noalias !15
-  %1085 = getelementptr i8, ptr %139, i64 40
-  store double 1.000000e+00, ptr %1085, align 8, !noalias !15
-  br label %1274
-
-1086:                                             ; preds = %1069, %1074
-  br i1 %1070, label %1090, label %1087
-
-1087:                                             ; preds = %1086
-  %1088 = load i64, ptr %230, align 8, !noalias !15
-  %1089 = add nsw i64 %1088, 1
-  store i64 %1089, ptr %230, align 8, !noalias !15
-  br label %1466
-
-1090:                                             ; preds = %806, %806, %1086
-  br i1 %243, label %1198, label %1091
-
-1091:                                             ; preds = %1090
-  %1092 = getelementptr i8, ptr %139, i64 40
-  %1093 = load double, ptr %1092, align 8, !noalias !15
-  %1094 = getelementptr i8, ptr %49, i64 24
-  %1095 = load double, ptr %1094, align 8, !noalias !110
-  %1096 = fcmp ogt double %744, 1.000000e-10
-  %1097 = select i1 %1096, double %744, double 1.000000e-10
-  %1098 = getelementptr i8, ptr %49, i64 8
-  %1099 = load double, ptr %1098, align 8, !noalias !110
-  %1100 = fneg double %1099
-  %1101 = bitcast double %1097 to i64
-  %1102 = add nsw i64 %1101, -4604544271217802189
-  %1103 = ashr i64 %1102, 52
-  %1104 = and i64 %1102, -4503599627370496
-  %1105 = sub i64 %1101, %1104
-  %1106 = bitcast i64 %1105 to double
-  %1107 = fadd double %1106, -1.000000e+00
-  %1108 = fadd double %1106, 1.000000e+00
-  %1109 = fdiv double %1107, %1108
-  %1110 = fmul double %1109, %1109
-  %1111 = call double @llvm.fma.f64(double %1110, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
-  %1112 = call double @llvm.fma.f64(double %1111, double %1110, double 0x3FE2776C50EF9BFE)
-  %1113 = call double @llvm.fma.f64(double %1112, double %1110, double 0x3FEEC709DC3A03FD)
-  %1114 = call double @llvm.fma.f64(double %1113, double %1110, double 0x40071547652B82FE)
-  %1115 = fmul double %1114, %1109
-  %1116 = trunc nsw i64 %1103 to i32
-  %1117 = sitofp i32 %1116 to double
-  %1118 = fadd double %1115, %1117
-  %1119 = fmul double %1118, %1100
-  %1120 = fcmp ogt double %1119, -1.000000e+03
-  %1121 = select i1 %1120, double %1119, double -1.000000e+03
-  %1122 = fcmp olt double %1121, 1.000000e+03
-  %1123 = select i1 %1122, double %1121, double 1.000000e+03
-  %1124 = call double @llvm.rint.f64(double %1123)
-  %1125 = fsub double %1123, %1124
-  %1126 = call double @llvm.fma.f64(double %1125, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
-  %1127 = call double @llvm.fma.f64(double %1126, double %1125, double 0x3F55D87FE78A6730)
-  %1128 = call double @llvm.fma.f64(double %1127, double %1125, double 0x3F83B2AB6FBA4E77)
-  %1129 = call double @llvm.fma.f64(double %1128, double %1125, double 0x3FAC6B08D704A0BF)
-  %1130 = call double @llvm.fma.f64(double %1129, double %1125, double 0x3FCEBFBDFF82C58E)
-  %1131 = call double @llvm.fma.f64(double %1130, double %1125, double 0x3FE62E42FEFA39EF)
-  %1132 = call double @llvm.fma.f64(double %1131, double %1125, double 1.000000e+00)
-  %1133 = fptosi double %1124 to i32
-  %1134 = zext i32 %1133 to i64
-  %1135 = shl i64 %1134, 52
-  %1136 = bitcast double %1132 to i64
-  %1137 = add i64 %1135, %1136
-  %1138 = bitcast i64 %1137 to double
-  %1139 = fmul double %1095, %1138
-  %1140 = getelementptr i8, ptr %49, i64 16
-  %1141 = load double, ptr %1140, align 8, !noalias !110
-  %1142 = fcmp une double %1141, 0.000000e+00
-  br i1 %1142, label %1143, label %1184
-
-1143:                                             ; preds = %1091
-  %1144 = getelementptr i8, ptr %139, i64 24
-  %1145 = load i64, ptr %1144, align 8, !noalias !15
-  %1146 = add i64 %1145, -4604544271217802189
-  %1147 = ashr i64 %1146, 52
-  %1148 = and i64 %1146, -4503599627370496
-  %1149 = sub i64 %1145, %1148
-  %1150 = bitcast i64 %1149 to double
-  %1151 = fadd double %1150, -1.000000e+00
-  %1152 = fadd double %1150, 1.000000e+00
-  %1153 = fdiv double %1151, %1152
-  %1154 = fmul double %1153, %1153
-  %1155 = call double @llvm.fma.f64(double %1154, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
-  %1156 = call double @llvm.fma.f64(double %1155, double %1154, double 0x3FE2776C50EF9BFE)
-  %1157 = call double @llvm.fma.f64(double %1156, double %1154, double 0x3FEEC709DC3A03FD)
-  %1158 = call double @llvm.fma.f64(double %1157, double %1154, double 0x40071547652B82FE)
-  %1159 = fmul double %1158, %1153
-  %1160 = trunc nsw i64 %1147 to i32
-  %1161 = sitofp i32 %1160 to double
-  %1162 = fadd double %1159, %1161
-  %1163 = fmul double %1162, %1141
-  %1164 = fcmp ogt double %1163, -1.000000e+03
-  %1165 = select i1 %1164, double %1163, double -1.000000e+03
-  %1166 = fcmp olt double %1165, 1.000000e+03
-  %1167 = select i1 %1166, double %1165, double 1.000000e+03
-  %1168 = call double @llvm.rint.f64(double %1167)
-  %1169 = fsub double %1167, %1168
-  %1170 = call double @llvm.fma.f64(double %1169, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
-  %1171 = call double @llvm.fma.f64(double %1170, double %1169, double 0x3F55D87FE78A6730)
-  %1172 = call double @llvm.fma.f64(double %1171, double %1169, double 0x3F83B2AB6FBA4E77)
-  %1173 = call double @llvm.fma.f64(double %1172, double %1169, double 0x3FAC6B08D704A0BF)
-  %1174 = call double @llvm.fma.f64(double %1173, double %1169, double 0x3FCEBFBDFF82C58E)
-  %1175 = call double @llvm.fma.f64(double %1174, double %1169, double 0x3FE62E42FEFA39EF)
-  %1176 = call double @llvm.fma.f64(double %1175, double %1169, double 1.000000e+00)
-  %1177 = fptosi double %1168 to i32
-  %1178 = zext i32 %1177 to i64
-  %1179 = shl i64 %1178, 52
-  %1180 = bitcast double %1176 to i64
-  %1181 = add i64 %1179, %1180
-  %1182 = bitcast i64 %1181 to double
-  %1183 = fmul double %1139, %1182
-  br label %1184
-
-1184:                                             ; preds = %1143, %1091
-  %1185 = phi double [ %1183, %1143 ], [ %1139, %1091 ]
-  %1186 = getelementptr i8, ptr %49, i64 32
-  %1187 = load double, ptr %1186, align 8, !noalias !110
-  %1188 = fcmp ogt double %1185, %1187
-  %1189 = select i1 %1188, double %1185, double %1187
-  %1190 = fcmp olt double %1093, %1189
-  %1191 = select i1 %1190, double %1093, double %1189
-  %1192 = fmul double %485, %1191
-  %1193 = fcmp ogt double %744, 1.000000e-04
-  %1194 = select i1 %1193, double %744, double 1.000000e-04
-  %1195 = getelementptr i8, ptr %139, i64 24
-  store double %1194, ptr %1195, align 8, !noalias !15
-  %1196 = getelementptr i8, ptr %49, i64 40
-  %1197 = load double, ptr %1196, align 8, !noalias !15
-  store double %1197, ptr %1092, align 8, !noalias !15
-  br label %1198
-
-1198:                                             ; preds = %1184, %1090
-  %1199 = phi double [ %1192, %1184 ], [ %433, %1090 ]
-  %1200 = call i64 @llvm.smax.i64(i64 %86, i64 0)
-  br label %1201
-
-1201:                                             ; preds = %1198, %1446
-  %1202 = phi i64 [ 0, %1198 ], [ %1448, %1446 ]
-  %1203 = phi i64 [ %1200, %1198 ], [ %1447, %1446 ]
-  %1204 = icmp sgt i64 %1203, 0
-  br i1 %1204, label %1446, label %1205
-
-1205:                                             ; preds = %1201
-  %1206 = getelementptr i8, ptr %144, i64 48
-  %1207 = load i64, ptr %1206, align 8, !noalias !15
-  %1208 = icmp eq i64 %1207, %148
-  br i1 %1208, label %1279, label %432
-
-1209:                                             ; preds = %741
-  %1210 = load i64, ptr %451, align 8, !noalias !15
-  %1211 = add nsw i64 %1210, 1
-  store i64 %1211, ptr %451, align 8, !noalias !15
-  %1212 = and i1 %745, %746
-  br i1 %1212, label %1213, label %1216
-
-1213:                                             ; preds = %1209
-  %1214 = fsub double %744, %744
-  %1215 = fcmp ord double %1214, 0.000000e+00
-  br label %1216
-
-1216:                                             ; preds = %1209, %1213
-  %1217 = phi i1 [ %1215, %1213 ], [ false, %1209 ]
-  %1218 = select i1 %1217, i64 2, i64 4
-  %1219 = select i1 %745, i64 %1218, i64 6
-  %1220 = select i1 %746, i64 %1219, i64 3
-  %1221 = getelementptr i8, ptr %144, i64 72
-  store i64 %1220, ptr %1221, align 8, !noalias !15
-  br i1 %243, label %1277, label %1222
-
-1222:                                             ; preds = %1216
-  %1223 = getelementptr i8, ptr %49, i64 24
-  %1224 = load double, ptr %1223, align 8, !noalias !113
-  %1225 = fcmp ogt double %744, 1.000000e-10
-  %1226 = select i1 %1225, double %744, double 1.000000e-10
-  %1227 = bitcast double %1226 to i64
-  %1228 = add nsw i64 %1227, -4604544271217802189
-  %1229 = and i64 %1228, -4503599627370496
-  %1230 = sub i64 %1227, %1229
-  %1231 = bitcast i64 %1230 to double
-  %1232 = fadd double %1231, -1.000000e+00
-  %1233 = fadd double %1231, 1.000000e+00
-  %1234 = fdiv double %1232, %1233
-  %1235 = fmul double %1234, %1234
-  %1236 = call double @llvm.fma.f64(double %1235, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
-  %1237 = call double @llvm.fma.f64(double %1236, double %1235, double 0x3FE2776C50EF9BFE)
-  %1238 = call double @llvm.fma.f64(double %1237, double %1235, double 0x3FEEC709DC3A03FD)
-  %1239 = call double @llvm.fma.f64(double %1238, double %1235, double 0x40071547652B82FE)
-  %1240 = fmul double %1239, %1234
-  %1241 = ashr i64 %1228, 52
-  %1242 = trunc nsw i64 %1241 to i32
-  %1243 = sitofp i32 %1242 to double
-  %1244 = fadd double %1240, %1243
-  %1245 = load double, ptr %49, align 8, !noalias !113
-  %1246 = fneg double %1245
-  %1247 = fmul double %1244, %1246
-  %1248 = fcmp ogt double %1247, -1.000000e+03
-  %1249 = select i1 %1248, double %1247, double -1.000000e+03
-  %1250 = fcmp olt double %1249, 1.000000e+03
-  %1251 = select i1 %1250, double %1249, double 1.000000e+03
-  %1252 = call double @llvm.rint.f64(double %1251)
-  %1253 = fptosi double %1252 to i32
-  %1254 = zext i32 %1253 to i64
-  %1255 = shl i64 %1254, 52
-  %1256 = fsub double %1251, %1252
-  %1257 = call double @llvm.fma.f64(double %1256, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
-  %1258 = call double @llvm.fma.f64(double %1257, double %1256, double 0x3F55D87FE78A6730)
-  %1259 = call double @llvm.fma.f64(double %1258, double %1256, double 0x3F83B2AB6FBA4E77)
-  %1260 = call double @llvm.fma.f64(double %1259, double %1256, double 0x3FAC6B08D704A0BF)
-  %1261 = call double @llvm.fma.f64(double %1260, double %1256, double 0x3FCEBFBDFF82C58E)
-  %1262 = call double @llvm.fma.f64(double %1261, double %1256, double 0x3FE62E42FEFA39EF)
-  %1263 = call double @llvm.fma.f64(double %1262, double %1256, double 1.000000e+00)
-  %1264 = bitcast double %1263 to i64
-  %1265 = add i64 %1255, %1264
-  %1266 = bitcast i64 %1265 to double
-  %1267 = fmul double %1224, %1266
-  %1268 = getelementptr i8, ptr %49, i64 32
-  %1269 = load double, ptr %1268, align 8, !noalias !113
-  %1270 = fcmp ogt double %1267, %1269
-  %1271 = select i1 %1270, double %1267, double %1269
-  %1272 = select i1 %1217, double %1271, double 2.500000e-01
-  %1273 = getelementptr i8, ptr %139, i64 40
-  store double 1.000000e+00, ptr %1273, align 8, !noalias !15
-  br label %1274
-
-1274:                                             ; preds = %1077, %1222
-  %1275 = phi double [ %1272, %1222 ], [ 2.500000e-01, %1077 ]
-  %1276 = fmul double %485, %1275
-  br label %429
-
-1277:                                             ; preds = %1216
-  store double %485, ptr %253, align 8, !noalias !15
-  br label %1466
-
-1278:                                             ; preds = %477
-  store double %485, ptr %253, align 8, !noalias !15
-  br label %1466
-
-1279:                                             ; preds = %1205
-  store double %1199, ptr %253, align 8, !noalias !15
-  br label %1466
-
-1280:                                             ; preds = %271, %271
-  %1281 = icmp eq i32 %272, 0
-  br i1 %1281, label %278, label %274
-
-1282:                                             ; preds = %271
-  br label %1466
-
-1283:                                             ; preds = %278, %278
-  %1284 = load i8, ptr %19, align 1, !noalias !15
-  %1285 = icmp eq i8 %1284, 0
-  br i1 %1285, label %285, label %284
-
-1286:                                             ; preds = %278
-  br label %1466
-
-1287:                                             ; preds = %287, %295
-  br label %1466
-
-1288:                                             ; preds = %308
-  %1289 = add nsw i64 %310, -1
-  %1290 = add i64 %309, 1
-  %1291 = icmp slt i64 %309, 0
-  %1292 = select i1 %1291, i64 %86, i64 0
-  %1293 = getelementptr double, ptr %87, i64 %309
-  %1294 = getelementptr double, ptr %1293, i64 %1292
-  %1295 = load double, ptr %1294, align 8, !noalias !15
-  %1296 = select i1 %1291, i64 %118, i64 0
-  %1297 = getelementptr double, ptr %119, i64 %309
-  %1298 = getelementptr double, ptr %1297, i64 %1296
-  %1299 = load double, ptr %1298, align 8, !noalias !15
-  %1300 = fmul double %306, %1299
-  %1301 = fadd double %1295, %1300
-  %1302 = select i1 %1291, i64 %96, i64 0
-  %1303 = getelementptr double, ptr %97, i64 %309
-  %1304 = getelementptr double, ptr %1303, i64 %1302
-  store double %1301, ptr %1304, align 8, !noalias !15
-  br label %308
-
-1305:                                             ; preds = %329, %329
-  br i1 %330, label %334, label %332
-
-1306:                                             ; preds = %329
-  br label %1466
-
-1307:                                             ; preds = %343
-  br label %1466
-
-1308:                                             ; preds = %494
-  %1309 = add nsw i64 %496, -1
-  %1310 = add i64 %495, 1
-  %1311 = icmp slt i64 %495, 0
-  %1312 = select i1 %1311, i64 %101, i64 0
-  %1313 = getelementptr double, ptr %102, i64 %495
-  %1314 = getelementptr double, ptr %1313, i64 %1312
-  store double %485, ptr %1314, align 8, !noalias !15
-  br label %494
-
-1315:                                             ; preds = %502
-  %1316 = add nsw i64 %504, -1
-  %1317 = add i64 %503, 1
-  store ptr null, ptr %20, align 8, !noalias !15
-  %1318 = call fastcc i32 @_combine_latest(ptr nonnull %20, ptr %31, i64 %30, ptr %36, i64 %35, ptr %41, i64 %40, ptr %52, ptr %87, ptr %102, ptr %119, i64 %118, i64 %503, i64 %94, double %485) #2
-  switch i32 %1318, label %1347 [
-    i32 -2, label %1319
-    i32 0, label %1319
-  ], !prof !35
-
-1319:                                             ; preds = %1315, %1315
-  %1320 = mul nsw i64 %503, %86
-  %1321 = shl i64 %1320, 3
-  %1322 = add i64 %1321, %116
-  %1323 = getelementptr i8, ptr %144, i64 24
-  %1324 = load i64, ptr %1323, align 8, !noalias !15
-  %1325 = add nsw i64 %1324, 1
-  store i64 %1325, ptr %1323, align 8, !noalias !15
-  %1326 = icmp slt i64 %503, 0
-  %1327 = select i1 %1326, i64 %45, i64 0
-  %1328 = getelementptr double, ptr %46, i64 %503
-  %1329 = getelementptr double, ptr %1328, i64 %1327
-  %1330 = load double, ptr %1329, align 8, !noalias !15
-  %1331 = fmul double %1330, %485
-  %1332 = fadd double %434, %1331
-  store ptr null, ptr %10, align 8, !noalias !116
-  store ptr null, ptr %11, align 8, !noalias !116
-  store double %1332, ptr %55, align 8, !noalias !116
-  %1333 = icmp sgt i64 %67, 0
-  br i1 %1333, label %1334, label %1337
-
-1334:                                             ; preds = %1319
-  store ptr null, ptr %10, align 8, !noalias !116
-  %1335 = call fastcc i32 @_sample(ptr nonnull %10, ptr %60, i64 %59, ptr %70, i64 %67, i64 %69, ptr %75, i64 %74, ptr %82, i64 %79, i64 %81, double %1332) #2
-  switch i32 %1335, label %1336 [
-    i32 -2, label %1337
-    i32 0, label %1337
-  ], !prof !35
-
-1336:                                             ; preds = %1334
-  br label %1337
-
-1337:                                             ; preds = %1334, %1334, %1319, %1336
-  %1338 = phi i32 [ %1335, %1336 ], [ 0, %1319 ], [ 0, %1334 ], [ 0, %1334 ]
-  switch i32 %1338, label %1344 [
-    i32 -2, label %1339
-    i32 0, label %1339
-  ], !prof !35
-
-1339:                                             ; preds = %1337, %1337
-  %1340 = load i64, ptr %52, align 8, !noalias !123
-  %1341 = inttoptr i64 %1340 to ptr
-  %1342 = inttoptr i64 %1322 to ptr
-  %1343 = call i32 %1341(ptr nonnull %55, ptr %97, ptr %60, ptr %63, ptr %1342) #2, !noalias !123
-  br label %1344
-
-1344:                                             ; preds = %1337, %1339
-  %1345 = phi i32 [ %1343, %1339 ], [ 0, %1337 ]
-  %1346 = phi i32 [ 0, %1339 ], [ %1338, %1337 ]
-  switch i32 %1346, label %1350 [
-    i32 -2, label %1348
-    i32 0, label %1348
-  ], !prof !35
-
-1347:                                             ; preds = %1315
-  br label %1466
-
-1348:                                             ; preds = %1344, %1344
-  %1349 = icmp eq i32 %1345, 0
-  br i1 %1349, label %502, label %506
-
-1350:                                             ; preds = %1344
-  br label %1466
-
-1351:                                             ; preds = %508
-  br label %1466
-
-1352:                                             ; preds = %532
-  br label %1466
-
-1353:                                             ; preds = %703
-  %1354 = add nsw i64 %705, -1
-  %1355 = add i64 %704, 1
-  %1356 = icmp slt i64 %704, 0
-  %1357 = select i1 %1356, i64 %91, i64 0
-  %1358 = getelementptr double, ptr %92, i64 %704
-  %1359 = getelementptr double, ptr %1358, i64 %1357
-  %1360 = load double, ptr %1359, align 8, !noalias !15
-  %1361 = fmul double %1360, 0.000000e+00
-  %1362 = fadd double %706, %1361
-  br label %703
-
-1363:                                             ; preds = %737, %737
-  %1364 = sext i32 %738 to i64
-  %1365 = icmp slt i32 %738, 0
-  br i1 %1365, label %740, label %741
-
-1366:                                             ; preds = %737
-  br label %1466
-
-1367:                                             ; preds = %776, %749
-  %1368 = getelementptr i8, ptr %194, i64 8
-  %1369 = load i64, ptr %1368, align 8, !noalias !15
-  %1370 = icmp eq i64 %1369, 0
-  br i1 %1370, label %797, label %808
-
-1371:                                             ; preds = %806
-  br label %1466
-
-1372:                                             ; preds = %813
-  %1373 = load i64, ptr %241, align 8, !noalias !15
-  %1374 = add nsw i64 %816, %1373
-  %1375 = getelementptr i8, ptr %52, i64 16
-  %1376 = load i64, ptr %1375, align 8, !noalias !124
-  %1377 = icmp slt i64 %1374, 0
-  %1378 = select i1 %1377, i64 %30, i64 0
-  %1379 = getelementptr i64, ptr %31, i64 %1374
-  %1380 = getelementptr i64, ptr %1379, i64 %1378
-  %1381 = load i64, ptr %1380, align 8, !noalias !128
-  %1382 = shl i64 %1381, 3
-  %1383 = add i64 %1382, %33
-  %1384 = add i64 %1382, %38
-  %1385 = icmp slt i64 %1374, -1
-  %1386 = select i1 %1385, i64 %30, i64 0
-  %1387 = getelementptr i8, ptr %1379, i64 8
-  %1388 = getelementptr i64, ptr %1387, i64 %1386
-  %1389 = load i64, ptr %1388, align 8, !noalias !128
-  %1390 = xor i64 %1381, -1
-  %1391 = add i64 %1389, %1390
-  call fastcc void @pydy_combine(i64 %94, i64 %84, i64 %99, i64 %116, i64 %1383, i64 %1384, i64 %1391, i64 1, i64 %1376) #2, !noalias !128
-  %1392 = mul nsw i64 %816, %86
-  %1393 = shl i64 %1392, 3
-  %1394 = add i64 %1393, %116
-  %1395 = getelementptr i8, ptr %144, i64 24
-  %1396 = load i64, ptr %1395, align 8, !noalias !15
-  %1397 = add nsw i64 %1396, 1
-  store i64 %1397, ptr %1395, align 8, !noalias !15
-  %1398 = icmp slt i64 %816, 0
-  %1399 = select i1 %1398, i64 %45, i64 0
-  %1400 = getelementptr double, ptr %46, i64 %816
-  %1401 = getelementptr double, ptr %1400, i64 %1399
-  %1402 = load double, ptr %1401, align 8, !noalias !15
-  %1403 = fmul double %1402, %485
-  %1404 = fadd double %434, %1403
-  store ptr null, ptr %4, align 8, !noalias !131
-  store ptr null, ptr %5, align 8, !noalias !131
-  store double %1404, ptr %55, align 8, !noalias !131
-  %1405 = icmp sgt i64 %67, 0
-  br i1 %1405, label %1406, label %1409
-
-1406:                                             ; preds = %1372
-  store ptr null, ptr %4, align 8, !noalias !131
-  %1407 = call fastcc i32 @_sample(ptr nonnull %4, ptr %60, i64 %59, ptr %70, i64 %67, i64 %69, ptr %75, i64 %74, ptr %82, i64 %79, i64 %81, double %1404) #2
-  switch i32 %1407, label %1408 [
-    i32 -2, label %1409
-    i32 0, label %1409
-  ], !prof !35
-
-1408:                                             ; preds = %1406
-  br label %1409
-
-1409:                                             ; preds = %1406, %1406, %1372, %1408
-  %1410 = phi i32 [ %1407, %1408 ], [ 0, %1372 ], [ 0, %1406 ], [ 0, %1406 ]
-  switch i32 %1410, label %1416 [
-    i32 -2, label %1411
-    i32 0, label %1411
-  ], !prof !35
-
-1411:                                             ; preds = %1409, %1409
-  %1412 = load i64, ptr %52, align 8, !noalias !138
-  %1413 = inttoptr i64 %1412 to ptr
-  %1414 = inttoptr i64 %1394 to ptr
-  %1415 = call i32 %1413(ptr nonnull %55, ptr %97, ptr %60, ptr %63, ptr %1414) #2, !noalias !138
-  br label %1416
-
-1416:                                             ; preds = %1409, %1411
-  %1417 = phi i32 [ %1415, %1411 ], [ 0, %1409 ]
-  %1418 = phi i32 [ 0, %1411 ], [ %1410, %1409 ]
-  switch i32 %1418, label %1422 [
-    i32 -2, label %1419
-    i32 0, label %1419
-  ], !prof !35
-
-1419:                                             ; preds = %1416, %1416
-  %1420 = add nsw i64 %815, -1
-  %1421 = icmp eq i32 %1417, 0
-  br i1 %1421, label %813, label %818
-
-1422:                                             ; preds = %1416
-  br label %1466
-
-1423:                                             ; preds = %844
-  %1424 = load i64, ptr %1368, align 8, !noalias !15
-  %1425 = icmp sgt i64 %1424, 0
-  br i1 %1425, label %925, label %932
-
-1426:                                             ; preds = %963, %1434
-  %1427 = phi i64 [ 0, %963 ], [ %1436, %1434 ]
-  %1428 = phi i64 [ %975, %963 ], [ %1435, %1434 ]
-  %1429 = icmp sgt i64 %1428, 0
-  br i1 %1429, label %1434, label %1430
-
-1430:                                             ; preds = %1426
-  %1431 = load i64, ptr %840, align 8, !noalias !139
-  %1432 = getelementptr i8, ptr %52, i64 16
-  %1433 = load i64, ptr %1432, align 8, !noalias !139
-  call fastcc void @pydy_nested(i64 %974, i64 %84, i64 %121, i64 %86, i64 %1431, i64 %104, i64 %1433) #2, !noalias !139
-  br i1 %949, label %976, label %983
-
-1434:                                             ; preds = %1426
-  %1435 = add nsw i64 %1428, -1
-  %1436 = add i64 %1427, 1
-  %1437 = icmp slt i64 %1427, 0
-  %1438 = select i1 %1437, i64 %106, i64 0
-  %1439 = getelementptr double, ptr %107, i64 %1427
-  %1440 = getelementptr double, ptr %1439, i64 %1438
-  store double %971, ptr %1440, align 8, !noalias !139
-  br label %1426
-
-1441:                                             ; preds = %1016
-  %1442 = load i64, ptr %191, align 8, !noalias !15
-  %1443 = icmp eq i64 %1442, 1
-  br i1 %1443, label %1038, label %1043
-
-1444:                                             ; preds = %1048
-  br label %1466
-
-1445:                                             ; preds = %1054
-  store double %942, ptr %139, align 8, !noalias !15
-  store double 0.000000e+00, ptr %253, align 8, !noalias !15
-  store i64 0, ptr %144, align 8, !noalias !15
-  br label %1069
-
-1446:                                             ; preds = %1201
-  %1447 = add nsw i64 %1203, -1
-  %1448 = add i64 %1202, 1
-  %1449 = icmp slt i64 %1202, 0
-  %1450 = select i1 %1449, i64 %91, i64 0
-  %1451 = getelementptr double, ptr %92, i64 %1202
-  %1452 = getelementptr double, ptr %1451, i64 %1450
-  %1453 = load double, ptr %1452, align 8, !noalias !15
-  %1454 = select i1 %1449, i64 %86, i64 0
-  %1455 = getelementptr double, ptr %87, i64 %1202
-  %1456 = getelementptr double, ptr %1455, i64 %1454
-  store double %1453, ptr %1456, align 8, !noalias !15
-  %1457 = add nsw i64 %244, %1202
-  %1458 = icmp slt i64 %1457, 0
-  %1459 = select i1 %1458, i64 %118, i64 0
-  %1460 = getelementptr double, ptr %119, i64 %1457
-  %1461 = getelementptr double, ptr %1460, i64 %1459
-  %1462 = load double, ptr %1461, align 8, !noalias !15
-  %1463 = select i1 %1449, i64 %118, i64 0
-  %1464 = getelementptr double, ptr %119, i64 %1202
-  %1465 = getelementptr double, ptr %1464, i64 %1463
-  store double %1462, ptr %1465, align 8, !noalias !15
-  br label %1201
-
-1466:                                             ; preds = %1444, %1422, %1371, %1366, %1352, %1351, %1350, %1347, %1307, %1306, %1287, %1286, %1282, %1279, %1278, %1277, %1087, %818, %740, %538, %457, %446, %437, %284, %274, %226
-  %1467 = phi i64 [ 0, %1422 ], [ -1, %226 ], [ 0, %1282 ], [ %277, %274 ], [ 0, %1286 ], [ 0, %284 ], [ 0, %1287 ], [ 0, %1307 ], [ 0, %1306 ], [ -1, %437 ], [ %821, %818 ], [ -5, %446 ], [ 1, %457 ], [ 2, %1278 ], [ 0, %1351 ], [ 0, %1347 ], [ 0, %1350 ], [ 0, %1352 ], [ -4, %538 ], [ -4, %740 ], [ 2, %1277 ], [ 0, %1444 ], [ 0, %1371 ], [ %1071, %1087 ], [ 0, %1279 ], [ 0, %1366 ]
-  ret i64 %1467
+  br i1 %658, label %1481, label %659
+
+659:                                              ; preds = %656
+  %660 = icmp eq i64 %657, 0
+  br i1 %660, label %661, label %852
+
+661:                                              ; preds = %659
+  br i1 %87, label %662, label %663
+
+662:                                              ; preds = %661
+  br i1 %378, label %812, label %821
+
+663:                                              ; preds = %661
+  %664 = load ptr, ptr %62, align 8
+  %665 = load ptr, ptr %0, align 8
+  %666 = getelementptr inbounds i8, ptr %664, i64 24
+  %667 = load i64, ptr %666, align 8
+  %668 = getelementptr inbounds i8, ptr %665, i64 8
+  %669 = load i64, ptr %668, align 8
+  %670 = load ptr, ptr %367, align 8
+  %671 = load i64, ptr %368, align 8
+  %672 = getelementptr inbounds double, ptr %670, i64 %671
+  %673 = icmp sgt i64 %669, 0
+  br i1 %673, label %674, label %676
+
+674:                                              ; preds = %663
+  %675 = getelementptr inbounds i8, ptr %664, i64 32
+  br label %684
+
+676:                                              ; preds = %684, %663
+  %677 = icmp sgt i64 %667, 0
+  br i1 %677, label %678, label %710
+
+678:                                              ; preds = %676
+  %679 = load ptr, ptr %63, align 8
+  %680 = load ptr, ptr %374, align 8
+  %681 = load ptr, ptr %375, align 8
+  %682 = load ptr, ptr %376, align 8
+  %683 = load ptr, ptr %367, align 8
+  br label %768
+
+684:                                              ; preds = %674, %684
+  %685 = phi i64 [ 0, %674 ], [ %708, %684 ]
+  %686 = load i64, ptr %665, align 8
+  %687 = load i64, ptr %675, align 8
+  %688 = load ptr, ptr %367, align 8
+  %689 = load i64, ptr %368, align 8
+  %690 = mul nsw i64 %689, %685
+  %691 = getelementptr inbounds double, ptr %688, i64 %690
+  %692 = load ptr, ptr %369, align 8
+  %693 = load ptr, ptr %370, align 8
+  %694 = getelementptr i64, ptr %693, i64 %686
+  %695 = getelementptr i8, ptr %694, i64 8
+  %696 = getelementptr i64, ptr %695, i64 %685
+  %697 = load i64, ptr %696, align 8
+  %698 = getelementptr i8, ptr %696, i64 8
+  %699 = load i64, ptr %698, align 8
+  %700 = xor i64 %697, -1
+  %701 = add i64 %699, %700
+  %702 = load ptr, ptr %346, align 8
+  %703 = load ptr, ptr %371, align 8
+  %704 = load ptr, ptr %372, align 8
+  %705 = getelementptr inbounds i64, ptr %704, i64 %697
+  %706 = load ptr, ptr %373, align 8
+  %707 = getelementptr inbounds double, ptr %706, i64 %697
+  tail call fastcc void @combine(ptr noundef %691, ptr noundef %692, ptr noundef %702, ptr noundef %703, ptr noundef %705, ptr noundef %707, i64 noundef %701, i64 noundef 1, i64 noundef %687) #8
+  %708 = add nuw nsw i64 %685, 1
+  %709 = icmp eq i64 %708, %669
+  br i1 %709, label %676, label %684, !llvm.loop !14
+
+710:                                              ; preds = %768, %676
+  %711 = phi double [ 0.000000e+00, %676 ], [ %796, %768 ]
+  %712 = phi double [ 0.000000e+00, %676 ], [ %794, %768 ]
+  %713 = load ptr, ptr %377, align 8
+  %714 = getelementptr inbounds i8, ptr %664, i64 8
+  %715 = load i64, ptr %714, align 8
+  %716 = add nsw i64 %715, -3
+  %717 = getelementptr i8, ptr %713, i64 8
+  %718 = getelementptr i8, ptr %713, i64 16
+  %719 = getelementptr i8, ptr %713, i64 24
+  %720 = icmp slt i64 %667, %716
+  br i1 %720, label %728, label %721
+
+721:                                              ; preds = %728, %710
+  %722 = phi double [ 0.000000e+00, %710 ], [ %737, %728 ]
+  %723 = phi double [ 0.000000e+00, %710 ], [ %741, %728 ]
+  %724 = phi double [ 0.000000e+00, %710 ], [ %745, %728 ]
+  %725 = phi double [ 0.000000e+00, %710 ], [ %749, %728 ]
+  %726 = phi i64 [ %667, %710 ], [ %750, %728 ]
+  %727 = icmp slt i64 %726, %715
+  br i1 %727, label %752, label %761
+
+728:                                              ; preds = %710, %728
+  %729 = phi i64 [ %750, %728 ], [ %667, %710 ]
+  %730 = phi double [ %749, %728 ], [ 0.000000e+00, %710 ]
+  %731 = phi double [ %745, %728 ], [ 0.000000e+00, %710 ]
+  %732 = phi double [ %741, %728 ], [ 0.000000e+00, %710 ]
+  %733 = phi double [ %737, %728 ], [ 0.000000e+00, %710 ]
+  %734 = getelementptr inbounds double, ptr %713, i64 %729
+  %735 = load double, ptr %734, align 8
+  %736 = fmul double %735, 0.000000e+00
+  %737 = fadd double %733, %736
+  %738 = getelementptr double, ptr %717, i64 %729
+  %739 = load double, ptr %738, align 8
+  %740 = fmul double %739, 0.000000e+00
+  %741 = fadd double %732, %740
+  %742 = getelementptr double, ptr %718, i64 %729
+  %743 = load double, ptr %742, align 8
+  %744 = fmul double %743, 0.000000e+00
+  %745 = fadd double %731, %744
+  %746 = getelementptr double, ptr %719, i64 %729
+  %747 = load double, ptr %746, align 8
+  %748 = fmul double %747, 0.000000e+00
+  %749 = fadd double %730, %748
+  %750 = add nsw i64 %729, 4
+  %751 = icmp slt i64 %750, %716
+  br i1 %751, label %728, label %721, !llvm.loop !15
+
+752:                                              ; preds = %721, %752
+  %753 = phi i64 [ %759, %752 ], [ %726, %721 ]
+  %754 = phi double [ %758, %752 ], [ %722, %721 ]
+  %755 = getelementptr inbounds double, ptr %713, i64 %753
+  %756 = load double, ptr %755, align 8
+  %757 = fmul double %756, 0.000000e+00
+  %758 = fadd double %754, %757
+  %759 = add nsw i64 %753, 1
+  %760 = icmp eq i64 %759, %715
+  br i1 %760, label %761, label %752, !llvm.loop !16
+
+761:                                              ; preds = %752, %721
+  %762 = phi double [ %722, %721 ], [ %758, %752 ]
+  %763 = fadd double %723, %762
+  %764 = fadd double %724, %725
+  %765 = fadd double %764, %763
+  %766 = fadd double %712, %765
+  %767 = icmp eq i64 %669, 2
+  br i1 %767, label %799, label %808
+
+768:                                              ; preds = %678, %768
+  %769 = phi double [ 0.000000e+00, %678 ], [ %794, %768 ]
+  %770 = phi double [ 0.000000e+00, %678 ], [ %796, %768 ]
+  %771 = phi i64 [ 0, %678 ], [ %797, %768 ]
+  %772 = getelementptr inbounds double, ptr %679, i64 %771
+  %773 = load double, ptr %772, align 8
+  %774 = getelementptr inbounds double, ptr %680, i64 %771
+  %775 = load double, ptr %774, align 8
+  %776 = getelementptr inbounds double, ptr %681, i64 %771
+  %777 = load double, ptr %776, align 8
+  %778 = getelementptr inbounds double, ptr %682, i64 %771
+  %779 = load double, ptr %778, align 8
+  %780 = tail call double @llvm.fabs.f64(double %773)
+  %781 = tail call double @llvm.fabs.f64(double %775)
+  %782 = fcmp ogt double %780, %781
+  %783 = select i1 %782, double %780, double %781
+  %784 = fmul double %783, %779
+  %785 = fadd double %777, %784
+  %786 = fdiv double 1.000000e+00, %785
+  %787 = getelementptr inbounds double, ptr %683, i64 %771
+  %788 = load double, ptr %787, align 8
+  %789 = fmul double %788, %786
+  %790 = getelementptr inbounds double, ptr %672, i64 %771
+  %791 = load double, ptr %790, align 8
+  %792 = fmul double %791, %786
+  %793 = fmul double %789, %789
+  %794 = fadd double %769, %793
+  %795 = fmul double %792, %792
+  %796 = fadd double %770, %795
+  %797 = add nuw nsw i64 %771, 1
+  %798 = icmp eq i64 %797, %667
+  br i1 %798, label %710, label %768, !llvm.loop !17
+
+799:                                              ; preds = %761
+  %800 = fmul double %711, 1.000000e-02
+  %801 = fadd double %800, %766
+  %802 = sitofp i64 %667 to double
+  %803 = fmul double %801, %802
+  %804 = tail call double @llvm.sqrt.f64(double %803)
+  %805 = fdiv double %766, %804
+  %806 = fcmp une double %766, 0.000000e+00
+  %807 = select i1 %806, double %805, double 0.000000e+00
+  br label %821
+
+808:                                              ; preds = %761
+  %809 = sitofp i64 %667 to double
+  %810 = fdiv double %766, %809
+  %811 = tail call double @llvm.sqrt.f64(double %810)
+  br label %821
+
+812:                                              ; preds = %662, %812
+  %813 = phi i64 [ %819, %812 ], [ 0, %662 ]
+  %814 = phi double [ %818, %812 ], [ 0.000000e+00, %662 ]
+  %815 = getelementptr inbounds double, ptr %67, i64 %813
+  %816 = load double, ptr %815, align 8
+  %817 = fmul double %816, 0.000000e+00
+  %818 = fadd double %814, %817
+  %819 = add nuw nsw i64 %813, 1
+  %820 = icmp eq i64 %819, %80
+  br i1 %820, label %821, label %812, !llvm.loop !18
+
+821:                                              ; preds = %812, %662, %808, %799
+  %822 = phi double [ %807, %799 ], [ %811, %808 ], [ 0.000000e+00, %662 ], [ %818, %812 ]
+  %823 = fcmp uge double %822, 1.000000e+00
+  %824 = select i1 %823, i1 true, i1 %379
+  br i1 %824, label %852, label %825
+
+825:                                              ; preds = %821
+  br i1 %84, label %833, label %826
+
+826:                                              ; preds = %825
+  %827 = load ptr, ptr %81, align 8
+  %828 = getelementptr inbounds i8, ptr %827, i64 56
+  %829 = load i64, ptr %828, align 8
+  %830 = inttoptr i64 %829 to ptr
+  %831 = tail call i64 %830(ptr noundef %0, double noundef %477, ptr noundef %67) #9
+  %832 = icmp ne i64 %831, 0
+  br label %833
+
+833:                                              ; preds = %826, %825
+  %834 = phi i1 [ false, %825 ], [ %832, %826 ]
+  br i1 %834, label %852, label %835
+
+835:                                              ; preds = %833
+  %836 = load i64, ptr %345, align 8
+  %837 = add nsw i64 %836, 1
+  store i64 %837, ptr %345, align 8
+  %838 = load ptr, ptr %380, align 8
+  store double %477, ptr %838, align 8
+  %839 = load i64, ptr %381, align 8
+  %840 = icmp sgt i64 %839, 0
+  br i1 %840, label %841, label %842
+
+841:                                              ; preds = %835
+  tail call fastcc void @sample(ptr noundef nonnull %62) #8
+  br label %842
+
+842:                                              ; preds = %835, %841
+  %843 = load ptr, ptr %62, align 8
+  %844 = load i64, ptr %843, align 8
+  %845 = load ptr, ptr %380, align 8
+  %846 = load ptr, ptr %382, align 8
+  %847 = load ptr, ptr %383, align 8
+  %848 = inttoptr i64 %844 to ptr
+  %849 = tail call i32 %848(ptr noundef %845, ptr noundef %67, ptr noundef %846, ptr noundef %847, ptr noundef %105) #9
+  %850 = sext i32 %849 to i64
+  %851 = icmp slt i32 %849, 0
+  br i1 %851, label %1481, label %852
+
+852:                                              ; preds = %821, %842, %833, %659
+  %853 = phi i64 [ 0, %833 ], [ %850, %842 ], [ 0, %821 ], [ %657, %659 ]
+  %854 = phi double [ %822, %833 ], [ %822, %842 ], [ %822, %821 ], [ 0.000000e+00, %659 ]
+  %855 = phi i1 [ %834, %833 ], [ %834, %842 ], [ false, %821 ], [ false, %659 ]
+  %856 = icmp ne i64 %853, 0
+  %857 = fcmp uge double %854, 1.000000e+00
+  %858 = or i1 %856, %857
+  %859 = or i1 %855, %858
+  br i1 %859, label %860, label %923
+
+860:                                              ; preds = %852
+  %861 = load i64, ptr %341, align 8
+  %862 = add nsw i64 %861, 1
+  store i64 %862, ptr %341, align 8
+  %863 = or i1 %856, %855
+  br i1 %863, label %867, label %864
+
+864:                                              ; preds = %860
+  %865 = tail call double @llvm.fabs.f64(double %854)
+  %866 = fcmp one double %865, 0x7FF0000000000000
+  br label %867
+
+867:                                              ; preds = %864, %860
+  %868 = phi i1 [ false, %860 ], [ %866, %864 ]
+  %869 = select i1 %868, i64 2, i64 4
+  %870 = select i1 %855, i64 6, i64 %869
+  %871 = select i1 %856, i64 3, i64 %870
+  store i64 %871, ptr %420, align 8
+  %872 = fcmp ogt double %854, 1.000000e-10
+  %873 = select i1 %872, double %854, double 1.000000e-10
+  %874 = load double, ptr %421, align 8
+  %875 = load double, ptr %77, align 8
+  %876 = fneg double %875
+  %877 = bitcast double %873 to i64
+  %878 = add nsw i64 %877, -4604544271217802189
+  %879 = ashr i64 %878, 52
+  %880 = and i64 %878, -4503599627370496
+  %881 = sub nsw i64 %877, %880
+  %882 = bitcast i64 %881 to double
+  %883 = fadd double %882, -1.000000e+00
+  %884 = fadd double %882, 1.000000e+00
+  %885 = fdiv double %883, %884
+  %886 = fmul double %885, %885
+  %887 = tail call double @llvm.fma.f64(double %886, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
+  %888 = tail call double @llvm.fma.f64(double %887, double %886, double 0x3FE2776C50EF9BFE)
+  %889 = tail call double @llvm.fma.f64(double %888, double %886, double 0x3FEEC709DC3A03FD)
+  %890 = tail call double @llvm.fma.f64(double %889, double %886, double 0x40071547652B82FE)
+  %891 = trunc nsw i64 %879 to i32
+  %892 = sitofp i32 %891 to double
+  %893 = fmul double %885, %890
+  %894 = fadd double %893, %892
+  %895 = fmul double %894, %876
+  %896 = fcmp ogt double %895, -1.000000e+03
+  %897 = select i1 %896, double %895, double -1.000000e+03
+  %898 = fcmp olt double %897, 1.000000e+03
+  %899 = select i1 %898, double %897, double 1.000000e+03
+  %900 = tail call double @llvm.rint.f64(double %899)
+  %901 = fsub double %899, %900
+  %902 = tail call double @llvm.fma.f64(double %901, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
+  %903 = tail call double @llvm.fma.f64(double %902, double %901, double 0x3F55D87FE78A6730)
+  %904 = tail call double @llvm.fma.f64(double %903, double %901, double 0x3F83B2AB6FBA4E77)
+  %905 = tail call double @llvm.fma.f64(double %904, double %901, double 0x3FAC6B08D704A0BF)
+  %906 = tail call double @llvm.fma.f64(double %905, double %901, double 0x3FCEBFBDFF82C58E)
+  %907 = tail call double @llvm.fma.f64(double %906, double %901, double 0x3FE62E42FEFA39EF)
+  %908 = tail call double @llvm.fma.f64(double %907, double %901, double 1.000000e+00)
+  %909 = bitcast double %908 to i64
+  %910 = fptosi double %900 to i32
+  %911 = sext i32 %910 to i64
+  %912 = shl nsw i64 %911, 52
+  %913 = add nsw i64 %912, %909
+  %914 = bitcast i64 %913 to double
+  %915 = fmul double %874, %914
+  %916 = load double, ptr %422, align 8
+  %917 = fcmp ogt double %915, %916
+  %918 = select i1 %917, double %915, double %916
+  %919 = select i1 %868, double %918, double 2.500000e-01
+  %920 = fmul double %476, %919
+  br i1 %87, label %921, label %922
+
+921:                                              ; preds = %867
+  store double %476, ptr %107, align 8
+  br label %1481
+
+922:                                              ; preds = %867
+  store double 1.000000e+00, ptr %423, align 8
+  br label %1481, !llvm.loop !19
+
+923:                                              ; preds = %852
+  %924 = load i64, ptr %340, align 8
+  %925 = add nsw i64 %924, 1
+  store i64 %925, ptr %340, align 8
+  store double %477, ptr %65, align 8
+  store double %476, ptr %384, align 8
+  %926 = load ptr, ptr %339, align 8
+  %927 = getelementptr inbounds i8, ptr %926, i64 8
+  %928 = load i64, ptr %927, align 8
+  %929 = icmp eq i64 %928, 0
+  br i1 %929, label %959, label %930
+
+930:                                              ; preds = %923
+  %931 = load i64, ptr %926, align 8
+  %932 = load ptr, ptr %62, align 8
+  %933 = getelementptr inbounds i8, ptr %932, i64 8
+  %934 = load i64, ptr %933, align 8
+  %935 = load ptr, ptr %385, align 8
+  %936 = load i64, ptr %386, align 8
+  %937 = mul nsw i64 %936, %931
+  %938 = getelementptr inbounds double, ptr %935, i64 %937
+  %939 = getelementptr inbounds double, ptr %938, i64 %936
+  store double %429, ptr %938, align 8
+  %940 = getelementptr inbounds i8, ptr %938, i64 8
+  store double %476, ptr %940, align 8
+  store double %477, ptr %939, align 8
+  %941 = getelementptr inbounds i8, ptr %939, i64 8
+  store double 0.000000e+00, ptr %941, align 8
+  %942 = icmp sgt i64 %934, 0
+  br i1 %942, label %946, label %943
+
+943:                                              ; preds = %946, %930
+  %944 = add nsw i64 %931, 1
+  %945 = load ptr, ptr %339, align 8
+  store i64 %944, ptr %945, align 8
+  br label %959
+
+946:                                              ; preds = %930, %946
+  %947 = phi i64 [ %957, %946 ], [ 0, %930 ]
+  %948 = load ptr, ptr %63, align 8
+  %949 = getelementptr inbounds double, ptr %948, i64 %947
+  %950 = load double, ptr %949, align 8
+  %951 = add nuw nsw i64 %947, 2
+  %952 = getelementptr inbounds double, ptr %938, i64 %951
+  store double %950, ptr %952, align 8
+  %953 = load ptr, ptr %66, align 8
+  %954 = getelementptr inbounds double, ptr %953, i64 %947
+  %955 = load double, ptr %954, align 8
+  %956 = getelementptr inbounds double, ptr %939, i64 %951
+  store double %955, ptr %956, align 8
+  %957 = add nuw nsw i64 %947, 1
+  %958 = icmp eq i64 %957, %934
+  br i1 %958, label %943, label %946, !llvm.loop !20
+
+959:                                              ; preds = %923, %943
+  br i1 %95, label %1002, label %960
+
+960:                                              ; preds = %959
+  %961 = load i64, ptr %387, align 8
+  %962 = getelementptr inbounds double, ptr %75, i64 %961
+  %963 = load double, ptr %962, align 8
+  %964 = fcmp ult double %963, %477
+  br i1 %964, label %1002, label %965
+
+965:                                              ; preds = %960
+  %966 = load ptr, ptr %62, align 8
+  %967 = getelementptr inbounds i8, ptr %966, i64 8
+  %968 = load i64, ptr %967, align 8
+  %969 = load i64, ptr %96, align 8
+  %970 = load ptr, ptr %74, align 8
+  %971 = load ptr, ptr %68, align 8
+  %972 = getelementptr inbounds i8, ptr %971, i64 48
+  %973 = load i64, ptr %972, align 8
+  %974 = icmp slt i64 %973, %969
+  br i1 %974, label %975, label %998
+
+975:                                              ; preds = %965
+  %976 = icmp sgt i64 %968, 0
+  br label %977
+
+977:                                              ; preds = %975, %988
+  %978 = phi i64 [ %973, %975 ], [ %989, %988 ]
+  %979 = getelementptr inbounds double, ptr %970, i64 %978
+  %980 = load double, ptr %979, align 8
+  %981 = load ptr, ptr %64, align 8
+  %982 = load double, ptr %981, align 8
+  %983 = fcmp ugt double %980, %982
+  br i1 %983, label %998, label %984
+
+984:                                              ; preds = %977
+  br i1 %976, label %985, label %988
+
+985:                                              ; preds = %984
+  %986 = mul nsw i64 %978, %968
+  %987 = getelementptr double, ptr %1, i64 %986
+  br label %991
+
+988:                                              ; preds = %991, %984
+  %989 = add i64 %978, 1
+  %990 = icmp eq i64 %989, %969
+  br i1 %990, label %998, label %977, !llvm.loop !8
+
+991:                                              ; preds = %985, %991
+  %992 = phi i64 [ 0, %985 ], [ %996, %991 ]
+  %993 = getelementptr inbounds double, ptr %67, i64 %992
+  %994 = load double, ptr %993, align 8
+  %995 = getelementptr double, ptr %987, i64 %992
+  store double %994, ptr %995, align 8
+  %996 = add nuw nsw i64 %992, 1
+  %997 = icmp eq i64 %996, %968
+  br i1 %997, label %988, label %991, !llvm.loop !9
+
+998:                                              ; preds = %977, %988, %965
+  %999 = phi i64 [ %973, %965 ], [ %978, %977 ], [ %969, %988 ]
+  %1000 = load ptr, ptr %68, align 8
+  %1001 = getelementptr inbounds i8, ptr %1000, i64 48
+  store i64 %999, ptr %1001, align 8
+  br label %1358
+
+1002:                                             ; preds = %960, %959
+  %1003 = load ptr, ptr %0, align 8
+  %1004 = load ptr, ptr %62, align 8
+  %1005 = getelementptr inbounds i8, ptr %1004, i64 16
+  %1006 = load i64, ptr %1005, align 8
+  %1007 = load i64, ptr %1003, align 8
+  %1008 = load i64, ptr %388, align 8
+  %1009 = load ptr, ptr %389, align 8
+  %1010 = mul nsw i64 %1008, %1007
+  %1011 = getelementptr inbounds double, ptr %1009, i64 %1010
+  %1012 = load ptr, ptr %390, align 8
+  %1013 = add nsw i64 %1007, 1
+  %1014 = getelementptr inbounds i8, ptr %1003, i64 16
+  %1015 = load i64, ptr %1014, align 8
+  %1016 = icmp sgt i64 %1015, 0
+  br i1 %1016, label %1017, label %1071
+
+1017:                                             ; preds = %1002
+  %1018 = getelementptr inbounds i8, ptr %1003, i64 8
+  br label %1024
+
+1019:                                             ; preds = %1060
+  %1020 = add nsw i64 %1027, 1
+  %1021 = load i64, ptr %1014, align 8
+  %1022 = add nsw i64 %1021, %1013
+  %1023 = icmp slt i64 %1020, %1022
+  br i1 %1023, label %1024, label %1071, !llvm.loop !21
+
+1024:                                             ; preds = %1017, %1019
+  %1025 = phi i1 [ %1016, %1017 ], [ %1023, %1019 ]
+  %1026 = phi i64 [ undef, %1017 ], [ %1070, %1019 ]
+  %1027 = phi i64 [ %1013, %1017 ], [ %1020, %1019 ]
+  %1028 = load i64, ptr %1018, align 8
+  %1029 = load ptr, ptr %391, align 8
+  %1030 = load ptr, ptr %63, align 8
+  %1031 = load ptr, ptr %392, align 8
+  %1032 = getelementptr i64, ptr %1031, i64 %1027
+  %1033 = getelementptr i64, ptr %1032, i64 %1028
+  %1034 = load i64, ptr %1033, align 8
+  %1035 = getelementptr i8, ptr %1033, i64 8
+  %1036 = load i64, ptr %1035, align 8
+  %1037 = xor i64 %1034, -1
+  %1038 = add i64 %1036, %1037
+  %1039 = load ptr, ptr %346, align 8
+  %1040 = load ptr, ptr %389, align 8
+  %1041 = load ptr, ptr %393, align 8
+  %1042 = getelementptr inbounds i64, ptr %1041, i64 %1034
+  %1043 = load ptr, ptr %394, align 8
+  %1044 = getelementptr inbounds double, ptr %1043, i64 %1034
+  tail call fastcc void @combine(ptr noundef %1029, ptr noundef %1030, ptr noundef %1039, ptr noundef %1040, ptr noundef %1042, ptr noundef %1044, i64 noundef %1038, i64 noundef 1, i64 noundef %1006) #8
+  %1045 = load ptr, ptr %389, align 8
+  %1046 = mul nsw i64 %1027, %1008
+  %1047 = getelementptr inbounds double, ptr %1045, i64 %1046
+  %1048 = load i64, ptr %345, align 8
+  %1049 = add nsw i64 %1048, 1
+  store i64 %1049, ptr %345, align 8
+  %1050 = load ptr, ptr %395, align 8
+  %1051 = getelementptr inbounds double, ptr %1050, i64 %1027
+  %1052 = load double, ptr %1051, align 8
+  %1053 = fmul double %476, %1052
+  %1054 = fadd double %429, %1053
+  %1055 = load ptr, ptr %391, align 8
+  %1056 = load ptr, ptr %396, align 8
+  store double %1054, ptr %1056, align 8
+  %1057 = load i64, ptr %397, align 8
+  %1058 = icmp sgt i64 %1057, 0
+  br i1 %1058, label %1059, label %1060
+
+1059:                                             ; preds = %1024
+  tail call fastcc void @sample(ptr noundef nonnull %62) #8
+  br label %1060
+
+1060:                                             ; preds = %1024, %1059
+  %1061 = load ptr, ptr %62, align 8
+  %1062 = load i64, ptr %1061, align 8
+  %1063 = load ptr, ptr %396, align 8
+  %1064 = load ptr, ptr %398, align 8
+  %1065 = load ptr, ptr %399, align 8
+  %1066 = inttoptr i64 %1062 to ptr
+  %1067 = tail call i32 %1066(ptr noundef %1063, ptr noundef %1055, ptr noundef %1064, ptr noundef %1065, ptr noundef %1047) #9
+  %1068 = sext i32 %1067 to i64
+  %1069 = icmp eq i32 %1067, 0
+  %1070 = select i1 %1069, i64 %1026, i64 %1068
+  br i1 %1069, label %1019, label %1071
+
+1071:                                             ; preds = %1019, %1060, %1002
+  %1072 = phi i1 [ %1016, %1002 ], [ %1023, %1019 ], [ %1025, %1060 ]
+  %1073 = phi i64 [ 0, %1002 ], [ %1068, %1060 ], [ %1068, %1019 ]
+  %1074 = phi i64 [ undef, %1002 ], [ %1070, %1060 ], [ %1070, %1019 ]
+  %1075 = getelementptr inbounds i8, ptr %1003, i64 16
+  br i1 %1072, label %1144, label %1076
+
+1076:                                             ; preds = %1071
+  %1077 = load ptr, ptr %62, align 8
+  %1078 = getelementptr inbounds i8, ptr %1077, i64 8
+  %1079 = load i64, ptr %1078, align 8
+  %1080 = icmp sgt i64 %1079, 0
+  br i1 %1080, label %1081, label %1085
+
+1081:                                             ; preds = %1076
+  %1082 = getelementptr inbounds double, ptr %1012, i64 %1008
+  %1083 = shl nsw i64 %1008, 4
+  %1084 = getelementptr inbounds i8, ptr %1012, i64 %1083
+  br label %1092
+
+1085:                                             ; preds = %1092, %1076
+  %1086 = getelementptr inbounds i8, ptr %1003, i64 8
+  %1087 = load i64, ptr %1086, align 8
+  %1088 = load i64, ptr %1075, align 8
+  %1089 = getelementptr inbounds i8, ptr %1003, i64 24
+  %1090 = load i64, ptr %1089, align 8
+  %1091 = icmp sgt i64 %1090, 3
+  br i1 %1091, label %1119, label %1144
+
+1092:                                             ; preds = %1081, %1092
+  %1093 = phi i64 [ 0, %1081 ], [ %1114, %1092 ]
+  %1094 = load ptr, ptr %400, align 8
+  %1095 = getelementptr inbounds double, ptr %1094, i64 %1093
+  %1096 = load double, ptr %1095, align 8
+  %1097 = load ptr, ptr %63, align 8
+  %1098 = getelementptr inbounds double, ptr %1097, i64 %1093
+  %1099 = load double, ptr %1098, align 8
+  %1100 = fsub double %1096, %1099
+  %1101 = load ptr, ptr %389, align 8
+  %1102 = getelementptr inbounds double, ptr %1101, i64 %1093
+  %1103 = load double, ptr %1102, align 8
+  %1104 = fmul double %476, %1103
+  %1105 = fsub double %1104, %1100
+  %1106 = getelementptr inbounds double, ptr %1012, i64 %1093
+  store double %1100, ptr %1106, align 8
+  %1107 = getelementptr inbounds double, ptr %1082, i64 %1093
+  store double %1105, ptr %1107, align 8
+  %1108 = fsub double %1100, %1105
+  %1109 = getelementptr inbounds double, ptr %1011, i64 %1093
+  %1110 = load double, ptr %1109, align 8
+  %1111 = fmul double %476, %1110
+  %1112 = fsub double %1108, %1111
+  %1113 = getelementptr inbounds double, ptr %1084, i64 %1093
+  store double %1112, ptr %1113, align 8
+  %1114 = add nuw nsw i64 %1093, 1
+  %1115 = load ptr, ptr %62, align 8
+  %1116 = getelementptr inbounds i8, ptr %1115, i64 8
+  %1117 = load i64, ptr %1116, align 8
+  %1118 = icmp slt i64 %1114, %1117
+  br i1 %1118, label %1092, label %1085, !llvm.loop !22
+
+1119:                                             ; preds = %1085, %1119
+  %1120 = phi i64 [ %1141, %1119 ], [ 3, %1085 ]
+  %1121 = mul nsw i64 %1120, %1008
+  %1122 = getelementptr inbounds double, ptr %1012, i64 %1121
+  %1123 = load ptr, ptr %401, align 8
+  %1124 = load ptr, ptr %402, align 8
+  %1125 = getelementptr i64, ptr %1124, i64 %1013
+  %1126 = getelementptr i64, ptr %1125, i64 %1087
+  %1127 = getelementptr i64, ptr %1126, i64 %1088
+  %1128 = getelementptr i64, ptr %1127, i64 %1120
+  %1129 = getelementptr i8, ptr %1128, i64 -24
+  %1130 = load i64, ptr %1129, align 8
+  %1131 = getelementptr i8, ptr %1128, i64 -16
+  %1132 = load i64, ptr %1131, align 8
+  %1133 = xor i64 %1130, -1
+  %1134 = add i64 %1132, %1133
+  %1135 = load ptr, ptr %346, align 8
+  %1136 = load ptr, ptr %389, align 8
+  %1137 = load ptr, ptr %403, align 8
+  %1138 = getelementptr inbounds i64, ptr %1137, i64 %1130
+  %1139 = load ptr, ptr %404, align 8
+  %1140 = getelementptr inbounds double, ptr %1139, i64 %1130
+  tail call fastcc void @combine(ptr noundef %1122, ptr noundef %1123, ptr noundef %1135, ptr noundef %1136, ptr noundef %1138, ptr noundef %1140, i64 noundef %1134, i64 noundef 1, i64 noundef %1006) #8
+  %1141 = add nuw nsw i64 %1120, 1
+  %1142 = load i64, ptr %1089, align 8
+  %1143 = icmp slt i64 %1141, %1142
+  br i1 %1143, label %1119, label %1144, !llvm.loop !23
+
+1144:                                             ; preds = %1119, %1085, %1071
+  %1145 = phi i64 [ %1074, %1071 ], [ %1073, %1085 ], [ %1073, %1119 ]
+  %1146 = icmp eq i64 %1145, 0
+  br i1 %1146, label %1150, label %1147
+
+1147:                                             ; preds = %1144
+  store i64 3, ptr %405, align 8
+  store double %429, ptr %65, align 8
+  %1148 = icmp slt i64 %1145, 0
+  %1149 = select i1 %1148, i64 -4, i64 2
+  br label %1481
+
+1150:                                             ; preds = %1144
+  %1151 = load ptr, ptr %64, align 8
+  %1152 = load ptr, ptr %91, align 8
+  %1153 = getelementptr inbounds i8, ptr %1152, i64 8
+  %1154 = load i64, ptr %1153, align 8
+  %1155 = icmp sgt i64 %1154, 0
+  br i1 %1155, label %1156, label %1163
+
+1156:                                             ; preds = %1150
+  %1157 = getelementptr inbounds i8, ptr %1152, i64 16
+  %1158 = load i64, ptr %1157, align 8
+  %1159 = inttoptr i64 %1158 to ptr
+  %1160 = tail call i64 %1159(ptr noundef %0, double noundef %429, double noundef %476) #9
+  %1161 = getelementptr inbounds i8, ptr %1151, i64 48
+  %1162 = load double, ptr %1161, align 8
+  br label %1163
+
+1163:                                             ; preds = %1156, %1150
+  %1164 = phi double [ %1162, %1156 ], [ 1.000000e+00, %1150 ]
+  %1165 = phi i64 [ %1160, %1156 ], [ 0, %1150 ]
+  %1166 = fcmp oeq double %1164, 1.000000e+00
+  br i1 %1166, label %1167, label %1169
+
+1167:                                             ; preds = %1163
+  %1168 = load double, ptr %1151, align 8
+  br label %1172
+
+1169:                                             ; preds = %1163
+  %1170 = fmul double %476, %1164
+  %1171 = fadd double %429, %1170
+  br label %1172
+
+1172:                                             ; preds = %1169, %1167
+  %1173 = phi double [ %1168, %1167 ], [ %1171, %1169 ]
+  %1174 = icmp eq i64 %1165, -4
+  %1175 = select i1 %1174, i64 -4, i64 0
+  br i1 %1174, label %1233, label %1176
+
+1176:                                             ; preds = %1172
+  %1177 = fcmp olt double %1164, 1.000000e+00
+  %1178 = load ptr, ptr %62, align 8
+  %1179 = getelementptr inbounds i8, ptr %1178, i64 8
+  %1180 = load i64, ptr %1179, align 8
+  %1181 = load i64, ptr %96, align 8
+  %1182 = load ptr, ptr %74, align 8
+  %1183 = load ptr, ptr %68, align 8
+  %1184 = getelementptr inbounds i8, ptr %1183, i64 48
+  %1185 = load i64, ptr %1184, align 8
+  %1186 = icmp slt i64 %1185, %1181
+  br i1 %1186, label %1187, label %1229
+
+1187:                                             ; preds = %1176, %1225
+  %1188 = phi i64 [ %1226, %1225 ], [ undef, %1176 ]
+  %1189 = phi i64 [ %1227, %1225 ], [ %1185, %1176 ]
+  %1190 = getelementptr inbounds double, ptr %1182, i64 %1189
+  %1191 = load double, ptr %1190, align 8
+  %1192 = fcmp olt double %1191, %1173
+  %1193 = fcmp oeq double %1191, %1173
+  %1194 = and i1 %1177, %1193
+  %1195 = or i1 %1192, %1194
+  br i1 %1195, label %1196, label %1229
+
+1196:                                             ; preds = %1187
+  %1197 = fsub double %1191, %429
+  %1198 = fdiv double %1197, %476
+  %1199 = mul nsw i64 %1189, %1180
+  %1200 = getelementptr inbounds double, ptr %1, i64 %1199
+  %1201 = load ptr, ptr %406, align 8
+  %1202 = insertelement <8 x double> poison, double %1198, i64 0
+  %1203 = shufflevector <8 x double> %1202, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %1203, ptr %1201, align 8
+  %1204 = load ptr, ptr %63, align 8
+  %1205 = load ptr, ptr %390, align 8
+  %1206 = load i64, ptr %388, align 8
+  %1207 = load ptr, ptr %0, align 8
+  %1208 = getelementptr inbounds i8, ptr %1207, i64 24
+  %1209 = load i64, ptr %1208, align 8
+  %1210 = load ptr, ptr %406, align 8
+  %1211 = load ptr, ptr %62, align 8
+  %1212 = getelementptr inbounds i8, ptr %1211, i64 16
+  %1213 = load i64, ptr %1212, align 8
+  tail call fastcc void @nested(ptr noundef %1200, ptr noundef %1204, ptr noundef %1205, i64 noundef %1206, i64 noundef %1209, ptr noundef %1210, i64 noundef %1213) #8
+  %1214 = load ptr, ptr %81, align 8
+  %1215 = load i64, ptr %1214, align 8
+  %1216 = icmp eq i64 %1215, 1
+  br i1 %1216, label %1217, label %1225
+
+1217:                                             ; preds = %1196
+  %1218 = load double, ptr %1190, align 8
+  %1219 = getelementptr inbounds i8, ptr %1214, i64 56
+  %1220 = load i64, ptr %1219, align 8
+  %1221 = inttoptr i64 %1220 to ptr
+  %1222 = tail call i64 %1221(ptr noundef %0, double noundef %1218, ptr noundef %1200) #9
+  %1223 = icmp eq i64 %1222, 0
+  %1224 = select i1 %1223, i64 %1188, i64 %1222
+  br i1 %1223, label %1225, label %1233
+
+1225:                                             ; preds = %1217, %1196
+  %1226 = phi i64 [ %1224, %1217 ], [ %1188, %1196 ]
+  %1227 = add i64 %1189, 1
+  %1228 = icmp eq i64 %1227, %1181
+  br i1 %1228, label %1229, label %1187, !llvm.loop !24
+
+1229:                                             ; preds = %1225, %1187, %1176
+  %1230 = phi i64 [ %1185, %1176 ], [ %1181, %1225 ], [ %1189, %1187 ]
+  %1231 = load ptr, ptr %68, align 8
+  %1232 = getelementptr inbounds i8, ptr %1231, i64 48
+  store i64 %1230, ptr %1232, align 8
+  br label %1233
+
+1233:                                             ; preds = %1217, %1229, %1172
+  %1234 = phi i64 [ %1175, %1172 ], [ 0, %1229 ], [ %1224, %1217 ]
+  %1235 = icmp eq i64 %1234, 0
+  %1236 = icmp ne i64 %1165, 0
+  %1237 = select i1 %1235, i1 %1236, i1 false
+  %1238 = fcmp olt double %1164, 1.000000e+00
+  %1239 = and i1 %1238, %1237
+  br i1 %1239, label %1240, label %1277
+
+1240:                                             ; preds = %1233
+  %1241 = load ptr, ptr %407, align 8
+  %1242 = load ptr, ptr %408, align 8
+  %1243 = insertelement <8 x double> poison, double %1164, i64 0
+  %1244 = shufflevector <8 x double> %1243, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %1244, ptr %1242, align 8
+  %1245 = load ptr, ptr %63, align 8
+  %1246 = load ptr, ptr %390, align 8
+  %1247 = load i64, ptr %388, align 8
+  %1248 = load ptr, ptr %0, align 8
+  %1249 = getelementptr inbounds i8, ptr %1248, i64 24
+  %1250 = load i64, ptr %1249, align 8
+  %1251 = load ptr, ptr %408, align 8
+  %1252 = load ptr, ptr %62, align 8
+  %1253 = getelementptr inbounds i8, ptr %1252, i64 16
+  %1254 = load i64, ptr %1253, align 8
+  tail call fastcc void @nested(ptr noundef %1241, ptr noundef %1245, ptr noundef %1246, i64 noundef %1247, i64 noundef %1250, ptr noundef %1251, i64 noundef %1254) #8
+  %1255 = load i64, ptr %79, align 8
+  %1256 = icmp sgt i64 %1255, 0
+  br i1 %1256, label %1261, label %1257
+
+1257:                                             ; preds = %1261, %1240
+  %1258 = load ptr, ptr %81, align 8
+  %1259 = load i64, ptr %1258, align 8
+  %1260 = icmp eq i64 %1259, 1
+  br i1 %1260, label %1271, label %1277
+
+1261:                                             ; preds = %1240, %1261
+  %1262 = phi i64 [ %1268, %1261 ], [ 0, %1240 ]
+  %1263 = load ptr, ptr %407, align 8
+  %1264 = getelementptr inbounds double, ptr %1263, i64 %1262
+  %1265 = load double, ptr %1264, align 8
+  %1266 = load ptr, ptr %66, align 8
+  %1267 = getelementptr inbounds double, ptr %1266, i64 %1262
+  store double %1265, ptr %1267, align 8
+  %1268 = add nuw nsw i64 %1262, 1
+  %1269 = load i64, ptr %79, align 8
+  %1270 = icmp slt i64 %1268, %1269
+  br i1 %1270, label %1261, label %1257, !llvm.loop !25
+
+1271:                                             ; preds = %1257
+  %1272 = load ptr, ptr %66, align 8
+  %1273 = getelementptr inbounds i8, ptr %1258, i64 56
+  %1274 = load i64, ptr %1273, align 8
+  %1275 = inttoptr i64 %1274 to ptr
+  %1276 = tail call i64 %1275(ptr noundef %0, double noundef %1173, ptr noundef %1272) #9
+  br label %1277
+
+1277:                                             ; preds = %1271, %1257, %1233
+  %1278 = phi i64 [ %1276, %1271 ], [ 0, %1257 ], [ %1234, %1233 ]
+  %1279 = icmp eq i64 %1278, 0
+  br i1 %1279, label %1282, label %1280
+
+1280:                                             ; preds = %1277
+  store double %429, ptr %1151, align 8
+  %1281 = getelementptr inbounds i8, ptr %1151, i64 8
+  store double %476, ptr %1281, align 8
+  br label %1338
+
+1282:                                             ; preds = %1277
+  br i1 %1166, label %1283, label %1321
+
+1283:                                             ; preds = %1282
+  %1284 = load ptr, ptr %66, align 8
+  %1285 = load ptr, ptr %62, align 8
+  %1286 = getelementptr inbounds i8, ptr %1285, i64 8
+  %1287 = load i64, ptr %1286, align 8
+  %1288 = load i64, ptr %96, align 8
+  %1289 = load ptr, ptr %74, align 8
+  %1290 = load ptr, ptr %68, align 8
+  %1291 = getelementptr inbounds i8, ptr %1290, i64 48
+  %1292 = load i64, ptr %1291, align 8
+  %1293 = icmp slt i64 %1292, %1288
+  br i1 %1293, label %1294, label %1317
+
+1294:                                             ; preds = %1283
+  %1295 = icmp sgt i64 %1287, 0
+  br label %1296
+
+1296:                                             ; preds = %1294, %1307
+  %1297 = phi i64 [ %1292, %1294 ], [ %1308, %1307 ]
+  %1298 = getelementptr inbounds double, ptr %1289, i64 %1297
+  %1299 = load double, ptr %1298, align 8
+  %1300 = load ptr, ptr %64, align 8
+  %1301 = load double, ptr %1300, align 8
+  %1302 = fcmp ugt double %1299, %1301
+  br i1 %1302, label %1317, label %1303
+
+1303:                                             ; preds = %1296
+  br i1 %1295, label %1304, label %1307
+
+1304:                                             ; preds = %1303
+  %1305 = mul nsw i64 %1297, %1287
+  %1306 = getelementptr double, ptr %1, i64 %1305
+  br label %1310
+
+1307:                                             ; preds = %1310, %1303
+  %1308 = add i64 %1297, 1
+  %1309 = icmp eq i64 %1308, %1288
+  br i1 %1309, label %1317, label %1296, !llvm.loop !8
+
+1310:                                             ; preds = %1304, %1310
+  %1311 = phi i64 [ 0, %1304 ], [ %1315, %1310 ]
+  %1312 = getelementptr inbounds double, ptr %1284, i64 %1311
+  %1313 = load double, ptr %1312, align 8
+  %1314 = getelementptr double, ptr %1306, i64 %1311
+  store double %1313, ptr %1314, align 8
+  %1315 = add nuw nsw i64 %1311, 1
+  %1316 = icmp eq i64 %1315, %1287
+  br i1 %1316, label %1307, label %1310, !llvm.loop !9
+
+1317:                                             ; preds = %1307, %1296, %1283
+  %1318 = phi i64 [ %1292, %1283 ], [ %1288, %1307 ], [ %1297, %1296 ]
+  %1319 = load ptr, ptr %68, align 8
+  %1320 = getelementptr inbounds i8, ptr %1319, i64 48
+  store i64 %1318, ptr %1320, align 8
+  br label %1321
+
+1321:                                             ; preds = %1317, %1282
+  br i1 %1236, label %1322, label %1338
+
+1322:                                             ; preds = %1321
+  %1323 = load i64, ptr %79, align 8
+  %1324 = icmp sgt i64 %1323, 0
+  br i1 %1324, label %1328, label %1325
+
+1325:                                             ; preds = %1328, %1322
+  store double %1173, ptr %1151, align 8
+  %1326 = getelementptr inbounds i8, ptr %1151, i64 8
+  store double 0.000000e+00, ptr %1326, align 8
+  %1327 = load ptr, ptr %68, align 8
+  store i64 0, ptr %1327, align 8
+  br label %1338
+
+1328:                                             ; preds = %1322, %1328
+  %1329 = phi i64 [ %1335, %1328 ], [ 0, %1322 ]
+  %1330 = load ptr, ptr %66, align 8
+  %1331 = getelementptr inbounds double, ptr %1330, i64 %1329
+  %1332 = load double, ptr %1331, align 8
+  %1333 = load ptr, ptr %63, align 8
+  %1334 = getelementptr inbounds double, ptr %1333, i64 %1329
+  store double %1332, ptr %1334, align 8
+  %1335 = add nuw nsw i64 %1329, 1
+  %1336 = load i64, ptr %79, align 8
+  %1337 = icmp slt i64 %1335, %1336
+  br i1 %1337, label %1328, label %1325, !llvm.loop !26
+
+1338:                                             ; preds = %1280, %1321, %1325
+  %1339 = phi i64 [ %1278, %1280 ], [ %1165, %1325 ], [ %1165, %1321 ]
+  %1340 = icmp ne i64 %1339, 6
+  %1341 = select i1 %1340, i1 true, i1 %87
+  %1342 = select i1 %1341, i1 true, i1 %95
+  br i1 %1342, label %1352, label %1343
+
+1343:                                             ; preds = %1338
+  %1344 = load i64, ptr %340, align 8
+  %1345 = add nsw i64 %1344, -1
+  store i64 %1345, ptr %340, align 8
+  %1346 = load ptr, ptr %339, align 8
+  %1347 = load i64, ptr %1346, align 8
+  %1348 = add nsw i64 %1347, -1
+  store i64 %1348, ptr %1346, align 8
+  %1349 = load i64, ptr %341, align 8
+  %1350 = add nsw i64 %1349, 1
+  store i64 %1350, ptr %341, align 8
+  store i64 6, ptr %409, align 8
+  store double 1.000000e+00, ptr %410, align 8
+  %1351 = fmul double %476, 2.500000e-01
+  br label %1481, !llvm.loop !19
+
+1352:                                             ; preds = %1338
+  %1353 = icmp eq i64 %1339, 0
+  br i1 %1353, label %1358, label %1354
+
+1354:                                             ; preds = %1352
+  %1355 = load ptr, ptr %339, align 8
+  %1356 = load i64, ptr %1355, align 8
+  %1357 = add nsw i64 %1356, 1
+  store i64 %1357, ptr %1355, align 8
+  br label %1481
+
+1358:                                             ; preds = %1352, %998
+  br i1 %87, label %1462, label %1359
+
+1359:                                             ; preds = %1358
+  %1360 = load double, ptr %412, align 8
+  %1361 = fcmp ogt double %854, 1.000000e-10
+  %1362 = select i1 %1361, double %854, double 1.000000e-10
+  %1363 = load double, ptr %413, align 8
+  %1364 = load double, ptr %414, align 8
+  %1365 = fneg double %1364
+  %1366 = bitcast double %1362 to i64
+  %1367 = add nsw i64 %1366, -4604544271217802189
+  %1368 = ashr i64 %1367, 52
+  %1369 = and i64 %1367, -4503599627370496
+  %1370 = sub nsw i64 %1366, %1369
+  %1371 = bitcast i64 %1370 to double
+  %1372 = fadd double %1371, -1.000000e+00
+  %1373 = fadd double %1371, 1.000000e+00
+  %1374 = fdiv double %1372, %1373
+  %1375 = fmul double %1374, %1374
+  %1376 = tail call double @llvm.fma.f64(double %1375, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
+  %1377 = tail call double @llvm.fma.f64(double %1376, double %1375, double 0x3FE2776C50EF9BFE)
+  %1378 = tail call double @llvm.fma.f64(double %1377, double %1375, double 0x3FEEC709DC3A03FD)
+  %1379 = tail call double @llvm.fma.f64(double %1378, double %1375, double 0x40071547652B82FE)
+  %1380 = trunc nsw i64 %1368 to i32
+  %1381 = sitofp i32 %1380 to double
+  %1382 = fmul double %1374, %1379
+  %1383 = fadd double %1382, %1381
+  %1384 = fmul double %1383, %1365
+  %1385 = fcmp ogt double %1384, -1.000000e+03
+  %1386 = select i1 %1385, double %1384, double -1.000000e+03
+  %1387 = fcmp olt double %1386, 1.000000e+03
+  %1388 = select i1 %1387, double %1386, double 1.000000e+03
+  %1389 = tail call double @llvm.rint.f64(double %1388)
+  %1390 = fsub double %1388, %1389
+  %1391 = tail call double @llvm.fma.f64(double %1390, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
+  %1392 = tail call double @llvm.fma.f64(double %1391, double %1390, double 0x3F55D87FE78A6730)
+  %1393 = tail call double @llvm.fma.f64(double %1392, double %1390, double 0x3F83B2AB6FBA4E77)
+  %1394 = tail call double @llvm.fma.f64(double %1393, double %1390, double 0x3FAC6B08D704A0BF)
+  %1395 = tail call double @llvm.fma.f64(double %1394, double %1390, double 0x3FCEBFBDFF82C58E)
+  %1396 = tail call double @llvm.fma.f64(double %1395, double %1390, double 0x3FE62E42FEFA39EF)
+  %1397 = tail call double @llvm.fma.f64(double %1396, double %1390, double 1.000000e+00)
+  %1398 = bitcast double %1397 to i64
+  %1399 = fptosi double %1389 to i32
+  %1400 = sext i32 %1399 to i64
+  %1401 = shl nsw i64 %1400, 52
+  %1402 = add nsw i64 %1401, %1398
+  %1403 = bitcast i64 %1402 to double
+  %1404 = fmul double %1363, %1403
+  %1405 = load double, ptr %415, align 8
+  %1406 = fcmp une double %1405, 0.000000e+00
+  br i1 %1406, label %1407, label %1447
+
+1407:                                             ; preds = %1359
+  %1408 = load i64, ptr %411, align 8
+  %1409 = add nsw i64 %1408, -4604544271217802189
+  %1410 = ashr i64 %1409, 52
+  %1411 = and i64 %1409, -4503599627370496
+  %1412 = sub nsw i64 %1408, %1411
+  %1413 = bitcast i64 %1412 to double
+  %1414 = fadd double %1413, -1.000000e+00
+  %1415 = fadd double %1413, 1.000000e+00
+  %1416 = fdiv double %1414, %1415
+  %1417 = fmul double %1416, %1416
+  %1418 = tail call double @llvm.fma.f64(double %1417, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
+  %1419 = tail call double @llvm.fma.f64(double %1418, double %1417, double 0x3FE2776C50EF9BFE)
+  %1420 = tail call double @llvm.fma.f64(double %1419, double %1417, double 0x3FEEC709DC3A03FD)
+  %1421 = tail call double @llvm.fma.f64(double %1420, double %1417, double 0x40071547652B82FE)
+  %1422 = trunc nsw i64 %1410 to i32
+  %1423 = sitofp i32 %1422 to double
+  %1424 = fmul double %1416, %1421
+  %1425 = fadd double %1424, %1423
+  %1426 = fmul double %1405, %1425
+  %1427 = fcmp ogt double %1426, -1.000000e+03
+  %1428 = select i1 %1427, double %1426, double -1.000000e+03
+  %1429 = fcmp olt double %1428, 1.000000e+03
+  %1430 = select i1 %1429, double %1428, double 1.000000e+03
+  %1431 = tail call double @llvm.rint.f64(double %1430)
+  %1432 = fsub double %1430, %1431
+  %1433 = tail call double @llvm.fma.f64(double %1432, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
+  %1434 = tail call double @llvm.fma.f64(double %1433, double %1432, double 0x3F55D87FE78A6730)
+  %1435 = tail call double @llvm.fma.f64(double %1434, double %1432, double 0x3F83B2AB6FBA4E77)
+  %1436 = tail call double @llvm.fma.f64(double %1435, double %1432, double 0x3FAC6B08D704A0BF)
+  %1437 = tail call double @llvm.fma.f64(double %1436, double %1432, double 0x3FCEBFBDFF82C58E)
+  %1438 = tail call double @llvm.fma.f64(double %1437, double %1432, double 0x3FE62E42FEFA39EF)
+  %1439 = tail call double @llvm.fma.f64(double %1438, double %1432, double 1.000000e+00)
+  %1440 = bitcast double %1439 to i64
+  %1441 = fptosi double %1431 to i32
+  %1442 = sext i32 %1441 to i64
+  %1443 = shl nsw i64 %1442, 52
+  %1444 = add nsw i64 %1443, %1440
+  %1445 = bitcast i64 %1444 to double
+  %1446 = fmul double %1404, %1445
+  br label %1447
+
+1447:                                             ; preds = %1359, %1407
+  %1448 = phi double [ %1446, %1407 ], [ %1404, %1359 ]
+  %1449 = load double, ptr %416, align 8
+  %1450 = fcmp ogt double %1448, %1449
+  %1451 = select i1 %1450, double %1448, double %1449
+  %1452 = fcmp olt double %1360, %1451
+  %1453 = select i1 %1452, double %1360, double %1451
+  %1454 = fmul double %476, %1453
+  %1455 = fcmp oeq double %477, %100
+  %1456 = fcmp ogt double %430, %1454
+  %1457 = select i1 %1455, i1 %1456, i1 false
+  %1458 = select i1 %1457, double %430, double %1454
+  %1459 = fcmp ogt double %854, 1.000000e-04
+  %1460 = select i1 %1459, double %854, double 1.000000e-04
+  store double %1460, ptr %411, align 8
+  %1461 = load double, ptr %417, align 8
+  store double %1461, ptr %412, align 8
+  br label %1462
+
+1462:                                             ; preds = %1447, %1358
+  %1463 = phi double [ %1458, %1447 ], [ %430, %1358 ]
+  br i1 %418, label %1468, label %1464
+
+1464:                                             ; preds = %1468, %1462
+  %1465 = load i64, ptr %419, align 8
+  %1466 = load i64, ptr %96, align 8
+  %1467 = icmp eq i64 %1465, %1466
+  br i1 %1467, label %1480, label %1481
+
+1468:                                             ; preds = %1462, %1468
+  %1469 = phi i64 [ %1478, %1468 ], [ 0, %1462 ]
+  %1470 = getelementptr inbounds double, ptr %67, i64 %1469
+  %1471 = load double, ptr %1470, align 8
+  %1472 = load ptr, ptr %63, align 8
+  %1473 = getelementptr inbounds double, ptr %1472, i64 %1469
+  store double %1471, ptr %1473, align 8
+  %1474 = getelementptr inbounds double, ptr %105, i64 %1469
+  %1475 = load double, ptr %1474, align 8
+  %1476 = load ptr, ptr %101, align 8
+  %1477 = getelementptr inbounds double, ptr %1476, i64 %1469
+  store double %1475, ptr %1477, align 8
+  %1478 = add nuw nsw i64 %1469, 1
+  %1479 = icmp eq i64 %1478, %80
+  br i1 %1479, label %1464, label %1468, !llvm.loop !27
+
+1480:                                             ; preds = %1464
+  store double %1463, ptr %107, align 8
+  br label %1481
+
+1481:                                             ; preds = %1147, %1343, %1354, %1480, %842, %922, %921, %1464, %656, %483
+  %1482 = phi double [ %430, %483 ], [ %430, %656 ], [ %430, %1147 ], [ %430, %1354 ], [ %1463, %1480 ], [ %1351, %1343 ], [ %430, %842 ], [ %920, %922 ], [ %920, %921 ], [ %1463, %1464 ]
+  %1483 = phi double [ %429, %483 ], [ %429, %656 ], [ %429, %1147 ], [ %429, %1354 ], [ %477, %1480 ], [ %429, %1343 ], [ %429, %842 ], [ %429, %922 ], [ %429, %921 ], [ %477, %1464 ]
+  %1484 = phi i32 [ 1, %483 ], [ 1, %656 ], [ 1, %1147 ], [ 1, %1354 ], [ 1, %1480 ], [ 3, %1343 ], [ 1, %842 ], [ 3, %922 ], [ 1, %921 ], [ 0, %1464 ]
+  %1485 = phi i64 [ 2, %483 ], [ -4, %656 ], [ %1149, %1147 ], [ %1339, %1354 ], [ 0, %1480 ], [ %428, %1343 ], [ -4, %842 ], [ %428, %922 ], [ 2, %921 ], [ %428, %1464 ]
+  switch i32 %1484, label %1489 [
+    i32 0, label %1486
+    i32 3, label %1486
+  ]
+
+1486:                                             ; preds = %1481, %1481
+  %1487 = load i64, ptr %70, align 8
+  %1488 = icmp eq i64 %1487, 0
+  br i1 %1488, label %424, label %426, !llvm.loop !19
+
+1489:                                             ; preds = %1481, %134, %424, %443, %451, %176, %61
+  %1490 = phi i64 [ -1, %61 ], [ %137, %134 ], [ -1, %424 ], [ -5, %443 ], [ 1, %451 ], [ 0, %176 ], [ %1485, %1481 ]
+  ret i64 %1490
 }
 
 
 
-declare i64 @llvm.smax.i64(i64, i64) #1
+define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #2 {
+  %2 = getelementptr inbounds i8, ptr %0, i64 104
+  %3 = load i64, ptr %2, align 8
+  %4 = icmp sgt i64 %3, 0
+  br i1 %4, label %5, label %12
 
-declare i1 @llvm.is.fpclass.f64(double, i32 immarg) #1
+5:                                                ; preds = %1
+  %6 = getelementptr inbounds i8, ptr %0, i64 96
+  %7 = getelementptr inbounds i8, ptr %0, i64 112
+  %8 = getelementptr inbounds i8, ptr %0, i64 24
+  %9 = getelementptr inbounds i8, ptr %0, i64 120
+  %10 = getelementptr inbounds i8, ptr %0, i64 144
+  %11 = getelementptr inbounds i8, ptr %0, i64 48
+  br label %13
 
-declare i64 @llvm.smin.i64(i64, i64) #1
+12:                                               ; preds = %56, %1
+  ret void
 
-attributes #0 = { noinline }
-attributes #1 = { nounwind willreturn memory(none) }
-attributes #2 = { nounwind }
-attributes #3 = { nounwind willreturn }
+13:                                               ; preds = %5, %56
+  %14 = phi i64 [ 0, %5 ], [ %81, %56 ]
+  %15 = load ptr, ptr %6, align 8
+  %16 = load i64, ptr %7, align 8
+  %17 = mul nsw i64 %16, %14
+  %18 = getelementptr inbounds i64, ptr %15, i64 %17
+  %19 = getelementptr inbounds i8, ptr %18, i64 24
+  %20 = load ptr, ptr %8, align 8
+  %21 = load double, ptr %20, align 8
+  %22 = getelementptr inbounds i8, ptr %18, i64 8
+  %23 = load i64, ptr %22, align 8
+  %24 = load ptr, ptr %9, align 8
+  %25 = getelementptr inbounds double, ptr %24, i64 %23
+  %26 = load double, ptr %25, align 8
+  %27 = fcmp ogt double %26, %21
+  %28 = select i1 %27, double %26, double %21
+  %29 = getelementptr inbounds i8, ptr %18, i64 16
+  %30 = load i64, ptr %29, align 8
+  %31 = load i64, ptr %19, align 8
+  %32 = getelementptr inbounds double, ptr %25, i64 %31
+  %33 = load double, ptr %32, align 8
+  %34 = fcmp ugt double %33, %28
+  br i1 %34, label %42, label %35
 
-!0 = !{!1, !3}
-!1 = distinct !{!1, !2}
-!2 = distinct !{!2}
-!3 = distinct !{!3, !2}
-!4 = !{!"branch_weights", i32 1, i32 99}
-!5 = !{!6, !1, !3}
-!6 = distinct !{!6, !7}
-!7 = distinct !{!7}
-!8 = !{!"branch_weights", i32 99, i32 1}
-!9 = !{!10}
-!10 = distinct !{!10, !11}
-!11 = distinct !{!11}
-!12 = !{!13}
-!13 = distinct !{!13, !14}
-!14 = distinct !{!14}
-!15 = !{!16, !18}
-!16 = distinct !{!16, !17}
-!17 = distinct !{!17}
-!18 = distinct !{!18, !17}
-!19 = !{!20, !16, !18}
-!20 = distinct !{!20, !21}
-!21 = distinct !{!21}
-!22 = !{!23, !20, !16, !18}
-!23 = distinct !{!23, !24}
-!24 = distinct !{!24}
-!25 = !{!26, !20, !16, !18}
-!26 = distinct !{!26, !27}
-!27 = distinct !{!27}
-!28 = !{!29, !31, !32, !34}
-!29 = distinct !{!29, !30}
-!30 = distinct !{!30}
-!31 = distinct !{!31, !30}
-!32 = distinct !{!32, !33}
-!33 = distinct !{!33}
-!34 = distinct !{!34, !33}
-!35 = !{!"branch_weights", i32 1, i32 49, i32 49}
-!36 = !{!32, !34}
-!37 = !{!38, !40, !16, !18}
-!38 = distinct !{!38, !39}
-!39 = distinct !{!39}
-!40 = distinct !{!40, !39}
-!41 = !{!42, !44, !45, !47}
-!42 = distinct !{!42, !43}
-!43 = distinct !{!43}
-!44 = distinct !{!44, !43}
-!45 = distinct !{!45, !46}
-!46 = distinct !{!46}
-!47 = distinct !{!47, !46}
-!48 = !{!45, !47}
-!49 = !{!50, !52, !16, !18}
-!50 = distinct !{!50, !51}
-!51 = distinct !{!51}
-!52 = distinct !{!52, !51}
-!53 = !{!54}
-!54 = distinct !{!54, !55}
-!55 = distinct !{!55}
-!56 = !{!57, !59, !60, !62}
-!57 = distinct !{!57, !58}
-!58 = distinct !{!58}
-!59 = distinct !{!59, !58}
-!60 = distinct !{!60, !61}
-!61 = distinct !{!61}
-!62 = distinct !{!62, !61}
-!63 = !{!60, !62}
-!64 = !{!65, !67, !16, !18}
-!65 = distinct !{!65, !66}
-!66 = distinct !{!66}
-!67 = distinct !{!67, !66}
-!68 = !{!69, !71, !65, !67, !16, !18}
-!69 = distinct !{!69, !70}
-!70 = distinct !{!70}
-!71 = distinct !{!71, !70}
-!72 = !{!73, !65, !67, !16, !18}
-!73 = distinct !{!73, !74}
-!74 = distinct !{!74}
-!75 = !{!76, !65, !67, !16, !18}
-!76 = distinct !{!76, !77}
-!77 = distinct !{!77}
-!78 = !{!79, !81, !82, !84}
-!79 = distinct !{!79, !80}
-!80 = distinct !{!80}
-!81 = distinct !{!81, !80}
-!82 = distinct !{!82, !83}
-!83 = distinct !{!83}
-!84 = distinct !{!84, !83}
-!85 = !{!82, !84}
-!86 = !{!87}
-!87 = distinct !{!87, !88}
-!88 = distinct !{!88}
-!89 = !{!90, !92, !16, !18}
-!90 = distinct !{!90, !91}
-!91 = distinct !{!91}
-!92 = distinct !{!92, !91}
-!93 = !{!94, !96, !90, !92, !16, !18}
-!94 = distinct !{!94, !95}
-!95 = distinct !{!95}
-!96 = distinct !{!96, !95}
-!97 = !{!98, !94, !96, !90, !92, !16, !18}
-!98 = distinct !{!98, !99}
-!99 = distinct !{!99}
-!100 = !{!101, !103, !16, !18}
-!101 = distinct !{!101, !102}
-!102 = distinct !{!102}
-!103 = distinct !{!103, !102}
-!104 = !{!105}
-!105 = distinct !{!105, !106}
-!106 = distinct !{!106}
-!107 = !{!108}
-!108 = distinct !{!108, !109}
-!109 = distinct !{!109}
-!110 = !{!111, !16, !18}
-!111 = distinct !{!111, !112}
-!112 = distinct !{!112}
-!113 = !{!114, !16, !18}
-!114 = distinct !{!114, !115}
-!115 = distinct !{!115}
-!116 = !{!117, !119, !120, !122}
-!117 = distinct !{!117, !118}
-!118 = distinct !{!118}
-!119 = distinct !{!119, !118}
-!120 = distinct !{!120, !121}
-!121 = distinct !{!121}
-!122 = distinct !{!122, !121}
-!123 = !{!120, !122}
-!124 = !{!125, !127, !16, !18}
-!125 = distinct !{!125, !126}
-!126 = distinct !{!126}
-!127 = distinct !{!127, !126}
-!128 = !{!129, !125, !127, !16, !18}
-!129 = distinct !{!129, !130}
-!130 = distinct !{!130}
-!131 = !{!132, !134, !135, !137}
-!132 = distinct !{!132, !133}
-!133 = distinct !{!133}
-!134 = distinct !{!134, !133}
-!135 = distinct !{!135, !136}
-!136 = distinct !{!136}
-!137 = distinct !{!137, !136}
-!138 = !{!135, !137}
-!139 = !{!140, !142, !16, !18}
-!140 = distinct !{!140, !141}
-!141 = distinct !{!141}
-!142 = distinct !{!142, !141}
+35:                                               ; preds = %13
+  %36 = add nsw i64 %30, -1
+  %37 = icmp eq i64 %36, %31
+  br i1 %37, label %56, label %38
+
+38:                                               ; preds = %35
+  %39 = getelementptr i8, ptr %32, i64 8
+  %40 = load double, ptr %39, align 8
+  %41 = fcmp ogt double %40, %28
+  br i1 %41, label %56, label %42
+
+42:                                               ; preds = %38, %13
+  %43 = icmp sgt i64 %30, 1
+  br i1 %43, label %44, label %56
+
+44:                                               ; preds = %42, %44
+  %45 = phi i64 [ %53, %44 ], [ %30, %42 ]
+  %46 = phi i64 [ %52, %44 ], [ 0, %42 ]
+  %47 = add nsw i64 %45, %46
+  %48 = sdiv i64 %47, 2
+  %49 = getelementptr inbounds double, ptr %25, i64 %48
+  %50 = load double, ptr %49, align 8
+  %51 = fcmp ugt double %50, %28
+  %52 = select i1 %51, i64 %46, i64 %48
+  %53 = select i1 %51, i64 %48, i64 %45
+  %54 = sub nsw i64 %53, %52
+  %55 = icmp sgt i64 %54, 1
+  br i1 %55, label %44, label %56, !llvm.loop !28
+
+56:                                               ; preds = %44, %42, %35, %38
+  %57 = phi i64 [ %31, %38 ], [ %31, %35 ], [ 0, %42 ], [ %52, %44 ]
+  store i64 %57, ptr %19, align 8
+  %58 = getelementptr inbounds double, ptr %25, i64 %57
+  %59 = load double, ptr %58, align 8
+  %60 = fsub double %28, %59
+  %61 = load ptr, ptr %10, align 8
+  %62 = add nsw i64 %57, %23
+  %63 = shl nsw i64 %62, 5
+  %64 = getelementptr inbounds i8, ptr %61, i64 %63
+  %65 = load double, ptr %64, align 8
+  %66 = getelementptr inbounds i8, ptr %64, i64 8
+  %67 = load double, ptr %66, align 8
+  %68 = getelementptr inbounds i8, ptr %64, i64 16
+  %69 = load double, ptr %68, align 8
+  %70 = getelementptr inbounds i8, ptr %64, i64 24
+  %71 = load double, ptr %70, align 8
+  %72 = fmul double %60, %71
+  %73 = fadd double %69, %72
+  %74 = fmul double %60, %73
+  %75 = fadd double %67, %74
+  %76 = fmul double %60, %75
+  %77 = fadd double %65, %76
+  %78 = load ptr, ptr %11, align 8
+  %79 = load i64, ptr %18, align 8
+  %80 = getelementptr inbounds double, ptr %78, i64 %79
+  store double %77, ptr %80, align 8
+  %81 = add nuw nsw i64 %14, 1
+  %82 = load i64, ptr %2, align 8
+  %83 = icmp slt i64 %81, %82
+  br i1 %83, label %13, label %12, !llvm.loop !29
+}
+
+define internal fastcc void @norm_to(ptr noundef writeonly %0, ptr noundef readonly %1, ptr noundef readonly %2, ptr noundef readonly %3, i64 noundef %4) unnamed_addr #3 {
+  %6 = icmp sgt i64 %4, 0
+  br i1 %6, label %7, label %13
+
+7:                                                ; preds = %5
+  %8 = load ptr, ptr %3, align 8
+  %9 = getelementptr inbounds i8, ptr %3, i64 240
+  %10 = load ptr, ptr %9, align 8
+  %11 = getelementptr inbounds i8, ptr %3, i64 216
+  %12 = load ptr, ptr %11, align 8
+  br label %18
+
+13:                                               ; preds = %18, %5
+  %14 = phi double [ 0.000000e+00, %5 ], [ %39, %18 ]
+  %15 = sitofp i64 %4 to double
+  %16 = fdiv double %14, %15
+  %17 = tail call double @llvm.sqrt.f64(double %16)
+  store double %17, ptr %0, align 8
+  ret void
+
+18:                                               ; preds = %7, %18
+  %19 = phi double [ 0.000000e+00, %7 ], [ %39, %18 ]
+  %20 = phi i64 [ 0, %7 ], [ %40, %18 ]
+  %21 = getelementptr inbounds double, ptr %1, i64 %20
+  %22 = load double, ptr %21, align 8
+  %23 = getelementptr inbounds double, ptr %8, i64 %20
+  %24 = load double, ptr %23, align 8
+  %25 = getelementptr inbounds double, ptr %2, i64 %20
+  %26 = load double, ptr %25, align 8
+  %27 = getelementptr inbounds double, ptr %10, i64 %20
+  %28 = load double, ptr %27, align 8
+  %29 = getelementptr inbounds double, ptr %12, i64 %20
+  %30 = load double, ptr %29, align 8
+  %31 = tail call double @llvm.fabs.f64(double %24)
+  %32 = tail call double @llvm.fabs.f64(double %26)
+  %33 = fcmp ogt double %31, %32
+  %34 = select i1 %33, double %31, double %32
+  %35 = fmul double %34, %30
+  %36 = fadd double %28, %35
+  %37 = fdiv double %22, %36
+  %38 = fmul double %37, %37
+  %39 = fadd double %19, %38
+  %40 = add nuw nsw i64 %20, 1
+  %41 = icmp eq i64 %40, %4
+  br i1 %41, label %13, label %18, !llvm.loop !30
+}
+
+declare double @llvm.sqrt.f64(double) #4
+
+declare double @llvm.fabs.f64(double) #4
+
+declare double @llvm.fma.f64(double, double, double) #4
+
+declare double @llvm.rint.f64(double) #4
+
+declare double @llvm.ceil.f64(double) #4
+
+define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef readonly %1, ptr noundef readonly %2, ptr noundef readonly %3, ptr noundef readonly %4, ptr noundef readonly %5, i64 noundef %6, i64 noundef %7, i64 noundef %8) unnamed_addr #5 {
+  %10 = load <8 x double>, ptr %2, align 8
+  %11 = shl nsw i64 %8, 3
+  %12 = icmp slt i64 %8, 4
+  br i1 %12, label %16, label %13
+
+13:                                               ; preds = %9
+  %14 = icmp sgt i64 %6, 0
+  %15 = add nsw i64 %7, %6
+  br label %22
+
+16:                                               ; preds = %99, %9
+  %17 = phi i64 [ 0, %9 ], [ %23, %99 ]
+  %18 = icmp slt i64 %17, %11
+  br i1 %18, label %19, label %153
+
+19:                                               ; preds = %16
+  %20 = icmp sgt i64 %6, 0
+  %21 = add nsw i64 %7, %6
+  br label %109
+
+22:                                               ; preds = %13, %99
+  %23 = phi i64 [ 32, %13 ], [ %107, %99 ]
+  %24 = phi i64 [ 0, %13 ], [ %23, %99 ]
+  %25 = getelementptr inbounds double, ptr %1, i64 %24
+  %26 = getelementptr inbounds double, ptr %0, i64 %24
+  %27 = getelementptr inbounds double, ptr %3, i64 %24
+  br i1 %14, label %28, label %54
+
+28:                                               ; preds = %22, %28
+  %29 = phi <8 x double> [ %48, %28 ], [ zeroinitializer, %22 ]
+  %30 = phi <8 x double> [ %45, %28 ], [ zeroinitializer, %22 ]
+  %31 = phi <8 x double> [ %42, %28 ], [ zeroinitializer, %22 ]
+  %32 = phi <8 x double> [ %51, %28 ], [ zeroinitializer, %22 ]
+  %33 = phi i64 [ %52, %28 ], [ 0, %22 ]
+  %34 = getelementptr inbounds i64, ptr %4, i64 %33
+  %35 = load i64, ptr %34, align 8
+  %36 = getelementptr inbounds double, ptr %27, i64 %35
+  %37 = getelementptr inbounds double, ptr %5, i64 %33
+  %38 = load double, ptr %37, align 8
+  %39 = insertelement <8 x double> poison, double %38, i64 0
+  %40 = shufflevector <8 x double> %39, <8 x double> poison, <8 x i32> zeroinitializer
+  %41 = load <8 x double>, ptr %36, align 8
+  %42 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %40, <8 x double> %41, <8 x double> %31)
+  %43 = getelementptr inbounds i8, ptr %36, i64 64
+  %44 = load <8 x double>, ptr %43, align 8
+  %45 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %40, <8 x double> %44, <8 x double> %30)
+  %46 = getelementptr inbounds i8, ptr %36, i64 128
+  %47 = load <8 x double>, ptr %46, align 8
+  %48 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %40, <8 x double> %47, <8 x double> %29)
+  %49 = getelementptr inbounds i8, ptr %36, i64 192
+  %50 = load <8 x double>, ptr %49, align 8
+  %51 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %40, <8 x double> %50, <8 x double> %32)
+  %52 = add nuw nsw i64 %33, 1
+  %53 = icmp eq i64 %52, %6
+  br i1 %53, label %54, label %28, !llvm.loop !31
+
+54:                                               ; preds = %28, %22
+  %55 = phi <8 x double> [ zeroinitializer, %22 ], [ %48, %28 ]
+  %56 = phi <8 x double> [ zeroinitializer, %22 ], [ %45, %28 ]
+  %57 = phi <8 x double> [ zeroinitializer, %22 ], [ %42, %28 ]
+  %58 = phi <8 x double> [ zeroinitializer, %22 ], [ %51, %28 ]
+  %59 = phi i64 [ 0, %22 ], [ %6, %28 ]
+  %60 = load <8 x double>, ptr %25, align 8
+  %61 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %10, <8 x double> %57, <8 x double> %60)
+  %62 = getelementptr inbounds i8, ptr %25, i64 64
+  %63 = load <8 x double>, ptr %62, align 8
+  %64 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %10, <8 x double> %56, <8 x double> %63)
+  %65 = getelementptr inbounds i8, ptr %25, i64 128
+  %66 = load <8 x double>, ptr %65, align 8
+  %67 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %10, <8 x double> %55, <8 x double> %66)
+  %68 = getelementptr inbounds i8, ptr %25, i64 192
+  %69 = load <8 x double>, ptr %68, align 8
+  %70 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %10, <8 x double> %58, <8 x double> %69)
+  %71 = icmp slt i64 %59, %15
+  br i1 %71, label %72, label %99
+
+72:                                               ; preds = %54, %72
+  %73 = phi <8 x double> [ %93, %72 ], [ %67, %54 ]
+  %74 = phi <8 x double> [ %90, %72 ], [ %64, %54 ]
+  %75 = phi <8 x double> [ %87, %72 ], [ %61, %54 ]
+  %76 = phi <8 x double> [ %96, %72 ], [ %70, %54 ]
+  %77 = phi i64 [ %97, %72 ], [ %59, %54 ]
+  %78 = getelementptr inbounds i64, ptr %4, i64 %77
+  %79 = load i64, ptr %78, align 8
+  %80 = getelementptr inbounds double, ptr %27, i64 %79
+  %81 = getelementptr inbounds double, ptr %5, i64 %77
+  %82 = load double, ptr %81, align 8
+  %83 = insertelement <8 x double> poison, double %82, i64 0
+  %84 = shufflevector <8 x double> %83, <8 x double> poison, <8 x i32> zeroinitializer
+  %85 = fmul <8 x double> %10, %84
+  %86 = load <8 x double>, ptr %80, align 8
+  %87 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %85, <8 x double> %86, <8 x double> %75)
+  %88 = getelementptr inbounds i8, ptr %80, i64 64
+  %89 = load <8 x double>, ptr %88, align 8
+  %90 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %85, <8 x double> %89, <8 x double> %74)
+  %91 = getelementptr inbounds i8, ptr %80, i64 128
+  %92 = load <8 x double>, ptr %91, align 8
+  %93 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %85, <8 x double> %92, <8 x double> %73)
+  %94 = getelementptr inbounds i8, ptr %80, i64 192
+  %95 = load <8 x double>, ptr %94, align 8
+  %96 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %85, <8 x double> %95, <8 x double> %76)
+  %97 = add nuw nsw i64 %77, 1
+  %98 = icmp slt i64 %97, %15
+  br i1 %98, label %72, label %99, !llvm.loop !32
+
+99:                                               ; preds = %72, %54
+  %100 = phi <8 x double> [ %67, %54 ], [ %93, %72 ]
+  %101 = phi <8 x double> [ %64, %54 ], [ %90, %72 ]
+  %102 = phi <8 x double> [ %61, %54 ], [ %87, %72 ]
+  %103 = phi <8 x double> [ %70, %54 ], [ %96, %72 ]
+  store <8 x double> %102, ptr %26, align 8
+  %104 = getelementptr inbounds i8, ptr %26, i64 64
+  store <8 x double> %101, ptr %104, align 8
+  %105 = getelementptr inbounds i8, ptr %26, i64 128
+  store <8 x double> %100, ptr %105, align 8
+  %106 = getelementptr inbounds i8, ptr %26, i64 192
+  store <8 x double> %103, ptr %106, align 8
+  %107 = add nuw nsw i64 %23, 32
+  %108 = icmp sgt i64 %107, %11
+  br i1 %108, label %16, label %22, !llvm.loop !33
+
+109:                                              ; preds = %19, %149
+  %110 = phi i64 [ %17, %19 ], [ %151, %149 ]
+  %111 = getelementptr inbounds double, ptr %0, i64 %110
+  %112 = getelementptr inbounds double, ptr %1, i64 %110
+  %113 = getelementptr inbounds double, ptr %3, i64 %110
+  br i1 %20, label %120, label %114
+
+114:                                              ; preds = %120, %109
+  %115 = phi <8 x double> [ zeroinitializer, %109 ], [ %131, %120 ]
+  %116 = phi i64 [ 0, %109 ], [ %6, %120 ]
+  %117 = load <8 x double>, ptr %112, align 8
+  %118 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %10, <8 x double> %115, <8 x double> %117)
+  %119 = icmp slt i64 %116, %21
+  br i1 %119, label %134, label %149
+
+120:                                              ; preds = %109, %120
+  %121 = phi <8 x double> [ %131, %120 ], [ zeroinitializer, %109 ]
+  %122 = phi i64 [ %132, %120 ], [ 0, %109 ]
+  %123 = getelementptr inbounds double, ptr %5, i64 %122
+  %124 = load double, ptr %123, align 8
+  %125 = insertelement <8 x double> poison, double %124, i64 0
+  %126 = shufflevector <8 x double> %125, <8 x double> poison, <8 x i32> zeroinitializer
+  %127 = getelementptr inbounds i64, ptr %4, i64 %122
+  %128 = load i64, ptr %127, align 8
+  %129 = getelementptr inbounds double, ptr %113, i64 %128
+  %130 = load <8 x double>, ptr %129, align 8
+  %131 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %126, <8 x double> %130, <8 x double> %121)
+  %132 = add nuw nsw i64 %122, 1
+  %133 = icmp eq i64 %132, %6
+  br i1 %133, label %114, label %120, !llvm.loop !31
+
+134:                                              ; preds = %114, %134
+  %135 = phi <8 x double> [ %146, %134 ], [ %118, %114 ]
+  %136 = phi i64 [ %147, %134 ], [ %116, %114 ]
+  %137 = getelementptr inbounds double, ptr %5, i64 %136
+  %138 = load double, ptr %137, align 8
+  %139 = insertelement <8 x double> poison, double %138, i64 0
+  %140 = shufflevector <8 x double> %139, <8 x double> poison, <8 x i32> zeroinitializer
+  %141 = fmul <8 x double> %10, %140
+  %142 = getelementptr inbounds i64, ptr %4, i64 %136
+  %143 = load i64, ptr %142, align 8
+  %144 = getelementptr inbounds double, ptr %113, i64 %143
+  %145 = load <8 x double>, ptr %144, align 8
+  %146 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %141, <8 x double> %145, <8 x double> %135)
+  %147 = add nuw nsw i64 %136, 1
+  %148 = icmp slt i64 %147, %21
+  br i1 %148, label %134, label %149, !llvm.loop !32
+
+149:                                              ; preds = %134, %114
+  %150 = phi <8 x double> [ %118, %114 ], [ %146, %134 ]
+  store <8 x double> %150, ptr %111, align 8
+  %151 = add nuw nsw i64 %110, 8
+  %152 = icmp slt i64 %151, %11
+  br i1 %152, label %109, label %153, !llvm.loop !34
+
+153:                                              ; preds = %149, %16
+  ret void
+}
+
+declare <8 x double> @llvm.fma.v8f64(<8 x double>, <8 x double>, <8 x double>) #4
+
+define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readonly %1, ptr noundef readonly %2, i64 noundef %3, i64 noundef %4, ptr noundef readonly %5, i64 noundef %6) unnamed_addr #6 {
+  %8 = load <8 x double>, ptr %5, align 8
+  %9 = fsub <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %8
+  %10 = shl nsw i64 %6, 3
+  %11 = icmp sgt i64 %6, 0
+  br i1 %11, label %12, label %19
+
+12:                                               ; preds = %7
+  %13 = add nsw i64 %4, -1
+  %14 = mul nsw i64 %13, %3
+  %15 = getelementptr double, ptr %2, i64 %14
+  %16 = add nsw i64 %4, -2
+  %17 = icmp sgt i64 %4, 1
+  %18 = sub i64 0, %3
+  br label %20
+
+19:                                               ; preds = %24, %7
+  ret void
+
+20:                                               ; preds = %12, %24
+  %21 = phi i64 [ 0, %12 ], [ %30, %24 ]
+  %22 = getelementptr double, ptr %15, i64 %21
+  %23 = load <8 x double>, ptr %22, align 8
+  br i1 %17, label %32, label %24
+
+24:                                               ; preds = %32, %20
+  %25 = phi <8 x double> [ %23, %20 ], [ %41, %32 ]
+  %26 = getelementptr inbounds double, ptr %0, i64 %21
+  %27 = getelementptr inbounds double, ptr %1, i64 %21
+  %28 = load <8 x double>, ptr %27, align 8
+  %29 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %8, <8 x double> %25, <8 x double> %28)
+  store <8 x double> %29, ptr %26, align 8
+  %30 = add nuw nsw i64 %21, 8
+  %31 = icmp slt i64 %30, %10
+  br i1 %31, label %20, label %19, !llvm.loop !35
+
+32:                                               ; preds = %20, %32
+  %33 = phi i64 [ %42, %32 ], [ %16, %20 ]
+  %34 = phi <8 x double> [ %41, %32 ], [ %23, %20 ]
+  %35 = phi ptr [ %36, %32 ], [ %22, %20 ]
+  %36 = getelementptr inbounds double, ptr %35, i64 %18
+  %37 = and i64 %33, 1
+  %38 = icmp eq i64 %37, 0
+  %39 = select i1 %38, <8 x double> %9, <8 x double> %8
+  %40 = load <8 x double>, ptr %36, align 8
+  %41 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %39, <8 x double> %34, <8 x double> %40)
+  %42 = add nsw i64 %33, -1
+  %43 = icmp sgt i64 %33, 0
+  br i1 %43, label %32, label %24, !llvm.loop !36
+}
+
+declare i1 @llvm.is.fpclass.f64(double, i32 immarg) #7
+
+attributes #0 = { nounwind }
+attributes #1 = { nounwind willreturn }
+attributes #2 = { noinline nounwind }
+attributes #3 = { noinline nounwind }
+attributes #4 = { nounwind willreturn memory(none) }
+attributes #5 = { noinline nounwind }
+attributes #6 = { noinline nounwind }
+attributes #7 = { nounwind willreturn memory(none) }
+attributes #8 = { nounwind }
+attributes #9 = { nounwind }
+attributes #10 = { nounwind }
+
+
+!0 = !{i32 1, !"wchar_size", i32 4}
+!1 = !{i32 8, !"PIC Level", i32 2}
+!2 = !{i32 7, !"PIE Level", i32 2}
+!3 = distinct !{!3, !4, !5}
+!4 = !{!"llvm.loop.mustprogress"}
+!5 = !{!"llvm.loop.unroll.disable"}
+!6 = distinct !{!6, !4, !5}
+!7 = distinct !{!7, !4, !5}
+!8 = distinct !{!8, !4, !5}
+!9 = distinct !{!9, !4, !5}
+!10 = distinct !{!10, !4, !5}
+!11 = distinct !{!11, !4, !5}
+!12 = distinct !{!12, !4, !5}
+!13 = distinct !{!13, !4, !5}
+!14 = distinct !{!14, !4, !5}
+!15 = distinct !{!15, !4, !5}
+!16 = distinct !{!16, !4, !5}
+!17 = distinct !{!17, !4, !5}
+!18 = distinct !{!18, !4, !5}
+!19 = distinct !{!19, !5}
+!20 = distinct !{!20, !4, !5}
+!21 = distinct !{!21, !4, !5}
+!22 = distinct !{!22, !4, !5}
+!23 = distinct !{!23, !4, !5}
+!24 = distinct !{!24, !4, !5}
+!25 = distinct !{!25, !4, !5}
+!26 = distinct !{!26, !4, !5}
+!27 = distinct !{!27, !4, !5}
+!28 = distinct !{!28, !4, !5}
+!29 = distinct !{!29, !4, !5}
+!30 = distinct !{!30, !4, !5}
+!31 = distinct !{!31, !4, !5}
+!32 = distinct !{!32, !4, !5}
+!33 = distinct !{!33, !4, !5}
+!34 = distinct !{!34, !4, !5}
+!35 = distinct !{!35, !4, !5}
+!36 = distinct !{!36, !4, !5}

@@ -1,4615 +1,3704 @@
-; sources 66d7db848c459d4f1d75a99529407a9a51756eefbd8dba31c2d8989f7f6f1096
-; Made by tools/solvers_ir.py with numba 0.68.1, llvmlite 0.50.0.
+; sources 075572b43c3dc981d385976cc5b8f06125631938e3bd1f4e825fd1599cb0d46a
+; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
-@0 = internal unnamed_addr constant [24 x i8] c"\EA\CAWF\B6\D8\C3?\DF\A6\03\08l\A3\E4?\00\00\00\00\00\00\F0?", align 8
-@1 = internal unnamed_addr constant [72 x i8] c"F\9C\A7\01\02\B7\10@\86N\A8]\C1\F8\D4?\EFV\9D\F5\7F\BF\E0?F\9C\A7\01\02\B7\10\C0\86N\A8]\C1\F8\D4\BF!R\C5\14\00\81\DE?\F2\A7$Z\88\17\E0?\98\A5\CAoN\93\04\C0\D1\DF{\CF\C0\12\E3?", align 8
-@2 = internal unnamed_addr constant [72 x i8] c"F\9C\A7\01\02\B7\10@\86N\A8]\C1\F8\D4?\EFV\9D\F5\7F\BF\E0?F\9C\A7\01\02\B7\10\C0\86N\A8]\C1\F8\D4\BF!R\C5\14\00\81\DE?\F2\A7$Z\88\17\E0?\98\A5\CAoN\93\04\C0\D1\DF{\CF\C0\12\E3?", align 8
-@3 = internal unnamed_addr constant [72 x i8] c"F\9C\A7\01\02\B7\10@\86N\A8]\C1\F8\D4?\EFV\9D\F5\7F\BF\E0?F\9C\A7\01\02\B7\10\C0\86N\A8]\C1\F8\D4\BF!R\C5\14\00\81\DE?\F2\A7$Z\88\17\E0?\98\A5\CAoN\93\04\C0\D1\DF{\CF\C0\12\E3?", align 8
-@4 = internal unnamed_addr constant [24 x i8] c"\EA\CAWF\B6\D8\C3?\DF\A6\03\08l\A3\E4?\00\00\00\00\00\00\F0?", align 8
-@5 = internal unnamed_addr constant [72 x i8] c"{g]\84#-\B8?\F7;@L\A7\14\C2\BF\8Ehm\1A\F9\BF\9E?\ED\A1\0A\E7}\03\D0?Q\B5 \1E\E9 \CA?\EDm\A3\A2\1F\82\D8\BF\00\00\00\00\00\00\F0?\00\00\00\00\00\00\F0?\00\00\00\00\00\00\00\00", align 8
-@6 = internal unnamed_addr constant [72 x i8] c"{g]\84#-\B8?\F7;@L\A7\14\C2\BF\8Ehm\1A\F9\BF\9E?\ED\A1\0A\E7}\03\D0?Q\B5 \1E\E9 \CA?\EDm\A3\A2\1F\82\D8\BF\00\00\00\00\00\00\F0?\00\00\00\00\00\00\F0?\00\00\00\00\00\00\00\00", align 8
-@7 = internal unnamed_addr constant [72 x i8] c"{g]\84#-\B8?\F7;@L\A7\14\C2\BF\8Ehm\1A\F9\BF\9E?\ED\A1\0A\E7}\03\D0?Q\B5 \1E\E9 \CA?\EDm\A3\A2\1F\82\D8\BF\00\00\00\00\00\00\F0?\00\00\00\00\00\00\F0?\00\00\00\00\00\00\00\00", align 8
+@NODES = internal unnamed_addr constant [3 x double] [double 0x3FC3D8B64657CAEA, double 0x3FE4A36C0803A6DF, double 1.000000e+00], align 16
+@TO_WAVES = internal unnamed_addr constant [3 x [3 x double]] [[3 x double] [double 0x4010B70201A79C46, double 0x3FD4F8C15DA84E86, double 0x3FE0BF7FF59D56EF], [3 x double] [double 0xC010B70201A79C46, double 0xBFD4F8C15DA84E86, double 0x3FDE810014C55221], [3 x double] [double 0x3FE017885A24A7F2, double 0xC004934E6FCAA598, double 0x3FE312C0CF7BDFD1]], align 16
+@FROM_WAVES = internal unnamed_addr constant [3 x [3 x double]] [[3 x double] [double 0x3FB82D23845D677B, double 0xBFC214A74C403BF7, double 0x3F9EBFF91A6D688E], [3 x double] [double 0x3FD0037DE70AA1ED, double 0x3FCA20E91E20B551, double 0xBFD8821FA2A36DED], [3 x double] [double 1.000000e+00, double 1.000000e+00, double 0.000000e+00]], align 16
+@POLYNOMIAL = internal unnamed_addr constant [3 x [3 x double]] [[3 x double] [double 0x402418FD8BAFFE05, double 0xC039A12CE7B30915, double 0x402F295C43B61425], [3 x double] [double 0xBFF61D41B2D54580, double 0x402497AF24BB677E, double 0xC021D406EE60BECF], [3 x double] [double 0x3FD5555555555555, double 0xC005555555555555, double 0x400AAAAAAAAAAAAB]], align 16
 
-declare double @llvm.fabs.f64(double) #0
+define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
+  %4 = alloca [1 x double], align 8
+  %5 = alloca [1 x double], align 8
+  %6 = alloca [1 x double], align 8
+  %7 = alloca [1 x double], align 8
+  %8 = alloca [3 x double], align 16
+  %9 = alloca [3 x double], align 16
+  %10 = icmp eq i64 %2, 1
+  br i1 %10, label %11, label %64
 
-declare double @sqrt(double) local_unnamed_addr #1
-
-declare double @llvm.pow.f64(double, double) #0
-
-define internal fastcc i32 @_sample(ptr noalias %0, ptr %1, i64 %2, ptr %3, i64 %4, i64 %5, ptr %6, i64 %7, ptr %8, i64 %9, i64 %10, double %11) unnamed_addr #2 {
-  %13 = call i64 @llvm.smax.i64(i64 %4, i64 0)
-  br label %14
-
-14:                                               ; preds = %93, %12
-  %15 = phi i64 [ 0, %12 ], [ %120, %93 ]
-  %16 = phi i64 [ %13, %12 ], [ %121, %93 ]
-  %17 = icmp sgt i64 %16, 0
-  br i1 %17, label %19, label %18
-
-18:                                               ; preds = %14
-  store ptr null, ptr %0, align 8
-  ret i32 0
-
-19:                                               ; preds = %14
-  %20 = icmp slt i64 %15, 0
-  %21 = select i1 %20, i64 %4, i64 0
-  %22 = add i64 %15, %21
-  %23 = mul i64 %22, %5
-  %24 = getelementptr i64, ptr %3, i64 %23
-  %25 = getelementptr i8, ptr %24, i64 24
-  %26 = load i64, ptr %25, align 8
-  %27 = getelementptr i8, ptr %24, i64 8
-  %28 = load i64, ptr %27, align 8, !noalias !0
-  %29 = getelementptr i8, ptr %24, i64 16
-  %30 = load i64, ptr %29, align 8, !noalias !0
-  %31 = add nsw i64 %28, %30
-  %32 = icmp slt i64 %28, 0
-  %33 = select i1 %32, i64 %7, i64 0
-  %34 = add i64 %28, %33
-  %35 = icmp slt i64 %34, 0
-  br i1 %35, label %77, label %78, !prof !4
-
-36:                                               ; preds = %92, %89
-  %37 = phi i64 [ %7, %92 ], [ %90, %89 ]
-  %38 = sub i64 %37, %83
-  %39 = call i64 @llvm.smax.i64(i64 %38, i64 0)
-  %40 = getelementptr double, ptr %6, i64 %83
-  %41 = load double, ptr %40, align 8, !noalias !0
-  %42 = fcmp ogt double %41, %11
-  %43 = select i1 %42, double %41, double %11
-  %44 = icmp slt i64 %26, 0
-  %45 = select i1 %44, i64 %39, i64 0
-  %46 = getelementptr double, ptr %40, i64 %26
-  %47 = getelementptr double, ptr %46, i64 %45
-  %48 = load double, ptr %47, align 8, !noalias !5
-  %49 = fcmp ugt double %48, %43
-  br i1 %49, label %60, label %50
-
-50:                                               ; preds = %36
-  %51 = add nsw i64 %39, -1
-  %52 = icmp eq i64 %26, %51
-  br i1 %52, label %93, label %53
-
-53:                                               ; preds = %50
-  %54 = icmp slt i64 %26, -1
-  %55 = select i1 %54, i64 %39, i64 0
-  %56 = getelementptr i8, ptr %46, i64 8
-  %57 = getelementptr double, ptr %56, i64 %55
-  %58 = load double, ptr %57, align 8, !noalias !5
-  %59 = fcmp olt double %43, %58
-  br i1 %59, label %93, label %60
-
-60:                                               ; preds = %53, %36
-  %61 = icmp sgt i64 %38, 1
-  br i1 %61, label %62, label %93
-
-62:                                               ; preds = %62, %60
-  %63 = phi i64 [ %73, %62 ], [ %39, %60 ]
-  %64 = phi i64 [ %74, %62 ], [ 0, %60 ]
-  %65 = add nsw i64 %64, %63
-  %66 = ashr i64 %65, 1
-  %67 = icmp slt i64 %66, 0
-  %68 = select i1 %67, i64 %39, i64 0
-  %69 = getelementptr double, ptr %40, i64 %66
-  %70 = getelementptr double, ptr %69, i64 %68
-  %71 = load double, ptr %70, align 8, !noalias !5
-  %72 = fcmp ole double %71, %43
-  %73 = select i1 %72, i64 %63, i64 %66
-  %74 = select i1 %72, i64 %66, i64 %64
-  %75 = sub nsw i64 %73, %74
-  %76 = icmp sgt i64 %75, 1
-  br i1 %76, label %62, label %93
-
-77:                                               ; preds = %19
-  br label %78
-
-78:                                               ; preds = %77, %19
-  %79 = phi i64 [ 0, %77 ], [ %34, %19 ]
-  %80 = icmp slt i64 %34, %7
-  br i1 %80, label %82, label %81, !prof !8
-
-81:                                               ; preds = %78
-  br label %82
-
-82:                                               ; preds = %81, %78
-  %83 = phi i64 [ %7, %81 ], [ %79, %78 ]
-  %84 = icmp slt i64 %31, 0
-  %85 = select i1 %84, i64 %7, i64 0
-  %86 = add i64 %31, %85
-  %87 = icmp slt i64 %86, 0
-  br i1 %87, label %88, label %89, !prof !4
-
-88:                                               ; preds = %82
-  br label %89
-
-89:                                               ; preds = %88, %82
-  %90 = phi i64 [ 0, %88 ], [ %86, %82 ]
-  %91 = icmp slt i64 %86, %7
-  br i1 %91, label %36, label %92, !prof !8
-
-92:                                               ; preds = %89
-  br label %36
-
-93:                                               ; preds = %62, %60, %53, %50
-  %94 = phi i64 [ %26, %50 ], [ %26, %53 ], [ %74, %62 ], [ 0, %60 ]
-  %95 = icmp slt i64 %94, 0
-  %96 = select i1 %95, i64 %39, i64 0
-  %97 = getelementptr double, ptr %40, i64 %94
-  %98 = getelementptr double, ptr %97, i64 %96
-  %99 = load double, ptr %98, align 8, !noalias !0
-  %100 = fsub double %43, %99
-  %101 = add nsw i64 %28, %94
-  %102 = icmp slt i64 %101, 0
-  %103 = select i1 %102, i64 %9, i64 0
-  %104 = add i64 %101, %103
-  %105 = mul i64 %104, %10
-  %106 = getelementptr double, ptr %8, i64 %105
-  %107 = load double, ptr %106, align 8, !noalias !0
-  %108 = getelementptr i8, ptr %106, i64 8
-  %109 = load double, ptr %108, align 8, !noalias !0
-  %110 = getelementptr i8, ptr %106, i64 16
-  %111 = load double, ptr %110, align 8, !noalias !0
-  %112 = getelementptr i8, ptr %106, i64 24
-  %113 = load double, ptr %112, align 8, !noalias !0
-  %114 = fmul double %100, %113
-  %115 = fadd double %111, %114
-  %116 = fmul double %100, %115
-  %117 = fadd double %109, %116
-  %118 = fmul double %100, %117
-  %119 = fadd double %107, %118
-  %120 = add i64 %15, 1
-  %121 = add nsw i64 %16, -1
-  %122 = load i64, ptr %24, align 8
-  %123 = icmp slt i64 %122, 0
-  %124 = select i1 %123, i64 %2, i64 0
-  %125 = getelementptr double, ptr %1, i64 %122
-  %126 = getelementptr double, ptr %125, i64 %124
-  store double %119, ptr %126, align 8
-  store i64 %94, ptr %25, align 8
-  br label %14
-}
-
-define internal fastcc i32 @write_reached(ptr noalias %0, ptr %1, ptr %2, i64 %3, ptr %4, ptr %5, i64 %6, ptr %7, i64 %8, ptr %9, i64 %10) unnamed_addr {
-  %12 = getelementptr i8, ptr %1, i64 8
-  %13 = load i64, ptr %12, align 8
-  %14 = getelementptr i8, ptr %5, i64 48
+11:                                               ; preds = %3
+  %12 = getelementptr inbounds i8, ptr %0, i64 144
+  %13 = load ptr, ptr %12, align 8
+  %14 = getelementptr inbounds i8, ptr %13, i64 8
   %15 = load i64, ptr %14, align 8
-  %16 = icmp slt i64 %15, %6
-  br i1 %16, label %17, label %43
+  %16 = icmp sgt i64 %15, 0
+  br i1 %16, label %17, label %19
 
 17:                                               ; preds = %11
-  %18 = icmp slt i64 %15, 0
-  %19 = select i1 %18, i64 %8, i64 0
-  %20 = getelementptr double, ptr %7, i64 %15
-  %21 = getelementptr double, ptr %20, i64 %19
-  %22 = load double, ptr %21, align 8
-  %23 = load double, ptr %4, align 8
-  %24 = fcmp ugt double %22, %23
-  br i1 %24, label %43, label %25
+  %18 = getelementptr inbounds i8, ptr %0, i64 312
+  br label %26
 
-25:                                               ; preds = %17, %35
-  %26 = phi i64 [ %33, %35 ], [ %15, %17 ]
-  %27 = call i64 @llvm.smax.i64(i64 %13, i64 0)
-  br label %28
+19:                                               ; preds = %26, %11
+  %20 = getelementptr inbounds i8, ptr %0, i64 584
+  %21 = load i64, ptr %20, align 8
+  %22 = icmp sgt i64 %21, 0
+  br i1 %22, label %23, label %37
 
-28:                                               ; preds = %25, %47
-  %29 = phi i64 [ 0, %25 ], [ %49, %47 ]
-  %30 = phi i64 [ %27, %25 ], [ %48, %47 ]
-  %31 = icmp sgt i64 %30, 0
-  br i1 %31, label %47, label %32
+23:                                               ; preds = %19
+  %24 = getelementptr inbounds i8, ptr %0, i64 576
+  %25 = getelementptr inbounds i8, ptr %0, i64 984
+  br label %44
 
-32:                                               ; preds = %28
-  %33 = add nsw i64 %26, 1
-  %34 = icmp slt i64 %33, %6
-  br i1 %34, label %35, label %43
+26:                                               ; preds = %17, %26
+  %27 = phi i64 [ 0, %17 ], [ %32, %26 ]
+  %28 = getelementptr inbounds double, ptr %1, i64 %27
+  %29 = load double, ptr %28, align 8
+  %30 = load ptr, ptr %18, align 8
+  %31 = getelementptr inbounds double, ptr %30, i64 %27
+  store double %29, ptr %31, align 8
+  %32 = add nuw nsw i64 %27, 1
+  %33 = load ptr, ptr %12, align 8
+  %34 = getelementptr inbounds i8, ptr %33, i64 8
+  %35 = load i64, ptr %34, align 8
+  %36 = icmp slt i64 %32, %35
+  br i1 %36, label %26, label %19, !llvm.loop !3
 
-35:                                               ; preds = %32
-  %36 = icmp slt i64 %26, -1
-  %37 = select i1 %36, i64 %8, i64 0
-  %38 = getelementptr double, ptr %7, i64 %33
-  %39 = getelementptr double, ptr %38, i64 %37
-  %40 = load double, ptr %39, align 8
-  %41 = load double, ptr %4, align 8
-  %42 = fcmp ugt double %40, %41
-  br i1 %42, label %43, label %25
+37:                                               ; preds = %44, %19
+  %38 = getelementptr inbounds i8, ptr %0, i64 608
+  %39 = load i64, ptr %38, align 8
+  %40 = icmp sgt i64 %39, 0
+  br i1 %40, label %41, label %64
 
-43:                                               ; preds = %35, %32, %17, %11
-  %44 = phi i64 [ %33, %35 ], [ %33, %32 ], [ %15, %17 ], [ %15, %11 ]
-  store i64 %44, ptr %14, align 8
-  %45 = icmp eq i64 %44, %6
-  %46 = zext i1 %45 to i8
-  store i8 %46, ptr %0, align 1
-  ret i32 0
+41:                                               ; preds = %37
+  %42 = getelementptr inbounds i8, ptr %0, i64 600
+  %43 = getelementptr inbounds i8, ptr %0, i64 1008
+  br label %54
 
-47:                                               ; preds = %28
-  %48 = add nsw i64 %30, -1
-  %49 = add i64 %29, 1
-  %50 = icmp slt i64 %29, 0
-  %51 = select i1 %50, i64 %3, i64 0
-  %52 = getelementptr double, ptr %2, i64 %29
-  %53 = getelementptr double, ptr %52, i64 %51
-  %54 = load double, ptr %53, align 8
-  %55 = mul nsw i64 %26, %13
-  %56 = add nsw i64 %55, %29
-  %57 = icmp slt i64 %56, 0
-  %58 = select i1 %57, i64 %10, i64 0
-  %59 = getelementptr double, ptr %9, i64 %56
-  %60 = getelementptr double, ptr %59, i64 %58
-  store double %54, ptr %60, align 8
-  br label %28
-}
+44:                                               ; preds = %23, %44
+  %45 = phi i64 [ 0, %23 ], [ %51, %44 ]
+  %46 = load ptr, ptr %25, align 8
+  %47 = getelementptr inbounds double, ptr %46, i64 %45
+  %48 = load double, ptr %47, align 8
+  %49 = load ptr, ptr %24, align 8
+  %50 = getelementptr inbounds double, ptr %49, i64 %45
+  store double %48, ptr %50, align 8
+  %51 = add nuw nsw i64 %45, 1
+  %52 = load i64, ptr %20, align 8
+  %53 = icmp slt i64 %51, %52
+  br i1 %53, label %44, label %37, !llvm.loop !6
 
-define internal fastcc i32 @norm(ptr noalias %0, ptr %1, ptr %2, ptr %3, ptr %4, i64 %5, ptr %6, i64 %7, i64 %8) unnamed_addr #2 {
-  %10 = call i64 @llvm.smax.i64(i64 %8, i64 0)
-  br label %11
+54:                                               ; preds = %41, %54
+  %55 = phi i64 [ 0, %41 ], [ %61, %54 ]
+  %56 = load ptr, ptr %43, align 8
+  %57 = getelementptr inbounds i64, ptr %56, i64 %55
+  %58 = load i64, ptr %57, align 8
+  %59 = load ptr, ptr %42, align 8
+  %60 = getelementptr inbounds i64, ptr %59, i64 %55
+  store i64 %58, ptr %60, align 8
+  %61 = add nuw nsw i64 %55, 1
+  %62 = load i64, ptr %38, align 8
+  %63 = icmp slt i64 %61, %62
+  br i1 %63, label %54, label %64, !llvm.loop !7
 
-11:                                               ; preds = %20, %9
-  %12 = phi i64 [ 0, %9 ], [ %22, %20 ]
-  %13 = phi i64 [ %10, %9 ], [ %21, %20 ]
-  %14 = phi double [ 0.000000e+00, %9 ], [ %46, %20 ]
-  %15 = icmp sgt i64 %13, 0
-  br i1 %15, label %20, label %16
+64:                                               ; preds = %54, %37, %3
+  %65 = getelementptr inbounds i8, ptr %0, i64 144
+  %66 = getelementptr inbounds i8, ptr %0, i64 312
+  %67 = getelementptr inbounds i8, ptr %0, i64 1080
+  %68 = getelementptr inbounds i8, ptr %0, i64 576
+  %69 = load ptr, ptr %68, align 8
+  %70 = getelementptr inbounds i8, ptr %0, i64 1104
+  %71 = load ptr, ptr %70, align 8
+  %72 = getelementptr inbounds i8, ptr %0, i64 600
+  %73 = load ptr, ptr %72, align 8
+  %74 = load ptr, ptr %67, align 8
+  %75 = getelementptr inbounds i8, ptr %73, i64 56
+  %76 = load i64, ptr %75, align 8
+  %77 = icmp eq i64 %76, 0
+  br i1 %77, label %1765, label %78
 
-16:                                               ; preds = %11
-  %17 = sitofp i64 %8 to double
-  %18 = fdiv double %14, %17
-  %19 = call double @llvm.sqrt.f64(double %18)
-  store double %19, ptr %0, align 8
-  ret i32 0
-
-20:                                               ; preds = %11
-  %21 = add nsw i64 %13, -1
-  %22 = add i64 %12, 1
-  %23 = getelementptr double, ptr %1, i64 %12
-  %24 = load double, ptr %23, align 8
-  %25 = getelementptr double, ptr %3, i64 %12
-  %26 = load double, ptr %25, align 8
-  %27 = getelementptr double, ptr %2, i64 %12
-  %28 = load double, ptr %27, align 8
-  %29 = icmp slt i64 %12, 0
-  %30 = select i1 %29, i64 %7, i64 0
-  %31 = getelementptr double, ptr %6, i64 %12
-  %32 = getelementptr double, ptr %31, i64 %30
-  %33 = load double, ptr %32, align 8, !noalias !9
-  %34 = select i1 %29, i64 %5, i64 0
-  %35 = getelementptr double, ptr %4, i64 %12
-  %36 = getelementptr double, ptr %35, i64 %34
-  %37 = load double, ptr %36, align 8, !noalias !9
-  %38 = call double @llvm.fabs.f64(double %26)
-  %39 = call double @llvm.fabs.f64(double %28)
-  %40 = fcmp ogt double %38, %39
-  %41 = select i1 %40, double %38, double %39
-  %42 = fmul double %37, %41
-  %43 = fadd double %33, %42
-  %44 = fdiv double %24, %43
-  %45 = fmul double %44, %44
-  %46 = fadd double %14, %45
-  br label %11
-}
-
-declare double @llvm.sqrt.f64(double) #0
-
-declare double @hypot(double, double) local_unnamed_addr
-
-define internal fastcc i32 @solve(ptr noalias %0, ptr %1, i64 %2, i64 %3, ptr %4, i64 %5, ptr %6, i64 %7) unnamed_addr {
-  %9 = call i64 @llvm.smax.i64(i64 %2, i64 0)
-  br label %10
-
-10:                                               ; preds = %8, %24
-  %11 = phi i64 [ 0, %8 ], [ %61, %24 ]
-  %12 = phi i64 [ %9, %8 ], [ %60, %24 ]
-  %13 = icmp sgt i64 %12, 0
-  br i1 %13, label %59, label %25
-
-14:                                               ; preds = %59
-  %15 = icmp slt i64 %66, 0
-  %16 = select i1 %15, i64 %7, i64 0
-  %17 = getelementptr double, ptr %6, i64 %66
-  %18 = getelementptr double, ptr %17, i64 %16
-  %19 = load double, ptr %18, align 8
-  %20 = select i1 %62, i64 %7, i64 0
-  %21 = getelementptr double, ptr %6, i64 %11
-  %22 = getelementptr double, ptr %21, i64 %20
-  %23 = load double, ptr %22, align 8
-  store double %19, ptr %22, align 8
-  store double %23, ptr %18, align 8
-  br label %24
-
-24:                                               ; preds = %14, %59
-  br label %10
-
-25:                                               ; preds = %10, %34
-  %26 = phi i64 [ %70, %34 ], [ 0, %10 ]
-  %27 = phi i64 [ %69, %34 ], [ %9, %10 ]
-  %28 = icmp sgt i64 %27, 0
-  br i1 %28, label %68, label %35
-
-29:                                               ; preds = %68, %77
-  %30 = phi i64 [ 0, %68 ], [ %79, %77 ]
-  %31 = phi i64 [ %76, %68 ], [ %78, %77 ]
-  %32 = phi double [ %75, %68 ], [ %94, %77 ]
-  %33 = icmp sgt i64 %31, 0
-  br i1 %33, label %77, label %34
-
-34:                                               ; preds = %29
-  store double %32, ptr %74, align 8
-  br label %25
-
-35:                                               ; preds = %25
-  %36 = icmp ugt i64 %2, -9223372036854775808
-  %37 = select i1 %36, i64 0, i64 %2
-  br label %38
-
-38:                                               ; preds = %35, %48
-  %39 = phi i64 [ %2, %35 ], [ %41, %48 ]
-  %40 = phi i64 [ %37, %35 ], [ %96, %48 ]
-  %41 = add i64 %39, -1
-  %42 = icmp sgt i64 %40, 0
-  br i1 %42, label %95, label %58
-
-43:                                               ; preds = %95, %104
-  %44 = phi i64 [ %39, %95 ], [ %106, %104 ]
-  %45 = phi i64 [ %103, %95 ], [ %105, %104 ]
-  %46 = phi double [ %101, %95 ], [ %121, %104 ]
-  %47 = icmp sgt i64 %45, 0
-  br i1 %47, label %104, label %48
-
-48:                                               ; preds = %43
-  %49 = select i1 %97, i64 %2, i64 0
-  %50 = add i64 %41, %49
-  %51 = select i1 %97, i64 %3, i64 0
-  %52 = mul i64 %50, %3
-  %53 = getelementptr double, ptr %1, i64 %52
-  %54 = getelementptr double, ptr %53, i64 %41
-  %55 = getelementptr double, ptr %54, i64 %51
-  %56 = load double, ptr %55, align 8
-  %57 = fdiv double %46, %56
-  store double %57, ptr %100, align 8
-  br label %38
-
-58:                                               ; preds = %38
-  store ptr null, ptr %0, align 8
-  ret i32 0
-
-59:                                               ; preds = %10
-  %60 = add nsw i64 %12, -1
-  %61 = add i64 %11, 1
-  %62 = icmp slt i64 %11, 0
-  %63 = select i1 %62, i64 %5, i64 0
-  %64 = getelementptr i64, ptr %4, i64 %11
-  %65 = getelementptr i64, ptr %64, i64 %63
-  %66 = load i64, ptr %65, align 8
-  %67 = icmp eq i64 %66, %11
-  br i1 %67, label %24, label %14
-
-68:                                               ; preds = %25
-  %69 = add nsw i64 %27, -1
-  %70 = add i64 %26, 1
-  %71 = icmp slt i64 %26, 0
-  %72 = select i1 %71, i64 %7, i64 0
-  %73 = getelementptr double, ptr %6, i64 %26
-  %74 = getelementptr double, ptr %73, i64 %72
-  %75 = load double, ptr %74, align 8
-  %76 = call i64 @llvm.smax.i64(i64 %26, i64 0)
-  br label %29
-
-77:                                               ; preds = %29
-  %78 = add nsw i64 %31, -1
-  %79 = add i64 %30, 1
-  %80 = select i1 %71, i64 %2, i64 0
-  %81 = add i64 %26, %80
-  %82 = icmp slt i64 %30, 0
-  %83 = select i1 %82, i64 %3, i64 0
-  %84 = mul i64 %81, %3
-  %85 = getelementptr double, ptr %1, i64 %84
-  %86 = getelementptr double, ptr %85, i64 %30
-  %87 = getelementptr double, ptr %86, i64 %83
+78:                                               ; preds = %64
+  %79 = load ptr, ptr %65, align 8
+  %80 = getelementptr inbounds i8, ptr %79, i64 8
+  %81 = load i64, ptr %80, align 8
+  %82 = getelementptr inbounds i8, ptr %0, i64 624
+  %83 = load ptr, ptr %82, align 8
+  %84 = getelementptr inbounds i8, ptr %0, i64 632
+  %85 = load i64, ptr %84, align 8
+  %86 = getelementptr double, ptr %83, i64 %85
+  %87 = getelementptr i8, ptr %86, i64 -8
   %88 = load double, ptr %87, align 8
-  %89 = select i1 %82, i64 %7, i64 0
-  %90 = getelementptr double, ptr %6, i64 %30
-  %91 = getelementptr double, ptr %90, i64 %89
-  %92 = load double, ptr %91, align 8
-  %93 = fmul double %88, %92
-  %94 = fsub double %32, %93
-  br label %29
+  %89 = getelementptr inbounds i8, ptr %0, i64 648
+  %90 = load ptr, ptr %89, align 8
+  %91 = load i64, ptr %90, align 8
+  %92 = icmp eq i64 %91, 1
+  %93 = getelementptr inbounds i8, ptr %0, i64 720
+  %94 = load ptr, ptr %93, align 8
+  %95 = getelementptr inbounds i8, ptr %94, i64 8
+  %96 = load i64, ptr %95, align 8
+  %97 = icmp sgt i64 %96, 0
+  %98 = getelementptr inbounds i8, ptr %0, i64 528
+  %99 = load ptr, ptr %98, align 8
+  %100 = load double, ptr %99, align 8
+  %101 = icmp sgt i64 %81, 0
+  br i1 %101, label %117, label %102
 
-95:                                               ; preds = %38
-  %96 = add nsw i64 %40, -1
-  %97 = icmp slt i64 %41, 0
-  %98 = select i1 %97, i64 %7, i64 0
-  %99 = getelementptr double, ptr %6, i64 %41
-  %100 = getelementptr double, ptr %99, i64 %98
-  %101 = load double, ptr %100, align 8
-  %102 = sub i64 %2, %39
-  %103 = call i64 @llvm.smax.i64(i64 %102, i64 0)
-  br label %43
+102:                                              ; preds = %117, %78
+  %103 = phi double [ %100, %78 ], [ %123, %117 ]
+  %104 = tail call double @llvm.sqrt.f64(double %103)
+  %105 = fcmp olt double %104, 3.000000e-02
+  %106 = select i1 %105, double %104, double 3.000000e-02
+  %107 = fcmp olt double %103, 0x3CB0000000000000
+  %108 = select i1 %107, double 0x3CB0000000000000, double %103
+  %109 = fdiv double 0x3CE4000000000000, %108
+  %110 = fcmp ogt double %106, %109
+  %111 = select i1 %110, double %106, double %109
+  %112 = load double, ptr %69, align 8
+  %113 = getelementptr inbounds i8, ptr %69, i64 8
+  %114 = load double, ptr %113, align 8
+  %115 = load i64, ptr %73, align 8
+  %116 = icmp eq i64 %115, 0
+  br i1 %116, label %126, label %224
 
-104:                                              ; preds = %43
-  %105 = add nsw i64 %45, -1
-  %106 = add i64 %44, 1
-  %107 = select i1 %97, i64 %2, i64 0
-  %108 = add i64 %41, %107
-  %109 = icmp slt i64 %44, 0
-  %110 = select i1 %109, i64 %3, i64 0
-  %111 = mul i64 %108, %3
-  %112 = getelementptr double, ptr %1, i64 %111
-  %113 = getelementptr double, ptr %112, i64 %44
-  %114 = getelementptr double, ptr %113, i64 %110
-  %115 = load double, ptr %114, align 8
-  %116 = select i1 %109, i64 %7, i64 0
-  %117 = getelementptr double, ptr %6, i64 %44
-  %118 = getelementptr double, ptr %117, i64 %116
-  %119 = load double, ptr %118, align 8
-  %120 = fmul double %115, %119
-  %121 = fsub double %46, %120
-  br label %43
-}
+117:                                              ; preds = %78, %117
+  %118 = phi double [ %123, %117 ], [ %100, %78 ]
+  %119 = phi i64 [ %124, %117 ], [ 0, %78 ]
+  %120 = getelementptr inbounds double, ptr %99, i64 %119
+  %121 = load double, ptr %120, align 8
+  %122 = fcmp olt double %121, %118
+  %123 = select i1 %122, double %121, double %118
+  %124 = add nuw nsw i64 %119, 1
+  %125 = icmp eq i64 %124, %81
+  br i1 %125, label %102, label %117, !llvm.loop !8
 
-define internal fastcc void @pydy_nested(i64 %0, i64 %1, i64 %2, i64 %3, i64 %4, i64 %5, i64 %6) unnamed_addr #2 {
-  %8 = inttoptr i64 %5 to ptr
-  %9 = load <8 x double>, ptr %8, align 8
-  %10 = fsub <8 x double> splat (double 1.000000e+00), %9
-  %11 = inttoptr i64 %2 to ptr
-  %12 = lshr i64 %6, 2
-  %13 = and i64 %6, 2305843009213693948
-  %14 = add i64 %4, -2
-  %15 = mul i64 %3, %14
-  %16 = shl i64 %15, 3
-  %17 = getelementptr i8, ptr %11, i64 %16
-  %18 = getelementptr i8, ptr %17, i64 192
-  %19 = mul i64 %3, -8
-  br label %20
+126:                                              ; preds = %102
+  %127 = getelementptr inbounds i8, ptr %73, i64 24
+  %128 = load i64, ptr %127, align 8
+  %129 = add nsw i64 %128, 1
+  store i64 %129, ptr %127, align 8
+  %130 = load ptr, ptr %66, align 8
+  %131 = getelementptr inbounds i8, ptr %0, i64 480
+  %132 = load ptr, ptr %131, align 8
+  %133 = getelementptr inbounds i8, ptr %0, i64 168
+  %134 = load ptr, ptr %133, align 8
+  store double %112, ptr %134, align 8
+  %135 = getelementptr inbounds i8, ptr %0, i64 248
+  %136 = load i64, ptr %135, align 8
+  %137 = icmp sgt i64 %136, 0
+  br i1 %137, label %138, label %139
 
-20:                                               ; preds = %67, %7
-  %21 = phi ptr [ %90, %67 ], [ %18, %7 ]
-  %22 = phi i64 [ %89, %67 ], [ 0, %7 ]
-  %23 = icmp samesign ult i64 %22, %12
-  br i1 %23, label %24, label %37
-
-24:                                               ; preds = %20
-  %25 = shl i64 %22, 5
-  %26 = add i64 %4, -1
-  %27 = mul i64 %26, %3
-  %28 = getelementptr double, ptr %11, i64 %27
-  %29 = getelementptr double, ptr %28, i64 %25
-  %30 = load <8 x double>, ptr %29, align 8
-  %31 = getelementptr i8, ptr %29, i64 64
-  %32 = load <8 x double>, ptr %31, align 8
-  %33 = getelementptr i8, ptr %29, i64 128
-  %34 = load <8 x double>, ptr %33, align 8
-  %35 = getelementptr i8, ptr %29, i64 192
-  %36 = load <8 x double>, ptr %35, align 8
-  br label %41
-
-37:                                               ; preds = %20
-  %38 = and i64 %6, 3
-  %39 = shl i64 %12, 8
-  %40 = getelementptr i8, ptr %17, i64 %39
-  br label %91
-
-41:                                               ; preds = %50, %24
-  %42 = phi <8 x double> [ %30, %24 ], [ %55, %50 ]
-  %43 = phi <8 x double> [ %32, %24 ], [ %58, %50 ]
-  %44 = phi <8 x double> [ %34, %24 ], [ %61, %50 ]
-  %45 = phi <8 x double> [ %36, %24 ], [ %63, %50 ]
-  %46 = phi i64 [ %14, %24 ], [ %66, %50 ]
-  %47 = phi ptr [ %21, %24 ], [ %65, %50 ]
-  %48 = phi i64 [ 0, %24 ], [ %64, %50 ]
-  %49 = icmp slt i64 %48, %26
-  br i1 %49, label %50, label %67
-
-50:                                               ; preds = %41
-  %51 = trunc i64 %46 to i1
-  %52 = select i1 %51, <8 x double> %9, <8 x double> %10
-  %53 = getelementptr i8, ptr %47, i64 -192
-  %54 = load <8 x double>, ptr %53, align 8
-  %55 = call <8 x double> @llvm.fma.v8f64(<8 x double> %52, <8 x double> %42, <8 x double> %54)
-  %56 = getelementptr i8, ptr %47, i64 -128
-  %57 = load <8 x double>, ptr %56, align 8
-  %58 = call <8 x double> @llvm.fma.v8f64(<8 x double> %52, <8 x double> %43, <8 x double> %57)
-  %59 = getelementptr i8, ptr %47, i64 -64
-  %60 = load <8 x double>, ptr %59, align 8
-  %61 = call <8 x double> @llvm.fma.v8f64(<8 x double> %52, <8 x double> %44, <8 x double> %60)
-  %62 = load <8 x double>, ptr %47, align 8
-  %63 = call <8 x double> @llvm.fma.v8f64(<8 x double> %52, <8 x double> %45, <8 x double> %62)
-  %64 = add nuw nsw i64 %48, 1
-  %65 = getelementptr i8, ptr %47, i64 %19
-  %66 = add i64 %46, -1
-  br label %41
-
-67:                                               ; preds = %41
-  %68 = inttoptr i64 %1 to ptr
-  %69 = getelementptr double, ptr %68, i64 %25
-  %70 = load <8 x double>, ptr %69, align 8
-  %71 = call <8 x double> @llvm.fma.v8f64(<8 x double> %9, <8 x double> %42, <8 x double> %70)
-  %72 = inttoptr i64 %0 to ptr
-  %73 = getelementptr double, ptr %72, i64 %25
-  store <8 x double> %71, ptr %73, align 8
-  %74 = or disjoint i64 %25, 8
-  %75 = getelementptr double, ptr %68, i64 %74
-  %76 = load <8 x double>, ptr %75, align 8
-  %77 = call <8 x double> @llvm.fma.v8f64(<8 x double> %9, <8 x double> %43, <8 x double> %76)
-  %78 = getelementptr double, ptr %72, i64 %74
-  store <8 x double> %77, ptr %78, align 8
-  %79 = or disjoint i64 %25, 16
-  %80 = getelementptr double, ptr %68, i64 %79
-  %81 = load <8 x double>, ptr %80, align 8
-  %82 = call <8 x double> @llvm.fma.v8f64(<8 x double> %9, <8 x double> %44, <8 x double> %81)
-  %83 = getelementptr double, ptr %72, i64 %79
-  store <8 x double> %82, ptr %83, align 8
-  %84 = or disjoint i64 %25, 24
-  %85 = getelementptr double, ptr %68, i64 %84
-  %86 = load <8 x double>, ptr %85, align 8
-  %87 = call <8 x double> @llvm.fma.v8f64(<8 x double> %9, <8 x double> %45, <8 x double> %86)
-  %88 = getelementptr double, ptr %72, i64 %84
-  store <8 x double> %87, ptr %88, align 8
-  %89 = add nuw nsw i64 %22, 1
-  %90 = getelementptr i8, ptr %21, i64 256
-  br label %20
-
-91:                                               ; preds = %118, %37
-  %92 = phi ptr [ %126, %118 ], [ %40, %37 ]
-  %93 = phi i64 [ %125, %118 ], [ 0, %37 ]
-  %94 = icmp samesign ult i64 %93, %38
-  br i1 %94, label %95, label %103
-
-95:                                               ; preds = %91
-  %96 = add nuw i64 %13, %93
-  %97 = shl i64 %96, 3
-  %98 = add i64 %4, -1
-  %99 = mul i64 %98, %3
-  %100 = getelementptr double, ptr %11, i64 %99
-  %101 = getelementptr double, ptr %100, i64 %97
-  %102 = load <8 x double>, ptr %101, align 8
-  br label %104
-
-103:                                              ; preds = %91
-  ret void
-
-104:                                              ; preds = %110, %95
-  %105 = phi <8 x double> [ %102, %95 ], [ %114, %110 ]
-  %106 = phi i64 [ %14, %95 ], [ %117, %110 ]
-  %107 = phi ptr [ %92, %95 ], [ %116, %110 ]
-  %108 = phi i64 [ 0, %95 ], [ %115, %110 ]
-  %109 = icmp slt i64 %108, %98
-  br i1 %109, label %110, label %118
-
-110:                                              ; preds = %104
-  %111 = trunc i64 %106 to i1
-  %112 = select i1 %111, <8 x double> %9, <8 x double> %10
-  %113 = load <8 x double>, ptr %107, align 8
-  %114 = call <8 x double> @llvm.fma.v8f64(<8 x double> %112, <8 x double> %105, <8 x double> %113)
-  %115 = add nuw nsw i64 %108, 1
-  %116 = getelementptr i8, ptr %107, i64 %19
-  %117 = add i64 %106, -1
-  br label %104
-
-118:                                              ; preds = %104
-  %119 = inttoptr i64 %1 to ptr
-  %120 = getelementptr double, ptr %119, i64 %97
-  %121 = load <8 x double>, ptr %120, align 8
-  %122 = call <8 x double> @llvm.fma.v8f64(<8 x double> %9, <8 x double> %105, <8 x double> %121)
-  %123 = inttoptr i64 %0 to ptr
-  %124 = getelementptr double, ptr %123, i64 %97
-  store <8 x double> %122, ptr %124, align 8
-  %125 = add nuw nsw i64 %93, 1
-  %126 = getelementptr i8, ptr %92, i64 64
-  br label %91
-}
-
-declare <8 x double> @llvm.fma.v8f64(<8 x double>, <8 x double>, <8 x double>) #0
-
-define i64 @advance_implicit(i64 %0, i64 %1, i64 %2) local_unnamed_addr #3 {
-  %4 = alloca ptr, align 8
-  %5 = alloca ptr, align 8
-  %6 = alloca ptr, align 8
-  %7 = alloca double, align 8
-  %8 = alloca ptr, align 8
-  %9 = alloca double, align 8
-  %10 = alloca ptr, align 8
-  %11 = alloca ptr, align 8
-  %12 = alloca ptr, align 8
-  %13 = alloca ptr, align 8
-  %14 = alloca ptr, align 8
-  %15 = alloca ptr, align 8
-  %16 = alloca ptr, align 8
-  %17 = alloca ptr, align 8
-  %18 = alloca ptr, align 8
-  %19 = alloca ptr, align 8
-  %20 = alloca ptr, align 8
-  %21 = alloca double, align 8
-  %22 = alloca double, align 8
-  %23 = alloca i8, align 1
-  %24 = alloca i8, align 1
-  store i8 0, ptr %23, align 1, !noalias !12
-  store i8 0, ptr %24, align 1, !noalias !12
-  %25 = inttoptr i64 %0 to ptr
-  %26 = load i64, ptr %25, align 8, !noalias !16
-  %27 = inttoptr i64 %26 to ptr
-  %28 = getelementptr i8, ptr %25, i64 144
-  %29 = load i64, ptr %28, align 8, !noalias !16
-  %30 = inttoptr i64 %29 to ptr
-  %31 = getelementptr i8, ptr %25, i64 168
-  %32 = load i64, ptr %31, align 8, !noalias !16
-  %33 = inttoptr i64 %32 to ptr
-  %34 = getelementptr i8, ptr %25, i64 192
-  %35 = load i64, ptr %34, align 8, !noalias !16
-  %36 = getelementptr i8, ptr %25, i64 200
-  %37 = load i64, ptr %36, align 8, !noalias !16
-  %38 = inttoptr i64 %35 to ptr
-  %39 = getelementptr i8, ptr %25, i64 216
-  %40 = load i64, ptr %39, align 8, !noalias !16
-  %41 = inttoptr i64 %40 to ptr
-  %42 = getelementptr i8, ptr %25, i64 240
-  %43 = load i64, ptr %42, align 8, !noalias !16
-  %44 = getelementptr i8, ptr %25, i64 248
-  %45 = load i64, ptr %44, align 8, !noalias !16
-  %46 = getelementptr i8, ptr %25, i64 256
-  %47 = load i64, ptr %46, align 8, !noalias !16
-  %48 = inttoptr i64 %43 to ptr
-  %49 = getelementptr i8, ptr %25, i64 264
-  %50 = load i64, ptr %49, align 8, !noalias !16
-  %51 = getelementptr i8, ptr %25, i64 272
-  %52 = load i64, ptr %51, align 8, !noalias !16
-  %53 = inttoptr i64 %50 to ptr
-  %54 = getelementptr i8, ptr %25, i64 288
-  %55 = load i64, ptr %54, align 8, !noalias !16
-  %56 = getelementptr i8, ptr %25, i64 296
-  %57 = load i64, ptr %56, align 8, !noalias !16
-  %58 = getelementptr i8, ptr %25, i64 304
-  %59 = load i64, ptr %58, align 8, !noalias !16
-  %60 = inttoptr i64 %55 to ptr
-  %61 = getelementptr i8, ptr %25, i64 312
-  %62 = load i64, ptr %61, align 8, !noalias !16
-  %63 = getelementptr i8, ptr %25, i64 320
-  %64 = load i64, ptr %63, align 8, !noalias !16
-  %65 = inttoptr i64 %62 to ptr
-  %66 = getelementptr i8, ptr %25, i64 336
-  %67 = load i64, ptr %66, align 8, !noalias !16
-  %68 = getelementptr i8, ptr %25, i64 344
-  %69 = load i64, ptr %68, align 8, !noalias !16
-  %70 = inttoptr i64 %67 to ptr
-  %71 = getelementptr i8, ptr %25, i64 360
-  %72 = load i64, ptr %71, align 8, !noalias !16
-  %73 = getelementptr i8, ptr %25, i64 368
-  %74 = load i64, ptr %73, align 8, !noalias !16
-  %75 = inttoptr i64 %72 to ptr
-  %76 = getelementptr i8, ptr %25, i64 408
-  %77 = load i64, ptr %76, align 8, !noalias !16
-  %78 = getelementptr i8, ptr %25, i64 416
-  %79 = load i64, ptr %78, align 8, !noalias !16
-  %80 = inttoptr i64 %77 to ptr
-  %81 = getelementptr i8, ptr %25, i64 480
-  %82 = load i64, ptr %81, align 8, !noalias !16
-  %83 = getelementptr i8, ptr %25, i64 488
-  %84 = load i64, ptr %83, align 8, !noalias !16
-  %85 = inttoptr i64 %82 to ptr
-  %86 = getelementptr i8, ptr %25, i64 504
-  %87 = load i64, ptr %86, align 8, !noalias !16
-  %88 = getelementptr i8, ptr %25, i64 512
-  %89 = load i64, ptr %88, align 8, !noalias !16
-  %90 = inttoptr i64 %87 to ptr
-  %91 = getelementptr i8, ptr %25, i64 528
-  %92 = load i64, ptr %91, align 8, !noalias !16
-  %93 = getelementptr i8, ptr %25, i64 536
-  %94 = load i64, ptr %93, align 8, !noalias !16
-  %95 = inttoptr i64 %92 to ptr
-  %96 = getelementptr i8, ptr %25, i64 552
-  %97 = load i64, ptr %96, align 8, !noalias !16
-  %98 = getelementptr i8, ptr %25, i64 560
-  %99 = load i64, ptr %98, align 8, !noalias !16
-  %100 = inttoptr i64 %97 to ptr
-  %101 = getelementptr i8, ptr %25, i64 576
-  %102 = load i64, ptr %101, align 8, !noalias !16
-  %103 = getelementptr i8, ptr %25, i64 584
-  %104 = load i64, ptr %103, align 8, !noalias !16
-  %105 = inttoptr i64 %102 to ptr
-  %106 = getelementptr i8, ptr %25, i64 600
-  %107 = load i64, ptr %106, align 8, !noalias !16
-  %108 = getelementptr i8, ptr %25, i64 608
-  %109 = load i64, ptr %108, align 8, !noalias !16
-  %110 = inttoptr i64 %107 to ptr
-  %111 = getelementptr i8, ptr %25, i64 624
-  %112 = load i64, ptr %111, align 8, !noalias !16
-  %113 = getelementptr i8, ptr %25, i64 632
-  %114 = load i64, ptr %113, align 8, !noalias !16
-  %115 = inttoptr i64 %112 to ptr
-  %116 = getelementptr i8, ptr %30, i64 8
-  %117 = load i64, ptr %116, align 8, !noalias !16
-  %118 = mul nsw i64 %114, %117
-  %119 = inttoptr i64 %1 to ptr
-  %120 = icmp eq i64 %2, 1
-  br i1 %120, label %121, label %154
-
-121:                                              ; preds = %3
-  %122 = getelementptr i8, ptr %25, i64 984
-  %123 = load i64, ptr %122, align 8, !noalias !16
-  %124 = getelementptr i8, ptr %25, i64 992
-  %125 = load i64, ptr %124, align 8, !noalias !16
-  %126 = inttoptr i64 %123 to ptr
-  %127 = getelementptr i8, ptr %25, i64 1008
-  %128 = load i64, ptr %127, align 8, !noalias !16
-  %129 = getelementptr i8, ptr %25, i64 1016
-  %130 = load i64, ptr %129, align 8, !noalias !16
-  %131 = inttoptr i64 %128 to ptr
-  %132 = call i64 @llvm.smax.i64(i64 %117, i64 0)
-  br label %133
-
-133:                                              ; preds = %164, %121
-  %134 = phi i64 [ 0, %121 ], [ %166, %164 ]
-  %135 = phi i64 [ %132, %121 ], [ %165, %164 ]
-  %136 = icmp sgt i64 %135, 0
-  br i1 %136, label %164, label %137
-
-137:                                              ; preds = %133
-  %138 = call i64 @llvm.smax.i64(i64 %104, i64 0)
+138:                                              ; preds = %126
+  tail call fastcc void @sample(ptr noundef nonnull %65) #10
   br label %139
 
-139:                                              ; preds = %143, %137
-  %140 = phi i64 [ 0, %137 ], [ %145, %143 ]
-  %141 = phi i64 [ %138, %137 ], [ %144, %143 ]
-  %142 = icmp sgt i64 %141, 0
-  br i1 %142, label %143, label %175
+139:                                              ; preds = %126, %138
+  %140 = load ptr, ptr %65, align 8
+  %141 = load i64, ptr %140, align 8
+  %142 = load ptr, ptr %133, align 8
+  %143 = getelementptr inbounds i8, ptr %0, i64 192
+  %144 = load ptr, ptr %143, align 8
+  %145 = getelementptr inbounds i8, ptr %0, i64 216
+  %146 = load ptr, ptr %145, align 8
+  %147 = inttoptr i64 %141 to ptr
+  %148 = tail call i32 %147(ptr noundef %142, ptr noundef %130, ptr noundef %144, ptr noundef %146, ptr noundef %132) #11
+  %149 = icmp eq i32 %148, 0
+  br i1 %149, label %154, label %150
 
-143:                                              ; preds = %139
-  %144 = add nsw i64 %141, -1
-  %145 = add i64 %140, 1
-  %146 = icmp slt i64 %140, 0
-  %147 = select i1 %146, i64 %125, i64 0
-  %148 = getelementptr double, ptr %126, i64 %140
-  %149 = getelementptr double, ptr %148, i64 %147
-  %150 = load double, ptr %149, align 8, !noalias !19
-  %151 = select i1 %146, i64 %104, i64 0
-  %152 = getelementptr double, ptr %105, i64 %140
-  %153 = getelementptr double, ptr %152, i64 %151
-  store double %150, ptr %153, align 8, !noalias !19
-  br label %139
+150:                                              ; preds = %139
+  %151 = getelementptr inbounds i8, ptr %73, i64 72
+  store i64 3, ptr %151, align 8
+  %152 = icmp slt i32 %148, 0
+  %153 = select i1 %152, i64 -4, i64 2
+  br label %1765
 
-154:                                              ; preds = %177, %3
-  %155 = getelementptr i8, ptr %25, i64 648
-  %156 = load i64, ptr %155, align 8, !noalias !16
-  %157 = inttoptr i64 %156 to ptr
-  %158 = getelementptr i8, ptr %25, i64 720
-  %159 = load i64, ptr %158, align 8, !noalias !16
-  %160 = inttoptr i64 %159 to ptr
-  %161 = getelementptr i8, ptr %110, i64 56
-  %162 = load i64, ptr %161, align 8, !noalias !22
-  %163 = icmp eq i64 %162, 0
-  br i1 %163, label %192, label %193
+154:                                              ; preds = %139
+  store i64 1, ptr %73, align 8
+  %155 = getelementptr inbounds i8, ptr %69, i64 24
+  store double 0.000000e+00, ptr %155, align 8
+  %156 = getelementptr inbounds i8, ptr %74, i64 32
+  store i64 1, ptr %156, align 8
+  %157 = getelementptr inbounds i8, ptr %74, i64 8
+  store i64 1, ptr %157, align 8
+  %158 = getelementptr inbounds i8, ptr %71, i64 8
+  store double 0.000000e+00, ptr %158, align 8
+  %159 = load ptr, ptr %66, align 8
+  %160 = load ptr, ptr %65, align 8
+  %161 = getelementptr inbounds i8, ptr %160, i64 8
+  %162 = load i64, ptr %161, align 8
+  %163 = load i64, ptr %84, align 8
+  %164 = load ptr, ptr %82, align 8
+  %165 = load ptr, ptr %72, align 8
+  %166 = getelementptr inbounds i8, ptr %165, i64 48
+  %167 = load i64, ptr %166, align 8
+  %168 = icmp slt i64 %167, %163
+  br i1 %168, label %169, label %192
 
-164:                                              ; preds = %133
-  %165 = add nsw i64 %135, -1
-  %166 = add i64 %134, 1
-  %167 = icmp slt i64 %134, 0
-  %168 = select i1 %167, i64 %118, i64 0
-  %169 = getelementptr double, ptr %119, i64 %134
-  %170 = getelementptr double, ptr %169, i64 %168
-  %171 = load double, ptr %170, align 8, !noalias !16
-  %172 = select i1 %167, i64 %64, i64 0
-  %173 = getelementptr double, ptr %65, i64 %134
-  %174 = getelementptr double, ptr %173, i64 %172
-  store double %171, ptr %174, align 8, !noalias !16
-  br label %133
+169:                                              ; preds = %154
+  %170 = icmp sgt i64 %162, 0
+  br label %171
 
-175:                                              ; preds = %139
-  %176 = call i64 @llvm.smax.i64(i64 %109, i64 0)
-  br label %177
+171:                                              ; preds = %169, %182
+  %172 = phi i64 [ %167, %169 ], [ %183, %182 ]
+  %173 = getelementptr inbounds double, ptr %164, i64 %172
+  %174 = load double, ptr %173, align 8
+  %175 = load ptr, ptr %68, align 8
+  %176 = load double, ptr %175, align 8
+  %177 = fcmp ugt double %174, %176
+  br i1 %177, label %192, label %178
 
-177:                                              ; preds = %181, %175
-  %178 = phi i64 [ 0, %175 ], [ %183, %181 ]
-  %179 = phi i64 [ %176, %175 ], [ %182, %181 ]
-  %180 = icmp sgt i64 %179, 0
-  br i1 %180, label %181, label %154
+178:                                              ; preds = %171
+  br i1 %170, label %179, label %182
 
-181:                                              ; preds = %177
-  %182 = add nsw i64 %179, -1
-  %183 = add i64 %178, 1
-  %184 = icmp slt i64 %178, 0
-  %185 = select i1 %184, i64 %130, i64 0
-  %186 = getelementptr i64, ptr %131, i64 %178
-  %187 = getelementptr i64, ptr %186, i64 %185
-  %188 = load i64, ptr %187, align 8, !noalias !23
-  %189 = select i1 %184, i64 %109, i64 0
-  %190 = getelementptr i64, ptr %110, i64 %178
-  %191 = getelementptr i64, ptr %190, i64 %189
-  store i64 %188, ptr %191, align 8, !noalias !23
-  br label %177
+179:                                              ; preds = %178
+  %180 = mul nsw i64 %172, %162
+  %181 = getelementptr double, ptr %1, i64 %180
+  br label %185
 
-192:                                              ; preds = %154
-  br label %2773
+182:                                              ; preds = %185, %178
+  %183 = add i64 %172, 1
+  %184 = icmp eq i64 %183, %163
+  br i1 %184, label %192, label %171, !llvm.loop !9
 
-193:                                              ; preds = %154
-  %194 = getelementptr i8, ptr %25, i64 1080
-  %195 = load i64, ptr %194, align 8, !noalias !22
-  %196 = inttoptr i64 %195 to ptr
-  %197 = getelementptr i8, ptr %25, i64 1104
-  %198 = load i64, ptr %197, align 8, !noalias !22
-  %199 = inttoptr i64 %198 to ptr
-  %200 = getelementptr i8, ptr %25, i64 1128
-  %201 = load i64, ptr %200, align 8, !noalias !22
-  %202 = inttoptr i64 %201 to ptr
-  %203 = getelementptr i8, ptr %25, i64 1152
-  %204 = load i64, ptr %203, align 8, !noalias !22
-  %205 = getelementptr i8, ptr %25, i64 1160
-  %206 = load i64, ptr %205, align 8, !noalias !22
-  %207 = inttoptr i64 %204 to ptr
-  %208 = getelementptr i8, ptr %25, i64 1176
-  %209 = load i64, ptr %208, align 8, !noalias !22
-  %210 = getelementptr i8, ptr %25, i64 1184
-  %211 = load i64, ptr %210, align 8, !noalias !22
-  %212 = getelementptr i8, ptr %25, i64 1192
-  %213 = load i64, ptr %212, align 8, !noalias !22
-  %214 = inttoptr i64 %209 to ptr
-  %215 = getelementptr i8, ptr %25, i64 1200
-  %216 = load i64, ptr %215, align 8, !noalias !22
-  %217 = getelementptr i8, ptr %25, i64 1208
-  %218 = load i64, ptr %217, align 8, !noalias !22
-  %219 = getelementptr i8, ptr %25, i64 1216
-  %220 = load i64, ptr %219, align 8, !noalias !22
-  %221 = inttoptr i64 %216 to ptr
-  %222 = getelementptr i8, ptr %25, i64 1224
-  %223 = load i64, ptr %222, align 8, !noalias !22
-  %224 = getelementptr i8, ptr %25, i64 1232
-  %225 = load i64, ptr %224, align 8, !noalias !22
-  %226 = inttoptr i64 %223 to ptr
-  %227 = getelementptr i8, ptr %25, i64 1248
-  %228 = load i64, ptr %227, align 8, !noalias !22
-  %229 = getelementptr i8, ptr %25, i64 1256
-  %230 = load i64, ptr %229, align 8, !noalias !22
-  %231 = inttoptr i64 %228 to ptr
-  %232 = getelementptr i8, ptr %25, i64 1272
-  %233 = load i64, ptr %232, align 8, !noalias !22
-  %234 = getelementptr i8, ptr %25, i64 1280
-  %235 = load i64, ptr %234, align 8, !noalias !22
-  %236 = getelementptr i8, ptr %25, i64 1288
-  %237 = load i64, ptr %236, align 8, !noalias !22
-  %238 = inttoptr i64 %233 to ptr
-  %239 = getelementptr i8, ptr %25, i64 1296
-  %240 = load i64, ptr %239, align 8, !noalias !22
-  %241 = getelementptr i8, ptr %25, i64 1304
-  %242 = load i64, ptr %241, align 8, !noalias !22
-  %243 = getelementptr i8, ptr %25, i64 1312
-  %244 = load i64, ptr %243, align 8, !noalias !22
-  %245 = inttoptr i64 %240 to ptr
-  %246 = getelementptr i8, ptr %25, i64 1320
-  %247 = load i64, ptr %246, align 8, !noalias !22
-  %248 = getelementptr i8, ptr %25, i64 1336
-  %249 = load i64, ptr %248, align 8, !noalias !22
-  %250 = inttoptr i64 %247 to ptr
-  %251 = getelementptr i8, ptr %25, i64 1344
-  %252 = load i64, ptr %251, align 8, !noalias !22
-  %253 = getelementptr i8, ptr %25, i64 1352
-  %254 = load i64, ptr %253, align 8, !noalias !22
-  %255 = getelementptr i8, ptr %25, i64 1360
-  %256 = load i64, ptr %255, align 8, !noalias !22
-  %257 = inttoptr i64 %252 to ptr
-  %258 = getelementptr i8, ptr %25, i64 1368
-  %259 = load i64, ptr %258, align 8, !noalias !22
-  %260 = getelementptr i8, ptr %25, i64 1376
-  %261 = load i64, ptr %260, align 8, !noalias !22
-  %262 = inttoptr i64 %259 to ptr
-  %263 = getelementptr i8, ptr %25, i64 1392
-  %264 = load i64, ptr %263, align 8, !noalias !22
-  %265 = getelementptr i8, ptr %25, i64 1400
-  %266 = load i64, ptr %265, align 8, !noalias !22
-  %267 = inttoptr i64 %264 to ptr
-  %268 = getelementptr i8, ptr %25, i64 1416
-  %269 = load i64, ptr %268, align 8, !noalias !22
-  %270 = getelementptr i8, ptr %25, i64 1424
-  %271 = load i64, ptr %270, align 8, !noalias !22
-  %272 = inttoptr i64 %269 to ptr
-  %273 = getelementptr i8, ptr %25, i64 1032
-  %274 = load i64, ptr %273, align 8, !noalias !22
-  %275 = inttoptr i64 %274 to ptr
-  %276 = getelementptr i8, ptr %25, i64 1056
-  %277 = load i64, ptr %276, align 8, !noalias !22
-  %278 = getelementptr i8, ptr %25, i64 1064
-  %279 = load i64, ptr %278, align 8, !noalias !22
-  %280 = getelementptr i8, ptr %25, i64 1072
-  %281 = load i64, ptr %280, align 8, !noalias !22
-  %282 = inttoptr i64 %277 to ptr
-  %283 = load i64, ptr %116, align 8, !noalias !22
-  %284 = load i64, ptr %157, align 8, !noalias !22
-  %285 = icmp eq i64 %284, 1
-  %286 = call i64 @llvm.smin.i64(i64 %114, i64 0)
-  %287 = getelementptr double, ptr %115, i64 %114
-  %288 = getelementptr i8, ptr %287, i64 -8
-  %289 = getelementptr double, ptr %288, i64 %286
-  %290 = load double, ptr %289, align 8, !noalias !22
-  %291 = load double, ptr %95, align 8, !noalias !22
-  %292 = call i64 @llvm.smax.i64(i64 %283, i64 0)
-  br label %293
+185:                                              ; preds = %179, %185
+  %186 = phi i64 [ 0, %179 ], [ %190, %185 ]
+  %187 = getelementptr inbounds double, ptr %159, i64 %186
+  %188 = load double, ptr %187, align 8
+  %189 = getelementptr double, ptr %181, i64 %186
+  store double %188, ptr %189, align 8
+  %190 = add nuw nsw i64 %186, 1
+  %191 = icmp eq i64 %190, %162
+  br i1 %191, label %182, label %185, !llvm.loop !10
 
-293:                                              ; preds = %2452, %193
-  %294 = phi i64 [ 0, %193 ], [ %2460, %2452 ]
-  %295 = phi i64 [ %292, %193 ], [ %2461, %2452 ]
-  %296 = phi double [ %291, %193 ], [ %2459, %2452 ]
-  %297 = icmp sgt i64 %295, 0
-  br i1 %297, label %2452, label %298
+192:                                              ; preds = %171, %182, %154
+  %193 = phi i64 [ %167, %154 ], [ %172, %171 ], [ %163, %182 ]
+  %194 = load ptr, ptr %72, align 8
+  %195 = getelementptr inbounds i8, ptr %194, i64 48
+  store i64 %193, ptr %195, align 8
+  %196 = icmp eq i64 %193, %163
+  br i1 %196, label %1765, label %197
 
-298:                                              ; preds = %293
-  %299 = fcmp olt double %296, 0x3CB0000000000000
-  %300 = select i1 %299, double 0x3CB0000000000000, double %296
-  %301 = call double @sqrt(double %296), !noalias !22
-  %302 = fcmp olt double %301, 3.000000e-02
-  %303 = select i1 %302, double %301, double 3.000000e-02
-  %304 = fdiv double 0x3CE4000000000000, %300
-  %305 = fcmp ogt double %303, %304
-  %306 = select i1 %305, double %303, double %304
-  %307 = load double, ptr %105, align 8, !noalias !22
-  %308 = getelementptr i8, ptr %105, i64 8
-  %309 = load double, ptr %308, align 8, !noalias !22
-  %310 = load i64, ptr %110, align 8, !noalias !22
-  %311 = icmp eq i64 %310, 0
-  br i1 %311, label %312, label %369
+197:                                              ; preds = %192
+  %198 = fcmp oeq double %114, 0.000000e+00
+  br i1 %198, label %199, label %224
 
-312:                                              ; preds = %298
-  %313 = getelementptr i8, ptr %110, i64 24
-  %314 = load i64, ptr %313, align 8, !noalias !22
-  %315 = add nsw i64 %314, 1
-  store i64 %315, ptr %313, align 8, !noalias !22
-  store ptr null, ptr %19, align 8, !noalias !26
-  store ptr null, ptr %20, align 8, !noalias !26
-  store double %307, ptr %33, align 8, !noalias !26
-  %316 = icmp sgt i64 %45, 0
-  br i1 %316, label %317, label %320
+199:                                              ; preds = %197
+  %200 = getelementptr inbounds i8, ptr %69, i64 16
+  %201 = load double, ptr %200, align 8
+  %202 = load ptr, ptr %66, align 8
+  call fastcc void @norm_to(ptr noundef nonnull %4, ptr noundef %202, ptr noundef %202, ptr noundef nonnull %66, i64 noundef %81) #10
+  %203 = load double, ptr %4, align 8
+  %204 = getelementptr inbounds i8, ptr %0, i64 480
+  %205 = load ptr, ptr %204, align 8
+  call fastcc void @norm_to(ptr noundef nonnull %5, ptr noundef %205, ptr noundef %202, ptr noundef nonnull %66, i64 noundef %81) #10
+  %206 = load double, ptr %5, align 8
+  %207 = fcmp uge double %203, 1.000000e-05
+  %208 = fcmp uge double %206, 1.000000e-05
+  %209 = and i1 %207, %208
+  %210 = fmul double %203, 1.000000e-02
+  %211 = fdiv double %210, %206
+  %212 = select i1 %209, double %211, double 0x3EB0C6F7A0B5ED8D
+  %213 = fcmp olt double %201, %212
+  %214 = select i1 %213, double %201, double %212
+  %215 = tail call double @llvm.fabs.f64(double %112)
+  %216 = fmul double %215, 0x3D30000000000000
+  %217 = fcmp ogt double %216, %214
+  %218 = select i1 %217, double %216, double %214
+  %219 = fcmp olt double %201, %218
+  %220 = select i1 %219, double %201, double %218
+  %221 = tail call i1 @llvm.is.fpclass.f64(double %220, i32 639)
+  br i1 %221, label %222, label %224
 
-317:                                              ; preds = %312
-  store ptr null, ptr %19, align 8, !noalias !26
-  %318 = call fastcc i32 @_sample(ptr nonnull %19, ptr %38, i64 %37, ptr %48, i64 %45, i64 %47, ptr %53, i64 %52, ptr %60, i64 %57, i64 %59, double %307) #3
-  switch i32 %318, label %319 [
-    i32 -2, label %320
-    i32 0, label %320
-  ], !prof !33
+222:                                              ; preds = %199
+  %223 = getelementptr inbounds i8, ptr %73, i64 72
+  store i64 4, ptr %223, align 8
+  br label %224
 
-319:                                              ; preds = %317
-  br label %320
+224:                                              ; preds = %199, %222, %197, %102
+  %225 = phi double [ %114, %197 ], [ %114, %102 ], [ %220, %222 ], [ %220, %199 ]
+  %226 = load i64, ptr %75, align 8
+  %227 = icmp eq i64 %226, 0
+  br i1 %227, label %346, label %228
 
-320:                                              ; preds = %317, %317, %312, %319
-  %321 = phi i32 [ %318, %319 ], [ 0, %312 ], [ 0, %317 ], [ 0, %317 ]
-  switch i32 %321, label %326 [
-    i32 -2, label %322
-    i32 0, label %322
-  ], !prof !33
+228:                                              ; preds = %224
+  %229 = getelementptr inbounds i8, ptr %0, i64 1032
+  %230 = getelementptr inbounds i8, ptr %73, i64 8
+  %231 = getelementptr inbounds i8, ptr %73, i64 16
+  %232 = getelementptr inbounds i8, ptr %73, i64 64
+  %233 = getelementptr inbounds i8, ptr %69, i64 16
+  %234 = getelementptr inbounds i8, ptr %74, i64 8
+  %235 = getelementptr inbounds i8, ptr %0, i64 1152
+  %236 = getelementptr inbounds i8, ptr %0, i64 168
+  %237 = getelementptr inbounds i8, ptr %0, i64 248
+  %238 = getelementptr inbounds i8, ptr %0, i64 168
+  %239 = getelementptr inbounds i8, ptr %0, i64 192
+  %240 = getelementptr inbounds i8, ptr %0, i64 1128
+  %241 = getelementptr inbounds i8, ptr %0, i64 360
+  %242 = getelementptr inbounds i8, ptr %0, i64 360
+  %243 = getelementptr inbounds i8, ptr %0, i64 336
+  %244 = getelementptr inbounds i8, ptr %0, i64 168
+  %245 = getelementptr inbounds i8, ptr %0, i64 248
+  %246 = getelementptr inbounds i8, ptr %0, i64 192
+  %247 = getelementptr inbounds i8, ptr %0, i64 216
+  %248 = getelementptr inbounds i8, ptr %0, i64 480
+  %249 = getelementptr inbounds i8, ptr %0, i64 1160
+  %250 = getelementptr inbounds i8, ptr %74, i64 16
+  %251 = getelementptr inbounds i8, ptr %74, i64 24
+  %252 = getelementptr inbounds i8, ptr %74, i64 24
+  %253 = getelementptr inbounds i8, ptr %73, i64 40
+  %254 = getelementptr inbounds i8, ptr %0, i64 1224
+  %255 = getelementptr inbounds i8, ptr %0, i64 1232
+  %256 = getelementptr inbounds i8, ptr %0, i64 1176
+  %257 = getelementptr inbounds i8, ptr %0, i64 1200
+  %258 = getelementptr inbounds i8, ptr %0, i64 1152
+  %259 = getelementptr inbounds i8, ptr %0, i64 1248
+  %260 = getelementptr inbounds i8, ptr %71, i64 8
+  %261 = getelementptr inbounds i8, ptr %0, i64 1344
+  %262 = getelementptr inbounds i8, ptr %0, i64 1272
+  %263 = getelementptr inbounds i8, ptr %0, i64 1296
+  %264 = fmul double %103, %111
+  %265 = getelementptr inbounds i8, ptr %0, i64 1320
+  %266 = getelementptr inbounds i8, ptr %0, i64 1368
+  %267 = getelementptr inbounds i8, ptr %0, i64 1392
+  %268 = getelementptr inbounds i8, ptr %0, i64 360
+  %269 = getelementptr inbounds i8, ptr %0, i64 168
+  %270 = getelementptr inbounds i8, ptr %0, i64 248
+  %271 = getelementptr inbounds i8, ptr %0, i64 360
+  %272 = getelementptr inbounds i8, ptr %0, i64 192
+  %273 = getelementptr inbounds i8, ptr %0, i64 216
+  %274 = getelementptr inbounds i8, ptr %0, i64 552
+  %275 = getelementptr inbounds i8, ptr %0, i64 528
+  %276 = getelementptr inbounds i8, ptr %0, i64 1224
+  %277 = getelementptr inbounds i8, ptr %0, i64 1232
+  %278 = getelementptr inbounds i8, ptr %0, i64 1176
+  %279 = getelementptr inbounds i8, ptr %0, i64 1200
+  %280 = getelementptr inbounds i8, ptr %0, i64 1248
+  %281 = getelementptr inbounds i8, ptr %0, i64 552
+  %282 = getelementptr inbounds i8, ptr %0, i64 528
+  %283 = getelementptr inbounds i8, ptr %0, i64 1232
+  %284 = getelementptr inbounds i8, ptr %0, i64 1296
+  %285 = getelementptr inbounds i8, ptr %0, i64 1312
+  %286 = getelementptr inbounds i8, ptr %0, i64 1368
+  %287 = getelementptr inbounds i8, ptr %0, i64 1392
+  %288 = fmul double %264, %264
+  %289 = icmp sgt i64 %81, 0
+  %290 = shl i64 %81, 4
+  %291 = getelementptr inbounds i8, ptr %0, i64 336
+  %292 = getelementptr inbounds i8, ptr %74, i64 32
+  %293 = getelementptr inbounds i8, ptr %0, i64 1224
+  %294 = getelementptr inbounds i8, ptr %0, i64 1232
+  %295 = getelementptr inbounds i8, ptr %0, i64 1416
+  %296 = getelementptr inbounds i8, ptr %0, i64 480
+  %297 = getelementptr inbounds i8, ptr %0, i64 1176
+  %298 = getelementptr inbounds i8, ptr %0, i64 336
+  %299 = getelementptr inbounds i8, ptr %0, i64 360
+  %300 = getelementptr inbounds i8, ptr %0, i64 360
+  %301 = getelementptr inbounds i8, ptr %0, i64 168
+  %302 = getelementptr inbounds i8, ptr %0, i64 248
+  %303 = getelementptr inbounds i8, ptr %0, i64 192
+  %304 = getelementptr inbounds i8, ptr %0, i64 216
+  %305 = getelementptr inbounds i8, ptr %73, i64 72
+  %306 = getelementptr inbounds i8, ptr %74, i64 16
+  %307 = getelementptr inbounds i8, ptr %73, i64 72
+  %308 = getelementptr inbounds i8, ptr %74, i64 16
+  %309 = getelementptr inbounds i8, ptr %69, i64 24
+  %310 = getelementptr inbounds i8, ptr %69, i64 32
+  %311 = getelementptr inbounds i8, ptr %69, i64 32
+  %312 = getelementptr inbounds i8, ptr %0, i64 320
+  %313 = getelementptr inbounds i8, ptr %0, i64 504
+  %314 = getelementptr inbounds i8, ptr %8, i64 8
+  %315 = getelementptr inbounds i8, ptr %8, i64 16
+  %316 = getelementptr inbounds i8, ptr %9, i64 8
+  %317 = getelementptr inbounds i8, ptr %9, i64 16
+  %318 = getelementptr inbounds i8, ptr %0, i64 1056
+  %319 = getelementptr inbounds i8, ptr %0, i64 1072
+  %320 = getelementptr inbounds i8, ptr %73, i64 48
+  %321 = getelementptr inbounds i8, ptr %0, i64 408
+  %322 = getelementptr inbounds i8, ptr %0, i64 504
+  %323 = getelementptr inbounds i8, ptr %0, i64 320
+  %324 = getelementptr inbounds i8, ptr %0, i64 360
+  %325 = getelementptr inbounds i8, ptr %0, i64 408
+  %326 = getelementptr inbounds i8, ptr %0, i64 504
+  %327 = getelementptr inbounds i8, ptr %0, i64 320
+  %328 = getelementptr inbounds i8, ptr %73, i64 72
+  %329 = getelementptr inbounds i8, ptr %74, i64 16
+  %330 = icmp sgt i64 %81, 0
+  %331 = getelementptr inbounds i8, ptr %73, i64 24
+  %332 = getelementptr inbounds i8, ptr %0, i64 480
+  %333 = getelementptr inbounds i8, ptr %0, i64 168
+  %334 = getelementptr inbounds i8, ptr %0, i64 248
+  %335 = getelementptr inbounds i8, ptr %0, i64 192
+  %336 = getelementptr inbounds i8, ptr %0, i64 216
+  %337 = getelementptr inbounds i8, ptr %73, i64 72
+  %338 = getelementptr inbounds i8, ptr %74, i64 16
+  %339 = getelementptr inbounds i8, ptr %73, i64 48
+  %340 = getelementptr inbounds i8, ptr %73, i64 72
+  %341 = getelementptr inbounds i8, ptr %74, i64 16
+  %342 = getelementptr inbounds i8, ptr %0, i64 1152
+  %343 = getelementptr inbounds i8, ptr %0, i64 1160
+  %344 = getelementptr inbounds i8, ptr %73, i64 72
+  %345 = getelementptr inbounds i8, ptr %74, i64 16
+  br label %348
 
-322:                                              ; preds = %320, %320
-  %323 = load i64, ptr %30, align 8, !noalias !34
-  %324 = inttoptr i64 %323 to ptr
-  %325 = call i32 %324(ptr nonnull %33, ptr %65, ptr %38, ptr %41, ptr %85) #3, !noalias !34
-  br label %326
+346:                                              ; preds = %1762, %224
+  %347 = phi double [ %225, %224 ], [ %1758, %1762 ]
+  store double %347, ptr %113, align 8
+  br label %1765
 
-326:                                              ; preds = %320, %322
-  %327 = phi i32 [ %325, %322 ], [ 0, %320 ]
-  %328 = phi i32 [ 0, %322 ], [ %321, %320 ]
-  switch i32 %328, label %2464 [
-    i32 -2, label %2462
-    i32 0, label %2462
-  ], !prof !33
+348:                                              ; preds = %228, %1762
+  %349 = phi i64 [ %226, %228 ], [ %1763, %1762 ]
+  %350 = phi i64 [ undef, %228 ], [ %1761, %1762 ]
+  %351 = phi double [ %112, %228 ], [ %1759, %1762 ]
+  %352 = phi double [ %225, %228 ], [ %1758, %1762 ]
+  %353 = phi i64 [ undef, %228 ], [ %1757, %1762 ]
+  %354 = phi i64 [ undef, %228 ], [ %1756, %1762 ]
+  %355 = phi i32 [ undef, %228 ], [ %1755, %1762 ]
+  %356 = phi double [ undef, %228 ], [ %1754, %1762 ]
+  %357 = load ptr, ptr %229, align 8
+  %358 = getelementptr inbounds i8, ptr %357, i64 8
+  %359 = load i64, ptr %358, align 8
+  %360 = icmp sgt i64 %359, 0
+  br i1 %360, label %361, label %366
 
-329:                                              ; preds = %2462
-  %330 = getelementptr i8, ptr %110, i64 72
-  store i64 3, ptr %330, align 8, !noalias !22
-  %331 = icmp slt i32 %327, 0
-  %332 = select i1 %331, i64 -4, i64 2
-  br label %2773
+361:                                              ; preds = %348
+  %362 = load i64, ptr %357, align 8
+  %363 = add nsw i64 %362, 3
+  %364 = icmp slt i64 %359, %363
+  %365 = zext i1 %364 to i32
+  br label %366
 
-333:                                              ; preds = %2462
-  store i64 1, ptr %110, align 8, !noalias !22
-  %334 = getelementptr i8, ptr %105, i64 24
-  store double 0.000000e+00, ptr %334, align 8, !noalias !22
-  %335 = getelementptr i8, ptr %196, i64 8
-  store i64 1, ptr %335, align 8, !noalias !22
-  %336 = getelementptr i8, ptr %196, i64 32
-  store i64 1, ptr %336, align 8, !noalias !22
-  %337 = getelementptr i8, ptr %199, i64 8
-  store double 0.000000e+00, ptr %337, align 8, !noalias !22
-  store i8 0, ptr %23, align 1, !noalias !12
-  %338 = call fastcc i32 @write_reached(ptr nonnull %23, ptr %30, ptr %65, i64 %64, ptr nonnull %105, ptr nonnull %110, i64 %114, ptr %115, i64 %114, ptr %119, i64 %118) #3
-  switch i32 %338, label %2468 [
-    i32 -2, label %2465
-    i32 0, label %2465
-  ], !prof !33
+366:                                              ; preds = %348, %361
+  %367 = phi i32 [ 0, %348 ], [ %365, %361 ]
+  %368 = icmp eq i32 %367, 0
+  br i1 %368, label %370, label %369
 
-339:                                              ; preds = %2465
-  br label %2773
+369:                                              ; preds = %366
+  store double %352, ptr %113, align 8
+  br label %1765
 
-340:                                              ; preds = %2465
-  %341 = fcmp oeq double %309, 0.000000e+00
-  br i1 %341, label %342, label %369
+370:                                              ; preds = %366
+  %371 = add nsw i64 %349, -1
+  store i64 %371, ptr %75, align 8
+  %372 = load i64, ptr %230, align 8
+  %373 = load i64, ptr %231, align 8
+  %374 = add nsw i64 %373, %372
+  %375 = load i64, ptr %232, align 8
+  %376 = icmp slt i64 %374, %375
+  br i1 %376, label %378, label %377
 
-342:                                              ; preds = %340
-  %343 = getelementptr i8, ptr %105, i64 16
-  %344 = load double, ptr %343, align 8, !noalias !22
-  store double 0.000000e+00, ptr %21, align 8, !noalias !35
-  store double 0.000000e+00, ptr %22, align 8, !noalias !35
-  store double 0.000000e+00, ptr %21, align 8, !noalias !35
-  %345 = call fastcc i32 @norm(ptr nonnull %21, ptr %65, ptr %65, ptr %65, ptr nonnull %95, i64 %94, ptr %100, i64 %99, i64 %283) #3
-  %346 = load double, ptr %21, align 8, !noalias !35
-  switch i32 %345, label %2469 [
-    i32 -2, label %347
-    i32 0, label %347
-  ], !prof !33
+377:                                              ; preds = %370
+  store double %352, ptr %113, align 8
+  br label %1765
 
-347:                                              ; preds = %342, %342
-  store double 0.000000e+00, ptr %22, align 8, !noalias !35
-  %348 = call fastcc i32 @norm(ptr nonnull %22, ptr %85, ptr %65, ptr %65, ptr nonnull %95, i64 %94, ptr %100, i64 %99, i64 %283) #3
-  switch i32 %348, label %2469 [
-    i32 -2, label %349
-    i32 0, label %349
-  ], !prof !33
+378:                                              ; preds = %370
+  %379 = load double, ptr %233, align 8
+  %380 = fcmp olt double %352, %379
+  %381 = select i1 %380, double %352, double %379
+  %382 = fadd double %351, %381
+  %383 = fmul double %381, 1.000000e-03
+  %384 = fsub double %88, %383
+  %385 = fcmp ule double %382, %384
+  %386 = fsub double %88, %351
+  %387 = select i1 %385, double %381, double %386
+  %388 = select i1 %385, double %382, double %88
+  %389 = fmul double %387, 6.250000e-02
+  %390 = fadd double %351, %389
+  %391 = fcmp ule double %390, %351
+  %392 = fcmp une double %388, %88
+  %393 = and i1 %392, %391
+  br i1 %393, label %394, label %395
 
-349:                                              ; preds = %347, %347
-  %350 = load double, ptr %22, align 8, !noalias !35
-  %351 = fcmp olt double %346, 1.000000e-05
-  %352 = fcmp olt double %350, 1.000000e-05
-  %353 = or i1 %351, %352
-  %354 = fmul double %346, 1.000000e-02
-  %355 = fdiv double %354, %350
-  %356 = select i1 %353, double 0x3EB0C6F7A0B5ED8D, double %355
-  %357 = fcmp olt double %344, %356
-  %358 = select i1 %357, double %344, double %356
-  %359 = load double, ptr %343, align 8, !noalias !22
-  %360 = call double @llvm.fabs.f64(double %307)
-  %361 = fmul double %360, 0x3D30000000000000
-  %362 = fcmp ogt double %361, %358
-  %363 = select i1 %362, double %361, double %358
-  %364 = fcmp olt double %359, %363
-  %365 = select i1 %364, double %359, double %363
-  %366 = call i1 @llvm.is.fpclass.f64(double %365, i32 384)
-  br i1 %366, label %369, label %367
+394:                                              ; preds = %378
+  store double %387, ptr %113, align 8
+  br label %1753
 
-367:                                              ; preds = %349
-  %368 = getelementptr i8, ptr %110, i64 72
-  store i64 4, ptr %368, align 8, !noalias !22
-  br label %369
+395:                                              ; preds = %378
+  %396 = load i64, ptr %234, align 8
+  %397 = icmp eq i64 %396, 1
+  br i1 %397, label %398, label %516
 
-369:                                              ; preds = %349, %298, %367, %340
-  %370 = phi double [ %365, %349 ], [ %365, %367 ], [ %309, %340 ], [ %309, %298 ]
-  br label %371
+398:                                              ; preds = %395
+  %399 = load ptr, ptr %72, align 8
+  %400 = getelementptr inbounds i8, ptr %399, i64 32
+  %401 = load i64, ptr %400, align 8
+  %402 = add nsw i64 %401, 1
+  store i64 %402, ptr %400, align 8
+  %403 = load ptr, ptr %65, align 8
+  %404 = getelementptr inbounds i8, ptr %403, i64 8
+  %405 = load i64, ptr %404, align 8
+  %406 = load ptr, ptr %67, align 8
+  %407 = load i64, ptr %406, align 8
+  %408 = icmp eq i64 %407, 0
+  br i1 %408, label %409, label %411
 
-371:                                              ; preds = %2448, %369
-  %372 = phi double [ %370, %369 ], [ %2449, %2448 ]
-  %373 = phi double [ %307, %369 ], [ %376, %2448 ]
-  br label %374
+409:                                              ; preds = %398
+  %410 = icmp sgt i64 %405, 0
+  br i1 %410, label %429, label %427
 
-374:                                              ; preds = %2369, %371
-  %375 = phi double [ %372, %371 ], [ %2370, %2369 ]
-  %376 = phi double [ %373, %371 ], [ %411, %2369 ]
-  %377 = load i64, ptr %161, align 8, !noalias !22
-  %378 = icmp eq i64 %377, 0
-  br i1 %378, label %379, label %380
+411:                                              ; preds = %398
+  %412 = load ptr, ptr %236, align 8
+  store double %351, ptr %412, align 8
+  %413 = load i64, ptr %237, align 8
+  %414 = icmp sgt i64 %413, 0
+  br i1 %414, label %415, label %416
 
-379:                                              ; preds = %374
-  store double %375, ptr %308, align 8, !noalias !22
-  br label %2773
+415:                                              ; preds = %411
+  tail call fastcc void @sample(ptr noundef nonnull %65) #10
+  br label %416
 
-380:                                              ; preds = %374
-  %381 = getelementptr i8, ptr %275, i64 8
-  %382 = load i64, ptr %381, align 8, !noalias !39
-  %383 = icmp sgt i64 %382, 0
-  br i1 %383, label %384, label %389
+416:                                              ; preds = %415, %411
+  %417 = load ptr, ptr %67, align 8
+  %418 = load i64, ptr %417, align 8
+  %419 = load ptr, ptr %238, align 8
+  %420 = load ptr, ptr %66, align 8
+  %421 = load ptr, ptr %239, align 8
+  %422 = load ptr, ptr %240, align 8
+  %423 = load ptr, ptr %235, align 8
+  %424 = inttoptr i64 %418 to ptr
+  %425 = tail call i32 %424(ptr noundef %419, ptr noundef %420, ptr noundef %421, ptr noundef %422, ptr noundef %423) #11
+  %426 = sext i32 %425 to i64
+  br label %497
 
-384:                                              ; preds = %380
-  %385 = load i64, ptr %275, align 8, !noalias !39
-  %386 = add nsw i64 %385, 3
-  %387 = icmp slt i64 %382, %386
-  br i1 %387, label %388, label %389
+427:                                              ; preds = %429, %409
+  %428 = icmp sgt i64 %405, 0
+  br i1 %428, label %441, label %497
 
-388:                                              ; preds = %384
-  store double %375, ptr %308, align 8, !noalias !22
-  br label %2773
+429:                                              ; preds = %409, %429
+  %430 = phi i64 [ %436, %429 ], [ 0, %409 ]
+  %431 = load ptr, ptr %66, align 8
+  %432 = getelementptr inbounds double, ptr %431, i64 %430
+  %433 = load double, ptr %432, align 8
+  %434 = load ptr, ptr %241, align 8
+  %435 = getelementptr inbounds double, ptr %434, i64 %430
+  store double %433, ptr %435, align 8
+  %436 = add nuw nsw i64 %430, 1
+  %437 = icmp eq i64 %436, %405
+  br i1 %437, label %427, label %429, !llvm.loop !11
 
-389:                                              ; preds = %380, %384
-  %390 = add nsw i64 %377, -1
-  store i64 %390, ptr %161, align 8, !noalias !22
-  %391 = getelementptr i8, ptr %110, i64 8
-  %392 = load i64, ptr %391, align 8, !noalias !22
-  %393 = getelementptr i8, ptr %110, i64 16
-  %394 = load i64, ptr %393, align 8, !noalias !22
-  %395 = add nsw i64 %392, %394
-  %396 = getelementptr i8, ptr %110, i64 64
-  %397 = load i64, ptr %396, align 8, !noalias !22
-  %398 = icmp slt i64 %395, %397
-  br i1 %398, label %400, label %399
+438:                                              ; preds = %495
+  %439 = add nuw nsw i64 %443, 1
+  %440 = icmp eq i64 %439, %405
+  br i1 %440, label %497, label %441, !llvm.loop !12
 
-399:                                              ; preds = %389
-  store double %375, ptr %308, align 8, !noalias !22
-  br label %2773
+441:                                              ; preds = %427, %438
+  %442 = phi i64 [ %496, %438 ], [ undef, %427 ]
+  %443 = phi i64 [ %439, %438 ], [ 0, %427 ]
+  %444 = load ptr, ptr %66, align 8
+  %445 = getelementptr inbounds double, ptr %444, i64 %443
+  %446 = load double, ptr %445, align 8
+  %447 = tail call double @llvm.fabs.f64(double %446)
+  %448 = fcmp olt double %447, 1.000000e-05
+  %449 = select i1 %448, double 1.000000e-05, double %447
+  %450 = fmul double %449, 1.500000e-08
+  %451 = fadd double %446, %450
+  %452 = load ptr, ptr %242, align 8
+  %453 = getelementptr inbounds double, ptr %452, i64 %443
+  store double %451, ptr %453, align 8
+  %454 = load ptr, ptr %72, align 8
+  %455 = getelementptr inbounds i8, ptr %454, i64 24
+  %456 = load i64, ptr %455, align 8
+  %457 = add nsw i64 %456, 1
+  store i64 %457, ptr %455, align 8
+  %458 = load ptr, ptr %242, align 8
+  %459 = load ptr, ptr %243, align 8
+  %460 = load ptr, ptr %244, align 8
+  store double %351, ptr %460, align 8
+  %461 = load i64, ptr %245, align 8
+  %462 = icmp sgt i64 %461, 0
+  br i1 %462, label %463, label %464
 
-400:                                              ; preds = %389
-  %401 = getelementptr i8, ptr %105, i64 16
-  %402 = load double, ptr %401, align 8, !noalias !22
-  %403 = fcmp olt double %375, %402
-  %404 = select i1 %403, double %375, double %402
-  %405 = fadd double %376, %404
-  %406 = fmul double %404, 1.000000e-03
-  %407 = fsub double %290, %406
-  %408 = fcmp ogt double %405, %407
-  %409 = fsub double %290, %376
-  %410 = select i1 %408, double %409, double %404
-  %411 = select i1 %408, double %290, double %405
-  %412 = fmul double %410, 6.250000e-02
-  %413 = fadd double %376, %412
-  %414 = fcmp ogt double %413, %376
-  %415 = fcmp oeq double %411, %290
-  %416 = or i1 %414, %415
-  br i1 %416, label %417, label %2450
+463:                                              ; preds = %441
+  tail call fastcc void @sample(ptr noundef nonnull %65) #10
+  br label %464
 
-417:                                              ; preds = %400
-  %418 = getelementptr i8, ptr %196, i64 8
-  %419 = load i64, ptr %418, align 8, !noalias !22
-  %420 = icmp eq i64 %419, 1
-  br i1 %420, label %421, label %468
+464:                                              ; preds = %463, %441
+  %465 = load ptr, ptr %65, align 8
+  %466 = load i64, ptr %465, align 8
+  %467 = load ptr, ptr %244, align 8
+  %468 = load ptr, ptr %246, align 8
+  %469 = load ptr, ptr %247, align 8
+  %470 = inttoptr i64 %466 to ptr
+  %471 = tail call i32 %470(ptr noundef %467, ptr noundef %458, ptr noundef %468, ptr noundef %469, ptr noundef %459) #11
+  %472 = sext i32 %471 to i64
+  %473 = icmp eq i32 %471, 0
+  br i1 %473, label %474, label %495
 
-421:                                              ; preds = %417
-  %422 = getelementptr i8, ptr %110, i64 32
-  %423 = load i64, ptr %422, align 8, !noalias !22
-  %424 = add nsw i64 %423, 1
-  store i64 %424, ptr %422, align 8, !noalias !22
-  %425 = load i64, ptr %116, align 8, !noalias !22
-  %426 = load i64, ptr %196, align 8, !noalias !22
-  %427 = icmp eq i64 %426, 0
-  br i1 %427, label %435, label %428
+474:                                              ; preds = %464
+  %475 = fsub double %451, %446
+  br label %479
 
-428:                                              ; preds = %421
-  store ptr null, ptr %13, align 8, !noalias !42
-  store ptr null, ptr %14, align 8, !noalias !42
-  store double %376, ptr %33, align 8, !noalias !42
-  %429 = icmp sgt i64 %45, 0
-  br i1 %429, label %430, label %433
+476:                                              ; preds = %479
+  %477 = load ptr, ptr %242, align 8
+  %478 = getelementptr inbounds double, ptr %477, i64 %443
+  store double %446, ptr %478, align 8
+  br label %495
 
-430:                                              ; preds = %428
-  store ptr null, ptr %13, align 8, !noalias !42
-  %431 = call fastcc i32 @_sample(ptr nonnull %13, ptr %38, i64 %37, ptr %48, i64 %45, i64 %47, ptr %53, i64 %52, ptr %60, i64 %57, i64 %59, double %376) #3
-  switch i32 %431, label %432 [
-    i32 -2, label %433
-    i32 0, label %433
-  ], !prof !33
+479:                                              ; preds = %474, %479
+  %480 = phi i64 [ 0, %474 ], [ %493, %479 ]
+  %481 = load ptr, ptr %243, align 8
+  %482 = getelementptr inbounds double, ptr %481, i64 %480
+  %483 = load double, ptr %482, align 8
+  %484 = load ptr, ptr %248, align 8
+  %485 = getelementptr inbounds double, ptr %484, i64 %480
+  %486 = load double, ptr %485, align 8
+  %487 = fsub double %483, %486
+  %488 = fdiv double %487, %475
+  %489 = load ptr, ptr %235, align 8
+  %490 = mul nuw nsw i64 %480, %405
+  %491 = getelementptr double, ptr %489, i64 %490
+  %492 = getelementptr double, ptr %491, i64 %443
+  store double %488, ptr %492, align 8
+  %493 = add nuw nsw i64 %480, 1
+  %494 = icmp eq i64 %493, %405
+  br i1 %494, label %476, label %479, !llvm.loop !13
 
-432:                                              ; preds = %430
-  br label %433
+495:                                              ; preds = %476, %464
+  %496 = phi i64 [ %442, %476 ], [ %472, %464 ]
+  br i1 %473, label %438, label %497
 
-433:                                              ; preds = %430, %430, %428, %432
-  %434 = phi i32 [ %431, %432 ], [ 0, %428 ], [ 0, %430 ], [ 0, %430 ]
-  switch i32 %434, label %2475 [
-    i32 -2, label %2470
-    i32 0, label %2470
-  ], !prof !33
+497:                                              ; preds = %495, %438, %427, %416
+  %498 = phi i64 [ %426, %416 ], [ 0, %427 ], [ 0, %438 ], [ %496, %495 ]
+  %499 = load i64, ptr %249, align 8
+  %500 = icmp sgt i64 %499, 0
+  br i1 %500, label %501, label %513
 
-435:                                              ; preds = %421
-  %436 = call i64 @llvm.smax.i64(i64 %425, i64 0)
-  br label %437
+501:                                              ; preds = %497, %509
+  %502 = phi i64 [ %510, %509 ], [ 0, %497 ]
+  %503 = load ptr, ptr %235, align 8
+  %504 = getelementptr inbounds double, ptr %503, i64 %502
+  %505 = load double, ptr %504, align 8
+  %506 = tail call double @llvm.fabs.f64(double %505)
+  %507 = fcmp ueq double %506, 0x7FF0000000000000
+  br i1 %507, label %508, label %509
 
-437:                                              ; preds = %435, %2476
-  %438 = phi i64 [ 0, %435 ], [ %2478, %2476 ]
-  %439 = phi i64 [ %436, %435 ], [ %2477, %2476 ]
-  %440 = icmp sgt i64 %439, 0
-  br i1 %440, label %2476, label %441
+508:                                              ; preds = %501
+  store double 0.000000e+00, ptr %504, align 8
+  br label %509
 
-441:                                              ; preds = %437, %451
-  %442 = phi i64 [ %2489, %451 ], [ 0, %437 ]
-  %443 = phi i64 [ %2488, %451 ], [ %436, %437 ]
-  %444 = icmp sgt i64 %443, 0
-  br i1 %444, label %2487, label %453
+509:                                              ; preds = %508, %501
+  %510 = add nuw nsw i64 %502, 1
+  %511 = load i64, ptr %249, align 8
+  %512 = icmp slt i64 %510, %511
+  br i1 %512, label %501, label %513, !llvm.loop !14
 
-445:                                              ; preds = %2520
-  %446 = sext i32 %2518 to i64
-  br label %453
+513:                                              ; preds = %509, %497
+  %514 = icmp slt i64 %498, 0
+  br i1 %514, label %1753, label %515
 
-447:                                              ; preds = %2520, %2523
-  %448 = phi i64 [ %2525, %2523 ], [ 0, %2520 ]
-  %449 = phi i64 [ %2524, %2523 ], [ %436, %2520 ]
-  %450 = icmp sgt i64 %449, 0
-  br i1 %450, label %2523, label %451
-
-451:                                              ; preds = %447
-  %452 = load double, ptr %2493, align 8, !noalias !22
-  store double %452, ptr %2503, align 8, !noalias !22
-  br label %441
-
-453:                                              ; preds = %441, %2470, %445
-  %454 = phi i64 [ %2474, %2470 ], [ %446, %445 ], [ 0, %441 ]
-  %455 = call i64 @llvm.smax.i64(i64 %206, i64 0)
-  br label %456
-
-456:                                              ; preds = %453, %461
-  %457 = phi i64 [ 0, %453 ], [ %2545, %461 ]
-  %458 = phi i64 [ %455, %453 ], [ %2544, %461 ]
-  %459 = icmp sgt i64 %458, 0
-  br i1 %459, label %2543, label %462
-
-460:                                              ; preds = %2543
-  store double 0.000000e+00, ptr %2549, align 8, !noalias !22
-  br label %461
-
-461:                                              ; preds = %460, %2543
-  br label %456
-
-462:                                              ; preds = %456
-  %463 = icmp slt i64 %454, 0
-  br i1 %463, label %464, label %465
-
-464:                                              ; preds = %462
-  br label %2773
-
-465:                                              ; preds = %462
-  store i64 0, ptr %418, align 8, !noalias !22
-  %466 = getelementptr i8, ptr %196, i64 16
-  store i64 1, ptr %466, align 8, !noalias !22
-  %467 = getelementptr i8, ptr %196, i64 24
-  store i64 0, ptr %467, align 8, !noalias !22
-  br label %468
-
-468:                                              ; preds = %465, %417
-  %469 = getelementptr i8, ptr %196, i64 24
-  %470 = load i64, ptr %469, align 8, !noalias !22
-  %471 = icmp eq i64 %470, 0
-  br i1 %471, label %475, label %472
-
-472:                                              ; preds = %468
-  %473 = load double, ptr %199, align 8, !noalias !22
-  %474 = fcmp une double %410, %473
-  br i1 %474, label %475, label %790
-
-475:                                              ; preds = %472, %468
-  %476 = getelementptr i8, ptr %110, i64 40
-  %477 = load i64, ptr %476, align 8, !noalias !22
-  %478 = add nsw i64 %477, 1
-  store i64 %478, ptr %476, align 8, !noalias !22
-  %479 = call i64 @llvm.smax.i64(i64 %225, i64 0)
-  br label %480
-
-480:                                              ; preds = %488, %475
-  %481 = phi i64 [ 0, %475 ], [ %2555, %488 ]
-  %482 = phi i64 [ %479, %475 ], [ %2554, %488 ]
-  %483 = icmp sgt i64 %482, 0
-  br i1 %483, label %2553, label %514
-
-484:                                              ; preds = %2553, %2556
-  %485 = phi i64 [ 0, %2553 ], [ %2558, %2556 ]
-  %486 = phi i64 [ %479, %2553 ], [ %2557, %2556 ]
-  %487 = icmp sgt i64 %486, 0
-  br i1 %487, label %2556, label %488
-
-488:                                              ; preds = %484
-  %489 = icmp slt i64 %481, 0
-  %490 = select i1 %489, i64 %211, i64 0
-  %491 = add i64 %481, %490
-  %492 = select i1 %489, i64 %213, i64 0
-  %493 = mul i64 %491, %213
-  %494 = getelementptr double, ptr %214, i64 %493
-  %495 = getelementptr double, ptr %494, i64 %481
-  %496 = getelementptr double, ptr %495, i64 %492
-  %497 = load double, ptr %496, align 8, !noalias !22
-  %498 = fdiv double 0x400D1A48D83E731D, %410
-  %499 = fadd double %497, %498
-  store double %499, ptr %496, align 8, !noalias !22
-  %500 = select i1 %489, i64 %218, i64 0
-  %501 = add i64 %481, %500
-  %502 = select i1 %489, i64 %220, i64 0
-  %503 = mul i64 %501, %220
-  %504 = getelementptr { double, double }, ptr %221, i64 %503
-  %505 = getelementptr { double, double }, ptr %504, i64 %481
-  %506 = getelementptr { double, double }, ptr %505, i64 %502
-  %507 = load double, ptr %506, align 8, !noalias !22
-  %508 = getelementptr inbounds nuw i8, ptr %506, i64 8
-  %509 = load double, ptr %508, align 8, !noalias !22
-  %510 = fdiv double 0x400572DB93E0C672, %410
-  %511 = fdiv double 0xC0086747F2C3FCB6, %410
-  %512 = fadd double %507, %510
-  %513 = fadd double %509, %511
-  store double %512, ptr %506, align 8, !noalias !22
-  store double %513, ptr %508, align 8, !noalias !22
-  br label %480
-
-514:                                              ; preds = %480
-  %515 = call i64 @llvm.smax.i64(i64 %211, i64 0)
+515:                                              ; preds = %513
+  store i64 0, ptr %234, align 8
+  store i64 1, ptr %250, align 8
+  store i64 0, ptr %251, align 8
   br label %516
 
-516:                                              ; preds = %540, %514
-  %517 = phi i64 [ 0, %514 ], [ %553, %540 ]
-  %518 = phi i64 [ %515, %514 ], [ %552, %540 ]
-  %519 = icmp sgt i64 %518, 0
-  br i1 %519, label %551, label %622
+516:                                              ; preds = %515, %395
+  %517 = load i64, ptr %252, align 8
+  %518 = icmp eq i64 %517, 0
+  br i1 %518, label %522, label %519
 
-520:                                              ; preds = %566, %551
-  %521 = phi i64 [ %553, %551 ], [ %568, %566 ]
-  %522 = phi i64 [ %565, %551 ], [ %567, %566 ]
-  %523 = phi double [ %563, %551 ], [ %579, %566 ]
-  %524 = phi i64 [ %517, %551 ], [ %580, %566 ]
-  %525 = icmp sgt i64 %522, 0
-  br i1 %525, label %566, label %526
+519:                                              ; preds = %516
+  %520 = load double, ptr %71, align 8
+  %521 = fcmp une double %387, %520
+  br i1 %521, label %522, label %585
 
-526:                                              ; preds = %520
-  %527 = select i1 %554, i64 %225, i64 0
-  %528 = getelementptr i64, ptr %226, i64 %517
-  %529 = getelementptr i64, ptr %528, i64 %527
-  store i64 %524, ptr %529, align 8, !noalias !46
-  %530 = fcmp ueq double %523, 0.000000e+00
-  br i1 %530, label %782, label %531
+522:                                              ; preds = %519, %516
+  %523 = load i64, ptr %253, align 8
+  %524 = add nsw i64 %523, 1
+  store i64 %524, ptr %253, align 8
+  %525 = load i64, ptr %255, align 8
+  %526 = load ptr, ptr %256, align 8
+  %527 = load ptr, ptr %257, align 8
+  %528 = icmp sgt i64 %525, 0
+  br i1 %528, label %529, label %537
 
-531:                                              ; preds = %526
-  %532 = icmp eq i64 %524, %517
-  br i1 %532, label %537, label %533
+529:                                              ; preds = %522
+  %530 = fdiv double 0x400D1A48D83E731D, %387
+  %531 = add nuw i64 %525, 1
+  %532 = fdiv double 0x400572DB93E0C672, %387
+  %533 = fdiv double 0x40086747F2C3FCB6, %387
+  br label %534
 
-533:                                              ; preds = %531, %581
-  %534 = phi i64 [ %583, %581 ], [ 0, %531 ]
-  %535 = phi i64 [ %582, %581 ], [ %515, %531 ]
-  %536 = icmp sgt i64 %535, 0
-  br i1 %536, label %581, label %537
+534:                                              ; preds = %529, %541
+  %535 = phi i64 [ 0, %529 ], [ %552, %541 ]
+  %536 = mul nuw nsw i64 %535, %525
+  br label %554
 
-537:                                              ; preds = %533, %531
-  %538 = load double, ptr %561, align 8, !noalias !46
-  %539 = fdiv double 1.000000e+00, %538
-  br label %540
+537:                                              ; preds = %541, %522
+  %538 = load ptr, ptr %254, align 8
+  %539 = tail call fastcc i32 @real_factorise(ptr noundef %526, i64 noundef %525, ptr noundef %538) #10
+  %540 = icmp eq i32 %539, 0
+  br i1 %540, label %575, label %570
 
-540:                                              ; preds = %550, %537
-  %541 = phi i64 [ %553, %537 ], [ %599, %550 ]
-  %542 = phi i64 [ %565, %537 ], [ %598, %550 ]
-  %543 = icmp sgt i64 %542, 0
-  br i1 %543, label %597, label %516
+541:                                              ; preds = %554
+  %542 = mul i64 %535, %531
+  %543 = getelementptr inbounds double, ptr %526, i64 %542
+  %544 = load double, ptr %543, align 8
+  %545 = fadd double %530, %544
+  store double %545, ptr %543, align 8
+  %546 = getelementptr inbounds { double, double }, ptr %527, i64 %542
+  %547 = load double, ptr %546, align 8
+  %548 = getelementptr inbounds i8, ptr %546, i64 8
+  %549 = load double, ptr %548, align 8
+  %550 = fadd double %532, %547
+  %551 = fsub double %549, %533
+  store double %550, ptr %546, align 8
+  store double %551, ptr %548, align 8
+  %552 = add nuw nsw i64 %535, 1
+  %553 = icmp eq i64 %552, %525
+  br i1 %553, label %537, label %534, !llvm.loop !15
 
-544:                                              ; preds = %597
-  %545 = fmul double %607, %539
-  store double %545, ptr %606, align 8, !noalias !46
-  br label %546
+554:                                              ; preds = %534, %554
+  %555 = phi i64 [ 0, %534 ], [ %568, %554 ]
+  %556 = load ptr, ptr %258, align 8
+  %557 = add nuw nsw i64 %555, %536
+  %558 = getelementptr inbounds double, ptr %556, i64 %557
+  %559 = load double, ptr %558, align 8
+  %560 = fneg double %559
+  %561 = getelementptr inbounds double, ptr %526, i64 %557
+  store double %560, ptr %561, align 8
+  %562 = load ptr, ptr %258, align 8
+  %563 = getelementptr inbounds double, ptr %562, i64 %557
+  %564 = load double, ptr %563, align 8
+  %565 = fneg double %564
+  %566 = getelementptr inbounds { double, double }, ptr %527, i64 %557
+  %567 = getelementptr inbounds i8, ptr %566, i64 8
+  store double %565, ptr %566, align 8
+  store double 0.000000e+00, ptr %567, align 8
+  %568 = add nuw nsw i64 %555, 1
+  %569 = icmp eq i64 %568, %525
+  br i1 %569, label %541, label %554, !llvm.loop !16
 
-546:                                              ; preds = %609, %544
-  %547 = phi i64 [ %553, %544 ], [ %611, %609 ]
-  %548 = phi i64 [ %565, %544 ], [ %610, %609 ]
-  %549 = icmp sgt i64 %548, 0
-  br i1 %549, label %609, label %550
+570:                                              ; preds = %537
+  %571 = load ptr, ptr %259, align 8
+  %572 = tail call fastcc i32 @pair_factorise(ptr noundef %527, i64 noundef %525, ptr noundef %571) #10
+  %573 = icmp ne i32 %572, 0
+  %574 = zext i1 %573 to i32
+  br label %575
 
-550:                                              ; preds = %597, %546
-  br label %540
+575:                                              ; preds = %537, %570
+  %576 = phi i32 [ 0, %537 ], [ %574, %570 ]
+  %577 = icmp eq i32 %576, 0
+  br i1 %577, label %578, label %584
 
-551:                                              ; preds = %516
-  %552 = add nsw i64 %518, -1
-  %553 = add i64 %517, 1
-  %554 = icmp slt i64 %517, 0
-  %555 = select i1 %554, i64 %211, i64 0
-  %556 = add i64 %517, %555
-  %557 = select i1 %554, i64 %213, i64 0
-  %558 = mul i64 %556, %213
-  %559 = getelementptr double, ptr %214, i64 %558
-  %560 = getelementptr double, ptr %559, i64 %517
-  %561 = getelementptr double, ptr %560, i64 %557
-  %562 = load double, ptr %561, align 8, !noalias !46
-  %563 = call double @llvm.fabs.f64(double %562)
-  %564 = sub i64 %211, %553
-  %565 = call i64 @llvm.smax.i64(i64 %564, i64 0)
-  br label %520
+578:                                              ; preds = %575
+  store i64 4, ptr %344, align 8
+  %579 = load i64, ptr %231, align 8
+  %580 = add nsw i64 %579, 1
+  store i64 %580, ptr %231, align 8
+  %581 = fmul double %387, 5.000000e-01
+  %582 = load i64, ptr %345, align 8
+  %583 = sub nsw i64 1, %582
+  store i64 %583, ptr %234, align 8
+  store i64 0, ptr %252, align 8
+  br label %1753, !llvm.loop !17
 
-566:                                              ; preds = %520
-  %567 = add nsw i64 %522, -1
-  %568 = add i64 %521, 1
-  %569 = icmp slt i64 %521, 0
-  %570 = select i1 %569, i64 %211, i64 0
-  %571 = add i64 %521, %570
-  %572 = mul i64 %571, %213
-  %573 = getelementptr double, ptr %214, i64 %572
-  %574 = getelementptr double, ptr %573, i64 %517
-  %575 = getelementptr double, ptr %574, i64 %557
-  %576 = load double, ptr %575, align 8, !noalias !46
-  %577 = call double @llvm.fabs.f64(double %576)
-  %578 = fcmp ogt double %577, %523
-  %579 = select i1 %578, double %577, double %523
-  %580 = select i1 %578, i64 %521, i64 %524
-  br label %520
+584:                                              ; preds = %575
+  store i64 1, ptr %252, align 8
+  store double %387, ptr %71, align 8
+  br label %585
 
-581:                                              ; preds = %533
-  %582 = add nsw i64 %535, -1
-  %583 = add i64 %534, 1
-  %584 = icmp slt i64 %524, 0
-  %585 = select i1 %584, i64 %211, i64 0
-  %586 = add i64 %524, %585
-  %587 = icmp slt i64 %534, 0
-  %588 = select i1 %587, i64 %213, i64 0
-  %589 = mul i64 %586, %213
-  %590 = getelementptr double, ptr %214, i64 %589
-  %591 = getelementptr double, ptr %590, i64 %534
-  %592 = getelementptr double, ptr %591, i64 %588
-  %593 = load double, ptr %592, align 8, !noalias !46
-  %594 = getelementptr double, ptr %559, i64 %534
-  %595 = getelementptr double, ptr %594, i64 %588
-  %596 = load double, ptr %595, align 8, !noalias !46
-  store double %593, ptr %595, align 8, !noalias !46
-  store double %596, ptr %592, align 8, !noalias !46
-  br label %533
+585:                                              ; preds = %584, %519
+  %586 = load double, ptr %260, align 8
+  %587 = load ptr, ptr %65, align 8
+  %588 = getelementptr inbounds i8, ptr %587, i64 8
+  %589 = load i64, ptr %588, align 8
+  %590 = load ptr, ptr %261, align 8
+  %591 = load ptr, ptr %66, align 8
+  %592 = load ptr, ptr %262, align 8
+  %593 = load ptr, ptr %263, align 8
+  %594 = fcmp ogt double %586, 0.000000e+00
+  %595 = icmp sgt i64 %589, 0
+  %596 = shl i64 %589, 4
+  %597 = getelementptr i8, ptr %590, i64 %596
+  %598 = mul i64 %589, 24
+  %599 = getelementptr i8, ptr %590, i64 %598
+  %600 = getelementptr double, ptr %590, i64 %589
+  br label %606
 
-597:                                              ; preds = %540
-  %598 = add nsw i64 %542, -1
-  %599 = add i64 %541, 1
-  %600 = icmp slt i64 %541, 0
-  %601 = select i1 %600, i64 %211, i64 0
-  %602 = add i64 %541, %601
-  %603 = mul i64 %602, %213
-  %604 = getelementptr double, ptr %214, i64 %603
-  %605 = getelementptr double, ptr %604, i64 %517
-  %606 = getelementptr double, ptr %605, i64 %557
-  %607 = load double, ptr %606, align 8, !noalias !46
-  %608 = fcmp une double %607, 0.000000e+00
-  br i1 %608, label %544, label %550
+601:                                              ; preds = %620
+  %602 = icmp sgt i64 %589, 0
+  %603 = getelementptr double, ptr %592, i64 %589
+  %604 = shl i64 %589, 4
+  %605 = getelementptr i8, ptr %592, i64 %604
+  br label %647
 
-609:                                              ; preds = %546
-  %610 = add nsw i64 %548, -1
-  %611 = add i64 %547, 1
-  %612 = icmp slt i64 %547, 0
-  %613 = select i1 %612, i64 %213, i64 0
-  %614 = getelementptr double, ptr %604, i64 %547
-  %615 = getelementptr double, ptr %614, i64 %613
-  %616 = load double, ptr %615, align 8, !noalias !46
-  %617 = getelementptr double, ptr %559, i64 %547
-  %618 = getelementptr double, ptr %617, i64 %613
-  %619 = load double, ptr %618, align 8, !noalias !46
-  %620 = fmul double %545, %619
-  %621 = fsub double %616, %620
-  store double %621, ptr %615, align 8, !noalias !46
-  br label %546
+606:                                              ; preds = %585, %620
+  %607 = phi i64 [ 0, %585 ], [ %621, %620 ]
+  br i1 %594, label %608, label %614
 
-622:                                              ; preds = %516
-  %623 = call i64 @llvm.smax.i64(i64 %218, i64 0)
-  br label %624
+608:                                              ; preds = %606
+  %609 = getelementptr inbounds [3 x double], ptr @NODES, i64 0, i64 %607
+  %610 = load double, ptr %609, align 8
+  %611 = fmul double %387, %610
+  %612 = fdiv double %611, %586
+  %613 = fadd double %612, 1.000000e+00
+  br label %614
 
-624:                                              ; preds = %672, %622
-  %625 = phi i64 [ 0, %622 ], [ %690, %672 ]
-  %626 = phi i64 [ %623, %622 ], [ %689, %672 ]
-  %627 = icmp sgt i64 %626, 0
-  br i1 %627, label %688, label %781
+614:                                              ; preds = %608, %606
+  %615 = phi double [ %613, %608 ], [ 0.000000e+00, %606 ]
+  br i1 %595, label %616, label %620
 
-628:                                              ; preds = %705, %688
-  %629 = phi i64 [ %690, %688 ], [ %717, %705 ]
-  %630 = phi i64 [ %704, %688 ], [ %718, %705 ]
-  %631 = phi double [ %702, %688 ], [ %720, %705 ]
-  %632 = phi i64 [ %625, %688 ], [ %721, %705 ]
-  %633 = icmp sgt i64 %630, 0
-  br i1 %633, label %705, label %634
+616:                                              ; preds = %614
+  %617 = mul nuw nsw i64 %589, %607
+  %618 = getelementptr double, ptr %592, i64 %617
+  %619 = fsub double 1.000000e+00, %615
+  br label %623
 
-634:                                              ; preds = %628
-  %635 = select i1 %691, i64 %230, i64 0
-  %636 = getelementptr i64, ptr %231, i64 %625
-  %637 = getelementptr i64, ptr %636, i64 %635
-  store i64 %632, ptr %637, align 8, !noalias !49
-  %638 = fcmp ueq double %631, 0.000000e+00
-  br i1 %638, label %782, label %639
+620:                                              ; preds = %644, %614
+  %621 = add nuw nsw i64 %607, 1
+  %622 = icmp eq i64 %621, 3
+  br i1 %622, label %601, label %606, !llvm.loop !18
 
-639:                                              ; preds = %634
-  %640 = icmp eq i64 %632, %625
-  br i1 %640, label %645, label %641
+623:                                              ; preds = %616, %644
+  %624 = phi i64 [ 0, %616 ], [ %645, %644 ]
+  %625 = getelementptr double, ptr %618, i64 %624
+  store double 0.000000e+00, ptr %625, align 8
+  br i1 %594, label %626, label %644
 
-641:                                              ; preds = %639, %722
-  %642 = phi i64 [ %724, %722 ], [ 0, %639 ]
-  %643 = phi i64 [ %723, %722 ], [ %623, %639 ]
-  %644 = icmp sgt i64 %643, 0
-  br i1 %644, label %722, label %645
+626:                                              ; preds = %623
+  %627 = getelementptr double, ptr %597, i64 %624
+  %628 = load double, ptr %627, align 8
+  %629 = getelementptr double, ptr %599, i64 %624
+  %630 = load double, ptr %629, align 8
+  %631 = fmul double %615, %630
+  %632 = fadd double %628, %631
+  %633 = fmul double %619, %632
+  %634 = getelementptr inbounds double, ptr %590, i64 %624
+  %635 = load double, ptr %634, align 8
+  %636 = getelementptr double, ptr %600, i64 %624
+  %637 = load double, ptr %636, align 8
+  %638 = fadd double %637, %633
+  %639 = fmul double %615, %638
+  %640 = fadd double %635, %639
+  %641 = getelementptr inbounds double, ptr %591, i64 %624
+  %642 = load double, ptr %641, align 8
+  %643 = fsub double %640, %642
+  store double %643, ptr %625, align 8
+  br label %644
 
-645:                                              ; preds = %641, %639
-  %646 = load double, ptr %698, align 8, !noalias !49
-  %647 = load double, ptr %700, align 8, !noalias !49
-  %648 = call double @llvm.fabs.f64(double %646)
-  %649 = call double @llvm.fabs.f64(double %647)
-  %650 = fcmp ult double %648, %649
-  br i1 %650, label %660, label %651
+644:                                              ; preds = %626, %623
+  %645 = add nuw nsw i64 %624, 1
+  %646 = icmp eq i64 %645, %589
+  br i1 %646, label %620, label %623, !llvm.loop !19
 
-651:                                              ; preds = %645
-  %652 = fdiv double %647, %646
-  %653 = fmul double %647, %652
-  %654 = fadd double %646, %653
-  %655 = fmul double %652, 0.000000e+00
-  %656 = fadd double %655, 1.000000e+00
-  %657 = fdiv double %656, %654
-  %658 = fsub double 0.000000e+00, %652
-  %659 = fdiv double %658, %654
-  br label %669
+647:                                              ; preds = %601, %658
+  %648 = phi i64 [ 0, %601 ], [ %659, %658 ]
+  br i1 %602, label %649, label %658
 
-660:                                              ; preds = %645
-  %661 = fdiv double %646, %647
-  %662 = fmul double %646, %661
-  %663 = fadd double %662, %647
-  %664 = fadd double %661, 0.000000e+00
-  %665 = fdiv double %664, %663
-  %666 = fmul double %661, 0.000000e+00
-  %667 = fadd double %666, -1.000000e+00
-  %668 = fdiv double %667, %663
-  br label %669
+649:                                              ; preds = %647
+  %650 = getelementptr inbounds [3 x [3 x double]], ptr @TO_WAVES, i64 0, i64 %648
+  %651 = load double, ptr %650, align 8
+  %652 = getelementptr inbounds i8, ptr %650, i64 8
+  %653 = load double, ptr %652, align 8
+  %654 = getelementptr inbounds i8, ptr %650, i64 16
+  %655 = load double, ptr %654, align 8
+  %656 = mul nuw nsw i64 %589, %648
+  %657 = getelementptr double, ptr %593, i64 %656
+  br label %661
 
-669:                                              ; preds = %660, %651
-  %670 = phi double [ %659, %651 ], [ %668, %660 ]
-  %671 = phi double [ %657, %651 ], [ %665, %660 ]
-  br label %672
+658:                                              ; preds = %661, %647
+  %659 = add nuw nsw i64 %648, 1
+  %660 = icmp eq i64 %659, 3
+  br i1 %660, label %677, label %647, !llvm.loop !20
 
-672:                                              ; preds = %687, %669
-  %673 = phi i64 [ %690, %669 ], [ %744, %687 ]
-  %674 = phi i64 [ %704, %669 ], [ %743, %687 ]
-  %675 = icmp sgt i64 %674, 0
-  br i1 %675, label %742, label %624
+661:                                              ; preds = %649, %661
+  %662 = phi i64 [ 0, %649 ], [ %675, %661 ]
+  %663 = getelementptr inbounds double, ptr %592, i64 %662
+  %664 = load double, ptr %663, align 8
+  %665 = fmul double %651, %664
+  %666 = getelementptr double, ptr %603, i64 %662
+  %667 = load double, ptr %666, align 8
+  %668 = fmul double %653, %667
+  %669 = fadd double %665, %668
+  %670 = getelementptr double, ptr %605, i64 %662
+  %671 = load double, ptr %670, align 8
+  %672 = fmul double %655, %671
+  %673 = fadd double %669, %672
+  %674 = getelementptr double, ptr %657, i64 %662
+  store double %673, ptr %674, align 8
+  %675 = add nuw nsw i64 %662, 1
+  %676 = icmp eq i64 %675, %589
+  br i1 %676, label %658, label %661, !llvm.loop !21
 
-676:                                              ; preds = %742
-  %677 = fmul double %752, %670
-  %678 = fmul double %754, %671
-  %679 = fadd double %677, %678
-  %680 = fmul double %752, %671
-  %681 = fmul double %754, %670
-  %682 = fsub double %680, %681
-  store double %682, ptr %751, align 8, !noalias !49
-  store double %679, ptr %753, align 8, !noalias !49
-  br label %683
+677:                                              ; preds = %658
+  %678 = load ptr, ptr %65, align 8, !noalias !22
+  %679 = getelementptr inbounds i8, ptr %678, i64 8
+  %680 = load i64, ptr %679, align 8, !noalias !22
+  %681 = load ptr, ptr %67, align 8, !noalias !22
+  %682 = getelementptr inbounds i8, ptr %681, i64 40
+  %683 = load i64, ptr %682, align 8, !noalias !22
+  %684 = load ptr, ptr %262, align 8, !noalias !22
+  %685 = load ptr, ptr %263, align 8, !noalias !22
+  %686 = load ptr, ptr %265, align 8, !noalias !22
+  %687 = load ptr, ptr %266, align 8, !noalias !22
+  %688 = load ptr, ptr %267, align 8, !noalias !22
+  %689 = icmp sgt i64 %683, 0
+  %690 = select i1 %689, i64 10, i64 6
+  %691 = icmp sgt i64 %680, 0
+  %692 = fdiv double 0x400D1A48D83E731D, %387
+  %693 = fdiv double 0x400572DB93E0C672, %387
+  %694 = fdiv double 0xC0086747F2C3FCB6, %387
+  %695 = icmp sgt i64 %680, 0
+  %696 = getelementptr double, ptr %685, i64 %680
+  %697 = shl i64 %680, 4
+  %698 = getelementptr i8, ptr %685, i64 %697
+  %699 = icmp eq i64 %683, 0
+  br label %700
 
-683:                                              ; preds = %758, %676
-  %684 = phi i64 [ %690, %676 ], [ %777, %758 ]
-  %685 = phi i64 [ %704, %676 ], [ %778, %758 ]
-  %686 = icmp sgt i64 %685, 0
-  br i1 %686, label %758, label %687
+700:                                              ; preds = %677, %1103
+  %701 = phi double [ -1.000000e+00, %677 ], [ %1102, %1103 ]
+  %702 = phi double [ 0.000000e+00, %677 ], [ %1101, %1103 ]
+  %703 = phi i64 [ 0, %677 ], [ %1100, %1103 ]
+  %704 = phi i64 [ 0, %677 ], [ %1104, %1103 ]
+  %705 = phi i64 [ %353, %677 ], [ %1097, %1103 ]
+  %706 = phi i64 [ %354, %677 ], [ %1096, %1103 ]
+  %707 = phi i32 [ %355, %677 ], [ %1095, %1103 ]
+  %708 = phi double [ %356, %677 ], [ %1094, %1103 ]
+  %709 = icmp ugt i64 %704, 5
+  %710 = icmp eq i64 %703, 0
+  %711 = select i1 %709, i1 %710, i1 false
+  br i1 %711, label %1106, label %716
 
-687:                                              ; preds = %742, %683
-  br label %672
+712:                                              ; preds = %738
+  %713 = add nuw nsw i64 %717, 1
+  %714 = icmp ugt i64 %717, 1
+  %715 = icmp eq i64 %713, 3
+  br i1 %715, label %761, label %716, !llvm.loop !25
 
-688:                                              ; preds = %624
-  %689 = add nsw i64 %626, -1
-  %690 = add i64 %625, 1
-  %691 = icmp slt i64 %625, 0
-  %692 = select i1 %691, i64 %218, i64 0
-  %693 = add i64 %625, %692
-  %694 = select i1 %691, i64 %220, i64 0
-  %695 = mul i64 %693, %220
-  %696 = getelementptr { double, double }, ptr %221, i64 %695
-  %697 = getelementptr { double, double }, ptr %696, i64 %625
-  %698 = getelementptr { double, double }, ptr %697, i64 %694
-  %699 = load double, ptr %698, align 8, !noalias !49
-  %700 = getelementptr inbounds nuw i8, ptr %698, i64 8
-  %701 = load double, ptr %700, align 8, !noalias !49
-  %702 = call double @hypot(double %699, double %701) #3, !noalias !53
-  %703 = sub i64 %218, %690
-  %704 = call i64 @llvm.smax.i64(i64 %703, i64 0)
-  br label %628
+716:                                              ; preds = %700, %712
+  %717 = phi i64 [ %713, %712 ], [ 0, %700 ]
+  %718 = phi i1 [ %714, %712 ], [ false, %700 ]
+  br i1 %691, label %719, label %722
 
-705:                                              ; preds = %628
-  %706 = icmp slt i64 %629, 0
-  %707 = select i1 %706, i64 %218, i64 0
-  %708 = add i64 %629, %707
-  %709 = mul i64 %708, %220
-  %710 = getelementptr { double, double }, ptr %221, i64 %709
-  %711 = getelementptr { double, double }, ptr %710, i64 %625
-  %712 = getelementptr { double, double }, ptr %711, i64 %694
-  %713 = load double, ptr %712, align 8, !noalias !49
-  %714 = getelementptr inbounds nuw i8, ptr %712, i64 8
-  %715 = load double, ptr %714, align 8, !noalias !49
-  %716 = call double @hypot(double %713, double %715) #3, !noalias !59
-  %717 = add i64 %629, 1
-  %718 = add nsw i64 %630, -1
-  %719 = fcmp ogt double %716, %631
-  %720 = select i1 %719, double %716, double %631
-  %721 = select i1 %719, i64 %629, i64 %632
-  br label %628
+719:                                              ; preds = %716
+  %720 = mul nuw nsw i64 %680, %717
+  %721 = getelementptr double, ptr %684, i64 %720
+  br label %747
 
-722:                                              ; preds = %641
-  %723 = add nsw i64 %643, -1
-  %724 = add i64 %642, 1
-  %725 = icmp slt i64 %632, 0
-  %726 = select i1 %725, i64 %218, i64 0
-  %727 = add i64 %632, %726
-  %728 = icmp slt i64 %642, 0
-  %729 = select i1 %728, i64 %220, i64 0
-  %730 = mul i64 %727, %220
-  %731 = getelementptr { double, double }, ptr %221, i64 %730
-  %732 = getelementptr { double, double }, ptr %731, i64 %642
-  %733 = getelementptr { double, double }, ptr %732, i64 %729
-  %734 = load double, ptr %733, align 8, !noalias !49
-  %735 = getelementptr inbounds nuw i8, ptr %733, i64 8
-  %736 = load double, ptr %735, align 8, !noalias !49
-  %737 = getelementptr { double, double }, ptr %696, i64 %642
-  %738 = getelementptr { double, double }, ptr %737, i64 %729
-  %739 = load double, ptr %738, align 8, !noalias !49
-  %740 = getelementptr inbounds nuw i8, ptr %738, i64 8
-  %741 = load double, ptr %740, align 8, !noalias !49
-  store double %734, ptr %738, align 8, !noalias !49
-  store double %736, ptr %740, align 8, !noalias !49
-  store double %739, ptr %733, align 8, !noalias !49
-  store double %741, ptr %735, align 8, !noalias !49
-  br label %641
+722:                                              ; preds = %747, %716
+  %723 = load ptr, ptr %72, align 8, !noalias !22
+  %724 = getelementptr inbounds i8, ptr %723, i64 24
+  %725 = load i64, ptr %724, align 8, !noalias !22
+  %726 = add nsw i64 %725, 1
+  store i64 %726, ptr %724, align 8, !noalias !22
+  %727 = getelementptr inbounds [3 x double], ptr @NODES, i64 0, i64 %717
+  %728 = load double, ptr %727, align 8, !noalias !22
+  %729 = fmul double %387, %728
+  %730 = fadd double %351, %729
+  %731 = load ptr, ptr %268, align 8, !noalias !22
+  %732 = mul nsw i64 %680, %717
+  %733 = getelementptr inbounds double, ptr %686, i64 %732
+  %734 = load ptr, ptr %269, align 8, !noalias !22
+  store double %730, ptr %734, align 8, !noalias !22
+  %735 = load i64, ptr %270, align 8, !noalias !22
+  %736 = icmp sgt i64 %735, 0
+  br i1 %736, label %737, label %738
 
-742:                                              ; preds = %672
-  %743 = add nsw i64 %674, -1
-  %744 = add i64 %673, 1
-  %745 = icmp slt i64 %673, 0
-  %746 = select i1 %745, i64 %218, i64 0
-  %747 = add i64 %673, %746
-  %748 = mul i64 %747, %220
-  %749 = getelementptr { double, double }, ptr %221, i64 %748
-  %750 = getelementptr { double, double }, ptr %749, i64 %625
-  %751 = getelementptr { double, double }, ptr %750, i64 %694
-  %752 = load double, ptr %751, align 8, !noalias !49
-  %753 = getelementptr inbounds nuw i8, ptr %751, i64 8
-  %754 = load double, ptr %753, align 8, !noalias !49
-  %755 = fcmp une double %752, 0.000000e+00
-  %756 = fcmp une double %754, 0.000000e+00
-  %757 = or i1 %755, %756
-  br i1 %757, label %676, label %687
+737:                                              ; preds = %722
+  tail call fastcc void @sample(ptr noundef nonnull %65) #10, !noalias !22
+  br label %738
 
-758:                                              ; preds = %683
-  %759 = icmp slt i64 %684, 0
-  %760 = select i1 %759, i64 %220, i64 0
-  %761 = getelementptr { double, double }, ptr %749, i64 %684
-  %762 = getelementptr { double, double }, ptr %761, i64 %760
-  %763 = load double, ptr %762, align 8, !noalias !49
-  %764 = getelementptr inbounds nuw i8, ptr %762, i64 8
-  %765 = load double, ptr %764, align 8, !noalias !49
-  %766 = getelementptr { double, double }, ptr %696, i64 %684
-  %767 = getelementptr { double, double }, ptr %766, i64 %760
-  %768 = load double, ptr %767, align 8, !noalias !49
-  %769 = getelementptr inbounds nuw i8, ptr %767, i64 8
-  %770 = load double, ptr %769, align 8, !noalias !49
-  %771 = fmul double %682, %770
-  %772 = fmul double %679, %768
-  %773 = fadd double %771, %772
-  %774 = fmul double %682, %768
-  %775 = fmul double %679, %770
-  %776 = fsub double %774, %775
-  %777 = add i64 %684, 1
-  %778 = add nsw i64 %685, -1
-  %779 = fsub double %763, %776
-  %780 = fsub double %765, %773
-  store double %779, ptr %762, align 8, !noalias !49
-  store double %780, ptr %764, align 8, !noalias !49
-  br label %683
+738:                                              ; preds = %722, %737
+  %739 = load ptr, ptr %65, align 8, !noalias !22
+  %740 = load i64, ptr %739, align 8, !noalias !22
+  %741 = load ptr, ptr %269, align 8, !noalias !22
+  %742 = load ptr, ptr %272, align 8, !noalias !22
+  %743 = load ptr, ptr %273, align 8, !noalias !22
+  %744 = inttoptr i64 %740 to ptr
+  %745 = tail call i32 %744(ptr noundef %741, ptr noundef %731, ptr noundef %742, ptr noundef %743, ptr noundef %733) #11, !noalias !22
+  %746 = icmp eq i32 %745, 0
+  br i1 %746, label %712, label %759
 
-781:                                              ; preds = %624
-  store i64 1, ptr %469, align 8, !noalias !22
-  store double %410, ptr %199, align 8, !noalias !22
-  br label %790
+747:                                              ; preds = %719, %747
+  %748 = phi i64 [ 0, %719 ], [ %757, %747 ]
+  %749 = load ptr, ptr %66, align 8, !noalias !22
+  %750 = getelementptr inbounds double, ptr %749, i64 %748
+  %751 = load double, ptr %750, align 8, !noalias !22
+  %752 = getelementptr double, ptr %721, i64 %748
+  %753 = load double, ptr %752, align 8, !noalias !22
+  %754 = fadd double %751, %753
+  %755 = load ptr, ptr %271, align 8, !noalias !22
+  %756 = getelementptr inbounds double, ptr %755, i64 %748
+  store double %754, ptr %756, align 8, !noalias !22
+  %757 = add nuw nsw i64 %748, 1
+  %758 = icmp eq i64 %757, %680
+  br i1 %758, label %722, label %747, !llvm.loop !26
 
-782:                                              ; preds = %526, %634
-  %783 = load i64, ptr %393, align 8, !noalias !22
-  %784 = add nsw i64 %783, 1
-  %785 = fmul double %410, 5.000000e-01
-  %786 = getelementptr i8, ptr %110, i64 72
-  store i64 4, ptr %786, align 8, !noalias !22
-  store i64 %784, ptr %393, align 8, !noalias !22
-  %787 = getelementptr i8, ptr %196, i64 16
-  %788 = load i64, ptr %787, align 8, !noalias !22
-  %789 = sub nsw i64 1, %788
-  store i64 %789, ptr %418, align 8, !noalias !22
-  store i64 0, ptr %469, align 8, !noalias !22
-  br label %2448
+759:                                              ; preds = %738
+  %760 = sext i32 %745 to i64
+  br label %761
 
-790:                                              ; preds = %781, %472
-  %791 = getelementptr i8, ptr %199, i64 8
-  %792 = load double, ptr %791, align 8, !noalias !22
-  br label %793
+761:                                              ; preds = %712, %759
+  %762 = phi i1 [ %718, %759 ], [ %714, %712 ]
+  %763 = phi double [ 0.000000e+00, %759 ], [ %708, %712 ]
+  %764 = phi i32 [ 0, %759 ], [ %707, %712 ]
+  %765 = phi i64 [ %704, %759 ], [ %706, %712 ]
+  %766 = phi i64 [ %760, %759 ], [ %705, %712 ]
+  %767 = phi i32 [ 1, %759 ], [ 5, %712 ]
+  br i1 %762, label %768, label %1106
 
-793:                                              ; preds = %808, %790
-  %794 = phi i64 [ 0, %790 ], [ %2588, %808 ]
-  %795 = phi i64 [ 3, %790 ], [ %2587, %808 ]
-  %796 = icmp sgt i64 %795, 0
-  br i1 %796, label %2586, label %862
+768:                                              ; preds = %761
+  %769 = load ptr, ptr %65, align 8, !noalias !22
+  %770 = getelementptr inbounds i8, ptr %769, i64 8
+  %771 = load i64, ptr %770, align 8, !noalias !22
+  %772 = load ptr, ptr %265, align 8, !noalias !22
+  %773 = load ptr, ptr %263, align 8, !noalias !22
+  %774 = load ptr, ptr %266, align 8, !noalias !22
+  %775 = load ptr, ptr %267, align 8, !noalias !22
+  %776 = icmp sgt i64 %771, 0
+  br i1 %776, label %777, label %882
 
-797:                                              ; preds = %2586
-  %798 = icmp slt i64 %794, 0
-  %799 = add i64 %794, 3
-  %800 = select i1 %798, i64 %799, i64 %794
-  %801 = getelementptr double, ptr @0, i64 %800
-  %802 = load double, ptr %801, align 8, !noalias !22
-  %803 = fmul double %802, %410
-  %804 = fdiv double %803, %792
-  %805 = fadd double %804, 1.000000e+00
-  br label %806
+777:                                              ; preds = %768
+  %778 = shl nuw nsw i64 %771, 1
+  %779 = getelementptr double, ptr %772, i64 %771
+  %780 = shl i64 %771, 4
+  %781 = getelementptr i8, ptr %772, i64 %780
+  %782 = load double, ptr %772, align 8, !noalias !22
+  %783 = getelementptr inbounds double, ptr %772, i64 %771
+  %784 = load double, ptr %783, align 8, !noalias !22
+  %785 = fadd double %782, %784
+  %786 = getelementptr inbounds double, ptr %772, i64 %778
+  %787 = load double, ptr %786, align 8, !noalias !22
+  %788 = fadd double %785, %787
+  %789 = tail call double @llvm.fabs.f64(double %788)
+  %790 = fcmp ueq double %789, 0x7FF0000000000000
+  br i1 %790, label %879, label %791
 
-806:                                              ; preds = %2586, %797
-  %807 = phi double [ %805, %797 ], [ 0.000000e+00, %2586 ]
-  br label %808
+791:                                              ; preds = %777
+  %792 = getelementptr double, ptr %773, i64 %771
+  %793 = getelementptr inbounds double, ptr %773, i64 %778
+  %794 = getelementptr double, ptr %772, i64 %771
+  %795 = getelementptr inbounds double, ptr %772, i64 %778
+  br label %807
 
-808:                                              ; preds = %806, %852, %812
-  %809 = phi i64 [ 0, %806 ], [ %2592, %812 ], [ %2592, %852 ]
-  %810 = phi i64 [ %292, %806 ], [ %2591, %812 ], [ %2591, %852 ]
-  %811 = icmp sgt i64 %810, 0
-  br i1 %811, label %2590, label %793
+796:                                              ; preds = %807
+  %797 = getelementptr inbounds double, ptr %772, i64 %875
+  %798 = load double, ptr %797, align 8, !noalias !22
+  %799 = getelementptr double, ptr %794, i64 %875
+  %800 = load double, ptr %799, align 8, !noalias !22
+  %801 = fadd double %798, %800
+  %802 = getelementptr inbounds double, ptr %795, i64 %875
+  %803 = load double, ptr %802, align 8, !noalias !22
+  %804 = fadd double %801, %803
+  %805 = tail call double @llvm.fabs.f64(double %804)
+  %806 = fcmp ueq double %805, 0x7FF0000000000000
+  br i1 %806, label %877, label %807, !llvm.loop !27
 
-812:                                              ; preds = %2590
-  %813 = fsub double 1.000000e+00, %807
-  %814 = icmp slt i64 %809, 0
-  %815 = select i1 %814, i64 %256, i64 0
-  %816 = shl i64 %256, 4
-  %817 = getelementptr i8, ptr %257, i64 %816
-  %818 = getelementptr double, ptr %817, i64 %809
-  %819 = getelementptr double, ptr %818, i64 %815
-  %820 = load double, ptr %819, align 8, !noalias !22
-  %821 = mul i64 %256, 24
-  %822 = getelementptr i8, ptr %257, i64 %821
-  %823 = getelementptr double, ptr %822, i64 %809
-  %824 = getelementptr double, ptr %823, i64 %815
-  %825 = load double, ptr %824, align 8, !noalias !22
-  %826 = fmul double %807, %825
-  %827 = fadd double %820, %826
-  %828 = fmul double %813, %827
-  %829 = getelementptr double, ptr %257, i64 %809
-  %830 = getelementptr double, ptr %829, i64 %815
-  %831 = load double, ptr %830, align 8, !noalias !22
-  %832 = getelementptr double, ptr %257, i64 %256
-  %833 = getelementptr double, ptr %832, i64 %809
-  %834 = getelementptr double, ptr %833, i64 %815
-  %835 = load double, ptr %834, align 8, !noalias !22
-  %836 = fadd double %835, %828
-  %837 = fmul double %807, %836
-  %838 = fadd double %831, %837
-  %839 = select i1 %814, i64 %64, i64 0
-  %840 = getelementptr double, ptr %65, i64 %809
-  %841 = getelementptr double, ptr %840, i64 %839
+807:                                              ; preds = %791, %796
+  %808 = phi double [ %798, %796 ], [ %782, %791 ]
+  %809 = phi double [ %874, %796 ], [ 0.000000e+00, %791 ]
+  %810 = phi i64 [ %875, %796 ], [ 0, %791 ]
+  %811 = getelementptr inbounds double, ptr %772, i64 %810
+  %812 = fmul double %808, 0x4010B70201A79C46
+  %813 = getelementptr double, ptr %779, i64 %810
+  %814 = load double, ptr %813, align 8, !noalias !22
+  %815 = fmul double %814, 0x3FD4F8C15DA84E86
+  %816 = fadd double %812, %815
+  %817 = getelementptr double, ptr %781, i64 %810
+  %818 = load double, ptr %817, align 8, !noalias !22
+  %819 = fmul double %818, 0x3FE0BF7FF59D56EF
+  %820 = fadd double %816, %819
+  %821 = getelementptr inbounds double, ptr %773, i64 %810
+  %822 = load double, ptr %821, align 8, !noalias !22
+  %823 = fmul double %692, %822
+  %824 = fsub double %820, %823
+  %825 = getelementptr inbounds double, ptr %774, i64 %810
+  store double %824, ptr %825, align 8, !noalias !22
+  %826 = load double, ptr %811, align 8, !noalias !22
+  %827 = fmul double %826, 0xC010B70201A79C46
+  %828 = load double, ptr %813, align 8, !noalias !22
+  %829 = fmul double %828, 0x3FD4F8C15DA84E86
+  %830 = fsub double %827, %829
+  %831 = load double, ptr %817, align 8, !noalias !22
+  %832 = fmul double %831, 0x3FDE810014C55221
+  %833 = fadd double %830, %832
+  %834 = fmul double %826, 0x3FE017885A24A7F2
+  %835 = fmul double %828, 0x4004934E6FCAA598
+  %836 = fsub double %834, %835
+  %837 = fmul double %831, 0x3FE312C0CF7BDFD1
+  %838 = fadd double %836, %837
+  %839 = getelementptr double, ptr %792, i64 %810
+  %840 = load double, ptr %839, align 8, !noalias !22
+  %841 = getelementptr inbounds double, ptr %793, i64 %810
   %842 = load double, ptr %841, align 8, !noalias !22
-  %843 = fsub double %838, %842
-  %844 = icmp slt i64 %794, 0
-  %845 = select i1 %844, i64 %235, i64 0
-  %846 = add i64 %794, %845
-  %847 = select i1 %814, i64 %237, i64 0
-  %848 = mul i64 %846, %237
-  %849 = getelementptr double, ptr %238, i64 %848
-  %850 = getelementptr double, ptr %849, i64 %809
-  %851 = getelementptr double, ptr %850, i64 %847
-  store double %843, ptr %851, align 8, !noalias !22
-  br label %808
-
-852:                                              ; preds = %2590
-  %853 = icmp slt i64 %794, 0
-  %854 = select i1 %853, i64 %235, i64 0
-  %855 = add i64 %794, %854
-  %856 = icmp slt i64 %809, 0
-  %857 = select i1 %856, i64 %237, i64 0
-  %858 = mul i64 %855, %237
-  %859 = getelementptr double, ptr %238, i64 %858
-  %860 = getelementptr double, ptr %859, i64 %809
-  %861 = getelementptr double, ptr %860, i64 %857
-  store double 0.000000e+00, ptr %861, align 8, !noalias !22
-  br label %808
-
-862:                                              ; preds = %793, %866
-  %863 = phi i64 [ %2595, %866 ], [ 0, %793 ]
-  %864 = phi i64 [ %2594, %866 ], [ 3, %793 ]
-  %865 = icmp sgt i64 %864, 0
-  br i1 %865, label %2593, label %870
-
-866:                                              ; preds = %2593, %2596
-  %867 = phi i64 [ 0, %2593 ], [ %2598, %2596 ]
-  %868 = phi i64 [ %292, %2593 ], [ %2597, %2596 ]
-  %869 = icmp sgt i64 %868, 0
-  br i1 %869, label %2596, label %862
-
-870:                                              ; preds = %862
-  %871 = fmul double %306, %296
-  store ptr null, ptr %12, align 8, !noalias !65
-  %872 = load i64, ptr %116, align 8, !noalias !65
-  %873 = getelementptr i8, ptr %196, i64 40
-  %874 = load i64, ptr %873, align 8, !noalias !65
-  %875 = icmp sgt i64 %874, 0
-  %876 = select i1 %875, i64 10, i64 6
-  br label %877
-
-877:                                              ; preds = %1338, %870
-  %878 = phi i64 [ 0, %870 ], [ %1348, %1338 ]
-  %879 = phi i64 [ %876, %870 ], [ %1349, %1338 ]
-  %880 = phi double [ -1.000000e+00, %870 ], [ %1193, %1338 ]
-  %881 = phi double [ 0.000000e+00, %870 ], [ %1238, %1338 ]
-  %882 = phi i64 [ 0, %870 ], [ %1257, %1338 ]
-  %883 = icmp sgt i64 %879, 0
-  br i1 %883, label %1344, label %1347
-
-884:                                              ; preds = %1347
-  %885 = icmp sgt i64 %1351, 5
-  %886 = icmp eq i64 %882, 0
-  %887 = and i1 %885, %886
-  br i1 %887, label %1339, label %888
-
-888:                                              ; preds = %1377, %884
-  %889 = phi i64 [ %1354, %1377 ], [ 0, %884 ]
-  %890 = phi i64 [ %1353, %1377 ], [ 3, %884 ]
-  %891 = icmp sgt i64 %890, 0
-  br i1 %891, label %1352, label %926
-
-892:                                              ; preds = %1356, %1352
-  %893 = phi i64 [ 0, %1352 ], [ %1358, %1356 ]
-  %894 = phi i64 [ %1355, %1352 ], [ %1357, %1356 ]
-  %895 = icmp sgt i64 %894, 0
-  br i1 %895, label %1356, label %896
-
-896:                                              ; preds = %892
-  %897 = getelementptr i8, ptr %110, i64 24
-  %898 = load i64, ptr %897, align 8, !noalias !65
-  %899 = add nsw i64 %898, 1
-  store i64 %899, ptr %897, align 8, !noalias !65
-  %900 = icmp slt i64 %889, 0
-  %901 = add i64 %889, 3
-  %902 = select i1 %900, i64 %901, i64 %889
-  %903 = getelementptr double, ptr @4, i64 %902
-  %904 = load double, ptr %903, align 8, !noalias !65
-  %905 = fmul double %410, %904
-  %906 = fadd double %376, %905
-  %907 = mul nsw i64 %889, %872
-  %908 = shl i64 %907, 3
-  %909 = add i64 %908, %247
-  store ptr null, ptr %10, align 8, !noalias !69
-  store ptr null, ptr %11, align 8, !noalias !69
-  store double %906, ptr %33, align 8, !noalias !69
-  %910 = icmp sgt i64 %45, 0
-  br i1 %910, label %911, label %914
-
-911:                                              ; preds = %896
-  store ptr null, ptr %10, align 8, !noalias !69
-  %912 = call fastcc i32 @_sample(ptr nonnull %10, ptr %38, i64 %37, ptr %48, i64 %45, i64 %47, ptr %53, i64 %52, ptr %60, i64 %57, i64 %59, double %906) #3
-  switch i32 %912, label %913 [
-    i32 -2, label %914
-    i32 0, label %914
-  ], !prof !33
-
-913:                                              ; preds = %911
-  br label %914
-
-914:                                              ; preds = %911, %911, %896, %913
-  %915 = phi i32 [ %912, %913 ], [ 0, %896 ], [ 0, %911 ], [ 0, %911 ]
-  switch i32 %915, label %921 [
-    i32 -2, label %916
-    i32 0, label %916
-  ], !prof !33
-
-916:                                              ; preds = %914, %914
-  %917 = load i64, ptr %30, align 8, !noalias !76
-  %918 = inttoptr i64 %917 to ptr
-  %919 = inttoptr i64 %909 to ptr
-  %920 = call i32 %918(ptr nonnull %33, ptr %75, ptr %38, ptr %41, ptr %919) #3, !noalias !76
-  br label %921
-
-921:                                              ; preds = %914, %916
-  %922 = phi i32 [ %920, %916 ], [ 0, %914 ]
-  %923 = phi i32 [ 0, %916 ], [ %915, %914 ]
-  switch i32 %923, label %1896 [
-    i32 -2, label %1377
-    i32 0, label %1377
-  ], !prof !33
-
-924:                                              ; preds = %1377
-  %925 = sext i32 %922 to i64
-  br label %1896
-
-926:                                              ; preds = %888
-  %927 = call i64 @llvm.smax.i64(i64 %872, i64 0)
-  br label %928
-
-928:                                              ; preds = %933, %926
-  %929 = phi i64 [ 0, %926 ], [ %934, %933 ]
-  %930 = phi i64 [ %927, %926 ], [ %935, %933 ]
-  %931 = phi double [ 0.000000e+00, %926 ], [ %1011, %933 ]
-  %932 = icmp sgt i64 %930, 0
-  br i1 %932, label %1379, label %1012
-
-933:                                              ; preds = %1379
-  %934 = add i64 %929, 1
-  %935 = add nsw i64 %930, -1
-  %936 = fmul double %1384, 0x4010B70201A79C46
-  %937 = fmul double %1388, 0x3FD4F8C15DA84E86
-  %938 = fadd double %936, %937
-  %939 = fmul double %1394, 0x3FE0BF7FF59D56EF
-  %940 = fadd double %938, %939
-  %941 = fdiv double 0x400D1A48D83E731D, %410
-  %942 = select i1 %1380, i64 %244, i64 0
-  %943 = getelementptr double, ptr %245, i64 %929
-  %944 = getelementptr double, ptr %943, i64 %942
-  %945 = load double, ptr %944, align 8, !noalias !65
-  %946 = fmul double %941, %945
-  %947 = fsub double %940, %946
-  %948 = select i1 %1380, i64 %261, i64 0
-  %949 = getelementptr double, ptr %262, i64 %929
-  %950 = getelementptr double, ptr %949, i64 %948
-  store double %947, ptr %950, align 8, !noalias !65
-  %951 = load double, ptr %1383, align 8, !noalias !65
-  %952 = fmul double %951, 0xC010B70201A79C46
-  %953 = load double, ptr %1387, align 8, !noalias !65
-  %954 = fmul double %953, 0xBFD4F8C15DA84E86
-  %955 = fadd double %952, %954
-  %956 = load double, ptr %1393, align 8, !noalias !65
-  %957 = fmul double %956, 0x3FDE810014C55221
-  %958 = fadd double %955, %957
-  %959 = fmul double %951, 0x3FE017885A24A7F2
-  %960 = fmul double %953, 0xC004934E6FCAA598
-  %961 = fadd double %959, %960
-  %962 = fmul double %956, 0x3FE312C0CF7BDFD1
-  %963 = fadd double %961, %962
-  %964 = fdiv double 0x400572DB93E0C672, %410
-  %965 = fdiv double 0xC0086747F2C3FCB6, %410
-  %966 = getelementptr double, ptr %245, i64 %244
-  %967 = getelementptr double, ptr %966, i64 %929
-  %968 = getelementptr double, ptr %967, i64 %942
-  %969 = load double, ptr %968, align 8, !noalias !65
-  %970 = shl i64 %244, 4
-  %971 = getelementptr i8, ptr %245, i64 %970
-  %972 = getelementptr double, ptr %971, i64 %929
-  %973 = getelementptr double, ptr %972, i64 %942
-  %974 = load double, ptr %973, align 8, !noalias !65
-  %975 = fmul double %964, %974
-  %976 = fmul double %965, %969
-  %977 = fadd double %975, %976
-  %978 = fmul double %964, %969
-  %979 = fmul double %965, %974
-  %980 = fsub double %978, %979
-  %981 = fsub double %958, %980
-  %982 = fsub double %963, %977
-  %983 = select i1 %1380, i64 %266, i64 0
-  %984 = getelementptr { double, double }, ptr %267, i64 %929
-  %985 = getelementptr { double, double }, ptr %984, i64 %983
-  store double %981, ptr %985, align 8, !noalias !65
-  %986 = getelementptr inbounds nuw i8, ptr %985, i64 8
-  store double %982, ptr %986, align 8, !noalias !65
-  %987 = load double, ptr %950, align 8, !noalias !65
-  %988 = call double @llvm.fabs.f64(double %987)
-  %989 = call double @llvm.fabs.f64(double %981)
-  %990 = fadd double %988, %989
-  %991 = call double @llvm.fabs.f64(double %982)
-  %992 = fadd double %990, %991
-  %993 = fmul double %410, %992
-  %994 = select i1 %1380, i64 %64, i64 0
-  %995 = getelementptr double, ptr %65, i64 %929
-  %996 = getelementptr double, ptr %995, i64 %994
-  %997 = load double, ptr %996, align 8, !noalias !65
-  %998 = select i1 %1380, i64 %99, i64 0
-  %999 = getelementptr double, ptr %100, i64 %929
-  %1000 = getelementptr double, ptr %999, i64 %998
-  %1001 = load double, ptr %1000, align 8, !noalias !77
-  %1002 = select i1 %1380, i64 %94, i64 0
-  %1003 = getelementptr double, ptr %95, i64 %929
-  %1004 = getelementptr double, ptr %1003, i64 %1002
-  %1005 = load double, ptr %1004, align 8, !noalias !77
-  %1006 = call double @llvm.fabs.f64(double %997)
-  %1007 = fmul double %1005, %1006
-  %1008 = fadd double %1001, %1007
-  %1009 = fdiv double %993, %1008
-  %1010 = fmul double %1009, %1009
-  %1011 = fadd double %931, %1010
-  br label %928
-
-1012:                                             ; preds = %928
-  store ptr null, ptr %12, align 8, !noalias !65
-  %1013 = call fastcc i32 @solve(ptr nonnull %12, ptr %214, i64 %211, i64 %213, ptr %226, i64 %225, ptr %262, i64 %261) #3, !noalias !65
-  switch i32 %1013, label %1896 [
-    i32 -2, label %1398
-    i32 0, label %1398
-  ], !prof !33
-
-1014:                                             ; preds = %1568
-  %1015 = call i64 @llvm.smax.i64(i64 %211, i64 0)
-  br label %1016
-
-1016:                                             ; preds = %1029, %1014
-  %1017 = phi i64 [ 0, %1014 ], [ %1075, %1029 ]
-  %1018 = phi i64 [ %1015, %1014 ], [ %1074, %1029 ]
-  %1019 = icmp sgt i64 %1018, 0
-  br i1 %1019, label %1073, label %1030
-
-1020:                                             ; preds = %1073
-  %1021 = mul nsw i64 %1017, %874
-  %1022 = add nsw i64 %211, %1021
-  %1023 = mul nsw i64 %1080, %874
-  %1024 = add nsw i64 %211, %1023
-  br label %1025
-
-1025:                                             ; preds = %1082, %1020
-  %1026 = phi i64 [ 0, %1020 ], [ %1084, %1082 ]
-  %1027 = phi i64 [ %874, %1020 ], [ %1083, %1082 ]
-  %1028 = icmp sgt i64 %1027, 0
-  br i1 %1028, label %1082, label %1029
-
-1029:                                             ; preds = %1073, %1025
-  br label %1016
-
-1030:                                             ; preds = %1016, %1034
-  %1031 = phi i64 [ %1099, %1034 ], [ 0, %1016 ]
-  %1032 = phi i64 [ %1098, %1034 ], [ %1015, %1016 ]
-  %1033 = icmp sgt i64 %1032, 0
-  br i1 %1033, label %1097, label %1042
-
-1034:                                             ; preds = %1097, %1038
-  %1035 = phi i64 [ 0, %1097 ], [ %1103, %1038 ]
-  %1036 = phi i64 [ %1100, %1097 ], [ %1102, %1038 ]
-  %1037 = icmp sgt i64 %1036, 0
-  br i1 %1037, label %1101, label %1030
-
-1038:                                             ; preds = %1118, %1101
-  %1039 = phi i64 [ 0, %1101 ], [ %1120, %1118 ]
-  %1040 = phi i64 [ %874, %1101 ], [ %1119, %1118 ]
-  %1041 = icmp sgt i64 %1040, 0
-  br i1 %1041, label %1118, label %1034
-
-1042:                                             ; preds = %1030
-  %1043 = icmp ugt i64 %211, -9223372036854775808
-  %1044 = select i1 %1043, i64 0, i64 %211
-  br label %1045
-
-1045:                                             ; preds = %1069, %1042
-  %1046 = phi i64 [ %211, %1042 ], [ %1048, %1069 ]
-  %1047 = phi i64 [ %1044, %1042 ], [ %1136, %1069 ]
-  %1048 = add i64 %1046, -1
-  %1049 = icmp sgt i64 %1047, 0
-  br i1 %1049, label %1135, label %1569
-
-1050:                                             ; preds = %1135, %1054
-  %1051 = phi i64 [ %1046, %1135 ], [ %1143, %1054 ]
-  %1052 = phi i64 [ %1140, %1135 ], [ %1142, %1054 ]
-  %1053 = icmp sgt i64 %1052, 0
-  br i1 %1053, label %1141, label %1058
-
-1054:                                             ; preds = %1156, %1141
-  %1055 = phi i64 [ 0, %1141 ], [ %1158, %1156 ]
-  %1056 = phi i64 [ %874, %1141 ], [ %1157, %1156 ]
-  %1057 = icmp sgt i64 %1056, 0
-  br i1 %1057, label %1156, label %1050
-
-1058:                                             ; preds = %1050
-  %1059 = icmp slt i64 %1048, 0
-  %1060 = select i1 %1059, i64 %211, i64 0
-  %1061 = add i64 %1048, %1060
-  %1062 = select i1 %1059, i64 %213, i64 0
-  %1063 = mul i64 %1061, %213
-  %1064 = getelementptr double, ptr %214, i64 %1063
-  %1065 = getelementptr double, ptr %1064, i64 %1048
-  %1066 = getelementptr double, ptr %1065, i64 %1062
-  %1067 = load double, ptr %1066, align 8, !noalias !80
-  %1068 = fdiv double 1.000000e+00, %1067
-  br label %1069
-
-1069:                                             ; preds = %1173, %1058
-  %1070 = phi i64 [ 0, %1058 ], [ %1175, %1173 ]
-  %1071 = phi i64 [ %874, %1058 ], [ %1174, %1173 ]
-  %1072 = icmp sgt i64 %1071, 0
-  br i1 %1072, label %1173, label %1045
-
-1073:                                             ; preds = %1016
-  %1074 = add nsw i64 %1018, -1
-  %1075 = add i64 %1017, 1
-  %1076 = icmp slt i64 %1017, 0
-  %1077 = select i1 %1076, i64 %225, i64 0
-  %1078 = getelementptr i64, ptr %226, i64 %1017
-  %1079 = getelementptr i64, ptr %1078, i64 %1077
-  %1080 = load i64, ptr %1079, align 8, !noalias !80
-  %1081 = icmp eq i64 %1080, %1017
-  br i1 %1081, label %1029, label %1020
-
-1082:                                             ; preds = %1025
-  %1083 = add nsw i64 %1027, -1
-  %1084 = add i64 %1026, 1
-  %1085 = add nsw i64 %1024, %1026
-  %1086 = icmp slt i64 %1085, 0
-  %1087 = select i1 %1086, i64 %261, i64 0
-  %1088 = getelementptr double, ptr %262, i64 %1085
-  %1089 = getelementptr double, ptr %1088, i64 %1087
-  %1090 = load double, ptr %1089, align 8, !noalias !80
-  %1091 = add nsw i64 %1022, %1026
-  %1092 = icmp slt i64 %1091, 0
-  %1093 = select i1 %1092, i64 %261, i64 0
-  %1094 = getelementptr double, ptr %262, i64 %1091
-  %1095 = getelementptr double, ptr %1094, i64 %1093
-  %1096 = load double, ptr %1095, align 8, !noalias !80
-  store double %1090, ptr %1095, align 8, !noalias !80
-  store double %1096, ptr %1089, align 8, !noalias !80
-  br label %1025
-
-1097:                                             ; preds = %1030
-  %1098 = add nsw i64 %1032, -1
-  %1099 = add i64 %1031, 1
-  %1100 = call i64 @llvm.smax.i64(i64 %1031, i64 0)
-  br label %1034
-
-1101:                                             ; preds = %1034
-  %1102 = add nsw i64 %1036, -1
-  %1103 = add i64 %1035, 1
-  %1104 = icmp slt i64 %1031, 0
-  %1105 = select i1 %1104, i64 %211, i64 0
-  %1106 = add i64 %1031, %1105
-  %1107 = icmp slt i64 %1035, 0
-  %1108 = select i1 %1107, i64 %213, i64 0
-  %1109 = mul i64 %1106, %213
-  %1110 = getelementptr double, ptr %214, i64 %1109
-  %1111 = getelementptr double, ptr %1110, i64 %1035
-  %1112 = getelementptr double, ptr %1111, i64 %1108
-  %1113 = load double, ptr %1112, align 8, !noalias !80
-  %1114 = mul nsw i64 %1031, %874
-  %1115 = add nsw i64 %211, %1114
-  %1116 = mul nsw i64 %1035, %874
-  %1117 = add nsw i64 %211, %1116
-  br label %1038
-
-1118:                                             ; preds = %1038
-  %1119 = add nsw i64 %1040, -1
-  %1120 = add i64 %1039, 1
-  %1121 = add nsw i64 %1115, %1039
-  %1122 = icmp slt i64 %1121, 0
-  %1123 = select i1 %1122, i64 %261, i64 0
-  %1124 = getelementptr double, ptr %262, i64 %1121
-  %1125 = getelementptr double, ptr %1124, i64 %1123
-  %1126 = load double, ptr %1125, align 8, !noalias !80
-  %1127 = add nsw i64 %1117, %1039
-  %1128 = icmp slt i64 %1127, 0
-  %1129 = select i1 %1128, i64 %261, i64 0
-  %1130 = getelementptr double, ptr %262, i64 %1127
-  %1131 = getelementptr double, ptr %1130, i64 %1129
-  %1132 = load double, ptr %1131, align 8, !noalias !80
-  %1133 = fmul double %1113, %1132
-  %1134 = fsub double %1126, %1133
-  store double %1134, ptr %1125, align 8, !noalias !80
-  br label %1038
-
-1135:                                             ; preds = %1045
-  %1136 = add nsw i64 %1047, -1
-  %1137 = mul nsw i64 %1048, %874
-  %1138 = add nsw i64 %211, %1137
-  %1139 = sub i64 %211, %1046
-  %1140 = call i64 @llvm.smax.i64(i64 %1139, i64 0)
-  br label %1050
-
-1141:                                             ; preds = %1050
-  %1142 = add nsw i64 %1052, -1
-  %1143 = add i64 %1051, 1
-  %1144 = icmp slt i64 %1048, 0
-  %1145 = select i1 %1144, i64 %211, i64 0
-  %1146 = add i64 %1048, %1145
-  %1147 = icmp slt i64 %1051, 0
-  %1148 = select i1 %1147, i64 %213, i64 0
-  %1149 = mul i64 %1146, %213
-  %1150 = getelementptr double, ptr %214, i64 %1149
-  %1151 = getelementptr double, ptr %1150, i64 %1051
-  %1152 = getelementptr double, ptr %1151, i64 %1148
-  %1153 = load double, ptr %1152, align 8, !noalias !80
-  %1154 = mul nsw i64 %1051, %874
-  %1155 = add nsw i64 %211, %1154
-  br label %1054
-
-1156:                                             ; preds = %1054
-  %1157 = add nsw i64 %1056, -1
-  %1158 = add i64 %1055, 1
-  %1159 = add nsw i64 %1138, %1055
-  %1160 = icmp slt i64 %1159, 0
-  %1161 = select i1 %1160, i64 %261, i64 0
-  %1162 = getelementptr double, ptr %262, i64 %1159
-  %1163 = getelementptr double, ptr %1162, i64 %1161
-  %1164 = load double, ptr %1163, align 8, !noalias !80
-  %1165 = add nsw i64 %1155, %1055
-  %1166 = icmp slt i64 %1165, 0
-  %1167 = select i1 %1166, i64 %261, i64 0
-  %1168 = getelementptr double, ptr %262, i64 %1165
-  %1169 = getelementptr double, ptr %1168, i64 %1167
-  %1170 = load double, ptr %1169, align 8, !noalias !80
-  %1171 = fmul double %1153, %1170
-  %1172 = fsub double %1164, %1171
-  store double %1172, ptr %1163, align 8, !noalias !80
-  br label %1054
-
-1173:                                             ; preds = %1069
-  %1174 = add nsw i64 %1071, -1
-  %1175 = add i64 %1070, 1
-  %1176 = add nsw i64 %1138, %1070
-  %1177 = icmp slt i64 %1176, 0
-  %1178 = select i1 %1177, i64 %261, i64 0
-  %1179 = getelementptr double, ptr %262, i64 %1176
-  %1180 = getelementptr double, ptr %1179, i64 %1178
-  %1181 = load double, ptr %1180, align 8, !noalias !80
-  %1182 = fmul double %1181, %1068
-  store double %1182, ptr %1180, align 8, !noalias !80
-  br label %1069
-
-1183:                                             ; preds = %1595, %1568
-  br label %1184
-
-1184:                                             ; preds = %1793, %1183
-  %1185 = phi i64 [ 0, %1183 ], [ %1795, %1793 ]
-  %1186 = phi i64 [ %927, %1183 ], [ %1794, %1793 ]
-  %1187 = phi double [ 0.000000e+00, %1183 ], [ %1830, %1793 ]
-  %1188 = icmp sgt i64 %1186, 0
-  br i1 %1188, label %1793, label %1189
-
-1189:                                             ; preds = %1184
-  %1190 = mul nsw i64 %872, 3
-  %1191 = sitofp i64 %1190 to double
-  %1192 = fdiv double %1187, %1191
-  %1193 = call double @sqrt(double %1192), !noalias !65
-  %1194 = fcmp oeq double %1193, 0.000000e+00
-  %1195 = fcmp ogt double %931, 0.000000e+00
-  %1196 = select i1 %1194, i1 %1195, i1 false
-  br i1 %1196, label %1896, label %1197
-
-1197:                                             ; preds = %1189
-  %1198 = fcmp ogt double %880, 0.000000e+00
-  %1199 = and i1 %1198, %886
-  br i1 %1199, label %1200, label %1237
-
-1200:                                             ; preds = %1197
-  %1201 = fdiv double %1193, %880
-  %1202 = sub nsw i64 5, %1351
-  %1203 = add nsw i64 %1351, -5
-  %1204 = select i1 %885, i64 %1203, i64 %1202
-  %1205 = icmp samesign ugt i64 %1204, 65536
-  br i1 %1205, label %1206, label %1209
-
-1206:                                             ; preds = %1200
-  %1207 = sitofp i64 %1202 to double
-  %1208 = call double @llvm.pow.f64(double %1201, double %1207)
-  br label %1228
-
-1209:                                             ; preds = %1200
-  %1210 = icmp eq i64 %1204, 0
-  br i1 %1210, label %1222, label %1211
-
-1211:                                             ; preds = %1211, %1209
-  %1212 = phi double [ %1218, %1211 ], [ 1.000000e+00, %1209 ]
-  %1213 = phi double [ %1220, %1211 ], [ %1201, %1209 ]
-  %1214 = phi i64 [ %1219, %1211 ], [ %1204, %1209 ]
-  %1215 = and i64 %1214, 1
-  %1216 = icmp eq i64 %1215, 0
-  %1217 = fmul double %1212, %1213
-  %1218 = select i1 %1216, double %1212, double %1217
-  %1219 = lshr i64 %1214, 1
-  %1220 = fmul double %1213, %1213
-  %1221 = icmp eq i64 %1219, 0
-  br i1 %1221, label %1222, label %1211
-
-1222:                                             ; preds = %1211, %1209
-  %1223 = phi double [ %1218, %1211 ], [ 1.000000e+00, %1209 ]
-  br i1 %885, label %1224, label %1228
-
-1224:                                             ; preds = %1222
-  %1225 = fcmp oeq double %1223, 0.000000e+00
-  br i1 %1225, label %1228, label %1226, !prof !4
-
-1226:                                             ; preds = %1224
-  %1227 = fdiv double 1.000000e+00, %1223
-  br label %1228
-
-1228:                                             ; preds = %1224, %1222, %1206, %1226
-  %1229 = phi double [ 0.000000e+00, %1224 ], [ %1208, %1206 ], [ %1223, %1222 ], [ %1227, %1226 ]
-  %1230 = phi i1 [ false, %1224 ], [ true, %1206 ], [ true, %1222 ], [ true, %1226 ]
-  %1231 = phi i32 [ 1, %1224 ], [ 0, %1206 ], [ 0, %1222 ], [ 0, %1226 ]
-  br i1 %1230, label %1831, label %1896, !prof !83
-
-1232:                                             ; preds = %1831
-  %1233 = fsub double 1.000000e+00, %1201
-  %1234 = fdiv double %1229, %1233
-  %1235 = fmul double %1234, %1193
-  %1236 = fcmp ogt double %1235, %306
-  br i1 %1236, label %1896, label %1237
-
-1237:                                             ; preds = %1232, %1197
-  %1238 = phi double [ %1201, %1232 ], [ %881, %1197 ]
-  br label %1239
-
-1239:                                             ; preds = %1243, %1237
-  %1240 = phi i64 [ 0, %1237 ], [ %1835, %1243 ]
-  %1241 = phi i64 [ %927, %1237 ], [ %1834, %1243 ]
-  %1242 = icmp sgt i64 %1241, 0
-  br i1 %1242, label %1833, label %1247
-
-1243:                                             ; preds = %1863, %1833
-  %1244 = phi i64 [ 0, %1833 ], [ %1865, %1863 ]
-  %1245 = phi i64 [ 3, %1833 ], [ %1864, %1863 ]
-  %1246 = icmp sgt i64 %1245, 0
-  br i1 %1246, label %1863, label %1239
-
-1247:                                             ; preds = %1239
-  br i1 %886, label %1248, label %1256
-
-1248:                                             ; preds = %1247
-  br i1 %1194, label %1255, label %1249
-
-1249:                                             ; preds = %1248
-  br i1 %1198, label %1250, label %1256
-
-1250:                                             ; preds = %1249
-  %1251 = fsub double 1.000000e+00, %1238
-  %1252 = fdiv double %1238, %1251
-  %1253 = fmul double %1252, %1193
-  %1254 = fcmp olt double %1253, %306
-  br i1 %1254, label %1255, label %1256
-
-1255:                                             ; preds = %1250, %1248
-  br label %1256
-
-1256:                                             ; preds = %1255, %1250, %1249, %1247
-  %1257 = phi i64 [ %1350, %1255 ], [ 0, %1250 ], [ 0, %1249 ], [ %882, %1247 ]
-  %1258 = icmp sgt i64 %1257, 0
-  br i1 %1258, label %1259, label %1338
-
-1259:                                             ; preds = %1256
-  %1260 = icmp eq i64 %874, 0
-  br i1 %1260, label %1339, label %1261
-
-1261:                                             ; preds = %1259
-  %1262 = load i64, ptr %873, align 8, !noalias !84
-  %1263 = call i64 @llvm.smax.i64(i64 %1262, i64 0)
-  br label %1264
-
-1264:                                             ; preds = %1282, %1261
-  %1265 = phi i64 [ 0, %1261 ], [ %1286, %1282 ]
-  %1266 = phi i64 [ %1263, %1261 ], [ %1285, %1282 ]
-  %1267 = phi double [ 0.000000e+00, %1261 ], [ %1283, %1282 ]
-  %1268 = icmp sgt i64 %1266, 0
-  br i1 %1268, label %1284, label %1893
-
-1269:                                             ; preds = %1288, %1284
-  %1270 = phi i64 [ 0, %1284 ], [ %1290, %1288 ]
-  %1271 = phi i64 [ %1287, %1284 ], [ %1289, %1288 ]
-  %1272 = phi double [ 0.000000e+00, %1284 ], [ %1312, %1288 ]
-  %1273 = phi double [ 0.000000e+00, %1284 ], [ %1337, %1288 ]
-  %1274 = icmp sgt i64 %1271, 0
-  br i1 %1274, label %1288, label %1275
-
-1275:                                             ; preds = %1269
-  %1276 = fmul double %1267, %1273
-  %1277 = fcmp ogt double %1272, %1276
-  br i1 %1277, label %1278, label %1282
-
-1278:                                             ; preds = %1275
-  %1279 = fcmp ogt double %1273, 0.000000e+00
-  %1280 = fdiv double %1272, %1273
-  %1281 = select i1 %1279, double %1280, double 1.000000e+00
-  br label %1282
-
-1282:                                             ; preds = %1278, %1275
-  %1283 = phi double [ %1281, %1278 ], [ %1267, %1275 ]
-  br label %1264
-
-1284:                                             ; preds = %1264
-  %1285 = add nsw i64 %1266, -1
-  %1286 = add i64 %1265, 1
-  %1287 = call i64 @llvm.smax.i64(i64 %225, i64 0)
-  br label %1269
-
-1288:                                             ; preds = %1269
-  %1289 = add nsw i64 %1271, -1
-  %1290 = add i64 %1270, 1
-  %1291 = mul nsw i64 %1270, %1262
-  %1292 = add nsw i64 %225, %1291
-  %1293 = add nsw i64 %1292, %1265
-  %1294 = icmp slt i64 %1293, 0
-  %1295 = select i1 %1294, i64 %261, i64 0
-  %1296 = getelementptr double, ptr %262, i64 %1293
-  %1297 = getelementptr double, ptr %1296, i64 %1295
-  %1298 = load double, ptr %1297, align 8, !noalias !84
-  %1299 = fmul double %1298, %1298
-  %1300 = select i1 %1294, i64 %266, i64 0
-  %1301 = getelementptr { double, double }, ptr %267, i64 %1293
-  %1302 = getelementptr { double, double }, ptr %1301, i64 %1300
-  %1303 = load double, ptr %1302, align 8, !noalias !84
-  %1304 = getelementptr inbounds nuw i8, ptr %1302, i64 8
-  %1305 = load double, ptr %1304, align 8, !noalias !84
-  %1306 = call double @hypot(double %1303, double %1305) #3, !noalias !88
-  %1307 = load double, ptr %1302, align 8, !noalias !84
-  %1308 = load double, ptr %1304, align 8, !noalias !84
-  %1309 = call double @hypot(double %1307, double %1308) #3, !noalias !94
-  %1310 = fmul double %1306, %1309
-  %1311 = fadd double %1299, %1310
-  %1312 = fadd double %1272, %1311
-  %1313 = select i1 %1294, i64 %64, i64 0
-  %1314 = getelementptr double, ptr %65, i64 %1293
-  %1315 = getelementptr double, ptr %1314, i64 %1313
-  %1316 = load double, ptr %1315, align 8, !noalias !84
-  %1317 = fmul double %1316, %1316
-  %1318 = fadd double %1273, %1317
-  %1319 = select i1 %1294, i64 %244, i64 0
-  %1320 = getelementptr double, ptr %245, i64 %1293
-  %1321 = getelementptr double, ptr %1320, i64 %1319
-  %1322 = load double, ptr %1321, align 8, !noalias !84
-  %1323 = fmul double %1322, %1322
-  %1324 = getelementptr double, ptr %245, i64 %244
-  %1325 = getelementptr double, ptr %1324, i64 %1293
-  %1326 = getelementptr double, ptr %1325, i64 %1319
-  %1327 = load double, ptr %1326, align 8, !noalias !84
-  %1328 = fmul double %1327, %1327
-  %1329 = fadd double %1323, %1328
-  %1330 = shl i64 %244, 4
-  %1331 = getelementptr i8, ptr %245, i64 %1330
-  %1332 = getelementptr double, ptr %1331, i64 %1293
-  %1333 = getelementptr double, ptr %1332, i64 %1319
-  %1334 = load double, ptr %1333, align 8, !noalias !84
-  %1335 = fmul double %1334, %1334
-  %1336 = fadd double %1329, %1335
-  %1337 = fadd double %1318, %1336
-  br label %1269
-
-1338:                                             ; preds = %1893, %1256
-  br label %877
-
-1339:                                             ; preds = %1893, %1347, %1259, %884
-  %1340 = phi double [ %881, %1347 ], [ %881, %884 ], [ %1238, %1893 ], [ %1238, %1259 ]
-  %1341 = phi i64 [ %882, %1347 ], [ 0, %884 ], [ %1257, %1893 ], [ %1257, %1259 ]
-  %1342 = icmp slt i64 %1341, 1
-  %1343 = select i1 %1342, i64 6, i64 %1341
-  br label %1896
-
-1344:                                             ; preds = %877
-  %1345 = add nsw i64 %879, -1
-  %1346 = add i64 %878, 1
+  %843 = fmul double %693, %840
+  %844 = fmul double %694, %842
+  %845 = fmul double %693, %842
+  %846 = fmul double %694, %840
+  %847 = fsub double %843, %844
+  %848 = fadd double %846, %845
+  %849 = fsub double %833, %847
+  %850 = fsub double %838, %848
+  %851 = getelementptr inbounds { double, double }, ptr %775, i64 %810
+  %852 = getelementptr inbounds i8, ptr %851, i64 8
+  store double %849, ptr %851, align 8, !noalias !22
+  store double %850, ptr %852, align 8, !noalias !22
+  %853 = load double, ptr %825, align 8, !noalias !22
+  %854 = tail call double @llvm.fabs.f64(double %853)
+  %855 = tail call double @llvm.fabs.f64(double %849)
+  %856 = fadd double %854, %855
+  %857 = tail call double @llvm.fabs.f64(double %850)
+  %858 = fadd double %857, %856
+  %859 = fmul double %387, %858
+  %860 = load ptr, ptr %66, align 8, !noalias !22
+  %861 = getelementptr inbounds double, ptr %860, i64 %810
+  %862 = load double, ptr %861, align 8, !noalias !22
+  %863 = load ptr, ptr %274, align 8, !noalias !22
+  %864 = getelementptr inbounds double, ptr %863, i64 %810
+  %865 = load double, ptr %864, align 8, !noalias !22
+  %866 = load ptr, ptr %275, align 8, !noalias !22
+  %867 = getelementptr inbounds double, ptr %866, i64 %810
+  %868 = load double, ptr %867, align 8, !noalias !22
+  %869 = tail call double @llvm.fabs.f64(double %862)
+  %870 = fmul double %869, %868
+  %871 = fadd double %865, %870
+  %872 = fdiv double %859, %871
+  %873 = fmul double %872, %872
+  %874 = fadd double %809, %873
+  %875 = add nuw nsw i64 %810, 1
+  %876 = icmp eq i64 %875, %771
+  br i1 %876, label %882, label %796, !llvm.loop !27
+
+877:                                              ; preds = %796
+  %878 = icmp slt i64 %875, %771
+  br label %879
+
+879:                                              ; preds = %877, %777
+  %880 = phi i1 [ %878, %877 ], [ %776, %777 ]
+  %881 = phi double [ %874, %877 ], [ 0.000000e+00, %777 ]
+  br i1 %880, label %1106, label %882
+
+882:                                              ; preds = %807, %768, %879
+  %883 = phi double [ %881, %879 ], [ 0.000000e+00, %768 ], [ %874, %807 ]
+  %884 = load ptr, ptr %65, align 8, !noalias !22
+  %885 = getelementptr inbounds i8, ptr %884, i64 8
+  %886 = load i64, ptr %885, align 8, !noalias !22
+  %887 = load i64, ptr %277, align 8, !noalias !22
+  %888 = load ptr, ptr %67, align 8, !noalias !22
+  %889 = getelementptr inbounds i8, ptr %888, i64 40
+  %890 = load i64, ptr %889, align 8, !noalias !22
+  %891 = load ptr, ptr %266, align 8, !noalias !22
+  %892 = load ptr, ptr %267, align 8, !noalias !22
+  %893 = load ptr, ptr %278, align 8, !noalias !22
+  %894 = load ptr, ptr %276, align 8, !noalias !22
+  tail call fastcc void @real_solve(ptr noundef %893, i64 noundef %887, ptr noundef %894, ptr noundef %891) #10, !noalias !22
+  %895 = load ptr, ptr %279, align 8, !noalias !22
+  %896 = load ptr, ptr %280, align 8, !noalias !22
+  tail call fastcc void @pair_solve(ptr noundef %895, i64 noundef %887, ptr noundef %896, ptr noundef %892) #10, !noalias !22
+  %897 = icmp sgt i64 %890, 0
+  br i1 %897, label %898, label %903
+
+898:                                              ; preds = %882
+  %899 = load ptr, ptr %278, align 8, !noalias !22
+  %900 = load ptr, ptr %276, align 8, !noalias !22
+  tail call fastcc void @real_solve_columns(ptr noundef %899, i64 noundef %887, ptr noundef %900, ptr noundef %891, i64 noundef %890) #10, !noalias !22
+  %901 = load ptr, ptr %279, align 8, !noalias !22
+  %902 = load ptr, ptr %280, align 8, !noalias !22
+  tail call fastcc void @pair_solve_columns(ptr noundef %901, i64 noundef %887, ptr noundef %902, ptr noundef %892, i64 noundef %890) #10, !noalias !22
+  br label %903
+
+903:                                              ; preds = %898, %882
+  %904 = icmp sgt i64 %886, 0
+  br i1 %904, label %905, label %938
+
+905:                                              ; preds = %903
+  %906 = load ptr, ptr %66, align 8, !noalias !22
+  %907 = load ptr, ptr %281, align 8, !noalias !22
+  %908 = load ptr, ptr %282, align 8, !noalias !22
+  br label %909
+
+909:                                              ; preds = %905, %909
+  %910 = phi double [ 0.000000e+00, %905 ], [ %935, %909 ]
+  %911 = phi i64 [ 0, %905 ], [ %936, %909 ]
+  %912 = getelementptr inbounds double, ptr %906, i64 %911
+  %913 = load double, ptr %912, align 8, !noalias !22
+  %914 = getelementptr inbounds double, ptr %907, i64 %911
+  %915 = load double, ptr %914, align 8, !noalias !22
+  %916 = getelementptr inbounds double, ptr %908, i64 %911
+  %917 = load double, ptr %916, align 8, !noalias !22
+  %918 = tail call double @llvm.fabs.f64(double %913)
+  %919 = fmul double %918, %917
+  %920 = fadd double %915, %919
+  %921 = getelementptr inbounds double, ptr %891, i64 %911
+  %922 = load double, ptr %921, align 8, !noalias !22
+  %923 = fdiv double %922, %920
+  %924 = getelementptr inbounds { double, double }, ptr %892, i64 %911
+  %925 = load double, ptr %924, align 8, !noalias !22
+  %926 = getelementptr inbounds i8, ptr %924, i64 8
+  %927 = fdiv double %925, %920
+  %928 = load double, ptr %926, align 8, !noalias !22
+  %929 = fdiv double %928, %920
+  %930 = fmul double %923, %923
+  %931 = fmul double %927, %927
+  %932 = fadd double %930, %931
+  %933 = fmul double %929, %929
+  %934 = fadd double %932, %933
+  %935 = fadd double %910, %934
+  %936 = add nuw nsw i64 %911, 1
+  %937 = icmp eq i64 %936, %886
+  br i1 %937, label %938, label %909, !llvm.loop !28
+
+938:                                              ; preds = %909, %903
+  %939 = phi double [ 0.000000e+00, %903 ], [ %935, %909 ]
+  %940 = mul nsw i64 %886, 3
+  %941 = sitofp i64 %940 to double
+  %942 = fdiv double %939, %941
+  %943 = tail call double @llvm.sqrt.f64(double %942)
+  %944 = fcmp oeq double %943, 0.000000e+00
+  %945 = fcmp ogt double %883, 0.000000e+00
+  %946 = select i1 %944, i1 %945, i1 false
+  br i1 %946, label %947, label %949
+
+947:                                              ; preds = %938
+  %948 = add nuw nsw i64 %704, 1
+  br label %1093
+
+949:                                              ; preds = %938
+  %950 = fcmp ogt double %701, 0.000000e+00
+  %951 = select i1 %950, i1 %710, i1 false
+  br i1 %951, label %952, label %965
+
+952:                                              ; preds = %949
+  %953 = fdiv double %943, %701
+  %954 = fcmp ult double %953, 1.000000e+00
+  br i1 %954, label %955, label %963
+
+955:                                              ; preds = %952
+  %956 = sub nsw i64 5, %704
+  %957 = sitofp i64 %956 to double
+  %958 = tail call double @llvm.pow.f64(double %953, double %957)
+  %959 = fsub double 1.000000e+00, %953
+  %960 = fdiv double %958, %959
+  %961 = fmul double %943, %960
+  %962 = fcmp ogt double %961, %111
+  br i1 %962, label %963, label %965
+
+963:                                              ; preds = %955, %952
+  %964 = add nuw nsw i64 %704, 1
+  br label %1093
+
+965:                                              ; preds = %955, %949
+  %966 = phi double [ %702, %949 ], [ %953, %955 ]
+  br i1 %695, label %978, label %967
+
+967:                                              ; preds = %996, %965
+  %968 = fsub double 1.000000e+00, %966
+  %969 = fdiv double %966, %968
+  %970 = fmul double %943, %969
+  %971 = fcmp olt double %970, %111
+  %972 = select i1 %950, i1 %971, i1 false
+  %973 = select i1 %944, i1 true, i1 %972
+  %974 = add nuw nsw i64 %704, 1
+  %975 = select i1 %973, i64 %974, i64 0
+  %976 = select i1 %710, i64 %975, i64 %703
+  %977 = icmp sgt i64 %976, 0
+  br i1 %977, label %1019, label %1092
+
+978:                                              ; preds = %965, %996
+  %979 = phi i64 [ %997, %996 ], [ 0, %965 ]
+  %980 = getelementptr inbounds double, ptr %687, i64 %979
+  %981 = load double, ptr %980, align 8, !noalias !22
+  %982 = getelementptr inbounds double, ptr %685, i64 %979
+  %983 = load double, ptr %982, align 8, !noalias !22
+  %984 = fadd double %981, %983
+  store double %984, ptr %982, align 8, !noalias !22
+  %985 = getelementptr inbounds { double, double }, ptr %688, i64 %979
+  %986 = load double, ptr %985, align 8, !noalias !22
+  %987 = getelementptr inbounds i8, ptr %985, i64 8
+  %988 = getelementptr double, ptr %696, i64 %979
+  %989 = load double, ptr %988, align 8, !noalias !22
+  %990 = fadd double %986, %989
+  store double %990, ptr %988, align 8, !noalias !22
+  %991 = load double, ptr %987, align 8, !noalias !22
+  %992 = getelementptr double, ptr %698, i64 %979
+  %993 = load double, ptr %992, align 8, !noalias !22
+  %994 = fadd double %991, %993
+  store double %994, ptr %992, align 8, !noalias !22
+  %995 = getelementptr double, ptr %684, i64 %979
+  br label %999
+
+996:                                              ; preds = %999
+  %997 = add nuw nsw i64 %979, 1
+  %998 = icmp eq i64 %997, %680
+  br i1 %998, label %967, label %978, !llvm.loop !29
+
+999:                                              ; preds = %978, %999
+  %1000 = phi i64 [ 0, %978 ], [ %1017, %999 ]
+  %1001 = getelementptr inbounds [3 x [3 x double]], ptr @FROM_WAVES, i64 0, i64 %1000
+  %1002 = load double, ptr %1001, align 8, !noalias !22
+  %1003 = load double, ptr %982, align 8, !noalias !22
+  %1004 = fmul double %1002, %1003
+  %1005 = getelementptr inbounds i8, ptr %1001, i64 8
+  %1006 = load double, ptr %1005, align 8, !noalias !22
+  %1007 = load double, ptr %988, align 8, !noalias !22
+  %1008 = fmul double %1006, %1007
+  %1009 = fadd double %1004, %1008
+  %1010 = getelementptr inbounds i8, ptr %1001, i64 16
+  %1011 = load double, ptr %1010, align 8, !noalias !22
+  %1012 = load double, ptr %992, align 8, !noalias !22
+  %1013 = fmul double %1011, %1012
+  %1014 = fadd double %1009, %1013
+  %1015 = mul nuw nsw i64 %680, %1000
+  %1016 = getelementptr double, ptr %995, i64 %1015
+  store double %1014, ptr %1016, align 8, !noalias !22
+  %1017 = add nuw nsw i64 %1000, 1
+  %1018 = icmp eq i64 %1017, 3
+  br i1 %1018, label %996, label %999, !llvm.loop !30
+
+1019:                                             ; preds = %967
+  br i1 %699, label %1093, label %1020
+
+1020:                                             ; preds = %1019
+  %1021 = load i64, ptr %283, align 8, !noalias !22
+  %1022 = load ptr, ptr %67, align 8, !noalias !22
+  %1023 = getelementptr inbounds i8, ptr %1022, i64 40
+  %1024 = load i64, ptr %1023, align 8, !noalias !22
+  %1025 = load ptr, ptr %286, align 8, !noalias !22
+  %1026 = load ptr, ptr %284, align 8, !noalias !22
+  %1027 = load ptr, ptr %287, align 8, !noalias !22
+  %1028 = icmp sgt i64 %1024, 0
+  br i1 %1028, label %1029, label %1089
+
+1029:                                             ; preds = %1020
+  %1030 = load i64, ptr %285, align 8, !noalias !22
+  %1031 = icmp sgt i64 %1021, 0
+  %1032 = getelementptr double, ptr %1026, i64 %1030
+  %1033 = shl i64 %1030, 4
+  %1034 = getelementptr i8, ptr %1026, i64 %1033
+  br label %1035
+
+1035:                                             ; preds = %1029, %1085
+  %1036 = phi double [ 0.000000e+00, %1029 ], [ %1086, %1085 ]
+  %1037 = phi i64 [ 0, %1029 ], [ %1087, %1085 ]
+  br i1 %1031, label %1038, label %1041
+
+1038:                                             ; preds = %1035
+  %1039 = add nuw i64 %1037, %1021
+  %1040 = load ptr, ptr %66, align 8, !noalias !22
+  br label %1046
+
+1041:                                             ; preds = %1046, %1035
+  %1042 = phi double [ 0.000000e+00, %1035 ], [ %1078, %1046 ]
+  %1043 = phi double [ 0.000000e+00, %1035 ], [ %1062, %1046 ]
+  %1044 = fmul double %1036, %1042
+  %1045 = fcmp ogt double %1043, %1044
+  br i1 %1045, label %1081, label %1085
+
+1046:                                             ; preds = %1038, %1046
+  %1047 = phi double [ 0.000000e+00, %1038 ], [ %1062, %1046 ]
+  %1048 = phi double [ 0.000000e+00, %1038 ], [ %1078, %1046 ]
+  %1049 = phi i64 [ 0, %1038 ], [ %1079, %1046 ]
+  %1050 = mul nuw nsw i64 %1049, %1024
+  %1051 = add i64 %1039, %1050
+  %1052 = getelementptr inbounds double, ptr %1025, i64 %1051
+  %1053 = load double, ptr %1052, align 8, !noalias !22
+  %1054 = fmul double %1053, %1053
+  %1055 = getelementptr inbounds { double, double }, ptr %1027, i64 %1051
+  %1056 = load double, ptr %1055, align 8, !noalias !22
+  %1057 = getelementptr inbounds i8, ptr %1055, i64 8
+  %1058 = load double, ptr %1057, align 8, !noalias !22
+  %1059 = tail call double @hypot(double noundef %1056, double noundef %1058) #13
+  %1060 = fmul double %1059, %1059
+  %1061 = fadd double %1054, %1060
+  %1062 = fadd double %1047, %1061
+  %1063 = getelementptr inbounds double, ptr %1040, i64 %1051
+  %1064 = load double, ptr %1063, align 8, !noalias !22
+  %1065 = fmul double %1064, %1064
+  %1066 = fadd double %1048, %1065
+  %1067 = getelementptr inbounds double, ptr %1026, i64 %1051
+  %1068 = load double, ptr %1067, align 8, !noalias !22
+  %1069 = fmul double %1068, %1068
+  %1070 = getelementptr double, ptr %1032, i64 %1051
+  %1071 = load double, ptr %1070, align 8, !noalias !22
+  %1072 = fmul double %1071, %1071
+  %1073 = fadd double %1069, %1072
+  %1074 = getelementptr double, ptr %1034, i64 %1051
+  %1075 = load double, ptr %1074, align 8, !noalias !22
+  %1076 = fmul double %1075, %1075
+  %1077 = fadd double %1073, %1076
+  %1078 = fadd double %1066, %1077
+  %1079 = add nuw nsw i64 %1049, 1
+  %1080 = icmp eq i64 %1079, %1021
+  br i1 %1080, label %1041, label %1046, !llvm.loop !31
+
+1081:                                             ; preds = %1041
+  %1082 = fcmp ogt double %1042, 0.000000e+00
+  %1083 = fdiv double %1043, %1042
+  %1084 = select i1 %1082, double %1083, double 1.000000e+00
+  br label %1085
+
+1085:                                             ; preds = %1081, %1041
+  %1086 = phi double [ %1084, %1081 ], [ %1036, %1041 ]
+  %1087 = add nuw nsw i64 %1037, 1
+  %1088 = icmp eq i64 %1087, %1024
+  br i1 %1088, label %1089, label %1035, !llvm.loop !32
+
+1089:                                             ; preds = %1085, %1020
+  %1090 = phi double [ 0.000000e+00, %1020 ], [ %1086, %1085 ]
+  %1091 = fcmp ugt double %1090, %288
+  br i1 %1091, label %1092, label %1093
+
+1092:                                             ; preds = %1089, %967
+  br label %1093
+
+1093:                                             ; preds = %1092, %1089, %1019, %963, %947
+  %1094 = phi double [ %702, %947 ], [ %953, %963 ], [ %763, %1019 ], [ %763, %1092 ], [ %763, %1089 ]
+  %1095 = phi i32 [ 0, %947 ], [ 0, %963 ], [ %764, %1019 ], [ %764, %1092 ], [ %764, %1089 ]
+  %1096 = phi i64 [ %948, %947 ], [ %964, %963 ], [ %765, %1019 ], [ %765, %1092 ], [ %765, %1089 ]
+  %1097 = phi i64 [ 0, %947 ], [ 0, %963 ], [ %766, %1019 ], [ %766, %1092 ], [ %766, %1089 ]
+  %1098 = phi i1 [ false, %947 ], [ false, %963 ], [ false, %1019 ], [ true, %1092 ], [ false, %1089 ]
+  %1099 = phi i32 [ 1, %947 ], [ 1, %963 ], [ 2, %1019 ], [ 0, %1092 ], [ 2, %1089 ]
+  %1100 = phi i64 [ %703, %947 ], [ 0, %963 ], [ %976, %1019 ], [ %976, %1092 ], [ %976, %1089 ]
+  %1101 = phi double [ %702, %947 ], [ %953, %963 ], [ %966, %1019 ], [ %966, %1092 ], [ %966, %1089 ]
+  %1102 = phi double [ %701, %947 ], [ %701, %963 ], [ %701, %1019 ], [ %943, %1092 ], [ %701, %1089 ]
+  br i1 %1098, label %1103, label %1106
+
+1103:                                             ; preds = %1093
+  %1104 = add nuw nsw i64 %704, 1
+  %1105 = icmp eq i64 %1104, %690
+  br i1 %1105, label %1106, label %700, !llvm.loop !33
+
+1106:                                             ; preds = %879, %1093, %761, %700, %1103
+  %1107 = phi double [ %708, %700 ], [ %1094, %1093 ], [ %763, %761 ], [ %1094, %1103 ], [ 0x7FF0000000000000, %879 ]
+  %1108 = phi i32 [ %707, %700 ], [ %1095, %1093 ], [ %764, %761 ], [ %1095, %1103 ], [ 0, %879 ]
+  %1109 = phi i64 [ %706, %700 ], [ %1096, %1093 ], [ %765, %761 ], [ %1096, %1103 ], [ %704, %879 ]
+  %1110 = phi i64 [ %705, %700 ], [ %1097, %1093 ], [ %766, %761 ], [ %1097, %1103 ], [ 0, %879 ]
+  %1111 = phi i32 [ 2, %700 ], [ %1099, %1093 ], [ %767, %761 ], [ 2, %1103 ], [ 1, %879 ]
+  %1112 = phi i64 [ 0, %700 ], [ %1100, %1093 ], [ %703, %761 ], [ %1100, %1103 ], [ %703, %879 ]
+  %1113 = phi double [ %702, %700 ], [ %1101, %1093 ], [ %702, %761 ], [ %1101, %1103 ], [ %702, %879 ]
+  %1114 = icmp eq i32 %1111, 2
+  br i1 %1114, label %1115, label %1119
+
+1115:                                             ; preds = %1106
+  %1116 = icmp sgt i64 %1112, 0
+  %1117 = select i1 %1116, i64 %1112, i64 6
+  %1118 = zext i1 %1116 to i32
+  br label %1119
+
+1119:                                             ; preds = %1106, %1115
+  %1120 = phi double [ %1113, %1115 ], [ %1107, %1106 ]
+  %1121 = phi i32 [ %1118, %1115 ], [ %1108, %1106 ]
+  %1122 = phi i64 [ %1117, %1115 ], [ %1109, %1106 ]
+  %1123 = phi i64 [ 0, %1115 ], [ %1110, %1106 ]
+  %1124 = icmp slt i64 %1123, 0
+  br i1 %1124, label %1753, label %1125
+
+1125:                                             ; preds = %1119
+  %1126 = icmp eq i32 %1121, 0
+  br i1 %1126, label %1128, label %1127
+
+1127:                                             ; preds = %1125
+  br i1 %289, label %1279, label %1178
+
+1128:                                             ; preds = %1125
+  %1129 = load i64, ptr %231, align 8
+  %1130 = add nsw i64 %1129, 1
+  store i64 %1130, ptr %231, align 8
+  %1131 = tail call double @llvm.fabs.f64(double %1120)
+  %1132 = fcmp ueq double %1131, 0x7FF0000000000000
+  %1133 = select i1 %1132, i64 4, i64 7
+  %1134 = icmp eq i64 %1123, 0
+  %1135 = select i1 %1134, i64 %1133, i64 3
+  store i64 %1135, ptr %340, align 8
+  %1136 = load i64, ptr %341, align 8
+  %1137 = icmp eq i64 %1136, 1
+  %1138 = and i1 %1134, %1137
+  br i1 %1138, label %1139, label %1165
+
+1139:                                             ; preds = %1128
+  %1140 = load i64, ptr %343, align 8
+  %1141 = icmp sgt i64 %1140, 0
+  br i1 %1141, label %1142, label %1159
+
+1142:                                             ; preds = %1139, %1151
+  %1143 = phi i64 [ %1156, %1151 ], [ 0, %1139 ]
+  %1144 = phi i32 [ %1153, %1151 ], [ 0, %1139 ]
+  %1145 = icmp eq i32 %1144, 0
+  br i1 %1145, label %1146, label %1151
+
+1146:                                             ; preds = %1142
+  %1147 = load ptr, ptr %342, align 8
+  %1148 = getelementptr inbounds double, ptr %1147, i64 %1143
+  %1149 = load double, ptr %1148, align 8
+  %1150 = fcmp une double %1149, 0.000000e+00
+  br label %1151
+
+1151:                                             ; preds = %1146, %1142
+  %1152 = phi i1 [ true, %1142 ], [ %1150, %1146 ]
+  %1153 = zext i1 %1152 to i32
+  %1154 = load ptr, ptr %342, align 8
+  %1155 = getelementptr inbounds double, ptr %1154, i64 %1143
+  store double 0.000000e+00, ptr %1155, align 8
+  %1156 = add nuw nsw i64 %1143, 1
+  %1157 = load i64, ptr %343, align 8
+  %1158 = icmp slt i64 %1156, %1157
+  br i1 %1158, label %1142, label %1159, !llvm.loop !34
+
+1159:                                             ; preds = %1151, %1139
+  %1160 = phi i32 [ 0, %1139 ], [ %1153, %1151 ]
+  %1161 = icmp eq i32 %1160, 0
+  br i1 %1161, label %1163, label %1162
+
+1162:                                             ; preds = %1159
+  store i64 0, ptr %252, align 8
+  br label %1753, !llvm.loop !17
+
+1163:                                             ; preds = %1159
+  store i64 0, ptr %341, align 8
+  %1164 = fmul double %387, 5.000000e-01
+  br label %1165
+
+1165:                                             ; preds = %1163, %1128
+  %1166 = phi double [ %1164, %1163 ], [ %352, %1128 ]
+  %1167 = load i64, ptr %341, align 8
+  %1168 = icmp eq i64 %1167, 1
+  %1169 = icmp ne i64 %1123, 0
+  %1170 = or i1 %1169, %1168
+  br i1 %1170, label %1171, label %1174
+
+1171:                                             ; preds = %1165
+  %1172 = select i1 %1134, double 5.000000e-01, double 2.500000e-01
+  %1173 = fmul double %387, %1172
+  store double 0.000000e+00, ptr %260, align 8
+  br label %1174
+
+1174:                                             ; preds = %1165, %1171
+  %1175 = phi double [ %1173, %1171 ], [ %1166, %1165 ]
+  %1176 = load i64, ptr %341, align 8
+  %1177 = sub nsw i64 1, %1176
+  store i64 %1177, ptr %234, align 8
+  br label %1753, !llvm.loop !17
+
+1178:                                             ; preds = %1279, %1127
+  %1179 = load i64, ptr %292, align 8
+  %1180 = icmp eq i64 %1179, 1
+  %1181 = load ptr, ptr %65, align 8
+  %1182 = getelementptr inbounds i8, ptr %1181, i64 8
+  %1183 = load i64, ptr %1182, align 8
+  %1184 = load i64, ptr %294, align 8
+  %1185 = load ptr, ptr %295, align 8
+  %1186 = load ptr, ptr %266, align 8
+  %1187 = icmp sgt i64 %1183, 0
+  br i1 %1187, label %1188, label %1190
+
+1188:                                             ; preds = %1178
+  %1189 = shl i64 %1183, 4
+  br label %1199
+
+1190:                                             ; preds = %1199, %1178
+  %1191 = load ptr, ptr %297, align 8
+  %1192 = load ptr, ptr %293, align 8
+  tail call fastcc void @real_solve(ptr noundef %1191, i64 noundef %1184, ptr noundef %1192, ptr noundef %1186) #10
+  %1193 = load ptr, ptr %298, align 8
+  call fastcc void @norm_to(ptr noundef nonnull %6, ptr noundef %1186, ptr noundef %1193, ptr noundef nonnull %66, i64 noundef %1183) #10
+  %1194 = load double, ptr %6, align 8
+  %1195 = fcmp uge double %1194, 1.000000e+00
+  %1196 = and i1 %1180, %1195
+  br i1 %1196, label %1197, label %1275
+
+1197:                                             ; preds = %1190
+  %1198 = icmp sgt i64 %1183, 0
+  br i1 %1198, label %1247, label %1224
+
+1199:                                             ; preds = %1188, %1199
+  %1200 = phi i64 [ 0, %1188 ], [ %1222, %1199 ]
+  %1201 = load ptr, ptr %262, align 8
+  %1202 = getelementptr inbounds double, ptr %1201, i64 %1200
+  %1203 = load double, ptr %1202, align 8
+  %1204 = fmul double %1203, 0x402418FD8BAFFE05
+  %1205 = getelementptr double, ptr %1201, i64 %1183
+  %1206 = getelementptr double, ptr %1205, i64 %1200
+  %1207 = load double, ptr %1206, align 8
+  %1208 = fmul double %1207, 0x3FF61D41B2D54580
+  %1209 = fsub double %1208, %1204
+  %1210 = getelementptr i8, ptr %1201, i64 %1189
+  %1211 = getelementptr double, ptr %1210, i64 %1200
+  %1212 = load double, ptr %1211, align 8
+  %1213 = fmul double %1212, 0x3FD5555555555555
+  %1214 = fsub double %1209, %1213
+  %1215 = fdiv double %1214, %387
+  %1216 = getelementptr inbounds double, ptr %1185, i64 %1200
+  store double %1215, ptr %1216, align 8
+  %1217 = load ptr, ptr %296, align 8
+  %1218 = getelementptr inbounds double, ptr %1217, i64 %1200
+  %1219 = load double, ptr %1218, align 8
+  %1220 = fadd double %1219, %1215
+  %1221 = getelementptr inbounds double, ptr %1186, i64 %1200
+  store double %1220, ptr %1221, align 8
+  %1222 = add nuw nsw i64 %1200, 1
+  %1223 = icmp eq i64 %1222, %1183
+  br i1 %1223, label %1190, label %1199, !llvm.loop !35
+
+1224:                                             ; preds = %1247, %1197
+  %1225 = load ptr, ptr %72, align 8
+  %1226 = getelementptr inbounds i8, ptr %1225, i64 24
+  %1227 = load i64, ptr %1226, align 8
+  %1228 = add nsw i64 %1227, 1
+  store i64 %1228, ptr %1226, align 8
+  %1229 = load ptr, ptr %300, align 8
+  %1230 = load ptr, ptr %265, align 8
+  %1231 = load ptr, ptr %301, align 8
+  store double %351, ptr %1231, align 8
+  %1232 = load i64, ptr %302, align 8
+  %1233 = icmp sgt i64 %1232, 0
+  br i1 %1233, label %1234, label %1235
+
+1234:                                             ; preds = %1224
+  tail call fastcc void @sample(ptr noundef nonnull %65) #10
+  br label %1235
+
+1235:                                             ; preds = %1224, %1234
+  %1236 = load ptr, ptr %65, align 8
+  %1237 = load i64, ptr %1236, align 8
+  %1238 = load ptr, ptr %301, align 8
+  %1239 = load ptr, ptr %303, align 8
+  %1240 = load ptr, ptr %304, align 8
+  %1241 = inttoptr i64 %1237 to ptr
+  %1242 = tail call i32 %1241(ptr noundef %1238, ptr noundef %1229, ptr noundef %1239, ptr noundef %1240, ptr noundef %1230) #11
+  %1243 = sext i32 %1242 to i64
+  %1244 = icmp eq i32 %1242, 0
+  br i1 %1244, label %1245, label %1275
+
+1245:                                             ; preds = %1235
+  %1246 = icmp sgt i64 %1183, 0
+  br i1 %1246, label %1264, label %1259
+
+1247:                                             ; preds = %1197, %1247
+  %1248 = phi i64 [ %1257, %1247 ], [ 0, %1197 ]
+  %1249 = load ptr, ptr %66, align 8
+  %1250 = getelementptr inbounds double, ptr %1249, i64 %1248
+  %1251 = load double, ptr %1250, align 8
+  %1252 = getelementptr inbounds double, ptr %1186, i64 %1248
+  %1253 = load double, ptr %1252, align 8
+  %1254 = fadd double %1251, %1253
+  %1255 = load ptr, ptr %299, align 8
+  %1256 = getelementptr inbounds double, ptr %1255, i64 %1248
+  store double %1254, ptr %1256, align 8
+  %1257 = add nuw nsw i64 %1248, 1
+  %1258 = icmp eq i64 %1257, %1183
+  br i1 %1258, label %1224, label %1247, !llvm.loop !36
+
+1259:                                             ; preds = %1264, %1245
+  %1260 = load ptr, ptr %297, align 8
+  %1261 = load ptr, ptr %293, align 8
+  tail call fastcc void @real_solve(ptr noundef %1260, i64 noundef %1184, ptr noundef %1261, ptr noundef %1186) #10
+  %1262 = load ptr, ptr %298, align 8
+  call fastcc void @norm_to(ptr noundef nonnull %7, ptr noundef %1186, ptr noundef %1262, ptr noundef nonnull %66, i64 noundef %1183) #10
+  %1263 = load double, ptr %7, align 8
+  br label %1275
+
+1264:                                             ; preds = %1245, %1264
+  %1265 = phi i64 [ %1273, %1264 ], [ 0, %1245 ]
+  %1266 = load ptr, ptr %265, align 8
+  %1267 = getelementptr inbounds double, ptr %1266, i64 %1265
+  %1268 = load double, ptr %1267, align 8
+  %1269 = getelementptr inbounds double, ptr %1185, i64 %1265
+  %1270 = load double, ptr %1269, align 8
+  %1271 = fadd double %1268, %1270
+  %1272 = getelementptr inbounds double, ptr %1186, i64 %1265
+  store double %1271, ptr %1272, align 8
+  %1273 = add nuw nsw i64 %1265, 1
+  %1274 = icmp eq i64 %1273, %1183
+  br i1 %1274, label %1259, label %1264, !llvm.loop !37
+
+1275:                                             ; preds = %1190, %1235, %1259
+  %1276 = phi double [ %1263, %1259 ], [ %1194, %1235 ], [ %1194, %1190 ]
+  %1277 = phi i64 [ 0, %1259 ], [ %1243, %1235 ], [ 0, %1190 ]
+  %1278 = icmp slt i64 %1277, 0
+  br i1 %1278, label %1753, label %1293
+
+1279:                                             ; preds = %1127, %1279
+  %1280 = phi i64 [ %1291, %1279 ], [ 0, %1127 ]
+  %1281 = load ptr, ptr %66, align 8
+  %1282 = getelementptr inbounds double, ptr %1281, i64 %1280
+  %1283 = load double, ptr %1282, align 8
+  %1284 = load ptr, ptr %262, align 8
+  %1285 = getelementptr i8, ptr %1284, i64 %290
+  %1286 = getelementptr double, ptr %1285, i64 %1280
+  %1287 = load double, ptr %1286, align 8
+  %1288 = fadd double %1283, %1287
+  %1289 = load ptr, ptr %291, align 8
+  %1290 = getelementptr inbounds double, ptr %1289, i64 %1280
+  store double %1288, ptr %1290, align 8
+  %1291 = add nuw nsw i64 %1280, 1
+  %1292 = icmp eq i64 %1291, %81
+  br i1 %1292, label %1178, label %1279, !llvm.loop !38
+
+1293:                                             ; preds = %1275
+  %1294 = add nsw i64 %1122, 12
+  %1295 = sitofp i64 %1294 to double
+  %1296 = fdiv double 0x4027666666666667, %1295
+  %1297 = fcmp olt double %1276, 1.000000e-10
+  %1298 = select i1 %1297, double 1.000000e-10, double %1276
+  %1299 = tail call double @llvm.pow.f64(double %1298, double -2.500000e-01)
+  %1300 = icmp eq i64 %1277, 0
+  %1301 = fcmp olt double %1276, 1.000000e+00
+  %1302 = select i1 %1300, i1 %1301, i1 false
+  br i1 %1302, label %1318, label %1303
+
+1303:                                             ; preds = %1293
+  %1304 = load i64, ptr %231, align 8
+  %1305 = add nsw i64 %1304, 1
+  store i64 %1305, ptr %231, align 8
+  %1306 = select i1 %1300, i64 2, i64 3
+  store i64 %1306, ptr %305, align 8
+  %1307 = tail call double @llvm.fabs.f64(double %1276)
+  %1308 = fcmp ueq double %1307, 0x7FF0000000000000
+  br i1 %1308, label %1313, label %1309
+
+1309:                                             ; preds = %1303
+  %1310 = fmul double %1296, %1299
+  %1311 = fcmp ogt double %1310, 2.000000e-01
+  %1312 = select i1 %1311, double %1310, double 2.000000e-01
+  br label %1313
+
+1313:                                             ; preds = %1303, %1309
+  %1314 = phi double [ %1312, %1309 ], [ 2.500000e-01, %1303 ]
+  %1315 = fmul double %387, %1314
+  store i64 1, ptr %292, align 8
+  %1316 = load i64, ptr %306, align 8
+  %1317 = sub nsw i64 1, %1316
+  store i64 %1317, ptr %234, align 8
+  br label %1753, !llvm.loop !17
+
+1318:                                             ; preds = %1293
+  br i1 %92, label %1319, label %1333
+
+1319:                                             ; preds = %1318
+  %1320 = load ptr, ptr %298, align 8
+  %1321 = load ptr, ptr %89, align 8
+  %1322 = getelementptr inbounds i8, ptr %1321, i64 56
+  %1323 = load i64, ptr %1322, align 8
+  %1324 = inttoptr i64 %1323 to ptr
+  %1325 = tail call i64 %1324(ptr noundef %0, double noundef %388, ptr noundef %1320) #11
+  %1326 = icmp eq i64 %1325, 0
+  br i1 %1326, label %1333, label %1327
+
+1327:                                             ; preds = %1319
+  %1328 = load i64, ptr %231, align 8
+  %1329 = add nsw i64 %1328, 1
+  store i64 %1329, ptr %231, align 8
+  store i64 6, ptr %307, align 8
+  %1330 = fmul double %387, 2.500000e-01
+  store i64 1, ptr %292, align 8
+  %1331 = load i64, ptr %308, align 8
+  %1332 = sub nsw i64 1, %1331
+  store i64 %1332, ptr %234, align 8
+  br label %1753, !llvm.loop !17
+
+1333:                                             ; preds = %1319, %1318
+  %1334 = load i64, ptr %230, align 8
+  %1335 = add nsw i64 %1334, 1
+  store i64 %1335, ptr %230, align 8
+  %1336 = load double, ptr %309, align 8
+  %1337 = fcmp ogt double %1336, 0.000000e+00
+  br i1 %1337, label %1338, label %1347
+
+1338:                                             ; preds = %1333
+  %1339 = fdiv double %1336, %1298
+  %1340 = tail call double @llvm.pow.f64(double %1339, double 2.500000e-01)
+  %1341 = load double, ptr %310, align 8
+  %1342 = fdiv double %387, %1341
+  %1343 = fmul double %1340, %1342
+  %1344 = fcmp olt double %1343, 1.000000e+00
+  %1345 = select i1 %1344, double %1343, double 1.000000e+00
+  %1346 = fmul double %1299, %1345
   br label %1347
 
-1347:                                             ; preds = %1344, %877
-  %1348 = phi i64 [ %1346, %1344 ], [ %878, %877 ]
-  %1349 = phi i64 [ %1345, %1344 ], [ %879, %877 ]
-  %1350 = phi i64 [ %1346, %1344 ], [ 1, %877 ]
-  %1351 = phi i64 [ %878, %1344 ], [ 0, %877 ]
-  br i1 %883, label %884, label %1339
-
-1352:                                             ; preds = %888
-  %1353 = add nsw i64 %890, -1
-  %1354 = add i64 %889, 1
-  %1355 = call i64 @llvm.smax.i64(i64 %872, i64 0)
-  br label %892
-
-1356:                                             ; preds = %892
-  %1357 = add nsw i64 %894, -1
-  %1358 = add i64 %893, 1
-  %1359 = icmp slt i64 %893, 0
-  %1360 = select i1 %1359, i64 %64, i64 0
-  %1361 = getelementptr double, ptr %65, i64 %893
-  %1362 = getelementptr double, ptr %1361, i64 %1360
-  %1363 = load double, ptr %1362, align 8, !noalias !65
-  %1364 = icmp slt i64 %889, 0
-  %1365 = select i1 %1364, i64 %235, i64 0
-  %1366 = add i64 %889, %1365
-  %1367 = select i1 %1359, i64 %237, i64 0
-  %1368 = mul i64 %1366, %237
-  %1369 = getelementptr double, ptr %238, i64 %1368
-  %1370 = getelementptr double, ptr %1369, i64 %893
-  %1371 = getelementptr double, ptr %1370, i64 %1367
-  %1372 = load double, ptr %1371, align 8, !noalias !65
-  %1373 = fadd double %1363, %1372
-  %1374 = select i1 %1359, i64 %74, i64 0
-  %1375 = getelementptr double, ptr %75, i64 %893
-  %1376 = getelementptr double, ptr %1375, i64 %1374
-  store double %1373, ptr %1376, align 8, !noalias !65
-  br label %892
-
-1377:                                             ; preds = %921, %921
-  %1378 = icmp eq i32 %922, 0
-  br i1 %1378, label %888, label %924
-
-1379:                                             ; preds = %928
-  %1380 = icmp slt i64 %929, 0
-  %1381 = select i1 %1380, i64 %249, i64 0
-  %1382 = getelementptr double, ptr %250, i64 %929
-  %1383 = getelementptr double, ptr %1382, i64 %1381
-  %1384 = load double, ptr %1383, align 8, !noalias !65
-  %1385 = getelementptr double, ptr %250, i64 %249
-  %1386 = getelementptr double, ptr %1385, i64 %929
-  %1387 = getelementptr double, ptr %1386, i64 %1381
-  %1388 = load double, ptr %1387, align 8, !noalias !65
-  %1389 = fadd double %1384, %1388
-  %1390 = shl i64 %249, 4
-  %1391 = getelementptr i8, ptr %250, i64 %1390
-  %1392 = getelementptr double, ptr %1391, i64 %929
-  %1393 = getelementptr double, ptr %1392, i64 %1381
-  %1394 = load double, ptr %1393, align 8, !noalias !65
-  %1395 = fadd double %1389, %1394
-  %1396 = fsub double %1395, %1395
-  %1397 = fcmp ord double %1396, 0.000000e+00
-  br i1 %1397, label %933, label %1896
-
-1398:                                             ; preds = %1012, %1012
-  %1399 = call i64 @llvm.smax.i64(i64 %218, i64 0)
-  br label %1400
-
-1400:                                             ; preds = %1418, %1398
-  %1401 = phi i64 [ 0, %1398 ], [ %1483, %1418 ]
-  %1402 = phi i64 [ %1399, %1398 ], [ %1482, %1418 ]
-  %1403 = icmp sgt i64 %1402, 0
-  br i1 %1403, label %1481, label %1419
-
-1404:                                             ; preds = %1481
-  %1405 = icmp slt i64 %1488, 0
-  %1406 = select i1 %1405, i64 %266, i64 0
-  %1407 = getelementptr { double, double }, ptr %267, i64 %1488
-  %1408 = getelementptr { double, double }, ptr %1407, i64 %1406
-  %1409 = load double, ptr %1408, align 8, !noalias !100
-  %1410 = getelementptr inbounds nuw i8, ptr %1408, i64 8
-  %1411 = load double, ptr %1410, align 8, !noalias !100
-  %1412 = select i1 %1484, i64 %266, i64 0
-  %1413 = getelementptr { double, double }, ptr %267, i64 %1401
-  %1414 = getelementptr { double, double }, ptr %1413, i64 %1412
-  %1415 = load double, ptr %1414, align 8, !noalias !100
-  %1416 = getelementptr inbounds nuw i8, ptr %1414, i64 8
-  %1417 = load double, ptr %1416, align 8, !noalias !100
-  store double %1409, ptr %1414, align 8, !noalias !100
-  store double %1411, ptr %1416, align 8, !noalias !100
-  store double %1415, ptr %1408, align 8, !noalias !100
-  store double %1417, ptr %1410, align 8, !noalias !100
-  br label %1418
-
-1418:                                             ; preds = %1481, %1404
-  br label %1400
-
-1419:                                             ; preds = %1400, %1429
-  %1420 = phi i64 [ %1492, %1429 ], [ 0, %1400 ]
-  %1421 = phi i64 [ %1491, %1429 ], [ %1399, %1400 ]
-  %1422 = icmp sgt i64 %1421, 0
-  br i1 %1422, label %1490, label %1430
-
-1423:                                             ; preds = %1501, %1490
-  %1424 = phi i64 [ 0, %1490 ], [ %1525, %1501 ]
-  %1425 = phi i64 [ %1500, %1490 ], [ %1526, %1501 ]
-  %1426 = phi double [ %1499, %1490 ], [ %1528, %1501 ]
-  %1427 = phi double [ %1497, %1490 ], [ %1527, %1501 ]
-  %1428 = icmp sgt i64 %1425, 0
-  br i1 %1428, label %1501, label %1429
-
-1429:                                             ; preds = %1423
-  store double %1427, ptr %1496, align 8, !noalias !100
-  store double %1426, ptr %1498, align 8, !noalias !100
-  br label %1419
-
-1430:                                             ; preds = %1419
-  %1431 = icmp ugt i64 %218, -9223372036854775808
-  %1432 = select i1 %1431, i64 0, i64 %218
-  br label %1433
-
-1433:                                             ; preds = %1478, %1430
-  %1434 = phi i64 [ %218, %1430 ], [ %1436, %1478 ]
-  %1435 = phi i64 [ %1432, %1430 ], [ %1530, %1478 ]
-  %1436 = add i64 %1434, -1
-  %1437 = icmp sgt i64 %1435, 0
-  br i1 %1437, label %1529, label %1568
-
-1438:                                             ; preds = %1540, %1529
-  %1439 = phi i64 [ %1434, %1529 ], [ %1564, %1540 ]
-  %1440 = phi i64 [ %1539, %1529 ], [ %1565, %1540 ]
-  %1441 = phi double [ %1537, %1529 ], [ %1567, %1540 ]
-  %1442 = phi double [ %1535, %1529 ], [ %1566, %1540 ]
-  %1443 = icmp sgt i64 %1440, 0
-  br i1 %1443, label %1540, label %1444
-
-1444:                                             ; preds = %1438
-  %1445 = select i1 %1531, i64 %218, i64 0
-  %1446 = add i64 %1436, %1445
-  %1447 = select i1 %1531, i64 %220, i64 0
-  %1448 = mul i64 %1446, %220
-  %1449 = getelementptr { double, double }, ptr %221, i64 %1448
-  %1450 = getelementptr { double, double }, ptr %1449, i64 %1436
-  %1451 = getelementptr { double, double }, ptr %1450, i64 %1447
-  %1452 = load double, ptr %1451, align 8, !noalias !100
-  %1453 = getelementptr inbounds nuw i8, ptr %1451, i64 8
-  %1454 = load double, ptr %1453, align 8, !noalias !100
-  %1455 = call double @llvm.fabs.f64(double %1452)
-  %1456 = call double @llvm.fabs.f64(double %1454)
-  %1457 = fcmp ult double %1455, %1456
-  br i1 %1457, label %1468, label %1458
-
-1458:                                             ; preds = %1444
-  %1459 = fdiv double %1454, %1452
-  %1460 = fmul double %1454, %1459
-  %1461 = fadd double %1452, %1460
-  %1462 = fmul double %1441, %1459
-  %1463 = fadd double %1442, %1462
-  %1464 = fdiv double %1463, %1461
-  %1465 = fmul double %1442, %1459
-  %1466 = fsub double %1441, %1465
-  %1467 = fdiv double %1466, %1461
-  br label %1478
-
-1468:                                             ; preds = %1444
-  %1469 = fdiv double %1452, %1454
-  %1470 = fmul double %1452, %1469
-  %1471 = fadd double %1470, %1454
-  %1472 = fmul double %1442, %1469
-  %1473 = fadd double %1472, %1441
-  %1474 = fdiv double %1473, %1471
-  %1475 = fmul double %1441, %1469
-  %1476 = fsub double %1475, %1442
-  %1477 = fdiv double %1476, %1471
-  br label %1478
-
-1478:                                             ; preds = %1468, %1458
-  %1479 = phi double [ %1467, %1458 ], [ %1477, %1468 ]
-  %1480 = phi double [ %1464, %1458 ], [ %1474, %1468 ]
-  store double %1480, ptr %1534, align 8, !noalias !100
-  store double %1479, ptr %1536, align 8, !noalias !100
-  br label %1433
-
-1481:                                             ; preds = %1400
-  %1482 = add nsw i64 %1402, -1
-  %1483 = add i64 %1401, 1
-  %1484 = icmp slt i64 %1401, 0
-  %1485 = select i1 %1484, i64 %230, i64 0
-  %1486 = getelementptr i64, ptr %231, i64 %1401
-  %1487 = getelementptr i64, ptr %1486, i64 %1485
-  %1488 = load i64, ptr %1487, align 8, !noalias !100
-  %1489 = icmp eq i64 %1488, %1401
-  br i1 %1489, label %1418, label %1404
-
-1490:                                             ; preds = %1419
-  %1491 = add nsw i64 %1421, -1
-  %1492 = add i64 %1420, 1
-  %1493 = icmp slt i64 %1420, 0
-  %1494 = select i1 %1493, i64 %266, i64 0
-  %1495 = getelementptr { double, double }, ptr %267, i64 %1420
-  %1496 = getelementptr { double, double }, ptr %1495, i64 %1494
-  %1497 = load double, ptr %1496, align 8, !noalias !100
-  %1498 = getelementptr inbounds nuw i8, ptr %1496, i64 8
-  %1499 = load double, ptr %1498, align 8, !noalias !100
-  %1500 = call i64 @llvm.smax.i64(i64 %1420, i64 0)
-  br label %1423
-
-1501:                                             ; preds = %1423
-  %1502 = select i1 %1493, i64 %218, i64 0
-  %1503 = add i64 %1420, %1502
-  %1504 = icmp slt i64 %1424, 0
-  %1505 = select i1 %1504, i64 %220, i64 0
-  %1506 = mul i64 %1503, %220
-  %1507 = getelementptr { double, double }, ptr %221, i64 %1506
-  %1508 = getelementptr { double, double }, ptr %1507, i64 %1424
-  %1509 = getelementptr { double, double }, ptr %1508, i64 %1505
-  %1510 = load double, ptr %1509, align 8, !noalias !100
-  %1511 = getelementptr inbounds nuw i8, ptr %1509, i64 8
-  %1512 = load double, ptr %1511, align 8, !noalias !100
-  %1513 = select i1 %1504, i64 %266, i64 0
-  %1514 = getelementptr { double, double }, ptr %267, i64 %1424
-  %1515 = getelementptr { double, double }, ptr %1514, i64 %1513
-  %1516 = load double, ptr %1515, align 8, !noalias !100
-  %1517 = getelementptr inbounds nuw i8, ptr %1515, i64 8
-  %1518 = load double, ptr %1517, align 8, !noalias !100
-  %1519 = fmul double %1510, %1518
-  %1520 = fmul double %1512, %1516
-  %1521 = fadd double %1519, %1520
-  %1522 = fmul double %1510, %1516
-  %1523 = fmul double %1512, %1518
-  %1524 = fsub double %1522, %1523
-  %1525 = add i64 %1424, 1
-  %1526 = add nsw i64 %1425, -1
-  %1527 = fsub double %1427, %1524
-  %1528 = fsub double %1426, %1521
-  br label %1423
-
-1529:                                             ; preds = %1433
-  %1530 = add nsw i64 %1435, -1
-  %1531 = icmp slt i64 %1436, 0
-  %1532 = select i1 %1531, i64 %266, i64 0
-  %1533 = getelementptr { double, double }, ptr %267, i64 %1436
-  %1534 = getelementptr { double, double }, ptr %1533, i64 %1532
-  %1535 = load double, ptr %1534, align 8, !noalias !100
-  %1536 = getelementptr inbounds nuw i8, ptr %1534, i64 8
-  %1537 = load double, ptr %1536, align 8, !noalias !100
-  %1538 = sub i64 %218, %1434
-  %1539 = call i64 @llvm.smax.i64(i64 %1538, i64 0)
-  br label %1438
-
-1540:                                             ; preds = %1438
-  %1541 = select i1 %1531, i64 %218, i64 0
-  %1542 = add i64 %1436, %1541
-  %1543 = icmp slt i64 %1439, 0
-  %1544 = select i1 %1543, i64 %220, i64 0
-  %1545 = mul i64 %1542, %220
-  %1546 = getelementptr { double, double }, ptr %221, i64 %1545
-  %1547 = getelementptr { double, double }, ptr %1546, i64 %1439
-  %1548 = getelementptr { double, double }, ptr %1547, i64 %1544
-  %1549 = load double, ptr %1548, align 8, !noalias !100
-  %1550 = getelementptr inbounds nuw i8, ptr %1548, i64 8
-  %1551 = load double, ptr %1550, align 8, !noalias !100
-  %1552 = select i1 %1543, i64 %266, i64 0
-  %1553 = getelementptr { double, double }, ptr %267, i64 %1439
-  %1554 = getelementptr { double, double }, ptr %1553, i64 %1552
-  %1555 = load double, ptr %1554, align 8, !noalias !100
-  %1556 = getelementptr inbounds nuw i8, ptr %1554, i64 8
-  %1557 = load double, ptr %1556, align 8, !noalias !100
-  %1558 = fmul double %1549, %1557
-  %1559 = fmul double %1551, %1555
-  %1560 = fadd double %1558, %1559
-  %1561 = fmul double %1549, %1555
-  %1562 = fmul double %1551, %1557
-  %1563 = fsub double %1561, %1562
-  %1564 = add i64 %1439, 1
-  %1565 = add nsw i64 %1440, -1
-  %1566 = fsub double %1442, %1563
-  %1567 = fsub double %1441, %1560
-  br label %1438
-
-1568:                                             ; preds = %1433
-  br i1 %875, label %1014, label %1183
-
-1569:                                             ; preds = %1045, %1582
-  %1570 = phi i64 [ %1650, %1582 ], [ 0, %1045 ]
-  %1571 = phi i64 [ %1649, %1582 ], [ %1399, %1045 ]
-  %1572 = icmp sgt i64 %1571, 0
-  br i1 %1572, label %1648, label %1583
-
-1573:                                             ; preds = %1648
-  %1574 = mul nsw i64 %1570, %874
-  %1575 = add nsw i64 %218, %1574
-  %1576 = mul nsw i64 %1655, %874
-  %1577 = add nsw i64 %218, %1576
-  br label %1578
-
-1578:                                             ; preds = %1657, %1573
-  %1579 = phi i64 [ 0, %1573 ], [ %1659, %1657 ]
-  %1580 = phi i64 [ %874, %1573 ], [ %1658, %1657 ]
-  %1581 = icmp sgt i64 %1580, 0
-  br i1 %1581, label %1657, label %1582
-
-1582:                                             ; preds = %1648, %1578
-  br label %1569
-
-1583:                                             ; preds = %1569, %1587
-  %1584 = phi i64 [ %1678, %1587 ], [ 0, %1569 ]
-  %1585 = phi i64 [ %1677, %1587 ], [ %1399, %1569 ]
-  %1586 = icmp sgt i64 %1585, 0
-  br i1 %1586, label %1676, label %1595
-
-1587:                                             ; preds = %1676, %1591
-  %1588 = phi i64 [ 0, %1676 ], [ %1682, %1591 ]
-  %1589 = phi i64 [ %1679, %1676 ], [ %1681, %1591 ]
-  %1590 = icmp sgt i64 %1589, 0
-  br i1 %1590, label %1680, label %1583
-
-1591:                                             ; preds = %1699, %1680
-  %1592 = phi i64 [ 0, %1680 ], [ %1722, %1699 ]
-  %1593 = phi i64 [ %874, %1680 ], [ %1723, %1699 ]
-  %1594 = icmp sgt i64 %1593, 0
-  br i1 %1594, label %1699, label %1587
-
-1595:                                             ; preds = %1583, %1644
-  %1596 = phi i64 [ %1598, %1644 ], [ %218, %1583 ]
-  %1597 = phi i64 [ %1727, %1644 ], [ %1432, %1583 ]
-  %1598 = add i64 %1596, -1
-  %1599 = icmp sgt i64 %1597, 0
-  br i1 %1599, label %1726, label %1183
-
-1600:                                             ; preds = %1726, %1604
-  %1601 = phi i64 [ %1596, %1726 ], [ %1734, %1604 ]
-  %1602 = phi i64 [ %1731, %1726 ], [ %1733, %1604 ]
-  %1603 = icmp sgt i64 %1602, 0
-  br i1 %1603, label %1732, label %1608
-
-1604:                                             ; preds = %1749, %1732
-  %1605 = phi i64 [ 0, %1732 ], [ %1772, %1749 ]
-  %1606 = phi i64 [ %874, %1732 ], [ %1773, %1749 ]
-  %1607 = icmp sgt i64 %1606, 0
-  br i1 %1607, label %1749, label %1600
-
-1608:                                             ; preds = %1600
-  %1609 = icmp slt i64 %1598, 0
-  %1610 = select i1 %1609, i64 %218, i64 0
-  %1611 = add i64 %1598, %1610
-  %1612 = select i1 %1609, i64 %220, i64 0
-  %1613 = mul i64 %1611, %220
-  %1614 = getelementptr { double, double }, ptr %221, i64 %1613
-  %1615 = getelementptr { double, double }, ptr %1614, i64 %1598
-  %1616 = getelementptr { double, double }, ptr %1615, i64 %1612
-  %1617 = load double, ptr %1616, align 8, !noalias !104
-  %1618 = getelementptr inbounds nuw i8, ptr %1616, i64 8
-  %1619 = load double, ptr %1618, align 8, !noalias !104
-  %1620 = call double @llvm.fabs.f64(double %1617)
-  %1621 = call double @llvm.fabs.f64(double %1619)
-  %1622 = fcmp ult double %1620, %1621
-  br i1 %1622, label %1632, label %1623
-
-1623:                                             ; preds = %1608
-  %1624 = fdiv double %1619, %1617
-  %1625 = fmul double %1619, %1624
-  %1626 = fadd double %1617, %1625
-  %1627 = fmul double %1624, 0.000000e+00
-  %1628 = fadd double %1627, 1.000000e+00
-  %1629 = fdiv double %1628, %1626
-  %1630 = fsub double 0.000000e+00, %1624
-  %1631 = fdiv double %1630, %1626
-  br label %1641
-
-1632:                                             ; preds = %1608
-  %1633 = fdiv double %1617, %1619
-  %1634 = fmul double %1617, %1633
-  %1635 = fadd double %1634, %1619
-  %1636 = fadd double %1633, 0.000000e+00
-  %1637 = fdiv double %1636, %1635
-  %1638 = fmul double %1633, 0.000000e+00
-  %1639 = fadd double %1638, -1.000000e+00
-  %1640 = fdiv double %1639, %1635
-  br label %1641
-
-1641:                                             ; preds = %1632, %1623
-  %1642 = phi double [ %1631, %1623 ], [ %1640, %1632 ]
-  %1643 = phi double [ %1629, %1623 ], [ %1637, %1632 ]
-  br label %1644
-
-1644:                                             ; preds = %1776, %1641
-  %1645 = phi i64 [ 0, %1641 ], [ %1791, %1776 ]
-  %1646 = phi i64 [ %874, %1641 ], [ %1792, %1776 ]
-  %1647 = icmp sgt i64 %1646, 0
-  br i1 %1647, label %1776, label %1595
-
-1648:                                             ; preds = %1569
-  %1649 = add nsw i64 %1571, -1
-  %1650 = add i64 %1570, 1
-  %1651 = icmp slt i64 %1570, 0
-  %1652 = select i1 %1651, i64 %230, i64 0
-  %1653 = getelementptr i64, ptr %231, i64 %1570
-  %1654 = getelementptr i64, ptr %1653, i64 %1652
-  %1655 = load i64, ptr %1654, align 8, !noalias !104
-  %1656 = icmp eq i64 %1655, %1570
-  br i1 %1656, label %1582, label %1573
-
-1657:                                             ; preds = %1578
-  %1658 = add nsw i64 %1580, -1
-  %1659 = add i64 %1579, 1
-  %1660 = add nsw i64 %1577, %1579
-  %1661 = icmp slt i64 %1660, 0
-  %1662 = select i1 %1661, i64 %266, i64 0
-  %1663 = getelementptr { double, double }, ptr %267, i64 %1660
-  %1664 = getelementptr { double, double }, ptr %1663, i64 %1662
-  %1665 = load double, ptr %1664, align 8, !noalias !104
-  %1666 = getelementptr inbounds nuw i8, ptr %1664, i64 8
-  %1667 = load double, ptr %1666, align 8, !noalias !104
-  %1668 = add nsw i64 %1575, %1579
-  %1669 = icmp slt i64 %1668, 0
-  %1670 = select i1 %1669, i64 %266, i64 0
-  %1671 = getelementptr { double, double }, ptr %267, i64 %1668
-  %1672 = getelementptr { double, double }, ptr %1671, i64 %1670
-  %1673 = load double, ptr %1672, align 8, !noalias !104
-  %1674 = getelementptr inbounds nuw i8, ptr %1672, i64 8
-  %1675 = load double, ptr %1674, align 8, !noalias !104
-  store double %1665, ptr %1672, align 8, !noalias !104
-  store double %1667, ptr %1674, align 8, !noalias !104
-  store double %1673, ptr %1664, align 8, !noalias !104
-  store double %1675, ptr %1666, align 8, !noalias !104
-  br label %1578
-
-1676:                                             ; preds = %1583
-  %1677 = add nsw i64 %1585, -1
-  %1678 = add i64 %1584, 1
-  %1679 = call i64 @llvm.smax.i64(i64 %1584, i64 0)
-  br label %1587
-
-1680:                                             ; preds = %1587
-  %1681 = add nsw i64 %1589, -1
-  %1682 = add i64 %1588, 1
-  %1683 = icmp slt i64 %1584, 0
-  %1684 = select i1 %1683, i64 %218, i64 0
-  %1685 = add i64 %1584, %1684
-  %1686 = icmp slt i64 %1588, 0
-  %1687 = select i1 %1686, i64 %220, i64 0
-  %1688 = mul i64 %1685, %220
-  %1689 = getelementptr { double, double }, ptr %221, i64 %1688
-  %1690 = getelementptr { double, double }, ptr %1689, i64 %1588
-  %1691 = getelementptr { double, double }, ptr %1690, i64 %1687
-  %1692 = load double, ptr %1691, align 8, !noalias !104
-  %1693 = getelementptr inbounds nuw i8, ptr %1691, i64 8
-  %1694 = load double, ptr %1693, align 8, !noalias !104
-  %1695 = mul nsw i64 %1584, %874
-  %1696 = add nsw i64 %218, %1695
-  %1697 = mul nsw i64 %1588, %874
-  %1698 = add nsw i64 %218, %1697
-  br label %1591
-
-1699:                                             ; preds = %1591
-  %1700 = add nsw i64 %1696, %1592
-  %1701 = icmp slt i64 %1700, 0
-  %1702 = select i1 %1701, i64 %266, i64 0
-  %1703 = getelementptr { double, double }, ptr %267, i64 %1700
-  %1704 = getelementptr { double, double }, ptr %1703, i64 %1702
-  %1705 = load double, ptr %1704, align 8, !noalias !104
-  %1706 = getelementptr inbounds nuw i8, ptr %1704, i64 8
-  %1707 = load double, ptr %1706, align 8, !noalias !104
-  %1708 = add nsw i64 %1698, %1592
-  %1709 = icmp slt i64 %1708, 0
-  %1710 = select i1 %1709, i64 %266, i64 0
-  %1711 = getelementptr { double, double }, ptr %267, i64 %1708
-  %1712 = getelementptr { double, double }, ptr %1711, i64 %1710
-  %1713 = load double, ptr %1712, align 8, !noalias !104
-  %1714 = getelementptr inbounds nuw i8, ptr %1712, i64 8
-  %1715 = load double, ptr %1714, align 8, !noalias !104
-  %1716 = fmul double %1692, %1715
-  %1717 = fmul double %1694, %1713
-  %1718 = fadd double %1716, %1717
-  %1719 = fmul double %1692, %1713
-  %1720 = fmul double %1694, %1715
-  %1721 = fsub double %1719, %1720
-  %1722 = add i64 %1592, 1
-  %1723 = add nsw i64 %1593, -1
-  %1724 = fsub double %1705, %1721
-  %1725 = fsub double %1707, %1718
-  store double %1724, ptr %1704, align 8, !noalias !104
-  store double %1725, ptr %1706, align 8, !noalias !104
-  br label %1591
-
-1726:                                             ; preds = %1595
-  %1727 = add nsw i64 %1597, -1
-  %1728 = mul nsw i64 %1598, %874
-  %1729 = add nsw i64 %218, %1728
-  %1730 = sub i64 %218, %1596
-  %1731 = call i64 @llvm.smax.i64(i64 %1730, i64 0)
-  br label %1600
-
-1732:                                             ; preds = %1600
-  %1733 = add nsw i64 %1602, -1
-  %1734 = add i64 %1601, 1
-  %1735 = icmp slt i64 %1598, 0
-  %1736 = select i1 %1735, i64 %218, i64 0
-  %1737 = add i64 %1598, %1736
-  %1738 = icmp slt i64 %1601, 0
-  %1739 = select i1 %1738, i64 %220, i64 0
-  %1740 = mul i64 %1737, %220
-  %1741 = getelementptr { double, double }, ptr %221, i64 %1740
-  %1742 = getelementptr { double, double }, ptr %1741, i64 %1601
-  %1743 = getelementptr { double, double }, ptr %1742, i64 %1739
-  %1744 = load double, ptr %1743, align 8, !noalias !104
-  %1745 = getelementptr inbounds nuw i8, ptr %1743, i64 8
-  %1746 = load double, ptr %1745, align 8, !noalias !104
-  %1747 = mul nsw i64 %1601, %874
-  %1748 = add nsw i64 %218, %1747
-  br label %1604
-
-1749:                                             ; preds = %1604
-  %1750 = add nsw i64 %1729, %1605
-  %1751 = icmp slt i64 %1750, 0
-  %1752 = select i1 %1751, i64 %266, i64 0
-  %1753 = getelementptr { double, double }, ptr %267, i64 %1750
-  %1754 = getelementptr { double, double }, ptr %1753, i64 %1752
-  %1755 = load double, ptr %1754, align 8, !noalias !104
-  %1756 = getelementptr inbounds nuw i8, ptr %1754, i64 8
-  %1757 = load double, ptr %1756, align 8, !noalias !104
-  %1758 = add nsw i64 %1748, %1605
-  %1759 = icmp slt i64 %1758, 0
-  %1760 = select i1 %1759, i64 %266, i64 0
-  %1761 = getelementptr { double, double }, ptr %267, i64 %1758
-  %1762 = getelementptr { double, double }, ptr %1761, i64 %1760
-  %1763 = load double, ptr %1762, align 8, !noalias !104
-  %1764 = getelementptr inbounds nuw i8, ptr %1762, i64 8
-  %1765 = load double, ptr %1764, align 8, !noalias !104
-  %1766 = fmul double %1744, %1765
-  %1767 = fmul double %1746, %1763
-  %1768 = fadd double %1766, %1767
-  %1769 = fmul double %1744, %1763
-  %1770 = fmul double %1746, %1765
-  %1771 = fsub double %1769, %1770
-  %1772 = add i64 %1605, 1
-  %1773 = add nsw i64 %1606, -1
-  %1774 = fsub double %1755, %1771
-  %1775 = fsub double %1757, %1768
-  store double %1774, ptr %1754, align 8, !noalias !104
-  store double %1775, ptr %1756, align 8, !noalias !104
-  br label %1604
-
-1776:                                             ; preds = %1644
-  %1777 = add nsw i64 %1729, %1645
-  %1778 = icmp slt i64 %1777, 0
-  %1779 = select i1 %1778, i64 %266, i64 0
-  %1780 = getelementptr { double, double }, ptr %267, i64 %1777
-  %1781 = getelementptr { double, double }, ptr %1780, i64 %1779
-  %1782 = load double, ptr %1781, align 8, !noalias !104
-  %1783 = getelementptr inbounds nuw i8, ptr %1781, i64 8
-  %1784 = load double, ptr %1783, align 8, !noalias !104
-  %1785 = fmul double %1782, %1642
-  %1786 = fmul double %1784, %1643
-  %1787 = fadd double %1785, %1786
-  %1788 = fmul double %1782, %1643
-  %1789 = fmul double %1784, %1642
-  %1790 = fsub double %1788, %1789
-  %1791 = add i64 %1645, 1
-  %1792 = add nsw i64 %1646, -1
-  store double %1790, ptr %1781, align 8, !noalias !104
-  store double %1787, ptr %1783, align 8, !noalias !104
-  br label %1644
-
-1793:                                             ; preds = %1184
-  %1794 = add nsw i64 %1186, -1
-  %1795 = add i64 %1185, 1
-  %1796 = icmp slt i64 %1185, 0
-  %1797 = select i1 %1796, i64 %64, i64 0
-  %1798 = getelementptr double, ptr %65, i64 %1185
-  %1799 = getelementptr double, ptr %1798, i64 %1797
-  %1800 = load double, ptr %1799, align 8, !noalias !65
-  %1801 = select i1 %1796, i64 %99, i64 0
-  %1802 = getelementptr double, ptr %100, i64 %1185
-  %1803 = getelementptr double, ptr %1802, i64 %1801
-  %1804 = load double, ptr %1803, align 8, !noalias !108
-  %1805 = select i1 %1796, i64 %94, i64 0
-  %1806 = getelementptr double, ptr %95, i64 %1185
-  %1807 = getelementptr double, ptr %1806, i64 %1805
-  %1808 = load double, ptr %1807, align 8, !noalias !108
-  %1809 = call double @llvm.fabs.f64(double %1800)
-  %1810 = fmul double %1808, %1809
-  %1811 = fadd double %1804, %1810
-  %1812 = select i1 %1796, i64 %261, i64 0
-  %1813 = getelementptr double, ptr %262, i64 %1185
-  %1814 = getelementptr double, ptr %1813, i64 %1812
-  %1815 = load double, ptr %1814, align 8, !noalias !65
-  %1816 = fdiv double %1815, %1811
-  %1817 = select i1 %1796, i64 %266, i64 0
-  %1818 = getelementptr { double, double }, ptr %267, i64 %1185
-  %1819 = getelementptr { double, double }, ptr %1818, i64 %1817
-  %1820 = load double, ptr %1819, align 8, !noalias !65
-  %1821 = fdiv double %1820, %1811
-  %1822 = getelementptr inbounds nuw i8, ptr %1819, i64 8
-  %1823 = load double, ptr %1822, align 8, !noalias !65
-  %1824 = fdiv double %1823, %1811
-  %1825 = fmul double %1816, %1816
-  %1826 = fmul double %1821, %1821
-  %1827 = fadd double %1825, %1826
-  %1828 = fmul double %1824, %1824
-  %1829 = fadd double %1827, %1828
-  %1830 = fadd double %1187, %1829
-  br label %1184
-
-1831:                                             ; preds = %1228
-  %1832 = fcmp ult double %1201, 1.000000e+00
-  br i1 %1832, label %1232, label %1896
-
-1833:                                             ; preds = %1239
-  %1834 = add nsw i64 %1241, -1
-  %1835 = add i64 %1240, 1
-  %1836 = icmp slt i64 %1240, 0
-  %1837 = select i1 %1836, i64 %244, i64 0
-  %1838 = getelementptr double, ptr %245, i64 %1240
-  %1839 = getelementptr double, ptr %1838, i64 %1837
-  %1840 = load double, ptr %1839, align 8, !noalias !65
-  %1841 = select i1 %1836, i64 %261, i64 0
-  %1842 = getelementptr double, ptr %262, i64 %1240
-  %1843 = getelementptr double, ptr %1842, i64 %1841
-  %1844 = load double, ptr %1843, align 8, !noalias !65
-  %1845 = fadd double %1840, %1844
-  store double %1845, ptr %1839, align 8, !noalias !65
-  %1846 = getelementptr double, ptr %245, i64 %244
-  %1847 = getelementptr double, ptr %1846, i64 %1240
-  %1848 = getelementptr double, ptr %1847, i64 %1837
-  %1849 = load double, ptr %1848, align 8, !noalias !65
-  %1850 = select i1 %1836, i64 %266, i64 0
-  %1851 = getelementptr { double, double }, ptr %267, i64 %1240
-  %1852 = getelementptr { double, double }, ptr %1851, i64 %1850
-  %1853 = load double, ptr %1852, align 8, !noalias !65
-  %1854 = fadd double %1849, %1853
-  store double %1854, ptr %1848, align 8, !noalias !65
-  %1855 = shl i64 %244, 4
-  %1856 = getelementptr i8, ptr %245, i64 %1855
-  %1857 = getelementptr double, ptr %1856, i64 %1240
-  %1858 = getelementptr double, ptr %1857, i64 %1837
-  %1859 = load double, ptr %1858, align 8, !noalias !65
-  %1860 = getelementptr inbounds nuw i8, ptr %1852, i64 8
-  %1861 = load double, ptr %1860, align 8, !noalias !65
-  %1862 = fadd double %1859, %1861
-  store double %1862, ptr %1858, align 8, !noalias !65
-  br label %1243
-
-1863:                                             ; preds = %1243
-  %1864 = add nsw i64 %1245, -1
-  %1865 = add i64 %1244, 1
-  %1866 = icmp slt i64 %1244, 0
-  %1867 = add i64 %1244, 3
-  %1868 = select i1 %1866, i64 %1867, i64 %1244
-  %1869 = mul i64 %1868, 24
-  %1870 = getelementptr i8, ptr @5, i64 %1869
-  %1871 = load double, ptr %1870, align 8, !noalias !65
-  %1872 = load double, ptr %1839, align 8, !noalias !65
-  %1873 = fmul double %1871, %1872
-  %1874 = getelementptr i8, ptr @6, i64 %1869
-  %1875 = getelementptr i8, ptr %1874, i64 8
-  %1876 = load double, ptr %1875, align 8, !noalias !65
-  %1877 = load double, ptr %1848, align 8, !noalias !65
-  %1878 = fmul double %1876, %1877
-  %1879 = fadd double %1873, %1878
-  %1880 = getelementptr i8, ptr @7, i64 %1869
-  %1881 = getelementptr i8, ptr %1880, i64 16
-  %1882 = load double, ptr %1881, align 8, !noalias !65
-  %1883 = load double, ptr %1858, align 8, !noalias !65
-  %1884 = fmul double %1882, %1883
-  %1885 = fadd double %1879, %1884
-  %1886 = select i1 %1866, i64 %235, i64 0
-  %1887 = add i64 %1244, %1886
-  %1888 = select i1 %1836, i64 %237, i64 0
-  %1889 = mul i64 %1887, %237
-  %1890 = getelementptr double, ptr %238, i64 %1889
-  %1891 = getelementptr double, ptr %1890, i64 %1240
-  %1892 = getelementptr double, ptr %1891, i64 %1888
-  store double %1885, ptr %1892, align 8, !noalias !65
-  br label %1243
-
-1893:                                             ; preds = %1264
-  %1894 = fmul double %871, %871
-  %1895 = fcmp ugt double %1267, %1894
-  br i1 %1895, label %1338, label %1339
-
-1896:                                             ; preds = %1228, %1012, %921, %1232, %1831, %1189, %1379, %924, %1339
-  %1897 = phi double [ %1340, %1339 ], [ %1201, %1232 ], [ 0.000000e+00, %924 ], [ 0.000000e+00, %1012 ], [ 0.000000e+00, %921 ], [ 0x7FF0000000000000, %1379 ], [ %881, %1189 ], [ %1201, %1831 ], [ 0.000000e+00, %1228 ]
-  %1898 = phi i64 [ %1343, %1339 ], [ %1350, %1232 ], [ %1351, %924 ], [ 0, %1012 ], [ 0, %921 ], [ %1351, %1379 ], [ %1350, %1189 ], [ %1350, %1831 ], [ 0, %1228 ]
-  %1899 = phi i1 [ %1342, %1339 ], [ true, %1232 ], [ true, %924 ], [ true, %1012 ], [ true, %921 ], [ true, %1379 ], [ true, %1189 ], [ true, %1831 ], [ true, %1228 ]
-  %1900 = phi i64 [ 0, %1339 ], [ 0, %1232 ], [ %925, %924 ], [ 0, %1012 ], [ 0, %921 ], [ 0, %1379 ], [ 0, %1189 ], [ 0, %1831 ], [ 0, %1228 ]
-  %1901 = phi i32 [ 0, %1339 ], [ 0, %1232 ], [ 0, %924 ], [ %1013, %1012 ], [ %923, %921 ], [ 0, %1379 ], [ 0, %1189 ], [ 0, %1831 ], [ %1231, %1228 ]
-  switch i32 %1901, label %2639 [
-    i32 -2, label %2637
-    i32 0, label %2637
-  ], !prof !33
-
-1902:                                             ; preds = %2637
-  br label %2773
-
-1903:                                             ; preds = %2637
-  br i1 %1899, label %2391, label %1904
-
-1904:                                             ; preds = %1903, %2640
-  %1905 = phi i64 [ %2642, %2640 ], [ 0, %1903 ]
-  %1906 = phi i64 [ %2641, %2640 ], [ %292, %1903 ]
-  %1907 = icmp sgt i64 %1906, 0
-  br i1 %1907, label %2640, label %1908
-
-1908:                                             ; preds = %1904
-  %1909 = getelementptr i8, ptr %196, i64 32
-  %1910 = load i64, ptr %1909, align 8, !noalias !22
-  %1911 = icmp ne i64 %1910, 1
-  store ptr null, ptr %6, align 8, !noalias !111
-  store double 0.000000e+00, ptr %7, align 8, !noalias !111
-  store ptr null, ptr %8, align 8, !noalias !111
-  store double 0.000000e+00, ptr %9, align 8, !noalias !111
-  %1912 = load i64, ptr %116, align 8, !noalias !111
-  %1913 = call i64 @llvm.smax.i64(i64 %1912, i64 0)
-  br label %1914
-
-1914:                                             ; preds = %1949, %1908
-  %1915 = phi i64 [ 0, %1908 ], [ %1951, %1949 ]
-  %1916 = phi i64 [ %1913, %1908 ], [ %1950, %1949 ]
-  %1917 = icmp sgt i64 %1916, 0
-  br i1 %1917, label %1949, label %1918
-
-1918:                                             ; preds = %1914
-  store ptr null, ptr %6, align 8, !noalias !111
-  %1919 = call fastcc i32 @solve(ptr nonnull %6, ptr %214, i64 %211, i64 %213, ptr %226, i64 %225, ptr %262, i64 %261) #3, !noalias !111
-  switch i32 %1919, label %2027 [
-    i32 -2, label %1983
-    i32 0, label %1983
-  ], !prof !33
-
-1920:                                             ; preds = %1986, %1989
-  %1921 = phi i64 [ %1991, %1989 ], [ 0, %1986 ]
-  %1922 = phi i64 [ %1990, %1989 ], [ %1913, %1986 ]
-  %1923 = icmp sgt i64 %1922, 0
-  br i1 %1923, label %1989, label %1924
-
-1924:                                             ; preds = %1920
-  %1925 = getelementptr i8, ptr %110, i64 24
-  %1926 = load i64, ptr %1925, align 8, !noalias !111
-  %1927 = add nsw i64 %1926, 1
-  store i64 %1927, ptr %1925, align 8, !noalias !111
-  store ptr null, ptr %4, align 8, !noalias !115
-  store ptr null, ptr %5, align 8, !noalias !115
-  store double %376, ptr %33, align 8, !noalias !115
-  %1928 = icmp sgt i64 %45, 0
-  br i1 %1928, label %1929, label %1932
-
-1929:                                             ; preds = %1924
-  store ptr null, ptr %4, align 8, !noalias !115
-  %1930 = call fastcc i32 @_sample(ptr nonnull %4, ptr %38, i64 %37, ptr %48, i64 %45, i64 %47, ptr %53, i64 %52, ptr %60, i64 %57, i64 %59, double %376) #3
-  switch i32 %1930, label %1931 [
-    i32 -2, label %1932
-    i32 0, label %1932
-  ], !prof !33
-
-1931:                                             ; preds = %1929
-  br label %1932
-
-1932:                                             ; preds = %1929, %1929, %1924, %1931
-  %1933 = phi i32 [ %1930, %1931 ], [ 0, %1924 ], [ 0, %1929 ], [ 0, %1929 ]
-  switch i32 %1933, label %1938 [
-    i32 -2, label %1934
-    i32 0, label %1934
-  ], !prof !33
-
-1934:                                             ; preds = %1932, %1932
-  %1935 = load i64, ptr %30, align 8, !noalias !122
-  %1936 = inttoptr i64 %1935 to ptr
-  %1937 = call i32 %1936(ptr nonnull %33, ptr %75, ptr %38, ptr %41, ptr %250) #3, !noalias !122
-  br label %1938
-
-1938:                                             ; preds = %1932, %1934
-  %1939 = phi i32 [ %1937, %1934 ], [ 0, %1932 ]
-  %1940 = phi i32 [ 0, %1934 ], [ %1933, %1932 ]
-  switch i32 %1940, label %2027 [
-    i32 -2, label %2005
-    i32 0, label %2005
-  ], !prof !33
-
-1941:                                             ; preds = %2005
-  %1942 = sext i32 %1939 to i64
-  br label %2027
-
-1943:                                             ; preds = %2005, %2007
-  %1944 = phi i64 [ %2009, %2007 ], [ 0, %2005 ]
-  %1945 = phi i64 [ %2008, %2007 ], [ %1913, %2005 ]
-  %1946 = icmp sgt i64 %1945, 0
-  br i1 %1946, label %2007, label %1947
-
-1947:                                             ; preds = %1943
-  store ptr null, ptr %8, align 8, !noalias !111
-  %1948 = call fastcc i32 @solve(ptr nonnull %8, ptr %214, i64 %211, i64 %213, ptr %226, i64 %225, ptr %262, i64 %261) #3, !noalias !111
-  switch i32 %1948, label %2027 [
-    i32 -2, label %2023
-    i32 0, label %2023
-  ], !prof !33
-
-1949:                                             ; preds = %1914
-  %1950 = add nsw i64 %1916, -1
-  %1951 = add i64 %1915, 1
-  %1952 = icmp slt i64 %1915, 0
-  %1953 = select i1 %1952, i64 %237, i64 0
-  %1954 = getelementptr double, ptr %238, i64 %1915
-  %1955 = getelementptr double, ptr %1954, i64 %1953
-  %1956 = load double, ptr %1955, align 8, !noalias !111
-  %1957 = fmul double %1956, 0xC02418FD8BAFFE05
-  %1958 = getelementptr double, ptr %238, i64 %237
-  %1959 = getelementptr double, ptr %1958, i64 %1915
-  %1960 = getelementptr double, ptr %1959, i64 %1953
-  %1961 = load double, ptr %1960, align 8, !noalias !111
-  %1962 = fmul double %1961, 0x3FF61D41B2D54580
-  %1963 = fadd double %1957, %1962
-  %1964 = shl i64 %237, 4
-  %1965 = getelementptr i8, ptr %238, i64 %1964
-  %1966 = getelementptr double, ptr %1965, i64 %1915
-  %1967 = getelementptr double, ptr %1966, i64 %1953
-  %1968 = load double, ptr %1967, align 8, !noalias !111
-  %1969 = fmul double %1968, 0xBFD5555555555555
-  %1970 = fadd double %1963, %1969
-  %1971 = fdiv double %1970, %410
-  %1972 = select i1 %1952, i64 %271, i64 0
-  %1973 = getelementptr double, ptr %272, i64 %1915
-  %1974 = getelementptr double, ptr %1973, i64 %1972
-  store double %1971, ptr %1974, align 8, !noalias !111
-  %1975 = select i1 %1952, i64 %84, i64 0
-  %1976 = getelementptr double, ptr %85, i64 %1915
-  %1977 = getelementptr double, ptr %1976, i64 %1975
-  %1978 = load double, ptr %1977, align 8, !noalias !111
-  %1979 = fadd double %1978, %1971
-  %1980 = select i1 %1952, i64 %261, i64 0
-  %1981 = getelementptr double, ptr %262, i64 %1915
-  %1982 = getelementptr double, ptr %1981, i64 %1980
-  store double %1979, ptr %1982, align 8, !noalias !111
-  br label %1914
-
-1983:                                             ; preds = %1918, %1918
-  store double 0.000000e+00, ptr %7, align 8, !noalias !111
-  %1984 = call fastcc i32 @norm(ptr nonnull %7, ptr %262, ptr %70, ptr %65, ptr nonnull %95, i64 %94, ptr %100, i64 %99, i64 %1912) #3, !noalias !111
-  %1985 = load double, ptr %7, align 8, !noalias !111
-  switch i32 %1984, label %2027 [
-    i32 -2, label %1986
-    i32 0, label %1986
-  ], !prof !33
-
-1986:                                             ; preds = %1983, %1983
-  %1987 = fcmp olt double %1985, 1.000000e+00
-  %1988 = select i1 %1987, i1 true, i1 %1911
-  br i1 %1988, label %2027, label %1920
-
-1989:                                             ; preds = %1920
-  %1990 = add nsw i64 %1922, -1
-  %1991 = add i64 %1921, 1
-  %1992 = icmp slt i64 %1921, 0
-  %1993 = select i1 %1992, i64 %64, i64 0
-  %1994 = getelementptr double, ptr %65, i64 %1921
-  %1995 = getelementptr double, ptr %1994, i64 %1993
-  %1996 = load double, ptr %1995, align 8, !noalias !111
-  %1997 = select i1 %1992, i64 %261, i64 0
-  %1998 = getelementptr double, ptr %262, i64 %1921
-  %1999 = getelementptr double, ptr %1998, i64 %1997
-  %2000 = load double, ptr %1999, align 8, !noalias !111
-  %2001 = fadd double %1996, %2000
-  %2002 = select i1 %1992, i64 %74, i64 0
-  %2003 = getelementptr double, ptr %75, i64 %1921
-  %2004 = getelementptr double, ptr %2003, i64 %2002
-  store double %2001, ptr %2004, align 8, !noalias !111
-  br label %1920
-
-2005:                                             ; preds = %1938, %1938
-  %2006 = icmp eq i32 %1939, 0
-  br i1 %2006, label %1943, label %1941
-
-2007:                                             ; preds = %1943
-  %2008 = add nsw i64 %1945, -1
-  %2009 = add i64 %1944, 1
-  %2010 = icmp slt i64 %1944, 0
-  %2011 = select i1 %2010, i64 %249, i64 0
-  %2012 = getelementptr double, ptr %250, i64 %1944
-  %2013 = getelementptr double, ptr %2012, i64 %2011
-  %2014 = load double, ptr %2013, align 8, !noalias !111
-  %2015 = select i1 %2010, i64 %271, i64 0
-  %2016 = getelementptr double, ptr %272, i64 %1944
-  %2017 = getelementptr double, ptr %2016, i64 %2015
-  %2018 = load double, ptr %2017, align 8, !noalias !111
-  %2019 = fadd double %2014, %2018
-  %2020 = select i1 %2010, i64 %261, i64 0
-  %2021 = getelementptr double, ptr %262, i64 %1944
-  %2022 = getelementptr double, ptr %2021, i64 %2020
-  store double %2019, ptr %2022, align 8, !noalias !111
-  br label %1943
-
-2023:                                             ; preds = %1947, %1947
-  store double 0.000000e+00, ptr %9, align 8, !noalias !111
-  %2024 = call fastcc i32 @norm(ptr nonnull %9, ptr %262, ptr %70, ptr %65, ptr nonnull %95, i64 %94, ptr %100, i64 %99, i64 %1912) #3, !noalias !111
-  switch i32 %2024, label %2027 [
-    i32 -2, label %2025
-    i32 0, label %2025
-  ], !prof !33
-
-2025:                                             ; preds = %2023, %2023
-  %2026 = load double, ptr %9, align 8, !noalias !111
-  br label %2027
-
-2027:                                             ; preds = %2023, %1947, %1938, %1983, %1918, %1986, %1941, %2025
-  %2028 = phi double [ %1985, %1986 ], [ 0.000000e+00, %1918 ], [ %1985, %1941 ], [ 0.000000e+00, %1983 ], [ 0.000000e+00, %1938 ], [ 0.000000e+00, %1947 ], [ %2026, %2025 ], [ 0.000000e+00, %2023 ]
-  %2029 = phi i64 [ 0, %1986 ], [ 0, %1918 ], [ %1942, %1941 ], [ 0, %1983 ], [ 0, %1938 ], [ 0, %1947 ], [ 0, %2025 ], [ 0, %2023 ]
-  %2030 = phi i32 [ 0, %1986 ], [ %1919, %1918 ], [ 0, %1941 ], [ %1984, %1983 ], [ %1940, %1938 ], [ %1948, %1947 ], [ 0, %2025 ], [ %2024, %2023 ]
-  switch i32 %2030, label %2660 [
-    i32 -2, label %2658
-    i32 0, label %2658
-  ], !prof !33
-
-2031:                                             ; preds = %2658
-  br label %2773
-
-2032:                                             ; preds = %2658
-  %2033 = add nsw i64 %1898, 12
-  %2034 = sitofp i64 %2033 to double
-  %2035 = fdiv double 0x4027666666666667, %2034
-  %2036 = fcmp olt double %2028, 1.000000e-10
-  %2037 = select i1 %2036, double 1.000000e-10, double %2028
-  %2038 = call double @llvm.pow.f64(double %2037, double -2.500000e-01)
-  %2039 = icmp eq i64 %2029, 0
-  %2040 = fcmp olt double %2028, 1.000000e+00
-  %2041 = select i1 %2039, i1 %2040, i1 false
-  br i1 %2041, label %2042, label %2374
-
-2042:                                             ; preds = %2032
-  br i1 %285, label %2043, label %2057
-
-2043:                                             ; preds = %2042
-  %2044 = getelementptr i8, ptr %157, i64 56
-  %2045 = load i64, ptr %2044, align 8, !noalias !22
-  %2046 = inttoptr i64 %2045 to ptr
-  %2047 = call i64 %2046(i64 %0, double %411, i64 %67) #3, !noalias !22
-  %2048 = icmp eq i64 %2047, 0
-  br i1 %2048, label %2057, label %2049
-
-2049:                                             ; preds = %2043
-  %2050 = load i64, ptr %393, align 8, !noalias !22
-  %2051 = add nsw i64 %2050, 1
-  store i64 %2051, ptr %393, align 8, !noalias !22
-  %2052 = fmul double %410, 2.500000e-01
-  %2053 = getelementptr i8, ptr %110, i64 72
-  store i64 6, ptr %2053, align 8, !noalias !22
-  %2054 = getelementptr i8, ptr %196, i64 16
-  %2055 = load i64, ptr %2054, align 8, !noalias !22
-  %2056 = sub nsw i64 1, %2055
-  store i64 1, ptr %1909, align 8, !noalias !22
-  store i64 %2056, ptr %418, align 8, !noalias !22
-  br label %2448
-
-2057:                                             ; preds = %2043, %2042
-  %2058 = load i64, ptr %391, align 8, !noalias !22
-  %2059 = add nsw i64 %2058, 1
-  store i64 %2059, ptr %391, align 8, !noalias !22
-  %2060 = getelementptr i8, ptr %105, i64 24
-  %2061 = load double, ptr %2060, align 8, !noalias !22
-  %2062 = fcmp ogt double %2061, 0.000000e+00
-  br i1 %2062, label %2063, label %2073
-
-2063:                                             ; preds = %2057
-  %2064 = getelementptr i8, ptr %105, i64 32
-  %2065 = load double, ptr %2064, align 8, !noalias !22
-  %2066 = fdiv double %410, %2065
-  %2067 = fdiv double %2061, %2037
-  %2068 = call double @llvm.pow.f64(double %2067, double 2.500000e-01)
-  %2069 = fmul double %2066, %2068
-  %2070 = fcmp olt double %2069, 1.000000e+00
-  %2071 = select i1 %2070, double %2069, double 1.000000e+00
-  %2072 = fmul double %2038, %2071
-  br label %2073
-
-2073:                                             ; preds = %2063, %2057
-  %2074 = phi double [ %2072, %2063 ], [ %2038, %2057 ]
-  %2075 = fmul double %2035, %2074
-  %2076 = fcmp olt double %2075, 1.000000e+01
-  %2077 = select i1 %2076, double %2075, double 1.000000e+01
-  store double %411, ptr %105, align 8, !noalias !22
-  %2078 = getelementptr i8, ptr %105, i64 32
-  store double %410, ptr %2078, align 8, !noalias !22
-  store double %2037, ptr %2060, align 8, !noalias !22
-  br label %2079
-
-2079:                                             ; preds = %2083, %2073
-  %2080 = phi i64 [ 0, %2073 ], [ %2663, %2083 ]
-  %2081 = phi i64 [ %292, %2073 ], [ %2662, %2083 ]
-  %2082 = icmp sgt i64 %2081, 0
-  br i1 %2082, label %2661, label %2087
-
-2083:                                             ; preds = %2661, %2718
-  %2084 = phi i64 [ 0, %2661 ], [ %2720, %2718 ]
-  %2085 = phi i64 [ 3, %2661 ], [ %2719, %2718 ]
-  %2086 = icmp sgt i64 %2085, 0
-  br i1 %2086, label %2718, label %2079
-
-2087:                                             ; preds = %2079
-  store double %410, ptr %791, align 8, !noalias !22
-  %2088 = getelementptr i8, ptr %27, i64 24
-  %2089 = load i64, ptr %2088, align 8, !noalias !22
-  %2090 = load i64, ptr %381, align 8, !noalias !123
-  %2091 = icmp eq i64 %2090, 0
-  br i1 %2091, label %2735, label %2092
-
-2092:                                             ; preds = %2087
-  %2093 = load i64, ptr %275, align 8, !noalias !123
-  %2094 = load i64, ptr %116, align 8, !noalias !123
-  %2095 = icmp slt i64 %2093, 0
-  %2096 = select i1 %2095, i64 %279, i64 0
-  %2097 = add i64 %2093, %2096
-  %2098 = mul i64 %2097, %281
-  %2099 = getelementptr double, ptr %282, i64 %2098
-  store double %376, ptr %2099, align 8, !noalias !123
-  %2100 = getelementptr i8, ptr %2099, i64 8
-  store double %410, ptr %2100, align 8, !noalias !123
-  %2101 = add nsw i64 %2093, 1
-  %2102 = icmp slt i64 %2093, -1
-  %2103 = select i1 %2102, i64 %279, i64 0
-  %2104 = add i64 %2101, %2103
-  %2105 = mul i64 %2104, %281
-  %2106 = getelementptr double, ptr %282, i64 %2105
-  store double %411, ptr %2106, align 8, !noalias !123
-  %2107 = getelementptr i8, ptr %2106, i64 8
-  store double 0.000000e+00, ptr %2107, align 8, !noalias !123
-  %2108 = call i64 @llvm.smax.i64(i64 %2094, i64 0)
-  br label %2109
-
-2109:                                             ; preds = %2113, %2092
-  %2110 = phi i64 [ 0, %2092 ], [ %2120, %2113 ]
-  %2111 = phi i64 [ %2108, %2092 ], [ %2119, %2113 ]
-  %2112 = icmp sgt i64 %2111, 0
-  br i1 %2112, label %2118, label %2117
-
-2113:                                             ; preds = %2139, %2118
-  %2114 = phi i64 [ 0, %2118 ], [ %2141, %2139 ]
-  %2115 = phi i64 [ %2138, %2118 ], [ %2140, %2139 ]
-  %2116 = icmp sgt i64 %2115, 0
-  br i1 %2116, label %2139, label %2109
-
-2117:                                             ; preds = %2109
-  store i64 %2101, ptr %275, align 8, !noalias !123
-  br label %2735
-
-2118:                                             ; preds = %2109
-  %2119 = add nsw i64 %2111, -1
-  %2120 = add i64 %2110, 1
-  %2121 = icmp slt i64 %2110, 0
-  %2122 = select i1 %2121, i64 %64, i64 0
-  %2123 = getelementptr double, ptr %65, i64 %2110
-  %2124 = getelementptr double, ptr %2123, i64 %2122
-  %2125 = load double, ptr %2124, align 8, !noalias !123
-  %2126 = select i1 %2121, i64 %69, i64 0
-  %2127 = getelementptr double, ptr %70, i64 %2110
-  %2128 = getelementptr double, ptr %2127, i64 %2126
-  %2129 = load double, ptr %2128, align 8, !noalias !123
-  %2130 = icmp slt i64 %2110, -2
-  %2131 = select i1 %2130, i64 %281, i64 0
-  %2132 = getelementptr double, ptr %2099, i64 %2110
-  %2133 = getelementptr i8, ptr %2132, i64 16
-  %2134 = getelementptr double, ptr %2133, i64 %2131
-  store double %2125, ptr %2134, align 8, !noalias !123
-  %2135 = getelementptr double, ptr %2106, i64 %2110
-  %2136 = getelementptr i8, ptr %2135, i64 16
-  %2137 = getelementptr double, ptr %2136, i64 %2131
-  store double %2129, ptr %2137, align 8, !noalias !123
-  %2138 = call i64 @llvm.smax.i64(i64 %2089, i64 0)
-  br label %2113
-
-2139:                                             ; preds = %2113
-  %2140 = add nsw i64 %2115, -1
-  %2141 = add i64 %2114, 1
-  %2142 = mul nsw i64 %2114, %64
-  %2143 = add nsw i64 %2142, %2110
-  %2144 = icmp slt i64 %2143, 0
-  %2145 = select i1 %2144, i64 %89, i64 0
-  %2146 = getelementptr double, ptr %90, i64 %2143
-  %2147 = getelementptr double, ptr %2146, i64 %2145
-  %2148 = load double, ptr %2147, align 8, !noalias !123
-  %2149 = mul nsw i64 %2141, %2094
-  %2150 = add nsw i64 %2149, 2
-  %2151 = add nsw i64 %2150, %2110
-  %2152 = icmp slt i64 %2151, 0
-  %2153 = select i1 %2152, i64 %281, i64 0
-  %2154 = getelementptr double, ptr %2099, i64 %2151
-  %2155 = getelementptr double, ptr %2154, i64 %2153
-  store double %2148, ptr %2155, align 8, !noalias !123
-  br label %2113
-
-2156:                                             ; preds = %2735
-  %2157 = getelementptr i8, ptr %110, i64 48
-  %2158 = load i64, ptr %2157, align 8, !noalias !22
-  %2159 = icmp slt i64 %2158, 0
-  %2160 = select i1 %2159, i64 %114, i64 0
-  %2161 = getelementptr double, ptr %115, i64 %2158
-  %2162 = getelementptr double, ptr %2161, i64 %2160
-  %2163 = load double, ptr %2162, align 8, !noalias !22
-  %2164 = fcmp ugt double %2163, %411
-  br i1 %2164, label %2329, label %2172
-
-2165:                                             ; preds = %2735
-  %2166 = getelementptr i8, ptr %160, i64 16
-  %2167 = load i64, ptr %2166, align 8, !noalias !22
-  %2168 = inttoptr i64 %2167 to ptr
-  %2169 = call i64 %2168(i64 %0, double %376, double %410) #3, !noalias !22
-  %2170 = getelementptr i8, ptr %105, i64 48
-  %2171 = load double, ptr %2170, align 8, !noalias !22
-  br label %2172
-
-2172:                                             ; preds = %2156, %2165
-  %2173 = phi double [ %2171, %2165 ], [ 1.000000e+00, %2156 ]
-  %2174 = phi i64 [ %2169, %2165 ], [ 0, %2156 ]
-  %2175 = fcmp oeq double %2173, 1.000000e+00
-  br i1 %2175, label %2176, label %2178
-
-2176:                                             ; preds = %2172
-  %2177 = load double, ptr %105, align 8, !noalias !22
-  br label %2181
-
-2178:                                             ; preds = %2172
-  %2179 = fmul double %2173, %410
-  %2180 = fadd double %376, %2179
-  br label %2181
-
-2181:                                             ; preds = %2178, %2176
-  %2182 = phi double [ %2177, %2176 ], [ %2180, %2178 ]
-  %2183 = icmp eq i64 %2174, -4
-  %2184 = select i1 %2183, i64 -4, i64 0
-  br i1 %2183, label %2238, label %2185
-
-2185:                                             ; preds = %2181
-  %2186 = fcmp uge double %2173, 1.000000e+00
-  %2187 = load i64, ptr %116, align 8, !noalias !22
-  %2188 = load i64, ptr %157, align 8, !noalias !22
-  %2189 = icmp eq i64 %2188, 1
-  %2190 = getelementptr i8, ptr %110, i64 48
-  %2191 = load i64, ptr %2190, align 8, !noalias !22
-  %2192 = icmp slt i64 %2191, %114
-  br i1 %2192, label %2193, label %2236
-
-2193:                                             ; preds = %2185
-  %2194 = icmp slt i64 %2191, 0
-  %2195 = select i1 %2194, i64 %114, i64 0
-  %2196 = getelementptr double, ptr %115, i64 %2191
-  %2197 = getelementptr double, ptr %2196, i64 %2195
-  %2198 = load double, ptr %2197, align 8, !noalias !22
-  %2199 = fcmp uge double %2198, %2182
-  %2200 = fcmp une double %2198, %2182
-  %2201 = or i1 %2200, %2186
-  %2202 = and i1 %2199, %2201
-  br i1 %2202, label %2236, label %2203
-
-2203:                                             ; preds = %2226, %2193
-  %2204 = phi i64 [ %2191, %2193 ], [ %2224, %2226 ]
-  %2205 = icmp slt i64 %2204, 0
-  %2206 = select i1 %2205, i64 %114, i64 0
-  %2207 = getelementptr double, ptr %115, i64 %2204
-  %2208 = getelementptr double, ptr %2207, i64 %2206
-  %2209 = load double, ptr %2208, align 8, !noalias !22
-  %2210 = fsub double %2209, %376
-  %2211 = fdiv double %2210, %410
-  %2212 = mul nsw i64 %2204, %2187
-  %2213 = shl i64 %2212, 3
-  %2214 = add i64 %2213, %1
-  %2215 = call i64 @llvm.smax.i64(i64 %79, i64 0)
-  br label %2739
-
-2216:                                             ; preds = %2743
-  %2217 = getelementptr i8, ptr %157, i64 56
-  %2218 = load i64, ptr %2217, align 8, !noalias !22
-  %2219 = load double, ptr %2208, align 8, !noalias !22
-  %2220 = inttoptr i64 %2218 to ptr
-  %2221 = call i64 %2220(i64 %0, double %2219, i64 %2214) #3, !noalias !22
-  %2222 = icmp eq i64 %2221, 0
-  br i1 %2222, label %2223, label %2238
-
-2223:                                             ; preds = %2743, %2216
-  %2224 = add nsw i64 %2204, 1
-  %2225 = icmp slt i64 %2224, %114
-  br i1 %2225, label %2226, label %2236
-
-2226:                                             ; preds = %2223
-  %2227 = icmp slt i64 %2204, -1
-  %2228 = select i1 %2227, i64 %114, i64 0
-  %2229 = getelementptr double, ptr %115, i64 %2224
-  %2230 = getelementptr double, ptr %2229, i64 %2228
-  %2231 = load double, ptr %2230, align 8, !noalias !22
-  %2232 = fcmp uge double %2231, %2182
-  %2233 = fcmp une double %2231, %2182
-  %2234 = or i1 %2233, %2186
-  %2235 = and i1 %2232, %2234
-  br i1 %2235, label %2236, label %2203
-
-2236:                                             ; preds = %2226, %2193, %2223, %2185
-  %2237 = phi i64 [ %2191, %2193 ], [ %2224, %2226 ], [ %2224, %2223 ], [ %2191, %2185 ]
-  store i64 %2237, ptr %2190, align 8, !noalias !22
-  br label %2238
-
-2238:                                             ; preds = %2216, %2236, %2181
-  %2239 = phi i64 [ %2184, %2181 ], [ 0, %2236 ], [ %2221, %2216 ]
-  %2240 = icmp eq i64 %2239, 0
-  %2241 = icmp ne i64 %2174, 0
-  %2242 = select i1 %2240, i1 %2241, i1 false
-  %2243 = fcmp olt double %2173, 1.000000e+00
-  %2244 = and i1 %2242, %2243
-  br i1 %2244, label %2245, label %2283
-
-2245:                                             ; preds = %2238
-  %2246 = call i64 @llvm.smax.i64(i64 %79, i64 0)
-  br label %2247
-
-2247:                                             ; preds = %2245, %2271
-  %2248 = phi i64 [ 0, %2245 ], [ %2273, %2271 ]
-  %2249 = phi i64 [ %2246, %2245 ], [ %2272, %2271 ]
-  %2250 = icmp sgt i64 %2249, 0
-  br i1 %2250, label %2271, label %2251
-
-2251:                                             ; preds = %2247
-  %2252 = load i64, ptr %2088, align 8, !noalias !126
-  %2253 = getelementptr i8, ptr %30, i64 16
-  %2254 = load i64, ptr %2253, align 8, !noalias !126
-  call fastcc void @pydy_nested(i64 %72, i64 %62, i64 %87, i64 %64, i64 %2252, i64 %77, i64 %2254) #3, !noalias !126
-  %2255 = call i64 @llvm.smax.i64(i64 %69, i64 0)
-  br label %2256
-
-2256:                                             ; preds = %2260, %2251
-  %2257 = phi i64 [ 0, %2251 ], [ %2262, %2260 ]
-  %2258 = phi i64 [ %2255, %2251 ], [ %2261, %2260 ]
-  %2259 = icmp sgt i64 %2258, 0
-  br i1 %2259, label %2260, label %2754
-
-2260:                                             ; preds = %2256
-  %2261 = add nsw i64 %2258, -1
-  %2262 = add i64 %2257, 1
-  %2263 = icmp slt i64 %2257, 0
-  %2264 = select i1 %2263, i64 %74, i64 0
-  %2265 = getelementptr double, ptr %75, i64 %2257
-  %2266 = getelementptr double, ptr %2265, i64 %2264
-  %2267 = load double, ptr %2266, align 8, !noalias !130
-  %2268 = select i1 %2263, i64 %69, i64 0
-  %2269 = getelementptr double, ptr %70, i64 %2257
-  %2270 = getelementptr double, ptr %2269, i64 %2268
-  store double %2267, ptr %2270, align 8, !noalias !130
-  br label %2256
-
-2271:                                             ; preds = %2247
-  %2272 = add nsw i64 %2249, -1
-  %2273 = add i64 %2248, 1
-  %2274 = icmp slt i64 %2248, 0
-  %2275 = select i1 %2274, i64 %79, i64 0
-  %2276 = getelementptr double, ptr %80, i64 %2248
-  %2277 = getelementptr double, ptr %2276, i64 %2275
-  store double %2173, ptr %2277, align 8, !noalias !126
-  br label %2247
-
-2278:                                             ; preds = %2754
-  %2279 = getelementptr i8, ptr %157, i64 56
-  %2280 = load i64, ptr %2279, align 8, !noalias !22
-  %2281 = inttoptr i64 %2280 to ptr
-  %2282 = call i64 %2281(i64 %0, double %2182, i64 %67) #3, !noalias !22
-  br label %2283
-
-2283:                                             ; preds = %2754, %2278, %2238
-  %2284 = phi i64 [ %2282, %2278 ], [ 0, %2754 ], [ %2239, %2238 ]
-  %2285 = icmp eq i64 %2284, 0
-  br i1 %2285, label %2287, label %2286
-
-2286:                                             ; preds = %2283
-  store double %376, ptr %105, align 8, !noalias !22
-  store double %410, ptr %308, align 8, !noalias !22
-  br label %2309
-
-2287:                                             ; preds = %2283
-  br i1 %2175, label %2288, label %2290
-
-2288:                                             ; preds = %2287
-  store i8 0, ptr %24, align 1, !noalias !12
-  %2289 = call fastcc i32 @write_reached(ptr nonnull %24, ptr %30, ptr %70, i64 %69, ptr nonnull %105, ptr nonnull %110, i64 %114, ptr %115, i64 %114, ptr %119, i64 %118) #3
-  switch i32 %2289, label %2757 [
-    i32 -2, label %2290
-    i32 0, label %2290
-  ], !prof !33
-
-2290:                                             ; preds = %2288, %2288, %2287
-  %2291 = icmp eq i64 %2174, 0
-  br i1 %2291, label %2309, label %2292
-
-2292:                                             ; preds = %2290
-  %2293 = call i64 @llvm.smax.i64(i64 %64, i64 0)
-  br label %2294
-
-2294:                                             ; preds = %2298, %2292
-  %2295 = phi i64 [ 0, %2292 ], [ %2300, %2298 ]
-  %2296 = phi i64 [ %2293, %2292 ], [ %2299, %2298 ]
-  %2297 = icmp sgt i64 %2296, 0
-  br i1 %2297, label %2298, label %2758
-
-2298:                                             ; preds = %2294
-  %2299 = add nsw i64 %2296, -1
-  %2300 = add i64 %2295, 1
-  %2301 = icmp slt i64 %2295, 0
-  %2302 = select i1 %2301, i64 %69, i64 0
-  %2303 = getelementptr double, ptr %70, i64 %2295
-  %2304 = getelementptr double, ptr %2303, i64 %2302
-  %2305 = load double, ptr %2304, align 8, !noalias !133
-  %2306 = select i1 %2301, i64 %64, i64 0
-  %2307 = getelementptr double, ptr %65, i64 %2295
-  %2308 = getelementptr double, ptr %2307, i64 %2306
-  store double %2305, ptr %2308, align 8, !noalias !133
-  br label %2294
-
-2309:                                             ; preds = %2290, %2758, %2286
-  %2310 = phi i64 [ %2284, %2286 ], [ %2174, %2758 ], [ 0, %2290 ]
-  switch i64 %2310, label %2326 [
-    i64 6, label %2311
-    i64 0, label %2329
+1347:                                             ; preds = %1338, %1333
+  %1348 = phi double [ %1346, %1338 ], [ %1299, %1333 ]
+  %1349 = fmul double %1296, %1348
+  %1350 = fcmp olt double %1349, 1.000000e+01
+  store double %388, ptr %69, align 8
+  store double %387, ptr %311, align 8
+  store double %1298, ptr %309, align 8
+  %1351 = load ptr, ptr %65, align 8
+  %1352 = getelementptr inbounds i8, ptr %1351, i64 8
+  %1353 = load i64, ptr %1352, align 8
+  %1354 = load i64, ptr %312, align 8
+  %1355 = load ptr, ptr %262, align 8
+  %1356 = load ptr, ptr %313, align 8
+  %1357 = load ptr, ptr %261, align 8
+  br label %1374
+
+1358:                                             ; preds = %1374
+  %1359 = select i1 %1350, double %1349, double 1.000000e+01
+  %1360 = icmp sgt i64 %1353, 0
+  br i1 %1360, label %1361, label %1434
+
+1361:                                             ; preds = %1358
+  %1362 = load double, ptr %8, align 16
+  %1363 = load double, ptr %314, align 8
+  %1364 = getelementptr double, ptr %1355, i64 %1353
+  %1365 = load double, ptr %315, align 16
+  %1366 = shl i64 %1353, 4
+  %1367 = getelementptr i8, ptr %1355, i64 %1366
+  %1368 = load double, ptr %9, align 16
+  %1369 = load double, ptr %316, align 8
+  %1370 = load double, ptr %317, align 16
+  %1371 = getelementptr double, ptr %1356, i64 %1354
+  %1372 = shl i64 %1354, 4
+  %1373 = getelementptr i8, ptr %1356, i64 %1372
+  br label %1385
+
+1374:                                             ; preds = %1347, %1374
+  %1375 = phi i64 [ 0, %1347 ], [ %1383, %1374 ]
+  %1376 = getelementptr inbounds [3 x [3 x double]], ptr @POLYNOMIAL, i64 0, i64 %1375
+  %1377 = getelementptr inbounds i8, ptr %1376, i64 8
+  %1378 = load double, ptr %1377, align 8
+  %1379 = getelementptr inbounds [3 x double], ptr %8, i64 0, i64 %1375
+  store double %1378, ptr %1379, align 8
+  %1380 = getelementptr inbounds i8, ptr %1376, i64 16
+  %1381 = load double, ptr %1380, align 8
+  %1382 = getelementptr inbounds [3 x double], ptr %9, i64 0, i64 %1375
+  store double %1381, ptr %1382, align 8
+  %1383 = add nuw nsw i64 %1375, 1
+  %1384 = icmp eq i64 %1383, 3
+  br i1 %1384, label %1358, label %1374, !llvm.loop !39
+
+1385:                                             ; preds = %1361, %1422
+  %1386 = phi i64 [ 0, %1361 ], [ %1423, %1422 ]
+  %1387 = getelementptr inbounds double, ptr %1355, i64 %1386
+  %1388 = load double, ptr %1387, align 8
+  %1389 = fmul double %1362, %1388
+  %1390 = getelementptr double, ptr %1364, i64 %1386
+  %1391 = load double, ptr %1390, align 8
+  %1392 = fmul double %1363, %1391
+  %1393 = fadd double %1389, %1392
+  %1394 = getelementptr double, ptr %1367, i64 %1386
+  %1395 = load double, ptr %1394, align 8
+  %1396 = fmul double %1365, %1395
+  %1397 = fadd double %1393, %1396
+  %1398 = fmul double %1388, %1368
+  %1399 = fmul double %1391, %1369
+  %1400 = fadd double %1398, %1399
+  %1401 = fmul double %1395, %1370
+  %1402 = fadd double %1400, %1401
+  %1403 = load ptr, ptr %298, align 8
+  %1404 = getelementptr inbounds double, ptr %1403, i64 %1386
+  %1405 = load double, ptr %1404, align 8
+  %1406 = load ptr, ptr %66, align 8
+  %1407 = getelementptr inbounds double, ptr %1406, i64 %1386
+  %1408 = load double, ptr %1407, align 8
+  %1409 = fsub double %1405, %1408
+  %1410 = getelementptr inbounds double, ptr %1356, i64 %1386
+  store double %1409, ptr %1410, align 8
+  %1411 = fneg double %1397
+  %1412 = fsub double %1411, %1402
+  %1413 = getelementptr double, ptr %1371, i64 %1386
+  store double %1412, ptr %1413, align 8
+  %1414 = fneg double %1402
+  %1415 = getelementptr double, ptr %1373, i64 %1386
+  store double %1414, ptr %1415, align 8
+  %1416 = load ptr, ptr %66, align 8
+  %1417 = getelementptr inbounds double, ptr %1416, i64 %1386
+  %1418 = load double, ptr %1417, align 8
+  %1419 = getelementptr inbounds double, ptr %1357, i64 %1386
+  store double %1418, ptr %1419, align 8
+  %1420 = getelementptr double, ptr %1356, i64 %1386
+  %1421 = getelementptr double, ptr %1357, i64 %1386
+  br label %1425
+
+1422:                                             ; preds = %1425
+  %1423 = add nuw nsw i64 %1386, 1
+  %1424 = icmp eq i64 %1423, %1353
+  br i1 %1424, label %1434, label %1385, !llvm.loop !40
+
+1425:                                             ; preds = %1385, %1425
+  %1426 = phi i64 [ 0, %1385 ], [ %1430, %1425 ]
+  %1427 = mul nsw i64 %1354, %1426
+  %1428 = getelementptr double, ptr %1420, i64 %1427
+  %1429 = load double, ptr %1428, align 8
+  %1430 = add nuw nsw i64 %1426, 1
+  %1431 = mul nuw nsw i64 %1353, %1430
+  %1432 = getelementptr double, ptr %1421, i64 %1431
+  store double %1429, ptr %1432, align 8
+  %1433 = icmp eq i64 %1430, 3
+  br i1 %1433, label %1422, label %1425, !llvm.loop !41
+
+1434:                                             ; preds = %1422, %1358
+  store double %387, ptr %260, align 8
+  %1435 = load ptr, ptr %0, align 8
+  %1436 = getelementptr inbounds i8, ptr %1435, i64 24
+  %1437 = load i64, ptr %1436, align 8
+  %1438 = load ptr, ptr %229, align 8
+  %1439 = getelementptr inbounds i8, ptr %1438, i64 8
+  %1440 = load i64, ptr %1439, align 8
+  %1441 = icmp eq i64 %1440, 0
+  br i1 %1441, label %1488, label %1442
+
+1442:                                             ; preds = %1434
+  %1443 = load i64, ptr %1438, align 8
+  %1444 = load ptr, ptr %65, align 8
+  %1445 = getelementptr inbounds i8, ptr %1444, i64 8
+  %1446 = load i64, ptr %1445, align 8
+  %1447 = load ptr, ptr %318, align 8
+  %1448 = load i64, ptr %319, align 8
+  %1449 = mul nsw i64 %1448, %1443
+  %1450 = getelementptr inbounds double, ptr %1447, i64 %1449
+  %1451 = getelementptr inbounds double, ptr %1450, i64 %1448
+  store double %351, ptr %1450, align 8
+  %1452 = getelementptr inbounds i8, ptr %1450, i64 8
+  store double %387, ptr %1452, align 8
+  store double %388, ptr %1451, align 8
+  %1453 = getelementptr inbounds i8, ptr %1451, i64 8
+  store double 0.000000e+00, ptr %1453, align 8
+  %1454 = icmp sgt i64 %1446, 0
+  br i1 %1454, label %1455, label %1458
+
+1455:                                             ; preds = %1442
+  %1456 = getelementptr i8, ptr %1450, i64 16
+  %1457 = icmp sgt i64 %1437, 0
+  br label %1461
+
+1458:                                             ; preds = %1473, %1442
+  %1459 = add nsw i64 %1443, 1
+  %1460 = load ptr, ptr %229, align 8
+  store i64 %1459, ptr %1460, align 8
+  br label %1488
+
+1461:                                             ; preds = %1455, %1473
+  %1462 = phi i64 [ 0, %1455 ], [ %1474, %1473 ]
+  %1463 = load ptr, ptr %66, align 8
+  %1464 = getelementptr inbounds double, ptr %1463, i64 %1462
+  %1465 = load double, ptr %1464, align 8
+  %1466 = add nuw nsw i64 %1462, 2
+  %1467 = getelementptr inbounds double, ptr %1450, i64 %1466
+  store double %1465, ptr %1467, align 8
+  %1468 = load ptr, ptr %298, align 8
+  %1469 = getelementptr inbounds double, ptr %1468, i64 %1462
+  %1470 = load double, ptr %1469, align 8
+  %1471 = getelementptr inbounds double, ptr %1451, i64 %1466
+  store double %1470, ptr %1471, align 8
+  %1472 = getelementptr double, ptr %1456, i64 %1462
+  br i1 %1457, label %1476, label %1473
+
+1473:                                             ; preds = %1476, %1461
+  %1474 = add nuw nsw i64 %1462, 1
+  %1475 = icmp eq i64 %1474, %1446
+  br i1 %1475, label %1458, label %1461, !llvm.loop !42
+
+1476:                                             ; preds = %1461, %1476
+  %1477 = phi i64 [ %1484, %1476 ], [ 0, %1461 ]
+  %1478 = load ptr, ptr %313, align 8
+  %1479 = load i64, ptr %312, align 8
+  %1480 = mul nsw i64 %1479, %1477
+  %1481 = getelementptr double, ptr %1478, i64 %1480
+  %1482 = getelementptr double, ptr %1481, i64 %1462
+  %1483 = load double, ptr %1482, align 8
+  %1484 = add nuw nsw i64 %1477, 1
+  %1485 = mul nuw nsw i64 %1484, %1446
+  %1486 = getelementptr double, ptr %1472, i64 %1485
+  store double %1483, ptr %1486, align 8
+  %1487 = icmp eq i64 %1484, %1437
+  br i1 %1487, label %1473, label %1476, !llvm.loop !43
+
+1488:                                             ; preds = %1434, %1458
+  br i1 %97, label %1494, label %1489
+
+1489:                                             ; preds = %1488
+  %1490 = load i64, ptr %320, align 8
+  %1491 = getelementptr inbounds double, ptr %83, i64 %1490
+  %1492 = load double, ptr %1491, align 8
+  %1493 = fcmp ugt double %1492, %388
+  br i1 %1493, label %1703, label %1494
+
+1494:                                             ; preds = %1489, %1488
+  %1495 = load ptr, ptr %68, align 8
+  %1496 = load ptr, ptr %93, align 8
+  %1497 = getelementptr inbounds i8, ptr %1496, i64 8
+  %1498 = load i64, ptr %1497, align 8
+  %1499 = icmp sgt i64 %1498, 0
+  br i1 %1499, label %1500, label %1507
+
+1500:                                             ; preds = %1494
+  %1501 = getelementptr inbounds i8, ptr %1496, i64 16
+  %1502 = load i64, ptr %1501, align 8
+  %1503 = inttoptr i64 %1502 to ptr
+  %1504 = tail call i64 %1503(ptr noundef %0, double noundef %351, double noundef %387) #11
+  %1505 = getelementptr inbounds i8, ptr %1495, i64 48
+  %1506 = load double, ptr %1505, align 8
+  br label %1507
+
+1507:                                             ; preds = %1500, %1494
+  %1508 = phi double [ %1506, %1500 ], [ 1.000000e+00, %1494 ]
+  %1509 = phi i64 [ %1504, %1500 ], [ 0, %1494 ]
+  %1510 = fcmp oeq double %1508, 1.000000e+00
+  br i1 %1510, label %1511, label %1513
+
+1511:                                             ; preds = %1507
+  %1512 = load double, ptr %1495, align 8
+  br label %1516
+
+1513:                                             ; preds = %1507
+  %1514 = fmul double %387, %1508
+  %1515 = fadd double %351, %1514
+  br label %1516
+
+1516:                                             ; preds = %1513, %1511
+  %1517 = phi double [ %1512, %1511 ], [ %1515, %1513 ]
+  %1518 = icmp eq i64 %1509, -4
+  %1519 = select i1 %1518, i64 -4, i64 0
+  br i1 %1518, label %1577, label %1520
+
+1520:                                             ; preds = %1516
+  %1521 = fcmp olt double %1508, 1.000000e+00
+  %1522 = load ptr, ptr %65, align 8
+  %1523 = getelementptr inbounds i8, ptr %1522, i64 8
+  %1524 = load i64, ptr %1523, align 8
+  %1525 = load i64, ptr %84, align 8
+  %1526 = load ptr, ptr %82, align 8
+  %1527 = load ptr, ptr %72, align 8
+  %1528 = getelementptr inbounds i8, ptr %1527, i64 48
+  %1529 = load i64, ptr %1528, align 8
+  %1530 = icmp slt i64 %1529, %1525
+  br i1 %1530, label %1531, label %1573
+
+1531:                                             ; preds = %1520, %1569
+  %1532 = phi i64 [ %1570, %1569 ], [ undef, %1520 ]
+  %1533 = phi i64 [ %1571, %1569 ], [ %1529, %1520 ]
+  %1534 = getelementptr inbounds double, ptr %1526, i64 %1533
+  %1535 = load double, ptr %1534, align 8
+  %1536 = fcmp olt double %1535, %1517
+  %1537 = fcmp oeq double %1535, %1517
+  %1538 = and i1 %1521, %1537
+  %1539 = or i1 %1536, %1538
+  br i1 %1539, label %1540, label %1573
+
+1540:                                             ; preds = %1531
+  %1541 = fsub double %1535, %351
+  %1542 = fdiv double %1541, %387
+  %1543 = mul nsw i64 %1533, %1524
+  %1544 = getelementptr inbounds double, ptr %1, i64 %1543
+  %1545 = load ptr, ptr %321, align 8
+  %1546 = insertelement <8 x double> poison, double %1542, i64 0
+  %1547 = shufflevector <8 x double> %1546, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %1547, ptr %1545, align 8
+  %1548 = load ptr, ptr %66, align 8
+  %1549 = load ptr, ptr %322, align 8
+  %1550 = load i64, ptr %323, align 8
+  %1551 = load ptr, ptr %0, align 8
+  %1552 = getelementptr inbounds i8, ptr %1551, i64 24
+  %1553 = load i64, ptr %1552, align 8
+  %1554 = load ptr, ptr %321, align 8
+  %1555 = load ptr, ptr %65, align 8
+  %1556 = getelementptr inbounds i8, ptr %1555, i64 16
+  %1557 = load i64, ptr %1556, align 8
+  tail call fastcc void @nested(ptr noundef %1544, ptr noundef %1548, ptr noundef %1549, i64 noundef %1550, i64 noundef %1553, ptr noundef %1554, i64 noundef %1557) #10
+  %1558 = load ptr, ptr %89, align 8
+  %1559 = load i64, ptr %1558, align 8
+  %1560 = icmp eq i64 %1559, 1
+  br i1 %1560, label %1561, label %1569
+
+1561:                                             ; preds = %1540
+  %1562 = load double, ptr %1534, align 8
+  %1563 = getelementptr inbounds i8, ptr %1558, i64 56
+  %1564 = load i64, ptr %1563, align 8
+  %1565 = inttoptr i64 %1564 to ptr
+  %1566 = tail call i64 %1565(ptr noundef %0, double noundef %1562, ptr noundef %1544) #11
+  %1567 = icmp eq i64 %1566, 0
+  %1568 = select i1 %1567, i64 %1532, i64 %1566
+  br i1 %1567, label %1569, label %1577
+
+1569:                                             ; preds = %1561, %1540
+  %1570 = phi i64 [ %1568, %1561 ], [ %1532, %1540 ]
+  %1571 = add i64 %1533, 1
+  %1572 = icmp eq i64 %1571, %1525
+  br i1 %1572, label %1573, label %1531, !llvm.loop !44
+
+1573:                                             ; preds = %1569, %1531, %1520
+  %1574 = phi i64 [ %1529, %1520 ], [ %1525, %1569 ], [ %1533, %1531 ]
+  %1575 = load ptr, ptr %72, align 8
+  %1576 = getelementptr inbounds i8, ptr %1575, i64 48
+  store i64 %1574, ptr %1576, align 8
+  br label %1577
+
+1577:                                             ; preds = %1561, %1573, %1516
+  %1578 = phi i64 [ %1519, %1516 ], [ 0, %1573 ], [ %1568, %1561 ]
+  %1579 = icmp eq i64 %1578, 0
+  %1580 = icmp ne i64 %1509, 0
+  %1581 = select i1 %1579, i1 %1580, i1 false
+  %1582 = fcmp olt double %1508, 1.000000e+00
+  %1583 = and i1 %1582, %1581
+  br i1 %1583, label %1584, label %1621
+
+1584:                                             ; preds = %1577
+  %1585 = load ptr, ptr %324, align 8
+  %1586 = load ptr, ptr %325, align 8
+  %1587 = insertelement <8 x double> poison, double %1508, i64 0
+  %1588 = shufflevector <8 x double> %1587, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %1588, ptr %1586, align 8
+  %1589 = load ptr, ptr %66, align 8
+  %1590 = load ptr, ptr %326, align 8
+  %1591 = load i64, ptr %327, align 8
+  %1592 = load ptr, ptr %0, align 8
+  %1593 = getelementptr inbounds i8, ptr %1592, i64 24
+  %1594 = load i64, ptr %1593, align 8
+  %1595 = load ptr, ptr %325, align 8
+  %1596 = load ptr, ptr %65, align 8
+  %1597 = getelementptr inbounds i8, ptr %1596, i64 16
+  %1598 = load i64, ptr %1597, align 8
+  tail call fastcc void @nested(ptr noundef %1585, ptr noundef %1589, ptr noundef %1590, i64 noundef %1591, i64 noundef %1594, ptr noundef %1595, i64 noundef %1598) #10
+  %1599 = load i64, ptr %312, align 8
+  %1600 = icmp sgt i64 %1599, 0
+  br i1 %1600, label %1605, label %1601
+
+1601:                                             ; preds = %1605, %1584
+  %1602 = load ptr, ptr %89, align 8
+  %1603 = load i64, ptr %1602, align 8
+  %1604 = icmp eq i64 %1603, 1
+  br i1 %1604, label %1615, label %1621
+
+1605:                                             ; preds = %1584, %1605
+  %1606 = phi i64 [ %1612, %1605 ], [ 0, %1584 ]
+  %1607 = load ptr, ptr %324, align 8
+  %1608 = getelementptr inbounds double, ptr %1607, i64 %1606
+  %1609 = load double, ptr %1608, align 8
+  %1610 = load ptr, ptr %298, align 8
+  %1611 = getelementptr inbounds double, ptr %1610, i64 %1606
+  store double %1609, ptr %1611, align 8
+  %1612 = add nuw nsw i64 %1606, 1
+  %1613 = load i64, ptr %312, align 8
+  %1614 = icmp slt i64 %1612, %1613
+  br i1 %1614, label %1605, label %1601, !llvm.loop !45
+
+1615:                                             ; preds = %1601
+  %1616 = load ptr, ptr %298, align 8
+  %1617 = getelementptr inbounds i8, ptr %1602, i64 56
+  %1618 = load i64, ptr %1617, align 8
+  %1619 = inttoptr i64 %1618 to ptr
+  %1620 = tail call i64 %1619(ptr noundef %0, double noundef %1517, ptr noundef %1616) #11
+  br label %1621
+
+1621:                                             ; preds = %1615, %1601, %1577
+  %1622 = phi i64 [ %1620, %1615 ], [ 0, %1601 ], [ %1578, %1577 ]
+  %1623 = icmp eq i64 %1622, 0
+  br i1 %1623, label %1626, label %1624
+
+1624:                                             ; preds = %1621
+  store double %351, ptr %1495, align 8
+  %1625 = getelementptr inbounds i8, ptr %1495, i64 8
+  store double %387, ptr %1625, align 8
+  br label %1682
+
+1626:                                             ; preds = %1621
+  br i1 %1510, label %1627, label %1665
+
+1627:                                             ; preds = %1626
+  %1628 = load ptr, ptr %298, align 8
+  %1629 = load ptr, ptr %65, align 8
+  %1630 = getelementptr inbounds i8, ptr %1629, i64 8
+  %1631 = load i64, ptr %1630, align 8
+  %1632 = load i64, ptr %84, align 8
+  %1633 = load ptr, ptr %82, align 8
+  %1634 = load ptr, ptr %72, align 8
+  %1635 = getelementptr inbounds i8, ptr %1634, i64 48
+  %1636 = load i64, ptr %1635, align 8
+  %1637 = icmp slt i64 %1636, %1632
+  br i1 %1637, label %1638, label %1661
+
+1638:                                             ; preds = %1627
+  %1639 = icmp sgt i64 %1631, 0
+  br label %1640
+
+1640:                                             ; preds = %1638, %1651
+  %1641 = phi i64 [ %1636, %1638 ], [ %1652, %1651 ]
+  %1642 = getelementptr inbounds double, ptr %1633, i64 %1641
+  %1643 = load double, ptr %1642, align 8
+  %1644 = load ptr, ptr %68, align 8
+  %1645 = load double, ptr %1644, align 8
+  %1646 = fcmp ugt double %1643, %1645
+  br i1 %1646, label %1661, label %1647
+
+1647:                                             ; preds = %1640
+  br i1 %1639, label %1648, label %1651
+
+1648:                                             ; preds = %1647
+  %1649 = mul nsw i64 %1641, %1631
+  %1650 = getelementptr double, ptr %1, i64 %1649
+  br label %1654
+
+1651:                                             ; preds = %1654, %1647
+  %1652 = add i64 %1641, 1
+  %1653 = icmp eq i64 %1652, %1632
+  br i1 %1653, label %1661, label %1640, !llvm.loop !9
+
+1654:                                             ; preds = %1648, %1654
+  %1655 = phi i64 [ 0, %1648 ], [ %1659, %1654 ]
+  %1656 = getelementptr inbounds double, ptr %1628, i64 %1655
+  %1657 = load double, ptr %1656, align 8
+  %1658 = getelementptr double, ptr %1650, i64 %1655
+  store double %1657, ptr %1658, align 8
+  %1659 = add nuw nsw i64 %1655, 1
+  %1660 = icmp eq i64 %1659, %1631
+  br i1 %1660, label %1651, label %1654, !llvm.loop !10
+
+1661:                                             ; preds = %1651, %1640, %1627
+  %1662 = phi i64 [ %1636, %1627 ], [ %1632, %1651 ], [ %1641, %1640 ]
+  %1663 = load ptr, ptr %72, align 8
+  %1664 = getelementptr inbounds i8, ptr %1663, i64 48
+  store i64 %1662, ptr %1664, align 8
+  br label %1665
+
+1665:                                             ; preds = %1661, %1626
+  br i1 %1580, label %1666, label %1682
+
+1666:                                             ; preds = %1665
+  %1667 = load i64, ptr %312, align 8
+  %1668 = icmp sgt i64 %1667, 0
+  br i1 %1668, label %1672, label %1669
+
+1669:                                             ; preds = %1672, %1666
+  store double %1517, ptr %1495, align 8
+  %1670 = getelementptr inbounds i8, ptr %1495, i64 8
+  store double 0.000000e+00, ptr %1670, align 8
+  %1671 = load ptr, ptr %72, align 8
+  store i64 0, ptr %1671, align 8
+  br label %1682
+
+1672:                                             ; preds = %1666, %1672
+  %1673 = phi i64 [ %1679, %1672 ], [ 0, %1666 ]
+  %1674 = load ptr, ptr %298, align 8
+  %1675 = getelementptr inbounds double, ptr %1674, i64 %1673
+  %1676 = load double, ptr %1675, align 8
+  %1677 = load ptr, ptr %66, align 8
+  %1678 = getelementptr inbounds double, ptr %1677, i64 %1673
+  store double %1676, ptr %1678, align 8
+  %1679 = add nuw nsw i64 %1673, 1
+  %1680 = load i64, ptr %312, align 8
+  %1681 = icmp slt i64 %1679, %1680
+  br i1 %1681, label %1672, label %1669, !llvm.loop !46
+
+1682:                                             ; preds = %1624, %1665, %1669
+  %1683 = phi i64 [ %1622, %1624 ], [ %1509, %1669 ], [ %1509, %1665 ]
+  %1684 = icmp ne i64 %1683, 6
+  %1685 = select i1 %1684, i1 true, i1 %97
+  br i1 %1685, label %1697, label %1686
+
+1686:                                             ; preds = %1682
+  %1687 = load i64, ptr %230, align 8
+  %1688 = add nsw i64 %1687, -1
+  store i64 %1688, ptr %230, align 8
+  %1689 = load ptr, ptr %229, align 8
+  %1690 = load i64, ptr %1689, align 8
+  %1691 = add nsw i64 %1690, -1
+  store i64 %1691, ptr %1689, align 8
+  %1692 = load i64, ptr %231, align 8
+  %1693 = add nsw i64 %1692, 1
+  store i64 %1693, ptr %231, align 8
+  store i64 6, ptr %328, align 8
+  %1694 = fmul double %387, 2.500000e-01
+  store i64 1, ptr %292, align 8
+  %1695 = load i64, ptr %329, align 8
+  %1696 = sub nsw i64 1, %1695
+  store i64 %1696, ptr %234, align 8
+  store double 0.000000e+00, ptr %260, align 8
+  br label %1753, !llvm.loop !17
+
+1697:                                             ; preds = %1682
+  %1698 = icmp eq i64 %1683, 0
+  br i1 %1698, label %1703, label %1699
+
+1699:                                             ; preds = %1697
+  %1700 = load ptr, ptr %229, align 8
+  %1701 = load i64, ptr %1700, align 8
+  %1702 = add nsw i64 %1701, 1
+  store i64 %1702, ptr %1700, align 8
+  br label %1753
+
+1703:                                             ; preds = %1697, %1489
+  br i1 %330, label %1722, label %1704
+
+1704:                                             ; preds = %1722, %1703
+  %1705 = load i64, ptr %331, align 8
+  %1706 = add nsw i64 %1705, 1
+  store i64 %1706, ptr %331, align 8
+  %1707 = load ptr, ptr %66, align 8
+  %1708 = load ptr, ptr %332, align 8
+  %1709 = load ptr, ptr %333, align 8
+  store double %388, ptr %1709, align 8
+  %1710 = load i64, ptr %334, align 8
+  %1711 = icmp sgt i64 %1710, 0
+  br i1 %1711, label %1712, label %1713
+
+1712:                                             ; preds = %1704
+  tail call fastcc void @sample(ptr noundef nonnull %65) #10
+  br label %1713
+
+1713:                                             ; preds = %1704, %1712
+  %1714 = load ptr, ptr %65, align 8
+  %1715 = load i64, ptr %1714, align 8
+  %1716 = load ptr, ptr %333, align 8
+  %1717 = load ptr, ptr %335, align 8
+  %1718 = load ptr, ptr %336, align 8
+  %1719 = inttoptr i64 %1715 to ptr
+  %1720 = tail call i32 %1719(ptr noundef %1716, ptr noundef %1707, ptr noundef %1717, ptr noundef %1718, ptr noundef %1708) #11
+  %1721 = icmp eq i32 %1720, 0
+  br i1 %1721, label %1734, label %1731
+
+1722:                                             ; preds = %1703, %1722
+  %1723 = phi i64 [ %1729, %1722 ], [ 0, %1703 ]
+  %1724 = load ptr, ptr %298, align 8
+  %1725 = getelementptr inbounds double, ptr %1724, i64 %1723
+  %1726 = load double, ptr %1725, align 8
+  %1727 = load ptr, ptr %66, align 8
+  %1728 = getelementptr inbounds double, ptr %1727, i64 %1723
+  store double %1726, ptr %1728, align 8
+  %1729 = add nuw nsw i64 %1723, 1
+  %1730 = icmp eq i64 %1729, %81
+  br i1 %1730, label %1704, label %1722, !llvm.loop !47
+
+1731:                                             ; preds = %1713
+  store i64 3, ptr %337, align 8
+  store double %387, ptr %113, align 8
+  %1732 = icmp slt i32 %1720, 0
+  %1733 = select i1 %1732, i64 -4, i64 2
+  br label %1753
+
+1734:                                             ; preds = %1713
+  %1735 = icmp sgt i64 %1122, 2
+  %1736 = fcmp ogt double %1120, 1.000000e-03
+  %1737 = select i1 %1735, i1 %1736, i1 false
+  %1738 = zext i1 %1737 to i64
+  store i64 %1738, ptr %234, align 8
+  store i64 0, ptr %338, align 8
+  store i64 0, ptr %292, align 8
+  %1739 = fcmp ule double %1359, 1.000000e+00
+  %1740 = fcmp uge double %1359, 1.200000e+00
+  %1741 = or i1 %1739, %1740
+  %1742 = select i1 %1741, i1 true, i1 %1737
+  br i1 %1742, label %1743, label %1747
+
+1743:                                             ; preds = %1734
+  %1744 = fcmp ogt double %1359, 2.000000e-01
+  %1745 = select i1 %1744, double %1359, double 2.000000e-01
+  %1746 = fmul double %387, %1745
+  br label %1747
+
+1747:                                             ; preds = %1734, %1743
+  %1748 = phi double [ %1746, %1743 ], [ %387, %1734 ]
+  %1749 = load i64, ptr %339, align 8
+  %1750 = load i64, ptr %84, align 8
+  %1751 = icmp eq i64 %1749, %1750
+  br i1 %1751, label %1752, label %1753
+
+1752:                                             ; preds = %1747
+  store double %1748, ptr %113, align 8
+  br label %1753
+
+1753:                                             ; preds = %1162, %1174, %1119, %1313, %1327, %1686, %1699, %1731, %1747, %1752, %1275, %513, %578, %394
+  %1754 = phi double [ %356, %394 ], [ %356, %513 ], [ %356, %578 ], [ %1120, %1275 ], [ %1120, %1752 ], [ %1120, %1747 ], [ %1120, %1731 ], [ %1120, %1699 ], [ %1120, %1686 ], [ %1120, %1327 ], [ %1120, %1313 ], [ %1120, %1119 ], [ %1120, %1174 ], [ %1120, %1162 ]
+  %1755 = phi i32 [ %355, %394 ], [ %355, %513 ], [ %355, %578 ], [ %1121, %1275 ], [ %1121, %1752 ], [ %1121, %1747 ], [ %1121, %1731 ], [ %1121, %1699 ], [ %1121, %1686 ], [ %1121, %1327 ], [ %1121, %1313 ], [ %1121, %1119 ], [ %1121, %1174 ], [ %1121, %1162 ]
+  %1756 = phi i64 [ %354, %394 ], [ %354, %513 ], [ %354, %578 ], [ %1122, %1275 ], [ %1122, %1752 ], [ %1122, %1747 ], [ %1122, %1731 ], [ %1122, %1699 ], [ %1122, %1686 ], [ %1122, %1327 ], [ %1122, %1313 ], [ %1122, %1119 ], [ %1122, %1174 ], [ %1122, %1162 ]
+  %1757 = phi i64 [ %353, %394 ], [ %353, %513 ], [ %353, %578 ], [ %1123, %1275 ], [ %1123, %1752 ], [ %1123, %1747 ], [ %1123, %1731 ], [ %1123, %1699 ], [ %1123, %1686 ], [ %1123, %1327 ], [ %1123, %1313 ], [ %1123, %1119 ], [ %1123, %1174 ], [ %1123, %1162 ]
+  %1758 = phi double [ %352, %394 ], [ %352, %513 ], [ %581, %578 ], [ %352, %1275 ], [ %1748, %1752 ], [ %1748, %1747 ], [ %352, %1731 ], [ %352, %1699 ], [ %1694, %1686 ], [ %1330, %1327 ], [ %1315, %1313 ], [ %352, %1119 ], [ %1175, %1174 ], [ %352, %1162 ]
+  %1759 = phi double [ %351, %394 ], [ %351, %513 ], [ %351, %578 ], [ %351, %1275 ], [ %388, %1752 ], [ %388, %1747 ], [ %388, %1731 ], [ %351, %1699 ], [ %351, %1686 ], [ %351, %1327 ], [ %351, %1313 ], [ %351, %1119 ], [ %351, %1174 ], [ %351, %1162 ]
+  %1760 = phi i32 [ 1, %394 ], [ 1, %513 ], [ 6, %578 ], [ 1, %1275 ], [ 1, %1752 ], [ 0, %1747 ], [ 1, %1731 ], [ 1, %1699 ], [ 6, %1686 ], [ 6, %1327 ], [ 6, %1313 ], [ 1, %1119 ], [ 6, %1174 ], [ 6, %1162 ]
+  %1761 = phi i64 [ 2, %394 ], [ -4, %513 ], [ %350, %578 ], [ -4, %1275 ], [ 0, %1752 ], [ %350, %1747 ], [ %1733, %1731 ], [ %1683, %1699 ], [ %350, %1686 ], [ %350, %1327 ], [ %350, %1313 ], [ -4, %1119 ], [ %350, %1174 ], [ %350, %1162 ]
+  switch i32 %1760, label %1765 [
+    i32 0, label %1762
+    i32 6, label %1762
   ]
 
-2311:                                             ; preds = %2309
-  %2312 = load i64, ptr %2736, align 8, !noalias !22
-  %2313 = icmp eq i64 %2312, 0
-  br i1 %2313, label %2314, label %2326
-
-2314:                                             ; preds = %2311
-  %2315 = load i64, ptr %391, align 8, !noalias !22
-  %2316 = add nsw i64 %2315, -1
-  store i64 %2316, ptr %391, align 8, !noalias !22
-  %2317 = load i64, ptr %275, align 8, !noalias !22
-  %2318 = add nsw i64 %2317, -1
-  store i64 %2318, ptr %275, align 8, !noalias !22
-  %2319 = load i64, ptr %393, align 8, !noalias !22
-  %2320 = add nsw i64 %2319, 1
-  store i64 %2320, ptr %393, align 8, !noalias !22
-  %2321 = fmul double %410, 2.500000e-01
-  %2322 = getelementptr i8, ptr %110, i64 72
-  store i64 6, ptr %2322, align 8, !noalias !22
-  %2323 = getelementptr i8, ptr %196, i64 16
-  %2324 = load i64, ptr %2323, align 8, !noalias !22
-  %2325 = sub nsw i64 1, %2324
-  store i64 1, ptr %1909, align 8, !noalias !22
-  store i64 %2325, ptr %418, align 8, !noalias !22
-  store double 0.000000e+00, ptr %791, align 8, !noalias !22
-  br label %2448
-
-2326:                                             ; preds = %2311, %2309
-  %2327 = load i64, ptr %275, align 8, !noalias !22
-  %2328 = add nsw i64 %2327, 1
-  store i64 %2328, ptr %275, align 8, !noalias !22
-  br label %2773
-
-2329:                                             ; preds = %2309, %2156
-  br label %2330
-
-2330:                                             ; preds = %2329, %2759
-  %2331 = phi i64 [ 0, %2329 ], [ %2761, %2759 ]
-  %2332 = phi i64 [ %292, %2329 ], [ %2760, %2759 ]
-  %2333 = icmp sgt i64 %2332, 0
-  br i1 %2333, label %2759, label %2334
-
-2334:                                             ; preds = %2330
-  %2335 = getelementptr i8, ptr %110, i64 24
-  %2336 = load i64, ptr %2335, align 8, !noalias !22
-  %2337 = add nsw i64 %2336, 1
-  store i64 %2337, ptr %2335, align 8, !noalias !22
-  store ptr null, ptr %15, align 8, !noalias !136
-  store ptr null, ptr %16, align 8, !noalias !136
-  store double %411, ptr %33, align 8, !noalias !136
-  %2338 = icmp sgt i64 %45, 0
-  br i1 %2338, label %2339, label %2342
-
-2339:                                             ; preds = %2334
-  store ptr null, ptr %15, align 8, !noalias !136
-  %2340 = call fastcc i32 @_sample(ptr nonnull %15, ptr %38, i64 %37, ptr %48, i64 %45, i64 %47, ptr %53, i64 %52, ptr %60, i64 %57, i64 %59, double %411) #3
-  switch i32 %2340, label %2341 [
-    i32 -2, label %2342
-    i32 0, label %2342
-  ], !prof !33
-
-2341:                                             ; preds = %2339
-  br label %2342
-
-2342:                                             ; preds = %2339, %2339, %2334, %2341
-  %2343 = phi i32 [ %2340, %2341 ], [ 0, %2334 ], [ 0, %2339 ], [ 0, %2339 ]
-  switch i32 %2343, label %2348 [
-    i32 -2, label %2344
-    i32 0, label %2344
-  ], !prof !33
-
-2344:                                             ; preds = %2342, %2342
-  %2345 = load i64, ptr %30, align 8, !noalias !143
-  %2346 = inttoptr i64 %2345 to ptr
-  %2347 = call i32 %2346(ptr nonnull %33, ptr %65, ptr %38, ptr %41, ptr %85) #3, !noalias !143
-  br label %2348
-
-2348:                                             ; preds = %2342, %2344
-  %2349 = phi i32 [ %2347, %2344 ], [ 0, %2342 ]
-  %2350 = phi i32 [ 0, %2344 ], [ %2343, %2342 ]
-  switch i32 %2350, label %2772 [
-    i32 -2, label %2770
-    i32 0, label %2770
-  ], !prof !33
-
-2351:                                             ; preds = %2770
-  %2352 = getelementptr i8, ptr %110, i64 72
-  store i64 3, ptr %2352, align 8, !noalias !22
-  store double %410, ptr %308, align 8, !noalias !22
-  %2353 = icmp slt i32 %2349, 0
-  %2354 = select i1 %2353, i64 -4, i64 2
-  br label %2773
-
-2355:                                             ; preds = %2770
-  %2356 = icmp sgt i64 %1898, 2
-  %2357 = fcmp ogt double %1897, 1.000000e-03
-  %2358 = select i1 %2356, i1 %2357, i1 false
-  %2359 = zext i1 %2358 to i64
-  store i64 %2359, ptr %418, align 8, !noalias !22
-  %2360 = getelementptr i8, ptr %196, i64 16
-  store i64 0, ptr %2360, align 8, !noalias !22
-  store i64 0, ptr %1909, align 8, !noalias !22
-  %2361 = fcmp ule double %2077, 1.000000e+00
-  %2362 = fcmp uge double %2077, 1.200000e+00
-  %2363 = or i1 %2361, %2362
-  %2364 = select i1 %2363, i1 true, i1 %2358
-  br i1 %2364, label %2365, label %2369
-
-2365:                                             ; preds = %2355
-  %2366 = fcmp ogt double %2077, 2.000000e-01
-  %2367 = select i1 %2366, double %2077, double 2.000000e-01
-  %2368 = fmul double %410, %2367
-  br label %2369
-
-2369:                                             ; preds = %2355, %2365
-  %2370 = phi double [ %2368, %2365 ], [ %410, %2355 ]
-  %2371 = getelementptr i8, ptr %110, i64 48
-  %2372 = load i64, ptr %2371, align 8, !noalias !22
-  %2373 = icmp eq i64 %2372, %114
-  br i1 %2373, label %2451, label %374
-
-2374:                                             ; preds = %2032
-  %2375 = load i64, ptr %393, align 8, !noalias !22
-  %2376 = add nsw i64 %2375, 1
-  store i64 %2376, ptr %393, align 8, !noalias !22
-  %2377 = select i1 %2039, i64 2, i64 3
-  %2378 = getelementptr i8, ptr %110, i64 72
-  store i64 %2377, ptr %2378, align 8, !noalias !22
-  %2379 = fsub double %2028, %2028
-  %2380 = fcmp ord double %2379, 0.000000e+00
-  br i1 %2380, label %2381, label %2385
-
-2381:                                             ; preds = %2374
-  %2382 = fmul double %2035, %2038
-  %2383 = fcmp ogt double %2382, 2.000000e-01
-  %2384 = select i1 %2383, double %2382, double 2.000000e-01
-  br label %2385
-
-2385:                                             ; preds = %2381, %2374
-  %2386 = phi double [ 2.500000e-01, %2374 ], [ %2384, %2381 ]
-  %2387 = fmul double %410, %2386
-  %2388 = getelementptr i8, ptr %196, i64 16
-  %2389 = load i64, ptr %2388, align 8, !noalias !22
-  %2390 = sub nsw i64 1, %2389
-  store i64 1, ptr %1909, align 8, !noalias !22
-  store i64 %2390, ptr %418, align 8, !noalias !22
-  br label %2448
-
-2391:                                             ; preds = %1903
-  %2392 = load i64, ptr %393, align 8, !noalias !22
-  %2393 = add nsw i64 %2392, 1
-  store i64 %2393, ptr %393, align 8, !noalias !22
-  %2394 = icmp eq i64 %1900, 0
-  br i1 %2394, label %2397, label %2395
-
-2395:                                             ; preds = %2391
-  %2396 = getelementptr i8, ptr %110, i64 72
-  store i64 3, ptr %2396, align 8, !noalias !22
-  br label %2404
-
-2397:                                             ; preds = %2391
-  %2398 = fsub double %1897, %1897
-  %2399 = fcmp ord double %2398, 0.000000e+00
-  br i1 %2399, label %2400, label %2402
-
-2400:                                             ; preds = %2397
-  %2401 = getelementptr i8, ptr %110, i64 72
-  store i64 7, ptr %2401, align 8, !noalias !22
-  br label %2404
-
-2402:                                             ; preds = %2397
-  %2403 = getelementptr i8, ptr %110, i64 72
-  store i64 4, ptr %2403, align 8, !noalias !22
-  br label %2404
-
-2404:                                             ; preds = %2402, %2400, %2395
-  %2405 = getelementptr i8, ptr %196, i64 16
-  %2406 = load i64, ptr %2405, align 8, !noalias !22
-  %2407 = icmp eq i64 %2406, 1
-  %2408 = and i1 %2407, %2394
-  br i1 %2408, label %2409, label %2436
-
-2409:                                             ; preds = %2404
-  %2410 = call i64 @llvm.smax.i64(i64 %206, i64 0)
-  br label %2411
-
-2411:                                             ; preds = %2423, %2409
-  %2412 = phi i64 [ 0, %2409 ], [ %2431, %2423 ]
-  %2413 = phi i64 [ %2410, %2409 ], [ %2430, %2423 ]
-  %2414 = phi i1 [ false, %2409 ], [ %2424, %2423 ]
-  %2415 = icmp sgt i64 %2413, 0
-  br i1 %2415, label %2429, label %2432
-
-2416:                                             ; preds = %2429
-  %2417 = icmp slt i64 %2412, 0
-  %2418 = select i1 %2417, i64 %206, i64 0
-  %2419 = getelementptr double, ptr %207, i64 %2412
-  %2420 = getelementptr double, ptr %2419, i64 %2418
-  %2421 = load double, ptr %2420, align 8, !noalias !144
-  %2422 = fcmp une double %2421, 0.000000e+00
-  br label %2423
-
-2423:                                             ; preds = %2429, %2416
-  %2424 = phi i1 [ true, %2429 ], [ %2422, %2416 ]
-  %2425 = icmp slt i64 %2412, 0
-  %2426 = select i1 %2425, i64 %206, i64 0
-  %2427 = getelementptr double, ptr %207, i64 %2412
-  %2428 = getelementptr double, ptr %2427, i64 %2426
-  store double 0.000000e+00, ptr %2428, align 8, !noalias !144
-  br label %2411
-
-2429:                                             ; preds = %2411
-  %2430 = add nsw i64 %2413, -1
-  %2431 = add i64 %2412, 1
-  br i1 %2414, label %2423, label %2416
-
-2432:                                             ; preds = %2411
-  br i1 %2414, label %2433, label %2434
-
-2433:                                             ; preds = %2432
-  store i64 0, ptr %469, align 8, !noalias !22
-  br label %2448
-
-2434:                                             ; preds = %2432
-  store i64 0, ptr %2405, align 8, !noalias !22
-  %2435 = fmul double %410, 5.000000e-01
-  br label %2436
-
-2436:                                             ; preds = %2434, %2404
-  %2437 = phi double [ %2435, %2434 ], [ %375, %2404 ]
-  %2438 = load i64, ptr %2405, align 8, !noalias !22
-  %2439 = icmp ne i64 %2438, 1
-  %2440 = and i1 %2439, %2394
-  br i1 %2440, label %2444, label %2441
-
-2441:                                             ; preds = %2436
-  %2442 = select i1 %2394, double 5.000000e-01, double 2.500000e-01
-  %2443 = fmul double %410, %2442
-  store double 0.000000e+00, ptr %791, align 8, !noalias !22
-  br label %2444
-
-2444:                                             ; preds = %2436, %2441
-  %2445 = phi double [ %2443, %2441 ], [ %2437, %2436 ]
-  %2446 = load i64, ptr %2405, align 8, !noalias !22
-  %2447 = sub nsw i64 1, %2446
-  store i64 %2447, ptr %418, align 8, !noalias !22
-  br label %2448
-
-2448:                                             ; preds = %2444, %2433, %2385, %2314, %2049, %782
-  %2449 = phi double [ %2387, %2385 ], [ %2052, %2049 ], [ %2321, %2314 ], [ %375, %2433 ], [ %2445, %2444 ], [ %785, %782 ]
-  br label %371
-
-2450:                                             ; preds = %400
-  store double %410, ptr %308, align 8, !noalias !22
-  br label %2773
-
-2451:                                             ; preds = %2369
-  store double %2370, ptr %308, align 8, !noalias !22
-  br label %2773
-
-2452:                                             ; preds = %293
-  %2453 = icmp slt i64 %294, 0
-  %2454 = select i1 %2453, i64 %94, i64 0
-  %2455 = getelementptr double, ptr %95, i64 %294
-  %2456 = getelementptr double, ptr %2455, i64 %2454
-  %2457 = load double, ptr %2456, align 8, !noalias !22
-  %2458 = fcmp olt double %2457, %296
-  %2459 = select i1 %2458, double %2457, double %296
-  %2460 = add i64 %294, 1
-  %2461 = add nsw i64 %295, -1
-  br label %293
-
-2462:                                             ; preds = %326, %326
-  %2463 = icmp eq i32 %327, 0
-  br i1 %2463, label %333, label %329
-
-2464:                                             ; preds = %326
-  br label %2773
-
-2465:                                             ; preds = %333, %333
-  %2466 = load i8, ptr %23, align 1, !noalias !12
-  %2467 = icmp eq i8 %2466, 0
-  br i1 %2467, label %340, label %339
-
-2468:                                             ; preds = %333
-  br label %2773
-
-2469:                                             ; preds = %347, %342
-  br label %2773
-
-2470:                                             ; preds = %433, %433
-  %2471 = load i64, ptr %196, align 8, !noalias !22
-  %2472 = inttoptr i64 %2471 to ptr
-  %2473 = call i32 %2472(ptr nonnull %33, ptr %65, ptr %38, ptr %202, ptr %207) #3, !noalias !22
-  %2474 = sext i32 %2473 to i64
-  br label %453
-
-2475:                                             ; preds = %433
-  br label %2773
-
-2476:                                             ; preds = %437
-  %2477 = add nsw i64 %439, -1
-  %2478 = add i64 %438, 1
-  %2479 = icmp slt i64 %438, 0
-  %2480 = select i1 %2479, i64 %64, i64 0
-  %2481 = getelementptr double, ptr %65, i64 %438
-  %2482 = getelementptr double, ptr %2481, i64 %2480
-  %2483 = load double, ptr %2482, align 8, !noalias !22
-  %2484 = select i1 %2479, i64 %74, i64 0
-  %2485 = getelementptr double, ptr %75, i64 %438
-  %2486 = getelementptr double, ptr %2485, i64 %2484
-  store double %2483, ptr %2486, align 8, !noalias !22
-  br label %437
-
-2487:                                             ; preds = %441
-  %2488 = add nsw i64 %443, -1
-  %2489 = add i64 %442, 1
-  %2490 = icmp slt i64 %442, 0
-  %2491 = select i1 %2490, i64 %64, i64 0
-  %2492 = getelementptr double, ptr %65, i64 %442
-  %2493 = getelementptr double, ptr %2492, i64 %2491
-  %2494 = load double, ptr %2493, align 8, !noalias !22
-  %2495 = call double @llvm.fabs.f64(double %2494)
-  %2496 = fcmp olt double %2495, 1.000000e-05
-  %2497 = select i1 %2496, double 1.000000e-05, double %2495
-  %2498 = fmul double %2497, 1.500000e-08
-  %2499 = fadd double %2494, %2498
-  %2500 = fsub double %2499, %2494
-  %2501 = select i1 %2490, i64 %74, i64 0
-  %2502 = getelementptr double, ptr %75, i64 %442
-  %2503 = getelementptr double, ptr %2502, i64 %2501
-  store double %2499, ptr %2503, align 8, !noalias !22
-  %2504 = getelementptr i8, ptr %110, i64 24
-  %2505 = load i64, ptr %2504, align 8, !noalias !22
-  %2506 = add nsw i64 %2505, 1
-  store i64 %2506, ptr %2504, align 8, !noalias !22
-  store ptr null, ptr %17, align 8, !noalias !147
-  store ptr null, ptr %18, align 8, !noalias !147
-  store double %376, ptr %33, align 8, !noalias !147
-  %2507 = icmp sgt i64 %45, 0
-  br i1 %2507, label %2508, label %2511
-
-2508:                                             ; preds = %2487
-  store ptr null, ptr %17, align 8, !noalias !147
-  %2509 = call fastcc i32 @_sample(ptr nonnull %17, ptr %38, i64 %37, ptr %48, i64 %45, i64 %47, ptr %53, i64 %52, ptr %60, i64 %57, i64 %59, double %376) #3
-  switch i32 %2509, label %2510 [
-    i32 -2, label %2511
-    i32 0, label %2511
-  ], !prof !33
-
-2510:                                             ; preds = %2508
-  br label %2511
-
-2511:                                             ; preds = %2508, %2508, %2487, %2510
-  %2512 = phi i32 [ %2509, %2510 ], [ 0, %2487 ], [ 0, %2508 ], [ 0, %2508 ]
-  switch i32 %2512, label %2517 [
-    i32 -2, label %2513
-    i32 0, label %2513
-  ], !prof !33
-
-2513:                                             ; preds = %2511, %2511
-  %2514 = load i64, ptr %30, align 8, !noalias !154
-  %2515 = inttoptr i64 %2514 to ptr
-  %2516 = call i32 %2515(ptr nonnull %33, ptr %75, ptr %38, ptr %41, ptr %70) #3, !noalias !154
-  br label %2517
-
-2517:                                             ; preds = %2511, %2513
-  %2518 = phi i32 [ %2516, %2513 ], [ 0, %2511 ]
-  %2519 = phi i32 [ 0, %2513 ], [ %2512, %2511 ]
-  switch i32 %2519, label %2522 [
-    i32 -2, label %2520
-    i32 0, label %2520
-  ], !prof !33
-
-2520:                                             ; preds = %2517, %2517
-  %2521 = icmp eq i32 %2518, 0
-  br i1 %2521, label %447, label %445
-
-2522:                                             ; preds = %2517
-  br label %2773
-
-2523:                                             ; preds = %447
-  %2524 = add nsw i64 %449, -1
-  %2525 = add i64 %448, 1
-  %2526 = icmp slt i64 %448, 0
-  %2527 = select i1 %2526, i64 %69, i64 0
-  %2528 = getelementptr double, ptr %70, i64 %448
-  %2529 = getelementptr double, ptr %2528, i64 %2527
-  %2530 = load double, ptr %2529, align 8, !noalias !22
-  %2531 = select i1 %2526, i64 %84, i64 0
-  %2532 = getelementptr double, ptr %85, i64 %448
-  %2533 = getelementptr double, ptr %2532, i64 %2531
-  %2534 = load double, ptr %2533, align 8, !noalias !22
-  %2535 = fsub double %2530, %2534
-  %2536 = fdiv double %2535, %2500
-  %2537 = mul nsw i64 %448, %425
-  %2538 = add nsw i64 %2537, %442
-  %2539 = icmp slt i64 %2538, 0
-  %2540 = select i1 %2539, i64 %206, i64 0
-  %2541 = getelementptr double, ptr %207, i64 %2538
-  %2542 = getelementptr double, ptr %2541, i64 %2540
-  store double %2536, ptr %2542, align 8, !noalias !22
-  br label %447
-
-2543:                                             ; preds = %456
-  %2544 = add nsw i64 %458, -1
-  %2545 = add i64 %457, 1
-  %2546 = icmp slt i64 %457, 0
-  %2547 = select i1 %2546, i64 %206, i64 0
-  %2548 = getelementptr double, ptr %207, i64 %457
-  %2549 = getelementptr double, ptr %2548, i64 %2547
-  %2550 = load double, ptr %2549, align 8, !noalias !22
-  %2551 = fsub double %2550, %2550
-  %2552 = fcmp ord double %2551, 0.000000e+00
-  br i1 %2552, label %461, label %460
-
-2553:                                             ; preds = %480
-  %2554 = add nsw i64 %482, -1
-  %2555 = add i64 %481, 1
-  br label %484
-
-2556:                                             ; preds = %484
-  %2557 = add nsw i64 %486, -1
-  %2558 = add i64 %485, 1
-  %2559 = mul nsw i64 %481, %225
-  %2560 = add nsw i64 %2559, %485
-  %2561 = icmp slt i64 %2560, 0
-  %2562 = select i1 %2561, i64 %206, i64 0
-  %2563 = getelementptr double, ptr %207, i64 %2560
-  %2564 = getelementptr double, ptr %2563, i64 %2562
-  %2565 = load double, ptr %2564, align 8, !noalias !22
-  %2566 = fneg double %2565
-  %2567 = icmp slt i64 %481, 0
-  %2568 = select i1 %2567, i64 %211, i64 0
-  %2569 = add i64 %481, %2568
-  %2570 = icmp slt i64 %485, 0
-  %2571 = select i1 %2570, i64 %213, i64 0
-  %2572 = mul i64 %2569, %213
-  %2573 = getelementptr double, ptr %214, i64 %2572
-  %2574 = getelementptr double, ptr %2573, i64 %485
-  %2575 = getelementptr double, ptr %2574, i64 %2571
-  store double %2566, ptr %2575, align 8, !noalias !22
-  %2576 = load double, ptr %2564, align 8, !noalias !22
-  %2577 = fneg double %2576
-  %2578 = select i1 %2567, i64 %218, i64 0
-  %2579 = add i64 %481, %2578
-  %2580 = select i1 %2570, i64 %220, i64 0
-  %2581 = mul i64 %2579, %220
-  %2582 = getelementptr { double, double }, ptr %221, i64 %2581
-  %2583 = getelementptr { double, double }, ptr %2582, i64 %485
-  %2584 = getelementptr { double, double }, ptr %2583, i64 %2580
-  store double %2577, ptr %2584, align 8, !noalias !22
-  %2585 = getelementptr inbounds nuw i8, ptr %2584, i64 8
-  store double 0.000000e+00, ptr %2585, align 8, !noalias !22
-  br label %484
-
-2586:                                             ; preds = %793
-  %2587 = add nsw i64 %795, -1
-  %2588 = add i64 %794, 1
-  %2589 = fcmp ogt double %792, 0.000000e+00
-  br i1 %2589, label %797, label %806
-
-2590:                                             ; preds = %808
-  %2591 = add nsw i64 %810, -1
-  %2592 = add i64 %809, 1
-  br i1 %2589, label %812, label %852
-
-2593:                                             ; preds = %862
-  %2594 = add nsw i64 %864, -1
-  %2595 = add i64 %863, 1
-  br label %866
-
-2596:                                             ; preds = %866
-  %2597 = add nsw i64 %868, -1
-  %2598 = add i64 %867, 1
-  %2599 = icmp slt i64 %863, 0
-  %2600 = add i64 %863, 3
-  %2601 = select i1 %2599, i64 %2600, i64 %863
-  %2602 = mul i64 %2601, 24
-  %2603 = getelementptr i8, ptr @1, i64 %2602
-  %2604 = load double, ptr %2603, align 8, !noalias !22
-  %2605 = icmp slt i64 %867, 0
-  %2606 = select i1 %2605, i64 %237, i64 0
-  %2607 = getelementptr double, ptr %238, i64 %867
-  %2608 = getelementptr double, ptr %2607, i64 %2606
-  %2609 = load double, ptr %2608, align 8, !noalias !22
-  %2610 = fmul double %2604, %2609
-  %2611 = getelementptr i8, ptr @2, i64 %2602
-  %2612 = getelementptr i8, ptr %2611, i64 8
-  %2613 = load double, ptr %2612, align 8, !noalias !22
-  %2614 = getelementptr double, ptr %238, i64 %237
-  %2615 = getelementptr double, ptr %2614, i64 %867
-  %2616 = getelementptr double, ptr %2615, i64 %2606
-  %2617 = load double, ptr %2616, align 8, !noalias !22
-  %2618 = fmul double %2613, %2617
-  %2619 = fadd double %2610, %2618
-  %2620 = getelementptr i8, ptr @3, i64 %2602
-  %2621 = getelementptr i8, ptr %2620, i64 16
-  %2622 = load double, ptr %2621, align 8, !noalias !22
-  %2623 = shl i64 %237, 4
-  %2624 = getelementptr i8, ptr %238, i64 %2623
-  %2625 = getelementptr double, ptr %2624, i64 %867
-  %2626 = getelementptr double, ptr %2625, i64 %2606
-  %2627 = load double, ptr %2626, align 8, !noalias !22
-  %2628 = fmul double %2622, %2627
-  %2629 = fadd double %2619, %2628
-  %2630 = select i1 %2599, i64 %242, i64 0
-  %2631 = add i64 %863, %2630
-  %2632 = select i1 %2605, i64 %244, i64 0
-  %2633 = mul i64 %2631, %244
-  %2634 = getelementptr double, ptr %245, i64 %2633
-  %2635 = getelementptr double, ptr %2634, i64 %867
-  %2636 = getelementptr double, ptr %2635, i64 %2632
-  store double %2629, ptr %2636, align 8, !noalias !22
-  br label %866
-
-2637:                                             ; preds = %1896, %1896
-  %2638 = icmp slt i64 %1900, 0
-  br i1 %2638, label %1902, label %1903
-
-2639:                                             ; preds = %1896
-  br label %2773
-
-2640:                                             ; preds = %1904
-  %2641 = add nsw i64 %1906, -1
-  %2642 = add i64 %1905, 1
-  %2643 = icmp slt i64 %1905, 0
-  %2644 = select i1 %2643, i64 %64, i64 0
-  %2645 = getelementptr double, ptr %65, i64 %1905
-  %2646 = getelementptr double, ptr %2645, i64 %2644
-  %2647 = load double, ptr %2646, align 8, !noalias !22
-  %2648 = select i1 %2643, i64 %237, i64 0
-  %2649 = shl i64 %237, 4
-  %2650 = getelementptr i8, ptr %238, i64 %2649
-  %2651 = getelementptr double, ptr %2650, i64 %1905
-  %2652 = getelementptr double, ptr %2651, i64 %2648
-  %2653 = load double, ptr %2652, align 8, !noalias !22
-  %2654 = fadd double %2647, %2653
-  %2655 = select i1 %2643, i64 %69, i64 0
-  %2656 = getelementptr double, ptr %70, i64 %1905
-  %2657 = getelementptr double, ptr %2656, i64 %2655
-  store double %2654, ptr %2657, align 8, !noalias !22
-  br label %1904
-
-2658:                                             ; preds = %2027, %2027
-  %2659 = icmp slt i64 %2029, 0
-  br i1 %2659, label %2031, label %2032
-
-2660:                                             ; preds = %2027
-  br label %2773
-
-2661:                                             ; preds = %2079
-  %2662 = add nsw i64 %2081, -1
-  %2663 = add i64 %2080, 1
-  %2664 = icmp slt i64 %2080, 0
-  %2665 = select i1 %2664, i64 %237, i64 0
-  %2666 = getelementptr double, ptr %238, i64 %2080
-  %2667 = getelementptr double, ptr %2666, i64 %2665
-  %2668 = load double, ptr %2667, align 8, !noalias !22
-  %2669 = fmul double %2668, 0xC039A12CE7B30915
-  %2670 = getelementptr double, ptr %238, i64 %237
-  %2671 = getelementptr double, ptr %2670, i64 %2080
-  %2672 = getelementptr double, ptr %2671, i64 %2665
-  %2673 = load double, ptr %2672, align 8, !noalias !22
-  %2674 = fmul double %2673, 0x402497AF24BB677E
-  %2675 = fadd double %2669, %2674
-  %2676 = shl i64 %237, 4
-  %2677 = getelementptr i8, ptr %238, i64 %2676
-  %2678 = getelementptr double, ptr %2677, i64 %2080
-  %2679 = getelementptr double, ptr %2678, i64 %2665
-  %2680 = load double, ptr %2679, align 8, !noalias !22
-  %2681 = fmul double %2680, 0xC005555555555555
-  %2682 = fadd double %2675, %2681
-  %2683 = fmul double %2668, 0x402F295C43B61425
-  %2684 = fmul double %2673, 0xC021D406EE60BECF
-  %2685 = fadd double %2683, %2684
-  %2686 = fmul double %2680, 0x400AAAAAAAAAAAAB
-  %2687 = fadd double %2685, %2686
-  %2688 = select i1 %2664, i64 %69, i64 0
-  %2689 = getelementptr double, ptr %70, i64 %2080
-  %2690 = getelementptr double, ptr %2689, i64 %2688
-  %2691 = load double, ptr %2690, align 8, !noalias !22
-  %2692 = select i1 %2664, i64 %64, i64 0
-  %2693 = getelementptr double, ptr %65, i64 %2080
-  %2694 = getelementptr double, ptr %2693, i64 %2692
-  %2695 = load double, ptr %2694, align 8, !noalias !22
-  %2696 = fsub double %2691, %2695
-  %2697 = select i1 %2664, i64 %89, i64 0
-  %2698 = getelementptr double, ptr %90, i64 %2080
-  %2699 = getelementptr double, ptr %2698, i64 %2697
-  store double %2696, ptr %2699, align 8, !noalias !22
-  %2700 = fneg double %2682
-  %2701 = fsub double %2700, %2687
-  %2702 = add nsw i64 %64, %2080
-  %2703 = icmp slt i64 %2702, 0
-  %2704 = select i1 %2703, i64 %89, i64 0
-  %2705 = getelementptr double, ptr %90, i64 %2702
-  %2706 = getelementptr double, ptr %2705, i64 %2704
-  store double %2701, ptr %2706, align 8, !noalias !22
-  %2707 = fneg double %2687
-  %2708 = shl nsw i64 %64, 1
-  %2709 = add nsw i64 %2708, %2080
-  %2710 = icmp slt i64 %2709, 0
-  %2711 = select i1 %2710, i64 %89, i64 0
-  %2712 = getelementptr double, ptr %90, i64 %2709
-  %2713 = getelementptr double, ptr %2712, i64 %2711
-  store double %2707, ptr %2713, align 8, !noalias !22
-  %2714 = load double, ptr %2694, align 8, !noalias !22
-  %2715 = select i1 %2664, i64 %256, i64 0
-  %2716 = getelementptr double, ptr %257, i64 %2080
-  %2717 = getelementptr double, ptr %2716, i64 %2715
-  store double %2714, ptr %2717, align 8, !noalias !22
-  br label %2083
-
-2718:                                             ; preds = %2083
-  %2719 = add nsw i64 %2085, -1
-  %2720 = add i64 %2084, 1
-  %2721 = mul nsw i64 %2084, %64
-  %2722 = add nsw i64 %2721, %2080
-  %2723 = icmp slt i64 %2722, 0
-  %2724 = select i1 %2723, i64 %89, i64 0
-  %2725 = getelementptr double, ptr %90, i64 %2722
-  %2726 = getelementptr double, ptr %2725, i64 %2724
-  %2727 = load double, ptr %2726, align 8, !noalias !22
-  %2728 = icmp slt i64 %2084, -1
-  %2729 = select i1 %2728, i64 %254, i64 0
-  %2730 = add i64 %2720, %2729
-  %2731 = mul i64 %2730, %256
-  %2732 = getelementptr double, ptr %257, i64 %2731
-  %2733 = getelementptr double, ptr %2732, i64 %2080
-  %2734 = getelementptr double, ptr %2733, i64 %2715
-  store double %2727, ptr %2734, align 8, !noalias !22
-  br label %2083
-
-2735:                                             ; preds = %2117, %2087
-  %2736 = getelementptr i8, ptr %160, i64 8
-  %2737 = load i64, ptr %2736, align 8, !noalias !22
-  %2738 = icmp sgt i64 %2737, 0
-  br i1 %2738, label %2165, label %2156
-
-2739:                                             ; preds = %2203, %2747
-  %2740 = phi i64 [ 0, %2203 ], [ %2749, %2747 ]
-  %2741 = phi i64 [ %2215, %2203 ], [ %2748, %2747 ]
-  %2742 = icmp sgt i64 %2741, 0
-  br i1 %2742, label %2747, label %2743
-
-2743:                                             ; preds = %2739
-  %2744 = load i64, ptr %2088, align 8, !noalias !155
-  %2745 = getelementptr i8, ptr %30, i64 16
-  %2746 = load i64, ptr %2745, align 8, !noalias !155
-  call fastcc void @pydy_nested(i64 %2214, i64 %62, i64 %87, i64 %64, i64 %2744, i64 %77, i64 %2746) #3, !noalias !155
-  br i1 %2189, label %2216, label %2223
-
-2747:                                             ; preds = %2739
-  %2748 = add nsw i64 %2741, -1
-  %2749 = add i64 %2740, 1
-  %2750 = icmp slt i64 %2740, 0
-  %2751 = select i1 %2750, i64 %79, i64 0
-  %2752 = getelementptr double, ptr %80, i64 %2740
-  %2753 = getelementptr double, ptr %2752, i64 %2751
-  store double %2211, ptr %2753, align 8, !noalias !155
-  br label %2739
-
-2754:                                             ; preds = %2256
-  %2755 = load i64, ptr %157, align 8, !noalias !22
-  %2756 = icmp eq i64 %2755, 1
-  br i1 %2756, label %2278, label %2283
-
-2757:                                             ; preds = %2288
-  br label %2773
-
-2758:                                             ; preds = %2294
-  store double %2182, ptr %105, align 8, !noalias !22
-  store double 0.000000e+00, ptr %308, align 8, !noalias !22
-  store i64 0, ptr %110, align 8, !noalias !22
-  br label %2309
-
-2759:                                             ; preds = %2330
-  %2760 = add nsw i64 %2332, -1
-  %2761 = add i64 %2331, 1
-  %2762 = icmp slt i64 %2331, 0
-  %2763 = select i1 %2762, i64 %69, i64 0
-  %2764 = getelementptr double, ptr %70, i64 %2331
-  %2765 = getelementptr double, ptr %2764, i64 %2763
-  %2766 = load double, ptr %2765, align 8, !noalias !22
-  %2767 = select i1 %2762, i64 %64, i64 0
-  %2768 = getelementptr double, ptr %65, i64 %2331
-  %2769 = getelementptr double, ptr %2768, i64 %2767
-  store double %2766, ptr %2769, align 8, !noalias !22
-  br label %2330
-
-2770:                                             ; preds = %2348, %2348
-  %2771 = icmp eq i32 %2349, 0
-  br i1 %2771, label %2355, label %2351
-
-2772:                                             ; preds = %2348
-  br label %2773
-
-2773:                                             ; preds = %2772, %2757, %2660, %2639, %2522, %2475, %2469, %2468, %2464, %2451, %2450, %2351, %2326, %2031, %1902, %464, %399, %388, %379, %339, %329, %192
-  %2774 = phi i64 [ 0, %2757 ], [ -1, %192 ], [ 2, %2450 ], [ %2310, %2326 ], [ -4, %1902 ], [ 0, %2639 ], [ 0, %2772 ], [ 0, %2464 ], [ %332, %329 ], [ 0, %2468 ], [ 0, %339 ], [ 0, %2469 ], [ -1, %379 ], [ %2354, %2351 ], [ -5, %388 ], [ 1, %399 ], [ 0, %2475 ], [ 0, %2522 ], [ -4, %464 ], [ 0, %2660 ], [ 0, %2451 ], [ -4, %2031 ]
-  ret i64 %2774
+1762:                                             ; preds = %1753, %1753
+  %1763 = load i64, ptr %75, align 8
+  %1764 = icmp eq i64 %1763, 0
+  br i1 %1764, label %346, label %348, !llvm.loop !17
+
+1765:                                             ; preds = %1753, %150, %346, %369, %377, %192, %64
+  %1766 = phi i64 [ -1, %64 ], [ %153, %150 ], [ -1, %346 ], [ -5, %369 ], [ 1, %377 ], [ 0, %192 ], [ %1761, %1753 ]
+  ret i64 %1766
 }
 
 
 
-declare i64 @llvm.smax.i64(i64, i64) #0
+declare double @llvm.sqrt.f64(double) #2
 
-declare i1 @llvm.is.fpclass.f64(double, i32 immarg) #0
+declare double @llvm.pow.f64(double, double) #2
 
-declare i64 @llvm.smin.i64(i64, i64) #0
+define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #3 {
+  %2 = getelementptr inbounds i8, ptr %0, i64 104
+  %3 = load i64, ptr %2, align 8
+  %4 = icmp sgt i64 %3, 0
+  br i1 %4, label %5, label %12
 
-attributes #0 = { nounwind willreturn memory(none) }
-attributes #1 = { nounwind memory(read) }
-attributes #2 = { noinline }
-attributes #3 = { nounwind }
-attributes #4 = { nounwind willreturn }
+5:                                                ; preds = %1
+  %6 = getelementptr inbounds i8, ptr %0, i64 96
+  %7 = getelementptr inbounds i8, ptr %0, i64 112
+  %8 = getelementptr inbounds i8, ptr %0, i64 24
+  %9 = getelementptr inbounds i8, ptr %0, i64 120
+  %10 = getelementptr inbounds i8, ptr %0, i64 144
+  %11 = getelementptr inbounds i8, ptr %0, i64 48
+  br label %13
 
-!0 = !{!1, !3}
-!1 = distinct !{!1, !2}
-!2 = distinct !{!2}
-!3 = distinct !{!3, !2}
-!4 = !{!"branch_weights", i32 1, i32 99}
-!5 = !{!6, !1, !3}
-!6 = distinct !{!6, !7}
-!7 = distinct !{!7}
-!8 = !{!"branch_weights", i32 99, i32 1}
-!9 = !{!10}
-!10 = distinct !{!10, !11}
-!11 = distinct !{!11}
-!12 = !{!13, !15}
-!13 = distinct !{!13, !14}
-!14 = distinct !{!14}
-!15 = distinct !{!15, !14}
-!16 = !{!17, !13}
-!17 = distinct !{!17, !18}
-!18 = distinct !{!18}
-!19 = !{!20, !17, !13}
-!20 = distinct !{!20, !21}
-!21 = distinct !{!21}
-!22 = !{!13}
-!23 = !{!24, !17, !13}
-!24 = distinct !{!24, !25}
-!25 = distinct !{!25}
-!26 = !{!27, !29, !30, !32}
-!27 = distinct !{!27, !28}
-!28 = distinct !{!28}
-!29 = distinct !{!29, !28}
-!30 = distinct !{!30, !31}
-!31 = distinct !{!31}
-!32 = distinct !{!32, !31}
-!33 = !{!"branch_weights", i32 1, i32 49, i32 49}
-!34 = !{!30, !32}
-!35 = !{!36, !38, !13, !15}
-!36 = distinct !{!36, !37}
-!37 = distinct !{!37}
-!38 = distinct !{!38, !37}
-!39 = !{!40}
-!40 = distinct !{!40, !41}
-!41 = distinct !{!41}
-!42 = !{!43, !45}
-!43 = distinct !{!43, !44}
-!44 = distinct !{!44}
-!45 = distinct !{!45, !44}
-!46 = !{!47}
-!47 = distinct !{!47, !48}
-!48 = distinct !{!48}
-!49 = !{!50, !52}
-!50 = distinct !{!50, !51}
-!51 = distinct !{!51}
-!52 = distinct !{!52, !51}
-!53 = !{!54, !56, !58, !50, !52}
-!54 = distinct !{!54, !55}
-!55 = distinct !{!55}
-!56 = distinct !{!56, !57}
-!57 = distinct !{!57}
-!58 = distinct !{!58, !57}
-!59 = !{!60, !62, !64, !50, !52}
-!60 = distinct !{!60, !61}
-!61 = distinct !{!61}
-!62 = distinct !{!62, !63}
-!63 = distinct !{!63}
-!64 = distinct !{!64, !63}
-!65 = !{!66, !68}
-!66 = distinct !{!66, !67}
-!67 = distinct !{!67}
-!68 = distinct !{!68, !67}
-!69 = !{!70, !72, !73, !75, !66, !68}
-!70 = distinct !{!70, !71}
-!71 = distinct !{!71}
-!72 = distinct !{!72, !71}
-!73 = distinct !{!73, !74}
-!74 = distinct !{!74}
-!75 = distinct !{!75, !74}
-!76 = !{!73, !75, !66, !68}
-!77 = !{!78, !66, !68}
-!78 = distinct !{!78, !79}
-!79 = distinct !{!79}
-!80 = !{!81, !66, !68}
-!81 = distinct !{!81, !82}
-!82 = distinct !{!82}
-!83 = !{!"branch_weights", i32 49, i32 1}
-!84 = !{!85, !87, !66, !68}
-!85 = distinct !{!85, !86}
-!86 = distinct !{!86}
-!87 = distinct !{!87, !86}
-!88 = !{!89, !91, !93, !85, !87, !66, !68}
-!89 = distinct !{!89, !90}
-!90 = distinct !{!90}
-!91 = distinct !{!91, !92}
-!92 = distinct !{!92}
-!93 = distinct !{!93, !92}
-!94 = !{!95, !97, !99, !85, !87, !66, !68}
-!95 = distinct !{!95, !96}
-!96 = distinct !{!96}
-!97 = distinct !{!97, !98}
-!98 = distinct !{!98}
-!99 = distinct !{!99, !98}
-!100 = !{!101, !103, !66, !68}
-!101 = distinct !{!101, !102}
-!102 = distinct !{!102}
-!103 = distinct !{!103, !102}
-!104 = !{!105, !107, !66, !68}
-!105 = distinct !{!105, !106}
-!106 = distinct !{!106}
-!107 = distinct !{!107, !106}
-!108 = !{!109, !66, !68}
-!109 = distinct !{!109, !110}
-!110 = distinct !{!110}
-!111 = !{!112, !114}
-!112 = distinct !{!112, !113}
-!113 = distinct !{!113}
-!114 = distinct !{!114, !113}
-!115 = !{!116, !118, !119, !121, !112, !114}
-!116 = distinct !{!116, !117}
-!117 = distinct !{!117}
-!118 = distinct !{!118, !117}
-!119 = distinct !{!119, !120}
-!120 = distinct !{!120}
-!121 = distinct !{!121, !120}
-!122 = !{!119, !121, !112, !114}
-!123 = !{!124}
-!124 = distinct !{!124, !125}
-!125 = distinct !{!125}
-!126 = !{!127, !129, !13}
-!127 = distinct !{!127, !128}
-!128 = distinct !{!128}
-!129 = distinct !{!129, !128}
-!130 = !{!131}
-!131 = distinct !{!131, !132}
-!132 = distinct !{!132}
-!133 = !{!134}
-!134 = distinct !{!134, !135}
-!135 = distinct !{!135}
-!136 = !{!137, !139, !140, !142}
-!137 = distinct !{!137, !138}
-!138 = distinct !{!138}
-!139 = distinct !{!139, !138}
-!140 = distinct !{!140, !141}
-!141 = distinct !{!141}
-!142 = distinct !{!142, !141}
-!143 = !{!140, !142}
-!144 = !{!145}
-!145 = distinct !{!145, !146}
-!146 = distinct !{!146}
-!147 = !{!148, !150, !151, !153}
-!148 = distinct !{!148, !149}
-!149 = distinct !{!149}
-!150 = distinct !{!150, !149}
-!151 = distinct !{!151, !152}
-!152 = distinct !{!152}
-!153 = distinct !{!153, !152}
-!154 = !{!151, !153}
-!155 = !{!156, !158, !13}
-!156 = distinct !{!156, !157}
-!157 = distinct !{!157}
-!158 = distinct !{!158, !157}
+12:                                               ; preds = %56, %1
+  ret void
+
+13:                                               ; preds = %5, %56
+  %14 = phi i64 [ 0, %5 ], [ %81, %56 ]
+  %15 = load ptr, ptr %6, align 8
+  %16 = load i64, ptr %7, align 8
+  %17 = mul nsw i64 %16, %14
+  %18 = getelementptr inbounds i64, ptr %15, i64 %17
+  %19 = getelementptr inbounds i8, ptr %18, i64 24
+  %20 = load ptr, ptr %8, align 8
+  %21 = load double, ptr %20, align 8
+  %22 = getelementptr inbounds i8, ptr %18, i64 8
+  %23 = load i64, ptr %22, align 8
+  %24 = load ptr, ptr %9, align 8
+  %25 = getelementptr inbounds double, ptr %24, i64 %23
+  %26 = load double, ptr %25, align 8
+  %27 = fcmp ogt double %26, %21
+  %28 = select i1 %27, double %26, double %21
+  %29 = getelementptr inbounds i8, ptr %18, i64 16
+  %30 = load i64, ptr %29, align 8
+  %31 = load i64, ptr %19, align 8
+  %32 = getelementptr inbounds double, ptr %25, i64 %31
+  %33 = load double, ptr %32, align 8
+  %34 = fcmp ugt double %33, %28
+  br i1 %34, label %42, label %35
+
+35:                                               ; preds = %13
+  %36 = add nsw i64 %30, -1
+  %37 = icmp eq i64 %36, %31
+  br i1 %37, label %56, label %38
+
+38:                                               ; preds = %35
+  %39 = getelementptr i8, ptr %32, i64 8
+  %40 = load double, ptr %39, align 8
+  %41 = fcmp ogt double %40, %28
+  br i1 %41, label %56, label %42
+
+42:                                               ; preds = %38, %13
+  %43 = icmp sgt i64 %30, 1
+  br i1 %43, label %44, label %56
+
+44:                                               ; preds = %42, %44
+  %45 = phi i64 [ %53, %44 ], [ %30, %42 ]
+  %46 = phi i64 [ %52, %44 ], [ 0, %42 ]
+  %47 = add nsw i64 %45, %46
+  %48 = sdiv i64 %47, 2
+  %49 = getelementptr inbounds double, ptr %25, i64 %48
+  %50 = load double, ptr %49, align 8
+  %51 = fcmp ugt double %50, %28
+  %52 = select i1 %51, i64 %46, i64 %48
+  %53 = select i1 %51, i64 %48, i64 %45
+  %54 = sub nsw i64 %53, %52
+  %55 = icmp sgt i64 %54, 1
+  br i1 %55, label %44, label %56, !llvm.loop !48
+
+56:                                               ; preds = %44, %42, %35, %38
+  %57 = phi i64 [ %31, %38 ], [ %31, %35 ], [ 0, %42 ], [ %52, %44 ]
+  store i64 %57, ptr %19, align 8
+  %58 = getelementptr inbounds double, ptr %25, i64 %57
+  %59 = load double, ptr %58, align 8
+  %60 = fsub double %28, %59
+  %61 = load ptr, ptr %10, align 8
+  %62 = add nsw i64 %57, %23
+  %63 = shl nsw i64 %62, 5
+  %64 = getelementptr inbounds i8, ptr %61, i64 %63
+  %65 = load double, ptr %64, align 8
+  %66 = getelementptr inbounds i8, ptr %64, i64 8
+  %67 = load double, ptr %66, align 8
+  %68 = getelementptr inbounds i8, ptr %64, i64 16
+  %69 = load double, ptr %68, align 8
+  %70 = getelementptr inbounds i8, ptr %64, i64 24
+  %71 = load double, ptr %70, align 8
+  %72 = fmul double %60, %71
+  %73 = fadd double %69, %72
+  %74 = fmul double %60, %73
+  %75 = fadd double %67, %74
+  %76 = fmul double %60, %75
+  %77 = fadd double %65, %76
+  %78 = load ptr, ptr %11, align 8
+  %79 = load i64, ptr %18, align 8
+  %80 = getelementptr inbounds double, ptr %78, i64 %79
+  store double %77, ptr %80, align 8
+  %81 = add nuw nsw i64 %14, 1
+  %82 = load i64, ptr %2, align 8
+  %83 = icmp slt i64 %81, %82
+  br i1 %83, label %13, label %12, !llvm.loop !49
+}
+
+define internal fastcc void @norm_to(ptr noundef writeonly %0, ptr noundef readonly %1, ptr noundef readonly %2, ptr noundef readonly %3, i64 noundef %4) unnamed_addr #4 {
+  %6 = icmp sgt i64 %4, 0
+  br i1 %6, label %7, label %13
+
+7:                                                ; preds = %5
+  %8 = load ptr, ptr %3, align 8
+  %9 = getelementptr inbounds i8, ptr %3, i64 240
+  %10 = load ptr, ptr %9, align 8
+  %11 = getelementptr inbounds i8, ptr %3, i64 216
+  %12 = load ptr, ptr %11, align 8
+  br label %18
+
+13:                                               ; preds = %18, %5
+  %14 = phi double [ 0.000000e+00, %5 ], [ %39, %18 ]
+  %15 = sitofp i64 %4 to double
+  %16 = fdiv double %14, %15
+  %17 = tail call double @llvm.sqrt.f64(double %16)
+  store double %17, ptr %0, align 8
+  ret void
+
+18:                                               ; preds = %7, %18
+  %19 = phi double [ 0.000000e+00, %7 ], [ %39, %18 ]
+  %20 = phi i64 [ 0, %7 ], [ %40, %18 ]
+  %21 = getelementptr inbounds double, ptr %1, i64 %20
+  %22 = load double, ptr %21, align 8
+  %23 = getelementptr inbounds double, ptr %8, i64 %20
+  %24 = load double, ptr %23, align 8
+  %25 = getelementptr inbounds double, ptr %2, i64 %20
+  %26 = load double, ptr %25, align 8
+  %27 = getelementptr inbounds double, ptr %10, i64 %20
+  %28 = load double, ptr %27, align 8
+  %29 = getelementptr inbounds double, ptr %12, i64 %20
+  %30 = load double, ptr %29, align 8
+  %31 = tail call double @llvm.fabs.f64(double %24)
+  %32 = tail call double @llvm.fabs.f64(double %26)
+  %33 = fcmp ogt double %31, %32
+  %34 = select i1 %33, double %31, double %32
+  %35 = fmul double %34, %30
+  %36 = fadd double %28, %35
+  %37 = fdiv double %22, %36
+  %38 = fmul double %37, %37
+  %39 = fadd double %19, %38
+  %40 = add nuw nsw i64 %20, 1
+  %41 = icmp eq i64 %40, %4
+  br i1 %41, label %13, label %18, !llvm.loop !50
+}
+
+declare double @llvm.fabs.f64(double) #2
+
+define internal fastcc i32 @real_factorise(ptr noundef %0, i64 noundef %1, ptr noundef writeonly %2) unnamed_addr #5 {
+  %4 = icmp slt i64 %1, 1
+  br i1 %4, label %76, label %8
+
+5:                                                ; preds = %73, %50
+  %6 = icmp sge i64 %16, %1
+  %7 = icmp eq i64 %16, %1
+  br i1 %7, label %76, label %8, !llvm.loop !51
+
+8:                                                ; preds = %3, %5
+  %9 = phi i1 [ %6, %5 ], [ %4, %3 ]
+  %10 = phi i64 [ %16, %5 ], [ 0, %3 ]
+  %11 = mul nuw nsw i64 %10, %1
+  %12 = getelementptr double, ptr %0, i64 %11
+  %13 = getelementptr double, ptr %12, i64 %10
+  %14 = load double, ptr %13, align 8
+  %15 = tail call double @llvm.fabs.f64(double %14)
+  %16 = add nuw nsw i64 %10, 1
+  %17 = getelementptr double, ptr %0, i64 %10
+  %18 = icmp slt i64 %16, %1
+  br i1 %18, label %24, label %19
+
+19:                                               ; preds = %24, %8
+  %20 = phi double [ %15, %8 ], [ %33, %24 ]
+  %21 = phi i64 [ %10, %8 ], [ %34, %24 ]
+  %22 = getelementptr inbounds i64, ptr %2, i64 %10
+  store i64 %21, ptr %22, align 8
+  %23 = fcmp ueq double %20, 0.000000e+00
+  br i1 %23, label %76, label %37
+
+24:                                               ; preds = %8, %24
+  %25 = phi i64 [ %34, %24 ], [ %10, %8 ]
+  %26 = phi i64 [ %35, %24 ], [ %16, %8 ]
+  %27 = phi double [ %33, %24 ], [ %15, %8 ]
+  %28 = mul nuw nsw i64 %26, %1
+  %29 = getelementptr double, ptr %17, i64 %28
+  %30 = load double, ptr %29, align 8
+  %31 = tail call double @llvm.fabs.f64(double %30)
+  %32 = fcmp ogt double %31, %27
+  %33 = select i1 %32, double %31, double %27
+  %34 = select i1 %32, i64 %26, i64 %25
+  %35 = add nuw nsw i64 %26, 1
+  %36 = icmp slt i64 %35, %1
+  br i1 %36, label %24, label %19, !llvm.loop !52
+
+37:                                               ; preds = %19
+  %38 = icmp eq i64 %21, %10
+  br i1 %38, label %50, label %39
+
+39:                                               ; preds = %37
+  %40 = mul nsw i64 %21, %1
+  %41 = getelementptr double, ptr %0, i64 %40
+  br label %42
+
+42:                                               ; preds = %39, %42
+  %43 = phi i64 [ 0, %39 ], [ %48, %42 ]
+  %44 = getelementptr double, ptr %12, i64 %43
+  %45 = load double, ptr %44, align 8
+  %46 = getelementptr double, ptr %41, i64 %43
+  %47 = load double, ptr %46, align 8
+  store double %47, ptr %44, align 8
+  store double %45, ptr %46, align 8
+  %48 = add nuw nsw i64 %43, 1
+  %49 = icmp eq i64 %48, %1
+  br i1 %49, label %50, label %42, !llvm.loop !53
+
+50:                                               ; preds = %42, %37
+  %51 = load double, ptr %13, align 8
+  %52 = fdiv double 1.000000e+00, %51
+  %53 = icmp slt i64 %16, %1
+  br i1 %53, label %54, label %5
+
+54:                                               ; preds = %50, %73
+  %55 = phi i64 [ %74, %73 ], [ %16, %50 ]
+  %56 = mul nuw nsw i64 %55, %1
+  %57 = getelementptr double, ptr %0, i64 %56
+  %58 = getelementptr double, ptr %57, i64 %10
+  %59 = load double, ptr %58, align 8
+  %60 = fcmp une double %59, 0.000000e+00
+  br i1 %60, label %61, label %73
+
+61:                                               ; preds = %54
+  %62 = fmul double %52, %59
+  store double %62, ptr %58, align 8
+  br label %63
+
+63:                                               ; preds = %61, %63
+  %64 = phi i64 [ %16, %61 ], [ %71, %63 ]
+  %65 = getelementptr double, ptr %12, i64 %64
+  %66 = load double, ptr %65, align 8
+  %67 = fmul double %62, %66
+  %68 = getelementptr double, ptr %57, i64 %64
+  %69 = load double, ptr %68, align 8
+  %70 = fsub double %69, %67
+  store double %70, ptr %68, align 8
+  %71 = add nuw nsw i64 %64, 1
+  %72 = icmp slt i64 %71, %1
+  br i1 %72, label %63, label %73, !llvm.loop !54
+
+73:                                               ; preds = %63, %54
+  %74 = add nuw nsw i64 %55, 1
+  %75 = icmp slt i64 %74, %1
+  br i1 %75, label %54, label %5, !llvm.loop !55
+
+76:                                               ; preds = %5, %19, %3
+  %77 = phi i1 [ %4, %3 ], [ %6, %5 ], [ %9, %19 ]
+  %78 = zext i1 %77 to i32
+  ret i32 %78
+}
+
+define internal fastcc i32 @pair_factorise(ptr noundef %0, i64 noundef %1, ptr noundef writeonly %2) unnamed_addr #6 {
+  %4 = icmp slt i64 %1, 1
+  br i1 %4, label %127, label %8
+
+5:                                                ; preds = %124, %82
+  %6 = icmp sge i64 %18, %1
+  %7 = icmp eq i64 %18, %1
+  br i1 %7, label %127, label %8, !llvm.loop !56
+
+8:                                                ; preds = %3, %5
+  %9 = phi i1 [ %6, %5 ], [ %4, %3 ]
+  %10 = phi i64 [ %18, %5 ], [ 0, %3 ]
+  %11 = mul nuw nsw i64 %10, %1
+  %12 = getelementptr { double, double }, ptr %0, i64 %11
+  %13 = getelementptr { double, double }, ptr %12, i64 %10
+  %14 = load double, ptr %13, align 8
+  %15 = getelementptr inbounds i8, ptr %13, i64 8
+  %16 = load double, ptr %15, align 8
+  %17 = tail call double @hypot(double noundef %14, double noundef %16) #13
+  %18 = add nuw nsw i64 %10, 1
+  %19 = getelementptr { double, double }, ptr %0, i64 %10
+  %20 = icmp slt i64 %18, %1
+  br i1 %20, label %26, label %21
+
+21:                                               ; preds = %26, %8
+  %22 = phi double [ %17, %8 ], [ %37, %26 ]
+  %23 = phi i64 [ %10, %8 ], [ %38, %26 ]
+  %24 = getelementptr inbounds i64, ptr %2, i64 %10
+  store i64 %23, ptr %24, align 8
+  %25 = fcmp ueq double %22, 0.000000e+00
+  br i1 %25, label %127, label %41
+
+26:                                               ; preds = %8, %26
+  %27 = phi i64 [ %38, %26 ], [ %10, %8 ]
+  %28 = phi double [ %37, %26 ], [ %17, %8 ]
+  %29 = phi i64 [ %39, %26 ], [ %18, %8 ]
+  %30 = mul nuw nsw i64 %29, %1
+  %31 = getelementptr { double, double }, ptr %19, i64 %30
+  %32 = load double, ptr %31, align 8
+  %33 = getelementptr inbounds i8, ptr %31, i64 8
+  %34 = load double, ptr %33, align 8
+  %35 = tail call double @hypot(double noundef %32, double noundef %34) #13
+  %36 = fcmp ogt double %35, %28
+  %37 = select i1 %36, double %35, double %28
+  %38 = select i1 %36, i64 %29, i64 %27
+  %39 = add nuw nsw i64 %29, 1
+  %40 = icmp slt i64 %39, %1
+  br i1 %40, label %26, label %21, !llvm.loop !57
+
+41:                                               ; preds = %21
+  %42 = icmp eq i64 %23, %10
+  br i1 %42, label %58, label %43
+
+43:                                               ; preds = %41
+  %44 = mul nsw i64 %23, %1
+  %45 = getelementptr { double, double }, ptr %0, i64 %44
+  br label %46
+
+46:                                               ; preds = %43, %46
+  %47 = phi i64 [ 0, %43 ], [ %56, %46 ]
+  %48 = getelementptr { double, double }, ptr %12, i64 %47
+  %49 = load double, ptr %48, align 8
+  %50 = getelementptr inbounds i8, ptr %48, i64 8
+  %51 = load double, ptr %50, align 8
+  %52 = getelementptr { double, double }, ptr %45, i64 %47
+  %53 = load double, ptr %52, align 8
+  %54 = getelementptr inbounds i8, ptr %52, i64 8
+  %55 = load double, ptr %54, align 8
+  store double %53, ptr %48, align 8
+  store double %55, ptr %50, align 8
+  store double %49, ptr %52, align 8
+  store double %51, ptr %54, align 8
+  %56 = add nuw nsw i64 %47, 1
+  %57 = icmp eq i64 %56, %1
+  br i1 %57, label %58, label %46, !llvm.loop !58
+
+58:                                               ; preds = %46, %41
+  %59 = load double, ptr %13, align 8
+  %60 = load double, ptr %15, align 8
+  %61 = tail call double @llvm.fabs.f64(double %59)
+  %62 = tail call double @llvm.fabs.f64(double %60)
+  %63 = fcmp ult double %61, %62
+  br i1 %63, label %73, label %64
+
+64:                                               ; preds = %58
+  %65 = fdiv double %60, %59
+  %66 = fmul double %60, %65
+  %67 = fadd double %59, %66
+  %68 = fmul double %65, 0.000000e+00
+  %69 = fadd double %68, 1.000000e+00
+  %70 = fdiv double %69, %67
+  %71 = fsub double 0.000000e+00, %65
+  %72 = fdiv double %71, %67
+  br label %82
+
+73:                                               ; preds = %58
+  %74 = fdiv double %59, %60
+  %75 = fmul double %59, %74
+  %76 = fadd double %60, %75
+  %77 = fadd double %74, 0.000000e+00
+  %78 = fdiv double %77, %76
+  %79 = fmul double %74, 0.000000e+00
+  %80 = fadd double %79, -1.000000e+00
+  %81 = fdiv double %80, %76
+  br label %82
+
+82:                                               ; preds = %64, %73
+  %83 = phi double [ %70, %64 ], [ %78, %73 ]
+  %84 = phi double [ %72, %64 ], [ %81, %73 ]
+  %85 = icmp slt i64 %18, %1
+  br i1 %85, label %86, label %5
+
+86:                                               ; preds = %82, %124
+  %87 = phi i64 [ %125, %124 ], [ %18, %82 ]
+  %88 = mul nuw nsw i64 %87, %1
+  %89 = getelementptr { double, double }, ptr %0, i64 %88
+  %90 = getelementptr { double, double }, ptr %89, i64 %10
+  %91 = load double, ptr %90, align 8
+  %92 = getelementptr inbounds i8, ptr %90, i64 8
+  %93 = load double, ptr %92, align 8
+  %94 = fcmp une double %91, 0.000000e+00
+  %95 = fcmp une double %93, 0.000000e+00
+  %96 = or i1 %94, %95
+  br i1 %96, label %97, label %124
+
+97:                                               ; preds = %86
+  %98 = fmul double %83, %91
+  %99 = fmul double %84, %93
+  %100 = fmul double %84, %91
+  %101 = fmul double %83, %93
+  %102 = fsub double %98, %99
+  %103 = fadd double %100, %101
+  store double %102, ptr %90, align 8
+  store double %103, ptr %92, align 8
+  br label %104
+
+104:                                              ; preds = %97, %104
+  %105 = phi i64 [ %18, %97 ], [ %122, %104 ]
+  %106 = getelementptr { double, double }, ptr %12, i64 %105
+  %107 = load double, ptr %106, align 8
+  %108 = getelementptr inbounds i8, ptr %106, i64 8
+  %109 = load double, ptr %108, align 8
+  %110 = fmul double %102, %107
+  %111 = fmul double %103, %109
+  %112 = fmul double %102, %109
+  %113 = fmul double %103, %107
+  %114 = fsub double %110, %111
+  %115 = fadd double %113, %112
+  %116 = getelementptr { double, double }, ptr %89, i64 %105
+  %117 = load double, ptr %116, align 8
+  %118 = getelementptr inbounds i8, ptr %116, i64 8
+  %119 = load double, ptr %118, align 8
+  %120 = fsub double %117, %114
+  %121 = fsub double %119, %115
+  store double %120, ptr %116, align 8
+  store double %121, ptr %118, align 8
+  %122 = add nuw nsw i64 %105, 1
+  %123 = icmp slt i64 %122, %1
+  br i1 %123, label %104, label %124, !llvm.loop !59
+
+124:                                              ; preds = %104, %86
+  %125 = add nuw nsw i64 %87, 1
+  %126 = icmp slt i64 %125, %1
+  br i1 %126, label %86, label %5, !llvm.loop !60
+
+127:                                              ; preds = %5, %21, %3
+  %128 = phi i1 [ %4, %3 ], [ %6, %5 ], [ %9, %21 ]
+  %129 = zext i1 %128 to i32
+  ret i32 %129
+}
+
+declare double @hypot(double noundef, double noundef) #7
+
+define internal fastcc void @real_solve(ptr noundef readonly %0, i64 noundef %1, ptr noundef readonly %2, ptr noundef %3) unnamed_addr #5 {
+  %5 = icmp sgt i64 %1, 0
+  br i1 %5, label %8, label %6
+
+6:                                                ; preds = %8, %4
+  %7 = icmp sgt i64 %1, 0
+  br i1 %7, label %24, label %20
+
+8:                                                ; preds = %4, %8
+  %9 = phi i64 [ %18, %8 ], [ 0, %4 ]
+  %10 = getelementptr inbounds double, ptr %3, i64 %9
+  %11 = load double, ptr %10, align 8
+  %12 = getelementptr inbounds i64, ptr %2, i64 %9
+  %13 = load i64, ptr %12, align 8
+  %14 = getelementptr inbounds double, ptr %3, i64 %13
+  %15 = load double, ptr %14, align 8
+  store double %15, ptr %10, align 8
+  %16 = load i64, ptr %12, align 8
+  %17 = getelementptr inbounds double, ptr %3, i64 %16
+  store double %11, ptr %17, align 8
+  %18 = add nuw nsw i64 %9, 1
+  %19 = icmp eq i64 %18, %1
+  br i1 %19, label %6, label %8, !llvm.loop !61
+
+20:                                               ; preds = %32, %6
+  %21 = icmp sgt i64 %1, 0
+  br i1 %21, label %22, label %47
+
+22:                                               ; preds = %20
+  %23 = add nuw i64 %1, 1
+  br label %48
+
+24:                                               ; preds = %6, %32
+  %25 = phi i64 [ %34, %32 ], [ 0, %6 ]
+  %26 = getelementptr inbounds double, ptr %3, i64 %25
+  %27 = load double, ptr %26, align 8
+  %28 = icmp eq i64 %25, 0
+  br i1 %28, label %32, label %29
+
+29:                                               ; preds = %24
+  %30 = mul nuw nsw i64 %25, %1
+  %31 = getelementptr double, ptr %0, i64 %30
+  br label %36
+
+32:                                               ; preds = %36, %24
+  %33 = phi double [ %27, %24 ], [ %44, %36 ]
+  store double %33, ptr %26, align 8
+  %34 = add nuw nsw i64 %25, 1
+  %35 = icmp eq i64 %34, %1
+  br i1 %35, label %20, label %24, !llvm.loop !62
+
+36:                                               ; preds = %29, %36
+  %37 = phi i64 [ 0, %29 ], [ %45, %36 ]
+  %38 = phi double [ %27, %29 ], [ %44, %36 ]
+  %39 = getelementptr double, ptr %31, i64 %37
+  %40 = load double, ptr %39, align 8
+  %41 = getelementptr inbounds double, ptr %3, i64 %37
+  %42 = load double, ptr %41, align 8
+  %43 = fmul double %40, %42
+  %44 = fsub double %38, %43
+  %45 = add nuw nsw i64 %37, 1
+  %46 = icmp eq i64 %45, %25
+  br i1 %46, label %32, label %36, !llvm.loop !63
+
+47:                                               ; preds = %57, %20
+  ret void
+
+48:                                               ; preds = %22, %57
+  %49 = phi i64 [ %1, %22 ], [ %50, %57 ]
+  %50 = add nsw i64 %49, -1
+  %51 = getelementptr inbounds double, ptr %3, i64 %50
+  %52 = load double, ptr %51, align 8
+  %53 = icmp slt i64 %49, %1
+  br i1 %53, label %54, label %57
+
+54:                                               ; preds = %48
+  %55 = mul nsw i64 %50, %1
+  %56 = getelementptr double, ptr %0, i64 %55
+  br label %64
+
+57:                                               ; preds = %64, %48
+  %58 = phi double [ %52, %48 ], [ %72, %64 ]
+  %59 = mul i64 %50, %23
+  %60 = getelementptr inbounds double, ptr %0, i64 %59
+  %61 = load double, ptr %60, align 8
+  %62 = fdiv double %58, %61
+  store double %62, ptr %51, align 8
+  %63 = icmp sgt i64 %49, 1
+  br i1 %63, label %48, label %47, !llvm.loop !64
+
+64:                                               ; preds = %54, %64
+  %65 = phi i64 [ %49, %54 ], [ %73, %64 ]
+  %66 = phi double [ %52, %54 ], [ %72, %64 ]
+  %67 = getelementptr double, ptr %56, i64 %65
+  %68 = load double, ptr %67, align 8
+  %69 = getelementptr inbounds double, ptr %3, i64 %65
+  %70 = load double, ptr %69, align 8
+  %71 = fmul double %68, %70
+  %72 = fsub double %66, %71
+  %73 = add nuw nsw i64 %65, 1
+  %74 = icmp eq i64 %73, %1
+  br i1 %74, label %57, label %64, !llvm.loop !65
+}
+
+define internal fastcc void @pair_solve(ptr noundef readonly %0, i64 noundef %1, ptr noundef readonly %2, ptr noundef %3) unnamed_addr #5 {
+  %5 = icmp sgt i64 %1, 0
+  br i1 %5, label %8, label %6
+
+6:                                                ; preds = %8, %4
+  %7 = icmp sgt i64 %1, 0
+  br i1 %7, label %29, label %25
+
+8:                                                ; preds = %4, %8
+  %9 = phi i64 [ %23, %8 ], [ 0, %4 ]
+  %10 = getelementptr inbounds { double, double }, ptr %3, i64 %9
+  %11 = load double, ptr %10, align 8
+  %12 = getelementptr inbounds i8, ptr %10, i64 8
+  %13 = load double, ptr %12, align 8
+  %14 = getelementptr inbounds i64, ptr %2, i64 %9
+  %15 = load i64, ptr %14, align 8
+  %16 = getelementptr inbounds { double, double }, ptr %3, i64 %15
+  %17 = load double, ptr %16, align 8
+  %18 = getelementptr inbounds i8, ptr %16, i64 8
+  %19 = load double, ptr %18, align 8
+  store double %17, ptr %10, align 8
+  store double %19, ptr %12, align 8
+  %20 = load i64, ptr %14, align 8
+  %21 = getelementptr inbounds { double, double }, ptr %3, i64 %20
+  %22 = getelementptr inbounds i8, ptr %21, i64 8
+  store double %11, ptr %21, align 8
+  store double %13, ptr %22, align 8
+  %23 = add nuw nsw i64 %9, 1
+  %24 = icmp eq i64 %23, %1
+  br i1 %24, label %6, label %8, !llvm.loop !66
+
+25:                                               ; preds = %39, %6
+  %26 = icmp sgt i64 %1, 0
+  br i1 %26, label %27, label %66
+
+27:                                               ; preds = %25
+  %28 = add nuw i64 %1, 1
+  br label %67
+
+29:                                               ; preds = %6, %39
+  %30 = phi i64 [ %42, %39 ], [ 0, %6 ]
+  %31 = getelementptr inbounds { double, double }, ptr %3, i64 %30
+  %32 = load double, ptr %31, align 8
+  %33 = getelementptr inbounds i8, ptr %31, i64 8
+  %34 = load double, ptr %33, align 8
+  %35 = icmp eq i64 %30, 0
+  br i1 %35, label %39, label %36
+
+36:                                               ; preds = %29
+  %37 = mul nuw nsw i64 %30, %1
+  %38 = getelementptr { double, double }, ptr %0, i64 %37
+  br label %44
+
+39:                                               ; preds = %44, %29
+  %40 = phi double [ %32, %29 ], [ %62, %44 ]
+  %41 = phi double [ %34, %29 ], [ %63, %44 ]
+  store double %40, ptr %31, align 8
+  store double %41, ptr %33, align 8
+  %42 = add nuw nsw i64 %30, 1
+  %43 = icmp eq i64 %42, %1
+  br i1 %43, label %25, label %29, !llvm.loop !67
+
+44:                                               ; preds = %36, %44
+  %45 = phi double [ %34, %36 ], [ %63, %44 ]
+  %46 = phi i64 [ 0, %36 ], [ %64, %44 ]
+  %47 = phi double [ %32, %36 ], [ %62, %44 ]
+  %48 = getelementptr { double, double }, ptr %38, i64 %46
+  %49 = load double, ptr %48, align 8
+  %50 = getelementptr inbounds i8, ptr %48, i64 8
+  %51 = load double, ptr %50, align 8
+  %52 = getelementptr inbounds { double, double }, ptr %3, i64 %46
+  %53 = load double, ptr %52, align 8
+  %54 = getelementptr inbounds i8, ptr %52, i64 8
+  %55 = load double, ptr %54, align 8
+  %56 = fmul double %49, %53
+  %57 = fmul double %51, %55
+  %58 = fmul double %49, %55
+  %59 = fmul double %51, %53
+  %60 = fsub double %56, %57
+  %61 = fadd double %59, %58
+  %62 = fsub double %47, %60
+  %63 = fsub double %45, %61
+  %64 = add nuw nsw i64 %46, 1
+  %65 = icmp eq i64 %64, %30
+  br i1 %65, label %39, label %44, !llvm.loop !68
+
+66:                                               ; preds = %109, %25
+  ret void
+
+67:                                               ; preds = %27, %109
+  %68 = phi i64 [ %1, %27 ], [ %69, %109 ]
+  %69 = add nsw i64 %68, -1
+  %70 = getelementptr inbounds { double, double }, ptr %3, i64 %69
+  %71 = load double, ptr %70, align 8
+  %72 = getelementptr inbounds i8, ptr %70, i64 8
+  %73 = load double, ptr %72, align 8
+  %74 = icmp slt i64 %68, %1
+  br i1 %74, label %75, label %78
+
+75:                                               ; preds = %67
+  %76 = mul nsw i64 %69, %1
+  %77 = getelementptr { double, double }, ptr %0, i64 %76
+  br label %113
+
+78:                                               ; preds = %113, %67
+  %79 = phi double [ %73, %67 ], [ %132, %113 ]
+  %80 = phi double [ %71, %67 ], [ %131, %113 ]
+  %81 = mul i64 %69, %28
+  %82 = getelementptr inbounds { double, double }, ptr %0, i64 %81
+  %83 = load double, ptr %82, align 8
+  %84 = getelementptr inbounds i8, ptr %82, i64 8
+  %85 = load double, ptr %84, align 8
+  %86 = tail call double @llvm.fabs.f64(double %83)
+  %87 = tail call double @llvm.fabs.f64(double %85)
+  %88 = fcmp ult double %86, %87
+  br i1 %88, label %99, label %89
+
+89:                                               ; preds = %78
+  %90 = fdiv double %85, %83
+  %91 = fmul double %85, %90
+  %92 = fadd double %83, %91
+  %93 = fmul double %79, %90
+  %94 = fadd double %80, %93
+  %95 = fdiv double %94, %92
+  %96 = fmul double %80, %90
+  %97 = fsub double %79, %96
+  %98 = fdiv double %97, %92
+  br label %109
+
+99:                                               ; preds = %78
+  %100 = fdiv double %83, %85
+  %101 = fmul double %83, %100
+  %102 = fadd double %85, %101
+  %103 = fmul double %80, %100
+  %104 = fadd double %79, %103
+  %105 = fdiv double %104, %102
+  %106 = fmul double %79, %100
+  %107 = fsub double %106, %80
+  %108 = fdiv double %107, %102
+  br label %109
+
+109:                                              ; preds = %89, %99
+  %110 = phi double [ %95, %89 ], [ %105, %99 ]
+  %111 = phi double [ %98, %89 ], [ %108, %99 ]
+  store double %110, ptr %70, align 8
+  store double %111, ptr %72, align 8
+  %112 = icmp sgt i64 %68, 1
+  br i1 %112, label %67, label %66, !llvm.loop !69
+
+113:                                              ; preds = %75, %113
+  %114 = phi i64 [ %68, %75 ], [ %133, %113 ]
+  %115 = phi double [ %71, %75 ], [ %131, %113 ]
+  %116 = phi double [ %73, %75 ], [ %132, %113 ]
+  %117 = getelementptr { double, double }, ptr %77, i64 %114
+  %118 = load double, ptr %117, align 8
+  %119 = getelementptr inbounds i8, ptr %117, i64 8
+  %120 = load double, ptr %119, align 8
+  %121 = getelementptr inbounds { double, double }, ptr %3, i64 %114
+  %122 = load double, ptr %121, align 8
+  %123 = getelementptr inbounds i8, ptr %121, i64 8
+  %124 = load double, ptr %123, align 8
+  %125 = fmul double %118, %122
+  %126 = fmul double %120, %124
+  %127 = fmul double %118, %124
+  %128 = fmul double %120, %122
+  %129 = fsub double %125, %126
+  %130 = fadd double %128, %127
+  %131 = fsub double %115, %129
+  %132 = fsub double %116, %130
+  %133 = add nuw nsw i64 %114, 1
+  %134 = icmp eq i64 %133, %1
+  br i1 %134, label %78, label %113, !llvm.loop !70
+}
+
+define internal fastcc void @real_solve_columns(ptr noundef readonly %0, i64 noundef %1, ptr noundef readonly %2, ptr noundef %3, i64 noundef %4) unnamed_addr #5 {
+  %6 = getelementptr inbounds double, ptr %3, i64 %1
+  %7 = icmp sgt i64 %1, 0
+  br i1 %7, label %8, label %10
+
+8:                                                ; preds = %5
+  %9 = icmp slt i64 %4, 1
+  br label %14
+
+10:                                               ; preds = %38, %5
+  %11 = icmp sgt i64 %1, 0
+  br i1 %11, label %12, label %49
+
+12:                                               ; preds = %10
+  %13 = icmp sgt i64 %4, 0
+  br label %41
+
+14:                                               ; preds = %8, %38
+  %15 = phi i64 [ 0, %8 ], [ %39, %38 ]
+  %16 = getelementptr inbounds i64, ptr %2, i64 %15
+  %17 = load i64, ptr %16, align 8
+  %18 = icmp eq i64 %17, %15
+  %19 = or i1 %18, %9
+  br i1 %19, label %38, label %20
+
+20:                                               ; preds = %14
+  %21 = mul nuw nsw i64 %15, %4
+  %22 = getelementptr double, ptr %6, i64 %21
+  br label %23
+
+23:                                               ; preds = %20, %23
+  %24 = phi i64 [ 0, %20 ], [ %36, %23 ]
+  %25 = getelementptr double, ptr %22, i64 %24
+  %26 = load double, ptr %25, align 8
+  %27 = load i64, ptr %16, align 8
+  %28 = mul nsw i64 %27, %4
+  %29 = getelementptr double, ptr %6, i64 %28
+  %30 = getelementptr double, ptr %29, i64 %24
+  %31 = load double, ptr %30, align 8
+  store double %31, ptr %25, align 8
+  %32 = load i64, ptr %16, align 8
+  %33 = mul nsw i64 %32, %4
+  %34 = getelementptr double, ptr %6, i64 %33
+  %35 = getelementptr double, ptr %34, i64 %24
+  store double %26, ptr %35, align 8
+  %36 = add nuw nsw i64 %24, 1
+  %37 = icmp eq i64 %36, %4
+  br i1 %37, label %38, label %23, !llvm.loop !71
+
+38:                                               ; preds = %23, %14
+  %39 = add nuw nsw i64 %15, 1
+  %40 = icmp eq i64 %39, %1
+  br i1 %40, label %10, label %14, !llvm.loop !72
+
+41:                                               ; preds = %12, %55
+  %42 = phi i64 [ 0, %12 ], [ %56, %55 ]
+  %43 = icmp eq i64 %42, 0
+  br i1 %43, label %55, label %44
+
+44:                                               ; preds = %41
+  %45 = mul nsw i64 %42, %4
+  %46 = getelementptr inbounds double, ptr %6, i64 %45
+  %47 = mul nuw nsw i64 %42, %1
+  %48 = getelementptr double, ptr %0, i64 %47
+  br label %58
+
+49:                                               ; preds = %55, %10
+  %50 = icmp sgt i64 %1, 0
+  br i1 %50, label %51, label %88
+
+51:                                               ; preds = %49
+  %52 = icmp sgt i64 %4, 0
+  %53 = add nuw i64 %1, 1
+  %54 = icmp sgt i64 %4, 0
+  br label %79
+
+55:                                               ; preds = %74, %41
+  %56 = add nuw nsw i64 %42, 1
+  %57 = icmp eq i64 %56, %1
+  br i1 %57, label %49, label %41, !llvm.loop !73
+
+58:                                               ; preds = %44, %74
+  %59 = phi i64 [ 0, %44 ], [ %75, %74 ]
+  %60 = getelementptr double, ptr %48, i64 %59
+  %61 = load double, ptr %60, align 8
+  %62 = mul nsw i64 %59, %4
+  %63 = getelementptr inbounds double, ptr %6, i64 %62
+  br i1 %13, label %64, label %74
+
+64:                                               ; preds = %58, %64
+  %65 = phi i64 [ %72, %64 ], [ 0, %58 ]
+  %66 = getelementptr inbounds double, ptr %63, i64 %65
+  %67 = load double, ptr %66, align 8
+  %68 = fmul double %61, %67
+  %69 = getelementptr inbounds double, ptr %46, i64 %65
+  %70 = load double, ptr %69, align 8
+  %71 = fsub double %70, %68
+  store double %71, ptr %69, align 8
+  %72 = add nuw nsw i64 %65, 1
+  %73 = icmp eq i64 %72, %4
+  br i1 %73, label %74, label %64, !llvm.loop !74
+
+74:                                               ; preds = %64, %58
+  %75 = add nuw nsw i64 %59, 1
+  %76 = icmp eq i64 %75, %42
+  br i1 %76, label %55, label %58, !llvm.loop !75
+
+77:                                               ; preds = %116, %89
+  %78 = icmp sgt i64 %80, 1
+  br i1 %78, label %79, label %88, !llvm.loop !76
+
+79:                                               ; preds = %51, %77
+  %80 = phi i64 [ %1, %51 ], [ %81, %77 ]
+  %81 = add nsw i64 %80, -1
+  %82 = icmp slt i64 %80, %1
+  br i1 %82, label %83, label %89
+
+83:                                               ; preds = %79
+  %84 = mul nsw i64 %81, %4
+  %85 = getelementptr inbounds double, ptr %6, i64 %84
+  %86 = mul nsw i64 %81, %1
+  %87 = getelementptr double, ptr %0, i64 %86
+  br label %97
+
+88:                                               ; preds = %77, %49
+  ret void
+
+89:                                               ; preds = %113, %79
+  %90 = mul i64 %81, %53
+  %91 = getelementptr inbounds double, ptr %0, i64 %90
+  %92 = load double, ptr %91, align 8
+  %93 = fdiv double 1.000000e+00, %92
+  br i1 %54, label %94, label %77
+
+94:                                               ; preds = %89
+  %95 = mul nsw i64 %81, %4
+  %96 = getelementptr double, ptr %6, i64 %95
+  br label %116
+
+97:                                               ; preds = %83, %113
+  %98 = phi i64 [ %80, %83 ], [ %114, %113 ]
+  %99 = getelementptr double, ptr %87, i64 %98
+  %100 = load double, ptr %99, align 8
+  %101 = mul nsw i64 %98, %4
+  %102 = getelementptr inbounds double, ptr %6, i64 %101
+  br i1 %52, label %103, label %113
+
+103:                                              ; preds = %97, %103
+  %104 = phi i64 [ %111, %103 ], [ 0, %97 ]
+  %105 = getelementptr inbounds double, ptr %102, i64 %104
+  %106 = load double, ptr %105, align 8
+  %107 = fmul double %100, %106
+  %108 = getelementptr inbounds double, ptr %85, i64 %104
+  %109 = load double, ptr %108, align 8
+  %110 = fsub double %109, %107
+  store double %110, ptr %108, align 8
+  %111 = add nuw nsw i64 %104, 1
+  %112 = icmp eq i64 %111, %4
+  br i1 %112, label %113, label %103, !llvm.loop !74
+
+113:                                              ; preds = %103, %97
+  %114 = add nuw nsw i64 %98, 1
+  %115 = icmp eq i64 %114, %1
+  br i1 %115, label %89, label %97, !llvm.loop !77
+
+116:                                              ; preds = %94, %116
+  %117 = phi i64 [ 0, %94 ], [ %121, %116 ]
+  %118 = getelementptr double, ptr %96, i64 %117
+  %119 = load double, ptr %118, align 8
+  %120 = fmul double %93, %119
+  store double %120, ptr %118, align 8
+  %121 = add nuw nsw i64 %117, 1
+  %122 = icmp eq i64 %121, %4
+  br i1 %122, label %77, label %116, !llvm.loop !78
+}
+
+define internal fastcc void @pair_solve_columns(ptr noundef readonly %0, i64 noundef %1, ptr noundef readonly %2, ptr noundef %3, i64 noundef %4) unnamed_addr #5 {
+  %6 = getelementptr inbounds { double, double }, ptr %3, i64 %1
+  %7 = icmp sgt i64 %1, 0
+  br i1 %7, label %8, label %10
+
+8:                                                ; preds = %5
+  %9 = icmp slt i64 %4, 1
+  br label %14
+
+10:                                               ; preds = %43, %5
+  %11 = icmp sgt i64 %1, 0
+  br i1 %11, label %12, label %54
+
+12:                                               ; preds = %10
+  %13 = icmp sgt i64 %4, 0
+  br label %46
+
+14:                                               ; preds = %8, %43
+  %15 = phi i64 [ 0, %8 ], [ %44, %43 ]
+  %16 = getelementptr inbounds i64, ptr %2, i64 %15
+  %17 = load i64, ptr %16, align 8
+  %18 = icmp eq i64 %17, %15
+  %19 = or i1 %18, %9
+  br i1 %19, label %43, label %20
+
+20:                                               ; preds = %14
+  %21 = mul nuw nsw i64 %15, %4
+  %22 = getelementptr { double, double }, ptr %6, i64 %21
+  br label %23
+
+23:                                               ; preds = %20, %23
+  %24 = phi i64 [ 0, %20 ], [ %41, %23 ]
+  %25 = getelementptr { double, double }, ptr %22, i64 %24
+  %26 = load double, ptr %25, align 8
+  %27 = getelementptr inbounds i8, ptr %25, i64 8
+  %28 = load double, ptr %27, align 8
+  %29 = load i64, ptr %16, align 8
+  %30 = mul nsw i64 %29, %4
+  %31 = getelementptr { double, double }, ptr %6, i64 %30
+  %32 = getelementptr { double, double }, ptr %31, i64 %24
+  %33 = load double, ptr %32, align 8
+  %34 = getelementptr inbounds i8, ptr %32, i64 8
+  %35 = load double, ptr %34, align 8
+  store double %33, ptr %25, align 8
+  store double %35, ptr %27, align 8
+  %36 = load i64, ptr %16, align 8
+  %37 = mul nsw i64 %36, %4
+  %38 = getelementptr { double, double }, ptr %6, i64 %37
+  %39 = getelementptr { double, double }, ptr %38, i64 %24
+  %40 = getelementptr inbounds i8, ptr %39, i64 8
+  store double %26, ptr %39, align 8
+  store double %28, ptr %40, align 8
+  %41 = add nuw nsw i64 %24, 1
+  %42 = icmp eq i64 %41, %4
+  br i1 %42, label %43, label %23, !llvm.loop !79
+
+43:                                               ; preds = %23, %14
+  %44 = add nuw nsw i64 %15, 1
+  %45 = icmp eq i64 %44, %1
+  br i1 %45, label %10, label %14, !llvm.loop !80
+
+46:                                               ; preds = %12, %60
+  %47 = phi i64 [ 0, %12 ], [ %61, %60 ]
+  %48 = icmp eq i64 %47, 0
+  br i1 %48, label %60, label %49
+
+49:                                               ; preds = %46
+  %50 = mul nsw i64 %47, %4
+  %51 = getelementptr inbounds { double, double }, ptr %6, i64 %50
+  %52 = mul nuw nsw i64 %47, %1
+  %53 = getelementptr { double, double }, ptr %0, i64 %52
+  br label %63
+
+54:                                               ; preds = %60, %10
+  %55 = icmp sgt i64 %1, 0
+  br i1 %55, label %56, label %105
+
+56:                                               ; preds = %54
+  %57 = icmp sgt i64 %4, 0
+  %58 = add nuw i64 %1, 1
+  %59 = icmp sgt i64 %4, 0
+  br label %96
+
+60:                                               ; preds = %91, %46
+  %61 = add nuw nsw i64 %47, 1
+  %62 = icmp eq i64 %61, %1
+  br i1 %62, label %54, label %46, !llvm.loop !81
+
+63:                                               ; preds = %49, %91
+  %64 = phi i64 [ 0, %49 ], [ %92, %91 ]
+  %65 = getelementptr { double, double }, ptr %53, i64 %64
+  %66 = load double, ptr %65, align 8
+  %67 = getelementptr inbounds i8, ptr %65, i64 8
+  %68 = load double, ptr %67, align 8
+  %69 = mul nsw i64 %64, %4
+  %70 = getelementptr inbounds { double, double }, ptr %6, i64 %69
+  br i1 %13, label %71, label %91
+
+71:                                               ; preds = %63, %71
+  %72 = phi i64 [ %89, %71 ], [ 0, %63 ]
+  %73 = getelementptr inbounds { double, double }, ptr %70, i64 %72
+  %74 = load double, ptr %73, align 8
+  %75 = getelementptr inbounds i8, ptr %73, i64 8
+  %76 = load double, ptr %75, align 8
+  %77 = fmul double %66, %74
+  %78 = fmul double %68, %76
+  %79 = fmul double %66, %76
+  %80 = fmul double %68, %74
+  %81 = fsub double %77, %78
+  %82 = fadd double %80, %79
+  %83 = getelementptr inbounds { double, double }, ptr %51, i64 %72
+  %84 = load double, ptr %83, align 8
+  %85 = getelementptr inbounds i8, ptr %83, i64 8
+  %86 = load double, ptr %85, align 8
+  %87 = fsub double %84, %81
+  %88 = fsub double %86, %82
+  store double %87, ptr %83, align 8
+  store double %88, ptr %85, align 8
+  %89 = add nuw nsw i64 %72, 1
+  %90 = icmp eq i64 %89, %4
+  br i1 %90, label %91, label %71, !llvm.loop !82
+
+91:                                               ; preds = %71, %63
+  %92 = add nuw nsw i64 %64, 1
+  %93 = icmp eq i64 %92, %47
+  br i1 %93, label %60, label %63, !llvm.loop !83
+
+94:                                               ; preds = %170, %133
+  %95 = icmp sgt i64 %97, 1
+  br i1 %95, label %96, label %105, !llvm.loop !84
+
+96:                                               ; preds = %56, %94
+  %97 = phi i64 [ %1, %56 ], [ %98, %94 ]
+  %98 = add nsw i64 %97, -1
+  %99 = icmp slt i64 %97, %1
+  br i1 %99, label %100, label %106
+
+100:                                              ; preds = %96
+  %101 = mul nsw i64 %98, %4
+  %102 = getelementptr inbounds { double, double }, ptr %6, i64 %101
+  %103 = mul nsw i64 %98, %1
+  %104 = getelementptr { double, double }, ptr %0, i64 %103
+  br label %139
+
+105:                                              ; preds = %94, %54
+  ret void
+
+106:                                              ; preds = %167, %96
+  %107 = mul i64 %98, %58
+  %108 = getelementptr inbounds { double, double }, ptr %0, i64 %107
+  %109 = load double, ptr %108, align 8
+  %110 = getelementptr inbounds i8, ptr %108, i64 8
+  %111 = load double, ptr %110, align 8
+  %112 = tail call double @llvm.fabs.f64(double %109)
+  %113 = tail call double @llvm.fabs.f64(double %111)
+  %114 = fcmp ult double %112, %113
+  br i1 %114, label %124, label %115
+
+115:                                              ; preds = %106
+  %116 = fdiv double %111, %109
+  %117 = fmul double %111, %116
+  %118 = fadd double %109, %117
+  %119 = fmul double %116, 0.000000e+00
+  %120 = fadd double %119, 1.000000e+00
+  %121 = fdiv double %120, %118
+  %122 = fsub double 0.000000e+00, %116
+  %123 = fdiv double %122, %118
+  br label %133
+
+124:                                              ; preds = %106
+  %125 = fdiv double %109, %111
+  %126 = fmul double %109, %125
+  %127 = fadd double %111, %126
+  %128 = fadd double %125, 0.000000e+00
+  %129 = fdiv double %128, %127
+  %130 = fmul double %125, 0.000000e+00
+  %131 = fadd double %130, -1.000000e+00
+  %132 = fdiv double %131, %127
+  br label %133
+
+133:                                              ; preds = %115, %124
+  %134 = phi double [ %121, %115 ], [ %129, %124 ]
+  %135 = phi double [ %123, %115 ], [ %132, %124 ]
+  br i1 %59, label %136, label %94
+
+136:                                              ; preds = %133
+  %137 = mul nsw i64 %98, %4
+  %138 = getelementptr { double, double }, ptr %6, i64 %137
+  br label %170
+
+139:                                              ; preds = %100, %167
+  %140 = phi i64 [ %97, %100 ], [ %168, %167 ]
+  %141 = getelementptr { double, double }, ptr %104, i64 %140
+  %142 = load double, ptr %141, align 8
+  %143 = getelementptr inbounds i8, ptr %141, i64 8
+  %144 = load double, ptr %143, align 8
+  %145 = mul nsw i64 %140, %4
+  %146 = getelementptr inbounds { double, double }, ptr %6, i64 %145
+  br i1 %57, label %147, label %167
+
+147:                                              ; preds = %139, %147
+  %148 = phi i64 [ %165, %147 ], [ 0, %139 ]
+  %149 = getelementptr inbounds { double, double }, ptr %146, i64 %148
+  %150 = load double, ptr %149, align 8
+  %151 = getelementptr inbounds i8, ptr %149, i64 8
+  %152 = load double, ptr %151, align 8
+  %153 = fmul double %142, %150
+  %154 = fmul double %144, %152
+  %155 = fmul double %142, %152
+  %156 = fmul double %144, %150
+  %157 = fsub double %153, %154
+  %158 = fadd double %156, %155
+  %159 = getelementptr inbounds { double, double }, ptr %102, i64 %148
+  %160 = load double, ptr %159, align 8
+  %161 = getelementptr inbounds i8, ptr %159, i64 8
+  %162 = load double, ptr %161, align 8
+  %163 = fsub double %160, %157
+  %164 = fsub double %162, %158
+  store double %163, ptr %159, align 8
+  store double %164, ptr %161, align 8
+  %165 = add nuw nsw i64 %148, 1
+  %166 = icmp eq i64 %165, %4
+  br i1 %166, label %167, label %147, !llvm.loop !82
+
+167:                                              ; preds = %147, %139
+  %168 = add nuw nsw i64 %140, 1
+  %169 = icmp eq i64 %168, %1
+  br i1 %169, label %106, label %139, !llvm.loop !85
+
+170:                                              ; preds = %136, %170
+  %171 = phi i64 [ 0, %136 ], [ %182, %170 ]
+  %172 = getelementptr { double, double }, ptr %138, i64 %171
+  %173 = load double, ptr %172, align 8
+  %174 = getelementptr inbounds i8, ptr %172, i64 8
+  %175 = load double, ptr %174, align 8
+  %176 = fmul double %134, %173
+  %177 = fmul double %135, %175
+  %178 = fmul double %135, %173
+  %179 = fmul double %134, %175
+  %180 = fsub double %176, %177
+  %181 = fadd double %178, %179
+  store double %180, ptr %172, align 8
+  store double %181, ptr %174, align 8
+  %182 = add nuw nsw i64 %171, 1
+  %183 = icmp eq i64 %182, %4
+  br i1 %183, label %94, label %170, !llvm.loop !86
+}
+
+define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readonly %1, ptr noundef readonly %2, i64 noundef %3, i64 noundef %4, ptr noundef readonly %5, i64 noundef %6) unnamed_addr #8 {
+  %8 = load <8 x double>, ptr %5, align 8
+  %9 = fsub <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %8
+  %10 = shl nsw i64 %6, 3
+  %11 = icmp sgt i64 %6, 0
+  br i1 %11, label %12, label %19
+
+12:                                               ; preds = %7
+  %13 = add nsw i64 %4, -1
+  %14 = mul nsw i64 %13, %3
+  %15 = getelementptr double, ptr %2, i64 %14
+  %16 = add nsw i64 %4, -2
+  %17 = icmp sgt i64 %4, 1
+  %18 = sub i64 0, %3
+  br label %20
+
+19:                                               ; preds = %24, %7
+  ret void
+
+20:                                               ; preds = %12, %24
+  %21 = phi i64 [ 0, %12 ], [ %30, %24 ]
+  %22 = getelementptr double, ptr %15, i64 %21
+  %23 = load <8 x double>, ptr %22, align 8
+  br i1 %17, label %32, label %24
+
+24:                                               ; preds = %32, %20
+  %25 = phi <8 x double> [ %23, %20 ], [ %41, %32 ]
+  %26 = getelementptr inbounds double, ptr %0, i64 %21
+  %27 = getelementptr inbounds double, ptr %1, i64 %21
+  %28 = load <8 x double>, ptr %27, align 8
+  %29 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %8, <8 x double> %25, <8 x double> %28)
+  store <8 x double> %29, ptr %26, align 8
+  %30 = add nuw nsw i64 %21, 8
+  %31 = icmp slt i64 %30, %10
+  br i1 %31, label %20, label %19, !llvm.loop !87
+
+32:                                               ; preds = %20, %32
+  %33 = phi i64 [ %42, %32 ], [ %16, %20 ]
+  %34 = phi <8 x double> [ %41, %32 ], [ %23, %20 ]
+  %35 = phi ptr [ %36, %32 ], [ %22, %20 ]
+  %36 = getelementptr inbounds double, ptr %35, i64 %18
+  %37 = and i64 %33, 1
+  %38 = icmp eq i64 %37, 0
+  %39 = select i1 %38, <8 x double> %9, <8 x double> %8
+  %40 = load <8 x double>, ptr %36, align 8
+  %41 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %39, <8 x double> %34, <8 x double> %40)
+  %42 = add nsw i64 %33, -1
+  %43 = icmp sgt i64 %33, 0
+  br i1 %43, label %32, label %24, !llvm.loop !88
+}
+
+declare <8 x double> @llvm.fma.v8f64(<8 x double>, <8 x double>, <8 x double>) #2
+
+declare i1 @llvm.is.fpclass.f64(double, i32 immarg) #9
+
+attributes #0 = { nounwind }
+attributes #1 = { nounwind willreturn }
+attributes #2 = { nounwind willreturn memory(none) }
+attributes #3 = { noinline nounwind }
+attributes #4 = { noinline nounwind }
+attributes #5 = { noinline nounwind }
+attributes #6 = { noinline nounwind }
+attributes #7 = { nounwind willreturn memory(none) }
+attributes #8 = { noinline nounwind }
+attributes #9 = { nounwind willreturn memory(none) }
+attributes #10 = { nounwind }
+attributes #11 = { nounwind }
+attributes #12 = { nounwind }
+attributes #13 = { nounwind willreturn memory(none) }
+
+
+!0 = !{i32 1, !"wchar_size", i32 4}
+!1 = !{i32 8, !"PIC Level", i32 2}
+!2 = !{i32 7, !"PIE Level", i32 2}
+!3 = distinct !{!3, !4, !5}
+!4 = !{!"llvm.loop.mustprogress"}
+!5 = !{!"llvm.loop.unroll.disable"}
+!6 = distinct !{!6, !4, !5}
+!7 = distinct !{!7, !4, !5}
+!8 = distinct !{!8, !4, !5}
+!9 = distinct !{!9, !4, !5}
+!10 = distinct !{!10, !4, !5}
+!11 = distinct !{!11, !4, !5}
+!12 = distinct !{!12, !4, !5}
+!13 = distinct !{!13, !4, !5}
+!14 = distinct !{!14, !4, !5}
+!15 = distinct !{!15, !4, !5}
+!16 = distinct !{!16, !4, !5}
+!17 = distinct !{!17, !5}
+!18 = distinct !{!18, !4, !5}
+!19 = distinct !{!19, !4, !5}
+!20 = distinct !{!20, !4, !5}
+!21 = distinct !{!21, !4, !5}
+!22 = !{!23}
+!23 = distinct !{!23, !24, !"solve_stages: argument 0"}
+!24 = distinct !{!24, !"solve_stages"}
+!25 = distinct !{!25, !4, !5}
+!26 = distinct !{!26, !4, !5}
+!27 = distinct !{!27, !4, !5}
+!28 = distinct !{!28, !4, !5}
+!29 = distinct !{!29, !4, !5}
+!30 = distinct !{!30, !4, !5}
+!31 = distinct !{!31, !4, !5}
+!32 = distinct !{!32, !4, !5}
+!33 = distinct !{!33, !4, !5}
+!34 = distinct !{!34, !4, !5}
+!35 = distinct !{!35, !4, !5}
+!36 = distinct !{!36, !4, !5}
+!37 = distinct !{!37, !4, !5}
+!38 = distinct !{!38, !4, !5}
+!39 = distinct !{!39, !4, !5}
+!40 = distinct !{!40, !4, !5}
+!41 = distinct !{!41, !4, !5}
+!42 = distinct !{!42, !4, !5}
+!43 = distinct !{!43, !4, !5}
+!44 = distinct !{!44, !4, !5}
+!45 = distinct !{!45, !4, !5}
+!46 = distinct !{!46, !4, !5}
+!47 = distinct !{!47, !4, !5}
+!48 = distinct !{!48, !4, !5}
+!49 = distinct !{!49, !4, !5}
+!50 = distinct !{!50, !4, !5}
+!51 = distinct !{!51, !4, !5}
+!52 = distinct !{!52, !4, !5}
+!53 = distinct !{!53, !4, !5}
+!54 = distinct !{!54, !4, !5}
+!55 = distinct !{!55, !4, !5}
+!56 = distinct !{!56, !4, !5}
+!57 = distinct !{!57, !4, !5}
+!58 = distinct !{!58, !4, !5}
+!59 = distinct !{!59, !4, !5}
+!60 = distinct !{!60, !4, !5}
+!61 = distinct !{!61, !4, !5}
+!62 = distinct !{!62, !4, !5}
+!63 = distinct !{!63, !4, !5}
+!64 = distinct !{!64, !4, !5}
+!65 = distinct !{!65, !4, !5}
+!66 = distinct !{!66, !4, !5}
+!67 = distinct !{!67, !4, !5}
+!68 = distinct !{!68, !4, !5}
+!69 = distinct !{!69, !4, !5}
+!70 = distinct !{!70, !4, !5}
+!71 = distinct !{!71, !4, !5}
+!72 = distinct !{!72, !4, !5}
+!73 = distinct !{!73, !4, !5}
+!74 = distinct !{!74, !4, !5}
+!75 = distinct !{!75, !4, !5}
+!76 = distinct !{!76, !4, !5}
+!77 = distinct !{!77, !4, !5}
+!78 = distinct !{!78, !4, !5}
+!79 = distinct !{!79, !4, !5}
+!80 = distinct !{!80, !4, !5}
+!81 = distinct !{!81, !4, !5}
+!82 = distinct !{!82, !4, !5}
+!83 = distinct !{!83, !4, !5}
+!84 = distinct !{!84, !4, !5}
+!85 = distinct !{!85, !4, !5}
+!86 = distinct !{!86, !4, !5}
+!87 = distinct !{!87, !4, !5}
+!88 = distinct !{!88, !4, !5}

@@ -1,3672 +1,2577 @@
-; sources 61c52e6150ae591bbfd0c60ba47dd81ad50858d95a1ef7c36c08e1706437d0fd
-; Made by tools/solvers_ir.py with numba 0.68.1, llvmlite 0.50.0.
+; sources 25335ab9dff7a4bb9065a4a695b4623ac4d907005ab4daf305ded19d0e02ae19
+; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
-declare <8 x double> @llvm.fabs.v8f64(<8 x double>) #0
+%struct.Stepper = type { ptr, ptr, ptr }
 
-define internal fastcc i32 @_set_inputs(ptr noalias %0, ptr %1, i64 %2, ptr %3, i64 %4, ptr %5, i64 %6, i64 %7, ptr %8, i64 %9, i64 %10, ptr %11, i64 %12, ptr %13, i64 %14, i64 %15) unnamed_addr #1 {
-  %17 = call i64 @llvm.smax.i64(i64 %6, i64 0)
-  br label %18
+define noundef i64 @step_lanes(ptr noundef %0) #0 {
+  %2 = alloca %struct.Stepper, align 8
+  %3 = alloca i64, align 8
+  store ptr %0, ptr %2, align 8
+  %4 = getelementptr inbounds i8, ptr %2, i64 8
+  %5 = getelementptr inbounds i8, ptr %0, i64 144
+  store ptr %5, ptr %4, align 8
+  %6 = getelementptr inbounds i8, ptr %2, i64 16
+  %7 = getelementptr inbounds i8, ptr %0, i64 360
+  store ptr %7, ptr %6, align 8
+  %8 = getelementptr inbounds i8, ptr %0, i64 912
+  %9 = load ptr, ptr %5, align 8
+  %10 = getelementptr inbounds i8, ptr %9, i64 8
+  %11 = load i64, ptr %10, align 8
+  %12 = load ptr, ptr %0, align 8
+  %13 = getelementptr inbounds i8, ptr %0, i64 960
+  %14 = load ptr, ptr %13, align 8
+  %15 = getelementptr inbounds i8, ptr %0, i64 968
+  %16 = load i64, ptr %15, align 8
+  %17 = getelementptr double, ptr %14, i64 %16
+  %18 = getelementptr i8, ptr %17, i64 -16
+  %19 = load double, ptr %18, align 8
+  %20 = getelementptr inbounds i8, ptr %0, i64 936
+  %21 = load ptr, ptr %20, align 8
+  %22 = load double, ptr %21, align 8
+  %23 = load ptr, ptr %8, align 8
+  %24 = getelementptr inbounds i8, ptr %23, i64 16
+  %25 = load i64, ptr %24, align 8
+  %26 = getelementptr inbounds i8, ptr %0, i64 120
+  %27 = load ptr, ptr %26, align 8
+  %28 = getelementptr inbounds i8, ptr %12, i64 8
+  %29 = load i64, ptr %28, align 8
+  %30 = getelementptr inbounds i8, ptr %12, i64 32
+  %31 = load i64, ptr %30, align 8
+  %32 = getelementptr inbounds i8, ptr %0, i64 528
+  %33 = load ptr, ptr %32, align 8
+  %34 = load i64, ptr %12, align 8
+  %35 = getelementptr inbounds i8, ptr %0, i64 368
+  %36 = load i64, ptr %35, align 8
+  %37 = mul nsw i64 %36, %34
+  store i64 0, ptr %3, align 8
+  %38 = getelementptr inbounds i8, ptr %0, i64 864
+  %39 = load ptr, ptr %38, align 8
+  br label %122
 
-18:                                               ; preds = %22, %16
-  %19 = phi i64 [ 0, %16 ], [ %29, %22 ]
-  %20 = phi i64 [ %17, %16 ], [ %28, %22 ]
-  %21 = icmp sgt i64 %20, 0
-  br i1 %21, label %27, label %26
-
-22:                                               ; preds = %115, %27
-  %23 = phi i64 [ 0, %27 ], [ %142, %115 ]
-  %24 = phi i64 [ 8, %27 ], [ %143, %115 ]
-  %25 = icmp sgt i64 %24, 0
-  br i1 %25, label %30, label %18
-
-26:                                               ; preds = %18
-  store ptr null, ptr %0, align 8
-  ret i32 0
-
-27:                                               ; preds = %18
-  %28 = add nsw i64 %20, -1
-  %29 = add i64 %19, 1
-  br label %22
-
-30:                                               ; preds = %22
-  %31 = icmp slt i64 %23, 0
-  %32 = select i1 %31, i64 %2, i64 0
-  %33 = getelementptr double, ptr %1, i64 %23
-  %34 = getelementptr double, ptr %33, i64 %32
-  %35 = load double, ptr %34, align 8
-  %36 = icmp slt i64 %19, 0
-  %37 = select i1 %36, i64 %9, i64 0
-  %38 = add i64 %19, %37
-  %39 = select i1 %31, i64 %10, i64 0
-  %40 = mul i64 %38, %10
-  %41 = getelementptr i64, ptr %8, i64 %40
-  %42 = getelementptr i64, ptr %41, i64 %23
-  %43 = getelementptr i64, ptr %42, i64 %39
-  %44 = load i64, ptr %43, align 8
-  %45 = select i1 %36, i64 %6, i64 0
-  %46 = add i64 %19, %45
-  %47 = mul i64 %46, %7
-  %48 = getelementptr i64, ptr %5, i64 %47
-  %49 = getelementptr i8, ptr %48, i64 8
-  %50 = load i64, ptr %49, align 8, !noalias !0
-  %51 = getelementptr i8, ptr %48, i64 16
-  %52 = load i64, ptr %51, align 8, !noalias !0
-  %53 = add nsw i64 %50, %52
-  %54 = icmp slt i64 %50, 0
-  %55 = select i1 %54, i64 %12, i64 0
-  %56 = add i64 %50, %55
-  %57 = icmp slt i64 %56, 0
-  br i1 %57, label %72, label %73, !prof !4
-
-58:                                               ; preds = %87, %84
-  %59 = phi i64 [ %12, %87 ], [ %85, %84 ]
-  %60 = sub i64 %59, %78
-  %61 = call i64 @llvm.smax.i64(i64 %60, i64 0)
-  %62 = getelementptr double, ptr %11, i64 %78
-  %63 = load double, ptr %62, align 8, !noalias !0
-  %64 = fcmp ogt double %63, %35
-  %65 = select i1 %64, double %63, double %35
-  %66 = icmp slt i64 %44, 0
-  %67 = select i1 %66, i64 %61, i64 0
-  %68 = getelementptr double, ptr %62, i64 %44
-  %69 = getelementptr double, ptr %68, i64 %67
-  %70 = load double, ptr %69, align 8, !noalias !5
-  %71 = fcmp ugt double %70, %65
-  br i1 %71, label %98, label %88
-
-72:                                               ; preds = %30
-  br label %73
-
-73:                                               ; preds = %72, %30
-  %74 = phi i64 [ 0, %72 ], [ %56, %30 ]
-  %75 = icmp slt i64 %56, %12
-  br i1 %75, label %77, label %76, !prof !8
-
-76:                                               ; preds = %73
-  br label %77
-
-77:                                               ; preds = %76, %73
-  %78 = phi i64 [ %12, %76 ], [ %74, %73 ]
-  %79 = icmp slt i64 %53, 0
-  %80 = select i1 %79, i64 %12, i64 0
-  %81 = add i64 %53, %80
-  %82 = icmp slt i64 %81, 0
-  br i1 %82, label %83, label %84, !prof !4
-
-83:                                               ; preds = %77
-  br label %84
-
-84:                                               ; preds = %83, %77
-  %85 = phi i64 [ 0, %83 ], [ %81, %77 ]
-  %86 = icmp slt i64 %81, %12
-  br i1 %86, label %58, label %87, !prof !8
-
-87:                                               ; preds = %84
-  br label %58
-
-88:                                               ; preds = %58
-  %89 = add nsw i64 %61, -1
-  %90 = icmp eq i64 %44, %89
-  br i1 %90, label %115, label %91
-
-91:                                               ; preds = %88
-  %92 = icmp slt i64 %44, -1
-  %93 = select i1 %92, i64 %61, i64 0
-  %94 = getelementptr i8, ptr %68, i64 8
-  %95 = getelementptr double, ptr %94, i64 %93
-  %96 = load double, ptr %95, align 8, !noalias !5
-  %97 = fcmp olt double %65, %96
-  br i1 %97, label %115, label %98
-
-98:                                               ; preds = %91, %58
-  %99 = icmp sgt i64 %60, 1
-  br i1 %99, label %100, label %115
-
-100:                                              ; preds = %100, %98
-  %101 = phi i64 [ %111, %100 ], [ %61, %98 ]
-  %102 = phi i64 [ %112, %100 ], [ 0, %98 ]
-  %103 = add nsw i64 %102, %101
-  %104 = ashr i64 %103, 1
-  %105 = icmp slt i64 %104, 0
-  %106 = select i1 %105, i64 %61, i64 0
-  %107 = getelementptr double, ptr %62, i64 %104
-  %108 = getelementptr double, ptr %107, i64 %106
-  %109 = load double, ptr %108, align 8, !noalias !5
-  %110 = fcmp ole double %109, %65
-  %111 = select i1 %110, i64 %101, i64 %104
-  %112 = select i1 %110, i64 %104, i64 %102
-  %113 = sub nsw i64 %111, %112
-  %114 = icmp sgt i64 %113, 1
-  br i1 %114, label %100, label %115
-
-115:                                              ; preds = %100, %98, %91, %88
-  %116 = phi i64 [ %44, %88 ], [ %44, %91 ], [ %112, %100 ], [ 0, %98 ]
-  %117 = icmp slt i64 %116, 0
-  %118 = select i1 %117, i64 %61, i64 0
-  %119 = getelementptr double, ptr %62, i64 %116
-  %120 = getelementptr double, ptr %119, i64 %118
-  %121 = load double, ptr %120, align 8, !noalias !0
-  %122 = fsub double %65, %121
-  %123 = add nsw i64 %50, %116
-  %124 = icmp slt i64 %123, 0
-  %125 = select i1 %124, i64 %14, i64 0
-  %126 = add i64 %123, %125
-  %127 = mul i64 %126, %15
-  %128 = getelementptr double, ptr %13, i64 %127
-  %129 = load double, ptr %128, align 8, !noalias !0
-  %130 = getelementptr i8, ptr %128, i64 8
-  %131 = load double, ptr %130, align 8, !noalias !0
-  %132 = getelementptr i8, ptr %128, i64 16
-  %133 = load double, ptr %132, align 8, !noalias !0
-  %134 = getelementptr i8, ptr %128, i64 24
-  %135 = load double, ptr %134, align 8, !noalias !0
-  %136 = fmul double %122, %135
-  %137 = fadd double %133, %136
-  %138 = fmul double %122, %137
-  %139 = fadd double %131, %138
-  %140 = fmul double %122, %139
-  %141 = fadd double %129, %140
-  %142 = add i64 %23, 1
-  %143 = add nsw i64 %24, -1
-  store i64 %116, ptr %43, align 8
-  %144 = load i64, ptr %48, align 8
-  %145 = shl nsw i64 %144, 3
-  %146 = add nsw i64 %145, %23
-  %147 = icmp slt i64 %146, 0
-  %148 = select i1 %147, i64 %4, i64 0
-  %149 = getelementptr double, ptr %3, i64 %146
-  %150 = getelementptr double, ptr %149, i64 %148
-  store double %141, ptr %150, align 8
-  br label %22
-}
-
-define internal fastcc i32 @norm(ptr noalias %0, ptr %1, ptr %2, ptr %3, ptr %4, i64 %5, ptr %6, i64 %7, i64 %8) unnamed_addr #1 {
-  %10 = call i64 @llvm.smax.i64(i64 %8, i64 0)
-  br label %11
-
-11:                                               ; preds = %22, %9
-  %12 = phi i64 [ 0, %9 ], [ %24, %22 ]
-  %13 = phi i64 [ %10, %9 ], [ %23, %22 ]
-  %14 = phi <8 x double> [ zeroinitializer, %9 ], [ %53, %22 ]
-  %15 = icmp sgt i64 %13, 0
-  br i1 %15, label %22, label %16
-
-16:                                               ; preds = %11
-  %17 = sitofp i64 %8 to double
-  %18 = insertelement <8 x double> poison, double %17, i64 0
-  %19 = shufflevector <8 x double> %18, <8 x double> poison, <8 x i32> zeroinitializer
-  %20 = fdiv <8 x double> %14, %19
-  %21 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %20)
-  store <8 x double> %21, ptr %0, align 64
-  ret i32 0
-
-22:                                               ; preds = %11
-  %23 = add nsw i64 %13, -1
-  %24 = add i64 %12, 1
-  %25 = shl i64 %12, 6
-  %26 = getelementptr i8, ptr %1, i64 %25
-  %27 = load <8 x double>, ptr %26, align 8
-  %28 = getelementptr i8, ptr %3, i64 %25
-  %29 = load <8 x double>, ptr %28, align 8
-  %30 = getelementptr i8, ptr %2, i64 %25
-  %31 = load <8 x double>, ptr %30, align 8
-  %32 = icmp slt i64 %12, 0
-  %33 = select i1 %32, i64 %7, i64 0
-  %34 = getelementptr double, ptr %6, i64 %12
-  %35 = getelementptr double, ptr %34, i64 %33
-  %36 = load double, ptr %35, align 8, !noalias !9
-  %37 = select i1 %32, i64 %5, i64 0
-  %38 = getelementptr double, ptr %4, i64 %12
-  %39 = getelementptr double, ptr %38, i64 %37
-  %40 = load double, ptr %39, align 8, !noalias !9
-  %41 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %29)
-  %42 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %31)
-  %43 = fcmp ogt <8 x double> %41, %42
-  %44 = select <8 x i1> %43, <8 x double> %41, <8 x double> %42
-  %45 = insertelement <8 x double> poison, double %40, i64 0
-  %46 = shufflevector <8 x double> %45, <8 x double> poison, <8 x i32> zeroinitializer
-  %47 = fmul <8 x double> %46, %44
-  %48 = insertelement <8 x double> poison, double %36, i64 0
+40:                                               ; preds = %122
+  %41 = getelementptr inbounds i8, ptr %0, i64 624
+  %42 = sitofp i64 %25 to double
+  %43 = icmp sgt i64 %29, 0
+  %44 = icmp ne i64 %31, 1
+  %45 = getelementptr inbounds double, ptr %33, i64 %37
+  store i64 %130, ptr %3, align 8
+  %46 = getelementptr inbounds i8, ptr %0, i64 864
+  %47 = getelementptr inbounds i8, ptr %0, i64 744
+  %48 = insertelement <8 x double> poison, double %19, i64 0
   %49 = shufflevector <8 x double> %48, <8 x double> poison, <8 x i32> zeroinitializer
-  %50 = fadd <8 x double> %49, %47
-  %51 = fdiv <8 x double> %27, %50
-  %52 = fmul <8 x double> %51, %51
-  %53 = fadd <8 x double> %14, %52
-  br label %11
+  %50 = getelementptr inbounds i8, ptr %0, i64 648
+  %51 = insertelement <8 x double> poison, double %22, i64 0
+  %52 = shufflevector <8 x double> %51, <8 x double> poison, <8 x i32> zeroinitializer
+  %53 = getelementptr inbounds i8, ptr %0, i64 768
+  %54 = getelementptr inbounds i8, ptr %0, i64 792
+  %55 = insertelement <8 x double> poison, double %42, i64 0
+  %56 = shufflevector <8 x double> %55, <8 x double> poison, <8 x i32> zeroinitializer
+  %57 = getelementptr inbounds i8, ptr %0, i64 432
+  %58 = getelementptr inbounds i8, ptr %0, i64 408
+  %59 = getelementptr inbounds i8, ptr %0, i64 24
+  %60 = getelementptr inbounds i8, ptr %0, i64 528
+  %61 = getelementptr inbounds i8, ptr %0, i64 48
+  %62 = getelementptr inbounds i8, ptr %0, i64 72
+  %63 = getelementptr inbounds i8, ptr %0, i64 368
+  %64 = getelementptr inbounds i8, ptr %0, i64 96
+  %65 = getelementptr inbounds i8, ptr %0, i64 168
+  %66 = getelementptr inbounds i8, ptr %0, i64 272
+  %67 = getelementptr inbounds i8, ptr %0, i64 192
+  %68 = getelementptr inbounds i8, ptr %0, i64 240
+  %69 = getelementptr inbounds i8, ptr %0, i64 384
+  %70 = getelementptr inbounds i8, ptr %0, i64 24
+  %71 = getelementptr inbounds i8, ptr %0, i64 528
+  %72 = getelementptr inbounds i8, ptr %0, i64 48
+  %73 = getelementptr inbounds i8, ptr %0, i64 72
+  %74 = getelementptr inbounds i8, ptr %0, i64 384
+  %75 = getelementptr inbounds i8, ptr %0, i64 168
+  %76 = getelementptr inbounds i8, ptr %0, i64 272
+  %77 = getelementptr inbounds i8, ptr %0, i64 192
+  %78 = getelementptr inbounds i8, ptr %0, i64 240
+  %79 = icmp sgt i64 %11, 0
+  %80 = getelementptr inbounds i8, ptr %0, i64 384
+  %81 = getelementptr inbounds i8, ptr %0, i64 504
+  %82 = getelementptr inbounds i8, ptr %0, i64 368
+  %83 = getelementptr inbounds i8, ptr %0, i64 480
+  %84 = getelementptr inbounds i8, ptr %0, i64 600
+  %85 = getelementptr inbounds i8, ptr %0, i64 576
+  %86 = getelementptr inbounds i8, ptr %0, i64 384
+  %87 = getelementptr inbounds i8, ptr %0, i64 168
+  %88 = getelementptr inbounds i8, ptr %0, i64 272
+  %89 = getelementptr inbounds i8, ptr %0, i64 192
+  %90 = getelementptr inbounds i8, ptr %0, i64 240
+  %91 = getelementptr inbounds i8, ptr %0, i64 816
+  %92 = sext i1 %44 to i64
+  %93 = uitofp i1 %44 to double
+  %94 = insertelement <8 x double> poison, double %93, i64 0
+  %95 = shufflevector <8 x double> %94, <8 x double> poison, <8 x i32> zeroinitializer
+  %96 = getelementptr inbounds i8, ptr %0, i64 744
+  %97 = getelementptr inbounds i8, ptr %0, i64 368
+  %98 = getelementptr inbounds i8, ptr %0, i64 552
+  %99 = getelementptr inbounds i8, ptr %0, i64 408
+  %100 = getelementptr inbounds i8, ptr %0, i64 96
+  %101 = getelementptr inbounds i8, ptr %0, i64 168
+  %102 = getelementptr inbounds i8, ptr %0, i64 272
+  %103 = getelementptr inbounds i8, ptr %0, i64 192
+  %104 = getelementptr inbounds i8, ptr %0, i64 240
+  %105 = getelementptr inbounds i8, ptr %0, i64 480
+  %106 = getelementptr inbounds i8, ptr %12, i64 16
+  %107 = getelementptr inbounds i8, ptr %0, i64 408
+  %108 = getelementptr inbounds i8, ptr %0, i64 456
+  %109 = getelementptr inbounds i8, ptr %0, i64 384
+  %110 = getelementptr inbounds i8, ptr %0, i64 672
+  %111 = getelementptr inbounds i8, ptr %0, i64 696
+  %112 = getelementptr inbounds i8, ptr %27, i64 24
+  %113 = getelementptr inbounds i8, ptr %27, i64 8
+  %114 = getelementptr inbounds i8, ptr %27, i64 16
+  %115 = getelementptr inbounds i8, ptr %27, i64 32
+  %116 = getelementptr inbounds i8, ptr %27, i64 40
+  %117 = getelementptr inbounds i8, ptr %27, i64 24
+  %118 = getelementptr inbounds i8, ptr %27, i64 32
+  %119 = getelementptr inbounds i8, ptr %0, i64 840
+  %120 = icmp sgt i64 %11, 0
+  %121 = getelementptr inbounds i8, ptr %0, i64 384
+  br label %133
+
+122:                                              ; preds = %1, %122
+  %123 = phi i64 [ 0, %1 ], [ %131, %122 ]
+  %124 = phi i64 [ 0, %1 ], [ %130, %122 ]
+  %125 = getelementptr inbounds i64, ptr %39, i64 %123
+  %126 = load i64, ptr %125, align 8
+  %127 = icmp sgt i64 %126, -1
+  %128 = zext i1 %127 to i64
+  %129 = shl nuw nsw i64 %128, %123
+  %130 = or i64 %129, %124
+  %131 = add nuw nsw i64 %123, 1
+  %132 = icmp eq i64 %131, 8
+  br i1 %132, label %40, label %122, !llvm.loop !3
+
+133:                                              ; preds = %160, %40
+  %134 = phi i32 [ 1, %40 ], [ %161, %160 ]
+  %135 = icmp eq i32 %134, 0
+  br i1 %135, label %162, label %136
+
+136:                                              ; preds = %133
+  %137 = call fastcc i64 @fill(ptr noundef nonnull %0, ptr noundef nonnull %3) #10
+  %138 = load i64, ptr %3, align 8
+  %139 = icmp eq i64 %138, 0
+  br i1 %139, label %157, label %140
+
+140:                                              ; preds = %136
+  %141 = icmp eq i64 %137, 0
+  br i1 %141, label %157, label %142
+
+142:                                              ; preds = %140
+  call fastcc void @start(ptr noundef nonnull %0, ptr noundef nonnull %2, i64 noundef %137) #10
+  br label %143
+
+143:                                              ; preds = %142, %152
+  %144 = phi i32 [ 0, %142 ], [ %154, %152 ]
+  %145 = phi i64 [ 0, %142 ], [ %155, %152 ]
+  %146 = icmp eq i32 %144, 0
+  br i1 %146, label %147, label %152
+
+147:                                              ; preds = %143
+  %148 = load ptr, ptr %46, align 8
+  %149 = getelementptr inbounds i64, ptr %148, i64 %145
+  %150 = load i64, ptr %149, align 8
+  %151 = icmp eq i64 %150, -1
+  br label %152
+
+152:                                              ; preds = %147, %143
+  %153 = phi i1 [ true, %143 ], [ %151, %147 ]
+  %154 = zext i1 %153 to i32
+  %155 = add nuw nsw i64 %145, 1
+  %156 = icmp eq i64 %155, 8
+  br i1 %156, label %157, label %143, !llvm.loop !6
+
+157:                                              ; preds = %152, %140, %136
+  %158 = phi i32 [ 1, %136 ], [ 8, %140 ], [ 0, %152 ]
+  %159 = phi i32 [ %134, %136 ], [ %134, %140 ], [ %154, %152 ]
+  switch i32 %158, label %1015 [
+    i32 0, label %160
+    i32 8, label %162
+  ]
+
+160:                                              ; preds = %157, %987, %1013, %216
+  %161 = phi i32 [ %159, %157 ], [ %745, %987 ], [ 1, %1013 ], [ 1, %216 ]
+  br label %133, !llvm.loop !7
+
+162:                                              ; preds = %157, %133
+  %163 = phi i32 [ %159, %157 ], [ 0, %133 ]
+  %164 = load ptr, ptr %8, align 8
+  %165 = getelementptr inbounds i8, ptr %164, i64 8
+  %166 = load i64, ptr %165, align 8
+  %167 = icmp slt i64 %166, 1
+  br i1 %167, label %1015, label %168
+
+168:                                              ; preds = %162
+  %169 = add nsw i64 %166, -1
+  store i64 %169, ptr %165, align 8
+  %170 = load i64, ptr %3, align 8
+  %171 = trunc i64 %170 to i8
+  %172 = bitcast i8 %171 to <8 x i1>
+  %173 = load ptr, ptr %41, align 8
+  %174 = load <8 x double>, ptr %173, align 8
+  br i1 %43, label %178, label %175
+
+175:                                              ; preds = %168
+  %176 = load ptr, ptr %47, align 8
+  %177 = load <8 x double>, ptr %176, align 8
+  br label %178
+
+178:                                              ; preds = %168, %175
+  %179 = phi <8 x double> [ %177, %175 ], [ %49, %168 ]
+  %180 = load ptr, ptr %50, align 8
+  %181 = load <8 x double>, ptr %180, align 8
+  br i1 %43, label %182, label %185
+
+182:                                              ; preds = %178
+  %183 = fcmp olt <8 x double> %181, %52
+  %184 = select <8 x i1> %183, <8 x double> %181, <8 x double> %52
+  br label %191
+
+185:                                              ; preds = %178
+  %186 = fsub <8 x double> %179, %174
+  %187 = fdiv <8 x double> %186, %181
+  %188 = fmul <8 x double> %187, <double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1>
+  %189 = tail call <8 x double> @llvm.ceil.v8f64(<8 x double> %188)
+  %190 = fdiv <8 x double> %186, %189
+  br label %191
+
+191:                                              ; preds = %185, %182
+  %192 = phi <8 x double> [ %184, %182 ], [ %190, %185 ]
+  %193 = fadd <8 x double> %174, %192
+  %194 = fmul <8 x double> %192, <double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03>
+  %195 = fsub <8 x double> %179, %194
+  %196 = fcmp ogt <8 x double> %193, %195
+  %197 = fsub <8 x double> %179, %174
+  %198 = select <8 x i1> %196, <8 x double> %197, <8 x double> %192
+  %199 = select <8 x i1> %196, <8 x double> %179, <8 x double> %193
+  %200 = select <8 x i1> %172, <8 x double> %198, <8 x double> zeroinitializer
+  %201 = load ptr, ptr %53, align 8
+  %202 = load <8 x double>, ptr %201, align 8
+  %203 = load ptr, ptr %54, align 8
+  %204 = load <8 x double>, ptr %203, align 8
+  %205 = fadd <8 x double> %202, %204
+  %206 = fcmp oge <8 x double> %205, %56
+  %207 = fmul <8 x double> %200, <double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02>
+  %208 = fadd <8 x double> %174, %207
+  %209 = fcmp ule <8 x double> %208, %174
+  %210 = fcmp une <8 x double> %199, %179
+  %211 = and <8 x i1> %209, %210
+  %212 = or <8 x i1> %211, %206
+  %213 = and <8 x i1> %212, %172
+  %214 = bitcast <8 x i1> %213 to i8
+  %215 = icmp eq i8 %214, 0
+  br i1 %215, label %223, label %216
+
+216:                                              ; preds = %191
+  %217 = zext i8 %214 to i64
+  %218 = bitcast <8 x i1> %206 to i8
+  %219 = zext i8 %218 to i64
+  %220 = and i64 %217, %219
+  tail call fastcc void @retire(ptr noundef %0, i64 noundef %220, i64 noundef 1) #10
+  %221 = xor i64 %219, -1
+  %222 = and i64 %217, %221
+  tail call fastcc void @retire(ptr noundef %0, i64 noundef %222, i64 noundef -1) #10
+  br label %160
+
+223:                                              ; preds = %191
+  %224 = load ptr, ptr %0, align 8
+  %225 = load i64, ptr %224, align 8
+  %226 = load ptr, ptr %57, align 8
+  store <8 x double> %200, ptr %226, align 8
+  %227 = icmp sgt i64 %225, 1
+  br i1 %227, label %228, label %277
+
+228:                                              ; preds = %223, %265
+  %229 = phi i64 [ %274, %265 ], [ 0, %223 ]
+  %230 = phi i64 [ %275, %265 ], [ 1, %223 ]
+  %231 = load ptr, ptr %58, align 8
+  %232 = load ptr, ptr %7, align 8
+  %233 = load ptr, ptr %5, align 8
+  %234 = getelementptr inbounds i8, ptr %233, i64 16
+  %235 = load i64, ptr %234, align 8
+  %236 = load ptr, ptr %59, align 8
+  %237 = getelementptr inbounds i64, ptr %236, i64 %230
+  %238 = load i64, ptr %237, align 8
+  %239 = getelementptr i8, ptr %237, i64 8
+  %240 = load i64, ptr %239, align 8
+  %241 = xor i64 %238, -1
+  %242 = add i64 %240, %241
+  %243 = load ptr, ptr %57, align 8
+  %244 = load ptr, ptr %60, align 8
+  %245 = load ptr, ptr %61, align 8
+  %246 = getelementptr inbounds i64, ptr %245, i64 %238
+  %247 = load ptr, ptr %62, align 8
+  %248 = getelementptr inbounds double, ptr %247, i64 %238
+  tail call fastcc void @combine(ptr noundef %231, ptr noundef %232, ptr noundef %243, ptr noundef %244, ptr noundef %246, ptr noundef %248, i64 noundef %242, i64 noundef %235) #10
+  %249 = load ptr, ptr %60, align 8
+  %250 = load i64, ptr %63, align 8
+  %251 = mul nsw i64 %250, %230
+  %252 = getelementptr inbounds double, ptr %249, i64 %251
+  %253 = load ptr, ptr %64, align 8
+  %254 = getelementptr inbounds double, ptr %253, i64 %230
+  %255 = load double, ptr %254, align 8
+  %256 = insertelement <8 x double> poison, double %255, i64 0
+  %257 = shufflevector <8 x double> %256, <8 x double> poison, <8 x i32> zeroinitializer
+  %258 = fmul <8 x double> %200, %257
+  %259 = fadd <8 x double> %174, %258
+  %260 = load ptr, ptr %58, align 8
+  %261 = load ptr, ptr %65, align 8
+  store <8 x double> %259, ptr %261, align 8
+  %262 = load i64, ptr %66, align 8
+  %263 = icmp sgt i64 %262, 0
+  br i1 %263, label %264, label %265
+
+264:                                              ; preds = %228
+  tail call fastcc void @sample(ptr noundef nonnull %5) #10
+  br label %265
+
+265:                                              ; preds = %228, %264
+  %266 = load ptr, ptr %5, align 8
+  %267 = load i64, ptr %266, align 8
+  %268 = load ptr, ptr %65, align 8
+  %269 = load ptr, ptr %67, align 8
+  %270 = load ptr, ptr %68, align 8
+  %271 = inttoptr i64 %267 to ptr
+  %272 = tail call i32 %271(ptr noundef %268, ptr noundef %260, ptr noundef %269, ptr noundef %270, ptr noundef %252) #11
+  %273 = zext i32 %272 to i64
+  %274 = or i64 %229, %273
+  %275 = add nuw nsw i64 %230, 1
+  %276 = icmp eq i64 %275, %225
+  br i1 %276, label %277, label %228, !llvm.loop !8
+
+277:                                              ; preds = %265, %223
+  %278 = phi i64 [ 0, %223 ], [ %274, %265 ]
+  %279 = load ptr, ptr %69, align 8
+  %280 = load ptr, ptr %7, align 8
+  %281 = load ptr, ptr %5, align 8
+  %282 = getelementptr inbounds i8, ptr %281, i64 16
+  %283 = load i64, ptr %282, align 8
+  %284 = load ptr, ptr %70, align 8
+  %285 = getelementptr inbounds i64, ptr %284, i64 %225
+  %286 = load i64, ptr %285, align 8
+  %287 = getelementptr i8, ptr %285, i64 8
+  %288 = load i64, ptr %287, align 8
+  %289 = xor i64 %286, -1
+  %290 = add i64 %288, %289
+  %291 = load ptr, ptr %57, align 8
+  %292 = load ptr, ptr %71, align 8
+  %293 = load ptr, ptr %72, align 8
+  %294 = getelementptr inbounds i64, ptr %293, i64 %286
+  %295 = load ptr, ptr %73, align 8
+  %296 = getelementptr inbounds double, ptr %295, i64 %286
+  tail call fastcc void @combine(ptr noundef %279, ptr noundef %280, ptr noundef %291, ptr noundef %292, ptr noundef %294, ptr noundef %296, i64 noundef %290, i64 noundef %283) #10
+  br i1 %44, label %313, label %297
+
+297:                                              ; preds = %277
+  %298 = load ptr, ptr %74, align 8
+  %299 = load ptr, ptr %75, align 8
+  store <8 x double> %199, ptr %299, align 8
+  %300 = load i64, ptr %76, align 8
+  %301 = icmp sgt i64 %300, 0
+  br i1 %301, label %302, label %303
+
+302:                                              ; preds = %297
+  tail call fastcc void @sample(ptr noundef nonnull %5) #10
+  br label %303
+
+303:                                              ; preds = %297, %302
+  %304 = load ptr, ptr %5, align 8
+  %305 = load i64, ptr %304, align 8
+  %306 = load ptr, ptr %75, align 8
+  %307 = load ptr, ptr %77, align 8
+  %308 = load ptr, ptr %78, align 8
+  %309 = inttoptr i64 %305 to ptr
+  %310 = tail call i32 %309(ptr noundef %306, ptr noundef %298, ptr noundef %307, ptr noundef %308, ptr noundef %45) #11
+  %311 = zext i32 %310 to i64
+  %312 = or i64 %278, %311
+  br label %313
+
+313:                                              ; preds = %303, %277
+  %314 = phi i64 [ %312, %303 ], [ %278, %277 ]
+  br i1 %43, label %318, label %315
+
+315:                                              ; preds = %313
+  br i1 %79, label %316, label %491
+
+316:                                              ; preds = %315
+  %317 = load ptr, ptr %80, align 8
+  br label %481
+
+318:                                              ; preds = %313
+  %319 = load ptr, ptr %5, align 8
+  %320 = load ptr, ptr %0, align 8
+  %321 = getelementptr inbounds i8, ptr %319, i64 24
+  %322 = load i64, ptr %321, align 8
+  %323 = getelementptr inbounds i8, ptr %320, i64 8
+  %324 = load i64, ptr %323, align 8
+  %325 = load ptr, ptr %81, align 8
+  %326 = load i64, ptr %82, align 8
+  %327 = getelementptr inbounds double, ptr %325, i64 %326
+  %328 = icmp sgt i64 %324, 0
+  br i1 %328, label %329, label %331
+
+329:                                              ; preds = %318
+  %330 = getelementptr inbounds i8, ptr %319, i64 32
+  br label %339
+
+331:                                              ; preds = %339, %318
+  %332 = icmp sgt i64 %322, 0
+  br i1 %332, label %333, label %365
+
+333:                                              ; preds = %331
+  %334 = load ptr, ptr %7, align 8
+  %335 = load ptr, ptr %69, align 8
+  %336 = load ptr, ptr %84, align 8
+  %337 = load ptr, ptr %85, align 8
+  %338 = load ptr, ptr %81, align 8
+  br label %428
+
+339:                                              ; preds = %329, %339
+  %340 = phi i64 [ 0, %329 ], [ %363, %339 ]
+  %341 = load i64, ptr %320, align 8
+  %342 = load i64, ptr %330, align 8
+  %343 = load ptr, ptr %81, align 8
+  %344 = load i64, ptr %82, align 8
+  %345 = mul nsw i64 %344, %340
+  %346 = getelementptr inbounds double, ptr %343, i64 %345
+  %347 = load ptr, ptr %83, align 8
+  %348 = load ptr, ptr %70, align 8
+  %349 = getelementptr i64, ptr %348, i64 %341
+  %350 = getelementptr i8, ptr %349, i64 8
+  %351 = getelementptr i64, ptr %350, i64 %340
+  %352 = load i64, ptr %351, align 8
+  %353 = getelementptr i8, ptr %351, i64 8
+  %354 = load i64, ptr %353, align 8
+  %355 = xor i64 %352, -1
+  %356 = add i64 %354, %355
+  %357 = load ptr, ptr %57, align 8
+  %358 = load ptr, ptr %71, align 8
+  %359 = load ptr, ptr %72, align 8
+  %360 = getelementptr inbounds i64, ptr %359, i64 %352
+  %361 = load ptr, ptr %73, align 8
+  %362 = getelementptr inbounds double, ptr %361, i64 %352
+  tail call fastcc void @combine(ptr noundef %346, ptr noundef %347, ptr noundef %357, ptr noundef %358, ptr noundef %360, ptr noundef %362, i64 noundef %356, i64 noundef %342) #10
+  %363 = add nuw nsw i64 %340, 1
+  %364 = icmp eq i64 %363, %324
+  br i1 %364, label %331, label %339, !llvm.loop !9
+
+365:                                              ; preds = %428, %331
+  %366 = phi <8 x double> [ zeroinitializer, %331 ], [ %461, %428 ]
+  %367 = phi <8 x double> [ zeroinitializer, %331 ], [ %459, %428 ]
+  %368 = load ptr, ptr %69, align 8
+  %369 = getelementptr inbounds i8, ptr %319, i64 8
+  %370 = load i64, ptr %369, align 8
+  %371 = add nsw i64 %370, -3
+  %372 = getelementptr i8, ptr %368, i64 64
+  %373 = getelementptr i8, ptr %368, i64 128
+  %374 = getelementptr i8, ptr %368, i64 192
+  %375 = icmp slt i64 %322, %371
+  br i1 %375, label %383, label %376
+
+376:                                              ; preds = %383, %365
+  %377 = phi <8 x double> [ zeroinitializer, %365 ], [ %393, %383 ]
+  %378 = phi <8 x double> [ zeroinitializer, %365 ], [ %398, %383 ]
+  %379 = phi <8 x double> [ zeroinitializer, %365 ], [ %403, %383 ]
+  %380 = phi <8 x double> [ zeroinitializer, %365 ], [ %408, %383 ]
+  %381 = phi i64 [ %322, %365 ], [ %409, %383 ]
+  %382 = icmp slt i64 %381, %370
+  br i1 %382, label %411, label %421
+
+383:                                              ; preds = %365, %383
+  %384 = phi i64 [ %409, %383 ], [ %322, %365 ]
+  %385 = phi <8 x double> [ %408, %383 ], [ zeroinitializer, %365 ]
+  %386 = phi <8 x double> [ %403, %383 ], [ zeroinitializer, %365 ]
+  %387 = phi <8 x double> [ %398, %383 ], [ zeroinitializer, %365 ]
+  %388 = phi <8 x double> [ %393, %383 ], [ zeroinitializer, %365 ]
+  %389 = shl nsw i64 %384, 6
+  %390 = getelementptr inbounds i8, ptr %368, i64 %389
+  %391 = load <8 x double>, ptr %390, align 8
+  %392 = fmul <8 x double> %391, zeroinitializer
+  %393 = fadd <8 x double> %388, %392
+  %394 = shl i64 %384, 6
+  %395 = getelementptr i8, ptr %372, i64 %394
+  %396 = load <8 x double>, ptr %395, align 8
+  %397 = fmul <8 x double> %396, zeroinitializer
+  %398 = fadd <8 x double> %387, %397
+  %399 = shl i64 %384, 6
+  %400 = getelementptr i8, ptr %373, i64 %399
+  %401 = load <8 x double>, ptr %400, align 8
+  %402 = fmul <8 x double> %401, zeroinitializer
+  %403 = fadd <8 x double> %386, %402
+  %404 = shl i64 %384, 6
+  %405 = getelementptr i8, ptr %374, i64 %404
+  %406 = load <8 x double>, ptr %405, align 8
+  %407 = fmul <8 x double> %406, zeroinitializer
+  %408 = fadd <8 x double> %385, %407
+  %409 = add nsw i64 %384, 4
+  %410 = icmp slt i64 %409, %371
+  br i1 %410, label %383, label %376, !llvm.loop !10
+
+411:                                              ; preds = %376, %411
+  %412 = phi i64 [ %419, %411 ], [ %381, %376 ]
+  %413 = phi <8 x double> [ %418, %411 ], [ %377, %376 ]
+  %414 = shl nsw i64 %412, 6
+  %415 = getelementptr inbounds i8, ptr %368, i64 %414
+  %416 = load <8 x double>, ptr %415, align 8
+  %417 = fmul <8 x double> %416, zeroinitializer
+  %418 = fadd <8 x double> %413, %417
+  %419 = add nsw i64 %412, 1
+  %420 = icmp eq i64 %419, %370
+  br i1 %420, label %421, label %411, !llvm.loop !11
+
+421:                                              ; preds = %411, %376
+  %422 = phi <8 x double> [ %377, %376 ], [ %418, %411 ]
+  %423 = fadd <8 x double> %378, %422
+  %424 = fadd <8 x double> %379, %380
+  %425 = fadd <8 x double> %424, %423
+  %426 = fadd <8 x double> %367, %425
+  %427 = icmp eq i64 %324, 2
+  br i1 %427, label %464, label %475
+
+428:                                              ; preds = %333, %428
+  %429 = phi <8 x double> [ zeroinitializer, %333 ], [ %459, %428 ]
+  %430 = phi <8 x double> [ zeroinitializer, %333 ], [ %461, %428 ]
+  %431 = phi i64 [ 0, %333 ], [ %462, %428 ]
+  %432 = shl nsw i64 %431, 6
+  %433 = getelementptr inbounds i8, ptr %334, i64 %432
+  %434 = load <8 x double>, ptr %433, align 8
+  %435 = getelementptr inbounds i8, ptr %335, i64 %432
+  %436 = load <8 x double>, ptr %435, align 8
+  %437 = getelementptr inbounds double, ptr %336, i64 %431
+  %438 = load double, ptr %437, align 8
+  %439 = insertelement <8 x double> poison, double %438, i64 0
+  %440 = shufflevector <8 x double> %439, <8 x double> poison, <8 x i32> zeroinitializer
+  %441 = getelementptr inbounds double, ptr %337, i64 %431
+  %442 = load double, ptr %441, align 8
+  %443 = insertelement <8 x double> poison, double %442, i64 0
+  %444 = shufflevector <8 x double> %443, <8 x double> poison, <8 x i32> zeroinitializer
+  %445 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %434)
+  %446 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %436)
+  %447 = fcmp ogt <8 x double> %445, %446
+  %448 = select <8 x i1> %447, <8 x double> %445, <8 x double> %446
+  %449 = fmul <8 x double> %448, %444
+  %450 = fadd <8 x double> %440, %449
+  %451 = fdiv <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %450
+  %452 = getelementptr inbounds i8, ptr %338, i64 %432
+  %453 = load <8 x double>, ptr %452, align 8
+  %454 = fmul <8 x double> %453, %451
+  %455 = getelementptr inbounds i8, ptr %327, i64 %432
+  %456 = load <8 x double>, ptr %455, align 8
+  %457 = fmul <8 x double> %456, %451
+  %458 = fmul <8 x double> %454, %454
+  %459 = fadd <8 x double> %429, %458
+  %460 = fmul <8 x double> %457, %457
+  %461 = fadd <8 x double> %430, %460
+  %462 = add nuw nsw i64 %431, 1
+  %463 = icmp eq i64 %462, %322
+  br i1 %463, label %365, label %428, !llvm.loop !12
+
+464:                                              ; preds = %421
+  %465 = fmul <8 x double> %366, <double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02>
+  %466 = fadd <8 x double> %465, %426
+  %467 = sitofp i64 %322 to double
+  %468 = insertelement <8 x double> poison, double %467, i64 0
+  %469 = shufflevector <8 x double> %468, <8 x double> poison, <8 x i32> zeroinitializer
+  %470 = fmul <8 x double> %469, %466
+  %471 = tail call <8 x double> @llvm.sqrt.v8f64(<8 x double> %470)
+  %472 = fdiv <8 x double> %426, %471
+  %473 = fcmp oeq <8 x double> %426, zeroinitializer
+  %474 = select <8 x i1> %473, <8 x double> zeroinitializer, <8 x double> %472
+  br label %491
+
+475:                                              ; preds = %421
+  %476 = sitofp i64 %322 to double
+  %477 = insertelement <8 x double> poison, double %476, i64 0
+  %478 = shufflevector <8 x double> %477, <8 x double> poison, <8 x i32> zeroinitializer
+  %479 = fdiv <8 x double> %426, %478
+  %480 = tail call <8 x double> @llvm.sqrt.v8f64(<8 x double> %479)
+  br label %491
+
+481:                                              ; preds = %316, %481
+  %482 = phi <8 x double> [ zeroinitializer, %316 ], [ %488, %481 ]
+  %483 = phi i64 [ 0, %316 ], [ %489, %481 ]
+  %484 = shl nsw i64 %483, 6
+  %485 = getelementptr inbounds i8, ptr %317, i64 %484
+  %486 = load <8 x double>, ptr %485, align 8
+  %487 = fmul <8 x double> %486, zeroinitializer
+  %488 = fadd <8 x double> %482, %487
+  %489 = add nuw nsw i64 %483, 1
+  %490 = icmp eq i64 %489, %11
+  br i1 %490, label %491, label %481, !llvm.loop !13
+
+491:                                              ; preds = %481, %315, %475, %464
+  %492 = phi <8 x double> [ %474, %464 ], [ %480, %475 ], [ zeroinitializer, %315 ], [ %488, %481 ]
+  %493 = fcmp uge <8 x double> %492, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %494 = trunc i64 %314 to i8
+  %495 = bitcast i8 %494 to <8 x i1>
+  %496 = select <8 x i1> %495, <8 x i1> <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>, <8 x i1> %493
+  %497 = xor <8 x i1> %496, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
+  %498 = select <8 x i1> %497, <8 x i1> %172, <8 x i1> zeroinitializer
+  %499 = sext <8 x i1> %498 to <8 x i64>
+  br i1 %44, label %500, label %524
+
+500:                                              ; preds = %491
+  %501 = xor <8 x i1> %496, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
+  %502 = select <8 x i1> %501, <8 x i1> %172, <8 x i1> zeroinitializer
+  %503 = bitcast <8 x i1> %502 to i8
+  %504 = icmp eq i8 %503, 0
+  br i1 %504, label %524, label %505
+
+505:                                              ; preds = %500
+  %506 = load ptr, ptr %86, align 8
+  %507 = load ptr, ptr %87, align 8
+  store <8 x double> %199, ptr %507, align 8
+  %508 = load i64, ptr %88, align 8
+  %509 = icmp sgt i64 %508, 0
+  br i1 %509, label %510, label %511
+
+510:                                              ; preds = %505
+  tail call fastcc void @sample(ptr noundef nonnull %5) #10
+  br label %511
+
+511:                                              ; preds = %505, %510
+  %512 = load ptr, ptr %5, align 8
+  %513 = load i64, ptr %512, align 8
+  %514 = load ptr, ptr %87, align 8
+  %515 = load ptr, ptr %89, align 8
+  %516 = load ptr, ptr %90, align 8
+  %517 = inttoptr i64 %513 to ptr
+  %518 = tail call i32 %517(ptr noundef %514, ptr noundef %506, ptr noundef %515, ptr noundef %516, ptr noundef %45) #11
+  %519 = zext i32 %518 to i64
+  %520 = or i64 %314, %519
+  %521 = trunc i64 %520 to i8
+  %522 = bitcast i8 %521 to <8 x i1>
+  %523 = select <8 x i1> %522, <8 x i64> zeroinitializer, <8 x i64> %499
+  br label %524
+
+524:                                              ; preds = %511, %500, %491
+  %525 = phi <8 x i64> [ %499, %491 ], [ %523, %511 ], [ %499, %500 ]
+  %526 = phi i64 [ %314, %491 ], [ %520, %511 ], [ %314, %500 ]
+  %527 = load ptr, ptr %91, align 8
+  %528 = load <8 x double>, ptr %527, align 8
+  %529 = load i64, ptr %12, align 8
+  %530 = add i64 %529, %92
+  %531 = sitofp i64 %530 to double
+  %532 = insertelement <8 x double> poison, double %531, i64 0
+  %533 = shufflevector <8 x double> %532, <8 x double> poison, <8 x i32> zeroinitializer
+  %534 = xor <8 x i1> %496, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
+  %535 = select <8 x i1> %534, <8 x i1> %172, <8 x i1> zeroinitializer
+  %536 = select <8 x i1> %535, <8 x double> %95, <8 x double> zeroinitializer
+  %537 = fadd <8 x double> %536, %533
+  %538 = fadd <8 x double> %528, %537
+  store <8 x double> %538, ptr %527, align 8
+  %539 = load ptr, ptr %96, align 8
+  %540 = load <8 x double>, ptr %539, align 8
+  %541 = fcmp olt <8 x double> %540, %199
+  %542 = select <8 x i1> %541, <8 x i64> %525, <8 x i64> zeroinitializer
+  %543 = icmp ne <8 x i64> %542, zeroinitializer
+  %544 = bitcast <8 x i1> %543 to i8
+  %545 = zext i8 %544 to i64
+  %546 = icmp eq i8 %544, 0
+  br i1 %546, label %743, label %547
+
+547:                                              ; preds = %524
+  %548 = load ptr, ptr %0, align 8
+  %549 = load ptr, ptr %5, align 8
+  %550 = getelementptr inbounds i8, ptr %549, i64 16
+  %551 = load i64, ptr %550, align 8
+  %552 = load i64, ptr %548, align 8
+  %553 = load i64, ptr %97, align 8
+  %554 = load ptr, ptr %71, align 8
+  %555 = mul nsw i64 %553, %552
+  %556 = getelementptr inbounds double, ptr %554, i64 %555
+  %557 = load ptr, ptr %98, align 8
+  %558 = add nsw i64 %552, 1
+  %559 = getelementptr inbounds i8, ptr %548, i64 16
+  %560 = load i64, ptr %559, align 8
+  %561 = icmp sgt i64 %560, 0
+  br i1 %561, label %562, label %564
+
+562:                                              ; preds = %547
+  %563 = getelementptr inbounds i8, ptr %548, i64 8
+  br label %575
+
+564:                                              ; preds = %610, %547
+  %565 = phi i64 [ 0, %547 ], [ %619, %610 ]
+  %566 = getelementptr inbounds i8, ptr %548, i64 16
+  %567 = load ptr, ptr %5, align 8
+  %568 = getelementptr inbounds i8, ptr %567, i64 8
+  %569 = load i64, ptr %568, align 8
+  %570 = icmp sgt i64 %569, 0
+  br i1 %570, label %571, label %624
+
+571:                                              ; preds = %564
+  %572 = getelementptr inbounds double, ptr %557, i64 %553
+  %573 = shl nsw i64 %553, 4
+  %574 = getelementptr inbounds i8, ptr %557, i64 %573
+  br label %631
+
+575:                                              ; preds = %562, %610
+  %576 = phi i64 [ 0, %562 ], [ %619, %610 ]
+  %577 = phi i64 [ %558, %562 ], [ %620, %610 ]
+  %578 = load i64, ptr %563, align 8
+  %579 = load ptr, ptr %99, align 8
+  %580 = load ptr, ptr %7, align 8
+  %581 = load ptr, ptr %70, align 8
+  %582 = getelementptr i64, ptr %581, i64 %577
+  %583 = getelementptr i64, ptr %582, i64 %578
+  %584 = load i64, ptr %583, align 8
+  %585 = getelementptr i8, ptr %583, i64 8
+  %586 = load i64, ptr %585, align 8
+  %587 = xor i64 %584, -1
+  %588 = add i64 %586, %587
+  %589 = load ptr, ptr %57, align 8
+  %590 = load ptr, ptr %71, align 8
+  %591 = load ptr, ptr %72, align 8
+  %592 = getelementptr inbounds i64, ptr %591, i64 %584
+  %593 = load ptr, ptr %73, align 8
+  %594 = getelementptr inbounds double, ptr %593, i64 %584
+  tail call fastcc void @combine(ptr noundef %579, ptr noundef %580, ptr noundef %589, ptr noundef %590, ptr noundef %592, ptr noundef %594, i64 noundef %588, i64 noundef %551) #10
+  %595 = load ptr, ptr %71, align 8
+  %596 = mul nsw i64 %577, %553
+  %597 = getelementptr inbounds double, ptr %595, i64 %596
+  %598 = load ptr, ptr %100, align 8
+  %599 = getelementptr inbounds double, ptr %598, i64 %577
+  %600 = load double, ptr %599, align 8
+  %601 = insertelement <8 x double> poison, double %600, i64 0
+  %602 = shufflevector <8 x double> %601, <8 x double> poison, <8 x i32> zeroinitializer
+  %603 = fmul <8 x double> %200, %602
+  %604 = fadd <8 x double> %174, %603
+  %605 = load ptr, ptr %99, align 8
+  %606 = load ptr, ptr %101, align 8
+  store <8 x double> %604, ptr %606, align 8
+  %607 = load i64, ptr %102, align 8
+  %608 = icmp sgt i64 %607, 0
+  br i1 %608, label %609, label %610
+
+609:                                              ; preds = %575
+  tail call fastcc void @sample(ptr noundef nonnull %5) #10
+  br label %610
+
+610:                                              ; preds = %575, %609
+  %611 = load ptr, ptr %5, align 8
+  %612 = load i64, ptr %611, align 8
+  %613 = load ptr, ptr %101, align 8
+  %614 = load ptr, ptr %103, align 8
+  %615 = load ptr, ptr %104, align 8
+  %616 = inttoptr i64 %612 to ptr
+  %617 = tail call i32 %616(ptr noundef %613, ptr noundef %605, ptr noundef %614, ptr noundef %615, ptr noundef %597) #11
+  %618 = zext i32 %617 to i64
+  %619 = or i64 %576, %618
+  %620 = add nsw i64 %577, 1
+  %621 = load i64, ptr %559, align 8
+  %622 = add nsw i64 %621, %558
+  %623 = icmp slt i64 %620, %622
+  br i1 %623, label %575, label %564, !llvm.loop !14
+
+624:                                              ; preds = %631, %564
+  %625 = getelementptr inbounds i8, ptr %548, i64 8
+  %626 = load i64, ptr %625, align 8
+  %627 = load i64, ptr %566, align 8
+  %628 = getelementptr inbounds i8, ptr %548, i64 24
+  %629 = load i64, ptr %628, align 8
+  %630 = icmp sgt i64 %629, 3
+  br i1 %630, label %659, label %684
+
+631:                                              ; preds = %571, %631
+  %632 = phi i64 [ 0, %571 ], [ %654, %631 ]
+  %633 = load ptr, ptr %69, align 8
+  %634 = shl nsw i64 %632, 6
+  %635 = getelementptr inbounds i8, ptr %633, i64 %634
+  %636 = load <8 x double>, ptr %635, align 8
+  %637 = load ptr, ptr %7, align 8
+  %638 = getelementptr inbounds i8, ptr %637, i64 %634
+  %639 = load <8 x double>, ptr %638, align 8
+  %640 = fsub <8 x double> %636, %639
+  %641 = load ptr, ptr %71, align 8
+  %642 = getelementptr inbounds i8, ptr %641, i64 %634
+  %643 = load <8 x double>, ptr %642, align 8
+  %644 = fmul <8 x double> %200, %643
+  %645 = fsub <8 x double> %644, %640
+  %646 = getelementptr inbounds i8, ptr %557, i64 %634
+  store <8 x double> %640, ptr %646, align 8
+  %647 = getelementptr inbounds i8, ptr %572, i64 %634
+  store <8 x double> %645, ptr %647, align 8
+  %648 = fsub <8 x double> %640, %645
+  %649 = getelementptr inbounds i8, ptr %556, i64 %634
+  %650 = load <8 x double>, ptr %649, align 8
+  %651 = fmul <8 x double> %200, %650
+  %652 = fsub <8 x double> %648, %651
+  %653 = getelementptr inbounds i8, ptr %574, i64 %634
+  store <8 x double> %652, ptr %653, align 8
+  %654 = add nuw nsw i64 %632, 1
+  %655 = load ptr, ptr %5, align 8
+  %656 = getelementptr inbounds i8, ptr %655, i64 8
+  %657 = load i64, ptr %656, align 8
+  %658 = icmp slt i64 %654, %657
+  br i1 %658, label %631, label %624, !llvm.loop !15
+
+659:                                              ; preds = %624, %659
+  %660 = phi i64 [ %681, %659 ], [ 3, %624 ]
+  %661 = mul nsw i64 %660, %553
+  %662 = getelementptr inbounds double, ptr %557, i64 %661
+  %663 = load ptr, ptr %105, align 8
+  %664 = load ptr, ptr %70, align 8
+  %665 = getelementptr i64, ptr %664, i64 %558
+  %666 = getelementptr i64, ptr %665, i64 %626
+  %667 = getelementptr i64, ptr %666, i64 %627
+  %668 = getelementptr i64, ptr %667, i64 %660
+  %669 = getelementptr i8, ptr %668, i64 -24
+  %670 = load i64, ptr %669, align 8
+  %671 = getelementptr i8, ptr %668, i64 -16
+  %672 = load i64, ptr %671, align 8
+  %673 = xor i64 %670, -1
+  %674 = add i64 %672, %673
+  %675 = load ptr, ptr %57, align 8
+  %676 = load ptr, ptr %71, align 8
+  %677 = load ptr, ptr %72, align 8
+  %678 = getelementptr inbounds i64, ptr %677, i64 %670
+  %679 = load ptr, ptr %73, align 8
+  %680 = getelementptr inbounds double, ptr %679, i64 %670
+  tail call fastcc void @combine(ptr noundef %662, ptr noundef %663, ptr noundef %675, ptr noundef %676, ptr noundef %678, ptr noundef %680, i64 noundef %674, i64 noundef %551) #10
+  %681 = add nuw nsw i64 %660, 1
+  %682 = load i64, ptr %628, align 8
+  %683 = icmp slt i64 %681, %682
+  br i1 %683, label %659, label %684, !llvm.loop !16
+
+684:                                              ; preds = %659, %624
+  %685 = and i64 %565, %545
+  %686 = load ptr, ptr %91, align 8
+  %687 = load <8 x double>, ptr %686, align 8
+  %688 = load i64, ptr %106, align 8
+  %689 = sitofp i64 %688 to double
+  %690 = insertelement <8 x double> poison, double %689, i64 0
+  %691 = bitcast <8 x double> %690 to <8 x i64>
+  %692 = shufflevector <8 x i64> %691, <8 x i64> poison, <8 x i32> zeroinitializer
+  %693 = icmp slt <8 x i64> %542, zeroinitializer
+  %694 = select <8 x i1> %693, <8 x i64> %692, <8 x i64> zeroinitializer
+  %695 = bitcast <8 x i64> %694 to <8 x double>
+  %696 = fadd <8 x double> %687, %695
+  store <8 x double> %696, ptr %686, align 8
+  %697 = icmp eq i64 %685, 0
+  br i1 %697, label %705, label %698
+
+698:                                              ; preds = %684
+  tail call fastcc void @retire(ptr noundef nonnull %0, i64 noundef %685, i64 noundef 3) #10
+  %699 = xor i64 %685, -1
+  %700 = and i64 %170, %699
+  store i64 %700, ptr %3, align 8
+  %701 = trunc i64 %700 to i8
+  %702 = bitcast i8 %701 to <8 x i1>
+  %703 = select <8 x i1> %702, <8 x i64> %525, <8 x i64> zeroinitializer
+  %704 = select <8 x i1> %702, <8 x i64> %542, <8 x i64> zeroinitializer
+  br label %705
+
+705:                                              ; preds = %698, %684
+  %706 = phi <8 x i64> [ %703, %698 ], [ %525, %684 ]
+  %707 = phi <8 x i64> [ %704, %698 ], [ %542, %684 ]
+  %708 = phi i32 [ 1, %698 ], [ %163, %684 ]
+  %709 = icmp ne <8 x i64> %707, zeroinitializer
+  %710 = bitcast <8 x i1> %709 to i8
+  %711 = load ptr, ptr %41, align 8
+  %712 = load <8 x double>, ptr %711, align 8
+  %713 = load ptr, ptr %57, align 8
+  %714 = load <8 x double>, ptr %713, align 8
+  %715 = load ptr, ptr %107, align 8
+  %716 = icmp eq i8 %710, 0
+  br i1 %716, label %743, label %717
+
+717:                                              ; preds = %705
+  %718 = zext i8 %710 to i64
+  br label %719
+
+719:                                              ; preds = %717, %719
+  %720 = phi i64 [ %741, %719 ], [ %718, %717 ]
+  %721 = load ptr, ptr %96, align 8
+  %722 = load <8 x double>, ptr %721, align 8
+  %723 = fsub <8 x double> %722, %712
+  %724 = fdiv <8 x double> %723, %714
+  %725 = load ptr, ptr %108, align 8
+  store <8 x double> %724, ptr %725, align 8
+  %726 = load ptr, ptr %7, align 8
+  %727 = load ptr, ptr %98, align 8
+  %728 = load i64, ptr %97, align 8
+  %729 = load ptr, ptr %0, align 8
+  %730 = getelementptr inbounds i8, ptr %729, i64 24
+  %731 = load i64, ptr %730, align 8
+  %732 = load ptr, ptr %108, align 8
+  %733 = load ptr, ptr %5, align 8
+  %734 = getelementptr inbounds i8, ptr %733, i64 16
+  %735 = load i64, ptr %734, align 8
+  tail call fastcc void @nested(ptr noundef %715, ptr noundef %726, ptr noundef %727, i64 noundef %728, i64 noundef %731, ptr noundef %732, i64 noundef %735) #10
+  tail call fastcc void @write_outputs(ptr noundef nonnull %0, ptr noundef %715, i64 noundef %720) #10
+  %736 = load ptr, ptr %96, align 8
+  %737 = load <8 x double>, ptr %736, align 8
+  %738 = fcmp olt <8 x double> %737, %199
+  %739 = bitcast <8 x i1> %738 to i8
+  %740 = zext i8 %739 to i64
+  %741 = and i64 %720, %740
+  %742 = icmp eq i64 %741, 0
+  br i1 %742, label %743, label %719, !llvm.loop !17
+
+743:                                              ; preds = %719, %705, %524
+  %744 = phi <8 x i64> [ %525, %524 ], [ %706, %705 ], [ %706, %719 ]
+  %745 = phi i32 [ %163, %524 ], [ %708, %705 ], [ %708, %719 ]
+  %746 = load ptr, ptr %96, align 8
+  %747 = load <8 x double>, ptr %746, align 8
+  %748 = fcmp oeq <8 x double> %747, %199
+  %749 = icmp ne <8 x i64> %744, zeroinitializer
+  %750 = select <8 x i1> %748, <8 x i1> %749, <8 x i1> zeroinitializer
+  %751 = bitcast <8 x i1> %750 to i8
+  %752 = icmp eq i8 %751, 0
+  br i1 %752, label %755, label %753
+
+753:                                              ; preds = %743
+  %754 = zext i8 %751 to i64
+  br label %764
+
+755:                                              ; preds = %764, %743
+  %756 = xor <8 x i64> %744, <i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1>
+  %757 = select <8 x i1> %172, <8 x i64> %756, <8 x i64> zeroinitializer
+  %758 = load ptr, ptr %53, align 8
+  %759 = load <8 x double>, ptr %758, align 8
+  %760 = icmp slt <8 x i64> %744, zeroinitializer
+  %761 = select <8 x i1> %760, <8 x i64> <i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408>, <8 x i64> zeroinitializer
+  %762 = bitcast <8 x i64> %761 to <8 x double>
+  %763 = fadd <8 x double> %759, %762
+  store <8 x double> %763, ptr %758, align 8
+  br i1 %43, label %774, label %898
+
+764:                                              ; preds = %753, %764
+  %765 = phi i64 [ %772, %764 ], [ %754, %753 ]
+  %766 = load ptr, ptr %109, align 8
+  tail call fastcc void @write_outputs(ptr noundef %0, ptr noundef %766, i64 noundef %765) #10
+  %767 = load ptr, ptr %96, align 8
+  %768 = load <8 x double>, ptr %767, align 8
+  %769 = fcmp oeq <8 x double> %768, %199
+  %770 = bitcast <8 x i1> %769 to i8
+  %771 = zext i8 %770 to i64
+  %772 = and i64 %765, %771
+  %773 = icmp eq i64 %772, 0
+  br i1 %773, label %755, label %764, !llvm.loop !18
+
+774:                                              ; preds = %755
+  %775 = load ptr, ptr %110, align 8
+  %776 = load <8 x double>, ptr %775, align 8
+  %777 = load ptr, ptr %111, align 8
+  %778 = load <8 x double>, ptr %777, align 8
+  %779 = fcmp ogt <8 x double> %492, <double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10>
+  %780 = bitcast <8 x double> %492 to <8 x i64>
+  %781 = select <8 x i1> %779, <8 x i64> %780, <8 x i64> <i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675>
+  %782 = load double, ptr %112, align 8
+  %783 = insertelement <8 x double> poison, double %782, i64 0
+  %784 = shufflevector <8 x double> %783, <8 x double> poison, <8 x i32> zeroinitializer
+  %785 = load double, ptr %113, align 8
+  %786 = fneg double %785
+  %787 = add <8 x i64> %781, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
+  %788 = ashr <8 x i64> %787, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %789 = and <8 x i64> %787, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
+  %790 = sub <8 x i64> %781, %789
+  %791 = bitcast <8 x i64> %790 to <8 x double>
+  %792 = fadd <8 x double> %791, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
+  %793 = fadd <8 x double> %791, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %794 = fdiv <8 x double> %792, %793
+  %795 = fmul <8 x double> %794, %794
+  %796 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %795, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
+  %797 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %796, <8 x double> %795, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
+  %798 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %797, <8 x double> %795, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
+  %799 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %798, <8 x double> %795, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
+  %800 = trunc nsw <8 x i64> %788 to <8 x i32>
+  %801 = sitofp <8 x i32> %800 to <8 x double>
+  %802 = fmul <8 x double> %794, %799
+  %803 = fadd <8 x double> %802, %801
+  %804 = insertelement <8 x double> poison, double %786, i64 0
+  %805 = shufflevector <8 x double> %804, <8 x double> poison, <8 x i32> zeroinitializer
+  %806 = fmul <8 x double> %803, %805
+  %807 = fcmp ogt <8 x double> %806, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
+  %808 = bitcast <8 x double> %806 to <8 x i64>
+  %809 = select <8 x i1> %807, <8 x i64> %808, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
+  %810 = bitcast <8 x i64> %809 to <8 x double>
+  %811 = fcmp olt <8 x double> %810, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %812 = bitcast <8 x i64> %809 to <8 x double>
+  %813 = select <8 x i1> %811, <8 x double> %812, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %814 = tail call <8 x double> @llvm.rint.v8f64(<8 x double> %813)
+  %815 = fsub <8 x double> %813, %814
+  %816 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %815, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
+  %817 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %816, <8 x double> %815, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
+  %818 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %817, <8 x double> %815, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
+  %819 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %818, <8 x double> %815, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
+  %820 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %819, <8 x double> %815, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
+  %821 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %820, <8 x double> %815, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
+  %822 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %821, <8 x double> %815, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
+  %823 = bitcast <8 x double> %822 to <8 x i64>
+  %824 = fptosi <8 x double> %814 to <8 x i32>
+  %825 = zext <8 x i32> %824 to <8 x i64>
+  %826 = shl <8 x i64> %825, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %827 = add <8 x i64> %826, %823
+  %828 = bitcast <8 x i64> %827 to <8 x double>
+  %829 = fmul <8 x double> %784, %828
+  %830 = load double, ptr %114, align 8
+  %831 = fcmp une double %830, 0.000000e+00
+  br i1 %831, label %832, label %877
+
+832:                                              ; preds = %774
+  %833 = bitcast <8 x double> %776 to <8 x i64>
+  %834 = add <8 x i64> %833, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
+  %835 = ashr <8 x i64> %834, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %836 = and <8 x i64> %834, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
+  %837 = sub <8 x i64> %833, %836
+  %838 = bitcast <8 x i64> %837 to <8 x double>
+  %839 = fadd <8 x double> %838, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
+  %840 = fadd <8 x double> %838, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %841 = fdiv <8 x double> %839, %840
+  %842 = fmul <8 x double> %841, %841
+  %843 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %842, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
+  %844 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %843, <8 x double> %842, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
+  %845 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %844, <8 x double> %842, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
+  %846 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %845, <8 x double> %842, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
+  %847 = trunc nsw <8 x i64> %835 to <8 x i32>
+  %848 = sitofp <8 x i32> %847 to <8 x double>
+  %849 = fmul <8 x double> %841, %846
+  %850 = fadd <8 x double> %849, %848
+  %851 = insertelement <8 x double> poison, double %830, i64 0
+  %852 = shufflevector <8 x double> %851, <8 x double> poison, <8 x i32> zeroinitializer
+  %853 = fmul <8 x double> %852, %850
+  %854 = fcmp ogt <8 x double> %853, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
+  %855 = bitcast <8 x double> %853 to <8 x i64>
+  %856 = select <8 x i1> %854, <8 x i64> %855, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
+  %857 = bitcast <8 x i64> %856 to <8 x double>
+  %858 = fcmp olt <8 x double> %857, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %859 = bitcast <8 x i64> %856 to <8 x double>
+  %860 = select <8 x i1> %858, <8 x double> %859, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %861 = tail call <8 x double> @llvm.rint.v8f64(<8 x double> %860)
+  %862 = fsub <8 x double> %860, %861
+  %863 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %862, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
+  %864 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %863, <8 x double> %862, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
+  %865 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %864, <8 x double> %862, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
+  %866 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %865, <8 x double> %862, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
+  %867 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %866, <8 x double> %862, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
+  %868 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %867, <8 x double> %862, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
+  %869 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %868, <8 x double> %862, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
+  %870 = bitcast <8 x double> %869 to <8 x i64>
+  %871 = fptosi <8 x double> %861 to <8 x i32>
+  %872 = zext <8 x i32> %871 to <8 x i64>
+  %873 = shl <8 x i64> %872, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %874 = add <8 x i64> %873, %870
+  %875 = bitcast <8 x i64> %874 to <8 x double>
+  %876 = fmul <8 x double> %829, %875
+  br label %877
+
+877:                                              ; preds = %774, %832
+  %878 = phi <8 x double> [ %876, %832 ], [ %829, %774 ]
+  %879 = load double, ptr %115, align 8
+  %880 = insertelement <8 x double> poison, double %879, i64 0
+  %881 = shufflevector <8 x double> %880, <8 x double> poison, <8 x i32> zeroinitializer
+  %882 = fcmp ogt <8 x double> %878, %881
+  %883 = select <8 x i1> %882, <8 x double> %878, <8 x double> %881
+  %884 = fcmp olt <8 x double> %778, %883
+  %885 = select <8 x i1> %884, <8 x double> %778, <8 x double> %883
+  %886 = fmul <8 x double> %200, %885
+  %887 = fcmp ogt <8 x double> %492, <double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04>
+  %888 = select <8 x i1> %887, <8 x i64> %780, <8 x i64> <i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789>
+  %889 = bitcast <8 x double> %776 to <8 x i64>
+  %890 = select <8 x i1> %760, <8 x i64> %888, <8 x i64> %889
+  store <8 x i64> %890, ptr %775, align 8
+  %891 = load ptr, ptr %111, align 8
+  %892 = load double, ptr %116, align 8
+  %893 = insertelement <8 x double> poison, double %892, i64 0
+  %894 = bitcast <8 x double> %893 to <8 x i64>
+  %895 = shufflevector <8 x i64> %894, <8 x i64> poison, <8 x i32> zeroinitializer
+  %896 = icmp slt <8 x i64> %757, zeroinitializer
+  %897 = select <8 x i1> %896, <8 x i64> <i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408>, <8 x i64> %895
+  store <8 x i64> %897, ptr %891, align 8
+  br label %898
+
+898:                                              ; preds = %877, %755
+  %899 = phi <8 x double> [ %886, %877 ], [ %181, %755 ]
+  %900 = icmp ne <8 x i64> %757, zeroinitializer
+  %901 = bitcast <8 x i1> %900 to i8
+  %902 = icmp eq i8 %901, 0
+  br i1 %902, label %982, label %903
+
+903:                                              ; preds = %898
+  %904 = trunc i64 %526 to i8
+  %905 = bitcast i8 %904 to <8 x i1>
+  %906 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %492)
+  %907 = fcmp ueq <8 x double> %906, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
+  %908 = select <8 x i1> %907, <8 x i1> <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>, <8 x i1> %905
+  br i1 %43, label %909, label %968
+
+909:                                              ; preds = %903
+  %910 = fcmp ogt <8 x double> %492, <double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10>
+  %911 = bitcast <8 x double> %492 to <8 x i64>
+  %912 = select <8 x i1> %910, <8 x i64> %911, <8 x i64> <i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675>
+  %913 = load double, ptr %117, align 8
+  %914 = insertelement <8 x double> poison, double %913, i64 0
+  %915 = shufflevector <8 x double> %914, <8 x double> poison, <8 x i32> zeroinitializer
+  %916 = load double, ptr %27, align 8
+  %917 = fneg double %916
+  %918 = add <8 x i64> %912, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
+  %919 = ashr <8 x i64> %918, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %920 = and <8 x i64> %918, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
+  %921 = sub <8 x i64> %912, %920
+  %922 = bitcast <8 x i64> %921 to <8 x double>
+  %923 = fadd <8 x double> %922, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
+  %924 = fadd <8 x double> %922, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %925 = fdiv <8 x double> %923, %924
+  %926 = fmul <8 x double> %925, %925
+  %927 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %926, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
+  %928 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %927, <8 x double> %926, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
+  %929 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %928, <8 x double> %926, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
+  %930 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %929, <8 x double> %926, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
+  %931 = trunc nsw <8 x i64> %919 to <8 x i32>
+  %932 = sitofp <8 x i32> %931 to <8 x double>
+  %933 = fmul <8 x double> %925, %930
+  %934 = fadd <8 x double> %933, %932
+  %935 = insertelement <8 x double> poison, double %917, i64 0
+  %936 = shufflevector <8 x double> %935, <8 x double> poison, <8 x i32> zeroinitializer
+  %937 = fmul <8 x double> %934, %936
+  %938 = fcmp ogt <8 x double> %937, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
+  %939 = bitcast <8 x double> %937 to <8 x i64>
+  %940 = select <8 x i1> %938, <8 x i64> %939, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
+  %941 = bitcast <8 x i64> %940 to <8 x double>
+  %942 = fcmp olt <8 x double> %941, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %943 = bitcast <8 x i64> %940 to <8 x double>
+  %944 = select <8 x i1> %942, <8 x double> %943, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %945 = tail call <8 x double> @llvm.rint.v8f64(<8 x double> %944)
+  %946 = fsub <8 x double> %944, %945
+  %947 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %946, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
+  %948 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %947, <8 x double> %946, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
+  %949 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %948, <8 x double> %946, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
+  %950 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %949, <8 x double> %946, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
+  %951 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %950, <8 x double> %946, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
+  %952 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %951, <8 x double> %946, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
+  %953 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %952, <8 x double> %946, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
+  %954 = bitcast <8 x double> %953 to <8 x i64>
+  %955 = fptosi <8 x double> %945 to <8 x i32>
+  %956 = zext <8 x i32> %955 to <8 x i64>
+  %957 = shl <8 x i64> %956, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %958 = add <8 x i64> %957, %954
+  %959 = bitcast <8 x i64> %958 to <8 x double>
+  %960 = fmul <8 x double> %915, %959
+  %961 = load double, ptr %118, align 8
+  %962 = insertelement <8 x double> poison, double %961, i64 0
+  %963 = shufflevector <8 x double> %962, <8 x double> poison, <8 x i32> zeroinitializer
+  %964 = fcmp ogt <8 x double> %960, %963
+  %965 = select <8 x i1> %964, <8 x double> %960, <8 x double> %963
+  %966 = select <8 x i1> %908, <8 x double> <double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01>, <8 x double> %965
+  %967 = fmul <8 x double> %200, %966
+  br label %968
+
+968:                                              ; preds = %903, %909
+  %969 = phi <8 x double> [ %967, %909 ], [ zeroinitializer, %903 ]
+  %970 = select <8 x i1> %908, <8 x i64> <i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400>, <8 x i64> <i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904>
+  %971 = icmp slt <8 x i64> %757, zeroinitializer
+  %972 = select <8 x i1> %971, <8 x double> %969, <8 x double> %899
+  %973 = load ptr, ptr %119, align 8
+  %974 = select <8 x i1> %905, <8 x i64> <i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152>, <8 x i64> %970
+  %975 = load <8 x i64>, ptr %973, align 8
+  %976 = select <8 x i1> %971, <8 x i64> %974, <8 x i64> %975
+  store <8 x i64> %976, ptr %973, align 8
+  %977 = load ptr, ptr %54, align 8
+  %978 = load <8 x double>, ptr %977, align 8
+  %979 = select <8 x i1> %971, <8 x i64> <i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408>, <8 x i64> zeroinitializer
+  %980 = bitcast <8 x i64> %979 to <8 x double>
+  %981 = fadd <8 x double> %978, %980
+  store <8 x double> %981, ptr %977, align 8
+  br label %982
+
+982:                                              ; preds = %968, %898
+  %983 = phi <8 x double> [ %899, %898 ], [ %972, %968 ]
+  %984 = load ptr, ptr %50, align 8
+  store <8 x double> %983, ptr %984, align 8
+  %985 = load ptr, ptr %41, align 8
+  %986 = select <8 x i1> %760, <8 x double> %199, <8 x double> %174
+  store <8 x double> %986, ptr %985, align 8
+  br i1 %120, label %995, label %987
+
+987:                                              ; preds = %995, %982
+  %988 = load ptr, ptr %96, align 8
+  %989 = load <8 x double>, ptr %988, align 8
+  %990 = fcmp oeq <8 x double> %989, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
+  %991 = icmp ne <8 x i64> %744, zeroinitializer
+  %992 = select <8 x i1> %990, <8 x i1> %991, <8 x i1> zeroinitializer
+  %993 = bitcast <8 x i1> %992 to i8
+  %994 = icmp eq i8 %993, 0
+  br i1 %994, label %160, label %1013
+
+995:                                              ; preds = %982, %995
+  %996 = phi i64 [ %1011, %995 ], [ 0, %982 ]
+  %997 = load ptr, ptr %7, align 8
+  %998 = load ptr, ptr %121, align 8
+  %999 = shl nsw i64 %996, 6
+  %1000 = getelementptr inbounds i8, ptr %998, i64 %999
+  %1001 = load <8 x i64>, ptr %1000, align 8
+  %1002 = getelementptr inbounds i8, ptr %997, i64 %999
+  %1003 = load <8 x i64>, ptr %1002, align 8
+  %1004 = select <8 x i1> %760, <8 x i64> %1001, <8 x i64> %1003
+  store <8 x i64> %1004, ptr %1002, align 8
+  %1005 = load ptr, ptr %32, align 8
+  %1006 = getelementptr inbounds i8, ptr %45, i64 %999
+  %1007 = load <8 x i64>, ptr %1006, align 8
+  %1008 = getelementptr inbounds i8, ptr %1005, i64 %999
+  %1009 = load <8 x i64>, ptr %1008, align 8
+  %1010 = select <8 x i1> %760, <8 x i64> %1007, <8 x i64> %1009
+  store <8 x i64> %1010, ptr %1008, align 8
+  %1011 = add nuw nsw i64 %996, 1
+  %1012 = icmp eq i64 %1011, %11
+  br i1 %1012, label %987, label %995, !llvm.loop !19
+
+1013:                                             ; preds = %987
+  %1014 = zext i8 %993 to i64
+  tail call fastcc void @retire(ptr noundef %0, i64 noundef %1014, i64 noundef 0) #10
+  br label %160
+
+1015:                                             ; preds = %162, %157
+  %1016 = phi i64 [ 1, %157 ], [ 0, %162 ]
+  ret i64 %1016
 }
 
-declare <8 x double> @llvm.fma.v8f64(<8 x double>, <8 x double>, <8 x double>) #0
 
-declare <8 x double> @llvm.rint.v8f64(<8 x double>) #0
 
-declare i64 @llvm.cttz.i64(i64, i1 immarg) #2
+define internal fastcc i64 @fill(ptr noundef readonly %0, ptr noundef writeonly %1) unnamed_addr #2 {
+  %3 = getelementptr inbounds i8, ptr %0, i64 624
+  %4 = getelementptr inbounds i8, ptr %0, i64 912
+  %5 = getelementptr inbounds i8, ptr %0, i64 360
+  %6 = getelementptr inbounds i8, ptr %0, i64 864
+  %7 = getelementptr inbounds i8, ptr %0, i64 992
+  %8 = getelementptr inbounds i8, ptr %0, i64 984
+  %9 = getelementptr inbounds i8, ptr %0, i64 1000
+  %10 = getelementptr inbounds i8, ptr %0, i64 1008
+  %11 = getelementptr inbounds i8, ptr %0, i64 192
+  %12 = getelementptr inbounds i8, ptr %0, i64 1024
+  %13 = getelementptr inbounds i8, ptr %0, i64 1032
+  %14 = getelementptr inbounds i8, ptr %0, i64 216
+  %15 = getelementptr inbounds i8, ptr %0, i64 1048
+  %16 = getelementptr inbounds i8, ptr %0, i64 960
+  br label %27
 
-declare <8 x double> @llvm.sqrt.v8f64(<8 x double>) #0
+17:                                               ; preds = %102
+  %18 = getelementptr inbounds i8, ptr %0, i64 144
+  store i64 %110, ptr %1, align 8
+  %19 = icmp slt i64 %111, 0
+  br i1 %19, label %203, label %20
 
-declare <8 x double> @llvm.ceil.v8f64(<8 x double>) #0
+20:                                               ; preds = %17
+  %21 = getelementptr inbounds i8, ptr %0, i64 864
+  %22 = getelementptr inbounds i8, ptr %0, i64 528
+  %23 = getelementptr inbounds i8, ptr %0, i64 192
+  %24 = getelementptr inbounds i8, ptr %0, i64 216
+  %25 = getelementptr inbounds i8, ptr %0, i64 648
+  %26 = getelementptr inbounds i8, ptr %0, i64 744
+  br label %123
 
-define internal fastcc void @pydy_combine(i64 %0, i64 %1, i64 %2, i64 %3, i64 %4, i64 %5, i64 %6, i64 %7, i64 %8) unnamed_addr #1 {
-  %10 = inttoptr i64 %2 to ptr
-  %11 = load <8 x double>, ptr %10, align 8
-  %12 = inttoptr i64 %4 to ptr
-  %13 = inttoptr i64 %5 to ptr
-  %14 = lshr i64 %8, 2
-  %15 = and i64 %8, 2305843009213693948
-  %16 = shl i64 %6, 3
-  %17 = getelementptr i8, ptr %12, i64 %16
-  %18 = getelementptr i8, ptr %13, i64 %16
-  br label %19
+27:                                               ; preds = %2, %102
+  %28 = phi i64 [ 0, %2 ], [ %112, %102 ]
+  %29 = phi i64 [ -1, %2 ], [ %111, %102 ]
+  %30 = phi i64 [ 0, %2 ], [ %110, %102 ]
+  %31 = phi i64 [ 0, %2 ], [ %103, %102 ]
+  %32 = load ptr, ptr %6, align 8
+  %33 = getelementptr inbounds i64, ptr %32, i64 %28
+  %34 = load i64, ptr %33, align 8
+  %35 = icmp eq i64 %34, -1
+  br i1 %35, label %36, label %102
 
-19:                                               ; preds = %104, %9
-  %20 = phi i64 [ 0, %9 ], [ %110, %104 ]
-  %21 = icmp samesign ult i64 %20, %14
-  br i1 %21, label %22, label %27
+36:                                               ; preds = %27
+  %37 = load ptr, ptr %4, align 8
+  %38 = load i64, ptr %37, align 8
+  %39 = load i64, ptr %7, align 8
+  %40 = icmp slt i64 %38, %39
+  br i1 %40, label %41, label %102
 
-22:                                               ; preds = %19
-  %23 = shl i64 %20, 5
-  %24 = or disjoint i64 %23, 8
-  %25 = or disjoint i64 %23, 16
-  %26 = or disjoint i64 %23, 24
-  br label %29
+41:                                               ; preds = %36
+  %42 = add nsw i64 %38, 1
+  store i64 %42, ptr %37, align 8
+  %43 = load ptr, ptr %6, align 8
+  %44 = getelementptr inbounds i64, ptr %43, i64 %28
+  store i64 %38, ptr %44, align 8
+  %45 = load ptr, ptr %5, align 8
+  %46 = load ptr, ptr %8, align 8
+  %47 = load i64, ptr %9, align 8
+  %48 = mul nsw i64 %47, %38
+  %49 = getelementptr inbounds double, ptr %46, i64 %48
+  %50 = getelementptr double, ptr %45, i64 %28
+  %51 = icmp sgt i64 %47, 0
+  br i1 %51, label %52, label %61
 
-27:                                               ; preds = %19
-  %28 = and i64 %8, 3
-  br label %111
+52:                                               ; preds = %41, %52
+  %53 = phi i64 [ %58, %52 ], [ 0, %41 ]
+  %54 = getelementptr inbounds double, ptr %49, i64 %53
+  %55 = load double, ptr %54, align 8
+  %56 = shl i64 %53, 6
+  %57 = getelementptr i8, ptr %50, i64 %56
+  store double %55, ptr %57, align 8
+  %58 = add nuw nsw i64 %53, 1
+  %59 = load i64, ptr %9, align 8
+  %60 = icmp slt i64 %58, %59
+  br i1 %60, label %52, label %61, !llvm.loop !20
 
-29:                                               ; preds = %36, %22
-  %30 = phi <8 x double> [ zeroinitializer, %22 ], [ %48, %36 ]
-  %31 = phi <8 x double> [ zeroinitializer, %22 ], [ %51, %36 ]
-  %32 = phi <8 x double> [ zeroinitializer, %22 ], [ %54, %36 ]
-  %33 = phi <8 x double> [ zeroinitializer, %22 ], [ %57, %36 ]
-  %34 = phi i64 [ 0, %22 ], [ %58, %36 ]
-  %35 = icmp slt i64 %34, %6
-  br i1 %35, label %36, label %59
+61:                                               ; preds = %52, %41
+  %62 = load ptr, ptr %11, align 8
+  %63 = load ptr, ptr %10, align 8
+  %64 = load i64, ptr %12, align 8
+  %65 = mul nsw i64 %64, %38
+  %66 = getelementptr inbounds double, ptr %63, i64 %65
+  %67 = getelementptr double, ptr %62, i64 %28
+  %68 = icmp sgt i64 %64, 0
+  br i1 %68, label %69, label %78
 
-36:                                               ; preds = %29
-  %37 = inttoptr i64 %3 to ptr
-  %38 = shl i64 %34, 3
-  %39 = getelementptr i8, ptr %13, i64 %38
-  %40 = load double, ptr %39, align 8
-  %41 = insertelement <8 x double> poison, double %40, i64 0
-  %42 = shufflevector <8 x double> %41, <8 x double> poison, <8 x i32> zeroinitializer
-  %43 = getelementptr i8, ptr %12, i64 %38
-  %44 = load i64, ptr %43, align 8
-  %45 = getelementptr double, ptr %37, i64 %44
-  %46 = getelementptr double, ptr %45, i64 %23
-  %47 = load <8 x double>, ptr %46, align 8
-  %48 = call <8 x double> @llvm.fma.v8f64(<8 x double> %42, <8 x double> %47, <8 x double> %30)
-  %49 = getelementptr i8, ptr %46, i64 64
-  %50 = load <8 x double>, ptr %49, align 8
-  %51 = call <8 x double> @llvm.fma.v8f64(<8 x double> %42, <8 x double> %50, <8 x double> %31)
-  %52 = getelementptr i8, ptr %46, i64 128
-  %53 = load <8 x double>, ptr %52, align 8
-  %54 = call <8 x double> @llvm.fma.v8f64(<8 x double> %42, <8 x double> %53, <8 x double> %32)
-  %55 = getelementptr i8, ptr %46, i64 192
-  %56 = load <8 x double>, ptr %55, align 8
-  %57 = call <8 x double> @llvm.fma.v8f64(<8 x double> %42, <8 x double> %56, <8 x double> %33)
-  %58 = add nuw nsw i64 %34, 1
-  br label %29
+69:                                               ; preds = %61, %69
+  %70 = phi i64 [ %75, %69 ], [ 0, %61 ]
+  %71 = getelementptr inbounds double, ptr %66, i64 %70
+  %72 = load double, ptr %71, align 8
+  %73 = shl i64 %70, 6
+  %74 = getelementptr i8, ptr %67, i64 %73
+  store double %72, ptr %74, align 8
+  %75 = add nuw nsw i64 %70, 1
+  %76 = load i64, ptr %12, align 8
+  %77 = icmp slt i64 %75, %76
+  br i1 %77, label %69, label %78, !llvm.loop !20
 
-59:                                               ; preds = %29
-  %60 = inttoptr i64 %1 to ptr
-  %61 = getelementptr double, ptr %60, i64 %23
-  %62 = load <8 x double>, ptr %61, align 8
-  %63 = call <8 x double> @llvm.fma.v8f64(<8 x double> %11, <8 x double> %30, <8 x double> %62)
-  %64 = getelementptr double, ptr %60, i64 %24
-  %65 = load <8 x double>, ptr %64, align 8
-  %66 = call <8 x double> @llvm.fma.v8f64(<8 x double> %11, <8 x double> %31, <8 x double> %65)
-  %67 = getelementptr double, ptr %60, i64 %25
-  %68 = load <8 x double>, ptr %67, align 8
-  %69 = call <8 x double> @llvm.fma.v8f64(<8 x double> %11, <8 x double> %32, <8 x double> %68)
-  %70 = getelementptr double, ptr %60, i64 %26
-  %71 = load <8 x double>, ptr %70, align 8
-  %72 = call <8 x double> @llvm.fma.v8f64(<8 x double> %11, <8 x double> %33, <8 x double> %71)
-  br label %73
+78:                                               ; preds = %69, %61
+  %79 = load ptr, ptr %14, align 8
+  %80 = load ptr, ptr %13, align 8
+  %81 = load i64, ptr %15, align 8
+  %82 = mul nsw i64 %81, %38
+  %83 = getelementptr inbounds double, ptr %80, i64 %82
+  %84 = getelementptr double, ptr %79, i64 %28
+  %85 = icmp sgt i64 %81, 0
+  br i1 %85, label %86, label %95
 
-73:                                               ; preds = %80, %59
-  %74 = phi <8 x double> [ %63, %59 ], [ %93, %80 ]
-  %75 = phi <8 x double> [ %66, %59 ], [ %96, %80 ]
-  %76 = phi <8 x double> [ %69, %59 ], [ %99, %80 ]
-  %77 = phi <8 x double> [ %72, %59 ], [ %102, %80 ]
-  %78 = phi i64 [ 0, %59 ], [ %103, %80 ]
-  %79 = icmp slt i64 %78, %7
-  br i1 %79, label %80, label %104
+86:                                               ; preds = %78, %86
+  %87 = phi i64 [ %92, %86 ], [ 0, %78 ]
+  %88 = getelementptr inbounds double, ptr %83, i64 %87
+  %89 = load double, ptr %88, align 8
+  %90 = shl i64 %87, 6
+  %91 = getelementptr i8, ptr %84, i64 %90
+  store double %89, ptr %91, align 8
+  %92 = add nuw nsw i64 %87, 1
+  %93 = load i64, ptr %15, align 8
+  %94 = icmp slt i64 %92, %93
+  br i1 %94, label %86, label %95, !llvm.loop !20
 
-80:                                               ; preds = %73
-  %81 = inttoptr i64 %3 to ptr
-  %82 = shl i64 %78, 3
-  %83 = getelementptr i8, ptr %18, i64 %82
-  %84 = load double, ptr %83, align 8
-  %85 = insertelement <8 x double> poison, double %84, i64 0
-  %86 = shufflevector <8 x double> %85, <8 x double> poison, <8 x i32> zeroinitializer
-  %87 = fmul <8 x double> %11, %86
-  %88 = getelementptr i8, ptr %17, i64 %82
-  %89 = load i64, ptr %88, align 8
-  %90 = getelementptr double, ptr %81, i64 %89
-  %91 = getelementptr double, ptr %90, i64 %23
-  %92 = load <8 x double>, ptr %91, align 8
-  %93 = call <8 x double> @llvm.fma.v8f64(<8 x double> %87, <8 x double> %92, <8 x double> %74)
-  %94 = getelementptr i8, ptr %91, i64 64
-  %95 = load <8 x double>, ptr %94, align 8
-  %96 = call <8 x double> @llvm.fma.v8f64(<8 x double> %87, <8 x double> %95, <8 x double> %75)
-  %97 = getelementptr i8, ptr %91, i64 128
-  %98 = load <8 x double>, ptr %97, align 8
-  %99 = call <8 x double> @llvm.fma.v8f64(<8 x double> %87, <8 x double> %98, <8 x double> %76)
-  %100 = getelementptr i8, ptr %91, i64 192
-  %101 = load <8 x double>, ptr %100, align 8
-  %102 = call <8 x double> @llvm.fma.v8f64(<8 x double> %87, <8 x double> %101, <8 x double> %77)
-  %103 = add nuw nsw i64 %78, 1
-  br label %73
+95:                                               ; preds = %86, %78
+  %96 = load ptr, ptr %16, align 8
+  %97 = load double, ptr %96, align 8
+  %98 = load ptr, ptr %3, align 8
+  %99 = getelementptr inbounds double, ptr %98, i64 %28
+  store double %97, ptr %99, align 8
+  %100 = shl nuw nsw i64 1, %28
+  %101 = or i64 %100, %31
+  br label %102
 
-104:                                              ; preds = %73
-  %105 = inttoptr i64 %0 to ptr
-  %106 = getelementptr double, ptr %105, i64 %23
-  store <8 x double> %74, ptr %106, align 8
-  %107 = getelementptr double, ptr %105, i64 %24
-  store <8 x double> %75, ptr %107, align 8
-  %108 = getelementptr double, ptr %105, i64 %25
-  store <8 x double> %76, ptr %108, align 8
-  %109 = getelementptr double, ptr %105, i64 %26
-  store <8 x double> %77, ptr %109, align 8
-  %110 = add nuw nsw i64 %20, 1
-  br label %19
+102:                                              ; preds = %95, %36, %27
+  %103 = phi i64 [ %101, %95 ], [ %31, %36 ], [ %31, %27 ]
+  %104 = load ptr, ptr %6, align 8
+  %105 = getelementptr inbounds i64, ptr %104, i64 %28
+  %106 = load i64, ptr %105, align 8
+  %107 = icmp sgt i64 %106, -1
+  %108 = shl nuw nsw i64 1, %28
+  %109 = select i1 %107, i64 %108, i64 0
+  %110 = or i64 %109, %30
+  %111 = select i1 %107, i64 %28, i64 %29
+  %112 = add nuw nsw i64 %28, 1
+  %113 = icmp eq i64 %112, 8
+  br i1 %113, label %17, label %27, !llvm.loop !22
 
-111:                                              ; preds = %160, %27
-  %112 = phi i64 [ 0, %27 ], [ %163, %160 ]
-  %113 = icmp samesign ult i64 %112, %28
-  br i1 %113, label %114, label %117
+114:                                              ; preds = %200
+  %115 = load ptr, ptr %18, align 8
+  %116 = getelementptr inbounds i8, ptr %115, i64 40
+  %117 = load i64, ptr %116, align 8
+  %118 = inttoptr i64 %117 to ptr
+  %119 = getelementptr inbounds i8, ptr %0, i64 216
+  %120 = load ptr, ptr %119, align 8
+  %121 = getelementptr inbounds i8, ptr %0, i64 240
+  %122 = load ptr, ptr %121, align 8
+  tail call void %118(ptr noundef %120, ptr noundef %122) #11
+  br label %203
 
-114:                                              ; preds = %111
-  %115 = add nuw i64 %15, %112
-  %116 = shl i64 %115, 3
-  br label %118
+123:                                              ; preds = %20, %200
+  %124 = phi i64 [ 0, %20 ], [ %201, %200 ]
+  %125 = load ptr, ptr %21, align 8
+  %126 = getelementptr inbounds i64, ptr %125, i64 %124
+  %127 = load i64, ptr %126, align 8
+  %128 = icmp eq i64 %127, -1
+  br i1 %128, label %129, label %200
 
-117:                                              ; preds = %111
+129:                                              ; preds = %123
+  %130 = load ptr, ptr %5, align 8
+  %131 = load ptr, ptr %18, align 8
+  %132 = getelementptr inbounds i8, ptr %131, i64 8
+  %133 = load i64, ptr %132, align 8
+  %134 = icmp sgt i64 %133, 0
+  br i1 %134, label %135, label %144
+
+135:                                              ; preds = %129, %135
+  %136 = phi i64 [ %142, %135 ], [ 0, %129 ]
+  %137 = shl i64 %136, 6
+  %138 = getelementptr i8, ptr %130, i64 %137
+  %139 = getelementptr double, ptr %138, i64 %111
+  %140 = load double, ptr %139, align 8
+  %141 = getelementptr double, ptr %138, i64 %124
+  store double %140, ptr %141, align 8
+  %142 = add nuw nsw i64 %136, 1
+  %143 = icmp eq i64 %142, %133
+  br i1 %143, label %144, label %135, !llvm.loop !23
+
+144:                                              ; preds = %135, %129
+  %145 = load ptr, ptr %22, align 8
+  %146 = load ptr, ptr %18, align 8
+  %147 = getelementptr inbounds i8, ptr %146, i64 8
+  %148 = load i64, ptr %147, align 8
+  %149 = icmp sgt i64 %148, 0
+  br i1 %149, label %150, label %159
+
+150:                                              ; preds = %144, %150
+  %151 = phi i64 [ %157, %150 ], [ 0, %144 ]
+  %152 = shl i64 %151, 6
+  %153 = getelementptr i8, ptr %145, i64 %152
+  %154 = getelementptr double, ptr %153, i64 %111
+  %155 = load double, ptr %154, align 8
+  %156 = getelementptr double, ptr %153, i64 %124
+  store double %155, ptr %156, align 8
+  %157 = add nuw nsw i64 %151, 1
+  %158 = icmp eq i64 %157, %148
+  br i1 %158, label %159, label %150, !llvm.loop !23
+
+159:                                              ; preds = %150, %144
+  %160 = load ptr, ptr %23, align 8
+  %161 = load ptr, ptr %18, align 8
+  %162 = getelementptr inbounds i8, ptr %161, i64 48
+  %163 = load i64, ptr %162, align 8
+  %164 = icmp sgt i64 %163, 0
+  br i1 %164, label %165, label %174
+
+165:                                              ; preds = %159, %165
+  %166 = phi i64 [ %172, %165 ], [ 0, %159 ]
+  %167 = shl i64 %166, 6
+  %168 = getelementptr i8, ptr %160, i64 %167
+  %169 = getelementptr double, ptr %168, i64 %111
+  %170 = load double, ptr %169, align 8
+  %171 = getelementptr double, ptr %168, i64 %124
+  store double %170, ptr %171, align 8
+  %172 = add nuw nsw i64 %166, 1
+  %173 = icmp eq i64 %172, %163
+  br i1 %173, label %174, label %165, !llvm.loop !23
+
+174:                                              ; preds = %165, %159
+  %175 = load ptr, ptr %24, align 8
+  %176 = load ptr, ptr %18, align 8
+  %177 = getelementptr inbounds i8, ptr %176, i64 56
+  %178 = load i64, ptr %177, align 8
+  %179 = icmp sgt i64 %178, 0
+  br i1 %179, label %180, label %189
+
+180:                                              ; preds = %174, %180
+  %181 = phi i64 [ %187, %180 ], [ 0, %174 ]
+  %182 = shl i64 %181, 6
+  %183 = getelementptr i8, ptr %175, i64 %182
+  %184 = getelementptr double, ptr %183, i64 %111
+  %185 = load double, ptr %184, align 8
+  %186 = getelementptr double, ptr %183, i64 %124
+  store double %185, ptr %186, align 8
+  %187 = add nuw nsw i64 %181, 1
+  %188 = icmp eq i64 %187, %178
+  br i1 %188, label %189, label %180, !llvm.loop !23
+
+189:                                              ; preds = %180, %174
+  %190 = load ptr, ptr %3, align 8
+  %191 = getelementptr inbounds double, ptr %190, i64 %111
+  %192 = load double, ptr %191, align 8
+  %193 = getelementptr inbounds double, ptr %190, i64 %124
+  store double %192, ptr %193, align 8
+  %194 = load ptr, ptr %25, align 8
+  %195 = getelementptr inbounds double, ptr %194, i64 %124
+  store double 0.000000e+00, ptr %195, align 8
+  %196 = load ptr, ptr %26, align 8
+  %197 = getelementptr inbounds double, ptr %196, i64 %124
+  store double 0x7FF0000000000000, ptr %197, align 8
+  %198 = load ptr, ptr %21, align 8
+  %199 = getelementptr inbounds i64, ptr %198, i64 %124
+  store i64 -2, ptr %199, align 8
+  br label %200
+
+200:                                              ; preds = %123, %189
+  %201 = add nuw nsw i64 %124, 1
+  %202 = icmp eq i64 %201, 8
+  br i1 %202, label %114, label %123, !llvm.loop !24
+
+203:                                              ; preds = %17, %114
+  ret i64 %103
+}
+
+define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly %1, i64 noundef %2) unnamed_addr #3 {
+  %4 = alloca [8 x double], align 16
+  %5 = alloca [8 x double], align 16
+  %6 = alloca [8 x double], align 16
+  %7 = getelementptr inbounds i8, ptr %0, i64 624
+  %8 = getelementptr inbounds i8, ptr %0, i64 912
+  %9 = getelementptr inbounds i8, ptr %1, i64 16
+  %10 = load ptr, ptr %9, align 8
+  %11 = trunc i64 %2 to i8
+  %12 = bitcast i8 %11 to <8 x i1>
+  %13 = load ptr, ptr %7, align 8
+  %14 = load <8 x double>, ptr %13, align 8
+  %15 = getelementptr inbounds i8, ptr %1, i64 8
+  %16 = load ptr, ptr %15, align 8
+  %17 = load ptr, ptr %10, align 8
+  %18 = getelementptr inbounds i8, ptr %10, i64 48
+  %19 = load ptr, ptr %18, align 8
+  %20 = getelementptr inbounds i8, ptr %16, i64 24
+  %21 = load ptr, ptr %20, align 8
+  store <8 x double> %14, ptr %21, align 8
+  %22 = getelementptr inbounds i8, ptr %16, i64 128
+  %23 = load i64, ptr %22, align 8
+  %24 = icmp sgt i64 %23, 0
+  br i1 %24, label %25, label %26
+
+25:                                               ; preds = %3
+  tail call fastcc void @sample(ptr noundef %16) #10
+  br label %26
+
+26:                                               ; preds = %3, %25
+  %27 = load ptr, ptr %16, align 8
+  %28 = load i64, ptr %27, align 8
+  %29 = load ptr, ptr %20, align 8
+  %30 = getelementptr inbounds i8, ptr %16, i64 48
+  %31 = load ptr, ptr %30, align 8
+  %32 = getelementptr inbounds i8, ptr %16, i64 96
+  %33 = load ptr, ptr %32, align 8
+  %34 = inttoptr i64 %28 to ptr
+  %35 = tail call i32 %34(ptr noundef %29, ptr noundef %17, ptr noundef %31, ptr noundef %33, ptr noundef %19) #11
+  %36 = sext i32 %35 to i64
+  %37 = and i64 %36, %2
+  %38 = load ptr, ptr %15, align 8
+  %39 = load ptr, ptr %38, align 8
+  %40 = getelementptr inbounds i8, ptr %39, i64 8
+  %41 = load i64, ptr %40, align 8
+  %42 = icmp sgt i64 %41, 0
+  br i1 %42, label %43, label %45
+
+43:                                               ; preds = %26
+  %44 = getelementptr inbounds i8, ptr %10, i64 168
+  br label %52
+
+45:                                               ; preds = %52, %26
+  %46 = phi ptr [ %39, %26 ], [ %64, %52 ]
+  %47 = getelementptr inbounds i8, ptr %0, i64 936
+  %48 = load ptr, ptr %47, align 8
+  %49 = getelementptr inbounds i8, ptr %48, i64 8
+  %50 = load double, ptr %49, align 8
+  %51 = fcmp oeq double %50, 0.000000e+00
+  br i1 %51, label %68, label %235
+
+52:                                               ; preds = %43, %52
+  %53 = phi i64 [ 0, %43 ], [ %62, %52 ]
+  %54 = load ptr, ptr %44, align 8
+  %55 = load ptr, ptr %18, align 8
+  %56 = shl nsw i64 %53, 6
+  %57 = getelementptr inbounds i8, ptr %55, i64 %56
+  %58 = load <8 x i64>, ptr %57, align 8
+  %59 = getelementptr inbounds i8, ptr %54, i64 %56
+  %60 = load <8 x i64>, ptr %59, align 8
+  %61 = select <8 x i1> %12, <8 x i64> %58, <8 x i64> %60
+  store <8 x i64> %61, ptr %59, align 8
+  %62 = add nuw nsw i64 %53, 1
+  %63 = load ptr, ptr %15, align 8
+  %64 = load ptr, ptr %63, align 8
+  %65 = getelementptr inbounds i8, ptr %64, i64 8
+  %66 = load i64, ptr %65, align 8
+  %67 = icmp slt i64 %62, %66
+  br i1 %67, label %52, label %45, !llvm.loop !25
+
+68:                                               ; preds = %45
+  %69 = load double, ptr %48, align 8
+  %70 = load ptr, ptr %9, align 8
+  %71 = getelementptr inbounds i8, ptr %46, i64 24
+  %72 = load i64, ptr %71, align 8
+  %73 = load ptr, ptr %70, align 8
+  call fastcc void @norm_to(ptr noundef nonnull %4, ptr noundef %73, ptr noundef %73, ptr noundef nonnull %70, i64 noundef %72) #10
+  %74 = load <8 x double>, ptr %4, align 16
+  %75 = getelementptr inbounds i8, ptr %70, i64 168
+  %76 = load ptr, ptr %75, align 8
+  call fastcc void @norm_to(ptr noundef nonnull %5, ptr noundef %76, ptr noundef %73, ptr noundef nonnull %70, i64 noundef %72) #10
+  %77 = load <8 x double>, ptr %5, align 16
+  %78 = fcmp olt <8 x double> %74, <double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05>
+  %79 = fcmp olt <8 x double> %77, <double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05, double 1.000000e-05>
+  %80 = or <8 x i1> %79, %78
+  %81 = insertelement <8 x double> poison, double %69, i64 0
+  %82 = shufflevector <8 x double> %81, <8 x double> poison, <8 x i32> zeroinitializer
+  %83 = fmul <8 x double> %74, <double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02>
+  %84 = fdiv <8 x double> %83, %77
+  %85 = bitcast <8 x double> %84 to <8 x i64>
+  %86 = select <8 x i1> %80, <8 x i64> <i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637>, <8 x i64> %85
+  %87 = bitcast <8 x i64> %86 to <8 x double>
+  %88 = fcmp olt <8 x double> %82, %87
+  %89 = bitcast <8 x double> %82 to <8 x i64>
+  %90 = select <8 x i1> %88, <8 x i64> %89, <8 x i64> %86
+  %91 = bitcast <8 x i64> %90 to <8 x double>
+  %92 = load ptr, ptr %15, align 8
+  %93 = load ptr, ptr %92, align 8
+  %94 = getelementptr inbounds i8, ptr %93, i64 8
+  %95 = load i64, ptr %94, align 8
+  %96 = icmp sgt i64 %95, 0
+  br i1 %96, label %97, label %118
+
+97:                                               ; preds = %68
+  %98 = getelementptr inbounds i8, ptr %70, i64 48
+  br label %99
+
+99:                                               ; preds = %97, %99
+  %100 = phi i64 [ 0, %97 ], [ %112, %99 ]
+  %101 = load ptr, ptr %98, align 8
+  %102 = load ptr, ptr %70, align 8
+  %103 = shl nsw i64 %100, 6
+  %104 = getelementptr inbounds i8, ptr %102, i64 %103
+  %105 = load <8 x double>, ptr %104, align 8
+  %106 = load ptr, ptr %75, align 8
+  %107 = getelementptr inbounds i8, ptr %106, i64 %103
+  %108 = load <8 x double>, ptr %107, align 8
+  %109 = fmul <8 x double> %108, %91
+  %110 = fadd <8 x double> %105, %109
+  %111 = getelementptr inbounds i8, ptr %101, i64 %103
+  store <8 x double> %110, ptr %111, align 8
+  %112 = add nuw nsw i64 %100, 1
+  %113 = load ptr, ptr %15, align 8
+  %114 = load ptr, ptr %113, align 8
+  %115 = getelementptr inbounds i8, ptr %114, i64 8
+  %116 = load i64, ptr %115, align 8
+  %117 = icmp slt i64 %112, %116
+  br i1 %117, label %99, label %118, !llvm.loop !26
+
+118:                                              ; preds = %99, %68
+  %119 = phi ptr [ %92, %68 ], [ %113, %99 ]
+  %120 = fadd <8 x double> %14, %91
+  %121 = getelementptr inbounds i8, ptr %70, i64 48
+  %122 = load ptr, ptr %121, align 8
+  %123 = load ptr, ptr %75, align 8
+  %124 = getelementptr inbounds i8, ptr %70, i64 8
+  %125 = load i64, ptr %124, align 8
+  %126 = getelementptr inbounds double, ptr %123, i64 %125
+  %127 = getelementptr inbounds i8, ptr %119, i64 24
+  %128 = load ptr, ptr %127, align 8
+  store <8 x double> %120, ptr %128, align 8
+  %129 = getelementptr inbounds i8, ptr %119, i64 128
+  %130 = load i64, ptr %129, align 8
+  %131 = icmp sgt i64 %130, 0
+  br i1 %131, label %132, label %133
+
+132:                                              ; preds = %118
+  tail call fastcc void @sample(ptr noundef nonnull %119) #10
+  br label %133
+
+133:                                              ; preds = %118, %132
+  %134 = load ptr, ptr %119, align 8
+  %135 = load i64, ptr %134, align 8
+  %136 = load ptr, ptr %127, align 8
+  %137 = getelementptr inbounds i8, ptr %119, i64 48
+  %138 = load ptr, ptr %137, align 8
+  %139 = getelementptr inbounds i8, ptr %119, i64 96
+  %140 = load ptr, ptr %139, align 8
+  %141 = inttoptr i64 %135 to ptr
+  %142 = tail call i32 %141(ptr noundef %136, ptr noundef %122, ptr noundef %138, ptr noundef %140, ptr noundef %126) #11
+  %143 = load ptr, ptr %1, align 8
+  %144 = getelementptr inbounds i8, ptr %143, i64 120
+  %145 = load ptr, ptr %144, align 8
+  %146 = load double, ptr %145, align 8
+  %147 = load ptr, ptr %75, align 8
+  %148 = load i64, ptr %124, align 8
+  %149 = getelementptr inbounds double, ptr %147, i64 %148
+  %150 = icmp sgt i64 %72, 0
+  br i1 %150, label %151, label %161
+
+151:                                              ; preds = %133, %151
+  %152 = phi i64 [ %159, %151 ], [ 0, %133 ]
+  %153 = shl nsw i64 %152, 6
+  %154 = getelementptr inbounds i8, ptr %149, i64 %153
+  %155 = load <8 x double>, ptr %154, align 8
+  %156 = getelementptr inbounds i8, ptr %147, i64 %153
+  %157 = load <8 x double>, ptr %156, align 8
+  %158 = fsub <8 x double> %155, %157
+  store <8 x double> %158, ptr %154, align 8
+  %159 = add nuw nsw i64 %152, 1
+  %160 = icmp eq i64 %159, %72
+  br i1 %160, label %161, label %151, !llvm.loop !27
+
+161:                                              ; preds = %151, %133
+  %162 = load ptr, ptr %70, align 8
+  call fastcc void @norm_to(ptr noundef nonnull %6, ptr noundef %149, ptr noundef %162, ptr noundef nonnull %70, i64 noundef %72) #10
+  %163 = load <8 x double>, ptr %6, align 16
+  %164 = fdiv <8 x double> %163, %91
+  %165 = fcmp ogt <8 x double> %77, %164
+  %166 = select <8 x i1> %165, <8 x double> %77, <8 x double> %164
+  %167 = fcmp ogt <8 x double> %166, <double 1.000000e-15, double 1.000000e-15, double 1.000000e-15, double 1.000000e-15, double 1.000000e-15, double 1.000000e-15, double 1.000000e-15, double 1.000000e-15>
+  %168 = fdiv <8 x double> <double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02>, %166
+  %169 = select <8 x i1> %167, <8 x double> %168, <8 x double> <double 1.000000e+13, double 1.000000e+13, double 1.000000e+13, double 1.000000e+13, double 1.000000e+13, double 1.000000e+13, double 1.000000e+13, double 1.000000e+13>
+  %170 = bitcast <8 x double> %169 to <8 x i64>
+  %171 = add <8 x i64> %170, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
+  %172 = ashr <8 x i64> %171, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %173 = and <8 x i64> %171, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
+  %174 = sub <8 x i64> %170, %173
+  %175 = bitcast <8 x i64> %174 to <8 x double>
+  %176 = fadd <8 x double> %175, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
+  %177 = fadd <8 x double> %175, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %178 = fdiv <8 x double> %176, %177
+  %179 = fmul <8 x double> %178, %178
+  %180 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %179, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
+  %181 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %180, <8 x double> %179, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
+  %182 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %181, <8 x double> %179, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
+  %183 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %182, <8 x double> %179, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
+  %184 = trunc nsw <8 x i64> %172 to <8 x i32>
+  %185 = sitofp <8 x i32> %184 to <8 x double>
+  %186 = fmul <8 x double> %178, %183
+  %187 = fadd <8 x double> %186, %185
+  %188 = insertelement <8 x double> poison, double %146, i64 0
+  %189 = shufflevector <8 x double> %188, <8 x double> poison, <8 x i32> zeroinitializer
+  %190 = fmul <8 x double> %189, %187
+  %191 = fcmp ogt <8 x double> %190, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
+  %192 = bitcast <8 x double> %190 to <8 x i64>
+  %193 = select <8 x i1> %191, <8 x i64> %192, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
+  %194 = bitcast <8 x i64> %193 to <8 x double>
+  %195 = fcmp olt <8 x double> %194, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %196 = bitcast <8 x i64> %193 to <8 x double>
+  %197 = select <8 x i1> %195, <8 x double> %196, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %198 = tail call <8 x double> @llvm.rint.v8f64(<8 x double> %197)
+  %199 = fsub <8 x double> %197, %198
+  %200 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %199, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
+  %201 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %200, <8 x double> %199, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
+  %202 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %201, <8 x double> %199, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
+  %203 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %202, <8 x double> %199, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
+  %204 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %203, <8 x double> %199, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
+  %205 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %204, <8 x double> %199, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
+  %206 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %205, <8 x double> %199, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
+  %207 = bitcast <8 x double> %206 to <8 x i64>
+  %208 = fptosi <8 x double> %198 to <8 x i32>
+  %209 = zext <8 x i32> %208 to <8 x i64>
+  %210 = shl <8 x i64> %209, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %211 = add <8 x i64> %210, %207
+  %212 = fmul <8 x double> %91, <double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03>
+  %213 = fcmp olt <8 x double> %212, <double 0x3EB0C6F7A0B5ED8D, double 0x3EB0C6F7A0B5ED8D, double 0x3EB0C6F7A0B5ED8D, double 0x3EB0C6F7A0B5ED8D, double 0x3EB0C6F7A0B5ED8D, double 0x3EB0C6F7A0B5ED8D, double 0x3EB0C6F7A0B5ED8D, double 0x3EB0C6F7A0B5ED8D>
+  %214 = bitcast <8 x double> %212 to <8 x i64>
+  %215 = select <8 x i1> %213, <8 x i64> <i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637, i64 4517329193108106637>, <8 x i64> %214
+  %216 = fmul <8 x double> %91, <double 1.000000e+02, double 1.000000e+02, double 1.000000e+02, double 1.000000e+02, double 1.000000e+02, double 1.000000e+02, double 1.000000e+02, double 1.000000e+02>
+  %217 = select <8 x i1> %167, <8 x i64> %211, <8 x i64> %215
+  %218 = bitcast <8 x i64> %217 to <8 x double>
+  %219 = fcmp olt <8 x double> %216, %218
+  %220 = bitcast <8 x double> %216 to <8 x i64>
+  %221 = select <8 x i1> %219, <8 x i64> %220, <8 x i64> %217
+  %222 = bitcast <8 x i64> %221 to <8 x double>
+  %223 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %14)
+  %224 = fmul <8 x double> %223, <double 0x3D30000000000000, double 0x3D30000000000000, double 0x3D30000000000000, double 0x3D30000000000000, double 0x3D30000000000000, double 0x3D30000000000000, double 0x3D30000000000000, double 0x3D30000000000000>
+  %225 = fcmp ogt <8 x double> %224, %222
+  %226 = bitcast <8 x double> %224 to <8 x i64>
+  %227 = select <8 x i1> %225, <8 x i64> %226, <8 x i64> %221
+  %228 = bitcast <8 x i64> %227 to <8 x double>
+  %229 = fcmp olt <8 x double> %82, %228
+  %230 = select <8 x i1> %229, <8 x i64> %89, <8 x i64> %227
+  %231 = trunc i32 %142 to i8
+  %232 = bitcast i8 %231 to <8 x i1>
+  %233 = select <8 x i1> %232, <8 x i64> %214, <8 x i64> %230
+  %234 = bitcast <8 x i64> %233 to <8 x double>
+  br label %238
+
+235:                                              ; preds = %45
+  %236 = insertelement <8 x double> poison, double %50, i64 0
+  %237 = shufflevector <8 x double> %236, <8 x double> poison, <8 x i32> zeroinitializer
+  br label %238
+
+238:                                              ; preds = %235, %161
+  %239 = phi double [ 2.000000e+00, %161 ], [ 1.000000e+00, %235 ]
+  %240 = phi <8 x double> [ %234, %161 ], [ %237, %235 ]
+  %241 = getelementptr inbounds i8, ptr %0, i64 648
+  %242 = load ptr, ptr %241, align 8
+  %243 = load <8 x double>, ptr %242, align 8
+  %244 = select <8 x i1> %12, <8 x double> %240, <8 x double> %243
+  store <8 x double> %244, ptr %242, align 8
+  %245 = getelementptr inbounds i8, ptr %0, i64 672
+  %246 = load ptr, ptr %245, align 8
+  %247 = load <8 x double>, ptr %246, align 8
+  %248 = select <8 x i1> %12, <8 x double> <double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04>, <8 x double> %247
+  store <8 x double> %248, ptr %246, align 8
+  %249 = getelementptr inbounds i8, ptr %0, i64 696
+  %250 = load ptr, ptr %249, align 8
+  %251 = load ptr, ptr %1, align 8
+  %252 = getelementptr inbounds i8, ptr %251, i64 120
+  %253 = load ptr, ptr %252, align 8
+  %254 = getelementptr inbounds i8, ptr %253, i64 40
+  %255 = load double, ptr %254, align 8
+  %256 = insertelement <8 x double> poison, double %255, i64 0
+  %257 = load <8 x i64>, ptr %250, align 8
+  %258 = bitcast <8 x double> %256 to <8 x i64>
+  %259 = shufflevector <8 x i64> %258, <8 x i64> poison, <8 x i32> zeroinitializer
+  %260 = select <8 x i1> %12, <8 x i64> %259, <8 x i64> %257
+  store <8 x i64> %260, ptr %250, align 8
+  %261 = getelementptr inbounds i8, ptr %0, i64 768
+  %262 = load ptr, ptr %261, align 8
+  %263 = load <8 x double>, ptr %262, align 8
+  %264 = select <8 x i1> %12, <8 x double> zeroinitializer, <8 x double> %263
+  store <8 x double> %264, ptr %262, align 8
+  %265 = getelementptr inbounds i8, ptr %0, i64 792
+  %266 = load ptr, ptr %265, align 8
+  %267 = load <8 x double>, ptr %266, align 8
+  %268 = select <8 x i1> %12, <8 x double> zeroinitializer, <8 x double> %267
+  store <8 x double> %268, ptr %266, align 8
+  %269 = getelementptr inbounds i8, ptr %0, i64 816
+  %270 = load ptr, ptr %269, align 8
+  %271 = insertelement <8 x double> poison, double %239, i64 0
+  %272 = load <8 x i64>, ptr %270, align 8
+  %273 = bitcast <8 x double> %271 to <8 x i64>
+  %274 = shufflevector <8 x i64> %273, <8 x i64> poison, <8 x i32> zeroinitializer
+  %275 = select <8 x i1> %12, <8 x i64> %274, <8 x i64> %272
+  store <8 x i64> %275, ptr %270, align 8
+  %276 = getelementptr inbounds i8, ptr %0, i64 840
+  %277 = load ptr, ptr %276, align 8
+  %278 = tail call <8 x i1> @llvm.is.fpclass.v8f64(<8 x double> %240, i32 384)
+  %279 = select <8 x i1> %278, <8 x i64> <i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904>, <8 x i64> <i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400>
+  %280 = load <8 x i64>, ptr %277, align 8
+  %281 = select <8 x i1> %12, <8 x i64> %279, <8 x i64> %280
+  store <8 x i64> %281, ptr %277, align 8
+  %282 = icmp eq i64 %2, 0
+  br i1 %282, label %315, label %283
+
+283:                                              ; preds = %238
+  %284 = getelementptr inbounds i8, ptr %0, i64 864
+  %285 = getelementptr inbounds i8, ptr %0, i64 960
+  %286 = getelementptr inbounds i8, ptr %0, i64 968
+  %287 = getelementptr inbounds i8, ptr %0, i64 720
+  %288 = getelementptr inbounds i8, ptr %0, i64 744
+  %289 = getelementptr inbounds i8, ptr %0, i64 888
+  br label %290
+
+290:                                              ; preds = %283, %290
+  %291 = phi i64 [ %2, %283 ], [ %313, %290 ]
+  %292 = tail call range(i64 0, 65) i64 @llvm.cttz.i64(i64 %291, i1 true)
+  %293 = load ptr, ptr %284, align 8
+  %294 = getelementptr inbounds i64, ptr %293, i64 %292
+  %295 = load i64, ptr %294, align 8
+  %296 = load i64, ptr %286, align 8
+  %297 = add nsw i64 %296, -1
+  %298 = load ptr, ptr %287, align 8
+  %299 = getelementptr inbounds double, ptr %298, i64 %292
+  store double 0.000000e+00, ptr %299, align 8
+  %300 = load ptr, ptr %285, align 8
+  %301 = load double, ptr %300, align 8
+  %302 = load ptr, ptr %288, align 8
+  %303 = getelementptr inbounds double, ptr %302, i64 %292
+  store double %301, ptr %303, align 8
+  %304 = load ptr, ptr %8, align 8
+  %305 = getelementptr inbounds i8, ptr %304, i64 24
+  %306 = load i64, ptr %305, align 8
+  %307 = shl i64 %295, 3
+  %308 = mul i64 %307, %297
+  %309 = add nsw i64 %306, %308
+  %310 = load ptr, ptr %289, align 8
+  %311 = getelementptr inbounds i64, ptr %310, i64 %292
+  store i64 %309, ptr %311, align 8
+  %312 = add nsw i64 %291, -1
+  %313 = and i64 %312, %291
+  %314 = icmp eq i64 %313, 0
+  br i1 %314, label %315, label %290, !llvm.loop !28
+
+315:                                              ; preds = %290, %238
+  %316 = xor i64 %37, %2
+  %317 = icmp eq i64 %37, %2
+  br i1 %317, label %321, label %318
+
+318:                                              ; preds = %315
+  %319 = getelementptr inbounds i8, ptr %0, i64 744
+  %320 = getelementptr inbounds i8, ptr %0, i64 960
+  br label %329
+
+321:                                              ; preds = %329, %315
+  tail call fastcc void @retire(ptr noundef %0, i64 noundef %37, i64 noundef 3) #10
+  %322 = getelementptr inbounds i8, ptr %0, i64 744
+  %323 = load ptr, ptr %322, align 8
+  %324 = load <8 x double>, ptr %323, align 8
+  %325 = fcmp oeq <8 x double> %324, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
+  %326 = bitcast <8 x i1> %325 to i8
+  %327 = zext i8 %326 to i64
+  %328 = and i64 %316, %327
+  tail call fastcc void @retire(ptr noundef %0, i64 noundef %328, i64 noundef 0) #10
   ret void
 
-118:                                              ; preds = %122, %114
-  %119 = phi <8 x double> [ zeroinitializer, %114 ], [ %134, %122 ]
-  %120 = phi i64 [ 0, %114 ], [ %135, %122 ]
-  %121 = icmp slt i64 %120, %6
-  br i1 %121, label %122, label %136
+329:                                              ; preds = %318, %329
+  %330 = phi i64 [ %316, %318 ], [ %341, %329 ]
+  %331 = load ptr, ptr %10, align 8
+  tail call fastcc void @write_outputs(ptr noundef %0, ptr noundef %331, i64 noundef %330) #10
+  %332 = load ptr, ptr %319, align 8
+  %333 = load <8 x double>, ptr %332, align 8
+  %334 = load ptr, ptr %320, align 8
+  %335 = load double, ptr %334, align 8
+  %336 = insertelement <8 x double> poison, double %335, i64 0
+  %337 = shufflevector <8 x double> %336, <8 x double> poison, <8 x i32> zeroinitializer
+  %338 = fcmp oeq <8 x double> %333, %337
+  %339 = bitcast <8 x i1> %338 to i8
+  %340 = zext i8 %339 to i64
+  %341 = and i64 %330, %340
+  %342 = icmp eq i64 %341, 0
+  br i1 %342, label %321, label %329, !llvm.loop !29
+}
 
-122:                                              ; preds = %118
-  %123 = inttoptr i64 %3 to ptr
-  %124 = shl i64 %120, 3
-  %125 = getelementptr i8, ptr %13, i64 %124
+define internal fastcc void @retire(ptr noundef readonly %0, i64 noundef %1, i64 noundef %2) unnamed_addr #4 {
+  %4 = getelementptr inbounds i8, ptr %0, i64 624
+  %5 = getelementptr inbounds i8, ptr %0, i64 912
+  %6 = getelementptr inbounds i8, ptr %0, i64 144
+  %7 = load ptr, ptr %6, align 8
+  %8 = getelementptr inbounds i8, ptr %7, i64 8
+  %9 = load i64, ptr %8, align 8
+  %10 = load ptr, ptr %5, align 8
+  %11 = getelementptr inbounds i8, ptr %10, i64 32
+  %12 = load i64, ptr %11, align 8
+  %13 = icmp eq i64 %1, 0
+  br i1 %13, label %47, label %14
+
+14:                                               ; preds = %3
+  %15 = getelementptr inbounds i8, ptr %0, i64 864
+  %16 = getelementptr inbounds i8, ptr %0, i64 888
+  %17 = getelementptr inbounds i8, ptr %0, i64 968
+  %18 = getelementptr inbounds i8, ptr %0, i64 720
+  %19 = icmp sgt i64 %9, 0
+  %20 = getelementptr inbounds i8, ptr %0, i64 1056
+  %21 = getelementptr inbounds i8, ptr %0, i64 1072
+  %22 = getelementptr inbounds i8, ptr %0, i64 768
+  %23 = getelementptr inbounds i8, ptr %0, i64 792
+  %24 = getelementptr inbounds i8, ptr %0, i64 816
+  %25 = icmp slt i64 %2, 0
+  %26 = getelementptr inbounds i8, ptr %0, i64 840
+  %27 = getelementptr inbounds i8, ptr %0, i64 1080
+  br label %28
+
+28:                                               ; preds = %14, %85
+  %29 = phi i64 [ %1, %14 ], [ %96, %85 ]
+  %30 = tail call range(i64 0, 65) i64 @llvm.cttz.i64(i64 %29, i1 true)
+  %31 = load ptr, ptr %15, align 8
+  %32 = getelementptr inbounds i64, ptr %31, i64 %30
+  %33 = load i64, ptr %32, align 8
+  %34 = load i64, ptr %17, align 8
+  %35 = load ptr, ptr %18, align 8
+  %36 = getelementptr inbounds double, ptr %35, i64 %30
+  %37 = load double, ptr %36, align 8
+  %38 = fptosi double %37 to i64
+  %39 = xor i64 %38, -1
+  %40 = add i64 %34, %39
+  %41 = icmp sgt i64 %40, 0
+  br i1 %41, label %42, label %51
+
+42:                                               ; preds = %28
+  %43 = load ptr, ptr %16, align 8
+  %44 = getelementptr inbounds i64, ptr %43, i64 %30
+  %45 = load i64, ptr %44, align 8
+  %46 = inttoptr i64 %45 to ptr
+  br label %48
+
+47:                                               ; preds = %85, %3
+  ret void
+
+48:                                               ; preds = %42, %70
+  %49 = phi i64 [ %71, %70 ], [ %40, %42 ]
+  %50 = phi ptr [ %72, %70 ], [ %46, %42 ]
+  br i1 %19, label %74, label %70
+
+51:                                               ; preds = %70, %28
+  %52 = load ptr, ptr %20, align 8
+  %53 = load i64, ptr %21, align 8
+  %54 = mul nsw i64 %53, %33
+  %55 = getelementptr inbounds i64, ptr %52, i64 %54
+  %56 = load ptr, ptr %22, align 8
+  %57 = getelementptr inbounds double, ptr %56, i64 %30
+  %58 = load double, ptr %57, align 8
+  %59 = fptosi double %58 to i64
+  store i64 %59, ptr %55, align 8
+  %60 = load ptr, ptr %23, align 8
+  %61 = getelementptr inbounds double, ptr %60, i64 %30
+  %62 = load double, ptr %61, align 8
+  %63 = fptosi double %62 to i64
+  %64 = getelementptr inbounds i8, ptr %55, i64 8
+  store i64 %63, ptr %64, align 8
+  %65 = load ptr, ptr %24, align 8
+  %66 = getelementptr inbounds double, ptr %65, i64 %30
+  %67 = load double, ptr %66, align 8
+  %68 = fptosi double %67 to i64
+  %69 = getelementptr inbounds i8, ptr %55, i64 16
+  store i64 %68, ptr %69, align 8
+  br i1 %25, label %80, label %85
+
+70:                                               ; preds = %74, %48
+  %71 = add nsw i64 %49, -1
+  %72 = getelementptr inbounds i8, ptr %50, i64 8
+  %73 = icmp sgt i64 %49, 1
+  br i1 %73, label %48, label %51, !llvm.loop !30
+
+74:                                               ; preds = %48, %74
+  %75 = phi i64 [ %78, %74 ], [ 0, %48 ]
+  %76 = mul nsw i64 %75, %12
+  %77 = getelementptr inbounds double, ptr %50, i64 %76
+  store double 0x7FF8000000000000, ptr %77, align 8
+  %78 = add nuw nsw i64 %75, 1
+  %79 = icmp eq i64 %78, %9
+  br i1 %79, label %70, label %74, !llvm.loop !31
+
+80:                                               ; preds = %51
+  %81 = load ptr, ptr %26, align 8
+  %82 = getelementptr inbounds double, ptr %81, i64 %30
+  %83 = load double, ptr %82, align 8
+  %84 = fptosi double %83 to i64
+  br label %85
+
+85:                                               ; preds = %51, %80
+  %86 = phi i64 [ %84, %80 ], [ %2, %51 ]
+  %87 = getelementptr inbounds i8, ptr %55, i64 24
+  store i64 %86, ptr %87, align 8
+  %88 = load ptr, ptr %4, align 8
+  %89 = getelementptr inbounds double, ptr %88, i64 %30
+  %90 = load double, ptr %89, align 8
+  %91 = load ptr, ptr %27, align 8
+  %92 = getelementptr inbounds double, ptr %91, i64 %33
+  store double %90, ptr %92, align 8
+  %93 = load ptr, ptr %15, align 8
+  %94 = getelementptr inbounds i64, ptr %93, i64 %30
+  store i64 -1, ptr %94, align 8
+  %95 = add nsw i64 %29, -1
+  %96 = and i64 %95, %29
+  %97 = icmp eq i64 %96, 0
+  br i1 %97, label %47, label %28, !llvm.loop !32
+}
+
+define internal fastcc void @write_outputs(ptr noundef readonly %0, ptr noundef readonly %1, i64 noundef %2) unnamed_addr #4 {
+  %4 = getelementptr inbounds i8, ptr %0, i64 144
+  %5 = load ptr, ptr %4, align 8
+  %6 = getelementptr inbounds i8, ptr %5, i64 8
+  %7 = load i64, ptr %6, align 8
+  %8 = getelementptr inbounds i8, ptr %0, i64 912
+  %9 = load ptr, ptr %8, align 8
+  %10 = getelementptr inbounds i8, ptr %9, i64 32
+  %11 = load i64, ptr %10, align 8
+  %12 = icmp eq i64 %2, 0
+  br i1 %12, label %28, label %13
+
+13:                                               ; preds = %3
+  %14 = getelementptr inbounds i8, ptr %0, i64 888
+  %15 = icmp sgt i64 %7, 0
+  %16 = getelementptr inbounds i8, ptr %0, i64 720
+  %17 = getelementptr inbounds i8, ptr %0, i64 960
+  %18 = getelementptr inbounds i8, ptr %0, i64 744
+  br label %19
+
+19:                                               ; preds = %13, %29
+  %20 = phi i64 [ %2, %13 ], [ %44, %29 ]
+  %21 = tail call range(i64 0, 65) i64 @llvm.cttz.i64(i64 %20, i1 true)
+  %22 = load ptr, ptr %14, align 8
+  %23 = getelementptr inbounds i64, ptr %22, i64 %21
+  %24 = load i64, ptr %23, align 8
+  %25 = inttoptr i64 %24 to ptr
+  %26 = add nsw i64 %24, 8
+  store i64 %26, ptr %23, align 8
+  %27 = getelementptr inbounds double, ptr %1, i64 %21
+  br i1 %15, label %46, label %29
+
+28:                                               ; preds = %29, %3
+  ret void
+
+29:                                               ; preds = %46, %19
+  %30 = load ptr, ptr %16, align 8
+  %31 = getelementptr inbounds double, ptr %30, i64 %21
+  %32 = load double, ptr %31, align 8
+  %33 = fadd double %32, 1.000000e+00
+  store double %33, ptr %31, align 8
+  %34 = load ptr, ptr %17, align 8
+  %35 = load ptr, ptr %16, align 8
+  %36 = getelementptr inbounds double, ptr %35, i64 %21
+  %37 = load double, ptr %36, align 8
+  %38 = fptosi double %37 to i64
+  %39 = getelementptr inbounds double, ptr %34, i64 %38
+  %40 = load double, ptr %39, align 8
+  %41 = load ptr, ptr %18, align 8
+  %42 = getelementptr inbounds double, ptr %41, i64 %21
+  store double %40, ptr %42, align 8
+  %43 = add nsw i64 %20, -1
+  %44 = and i64 %43, %20
+  %45 = icmp eq i64 %44, 0
+  br i1 %45, label %28, label %19, !llvm.loop !33
+
+46:                                               ; preds = %19, %46
+  %47 = phi i64 [ %53, %46 ], [ 0, %19 ]
+  %48 = shl nsw i64 %47, 6
+  %49 = getelementptr inbounds i8, ptr %27, i64 %48
+  %50 = load double, ptr %49, align 8
+  %51 = mul nsw i64 %47, %11
+  %52 = getelementptr inbounds double, ptr %25, i64 %51
+  store double %50, ptr %52, align 8
+  %53 = add nuw nsw i64 %47, 1
+  %54 = icmp eq i64 %53, %7
+  br i1 %54, label %29, label %46, !llvm.loop !34
+}
+
+declare <8 x double> @llvm.fabs.v8f64(<8 x double>) #5
+
+declare i64 @llvm.cttz.i64(i64, i1 immarg) #5
+
+define internal fastcc void @norm_to(ptr noundef writeonly %0, ptr noundef readonly %1, ptr noundef readonly %2, ptr noundef readonly %3, i64 noundef %4) unnamed_addr #6 {
+  %6 = icmp sgt i64 %4, 0
+  br i1 %6, label %7, label %13
+
+7:                                                ; preds = %5
+  %8 = load ptr, ptr %3, align 8
+  %9 = getelementptr inbounds i8, ptr %3, i64 240
+  %10 = load ptr, ptr %9, align 8
+  %11 = getelementptr inbounds i8, ptr %3, i64 216
+  %12 = load ptr, ptr %11, align 8
+  br label %20
+
+13:                                               ; preds = %20, %5
+  %14 = phi <8 x double> [ zeroinitializer, %5 ], [ %46, %20 ]
+  %15 = sitofp i64 %4 to double
+  %16 = insertelement <8 x double> poison, double %15, i64 0
+  %17 = shufflevector <8 x double> %16, <8 x double> poison, <8 x i32> zeroinitializer
+  %18 = fdiv <8 x double> %14, %17
+  %19 = tail call <8 x double> @llvm.sqrt.v8f64(<8 x double> %18)
+  store <8 x double> %19, ptr %0, align 8
+  ret void
+
+20:                                               ; preds = %7, %20
+  %21 = phi <8 x double> [ zeroinitializer, %7 ], [ %46, %20 ]
+  %22 = phi i64 [ 0, %7 ], [ %47, %20 ]
+  %23 = shl nsw i64 %22, 6
+  %24 = getelementptr inbounds i8, ptr %1, i64 %23
+  %25 = load <8 x double>, ptr %24, align 8
+  %26 = getelementptr inbounds i8, ptr %8, i64 %23
+  %27 = load <8 x double>, ptr %26, align 8
+  %28 = getelementptr inbounds i8, ptr %2, i64 %23
+  %29 = load <8 x double>, ptr %28, align 8
+  %30 = getelementptr inbounds double, ptr %10, i64 %22
+  %31 = load double, ptr %30, align 8
+  %32 = insertelement <8 x double> poison, double %31, i64 0
+  %33 = shufflevector <8 x double> %32, <8 x double> poison, <8 x i32> zeroinitializer
+  %34 = getelementptr inbounds double, ptr %12, i64 %22
+  %35 = load double, ptr %34, align 8
+  %36 = insertelement <8 x double> poison, double %35, i64 0
+  %37 = shufflevector <8 x double> %36, <8 x double> poison, <8 x i32> zeroinitializer
+  %38 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %27)
+  %39 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %29)
+  %40 = fcmp ogt <8 x double> %38, %39
+  %41 = select <8 x i1> %40, <8 x double> %38, <8 x double> %39
+  %42 = fmul <8 x double> %41, %37
+  %43 = fadd <8 x double> %33, %42
+  %44 = fdiv <8 x double> %25, %43
+  %45 = fmul <8 x double> %44, %44
+  %46 = fadd <8 x double> %21, %45
+  %47 = add nuw nsw i64 %22, 1
+  %48 = icmp eq i64 %47, %4
+  br i1 %48, label %13, label %20, !llvm.loop !35
+}
+
+declare <8 x double> @llvm.sqrt.v8f64(<8 x double>) #5
+
+declare <8 x double> @llvm.fma.v8f64(<8 x double>, <8 x double>, <8 x double>) #5
+
+declare <8 x double> @llvm.rint.v8f64(<8 x double>) #5
+
+declare <8 x double> @llvm.ceil.v8f64(<8 x double>) #5
+
+define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef readonly %1, ptr noundef readonly %2, ptr noundef readonly %3, ptr noundef readonly %4, ptr noundef readonly %5, i64 noundef %6, i64 noundef %7) unnamed_addr #7 {
+  %9 = load <8 x double>, ptr %2, align 8
+  %10 = shl nsw i64 %7, 3
+  %11 = icmp slt i64 %7, 4
+  br i1 %11, label %14, label %12
+
+12:                                               ; preds = %8
+  %13 = icmp sgt i64 %6, 0
+  br label %19
+
+14:                                               ; preds = %89, %8
+  %15 = phi i64 [ 0, %8 ], [ %20, %89 ]
+  %16 = icmp slt i64 %15, %10
+  br i1 %16, label %17, label %139
+
+17:                                               ; preds = %14
+  %18 = icmp sgt i64 %6, 0
+  br label %99
+
+19:                                               ; preds = %12, %89
+  %20 = phi i64 [ 32, %12 ], [ %97, %89 ]
+  %21 = phi i64 [ 0, %12 ], [ %20, %89 ]
+  %22 = getelementptr inbounds double, ptr %1, i64 %21
+  %23 = getelementptr inbounds double, ptr %0, i64 %21
+  %24 = getelementptr inbounds double, ptr %3, i64 %21
+  br i1 %13, label %25, label %51
+
+25:                                               ; preds = %19, %25
+  %26 = phi <8 x double> [ %45, %25 ], [ zeroinitializer, %19 ]
+  %27 = phi <8 x double> [ %42, %25 ], [ zeroinitializer, %19 ]
+  %28 = phi <8 x double> [ %39, %25 ], [ zeroinitializer, %19 ]
+  %29 = phi <8 x double> [ %48, %25 ], [ zeroinitializer, %19 ]
+  %30 = phi i64 [ %49, %25 ], [ 0, %19 ]
+  %31 = getelementptr inbounds i64, ptr %4, i64 %30
+  %32 = load i64, ptr %31, align 8
+  %33 = getelementptr inbounds double, ptr %24, i64 %32
+  %34 = getelementptr inbounds double, ptr %5, i64 %30
+  %35 = load double, ptr %34, align 8
+  %36 = insertelement <8 x double> poison, double %35, i64 0
+  %37 = shufflevector <8 x double> %36, <8 x double> poison, <8 x i32> zeroinitializer
+  %38 = load <8 x double>, ptr %33, align 8
+  %39 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %37, <8 x double> %38, <8 x double> %28)
+  %40 = getelementptr inbounds i8, ptr %33, i64 64
+  %41 = load <8 x double>, ptr %40, align 8
+  %42 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %37, <8 x double> %41, <8 x double> %27)
+  %43 = getelementptr inbounds i8, ptr %33, i64 128
+  %44 = load <8 x double>, ptr %43, align 8
+  %45 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %37, <8 x double> %44, <8 x double> %26)
+  %46 = getelementptr inbounds i8, ptr %33, i64 192
+  %47 = load <8 x double>, ptr %46, align 8
+  %48 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %37, <8 x double> %47, <8 x double> %29)
+  %49 = add nuw nsw i64 %30, 1
+  %50 = icmp eq i64 %49, %6
+  br i1 %50, label %51, label %25, !llvm.loop !36
+
+51:                                               ; preds = %25, %19
+  %52 = phi <8 x double> [ zeroinitializer, %19 ], [ %45, %25 ]
+  %53 = phi <8 x double> [ zeroinitializer, %19 ], [ %42, %25 ]
+  %54 = phi <8 x double> [ zeroinitializer, %19 ], [ %39, %25 ]
+  %55 = phi <8 x double> [ zeroinitializer, %19 ], [ %48, %25 ]
+  %56 = phi i64 [ 0, %19 ], [ %6, %25 ]
+  %57 = load <8 x double>, ptr %22, align 8
+  %58 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %9, <8 x double> %54, <8 x double> %57)
+  %59 = getelementptr inbounds i8, ptr %22, i64 64
+  %60 = load <8 x double>, ptr %59, align 8
+  %61 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %9, <8 x double> %53, <8 x double> %60)
+  %62 = getelementptr inbounds i8, ptr %22, i64 128
+  %63 = load <8 x double>, ptr %62, align 8
+  %64 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %9, <8 x double> %52, <8 x double> %63)
+  %65 = getelementptr inbounds i8, ptr %22, i64 192
+  %66 = load <8 x double>, ptr %65, align 8
+  %67 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %9, <8 x double> %55, <8 x double> %66)
+  %68 = icmp sgt i64 %56, %6
+  br i1 %68, label %89, label %69
+
+69:                                               ; preds = %51
+  %70 = getelementptr inbounds double, ptr %5, i64 %56
+  %71 = load double, ptr %70, align 8
+  %72 = insertelement <8 x double> poison, double %71, i64 0
+  %73 = shufflevector <8 x double> %72, <8 x double> poison, <8 x i32> zeroinitializer
+  %74 = fmul <8 x double> %9, %73
+  %75 = getelementptr inbounds i64, ptr %4, i64 %56
+  %76 = load i64, ptr %75, align 8
+  %77 = getelementptr inbounds double, ptr %24, i64 %76
+  %78 = getelementptr inbounds i8, ptr %77, i64 192
+  %79 = load <8 x double>, ptr %78, align 8
+  %80 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %74, <8 x double> %79, <8 x double> %67)
+  %81 = getelementptr inbounds i8, ptr %77, i64 128
+  %82 = load <8 x double>, ptr %81, align 8
+  %83 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %74, <8 x double> %82, <8 x double> %64)
+  %84 = getelementptr inbounds i8, ptr %77, i64 64
+  %85 = load <8 x double>, ptr %84, align 8
+  %86 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %74, <8 x double> %85, <8 x double> %61)
+  %87 = load <8 x double>, ptr %77, align 8
+  %88 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %74, <8 x double> %87, <8 x double> %58)
+  br label %89
+
+89:                                               ; preds = %69, %51
+  %90 = phi <8 x double> [ %64, %51 ], [ %83, %69 ]
+  %91 = phi <8 x double> [ %61, %51 ], [ %86, %69 ]
+  %92 = phi <8 x double> [ %58, %51 ], [ %88, %69 ]
+  %93 = phi <8 x double> [ %67, %51 ], [ %80, %69 ]
+  store <8 x double> %92, ptr %23, align 8
+  %94 = getelementptr inbounds i8, ptr %23, i64 64
+  store <8 x double> %91, ptr %94, align 8
+  %95 = getelementptr inbounds i8, ptr %23, i64 128
+  store <8 x double> %90, ptr %95, align 8
+  %96 = getelementptr inbounds i8, ptr %23, i64 192
+  store <8 x double> %93, ptr %96, align 8
+  %97 = add nuw nsw i64 %20, 32
+  %98 = icmp sgt i64 %97, %10
+  br i1 %98, label %14, label %19, !llvm.loop !37
+
+99:                                               ; preds = %17, %135
+  %100 = phi i64 [ %15, %17 ], [ %137, %135 ]
+  %101 = getelementptr inbounds double, ptr %0, i64 %100
+  %102 = getelementptr inbounds double, ptr %1, i64 %100
+  %103 = getelementptr inbounds double, ptr %3, i64 %100
+  br i1 %18, label %110, label %104
+
+104:                                              ; preds = %110, %99
+  %105 = phi <8 x double> [ zeroinitializer, %99 ], [ %121, %110 ]
+  %106 = phi i64 [ 0, %99 ], [ %6, %110 ]
+  %107 = load <8 x double>, ptr %102, align 8
+  %108 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %9, <8 x double> %105, <8 x double> %107)
+  %109 = icmp sgt i64 %106, %6
+  br i1 %109, label %135, label %124
+
+110:                                              ; preds = %99, %110
+  %111 = phi <8 x double> [ %121, %110 ], [ zeroinitializer, %99 ]
+  %112 = phi i64 [ %122, %110 ], [ 0, %99 ]
+  %113 = getelementptr inbounds double, ptr %5, i64 %112
+  %114 = load double, ptr %113, align 8
+  %115 = insertelement <8 x double> poison, double %114, i64 0
+  %116 = shufflevector <8 x double> %115, <8 x double> poison, <8 x i32> zeroinitializer
+  %117 = getelementptr inbounds i64, ptr %4, i64 %112
+  %118 = load i64, ptr %117, align 8
+  %119 = getelementptr inbounds double, ptr %103, i64 %118
+  %120 = load <8 x double>, ptr %119, align 8
+  %121 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %116, <8 x double> %120, <8 x double> %111)
+  %122 = add nuw nsw i64 %112, 1
+  %123 = icmp eq i64 %122, %6
+  br i1 %123, label %104, label %110, !llvm.loop !36
+
+124:                                              ; preds = %104
+  %125 = getelementptr inbounds double, ptr %5, i64 %106
   %126 = load double, ptr %125, align 8
   %127 = insertelement <8 x double> poison, double %126, i64 0
   %128 = shufflevector <8 x double> %127, <8 x double> poison, <8 x i32> zeroinitializer
-  %129 = getelementptr i8, ptr %12, i64 %124
-  %130 = load i64, ptr %129, align 8
-  %131 = getelementptr double, ptr %123, i64 %130
-  %132 = getelementptr double, ptr %131, i64 %116
+  %129 = fmul <8 x double> %9, %128
+  %130 = getelementptr inbounds i64, ptr %4, i64 %106
+  %131 = load i64, ptr %130, align 8
+  %132 = getelementptr inbounds double, ptr %103, i64 %131
   %133 = load <8 x double>, ptr %132, align 8
-  %134 = call <8 x double> @llvm.fma.v8f64(<8 x double> %128, <8 x double> %133, <8 x double> %119)
-  %135 = add nuw nsw i64 %120, 1
-  br label %118
+  %134 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %129, <8 x double> %133, <8 x double> %108)
+  br label %135
 
-136:                                              ; preds = %118
-  %137 = inttoptr i64 %1 to ptr
-  %138 = getelementptr double, ptr %137, i64 %116
-  %139 = load <8 x double>, ptr %138, align 8
-  %140 = call <8 x double> @llvm.fma.v8f64(<8 x double> %11, <8 x double> %119, <8 x double> %139)
-  br label %141
+135:                                              ; preds = %124, %104
+  %136 = phi <8 x double> [ %108, %104 ], [ %134, %124 ]
+  store <8 x double> %136, ptr %101, align 8
+  %137 = add nuw nsw i64 %100, 8
+  %138 = icmp slt i64 %137, %10
+  br i1 %138, label %99, label %139, !llvm.loop !38
 
-141:                                              ; preds = %145, %136
-  %142 = phi <8 x double> [ %140, %136 ], [ %158, %145 ]
-  %143 = phi i64 [ 0, %136 ], [ %159, %145 ]
-  %144 = icmp slt i64 %143, %7
-  br i1 %144, label %145, label %160
-
-145:                                              ; preds = %141
-  %146 = inttoptr i64 %3 to ptr
-  %147 = shl i64 %143, 3
-  %148 = getelementptr i8, ptr %18, i64 %147
-  %149 = load double, ptr %148, align 8
-  %150 = insertelement <8 x double> poison, double %149, i64 0
-  %151 = shufflevector <8 x double> %150, <8 x double> poison, <8 x i32> zeroinitializer
-  %152 = fmul <8 x double> %11, %151
-  %153 = getelementptr i8, ptr %17, i64 %147
-  %154 = load i64, ptr %153, align 8
-  %155 = getelementptr double, ptr %146, i64 %154
-  %156 = getelementptr double, ptr %155, i64 %116
-  %157 = load <8 x double>, ptr %156, align 8
-  %158 = call <8 x double> @llvm.fma.v8f64(<8 x double> %152, <8 x double> %157, <8 x double> %142)
-  %159 = add nuw nsw i64 %143, 1
-  br label %141
-
-160:                                              ; preds = %141
-  %161 = inttoptr i64 %0 to ptr
-  %162 = getelementptr double, ptr %161, i64 %116
-  store <8 x double> %142, ptr %162, align 8
-  %163 = add nuw nsw i64 %112, 1
-  br label %111
+139:                                              ; preds = %135, %14
+  ret void
 }
 
-define internal fastcc void @pydy_nested(i64 %0, i64 %1, i64 %2, i64 %3, i64 %4, i64 %5, i64 %6) unnamed_addr #1 {
-  %8 = inttoptr i64 %5 to ptr
-  %9 = load <8 x double>, ptr %8, align 8
-  %10 = fsub <8 x double> splat (double 1.000000e+00), %9
-  %11 = inttoptr i64 %2 to ptr
-  %12 = lshr i64 %6, 2
-  %13 = and i64 %6, 2305843009213693948
-  %14 = add i64 %4, -2
-  %15 = mul i64 %3, %14
-  %16 = shl i64 %15, 3
-  %17 = getelementptr i8, ptr %11, i64 %16
-  %18 = getelementptr i8, ptr %17, i64 192
-  %19 = mul i64 %3, -8
-  br label %20
+define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #4 {
+  %2 = getelementptr inbounds i8, ptr %0, i64 128
+  %3 = load i64, ptr %2, align 8
+  %4 = icmp sgt i64 %3, 0
+  br i1 %4, label %5, label %13
 
-20:                                               ; preds = %67, %7
-  %21 = phi ptr [ %90, %67 ], [ %18, %7 ]
-  %22 = phi i64 [ %89, %67 ], [ 0, %7 ]
-  %23 = icmp samesign ult i64 %22, %12
-  br i1 %23, label %24, label %37
+5:                                                ; preds = %1
+  %6 = getelementptr inbounds i8, ptr %0, i64 120
+  %7 = getelementptr inbounds i8, ptr %0, i64 136
+  %8 = getelementptr inbounds i8, ptr %0, i64 144
+  %9 = getelementptr inbounds i8, ptr %0, i64 24
+  %10 = getelementptr inbounds i8, ptr %0, i64 168
+  %11 = getelementptr inbounds i8, ptr %0, i64 192
+  %12 = getelementptr inbounds i8, ptr %0, i64 48
+  br label %14
 
-24:                                               ; preds = %20
-  %25 = shl i64 %22, 5
-  %26 = add i64 %4, -1
-  %27 = mul i64 %26, %3
-  %28 = getelementptr double, ptr %11, i64 %27
-  %29 = getelementptr double, ptr %28, i64 %25
-  %30 = load <8 x double>, ptr %29, align 8
-  %31 = getelementptr i8, ptr %29, i64 64
-  %32 = load <8 x double>, ptr %31, align 8
-  %33 = getelementptr i8, ptr %29, i64 128
-  %34 = load <8 x double>, ptr %33, align 8
-  %35 = getelementptr i8, ptr %29, i64 192
-  %36 = load <8 x double>, ptr %35, align 8
-  br label %41
-
-37:                                               ; preds = %20
-  %38 = and i64 %6, 3
-  %39 = shl i64 %12, 8
-  %40 = getelementptr i8, ptr %17, i64 %39
-  br label %91
-
-41:                                               ; preds = %50, %24
-  %42 = phi <8 x double> [ %30, %24 ], [ %55, %50 ]
-  %43 = phi <8 x double> [ %32, %24 ], [ %58, %50 ]
-  %44 = phi <8 x double> [ %34, %24 ], [ %61, %50 ]
-  %45 = phi <8 x double> [ %36, %24 ], [ %63, %50 ]
-  %46 = phi i64 [ %14, %24 ], [ %66, %50 ]
-  %47 = phi ptr [ %21, %24 ], [ %65, %50 ]
-  %48 = phi i64 [ 0, %24 ], [ %64, %50 ]
-  %49 = icmp slt i64 %48, %26
-  br i1 %49, label %50, label %67
-
-50:                                               ; preds = %41
-  %51 = trunc i64 %46 to i1
-  %52 = select i1 %51, <8 x double> %9, <8 x double> %10
-  %53 = getelementptr i8, ptr %47, i64 -192
-  %54 = load <8 x double>, ptr %53, align 8
-  %55 = call <8 x double> @llvm.fma.v8f64(<8 x double> %52, <8 x double> %42, <8 x double> %54)
-  %56 = getelementptr i8, ptr %47, i64 -128
-  %57 = load <8 x double>, ptr %56, align 8
-  %58 = call <8 x double> @llvm.fma.v8f64(<8 x double> %52, <8 x double> %43, <8 x double> %57)
-  %59 = getelementptr i8, ptr %47, i64 -64
-  %60 = load <8 x double>, ptr %59, align 8
-  %61 = call <8 x double> @llvm.fma.v8f64(<8 x double> %52, <8 x double> %44, <8 x double> %60)
-  %62 = load <8 x double>, ptr %47, align 8
-  %63 = call <8 x double> @llvm.fma.v8f64(<8 x double> %52, <8 x double> %45, <8 x double> %62)
-  %64 = add nuw nsw i64 %48, 1
-  %65 = getelementptr i8, ptr %47, i64 %19
-  %66 = add i64 %46, -1
-  br label %41
-
-67:                                               ; preds = %41
-  %68 = inttoptr i64 %1 to ptr
-  %69 = getelementptr double, ptr %68, i64 %25
-  %70 = load <8 x double>, ptr %69, align 8
-  %71 = call <8 x double> @llvm.fma.v8f64(<8 x double> %9, <8 x double> %42, <8 x double> %70)
-  %72 = inttoptr i64 %0 to ptr
-  %73 = getelementptr double, ptr %72, i64 %25
-  store <8 x double> %71, ptr %73, align 8
-  %74 = or disjoint i64 %25, 8
-  %75 = getelementptr double, ptr %68, i64 %74
-  %76 = load <8 x double>, ptr %75, align 8
-  %77 = call <8 x double> @llvm.fma.v8f64(<8 x double> %9, <8 x double> %43, <8 x double> %76)
-  %78 = getelementptr double, ptr %72, i64 %74
-  store <8 x double> %77, ptr %78, align 8
-  %79 = or disjoint i64 %25, 16
-  %80 = getelementptr double, ptr %68, i64 %79
-  %81 = load <8 x double>, ptr %80, align 8
-  %82 = call <8 x double> @llvm.fma.v8f64(<8 x double> %9, <8 x double> %44, <8 x double> %81)
-  %83 = getelementptr double, ptr %72, i64 %79
-  store <8 x double> %82, ptr %83, align 8
-  %84 = or disjoint i64 %25, 24
-  %85 = getelementptr double, ptr %68, i64 %84
-  %86 = load <8 x double>, ptr %85, align 8
-  %87 = call <8 x double> @llvm.fma.v8f64(<8 x double> %9, <8 x double> %45, <8 x double> %86)
-  %88 = getelementptr double, ptr %72, i64 %84
-  store <8 x double> %87, ptr %88, align 8
-  %89 = add nuw nsw i64 %22, 1
-  %90 = getelementptr i8, ptr %21, i64 256
-  br label %20
-
-91:                                               ; preds = %118, %37
-  %92 = phi ptr [ %126, %118 ], [ %40, %37 ]
-  %93 = phi i64 [ %125, %118 ], [ 0, %37 ]
-  %94 = icmp samesign ult i64 %93, %38
-  br i1 %94, label %95, label %103
-
-95:                                               ; preds = %91
-  %96 = add nuw i64 %13, %93
-  %97 = shl i64 %96, 3
-  %98 = add i64 %4, -1
-  %99 = mul i64 %98, %3
-  %100 = getelementptr double, ptr %11, i64 %99
-  %101 = getelementptr double, ptr %100, i64 %97
-  %102 = load <8 x double>, ptr %101, align 8
-  br label %104
-
-103:                                              ; preds = %91
+13:                                               ; preds = %21, %1
   ret void
 
-104:                                              ; preds = %110, %95
-  %105 = phi <8 x double> [ %102, %95 ], [ %114, %110 ]
-  %106 = phi i64 [ %14, %95 ], [ %117, %110 ]
-  %107 = phi ptr [ %92, %95 ], [ %116, %110 ]
-  %108 = phi i64 [ 0, %95 ], [ %115, %110 ]
-  %109 = icmp slt i64 %108, %98
-  br i1 %109, label %110, label %118
+14:                                               ; preds = %5, %21
+  %15 = phi i64 [ 0, %5 ], [ %22, %21 ]
+  %16 = load ptr, ptr %6, align 8
+  %17 = load i64, ptr %7, align 8
+  %18 = mul nsw i64 %17, %15
+  %19 = getelementptr inbounds i64, ptr %16, i64 %18
+  %20 = shl nsw i64 %15, 6
+  br label %25
 
-110:                                              ; preds = %104
-  %111 = trunc i64 %106 to i1
-  %112 = select i1 %111, <8 x double> %9, <8 x double> %10
-  %113 = load <8 x double>, ptr %107, align 8
-  %114 = call <8 x double> @llvm.fma.v8f64(<8 x double> %112, <8 x double> %105, <8 x double> %113)
-  %115 = add nuw nsw i64 %108, 1
-  %116 = getelementptr i8, ptr %107, i64 %19
-  %117 = add i64 %106, -1
-  br label %104
+21:                                               ; preds = %71
+  %22 = add nuw nsw i64 %15, 1
+  %23 = load i64, ptr %2, align 8
+  %24 = icmp slt i64 %22, %23
+  br i1 %24, label %14, label %13, !llvm.loop !39
 
-118:                                              ; preds = %104
-  %119 = inttoptr i64 %1 to ptr
-  %120 = getelementptr double, ptr %119, i64 %97
-  %121 = load <8 x double>, ptr %120, align 8
-  %122 = call <8 x double> @llvm.fma.v8f64(<8 x double> %9, <8 x double> %105, <8 x double> %121)
-  %123 = inttoptr i64 %0 to ptr
-  %124 = getelementptr double, ptr %123, i64 %97
-  store <8 x double> %122, ptr %124, align 8
-  %125 = add nuw nsw i64 %93, 1
-  %126 = getelementptr i8, ptr %92, i64 64
-  br label %91
+25:                                               ; preds = %14, %71
+  %26 = phi i64 [ 0, %14 ], [ %98, %71 ]
+  %27 = load ptr, ptr %8, align 8
+  %28 = getelementptr inbounds i8, ptr %27, i64 %20
+  %29 = getelementptr inbounds i64, ptr %28, i64 %26
+  %30 = load ptr, ptr %9, align 8
+  %31 = getelementptr inbounds double, ptr %30, i64 %26
+  %32 = load double, ptr %31, align 8
+  %33 = load ptr, ptr %6, align 8
+  %34 = load i64, ptr %7, align 8
+  %35 = mul nsw i64 %34, %15
+  %36 = getelementptr inbounds i64, ptr %33, i64 %35
+  %37 = getelementptr inbounds i8, ptr %36, i64 8
+  %38 = load i64, ptr %37, align 8
+  %39 = load ptr, ptr %10, align 8
+  %40 = getelementptr inbounds double, ptr %39, i64 %38
+  %41 = load double, ptr %40, align 8
+  %42 = fcmp ogt double %41, %32
+  %43 = select i1 %42, double %41, double %32
+  %44 = getelementptr inbounds i8, ptr %36, i64 16
+  %45 = load i64, ptr %44, align 8
+  %46 = load i64, ptr %29, align 8
+  %47 = getelementptr inbounds double, ptr %40, i64 %46
+  %48 = load double, ptr %47, align 8
+  %49 = fcmp ugt double %48, %43
+  br i1 %49, label %57, label %50
+
+50:                                               ; preds = %25
+  %51 = add nsw i64 %45, -1
+  %52 = icmp eq i64 %51, %46
+  br i1 %52, label %71, label %53
+
+53:                                               ; preds = %50
+  %54 = getelementptr i8, ptr %47, i64 8
+  %55 = load double, ptr %54, align 8
+  %56 = fcmp ogt double %55, %43
+  br i1 %56, label %71, label %57
+
+57:                                               ; preds = %53, %25
+  %58 = icmp sgt i64 %45, 1
+  br i1 %58, label %59, label %71
+
+59:                                               ; preds = %57, %59
+  %60 = phi i64 [ %68, %59 ], [ %45, %57 ]
+  %61 = phi i64 [ %67, %59 ], [ 0, %57 ]
+  %62 = add nsw i64 %60, %61
+  %63 = sdiv i64 %62, 2
+  %64 = getelementptr inbounds double, ptr %40, i64 %63
+  %65 = load double, ptr %64, align 8
+  %66 = fcmp ugt double %65, %43
+  %67 = select i1 %66, i64 %61, i64 %63
+  %68 = select i1 %66, i64 %63, i64 %60
+  %69 = sub nsw i64 %68, %67
+  %70 = icmp sgt i64 %69, 1
+  br i1 %70, label %59, label %71, !llvm.loop !40
+
+71:                                               ; preds = %59, %57, %50, %53
+  %72 = phi i64 [ %46, %53 ], [ %46, %50 ], [ 0, %57 ], [ %67, %59 ]
+  store i64 %72, ptr %29, align 8
+  %73 = getelementptr inbounds double, ptr %40, i64 %72
+  %74 = load double, ptr %73, align 8
+  %75 = fsub double %43, %74
+  %76 = load ptr, ptr %11, align 8
+  %77 = add nsw i64 %72, %38
+  %78 = shl nsw i64 %77, 5
+  %79 = getelementptr inbounds i8, ptr %76, i64 %78
+  %80 = load double, ptr %79, align 8
+  %81 = getelementptr inbounds i8, ptr %79, i64 8
+  %82 = load double, ptr %81, align 8
+  %83 = getelementptr inbounds i8, ptr %79, i64 16
+  %84 = load double, ptr %83, align 8
+  %85 = getelementptr inbounds i8, ptr %79, i64 24
+  %86 = load double, ptr %85, align 8
+  %87 = fmul double %75, %86
+  %88 = fadd double %84, %87
+  %89 = fmul double %75, %88
+  %90 = fadd double %82, %89
+  %91 = fmul double %75, %90
+  %92 = fadd double %80, %91
+  %93 = load ptr, ptr %12, align 8
+  %94 = load i64, ptr %19, align 8
+  %95 = shl i64 %94, 6
+  %96 = getelementptr i8, ptr %93, i64 %95
+  %97 = getelementptr double, ptr %96, i64 %26
+  store double %92, ptr %97, align 8
+  %98 = add nuw nsw i64 %26, 1
+  %99 = icmp eq i64 %98, 8
+  br i1 %99, label %21, label %25, !llvm.loop !41
 }
 
-define i64 @step_lanes(i64 %0) local_unnamed_addr #3 {
-  %2 = alloca ptr, align 8
-  %3 = alloca ptr, align 8
-  %4 = alloca ptr, align 8
-  %5 = alloca ptr, align 8
-  %6 = alloca ptr, align 8
-  %7 = alloca ptr, align 8
-  %8 = alloca ptr, align 8
-  %9 = alloca ptr, align 8
-  %10 = alloca <8 x double>, align 64
-  %11 = alloca ptr, align 8
-  %12 = alloca ptr, align 8
-  %13 = alloca <8 x double>, align 64
-  %14 = alloca <8 x double>, align 64
-  %15 = alloca ptr, align 8
-  %16 = alloca ptr, align 8
-  %17 = inttoptr i64 %0 to ptr
-  %18 = load i64, ptr %17, align 8, !noalias !12
-  %19 = inttoptr i64 %18 to ptr
-  %20 = getelementptr i8, ptr %17, i64 24
-  %21 = load i64, ptr %20, align 8, !noalias !12
-  %22 = getelementptr i8, ptr %17, i64 32
-  %23 = load i64, ptr %22, align 8, !noalias !12
-  %24 = inttoptr i64 %21 to ptr
-  %25 = getelementptr i8, ptr %17, i64 48
-  %26 = load i64, ptr %25, align 8, !noalias !12
-  %27 = getelementptr i8, ptr %17, i64 72
-  %28 = load i64, ptr %27, align 8, !noalias !12
-  %29 = getelementptr i8, ptr %17, i64 96
-  %30 = load i64, ptr %29, align 8, !noalias !12
-  %31 = getelementptr i8, ptr %17, i64 104
-  %32 = load i64, ptr %31, align 8, !noalias !12
-  %33 = inttoptr i64 %30 to ptr
-  %34 = getelementptr i8, ptr %17, i64 120
-  %35 = load i64, ptr %34, align 8, !noalias !12
-  %36 = inttoptr i64 %35 to ptr
-  %37 = getelementptr i8, ptr %17, i64 144
-  %38 = load i64, ptr %37, align 8, !noalias !12
-  %39 = inttoptr i64 %38 to ptr
-  %40 = getelementptr i8, ptr %17, i64 168
-  %41 = load i64, ptr %40, align 8, !noalias !12
-  %42 = getelementptr i8, ptr %17, i64 176
-  %43 = load i64, ptr %42, align 8, !noalias !12
-  %44 = inttoptr i64 %41 to ptr
-  %45 = getelementptr i8, ptr %17, i64 192
-  %46 = load i64, ptr %45, align 8, !noalias !12
-  %47 = getelementptr i8, ptr %17, i64 200
-  %48 = load i64, ptr %47, align 8, !noalias !12
-  %49 = inttoptr i64 %46 to ptr
-  %50 = getelementptr i8, ptr %17, i64 216
-  %51 = load i64, ptr %50, align 8, !noalias !12
-  %52 = getelementptr i8, ptr %17, i64 224
-  %53 = load i64, ptr %52, align 8, !noalias !12
-  %54 = inttoptr i64 %51 to ptr
-  %55 = getelementptr i8, ptr %17, i64 240
-  %56 = load i64, ptr %55, align 8, !noalias !12
-  %57 = inttoptr i64 %56 to ptr
-  %58 = getelementptr i8, ptr %17, i64 264
-  %59 = load i64, ptr %58, align 8, !noalias !12
-  %60 = getelementptr i8, ptr %17, i64 272
-  %61 = load i64, ptr %60, align 8, !noalias !12
-  %62 = getelementptr i8, ptr %17, i64 280
-  %63 = load i64, ptr %62, align 8, !noalias !12
-  %64 = inttoptr i64 %59 to ptr
-  %65 = getelementptr i8, ptr %17, i64 288
-  %66 = load i64, ptr %65, align 8, !noalias !12
-  %67 = getelementptr i8, ptr %17, i64 296
-  %68 = load i64, ptr %67, align 8, !noalias !12
-  %69 = getelementptr i8, ptr %17, i64 304
-  %70 = load i64, ptr %69, align 8, !noalias !12
-  %71 = inttoptr i64 %66 to ptr
-  %72 = getelementptr i8, ptr %17, i64 312
-  %73 = load i64, ptr %72, align 8, !noalias !12
-  %74 = getelementptr i8, ptr %17, i64 320
-  %75 = load i64, ptr %74, align 8, !noalias !12
-  %76 = inttoptr i64 %73 to ptr
-  %77 = getelementptr i8, ptr %17, i64 336
-  %78 = load i64, ptr %77, align 8, !noalias !12
-  %79 = getelementptr i8, ptr %17, i64 344
-  %80 = load i64, ptr %79, align 8, !noalias !12
-  %81 = getelementptr i8, ptr %17, i64 352
-  %82 = load i64, ptr %81, align 8, !noalias !12
-  %83 = inttoptr i64 %78 to ptr
-  %84 = getelementptr i8, ptr %17, i64 360
-  %85 = load i64, ptr %84, align 8, !noalias !12
-  %86 = getelementptr i8, ptr %17, i64 368
-  %87 = load i64, ptr %86, align 8, !noalias !12
-  %88 = inttoptr i64 %85 to ptr
-  %89 = getelementptr i8, ptr %17, i64 384
-  %90 = load i64, ptr %89, align 8, !noalias !12
-  %91 = getelementptr i8, ptr %17, i64 392
-  %92 = load i64, ptr %91, align 8, !noalias !12
-  %93 = inttoptr i64 %90 to ptr
-  %94 = getelementptr i8, ptr %17, i64 408
-  %95 = load i64, ptr %94, align 8, !noalias !12
-  %96 = getelementptr i8, ptr %17, i64 416
-  %97 = load i64, ptr %96, align 8, !noalias !12
-  %98 = inttoptr i64 %95 to ptr
-  %99 = getelementptr i8, ptr %17, i64 432
-  %100 = load i64, ptr %99, align 8, !noalias !12
-  %101 = inttoptr i64 %100 to ptr
-  %102 = getelementptr i8, ptr %17, i64 456
-  %103 = load i64, ptr %102, align 8, !noalias !12
-  %104 = inttoptr i64 %103 to ptr
-  %105 = getelementptr i8, ptr %17, i64 480
-  %106 = load i64, ptr %105, align 8, !noalias !12
-  %107 = getelementptr i8, ptr %17, i64 504
-  %108 = load i64, ptr %107, align 8, !noalias !12
-  %109 = getelementptr i8, ptr %17, i64 512
-  %110 = load i64, ptr %109, align 8, !noalias !12
-  %111 = inttoptr i64 %108 to ptr
-  %112 = getelementptr i8, ptr %17, i64 528
-  %113 = load i64, ptr %112, align 8, !noalias !12
-  %114 = getelementptr i8, ptr %17, i64 536
-  %115 = load i64, ptr %114, align 8, !noalias !12
-  %116 = inttoptr i64 %113 to ptr
-  %117 = getelementptr i8, ptr %17, i64 552
-  %118 = load i64, ptr %117, align 8, !noalias !12
-  %119 = getelementptr i8, ptr %17, i64 560
-  %120 = load i64, ptr %119, align 8, !noalias !12
-  %121 = inttoptr i64 %118 to ptr
-  %122 = getelementptr i8, ptr %17, i64 576
-  %123 = load i64, ptr %122, align 8, !noalias !12
-  %124 = getelementptr i8, ptr %17, i64 584
-  %125 = load i64, ptr %124, align 8, !noalias !12
-  %126 = inttoptr i64 %123 to ptr
-  %127 = getelementptr i8, ptr %17, i64 600
-  %128 = load i64, ptr %127, align 8, !noalias !12
-  %129 = getelementptr i8, ptr %17, i64 608
-  %130 = load i64, ptr %129, align 8, !noalias !12
-  %131 = inttoptr i64 %128 to ptr
-  %132 = getelementptr i8, ptr %17, i64 624
-  %133 = load i64, ptr %132, align 8, !noalias !12
-  %134 = getelementptr i8, ptr %17, i64 632
-  %135 = load i64, ptr %134, align 8, !noalias !12
-  %136 = inttoptr i64 %133 to ptr
-  %137 = getelementptr i8, ptr %17, i64 648
-  %138 = load i64, ptr %137, align 8, !noalias !12
-  %139 = getelementptr i8, ptr %17, i64 656
-  %140 = load i64, ptr %139, align 8, !noalias !12
-  %141 = inttoptr i64 %138 to ptr
-  %142 = getelementptr i8, ptr %17, i64 672
-  %143 = load i64, ptr %142, align 8, !noalias !12
-  %144 = inttoptr i64 %143 to ptr
-  %145 = getelementptr i8, ptr %17, i64 696
-  %146 = load i64, ptr %145, align 8, !noalias !12
-  %147 = inttoptr i64 %146 to ptr
-  %148 = getelementptr i8, ptr %17, i64 720
-  %149 = load i64, ptr %148, align 8, !noalias !12
-  %150 = getelementptr i8, ptr %17, i64 728
-  %151 = load i64, ptr %150, align 8, !noalias !12
-  %152 = inttoptr i64 %149 to ptr
-  %153 = getelementptr i8, ptr %17, i64 744
-  %154 = load i64, ptr %153, align 8, !noalias !12
-  %155 = getelementptr i8, ptr %17, i64 752
-  %156 = load i64, ptr %155, align 8, !noalias !12
-  %157 = inttoptr i64 %154 to ptr
-  %158 = getelementptr i8, ptr %17, i64 768
-  %159 = load i64, ptr %158, align 8, !noalias !12
-  %160 = getelementptr i8, ptr %17, i64 776
-  %161 = load i64, ptr %160, align 8, !noalias !12
-  %162 = inttoptr i64 %159 to ptr
-  %163 = getelementptr i8, ptr %17, i64 792
-  %164 = load i64, ptr %163, align 8, !noalias !12
-  %165 = getelementptr i8, ptr %17, i64 800
-  %166 = load i64, ptr %165, align 8, !noalias !12
-  %167 = inttoptr i64 %164 to ptr
-  %168 = getelementptr i8, ptr %17, i64 816
-  %169 = load i64, ptr %168, align 8, !noalias !12
-  %170 = getelementptr i8, ptr %17, i64 824
-  %171 = load i64, ptr %170, align 8, !noalias !12
-  %172 = inttoptr i64 %169 to ptr
-  %173 = getelementptr i8, ptr %17, i64 840
-  %174 = load i64, ptr %173, align 8, !noalias !12
-  %175 = getelementptr i8, ptr %17, i64 848
-  %176 = load i64, ptr %175, align 8, !noalias !12
-  %177 = inttoptr i64 %174 to ptr
-  %178 = getelementptr i8, ptr %17, i64 864
-  %179 = load i64, ptr %178, align 8, !noalias !12
-  %180 = getelementptr i8, ptr %17, i64 872
-  %181 = load i64, ptr %180, align 8, !noalias !12
-  %182 = inttoptr i64 %179 to ptr
-  %183 = getelementptr i8, ptr %17, i64 888
-  %184 = load i64, ptr %183, align 8, !noalias !12
-  %185 = getelementptr i8, ptr %17, i64 896
-  %186 = load i64, ptr %185, align 8, !noalias !12
-  %187 = inttoptr i64 %184 to ptr
-  %188 = getelementptr i8, ptr %17, i64 912
-  %189 = load i64, ptr %188, align 8, !noalias !12
-  %190 = inttoptr i64 %189 to ptr
-  %191 = getelementptr i8, ptr %17, i64 936
-  %192 = load i64, ptr %191, align 8, !noalias !12
-  %193 = inttoptr i64 %192 to ptr
-  %194 = getelementptr i8, ptr %17, i64 960
-  %195 = load i64, ptr %194, align 8, !noalias !12
-  %196 = getelementptr i8, ptr %17, i64 968
-  %197 = load i64, ptr %196, align 8, !noalias !12
-  %198 = inttoptr i64 %195 to ptr
-  %199 = getelementptr i8, ptr %17, i64 984
-  %200 = load i64, ptr %199, align 8, !noalias !12
-  %201 = getelementptr i8, ptr %17, i64 992
-  %202 = load i64, ptr %201, align 8, !noalias !12
-  %203 = getelementptr i8, ptr %17, i64 1000
-  %204 = load i64, ptr %203, align 8, !noalias !12
-  %205 = inttoptr i64 %200 to ptr
-  %206 = getelementptr i8, ptr %17, i64 1008
-  %207 = load i64, ptr %206, align 8, !noalias !12
-  %208 = getelementptr i8, ptr %17, i64 1016
-  %209 = load i64, ptr %208, align 8, !noalias !12
-  %210 = getelementptr i8, ptr %17, i64 1024
-  %211 = load i64, ptr %210, align 8, !noalias !12
-  %212 = inttoptr i64 %207 to ptr
-  %213 = getelementptr i8, ptr %17, i64 1032
-  %214 = load i64, ptr %213, align 8, !noalias !12
-  %215 = getelementptr i8, ptr %17, i64 1040
-  %216 = load i64, ptr %215, align 8, !noalias !12
-  %217 = getelementptr i8, ptr %17, i64 1048
-  %218 = load i64, ptr %217, align 8, !noalias !12
-  %219 = inttoptr i64 %214 to ptr
-  %220 = getelementptr i8, ptr %17, i64 1056
-  %221 = load i64, ptr %220, align 8, !noalias !12
-  %222 = getelementptr i8, ptr %17, i64 1064
-  %223 = load i64, ptr %222, align 8, !noalias !12
-  %224 = getelementptr i8, ptr %17, i64 1072
-  %225 = load i64, ptr %224, align 8, !noalias !12
-  %226 = inttoptr i64 %221 to ptr
-  %227 = getelementptr i8, ptr %17, i64 1080
-  %228 = load i64, ptr %227, align 8, !noalias !12
-  %229 = getelementptr i8, ptr %17, i64 1088
-  %230 = load i64, ptr %229, align 8, !noalias !12
-  %231 = inttoptr i64 %228 to ptr
-  %232 = getelementptr i8, ptr %39, i64 8
-  %233 = load i64, ptr %232, align 8, !noalias !12
-  %234 = icmp slt i64 %197, 2
-  %235 = select i1 %234, i64 %197, i64 0
-  %236 = getelementptr double, ptr %198, i64 %197
-  %237 = getelementptr i8, ptr %236, i64 -16
-  %238 = getelementptr double, ptr %237, i64 %235
-  %239 = load double, ptr %238, align 8, !noalias !12
-  %240 = load double, ptr %193, align 8, !noalias !12
-  %241 = load i64, ptr %19, align 8, !noalias !12
-  %242 = mul nsw i64 %241, %87
-  %243 = shl i64 %242, 3
-  %244 = add i64 %113, %243
-  %245 = mul nsw i64 %241, %233
-  %246 = getelementptr i8, ptr %19, i64 8
-  %247 = load i64, ptr %246, align 8, !noalias !12
-  %248 = icmp sgt i64 %247, 0
-  %249 = getelementptr i8, ptr %19, i64 32
-  %250 = load i64, ptr %249, align 8, !noalias !12
-  %251 = icmp ne i64 %250, 1
-  %252 = add nsw i64 %241, -1
-  %253 = add nsw i64 %252, %250
-  %254 = sitofp i64 %253 to double
-  %255 = sub nsw i64 1, %250
-  %256 = sitofp i64 %255 to double
-  %257 = getelementptr i8, ptr %190, i64 16
-  %258 = load i64, ptr %257, align 8, !noalias !12
-  %259 = sitofp i64 %258 to double
-  br label %260
-
-260:                                              ; preds = %1, %2189
-  %261 = phi i64 [ 0, %1 ], [ %2191, %2189 ]
-  %262 = phi i64 [ 8, %1 ], [ %2190, %2189 ]
-  %263 = phi i64 [ 0, %1 ], [ %2200, %2189 ]
-  %264 = icmp sgt i64 %262, 0
-  br i1 %264, label %2189, label %265
-
-265:                                              ; preds = %1066, %260
-  %266 = phi i64 [ %263, %260 ], [ %1010, %1066 ]
-  br label %267
-
-267:                                              ; preds = %2187, %265
-  %268 = phi i64 [ %266, %265 ], [ %1802, %2187 ]
-  %269 = phi i1 [ true, %265 ], [ %2188, %2187 ]
-  br i1 %269, label %270, label %1009
-
-270:                                              ; preds = %267, %1008
-  br label %271
-
-271:                                              ; preds = %270, %306
-  %272 = phi i64 [ 0, %270 ], [ %349, %306 ]
-  %273 = phi i64 [ 8, %270 ], [ %348, %306 ]
-  %274 = phi i64 [ 0, %270 ], [ %307, %306 ]
-  %275 = phi i64 [ 0, %270 ], [ %312, %306 ]
-  %276 = phi i64 [ -1, %270 ], [ %313, %306 ]
-  %277 = icmp sgt i64 %273, 0
-  br i1 %277, label %347, label %314
-
-278:                                              ; preds = %347
-  %279 = load i64, ptr %190, align 8, !noalias !16
-  %280 = icmp slt i64 %279, %202
-  br i1 %280, label %281, label %306
-
-281:                                              ; preds = %278
-  %282 = add nsw i64 %279, 1
-  store i64 %282, ptr %190, align 8, !noalias !16
-  store i64 %279, ptr %353, align 8, !noalias !16
-  %283 = shl i64 %272, 3
-  %284 = add i64 %85, %283
-  %285 = call i64 @llvm.smax.i64(i64 %204, i64 0)
-  br label %286
-
-286:                                              ; preds = %281, %290
-  %287 = phi i64 [ 0, %281 ], [ %292, %290 ]
-  %288 = phi i64 [ %285, %281 ], [ %291, %290 ]
-  %289 = icmp sgt i64 %288, 0
-  br i1 %289, label %290, label %356
-
-290:                                              ; preds = %286
-  %291 = add nsw i64 %288, -1
-  %292 = add i64 %287, 1
-  %293 = shl nsw i64 %287, 6
-  %294 = add nsw i64 %284, %293
-  %295 = icmp slt i64 %279, 0
-  %296 = select i1 %295, i64 %202, i64 0
-  %297 = add i64 %279, %296
-  %298 = icmp slt i64 %287, 0
-  %299 = select i1 %298, i64 %204, i64 0
-  %300 = mul i64 %297, %204
-  %301 = getelementptr double, ptr %205, i64 %300
-  %302 = getelementptr double, ptr %301, i64 %287
-  %303 = getelementptr double, ptr %302, i64 %299
-  %304 = load i64, ptr %303, align 8, !noalias !20
-  %305 = inttoptr i64 %294 to ptr
-  store atomic i64 %304, ptr %305 unordered, align 8, !noalias !20
-  br label %286
-
-306:                                              ; preds = %402, %278, %347
-  %307 = phi i64 [ %408, %402 ], [ %274, %278 ], [ %274, %347 ]
-  %308 = load i64, ptr %353, align 8, !noalias !16
-  %309 = icmp sgt i64 %308, -1
-  %310 = shl nuw i64 1, %272
-  %311 = select i1 %309, i64 %310, i64 0
-  %312 = or i64 %275, %311
-  %313 = select i1 %309, i64 %272, i64 %276
-  br label %271
-
-314:                                              ; preds = %271
-  %315 = icmp sgt i64 %276, -1
-  br i1 %315, label %316, label %2201
-
-316:                                              ; preds = %314, %342
-  %317 = phi i64 [ %411, %342 ], [ 0, %314 ]
-  %318 = phi i64 [ %410, %342 ], [ 8, %314 ]
-  %319 = icmp sgt i64 %318, 0
-  br i1 %319, label %409, label %343
-
-320:                                              ; preds = %409
-  %321 = load i64, ptr %232, align 8, !noalias !16
-  %322 = shl i64 %317, 3
-  %323 = add i64 %85, %322
-  %324 = call i64 @llvm.smax.i64(i64 %321, i64 0)
-  br label %325
-
-325:                                              ; preds = %320, %329
-  %326 = phi i64 [ 0, %320 ], [ %331, %329 ]
-  %327 = phi i64 [ %324, %320 ], [ %330, %329 ]
-  %328 = icmp sgt i64 %327, 0
-  br i1 %328, label %329, label %418
-
-329:                                              ; preds = %325
-  %330 = add nsw i64 %327, -1
-  %331 = add i64 %326, 1
-  %332 = shl nsw i64 %326, 6
-  %333 = add nsw i64 %323, %332
-  %334 = shl nsw i64 %326, 3
-  %335 = add nsw i64 %334, %276
-  %336 = icmp slt i64 %335, 0
-  %337 = select i1 %336, i64 %87, i64 0
-  %338 = getelementptr double, ptr %88, i64 %335
-  %339 = getelementptr double, ptr %338, i64 %337
-  %340 = load i64, ptr %339, align 8, !noalias !24
-  %341 = inttoptr i64 %333 to ptr
-  store atomic i64 %340, ptr %341 unordered, align 8, !noalias !24
-  br label %325
-
-342:                                              ; preds = %483, %409
-  br label %316
-
-343:                                              ; preds = %316
-  %344 = getelementptr i8, ptr %39, i64 40
-  %345 = load i64, ptr %344, align 8, !noalias !16
-  %346 = inttoptr i64 %345 to ptr
-  call void %346(ptr %54, ptr %57) #3, !noalias !16
-  br label %2201
-
-347:                                              ; preds = %271
-  %348 = add nsw i64 %273, -1
-  %349 = add i64 %272, 1
-  %350 = icmp slt i64 %272, 0
-  %351 = select i1 %350, i64 %181, i64 0
-  %352 = getelementptr i64, ptr %182, i64 %272
-  %353 = getelementptr i64, ptr %352, i64 %351
-  %354 = load i64, ptr %353, align 8, !noalias !16
-  %355 = icmp eq i64 %354, -1
-  br i1 %355, label %278, label %306
-
-356:                                              ; preds = %286
-  %357 = add i64 %46, %283
-  %358 = call i64 @llvm.smax.i64(i64 %211, i64 0)
-  br label %359
-
-359:                                              ; preds = %356, %363
-  %360 = phi i64 [ 0, %356 ], [ %365, %363 ]
-  %361 = phi i64 [ %358, %356 ], [ %364, %363 ]
-  %362 = icmp sgt i64 %361, 0
-  br i1 %362, label %363, label %379
-
-363:                                              ; preds = %359
-  %364 = add nsw i64 %361, -1
-  %365 = add i64 %360, 1
-  %366 = shl nsw i64 %360, 6
-  %367 = add nsw i64 %357, %366
-  %368 = icmp slt i64 %279, 0
-  %369 = select i1 %368, i64 %209, i64 0
-  %370 = add i64 %279, %369
-  %371 = icmp slt i64 %360, 0
-  %372 = select i1 %371, i64 %211, i64 0
-  %373 = mul i64 %370, %211
-  %374 = getelementptr double, ptr %212, i64 %373
-  %375 = getelementptr double, ptr %374, i64 %360
-  %376 = getelementptr double, ptr %375, i64 %372
-  %377 = load i64, ptr %376, align 8, !noalias !28
-  %378 = inttoptr i64 %367 to ptr
-  store atomic i64 %377, ptr %378 unordered, align 8, !noalias !28
-  br label %359
-
-379:                                              ; preds = %359
-  %380 = add i64 %51, %283
-  %381 = call i64 @llvm.smax.i64(i64 %218, i64 0)
-  br label %382
-
-382:                                              ; preds = %379, %386
-  %383 = phi i64 [ 0, %379 ], [ %388, %386 ]
-  %384 = phi i64 [ %381, %379 ], [ %387, %386 ]
-  %385 = icmp sgt i64 %384, 0
-  br i1 %385, label %386, label %402
-
-386:                                              ; preds = %382
-  %387 = add nsw i64 %384, -1
-  %388 = add i64 %383, 1
-  %389 = shl nsw i64 %383, 6
-  %390 = add nsw i64 %380, %389
-  %391 = icmp slt i64 %279, 0
-  %392 = select i1 %391, i64 %216, i64 0
-  %393 = add i64 %279, %392
-  %394 = icmp slt i64 %383, 0
-  %395 = select i1 %394, i64 %218, i64 0
-  %396 = mul i64 %393, %218
-  %397 = getelementptr double, ptr %219, i64 %396
-  %398 = getelementptr double, ptr %397, i64 %383
-  %399 = getelementptr double, ptr %398, i64 %395
-  %400 = load i64, ptr %399, align 8, !noalias !32
-  %401 = inttoptr i64 %390 to ptr
-  store atomic i64 %400, ptr %401 unordered, align 8, !noalias !32
-  br label %382
-
-402:                                              ; preds = %382
-  %403 = load double, ptr %198, align 8, !noalias !16
-  %404 = select i1 %350, i64 %135, i64 0
-  %405 = getelementptr double, ptr %136, i64 %272
-  %406 = getelementptr double, ptr %405, i64 %404
-  store double %403, ptr %406, align 8, !noalias !16
-  %407 = shl nuw i64 1, %272
-  %408 = or i64 %274, %407
-  br label %306
-
-409:                                              ; preds = %316
-  %410 = add nsw i64 %318, -1
-  %411 = add i64 %317, 1
-  %412 = icmp slt i64 %317, 0
-  %413 = select i1 %412, i64 %181, i64 0
-  %414 = getelementptr i64, ptr %182, i64 %317
-  %415 = getelementptr i64, ptr %414, i64 %413
-  %416 = load i64, ptr %415, align 8, !noalias !16
-  %417 = icmp eq i64 %416, -1
-  br i1 %417, label %320, label %342
-
-418:                                              ; preds = %325
-  %419 = load i64, ptr %232, align 8, !noalias !16
-  %420 = add i64 %113, %322
-  %421 = call i64 @llvm.smax.i64(i64 %419, i64 0)
-  br label %422
-
-422:                                              ; preds = %418, %426
-  %423 = phi i64 [ 0, %418 ], [ %428, %426 ]
-  %424 = phi i64 [ %421, %418 ], [ %427, %426 ]
-  %425 = icmp sgt i64 %424, 0
-  br i1 %425, label %426, label %439
-
-426:                                              ; preds = %422
-  %427 = add nsw i64 %424, -1
-  %428 = add i64 %423, 1
-  %429 = shl nsw i64 %423, 6
-  %430 = add nsw i64 %420, %429
-  %431 = shl nsw i64 %423, 3
-  %432 = add nsw i64 %431, %276
-  %433 = icmp slt i64 %432, 0
-  %434 = select i1 %433, i64 %115, i64 0
-  %435 = getelementptr double, ptr %116, i64 %432
-  %436 = getelementptr double, ptr %435, i64 %434
-  %437 = load i64, ptr %436, align 8, !noalias !36
-  %438 = inttoptr i64 %430 to ptr
-  store atomic i64 %437, ptr %438 unordered, align 8, !noalias !36
-  br label %422
-
-439:                                              ; preds = %422
-  %440 = getelementptr i8, ptr %39, i64 48
-  %441 = load i64, ptr %440, align 8, !noalias !16
-  %442 = add i64 %46, %322
-  %443 = call i64 @llvm.smax.i64(i64 %441, i64 0)
-  br label %444
-
-444:                                              ; preds = %439, %448
-  %445 = phi i64 [ 0, %439 ], [ %450, %448 ]
-  %446 = phi i64 [ %443, %439 ], [ %449, %448 ]
-  %447 = icmp sgt i64 %446, 0
-  br i1 %447, label %448, label %461
-
-448:                                              ; preds = %444
-  %449 = add nsw i64 %446, -1
-  %450 = add i64 %445, 1
-  %451 = shl nsw i64 %445, 6
-  %452 = add nsw i64 %442, %451
-  %453 = shl nsw i64 %445, 3
-  %454 = add nsw i64 %453, %276
-  %455 = icmp slt i64 %454, 0
-  %456 = select i1 %455, i64 %48, i64 0
-  %457 = getelementptr double, ptr %49, i64 %454
-  %458 = getelementptr double, ptr %457, i64 %456
-  %459 = load i64, ptr %458, align 8, !noalias !40
-  %460 = inttoptr i64 %452 to ptr
-  store atomic i64 %459, ptr %460 unordered, align 8, !noalias !40
-  br label %444
-
-461:                                              ; preds = %444
-  %462 = getelementptr i8, ptr %39, i64 56
-  %463 = load i64, ptr %462, align 8, !noalias !16
-  %464 = add i64 %51, %322
-  %465 = call i64 @llvm.smax.i64(i64 %463, i64 0)
-  br label %466
-
-466:                                              ; preds = %461, %470
-  %467 = phi i64 [ 0, %461 ], [ %472, %470 ]
-  %468 = phi i64 [ %465, %461 ], [ %471, %470 ]
-  %469 = icmp sgt i64 %468, 0
-  br i1 %469, label %470, label %483
-
-470:                                              ; preds = %466
-  %471 = add nsw i64 %468, -1
-  %472 = add i64 %467, 1
-  %473 = shl nsw i64 %467, 6
-  %474 = add nsw i64 %464, %473
-  %475 = shl nsw i64 %467, 3
-  %476 = add nsw i64 %475, %276
-  %477 = icmp slt i64 %476, 0
-  %478 = select i1 %477, i64 %53, i64 0
-  %479 = getelementptr double, ptr %54, i64 %476
-  %480 = getelementptr double, ptr %479, i64 %478
-  %481 = load i64, ptr %480, align 8, !noalias !44
-  %482 = inttoptr i64 %474 to ptr
-  store atomic i64 %481, ptr %482 unordered, align 8, !noalias !44
-  br label %466
-
-483:                                              ; preds = %466
-  %484 = getelementptr double, ptr %136, i64 %276
-  %485 = load double, ptr %484, align 8, !noalias !16
-  %486 = select i1 %412, i64 %135, i64 0
-  %487 = getelementptr double, ptr %136, i64 %317
-  %488 = getelementptr double, ptr %487, i64 %486
-  store double %485, ptr %488, align 8, !noalias !16
-  %489 = select i1 %412, i64 %140, i64 0
-  %490 = getelementptr double, ptr %141, i64 %317
-  %491 = getelementptr double, ptr %490, i64 %489
-  store double 0.000000e+00, ptr %491, align 8, !noalias !16
-  %492 = select i1 %412, i64 %156, i64 0
-  %493 = getelementptr double, ptr %157, i64 %317
-  %494 = getelementptr double, ptr %493, i64 %492
-  store double 0x7FF0000000000000, ptr %494, align 8, !noalias !16
-  store i64 -2, ptr %415, align 8, !noalias !16
-  br label %342
-
-495:                                              ; preds = %2201
-  br label %2256
-
-496:                                              ; preds = %2201
-  %497 = icmp eq i64 %274, 0
-  br i1 %497, label %1009, label %498
-
-498:                                              ; preds = %496
-  %499 = load i64, ptr %232, align 8, !noalias !48
-  %500 = trunc i64 %274 to i8
-  %501 = bitcast i8 %500 to <8 x i1>
-  %502 = load <8 x double>, ptr %136, align 8, !noalias !48
-  store ptr null, ptr %15, align 8, !noalias !52
-  store ptr null, ptr %16, align 8, !noalias !52
-  store <8 x double> %502, ptr %44, align 8, !noalias !52
-  %503 = icmp sgt i64 %61, 0
-  br i1 %503, label %504, label %506
-
-504:                                              ; preds = %498
-  store ptr null, ptr %15, align 8, !noalias !52
-  %505 = call fastcc i32 @_set_inputs(ptr nonnull %15, ptr nonnull %44, i64 %43, ptr %49, i64 %48, ptr %64, i64 %61, i64 %63, ptr %71, i64 %68, i64 %70, ptr %76, i64 %75, ptr %83, i64 %80, i64 %82) #3
-  switch i32 %505, label %512 [
-    i32 -2, label %506
-    i32 0, label %506
-  ], !prof !56
-
-506:                                              ; preds = %504, %504, %498
-  %507 = load i64, ptr %39, align 8, !noalias !52
-  %508 = inttoptr i64 %507 to ptr
-  %509 = call i32 %508(ptr nonnull %44, ptr %88, ptr %49, ptr %57, ptr %98) #3, !noalias !52
-  %510 = sext i32 %509 to i64
-  %511 = and i64 %274, %510
-  br label %512
-
-512:                                              ; preds = %504, %506
-  %513 = phi i64 [ %511, %506 ], [ 0, %504 ]
-  %514 = phi i1 [ true, %506 ], [ false, %504 ]
-  br i1 %514, label %971, label %2203, !prof !8
-
-515:                                              ; preds = %971, %973
-  %516 = phi i64 [ 0, %971 ], [ %975, %973 ]
-  %517 = phi i64 [ %972, %971 ], [ %974, %973 ]
-  %518 = icmp sgt i64 %517, 0
-  br i1 %518, label %973, label %519
-
-519:                                              ; preds = %515
-  %520 = getelementptr i8, ptr %193, i64 8
-  %521 = load double, ptr %520, align 8, !noalias !48
-  %522 = insertelement <8 x double> poison, double %521, i64 0
-  %523 = shufflevector <8 x double> %522, <8 x double> poison, <8 x i32> zeroinitializer
-  %524 = fcmp oeq double %521, 0.000000e+00
-  br i1 %524, label %525, label %670
-
-525:                                              ; preds = %519
-  %526 = load double, ptr %193, align 8, !noalias !48
-  %527 = load i64, ptr %232, align 8, !noalias !57
-  %528 = getelementptr i8, ptr %39, i64 24
-  %529 = load i64, ptr %528, align 8, !noalias !57
-  store <8 x double> zeroinitializer, ptr %13, align 64, !noalias !61
-  store <8 x double> zeroinitializer, ptr %14, align 64, !noalias !61
-  store <8 x double> zeroinitializer, ptr %13, align 64, !noalias !61
-  %530 = call fastcc i32 @norm(ptr nonnull %13, ptr %88, ptr %88, ptr %88, ptr %126, i64 %125, ptr %131, i64 %130, i64 %529) #3
-  %531 = load <8 x double>, ptr %13, align 64, !noalias !61
-  switch i32 %530, label %667 [
-    i32 -2, label %532
-    i32 0, label %532
-  ], !prof !56
-
-532:                                              ; preds = %525, %525
-  store <8 x double> zeroinitializer, ptr %14, align 64, !noalias !61
-  %533 = call fastcc i32 @norm(ptr nonnull %14, ptr %116, ptr %88, ptr %88, ptr %126, i64 %125, ptr %131, i64 %130, i64 %529) #3
-  %534 = load <8 x double>, ptr %14, align 64, !noalias !61
-  switch i32 %533, label %667 [
-    i32 -2, label %535
-    i32 0, label %535
-  ], !prof !56
-
-535:                                              ; preds = %532, %532
-  %536 = fcmp olt <8 x double> %531, splat (double 1.000000e-05)
-  %537 = fcmp olt <8 x double> %534, splat (double 1.000000e-05)
-  %538 = or <8 x i1> %536, %537
-  %539 = fmul <8 x double> %531, splat (double 1.000000e-02)
-  %540 = fdiv <8 x double> %539, %534
-  %541 = select <8 x i1> %538, <8 x double> splat (double 0x3EB0C6F7A0B5ED8D), <8 x double> %540
-  %542 = insertelement <8 x double> poison, double %526, i64 0
-  %543 = shufflevector <8 x double> %542, <8 x double> poison, <8 x i32> zeroinitializer
-  %544 = fcmp olt <8 x double> %543, %541
-  %545 = select <8 x i1> %544, <8 x double> %543, <8 x double> %541
-  %546 = call i64 @llvm.smax.i64(i64 %527, i64 0)
-  br label %547
-
-547:                                              ; preds = %535, %568
-  %548 = phi i64 [ 0, %535 ], [ %570, %568 ]
-  %549 = phi i64 [ %546, %535 ], [ %569, %568 ]
-  %550 = icmp sgt i64 %549, 0
-  br i1 %550, label %568, label %551
-
-551:                                              ; preds = %547
-  %552 = shl i64 %87, 3
-  %553 = add i64 %113, %552
-  %554 = fadd <8 x double> %502, %545
-  store ptr null, ptr %11, align 8, !noalias !65
-  store ptr null, ptr %12, align 8, !noalias !65
-  store <8 x double> %554, ptr %44, align 8, !noalias !65
-  br i1 %503, label %555, label %557
-
-555:                                              ; preds = %551
-  store ptr null, ptr %11, align 8, !noalias !65
-  %556 = call fastcc i32 @_set_inputs(ptr nonnull %11, ptr nonnull %44, i64 %43, ptr %49, i64 %48, ptr %64, i64 %61, i64 %63, ptr %71, i64 %68, i64 %70, ptr %76, i64 %75, ptr %83, i64 %80, i64 %82) #3
-  switch i32 %556, label %667 [
-    i32 -2, label %557
-    i32 0, label %557
-  ], !prof !56
-
-557:                                              ; preds = %555, %555, %551
-  %558 = load i64, ptr %39, align 8, !noalias !65
-  %559 = inttoptr i64 %558 to ptr
-  %560 = inttoptr i64 %553 to ptr
-  %561 = call i32 %559(ptr nonnull %44, ptr %98, ptr %49, ptr %57, ptr %560) #3, !noalias !65
-  %562 = trunc i32 %561 to i8
-  %563 = bitcast i8 %562 to <8 x i1>
-  store <8 x double> zeroinitializer, ptr %10, align 64, !noalias !69
-  %564 = icmp slt i64 %87, 0
-  %565 = select i1 %564, i64 %115, i64 0
-  %566 = add i64 %87, %565
-  %567 = icmp slt i64 %566, 0
-  br i1 %567, label %585, label %586, !prof !4
-
-568:                                              ; preds = %547
-  %569 = add nsw i64 %549, -1
-  %570 = add i64 %548, 1
-  %571 = shl i64 %548, 6
-  %572 = getelementptr i8, ptr %88, i64 %571
-  %573 = load <8 x double>, ptr %572, align 8, !noalias !57
-  %574 = getelementptr i8, ptr %116, i64 %571
-  %575 = load <8 x double>, ptr %574, align 8, !noalias !57
-  %576 = fmul <8 x double> %545, %575
-  %577 = fadd <8 x double> %573, %576
-  %578 = getelementptr i8, ptr %98, i64 %571
-  store <8 x double> %577, ptr %578, align 8, !noalias !57
-  br label %547
-
-579:                                              ; preds = %590, %594
-  %580 = phi i64 [ 0, %590 ], [ %596, %594 ]
-  %581 = phi i64 [ %593, %590 ], [ %595, %594 ]
-  %582 = icmp sgt i64 %581, 0
-  br i1 %582, label %594, label %583
-
-583:                                              ; preds = %579
-  store <8 x double> zeroinitializer, ptr %10, align 64, !noalias !69
-  %584 = call fastcc i32 @norm(ptr nonnull %10, ptr %592, ptr %88, ptr %88, ptr %126, i64 %125, ptr %131, i64 %130, i64 %529) #3
-  switch i32 %584, label %667 [
-    i32 -2, label %603
-    i32 0, label %603
-  ], !prof !56
-
-585:                                              ; preds = %557
-  br label %586
-
-586:                                              ; preds = %585, %557
-  %587 = phi i64 [ 0, %585 ], [ %566, %557 ]
-  %588 = icmp slt i64 %566, %115
-  br i1 %588, label %590, label %589, !prof !8
-
-589:                                              ; preds = %586
-  br label %590
-
-590:                                              ; preds = %589, %586
-  %591 = phi i64 [ %115, %589 ], [ %587, %586 ]
-  %592 = getelementptr double, ptr %116, i64 %591
-  %593 = call i64 @llvm.smax.i64(i64 %529, i64 0)
-  br label %579
-
-594:                                              ; preds = %579
-  %595 = add nsw i64 %581, -1
-  %596 = add i64 %580, 1
-  %597 = shl i64 %580, 6
-  %598 = getelementptr i8, ptr %592, i64 %597
-  %599 = load <8 x double>, ptr %598, align 8, !noalias !69
-  %600 = getelementptr i8, ptr %116, i64 %597
-  %601 = load <8 x double>, ptr %600, align 8, !noalias !69
-  %602 = fsub <8 x double> %599, %601
-  store <8 x double> %602, ptr %598, align 8, !noalias !69
-  br label %579
-
-603:                                              ; preds = %583, %583
-  %604 = load <8 x double>, ptr %10, align 64, !noalias !69
-  %605 = fdiv <8 x double> %604, %545
-  %606 = fcmp ogt <8 x double> %534, %605
-  %607 = select <8 x i1> %606, <8 x double> %534, <8 x double> %605
-  %608 = fcmp ogt <8 x double> %607, splat (double 1.000000e-15)
-  %609 = fdiv <8 x double> splat (double 1.000000e-02), %607
-  %610 = select <8 x i1> %608, <8 x double> %609, <8 x double> splat (double 1.000000e+13)
-  %611 = load double, ptr %36, align 8, !noalias !69
-  %612 = insertelement <8 x double> poison, double %611, i64 0
-  %613 = shufflevector <8 x double> %612, <8 x double> poison, <8 x i32> zeroinitializer
-  %614 = bitcast <8 x double> %610 to <8 x i64>
-  %615 = add nsw <8 x i64> %614, splat (i64 -4604544271217802189)
-  %616 = ashr <8 x i64> %615, splat (i64 52)
-  %617 = and <8 x i64> %615, splat (i64 -4503599627370496)
-  %618 = sub <8 x i64> %614, %617
-  %619 = bitcast <8 x i64> %618 to <8 x double>
-  %620 = fadd <8 x double> %619, splat (double -1.000000e+00)
-  %621 = fadd <8 x double> %619, splat (double 1.000000e+00)
-  %622 = fdiv <8 x double> %620, %621
-  %623 = fmul <8 x double> %622, %622
-  %624 = call <8 x double> @llvm.fma.v8f64(<8 x double> %623, <8 x double> splat (double 0x3FD484B13D7C02A9), <8 x double> splat (double 0x3FDA61762A7ADED9))
-  %625 = call <8 x double> @llvm.fma.v8f64(<8 x double> %624, <8 x double> %623, <8 x double> splat (double 0x3FE2776C50EF9BFE))
-  %626 = call <8 x double> @llvm.fma.v8f64(<8 x double> %625, <8 x double> %623, <8 x double> splat (double 0x3FEEC709DC3A03FD))
-  %627 = call <8 x double> @llvm.fma.v8f64(<8 x double> %626, <8 x double> %623, <8 x double> splat (double 0x40071547652B82FE))
-  %628 = fmul <8 x double> %627, %622
-  %629 = trunc nsw <8 x i64> %616 to <8 x i32>
-  %630 = sitofp <8 x i32> %629 to <8 x double>
-  %631 = fadd <8 x double> %628, %630
-  %632 = fmul <8 x double> %631, %613
-  %633 = fcmp ogt <8 x double> %632, splat (double -1.000000e+03)
-  %634 = select <8 x i1> %633, <8 x double> %632, <8 x double> splat (double -1.000000e+03)
-  %635 = fcmp olt <8 x double> %634, splat (double 1.000000e+03)
-  %636 = select <8 x i1> %635, <8 x double> %634, <8 x double> splat (double 1.000000e+03)
-  %637 = call <8 x double> @llvm.rint.v8f64(<8 x double> %636)
-  %638 = fsub <8 x double> %636, %637
-  %639 = call <8 x double> @llvm.fma.v8f64(<8 x double> %638, <8 x double> splat (double 0x3EEFFCBFC588B0C5), <8 x double> splat (double 0x3F2430912F86C786))
-  %640 = call <8 x double> @llvm.fma.v8f64(<8 x double> %639, <8 x double> %638, <8 x double> splat (double 0x3F55D87FE78A6730))
-  %641 = call <8 x double> @llvm.fma.v8f64(<8 x double> %640, <8 x double> %638, <8 x double> splat (double 0x3F83B2AB6FBA4E77))
-  %642 = call <8 x double> @llvm.fma.v8f64(<8 x double> %641, <8 x double> %638, <8 x double> splat (double 0x3FAC6B08D704A0BF))
-  %643 = call <8 x double> @llvm.fma.v8f64(<8 x double> %642, <8 x double> %638, <8 x double> splat (double 0x3FCEBFBDFF82C58E))
-  %644 = call <8 x double> @llvm.fma.v8f64(<8 x double> %643, <8 x double> %638, <8 x double> splat (double 0x3FE62E42FEFA39EF))
-  %645 = call <8 x double> @llvm.fma.v8f64(<8 x double> %644, <8 x double> %638, <8 x double> splat (double 1.000000e+00))
-  %646 = fptosi <8 x double> %637 to <8 x i32>
-  %647 = zext <8 x i32> %646 to <8 x i64>
-  %648 = shl <8 x i64> %647, splat (i64 52)
-  %649 = bitcast <8 x double> %645 to <8 x i64>
-  %650 = add <8 x i64> %648, %649
-  %651 = bitcast <8 x i64> %650 to <8 x double>
-  %652 = fmul <8 x double> %545, splat (double 1.000000e-03)
-  %653 = fcmp olt <8 x double> %652, splat (double 0x3EB0C6F7A0B5ED8D)
-  %654 = select <8 x i1> %653, <8 x double> splat (double 0x3EB0C6F7A0B5ED8D), <8 x double> %652
-  %655 = fmul <8 x double> %545, splat (double 1.000000e+02)
-  %656 = select <8 x i1> %608, <8 x double> %651, <8 x double> %654
-  %657 = fcmp olt <8 x double> %655, %656
-  %658 = select <8 x i1> %657, <8 x double> %655, <8 x double> %656
-  %659 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %502)
-  %660 = fmul <8 x double> %659, splat (double 0x3D30000000000000)
-  %661 = fcmp ogt <8 x double> %660, %658
-  %662 = select <8 x i1> %661, <8 x double> %660, <8 x double> %658
-  %663 = shufflevector <8 x double> %542, <8 x double> poison, <8 x i32> zeroinitializer
-  %664 = fcmp olt <8 x double> %663, %662
-  %665 = select <8 x i1> %664, <8 x double> %663, <8 x double> %662
-  %666 = select <8 x i1> %563, <8 x double> %652, <8 x double> %665
-  br label %667
-
-667:                                              ; preds = %555, %525, %532, %583, %603
-  %668 = phi <8 x double> [ zeroinitializer, %525 ], [ %666, %603 ], [ zeroinitializer, %583 ], [ zeroinitializer, %532 ], [ zeroinitializer, %555 ]
-  %669 = phi i1 [ false, %525 ], [ true, %603 ], [ false, %583 ], [ false, %532 ], [ false, %555 ]
-  br i1 %669, label %670, label %2203, !prof !8
-
-670:                                              ; preds = %667, %519
-  %671 = phi double [ 1.000000e+00, %519 ], [ 2.000000e+00, %667 ]
-  %672 = phi <8 x double> [ %523, %519 ], [ %668, %667 ]
-  %673 = load <8 x double>, ptr %141, align 8, !noalias !48
-  %674 = select <8 x i1> %501, <8 x double> %672, <8 x double> %673
-  store <8 x double> %674, ptr %141, align 8, !noalias !48
-  %675 = load <8 x double>, ptr %144, align 8, !noalias !48
-  %676 = select <8 x i1> %501, <8 x double> splat (double 1.000000e-04), <8 x double> %675
-  store <8 x double> %676, ptr %144, align 8, !noalias !48
-  %677 = getelementptr i8, ptr %36, i64 40
-  %678 = load double, ptr %677, align 8, !noalias !48
-  %679 = load <8 x double>, ptr %147, align 8, !noalias !48
-  %680 = insertelement <8 x double> poison, double %678, i64 0
-  %681 = shufflevector <8 x double> %680, <8 x double> poison, <8 x i32> zeroinitializer
-  %682 = select <8 x i1> %501, <8 x double> %681, <8 x double> %679
-  store <8 x double> %682, ptr %147, align 8, !noalias !48
-  %683 = load <8 x double>, ptr %162, align 8, !noalias !48
-  %684 = select <8 x i1> %501, <8 x double> zeroinitializer, <8 x double> %683
-  store <8 x double> %684, ptr %162, align 8, !noalias !48
-  %685 = load <8 x double>, ptr %167, align 8, !noalias !48
-  %686 = select <8 x i1> %501, <8 x double> zeroinitializer, <8 x double> %685
-  store <8 x double> %686, ptr %167, align 8, !noalias !48
-  %687 = load <8 x double>, ptr %172, align 8, !noalias !48
-  %688 = insertelement <8 x double> poison, double %671, i64 0
-  %689 = shufflevector <8 x double> %688, <8 x double> poison, <8 x i32> zeroinitializer
-  %690 = select <8 x i1> %501, <8 x double> %689, <8 x double> %687
-  store <8 x double> %690, ptr %172, align 8, !noalias !48
-  %691 = call <8 x i1> @llvm.is.fpclass.v8f64(<8 x double> %672, i32 384)
-  %692 = select <8 x i1> %691, <8 x double> splat (double 2.000000e+00), <8 x double> splat (double 4.000000e+00)
-  %693 = load <8 x double>, ptr %177, align 8, !noalias !48
-  %694 = select <8 x i1> %501, <8 x double> %692, <8 x double> %693
-  store <8 x double> %694, ptr %177, align 8, !noalias !48
-  br label %695
-
-695:                                              ; preds = %670, %721
-  %696 = phi i64 [ 0, %670 ], [ %984, %721 ]
-  %697 = phi i64 [ 8, %670 ], [ %983, %721 ]
-  %698 = icmp sgt i64 %697, 0
-  br i1 %698, label %982, label %722
-
-699:                                              ; preds = %982
-  %700 = load double, ptr %198, align 8, !noalias !48
-  %701 = icmp slt i64 %696, 0
-  %702 = select i1 %701, i64 %151, i64 0
-  %703 = getelementptr double, ptr %152, i64 %696
-  %704 = getelementptr double, ptr %703, i64 %702
-  store double 0.000000e+00, ptr %704, align 8, !noalias !48
-  %705 = select i1 %701, i64 %156, i64 0
-  %706 = getelementptr double, ptr %157, i64 %696
-  %707 = getelementptr double, ptr %706, i64 %705
-  store double %700, ptr %707, align 8, !noalias !48
-  %708 = select i1 %701, i64 %181, i64 0
-  %709 = getelementptr i64, ptr %182, i64 %696
-  %710 = getelementptr i64, ptr %709, i64 %708
-  %711 = load i64, ptr %710, align 8, !noalias !48
-  %712 = add nsw i64 %197, -1
-  %713 = mul nsw i64 %711, %712
-  %714 = getelementptr i8, ptr %190, i64 24
-  %715 = load i64, ptr %714, align 8, !noalias !48
-  %716 = shl nsw i64 %713, 3
-  %717 = add nsw i64 %715, %716
-  %718 = select i1 %701, i64 %186, i64 0
-  %719 = getelementptr i64, ptr %187, i64 %696
-  %720 = getelementptr i64, ptr %719, i64 %718
-  store i64 %717, ptr %720, align 8, !noalias !48
-  br label %721
-
-721:                                              ; preds = %699, %982
-  br label %695
-
-722:                                              ; preds = %695
-  %723 = xor i64 %513, -1
-  %724 = and i64 %274, %723
-  %725 = icmp eq i64 %724, 0
-  br i1 %725, label %814, label %726
-
-726:                                              ; preds = %722, %748
-  %727 = phi i64 [ %800, %748 ], [ %724, %722 ]
-  %728 = getelementptr i8, ptr %190, i64 32
-  %729 = load i64, ptr %728, align 8, !noalias !73
-  %730 = shl nsw i64 %729, 3
-  %731 = load i64, ptr %232, align 8, !noalias !73
-  br label %732
-
-732:                                              ; preds = %726, %746
-  %733 = phi i64 [ %736, %746 ], [ %727, %726 ]
-  %734 = call range(i64 0, 65) i64 @llvm.cttz.i64(i64 %733, i1 true)
-  %735 = add nsw i64 %733, -1
-  %736 = and i64 %733, %735
-  %737 = getelementptr i64, ptr %187, i64 %734
-  %738 = load i64, ptr %737, align 8, !noalias !73
-  %739 = add nsw i64 %738, 8
-  store i64 %739, ptr %737, align 8, !noalias !73
-  %740 = call i64 @llvm.smax.i64(i64 %731, i64 0)
-  br label %741
-
-741:                                              ; preds = %732, %802
-  %742 = phi i64 [ 0, %732 ], [ %804, %802 ]
-  %743 = phi i64 [ %740, %732 ], [ %803, %802 ]
-  %744 = phi i64 [ %738, %732 ], [ %813, %802 ]
-  %745 = icmp sgt i64 %743, 0
-  br i1 %745, label %802, label %746
-
-746:                                              ; preds = %741
-  %747 = icmp eq i64 %736, 0
-  br i1 %747, label %748, label %732
-
-748:                                              ; preds = %746
-  %749 = load <8 x double>, ptr %152, align 8, !noalias !73
-  %750 = trunc i64 %727 to i8
-  %751 = bitcast i8 %750 to <8 x i1>
-  %752 = select <8 x i1> %751, <8 x double> splat (double 1.000000e+00), <8 x double> zeroinitializer
-  %753 = fadd <8 x double> %749, %752
-  store <8 x double> %753, ptr %152, align 8, !noalias !73
-  %754 = extractelement <8 x double> %753, i64 0
-  %755 = fptosi double %754 to i64
-  %756 = getelementptr double, ptr %198, i64 %755
-  %757 = load double, ptr %756, align 8, !noalias !73
-  %758 = insertelement <8 x double> poison, double %757, i64 0
-  %759 = extractelement <8 x double> %753, i64 1
-  %760 = fptosi double %759 to i64
-  %761 = getelementptr double, ptr %198, i64 %760
-  %762 = load double, ptr %761, align 8, !noalias !73
-  %763 = insertelement <8 x double> %758, double %762, i64 1
-  %764 = extractelement <8 x double> %753, i64 2
-  %765 = fptosi double %764 to i64
-  %766 = getelementptr double, ptr %198, i64 %765
-  %767 = load double, ptr %766, align 8, !noalias !73
-  %768 = insertelement <8 x double> %763, double %767, i64 2
-  %769 = extractelement <8 x double> %753, i64 3
-  %770 = fptosi double %769 to i64
-  %771 = getelementptr double, ptr %198, i64 %770
-  %772 = load double, ptr %771, align 8, !noalias !73
-  %773 = insertelement <8 x double> %768, double %772, i64 3
-  %774 = extractelement <8 x double> %753, i64 4
-  %775 = fptosi double %774 to i64
-  %776 = getelementptr double, ptr %198, i64 %775
-  %777 = load double, ptr %776, align 8, !noalias !73
-  %778 = insertelement <8 x double> %773, double %777, i64 4
-  %779 = extractelement <8 x double> %753, i64 5
-  %780 = fptosi double %779 to i64
-  %781 = getelementptr double, ptr %198, i64 %780
-  %782 = load double, ptr %781, align 8, !noalias !73
-  %783 = insertelement <8 x double> %778, double %782, i64 5
-  %784 = extractelement <8 x double> %753, i64 6
-  %785 = fptosi double %784 to i64
-  %786 = getelementptr double, ptr %198, i64 %785
-  %787 = load double, ptr %786, align 8, !noalias !73
-  %788 = insertelement <8 x double> %783, double %787, i64 6
-  %789 = extractelement <8 x double> %753, i64 7
-  %790 = fptosi double %789 to i64
-  %791 = getelementptr double, ptr %198, i64 %790
-  %792 = load double, ptr %791, align 8, !noalias !73
-  %793 = insertelement <8 x double> %788, double %792, i64 7
-  store <8 x double> %793, ptr %157, align 8, !noalias !73
-  %794 = load double, ptr %198, align 8, !noalias !48
-  %795 = insertelement <8 x double> poison, double %794, i64 0
-  %796 = shufflevector <8 x double> %795, <8 x double> poison, <8 x i32> zeroinitializer
-  %797 = fcmp oeq <8 x double> %793, %796
-  %798 = bitcast <8 x i1> %797 to i8
-  %799 = zext i8 %798 to i64
-  %800 = and i64 %727, %799
-  %801 = icmp eq i64 %800, 0
-  br i1 %801, label %814, label %726
-
-802:                                              ; preds = %741
-  %803 = add nsw i64 %743, -1
-  %804 = add i64 %742, 1
-  %805 = shl nsw i64 %742, 3
-  %806 = add nsw i64 %805, %734
-  %807 = icmp slt i64 %806, 0
-  %808 = select i1 %807, i64 %87, i64 0
-  %809 = getelementptr double, ptr %88, i64 %806
-  %810 = getelementptr double, ptr %809, i64 %808
-  %811 = load i64, ptr %810, align 8, !noalias !73
-  %812 = inttoptr i64 %744 to ptr
-  store atomic i64 %811, ptr %812 unordered, align 8, !noalias !73
-  %813 = add nsw i64 %744, %730
-  br label %741
-
-814:                                              ; preds = %748, %722
-  br label %815
-
-815:                                              ; preds = %844, %814, %970
-  %816 = phi i64 [ 0, %814 ], [ %990, %970 ], [ %990, %844 ]
-  %817 = phi i64 [ 8, %814 ], [ %989, %970 ], [ %989, %844 ]
-  %818 = icmp sgt i64 %817, 0
-  br i1 %818, label %988, label %994
-
-819:                                              ; preds = %988
-  %820 = icmp slt i64 %816, 0
-  %821 = select i1 %820, i64 %181, i64 0
-  %822 = getelementptr i64, ptr %182, i64 %816
-  %823 = getelementptr i64, ptr %822, i64 %821
-  %824 = load i64, ptr %823, align 8, !noalias !77
-  %825 = getelementptr i8, ptr %190, i64 32
-  %826 = load i64, ptr %825, align 8, !noalias !77
-  %827 = shl nsw i64 %826, 3
-  %828 = select i1 %820, i64 %151, i64 0
-  %829 = getelementptr double, ptr %152, i64 %816
-  %830 = getelementptr double, ptr %829, i64 %828
-  %831 = load double, ptr %830, align 8, !noalias !77
-  %832 = fptosi double %831 to i64
-  %833 = xor i64 %832, -1
-  %834 = add i64 %197, %833
-  %835 = call i64 @llvm.smax.i64(i64 %834, i64 0)
-  br label %836
-
-836:                                              ; preds = %840, %819
-  %837 = phi i64 [ 0, %819 ], [ %877, %840 ]
-  %838 = phi i64 [ %835, %819 ], [ %876, %840 ]
-  %839 = icmp sgt i64 %838, 0
-  br i1 %839, label %875, label %844
-
-840:                                              ; preds = %875, %886
-  %841 = phi i64 [ %885, %875 ], [ %887, %886 ]
-  %842 = phi i64 [ %883, %875 ], [ %889, %886 ]
-  %843 = icmp sgt i64 %841, 0
-  br i1 %843, label %886, label %836
-
-844:                                              ; preds = %836
-  %845 = icmp slt i64 %824, 0
-  %846 = select i1 %845, i64 %223, i64 0
-  %847 = add i64 %824, %846
-  %848 = mul i64 %847, %225
-  %849 = getelementptr i64, ptr %226, i64 %848
-  %850 = select i1 %820, i64 %161, i64 0
-  %851 = getelementptr double, ptr %162, i64 %816
-  %852 = getelementptr double, ptr %851, i64 %850
-  %853 = load double, ptr %852, align 8, !noalias !77
-  %854 = select i1 %820, i64 %166, i64 0
-  %855 = getelementptr double, ptr %167, i64 %816
-  %856 = getelementptr double, ptr %855, i64 %854
-  %857 = load double, ptr %856, align 8, !noalias !77
-  %858 = fptosi double %853 to i64
-  store i64 %858, ptr %849, align 8, !noalias !77
-  %859 = getelementptr i8, ptr %849, i64 8
-  %860 = fptosi double %857 to i64
-  store i64 %860, ptr %859, align 8, !noalias !77
-  %861 = select i1 %820, i64 %171, i64 0
-  %862 = getelementptr double, ptr %172, i64 %816
-  %863 = getelementptr double, ptr %862, i64 %861
-  %864 = load double, ptr %863, align 8, !noalias !77
-  %865 = getelementptr i8, ptr %849, i64 16
-  %866 = fptosi double %864 to i64
-  store i64 %866, ptr %865, align 8, !noalias !77
-  %867 = getelementptr i8, ptr %849, i64 24
-  store i64 3, ptr %867, align 8, !noalias !77
-  %868 = select i1 %820, i64 %135, i64 0
-  %869 = getelementptr double, ptr %136, i64 %816
-  %870 = getelementptr double, ptr %869, i64 %868
-  %871 = load double, ptr %870, align 8, !noalias !77
-  %872 = select i1 %845, i64 %230, i64 0
-  %873 = getelementptr double, ptr %231, i64 %824
-  %874 = getelementptr double, ptr %873, i64 %872
-  store double %871, ptr %874, align 8, !noalias !77
-  store i64 -1, ptr %823, align 8, !noalias !77
-  br label %815
-
-875:                                              ; preds = %836
-  %876 = add nsw i64 %838, -1
-  %877 = add i64 %837, 1
-  %878 = shl nsw i64 %837, 3
-  %879 = select i1 %820, i64 %186, i64 0
-  %880 = getelementptr i64, ptr %187, i64 %816
-  %881 = getelementptr i64, ptr %880, i64 %879
-  %882 = load i64, ptr %881, align 8, !noalias !77
-  %883 = add nsw i64 %882, %878
-  %884 = load i64, ptr %232, align 8, !noalias !77
-  %885 = call i64 @llvm.smax.i64(i64 %884, i64 0)
-  br label %840
-
-886:                                              ; preds = %840
-  %887 = add nsw i64 %841, -1
-  %888 = inttoptr i64 %842 to ptr
-  store atomic i64 9221120237041090560, ptr %888 unordered, align 8, !noalias !77
-  %889 = add nsw i64 %842, %827
-  br label %840
-
-890:                                              ; preds = %988
-  %891 = and i64 %274, %991
-  %892 = icmp eq i64 %891, 0
-  br i1 %892, label %970, label %893
-
-893:                                              ; preds = %890
-  %894 = icmp slt i64 %816, 0
-  %895 = select i1 %894, i64 %156, i64 0
-  %896 = getelementptr double, ptr %157, i64 %816
-  %897 = getelementptr double, ptr %896, i64 %895
-  %898 = load double, ptr %897, align 8, !noalias !48
-  %899 = fcmp oeq double %898, 0x7FF0000000000000
-  br i1 %899, label %900, label %970
-
-900:                                              ; preds = %893
-  %901 = select i1 %894, i64 %181, i64 0
-  %902 = getelementptr i64, ptr %182, i64 %816
-  %903 = getelementptr i64, ptr %902, i64 %901
-  %904 = load i64, ptr %903, align 8, !noalias !81
-  %905 = getelementptr i8, ptr %190, i64 32
-  %906 = load i64, ptr %905, align 8, !noalias !81
-  %907 = shl nsw i64 %906, 3
-  %908 = select i1 %894, i64 %151, i64 0
-  %909 = getelementptr double, ptr %152, i64 %816
-  %910 = getelementptr double, ptr %909, i64 %908
-  %911 = load double, ptr %910, align 8, !noalias !81
-  %912 = fptosi double %911 to i64
-  %913 = xor i64 %912, -1
-  %914 = add i64 %197, %913
-  %915 = call i64 @llvm.smax.i64(i64 %914, i64 0)
-  br label %916
-
-916:                                              ; preds = %920, %900
-  %917 = phi i64 [ 0, %900 ], [ %957, %920 ]
-  %918 = phi i64 [ %915, %900 ], [ %956, %920 ]
-  %919 = icmp sgt i64 %918, 0
-  br i1 %919, label %955, label %924
-
-920:                                              ; preds = %955, %966
-  %921 = phi i64 [ %965, %955 ], [ %967, %966 ]
-  %922 = phi i64 [ %963, %955 ], [ %969, %966 ]
-  %923 = icmp sgt i64 %921, 0
-  br i1 %923, label %966, label %916
-
-924:                                              ; preds = %916
-  %925 = icmp slt i64 %904, 0
-  %926 = select i1 %925, i64 %223, i64 0
-  %927 = add i64 %904, %926
-  %928 = mul i64 %927, %225
-  %929 = getelementptr i64, ptr %226, i64 %928
-  %930 = select i1 %894, i64 %161, i64 0
-  %931 = getelementptr double, ptr %162, i64 %816
-  %932 = getelementptr double, ptr %931, i64 %930
-  %933 = load double, ptr %932, align 8, !noalias !81
-  %934 = select i1 %894, i64 %166, i64 0
-  %935 = getelementptr double, ptr %167, i64 %816
-  %936 = getelementptr double, ptr %935, i64 %934
-  %937 = load double, ptr %936, align 8, !noalias !81
-  %938 = fptosi double %933 to i64
-  store i64 %938, ptr %929, align 8, !noalias !81
-  %939 = getelementptr i8, ptr %929, i64 8
-  %940 = fptosi double %937 to i64
-  store i64 %940, ptr %939, align 8, !noalias !81
-  %941 = select i1 %894, i64 %171, i64 0
-  %942 = getelementptr double, ptr %172, i64 %816
-  %943 = getelementptr double, ptr %942, i64 %941
-  %944 = load double, ptr %943, align 8, !noalias !81
-  %945 = getelementptr i8, ptr %929, i64 16
-  %946 = fptosi double %944 to i64
-  store i64 %946, ptr %945, align 8, !noalias !81
-  %947 = getelementptr i8, ptr %929, i64 24
-  store i64 0, ptr %947, align 8, !noalias !81
-  %948 = select i1 %894, i64 %135, i64 0
-  %949 = getelementptr double, ptr %136, i64 %816
-  %950 = getelementptr double, ptr %949, i64 %948
-  %951 = load double, ptr %950, align 8, !noalias !81
-  %952 = select i1 %925, i64 %230, i64 0
-  %953 = getelementptr double, ptr %231, i64 %904
-  %954 = getelementptr double, ptr %953, i64 %952
-  store double %951, ptr %954, align 8, !noalias !81
-  store i64 -1, ptr %903, align 8, !noalias !81
-  br label %970
-
-955:                                              ; preds = %916
-  %956 = add nsw i64 %918, -1
-  %957 = add i64 %917, 1
-  %958 = shl nsw i64 %917, 3
-  %959 = select i1 %894, i64 %186, i64 0
-  %960 = getelementptr i64, ptr %187, i64 %816
-  %961 = getelementptr i64, ptr %960, i64 %959
-  %962 = load i64, ptr %961, align 8, !noalias !81
-  %963 = add nsw i64 %962, %958
-  %964 = load i64, ptr %232, align 8, !noalias !81
-  %965 = call i64 @llvm.smax.i64(i64 %964, i64 0)
-  br label %920
-
-966:                                              ; preds = %920
-  %967 = add nsw i64 %921, -1
-  %968 = inttoptr i64 %922 to ptr
-  store atomic i64 9221120237041090560, ptr %968 unordered, align 8, !noalias !81
-  %969 = add nsw i64 %922, %907
-  br label %920
-
-970:                                              ; preds = %924, %893, %890
-  br label %815
-
-971:                                              ; preds = %512
-  %972 = call i64 @llvm.smax.i64(i64 %499, i64 0)
-  br label %515
-
-973:                                              ; preds = %515
-  %974 = add nsw i64 %517, -1
-  %975 = add i64 %516, 1
-  %976 = shl i64 %516, 6
-  %977 = getelementptr i8, ptr %98, i64 %976
-  %978 = load <8 x double>, ptr %977, align 8, !noalias !48
-  %979 = getelementptr i8, ptr %116, i64 %976
-  %980 = load <8 x double>, ptr %979, align 8, !noalias !48
-  %981 = select <8 x i1> %501, <8 x double> %978, <8 x double> %980
-  store <8 x double> %981, ptr %979, align 8, !noalias !48
-  br label %515
-
-982:                                              ; preds = %695
-  %983 = add nsw i64 %697, -1
-  %984 = add i64 %696, 1
-  %985 = shl nuw i64 1, %696
-  %986 = and i64 %274, %985
-  %987 = icmp eq i64 %986, 0
-  br i1 %987, label %721, label %699
-
-988:                                              ; preds = %815
-  %989 = add nsw i64 %817, -1
-  %990 = add i64 %816, 1
-  %991 = shl nuw i64 1, %816
-  %992 = and i64 %513, %991
-  %993 = icmp eq i64 %992, 0
-  br i1 %993, label %890, label %819
-
-994:                                              ; preds = %815, %1006
-  %995 = phi i64 [ %2206, %1006 ], [ 0, %815 ]
-  %996 = phi i64 [ %2205, %1006 ], [ 8, %815 ]
-  %997 = phi i1 [ %1007, %1006 ], [ false, %815 ]
-  %998 = icmp sgt i64 %996, 0
-  br i1 %998, label %2204, label %1008
-
-999:                                              ; preds = %2204
-  %1000 = icmp slt i64 %995, 0
-  %1001 = select i1 %1000, i64 %181, i64 0
-  %1002 = getelementptr i64, ptr %182, i64 %995
-  %1003 = getelementptr i64, ptr %1002, i64 %1001
-  %1004 = load i64, ptr %1003, align 8, !noalias !12
-  %1005 = icmp eq i64 %1004, -1
-  br label %1006
-
-1006:                                             ; preds = %999, %2204
-  %1007 = phi i1 [ true, %2204 ], [ %1005, %999 ]
-  br label %994
-
-1008:                                             ; preds = %994
-  br i1 %997, label %270, label %1009
-
-1009:                                             ; preds = %496, %1008, %267
-  %1010 = phi i64 [ %268, %267 ], [ %275, %1008 ], [ %275, %496 ]
-  %1011 = phi i1 [ false, %267 ], [ false, %1008 ], [ true, %496 ]
-  %1012 = getelementptr i8, ptr %190, i64 8
-  %1013 = load i64, ptr %1012, align 8, !noalias !12
-  %1014 = icmp slt i64 %1013, 1
-  br i1 %1014, label %1015, label %1016
-
-1015:                                             ; preds = %1009
-  br label %2256
-
-1016:                                             ; preds = %1009
-  %1017 = add nsw i64 %1013, -1
-  store i64 %1017, ptr %1012, align 8, !noalias !12
-  %1018 = load <8 x double>, ptr %136, align 8, !noalias !12
-  %1019 = load <8 x double>, ptr %141, align 8, !noalias !12
-  %1020 = trunc i64 %1010 to i8
-  %1021 = bitcast i8 %1020 to <8 x i1>
-  br i1 %248, label %1022, label %1029
-
-1022:                                             ; preds = %1016
-  %1023 = insertelement <8 x double> poison, double %239, i64 0
-  %1024 = shufflevector <8 x double> %1023, <8 x double> poison, <8 x i32> zeroinitializer
-  %1025 = insertelement <8 x double> poison, double %240, i64 0
-  %1026 = shufflevector <8 x double> %1025, <8 x double> poison, <8 x i32> zeroinitializer
-  %1027 = fcmp olt <8 x double> %1019, %1026
-  %1028 = select <8 x i1> %1027, <8 x double> %1019, <8 x double> %1026
-  br label %1036
-
-1029:                                             ; preds = %1016
-  %1030 = load <8 x double>, ptr %157, align 8, !noalias !12
-  %1031 = fsub <8 x double> %1030, %1018
-  %1032 = fdiv <8 x double> %1031, %1019
-  %1033 = fmul <8 x double> %1032, splat (double 0x3FEFFFFFFFFFDCD1)
-  %1034 = call <8 x double> @llvm.ceil.v8f64(<8 x double> %1033)
-  %1035 = fdiv <8 x double> %1031, %1034
-  br label %1036
-
-1036:                                             ; preds = %1029, %1022
-  %1037 = phi <8 x double> [ %1024, %1022 ], [ %1030, %1029 ]
-  %1038 = phi <8 x double> [ %1028, %1022 ], [ %1035, %1029 ]
-  %1039 = fadd <8 x double> %1018, %1038
-  %1040 = fmul <8 x double> %1038, splat (double 1.000000e-03)
-  %1041 = fsub <8 x double> %1037, %1040
-  %1042 = fcmp ogt <8 x double> %1039, %1041
-  %1043 = fsub <8 x double> %1037, %1018
-  %1044 = select <8 x i1> %1042, <8 x double> %1043, <8 x double> %1038
-  %1045 = select <8 x i1> %1042, <8 x double> %1037, <8 x double> %1039
-  %1046 = select <8 x i1> %1021, <8 x double> %1044, <8 x double> zeroinitializer
-  %1047 = fmul <8 x double> %1046, splat (double 6.250000e-02)
-  %1048 = fadd <8 x double> %1018, %1047
-  %1049 = fcmp ule <8 x double> %1048, %1018
-  %1050 = fcmp une <8 x double> %1045, %1037
-  %1051 = and <8 x i1> %1049, %1050
-  %1052 = load <8 x double>, ptr %162, align 8, !noalias !12
-  %1053 = load <8 x double>, ptr %167, align 8, !noalias !12
-  %1054 = fadd <8 x double> %1052, %1053
-  %1055 = insertelement <8 x double> poison, double %259, i64 0
-  %1056 = shufflevector <8 x double> %1055, <8 x double> poison, <8 x i32> zeroinitializer
-  %1057 = fcmp oge <8 x double> %1054, %1056
-  %1058 = or <8 x i1> %1057, %1051
-  %1059 = and <8 x i1> %1058, %1021
-  %1060 = bitcast <8 x i1> %1059 to i8
-  %1061 = zext i8 %1060 to i64
-  %1062 = icmp eq i8 %1060, 0
-  br i1 %1062, label %1159, label %1063
-
-1063:                                             ; preds = %1036
-  %1064 = bitcast <8 x i1> %1057 to i8
-  %1065 = zext i8 %1064 to i64
-  br label %1066
-
-1066:                                             ; preds = %1063, %1152
-  %1067 = phi i64 [ 0, %1063 ], [ %1155, %1152 ]
-  %1068 = phi i64 [ 8, %1063 ], [ %1154, %1152 ]
-  %1069 = icmp sgt i64 %1068, 0
-  br i1 %1069, label %1153, label %265
-
-1070:                                             ; preds = %1153
-  %1071 = and i64 %1156, %1065
-  %1072 = icmp eq i64 %1071, 0
-  br i1 %1072, label %1073, label %1080
-
-1073:                                             ; preds = %1070
-  %1074 = icmp slt i64 %1067, 0
-  %1075 = select i1 %1074, i64 %176, i64 0
-  %1076 = getelementptr double, ptr %177, i64 %1067
-  %1077 = getelementptr double, ptr %1076, i64 %1075
-  %1078 = load double, ptr %1077, align 8, !noalias !85
-  %1079 = fptosi double %1078 to i64
-  br label %1080
-
-1080:                                             ; preds = %1070, %1073
-  %1081 = phi i64 [ %1079, %1073 ], [ 1, %1070 ]
-  %1082 = icmp slt i64 %1067, 0
-  %1083 = select i1 %1082, i64 %181, i64 0
-  %1084 = getelementptr i64, ptr %182, i64 %1067
-  %1085 = getelementptr i64, ptr %1084, i64 %1083
-  %1086 = load i64, ptr %1085, align 8, !noalias !89
-  %1087 = getelementptr i8, ptr %190, i64 32
-  %1088 = load i64, ptr %1087, align 8, !noalias !89
-  %1089 = shl nsw i64 %1088, 3
-  %1090 = select i1 %1082, i64 %151, i64 0
-  %1091 = getelementptr double, ptr %152, i64 %1067
-  %1092 = getelementptr double, ptr %1091, i64 %1090
-  %1093 = load double, ptr %1092, align 8, !noalias !89
-  %1094 = fptosi double %1093 to i64
-  %1095 = xor i64 %1094, -1
-  %1096 = add i64 %197, %1095
-  %1097 = call i64 @llvm.smax.i64(i64 %1096, i64 0)
-  br label %1098
-
-1098:                                             ; preds = %1102, %1080
-  %1099 = phi i64 [ 0, %1080 ], [ %1139, %1102 ]
-  %1100 = phi i64 [ %1097, %1080 ], [ %1138, %1102 ]
-  %1101 = icmp sgt i64 %1100, 0
-  br i1 %1101, label %1137, label %1106
-
-1102:                                             ; preds = %1137, %1148
-  %1103 = phi i64 [ %1147, %1137 ], [ %1149, %1148 ]
-  %1104 = phi i64 [ %1145, %1137 ], [ %1151, %1148 ]
-  %1105 = icmp sgt i64 %1103, 0
-  br i1 %1105, label %1148, label %1098
-
-1106:                                             ; preds = %1098
-  %1107 = icmp slt i64 %1086, 0
-  %1108 = select i1 %1107, i64 %223, i64 0
-  %1109 = add i64 %1086, %1108
-  %1110 = mul i64 %1109, %225
-  %1111 = getelementptr i64, ptr %226, i64 %1110
-  %1112 = select i1 %1082, i64 %161, i64 0
-  %1113 = getelementptr double, ptr %162, i64 %1067
-  %1114 = getelementptr double, ptr %1113, i64 %1112
-  %1115 = load double, ptr %1114, align 8, !noalias !89
-  %1116 = select i1 %1082, i64 %166, i64 0
-  %1117 = getelementptr double, ptr %167, i64 %1067
-  %1118 = getelementptr double, ptr %1117, i64 %1116
-  %1119 = load double, ptr %1118, align 8, !noalias !89
-  %1120 = fptosi double %1115 to i64
-  store i64 %1120, ptr %1111, align 8, !noalias !89
-  %1121 = getelementptr i8, ptr %1111, i64 8
-  %1122 = fptosi double %1119 to i64
-  store i64 %1122, ptr %1121, align 8, !noalias !89
-  %1123 = select i1 %1082, i64 %171, i64 0
-  %1124 = getelementptr double, ptr %172, i64 %1067
-  %1125 = getelementptr double, ptr %1124, i64 %1123
-  %1126 = load double, ptr %1125, align 8, !noalias !89
-  %1127 = getelementptr i8, ptr %1111, i64 16
-  %1128 = fptosi double %1126 to i64
-  store i64 %1128, ptr %1127, align 8, !noalias !89
-  %1129 = getelementptr i8, ptr %1111, i64 24
-  store i64 %1081, ptr %1129, align 8, !noalias !89
-  %1130 = select i1 %1082, i64 %135, i64 0
-  %1131 = getelementptr double, ptr %136, i64 %1067
-  %1132 = getelementptr double, ptr %1131, i64 %1130
-  %1133 = load double, ptr %1132, align 8, !noalias !89
-  %1134 = select i1 %1107, i64 %230, i64 0
-  %1135 = getelementptr double, ptr %231, i64 %1086
-  %1136 = getelementptr double, ptr %1135, i64 %1134
-  store double %1133, ptr %1136, align 8, !noalias !89
-  store i64 -1, ptr %1085, align 8, !noalias !89
-  br label %1152
-
-1137:                                             ; preds = %1098
-  %1138 = add nsw i64 %1100, -1
-  %1139 = add i64 %1099, 1
-  %1140 = shl nsw i64 %1099, 3
-  %1141 = select i1 %1082, i64 %186, i64 0
-  %1142 = getelementptr i64, ptr %187, i64 %1067
-  %1143 = getelementptr i64, ptr %1142, i64 %1141
-  %1144 = load i64, ptr %1143, align 8, !noalias !89
-  %1145 = add nsw i64 %1144, %1140
-  %1146 = load i64, ptr %232, align 8, !noalias !89
-  %1147 = call i64 @llvm.smax.i64(i64 %1146, i64 0)
-  br label %1102
-
-1148:                                             ; preds = %1102
-  %1149 = add nsw i64 %1103, -1
-  %1150 = inttoptr i64 %1104 to ptr
-  store atomic i64 9221120237041090560, ptr %1150 unordered, align 8, !noalias !89
-  %1151 = add nsw i64 %1104, %1089
-  br label %1102
-
-1152:                                             ; preds = %1106, %1153
-  br label %1066
-
-1153:                                             ; preds = %1066
-  %1154 = add nsw i64 %1068, -1
-  %1155 = add i64 %1067, 1
-  %1156 = shl nuw i64 1, %1067
-  %1157 = and i64 %1156, %1061
-  %1158 = icmp eq i64 %1157, 0
-  br i1 %1158, label %1152, label %1070
-
-1159:                                             ; preds = %1036
-  store <8 x double> %1046, ptr %101, align 8, !noalias !93
-  %1160 = load i64, ptr %19, align 8, !noalias !93
-  %1161 = add i64 %1160, -1
-  %1162 = call i64 @llvm.smax.i64(i64 %1161, i64 0)
-  br label %1163
-
-1163:                                             ; preds = %1221, %1159
-  %1164 = phi i64 [ 1, %1159 ], [ %1189, %1221 ]
-  %1165 = phi i64 [ %1162, %1159 ], [ %1188, %1221 ]
-  %1166 = phi i64 [ 0, %1159 ], [ %1227, %1221 ]
-  %1167 = icmp sgt i64 %1165, 0
-  br i1 %1167, label %1187, label %1168
-
-1168:                                             ; preds = %1163
-  %1169 = load i64, ptr %19, align 8, !noalias !93
-  %1170 = getelementptr i8, ptr %39, i64 16
-  %1171 = load i64, ptr %1170, align 8, !noalias !97
-  %1172 = icmp slt i64 %1169, 0
-  %1173 = select i1 %1172, i64 %23, i64 0
-  %1174 = getelementptr i64, ptr %24, i64 %1169
-  %1175 = getelementptr i64, ptr %1174, i64 %1173
-  %1176 = load i64, ptr %1175, align 8, !noalias !101
-  %1177 = shl i64 %1176, 3
-  %1178 = add i64 %26, %1177
-  %1179 = add i64 %28, %1177
-  %1180 = icmp slt i64 %1169, -1
-  %1181 = select i1 %1180, i64 %23, i64 0
-  %1182 = getelementptr i8, ptr %1174, i64 8
-  %1183 = getelementptr i64, ptr %1182, i64 %1181
-  %1184 = load i64, ptr %1183, align 8, !noalias !101
-  %1185 = xor i64 %1176, -1
-  %1186 = add i64 %1184, %1185
-  call fastcc void @pydy_combine(i64 %90, i64 %85, i64 %100, i64 %113, i64 %1178, i64 %1179, i64 %1186, i64 1, i64 %1171) #3, !noalias !101
-  br i1 %251, label %1240, label %1229
-
-1187:                                             ; preds = %1163
-  %1188 = add nsw i64 %1165, -1
-  %1189 = add i64 %1164, 1
-  %1190 = getelementptr i8, ptr %39, i64 16
-  %1191 = load i64, ptr %1190, align 8, !noalias !104
-  %1192 = icmp slt i64 %1164, 0
-  %1193 = select i1 %1192, i64 %23, i64 0
-  %1194 = getelementptr i64, ptr %24, i64 %1164
-  %1195 = getelementptr i64, ptr %1194, i64 %1193
-  %1196 = load i64, ptr %1195, align 8, !noalias !108
-  %1197 = shl i64 %1196, 3
-  %1198 = add i64 %26, %1197
-  %1199 = add i64 %28, %1197
-  %1200 = icmp slt i64 %1164, -1
-  %1201 = select i1 %1200, i64 %23, i64 0
-  %1202 = getelementptr i8, ptr %1194, i64 8
-  %1203 = getelementptr i64, ptr %1202, i64 %1201
-  %1204 = load i64, ptr %1203, align 8, !noalias !108
-  %1205 = xor i64 %1196, -1
-  %1206 = add i64 %1204, %1205
-  call fastcc void @pydy_combine(i64 %95, i64 %85, i64 %100, i64 %113, i64 %1198, i64 %1199, i64 %1206, i64 1, i64 %1191) #3, !noalias !108
-  %1207 = mul nsw i64 %1164, %87
-  %1208 = shl i64 %1207, 3
-  %1209 = add i64 %113, %1208
-  %1210 = select i1 %1192, i64 %32, i64 0
-  %1211 = getelementptr double, ptr %33, i64 %1164
-  %1212 = getelementptr double, ptr %1211, i64 %1210
-  %1213 = load double, ptr %1212, align 8, !noalias !93
-  %1214 = insertelement <8 x double> poison, double %1213, i64 0
-  %1215 = shufflevector <8 x double> %1214, <8 x double> poison, <8 x i32> zeroinitializer
-  %1216 = fmul <8 x double> %1215, %1046
-  %1217 = fadd <8 x double> %1018, %1216
-  store ptr null, ptr %8, align 8, !noalias !111
-  store ptr null, ptr %9, align 8, !noalias !111
-  store <8 x double> %1217, ptr %44, align 8, !noalias !111
-  %1218 = icmp sgt i64 %61, 0
-  br i1 %1218, label %1219, label %1221
-
-1219:                                             ; preds = %1187
-  store ptr null, ptr %8, align 8, !noalias !111
-  %1220 = call fastcc i32 @_set_inputs(ptr nonnull %8, ptr nonnull %44, i64 %43, ptr %49, i64 %48, ptr %64, i64 %61, i64 %63, ptr %71, i64 %68, i64 %70, ptr %76, i64 %75, ptr %83, i64 %80, i64 %82) #3
-  switch i32 %1220, label %1228 [
-    i32 -2, label %1221
-    i32 0, label %1221
-  ], !prof !56
-
-1221:                                             ; preds = %1219, %1219, %1187
-  %1222 = load i64, ptr %39, align 8, !noalias !111
-  %1223 = inttoptr i64 %1222 to ptr
-  %1224 = inttoptr i64 %1209 to ptr
-  %1225 = call i32 %1223(ptr nonnull %44, ptr %98, ptr %49, ptr %57, ptr %1224) #3, !noalias !111
-  %1226 = sext i32 %1225 to i64
-  %1227 = or i64 %1166, %1226
-  br label %1163
-
-1228:                                             ; preds = %1219
-  br label %2256
-
-1229:                                             ; preds = %1168
-  store ptr null, ptr %6, align 8, !noalias !115
-  store ptr null, ptr %7, align 8, !noalias !115
-  store <8 x double> %1045, ptr %44, align 8, !noalias !115
-  %1230 = icmp sgt i64 %61, 0
-  br i1 %1230, label %1231, label %1233
-
-1231:                                             ; preds = %1229
-  store ptr null, ptr %6, align 8, !noalias !115
-  %1232 = call fastcc i32 @_set_inputs(ptr nonnull %6, ptr nonnull %44, i64 %43, ptr %49, i64 %48, ptr %64, i64 %61, i64 %63, ptr %71, i64 %68, i64 %70, ptr %76, i64 %75, ptr %83, i64 %80, i64 %82) #3
-  switch i32 %1232, label %2207 [
-    i32 -2, label %1233
-    i32 0, label %1233
-  ], !prof !56
-
-1233:                                             ; preds = %1231, %1231, %1229
-  %1234 = load i64, ptr %39, align 8, !noalias !115
-  %1235 = inttoptr i64 %1234 to ptr
-  %1236 = inttoptr i64 %244 to ptr
-  %1237 = call i32 %1235(ptr nonnull %44, ptr %93, ptr %49, ptr %57, ptr %1236) #3, !noalias !115
-  %1238 = sext i32 %1237 to i64
-  %1239 = or i64 %1166, %1238
-  br label %1240
-
-1240:                                             ; preds = %1233, %1168
-  %1241 = phi i64 [ %1239, %1233 ], [ %1166, %1168 ]
-  br i1 %248, label %1242, label %1411
-
-1242:                                             ; preds = %1240
-  %1243 = getelementptr i8, ptr %39, i64 24
-  %1244 = load i64, ptr %1243, align 8, !noalias !119
-  %1245 = getelementptr i8, ptr %39, i64 32
-  %1246 = load i64, ptr %1245, align 8, !noalias !119
-  %1247 = load i64, ptr %246, align 8, !noalias !119
-  %1248 = load i64, ptr %19, align 8, !noalias !119
-  %1249 = add nsw i64 %1248, 1
-  %1250 = call i64 @llvm.smax.i64(i64 %1247, i64 0)
-  br label %1251
-
-1251:                                             ; preds = %1242, %1337
-  %1252 = phi i64 [ 0, %1242 ], [ %1339, %1337 ]
-  %1253 = phi i64 [ %1250, %1242 ], [ %1338, %1337 ]
-  %1254 = icmp sgt i64 %1253, 0
-  br i1 %1254, label %1337, label %1359
-
-1255:                                             ; preds = %1369, %1373
-  %1256 = phi i64 [ 0, %1369 ], [ %1375, %1373 ]
-  %1257 = phi i64 [ %1372, %1369 ], [ %1374, %1373 ]
-  %1258 = phi <8 x double> [ zeroinitializer, %1369 ], [ %1410, %1373 ]
-  %1259 = phi <8 x double> [ zeroinitializer, %1369 ], [ %1408, %1373 ]
-  %1260 = icmp sgt i64 %1257, 0
-  br i1 %1260, label %1373, label %1261
-
-1261:                                             ; preds = %1255
-  %1262 = load i64, ptr %232, align 8, !noalias !119
-  %1263 = add nsw i64 %1262, -3
-  %1264 = sub i64 %1263, %1244
-  %1265 = add nuw i64 %1264, 3
-  %1266 = lshr i64 %1265, 2
-  %1267 = icmp sgt i64 %1264, 0
-  %1268 = select i1 %1267, i64 %1266, i64 0
-  br label %1269
-
-1269:                                             ; preds = %1261, %1292
-  %1270 = phi i64 [ %1244, %1261 ], [ %1294, %1292 ]
-  %1271 = phi i64 [ %1268, %1261 ], [ %1293, %1292 ]
-  %1272 = phi <8 x double> [ zeroinitializer, %1261 ], [ %1299, %1292 ]
-  %1273 = phi <8 x double> [ zeroinitializer, %1261 ], [ %1303, %1292 ]
-  %1274 = phi <8 x double> [ zeroinitializer, %1261 ], [ %1307, %1292 ]
-  %1275 = phi <8 x double> [ zeroinitializer, %1261 ], [ %1311, %1292 ]
-  %1276 = icmp sgt i64 %1271, 0
-  br i1 %1276, label %1292, label %1277
-
-1277:                                             ; preds = %1269
-  %1278 = sub nsw i64 %1262, %1244
-  %1279 = and i64 %1278, 3
-  %1280 = sub nsw i64 %1262, %1279
-  br label %1281
-
-1281:                                             ; preds = %1277, %1312
-  %1282 = phi i64 [ %1280, %1277 ], [ %1314, %1312 ]
-  %1283 = phi i64 [ %1279, %1277 ], [ %1313, %1312 ]
-  %1284 = phi <8 x double> [ %1272, %1277 ], [ %1319, %1312 ]
-  %1285 = icmp sgt i64 %1283, 0
-  br i1 %1285, label %1312, label %1286
-
-1286:                                             ; preds = %1281
-  %1287 = fadd <8 x double> %1284, %1273
-  %1288 = fadd <8 x double> %1274, %1275
-  %1289 = fadd <8 x double> %1287, %1288
-  %1290 = fadd <8 x double> %1259, %1289
-  %1291 = icmp eq i64 %1247, 2
-  br i1 %1291, label %1320, label %1331
-
-1292:                                             ; preds = %1269
-  %1293 = add nsw i64 %1271, -1
-  %1294 = add i64 %1270, 4
-  %1295 = shl i64 %1270, 6
-  %1296 = getelementptr i8, ptr %93, i64 %1295
-  %1297 = load <8 x double>, ptr %1296, align 8, !noalias !123
-  %1298 = fmul <8 x double> %1297, zeroinitializer
-  %1299 = fadd <8 x double> %1272, %1298
-  %1300 = getelementptr i8, ptr %1296, i64 64
-  %1301 = load <8 x double>, ptr %1300, align 8, !noalias !123
-  %1302 = fmul <8 x double> %1301, zeroinitializer
-  %1303 = fadd <8 x double> %1273, %1302
-  %1304 = getelementptr i8, ptr %1296, i64 128
-  %1305 = load <8 x double>, ptr %1304, align 8, !noalias !123
-  %1306 = fmul <8 x double> %1305, zeroinitializer
-  %1307 = fadd <8 x double> %1274, %1306
-  %1308 = getelementptr i8, ptr %1296, i64 192
-  %1309 = load <8 x double>, ptr %1308, align 8, !noalias !123
-  %1310 = fmul <8 x double> %1309, zeroinitializer
-  %1311 = fadd <8 x double> %1275, %1310
-  br label %1269
-
-1312:                                             ; preds = %1281
-  %1313 = add nsw i64 %1283, -1
-  %1314 = add i64 %1282, 1
-  %1315 = shl i64 %1282, 6
-  %1316 = getelementptr i8, ptr %93, i64 %1315
-  %1317 = load <8 x double>, ptr %1316, align 8, !noalias !123
-  %1318 = fmul <8 x double> %1317, zeroinitializer
-  %1319 = fadd <8 x double> %1284, %1318
-  br label %1281
-
-1320:                                             ; preds = %1286
-  %1321 = fcmp oeq <8 x double> %1290, zeroinitializer
-  %1322 = fmul <8 x double> %1258, splat (double 1.000000e-02)
-  %1323 = fadd <8 x double> %1290, %1322
-  %1324 = sitofp i64 %1244 to double
-  %1325 = insertelement <8 x double> poison, double %1324, i64 0
-  %1326 = shufflevector <8 x double> %1325, <8 x double> poison, <8 x i32> zeroinitializer
-  %1327 = fmul <8 x double> %1323, %1326
-  %1328 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %1327)
-  %1329 = fdiv <8 x double> %1290, %1328
-  %1330 = select <8 x i1> %1321, <8 x double> zeroinitializer, <8 x double> %1329
-  br label %1418
-
-1331:                                             ; preds = %1286
-  %1332 = sitofp i64 %1244 to double
-  %1333 = insertelement <8 x double> poison, double %1332, i64 0
-  %1334 = shufflevector <8 x double> %1333, <8 x double> poison, <8 x i32> zeroinitializer
-  %1335 = fdiv <8 x double> %1290, %1334
-  %1336 = call <8 x double> @llvm.sqrt.v8f64(<8 x double> %1335)
-  br label %1418
-
-1337:                                             ; preds = %1251
-  %1338 = add nsw i64 %1253, -1
-  %1339 = add i64 %1252, 1
-  %1340 = mul nsw i64 %1252, %87
-  %1341 = shl i64 %1340, 3
-  %1342 = add i64 %108, %1341
-  %1343 = add nsw i64 %1249, %1252
-  %1344 = icmp slt i64 %1343, 0
-  %1345 = select i1 %1344, i64 %23, i64 0
-  %1346 = getelementptr i64, ptr %24, i64 %1343
-  %1347 = getelementptr i64, ptr %1346, i64 %1345
-  %1348 = load i64, ptr %1347, align 8, !noalias !127
-  %1349 = shl i64 %1348, 3
-  %1350 = add i64 %26, %1349
-  %1351 = add i64 %28, %1349
-  %1352 = icmp slt i64 %1343, -1
-  %1353 = select i1 %1352, i64 %23, i64 0
-  %1354 = getelementptr i8, ptr %1346, i64 8
-  %1355 = getelementptr i64, ptr %1354, i64 %1353
-  %1356 = load i64, ptr %1355, align 8, !noalias !127
-  %1357 = xor i64 %1348, -1
-  %1358 = add i64 %1356, %1357
-  call fastcc void @pydy_combine(i64 %1342, i64 %106, i64 %100, i64 %113, i64 %1350, i64 %1351, i64 %1358, i64 1, i64 %1246) #3, !noalias !127
-  br label %1251
-
-1359:                                             ; preds = %1251
-  %1360 = icmp slt i64 %87, 0
-  %1361 = select i1 %1360, i64 %110, i64 0
-  %1362 = add i64 %87, %1361
-  %1363 = icmp slt i64 %1362, 0
-  br i1 %1363, label %1364, label %1365, !prof !4
-
-1364:                                             ; preds = %1359
-  br label %1365
-
-1365:                                             ; preds = %1364, %1359
-  %1366 = phi i64 [ 0, %1364 ], [ %1362, %1359 ]
-  %1367 = icmp slt i64 %1362, %110
-  br i1 %1367, label %1369, label %1368, !prof !8
-
-1368:                                             ; preds = %1365
-  br label %1369
-
-1369:                                             ; preds = %1368, %1365
-  %1370 = phi i64 [ %110, %1368 ], [ %1366, %1365 ]
-  %1371 = getelementptr double, ptr %111, i64 %1370
-  %1372 = call i64 @llvm.smax.i64(i64 %1244, i64 0)
-  br label %1255
-
-1373:                                             ; preds = %1255
-  %1374 = add nsw i64 %1257, -1
-  %1375 = add i64 %1256, 1
-  %1376 = shl i64 %1256, 6
-  %1377 = getelementptr i8, ptr %88, i64 %1376
-  %1378 = load <8 x double>, ptr %1377, align 8, !noalias !119
-  %1379 = getelementptr i8, ptr %93, i64 %1376
-  %1380 = load <8 x double>, ptr %1379, align 8, !noalias !119
-  %1381 = icmp slt i64 %1256, 0
-  %1382 = select i1 %1381, i64 %130, i64 0
-  %1383 = getelementptr double, ptr %131, i64 %1256
-  %1384 = getelementptr double, ptr %1383, i64 %1382
-  %1385 = load double, ptr %1384, align 8, !noalias !130
-  %1386 = select i1 %1381, i64 %125, i64 0
-  %1387 = getelementptr double, ptr %126, i64 %1256
-  %1388 = getelementptr double, ptr %1387, i64 %1386
-  %1389 = load double, ptr %1388, align 8, !noalias !130
-  %1390 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %1378)
-  %1391 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %1380)
-  %1392 = fcmp ogt <8 x double> %1390, %1391
-  %1393 = select <8 x i1> %1392, <8 x double> %1390, <8 x double> %1391
-  %1394 = insertelement <8 x double> poison, double %1389, i64 0
-  %1395 = shufflevector <8 x double> %1394, <8 x double> poison, <8 x i32> zeroinitializer
-  %1396 = fmul <8 x double> %1395, %1393
-  %1397 = insertelement <8 x double> poison, double %1385, i64 0
-  %1398 = shufflevector <8 x double> %1397, <8 x double> poison, <8 x i32> zeroinitializer
-  %1399 = fadd <8 x double> %1398, %1396
-  %1400 = fdiv <8 x double> splat (double 1.000000e+00), %1399
-  %1401 = getelementptr i8, ptr %111, i64 %1376
-  %1402 = load <8 x double>, ptr %1401, align 8, !noalias !119
-  %1403 = fmul <8 x double> %1402, %1400
-  %1404 = getelementptr i8, ptr %1371, i64 %1376
-  %1405 = load <8 x double>, ptr %1404, align 8, !noalias !119
-  %1406 = fmul <8 x double> %1405, %1400
-  %1407 = fmul <8 x double> %1403, %1403
-  %1408 = fadd <8 x double> %1259, %1407
-  %1409 = fmul <8 x double> %1406, %1406
-  %1410 = fadd <8 x double> %1258, %1409
-  br label %1255
-
-1411:                                             ; preds = %1240
-  %1412 = call i64 @llvm.smax.i64(i64 %233, i64 0)
-  br label %1413
-
-1413:                                             ; preds = %1411, %2208
-  %1414 = phi i64 [ 0, %1411 ], [ %2210, %2208 ]
-  %1415 = phi i64 [ %1412, %1411 ], [ %2209, %2208 ]
-  %1416 = phi <8 x double> [ zeroinitializer, %1411 ], [ %2215, %2208 ]
-  %1417 = icmp sgt i64 %1415, 0
-  br i1 %1417, label %2208, label %1418
-
-1418:                                             ; preds = %1413, %1320, %1331
-  %1419 = phi <8 x double> [ %1416, %1413 ], [ %1336, %1331 ], [ %1330, %1320 ]
-  %1420 = fcmp olt <8 x double> %1419, splat (double 1.000000e+00)
-  %1421 = trunc i64 %1241 to i8
-  %1422 = bitcast i8 %1421 to <8 x i1>
-  %1423 = xor <8 x i1> %1422, splat (i1 true)
-  %1424 = and <8 x i1> %1420, %1423
-  %1425 = and <8 x i1> %1424, %1021
-  %1426 = bitcast <8 x i1> %1425 to i8
-  %1427 = icmp ne i8 %1426, 0
-  %1428 = select i1 %251, i1 %1427, i1 false
-  br i1 %1428, label %1429, label %1444
-
-1429:                                             ; preds = %1418
-  store ptr null, ptr %4, align 8, !noalias !133
-  store ptr null, ptr %5, align 8, !noalias !133
-  store <8 x double> %1045, ptr %44, align 8, !noalias !133
-  %1430 = icmp sgt i64 %61, 0
-  br i1 %1430, label %1431, label %1433
-
-1431:                                             ; preds = %1429
-  store ptr null, ptr %4, align 8, !noalias !133
-  %1432 = call fastcc i32 @_set_inputs(ptr nonnull %4, ptr nonnull %44, i64 %43, ptr %49, i64 %48, ptr %64, i64 %61, i64 %63, ptr %71, i64 %68, i64 %70, ptr %76, i64 %75, ptr %83, i64 %80, i64 %82) #3
-  switch i32 %1432, label %2216 [
-    i32 -2, label %1433
-    i32 0, label %1433
-  ], !prof !56
-
-1433:                                             ; preds = %1431, %1431, %1429
-  %1434 = load i64, ptr %39, align 8, !noalias !133
-  %1435 = inttoptr i64 %1434 to ptr
-  %1436 = inttoptr i64 %244 to ptr
-  %1437 = call i32 %1435(ptr nonnull %44, ptr %93, ptr %49, ptr %57, ptr %1436) #3, !noalias !133
-  %1438 = sext i32 %1437 to i64
-  %1439 = or i64 %1241, %1438
-  %1440 = trunc i64 %1439 to i8
-  %1441 = bitcast i8 %1440 to <8 x i1>
-  %1442 = xor <8 x i1> %1441, splat (i1 true)
-  %1443 = and <8 x i1> %1425, %1442
-  br label %1444
-
-1444:                                             ; preds = %1433, %1418
-  %1445 = phi i64 [ %1241, %1418 ], [ %1439, %1433 ]
-  %1446 = phi <8 x i1> [ %1425, %1418 ], [ %1443, %1433 ]
-  %1447 = load <8 x double>, ptr %172, align 8, !noalias !12
-  %1448 = insertelement <8 x double> poison, double %254, i64 0
-  %1449 = shufflevector <8 x double> %1448, <8 x double> poison, <8 x i32> zeroinitializer
-  %1450 = fadd <8 x double> %1447, %1449
-  %1451 = insertelement <8 x double> poison, double %256, i64 0
-  %1452 = shufflevector <8 x double> %1451, <8 x double> poison, <8 x i32> zeroinitializer
-  %1453 = select <8 x i1> %1425, <8 x double> %1452, <8 x double> zeroinitializer
-  %1454 = fadd <8 x double> %1450, %1453
-  store <8 x double> %1454, ptr %172, align 8, !noalias !12
-  %1455 = load <8 x double>, ptr %157, align 8, !noalias !12
-  %1456 = fcmp olt <8 x double> %1455, %1045
-  %1457 = and <8 x i1> %1446, %1456
-  %1458 = bitcast <8 x i1> %1457 to i8
-  %1459 = icmp eq i8 %1458, 0
-  br i1 %1459, label %1801, label %1460
-
-1460:                                             ; preds = %1444
-  %1461 = load i64, ptr %19, align 8, !noalias !137
-  %1462 = getelementptr i8, ptr %19, i64 16
-  %1463 = load i64, ptr %1462, align 8, !noalias !137
-  %1464 = call i64 @llvm.smax.i64(i64 %1463, i64 0)
-  br label %1465
-
-1465:                                             ; preds = %1609, %1460
-  %1466 = phi i64 [ %1461, %1460 ], [ %1469, %1609 ]
-  %1467 = phi i64 [ %1464, %1460 ], [ %1575, %1609 ]
-  %1468 = phi i64 [ 0, %1460 ], [ %1615, %1609 ]
-  %1469 = add i64 %1466, 1
-  %1470 = icmp sgt i64 %1467, 0
-  br i1 %1470, label %1574, label %1471
-
-1471:                                             ; preds = %1465
-  %1472 = load i64, ptr %232, align 8, !noalias !141
-  %1473 = load i64, ptr %19, align 8, !noalias !141
-  %1474 = mul nsw i64 %1473, %87
-  %1475 = icmp slt i64 %1474, 0
-  %1476 = select i1 %1475, i64 %115, i64 0
-  %1477 = add i64 %1474, %1476
-  %1478 = icmp slt i64 %1477, 0
-  br i1 %1478, label %1497, label %1498, !prof !4
-
-1479:                                             ; preds = %1525, %1529
-  %1480 = phi i64 [ 0, %1525 ], [ %1531, %1529 ]
-  %1481 = phi i64 [ %1528, %1525 ], [ %1530, %1529 ]
-  %1482 = icmp sgt i64 %1481, 0
-  br i1 %1482, label %1529, label %1483
-
-1483:                                             ; preds = %1479
-  %1484 = add nsw i64 %1473, 1
-  %1485 = load i64, ptr %246, align 8, !noalias !141
-  %1486 = add nsw i64 %1484, %1485
-  %1487 = load i64, ptr %1462, align 8, !noalias !141
-  %1488 = add nsw i64 %1486, %1487
-  %1489 = getelementptr i8, ptr %19, i64 24
-  %1490 = load i64, ptr %1489, align 8, !noalias !141
-  %1491 = add i64 %1490, -3
-  %1492 = call i64 @llvm.smax.i64(i64 %1491, i64 0)
-  br label %1493
-
-1493:                                             ; preds = %1483, %1550
-  %1494 = phi i64 [ 3, %1483 ], [ %1552, %1550 ]
-  %1495 = phi i64 [ %1492, %1483 ], [ %1551, %1550 ]
-  %1496 = icmp sgt i64 %1495, 0
-  br i1 %1496, label %1550, label %2217
-
-1497:                                             ; preds = %1471
-  br label %1498
-
-1498:                                             ; preds = %1497, %1471
-  %1499 = phi i64 [ 0, %1497 ], [ %1477, %1471 ]
-  %1500 = icmp slt i64 %1477, %115
-  br i1 %1500, label %1502, label %1501, !prof !8
-
-1501:                                             ; preds = %1498
-  br label %1502
-
-1502:                                             ; preds = %1501, %1498
-  %1503 = phi i64 [ %115, %1501 ], [ %1499, %1498 ]
-  %1504 = getelementptr double, ptr %116, i64 %1503
-  %1505 = icmp slt i64 %87, 0
-  %1506 = select i1 %1505, i64 %120, i64 0
-  %1507 = add i64 %87, %1506
-  %1508 = icmp slt i64 %1507, 0
-  br i1 %1508, label %1509, label %1510, !prof !4
-
-1509:                                             ; preds = %1502
-  br label %1510
-
-1510:                                             ; preds = %1509, %1502
-  %1511 = phi i64 [ 0, %1509 ], [ %1507, %1502 ]
-  %1512 = icmp slt i64 %1507, %120
-  br i1 %1512, label %1514, label %1513, !prof !8
-
-1513:                                             ; preds = %1510
-  br label %1514
-
-1514:                                             ; preds = %1513, %1510
-  %1515 = phi i64 [ %120, %1513 ], [ %1511, %1510 ]
-  %1516 = getelementptr double, ptr %121, i64 %1515
-  %1517 = shl nsw i64 %87, 1
-  %1518 = add i64 %1517, %1506
-  %1519 = icmp slt i64 %1518, 0
-  br i1 %1519, label %1520, label %1521, !prof !4
-
-1520:                                             ; preds = %1514
-  br label %1521
-
-1521:                                             ; preds = %1520, %1514
-  %1522 = phi i64 [ 0, %1520 ], [ %1518, %1514 ]
-  %1523 = icmp slt i64 %1518, %120
-  br i1 %1523, label %1525, label %1524, !prof !8
-
-1524:                                             ; preds = %1521
-  br label %1525
-
-1525:                                             ; preds = %1524, %1521
-  %1526 = phi i64 [ %120, %1524 ], [ %1522, %1521 ]
-  %1527 = getelementptr double, ptr %121, i64 %1526
-  %1528 = call i64 @llvm.smax.i64(i64 %1472, i64 0)
-  br label %1479
-
-1529:                                             ; preds = %1479
-  %1530 = add nsw i64 %1481, -1
-  %1531 = add i64 %1480, 1
-  %1532 = shl i64 %1480, 6
-  %1533 = getelementptr i8, ptr %93, i64 %1532
-  %1534 = load <8 x double>, ptr %1533, align 8, !noalias !141
-  %1535 = getelementptr i8, ptr %88, i64 %1532
-  %1536 = load <8 x double>, ptr %1535, align 8, !noalias !141
-  %1537 = fsub <8 x double> %1534, %1536
-  %1538 = getelementptr i8, ptr %116, i64 %1532
-  %1539 = load <8 x double>, ptr %1538, align 8, !noalias !141
-  %1540 = fmul <8 x double> %1046, %1539
-  %1541 = fsub <8 x double> %1540, %1537
-  %1542 = getelementptr i8, ptr %121, i64 %1532
-  store <8 x double> %1537, ptr %1542, align 8, !noalias !141
-  %1543 = getelementptr i8, ptr %1516, i64 %1532
-  store <8 x double> %1541, ptr %1543, align 8, !noalias !141
-  %1544 = fsub <8 x double> %1537, %1541
-  %1545 = getelementptr i8, ptr %1504, i64 %1532
-  %1546 = load <8 x double>, ptr %1545, align 8, !noalias !141
-  %1547 = fmul <8 x double> %1046, %1546
-  %1548 = fsub <8 x double> %1544, %1547
-  %1549 = getelementptr i8, ptr %1527, i64 %1532
-  store <8 x double> %1548, ptr %1549, align 8, !noalias !141
-  br label %1479
-
-1550:                                             ; preds = %1493
-  %1551 = add nsw i64 %1495, -1
-  %1552 = add i64 %1494, 1
-  %1553 = mul nsw i64 %1494, %87
-  %1554 = shl i64 %1553, 3
-  %1555 = add i64 %118, %1554
-  %1556 = add nsw i64 %1488, %1494
-  %1557 = load i64, ptr %1170, align 8, !noalias !145
-  %1558 = icmp slt i64 %1556, 3
-  %1559 = select i1 %1558, i64 %23, i64 0
-  %1560 = getelementptr i64, ptr %24, i64 %1556
-  %1561 = getelementptr i8, ptr %1560, i64 -24
-  %1562 = getelementptr i64, ptr %1561, i64 %1559
-  %1563 = load i64, ptr %1562, align 8, !noalias !149
-  %1564 = shl i64 %1563, 3
-  %1565 = add i64 %26, %1564
-  %1566 = add i64 %28, %1564
-  %1567 = icmp slt i64 %1556, 2
-  %1568 = select i1 %1567, i64 %23, i64 0
-  %1569 = getelementptr i8, ptr %1560, i64 -16
-  %1570 = getelementptr i64, ptr %1569, i64 %1568
-  %1571 = load i64, ptr %1570, align 8, !noalias !149
-  %1572 = xor i64 %1563, -1
-  %1573 = add i64 %1571, %1572
-  call fastcc void @pydy_combine(i64 %1555, i64 %106, i64 %100, i64 %113, i64 %1565, i64 %1566, i64 %1573, i64 1, i64 %1557) #3, !noalias !149
-  br label %1493
-
-1574:                                             ; preds = %1465
-  %1575 = add nsw i64 %1467, -1
-  %1576 = load i64, ptr %246, align 8, !noalias !137
-  %1577 = add nsw i64 %1469, %1576
-  %1578 = load i64, ptr %1170, align 8, !noalias !152
-  %1579 = icmp slt i64 %1577, 0
-  %1580 = select i1 %1579, i64 %23, i64 0
-  %1581 = getelementptr i64, ptr %24, i64 %1577
-  %1582 = getelementptr i64, ptr %1581, i64 %1580
-  %1583 = load i64, ptr %1582, align 8, !noalias !156
-  %1584 = shl i64 %1583, 3
-  %1585 = add i64 %26, %1584
-  %1586 = add i64 %28, %1584
-  %1587 = icmp slt i64 %1577, -1
-  %1588 = select i1 %1587, i64 %23, i64 0
-  %1589 = getelementptr i8, ptr %1581, i64 8
-  %1590 = getelementptr i64, ptr %1589, i64 %1588
-  %1591 = load i64, ptr %1590, align 8, !noalias !156
-  %1592 = xor i64 %1583, -1
-  %1593 = add i64 %1591, %1592
-  call fastcc void @pydy_combine(i64 %95, i64 %85, i64 %100, i64 %113, i64 %1585, i64 %1586, i64 %1593, i64 1, i64 %1578) #3, !noalias !156
-  %1594 = mul nsw i64 %1469, %87
-  %1595 = shl i64 %1594, 3
-  %1596 = add i64 %113, %1595
-  %1597 = icmp slt i64 %1469, 0
-  %1598 = select i1 %1597, i64 %32, i64 0
-  %1599 = getelementptr double, ptr %33, i64 %1469
-  %1600 = getelementptr double, ptr %1599, i64 %1598
-  %1601 = load double, ptr %1600, align 8, !noalias !137
-  %1602 = insertelement <8 x double> poison, double %1601, i64 0
-  %1603 = shufflevector <8 x double> %1602, <8 x double> poison, <8 x i32> zeroinitializer
-  %1604 = fmul <8 x double> %1603, %1046
-  %1605 = fadd <8 x double> %1018, %1604
-  store ptr null, ptr %2, align 8, !noalias !159
-  store ptr null, ptr %3, align 8, !noalias !159
-  store <8 x double> %1605, ptr %44, align 8, !noalias !159
-  %1606 = icmp sgt i64 %61, 0
-  br i1 %1606, label %1607, label %1609
-
-1607:                                             ; preds = %1574
-  store ptr null, ptr %2, align 8, !noalias !159
-  %1608 = call fastcc i32 @_set_inputs(ptr nonnull %2, ptr nonnull %44, i64 %43, ptr %49, i64 %48, ptr %64, i64 %61, i64 %63, ptr %71, i64 %68, i64 %70, ptr %76, i64 %75, ptr %83, i64 %80, i64 %82) #3
-  switch i32 %1608, label %1616 [
-    i32 -2, label %1609
-    i32 0, label %1609
-  ], !prof !56
-
-1609:                                             ; preds = %1607, %1607, %1574
-  %1610 = load i64, ptr %39, align 8, !noalias !159
-  %1611 = inttoptr i64 %1610 to ptr
-  %1612 = inttoptr i64 %1596 to ptr
-  %1613 = call i32 %1611(ptr nonnull %44, ptr %98, ptr %49, ptr %57, ptr %1612) #3, !noalias !159
-  %1614 = sext i32 %1613 to i64
-  %1615 = or i64 %1468, %1614
-  br label %1465
-
-1616:                                             ; preds = %1607
-  br label %2256
-
-1617:                                             ; preds = %2217, %1692
-  %1618 = phi i64 [ %2230, %1692 ], [ 0, %2217 ]
-  %1619 = phi i64 [ %2229, %1692 ], [ 8, %2217 ]
-  %1620 = icmp sgt i64 %1619, 0
-  br i1 %1620, label %2228, label %1693
-
-1621:                                             ; preds = %2228
-  %1622 = icmp slt i64 %1618, 0
-  %1623 = select i1 %1622, i64 %181, i64 0
-  %1624 = getelementptr i64, ptr %182, i64 %1618
-  %1625 = getelementptr i64, ptr %1624, i64 %1623
-  %1626 = load i64, ptr %1625, align 8, !noalias !163
-  %1627 = getelementptr i8, ptr %190, i64 32
-  %1628 = load i64, ptr %1627, align 8, !noalias !163
-  %1629 = shl nsw i64 %1628, 3
-  %1630 = select i1 %1622, i64 %151, i64 0
-  %1631 = getelementptr double, ptr %152, i64 %1618
-  %1632 = getelementptr double, ptr %1631, i64 %1630
-  %1633 = load double, ptr %1632, align 8, !noalias !163
-  %1634 = fptosi double %1633 to i64
-  %1635 = xor i64 %1634, -1
-  %1636 = add i64 %197, %1635
-  %1637 = call i64 @llvm.smax.i64(i64 %1636, i64 0)
-  br label %1638
-
-1638:                                             ; preds = %1642, %1621
-  %1639 = phi i64 [ 0, %1621 ], [ %1679, %1642 ]
-  %1640 = phi i64 [ %1637, %1621 ], [ %1678, %1642 ]
-  %1641 = icmp sgt i64 %1640, 0
-  br i1 %1641, label %1677, label %1646
-
-1642:                                             ; preds = %1677, %1688
-  %1643 = phi i64 [ %1687, %1677 ], [ %1689, %1688 ]
-  %1644 = phi i64 [ %1685, %1677 ], [ %1691, %1688 ]
-  %1645 = icmp sgt i64 %1643, 0
-  br i1 %1645, label %1688, label %1638
-
-1646:                                             ; preds = %1638
-  %1647 = icmp slt i64 %1626, 0
-  %1648 = select i1 %1647, i64 %223, i64 0
-  %1649 = add i64 %1626, %1648
-  %1650 = mul i64 %1649, %225
-  %1651 = getelementptr i64, ptr %226, i64 %1650
-  %1652 = select i1 %1622, i64 %161, i64 0
-  %1653 = getelementptr double, ptr %162, i64 %1618
-  %1654 = getelementptr double, ptr %1653, i64 %1652
-  %1655 = load double, ptr %1654, align 8, !noalias !163
-  %1656 = select i1 %1622, i64 %166, i64 0
-  %1657 = getelementptr double, ptr %167, i64 %1618
-  %1658 = getelementptr double, ptr %1657, i64 %1656
-  %1659 = load double, ptr %1658, align 8, !noalias !163
-  %1660 = fptosi double %1655 to i64
-  store i64 %1660, ptr %1651, align 8, !noalias !163
-  %1661 = getelementptr i8, ptr %1651, i64 8
-  %1662 = fptosi double %1659 to i64
-  store i64 %1662, ptr %1661, align 8, !noalias !163
-  %1663 = select i1 %1622, i64 %171, i64 0
-  %1664 = getelementptr double, ptr %172, i64 %1618
-  %1665 = getelementptr double, ptr %1664, i64 %1663
-  %1666 = load double, ptr %1665, align 8, !noalias !163
-  %1667 = getelementptr i8, ptr %1651, i64 16
-  %1668 = fptosi double %1666 to i64
-  store i64 %1668, ptr %1667, align 8, !noalias !163
-  %1669 = getelementptr i8, ptr %1651, i64 24
-  store i64 3, ptr %1669, align 8, !noalias !163
-  %1670 = select i1 %1622, i64 %135, i64 0
-  %1671 = getelementptr double, ptr %136, i64 %1618
-  %1672 = getelementptr double, ptr %1671, i64 %1670
-  %1673 = load double, ptr %1672, align 8, !noalias !163
-  %1674 = select i1 %1647, i64 %230, i64 0
-  %1675 = getelementptr double, ptr %231, i64 %1626
-  %1676 = getelementptr double, ptr %1675, i64 %1674
-  store double %1673, ptr %1676, align 8, !noalias !163
-  store i64 -1, ptr %1625, align 8, !noalias !163
-  br label %1692
-
-1677:                                             ; preds = %1638
-  %1678 = add nsw i64 %1640, -1
-  %1679 = add i64 %1639, 1
-  %1680 = shl nsw i64 %1639, 3
-  %1681 = select i1 %1622, i64 %186, i64 0
-  %1682 = getelementptr i64, ptr %187, i64 %1618
-  %1683 = getelementptr i64, ptr %1682, i64 %1681
-  %1684 = load i64, ptr %1683, align 8, !noalias !163
-  %1685 = add nsw i64 %1684, %1680
-  %1686 = load i64, ptr %232, align 8, !noalias !163
-  %1687 = call i64 @llvm.smax.i64(i64 %1686, i64 0)
-  br label %1642
-
-1688:                                             ; preds = %1642
-  %1689 = add nsw i64 %1643, -1
-  %1690 = inttoptr i64 %1644 to ptr
-  store atomic i64 9221120237041090560, ptr %1690 unordered, align 8, !noalias !163
-  %1691 = add nsw i64 %1644, %1629
-  br label %1642
-
-1692:                                             ; preds = %1646, %2228
-  br label %1617
-
-1693:                                             ; preds = %1617
-  %1694 = xor i64 %2219, -1
-  %1695 = and i64 %1010, %1694
-  %1696 = trunc i64 %1695 to i8
-  %1697 = bitcast i8 %1696 to <8 x i1>
-  %1698 = and <8 x i1> %1446, %1697
-  %1699 = and <8 x i1> %1457, %1697
-  br label %1700
-
-1700:                                             ; preds = %2217, %1693
-  %1701 = phi i64 [ %1695, %1693 ], [ %1010, %2217 ]
-  %1702 = phi i1 [ true, %1693 ], [ %1011, %2217 ]
-  %1703 = phi <8 x i1> [ %1698, %1693 ], [ %1446, %2217 ]
-  %1704 = phi <8 x i1> [ %1699, %1693 ], [ %1457, %2217 ]
-  %1705 = bitcast <8 x i1> %1704 to i8
-  %1706 = zext i8 %1705 to i64
-  %1707 = load <8 x double>, ptr %136, align 8, !noalias !167
-  %1708 = load <8 x double>, ptr %101, align 8, !noalias !167
-  %1709 = icmp eq i8 %1705, 0
-  br i1 %1709, label %1801, label %1710
-
-1710:                                             ; preds = %1700, %1738
-  %1711 = phi i64 [ %1787, %1738 ], [ %1706, %1700 ]
-  %1712 = load <8 x double>, ptr %157, align 8, !noalias !167
-  %1713 = fsub <8 x double> %1712, %1707
-  %1714 = fdiv <8 x double> %1713, %1708
-  store <8 x double> %1714, ptr %104, align 8, !noalias !167
-  %1715 = load i64, ptr %1489, align 8, !noalias !167
-  %1716 = load i64, ptr %232, align 8, !noalias !167
-  call fastcc void @pydy_nested(i64 %95, i64 %85, i64 %118, i64 %87, i64 %1715, i64 %103, i64 %1716) #3, !noalias !167
-  %1717 = getelementptr i8, ptr %190, i64 32
-  %1718 = load i64, ptr %1717, align 8, !noalias !171
-  %1719 = shl nsw i64 %1718, 3
-  %1720 = load i64, ptr %232, align 8, !noalias !171
-  %1721 = icmp eq i64 %1711, 0
-  br i1 %1721, label %1738, label %1722
-
-1722:                                             ; preds = %1710, %1736
-  %1723 = phi i64 [ %1726, %1736 ], [ %1711, %1710 ]
-  %1724 = call range(i64 0, 65) i64 @llvm.cttz.i64(i64 %1723, i1 true)
-  %1725 = add nsw i64 %1723, -1
-  %1726 = and i64 %1723, %1725
-  %1727 = getelementptr i64, ptr %187, i64 %1724
-  %1728 = load i64, ptr %1727, align 8, !noalias !171
-  %1729 = add nsw i64 %1728, 8
-  store i64 %1729, ptr %1727, align 8, !noalias !171
-  %1730 = call i64 @llvm.smax.i64(i64 %1720, i64 0)
-  br label %1731
-
-1731:                                             ; preds = %1722, %1789
-  %1732 = phi i64 [ 0, %1722 ], [ %1791, %1789 ]
-  %1733 = phi i64 [ %1730, %1722 ], [ %1790, %1789 ]
-  %1734 = phi i64 [ %1728, %1722 ], [ %1800, %1789 ]
-  %1735 = icmp sgt i64 %1733, 0
-  br i1 %1735, label %1789, label %1736
-
-1736:                                             ; preds = %1731
-  %1737 = icmp eq i64 %1726, 0
-  br i1 %1737, label %1738, label %1722
-
-1738:                                             ; preds = %1736, %1710
-  %1739 = load <8 x double>, ptr %152, align 8, !noalias !171
-  %1740 = trunc i64 %1711 to i8
-  %1741 = bitcast i8 %1740 to <8 x i1>
-  %1742 = select <8 x i1> %1741, <8 x double> splat (double 1.000000e+00), <8 x double> zeroinitializer
-  %1743 = fadd <8 x double> %1739, %1742
-  store <8 x double> %1743, ptr %152, align 8, !noalias !171
-  %1744 = extractelement <8 x double> %1743, i64 0
-  %1745 = fptosi double %1744 to i64
-  %1746 = getelementptr double, ptr %198, i64 %1745
-  %1747 = load double, ptr %1746, align 8, !noalias !171
-  %1748 = insertelement <8 x double> poison, double %1747, i64 0
-  %1749 = extractelement <8 x double> %1743, i64 1
-  %1750 = fptosi double %1749 to i64
-  %1751 = getelementptr double, ptr %198, i64 %1750
-  %1752 = load double, ptr %1751, align 8, !noalias !171
-  %1753 = insertelement <8 x double> %1748, double %1752, i64 1
-  %1754 = extractelement <8 x double> %1743, i64 2
-  %1755 = fptosi double %1754 to i64
-  %1756 = getelementptr double, ptr %198, i64 %1755
-  %1757 = load double, ptr %1756, align 8, !noalias !171
-  %1758 = insertelement <8 x double> %1753, double %1757, i64 2
-  %1759 = extractelement <8 x double> %1743, i64 3
-  %1760 = fptosi double %1759 to i64
-  %1761 = getelementptr double, ptr %198, i64 %1760
-  %1762 = load double, ptr %1761, align 8, !noalias !171
-  %1763 = insertelement <8 x double> %1758, double %1762, i64 3
-  %1764 = extractelement <8 x double> %1743, i64 4
-  %1765 = fptosi double %1764 to i64
-  %1766 = getelementptr double, ptr %198, i64 %1765
-  %1767 = load double, ptr %1766, align 8, !noalias !171
-  %1768 = insertelement <8 x double> %1763, double %1767, i64 4
-  %1769 = extractelement <8 x double> %1743, i64 5
-  %1770 = fptosi double %1769 to i64
-  %1771 = getelementptr double, ptr %198, i64 %1770
-  %1772 = load double, ptr %1771, align 8, !noalias !171
-  %1773 = insertelement <8 x double> %1768, double %1772, i64 5
-  %1774 = extractelement <8 x double> %1743, i64 6
-  %1775 = fptosi double %1774 to i64
-  %1776 = getelementptr double, ptr %198, i64 %1775
-  %1777 = load double, ptr %1776, align 8, !noalias !171
-  %1778 = insertelement <8 x double> %1773, double %1777, i64 6
-  %1779 = extractelement <8 x double> %1743, i64 7
-  %1780 = fptosi double %1779 to i64
-  %1781 = getelementptr double, ptr %198, i64 %1780
-  %1782 = load double, ptr %1781, align 8, !noalias !171
-  %1783 = insertelement <8 x double> %1778, double %1782, i64 7
-  store <8 x double> %1783, ptr %157, align 8, !noalias !171
-  %1784 = fcmp olt <8 x double> %1783, %1045
-  %1785 = bitcast <8 x i1> %1784 to i8
-  %1786 = zext i8 %1785 to i64
-  %1787 = and i64 %1711, %1786
-  %1788 = icmp eq i64 %1787, 0
-  br i1 %1788, label %1801, label %1710
-
-1789:                                             ; preds = %1731
-  %1790 = add nsw i64 %1733, -1
-  %1791 = add i64 %1732, 1
-  %1792 = shl nsw i64 %1732, 3
-  %1793 = add nsw i64 %1792, %1724
-  %1794 = icmp slt i64 %1793, 0
-  %1795 = select i1 %1794, i64 %97, i64 0
-  %1796 = getelementptr double, ptr %98, i64 %1793
-  %1797 = getelementptr double, ptr %1796, i64 %1795
-  %1798 = load i64, ptr %1797, align 8, !noalias !171
-  %1799 = inttoptr i64 %1734 to ptr
-  store atomic i64 %1798, ptr %1799 unordered, align 8, !noalias !171
-  %1800 = add nsw i64 %1734, %1719
-  br label %1731
-
-1801:                                             ; preds = %1738, %1700, %1444
-  %1802 = phi i64 [ %1010, %1444 ], [ %1701, %1700 ], [ %1701, %1738 ]
-  %1803 = phi i1 [ %1011, %1444 ], [ %1702, %1700 ], [ %1702, %1738 ]
-  %1804 = phi <8 x i1> [ %1446, %1444 ], [ %1703, %1700 ], [ %1703, %1738 ]
-  %1805 = load <8 x double>, ptr %157, align 8, !noalias !12
-  %1806 = fcmp oeq <8 x double> %1805, %1045
-  %1807 = and <8 x i1> %1804, %1806
-  %1808 = bitcast <8 x i1> %1807 to i8
-  %1809 = zext i8 %1808 to i64
-  %1810 = icmp eq i8 %1808, 0
-  br i1 %1810, label %1897, label %1811
-
-1811:                                             ; preds = %1801, %1834
-  %1812 = phi i64 [ %1883, %1834 ], [ %1809, %1801 ]
-  %1813 = getelementptr i8, ptr %190, i64 32
-  %1814 = load i64, ptr %1813, align 8, !noalias !175
-  %1815 = shl nsw i64 %1814, 3
-  %1816 = load i64, ptr %232, align 8, !noalias !175
-  %1817 = icmp eq i64 %1812, 0
-  br i1 %1817, label %1834, label %1818
-
-1818:                                             ; preds = %1811, %1832
-  %1819 = phi i64 [ %1822, %1832 ], [ %1812, %1811 ]
-  %1820 = call range(i64 0, 65) i64 @llvm.cttz.i64(i64 %1819, i1 true)
-  %1821 = add nsw i64 %1819, -1
-  %1822 = and i64 %1819, %1821
-  %1823 = getelementptr i64, ptr %187, i64 %1820
-  %1824 = load i64, ptr %1823, align 8, !noalias !175
-  %1825 = add nsw i64 %1824, 8
-  store i64 %1825, ptr %1823, align 8, !noalias !175
-  %1826 = call i64 @llvm.smax.i64(i64 %1816, i64 0)
-  br label %1827
-
-1827:                                             ; preds = %1818, %1885
-  %1828 = phi i64 [ 0, %1818 ], [ %1887, %1885 ]
-  %1829 = phi i64 [ %1826, %1818 ], [ %1886, %1885 ]
-  %1830 = phi i64 [ %1824, %1818 ], [ %1896, %1885 ]
-  %1831 = icmp sgt i64 %1829, 0
-  br i1 %1831, label %1885, label %1832
-
-1832:                                             ; preds = %1827
-  %1833 = icmp eq i64 %1822, 0
-  br i1 %1833, label %1834, label %1818
-
-1834:                                             ; preds = %1832, %1811
-  %1835 = load <8 x double>, ptr %152, align 8, !noalias !175
-  %1836 = trunc i64 %1812 to i8
-  %1837 = bitcast i8 %1836 to <8 x i1>
-  %1838 = select <8 x i1> %1837, <8 x double> splat (double 1.000000e+00), <8 x double> zeroinitializer
-  %1839 = fadd <8 x double> %1835, %1838
-  store <8 x double> %1839, ptr %152, align 8, !noalias !175
-  %1840 = extractelement <8 x double> %1839, i64 0
-  %1841 = fptosi double %1840 to i64
-  %1842 = getelementptr double, ptr %198, i64 %1841
-  %1843 = load double, ptr %1842, align 8, !noalias !175
-  %1844 = insertelement <8 x double> poison, double %1843, i64 0
-  %1845 = extractelement <8 x double> %1839, i64 1
-  %1846 = fptosi double %1845 to i64
-  %1847 = getelementptr double, ptr %198, i64 %1846
-  %1848 = load double, ptr %1847, align 8, !noalias !175
-  %1849 = insertelement <8 x double> %1844, double %1848, i64 1
-  %1850 = extractelement <8 x double> %1839, i64 2
-  %1851 = fptosi double %1850 to i64
-  %1852 = getelementptr double, ptr %198, i64 %1851
-  %1853 = load double, ptr %1852, align 8, !noalias !175
-  %1854 = insertelement <8 x double> %1849, double %1853, i64 2
-  %1855 = extractelement <8 x double> %1839, i64 3
-  %1856 = fptosi double %1855 to i64
-  %1857 = getelementptr double, ptr %198, i64 %1856
-  %1858 = load double, ptr %1857, align 8, !noalias !175
-  %1859 = insertelement <8 x double> %1854, double %1858, i64 3
-  %1860 = extractelement <8 x double> %1839, i64 4
-  %1861 = fptosi double %1860 to i64
-  %1862 = getelementptr double, ptr %198, i64 %1861
-  %1863 = load double, ptr %1862, align 8, !noalias !175
-  %1864 = insertelement <8 x double> %1859, double %1863, i64 4
-  %1865 = extractelement <8 x double> %1839, i64 5
-  %1866 = fptosi double %1865 to i64
-  %1867 = getelementptr double, ptr %198, i64 %1866
-  %1868 = load double, ptr %1867, align 8, !noalias !175
-  %1869 = insertelement <8 x double> %1864, double %1868, i64 5
-  %1870 = extractelement <8 x double> %1839, i64 6
-  %1871 = fptosi double %1870 to i64
-  %1872 = getelementptr double, ptr %198, i64 %1871
-  %1873 = load double, ptr %1872, align 8, !noalias !175
-  %1874 = insertelement <8 x double> %1869, double %1873, i64 6
-  %1875 = extractelement <8 x double> %1839, i64 7
-  %1876 = fptosi double %1875 to i64
-  %1877 = getelementptr double, ptr %198, i64 %1876
-  %1878 = load double, ptr %1877, align 8, !noalias !175
-  %1879 = insertelement <8 x double> %1874, double %1878, i64 7
-  store <8 x double> %1879, ptr %157, align 8, !noalias !175
-  %1880 = fcmp oeq <8 x double> %1879, %1045
-  %1881 = bitcast <8 x i1> %1880 to i8
-  %1882 = zext i8 %1881 to i64
-  %1883 = and i64 %1812, %1882
-  %1884 = icmp eq i64 %1883, 0
-  br i1 %1884, label %1897, label %1811
-
-1885:                                             ; preds = %1827
-  %1886 = add nsw i64 %1829, -1
-  %1887 = add i64 %1828, 1
-  %1888 = shl nsw i64 %1828, 3
-  %1889 = add nsw i64 %1888, %1820
-  %1890 = icmp slt i64 %1889, 0
-  %1891 = select i1 %1890, i64 %92, i64 0
-  %1892 = getelementptr double, ptr %93, i64 %1889
-  %1893 = getelementptr double, ptr %1892, i64 %1891
-  %1894 = load i64, ptr %1893, align 8, !noalias !175
-  %1895 = inttoptr i64 %1830 to ptr
-  store atomic i64 %1894, ptr %1895 unordered, align 8, !noalias !175
-  %1896 = add nsw i64 %1830, %1815
-  br label %1827
-
-1897:                                             ; preds = %1834, %1801
-  %1898 = xor <8 x i1> %1804, splat (i1 true)
-  %1899 = and <8 x i1> %1021, %1898
-  %1900 = load <8 x double>, ptr %162, align 8, !noalias !12
-  %1901 = select <8 x i1> %1804, <8 x double> splat (double 1.000000e+00), <8 x double> zeroinitializer
-  %1902 = fadd <8 x double> %1900, %1901
-  store <8 x double> %1902, ptr %162, align 8, !noalias !12
-  br i1 %248, label %1903, label %2020
-
-1903:                                             ; preds = %1897
-  %1904 = load <8 x double>, ptr %144, align 8, !noalias !12
-  %1905 = load <8 x double>, ptr %147, align 8, !noalias !12
-  %1906 = getelementptr i8, ptr %36, i64 24
-  %1907 = load double, ptr %1906, align 8, !noalias !179
-  %1908 = fcmp ogt <8 x double> %1419, splat (double 1.000000e-10)
-  %1909 = select <8 x i1> %1908, <8 x double> %1419, <8 x double> splat (double 1.000000e-10)
-  %1910 = getelementptr i8, ptr %36, i64 8
-  %1911 = load double, ptr %1910, align 8, !noalias !179
-  %1912 = fneg double %1911
-  %1913 = insertelement <8 x double> poison, double %1912, i64 0
-  %1914 = shufflevector <8 x double> %1913, <8 x double> poison, <8 x i32> zeroinitializer
-  %1915 = bitcast <8 x double> %1909 to <8 x i64>
-  %1916 = add nsw <8 x i64> %1915, splat (i64 -4604544271217802189)
-  %1917 = ashr <8 x i64> %1916, splat (i64 52)
-  %1918 = and <8 x i64> %1916, splat (i64 -4503599627370496)
-  %1919 = sub <8 x i64> %1915, %1918
-  %1920 = bitcast <8 x i64> %1919 to <8 x double>
-  %1921 = fadd <8 x double> %1920, splat (double -1.000000e+00)
-  %1922 = fadd <8 x double> %1920, splat (double 1.000000e+00)
-  %1923 = fdiv <8 x double> %1921, %1922
-  %1924 = fmul <8 x double> %1923, %1923
-  %1925 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1924, <8 x double> splat (double 0x3FD484B13D7C02A9), <8 x double> splat (double 0x3FDA61762A7ADED9))
-  %1926 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1925, <8 x double> %1924, <8 x double> splat (double 0x3FE2776C50EF9BFE))
-  %1927 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1926, <8 x double> %1924, <8 x double> splat (double 0x3FEEC709DC3A03FD))
-  %1928 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1927, <8 x double> %1924, <8 x double> splat (double 0x40071547652B82FE))
-  %1929 = fmul <8 x double> %1928, %1923
-  %1930 = trunc nsw <8 x i64> %1917 to <8 x i32>
-  %1931 = sitofp <8 x i32> %1930 to <8 x double>
-  %1932 = fadd <8 x double> %1929, %1931
-  %1933 = fmul <8 x double> %1932, %1914
-  %1934 = fcmp ogt <8 x double> %1933, splat (double -1.000000e+03)
-  %1935 = select <8 x i1> %1934, <8 x double> %1933, <8 x double> splat (double -1.000000e+03)
-  %1936 = fcmp olt <8 x double> %1935, splat (double 1.000000e+03)
-  %1937 = select <8 x i1> %1936, <8 x double> %1935, <8 x double> splat (double 1.000000e+03)
-  %1938 = call <8 x double> @llvm.rint.v8f64(<8 x double> %1937)
-  %1939 = fsub <8 x double> %1937, %1938
-  %1940 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1939, <8 x double> splat (double 0x3EEFFCBFC588B0C5), <8 x double> splat (double 0x3F2430912F86C786))
-  %1941 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1940, <8 x double> %1939, <8 x double> splat (double 0x3F55D87FE78A6730))
-  %1942 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1941, <8 x double> %1939, <8 x double> splat (double 0x3F83B2AB6FBA4E77))
-  %1943 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1942, <8 x double> %1939, <8 x double> splat (double 0x3FAC6B08D704A0BF))
-  %1944 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1943, <8 x double> %1939, <8 x double> splat (double 0x3FCEBFBDFF82C58E))
-  %1945 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1944, <8 x double> %1939, <8 x double> splat (double 0x3FE62E42FEFA39EF))
-  %1946 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1945, <8 x double> %1939, <8 x double> splat (double 1.000000e+00))
-  %1947 = fptosi <8 x double> %1938 to <8 x i32>
-  %1948 = zext <8 x i32> %1947 to <8 x i64>
-  %1949 = shl <8 x i64> %1948, splat (i64 52)
-  %1950 = bitcast <8 x double> %1946 to <8 x i64>
-  %1951 = add <8 x i64> %1949, %1950
-  %1952 = bitcast <8 x i64> %1951 to <8 x double>
-  %1953 = insertelement <8 x double> poison, double %1907, i64 0
-  %1954 = shufflevector <8 x double> %1953, <8 x double> poison, <8 x i32> zeroinitializer
-  %1955 = fmul <8 x double> %1954, %1952
-  %1956 = getelementptr i8, ptr %36, i64 16
-  %1957 = load double, ptr %1956, align 8, !noalias !179
-  %1958 = fcmp une double %1957, 0.000000e+00
-  br i1 %1958, label %1959, label %2001
-
-1959:                                             ; preds = %1903
-  %1960 = insertelement <8 x double> poison, double %1957, i64 0
-  %1961 = shufflevector <8 x double> %1960, <8 x double> poison, <8 x i32> zeroinitializer
-  %1962 = bitcast <8 x double> %1904 to <8 x i64>
-  %1963 = add <8 x i64> %1962, splat (i64 -4604544271217802189)
-  %1964 = ashr <8 x i64> %1963, splat (i64 52)
-  %1965 = and <8 x i64> %1963, splat (i64 -4503599627370496)
-  %1966 = sub <8 x i64> %1962, %1965
-  %1967 = bitcast <8 x i64> %1966 to <8 x double>
-  %1968 = fadd <8 x double> %1967, splat (double -1.000000e+00)
-  %1969 = fadd <8 x double> %1967, splat (double 1.000000e+00)
-  %1970 = fdiv <8 x double> %1968, %1969
-  %1971 = fmul <8 x double> %1970, %1970
-  %1972 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1971, <8 x double> splat (double 0x3FD484B13D7C02A9), <8 x double> splat (double 0x3FDA61762A7ADED9))
-  %1973 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1972, <8 x double> %1971, <8 x double> splat (double 0x3FE2776C50EF9BFE))
-  %1974 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1973, <8 x double> %1971, <8 x double> splat (double 0x3FEEC709DC3A03FD))
-  %1975 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1974, <8 x double> %1971, <8 x double> splat (double 0x40071547652B82FE))
-  %1976 = fmul <8 x double> %1975, %1970
-  %1977 = trunc nsw <8 x i64> %1964 to <8 x i32>
-  %1978 = sitofp <8 x i32> %1977 to <8 x double>
-  %1979 = fadd <8 x double> %1976, %1978
-  %1980 = fmul <8 x double> %1979, %1961
-  %1981 = fcmp ogt <8 x double> %1980, splat (double -1.000000e+03)
-  %1982 = select <8 x i1> %1981, <8 x double> %1980, <8 x double> splat (double -1.000000e+03)
-  %1983 = fcmp olt <8 x double> %1982, splat (double 1.000000e+03)
-  %1984 = select <8 x i1> %1983, <8 x double> %1982, <8 x double> splat (double 1.000000e+03)
-  %1985 = call <8 x double> @llvm.rint.v8f64(<8 x double> %1984)
-  %1986 = fsub <8 x double> %1984, %1985
-  %1987 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1986, <8 x double> splat (double 0x3EEFFCBFC588B0C5), <8 x double> splat (double 0x3F2430912F86C786))
-  %1988 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1987, <8 x double> %1986, <8 x double> splat (double 0x3F55D87FE78A6730))
-  %1989 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1988, <8 x double> %1986, <8 x double> splat (double 0x3F83B2AB6FBA4E77))
-  %1990 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1989, <8 x double> %1986, <8 x double> splat (double 0x3FAC6B08D704A0BF))
-  %1991 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1990, <8 x double> %1986, <8 x double> splat (double 0x3FCEBFBDFF82C58E))
-  %1992 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1991, <8 x double> %1986, <8 x double> splat (double 0x3FE62E42FEFA39EF))
-  %1993 = call <8 x double> @llvm.fma.v8f64(<8 x double> %1992, <8 x double> %1986, <8 x double> splat (double 1.000000e+00))
-  %1994 = fptosi <8 x double> %1985 to <8 x i32>
-  %1995 = zext <8 x i32> %1994 to <8 x i64>
-  %1996 = shl <8 x i64> %1995, splat (i64 52)
-  %1997 = bitcast <8 x double> %1993 to <8 x i64>
-  %1998 = add <8 x i64> %1996, %1997
-  %1999 = bitcast <8 x i64> %1998 to <8 x double>
-  %2000 = fmul <8 x double> %1955, %1999
-  br label %2001
-
-2001:                                             ; preds = %1959, %1903
-  %2002 = phi <8 x double> [ %2000, %1959 ], [ %1955, %1903 ]
-  %2003 = getelementptr i8, ptr %36, i64 32
-  %2004 = load double, ptr %2003, align 8, !noalias !179
-  %2005 = insertelement <8 x double> poison, double %2004, i64 0
-  %2006 = shufflevector <8 x double> %2005, <8 x double> poison, <8 x i32> zeroinitializer
-  %2007 = fcmp ogt <8 x double> %2002, %2006
-  %2008 = select <8 x i1> %2007, <8 x double> %2002, <8 x double> %2006
-  %2009 = fcmp olt <8 x double> %1905, %2008
-  %2010 = select <8 x i1> %2009, <8 x double> %1905, <8 x double> %2008
-  %2011 = fmul <8 x double> %1046, %2010
-  %2012 = fcmp ogt <8 x double> %1419, splat (double 1.000000e-04)
-  %2013 = select <8 x i1> %2012, <8 x double> %1419, <8 x double> splat (double 1.000000e-04)
-  %2014 = select <8 x i1> %1804, <8 x double> %2013, <8 x double> %1904
-  store <8 x double> %2014, ptr %144, align 8, !noalias !12
-  %2015 = getelementptr i8, ptr %36, i64 40
-  %2016 = load double, ptr %2015, align 8, !noalias !12
-  %2017 = insertelement <8 x double> poison, double %2016, i64 0
-  %2018 = shufflevector <8 x double> %2017, <8 x double> poison, <8 x i32> zeroinitializer
-  %2019 = select <8 x i1> %1899, <8 x double> splat (double 1.000000e+00), <8 x double> %2018
-  store <8 x double> %2019, ptr %147, align 8, !noalias !12
-  br label %2020
-
-2020:                                             ; preds = %2001, %1897
-  %2021 = phi <8 x double> [ %2011, %2001 ], [ %1019, %1897 ]
-  %2022 = bitcast <8 x i1> %1899 to i8
-  %2023 = icmp eq i8 %2022, 0
-  br i1 %2023, label %2096, label %2024
-
-2024:                                             ; preds = %2020
-  %2025 = trunc i64 %1445 to i8
-  %2026 = bitcast i8 %2025 to <8 x i1>
-  %2027 = call <8 x double> @llvm.fabs.v8f64(<8 x double> %1419)
-  %2028 = fcmp ueq <8 x double> %2027, splat (double 0x7FF0000000000000)
-  %2029 = or <8 x i1> %2028, %2026
-  %2030 = getelementptr i8, ptr %36, i64 24
-  %2031 = load double, ptr %2030, align 8, !noalias !182
-  %2032 = fcmp ogt <8 x double> %1419, splat (double 1.000000e-10)
-  %2033 = select <8 x i1> %2032, <8 x double> %1419, <8 x double> splat (double 1.000000e-10)
-  %2034 = load double, ptr %36, align 8, !noalias !182
-  %2035 = fneg double %2034
-  %2036 = insertelement <8 x double> poison, double %2035, i64 0
-  %2037 = shufflevector <8 x double> %2036, <8 x double> poison, <8 x i32> zeroinitializer
-  %2038 = bitcast <8 x double> %2033 to <8 x i64>
-  %2039 = add nsw <8 x i64> %2038, splat (i64 -4604544271217802189)
-  %2040 = ashr <8 x i64> %2039, splat (i64 52)
-  %2041 = and <8 x i64> %2039, splat (i64 -4503599627370496)
-  %2042 = sub <8 x i64> %2038, %2041
-  %2043 = bitcast <8 x i64> %2042 to <8 x double>
-  %2044 = fadd <8 x double> %2043, splat (double -1.000000e+00)
-  %2045 = fadd <8 x double> %2043, splat (double 1.000000e+00)
-  %2046 = fdiv <8 x double> %2044, %2045
-  %2047 = fmul <8 x double> %2046, %2046
-  %2048 = call <8 x double> @llvm.fma.v8f64(<8 x double> %2047, <8 x double> splat (double 0x3FD484B13D7C02A9), <8 x double> splat (double 0x3FDA61762A7ADED9))
-  %2049 = call <8 x double> @llvm.fma.v8f64(<8 x double> %2048, <8 x double> %2047, <8 x double> splat (double 0x3FE2776C50EF9BFE))
-  %2050 = call <8 x double> @llvm.fma.v8f64(<8 x double> %2049, <8 x double> %2047, <8 x double> splat (double 0x3FEEC709DC3A03FD))
-  %2051 = call <8 x double> @llvm.fma.v8f64(<8 x double> %2050, <8 x double> %2047, <8 x double> splat (double 0x40071547652B82FE))
-  %2052 = fmul <8 x double> %2051, %2046
-  %2053 = trunc nsw <8 x i64> %2040 to <8 x i32>
-  %2054 = sitofp <8 x i32> %2053 to <8 x double>
-  %2055 = fadd <8 x double> %2052, %2054
-  %2056 = fmul <8 x double> %2055, %2037
-  %2057 = fcmp ogt <8 x double> %2056, splat (double -1.000000e+03)
-  %2058 = select <8 x i1> %2057, <8 x double> %2056, <8 x double> splat (double -1.000000e+03)
-  %2059 = fcmp olt <8 x double> %2058, splat (double 1.000000e+03)
-  %2060 = select <8 x i1> %2059, <8 x double> %2058, <8 x double> splat (double 1.000000e+03)
-  %2061 = call <8 x double> @llvm.rint.v8f64(<8 x double> %2060)
-  %2062 = fsub <8 x double> %2060, %2061
-  %2063 = call <8 x double> @llvm.fma.v8f64(<8 x double> %2062, <8 x double> splat (double 0x3EEFFCBFC588B0C5), <8 x double> splat (double 0x3F2430912F86C786))
-  %2064 = call <8 x double> @llvm.fma.v8f64(<8 x double> %2063, <8 x double> %2062, <8 x double> splat (double 0x3F55D87FE78A6730))
-  %2065 = call <8 x double> @llvm.fma.v8f64(<8 x double> %2064, <8 x double> %2062, <8 x double> splat (double 0x3F83B2AB6FBA4E77))
-  %2066 = call <8 x double> @llvm.fma.v8f64(<8 x double> %2065, <8 x double> %2062, <8 x double> splat (double 0x3FAC6B08D704A0BF))
-  %2067 = call <8 x double> @llvm.fma.v8f64(<8 x double> %2066, <8 x double> %2062, <8 x double> splat (double 0x3FCEBFBDFF82C58E))
-  %2068 = call <8 x double> @llvm.fma.v8f64(<8 x double> %2067, <8 x double> %2062, <8 x double> splat (double 0x3FE62E42FEFA39EF))
-  %2069 = call <8 x double> @llvm.fma.v8f64(<8 x double> %2068, <8 x double> %2062, <8 x double> splat (double 1.000000e+00))
-  %2070 = fptosi <8 x double> %2061 to <8 x i32>
-  %2071 = zext <8 x i32> %2070 to <8 x i64>
-  %2072 = shl <8 x i64> %2071, splat (i64 52)
-  %2073 = bitcast <8 x double> %2069 to <8 x i64>
-  %2074 = add <8 x i64> %2072, %2073
-  %2075 = bitcast <8 x i64> %2074 to <8 x double>
-  %2076 = insertelement <8 x double> poison, double %2031, i64 0
-  %2077 = shufflevector <8 x double> %2076, <8 x double> poison, <8 x i32> zeroinitializer
-  %2078 = fmul <8 x double> %2077, %2075
-  %2079 = getelementptr i8, ptr %36, i64 32
-  %2080 = load double, ptr %2079, align 8, !noalias !182
-  %2081 = insertelement <8 x double> poison, double %2080, i64 0
-  %2082 = shufflevector <8 x double> %2081, <8 x double> poison, <8 x i32> zeroinitializer
-  %2083 = fcmp ogt <8 x double> %2078, %2082
-  %2084 = select <8 x i1> %2083, <8 x double> %2078, <8 x double> %2082
-  %2085 = select <8 x i1> %2029, <8 x double> splat (double 2.500000e-01), <8 x double> %2084
-  %2086 = fmul <8 x double> %1046, %2085
-  %2087 = select i1 %248, <8 x double> %2086, <8 x double> zeroinitializer
-  %2088 = select <8 x i1> %1899, <8 x double> %2087, <8 x double> %2021
-  %2089 = select <8 x i1> %2029, <8 x double> splat (double 4.000000e+00), <8 x double> splat (double 2.000000e+00)
-  %2090 = select <8 x i1> %2026, <8 x double> splat (double 3.000000e+00), <8 x double> %2089
-  %2091 = load <8 x double>, ptr %177, align 8, !noalias !12
-  %2092 = select <8 x i1> %1899, <8 x double> %2090, <8 x double> %2091
-  store <8 x double> %2092, ptr %177, align 8, !noalias !12
-  %2093 = load <8 x double>, ptr %167, align 8, !noalias !12
-  %2094 = select <8 x i1> %1899, <8 x double> splat (double 1.000000e+00), <8 x double> zeroinitializer
-  %2095 = fadd <8 x double> %2093, %2094
-  store <8 x double> %2095, ptr %167, align 8, !noalias !12
-  br label %2096
-
-2096:                                             ; preds = %2024, %2020
-  %2097 = phi <8 x double> [ %2088, %2024 ], [ %2021, %2020 ]
-  store <8 x double> %2097, ptr %141, align 8, !noalias !12
-  %2098 = select <8 x i1> %1804, <8 x double> %1045, <8 x double> %1018
-  store <8 x double> %2098, ptr %136, align 8, !noalias !12
-  %2099 = call i64 @llvm.smax.i64(i64 %233, i64 0)
-  br label %2100
-
-2100:                                             ; preds = %2096, %2234
-  %2101 = phi i64 [ 0, %2096 ], [ %2236, %2234 ]
-  %2102 = phi i64 [ %2099, %2096 ], [ %2235, %2234 ]
-  %2103 = icmp sgt i64 %2102, 0
-  br i1 %2103, label %2234, label %2104
-
-2104:                                             ; preds = %2100
-  %2105 = load <8 x double>, ptr %157, align 8, !noalias !12
-  %2106 = fcmp oeq <8 x double> %2105, splat (double 0x7FF0000000000000)
-  %2107 = and <8 x i1> %1804, %2106
-  %2108 = bitcast <8 x i1> %2107 to i8
-  %2109 = zext i8 %2108 to i64
-  %2110 = icmp eq i8 %2108, 0
-  br i1 %2110, label %2187, label %2111
-
-2111:                                             ; preds = %2104, %2186
-  %2112 = phi i64 [ %2252, %2186 ], [ 0, %2104 ]
-  %2113 = phi i64 [ %2251, %2186 ], [ 8, %2104 ]
-  %2114 = icmp sgt i64 %2113, 0
-  br i1 %2114, label %2250, label %2187
-
-2115:                                             ; preds = %2250
-  %2116 = icmp slt i64 %2112, 0
-  %2117 = select i1 %2116, i64 %181, i64 0
-  %2118 = getelementptr i64, ptr %182, i64 %2112
-  %2119 = getelementptr i64, ptr %2118, i64 %2117
-  %2120 = load i64, ptr %2119, align 8, !noalias !185
-  %2121 = getelementptr i8, ptr %190, i64 32
-  %2122 = load i64, ptr %2121, align 8, !noalias !185
-  %2123 = shl nsw i64 %2122, 3
-  %2124 = select i1 %2116, i64 %151, i64 0
-  %2125 = getelementptr double, ptr %152, i64 %2112
-  %2126 = getelementptr double, ptr %2125, i64 %2124
-  %2127 = load double, ptr %2126, align 8, !noalias !185
-  %2128 = fptosi double %2127 to i64
-  %2129 = xor i64 %2128, -1
-  %2130 = add i64 %197, %2129
-  %2131 = call i64 @llvm.smax.i64(i64 %2130, i64 0)
-  br label %2132
-
-2132:                                             ; preds = %2136, %2115
-  %2133 = phi i64 [ 0, %2115 ], [ %2173, %2136 ]
-  %2134 = phi i64 [ %2131, %2115 ], [ %2172, %2136 ]
-  %2135 = icmp sgt i64 %2134, 0
-  br i1 %2135, label %2171, label %2140
-
-2136:                                             ; preds = %2171, %2182
-  %2137 = phi i64 [ %2181, %2171 ], [ %2183, %2182 ]
-  %2138 = phi i64 [ %2179, %2171 ], [ %2185, %2182 ]
-  %2139 = icmp sgt i64 %2137, 0
-  br i1 %2139, label %2182, label %2132
-
-2140:                                             ; preds = %2132
-  %2141 = icmp slt i64 %2120, 0
-  %2142 = select i1 %2141, i64 %223, i64 0
-  %2143 = add i64 %2120, %2142
-  %2144 = mul i64 %2143, %225
-  %2145 = getelementptr i64, ptr %226, i64 %2144
-  %2146 = select i1 %2116, i64 %161, i64 0
-  %2147 = getelementptr double, ptr %162, i64 %2112
-  %2148 = getelementptr double, ptr %2147, i64 %2146
-  %2149 = load double, ptr %2148, align 8, !noalias !185
-  %2150 = select i1 %2116, i64 %166, i64 0
-  %2151 = getelementptr double, ptr %167, i64 %2112
-  %2152 = getelementptr double, ptr %2151, i64 %2150
-  %2153 = load double, ptr %2152, align 8, !noalias !185
-  %2154 = fptosi double %2149 to i64
-  store i64 %2154, ptr %2145, align 8, !noalias !185
-  %2155 = getelementptr i8, ptr %2145, i64 8
-  %2156 = fptosi double %2153 to i64
-  store i64 %2156, ptr %2155, align 8, !noalias !185
-  %2157 = select i1 %2116, i64 %171, i64 0
-  %2158 = getelementptr double, ptr %172, i64 %2112
-  %2159 = getelementptr double, ptr %2158, i64 %2157
-  %2160 = load double, ptr %2159, align 8, !noalias !185
-  %2161 = getelementptr i8, ptr %2145, i64 16
-  %2162 = fptosi double %2160 to i64
-  store i64 %2162, ptr %2161, align 8, !noalias !185
-  %2163 = getelementptr i8, ptr %2145, i64 24
-  store i64 0, ptr %2163, align 8, !noalias !185
-  %2164 = select i1 %2116, i64 %135, i64 0
-  %2165 = getelementptr double, ptr %136, i64 %2112
-  %2166 = getelementptr double, ptr %2165, i64 %2164
-  %2167 = load double, ptr %2166, align 8, !noalias !185
-  %2168 = select i1 %2141, i64 %230, i64 0
-  %2169 = getelementptr double, ptr %231, i64 %2120
-  %2170 = getelementptr double, ptr %2169, i64 %2168
-  store double %2167, ptr %2170, align 8, !noalias !185
-  store i64 -1, ptr %2119, align 8, !noalias !185
-  br label %2186
-
-2171:                                             ; preds = %2132
-  %2172 = add nsw i64 %2134, -1
-  %2173 = add i64 %2133, 1
-  %2174 = shl nsw i64 %2133, 3
-  %2175 = select i1 %2116, i64 %186, i64 0
-  %2176 = getelementptr i64, ptr %187, i64 %2112
-  %2177 = getelementptr i64, ptr %2176, i64 %2175
-  %2178 = load i64, ptr %2177, align 8, !noalias !185
-  %2179 = add nsw i64 %2178, %2174
-  %2180 = load i64, ptr %232, align 8, !noalias !185
-  %2181 = call i64 @llvm.smax.i64(i64 %2180, i64 0)
-  br label %2136
-
-2182:                                             ; preds = %2136
-  %2183 = add nsw i64 %2137, -1
-  %2184 = inttoptr i64 %2138 to ptr
-  store atomic i64 9221120237041090560, ptr %2184 unordered, align 8, !noalias !185
-  %2185 = add nsw i64 %2138, %2123
-  br label %2136
-
-2186:                                             ; preds = %2140, %2250
-  br label %2111
-
-2187:                                             ; preds = %2111, %2104
-  %2188 = phi i1 [ %1803, %2104 ], [ true, %2111 ]
-  br label %267
-
-2189:                                             ; preds = %260
-  %2190 = add nsw i64 %262, -1
-  %2191 = add i64 %261, 1
-  %2192 = icmp slt i64 %261, 0
-  %2193 = select i1 %2192, i64 %181, i64 0
-  %2194 = getelementptr i64, ptr %182, i64 %261
-  %2195 = getelementptr i64, ptr %2194, i64 %2193
-  %2196 = load i64, ptr %2195, align 8, !noalias !12
-  %2197 = shl nuw i64 1, %261
-  %2198 = icmp slt i64 %2196, 0
-  %2199 = select i1 %2198, i64 0, i64 %2197
-  %2200 = or i64 %263, %2199
-  br label %260
-
-2201:                                             ; preds = %343, %314
-  %2202 = icmp eq i64 %275, 0
-  br i1 %2202, label %495, label %496
-
-2203:                                             ; preds = %667, %512
-  br label %2256
-
-2204:                                             ; preds = %994
-  %2205 = add nsw i64 %996, -1
-  %2206 = add i64 %995, 1
-  br i1 %997, label %1006, label %999
-
-2207:                                             ; preds = %1231
-  br label %2256
-
-2208:                                             ; preds = %1413
-  %2209 = add nsw i64 %1415, -1
-  %2210 = add i64 %1414, 1
-  %2211 = shl i64 %1414, 6
-  %2212 = getelementptr i8, ptr %93, i64 %2211
-  %2213 = load <8 x double>, ptr %2212, align 8, !noalias !12
-  %2214 = fmul <8 x double> %2213, zeroinitializer
-  %2215 = fadd <8 x double> %1416, %2214
-  br label %1413
-
-2216:                                             ; preds = %1431
-  br label %2256
-
-2217:                                             ; preds = %1493
-  %2218 = zext i8 %1458 to i64
-  %2219 = and i64 %1468, %2218
-  %2220 = load i64, ptr %1462, align 8, !noalias !12
-  %2221 = sitofp i64 %2220 to double
-  %2222 = insertelement <8 x double> poison, double %2221, i64 0
-  %2223 = shufflevector <8 x double> %2222, <8 x double> poison, <8 x i32> zeroinitializer
-  %2224 = select <8 x i1> %1457, <8 x double> %2223, <8 x double> zeroinitializer
-  %2225 = load <8 x double>, ptr %172, align 8, !noalias !12
-  %2226 = fadd <8 x double> %2225, %2224
-  store <8 x double> %2226, ptr %172, align 8, !noalias !12
-  %2227 = icmp eq i64 %2219, 0
-  br i1 %2227, label %1700, label %1617
-
-2228:                                             ; preds = %1617
-  %2229 = add nsw i64 %1619, -1
-  %2230 = add i64 %1618, 1
-  %2231 = shl nuw i64 1, %1618
-  %2232 = and i64 %2219, %2231
-  %2233 = icmp eq i64 %2232, 0
-  br i1 %2233, label %1692, label %1621
-
-2234:                                             ; preds = %2100
-  %2235 = add nsw i64 %2102, -1
-  %2236 = add i64 %2101, 1
-  %2237 = shl i64 %2101, 6
-  %2238 = getelementptr i8, ptr %93, i64 %2237
-  %2239 = load <8 x double>, ptr %2238, align 8, !noalias !12
-  %2240 = getelementptr i8, ptr %88, i64 %2237
-  %2241 = load <8 x double>, ptr %2240, align 8, !noalias !12
-  %2242 = select <8 x i1> %1804, <8 x double> %2239, <8 x double> %2241
-  store <8 x double> %2242, ptr %2240, align 8, !noalias !12
-  %2243 = add nsw i64 %245, %2101
-  %2244 = shl i64 %2243, 6
-  %2245 = getelementptr i8, ptr %116, i64 %2244
-  %2246 = load <8 x double>, ptr %2245, align 8, !noalias !12
-  %2247 = getelementptr i8, ptr %116, i64 %2237
-  %2248 = load <8 x double>, ptr %2247, align 8, !noalias !12
-  %2249 = select <8 x i1> %1804, <8 x double> %2246, <8 x double> %2248
-  store <8 x double> %2249, ptr %2247, align 8, !noalias !12
-  br label %2100
-
-2250:                                             ; preds = %2111
-  %2251 = add nsw i64 %2113, -1
-  %2252 = add i64 %2112, 1
-  %2253 = shl nuw i64 1, %2112
-  %2254 = and i64 %2253, %2109
-  %2255 = icmp eq i64 %2254, 0
-  br i1 %2255, label %2186, label %2115
-
-2256:                                             ; preds = %1616, %2216, %2207, %1228, %2203, %1015, %495
-  %2257 = phi i64 [ 0, %1616 ], [ 0, %2203 ], [ 1, %495 ], [ 0, %1015 ], [ 0, %2216 ], [ 0, %1228 ], [ 0, %2207 ]
-  ret i64 %2257
+define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readonly %1, ptr noundef readonly %2, i64 noundef %3, i64 noundef %4, ptr noundef readonly %5, i64 noundef %6) unnamed_addr #6 {
+  %8 = load <8 x double>, ptr %5, align 8
+  %9 = fsub <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %8
+  %10 = shl nsw i64 %6, 3
+  %11 = icmp sgt i64 %6, 0
+  br i1 %11, label %12, label %19
+
+12:                                               ; preds = %7
+  %13 = add nsw i64 %4, -1
+  %14 = mul nsw i64 %13, %3
+  %15 = getelementptr double, ptr %2, i64 %14
+  %16 = add nsw i64 %4, -2
+  %17 = icmp sgt i64 %4, 1
+  %18 = sub i64 0, %3
+  br label %20
+
+19:                                               ; preds = %24, %7
+  ret void
+
+20:                                               ; preds = %12, %24
+  %21 = phi i64 [ 0, %12 ], [ %30, %24 ]
+  %22 = getelementptr double, ptr %15, i64 %21
+  %23 = load <8 x double>, ptr %22, align 8
+  br i1 %17, label %32, label %24
+
+24:                                               ; preds = %32, %20
+  %25 = phi <8 x double> [ %23, %20 ], [ %41, %32 ]
+  %26 = getelementptr inbounds double, ptr %0, i64 %21
+  %27 = getelementptr inbounds double, ptr %1, i64 %21
+  %28 = load <8 x double>, ptr %27, align 8
+  %29 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %8, <8 x double> %25, <8 x double> %28)
+  store <8 x double> %29, ptr %26, align 8
+  %30 = add nuw nsw i64 %21, 8
+  %31 = icmp slt i64 %30, %10
+  br i1 %31, label %20, label %19, !llvm.loop !42
+
+32:                                               ; preds = %20, %32
+  %33 = phi i64 [ %42, %32 ], [ %16, %20 ]
+  %34 = phi <8 x double> [ %41, %32 ], [ %23, %20 ]
+  %35 = phi ptr [ %36, %32 ], [ %22, %20 ]
+  %36 = getelementptr inbounds double, ptr %35, i64 %18
+  %37 = and i64 %33, 1
+  %38 = icmp eq i64 %37, 0
+  %39 = select i1 %38, <8 x double> %9, <8 x double> %8
+  %40 = load <8 x double>, ptr %36, align 8
+  %41 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %39, <8 x double> %34, <8 x double> %40)
+  %42 = add nsw i64 %33, -1
+  %43 = icmp sgt i64 %33, 0
+  br i1 %43, label %32, label %24, !llvm.loop !43
 }
 
+declare <8 x i1> @llvm.is.fpclass.v8f64(<8 x double>, i32 immarg) #8
+
+attributes #0 = { nounwind }
+attributes #1 = { nounwind willreturn }
+attributes #2 = { noinline nounwind }
+attributes #3 = { noinline nounwind }
+attributes #4 = { noinline nounwind }
+attributes #5 = { nounwind willreturn memory(none) }
+attributes #6 = { noinline nounwind }
+attributes #7 = { noinline nounwind }
+attributes #8 = { nounwind willreturn memory(none) }
+attributes #9 = { nounwind }
+attributes #10 = { nounwind }
+attributes #11 = { nounwind }
 
 
-declare i64 @llvm.smax.i64(i64, i64) #0
-
-declare <8 x i1> @llvm.is.fpclass.v8f64(<8 x double>, i32 immarg) #0
-
-attributes #0 = { nounwind willreturn memory(none) }
-attributes #1 = { noinline }
-attributes #2 = { nounwind willreturn memory(none) }
-attributes #3 = { nounwind }
-attributes #4 = { nounwind willreturn }
-
-!0 = !{!1, !3}
-!1 = distinct !{!1, !2}
-!2 = distinct !{!2}
-!3 = distinct !{!3, !2}
-!4 = !{!"branch_weights", i32 1, i32 99}
-!5 = !{!6, !1, !3}
-!6 = distinct !{!6, !7}
-!7 = distinct !{!7}
-!8 = !{!"branch_weights", i32 99, i32 1}
-!9 = !{!10}
-!10 = distinct !{!10, !11}
-!11 = distinct !{!11}
-!12 = !{!13, !15}
-!13 = distinct !{!13, !14}
-!14 = distinct !{!14}
-!15 = distinct !{!15, !14}
-!16 = !{!17, !19, !13, !15}
-!17 = distinct !{!17, !18}
-!18 = distinct !{!18}
-!19 = distinct !{!19, !18}
-!20 = !{!21, !23, !17, !19, !13, !15}
-!21 = distinct !{!21, !22}
-!22 = distinct !{!22}
-!23 = distinct !{!23, !22}
-!24 = !{!25, !27, !17, !19, !13, !15}
-!25 = distinct !{!25, !26}
-!26 = distinct !{!26}
-!27 = distinct !{!27, !26}
-!28 = !{!29, !31, !17, !19, !13, !15}
-!29 = distinct !{!29, !30}
-!30 = distinct !{!30}
-!31 = distinct !{!31, !30}
-!32 = !{!33, !35, !17, !19, !13, !15}
-!33 = distinct !{!33, !34}
-!34 = distinct !{!34}
-!35 = distinct !{!35, !34}
-!36 = !{!37, !39, !17, !19, !13, !15}
-!37 = distinct !{!37, !38}
-!38 = distinct !{!38}
-!39 = distinct !{!39, !38}
-!40 = !{!41, !43, !17, !19, !13, !15}
-!41 = distinct !{!41, !42}
-!42 = distinct !{!42}
-!43 = distinct !{!43, !42}
-!44 = !{!45, !47, !17, !19, !13, !15}
-!45 = distinct !{!45, !46}
-!46 = distinct !{!46}
-!47 = distinct !{!47, !46}
-!48 = !{!49, !51, !13, !15}
-!49 = distinct !{!49, !50}
-!50 = distinct !{!50}
-!51 = distinct !{!51, !50}
-!52 = !{!53, !55, !49, !51, !13, !15}
-!53 = distinct !{!53, !54}
-!54 = distinct !{!54}
-!55 = distinct !{!55, !54}
-!56 = !{!"branch_weights", i32 1, i32 49, i32 49}
-!57 = !{!58, !60, !49, !51, !13, !15}
-!58 = distinct !{!58, !59}
-!59 = distinct !{!59}
-!60 = distinct !{!60, !59}
-!61 = !{!62, !64, !58, !60, !49, !51, !13, !15}
-!62 = distinct !{!62, !63}
-!63 = distinct !{!63}
-!64 = distinct !{!64, !63}
-!65 = !{!66, !68, !58, !60, !49, !51, !13, !15}
-!66 = distinct !{!66, !67}
-!67 = distinct !{!67}
-!68 = distinct !{!68, !67}
-!69 = !{!70, !72, !58, !60, !49, !51, !13, !15}
-!70 = distinct !{!70, !71}
-!71 = distinct !{!71}
-!72 = distinct !{!72, !71}
-!73 = !{!74, !76, !49, !51, !13, !15}
-!74 = distinct !{!74, !75}
-!75 = distinct !{!75}
-!76 = distinct !{!76, !75}
-!77 = !{!78, !80, !49, !51, !13, !15}
-!78 = distinct !{!78, !79}
-!79 = distinct !{!79}
-!80 = distinct !{!80, !79}
-!81 = !{!82, !84, !49, !51, !13, !15}
-!82 = distinct !{!82, !83}
-!83 = distinct !{!83}
-!84 = distinct !{!84, !83}
-!85 = !{!86, !88, !13, !15}
-!86 = distinct !{!86, !87}
-!87 = distinct !{!87}
-!88 = distinct !{!88, !87}
-!89 = !{!90, !92, !86, !88, !13, !15}
-!90 = distinct !{!90, !91}
-!91 = distinct !{!91}
-!92 = distinct !{!92, !91}
-!93 = !{!94, !96, !13, !15}
-!94 = distinct !{!94, !95}
-!95 = distinct !{!95}
-!96 = distinct !{!96, !95}
-!97 = !{!98, !100, !94, !96, !13, !15}
-!98 = distinct !{!98, !99}
-!99 = distinct !{!99}
-!100 = distinct !{!100, !99}
-!101 = !{!102, !98, !100, !94, !96, !13, !15}
-!102 = distinct !{!102, !103}
-!103 = distinct !{!103}
-!104 = !{!105, !107, !94, !96, !13, !15}
-!105 = distinct !{!105, !106}
-!106 = distinct !{!106}
-!107 = distinct !{!107, !106}
-!108 = !{!109, !105, !107, !94, !96, !13, !15}
-!109 = distinct !{!109, !110}
-!110 = distinct !{!110}
-!111 = !{!112, !114, !94, !96, !13, !15}
-!112 = distinct !{!112, !113}
-!113 = distinct !{!113}
-!114 = distinct !{!114, !113}
-!115 = !{!116, !118, !13, !15}
-!116 = distinct !{!116, !117}
-!117 = distinct !{!117}
-!118 = distinct !{!118, !117}
-!119 = !{!120, !122, !13, !15}
-!120 = distinct !{!120, !121}
-!121 = distinct !{!121}
-!122 = distinct !{!122, !121}
-!123 = !{!124, !126, !120, !122, !13, !15}
-!124 = distinct !{!124, !125}
-!125 = distinct !{!125}
-!126 = distinct !{!126, !125}
-!127 = !{!128, !120, !122, !13, !15}
-!128 = distinct !{!128, !129}
-!129 = distinct !{!129}
-!130 = !{!131, !120, !122, !13, !15}
-!131 = distinct !{!131, !132}
-!132 = distinct !{!132}
-!133 = !{!134, !136, !13, !15}
-!134 = distinct !{!134, !135}
-!135 = distinct !{!135}
-!136 = distinct !{!136, !135}
-!137 = !{!138, !140, !13, !15}
-!138 = distinct !{!138, !139}
-!139 = distinct !{!139}
-!140 = distinct !{!140, !139}
-!141 = !{!142, !144, !138, !140, !13, !15}
-!142 = distinct !{!142, !143}
-!143 = distinct !{!143}
-!144 = distinct !{!144, !143}
-!145 = !{!146, !148, !142, !144, !138, !140, !13, !15}
-!146 = distinct !{!146, !147}
-!147 = distinct !{!147}
-!148 = distinct !{!148, !147}
-!149 = !{!150, !146, !148, !142, !144, !138, !140, !13, !15}
-!150 = distinct !{!150, !151}
-!151 = distinct !{!151}
-!152 = !{!153, !155, !138, !140, !13, !15}
-!153 = distinct !{!153, !154}
-!154 = distinct !{!154}
-!155 = distinct !{!155, !154}
-!156 = !{!157, !153, !155, !138, !140, !13, !15}
-!157 = distinct !{!157, !158}
-!158 = distinct !{!158}
-!159 = !{!160, !162, !138, !140, !13, !15}
-!160 = distinct !{!160, !161}
-!161 = distinct !{!161}
-!162 = distinct !{!162, !161}
-!163 = !{!164, !166, !13, !15}
-!164 = distinct !{!164, !165}
-!165 = distinct !{!165}
-!166 = distinct !{!166, !165}
-!167 = !{!168, !170, !13, !15}
-!168 = distinct !{!168, !169}
-!169 = distinct !{!169}
-!170 = distinct !{!170, !169}
-!171 = !{!172, !174, !168, !170, !13, !15}
-!172 = distinct !{!172, !173}
-!173 = distinct !{!173}
-!174 = distinct !{!174, !173}
-!175 = !{!176, !178, !13, !15}
-!176 = distinct !{!176, !177}
-!177 = distinct !{!177}
-!178 = distinct !{!178, !177}
-!179 = !{!180, !13, !15}
-!180 = distinct !{!180, !181}
-!181 = distinct !{!181}
-!182 = !{!183, !13, !15}
-!183 = distinct !{!183, !184}
-!184 = distinct !{!184}
-!185 = !{!186, !188, !13, !15}
-!186 = distinct !{!186, !187}
-!187 = distinct !{!187}
-!188 = distinct !{!188, !187}
+!0 = !{i32 1, !"wchar_size", i32 4}
+!1 = !{i32 8, !"PIC Level", i32 2}
+!2 = !{i32 7, !"PIE Level", i32 2}
+!3 = distinct !{!3, !4, !5}
+!4 = !{!"llvm.loop.mustprogress"}
+!5 = !{!"llvm.loop.unroll.disable"}
+!6 = distinct !{!6, !4, !5}
+!7 = distinct !{!7, !5}
+!8 = distinct !{!8, !4, !5}
+!9 = distinct !{!9, !4, !5}
+!10 = distinct !{!10, !4, !5}
+!11 = distinct !{!11, !4, !5}
+!12 = distinct !{!12, !4, !5}
+!13 = distinct !{!13, !4, !5}
+!14 = distinct !{!14, !4, !5}
+!15 = distinct !{!15, !4, !5}
+!16 = distinct !{!16, !4, !5}
+!17 = distinct !{!17, !4, !5}
+!18 = distinct !{!18, !4, !5}
+!19 = distinct !{!19, !4, !5}
+!20 = distinct !{!20, !4, !5, !21}
+!21 = !{!"llvm.loop.vectorize.width", i32 1}
+!22 = distinct !{!22, !4, !5}
+!23 = distinct !{!23, !4, !5, !21}
+!24 = distinct !{!24, !4, !5}
+!25 = distinct !{!25, !4, !5}
+!26 = distinct !{!26, !4, !5}
+!27 = distinct !{!27, !4, !5}
+!28 = distinct !{!28, !4, !5}
+!29 = distinct !{!29, !4, !5}
+!30 = distinct !{!30, !4, !5}
+!31 = distinct !{!31, !4, !5, !21}
+!32 = distinct !{!32, !4, !5}
+!33 = distinct !{!33, !4, !5}
+!34 = distinct !{!34, !4, !5, !21}
+!35 = distinct !{!35, !4, !5}
+!36 = distinct !{!36, !4, !5}
+!37 = distinct !{!37, !4, !5}
+!38 = distinct !{!38, !4, !5}
+!39 = distinct !{!39, !4, !5}
+!40 = distinct !{!40, !4, !5}
+!41 = distinct !{!41, !4, !5}
+!42 = distinct !{!42, !4, !5}
+!43 = distinct !{!43, !4, !5}

@@ -22,6 +22,7 @@ from pydy.solvers.options import Options
 from pydy.solvers.outcome import (
     EVENT_CONSTANT,
     EVENT_GRAZES,
+    EVENT_UNDEFINED,
     EVENTS_ACCUMULATE,
     FINISHED,
     INTERRUPTED,
@@ -37,7 +38,7 @@ from pydy.solvers.outcome import (
     TOLERANCE_TOO_SMALL,
 )
 from pydy.solvers.run import layout as at
-from pydy.solvers.run.constraints import CompiledConstraints, passage
+from pydy.solvers.run.constraints import CompiledConstraints
 from pydy.solvers.run.extension import Extension
 from pydy.solvers.run.interrupts import Interrupts
 from pydy.solvers.run.methods import IMPLICIT
@@ -46,7 +47,7 @@ from pydy.solvers.run.problem import address
 from pydy.solvers.run.shipped import function_of, stepper
 from pydy.solvers.run.workspace import Workspace
 from pydy.solvers.tableaus import tableau_of
-from pydy.solvers.tuning import BLOCK, LOST, NEAR_SINGULAR, NEARLY_SINGULAR, ROUNDING, STARTING_MOVE
+from pydy.solvers.tuning import BLOCK, NEARLY_SINGULAR, ROUNDING, STARTING_MOVE
 
 __all__ = ["Integration"]
 
@@ -147,7 +148,6 @@ class Integration:
             else:
                 self._fail(code)
         except KeyboardInterrupt:
-            self._empty_log()
             self._stop(INTERRUPTED, IntegrationInterrupted)
         self._empty_log()
         reached = self.progress.counts[at.NEXT]
@@ -300,7 +300,7 @@ class Integration:
     def _look_at_start(self, wanted: CompiledEvents) -> None:
         """Record events that are exactly zero at the start.
 
-        They do not act: a ball let go at rest is at an apex, and still flies to the next.
+        They do not act: a ball released at rest is at an apex, and still flies to the next.
         """
         values = self._take_sides(())
         x, t = self.memory.x[: self.n].copy(), float(self.progress.state[at.TIME])
@@ -354,7 +354,11 @@ class Integration:
             last = next(wanted.names[k] for k in fired if wanted.terminal[k])
             self._end(TERMINATED, event=last)
             return True
-        self._take_sides(fired, {k: m for k, m in moments.items() if m is not None})
+        known = self.watch.sides != 0
+        known[list(fired)] = False
+        values = self._take_sides(fired, {k: m for k, m in moments.items() if m is not None})
+        for lost in np.flatnonzero(known & np.isnan(values)):
+            self._stop(EVENT_UNDEFINED, event=wanted.names[lost])
         about = len(wanted.names), t, self.span
         crowded = next((wanted.names[k] for k in fired if crowd(self.records, k, *about)), None)
         if crowded is None:
@@ -420,27 +424,21 @@ class Integration:
             "factorisations": int(count[at.FACTORISATIONS]),
             "projections": int(count[at.PROJECTIONS]),
             "last_step": float(state[at.LAST_SIZE]),
+            "nearness": self._nearness(),
             "reached": int(count[at.NEXT]),
             "events": list(self.records),
             **({"dense_output": self._extension()} if self.options.dense_output else {}),
         }
 
+    def _nearness(self) -> float:
+        """Return how near the constraints that projection holds came to losing rank."""
+        seen = self.arrays.seen
+        return float(seen[at.NEARNESS]) if seen.size and seen[at.RANK] else 1.0
+
     def _extension(self) -> Extension | None:
         rows = self.arrays.kept_steps()
         ended = self.code in (FINISHED, TERMINATED, EVENTS_ACCUMULATE)
         return Extension(self.arrays, rows) if ended and rows is not None else None
-
-    def passage(self) -> str:
-        """Return where the latest run came too near to a singular configuration, or nothing."""
-        seen = self.arrays.seen
-        if not seen.size or not seen[at.RANK] or seen[at.NEARNESS] > NEAR_SINGULAR:
-            return ""
-        t, x = float(seen[at.WHEN]), seen[at.WHERE : at.WHERE + self.n].copy()
-        lost = 1.0
-        if seen[at.NEARNESS] > NEARLY_SINGULAR:
-            held, call = self.options.constraints, self.call
-            lost = 0.0 if held is None or call is None else held.lost(call, x, t)
-        return passage(self.name, t, self._combined(x, t)[1], lost) if lost > LOST else ""
 
     def _state_name(self, k: int) -> str:
         names = () if self.call is None else self.call.names()
@@ -450,6 +448,8 @@ class Integration:
         """Raise the error of a code with which compiled code gave up."""
         if not np.isfinite(self._x0).all():
             raise ValueError(f"`x0` must be finite, got {self._x0}.")
+        if code == EVENT_UNDEFINED and (wanted := self.options.events) is not None:
+            self._stop(code, event=wanted.names[self.watch.fired.argmax()])
         step = float(self.progress.state[at.SIZE])
         if code == STEP_UNDERFLOW:
             code = int(self.progress.counts[at.FAILURE])
@@ -483,6 +483,7 @@ class Integration:
         **details: Any,
     ) -> None:
         """Raise the error of an outcome."""
+        self._empty_log()
         self._end(code, **details)
         t, reached = float(self.progress.state[at.TIME]), int(self.progress.counts[at.NEXT])
         x = self.memory.x[: self.states].copy()

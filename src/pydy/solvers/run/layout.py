@@ -1,19 +1,17 @@
 """What compiled solvers work on: arrays under names, and names for places in the mixed ones.
 
-All arrays of a run reach compiled code as one table of addresses; `table` and `entrance` take its
-rows from the fields and annotations below.
+All arrays of a run reach compiled code as one table of addresses, which is a struct in C: `table`
+and `pydy.solvers.core.declarations` take its rows from the fields and annotations below.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import Annotated, Any, NamedTuple
+from typing import Annotated, NamedTuple
 
 import numpy as np
 
 __all__ = [
     "ALONG",
-    "COLUMNS",
     "EXTENSION",
     "PROJECTION",
     "RUN",
@@ -29,7 +27,6 @@ __all__ = [
     "Tangents",
     "Wanted",
     "Watch",
-    "first_row",
 ]
 
 # Contiguous vectors and matrices.
@@ -232,9 +229,3 @@ RUN = (Method, Problem, Memory, Progress, Constraints, Watch, Beginning, Steps, 
 EXTENSION = (Wanted,)
 PROJECTION = (Projection,)
 ALONG = (Tangents,)
-COLUMNS = 3  # a row of a table: address, length, and the number of columns
-
-
-def first_row(parts: Sequence[Any], kind: Any) -> int:
-    """Return the first row of one part of a table."""
-    return sum(len(part._fields) for part in parts[: parts.index(kind)])

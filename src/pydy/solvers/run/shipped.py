@@ -1,8 +1,8 @@
 """The compiled loops: LLVM IR that the package ships, compiled here for the processor at hand.
 
-``tools/solvers_ir.py`` makes the IR from the modules that are written for numba, which nobody needs
-who does not change them. Each entry is a module of its own, so that an explicit method does not
-wait for the implicit one; machine code is kept with that of kernels.
+``tools/solvers_ir.py`` makes the IR from the C in ``core``, with a compiler that nobody needs who
+does not change it. Each entry is a module of its own, so that an explicit method does not wait for
+the implicit one; machine code is kept with that of kernels.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ import numpy as np
 from pydy import _forks
 from pydy._array_layout import DATA, FITS, address
 from pydy._backends.llvm import jit
-from pydy._backends.llvm.compiling import target_lines
+from pydy._backends.llvm.compiling import Source, target_lines
 from pydy._backends.llvm.gate import Gate
 
 __all__ = ["address_of", "callback_address", "function_of", "stepper"]
@@ -37,7 +37,7 @@ def _code(name: str) -> jit.Code:
     text = _TEXTS[name]
     what = f"solver {hashlib.sha256(text.encode()).hexdigest()}"
     with _LOCK:  # whoever comes second finds what the first one compiled
-        return jit.load(jit.Source(what, partial(_finished, text), (name,), loops=True))
+        return jit.load(Source(what, partial(_finished, text), (name,), loops=True))
 
 
 def _finished(text: str, brief: bool) -> str:
@@ -86,7 +86,7 @@ def stepper(name: str, place: int, python: bool) -> Callable[[np.ndarray, bool],
 
 @cache
 def _callbacks() -> jit.Code:
-    source = jit.Source(f"solver callback {_CALLBACK}", lambda brief: _CALLBACK, ("call_python",))
+    source = Source(f"solver callback {_CALLBACK}", lambda brief: _CALLBACK, ("call_python",))
     return jit.load(source)
 
 
@@ -137,7 +137,7 @@ failed:
 
 @cache
 def _gate() -> Gate:
-    code = jit.load(jit.Source(f"solver gate {_GATE}", _gate_text, ("gate",)))
+    code = jit.load(Source(f"solver gate {_GATE}", _gate_text, ("gate",)))
     return Gate(b"native_step", code, "gate")
 
 

@@ -1,7 +1,7 @@
 """The arrays of a run as one table of addresses, which is all that compiled code is given.
 
 A table has a row for each field of its parts (named tuples of `layout` here and in `lanes`), in
-their order. `entrance` opens it again.
+their order. In C it is a struct (`pydy.solvers.core.declarations`).
 """
 
 from __future__ import annotations

@@ -1,0 +1,109 @@
+"""Derivatives of roots where they vanish.
+
+A root has an infinite slope at zero, but what a model makes of it mostly has none there: drag
+``−c |v| v`` is at rest when its body is. Two rules say so, exactly and whatever form it has.
+
+A product of a root with its radicand, such as ``y √y``, is differentiated by the radicand.
+
+Else let a radicand y vanish where it is stationary, as sums of squares do, and let F depend on
+the root n. Then y is of second order, n = √y of first, and so is what F makes of it: where ∂F/∂n is
+zero n has no part in the slope of F. Where it is not, F has a kink, as a distance has at zero, and
+its derivative is NaN. The same holds of a power y^p: with p > 1/4 where ∂F/∂n is zero, since what F
+makes of n is then of order 4p, and with p > 1/2 everywhere.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from pydy._graph.node import Graph
+
+__all__ = ["at_rest", "of_half_power", "slope"]
+
+
+def slope(g: Graph, root: int, weight: int) -> int:
+    """Return `weight` times the derivative of a root by its radicand."""
+    y = g.args[root][0]
+    p = g.const(0.5) if g.ops[root] == "sqrt" else g.args[root][1]
+    if g.ops[root] == "sqrt":
+        steep = g.product([(weight, 1), (root, -1)], 0.5)
+    else:
+        steep = g.mul(weight, p, g.call("pow", y, g.sum([(p, 1.0)], -1.0)))
+    rest = at_rest(g, root)
+    if rest is None:
+        return steep
+    used = g.call("and", g.call("eq", weight, g.zero), g.call("lt", g.const(0.25), p))
+    no_part = g.call("or", used, g.call("lt", g.const(0.5), p))
+    return g.call("select", g.call("and", rest, no_part), g.zero, steep)
+
+
+def at_rest(g: Graph, root: int) -> int | None:
+    """Return whether a root is zero and its radicand stationary, None if that cannot be."""
+    if g.ops[root] not in ("sqrt", "pow"):
+        return None
+    _, core = g.scaled(g.args[root][0])
+    if g.ops[core] not in ("sum", "prod"):
+        return None
+    if g.ops[core] == "sum":
+        c0, terms = g.args[core]
+        if c0 != 0.0 or any(g.constant[n] for n, _ in terms):
+            return None  # as √(c² + x²), which need not vanish
+    conditions = [g.call("eq", root, g.zero)]
+    if not _is_even(g, core):
+        slopes: dict[int, list[tuple[int, float]]] = {}
+        _polynomial(g, core, g.one, slopes)
+        found = [g.sum(parts) for parts in slopes.values()]
+        if any(g.constant[n] and n != g.zero for n in found):
+            return None
+        conditions += [g.call("eq", n, g.zero) for n in found]
+    return g.call("and", *conditions)
+
+
+def _is_even(g: Graph, node: int) -> bool:
+    """Return whether a smooth node is never negative, by structure: its zeros are stationary."""
+    if g.ops[node] == "sum":
+        c0, terms = g.args[node]
+        return c0 >= 0.0 and all(c > 0.0 and _is_even(g, n) for n, c in terms)
+    if g.ops[node] == "prod":
+        return all(e % 2 == 0 or (e > 0 and _is_even(g, m)) for m, e in g.args[node])
+    return False
+
+
+def _polynomial(
+    g: Graph, node: int, weight: int, slopes: dict[int, list[tuple[int, float]]]
+) -> None:
+    """Add the slopes of a node times `weight` by what it is a polynomial of."""
+    if g.ops[node] == "sum":
+        for n, c in g.args[node][1]:
+            if not g.constant[n]:
+                _polynomial(g, n, g.sum([(weight, c)]), slopes)
+    elif g.ops[node] == "prod":
+        factors = g.args[node]
+        for k, (m, e) in enumerate(factors):
+            if g.constant[m]:
+                continue
+            others = [(o, f) for j, (o, f) in enumerate(factors) if j != k]
+            by = g.product([(weight, 1), *others, (m, e - 1)], float(e))
+            if e == 1 and g.ops[m] == "sum":
+                _polynomial(g, m, by, slopes)
+            else:
+                slopes.setdefault(m, []).append((by, 1.0))
+    else:
+        slopes.setdefault(node, []).append((weight, 1.0))
+
+
+def of_half_power(g: Graph, args: Sequence[tuple[int, int]], k: int) -> int | None:
+    """Return a product's derivative by the radicand y of its factor √y, if it has the factor y.
+
+    Of y √y that is √y/2. By the root first it would be y/(2 √y), NaN where y is zero. Constants
+    that y has as factors need not be in the product.
+    """
+    n, e = args[k]
+    if e != 1 or g.ops[n] != "sqrt":
+        return None
+    radicand, powers = g.args[n][0], dict(args)
+    _, core = g.scaled(radicand)
+    factors = g.args[core] if g.ops[core] == "prod" else ((core, 1),)
+    if any(powers.get(m, 0) < f for m, f in factors if not g.constant[m]):
+        return None
+    return g.product([*args, (radicand, -1)], 0.5)

@@ -1,0 +1,139 @@
+"""States and sensitivities between the times of a trajectory."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any, Protocol
+
+import numpy as np
+
+from pydy._checks import real_array
+from pydy._sensitivity import SensitivityModel
+
+
+class Model(Protocol):
+    """What a trajectory may ask of the model it comes from, at times (m,) and states (m, n)."""
+
+    def derivatives(self, times: np.ndarray, states: np.ndarray) -> np.ndarray:
+        """Return x', shape (m, n)."""
+
+    def outputs(self, times: np.ndarray, states: np.ndarray) -> np.ndarray:
+        """Return the outputs, shape (m, o)."""
+
+    def specifieds(self, times: np.ndarray, states: np.ndarray) -> np.ndarray:
+        """Return the specifieds, shape (m, s)."""
+
+    def energy(self, times: np.ndarray, states: np.ndarray) -> np.ndarray:
+        """Return kinetic, potential and total energy, shape (m, 3)."""
+
+    def scene(self, *visuals: Any, **options: Any) -> Any:
+        """Return a scene that shows the model."""
+
+
+def checked_times(times: Any, own: np.ndarray) -> np.ndarray:
+    """Return ascending times within those of a trajectory, or say what is wrong with them."""
+    checked = np.atleast_1d(real_array(times, "`times`"))
+    if checked.ndim != 1 or not (np.diff(checked) >= 0.0).all():
+        raise ValueError(f"`times` must be one-dimensional and ascending, got {checked!r}.")
+    outside = checked[~((checked >= own[0]) & (checked <= own[-1]))]
+    if outside.size:
+        raise ValueError(
+            f"`times` must be within the simulated time, {own[0]} to {own[-1]}, got {outside[0]}."
+        )
+    return checked
+
+
+def filled(trajectory: Any, step_of: Callable[[float], float]) -> Any:
+    """Return a trajectory with times between its own where these are two steps apart or more.
+
+    `step_of` returns the step for a span of time. Without the solver's continuous extension, it is
+    the trajectory itself: what is known at its times alone would be made up between them.
+    """
+    if getattr(trajectory, "_dense", None) is None or len(trajectory.times) < 2:
+        return trajectory
+    own = trajectory.times
+    gaps = np.diff(own)
+    parts = np.maximum(np.floor(gaps / step_of(float(own[-1] - own[0]))), 1.0).astype(int)
+    if not (parts > 1).any():
+        return trajectory
+    k = np.repeat(np.arange(len(gaps)), parts)
+    part = np.arange(len(k)) - (np.cumsum(parts) - parts)[k]
+    return trajectory.at(np.append(own[k] + gaps[k] * (part / parts[k]), own[-1]))
+
+
+@dataclass(frozen=True, eq=False)
+class Samples:
+    """What is known of a motion at m times."""
+
+    times: np.ndarray  # (m,)
+    states: np.ndarray  # (m, n)
+    derivatives: Callable[[], np.ndarray]  # returns those of the states, shape (m, n)
+    events: Sequence[Any] = ()  # EventRecord
+    model: Model | None = None
+    # the solver's own interpolant; of the states, or of the sensitivities too
+    dense: Callable[[np.ndarray], np.ndarray] | None = None
+    sensitivities: np.ndarray | None = None  # (m, n, k)
+    sensitivity_model: SensitivityModel | None = None
+
+    def at(self, times: np.ndarray) -> tuple[np.ndarray, np.ndarray | None]:
+        """Return the states at other times, and the sensitivities if there are any."""
+        values, (m, n) = self.sensitivities, self.states.shape
+        whole = (self.dense or self._hermite)(times)
+        if values is None:
+            return whole, None
+        if whole.shape[1] == n:  # no derivatives by time: straight lines
+            columns = [np.interp(times, self.times, v) for v in values.reshape(m, -1).T]
+            whole = np.column_stack([whole, *columns])
+        return whole[:, :n].copy(), whole[:, n:].reshape(len(times), n, -1)
+
+    def _hermite(self, times: np.ndarray) -> np.ndarray:
+        """Return the states, and after them the sensitivities if their derivatives are known."""
+        nodes = self.times
+        x, rates = self._beside(nodes, self.states, self.derivatives(), self.sensitivities)
+        if self.events and self.model is not None:
+            nodes, x, rates = self._with_events(self.model, x, rates)
+        # The last of equal times, so that an interval has a length wherever there is one.
+        k = np.clip(np.searchsorted(nodes, times, side="right") - 1, 0, len(nodes) - 1)
+        after = np.minimum(k + 1, len(nodes) - 1)
+        h = (nodes[after] - nodes[k])[:, None]
+        s = np.divide((times - nodes[k])[:, None], h, out=np.zeros_like(h), where=h > 0.0)
+        value = x[k] + (3.0 - 2.0 * s) * s**2 * (x[after] - x[k])
+        slope = h * s * (1.0 - s) * ((1.0 - s) * rates[k] - s * rates[after])
+        result: np.ndarray = value + slope
+        return result
+
+    def _beside(
+        self, times: np.ndarray, states: np.ndarray, rates: np.ndarray, values: np.ndarray | None
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """Return states and their derivatives by time with those of the sensitivities after."""
+        model, m = self.sensitivity_model, len(times)
+        if model is None or values is None:
+            return states, rates
+        slopes = model.rates(times, states, values)
+        return (
+            np.concatenate([states, values.reshape(m, -1)], axis=1),
+            np.concatenate([rates, slopes.reshape(m, -1)], axis=1),
+        )
+
+    def _with_events(
+        self, model: Model, x: np.ndarray, rates: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Return nodes, values and derivatives with both sides of each event among them."""
+        moments = np.repeat([e.time for e in self.events], 2)
+        sides = np.array([side for e in self.events for side in (e.before, e.after)])
+        values = None
+        if self.sensitivities is not None:
+            values = np.array(
+                [v for e in self.events for v in (e.sensitivity_before, e.sensitivity_after)]
+            )
+        own, slopes = self._beside(moments, sides, model.derivatives(moments, sides), values)
+        # A node at the time of an event may be of either side: the event's own replace it.
+        other = ~np.isin(self.times, moments)
+        nodes = np.concatenate([moments, self.times[other]])
+        order = np.argsort(nodes, kind="stable")
+        return (
+            nodes[order],
+            np.concatenate([own, x[other]])[order],
+            np.concatenate([slopes, rates[other]])[order],
+        )

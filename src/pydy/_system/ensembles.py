@@ -1,0 +1,548 @@
+"""Turn what a user varies into the samples and the model of an ensemble."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from pydy._assembly.definition import Definition
+from pydy._assembly.model import CompiledModel
+from pydy._assembly.specifieds import driven
+from pydy._checks import Places, check_mapping, flag, number, real_array, text, whole
+from pydy._dataset import SENSITIVITY
+from pydy._names import latex_of, name_of, unique_names
+from pydy._system.dependents import latest_dependents
+from pydy._system.inputs import check_times
+from pydy._system.parameters import read_parameters
+from pydy._system.samples import mean_spacing
+from pydy._system.sensitivities import Sensitive
+from pydy._system.setup import Setup
+from pydy._system.snapshot import Snapshot
+from pydy._system.solving import native_solver, prepare
+from pydy._system.start import check_samples
+from pydy._system.tuning import BLOCK_BYTES, LARGEST_BLOCK, SMALLEST_BLOCK
+from pydy._version import __version__
+from pydy.codegen.arguments import SpecifiedsPlan, symbolic_entries
+from pydy.ensemble.engine import Ensemble
+from pydy.ensemble.model import EnsembleSensitivities, Model
+from pydy.ensemble.samples import PARAMETER, QUANTITY, Coordinate, Samples, block_sizes
+from pydy.ensemble.work import COUNTS, Work, read_reductions
+from pydy.inputs import SampledInput
+from pydy.solvers.options import Options, read_options
+from pydy.solvers.solver import SOLVERS, Solver
+from pydy.solvers.tuning import LANES
+
+if TYPE_CHECKING:
+    from typing import Unpack
+
+    from numpy.typing import ArrayLike
+
+    from pydy._system.solving import EnsembleOptions
+
+
+@dataclass(frozen=True, eq=False)
+class Differentiated:
+    """What an ensemble with sensitivities integrates.
+
+    Attributes
+    ----------
+    model : EnsembleSensitivities
+    options : dict
+        For the solver.
+    """
+
+    model: EnsembleSensitivities
+    options: dict[str, Any]
+
+
+def differentiated(
+    now: Snapshot,
+    integrated: CompiledModel,
+    plan: SpecifiedsPlan,
+    solver: Solver,
+    options: dict[str, Any],
+    wanted: tuple[Any, Any, Any],
+) -> Differentiated | None:
+    """Return the sensitivities of an ensemble, or None where none are asked for.
+
+    Parameters
+    ----------
+    now : Snapshot
+    integrated : CompiledModel
+        Of the states alone.
+    plan : SpecifiedsPlan
+        Of the ensemble.
+    solver : Solver
+    options : dict
+        For the solver, events and constraints compiled.
+    wanted : (parameters, control, dependent)
+        As for `simulation.simulate`.
+    """
+    chosen, control, dependent = wanted
+    control = flag(control, "`control_sensitivities`")
+    if chosen is None:
+        return None
+    definition = now.definition
+    following = latest_dependents(definition, dependent)
+    parameters = read_parameters(definition, plan, chosen, dependent=following)
+    sensitive = Sensitive(definition, integrated, plan, parameters, now.p, apart=True)
+    places = tuple(definition.states.index(symbol) for symbol in following)
+    spacing = mean_spacing(parameters)
+    if spacing is not None and solver.adaptive:
+        options = {"max_step": spacing, **options}
+    assembly, tied = integrated.assembly, sensitive.tied
+    events = options.get("events")
+    residuals = None
+    if tied:
+        residuals = sensitive.program("holonomic", "velocity")
+    controlled = control or spacing is not None
+    names = unique_names([parameter.symbol for parameter in parameters])
+    columns = [
+        name if parameter.count == 1 else f"{name}[{j}]"
+        for name, parameter in zip(names, parameters, strict=True)
+        for j in range(parameter.count)
+    ]
+    model = EnsembleSensitivities(
+        names=tuple(columns),
+        rates=sensitive.split_program(),
+        outputs=sensitive.program("outputs") if definition.outputs_symbols else None,
+        start=sensitive.independent(places),
+        dependent=places,
+        gradients=tuple(assembly.jacobian_program(block, "x") for block in tied),
+        unknowns=tuple(sensitive.unknowns),
+        residuals=residuals,
+        unsolved=sensitive.unsolved(places),
+        sampled=tuple(sensitive.weights()),
+        sized=tuple(p.sized for p in parameters) if controlled else None,
+        jumps=() if events is None else tuple(map(sensitive.jump_program, events.sources)),
+    )
+    if events is not None:  # workers need no SymPy
+        options = {**options, "events": replace(events, sources=())}
+    return Differentiated(model, options)
+
+
+class _Axes:
+    """Collects dimensions, and coordinates along them.
+
+    Parameters
+    ----------
+    product : bool
+        Whether each plain array has a dimension of its own.
+    taken : iterable of str
+        Names that variables of the result have.
+    """
+
+    def __init__(self, product: bool, taken: Iterable[str]) -> None:
+        self.product = product
+        self.taken = {*taken}
+        self.reserve(("time", "occurrence", *COUNTS))
+        self.dims: dict[str, int] = {}
+        self.coordinates: dict[str, Coordinate] = {}
+        self._from: dict[str, str] = {}
+
+    def reserve(self, names: Iterable[str]) -> None:
+        """Take names of what the result holds beside states and outputs; none of these has one."""
+        for name in names:
+            if name in self.taken:
+                raise ValueError(
+                    f"The result of an ensemble has a variable or dimension `{name}` of its own, "
+                    "but that is the name of a state or output too. Rename that."
+                )
+            self.taken.add(name)
+
+    def add(self, what: str, value: Any, name: str, attrs: dict[str, Any]) -> tuple[Any, Any]:
+        """Take one value; return it as (dims, float array).
+
+        Parameters
+        ----------
+        what : str
+            Its name in messages.
+        value : number, array or xarray.DataArray
+        name : str
+            That of its coordinate.
+        attrs : dict
+        """
+        dims: tuple[str, ...]
+        if hasattr(value, "dims") and hasattr(value, "coords"):
+            dims = tuple(map(str, value.dims))
+            array = real_array(value, what)
+            for d in dims:
+                if d in value.coords and value.coords[d].ndim == 1:
+                    own = value.coords[d]
+                    self._label(what, d, Coordinate((d,), np.asarray(own), dict(own.attrs)))
+        else:
+            array = real_array(value, what)
+            if array.ndim > 1:
+                raise ValueError(
+                    f"{what} must be a number, a one-dimensional array, or an xarray.DataArray "
+                    f"that names its dimensions, got the shape {array.shape}."
+                )
+            dims = (name if self.product else "sample",) * array.ndim
+        if not np.isfinite(array).all():
+            where = tuple(int(k) for k in np.argwhere(~np.isfinite(array))[0])
+            raise ValueError(f"{what} must be finite, got {array[where]} at index {where}.")
+        for d, size in zip(dims, array.shape, strict=True):
+            self._dimension(what, d, size)
+        if dims:
+            self._label(what, name, Coordinate(dims, np.array(array), attrs))
+        return dims, array
+
+    def _dimension(self, what: str, dim: str, size: int) -> None:
+        if dim in self.taken:
+            raise ValueError(
+                f"{what} has the dimension `{dim}`, which is the name of a variable of the result. "
+                "Choose another name."
+            )
+        if size == 0:
+            raise ValueError(f"{what} must not be empty along `{dim}`.")
+        if self.dims.setdefault(dim, size) != size:
+            raise ValueError(
+                f"{what} has {size} values along `{dim}`, but {self._from[dim]} has "
+                f"{self.dims[dim]}. Make them equally long, give them different dimensions as "
+                "xarray.DataArray, or pass product=True for all combinations."
+            )
+        self._from.setdefault(dim, what)
+
+    def _label(self, what: str, name: str, coordinate: Coordinate) -> None:
+        known = self.coordinates.get(name)
+        if known is not None and not np.array_equal(known.values, coordinate.values):
+            raise ValueError(
+                f"{what} has other coordinates along `{name}` than {self._from.get(name, name)}: "
+                "values are matched by position, so labels must agree."
+            )
+        if known is None or "role" in coordinate.attrs:
+            self.coordinates[name] = coordinate
+
+    def check_names(self, labels: Mapping[Any, str]) -> None:
+        """Raise if a dimension is called like a quantity that is not given along it."""
+        for symbol, name in labels.items():
+            own = self.coordinates.get(name)
+            along = own is not None and own.dims == (name,) and "role" in own.attrs
+            if name in self.dims and not along:
+                raise ValueError(
+                    f"{self._from[name]} has the dimension `{name}`, but that is the name of "
+                    f"`{symbol}`, which is not given along it. Choose another name: "
+                    "xarray.DataArray(values, dims='run')."
+                )
+
+
+def _split_specifieds(
+    given: Mapping[Any, Any] | None,
+) -> tuple[dict[Any, Any], dict[Any, Any]]:
+    """Return the specifieds that vary from sample to sample, and those of all samples."""
+    varied: dict[Any, Any] = {}
+    common: dict[Any, Any] = {}
+    for key, value in check_mapping("specifieds", given).items():
+        together = isinstance(key, (tuple, list)) or key in ("symbols", "values")
+        plain = not together and not callable(value)
+        symbolic = isinstance(value, SampledInput) or symbolic_entries(value) is not None
+        several = plain and not symbolic and not hasattr(value, "dims")
+        if several:
+            several = real_array(value, f"`specifieds[{key}]`").ndim > 0
+        (varied if several or (plain and hasattr(value, "dims")) else common)[key] = value
+    return varied, common
+
+
+def _columns(
+    argument: str,
+    given: Mapping[Any, Any],
+    places: Places,
+    base: np.ndarray,
+    axes: _Axes,
+    names: Mapping[Any, str],
+    role: str,
+) -> list[tuple[Any, Any]]:
+    """Return (dims, values) for each symbol; those that are not given are as in `base`."""
+    columns: list[tuple[Any, Any]] = [((), np.asarray(value)) for value in base]
+    found = places.columns(given, argument).tolist()
+    for place, value in zip(found, given.values(), strict=True):
+        symbol = places.symbols[place]
+        what = f"`{argument}[{symbol}]`"
+        if not hasattr(value, "dims") and real_array(value, what).ndim == 0:
+            columns[place] = ((), np.asarray(number(value, what, finite=True)))
+        else:
+            attrs = {"role": role, "latex": latex_of(symbol)}
+            columns[place] = axes.add(what, value, names[symbol], attrs)
+    return columns
+
+
+def _aligned(columns: list[tuple[Any, Any]], dims: Mapping[str, int]) -> tuple[np.ndarray, ...]:
+    """Return arrays with one axis for each dimension, in order."""
+    result = []
+    for own, values in columns:
+        order = [own.index(d) for d in dims if d in own]
+        shape = [dims[d] if d in own else 1 for d in dims]
+        result.append(np.transpose(values, order).reshape(shape))
+    return tuple(result)
+
+
+def _native(ode_solver: Any) -> Solver:
+    solver = SOLVERS.get(ode_solver) if isinstance(ode_solver, str) else ode_solver
+    if not isinstance(solver, Solver) or solver.name not in SOLVERS:
+        raise ValueError(
+            f"`ode_solver` must be a native solver, one of {', '.join(map(repr, SOLVERS))}, got "
+            f"{ode_solver!r}. For another one, integrate in a loop."
+        )
+    return solver
+
+
+def _check_tolerances(options: Options, n: int) -> None:
+    least = 10.0 * np.finfo(float).eps
+    for name in ("rtol", "atol"):
+        if np.shape(getattr(options, name)) not in ((), (n,)):
+            raise ValueError(
+                f"`{name}` must be a number or have the shape ({n},), got "
+                f"{np.shape(getattr(options, name))}."
+            )
+    if options.step is None and (np.maximum(options.rtol, options.atol) < least).any():
+        raise ValueError(
+            f"`rtol` or `atol` must be at least {least:.1e}, ten times the rounding unit, got "
+            f"rtol = {options.rtol} and atol = {options.atol}."
+        )
+
+
+def _attributes(
+    definition: Definition,
+    names: Mapping[Any, str],
+    name_in: Callable[[Any], str],
+    units: Mapping[Any, str] | None,
+) -> dict[str, dict[str, Any]]:
+    """Return the attributes of variables."""
+    equations = definition.equations
+    roles = {**dict.fromkeys(equations.coordinates, "coordinate")}
+    roles |= dict.fromkeys(equations.speeds, "speed")
+    roles |= dict.fromkeys(definition.auxiliaries, "auxiliary")
+    result = {
+        name: {"role": roles.get(s, "output"), "latex": latex_of(s)} for s, name in names.items()
+    }
+    for key, unit in check_mapping("units", units).items():
+        name = name_in(key)
+        if name not in result:
+            raise ValueError(
+                f"`units` has the key `{key}`, which is neither a state nor an output: "
+                f"{', '.join(result)}."
+            )
+        result[name]["units"] = text(unit, f"`units[{key}]`")
+    return result
+
+
+class Ensembles(Setup):
+    """Many trajectories at a time."""
+
+    def integrate_ensemble(
+        self,
+        *,
+        initial_conditions: Mapping[Any, Any] | None = None,
+        constants: Mapping[Any, Any] | None = None,
+        specifieds: Mapping[Any, Any] | None = None,
+        times: ArrayLike | None = None,
+        ode_solver: Any = None,
+        product: bool = False,
+        sensitivities: Any = None,
+        control_sensitivities: Any = False,
+        reduce: Any = None,
+        chunks: Any = None,
+        store: Any = None,
+        resume: bool | str = False,
+        workers: int | None = None,
+        progress: bool = False,
+        units: Mapping[Any, str] | None = None,
+        **solver_kwargs: Unpack[EnsembleOptions],
+    ) -> Any:
+        """Integrate many trajectories of the system, each with different values.
+
+        Values that are not passed are those of the System. Eight trajectories at a time share the
+        processor's vector registers, and blocks of trajectories are distributed over its cores. The
+        results are bitwise identical for any `chunks`, `workers` and scheduler.
+
+        Parameters
+        ----------
+        initial_conditions, constants, specifieds : dict, optional
+            Like the attributes of the same names, but a value may also be a one-dimensional array
+            with one entry for each sample, or an `xarray.DataArray` along any dimensions, which are
+            matched by name. Numbers, and specifieds that are functions, expressions or
+            SampledInputs, are the same for all samples.
+        times : array_like, shape (m,), optional
+        ode_solver : {'dop853', 'tsit5', 'vern9', 'rk4', 'radau'} or Solver, optional
+            By default the System's, or ``'dop853'`` if that is not native.
+        product : bool, optional
+            Whether each one-dimensional array gets its own dimension, named after its symbol
+            (``initial_q1`` for an initial condition of ``q1``), so that the samples are all
+            combinations.
+        sensitivities : symbol, name, group, or iterable of these, optional
+            Parameters with respect to which every trajectory is differentiated, as in `simulate`.
+            The variable ``sensitivity`` has the dimensions ``quantity`` (states and outputs) and
+            ``parameter``.
+        control_sensitivities : bool, optional
+            As in `simulate`.
+        reduce : optional
+            What to return instead of the values at all times: ``'final'``; ``('max', name)`` or
+            ``('min', name)`` of a state or output; ``'events'`` or ``('events', number)`` for the
+            first times of each event; a list of these; or a function that takes the Dataset of some
+            samples and returns a Dataset that keeps the sample dimensions.
+        chunks : int, 'auto' or dict of str to int, optional
+            Sizes of blocks of samples. The Dataset is then lazy: it contains Dask arrays, computed
+            by the scheduler that you choose. With `store`, this only sets the sizes.
+        store : path, optional
+            Path of a Zarr store, to which every finished block is written immediately.
+        resume : bool or str, optional
+            Whether `store` may exist; only its missing blocks are then computed. The functions in
+            `reduce` and `specifieds` must be those of the first call: they are compared by their
+            code and everything they use. If `resume` is a string, the strings are compared instead:
+            it is your name for the functions, which you pass from the first call on and change when
+            the functions change.
+        workers : int, optional
+            Number of threads; by default one for each processor.
+        progress : bool, optional
+            Whether to show a progress bar; requires tqdm.
+        units : dict of symbols or names to str, optional
+            Values of the attribute ``units`` of the variables.
+        **solver_kwargs
+            Options of the solver, and `events`, `constraints` and `gain` as in `integrate`.
+
+        Returns
+        -------
+        xarray.Dataset
+            One variable for each state and output along the sample dimensions and ``time``; varied
+            quantities as coordinates; ``steps``, ``rejected``, ``evaluations``, ``end_time``, and
+            ``status``, whose attribute ``flag_meanings`` explains its values. A sample that fails
+            is NaN from then on; the others are not affected.
+
+        Raises
+        ------
+        ValueError
+            A value, name or shape is not valid; raised before anything is computed.
+        ImportError
+            A package is missing: ``pip install 'pydy[ensemble]'``.
+        EnsembleInterrupted
+            The user interrupted the computation; without a store, the exception contains the
+            finished samples.
+
+        Notes
+        -----
+        Trajectories are integrated one by one, by the same solvers, if specifieds are Python
+        functions, with `control_sensitivities`, sensitivities with respect to samples, `events` or
+        ``constraints='project'``, and with 'radau'.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from pydy.models import multi_mass_spring_damper
+        >>> system = multi_mass_spring_damper()
+        >>> x0, v0 = system.states
+        >>> results = system.integrate_ensemble(
+        ...     initial_conditions={x0: [1.0, 2.0, 3.0]}, times=np.linspace(0.0, 1.0, num=11)
+        ... )
+        >>> dict(results.sizes)
+        {'sample': 3, 'time': 11}
+        >>> results.x0.isel(time=-1).values.round(4)
+        array([0.6597, 1.3194, 1.9791])
+        >>> (results.status == 0).all().item()
+        True
+        """
+        product, progress = flag(product, "`product`"), flag(progress, "`progress`")
+        if not (isinstance(resume, str) and resume):
+            resume = flag(resume, "`resume`, unless it is a name for functions,")
+        now = self._now(solver_kwargs.get("events"), constants)
+        definition = now.definition
+        varied, common = _split_specifieds(specifieds)
+        plan = now.plan
+        for values in (common, dict.fromkeys(varied, 0.0)):
+            new = SpecifiedsPlan(values, definition.places["specifieds"], argument="specifieds")
+            plan = plan.updated(new)
+        times = check_times(now.times if times is None else times)
+        if len(times) < 2:
+            raise ValueError(
+                f"`times` must have at least two values, got {len(times)}. Pass `times` or set "
+                "`system.times`."
+            )
+        plan.check_times(times, "times")
+        solver = _native(native_solver(self._ode_solver) if ode_solver is None else ode_solver)
+        workers = None if workers is None else whole(workers, "`workers`")
+        variables = (*definition.states, *definition.outputs_symbols)
+        names = dict(zip(variables, unique_names(variables), strict=True))
+        axes = _Axes(product, names.values())
+        if sensitivities is not None:
+            axes.reserve((SENSITIVITY, QUANTITY, PARAMETER))
+        labels = {s: f"initial_{names[s]}" for s in definition.states}
+        labels = {s: f"{v} (state)" if v in axes.taken else v for s, v in labels.items()}
+        others = (*definition.constants, *definition.specifieds)
+        for s, name in zip(others, unique_names(others), strict=True):
+            labels[s] = f"{name} (constant)" if name in axes.taken else name
+        initial = check_mapping("initial_conditions", initial_conditions)
+        constants = check_mapping("constants", constants)
+        at = definition.places
+        x = _columns("initial_conditions", initial, at["states"], now.x, axes, labels, "initial")
+        p = _columns("constants", constants, at["constants"], now.p, axes, labels, "constant")
+        r = _columns("specifieds", varied, at["specifieds"], plan.values, axes, labels, "specified")
+        axes.check_names(labels)
+        for s, (dims, value) in zip(definition.constants, p, strict=True):
+            if not dims:
+                attrs = {"role": "constant", "latex": latex_of(s)}
+                axes.coordinates.setdefault(labels[s], Coordinate((), value, attrs))
+        aligned = [_aligned(c, axes.dims) for c in (x, r, p)]
+        samples = Samples(axes.dims, aligned[0], aligned[1], aligned[2], axes.coordinates)
+
+        if definition.equations.constrained:
+            start, shape = float(times[0]), tuple(axes.dims.values())
+            columns = aligned[0], aligned[1], aligned[2]
+            mended = solver_kwargs.get("constraints") is not None
+            moved = driven(now.model, definition, plan)
+            check_samples(definition, moved, start, plan, columns, shape, mended)
+        integrated, rest = prepare(solver, definition, now.model, plan, dict(solver_kwargs))
+        asked = sensitivities, control_sensitivities, self._dependent
+        wanted = differentiated(now, integrated, plan, solver, rest, asked)
+        if wanted is not None:
+            rest = wanted.options
+        own = {k: v for k, v in rest.items() if k not in ("events", "constraints")}
+        read = read_options(solver.name, solver.adaptive, own)
+        read = Options(
+            **{**vars(read), **{k: v for k, v in rest.items() if k not in own}, "full_output": True}
+        )
+        _check_tolerances(read, len(definition.states))
+        assembly = integrated.assembly
+        model = Model(
+            rates=assembly.program("rates"),
+            outputs=assembly.program("outputs") if definition.outputs_symbols else None,
+            states=tuple(names[s] for s in definition.states),
+            output_names=tuple(names[s] for s in definition.outputs_symbols),
+            method=solver.name,
+            options=read,
+            times=times,
+            sampled=plan.sampled,
+            functions=tuple((columns, function) for columns, function, _ in plan.functions),
+            jacobian=assembly.jacobian_program("rates", "x") if solver.name == "radau" else None,
+            sensitivities=None if wanted is None else wanted.model,
+        )
+        known = Places(variables, "states and outputs of the system")
+
+        def name_in(key: Any) -> str:
+            symbol = known.meaning(key, "reduce")
+            return names[symbol] if symbol in names else name_of(key)
+
+        reductions = read_reductions(reduce, model, name_in)
+        described = _attributes(definition, names, name_in, units)
+        work = Work(model, reductions, described)
+        # Work with few samples goes to all threads; large results come in pieces.
+        row = 8.0 * len(names) * (len(times) if not reductions else 8)
+        row *= 1 if wanted is None else 1 + len(wanted.model.names)
+        # One by one takes long: an interrupt should find blocks that are finished.
+        most = LARGEST_BLOCK if model.in_lanes else SMALLEST_BLOCK
+        default = int(min(max(BLOCK_BYTES / row, SMALLEST_BLOCK), most))
+        about = {
+            "ode_solver": solver.name,
+            "lanes": LANES if model.in_lanes else 1,
+            "rtol": np.asarray(read.rtol).tolist(),
+            "atol": np.asarray(read.atol).tolist(),
+            "pydy_version": __version__,
+        }
+        sizes = block_sizes(samples.dims, chunks, default)
+        ensemble = Ensemble(work, samples, sizes, about, workers, progress)
+        if store is not None:
+            return ensemble.into(store, resume)
+        if resume:
+            raise ValueError("`resume=True` needs `store`, the Zarr store to resume.")
+        return ensemble.run() if chunks is None else ensemble.lazy()

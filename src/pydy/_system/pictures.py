@@ -1,0 +1,106 @@
+"""Scenes, plots and animations of a System."""
+
+from __future__ import annotations
+
+from functools import partial
+from operator import attrgetter
+from typing import TYPE_CHECKING, Any
+
+from pydy._system.exporting import Exporting
+from pydy._system.simulation import Simulation
+from pydy._system.snapshot import read_constants
+from pydy.trajectory import Trajectory
+
+if TYPE_CHECKING:
+    from pydy.viz.scene import Scene
+
+
+class Pictures(Simulation, Exporting):
+    """Scenes, plots and animations."""
+
+    def _motion(self, times: Any, states: Any) -> Trajectory:
+        """Return a trajectory of checked arrays."""
+        return self._now().motion(times, states)
+
+    def scene(
+        self, *visuals: Any, reference_frame: Any = None, origin: Any = None, **options: Any
+    ) -> Scene:
+        """Return a scene of the system, which can be animated and written as an HTML page.
+
+        Parameters
+        ----------
+        *visuals : pydy.viz.Visual, RigidBody or Particle
+            By default all bodies of the method (a solid with the same inertia for each RigidBody,
+            a ball for each Particle), and lines between points that were located from each other.
+        reference_frame : ReferenceFrame, optional
+            By default the inertial frame.
+        origin : Point, optional
+            By default a point at rest in that frame, connected with the bodies.
+        **options
+            `loads`: whether to show forces and torques as arrows. Options of `pydy.viz.Scene`:
+            `up` (by default against gravity), `ground`, `follow`, `view`, `series`, `units` and
+            `title`.
+
+        Returns
+        -------
+        pydy.viz.Scene
+
+        Raises
+        ------
+        ValueError
+            There are no bodies to show, or no point that can be the origin.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from pydy.models import n_link_pendulum_on_cart
+        >>> system = n_link_pendulum_on_cart(2)
+        >>> system.initial_conditions = {system.coordinates[1]: 0.5}
+        >>> system.times = np.linspace(0.0, 1.0, num=61)
+        >>> scene = system.scene().animate(system.simulate())
+        >>> scene.poses.shape
+        (61, 5, 4, 4)
+
+        ``scene.to_html('pendulum.html')`` writes the page, ``scene.show()`` opens it.
+        """
+        from pydy._system.scene import make_scene
+
+        definition = self._definition
+        constants = read_constants(definition, self._constants)
+        return make_scene(
+            definition,
+            dict(zip(definition.constants, constants.tolist(), strict=True)),
+            partial(attrgetter("model.assembly"), self),
+            visuals,
+            reference_frame,
+            origin,
+            options,
+            partial(attrgetter("_times"), self),
+            self._motion,
+            self._live_system,
+        )
+
+    def plot(self, names: list[Any] | None = None, **options: Any) -> Any:
+        """Simulate, and plot the states or selected quantities over time.
+
+        Equivalent to ``system.simulate().plot(...)``; see `pydy.trajectory.Trajectory.plot`. For
+        several plots, keep the trajectory and use its own method.
+
+        Examples
+        --------
+        >>> from pydy.models import multi_mass_spring_damper
+        >>> system = multi_mass_spring_damper()
+        >>> system.initial_conditions = {'x0': 1.0}
+        >>> system.times = [0.0, 0.5, 1.0]
+        >>> system.plot(['x0']).get_ylabel()
+        'value'
+        """
+        return self.simulate().plot(names, **options)
+
+    def animate(self, *visuals: Any, **options: Any) -> Scene:
+        """Simulate, and return an animated scene, which a notebook displays.
+
+        Equivalent to ``system.scene(...).animate(system.simulate())``, with the arguments of
+        `scene`.
+        """
+        return self.scene(*visuals, **options).animate(self.simulate())

@@ -1,0 +1,626 @@
+"""What a System is: its equations, what the user set, and what is compiled of them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, MutableMapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING, Any, Literal
+
+import numpy as np
+import scipy
+import sympy as sm
+
+from pydy._assembly.definition import Definition
+from pydy._assembly.external import resolve_solver, solve_symbolically
+from pydy._assembly.model import CompiledModel
+from pydy._assembly.specifieds import check_expressions
+from pydy._checks import Keyed, check_mapping, flag
+from pydy._errors import warn_user
+from pydy._graph.switches import Passes
+from pydy._html import html_table
+from pydy._mechanics.extract import extract, method_of, symbolic_matrices
+from pydy._names import name_of, unique_names
+from pydy._system.definition import Definer
+from pydy._system.energy import EnergyModel, check_potential
+from pydy._system.inputs import SymbolSet, base_symbols, check_forces, check_times, named_forces
+from pydy._system.scipy_ivp import resolve_ode_solver
+from pydy._system.snapshot import Snapshot, checked_plan, read_constants, read_states
+from pydy.codegen.ode_function_generators import make_function
+from pydy.codegen.right_hand_side import RightHandSide, make_backend
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+_ARGUMENTS = ("constants_arg_type", "specifieds_arg_type", "time_first")
+_REFUSED = {
+    "right_hand_side", "coordinates", "speeds", "constants", "mass_matrix",
+    "coordinate_derivatives", "outputs",
+}  # fmt: skip
+
+
+@dataclass(frozen=True, eq=False)
+class Generated:
+    """What was generated for a definition.
+
+    Attributes
+    ----------
+    definition : Definition
+    model : CompiledModel
+    arguments : mapping
+        How the function reads r and p, and in which order.
+    """
+
+    definition: Definition
+    model: CompiledModel
+    arguments: Mapping[str, Any]
+    _functions: dict[bool, Any] = field(default_factory=dict)
+
+    def function(self, *, any_layout: bool) -> Any:
+        """Return the function that users call; made once for each way to take arrays.
+
+        Parameters
+        ----------
+        any_layout : bool
+            Whether states that are not contiguous are copied, where the back end leaves it open.
+        """
+        side = RightHandSide(self.model, any_layout=any_layout, **self.arguments)
+        if side.refuse_strided not in self._functions:
+            self._functions[side.refuse_strided] = make_function(side)
+        return self._functions[side.refuse_strided]
+
+
+def checked_options(options: dict[str, Any]) -> dict[str, Any]:
+    """Return the options of `System.generate_ode_function`, without what the System decides."""
+    if "specifieds" in options:
+        warn_user(
+            "`specifieds` is ignored by System.generate_ode_function: the System takes care of "
+            "them. Set `system.specifieds` for their values."
+        )
+        options = {k: v for k, v in options.items() if k != "specifieds"}
+    refused = sorted(_REFUSED & set(options))
+    if refused:
+        raise TypeError(
+            f"generate_ode_function() got `{refused[0]}`, which the System takes from its own "
+            "equations. Options are linear_sys_solver, constants_arg_type, "
+            "specifieds_arg_type, time_first, generator and those of the generator."
+        )
+    return options
+
+
+def generate(definition: Definition, eom_method: Any, options: Mapping[str, Any]) -> Generated:
+    """Return the model of a definition; nothing is compiled as yet.
+
+    Parameters
+    ----------
+    definition : Definition
+    eom_method : object
+        Has the mass matrix, for a symbolic solution.
+    options : mapping
+        Of `generate_ode_function`.
+    """
+    options = dict(options)
+    solver = resolve_solver(options.pop("linear_sys_solver", None))
+    equations = definition.equations
+    if isinstance(solver, str):
+        solved = solve_symbolically(*symbolic_matrices(equations, eom_method), solver)
+        equations = replace(
+            equations,
+            formed=None,
+            mass_matrix=sm.eye(len(solved)),
+            forcing=tuple(solved),
+            positive_definite=True,
+        )
+        solver = None
+    passes = Passes() if flag(options.get("cse", True), "`cse`") else Passes.none()
+    arguments = {k: options.pop(k) for k in _ARGUMENTS if k in options}
+    backend = make_backend(options.pop("generator", "llvm"), options)
+    assembly = definition.assemble(equations, external=solver is not None, passes=passes)
+    model = CompiledModel(definition.layout, assembly, backend, solver, definition)
+    return Generated(definition, model, arguments)
+
+
+_MOST = 12  # symbols of a kind in a summary
+
+
+class Setup:
+    """The state of a System: all that can be set, and the names and symbols that follow.
+
+    It is checked when it is set and again when it is used, as a dictionary may have been edited in
+    place. The themes of System inherit from this class, and work on what `_now` returns.
+    """
+
+    def __init__(
+        self,
+        eom_method: Any,
+        constants: Mapping[Any, Any] | None = None,
+        specifieds: Mapping[Any, Any] | None = None,
+        ode_solver: Callable[..., Any] | str | None = None,
+        initial_conditions: Mapping[Any, Any] | None = None,
+        times: ArrayLike | None = None,
+        outputs: Mapping[Any, Any] | None = None,
+        noncontributing_forces: Iterable[Any] | None = None,
+        constants_symbols: Iterable[Any] | None = None,
+        specifieds_symbols: Iterable[Any] | None = None,
+        equations: Literal["graph", "method"] | None = None,
+    ) -> None:
+        if equations not in (None, "graph", "method"):
+            raise ValueError(f"`equations` must be 'graph' or 'method', got {equations!r}.")
+        self._equations = extract(eom_method, equations)
+        self._eom_method = eom_method
+        self._energies = EnergyModel(self._equations)
+        base = base_symbols(self._equations, constants_symbols, specifieds_symbols)
+        self._define = Definer(self._equations, base, self._energies)
+        self._options: dict[str, Any] = {}
+        self._generated: list[Generated] = []  # the latest first
+        self._constants: dict[Any, Any] = {}
+        self._specifieds: dict[Any, Any] = {}
+        self._initial_conditions: dict[Any, Any] = {}
+        self._dependent: dict[Any, float] | None = None  # initial conditions solved for last
+        self._told: set[Any] = set()  # derivatives of specifieds that were warned of
+        self._outputs: dict[Any, Any] = {}
+        self._forces: list[Any] = []
+        self._set_outputs(outputs, noncontributing_forces)
+        self.specifieds = specifieds  # first: an expression may bring constants of its own
+        self.constants = constants
+        self.ode_solver = ode_solver
+        self.initial_conditions = initial_conditions
+        self.times = times
+
+    def __repr__(self) -> str:
+        lines = self._facts()
+        width = max(len(title) for title, _ in lines)
+        return "\n".join(["System", *(f"  {title:<{width}}  {text}" for title, text in lines)])
+
+    def _repr_html_(self) -> str:
+        return html_table("System", self._facts())
+
+    def _facts(self) -> list[tuple[str, str]]:
+        """Return the lines of a summary: titles and texts."""
+        # The last definition that was sound: to print a System never fails.
+        definition, constants, solver = self._define.latest, self._constants, self.ode_solver
+        equations = definition.equations
+        inside = {n for s in definition.constants for n in (s, name_of(s))}
+        of_events = self._define.of_events
+        more = {name_of(s): s for s in (*of_events, *constants) if s not in inside}
+        method = type(self._eom_method).__name__
+        lines = [
+            ("equations", f"from {method}, {len(equations.coordinates)} coordinates, "
+             f"{len(equations.speeds)} speeds"),
+            ("states", _values(definition.states, self._initial_conditions, "0.0")),
+            ("constants", _values(definition.constants, constants, "1.0")),
+            ("elsewhere", _values([*more.values()], constants, "1.0")),
+            ("specifieds", _values(definition.specifieds, _flat(self._specifieds), "0.0")),
+            ("constraints", _counts(equations)),
+            ("outputs", _several([name_of(s) for s in definition.outputs_symbols])),
+            ("times", _span(self._times)),
+            ("solver", str(getattr(solver, "name", getattr(solver, "__name__", solver)))),
+        ]  # fmt: skip
+        if any(" = (" in text for _, text in lines):
+            lines.append(("", "(in parentheses: defaults)"))
+        return [(title, text) for title, text in lines if text]
+
+    @property
+    def _definition(self) -> Definition:
+        # The user may have edited the dictionaries of outputs, specifieds and constants in place.
+        return self._defined(self._constants)
+
+    def _defined(self, constants: Mapping[Any, Any]) -> Definition:
+        """Return the definition with these constants, which the equations need not hold."""
+        definition = self._define(self._outputs, self._forces, self._specifieds)
+        return self._define.holding(definition, constants)
+
+    def _compiled(self, definition: Definition | None = None) -> Generated:
+        """Return what is generated for a definition, by default the present one."""
+        definition = self._definition if definition is None else definition
+        for made in self._generated:
+            if made.definition is definition or made.definition == definition:
+                return made
+        made = generate(definition, self._eom_method, self._options)
+        self._generated = [made, *self._generated[:1]]
+        return made
+
+    def _now(self, events: Any = None, constants: Any = None) -> Snapshot:
+        """Return everything as it is now: each public call takes one and works on that.
+
+        What the call is given may bring constants that the equations do not hold.
+        """
+        found = [] if events is None else self._define.constants_of(self._definition, events)
+        more = constants if isinstance(constants, Mapping) else {}
+        definition = self._defined({**self._constants, **more} if more else self._constants)
+        made = self._compiled(self._define.widened(definition, found))
+        user = {
+            "constants": dict(self._constants),
+            "specifieds": dict(self._specifieds),
+            "initial_conditions": dict(self._initial_conditions),
+        }
+        return Snapshot(made.definition, made.model, user, self._times, self._energies, self._told)
+
+    def _set_outputs(self, outputs: Any, forces: Any) -> None:
+        names = check_forces(self._equations, named_forces(self._equations, forces))
+        own = self._define.users(outputs, self._forces)
+        self._define(own, names, self._specifieds)
+        self._outputs, self._forces = self._define.merged(own, names), names
+
+    @property
+    def model(self) -> CompiledModel:
+        """The compiled definition, for inspection: layout of arrays, output blocks, machine code.
+
+        ``print(system.model)`` shows what has been compiled so far; ``system.model.assembly``
+        contains the equations as a graph. A model never changes: after a change of the System's
+        definition, this attribute is another model.
+
+        Examples
+        --------
+        >>> from pydy.models import multi_mass_spring_damper
+        >>> system = multi_mass_spring_damper()
+        >>> sum(system.model.compiled('rates').program.operation_count['run'].values())
+        5
+        """
+        return self._compiled().model
+
+    @property
+    def eom_method(self) -> Any:
+        """The method object that the equations come from. Read-only."""
+        return method_of(self._eom_method)
+
+    @property
+    def coordinates(self) -> list[Any]:
+        """List of the generalized coordinates, functions of time."""
+        return list(self._equations.coordinates)
+
+    @property
+    def speeds(self) -> list[Any]:
+        """List of the generalized speeds, functions of time."""
+        return list(self._equations.speeds)
+
+    @property
+    def auxiliaries(self) -> list[Any]:
+        """List of the auxiliary states: time integrals of outputs that depend on u' linearly."""
+        return list(self._definition.auxiliaries)
+
+    @property
+    def states(self) -> list[Any]:
+        """List of the states in the order of all arrays: coordinates, speeds, auxiliaries."""
+        return list(self._definition.states)
+
+    @property
+    def constants_symbols(self) -> SymbolSet:
+        """Set of the constants: symbols of the equations and outputs that are not functions.
+
+        Symbols that cancel from the equations but stand in energies or positions, and those of the
+        events of earlier calls, are constants too as soon as `constants` gives them a value. In
+        ``print(system)`` they, and values that no call has used yet, stand under ``elsewhere``.
+        """
+        return SymbolSet(self._definition.constants)
+
+    @property
+    def specifieds_symbols(self) -> SymbolSet:
+        """Set of the specifieds: functions of time that the equations do not determine."""
+        return SymbolSet(self._definition.specifieds)
+
+    @property
+    def constraints(self) -> Any:
+        """Column matrix of the holonomic, then the nonholonomic constraint expressions."""
+        rows = [*self._equations.holonomic, *self._equations.nonholonomic]
+        return sm.Matrix(rows) if rows else sm.Matrix()
+
+    @property
+    def kinetic_energy(self) -> Any:
+        """The kinetic energy of the method's bodies, as an expression in states and symbols.
+
+        The expression is not simplified. Auxiliary speeds are set to zero.
+
+        Raises
+        ------
+        ValueError
+            The method knows no bodies.
+
+        Examples
+        --------
+        >>> from pydy.models import multi_mass_spring_damper
+        >>> multi_mass_spring_damper().kinetic_energy
+        m0*v0(t)**2/2
+        """
+        return self._energies.kinetic
+
+    @property
+    def potential_energy(self) -> Any:
+        """The potential energy, as an expression in coordinates, constants, specifieds and time.
+
+        It is derived from the loads: forces that are constant in the inertial frame, such as
+        gravity; equal and opposite forces along the line between two points that depend on their
+        distance alone; and loads whose work is a closed form that SymPy integrates along the
+        coordinates, such as those of springs, -K sin 2q, or a Piecewise contact. Parts of loads
+        that depend on speeds, time or specifieds (dampers, motors) have no potential energy: their
+        work changes the total energy. If a load depends on the configuration in another way, the
+        bodies' own `potential_energy` is used if the power of the loads agrees with it.
+
+        Set it when it cannot be found, for all loads together; None means to find it again.
+
+        Raises
+        ------
+        ValueError
+            A load depends on the configuration in a way that is not recognised; the message names
+            it. Or an expression with other symbols is set.
+
+        Examples
+        --------
+        >>> from pydy.models import multi_mass_spring_damper
+        >>> system = multi_mass_spring_damper(apply_gravity=True)
+        >>> system.potential_energy
+        -g*m0*x0(t) + k0*x0(t)**2/2
+        """
+        return self._energies.potential
+
+    @potential_energy.setter
+    def potential_energy(self, energy: Any) -> None:
+        definition = self._definition
+        others = [self._equations.time, *definition.constants, *definition.specifieds]
+        others += EnergyModel(self._equations).symbols
+        given = check_potential(energy, self._equations.coordinates, others)
+        self._energies = self._define.energies = EnergyModel(self._equations, given)
+
+    @property
+    def outputs_symbols(self) -> list[Any]:
+        """List of the names of all outputs, in the order of `evaluate_outputs`."""
+        return list(self._definition.outputs_symbols)
+
+    num_coordinates = property(lambda self: len(self.coordinates), doc="Number of coordinates.")
+    num_speeds = property(lambda self: len(self.speeds), doc="Number of speeds.")
+    num_auxiliaries = property(
+        lambda self: len(self.auxiliaries), doc="Number of auxiliary states."
+    )
+    num_states = property(lambda self: len(self.states), doc="Number of states.")
+    num_constants = property(lambda self: len(self.constants_symbols), doc="Number of constants.")
+    num_specifieds = property(
+        lambda self: len(self.specifieds_symbols), doc="Number of specifieds."
+    )
+    num_outputs = property(lambda self: len(self.outputs_symbols), doc="Number of outputs.")
+    num_holonomic_constraints = property(
+        lambda self: len(self._equations.holonomic), doc="Number of configuration constraints."
+    )
+    num_velocity_constraints = property(
+        lambda self: len(self._equations.velocity),
+        doc="Number of velocity constraints, including differentiated holonomic ones.",
+    )
+    num_nonholonomic_constraints = property(
+        lambda self: len(self._equations.nonholonomic),
+        doc="Number of motion constraints beyond the differentiated configuration constraints: a "
+        "difference of ranks, whatever axes the constraints are written in.",
+    )
+    num_constraints = property(
+        lambda self: len(self._define.residuals),
+        doc="Number of holonomic and nonholonomic constraints together.",
+    )
+
+    @property
+    def constants(self) -> MutableMapping[Any, Any]:
+        """Dictionary of the constants' values that the user has set; all others are 1.0.
+
+        A symbol and its name are one key: ``system.constants['m'] = 2.0`` replaces the value
+        that was set by the symbol.
+        """
+        return Keyed(self._constants)
+
+    @constants.setter
+    def constants(self, constants: Mapping[Any, Any] | None) -> None:
+        values = check_mapping("constants", constants)
+        definition = self._defined(values)
+        if not definition.places["constants"].fits(values):
+            read_constants(definition, values)
+        self.__dict__["_constants"] = values  # by itself, as a short call
+
+    @property
+    def specifieds(self) -> MutableMapping[Any, Any]:
+        """Dictionary of the specifieds' values; all others are 0.0.
+
+        In the first format keys are specifieds or tuples of them, values are numbers, arrays,
+        functions ``g(x, t)`` of the state and time that return numbers or arrays, SymPy expressions
+        of states, time, constants and other specifieds, or `pydy.inputs.SampledInput`::
+
+            system.specifieds = {(a, b): np.ones(2), c: lambda x, t: -3.0*x[0], d: -k*q + sin(t)}
+
+        A single number for a tuple applies to each of its specifieds. Expressions are compiled into
+        the code. Symbols that occur only in them become constants of the system, and functions of
+        time become specifieds. If the equations contain derivatives of a function of time, they are
+        computed from its expression; with any other kind of value, they need values of their own.
+
+        In the second format, which is faster for functions, all are given together::
+
+            system.specifieds = {'symbols': (a, b, c), 'values': lambda x, t: np.ones(3)}
+
+        The order of ``'symbols'`` is the order of r in the generated function.
+        """
+        return Keyed(self._specifieds)
+
+    @specifieds.setter
+    def specifieds(self, specifieds: Mapping[Any, Any] | None) -> None:
+        values = check_mapping("specifieds", specifieds)
+        definition = self._define(self._outputs, self._forces, values)
+        told: set[Any] = set()
+        check_expressions(definition, checked_plan(definition, values, told))
+        self._specifieds, self._told = values, told
+
+    @property
+    def initial_conditions(self) -> MutableMapping[Any, Any]:
+        """Dictionary of the states' values at the first time; all others are 0.0.
+
+        A symbol and its name are one key: ``system.initial_conditions['q1'] = 2.0`` replaces the
+        value that was set by the symbol.
+        """
+        return Keyed(self._initial_conditions)
+
+    @initial_conditions.setter
+    def initial_conditions(self, initial_conditions: Mapping[Any, Any] | None) -> None:
+        values = check_mapping("initial_conditions", initial_conditions)
+        read_states(self._definition, values)
+        self._initial_conditions = values
+
+    @property
+    def times(self) -> np.ndarray:
+        """Array of the times at which the states are computed, shape (n,)."""
+        return self._times
+
+    @times.setter
+    def times(self, times: ArrayLike | None) -> None:
+        self._times = check_times(times)
+
+    @property
+    def outputs(self) -> MutableMapping[Any, Any]:
+        """Dictionary of the expressions that are evaluated together with the equations.
+
+        Keys are names (symbols or functions of time) or tuples of names; values are the same number
+        of expressions. Three forms are possible::
+
+            outputs[p] = k*x                                    a function of the states
+            outputs[(f1, f2)] = (k*x, c*v)                      several
+            outputs[(m1, m2)] = (m1 - 4*m2 + k*v.diff(t) + 2,   linear equations, zero when
+                                 m1 + 3*m2 - w.diff(t))         satisfied
+
+        Expressions may contain the derivatives of the speeds. For equations that contain their own
+        names and such derivatives, the time integral of each name becomes an auxiliary state. The
+        user's outputs are followed by the residuals of the constraints, and by the noncontributing
+        forces if there are any.
+        """
+        return Keyed(self._outputs)
+
+    @outputs.setter
+    def outputs(self, outputs: Mapping[Any, Any] | None) -> None:
+        self._set_outputs(outputs, self._forces)
+
+    @property
+    def noncontributing_forces(self) -> list[Any]:
+        """List of the names of the noncontributing forces that are computed as outputs."""
+        return list(self._forces)
+
+    @noncontributing_forces.setter
+    def noncontributing_forces(self, forces: Iterable[Any] | None) -> None:
+        self._set_outputs(self._outputs, forces)
+
+    @property
+    def ode_solver(self) -> Callable[..., Any]:
+        """Solver: a function with the signature of `scipy.integrate.odeint`.
+
+        It may be set to ``'odeint'`` or ``'lsoda'``, the default; to the name of a native solver,
+        such as ``'dop853'`` for `pydy.solvers.dop853`; or to `scipy.integrate.solve_ivp` or the
+        name of one of its methods: ``'RK45'``, ``'RK23'``, ``'DOP853'``, ``'Radau'``, ``'BDF'``,
+        ``'LSODA'``. Names are case-sensitive: ``'DOP853'`` is SciPy's, ``'dop853'`` the native one.
+        Tolerances that you do not pass are the solver's defaults; those of ``solve_ivp`` are
+        coarse.
+
+        It is called as ``x_history = ode_solver(f, x0, t, args=(r, p), **options)``, where
+        ``f(x, t, r, p)`` returns the derivatives in a new array.
+
+        Examples
+        --------
+        >>> from pydy.models import multi_mass_spring_damper
+        >>> system = multi_mass_spring_damper()
+        >>> system.initial_conditions[system.coordinates[0]] = 1.0
+        >>> system.times = [1.0, 2.0, 3.0]
+        >>> system.ode_solver = 'RK45'
+        >>> system.integrate(rtol=1e-10, atol=1e-10)[:, 0]
+        array([1.        , 0.65970..., 0.1505...])
+        """
+        return scipy.integrate.odeint if self._ode_solver is None else self._ode_solver
+
+    @ode_solver.setter
+    def ode_solver(self, ode_solver: Callable[..., Any] | str | None) -> None:
+        self._ode_solver: Callable[..., Any] | None = resolve_ode_solver(ode_solver)
+
+    @property
+    def evaluate_ode_function(self) -> Any:
+        """Function that computes the derivatives; None before it is generated.
+
+        ``help(system.evaluate_ode_function)`` shows the order of the entries of its arguments.
+        """
+        if not self._generated:
+            return None
+        return self._compiled().function(any_layout=self._ode_solver is not None)
+
+    def generate_ode_function(self, **kwargs: Any) -> Any:
+        """Generate the function that evaluates the derivatives, and keep it.
+
+        Parameters
+        ----------
+        **kwargs
+            Options of `pydy.codegen.ode_function_generators.generate_ode_function`:
+            `linear_sys_solver`, `constants_arg_type`, `specifieds_arg_type`, `time_first`,
+            `generator` and the generator's own options. They are also used when code is generated
+            again later.
+
+        Returns
+        -------
+        function
+            ``rhs(x, t, r, p)``, also available as `evaluate_ode_function`.
+
+        Raises
+        ------
+        TypeError
+            An option that the System sets itself.
+        NotImplementedError
+            The generator is unknown.
+
+        Examples
+        --------
+        >>> from pydy.models import multi_mass_spring_damper
+        >>> system = multi_mass_spring_damper()
+        >>> rhs = system.generate_ode_function(generator='lambdify')
+        >>> rhs([1.0, 0.0], 0.0, [0.1, 2.0, 1.0])
+        array([ 0., -2.])
+        """
+        kwargs = checked_options(kwargs)
+        made = generate(self._definition, self._eom_method, kwargs)
+        function = made.function(any_layout=self._ode_solver is not None)
+        self._options, self._generated = kwargs, [made]
+        return function
+
+
+def _flat(specifieds: Mapping[Any, Any]) -> dict[Any, Any]:
+    """Return what is given for each specified, in either format."""
+    if isinstance(specifieds.get("symbols"), (tuple, list)):
+        specifieds = {tuple(specifieds["symbols"]): specifieds.get("values")}
+    given: dict[Any, Any] = {}
+    for key, value in specifieds.items():
+        several = isinstance(key, tuple)
+        if several and isinstance(value, (list, tuple, np.ndarray)) and len(value) == len(key):
+            given.update(zip(key, value, strict=True))
+        else:
+            given.update(dict.fromkeys(key if several else (key,), value))
+    return given
+
+
+def _values(symbols: Sequence[Any], given: Mapping[Any, Any], default: str) -> str:
+    """Return names with values; defaults stand in parentheses."""
+    texts = []
+    for symbol, name in zip(symbols, unique_names(symbols), strict=True):
+        value = given.get(symbol, given.get(name_of(symbol), given.get(str(symbol))))
+        texts.append(f"{name} = ({default})" if value is None else f"{name} = {_short(value)}")
+    return _several(texts)
+
+
+def _short(value: Any) -> str:
+    if callable(value) and not hasattr(value, "free_symbols"):
+        return f"{getattr(value, '__name__', type(value).__name__)}(x, t)"
+    if isinstance(value, (int, float, np.number)):
+        return f"{float(value):g}"
+    text = str(value).replace("\n", " ")
+    return text if len(text) <= 40 else text[:37] + "..."
+
+
+def _several(texts: Sequence[str]) -> str:
+    more = [f"and {len(texts) - _MOST} more"] if len(texts) > _MOST else []
+    return ", ".join([*texts[:_MOST], *more])
+
+
+def _counts(equations: Any) -> str:
+    counts = {
+        "holonomic": len(equations.holonomic),
+        "nonholonomic": len(equations.nonholonomic),
+    }
+    return ", ".join(f"{number} {kind}" for kind, number in counts.items() if number)
+
+
+def _span(times: np.ndarray) -> str:
+    if not len(times):
+        return "none"
+    return f"{times[0]:g} to {times[-1]:g}, {len(times)} of them"

@@ -1,0 +1,162 @@
+/* The loop around explicit Runge-Kutta steps: step size, outputs, and why it stopped. */
+
+#include "run.h"
+
+/* Guess the first step, with one further evaluation. */
+INLINE double guess_first_size(const Run *run, double t)
+{
+    const Memory *m = &run->memory;
+    const int64_t controlled = run->problem.words.at[CONTROLLED];
+    const double largest = run->progress.state.at[LARGEST];
+    double slope;
+    const double trial = first_trial(m, controlled, largest, &slope);
+    for (int64_t i = 0; i < run->problem.words.at[STATES]; i++)
+        m->trial.at[i] = m->x.at[i] + trial * m->stages.at[i];
+    run->progress.counts.at[EVALUATIONS] += 1;
+    if (rates(&run->problem, t + trial, m->trial.at, m->stages.at + m->x.size) != 0)
+        return SLIVER * trial;
+    return first_size(m, run->method.control.at[EXPONENT], controlled, t, largest, trial, slope);
+}
+
+/* Step until the end, or until BUDGET steps are taken, or something else happens. Where `fresh` is 1
+   an integration begins here. */
+ENTRY int64_t advance(const Run *run, double *flat, int64_t fresh)
+{
+    if (fresh == 1)
+        begin(run, flat);
+    const Stepper stepper = STEPPER(run), *s = &stepper;
+    const Memory *m = &run->memory;
+    double *state = run->progress.state.at, *new = m->new.at;
+    int64_t *count = run->progress.counts.at;
+    if (count[BUDGET] == 0)
+        return PAUSED;
+    const double *times = run->progress.times.at, *control = run->method.control.at;
+    const int64_t *shape = run->method.shape.at, length = m->x.size;
+    const int held = run->constraints.words.at[ACTIVE] == 1, adaptive = shape[ESTIMATES] > 0;
+    const int reuse = shape[END_IN_ESTIMATE] == 1, watched = run->watch.words.at[EVENTS] > 0;
+    const double last = times[run->progress.times.size - 1];
+    double *end = m->stages.at + shape[STAGES] * length;
+    double t = state[TIME], h = state[SIZE];
+    int64_t code;
+    if (count[STARTED] == 0) {
+        count[EVALUATIONS] += 1;
+        code = rates(&run->problem, t, m->x.at, m->stages.at);
+        if (code != 0) {
+            count[FAILURE] = SINGULAR;
+            return code < 0 ? CALLBACK : STEP_UNDERFLOW;
+        }
+        count[STARTED] = 1;
+        state[LAST_ERROR] = FIRST_ERROR, state[GROWTH] = control[GROW];
+        if (write_reached(run, m->x.at, flat))
+            return FINISHED;
+        if (h == 0.0) {
+            h = guess_first_size(run, t);
+            if (!usable(h))
+                count[FAILURE] = NOT_FINITE;
+        }
+    }
+    for (;;) {
+        if (count[BUDGET] == 0) {
+            state[SIZE] = h;
+            return PAUSED;
+        }
+        if (full(&run->steps)) {
+            state[SIZE] = h;
+            return STEPS_FULL;
+        }
+        count[BUDGET] -= 1;
+        if (count[STEPS] + count[REJECTED] >= count[LIMIT]) {
+            state[SIZE] = h;
+            return TOO_MANY_STEPS;
+        }
+        const double wanted = h;
+        const double goal = adaptive ? last : times[count[NEXT]]; /* whole steps between outputs */
+        double size = adaptive ? minimum(h, state[LARGEST]) : whole_steps(t, h, goal), after;
+        limit_step(t, goal, &size, &after);
+        if (!moves(t, size, after, goal)) {
+            state[SIZE] = size;
+            return STEP_UNDERFLOW;
+        }
+        code = take_step(s, t, size, &count[EVALUATIONS]);
+        if (code == 0 && reuse) {
+            count[EVALUATIONS] += 1;
+            code = rates(&run->problem, after, new, end);
+        }
+        if (code < 0)
+            return CALLBACK;
+        double error = 0.0;
+        int missed = 0;
+        if (code == 0) {
+            if (adaptive)
+                error = error_of_step(s);
+            else
+                for (int64_t i = 0; i < length; i++)
+                    error += 0.0 * new[i]; /* NaN where the state is not finite */
+            if (error < 1.0 && (held || !reuse)) {
+                missed = held && hold(run, after, new) != 0;
+                if (!missed) {
+                    count[EVALUATIONS] += 1;
+                    code = rates(&run->problem, after, new, end);
+                    if (code < 0)
+                        return CALLBACK;
+                }
+            }
+        }
+        if (missed || code != 0 || !(error < 1.0)) {
+            count[REJECTED] += 1;
+            const int measured = !missed && code == 0 && is_finite(error);
+            count[FAILURE] = measured ? STEP_UNDERFLOW : NOT_FINITE;
+            if (missed) /* a shorter step ends nearer to the constraints */
+                count[FAILURE] = CONSTRAINTS_NOT_MET;
+            if (code != 0)
+                count[FAILURE] = SINGULAR;
+            h = shorter_size(control, size, error, measured);
+            if (!adaptive) {
+                state[SIZE] = size;
+                return STEP_UNDERFLOW;
+            }
+            state[GROWTH] = 1.0;
+            continue;
+        }
+        count[STEPS] += 1;
+        state[TIME] = after, state[LAST_SIZE] = size;
+        keep_step(run, 0, t, size, after);
+        if (!watched && times[count[NEXT]] >= after)
+            write_reached(run, new, flat);
+        else {
+            code = prepare_interpolant(s, t, size, &count[EVALUATIONS]);
+            if (code != 0) {
+                count[FAILURE] = SINGULAR, state[TIME] = t;
+                return code < 0 ? CALLBACK : STEP_UNDERFLOW;
+            }
+            code = finish_step(run, s, t, size, flat);
+            if (code == CONSTRAINTS_NOT_MET && adaptive && !watched) {
+                count[STEPS] -= 1;
+                run->steps.words.at[KEPT] -= 1;
+                count[REJECTED] += 1;
+                count[FAILURE] = CONSTRAINTS_NOT_MET, state[GROWTH] = 1.0;
+                h = shorter_size(control, size, error, 0);
+                continue;
+            }
+            if (code != 0) {
+                run->steps.words.at[KEPT] += 1; /* of the step that ends here, the end as well */
+                return code;
+            }
+        }
+        if (adaptive) {
+            h = next_size(control, size, error, state[LAST_ERROR], state[GROWTH]);
+            if (after == last) /* shortened to end there: who goes on wants the longer one */
+                h = maximum(wanted, h);
+            state[LAST_ERROR] = maximum(error, FIRST_ERROR), state[GROWTH] = control[GROW];
+        }
+        t = after;
+        for (int64_t i = 0; i < length; i++) {
+            m->x.at[i] = new[i];
+            m->stages.at[i] = end[i];
+        }
+        if (count[NEXT] == run->progress.times.size) {
+            state[SIZE] = h;
+            return FINISHED;
+        }
+    }
+}

@@ -1,0 +1,120 @@
+"""The header ``layout.h`` of the loops in C, written from the tuples and numbers of Python.
+
+A table of addresses (`pydy.solvers.run.table`) *is* a C struct: for each array its address, its
+length, and its number of columns. What the arrays hold is said where the tuples are defined.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from itertools import chain
+from pathlib import Path
+from types import ModuleType
+from typing import Any, get_type_hints
+
+import numpy as np
+
+from pydy.solvers import outcome, tuning
+from pydy.solvers.adjoint import layout as back
+from pydy.solvers.lanes import layout as lanes
+from pydy.solvers.run import layout as run
+from pydy.solvers.tableaus import radau
+
+__all__ = ["FOLDER", "included", "layout_header"]
+
+FOLDER = Path(__file__).parent
+
+_ARRAYS = {np.int64: "Words", np.float64: "Numbers", np.complex128: "Pairs"}
+_ITEMS = {"Words": "int64_t", "Numbers": "double", "Pairs": "double _Complex"}
+_TABLES: dict[str, Sequence[Any]] = {
+    "Run": run.RUN,
+    "LaneRun": lanes.STEPPING,
+    "LaneEvaluation": lanes.EVALUATION,
+    "WayBack": back.BACK,
+}
+_BEGIN = """\
+/* Written by pydy.solvers.core.declarations. */
+#ifndef LAYOUT_H
+#define LAYOUT_H
+
+#include <stdint.h>
+"""
+
+
+def included(*names: str) -> dict[str, str]:
+    """Return the texts of files of the loops and of what they include, but for ``layout.h``."""
+    found: dict[str, str] = {}
+    left = [*names]
+    while left:
+        name = left.pop()
+        if name in found or name == "layout.h":
+            continue
+        found[name] = text = (FOLDER / name).read_text(encoding="utf-8")
+        left += re.findall(r'^#include "(.*)"$', text, re.MULTILINE)
+    return dict(sorted(found.items()))
+
+
+def layout_header(text: str | None = None, plain: bool = False) -> str:
+    """Return the text of ``layout.h``.
+
+    Parameters
+    ----------
+    text : str, optional
+        What uses it: other numbers are left out.
+    plain : bool
+        For any compiler of C99: blocks of one number, and explicit methods alone.
+    """
+    tables: dict[str, Sequence[Any]] = {"Run": run.RUN[:-1]} if plain else _TABLES
+    parts = [*tables.values()] + ([] if plain else [run.EXTENSION, run.PROJECTION, run.ALONG])
+    kinds: dict[Any, None] = dict.fromkeys(chain.from_iterable(parts))
+    structs = [*map(_struct, kinds)]
+    items = {name: item for name, item in _ITEMS.items() if any(name in s for s in structs)}
+    numbers = {**dict(_numbers()), **({"BLOCK": "1"} if plain else {})}
+    named = numbers.keys() if text is None else set(re.findall(r"\w+", text))
+    lines = [f"#define {name} {value}" for name, value in numbers.items() if name in named]
+    for name, item in items.items():
+        lines.append(f"typedef struct {{ {item} *at; int64_t size, columns; }} {name};")
+    lines += [*structs, *(_table(name, parts) for name, parts in tables.items())]
+    return "\n".join([_BEGIN, *lines, "", "#endif", ""])
+
+
+def _numbers() -> Iterator[tuple[str, str]]:
+    """Yield codes, thresholds and names for places in arrays; those of lanes get a prefix."""
+    places = _named(run)
+    # Thresholds of that name reach C in the array that has a place for them.
+    thresholds = {name: x for name, x in _named(tuning).items() if name not in places}
+    of_lanes, of_back = _named(lanes, "LANES_"), _named(back, "BACK_")
+    for numbers in (thresholds, _named(outcome), places, of_lanes, of_back):
+        for name, value in numbers.items():
+            yield name, _exact(value)
+    for name in ("T", "TI", "NODES", "ERROR", "REAL", "INTERPOLANT"):
+        yield f"RADAU_{name}", _exact(getattr(radau, name))
+    yield "RADAU_PAIR", _exact((radau.COMPLEX.real, radau.COMPLEX.imag))
+
+
+def _named(module: ModuleType, prefix: str = "") -> dict[str, int | float]:
+    """Return the numbers that a module defines under names in capitals."""
+    found = vars(module).items()
+    return {prefix + name: x for name, x in found if name.isupper() and isinstance(x, int | float)}
+
+
+def _exact(value: Any) -> str:
+    """Return a number in C with all its bits, or an initialiser of some."""
+    if isinstance(value, Sequence):
+        return "{" + ", ".join(map(_exact, value)) + "}"
+    return f"({value})" if isinstance(value, int) else f"({float(value).hex()})"
+
+
+def _struct(kind: Any) -> str:
+    """Return the struct of a named tuple of arrays."""
+    hints = get_type_hints(kind, include_extras=True)
+    fields = [f"{_ARRAYS[hints[name].__metadata__[0]]} {name};" for name in kind._fields]
+    return f"typedef struct {{ {' '.join(fields)} }} {kind.__name__};"
+
+
+def _table(name: str, parts: Sequence[Any]) -> str:
+    """Return the struct of a table; its parts have their names, in small letters."""
+    names = [part.__name__ for part in parts]
+    fields = [f"{kind} {re.sub(r'(?<=[a-z])(?=[A-Z])', '_', kind).lower()};" for kind in names]
+    return f"typedef struct {{ {' '.join(fields)} }} {name};"

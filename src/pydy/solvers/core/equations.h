@@ -1,0 +1,81 @@
+/* The right-hand side x' = f(t, x; r(t), c), with inputs that are sampled in time. */
+
+#ifndef EQUATIONS_H
+#define EQUATIONS_H
+
+#include "real.h"
+
+#if W > 1
+typedef LaneProblem Equations;
+#else
+typedef Problem Equations;
+#endif
+
+typedef int32_t Kernel(const double *t, const double *x, const double *r, const double *c, double *out);
+
+INLINE int64_t call_kernel(int64_t address, const double *t, const double *x, const double *r,
+    const double *c, double *out)
+{
+    return ((Kernel *)address)(t, x, r, c, out);
+}
+
+/* Return the last of the ascending knots that is not after s; most often it is the guess. */
+INLINE int64_t interval_of(const double *knots, int64_t number, double s, int64_t guess)
+{
+    if (knots[guess] <= s && (guess == number - 1 || s < knots[guess + 1]))
+        return guess;
+    int64_t low = 0, high = number;
+    while (high - low > 1) {
+        const int64_t middle = (low + high) / 2;
+        if (knots[middle] <= s)
+            low = middle;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+/* Return input k at a time; *interval is where it may be, and then is. End values are held. */
+INLINE double sampled(const Equations *e, int64_t k, double t, int64_t *interval)
+{
+    const int64_t *row = e->tables.at + k * e->tables.columns, first = row[1];
+    const double *knots = e->knots.at + first;
+    double s = knots[0] > t ? knots[0] : t;
+    *interval = interval_of(knots, row[2], s, *interval);
+    s -= knots[*interval];
+    const double *a = e->cubics.at + 4 * (first + *interval);
+    return a[0] + s * (a[1] + s * (a[2] + s * a[3]));
+}
+
+/* Set the sampled inputs, those of each lane at its own time. */
+APART void sample(const Equations *e)
+{
+    for (int64_t k = 0; k < e->tables.size; k++) {
+        int64_t *row = e->tables.at + k * e->tables.columns;
+        for (int lane = 0; lane < W; lane++) {
+#if W > 1
+            int64_t *interval = e->intervals.at + k * W + lane;
+#else
+            int64_t *interval = row + 3;
+#endif
+            e->r.at[row[0] * W + lane] = sampled(e, k, e->clock.at[lane], interval);
+        }
+    }
+}
+
+/* Set the kernel's time, and the sampled inputs of that time. */
+INLINE void set_inputs(const Equations *e, Real t)
+{
+    put(e->clock.at, 0, t);
+    if (e->tables.size > 0)
+        sample(e);
+}
+
+/* Evaluate the derivative. Not zero: the kernel's complaint, the bits of the lanes it is about. */
+INLINE int64_t rates(const Equations *e, Real t, const double *x, double *out)
+{
+    set_inputs(e, t);
+    return call_kernel(e->words.at[KERNEL], e->clock.at, x, e->r.at, e->c.at, out);
+}
+
+#endif

@@ -1,0 +1,134 @@
+/* What every stepper of one trajectory does around its steps: begin, keep the steps that dense
+   output is made of, look for events, hold constraints and write the outputs due. */
+
+#ifndef RUN_H
+#define RUN_H
+
+#include "step.h"
+
+#ifndef ENTRY
+#define ENTRY /* what is called from outside */
+#endif
+
+#define STEPPER(run) {&(run)->method, &(run)->problem, &(run)->memory}
+
+/* Parts that are compiled apart, and called by their addresses. */
+typedef int64_t Project(const Run *run, double t, double *x);
+typedef int64_t Scan(const Run *run, double t, double h);
+
+INLINE int64_t hold(const Run *run, double t, double *x)
+{
+    return ((Project *)run->constraints.words.at[PROJECT])(run, t, x);
+}
+
+/* Begin an integration, from the state in the first row of the results. */
+INLINE void begin(const Run *run, const double *flat)
+{
+    for (int64_t i = 0; i < run->problem.words.at[STATES]; i++)
+        run->memory.x.at[i] = flat[i];
+    for (int64_t i = 0; i < run->progress.state.size; i++)
+        run->progress.state.at[i] = run->beginning.state.at[i];
+    for (int64_t i = 0; i < run->progress.counts.size; i++)
+        run->progress.counts.at[i] = run->beginning.counts.at[i];
+}
+
+/* -- the steps that are kept ------------------------------------------------------------------- */
+
+/* Tell whether there is no room for a step that an event ends. */
+INLINE int full(const Steps *steps)
+{
+    const int64_t room = steps->words.at[ROOM];
+    return room > 0 && room < steps->words.at[KEPT] + 3;
+}
+
+/* Keep an accepted step, with `depth` vectors of its interpolant, and its end. */
+INLINE void keep_step(const Run *run, int64_t depth, double t, double h, double after)
+{
+    const Steps *steps = &run->steps;
+    const Memory *m = &run->memory;
+    if (steps->words.at[ROOM] == 0)
+        return;
+    const int64_t k = steps->words.at[KEPT], n = run->problem.words.at[STATES];
+    double *row = steps->rows.at + k * steps->rows.columns, *end = row + steps->rows.columns;
+    row[0] = t, row[1] = h, end[0] = after, end[1] = 0.0;
+    for (int64_t i = 0; i < n; i++) {
+        row[2 + i] = m->x.at[i], end[2 + i] = m->new.at[i];
+        for (int64_t j = 0; j < depth; j++)
+            row[2 + (1 + j) * n + i] = m->interpolant.at[j * m->x.size + i];
+    }
+    steps->words.at[KEPT] = k + 1;
+}
+
+/* -- outputs ----------------------------------------------------------------------------------- */
+
+/* Write the outputs wanted at the state's time or before; tell whether those are all. */
+INLINE int write_reached(const Run *run, const double *x, double *flat)
+{
+    const int64_t n = run->problem.words.at[STATES], count = run->progress.times.size;
+    const double *times = run->progress.times.at;
+    int64_t k = run->progress.counts.at[NEXT];
+    for (; k < count && times[k] <= run->progress.state.at[TIME]; k++)
+        for (int64_t i = 0; i < n; i++)
+            flat[k * n + i] = x[i];
+    run->progress.counts.at[NEXT] = k;
+    return k == count;
+}
+
+/* Write the outputs within the step, and those at the `end` if that is `inside` too. */
+INLINE int64_t interpolate_outputs(const Run *run, const Stepper *s, double t, double h, double end,
+    int inside, double *flat)
+{
+    const int64_t n = run->problem.words.at[STATES], count = run->progress.times.size;
+    const double *times = run->progress.times.at;
+    int64_t k = run->progress.counts.at[NEXT];
+    for (; k < count && (times[k] < end || (times[k] == end && inside)); k++) {
+        interpolate(s, (times[k] - t) / h, flat + k * n);
+        if (run->constraints.words.at[ACTIVE] == 1) {
+            const int64_t code = hold(run, times[k], flat + k * n);
+            if (code != 0)
+                return code;
+        }
+    }
+    run->progress.counts.at[NEXT] = k;
+    return 0;
+}
+
+/* Look for events, then write the outputs due, up to the event that ends the step if one does.
+
+   Not zero: why the integration stops here. It is ready to start again, at the event if it was
+   one, where memory.x then is the state. */
+INLINE int64_t finish_step(const Run *run, const Stepper *s, double t, double h, double *flat)
+{
+    const Memory *m = &run->memory;
+    double *state = run->progress.state.at, theta = 1.0;
+    int64_t status = 0;
+    if (run->watch.words.at[EVENTS] > 0) {
+        status = ((Scan *)run->watch.words.at[SCAN])(run, t, h);
+        theta = state[FOUND];
+    }
+    const double end = theta == 1.0 ? state[TIME] : t + theta * h;
+    int64_t code = status == CALLBACK ? status : 0;
+    if (code == 0)
+        code = interpolate_outputs(run, s, t, h, end, theta < 1.0, flat);
+    if (code == 0 && status != 0 && theta < 1.0) {
+        interpolate(s, theta, m->trial.at);
+        for (int64_t i = 0; i < m->x.size; i++)
+            m->new.at[i] = m->trial.at[i];
+        if (run->constraints.words.at[ACTIVE] == 1)
+            code = hold(run, end, m->new.at);
+    }
+    if (code != 0) {
+        state[TIME] = t, state[SIZE] = h;
+        return code;
+    }
+    if (theta == 1.0)
+        write_reached(run, m->new.at, flat);
+    if (status != 0) {
+        for (int64_t i = 0; i < m->x.size; i++)
+            m->x.at[i] = m->new.at[i];
+        state[TIME] = end, state[SIZE] = 0.0, run->progress.counts.at[STARTED] = 0;
+    }
+    return status;
+}
+
+#endif

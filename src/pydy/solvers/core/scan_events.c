@@ -1,0 +1,170 @@
+/* Events: signs of their expressions are compared along the interpolant of each step. */
+
+#include "run.h"
+
+enum { PARTS = 4 }; /* a root and its return within a quarter of a step are missed */
+
+/* Evaluate all event expressions at t + theta h into a row of watch.values. */
+INLINE int64_t probe(const Run *run, const Stepper *s, double t, double h, double theta, int64_t row)
+{
+    const Watch *w = &run->watch;
+    const Problem *p = &run->problem;
+    interpolate(s, theta, w->trial.at);
+    set_inputs(p, t + theta * h);
+    return call_kernel(w->words.at[WATCHER], p->clock.at, w->trial.at, p->r.at, w->c.at,
+        w->values.at + row * w->words.at[EVENTS]);
+}
+
+INLINE int crossed(int64_t side, double value, int64_t direction)
+{
+    return (side < 0 && value > 0.0 && direction >= 0) || (side > 0 && value < 0.0 && direction <= 0);
+}
+
+/* Tell whether an event that had a sign has none any more. */
+INLINE int lost(int64_t side, double value) { return side != 0 && value != value; }
+
+/* Return the theta just past the crossing of one event between `low` and `high`, or where it is NaN
+   first, by bisection.
+
+   Beside `low` the event may still be zero or on the wrong side, where it has just been handled:
+   then a point on the right side is looked for between them, and `low` is returned without one. */
+APART double locate(const Run *run, const Stepper *s, double t, double h, double low, double high,
+    int64_t event)
+{
+    const double side = (double)run->watch.sides.at[event];
+    const double *value = run->watch.values.at + run->watch.words.at[EVENTS] + event;
+    const double resolution = ROUNDING * maximum(absolute(t + h), absolute(t)) / h;
+    probe(run, s, t, h, low, 1);
+    if (*value * side <= 0.0) {
+        const double start = low;
+        for (double middle = high;;) {
+            middle = start + 0.5 * (middle - start);
+            if (middle - start < resolution)
+                return start;
+            probe(run, s, t, h, middle, 1);
+            if (*value * side > 0.0) {
+                low = middle;
+                break;
+            }
+            high = middle;
+        }
+    }
+    while (high - low > resolution) {
+        const double middle = low + 0.5 * (high - low);
+        if (middle == low || middle == high)
+            break;
+        probe(run, s, t, h, middle, 1);
+        if (*value * side > 0.0)
+            low = middle;
+        else
+            high = middle;
+    }
+    return high;
+}
+
+/* Stop for a Python function that raised something: the step's events are looked for again. */
+INLINE int64_t called_back(const Run *run, int64_t logged)
+{
+    run->progress.counts.at[LOGGED] = logged, run->progress.state.at[FOUND] = 1.0;
+    return CALLBACK;
+}
+
+/* Note an event, where a log is kept; 0 when that is full. */
+INLINE int log_event(const Run *run, double t, int64_t event)
+{
+    const Watch *w = &run->watch;
+    const int64_t line = run->progress.counts.at[LOGGED], n = run->problem.words.at[STATES];
+    if (w->log_times.size == 0)
+        return 1;
+    if (line == w->log_times.size)
+        return 0;
+    w->log_times.at[line] = t;
+    w->log_events.at[line] = event;
+    for (int64_t i = 0; i < n; i++)
+        w->log_states.at[line * w->log_states.columns + i] = w->trial.at[i];
+    run->progress.counts.at[LOGGED] = line + 1;
+    return 1;
+}
+
+/* Look for events in the step just taken.
+
+   Returns EVENT when an acting event ends it, LOG_FULL when the log has to be emptied first, CALLBACK
+   when a Python function raised something, EVENT_UNDEFINED where an expression that had a sign becomes
+   NaN, or 0; state[FOUND] is the theta up to which the step counts. */
+ENTRY int64_t scan_events(const Run *run, double t, double h)
+{
+    const Stepper stepper = STEPPER(run), *s = &stepper;
+    const Watch *w = &run->watch;
+    const int64_t number = w->words.at[EVENTS];
+    const int64_t *directions = w->directions.at;
+    const double *values = w->values.at;
+    int64_t *sides = w->sides.at, *fired = w->fired.at, *counts = run->progress.counts.at;
+    const int64_t logged = counts[LOGGED];
+    double left = 0.0, *state = run->progress.state.at;
+    for (int quarter = 1; quarter <= PARTS; quarter++) {
+        const double right = (double)quarter / PARTS;
+        if (probe(run, s, t, h, right, 0) < 0)
+            return called_back(run, logged);
+        for (;;) {
+            double first = 2.0;
+            for (int64_t k = 0; k < number; k++) {
+                fired[k] = 0;
+                if (crossed(sides[k], values[k], directions[k]) || lost(sides[k], values[k])) {
+                    const double theta = locate(run, s, t, h, left, right, k);
+                    fired[k] = theta <= left;
+                    first = minimum(theta, first);
+                }
+            }
+            if (first > 1.0)
+                break;
+            if (probe(run, s, t, h, first, 1) < 0)
+                return called_back(run, logged);
+            int acting = 0;
+            int64_t undefined = -1;
+            for (int64_t k = 0; k < number; k++) {
+                const double now = values[number + k];
+                int here = crossed(sides[k], now, directions[k]);
+                /* exactly zero at its own root, or handled at `left` and left again */
+                if (!here && crossed(sides[k], values[k], directions[k]))
+                    here = now == 0.0 || fired[k] == 1;
+                if (!here && lost(sides[k], values[k])) {
+                    if ((double)sides[k] * now < 0.0) /* first it crosses as nobody asked for */
+                        sides[k] = -sides[k];
+                    else if (now == 0.0 || now != now)
+                        undefined = k;
+                }
+                fired[k] = here;
+                acting = acting || (here && w->acting.at[k] == 1);
+            }
+            if (acting) {
+                state[FOUND] = first;
+                return EVENT;
+            }
+            for (int64_t k = 0; k < number; k++) {
+                if (fired[k] == 0)
+                    continue;
+                if (!log_event(run, t + first * h, k)) {
+                    state[FOUND] = first;
+                    return LOG_FULL;
+                }
+                sides[k] = -sides[k];
+            }
+            if (undefined >= 0) {
+                for (int64_t k = 0; k < number; k++)
+                    fired[k] = k == undefined;
+                state[FOUND] = first;
+                return EVENT_UNDEFINED;
+            }
+            left = first;
+        }
+        for (int64_t k = 0; k < number; k++) {
+            if (values[k] > 0.0)
+                sides[k] = 1;
+            else if (values[k] < 0.0)
+                sides[k] = -1;
+        }
+        left = right;
+    }
+    state[FOUND] = 1.0;
+    return 0;
+}

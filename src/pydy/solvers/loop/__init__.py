@@ -1,1 +1,0 @@
-"""The compiled loops of one trajectory, as they are written for numba."""

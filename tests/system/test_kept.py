@@ -1,0 +1,237 @@
+"""Motions that left their constraints, or changed their energy without a cause, are errors."""
+
+import numpy as np
+import pytest
+import sympy as sm
+import sympy.physics.mechanics as me
+
+import loops
+from pydy import System
+from pydy._system.kept import Motion, check_kept
+from pydy.errors import IntegrationError
+from pydy.mechanics import Definition
+from pydy.solvers import Event
+from pydy.solvers.outcome import ENERGY_CHANGED, LEFT_CONSTRAINTS
+from singular import n_four_bar, slider_crank
+
+ADAPTIVE = ["dop853", "tsit5", "vern9", "radau"]
+
+
+def loop(name, end=3.0, solver="dop853", **shape):
+    definition, start = getattr(loops, name)(**shape)
+    system = System(
+        definition,
+        {loops.GRAVITY: 9.81},
+        initial_conditions=start,
+        times=np.linspace(0.0, end, 61),
+        ode_solver=solver,
+    )
+    system.set_dependent_initial_conditions()
+    return system
+
+
+def refused(system, code, **options):
+    with pytest.raises(IntegrationError) as caught:
+        system.integrate(**options)
+    error = caught.value
+    assert error.info["code"] == code
+    assert error.states.shape == (len(system.times), len(system.states))
+    assert np.isfinite(error.states).all()
+    assert error.time in system.times
+    return error
+
+
+def checked(system):
+    """The states of a sound motion by projection, and what checks them when they have changed."""
+    options = {"rtol": 1e-8, "atol": 1e-8}
+    x, info = system.integrate(constraints="project", full_output=True, **options)
+    assert info["nearness"] < 0.05
+    motion = Motion(system._now(), system.times, x, options, info, mended=True)
+
+    def check(message=None, code=None):
+        if message is None:
+            return check_kept(motion)
+        with pytest.raises(IntegrationError, match=message) as caught:
+            check_kept(motion)
+        assert caught.value.info["code"] == code
+        assert caught.value.time == system.times[40]
+
+    return x, check
+
+
+@pytest.mark.parametrize(
+    ("name", "solver", "tolerance"),
+    [
+        ("three_cranks", "dop853", 1e-10),
+        ("spatial_four_bar", "dop853", 1e-8),
+        ("peaucellier", "vern9", 1e-8),
+        ("kite", "dop853", 1e-9),
+    ],
+)
+def test_a_mechanism_that_leaves_its_constraints_is_refused(name, solver, tolerance):
+    system = loop(name, solver=solver)
+    error = refused(system, LEFT_CONSTRAINTS, rtol=tolerance, atol=tolerance)
+    assert f"`{solver}` left the constraints, with a residual of " in str(error)
+    assert "constraints='project'" in str(error)
+    system.integrate(constraints="project", rtol=tolerance, atol=tolerance)
+
+
+def test_a_stabilised_mechanism_that_leaves_them_is_refused_too():
+    options = {"constraints": "baumgarte", "gain": 10.0, "rtol": 1e-10, "atol": 1e-10}
+    refused(loop("three_cranks"), LEFT_CONSTRAINTS, **options)
+
+
+def test_odeint_is_looked_at():
+    system = loop("three_cranks", solver=None)
+    error = refused(system, LEFT_CONSTRAINTS, rtol=1e-6, atol=1e-6)
+    assert "`odeint` left the constraints" in str(error)
+
+
+def test_what_projection_takes_away_is_refused():
+    system = loop("three_cranks")
+    states, check = checked(system)
+    check()
+    states[40:, 4:] *= 0.999  # the constraints hold
+    check("changed the total energy by .* without a cause", ENERGY_CHANGED)
+
+
+# -- sound motions --------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("solver", ADAPTIVE)
+@pytest.mark.parametrize("tolerance", [1e-3, 1e-6, 1e-11])
+def test_a_crank_that_turns_is_sound_without_projection(solver, tolerance):
+    system = slider_crank(2.0).system
+    system.ode_solver, system.times = solver, np.linspace(0.0, 10.0, 101)
+    system.integrate(rtol=tolerance, atol=tolerance)
+
+
+@pytest.mark.parametrize("length", [1e-6, 1.0])
+@pytest.mark.parametrize(("solver", "tolerance"), [("dop853", 1e-6), ("tsit5", 1e-4)])
+def test_a_slow_drift_is_sound(solver, tolerance, length):
+    # Beside its circle the rod's force does work, as long as the motion lasts.
+    x, y, u, v = me.dynamicsymbols("x y u v")
+    frame, origin, bob = me.ReferenceFrame("N"), me.Point("O"), me.Point("P")
+    origin.set_vel(frame, 0)
+    bob.set_pos(origin, x * frame.x + y * frame.y)
+    definition = Definition(
+        frame, [x, y], [u, v], bodies=[me.Particle("bob", bob, 1)],
+        loads=[(bob, -9.81 * frame.y)], holonomic_constraints=[x**2 + y**2 - length**2],
+    )  # fmt: skip
+    rate = length**0.5
+    start = {x: 0.6 * length, y: -0.8 * length, u: 8.0 * rate, v: 6.0 * rate}
+    times = np.linspace(0.0, 20.0 * rate, 51)
+    system = System(definition, initial_conditions=start, times=times, ode_solver=solver)
+    system.integrate(rtol=tolerance, atol=tolerance * length)
+
+
+@pytest.mark.parametrize("solver", ADAPTIVE)
+@pytest.mark.parametrize("tolerance", [1e-4, 1e-10])
+def test_passing_singular_positions_by_projection_is_sound(solver, tolerance):
+    system = n_four_bar(2).system
+    system.ode_solver, system.times = solver, np.linspace(0.0, 3.0, 31)
+    system.integrate(constraints="project", rtol=tolerance, atol=tolerance)
+
+
+@pytest.mark.parametrize("metre", [1e-6, 1.0, 1e6])
+def test_units_make_no_difference(metre):
+    lengths = (1.0 * metre, 1.5 * metre)
+    system = loop("spatial_four_bar", solver="tsit5", lengths=lengths)
+    system.constants = {loops.GRAVITY: 9.81 * metre}
+    refused(system, LEFT_CONSTRAINTS, rtol=1e-6, atol=1e-6)
+    system.integrate(constraints="project", rtol=1e-6, atol=1e-6)
+
+
+# -- causes ---------------------------------------------------------------------------------------
+
+
+def kite(*loads, **more):
+    """The kite, with torques on its first bar."""
+    definition, start = loops.kite()
+    bar = definition.bodies[0].frame
+    system = System(
+        Definition(
+            definition.frame,
+            definition.coordinates,
+            definition.speeds,
+            bodies=definition.bodies,
+            loads=[*definition.loads, *((bar, load * definition.frame.z) for load in loads)],
+            holonomic_constraints=definition.holonomic_constraints,
+        ),
+        {loops.GRAVITY: 9.81},
+        initial_conditions=start,
+        times=np.linspace(0.0, 3.0, 31),
+        ode_solver="dop853",
+        **more,
+    )
+    system.set_dependent_initial_conditions()
+    return system
+
+
+def projected(system, **options):
+    return system.integrate(
+        constraints="project", rtol=1e-8, atol=1e-8, full_output=True, **options
+    )
+
+
+def test_friction_is_a_cause():
+    system = kite(-0.5 * me.dynamicsymbols("u1"))
+    x, info = projected(system)
+    assert info["nearness"] < 0.05
+    assert np.ptp(system.evaluate_energy(x).total) > 1.0
+
+
+def test_a_load_in_time_is_a_cause():
+    t = me.dynamicsymbols._t
+    system = kite(sm.Piecewise((5.0, (t > 1.02) & (t < 1.08)), (0.0, True)))
+    x, info = projected(system, max_step=0.01)
+    assert info["nearness"] < 0.05
+    assert np.ptp(system.evaluate_energy(x).total) > 0.1
+
+
+def test_an_input_is_a_cause():
+    torque = me.dynamicsymbols("torque")
+    system = kite(torque, specifieds={torque: lambda x, t: -x[4]})
+    x, info = projected(system)
+    assert info["nearness"] < 0.05
+    assert np.ptp(system.evaluate_energy(x).total) > 1.0
+
+
+def test_a_reset_is_a_cause():
+    system = kite()
+    reset = {u: u / 2 for u in system.speeds}
+    brake = Event(me.dynamicsymbols._t - 1, reset=reset, name="brake")
+    x, info = projected(system, events=[brake])
+    assert info["events"]
+    assert info["nearness"] < 0.05
+    assert np.ptp(system.evaluate_energy(x).total) > 1.0
+
+
+@pytest.mark.parametrize("drive", [3.0, 3.0 + sm.sin(me.dynamicsymbols._t)])
+def test_a_drive_is_a_cause(drive):
+    definition, _ = loops.kite()
+    system = System(
+        Definition(
+            definition.frame,
+            definition.coordinates,
+            definition.speeds,
+            bodies=definition.bodies,
+            loads=definition.loads,
+            holonomic_constraints=definition.holonomic_constraints,
+            nonholonomic_constraints=[definition.speeds[0] - drive],
+        ),
+        {loops.GRAVITY: 9.81},
+        initial_conditions=dict(loops.kite()[1]),
+        times=np.linspace(0.0, 0.5, 11),
+        ode_solver="dop853",
+    )
+    system.set_dependent_initial_conditions()
+    x = system.integrate(rtol=1e-3, atol=1e-3)  # beside the constraints by more than six digits
+    assert np.ptp(system.evaluate_energy(x).total) > 1.0
+
+
+def test_a_step_that_is_too_long_is_a_cause():
+    system = kite()
+    system.ode_solver = "rk4"
+    x = system.integrate(constraints="project", step=0.03)
+    assert np.ptp(system.evaluate_energy(x).total) > 0.01
