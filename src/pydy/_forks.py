@@ -16,7 +16,6 @@ import sys
 import threading
 from collections.abc import Callable
 from typing import Any, Generic, TypeVar, overload
-from weakref import WeakSet
 
 __all__ = ["Lock", "cached_property", "in_child", "whole"]
 
@@ -24,24 +23,27 @@ T = TypeVar("T")
 
 
 class Lock:
-    """A lock that a forked child finds open; the thread that holds it may take it again."""
+    """A lock that a forked child finds open; the thread that holds it may take it again.
+
+    Nothing keeps a list of all locks: where such a list is told of a lock that goes, Python loses
+    what a signal handler raises at that moment.
+    """
 
     def __init__(self) -> None:
-        self._lock = threading.RLock()
-        _LOCKS.add(self)
+        self._locks: dict[int, threading.RLock] = {}  # by generation of forks
 
-    def open(self) -> None:
-        """Forget who holds it."""
-        self._lock = threading.RLock()
+    def _own(self) -> threading.RLock:
+        generation = _generation
+        return self._locks.get(generation) or self._locks.setdefault(generation, threading.RLock())
 
     def __enter__(self) -> None:
-        self._lock.acquire()
+        self._own().acquire()
 
     def __exit__(self, *_: object) -> None:
-        self._lock.release()
+        self._own().release()
 
 
-_LOCKS: WeakSet[Lock] = WeakSet()
+_generation = 0
 whole = threading.RLock()
 """Held while something happens that a fork waits for."""
 
@@ -96,8 +98,8 @@ def _after() -> None:
 
 
 def _after_in_child() -> None:
-    for lock in list(_LOCKS):
-        lock.open()
+    global _generation
+    _generation += 1
     _after()
     for function in _children:
         function()

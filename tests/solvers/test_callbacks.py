@@ -1,6 +1,7 @@
 """What a Python function raises inside compiled code arrives: also on the way into the function."""
 
 import signal
+import sys
 import time
 
 import numpy as np
@@ -48,6 +49,27 @@ def storm(run, number, seed=0):
         assert left > 0.0, "the alarm rang, and was lost"
         np.testing.assert_array_equal(found, expected)
     assert arrived > 0
+
+
+@pytest.mark.parametrize("solver", [rk4, dop853, radau], ids=repr)
+def test_what_a_run_frees_calls_no_python_where_an_alarm_would_be_lost(solver):
+    options = {"step": 1e-2} if solver is rk4 else {}
+    called = set()
+
+    def note(frame, what, _):
+        if what == "call" and "weakref" in frame.f_code.co_filename:
+            called.add(frame.f_code.co_qualname)
+
+    def run():
+        solver(lambda x, t: [x[1], -x[0]], [1.0, 0.0], [0.0, 1.0], **options)
+
+    run()
+    sys.setprofile(note)
+    try:
+        run()
+    finally:
+        sys.setprofile(None)
+    assert not called
 
 
 @pytest.mark.parametrize("solver", [rk4, tsit5, dop853, vern9, radau], ids=repr)
