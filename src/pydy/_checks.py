@@ -439,12 +439,12 @@ class Places:
             The numbers of symbols that are not given; the others must be finite then. Without it
             all must be given.
         """
-        array = self.plain(values, finite=base is not None)
-        if array is not None:
-            return array
         keys = [*values]
         known, columns = self._some
         if keys != known:
+            array = self.plain(values, finite=base is not None)
+            if array is not None:
+                return array
             columns = self.columns(keys, argument)
             self._some = (keys, columns)
         if base is None and len(columns) < len(self.symbols):

@@ -145,7 +145,7 @@ class KernelCall:
     """A right-hand side as a Kernel and the numbers to call it with.
 
     Functions that stand for one have an attribute ``native``, which takes the solver's ``args``
-    and returns this, or None where the function itself has to be called.
+    and returns this, or None where the function itself has to be called. A call stands for itself.
 
     Attributes
     ----------
@@ -170,6 +170,14 @@ class KernelCall:
     inputs: Callable[[np.ndarray, float], np.ndarray] | None = None
     names: Callable[[], tuple[str, ...]] = tuple
     jacobian: Callable[[], Kernel] | None = None
+
+    def native(self, args: tuple[Any, ...]) -> KernelCall:
+        """Return itself, whatever the solver's `args`."""
+        return self
+
+    def __call__(self, x: np.ndarray, t: float, *args: Any) -> np.ndarray:
+        """Return the derivatives; NaN where a linear solve is singular."""
+        return self.evaluate(self.kernel, np.asarray(x), t)
 
     def inputs_at(self, x: np.ndarray, t: float) -> np.ndarray:
         """Return r at a state and time."""

@@ -14,7 +14,10 @@ from pydy._assembly.assembly import Assembly
 from pydy._assembly.definition import Definition, Layout
 from pydy._assembly.external import LinearSolver, with_external_solver
 from pydy._assembly.stored import stored_jacobian, stored_program
+from pydy._assembly.tuning import INTERPRETED
+from pydy._backends.registry import compile_program
 from pydy._errors import SingularMatrixError
+from pydy._forks import cached_property
 from pydy._graph.derivative import Guards
 from pydy._graph.interpret import run
 from pydy._graph.jacobian_columns import JacobianColumns
@@ -48,6 +51,8 @@ class CompiledModel:
         further expressions are compiled with the built-in one.
     definition : Definition or None
         What it was made of, where that is a mechanical system.
+    latest : dict
+        What its users made of it for their latest call, by what it is; it is never pickled.
     """
 
     layout: Layout
@@ -55,14 +60,16 @@ class CompiledModel:
     backend: Any
     solver: LinearSolver | None = None
     definition: Definition | None = None
+    latest: dict[str, Any] = field(default_factory=dict)
     _kernels: dict[tuple[Any, ...], Kernel] = field(default_factory=dict)
     _variants: dict[Any, CompiledModel] = field(default_factory=dict)
-    _interpreted: dict[Any, Program] = field(default_factory=dict)
+    _evaluated: dict[Any, _Evaluated] = field(default_factory=dict)
 
     def __getstate__(self) -> dict[str, Any]:
         kept = self.function_blocks
         kernels = {k: v for k, v in self._kernels.items() if k == kept}
-        return {**self.__dict__, "_kernels": kernels, "_variants": {}, "_interpreted": {}}
+        empty: dict[str, Any] = {name: {} for name in ("latest", "_variants", "_evaluated")}
+        return {**self.__dict__, "_kernels": kernels, **empty}
 
     def __deepcopy__(self, memo: dict[int, Any]) -> CompiledModel:
         return self
@@ -220,7 +227,9 @@ class CompiledModel:
         parts: Callable[[Assembly], dict[str, list[int]]],
         at: tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray],
     ) -> dict[str, np.ndarray]:
-        """Return the values of some nodes, shape (m, o) for each name, without compiling them.
+        """Return the values of some nodes, shape (m, o) for each name.
+
+        They are not compiled until they have been asked for so often that it pays.
 
         Parameters
         ----------
@@ -229,13 +238,12 @@ class CompiledModel:
         at : (t, x, r, p)
             Where they are evaluated.
         """
-        program = self._interpreted.get(parts)
-        if program is None:
+        found = self._evaluated.get(parts)
+        if found is None:
             own = self.assembly.fork()
             blocks = [(name, (len(nodes),), nodes) for name, nodes in parts(own).items()]
-            program = self._interpreted[parts] = lower(own.graph, own.sizes, blocks)
-        out, _ = run(program, *at)
-        return program.by_block(out)
+            found = self._evaluated[parts] = _Evaluated(lower(own.graph, own.sizes, blocks))
+        return found(*at)
 
     # -- other equations -------------------------------------------------------------------------
 
@@ -287,6 +295,29 @@ class CompiledModel:
             float(t),
             np.array(x, dtype=float),
         )
+
+
+class _Evaluated:
+    """A Program that is interpreted at first, and compiled when it is wanted again and again."""
+
+    def __init__(self, program: Program) -> None:
+        self.program = program
+        self._left = INTERPRETED
+        self._solves = not {"solve", "factor", "guard"}.isdisjoint(program.ops)
+
+    @cached_property
+    def _kernel(self) -> Kernel:
+        return compile_program(self.program, "llvm", {})
+
+    def __call__(
+        self, t: np.ndarray, x: np.ndarray, r: np.ndarray, p: np.ndarray
+    ) -> dict[str, np.ndarray]:
+        if self._left or self._solves:
+            self._left -= self._left > 0
+            out, _ = run(self.program, t, x, r, p)
+        else:
+            out, _ = self._kernel.evaluate(t, x, r, p)
+        return self.program.by_block(out)
 
 
 def with_finite_samples(kernel: Kernel, whole: Callable[[], Program]) -> Kernel:

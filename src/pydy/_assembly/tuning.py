@@ -1,11 +1,11 @@
 """Thresholds of the assembly, each with what it was found by.
 
-They compare numbers at random states, which are of order one.
+Those of numbers compare them at random states, which are of order one.
 """
 
 from __future__ import annotations
 
-__all__ = ["NO_SHARE", "SAME_RATE", "SAME_SHARE"]
+__all__ = ["INTERPRETED", "NO_SHARE", "SAME_RATE", "SAME_SHARE"]
 
 SAME_RATE = 1e-9
 """The relative difference of rows that are the rates of velocity constraints."""
@@ -16,3 +16,7 @@ how far constant factors differ from state to state: ten times what a solve of r
 
 NO_SHARE = 1e-12
 """Factors and entries that are zero."""
+
+INTERPRETED = 64
+"""How often a Program is interpreted before it is compiled: an operation takes about a microsecond
+each time, and some 50 to be compiled. Who waits for both waits twice as long as need be at most."""

@@ -280,20 +280,10 @@ class _Task:
         spacing = mean_spacing(self.parameters)
         if spacing is not None and solver.adaptive:
             options = {"max_step": spacing, **options}
-        recording = Recording(
-            n,
-            len(tableau_of(solver.name).stages),
-            lambda x, t: rates.evaluate(rates.kernel, x, t),
-        )
+        recording = Recording(n, len(tableau_of(solver.name).stages), rates)
         read = replace(read_options(solver.name, solver.adaptive, options), recording=recording)
-
-        def f(x: Any, t: Any, *args: Any) -> np.ndarray:
-            found: np.ndarray = rates.evaluate(rates.kernel, np.asarray(x), t)
-            return found
-
-        f.native = lambda args: rates  # type: ignore[attr-defined]
         whole = np.append(x0, np.zeros(more))
-        integration = Integration(solver.name, f, len(whole), times, (), read)
+        integration = Integration(solver.name, rates, len(whole), times, (), read)
         states = integration.run(whole)
         end = integration.memory.x[: len(whole)].copy()
         info = integration.info()
@@ -646,14 +636,14 @@ class Gradients(Setup):
             None if term is None else read_term(definition, term, name)
             for term, name in ((final, "final"), (integral, "integral"))
         )
-        start = begin(now, solver, solver_kwargs)
-        model = start.model
+        ready, instants = begin(now, solver, solver_kwargs)
+        model = ready.model
         task = _Task(definition, plan, now.p, parameters, model, final, integral)
         places = [definition.states.index(s) for s in dependent]
         sensitive = Sensitive(definition, model, plan, parameters, now.p, "wrt")
-        beginning = sensitive.start(now.x, float(start.times[0]), places)[:, : sensitive.count]
+        beginning = sensitive.start(now.x, float(instants[0]), places)[:, : sensitive.count]
         try:
-            run = task.run(solver, now.x, start.times, start.options)
+            run = task.run(solver, now.x, instants, ready.options)
         except (IntegrationError, IntegrationInterrupted, SingularMatrixError) as error:
             if not isinstance(error, SingularMatrixError):
                 n = len(definition.states)
@@ -670,11 +660,11 @@ class Gradients(Setup):
             raise IntegrationInterrupted(
                 "The gradient was interrupted on the way back through the motion, which is whole: "
                 "it is in the attributes `times` and `states` of this error.",
-                start.times[:reached].copy(), states, run.end, run.last[:n].copy(), run.info,
+                instants[:reached].copy(), states, run.end, run.last[:n].copy(), run.info,
             ) from stop  # fmt: skip
 
         def motion() -> Any:
-            times = start.times[:reached].copy()
+            times = instants[:reached].copy()
             return now.trajectory(times, states, events=run.records, statistics=run.info)
 
         counts = {p.symbol: p.count for p in parameters}

@@ -19,7 +19,7 @@ from pydy._names import name_of
 from pydy._system.energy import EnergyModel
 from pydy._system.inputs import check_forces, named_outputs, output_groups, sort_out
 from pydy.codegen.arguments import SpecifiedsPlan, symbolic_entries
-from pydy.solvers.events import Event
+from pydy.solvers.events import Event, identified
 
 __all__ = ["Definer", "unfollowed"]
 
@@ -110,6 +110,7 @@ class Definer:
         self._key: tuple[dict[Any, Any], list[Any], Given] | None = None
         self.of_events: dict[Any, None] = {}
         self._wider: tuple[Definition, set[Any], Definition] | None = None
+        self._held: tuple[Definition, list[Any], list[Any]] | None = None  # by the latest events
         self._warned_of: set[Any] = set()
 
     def __call__(
@@ -154,6 +155,9 @@ class Definer:
 
     def constants_of(self, definition: Definition, events: Any) -> list[Any]:
         """Return the symbols of events and their resets that nothing else is called."""
+        own = identified(events)
+        if own is not None and self._held is not None and self._held[:2] == (definition, own):
+            return self._held[2]
         events = events if isinstance(events, (list, tuple)) else [events]
         events = [event for event in events if isinstance(event, Event)]
         parts = [part for event in events for part in (event.expression, *event.reset.values())]
@@ -162,6 +166,7 @@ class Definer:
         held = find_symbols(part for part in parts if isinstance(part, sm.Basic))
         found = [s for s in held if isinstance(s, sm.Symbol) and s.name not in taken]
         self.of_events.update(dict.fromkeys(found))
+        self._held = None if own is None else (definition, own, found)
         return found
 
     def widened(self, definition: Definition, more: Iterable[Any]) -> Definition:

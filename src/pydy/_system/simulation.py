@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from typing import Any, Literal, NamedTuple, overload
+from typing import Any, Literal, overload
 
 import numpy as np
 import scipy
 
-from pydy._assembly.model import CompiledModel
 from pydy._checks import flag, real_array
 from pydy._errors import IntegrationError, IntegrationInterrupted, SingularMatrixError
 from pydy._system.causes import explain
@@ -29,8 +28,9 @@ from pydy._system.snapshot import Snapshot
 from pydy._system.solving import prepare
 from pydy._system.start import check_resets, check_start
 from pydy.codegen.right_hand_side import rates_function
+from pydy.solvers.events import identified
 from pydy.solvers.options import check_option_names
-from pydy.solvers.solver import Solver
+from pydy.solvers.solver import Prepared, Solver
 from pydy.trajectory import Trajectory
 
 SolverFunction = Callable[..., Any]
@@ -52,82 +52,146 @@ def _differentiated(
     return _solve(now, solver, options, checked=True, wanted=wanted, dependent=dependent)
 
 
-class Start(NamedTuple):
-    """What is integrated.
+_PLAIN = frozenset((float, int, bool, str, type(None)))  # an array may be edited between two calls
+
+
+class Ready:
+    """A simulation but for its numbers: a call that differs in these alone takes it as it is.
+
+    Parameters
+    ----------
+    now : Snapshot
+    solver : callable
+    given : dict
+        The options of the call.
 
     Attributes
     ----------
-    times : ndarray
+    constrained : bool
     model : CompiledModel
-        With the expressions for specifieds compiled in.
+        What is integrated, with the expressions for specifieds compiled in.
     options : dict
         For the solver.
     """
 
-    times: np.ndarray
-    model: CompiledModel
-    options: dict[str, Any]
+    def __init__(self, now: Snapshot, solver: SolverFunction, given: dict[str, Any]) -> None:
+        self._solver, self._plan, self._given = solver, now.plan, dict(given)
+        self._events = identified(given.get("events"))
+        self._prepared: list[Prepared] = []
+        self.constrained = now.definition.equations.constrained
+        self.model, self.options = prepare(solver, now.definition, now.model, now.plan, given)
+        if solver is scipy.integrate.odeint:
+            check_option_names("odeint", odeint_options(), self.options)
+
+    def suits(self, now: Snapshot, solver: SolverFunction, given: dict[str, Any]) -> bool:
+        """Return whether a call differs in numbers alone, as far as that can be seen."""
+        if solver is not self._solver or [*given] != [*self._given]:
+            return False
+        for name, value in given.items():
+            known = self._given[name]
+            if name == "events":
+                same = self._events is not None and self._events == identified(value)
+            else:
+                same = type(value) in _PLAIN and type(value) is type(known) and value == known
+            if not same:
+                return False
+        return now.plan.agrees(self._plan)
+
+    def run(
+        self, solver: Solver, now: Snapshot, times: np.ndarray, options: dict[str, Any]
+    ) -> tuple[np.ndarray, Prepared]:
+        """Integrate by a native solver, in what the latest call has reserved if it is free."""
+        plan = now.plan
+        try:
+            prepared = self._prepared.pop()  # no other thread has it then
+            fits = prepared.renumber(now.p, plan.values, times)
+        except IndexError:
+            fits = False
+        if not fits:
+            f, r = rates_function(self.model, plan), plan.values if plan.constant else plan
+            prepared = solver.prepare(f, now.x, times, (r, now.p), **options)
+        states = prepared(now.x)
+        if prepared.reusable:
+            self._prepared = [prepared]
+        return states, prepared
 
 
-def begin(now: Snapshot, solver: SolverFunction, options: dict[str, Any]) -> Start:
-    """Check what a simulation begins with, and get the equations and options ready."""
-    if len(now.times) < 2:
+def begin(now: Snapshot, solver: SolverFunction, given: dict[str, Any]) -> tuple[Ready, np.ndarray]:
+    """Check what a simulation begins with; return what is ready for it, and the times."""
+    times, latest = now.times, now.model.latest
+    if len(times) < 2:
         raise ValueError(
             "`times` must have at least two values before integrate() can be called, got "
-            f"{len(now.times)}. Set `system.times`."
+            f"{len(times)}. Set `system.times`."
         )
-    times = check_times(now.times)  # the array may have been edited in place
-    definition, plan = now.definition, now.plan
-    plan.check_times(times, "times")
-    if definition.equations.constrained:
-        t = float(times[0])
-        mended = options.get("constraints") is not None
-        check_start(definition, now.driven, t, now.x, plan(now.x, t), now.p, mended=mended)
-    model, options = prepare(solver, definition, now.model, plan, options)
-    return Start(times, model, options)
+    sound = latest.get("times")
+    if sound is None or sound.shape != times.shape or sound.tobytes() != times.tobytes():
+        latest["times"] = sound = check_times(times)  # the array may have been edited in place
+    plan = now.plan
+    if plan.sampled:
+        plan.check_times(sound, "times")
+    ready: Ready | None = latest.get("ready")
+    if ready is not None and not ready.suits(now, solver, given):
+        ready = None
+    if now.definition.equations.constrained if ready is None else ready.constrained:
+        t, x, mended = float(sound[0]), now.x, given.get("constraints") is not None
+        check_start(now.definition, now.driven, t, x, plan(x, t), now.p, mended=mended)
+    if ready is None:
+        ready = latest["ready"] = Ready(now, solver, given)
+    return ready, sound.copy()
+
+
+def _problem(
+    now: Snapshot,
+    solver: SolverFunction,
+    ready: Ready,
+    times: np.ndarray,
+    wanted: Wanted | None,
+    dependent: Any,
+) -> tuple[Any, np.ndarray, tuple[Any, Any], dict[str, Any]]:
+    """Return f, x0, args and the options for any solver."""
+    definition, plan, model, x0, p = now.definition, now.plan, ready.model, now.x, now.p
+    if wanted is None:
+        f, options = rates_function(model, plan), ready.options
+    else:
+        places = [definition.states.index(s) for s in latest_dependents(definition, dependent)]
+        start = (x0, float(times[0]))
+        f, x0, options = wanted.problem(
+            definition, model, plan, start, p, places, solver, ready.options
+        )
+    return f, x0, (plan.values.copy() if plan.constant else plan, p), options
 
 
 def _solve(
     now: Snapshot,
     solver: SolverFunction,
-    options: dict[str, Any],
+    given: dict[str, Any],
     *,
     checked: bool,
     wanted: Wanted | None = None,
     dependent: Any = None,
 ) -> Any:
     """Call the solver; `checked` tells whether odeint's giving up is an error."""
-    free, full = options.get("constraints") is None, options.get("full_output", False)
-    ready = begin(now, solver, options)
-    definition, plan, model, options = now.definition, now.plan, ready.model, ready.options
-    times, x0, p = ready.times, now.x, now.p
-    if solver is scipy.integrate.odeint:
-        check_option_names("odeint", odeint_options(), options)
-    if wanted is None:
-        f = rates_function(model, plan)
-    else:
-        following = latest_dependents(definition, dependent)
-        places = [definition.states.index(symbol) for symbol in following]
-        start = (x0, float(times[0]))
-        f, x0, options = wanted.problem(definition, model, plan, start, p, places, solver, options)
-    args = (plan.values if plan.constant else plan, p)
-    watched = definition.equations.constrained and isinstance(solver, Solver)
-    given = dict(options)
-    if watched:
-        options = {**options, "full_output": True}
+    free, full = given.get("constraints") is None, given.get("full_output", False)
+    ready, times = begin(now, solver, given)
+    watched = ready.constrained and isinstance(solver, Solver)
     try:
-        if not checked or solver is not scipy.integrate.odeint:
-            result = solver(f, x0, times, args=args, **options)
-            if watched:
-                states, info = result
-                if free:
-                    check_resets(definition, now.driven, info["events"], plan, p)
-                states = states[:, : len(definition.states)]
-                check_kept(Motion(now, times, states, given, info, not free))
-            return result[0] if watched and not full else result
-        result = call_odeint(f, x0, times, args, definition.states, options)
-        if definition.equations.constrained:
-            check_kept(Motion(now, times, result[0], given, result[1], not free))
+        if wanted is None and isinstance(solver, Solver):
+            states, prepared = ready.run(solver, now, times, ready.options)
+            info, options = prepared.info if full or watched else {}, ready.options
+        else:
+            f, x0, args, options = _problem(now, solver, ready, times, wanted, dependent)
+            if checked and solver is scipy.integrate.odeint:
+                states, info = call_odeint(f, x0, times, args, now.definition.states, options)
+            elif watched:
+                states, info = solver(f, x0, times, args=args, **{**options, "full_output": True})
+            else:
+                return solver(f, x0, times, args=args, **options)
+        if watched and free:
+            check_resets(now.definition, now.driven, info["events"], now.plan, now.p)
+        if ready.constrained:
+            own = states[:, : len(now.definition.states)]
+            check_kept(Motion(now, times, own, options, info, not free))
     except TypeError as error:
         if not isinstance(solver, (Solver, SolveIvp)):
             error.add_note(
@@ -142,12 +206,12 @@ def _solve(
     except (IntegrationError, SingularMatrixError) as error:
         if wanted is not None:
             wanted.cut(error)
-        explain(error, definition, model, plan, p)
+        explain(error, now.definition, ready.model, now.plan, now.p)
         if watched and free and isinstance(error, IntegrationError):
             told: Any = error.info
-            check_resets(definition, now.driven, told["events"], plan, p)
+            check_resets(now.definition, now.driven, told["events"], now.plan, now.p)
         raise
-    return result if options.get("full_output") else result[0]
+    return (states, info) if full else states
 
 
 class Simulation(Setup):

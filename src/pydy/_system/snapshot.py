@@ -113,12 +113,20 @@ class Snapshot:
 
     @cached_property
     def plan(self) -> SpecifiedsPlan:
-        """How r is computed."""
-        return checked_plan(self.definition, self.user["specifieds"], self.told)
+        """How r is computed: by the latest plan, where at most numbers differ from its own."""
+        given, latest = self.user["specifieds"], self.model.latest
+        told, known = latest.get("plan", (None, None))
+        plan: SpecifiedsPlan | None = known.again(given) if told is self.told else None
+        if plan is None:
+            plan = checked_plan(self.definition, given, self.told)
+        latest["plan"] = self.told, plan
+        return plan
 
     @cached_property
     def driven(self) -> CompiledModel:
         """The model with the expressions for specifieds compiled in."""
+        if not self.plan.expressions:
+            return self.model
         return driven(self.model, self.definition, self.plan)
 
     # -- values for one call ----------------------------------------------------------------------

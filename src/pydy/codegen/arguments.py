@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from copy import copy
 from dataclasses import dataclass, replace
 from inspect import signature
+from math import isfinite
 from numbers import Number
 from types import FunctionType
 from typing import Any
@@ -24,6 +26,7 @@ from pydy.inputs import SampledInput
 ARGUMENT_TYPES = ("array", "dictionary", "function")
 _SPECIFIEDS = "specifieds of the system"
 _USUAL = frozenset((float, FunctionType))
+_UNCHANGING = frozenset((float, int, FunctionType, SampledInput))
 
 
 class ConstantsArgument:
@@ -263,8 +266,10 @@ class SpecifiedsPlan:
         self.expressions: dict[Any, Any] = {}
         sampled: list[tuple[np.ndarray, SampledInput]] = []
         functions: list[tuple[np.ndarray, _Checked]] = []
+        self._given = [*values], [*values.values()]
         values, together = one_format(values, argument)
         groups = places.groups(values, argument)
+        self._columns = [columns for _, columns, _ in groups]
         for (names, columns, several), value in zip(groups, values.values(), strict=True):
             if type(value) is float:
                 self.values[columns] = value  # the usual case, without the cost of a label
@@ -340,6 +345,37 @@ class SpecifiedsPlan:
         """The functions of the user, with the places they fill."""
         return tuple((columns, f, describe(f.names)) for columns, f in self._functions)
 
+    def again(self, values: Mapping[Any, Any]) -> SpecifiedsPlan | None:
+        """Return the plan of a dictionary that differs from this plan's in floats alone, or None.
+
+        What may have been edited in place, as an array may, counts as another value.
+        """
+        keys, before = self._given
+        given, moved = [*values.values()], []
+        if [*values] != keys:
+            return None
+        for k, (value, old) in enumerate(zip(given, before, strict=True)):
+            if type(value) is float is type(old) and isfinite(value):
+                moved.append(k)
+            elif value is not old or not _is_unchanging(value):
+                return None
+        result = self
+        if any(given[k] is not before[k] for k in moved):
+            result = copy(self)
+            result._given, result.values = (keys, given), self.values.copy()
+            result.__dict__.pop("_inputs", None)
+            for k in moved:
+                result.values[self._columns[k]] = given[k]
+        return result
+
+    def agrees(self, other: SpecifiedsPlan) -> bool:
+        """Return whether another plan, by `again`, differs in numbers at most."""
+        return self is other or (
+            self.expressions is other.expressions
+            and self.sampled is other.sampled
+            and self._functions is other._functions
+        )
+
     def updated(self, other: SpecifiedsPlan) -> SpecifiedsPlan:
         """Return this plan with another's values in place of its own, where the other has any."""
         result = SpecifiedsPlan({}, self.places)
@@ -384,6 +420,12 @@ class SpecifiedsPlan:
     def rows(self, x: np.ndarray, t: np.ndarray) -> np.ndarray:
         """Return r for m states and times: shape (1, s) when it is the same for all, or (m, s)."""
         return self._inputs.rows(x, t)
+
+
+def _is_unchanging(value: Any) -> bool:
+    if type(value) is tuple:
+        return all(isinstance(entry, sm.Basic) for entry in value)
+    return type(value) in _UNCHANGING or isinstance(value, sm.Basic)
 
 
 def _refuse_mixtures(value: Any, label: str) -> None:

@@ -403,12 +403,11 @@ def _run_one_by_one(
             lambda: model.states,
             None if jacobian is None else lambda: _kernel(jacobian, 1),
         )
-        args = (r[k], p[k])
         if beside is not None:
             options = replace(
                 model.options, sensitivities=beside.compiled(x[k], r[k], p[k], _single)
             )
-        one = Integration(model.method, _Rates(call), n, times, args, options, stopped)
+        one = Integration(model.method, call, n, times, (), options, stopped)
         try:
             found = one.run(x[k])
             info = one.info()
@@ -426,16 +425,3 @@ def _take(results: Results, k: int, info: Mapping[str, Any]) -> None:
     records = info["events"]
     results.events.append([(record.index, record.time) for record in records])
     results.moments.append([record.time_sensitivity for record in records])
-
-
-class _Rates:
-    """``f(x, t, r, p)`` with the attribute by which native solvers find its Kernel."""
-
-    def __init__(self, call: KernelCall) -> None:
-        self._call = call
-
-    def native(self, args: tuple[Any, ...]) -> KernelCall:
-        return self._call
-
-    def __call__(self, x: np.ndarray, t: float, r: np.ndarray, p: np.ndarray) -> np.ndarray:
-        return self._call.evaluate(self._call.kernel, np.asarray(x), t)

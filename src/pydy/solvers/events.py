@@ -14,7 +14,7 @@ from pydy._kernel import Kernel, KernelCall
 from pydy.solvers.tuning import CROWD, CROWDED, ROUNDING, ROUNDINGS
 from pydy.trajectory import EventRecord
 
-__all__ = ["CompiledEvents", "Event", "EventRecord", "crowd", "forcing_time"]
+__all__ = ["CompiledEvents", "Event", "EventRecord", "crowd", "forcing_time", "identified"]
 
 
 @dataclass(frozen=True)
@@ -112,6 +112,17 @@ def _check_expression(value: Any, what: str) -> None:
             f"{what} must be a SymPy expression or a number, got the {type(value).__name__} "
             f"{value!r}."
         )
+
+
+def identified(events: Any) -> list[tuple[Event, dict[Any, Any]]] | None:
+    """Return what tells a user's events from others, although a reset may be edited in place.
+
+    None where that cannot be told without taking them out of what they are given in.
+    """
+    several = [events] if isinstance(events, Event) else events
+    if type(several) not in (list, tuple) or {*map(type, several)} - {Event}:
+        return None
+    return [(event, dict(event.reset)) for event in several]
 
 
 @dataclass(frozen=True, eq=False)

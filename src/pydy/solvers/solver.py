@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from types import FunctionType
 from typing import TYPE_CHECKING, Any, Literal, overload
 
@@ -340,6 +341,11 @@ class Prepared:
     def rebind(self, call: Any, times: np.ndarray) -> bool:
         """Take other times and another call of the same function, or return False."""
         return self._integration.rebind(call, times)
+
+    def renumber(self, p: np.ndarray, r: np.ndarray, times: np.ndarray) -> bool:
+        """Take other numbers for the same call, where it is native, or return False."""
+        call = self._integration.call
+        return call is not None and self.rebind(replace(call, p=p, r=r), times)
 
     @property
     def info(self) -> dict[str, Any]:

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from pydy import _forks
 from pydy.solvers.run.layout import Wanted
 from pydy.solvers.run.problem import address
 from pydy.solvers.run.shipped import function_of
@@ -26,8 +27,8 @@ class Extension:
 
     Parameters
     ----------
-    workspace : Workspace
-        Of the run, which is over.
+    make : callable
+        Returns a Workspace like that of the run, which may be used for another one meanwhile.
     rows : ndarray
         Those of `pydy.solvers.run.layout.Steps`.
     select : callable, optional
@@ -36,15 +37,20 @@ class Extension:
 
     def __init__(
         self,
-        workspace: Workspace,
+        make: Callable[[], Workspace],
         rows: np.ndarray,
         select: Callable[[np.ndarray], np.ndarray] | None = None,
     ) -> None:
         self._select = select
-        self._workspace, self._rows = workspace, rows
+        self._make, self._rows = make, rows
+        self._in_use = _forks.Lock()  # by one of several threads
         # Not the ends of steps that an event cut short.
         self._steps = np.flatnonzero(np.append(rows[:-1, 1] > 0.0, True))
         self._starts = rows[self._steps, 0]
+
+    @_forks.cached_property
+    def _workspace(self) -> Workspace:
+        return self._make()
 
     def __call__(self, times: np.ndarray) -> np.ndarray:
         """Return the states at ascending times of the run, shape (m, n)."""
@@ -55,18 +61,14 @@ class Extension:
             self._rows, np.array(times, dtype=float), self._steps[np.maximum(places, 0)], out
         )
         table = table_of(rows_of(wanted))
-        with work.in_use:  # of several threads, and it leaves the end of the run as it was
-            x, counts = work.memory.x.copy(), work.progress.counts.copy()
-            try:
-                function_of("extend", bool(work.callbacks))(work.place, address(table))
-            finally:
-                work.memory.x[:], work.progress.counts[:] = x, counts
+        with self._in_use:
+            function_of("extend", bool(work.callbacks))(work.place, address(table))
         states = out[: m * n].reshape(m, n)
         return states if self._select is None else self._select(states)
 
     def selected(self, select: Callable[[np.ndarray], np.ndarray]) -> Extension:
         """Return the same of what `select` makes of the states."""
-        return Extension(self._workspace, self._rows, select)
+        return Extension(self._make, self._rows, select)
 
     def __deepcopy__(self, memo: Any) -> Extension:
         return self

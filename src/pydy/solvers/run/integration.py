@@ -51,6 +51,7 @@ from pydy.solvers.tuning import BLOCK, NEARLY_SINGULAR, ROUNDING, STARTING_MOVE
 
 __all__ = ["Integration"]
 
+_NO_ROWS = np.zeros((0, 0))
 _TOLD: WeakSet[Kernel] = WeakSet()  # whose redundant constraints have been warned of
 
 
@@ -102,15 +103,13 @@ class Integration:
         parts = (options.constraints, options.events, options.recording)
         wanted = any(p is not None for p in parts) or options.progress
         attended = wanted or bool(self.callbacks) or self._tight
-        self.reusable = (
-            not (attended or options.dense_output) and self.call is not None and method != IMPLICIT
-        )
+        self.reusable = not (options.recording or self.callbacks or self.call is None)
         self._budget = first_budget(method, self.call, bool(self.callbacks))
         arrays.beginning[1][at.BUDGET] = 0 if attended else self._budget
         # Rows are written in whole blocks.
         self._number = len(times)
         self._room = (self._number + -(-BLOCK // max(1, n)), n)
-        self._rows = np.zeros((0, n))  # of the latest run
+        self._rows = _NO_ROWS  # of the run that is under way, or failed
         entry = "advance_implicit" if method == IMPLICIT else "advance"
         self._place = arrays.place
         self._advance = stepper(entry, arrays.place, bool(self.callbacks))
@@ -138,7 +137,7 @@ class Integration:
         try:
             code = self._advance(rows, True)
             if code == FINISHED:  # most end in their first slice
-                self.code = FINISHED
+                self.code, self._rows = FINISHED, _NO_ROWS
                 return rows[: self._number]
             if code in (at.PAUSED, at.STEPS_FULL):
                 with self.interrupts:
@@ -153,6 +152,7 @@ class Integration:
         reached = self.progress.counts[at.NEXT]
         if reached < self._number:
             rows[reached : self._number] = np.nan
+        self._rows = _NO_ROWS
         return rows[: self._number]
 
     # -- running ----------------------------------------------------------------------------------
@@ -406,7 +406,7 @@ class Integration:
     # -- results ----------------------------------------------------------------------------------
 
     def reached(self) -> np.ndarray:
-        """Return the rows of the times that the latest run reached, with what is beside states."""
+        """Return the rows of the times that a failed run reached, with what is beside states."""
         return self._rows[: self.progress.counts[at.NEXT]]
 
     def info(self) -> dict[str, Any]:
@@ -437,8 +437,9 @@ class Integration:
 
     def _extension(self) -> Extension | None:
         rows = self.arrays.kept_steps()
-        ended = self.code in (FINISHED, TERMINATED, EVENTS_ACCUMULATE)
-        return Extension(self.arrays, rows) if ended and rows is not None else None
+        if rows is None or self.code not in (FINISHED, TERMINATED, EVENTS_ACCUMULATE):
+            return None
+        return Extension(self.arrays.again(), rows)
 
     def _state_name(self, k: int) -> str:
         names = () if self.call is None else self.call.names()

@@ -21,9 +21,9 @@ from pydy.solvers.tuning import BLOCK
 _NO_TABLES = np.zeros((0, 4), dtype=np.int64), np.zeros(0), np.zeros((0, 4))
 
 __all__ = [
+    "Bound",
     "Callback",
     "address",
-    "bind_constants",
     "callback_problem",
     "kernel_problem",
     "lined_up",
@@ -39,17 +39,29 @@ def blocks(n: int) -> int:
     return -(-n // BLOCK)
 
 
-def bind_constants(
-    kernel: Kernel, p: np.ndarray, c: np.ndarray | None = None
-) -> tuple[int, np.ndarray]:
-    """Return the address of a kernel and its array of constants, which may be given."""
-    addresses = kernel.addresses
-    assert addresses is not None
-    if c is None:
-        c = np.zeros(max(1, len(kernel.program.carried)))
-    p = np.ascontiguousarray(p, dtype=float)
-    _prepare(addresses[1])(address(p), address(c))
-    return addresses[0], c
+class Bound:
+    """A native Kernel with an array of its own for what it computes of the constants alone.
+
+    Attributes
+    ----------
+    address : int
+        Of the native function.
+    c : ndarray
+        What it computed.
+    """
+
+    def __init__(self, kernel: Kernel, p: np.ndarray) -> None:
+        addresses = kernel.addresses
+        assert addresses is not None
+        self.address, self._prepare = addresses[0], _prepare(addresses[1])
+        self.c = np.zeros(max(1, len(kernel.program.carried)))
+        self._place = address(self.c)
+        self.take(p)
+
+    def take(self, p: np.ndarray) -> None:
+        """Compute what depends on the constants, of other ones."""
+        p = np.ascontiguousarray(p, dtype=float)
+        self._prepare(address(p), self._place)
 
 
 def lined_up(*shape: int) -> np.ndarray:
@@ -65,15 +77,15 @@ def _prepare(place: int) -> Callable[[int, int], None]:
     return _PREPARE(place)
 
 
-def kernel_problem(call: KernelCall, n: int) -> Problem:
-    """Return the arrays for a Kernel."""
-    kernel, c = bind_constants(call.kernel, call.p)
+def kernel_problem(call: KernelCall, n: int, bound: Bound | None = None) -> Problem:
+    """Return the arrays for a Kernel, which may be bound already."""
+    bound = bound or Bound(call.kernel, call.p)
     tables, knots, cubics = tables_of(call.sampled)
     return Problem(
-        words=np.array([kernel, n, blocks(n), n, blocks(n)]),
+        words=np.array([bound.address, n, blocks(n), n, blocks(n)]),
         clock=np.zeros(1),
         r=_inputs(call),
-        c=c,
+        c=bound.c,
         tables=tables,
         knots=knots,
         cubics=cubics,

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import cache
+from dataclasses import replace
+from functools import cache, partial
 from typing import Any
 
 import numpy as np
 
-from pydy import _forks
 from pydy._kernel import Kernel, KernelCall
 from pydy.solvers.options import Options
 from pydy.solvers.outcome import STEP_UNDERFLOW
@@ -30,9 +30,9 @@ from pydy.solvers.run.layout import (
 )
 from pydy.solvers.run.methods import IMPLICIT, method_arrays
 from pydy.solvers.run.problem import (
+    Bound,
     Callback,
     address,
-    bind_constants,
     blocks,
     callback_problem,
     kernel_problem,
@@ -80,8 +80,6 @@ class Workspace:
     watch : Watch
     progress : Progress
     steps : Steps
-    in_use : Lock
-        Held while states between the steps are computed.
     beginning : Beginning
         From what `progress` is at the beginning of each run.
     place : int
@@ -99,7 +97,9 @@ class Workspace:
         interrupts: Interrupts,
     ) -> None:
         self.name, self.n, self.options, self.interrupts = method, n, options, interrupts
+        self._f, self._args = f, args
         self.callbacks: list[Callback] = []
+        self._bound: list[Bound] = []
         native = getattr(f, "native", None)
         self.call: KernelCall | None = None if native is None else native(args)
         self.problem = self._bind(f, args)
@@ -123,7 +123,6 @@ class Workspace:
             room = 4 + _STEPS // width
             self.steps = Steps(np.array([0, room]), np.zeros((room, width)))
         self._aside: list[np.ndarray] = []
-        self.in_use = _forks.Lock()
         further = self._reserve_newton() if method == IMPLICIT else []
         self._table = table_of(
             _method_rows(method, len(self.memory.x)),
@@ -147,21 +146,34 @@ class Workspace:
         if (
             before is None
             or call.kernel is not before.kernel
-            or call.sampled
-            or before.sampled
+            or ((call.sampled or before.sampled) and call.sampled is not before.sampled)
             or call.inputs is not None
+            or len(times) != len(self.progress.times)
+            or self.callbacks
         ):
             return False
-        bind_constants(call.kernel, call.p, self.problem.c)
+        for bound in self._bound:
+            bound.take(call.p)
         self.problem.r[: len(call.r)] = call.r
         self.progress.times[:] = times
         self.beginning.state[at.TIME] = times[0]
         self.call = call
         return True
 
+    def again(self) -> Callable[[], Workspace]:
+        """Return what makes the same with memory of its own, whatever this one does next."""
+        f, options, times = self._f, replace(self.options, dense_output=False), self.progress.times
+        if self.call is not None:
+            f = replace(self.call, p=self.call.p.copy(), r=self.call.r.copy())
+        args = (self.name, f, self.n, times[:1].copy(), self._args, options, Interrupts())
+        return partial(Workspace, *args)
+
     def forget_steps(self) -> None:
-        """Begin with no kept steps."""
-        self._aside, self.steps.words[at.KEPT] = [], 0
+        """Begin with no kept steps, and room for them."""
+        words, rows = self.steps
+        self._aside, words[at.KEPT] = [], 0
+        if self.options.dense_output:
+            words[at.ROOM] = len(rows)
 
     def put_steps_aside(self) -> None:
         """Make room for further steps, or keep none where they need too much memory."""
@@ -194,7 +206,7 @@ class Workspace:
                     f"`x0` must have {call.kernel.program.num_states} values, one for each state, "
                     f"got {n}."
                 )
-            return kernel_problem(call, n)
+            return kernel_problem(call, n, self._bind_native(call.kernel, call.p))
         what = "What `f(x, t)` returns, one derivative for each state of `x0`,"
 
         def called(x: np.ndarray, t: float) -> Any:
@@ -212,11 +224,16 @@ class Workspace:
         call = self.call
         assert call is not None
         if call.inputs is None and kernel.addresses is not None:
-            return bind_constants(kernel, call.p)
+            bound = self._bind_native(kernel, call.p)
+            return bound.address, bound.c
         outputs = sum(b.stop - b.start for b in kernel.program.blocks)
         what = f"What the blocks {', '.join(b.name for b in kernel.program.blocks)} give"
         callback = self._callback(lambda x, t: call.evaluate(kernel, x, t), outputs, what)
         return callback.address, callback.c
+
+    def _bind_native(self, kernel: Kernel, p: np.ndarray) -> Bound:
+        self._bound.append(Bound(kernel, p))
+        return self._bound[-1]
 
     def _reserve(self) -> tuple[Method, Memory]:
         n = self.n

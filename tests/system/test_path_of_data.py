@@ -1,0 +1,135 @@
+"""How many functions of the package, in how many files, a public call enters: the same each time.
+
+A call is made again, so that nothing is imported or compiled for it. What it enters tells how much
+is interpreted, checked or built anew that depends on no number.
+"""
+
+import sys
+from collections import Counter
+from pathlib import Path
+
+import numpy as np
+import pytest
+import sympy as sm
+import sympy.physics.mechanics as me
+
+import pydy
+from pydy.solvers import Event
+from pydy.system import System
+
+PACKAGE = f"{Path(pydy.__file__).parent}/"
+
+
+class Route:
+    """The functions that a call enters, and the longest detour: the deepest chain of them."""
+
+    def __init__(self, action):
+        self.entered, self.deepest, stack = Counter(), [], []
+
+        def note(frame, event, argument):
+            code = frame.f_code
+            if not code.co_filename.startswith(PACKAGE):
+                return
+            name = code.co_filename.removeprefix(PACKAGE), code.co_qualname
+            if event == "call":
+                self.entered[name] += 1
+                stack.append(name)
+                if len(stack) > len(self.deepest):
+                    self.deepest = stack.copy()
+            elif event == "return" and stack:
+                stack.pop()
+
+        sys.setprofile(note)
+        try:
+            action()
+        finally:
+            sys.setprofile(None)
+
+    @property
+    def files(self):
+        files = Counter()
+        for file, _ in self.entered:
+            files[file] += 1
+        return files
+
+    def __str__(self):
+        files = ", ".join(f"{number} in {file}" for file, number in self.files.most_common())
+        chain = "\n    ".join(f"{file}: {function}" for file, function in self.deepest)
+        return (
+            f"{len(self.entered)} functions in {len(self.files)} files: {files}\n"
+            f"the longest detour, {len(self.deepest)} calls deep:\n    {chain}"
+        )
+
+
+def kane():
+    """A pendulum, before its equations are derived."""
+    q, u = me.dynamicsymbols("q u")
+    m, g, l = sm.symbols("m g l")
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    rod = frame.orientnew("A", "Axis", (q, frame.z))
+    rod.set_ang_vel(frame, u * frame.z)
+    bob = origin.locatenew("P", -l * rod.y)
+    bob.v2pt_theory(origin, frame, rod)
+    method = me.KanesMethod(frame, [q], [u], [q.diff() - u])
+    method.kanes_equations([me.Particle("bob", bob, m)], [(bob, -m * g * frame.y)])
+    return method
+
+
+def pendulum():
+    system = System(kane(), constants={"m": 1.0, "g": 9.81, "l": 1.0})
+    system.initial_conditions = {"q": 0.3}
+    system.times, system.ode_solver = np.linspace(0.0, 1.0, 11), "dop853"
+    return system
+
+
+def on_a_circle():
+    """The same in Cartesian coordinates."""
+    x, y, u, v = me.dynamicsymbols("x y u v")
+    frame, origin, bob = me.ReferenceFrame("N"), me.Point("O"), me.Point("P")
+    origin.set_vel(frame, 0)
+    bob.set_pos(origin, x * frame.x + y * frame.y)
+    bob.set_vel(frame, u * frame.x + v * frame.y)
+    rates, circle = [x.diff() - u, y.diff() - v], x**2 + y**2 - 1
+    method = me.KanesMethod(
+        frame, [x], [u], rates, q_dependent=[y], configuration_constraints=[circle],
+        u_dependent=[v], velocity_constraints=[2 * x * u + 2 * y * v],
+    )  # fmt: skip
+    method.kanes_equations([me.Particle("bob", bob, 1)], [(bob, -9.81 * frame.y)])
+    system = System(method, initial_conditions={x: 0.6, y: -0.8}, ode_solver="dop853")
+    system.times = np.linspace(0.0, 1.0, 11)
+    return system
+
+
+def integrate():
+    return pendulum().integrate
+
+
+def simulate():
+    system = on_a_circle()
+    events = [Event(system.states[0], name="bottom")]
+    return lambda: system.simulate(events=events, constraints="project")
+
+
+def ensemble():
+    system = pendulum()
+    return lambda: system.integrate_ensemble(initial_conditions={"q": [0.1, 0.2, 0.3]})
+
+
+def construct():
+    methods = [kane(), kane(), kane()]
+    return lambda: System(methods.pop())
+
+
+@pytest.mark.parametrize(
+    ("make", "functions", "files"),
+    [(construct, 640, 66), (integrate, 37, 12), (simulate, 129, 26), (ensemble, 183, 28)],
+    ids=lambda value: getattr(value, "__name__", ""),
+)
+def test_a_repeated_call_takes_a_short_path(make, functions, files):
+    call = make()
+    call()
+    call()
+    path = Route(call)
+    assert len(path.entered) <= functions, path
+    assert len(path.files) <= files, path
