@@ -14,11 +14,10 @@ import numpy as np
 from pydy._assembly.assembly import Assembly
 from pydy._assembly.tuning import NO_SHARE, SAME_RATE, SAME_SHARE
 from pydy._graph.derivative import dense, dense_jacobian, directional
-from pydy._graph.lower import lower
 from pydy._graph.rewrite import substitute
 from pydy._graph.solve.choose import solve_accelerations
 from pydy._mechanics.equations import Equations
-from pydy._mechanics.generic import generic_inputs, values_of
+from pydy._mechanics.generic import evaluator_of, generic_inputs
 from pydy._mechanics.multipliers import Constraints, accelerations_of_held
 
 __all__ = ["stabilised"]
@@ -104,11 +103,8 @@ def _shares(assembly: Assembly, holonomic: list[int], velocity: list[int]) -> np
         cells = dense_jacobian(graph, nodes, by)
         blocks.append((name, (len(nodes), len(by)), cells))
     blocks.append(("rows", (count, n), assembly.mass_matrix[(n - count) * n :]))
-    program = lower(graph, assembly.sizes, blocks)
-    trials = _TRIALS + len(holonomic)
-    samples = [generic_inputs(assembly.sizes, [seed]) for seed in range(trials)]
-    found = [values_of(program, *inputs) for inputs in samples]
-    parts = {name: np.array([values[name][0] for values in found]) for name in found[0]}
+    inputs = generic_inputs(assembly.sizes, _TRIALS + len(holonomic))
+    parts = evaluator_of(graph, blocks)(*inputs)
     if not np.allclose(parts["rows"], parts["motion"][:, :count], rtol=SAME_RATE, atol=NO_SHARE):
         raise ValueError(
             "`constraints='baumgarte'` needs acceleration constraints that are the rates of "

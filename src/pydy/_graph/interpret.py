@@ -1,23 +1,85 @@
-"""Evaluate a Program with NumPy, one operation at a time over all samples.
+"""Evaluate a Program, or nodes of a graph, with NumPy, one operation at a time over all samples.
 
-This is the reference that compiled code is compared with, the 'lambdify' generator's engine, and
-what small one-off evaluations use, where compiling would not pay.
+This is the reference that compiled code is compared with, and the 'lambdify' generator's engine.
+Nodes that are needed at a few samples once are evaluated as they are: lowering takes longer.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
 
+from pydy._graph.node import Graph
 from pydy._graph.operations import OPERATIONS, is_constrained
 from pydy._graph.program import Program
+from pydy._graph.solve.matrix import symmetric
 from pydy._graph.tuning import INDEPENDENT, REDUNDANT, SINGULAR
 
-__all__ = ["constrained", "constrained_sample", "run", "solved", "stacked"]
+__all__ = ["constrained", "constrained_sample", "evaluator", "run", "solved", "stacked"]
 
 Values = list[Any]
+Evaluator = Callable[[Mapping[int, Any], int], np.ndarray]
+
+
+def evaluator(graph: Graph, nodes: Sequence[int]) -> Evaluator:
+    """Return a function that evaluates nodes of a graph at m samples.
+
+    It takes a number or m numbers for each input node, and m. It returns an array of shape
+    (m, number of nodes).
+    """
+    order = graph.reachable(nodes)
+
+    def values_at(inputs: Mapping[int, Any], m: int) -> np.ndarray:
+        values: dict[int, Any] = {}
+        with np.errstate(all="ignore"):
+            for node in order:
+                values[node] = _value(graph, node, values, inputs, m)
+            return stacked([values[n] for n in nodes], m)
+
+    return values_at
+
+
+def _value(
+    graph: Graph, node: int, values: Mapping[int, Any], inputs: Mapping[int, Any], m: int
+) -> Any:
+    op, args = graph.ops[node], graph.args[node]
+    if op == "sum":
+        total = args[0]
+        for n, c in args[1]:
+            total = total + values[n] * c
+        return total
+    if op == "prod":
+        whole = 1.0
+        for n, e in args:
+            whole = whole * (values[n] if e == 1 else np.power(values[n], float(e)))
+        return whole
+    if op == "input":
+        return inputs[node]
+    if op in ("const", "bool"):
+        return args[0]
+    if op == "item":
+        return values[args[0]][:, args[1]]
+    if op in OPERATIONS:
+        return OPERATIONS[op].numpy(*[values[n] for n in args])
+
+    def columns(nodes: Sequence[int]) -> np.ndarray:
+        return stacked([values[n] for n in nodes], m)
+
+    if op == "factor":
+        kind, n, entries = args
+        return columns(symmetric(n, list(entries)) if kind == "ldl" else entries).reshape(m, n, n)
+    failed = np.zeros(m, dtype=bool)
+    if op == "solve":
+        return solved(values[args[0]], columns(args[1]), failed)
+    n, entries, column, sound, fast = args
+    found, weak = columns(fast), ~np.broadcast_to(values[sound], m)
+    if weak.any():
+        solve = constrained if is_constrained(graph, entries) else solved
+        matrix = columns(entries).reshape(m, n, n)[weak]
+        found[weak] = solve(matrix, columns(column)[weak], failed[weak])
+    return found
 
 
 def run(

@@ -7,11 +7,8 @@ from collections.abc import Sequence
 import numpy as np
 
 from pydy._graph.derivative import dense_jacobian
-from pydy._graph.interpret import run
-from pydy._graph.lower import lower
+from pydy._graph.interpret import evaluator
 from pydy._graph.node import Graph
-from pydy._graph.rewrite import substitute
-from pydy._graph.switches import Passes
 from pydy._mechanics.tuning import SAME_AXES
 
 _STATES = 3
@@ -67,24 +64,19 @@ def numbers_of(graph: Graph, flat: Sequence[int], held: Sequence[int] = ()) -> n
         its squares is one. All that they hold is moved, as two random lengths need not close.
     """
     inputs = [n for n in graph.reachable([*flat, *held]) if graph.ops[n] == "input"]
-    places = [graph.input("x", k) for k in range(len(inputs))]
-    nodes = substitute(graph, [*flat, *held], dict(zip(inputs, places, strict=True)))
-    rows = nodes[len(flat) :]
     x = np.random.default_rng(0).uniform(0.5, 1.5, (_STATES, len(inputs)))
 
     def values(nodes: Sequence[int]) -> np.ndarray:
-        block = ("all", (len(nodes),), nodes)
-        program = lower(graph, (len(inputs), 0, 0), [block], passes=Passes.none())
-        return run(program, np.zeros(_STATES), x, np.zeros((_STATES, 0)), np.zeros(0))[0]
+        return evaluator(graph, nodes)(dict(zip(inputs, x.T, strict=True)), _STATES)
 
-    if rows:
-        slopes = dense_jacobian(graph, rows, places)
+    if held:
+        slopes = dense_jacobian(graph, held, inputs)
         for _ in range(_STEPS):
-            found = values([*rows, *slopes])
+            found = values([*held, *slopes])
             if not np.isfinite(found).all():
                 break
-            left, slope = found[:, : len(rows)], found[:, len(rows) :]
+            left, slope = found[:, : len(held)], found[:, len(held) :]
             for k in range(_STATES):
-                matrix = slope[k].reshape(len(rows), -1)
+                matrix = slope[k].reshape(len(held), -1)
                 x[k] -= np.linalg.lstsq(matrix, left[k], rcond=None)[0]
-    return values(nodes[: len(flat)])
+    return values(flat)

@@ -8,7 +8,7 @@ lengths chosen at random need not close.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -16,18 +16,15 @@ from sympy.core.function import AppliedUndef
 
 from pydy._graph.derivative import jacobian
 from pydy._graph.from_sympy import SymPyReader
-from pydy._graph.interpret import run
-from pydy._graph.lower import lower
+from pydy._graph.interpret import evaluator
 from pydy._graph.node import Graph
-from pydy._graph.program import Program
-from pydy._graph.switches import Passes
 from pydy._graph.symbols import input_nodes
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.frames import orientation_rows, rotations
 from pydy._mechanics.symbols import find_symbols, rate_of, sort_symbols
 from pydy._mechanics.tuning import CLOSED, FULL_STEPS
 
-__all__ = ["Block", "GenericStates", "generic_inputs", "row_units", "values_of"]
+__all__ = ["Block", "GenericStates", "evaluator_of", "generic_inputs", "row_units"]
 
 _STEPS = 50
 _LOW, _HIGH = 0.3, 1.3  # generic coordinates and speeds
@@ -84,7 +81,7 @@ class GenericStates:
         atoms = input_nodes(graph, x=states, r=others, t=[t])
         self.coordinates, self.speeds = [atoms[s] for s in q], [atoms[s] for s in u]
         self._others, time = [atoms[s] for s in others], atoms[t]
-        self._symbols = *q, *others
+        self._symbols = t, *states, *others
         self._sizes = (len(states), len(others), 0)
         atoms |= dict.fromkeys(equations.zeros, graph.zero)
         self.read = SymPyReader(graph, atoms, what)
@@ -143,19 +140,8 @@ class GenericStates:
         near : mapping of symbols to numbers, optional
             Where the search begins.
         """
-        free = [*self.coordinates, *self._others]
-        held = [*self.holonomic, *self._turning, *self._without_speeds()]
-        closing = self._program(
-            [
-                ("held", (len(held),), held),
-                self.table("gradient", held, free),
-                ("velocity", (len(self.velocity),), self.velocity),
-                self.table("slope", self.velocity, self.speeds),
-            ]
-        )
-        wanted = self._program(blocks)
-        begin = self._beginning(trials, around, near or {})
-        values = values_of(wanted, *self._consistent(closing, begin))
+        inputs = self.consistent(trials, around=around, near=near)
+        values = evaluator_of(self.graph, blocks)(*inputs)
         for k in range(trials):
             own = {name: block[k] for name, block in values.items()}
             if all(np.isfinite(v).all() for v in own.values()):
@@ -166,31 +152,43 @@ class GenericStates:
         speeds, g = set(self.speeds), self.graph
         return [n for n in self.velocity if speeds.isdisjoint(g.reachable([n]))]
 
-    def _program(self, blocks: Sequence[Block]) -> Program:
-        # Evaluated a few times: to look for what is shared takes longer than it saves.
-        return lower(self.graph, self._sizes, blocks, passes=Passes.none())
-
     def _beginning(self, trials: int, around: bool, near: Mapping[Any, float]) -> Inputs:
         """Return where the search for consistent states begins."""
         n = len(self.coordinates)
-        t, x, r, p = generic_inputs(self._sizes, range(trials))
+        inputs = generic_inputs(self._sizes, trials)
+        x = inputs[1]
         if around:
             x[:, :n] = np.pi * (2.0 * (x[:, :n] - _LOW) / (_HIGH - _LOW) - 1.0)
         size = _NEAR * max((abs(value) for value in near.values()), default=0.0)
-        for k, symbol in enumerate(self._symbols):
+        moved = self._symbols[1 : 1 + n]
+        for symbol, column in self.by_symbol(inputs).items():
             if symbol in near:
-                column = x[:, k] if k < n else r[:, k - n]
-                column[:] = near[symbol] + (size * (column - 1.0) if k < n else 0.0)
-        return t, x, r, p
+                column[:] = near[symbol] + (size * (column - 1.0) if symbol in moved else 0.0)
+        return inputs
 
-    def _consistent(self, closing: Program, begin: Inputs) -> Inputs:
+    def by_symbol(self, inputs: Inputs) -> dict[Any, np.ndarray]:
+        """Return the numbers of each symbol, as views."""
+        t, x, r, _ = inputs
+        return dict(zip(self._symbols, [t, *x.T, *r.T], strict=True))
+
+    def consistent(
+        self, trials: int, *, around: bool = False, near: Mapping[Any, float] | None = None
+    ) -> Inputs:
         """Return states that keep the constraints, as far as Newton's method finds them."""
         n = len(self.coordinates)
-        t, x, r, p = begin
-        trials = len(t)
+        free = [*self.coordinates, *self._others]
+        held = [*self.holonomic, *self._turning, *self._without_speeds()]
+        blocks = [
+            ("held", (len(held),), held),
+            self.table("gradient", held, free),
+            ("velocity", (len(self.velocity),), self.velocity),
+            self.table("slope", self.velocity, self.speeds),
+        ]
+        closing = evaluator_of(self.graph, blocks)
+        t, x, r, p = self._beginning(trials, around, near or {})
 
         def residuals(rows: Sequence[int]) -> dict[str, np.ndarray]:
-            return values_of(closing, t[rows], x[rows], r[rows], p)
+            return closing(t[rows], x[rows], r[rows], p[rows])
 
         searching, usable = list(range(trials)), list(range(trials))
         units = row_units(residuals(searching)["gradient"])
@@ -235,26 +233,40 @@ def row_units(tables: np.ndarray) -> np.ndarray:
     return found
 
 
-def generic_inputs(sizes: tuple[int, int, int], seeds: Sequence[int]) -> Inputs:
-    """Return times, states and specifieds of samples, and constants, all nothing particular.
-
-    Parameters
-    ----------
-    sizes : (int, int, int)
-        How many states, specifieds and constants there are.
-    seeds : sequence of int
-        One for each sample; that of the first gives the constants.
-    """
+def generic_inputs(sizes: tuple[int, int, int], trials: int) -> Inputs:
+    """Return times, states, specifieds and constants of samples, all nothing particular."""
     n, s, k = sizes
-    rngs = [np.random.default_rng(seed) for seed in seeds]
+    rngs = [np.random.default_rng(seed) for seed in range(trials)]
     x = np.array([rng.uniform(_LOW, _HIGH, n) for rng in rngs])
     r = np.array([rng.uniform(0.5, 1.5, s) for rng in rngs])
     t = np.array([rng.uniform(0.1, 1.0) for rng in rngs])
-    return t, x, r, rngs[0].uniform(0.5, 1.5, k)
+    return t, x, r, np.array([rng.uniform(0.5, 1.5, k) for rng in rngs])
 
 
-def values_of(
-    program: Program, t: np.ndarray, x: np.ndarray, r: np.ndarray, p: np.ndarray
-) -> dict[str, np.ndarray]:
-    """Return the blocks of a Program at several states."""
-    return program.by_block(run(program, t, x, r, p)[0])
+def evaluator_of(
+    graph: Graph, blocks: Sequence[Block]
+) -> Callable[[np.ndarray, np.ndarray, np.ndarray, np.ndarray], dict[str, np.ndarray]]:
+    """Return a function that evaluates blocks of nodes at several states."""
+    nodes_at = evaluator(graph, [n for _, _, nodes in blocks for n in nodes])
+    ends = np.cumsum([len(nodes) for _, _, nodes in blocks])[:-1]
+
+    def values(t: np.ndarray, x: np.ndarray, r: np.ndarray, p: np.ndarray) -> dict[str, np.ndarray]:
+        parts = np.split(nodes_at(columns_of(graph, t, x, r, p), len(t)), ends, axis=1)
+        return {
+            name: part.reshape(len(t), *shape)
+            for (name, shape, _), part in zip(blocks, parts, strict=True)
+        }
+
+    return values
+
+
+def columns_of(
+    graph: Graph, t: np.ndarray, x: np.ndarray, r: np.ndarray, p: np.ndarray
+) -> dict[int, np.ndarray]:
+    """Return the numbers of each input node of a graph."""
+    groups = {"t": t[:, None], "x": x, "r": r, "p": p}
+    return {
+        graph.input(group, k): values[:, k]
+        for group, values in groups.items()
+        for k in range(values.shape[1])
+    }

@@ -15,11 +15,10 @@ from sympy.core.function import AppliedUndef
 from pydy._graph.derivative import jacobian
 from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.identities import signatures
-from pydy._graph.interpret import run
-from pydy._graph.lower import lower
+from pydy._graph.interpret import evaluator
 from pydy._graph.node import Graph
 from pydy._graph.rewrite import substitute
-from pydy._graph.switches import Passes
+from pydy._graph.rounding import rounding_bounds
 from pydy._graph.symbols import input_nodes
 from pydy._mechanics.symbols import find_symbols, replace_symbols
 from pydy._mechanics.tuning import CANCELLING
@@ -67,44 +66,14 @@ def _vanish(graph: Graph, nodes: Sequence[int]) -> bool:
     if not rest or not any(signatures(graph, rest)):
         return True
     # Identities of angles are not seen modulo a prime.
-    return all(
-        (abs(v) <= CANCELLING * size).all() and (size > 0.0).all()
-        for v, size in _with_sizes(graph, rest)
-    )
-
-
-def _with_sizes(graph: Graph, nodes: Sequence[int]) -> list[tuple[np.ndarray, np.ndarray]]:
-    """Return values at random states, and what they would be if all terms had one sign."""
-    leaves = _leaves(graph, nodes)
-    nodes = substitute(graph, nodes, {n: graph.input("x", k) for k, n in enumerate(leaves)})
-    written: list[int] = []
-    terms: list[int] = []
-    for n in graph.reachable(nodes):
-        (written if graph.ops[n] in ("sum", "prod") else terms).append(n)
-    used = {m for n in (*written, *nodes) for m in graph.operands(n)} | {*nodes}
-    terms = [n for n in terms if n in used]
-    program = lower(
-        graph, (len(leaves), 0, 0), [("terms", (len(terms),), terms)], passes=Passes.none()
-    )
-    x = np.random.default_rng(0).uniform(0.5, 1.5, (_STATES, len(leaves)))
-    found, _ = run(program, np.zeros(_STATES), x, np.zeros((_STATES, 0)), np.zeros(0))
-    known = {n: (found[:, k], abs(found[:, k])) for k, n in enumerate(terms)}
-    for n in written:
-        if graph.ops[n] == "sum":
-            first, rest = graph.args[n]
-            values = first + sum(c * known[m][0] for m, c in rest)
-            known[n] = values, abs(first) + sum(abs(c) * known[m][1] for m, c in rest)
-        else:
-            parts = graph.args[n]
-            # Of a denominator the value counts: it is as large as it is.
-            known[n] = (
-                np.prod([known[m][0] ** float(e) for m, e in parts], axis=0),
-                np.prod(
-                    [(known[m][1] if e > 0 else abs(known[m][0])) ** float(e) for m, e in parts],
-                    axis=0,
-                ),
-            )
-    return [known[n] for n in nodes]
+    leaves = _leaves(graph, rest)
+    inputs = [graph.input("x", k) for k in range(len(leaves))]
+    rest = substitute(graph, rest, dict(zip(leaves, inputs, strict=True)))
+    values_at = evaluator(graph, [*rest, *rounding_bounds(graph, rest)])
+    x = np.random.default_rng(0).uniform(0.5, 1.5, (len(leaves), _STATES))
+    found = values_at(dict(zip(inputs, x, strict=True)), _STATES)
+    left, bounds = np.hsplit(np.abs(found), 2)
+    return bool(((left <= CANCELLING * bounds) & (bounds > 0.0)).all())
 
 
 def _leaves(graph: Graph, nodes: Sequence[int]) -> list[int]:

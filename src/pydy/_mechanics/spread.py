@@ -13,8 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from pydy._graph.interpret import run
-from pydy._graph.lower import lower
+from pydy._graph.interpret import evaluator
 from pydy._graph.node import Graph
 from pydy._mechanics.tuning import (
     GUARDED_UP_TO,
@@ -29,7 +28,8 @@ from pydy._mechanics.tuning import (
 __all__ = ["Spread", "definite", "nearly_parallel"]
 
 _STATES = 512
-_RANGE = 1.0  # of states; constants and specifieds are between a half and three halves
+# Of states, time, specifieds and constants: those differ from state to state too.
+_RANGES = {"x": (-1.0, 1.0), "t": (0.0, 1.0), "r": (0.5, 1.5), "p": (0.5, 1.5)}
 
 
 class Spread(NamedTuple):
@@ -136,16 +136,11 @@ def _weak(square: np.ndarray, apart: Sequence[int]) -> float:
 
 def _at_states(graph: Graph, nodes: Sequence[int]) -> np.ndarray | None:
     """Return the values of nodes at random states; None where they depend on other things."""
-    inputs = [graph.args[n] for n in graph.reachable(nodes) if graph.ops[n] == "input"]
-    if not {group for group, _ in inputs} <= {"x", "t", "r", "p"}:
+    inputs = [n for n in graph.reachable(nodes) if graph.ops[n] == "input"]
+    if not {graph.args[n][0] for n in inputs} <= _RANGES.keys():
         return None
-    n, m, k = (1 + max((i for group, i in inputs if group == name), default=-1) for name in "xrp")
-    # Constants differ from state to state too.
-    graph = graph.renamed({("p", i): ("r", m + i) for i in range(k)})
-    program = lower(graph, (n, m + k, 0), [("values", (len(nodes),), list(nodes))])
     rng = np.random.default_rng(0)
-    x = rng.uniform(-_RANGE, _RANGE, (_STATES, n))
-    r = rng.uniform(0.5, 1.5, (_STATES, m + k))
-    values, _ = run(program, rng.uniform(0.0, 1.0, _STATES), x, r, np.zeros(0))
+    at = {n: rng.uniform(*_RANGES[graph.args[n][0]], _STATES) for n in inputs}
+    values = evaluator(graph, nodes)(at, _STATES)
     finite: np.ndarray = values[np.isfinite(values).all(axis=1)]
     return finite
