@@ -22,16 +22,21 @@ import numpy as np
 from pydy._names import name_of, nearest, told_apart, written_out
 
 __all__ = [
+    "Check",
     "Keyed",
     "Places",
     "check_mapping",
+    "checked",
     "choice",
     "describe",
     "file_of",
     "flag",
     "listed",
     "number",
+    "one_of",
+    "optional",
     "path_of",
+    "positive",
     "real_array",
     "resolved",
     "shown",
@@ -212,6 +217,36 @@ def text(value: Any, what: str) -> str:
     if not isinstance(value, str):
         raise TypeError(f"{what} must be a string, got {shown(value)}.")
     return value
+
+
+# A table of options gives each name its check.
+Check = Callable[[Any, str], Any]
+
+
+def checked(table: Mapping[str, Check], given: Mapping[str, Any]) -> dict[str, Any]:
+    """Return options as their checks return them; those without a check as they are."""
+    return {
+        name: table[name](value, f"`{name}`") if name in table else value
+        for name, value in given.items()
+    }
+
+
+def one_of(*options: Any) -> Check:
+    """Return the check that a value is one of some options."""
+    return lambda value, what: choice(value, options, what)
+
+
+def optional(check: Check) -> Check:
+    """Return a check that lets None pass."""
+    return lambda value, what: None if value is None else check(value, what)
+
+
+def positive(value: Any, what: str, *, zero: bool = False, finite: bool = False) -> float:
+    """Return a number above zero, or zero itself where that may be, or say what it was instead."""
+    result = number(value, what, finite=finite)
+    if not (result > 0.0 or (zero and result == 0.0)):
+        raise ValueError(f"{what} must be {'zero or ' * zero}positive, got {result!r}.")
+    return result
 
 
 def path_of(value: Any, what: str) -> Path:

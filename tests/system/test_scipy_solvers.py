@@ -6,6 +6,7 @@ import pickle
 import numpy as np
 import pytest
 from scipy.integrate import RK45, Radau, odeint, solve_ivp
+from scipy.sparse import csr_array
 
 from cases import close
 from pydy._errors import IntegrationError
@@ -106,6 +107,40 @@ def test_the_option_of_another_solver_is_translated(system, solver, option, mean
     system.ode_solver = solver
     with pytest.raises(TypeError, match=rf"has no option `{option}`.* It is called `{meant}` ther"):
         system.integrate(**{option: 1e-3})
+
+
+@pytest.mark.parametrize(
+    ("solver", "option", "value", "told"),
+    [
+        ("odeint", "hmax", -1.0, r"`hmax` must be zero or positive, got -1\.0"),
+        ("odeint", "hmax", np.nan, r"`hmax` must be zero or positive, got nan"),
+        ("odeint", "h0", -1.0, r"`h0` must be zero or positive, got -1\.0"),
+        ("odeint", "hmin", np.inf, r"`hmin` must be finite, got inf"),
+        ("odeint", "rtol", np.nan, r"`rtol` must be finite and not negative, got nan"),
+        ("odeint", "Dfun", "x", r"`Dfun` must be a function Dfun\(x, t\), or None .*, got 'x'"),
+        ("odeint", "ixpr", "x", r"`ixpr` must be True or False, got 'x'"),
+        ("BDF", "jac", "x", r"`jac` must be a function jac\(t, x\), a matrix .*, got 'x'"),
+        ("Radau", "jac", 3, r"`jac` must be a function .*, a matrix of shape \(n, n\).*, got 3"),
+        ("BDF", "max_step", np.nan, r"`max_step` must be positive, got nan"),
+        ("LSODA", "first_step", np.nan, r"`first_step` must be positive, got nan"),
+        ("LSODA", "min_step", -1.0, r"`min_step` must be zero or positive, got -1\.0"),
+    ],
+)
+def test_a_value_that_a_solver_cannot_take_is_named_with_what_it_can(
+    system, solver, option, value, told
+):
+    system.ode_solver = solver
+    with pytest.raises((ValueError, TypeError), match=told):
+        system.integrate(**{option: value})
+
+
+def test_values_that_stand_for_the_solvers_own_choice_stay(system):
+    expected = system.integrate(**TIGHT)
+    assert np.array_equal(system.integrate(**TIGHT, hmax=0.0, h0=0, hmin=0.0, Dfun=None), expected)
+    system.ode_solver = "BDF"
+    jacobian = system.evaluate_jacobian([1.0, 0.0], t=0.0)
+    for jac in (None, lambda t, x: jacobian, jacobian, csr_array(jacobian)):
+        close(system.integrate(**TIGHT, jac=jac, max_step=np.inf, first_step=None), expected, 1e-6)
 
 
 def test_an_unknown_solver_names_the_nearest(system):

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import json
-import math
 import re
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from operator import attrgetter
 from typing import Any
 
-from pydy._graph.operations import OPERATIONS, TRUTHS, is_constrained, operands
+from pydy._backends.writer import Dialect, Each, Template, Writer, stages
 from pydy._graph.program import Program
 from pydy._graph.tuning import numbered
 from pydy.export.model import Model, Variable, resource
@@ -19,13 +20,70 @@ from pydy.solvers.tuning import ROUNDINGS
 
 # -- A Program as straight-line JavaScript ---------------------------------------------------------
 # The expressions are those of C, which are also valid JavaScript once functions with the names of
-# the C library are defined, as by `PRELUDE`. Numbers are 64-bit floats in both.
+# the C library are defined, as by `PRELUDE`. Numbers are 64-bit floats in both. Arrays are made
+# once, beside the functions.
 
 
 PRELUDE = numbered(resource("prelude.js"))
 
 LONGEST = 4000
 """Operations in one function at most: engines leave longer ones to their interpreter."""
+
+_VECTOR = "const {name} = new Float64Array({n});"
+_MATRIX = (
+    "const {name}_a = new Float64Array({n} * {n}), {name}_pivots = new Int32Array({n});",
+    "const {name}_scales = new Float64Array(2 * {n});",
+)
+_FILLED = Each("entries", "{name}_a[{k}] = {value};")
+_CALL = "{n}, {name}_a, {name}_pivots, {name}_scales"
+_FACTOR = (_FILLED, f"if (luFactor({_CALL})) failed = true;")
+_COLUMN = Each("column", "{name}[{k}] = {value};")
+_GUARDED = (Each("fast", "{name}[{k}] = {value};"), "if (!({sound})) {{", "  {body}")
+
+JAVASCRIPT = Dialect(
+    operation=attrgetter("c"),
+    literals={"nan": "NAN", "inf": "INFINITY", "True": "true", "False": "false"},
+    inputs={
+        "t": "t",
+        **{group: f"{group}[{{k}}]" for group in "xrpc"},
+        "c truth": "(c[{k}] !== 0)",
+    },
+    let="const {name} = {value};",
+    rules={
+        "factor": _FACTOR,
+        "solve": (_COLUMN, "luSolve({n}, {factor}_a, {factor}_pivots, {name});"),
+        "guard": (
+            *_GUARDED,
+            *_FACTOR,
+            _COLUMN,
+            "luSolve({n}, {name}_a, {name}_pivots, {name});",
+            "}}",
+        ),
+        "constrained": (
+            *_GUARDED,
+            _FILLED,
+            _COLUMN,
+            f"if (constrained({_CALL}, {{name}})) failed = true;",
+            "}}",
+        ),
+    },
+    array="{function}_s{node}",
+    reserved={
+        "factor": _MATRIX,
+        "solve": (_VECTOR,),
+        "guard": (_VECTOR, *_MATRIX),
+        "constrained": (_VECTOR, *_MATRIX),
+    },
+)
+_PARTS = replace(JAVASCRIPT, let="{name} = {value};", name="{function}_v[{node}]")
+_FUNCTION: Template = (
+    "function {function}{part}({arguments}) {{",
+    "  let failed = false;",
+    "  {body}",
+    Each("results", "  {result}[{k}] = {value};"),
+    "  return failed;",
+    "}}",
+)
 
 
 def javascript_of(program: Program, name: str) -> str:
@@ -34,151 +92,36 @@ def javascript_of(program: Program, name: str) -> str:
     The second returns whether a linear solve encountered a singular matrix. `c` holds
     ``len(program.carried)`` numbers.
     """
-    return "\n".join([*_prepare(program, name), *_run(program, name), ""])
+    setup, run = stages(program)
+    prepare = {"function": f"{name}_prepare", "arguments": "p, c", "result": "c"}
+    rates = {"function": name, "arguments": "t, x, r, c, out", "result": "out"}
+    lines = [
+        *_functions(program, setup, program.carried, prepare),
+        *_functions(program, run, program.outputs, rates),
+        "",
+    ]
+    return "\n".join(lines)
 
 
-def _prepare(program: Program, name: str) -> Iterator[str]:
-    nodes = [k for k, setup in enumerate(program.setup) if setup]
-    writer = _Writer(program, f"{name}_prepare", nodes)
-    yield from writer.functions("p, c", "c", program.carried)
-
-
-def _run(program: Program, name: str) -> Iterator[str]:
-    put_off = {k for nodes in program.fallback.values() for k in nodes}
-    nodes = [k for k, setup in enumerate(program.setup) if not setup and k not in put_off]
-    writer = _Writer(program, name, nodes, program.carried)
-    yield from writer.functions("t, x, r, c, out", "out", program.outputs)
-
-
-class _Writer:
-    """Writes the operations of one stage, in several functions where they are very many."""
-
-    def __init__(
-        self, program: Program, name: str, nodes: list[int], carried: Sequence[int] = ()
-    ) -> None:
-        self.program = program
-        self.name = name
-        self.nodes = nodes
-        self.chunked = len(nodes) > LONGEST
-        self.arrays: list[str] = []
-        self.names: dict[int, str] = {}
-        for node, op in enumerate(program.ops):
-            if op in ("const", "bool"):
-                self.names[node] = _literal(program.args[node][0])
-        for index, node in enumerate(carried):
-            truth = program.ops[node] in TRUTHS
-            self.names[node] = f"(c[{index}] !== 0)" if truth else f"c[{index}]"
-
-    def functions(self, arguments: str, result: str, nodes: Sequence[int]) -> Iterator[str]:
-        """Yield the lines of the function that writes some nodes, and of those that it calls."""
-        bodies: list[list[str]] = []
-        for first in range(0, max(len(self.nodes), 1), LONGEST):
-            lines: list[str] = []
-            for node in self.nodes[first : first + LONGEST]:
-                lines += self._node(node)
-            bodies.append(lines)
-        ends = [f"{result}[{i}] = {self.names[node]};" for i, node in enumerate(nodes)]
-        if self.chunked:
-            yield f"const {self.name}_v = new Float64Array({len(self.program.ops)});"
-        yield from self.arrays
-        if self.chunked:
-            for k, lines in enumerate(bodies):
-                yield f"function {self.name}_{k}({arguments}) {{"
-                yield "  let failed = false;"
-                yield from (f"  {line}" for line in lines)
-                yield "  return failed;"
-                yield "}"
-            count = len(bodies)
-            bodies = [[f"if ({self.name}_{k}({arguments})) failed = true;" for k in range(count)]]
-        yield f"function {self.name}({arguments}) {{"
-        yield "  let failed = false;"
-        yield from (f"  {line}" for line in bodies[0])
-        yield from (f"  {line}" for line in ends)
-        yield "  return failed;"
-        yield "}"
-
-    def _node(self, node: int) -> list[str]:
-        op, args = self.program.ops[node], self.program.args[node]
-        if op in ("const", "bool"):
-            return []
-        if op == "input":
-            group, index = args
-            self.names[node] = group if group == "t" else f"{group}[{index}]"
-            return []
-        if op == "item":
-            self.names[node] = f"{self.name}_s{args[0]}[{args[1]}]"
-            return []
-        if op in OPERATIONS:
-            names = [self.names[k] for k in operands(op, args)]
-            text = OPERATIONS[op].c.format(*names)
-            if self.chunked:
-                self.names[node] = f"{self.name}_v[{node}]"
-                return [f"{self.names[node]} = {text};"]
-            self.names[node] = f"v{node}"
-            return [f"const v{node} = {text};"]
-        if op == "factor":
-            self._reserve_matrix(f"{self.name}_a{node}", args[1])
-            return self._factor(node, args[1], args[2])
-        if op == "solve":
-            kept = f"{self.name}_s{node}"
-            self._reserve(kept, len(args[1]))
-            a = f"{self.name}_a{args[0]}"
-            lines = [f"{kept}[{k}] = {self.names[n]};" for k, n in enumerate(args[1])]
-            return [*lines, f"luSolve({len(args[1])}, {a}, {a}_pivots, {kept});"]
-        assert op == "guard", op
-        return self._guard(node, *args)
-
-    def _guard(
-        self,
-        node: int,
-        n: int,
-        entries: tuple[int, ...],
-        column: tuple[int, ...],
-        sound: int,
-        fast: tuple[int, ...],
-    ) -> list[str]:
-        kept = f"{self.name}_s{node}"
-        self._reserve(kept, n)
-        self._reserve_matrix(f"{self.name}_a{node}", n)
-        lines = [f"{kept}[{k}] = {self.names[v]};" for k, v in enumerate(fast)]
-        inside = [line for k in self.program.fallback[node] for line in self._node(k)]
-        a = f"{self.name}_a{node}"
-        column_set = [f"{kept}[{k}] = {self.names[v]};" for k, v in enumerate(column)]
-        if is_constrained(self.program, entries):
-            inside += [*self._filled(a, entries), *column_set]
-            call = f"constrained({n}, {a}, {a}_pivots, {a}_scales, {kept})"
-            inside.append(f"if ({call}) failed = true;")
-        else:
-            inside += [*self._factor(node, n, entries), *column_set]
-            inside.append(f"luSolve({n}, {a}, {a}_pivots, {kept});")
-        return [*lines, f"if (!({self.names[sound]})) {{", *(f"  {i}" for i in inside), "}"]
-
-    def _reserve(self, name: str, size: int) -> None:
-        self.arrays.append(f"const {name} = new Float64Array({size});")
-
-    def _reserve_matrix(self, name: str, n: int) -> None:
-        self._reserve(name, n * n)
-        self.arrays.append(
-            f"const {name}_pivots = new Int32Array({n}), {name}_scales = new Float64Array({2 * n});"
-        )
-
-    def _factor(self, node: int, n: int, entries: tuple[int, ...]) -> list[str]:
-        a = f"{self.name}_a{node}"
-        factor = f"if (luFactor({n}, {a}, {a}_pivots, {a}_scales)) failed = true;"
-        return [*self._filled(a, entries), factor]
-
-    def _filled(self, a: str, entries: tuple[int, ...]) -> list[str]:
-        return [f"{a}[{k}] = {self.names[e]};" for k, e in enumerate(entries)]
-
-
-def _literal(value: float | bool) -> str:
-    """Return a number in JavaScript, exactly."""
-    if isinstance(value, bool):
-        return str(value).lower()
-    if math.isnan(value):
-        return "NAN"
-    text = "INFINITY" if math.isinf(value) else repr(abs(float(value)))
-    return f"(-{text})" if math.copysign(1.0, value) < 0.0 else text
+def _functions(
+    program: Program, nodes: list[int], results: Sequence[int], fields: dict[str, str]
+) -> Iterator[str]:
+    """Yield the lines of a function, and of those that it calls where it is very long."""
+    chunked = len(nodes) > LONGEST
+    writer = Writer(
+        program, _PARTS if chunked else JAVASCRIPT, "r" in fields["arguments"], **fields
+    )
+    bodies = [
+        writer.lines(nodes[first : first + LONGEST]) for first in range(0, len(nodes) or 1, LONGEST)
+    ]
+    yield from writer.reserved
+    if chunked:
+        name, arguments = fields["function"], fields["arguments"]
+        yield f"const {name}_v = new Float64Array({len(program.ops)});"
+        for k, body in enumerate(bodies):
+            yield from writer.filled(_FUNCTION, body, {"results": ()}, part=f"_{k}")
+        bodies = [[f"if ({name}_{k}({arguments})) failed = true;" for k in range(len(bodies))]]
+    yield from writer.filled(_FUNCTION, bodies[0], {"results": results}, part="")
 
 
 # -- The module ------------------------------------------------------------------------------------

@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
-import math
+import itertools
 import re
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from inspect import getsource
 from pathlib import Path
-from typing import Any
+from types import MappingProxyType
+from typing import Any, NamedTuple
 
-from pydy._checks import choice, flag
+from pydy._backends.writer import Dialect, Template, Writer, stages
+from pydy._checks import Check, checked, flag, one_of
 from pydy._files import write_files
 from pydy._graph.interpret import constrained_sample
-from pydy._graph.operations import OPERATIONS, is_constrained, operands
+from pydy._graph.operations import Operation
 from pydy._graph.program import Program
 from pydy._graph.tuning import numbered
 from pydy._names import nearest
@@ -25,9 +27,45 @@ from pydy.export.model import Exported, Model, Variable, resource
 # -- A model as Python functions that need NumPy or JAX, but not pydy ------------------------------
 
 
-_INFIX = {
-    "add": "+", "sub": "-", "mul": "*", "div": "/", "lt": "<", "le": "<=", "eq": "==", "ne": "!=",
-}  # fmt: skip
+def _dialect(module: str) -> Dialect:
+    """Return the language of NumPy, or of a module with the same functions."""
+
+    def operation(row: Operation) -> str:
+        if re.fullmatch(r"\{0\} (\+|-|\*|/|<|<=|==|!=) \{1\}|-\{0\}", row.c):
+            return row.c
+        places = ", ".join(f"{{{k}}}" for k in range(row.arity))
+        return f"{module}.{row.numpy.__name__}({places})"
+
+    guarded = "{n}, {sound}, [{entries}], [{column}], [{fast}])"
+    return Dialect(
+        operation=operation,
+        literals={
+            "nan": f"{module}.nan",
+            "inf": f"{module}.inf",
+            "True": "True",
+            "False": "False",
+        },
+        inputs={"t": "t", **{group: f"{group}[..., {{k}}]" for group in "xrp"}},
+        rules={
+            "factor": "({n}, [{entries}])",
+            "solve": "_solve(*{factor}, [{column}])",
+            "guard": f"_guarded(_solve, {guarded}",
+            "constrained": f"_guarded(_constrained, {guarded}",
+        },
+        item="{vector}[..., {k}]",
+    )
+
+
+DIALECTS = {"numpy": _dialect("np"), "jax": _dialect("jnp")}
+_JAX: Template = (
+    "def {name}(t, x, r=None, p=None):",
+    '    """{purpose}"""',
+    "    t, x, r, p = _arguments(t, x, r, p)",
+    "    {body}",
+    "    return _stacked([{results}], t, x, r{shape})",
+    "",
+)
+_FUNCTION = {"numpy": ('@np.errstate(all="ignore")', *_JAX), "jax": _JAX}
 _PURPOSES = {
     "rates": "Return the derivatives of the states.",
     "outputs": "Return the outputs.",
@@ -78,96 +116,22 @@ def _dictionary(variables: Sequence[Variable]) -> str:
 
 
 def _function(program: Program, name: str, target: str) -> str:
-    writer = _Writer(program, "np" if target == "numpy" else "jnp")
-    lines = [f"    {line}" for line in writer.lines()]
-    quiet = ['@np.errstate(all="ignore")'] if target == "numpy" else []
+    writer = Writer(program, DIALECTS[target])
+    nodes = sorted(itertools.chain(*stages(program)))
     shape = program.blocks[0].shape
-    outputs = ", ".join(writer.names[k] for k in program.outputs)
-    size = "" if len(shape) == 1 else f", {shape}"
     return "\n".join(
-        [
-            *quiet,
-            f"def {name}(t, x, r=None, p=None):",
-            f'    """{_PURPOSES[name]}"""',
-            "    t, x, r, p = _arguments(t, x, r, p)",
-            *lines,
-            f"    return _stacked([{outputs}], t, x, r{size})",
-            "",
-        ]
+        writer.filled(
+            _FUNCTION[target],
+            writer.lines(nodes),
+            {"results": program.outputs},
+            name=name,
+            purpose=_PURPOSES[name],
+            shape="" if len(shape) == 1 else f", {shape}",
+        )
     )
 
 
-class _Writer:
-    """Writes the operations of a Program, both stages in one."""
-
-    def __init__(self, program: Program, module: str) -> None:
-        self.program = program
-        self.module = module
-        self.names: dict[int, str] = {}
-
-    def lines(self) -> Iterator[str]:
-        put_off = {k for nodes in self.program.fallback.values() for k in nodes}
-        yield from self._several_lines(k for k in range(len(self.program.ops)) if k not in put_off)
-
-    def _several_lines(self, nodes: Iterable[int], within: int | None = None) -> Iterator[str]:
-        """Yield the lines of nodes; those of the fallback of a guard are within its condition."""
-        for node in nodes:
-            op, args = self.program.ops[node], self.program.args[node]
-            if op in ("const", "bool"):
-                self.names[node] = _literal(args[0], self.module)
-            elif op == "input":
-                group, index = args
-                self.names[node] = "t" if group == "t" else f"{group}[..., {index}]"
-            elif op == "item":
-                self.names[node] = f"{self.names[args[0]]}[..., {args[1]}]"
-            else:
-                if op == "guard":
-                    condition = args[3] if within is None else within
-                    yield from self._several_lines(self.program.fallback[node], condition)
-                    args = (*args[:3], condition, args[4])
-                self.names[node] = f"v{node}"
-                yield f"v{node} = {self._text(op, args)}"
-
-    def _text(self, op: str, args: tuple[Any, ...]) -> str:
-        if op == "factor":
-            return f"({args[1]}, [{self._several(args[2])}])"
-        if op == "solve":
-            return f"_solve(*{self.names[args[0]]}, [{self._several(args[1])}])"
-        if op == "guard":
-            n, entries, column, sound, fast = args
-            lists = ", ".join(f"[{self._several(part)}]" for part in (entries, column, fast))
-            solve = "_constrained" if is_constrained(self.program, entries) else "_solve"
-            return f"_guarded({solve}, {n}, {self.names[sound]}, {lists})"
-        names = [self.names[k] for k in operands(op, args)]
-        if op in _INFIX:
-            return f"{names[0]} {_INFIX[op]} {names[1]}"
-        if op == "neg":
-            return f"-{names[0]}"
-        return f"{self.module}.{OPERATIONS[op].numpy.__name__}({', '.join(names)})"
-
-    def _several(self, nodes: Sequence[int]) -> str:
-        return ", ".join(self.names[k] for k in nodes)
-
-
-def _literal(value: float | bool, module: str) -> str:
-    if isinstance(value, bool):
-        return str(value)
-    if not math.isfinite(value):
-        name = f"{module}.nan" if math.isnan(value) else f"{module}.inf"
-        return f"(-{name})" if value < 0.0 else name
-    return f"({value!r})" if math.copysign(1.0, value) < 0.0 else repr(value)
-
-
 # -- Every format ----------------------------------------------------------------------------------
-
-
-# The options of each kind.
-KINDS: dict[str, tuple[str, ...]] = {
-    ".c": (),
-    ".fmu": ("fmi", "binary"),
-    ".js": (),
-    ".py": ("target",),
-}
 
 
 def write(model: Model, path: Path, **options: Any) -> Exported:
@@ -200,27 +164,25 @@ def write(model: Model, path: Path, **options: Any) -> Exported:
     check_options(path, options)
     kind = path.suffix.lower()
     model = with_c_names(model) if kind == ".c" else model
-    files = _WRITERS[kind](model, path, **options)
+    files = FORMATS[kind].write(model, path, **options)
     return Exported(path, files, model.renamed)
 
 
 def check_options(path: Path, options: dict[str, Any]) -> None:
     """Raise the errors of `write` before any work is done."""
     kind = path.suffix.lower()
-    if kind not in KINDS:
+    if kind not in FORMATS:
         raise ValueError(
-            f"`path` must have one of the suffixes {', '.join(KINDS)}, which says what to write, "
+            f"`path` must have one of the suffixes {', '.join(FORMATS)}, which says what to write, "
             f"got '{path.name}'."
         )
     for name in options:
-        if name not in KINDS[kind]:
-            known = [n for names in KINDS.values() for n in names]
-            others = [k for k, names in KINDS.items() if name in names]
+        if name not in FORMATS[kind].options:
+            known = [n for form in FORMATS.values() for n in form.options]
+            others = [k for k, form in FORMATS.items() if name in form.options]
             remedy = f"It is one of {others[0]}." if others else nearest(name, known)
             raise TypeError(f"export() to {kind} has no option `{name}`. {remedy}")
-    choice(options.get("target", "numpy"), ("numpy", "jax"), "`target`")
-    choice(options.get("fmi", "3.0"), ("3.0", "2.0"), "`fmi`")
-    flag(options.get("binary", True), "`binary`")
+    checked(FORMATS[kind].options, options)
 
 
 def _head(model: Model) -> list[str]:
@@ -252,9 +214,16 @@ def _write_fmu(model: Model, path: Path, fmi: str = "3.0", binary: bool = True) 
     return (path,)
 
 
-_WRITERS: dict[str, Callable[..., tuple[Path, ...]]] = {
-    ".c": _write_c,
-    ".fmu": _write_fmu,
-    ".js": _write_js,
-    ".py": _write_py,
+class Format(NamedTuple):
+    """A suffix's format: what writes its files, and what checks the options that it takes."""
+
+    write: Callable[..., tuple[Path, ...]]
+    options: Mapping[str, Check] = MappingProxyType({})
+
+
+FORMATS = {
+    ".c": Format(_write_c),
+    ".fmu": Format(_write_fmu, {"fmi": one_of("3.0", "2.0"), "binary": flag}),
+    ".js": Format(_write_js),
+    ".py": Format(_write_py, {"target": one_of(*DIALECTS)}),
 }

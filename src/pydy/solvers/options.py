@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
+from functools import partial
 from typing import TYPE_CHECKING, Any, TypedDict
 
 import numpy as np
 
-from pydy._checks import number, real_array, whole
+from pydy._checks import Check, checked, flag, number, optional, positive, real_array, whole
 from pydy._names import nearest
 from pydy.solvers.adjoint.recording import Recording
 from pydy.solvers.events import CompiledEvents
@@ -98,7 +99,53 @@ class Options:
 
 
 _MOST = 2**62
-_NAMES = {field.name for field in fields(Options)} - {"recording"}
+
+
+def _tolerance(value: Any, what: str) -> Any:
+    tolerance = real_array(value, what)
+    if not (np.isfinite(tolerance).all() and (tolerance >= 0.0).all()):
+        raise ValueError(f"{what} must be finite and not negative, got {tolerance}.")
+    if tolerance.ndim > 1:
+        raise ValueError(f"{what} must be one-dimensional, got the shape {tolerance.shape}.")
+    return tolerance if tolerance.ndim else float(tolerance)
+
+
+def _max_step(value: Any, what: str) -> float:
+    return np.inf if value is None else positive(value, what)
+
+
+def _max_steps(value: Any, what: str) -> int:
+    most = number(value, what)
+    if not most >= 1.0:
+        raise ValueError(f"{what} must be at least 1, got {value!r}.")
+    return int(min(most, _MOST))
+
+
+def _compiled(kind: type, method: str) -> Check:
+    """Return the check that what a System compiles is compiled."""
+
+    def check(value: Any, what: str) -> Any:
+        if isinstance(value, kind | None):
+            return value
+        raise TypeError(
+            f"{what} cannot be passed directly to a solver, got {value!r}: they must be "
+            f"compiled with the equations. Call system.{method}({what[1:-1]}=…), with "
+            "`system.ode_solver` set to this solver."
+        )
+
+    return check
+
+
+_NATIVE: dict[str, Check] = {
+    **dict.fromkeys(("full_output", "progress", "dense_output"), flag),
+    "events": _compiled(CompiledEvents, "integrate"),
+    "constraints": _compiled(CompiledConstraints, "integrate"),
+    "sensitivities": _compiled(CompiledSensitivities, "simulate"),
+    **dict.fromkeys(("first_step", "step"), optional(positive)),
+    "max_step": _max_step,
+    **dict.fromkeys(("rtol", "atol"), _tolerance),
+    "max_steps": _max_steps,
+}
 
 
 def read_options(method: str, adaptive: bool, given: Mapping[str, Any]) -> Options:
@@ -112,29 +159,8 @@ def read_options(method: str, adaptive: bool, given: Mapping[str, Any]) -> Optio
         A value is not valid.
     """
     foreign = {"step"} if adaptive else {"rtol", "atol", "first_step", "max_step"}
-    names = _NAMES - foreign
-    check_option_names(method, names, given)
-    _check_kinds(given)
-    if given.get("max_step", np.inf) is None:
-        given = {**given, "max_step": np.inf}
-    for name in given.keys() & {"first_step", "max_step", "step"}:
-        if given[name] is not None:
-            given = {**given, name: number(given[name], f"`{name}`")}
-            if not given[name] > 0.0:
-                raise ValueError(f"`{name}` must be positive, got {given[name]!r}.")
-    for name in given.keys() & {"rtol", "atol"}:
-        value = real_array(given[name], f"`{name}`")
-        if not (np.isfinite(value).all() and (value >= 0.0).all()):
-            raise ValueError(f"`{name}` must be finite and not negative, got {value}.")
-        if value.ndim > 1:
-            raise ValueError(f"`{name}` must be one-dimensional, got the shape {value.shape}.")
-        given = {**given, name: value if value.ndim else float(value)}
-    if "max_steps" in given:
-        most = number(given["max_steps"], "`max_steps`")
-        if not most >= 1.0:
-            raise ValueError(f"`max_steps` must be at least 1, got {given['max_steps']!r}.")
-        given = {**given, "max_steps": int(min(most, _MOST))}
-    options = Options(**given)
+    check_option_names(method, _NATIVE.keys() - foreign, given)
+    options = Options(**checked(_NATIVE, given))
     if not adaptive and options.step is None:
         raise ValueError(f"`{method}` takes steps of fixed size: pass `step`, their largest size.")
     return options
@@ -145,9 +171,6 @@ _SAME = (
     *(("max_step", "hmax"), ("first_step", "h0"), ("min_step", "hmin"), ("max_steps", "mxstep")),
     *(("jac", "Dfun"), ("lband", "ml"), ("uband", "mu")),
 )
-
-
-_OPTIONAL = {"rtol", "atol", "tcrit", "ml", "mu", "lband", "uband", "first_step"}  # may be None
 
 
 def check_option_names(solver: str, names: Iterable[str], given: Mapping[str, Any]) -> None:
@@ -163,38 +186,43 @@ def check_option_names(solver: str, names: Iterable[str], given: Mapping[str, An
         )
 
 
+def _jacobian(value: Any, what: str) -> Any:
+    """Check the Jacobian of `solve_ivp`: a function, or a matrix, which may be sparse."""
+    shape = () if isinstance(value, str) else getattr(value, "shape", np.shape(value))
+    if value is None or callable(value) or len(shape) == 2:
+        return value
+    raise TypeError(
+        f"{what} must be a function {what[1:-1]}(t, x), a matrix of shape (n, n), or None to find "
+        f"it by differences, got {value!r}."
+    )
+
+
+def _gradient(value: Any, what: str) -> Any:
+    """Check the Jacobian of `odeint`."""
+    if value is None or callable(value):
+        return value
+    raise TypeError(
+        f"{what} must be a function {what[1:-1]}(x, t), or None to find the Jacobian by "
+        f"differences, got {value!r}."
+    )
+
+
+_SCIPY: dict[str, Check] = {
+    **dict.fromkeys(("rtol", "atol"), optional(_tolerance)),
+    "tcrit": optional(real_array),
+    "max_step": positive,
+    "first_step": optional(positive),
+    # Zero lets the solver choose.
+    "hmax": partial(positive, zero=True),
+    **dict.fromkeys(("h0", "hmin", "min_step"), partial(positive, zero=True, finite=True)),
+    **dict.fromkeys(("mxstep", "mxhnil", "mxordn", "mxords"), partial(whole, least=0)),
+    **dict.fromkeys(("ml", "mu", "lband", "uband"), optional(partial(whole, least=0))),
+    **dict.fromkeys(("col_deriv", "printmessg", "dense_output", "ixpr"), flag),
+    "jac": _jacobian,
+    "Dfun": _gradient,
+}
+
+
 def check_scipy_options(given: Mapping[str, Any]) -> dict[str, Any]:
-    """Return options of SciPy's solvers, or say which is no number; SciPy's own errors do not."""
-    checked = dict(given)
-    for name, value in given.items():
-        what = f"`{name}`"
-        if name in _OPTIONAL and value is None:
-            continue
-        if name in ("rtol", "atol", "tcrit"):
-            checked[name] = real_array(value, what)
-        elif name in ("hmax", "hmin", "h0", "first_step", "max_step", "min_step"):
-            checked[name] = number(value, what)
-        elif name in ("mxstep", "mxhnil", "mxordn", "mxords", "ml", "mu", "lband", "uband"):
-            checked[name] = whole(value, what, 0)
-    return checked
-
-
-def _check_kinds(given: Mapping[str, Any]) -> None:
-    """Refuse flags that are no flags, and events and constraints that are not compiled."""
-    for name in given.keys() & {"full_output", "progress", "dense_output"}:
-        value = given[name]
-        if not isinstance(value, bool | np.bool_ | int) or value not in (0, 1):
-            raise TypeError(f"`{name}` must be True or False, got {value!r}.")
-    kinds = {
-        "events": ("integrate", CompiledEvents),
-        "constraints": ("integrate", CompiledConstraints),
-        "sensitivities": ("simulate", CompiledSensitivities),
-    }
-    for name, (method, kind) in kinds.items():
-        value = given.get(name)
-        if not isinstance(value, kind | None):
-            raise TypeError(
-                f"`{name}` cannot be passed directly to a solver, got {value!r}: they must be "
-                f"compiled with the equations. Call system.{method}({name}=…), with "
-                "`system.ode_solver` set to this solver."
-            )
+    """Return options of SciPy's solvers, or say which is wrong; SciPy's own errors do not."""
+    return checked(_SCIPY, given)

@@ -6,12 +6,81 @@ fallback behind a guard.
 
 from __future__ import annotations
 
-import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
+from operator import attrgetter
 
-from pydy._graph.operations import OPERATIONS, TRUTHS, is_constrained, operands
+from pydy._backends.writer import Dialect, Each, Writer, stages
 from pydy._graph.program import Program
 from pydy._graph.tuning import numbered
+
+# -- the language ---------------------------------------------------------------------------------
+
+# The matrix of a system beside its solution, with the work space of its solver.
+_MATRIX = (
+    "double {name}_a[] = {{{entries}}};",
+    "int {name}_pivots[{n} + 1];",
+    "double {name}_scales[2 * {n} + 1];",
+)
+_CALL = "{n}, {name}_a, {name}_pivots, {name}_scales"
+_FACTOR = (*_MATRIX, f"status |= lu_factor({_CALL});")
+# The fast solution, and in its place the other one where that is not sound.
+_GUARDED = ("double {name}[] = {{{fast}}};", "if (!({sound})) {{", "    {body}",
+            Each("column", "    {name}[{k}] = {value};"))  # fmt: skip
+
+
+def _inside(*lines: str) -> list[str]:
+    return [f"    {line}" for line in lines]
+
+
+C = Dialect(
+    operation=attrgetter("c"),
+    literals={"nan": "NAN", "inf": "INFINITY", "True": "1", "False": "0"},
+    inputs={**{group: f"{group}[{{k}}]" for group in "txrpc"}, "c truth": "(c[{k}] != 0.0)"},
+    let="const double {name} = {value};",
+    let_truth="const int {name} = {value};",
+    rules={
+        "factor": _FACTOR,
+        "solve": (
+            "double {name}[] = {{{column}}};",
+            "lu_solve({n}, {factor}_a, {factor}_pivots, {name});",
+        ),
+        "guard": (
+            *_GUARDED,
+            *_inside(*_FACTOR, "lu_solve({n}, {name}_a, {name}_pivots, {name});"),
+            "}}",
+        ),
+        "constrained": (
+            *_GUARDED,
+            *_inside(*_MATRIX, f"status |= constrained({_CALL}, {{name}});"),
+            "}}",
+        ),
+    },
+    empty="0.0",  # C knows no empty arrays
+)
+_PREPARE = (
+    "{static}void {prefix}prepare(const double *RESTRICT p, double *RESTRICT c)",
+    "{{",
+    "    (void)p; (void)c;",  # which a Program may leave alone
+    "    {body}",
+    Each("results", "    c[{k}] = {value};"),
+    "}}",
+    "",
+)
+_KERNEL = (
+    "{static}int32_t {prefix}kernel(",
+    "    const double *RESTRICT t, const double *RESTRICT x, const double *RESTRICT r,",
+    "    const double *RESTRICT c, double *RESTRICT out)",
+    "{{",
+    "    (void)t; (void)x; (void)r; (void)c; (void)out;",
+    "    int32_t status = 0;",
+    "    {body}",
+    Each("results", "    out[{k}] = {value};"),
+    "    return status;",
+    "}}",
+    "",
+)
+
+# -- what the code calls --------------------------------------------------------------------------
 
 # A matrix is singular when a pivot is not above n·eps of its row's and column's scale; its
 # solution is then NaN, by a NaN in the last pivot. A NaN in the matrix is not a failure: every
@@ -229,150 +298,16 @@ def c_source(program: Program, *, prefix: str = "", static: bool = False) -> str
 
 def c_functions(programs: Mapping[str, Program], *, static: bool = False) -> str:
     """Return the functions of several Programs, by their prefixes, as `c_source` describes them."""
-    kind = "static " if static else ""
-    lines = []
+    lines: list[str] = []
     for prefix, program in programs.items():
-        first, second = (kind + s for s in _signatures(prefix))
-        lines += [first, *_prepare(program), "", second, *_kernel(program), ""]
+        fields = {"prefix": prefix, "static": "static " if static else ""}
+        setup, run = stages(program)
+        for template, nodes, results, carried in (
+            (_PREPARE, setup, program.carried, False),
+            (_KERNEL, run, program.outputs, True),
+        ):
+            writer = Writer(program, C, carried, **fields)
+            lines += writer.filled(template, writer.lines(nodes), {"results": results})
     code = "\n".join(lines)
     called = [text for name, text in _HELPERS.items() if f"{name}(" in code]
     return "\n".join([_HEAD, *map(numbered, called), code])
-
-
-def _signatures(prefix: str) -> tuple[str, str]:
-    pointer = "const double *RESTRICT "
-    t, x, r, c = (pointer + name for name in "txrc")
-    return (
-        f"void {prefix}prepare({pointer}p, double *RESTRICT c)",
-        f"int32_t {prefix}kernel(\n    {t}, {x}, {r},\n    {c}, double *RESTRICT out)",
-    )
-
-
-def _prepare(program: Program) -> Iterable[str]:
-    yield "{"
-    yield _used(["p", "c"])
-    stage = _Stage(program)
-    for node, setup in enumerate(program.setup):
-        if setup:
-            stage.node(node)
-    yield from stage.lines
-    for index, node in enumerate(program.carried):
-        yield f"    c[{index}] = {stage.names[node]};"
-    yield "}"
-
-
-def _kernel(program: Program) -> Iterable[str]:
-    yield "{"
-    yield _used(["t", "x", "r", "c", "out"])
-    yield "    int32_t status = 0;"
-    stage = _Stage(program)
-    stage.carried(program.carried)
-    put_off = {k for nodes in program.fallback.values() for k in nodes}
-    for node, setup in enumerate(program.setup):
-        if not setup and node not in put_off:
-            stage.node(node)
-    yield from stage.lines
-    for index, node in enumerate(program.outputs):
-        yield f"    out[{index}] = {stage.names[node]};"
-    yield "    return status;"
-    yield "}"
-
-
-def _used(parameters: Iterable[str]) -> str:
-    """Keep compilers from warning of parameters that this Program does not read."""
-    return "    " + " ".join(f"(void){name};" for name in parameters)
-
-
-class _Stage:
-    """Writes the operations of one stage; every value is a constant local variable."""
-
-    def __init__(self, program: Program) -> None:
-        self.program = program
-        self.lines: list[str] = []
-        self.names: dict[int, str] = {}
-        for node, op in enumerate(program.ops):
-            if op in ("const", "bool"):
-                self.names[node] = _literal(program.args[node][0])
-
-    def carried(self, nodes: Iterable[int]) -> None:
-        """Read the values of the setup stage."""
-        for index, node in enumerate(nodes):
-            test = " != 0.0" if self.program.ops[node] in TRUTHS else ""
-            self._let(node, f"c[{index}]{test}")
-
-    def node(self, node: int) -> None:
-        """Write one operation."""
-        op, args = self.program.ops[node], self.program.args[node]
-        names = [self.names.get(k, "") for k in operands(op, args)]
-        if op in ("const", "bool"):
-            pass
-        elif op == "input":
-            self._let(node, f"{args[0]}[{args[1]}]")
-        elif op in OPERATIONS:
-            self._let(node, OPERATIONS[op].c.format(*names))
-        elif op == "item":
-            self._let(node, f"s{args[0]}[{args[1]}]")
-        elif op == "factor":
-            self._factor(f"{node}", args[1], args[2], "    ")
-        elif op == "solve":
-            self._array(f"s{node}", args[1], "    ")
-            self._line(f"lu_solve({len(args[1])}, a{args[0]}, i{args[0]}, s{node});", "    ")
-        elif op == "guard":
-            self._guard(node, *args)
-        else:
-            raise AssertionError(f"no C for {op!r}")
-
-    def _line(self, text: str, indent: str) -> None:
-        self.lines.append(indent + text)
-
-    def _let(self, node: int, value: str) -> None:
-        kind = "int" if self.program.ops[node] in TRUTHS else "double"
-        self.names[node] = f"v{node}"
-        self._line(f"const {kind} v{node} = {value};", "    ")
-
-    def _array(self, name: str, nodes: tuple[int, ...], indent: str) -> None:
-        values = ", ".join(self.names[k] for k in nodes) or "0.0"  # C knows no empty array
-        self._line(f"double {name}[] = {{{values}}};", indent)
-
-    def _matrix(self, suffix: str, n: int, entries: tuple[int, ...], indent: str) -> None:
-        self._array(f"a{suffix}", entries, indent)
-        self._line(f"int i{suffix}[{max(n, 1)}];", indent)
-        self._line(f"double w{suffix}[{max(2 * n, 1)}];", indent)
-
-    def _factor(self, suffix: str, n: int, entries: tuple[int, ...], indent: str) -> None:
-        self._matrix(suffix, n, entries, indent)
-        self._line(f"status |= lu_factor({n}, a{suffix}, i{suffix}, w{suffix});", indent)
-
-    def _guard(
-        self,
-        node: int,
-        n: int,
-        entries: tuple[int, ...],
-        column: tuple[int, ...],
-        sound: int,
-        fast: tuple[int, ...],
-    ) -> None:
-        self._array(f"s{node}", fast, "    ")
-        self._line(f"if (!({self.names[sound]})) {{", "    ")
-        inside = "        "
-        for k in self.program.fallback[node]:
-            self.node(k)
-        for k, value in enumerate(column):
-            self._line(f"s{node}[{k}] = {self.names[value]};", inside)
-        if is_constrained(self.program, entries):
-            self._matrix("", n, entries, inside)
-            self._line(f"status |= constrained({n}, a, i, w, s{node});", inside)
-        else:
-            self._factor("", n, entries, inside)
-            self._line(f"lu_solve({n}, a, i, s{node});", inside)
-        self._line("}", "    ")
-
-
-def _literal(value: float | bool) -> str:
-    """Return a number in C, exactly."""
-    if isinstance(value, bool):
-        return str(int(value))
-    if math.isnan(value):
-        return "NAN"
-    text = "INFINITY" if math.isinf(value) else repr(abs(float(value)))
-    return f"(-{text})" if math.copysign(1.0, value) < 0.0 else text
