@@ -18,7 +18,7 @@ import zipfile
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 from xml.sax.saxutils import quoteattr
 
 from pydy._errors import GeneratorError
@@ -26,7 +26,7 @@ from pydy._files import replacing
 from pydy._processes import started
 from pydy._version import __version__
 from pydy.export.c import c_header, c_literal, c_model_source, c_string
-from pydy.export.model import Model, Variable, resource
+from pydy.export.model import Model, resource
 from pydy.solvers.core.declarations import included, layout_header
 from pydy.solvers.run.layout import DEPTH
 from pydy.solvers.run.methods import method_arrays
@@ -72,7 +72,7 @@ def write_fmu(model: Model, path: Path, fmi: str, binary: bool) -> None:
 
 
 def _sources(model: Model, fmi: str) -> dict[str, str]:
-    interface, head = f"fmi{fmi[0]}.c", [f"{model.title}: exported by pydy {__version__}."]
+    head = [f"{model.title}: exported by pydy {__version__}."]
     loop = {
         "fmu_core.c": resource("fmu_core.c"),
         "fmu_solver.c": resource("fmu_solver.c"),
@@ -80,19 +80,20 @@ def _sources(model: Model, fmi: str) -> dict[str, str]:
     }
     return {
         # The model's text must not meet the macros of the loop.
-        "all.c": "".join(f'#include "{name}"\n' for name in ("config.h", "model.c", interface)),
-        interface: resource(interface),
+        "all.c": "".join(f'#include "{name}"\n' for name in ("config.h", "model.c", "fmi.c")),
+        "fmi.c": resource("fmi.c"),
         **loop,
         "layout.h": layout_header("\n".join(loop.values()), plain=True),
-        "config.h": "\n".join([c_header(model, head), *_config(model)]),
+        "config.h": "\n".join([c_header(model, head), *_config(model, fmi)]),
         "model.c": c_model_source(model, head),
     }
 
 
-def _config(model: Model) -> Iterator[str]:
+def _config(model: Model, fmi: str) -> Iterator[str]:
     yield "/* The model's sizes, and the method behind Co-Simulation. */\n"
     yield f"#define MODEL(what) {model.name}_##what"
     yield "#define TOKEN {{TOKEN}}"
+    yield f"#define FMI {fmi[0]}"
     yield f"#define START_TIME {c_literal(model.start)}"
     sizes = {
         "NX": len(model.states),
@@ -200,28 +201,6 @@ def _platform(fmi: str) -> tuple[str, str]:
 # -- the description ------------------------------------------------------------------------------
 
 
-def model_description(model: Model, fmi: str, token: str) -> str:
-    """Return modelDescription.xml."""
-    lines = _description_3(model, token) if fmi == "3.0" else _description_2(model, token)
-    return "\n".join(['<?xml version="1.0" encoding="UTF-8"?>', *lines, ""])
-
-
-class _Names:
-    """Names for the variables of the description, none twice."""
-
-    def __init__(self) -> None:
-        self.taken: set[str] = set()
-
-    def __call__(self, name: str) -> str:
-        plain = _plain(name)
-        chosen, number = plain, 2
-        while chosen in self.taken:
-            chosen = f"{plain} {number}"
-            number += 1
-        self.taken.add(chosen)
-        return chosen
-
-
 def _plain(name: str) -> str:
     """Return a name without the characters that XML or UTF-8 forbid."""
     return "".join(c if c.isprintable() else " " for c in name)
@@ -232,129 +211,119 @@ def _attributes(**values: Any) -> str:
     return "".join(f" {k}={quoteattr(str(v))}" for k, v in values.items() if v is not None)
 
 
-def _rows(model: Model) -> Iterator[tuple[str, str, Variable, dict[str, Any]]]:
-    """Yield (kind, name, variable, attributes) in the order of the value references."""
-    names = _Names()
-    names("time")
-    states = [names(v.name) for v in model.states]
-    start = {"initial": "exact", "variability": "continuous"}
+def _rows(model: Model) -> Iterator[tuple[str, str, dict[str, Any]]]:
+    """Yield (kind, name, attributes) in the order of the value references; no name twice."""
+    taken = {"time"}
+
+    def own(name: str) -> str:
+        plain = chosen = _plain(name)
+        number = 2
+        while chosen in taken:
+            chosen = f"{plain} {number}"
+            number += 1
+        taken.add(chosen)
+        return chosen
+
+    given = {"initial": "exact", "variability": "continuous"}
     calculated = {"initial": "calculated", "variability": "continuous"}
+    states = [own(v.name) for v in model.states]
     for name, v in zip(states, model.states, strict=True):
-        yield "state", name, v, {"causality": "output", **start, "start": repr(v.value)}
-    for k, (name, v) in enumerate(zip(states, model.states, strict=True)):
-        attributes = {"causality": "local", **calculated, "derivative": k + 1}
-        yield "rate", names(f"der({name})"), v, attributes
+        yield "state", name, {"causality": "output", **given, "start": repr(v.value)}
+    for k, name in enumerate(states):
+        yield "rate", own(f"der({name})"), {"causality": "local", **calculated, "derivative": k + 1}
     for v in model.inputs:
         attributes = {"causality": "input", "variability": "continuous", "start": repr(v.value)}
-        yield "input", names(v.name), v, attributes
+        yield "input", own(v.name), attributes
     for v in model.outputs:
-        yield "output", names(v.name), v, {"causality": "output", **calculated}
+        yield "output", own(v.name), {"causality": "output", **calculated}
     for v in model.constants:
         attributes = {"causality": "parameter", "variability": "tunable", "initial": "exact"}
-        yield "constant", names(v.name), v, {**attributes, "start": repr(v.value)}
+        yield "constant", own(v.name), {**attributes, "start": repr(v.value)}
     for name in model.events.names:
-        known = names(f"event: {name}")
-        yield "event", known, Variable(known, known), {"causality": "local", **calculated}
+        yield "event", own(f"event: {name}"), {"causality": "local", **calculated}
 
 
-def _references(model: Model, *kinds: str) -> list[int]:
-    return [k for k, row in enumerate(_rows(model), start=1) if row[0] in kinds]
+class _Words(NamedTuple):
+    """What a version of FMI calls things."""
+
+    token: str
+    abilities: tuple[str, ...]
+    files: str  # where the sources are told; FMI 3.0 has a file for that
+    structure: dict[str, tuple[str, ...]]
 
 
-def _description_3(model: Model, token: str) -> Iterator[str]:
-    yield (
-        "<fmiModelDescription"
-        + _attributes(
-            fmiVersion="3.0",
-            modelName=_plain(model.title),
-            instantiationToken=token,
-            generationTool=f"pydy {__version__}",
-            variableNamingConvention="flat",
-        )
-        + ">"
-    )
-    abilities = {
-        "modelIdentifier": model.name,
-        "canGetAndSetFMUState": "true",
-        "canSerializeFMUState": "true",
-        "providesDirectionalDerivatives": "true",
-        "providesAdjointDerivatives": "true",
+_WORDS = {
+    "3.0": _Words(
+        "instantiationToken",
+        (
+            *("canGetAndSetFMUState", "canSerializeFMUState"),
+            *("providesDirectionalDerivatives", "providesAdjointDerivatives"),
+        ),
+        "",
+        {
+            "Output": ("state", "output"),
+            "ContinuousStateDerivative": ("rate",),
+            "InitialUnknown": ("rate", "output"),
+            "EventIndicator": ("event",),
+        },
+    ),
+    "2.0": _Words(
+        "guid",
+        ("canGetAndSetFMUstate", "canSerializeFMUstate", "providesDirectionalDerivative"),
+        '<SourceFiles><File name="all.c"/></SourceFiles>',
+        {
+            "Outputs": ("state", "output"),
+            "Derivatives": ("rate",),
+            "InitialUnknowns": ("rate", "output"),
+        },
+    ),
+}
+
+
+def model_description(model: Model, fmi: str, token: str) -> str:
+    """Return modelDescription.xml."""
+    words, new = _WORDS[fmi], fmi == "3.0"
+    head = {
+        "fmiVersion": fmi,
+        "modelName": _plain(model.title),
+        words.token: token,
+        "generationTool": f"pydy {__version__}",
+        "variableNamingConvention": "flat",
+        "numberOfEventIndicators": None if new else len(model.events),
     }
-    yield f"  <ModelExchange{_attributes(**abilities)}/>"
+    abilities = {"modelIdentifier": model.name, **dict.fromkeys(words.abilities, "true")}
     steps = {"canHandleVariableCommunicationStepSize": "true"}
-    yield f"  <CoSimulation{_attributes(**abilities, **steps)}/>"
-    yield f"  <DefaultExperiment{_experiment(model)}/>"
-    yield "  <ModelVariables>"
-    time = _attributes(
-        name="time", valueReference=0, causality="independent", variability="continuous"
-    )
-    yield f"    <Float64{time}/>"
-    for k, (_, name, _, attributes) in enumerate(_rows(model), start=1):
-        yield f"    <Float64{_attributes(name=name, valueReference=k, **attributes)}/>"
-    yield "  </ModelVariables>"
-    yield "  <ModelStructure>"
-    for element, kinds in (
-        ("Output", ("state", "output")),
-        ("ContinuousStateDerivative", ("rate",)),
-        ("InitialUnknown", ("rate", "output")),
-        ("EventIndicator", ("event",)),
-    ):
-        for k in _references(model, *kinds):
-            yield f'    <{element} valueReference="{k}"/>'
-    yield "  </ModelStructure>"
-    yield "</fmiModelDescription>"
-
-
-def _description_2(model: Model, token: str) -> Iterator[str]:
-    yield (
-        "<fmiModelDescription"
-        + _attributes(
-            fmiVersion="2.0",
-            modelName=_plain(model.title),
-            guid=token,
-            generationTool=f"pydy {__version__}",
-            variableNamingConvention="flat",
-            numberOfEventIndicators=len(model.events),
-        )
-        + ">"
-    )
-    abilities = {
-        "modelIdentifier": model.name,
-        "canGetAndSetFMUstate": "true",
-        "canSerializeFMUstate": "true",
-        "providesDirectionalDerivative": "true",
-    }
-    files = '<SourceFiles><File name="all.c"/></SourceFiles>'
-    yield f"  <ModelExchange{_attributes(**abilities)}>{files}</ModelExchange>"
-    steps = {"canHandleVariableCommunicationStepSize": "true"}
-    yield f"  <CoSimulation{_attributes(**abilities, **steps)}>{files}</CoSimulation>"
-    yield f"  <DefaultExperiment{_experiment(model)}/>"
-    yield "  <ModelVariables>"
-    for k, (kind, name, _, attributes) in enumerate(_rows(model), start=1):
-        if kind == "event":
-            continue
-        own = {n: attributes.pop(n, None) for n in ("start", "derivative")}
-        scalar = _attributes(name=name, valueReference=k, **attributes)
-        yield f"    <ScalarVariable{scalar}><Real{_attributes(**own)}/></ScalarVariable>"
-    yield "  </ModelVariables>"
-    yield "  <ModelStructure>"
-    for element, kinds in (
-        ("Outputs", ("state", "output")),
-        ("Derivatives", ("rate",)),
-        ("InitialUnknowns", ("rate", "output")),
-    ):
-        places = _references(model, *kinds)
-        if places:
+    span = {"startTime": repr(model.start), "stopTime": repr(model.stop)}
+    lines = [
+        '<?xml version="1.0" encoding="UTF-8"?>',
+        f"<fmiModelDescription{_attributes(**head)}>",
+        f"  <ModelExchange{_attributes(**abilities)}>{words.files}</ModelExchange>",
+        f"  <CoSimulation{_attributes(**abilities, **steps)}>{words.files}</CoSimulation>",
+        f"  <DefaultExperiment{_attributes(**span, tolerance=repr(_TOLERANCE))}/>",
+        "  <ModelVariables>",
+    ]
+    if new:
+        time = {"causality": "independent", "variability": "continuous"}
+        lines.append(f"    <Float64{_attributes(name='time', valueReference=0, **time)}/>")
+    references: dict[str, list[int]] = {}
+    for k, (kind, name, attributes) in enumerate(_rows(model), start=1):
+        references.setdefault(kind, []).append(k)
+        known = {"name": name, "valueReference": k}
+        if new:
+            lines.append(f"    <Float64{_attributes(**known, **attributes)}/>")
+        elif kind != "event":
+            own = {n: attributes.pop(n, None) for n in ("start", "derivative")}
+            scalar = f"ScalarVariable{_attributes(**known, **attributes)}"
+            lines.append(f"    <{scalar}><Real{_attributes(**own)}/></ScalarVariable>")
+    lines += ["  </ModelVariables>", "  <ModelStructure>"]
+    for element, kinds in words.structure.items():
+        places = [k for kind in kinds for k in references.get(kind, ())]
+        if new:
+            lines += [f'    <{element} valueReference="{k}"/>' for k in places]
+        elif places:
             unknowns = "".join(f'<Unknown index="{k}"/>' for k in places)
-            yield f"    <{element}>{unknowns}</{element}>"
-    yield "  </ModelStructure>"
-    yield "</fmiModelDescription>"
-
-
-def _experiment(model: Model) -> str:
-    return _attributes(
-        startTime=repr(model.start), stopTime=repr(model.stop), tolerance=repr(_TOLERANCE)
-    )
+            lines.append(f"    <{element}>{unknowns}</{element}>")
+    return "\n".join([*lines, "  </ModelStructure>", "</fmiModelDescription>", ""])
 
 
 def _build_description(model: Model) -> str:
