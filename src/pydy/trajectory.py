@@ -300,7 +300,7 @@ class Trajectory:
         self,
         times: Any,
         states: Any,
-        symbols: Mapping[str, Sequence[Any]],
+        symbols: Mapping[str, Sequence[Any]] | Columns,
         *,
         outputs: Any = None,
         specifieds: Any = None,
@@ -316,7 +316,7 @@ class Trajectory:
         if self.times.ndim != 1 or not (np.diff(self.times) >= 0.0).all():
             raise ValueError(f"`times` must be one-dimensional and ascending, got {shown(times)}.")
         m = len(self.times)
-        self._columns = Columns(symbols)
+        self._columns = symbols if isinstance(symbols, Columns) else Columns(symbols)
         self.states = checked_table("states", states, m, len(self.state_symbols))
         self.outputs = checked_table("outputs", outputs, m, len(self.outputs_symbols))
         self.specifieds = checked_table("specifieds", specifieds, m, len(self.specifieds_symbols))

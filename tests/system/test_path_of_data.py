@@ -123,13 +123,13 @@ def construct():
 
 @pytest.mark.parametrize(
     ("make", "functions", "files"),
-    [(construct, 640, 66), (integrate, 37, 12), (simulate, 129, 26), (ensemble, 183, 28)],
+    [(construct, 640, 66), (integrate, 30, 13), (simulate, 106, 26), (ensemble, 118, 26)],
     ids=lambda value: getattr(value, "__name__", ""),
 )
 def test_a_repeated_call_takes_a_short_path(make, functions, files):
     call = make()
-    call()
-    call()
+    for _ in range(2 if make is construct else 70):  # until what is checked has been compiled
+        call()
     path = Route(call)
-    assert len(path.entered) <= functions, path
-    assert len(path.files) <= files, path
+    assert len(path.entered) <= functions, str(path)
+    assert len(path.files) <= files, str(path)

@@ -61,12 +61,12 @@ class Definition:
     residuals: tuple[Any, ...] = ()
     forces: tuple[Any, ...] = ()
 
-    @property
+    @cached_property
     def states(self) -> tuple[Any, ...]:
         """Coordinates, speeds, auxiliaries."""
         return (*self.equations.coordinates, *self.equations.speeds, *self.auxiliaries)
 
-    @property
+    @cached_property
     def outputs_symbols(self) -> tuple[Any, ...]:
         """The names of all outputs, in order."""
         return tuple(name for group in self.groups for name in group.names)

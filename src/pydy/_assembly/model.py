@@ -61,6 +61,7 @@ class CompiledModel:
     solver: LinearSolver | None = None
     definition: Definition | None = None
     latest: dict[str, Any] = field(default_factory=dict)
+    _programs: dict[tuple[str, ...], Program] = field(default_factory=dict)
     _kernels: dict[tuple[Any, ...], Kernel] = field(default_factory=dict)
     _variants: dict[Any, CompiledModel] = field(default_factory=dict)
     _evaluated: dict[Any, _Evaluated] = field(default_factory=dict)
@@ -68,7 +69,9 @@ class CompiledModel:
     def __getstate__(self) -> dict[str, Any]:
         kept = self.function_blocks
         kernels = {k: v for k, v in self._kernels.items() if k == kept}
-        empty: dict[str, Any] = {name: {} for name in ("latest", "_variants", "_evaluated")}
+        empty: dict[str, Any] = {
+            name: {} for name in ("latest", "_programs", "_variants", "_evaluated")
+        }
         return {**self.__dict__, "_kernels": kernels, **empty}
 
     def __deepcopy__(self, memo: dict[int, Any]) -> CompiledModel:
@@ -106,7 +109,7 @@ class CompiledModel:
         reduces it; it is assembled only when asked for, as is ``'kinetic_energy'``.
         """
         if self.solver is None or not self.assembly.open.keys() & set(blocks):
-            return self.compiled_by(blocks, lambda: self._program(*blocks))
+            return self.compiled_by(blocks, lambda: self.program(*blocks))
         kernel = self._kernels.get(blocks)
         if kernel is None:
             assembly, what = self.assembly, f"{', '.join(blocks)} given accelerations"
@@ -120,11 +123,29 @@ class CompiledModel:
             self._kernels[blocks] = kernel
         return kernel
 
-    def _program(self, *blocks: str) -> Program:
-        assembly = self.assembly
-        if any(name.startswith("kinetic") for name in blocks):
-            return assembly.program(*blocks)  # made from the bodies, which have no fingerprint
-        return stored_program(assembly, ", ".join(blocks), lambda: assembly.program(*blocks))
+    def program(self, *blocks: str) -> Program:
+        """Return the Program of some blocks of the assembly, made at most once."""
+        known, assembly = self._programs.get(blocks), self.assembly
+        if known is None:
+            if any(name.startswith("kinetic") for name in blocks):
+                known = assembly.program(*blocks)  # made from the bodies, which have no fingerprint
+            else:
+                what = ", ".join(blocks)
+                known = stored_program(assembly, what, lambda: assembly.program(*blocks))
+            self._programs[blocks] = known
+        return known
+
+    def jacobian_program(
+        self, block: str, by: str | tuple[tuple[str, int], ...], guards: Guards = "checked"
+    ) -> Program:
+        """Return the Program of a Jacobian, made at most once; see `Assembly.jacobian_program`."""
+        key, assembly = (f"{block} by {by}, {guards}",), self.assembly
+        known = self._programs.get(key)
+        if known is None:
+            known = self._programs[key] = stored_program(
+                assembly, key[0], lambda: assembly.jacobian_program(block, by, guards)
+            )
+        return known
 
     def compiled_jacobian(
         self, block: str, by: str | tuple[tuple[str, int], ...], *, checked: bool = True
@@ -151,16 +172,8 @@ class CompiledModel:
     ) -> Kernel:
         assembly = self.assembly
 
-        def program(guards: Guards) -> Program:
-            return stored_program(
-                assembly,
-                f"{block} by {by}, {guards}",
-                lambda: assembly.jacobian_program(block, by, guards),
-            )
-
-        @cache
         def whole() -> Program:
-            return program("by systems" if guards == "checked" else guards)
+            return self.jacobian_program(block, by, "by systems" if guards == "checked" else guards)
 
         in_parts = getattr(self.backend, "compile_jacobian", None)
         if in_parts is not None:
@@ -172,7 +185,7 @@ class CompiledModel:
             if isinstance(made, JacobianColumns):
                 return with_finite_samples(in_parts(made), whole)
         else:
-            made = program(guards)
+            made = self.jacobian_program(block, by, guards)
         return self._holding(made, whole)
 
     def compiled_derivative(

@@ -81,9 +81,9 @@ def driven(
         Whether the places of the expressions in r, which are zero, are added to them: derivatives
         with respect to r are then those by a small change of each specified's value.
     """
-    formulas = _formulas(definition, plan)
-    if not formulas:
+    if not plan.expressions:
         return model
+    formulas = _formulas(definition, plan)
 
     def change(assembly: Assembly) -> Assembly:
         kinematics = assembly.rates[: len(definition.equations.coordinates)]

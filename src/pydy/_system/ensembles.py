@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
@@ -21,7 +21,7 @@ from pydy._system.samples import mean_spacing
 from pydy._system.sensitivities import Sensitive
 from pydy._system.setup import Setup
 from pydy._system.snapshot import Snapshot
-from pydy._system.solving import native_solver, prepare
+from pydy._system.solving import Ready, native_solver
 from pydy._system.start import check_samples
 from pydy._system.tuning import BLOCK_BYTES, LARGEST_BLOCK, SMALLEST_BLOCK
 from pydy._version import __version__
@@ -93,7 +93,7 @@ def differentiated(
     spacing = mean_spacing(parameters)
     if spacing is not None and solver.adaptive:
         options = {"max_step": spacing, **options}
-    assembly, tied = integrated.assembly, sensitive.tied
+    tied = sensitive.tied
     events = options.get("events")
     residuals = None
     if tied:
@@ -111,7 +111,7 @@ def differentiated(
         outputs=sensitive.program("outputs") if definition.outputs_symbols else None,
         start=sensitive.independent(places),
         dependent=places,
-        gradients=tuple(assembly.jacobian_program(block, "x") for block in tied),
+        gradients=tuple(integrated.jacobian_program(block, "x") for block in tied),
         unknowns=tuple(sensitive.unknowns),
         residuals=residuals,
         unsolved=sensitive.unsolved(places),
@@ -124,6 +124,93 @@ def differentiated(
     return Differentiated(model, options)
 
 
+class _Names:
+    """What the quantities of a definition are called in results.
+
+    Parameters
+    ----------
+    definition : Definition
+    more : iterable of str
+        What the result holds beside states, outputs and `COUNTS`.
+
+    Attributes
+    ----------
+    known : Places
+        States and outputs.
+    of : dict
+        From these to their names.
+    states, outputs : tuple of str
+    taken : set of str
+        Names that variables of the result have.
+    labels : dict
+        From states, constants and specifieds to the names of coordinates.
+    constants : tuple
+        For each constant its label and the attributes of its coordinate.
+    attributes : dict of str to dict
+        Of variables.
+    """
+
+    def __init__(self, definition: Definition, more: Iterable[str]) -> None:
+        equations, n = definition.equations, len(definition.states)
+        variables = (*definition.states, *definition.outputs_symbols)
+        self.known = Places(variables, "states and outputs of the system")
+        names = unique_names(variables)
+        self.of = dict(zip(variables, names, strict=True))
+        self.states, self.outputs = names[:n], names[n:]
+        self.taken = {*names}
+        for name in ("time", "occurrence", *COUNTS, *more):
+            if name in self.taken:
+                raise ValueError(
+                    f"The result of an ensemble has a variable or dimension `{name}` of its own, "
+                    "but that is the name of a state or output too. Rename that."
+                )
+            self.taken.add(name)
+        self.labels = {s: f"initial_{self.of[s]}" for s in definition.states}
+        self.labels |= {s: f"{v} (state)" for s, v in self.labels.items() if v in self.taken}
+        others = (*definition.constants, *definition.specifieds)
+        for s, name in zip(others, unique_names(others), strict=True):
+            self.labels[s] = f"{name} (constant)" if name in self.taken else name
+        self.constants = tuple(
+            (self.labels[s], {"role": "constant", "latex": latex_of(s)})
+            for s in definition.constants
+        )
+        roles = {**dict.fromkeys(equations.coordinates, "coordinate")}
+        roles |= dict.fromkeys(equations.speeds, "speed")
+        roles |= dict.fromkeys(definition.auxiliaries, "auxiliary")
+        self.attributes = {
+            name: {"role": roles.get(s, "output"), "latex": latex_of(s)}
+            for s, name in self.of.items()
+        }
+
+    @staticmethod
+    def latest(now: Snapshot, sensitive: bool) -> _Names:
+        """Return those of a model, made once."""
+        key = "names beside sensitivities" if sensitive else "names"
+        more = (SENSITIVITY, QUANTITY, PARAMETER) if sensitive else ()
+        names: _Names | None = now.model.latest.get(key)
+        if names is None:
+            names = now.model.latest[key] = _Names(now.definition, more)
+        return names
+
+    def name(self, key: Any) -> str:
+        """Return the name of a state or output, of which it may be the symbol."""
+        symbol = self.known.meaning(key, "reduce")
+        return self.of[symbol] if symbol in self.of else name_of(key)
+
+    def described(self, units: Mapping[Any, str] | None) -> dict[str, dict[str, Any]]:
+        """Return the attributes of variables, with their units."""
+        result = {name: dict(attributes) for name, attributes in self.attributes.items()}
+        for key, unit in check_mapping("units", units).items():
+            name = self.name(key)
+            if name not in result:
+                raise ValueError(
+                    f"`units` has the key `{key}`, which is neither a state nor an output: "
+                    f"{', '.join(result)}."
+                )
+            result[name]["units"] = text(unit, f"`units[{key}]`")
+        return result
+
+
 class _Axes:
     """Collects dimensions, and coordinates along them.
 
@@ -131,27 +218,14 @@ class _Axes:
     ----------
     product : bool
         Whether each plain array has a dimension of its own.
-    taken : iterable of str
-        Names that variables of the result have.
+    names : _Names
     """
 
-    def __init__(self, product: bool, taken: Iterable[str]) -> None:
-        self.product = product
-        self.taken = {*taken}
-        self.reserve(("time", "occurrence", *COUNTS))
+    def __init__(self, product: bool, names: _Names) -> None:
+        self.product, self.names = product, names
         self.dims: dict[str, int] = {}
         self.coordinates: dict[str, Coordinate] = {}
         self._from: dict[str, str] = {}
-
-    def reserve(self, names: Iterable[str]) -> None:
-        """Take names of what the result holds beside states and outputs; none of these has one."""
-        for name in names:
-            if name in self.taken:
-                raise ValueError(
-                    f"The result of an ensemble has a variable or dimension `{name}` of its own, "
-                    "but that is the name of a state or output too. Rename that."
-                )
-            self.taken.add(name)
 
     def add(self, what: str, value: Any, name: str, attrs: dict[str, Any]) -> tuple[Any, Any]:
         """Take one value; return it as (dims, float array).
@@ -191,7 +265,7 @@ class _Axes:
         return dims, array
 
     def _dimension(self, what: str, dim: str, size: int) -> None:
-        if dim in self.taken:
+        if dim in self.names.taken:
             raise ValueError(
                 f"{what} has the dimension `{dim}`, which is the name of a variable of the result. "
                 "Choose another name."
@@ -216,9 +290,9 @@ class _Axes:
         if known is None or "role" in coordinate.attrs:
             self.coordinates[name] = coordinate
 
-    def check_names(self, labels: Mapping[Any, str]) -> None:
+    def check_names(self) -> None:
         """Raise if a dimension is called like a quantity that is not given along it."""
-        for symbol, name in labels.items():
+        for symbol, name in self.names.labels.items():
             own = self.coordinates.get(name)
             along = own is not None and own.dims == (name,) and "role" in own.attrs
             if name in self.dims and not along:
@@ -252,11 +326,12 @@ def _columns(
     places: Places,
     base: np.ndarray,
     axes: _Axes,
-    names: Mapping[Any, str],
     role: str,
 ) -> list[tuple[Any, Any]]:
     """Return (dims, values) for each symbol; those that are not given are as in `base`."""
     columns: list[tuple[Any, Any]] = [((), np.asarray(value)) for value in base]
+    if not given:
+        return columns
     found = places.columns(given, argument).tolist()
     for place, value in zip(found, given.values(), strict=True):
         symbol = places.symbols[place]
@@ -265,7 +340,7 @@ def _columns(
             columns[place] = ((), np.asarray(number(value, what, finite=True)))
         else:
             attrs = {"role": role, "latex": latex_of(symbol)}
-            columns[place] = axes.add(what, value, names[symbol], attrs)
+            columns[place] = axes.add(what, value, axes.names.labels[symbol], attrs)
     return columns
 
 
@@ -289,6 +364,16 @@ def _native(ode_solver: Any) -> Solver:
     return solver
 
 
+def _read(definition: Definition, solver: Solver, given: Mapping[str, Any]) -> Options:
+    """Return the options of a solver, of which some are compiled."""
+    own = {k: v for k, v in given.items() if k not in ("events", "constraints")}
+    read = vars(read_options(solver.name, solver.adaptive, own))
+    rest = {k: v for k, v in given.items() if k not in own}
+    options = Options(**{**read, **rest, "full_output": True})
+    _check_tolerances(options, len(definition.states))
+    return options
+
+
 def _check_tolerances(options: Options, n: int) -> None:
     least = 10.0 * np.finfo(float).eps
     for name in ("rtol", "atol"):
@@ -302,31 +387,6 @@ def _check_tolerances(options: Options, n: int) -> None:
             f"`rtol` or `atol` must be at least {least:.1e}, ten times the rounding unit, got "
             f"rtol = {options.rtol} and atol = {options.atol}."
         )
-
-
-def _attributes(
-    definition: Definition,
-    names: Mapping[Any, str],
-    name_in: Callable[[Any], str],
-    units: Mapping[Any, str] | None,
-) -> dict[str, dict[str, Any]]:
-    """Return the attributes of variables."""
-    equations = definition.equations
-    roles = {**dict.fromkeys(equations.coordinates, "coordinate")}
-    roles |= dict.fromkeys(equations.speeds, "speed")
-    roles |= dict.fromkeys(definition.auxiliaries, "auxiliary")
-    result = {
-        name: {"role": roles.get(s, "output"), "latex": latex_of(s)} for s, name in names.items()
-    }
-    for key, unit in check_mapping("units", units).items():
-        name = name_in(key)
-        if name not in result:
-            raise ValueError(
-                f"`units` has the key `{key}`, which is neither a state nor an output: "
-                f"{', '.join(result)}."
-            )
-        result[name]["units"] = text(unit, f"`units[{key}]`")
-    return result
 
 
 class Ensembles(Setup):
@@ -450,7 +510,7 @@ class Ensembles(Setup):
         definition = now.definition
         varied, common = _split_specifieds(specifieds)
         plan = now.plan
-        for values in (common, dict.fromkeys(varied, 0.0)):
+        for values in filter(None, (common, dict.fromkeys(varied, 0.0))):
             new = SpecifiedsPlan(values, definition.places["specifieds"], argument="specifieds")
             plan = plan.updated(new)
         times = check_times(now.times if times is None else times)
@@ -462,27 +522,18 @@ class Ensembles(Setup):
         plan.check_times(times, "times")
         solver = _native(native_solver(self._ode_solver) if ode_solver is None else ode_solver)
         workers = None if workers is None else whole(workers, "`workers`")
-        variables = (*definition.states, *definition.outputs_symbols)
-        names = dict(zip(variables, unique_names(variables), strict=True))
-        axes = _Axes(product, names.values())
-        if sensitivities is not None:
-            axes.reserve((SENSITIVITY, QUANTITY, PARAMETER))
-        labels = {s: f"initial_{names[s]}" for s in definition.states}
-        labels = {s: f"{v} (state)" if v in axes.taken else v for s, v in labels.items()}
-        others = (*definition.constants, *definition.specifieds)
-        for s, name in zip(others, unique_names(others), strict=True):
-            labels[s] = f"{name} (constant)" if name in axes.taken else name
+        names = _Names.latest(now, sensitivities is not None)
+        axes = _Axes(product, names)
         initial = check_mapping("initial_conditions", initial_conditions)
         constants = check_mapping("constants", constants)
         at = definition.places
-        x = _columns("initial_conditions", initial, at["states"], now.x, axes, labels, "initial")
-        p = _columns("constants", constants, at["constants"], now.p, axes, labels, "constant")
-        r = _columns("specifieds", varied, at["specifieds"], plan.values, axes, labels, "specified")
-        axes.check_names(labels)
-        for s, (dims, value) in zip(definition.constants, p, strict=True):
+        x = _columns("initial_conditions", initial, at["states"], now.x, axes, "initial")
+        p = _columns("constants", constants, at["constants"], now.p, axes, "constant")
+        r = _columns("specifieds", varied, at["specifieds"], plan.values, axes, "specified")
+        axes.check_names()
+        for (label, attrs), (dims, value) in zip(names.constants, p, strict=True):
             if not dims:
-                attrs = {"role": "constant", "latex": latex_of(s)}
-                axes.coordinates.setdefault(labels[s], Coordinate((), value, attrs))
+                axes.coordinates.setdefault(label, Coordinate((), value, dict(attrs)))
         aligned = [_aligned(c, axes.dims) for c in (x, r, p)]
         samples = Samples(axes.dims, aligned[0], aligned[1], aligned[2], axes.coordinates)
 
@@ -492,42 +543,37 @@ class Ensembles(Setup):
             mended = solver_kwargs.get("constraints") is not None
             moved = driven(now.model, definition, plan)
             check_samples(definition, moved, start, plan, columns, shape, mended)
-        integrated, rest = prepare(solver, definition, now.model, plan, dict(solver_kwargs))
+        ready: Ready | None = now.model.latest.get("ensemble")
+        given: dict[str, Any] = {**solver_kwargs}
+        if ready is None or not ready.suits(plan, solver, given):
+            ready = Ready(definition, now.model, plan, solver, given)
+        integrated, wanted = ready.model, None
         asked = sensitivities, control_sensitivities, self._dependent
-        wanted = differentiated(now, integrated, plan, solver, rest, asked)
-        if wanted is not None:
-            rest = wanted.options
-        own = {k: v for k, v in rest.items() if k not in ("events", "constraints")}
-        read = read_options(solver.name, solver.adaptive, own)
-        read = Options(
-            **{**vars(read), **{k: v for k, v in rest.items() if k not in own}, "full_output": True}
-        )
-        _check_tolerances(read, len(definition.states))
-        assembly = integrated.assembly
+        if sensitivities is not None or control_sensitivities is not False:
+            wanted = differentiated(now, integrated, plan, solver, ready.options, asked)
+        read = ready.read
+        if read is None or wanted is not None:
+            read = _read(definition, solver, ready.options if wanted is None else wanted.options)
+        if wanted is None:
+            ready.read, now.model.latest["ensemble"] = read, ready
         model = Model(
-            rates=assembly.program("rates"),
-            outputs=assembly.program("outputs") if definition.outputs_symbols else None,
-            states=tuple(names[s] for s in definition.states),
-            output_names=tuple(names[s] for s in definition.outputs_symbols),
+            rates=integrated.program("rates"),
+            outputs=integrated.program("outputs") if definition.outputs_symbols else None,
+            states=names.states,
+            output_names=names.outputs,
             method=solver.name,
             options=read,
             times=times,
             sampled=plan.sampled,
             functions=tuple((columns, function) for columns, function, _ in plan.functions),
-            jacobian=assembly.jacobian_program("rates", "x") if solver.name == "radau" else None,
+            jacobian=integrated.jacobian_program("rates", "x") if solver.name == "radau" else None,
             sensitivities=None if wanted is None else wanted.model,
         )
-        known = Places(variables, "states and outputs of the system")
-
-        def name_in(key: Any) -> str:
-            symbol = known.meaning(key, "reduce")
-            return names[symbol] if symbol in names else name_of(key)
-
-        reductions = read_reductions(reduce, model, name_in)
-        described = _attributes(definition, names, name_in, units)
+        reductions = read_reductions(reduce, model, names.name)
+        described = names.described(units)
         work = Work(model, reductions, described)
         # Work with few samples goes to all threads; large results come in pieces.
-        row = 8.0 * len(names) * (len(times) if not reductions else 8)
+        row = 8.0 * len(names.of) * (len(times) if not reductions else 8)
         row *= 1 if wanted is None else 1 + len(wanted.model.names)
         # One by one takes long: an interrupt should find blocks that are finished.
         most = LARGEST_BLOCK if model.in_lanes else SMALLEST_BLOCK

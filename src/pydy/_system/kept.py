@@ -14,6 +14,7 @@ and the units; a mechanism that left its constraints, or a branch of its motion,
 from __future__ import annotations
 
 from collections.abc import Iterable
+from contextlib import suppress
 from dataclasses import dataclass
 from typing import Any
 
@@ -163,11 +164,10 @@ def _check_energy(motion: Motion, at: Any) -> None:
     now, (t, x, _, _) = motion.now, at
     if motion.resets or not now.energies.static:
         return
-    try:
-        expressions = now.energies.expressions(now.driven.layout)
-    except (ValueError, NotImplementedError):  # not known
+    parts = _energy(now)
+    if parts is None:
         return
-    found = now.driven.interpreted(_Energy(*expressions, *now.definition.equations.left_out), at)
+    found = now.driven.interpreted(parts, at)
     if not found["total"].size:
         return
     kinetic = found["kinetic"].max()
@@ -186,6 +186,19 @@ def _check_energy(motion: Motion, at: Any) -> None:
             motion, ENERGY_CHANGED, float(t[k]), x[k],
             change=changes[k], explained=allowed[k], kinetic=kinetic,
         )  # fmt: skip
+
+
+def _energy(now: Snapshot) -> _Energy | None:
+    """Return the energies of a model, found once; None where they are not known."""
+    latest = now.driven.latest
+    parts: _Energy | None
+    energies, parts = latest.get("energy", (None, None))
+    if energies is not now.energies:
+        parts, left_out = None, now.definition.equations.left_out
+        with suppress(ValueError, NotImplementedError):
+            parts = _Energy(*now.energies.expressions(now.driven.layout), *left_out)
+        latest["energy"] = now.energies, parts
+    return parts
 
 
 def _moved(slopes: np.ndarray, errors: np.ndarray) -> np.ndarray:

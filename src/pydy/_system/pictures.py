@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from pydy._system.exporting import Exporting
 from pydy._system.simulation import Simulation
-from pydy._system.snapshot import read_constants
+from pydy._system.snapshot import read_numbers
 from pydy.trajectory import Trajectory
 
 if TYPE_CHECKING:
@@ -66,7 +66,7 @@ class Pictures(Simulation, Exporting):
         from pydy._system.scene import make_scene
 
         definition = self._definition
-        constants = read_constants(definition, self._constants)
+        constants = read_numbers(definition, "constants", self._constants)
         return make_scene(
             definition,
             dict(zip(definition.constants, constants.tolist(), strict=True)),

@@ -100,12 +100,13 @@ def evaluated_rows(
         Holonomic constraints, those left out behind the others, then velocity constraints.
     """
     rows, (t, x, r, p) = _Rows(*definition.equations.left_out, what), at
+    m, least = len(t), ROUNDING / DIGITS
+    small = np.abs(x) < least
+    if small.any():  # the sizes are those of other states, which follow the first ones
+        moved, r = np.where(small, np.copysign(least, x), x), np.broadcast_to(r, (m, r.shape[1]))
+        at = np.concatenate([t, t]), np.concatenate([x, moved]), np.concatenate([r, r]), p
     found = model.interpreted(rows, at)
-    least = ROUNDING / DIGITS
-    if (np.abs(x) >= least).all():
-        return found["rows"], found["sizes"]
-    x = np.where(np.abs(x) < least, np.copysign(least, x), x)
-    return found["rows"], model.interpreted(rows, (t, x, r, p))["sizes"]
+    return found["rows"][:m], found["sizes"][-m:]
 
 
 @dataclass(frozen=True)

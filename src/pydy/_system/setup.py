@@ -24,7 +24,7 @@ from pydy._system.definition import Definer
 from pydy._system.energy import EnergyModel, check_potential
 from pydy._system.inputs import SymbolSet, base_symbols, check_forces, check_times, named_forces
 from pydy._system.scipy_ivp import resolve_ode_solver
-from pydy._system.snapshot import Snapshot, checked_plan, read_constants, read_states
+from pydy._system.snapshot import Snapshot, checked_plan, read_numbers
 from pydy.codegen.ode_function_generators import make_function
 from pydy.codegen.right_hand_side import RightHandSide, make_backend
 
@@ -224,10 +224,12 @@ class Setup:
 
         What the call is given may bring constants that the equations do not hold.
         """
-        found = [] if events is None else self._define.constants_of(self._definition, events)
         more = constants if isinstance(constants, Mapping) else {}
         definition = self._defined({**self._constants, **more} if more else self._constants)
-        made = self._compiled(self._define.widened(definition, found))
+        if events is not None:
+            found = self._define.constants_of(definition, events)
+            definition = self._define.widened(definition, found)
+        made = self._compiled(definition)
         user = {
             "constants": dict(self._constants),
             "specifieds": dict(self._specifieds),
@@ -407,7 +409,7 @@ class Setup:
         values = check_mapping("constants", constants)
         definition = self._defined(values)
         if not definition.places["constants"].fits(values):
-            read_constants(definition, values)
+            read_numbers(definition, "constants", values)
         self.__dict__["_constants"] = values  # by itself, as a short call
 
     @property
@@ -453,7 +455,7 @@ class Setup:
     @initial_conditions.setter
     def initial_conditions(self, initial_conditions: Mapping[Any, Any] | None) -> None:
         values = check_mapping("initial_conditions", initial_conditions)
-        read_states(self._definition, values)
+        read_numbers(self._definition, "initial_conditions", values)
         self._initial_conditions = values
 
     @property

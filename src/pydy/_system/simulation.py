@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
+from contextlib import suppress
 from typing import Any, Literal, overload
 
 import numpy as np
@@ -25,10 +26,9 @@ from pydy._system.scipy_odeint import call_odeint, odeint_options
 from pydy._system.sensitivities import Wanted
 from pydy._system.setup import Setup
 from pydy._system.snapshot import Snapshot
-from pydy._system.solving import prepare
+from pydy._system.solving import Ready
 from pydy._system.start import check_resets, check_start
 from pydy.codegen.right_hand_side import rates_function
-from pydy.solvers.events import identified
 from pydy.solvers.options import check_option_names
 from pydy.solvers.solver import Prepared, Solver
 from pydy.trajectory import Trajectory
@@ -52,70 +52,6 @@ def _differentiated(
     return _solve(now, solver, options, checked=True, wanted=wanted, dependent=dependent)
 
 
-_PLAIN = frozenset((float, int, bool, str, type(None)))  # an array may be edited between two calls
-
-
-class Ready:
-    """A simulation but for its numbers: a call that differs in these alone takes it as it is.
-
-    Parameters
-    ----------
-    now : Snapshot
-    solver : callable
-    given : dict
-        The options of the call.
-
-    Attributes
-    ----------
-    constrained : bool
-    model : CompiledModel
-        What is integrated, with the expressions for specifieds compiled in.
-    options : dict
-        For the solver.
-    """
-
-    def __init__(self, now: Snapshot, solver: SolverFunction, given: dict[str, Any]) -> None:
-        self._solver, self._plan, self._given = solver, now.plan, dict(given)
-        self._events = identified(given.get("events"))
-        self._prepared: list[Prepared] = []
-        self.constrained = now.definition.equations.constrained
-        self.model, self.options = prepare(solver, now.definition, now.model, now.plan, given)
-        if solver is scipy.integrate.odeint:
-            check_option_names("odeint", odeint_options(), self.options)
-
-    def suits(self, now: Snapshot, solver: SolverFunction, given: dict[str, Any]) -> bool:
-        """Return whether a call differs in numbers alone, as far as that can be seen."""
-        if solver is not self._solver or [*given] != [*self._given]:
-            return False
-        for name, value in given.items():
-            known = self._given[name]
-            if name == "events":
-                same = self._events is not None and self._events == identified(value)
-            else:
-                same = type(value) in _PLAIN and type(value) is type(known) and value == known
-            if not same:
-                return False
-        return now.plan.agrees(self._plan)
-
-    def run(
-        self, solver: Solver, now: Snapshot, times: np.ndarray, options: dict[str, Any]
-    ) -> tuple[np.ndarray, Prepared]:
-        """Integrate by a native solver, in what the latest call has reserved if it is free."""
-        plan = now.plan
-        try:
-            prepared = self._prepared.pop()  # no other thread has it then
-            fits = prepared.renumber(now.p, plan.values, times)
-        except IndexError:
-            fits = False
-        if not fits:
-            f, r = rates_function(self.model, plan), plan.values if plan.constant else plan
-            prepared = solver.prepare(f, now.x, times, (r, now.p), **options)
-        states = prepared(now.x)
-        if prepared.reusable:
-            self._prepared = [prepared]
-        return states, prepared
-
-
 def begin(now: Snapshot, solver: SolverFunction, given: dict[str, Any]) -> tuple[Ready, np.ndarray]:
     """Check what a simulation begins with; return what is ready for it, and the times."""
     times, latest = now.times, now.model.latest
@@ -130,15 +66,35 @@ def begin(now: Snapshot, solver: SolverFunction, given: dict[str, Any]) -> tuple
     plan = now.plan
     if plan.sampled:
         plan.check_times(sound, "times")
-    ready: Ready | None = latest.get("ready")
-    if ready is not None and not ready.suits(now, solver, given):
+    ready: Ready | None = latest.get("simulation")
+    if ready is not None and not ready.suits(plan, solver, given):
         ready = None
     if now.definition.equations.constrained if ready is None else ready.constrained:
         t, x, mended = float(sound[0]), now.x, given.get("constraints") is not None
         check_start(now.definition, now.driven, t, x, plan(x, t), now.p, mended=mended)
     if ready is None:
-        ready = latest["ready"] = Ready(now, solver, given)
+        ready = Ready(now.definition, now.model, plan, solver, given)
+        if solver is scipy.integrate.odeint:
+            check_option_names("odeint", odeint_options(), ready.options)
+        latest["simulation"] = ready
     return ready, sound.copy()
+
+
+def _run(
+    ready: Ready, solver: Solver, now: Snapshot, times: np.ndarray
+) -> tuple[np.ndarray, Prepared]:
+    """Integrate by a native solver, in what the latest call has reserved if it is free."""
+    plan = now.plan
+    prepared: Prepared | None = None
+    with suppress(IndexError):
+        prepared = ready.free.pop()  # no other thread has it then
+    if prepared is None or not prepared.renumber(now.p, plan.values, times):
+        f, r = rates_function(ready.model, plan), plan.values if plan.constant else plan
+        prepared = solver.prepare(f, now.x, times, (r, now.p), **ready.options)
+    states = prepared(now.x)
+    if prepared.reusable:
+        ready.free = [prepared]
+    return states, prepared
 
 
 def _problem(
@@ -177,7 +133,7 @@ def _solve(
     watched = ready.constrained and isinstance(solver, Solver)
     try:
         if wanted is None and isinstance(solver, Solver):
-            states, prepared = ready.run(solver, now, times, ready.options)
+            states, prepared = _run(ready, solver, now, times)
             info, options = prepared.info if full or watched else {}, ready.options
         else:
             f, x0, args, options = _problem(now, solver, ready, times, wanted, dependent)

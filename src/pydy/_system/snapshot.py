@@ -19,24 +19,17 @@ from pydy._names import name_of
 from pydy._system.definition import unfollowed
 from pydy._system.energy import EnergyModel
 from pydy.codegen.arguments import SpecifiedsPlan
-from pydy.trajectory import Trajectory
+from pydy.trajectory import Columns, Trajectory
 
 __all__ = ["Snapshot", "checked_plan"]
 
 
-def read_constants(definition: Definition, values: dict[Any, Any]) -> np.ndarray:
-    """Return the constants in order; they are 1.0 without a value."""
-    return _read(definition, "constants", "constants", values, 1.0)
+_DEFAULTS = {"constants": ("constants", 1.0), "initial_conditions": ("states", 0.0)}
 
 
-def read_states(definition: Definition, values: dict[Any, Any]) -> np.ndarray:
-    """Return the initial conditions in order; they are 0.0 without a value."""
-    return _read(definition, "initial_conditions", "states", values, 0.0)
-
-
-def _read(
-    definition: Definition, argument: str, what: str, values: dict[Any, Any], default: float
-) -> np.ndarray:
+def read_numbers(definition: Definition, argument: str, values: dict[Any, Any]) -> np.ndarray:
+    """Return 'constants' in order, 1.0 without a value, or 'initial_conditions', then 0.0."""
+    what, default = _DEFAULTS[argument]
     places = definition.places[what]
     try:
         return places.read(argument, values, default)
@@ -94,12 +87,12 @@ class Snapshot:
     @cached_property
     def x(self) -> np.ndarray:
         """The initial conditions in order."""
-        return read_states(self.definition, self.user["initial_conditions"])
+        return read_numbers(self.definition, "initial_conditions", self.user["initial_conditions"])
 
     @cached_property
     def p(self) -> np.ndarray:
         """The constants in order."""
-        return read_constants(self.definition, self.user["constants"])
+        return read_numbers(self.definition, "constants", self.user["constants"])
 
     @property
     def constants(self) -> dict[Any, float]:
@@ -125,8 +118,6 @@ class Snapshot:
     @cached_property
     def driven(self) -> CompiledModel:
         """The model with the expressions for specifieds compiled in."""
-        if not self.plan.expressions:
-            return self.model
         return driven(self.model, self.definition, self.plan)
 
     # -- values for one call ----------------------------------------------------------------------
@@ -194,10 +185,13 @@ class Snapshot:
 
     def trajectory(self, times: np.ndarray, states: np.ndarray, **more: Any) -> Trajectory:
         """Return states at some times with their names, outputs and specifieds."""
+        columns = self.model.latest.get("columns")
+        if columns is None:
+            columns = self.model.latest["columns"] = Columns(self.definition.symbols_by_kind)
         return Trajectory(
             times,
             states,
-            self.definition.symbols_by_kind,
+            columns,
             outputs=self.outputs(times, states),
             specifieds=self.specifieds(times, states),
             constants=self.constants,

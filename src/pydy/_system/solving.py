@@ -16,13 +16,14 @@ from pydy._graph.derivative import dense_jacobian, jacobian
 from pydy._graph.program import Program
 from pydy._mechanics.equations import Equations
 from pydy.codegen.arguments import SpecifiedsPlan
-from pydy.solvers.events import CompiledEvents, Event
-from pydy.solvers.options import StepOptions
+from pydy.solvers.events import CompiledEvents, Event, identified
+from pydy.solvers.options import Options, StepOptions
 from pydy.solvers.run.constraints import CompiledConstraints
-from pydy.solvers.solver import SOLVERS, Solver
+from pydy.solvers.solver import SOLVERS, Prepared, Solver
 
 __all__ = [
     "EnsembleOptions",
+    "Ready",
     "check_events",
     "constraint_names",
     "event_rates_program",
@@ -109,6 +110,58 @@ def prepare(
         if checked:
             options["events"] = compile_events(model, definition, checked)
     return model, options
+
+
+_PLAIN = frozenset((float, int, bool, str, type(None)))  # an array may be edited between two calls
+
+
+class Ready:
+    """What is integrated but for its numbers: a call that differs in these alone takes it as it is.
+
+    Parameters
+    ----------
+    definition, model, plan, solver, given
+        As for `prepare`.
+
+    Attributes
+    ----------
+    constrained : bool
+    model, options
+        As `prepare` returns them.
+    read : Options or None
+        The same options as the solver has read them.
+    free : list of Prepared
+        What the latest call has reserved, unless another one has it.
+    """
+
+    def __init__(
+        self,
+        definition: Definition,
+        model: CompiledModel,
+        plan: SpecifiedsPlan,
+        solver: Any,
+        given: dict[str, Any],
+    ) -> None:
+        self._plan, self._solver, self._given = plan, solver, dict(given)
+        self._events = identified(given.get("events"))
+        self.constrained = definition.equations.constrained
+        self.model, self.options = prepare(solver, definition, model, plan, given)
+        self.read: Options | None = None
+        self.free: list[Prepared] = []
+
+    def suits(self, plan: SpecifiedsPlan, solver: Any, given: dict[str, Any]) -> bool:
+        """Return whether a call differs in numbers alone, as far as that can be seen."""
+        if solver is not self._solver or [*given] != [*self._given]:
+            return False
+        for name, value in given.items():
+            known = self._given[name]
+            if name == "events":
+                same = self._events is not None and self._events == identified(value)
+            else:
+                same = type(value) in _PLAIN and type(value) is type(known) and value == known
+            if not same:
+                return False
+        return plan.agrees(self._plan)
 
 
 def check_events(events: Any, states: Places) -> tuple[Event, ...]:

@@ -355,12 +355,13 @@ class SpecifiedsPlan:
         if [*values] != keys:
             return None
         for k, (value, old) in enumerate(zip(given, before, strict=True)):
-            if type(value) is float is type(old) and isfinite(value):
-                moved.append(k)
-            elif value is not old or not _is_unchanging(value):
+            if value is old and _is_unchanging(value):
+                continue
+            if type(value) is not float or type(old) is not float or not isfinite(value):
                 return None
+            moved.append(k)
         result = self
-        if any(given[k] is not before[k] for k in moved):
+        if moved:
             result = copy(self)
             result._given, result.values = (keys, given), self.values.copy()
             result.__dict__.pop("_inputs", None)

@@ -131,7 +131,8 @@ class Ensemble:
     ) -> None:
         """Call ``do(block, stop)`` for each block; it ends soon when ``stop()`` is true."""
         stop, bar = Event(), self._bar(blocks)
-        workers = _startable(min(self._threads(), len(blocks)))
+        alone = len(blocks) == 1 and self.work.model.in_lanes  # it heeds an interrupt here as well
+        workers = 0 if alone else _startable(min(self._threads(), len(blocks)))
         most = max(1, 2 * workers)
         todo = iter(blocks)
         running: dict[Future[None], Block] = {}
@@ -290,7 +291,7 @@ def _startable(number: int) -> int:
 
 
 class _Here(Executor):
-    """Calls functions at once in the calling thread, where no other can be started."""
+    """Calls functions at once in the calling thread, where there is no use in another, or none."""
 
     def submit(self, fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
         future: Future[Any] = Future()

@@ -390,7 +390,7 @@ def _run_one_by_one(
     counts = [np.zeros(m, dtype=np.int64) for _ in range(4)]
     states[:] = np.nan
     results = Results(states, counts[0], counts[1], counts[2], counts[3], np.full(m, times[0]))
-    jacobian = model.jacobian
+    jacobian, one = model.jacobian, None
     for k in range(m):
         if stopped():
             raise KeyboardInterrupt
@@ -407,7 +407,9 @@ def _run_one_by_one(
             options = replace(
                 model.options, sensitivities=beside.compiled(x[k], r[k], p[k], _single)
             )
-        one = Integration(model.method, call, n, times, (), options, stopped)
+        same = one is not None and one.reusable and beside is None
+        if one is None or not (same and one.rebind(call, times)):
+            one = Integration(model.method, call, n, times, (), options, stopped)
         try:
             found = one.run(x[k])
             info = one.info()

@@ -291,6 +291,8 @@ class Prepared:
     ----------
     x0 : ndarray, shape (n,)
         The initial state it was prepared with.
+    reusable : bool
+        Whether `rebind` may make it another call's.
     """
 
     def __init__(self, integration: Integration, x0: np.ndarray) -> None:
@@ -300,6 +302,7 @@ class Prepared:
         self._integration = integration
         self._shape = x0.shape
         self._run = integration.run
+        self.reusable = integration.reusable
 
     def __call__(self, x0: ArrayLike) -> np.ndarray:
         """Return the states at the prepared times, shape (m, n), from another initial state.
@@ -333,11 +336,6 @@ class Prepared:
         """When the states are given, shape (m,)."""
         return self._integration.progress.times
 
-    @property
-    def reusable(self) -> bool:
-        """Whether `rebind` may make it another call's."""
-        return self._integration.reusable
-
     def rebind(self, call: Any, times: np.ndarray) -> bool:
         """Take other times and another call of the same function, or return False."""
         return self._integration.rebind(call, times)
@@ -345,7 +343,7 @@ class Prepared:
     def renumber(self, p: np.ndarray, r: np.ndarray, times: np.ndarray) -> bool:
         """Take other numbers for the same call, where it is native, or return False."""
         call = self._integration.call
-        return call is not None and self.rebind(replace(call, p=p, r=r), times)
+        return call is not None and self._integration.rebind(replace(call, p=p, r=r), times)
 
     @property
     def info(self) -> dict[str, Any]:

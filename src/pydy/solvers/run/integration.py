@@ -133,7 +133,8 @@ class Integration:
         rows[0] = self._x0 = x0
         self.code = NOT_COMPUTED
         self.records = []
-        self.arrays.forget_steps()
+        if self.options.dense_output:
+            self.arrays.forget_steps()
         try:
             code = self._advance(rows, True)
             if code == FINISHED:  # most end in their first slice

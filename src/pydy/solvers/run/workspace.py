@@ -171,9 +171,7 @@ class Workspace:
     def forget_steps(self) -> None:
         """Begin with no kept steps, and room for them."""
         words, rows = self.steps
-        self._aside, words[at.KEPT] = [], 0
-        if self.options.dense_output:
-            words[at.ROOM] = len(rows)
+        self._aside, words[at.KEPT], words[at.ROOM] = [], 0, len(rows)
 
     def put_steps_aside(self) -> None:
         """Make room for further steps, or keep none where they need too much memory."""
