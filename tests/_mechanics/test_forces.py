@@ -403,3 +403,28 @@ def test_a_load_belongs_to_the_nearest_of_two_bodies_welded_together():
         system.outputs = system.reaction(body, base).outputs("weld")
         found = system.evaluate_outputs([0.0, 0.0], 0.0)
         np.testing.assert_allclose(found[:3], [force, 0.0, 0.0], atol=1e-14)
+
+
+def test_a_load_beside_a_particle_on_the_ground_is_none_of_a_beams_there():
+    """Both stand still: that the point was located from the particle tells whose load it is."""
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    q, u = me.dynamicsymbols("q u")
+    origin.set_vel(frame, 0)
+    beam = frame.orientnew("B", "Axis", (0, frame.z))
+    middle = origin.locatenew("middle", 0.35 * beam.x)
+    peg = origin.locatenew("peg", 0.2 * frame.y)
+    tip = peg.locatenew("tip", 0.7 * frame.x)
+    for point in (middle, peg, tip):
+        point.set_vel(frame, 0)
+    bodies = [
+        me.RigidBody("beam", middle, beam, 1, (me.inertia(beam, 1, 1, 1), middle)),
+        me.Particle("peg", peg, 1),
+        me.Particle("bob", origin.locatenew("P", q * frame.y), 1),
+    ]
+    loads = [(tip, -10 * frame.y)]
+    system = System(
+        Definition(frame, [q], [u], bodies=bodies, loads=loads, kinematic_equations=[q.diff(T) - u])
+    )
+    for members, force in ((["beam"], 0.0), (["beam", "peg", tip], 10.0)):
+        system.outputs = system.reaction(members, origin).outputs("clamp")
+        close(system.evaluate_outputs(np.zeros(2), 0.0)[1], force, 1e-14)

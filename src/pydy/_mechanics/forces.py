@@ -195,11 +195,11 @@ class ConstraintForces:
         """What each load's point or frame moves with: bodies, or the inertial frame for ground."""
         k, bodies = self._kinematics, self.body.bodies
         found = {w: [b for b in bodies if b.masscenter is w] for w, _ in self.body.loads}
-        still, rest = {}, []
+        still, rest, rigid = {}, [], [b for b in bodies if is_rigid(b)]
         for where in (w for w, own in found.items() if isinstance(w, Point) and not own):
             line = self._located_by(where)
             at_rest = all(n == k.graph.zero for n in k.at(where)[1])
-            if at_rest and not any(b.masscenter in line for b in bodies):
+            if at_rest and not any(b.masscenter in line for b in rigid):
                 steps = [places(p)[before] for p, before in pairwise(line)]
                 still[where] = {f for step in steps for _, f in step.args}
             else:
