@@ -133,3 +133,61 @@ def test_a_constant_force_on_what_a_quaternion_turns_has_that_of_its_place():
     for x in ([1.0, 0, 0, 0, 0, 0, 0], [0.5, 0.5, -0.5, 0.5, 0, 0, 0]):
         height = 2.0 * (x[1] * x[3] - x[0] * x[2]) * 5.0
         assert system.evaluate_energy(x).potential == pytest.approx(6.0 * height, abs=1e-14)
+
+
+def two_pins(loads, mixed=0):
+    """Equations of two rods in a row; the second speed holds the first rate, times `mixed`."""
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    first, second = (me.ReferenceFrame(name) for name in "AB")
+    first.orient_axis(frame, Q[0], frame.z)
+    second.orient_axis(first, Q[1], first.z)
+    first.set_ang_vel(frame, U[0] * frame.z)
+    second.set_ang_vel(first, (U[1] - mixed * U[0]) * first.z)
+    place, bodies = origin, []
+    for name, own in (("a", first), ("b", second)):
+        place = place.locatenew(name, own.x)
+        place.set_vel(frame, place.pos_from(origin).dt(frame))
+        bodies.append(me.RigidBody(name, place, own, M, (me.inertia(own, 1, 1, 1), place)))
+    rates = [Q[0].diff() - U[0], Q[1].diff() + mixed * Q[0].diff() - U[1]]
+    found = Definition(
+        frame, Q, U, bodies=bodies, loads=loads(first, second), kinematic_equations=rates
+    )
+    return System(found)._equations
+
+
+@pytest.mark.parametrize("mixed", [0, C, sm.cos(Q[0])], ids=["plain", "constant", "by angle"])
+@pytest.mark.parametrize("kind", ["stop", "spring"])
+def test_a_torque_between_two_frames_has_that_of_their_angle_with_any_speeds(kind, mixed):
+    pull = -K * (Q[1] - L)
+    if kind == "stop":
+        pull = sm.Piecewise((pull, Q[1] > L), (0, True))
+
+    def loads(first, second):
+        resisting = (first, -K * sm.Abs(U[0]) * U[0] * first.z)
+        return [(second, pull * first.z), (first, -pull * first.z), resisting]
+
+    found = find_potential(two_pins(loads, mixed))
+    assert not found.unknown
+    values = [found.expression.subs({K: 3.0, L: 0.25, Q[0]: 0.4, Q[1]: q}) for q in (0.75, 0.25)]
+    assert abs(values[0] - values[1] - 3.0 * 0.5**2 / 2) < 1e-15
+
+
+def test_a_torque_that_another_angle_changes_is_named_with_any_speeds():
+    def loads(first, second):
+        return [(second, K * Q[0] * first.z), (first, -K * Q[0] * first.z)]
+
+    found = find_potential(two_pins(loads, sm.cos(Q[0])))
+    assert "the torque on the frame B, `k*x(t)*A.z`" in found.unknown
+
+
+def test_a_force_is_opposite_to_its_negative_up_to_rounding(plane):
+    """Components that are added up and rounded in another order, as SymPy's actuators have them."""
+    frame, origin, place = plane
+    other = origin.locatenew("R", (Q[1] + 0.1) * frame.x + 0.3 * frame.y)
+    other.set_vel(frame, U[1] * frame.x)
+    way = other.pos_from(place)
+    pull = -K * (way.magnitude() - L) * way / way.magnitude()
+    found = potential(plane, [(place, -1.0000000000000002 * pull), (other, pull)])
+    assert differs_by_a_constant(found.expression, K * (way.magnitude() - L) ** 2 / 2)
+    assert not found.unknown

@@ -4,14 +4,16 @@ Only what follows from the form of a load is taken: a force that is constant in 
 equal and opposite forces between two points that depend on their distance alone, and loads whose
 work is a closed form: with polynomial coefficients, such as those of linear springs along a
 coordinate, or with others that SymPy integrates, such as -K sin 2q or a Piecewise force of a
-contact. What depends on speeds, time or specifieds has no potential. What depends on the
-configuration in another way may have one or not: it is named rather than left out.
+contact; all together, one by one, or as opposite torques on two frames. What depends on speeds,
+time or specifieds has no potential. What depends on the configuration in another way may have one
+or not: it is named rather than left out.
 """
 
 from __future__ import annotations
 
 import warnings
 from collections.abc import Callable, Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field
 from functools import cache
 from typing import Any
@@ -126,10 +128,11 @@ class _Search:
             if self._is_static(term.size)
         ]
         terms = [term for term in terms if not self._constant_force(term)]
-        rest = self._polynomial(terms)
-        lost = [term for term in rest if self._is_lost(term)]
-        others = [term for term in rest if term not in lost]
-        unknown = [*lost, *self._integrable(others, self._antiderivative)]
+        taken = len(self.energies), len(self.powers)
+        lost, unknown = self._closed(terms)
+        if unknown:  # a part of a load may have been taken without the opposite part
+            del self.energies[taken[0] :], self.powers[taken[1] :]
+            lost, unknown = self._closed(self._along_one_rate(terms))
         found = sm.Add(*self.energies)
         bodies = self.mechanism.bodies if self.mechanism.lagrangian is None else ()
         own = self.equations.in_states(sm.Add(*(body.potential_energy for body in bodies)))
@@ -199,15 +202,17 @@ class _Search:
     def _radial(self, loads: Sequence[tuple[Any, Any]]) -> list[tuple[Any, Any]]:
         """Take forces along the line between two points; return the other loads."""
         rest: list[tuple[Any, Any]] = []
-        for where, vector in loads:
-            partner = next(
-                (k for k, (_, v) in enumerate(rest) if (v + vector) == 0 and v != 0), None
-            )
+        opposite = _opposite([vector for _, vector in loads])
+        places_in_rest: list[int] = []
+        for number, (where, vector) in enumerate(loads):
+            partner = next((k for k, j in enumerate(places_in_rest) if opposite(number, j)), None)
             others = self.fixed(where) if isinstance(where, Point) else []
             if partner is not None and self._pair(where, rest[partner][0], vector):
                 self.powers.append(self._power(*rest.pop(partner)))
+                places_in_rest.pop(partner)
             elif not any(self._pair(where, other, vector) for other in others):
                 rest.append((where, vector))
+                places_in_rest.append(number)
         return rest
 
     def _pair(self, point: Any, other: Any, force: Vector) -> bool:
@@ -251,6 +256,13 @@ class _Search:
 
     # -- closed forms -----------------------------------------------------------------------------
 
+    def _closed(self, terms: list[_Term]) -> tuple[list[_Term], list[_Term]]:
+        """Take what can be integrated; return what lacks a place, and all that is unknown."""
+        rest = self._polynomial(terms)
+        lost = [term for term in rest if self._is_lost(term)]
+        others = [term for term in rest if term not in lost]
+        return lost, [*lost, *self._integrable(others, self._antiderivative)]
+
     def _is_lost(self, term: _Term) -> bool:
         """Whether a constant force lacks a place that would tell its potential."""
         constant = isinstance(term.where, Point) and self._is_constant(term.size)
@@ -282,6 +294,49 @@ class _Search:
             else:
                 self._take(energy, power)
         return rest
+
+    def _along_one_rate(self, terms: list[_Term]) -> list[_Term]:
+        """Take what works along one coordinate, whatever the speeds are; return the others.
+
+        That is a load alone, or opposite torques on two frames, whose power is a force by the
+        coordinate's rate: a spring or a stop of a joint.
+        """
+        opposite = _opposite([term.vector for term in terms])
+        numbers = range(len(terms))
+        pairs = [[j, k] for k in numbers for j in range(k) if opposite(k, j)]
+        left = set(numbers)
+        for group in [*pairs, *([k] for k in numbers)]:
+            if not left.issuperset(group):
+                continue
+            power = sm.Add(*(self._power(terms[k].where, terms[k].vector) for k in group))
+            energy = self._along_rate(power)
+            if energy is not None:
+                self._take(energy, power)
+                left.difference_update(group)
+        return [terms[k] for k in sorted(left)]
+
+    def _along_rate(self, power: Any) -> Any:
+        """Return minus the integral of a force times the rate of one coordinate, or None."""
+        equations = self.equations
+        rates = zip(equations.coordinates, equations.coordinate_derivatives, strict=True)
+        for c, rate in rates:
+            u = next((u for u in equations.speeds if rate.diff(u).is_number and rate.diff(u)), None)
+            force = power.diff(u) / rate.diff(u) if u is not None else sm.S.Zero
+            if force == 0 or not self._is_constant(force.xreplace({c: sm.S.One})):
+                continue
+            x = sm.Dummy(c.func.__name__, real=True)
+            part = _primitive(replace_symbols(force, {c: x}), x)
+            if part is not None:
+                energy = replace_symbols(-part, {x: c})
+                if self._is_sound(energy, [power]):
+                    return energy
+        return None
+
+    def _is_sound(self, energy: Any, powers: Sequence[Any]) -> bool:
+        try:
+            return is_potential_of(self.equations, energy, powers)
+        except UnsupportedFunctionError:
+            return False
 
     def _integrate(self, powers: Sequence[Any]) -> Any:
         """Return minus the integral of the work, along straight lines from q = 0, or None."""
@@ -357,11 +412,7 @@ class _Search:
             energy -= part
             done.add(x)
         energy = replace_symbols(energy, {x: c for c, x in real.items()})
-        try:
-            sound = is_potential_of(self.equations, energy, powers)
-        except UnsupportedFunctionError:
-            return None
-        return energy if sound else None
+        return energy if self._is_sound(energy, powers) else None
 
 
 def _primitive(force: Any, x: Any) -> Any:
@@ -379,6 +430,30 @@ def _numbers(expressions: Sequence[Any]) -> np.ndarray:
     """Return the values of expressions at random states and constants, one row for each draw."""
     graph = Graph()
     return numbers_of(graph, InputReader(graph, {}, ()).all(expressions))
+
+
+def _opposite(vectors: Sequence[Vector]) -> Callable[[int, int], bool]:
+    """Return what tells whether two of some vectors are opposite, up to the rounding of numbers.
+
+    A law times a vector of decimals is rounded in other ways than its opposite.
+    """
+    parts = [{(f, i): part for row, f in v.args for i, part in enumerate(row)} for v in vectors]
+    places = list(dict.fromkeys(place for own in parts for place in own))
+    rows = [[own.get(place, sm.S.Zero) for place in places] for own in parts]
+    values = np.zeros((1, len(vectors), 1))
+    if len(vectors) > 1:
+        with suppress(UnsupportedFunctionError):
+            values = _numbers([part for row in rows for part in row])
+            values = values.reshape(-1, len(vectors), len(places))
+    sizes = np.abs(values).max(axis=2)
+
+    def opposite(i: int, j: int) -> bool:
+        if not sizes[:, i].all():  # what is zero there may be so elsewhere only
+            return bool(vectors[i] != 0 and vectors[i] + vectors[j] == 0)
+        left = np.abs(values[:, i] + values[:, j]).max(axis=1)
+        return bool((left <= CANCELLING * sizes[:, i]).all())
+
+    return opposite
 
 
 def _ratio(force: Vector, line: Vector) -> Any:
