@@ -290,3 +290,26 @@ def test_a_chain_far_from_rest_hangs_by_equal_forces_in_any_units(
     assert np.cos(angles).sum() == pytest.approx(3.0, rel=1e-12)
     assert np.sin(angles).sum() == pytest.approx(0.0, abs=1e-12)
     assert np.diff(np.tan(angles), n=2) == pytest.approx(0.0, abs=1e-9)
+
+
+@pytest.mark.parametrize("metre", [1e-6, 1.0, 1e9])
+def test_carts_hang_and_what_falls_has_no_equilibrium_in_any_units(metre):
+    """In nanometres the search used to end 4e7 turns away; in megametres a free fall was rest."""
+    cart = n_link_pendulum_on_cart(2)
+    cart.constants = {"g": 9.81 * metre, "l0": 0.5 * metre, "l1": 0.3 * metre}
+    cart.initial_conditions = {"q0": 0.7 * metre, "q1": 3.0, "q2": 3.3}
+    found = cart.find_equilibrium()
+    assert found["q0"] == pytest.approx(0.7 * metre, rel=1e-12)
+    assert [found["q1"], found["q2"]] == pytest.approx([np.pi, np.pi], abs=1e-12)
+    assert found.free == ("q0",)
+    (x, y), (v, w) = me.dynamicsymbols("x y"), me.dynamicsymbols("v w")
+    k, m, g = sm.symbols("k m g")
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    held, falls = origin.locatenew("P", x * frame.x), origin.locatenew("Q", y * frame.x)
+    bodies = [me.Particle("a", held, m), me.Particle("b", falls, m)]
+    loads = [(held, -k * x * frame.x), (falls, m * g * frame.x)]
+    two = Definition(frame, [x, y], [v, w], bodies=bodies, loads=loads)
+    system = System(two, constants={k: 1e6, m: 1e-3, g: 3.0 * metre})
+    with pytest.raises(EquilibriumError, match="the derivative of w"):
+        system.find_equilibrium()

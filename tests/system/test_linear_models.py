@@ -15,6 +15,7 @@ from circle import on_a_circle
 from pydy.errors import PyDyUserWarning
 from pydy.examples import whipple_bicycle
 from pydy.linearize import constrained_eigenvalues
+from pydy.mechanics import Definition
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from pydy.system import System
 from singular import slider_crank
@@ -342,3 +343,27 @@ def test_a_constraint_of_squares_keeps_its_rank_in_any_units(metre):
     system.initial_conditions = {x: 0.6 * metre, y: -0.8 * metre}
     values = np.sort_complex(system.linearize().eigenvalues)
     assert values == pytest.approx(np.array([-1j, 1j]) * np.sqrt(5.0), rel=1e-6, abs=1e-6)
+
+
+def test_angles_and_lengths_are_chosen_alike_in_any_units():
+    """Where the named angle cannot be solved for, a length was taken in SI, else an angle."""
+    chosen = set()
+    for metre in (1e-6, 1.0, 1e9):
+        a, b, x, u, w, v = me.dynamicsymbols("a b x u w v")
+        l, m = sm.symbols("l m")
+        frame, origin = me.ReferenceFrame("N"), me.Point("O")
+        origin.set_vel(frame, 0)
+        ends = [origin.locatenew("A", l * sm.cos(a) * frame.x + l * sm.sin(a) * frame.y)]
+        ends.append(ends[0].locatenew("B", l * sm.cos(b) * frame.x + l * sm.sin(b) * frame.y))
+        ends.append(origin.locatenew("C", x * frame.y))
+        linkage = Definition(
+            frame, [a, b, x], [u, w, v],
+            bodies=[me.Particle(end.name, end, m) for end in ends],
+            holonomic_constraints=[l * sm.sin(a) + l * sm.sin(b) - x],
+            dependent_coordinates=[a], dependent_speeds=[u],
+        )  # fmt: skip
+        system = System(linkage, constants={l: 0.5 * metre})
+        start = {a: np.pi / 2, b: 0.3, x: 0.5 * metre * (1.0 + np.sin(0.3))}
+        system.initial_conditions = start
+        chosen.add(system.linearize().states)
+    assert len(chosen) == 1

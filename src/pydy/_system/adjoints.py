@@ -23,6 +23,7 @@ from pydy._graph.program import Program
 from pydy._graph.simplify import simplify
 from pydy._kernel import Inputs, Kernel, KernelCall
 from pydy._optional import progress_of
+from pydy._rank import DEPENDENT, or_one
 from pydy._system.causes import explain
 from pydy._system.dependents import latest_dependents
 from pydy._system.parameters import Parameter, read_parameters
@@ -32,7 +33,6 @@ from pydy._system.setup import Setup
 from pydy._system.simulation import begin
 from pydy._system.solving import native_solver
 from pydy.analysis.adjoint import AdjointGradient
-from pydy.analysis.tuning import FREE
 from pydy.codegen.arguments import SpecifiedsPlan
 from pydy.inputs import SampledInput
 from pydy.solvers.adjoint.recording import Recording
@@ -187,9 +187,8 @@ def _inverse_factor(matrix: np.ndarray) -> np.ndarray:
 
 def _least(rows: np.ndarray) -> np.ndarray:
     """Return what solves equations with the least change; dependent rows do not count."""
-    lengths = np.linalg.norm(rows, axis=1)
-    lengths = np.where(lengths > 0.0, lengths, 1.0)
-    found: np.ndarray = np.linalg.pinv(rows / lengths[:, None], rcond=FREE) / lengths
+    lengths = or_one(np.linalg.norm(rows, axis=1))
+    found: np.ndarray = np.linalg.pinv(rows / lengths[:, None], rcond=DEPENDENT) / lengths
     return found
 
 

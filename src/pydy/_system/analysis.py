@@ -16,7 +16,8 @@ from pydy._errors import warn_user
 from pydy._forks import cached_property
 from pydy._kernel import Kernel
 from pydy._names import unique_names
-from pydy._system.balance import GROUPS, evaluated, feedback, located, members
+from pydy._rank import equilibrated, is_zero, or_one
+from pydy._system.balance import GROUPS, evaluated, feedback, located, members, natural_sizes
 from pydy._system.evaluation import samples
 from pydy._system.setup import Setup
 from pydy._system.snapshot import Snapshot
@@ -24,8 +25,6 @@ from pydy._system.start import surely_held, violations
 from pydy._system.tuning import BESIDE, TRIED
 from pydy.analysis.equilibria import Equilibrium
 from pydy.analysis.linear import LinearModel, independent_places, tangents
-from pydy.analysis.scaling import equilibrated
-from pydy.analysis.tuning import NOTHING
 from pydy.codegen.arguments import SpecifiedsPlan
 
 
@@ -118,34 +117,39 @@ class Point:
         T = np.broadcast_to(np.eye(n)[:, :moving], (len(self.x), n, moving))
         for block in self.blocks:
             gradient = self.slopes(block)
-            moved = gradient / self._sizes(block, gradient, kinds[block]) @ T
+            rows, columns = self._units(block, gradient, kinds[block])
+            moved, units = gradient / rows @ T, columns[:, free]
             own = np.flatnonzero(np.isin(free, kinds[block]))
             named = np.flatnonzero(np.isin(free[own], chosen))
-            bound = own[independent_places(moved[0][:, own], named.tolist())[1]]
+            scaled = moved[0][:, own] * units[0, own]
+            bound = own[independent_places(scaled, named.tolist())[1]]
             left = np.setdiff1d(np.arange(len(free)), bound)
-            T, free = T @ tangents(moved, left, bound), free[left]
+            T, free = T @ tangents(moved, left, bound, units), free[left]
         return T, free
 
-    def _sizes(self, block: str, gradient: np.ndarray, own: range) -> np.ndarray:
-        """Return how large the rows of a block's gradient by its own states are, shape (m, c, 1).
+    def _units(self, block: str, gradient: np.ndarray, own: range) -> tuple[np.ndarray, np.ndarray]:
+        """Return units of the rows (m, c, 1) of a block's gradient, and of the states (m, n).
 
         A row that vanishes in a singular configuration is rounding errors there: its size is taken
-        beside it, as far as the states are large. A coordinate that is zero is as large as the
-        others in units of the columns, and one where all are zero.
+        beside it, as far as the states are large. A coordinate that is zero is as large as it is by
+        itself, as an angle of 1 rad, or as the others in units of the columns.
         """
         n, places = gradient.shape[2], len(self.definition.equations.coordinates)
-        large = np.abs(self.x)
+        natural = natural_sizes(self.made, (self.t, self.x, self.r, self.p))["states"]
+        large = np.maximum(np.abs(self.x), natural)
         columns = equilibrated(gradient[:, :, :places])[2][:, 0]
         shares = large[:, :places] / columns
         share = shares.max(axis=1, keepdims=True, initial=0.0)
-        usual = np.where(share > 0.0, share * columns, 1.0)
-        large[:, :places] = np.where(shares > NOTHING * share, large[:, :places], usual)
+        usual = or_one(share) * columns
+        large[:, :places] = np.where(is_zero(shares, share), usual, large[:, :places])
         offset = BESIDE * large * np.cos(np.arange(n))
         beside = replace(self, x=self.x + offset)
         moved = beside.value(self.made.compiled_jacobian(block, "x"), n)
-        both = np.stack([gradient, np.where(np.isfinite(moved), moved, 0.0)])[..., own]
-        sizes: np.ndarray = np.linalg.norm(both, axis=-1, keepdims=True).max(axis=0)
-        return np.where(sizes > 0.0, sizes, 1.0)
+        both = np.maximum(np.abs(gradient), np.nan_to_num(np.abs(moved), posinf=0.0))
+        units = np.ones((len(self.x), n))
+        _, rows, columns = equilibrated(both[..., own])
+        units[:, own] = columns[:, 0]
+        return rows, units
 
 
 def _which(k: int, x: np.ndarray) -> str:

@@ -7,16 +7,21 @@ from typing import Any
 
 import numpy as np
 
+from pydy._assembly.assembly import Assembly
 from pydy._assembly.definition import Definition
+from pydy._assembly.model import CompiledModel
 from pydy._assembly.specifieds import driven
 from pydy._checks import Places, check_mapping, listed, number, real_array
+from pydy._graph.derivative import dense_jacobian
+from pydy._graph.interpret import run
 from pydy._kernel import Kernel
 from pydy._names import unique_names
+from pydy._rank import or_one
 from pydy._system.evaluation import row_names
 from pydy._system.setup import Setup
 from pydy._system.snapshot import Snapshot
 from pydy._system.tuning import AGREED
-from pydy.analysis.equilibria import Equilibrium, solve_equilibrium
+from pydy.analysis.equilibria import Equilibrium, Problem, solve_equilibrium
 from pydy.codegen.arguments import SpecifiedsPlan
 
 GROUPS = {"states": "x", "specifieds": "r", "constants": "p"}
@@ -24,6 +29,7 @@ GROUPS = {"states": "x", "specifieds": "r", "constants": "p"}
 _EPS = float(np.finfo(float).eps)
 # Decades down which steps of differences are tried, and the rounding errors of a function.
 _SHORTER, _ROUNDED = 10, 100.0
+_OF_NUMBERS = {"sin", "cos", "tan", "exp", "sinh", "cosh", "tanh"}  # functions of what has no unit
 
 
 class Unknowns:
@@ -250,6 +256,73 @@ class Balance:
             parts.append(part)
         return np.concatenate([parts[0][:, self.rows], *parts[1:]], axis=1)
 
+    def natural(self, z: np.ndarray) -> np.ndarray:
+        """Return how large the unknowns (l,) are by themselves; see `natural_sizes`."""
+        found = natural_sizes(self.made, self.inputs(z[None]))
+        return np.array([found[kind][0, k] for kind, k in self.wanted.order])
+
+    def inertia(self, z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Return how large rows are for motions of the same energy; see `Problem`."""
+        *at, p = self.inputs(z[None])
+        found = self.made.interpreted(_masses, (*at, np.atleast_2d(p)[0]))["masses"][0]
+        equations = self.definition.equations
+        first, n = len(equations.coordinates), len(equations.speeds)
+        masses = np.abs(found[:: n + 1]) if len(found) else np.ones(n)
+        speeds = 1.0 / np.sqrt(or_one(masses))
+        last = first + n
+
+        def moved(block: str, by: slice, motion: np.ndarray) -> np.ndarray:
+            slopes = evaluated(self.made.compiled_jacobian(block, "x"), at[0], at[1], at[2], p)[0]
+            rows = np.abs(np.nan_to_num(slopes.reshape(-1, self.x.size)[:, by])) @ motion
+            return np.asarray(rows)
+
+        rates = np.append(moved("rates", slice(first, last), speeds)[:first], speeds)
+        parts = [rates[self.rows]]
+        powers = [(np.array(self.rows) >= first).astype(float)]
+        if "holonomic" in self.blocks:
+            parts.append(moved("holonomic", slice(first), rates[:first]))
+            powers.append(np.full(len(parts[-1]), -1.0))
+        if "velocity" in self.blocks:
+            parts.append(moved("velocity", slice(first, last), speeds))
+            powers.append(np.zeros(len(parts[-1])))
+        return np.concatenate(parts), np.concatenate(powers)
+
+    def terms(self, z: np.ndarray) -> np.ndarray:
+        """Return how large the terms of the residuals are that constants and specifieds make."""
+        inputs = self.inputs(z[None])
+        numbers = {"r": inputs[2][0], "p": np.atleast_2d(inputs[3])[0]}
+        arrays = *inputs[:3], numbers["p"]
+        parts = []
+        for block in self.blocks:
+            part = np.zeros(len(getattr(self.made.assembly, block)))
+            for group, values in numbers.items():
+                if len(values):
+                    program = self.made.assembly.jacobian_program(block, group)
+                    slopes = run(program, *arrays)[0].reshape(len(part), -1)
+                    part += np.abs(np.nan_to_num(slopes)) @ np.abs(values)
+            parts.append(part)
+        return np.concatenate([parts[0][self.rows], *parts[1:]])
+
+    def problem(self, last: float | None = None) -> Problem:
+        """Return the conditions of equilibrium; the `last` unknown may be given."""
+        more = [] if last is None else [last]
+        k = len(self.wanted.symbols) - len(more)
+
+        def whole(z: np.ndarray) -> np.ndarray:
+            return np.append(z, more)
+
+        return Problem(
+            residual=lambda z: self.residuals(whole(z)[None])[0],
+            jacobian=lambda z: self.slopes(whole(z)[None])[0, :, :k],
+            unknowns=self.wanted.names[:k],
+            rows=self.titles,
+            rates={row: column for row, column in self.pairs.items() if column < k},
+            held=self.held,
+            natural=lambda z: self.natural(whole(z))[:k],
+            inertia=lambda z: self.inertia(whole(z)),
+            terms=lambda z: self.terms(whole(z)),
+        )
+
     def equilibrium(self, z: np.ndarray, largest: float, free: tuple[str, ...]) -> Equilibrium:
         """Return the result for the unknowns that were found, shape (l,)."""
         wanted = self.wanted
@@ -265,6 +338,54 @@ class Balance:
             free=free,
             given={s: value for s, value in self.given.items() if s not in values},
         )
+
+
+def natural_sizes(
+    made: CompiledModel, at: tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]
+) -> dict[str, np.ndarray]:
+    """Return how large states, specifieds and constants are by themselves; 0 where nothing tells.
+
+    The argument of a sine or an exponential function is a number without a unit. What makes it
+    change by one is large: an angle of 1 rad, or a thousandth of a speed in tanh(1000 v).
+
+    Parameters
+    ----------
+    made : CompiledModel
+    at : (t, x, r, p)
+        Of m states.
+
+    Returns
+    -------
+    dict
+        Maps each of `GROUPS` to an array (m, n).
+    """
+    t, x, r, p = at
+    r = np.broadcast_to(r, (len(x), r.shape[1]))
+    slopes = made.interpreted(_arguments, (t, x, r, np.atleast_2d(p)[0]))["slopes"]
+    sizes = made.assembly.sizes
+    steepest = np.abs(slopes.reshape(len(x), -1, sum(sizes))).max(axis=1, initial=0.0)
+    known = (steepest > 0.0) & np.isfinite(steepest)
+    natural = np.where(known, 1.0 / np.where(known, steepest, 1.0), 0.0)
+    return dict(zip(GROUPS, np.split(natural, np.cumsum(sizes)[:-1], axis=1), strict=True))
+
+
+def _arguments(assembly: Assembly) -> dict[str, list[int]]:
+    """Return the derivatives of what functions like the sine are taken of, by all inputs."""
+    g = assembly.graph
+    reached = g.reachable([*assembly.rates, *assembly.holonomic, *assembly.velocity])
+    inner = sorted({g.operands(n)[0] for n in reached if g.ops[n] in _OF_NUMBERS})
+    inputs = [
+        g.input(kind, k)
+        for kind, size in zip("xrp", assembly.sizes, strict=True)
+        for k in range(size)
+    ]
+    return {"slopes": dense_jacobian(g, inner, inputs)}
+
+
+def _masses(assembly: Assembly) -> dict[str, list[int]]:
+    """Return the mass matrix of all speeds, or nothing where none is known."""
+    cells = assembly.kinetic_hessian or assembly.mass_matrix
+    return {"masses": cells if len(cells) == len(assembly.speeds) ** 2 else []}
 
 
 def feedback(plan: SpecifiedsPlan, x: np.ndarray, t: np.ndarray) -> np.ndarray:
@@ -392,13 +513,6 @@ class Equilibria(Setup):
         wanted = balance.wanted
         return balance.equilibrium(
             *solve_equilibrium(
-                lambda z: balance.residuals(z[None])[0],
-                lambda z: balance.slopes(z[None])[0],
-                balance.start,
-                _bounds(now.definition, wanted, bounds),
-                wanted.names,
-                balance.titles,
-                balance.pairs,
-                balance.held,
+                balance.problem(), balance.start, _bounds(now.definition, wanted, bounds)
             )
         )

@@ -12,16 +12,16 @@ from pydy._checks import check_mapping, flag, number, real_array, whole
 from pydy._errors import AnalysisInterrupted, EquilibriumError
 from pydy._names import unique_names
 from pydy._optional import progress_of
+from pydy._rank import equilibrated, least_step
 from pydy._system.analysis import Point
 from pydy._system.balance import Balance, located
 from pydy._system.evaluation import samples
 from pydy._system.setup import Setup
 from pydy._system.snapshot import Snapshot
 from pydy.analysis.continuation import EquilibriumBranch, trace
-from pydy.analysis.equilibria import solve_equilibrium, solve_many
-from pydy.analysis.scaling import equilibrated
+from pydy.analysis.equilibria import Sizes, solve_equilibrium, solve_many
 from pydy.analysis.sweeps import EigenvalueSweep, spectra_of, with_rounding
-from pydy.analysis.tuning import AT_ONCE, FREE, TO_ROUNDING, ZERO_ROOT
+from pydy.analysis.tuning import AT_ONCE, TO_ROUNDING, ZERO_ROOT
 
 
 def parameter_of(definition: Definition, over: Any) -> tuple[Any, np.ndarray]:
@@ -72,7 +72,7 @@ class Family:
         guess[:, -1] = values
         if guess.shape[1] == 1:
             return guess
-        found, sound = solve_many(balance.residuals, balance.slopes, guess)
+        found, sound = solve_many(balance.residuals, balance.slopes, guess, self._sizes)
         # What is not found from the first value, or lies on another branch, is found from its
         # neighbour.
         k = 1
@@ -84,15 +84,18 @@ class Family:
             return found[:k]
         return found
 
+    def _sizes(self, slopes: np.ndarray, z: np.ndarray) -> Sizes:
+        return self.balance.problem(z[-1]).sizes(slopes, z[:-1])
+
     def _near(self, z: np.ndarray, other: np.ndarray) -> bool:
         step = other - z
         size = np.maximum(np.abs(z), np.abs(other))
         if (np.abs(step) <= 0.02 * size + TO_ROUNDING)[:-1].all():
             return True
         slopes = self.balance.slopes(z[None])[0]
-        scaled, rows, columns = equilibrated(slopes[:, :-1])
-        moved = step[:-1] / columns[0]
-        expected = -np.linalg.pinv(scaled, rcond=FREE) @ (slopes[:, -1] / rows[:, 0]) * step[-1]
+        columns = equilibrated(slopes[:, :-1])[2][0]
+        moved = step[:-1] / columns
+        expected = -least_step(slopes[:, :-1], slopes[:, -1] * step[-1]) / columns
         return float(np.linalg.norm(moved - expected)) <= 0.5 * float(np.linalg.norm(moved))
 
     def alone(self, z: np.ndarray) -> np.ndarray:
@@ -101,21 +104,8 @@ class Family:
         if len(z) == 1:
             return z
         infinite = np.full(len(z) - 1, np.inf)
-
-        def whole(part: np.ndarray) -> np.ndarray:
-            return np.append(part, value)[None]
-
         try:
-            found = solve_equilibrium(
-                lambda part: balance.residuals(whole(part))[0],
-                lambda part: balance.slopes(whole(part))[0, :, :-1],
-                z[:-1],
-                (-infinite, infinite),
-                self.names[:-1],
-                balance.titles,
-                {row: k for row, k in balance.pairs.items() if k < len(z) - 1},
-                balance.held,
-            )[0]
+            found = solve_equilibrium(balance.problem(value), z[:-1], (-infinite, infinite))[0]
         except EquilibriumError as error:
             error.add_note(f"This was at {self.names[-1]} = {value:.10g}.")
             raise

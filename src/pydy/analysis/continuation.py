@@ -18,11 +18,11 @@ import numpy as np
 
 from pydy._names import place_of
 from pydy._optional import require
+from pydy._rank import or_one, rank_of
 from pydy.analysis.pictures import plot_branch
 from pydy.analysis.scaling import sizes_along
 from pydy.analysis.tuning import (
     BISECTED,
-    FREE,
     ON_BRANCH,
     SHORTEST_STEP,
     STEEPEST_TURN,
@@ -145,10 +145,10 @@ class _Curve:
         first = J(z)
         self.scale = sizes_along(first, z, span)
         sizes = np.abs(first * self.scale).max(axis=1, initial=0.0)
-        self.sizes = np.where(sizes > 0.0, sizes, 1.0)
+        self.sizes = or_one(sizes)
         slopes = self.J(z)[:, :-1] * self.scale[:-1]
         _, singular, right = np.linalg.svd(slopes)
-        rank = int((singular > FREE * singular.max(initial=np.finfo(float).tiny)).sum())
+        rank = rank_of(singular)
         free = right[rank:]
         # A direction that the parameter alone moves along, such as at a fold, is not held.
         self.held = free if len(free) <= max(0, len(z) - 1 - rank) else free[:0]

@@ -6,8 +6,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from pydy.analysis.scaling import equilibrated
-from pydy.analysis.tuning import FREE, UNSOLVED_COLUMNS
+from pydy._rank import DEPENDENT, equilibrated
+from pydy.analysis.tuning import UNSOLVED_COLUMNS
 
 __all__ = ["follow"]
 
@@ -47,7 +47,7 @@ def follow(
         scaled, rows, columns = equilibrated(gradient[:, kind])
         at = [k - kind.start for k in places]
         left, sizes, right = np.linalg.svd(scaled[:, at], full_matrices=False)
-        kept = sizes > FREE
+        kept = sizes > DEPENDENT
         along = left.T[kept] @ (rest / rows) / sizes[kept, None]
         values[places] -= columns[0, at, None] * (right[kept].T @ along)
         solved += places

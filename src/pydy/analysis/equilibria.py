@@ -3,7 +3,9 @@
 The unknowns are found by least squares on the derivatives of the states and the residuals of the
 constraints, with exact Jacobians: `scipy.optimize.least_squares` finds the neighbourhood, within
 bounds, and Newton's method with the pseudo-inverse continues to rounding accuracy. Where that finds
-none, the search begins again where the system settles, and then with the rows as they are.
+none, the search begins again where the system settles, and then with rows in units of their own.
+Nothing depends on the user's units: rows are compared with what the unknowns make of them, and
+unknowns with each other by the Jacobian.
 """
 
 from __future__ import annotations
@@ -17,19 +19,17 @@ import scipy
 
 from pydy._errors import EquilibriumError
 from pydy._names import place_of, unique_names
+from pydy._rank import HALF, ROUNDED, equilibrated, least_step, null_space, or_one
 from pydy.analysis.directions import direction_text
-from pydy.analysis.scaling import equilibrated, scaled_step
+from pydy.analysis.scaling import scaled_step
 from pydy.analysis.settling import settled
-from pydy.analysis.tuning import AT_BOUND, FREE, NAMED, NEWTON_STEP, TO_ROUNDING
+from pydy.analysis.tuning import NAMED
 
-__all__ = ["Equilibrium", "solve_equilibrium", "solve_many"]
+__all__ = ["Equilibrium", "Problem", "Sizes", "solve_equilibrium", "solve_many"]
 
-_EPS = float(np.finfo(float).eps)
-# A residual up to so many rounding errors of the terms it is made of is zero.
-_ROUNDING = 1e5
-# Of the largest term of all rows, so many: what a linear solve leaves in a row that vanishes.
-_SOLVED = 100.0
 _POLISH = 20
+# Nothing moves so slowly: its powers would leave the range of floats.
+_SMALLEST = float(np.finfo(float).tiny ** 0.25)
 # Evaluations after which least squares hardly converge any more.
 _TRIED = 200
 
@@ -80,33 +80,122 @@ class Equilibrium:
     __repr__ = __str__
 
 
-def solve_equilibrium(
-    residual: Callable[[np.ndarray], np.ndarray],
-    jacobian: Callable[[np.ndarray], np.ndarray],
-    start: np.ndarray,
-    bounds: tuple[np.ndarray, np.ndarray],
-    unknowns: Sequence[str],
-    rows: Sequence[str],
-    rates: Mapping[int, int],
-    held: int,
-) -> tuple[np.ndarray, float, tuple[str, ...]]:
-    """Solve ``residual(z) = 0``.
+@dataclass(frozen=True, eq=False)
+class Problem:
+    """Equations of equilibrium ``residual(z) = 0``, and what is known of their sizes.
 
-    Parameters
+    Attributes
     ----------
-    residual : callable
-        ``residual(z)``, shape (m,).
-    jacobian : callable
-        ``jacobian(z)``, shape (m, k).
-    start : ndarray, shape (k,)
-    bounds : (ndarray, ndarray), shapes (k,)
-        Lowest and highest values.
+    residual, jacobian : callable
+        Of z (k,): shapes (m,) and (m, k).
     unknowns, rows : sequence of str
         Names, for messages.
     rates : mapping of int to int
         The rows that are rates of an unknown, and its place.
     held : int
         How many of the rows, the last ones, are constraints.
+    natural : callable
+        Of z: how large unknowns are by themselves, such as 1 for angles; 0 where nothing tells.
+    inertia : callable
+        Of z (k,): how large the rows are (m,) for motions of the same energy, and by which power of
+        an angular frequency that is to be multiplied (m,): 1 for accelerations.
+    terms : callable
+        Of z: how large the terms of the residuals are that constants and specifieds make, (m,).
+    """
+
+    residual: Callable[[np.ndarray], np.ndarray]
+    jacobian: Callable[[np.ndarray], np.ndarray]
+    unknowns: Sequence[str]
+    rows: Sequence[str]
+    rates: Mapping[int, int]
+    held: int
+    natural: Callable[[np.ndarray], np.ndarray]
+    inertia: Callable[[np.ndarray], tuple[np.ndarray, np.ndarray]]
+    terms: Callable[[np.ndarray], np.ndarray]
+
+    def sizes(self, slopes: np.ndarray, z: np.ndarray) -> Sizes:
+        """Return how large unknowns and rows are at z."""
+        return Sizes(slopes, z, self.natural(z), self.rates, self.inertia(z))
+
+
+class Sizes:
+    """How large the unknowns and the rows of a Jacobian are, in the units that the user works in.
+
+    An unknown is at least as large as those that are large by themselves, or else as the largest,
+    in units of motions of one energy.
+
+    Parameters
+    ----------
+    slopes : ndarray, shape (m, k)
+    z, natural : ndarray, shape (k,)
+        Values of unknowns, and how large they are by themselves.
+    rates, inertia
+        See `Problem`.
+
+    Attributes
+    ----------
+    units, unknowns : ndarray, shape (k,)
+        Units of motions of one energy, and sizes.
+    terms : ndarray, shape (m,)
+        What the unknowns make of each row.
+    rows : ndarray, shape (m,)
+        What such motions make of each row.
+    limit : ndarray, shape (m,)
+        What rounding may leave of each row. Accelerations come from one linear solve, so that none
+        is more exact than a rounding error of the largest, in units of the same energy: a bicycle's
+        wheels at rest are moved by what is left of its weight, and a bead at the bottom of a hoop
+        by what the hoop's force leaves.
+    """
+
+    def __init__(
+        self,
+        slopes: np.ndarray,
+        z: np.ndarray,
+        natural: np.ndarray,
+        rates: Mapping[int, int],
+        inertia: tuple[np.ndarray, np.ndarray],
+    ) -> None:
+        rows, powers = inertia
+        own, columns = list(rates), list(rates.values())
+        units = np.ones(slopes.shape[1])
+        units[columns] = or_one(rows[own])
+        between = slopes[np.ix_(own, columns)] * units[columns] / units[columns][:, None]
+        speed = float(np.abs(np.linalg.eigvals(between)).max(initial=0.0))
+        if not speed > _SMALLEST:
+            speed = 1.0
+        units[columns] *= speed ** (powers[own] - 1.0)
+        self.rows = or_one(rows * speed**powers)
+        self._linked = np.where(powers == 1.0, rows, 0.0)
+        others = np.setdiff1d(np.arange(len(units)), columns)
+        steepest = np.abs(slopes[:, others] / self.rows[:, None]).max(axis=0, initial=0.0)
+        units[others] = 1.0 / or_one(steepest)
+        acts = (np.abs(slopes) * units).max(axis=0, initial=0.0) > 0.0
+        known = np.maximum(np.abs(z), natural)
+        shares = (natural if natural[acts].any() else known) / units
+        self.units = np.where(acts, units, or_one(known))
+        self.unknowns = np.maximum(known, shares[acts].max(initial=0.0) * units)
+        self.terms = np.abs(slopes) @ self.unknowns
+        self.limit = self.rounding(self.terms)
+
+    def rounding(self, terms: np.ndarray) -> np.ndarray:
+        """Return what rounding leaves of rows with such terms."""
+        linked = self._linked > 0.0
+        largest = (terms[linked] / self._linked[linked]).max(initial=0.0)
+        result: np.ndarray = ROUNDED * np.maximum(terms, self._linked * largest)
+        return result
+
+
+def solve_equilibrium(
+    problem: Problem, start: np.ndarray, bounds: tuple[np.ndarray, np.ndarray]
+) -> tuple[np.ndarray, float, tuple[str, ...]]:
+    """Solve a `Problem`.
+
+    Parameters
+    ----------
+    problem : Problem
+    start : ndarray, shape (k,)
+    bounds : (ndarray, ndarray), shapes (k,)
+        Lowest and highest values.
 
     Returns
     -------
@@ -123,96 +212,103 @@ def solve_equilibrium(
     """
     z = np.clip(start, *bounds)
     missed: EquilibriumError | None = None
-    for attempt in ("near", "settled", "plain"):
+    for attempt in ("near", "settled", "units"):
+        begin = z
         with np.errstate(all="ignore"):
-            far = attempt == "settled"
-            begin = settled(residual, jacobian, z, bounds, rates, held) if far else z
-        # Sizes at the start mislead where wheels do not turn yet: the rows as they are do not.
-        size = np.ones(len(rows)) if attempt == "plain" else _sizes(jacobian(begin), begin)
-        found, message = _search(residual, jacobian, begin, bounds, size)
+            if attempt == "settled":
+                begin = settled(
+                    problem.residual, problem.jacobian, z, bounds, problem.rates, problem.held
+                )
+            slopes = problem.jacobian(begin)
+            found, message = begin, ""
+            if np.isfinite(slopes).all():
+                sizes = problem.sizes(slopes, begin)
+                # Terms at the start mislead where wheels do not turn yet: units do not.
+                rows = sizes.rows if attempt == "units" else or_one(sizes.terms)
+                found, message = _search(problem, begin, bounds, rows, sizes.units)
         try:
-            accepted = _accepted(residual, jacobian, found, bounds, unknowns, rows, message)
+            accepted = _accepted(problem, found, bounds, message)
         except EquilibriumError as error:
             missed = missed or error
             continue
-        return _as_begun(accepted, residual, jacobian, z, bounds, unknowns, rows)
+        return _as_begun(accepted, problem, z, bounds)
     assert missed is not None
     raise missed
 
 
 def _as_begun(
     accepted: tuple[np.ndarray, float, tuple[str, ...]],
-    residual: Callable[[np.ndarray], np.ndarray],
-    jacobian: Callable[[np.ndarray], np.ndarray],
+    problem: Problem,
     start: np.ndarray,
     bounds: tuple[np.ndarray, np.ndarray],
-    unknowns: Sequence[str],
-    rows: Sequence[str],
 ) -> tuple[np.ndarray, float, tuple[str, ...]]:
     """Return the same equilibrium with what is free as it was at the start, where that is one too.
 
     The search moves what no equation tells of as well: a sleigh comes to rest anywhere.
     """
     found = accepted[0]
-    free, columns = _free(jacobian(found))
+    free, columns = null_space(problem.jacobian(found))
     back = free.T @ (free @ ((start - found) / columns)) * columns
     if not np.abs(back).max(initial=0.0) > 0.0:
         return accepted
     with np.errstate(all="ignore"):
-        there = _polished(residual, jacobian, np.clip(found + back, *bounds), *bounds)
+        begin = np.clip(found + back, *bounds)
+        slopes = problem.jacobian(begin)
+        if not np.isfinite(slopes).all():
+            return accepted
+        rows = problem.sizes(slopes, begin).rows
+        there = _polished(*_scaled(problem, rows), begin, *bounds)
         try:
-            again = _accepted(residual, jacobian, there, bounds, unknowns, rows, "")
+            again = _accepted(problem, there, bounds, "")
         except EquilibriumError:
             return accepted
     nearer = np.linalg.norm((there - start) / columns) < np.linalg.norm((found - start) / columns)
     return again if nearer else accepted
 
 
-def _search(
-    residual: Callable[[np.ndarray], np.ndarray],
-    jacobian: Callable[[np.ndarray], np.ndarray],
-    z: np.ndarray,
-    bounds: tuple[np.ndarray, np.ndarray],
-    size: np.ndarray,
-) -> tuple[np.ndarray, str]:
-    """Return what is found with each row in units of its size, and why it is no better."""
-    low, high = bounds
+def _scaled(
+    problem: Problem, rows: np.ndarray
+) -> tuple[Callable[[np.ndarray], np.ndarray], Callable[[np.ndarray], np.ndarray]]:
+    """Return residuals and Jacobian with each row in units of its size."""
 
     def share(z: np.ndarray) -> np.ndarray:
-        shares: np.ndarray = residual(z) / size
+        shares: np.ndarray = problem.residual(z) / rows
         return shares
 
     def slopes(z: np.ndarray) -> np.ndarray:
-        shares: np.ndarray = jacobian(z) / size[:, None]
+        shares: np.ndarray = problem.jacobian(z) / rows[:, None]
         return shares
 
-    with np.errstate(all="ignore"):
-        near = _quickly(share, slopes, z, low, high)
-        if near is not None:
-            return near, ""
-        try:
-            found = scipy.optimize.least_squares(
-                share, z, slopes, bounds, x_scale="jac",
-                xtol=TO_ROUNDING, ftol=TO_ROUNDING, gtol=TO_ROUNDING,
-                max_nfev=_TRIED,
-            )  # fmt: skip
-        except ValueError as error:  # residuals that are not finite at the start
-            return z, str(error)
-    return _polished(share, slopes, found.x, low, high), found.message
+    return share, slopes
 
 
-def _sizes(slopes: np.ndarray, z: np.ndarray) -> np.ndarray:
-    """Return the units to search in: of each row what its terms are of at the start.
-
-    In SI units accelerations under some load are a million times what is left of a constraint,
-    which a search on both as they are would hardly see.
-    """
-    with np.errstate(all="ignore"):
-        terms = _terms(slopes, z)
-    return np.where(np.isfinite(terms) & (terms > 0.0), terms, 1.0)
+def _search(
+    problem: Problem,
+    z: np.ndarray,
+    bounds: tuple[np.ndarray, np.ndarray],
+    rows: np.ndarray,
+    units: np.ndarray,
+) -> tuple[np.ndarray, str]:
+    """Return what is found with rows and unknowns in such units, and why it is no better."""
+    low, high = bounds
+    share, slopes = _scaled(problem, rows)
+    near = _quickly(problem, share, slopes, z, low, high)
+    if near is not None:
+        return near, ""
+    try:
+        found = scipy.optimize.least_squares(
+            lambda w: share(w * units), z / units, lambda w: slopes(w * units) * units,
+            (low / units, high / units), x_scale="jac",
+            xtol=ROUNDED, ftol=ROUNDED, gtol=ROUNDED, max_nfev=_TRIED,
+        )  # fmt: skip
+    except ValueError as error:  # residuals that are not finite at the start
+        return z, str(error)
+    found_z = np.clip(found.x * units, low, high)
+    return _polished(share, slopes, found_z, low, high), found.message
 
 
 def _quickly(
+    problem: Problem,
     residual: Callable[[np.ndarray], np.ndarray],
     jacobian: Callable[[np.ndarray], np.ndarray],
     z: np.ndarray,
@@ -221,16 +317,18 @@ def _quickly(
 ) -> np.ndarray | None:
     """Return what Newton's method finds if it converges from the start, at least tenfold a step.
 
-    Else the neighbourhood has to be found first: None.
+    Else the neighbourhood has to be found first: None. A step of half the digits is the last but
+    one: its square is rounding.
     """
-    values = residual(z)
+    values, largest = residual(z), np.zeros(len(z))
     for _ in range(_POLISH):
         size = np.abs(values).max(initial=0.0)
         slopes = jacobian(z)
         if not (np.isfinite(size) and np.isfinite(slopes).all()):
             return None
-        step = scaled_step(slopes, values, FREE)
-        if (np.abs(step) <= NEWTON_STEP * np.maximum(1.0, np.abs(z))).all():
+        step = scaled_step(slopes, values)
+        largest = np.maximum(largest, np.abs(step))
+        if (np.abs(step) <= HALF * np.maximum(problem.sizes(slopes, z).unknowns, largest)).all():
             return _polished(residual, jacobian, z, low, high)
         z = z - step
         if (z < low).any() or (z > high).any():
@@ -242,50 +340,49 @@ def _quickly(
 
 
 def _accepted(
-    residual: Callable[[np.ndarray], np.ndarray],
-    jacobian: Callable[[np.ndarray], np.ndarray],
-    z: np.ndarray,
-    bounds: tuple[np.ndarray, np.ndarray],
-    unknowns: Sequence[str],
-    rows: Sequence[str],
-    message: str,
+    problem: Problem, z: np.ndarray, bounds: tuple[np.ndarray, np.ndarray], message: str
 ) -> tuple[np.ndarray, float, tuple[str, ...]]:
     """Return what `solve_equilibrium` does, if the residuals are rounding errors."""
     low, high = bounds
-    values, slopes = residual(z), jacobian(z)
+    values, slopes = problem.residual(z), problem.jacobian(z)
     if not (np.isfinite(values).all() and np.isfinite(slopes).all()):
         raise EquilibriumError(
             "No equilibrium was found: the equations are not finite near "
-            f"{_named(unknowns, z)}. Choose initial conditions closer to one.",
+            f"{_named(problem.unknowns, z)}. Choose initial conditions closer to one.",
             z,
             values,
         )
-    limit = _ROUNDING * _EPS * _scale(slopes, z, values)
-    worst = np.abs(values) / np.maximum(limit, np.finfo(float).tiny)
-    if (worst > 1.0).any():
-        order = [k for k in np.argsort(-np.abs(values)) if worst[k] > 1.0][:3]
-        left = ", ".join(f"{rows[k]} = {values[k]:.3g}" for k in order)
+    sizes = problem.sizes(slopes, z)
+    off = np.abs(values) > sizes.limit
+    if off.any():
+        off = np.abs(values) > sizes.rounding(sizes.terms + problem.terms(z))
+    if off.any():
+        order = [k for k in np.argsort(-np.abs(values)) if off[k]][:3]
+        left = ", ".join(f"{problem.rows[k]} = {values[k]:.3g}" for k in order)
         at_bounds = [
             name
-            for name, value, a, b in zip(unknowns, z, low, high, strict=True)
-            if min(value - a, b - value) <= AT_BOUND * (min(b - a, 1.0) + abs(value))
+            for name, value, a, b, size in zip(
+                problem.unknowns, z, low, high, sizes.unknowns, strict=True
+            )
+            if min(value - a, b - value) <= HALF * min(b - a, size)
         ]
         bound = f" At a bound: {', '.join(at_bounds)}." if at_bounds else ""
         why = f" ({' '.join(message.split())})" if message else ""
         raise EquilibriumError(
-            f"No equilibrium was found. Nearest, at {_named(unknowns, z)}: {left}.{bound} "
+            f"No equilibrium was found. Nearest, at {_named(problem.unknowns, z)}: {left}.{bound} "
             "Start closer to an equilibrium, add unknowns, or list coordinates that keep moving in "
             f"`moving`.{why}",
             z,
             values,
         )
-    return z, float(np.abs(values).max(initial=0.0)), _undetermined(slopes, unknowns)
+    return z, float(np.abs(values).max(initial=0.0)), _undetermined(slopes, problem.unknowns)
 
 
 def solve_many(
     residuals: Callable[[np.ndarray], np.ndarray],
     slopes: Callable[[np.ndarray], np.ndarray],
     z: np.ndarray,
+    measured: Callable[[np.ndarray, np.ndarray], Sizes],
 ) -> tuple[np.ndarray, np.ndarray]:
     """Solve for all but the last column of `z` in each row at once, by Newton's method.
 
@@ -295,6 +392,8 @@ def solve_many(
         Of z (m, k): shapes (m, r) and (m, r, k).
     z : ndarray, shape (m, k)
         Where to start.
+    measured : callable
+        Of the slopes (r, k - 1) at one z (k,): the sizes there.
 
     Returns
     -------
@@ -303,47 +402,29 @@ def solve_many(
         Where the residuals are rounding errors.
     """
     z = z.copy()
-    best = residuals(z)
-    sizes = np.abs(best).max(axis=1)
+    best, J = residuals(z), slopes(z)
+    rows = equilibrated(np.where(np.isfinite(J), J, 0.0)[:, :, :-1])[1][:, :, 0]
+    sizes = np.abs(best / rows).max(axis=1)
     left = np.arange(len(z))
-    J = slopes(z)
     for _ in range(_POLISH):
         ready = np.isfinite(J[left]).all(axis=(1, 2)) & np.isfinite(sizes[left])
         left = left[ready & (sizes[left] > 0.0)]
         if not left.size:
             break
-        steps = np.linalg.pinv(J[left, :, :-1], rcond=FREE) @ best[left, :, None]
         after = z[left]
-        after[:, :-1] -= steps[:, :, 0]
+        after[:, :-1] -= least_step(J[left, :, :-1], best[left])
         values = residuals(after)
-        better = np.abs(values).max(axis=1) < sizes[left]
+        better = np.abs(values / rows[left]).max(axis=1) < sizes[left]
         left, after, values = left[better], after[better], values[better]
         if not left.size:
             break
-        z[left], best[left], sizes[left] = after, values, np.abs(values).max(axis=1)
+        z[left], best[left] = after, values
+        sizes[left] = np.abs(values / rows[left]).max(axis=1)
         J[left] = slopes(after)
-    limit = _ROUNDING * _EPS * _scale(J, z, best)
-    with np.errstate(invalid="ignore"):
-        return z, (np.abs(best) <= np.maximum(limit, np.finfo(float).tiny)).all(axis=1)
-
-
-def _scale(J: np.ndarray, z: np.ndarray, values: np.ndarray) -> np.ndarray:
-    """Return the size of the terms that residuals are made of.
-
-    Accelerations come from one linear solve, so that none is more exact than a rounding error of
-    the largest, a few times over: a bicycle's wheels at rest are moved by what is left of its
-    weight, and a bead at the bottom of a hoop by what the hoop's force leaves.
-    """
-    terms = _terms(J, z)
-    least = terms.max(axis=-1, initial=0.0, keepdims=True) * (_SOLVED / _ROUNDING)
-    own = terms + np.abs(values).max(axis=-1, initial=0.0, keepdims=True) * _EPS
-    result: np.ndarray = np.maximum(own, least)
-    return result
-
-
-def _terms(J: np.ndarray, z: np.ndarray) -> np.ndarray:
-    terms: np.ndarray = (np.abs(J) @ np.maximum(np.abs(z), 1.0)[..., None])[..., 0]
-    return terms
+    sound = np.isfinite(J).all(axis=(1, 2)) & np.isfinite(best).all(axis=1)
+    for k in np.flatnonzero(sound):
+        sound[k] = (np.abs(best[k]) <= measured(J[k, :, :-1], z[k]).limit).all()
+    return z, sound
 
 
 def _polished(
@@ -359,7 +440,7 @@ def _polished(
         slopes = jacobian(z)
         if not (np.isfinite(slopes).all() and np.isfinite(best).all()) or not best.any():
             break
-        step = scaled_step(slopes, best, FREE)
+        step = scaled_step(slopes, best)
         after = np.clip(z - step, low, high)
         values = residual(after)
         if not np.abs(values).max() < np.abs(best).max():
@@ -377,21 +458,11 @@ def _undetermined(slopes: np.ndarray, unknowns: Sequence[str]) -> tuple[str, ...
     """Return the directions in which no equation changes, as sums of unknowns."""
     if not slopes.size:
         return tuple(unknowns)
-    free, columns = _free(slopes)
+    free, columns = null_space(slopes)
     free = _reduced(free)
     # What takes part is told in units of the columns, and how far it moves in the user's.
     free = np.where(np.abs(free) >= NAMED * np.abs(free).max(axis=1, keepdims=True), free, 0.0)
     return tuple(direction_text(direction, unknowns, 0.0) for direction in free * columns)
-
-
-def _free(slopes: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return orthonormal directions in which no equation changes, in units that come with them."""
-    if not slopes.size:
-        return np.eye(slopes.shape[1]), np.ones(slopes.shape[1])
-    scaled, _, columns = equilibrated(slopes)
-    _, singular, right = np.linalg.svd(scaled)
-    rank = int((singular > FREE * max(singular.max(initial=0.0), np.finfo(float).tiny)).sum())
-    return right[rank:], columns[0]
 
 
 def _reduced(rows: np.ndarray) -> np.ndarray:

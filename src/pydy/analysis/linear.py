@@ -15,12 +15,12 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-import scipy
 
 from pydy._checks import choice, real_array
 from pydy._optional import require
+from pydy._rank import DEPENDENT, independent_columns
 from pydy.analysis.pictures import plot_bode, plot_poles
-from pydy.analysis.tuning import FREE, SLOW
+from pydy.analysis.tuning import SLOW
 
 __all__ = ["LinearModel", "independent_places", "tangents"]
 
@@ -180,7 +180,8 @@ def independent_places(
     Parameters
     ----------
     jacobian : ndarray, shape (c, n)
-        Of the constraints' residuals, in rows of size one; they may depend on each other.
+        Of the constraints' residuals, with rows and columns in units of their own; rows may depend
+        on each other.
     dependent : sequence of int
         Those that the user called dependent. They are taken if the constraints can be solved for
         them, and completed or replaced otherwise.
@@ -190,22 +191,13 @@ def independent_places(
     ValueError
         The constraints have a lower rank than there are dependent states.
     """
-    rows, n = jacobian, jacobian.shape[1]
-    rank = int(np.linalg.matrix_rank(rows, tol=FREE)) if rows.size else 0
+    rank = len(independent_columns(jacobian))
     if rank < len(dependent):
         raise _singular(0)
-    preferred = np.array(sorted(dependent), dtype=np.int64)
-    if rank == len(preferred) and rank:
-        rank_of_preferred = np.linalg.matrix_rank(rows[:, preferred], tol=FREE)
-        if rank_of_preferred < rank:
-            preferred = preferred[:0]
-    elif len(preferred) != rank:
-        preferred = preferred[:0]
-    if len(preferred) < rank:
-        _, _, order = scipy.linalg.qr(rows, pivoting=True, mode="economic")
-        preferred = np.sort(order[:rank])
-    free = np.setdiff1d(np.arange(n), preferred)
-    return free, preferred
+    chosen = np.array(sorted(dependent), dtype=np.int64)
+    if len(chosen) < rank or len(independent_columns(jacobian[:, chosen])) < rank:
+        chosen = np.sort(independent_columns(jacobian))
+    return np.setdiff1d(np.arange(jacobian.shape[1]), chosen), chosen
 
 
 def _singular(k: int) -> ValueError:
@@ -215,15 +207,19 @@ def _singular(k: int) -> ValueError:
     )
 
 
-def tangents(jacobian: np.ndarray, free: np.ndarray, bound: np.ndarray) -> np.ndarray:
+def tangents(
+    jacobian: np.ndarray, free: np.ndarray, bound: np.ndarray, units: np.ndarray
+) -> np.ndarray:
     """Return T with J T = 0 and rows of the identity at the independent states.
 
     Parameters
     ----------
     jacobian : ndarray, shape (m, c, n)
-        As there.
+        As there, but with columns as they are.
     free, bound : ndarray of int
         The places of independent and dependent states.
+    units : ndarray, shape (m, n)
+        Those of the columns.
 
     Returns
     -------
@@ -238,13 +234,13 @@ def tangents(jacobian: np.ndarray, free: np.ndarray, bound: np.ndarray) -> np.nd
     result = np.zeros((m, n, len(free)))
     result[:, free, np.arange(len(free))] = 1.0
     if len(bound):
-        held, moved = jacobian[:, :, bound], jacobian[:, :, free]
+        held, moved = jacobian[:, :, bound] * units[:, None, bound], jacobian[:, :, free]
         left, sizes, right = np.linalg.svd(held, full_matrices=False)
         smallest = sizes[:, -1]
-        if not smallest.min() > FREE:
+        if not smallest.min() > DEPENDENT:
             raise _singular(int(smallest.argmin()))
         # The pseudo-inverse from the same decomposition.
         projected = left.transpose(0, 2, 1) @ moved / sizes[:, :, None]
         solved = -right.transpose(0, 2, 1) @ projected
-        result[:, bound] = solved
+        result[:, bound] = units[:, bound, None] * solved
     return result

@@ -2,47 +2,48 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
+import scipy
 
-from pydy.analysis.tuning import NOTHING
+from pydy._rank import DEPENDENT, is_zero, or_one
 
-__all__ = ["equilibrated", "scaled_step", "sizes_along"]
-
-_SWEEPS = 8  # the exponents' error halves at each
+__all__ = ["scaled_step", "sizes_along", "unknown_units"]
 
 
-def equilibrated(slopes: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return Jacobians with the largest entry of each row and column near 1.
+def unknown_units(
+    slopes: np.ndarray, own: Sequence[int], columns: Sequence[int]
+) -> tuple[np.ndarray, float]:
+    """Return units of the unknowns in which rates are balanced, and the fastest of these.
 
-    After D. Ruiz, "A scaling algorithm to equilibrate both rows and columns norms in matrices",
-    RAL-TR-2001-034. What rounding leaves of zeros does not count: else a column of nothing else
-    would be as large as the others.
+    That leaves a factor common to all, which no step depends on. The units of unknowns without a
+    rate follow from those of the rows that they are in.
 
     Parameters
     ----------
-    slopes : ndarray, shape (..., m, k)
-
-    Returns
-    -------
-    scaled : ndarray, shape (..., m, k)
-        ``slopes * columns / rows``.
-    rows : ndarray, shape (..., m, 1)
-    columns : ndarray, shape (..., 1, k)
+    slopes : ndarray, shape (m, k)
+    own, columns : sequences of int
+        Rows that are rates of unknowns, and of which.
     """
-    sizes = np.abs(slopes)
-    rows = _or_one(sizes.max(axis=-1, keepdims=True, initial=0.0))
-    sizes = sizes / rows
-    sizes[sizes <= NOTHING] = 0.0
-    columns = np.ones_like(sizes[..., :1, :])
-    for _ in range(_SWEEPS):
-        tall = np.sqrt(_or_one(sizes.max(axis=-2, keepdims=True, initial=0.0)))
-        wide = np.sqrt(_or_one(sizes.max(axis=-1, keepdims=True, initial=0.0)))
-        sizes = sizes / (tall * wide)
-        columns, rows = columns / tall, rows * wide
-    return slopes * columns / rows, rows, columns
+    k = slopes.shape[1]
+    between = slopes[np.ix_(own, columns)]
+    units = np.ones(k)
+    if len(own):
+        with np.errstate(invalid="ignore"):  # in what `separate` is not asked for
+            balanced = scipy.linalg.matrix_balance(between, permute=False, separate=True)
+        units[columns] = balanced[1][0]
+    between = between * units[columns] / units[columns][:, None]
+    speed = float(or_one(np.abs(np.linalg.eigvals(between)).max(initial=0.0)))
+    others = np.setdiff1d(np.arange(k), columns)
+    sizes = np.abs(slopes[:, columns] * units[columns]).max(axis=1, initial=0.0)
+    sizes[own] = units[columns] * speed
+    sizes = np.where(sizes > 0.0, sizes, np.inf)
+    units[others] = 1.0 / or_one(np.abs(slopes[:, others] / sizes[:, None]).max(axis=0))
+    return units, speed
 
 
-def scaled_step(slopes: np.ndarray, values: np.ndarray, rank: float) -> np.ndarray:
+def scaled_step(slopes: np.ndarray, values: np.ndarray) -> np.ndarray:
     """Return the least z with ``slopes @ z = values``, in units of the columns.
 
     Rows weigh what they do: a row of rounding errors, as next to a singular configuration, would
@@ -52,13 +53,11 @@ def scaled_step(slopes: np.ndarray, values: np.ndarray, rank: float) -> np.ndarr
     ----------
     slopes : ndarray, shape (m, k)
     values : ndarray, shape (m,)
-    rank : float
-        Singular values below this share of the largest are zero.
     """
     sizes = np.abs(slopes)
-    sizes[sizes <= NOTHING * sizes.max(axis=1, keepdims=True, initial=0.0)] = 0.0
-    columns = 1.0 / _or_one(sizes.max(axis=0, initial=0.0))
-    step: np.ndarray = columns * np.linalg.lstsq(slopes * columns, values, rcond=rank)[0]
+    sizes[is_zero(sizes, sizes.max(axis=1, keepdims=True, initial=0.0))] = 0.0
+    columns = 1.0 / or_one(sizes.max(axis=0, initial=0.0))
+    step: np.ndarray = columns * np.linalg.lstsq(slopes * columns, values, rcond=DEPENDENT)[0]
     return step
 
 
@@ -73,13 +72,8 @@ def sizes_along(slopes: np.ndarray, z: np.ndarray, span: float) -> np.ndarray:
     m, k = slopes.shape
     sizes = np.abs(slopes)
     sizes[:, -1] *= span
-    row, column = np.nonzero(sizes > NOTHING * sizes.max(axis=1, initial=0.0, keepdims=True))
+    row, column = np.nonzero(~is_zero(sizes, sizes.max(axis=1, initial=0.0, keepdims=True)))
     table = np.zeros((len(row), m + k))
     table[np.arange(len(row)), row] = table[np.arange(len(row)), m + column] = 1.0
     logs = np.linalg.lstsq(table[:, :-1], -np.log(sizes[row, column]), rcond=None)[0]
     return np.append(np.maximum(np.abs(z[:-1]), np.exp(logs[m:])), span)
-
-
-def _or_one(sizes: np.ndarray) -> np.ndarray:
-    known: np.ndarray = np.where(sizes > 0.0, sizes, 1.0)
-    return known

@@ -12,9 +12,10 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 
 import numpy as np
-import scipy
 
-from pydy.analysis.tuning import BENT, FREE, NEARLY_STRAIGHT, SETTLED
+from pydy._rank import or_one, rank_of
+from pydy.analysis.scaling import unknown_units
+from pydy.analysis.tuning import BENT, NEARLY_STRAIGHT, SETTLED
 
 __all__ = ["settled"]
 
@@ -54,11 +55,11 @@ def settled(
     for _ in range(_TRIALS):
         if not (np.isfinite(slopes).all() and np.isfinite(values).all()):
             break
-        units, speed = _units(slopes, own, columns)
+        units, speed = unknown_units(slopes, own, columns)
         if not length:
             fastest, length = speed, 1.0 / speed
         scaled = slopes * units
-        sizes = _or_one(np.abs(scaled).max(axis=1, initial=0.0))
+        sizes = or_one(np.abs(scaled).max(axis=1, initial=0.0))
         sizes[own] = units[columns] / length
         closing, along = _constrained(scaled[hard] / sizes[hard, None], values[hard] / sizes[hard])
         step = share * closing
@@ -81,37 +82,11 @@ def settled(
     return z
 
 
-def _units(slopes: np.ndarray, own: list[int], columns: list[int]) -> tuple[np.ndarray, float]:
-    """Return units of the unknowns in which rates are balanced, and the fastest of these.
-
-    That leaves a factor common to all, which no step depends on. The units of unknowns without a
-    rate follow from those of the rows that they are in.
-    """
-    k = slopes.shape[1]
-    between = slopes[np.ix_(own, columns)]
-    units = np.ones(k)
-    if len(own):
-        units[columns] = scipy.linalg.matrix_balance(between, permute=False, separate=True)[1][0]
-    between = between * units[columns] / units[columns][:, None]
-    speed = float(_or_one(np.abs(np.linalg.eigvals(between)).max(initial=0.0)))
-    others = np.setdiff1d(np.arange(k), columns)
-    sizes = np.abs(slopes[:, columns] * units[columns]).max(axis=1, initial=0.0)
-    sizes[own] = units[columns] * speed
-    sizes = np.where(sizes > 0.0, sizes, np.inf)
-    units[others] = 1.0 / _or_one(np.abs(slopes[:, others] / sizes[:, None]).max(axis=0))
-    return units, speed
-
-
 def _constrained(rows: np.ndarray, values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Return the least step that closes the constraints, and the directions that keep them."""
     if not len(rows):
         return np.zeros(rows.shape[1]), np.eye(rows.shape[1])
     left, singular, right = np.linalg.svd(rows)
-    rank = int((singular > FREE * singular.max(initial=0.0)).sum())
+    rank = rank_of(singular)
     solved = (left.T @ values)[:rank] / singular[:rank]
     return -right[:rank].T @ solved, right[rank:].T
-
-
-def _or_one(sizes: np.ndarray) -> np.ndarray:
-    known: np.ndarray = np.where(sizes > 0.0, sizes, 1.0)
-    return known

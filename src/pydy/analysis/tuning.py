@@ -11,14 +11,11 @@ __all__ = [
     "DAMPED",
     "ENTRY",
     "FITTED",
-    "FREE",
     "LEAST_SIZE",
     "MARGIN",
     "NAMED",
     "NAMED_IN_FIT",
     "NEARLY_STRAIGHT",
-    "NEWTON_STEP",
-    "NOTHING",
     "ON_BRANCH",
     "ORBIT_CLOSED",
     "SETTLED",
@@ -35,10 +32,6 @@ __all__ = [
 ]
 
 # -- ranks and directions --------------------------------------------------------------------------
-
-FREE = 1e-9
-"""Singular values below this share of the largest leave a direction free: Jacobians are exact, so
-that rounding leaves some 1e-14 of one that is zero."""
 
 UNDETERMINED = 1e-8
 """The same for the scaled Jacobian of a fit, whose sensitivities are integrated."""
@@ -61,9 +54,6 @@ directions are known less well."""
 TO_ROUNDING = 1e-14
 """Tolerances that end a search no sooner than rounding does."""
 
-NEWTON_STEP = 1e-9
-"""A step this small, relative to the unknowns, ends Newton's method: its square is rounding."""
-
 BENT, NEARLY_STRAIGHT = 0.3, 0.1
 """How far residuals may be from those of a line, in units of a step, for it to be taken, and for
 the next to be longer."""
@@ -73,10 +63,6 @@ SETTLED = 1e4
 
 AT_BOUND = 1e-9
 """How near to a bound a value lies at it, relative to the value."""
-
-NOTHING = 1e-13
-"""Entries of a Jacobian below this share of their row's largest are what rounding leaves of zeros:
-more than that between units, such as 1e6 N/m beside 1e-3 N s/m, is not."""
 
 ON_BRANCH = 1e-11
 """Newton's last step to a point of a branch, in scaled unknowns."""

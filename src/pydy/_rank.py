@@ -1,0 +1,172 @@
+"""What is zero, small and dependent among computed numbers: the one place that decides it.
+
+No decision knows a unit. A value is zero when it is within the rounding of the terms it is made of.
+A matrix is judged after its rows and columns were brought to one size: a constraint in millimetres
+is the same constraint, and a coordinate in nanometres the same coordinate.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+__all__ = [
+    "DEPENDENT",
+    "DIGITS",
+    "HALF",
+    "ROUNDED",
+    "ROUNDING",
+    "equilibrated",
+    "independent_columns",
+    "is_zero",
+    "least_step",
+    "null_space",
+    "or_one",
+    "rank",
+    "rank_of",
+]
+
+ROUNDING = 2.0**-52
+"""The distance from 1.0 to the next float."""
+
+ROUNDED = 2.0**-42
+"""What rounding leaves of a sum that is zero, in units of its terms: a thousand roundings.
+
+A value passes some hundred operations on its way; each adds one rounding at most.
+"""
+
+DEPENDENT = 1e-10
+"""A row that is this much shorter without the directions of the others follows from them.
+
+Rounding leaves 1e-16 times the condition of the rows before: up to a million of it, rows that
+follow from others are recognised, and independent ones stay so up to 1e10.
+"""
+
+HALF = 2.0**-26
+"""Half the digits of a float. Two numbers for the same thing agree in more of them, even if they
+were computed in different ways; numbers for different things agree in fewer."""
+
+DIGITS = 1e-5
+"""The precision of numbers that were typed to six digits."""
+
+_SWEEPS = 30  # the exponents' error halves at each: pivots of one size are found as such
+
+
+def is_zero(value: np.ndarray | float, bound: np.ndarray | float) -> np.ndarray:
+    """Return whether values are within the rounding of terms that are as large as `bound`."""
+    found: np.ndarray = np.abs(value) <= ROUNDED * np.abs(bound)  # NaN is not
+    return found
+
+
+def or_one(sizes: np.ndarray) -> np.ndarray:
+    """Return sizes to divide by: 1 in place of zeros."""
+    known: np.ndarray = np.where(sizes > 0.0, sizes, 1.0)
+    return known
+
+
+def equilibrated(matrix: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return matrices with the largest entry of each row and column near 1.
+
+    After D. Ruiz, "A scaling algorithm to equilibrate both rows and columns norms in matrices",
+    RAL-TR-2001-034. What rounding leaves of zeros does not count: otherwise a column of rounding
+    errors would be as large as the others.
+
+    Parameters
+    ----------
+    matrix : ndarray, shape (..., m, k)
+
+    Returns
+    -------
+    scaled : ndarray, shape (..., m, k)
+        ``matrix * columns / rows``.
+    rows : ndarray, shape (..., m, 1)
+    columns : ndarray, shape (..., 1, k)
+    """
+    sizes = np.abs(matrix)
+    rows = or_one(sizes.max(axis=-1, keepdims=True, initial=0.0))
+    sizes = sizes / rows
+    sizes[sizes <= ROUNDED] = 0.0
+    columns = np.ones_like(sizes[..., :1, :])
+    for _ in range(_SWEEPS):
+        tall = np.sqrt(or_one(sizes.max(axis=-2, keepdims=True, initial=0.0)))
+        wide = np.sqrt(or_one(sizes.max(axis=-1, keepdims=True, initial=0.0)))
+        sizes = sizes / (tall * wide)
+        columns, rows = columns / tall, rows * wide
+    return matrix * columns / rows, rows, columns
+
+
+def rank(matrix: np.ndarray, least: float = DEPENDENT) -> int:
+    """Return how many rows are independent, whatever the units of rows and columns.
+
+    Parameters
+    ----------
+    matrix : ndarray, shape (m, k)
+    least : float
+        Singular values below this share of the largest are zero.
+    """
+    return rank_of(np.linalg.svd(equilibrated(matrix)[0], compute_uv=False), least)
+
+
+def null_space(matrix: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return directions in which no row changes, orthonormal in units that come with them.
+
+    Parameters
+    ----------
+    matrix : ndarray, shape (m, k)
+
+    Returns
+    -------
+    directions : ndarray, shape (k - rank, k)
+        In units of the columns: ``directions * columns`` solves the homogeneous equations.
+    columns : ndarray, shape (k,)
+    """
+    scaled, _, columns = equilibrated(matrix)
+    _, sizes, right = np.linalg.svd(scaled)
+    return right[rank_of(sizes) :], columns[0]
+
+
+def least_step(matrix: np.ndarray, values: np.ndarray) -> np.ndarray:
+    """Return the least z with ``matrix @ z = values``, in units of the columns.
+
+    Where rows contradict each other, z solves them as nearly as they allow, in units of the rows.
+
+    Parameters
+    ----------
+    matrix : ndarray, shape (..., m, k)
+    values : ndarray, shape (..., m) or (m, n)
+        Several right-hand sides for a single matrix.
+    """
+    scaled, rows, columns = equilibrated(matrix)
+    inverse = np.linalg.pinv(scaled, rcond=DEPENDENT)
+    if matrix.ndim == 2 and values.ndim == 2:
+        found: np.ndarray = columns[0, :, None] * (inverse @ (values / rows))
+        return found
+    found = columns[..., 0, :] * (inverse @ (values[..., None] / rows))[..., 0]
+    return found
+
+
+def independent_columns(scaled: np.ndarray) -> list[int]:
+    """Return as many columns as there are independent rows, which can be solved for.
+
+    By elimination with complete pivoting; of pivots of one size the first is taken, so that
+    rounding does not choose.
+
+    Parameters
+    ----------
+    scaled : ndarray, shape (m, k)
+        Rows and columns in units of their own, as those of `equilibrated`.
+    """
+    work, found = scaled.copy(), []
+    for _ in range(min(work.shape)):
+        sizes = np.abs(work)
+        if not sizes.max() > DEPENDENT:
+            break
+        i, j = np.argwhere(sizes >= (1.0 - HALF) * sizes.max())[0]
+        found.append(int(j))
+        work = work - np.outer(work[:, j], work[i] / work[i, j])
+        work[i], work[:, j] = 0.0, 0.0
+    return found
+
+
+def rank_of(sizes: np.ndarray, least: float = DEPENDENT) -> int:
+    """Return how many singular values of a matrix, in units of its own, are not zero."""
+    return int((sizes > least * sizes.max(initial=0.0)).sum())
