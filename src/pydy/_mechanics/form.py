@@ -10,9 +10,8 @@ from pydy._graph.from_sympy import NodeExpression
 from pydy._graph.node import Graph
 from pydy._graph.rewrite import substitute
 from pydy._graph.symbols import input_symbols
-from pydy._mechanics import axes
 from pydy._mechanics.alignment import align
-from pydy._mechanics.axes import move_along_axes
+from pydy._mechanics.axes import in_a_plane, move_along_axes
 from pydy._mechanics.dynamics import Inertia, Load, loads_and_inertias, points_of
 from pydy._mechanics.elimination import composite, eliminated
 from pydy._mechanics.given import disagreeing
@@ -28,8 +27,8 @@ __all__ = [
     "auxiliary_equations",
     "form",
     "forms",
-    "in_a_plane",
     "moving",
+    "useful_axes",
 ]
 
 
@@ -216,11 +215,20 @@ def _without_idle(formed: Formed) -> Formed:
     )
 
 
-def in_a_plane(body: Multibody) -> bool:
-    """Return whether all frames turn about one axis."""
-    kinematics = Kinematics(body, in_bodies=False)
-    kinematics.place(points_of(kinematics))
-    return axes.in_a_plane(kinematics)
+def useful_axes(body: Multibody) -> list[bool]:
+    """Return whether velocities of points are worth writing in the axes of bodies, or need not be.
+
+    In a plane either may cost less. In space the axes of bodies do, but where no point moves with
+    a body that turns: all velocities are given in the inertial frame.
+    """
+    k = Kinematics(body, in_bodies=False)
+    k.place(points_of(k))
+    if in_a_plane(k):
+        return [True, False]
+    vectors = [k.tree.velocity(p) for p in k.placed() if k.base(p) is None]
+    frames = {f for vector in vectors for _, f in vector.args}
+    frames |= {f for point in k.placed() for _, f in k.parts(point)}
+    return [not frames <= {k.inertial}]
 
 
 def auxiliary_equations(body: Multibody) -> list[NodeExpression]:

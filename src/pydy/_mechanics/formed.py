@@ -1,18 +1,40 @@
-"""Equations of motion from a `Multibody`, whatever it was read from."""
+"""Equations of motion from a `Multibody`, whatever it was read from.
+
+The form is chosen by counting. Articulated bodies win for chains and trees, composite bodies for
+few speeds and for springs in a row; none wins everywhere. Equations that a method derived are
+replaced by those formed from its bodies where both give the same numbers at random states that keep
+the constraints, and hold the same symbols. What decides is logged.
+"""
 
 from __future__ import annotations
 
+import logging
 from dataclasses import replace
 
-from pydy._mechanics.choice import chosen
+import numpy as np
+
+from pydy._graph.collector import collector_paused
+from pydy._graph.counting import operations
+from pydy._graph.interpret import evaluator
+from pydy._graph.lower import lower
+from pydy._graph.node import Graph
+from pydy._graph.simplify import simplify
+from pydy._graph.solve.choose import solve_accelerations
+from pydy._graph.solve.differences import difference_basis
+from pydy._graph.switches import Passes
 from pydy._mechanics.classify import classify
 from pydy._mechanics.equations import Equations
-from pydy._mechanics.form import auxiliary_equations
+from pydy._mechanics.form import Formed, auxiliary_equations, forms, useful_axes
+from pydy._mechanics.generic import GenericStates, evaluator_of
 from pydy._mechanics.mechanism import Mechanism
 from pydy._mechanics.reader import Multibody
 from pydy._mechanics.symbols import rate_of
+from pydy._mechanics.tuning import AGREEING, CANCELLED, FORMS_COUNTED_UP_TO
 
-__all__ = ["equations_of", "kinematics_of"]
+__all__ = ["chosen", "equations_of", "formed_alike", "kinematics_of"]
+
+_LOG = logging.getLogger("pydy")
+_STATES = 2
 
 
 def kinematics_of(body: Multibody) -> Equations:
@@ -52,3 +74,143 @@ def equations_of(body: Multibody) -> Equations:
             auxiliary_equations=tuple(auxiliary_equations(body)) if body.auxiliary else (),
         )
     )
+
+
+# -- the form -------------------------------------------------------------------------------------
+
+
+@collector_paused()
+def chosen(body: Multibody) -> Formed:
+    """Return the equations of motion in the form that takes fewest operations.
+
+    The axes are chosen by estimates, articulated or composite bodies by what is compiled. Beyond a
+    dozen speeds one set of axes is tried, and estimates decide both.
+    """
+    many = len(body.speeds) > FORMS_COUNTED_UP_TO
+    first, *others = useful_axes(body)[-1:] if many else useful_axes(body)
+    found = [forms(body, in_bodies=first)]
+    for other in others if not found[0][0].in_one_frame else ():
+        found.append(forms(body, in_bodies=other, honoured=found[0][0].honoured))
+    kinds: list[Formed] = [min(same, key=_estimated) for same in zip(*found, strict=True)]
+    if many or len(kinds) == 1:
+        return min(kinds, key=_estimated)
+    return min((replace(f, simplified=_simplified(f)) for f in kinds), key=_counted)
+
+
+def _estimated(formed: Formed) -> int:
+    """Estimate the operations of q' and u' as they are before simplification."""
+    graph, n = formed.graph, len(formed.rest)
+    if formed.accelerations is not None:
+        roots, solving = list(formed.accelerations), 0
+        guards = [k for k in graph.reachable(roots) if graph.ops[k] == "guard"]
+        if guards:
+            roots = list(graph.args[guards[0]][4])
+    else:
+        matrix, column = formed.matrix, formed.rest
+        if (chain := difference_basis(graph, matrix, column)) is not None:
+            matrix, column = chain.matrix, chain.column
+        lower = [matrix[i][j] for i in range(n) for j in range(i + 1)]
+        filled = sum(node != graph.zero for node in lower) - n
+        # What LDLᵀ takes of a matrix with so many entries, less what its structure saves: half.
+        solving = filled * (filled // n + 9) // 3
+        roots = [*lower, *column]
+    return operations(graph, [*formed.rates, *formed.start, *roots]) + solving
+
+
+def _counted(formed: Formed) -> int:
+    """Count the operations of q' and u' as they are compiled."""
+    assert formed.simplified is not None
+    graph, nodes = formed.simplified
+    sizes = (len(nodes), len(formed.specifieds), len(formed.constants))
+    program = lower(graph.copy(), sizes, [("rates", (len(nodes),), nodes)])
+    return sum(program.operation_count["run"].values())
+
+
+def _simplified(formed: Formed) -> tuple[Graph, list[int]]:
+    """Simplify q' and u' in a graph of their own."""
+    graph = formed.graph.copy()
+    solved = formed.accelerations
+    if solved is None:
+        beyond = solve_accelerations(graph, formed.matrix, formed.rest, "ldl", Passes())
+        solved = [graph.add(*parts) for parts in zip(formed.start, beyond, strict=True)]
+    return graph, simplify(graph, [*formed.rates, *solved])
+
+
+# -- a method's own equations ---------------------------------------------------------------------
+
+
+@collector_paused()
+def formed_alike(equations: Equations, body: Multibody) -> Formed | None:
+    """Return the formed equations of motion, or None where those of the method hold."""
+    why = _unfit(equations, body)
+    if not why:
+        try:
+            formed = chosen(body)
+        except (ValueError, TypeError, NotImplementedError) as error:
+            why = str(error)
+        else:
+            own = set(formed.symbols(equations.speed_rates))
+            if more := [s for s in own if s not in equations.symbols]:
+                why = f"they hold {more[0]}, which the method's do not"
+            elif not _agree(equations, formed):
+                why = "they give other numbers: a velocity or a load differs"
+    if not why:
+        return formed
+    _LOG.info("The equations of the method are used, not those formed from its bodies: %s.", why)
+    return None
+
+
+def _unfit(equations: Equations, body: Multibody) -> str:
+    if not body.bodies:
+        return "it holds no bodies"
+    if any(rate in equations.symbols for rate in equations.speed_rates):
+        return "loads depend on accelerations"
+    return ""
+
+
+def _agree(equations: Equations, formed: Formed) -> bool:
+    """Return whether both give the same accelerations.
+
+    With those of the one, M u' − F of the other must vanish: u' itself is less accurate where M is
+    nearly singular.
+    """
+    n = len(equations.speeds)
+    written = [*equations.mass_matrix, *equations.forcing]
+    symbols = [*formed.constants, *formed.specifieds]
+    states = GenericStates(equations, [*written, *symbols], "the equations of motion")
+    inputs = states.consistent(_STATES)
+    block = "equations", (n * (n + 1),), states.read.all(written)
+    theirs = evaluator_of(states.graph, [block])(*inputs)["equations"]
+    numbers = states.by_symbol(inputs)
+    own = formed.input_symbols(equations.time, (*equations.coordinates, *equations.speeds))
+    nodes = [*(e for row in formed.matrix for e in row), *formed.forcing]
+    values_at = evaluator(formed.graph, nodes)
+    ours = values_at({node: numbers[symbol] for node, symbol in own.items()}, _STATES)
+    finite = np.isfinite(theirs).all(axis=1) & np.isfinite(ours).all(axis=1)
+    pairs = zip(theirs[finite], ours[finite], strict=True)
+    return bool(finite.any()) and all(_alike(*pair, n) for pair in pairs)
+
+
+def _alike(written: np.ndarray, formed: np.ndarray, n: int) -> bool:
+    matrix, forcing = written[: n * n].reshape(n, n), written[n * n :]
+    try:
+        rates = np.linalg.solve(formed[: n * n].reshape(n, n), formed[n * n :])
+    except np.linalg.LinAlgError:
+        return False
+    size = _magnitudes(matrix) @ np.abs(rates) + np.abs(forcing)
+    return bool((np.abs(matrix @ rates - forcing) <= AGREEING * size + np.finfo(float).tiny).all())
+
+
+def _magnitudes(matrix: np.ndarray) -> np.ndarray:
+    """Return the sizes of entries; what is nearly nothing may be what cancelling terms left.
+
+    Rows and columns are scaled until their largest entries are about 1, as units would do.
+    """
+    sizes = np.abs(matrix)
+    scaled, scale = sizes, np.ones(matrix.shape)
+    for axis in (0, 1, 0, 1):
+        most = np.sqrt(scaled.max(axis=axis, keepdims=True))
+        most[most == 0.0] = 1.0
+        scaled, scale = scaled / most, scale * most
+    found: np.ndarray = np.maximum(sizes, CANCELLED * scale)
+    return found

@@ -1,4 +1,7 @@
-"""The form that is chosen, and what it costs: counts are gated, as for the frozen models."""
+"""The form that is chosen, what it costs, and when it takes the place of a method's equations.
+
+Counts are gated, as for the frozen models.
+"""
 
 import sys
 from dataclasses import replace
@@ -13,16 +16,20 @@ sys.path.insert(0, str(Path(__file__).parents[2] / "benchmarks"))
 from trees import HUMANOID, definition, rods, tree
 
 import by_hand
+import zoo
 from pydy._assembly import assembly
 from pydy._graph.lower import lower
 from pydy._graph.simplify import simplify
 from pydy._graph.solve.choose import solve_accelerations
 from pydy._graph.switches import Passes
-from pydy._mechanics.choice import chosen
+from pydy._mechanics import formed
+from pydy._mechanics.form import useful_axes
+from pydy._mechanics.formed import chosen
 from pydy._mechanics.kane import multibody_of_kane
 from pydy.examples import whipple_bicycle
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from pydy.system import System
+from rolling import ball_on_a_turntable
 
 
 def pendulum(n):
@@ -46,12 +53,12 @@ def straight_arm(n):
     return definition(made)
 
 
-def operations(formed):
-    graph, solved = formed.graph, formed.accelerations
+def operations(found):
+    graph, solved = found.graph, found.accelerations
     if solved is None:
-        solved = solve_accelerations(graph, formed.matrix, formed.forcing, "ldl", Passes())
-    nodes = simplify(graph, [*formed.rates, *solved])
-    sizes = (len(nodes), len(formed.specifieds), len(formed.constants))
+        solved = solve_accelerations(graph, found.matrix, found.forcing, "ldl", Passes())
+    nodes = simplify(graph, [*found.rates, *solved])
+    sizes = (len(nodes), len(found.specifieds), len(found.constants))
     program = lower(graph, sizes, [("rates", (len(nodes),), nodes)])
     return sum(program.operation_count["run"].values())
 
@@ -95,13 +102,13 @@ def test_a_chain_costs_the_same_for_each_link():
 
 
 def test_a_chain_is_eliminated_from_its_end():
-    formed = chosen(multibody_of_kane(pendulum(10)))
-    assert formed.accelerations is not None
+    found = chosen(multibody_of_kane(pendulum(10)))
+    assert found.accelerations is not None
 
 
 def test_few_speeds_are_solved_for_together():
-    formed = chosen(multibody_of_kane(by_hand.tilted_plates().kane))
-    assert formed.accelerations is None
+    found = chosen(multibody_of_kane(by_hand.tilted_plates().kane))
+    assert found.accelerations is None
 
 
 def test_the_chosen_form_is_the_one_that_is_compiled():
@@ -139,3 +146,27 @@ def test_what_is_integrated_beside_the_rates_is_not_lost_with_counted_forms():
     more = replace(assembly, rates=[*assembly.rates, assembly.rates[0]])
     assert assembly.ready is not None
     assert len(more.simplified("rates")[1]) == 3
+
+
+def test_only_axes_that_may_cost_less_are_tried():
+    tried = {
+        "planes": useful_axes(multibody_of_kane(pendulum(2))),
+        "hinges in space": useful_axes(multibody_of_kane(zoo.MODELS["disc"]().kane)),
+        "a thrown body": useful_axes(multibody_of_kane(zoo.MODELS["free_body"]().kane)),
+    }
+    assert tried == {"planes": [True, False], "hinges in space": [True], "a thrown body": [False]}
+
+
+def test_nothing_is_simplified_where_there_is_one_form(monkeypatch):
+    def never(*_):
+        raise AssertionError("simplified")
+
+    monkeypatch.setattr(formed, "simplify", never)
+    assert chosen(multibody_of_kane(zoo.MODELS["fourbar"]().kane)).simplified is None
+
+
+def test_entries_that_cancel_but_for_rounding_are_no_difference(caplog):
+    with caplog.at_level("INFO", logger="pydy"):
+        system = System(ball_on_a_turntable().kane)
+    assert "other numbers" not in caplog.text
+    assert system._equations.formed is not None
