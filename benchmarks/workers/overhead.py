@@ -18,11 +18,10 @@ from harness.serve import Repeated, serve
 from pydy._array_layout import address
 from pydy._backends.llvm import jit
 from pydy._backends.llvm.compiling import Source, target_lines
-from pydy.solvers.run.layout import STAGES
-from pydy.solvers.run.methods import method_arrays
+from pydy.solvers.run.layout import STAGES, rows_of, table_of
 from pydy.solvers.run.problem import BLOCK, blocks, kernel_problem
-from pydy.solvers.run.table import rows_of, table_of
 from pydy.solvers.solver import SOLVERS
+from pydy.solvers.tableaus import method_arrays
 
 sys.path.append(str(Path(__file__).resolve().parents[2] / "tools"))
 

@@ -14,8 +14,8 @@ from pydy.errors import IntegrationError, IntegrationInterrupted
 from pydy.inputs import SampledInput
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from pydy.solvers import Event
-from pydy.solvers.adjoint import recording
-from pydy.solvers.adjoint.backward import WayBack
+from pydy.solvers.run import recording
+from pydy.solvers.run.backward import WayBack
 from pydy.solvers.run.integration import Integration
 
 TIGHT = {"rtol": 1e-12, "atol": 1e-12}

@@ -35,11 +35,11 @@ from pydy._system.solving import native_solver
 from pydy.analysis.adjoint import AdjointGradient
 from pydy.codegen.arguments import SpecifiedsPlan
 from pydy.inputs import SampledInput
-from pydy.solvers.adjoint.recording import Recording
 from pydy.solvers.events import Event, EventRecord, forcing_time
 from pydy.solvers.options import read_options
 from pydy.solvers.outcome import EVENT_GRAZES, OUTCOMES, TERMINATED
 from pydy.solvers.run.constraints import CompiledConstraints
+from pydy.solvers.run.recording import Recording
 from pydy.solvers.solver import Solver
 from pydy.solvers.tableaus import tableau_of
 
@@ -385,7 +385,7 @@ class _Run:
         self.stopped = info["code"] == TERMINATED
         self.last = last if self.stopped or not len(states) else states[-1]
         further, kept = len(task.wanted), len(task.sampled)
-        from pydy.solvers.adjoint.backward import WayBack
+        from pydy.solvers.run.backward import WayBack
 
         self._back = WayBack(method, rates, task.turned, further, kept)
         self._kept = kept

@@ -216,7 +216,7 @@ def _run_in_lanes(
     controlled: int | None = None,
 ) -> Results:
     """Integrate several samples at a time: x, r and p with one row for each."""
-    from pydy.solvers.lanes.runs import integrate_samples
+    from pydy.solvers.run.lanes import integrate_samples
 
     x, r, p = inputs
     found = integrate_samples(
@@ -239,7 +239,7 @@ def evaluate_outputs(
     if program is None:
         return np.empty((0, *states.shape[1:]))
     if not model.functions:
-        from pydy.solvers.lanes.runs import evaluate_samples
+        from pydy.solvers.run.lanes import evaluate_samples
 
         return evaluate_samples(_kernel(program, LANES), r, p, model.sampled, times, states)
     kernel = _kernel(program, 1)
@@ -278,7 +278,7 @@ def evaluate_output_columns(
     whole[:n] = states
     whole[n:].reshape(n, every, m, number)[:, :wanted] = columns
     r = np.concatenate([r, np.zeros((m, beside.further))], axis=1)
-    from pydy.solvers.lanes.runs import evaluate_samples
+    from pydy.solvers.run.lanes import evaluate_samples
 
     kernel, sampled = _kernel(beside.outputs, LANES), (*model.sampled, *beside.sampled)
     found = evaluate_samples(kernel, r, p, sampled, times, whole)

@@ -29,7 +29,7 @@ from pydy.export.c import c_header, c_literal, c_model_source, c_string
 from pydy.export.model import Model, resource
 from pydy.solvers.core.declarations import included, layout_header
 from pydy.solvers.run.layout import DEPTH
-from pydy.solvers.run.methods import method_arrays
+from pydy.solvers.tableaus import method_arrays
 
 _METHOD = "dop853"
 _TOLERANCE = 1e-10

@@ -14,8 +14,7 @@ from pydy._graph.program import Program
 from pydy._graph.tuning import numbered
 from pydy.export.model import Model, Variable, resource
 from pydy.solvers.run.layout import ALPHA, BETA, EXPONENT
-from pydy.solvers.run.methods import method_arrays
-from pydy.solvers.tableaus import tableau_of
+from pydy.solvers.tableaus import method_arrays, tableau_of
 from pydy.solvers.tuning import ROUNDINGS
 
 # -- A Program as straight-line JavaScript ---------------------------------------------------------

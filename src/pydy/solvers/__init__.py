@@ -17,7 +17,7 @@ from __future__ import annotations
 from pydy.solvers.events import Event
 from pydy.solvers.options import SolverOptions, StepOptions
 from pydy.solvers.solver import Prepared, Solver, dop853, radau, rk4, tsit5, vern9
-from pydy.solvers.tableaus.tableau import Tableau
+from pydy.solvers.tableaus import Tableau
 
 __all__ = [
     "Event",

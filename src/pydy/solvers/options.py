@@ -11,9 +11,9 @@ import numpy as np
 
 from pydy._checks import Check, checked, flag, number, optional, positive, real_array, whole
 from pydy._names import nearest
-from pydy.solvers.adjoint.recording import Recording
 from pydy.solvers.events import CompiledEvents
 from pydy.solvers.run.constraints import CompiledConstraints
+from pydy.solvers.run.recording import Recording
 from pydy.solvers.sensitivities import CompiledSensitivities
 
 if TYPE_CHECKING:

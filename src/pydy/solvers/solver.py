@@ -14,8 +14,7 @@ from pydy._errors import warn_user
 from pydy._forks import whole
 from pydy.solvers.options import read_options
 from pydy.solvers.outcome import EVENTS_ACCUMULATE, OUTCOMES
-from pydy.solvers.tableaus import add_tableau, tableau_of
-from pydy.solvers.tableaus.tableau import Tableau
+from pydy.solvers.tableaus import Tableau, add_tableau, tableau_of
 
 if TYPE_CHECKING:
     from typing import Unpack

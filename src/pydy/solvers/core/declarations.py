@@ -1,6 +1,6 @@
 """The header ``layout.h`` of the loops in C, written from the tuples and numbers of Python.
 
-A table of addresses (`pydy.solvers.run.table`) *is* a C struct: for each array its address, its
+A table of addresses (`pydy.solvers.run.layout`) *is* a C struct: for each array its address, its
 length, and its number of columns. What the arrays hold is said where the tuples are defined.
 """
 
@@ -16,8 +16,6 @@ from typing import Any, get_type_hints
 import numpy as np
 
 from pydy.solvers import outcome, tuning
-from pydy.solvers.adjoint import layout as back
-from pydy.solvers.lanes import layout as lanes
 from pydy.solvers.run import layout as run
 from pydy.solvers.tableaus import radau
 
@@ -29,9 +27,9 @@ _ARRAYS = {np.int64: "Words", np.float64: "Numbers", np.complex128: "Pairs"}
 _ITEMS = {"Words": "int64_t", "Numbers": "double", "Pairs": "double _Complex"}
 _TABLES: dict[str, Sequence[Any]] = {
     "Run": run.RUN,
-    "LaneRun": lanes.STEPPING,
-    "LaneEvaluation": lanes.EVALUATION,
-    "WayBack": back.BACK,
+    "LaneRun": run.STEPPING,
+    "LaneEvaluation": run.EVALUATION,
+    "WayBack": run.BACK,
 }
 _BEGIN = """\
 /* Written by pydy.solvers.core.declarations. */
@@ -80,12 +78,11 @@ def layout_header(text: str | None = None, plain: bool = False) -> str:
 
 
 def _numbers() -> Iterator[tuple[str, str]]:
-    """Yield codes, thresholds and names for places in arrays; those of lanes get a prefix."""
+    """Yield codes, thresholds and names for places in arrays."""
     places = _named(run)
     # Thresholds of that name reach C in the array that has a place for them.
     thresholds = {name: x for name, x in _named(tuning).items() if name not in places}
-    of_lanes, of_back = _named(lanes, "LANES_"), _named(back, "BACK_")
-    for numbers in (thresholds, _named(outcome), places, of_lanes, of_back):
+    for numbers in (thresholds, _named(outcome), places):
         for name, value in numbers.items():
             yield name, _exact(value)
     for name in ("T", "TI", "NODES", "ERROR", "REAL", "INTERPOLANT"):
@@ -93,10 +90,10 @@ def _numbers() -> Iterator[tuple[str, str]]:
     yield "RADAU_PAIR", _exact((radau.COMPLEX.real, radau.COMPLEX.imag))
 
 
-def _named(module: ModuleType, prefix: str = "") -> dict[str, int | float]:
+def _named(module: ModuleType) -> dict[str, int | float]:
     """Return the numbers that a module defines under names in capitals."""
     found = vars(module).items()
-    return {prefix + name: x for name, x in found if name.isupper() and isinstance(x, int | float)}
+    return {name: x for name, x in found if name.isupper() and isinstance(x, int | float)}
 
 
 def _exact(value: Any) -> str:

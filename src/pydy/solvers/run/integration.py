@@ -15,7 +15,14 @@ from weakref import WeakSet
 
 import numpy as np
 
-from pydy._errors import IntegrationError, IntegrationInterrupted, few, warn_user
+from pydy import _forks
+from pydy._errors import (
+    IntegrationError,
+    IntegrationInterrupted,
+    MissingDependencyError,
+    few,
+    warn_user,
+)
 from pydy._kernel import Kernel, KernelCall
 from pydy.solvers.events import CompiledEvents, EventRecord, crowd, forcing_time
 from pydy.solvers.options import Options
@@ -39,17 +46,108 @@ from pydy.solvers.outcome import (
 )
 from pydy.solvers.run import layout as at
 from pydy.solvers.run.constraints import CompiledConstraints
-from pydy.solvers.run.extension import Extension
-from pydy.solvers.run.interrupts import Interrupts
-from pydy.solvers.run.methods import IMPLICIT
-from pydy.solvers.run.pace import SLICE, first_budget, progress_bar
-from pydy.solvers.run.problem import address
+from pydy.solvers.run.layout import Wanted, rows_of, table_of
+from pydy.solvers.run.problem import Interrupts, address
 from pydy.solvers.run.shipped import function_of, stepper
 from pydy.solvers.run.workspace import Workspace
-from pydy.solvers.tableaus import tableau_of
+from pydy.solvers.tableaus import IMPLICIT, tableau_of
 from pydy.solvers.tuning import BLOCK, NEARLY_SINGULAR, ROUNDING, STARTING_MOVE
 
-__all__ = ["Integration"]
+__all__ = ["Extension", "Integration"]
+
+SLICE = 0.02
+"""Seconds in compiled code, about, until an interrupt is noticed and the bar moves."""
+
+
+def first_budget(method: str, call: KernelCall | None, calls_python: bool) -> int:
+    """Return how many steps take a few milliseconds at most; further ones are measured."""
+    if calls_python or call is None:
+        return 1
+    if method == IMPLICIT:
+        return 4
+    # Twenty evaluations, of a nanosecond for each operation and 100 besides.
+    return max(4, 100_000 // (100 + len(call.kernel.program.ops)))
+
+
+def progress_bar(name: str, span: float, start: float) -> Any:
+    """Return a bar of tqdm over the simulated time, from `start` on.
+
+    Raises
+    ------
+    MissingDependencyError
+        tqdm is not installed.
+    """
+    try:
+        from tqdm.auto import tqdm
+    except ImportError:
+        raise MissingDependencyError(
+            "`progress=True` needs tqdm: pip install tqdm, or pass progress=False."
+        ) from None
+    layout = "{l_bar}{bar}| {n:.3g}/{total:.3g} s [{elapsed}<{remaining}]"
+    bar = tqdm(total=span, desc=name, bar_format=layout)
+    bar.start = start
+    return bar
+
+
+class Extension:
+    """The solution between the steps of a run: the interpolant of the method itself.
+
+    The steps are kept with their states alone. Where a time is wanted, the step over it is taken
+    again, with the same bits, and projected as an output is. At the time of an event it is the
+    state after it.
+
+    Parameters
+    ----------
+    make : callable
+        Returns a Workspace like that of the run, which may be used for another one meanwhile.
+    rows : ndarray
+        Those of `pydy.solvers.run.layout.Steps`.
+    select : callable, optional
+        What is made of the states; by default they are returned with all that is beside them.
+    """
+
+    def __init__(
+        self,
+        make: Callable[[], Workspace],
+        rows: np.ndarray,
+        select: Callable[[np.ndarray], np.ndarray] | None = None,
+    ) -> None:
+        self._select = select
+        self._make, self._rows = make, rows
+        self._in_use = _forks.Lock()  # by one of several threads
+        # Not the ends of steps that an event cut short.
+        self._steps = np.flatnonzero(np.append(rows[:-1, 1] > 0.0, True))
+        self._starts = rows[self._steps, 0]
+
+    @_forks.cached_property
+    def _workspace(self) -> Workspace:
+        return self._make()
+
+    def __call__(self, times: np.ndarray) -> np.ndarray:
+        """Return the states at ascending times of the run, shape (m, n)."""
+        work, n, m = self._workspace, self._workspace.n, len(times)
+        places = np.searchsorted(self._starts, times, side="right") - 1
+        out = np.full(m * n + BLOCK, np.nan)
+        wanted = Wanted(
+            self._rows, np.array(times, dtype=float), self._steps[np.maximum(places, 0)], out
+        )
+        table = table_of(rows_of(wanted))
+        with self._in_use:
+            function_of("extend", bool(work.callbacks))(work.place, address(table))
+        states = out[: m * n].reshape(m, n)
+        return states if self._select is None else self._select(states)
+
+    def selected(self, select: Callable[[np.ndarray], np.ndarray]) -> Extension:
+        """Return the same of what `select` makes of the states."""
+        return Extension(self._make, self._rows, select)
+
+    def __deepcopy__(self, memo: Any) -> Extension:
+        return self
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Become None elsewhere: machine code and the arrays that it works on stay here."""
+        return type(None), ()
+
 
 _NO_ROWS = np.zeros((0, 0))
 _TOLD: WeakSet[Kernel] = WeakSet()  # whose redundant constraints have been warned of

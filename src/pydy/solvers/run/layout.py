@@ -1,32 +1,47 @@
 """What compiled solvers work on: arrays under names, and names for places in the mixed ones.
 
-All arrays of a run reach compiled code as one table of addresses, which is a struct in C: `table`
-and `pydy.solvers.core.declarations` take its rows from the fields and annotations below.
+All arrays of a run reach compiled code as one table of addresses, which is all that it is given. A
+table has a row for each field of its parts, the named tuples below, in their order. In C it is a
+struct (`pydy.solvers.core.declarations`).
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Sequence
+from itertools import chain
 from typing import Annotated, NamedTuple
 
 import numpy as np
 
+from pydy._array_layout import address
+
 __all__ = [
     "ALONG",
+    "BACK",
+    "EVALUATION",
     "EXTENSION",
     "PROJECTION",
     "RUN",
+    "STEPPING",
+    "Backward",
     "Beginning",
     "Constraints",
+    "Evaluation",
+    "LaneProblem",
+    "Lanes",
     "Memory",
     "Method",
     "Newton",
     "Problem",
     "Progress",
     "Projection",
+    "Queue",
     "Steps",
     "Tangents",
     "Wanted",
     "Watch",
+    "rows_of",
+    "table_of",
 ]
 
 # Contiguous vectors and matrices.
@@ -229,3 +244,149 @@ RUN = (Method, Problem, Memory, Progress, Constraints, Watch, Beginning, Steps, 
 EXTENSION = (Wanted,)
 PROJECTION = (Projection,)
 ALONG = (Tangents,)
+
+
+# -- Many trajectories at a time -------------------------------------------------------------------
+# Everything that belongs to one of eight trajectories has its own place in a block. Vectors are
+# laid out ``[item][lane]``, item by item a block, as kernels of eight lanes take them, and stages
+# one vector after the other; so `Memory` serves with a length of eight times the number of states,
+# and `Memory.step` holds a step size for each lane.
+
+# LaneProblem.words begins with those of `Problem`, which code for both reads: here every state is a
+# block.
+LANES_PREPARE, LANES_SPECIFIEDS, LANES_CONSTANTS = range(5, 8)
+# Queue.state
+LANES_HEAD, LANES_BUDGET, LANES_LIMIT, LANES_PLACE, LANES_DISTANCE = range(5)
+# Queue.numbers
+LANES_LARGEST, LANES_FIRST = range(2)
+# Queue.counts, for each sample; the last is a code of `outcome`
+LANES_STEPS, LANES_REJECTED, LANES_EVALUATIONS, LANES_STATUS = range(4)
+# Evaluation.places: the address of the first state, and the distances from state to state, from
+# sample to sample and from time to time
+LANES_ORIGIN, LANES_PER_STATE, LANES_PER_SAMPLE, LANES_PER_TIME = range(4)
+
+# What `step_lanes` returns.
+LANES_PAUSED, LANES_EMPTY = range(2)
+# Lanes.samples, where there is no sample: free to take one, or repeating a neighbour's.
+LANES_VACANT, LANES_RESTING = -1, -2
+
+
+class LaneProblem(NamedTuple):
+    """The right-hand side, each lane with its own time, specifieds and constants."""
+
+    words: Words
+    clock: Numbers
+    r: Numbers
+    p: Numbers
+    c: Numbers
+    tables: WordRows  # (k, 3): place in r, first knot, number of knots; for all lanes
+    intervals: WordRows  # (k, lanes): where each lane found itself last
+    knots: Numbers
+    cubics: NumberRows
+
+
+class Lanes(NamedTuple):
+    """Where each trajectory stands: blocks of floats, counts too, but for the last two."""
+
+    time: Numbers
+    size: Numbers
+    last_error: Numbers
+    growth: Numbers
+    next: Numbers  # the number of the next output
+    due: Numbers  # its time
+    steps: Numbers
+    rejected: Numbers
+    evaluations: Numbers
+    reason: Numbers  # the code of what the last rejected step met
+    samples: Words
+    place: Words  # the address of the next output
+
+
+class Queue(NamedTuple):
+    """The samples, and what became of them.
+
+    Output k of state i of sample j goes to the address
+    ``state[LANES_PLACE] + 8 (i state[LANES_DISTANCE] + j number + k)``, where `number` is that of
+    times.
+    """
+
+    state: Words
+    numbers: Numbers
+    times: Numbers  # and infinity
+    x: NumberRows  # (m, states)
+    r: NumberRows  # (m, specifieds)
+    p: NumberRows  # (m, constants)
+    counts: WordRows  # (m, 4)
+    reached: Numbers  # (m,): the time up to which the sample was integrated
+
+
+class Evaluation(NamedTuple):
+    """States at which a kernel is evaluated, and where its results go."""
+
+    places: Words
+    x: Numbers
+    buffer: Numbers  # of all outputs
+    r: NumberRows  # (m, specifieds)
+    p: NumberRows  # (m, constants)
+    times: Numbers
+    out: Numbers  # (outputs, m, times)
+
+
+# The parts of the tables of `step_lanes` and `evaluate_lanes`.
+STEPPING = (Method, LaneProblem, Memory, Lanes, Queue)
+EVALUATION = (LaneProblem, Evaluation)
+
+
+# -- Back through explicit steps -------------------------------------------------------------------
+
+# Backward.words: the number of stages, the place in r of the weights, how many outputs of the
+# kernel follow those by the states, how many of these, the last, are kept stage by stage, and the
+# step whose equations could not be evaluated.
+BACK_STAGES, BACK_WEIGHTS, BACK_FURTHER, BACK_KEPT, BACK_WRONG = range(5)
+
+
+class Backward(NamedTuple):
+    """Explicit steps, and what is needed to go through them from the last to the first.
+
+    The kernel gives the derivatives of Σ weight · rate by the states and by what else is wanted.
+    Rows are those of the stages' states, with places in `stages`, then those of their weights, with
+    places in `adjoints`. Vectors are padded to whole blocks.
+    """
+
+    words: Words
+    rows: Words  # where each row begins in the two arrays that follow
+    offsets: Words
+    coefficients: Numbers
+    nodes: Numbers
+    times: Numbers  # (steps,): where each begins
+    sizes: Numbers  # (steps,)
+    states: NumberRows  # (steps, ·): at the beginning of each
+    stages: NumberRows  # (steps, ·): derivatives, vector after vector
+    adjoints: Numbers  # of each stage's state; that of the state at the end of the step comes last
+    step: Numbers
+    zero: Numbers
+    state: Numbers
+    weighted: Numbers
+    out: Numbers
+    totals: Numbers  # (further,): sums over all stages
+    kept: NumberRows  # (steps · stages, kept)
+
+
+# The parts of the table of `step_back`.
+BACK = (Problem, Backward)
+
+
+# -- The table -------------------------------------------------------------------------------------
+
+
+def rows_of(arrays: Iterable[np.ndarray]) -> list[int]:
+    """Return the rows of contiguous arrays: address, length, and columns, of a vector one."""
+    rows: list[int] = []
+    for array in arrays:
+        rows += (address(array), len(array), array.shape[1] if array.ndim == 2 else 1)
+    return rows
+
+
+def table_of(*parts: Sequence[int]) -> np.ndarray:
+    """Return the table of all rows. Who makes it keeps the arrays alive."""
+    return np.array([*chain.from_iterable(parts)], dtype=np.int64)

@@ -14,7 +14,6 @@ from pydy.solvers.options import Options
 from pydy.solvers.outcome import STEP_UNDERFLOW
 from pydy.solvers.run import layout as at
 from pydy.solvers.run import shipped
-from pydy.solvers.run.interrupts import Interrupts
 from pydy.solvers.run.layout import (
     Beginning,
     Constraints,
@@ -27,11 +26,13 @@ from pydy.solvers.run.layout import (
     Steps,
     Tangents,
     Watch,
+    rows_of,
+    table_of,
 )
-from pydy.solvers.run.methods import IMPLICIT, method_arrays
 from pydy.solvers.run.problem import (
     Bound,
     Callback,
+    Interrupts,
     address,
     blocks,
     callback_problem,
@@ -39,8 +40,8 @@ from pydy.solvers.run.problem import (
     lined_up,
     watch_arrays,
 )
-from pydy.solvers.run.table import rows_of, table_of
 from pydy.solvers.sensitivities import CompiledSensitivities
+from pydy.solvers.tableaus import IMPLICIT, method_arrays
 from pydy.solvers.tuning import BLOCK, LEAST_TOLERANCE, STEPS_MEMORY
 
 __all__ = ["Workspace"]

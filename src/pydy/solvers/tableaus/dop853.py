@@ -6,7 +6,7 @@ section II.5 and appendix (code DOP853).
 
 from __future__ import annotations
 
-from pydy.solvers.tableaus.tableau import Row, Tableau
+from pydy.solvers.tableaus import Row, Tableau
 
 __all__ = ["DOP853"]
 

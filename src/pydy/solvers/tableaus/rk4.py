@@ -6,7 +6,7 @@ für Mathematik und Physik 46 (1901) 435–453.
 
 from __future__ import annotations
 
-from pydy.solvers.tableaus.tableau import Tableau
+from pydy.solvers.tableaus import Tableau
 
 __all__ = ["RK4"]
 

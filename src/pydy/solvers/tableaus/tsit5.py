@@ -6,7 +6,7 @@ assumption", Computers & Mathematics with Applications 62 (2011) 770–775.
 
 from __future__ import annotations
 
-from pydy.solvers.tableaus.tableau import Tableau, from_monomials
+from pydy.solvers.tableaus import Tableau, from_monomials
 
 __all__ = ["TSIT5"]
 

@@ -7,7 +7,7 @@ at the end of the step and four further stages.
 
 from __future__ import annotations
 
-from pydy.solvers.tableaus.tableau import Row, Tableau, from_monomials
+from pydy.solvers.tableaus import Row, Tableau, from_monomials
 
 __all__ = ["VERN9"]
 

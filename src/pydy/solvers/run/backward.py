@@ -9,20 +9,19 @@ from functools import lru_cache
 import numpy as np
 
 from pydy._kernel import Inputs, KernelCall
-from pydy.solvers.adjoint import layout as at
-from pydy.solvers.adjoint.layout import Backward
-from pydy.solvers.adjoint.recording import Recording
-from pydy.solvers.run.interrupts import Interrupts
+from pydy.solvers.run import layout as at
+from pydy.solvers.run.layout import Backward, rows_of, table_of
 from pydy.solvers.run.problem import (
     Callback,
+    Interrupts,
     address,
     blocks,
     callback_problem,
     kernel_problem,
     lined_up,
 )
+from pydy.solvers.run.recording import Recording
 from pydy.solvers.run.shipped import function_of
-from pydy.solvers.run.table import rows_of, table_of
 from pydy.solvers.tableaus import tableau_of
 from pydy.solvers.tuning import BLOCK
 
@@ -217,7 +216,7 @@ class WayBack:
         table = table_of(rows_of(self._problem), rows_of(back))
         function_of("step_back", self._python)(address(table))
         after = adjoints[count * length : count * length + self.n].copy()
-        if back.words[at.WRONG] >= 0:
+        if back.words[at.BACK_WRONG] >= 0:
             after[:] = np.nan
         instants = (times[:, None] + np.outer(sizes, self.nodes)).ravel()
         return Sweep(after, back.totals, instants, back.kept)

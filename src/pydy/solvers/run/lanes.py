@@ -11,15 +11,20 @@ import numpy as np
 
 from pydy._backends.llvm.column_lanes import LanesOfColumns
 from pydy._kernel import Kernel
-from pydy.solvers.lanes import layout as at
-from pydy.solvers.lanes.layout import Evaluation, LaneProblem, Lanes, Queue
 from pydy.solvers.options import Options
-from pydy.solvers.run import layout
-from pydy.solvers.run.layout import Memory
-from pydy.solvers.run.methods import method_arrays
+from pydy.solvers.run import layout as at
+from pydy.solvers.run.layout import (
+    Evaluation,
+    LaneProblem,
+    Lanes,
+    Memory,
+    Queue,
+    rows_of,
+    table_of,
+)
 from pydy.solvers.run.problem import address, lined_up, tables_of
 from pydy.solvers.run.shipped import function_of
-from pydy.solvers.run.table import rows_of, table_of
+from pydy.solvers.tableaus import method_arrays
 from pydy.solvers.tuning import LANES, LEAST_TOLERANCE
 
 __all__ = ["LaneResult", "evaluate_samples", "integrate_samples"]
@@ -84,7 +89,7 @@ def integrate_samples(
     rtol, atol = np.ones(n), np.ones(n)
     rtol[:controlled], atol[:controlled] = options.rtol, np.maximum(options.atol, LEAST_TOLERANCE)
     arrays = method_arrays(method, length)
-    stages, depth = len(arrays.nodes), int(arrays.shape[layout.DEPTH])
+    stages, depth = len(arrays.nodes), int(arrays.shape[at.DEPTH])
     vectors = lined_up(6 + stages + depth, length)
     memory = Memory(
         x=vectors[0],
@@ -100,7 +105,7 @@ def integrate_samples(
         atol=atol,
     )
     lanes = Lanes(**{name: lined_up(LANES) for name in Lanes._fields})._replace(
-        samples=np.full(LANES, at.VACANT), place=np.zeros(LANES, dtype=np.int64)
+        samples=np.full(LANES, at.LANES_VACANT), place=np.zeros(LANES, dtype=np.int64)
     )
     queue = Queue(
         state=np.array([0, 0, options.max_steps, address(states), states.strides[0] // 8]),
@@ -116,10 +121,10 @@ def integrate_samples(
     table = table_of(*map(rows_of, (arrays, problem, memory, lanes, queue)))
     budget = 1000
     while True:
-        queue.state[at.BUDGET] = budget
+        queue.state[at.LANES_BUDGET] = budget
         start = perf_counter()
         code = step_lanes(address(table))
-        if code == at.EMPTY:
+        if code == at.LANES_EMPTY:
             return LaneResult(queue.counts, queue.reached)
         if stopped():
             raise KeyboardInterrupt

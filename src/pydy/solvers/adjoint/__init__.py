@@ -1,1 +1,0 @@
-"""Back through the steps of an integration: exact derivatives of a scalar of what came of it."""
