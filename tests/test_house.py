@@ -20,16 +20,7 @@ SRC = Path(__file__).parents[1] / "src"
 LAYERS = {
     "foundation": {
         *("_array_layout", "_cache_folder", "_checks", "_dataset", "_errors", "_files"),
-        *(
-            "_forks",
-            "_html",
-            "_names",
-            "_optional",
-            "_processes",
-            "_rank",
-            "_sensitivity",
-            "_version",
-        ),
+        *("_forks", "_html", "_names", "_optional", "_processes", "_rank", "_version"),
         *("errors", "inputs", "plot", "trajectory", "_interpolation"),
     },
     "graph and mechanics": {"_graph", "_mechanics", "mechanics"},

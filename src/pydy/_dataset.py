@@ -51,7 +51,7 @@ def to_dataset(
 ) -> Any:
     """Return a Dataset of columns (name, role, latex, values) along ``time``.
 
-    A `pydy._sensitivity.Sensitivity` becomes a variable along ``quantity`` and ``parameter`` too. A
+    A `pydy.trajectory.Sensitivity` becomes a variable along ``quantity`` and ``parameter`` too. A
     name that is taken gets its role behind it, and keeps itself as the attribute ``label``.
     """
     variables: dict[str, tuple[Any, ...]] = {}
@@ -149,17 +149,7 @@ def read_netcdf(
 ) -> tuple[Parts, dict[str, Any] | None, list[Any]]:
     """Return the Parts, statistics and events of a file of `write_netcdf`.
 
-    Parameters
-    ----------
-    xarray : module
-    path : path
-    record : callable
-        Makes an event of its attributes.
-
-    Raises
-    ------
-    ValueError
-        The file is damaged, or it is another one.
+    `record` makes an event of its attributes.
     """
     path = _checked(path)
     try:

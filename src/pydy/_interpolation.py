@@ -9,7 +9,6 @@ from typing import Any, Protocol
 import numpy as np
 
 from pydy._checks import real_array
-from pydy._sensitivity import SensitivityModel
 
 
 class Model(Protocol):
@@ -29,6 +28,19 @@ class Model(Protocol):
 
     def scene(self, *visuals: Any, **options: Any) -> Any:
         """Return a scene that shows the model."""
+
+
+class SensitivityModel(Protocol):
+    """What sensitivities may ask of the model they come from.
+
+    At times (m,), states (m, n) and sensitivities of the states (m, n, k).
+    """
+
+    def rates(self, times: np.ndarray, states: np.ndarray, values: np.ndarray) -> np.ndarray:
+        """Return the derivatives of the sensitivities by time, shape (m, n, k)."""
+
+    def outputs(self, times: np.ndarray, states: np.ndarray, values: np.ndarray) -> np.ndarray:
+        """Return the sensitivities of the outputs, shape (m, o, k)."""
 
 
 def checked_times(times: Any, own: np.ndarray) -> np.ndarray:

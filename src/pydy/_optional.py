@@ -11,21 +11,7 @@ __all__ = ["progress_of", "require"]
 
 
 def require(module: str, extra: str, purpose: str) -> Any:
-    """Import a module, or say what to install.
-
-    Parameters
-    ----------
-    module : str
-    extra : str
-        Of this package: what brings the module.
-    purpose : str
-        What needs it, for the message.
-
-    Raises
-    ------
-    ImportError
-        The module is not installed.
-    """
+    """Import a module, or say which `extra` of this package brings it, and what needs it."""
     try:
         return import_module(module)
     except ImportError as error:

@@ -12,10 +12,9 @@ import numpy as np
 from pydy._checks import check_mapping, choice, flag, listed, number, real_array, shown
 from pydy._dataset import ENERGIES, KINDS, OUTPUTS, STATES, read_netcdf, to_dataset, write_netcdf
 from pydy._html import table_of_columns
-from pydy._interpolation import Model, Samples, checked_times
+from pydy._interpolation import Model, Samples, SensitivityModel, checked_times
 from pydy._names import latex_of, latex_of_rate, name_of, nearest, unique_names, written_out
 from pydy._optional import require
-from pydy._sensitivity import Sensitivity, SensitivityModel
 
 __all__ = ["EventRecord", "Model", "Sensitivity", "Trajectory"]
 
@@ -23,23 +22,7 @@ __all__ = ["EventRecord", "Model", "Sensitivity", "Trajectory"]
 
 
 class Columns:
-    """Symbols of columns, in the order of their kinds.
-
-    Parameters
-    ----------
-    symbols : mapping of str to sequence of symbols
-        By kind; as for `pydy.trajectory.Trajectory`.
-
-    Attributes
-    ----------
-    kinds : dict of str to tuple of symbols
-    symbols : list
-        All of them.
-    names : tuple of str
-        Of all of them.
-    latex_by_name : dict of str to str
-        What is known of it already.
-    """
+    """Symbols of columns by their kinds, and all of them in this order, with their names."""
 
     def __init__(self, symbols: Mapping[str, Sequence[Any]]) -> None:
         given = check_mapping("symbols", symbols)
@@ -49,7 +32,7 @@ class Columns:
         }
         self.symbols = list(self.of(*KINDS))
         self.names = unique_names(self.symbols)
-        self.latex_by_name: dict[str, str] = {}
+        self.latex_by_name: dict[str, str] = {}  # what is known of it already
         self._place = {s: k for k, s in reversed(list(enumerate(self.symbols)))}
         self._place_of_name = {n: k for k, n in enumerate(self.names)}
 
@@ -106,6 +89,110 @@ class Columns:
         return key in self._place or name_of(key) in self._place_of_name
 
 
+# -- Sensitivities, with their names ---------------------------------------------------------------
+
+
+class Sensitivity:
+    """Partial derivatives of a trajectory's quantities with respect to parameters.
+
+    `System.simulate` finds them if its argument `sensitivities` names the parameters; they are the
+    trajectory's attribute `sensitivity`. ``sensitivity['q1', 'm1']`` is ∂q1/∂m1 at all times, shape
+    (m,), and ``sensitivity['q1']`` the derivatives of q1 by all parameters, shape (m, k). The
+    quantities are the states and the outputs. A parameter that is a state's symbol is its initial
+    condition. A specified that is given by samples has a column for each sample:
+    ``sensitivity['q1', 'F']`` has the shape (m, samples).
+
+    Parameters
+    ----------
+    values : ndarray, shape (m, n, k)
+        Derivatives of the states.
+    parameters : mapping of symbols to int
+        The parameters, and their numbers of columns.
+    states, outputs : sequence of symbols
+    evaluate : callable
+        Gives the derivatives of the outputs, shape (m, o, k), when they are first asked for.
+
+    Attributes
+    ----------
+    values : ndarray, shape (m, n, k)
+    counts : dict
+        The parameters, with their numbers of columns.
+    names : tuple of str
+        Of the columns: those of the parameters; ``F[0]``, ``F[1]``, … for samples.
+    """
+
+    def __init__(
+        self,
+        values: np.ndarray,
+        parameters: Mapping[Any, int],
+        states: Sequence[Any],
+        outputs: Sequence[Any],
+        evaluate: Callable[[], np.ndarray],
+    ) -> None:
+        self.values = values
+        self.counts = dict(parameters)
+        names = unique_names(list(self.counts))
+        self.names = tuple(
+            name if count == 1 else f"{name}[{j}]"
+            for name, count in zip(names, self.counts.values(), strict=True)
+            for j in range(count)
+        )
+        self._columns: dict[Any, slice | int] = {name: k for k, name in enumerate(self.names)}
+        start = 0
+        for name, (symbol, count) in zip(names, self.counts.items(), strict=True):
+            self._columns[name] = start if count == 1 else slice(start, start + count)
+            self._columns[symbol] = self._columns[name]
+            start += count
+        symbols = (*states, *outputs)
+        self.quantities = unique_names(symbols)
+        self._places: dict[Any, int] = {str(symbol): k for k, symbol in enumerate(symbols)}
+        self._places.update((name, k) for k, name in enumerate(self.quantities))
+        self._places.update((symbol, k) for k, symbol in enumerate(symbols))
+        self._evaluate = evaluate
+        self._outputs: np.ndarray | None = None
+
+    @property
+    def parameters(self) -> tuple[Any, ...]:
+        """The parameters, in the order of the columns."""
+        return tuple(self.counts)
+
+    @property
+    def outputs(self) -> np.ndarray:
+        """Derivatives of the outputs, shape (m, o, k), evaluated when first asked for."""
+        if self._outputs is None:
+            self._outputs = self._evaluate()
+        return self._outputs
+
+    def __getitem__(self, key: Any) -> np.ndarray:
+        """Return the derivatives of a quantity, by one parameter or by all."""
+        quantity, *parameter = key if isinstance(key, tuple) else (key,)
+        k = _place(self._places, quantity, "states and outputs", self.quantities)
+        n = self.values.shape[1]
+        table = self.values[:, k] if k < n else self.outputs[:, k - n]
+        for one in parameter:
+            table = table[:, _place(self._columns, one, "parameters", self.names)]
+        return table
+
+    def table(self) -> np.ndarray:
+        """Return the derivatives of all states and outputs, shape (m, n + o, k)."""
+        return np.concatenate([self.values, self.outputs], axis=1)
+
+    def __repr__(self) -> str:
+        m, n, _ = self.values.shape
+        return f"Sensitivity of {n} states to {', '.join(self.names)} at {m} times"
+
+
+def _place(places: Mapping[Any, Any], key: Any, what: str, names: Sequence[str]) -> Any:
+    place = places.get(key)
+    if place is None:
+        place = places.get(name_of(key))
+    if place is None:
+        raise KeyError(
+            f"`{key}` is not one of the {what} of the sensitivities: {', '.join(names)}."
+        )
+    return place
+
+
 # -- EventRecord: an event as a simulation met it --------------------------------------------------
 
 
@@ -141,9 +228,6 @@ class EventRecord:
         return f"EventRecord({self.name!r} at t = {self.time!r})"
 
 
-# -- A trajectory as a labelled table, and from a file ---------------------------------------------
-
-
 def checked_table(argument: str, values: Any, m: int, width: int) -> np.ndarray:
     """Return an own copy with one row for each time and one column for each symbol."""
     table = np.empty((m, 0)) if values is None else np.array(real_array(values, f"`{argument}`"))
@@ -153,80 +237,6 @@ def checked_table(argument: str, values: Any, m: int, width: int) -> np.ndarray:
             f"column for each symbol, got {table.shape}."
         )
     return table
-
-
-def dataset_of(
-    trajectory: Any, sensitivity: Sensitivity | None, derivatives: bool, energy: bool
-) -> Any:
-    """Return the Dataset of `Trajectory.to_xarray`."""
-    derivatives, energy = flag(derivatives, "`derivatives`"), flag(energy, "`energy`")
-    columns = [
-        (name, kind, trajectory.latex(name), trajectory[name])
-        for kind in KINDS
-        for name in trajectory.names_of(kind)
-    ]
-    if derivatives:
-        for k, name in enumerate(trajectory.names_of(*STATES)):
-            latex = trajectory.latex_of_rate(name)
-            columns.append((f"{name}'", "derivative", latex, trajectory.derivatives[:, k]))
-    if energy:
-        for k, name in enumerate(ENERGIES):
-            latex = rf"\text{{{name.replace('_', ' ')}}}"
-            columns.append((name, "energy", latex, trajectory.energy[:, k]))
-    names = unique_names(list(trajectory.constants))
-    constants = {
-        name: (latex_of(s), float(v))
-        for name, (s, v) in zip(names, trajectory.constants.items(), strict=True)
-    }
-    xarray = require("xarray", "labels", "Trajectory.to_xarray")
-    return to_dataset(xarray, trajectory.times, columns, constants, sensitivity)
-
-
-def dataframe_of(trajectory: Any) -> Any:
-    """Return the DataFrame of `Trajectory.to_dataframe`."""
-    pandas = require("pandas", "labels", "Trajectory.to_dataframe")
-    index = pandas.Index(trajectory.times, name="time")
-    return pandas.DataFrame({name: trajectory[name] for name in trajectory.names}, index=index)
-
-
-@dataclass(frozen=True, eq=False)
-class Loaded:
-    """What a file holds."""
-
-    arguments: dict[str, Any]  # of `Trajectory`
-    latex: dict[str, str]
-    sensitivity: tuple[list[str], np.ndarray] | None  # (names, (m, q, k))
-    derivatives: np.ndarray | None
-    energy: np.ndarray | None
-
-
-def loaded_from(path: str | PathLike[str], record: Callable[..., Any]) -> Loaded:
-    """Read a file of `Trajectory.save`; `record` makes an event of its attributes."""
-    xarray = require("xarray", "labels", "Trajectory.load")
-    parts, statistics, events = read_netcdf(xarray, path, record)
-    m = len(parts.times)
-    table = {
-        kind: np.array(list(columns.values())).reshape(len(columns), m).T
-        for kind, columns in parts.columns.items()
-    }
-    empty = np.empty((m, 0))
-
-    def together(*kinds: str) -> np.ndarray:
-        return np.concatenate([table.get(kind, empty) for kind in kinds], axis=1)
-
-    arguments = {
-        "times": parts.times,
-        "states": together(*STATES),
-        "symbols": {kind: tuple(parts.columns.get(kind, ())) for kind in KINDS},
-        "outputs": together(*OUTPUTS),
-        "specifieds": together("specified"),
-        "constants": parts.constants,
-        "events": events,
-        "statistics": statistics,
-    }
-    return Loaded(
-        arguments, parts.latex, parts.sensitivity, table.get("derivative"), table.get("energy")
-    )
 
 
 # -- The trajectory --------------------------------------------------------------------------------
@@ -647,7 +657,27 @@ class Trajectory:
         ImportError
             xarray is not installed.
         """
-        return dataset_of(self, self._sensitivity, derivatives, energy)
+        derivatives, energy = flag(derivatives, "`derivatives`"), flag(energy, "`energy`")
+        columns = [
+            (name, kind, self.latex(name), self[name])
+            for kind in KINDS
+            for name in self.names_of(kind)
+        ]
+        if derivatives:
+            for k, name in enumerate(self.names_of(*STATES)):
+                latex = self.latex_of_rate(name)
+                columns.append((f"{name}'", "derivative", latex, self.derivatives[:, k]))
+        if energy:
+            for k, name in enumerate(ENERGIES):
+                latex = rf"\text{{{name.replace('_', ' ')}}}"
+                columns.append((name, "energy", latex, self.energy[:, k]))
+        names = unique_names(list(self.constants))
+        constants = {
+            name: (latex_of(s), value)
+            for name, (s, value) in zip(names, self.constants.items(), strict=True)
+        }
+        xarray = require("xarray", "labels", "Trajectory.to_xarray")
+        return to_dataset(xarray, self.times, columns, constants, self._sensitivity)
 
     def to_dataframe(self) -> Any:
         """Return a `pandas.DataFrame` with one column for each quantity, indexed by ``time``.
@@ -657,7 +687,9 @@ class Trajectory:
         ImportError
             pandas is not installed.
         """
-        return dataframe_of(self)
+        pandas = require("pandas", "labels", "Trajectory.to_dataframe")
+        index = pandas.Index(self.times, name="time")
+        return pandas.DataFrame({name: self[name] for name in self.names}, index=index)
 
     def save(self, path: str | PathLike[str]) -> None:
         """Write the trajectory to a NetCDF file.
@@ -702,11 +734,30 @@ class Trajectory:
         ValueError
             The file is damaged, or contains no trajectory.
         """
-        file = loaded_from(path, EventRecord)
-        loaded = cls(**file.arguments)
-        if file.sensitivity is not None:
-            loaded._take_sensitivity(*file.sensitivity)
-        loaded._columns.latex_by_name = file.latex
-        loaded._derivatives = file.derivatives
-        loaded._energy = file.energy
+        xarray = require("xarray", "labels", "Trajectory.load")
+        parts, statistics, events = read_netcdf(xarray, path, EventRecord)
+        m = len(parts.times)
+        table = {
+            kind: np.array(list(columns.values())).reshape(len(columns), m).T
+            for kind, columns in parts.columns.items()
+        }
+
+        def together(*kinds: str) -> np.ndarray:
+            return np.concatenate([table.get(kind, np.empty((m, 0))) for kind in kinds], axis=1)
+
+        loaded = cls(
+            parts.times,
+            together(*STATES),
+            {kind: tuple(parts.columns.get(kind, ())) for kind in KINDS},
+            outputs=together(*OUTPUTS),
+            specifieds=together("specified"),
+            constants=parts.constants,
+            events=events,
+            statistics=statistics,
+        )
+        if parts.sensitivity is not None:
+            loaded._take_sensitivity(*parts.sensitivity)
+        loaded._columns.latex_by_name = parts.latex
+        loaded._derivatives = table.get("derivative")
+        loaded._energy = table.get("energy")
         return loaded

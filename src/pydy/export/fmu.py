@@ -36,13 +36,7 @@ _TOLERANCE = 1e-10
 
 
 def write_fmu(model: Model, path: Path, fmi: str, binary: bool) -> None:
-    """Write the unit.
-
-    Raises
-    ------
-    GeneratorError
-        There is no C compiler, or it failed.
-    """
+    """Write the unit; raise a GeneratorError where there is no C compiler, or it fails."""
     # Names of ours, which meet none in the hand-written sources.
     constants = [replace(v, identifier=f"p_{k}") for k, v in enumerate(model.constants)]
     sources = _sources(replace(model, name="pydy_model", constants=tuple(constants)), fmi)
@@ -131,13 +125,7 @@ def _token(sources: dict[str, str]) -> str:
 
 
 def compiler() -> list[str]:
-    """Return the command of this machine's C compiler.
-
-    Raises
-    ------
-    GeneratorError
-        There is none.
-    """
+    """Return the command of this machine's C compiler, or raise a GeneratorError."""
     named = os.environ.get("CC", "").strip()
     if named:
         return _words(named)

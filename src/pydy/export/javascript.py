@@ -136,14 +136,7 @@ def literal(value: Any) -> str:
 
 
 def javascript_module(model: Model, head: Sequence[str]) -> str:
-    """Return an ECMAScript module with the functions of a model.
-
-    Parameters
-    ----------
-    model : Model
-    head : sequence of str
-        Lines for the comment at the top.
-    """
+    """Return an ECMAScript module with the functions of a model, and a comment at the top."""
     plain = ("".join(c if c.isprintable() else " " for c in line) for line in head)
     comment = "\n".join(f"// {line}".rstrip() for line in plain)
     return f"""{comment}
@@ -159,11 +152,7 @@ export const evaluateOutputs = model.evaluateOutputs;
 def javascript_object(model: Model, extra: Sequence[str] = ()) -> str:
     """Return the expression of an object: a model's names, numbers and functions.
 
-    Parameters
-    ----------
-    model : Model
-    extra : sequence of str
-        Names of further Programs of the model, which become functions ``(t, x, r, out)``.
+    Further Programs of the model, by name, become functions ``(t, x, r, out)``.
     """
     names = ["rates", "outputs", *extra]
     if model.events:

@@ -76,15 +76,7 @@ _PURPOSES = {
 
 
 def python_source(model: Model, target: str, head: Sequence[str]) -> str:
-    """Return a module.
-
-    Parameters
-    ----------
-    model : Model
-    target : {'numpy', 'jax'}
-    head : sequence of str
-        Lines for the docstring at the top.
-    """
+    """Return a module for 'numpy' or 'jax', with some lines at the top of its docstring."""
     names = ["rates", "outputs", "jacobian"]
     if target == "jax":
         names.remove("jacobian")  # jax.jacfwd makes it

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -155,6 +155,12 @@ class Item:
     vectors: np.ndarray | None = None  # (m, 3): of an Arrow, scaled
     points: np.ndarray | None = None  # (m, k, 3): of a Line
 
+    def changed(self, change: Callable[[np.ndarray], np.ndarray], **more: Any) -> Item:
+        """Return the item with its positions, vectors and points changed, and more of it."""
+        arrays = {k: getattr(self, k) for k in ("positions", "vectors", "points")}
+        moved: dict[str, Any] = {k: change(a) for k, a in arrays.items() if a is not None}
+        return replace(self, **moved, **more)
+
     @property
     def rigid(self) -> bool:
         """Whether it is a body: triangles that only turn and move."""
@@ -221,13 +227,7 @@ class Animation:
     def scaled(self, factor: float) -> Animation:
         """Return the animation with all lengths multiplied by a number."""
         items = tuple(
-            replace(
-                item,
-                shape=item.shape.scaled(factor),
-                positions=factor * item.positions,
-                vectors=None if item.vectors is None else factor * item.vectors,
-                points=None if item.points is None else factor * item.points,
-            )
+            item.changed(lambda a: factor * a, shape=item.shape.scaled(factor))
             for item in self.items
         )
         return replace(self, items=items, bounds=factor * self.bounds)
@@ -259,16 +259,7 @@ class Animation:
                 done[id(r)] = rows
             return done[id(r)]
 
-        items = tuple(
-            replace(
-                item,
-                rotations=turned(item.rotations),
-                positions=blend(item.positions),
-                vectors=None if item.vectors is None else blend(item.vectors),
-                points=None if item.points is None else blend(item.points),
-            )
-            for item in self.items
-        )
+        items = tuple(item.changed(blend, rotations=turned(item.rotations)) for item in self.items)
         series = {label: blend(values) for label, values in self.series.items()}
         return Animation(wanted, items, series, self.bounds)
 
@@ -280,16 +271,7 @@ def animate(
     series: Sequence[tuple[str, Any]],
     motion: Motion,
 ) -> Animation:
-    """Compute an Animation.
-
-    Parameters
-    ----------
-    reference, origin : ReferenceFrame, Point
-    visuals : sequence of Visual
-    series : sequence of (label, expression)
-    motion : Motion
-        At the instants to show.
-    """
+    """Return the Animation of a motion at the instants to show."""
     frames = dict.fromkeys(v.frame for v in visuals if v.frame is not None)
     points = dict.fromkeys(v.point for v in visuals)
     for visual in visuals:

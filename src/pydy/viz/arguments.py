@@ -56,18 +56,8 @@ def unknowns_beside(
 ) -> list[list[int]]:
     """Return the places in x of what a live page solves the constraints for.
 
-    That is what depends on the others, unless it has a slider; in its place all coordinates, or
-    speeds, without one.
-
-    Parameters
-    ----------
-    given : set of int
-        States whose initial conditions are set by sliders.
-    dependents : (list of int, list of int)
-        Coordinates and speeds that the constraints determine.
-    sizes : (int, int)
-        How many coordinates and speeds there are.
-    states : sequence of symbols
+    Those are the dependent coordinates and speeds, unless sliders set one of them: then all
+    coordinates, or speeds, that have no slider. `sizes` counts both.
     """
     found = []
     spans = (range(sizes[0]), range(sizes[0], sum(sizes)))

@@ -25,16 +25,8 @@ def default_shape(body: Any, values: Mapping[Any, float], size: float) -> Shape:
     """Return the simplest solid that has a body's inertia, or a ball for what has none.
 
     Where all three moments are equal that is a sphere, where two are a cylinder or disc about the
-    third axis, else a box.
-
-    Parameters
-    ----------
-    body : RigidBody or Particle
-    values : mapping of symbols to numbers
-        All of them, at the first instant: an inertia may be written in a frame in which the body
-        turns.
-    size : float
-        Of the scene.
+    third axis, else a box. `values` are those of all symbols at the first instant, for an inertia
+    may be written in a frame in which the body turns; `size` is that of the scene.
     """
     ball = Sphere(0.04 * size)
     if not isinstance(body, RigidBody):
@@ -195,16 +187,7 @@ def guess_up(
 
 
 def unit_vector(value: Any, frame: Any, argument: str) -> np.ndarray:
-    """Return a direction as a unit array in `frame`.
-
-    Parameters
-    ----------
-    value : str or Vector or sequence of 3 numbers
-        ``'x'``, ``'-z'`` and the like, or a constant vector.
-    frame : ReferenceFrame
-    argument : str
-        For the message.
-    """
+    """Return an axis such as '-z', a constant vector or three numbers as a unit array."""
     direction = np.zeros(3)
     if isinstance(value, (str, bytes)):
         if isinstance(value, str) and value.lstrip("+-") in ("x", "y", "z") and len(value) <= 2:

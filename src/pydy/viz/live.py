@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import sympy as sm
 
-from pydy._checks import Places, choice, number, shown, text
+from pydy._checks import Places, choice, number, positive, shown, text
 from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.interpret import run
 from pydy._graph.lower import lower
@@ -115,9 +115,7 @@ class Live:
             )
         choice(self.constraints, ("auto", "project", None), "`constraints` of Live")
         for name in ("rtol", "atol", *(() if self.max_step is None else ("max_step",))):
-            given = number(getattr(self, name), f"`{name}` of Live", finite=True)
-            if not given > 0:
-                raise ValueError(f"`{name}` of Live must be positive, got {given}.")
+            given = positive(getattr(self, name), f"`{name}` of Live", finite=True)
             object.__setattr__(self, name, given)
 
 
@@ -200,18 +198,9 @@ def live_page(
     animation: Animation,
     motion: Motion,
 ) -> LivePage | None:
-    """Return what a live page holds besides the page of an animation.
+    """Return what a live page holds besides the page of an animation; None where it is none.
 
-    Parameters
-    ----------
-    live : Live, mapping or None
-        As users pass it; None for no live page.
-    model : pydy.viz.motion.Model or None
-    title : str
-    scene : (reference_frame, origin, visuals, series)
-    animation : Animation
-    motion : Motion
-        That of the animation.
+    `live` is what users pass, `scene` the reference frame, origin, visuals and series.
     """
     if live is None:
         return None

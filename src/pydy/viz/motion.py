@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
-from itertools import pairwise
+from itertools import islice, pairwise
 from typing import Any
 
 import numpy as np
@@ -74,16 +74,7 @@ class Placement:
 
 
 def pose_program(geometry: Geometry, names: Names) -> Program:
-    """Return the Program of everything in a Geometry.
-
-    Its blocks are 'rotations', 'positions', 'vectors' and 'series', in the order of the Geometry.
-
-    Raises
-    ------
-    ValueError
-        A frame or a point is not related to the scene's, or a symbol has no value; the message
-        names it and says what to do.
-    """
+    """Return the Program with blocks 'rotations', 'positions', 'vectors' and 'series'."""
     return _Poses(geometry, names).program()
 
 
@@ -127,27 +118,27 @@ class _Poses:
     @collector_paused()
     def program(self) -> Program:
         geometry, graph, names = self.geometry, self.graph, self.names
-        rotations = [c for f in geometry.frames for row in self.rotation(f) for c in row]
-        positions = [c for p in geometry.points for c in self.position(p)]
-        vectors = [c for v in geometry.vectors for c in self.components(v, f"the arrow `{v}`")]
-        series = [self.nodes([e], f"the series `{label}`")[0] for label, e in geometry.series]
-        parts = [rotations, positions, vectors, series]
+        parts = {
+            "rotations": [c for f in geometry.frames for row in self.rotation(f) for c in row],
+            "positions": [c for p in geometry.points for c in self.position(p)],
+            "vectors": [
+                c for v in geometry.vectors for c in self.components(v, f"the arrow `{v}`")
+            ],
+            "series": [self.nodes([e], f"the series `{k}`")[0] for k, e in geometry.series],
+        }
         shapes = [
             (len(geometry.frames), 3, 3),
             (len(geometry.points), 3),
             (len(geometry.vectors), 3),
             (len(geometry.series),),
         ]
-        flat = simplify(graph, [n for part in parts for n in part])
-        blocks, start = [], 0
-        for name, shape, part in zip(
-            ("rotations", "positions", "vectors", "series"), shapes, parts, strict=True
-        ):
-            blocks.append((name, shape, flat[start : start + len(part)]))
-            start += len(part)
-        return lower(
-            graph, (len(names.states), len(names.specifieds), len(names.constants)), blocks
-        )
+        flat = iter(simplify(graph, [n for nodes in parts.values() for n in nodes]))
+        blocks = [
+            (name, shape, list(islice(flat, len(nodes))))
+            for shape, (name, nodes) in zip(shapes, parts.items(), strict=True)
+        ]
+        sizes = (len(names.states), len(names.specifieds), len(names.constants))
+        return lower(graph, sizes, blocks)
 
     def rotation(self, frame: Any) -> Matrix3:
         """Return the direction cosines that turn components in `frame` into the reference's."""
@@ -310,26 +301,9 @@ def _finite(names: Names, times: np.ndarray, table: np.ndarray, symbols: Sequenc
 def motion_of_trajectory(
     trajectory: Any, model: Model | None, constants: Any = None, wanted: Iterable[Any] = ()
 ) -> Motion:
-    """Return the Motion of a Trajectory.
+    """Return the Motion of a Trajectory, or of anything with its attributes.
 
-    Parameters
-    ----------
-    trajectory : Trajectory
-        Anything with its attributes `times`, `states`, `state_symbols`, `constants`, `specifieds`
-        and `specifieds_symbols`.
-    model : Model or None
-        Of the System that the scene belongs to.
-    constants : mapping of symbols to numbers, optional
-        More of them, or others.
-    wanted : iterable of symbols
-        Those of them that are outputs are taken from the trajectory.
-
-    Raises
-    ------
-    TypeError
-        It is no trajectory.
-    ValueError
-        It is one of another system, or has values that are not finite.
+    Constants that are given come before its own; wanted symbols that are its outputs are taken too.
     """
     missing = [a for a in ("times", "states", "state_symbols") if not hasattr(trajectory, a)]
     if missing:
@@ -367,17 +341,7 @@ def motion_of_arrays(
     constants: Mapping[Any, Any] | None,
     specifieds: Mapping[Any, Any] | None,
 ) -> Motion:
-    """Return the Motion of plain arrays.
-
-    Parameters
-    ----------
-    times : array_like, shape (m,)
-    states : array_like, shape (m, n)
-    symbols : sequence of functions of time
-        What the columns of `states` are.
-    constants : mapping of symbols to numbers, optional
-    specifieds : mapping of functions of time to numbers or arrays of shape (m,), optional
-    """
+    """Return the Motion of plain arrays, as `Scene.animate` describes them."""
     if symbols is None:
         raise TypeError(
             "`symbols` must say what the columns of `states` are, such as symbols=[q1, q2, u1, "

@@ -13,6 +13,7 @@ import re
 import stat
 import tempfile
 import time
+import unicodedata
 import webbrowser
 from base64 import b64encode
 from collections.abc import Sequence
@@ -51,35 +52,12 @@ from pydy.viz.tuning import AT_REST, TRACK
 # -- Labels as they are typeset: Greek letters by their names, indices lowered ---------------------
 
 
-_LETTERS = [
-    "alpha",
-    "beta",
-    "gamma",
-    "delta",
-    "epsilon",
-    "zeta",
-    "eta",
-    "theta",
-    "iota",
-    "kappa",
-    "lambda",
-    "mu",
-    "nu",
-    "xi",
-    "omicron",
-    "pi",
-    "rho",
-    "varsigma",
-    "sigma",
-    "tau",
-    "upsilon",
-    "phi",
-    "chi",
-    "psi",
-    "omega",
-]
-GREEK = {name: chr(0x3B1 + k) for k, name in enumerate(_LETTERS)}
-GREEK |= {name.capitalize(): chr(0x391 + k) for k, name in enumerate(_LETTERS) if k != 17}
+GREEK = {
+    unicodedata.name(c).split()[-1].replace("LAMDA", "LAMBDA").lower(): c
+    for c in map(chr, range(ord("α"), ord("ω") + 1))
+}
+GREEK |= {name.capitalize(): c.upper() for name, c in GREEK.items()}
+GREEK["varsigma"] = "ς"  # whose name in Unicode ends with SIGMA too
 _SYMBOL = re.compile(r"(?P<base>[A-Za-z]+?)_?(?P<index>\d+|(?<=_)[A-Za-z0-9]+)?(?P<rate>'*)")
 
 

@@ -73,13 +73,7 @@ class _Member:
 
 
 def runs_of(compare: Any) -> list[tuple[str, Any]]:
-    """Return labels and trajectories of an argument `compare`.
-
-    Parameters
-    ----------
-    compare : Trajectory, xarray.Dataset, or a list or dictionary of these
-        Of a Dataset with sample dimensions some members are taken, evenly.
-    """
+    """Return labels and trajectories of `compare`; of an ensemble's members some, evenly."""
     if compare is None:
         return []
     dataset = hasattr(compare, "data_vars")
@@ -129,16 +123,7 @@ def at_times(run: Any, times: np.ndarray) -> Any:
 
 
 def compared(animation: Animation, compare: Any, animated: Callable[[Any], Animation]) -> Animation:
-    """Return an animation with what moves in other runs, fainter.
-
-    Parameters
-    ----------
-    animation : Animation
-    compare
-        See `runs_of`.
-    animated : callable
-        Returns the Animation of a run.
-    """
+    """Return an animation with what moves in other runs, fainter."""
     others = [(label, animated(at_times(run, animation.times))) for label, run in runs_of(compare)]
     if not others:
         return animation

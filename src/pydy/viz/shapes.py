@@ -90,6 +90,8 @@ class Shape(metaclass=_Spelling):
         if opacity is None or not 0 <= opacity <= 1:
             raise ValueError(f"`opacity` of {kind} must be from 0 to 1, got {shown(self.opacity)}.")
         self._set("opacity", opacity)
+        if hasattr(self, "axis"):
+            choice(self.axis, ("x", "y", "z"), f"`axis` of {kind}")
         if self.name is not None and not isinstance(self.name, str):
             raise TypeError(f"`name` of {kind} must be a string, got {self.name!r}.")
 
@@ -186,16 +188,29 @@ def _length(value: Any, what: str) -> Any:
     return length
 
 
-def check_axis(value: Any, kind: str) -> None:
-    """Refuse what is not one of the three axes."""
-    choice(value, ("x", "y", "z"), f"`axis` of {kind}")
-
-
 # -- Polyhedra, discs, knots and tubes -------------------------------------------------------------
 
 
 _AROUND = 12  # corners of a tube's section
 _GOLDEN = (1 + 5**0.5) / 2
+
+
+@dataclass(unsafe_hash=True)
+class _Round(Shape):
+    """A shape that its radius describes."""
+
+    radius: Any = 10.0
+    lengths = ("radius",)
+
+
+@dataclass(unsafe_hash=True)
+class _Straight(Shape):
+    """A round shape along an axis."""
+
+    length: Any
+    radius: Any
+    axis: str = "y"
+    lengths = ("length", "radius")
 
 
 @dataclass(unsafe_hash=True)
@@ -206,36 +221,20 @@ class Cube(Shape):
     lengths = ("length",)
 
 
-@dataclass(unsafe_hash=True)
-class Circle(Shape):
+class Circle(_Round):
     """A disc about the point in the plane of x and y."""
 
-    radius: Any = 10.0
-    lengths = ("radius",)
 
-
-@dataclass(unsafe_hash=True)
-class Tetrahedron(Shape):
+class Tetrahedron(_Round):
     """A tetrahedron whose corners are at a distance of `radius` from the point."""
 
-    radius: Any = 10.0
-    lengths = ("radius",)
 
-
-@dataclass(unsafe_hash=True)
-class Octahedron(Shape):
+class Octahedron(_Round):
     """An octahedron with corners on x, y and z at a distance of `radius` from the point."""
 
-    radius: Any = 10.0
-    lengths = ("radius",)
 
-
-@dataclass(unsafe_hash=True)
-class Icosahedron(Shape):
+class Icosahedron(_Round):
     """An icosahedron whose corners are at a distance of `radius` from the point."""
-
-    radius: Any = 10.0
-    lengths = ("radius",)
 
 
 @dataclass(unsafe_hash=True)
@@ -435,8 +434,7 @@ def _read_obj(data: bytes) -> tuple[np.ndarray, np.ndarray]:
 # -- Bodies, planes, and what is drawn between points ----------------------------------------------
 
 
-@dataclass(unsafe_hash=True)
-class Sphere(Shape):
+class Sphere(_Round):
     """A ball centred at the point.
 
     Examples
@@ -445,9 +443,6 @@ class Sphere(Shape):
     >>> Sphere(0.1, colour="crimson").colour
     '#dc143c'
     """
-
-    radius: Any = 10.0
-    lengths = ("radius",)
 
 
 @dataclass(unsafe_hash=True)
@@ -461,8 +456,7 @@ class Box(Shape):
     spellings = Shape.spellings | {"width": "x", "height": "y", "depth": "z"}
 
 
-@dataclass(unsafe_hash=True)
-class Cylinder(Shape):
+class Cylinder(_Straight):
     """A cylinder centred at the point, along an axis.
 
     Examples
@@ -474,42 +468,13 @@ class Cylinder(Shape):
     Cylinder(colour=None, opacity=1.0, name=None, length=0.05, radius=0.3, axis='y')
     """
 
-    length: Any
-    radius: Any
-    axis: str = "y"
-    lengths = ("length", "radius")
 
-    def __post_init__(self) -> None:
-        super().__post_init__()
-        check_axis(self.axis, type(self).__name__)
-
-
-@dataclass(unsafe_hash=True)
-class Cone(Shape):
+class Cone(_Straight):
     """A cone centred at the point, with its tip in the direction of an axis."""
 
-    length: Any
-    radius: Any
-    axis: str = "y"
-    lengths = ("length", "radius")
 
-    def __post_init__(self) -> None:
-        super().__post_init__()
-        check_axis(self.axis, type(self).__name__)
-
-
-@dataclass(unsafe_hash=True)
-class Capsule(Shape):
+class Capsule(_Straight):
     """A cylinder with hemispherical ends; `length` is that of the cylinder alone."""
-
-    length: Any
-    radius: Any
-    axis: str = "y"
-    lengths = ("length", "radius")
-
-    def __post_init__(self) -> None:
-        super().__post_init__()
-        check_axis(self.axis, type(self).__name__)
 
 
 @dataclass(unsafe_hash=True)
@@ -521,10 +486,6 @@ class Torus(Shape):
     axis: str = "z"
     lengths = ("radius", "tube")
     spellings = Shape.spellings | {"tube_radius": "tube"}
-
-    def __post_init__(self) -> None:
-        super().__post_init__()
-        check_axis(self.axis, type(self).__name__)
 
 
 @dataclass(unsafe_hash=True)
@@ -539,10 +500,6 @@ class Plane(Shape):
     width: Any = 5.0
     axis: str = "z"
     lengths = ("length", "width")
-
-    def __post_init__(self) -> None:
-        super().__post_init__()
-        check_axis(self.axis, type(self).__name__)
 
 
 @dataclass(unsafe_hash=True)
