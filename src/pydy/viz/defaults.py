@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -73,16 +73,19 @@ def _round_shape(moments: list[float], mass: float) -> Shape | None:
 
 def find_origin(frame: Any, points: Iterable[Any]) -> Any:
     """Return a point that was said to rest in `frame`, connected with the given ones, or None."""
-    waiting = list(points)
-    seen = set(waiting)
+    return next((p for p, _ in _connected(points) if given_velocity(p, frame) == Vector(0)), None)
+
+
+def _connected(points: Iterable[Any]) -> Iterator[tuple[Any, Any]]:
+    """Yield points and what is connected with them, nearest first, and where each was met."""
+    met = {point: point for point in points}
+    waiting = list(met)
     while waiting:
         point = waiting.pop(0)
-        if given_velocity(point, frame) == Vector(0):
-            return point
-        near = [p for p in places(point) if p not in seen]
-        seen.update(near)
+        yield point, met[point]
+        near = [p for p in places(point) if p not in met]
+        met.update(dict.fromkeys(near, point))
         waiting += near
-    return None
 
 
 def arms(joints: Iterable[Any]) -> list[tuple[Any, Any]]:
@@ -121,13 +124,7 @@ def skeleton(
     nothing holds them together: one floats, rolls or slides freely with respect to the other.
     """
     driven = {f for _, vector in loads for f in _functions(vector)}
-    before = {origin: origin}
-    waiting = [origin]
-    while waiting:
-        point = waiting.pop(0)
-        near = [p for p in places(point) if p not in before]
-        before.update(dict.fromkeys(near, point))
-        waiting += near
+    before = dict(_connected([origin]))
     pairs: dict[tuple[Any, Any], None] = {}
     for point in points:
         while before.get(point, point) is not point:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import ChainMap
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
@@ -232,7 +233,8 @@ def _page(
     by_name = {name_of(s): v for s, v in known.items()}
     taken = {name_of(s) for s in system.constants}
     extras = {s: sm.Float(v) for s, v in known.items() if name_of(s) not in taken}
-    definitions = _Chained(motion.names.definitions, {**extras, **system.definitions})
+    lazy: Any = motion.names.definitions  # made when asked for
+    definitions = ChainMap({**extras, **system.definitions}, lazy)
     names = Names(system.states, system.inputs, system.constants, definitions, motion.names.time)
     items = animation.items
     frames = tuple(dict.fromkeys(i.visual.frame for i in items if i.visual.frame is not None))
@@ -305,20 +307,6 @@ def _page(
         return javascript_object(model, ("poses", "sizes", "start")), data
 
     return LivePage(witness, code)
-
-
-class _Chained(dict[Any, Any]):
-    """Definitions that are made when asked for, behind others that are there."""
-
-    def __init__(self, lazy: Mapping[Any, Any], given: Mapping[Any, Any]) -> None:
-        super().__init__(given)
-        self._lazy = lazy
-
-    def __contains__(self, key: object) -> bool:
-        return super().__contains__(key) or key in self._lazy
-
-    def __missing__(self, key: Any) -> Any:
-        return self._lazy[key]
 
 
 def _sliders(

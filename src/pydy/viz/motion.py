@@ -288,14 +288,19 @@ def checked_samples(times: Any, states: Any, width: int) -> tuple[np.ndarray, np
     return np.ascontiguousarray(t), np.ascontiguousarray(x)
 
 
-def _finite(names: Names, times: np.ndarray, table: np.ndarray, symbols: Sequence[Any]) -> None:
-    bad = np.argwhere(~np.isfinite(table))
-    if len(bad):
-        k, j = map(int, bad[0])
-        raise ValueError(
-            f"`{symbols[j]}` is {table[k, j]} at t = {times[k]:g}, index {k}: there is nothing to "
-            "draw. Did the integration fail there? Pass the part before."
-        )
+def _motion(
+    names: Names, times: np.ndarray, states: np.ndarray, rows: np.ndarray, values: dict[Any, Any]
+) -> Motion:
+    """Return a Motion of finite numbers."""
+    for table, symbols in ((states, names.states), (rows, names.specifieds)):
+        bad = np.argwhere(~np.isfinite(table))
+        if len(bad):
+            k, j = map(int, bad[0])
+            raise ValueError(
+                f"`{symbols[j]}` is {table[k, j]} at t = {times[k]:g}, index {k}: there is nothing "
+                "to draw. Did the integration fail there? Pass the part before."
+            )
+    return Motion(names, times, states, rows, np.array([float(v) for v in values.values()]))
 
 
 def motion_of_trajectory(
@@ -329,9 +334,7 @@ def motion_of_trajectory(
     rows = np.asarray(trajectory.specifieds, dtype=float) if specified else np.zeros((1, 0))
     rows = np.broadcast_to(rows, (len(times), len(specified)))
     rows = np.ascontiguousarray(np.column_stack([rows, *more.values()]))
-    _finite(names, times, states, symbols)
-    _finite(names, times, rows, names.specifieds)
-    return Motion(names, times, states, rows, np.array([float(v) for v in values.values()]))
+    return _motion(names, times, states, rows, values)
 
 
 def motion_of_arrays(
@@ -363,9 +366,7 @@ def motion_of_arrays(
     rows = np.stack(columns, 1) if columns else np.zeros((len(t), 0))
     values = _constants(constants)
     names = Names(symbols, tuple(given), tuple(values))
-    _finite(names, t, x, symbols)
-    _finite(names, t, rows, names.specifieds)
-    return Motion(names, t, x, rows, np.array([float(v) for v in values.values()]))
+    return _motion(names, t, x, rows, values)
 
 
 def _constants(constants: Any) -> dict[Any, float]:

@@ -30,22 +30,10 @@ from scipy.spatial.transform import Rotation
 
 from pydy._files import write_files
 from pydy._version import __version__
+from pydy.viz import shapes
 from pydy.viz.animation import Animation, Item, Look, frame
 from pydy.viz.colours import CYCLE
 from pydy.viz.live import LivePage, Witness
-from pydy.viz.shapes import (
-    Arrow,
-    Circle,
-    Cube,
-    Icosahedron,
-    Line,
-    Mesh,
-    Octahedron,
-    Tetrahedron,
-    TorusKnot,
-    Trace,
-    Tube,
-)
 from pydy.viz.surfaces import surface
 from pydy.viz.tuning import AT_REST, TRACK
 
@@ -90,7 +78,15 @@ SCRIPTS = (
 
 
 # What the page draws as triangles from here.
-_TRIANGLES = (Circle, Cube, Icosahedron, Octahedron, Tetrahedron, TorusKnot, Tube)
+_TRIANGLES = (
+    shapes.Circle,
+    shapes.Cube,
+    shapes.Icosahedron,
+    shapes.Octahedron,
+    shapes.Tetrahedron,
+    shapes.TorusKnot,
+    shapes.Tube,
+)
 
 
 def page(
@@ -311,10 +307,10 @@ def _visual(item: Item, tracks: _Tracks) -> dict[str, Any]:
         "kind": type(shape).__name__,
         "colour": shape.colour,
         "opacity": float(shape.opacity),
-        "trail": bool(item.visual.trail or isinstance(shape, Trace)),
+        "trail": bool(item.visual.trail or isinstance(shape, shapes.Trace)),
     }
     if item.points is not None:
-        assert isinstance(shape, Line)
+        assert isinstance(shape, shapes.Line)
         entry["radius"] = shape.radius
         carried = tracks.carrier(shape.points, item.points)
         changing = tracks.witness is not None
@@ -331,11 +327,15 @@ def _visual(item: Item, tracks: _Tracks) -> dict[str, Any]:
         item.visual.frame, item.visual.point, item.positions
     )
     if item.vectors is not None:
-        assert isinstance(shape, Arrow)
+        assert isinstance(shape, shapes.Arrow)
         vectors = _column(item.vectors, tracks.witness is not None)
         return {**entry, "radius": shape.radius, "vectors": vectors}
-    if isinstance(shape, (Mesh, *_TRIANGLES)):
+    if isinstance(shape, (shapes.Mesh, *_TRIANGLES)):
         vertices, faces = surface(shape)
         entry["vertices"], entry["faces"] = _packed(vertices), _packed(faces, np.uint32)
-        return {**entry, "kind": "Mesh", "smooth": isinstance(shape, (TorusKnot, Tube))}
+        return {
+            **entry,
+            "kind": "Mesh",
+            "smooth": isinstance(shape, (shapes.TorusKnot, shapes.Tube)),
+        }
     return {**entry, "size": dict(shape.dimensions())}

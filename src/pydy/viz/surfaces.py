@@ -10,28 +10,7 @@ from functools import cache, singledispatch
 
 import numpy as np
 
-from pydy.viz.shapes import (
-    Box,
-    Capsule,
-    Circle,
-    Cone,
-    Cube,
-    Cylinder,
-    Icosahedron,
-    Mesh,
-    Octahedron,
-    Plane,
-    Shape,
-    Sphere,
-    Tetrahedron,
-    Torus,
-    TorusKnot,
-    Tube,
-    along,
-    hull,
-    knot,
-    polyhedron,
-)
+from pydy.viz import shapes
 
 Surface = tuple[np.ndarray, np.ndarray]
 """Vertices, shape (n, 3), and triangles, shape (k, 3), counter-clockwise from outside."""
@@ -41,7 +20,7 @@ _HEAD_LENGTH, _HEAD_RADIUS = 6.0, 2.5  # of an arrow, relative to the radius of 
 
 
 @singledispatch
-def surface(shape: Shape) -> Surface:
+def surface(shape: shapes.Shape) -> Surface:
     """Return the triangles of a shape with numbers for lengths, in its own axes."""
     raise NotImplementedError(f"{type(shape).__name__} has no surface of its own.")
 
@@ -85,31 +64,31 @@ def _arc(radius: float, middle: float, start: float, stop: float) -> list[tuple[
 
 
 @surface.register
-def _(shape: Sphere) -> Surface:
+def _(shape: shapes.Sphere) -> Surface:
     upper, lower = (_arc(shape.radius, 0, *ends) for ends in ((0, np.pi / 2), (np.pi / 2, np.pi)))
     return _turned(upper + lower[1:], "y")
 
 
 @surface.register
-def _(shape: Capsule) -> Surface:
+def _(shape: shapes.Capsule) -> Surface:
     h, r = shape.length / 2, shape.radius
     return _turned(_arc(r, h, 0, np.pi / 2) + _arc(r, -h, np.pi / 2, np.pi), shape.axis)
 
 
 @surface.register
-def _(shape: Cylinder) -> Surface:
+def _(shape: shapes.Cylinder) -> Surface:
     h, r = shape.length / 2, shape.radius
     return _turned([(0, h), (r, h), (r, -h), (0, -h)], shape.axis)
 
 
 @surface.register
-def _(shape: Cone) -> Surface:
+def _(shape: shapes.Cone) -> Surface:
     h, r = shape.length / 2, shape.radius
     return _turned([(0, h), (r, -h), (0, -h)], shape.axis)
 
 
 @surface.register
-def _(shape: Torus) -> Surface:
+def _(shape: shapes.Torus) -> Surface:
     rows = 12
 
     def point(row: np.ndarray, angle: np.ndarray) -> np.ndarray:
@@ -124,7 +103,7 @@ def _(shape: Torus) -> Surface:
 
 
 @surface.register
-def _(shape: Box) -> Surface:
+def _(shape: shapes.Box) -> Surface:
     corners = np.array([[i, j, k] for i in (-1, 1) for j in (-1, 1) for k in (-1, 1)])
     sides = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
     faces = [part for a, b, c, d in sides for part in ((a, b, c), (a, c, d))]
@@ -132,39 +111,39 @@ def _(shape: Box) -> Surface:
 
 
 @surface.register
-def _(shape: Cube) -> Surface:
-    return surface(Box(shape.length, shape.length, shape.length))
+def _(shape: shapes.Cube) -> Surface:
+    return surface(shapes.Box(shape.length, shape.length, shape.length))
 
 
 @surface.register
-def _(shape: Circle) -> Surface:
+def _(shape: shapes.Circle) -> Surface:
     angle = np.arange(2 * _AROUND) * (np.pi / _AROUND)
     rim = shape.radius * np.stack([np.cos(angle), np.sin(angle), 0 * angle], 1)
     k = np.arange(1, len(rim) - 1)
     return rim, np.stack([0 * k, k, k + 1], 1)
 
 
-@surface.register(Tetrahedron)
-@surface.register(Octahedron)
-@surface.register(Icosahedron)
-def _(shape: Tetrahedron | Octahedron | Icosahedron) -> Surface:
-    triangles = hull(shape.radius * polyhedron(shape))
+@surface.register(shapes.Tetrahedron)
+@surface.register(shapes.Octahedron)
+@surface.register(shapes.Icosahedron)
+def _(shape: shapes.Tetrahedron | shapes.Octahedron | shapes.Icosahedron) -> Surface:
+    triangles = shapes.hull(shape.radius * shapes.polyhedron(shape))
     assert triangles is not None
     return triangles
 
 
 @surface.register
-def _(shape: TorusKnot) -> Surface:
-    return along(knot(shape.radius), shape.tube, closed=True)
+def _(shape: shapes.TorusKnot) -> Surface:
+    return shapes.along(shapes.knot(shape.radius), shape.tube, closed=True)
 
 
 @surface.register
-def _(shape: Tube) -> Surface:
-    return along(np.array(shape.points), shape.radius, closed=False)
+def _(shape: shapes.Tube) -> Surface:
+    return shapes.along(np.array(shape.points), shape.radius, closed=False)
 
 
 @surface.register
-def _(shape: Plane) -> Surface:
+def _(shape: shapes.Plane) -> Surface:
     k = "xyz".index(shape.axis)
     first, second = (i for i in range(3) if i != k)
     vertices = np.zeros((4, 3))
@@ -174,7 +153,7 @@ def _(shape: Plane) -> Surface:
 
 
 @surface.register
-def _(shape: Mesh) -> Surface:
+def _(shape: shapes.Mesh) -> Surface:
     return shape.vertices * shape.scale, shape.faces
 
 
