@@ -53,7 +53,7 @@ def start():
 
 
 def finishes_right(process):
-    out, errors = process.communicate(timeout=120)
+    out, errors = process.communicate(timeout=600)
     assert out.strip() == "right", errors
 
 

@@ -21,7 +21,7 @@ LAYERS = {
     "foundation": {
         *("_array_layout", "_cache_folder", "_checks", "_dataset", "_errors", "_files"),
         *("_forks", "_html", "_names", "_optional", "_processes", "_rank", "_version"),
-        *("errors", "inputs", "plot", "trajectory", "_interpolation"),
+        *("errors", "inputs", "plot", "trajectory", "_interpolation", "_interrupts"),
     },
     "graph and mechanics": {"_graph", "_mechanics", "mechanics"},
     "machine": {"_backends", "_kernel", "solvers"},

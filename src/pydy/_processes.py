@@ -7,9 +7,15 @@ import os
 import signal
 import subprocess
 from collections.abc import Iterator
+from functools import partial
 from typing import Any
 
-__all__ = ["started"]
+from pydy._interrupts import Interrupts
+
+__all__ = ["LOOK", "output_of", "started"]
+
+LOOK = 0.1
+"""Seconds between two looks for a signal: one that comes right before a wait does not end it."""
 
 
 @contextlib.contextmanager
@@ -18,20 +24,35 @@ def started(command: list[str], **options: Any) -> Iterator[subprocess.Popen[str
 
     It has a group of its own: a compiler's driver that is killed leaves the compiler at work.
     """
-    with subprocess.Popen(
-        command,
-        stdin=subprocess.DEVNULL,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.STDOUT,  # compilers differ in where they write their errors
-        errors="replace",
-        start_new_session=True,
-        **options,
-    ) as process:
-        try:
-            yield process
-        except BaseException:
-            if hasattr(os, "killpg"):
-                with contextlib.suppress(ProcessLookupError):
-                    os.killpg(process.pid, signal.SIGKILL)
-            process.kill()
-            raise
+    with contextlib.ExitStack() as stack:
+        with Interrupts():  # a Ctrl-C within Popen would leave a process that nobody knows
+            process = stack.enter_context(
+                subprocess.Popen(
+                    command,
+                    stdin=subprocess.DEVNULL,
+                    stdout=subprocess.PIPE,
+                    stderr=subprocess.STDOUT,  # compilers differ in where they write their errors
+                    errors="replace",
+                    start_new_session=True,
+                    **options,
+                )
+            )
+            stack.push(partial(_killed, process))
+        yield process
+
+
+def _killed(process: subprocess.Popen[str], kind: type[BaseException] | None, *_: object) -> None:
+    """Kill a process and what it has started, if an exception ended the use of it."""
+    if kind is not None:
+        if hasattr(os, "killpg"):
+            with contextlib.suppress(ProcessLookupError):
+                os.killpg(process.pid, signal.SIGKILL)
+        process.kill()
+        process.wait()
+
+
+def output_of(process: subprocess.Popen[str]) -> str:
+    """Return what a process writes until it ends."""
+    while True:
+        with contextlib.suppress(subprocess.TimeoutExpired):
+            return process.communicate(timeout=LOOK)[0]

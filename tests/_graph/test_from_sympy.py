@@ -1,7 +1,6 @@
 """Every function that is read from SymPy, against SymPy's own evaluation with 40 digits."""
 
 import math
-import time
 
 import numpy as np
 import pytest
@@ -434,16 +433,13 @@ def test_twenty_thousand_nested_sums_or_products_are_no_obstacle(function):
 def test_a_tree_of_two_to_the_sixty_leaves_is_a_graph_of_sixty_levels():
     levels = 60
     expression = x
-    begin = time.perf_counter()
     for _ in range(levels):
         # Unevaluated: SymPy's own x · x would walk the tree to compare.
         product = sm.Mul(expression, expression, evaluate=False)
         expression = sm.Add(product, expression, evaluate=False)
     program = program_of([expression])
-    elapsed = time.perf_counter() - begin
     expected = 1e-3
     for _ in range(levels):
         expected = expected * expected + expected
     assert values(program, [1e-3, 0.0, 0.0, 0.0])[0] == pytest.approx(expected, rel=1e-13)
     assert program.operation_count["run"].total() <= 2 * levels
-    assert elapsed < 1.0

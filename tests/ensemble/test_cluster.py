@@ -21,13 +21,15 @@ def client():
     """A cluster for one test: what a killed worker leaves behind is no other's concern."""
     distributed = pytest.importorskip("distributed")
     with (
-        dask.config.set({"distributed.worker.daemon": True}),
+        dask.config.set(
+            {"distributed.worker.daemon": True, "distributed.comm.timeouts.connect": "300s"}
+        ),
         distributed.LocalCluster(
             n_workers=2, threads_per_worker=1, processes=True, dashboard_address=":0"
         ) as cluster,
         distributed.Client(cluster) as client,
     ):
-        client.wait_for_workers(2, timeout=120)
+        client.wait_for_workers(2, timeout=300)
         yield client
 
 
@@ -51,7 +53,7 @@ def test_a_worker_that_is_killed_costs_nothing_but_time(reference, client):
     (victim, *_) = client.run(os.getpid).values()
     time.sleep(0.3)
     os.kill(victim, signal.SIGKILL)
-    assert same_bits(future.result(timeout=60).q1, whole.q1)
+    assert same_bits(future.result(timeout=300).q1, whole.q1)
 
 
 def test_workers_of_a_cluster_write_a_store_themselves(reference, client, tmp_path):

@@ -6,7 +6,6 @@ import signal
 import subprocess
 import sys
 import threading
-import time
 from pathlib import Path
 
 import numpy as np
@@ -14,6 +13,7 @@ import pytest
 import xarray as xr
 
 from ensemble_cases import constant, identical, pendulum, random_values, same_bits
+from pydy.ensemble import store as stores
 
 dask = pytest.importorskip("dask")
 pytest.importorskip("zarr")
@@ -141,32 +141,35 @@ def test_a_function_that_raises_names_its_samples_and_leaves_the_finished(refere
     assert same_bits(made.q1, whole.q1)
 
 
-def test_an_interrupt_ends_the_work_within_a_moment_and_keeps_finished_blocks(tmp_path):
+def test_an_interrupt_ends_the_work_within_a_moment_and_keeps_finished_blocks(
+    tmp_path, monkeypatch
+):
     system = pendulum(2)
     values = random_values(system, 4000)
     store = tmp_path / "s.zarr"
     options = {"store": store, "chunks": 100, "times": np.linspace(0.0, 20.0, num=5)}
 
-    def interrupt_after_a_block():
-        while not any((store / "status").glob("c/*")):
-            time.sleep(0.01)
-        os.kill(os.getpid(), signal.SIGINT)
+    write = stores.write
 
-    waiting = threading.Thread(target=interrupt_after_a_block)
+    def interrupt_after_a_block(*arguments):
+        write(*arguments)
+        monkeypatch.setattr(stores, "write", write)
+        signal.pthread_kill(threading.main_thread().ident, signal.SIGINT)
+
     system.integrate_ensemble(
         initial_conditions={s: v[:2] for s, v in values["initial_conditions"].items()}
     )  # whatever has to be compiled
     # Where the tests run in the background, a shell has SIGINT ignored.
     before = signal.signal(signal.SIGINT, signal.default_int_handler)
-    waiting.start()
+    monkeypatch.setattr(stores, "write", interrupt_after_a_block)
     try:
         with pytest.raises(KeyboardInterrupt):
             system.integrate_ensemble(**values, **options, rtol=1e-11, atol=1e-11)
     finally:
-        waiting.join()
         signal.signal(signal.SIGINT, before)
     status = xr.open_zarr(store, consolidated=False).status.values
     blocks = status.reshape(-1, 100)
+    assert (blocks == 0).any()
     assert ((blocks == 0).all(axis=1) | (blocks == -1).all(axis=1)).all()
     assert (blocks == -1).any()
 

@@ -16,6 +16,7 @@ import numpy as np
 from pydy._checks import path_of
 from pydy._errors import EnsembleInterrupted, warn_user
 from pydy._optional import require
+from pydy._processes import LOOK
 from pydy.ensemble import store as stores
 from pydy.ensemble.identity import UnidentifiedError
 from pydy.ensemble.samples import (
@@ -143,7 +144,7 @@ class Ensemble:
                         running[pool.submit(do, block, stop.is_set)] = block
                     if not running:
                         break
-                    for future in wait(running, return_when=FIRST_COMPLETED).done:
+                    for future in wait(running, LOOK, FIRST_COMPLETED).done:
                         block = running.pop(future)
                         _check(future, block, self.samples)
                         if bar is not None:

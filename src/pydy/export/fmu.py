@@ -23,7 +23,7 @@ from xml.sax.saxutils import quoteattr
 
 from pydy._errors import GeneratorError
 from pydy._files import replacing
-from pydy._processes import started
+from pydy._processes import output_of, started
 from pydy._version import __version__
 from pydy.export.c import c_header, c_literal, c_model_source, c_string
 from pydy.export.model import Model, resource
@@ -165,8 +165,7 @@ def _library(sources: dict[str, str], fmi: str, suffix: str) -> bytes:
             command += ["-fPIC", "-lm"] if unix else []
         try:
             with started(command, cwd=folder) as process:
-                assert process.stdout is not None
-                said = process.stdout.read()
+                said = output_of(process)
         except OSError as error:
             raise GeneratorError(f"The C compiler {command[0]!r} cannot be run: {error}.") from None
         if process.returncode:

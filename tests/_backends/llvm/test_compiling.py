@@ -64,8 +64,11 @@ def begun(number):
     return kernel
 
 
-def until(condition, seconds=60.0):
-    end = time.monotonic() + seconds
+PATIENCE = 600.0  # seconds on a busy machine, where a tenth is meant
+
+
+def until(condition):
+    end = time.monotonic() + PATIENCE
     while not condition():
         assert time.monotonic() < end
         time.sleep(0.01)
@@ -137,7 +140,7 @@ print(len(compiling.object_code(large, quick=True)) > 4000)
         env={**os.environ, "PYDY_CACHE_DIR": "off", "PYTHONPATH": os.pathsep.join(sys.path)},
         capture_output=True,
         text=True,
-        timeout=120,
+        timeout=PATIENCE,
     )
     first, second = done.stdout.splitlines() or [done.stderr, ""]
     assert re.fullmatch(r"Compiling may need \d+ MB of memory, .*`ulimit -v` .*", first)
@@ -161,7 +164,7 @@ print(background._helper._process.pid)
         capture_output=True,
         text=True,
         check=True,
-        timeout=120,
+        timeout=PATIENCE,
     )
     assert done.stderr == ""
     with pytest.raises(ProcessLookupError):
@@ -206,29 +209,27 @@ def test_the_side_thread_compiles_nothing_in_this_process(nothing_cached, at_onc
     )
     kernel = begun(11)
     entry = kernel.owner[0]
-    quick = entry.addresses
-    until(lambda: entry.addresses != quick)
+    until(lambda: len(entry._owners) == 2)
     assert set(compilers) == {threading.current_thread().name}
 
 
 def test_nothing_waits_for_what_is_compiled_on_the_side(nothing_cached, at_once, monkeypatch):
-    started, end = threading.Event(), threading.Event()
+    started, end, waited = threading.Event(), threading.Event(), []
 
     def slow(_self, source):
         started.set()
-        end.wait(60.0)
+        waited.append(end.wait(PATIENCE))
         return compiling.object_code(source)
 
     monkeypatch.setattr(compiling.Helper, "compile", slow)
     first = begun(12)
-    assert started.wait(30.0)
+    assert started.wait(PATIENCE)
     # If one of these waited for the side, it would do so until the latter gave up.
-    began = time.monotonic()
     second = begun(13)
     assert second.addresses
     before = first.owner[0].addresses
     assert first.addresses != before  # not even for its own
-    assert time.monotonic() - began < 30.0
+    assert not waited
     end.set()
     until(lambda: not background._TASKS)
     assert first.owner[0].addresses == first.addresses
@@ -319,7 +320,7 @@ def test_a_distinct_right_hand_side_leaves_no_memory_behind():
         capture_output=True,
         text=True,
         check=True,
-        timeout=300,
+        timeout=PATIENCE,
     )
     assert float(done.stdout) < 10_000.0  # bytes; it was 55,000
 

@@ -8,12 +8,12 @@ from functools import lru_cache
 
 import numpy as np
 
+from pydy._interrupts import Interrupts
 from pydy._kernel import Inputs, KernelCall
 from pydy.solvers.run import layout as at
 from pydy.solvers.run.layout import Backward, rows_of, table_of
 from pydy.solvers.run.problem import (
     Callback,
-    Interrupts,
     address,
     blocks,
     callback_problem,

@@ -23,6 +23,7 @@ from pydy._errors import (
     few,
     warn_user,
 )
+from pydy._interrupts import Interrupts
 from pydy._kernel import Kernel, KernelCall
 from pydy.solvers.events import CompiledEvents, EventRecord, crowd, forcing_time
 from pydy.solvers.options import Options
@@ -47,7 +48,7 @@ from pydy.solvers.outcome import (
 from pydy.solvers.run import layout as at
 from pydy.solvers.run.constraints import CompiledConstraints
 from pydy.solvers.run.layout import Wanted, rows_of, table_of
-from pydy.solvers.run.problem import Interrupts, address
+from pydy.solvers.run.problem import address
 from pydy.solvers.run.shipped import function_of, stepper
 from pydy.solvers.run.workspace import Workspace
 from pydy.solvers.tableaus import IMPLICIT, tableau_of

@@ -4,17 +4,15 @@ from __future__ import annotations
 
 import ctypes
 import math
-import signal
-import threading
 from collections.abc import Callable, Sequence
 from functools import lru_cache
-from types import FrameType
 from typing import Any
 
 import numpy as np
 
 from pydy._array_layout import address
 from pydy._checks import vector
+from pydy._interrupts import Interrupts
 from pydy._kernel import Kernel, KernelCall
 from pydy.solvers.run.layout import Problem, Watch
 from pydy.solvers.run.shipped import callback_address
@@ -25,7 +23,6 @@ _NO_TABLES = np.zeros((0, 4), dtype=np.int64), np.zeros(0), np.zeros((0, 4))
 __all__ = [
     "Bound",
     "Callback",
-    "Interrupts",
     "address",
     "callback_problem",
     "kernel_problem",
@@ -119,48 +116,7 @@ def tables_of(
     return np.array(tables, dtype=np.int64), np.concatenate(knots), np.concatenate(cubics)
 
 
-# -- Python functions, and the interrupts between them ---------------------------------------------
-
-
-class Interrupts:
-    """A context in which the first Ctrl-C waits until `check` is called.
-
-    A `KeyboardInterrupt` that Python raises on its way from compiled code into a callback would be
-    lost: ctypes prints it and goes on with what lay in the result. A second Ctrl-C is raised at
-    once, for a function of the user that hangs. Handlers other than Python's own are left alone,
-    and so are threads other than the main one, which get no signals: there, `stopped` tells.
-
-    Parameters
-    ----------
-    stopped : callable
-        Asked at every `check`: True is as good as a Ctrl-C.
-    """
-
-    def __init__(self, stopped: Callable[[], bool] = lambda: False) -> None:
-        self._stopped = stopped
-        self._pending = False
-        self._before: Any = None
-
-    def __enter__(self) -> Interrupts:
-        here = threading.current_thread() is threading.main_thread()
-        if here and signal.getsignal(signal.SIGINT) is signal.default_int_handler:
-            self._before = signal.signal(signal.SIGINT, self._note)
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        if self._before is not None:
-            signal.signal(signal.SIGINT, self._before)
-            self._before = None
-
-    def _note(self, _signal: int, _frame: FrameType | None) -> None:
-        if self._pending:
-            raise KeyboardInterrupt
-        self._pending = True
-
-    def check(self) -> None:
-        """Raise the `KeyboardInterrupt` that waits, if one does."""
-        if self._pending or self._stopped():
-            raise KeyboardInterrupt
+# -- Python functions ------------------------------------------------------------------------------
 
 
 class Callback:

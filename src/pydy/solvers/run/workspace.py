@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from pydy._interrupts import Interrupts
 from pydy._kernel import Kernel, KernelCall
 from pydy.solvers.options import Options
 from pydy.solvers.outcome import STEP_UNDERFLOW
@@ -32,7 +33,6 @@ from pydy.solvers.run.layout import (
 from pydy.solvers.run.problem import (
     Bound,
     Callback,
-    Interrupts,
     address,
     blocks,
     callback_problem,
