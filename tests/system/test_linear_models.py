@@ -367,3 +367,11 @@ def test_angles_and_lengths_are_chosen_alike_in_any_units():
         system.initial_conditions = start
         chosen.add(system.linearize().states)
     assert len(chosen) == 1
+
+
+@pytest.mark.parametrize("metre", [1e-6, 1.0, 1e9])
+def test_feedback_of_a_function_is_differentiated_alike_in_any_units(metre):
+    """In nanometres the step was so short that a weight's rounding was taken for the slope."""
+    system = multi_mass_spring_damper(apply_external_forces=True)
+    system.specifieds = {"f0": lambda x, t: 3e6 * metre - 100.0 * x[0]}
+    assert system.linearize().A[1, 0] == pytest.approx(-101.0, rel=1e-7)

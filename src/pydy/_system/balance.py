@@ -16,19 +16,17 @@ from pydy._graph.derivative import dense_jacobian
 from pydy._graph.interpret import run
 from pydy._kernel import Kernel
 from pydy._names import unique_names
-from pydy._rank import or_one
+from pydy._rank import HALF, ROUNDING, or_one
 from pydy._system.evaluation import row_names
 from pydy._system.setup import Setup
 from pydy._system.snapshot import Snapshot
-from pydy._system.tuning import AGREED
 from pydy.analysis.equilibria import Equilibrium, Problem, solve_equilibrium
 from pydy.codegen.arguments import SpecifiedsPlan
 
 GROUPS = {"states": "x", "specifieds": "r", "constants": "p"}
 """The kinds of symbols, and the arrays that hold their numbers."""
-_EPS = float(np.finfo(float).eps)
-# Decades down which steps of differences are tried, and the rounding errors of a function.
-_SHORTER, _ROUNDED = 10, 100.0
+# Decades of steps of differences that are tried, and the rounding errors of a function.
+_DECADES, _ROUNDED = 10, 100.0
 _OF_NUMBERS = {"sin", "cos", "tan", "exp", "sinh", "cosh", "tanh"}  # functions of what has no unit
 
 
@@ -394,38 +392,56 @@ def feedback(plan: SpecifiedsPlan, x: np.ndarray, t: np.ndarray) -> np.ndarray:
     These are central differences; expressions are compiled into the equations instead. A function
     of a state in micrometres may be anything a micrometre away: where half the step has another
     result, by more than rounding, shorter ones are tried, and of all that of the best agreement is
-    taken.
+    taken. Where rounding is all that is left, as of a state in nanometres, longer ones are tried
+    while they agree with the shorter ones.
     """
     m, n = x.shape
     slopes = np.zeros((m, len(plan.symbols), n))
     for k in range(n if plan.functions else 0):
-        size = np.cbrt(_EPS) * np.maximum(np.abs(x[:, k]), 1.0)
+        begin = size = np.cbrt(ROUNDING) * np.where(x[:, k] != 0.0, np.abs(x[:, k]), 1.0)
         least = np.full((m, len(plan.symbols)), np.inf)
-        for _ in range(_SHORTER):
-            slope, rounding = _central(plan, x, t, k, size)
-            halved, _ = _central(plan, x, t, k, 0.5 * size)
-            apart, largest = np.abs(slope - halved), np.maximum(np.abs(slope), np.abs(halved))
-            missed = np.where(apart <= rounding, 0.0, apart / np.where(largest > 0.0, largest, 1.0))
-            better = ((missed < least) & (least > AGREED)) | np.isinf(least)
+        for _ in range(_DECADES):
+            slope, rounding, missed = _central(plan, x, t, k, size)
+            better = ((missed < least) & (least > HALF)) | np.isinf(least)
             slopes[:, :, k] = np.where(better, slope, slopes[:, :, k])
             least = np.fmin(least, missed)
-            if (least <= AGREED).all():
+            if (least <= HALF).all():
                 break
             size = 0.1 * size
+        slope, known, missed = _central(plan, x, t, k, begin)
+        size = begin
+        for _ in range(_DECADES):
+            unsure = (missed == 0.0) & (known > HALF * np.abs(slope))
+            if not unsure.any():
+                break
+            size = 10.0 * size
+            longer, rounding, missed = _central(plan, x, t, k, size)
+            agrees = unsure & (missed <= HALF) & (np.abs(longer - slope) <= known)
+            slopes[:, :, k] = np.where(agrees, longer, slopes[:, :, k])
+            slope, known = np.where(agrees, longer, slope), np.where(agrees, rounding, 0.0)
     return slopes
 
 
 def _central(
     plan: SpecifiedsPlan, x: np.ndarray, t: np.ndarray, k: int, size: np.ndarray
-) -> tuple[np.ndarray, np.ndarray]:
-    """Return the central differences by state k, and what rounding does to them, shapes (m, s)."""
-    step = np.zeros_like(x)
-    step[:, k] = size
-    ahead, behind = x + step, x - step
-    width = (ahead - behind)[:, k, None]
-    after, before = plan.rows(ahead, t), plan.rows(behind, t)
-    largest = np.maximum(np.abs(after), np.abs(before))
-    return (after - before) / width, _ROUNDED * _EPS * largest / width
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return central differences by state k, what rounding does to them, and what half steps miss.
+
+    All of shape (m, s). Half a step misses nothing if it differs by rounding alone.
+    """
+    found = []
+    for share in (1.0, 0.5):
+        step = np.zeros_like(x)
+        step[:, k] = share * size
+        ahead, behind = x + step, x - step
+        width = (ahead - behind)[:, k, None]
+        after, before = plan.rows(ahead, t), plan.rows(behind, t)
+        largest = np.maximum(np.abs(after), np.abs(before))
+        found.append(((after - before) / width, _ROUNDED * ROUNDING * largest / width))
+    (slope, rounding), (halved, _) = found
+    apart, largest = np.abs(slope - halved), np.maximum(np.abs(slope), np.abs(halved))
+    missed = np.where(apart <= rounding, 0.0, apart / np.where(largest > 0.0, largest, 1.0))
+    return slope, rounding, missed
 
 
 def _start(now: Snapshot, symbol: Any) -> float:
