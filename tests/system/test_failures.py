@@ -10,6 +10,7 @@ from scipy.integrate import ODEintWarning, odeint, solve_ivp
 
 import zoo
 from pydy._errors import IntegrationError, PyDyUserWarning, SingularMatrixError
+from pydy._system.causes import cause_of
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from pydy.system import System
 
@@ -227,6 +228,26 @@ def test_gimbal_lock_is_named():
     system.ode_solver = "dop853"
     with pytest.raises(IntegrationError, match=named):
         system.integrate()
+
+
+@pytest.mark.parametrize("metre", [1e-9, 1.0, 1e9])
+def test_a_length_in_nanometres_is_no_gimbal_lock(metre):
+    """x' = r u is 3e8 times as large as a' = w there, which is no division by zero."""
+    (x, a), (u, w), r = me.dynamicsymbols("x a"), me.dynamicsymbols("u w"), sm.Symbol("r")
+    frame, point = me.ReferenceFrame("N"), me.Point("P")
+    point.set_vel(frame, r * u * frame.x)
+    hidden = me.ReferenceFrame("B")
+    hidden.orient_axis(frame, frame.z, a)
+    hidden.set_ang_vel(frame, w * frame.z)
+    centre, inertia = me.Point("C"), sm.Symbol("I")
+    centre.set_vel(frame, 0)
+    body = me.RigidBody("B", centre, hidden, 1, (me.inertia(hidden, 0, 0, inertia), centre))
+    kane = me.KanesMethod(frame, [x, a], [u, w], kd_eqs=[x.diff(T) - r * u, a.diff(T) - w])
+    kane.kanes_equations([me.Particle("P", point, 1), body], [])
+    system = System(kane, constants={r: 0.3 * metre, inertia: 0.0})
+    now = system._now()
+    told = cause_of(now.definition, now.driven, 0.0, now.x, np.zeros(0), now.p)
+    assert "The cause is the constant `I`, which is zero" in told
 
 
 def test_bars_in_line_have_the_accelerations_of_least_multipliers():

@@ -10,7 +10,6 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
-import scipy
 
 from pydy._assembly.assembly import Assembly
 from pydy._assembly.definition import Definition
@@ -18,7 +17,7 @@ from pydy._assembly.model import CompiledModel
 from pydy._checks import describe
 from pydy._errors import IntegrationError, SingularMatrixError
 from pydy._graph.derivative import dense_jacobian
-from pydy._system.tuning import NEARLY_SINGULAR, NO_INERTIA
+from pydy._rank import DEPENDENT, DIGITS, equilibrated, independent_columns
 from pydy.solvers.outcome import NOT_FINITE, OUTCOMES, SINGULAR, STEP_UNDERFLOW
 
 __all__ = ["cause_of", "explain"]
@@ -86,7 +85,13 @@ def cause_of(
     found = model.interpreted(_parts, (np.array([t]), x[None], r[None], p))
     values = {name: part[0] for name, part in found.items()}
     kinematics = values["kinematics"].reshape(len(equations.coordinates), -1)
-    wild = _wild(kinematics)
+    beside = np.random.default_rng(0).uniform(0.3, 1.3, x.shape)
+
+    def elsewhere(part: str, constants: np.ndarray) -> np.ndarray:
+        found = model.interpreted(_parts, (np.array([t]), beside[None], r[None], constants))
+        return np.asarray(found[part][0])
+
+    wild = _wild(kinematics, elsewhere("kinematics", p).reshape(kinematics.shape))
     if wild.any():
         names = [q for q, bad in zip(equations.coordinates, wild, strict=True) if bad]
         return (
@@ -109,20 +114,13 @@ def cause_of(
                 "name the dependent speeds in another order."
             )
     if not len(rows):
-        beside = np.random.default_rng(0).uniform(0.3, 1.3, x.shape)
-
-        def matrix(constants: np.ndarray) -> np.ndarray:
-            part = (np.array([t]), beside[None], r[None], constants)
-            found: np.ndarray = model.interpreted(_parts, part)["matrix"][0]
-            return found
-
-        generic = matrix(p)
+        generic = elsewhere("matrix", p)
         cause = _without_inertia(equations.speeds, values["matrix"], generic)
         if cause and _weightless(generic).size:
             for k in np.flatnonzero(p == 0.0):
                 other = p.copy()
                 other[k] = 1.0
-                if not _weightless(matrix(other)).size:
+                if not _weightless(elsewhere("matrix", other)).size:
                     name = definition.constants[k]
                     return f"{cause} The cause is the constant `{name}`, which is zero."
         return cause
@@ -157,10 +155,10 @@ def _weightless(cells: np.ndarray) -> np.ndarray:
     size = np.sqrt(np.maximum(np.diag(matrix), 0.0))
     size[size == 0.0] = 1.0
     least, directions = np.linalg.eigh(matrix / size[:, None] / size)
-    if least[0] > NO_INERTIA:
+    if least[0] > DEPENDENT:
         return np.empty(0, dtype=int)
     direction = np.abs(directions[:, 0])
-    return np.flatnonzero(direction > NEARLY_SINGULAR * direction.max())
+    return np.flatnonzero(direction > DIGITS * direction.max())
 
 
 def _idle(assembly: Assembly, speeds: Sequence[Any]) -> list[Any]:
@@ -188,28 +186,27 @@ def _rates(assembly: Assembly) -> dict[str, list[int]]:
     return {"rates": [*assembly.rates]}
 
 
-def _wild(kinematics: np.ndarray) -> np.ndarray:
+def _wild(kinematics: np.ndarray, elsewhere: np.ndarray) -> np.ndarray:
     """Tell which rows of N, of q' = N u, are not finite, or so large that they soon will not be."""
     sizes = np.abs(kinematics).max(axis=1, initial=0.0)
-    least = np.min(sizes, initial=np.inf, where=np.isfinite(sizes) & (sizes > 0.0))
-    wild: np.ndarray = ~np.isfinite(sizes) | (sizes * NEARLY_SINGULAR > least)
+    usual = np.nan_to_num(np.abs(elsewhere)).max(axis=1, initial=0.0)
+    wild: np.ndarray = ~np.isfinite(sizes) | ((sizes * DIGITS > usual) & (usual > 0.0))
     return wild
 
 
 def _bad_dependents(equations: Any, rows: np.ndarray) -> str | None:
     """Say what to choose where the constraints cannot be solved for the dependent speeds."""
     speeds, chosen = equations.speeds, equations.dependent_speeds
-    rows = rows / np.maximum(np.linalg.norm(rows, axis=1, keepdims=True), np.finfo(float).tiny)
-    columns = [speeds.index(u) for u in chosen]
-    sizes = np.linalg.svd(rows[:, columns], compute_uv=False)
-    if len(columns) == len(rows) and sizes[-1] > NEARLY_SINGULAR * sizes[0]:
+    scaled = equilibrated(rows)[0]
+    sizes = np.linalg.svd(scaled[:, [speeds.index(u) for u in chosen]], compute_uv=False)
+    if len(chosen) == len(rows) and sizes[-1] > DIGITS * sizes[0]:
         return None
-    if np.linalg.svd(rows, compute_uv=False)[-1] < NEARLY_SINGULAR:
+    if np.linalg.svd(scaled, compute_uv=False)[-1] < DIGITS:
         return (
             "The velocity constraints are not independent there: the configuration is a singular "
             "one, or a constraint is redundant."
         )
-    others = [speeds[k] for k in sorted(scipy.linalg.qr(rows, pivoting=True)[2][: len(rows)])]
+    others = [speeds[k] for k in sorted(independent_columns(scaled))]
     return (
         f"The velocity constraints cannot be solved there for the dependent speeds "
         f"{describe(chosen)}: their matrix is singular in this configuration. Choose others, such "

@@ -13,9 +13,8 @@ import scipy
 from pydy._assembly.definition import Definition
 from pydy._checks import Places, describe, listed
 from pydy._errors import PyDyUserWarning, SingularMatrixError, few, warn_user
-from pydy._mechanics.dependents import Chosen
+from pydy._rank import DIGITS, HALF, ROUNDED, equilibrated, independent_columns, or_one
 from pydy._system.snapshot import Snapshot
-from pydy._system.tuning import CANCELLED, DIGITS, UNSOLVED
 from pydy.solvers.run.constraints import satisfied
 
 __all__ = [
@@ -113,11 +112,8 @@ def default_dependents(now: Snapshot, given: Iterable[Any]) -> list[Any]:
 
 def _determined(matrix: np.ndarray, columns: Sequence[int]) -> list[int]:
     """Return columns that can be solved for, whatever the units of rows and columns."""
-    part = matrix[:, columns]
-    for axis in (1, 0):
-        sizes = np.abs(part).max(axis=axis, keepdims=True, initial=0.0)
-        part = part / np.where(sizes > 0.0, sizes, 1.0)
-    return [columns[k] for k in Chosen([part]).columns]
+    scaled = equilibrated(matrix[:, columns])[0]
+    return sorted(columns[k] for k in independent_columns(scaled))
 
 
 def _guessed(definition: Definition) -> set[Any]:
@@ -213,14 +209,15 @@ def solve_dependents(
             )
     if speeds:
         kernel = model.compiled_jacobian("velocity", "x")
-        matrix = value(kernel, x).reshape(len(speeds), len(x))[:, speeds]
+        slopes = value(kernel, x).reshape(len(speeds), len(x))
+        matrix = slopes[:, speeds]
         residual = model.compiled("velocity")
         start = x.copy()
         start[speeds] = 0.0
         right = -value(residual, start)
         # Pivots are compared between rows of the same size: constraints may be of any.
         largest = np.abs(matrix).max(axis=1)
-        rows = np.where(largest > 0.0, largest, 1.0)
+        rows = or_one(largest)
         try:
             x[speeds] = np.linalg.solve(matrix / rows[:, None], right / rows)
         except np.linalg.LinAlgError:
@@ -232,12 +229,13 @@ def solve_dependents(
                 x,
             ) from None
         left = np.abs(value(residual, x))
-        # Coefficients that cancel leave their rounding, in proportion to the row and the speeds.
+        # Coefficients that cancel leave their rounding, in units of the row and of each speed.
         first = len(definition.equations.coordinates)
         moving = slice(first, first + len(definition.equations.speeds))
         size = np.abs(matrix) @ np.abs(x[speeds]) + np.abs(right)
-        rounding = CANCELLED * rows * np.abs(x[moving]).max()
-        if (left > UNSOLVED * size + rounding).any():
+        _, units, columns = equilibrated(slopes[:, moving])
+        rounding = ROUNDED * units[:, 0] * np.abs(x[moving] / columns[0]).max()
+        if (left > HALF * size + rounding).any():
             names = [definition.states[k] for k in speeds]
             warnings.warn(
                 f"The velocity constraints do not hold for {describe(names)}: the largest residual "

@@ -10,7 +10,7 @@ import sympy as sm
 
 from pydy._mechanics.mechanism import Mechanism
 from pydy._mechanics.symbols import find_symbols
-from pydy._system.tuning import PULLED
+from pydy._rank import HALF
 from pydy.viz.defaults import gravities
 from pydy.viz.motion import Geometry, Names, place
 
@@ -79,6 +79,6 @@ def _axis(energy: np.ndarray, moments: np.ndarray) -> str | None:
         slope = float(rise @ away / (away @ away)) if away.any() else 0.0
         size = np.abs(energy).max() + np.abs(slope * moment).max()
         left, part = np.abs(rise - slope * away).max(), np.abs(slope * away).max()
-        if left <= PULLED * size < part:
+        if left <= HALF * size < part:
             fits.append(("-" if slope < 0 else "") + name)
     return fits[0] if len(fits) == 1 else None

@@ -17,7 +17,7 @@ from pydy._system.dependents import latest_dependents
 from pydy._system.simulation import Simulation
 from pydy._system.snapshot import Snapshot
 from pydy._system.solving import native_solver
-from pydy._system.tuning import AT_REST, BEGINNING, ORBIT
+from pydy._system.tuning import BEGINNING, ORBIT
 from pydy._system.values import Evaluation
 from pydy.analysis.orbits import Flight, PeriodicOrbit, shoot
 from pydy.analysis.tuning import LEAST_SIZE, STILL
@@ -215,7 +215,7 @@ class Orbits(Simulation, Evaluation):
                     )  # fmt: skip
                     # A first flight that led far away told nothing of the orbit.
                     again = flight.sizes(z, speeds)
-                    if (again >= 0.5 * sizes).all() or (again <= AT_REST * begun).all():
+                    if (again >= 0.5 * sizes).all() or (again <= ORBIT * begun).all():
                         break
                 begin(z)
                 initial = dict(runner.initial_conditions)
@@ -236,6 +236,6 @@ class Orbits(Simulation, Evaluation):
             monodromy=flight.by_start,
             residual=residual,
             autonomous=autonomous,
-            equilibrium=bool((moved <= AT_REST * begun).all()),
+            equilibrium=bool((moved <= ORBIT * begun).all()),
             trajectory=trajectory,
         )

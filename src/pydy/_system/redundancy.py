@@ -18,8 +18,7 @@ from pydy._graph.derivative import dense_jacobian
 from pydy._graph.node import Graph
 from pydy._graph.rounding import rounding_bounds
 from pydy._mechanics.tuning import ROUNDED
-from pydy._system.tuning import DIGITS, INDEPENDENT
-from pydy.solvers.tuning import ROUNDING
+from pydy._rank import DIGITS, ROUNDING, rank
 
 __all__ = ["check_redundant", "evaluated_rows"]
 
@@ -64,7 +63,8 @@ def check_redundant(
     slopes = model.interpreted(_Rows(*equations.left_out, "slopes"), at)
     values = {name: part.reshape(-1, len(x)) for name, part in slopes.items()}
     kept, more = (values[name][:, n:] for name in ("kept", "more"))
-    needed = _rank(np.concatenate([kept, more]))
+    # The state is known to six digits: what is singular there leaves half of them.
+    needed = rank(np.concatenate([kept, more]), least=DIGITS**0.5)
     if needed > len(kept):
         raise ValueError(
             f"At t = {t!r} there are {needed} independent velocity constraints, but only "
@@ -156,9 +156,3 @@ class _Rows:
                 tiny = g.call("le", sizes[n], roundings)
                 sizes[n] = g.call("select", tiny, g.sum([(least, ROUNDED / DIGITS)]), sizes[n])
         return [sizes[n] for n in rows]
-
-
-def _rank(rows: np.ndarray) -> int:
-    sizes = np.linalg.norm(rows, axis=1, keepdims=True)
-    rows = rows / np.where(sizes > 0.0, sizes, 1.0)
-    return int((np.linalg.svd(rows, compute_uv=False) > INDEPENDENT).sum())

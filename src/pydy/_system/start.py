@@ -9,9 +9,10 @@ import numpy as np
 from pydy._assembly.definition import Definition
 from pydy._assembly.model import CompiledModel
 from pydy._errors import few, warn_user
+from pydy._rank import DIGITS
 from pydy._system.redundancy import check_redundant, evaluated_rows
 from pydy._system.solving import constraint_names
-from pydy._system.tuning import DIGITS, TRIED
+from pydy._system.tuning import TRIED
 from pydy.trajectory import EventRecord
 
 __all__ = ["check_resets", "check_samples", "check_start", "surely_held", "violations"]

@@ -12,7 +12,7 @@ from pydy._checks import check_mapping, flag, number, real_array, whole
 from pydy._errors import AnalysisInterrupted, EquilibriumError
 from pydy._names import unique_names
 from pydy._optional import progress_of
-from pydy._rank import equilibrated, least_step
+from pydy._rank import ROUNDED, equilibrated, least_step
 from pydy._system.analysis import Point
 from pydy._system.balance import Balance, located
 from pydy._system.evaluation import samples
@@ -21,7 +21,7 @@ from pydy._system.snapshot import Snapshot
 from pydy.analysis.continuation import EquilibriumBranch, trace
 from pydy.analysis.equilibria import Sizes, solve_equilibrium, solve_many
 from pydy.analysis.sweeps import EigenvalueSweep, spectra_of, with_rounding
-from pydy.analysis.tuning import AT_ONCE, TO_ROUNDING, ZERO_ROOT
+from pydy.analysis.tuning import AT_ONCE, ZERO_ROOT
 
 
 def parameter_of(definition: Definition, over: Any) -> tuple[Any, np.ndarray]:
@@ -90,7 +90,7 @@ class Family:
     def _near(self, z: np.ndarray, other: np.ndarray) -> bool:
         step = other - z
         size = np.maximum(np.abs(z), np.abs(other))
-        if (np.abs(step) <= 0.02 * size + TO_ROUNDING)[:-1].all():
+        if (np.abs(step) <= 0.02 * size + ROUNDED)[:-1].all():
             return True
         slopes = self.balance.slopes(z[None])[0]
         columns = equilibrated(slopes[:, :-1])[2][0]

@@ -18,11 +18,10 @@ import numpy as np
 
 from pydy._names import place_of
 from pydy._optional import require
-from pydy._rank import or_one, rank_of
+from pydy._rank import ROUNDED, or_one, rank_of
 from pydy.analysis.pictures import plot_branch
 from pydy.analysis.scaling import sizes_along
 from pydy.analysis.tuning import (
-    BISECTED,
     ON_BRANCH,
     SHORTEST_STEP,
     STEEPEST_TURN,
@@ -384,6 +383,6 @@ def _bisected(
             low = middle
         else:
             high = middle
-        if high - low < BISECTED:
+        if high - low < ROUNDED:
             break
     return low, high

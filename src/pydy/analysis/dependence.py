@@ -6,8 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from pydy._rank import DEPENDENT, equilibrated
-from pydy.analysis.tuning import UNSOLVED_COLUMNS
+from pydy._rank import DEPENDENT, DIGITS, equilibrated
 
 __all__ = ["follow"]
 
@@ -55,6 +54,6 @@ def follow(
             size = (np.abs(gradient) @ np.abs(values) + np.abs(rest)) / rows
             unsolved = np.abs(rest + gradient[:, places] @ values[places]) / rows
         size = size.max(axis=0, initial=0.0)
-        if not ((unsolved <= UNSOLVED_COLUMNS * size).all() and np.isfinite(size).all()):
+        if not ((unsolved <= DIGITS * size).all() and np.isfinite(size).all()):
             return False
     return True

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from pydy.analysis.tuning import WHOLE_SHARE
+from pydy._rank import HALF
 
 __all__ = ["direction_text"]
 
@@ -28,7 +28,7 @@ def direction_text(direction: np.ndarray, names: Sequence[str], least: float) ->
     """
     shares = direction / direction[np.abs(direction).argmax()]
     parts = [
-        name if abs(share - 1.0) < WHOLE_SHARE else f"{share:.3g} {name}"
+        name if abs(share - 1.0) < HALF else f"{share:.3g} {name}"
         for name, share in zip(names, shares, strict=True)
         if abs(share) > least
     ]

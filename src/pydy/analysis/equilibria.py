@@ -19,11 +19,10 @@ import scipy
 
 from pydy._errors import EquilibriumError
 from pydy._names import place_of, unique_names
-from pydy._rank import HALF, ROUNDED, equilibrated, least_step, null_space, or_one
+from pydy._rank import DIGITS, HALF, ROUNDED, equilibrated, least_step, null_space, or_one
 from pydy.analysis.directions import direction_text
 from pydy.analysis.scaling import scaled_step
 from pydy.analysis.settling import settled
-from pydy.analysis.tuning import NAMED
 
 __all__ = ["Equilibrium", "Problem", "Sizes", "solve_equilibrium", "solve_many"]
 
@@ -461,7 +460,7 @@ def _undetermined(slopes: np.ndarray, unknowns: Sequence[str]) -> tuple[str, ...
     free, columns = null_space(slopes)
     free = _reduced(free)
     # What takes part is told in units of the columns, and how far it moves in the user's.
-    free = np.where(np.abs(free) >= NAMED * np.abs(free).max(axis=1, keepdims=True), free, 0.0)
+    free = np.where(np.abs(free) >= DIGITS * np.abs(free).max(axis=1, keepdims=True), free, 0.0)
     return tuple(direction_text(direction, unknowns, 0.0) for direction in free * columns)
 
 

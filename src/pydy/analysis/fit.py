@@ -17,9 +17,10 @@ import scipy
 from pydy._checks import number
 from pydy._errors import FitInterrupted, warn_user
 from pydy._names import place_of
+from pydy._rank import HALF
 from pydy.analysis.directions import direction_text
 from pydy.analysis.pictures import plot_residuals
-from pydy.analysis.tuning import AT_BOUND, FITTED, NAMED_IN_FIT, UNDETERMINED
+from pydy.analysis.tuning import FITTED, NAMED_IN_FIT, UNDETERMINED
 
 __all__ = ["FitResult", "Trial", "estimate"]
 
@@ -253,5 +254,5 @@ def held_by(
     """Return the parameters that lie at a bound."""
     low, high = bounds
     size = np.maximum(np.abs(values), np.finfo(float).tiny)
-    near = (values - low <= AT_BOUND * size) | (high - values <= AT_BOUND * size)
+    near = (values - low <= HALF * size) | (high - values <= HALF * size)
     return tuple(name for name, flag in zip(names, near, strict=True) if flag)

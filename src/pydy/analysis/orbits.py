@@ -15,7 +15,8 @@ from typing import Any
 import numpy as np
 
 from pydy._errors import PeriodicOrbitError
-from pydy.analysis.tuning import DAMPED, LEAST_SIZE, MARGIN, ORBIT_CLOSED, SOLVABLE
+from pydy._rank import ROUNDED
+from pydy.analysis.tuning import DAMPED, LEAST_SIZE, MARGIN, ORBIT_CLOSED
 
 __all__ = ["Flight", "PeriodicOrbit", "shoot"]
 
@@ -197,7 +198,7 @@ def shoot(
             # conservative systems come in families, of which the nearest is wanted.
             held = np.sqrt(weight * min(size, 1.0)) * np.eye(whole.shape[1])
             both = np.append(right, np.zeros(whole.shape[1]))
-            step = np.linalg.lstsq(np.vstack([whole, held]), both, rcond=SOLVABLE)[0]
+            step = np.linalg.lstsq(np.vstack([whole, held]), both, rcond=ROUNDED)[0]
             after = z + step[:k]
             new_period = period + float(step[k]) if slope is not None else period
             try:

@@ -10,8 +10,9 @@ import numpy as np
 import scipy
 
 from pydy._optional import require
+from pydy._rank import ROUNDED
 from pydy.analysis.pictures import plot_eigenvalues, plot_root_locus
-from pydy.analysis.tuning import AT_ONCE, CROSSED, ENTRY, TO_ROUNDING
+from pydy.analysis.tuning import AT_ONCE, CROSSED
 
 __all__ = ["Crossing", "EigenvalueSweep", "spectra_of", "with_rounding"]
 
@@ -155,7 +156,7 @@ class EigenvalueSweep:
             return complex(spectrum[k]), bool(spectrum[k].real > rounding[k])
 
         low, high = 0.0, 1.0
-        while high - low > TO_ROUNDING:
+        while high - low > ROUNDED:
             middle = 0.5 * (low + high)
             low, high = (low, middle) if near(middle)[1] else (middle, high)
         there = near(high)[0]
@@ -183,7 +184,7 @@ class EigenvalueSweep:
             lambda v: near(v).real,
             a,
             b,
-            xtol=TO_ROUNDING * abs(b - a),
+            xtol=ROUNDED * abs(b - a),
             rtol=4 * np.finfo(float).eps,
         )
         there = near(value)
@@ -230,7 +231,7 @@ def spectra_of(A: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     entries *= units / units[:, None]
     sizes = entries.max(axis=2, keepdims=True, initial=0.0)
     sizes = np.maximum(sizes, CROSSED * sizes.max(initial=0.0))
-    matters = (entries > ENTRY * sizes).any(axis=0)  # rows by columns
+    matters = (entries > ROUNDED * sizes).any(axis=0)  # rows by columns
     active = np.arange(k)
     while True:
         left = active[matters[np.ix_(active, active)].any(axis=0)]
