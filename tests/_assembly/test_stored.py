@@ -9,8 +9,8 @@ import sympy as sm
 
 import zoo
 from graphs import P, T, X, program_of
-from pydy._assembly import stored
-from pydy._assembly.form import assemble_form
+from pydy._assembly import model
+from pydy._assembly.system import assemble_form
 from pydy._graph import passes
 from pydy._graph.operations import OPERATIONS
 from pydy._graph.program import Program
@@ -72,12 +72,12 @@ def test_a_program_comes_back_from_bytes_as_it_was():
 
 
 def assembly():
-    model = zoo.pendulum()
-    q, u = list(model.kane.q), list(model.kane.u)
-    matrix, forcing = model.kane.mass_matrix, model.kane.forcing
-    known = model.kane.kindiffdict()
-    constants = sorted(model.constants, key=sm.default_sort_key)
-    specifieds = sorted(model.specifieds, key=sm.default_sort_key)
+    pendulum = zoo.pendulum()
+    q, u = list(pendulum.kane.q), list(pendulum.kane.u)
+    matrix, forcing = pendulum.kane.mass_matrix, pendulum.kane.forcing
+    known = pendulum.kane.kindiffdict()
+    constants = sorted(pendulum.constants, key=sm.default_sort_key)
+    specifieds = sorted(pendulum.specifieds, key=sm.default_sort_key)
     t = sm.physics.mechanics.dynamicsymbols._t
     return assemble_form(
         list(forcing), q, u, constants, specifieds, matrix, [known[c.diff(t)] for c in q], (), t
@@ -95,7 +95,7 @@ def test_a_program_does_not_depend_on_which_others_were_made_before():
 def test_a_pass_of_somebody_else_is_never_passed_over(tmp_path, monkeypatch):
     """It may be another function today than when the Program was stored."""
     monkeypatch.setenv("PYDY_CACHE_DIR", str(tmp_path))
-    monkeypatch.setattr(stored, "_WORTH_STORING", 0)
+    monkeypatch.setattr(model, "_WORTH_STORING", 0)
     assembly = assemble_form([X[0] * P[0]], [X[0]], [], P, [], None, None, [], T)
 
     def made():
@@ -107,12 +107,12 @@ def test_a_pass_of_somebody_else_is_never_passed_over(tmp_path, monkeypatch):
 
     calls = []
     for expected in (1, 1):  # found the second time
-        stored.stored_program(assembly, "rates", made)
+        model.stored_program(assembly, "rates", made)
         assert len(calls) == expected
     monkeypatch.setattr(passes, "ROUND", [*passes.ROUND, ("own", own)])
-    monkeypatch.setattr(stored, "ROUND", passes.ROUND)
+    monkeypatch.setattr(model, "ROUND", passes.ROUND)
     for expected in (2, 3):
-        stored.stored_program(assembly, "rates", made)
+        model.stored_program(assembly, "rates", made)
         assert len(calls) == expected
 
 

@@ -4,8 +4,8 @@ import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
 
-from pydy._mechanics.balance import has_momenta_of, is_potential_of
 from pydy._mechanics.kane import equations_of_kane
+from pydy._mechanics.potential import has_momenta_of, is_potential_of
 
 M, G, L = sm.symbols("m g l", positive=True)
 

@@ -6,7 +6,7 @@ import pytest
 from pydy._graph.interpret import run
 from pydy._graph.lower import lower
 from pydy._graph.node import Graph
-from pydy._mechanics.divided import divided
+from pydy._mechanics.reduction import divided
 
 PATTERNS = {
     "one": ["1"],

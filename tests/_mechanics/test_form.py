@@ -11,9 +11,9 @@ from by_hand import MECHANISMS, derived, state
 from oracle import oracle
 from pydy._graph.interpret import run
 from pydy._graph.lower import lower
-from pydy._mechanics.dynamics import loads_and_inertias
 from pydy._mechanics.elimination import composite
 from pydy._mechanics.form import form, forms, moving
+from pydy._mechanics.inertia import loads_and_inertias
 from pydy._mechanics.kane import multibody_of_kane
 from pydy.mechanics import Definition
 

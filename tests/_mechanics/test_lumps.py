@@ -8,8 +8,8 @@ import sympy.physics.mechanics as me
 from pydy._graph.interpret import run
 from pydy._graph.lower import lower
 from pydy._mechanics.form import form, moving
+from pydy._mechanics.inertia import lumped
 from pydy._mechanics.kane import multibody_of_kane
-from pydy._mechanics.lumps import lumped
 
 
 def arm(places, axes="zx", inertias=None):

@@ -8,7 +8,7 @@ import pytest
 from pydy._graph.interpret import run
 from pydy._graph.lower import lower
 from pydy._graph.node import Graph
-from pydy._mechanics.turns import joined_turns, turn_of
+from pydy._mechanics.planes import joined_turns, turn_of
 
 SIGNS = list(itertools.product((1.0, -1.0), repeat=3))
 

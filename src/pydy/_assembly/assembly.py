@@ -24,9 +24,7 @@ from pydy._graph.rewrite import substitute
 from pydy._graph.rounding import rounding_bounds
 from pydy._graph.simplify import simplify
 from pydy._graph.switches import Passes
-from pydy._mechanics.mechanism import Mechanism
-
-__all__ = ["Assembly", "Depending"]
+from pydy._mechanics.equations import Mechanism
 
 _BLOCKS = (
     "rates", "ordinary", "outputs", "holonomic", "velocity", "nonholonomic", "mass_matrix",

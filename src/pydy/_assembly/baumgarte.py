@@ -20,8 +20,6 @@ from pydy._mechanics.equations import Equations
 from pydy._mechanics.generic import evaluator_of, generic_inputs
 from pydy._mechanics.multipliers import Constraints, accelerations_of_held
 
-__all__ = ["stabilised"]
-
 _TRIALS = 3
 
 

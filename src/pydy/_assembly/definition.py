@@ -8,15 +8,12 @@ from typing import Any
 import sympy as sm
 
 from pydy._assembly.assembly import Assembly
-from pydy._assembly.outputs import Group
-from pydy._assembly.system import assemble_system
+from pydy._assembly.system import Group, assemble_system
 from pydy._checks import Places
 from pydy._forks import cached_property
 from pydy._graph.switches import Passes
 from pydy._mechanics.equations import Equations
 from pydy._names import name_of
-
-__all__ = ["Definition", "Layout", "lower_derivatives"]
 
 
 @dataclass(frozen=True)

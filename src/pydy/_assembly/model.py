@@ -1,32 +1,215 @@
-"""What a definition compiles to, as one object: its arrays' layout, its blocks, its Kernels."""
+"""What a definition compiles to, Programs that are stored, and linear solvers of the user's."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import hashlib
+import sys
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cache
 from math import isnan
-from typing import Any
+from pathlib import Path
+from typing import Any, TypeVar
 
 import numpy as np
+import sympy as sm
 
+import pydy._assembly
+import pydy._graph
+from pydy import _cache_folder
 from pydy._assembly.assembly import Assembly
 from pydy._assembly.definition import Definition, Layout
-from pydy._assembly.external import LinearSolver, with_external_solver
-from pydy._assembly.stored import stored_jacobian, stored_program
 from pydy._assembly.tuning import INTERPRETED
+from pydy._backends.base import strict
 from pydy._backends.registry import compile_program
+from pydy._checks import real_array, shown
 from pydy._errors import SingularMatrixError
 from pydy._forks import cached_property
 from pydy._graph.derivative import Guards
 from pydy._graph.interpret import run
 from pydy._graph.jacobian_columns import JacobianColumns
 from pydy._graph.lower import lower
+from pydy._graph.operations import OPERATIONS, SHIPPED
+from pydy._graph.passes import ONCE, ROUND
 from pydy._graph.program import Program
+from pydy._graph.solve.choose import FACTORISATIONS, UNKNOWNS
 from pydy._kernel import Kernel
 from pydy._names import unique_names
 
-__all__ = ["CompiledModel", "with_finite_samples"]
+LinearSolver = Callable[[np.ndarray, np.ndarray], np.ndarray]
+
+
+def resolve_solver(solver: Any) -> LinearSolver | str | None:
+    """Return what `linear_sys_solver` means: None (built in), a function, or 'sympy[:METHOD]'.
+
+    Raises
+    ------
+    ValueError
+        It is not one of them.
+    """
+    if solver is None or (isinstance(solver, str) and solver == "builtin"):
+        return None
+    if callable(solver):
+        function: LinearSolver = solver
+        return function
+    if not isinstance(solver, str):
+        raise _refused(solver)
+    if solver == "numpy":
+        return np.linalg.solve
+    if solver == "scipy":
+        import scipy.linalg
+
+        return scipy.linalg.solve  # type: ignore[no-any-return]
+    if solver.partition(":")[0] == "sympy":
+        return str(solver)
+    raise _refused(solver)
+
+
+def _refused(solver: Any) -> ValueError:
+    return ValueError(
+        f"`linear_sys_solver` is {shown(solver)}, but it must be 'builtin', 'numpy', 'scipy', "
+        "'sympy', 'sympy:METHOD' or a function solve(A, b)."
+    )
+
+
+def solve_symbolically(matrix: Any, column: Sequence[Any], solver: str) -> list[Any]:
+    """Return the symbolic solution for 'sympy' or 'sympy:METHOD'."""
+    method = solver.partition(":")[2] or "LU"
+    try:
+        return list(matrix.solve(sm.Matrix(column), method=method))
+    except ValueError as error:
+        raise ValueError(
+            f"`linear_sys_solver` is {solver!r}, of which SymPy says: {error}"
+        ) from error
+
+
+def with_external_solver(
+    program: Program, system: Kernel, solver: LinearSolver, rest: Kernel
+) -> Kernel:
+    """Chain the matrices, a solver and what follows from its solution into one Kernel.
+
+    Parameters
+    ----------
+    program : Program
+        That of `rest`.
+    system : Kernel
+        Computes the blocks 'mass_matrix' and 'forcing'.
+    solver : callable
+        ``solve(A, b) -> x``.
+    rest : Kernel
+        Takes the solution at the end of r.
+    """
+    n = system.program.block("forcing").stop - system.program.block("forcing").start
+
+    def call(x: Any, t: Any, r: Any, p: Any, out: np.ndarray) -> int:
+        if type(t) is not float or not strict(system.program, x, r, p):
+            return -1
+        matrices = np.empty(n * n + n)
+        if system.at(x, t, r, p, matrices):
+            return 1
+        try:
+            solution = solver(matrices[: n * n].reshape(n, n), matrices[n * n :])
+        except np.linalg.LinAlgError:
+            return 1
+        except Exception as error:
+            error.add_note("This came from the `linear_sys_solver`, called as solve(A, b).")
+            raise
+        solution = real_array(solution, "What `linear_sys_solver` returns")
+        if solution.shape not in ((n,), (n, 1)):
+            raise ValueError(
+                f"`linear_sys_solver` must return the shape ({n},) or ({n}, 1), got "
+                f"{solution.shape}."
+            )
+        return rest.at(x, t, np.concatenate([r, solution.ravel()]), p, out)
+
+    def sweep(
+        t: np.ndarray, x: np.ndarray, r: np.ndarray, p: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray]:
+        out = np.full((len(t), len(program.outputs)), np.nan)
+        failed = np.zeros(len(t), dtype=bool)
+        for k, row in enumerate(np.broadcast_to(r, (len(t), r.shape[1]))):
+            state, inputs = np.array(x[k], dtype=float), np.array(row, dtype=float)
+            failed[k] = call(state, float(t[k]), inputs, p, out[k])
+        return out, failed
+
+    return Kernel(program, sweep, call, with_external_solver, (system, solver, rest))
+
+
+# Small systems are simplified sooner than a file is read.
+_WORTH_STORING = 300
+
+
+def _made_by() -> bytes:
+    """Return a digest of everything but the equations that decides what the Program is."""
+    sha = hashlib.sha256(sys.version.encode())
+    for package in (pydy._assembly, pydy._graph):
+        for source in sorted(Path(str(package.__file__)).parent.rglob("*.py")):
+            sha.update(source.read_bytes())
+    return sha.digest()
+
+
+# Now: the package may be replaced while this process runs, see `pydy._backends.llvm.compiling`.
+_CIRCUMSTANCES = _made_by()
+
+
+def _as_shipped() -> bool:
+    """Return whether all operations, passes and strategies are the package's own.
+
+    Others change without a change of the package's files.
+    """
+    functions = [function for _, function in (*ONCE, *ROUND, *UNKNOWNS, *FACTORISATIONS)]
+    return OPERATIONS == SHIPPED and all(f.__module__.startswith("pydy.") for f in functions)
+
+
+def stored_program(assembly: Assembly, what: str, make: Callable[[], Program]) -> Program:
+    """Return a Program from the cache, or make it and put it there.
+
+    Parameters
+    ----------
+    assembly : Assembly
+        Where it comes from.
+    what : str
+        Which of the assembly's Programs it is.
+    make : callable
+        Returns the Program.
+    """
+    return _stored(assembly, what, make, Program.from_bytes)
+
+
+def stored_jacobian(
+    assembly: Assembly, what: str, make: Callable[[], Program | JacobianColumns]
+) -> Program | JacobianColumns:
+    """Return a Jacobian from the cache, or make it and put it there; see `stored_program`."""
+
+    def read(data: bytes) -> Program | JacobianColumns:
+        return kinds[data[:1]].from_bytes(data[1:])
+
+    kinds: dict[bytes, type[Program | JacobianColumns]] = {b"p": Program, b"c": JacobianColumns}
+    names = {kind: name for name, kind in kinds.items()}
+    return _stored(assembly, what, make, read, lambda made: names[type(made)] + made.to_bytes())
+
+
+_T = TypeVar("_T", Program, "Program | JacobianColumns")
+
+
+def _stored(
+    assembly: Assembly,
+    what: str,
+    make: Callable[[], _T],
+    read: Callable[[bytes], _T],
+    write: Callable[[_T], bytes] = lambda made: made.to_bytes(),
+) -> _T:
+    if len(assembly.graph) < _WORTH_STORING or not _as_shipped():
+        return make()
+    parts = (_CIRCUMSTANCES, assembly.fingerprint(), what.encode())
+    key = hashlib.sha256(b"".join(parts)).hexdigest()
+    data = _cache_folder.read(key)
+    if data is not None:
+        return read(data)
+    made = make()
+    _cache_folder.write(key, write(made))
+    return made
+
 
 _VARIANTS = 8  # with other specifieds compiled in, or stabilised; the latest are kept
 _AT_ONCE = 64  # samples that are interpreted together: all their intermediate values are kept

@@ -24,8 +24,6 @@ from pydy._graph.rewrite import substitute
 from pydy._graph.symbols import input_nodes
 from pydy._mechanics.symbols import find_symbols
 
-__all__ = ["check_expressions", "driven", "followed"]
-
 
 class Plan(Protocol):
     """How specifieds are given, as far as it matters here.

@@ -5,8 +5,6 @@ Those of numbers compare them at random states, which are of order one.
 
 from __future__ import annotations
 
-__all__ = ["INTERPRETED", "NO_SHARE", "SAME_RATE", "SAME_SHARE"]
-
 SAME_RATE = 1e-9
 """The relative difference of rows that are the rates of velocity constraints."""
 

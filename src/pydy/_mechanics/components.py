@@ -14,8 +14,6 @@ from pydy._mechanics.tuning import SAME_AXES
 _STATES = 3
 _STEPS = 12  # of Newton's method, which doubles the digits with each
 
-__all__ = ["numbers_of", "terms_of", "transposed", "turned", "unrounded"]
-
 
 def turned(graph: Graph, matrix: Sequence[Sequence[int]], v: Sequence[int]) -> list[int]:
     """Return the product of a matrix and a vector."""

@@ -22,8 +22,6 @@ from pydy._mechanics.generic import Block, GenericStates, row_units
 from pydy._mechanics.reader import Multibody
 from pydy._mechanics.tuning import NEARLY_DEPENDENT, OPEN, ROUNDED, SMALL_PIVOT
 
-__all__ = ["Chosen", "constrained"]
-
 _TRIALS = 12
 _AROUND = (
     60  # more, where constraints seem redundant: in a three-stage lift each sixth finds its shape

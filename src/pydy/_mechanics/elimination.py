@@ -25,11 +25,8 @@ from pydy._graph.node import Graph
 from pydy._graph.rewrite import substitute
 from pydy._graph.tuning import SINGULAR
 from pydy._mechanics.components import transposed
-from pydy._mechanics.dynamics import Inertia, Load
-from pydy._mechanics.planes import Detours, split
-from pydy._mechanics.turns import joined_turns, turn_of
-
-__all__ = ["Solution", "composite", "eliminated"]
+from pydy._mechanics.inertia import Inertia, Load
+from pydy._mechanics.planes import Detours, joined_turns, split, turn_of
 
 
 @dataclass(frozen=True)

@@ -1,20 +1,144 @@
-"""Dispatch from a method object to its `Equations`, by type."""
+"""From a method object to its `Equations`, by type; bodies, joints, loads and actuators."""
 
 from __future__ import annotations
 
+import warnings
+from collections.abc import Callable
+from dataclasses import replace
 from functools import singledispatch
 from typing import Any
 
-from sympy.physics.mechanics import KanesMethod, LagrangesMethod, System
+from sympy import Derivative
+from sympy.physics.mechanics import (
+    KanesMethod,
+    LagrangesMethod,
+    Lagrangian,
+    Particle,
+    RigidBody,
+    System,
+)
 from sympy.physics.mechanics.jointsmethod import JointsMethod
 
 from pydy._mechanics.definition import Definition, equations_of_definition
 from pydy._mechanics.equations import Equations
-from pydy._mechanics.joints import equations_of_joints, equations_of_system
 from pydy._mechanics.kane import equations_of_kane
 from pydy._mechanics.lagrange import equations_of_lagrange
 
-__all__ = ["extract", "method_of", "symbolic_matrices"]
+
+def equations_of_system(system: System, source: str | None = None) -> Equations:
+    """Return the equations of a System of SymPy.
+
+    Where ``form_eoms()`` was called, they are those of its method. Else they are formed from its
+    bodies: by Kane's equations, or, where its speeds are the derivatives of its coordinates, which
+    KanesMethod refuses, by Lagrange's.
+
+    Parameters
+    ----------
+    system : sympy.physics.mechanics.System
+    source : {'graph', 'method'}, optional
+    """
+    read = _read(system.eom_method, source, lambda: _definition(system), lambda: _lagrange(system))
+    if read.mechanism is None:
+        return read
+    return replace(read, mechanism=replace(read.mechanism, joints=tuple(system.joints)))
+
+
+def equations_of_joints(method: JointsMethod, source: str | None = None) -> Equations:
+    """Return the equations of a JointsMethod, as those of a System.
+
+    Parameters
+    ----------
+    method : sympy.physics.mechanics.JointsMethod
+    source : {'graph', 'method'}, optional
+    """
+    bodies = [_plain(body) for body in method.bodies]
+
+    def definition() -> Definition:
+        return Definition(
+            method.frame,
+            list(method.q),
+            list(method.u),
+            bodies=bodies,
+            loads=method.loads,
+            kinematic_equations=list(method.kdes),
+        )
+
+    def lagrange() -> LagrangesMethod:
+        energy = Lagrangian(method.frame, *bodies)
+        return LagrangesMethod(energy, method.q, method.loads, bodies, method.frame)
+
+    return _read(method.method, source, definition, lagrange)
+
+
+def _read(
+    formed: Any,
+    source: str | None,
+    definition: Callable[[], Definition],
+    lagrange: Callable[[], LagrangesMethod],
+) -> Equations:
+    if isinstance(formed, KanesMethod):
+        return equations_of_kane(formed, source)
+    if isinstance(formed, LagrangesMethod):
+        return equations_of_lagrange(formed, source)
+    if source == "method":
+        raise ValueError(
+            "`equations='method'` needs the equations of `eom_method`: call its `form_eoms()` "
+            "before it is handed to System."
+        )
+    made = definition()
+    if not any(isinstance(u, Derivative) for u in made.speeds):
+        return equations_of_definition(made)
+    others = [u for u in made.speeds if not isinstance(u, Derivative)]
+    if others:
+        raise ValueError(
+            f"Some speeds of `eom_method` are derivatives of coordinates, but {others[0]} is not. "
+            "Kane's equations need speeds that are functions of time, Lagrange's the derivatives "
+            "of the coordinates: give all joints speeds of one kind."
+        )
+    with warnings.catch_warnings():
+        # SymPy makes up velocities that nobody set, and warns where there are several ways.
+        warnings.simplefilter("ignore", UserWarning)
+        return equations_of_lagrange(lagrange())
+
+
+def _definition(system: System) -> Definition:
+    return Definition(
+        system.frame,
+        list(system.q),
+        list(system.u),
+        bodies=system.bodies,
+        loads=[*system.loads, *system.actuators],
+        kinematic_equations=list(system.kdes),
+        holonomic_constraints=list(system.holonomic_constraints),
+        velocity_constraints=list(system.velocity_constraints),
+        dependent_coordinates=list(system.q_dep) or None,
+        dependent_speeds=list(system.u_dep) or None,
+        auxiliary_speeds=list(system.u_aux),
+    )
+
+
+def _lagrange(system: System) -> LagrangesMethod:
+    loads = [*system.loads, *(load for a in system.actuators for load in a.to_loads())]
+    return LagrangesMethod(
+        Lagrangian(system.frame, *system.bodies),
+        system.q,
+        loads,
+        system.bodies,
+        system.frame,
+        system.holonomic_constraints,
+        system.nonholonomic_constraints,
+    )
+
+
+def _plain(body: Any) -> Any:
+    """Return a Particle or RigidBody for a body of the deprecated class that is either."""
+    if getattr(body, "is_rigidbody", isinstance(body, RigidBody)):
+        inertia = (body.central_inertia, body.masscenter)
+        made: Any = RigidBody(body.name, body.masscenter, body.frame, body.mass, inertia)
+    else:
+        made = Particle(body.name, body.masscenter, body.mass)
+    made.potential_energy = body.potential_energy
+    return made
 
 
 @singledispatch

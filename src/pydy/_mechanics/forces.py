@@ -28,17 +28,14 @@ from pydy._graph.from_sympy import NodeExpression
 from pydy._graph.identities import signatures
 from pydy._graph.rewrite import substitute
 from pydy._mechanics.components import numbers_of
-from pydy._mechanics.dynamics import Load, inertia_seen, loads_and_inertias
 from pydy._mechanics.elimination import composite
-from pydy._mechanics.form import moving
+from pydy._mechanics.form import lagranges_equations, moving
 from pydy._mechanics.frames import orientation_rows, rotations
+from pydy._mechanics.inertia import Load, inertia_seen, loads_and_inertias
 from pydy._mechanics.kinematics import Kinematics, Vec
-from pydy._mechanics.lagrangian import lagranges_equations
 from pydy._mechanics.multipliers import multipliers_of
 from pydy._mechanics.reader import Multibody, distances, given_velocity, is_rigid, oriented, places
 from pydy._mechanics.tuning import ROUNDED
-
-__all__ = ["ConstraintForces"]
 
 
 class ConstraintForces:

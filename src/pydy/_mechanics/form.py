@@ -1,35 +1,219 @@
-"""Equations of motion formed from bodies, loads and kinematics, as nodes of one graph."""
+"""Equations of motion formed from bodies, loads and kinematics, as nodes of one graph.
+
+Where gravity pulls all masses alike it is an acceleration of the inertial frame: one vector on its
+way outwards in place of a force at each body. Velocities that the user set hold, also where they
+are not the rates of places. Noncontributing forces that cancel are left out: with dependent speeds
+a contact force may be left as r R − r R.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
-from pydy._graph.from_sympy import NodeExpression
+import numpy as np
+import sympy as sm
+from sympy.core.function import AppliedUndef
+
+from pydy._graph.collector import collector_paused
+from pydy._graph.derivative import jacobian
+from pydy._graph.from_sympy import NodeExpression, SymPyReader
+from pydy._graph.identities import signatures
+from pydy._graph.interpret import evaluator
 from pydy._graph.node import Graph
 from pydy._graph.rewrite import substitute
-from pydy._graph.symbols import input_symbols
-from pydy._mechanics.alignment import align
-from pydy._mechanics.axes import in_a_plane, move_along_axes
-from pydy._mechanics.dynamics import Inertia, Load, loads_and_inertias, points_of
+from pydy._graph.rounding import rounding_bounds
+from pydy._graph.symbols import input_nodes, input_symbols
+from pydy._mechanics.alignment import align, in_a_plane, move_along_axes
+from pydy._mechanics.components import numbers_of
 from pydy._mechanics.elimination import composite, eliminated
-from pydy._mechanics.given import disagreeing
-from pydy._mechanics.gravity import take_gravity_off
-from pydy._mechanics.idle import idle_inputs
-from pydy._mechanics.kinematics import Kinematics
-from pydy._mechanics.lumps import lumped
+from pydy._mechanics.inertia import Inertia, Load, loads_and_inertias, lumped, points_of
+from pydy._mechanics.kinematics import Kinematics, Vec
 from pydy._mechanics.reader import Multibody
 from pydy._mechanics.reduction import reduced, slopes
+from pydy._mechanics.symbols import find_symbols, replace_symbols
+from pydy._mechanics.tuning import ALIKE, CANCELLING, SAME_DIRECTION
 
-__all__ = [
-    "Formed",
-    "auxiliary_equations",
-    "form",
-    "forms",
-    "moving",
-    "useful_axes",
-]
+
+def disagreeing(kinematics: Kinematics) -> list[Any]:
+    """Return the points whose given velocity is not what follows from their place.
+
+    That is, if those that they are reached from move as they are said to, each with the given
+    velocity if it is one of the points returned.
+    """
+    k = kinematics
+    points = [p for p in k.moved() if k.base(p) is not None and k.tree.velocity(p) is not None]
+    nodes: list[int] = []
+    for point in points:
+        home, v, _ = k.motion(point)
+        nodes += [*v, *k.vector(k.tree.velocity(point), home)]
+    values = signatures(k.graph, nodes) if nodes else []
+    unequal = {
+        point: nodes[i : i + 6]
+        for i, point in zip(range(0, len(nodes), 6), points, strict=True)
+        if values[i : i + 3] != values[i + 3 : i + 6]
+    }
+    return _honoured(k, points, unequal) if unequal else []
+
+
+def _honoured(
+    kinematics: Kinematics, points: Sequence[Any], unequal: Mapping[Any, Sequence[int]]
+) -> list[Any]:
+    """Return the points whose velocities are given, from the inner ones to the outer ones.
+
+    A point that is reached from one whose velocity is given moves by the same difference from what
+    follows from its place. Directions that are given by numbers are rounded: products of them that
+    are equal are not so modulo a prime, but at random states.
+    """
+    k = kinematics
+    ways = {p: k.frames.way_in(k.motion(p)[0])[:-1] for p in unequal}
+    frames = list(dict.fromkeys(f for way in ways.values() for f in way))
+    steps = [n for f in frames for row in k.frames.step(f) for n in row]
+    values = numbers_of(k.graph, [*steps, *(n for six in unequal.values() for n in six)])
+    states = len(values)
+    turned = values[:, : len(steps)].reshape(states, -1, 3, 3)
+    step = {f: turned[:, i] for i, f in enumerate(frames)}
+    apart: dict[Any, np.ndarray] = {}
+    sizes: dict[Any, np.ndarray] = {}
+    pairs = values[:, len(steps) :].reshape(states, -1, 2, 3)
+    for i, p in enumerate(unequal):
+        difference = pairs[:, i, 1] - pairs[:, i, 0]
+        for f in ways[p]:  # into the inertial frame
+            difference = np.einsum("sij,si->sj", step[f], difference)
+        apart[p], sizes[p] = difference, np.linalg.norm(pairs[:, i], axis=-1).sum(axis=-1)
+    found: dict[Any, None] = {}
+    nothing = np.zeros((states, 3))
+    for p in sorted(points, key=lambda p: len(_inner(k, p))):
+        inner = next((q for q in _inner(k, p) if q in found), None)
+        left = apart.get(p, nothing) - apart.get(inner, nothing)
+        size = sizes.get(p, 0.0) + sizes.get(inner, 0.0)
+        # What a singular solve gives is not a number, and equal to nothing.
+        if not (np.linalg.norm(left, axis=-1) <= SAME_DIRECTION * size).all():
+            found[p] = None
+    return list(found)
+
+
+def _inner(kinematics: Kinematics, point: Any) -> list[Any]:
+    """Return the points that a point is reached from, the nearest one first."""
+    found = []
+    while (point := kinematics.base(point)) is not None:
+        found.append(point)
+    return found
+
+
+def take_gravity_off(kinematics: Kinematics) -> None:
+    """Turn weights into an acceleration, where every body with a mass has one.
+
+    No point's motion may have been asked for.
+    """
+    weights: list[dict[int, Vec]] = []
+    for body in kinematics.body.bodies:
+        mass = kinematics.read(body.mass)
+        if mass != kinematics.graph.zero:
+            weights.append(_pulls(kinematics, body.masscenter, mass))
+    for pull in weights[0].values() if weights else ():
+        spent = [_place(kinematics.graph, pull, own) for own in weights]
+        if None not in spent and len(set(spent)) == len(spent):
+            kinematics.loads = tuple(x for k, x in enumerate(kinematics.loads) if k not in spent)
+            kinematics.pull = pull
+            return
+
+
+def _pulls(kinematics: Kinematics, point: Any, mass: int) -> dict[int, Vec]:
+    """Return force over mass of the loads at a point that are written in the inertial frame."""
+    found = {}
+    for k, (where, vector) in enumerate(kinematics.loads):
+        if where is point and all(frame is kinematics.inertial for _, frame in vector.args):
+            parts = kinematics.vector(vector, kinematics.inertial)
+            found[k] = [kinematics.graph.div(n, mass) for n in parts]
+    return found
+
+
+def _place(graph: Graph, pull: Vec, own: dict[int, Vec]) -> int | None:
+    """Return which of a body's loads pulls it like that."""
+    return next((k for k, other in own.items() if _alike(graph, pull, other)), None)
+
+
+def _alike(graph: Graph, a: Vec, b: Vec) -> bool:
+    """Return whether vectors are equal up to the rounding of numbers."""
+    for x, y in zip(a, b, strict=True):
+        one, two = _split(graph, x), _split(graph, y)
+        if one[1] != two[1] or abs(one[0] - two[0]) > ALIKE * abs(one[0]):
+            return False
+    return True
+
+
+def _split(graph: Graph, node: int) -> tuple[float, int]:
+    """Return a number and what it multiplies."""
+    value = graph.value(node)
+    return graph.scaled(node) if value is None else (value, graph.one)
+
+
+_STATES = 2
+# Functions that are the same everywhere if they are so at random states; min, max and roots are
+# not, and stand for themselves.
+_MEROMORPHIC = frozenset(("sum", "prod", "sin", "cos", "tan", "exp", "sinh", "cosh", "tanh"))
+
+
+def without_idle(
+    forcing: Sequence[Any], auxiliary_equations: Iterable[Any], states: Collection[Any]
+) -> tuple[Any, ...]:
+    """Return the forcing without the forces of the auxiliary equations that cancel in it."""
+    held = find_symbols(forcing)
+    forces = [
+        s
+        for s in find_symbols(auxiliary_equations)
+        if isinstance(s, AppliedUndef) and s in held and s not in states
+    ]
+    if not forces:
+        return tuple(forcing)
+    graph = Graph()
+    atoms = input_nodes(graph, x=held)
+    nodes = SymPyReader(graph, atoms, "the equations of motion").all(forcing)
+    idle = set(idle_inputs(graph, nodes, [atoms[s] for s in forces]))
+    nothing = {s: sm.S.Zero for s in forces if atoms[s] in idle}
+    return tuple(replace_symbols(e, nothing) for e in forcing) if nothing else tuple(forcing)
+
+
+def idle_inputs(graph: Graph, forcing: Sequence[int], inputs: Sequence[int]) -> list[int]:
+    """Return the inputs that are in the forcing, which does not change with them."""
+    slopes: dict[int, list[int]] = {n: [] for n in inputs}
+    for row in jacobian(graph, forcing, inputs):
+        for k, node in row.items():
+            slopes[inputs[k]].append(node)
+    return [n for n, own in slopes.items() if _vanish(graph, own)]
+
+
+def _vanish(graph: Graph, nodes: Sequence[int]) -> bool:
+    """Return whether nodes are zero as functions."""
+    rest = [n for n in nodes if n != graph.zero]
+    if not rest or not any(signatures(graph, rest)):
+        return True
+    # Identities of angles are not seen modulo a prime.
+    leaves = _leaves(graph, rest)
+    inputs = [graph.input("x", k) for k in range(len(leaves))]
+    rest = substitute(graph, rest, dict(zip(leaves, inputs, strict=True)))
+    values_at = evaluator(graph, [*rest, *rounding_bounds(graph, rest)])
+    x = np.random.default_rng(0).uniform(0.5, 1.5, (len(leaves), _STATES))
+    found = values_at(dict(zip(inputs, x, strict=True)), _STATES)
+    left, bounds = np.hsplit(np.abs(found), 2)
+    return bool(((left <= CANCELLING * bounds) & (bounds > 0.0)).all())
+
+
+def _leaves(graph: Graph, nodes: Sequence[int]) -> list[int]:
+    """Return the inputs, and what is looked at as if it were one."""
+    found: dict[int, None] = {}
+    seen, left = set(nodes), list(nodes)
+    while left:
+        n = left.pop()
+        if graph.ops[n] in _MEROMORPHIC:
+            new = [m for m in graph.operands(n) if m not in seen]
+            seen.update(new)
+            left += new
+        elif graph.ops[n] != "const":
+            found[n] = None
+    return list(found)
 
 
 @dataclass(eq=False)
@@ -357,3 +541,69 @@ def moving(
 
 def _ways(kinematics: Kinematics, points: Iterable[Any]) -> dict[Any, Any]:
     return {p: kinematics.way(p)[0] for p in points}
+
+
+@collector_paused()
+def form_lagrangian(body: Multibody) -> Formed:
+    """Return the equations of motion of a Lagrangian.
+
+    With constraints, q'' follows from multipliers: that holds in every configuration, whatever
+    speeds are dependent. M and F are reduced as Kane's.
+
+    Parameters
+    ----------
+    body : Multibody
+        With a Lagrangian, and the derivatives of the coordinates as speeds.
+
+    Raises
+    ------
+    ValueError
+        The Lagrangian holds second derivatives of coordinates.
+    """
+    kinematics = moving(body, in_bodies=True)
+    g, read = kinematics.graph, kinematics.read
+    matrix, forcing = lagranges_equations(kinematics)
+    accelerations = None
+    if body.velocity:
+        moved = bool(set(kinematics.accelerations) & set(g.reachable(forcing)))
+        matrix, forcing, accelerations = reduced(kinematics, matrix, forcing, moved)
+    return Formed(
+        g,
+        read.constants,
+        read.specifieds,
+        kinematics.rates,
+        matrix,
+        forcing,
+        accelerations,
+        [g.zero] * len(forcing),
+        forcing,
+        g.zero,
+    )
+
+
+def lagranges_equations(kinematics: Kinematics) -> tuple[list[Vec], Vec]:
+    """Return M and F for all speeds, dependent or not."""
+    body = kinematics.body
+    inertias, loads = loads_and_inertias(kinematics)
+    g, speeds, n = kinematics.graph, kinematics.speeds, len(body.coordinates)
+    _, forces = composite(g, kinematics.rows, kinematics.groups, speeds, inertias, loads)
+    node = kinematics.read(body.lagrangian)
+    if set(kinematics.accelerations) & set(g.reachable([node])):
+        raise ValueError(
+            "The Lagrangian holds second derivatives of coordinates. Leave out what is a "
+            "derivative by time: it does not change the equations."
+        )
+    (by_speed,) = jacobian(g, [node], speeds)
+    momenta = [by_speed.get(k, g.zero) for k in range(n)]
+    # Coordinates in the order of the speeds, which are their derivatives.
+    order = {rate: k for k, rate in enumerate(body.coordinate_rates)}
+    coordinates = [g.input("x", order[u]) for u in body.speeds]
+    (by_coordinate,) = jacobian(g, [node], coordinates)
+    rows = jacobian(g, momenta, speeds)
+    # One triangle for both, so that the matrix is symmetric to the last bit.
+    matrix = [[rows[max(i, j)].get(min(i, j), g.zero) for j in range(n)] for i in range(n)]
+    forcing = [
+        g.sum([(by_coordinate.get(k, g.zero), 1.0), (rate, -1.0), (forces[k], 1.0)])
+        for k, rate in enumerate(kinematics.dt(momenta))
+    ]
+    return matrix, forcing

@@ -16,8 +16,6 @@ from pydy._mechanics.planes import plane_rotations
 from pydy._mechanics.reader import InputReader, Tree, distances, oriented
 from pydy._mechanics.tuning import ROUNDED
 
-__all__ = ["Frames", "orientation_rows", "rotations"]
-
 Vec = list[int]
 
 

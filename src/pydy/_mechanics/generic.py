@@ -24,8 +24,6 @@ from pydy._mechanics.frames import orientation_rows, rotations
 from pydy._mechanics.symbols import find_symbols, rate_of, sort_symbols
 from pydy._mechanics.tuning import CLOSED, FULL_STEPS
 
-__all__ = ["Block", "GenericStates", "evaluator_of", "generic_inputs", "row_units"]
-
 _STEPS = 50
 _LOW, _HIGH = 0.3, 1.3  # generic coordinates and speeds
 _NEAR = 0.03  # of the largest number of a configuration: how far beside it samples begin

@@ -8,15 +8,10 @@ from weakref import WeakKeyDictionary
 
 from sympy.physics.mechanics import KanesMethod, dynamicsymbols
 
-from pydy._mechanics.classify import classify
-from pydy._mechanics.equations import Equations
-from pydy._mechanics.form import Formed
-from pydy._mechanics.formed import equations_of, formed_alike, kinematics_of
-from pydy._mechanics.idle import without_idle
-from pydy._mechanics.mechanism import Mechanism
+from pydy._mechanics.equations import Equations, Mechanism
+from pydy._mechanics.form import Formed, without_idle
+from pydy._mechanics.formed import classify, equations_of, formed_alike, kinematics_of
 from pydy._mechanics.reader import Multibody, check_bodies, read_loads
-
-__all__ = ["equations_of_kane", "multibody_of_kane"]
 
 
 def multibody_of_kane(kane: KanesMethod) -> Multibody:

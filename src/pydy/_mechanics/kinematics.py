@@ -25,8 +25,6 @@ from pydy._mechanics.frames import Frames
 from pydy._mechanics.planes import Detours
 from pydy._mechanics.reader import InputReader, Multibody, Tree
 
-__all__ = ["Kinematics", "Motion", "Vec"]
-
 Vec = list[int]
 # The frame of the components, velocity, acceleration at u' = 0.
 Motion = tuple[Any, Vec, Vec]
@@ -55,7 +53,7 @@ class Kinematics:
     loads : tuple of (Point or ReferenceFrame, Vector)
     pull : list of nodes or None
         What is taken off the accelerations of points, in the inertial frame, in place of loads
-        (`pydy._mechanics.gravity`).
+        (`pydy._mechanics.form`).
     """
 
     def __init__(

@@ -7,15 +7,11 @@ from typing import Any
 
 from sympy.physics.mechanics import LagrangesMethod, ReferenceFrame, dynamicsymbols
 
-from pydy._mechanics.classify import classify
 from pydy._mechanics.dependents import constrained
-from pydy._mechanics.equations import Equations
-from pydy._mechanics.formed import kinematics_of
-from pydy._mechanics.lagrangian import form_lagrangian
-from pydy._mechanics.mechanism import Mechanism
+from pydy._mechanics.equations import Equations, Mechanism
+from pydy._mechanics.form import form_lagrangian
+from pydy._mechanics.formed import classify, kinematics_of
 from pydy._mechanics.reader import Multibody, check_bodies, is_rigid, read_loads
-
-__all__ = ["equations_of_lagrange"]
 
 
 def equations_of_lagrange(method: LagrangesMethod, source: str | None = None) -> Equations:

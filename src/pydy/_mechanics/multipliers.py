@@ -27,15 +27,6 @@ from pydy._graph.rounding import rounding_bounds
 from pydy._graph.tuning import INDEPENDENT, REDUNDANT, SINGULAR
 from pydy._mechanics.tuning import CLEAR_PIVOT, GUARDED_UP_TO, LIGHT, SOUND_PIVOT, UNCERTAIN
 
-__all__ = [
-    "Constraints",
-    "accelerations",
-    "accelerations_of_held",
-    "multipliers_of",
-    "solved_soundly",
-    "usual_sizes",
-]
-
 _HOMOGENEOUS = {"sum", "prod", "sqrt", "abs", "pow"}
 _STATES = (0.37, 0.74, 1.13)  # from here the irregular states go at which rows are measured
 

@@ -7,6 +7,9 @@ coordinate, or with others that SymPy integrates, such as -K sin 2q or a Piecewi
 contact; all together, one by one, or as opposite torques on two frames. What depends on speeds,
 time or specifieds has no potential. What depends on the configuration in another way may have one
 or not: it is named rather than left out.
+
+Whether an energy is that of some loads is decided by numbers: at generic states that keep the
+constraints its rate is minus their power.
 """
 
 from __future__ import annotations
@@ -23,16 +26,49 @@ import sympy as sm
 from sympy.physics.mechanics import Point, ReferenceFrame, Vector
 
 from pydy._errors import UnsupportedFunctionError
+from pydy._graph.derivative import dense_jacobian
 from pydy._graph.node import Graph
-from pydy._mechanics.balance import has_momenta_of, is_potential_of
+from pydy._graph.rounding import rounding_bounds
 from pydy._mechanics.components import numbers_of
-from pydy._mechanics.equations import Equations
-from pydy._mechanics.mechanism import Mechanism
+from pydy._mechanics.equations import Equations, Mechanism
+from pydy._mechanics.generic import GenericStates
 from pydy._mechanics.reader import InputReader, given_velocity, places
 from pydy._mechanics.symbols import find_symbols, replace_symbols
 from pydy._mechanics.tuning import CANCELLING
 
-__all__ = ["Potential", "find_potential"]
+_TRIALS = 3
+
+
+def is_potential_of(equations: Equations, potential: Any, powers: Sequence[Any]) -> bool:
+    """Return whether ``d potential/dt = -sum(powers)``.
+
+    Parameters
+    ----------
+    equations : Equations
+    potential : expression in q, t, constants and specifieds
+    powers : sequence of expressions in q, u, t, constants and specifieds
+    """
+    states = GenericStates(equations, (potential, *powers), "the energy")
+    gained = states.rates([states.read(potential)])
+    lost = states.graph.sum([(n, 1.0) for n in (*gained, *states.read.all(powers))])
+    return _vanish(states, [lost])
+
+
+def has_momenta_of(equations: Equations, lagrangian: Any, kinetic: Any) -> bool:
+    """Return whether a Lagrangian and a kinetic energy have the same derivatives by the speeds."""
+    states = GenericStates(equations, (lagrangian, kinetic), "the energy")
+    nodes = states.read.all((lagrangian, kinetic))
+    shape = 2, len(states.speeds)
+    momenta = np.reshape(dense_jacobian(states.graph, nodes, states.speeds), shape).tolist()
+    return _vanish(states, [states.graph.sub(a, b) for a, b in zip(*momenta, strict=True)])
+
+
+def _vanish(states: GenericStates, nodes: Sequence[int]) -> bool:
+    """Return whether nodes are no more than rounding errors of their own terms."""
+    pairs = [*nodes, *rounding_bounds(states.graph, nodes)]
+    samples = states.samples([("pairs", (2, len(nodes)), pairs)], _TRIALS)
+    found = [np.abs(sample["pairs"]) for sample in samples]
+    return bool(found) and all((left <= CANCELLING * bound).all() for left, bound in found)
 
 
 @dataclass

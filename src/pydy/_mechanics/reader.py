@@ -21,19 +21,6 @@ from pydy._mechanics.components import numbers_of
 from pydy._mechanics.symbols import rate_of
 from pydy._mechanics.tuning import ROUNDED
 
-__all__ = [
-    "InputReader",
-    "Multibody",
-    "Tree",
-    "check_bodies",
-    "distances",
-    "given_velocity",
-    "is_rigid",
-    "oriented",
-    "places",
-    "read_loads",
-]
-
 # The point from which a point is reached, None for a root, and the vectors on the way.
 Way = tuple[Any, tuple[Any, ...]]
 

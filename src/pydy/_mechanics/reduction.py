@@ -1,25 +1,340 @@
-"""Equations of the independent speeds: the reduced mass matrix, and what holds where it fails."""
+"""Equations of the independent speeds: the reduced mass matrix, and what holds where it fails.
+
+The rows of the constraint matrix are taken in groups that hold as many new unknowns as rows, one to
+three; each group is solved by Cramer's rule. Where a group is singular its unknowns are not finite,
+as in SymPy's solutions with symbols, in place of a report that a solve failed.
+
+Where dependent speeds hardly follow from the constraints, the motion that they are most of is that
+of several independent speeds, and their part of the mass matrix is nearly singular. Forms are
+chosen by how often that is so at random states; what is chosen holds everywhere.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Collection, Sequence
-from typing import Any
+from dataclasses import dataclass
+from itertools import combinations
+from typing import Any, NamedTuple
+
+import numpy as np
 
 from pydy._graph.derivative import dense_rows, jacobian
+from pydy._graph.interpret import evaluator
 from pydy._graph.node import Graph
 from pydy._graph.rewrite import substitute
-from pydy._mechanics.divided import Group, divided
 from pydy._mechanics.kinematics import Kinematics
 from pydy._mechanics.multipliers import (
     Constraints,
     accelerations,
     accelerations_of_held,
     solved_soundly,
+    usual_sizes,
 )
-from pydy._mechanics.spread import definite, nearly_parallel
-from pydy._mechanics.tuning import GUARDED_UP_TO, LIGHT, LIGHTEST, SOUND_SHARE
+from pydy._mechanics.tuning import (
+    CLEAR,
+    GUARDED_UP_TO,
+    LARGE_PART,
+    LESS_OFTEN,
+    LIGHT,
+    LIGHTEST,
+    NEARLY_DEPENDENT,
+    OFTEN,
+    SOUND_PIVOT,
+    SOUND_SHARE,
+)
 
-__all__ = ["reduced", "slopes"]
+_LARGEST = 3
+
+
+@dataclass(frozen=True)
+class Group:
+    """Unknowns that are solved for together.
+
+    Attributes
+    ----------
+    unknowns : tuple of int
+    determinant : node
+        By minors.
+    size : node
+        Its absolute value, in whatever way it was found.
+    """
+
+    unknowns: tuple[int, ...]
+    determinant: int
+    size: int
+
+    def clear(self, graph: Graph, spread: int | None = None) -> int:
+        """Return whether the determinant is not small beside what it is at other states.
+
+        Parameters
+        ----------
+        graph : Graph
+        spread : node, optional
+            The squares of determinants with other unknowns, in units of the square of this one, and
+            one: any of them is enough for the rows to be independent.
+        """
+        if graph.constant[self.determinant]:
+            return graph.boolean(True)
+        (usual,) = usual_sizes(graph, [graph.call("abs", self.determinant)])
+        size, limit = self.size, graph.sum([(usual, CLEAR)])
+        if spread is not None:
+            size, limit = graph.mul(size, size, spread), graph.mul(limit, limit)
+        # Where there is no usual size, as at places that an expression does not reach, none is
+        # small.
+        return graph.call("not", graph.call("le", size, limit))
+
+
+def divided(
+    graph: Graph,
+    matrix: Sequence[Sequence[int]],
+    columns: Sequence[Sequence[int]],
+    loose: Collection[int] = (),
+) -> tuple[list[list[int]], list[Group]] | None:
+    """Return the solutions of ``matrix · x = column``, and the groups of unknowns.
+
+    None where larger groups hang together. Groups with `loose` unknowns are eliminated with
+    pivoting: where two of three singular values are small, Cramer's rule loses the digits of both.
+    """
+    ordered = _groups(graph, matrix)
+    if ordered is None:
+        return None
+    solutions: list[dict[int, int]] = [{} for _ in columns]
+    groups = []
+    for rows, own in ordered:
+        block = [[matrix[i][j] for j in own] for i in rows]
+        rests = [
+            [
+                graph.sum(
+                    [(column[i], 1.0)]
+                    + [(graph.mul(matrix[i][j], x), -1.0) for j, x in found.items()]
+                )
+                for i in rows
+            ]
+            for column, found in zip(columns, solutions, strict=True)
+        ]
+        determinant = _determinant(graph, block)
+        size = graph.call("abs", determinant)
+        if len(own) > 1 and not set(own).isdisjoint(loose):
+            values, size = _eliminated(graph, block, rests)
+        else:
+            inverse = _inverse(graph, block)
+            values = [
+                [
+                    graph.sum([(graph.mul(a, b), 1.0) for a, b in zip(line, rest, strict=True)])
+                    for line in inverse
+                ]
+                for rest in rests
+            ]
+        for found, several in zip(solutions, values, strict=True):
+            found.update(zip(own, several, strict=True))
+        groups.append(Group(own, determinant, size))
+    return [[found[j] for j in range(len(matrix))] for found in solutions], groups
+
+
+def _eliminated(
+    graph: Graph, block: Sequence[list[int]], rests: Sequence[list[int]]
+) -> tuple[list[list[int]], int]:
+    """Return the solutions, and the size of the determinant.
+
+    Rows are exchanged by size of the pivot, in units of the largest entry of each.
+    """
+    g, n = graph, len(block)
+    lines = [[*row, *(rest[i] for rest in rests)] for i, row in enumerate(block)]
+    for i, row in enumerate(block):
+        size = g.call("abs", row[0])
+        for other in row[1:]:
+            size = g.call("max", size, g.call("abs", other))
+        lines[i].append(size)
+    for k in range(n):
+        for i in range(k + 1, n):
+            one, two = lines[k], lines[i]
+            here = g.mul(g.call("abs", one[k]), two[-1])
+            there = g.mul(g.call("abs", two[k]), one[-1])
+            swap = g.call("lt", here, there)
+            lines[k], lines[i] = (
+                [
+                    b if place < k else g.call("select", swap, a, b)
+                    for place, (a, b) in enumerate(zip(*pair, strict=True))
+                ]
+                for pair in ((two, one), (one, two))
+            )
+        for i in range(k + 1, n):
+            share = g.div(lines[i][k], lines[k][k])
+            for j in (*range(k + 1, n), *range(n, n + len(rests))):
+                lines[i][j] = g.sub(lines[i][j], g.mul(share, lines[k][j]))
+    found = [[g.zero] * n for _ in rests]
+    for c, values in enumerate(found):
+        for k in reversed(range(n)):
+            terms = [(g.mul(lines[k][j], values[j]), -1.0) for j in range(k + 1, n)]
+            values[k] = g.div(g.sum([(lines[k][n + c], 1.0), *terms]), lines[k][k])
+    return found, g.call("abs", g.mul(*(lines[k][k] for k in range(n))))
+
+
+def _groups(
+    graph: Graph, matrix: Sequence[Sequence[int]]
+) -> list[tuple[tuple[int, ...], tuple[int, ...]]] | None:
+    """Return rows and the unknowns that they give, in order."""
+    used = {i: {j for j, n in enumerate(row) if n != graph.zero} for i, row in enumerate(matrix)}
+    found = []
+    while used:
+        group = next(
+            (
+                (rows, own)
+                for size in range(1, _LARGEST + 1)
+                for rows in combinations(used, size)
+                if len(own := set().union(*(used[i] for i in rows))) == size
+            ),
+            None,
+        )
+        if group is None:
+            return None
+        rows, own = group
+        found.append((rows, tuple(sorted(own))))
+        used = {i: columns - own for i, columns in used.items() if i not in rows}
+    return found
+
+
+def _determinant(graph: Graph, matrix: list[list[int]]) -> int:
+    minors = [_minor(graph, matrix, 0, j) for j in range(len(matrix))]
+    return graph.sum([(graph.mul(a, b), 1.0) for a, b in zip(matrix[0], minors, strict=True)])
+
+
+def _inverse(graph: Graph, matrix: list[list[int]]) -> list[list[int]]:
+    n = len(matrix)
+    minors = [[_minor(graph, matrix, i, j) for j in range(n)] for i in range(n)]
+    inverse = graph.powi(_determinant(graph, matrix), -1)
+    return [[graph.mul(minors[i][j], inverse) for i in range(n)] for j in range(n)]
+
+
+def _minor(graph: Graph, matrix: list[list[int]], i: int, j: int) -> int:
+    """Return a cofactor of a matrix of up to three rows."""
+    n = len(matrix)
+    if n == 1:
+        return graph.one
+    if n == 2:
+        node = matrix[1 - i][1 - j]
+        return node if i == j else graph.neg(node)
+    (a, b), (c, d) = ((i + 1) % 3, (i + 2) % 3), ((j + 1) % 3, (j + 2) % 3)
+    return graph.sub(graph.mul(matrix[a][c], matrix[b][d]), graph.mul(matrix[a][d], matrix[b][c]))
+
+
+_STATES = 512
+# Of states, time, specifieds and constants: those differ from state to state too.
+_RANGES = {"x": (-1.0, 1.0), "t": (0.0, 1.0), "r": (0.5, 1.5), "p": (0.5, 1.5)}
+
+
+class Spread(NamedTuple):
+    """What is done about motions that are nearly parallel.
+
+    Attributes
+    ----------
+    apart : list of int
+        The independent speeds to take apart from one another.
+    loose : set of int
+        The dependent speeds, of d, that these motions mostly consist of.
+    """
+
+    apart: list[int]
+    loose: set[int]
+
+
+def nearly_parallel(
+    graph: Graph, matrix: Sequence[Sequence[int]], rows: Sequence[Sequence[int]]
+) -> Spread:
+    """Return which independent speeds are to be taken apart from one another.
+
+    Parameters
+    ----------
+    graph : Graph
+    matrix : n lists of n nodes
+        M.
+    rows : d lists of n nodes
+        The constraints K u' + b = 0, which give the last d speeds.
+    """
+    n, d = len(matrix), len(rows)
+    p = n - d
+    none = Spread([], set())
+    if not 1 < p <= GUARDED_UP_TO:
+        return none
+    values = _at_states(graph, [*(e for row in matrix for e in row), *(e for r in rows for e in r)])
+    if values is None:
+        return none
+    masses = values[:, : n * n].reshape(-1, n, n)
+    held = values[:, n * n :].reshape(-1, d, n)
+    with np.errstate(all="ignore"):
+        try:
+            given = np.linalg.solve(held[:, :, p:], -held[:, :, :p])
+        except np.linalg.LinAlgError:
+            return none
+        unit = np.broadcast_to(np.eye(p), (len(values), p, p))
+        moves = np.concatenate([unit, given], axis=1)
+        square = np.swapaxes(moves, 1, 2) @ masses @ moves
+        found: list[int] = []
+        share = _weak(square, found)
+        while share > OFTEN and len(found) < p:
+            # Two at first: one by itself changes nothing.
+            tried = [
+                [*found, *more]
+                for more in combinations([k for k in range(p) if k not in found], 1 if found else 2)
+            ]
+            shares = [_weak(square, some) for some in tried]
+            if min(shares) > LESS_OFTEN * share:
+                break
+            share, found = min(zip(shares, tried, strict=True))
+        weights = np.diagonal(masses, axis1=1, axis2=2)
+        sizes = np.diagonal(square, axis1=1, axis2=2)[:, found]
+        part = weights[:, p:, None] * given[:, :, found] ** 2 / sizes[:, None, :]
+        large = (part > LARGE_PART) & (weights[:, None, found] < SOUND_PIVOT * sizes[:, None, :])
+        loose = np.flatnonzero(large.any(axis=2).any(axis=0))
+    return Spread(sorted(found), {int(k) for k in loose})
+
+
+def definite(graph: Graph, matrix: Sequence[Sequence[int]]) -> bool:
+    """Return whether every motion moves a mass at most states, as far as floats tell.
+
+    Coefficients that are no binary fractions leave rounding errors of a singular matrix.
+    """
+    n = len(matrix)
+    values = _at_states(graph, [e for row in matrix for e in row])
+    if values is None or not len(values):
+        return False
+    masses = values.reshape(-1, n, n)
+    own = np.sqrt(np.abs(np.diagonal(masses, axis1=1, axis2=2)))
+    own[own == 0.0] = 1.0
+    shares = masses / (own[:, :, None] * own[:, None, :])
+    least = np.linalg.svd(shares, compute_uv=False)[:, -1]
+    return bool(np.median(least) > NEARLY_DEPENDENT[0])
+
+
+def _weak(square: np.ndarray, apart: Sequence[int]) -> float:
+    """Return at which share of states a pivot is small if some directions are made orthogonal."""
+    work = square.copy()
+    for place, i in enumerate(apart):
+        for j in apart[place + 1 :]:
+            ratio = (work[:, i, j] / work[:, i, i])[:, None]
+            work[:, j] -= ratio * work[:, i]
+            work[:, :, j] -= ratio * work[:, :, i]
+            work[:, i, j] = work[:, j, i] = 0.0
+    sizes = np.diagonal(work, axis1=1, axis2=2).copy()
+    least = np.ones(len(work))
+    for k in range(work.shape[1]):
+        least = np.fmin(least, work[:, k, k] / sizes[:, k])
+        work[:, k + 1 :] -= (
+            work[:, k + 1 :, k : k + 1] * work[:, k : k + 1] / work[:, k : k + 1, k : k + 1]
+        )
+    return float(np.mean(least < SOUND_PIVOT * SOUND_SHARE)) if len(work) else 0.0
+
+
+def _at_states(graph: Graph, nodes: Sequence[int]) -> np.ndarray | None:
+    """Return the values of nodes at random states; None where they depend on other things."""
+    inputs = [n for n in graph.reachable(nodes) if graph.ops[n] == "input"]
+    if not {graph.args[n][0] for n in inputs} <= _RANGES.keys():
+        return None
+    rng = np.random.default_rng(0)
+    at = {n: rng.uniform(*_RANGES[graph.args[n][0]], _STATES) for n in inputs}
+    values = evaluator(graph, nodes)(at, _STATES)
+    finite: np.ndarray = values[np.isfinite(values).all(axis=1)]
+    return finite
 
 
 def reduced(

@@ -13,8 +13,6 @@ from sympy.core.function import AppliedUndef
 from pydy._graph.from_sympy import differentiated, is_unevaluated
 from pydy._names import written_out
 
-__all__ = ["find_symbols", "rate_of", "replace_symbols", "sort_symbols"]
-
 
 def sort_symbols(symbols: Iterable[Any]) -> list[Any]:
     """Sort symbols, functions of time and their derivatives as SymPy orders them.

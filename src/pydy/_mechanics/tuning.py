@@ -6,34 +6,6 @@ those that differ differ by 1e-3 or more.
 
 from __future__ import annotations
 
-__all__ = [
-    "AGREEING",
-    "ALIKE",
-    "CANCELLED",
-    "CANCELLING",
-    "CLEAR",
-    "CLEAR_PIVOT",
-    "CLOSED",
-    "FORMS_COUNTED_UP_TO",
-    "FULL_STEPS",
-    "GUARDED_UP_TO",
-    "LARGE_PART",
-    "LESS_OFTEN",
-    "LIGHT",
-    "LIGHTEST",
-    "NEARLY_DEPENDENT",
-    "OFTEN",
-    "OPEN",
-    "ROUNDED",
-    "SAME_AXES",
-    "SAME_DIRECTION",
-    "SMALL_PIVOT",
-    "SOUND_PIVOT",
-    "SOUND_SHARE",
-    "UNCERTAIN",
-    "WITHIN_SPAN",
-]
-
 AGREEING = 1e-8
 """The difference of two values that are the same, in units of the terms they are sums of."""
 

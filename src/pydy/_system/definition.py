@@ -10,7 +10,7 @@ import numpy as np
 import sympy as sm
 
 from pydy._assembly.definition import Definition, lower_derivatives
-from pydy._assembly.outputs import Group, auxiliary_groups
+from pydy._assembly.system import Group, auxiliary_groups
 from pydy._checks import Places, check_mapping, describe, listed
 from pydy._errors import UnsupportedFunctionError, warn_user
 from pydy._mechanics.equations import Equations

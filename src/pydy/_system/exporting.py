@@ -13,8 +13,8 @@ import sympy as sm
 
 from pydy._assembly.assembly import Assembly
 from pydy._assembly.definition import Definition
+from pydy._assembly.model import stored_program
 from pydy._assembly.specifieds import followed
-from pydy._assembly.stored import stored_program
 from pydy._checks import Places, choice, file_of, listed, text
 from pydy._graph.program import Program
 from pydy._names import name_of, unique_names

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import sympy as sm
 
-from pydy._mechanics.mechanism import Mechanism
+from pydy._mechanics.equations import Mechanism
 from pydy._mechanics.symbols import find_symbols
 from pydy._rank import HALF
 from pydy.viz.defaults import gravities

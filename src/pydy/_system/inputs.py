@@ -10,8 +10,7 @@ import sympy as sm
 from sympy.core.function import AppliedUndef
 from sympy.physics.mechanics import dynamicsymbols
 
-from pydy._assembly.outputs import Group
-from pydy._assembly.system import check_accelerations
+from pydy._assembly.system import Group, check_accelerations
 from pydy._checks import Places, check_mapping, describe, listed, real_array, resolved, shown
 from pydy._errors import UnsupportedFunctionError
 from pydy._mechanics.equations import Equations

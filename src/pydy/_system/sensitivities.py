@@ -15,8 +15,7 @@ from typing import Any
 import numpy as np
 
 from pydy._assembly.definition import Definition
-from pydy._assembly.model import CompiledModel, with_finite_samples
-from pydy._assembly.stored import stored_program
+from pydy._assembly.model import CompiledModel, stored_program, with_finite_samples
 from pydy._backends.llvm.columns import lanes_for
 from pydy._checks import describe
 from pydy._graph.columns import Columns

@@ -11,8 +11,7 @@ import scipy
 import sympy as sm
 
 from pydy._assembly.definition import Definition
-from pydy._assembly.external import resolve_solver, solve_symbolically
-from pydy._assembly.model import CompiledModel
+from pydy._assembly.model import CompiledModel, resolve_solver, solve_symbolically
 from pydy._assembly.specifieds import check_expressions
 from pydy._checks import Keyed, check_mapping, flag
 from pydy._errors import warn_user

@@ -14,9 +14,8 @@ from sympy.core.function import AppliedUndef
 from sympy.physics.mechanics import dynamicsymbols
 
 from pydy._assembly.definition import Layout
-from pydy._assembly.external import resolve_solver, solve_symbolically
-from pydy._assembly.form import assemble_form
-from pydy._assembly.model import CompiledModel
+from pydy._assembly.model import CompiledModel, resolve_solver, solve_symbolically
+from pydy._assembly.system import assemble_form
 from pydy._backends.registry import resolve
 from pydy._checks import describe, flag, listed, resolved, shown
 from pydy._graph.switches import Passes
