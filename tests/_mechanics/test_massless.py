@@ -104,6 +104,31 @@ def test_constraints_carry_what_is_massless(name, method, masses):
         assert np.isfinite(system.evaluate_jacobian(state)).all()
 
 
+@pytest.mark.parametrize("masses", PAIRS)
+def test_constraints_carry_what_is_massless_beside_many_masses(masses):
+    q, u = me.dynamicsymbols("q1:16"), me.dynamicsymbols("u1:16")
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    names, bodies, loads = sm.symbols("m1:16"), [], []
+    for k, (a, b) in enumerate(zip(q, u, strict=True)):
+        along = frame.y if k == 1 else frame.x
+        point = origin.locatenew(f"P{k}", a * along)
+        point.set_vel(frame, b * along)
+        bodies.append(me.Particle(f"p{k}", point, names[k]))
+        loads.append((point, PUSH[0] * frame.x + PUSH[1] * frame.y))
+    definition = Definition(
+        frame, q, u, bodies=bodies, loads=loads, holonomic_constraints=[q[0] - 2 * q[1]],
+        kinematic_equations=[a.diff(T) - b for a, b in zip(q, u, strict=True)],
+    )  # fmt: skip
+    system = System(definition, dict(zip(names, [*masses, *[1.0] * 13], strict=True)))
+    state = np.zeros(30)
+    state[[system.states.index(s) for s in (*q[:2], *u[:2])]] = 0.4, 0.2, 0.6, 0.3
+    own = (2.0 * PUSH[0] + PUSH[1]) / (4.0 * masses[0] + masses[1])
+    found = system.evaluate_ode(state)[[system.states.index(s) for s in u[:3]]]
+    np.testing.assert_allclose(found, [2.0 * own, own, PUSH[0]], rtol=1e-8)
+    assert np.isfinite(system.evaluate_jacobian(state)).all()
+
+
 def test_an_oscillator_through_a_massless_coordinate_moves_as_in_closed_form():
     spring, push = sm.symbols("k F")
     frame, origin = me.ReferenceFrame("N"), me.Point("O")

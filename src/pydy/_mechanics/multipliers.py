@@ -67,7 +67,14 @@ def accelerations_of_held(
         for k, pivot in enumerate(eliminated.pivots):
             heavy = graph.call("and", heavy, _is_above(graph, pivot, matrix[k][k], LIGHT))
     else:
-        free, *moved = graph.solve(matrix, [forcing, *first], "ldl")
+        # What is massless by its value moves with a mass of one, and is not sound.
+        solvable = [list(line) for line in matrix]
+        for k, line in enumerate(matrix):
+            massless = graph.call("eq", line[k], graph.zero)
+            mass = graph.call("select", massless, graph.one, graph.zero)
+            solvable[k][k] = graph.add(line[k], mass)
+            heavy = graph.call("and", heavy, graph.call("not", massless))
+        free, *moved = graph.solve(solvable, [forcing, *first], "ldl")
     weights = _mobilities(graph, matrix)
     for row in held.rows:
         # What is light and tied to what is heavy would be found as a difference of large numbers.
