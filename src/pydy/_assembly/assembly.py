@@ -42,55 +42,30 @@ class Depending(NamedTuple):
 
 @dataclass(repr=False)
 class Assembly:
-    """A system as nodes of one graph.
-
-    Attributes
-    ----------
-    graph : Graph
-    sizes : (int, int, int)
-        Numbers of states, specifieds and constants.
-    rates : list of nodes
-        Derivatives of the states.
-    ordinary : list of nodes
-        The outputs that come back beside the derivatives.
-    outputs : list of nodes
-        All outputs, in the user's order.
-    holonomic, velocity, nonholonomic : list of nodes
-        Constraint residuals.
-    mass_matrix, forcing : list of nodes
-        The linear system for the accelerations; empty where the form has none.
-    passes : Passes
-        The rewriting that Programs go through.
-    atoms : mapping of symbols, functions of time and derivatives to nodes
-        What further expressions may hold; see `expression_program`.
-    speeds : list of nodes
-    mechanism : Mechanism or None
-        The bodies behind the equations.
-    open : mapping of str to list of nodes
-        The blocks that depend on accelerations, with these as inputs of the group 'a': for a
-        linear solver of the user's. Empty where there is none.
-    given : mapping of input nodes to nodes
-        What `substituted` put in place of inputs.
-    ready : (rates, graph, nodes) or None
-        These rates after simplification, in a graph of their own, where that is known already.
-    """
+    """A system as nodes of one graph."""
 
     graph: Graph
-    sizes: tuple[int, int, int]
-    rates: list[int]
-    ordinary: list[int]
-    outputs: list[int]
-    holonomic: list[int] = field(default_factory=list)
+    sizes: tuple[int, int, int]  # numbers of states, specifieds and constants
+    rates: list[int]  # derivatives of the states
+    ordinary: list[int]  # the outputs that come back beside the derivatives
+    outputs: list[int]  # all outputs, in the user's order
+    holonomic: list[int] = field(default_factory=list)  # Constraint residuals
     velocity: list[int] = field(default_factory=list)
     nonholonomic: list[int] = field(default_factory=list)
+    # The linear system for the accelerations; empty where the form has none.
     mass_matrix: list[int] = field(default_factory=list)
     forcing: list[int] = field(default_factory=list)
-    passes: Passes = field(default_factory=Passes)
+    passes: Passes = field(default_factory=Passes)  # the rewriting that Programs go through
+    # What further expressions may hold; see `expression_program`.
     atoms: Mapping[Any, int] = field(default_factory=dict)
     speeds: list[int] = field(default_factory=list)
-    mechanism: Mechanism | None = None
+    mechanism: Mechanism | None = None  # the bodies behind the equations
+    # The blocks that depend on accelerations, with these as inputs of the group 'a': for a
+    # linear solver of the user's. Empty where there is none.
     open: Mapping[str, list[int]] = field(default_factory=dict)
+    # What `substituted` put in place of inputs.
     given: Mapping[int, int] = field(default_factory=dict)
+    # These rates after simplification, in a graph of their own, where that is known already.
     ready: tuple[list[int], Graph, list[int]] | None = None
     _simplified: dict[str, tuple[Graph, list[int]]] = field(
         default_factory=dict, init=False, repr=False, compare=False
@@ -155,13 +130,7 @@ class Assembly:
         return SymPyReader(self.graph, self.atoms, what)
 
     def program(self, *names: str) -> Program:
-        """Return the Program of the named blocks.
-
-        Parameters
-        ----------
-        names : {'rates', 'ordinary', 'outputs', 'holonomic', 'velocity', 'constraints', ...}
-            Attributes of this class.
-        """
+        """Return the Program of the named blocks."""
         if names == ("rates",):
             graph, nodes = self.simplified("rates")
             with collector_paused():
@@ -180,18 +149,7 @@ class Assembly:
     def expression_program(self, name: str, shape: tuple[int, ...], expressions: Any) -> Program:
         """Return the Program of one block of further expressions in the states and symbols.
 
-        Parameters
-        ----------
-        name : str
-            Of the block, and in messages.
-        shape : tuple of int
-        expressions : iterable of expressions
-            In C order; they may hold q' and u', but not u' where that is `external`.
-
-        Raises
-        ------
-        ValueError
-            A symbol that is not among those of the assembly.
+        They may hold q' and u', but not u' where a solver of the user's finds it.
         """
         own = self.fork()
         return own.lowered([(name, shape, own.read(expressions, name))], own.graph)
@@ -217,17 +175,7 @@ class Assembly:
     def jacobian_program(
         self, name: str, by: str | Sequence[tuple[str, int]], guards: Guards = "checked"
     ) -> Program:
-        """Return the Program of a block's Jacobian.
-
-        Parameters
-        ----------
-        name : str
-            Of the block.
-        by : {'x', 'r', 'p'} or sequence of (group, index)
-            All inputs of a group, or some of any.
-        guards : Guards
-            How solutions are differentiated that were found in other ways.
-        """
+        """Return the Program of a block's Jacobian."""
         graph, nodes = self.simplified(name)
         places = self._places(by)
         return derivative_program(

@@ -79,14 +79,7 @@ def stabilised(assembly: Assembly, equations: Equations, gain: float) -> Assembl
 
 
 def _shares(assembly: Assembly, holonomic: list[int], velocity: list[int]) -> np.ndarray:
-    """Return, for each velocity constraint, of which holonomic ones it is the rate, and how much.
-
-    Raises
-    ------
-    ValueError
-        The last rows of the mass matrix are not those of the velocity constraints, or a velocity
-        constraint is the rate of holonomic ones with factors that change.
-    """
+    """Return of which holonomic constraints each velocity constraint is the rate, and how much."""
     graph, speeds = assembly.graph, assembly.speeds
     n, count = len(speeds), len(assembly.velocity)
     first = graph.args[speeds[0]][1]

@@ -18,12 +18,7 @@ from pydy._names import name_of
 
 @dataclass(frozen=True)
 class Layout:
-    """The orders of the arrays x, r and p, and of the outputs.
-
-    Attributes
-    ----------
-    states, specifieds, constants, outputs : tuple of symbols
-    """
+    """The orders of the arrays x, r and p, and of the outputs."""
 
     states: tuple[Any, ...]
     specifieds: tuple[Any, ...]
@@ -33,28 +28,16 @@ class Layout:
 
 @dataclass(frozen=True)
 class Definition:
-    """The symbolic side of a System. Equal ones need the same code.
-
-    Attributes
-    ----------
-    equations : Equations
-    groups : tuple of Group
-        All outputs: the user's, the constraint residuals, the noncontributing forces.
-    auxiliaries : tuple of Symbol
-        The states that integrate outputs which depend on the derivatives of the speeds.
-    constants : tuple of Symbol
-        Sorted.
-    specifieds : tuple of functions of time and their derivatives
-        Sorted, or as the user ordered them.
-    residuals, forces : tuple of symbols
-        The outputs that are residuals of constraints and noncontributing forces.
-    """
+    """The symbolic side of a System. Equal ones need the same code."""
 
     equations: Equations
+    # All outputs: the user's, the constraint residuals, the noncontributing forces.
     groups: tuple[Group, ...]
+    # The states that integrate outputs which depend on the derivatives of the speeds.
     auxiliaries: tuple[Any, ...]
-    constants: tuple[Any, ...]
-    specifieds: tuple[Any, ...]
+    constants: tuple[Any, ...]  # sorted
+    specifieds: tuple[Any, ...]  # sorted, or as the user ordered them
+    # The outputs that are residuals of constraints and noncontributing forces.
     residuals: tuple[Any, ...] = ()
     forces: tuple[Any, ...] = ()
 

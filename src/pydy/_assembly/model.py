@@ -40,13 +40,7 @@ LinearSolver = Callable[[np.ndarray, np.ndarray], np.ndarray]
 
 
 def resolve_solver(solver: Any) -> LinearSolver | str | None:
-    """Return what `linear_sys_solver` means: None (built in), a function, or 'sympy[:METHOD]'.
-
-    Raises
-    ------
-    ValueError
-        It is not one of them.
-    """
+    """Return what `linear_sys_solver` means: None (built in), a function, or 'sympy[:METHOD]'."""
     if solver is None or (isinstance(solver, str) and solver == "builtin"):
         return None
     if callable(solver):
@@ -86,19 +80,7 @@ def solve_symbolically(matrix: Any, column: Sequence[Any], solver: str) -> list[
 def with_external_solver(
     program: Program, system: Kernel, solver: LinearSolver, rest: Kernel
 ) -> Kernel:
-    """Chain the matrices, a solver and what follows from its solution into one Kernel.
-
-    Parameters
-    ----------
-    program : Program
-        That of `rest`.
-    system : Kernel
-        Computes the blocks 'mass_matrix' and 'forcing'.
-    solver : callable
-        ``solve(A, b) -> x``.
-    rest : Kernel
-        Takes the solution at the end of r.
-    """
+    """Chain the matrices, a solver and what follows from its solution into one Kernel."""
     n = system.program.block("forcing").stop - system.program.block("forcing").start
 
     def call(x: Any, t: Any, r: Any, p: Any, out: np.ndarray) -> int:
@@ -162,17 +144,7 @@ def _as_shipped() -> bool:
 
 
 def stored_program(assembly: Assembly, what: str, make: Callable[[], Program]) -> Program:
-    """Return a Program from the cache, or make it and put it there.
-
-    Parameters
-    ----------
-    assembly : Assembly
-        Where it comes from.
-    what : str
-        Which of the assembly's Programs it is.
-    make : callable
-        Returns the Program.
-    """
+    """Return a Program from the cache, or make it and put it there."""
     return _stored(assembly, what, make, Program.from_bytes)
 
 
@@ -220,29 +192,16 @@ class CompiledModel:
     """Equations, outputs and constraints of one definition, and the machine code made of them.
 
     It never changes. A Kernel or Jacobian is compiled when it is first called for, once.
-
-    Attributes
-    ----------
-    layout : Layout
-        The orders of the arrays x, r and p, and of the outputs.
-    assembly : Assembly
-        The blocks that Kernels are made from.
-    backend : object
-        Has ``compile(program) -> Kernel``.
-    solver : callable or None
-        ``solve(A, b)`` of the user's, for the accelerations in values of blocks; derivatives and
-        further expressions are compiled with the built-in one.
-    definition : Definition or None
-        What it was made of, where that is a mechanical system.
-    latest : dict
-        What its users made of it for their latest call, by what it is; it is never pickled.
     """
 
-    layout: Layout
-    assembly: Assembly
-    backend: Any
+    layout: Layout  # the orders of the arrays x, r and p, and of the outputs
+    assembly: Assembly  # the blocks that Kernels are made from
+    backend: Any  # has ``compile(program) -> Kernel``
+    # ``solve(A, b)`` of the user's, for the accelerations in values of blocks; derivatives
+    # and further expressions are compiled with the built-in one.
     solver: LinearSolver | None = None
-    definition: Definition | None = None
+    definition: Definition | None = None  # what it was made of, where that is a mechanical system
+    # What its users made of it for their latest call, by what it is; it is never pickled.
     latest: dict[str, Any] = field(default_factory=dict)
     _programs: dict[tuple[str, ...], Program] = field(default_factory=dict)
     _kernels: dict[tuple[Any, ...], Kernel] = field(default_factory=dict)
@@ -336,14 +295,6 @@ class CompiledModel:
         """Return the Kernel of a Jacobian; see `Assembly.jacobian_program`.
 
         A back end with a method ``compile_jacobian`` may take several columns at a time.
-
-        Parameters
-        ----------
-        block, by
-            See `Assembly.jacobian_program`.
-        checked : bool
-            Whether sweeps of it hold where guards fall back. Newton's method of a solver needs no
-            more than what leads to convergence; its derivatives are those of the ways found.
         """
         if checked or not self.assembly.has_other_ways(block):
             return self.kernel_by((block, "by", by), lambda: self._jacobian(block, by, "checked"))
@@ -426,13 +377,6 @@ class CompiledModel:
         """Return the values of some nodes, shape (m, o) for each name.
 
         They are not compiled until they have been asked for so often that it pays.
-
-        Parameters
-        ----------
-        parts : callable
-            Returns nodes by name; it may add to the graph that it gets.
-        at : (t, x, r, p)
-            Where they are evaluated.
         """
         found = self._evaluated.get(parts)
         if found is None:
@@ -444,16 +388,7 @@ class CompiledModel:
     # -- other equations -------------------------------------------------------------------------
 
     def changed(self, key: Any, change: Callable[[Assembly], Assembly]) -> CompiledModel:
-        """Return the same with other equations, made at most once for each key.
-
-        Parameters
-        ----------
-        key : hashable
-            The latest eight are kept.
-        change : callable
-            Makes the other equations from these, in a graph of their own, so that what is compiled
-            later does not depend on what was tried before; sizes and layout stay.
-        """
+        """Return the same with other equations, made at most once for each key."""
         other = self._variants.pop(key, None)
         if other is None:
             changed = change(self.assembly.fork())
@@ -468,13 +403,7 @@ class CompiledModel:
     def evaluate(
         self, kernel: Kernel, t: np.ndarray, x: np.ndarray, r: np.ndarray, p: np.ndarray
     ) -> np.ndarray:
-        """Return the flat outputs of a Kernel at m samples, shape (m, o).
-
-        Raises
-        ------
-        SingularMatrixError
-            With the time and state of the first sample whose linear solve is singular.
-        """
+        """Return the flat outputs of a Kernel at m samples, shape (m, o)."""
         out, failed = kernel.evaluate(t, x, r, p)
         if failed.any():
             k = int(np.flatnonzero(failed)[0])

@@ -45,19 +45,11 @@ class Plan(Protocol):
 
 @dataclass(frozen=True)
 class _Formula:
-    """What a specified is.
-
-    Attributes
-    ----------
-    symbol : function of time, or a derivative of one
-    source : expression, or the symbol whose formula is to be differentiated
-    order : int
-        How often `source` is differentiated; an expression never is.
-    """
+    """What a specified is."""
 
     symbol: Any
     source: Any
-    order: int = 0
+    order: int = 0  # how often `source` is differentiated; an expression never is
 
 
 def driven(
@@ -69,15 +61,8 @@ def driven(
 ) -> CompiledModel:
     """Return the model with the expressions of `plan` compiled into it.
 
-    Parameters
-    ----------
-    model : CompiledModel
-        Takes all specifieds as inputs.
-    definition : Definition
-    plan : Plan
-    perturbed : bool
-        Whether the places of the expressions in r, which are zero, are added to them: derivatives
-        with respect to r are then those by a small change of each specified's value.
+    The places of the expressions in r, which are zero, are added to them if they are `perturbed`:
+    derivatives by r are then those by a small change of each specified's value.
     """
     if not plan.expressions:
         return model
@@ -130,22 +115,7 @@ def _resolve(
     kinematics: Sequence[int] | None,
     perturbed: bool,
 ) -> dict[int, int]:
-    """Return what takes the place of each specified's input node.
-
-    Parameters
-    ----------
-    graph : Graph
-        Gets the nodes.
-    kinematics : sequence of nodes or None
-        q'; None reads them when they occur.
-
-    Raises
-    ------
-    ValueError
-        A symbol without a meaning, a circle, or a derivative that does not follow.
-    UnsupportedFunctionError
-        A function that cannot be translated.
-    """
+    """Return what takes the place of each specified's input node."""
     layout, equations = definition.layout, definition.equations
     atoms = input_nodes(
         graph, p=layout.constants, t=[equations.time], r=layout.specifieds, x=layout.states

@@ -80,16 +80,10 @@ def assemble_form(
 
 @dataclass(frozen=True)
 class Group:
-    """Outputs that are given together.
-
-    Attributes
-    ----------
-    names : tuple of symbols or functions of time
-    expressions : tuple of expressions
-        Values, or equations that are zero, when they contain the names themselves.
-    """
+    """Outputs that are given together."""
 
     names: tuple[Any, ...]
+    # Values, or equations that are zero, when they contain the names themselves.
     expressions: tuple[Any, ...]
 
 
@@ -178,29 +172,7 @@ def assemble_system(
     external: bool = False,
     passes: Passes | None = None,
 ) -> Assembly:
-    """Assemble a mechanical system with its outputs.
-
-    Parameters
-    ----------
-    equations : Equations
-    groups : sequence of Group
-        Outputs, in the user's order.
-    auxiliaries : sequence of symbols
-        The auxiliary states, one for each name of an integrated group.
-    specifieds, constants : sequence of symbols
-        In the order of the arrays r and p.
-    external : bool
-        Whether a user's solver may solve for the accelerations: blocks that depend on them are
-        then there in two ways, see `Assembly.open`.
-    passes : Passes, optional
-        All by default.
-
-    Raises
-    ------
-    ValueError
-        Accelerations occur nonlinearly in the equations of motion, a group is nonlinear in its own
-        names, or outputs refer to each other in a circle.
-    """
+    """Assemble a mechanical system with its outputs."""
     passes = passes or Passes()
     formed = equations.formed and equations.formed.placed(constants, specifieds)
     graph = Graph() if formed is None else formed.graph

@@ -211,32 +211,16 @@ class _Turn:
 
 @dataclass(eq=False)
 class _Body:
-    """Frames that do not move against each other.
+    """Frames that do not move against each other."""
 
-    Attributes
-    ----------
-    root : frame
-        The first of them.
-    before : frame or None
-        The user's frame in which it is hinged.
-    turn : _Turn or None
-    speed : node
-        How fast it turns about the hinge.
-    frames : dict of frames to matrices
-        Which give components in the root's axes.
-    hinged : list of _Body
-        What is hinged on it.
-    weight : int
-        Bodies that hang on it, with itself.
-    """
-
-    root: Any
-    before: Any = None
+    root: Any  # the first of them
+    before: Any = None  # the user's frame in which it is hinged
     turn: _Turn | None = None
-    speed: int = 0
+    speed: int = 0  # how fast it turns about the hinge
+    # Which give components in the root's axes.
     frames: dict[Any, Matrix] = field(default_factory=dict)
-    hinged: list[_Body] = field(default_factory=list)
-    weight: int = 1
+    hinged: list[_Body] = field(default_factory=list)  # what is hinged on it
+    weight: int = 1  # bodies that hang on it, with itself
 
 
 def align(kinematics: Kinematics) -> None:

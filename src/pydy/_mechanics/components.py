@@ -51,15 +51,10 @@ def unrounded(graph: Graph, nodes: Sequence[int]) -> list[int]:
 
 
 def numbers_of(graph: Graph, flat: Sequence[int], held: Sequence[int] = ()) -> np.ndarray:
-    """Return values of nodes at random states, one row for each state.
+    """Return values of nodes at random states, one row for each, at which `held` are zero.
 
-    Parameters
-    ----------
-    graph : Graph
-    flat : sequence of nodes
-    held : sequence of nodes
-        Rows that are zero at these states: an orientation by a quaternion is one where the sum of
-        its squares is one. All that they hold is moved, as two random lengths need not close.
+    All that these rows hold is moved: an orientation by a quaternion is one where its length is
+    one, and two random lengths need not close.
     """
     inputs = [n for n in graph.reachable([*flat, *held]) if graph.ops[n] == "input"]
     x = np.random.default_rng(0).uniform(0.5, 1.5, (_STATES, len(inputs)))

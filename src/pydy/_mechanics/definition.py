@@ -32,20 +32,7 @@ _BY_MINORS = 3  # unknowns; Cramer's rule divides by nothing but the determinant
 def solve_rates(
     equations: Sequence[Any], coordinate_rates: Sequence[Any], argument: str
 ) -> tuple[Any, ...]:
-    """Return q' from equations that are zero, linear in q'.
-
-    Parameters
-    ----------
-    equations : sequence of expressions
-    coordinate_rates : sequence of derivatives
-    argument : str
-        The name of the equations in messages.
-
-    Raises
-    ------
-    ValueError
-        The equations do not give q'; the message names the coordinates.
-    """
+    """Return q' from equations that are zero, linear in q'."""
     order = {rate: k for k, rate in enumerate(coordinate_rates)}
     unknowns = [[s for s in find_symbols([e]) if s in order] for e in equations]
     found: dict[Any, Any] = {}
@@ -334,13 +321,7 @@ class Definition:
 
 
 def equations_of_definition(definition: Definition, source: str | None = None) -> Equations:
-    """Return the equations of a Definition, which are always formed.
-
-    Raises
-    ------
-    ValueError
-        The equations of a method are asked for.
-    """
+    """Return the equations of a Definition, which are always formed."""
     if source == "method":
         raise ValueError(
             "`equations='method'` needs a method object, such as a KanesMethod; `eom_method` is a "

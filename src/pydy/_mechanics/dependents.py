@@ -91,22 +91,9 @@ def constrained(
 ) -> Multibody:
     """Return the same with constraints, and dependent coordinates and speeds behind the others.
 
-    Parameters
-    ----------
-    body : Multibody
-        Without constraints.
-    holonomic, velocity : sequence of expressions
-        Redundant ones are left out, and those that all motions satisfy: the kinematic equations
-        keep the norm of a quaternion.
-    coordinates, speeds : sequence of symbols, optional
-        The user's choice of the dependent ones.
-    near : mapping of symbols to numbers, optional
-        A configuration close to which the mechanism is assembled.
-
-    Raises
-    ------
-    ValueError
-        The constraints contradict each other, or do not give what the user chose.
+    Redundant constraints are left out, and those that all motions satisfy: the kinematic equations
+    keep the norm of a quaternion. The user may choose dependent `coordinates` and `speeds`, and a
+    configuration `near` which the mechanism is assembled.
     """
     velocity = _moving_rows(kinematics_of(body), velocity)
     body = replace(body, holonomic=tuple(holonomic), velocity=tuple(velocity))
@@ -150,29 +137,7 @@ def _choose(
     speeds: Sequence[Any] | None,
     near: Mapping[Any, float] | None,
 ) -> tuple[tuple[Chosen, tuple[Any, ...]], tuple[Chosen, tuple[Any, ...]], list[int]]:
-    """Return the independent constraints, and the coordinates and speeds that follow from them.
-
-    Parameters
-    ----------
-    equations : Equations
-        With kinematics and constraints.
-    coordinates, speeds : sequence of symbols, or None
-        The user's choice.
-    near : mapping or None
-        See `constrained`.
-
-    Returns
-    -------
-    (Chosen, tuple), (Chosen, tuple)
-        For the holonomic, then for the velocity constraints.
-    list of int
-        Velocity constraints that are rounding errors.
-
-    Raises
-    ------
-    ValueError
-        The constraints contradict each other, or do not give what the user chose.
-    """
+    """Return the independent constraints, and the coordinates and speeds that follow from them."""
     states = GenericStates(equations, (), "the constraints")
     tables, every = _searched(states, near)
     _check_linear(equations, states, tables)

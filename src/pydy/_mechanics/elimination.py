@@ -31,18 +31,10 @@ from pydy._mechanics.planes import Detours, joined_turns, split, turn_of
 
 @dataclass(frozen=True)
 class Solution:
-    """Accelerations, and whether all pivots on the way were sound.
+    """Accelerations, and whether all pivots on the way were sound."""
 
-    Attributes
-    ----------
-    accelerations : list of nodes
-        u'.
-    sound : node
-        A truth value.
-    """
-
-    accelerations: list[int]
-    sound: int
+    accelerations: list[int]  # u'
+    sound: int  # A truth value
 
 
 @dataclass(frozen=True)

@@ -22,27 +22,14 @@ from pydy._names import name_of
 
 @dataclass(frozen=True, eq=False)
 class Mechanism:
-    """Bodies and loads as the user gave them; nothing is derived before it is asked for.
+    """Bodies and loads as the user gave them; nothing is derived before it is asked for."""
 
-    Attributes
-    ----------
-    frame : ReferenceFrame
-        The inertial frame.
-    bodies : tuple of Particle and RigidBody
-    loads : tuple of (Point, force Vector) and (ReferenceFrame, torque Vector)
-    known_energy : expression or None
-        The kinetic energy, where it was formed already.
-    joints : tuple of Joint
-        Those of SymPy that connect the bodies, where they are known.
-    lagrangian : expression or None
-        The kinetic energy less the potential one of all that is not among the loads.
-    """
-
-    frame: Any
+    frame: Any  # the inertial frame
     bodies: tuple[Any, ...]
     loads: tuple[tuple[Any, Any], ...] = ()
-    known_energy: Any = None
-    joints: tuple[Any, ...] = ()
+    known_energy: Any = None  # the kinetic energy, where it was formed already
+    joints: tuple[Any, ...] = ()  # those of SymPy that connect the bodies, where they are known
+    # The kinetic energy less the potential one of all that is not among the loads.
     lagrangian: Any = None
     _rotations: dict[Any, Any] = field(default_factory=dict, repr=False)
 
@@ -108,64 +95,37 @@ class Mechanism:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Equations:
-    """Equations of motion ``M u' = F`` with kinematics ``q' = G``, and what constrains them.
-
-    Attributes
-    ----------
-    time : sympy.Symbol
-    coordinates, speeds : tuple of functions of time
-    coordinate_rates, speed_rates : tuple of derivatives
-        The symbols q' and u'.
-    coordinate_derivatives : tuple of expressions
-        q' in terms of q, u and t.
-    mass_matrix : sympy.Matrix, shape (o, o)
-        Empty, like the forcing, where the equations are `formed`.
-    forcing : tuple of expressions
-    positive_definite : bool
-        Whether the mass matrix is symmetric positive definite by construction.
-    holonomic : tuple of expressions
-        Configuration constraints, zero when satisfied.
-    velocity : tuple of expressions
-        All velocity-level constraints, differentiated holonomic ones included.
-    nonholonomic : tuple of expressions
-        Those of `velocity` that no holonomic constraint implies.
-    dependent_coordinates, dependent_speeds : tuple of functions of time
-    auxiliary_speeds : tuple of functions of time
-        Speeds that exist only to bring noncontributing forces into evidence; zero in motion.
-    auxiliary_equations : tuple of expressions
-    mechanism : Mechanism or None
-        The bodies and loads behind the equations, where the method knows them.
-    formed : Formed or None
-        The equations of motion as nodes of a graph, formed from the bodies and loads.
-    multibody : Multibody or None
-        What the equations of motion can be formed from, where the method knows it.
-    enforced : tuple of int
-        The places of the holonomic constraints whose rates the velocity constraints imply.
-    repeated : tuple of expressions
-        The velocity constraints that follow from those and from `nonholonomic`.
-    """
+    """Equations of motion ``M u' = F`` with kinematics ``q' = G``, and what constrains them."""
 
     time: sm.Symbol
     coordinates: tuple[Any, ...]
     speeds: tuple[Any, ...]
-    coordinate_rates: tuple[Any, ...]
+    coordinate_rates: tuple[Any, ...]  # The symbols q' and u'
     speed_rates: tuple[Any, ...]
-    coordinate_derivatives: tuple[Any, ...]
-    mass_matrix: Any
+    coordinate_derivatives: tuple[Any, ...]  # q' in terms of q, u and t
+    mass_matrix: Any  # empty, like the forcing, where the equations are `formed`
     forcing: tuple[Any, ...]
+    # Whether the mass matrix is symmetric positive definite by construction.
     positive_definite: bool
-    holonomic: tuple[Any, ...] = ()
+    holonomic: tuple[Any, ...] = ()  # configuration constraints, zero when satisfied
+    # All velocity-level constraints, differentiated holonomic ones included.
     velocity: tuple[Any, ...] = ()
-    nonholonomic: tuple[Any, ...] = ()
+    nonholonomic: tuple[Any, ...] = ()  # those of `velocity` that no holonomic constraint implies
     dependent_coordinates: tuple[Any, ...] = ()
     dependent_speeds: tuple[Any, ...] = ()
+    # Speeds that exist only to bring noncontributing forces into evidence; zero in motion.
     auxiliary_speeds: tuple[Any, ...] = ()
     auxiliary_equations: tuple[Any, ...] = ()
     zeros: tuple[Any, ...] = field(default=(), repr=False)
+    # The bodies and loads behind the equations, where the method knows them.
     mechanism: Mechanism | None = field(default=None, repr=False)
+    # The equations of motion as nodes of a graph, formed from the bodies and loads.
     formed: Formed | None = field(default=None, repr=False)
+    # What the equations of motion can be formed from, where the method knows it.
     multibody: Multibody | None = field(default=None, repr=False)
+    # The places of the holonomic constraints whose rates the velocity constraints imply.
     enforced: tuple[int, ...] = ()
+    # The velocity constraints that follow from those and from `nonholonomic`.
     repeated: tuple[Any, ...] = ()
 
     def __repr__(self) -> str:

@@ -31,11 +31,6 @@ def equations_of_system(system: System, source: str | None = None) -> Equations:
     Where ``form_eoms()`` was called, they are those of its method. Else they are formed from its
     bodies: by Kane's equations, or, where its speeds are the derivatives of its coordinates, which
     KanesMethod refuses, by Lagrange's.
-
-    Parameters
-    ----------
-    system : sympy.physics.mechanics.System
-    source : {'graph', 'method'}, optional
     """
     read = _read(system.eom_method, source, lambda: _definition(system), lambda: _lagrange(system))
     if read.mechanism is None:
@@ -44,13 +39,7 @@ def equations_of_system(system: System, source: str | None = None) -> Equations:
 
 
 def equations_of_joints(method: JointsMethod, source: str | None = None) -> Equations:
-    """Return the equations of a JointsMethod, as those of a System.
-
-    Parameters
-    ----------
-    method : sympy.physics.mechanics.JointsMethod
-    source : {'graph', 'method'}, optional
-    """
+    """Return the equations of a JointsMethod, as those of a System."""
     bodies = [_plain(body) for body in method.bodies]
 
     def definition() -> Definition:
@@ -143,19 +132,7 @@ def _plain(body: Any) -> Any:
 
 @singledispatch
 def extract(eom_method: Any, source: str | None = None) -> Equations:
-    """Return the equations that a method object holds, or that its bodies and loads give.
-
-    Parameters
-    ----------
-    eom_method : object
-    source : {'graph', 'method'}, optional
-        See `pydy.system.System`.
-
-    Raises
-    ------
-    TypeError
-        There is no reader for an object of this type.
-    """
+    """Return the equations that a method object holds, or that its bodies and loads give."""
     raise TypeError(
         "`eom_method` must be a KanesMethod, LagrangesMethod or System of sympy.physics.mechanics, "
         f"or a pydy.mechanics.Definition, got an object of type {type(eom_method).__name__}."
@@ -175,13 +152,7 @@ def method_of(eom_method: Any) -> Any:
 
 
 def symbolic_matrices(equations: Equations, eom_method: Any) -> tuple[Any, Any]:
-    """Return the mass matrix and forcing as SymPy's expressions.
-
-    Raises
-    ------
-    NotImplementedError
-        The equations were formed on a graph, and the method has none of its own.
-    """
+    """Return the mass matrix and forcing as SymPy's expressions."""
     if equations.formed is not None and not len(equations.mass_matrix):
         try:
             equations = extract(method_of(eom_method), "method")

@@ -218,51 +218,32 @@ def _leaves(graph: Graph, nodes: Sequence[int]) -> list[int]:
 
 @dataclass(eq=False)
 class Formed:
-    """Equations of motion ``M u' = F`` and kinematics ``q' = G`` as nodes.
+    """Equations of motion ``M u' = F`` and kinematics ``q' = G`` as nodes."""
 
-    Attributes
-    ----------
-    graph : Graph
-        Its inputs are 'x' (coordinates, then speeds), 't', 'a' (derivatives of the speeds, in loads
-        that depend on them), 'p' and 'r' in the order of `constants` and `specifieds`.
-    constants, specifieds : list of symbols
-    rates : list of nodes
-        q'.
-    matrix : list of list of nodes
-        M; with dependent speeds the last rows are those of the acceleration constraints.
-    forcing : list of nodes
-    accelerations : list of nodes or None
-        u', where it is formed without the mass matrix of all speeds.
-    start : list of nodes
-        A part of u' that is known beforehand: with it the angular accelerations at u' = 0 vanish.
-    rest : list of nodes
-        F − M · start: u' is `start` and what this accelerates beyond.
-    kinetic : node
-        The kinetic energy.
-    honoured : tuple of points
-        Those with a velocity of the user's that is not the rate of their place.
-    in_one_frame : bool
-        Whether no vector had to be expressed in another frame: the choice of axes is none.
-    measures : tuple of nodes
-        What speeds move, and where: its constants are some of the equations', whether the form
-        needs them or not.
-    simplified : (graph, nodes) or None
-        q' and u' as simplification leaves them, in a graph of their own, where forms were counted.
-    """
-
+    # Its inputs are 'x' (coordinates, then speeds), 't', 'a' (derivatives of the speeds, in
+    # loads that depend on them), 'p' and 'r' in the order of `constants` and `specifieds`.
     graph: Graph
     constants: list[Any]
     specifieds: list[Any]
-    rates: list[int]
+    rates: list[int]  # q'
+    # M; with dependent speeds the last rows are those of the acceleration constraints.
     matrix: list[list[int]]
     forcing: list[int]
-    accelerations: list[int] | None
+    accelerations: list[int] | None  # u', where it is formed without the mass matrix of all speeds
+    # A part of u' that is known beforehand: with it the angular accelerations at u' = 0
+    # vanish.
     start: list[int]
-    rest: list[int]
-    kinetic: int
+    rest: list[int]  # F − M · start: u' is `start` and what this accelerates beyond
+    kinetic: int  # the kinetic energy
+    # Those with a velocity of the user's that is not the rate of their place.
     honoured: tuple[Any, ...] = ()
+    # Whether no vector had to be expressed in another frame: the choice of axes is none.
     in_one_frame: bool = False
+    # What speeds move, and where: its constants are some of the equations', whether the form
+    # needs them or not.
     measures: tuple[int, ...] = ()
+    # q' and u' as simplification leaves them, in a graph of their own, where forms were
+    # counted.
     simplified: tuple[Graph, list[int]] | None = None
 
     def inputs(self) -> set[tuple[str, int]]:
@@ -289,13 +270,7 @@ class Formed:
         return NodeExpression.of(self.graph, self.kinetic, symbols)
 
     def placed(self, constants: Sequence[Any], specifieds: Sequence[Any]) -> Formed:
-        """Return the same with the inputs in the order of arrays p and r.
-
-        Raises
-        ------
-        ValueError
-            A symbol of the equations is in neither.
-        """
+        """Return the same with the inputs in the order of arrays p and r."""
         needed = self.inputs()
         names: dict[tuple[str, int], tuple[str, int]] = {}
         for group, own, order in (
@@ -334,15 +309,6 @@ def forms(
     In the first form u' is left to a solve; in the second, the speeds are eliminated one by one,
     from the outer bodies to the inner ones. With dependent speeds, or with loads that depend on
     accelerations, there is only the first.
-
-    Parameters
-    ----------
-    body : Multibody
-    in_bodies : bool
-        Whether velocities of points are written in the frames of the bodies; else in the inertial
-        frame.
-    honoured : collection of points, optional
-        What `Formed.honoured` of the body's equations in other axes is: found out by default.
     """
     # With dependent speeds the constraints hold what is known of u' too: a rider's bicycle would
     # take 4,359 operations in place of 4,211.
@@ -549,16 +515,6 @@ def form_lagrangian(body: Multibody) -> Formed:
 
     With constraints, q'' follows from multipliers: that holds in every configuration, whatever
     speeds are dependent. M and F are reduced as Kane's.
-
-    Parameters
-    ----------
-    body : Multibody
-        With a Lagrangian, and the derivatives of the coordinates as speeds.
-
-    Raises
-    ------
-    ValueError
-        The Lagrangian holds second derivatives of coordinates.
     """
     kinematics = moving(body, in_bodies=True)
     g, read = kinematics.graph, kinematics.read

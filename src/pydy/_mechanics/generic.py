@@ -128,15 +128,8 @@ class GenericStates:
     ) -> Iterator[dict[str, np.ndarray]]:
         """Yield the values of blocks at states that keep the constraints, where all are finite.
 
-        Parameters
-        ----------
-        blocks : sequence of Block
-        trials : int
-        around : bool
-            Whether the search begins with angles all around the circle, to find all ways in which
-            a linkage can be assembled.
-        near : mapping of symbols to numbers, optional
-            Where the search begins.
+        The search begins `near` a configuration, or with angles all `around` the circle to find all
+        ways in which a linkage can be assembled.
         """
         inputs = self.consistent(trials, around=around, near=near)
         values = evaluator_of(self.graph, blocks)(*inputs)

@@ -46,20 +46,10 @@ def multibody_of_kane(kane: KanesMethod) -> Multibody:
 
 
 def equations_of_kane(kane: KanesMethod, source: str | None = None) -> Equations:
-    """Return the equations of a KanesMethod.
+    """Return the equations of a KanesMethod, formed from bodies and loads or its own.
 
-    Parameters
-    ----------
-    kane : KanesMethod
-    source : {'graph', 'method'}, optional
-        Whether the equations of motion are formed from bodies and loads, or those of
-        ``kanes_equations()``. By default, where that has been called, the former if they give the
-        same numbers.
-
-    Raises
-    ------
-    ValueError
-        The equations can be had neither way, or not in the one that is asked for.
+    Without `source`, where ``kanes_equations()`` has been called, the former are taken if they give
+    the same numbers.
     """
     called = kane._fr is not None and kane._frstar is not None
     if source == "method" and not called:

@@ -18,19 +18,6 @@ def equations_of_lagrange(method: LagrangesMethod, source: str | None = None) ->
     """Return the equations of a LagrangesMethod. The speeds are the derivatives q'.
 
     Constraints are solved for dependent coordinates and speeds, which come behind the others.
-
-    Parameters
-    ----------
-    method : LagrangesMethod
-    source : {'graph', 'method'}, optional
-        Whether the equations are formed from the Lagrangian, which is the default, or those of
-        ``form_lagranges_equations()``.
-
-    Raises
-    ------
-    ValueError
-        There are loads without a frame, constraints that contradict each other, or no equations
-        where the method's own are asked for.
     """
     if method.loads and method.inertial is None:
         raise ValueError(

@@ -33,26 +33,14 @@ _STATES = (0.37, 0.74, 1.13)  # from here the irregular states go at which rows 
 
 @dataclass(frozen=True)
 class Constraints:
-    """Constraints at the level of accelerations, J u' + b = 0, and what tells how well they hold.
+    """Constraints of accelerations, J u' + b = 0, and what tells how well they hold."""
 
-    Attributes
-    ----------
-    rows, drift : J and b
-        Rows may depend on each other, but must not contradict each other.
-    rank : int
-        So many rows, the first, are independent at generic states.
-    rates : J'
-    left : list of nodes
-        Residuals of the velocity constraints, J u.
-    places : list of (node, row)
-        Residuals of the holonomic constraints, and their derivatives along the speeds.
-    """
-
-    rows: list[list[int]]
+    rows: list[list[int]]  # Rows may depend on each other, but must not contradict each other
     drift: list[int]
-    rank: int
+    rank: int  # so many rows, the first, are independent at generic states
     rates: list[list[int]]
-    left: list[int]
+    left: list[int]  # residuals of the velocity constraints, J u
+    # Residuals of the holonomic constraints, and their derivatives along the speeds.
     places: list[tuple[int, list[int]]]
 
 
@@ -218,15 +206,7 @@ def _constrained(
 def multipliers_of(
     graph: Graph, rows: Sequence[list[int]], force: list[int], rank: int
 ) -> list[int]:
-    """Return λ with Jᵀ λ = f, the least where rows of J depend on each other.
-
-    Parameters
-    ----------
-    graph : Graph
-    rows, force : J and f
-    rank : int
-        So many rows are independent at generic states.
-    """
+    """Return λ with Jᵀ λ = f, the least where rows of J depend on each other."""
     m = len(rows)
     fast, sound = [graph.zero] * m, graph.boolean(False)
     if m == rank:

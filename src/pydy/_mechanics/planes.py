@@ -29,17 +29,11 @@ Groups = list[list[int]]
 
 @dataclass
 class Detours:
-    """Anchors between two frames, behind each of the plane rotations from one to the other.
+    """Anchors between two frames, behind each of the plane rotations from one to the other."""
 
-    Attributes
-    ----------
-    rows : dict of nodes to rows
-        Of anchors in the second frame, by those before the last rotation.
-    stages : dict of pairs of frames to (int, list of groups for each rotation)
-        The place of the first group that was handed on between two frames, and those between.
-    """
-
+    # Of anchors in the second frame, by those before the last rotation.
     rows: dict[int, Row] = field(default_factory=dict)
+    # The place of the first group that was handed on between two frames, and those between.
     stages: dict[tuple[Any, Any], tuple[int, list[Groups]]] = field(default_factory=dict)
 
     def add(
@@ -52,22 +46,7 @@ class Detours:
         vectors: tuple[list[int], list[int]],
         anchored: Callable[[list[int], Groups], list[int]],
     ) -> None:
-        """Let anchors be reached in plane rotations too.
-
-        Parameters
-        ----------
-        graph : Graph
-        rows : Rows
-        ends : pair of frames
-        places : (int, group)
-            Where the anchors' group is, and that.
-        rotations : sequence of matrices
-            Plane ones, from the one frame to the other.
-        vectors : pair of lists of nodes
-            Components in both frames.
-        anchored : callable
-            ``anchored(v, groups)`` makes anchors of components, and adds them to some groups.
-        """
+        """Let anchors be reached in plane rotations too."""
         place, group = places
         v, found = vectors
         *first, last = rotations
@@ -96,14 +75,6 @@ class Detours:
         """Return the anchors whose form is to be handed on in planes, with three components.
 
         The form of the outermost bodies is constant, and mostly diagonal: not theirs.
-
-        Parameters
-        ----------
-        graph : Graph
-        order : sequence of groups
-            The outer ones first.
-        own : mapping of nodes to rows
-            Of each anchor by those that it is made of, in one step.
         """
         varied: set[int] = set()
         found: set[int] = set()
@@ -200,20 +171,11 @@ def _plane(graph: Graph, axis: int, place: int, row: list[int]) -> Matrix | None
 
 @dataclass(frozen=True)
 class Turn:
-    """Two anchors that are two others, turned by an angle, up to signs.
+    """Two anchors that are two others, turned by an angle, up to signs."""
 
-    Attributes
-    ----------
-    columns : pair of nodes
-        The others, so that the first anchor has the cosine by the first of them.
-    signs : pair of floats
-        Of the columns: with these the rows are (c, s) and sign · (−s, c).
-    sign : float
-    cosine, sine : node
-    """
-
+    # The others, so that the first anchor has the cosine by the first of them.
     columns: tuple[int, int]
-    signs: tuple[float, float]
+    signs: tuple[float, float]  # of the columns: with these the rows are (c, s) and sign · (−s, c)
     sign: float
     cosine: int
     sine: int

@@ -40,14 +40,7 @@ _TRIALS = 3
 
 
 def is_potential_of(equations: Equations, potential: Any, powers: Sequence[Any]) -> bool:
-    """Return whether ``d potential/dt = -sum(powers)``.
-
-    Parameters
-    ----------
-    equations : Equations
-    potential : expression in q, t, constants and specifieds
-    powers : sequence of expressions in q, u, t, constants and specifieds
-    """
+    """Return whether ``d potential/dt = -sum(powers)``."""
     states = GenericStates(equations, (potential, *powers), "the energy")
     gained = states.rates([states.read(potential)])
     lost = states.graph.sum([(n, 1.0) for n in (*gained, *states.read.all(powers))])
@@ -73,21 +66,13 @@ def _vanish(states: GenericStates, nodes: Sequence[int]) -> bool:
 
 @dataclass
 class Potential:
-    """What is known about the potential energy.
+    """What is known about the potential energy."""
 
-    Attributes
-    ----------
-    expression : expression
-        Of the loads that were recognised, in terms of q, t, constants and specifieds.
-    unknown : list of str
-        The loads that depend on the configuration but could not be recognised, for messages.
-    advice : str
-        What they lack.
-    """
-
+    # Of the loads that were recognised, in terms of q, t, constants and specifieds.
     expression: Any = sm.S.Zero
+    # The loads that depend on the configuration but could not be recognised, for messages.
     unknown: list[str] = field(default_factory=list)
-    advice: str = ""
+    advice: str = ""  # what they lack
 
 
 _NO_PLACE = (

@@ -27,61 +27,33 @@ Way = tuple[Any, tuple[Any, ...]]
 
 @dataclass(frozen=True, eq=False)
 class Multibody:
-    """Bodies, loads and kinematics: what equations of motion are formed from.
+    """Bodies, loads and kinematics: what equations of motion are formed from."""
 
-    Attributes
-    ----------
-    frame : ReferenceFrame
-        The inertial frame.
-    bodies : tuple of Particle and RigidBody
-    loads : tuple of (Point, force Vector) and (ReferenceFrame, torque Vector)
-    time : Symbol
-    coordinates, speeds : tuple of functions of time
-        Of the speeds the dependent ones are last.
-    coordinate_rates : tuple of derivatives
-    coordinate_derivatives : tuple of expressions
-        q' in q, u and t.
-    holonomic : tuple of expressions
-        Configuration constraints, zero when satisfied.
-    velocity : tuple of expressions
-        Velocity constraints, one for each dependent speed.
-    acceleration : tuple of expressions
-        Their derivatives, in u' and the states; empty where they are just that.
-    auxiliary : tuple of functions of time
-        Auxiliary speeds.
-    dependent_coordinates, dependent_speeds : tuple of functions of time
-        Of the coordinates and speeds, where they are last.
-    chosen : tuple of functions of time
-        Those of the dependent ones that the user did not name.
-    lagrangian : expression or None
-        In place of bodies; the speeds are then the derivatives of the coordinates.
-    redundant : tuple of expressions
-        More velocity constraints, which follow from the others at generic states.
-    closed : tuple of expressions
-        More holonomic constraints, which follow from the others wherever their speeds do.
-    changing : bool
-        Whether no choice of dependent speeds is to be relied on: the rank of the constraints, or
-        what they can be solved for, may change as the system moves.
-    """
-
-    frame: Any
+    frame: Any  # the inertial frame
     bodies: tuple[Any, ...]
     loads: tuple[tuple[Any, Any], ...]
     time: Any
-    coordinates: tuple[Any, ...]
+    coordinates: tuple[Any, ...]  # Of the speeds the dependent ones are last
     speeds: tuple[Any, ...]
     coordinate_rates: tuple[Any, ...]
-    coordinate_derivatives: tuple[Any, ...]
-    holonomic: tuple[Any, ...] = ()
-    velocity: tuple[Any, ...] = ()
+    coordinate_derivatives: tuple[Any, ...]  # q' in q, u and t
+    holonomic: tuple[Any, ...] = ()  # configuration constraints, zero when satisfied
+    velocity: tuple[Any, ...] = ()  # velocity constraints, one for each dependent speed
+    # Their derivatives, in u' and the states; empty where they are just that.
     acceleration: tuple[Any, ...] = ()
-    auxiliary: tuple[Any, ...] = ()
+    auxiliary: tuple[Any, ...] = ()  # auxiliary speeds
+    # Of the coordinates and speeds, where they are last.
     dependent_coordinates: tuple[Any, ...] = ()
     dependent_speeds: tuple[Any, ...] = ()
-    chosen: tuple[Any, ...] = ()
+    chosen: tuple[Any, ...] = ()  # those of the dependent ones that the user did not name
+    # In place of bodies; the speeds are then the derivatives of the coordinates.
     lagrangian: Any = None
+    # More velocity constraints, which follow from the others at generic states.
     redundant: tuple[Any, ...] = ()
+    # More holonomic constraints, which follow from the others wherever their speeds do.
     closed: tuple[Any, ...] = ()
+    # Whether no choice of dependent speeds is to be relied on: the rank of the constraints,
+    # or what they can be solved for, may change as the system moves.
     changing: bool = False
 
     @cached_property
@@ -91,15 +63,7 @@ class Multibody:
 
 
 def read_loads(loads: Iterable[Any]) -> tuple[tuple[Any, Any], ...]:
-    """Return loads as pairs of a point and a force, or a frame and a torque.
-
-    Raises
-    ------
-    TypeError
-        A load is neither a pair nor has a method `to_loads`, or its force is no vector.
-    ValueError
-        A pair does not begin with a point or a frame.
-    """
+    """Return loads as pairs of a point and a force, or a frame and a torque."""
     found: list[tuple[Any, Any]] = []
     for load in loads:
         if hasattr(load, "to_loads"):
@@ -140,15 +104,7 @@ def is_rigid(body: Any) -> bool:
 
 
 def check_bodies(bodies: Iterable[Any]) -> tuple[Any, ...]:
-    """Return bodies as a tuple.
-
-    Raises
-    ------
-    TypeError
-        One is no body; the message names it.
-    ValueError
-        An inertia is not symmetric.
-    """
+    """Return bodies as a tuple."""
     found = tuple(bodies)
     for body in found:
         if not isinstance(body, (RigidBody, Particle)):
@@ -258,13 +214,7 @@ class Tree:
     # -- frames -----------------------------------------------------------------------------------
 
     def parent(self, frame: Any) -> Any:
-        """Return the next frame on the way to the inertial one, None for that itself.
-
-        Raises
-        ------
-        ValueError
-            The frame has no orientation in the inertial frame.
-        """
+        """Return the next frame on the way to the inertial one, None for that itself."""
         if frame not in self.oriented:
             raise ValueError(
                 f"The frame {frame} has no orientation in the inertial frame {self.inertial}. "
@@ -313,17 +263,6 @@ class Tree:
         The vectors lead to a point whose motion is known without this one's: a given velocity can
         then be compared with that of the place. None is shorter than one whose components are
         speeds: that is a root. A point without one hangs on the nearest that has one, as in SymPy.
-
-        Parameters
-        ----------
-        points : iterable of points
-        roles : mapping of points to str
-            What they are there for, for messages.
-
-        Raises
-        ------
-        ValueError
-            A point has neither a velocity nor a place from a point that has one.
         """
         wanted = list(dict.fromkeys(points))
         seen = list(_breadth_first_from(wanted))

@@ -48,31 +48,14 @@ _LARGEST = 3
 
 @dataclass(frozen=True)
 class Group:
-    """Unknowns that are solved for together.
-
-    Attributes
-    ----------
-    unknowns : tuple of int
-    determinant : node
-        By minors.
-    size : node
-        Its absolute value, in whatever way it was found.
-    """
+    """Unknowns that are solved for together."""
 
     unknowns: tuple[int, ...]
-    determinant: int
-    size: int
+    determinant: int  # by minors
+    size: int  # its absolute value, in whatever way it was found
 
     def clear(self, graph: Graph, spread: int | None = None) -> int:
-        """Return whether the determinant is not small beside what it is at other states.
-
-        Parameters
-        ----------
-        graph : Graph
-        spread : node, optional
-            The squares of determinants with other unknowns, in units of the square of this one, and
-            one: any of them is enough for the rows to be independent.
-        """
+        """Return whether the determinant is not small beside what it is at other states."""
         if graph.constant[self.determinant]:
             return graph.boolean(True)
         (usual,) = usual_sizes(graph, [graph.call("abs", self.determinant)])
@@ -224,33 +207,16 @@ _RANGES = {"x": (-1.0, 1.0), "t": (0.0, 1.0), "r": (0.5, 1.5), "p": (0.5, 1.5)}
 
 
 class Spread(NamedTuple):
-    """What is done about motions that are nearly parallel.
+    """What is done about motions that are nearly parallel."""
 
-    Attributes
-    ----------
-    apart : list of int
-        The independent speeds to take apart from one another.
-    loose : set of int
-        The dependent speeds, of d, that these motions mostly consist of.
-    """
-
-    apart: list[int]
-    loose: set[int]
+    apart: list[int]  # the independent speeds to take apart from one another
+    loose: set[int]  # the dependent speeds, of d, that these motions mostly consist of
 
 
 def nearly_parallel(
     graph: Graph, matrix: Sequence[Sequence[int]], rows: Sequence[Sequence[int]]
 ) -> Spread:
-    """Return which independent speeds are to be taken apart from one another.
-
-    Parameters
-    ----------
-    graph : Graph
-    matrix : n lists of n nodes
-        M.
-    rows : d lists of n nodes
-        The constraints K u' + b = 0, which give the last d speeds.
-    """
+    """Return which independent speeds are to be taken apart from one another."""
     n, d = len(matrix), len(rows)
     p = n - d
     none = Spread([], set())
