@@ -31,6 +31,8 @@ class Columns:
             for kind in KINDS
         }
         self.symbols = list(self.of(*KINDS))
+        # of the tables of states, outputs and specifieds
+        self.widths = len(self.of(*STATES)), len(self.of(*OUTPUTS)), len(self.of("specified"))
         self.names = unique_names(self.symbols)
         self.latex_by_name: dict[str, str] = {}  # what is known of it already
         self._place = {s: k for k, s in reversed(list(enumerate(self.symbols)))}
@@ -327,9 +329,10 @@ class Trajectory:
             raise ValueError(f"`times` must be one-dimensional and ascending, got {shown(times)}.")
         m = len(self.times)
         self._columns = symbols if isinstance(symbols, Columns) else Columns(symbols)
-        self.states = checked_table("states", states, m, len(self.state_symbols))
-        self.outputs = checked_table("outputs", outputs, m, len(self.outputs_symbols))
-        self.specifieds = checked_table("specifieds", specifieds, m, len(self.specifieds_symbols))
+        widths = self._columns.widths
+        self.states = checked_table("states", states, m, widths[0])
+        self.outputs = checked_table("outputs", outputs, m, widths[1])
+        self.specifieds = checked_table("specifieds", specifieds, m, widths[2])
         self.constants = {
             symbol: number(value, f"`constants[{symbol}]`")
             for symbol, value in check_mapping("constants", constants).items()

@@ -250,10 +250,12 @@ class CompiledModel:
         ``compiled('kinetic_hessian')`` is the mass matrix of all speeds, before any constraint
         reduces it; it is assembled only when asked for, as is ``'kinetic_energy'``.
         """
-        if self.solver is None or not self.assembly.open.keys() & set(blocks):
-            return self.compiled_by(blocks, lambda: self.program(*blocks))
         kernel = self._kernels.get(blocks)
-        if kernel is None:
+        if kernel is not None:
+            return kernel
+        if self.solver is None or not self.assembly.open.keys() & set(blocks):
+            kernel = self.backend.compile(self.program(*blocks))
+        else:
             assembly, what = self.assembly, f"{', '.join(blocks)} given accelerations"
             rest = stored_program(assembly, what, lambda: assembly.open_program(*blocks))
             kernel = with_external_solver(
@@ -262,7 +264,7 @@ class CompiledModel:
                 self.solver,
                 self.backend.compile(rest),
             )
-            self._kernels[blocks] = kernel
+        self._kernels[blocks] = kernel
         return kernel
 
     def program(self, *blocks: str) -> Program:

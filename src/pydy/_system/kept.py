@@ -63,9 +63,8 @@ class Motion:
     def at(
         self, t: np.ndarray, x: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
-        """Return t, x, r and p."""
-        r = self.now.plan.rows(x, t)
-        return t, x, np.broadcast_to(r, (len(t), r.shape[1])), self.now.p
+        """Return t, x, r and p; r has one row where it is the same for all."""
+        return t, x, self.now.plan.rows(x, t), self.now.p
 
     @property
     def some(self) -> tuple[np.ndarray, np.ndarray]:
@@ -75,8 +74,9 @@ class Motion:
         """
         found = np.flatnonzero(np.isfinite(self.states).all(axis=1))
         found = found[int(self.projected and len(found) > 1) :]
-        few = found[np.unique(np.linspace(0, len(found) - 1, min(len(found), TRIED)).astype(int))]
-        return self.times[few], np.ascontiguousarray(self.states[few])
+        if len(found) > TRIED:
+            found = found[np.unique(np.linspace(0, len(found) - 1, TRIED).astype(int))]
+        return self.times[found], np.ascontiguousarray(self.states[found])
 
     @property
     def resets(self) -> list[EventRecord]:

@@ -103,8 +103,9 @@ def evaluated_rows(
     m, least = len(t), ROUNDING / DIGITS
     small = np.abs(x) < least
     if small.any():  # the sizes are those of other states, which follow the first ones
-        moved, r = np.where(small, np.copysign(least, x), x), np.broadcast_to(r, (m, r.shape[1]))
-        at = np.concatenate([t, t]), np.concatenate([x, moved]), np.concatenate([r, r]), p
+        moved = np.where(small, np.copysign(least, x), x)
+        r = np.concatenate([r, r]) if len(r) == m > 1 else r
+        at = np.concatenate([t, t]), np.concatenate([x, moved]), r, p
     found = model.interpreted(rows, at)
     return found["rows"][:m], found["sizes"][-m:]
 

@@ -227,7 +227,7 @@ class Setup:
         definition = self._defined({**self._constants, **more} if more else self._constants)
         if events is not None:
             found = self._define.constants_of(definition, events)
-            definition = self._define.widened(definition, found)
+            definition = self._define.widened(definition, found) if found else definition
         made = self._compiled(definition)
         user = {
             "constants": dict(self._constants),

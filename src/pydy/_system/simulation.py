@@ -273,7 +273,7 @@ class Simulation(Setup):
         now, solver = self._now(solver_kwargs.get("events")), self.ode_solver
         full = solver_kwargs.get("full_output", False)
         if solver is scipy.integrate.odeint or isinstance(solver, (Solver, SolveIvp)):
-            full = flag(full, "`full_output`")
+            full = full is True or (full is not False and flag(full, "`full_output`"))
         return _solve(now, solver, solver_kwargs, checked=not full)
 
     def simulate(

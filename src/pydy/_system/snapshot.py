@@ -118,6 +118,8 @@ class Snapshot:
     @cached_property
     def driven(self) -> CompiledModel:
         """The model with the expressions for specifieds compiled in."""
+        if not self.plan.expressions:
+            return self.model
         return driven(self.model, self.definition, self.plan)
 
     # -- values for one call ----------------------------------------------------------------------

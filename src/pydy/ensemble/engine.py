@@ -51,9 +51,18 @@ class Ensemble:
 
     def run(self) -> Any:
         """Return the Dataset, computed on threads."""
+        shape, model = self.samples.shape, self.work.model
+        # Small enough that all threads end at about the same time; sizes decide no bit.
+        share = -(-self.samples.size // (4 * self._threads()))
+        number = max(_LEAST, min(prod(self.sizes), share)) if model.in_lanes else _ONE_BY_ONE
+        sizes = block_sizes(self.samples.dims, number, number)
+        left = [block for _, block in self.samples.blocks(sizes)]
+        if len(left) == 1 and model.in_lanes and not self.progress:  # interrupts are heeded here
+            done = _Here().submit(self.work, self.samples)
+            _check(done, left[0], self.samples)
+            return self._dataset(done.result())
         whole: dict[str, Variable] = {}
         lock = Lock()
-        shape, model = self.samples.shape, self.work.model
         states = None
         if not self.work.reductions:  # each block writes its states where they belong
             states = np.empty((len(model.states), self.samples.size, len(model.times)))
@@ -80,11 +89,6 @@ class Ensemble:
             with lock:
                 left.remove(block)
 
-        # Small enough that all threads end at about the same time; sizes decide no bit.
-        share = -(-self.samples.size // (4 * self._threads()))
-        number = max(_LEAST, min(prod(self.sizes), share)) if model.in_lanes else _ONE_BY_ONE
-        sizes = block_sizes(self.samples.dims, number, number)
-        left = [block for _, block in self.samples.blocks(sizes)]
         try:
             self._on_threads(tuple(left), do)
         except KeyboardInterrupt:
@@ -132,8 +136,7 @@ class Ensemble:
     ) -> None:
         """Call ``do(block, stop)`` for each block; it ends soon when ``stop()`` is true."""
         stop, bar = Event(), self._bar(blocks)
-        alone = len(blocks) == 1 and self.work.model.in_lanes  # it heeds an interrupt here as well
-        workers = 0 if alone else _startable(min(self._threads(), len(blocks)))
+        workers = _startable(min(self._threads(), len(blocks)))
         most = max(1, 2 * workers)
         todo = iter(blocks)
         running: dict[Future[None], Block] = {}

@@ -164,6 +164,9 @@ _LOCK = _forks.Lock()
 def _kernel(program: Program | SplitProgram, lanes: int) -> Any:
     """Return the Kernel of a Program, compiled or loaded once in a process."""
     key = (program.digest, lanes)
+    known = _KERNELS.get(key)
+    if known is not None:
+        return known
     with _LOCK:
         if key not in _KERNELS:
             while len(_KERNELS) >= _KEPT:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
 from types import FunctionType
 from typing import TYPE_CHECKING, Any, Literal, overload
 
@@ -292,6 +291,8 @@ class Prepared:
         The initial state it was prepared with.
     reusable : bool
         Whether `rebind` may make it another call's.
+    renumber : callable
+        ``renumber(p, r, times)`` takes other numbers, where it may, and tells whether.
     """
 
     def __init__(self, integration: Integration, x0: np.ndarray) -> None:
@@ -302,6 +303,7 @@ class Prepared:
         self._shape = x0.shape
         self._run = integration.run
         self.reusable = integration.reusable
+        self.renumber = integration.renumber
 
     def __call__(self, x0: ArrayLike) -> np.ndarray:
         """Return the states at the prepared times, shape (m, n), from another initial state.
@@ -338,11 +340,6 @@ class Prepared:
     def rebind(self, call: Any, times: np.ndarray) -> bool:
         """Take other times and another call of the same function, or return False."""
         return self._integration.rebind(call, times)
-
-    def renumber(self, p: np.ndarray, r: np.ndarray, times: np.ndarray) -> bool:
-        """Take other numbers for the same call, where it is native, or return False."""
-        call = self._integration.call
-        return call is not None and self._integration.rebind(replace(call, p=p, r=r), times)
 
     @property
     def info(self) -> dict[str, Any]:

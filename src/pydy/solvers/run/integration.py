@@ -220,6 +220,10 @@ class Integration:
         self.call, self.span = call, float(times[-1] - times[0])
         return True
 
+    def renumber(self, p: np.ndarray, r: np.ndarray, times: np.ndarray) -> bool:
+        """Take other times and other numbers for the same call, or return False."""
+        return self.call is not None and self.rebind(replace(self.call, p=p, r=r), times)
+
     def run(self, x0: np.ndarray) -> np.ndarray:
         """Run to the end and return the states.
 

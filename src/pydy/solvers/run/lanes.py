@@ -104,7 +104,7 @@ def integrate_samples(
         rtol=rtol,
         atol=atol,
     )
-    lanes = Lanes(**{name: lined_up(LANES) for name in Lanes._fields})._replace(
+    lanes = Lanes(*lined_up(len(Lanes._fields), LANES))._replace(
         samples=np.full(LANES, at.LANES_VACANT), place=np.zeros(LANES, dtype=np.int64)
     )
     queue = Queue(

@@ -55,13 +55,14 @@ class Bound:
         assert addresses is not None
         self.address, self._prepare = addresses[0], _prepare(addresses[1])
         self.c = np.zeros(max(1, len(kernel.program.carried)))
-        self._place = address(self.c)
+        self._p = np.empty(np.shape(p))
+        self._places = address(self._p), address(self.c)
         self.take(p)
 
     def take(self, p: np.ndarray) -> None:
         """Compute what depends on the constants, of other ones."""
-        p = np.ascontiguousarray(p, dtype=float)
-        self._prepare(address(p), self._place)
+        self._p[:] = p
+        self._prepare(*self._places)
 
 
 def lined_up(*shape: int) -> np.ndarray:

@@ -95,9 +95,10 @@ class Workspace:
         times: np.ndarray,
         args: tuple[Any, ...],
         options: Options,
-        interrupts: Interrupts,
+        interrupts: Interrupts | None = None,
     ) -> None:
-        self.name, self.n, self.options, self.interrupts = method, n, options, interrupts
+        self.name, self.n, self.options = method, n, options
+        self.interrupts = interrupts or Interrupts()
         self._f, self._args = f, args
         self.callbacks: list[Callback] = []
         self._bound: list[Bound] = []
@@ -166,8 +167,7 @@ class Workspace:
         f, options, times = self._f, replace(self.options, dense_output=False), self.progress.times
         if self.call is not None:
             f = replace(self.call, p=self.call.p.copy(), r=self.call.r.copy())
-        args = (self.name, f, self.n, times[:1].copy(), self._args, options, Interrupts())
-        return partial(Workspace, *args)
+        return partial(Workspace, self.name, f, self.n, times[:1].copy(), self._args, options)
 
     def forget_steps(self) -> None:
         """Begin with no kept steps, and room for them."""
