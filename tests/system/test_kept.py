@@ -142,6 +142,41 @@ def test_units_make_no_difference(metre):
     system.integrate(constraints="project", rtol=1e-6, atol=1e-6)
 
 
+@pytest.mark.parametrize(("second", "metre"), [(1e-8, 1e7), (1.0, 1.0), (1e-6, 1e-9)])
+def test_what_is_left_of_a_force_that_a_constraint_holds_is_sound(second, metre):
+    """Tolerances below rounding errors explain none of it; beside the motion it is nothing."""
+    x, y, u, v = me.dynamicsymbols("x y u v")
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    bodies = []
+    for name, place, speed in (("held", x, u), ("free", y, v)):
+        point = origin.locatenew(name, place * frame.x)
+        point.set_vel(frame, speed * frame.x)
+        bodies.append(me.Particle(name, point, 2))
+    system = System(
+        Definition(
+            frame, [x, y], [u, v], bodies=bodies, kinematic_equations=[x.diff() - u, y.diff() - v],
+            loads=[(body.masscenter, 3e8 * metre / second**2 * frame.x) for body in bodies],
+            holonomic_constraints=[sm.sin(x / metre) - 0.6],
+        ),
+        times=np.array([0.0, 0.02 * second]),
+    )  # fmt: skip
+    place, rate = np.arcsin(0.6) * metre, metre / second
+    states = np.array([[place, 0.0, 0.0, rate], [place, 0.0, 0.0, rate]])
+    states = states[:, [[x, y, u, v].index(s) for s in system.states]]
+    held = system.states.index(u)
+    options = {"rtol": 1e-12, "atol": 1e-13 * min(metre, rate)}
+    for share, sound in ((1e-9, True), (1e-6, False)):
+        states[1, held] = share * rate
+        info = {"steps": 1, "method": "dop853"}
+        motion = Motion(system._now(), system.times, states, options, info, mended=False)
+        if sound:
+            check_kept(motion)
+            continue
+        with pytest.raises(IntegrationError, match="left the constraints"):
+            check_kept(motion)
+
+
 # -- causes ---------------------------------------------------------------------------------------
 
 

@@ -114,22 +114,32 @@ class EnergyModel:
         ValueError
             They are not known, or hold what the equations of motion do not.
         """
-        kinetic, potential = self.kinetic, self.potential
-        mechanism = self.equations.mechanism
+        kinetic, potential = self._in(layout, self._moving, self.potential)
+        return kinetic, potential
+
+    def moving(self, layout: Layout) -> Any:
+        """Return the kinetic energy likewise, whether or not the loads have a potential."""
+        return self._in(layout, self._moving)[0]
+
+    @property
+    def _moving(self) -> Any:
+        kinetic, mechanism = self.kinetic, self.equations.mechanism
         if mechanism is not None and mechanism.known_energy is not None:
-            kinetic = mechanism.known_energy
+            return mechanism.known_energy
+        return kinetic
+
+    def _in(self, layout: Layout, *energies: Any) -> list[Any]:
         ones = dict.fromkeys({*self.symbols} - {*layout.constants}, sm.Float(1.0))
-        if ones:
-            kinetic, potential = (replace_symbols(e, ones) for e in (kinetic, potential))
+        found = [replace_symbols(e, ones) if ones else e for e in energies]
         known = {*layout.states, *layout.constants, *layout.specifieds, self.equations.time}
         known.update(self.equations.coordinate_rates)
-        missing = [s for s in find_symbols([kinetic, potential]) if s not in known]
+        missing = [s for s in find_symbols(found) if s not in known]
         if missing:
             raise ValueError(
                 f"The energy holds {describe(missing)}, which the equations of motion do not. Give "
                 "the motion as an expression of time, or these values beside it, in `specifieds`."
             )
-        return kinetic, potential
+        return found
 
     def kernel(self, model: CompiledModel) -> Kernel:
         """Return the Kernel of kinetic, potential and total energy."""
