@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from pydy._backends.c.source import c_functions
-from pydy.export.model import Model, Variable
+from pydy.export.model import Model, Variable, plain_text
 
 # What any header may define: macros are written in capitals. Those in small letters are reserved
 # in all formats; B0 and the like are in termios.h.
@@ -144,7 +144,7 @@ def c_comment(lines: Sequence[str]) -> str:
 
 
 def _harmless(text: str) -> str:
-    plain = "".join(c if c.isprintable() else " " for c in text).replace("\\", "/")
+    plain = plain_text(text).replace("\\", "/")
     return plain.replace("*/", "* /").replace("/*", "/ *").replace("??", "? ?")
 
 

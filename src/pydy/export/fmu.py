@@ -26,7 +26,7 @@ from pydy._files import replacing
 from pydy._processes import output_of, started
 from pydy._version import __version__
 from pydy.export.c import c_header, c_literal, c_model_source, c_string
-from pydy.export.model import Model, resource
+from pydy.export.model import Model, plain_text, resource
 from pydy.solvers.core.declarations import included, layout_header
 from pydy.solvers.run.layout import DEPTH
 from pydy.solvers.tableaus import method_arrays
@@ -188,11 +188,6 @@ def _platform(fmi: str) -> tuple[str, str]:
 # -- the description ------------------------------------------------------------------------------
 
 
-def _plain(name: str) -> str:
-    """Return a name without the characters that XML or UTF-8 forbid."""
-    return "".join(c if c.isprintable() else " " for c in name)
-
-
 def _attributes(**values: Any) -> str:
     """Return attributes of an element; those that are None are left out."""
     return "".join(f" {k}={quoteattr(str(v))}" for k, v in values.items() if v is not None)
@@ -203,7 +198,7 @@ def _rows(model: Model) -> Iterator[tuple[str, str, dict[str, Any]]]:
     taken = {"time"}
 
     def own(name: str) -> str:
-        plain = chosen = _plain(name)
+        plain = chosen = plain_text(name)
         number = 2
         while chosen in taken:
             chosen = f"{plain} {number}"
@@ -272,7 +267,7 @@ def model_description(model: Model, fmi: str, token: str) -> str:
     words, new = _WORDS[fmi], fmi == "3.0"
     head = {
         "fmiVersion": fmi,
-        "modelName": _plain(model.title),
+        "modelName": plain_text(model.title),
         words.token: token,
         "generationTool": f"pydy {__version__}",
         "variableNamingConvention": "flat",

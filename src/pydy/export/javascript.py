@@ -12,7 +12,7 @@ from typing import Any
 from pydy._backends.writer import Dialect, Each, Template, Writer, stages
 from pydy._graph.program import Program
 from pydy._graph.tuning import numbered
-from pydy.export.model import Model, Variable, resource
+from pydy.export.model import Model, Variable, plain_text, resource
 from pydy.solvers.run.layout import ALPHA, BETA, EXPONENT
 from pydy.solvers.tableaus import method_arrays, tableau_of
 from pydy.solvers.tuning import ROUNDINGS
@@ -137,8 +137,7 @@ def literal(value: Any) -> str:
 
 def javascript_module(model: Model, head: Sequence[str]) -> str:
     """Return an ECMAScript module with the functions of a model, and a comment at the top."""
-    plain = ("".join(c if c.isprintable() else " " for c in line) for line in head)
-    comment = "\n".join(f"// {line}".rstrip() for line in plain)
+    comment = "\n".join(f"// {plain_text(line)}".rstrip() for line in head)
     return f"""{comment}
 
 const model = {javascript_object(model)};

@@ -23,6 +23,11 @@ def resource(name: str) -> str:
     return (files("pydy.export") / "templates" / name).read_text(encoding="utf-8")
 
 
+def plain_text(text: str) -> str:
+    """Return a text with blanks for the characters that files of some kind cannot have."""
+    return "".join(c if c.isprintable() else " " for c in text)
+
+
 # -- The model -------------------------------------------------------------------------------------
 
 

@@ -22,7 +22,7 @@ from pydy._version import __version__
 from pydy.export.c import c_header, c_model_source, with_c_names
 from pydy.export.fmu import write_fmu
 from pydy.export.javascript import javascript_module
-from pydy.export.model import Exported, Model, Variable, resource
+from pydy.export.model import Exported, Model, Variable, plain_text, resource
 
 # -- A model as Python functions that need NumPy or JAX, but not pydy ------------------------------
 
@@ -99,7 +99,7 @@ def python_source(model: Model, target: str, head: Sequence[str]) -> str:
 
 
 def _harmless(text: str) -> str:
-    return "".join(c if c.isprintable() else " " for c in text).replace("\\", "/").replace('"', "'")
+    return plain_text(text).replace("\\", "/").replace('"', "'")
 
 
 def _dictionary(variables: Sequence[Variable]) -> str:
