@@ -13,7 +13,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any, NamedTuple
 
 from pydy._graph.collector import collector_paused
-from pydy._graph.derivative import Guards, has_other_ways, jacobian
+from pydy._graph.derivative import jacobian
 from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.jacobian_columns import JacobianColumns, columns_program, worthwhile_parts
 from pydy._graph.lower import lower
@@ -172,30 +172,22 @@ class Assembly:
         nodes: list[int] = getattr(own, name)
         return own.lowered([(name, (len(nodes),), nodes)], own.graph, bounded=name)
 
-    def jacobian_program(
-        self, name: str, by: str | Sequence[tuple[str, int]], guards: Guards = "checked"
-    ) -> Program:
+    def jacobian_program(self, name: str, by: str | Sequence[tuple[str, int]]) -> Program:
         """Return the Program of a block's Jacobian."""
         graph, nodes = self.simplified(name)
         places = self._places(by)
-        return derivative_program(
-            graph, nodes, places, "jacobian", self.sizes, self.passes, guards=guards
-        )
-
-    def has_other_ways(self, name: str) -> bool:
-        """Return whether it matters for a block how guards are differentiated; see `Guards`."""
-        return has_other_ways(self.graph, getattr(self, name))
+        return derivative_program(graph, nodes, places, "jacobian", self.sizes, self.passes)
 
     def jacobian_in_parts(
-        self, name: str, by: str | Sequence[tuple[str, int]], guards: Guards = "checked"
+        self, name: str, by: str | Sequence[tuple[str, int]]
     ) -> Program | JacobianColumns:
         """Return the same in parts, where that is less work; see `JacobianColumns`."""
         graph, nodes = self.simplified(name)
         places = self._places(by)
         parts = worthwhile_parts(graph, nodes, [graph.input(*place) for place in places])
         if not parts:
-            return self.jacobian_program(name, by, guards)
-        return columns_program(graph, nodes, places, self.sizes, self.passes, parts, guards)
+            return self.jacobian_program(name, by)
+        return columns_program(graph, nodes, places, self.sizes, self.passes, parts)
 
     def _places(self, by: str | Sequence[tuple[str, int]]) -> Sequence[tuple[str, int]]:
         if not isinstance(by, str):

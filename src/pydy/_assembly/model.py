@@ -6,8 +6,6 @@ import hashlib
 import sys
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
-from functools import cache
-from math import isnan
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -25,7 +23,6 @@ from pydy._backends.registry import compile_program
 from pydy._checks import real_array, shown
 from pydy._errors import SingularMatrixError
 from pydy._forks import cached_property
-from pydy._graph.derivative import Guards
 from pydy._graph.interpret import run
 from pydy._graph.jacobian_columns import JacobianColumns
 from pydy._graph.lower import lower
@@ -279,67 +276,42 @@ class CompiledModel:
             self._programs[blocks] = known
         return known
 
-    def jacobian_program(
-        self, block: str, by: str | tuple[tuple[str, int], ...], guards: Guards = "checked"
-    ) -> Program:
+    def jacobian_program(self, block: str, by: str | tuple[tuple[str, int], ...]) -> Program:
         """Return the Program of a Jacobian, made at most once; see `Assembly.jacobian_program`."""
-        key, assembly = (f"{block} by {by}, {guards}",), self.assembly
+        key, assembly = (f"{block} by {by}",), self.assembly
         known = self._programs.get(key)
         if known is None:
             known = self._programs[key] = stored_program(
-                assembly, key[0], lambda: assembly.jacobian_program(block, by, guards)
+                assembly, key[0], lambda: assembly.jacobian_program(block, by)
             )
         return known
 
-    def compiled_jacobian(
-        self, block: str, by: str | tuple[tuple[str, int], ...], *, checked: bool = True
-    ) -> Kernel:
+    def compiled_jacobian(self, block: str, by: str | tuple[tuple[str, int], ...]) -> Kernel:
         """Return the Kernel of a Jacobian; see `Assembly.jacobian_program`.
 
         A back end with a method ``compile_jacobian`` may take several columns at a time.
         """
-        if checked or not self.assembly.has_other_ways(block):
-            return self.kernel_by((block, "by", by), lambda: self._jacobian(block, by, "checked"))
-        key = (block, "by", by, "as found")
-        return self.kernel_by(key, lambda: self._jacobian(block, by, "as found"))
+        return self.kernel_by((block, "by", by), lambda: self._jacobian(block, by))
 
-    def _jacobian(
-        self, block: str, by: str | tuple[tuple[str, int], ...], guards: Guards
-    ) -> Kernel:
+    def _jacobian(self, block: str, by: str | tuple[tuple[str, int], ...]) -> Kernel:
         assembly = self.assembly
 
         def whole() -> Program:
-            return self.jacobian_program(block, by, "by systems" if guards == "checked" else guards)
+            return self.jacobian_program(block, by)
 
         in_parts = getattr(self.backend, "compile_jacobian", None)
-        if in_parts is not None:
-            made = stored_jacobian(
-                assembly,
-                f"{block} by {by}, {guards}, in parts",
-                lambda: assembly.jacobian_in_parts(block, by, guards),
-            )
-            if isinstance(made, JacobianColumns):
-                return with_finite_samples(in_parts(made), whole)
-        else:
-            made = self.jacobian_program(block, by, guards)
-        return self._holding(made, whole)
-
-    def compiled_derivative(
-        self, key: tuple[Any, ...], make: Callable[[Guards], Program]
-    ) -> Kernel:
-        """Return the Kernel of derivatives that `make` makes; its sweeps hold everywhere."""
-        return self.kernel_by(
-            key, lambda: self._holding(make("checked"), cache(lambda: make("by systems")))
+        if in_parts is None:
+            return self._compiled(whole())
+        made = stored_jacobian(
+            assembly, f"{block} by {by}, in parts", lambda: assembly.jacobian_in_parts(block, by)
         )
+        if isinstance(made, JacobianColumns):
+            return with_finite_samples(in_parts(made), whole)
+        return self._compiled(made)
 
-    def _holding(self, program: Program, whole: Callable[[], Program]) -> Kernel:
-        """Compile derivatives, which are NaN where a guard falls back if there is a NaN in them."""
+    def _compiled(self, program: Program) -> Kernel:
         kernel: Kernel = self.backend.compile(program)
-        checked = any(
-            op == "const" and isnan(args[0])
-            for op, args in zip(program.ops, program.args, strict=True)
-        )
-        return with_finite_samples(kernel, whole) if checked else kernel
+        return kernel
 
     def compiled_bounded(self, block: str) -> Kernel:
         """Return the Kernel of a block and its rounding bounds; see `Assembly.bounded_program`."""
@@ -450,9 +422,8 @@ class _Evaluated:
 def with_finite_samples(kernel: Kernel, whole: Callable[[], Program]) -> Kernel:
     """Return the Kernel of derivatives with another Program interpreted where they are NaN.
 
-    That is where a guard falls back: the other Program differentiates by systems. In a Jacobian in
-    parts an infinite derivative also spoils the other columns of its part, as zero times it is NaN:
-    the Program of the whole has no product for a variable that does not occur.
+    In a Jacobian in parts an infinite derivative spoils the other columns of its part, as zero
+    times it is NaN: the Program of the whole has no product for a variable that does not occur.
     """
 
     def sweep(

@@ -84,9 +84,9 @@ class Writer:
     """Writes a stage of a Program, or the whole.
 
     Rules have the fields ``{n}``, the rows of a system; ``{entries}``, its matrix row by row, and
-    ``{column}``, its right-hand side; ``{fast}``, the solution without pivoting, and ``{sound}``,
-    the condition under which that is taken; ``{factor}``, the name of a factorisation. In lists
-    there are commas between the values.
+    ``{column}``, its right-hand sides one after the other, ``{many}`` numbers; ``{fast}``, the
+    solutions without pivoting, and ``{sound}``, the condition under which these are taken;
+    ``{factor}``, the name of a factorisation. In lists there are commas between the values.
 
     Parameters
     ----------
@@ -156,7 +156,8 @@ class Writer:
         if op == "factor":
             fields, lists = {"n": args[1]}, {"entries": args[2]}
         elif op == "solve":
-            fields = {"n": len(args[1]), "factor": self.names[args[0]]}
+            count = len(args[1])
+            fields = {"n": count, "many": count, "factor": self.names[args[0]]}
             lists = {"column": args[1]}
         else:
             assert op == "guard", op
@@ -167,7 +168,7 @@ class Writer:
             # it takes the solution that needs less where neither is needed.
             outer = condition if isinstance(self.dialect.rules[op], str) else None
             body = self.lines(self.program.fallback[node], outer)
-            fields = {"n": n, "sound": condition}
+            fields = {"n": n, "many": len(column), "sound": condition}
             lists = {"entries": entries, "column": column, "fast": fast}
         rule = self.dialect.rules[op]
         if isinstance(rule, str):

@@ -4,16 +4,19 @@ From the outputs inwards each node gets its adjoint, the derivative of ``Σ weig
 A linear solve ``A x = b`` has the adjoint rule ``Aᵀ λ = x̄``, ``b̄ = λ`` and ``Ā = −λ xᵀ``: one more
 right-hand side for the factors of a symmetric matrix (Griewank & Walther, Evaluating Derivatives,
 2nd ed., §3.2; Giles, Collected matrix derivative results, 2008, §2.2).
+
+What a guarded solution hands on is guarded by the same condition: two sweeps, through what was
+found in the other way and through the system, go on to the variables and to other guards, and a
+guard takes the sums of one of them.
 """
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 
 from pydy._graph.derivative import times
 from pydy._graph.node import Graph
-from pydy._graph.operations import OPERATIONS, is_symmetric
+from pydy._graph.operations import OPERATIONS
 from pydy._graph.roots import at_rest, of_half_power, slope
 
 __all__ = ["adjoints"]
@@ -22,13 +25,7 @@ Terms = list[tuple[int, float]]
 
 
 def adjoints(
-    graph: Graph,
-    outputs: Sequence[int],
-    weights: Sequence[int],
-    variables: Sequence[int],
-    *,
-    through_guards: bool = False,
-    by_systems: bool = False,
+    graph: Graph, outputs: Sequence[int], weights: Sequence[int], variables: Sequence[int]
 ) -> list[int]:
     """Return the derivatives of ``Σ weight · output`` with respect to `variables`.
 
@@ -39,12 +36,6 @@ def adjoints(
     outputs, weights : sequences of nodes
         What is differentiated, and what each is multiplied with.
     variables : sequence of input nodes
-    through_guards : bool
-        Whether a guarded solution is differentiated as it was found, in O(n) where that is so; the
-        derivatives are NaN where a guard falls back. By default they are those of the linear system
-        that it solves, if that is symmetric.
-    by_systems : bool
-        Whether they are so too if it is not symmetric: they then hold everywhere.
 
     Returns
     -------
@@ -55,31 +46,40 @@ def adjoints(
     -----
     Switches are treated as `pydy._graph.derivative.jacobian` treats them.
     """
-    order = graph.reachable(outputs, fallbacks=not through_guards)
     active = set(variables)
-    for node in order:
-        fast = through_guards and graph.ops[node] == "guard"
-        if not active.isdisjoint(graph.args[node][4] if fast else graph.operands(node)):
+    for node in graph.reachable(outputs):
+        if not active.isdisjoint(graph.operands(node)):
             active.add(node)
-    sweep = _Sweep(graph, active, through_guards, by_systems)
-    for output, weight in zip(outputs, weights, strict=True):
-        sweep.add(output, weight)
-    for node in reversed(order):
-        if node in active:
-            sweep.through(node)
+    seeds = list(zip(outputs, weights, strict=True))
+    sweep = _Sweep(graph, active, seeds, set(variables))
     return [sweep.of(variable) for variable in variables]
 
 
 class _Sweep:
+    """The adjoints of nodes, from seeds (node, adjoint) to where the sweep ends.
+
+    Parameters
+    ----------
+    graph : Graph
+    active : set of nodes
+        Those that depend on variables.
+    seeds : sequence of pairs of nodes
+    ends : set of nodes
+        Their adjoints are found, but not handed on.
+    """
+
     def __init__(
-        self, graph: Graph, active: set[int], through_guards: bool, by_systems: bool
+        self, graph: Graph, active: set[int], seeds: Sequence[tuple[int, int]], ends: set[int]
     ) -> None:
-        self.graph = graph
-        self.active = active
-        self.through_guards = through_guards
-        self.by_systems = by_systems
+        self.graph, self.active, self.ends = graph, active, ends
         self.terms: dict[int, Terms] = {}
         self.vectors: dict[int, dict[int, int]] = {}  # adjoints of the components of a solution
+        for node, bar in seeds:
+            self.add(node, bar)
+        self.order = graph.reachable(self.terms, fallbacks=False)
+        for node in reversed(self.order):
+            if node in active and node not in ends:
+                self.through(node)
 
     def add(self, node: int, term: int, coefficient: float = 1.0) -> None:
         if node in self.active:
@@ -109,13 +109,8 @@ class _Sweep:
         """Hand the adjoint of a node to its operands."""
         g = self.graph
         op, args = g.ops[node], g.args[node]
-        if op == "guard" and self._as_found(*args[:2]):
-            *_, sound, fast = args
-            for k, bar in self.vectors.get(node, {}).items():
-                self.add(fast[k], g.call("select", sound, bar, g.const(math.nan)))
-            return
         if op in ("solve", "guard"):
-            self._solve(node)
+            self._solve(node) if op == "solve" else self._guard(node)
             return
         bar = self.of(node)
         if bar == g.zero:
@@ -146,45 +141,67 @@ class _Sweep:
                 for n, d in zip(args, slopes, strict=True):
                     self.add(n, d)
 
-    def _as_found(self, n: int, entries: Sequence[int]) -> bool:
-        """Return whether a guard is differentiated as its solution was found."""
-        return self.through_guards or not (self.by_systems or is_symmetric(n, entries))
-
     def _solve(self, node: int) -> None:
-        g = self.graph
-        bars = self.vectors.get(node)
+        g, bars = self.graph, self.vectors.get(node)
         if not bars:
             return
-        args, guarded = g.args[node], g.ops[node] == "guard"
-        if guarded:
-            # By the system that it solves: how the solution was found does not matter.
-            n, entries, column = args[:3]
-            kind = "ldl" if is_symmetric(n, entries) else "lu"
-            if kind == "lu":  # the way that was found need not have all unknowns
-                node = self._solved(n, entries, column)
-        else:
-            (kind, n, entries), column = g.args[args[0]], args[1]
+        factor, column = g.args[node]
+        kind, n, entries = g.args[factor]
+        turned = entries if kind == "ldl" else _turned(n, entries)
         right = [bars.get(k, g.zero) for k in range(n)]
-        turned = entries
-        if kind != "ldl":
-            turned = tuple(entries[j * n + i] for i in range(n) for j in range(n))
-        if kind == "ldl" or not guarded:
-            multipliers = g.solve_factored(g.make("factor", (kind, n, turned)), right)
-        else:
-            solution = self._solved(n, turned, right)
-            multipliers = [g.make("item", (solution, k)) for k in range(n)]
-        for entry, multiplier in zip(column, multipliers, strict=True):
-            self.add(entry, multiplier)
-        for i, multiplier in enumerate(multipliers):
+        multipliers = g.solve_factored(g.make("factor", (kind, n, turned)), right)
+        for part, term, sign in self._system(node, g.args[factor], column, multipliers):
+            self.add(part, term, sign)
+
+    def _guard(self, node: int) -> None:
+        """Hand on what comes of the way that the solution was found in, or of the system."""
+        g, bars = self.graph, self.vectors.get(node)
+        if not bars:
+            return
+        n, entries, column, sound, fast = g.args[node]
+        # By another guard, always of the system.
+        right = tuple(bars.get(k, g.zero) for k in range(len(column)))
+        never = g.boolean(False)
+        turned = (n, _turned(n, entries), right, never, (g.zero,) * len(column))
+        solution = g.make("guard", turned)
+        multipliers = [g.make("item", (solution, k)) for k in range(len(column))]
+        slow = self._system(node, ("lu", n, entries), column, multipliers)
+        if sound == never:
+            for part, term, sign in slow:
+                self.add(part, term, sign)
+            return
+        items = (k for k in self.order if k < node and k in self.active and g.ops[k] == "item")
+        ends = {*self.ends, *(k for k in items if g.ops[g.args[k][0]] == "guard")}
+        seeds = [(part, g.sum([(term, sign)])) for part, term, sign in slow]
+        found = [(fast[k], bar) for k, bar in bars.items()]
+        ways = [_Sweep(g, self.active, part, ends) for part in (seeds, found)]
+        reached = sorted(ends & {*ways[0].terms, *ways[1].terms})
+        parts = [[way.of(end) for end in reached] for way in ways]
+        for end, bar in zip(reached, g.guard([[g.one]], parts[0], sound, parts[1]), strict=True):
+            self.add(end, bar)
+
+    def _system(
+        self,
+        node: int,
+        system: tuple[str, int, Sequence[int]],
+        column: Sequence[int],
+        multipliers: Sequence[int],
+    ) -> list[tuple[int, int, float]]:
+        """Return what a system hands on to its parts: b̄ = λ and Ā = −λ xᵀ, with signs."""
+        g = self.graph
+        kind, n, entries = system
+        result = [(b, m, 1.0) for b, m in zip(column, multipliers, strict=True)]
+        for k, multiplier in enumerate(multipliers):
+            first, i = k - k % n, k % n
             for j in range(n):
                 # An SPD factor reads the lower triangle only.
                 low = max(i, j) * n + min(i, j) if kind == "ldl" else i * n + j
                 if entries[low] in self.active:
-                    solution = g.make("item", (node, j))
-                    self.add(entries[low], g.mul(multiplier, solution), -1.0)
+                    solution = g.make("item", (node, first + j))
+                    result.append((entries[low], g.mul(multiplier, solution), -1.0))
+        return [part for part in result if part[0] in self.active]
 
-    def _solved(self, n: int, entries: Sequence[int], column: Sequence[int]) -> int:
-        """Return the solution of a guard's system, by what it falls back to."""
-        g = self.graph
-        never = g.boolean(False)
-        return g.make("guard", (n, tuple(entries), tuple(column), never, (g.zero,) * n))
+
+def _turned(n: int, entries: Sequence[int]) -> tuple[int, ...]:
+    """Return the transpose of a matrix."""
+    return tuple(entries[j * n + i] for i in range(n) for j in range(n))

@@ -62,7 +62,7 @@ def event_program(
     along = {graph.input("t", 0): {0: graph.one}}
     along.update((x, {0: rate}) for x, rate in zip(states, rates, strict=True))
     along.update((graph.input("r", i), {0: graph.input("r", s + i)}) for i in range(s))
-    motion = Rows(graph, along, guards="by systems")
+    motion = Rows(graph, along)
     by = [*states, *(graph.input(*place) for place in wanted)]
     weights = [graph.input("r", 2 * s + i) for i in range(n)]
     first = motion(crossing).get(0, graph.zero)
@@ -71,8 +71,8 @@ def event_program(
     parts = {
         "rate": [first],
         "curvature": [motion(first).get(0, graph.zero)],
-        "crossing": adjoints(graph, [crossing], [graph.one], by, by_systems=True),
-        "turned": adjoints(graph, after, weights, by, by_systems=True),
+        "crossing": adjoints(graph, [crossing], [graph.one], by),
+        "turned": adjoints(graph, after, weights, by),
         "after_rate": [total],
     }
     cells = iter(factor_sums(graph, [node for part in parts.values() for node in part]))

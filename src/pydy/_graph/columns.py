@@ -9,11 +9,11 @@ all values with f itself.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
-from pydy._graph.derivative import Guards, Rows
+from pydy._graph.derivative import Rows
 from pydy._graph.lower import lower
 from pydy._graph.node import Graph
 from pydy._graph.passes.factor import factor_sums
@@ -39,13 +39,11 @@ class Columns:
         input's derivative by the parameter is the input `weight` of r.
     weights : int
         How many such further inputs r has at its end.
-    guards : Guards
     """
 
     states: int
     directions: tuple[tuple[str, int] | tuple[str, int, int] | None, ...]
     weights: int = 0
-    guards: Guards = "checked"
 
     @property
     def count(self) -> int:
@@ -83,7 +81,7 @@ class Columns:
             if direction is not None:
                 weight = graph.input("r", direction[2]) if len(direction) == 3 else graph.one
                 given.setdefault(graph.input(*direction[:2]), {})[j] = weight
-        return Rows(graph, given, guards=self.guards)
+        return Rows(graph, given)
 
     def rates_program(
         self, graph: Graph, nodes: Sequence[int], sizes: tuple[int, int, int], passes: Passes
@@ -129,7 +127,7 @@ class Columns:
             terms.setdefault(graph.input(*direction[:2]), []).append((size, 1.0))
         given = {node: {0: graph.sum(parts)} for node, parts in terms.items()}
         given.update({graph.input("x", i): {0: graph.input("x", n + i)} for i in range(n)})
-        rows = Rows(graph, given, guards=self.guards)
+        rows = Rows(graph, given)
         cells = [rows(node).get(0, graph.zero) for node in nodes]
         cells = factor_sums(graph, cells) if "factor" in passes else cells
         blocks = [("rates", (n,), nodes), ("column", (n,), cells)]
@@ -186,10 +184,8 @@ class Columns:
         along.update((x, {0: rate}) for x, rate in zip(states, rates, strict=True))
         s, last = sizes[1], sizes[1] + self.weights
         along.update((graph.input("r", i), {0: graph.input("r", last + i)}) for i in range(s))
-        columns = replace(self, guards="by systems").rows(graph)
-        motion = Rows(graph, along, guards="by systems")
-        each = {x: {i: graph.one} for i, x in enumerate(states)}
-        gradient = Rows(graph, each, guards="by systems")
+        columns, motion = self.rows(graph), Rows(graph, along)
+        gradient = Rows(graph, {x: {i: graph.one} for i, x in enumerate(states)})
         first = motion(crossing).get(0, graph.zero)
         k, zero = range(self.count), graph.zero
         parts = {

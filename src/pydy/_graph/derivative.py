@@ -8,50 +8,33 @@ of a derivative of the elimination (Griewank & Walther, Evaluating Derivatives, 
 A root that may be at rest is a variable too, as −1 − root, until it is known what is made of it
 (`pydy._graph.roots`).
 
-A guarded solution of a system that is not symmetric is differentiated as it was found. Where the
-guard falls back those derivatives may have no correct digits, and NaN stands for them: they are
-then to be taken by the systems, which costs more operations and holds everywhere.
+The derivative of a guard is a guard, of the same matrix and condition: where it is sound, the
+derivative of what was found in the other way, and else the solution of ``A x' = b' − A' x``.
 """
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Mapping, Sequence
-from functools import partial
-from typing import Literal
 
 from pydy._graph.node import Graph
-from pydy._graph.operations import OPERATIONS, is_symmetric
+from pydy._graph.operations import OPERATIONS
 from pydy._graph.roots import at_rest, of_half_power, slope
 
 __all__ = [
-    "Guards",
     "Rows",
     "dense",
     "dense_jacobian",
     "dense_rows",
     "directional",
-    "has_other_ways",
     "jacobian",
     "times",
 ]
 
 Row = dict[int, int]
-Guards = Literal["checked", "as found", "by systems"]
-"""How guarded solutions of systems that are not symmetric are differentiated: as they were found,
-with NaN where the guard falls back or without; or by the system, which holds everywhere."""
-
-
-def has_other_ways(graph: Graph, outputs: Sequence[int]) -> bool:
-    """Return whether it matters how guards are differentiated; see `Guards`."""
-    return any(
-        graph.ops[node] == "guard" and not is_symmetric(*graph.args[node][:2])
-        for node in graph.reachable(outputs)
-    )
 
 
 def jacobian(
-    graph: Graph, outputs: Sequence[int], variables: Sequence[int], *, guards: Guards = "checked"
+    graph: Graph, outputs: Sequence[int], variables: Sequence[int]
 ) -> list[dict[int, int]]:
     """Return the partial derivatives of `outputs` with respect to `variables`.
 
@@ -61,7 +44,6 @@ def jacobian(
         Gets the new nodes.
     outputs : sequence of nodes
     variables : sequence of input nodes
-    guards : Guards
 
     Returns
     -------
@@ -75,7 +57,7 @@ def jacobian(
     of the branch that is taken; steps have derivative zero.
     """
     given = {node: {k: graph.one} for k, node in enumerate(variables)}
-    return directional(graph, outputs, given, guards=guards)
+    return directional(graph, outputs, given)
 
 
 def dense_jacobian(graph: Graph, outputs: Sequence[int], by: Sequence[int]) -> list[int]:
@@ -93,9 +75,7 @@ def dense_rows(graph: Graph, rows: Sequence[Mapping[int, int]], width: int) -> l
     return [[row.get(k, graph.zero) for k in range(width)] for row in rows]
 
 
-def directional(
-    graph: Graph, outputs: Sequence[int], given: Mapping[int, Row], *, guards: Guards = "checked"
-) -> list[Row]:
+def directional(graph: Graph, outputs: Sequence[int], given: Mapping[int, Row]) -> list[Row]:
     """Return the derivatives of `outputs` in several directions.
 
     Parameters
@@ -106,7 +86,6 @@ def directional(
     given : mapping of nodes to rows
         For each variable its part of the directions: a dict from the direction's place to the
         node of the component.
-    guards : Guards
 
     Returns
     -------
@@ -118,7 +97,7 @@ def directional(
     vectors: dict[int, list[Row]] = {}
     for node in graph.reachable(outputs):
         if node not in rows:
-            rows[node] = _row(graph, node, rows, vectors, guards)
+            rows[node] = _row(graph, node, rows, vectors)
     zero = graph.zero
     settled = [_settled(graph, n, rows) for n in outputs]
     return [{k: d for k, d in sorted(row.items()) if d != zero} for row in settled]
@@ -135,7 +114,6 @@ class Rows:
         A row maps what is differentiated by, any integers, to the derivative's node.
     leaf : callable, optional
         Gives the row of an input that has none; no derivatives by default.
-    guards : Guards
     """
 
     def __init__(
@@ -143,12 +121,9 @@ class Rows:
         graph: Graph,
         given: dict[int, Row],
         leaf: Callable[[int], Row] | None = None,
-        *,
-        guards: Guards = "checked",
     ) -> None:
         self.graph = graph
         self.known = given
-        self._guards = guards
         self._leaf = leaf
         self._vectors: dict[int, list[Row]] = {}
 
@@ -162,7 +137,7 @@ class Rows:
         """Return the row of a node from its operands' rows, whatever was given for it."""
         for operand in self.graph.operands(node):
             self(operand)
-        row = _row(self.graph, node, self.known, self._vectors, self._guards)
+        row = _row(self.graph, node, self.known, self._vectors)
         return _without_roots(self.graph, row, self.known)
 
     def _fill(self, root: int) -> None:
@@ -181,16 +156,10 @@ class Rows:
             if graph.ops[node] == "input":
                 known[node] = self._leaf(node) if self._leaf else {}
             else:
-                known[node] = _row(graph, node, known, self._vectors, self._guards)
+                known[node] = _row(graph, node, known, self._vectors)
 
 
-def _row(
-    g: Graph,
-    node: int,
-    rows: dict[int, Row],
-    vectors: dict[int, list[Row]],
-    guards: Guards,
-) -> Row:
+def _row(g: Graph, node: int, rows: dict[int, Row], vectors: dict[int, list[Row]]) -> Row:
     op, args = g.ops[node], g.args[node]
     if op == "sum":
         return _combine(g, [(rows[n], None, c) for n, c in args[1]])
@@ -217,19 +186,10 @@ def _row(
         for n in g.operands(node):
             _settled(g, n, rows)
     if op == "solve":
-        vectors[node] = _solve_rows(g, node, args[0], args[1], rows)
+        vectors[node] = _solve_rows(g, node, rows)
         return {}
     if op == "guard":
-        n, entries, column, sound, fast = args
-        if is_symmetric(n, entries):
-            # By the system that it solves: how the solution was found does not matter.
-            factor = g.make("factor", ("ldl", n, entries))
-            vectors[node] = _solve_rows(g, node, factor, column, rows)
-        elif guards == "by systems":
-            vectors[node] = _system_rows(g, ("lu", n, entries), column, rows)
-        else:
-            found = [rows[k] for k in fast]
-            vectors[node] = found if guards == "as found" else _where_sound(g, sound, found)
+        vectors[node] = _guard_rows(g, node, rows)
         return {}
     if op == "item":
         row: Row = vectors[args[0]][args[1]]
@@ -269,26 +229,6 @@ def _without_roots(g: Graph, row: Row, rows: dict[int, Row]) -> Row:
     return row
 
 
-def _where_sound(g: Graph, sound: int, rows: Sequence[Row]) -> list[Row]:
-    """Return rows whose derivatives are NaN where a guard is not sound.
-
-    They are guarded themselves, which takes no operation while it is sound. The matrix is not
-    symmetric: their own derivatives are then those of what was found, too.
-    """
-    result: list[Row] = [{} for _ in rows]
-    for key in sorted({key for row in rows for key in row}):
-        places = [k for k, row in enumerate(rows) if key in row]
-        known = [rows[k][key] for k in places]
-        known += [g.zero] * (2 - len(known))
-        n = len(known)
-        cells = [[g.one if i == j else g.zero for j in range(n)] for i in range(n)]
-        cells[0][1] = g.one
-        found = g.guard(cells, [g.const(math.nan)] * n, sound, known)[: len(places)]
-        for k, d in zip(places, found, strict=True):
-            result[k][key] = d
-    return result
-
-
 def times(g: Graph, a: int, b: int) -> int:
     """Return a product of slopes; beyond a switch that leaves it out one may be infinite."""
     for switch, other in ((a, b), (b, a)):
@@ -308,40 +248,53 @@ def _combine(g: Graph, parts: Sequence[tuple[Row, int | None, float]]) -> Row:
     return {k: g.sum(t) for k, t in terms.items()}
 
 
-def _solve_rows(
-    g: Graph, node: int, factor: int, column: Sequence[int], rows: dict[int, Row]
-) -> list[Row]:
+def _solve_rows(g: Graph, node: int, rows: dict[int, Row]) -> list[Row]:
+    factor, column = g.args[node]
     x = [g.make("item", (node, k)) for k in range(len(column))]
-    return _implicit_rows(g, g.args[factor], x, column, rows, partial(g.solve_factored, factor))
+    result: list[Row] = [{} for _ in column]
+    for key, right in _system_slopes(g, g.args[factor], x, column, rows).items():
+        for i, d in enumerate(g.solve_factored(factor, right)):
+            if d != g.zero:
+                result[i][key] = d
+    return result
 
 
-def _system_rows(
-    g: Graph, system: tuple[str, int, Sequence[int]], column: Sequence[int], rows: dict[int, Row]
-) -> list[Row]:
-    """Differentiate the solution of a guard's system; its `fast` need not have all unknowns."""
-    _, n, entries = system
+def _guard_rows(g: Graph, node: int, rows: dict[int, Row]) -> list[Row]:
+    n, entries, column, sound, fast = g.args[node]
+    x = [g.make("item", (node, k)) for k in range(len(column))]
+    slow: dict[int, list[int]] = {}
+    for first in range(0, len(column), max(n, 1)):
+        own = slice(first, first + n)
+        for key, right in _system_slopes(g, ("lu", n, entries), x[own], column[own], rows).items():
+            slow.setdefault(key, [g.zero] * len(column))[own] = right
+    never = g.ops[sound] == "bool" and not g.args[sound][0]
+    found = sorted({key for k in fast for key in rows[k]})
+    keys = sorted(slow) if never else found
+    zeros = [g.zero] * len(column)
+    rights = tuple(d for key in keys for d in slow.get(key, zeros))
+    slopes = tuple(rows[k].get(key, g.zero) for key in keys for k in fast)
+    made = g.make("guard", (n, entries, rights, sound, slopes))  # of no key, it is never used
+    result: list[Row] = [{} for _ in column]
+    for place, key in enumerate(keys):
+        for i, k in enumerate(fast):
+            if never or key in rows[k]:
+                result[i][key] = g.make("item", (made, place * len(column) + i))
+    return result
 
-    def solve(right: Sequence[int]) -> list[int]:
-        never = g.boolean(False)
-        node = g.make("guard", (n, entries, tuple(right), never, (g.zero,) * n))
-        return [g.make("item", (node, k)) for k in range(n)]
 
-    return _implicit_rows(g, system, solve(column), column, rows, solve)
-
-
-def _implicit_rows(
+def _system_slopes(
     g: Graph,
     system: tuple[str, int, Sequence[int]],
     x: Sequence[int],
     column: Sequence[int],
-    rows: dict[int, Row],
-    solve: Callable[[list[int]], list[int]],
-) -> list[Row]:
+    rows: Mapping[int, Row],
+) -> dict[int, list[int]]:
+    """Return b' − A' x of a system A x = b, for each key of the rows of its entries and of b."""
     kind, n, entries = system
     keys: set[int] = set()
     for e in (*entries, *column):
         keys.update(rows[e])
-    result: list[Row] = [{} for _ in range(n)]
+    result = {}
     for key in sorted(keys):
         right = []
         for i in range(n):
@@ -355,7 +308,5 @@ def _implicit_rows(
                 if d is not None:
                     terms.append((g.mul(d, x[j]), -1.0))
             right.append(g.sum(terms))
-        for i, d in enumerate(solve(right)):
-            if d != g.zero:
-                result[i][key] = d
+        result[key] = right
     return result

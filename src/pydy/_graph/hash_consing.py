@@ -32,9 +32,14 @@ class Nodes:
         self._operands: list[tuple[int, ...]] = []
         self._known: dict[tuple[Any, ...], int] = {}
 
-    def node(self, op: str, args: tuple[Any, ...]) -> int:
-        """Return the node for `op` on `args` as they are, without any rewriting."""
-        key = (op, args)
+    def node(self, op: str, args: tuple[Any, ...], apart: int | None = None) -> int:
+        """Return the node for `op` on `args` as they are, without any rewriting.
+
+        Given `apart`, it is another one than without, unless it depends on constants alone.
+        """
+        key: tuple[Any, ...] = (op, args)
+        if apart is not None and not self._is_constant(op, args, operands(op, args)):
+            key = (op, args, apart)
         node = self._known.get(key)
         if node is None:
             node = len(self.ops)

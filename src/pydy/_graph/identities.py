@@ -12,7 +12,7 @@ from collections.abc import Sequence
 
 from pydy._graph.modular import PRIME, arbitrary, inverse, residue
 from pydy._graph.node import Graph
-from pydy._graph.operations import OPERATIONS, is_symmetric
+from pydy._graph.operations import OPERATIONS
 from pydy._graph.tuning import SOLVED_MODULO_A_PRIME
 
 __all__ = ["evaluated", "signatures"]
@@ -105,12 +105,9 @@ class _Solutions:
             kind, n, entries = self.graph.args[args[0]]
             column = args[1]
         elif op == "guard":
-            n, entries, column, sound, fast = args
-            if not is_symmetric(n, entries):
-                # Where it always falls back there may be a least solution, which has no value here.
-                never = self.graph.ops[sound] == "bool"
-                return None if never else [self.values[k] for k in fast]
-            kind = "ldl"
+            # Where it always falls back there may be a least solution, which has no value here.
+            never = self.graph.ops[args[3]] == "bool"
+            return None if never else [self.values[k] for k in args[4]]
         else:
             return None
         if n > SOLVED_MODULO_A_PRIME:

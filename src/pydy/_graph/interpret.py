@@ -133,7 +133,7 @@ def run(
     def guard(k: int, args: tuple[Any, ...], samples: np.ndarray) -> np.ndarray:
         """Take the unrolled solution where its pivots are sound, and pivot where they are not."""
         n, entries, column, sound, fast = args
-        x = _columns(values, fast, m)
+        x = _columns(values, fast, m) if fast else np.full((m, len(column)), np.nan)
         weak = samples & ~np.broadcast_to(values[sound], m)
         if weak.any():
             evaluate(program.fallback[k], weak)
@@ -162,27 +162,30 @@ def stacked(columns: Sequence[Any], m: int) -> np.ndarray:
     return out
 
 
-def solved(matrix: np.ndarray, column: np.ndarray, failed: np.ndarray) -> np.ndarray:
+def solved(matrix: np.ndarray, columns: np.ndarray, failed: np.ndarray) -> np.ndarray:
     """Solve sample by sample with partial pivoting.
 
     Parameters
     ----------
     matrix : ndarray, shape (m, n, n)
-    column : ndarray, shape (m, n)
+    columns : ndarray, shape (m, k n)
+        Right-hand sides, one after the other.
     failed : ndarray of bool, shape (m,)
         Gets True where the matrix is singular; the solution is NaN there.
     """
-    m, n = column.shape
-    x = np.empty((m, n))
+    m, n = len(matrix), matrix.shape[-1]
+    x = np.empty(columns.shape)
     if n == 0:
         return x
     bad = singular(matrix)
     # LAPACK passes over a NaN that it does not meet as a pivot.
     good = ~bad & np.isfinite(matrix).all(axis=(1, 2))
+    right = columns.reshape(m, columns.shape[1] // n, n).swapaxes(1, 2)
     if good.all():
-        x[:] = np.linalg.solve(matrix, column[:, :, None])[:, :, 0]
+        x[:] = np.linalg.solve(matrix, right).swapaxes(1, 2).reshape(columns.shape)
         return x
-    x[good] = np.linalg.solve(matrix[good], column[good][:, :, None])[:, :, 0]
+    found = np.linalg.solve(matrix[good], right[good])
+    x[good] = found.swapaxes(1, 2).reshape(len(found), columns.shape[1])
     x[~good] = np.nan
     failed |= bad
     return x
@@ -208,7 +211,7 @@ def singular(matrix: np.ndarray) -> np.ndarray:
     return bad
 
 
-def constrained(matrix: np.ndarray, column: np.ndarray, failed: np.ndarray) -> np.ndarray:
+def constrained(matrix: np.ndarray, columns: np.ndarray, failed: np.ndarray) -> np.ndarray:
     """Solve M x − Aᵀ λ = f, A x = b sample by sample, whatever the rank of A; see `solved`.
 
     Gauss and Jordan's elimination. The first pivots are the largest entries of A, columns in units
@@ -218,19 +221,19 @@ def constrained(matrix: np.ndarray, column: np.ndarray, failed: np.ndarray) -> n
 
     The last rows, marked on the diagonal, are those of A; so many are independent as are marked so.
     """
-    x = np.empty_like(column)
-    for k, (a, b) in enumerate(zip(matrix, column, strict=True)):
-        x[k] = constrained_sample(a.copy(), b.copy())
+    x = np.empty_like(columns)
+    for k, (a, b) in enumerate(zip(matrix, columns, strict=True)):
+        x[k] = constrained_sample(a.copy(), b.reshape(-1, len(a)).T.copy()).T.ravel()
         failed[k] |= np.isnan(x[k]).any() and np.isfinite(a).all() and np.isfinite(b).all()
     return x
 
 
 def constrained_sample(a: np.ndarray, b: np.ndarray) -> np.ndarray:
-    """Solve one of the systems of `constrained`, in place; NaN where M is singular."""
+    """Solve one of the systems of `constrained`, in place of columns b; NaN if M is singular."""
     n = first = len(b)
     left = 0
-    if not (np.isfinite(a).all() and np.isfinite(b).all()):
-        return np.full(n, np.nan)
+    if not np.isfinite(a).all():
+        return np.full(b.shape, np.nan)
     while first and a[first - 1, first - 1] in (INDEPENDENT, REDUNDANT):
         first -= 1
         left += a[first, first] == INDEPENDENT
@@ -246,7 +249,7 @@ def constrained_sample(a: np.ndarray, b: np.ndarray) -> np.ndarray:
         factors = a[:, column] / a[row, column]
         factors[row] = 0.0
         a[:] -= factors[:, None] * a[row]
-        b[:] -= factors * b[row]
+        b[:] -= factors[:, None] * b[row]
         pivots[column] = row
 
     while free.any():
@@ -261,10 +264,10 @@ def constrained_sample(a: np.ndarray, b: np.ndarray) -> np.ndarray:
             own = np.abs(a.diagonal()[:first]) * scales**2 * free
             j = int(own.argmax())
             if not own[j] > n * SINGULAR:
-                return np.full(n, np.nan)
+                return np.full(b.shape, np.nan)
             eliminate(j, j)
         free[j] = False
-    x = np.zeros(n)
+    x = np.zeros(b.shape)
     for k, row in pivots.items():
         x[k] = b[row] / a[row, k]
-    return x
+    return np.where(np.isfinite(b).all(axis=0), x, np.nan)

@@ -18,10 +18,10 @@ from operator import or_
 
 from pydy._forks import cached_property
 from pydy._graph.collector import collector_paused
-from pydy._graph.derivative import Guards, Rows
+from pydy._graph.derivative import Rows
 from pydy._graph.lower import lower
 from pydy._graph.node import Graph
-from pydy._graph.operations import OPERATIONS, is_symmetric
+from pydy._graph.operations import OPERATIONS
 from pydy._graph.passes.factor import factor_sums
 from pydy._graph.program import Block, Program
 from pydy._graph.split import Parting, TakesApart
@@ -156,6 +156,7 @@ def supports(graph: Graph, outputs: Sequence[int], by: Sequence[int]) -> Counter
     for k, node in enumerate(by):
         bits[node] = bits.get(node, 0) | 1 << k
     cost: Counter[int] = Counter()
+    never = graph.boolean(False)
 
     def paid(nodes: Iterable[int]) -> int:
         """Count an operation for each of some operands that moves; return who pays."""
@@ -167,16 +168,16 @@ def supports(graph: Graph, outputs: Sequence[int], by: Sequence[int]) -> Counter
                 every |= own
         return every
 
-    for node in graph.reachable(outputs):
+    for node in graph.reachable(outputs, fallbacks=False):
         op, args = graph.ops[node], graph.args[node]
         if node in bits:  # one of the variables
             continue
         if op == "item":
             vector, k = args
-            guarded = graph.ops[vector] == "guard"
-            fast = guarded and not is_symmetric(*graph.args[vector][:2])
-            bits[node] = bits[graph.args[vector][4][k] if fast else vector]
-        elif op == "solve" or (op == "guard" and is_symmetric(*args[:2])):
+            if graph.ops[vector] == "guard" and graph.args[vector][3] != never:
+                vector = graph.args[vector][4][k]
+            bits[node] = bits[vector]
+        elif op == "solve" or (op == "guard" and args[3] == never):
             # Ȧ x, and a solve with the factors that there are; see `pydy._graph.derivative`.
             (_, n, entries), column = (
                 (graph.args[args[0]], args[1]) if op == "solve" else (("", *args[:2]), args[2])
@@ -279,7 +280,6 @@ def columns_program(
     sizes: tuple[int, int, int],
     passes: Passes,
     parts: Sequence[tuple[int, int]],
-    guards: Guards = "checked",
 ) -> JacobianColumns:
     """Return the Jacobian of some nodes in parts.
 
@@ -295,18 +295,18 @@ def columns_program(
     passes : Passes
     parts : sequence of (first, stop)
         See `parts_of`.
-    guards : Guards
     """
     n, s, c = sizes
     with collector_paused():
-        given: dict[int, dict[int, int]] = {}
-        for k, (first, stop) in enumerate(parts):
+        cells = []
+        for first, stop in parts:  # one by one, so that nothing belongs to two of them
+            given: dict[int, dict[int, int]] = {}
             for j in range(first, stop):
                 along = given.setdefault(graph.input(*variables[j]), {})
                 # A variable may have several columns.
-                along[k] = graph.add(along.get(k, graph.zero), graph.input("x", n + j))
-        rows = Rows(graph, given, guards=guards)
-        cells = [rows(node).get(k, graph.zero) for k in range(len(parts)) for node in outputs]
+                along[0] = graph.add(along.get(0, graph.zero), graph.input("x", n + j))
+            rows = Rows(graph, given)
+            cells += [rows(node).get(0, graph.zero) for node in outputs]
         cells = factor_sums(graph, cells) if "factor" in passes else cells
         whole = (n + len(variables), s, c)
         m = len(outputs)

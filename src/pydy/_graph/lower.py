@@ -13,7 +13,7 @@ from typing import Any
 from pydy._graph.node import Graph
 from pydy._graph.operations import TRUTHS
 from pydy._graph.passes.share import is_pair, share_pairs
-from pydy._graph.program import Program, Tape
+from pydy._graph.program import NEVER_PUT_OFF, Program, Tape
 from pydy._graph.solve.choose import factorised
 from pydy._graph.solve.matrix import Factor, Matrix, Part
 from pydy._graph.switches import Passes
@@ -64,6 +64,8 @@ class _Lowering:
         self.tape = Tape()
         self.passes = passes
         self.new: dict[int, int] = {}
+        self.hot: set[int] = set()
+        self.put_off: set[int] = set()  # what the fallbacks so far need, but no call
         self.factors: dict[int, Factor] = {}
         self.divided: Counter[int] = Counter()
         self.products: dict[tuple[int, float], list[Any]] = {}
@@ -77,15 +79,19 @@ class _Lowering:
         blocks: Sequence[tuple[str, tuple[int, ...], Sequence[int]]],
     ) -> tuple[Tape, tuple[int, int, int], list[tuple[str, tuple[int, ...], list[int]]]]:
         roots = [n for _, _, nodes in blocks for n in nodes]
-        order = self.graph.reachable(roots)
+        graph = self.graph
+        order = graph.reachable(roots)
         # What is computed at every call: nothing is arranged for what only fallbacks need.
-        hot = set(self.graph.reachable(roots, fallbacks=False))
+        hot = set(graph.reachable(roots, fallbacks=False))
         for node in order:
-            if self.graph.ops[node] == "prod":
-                self.divided.update(n for n, e in self.graph.args[node] if e < 0)
+            if graph.ops[node] == "prod":
+                self.divided.update(n for n, e in graph.args[node] if e < 0)
         self._plan_products(order, hot)
         self._plan_sums(order, hot)
+        fixed = [n for n in order if graph.constant[n] or graph.ops[n] in NEVER_PUT_OFF]
+        self.hot = hot.union(graph.reachable(fixed, fallbacks=False))
         for node in order:
+            self.tape.called = node in self.hot
             self.new[node] = self._node(node)
         return (
             self.tape,
@@ -123,9 +129,24 @@ class _Lowering:
             return tape.make("item", new[args[0]], args[1])
         if op == "guard":
             n, entries, column, sound, fast = args
+            self._fallback(node)
             parts = [tuple(new[k] for k in part) for part in (entries, column, fast)]
             return tape.make("guard", n, *parts[:2], new[sound], parts[2])
         return tape.make(op, *(new[a] for a in args))
+
+    def _fallback(self, guard: int) -> None:
+        """Lower again what the fallback of a guard and those before it need, but no call."""
+        tape, graph = self.tape, self.graph
+        if not tape.called:
+            return
+        _, entries, column, *_ = graph.args[guard]
+        own = [n for n in graph.reachable((*entries, *column)) if n not in self.hot]
+        if not self.put_off.isdisjoint(own):
+            tape.called, tape.behind = False, guard
+            for node in own:
+                self.new[node] = self._node(node)
+            tape.called, tape.behind = True, None
+        self.put_off.update(own)
 
     def _factorised(self, kind: str, n: int, entries: Sequence[int]) -> Factor:
         cells = [self.new[e] for e in entries]

@@ -290,23 +290,25 @@ class Graph(Nodes):
     def guard(
         self, matrix: list[list[int]], column: list[int], sound: int, fast: list[int]
     ) -> list[int]:
-        """Return the solution of a linear system that was found in another way.
+        """Return solutions of a linear system that were found in another way.
+
+        With a matrix of one, they are what is computed in one of two ways.
 
         Parameters
         ----------
         matrix : n lists of n nodes
-            Symmetric positive definite, or not symmetric: then what is found in the other way is
-            differentiated, not the system.
-        column : list of n nodes
+            Symmetric ones must be positive definite.
+        column : list of nodes
+            Right-hand sides, each of n, one after the other.
         sound : node
             A truth value: whether `fast` is to be taken. Else the system is solved.
-        fast : list of n nodes
-            Equal to the solution.
+        fast : list of nodes
+            Equal to the solutions.
         """
         n = len(matrix)
         entries = tuple(e for row in matrix for e in row)
         node = self.make("guard", (n, entries, tuple(column), sound, tuple(fast)))
-        return [self.make("item", (node, k)) for k in range(n)]
+        return [self.make("item", (node, k)) for k in range(len(column))]
 
     # -- walking --------------------------------------------------------------------------------
 
@@ -321,9 +323,10 @@ class Graph(Nodes):
         ----------
         roots : iterable of nodes
         fallbacks : bool
-            Whether the systems that guards fall back to count.
+            Whether the systems that guards fall back to count; those that are always solved do.
         """
         ops, needs = self.ops, self._operands
+        never = self._known.get(("bool", (False,)))
         wanted = bytearray(len(needs))
         for node in roots:
             wanted[node] = 1
@@ -332,9 +335,8 @@ class Graph(Nodes):
         node = wanted.rfind(1)
         while node >= 0:
             order.append(node)
-            if fallbacks or ops[node] != "guard":
-                operands = needs[node]
-            else:
+            operands = needs[node]
+            if not fallbacks and ops[node] == "guard" and self.args[node][3] != never:
                 sound, fast = self.args[node][3:]
                 operands = (sound, *fast)
             for other in operands:

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 
 from pydy._graph.adjoint import adjoints
 from pydy._graph.collector import collector_paused
-from pydy._graph.derivative import Guards, dense, directional, jacobian
+from pydy._graph.derivative import dense, directional, jacobian
 from pydy._graph.lower import lower
 from pydy._graph.node import Graph
 from pydy._graph.passes.factor import factor_sums
@@ -31,9 +31,6 @@ def derivative_program(
     sizes: tuple[int, int, int],
     passes: Passes,
     vectors: int = 1,
-    *,
-    through_guards: bool = False,
-    guards: Guards = "checked",
 ) -> Program:
     """Return the Program of derivatives of some nodes.
 
@@ -60,9 +57,6 @@ def derivative_program(
     vectors : int
         How many vectors d or w there are. They are inputs at the end of r, as a matrix in C order
         with a column for each.
-    through_guards : bool
-        For vector-Jacobian products; see `adjoint.adjoints`.
-    guards : Guards
     """
     n, s, c = sizes
     with collector_paused():
@@ -75,31 +69,25 @@ def derivative_program(
 
         if kind == "jacobian":
             shape: tuple[int, ...] = (m, k)
-            cells = dense(g, jacobian(g, nodes, by, guards=guards), k)
+            cells = dense(g, jacobian(g, nodes, by), k)
             extra = 0
         elif kind == "jacobian-vector":
             shape, extra = (m, vectors), k * vectors
             seeds = {node: given(k, i) for i, node in enumerate(by)}
-            cells = dense(g, directional(g, nodes, seeds, guards=guards), vectors)
+            cells = dense(g, directional(g, nodes, seeds), vectors)
         elif kind == "vector-jacobian":
             shape, extra = (k, vectors), m * vectors
             weights = [given(m, i) for i in range(m)]
-            found = [
-                adjoints(
-                    g, nodes, [w[d] for w in weights], by,
-                    through_guards=through_guards, by_systems=guards == "by systems",
-                )
-                for d in range(vectors)
-            ]  # fmt: skip
+            found = [adjoints(g, nodes, [w[d] for w in weights], by) for d in range(vectors)]
             cells = [column[i] for i in range(k) for column in found]
         elif kind == "gradient":
             shape, extra = (k + 1,), 0
-            cells = [nodes[0], *adjoints(g, nodes, [g.one], by, by_systems=guards == "by systems")]
+            cells = [nodes[0], *adjoints(g, nodes, [g.one], by)]
         else:
             shape, extra = (k, vectors), k * vectors
-            first = adjoints(g, nodes, [g.one], by, by_systems=guards == "by systems")
+            first = adjoints(g, nodes, [g.one], by)
             first = factor_sums(g, first) if "factor" in passes else first
             seeds = {node: given(k, i) for i, node in enumerate(by)}
-            cells = dense(g, directional(g, first, seeds, guards=guards), vectors)
+            cells = dense(g, directional(g, first, seeds), vectors)
         cells = factor_sums(g, cells) if "factor" in passes else cells
         return lower(g, (n, s + extra, c), [(kind, shape, cells)], passes=passes)

@@ -12,7 +12,9 @@ Operations and their arguments::
     neg not sqrt exp ... ceil (a,)            select (condition, a, b)
     factor (n, entries)                       LU factors with partial pivoting, or LDLᵀ in a loop
     solve  (factor, column)                   a vector
-    guard  (n, entries, column, sound, fast)  the vector `fast` where `sound` is true, else by LU
+    guard  (n, entries, column, sound, fast)  the vector `fast` where `sound` is true, else by LU;
+                                              several right-hand sides may follow each other, and
+                                              without `fast` there is no solution while it is sound
     item   (vector, k)                        one component of a vector
 """
 
@@ -40,15 +42,36 @@ __all__ = ["Block", "Program", "Tape"]
 
 FREE = frozenset({"const", "bool", "input", "item", "factor", "solve", "guard"})
 # What back ends read or compute in groups.
-_NEVER_PUT_OFF = (FREE - {"guard", "item"}) | set(ANGLES)
+NEVER_PUT_OFF = (FREE - {"guard", "item"}) | set(ANGLES)
 
 
 class Tape(Nodes):
-    """Elementary operations, in the making of a Program."""
+    """Elementary operations, in the making of a Program.
+
+    Attributes
+    ----------
+    called : bool
+        Whether what is made is needed at every call.
+    behind : int or None
+        The guard whose fallback is made. What several fallbacks need, but no call, each computes
+        for itself: shared, it would be computed at every call.
+    """
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.called = True
+        self.behind: int | None = None
+        self._every: set[int] = set()  # what calls need
 
     def make(self, op: str, *args: object) -> int:
         """Return the node for `op` on `args`."""
-        return self.node(op, args)
+        if self.behind is None or op in NEVER_PUT_OFF:
+            node = self.node(op, args)
+            if self.called:
+                self._every.add(node)
+            return node
+        known = self._known.get((op, args))
+        return known if known in self._every else self.node(op, args, self.behind)
 
     def const(self, value: float) -> int:
         """Return the node of a number."""
@@ -276,7 +299,7 @@ class Program:
             if self.setup[node] or node not in user:
                 continue
             op, args = self.ops[node], self.args[node]
-            if user[node] != hot and op in _NEVER_PUT_OFF:
+            if user[node] != hot and op in NEVER_PUT_OFF:
                 user[node] = hot
             own = user[node]
             if own != hot:

@@ -122,6 +122,7 @@ class Parting:
         self._whole.ops, self._whole.args = list(program.ops), list(program.args)
         self._whole.constant = list(program.setup)
         self._places: dict[int, int] = {}  # of shared values
+        self._behind = {k: guard for guard, nodes in program.fallback.items() for k in nodes}
 
     def part(
         self, own: Mapping[tuple[str, int], int], outputs: Sequence[int], sizes: tuple[int, int]
@@ -177,11 +178,29 @@ class Parting:
 
     def shared(self, sizes: tuple[int, int, int], *blocks: tuple[str, Sequence[int]]) -> Program:
         """Return the Program of further blocks and of all that the parts so far share."""
-        places = self._places
-        parts = [*blocks, ("shared", [*places])]
+        parts = [*blocks, ("shared", self._put_off())]
         return Program.from_tape(
             self._whole, sizes, [(name, (len(nodes),), nodes) for name, nodes in parts]
         )
+
+    def _put_off(self) -> list[int]:
+        """Return the shared values; what only fallbacks need is behind guards here too."""
+        whole, groups = self._whole, dict[int, list[int]]()
+        for node in self._places:
+            guard = node
+            while guard in self._behind:
+                guard = self._behind[guard]
+            if guard != node:
+                groups.setdefault(whole.args[guard][3], []).append(node)
+        new: dict[int, int] = {}
+        one, zero = whole.const(1.0), whole.const(0.0)
+        for sound, nodes in groups.items():
+            numbers = [
+                whole.make("select", k, one, zero) if whole.ops[k] in TRUTHS else k for k in nodes
+            ]
+            made = whole.make("guard", 1, (one,), tuple(numbers), sound, ())
+            new.update((k, whole.make("item", made, i)) for i, k in enumerate(nodes))
+        return [new.get(node, node) for node in self._places]
 
 
 def split(program: Program, states: int, constants: int) -> tuple[Program, Program]:

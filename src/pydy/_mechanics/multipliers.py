@@ -135,11 +135,8 @@ def accelerations(
     place = largest([node for node, _ in held.places], sizes, rounded=True)
     uncertain = g.add(g.mul(place, g.powi(rate, 2)), g.mul(motion, rate, broken))
     loose = g.call("lt", g.powi(broken, 3), g.sum([(uncertain, UNCERTAIN)]))
-    # Not symmetric, so that derivatives are those of what is solved.
-    unit = [[g.one if j in (i, n if i == 0 else i) else g.zero for j in range(n + 1)]
-            for i in range(n + 1)]  # fmt: skip
     chosen = [g.call("select", loose, b, a) for a, b in zip(exact, coarse, strict=True)]
-    return g.guard(unit, [*chosen, g.zero], sound, [*fast, g.zero])[:n]
+    return g.guard([[g.one]], chosen, sound, list(fast))
 
 
 def _mobilities(graph: Graph, matrix: Sequence[list[int]]) -> list[int]:

@@ -290,7 +290,7 @@ class _Task:
 
     # -- compiled ---------------------------------------------------------------------------------
 
-    def turned(self, safe: bool) -> KernelCall:
+    def turned(self) -> KernelCall:
         """Return the derivatives of Σ weight · rate; see `WayBack`."""
         model = self.whole
         assembly = model.assembly
@@ -300,11 +300,10 @@ class _Task:
         def make() -> Program:
             graph, rates = assembly.simplified("rates")
             return derivative_program(
-                graph, rates, by, "vector-jacobian", assembly.sizes, assembly.passes,
-                through_guards=not safe, guards="by systems" if safe else "checked",
-            )  # fmt: skip
+                graph, rates, by, "vector-jacobian", assembly.sizes, assembly.passes
+            )
 
-        key = ("adjoint of the rates", safe, self.wanted)
+        key = ("adjoint of the rates", self.wanted)
         return self.call_whole(model.compiled_by(key, make), n)
 
     def objective(self) -> KernelCall:
@@ -318,9 +317,7 @@ class _Task:
         def make() -> Program:
             own = assembly.fork()
             nodes = simplify(own.graph, [node_of(own, self.final, "`final`")], own.passes)
-            return derivative_program(
-                own.graph, nodes, by, "gradient", own.sizes, own.passes, guards="by systems"
-            )
+            return derivative_program(own.graph, nodes, by, "gradient", own.sizes, own.passes)
 
         key = ("gradient at the end", self.final, self.wanted)
         return self.call(model.compiled_by(key, make))
@@ -387,7 +384,7 @@ class _Run:
         further, kept = len(task.wanted), len(task.sampled)
         from pydy.solvers.run.backward import WayBack
 
-        self._back = WayBack(method, rates, task.turned, further, kept)
+        self._back = WayBack(method, rates, task.turned(), further, kept)
         self._kept = kept
         integrals = 0 if task.integral is None else 1
         self.value = float(self.last[n : n + integrals].sum())

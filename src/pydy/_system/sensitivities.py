@@ -8,18 +8,17 @@ function theorem: from c(x, θ) = 0 follows c_d x_d' = −(c_i x_i' + c_θ) for 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from functools import cache
 from typing import Any
 
 import numpy as np
 
 from pydy._assembly.definition import Definition
-from pydy._assembly.model import CompiledModel, stored_program, with_finite_samples
+from pydy._assembly.model import CompiledModel, stored_program
 from pydy._backends.llvm.columns import lanes_for
 from pydy._checks import describe
 from pydy._graph.columns import Columns
-from pydy._graph.derivative import Guards
 from pydy._graph.program import Program
 from pydy._graph.split import SplitProgram
 from pydy._kernel import Inputs, Kernel, KernelCall
@@ -51,8 +50,6 @@ class Sensitive:
         That named the parameters.
     apart : bool, optional
         Whether several columns are taken at a time; by default, whether the back end can.
-    guards : Guards
-        How solutions are differentiated that were found in other ways.
     """
 
     definition: Definition
@@ -62,7 +59,6 @@ class Sensitive:
     p: np.ndarray
     argument: str = "sensitivities"
     apart: bool | None = None
-    guards: Guards = "checked"
     columns: Columns = field(init=False)
 
     def __post_init__(self) -> None:
@@ -83,7 +79,7 @@ class Sensitive:
         n = len(self.definition.states)
         if self._side_by_side:  # whole blocks; what is left over stays zero
             directions += [None] * (-len(directions) % lanes_for(len(directions)))
-        object.__setattr__(self, "columns", Columns(n, tuple(directions), weights, self.guards))
+        object.__setattr__(self, "columns", Columns(n, tuple(directions), weights))
 
     @property
     def count(self) -> int:
@@ -115,10 +111,9 @@ class Sensitive:
             ("sensitivities", blocks, self.columns), lambda: self.program(*blocks)
         )
 
-    def program(self, *blocks: str, guards: Guards | None = None) -> Program:
+    def program(self, *blocks: str) -> Program:
         """Return the Program of `kernel`, all columns one after the other."""
-        assembly = self.model.assembly
-        columns = replace(self.columns, guards=guards or self.guards)
+        columns, assembly = self.columns, self.model.assembly
 
         def make() -> Program:
             if not blocks:
@@ -155,7 +150,7 @@ class Sensitive:
             (*self.plan.sampled, *self.weights()),
             None,
             lambda: tuple(map(str, model.layout.states)),
-            lambda: model.compiled_jacobian("rates", "x", checked=False),
+            lambda: model.compiled_jacobian("rates", "x"),
         )
 
     def weights(self) -> list[tuple[np.ndarray, SampledInput]]:
@@ -234,13 +229,7 @@ class Sensitive:
         self, blocks: tuple[str, ...], times: np.ndarray, states: np.ndarray, values: np.ndarray
     ) -> np.ndarray:
         whole = self.columns.together(states, values)
-        kernel = self.model.kernel_by(
-            ("sensitivities that hold", blocks, self.columns),
-            lambda: with_finite_samples(
-                self.kernel(*blocks), cache(lambda: self.program(*blocks, guards="by systems"))
-            ),
-        )
-        return self.model.evaluate(kernel, times, whole, self.rows(times), self.p)
+        return self.model.evaluate(self.kernel(*blocks), times, whole, self.rows(times), self.p)
 
     # -- the start --------------------------------------------------------------------------------
 
@@ -341,7 +330,6 @@ class Wanted:
     def __init__(self, parameters: Any, controlled: bool) -> None:
         self._parameters = parameters
         self._controlled = controlled
-        self._guards: Guards = "checked"
 
     def problem(
         self,
@@ -373,9 +361,7 @@ class Wanted:
         """
         following = [definition.states[k] for k in dependent]
         parameters = read_parameters(definition, plan, self._parameters, dependent=following)
-        self.sensitive = sensitive = Sensitive(
-            definition, integrated, plan, parameters, p, guards=self._guards
-        )
+        self.sensitive = sensitive = Sensitive(definition, integrated, plan, parameters, p)
         values = sensitive.start(*start, dependent)
         columns = sensitive.columns
         if isinstance(solver, Solver):
@@ -397,16 +383,6 @@ class Wanted:
                     every = np.repeat(np.asarray(options[name]), columns.count)
                     options = {**options, name: np.concatenate([options[name], every])}
         return sensitive.function(), columns.together(start[0], values), options
-
-    def take_systems(self) -> bool:
-        """Have guards differentiated by systems from now on; return whether that changes anything.
-
-        Columns that meet a state where a guard falls back are NaN from there on otherwise.
-        """
-        if self._guards == "by systems" or not hasattr(self, "sensitive"):
-            return False
-        self._guards = "by systems"
-        return self.sensitive.model.assembly.has_other_ways("rates")
 
     def results(self, whole: np.ndarray) -> tuple[np.ndarray, dict[str, Any]]:
         """Return the states of a solver's result, and what a Trajectory takes beside them."""

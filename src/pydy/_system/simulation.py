@@ -36,22 +36,6 @@ from pydy.trajectory import Trajectory
 SolverFunction = Callable[..., Any]
 
 
-def _differentiated(
-    now: Snapshot, solver: Any, options: dict[str, Any], wanted: Wanted | None, dependent: Any
-) -> Any:
-    """Call the solver; where sensitivities have become NaN, again by what holds everywhere."""
-    try:
-        result = _solve(now, solver, options, checked=True, wanted=wanted, dependent=dependent)
-    except (IntegrationError, SingularMatrixError):
-        if wanted is None or not wanted.take_systems():
-            raise
-    else:
-        states = result[0] if isinstance(result, tuple) else result
-        if wanted is None or np.isfinite(states).all() or not wanted.take_systems():
-            return result
-    return _solve(now, solver, options, checked=True, wanted=wanted, dependent=dependent)
-
-
 def begin(now: Snapshot, solver: SolverFunction, given: dict[str, Any]) -> tuple[Ready, np.ndarray]:
     """Check what a simulation begins with; return what is ready for it, and the times."""
     times, latest = now.times, now.model.latest
@@ -336,7 +320,9 @@ class Simulation(Setup):
         wanted, n = None, len(now.definition.states)
         if sensitivities is not None:
             wanted = Wanted(sensitivities, flag(control_sensitivities, "`control_sensitivities`"))
-        result = _differentiated(now, solver, options, wanted, self._dependent)
+        result = _solve(
+            now, solver, options, checked=True, wanted=wanted, dependent=self._dependent
+        )
         states, info = result if isinstance(result, tuple) else (result, None)
         statistics = dict(info) if isinstance(info, dict) else {}
         times = statistics.pop("times", now.times)

@@ -253,7 +253,7 @@ def event_rates_program(assembly: Assembly, expressions: Sequence[Any]) -> Progr
     nodes = own.read(expressions, "the events")
     along = [graph.input("x", k) for k in range(own.sizes[0])]
     slopes = [*own.rates, graph.one]
-    rows = jacobian(graph, nodes, [*along, graph.input("t", 0)], guards="as found")
+    rows = jacobian(graph, nodes, [*along, graph.input("t", 0)])
     totals = [graph.sum([(graph.mul(d, slopes[k]), 1.0) for k, d in r.items()]) for r in rows]
     return own.lowered([("rates", (len(totals),), totals)], graph)
 

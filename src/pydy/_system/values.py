@@ -16,7 +16,6 @@ from pydy._assembly.model import CompiledModel
 from pydy._assembly.specifieds import driven
 from pydy._checks import Places, flag, listed, real_array, shown
 from pydy._errors import SingularMatrixError
-from pydy._graph.derivative import Guards
 from pydy._graph.node import Graph
 from pydy._graph.products import derivative_program
 from pydy._graph.program import Program
@@ -163,13 +162,13 @@ def prepare_product(
         assembly = made.assembly
         key = ("product", kind, target.block, target.chosen, by, count)
 
-        def program(guards: Guards) -> Program:
+        def program() -> Program:
             graph, nodes = target.nodes(assembly)
             return derivative_program(
-                graph, nodes, by, kind, assembly.sizes, assembly.passes, count, guards=guards
+                graph, nodes, by, kind, assembly.sizes, assembly.passes, count
             )
 
-        return made.compiled_derivative(key, program)
+        return made.compiled_by(key, program)
 
     perturbed = any(group == "r" for group, _ in by)
     return Derivative(build, vectors, names, squeeze, perturbed)

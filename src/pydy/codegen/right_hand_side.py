@@ -393,7 +393,7 @@ def native_call(
         plan.sampled,
         plan if plan.functions else None,
         lambda: tuple(map(str, model.layout.states)),
-        None if model.solver else lambda: model.compiled_jacobian("rates", "x", checked=False),
+        None if model.solver else lambda: model.compiled_jacobian("rates", "x"),
     )
 
 

@@ -28,7 +28,7 @@ PRELUDE = numbered(resource("prelude.js"))
 LONGEST = 4000
 """Operations in one function at most: engines leave longer ones to their interpreter."""
 
-_VECTOR = "const {name} = new Float64Array({n});"
+_VECTOR = "const {name} = new Float64Array({many});"
 _MATRIX = (
     "const {name}_a = new Float64Array({n} * {n}), {name}_pivots = new Int32Array({n});",
     "const {name}_scales = new Float64Array(2 * {n});",
@@ -55,14 +55,15 @@ JAVASCRIPT = Dialect(
             *_GUARDED,
             *_FACTOR,
             _COLUMN,
-            "luSolve({n}, {name}_a, {name}_pivots, {name});",
+            "for (let k = 0; k < {many}; k += {n})",
+            "  luSolve({n}, {name}_a, {name}_pivots, {name}.subarray(k, k + {n}));",
             "}}",
         ),
         "constrained": (
             *_GUARDED,
             _FILLED,
             _COLUMN,
-            f"if (constrained({_CALL}, {{name}})) failed = true;",
+            f"if (constrained({_CALL}, {{many}}, {{name}})) failed = true;",
             "}}",
         ),
     },

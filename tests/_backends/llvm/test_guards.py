@@ -9,11 +9,13 @@ from pydy._backends.c.cython_ import CythonBackend
 from pydy._backends.llvm import jit, native, tiers
 from pydy._backends.llvm.backend import LLVMBackend
 from pydy._backends.numpy_ import NumPyBackend
+from pydy._graph.adjoint import adjoints
 from pydy._graph.counting import operations
 from pydy._graph.derivative import jacobian
 from pydy._graph.interpret import run
 from pydy._graph.node import Graph
 from pydy._graph.simplify import simplify
+from pydy._graph.tuning import INDEPENDENT
 
 BACKENDS = {
     "llvm": LLVMBackend(lanes=1),
@@ -217,6 +219,19 @@ def test_derivatives_of_a_guarded_solution_are_those_of_its_system(backend):
     kernel = BACKENDS[backend].compile(on_tape(graph, simplify(graph, cells), sizes))
     found, failed = kernel.evaluate(np.zeros(19), x, np.empty((19, 0)), p)
     assert not failed.any()
+    # Backwards too, and with the solution itself beside them.
+    weights = [graph.const(w) for w in (0.3, -0.4, 0.7)]
+    both = [*nodes, *adjoints(graph, nodes, weights, inputs)]
+    back, failed = (
+        BACKENDS[backend]
+        .compile(on_tape(graph, both, sizes))
+        .evaluate(np.zeros(19), x, np.empty((19, 0)), p)
+    )
+    assert not failed.any()
+    whole = found.reshape(19, n, 3 * n)
+    expected = np.tensordot(whole, [0.3, -0.4, 0.7], (1, 0))
+    np.testing.assert_allclose(back[:, n:], expected, rtol=1e-10, atol=1e-12)
+    np.testing.assert_allclose(back[:, :n], [exact(row, p, n) for row in x], rtol=1e-9)
     step = 1e-6
     for row, state in zip(found, x, strict=True):
         columns = [
@@ -224,3 +239,53 @@ def test_derivatives_of_a_guarded_solution_are_those_of_its_system(backend):
             for e in np.eye(3 * n)
         ]
         np.testing.assert_allclose(row.reshape(n, 3 * n), np.transpose(columns), atol=1e-8)
+
+
+def test_second_derivatives_of_a_guarded_solution_are_those_of_its_system():
+    n = 3
+    graph, nodes, sizes = by_hand(n)
+    inputs = [graph.input("x", k) for k in range(3 * n)]
+    gradient = adjoints(graph, nodes, [graph.one] * n, inputs)
+    rows = jacobian(graph, gradient, inputs)
+    cells = [row.get(k, graph.zero) for row in rows for k in range(3 * n)]
+    x, p = states(n)
+
+    def values(of, x):
+        return run(on_tape(graph, of, sizes), np.zeros(len(x)), x, np.empty((len(x), 0)), p)[0]
+
+    found = values(cells, x).reshape(19, 3 * n, 3 * n)
+    np.testing.assert_allclose(found, found.swapaxes(1, 2), rtol=1e-9, atol=1e-11)
+    step = 1e-5
+    for k, e in enumerate(np.eye(3 * n)):
+        slope = (values(gradient, x + step * e) - values(gradient, x - step * e)) / (2 * step)
+        np.testing.assert_allclose(found[:, k], slope, rtol=1e-6, atol=1e-8)
+
+
+@pytest.mark.parametrize("lanes", [1, 4])
+def test_constraints_are_solved_for_several_right_hand_sides(lanes):
+    # As one by one, on every back end; a NaN in one of them leaves the others alone.
+    g = Graph()
+    x = [g.input("x", k) for k in range(9)]
+    mark = g.const(INDEPENDENT)
+    rows = [
+        [x[0], g.zero, g.neg(x[2])],
+        [g.zero, x[1], g.neg(x[2])],
+        [x[2], x[2], mark],
+    ]
+    never, nothing = g.boolean(False), [g.zero] * 3
+    each = [x[3:6], x[6:9]]
+    several = g.guard(rows, [n for part in each for n in part], never, nothing * 2)
+    single = [n for part in each for n in g.guard(rows, part, never, nothing)]
+    program = on_tape(g, [*several, *single], (9, 0, 0))
+    values = np.random.default_rng(1).uniform(1.0, 2.0, (7, 9))
+    values[:, 2] = 1e17
+    values[2, 4] = np.nan
+    values[5, 0] = np.nan
+    every = np.zeros(7), values, np.empty((7, 0)), np.empty(0)
+    for backend in (NumPyBackend(), LLVMBackend(lanes=lanes), CythonBackend()):
+        found, failed = backend.compile(program).evaluate(*every)
+        assert not failed.any()
+        np.testing.assert_array_equal(found[:, :6], found[:, 6:])
+        assert list(np.isnan(found[:, :6]).any(axis=0)) == [True] * 6
+        assert not np.isnan(found[2, 3:6]).any()
+        assert not np.isnan(np.delete(found, [2, 5], axis=0)).any()

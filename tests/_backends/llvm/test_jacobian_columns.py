@@ -8,9 +8,13 @@ import numpy as np
 import pytest
 
 import zoo
+from _backends.llvm.test_guards import by_hand, states
 from cases import system_of
+from graphs import on_tape
 from pydy._backends.llvm import jit
 from pydy._backends.llvm.backend import LLVMBackend, compile_jacobian
+from pydy._graph.derivative import dense_jacobian
+from pydy._graph.interpret import run
 from pydy._graph.jacobian_columns import JacobianColumns, columns_program
 from pydy._graph.node import Graph
 from pydy._graph.switches import Passes
@@ -104,6 +108,27 @@ def test_states_that_cannot_go_the_quick_way_are_solved_by_pivoting(n, kind):
         # A(d) y = b: by d_k it is −A⁻¹ e_k y_k, by b the inverse.
         expected = np.hstack([-inverse * (inverse @ state[n:]), inverse])
         assert np.allclose(row.reshape(n, 2 * n), expected, rtol=1e-8, atol=1e-8)
+
+
+@pytest.mark.parametrize("n", [3, 9])
+def test_guarded_solutions_have_derivatives_in_parts_wherever_they_fall_back(n):
+    graph, nodes, sizes = by_hand(n)
+    _, entries, column, sound, fast = graph.args[graph.args[nodes[0]][0]]
+    rows = [[*entries[k * n : k * n + n]] for k in range(n)]
+    more = graph.call("atan", column[0])
+    nodes = graph.guard(rows, [more, *column[1:]], sound, [*fast])
+    places = [("x", k) for k in range(3 * n)]
+    made = columns_program(graph, nodes, places, sizes, Passes(), [(0, n), (n, 3 * n)])
+    # No call computes what only the fallback needs, for itself or for the columns.
+    assert "atan" in made.shared.ops
+    assert "atan" not in made.operation_count["run"]
+    x, p = states(n)
+    arguments = np.zeros(19), x, np.empty((19, 0)), p
+    cells = dense_jacobian(graph, nodes, [graph.input(*place) for place in places])
+    expected, _ = run(on_tape(graph, cells, sizes), *arguments)
+    found, failed = compile_jacobian(made).evaluate(*arguments)
+    assert not failed.any()
+    np.testing.assert_allclose(found, expected, rtol=1e-9, atol=1e-11)
 
 
 @pytest.mark.parametrize("n", [5, 29])

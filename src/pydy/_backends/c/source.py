@@ -46,12 +46,16 @@ C = Dialect(
         ),
         "guard": (
             *_GUARDED,
-            *_inside(*_FACTOR, "lu_solve({n}, {name}_a, {name}_pivots, {name});"),
+            *_inside(
+                *_FACTOR,
+                "for (int k = 0; k < {many}; k += {n})",
+                "    lu_solve({n}, {name}_a, {name}_pivots, {name} + k);",
+            ),
             "}}",
         ),
         "constrained": (
             *_GUARDED,
-            *_inside(*_MATRIX, f"status |= constrained({_CALL}, {{name}});"),
+            *_inside(*_MATRIX, f"status |= constrained({_CALL}, {{many}}, {{name}});"),
             "}}",
         ),
     },
@@ -170,18 +174,20 @@ static inline int32_t lu_factor(int n, double *a, int *pivots, double *scales)
 }
 """,
     "constrained": """\
-/* Solve M x - A^T l = f, A x = b in place of the right-hand side by Gauss and Jordan's elimination,
-   whatever the rank of A; `scales` is 2 n numbers of work space. The last rows, with a mark on the
-   diagonal, are those of A in units of their rounding errors; so many are independent as are
-   marked so. Pivots are the largest of A, then of the diagonal of M. Returns whether M is
-   singular. */
-static inline int32_t constrained(int n, double *a, int *pivots, double *scales, double *b)
+/* Solve M x - A^T l = f, A x = b in place of right-hand sides, so many numbers in all, by Gauss
+   and Jordan's elimination, whatever the rank of A; `scales` is 2 n numbers of work space. The last
+   rows, with a mark on the diagonal, are those of A in units of their rounding errors; so many are
+   independent as are marked so. Pivots are the largest of A, then of the diagonal of M. Returns
+   whether M is singular. */
+static inline int32_t constrained(int n, double *a, int *pivots, double *scales, int many,
+                                  double *b)
 {
     int first = n, left = 0;
     int32_t singular = 0;
-    double rest = 0.0; /* NaN, if anything is not finite */
+    double rest = 0.0, any = 0.0; /* NaN, if anything is not finite, of a or of b */
+    for (int i = 0; i < many; i++)
+        any += 0.0 * b[i];
     for (int i = 0; i < n; i++) {
-        rest += 0.0 * b[i];
         pivots[i] = -1;
         for (int j = 0; j < n; j++)
             rest += 0.0 * a[i * n + j];
@@ -221,7 +227,7 @@ static inline int32_t constrained(int n, double *a, int *pivots, double *scales,
         } else
             left--;
         if (row < 0) {
-            singular = rest == 0.0;
+            singular = rest + any == 0.0;
             rest = NAN;
             break;
         }
@@ -234,18 +240,24 @@ static inline int32_t constrained(int n, double *a, int *pivots, double *scales,
                     continue;
                 for (int j = 0; j < n; j++)
                     a[i * n + j] -= factor * a[p * n + j];
-                b[i] -= factor * b[p];
+                for (int k = 0; k < many; k += n)
+                    b[k + i] -= factor * b[k + p];
             }
             pivots[p] = q;
         }
     }
-    for (int i = 0; i < n; i++)
-        scales[n + i] = 0.0;
-    for (int i = 0; i < n; i++)
-        if (pivots[i] >= 0)
-            scales[n + pivots[i]] = b[i] / a[i * n + pivots[i]];
-    for (int i = 0; i < n; i++)
-        b[i] = scales[n + i] + rest;
+    for (; many > 0; many -= n, b += n) {
+        double added = rest;
+        for (int i = 0; i < n; i++) {
+            added += 0.0 * b[i];
+            scales[n + i] = 0.0;
+        }
+        for (int i = 0; i < n; i++)
+            if (pivots[i] >= 0)
+                scales[n + pivots[i]] = b[i] / a[i * n + pivots[i]];
+        for (int i = 0; i < n; i++)
+            b[i] = scales[n + i] + added;
+    }
     return singular;
 }
 """,

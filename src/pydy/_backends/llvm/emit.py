@@ -103,9 +103,8 @@ class Solves:
                 continue
             if self.e.fallbacks:
                 self._keep_matrix(k, _stored(*args[:2]))
-            fast = args[4]
-            guards[k] = fast
-            self.vectors[k] = [("", 0)] * len(fast)
+            guards[k] = args[4]
+            self.vectors[k] = [("", 0)] * len(args[2])
         if not guards:
             return
         if not self.e.setup:
@@ -120,7 +119,7 @@ class Solves:
             room = self.f.slot(self.v, len(rest)) if rest else ""
             for index, k in enumerate(rest):
                 vector[k] = (room, index)
-            for node, (pointer, index) in zip(fast, vector, strict=True):
+            for node, (pointer, index) in zip(fast, vector, strict=bool(fast)):
                 if self.e.computed(node):
                     self.e.place(node, pointer, index, guard)
 
@@ -242,7 +241,7 @@ class Solves:
     ) -> None:
         f, v, names = self.f, self.v, self.names
         places = self.vectors[node]
-        for value, (pointer, index) in zip(fast, places, strict=True):
+        for value, (pointer, index) in zip(fast, places, strict=bool(fast)):
             if not self.e.computed(value):
                 f.store(v, names[value], names.place(pointer, index))
         need = f.let(f"xor i32 {mask(f, names[sound], self.lanes)}, {(1 << self.lanes) - 1}")
@@ -261,27 +260,32 @@ class Solves:
             matrix, scratch, room = self._filled(node, n, stored, symmetric)
             b = self._buffer(column)
             if symmetric:
+                right = f"ptr {b}, i64 {len(column) // n}"
                 bad = f.let(
-                    f"call i32 @{self._routines[3]}(ptr {matrix}, ptr {b}, ptr {scratch}, "
+                    f"call i32 @{self._routines[3]}(ptr {matrix}, {right}, ptr {scratch}, "
                     f"i64 {n}, i32 {need})"
                 )
             elif is_constrained(self.program, entries):
                 pivots = f.slot(vector_type("i64", self.lanes), n)
                 bad = f.let(
                     f"call i32 @{self._routines[4]}(ptr {matrix}, ptr {pivots}, "
-                    f"ptr {f.slot('double', 2 * n)}, ptr {b}, i64 {n}, i32 {need})"
+                    f"ptr {f.slot('double', 2 * n)}, ptr {b}, i64 {len(column)}, i64 {n}, "
+                    f"i32 {need})"
                 )
             else:
                 pivots, scales, bad = self._lu(matrix, n, need)
-                f.let(
-                    f"call i32 @{self._routines[0]}(ptr {matrix}, ptr {pivots}, ptr {scales}, "
-                    f"ptr {b}, i64 {n}, i32 {need})"
-                )
+                with f.loop("0", str(len(column)), str(n)) as k:
+                    f.let(
+                        f"call i32 @{self._routines[0]}(ptr {matrix}, ptr {pivots}, ptr {scales}, "
+                        f"ptr {f.at(b, k, v)}, i64 {n}, i32 {need})"
+                    )
             self._report(bad)
             if room:
                 f.do(f"call void @free(ptr {room})")
-            quick = [names[k] for k in fast] if self.lanes > 1 else [""] * n
-            chosen = self._choose(need, b, quick)
+            if self.lanes > 1 and fast:
+                chosen = self._choose(need, b, [names[k] for k in fast])
+            else:
+                chosen = [f.load(v, b, str(k)) for k in range(len(column))]
             for solved, (pointer, index) in zip(chosen, places, strict=True):
                 f.store(v, solved, names.place(pointer, index))
 

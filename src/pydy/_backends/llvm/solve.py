@@ -28,8 +28,8 @@ def solver_declarations(lanes: int) -> str:
         f"declare i32 @{lu}(ptr, ptr, ptr, ptr, i64, i32)\n"
         f"declare i32 @{factor}(ptr, ptr, i64)\n"
         f"declare void @{solve}(ptr, ptr, ptr, i64)\n"
-        f"declare i32 @{guard}(ptr, ptr, ptr, i64, i32)\n"
-        f"declare i32 @{constrained}(ptr, ptr, ptr, ptr, i64, i32)\n"
+        f"declare i32 @{guard}(ptr, ptr, i64, ptr, i64, i32)\n"
+        f"declare i32 @{constrained}(ptr, ptr, ptr, ptr, i64, i64, i32)\n"
     )
 
 
@@ -284,13 +284,12 @@ def _ldl_solve(lanes: int) -> str:
 def _guard(lanes: int) -> str:
     """Solve again, by LU, the lanes in %mask of a symmetric system that LDL^T could not.
 
-    lower: the lower triangle row by row; b: the right-hand sides, solved in place; scratch: room
-    for n*n + 3n items, of which the LU uses all. Gives the mask of the singular lanes.
+    lower: the lower triangle row by row; b: %count right-hand sides, solved in place; a: room for
+    n*n + 3n items, of which the LU uses all. Gives the mask of the singular lanes.
     """
     v = vector_type("double", lanes)
-    f = Function(
-        f"pydy_guard_{lanes}", "i32", "ptr %lower, ptr %b, ptr %a, i64 %n, i32 %mask", _PUBLIC
-    )
+    arguments = "ptr %lower, ptr %b, i64 %count, ptr %a, i64 %n, i32 %mask"
+    f = Function(f"pydy_guard_{lanes}", "i32", arguments, _PUBLIC)
     place = f.variable("i64", "0")
     with f.loop("0", "%n") as i, f.loop("0", f.let(f"add nsw i64 {i}, 1")) as j:
         k = f.get("i64", place)
@@ -303,7 +302,9 @@ def _guard(lanes: int) -> str:
     scales = f.at(pivots, "%n", v)
     call = f"ptr %a, ptr {pivots}, ptr {scales}"
     bad = f.let(f"call i32 @pydy_lu_{lanes}({call}, ptr null, i64 %n, i32 %mask)")
-    f.let(f"call i32 @pydy_lu_{lanes}({call}, ptr %b, i64 %n, i32 %mask)")
+    with f.loop("0", "%count") as k:
+        b = f.at("%b", f.let(f"mul nsw i64 {k}, %n"), v)
+        f.let(f"call i32 @pydy_lu_{lanes}({call}, ptr {b}, i64 %n, i32 %mask)")
     f.do(f"ret i32 {bad}")
     return f.text()
 
@@ -311,11 +312,13 @@ def _guard(lanes: int) -> str:
 def _constrained() -> str:
     """Solve one lane as `pydy._graph.interpret.constrained` does; gives whether it is singular.
 
-    Arrays are those of `_lu_factor`, and b; a pivot is its column, −1 where a row has none.
+    Arrays are those of `_lu_factor`, and %m numbers of right-hand sides; a pivot is its column, −1
+    where a row has none.
     """
-    arguments = "ptr %a, ptr %pivots, ptr %scales, ptr %b, i64 %n, i64 %s"
+    arguments = "ptr %a, ptr %pivots, ptr %scales, ptr %b, i64 %m, i64 %n, i64 %s"
     f = Function("constrained", "i1", arguments, _INTERNAL)
-    rest, singular = f.variable("double", "0.0"), f.variable("i1", "false")
+    rest, beside = f.variable("double", "0.0"), f.variable("double", "0.0")
+    singular = f.variable("i1", "false")
     first, left = f.variable("i64", "%n"), f.variable("i64", "0")
     best = f.variable("double", "0.0")
     row, column = f.variable("i64", "-1"), f.variable("i64", "-1")
@@ -329,12 +332,9 @@ def _constrained() -> str:
     def unused(i: str) -> str:
         return f.let(f"icmp slt i64 {f.load('i64', '%pivots', stride(i))}, 0")
 
-    def watch(value: str) -> None:
-        f.set(
-            "double",
-            rest,
-            f.let(f"fadd double {f.get('double', rest)}, {f.let(f'fmul double {value}, 0.0')}"),
-        )
+    def watch(value: str, rest: str = rest) -> None:
+        nothing = f.let(f"fmul double {value}, 0.0")
+        f.set("double", rest, f.let(f"fadd double {f.get('double', rest)}, {nothing}"))
 
     def offer(size: str, i: str, j: str) -> None:
         with f.when(f.let(f"fcmp ogt double {size}, {f.get('double', best)}")):
@@ -342,8 +342,9 @@ def _constrained() -> str:
             f.set("i64", row, i)
             f.set("i64", column, j)
 
+    with f.loop("0", "%m") as i:
+        watch(f.load("double", "%b", stride(i)), beside)
     with f.loop("0", "%n") as i:
-        watch(f.load("double", "%b", stride(i)))
         f.store("i64", "-1", "%pivots", stride(i))
         with f.loop("0", "%n") as j:
             watch(cell(i, j))
@@ -401,36 +402,39 @@ def _constrained() -> str:
             singular,
             f.let(f"or i1 {f.get('i1', singular)}, {f.let(f'xor i1 {found}, true')}"),
         )
-        arrays = "ptr %a, ptr %pivots, ptr %b"
+        arrays = "ptr %a, ptr %pivots, ptr %b, i64 %m"
         with f.when(found):
             f.do(f"call void @eliminate({arrays}, i64 {p}, i64 {q}, i64 %n, i64 %s)")
         with f.when(f.let(f"and i1 {found}, {f.let(f'icmp ne i64 {p}, {q}')}")):
             f.do(f"call void @eliminate({arrays}, i64 {q}, i64 {p}, i64 %n, i64 %s)")
     failed = f.get("i1", singular)
-    with f.loop("0", "%n") as i:
-        f.store("double", "0.0", "%scales", f.let(f"add i64 {i}, %n"))
-    with f.loop("0", "%n") as i, f.when(f.let(f"xor i1 {unused(i)}, true")):
-        q = f.load("i64", "%pivots", stride(i))
-        x = f.let(f"fdiv double {f.load('double', '%b', stride(i))}, {cell(i, q)}")
-        f.store("double", x, "%scales", f.let(f"add i64 {q}, %n"))
     nothing = f.get("double", rest)
     nan = hex_double(float("nan"))
     added = f.let(f"select i1 {failed}, double {nan}, double {nothing}")
-    with f.loop("0", "%n") as i:
-        x = f.load("double", "%scales", f.let(f"add i64 {i}, %n"))
-        f.store("double", f.let(f"fadd double {x}, {added}"), "%b", stride(i))
-    finite = f.let(f"fcmp oeq double {nothing}, 0.0")
+    with f.loop("0", "%m", "%n") as k:
+        own, b = f.variable("double", added), f.at("%b", stride(k))
+        with f.loop("0", "%n") as i:
+            watch(f.load("double", b, stride(i)), own)
+            f.store("double", "0.0", "%scales", f.let(f"add i64 {i}, %n"))
+        with f.loop("0", "%n") as i, f.when(f.let(f"xor i1 {unused(i)}, true")):
+            q = f.load("i64", "%pivots", stride(i))
+            x = f.let(f"fdiv double {f.load('double', b, stride(i))}, {cell(i, q)}")
+            f.store("double", x, "%scales", f.let(f"add i64 {q}, %n"))
+        with f.loop("0", "%n") as i:
+            x = f.load("double", "%scales", f.let(f"add i64 {i}, %n"))
+            f.store("double", f.let(f"fadd double {x}, {f.get('double', own)}"), b, stride(i))
+    whole = f.let(f"fadd double {nothing}, {f.get('double', beside)}")
+    finite = f.let(f"fcmp oeq double {whole}, 0.0")
     f.do(f"ret i1 {f.let(f'and i1 {failed}, {finite}')}")
     return f.text()
 
 
 def _eliminate() -> str:
     """Eliminate column q from all rows but p, which is divided by nothing."""
-    arguments = "ptr %a, ptr %pivots, ptr %b, i64 %p, i64 %q, i64 %n, i64 %s"
+    arguments = "ptr %a, ptr %pivots, ptr %b, i64 %m, i64 %p, i64 %q, i64 %n, i64 %s"
     f = Function("eliminate", "void", arguments, _INTERNAL)
     pivot = f.load("double", "%a", _index(f, "%p", "%q", "%n", "%s"))
     inverse = f.let(f"fdiv double 1.0, {pivot}")
-    own = f.load("double", "%b", f.let("mul nsw i64 %p, %s"))
     with f.loop("0", "%n") as i:
         value = f.load("double", "%a", _index(f, i, "%q", "%n", "%s"))
         factor = f.let(f"fmul double {value}, {inverse}")
@@ -440,8 +444,13 @@ def _eliminate() -> str:
                 above = f.load("double", "%a", _index(f, "%p", j, "%n", "%s"))
                 place = f.at("%a", _index(f, i, j, "%n", "%s"))
                 f.store("double", _less(f, f.load("double", place), factor, above), place)
-            place = f.at("%b", f.let(f"mul nsw i64 {i}, %s"))
-            f.store("double", _less(f, f.load("double", place), factor, own), place)
+            with f.loop("0", "%m", "%n") as k:
+                below, own = (
+                    f.at("%b", f.let(f"mul nsw i64 {f.let(f'add nsw i64 {k}, {row}')}, %s"))
+                    for row in (i, "%p")
+                )
+                less = _less(f, f.load("double", below), factor, f.load("double", own))
+                f.store("double", less, below)
     f.store("i64", "%q", "%pivots", f.let("mul nsw i64 %p, %s"))
     f.do("ret void")
     return f.text()
@@ -449,7 +458,7 @@ def _eliminate() -> str:
 
 def _constrained_lanes(lanes: int) -> str:
     """Solve the lanes in %mask in place of b; gives the mask of the singular ones."""
-    arguments = "ptr %a, ptr %pivots, ptr %scales, ptr %b, i64 %n, i32 %mask"
+    arguments = "ptr %a, ptr %pivots, ptr %scales, ptr %b, i64 %m, i64 %n, i32 %mask"
     f = Function(f"pydy_constrained_{lanes}", "i32", arguments, _PUBLIC)
     bad = f.variable("i32", "0")
     with f.loop("0", str(lanes)) as lane:
@@ -457,7 +466,7 @@ def _constrained_lanes(lanes: int) -> str:
         with f.when(f.let(f"icmp ne i32 {f.let(f'and i32 %mask, {bit}')}, 0")):
             a, b = f.at("%a", lane), f.at("%b", lane)
             arrays = f"ptr {a}, ptr {f.at('%pivots', lane, 'i64')}, ptr %scales, ptr {b}"
-            singular = f.let(f"call i1 @constrained({arrays}, i64 %n, i64 {lanes})")
+            singular = f.let(f"call i1 @constrained({arrays}, i64 %m, i64 %n, i64 {lanes})")
             with f.when(singular):
                 f.set("i32", bad, f.let(f"or i32 {f.get('i32', bad)}, {bit}"))
     f.do(f"ret i32 {f.get('i32', bad)}")

@@ -66,14 +66,14 @@ function luSolve(n, a, pivots, b) {
   }
 }
 
-// Solve M x - A^T l = f, A x = b in place of the right-hand side by Gauss and Jordan's elimination,
-// whatever the rank of A. The last rows, marked on the diagonal, are those of A in units of their
+// Solve M x - A^T l = f, A x = b in place of right-hand sides, so many numbers in all, by Gauss and
+// Jordan's elimination, whatever the rank of A. The last rows, marked on the diagonal, are those of A in units of their
 // rounding errors; so many are independent as are marked so. Pivots are the largest entries of A,
 // then of the diagonal of M. Return whether M is singular.
-function constrained(n, a, pivots, scales, b) {
-  let first = n, left = 0, singular = false, rest = 0;
+function constrained(n, a, pivots, scales, many, b) {
+  let first = n, left = 0, singular = false, rest = 0, any = 0;
+  for (let i = 0; i < many; i++) any += 0 * b[i];
   for (let i = 0; i < n; i++) {
-    rest += 0 * b[i];
     pivots[i] = -1;
     for (let j = 0; j < n; j++) rest += 0 * a[i * n + j];
   }
@@ -113,7 +113,7 @@ function constrained(n, a, pivots, scales, b) {
       }
     }
     if (row < 0) {
-      singular = rest === 0;
+      singular = rest + any === 0;
       rest = NaN;
       break;
     }
@@ -123,15 +123,19 @@ function constrained(n, a, pivots, scales, b) {
         const factor = a[i * n + q] * inverse;
         if (i === p || factor === 0) continue;
         for (let j = 0; j < n; j++) a[i * n + j] -= factor * a[p * n + j];
-        b[i] -= factor * b[p];
+        for (let k = 0; k < many; k += n) b[k + i] -= factor * b[k + p];
       }
       pivots[p] = q;
     }
   }
-  scales.fill(0, n);
-  for (let i = 0; i < n; i++) {
-    if (pivots[i] >= 0) scales[n + pivots[i]] = b[i] / a[i * n + pivots[i]];
+  for (let k = 0; k < many; k += n) {
+    let added = rest;
+    for (let i = k; i < k + n; i++) added += 0 * b[i];
+    scales.fill(0, n);
+    for (let i = 0; i < n; i++) {
+      if (pivots[i] >= 0) scales[n + pivots[i]] = b[k + i] / a[i * n + pivots[i]];
+    }
+    for (let i = 0; i < n; i++) b[k + i] = scales[n + i] + added;
   }
-  for (let i = 0; i < n; i++) b[i] = scales[n + i] + rest;
   return singular;
 }

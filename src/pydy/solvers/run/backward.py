@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
+from typing import Any
 
 import numpy as np
 
@@ -100,10 +101,9 @@ class WayBack:
     method : str
     rates : KernelCall
         The derivatives of the n states.
-    turned : callable
-        Returns a call of the same inputs, with n weights after r: the derivatives of Σ weight ·
-        rate by the states and by k other inputs. Its argument tells whether they have to hold
-        where a linear solve falls back; where they do not, they are NaN there.
+    turned : KernelCall
+        Of the same inputs, with n weights after r: the derivatives of Σ weight · rate by the states
+        and by k other inputs.
     further, kept : int
         k, and how many of these, the last, are wanted stage by stage.
     """
@@ -112,7 +112,7 @@ class WayBack:
         self,
         method: str,
         rates: KernelCall,
-        turned: Callable[[bool], KernelCall],
+        turned: KernelCall,
         further: int,
         kept: int,
     ) -> None:
@@ -123,17 +123,14 @@ class WayBack:
         ways = _ways(method, self.length)
         self.stages, self.nodes, self.table = len(ways.nodes), ways.nodes, ways.table
         self._rows, self._offsets, self._coefficients = ways.rows, ways.offsets, ways.coefficients
-        self._turned = turned
-        self._safe = False
-        self._bind()
+        self._python = turned.kernel.addresses is None
+        self._problem = self._bound(turned)
 
-    def _bind(self) -> None:
-        """Take the Kernel that holds everywhere, or the one that need not."""
-        n, call = self.n, self._turned(self._safe)
-        self._python = call.kernel.addresses is None
+    def _bound(self, call: KernelCall) -> Any:
+        """Return the derivatives as the compiled loop reads them."""
+        n = self.n
         if not self._python:
-            self._problem = kernel_problem(call, n)
-            return
+            return kernel_problem(call, n)
         s = len(call.r) - n
         problem: list[np.ndarray] = []
 
@@ -145,8 +142,9 @@ class WayBack:
 
         outputs = n + self.further
         self._callback = Callback(called, n, outputs, "The derivatives", Interrupts())
-        self._problem = callback_problem(self._callback, n, call)
-        problem.append(self._problem.r)
+        made = callback_problem(self._callback, n, call)
+        problem.append(made.r)
+        return made
 
     def through(
         self,
@@ -174,10 +172,6 @@ class WayBack:
         while last > first:
             start = max(first, last - most)
             part = self._part(recording, slice(start, last), adjoint)
-            if not np.isfinite(part.adjoint).all() and not self._safe:
-                self._safe = True
-                self._bind()
-                continue
             adjoint, totals = part.adjoint, totals + part.totals
             times.append(part.times)
             kept.append(part.kept)
