@@ -30,9 +30,9 @@ from pydy._graph.derivative import dense, dense_jacobian, directional
 from pydy._graph.node import Graph
 from pydy._graph.rewrite import substitute
 from pydy._rank import DIGITS
-from pydy._system.redundancy import evaluated_rows
 from pydy._system.snapshot import Snapshot
 from pydy._system.solving import constraint_names
+from pydy._system.start import evaluated_rows
 from pydy._system.tuning import EXCESS, LEFT, LOST, NEAR_SINGULAR, TRIED
 from pydy.solvers.options import Options
 from pydy.solvers.outcome import ENERGY_CHANGED, LEFT_CONSTRAINTS, OUTCOMES

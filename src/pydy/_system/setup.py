@@ -22,7 +22,7 @@ from pydy._names import name_of, unique_names
 from pydy._system.definition import Definer
 from pydy._system.energy import EnergyModel, check_potential
 from pydy._system.inputs import SymbolSet, base_symbols, check_forces, check_times, named_forces
-from pydy._system.scipy_ivp import resolve_ode_solver
+from pydy._system.scipy_solvers import resolve_ode_solver
 from pydy._system.snapshot import Snapshot, checked_plan, read_numbers
 from pydy.codegen.ode_function_generators import make_function
 from pydy.codegen.right_hand_side import RightHandSide, make_backend

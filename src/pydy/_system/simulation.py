@@ -21,8 +21,7 @@ from pydy._system.dependents import (
 )
 from pydy._system.inputs import check_times
 from pydy._system.kept import Motion, check_kept
-from pydy._system.scipy_ivp import SolveIvp
-from pydy._system.scipy_odeint import call_odeint, odeint_options
+from pydy._system.scipy_solvers import SolveIvp, call_odeint, odeint_options
 from pydy._system.sensitivities import Wanted
 from pydy._system.setup import Setup
 from pydy._system.snapshot import Snapshot
