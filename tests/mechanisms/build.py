@@ -2,6 +2,7 @@
 
 import warnings
 
+import numpy as np
 import sympy as sm
 import sympy.physics.mechanics as me
 
@@ -278,12 +279,24 @@ class Model:
             else:
                 rows += part.symbols(self, loop)
         still = dict.fromkeys(self.auxiliary, 0)
-        self.positions = [sm.sympify(row[1]) for row in rows if row[0] == "position"]
-        self.speeds = [
-            sm.sympify(row[1]).xreplace(self.rates).xreplace(still)
-            for row in rows
-            if row[0] == "speed"
+        # Where decimals cancel, rows of nothing but rounding are left, which contradict anything.
+        rows = [
+            (kind, sm.sympify(row) if some else sm.S.Zero)
+            for (kind, row), some in zip(
+                sorted(rows, key=lambda r: r[0]), self._hold(), strict=True
+            )
         ]
+        self.positions = [row for kind, row in rows if kind == "position"]
+        self.speeds = [
+            row.xreplace(self.rates).xreplace(still) for kind, row in rows if kind == "speed"
+        ]
+
+    def _hold(self):
+        """Whether each row holds anything at this state or at others, the positions first."""
+        q, u = np.array(self.real["q"]), self.real["u"]
+        scales = np.random.default_rng(0).uniform(0.5, 1.5, (2, len(q)))
+        worlds = [World(self.real, q * scale, u, rows=[]) for scale in (1.0, *scales)]
+        return np.any([(np.abs(w.A) > 1e-13 * w.A_size).any(axis=1) for w in worlds], axis=0)
 
 
 def _added(rows, weights):
@@ -394,8 +407,8 @@ def joints(data):
     system = model.system
     if positions := [e for e in model.positions if e != 0]:
         system.add_holonomic_constraints(*positions)
-    if model.speeds:
-        system.add_nonholonomic_constraints(*model.speeds)
+    if speeds := [e for e in model.speeds if e != 0]:
+        system.add_nonholonomic_constraints(*speeds)
     for load in model.loads:
         if hasattr(load, "to_loads"):
             system.add_actuators(load)

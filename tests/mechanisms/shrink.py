@@ -2,6 +2,7 @@
 
 import copy
 import json
+import re
 
 from mechanisms.check import DisagreementError, check
 from mechanisms.generate import settle
@@ -101,11 +102,20 @@ def _failure(data, front_ends, answers):
     try:
         settle(data)
         check(data, front_ends, answers)
-    except DisagreementError as error:
-        return data, str(error).split(": ")[1].split("[")[0]
     except Exception as error:  # noqa: BLE001 (whatever was raised first is looked for)
-        return data, type(error)
+        return data, kind_of(error)
     return data, None
+
+
+def kind_of(error):
+    """What tells a failure from others: the answer, or the exception's type and first words.
+
+    Names and numbers differ from part to part of a mechanism, and so may what they are quoted in.
+    """
+    if isinstance(error, DisagreementError):
+        return str(error).split(": ")[1].split("[")[0]
+    head = re.split(r"[`\d:;{(\[]", str(error).strip().splitlines()[0] if str(error) else "")[0]
+    return type(error), head.strip() or str(error)[1:40]
 
 
 def shrunk(data, front_ends, answers, most=100):

@@ -2,9 +2,10 @@
 
 import pytest
 
-from mechanisms.check import check
-from mechanisms.generate import BODIES
+from mechanisms.check import Check, DisagreementError, check
+from mechanisms.generate import BODIES, draw
 from mechanisms.run import checked
+from mechanisms.shrink import kind_of
 
 # Small ones: most of the time of large ones is SymPy's and the compiler's.
 SEEDS = [s for s in range(87) if BODIES[s % len(BODIES)] < 4][:60]
@@ -32,3 +33,26 @@ def test_rolling_that_implies_a_height_shares_its_forces_with_it():
         "inputs": [], "fixed_inputs": [],
     }  # fmt: skip
     check(data, ["joints"], ["outputs"])
+
+
+@pytest.mark.parametrize("seed", [2359, 2400], ids=["twice nothing", "rounding"])
+def test_rows_that_hold_nothing_are_none(seed):
+    assert checked(seed)[2] is None
+
+
+def test_the_oracle_takes_as_many_steps_as_a_motion_needs():
+    data = draw(2050)  # drag that changes quickly: one step errs by 4 times what is allowed
+    one = Check(data | {"loops": []}, "definition")
+    assert one._steps > 1
+    still = Check(draw(0), "definition")
+    assert still._steps == 1
+
+
+def test_failures_of_a_kind_differ_in_numbers_and_names_only():
+    text = "The constraints contradict each other: row {0} is left at {0}."
+    first, second = (ValueError(text.format(k)) for k in (1, 2))
+    assert kind_of(first) == kind_of(second)
+    assert kind_of(first) != kind_of(ValueError("The body b1 has no mass."))
+    assert kind_of(first) != kind_of(TypeError(str(first)))
+    texts = [f"kane: rates[{k}] is {k}, the oracle says 0" for k in (1, 2)]
+    assert len({kind_of(DisagreementError(text)) for text in texts}) == 1
