@@ -162,7 +162,11 @@ def replaced(data, f, path=""):
 
 
 def settle(data):
-    """Close the loops at the state, drop those that would leave no motion, and fit the speeds."""
+    """Close the loops at the state, drop those that would leave no motion, and fit the speeds.
+
+    The numbers are of size one; `physical` puts them in units.
+    """
+    units, data["units"] = data["units"], [1.0, 1.0, 1.0]
     q = np.array(data["q"], LONG)
     for elements in layout(data)[0]:
         for _, of_q, _ in elements:
@@ -182,6 +186,7 @@ def settle(data):
             data["loops"].pop()
             data["u"] = before
     _fit_speeds(data)
+    data["units"] = units
 
 
 def _fit_speeds(data):

@@ -1,9 +1,11 @@
 """Random mechanisms do by every front end what the oracle says."""
 
+import numpy as np
 import pytest
 
 from mechanisms.check import Check, DisagreementError, check
-from mechanisms.generate import BODIES, draw
+from mechanisms.generate import BODIES, draw, physical
+from mechanisms.oracle import World
 from mechanisms.run import checked
 from mechanisms.shrink import kind_of
 
@@ -35,7 +37,7 @@ def test_rolling_that_implies_a_height_shares_its_forces_with_it():
     check(data, ["joints"], ["outputs"])
 
 
-@pytest.mark.parametrize("seed", [2359, 2400], ids=["twice nothing", "rounding"])
+@pytest.mark.parametrize("seed", [2359, 2400, 2453], ids=["twice nothing", "rounding", "height"])
 def test_rows_that_hold_nothing_are_none(seed):
     assert checked(seed)[2] is None
 
@@ -56,3 +58,10 @@ def test_failures_of_a_kind_differ_in_numbers_and_names_only():
     assert kind_of(first) != kind_of(TypeError(str(first)))
     texts = [f"kane: rates[{k}] is {k}, the oracle says 0" for k in (1, 2)]
     assert len({kind_of(DisagreementError(text)) for text in texts}) == 1
+
+
+def test_speeds_are_fitted_before_numbers_get_units():
+    """With speeds that hold the cosine of a length, in units of that."""
+    data = physical(draw(2360))
+    world = World(data, data["q"], data["u"])
+    assert np.all(np.abs(world.residual) <= 1e-12 * world.A_size @ world.natural)
