@@ -119,6 +119,15 @@ def test_a_row_of_roundings_constrains_nothing(configuration):
     made.integrate(constraints="project")
 
 
+@pytest.mark.parametrize("metre", [1e-9, 1.0, 1e6])
+def test_a_row_of_roundings_that_has_a_root_locks_nothing(metre):
+    noise = 1e-17 * metre * (sm.cos(x) - sm.Float(0.9))
+    made = bead(holonomic_constraints=[noise, y - metre * sm.sin(x)])
+    assert len(made.multibody.holonomic) == len(made.multibody.velocity) == 1
+    alone = bead(holonomic_constraints=[1e-17 * (sm.cos(x) - sm.Float(0.9))])
+    assert len(alone.multibody.holonomic) == 1
+
+
 def test_speeds_keep_constraints_of_different_units():
     rows = {"holonomic_constraints": [1e-17 * (y - x**2)], "nonholonomic_constraints": [vx - 1]}
     assert len(bead(**rows).multibody.velocity) == 2

@@ -12,13 +12,13 @@ from dataclasses import replace
 import numpy as np
 
 from pydy._assembly.assembly import Assembly
-from pydy._assembly.tuning import NO_SHARE, SAME_RATE, SAME_SHARE
 from pydy._graph.derivative import dense, dense_jacobian, directional
 from pydy._graph.rewrite import substitute
 from pydy._graph.solve.choose import solve_accelerations
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.generic import evaluator_of, generic_inputs
 from pydy._mechanics.multipliers import Constraints, accelerations_of_held
+from pydy._rank import DEPENDENT, HALF, ROUNDED
 
 _TRIALS = 3
 
@@ -96,7 +96,7 @@ def _shares(assembly: Assembly, holonomic: list[int], velocity: list[int]) -> np
     blocks.append(("rows", (count, n), assembly.mass_matrix[(n - count) * n :]))
     inputs = generic_inputs(assembly.sizes, _TRIALS + len(holonomic))
     parts = evaluator_of(graph, blocks)(*inputs)
-    if not np.allclose(parts["rows"], parts["motion"][:, :count], rtol=SAME_RATE, atol=NO_SHARE):
+    if not np.allclose(parts["rows"], parts["motion"][:, :count], rtol=HALF, atol=ROUNDED):
         raise ValueError(
             "`constraints='baumgarte'` needs acceleration constraints that are the rates of "
             "the velocity constraints, in the same order and not scaled; these are not. Use "
@@ -109,17 +109,17 @@ def _shares(assembly: Assembly, holonomic: list[int], velocity: list[int]) -> np
     reach, motion = reach / sizes[0], motion / sizes[1]
     # At a single state other factors may do too: redundant rows depend on each other there.
     share, left = _combined(np.concatenate([*reach.transpose(0, 2, 1)]), motion)
-    genuine = left > SAME_SHARE
+    genuine = left > HALF
     for k in np.flatnonzero(genuine):
         own = [_combined(a.T, b[None, k : k + 1])[1][0] for a, b in zip(reach, motion, strict=True)]
-        if max(own) <= SAME_SHARE and np.linalg.matrix_rank(reach[0]) < n:
+        if max(own) <= HALF and np.linalg.matrix_rank(reach[0]) < n:
             raise ValueError(
                 "`constraints='baumgarte'` needs velocity constraints that are the rates of "
                 "holonomic ones with constant factors; here the factors depend on the state. Use "
                 "constraints='project', or write the velocity constraints as `holonomic.diff(t)`."
             )
     share[genuine] = 0.0
-    share[np.abs(share) < NO_SHARE] = 0.0
+    share[np.abs(share) < ROUNDED] = 0.0
     result: np.ndarray = share * (sizes[1] / sizes[0].T)
     return result
 
@@ -127,7 +127,7 @@ def _shares(assembly: Assembly, holonomic: list[int], velocity: list[int]) -> np
 def _combined(columns: np.ndarray, rows: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Return the factors with which columns give rows at all states, and what share is left."""
     right = rows.transpose(0, 2, 1).reshape(len(columns), -1)
-    share = np.linalg.lstsq(columns, right, rcond=SAME_RATE)[0]
+    share = np.linalg.lstsq(columns, right, rcond=DEPENDENT)[0]
     left = np.linalg.norm(right - columns @ share, axis=0)
     size = np.linalg.norm(right, axis=0)
     return share.T, left / np.where(size > 0.0, size, 1.0)

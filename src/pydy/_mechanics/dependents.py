@@ -20,7 +20,8 @@ from pydy._mechanics.equations import Equations
 from pydy._mechanics.formed import kinematics_of
 from pydy._mechanics.generic import Block, GenericStates, row_units
 from pydy._mechanics.reader import Multibody
-from pydy._mechanics.tuning import NEARLY_DEPENDENT, OPEN, ROUNDED, SMALL_PIVOT
+from pydy._mechanics.tuning import NEARLY_DEPENDENT, OPEN, ROUNDED
+from pydy._rank import HALF
 
 _TRIALS = 12
 _AROUND = (
@@ -65,7 +66,7 @@ class Chosen:
         free[:, range(work.shape[2]) if allowed is None else list(allowed)] = True
         while free.any():
             worst = np.where(free, np.abs(work).min(axis=0), 0.0)
-            sound = np.where(worst < SMALL_PIVOT, 0.0, worst)
+            sound = np.where(worst < HALF, 0.0, worst)
             weighed = np.where(varies, sound, _STEADY * sound)
             i, j = np.unravel_index(int(weighed.argmax()), worst.shape)
             if sound[i, j] == 0.0:
@@ -139,13 +140,11 @@ def _choose(
 ) -> tuple[tuple[Chosen, tuple[Any, ...]], tuple[Chosen, tuple[Any, ...]], list[int]]:
     """Return the independent constraints, and the coordinates and speeds that follow from them."""
     states = GenericStates(equations, (), "the constraints")
+    _check_linear(equations, states)
+    rows = _of_rounding(states)
+    rounded = [k - len(states.holonomic) for k in rows if k >= len(states.holonomic)]
+    states.leave_out(rows)
     tables, every = _searched(states, near)
-    _check_linear(equations, states, tables)
-    rounded: list[int] = []
-    if not _closed(every) and every and (rows := _of_rounding(every, len(states.holonomic))):
-        rounded = [k - len(states.holonomic) for k in rows if k >= len(states.holonomic)]
-        states.leave_out(rows)
-        tables, every = _searched(states, near)
     samples = _closed(every)
     if not every:
         raise ValueError(
@@ -197,23 +196,42 @@ def _searched(
     return tables, every
 
 
-def _of_rounding(samples: list[dict[str, np.ndarray]], holonomic: int) -> list[int]:
+def _of_rounding(states: GenericStates) -> list[int]:
     """Return the rows whose terms are no larger than rounding errors of all others of their kind.
 
-    SymPy adds up numbers beforehand: of a linkage in an oblique plane it leaves a row of 1e-17.
+    SymPy adds up numbers beforehand: of a linkage in an oblique plane it leaves a row of 1e-17. At
+    states that have not been searched for, since such a row may have a root, and a row of squares
+    of nanometres is as small where it holds. Rates are in the units of their holonomic rows, which
+    may be any beside those of the others: they are what these are.
     """
-    sizes = np.max([s["bounds"] for s in samples], axis=0)
+    graph, holonomic, velocity = states.graph, states.holonomic, states.velocity
+    bounds = rounding_bounds(graph, [*holonomic, *velocity])
+    blocks = [
+        ("bounds", (len(bounds),), bounds),
+        ("rates", (len(holonomic),), states.rates(holonomic)),
+        ("velocity", (len(velocity),), velocity),
+    ]
+    at = states.anywhere(blocks)
+    sizes = np.nan_to_num(at["bounds"]).max(axis=0, initial=0.0)
+    first, rates = len(holonomic), at["rates"]
+    known = {
+        first + j: int(k)
+        for j, own in enumerate(at["velocity"].T)
+        for k in np.flatnonzero(
+            (np.abs(rates - own[:, None]) <= HALF * np.abs(rates)).all(axis=0) & own.any()
+        )[:1]
+    }
     found: list[int] = []
-    for part in (range(holonomic), range(holonomic, len(sizes))):
+    for part in (range(first), [k for k in range(first, len(sizes)) if k not in known]):
         order = sorted((k for k in part if sizes[k] > 0.0), key=lambda k: sizes[k])
         gaps = [i for i in range(1, len(order)) if sizes[order[i - 1]] <= ROUNDED * sizes[order[i]]]
         found += order[: gaps[-1]] if gaps else []
-    return found
+    return found + [j for j, k in known.items() if k in found]
 
 
-def _check_linear(equations: Equations, states: GenericStates, tables: Sequence[Block]) -> None:
+def _check_linear(equations: Equations, states: GenericStates) -> None:
     """Refuse holonomic constraints that hold speeds, and others that are not linear in them."""
-    n, cells = tables[1][1][1], tables[1][2]
+    _, (_, n), cells = states.table("velocity", states.velocity, states.speeds)
     speeds = set(states.speeds)
 
     def held(nodes: Sequence[int]) -> bool:

@@ -33,7 +33,8 @@ from pydy._mechanics.kinematics import Kinematics, Vec
 from pydy._mechanics.reader import Multibody
 from pydy._mechanics.reduction import reduced, slopes
 from pydy._mechanics.symbols import find_symbols, replace_symbols
-from pydy._mechanics.tuning import ALIKE, CANCELLING, SAME_DIRECTION
+from pydy._mechanics.tuning import ALIKE, SAME_DIRECTION
+from pydy._rank import ROUNDED
 
 
 def disagreeing(kinematics: Kinematics) -> list[Any]:
@@ -198,7 +199,7 @@ def _vanish(graph: Graph, nodes: Sequence[int]) -> bool:
     x = np.random.default_rng(0).uniform(0.5, 1.5, (len(leaves), _STATES))
     found = values_at(dict(zip(inputs, x, strict=True)), _STATES)
     left, bounds = np.hsplit(np.abs(found), 2)
-    return bool(((left <= CANCELLING * bounds) & (bounds > 0.0)).all())
+    return bool(((left <= ROUNDED * bounds) & (bounds > 0.0)).all())
 
 
 def _leaves(graph: Graph, nodes: Sequence[int]) -> list[int]:

@@ -34,7 +34,8 @@ from pydy._mechanics.form import Formed, auxiliary_equations, forms, useful_axes
 from pydy._mechanics.generic import Block, GenericStates, evaluator_of
 from pydy._mechanics.reader import Multibody
 from pydy._mechanics.symbols import rate_of
-from pydy._mechanics.tuning import AGREEING, CANCELLED, FORMS_COUNTED_UP_TO, WITHIN_SPAN
+from pydy._mechanics.tuning import CANCELLED, FORMS_COUNTED_UP_TO
+from pydy._rank import HALF
 
 _TRIALS = 3
 
@@ -62,7 +63,7 @@ def classify(equations: Equations) -> Equations:
     terms = np.abs(values["gradient"]) @ np.abs(values["kinematics"])
     sizes = np.linalg.norm(terms, axis=1)
     # What cancels is no row: the rate of a quaternion's norm.
-    rows[np.linalg.norm(rows, axis=1) <= WITHIN_SPAN * sizes] = 0.0
+    rows[np.linalg.norm(rows, axis=1) <= HALF * sizes] = 0.0
     enforced = tuple(k for k, row in enumerate(rows) if _implied(row, motion))
     chosen = _completing(rows, motion)
     # What was redundant may be the rate of a holonomic constraint, which stands for itself now, and
@@ -87,7 +88,7 @@ def _implied(row: np.ndarray, motion: np.ndarray) -> bool:
 
 def _likeness(row: np.ndarray, other: np.ndarray) -> int:
     """Tell whether rows are equal (2) or parallel (1), which where one speed moves all rows are."""
-    if np.linalg.norm(row - other) <= WITHIN_SPAN * np.linalg.norm(row):
+    if np.linalg.norm(row - other) <= HALF * np.linalg.norm(row):
         return 2
     return int(not _completing(row[None], other[None]))
 
@@ -103,9 +104,9 @@ def _completing(rates: np.ndarray, motion: np.ndarray) -> list[int]:
             for unit in basis:
                 rest = rest - (unit @ rest) * unit
         left = np.linalg.norm(rest)
-        if left > WITHIN_SPAN:
+        if left > HALF:
             basis.append(rest / left)
-        return bool(left > WITHIN_SPAN)
+        return bool(left > HALF)
 
     for row in rates:
         extends(row)
@@ -288,7 +289,7 @@ def _alike(written: np.ndarray, formed: np.ndarray, n: int) -> bool:
     except np.linalg.LinAlgError:
         return False
     size = _magnitudes(matrix) @ np.abs(rates) + np.abs(forcing)
-    return bool((np.abs(matrix @ rates - forcing) <= AGREEING * size + np.finfo(float).tiny).all())
+    return bool((np.abs(matrix @ rates - forcing) <= HALF * size + np.finfo(float).tiny).all())
 
 
 def _magnitudes(matrix: np.ndarray) -> np.ndarray:

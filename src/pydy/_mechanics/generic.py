@@ -22,9 +22,11 @@ from pydy._graph.symbols import input_nodes
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.frames import orientation_rows, rotations
 from pydy._mechanics.symbols import find_symbols, rate_of, sort_symbols
-from pydy._mechanics.tuning import CLOSED, FULL_STEPS
+from pydy._mechanics.tuning import FULL_STEPS
+from pydy._rank import ROUNDED
 
 _STEPS = 50
+_ANYWHERE = 3  # states
 _LOW, _HIGH = 0.3, 1.3  # generic coordinates and speeds
 _NEAR = 0.03  # of the largest number of a configuration: how far beside it samples begin
 
@@ -138,6 +140,10 @@ class GenericStates:
             if all(np.isfinite(v).all() for v in own.values()):
                 yield own
 
+    def anywhere(self, blocks: Sequence[Block]) -> dict[str, np.ndarray]:
+        """Return the values of blocks at generic states that need not keep the constraints."""
+        return evaluator_of(self.graph, blocks)(*generic_inputs(self._sizes, _ANYWHERE))
+
     def _without_speeds(self) -> list[int]:
         """Return the velocity constraints that no speed can keep: conditions for all the rest."""
         speeds, g = set(self.speeds), self.graph
@@ -191,7 +197,7 @@ class GenericStates:
                 for k, gradient, left in zip(searching, now["gradient"], now["held"], strict=True):
                     if not (np.isfinite(gradient).all() and np.isfinite(left).all()):
                         usable.remove(k)
-                    elif np.abs(left / units).max(initial=0.0) >= CLOSED:
+                    elif np.abs(left / units).max(initial=0.0) >= ROUNDED:
                         step = -_solved(gradient, left, share)
                         x[k, :n] += step[:n]
                         r[k] += step[n:]

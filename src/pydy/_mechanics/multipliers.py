@@ -25,7 +25,7 @@ from pydy._graph.node import Graph
 from pydy._graph.rewrite import substitute
 from pydy._graph.rounding import rounding_bounds
 from pydy._graph.tuning import INDEPENDENT, REDUNDANT, SINGULAR
-from pydy._mechanics.tuning import CLEAR_PIVOT, GUARDED_UP_TO, LIGHT, SOUND_PIVOT, UNCERTAIN
+from pydy._mechanics.tuning import GUARDED_UP_TO, LIGHT, SOUND_PIVOT, UNCERTAIN
 
 _HOMOGENEOUS = {"sum", "prod", "sqrt", "abs", "pow"}
 _STATES = (0.37, 0.74, 1.13)  # from here the irregular states go at which rows are measured
@@ -104,7 +104,7 @@ def accelerations(
     units = _roundings(g, matrix, rows)
     exact = _constrained(*parts, units)
     coarse = _constrained(*parts, [
-        g.sum([(g.call("sqrt", g.add(size, other)), CLEAR_PIVOT / (n + len(rows)))])
+        g.sum([(g.call("sqrt", g.add(size, other)), SOUND_PIVOT / (n + len(rows)))])
         for size, other in zip(own, usual, strict=True)
     ])  # fmt: skip
     change = [g.sub(a, b) for a, b in zip(exact, coarse, strict=True)]

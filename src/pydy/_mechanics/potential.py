@@ -34,7 +34,7 @@ from pydy._mechanics.equations import Equations, Mechanism
 from pydy._mechanics.generic import GenericStates
 from pydy._mechanics.reader import InputReader, given_velocity, places
 from pydy._mechanics.symbols import find_symbols, replace_symbols
-from pydy._mechanics.tuning import CANCELLING
+from pydy._rank import ROUNDED
 
 _TRIALS = 3
 
@@ -61,7 +61,7 @@ def _vanish(states: GenericStates, nodes: Sequence[int]) -> bool:
     pairs = [*nodes, *rounding_bounds(states.graph, nodes)]
     samples = states.samples([("pairs", (2, len(nodes)), pairs)], _TRIALS)
     found = [np.abs(sample["pairs"]) for sample in samples]
-    return bool(found) and all((left <= CANCELLING * bound).all() for left, bound in found)
+    return bool(found) and all((left <= ROUNDED * bound).all() for left, bound in found)
 
 
 @dataclass
@@ -472,7 +472,7 @@ def _opposite(vectors: Sequence[Vector]) -> Callable[[int, int], bool]:
         if not sizes[:, i].all():  # what is zero there may be so elsewhere only
             return bool(vectors[i] != 0 and vectors[i] + vectors[j] == 0)
         left = np.abs(values[:, i] + values[:, j]).max(axis=1)
-        return bool((left <= CANCELLING * sizes[:, i]).all())
+        return bool((left <= ROUNDED * sizes[:, i]).all())
 
     return opposite
 
@@ -493,7 +493,7 @@ def _ratio(force: Vector, line: Vector) -> Any:
         return None
     found = pull[:, [largest]] / way[:, [largest]]
     # The potential as a whole is compared with the loads' power in the end.
-    if (np.abs(pull - found * way) > CANCELLING * np.abs(pull).max(axis=1, keepdims=True)).any():
+    if (np.abs(pull - found * way) > ROUNDED * np.abs(pull).max(axis=1, keepdims=True)).any():
         return None
     f, r = pairs[largest]
     return f / r
@@ -509,9 +509,9 @@ def _in_terms_of(expression: Any, square: Any, distance: Any) -> Any:
     ]
     values = _numbers([square, *bases])
     shares = values[:, 1:] / values[:, :1]
-    alike = np.abs(shares - shares[0]).max(axis=0) <= CANCELLING * np.abs(shares[0])
+    alike = np.abs(shares - shares[0]).max(axis=0) <= ROUNDED * np.abs(shares[0])
     named = {
-        base: (1 if abs(share - 1.0) <= CANCELLING else sm.Float(share)) * distance**2
+        base: (1 if abs(share - 1.0) <= ROUNDED else sm.Float(share)) * distance**2
         for base, share, same in zip(bases, shares[0], alike, strict=True)
         if same
     }

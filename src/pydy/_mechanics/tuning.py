@@ -6,18 +6,9 @@ those that differ differ by 1e-3 or more.
 
 from __future__ import annotations
 
-AGREEING = 1e-8
-"""The difference of two values that are the same, in units of the terms they are sums of."""
-
-CANCELLING = 1e-12
-"""What rounding leaves of a sum of terms that cancel, in units of these."""
-
 CANCELLED = 1e-4
 """The share of its row and column below which an entry of a mass matrix may be what is left of
-terms that cancel: with `AGREEING`, differences of 1e-12 of them are rounding."""
-
-WITHIN_SPAN = 1e-8
-"""What is left of a unit row that lies in the span of others."""
+terms that cancel: where half the digits agree, differences of 1e-12 of them are rounding."""
 
 ALIKE = 1e-15
 """The difference of two bodies' weights over their masses, in units of one: that of rounding."""
@@ -26,8 +17,8 @@ FORMS_COUNTED_UP_TO = 12
 """Speeds beyond which forms are estimated, and one set of axes is tried: to count them takes as
 long as all the rest (twice the time for a tree of 29 joints, four times for 20 links)."""
 
-CLOSED, OPEN = 1e-13, 1e-7
-"""Residuals of constraints up to which they hold, and above which they certainly do not."""
+OPEN = 1e-7
+"""Residuals of constraints, in their units, above which they certainly do not hold."""
 
 FULL_STEPS = (0.05, 1e-14)
 """Shares below which singular values are left out of Newton's steps: first with few directions,
@@ -44,18 +35,12 @@ SAME_DIRECTION = 1e-12
 """The difference of two unit vectors, and of two rotations, that are the same: users' axes are
 normalised to rounding, or to all digits that they wrote."""
 
-SMALL_PIVOT = 1e-8
-"""A pivot of rows of unit size that is none."""
-
 NEARLY_DEPENDENT = (1e-9, 1e-4)
 """Singular values between are neither zero nor sound: such a state is not counted."""
 
 SOUND_PIVOT = 1e-2
-"""A pivot below this share of its row's size has all rows take part: two digits are lost."""
-
-CLEAR_PIVOT = 1e-2
-"""A pivot of J below this share of its row's size belongs to a row that is nearly singular, and is
-left out where the state does not tell its multiplier."""
+"""A pivot below this share of its row's size has all rows take part: two digits are lost. A row of
+J with such a pivot is nearly singular: left out where the state does not tell its multiplier."""
 
 UNCERTAIN = 8.0
 """Twice what residuals make of accelerations, four times over, since they are not known but
