@@ -7,7 +7,7 @@ import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
 
-from _mechanics.test_reduction import NUMBERS, M, equations, on_a_turntable, state_of
+from _mechanics.test_reduction import NUMBERS, M, equations, on_a_turntable, solution, state_of
 from by_hand import coupler
 from pydy import System
 from pydy._graph.products import derivative_program
@@ -36,14 +36,12 @@ def turntable():
 def turntable_slopes(bend, held=False):
     """A state, at which the constraints may have to hold, and the derivatives of all u' by it."""
     system, values = turntable(), held_at(bend) if held else state_of(bend, 0)
-    _, speeds, parts = equations()
+    speeds = equations()[1]
     exact = {s: sm.Rational(float(v)) for s, v in (values | NUMBERS).items()}
 
     def accelerations(point):
-        k, b, mass, force = (m.xreplace(point).evalf(80) for m in parts)
-        whole = sm.Matrix.vstack(sm.Matrix.hstack(mass, k.T), sm.Matrix.hstack(k, sm.zeros(3)))
-        found = whole.LUsolve(sm.Matrix.vstack(force, -b))
-        return sm.Matrix([found[speeds.index(s)] for s in system.states[5:]])
+        found = solution(point, 80)
+        return sm.Matrix([sm.Float(found[speeds.index(s)], 80) for s in system.states[5:]])
 
     x = np.array([float(values[s]) for s in system.states])
     return x, differences(accelerations, exact, system.states)

@@ -3,6 +3,7 @@
 from dataclasses import replace
 from functools import cache
 
+import mpmath as mp
 import numpy as np
 import pytest
 import sympy as sm
@@ -77,13 +78,29 @@ def equations():
     return list(kane.q), list(kane.u), held
 
 
+@cache
+def _in_numbers(symbols):
+    """The same as a function of mpmath's numbers, which SymPy's would take twenty times as long."""
+    return sm.lambdify([symbols], equations()[2], modules="mpmath", cse=True)
+
+
+def solution(values, digits):
+    """All u', then the multipliers, from rational numbers in so many digits."""
+    with mp.workdps(digits):
+        numbers = [mp.mpf(v.p) / v.q for v in values.values()]
+        k, b, mass, force = _in_numbers(tuple(values))(numbers)
+        system, right = mp.zeros(mass.rows + k.rows), mp.zeros(mass.rows + k.rows, 1)
+        system[: mass.rows, : mass.rows] = mass
+        system[: mass.rows, mass.rows :] = k.T
+        system[mass.rows :, : mass.rows] = k
+        right[: mass.rows, 0], right[mass.rows :, 0] = force, -b
+        return list(mp.lu_solve(system, right))
+
+
 def exactly(values):
     """u' by name, with multipliers, in sixty digits."""
-    _, u, held = equations()
-    exact = {s: sm.Rational(float(v)) for s, v in values.items()}
-    k, b, mass, force = (m.xreplace(exact).evalf(60) for m in held)
-    system = sm.Matrix.vstack(sm.Matrix.hstack(mass, k.T), sm.Matrix.hstack(k, sm.zeros(3)))
-    found = system.LUsolve(sm.Matrix.vstack(force, -b))
+    _, u, _ = equations()
+    found = solution({s: sm.Rational(float(v)) for s, v in values.items()}, 60)
     return dict(zip(u, (float(a) for a in found[:5]), strict=True))
 
 
