@@ -144,11 +144,8 @@ class Definer:
         self._warn(self.latest)
         return self.latest
 
-    def holding(self, definition: Definition, constants: Mapping[Any, Any]) -> Definition:
-        """Return a Definition with those of a user's constants that events or energies hold."""
-        silent = definition.places["constants"].unknown(constants, "constants")
-        if not silent:
-            return definition
+    def holding(self, definition: Definition, silent: Iterable[Any]) -> Definition:
+        """Return a Definition with those of some constants that events or energies hold."""
         known = Places([*dict.fromkeys((*self.of_events, *self.energies.symbols))], "constants")
         meant = [known.meaning(key, "constants") for key in silent]
         return self.widened(definition, {*meant} & {*known.symbols})

@@ -513,7 +513,7 @@ class Ensembles(Setup):
         for values in filter(None, (common, dict.fromkeys(varied, 0.0))):
             new = SpecifiedsPlan(values, definition.places["specifieds"], argument="specifieds")
             plan = plan.updated(new)
-        times = check_times(now.times if times is None else times)
+        times = now.checked_times() if times is None else check_times(times)
         if len(times) < 2:
             raise ValueError(
                 f"`times` must have at least two values, got {len(times)}. Pass `times` or set "

@@ -206,7 +206,8 @@ class Setup:
     def _defined(self, constants: Mapping[Any, Any]) -> Definition:
         """Return the definition with these constants, which the equations need not hold."""
         definition = self._define(self._outputs, self._forces, self._specifieds)
-        return self._define.holding(definition, constants)
+        silent = definition.places["constants"].unknown(constants, "constants")
+        return self._define.holding(definition, silent) if silent else definition
 
     def _compiled(self, definition: Definition | None = None) -> Generated:
         """Return what is generated for a definition, by default the present one."""

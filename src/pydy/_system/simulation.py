@@ -19,7 +19,6 @@ from pydy._system.dependents import (
     latest_dependents,
     solve_dependents,
 )
-from pydy._system.inputs import check_times
 from pydy._system.kept import Motion, check_kept
 from pydy._system.scipy_solvers import SolveIvp, call_odeint, odeint_options
 from pydy._system.sensitivities import Wanted
@@ -37,30 +36,27 @@ SolverFunction = Callable[..., Any]
 
 def begin(now: Snapshot, solver: SolverFunction, given: dict[str, Any]) -> tuple[Ready, np.ndarray]:
     """Check what a simulation begins with; return what is ready for it, and the times."""
-    times, latest = now.times, now.model.latest
-    if len(times) < 2:
+    latest = now.model.latest
+    if len(now.times) < 2:
         raise ValueError(
             "`times` must have at least two values before integrate() can be called, got "
-            f"{len(times)}. Set `system.times`."
+            f"{len(now.times)}. Set `system.times`."
         )
-    sound = latest.get("times")
-    if sound is None or sound.shape != times.shape or sound.tobytes() != times.tobytes():
-        latest["times"] = sound = check_times(times)  # the array may have been edited in place
-    plan = now.plan
+    times, plan = now.checked_times(), now.plan
     if plan.sampled:
-        plan.check_times(sound, "times")
+        plan.check_times(times, "times")
     ready: Ready | None = latest.get("simulation")
     if ready is not None and not ready.suits(plan, solver, given):
         ready = None
     if now.definition.equations.constrained if ready is None else ready.constrained:
-        t, x, mended = float(sound[0]), now.x, given.get("constraints") is not None
+        t, x, mended = float(times[0]), now.x, given.get("constraints") is not None
         check_start(now.definition, now.driven, t, x, plan(x, t), now.p, mended=mended)
     if ready is None:
         ready = Ready(now.definition, now.model, plan, solver, given)
         if solver is scipy.integrate.odeint:
             check_option_names("odeint", odeint_options(), ready.options)
         latest["simulation"] = ready
-    return ready, sound.copy()
+    return ready, times
 
 
 def _run(

@@ -18,6 +18,7 @@ from pydy._kernel import Kernel
 from pydy._names import name_of
 from pydy._system.definition import unfollowed
 from pydy._system.energy import EnergyModel
+from pydy._system.inputs import check_times
 from pydy.codegen.arguments import SpecifiedsPlan
 from pydy.trajectory import Columns, Trajectory
 
@@ -121,6 +122,14 @@ class Snapshot:
         if not self.plan.expressions:
             return self.model
         return driven(self.model, self.definition, self.plan)
+
+    def checked_times(self) -> np.ndarray:
+        """Return a copy of the times, whose array may have been edited in place."""
+        times, known = self.times, self.model.latest.get("times")
+        if known is None or known.shape != times.shape or known.tobytes() != times.tobytes():
+            self.model.latest["times"] = known = check_times(times)
+        found: np.ndarray = known.copy()
+        return found
 
     # -- values for one call ----------------------------------------------------------------------
 

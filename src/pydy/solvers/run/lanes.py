@@ -17,13 +17,13 @@ from pydy.solvers.run.layout import (
     Evaluation,
     LaneProblem,
     Lanes,
-    Memory,
     Queue,
     rows_of,
     table_of,
 )
 from pydy.solvers.run.problem import address, lined_up, tables_of
 from pydy.solvers.run.shipped import function_of
+from pydy.solvers.run.workspace import memory_for
 from pydy.solvers.tableaus import method_arrays
 from pydy.solvers.tuning import LANES, LEAST_TOLERANCE
 
@@ -86,24 +86,10 @@ def integrate_samples(
     m, n = x.shape
     length = LANES * n
     controlled = controlled or n
-    rtol, atol = np.ones(n), np.ones(n)
-    rtol[:controlled], atol[:controlled] = options.rtol, np.maximum(options.atol, LEAST_TOLERANCE)
     arrays = method_arrays(method, length)
-    stages, depth = len(arrays.nodes), int(arrays.shape[at.DEPTH])
-    vectors = lined_up(6 + stages + depth, length)
-    memory = Memory(
-        x=vectors[0],
-        new=vectors[1],
-        trial=vectors[2],
-        step=lined_up(LANES),
-        theta=lined_up(LANES),
-        zero=vectors[3],
-        errors=vectors[4:6].ravel(),
-        stages=vectors[6 : 6 + stages].ravel(),
-        interpolant=vectors[6 + stages :].ravel(),
-        rtol=rtol,
-        atol=atol,
-    )
+    memory, memory_rows = memory_for(arrays, length)
+    memory.rtol[:n], memory.rtol[:controlled] = 1.0, options.rtol
+    memory.atol[:n], memory.atol[:controlled] = 1.0, np.maximum(options.atol, LEAST_TOLERANCE)
     lanes = Lanes(*lined_up(len(Lanes._fields), LANES))._replace(
         samples=np.full(LANES, at.LANES_VACANT), place=np.zeros(LANES, dtype=np.int64)
     )
@@ -118,7 +104,8 @@ def integrate_samples(
         reached=np.full(m, times[0]),
     )
     problem = _problem(kernel, sampled, controlled)
-    table = table_of(*map(rows_of, (arrays, problem, memory, lanes, queue)))
+    parts = (rows_of(arrays), rows_of(problem), memory_rows, rows_of(lanes), rows_of(queue))
+    table = table_of(*parts)
     budget = 1000
     while True:
         queue.state[at.LANES_BUDGET] = budget
@@ -171,15 +158,12 @@ def _problem(
     n, inputs = program.num_states, (program.num_specifieds, program.num_constants)
     tables, knots, cubics = tables_of(sampled)
 
-    def room(items: int) -> np.ndarray:
-        return lined_up(max(1, items) * LANES)
-
     return LaneProblem(
         words=np.array([addresses[0], n, n, controlled, controlled, addresses[1], *inputs]),
         clock=lined_up(LANES),
-        r=room(program.num_specifieds),
-        p=room(program.num_constants),
-        c=room(len(program.carried)),
+        r=lined_up(LANES * max(1, program.num_specifieds)),
+        p=lined_up(LANES * max(1, program.num_constants)),
+        c=lined_up(LANES * max(1, len(program.carried))),
         tables=np.ascontiguousarray(tables[:, :3]),
         intervals=np.zeros((len(tables), LANES), dtype=np.int64),
         knots=knots,

@@ -44,7 +44,7 @@ from pydy.solvers.sensitivities import CompiledSensitivities
 from pydy.solvers.tableaus import IMPLICIT, method_arrays
 from pydy.solvers.tuning import BLOCK, LEAST_TOLERANCE, STEPS_MEMORY
 
-__all__ = ["Workspace"]
+__all__ = ["Workspace", "memory_for"]
 
 _LOG = 256  # events between two visits in Python
 _STEPS = 2**13  # numbers of kept steps, likewise
@@ -60,6 +60,22 @@ _NO_STEPS_ROWS = rows_of(_NO_STEPS)
 @cache
 def _method_rows(method: str, length: int) -> list[int]:
     return rows_of(method_arrays(method, length))
+
+
+def memory_for(method: Method, length: int) -> tuple[Memory, list[int]]:
+    """Reserve a method's vectors of some length in one block of memory; return their rows too."""
+    stages, depth = max(1, len(method.nodes)), int(method.shape[at.DEPTH])
+    counts = (1, 1, 1, 1, 1, 1, 2, stages, depth, 1, 1)
+    flat = lined_up(sum(counts) * length)
+    start, first = address(flat), 0
+    vectors: list[np.ndarray] = []
+    rows: list[int] = []
+    for name, count in zip(Memory._fields, counts, strict=True):
+        size = BLOCK if name in ("step", "theta") else count * length
+        vectors.append(flat[first : first + size])
+        rows += (start + 8 * first, size, 1)
+        first += count * length
+    return Memory(*vectors), rows
 
 
 class Workspace:
@@ -236,19 +252,8 @@ class Workspace:
 
     def _reserve(self) -> tuple[Method, Memory]:
         n = self.n
-        length = BLOCK * blocks(n)
-        method = method_arrays(self.name, length)
-        stages, depth = max(1, len(method.nodes)), int(method.shape[at.DEPTH])
-        counts = (1, 1, 1, 1, 1, 1, 2, stages, depth, 1, 1)
-        # One block of memory for all vectors.
-        flat = lined_up(sum(counts) * length)
-        first, places = 0, []
-        for name, count in zip(Memory._fields, counts, strict=True):
-            places.append((first, BLOCK if name in ("step", "theta") else count * length))
-            first += count * length
-        memory = Memory(*[flat[place : place + size] for place, size in places])
-        start = address(flat)
-        self._memory_rows = [n for place, size in places for n in (start + 8 * place, size, 1)]
+        method = method_arrays(self.name, BLOCK * blocks(n))
+        memory, self._memory_rows = memory_for(method, BLOCK * blocks(n))
         memory.rtol[:n], memory.atol[:n] = self._tolerances()
         np.maximum(memory.atol, LEAST_TOLERANCE, out=memory.atol)
         return method, memory
