@@ -4,15 +4,18 @@ import numpy as np
 import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
+from scipy.integrate import ODEintWarning
 
 import loops
 from pydy import System
 from pydy._system.kept import Motion, check_kept
+from pydy.ensemble import kept
 from pydy.errors import IntegrationError
 from pydy.mechanics import Definition
 from pydy.solvers import Event
+from pydy.solvers.kept import is_near
 from pydy.solvers.outcome import ENERGY_CHANGED, LEFT_CONSTRAINTS
-from singular import n_four_bar, slider_crank
+from singular import bricard, n_four_bar, slider_crank
 
 ADAPTIVE = ["dop853", "tsit5", "vern9", "radau"]
 
@@ -81,10 +84,76 @@ def test_a_stabilised_mechanism_that_leaves_them_is_refused_too():
     refused(loop("three_cranks"), LEFT_CONSTRAINTS, **options)
 
 
-def test_odeint_is_looked_at():
-    system = loop("three_cranks", solver=None)
-    error = refused(system, LEFT_CONSTRAINTS, rtol=1e-6, atol=1e-6)
-    assert "`odeint` left the constraints" in str(error)
+@pytest.mark.parametrize("full_output", [False, True])
+@pytest.mark.parametrize("solver", ["odeint", "RK45", "DOP853", "Radau", "BDF", "LSODA"])
+def test_scipys_solvers_are_looked_at(solver, full_output):
+    system = loop("three_cranks", solver=solver)
+    error = refused(system, LEFT_CONSTRAINTS, rtol=1e-6, atol=1e-6, full_output=full_output)
+    assert f"`{solver}` left the constraints" in str(error)
+
+
+def test_what_odeint_returns_where_it_gives_up_is_not_looked_at():
+    system = loop("three_cranks", solver="odeint")
+    with pytest.warns(ODEintWarning):
+        _, info = system.integrate(full_output=True, mxstep=2, rtol=1e-6, atol=1e-6)
+    assert "Excess work" in info["message"]
+
+
+def test_a_users_solver_is_looked_at():
+    def midpoint(f, x0, t, args):
+        states, x = [x0], np.array(x0)
+        for k, step in enumerate(np.diff(t)):
+            for _ in range(100):
+                x = x + step / 100 * f(x + step / 200 * f(x, t[k], *args), t[k], *args)
+            states.append(x)
+        return np.array(states)
+
+    error = refused(loop("three_cranks", solver=midpoint), LEFT_CONSTRAINTS)
+    assert "`midpoint` left the constraints" in str(error)
+    loop("sarrus", end=0.2, solver=midpoint).integrate()
+
+
+@pytest.mark.parametrize("returned", ["states", 5, (1, 2), [[1.0]], np.zeros((61, 1))])
+def test_whatever_else_a_users_solver_returns_is_returned(returned):
+    system = loop("kite", solver=lambda f, x0, t, args: returned)
+    assert system.integrate() is returned
+
+
+@pytest.mark.parametrize(
+    ("name", "solver", "tolerance"),
+    [("even_slider_crank", "dop853", 1e-6), ("kite", "vern9", 1e-6), ("kite", "tsit5", 1e-6)],
+)
+def test_one_passage_of_a_singular_position_explains_no_work_all_the_time(name, solver, tolerance):
+    # There alone the forces are large that do work beside the constraints.
+    system = loop(name, solver=solver)
+    refused(system, ENERGY_CHANGED, rtol=tolerance, atol=tolerance)
+
+
+def test_energies_are_looked_at_where_constraints_nearly_lost_rank():
+    system = bricard((0, 1, 3, 4)).system
+    system.ode_solver, system.times = "tsit5", np.linspace(0.0, 5.0, 61)
+    error = refused(system, ENERGY_CHANGED, rtol=1e-10, atol=1e-10)
+    assert np.abs(system.evaluate_constraints(error.states, system.times)).max() < 1e-5
+    system = loop("peaucellier")
+    options = {"constraints": "baumgarte", "gain": 10.0, "rtol": 1e-10, "atol": 1e-10}
+    error = refused(system, ENERGY_CHANGED, **options)
+    assert np.abs(system.evaluate_constraints(error.states, system.times)).max() < 1e-5
+
+
+@pytest.mark.parametrize("size", [1e-9, 1.0, 1e9])
+def test_how_near_rows_are_to_losing_rank_has_no_unit(size):
+    angles = np.linspace(1.0, 2.0, 7)
+    rows = np.array([[[size, 0.0], [np.cos(a), np.sin(a)]] for a in angles])
+
+    def near(rows):
+        return is_near((rows @ rows.swapaxes(1, 2)).reshape(len(rows), -1))
+
+    assert not near(rows)
+    rows[3, 1] = np.cos(0.03), np.sin(0.03)
+    assert near(rows)
+    rows[3] = 0.0
+    assert near(rows)
+    assert not near(np.zeros((7, 0, 2)))
 
 
 def test_what_projection_takes_away_is_refused():
@@ -270,3 +339,104 @@ def test_a_step_that_is_too_long_is_a_cause():
     system.ode_solver = "rk4"
     x = system.integrate(constraints="project", step=0.03)
     assert np.ptp(system.evaluate_energy(x).total) > 0.01
+
+
+# -- ensembles ------------------------------------------------------------------------------------
+
+
+def two_cranks(**more):
+    """Three cranks without gravity in two samples: the first passes its singular position."""
+    system = loop("three_cranks")
+    system.constants = {loops.GRAVITY: 0.0}
+    speeds = {speed: [6.0, 0.1] for speed in system.speeds[:3]}
+    return system, {"initial_conditions": speeds, "rtol": 1e-10, "atol": 1e-10, **more}
+
+
+@pytest.mark.parametrize(
+    "options",
+    [
+        {},
+        {"constraints": "baumgarte", "gain": 10.0},
+        {"ode_solver": "radau"},
+        {"reduce": "final"},
+        {"reduce": [("max", "q1"), "final"]},
+        {"events": [Event(me.dynamicsymbols._t - 2.9, terminal=True)]},
+    ],
+)
+def test_a_sample_that_leaves_its_constraints_is_lost_alone(options):
+    system, options = two_cranks(**options)
+    results = system.integrate_ensemble(**options)
+    terminal = "events" in options
+    np.testing.assert_array_equal(results.status, [LEFT_CONSTRAINTS, 5 if terminal else 0])
+    assert results.end_time[0] < results.end_time[1]
+    if "reduce" in options:
+        assert np.isfinite(results.q1).values.tolist() == [False, True]
+        return
+    lost = np.isnan(results.q1.values)
+    np.testing.assert_array_equal(lost[0], system.times > results.end_time.values[0])
+    assert lost[1].sum() == (3 if terminal else 0)
+
+
+def test_a_sample_that_is_lost_ends_like_a_single_motion():
+    system, options = two_cranks()
+    results = system.integrate_ensemble(**options)
+    for speed in system.speeds[:3]:
+        system.initial_conditions[speed] = 6.0
+    error = refused(system, LEFT_CONSTRAINTS, rtol=1e-10, atol=1e-10)
+    assert results.end_time[0] == system.times[system.times < error.time][-1]
+    reached = ~np.isnan(results.q1.values[0])
+    np.testing.assert_allclose(results.q1.values[0][reached], error.states[reached, 0], atol=1e-3)
+
+
+def test_a_sample_that_changes_its_energy_is_lost_alone():
+    system = bricard((0, 1, 3, 4)).system
+    (rate,) = [s for s in system.speeds if str(s) == "u1(t)"]
+    results = system.integrate_ensemble(
+        constants={"g": [9.81, 0.0]}, times=np.linspace(0.0, 5.0, 61), ode_solver="tsit5",
+        rtol=1e-10, atol=1e-10,
+    )  # fmt: skip
+    np.testing.assert_array_equal(results.status, [ENERGY_CHANGED, 0])
+    assert np.isfinite(results[str(rate)[:2]].values[1]).all()
+
+
+def test_a_projected_ensemble_passes_and_is_looked_at_where_rows_were_left_out(monkeypatch):
+    system, options = two_cranks(constraints="project")
+    assert (system.integrate_ensemble(**options).status == 0).all()
+    judged = []
+    monkeypatch.setattr(kept, "judge", lambda ran, part: judged.append(ran.nearness))
+    system.integrate_ensemble(**options)
+    assert len(judged) == 2
+
+
+def test_an_ensemble_in_other_processes_is_looked_at():
+    dask = pytest.importorskip("dask")
+    system, options = two_cranks(chunks=1)
+    with dask.config.set(scheduler="processes", num_workers=1):
+        status = system.integrate_ensemble(**options).status.values
+    np.testing.assert_array_equal(status, [LEFT_CONSTRAINTS, 0])
+
+
+def test_a_sound_ensemble_is_looked_at_once():
+    system = slider_crank(2.0).system
+    judged = []
+    real = kept.judge
+    times = np.linspace(0.0, 3.0, 201)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(kept, "judge", lambda *a: judged.append(a) or real(*a))
+        patch.setattr(kept, "evaluate", counted := Counted(kept.evaluate))
+        found = system.integrate_ensemble(
+            constants={"g": np.linspace(9.0, 10.0, 50)}, times=times, workers=1
+        )
+    assert (found.status == 0).all()
+    assert judged == []
+    # Of each evaluation of the equations a hundredth: 64 states against thousands of stages.
+    assert sum(counted.states) * 10 < found.evaluations.values.sum()
+
+
+class Counted:
+    def __init__(self, evaluate):
+        self.evaluate, self.states = evaluate, []
+
+    def __call__(self, model, program, r, p, times, states, stopped):
+        self.states.append(states[0].size)
+        return self.evaluate(model, program, r, p, times, states, stopped)

@@ -1,9 +1,12 @@
 """Constraints that are redundant in one way of assembling a mechanism, but not in the one meant."""
 
+import warnings
+
 import numpy as np
 import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
+from scipy import optimize
 
 import loops
 from pydy._mechanics import dependents
@@ -162,3 +165,32 @@ def test_a_configuration_is_of_numbers_for_what_is_known(configuration, message)
     body = me.Particle("P", origin.locatenew("P", x * frame.x), 1)
     with pytest.raises((TypeError, ValueError), match=message):
         Definition(frame, [x], bodies=[body], configuration=configuration)
+
+
+def test_residuals_of_kept_rows_do_not_hide_those_that_were_left_out():
+    definition, start = loops.spatial_four_bar()
+    system = System(definition, initial_conditions=start)
+    system.set_dependent_initial_conditions()
+    regular = np.array([system.initial_conditions[s] for s in system.states])
+    assert np.abs(system.evaluate_constraints(regular)).max() < 1e-9
+
+    def rows(q):
+        return system.evaluate_holonomic_constraints(np.append(q, np.zeros(3)))
+
+    apart = regular + 0.0
+    apart[:3] += (1.0, -0.5, 0.3)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", PyDyUserWarning)
+        apart[:3] = optimize.least_squares(rows, apart[:3], xtol=1e-15, ftol=1e-15).x
+    slopes = system.evaluate_jacobian(apart, wrt=list(system.speeds), of="velocity")
+    apart[3:] = np.linalg.svd(slopes)[2][-1]
+    states, times = [regular, apart], [0.0, 1.0]
+    what = "left out as redundant does not hold at t = 1.0 .* in the redundant "
+    for evaluate, kind in (
+        (system.evaluate_constraints, "holonomic"),
+        (system.evaluate_holonomic_constraints, "holonomic"),
+        (system.evaluate_velocity_constraints, "velocity"),
+    ):
+        with pytest.warns(PyDyUserWarning, match=what + kind):
+            found = evaluate(states, times)
+        assert np.abs(found).max() < 1e-7

@@ -22,10 +22,11 @@ from pydy._system.evaluation import samples
 from pydy._system.setup import Setup
 from pydy._system.snapshot import Snapshot
 from pydy._system.start import surely_held, violations
-from pydy._system.tuning import BESIDE, TRIED
+from pydy._system.tuning import BESIDE
 from pydy.analysis.equilibria import Equilibrium
 from pydy.analysis.linear import LinearModel, independent_places, tangents
 from pydy.codegen.arguments import SpecifiedsPlan
+from pydy.solvers.tuning import TRIED
 
 
 def variables(definition: Definition, wrt: Any) -> str | tuple[tuple[str, int], ...]:

@@ -16,6 +16,7 @@ from pydy._dataset import SENSITIVITY
 from pydy._names import latex_of, name_of, unique_names
 from pydy._system.dependents import latest_dependents
 from pydy._system.inputs import check_times
+from pydy._system.kept import kept_programs
 from pydy._system.parameters import read_parameters
 from pydy._system.samples import mean_spacing
 from pydy._system.sensitivities import Sensitive
@@ -27,7 +28,7 @@ from pydy._system.tuning import BLOCK_BYTES, LARGEST_BLOCK, SMALLEST_BLOCK
 from pydy._version import __version__
 from pydy.codegen.arguments import SpecifiedsPlan, symbolic_entries
 from pydy.ensemble.engine import Ensemble
-from pydy.ensemble.model import EnsembleSensitivities, Model
+from pydy.ensemble.model import EnsembleSensitivities, Kept, Model
 from pydy.ensemble.samples import PARAMETER, QUANTITY, Coordinate, Samples, block_sizes
 from pydy.ensemble.work import COUNTS, Work, read_reductions
 from pydy.inputs import SampledInput
@@ -537,12 +538,14 @@ class Ensembles(Setup):
         aligned = [_aligned(c, axes.dims) for c in (x, r, p)]
         samples = Samples(axes.dims, aligned[0], aligned[1], aligned[2], axes.coordinates)
 
+        kept = None
         if definition.equations.constrained:
             start, shape = float(times[0]), tuple(axes.dims.values())
             columns = aligned[0], aligned[1], aligned[2]
             mended = solver_kwargs.get("constraints") is not None
             moved = driven(now.model, definition, plan)
             check_samples(definition, moved, start, plan, columns, shape, mended)
+            kept = Kept(kept_programs(now, moved), any(definition.equations.left_out), mended)
         ready: Ready | None = now.model.latest.get("ensemble")
         given: dict[str, Any] = {**solver_kwargs}
         if ready is None or not ready.suits(plan, solver, given):
@@ -568,6 +571,7 @@ class Ensembles(Setup):
             functions=tuple((columns, function) for columns, function, _ in plan.functions),
             jacobian=integrated.jacobian_program("rates", "x") if solver.name == "radau" else None,
             sensitivities=None if wanted is None else wanted.model,
+            kept=kept,
         )
         reductions = read_reductions(reduce, model, names.name)
         described = names.described(units)

@@ -21,7 +21,14 @@ from pydy.solvers.options import check_option_names, check_scipy_options
 from pydy.solvers.outcome import NOT_FINITE, OUTCOMES, STEP_UNDERFLOW, TOO_MANY_STEPS
 from pydy.solvers.solver import SOLVERS, Solver
 
-__all__ = ["METHODS", "SolveIvp", "call_odeint", "odeint_options", "resolve_ode_solver"]
+__all__ = [
+    "METHODS",
+    "SolveIvp",
+    "call_odeint",
+    "came_to_the_end",
+    "odeint_options",
+    "resolve_ode_solver",
+]
 
 # -- LSODA, behind both, has one memory: runs cannot be nested ------------------------------------
 
@@ -65,6 +72,11 @@ def odeint_options() -> frozenset[str]:
     return frozenset(signature(scipy.integrate.odeint).parameters) - given
 
 
+def came_to_the_end(states: np.ndarray, info: dict[str, Any]) -> bool:
+    """Whether what `odeint` returned is a motion up to the last time."""
+    return bool(info["message"].startswith(_GOOD) and np.isfinite(states).all())
+
+
 def call_odeint(
     f: Callable[..., Any],
     x0: np.ndarray,
@@ -101,9 +113,9 @@ def call_odeint(
         states, info = scipy.integrate.odeint(
             f, x0, times, args=args, **{**options, "full_output": True}
         )
-    good = info["message"].startswith(_GOOD)
-    if good and np.isfinite(states).all():
+    if came_to_the_end(states, info):
         return states, info
+    good = info["message"].startswith(_GOOD)
     # Rows that it did not come to hold whatever lay in memory, times too.
     came = np.isfinite(states).all(axis=1)
     if not good:
@@ -206,6 +218,13 @@ class SolveIvp:
     def __repr__(self) -> str:
         return f"scipy.integrate.solve_ivp with method={self.method.__name__!r}"
 
+    def tolerances(self, options: dict[str, Any]) -> dict[str, float]:
+        """Return those that the method has by default; none where its errors are not known."""
+        method = options.get("method", self.method)
+        method = getattr(scipy.integrate, method) if method in METHODS else method
+        own = signature(method).parameters
+        return {name: own[name].default for name in ("rtol", "atol") if name in own}
+
     def __call__(
         self,
         f: Callable[..., Any],
@@ -250,7 +269,9 @@ class SolveIvp:
             **check_scipy_options(options),
         )
         states = found.y.T
-        info = {"nfev": found.nfev, "njev": found.njev, "nlu": found.nlu}
+        # A step, or one that was rejected, takes a whole number of evaluations.
+        steps = found.nfev // getattr(method, "n_stages", 1)
+        info = {"nfev": found.nfev, "njev": found.njev, "nlu": found.nlu, "steps": steps}
         info = {**info, "message": found.message, "method": method.__name__}
         finite = np.isfinite(states).all(axis=1)
         if found.status < 0 or not finite.all():

@@ -20,7 +20,12 @@ from pydy._system.dependents import (
     solve_dependents,
 )
 from pydy._system.kept import Motion, check_kept
-from pydy._system.scipy_solvers import SolveIvp, call_odeint, odeint_options
+from pydy._system.scipy_solvers import (
+    SolveIvp,
+    call_odeint,
+    came_to_the_end,
+    odeint_options,
+)
 from pydy._system.sensitivities import Wanted
 from pydy._system.setup import Setup
 from pydy._system.snapshot import Snapshot
@@ -109,24 +114,28 @@ def _solve(
     """Call the solver; `checked` tells whether odeint's giving up is an error."""
     free, full = given.get("constraints") is None, given.get("full_output", False)
     ready, times = begin(now, solver, given)
-    watched = ready.constrained and isinstance(solver, Solver)
+    native = isinstance(solver, Solver)
+    watched = ready.constrained and isinstance(solver, (Solver, SolveIvp))
+    pair = True  # whether states come with information, even if that is not asked for
     try:
         if wanted is None and isinstance(solver, Solver):
             states, prepared = _run(ready, solver, now, times)
             info, options = prepared.info if full or watched else {}, ready.options
+            result: Any = states, info
         else:
             f, x0, args, options = _problem(now, solver, ready, times, wanted, dependent)
             if checked and solver is scipy.integrate.odeint:
-                states, info = call_odeint(f, x0, times, args, now.definition.states, options)
+                result = call_odeint(f, x0, times, args, now.definition.states, options)
             elif watched:
-                states, info = solver(f, x0, times, args=args, **{**options, "full_output": True})
+                whole = {**options, "full_output": True}
+                result = solver(f, x0, times, args=args, **whole)
             else:
-                return solver(f, x0, times, args=args, **options)
-        if watched and free:
-            check_resets(now.definition, now.driven, info["events"], now.plan, now.p)
+                result, pair = solver(f, x0, times, args=args, **options), False
         if ready.constrained:
-            own = states[:, : len(now.definition.states)]
-            check_kept(Motion(now, times, own, options, info, not free))
+            if native and free:
+                check_resets(now.definition, now.driven, result[1]["events"], now.plan, now.p)
+            if motion := _motion(now, solver, times, result, options, not free):
+                check_kept(motion)
     except TypeError as error:
         if not isinstance(solver, (Solver, SolveIvp)):
             error.add_note(
@@ -142,11 +151,42 @@ def _solve(
         if wanted is not None:
             wanted.cut(error)
         explain(error, now.definition, ready.model, now.plan, now.p)
-        if watched and free and isinstance(error, IntegrationError):
+        if ready.constrained and native and free and isinstance(error, IntegrationError):
             told: Any = error.info
             check_resets(now.definition, now.driven, told["events"], now.plan, now.p)
         raise
-    return (states, info) if full else states
+    return result[0] if pair and not full else result
+
+
+def _motion(
+    now: Snapshot,
+    solver: Any,
+    times: np.ndarray,
+    result: Any,
+    options: dict[str, Any],
+    mended: bool,
+) -> Motion | None:
+    """Return what a solver returned, if it came to the end and its states can be told."""
+    states, info = result if isinstance(result, tuple) and len(result) == 2 else (result, {})
+    if isinstance(solver, SolveIvp):
+        if not (defaults := solver.tolerances(options)):
+            info = {"method": solver.name}  # a method of the user's, whose errors are not known
+        options = {**defaults, **options}
+    elif solver is scipy.integrate.odeint:
+        if not came_to_the_end(states, info):
+            return None
+    elif not isinstance(solver, Solver):  # the user's
+        info = {"method": getattr(solver, "__name__", "ode_solver")}
+        try:
+            states = np.asarray(states, dtype=float)
+        except (TypeError, ValueError):
+            return None
+        if states.ndim != 2 or len(states) != len(times):
+            return None
+    n = len(now.definition.states)
+    if states.shape[1] < n:
+        return None
+    return Motion(now, times, states[:, :n], options, info, mended)
 
 
 class Simulation(Setup):
@@ -241,7 +281,8 @@ class Simulation(Setup):
         IntegrationError
             The solver, odeint or a native one, could not continue, or the motion left the
             constraints or changed its energy without a cause; the error contains the results so
-            far. With ``full_output=True``, the result of odeint is returned unchanged.
+            far. With ``full_output=True``, what odeint returns where it gives up is returned
+            unchanged.
 
         Warns
         -----

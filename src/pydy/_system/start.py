@@ -18,16 +18,18 @@ from pydy._graph.rounding import rounding_bounds
 from pydy._mechanics.tuning import ROUNDED
 from pydy._rank import DIGITS, ROUNDING, rank
 from pydy._system.solving import constraint_names
-from pydy._system.tuning import TRIED
+from pydy.solvers.tuning import TRIED
 from pydy.trajectory import EventRecord
 
 __all__ = [
+    "Rows",
     "check_resets",
     "check_samples",
     "check_start",
     "evaluated_rows",
     "surely_held",
     "violations",
+    "warn_of_left_out",
 ]
 
 
@@ -240,7 +242,7 @@ def check_redundant(
             f"these numbers it contradicts the others: at t = {t!r} it is {closed[k]:.3g} where "
             "the others hold. Correct it, or the constants and initial conditions."
         )
-    slopes = model.interpreted(_Rows(*equations.left_out, "slopes"), at)
+    slopes = model.interpreted(Rows(*equations.left_out, "slopes"), at)
     values = {name: part.reshape(-1, len(x)) for name, part in slopes.items()}
     kept, more = (values[name][:, n:] for name in ("kept", "more"))
     # The state is known to six digits: what is singular there leaves half of them.
@@ -251,6 +253,47 @@ def check_redundant(
             f"{len(kept)} were kept: at the states that were tried, the others followed from them. "
             "The linkage can be assembled in another way, in which they do. Say which is meant: "
             "`pydy.mechanics.Definition(..., configuration=system.initial_conditions)`."
+        )
+
+
+def warn_of_left_out(
+    definition: Definition,
+    model: CompiledModel,
+    at: tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray],
+    blocks: tuple[bool, bool],
+) -> None:
+    """Warn of states that keep all constraints but those that were left out as redundant.
+
+    Parameters
+    ----------
+    definition : Definition
+    model : CompiledModel
+        With all expressions compiled in.
+    at : (t, x, r, p)
+    blocks : (bool, bool)
+        Whether holonomic constraints are looked at, and velocity constraints.
+    """
+    equations = definition.equations
+    parts = zip((equations.holonomic, equations.velocity), equations.left_out, blocks, strict=True)
+    pairs = [(len(kept), len(more), wanted) for kept, more, wanted in parts]
+    lengths = [n for pair in pairs for n in pair[:2]]
+    kept = np.repeat([True, False] * 2, lengths)
+    left = np.repeat([False, pairs[0][2], False, pairs[1][2]], lengths)
+    if not left.any():
+        return
+    residuals, sizes = evaluated_rows(definition, model, "sizes", at)
+    if (np.abs(residuals) <= DIGITS * sizes).all():
+        return
+    residuals, sizes = evaluated_rows(definition, model, "bounds", at)
+    off = np.abs(residuals) > DIGITS * sizes
+    states = np.flatnonzero(off[:, left].any(axis=1) & ~off[:, kept].any(axis=1))
+    if states.size:
+        k, names = states[0], constraint_names(equations, redundant=True)
+        row = int(np.argmax(off[k] & left))
+        warn_user(
+            f"A constraint that was left out as redundant does not hold at t = {float(at[0][k])!r} "
+            f"although the others do: the residual is {residuals[k, row]:.3g} in the {names[row]}. "
+            "The others lost rank on the way there, and the mechanism has come apart."
         )
 
 
@@ -279,7 +322,7 @@ def evaluated_rows(
     residuals, sizes : ndarray, shape (m, rows)
         Holonomic constraints, those left out behind the others, then velocity constraints.
     """
-    rows, (t, x, r, p) = _Rows(*definition.equations.left_out, what), at
+    rows, (t, x, r, p) = Rows(*definition.equations.left_out, what), at
     m, least = len(t), ROUNDING / DIGITS
     small = np.abs(x) < least
     if small.any():  # the sizes are those of other states, which follow the first ones
@@ -291,7 +334,7 @@ def evaluated_rows(
 
 
 @dataclass(frozen=True)
-class _Rows:
+class Rows:
     """All constraints, those that were left out too, and what is asked of them."""
 
     closed: tuple[Any, ...]

@@ -28,6 +28,7 @@ from pydy._system.energy import Energy
 from pydy._system.evaluation import row_names, samples, specified_rows, warn_not_finite
 from pydy._system.setup import Setup
 from pydy._system.snapshot import Snapshot
+from pydy._system.start import warn_of_left_out
 
 BLOCKS = {"ode": "rates", "outputs": "outputs", "holonomic": "holonomic", "velocity": "velocity"}
 """What the user calls the blocks of an Assembly that can be differentiated."""
@@ -210,7 +211,11 @@ def evaluate_block(
 
     perturbed = wrt == "r" or (isinstance(wrt, tuple) and any(g == "r" for g, _ in wrt))
     names = partial(row_names, now.definition, block)
-    return _sweep(now, kernel, names, x, t, r, p, perturbed=perturbed)
+    blocks = block in ("constraints", "holonomic"), block in ("constraints", "velocity")
+    look = None
+    if wrt is None and any(blocks) and any(now.definition.equations.left_out):
+        look = partial(warn_of_left_out, now.definition, blocks=blocks)
+    return _sweep(now, kernel, names, x, t, r, p, perturbed=perturbed, look=look)
 
 
 def evaluate_product(
@@ -243,10 +248,12 @@ def _sweep(
     *,
     perturbed: bool = False,
     vectors: np.ndarray | None = None,
+    look: Callable[..., None] | None = None,
 ) -> np.ndarray:
     """Evaluate a Kernel at one state or several, with the defaults of the evaluations.
 
-    `names` returns those of the result's rows; `vectors`, (1, k) or (m, k), are inputs after r.
+    `names` returns those of the result's rows; `vectors`, (1, k) or (m, k), are inputs after r;
+    `look` is called with the model and with what it is evaluated at.
     """
     model, layout = now.model, now.model.layout
     states, instants, single = samples(
@@ -260,6 +267,9 @@ def _sweep(
     else:
         rows = specified_rows(r, instants, len(layout.specifieds))
     constants = now.p_with(p)
+    if look is not None:
+        every = np.broadcast_to(rows, (len(states), rows.shape[1]))
+        look(model, (instants, states, every, constants))
     made = kernel(model)
     if vectors is not None:
         shapes = [(len(states), part.shape[1]) for part in (rows, vectors)]
@@ -398,6 +408,11 @@ class Evaluation(Setup):
         ------
         ValueError
             The system has no constraints.
+
+        Warns
+        -----
+        PyDyUserWarning
+            All of them hold, but one that was left out as redundant does not.
         """
         self._need(self.num_constraints, "constraints")
         return evaluate_block(self._now(), "constraints", x, t, r, p)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
 
@@ -107,6 +107,31 @@ class EnsembleSensitivities:
         )
 
 
+class Programs(Protocol):
+    """The Programs of `kept.Part` by name; None for what is not known."""
+
+    def __getitem__(self, name: str) -> Program | None: ...
+
+
+@dataclass(frozen=True, eq=False)
+class Kept:
+    """What tells whether motions kept their constraints and energy.
+
+    Attributes
+    ----------
+    programs : Programs
+        Also 'screen', which is both rows and products.
+    redundant : bool
+        Whether constraints were left out.
+    mended : bool
+        Whether motions are brought back onto the constraints.
+    """
+
+    programs: Programs
+    redundant: bool
+    mended: bool
+
+
 # -- The model -------------------------------------------------------------------------------------
 
 
@@ -129,6 +154,7 @@ class Model:
     functions: tuple[tuple[np.ndarray, Callable[..., Any]], ...] = ()
     jacobian: Program | None = None  # ∂f/∂x, for an implicit method
     sensitivities: EnsembleSensitivities | None = None
+    kept: Kept | None = None  # what motions with constraints are judged by
 
     @property
     def in_lanes(self) -> bool:
@@ -154,6 +180,10 @@ class Results:
     columns: np.ndarray | None = None  # (n, k, m, times): sensitivities of the states
     # for each sample, the derivatives (k,) of the times of its events
     moments: list[list[np.ndarray]] = field(default_factory=list)
+    # for each sample, the times and states of events that changed its state
+    resets: list[list[tuple[float, np.ndarray]]] = field(default_factory=list)
+    # (m,): how near constraints that projection holds came to losing rank
+    nearness: np.ndarray | None = None
 
 
 _KERNELS: dict[tuple[str, int], Any] = {}
@@ -229,16 +259,16 @@ def _run_in_lanes(
     return Results(states, steps, rejected, evaluations, status, found.reached)
 
 
-def evaluate_outputs(
+def evaluate(
     model: Model,
+    program: Program | None,
     r: np.ndarray,
     p: np.ndarray,
     times: np.ndarray,
     states: np.ndarray,
     stopped: Callable[[], bool],
 ) -> np.ndarray:
-    """Return the outputs along trajectories (n, m, times), shape (outputs, m, times)."""
-    program = model.outputs
+    """Return a Program's outputs along trajectories (n, m, times), shape (outputs, m, times)."""
     if program is None:
         return np.empty((0, *states.shape[1:]))
     if not model.functions:
@@ -359,7 +389,7 @@ def _among(found: Results, started: np.ndarray, codes: np.ndarray, t: float) -> 
         every[started] = values
         return every
 
-    events, moments = iter(found.events), iter(found.moments)
+    events, moments, resets = iter(found.events), iter(found.moments), iter(found.resets)
     return Results(
         found.states,
         placed(found.steps, 0),
@@ -369,6 +399,8 @@ def _among(found: Results, started: np.ndarray, codes: np.ndarray, t: float) -> 
         placed(found.end_time, t),
         events=[next(events, []) if one else [] for one in started],
         moments=[next(moments, []) if one else [] for one in started],
+        resets=[next(resets, []) if one else [] for one in started],
+        nearness=None if found.nearness is None else placed(found.nearness, 1.0),
     )
 
 
@@ -393,6 +425,7 @@ def _run_one_by_one(
     counts = [np.zeros(m, dtype=np.int64) for _ in range(4)]
     states[:] = np.nan
     results = Results(states, counts[0], counts[1], counts[2], counts[3], np.full(m, times[0]))
+    results.nearness = np.ones(m)
     jacobian, one = model.jacobian, None
     for k in range(m):
         if stopped():
@@ -430,3 +463,6 @@ def _take(results: Results, k: int, info: Mapping[str, Any]) -> None:
     records = info["events"]
     results.events.append([(record.index, record.time) for record in records])
     results.moments.append([record.time_sensitivity for record in records])
+    results.resets.append([(e.time, e.after) for e in records if (e.after != e.before).any()])
+    if results.nearness is not None:
+        results.nearness[k] = info["nearness"]

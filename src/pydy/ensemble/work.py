@@ -10,7 +10,8 @@ import numpy as np
 
 from pydy._checks import shown
 from pydy._dataset import SENSITIVITY
-from pydy.ensemble.model import Model, Results, evaluate_output_columns, evaluate_outputs, run
+from pydy.ensemble.kept import refuse
+from pydy.ensemble.model import Model, Results, evaluate, evaluate_output_columns, run
 from pydy.ensemble.samples import PARAMETER, QUANTITY, Samples, Variable, to_dataset
 from pydy.solvers.outcome import OUTCOMES
 
@@ -154,14 +155,18 @@ class Work:
             times = times[[0, -1]]  # steps do not depend on the outputs
         x, r, p = samples.rows()
         results = run(model, x, r, p, times, stopped, states)
-        found = self._reduced(
-            results, times, lambda t, x: evaluate_outputs(model, r, p, t, x, stopped)
-        )
+        if model.kept is not None:
+            refuse(model, results, r, p, times, stopped)
+
+        def outputs(t: np.ndarray, x: np.ndarray) -> np.ndarray:
+            return evaluate(model, model.outputs, r, p, t, x, stopped)
+
+        found = self._reduced(results, times, outputs)
         if results.columns is not None:
             found |= self._differentiated(
                 results,
                 times,
-                lambda t, x: evaluate_outputs(model, r, p, t, x, stopped),
+                outputs,
                 lambda t, x, s: evaluate_output_columns(model, r, p, t, x, s),
             )
         for name in COUNTS:

@@ -10,12 +10,17 @@ __all__ = [
     "DEPENDENT",
     "DIFFERENCE",
     "DIFFERENCE_SCALE",
+    "EXCESS",
+    "FEW_STEPS",
     "FIRST_ERROR",
     "GROW",
     "LANES",
     "LEAST_ERROR",
     "LEAST_TOLERANCE",
+    "LEFT",
+    "LOST",
     "NEARLY_SINGULAR",
+    "NEAR_SINGULAR",
     "NEGLIGIBLE",
     "NEGLIGIBLE_SLOPE",
     "RESOLVED",
@@ -30,6 +35,7 @@ __all__ = [
     "STEPS_MEMORY",
     "TRIAL_PART",
     "TRIAL_SIZE",
+    "TRIED",
     "WHOLE",
 ]
 
@@ -115,3 +121,28 @@ of this (RADAU5 does the same)."""
 
 SLOW = 1e-3
 """The rate of convergence above which the Jacobian is evaluated anew (RADAU5's THET)."""
+
+TRIED = 64
+"""Samples of an ensemble, or states along a trajectory, whose constraints are looked at.
+
+One is enough to warn; 64 take milliseconds, and are spread over all.
+"""
+
+EXCESS = 3.0
+"""What errors of long steps, and of states between them, make of residuals, in units of the
+tolerances. Stabilised residuals come up to half of it, energies to a third: see FEW_STEPS."""
+
+FEW_STEPS = 10.0
+"""How many more steps explain a change of the energy than were taken: long steps, and states
+between them, are in error by more than what is allowed in one."""
+
+LEFT = 1e-2
+"""The share of the states that errors of a method without error control may amount to."""
+
+LOST = 1e-5
+"""The share of the kinetic energy that roundings may change: ε/δ² a distance δ from a singular
+position, down to where branches can no longer be told apart."""
+
+NEAR_SINGULAR = 0.05
+"""How near constraints come to losing rank that the energy is looked at: steps that are far from
+singular positions, beside which they are small, do not change it."""

@@ -1,0 +1,245 @@
+"""Whether a motion kept its constraints and its energy: judged by the errors allowed in a step.
+
+The equations keep the accelerations of all rows c at zero and, where no load or input changes it,
+the energy E constant. An error of a step moves a residual or the energy once and for all; an error
+of a residual's rate moves the residual further as time goes, and beside the constraints their
+forces F do work. If all N steps are in error by e = atol + rtol |x|, all in one direction, then
+
+    |c| ≤ 3 N (|∂c/∂x| + ∫ |∂c'/∂x| dt) e,
+    |E - E₀| ≤ (N + 10) (|∂E/∂x| + ∫ |F| dt) e.
+
+Tolerances may be below rounding errors: what a constraint holds against a large force keeps some
+2⁻⁵² of that. A residual J u of velocities is of no account, too, if the least motion that has it,
+of the energy (J u)² / (2 J M⁻¹ Jᵀ), has less than a rounding of the kinetic energy.
+
+Sound motions stay below that, most by a factor of a hundred, whatever the method, the tolerances
+and the units; a mechanism that left its constraints, or a branch of its motion, is beyond it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from math import isqrt
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from pydy._rank import DIGITS
+from pydy.solvers.outcome import ENERGY_CHANGED, LEFT_CONSTRAINTS
+from pydy.solvers.tuning import EXCESS, FEW_STEPS, LEFT, LOST, NEAR_SINGULAR, TRIED
+
+__all__ = [
+    "Part",
+    "Ran",
+    "Verdict",
+    "beyond_digits",
+    "is_near",
+    "judge",
+    "looked_at",
+]
+
+Part = Callable[[str, np.ndarray, np.ndarray], dict[str, np.ndarray]]
+"""Gives values at times (m,) and states (m, n), by name, each of the shape (m, values):
+
+'rows'
+    ``rows``, all constraints, and ``sizes``, what rounding is in proportion to.
+'products'
+    ``products`` of the rows of the velocity constraints that were kept, as linear in the speeds.
+'slopes'
+    ``rows``, ``rates`` of the holonomic ones, and derivatives of both by the states, ``slopes`` and
+    ``turns``.
+'moving'
+    ``kinetic`` energy, and ``hessian``, its second derivatives by the states as far as these are
+    speeds. Nothing where it is not known.
+'energy'
+    ``kinetic`` and ``total`` energy, the derivatives ``slopes`` of this by the states, and what the
+    ``forces`` M u' of the constraints and loads are on each state. Nothing where it is not known,
+    or may change.
+"""
+
+
+class Verdict(NamedTuple):
+    """What is wrong with a motion.
+
+    Attributes
+    ----------
+    code : int
+        LEFT_CONSTRAINTS or ENERGY_CHANGED.
+    place : int
+        Of the time and state where it was seen first.
+    details : dict
+        For the text of the outcome; `row` is a number.
+    """
+
+    code: int
+    place: int
+    details: dict[str, Any]
+
+
+@dataclass(frozen=True, eq=False)
+class Ran:
+    """A few states of a motion, and how they were found.
+
+    Attributes
+    ----------
+    times, states : ndarray, shapes (m,) and (m, n)
+        The first state is where the motion begins.
+    steps : float or None
+        None where errors are not controlled.
+    rtol, atol : float or ndarray, shape (n,)
+    nearness : float or None
+        How near the constraints came to losing rank, where projection holds them.
+    mended : bool
+        Whether the motion is brought back onto the constraints.
+    resets : list of (time, state)
+        Where events put the state.
+    redundant : bool
+        Whether constraints were left out.
+    """
+
+    times: np.ndarray
+    states: np.ndarray
+    steps: float | None
+    rtol: Any
+    atol: Any
+    nearness: float | None = None
+    mended: bool = False
+    resets: list[tuple[float, np.ndarray]] = field(default_factory=list)
+    redundant: bool = False
+
+    def errors(self, steps: float) -> np.ndarray:
+        """Return how large the errors of so many steps are together, if each is what is allowed."""
+        sizes: np.ndarray = np.abs(self.states)
+        if self.steps is None:
+            return LEFT * sizes
+        return np.asarray((self.atol + self.rtol * sizes) * steps)
+
+    def summed(self, values: np.ndarray) -> np.ndarray:
+        """Return integrals over time from the beginning to each state, shape (m, values)."""
+        whole: np.ndarray = np.zeros_like(values)
+        parts = (values[1:] + values[:-1]) / 2.0 * np.diff(self.times)[:, None]
+        np.cumsum(parts, axis=0, out=whole[1:])
+        return whole
+
+
+def looked_at(states: np.ndarray, projected: bool) -> np.ndarray:
+    """Return the places of a few states, spread over all that were reached, with the last one.
+
+    By projection a motion begins beside the state that was given.
+    """
+    found = np.flatnonzero(np.isfinite(states).all(axis=1))
+    found = found[int(projected and len(found) > 1) :]
+    if len(found) > TRIED:
+        found = found[np.unique(np.linspace(0, len(found) - 1, TRIED).astype(int))]
+    return found
+
+
+def beyond_digits(rows: np.ndarray, sizes: np.ndarray) -> np.ndarray:
+    """Tell of which states' residuals exceed six digits; times are the axis before the last."""
+    limits = DIGITS * sizes.max(axis=-2, keepdims=True)
+    beyond: np.ndarray = (np.abs(rows) > limits).any(axis=(-2, -1))
+    return beyond
+
+
+def is_near(products: np.ndarray) -> np.ndarray:
+    """Tell along which motions rows nearly lost rank.
+
+    What is measured is the least that a row has beside the rows before it, in units of the most
+    that it has along the motion.
+
+    Parameters
+    ----------
+    products : ndarray, shape (..., m, rows * rows)
+        Of each row with each.
+    """
+    n = isqrt(products.shape[-1])
+    products = products.reshape(*products.shape[:-1], n, n).copy()
+    own = np.empty(products.shape[:-1])
+    for k in range(n):  # Cholesky's, without roots
+        own[..., k] = products[..., k, k]
+        column = products[..., k + 1 :, k]
+        pivot = np.where(own[..., k] > 0.0, own[..., k], np.inf)[..., None]
+        products[..., k + 1 :, k + 1 :] -= (column / pivot)[..., None] * column[..., None, :]
+    most = own.max(axis=-2, initial=0.0)
+    shares = np.fmax(own, 0.0).min(axis=-2, initial=np.inf) / np.where(most > 0.0, most, np.inf)
+    near = np.where(most > 0.0, shares, 1.0) < NEAR_SINGULAR**2
+    return np.asarray(near.any(axis=-1))
+
+
+def judge(ran: Ran, part: Part) -> Verdict | None:
+    """Return what is wrong with a motion, if anything.
+
+    Energies are looked at where residuals exceed six digits, or the constraints nearly lost rank.
+    What begins beside the constraints was told of, or comes back to them: it has other energies.
+    """
+    t, x = ran.times, ran.states
+    if not len(t):
+        return None
+    near = ran.nearness is not None and ran.nearness < NEAR_SINGULAR
+    found = part("rows", t, x)
+    if not beyond_digits(found["rows"], found["sizes"]):
+        if ran.nearness is None and ran.steps is not None:
+            near = bool(is_near(part("products", t, x)["products"]))
+        return _energy(ran, part) if near else None
+    limits = DIGITS * found["sizes"].max(axis=0)
+    found = part("slopes", t, x)
+    begins = [(t[0], x[0]), *ran.resets]
+    start = part("slopes", *(np.array(values) for values in zip(*begins, strict=True)))
+    errors = ran.errors(EXCESS * (ran.steps or 1.0))
+    beside, allowed = np.abs(start["rows"]), _moved(found["slopes"], errors).max(axis=0)
+    sound = bool((beside <= allowed).all())
+    if (beside > limits).any() or (ran.mended and not sound):
+        return None
+    allowed = allowed + beside.sum(axis=0) + ran.summed(_moved(found["turns"], errors))
+    allowed = allowed + (t - t[0])[:, None] * np.abs(start["rates"]).sum(axis=0)
+    if (np.abs(found["rows"]) > np.fmax(allowed, limits)).any():
+        allowed = allowed + _unseen(ran, part, found["slopes"])
+    off = np.abs(found["rows"]) / np.fmax(allowed, np.where(limits > 0.0, limits, 1.0))
+    if (off > 1.0).any():
+        k = int((off > 1.0).any(axis=1).argmax())
+        row = int(np.argmax(off[k]))
+        details = {"row": row, "residual": found["rows"][k, row], "explained": allowed[k, row]}
+        return Verdict(LEFT_CONSTRAINTS, k, details)
+    return _energy(ran, part) if sound else None
+
+
+def _energy(ran: Ran, part: Part) -> Verdict | None:
+    if ran.resets or ran.steps is None:
+        return None
+    found = part("energy", ran.times, ran.states)
+    if not found or not found["total"].size:
+        return None
+    kinetic = found["kinetic"].max()
+    changes = np.abs(found["total"] - found["total"][0])[:, 0]
+    errors = ran.errors(ran.steps + FEW_STEPS)
+    allowed = _moved(found["slopes"], errors).max() + LOST * kinetic
+    allowed = np.broadcast_to(allowed, changes.shape)
+    if ran.nearness is None:  # beside the constraints
+        forces = np.nan_to_num(found["forces"], nan=0.0, posinf=0.0, neginf=0.0)
+        allowed = allowed + ran.summed(_moved(forces, errors))[:, 0]
+    if not (changes > allowed).any():
+        return None
+    k = int((changes > allowed).argmax())
+    details = {"change": changes[k], "explained": allowed[k], "kinetic": kinetic}
+    return Verdict(ENERGY_CHANGED, k, details)
+
+
+def _unseen(ran: Ran, part: Part, slopes: np.ndarray) -> np.ndarray:
+    """Return residuals of velocities whose energy is a rounding of the kinetic one, row by row."""
+    m, n = ran.states.shape
+    slopes, found = slopes.reshape(m, -1, n), part("moving", ran.times, ran.states)
+    if not found:
+        return np.zeros(slopes.shape[1])
+    mobility = np.linalg.pinv(found["hessian"].reshape(m, n, n), hermitian=True)
+    moved = np.einsum("kri,kij,krj->kr", slopes, mobility, slopes)
+    share = 2.0 * np.finfo(float).eps * found["kinetic"].max()
+    largest: np.ndarray = np.sqrt(share * np.fmax(moved, 0.0)).max(axis=0)
+    return largest
+
+
+def _moved(slopes: np.ndarray, errors: np.ndarray) -> np.ndarray:
+    """Return what errors of the states may make of some values, at each state."""
+    sizes = np.abs(slopes.reshape(len(errors), -1, errors.shape[1])) * errors[:, None]
+    moved: np.ndarray = sizes.sum(axis=2)
+    return moved
