@@ -33,6 +33,13 @@ from pydy._graph.solve.choose import FACTORISATIONS, UNKNOWNS
 from pydy._kernel import Kernel
 from pydy._names import unique_names
 
+# Small systems are simplified sooner than a file is read.
+_WORTH_STORING = 300
+_T = TypeVar("_T", Program, "Program | JacobianColumns")
+_VARIANTS = 8  # with other specifieds compiled in, or stabilised; the latest are kept
+_AT_ONCE = 64  # samples that are interpreted together: all their intermediate values are kept
+
+
 LinearSolver = Callable[[np.ndarray, np.ndarray], np.ndarray]
 
 
@@ -114,10 +121,6 @@ def with_external_solver(
     return Kernel(program, sweep, call, with_external_solver, (system, solver, rest))
 
 
-# Small systems are simplified sooner than a file is read.
-_WORTH_STORING = 300
-
-
 def _made_by() -> bytes:
     """Return a digest of everything but the equations that decides what the Program is."""
     sha = hashlib.sha256(sys.version.encode())
@@ -158,9 +161,6 @@ def stored_jacobian(
     return _stored(assembly, what, make, read, lambda made: names[type(made)] + made.to_bytes())
 
 
-_T = TypeVar("_T", Program, "Program | JacobianColumns")
-
-
 def _stored(
     assembly: Assembly,
     what: str,
@@ -178,10 +178,6 @@ def _stored(
     made = make()
     _cache_folder.write(key, write(made))
     return made
-
-
-_VARIANTS = 8  # with other specifieds compiled in, or stabilised; the latest are kept
-_AT_ONCE = 64  # samples that are interpreted together: all their intermediate values are kept
 
 
 @dataclass(frozen=True, eq=False, repr=False)

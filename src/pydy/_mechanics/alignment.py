@@ -23,10 +23,12 @@ from sympy.physics.mechanics import Point
 
 from pydy._graph.identities import signatures
 from pydy._graph.node import Graph
-from pydy._mechanics.components import terms_of, transposed, turned
+from pydy._mechanics.components import identity, in_rows, terms_of, transposed, turned
 from pydy._mechanics.kinematics import Kinematics, Parts, Vec
 from pydy._mechanics.reader import is_rigid
 from pydy._mechanics.tuning import SAME_AXES, SAME_DIRECTION
+
+Matrix = list[Vec]
 
 
 def hinge_axis(kinematics: Kinematics, frame: Any, before: Any) -> int | None:
@@ -184,7 +186,6 @@ def _shortened(kinematics: Kinematics, direction: Vec, before: Any) -> int:
     return sizes.index(max(sizes))
 
 
-Matrix = list[Vec]
 _UNIT, _ZERO = np.eye(3), np.zeros(3)
 
 
@@ -235,7 +236,7 @@ class _Alignment:
     def __init__(self, kinematics: Kinematics) -> None:
         self.kinematics, self.graph = kinematics, kinematics.graph
         g = self.graph
-        self.unit = [[g.one if i == j else g.zero for j in range(3)] for i in range(3)]
+        self.unit = identity(g)
         self.bodies: dict[Any, _Body] = {}  # by each of their frames
 
     def choose(self) -> None:
@@ -454,7 +455,7 @@ class _Alignment:
         known = {0: g.zero, 1: g.one, signatures(g, [g.const(-1.0)])[0]: g.const(-1.0)}
         flat = [n for row in found for n in row]
         flat = [known.get(v, n) for v, n in zip(signatures(g, flat), flat, strict=True)]
-        return [flat[:3], flat[3:6], flat[6:]]
+        return in_rows(flat)
 
 
 def _snapped(numbers: np.ndarray) -> np.ndarray:

@@ -15,10 +15,24 @@ _STATES = 3
 _STEPS = 12  # of Newton's method, which doubles the digits with each
 
 
+def dot(graph: Graph, a: Sequence[int], b: Sequence[int]) -> int:
+    """Return the sum of the products of entries."""
+    return graph.sum([(graph.mul(x, y), 1.0) for x, y in zip(a, b, strict=True)])
+
+
 def turned(graph: Graph, matrix: Sequence[Sequence[int]], v: Sequence[int]) -> list[int]:
     """Return the product of a matrix and a vector."""
-    g = graph
-    return [g.sum([(g.mul(a, b), 1.0) for a, b in zip(row, v, strict=True)]) for row in matrix]
+    return [dot(graph, row, v) for row in matrix]
+
+
+def identity(graph: Graph, n: int = 3) -> list[list[int]]:
+    """Return the matrix of n rows that changes nothing."""
+    return [[graph.one if i == j else graph.zero for j in range(n)] for i in range(n)]
+
+
+def in_rows(flat: Sequence[int]) -> list[list[int]]:
+    """Return nine nodes as a matrix."""
+    return [list(flat[k : k + 3]) for k in (0, 3, 6)]
 
 
 def transposed(matrix: Sequence[Sequence[int]]) -> list[list[int]]:

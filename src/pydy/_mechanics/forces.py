@@ -27,7 +27,7 @@ from pydy._graph.derivative import dense_rows, jacobian
 from pydy._graph.from_sympy import NodeExpression
 from pydy._graph.identities import signatures
 from pydy._graph.rewrite import substitute
-from pydy._mechanics.components import numbers_of
+from pydy._mechanics.components import numbers_of, turned
 from pydy._mechanics.elimination import composite
 from pydy._mechanics.form import lagranges_equations, moving
 from pydy._mechanics.frames import orientation_rows, rotations
@@ -137,7 +137,7 @@ class ConstraintForces:
             [g.sum([(g.mul(c[i], c[j]), 1.0) for c in columns]) for j in range(d)] for i in range(d)
         ]
         share = g.solve(square, [force], "ldl")[0]
-        return [g.sum([(g.mul(a, b), 1.0) for a, b in zip(c, share, strict=True)]) for c in columns]
+        return turned(g, columns, share)
 
     def reaction(
         self,

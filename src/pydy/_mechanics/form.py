@@ -36,185 +36,10 @@ from pydy._mechanics.symbols import find_symbols, replace_symbols
 from pydy._mechanics.tuning import ALIKE, SAME_DIRECTION
 from pydy._rank import ROUNDED
 
-
-def disagreeing(kinematics: Kinematics) -> list[Any]:
-    """Return the points whose given velocity is not what follows from their place.
-
-    That is, if those that they are reached from move as they are said to, each with the given
-    velocity if it is one of the points returned.
-    """
-    k = kinematics
-    points = [p for p in k.moved() if k.base(p) is not None and k.tree.velocity(p) is not None]
-    nodes: list[int] = []
-    for point in points:
-        home, v, _ = k.motion(point)
-        nodes += [*v, *k.vector(k.tree.velocity(point), home)]
-    values = signatures(k.graph, nodes) if nodes else []
-    unequal = {
-        point: nodes[i : i + 6]
-        for i, point in zip(range(0, len(nodes), 6), points, strict=True)
-        if values[i : i + 3] != values[i + 3 : i + 6]
-    }
-    return _honoured(k, points, unequal) if unequal else []
-
-
-def _honoured(
-    kinematics: Kinematics, points: Sequence[Any], unequal: Mapping[Any, Sequence[int]]
-) -> list[Any]:
-    """Return the points whose velocities are given, from the inner ones to the outer ones.
-
-    A point that is reached from one whose velocity is given moves by the same difference from what
-    follows from its place. Directions that are given by numbers are rounded: products of them that
-    are equal are not so modulo a prime, but at random states.
-    """
-    k = kinematics
-    ways = {p: k.frames.way_in(k.motion(p)[0])[:-1] for p in unequal}
-    frames = list(dict.fromkeys(f for way in ways.values() for f in way))
-    steps = [n for f in frames for row in k.frames.step(f) for n in row]
-    values = numbers_of(k.graph, [*steps, *(n for six in unequal.values() for n in six)])
-    states = len(values)
-    turned = values[:, : len(steps)].reshape(states, -1, 3, 3)
-    step = {f: turned[:, i] for i, f in enumerate(frames)}
-    apart: dict[Any, np.ndarray] = {}
-    sizes: dict[Any, np.ndarray] = {}
-    pairs = values[:, len(steps) :].reshape(states, -1, 2, 3)
-    for i, p in enumerate(unequal):
-        difference = pairs[:, i, 1] - pairs[:, i, 0]
-        for f in ways[p]:  # into the inertial frame
-            difference = np.einsum("sij,si->sj", step[f], difference)
-        apart[p], sizes[p] = difference, np.linalg.norm(pairs[:, i], axis=-1).sum(axis=-1)
-    found: dict[Any, None] = {}
-    nothing = np.zeros((states, 3))
-    for p in sorted(points, key=lambda p: len(_inner(k, p))):
-        inner = next((q for q in _inner(k, p) if q in found), None)
-        left = apart.get(p, nothing) - apart.get(inner, nothing)
-        size = sizes.get(p, 0.0) + sizes.get(inner, 0.0)
-        # What a singular solve gives is not a number, and equal to nothing.
-        if not (np.linalg.norm(left, axis=-1) <= SAME_DIRECTION * size).all():
-            found[p] = None
-    return list(found)
-
-
-def _inner(kinematics: Kinematics, point: Any) -> list[Any]:
-    """Return the points that a point is reached from, the nearest one first."""
-    found = []
-    while (point := kinematics.base(point)) is not None:
-        found.append(point)
-    return found
-
-
-def take_gravity_off(kinematics: Kinematics) -> None:
-    """Turn weights into an acceleration, where every body with a mass has one.
-
-    No point's motion may have been asked for.
-    """
-    weights: list[dict[int, Vec]] = []
-    for body in kinematics.body.bodies:
-        mass = kinematics.read(body.mass)
-        if mass != kinematics.graph.zero:
-            weights.append(_pulls(kinematics, body.masscenter, mass))
-    for pull in weights[0].values() if weights else ():
-        spent = [_place(kinematics.graph, pull, own) for own in weights]
-        if None not in spent and len(set(spent)) == len(spent):
-            kinematics.loads = tuple(x for k, x in enumerate(kinematics.loads) if k not in spent)
-            kinematics.pull = pull
-            return
-
-
-def _pulls(kinematics: Kinematics, point: Any, mass: int) -> dict[int, Vec]:
-    """Return force over mass of the loads at a point that are written in the inertial frame."""
-    found = {}
-    for k, (where, vector) in enumerate(kinematics.loads):
-        if where is point and all(frame is kinematics.inertial for _, frame in vector.args):
-            parts = kinematics.vector(vector, kinematics.inertial)
-            found[k] = [kinematics.graph.div(n, mass) for n in parts]
-    return found
-
-
-def _place(graph: Graph, pull: Vec, own: dict[int, Vec]) -> int | None:
-    """Return which of a body's loads pulls it like that."""
-    return next((k for k, other in own.items() if _alike(graph, pull, other)), None)
-
-
-def _alike(graph: Graph, a: Vec, b: Vec) -> bool:
-    """Return whether vectors are equal up to the rounding of numbers."""
-    for x, y in zip(a, b, strict=True):
-        one, two = _split(graph, x), _split(graph, y)
-        if one[1] != two[1] or abs(one[0] - two[0]) > ALIKE * abs(one[0]):
-            return False
-    return True
-
-
-def _split(graph: Graph, node: int) -> tuple[float, int]:
-    """Return a number and what it multiplies."""
-    value = graph.value(node)
-    return graph.scaled(node) if value is None else (value, graph.one)
-
-
 _STATES = 2
 # Functions that are the same everywhere if they are so at random states; min, max and roots are
 # not, and stand for themselves.
 _MEROMORPHIC = frozenset(("sum", "prod", "sin", "cos", "tan", "exp", "sinh", "cosh", "tanh"))
-
-
-def without_idle(
-    forcing: Sequence[Any], auxiliary_equations: Iterable[Any], states: Collection[Any]
-) -> tuple[Any, ...]:
-    """Return the forcing without the forces of the auxiliary equations that cancel in it."""
-    held = find_symbols(forcing)
-    forces = [
-        s
-        for s in find_symbols(auxiliary_equations)
-        if isinstance(s, AppliedUndef) and s in held and s not in states
-    ]
-    if not forces:
-        return tuple(forcing)
-    graph = Graph()
-    atoms = input_nodes(graph, x=held)
-    nodes = SymPyReader(graph, atoms, "the equations of motion").all(forcing)
-    idle = set(idle_inputs(graph, nodes, [atoms[s] for s in forces]))
-    nothing = {s: sm.S.Zero for s in forces if atoms[s] in idle}
-    return tuple(replace_symbols(e, nothing) for e in forcing) if nothing else tuple(forcing)
-
-
-def idle_inputs(graph: Graph, forcing: Sequence[int], inputs: Sequence[int]) -> list[int]:
-    """Return the inputs that are in the forcing, which does not change with them."""
-    slopes: dict[int, list[int]] = {n: [] for n in inputs}
-    for row in jacobian(graph, forcing, inputs):
-        for k, node in row.items():
-            slopes[inputs[k]].append(node)
-    return [n for n, own in slopes.items() if _vanish(graph, own)]
-
-
-def _vanish(graph: Graph, nodes: Sequence[int]) -> bool:
-    """Return whether nodes are zero as functions."""
-    rest = [n for n in nodes if n != graph.zero]
-    if not rest or not any(signatures(graph, rest)):
-        return True
-    # Identities of angles are not seen modulo a prime.
-    leaves = _leaves(graph, rest)
-    inputs = [graph.input("x", k) for k in range(len(leaves))]
-    rest = substitute(graph, rest, dict(zip(leaves, inputs, strict=True)))
-    values_at = evaluator(graph, [*rest, *rounding_bounds(graph, rest)])
-    x = np.random.default_rng(0).uniform(0.5, 1.5, (len(leaves), _STATES))
-    found = values_at(dict(zip(inputs, x, strict=True)), _STATES)
-    left, bounds = np.hsplit(np.abs(found), 2)
-    return bool(((left <= ROUNDED * bounds) & (bounds > 0.0)).all())
-
-
-def _leaves(graph: Graph, nodes: Sequence[int]) -> list[int]:
-    """Return the inputs, and what is looked at as if it were one."""
-    found: dict[int, None] = {}
-    seen, left = set(nodes), list(nodes)
-    while left:
-        n = left.pop()
-        if graph.ops[n] in _MEROMORPHIC:
-            new = [m for m in graph.operands(n) if m not in seen]
-            seen.update(new)
-            left += new
-        elif graph.ops[n] != "const":
-            found[n] = None
-    return list(found)
 
 
 @dataclass(eq=False)
@@ -564,3 +389,186 @@ def lagranges_equations(kinematics: Kinematics) -> tuple[list[Vec], Vec]:
         for k, rate in enumerate(kinematics.dt(momenta))
     ]
     return matrix, forcing
+
+
+# -- velocities that the user set ------------------------------------------------------------------
+
+
+def disagreeing(kinematics: Kinematics) -> list[Any]:
+    """Return the points whose given velocity is not what follows from their place.
+
+    That is, if those that they are reached from move as they are said to, each with the given
+    velocity if it is one of the points returned.
+    """
+    k = kinematics
+    points = [p for p in k.moved() if k.base(p) is not None and k.tree.velocity(p) is not None]
+    nodes: list[int] = []
+    for point in points:
+        home, v, _ = k.motion(point)
+        nodes += [*v, *k.vector(k.tree.velocity(point), home)]
+    values = signatures(k.graph, nodes) if nodes else []
+    unequal = {
+        point: nodes[i : i + 6]
+        for i, point in zip(range(0, len(nodes), 6), points, strict=True)
+        if values[i : i + 3] != values[i + 3 : i + 6]
+    }
+    return _honoured(k, points, unequal) if unequal else []
+
+
+def _honoured(
+    kinematics: Kinematics, points: Sequence[Any], unequal: Mapping[Any, Sequence[int]]
+) -> list[Any]:
+    """Return the points whose velocities are given, from the inner ones to the outer ones.
+
+    A point that is reached from one whose velocity is given moves by the same difference from what
+    follows from its place. Directions that are given by numbers are rounded: products of them that
+    are equal are not so modulo a prime, but at random states.
+    """
+    k = kinematics
+    ways = {p: k.frames.way_in(k.motion(p)[0])[:-1] for p in unequal}
+    frames = list(dict.fromkeys(f for way in ways.values() for f in way))
+    steps = [n for f in frames for row in k.frames.step(f) for n in row]
+    values = numbers_of(k.graph, [*steps, *(n for six in unequal.values() for n in six)])
+    states = len(values)
+    turned = values[:, : len(steps)].reshape(states, -1, 3, 3)
+    step = {f: turned[:, i] for i, f in enumerate(frames)}
+    apart: dict[Any, np.ndarray] = {}
+    sizes: dict[Any, np.ndarray] = {}
+    pairs = values[:, len(steps) :].reshape(states, -1, 2, 3)
+    for i, p in enumerate(unequal):
+        difference = pairs[:, i, 1] - pairs[:, i, 0]
+        for f in ways[p]:  # into the inertial frame
+            difference = np.einsum("sij,si->sj", step[f], difference)
+        apart[p], sizes[p] = difference, np.linalg.norm(pairs[:, i], axis=-1).sum(axis=-1)
+    found: dict[Any, None] = {}
+    nothing = np.zeros((states, 3))
+    for p in sorted(points, key=lambda p: len(_inner(k, p))):
+        inner = next((q for q in _inner(k, p) if q in found), None)
+        left = apart.get(p, nothing) - apart.get(inner, nothing)
+        size = sizes.get(p, 0.0) + sizes.get(inner, 0.0)
+        # What a singular solve gives is not a number, and equal to nothing.
+        if not (np.linalg.norm(left, axis=-1) <= SAME_DIRECTION * size).all():
+            found[p] = None
+    return list(found)
+
+
+def _inner(kinematics: Kinematics, point: Any) -> list[Any]:
+    """Return the points that a point is reached from, the nearest one first."""
+    found = []
+    while (point := kinematics.base(point)) is not None:
+        found.append(point)
+    return found
+
+
+# -- gravity ---------------------------------------------------------------------------------------
+
+
+def take_gravity_off(kinematics: Kinematics) -> None:
+    """Turn weights into an acceleration, where every body with a mass has one.
+
+    No point's motion may have been asked for.
+    """
+    weights: list[dict[int, Vec]] = []
+    for body in kinematics.body.bodies:
+        mass = kinematics.read(body.mass)
+        if mass != kinematics.graph.zero:
+            weights.append(_pulls(kinematics, body.masscenter, mass))
+    for pull in weights[0].values() if weights else ():
+        spent = [_place(kinematics.graph, pull, own) for own in weights]
+        if None not in spent and len(set(spent)) == len(spent):
+            kinematics.loads = tuple(x for k, x in enumerate(kinematics.loads) if k not in spent)
+            kinematics.pull = pull
+            return
+
+
+def _pulls(kinematics: Kinematics, point: Any, mass: int) -> dict[int, Vec]:
+    """Return force over mass of the loads at a point that are written in the inertial frame."""
+    found = {}
+    for k, (where, vector) in enumerate(kinematics.loads):
+        if where is point and all(frame is kinematics.inertial for _, frame in vector.args):
+            parts = kinematics.vector(vector, kinematics.inertial)
+            found[k] = [kinematics.graph.div(n, mass) for n in parts]
+    return found
+
+
+def _place(graph: Graph, pull: Vec, own: dict[int, Vec]) -> int | None:
+    """Return which of a body's loads pulls it like that."""
+    return next((k for k, other in own.items() if _alike(graph, pull, other)), None)
+
+
+def _alike(graph: Graph, a: Vec, b: Vec) -> bool:
+    """Return whether vectors are equal up to the rounding of numbers."""
+    for x, y in zip(a, b, strict=True):
+        one, two = _split(graph, x), _split(graph, y)
+        if one[1] != two[1] or abs(one[0] - two[0]) > ALIKE * abs(one[0]):
+            return False
+    return True
+
+
+def _split(graph: Graph, node: int) -> tuple[float, int]:
+    """Return a number and what it multiplies."""
+    value = graph.value(node)
+    return graph.scaled(node) if value is None else (value, graph.one)
+
+
+# -- noncontributing forces ------------------------------------------------------------------------
+
+
+def without_idle(
+    forcing: Sequence[Any], auxiliary_equations: Iterable[Any], states: Collection[Any]
+) -> tuple[Any, ...]:
+    """Return the forcing without the forces of the auxiliary equations that cancel in it."""
+    held = find_symbols(forcing)
+    forces = [
+        s
+        for s in find_symbols(auxiliary_equations)
+        if isinstance(s, AppliedUndef) and s in held and s not in states
+    ]
+    if not forces:
+        return tuple(forcing)
+    graph = Graph()
+    atoms = input_nodes(graph, x=held)
+    nodes = SymPyReader(graph, atoms, "the equations of motion").all(forcing)
+    idle = set(idle_inputs(graph, nodes, [atoms[s] for s in forces]))
+    nothing = {s: sm.S.Zero for s in forces if atoms[s] in idle}
+    return tuple(replace_symbols(e, nothing) for e in forcing) if nothing else tuple(forcing)
+
+
+def idle_inputs(graph: Graph, forcing: Sequence[int], inputs: Sequence[int]) -> list[int]:
+    """Return the inputs that are in the forcing, which does not change with them."""
+    slopes: dict[int, list[int]] = {n: [] for n in inputs}
+    for row in jacobian(graph, forcing, inputs):
+        for k, node in row.items():
+            slopes[inputs[k]].append(node)
+    return [n for n, own in slopes.items() if _vanish(graph, own)]
+
+
+def _vanish(graph: Graph, nodes: Sequence[int]) -> bool:
+    """Return whether nodes are zero as functions."""
+    rest = [n for n in nodes if n != graph.zero]
+    if not rest or not any(signatures(graph, rest)):
+        return True
+    # Identities of angles are not seen modulo a prime.
+    leaves = _leaves(graph, rest)
+    inputs = [graph.input("x", k) for k in range(len(leaves))]
+    rest = substitute(graph, rest, dict(zip(leaves, inputs, strict=True)))
+    values_at = evaluator(graph, [*rest, *rounding_bounds(graph, rest)])
+    x = np.random.default_rng(0).uniform(0.5, 1.5, (len(leaves), _STATES))
+    found = values_at(dict(zip(inputs, x, strict=True)), _STATES)
+    left, bounds = np.hsplit(np.abs(found), 2)
+    return bool(((left <= ROUNDED * bounds) & (bounds > 0.0)).all())
+
+
+def _leaves(graph: Graph, nodes: Sequence[int]) -> list[int]:
+    """Return the inputs, and what is looked at as if it were one."""
+    found: dict[int, None] = {}
+    seen, left = set(nodes), list(nodes)
+    while left:
+        n = left.pop()
+        if graph.ops[n] in _MEROMORPHIC:
+            new = [m for m in graph.operands(n) if m not in seen]
+            seen.update(new)
+            left += new
+        elif graph.ops[n] != "const":
+            found[n] = None
+    return list(found)

@@ -11,7 +11,7 @@ import numpy as np
 from pydy._errors import UnsupportedFunctionError
 from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.node import Graph
-from pydy._mechanics.components import numbers_of, turned, unrounded
+from pydy._mechanics.components import identity, numbers_of, turned, unrounded
 from pydy._mechanics.planes import plane_rotations
 from pydy._mechanics.reader import InputReader, Tree, distances, oriented
 from pydy._mechanics.tuning import ROUNDED
@@ -59,7 +59,7 @@ class Frames:
         """Return the axes that a frame's components are written in, and the rotation."""
         g = self.graph
         axes, matrix = self.written.get(frame, (frame, None))
-        return axes, matrix or [[g.one if i == j else g.zero for j in range(3)] for i in range(3)]
+        return axes, matrix or identity(g)
 
     def in_axes(self, v: Vec, frame: Any) -> tuple[Vec, Any]:
         """Return components in a frame as they are written, and the axes."""

@@ -27,9 +27,12 @@ from sympy.physics.mechanics import Point
 
 from pydy._graph.identities import signatures
 from pydy._mechanics.alignment import hinge_axis
-from pydy._mechanics.components import transposed, unrounded
+from pydy._mechanics.components import in_rows, transposed, unrounded
 from pydy._mechanics.kinematics import Kinematics, Vec
 from pydy._mechanics.reader import is_rigid
+
+# A frame, and the point fixed in it to which a lump is referred.
+_Key = tuple[Any, Any]
 
 
 @dataclass(frozen=True)
@@ -183,10 +186,6 @@ class _Lump:
     first: Vec
     second: list[Vec]
     tensor: list[Vec]
-
-
-# A frame, and the point fixed in it to which a lump is referred.
-_Key = tuple[Any, Any]
 
 
 def lumped(kinematics: Kinematics) -> tuple[list[Inertia], list[Load], list[Inertia]]:
@@ -388,7 +387,7 @@ class _Lumps:
         half = [k.turned(turn, row) for row in tensor]
         found = [k.turned(turn, row) for row in transposed(half)]
         flat = unrounded(self.graph, [n for row in found for n in row])
-        return [flat[:3], flat[3:6], flat[6:]]
+        return in_rows(flat)
 
     # -- contributions ----------------------------------------------------------------------------
 

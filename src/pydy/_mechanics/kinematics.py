@@ -20,7 +20,7 @@ from pydy._graph.derivative import Row, Rows
 from pydy._graph.identities import signatures
 from pydy._graph.node import Graph
 from pydy._graph.symbols import input_nodes, input_symbols
-from pydy._mechanics.components import turned, unrounded
+from pydy._mechanics.components import in_rows, turned, unrounded
 from pydy._mechanics.frames import Frames
 from pydy._mechanics.planes import Detours
 from pydy._mechanics.reader import InputReader, Multibody, Tree
@@ -214,8 +214,7 @@ class Kinematics:
         found = [[g.sum(cell) for cell in row] for row in cells]
         if not self.frames.written:
             return found
-        flat = unrounded(g, [n for row in found for n in row])
-        return [flat[:3], flat[3:6], flat[6:]]
+        return in_rows(unrounded(g, [n for row in found for n in row]))
 
     def equal(self, a: Sequence[int], b: Sequence[int]) -> bool:
         """Return whether nodes are equal as functions."""

@@ -25,6 +25,7 @@ from pydy._graph.node import Graph
 from pydy._graph.rewrite import substitute
 from pydy._graph.rounding import rounding_bounds
 from pydy._graph.tuning import INDEPENDENT, REDUNDANT, SINGULAR
+from pydy._mechanics.components import dot, identity, transposed
 from pydy._mechanics.tuning import GUARDED_UP_TO, LIGHT, SOUND_PIVOT, UNCERTAIN
 
 _HOMOGENEOUS = {"sum", "prod", "sqrt", "abs", "pow"}
@@ -73,7 +74,7 @@ def accelerations_of_held(
                 heavy = graph.call("and", heavy, _is_above(graph, graph.sum(others), share, LIGHT))
     square = _products(graph, first, moved)
     right = [
-        graph.sum([(_dot(graph, row, free), -1.0), (b, -1.0)])
+        graph.sum([(dot(graph, row, free), -1.0), (b, -1.0)])
         for row, b in zip(first, held.drift, strict=False)
     ]
     usual = _usual(graph, _squares(graph, held.rows, weights))
@@ -81,7 +82,7 @@ def accelerations_of_held(
     found, sound = solved_soundly(graph, square, right, sizes)
     sound = graph.call("and", heavy, sound)
     fast = [
-        graph.sum([(free[i], 1.0), (_dot(graph, [row[i] for row in moved], found), 1.0)])
+        graph.sum([(free[i], 1.0), (dot(graph, [row[i] for row in moved], found), 1.0)])
         for i in range(len(free))
     ]
     return accelerations(graph, matrix, forcing, held, sound, fast)
@@ -128,8 +129,8 @@ def accelerations(
         ]
 
     sizes, along = sizes_of(own, units), [row for _, row in held.places]
-    broken = largest([_dot(g, row, change) for row in rows], sizes)
-    rate = largest([_dot(g, row, change) for row in held.rates], sizes)
+    broken = largest([dot(g, row, change) for row in rows], sizes)
+    rate = largest([dot(g, row, change) for row in held.rates], sizes)
     motion = largest(held.left, sizes, rounded=True)
     sizes = sizes_of(_squares(g, along, weights), _roundings(g, matrix, along))
     place = largest([node for node, _ in held.places], sizes, rounded=True)
@@ -210,22 +211,18 @@ def multipliers_of(
         square = _products(graph, rows, rows)
         usual = _usual(graph, [square[i][i] for i in range(m)])
         sizes = [graph.add(square[i][i], usual[i]) for i in range(m)]
-        right = [_dot(graph, row, force) for row in rows]
+        right = [dot(graph, row, force) for row in rows]
         fast, sound = solved_soundly(graph, square, right, sizes)
-    columns = [list(column) for column in zip(*rows, strict=True)]
-    unit = [[graph.one if i == j else graph.zero for j in range(m)] for i in range(m)]
+    columns = transposed(rows)
+    unit = identity(graph, m)
     pull = [graph.neg(f) for f in force]
     parts = (graph, unit, [graph.zero] * m, columns, pull, rank, sound, fast)
     return _constrained(*parts, _roundings(graph, unit, columns))
 
 
-def _dot(graph: Graph, a: Sequence[int], b: Sequence[int]) -> int:
-    return graph.sum([(graph.mul(x, y), 1.0) for x, y in zip(a, b, strict=True)])
-
-
 def _products(graph: Graph, a: Sequence[list[int]], b: Sequence[list[int]]) -> list[list[int]]:
     """Return a bᵀ, which is symmetric."""
-    lower = [[_dot(graph, a[i], b[j]) for j in range(i + 1)] for i in range(len(a))]
+    lower = [[dot(graph, a[i], b[j]) for j in range(i + 1)] for i in range(len(a))]
     return [[lower[max(i, j)][min(i, j)] for j in range(len(a))] for i in range(len(a))]
 
 
@@ -289,7 +286,7 @@ def _usual(graph: Graph, own: Sequence[int]) -> list[int]:
 
 
 def _squares(graph: Graph, rows: Sequence[list[int]], weights: Sequence[int]) -> list[int]:
-    return [_dot(graph, [graph.powi(c, 2) for c in row], weights) for row in rows]
+    return [dot(graph, [graph.powi(c, 2) for c in row], weights) for row in rows]
 
 
 def usual_sizes(graph: Graph, nodes: Sequence[int]) -> list[int]:

@@ -23,6 +23,10 @@ from pydy._graph.node import Graph
 from pydy._mechanics.components import transposed, turned
 from pydy._mechanics.tuning import SAME_DIRECTION
 
+# The column, the sign and the node of the cosine, and of the sine.
+_Parts = tuple[tuple[int, float, int], tuple[int, float, int]]
+
+
 Matrix = list[list[int]]
 Groups = list[list[int]]
 
@@ -217,10 +221,6 @@ def turn_of(graph: Graph, rows: Mapping[int, Row], pair: Sequence[int]) -> Turn 
         if second[x] == graph.sum([(s, -sign * one)]) and second[y] == graph.sum([(c, sign * two)]):
             return Turn((x, y), (one, two), sign, c, s)
     return None
-
-
-# The column, the sign and the node of the cosine, and of the sine.
-_Parts = tuple[tuple[int, float, int], tuple[int, float, int]]
 
 
 def _by_an_angle(graph: Graph, row: Row) -> _Parts | None:

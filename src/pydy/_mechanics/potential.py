@@ -39,31 +39,6 @@ from pydy._rank import ROUNDED
 _TRIALS = 3
 
 
-def is_potential_of(equations: Equations, potential: Any, powers: Sequence[Any]) -> bool:
-    """Return whether ``d potential/dt = -sum(powers)``."""
-    states = GenericStates(equations, (potential, *powers), "the energy")
-    gained = states.rates([states.read(potential)])
-    lost = states.graph.sum([(n, 1.0) for n in (*gained, *states.read.all(powers))])
-    return _vanish(states, [lost])
-
-
-def has_momenta_of(equations: Equations, lagrangian: Any, kinetic: Any) -> bool:
-    """Return whether a Lagrangian and a kinetic energy have the same derivatives by the speeds."""
-    states = GenericStates(equations, (lagrangian, kinetic), "the energy")
-    nodes = states.read.all((lagrangian, kinetic))
-    shape = 2, len(states.speeds)
-    momenta = np.reshape(dense_jacobian(states.graph, nodes, states.speeds), shape).tolist()
-    return _vanish(states, [states.graph.sub(a, b) for a, b in zip(*momenta, strict=True)])
-
-
-def _vanish(states: GenericStates, nodes: Sequence[int]) -> bool:
-    """Return whether nodes are no more than rounding errors of their own terms."""
-    pairs = [*nodes, *rounding_bounds(states.graph, nodes)]
-    samples = states.samples([("pairs", (2, len(nodes)), pairs)], _TRIALS)
-    found = [np.abs(sample["pairs"]) for sample in samples]
-    return bool(found) and all((left <= ROUNDED * bound).all() for left, bound in found)
-
-
 @dataclass
 class Potential:
     """What is known about the potential energy."""
@@ -538,3 +513,31 @@ def _integral(law: Any, distance: Any) -> Any:
         else:
             parts.append(size * distance ** (exponent + 1) / (exponent + 1))
     return sm.Add(*parts)
+
+
+# -- by numbers ------------------------------------------------------------------------------------
+
+
+def is_potential_of(equations: Equations, potential: Any, powers: Sequence[Any]) -> bool:
+    """Return whether ``d potential/dt = -sum(powers)``."""
+    states = GenericStates(equations, (potential, *powers), "the energy")
+    gained = states.rates([states.read(potential)])
+    lost = states.graph.sum([(n, 1.0) for n in (*gained, *states.read.all(powers))])
+    return _vanish(states, [lost])
+
+
+def has_momenta_of(equations: Equations, lagrangian: Any, kinetic: Any) -> bool:
+    """Return whether a Lagrangian and a kinetic energy have the same derivatives by the speeds."""
+    states = GenericStates(equations, (lagrangian, kinetic), "the energy")
+    nodes = states.read.all((lagrangian, kinetic))
+    shape = 2, len(states.speeds)
+    momenta = np.reshape(dense_jacobian(states.graph, nodes, states.speeds), shape).tolist()
+    return _vanish(states, [states.graph.sub(a, b) for a, b in zip(*momenta, strict=True)])
+
+
+def _vanish(states: GenericStates, nodes: Sequence[int]) -> bool:
+    """Return whether nodes are no more than rounding errors of their own terms."""
+    pairs = [*nodes, *rounding_bounds(states.graph, nodes)]
+    samples = states.samples([("pairs", (2, len(nodes)), pairs)], _TRIALS)
+    found = [np.abs(sample["pairs"]) for sample in samples]
+    return bool(found) and all((left <= ROUNDED * bound).all() for left, bound in found)
