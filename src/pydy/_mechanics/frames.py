@@ -10,6 +10,7 @@ import numpy as np
 
 from pydy._errors import UnsupportedFunctionError
 from pydy._graph.from_sympy import SymPyReader
+from pydy._graph.identities import signatures
 from pydy._graph.node import Graph
 from pydy._mechanics.components import identity, numbers_of, turned, unrounded
 from pydy._mechanics.planes import plane_rotations
@@ -126,6 +127,8 @@ def orientation_rows(matrices: Iterable[Any], read: SymPyReader) -> list[int]:
         for i, j in combinations_with_replacement(range(3), 2):
             parts = [(g.mul(a, b), 1.0) for a, b in zip(columns[i], columns[j], strict=True)]
             rows.append(g.sum([*parts, (g.one, -1.0 if i == j else 0.0)]))
+    # Angles give rotations as functions; a matrix of rounded numbers is one to rounding.
+    rows = [row for row, value in zip(rows, signatures(g, rows), strict=True) if value]
     if not rows:
         return []
     apart = np.abs(numbers_of(g, rows)).max(axis=0)
