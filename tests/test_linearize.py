@@ -77,3 +77,13 @@ def test_a_constraint_that_the_motion_does_not_keep_is_refused():
     # The rod's rate is missing: y = -1 is not kept by a pendulum that may move up and down.
     with pytest.raises(ValueError, match=r"into itself, but leads out of it by 0\.1"):
         reduce_state_matrix(PENDULUM, ROD[:1])
+
+
+@pytest.mark.parametrize("metre", [1e-6, 1.0, 1e9])
+def test_the_rank_of_constraints_does_not_depend_on_the_unit_of_length(metre):
+    """An angle beside lengths: the third row is the difference of the others, with roundings."""
+    rows = np.array([[1.0, -0.3 / metre, 0.7], [0.2, 0.1 / metre, 0.4]])
+    rows = np.vstack([rows, (rows[0] / 3.0 - rows[1] / 7.0) * (1.0 + 1e-13 * np.array([1, -1, 1]))])
+    A = np.zeros((3, 3))
+    assert reduce_state_matrix(A, rows).shape == (1, 1)
+    assert reduce_state_matrix(A, 1e-3 * rows[[0, 2]]).shape == (1, 1)

@@ -9,9 +9,9 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-import scipy
 
 from pydy._checks import real_array
+from pydy._rank import or_one, rank
 
 __all__ = ["constrained_eigenvalues", "reduce_state_matrix"]
 
@@ -92,9 +92,9 @@ def reduce_state_matrix(state_matrix: Any, constraint_jacobian: Any) -> np.ndarr
         )
     if not len(C):
         return A
-    # A constraint in millimetres is the same constraint: its scale must not decide on the rank.
-    sizes = np.linalg.norm(C, axis=1, keepdims=True)
-    T = scipy.linalg.null_space(C / np.where(sizes > 0, sizes, 1.0))
+    # A constraint in millimetres is the same constraint: neither its scale nor that of a state must
+    # decide on the rank.
+    T = np.linalg.svd(C / or_one(np.linalg.norm(C, axis=1, keepdims=True)))[2][rank(C) :].T
     AT = A @ T
     reduced: np.ndarray = T.T @ AT
     outside = float(np.linalg.norm(AT - T @ reduced))

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pydy import _rank
+
 __all__ = [
     "AFTER_FAILURE",
     "BLOCK",
@@ -45,13 +47,13 @@ BLOCK = 8
 LANES = BLOCK
 """Trajectories of an ensemble that are integrated side by side, on every processor."""
 
-ROUNDING = 2.0**-52
+ROUNDING = _rank.ROUNDING
 """The distance from 1.0 to the next float."""
 
 ROUNDINGS = 8.0
 """The largest residual of a constraint that is satisfied, in units of its rounding bound."""
 
-DEPENDENT = 1e-10
+DEPENDENT = _rank.DEPENDENT
 """A constraint's row that is this much shorter without the others' directions is redundant.
 
 Rows that are redundant by the mechanism come out at some 1e-15 of their length.
