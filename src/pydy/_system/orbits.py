@@ -20,7 +20,7 @@ from pydy._system.solving import native_solver
 from pydy._system.tuning import BEGINNING, ORBIT
 from pydy._system.values import Evaluation
 from pydy.analysis.orbits import Flight, PeriodicOrbit, shoot
-from pydy.analysis.tuning import LEAST_SIZE, STILL
+from pydy.analysis.tuning import LEAST_SIZE, ORBIT_CLOSED
 from pydy.solvers.events import Event
 
 # How long an event is waited for, in periods as guessed.
@@ -194,7 +194,7 @@ class Orbits(Simulation, Evaluation):
             slope = runner.evaluate_ode()[free]
             unit = np.where(speeds, 1.0 / guess, 1.0)
             moved, size = np.abs(slope) * guess / unit, np.abs(start) / unit
-            if (moved <= STILL * np.maximum(size, LEAST_SIZE * size.max(initial=0.0))).all():
+            if (moved <= ORBIT_CLOSED * np.maximum(size, LEAST_SIZE * size.max(initial=0.0))).all():
                 raise ValueError(
                     "The initial conditions are an equilibrium, which is no orbit. Start "
                     "elsewhere, or use `find_equilibrium`."

@@ -20,7 +20,7 @@ from pydy._checks import choice, real_array
 from pydy._optional import require
 from pydy._rank import DEPENDENT, independent_columns
 from pydy.analysis.pictures import plot_bode, plot_poles
-from pydy.analysis.tuning import SLOW
+from pydy.analysis.tuning import CROSSED
 
 __all__ = ["LinearModel", "independent_places", "tangents"]
 
@@ -152,7 +152,7 @@ class LinearModel:
         i = self.outputs.index(choice(output, self.outputs, "`output`"))
         if frequencies is None:
             sizes = np.abs(np.linalg.eigvals(self._one("plot_bode")[0]))
-            sizes = sizes[sizes > SLOW * sizes.max(initial=0.0)]
+            sizes = sizes[sizes > CROSSED * sizes.max(initial=0.0)]
             low, high = (sizes.min(), sizes.max()) if sizes.size else (1.0, 1.0)
             frequencies = np.geomspace(0.1 * low, 10.0 * high, num=400)
         response = self.frequency_response(frequencies)[:, i, j]

@@ -16,9 +16,7 @@ __all__ = [
     "ORBIT_CLOSED",
     "SETTLED",
     "SHORTEST_STEP",
-    "SLOW",
     "STEEPEST_TURN",
-    "STILL",
     "UNDETERMINED",
     "ZERO_ROOT",
 ]
@@ -55,16 +53,14 @@ roots come out at the square root of a rounding, 1e-8."""
 
 CROSSED = 1e-6
 """The same in a sweep, whose equilibria are found one by one: those of coordinates that may be
-anywhere."""
-
-SLOW = 1e-6
-"""Eigenvalues below this share of the largest are not drawn a Bode plot down to."""
+anywhere. A Bode plot is not drawn down to such."""
 
 # -- periodic orbits -------------------------------------------------------------------------------
 
 ORBIT_CLOSED = 1e-9
 """The gap of an orbit that is closed, in units of its states, or how near the start then is to one
-that closes, where unstable motion makes more of rounding: integrations are good to 1e-12."""
+that closes, where unstable motion makes more of rounding: integrations are good to 1e-12. States
+that change by less in a period, at their rates, are those of an equilibrium."""
 
 LEAST_SIZE = 1e-3
 """The least size of a state beside the largest one: a micrometre is closed to 1e-7 of it beside
@@ -75,9 +71,6 @@ DAMPED = 1e-6
 
 MARGIN = 1e-5
 """How far beyond 1 a multiplier may be computed that is 1: double ones come out at 1e-6."""
-
-STILL = 1e-9
-"""What states of an equilibrium change by in a period at their rates, in units of their sizes."""
 
 # -- fits ------------------------------------------------------------------------------------------
 
