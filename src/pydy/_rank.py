@@ -48,7 +48,7 @@ were computed in different ways; numbers for different things agree in fewer."""
 DIGITS = 1e-5
 """The precision of numbers that were typed to six digits."""
 
-_SWEEPS = 30  # the exponents' error halves at each: pivots of one size are found as such
+_SWEEPS, _EXACT = 8, 30  # the exponents' error halves at each; then pivots of one size are such
 
 
 def is_zero(value: np.ndarray | float, bound: np.ndarray | float) -> np.ndarray:
@@ -63,7 +63,9 @@ def or_one(sizes: np.ndarray) -> np.ndarray:
     return known
 
 
-def equilibrated(matrix: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def equilibrated(
+    matrix: np.ndarray, exact: bool = False
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return matrices with the largest entry of each row and column near 1.
 
     After D. Ruiz, "A scaling algorithm to equilibrate both rows and columns norms in matrices",
@@ -73,6 +75,8 @@ def equilibrated(matrix: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray
     Parameters
     ----------
     matrix : ndarray, shape (..., m, k)
+    exact : bool
+        Whether it matters which entries are equal: for choices that no unit may decide.
 
     Returns
     -------
@@ -86,7 +90,7 @@ def equilibrated(matrix: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray
     sizes = sizes / rows
     sizes[sizes <= ROUNDED] = 0.0
     columns = np.ones_like(sizes[..., :1, :])
-    for _ in range(_SWEEPS):
+    for _ in range(_EXACT if exact else _SWEEPS):
         tall = np.sqrt(or_one(sizes.max(axis=-2, keepdims=True, initial=0.0)))
         wide = np.sqrt(or_one(sizes.max(axis=-1, keepdims=True, initial=0.0)))
         sizes = sizes / (tall * wide)

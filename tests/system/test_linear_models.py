@@ -375,3 +375,10 @@ def test_feedback_of_a_function_is_differentiated_alike_in_any_units(metre):
     system = multi_mass_spring_damper(apply_external_forces=True)
     system.specifieds = {"f0": lambda x, t: 3e6 * metre - 100.0 * x[0]}
     assert system.linearize().A[1, 0] == pytest.approx(-101.0, rel=1e-7)
+
+
+@pytest.mark.parametrize("start", [1e-17, 5e-324])
+def test_feedback_is_differentiated_where_a_state_is_zero_but_for_rounding(start):
+    system = multi_mass_spring_damper(apply_external_forces=True)
+    system.specifieds = {"f0": lambda x, t: 3.0 - 100.0 * x[0]}
+    assert system.linearize({"x0": start}).A[1, 0] == pytest.approx(-101.0, rel=1e-7)

@@ -148,7 +148,7 @@ class Point:
         moved = beside.value(self.made.compiled_jacobian(block, "x"), n)
         both = np.maximum(np.abs(gradient), np.nan_to_num(np.abs(moved), posinf=0.0))
         units = np.ones((len(self.x), n))
-        _, rows, columns = equilibrated(both[..., own])
+        _, rows, columns = equilibrated(both[..., own], exact=True)
         units[:, own] = columns[:, 0]
         return rows, units
 

@@ -20,11 +20,12 @@ from pydy._rank import HALF, ROUNDING, or_one
 from pydy._system.evaluation import row_names
 from pydy._system.setup import Setup
 from pydy._system.snapshot import Snapshot
-from pydy.analysis.equilibria import Equilibrium, Problem, solve_equilibrium
+from pydy.analysis.equilibria import Equilibrium, Problem, Sizes, solve_equilibrium
 from pydy.codegen.arguments import SpecifiedsPlan
 
 GROUPS = {"states": "x", "specifieds": "r", "constants": "p"}
 """The kinds of symbols, and the arrays that hold their numbers."""
+Inputs = tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]  # t, x, r, p
 # Decades of steps of differences that are tried, and the rounding errors of a function.
 _DECADES, _ROUNDED = 10, 100.0
 _OF_NUMBERS = {"sin", "cos", "tan", "exp", "sinh", "cosh", "tanh"}  # functions of what has no unit
@@ -254,36 +255,57 @@ class Balance:
             parts.append(part)
         return np.concatenate([parts[0][:, self.rows], *parts[1:]], axis=1)
 
-    def natural(self, z: np.ndarray) -> np.ndarray:
-        """Return how large the unknowns (l,) are by themselves; see `natural_sizes`."""
-        found = natural_sizes(self.made, self.inputs(z[None]))
-        return np.array([found[kind][0, k] for kind, k in self.wanted.order])
+    def sizes(self, slopes: np.ndarray, z: np.ndarray) -> list[Sizes]:
+        """Return how large unknowns and rows are, with slopes (m, rows, k) by the first k unknowns.
 
-    def inertia(self, z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Return how large rows are for motions of the same energy; see `Problem`."""
-        *at, p = self.inputs(z[None])
-        found = self.made.interpreted(_masses, (*at, np.atleast_2d(p)[0]))["masses"][0]
+        Constants that are unknowns have one sample each: nothing else is evaluated one by one.
+        """
+        m, k = len(z), slopes.shape[2]
+        t, x, r, p = self.inputs(z)
+        if p.ndim == 1 or m == 1:
+            parts = [(t, x, r, p if p.ndim == 1 else p[0])]
+        else:
+            parts = [(t[[i]], x[[i]], r[[i]], p[i]) for i in range(m)]
+        natural, rows = (
+            np.concatenate(part)
+            for part in zip(*((self._natural(at), self._inertia(at)) for at in parts), strict=True)
+        )
+        rates = {row: column for row, column in self.pairs.items() if column < k}
+        powers = np.zeros(len(self.titles))
+        first = len(self.definition.equations.coordinates)
+        powers[: len(self.rows)] = np.array(self.rows) >= first
+        held = len(self.definition.equations.holonomic)
+        powers[len(self.rows) : len(self.rows) + held] = -1.0
+        return [
+            Sizes(slopes[i], z[i, :k], natural[i, :k], rates, (rows[i], powers)) for i in range(m)
+        ]
+
+    def _natural(self, at: Inputs) -> np.ndarray:
+        """Return how large the unknowns are by themselves, shape (m, l); see `natural_sizes`."""
+        found = natural_sizes(self.made, at)
+        return np.stack([found[kind][:, k] for kind, k in self.wanted.order], axis=1)
+
+    def _inertia(self, at: Inputs) -> np.ndarray:
+        """Return how large rows are for motions of one energy, shape (m, rows); see `Sizes`."""
+        found = self.made.interpreted(_masses, at)["masses"]
         equations = self.definition.equations
-        first, n = len(equations.coordinates), len(equations.speeds)
-        masses = np.abs(found[:: n + 1]) if len(found) else np.ones(n)
+        first, n, m = len(equations.coordinates), len(equations.speeds), len(at[1])
+        masses = np.abs(found[:, :: n + 1]) if found.size else np.ones((m, n))
         speeds = 1.0 / np.sqrt(or_one(masses))
-        last = first + n
+        moving = slice(first, first + n)
 
         def moved(block: str, by: slice, motion: np.ndarray) -> np.ndarray:
-            slopes = evaluated(self.made.compiled_jacobian(block, "x"), at[0], at[1], at[2], p)[0]
-            rows = np.abs(np.nan_to_num(slopes.reshape(-1, self.x.size)[:, by])) @ motion
-            return np.asarray(rows)
+            slopes = evaluated(self.made.compiled_jacobian(block, "x"), *at)
+            table = np.abs(np.nan_to_num(slopes.reshape(m, -1, self.x.size)[:, :, by]))
+            return np.asarray((table @ motion[:, :, None])[:, :, 0])
 
-        rates = np.append(moved("rates", slice(first, last), speeds)[:first], speeds)
-        parts = [rates[self.rows]]
-        powers = [(np.array(self.rows) >= first).astype(float)]
+        rates = np.concatenate([moved("rates", moving, speeds)[:, :first], speeds], axis=1)
+        parts = [rates[:, self.rows]]
         if "holonomic" in self.blocks:
-            parts.append(moved("holonomic", slice(first), rates[:first]))
-            powers.append(np.full(len(parts[-1]), -1.0))
+            parts.append(moved("holonomic", slice(first), rates[:, :first]))
         if "velocity" in self.blocks:
-            parts.append(moved("velocity", slice(first, last), speeds))
-            powers.append(np.zeros(len(parts[-1])))
-        return np.concatenate(parts), np.concatenate(powers)
+            parts.append(moved("velocity", moving, speeds))
+        return np.concatenate(parts, axis=1)
 
     def terms(self, z: np.ndarray) -> np.ndarray:
         """Return how large the terms of the residuals are that constants and specifieds make."""
@@ -316,8 +338,7 @@ class Balance:
             rows=self.titles,
             rates={row: column for row, column in self.pairs.items() if column < k},
             held=self.held,
-            natural=lambda z: self.natural(whole(z))[:k],
-            inertia=lambda z: self.inertia(whole(z)),
+            sizes=lambda slopes, z: self.sizes(slopes[None], whole(z)[None])[0],
             terms=lambda z: self.terms(whole(z)),
         )
 
@@ -398,7 +419,8 @@ def feedback(plan: SpecifiedsPlan, x: np.ndarray, t: np.ndarray) -> np.ndarray:
     m, n = x.shape
     slopes = np.zeros((m, len(plan.symbols), n))
     for k in range(n if plan.functions else 0):
-        begin = size = np.cbrt(ROUNDING) * np.where(x[:, k] != 0.0, np.abs(x[:, k]), 1.0)
+        # Ten decades both ways from one: a state may be zero but for rounding.
+        begin = size = np.cbrt(ROUNDING) * np.maximum(np.abs(x[:, k]), 1.0)
         least = np.full((m, len(plan.symbols)), np.inf)
         for _ in range(_DECADES):
             slope, rounding, missed = _central(plan, x, t, k, size)

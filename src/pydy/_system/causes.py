@@ -197,7 +197,7 @@ def _wild(kinematics: np.ndarray, elsewhere: np.ndarray) -> np.ndarray:
 def _bad_dependents(equations: Any, rows: np.ndarray) -> str | None:
     """Say what to choose where the constraints cannot be solved for the dependent speeds."""
     speeds, chosen = equations.speeds, equations.dependent_speeds
-    scaled = equilibrated(rows)[0]
+    scaled = equilibrated(rows, exact=True)[0]
     sizes = np.linalg.svd(scaled[:, [speeds.index(u) for u in chosen]], compute_uv=False)
     if len(chosen) == len(rows) and sizes[-1] > DIGITS * sizes[0]:
         return None

@@ -112,7 +112,7 @@ def default_dependents(now: Snapshot, given: Iterable[Any]) -> list[Any]:
 
 def _determined(matrix: np.ndarray, columns: Sequence[int]) -> list[int]:
     """Return columns that can be solved for, whatever the units of rows and columns."""
-    scaled = equilibrated(matrix[:, columns])[0]
+    scaled = equilibrated(matrix[:, columns], exact=True)[0]
     return sorted(columns[k] for k in independent_columns(scaled))
 
 

@@ -19,7 +19,7 @@ from pydy._system.evaluation import samples
 from pydy._system.setup import Setup
 from pydy._system.snapshot import Snapshot
 from pydy.analysis.continuation import EquilibriumBranch, trace
-from pydy.analysis.equilibria import Sizes, solve_equilibrium, solve_many
+from pydy.analysis.equilibria import solve_equilibrium, solve_many
 from pydy.analysis.sweeps import EigenvalueSweep, spectra_of, with_rounding
 from pydy.analysis.tuning import AT_ONCE, ZERO_ROOT
 
@@ -72,7 +72,7 @@ class Family:
         guess[:, -1] = values
         if guess.shape[1] == 1:
             return guess
-        found, sound = solve_many(balance.residuals, balance.slopes, guess, self._sizes)
+        found, sound = solve_many(balance.residuals, balance.slopes, guess, balance.sizes)
         # What is not found from the first value, or lies on another branch, is found from its
         # neighbour.
         k = 1
@@ -83,9 +83,6 @@ class Family:
         except KeyboardInterrupt:
             return found[:k]
         return found
-
-    def _sizes(self, slopes: np.ndarray, z: np.ndarray) -> Sizes:
-        return self.balance.problem(z[-1]).sizes(slopes, z[:-1])
 
     def _near(self, z: np.ndarray, other: np.ndarray) -> bool:
         step = other - z

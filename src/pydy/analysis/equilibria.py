@@ -93,11 +93,8 @@ class Problem:
         The rows that are rates of an unknown, and its place.
     held : int
         How many of the rows, the last ones, are constraints.
-    natural : callable
-        Of z: how large unknowns are by themselves, such as 1 for angles; 0 where nothing tells.
-    inertia : callable
-        Of z (k,): how large the rows are (m,) for motions of the same energy, and by which power of
-        an angular frequency that is to be multiplied (m,): 1 for accelerations.
+    sizes : callable
+        Of the Jacobian and z: how large unknowns and rows are.
     terms : callable
         Of z: how large the terms of the residuals are that constants and specifieds make, (m,).
     """
@@ -108,13 +105,8 @@ class Problem:
     rows: Sequence[str]
     rates: Mapping[int, int]
     held: int
-    natural: Callable[[np.ndarray], np.ndarray]
-    inertia: Callable[[np.ndarray], tuple[np.ndarray, np.ndarray]]
+    sizes: Callable[[np.ndarray, np.ndarray], Sizes]
     terms: Callable[[np.ndarray], np.ndarray]
-
-    def sizes(self, slopes: np.ndarray, z: np.ndarray) -> Sizes:
-        """Return how large unknowns and rows are at z."""
-        return Sizes(slopes, z, self.natural(z), self.rates, self.inertia(z))
 
 
 class Sizes:
@@ -128,8 +120,11 @@ class Sizes:
     slopes : ndarray, shape (m, k)
     z, natural : ndarray, shape (k,)
         Values of unknowns, and how large they are by themselves.
-    rates, inertia
+    rates : mapping of int to int
         See `Problem`.
+    inertia : (ndarray, ndarray), shapes (m,)
+        How large the rows are for motions of the same energy, and by which power of an angular
+        frequency that is to be multiplied: 1 for accelerations.
 
     Attributes
     ----------
@@ -381,7 +376,7 @@ def solve_many(
     residuals: Callable[[np.ndarray], np.ndarray],
     slopes: Callable[[np.ndarray], np.ndarray],
     z: np.ndarray,
-    measured: Callable[[np.ndarray, np.ndarray], Sizes],
+    measured: Callable[[np.ndarray, np.ndarray], list[Sizes]],
 ) -> tuple[np.ndarray, np.ndarray]:
     """Solve for all but the last column of `z` in each row at once, by Newton's method.
 
@@ -392,7 +387,7 @@ def solve_many(
     z : ndarray, shape (m, k)
         Where to start.
     measured : callable
-        Of the slopes (r, k - 1) at one z (k,): the sizes there.
+        Of slopes (n, r, k - 1) and z (n, k): the sizes there.
 
     Returns
     -------
@@ -421,8 +416,10 @@ def solve_many(
         sizes[left] = np.abs(values / rows[left]).max(axis=1)
         J[left] = slopes(after)
     sound = np.isfinite(J).all(axis=(1, 2)) & np.isfinite(best).all(axis=1)
-    for k in np.flatnonzero(sound):
-        sound[k] = (np.abs(best[k]) <= measured(J[k, :, :-1], z[k]).limit).all()
+    places = np.flatnonzero(sound)
+    found = measured(J[places, :, :-1], z[places]) if places.size else []
+    for k, own in zip(places, found, strict=True):
+        sound[k] = (np.abs(best[k]) <= own.limit).all()
     return z, sound
 
 
