@@ -17,7 +17,7 @@ from collections.abc import Sequence
 from pydy._graph.derivative import times
 from pydy._graph.node import Graph
 from pydy._graph.operations import OPERATIONS
-from pydy._graph.roots import at_rest, of_half_power, slope
+from pydy._graph.roots import is_steep, of_half_power, slope
 
 __all__ = ["adjoints"]
 
@@ -136,7 +136,7 @@ class _Sweep:
             partials = OPERATIONS[op].partials
             if partials is not None:  # else it is piecewise constant
                 slopes = [times(g, bar, d) for d in partials(g, node, *args)]
-                if at_rest(g, node) is not None:
+                if is_steep(g, node):
                     slopes[0] = slope(g, node, bar)
                 for n, d in zip(args, slopes, strict=True):
                     self.add(n, d)

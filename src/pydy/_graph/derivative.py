@@ -18,7 +18,7 @@ from collections.abc import Callable, Mapping, Sequence
 
 from pydy._graph.node import Graph
 from pydy._graph.operations import OPERATIONS
-from pydy._graph.roots import at_rest, of_half_power, slope
+from pydy._graph.roots import is_carried, is_steep, of_half_power, slope
 
 __all__ = [
     "Rows",
@@ -171,6 +171,10 @@ def _row(g: Graph, node: int, rows: dict[int, Row], vectors: dict[int, list[Row]
                 by_radicand = of_half_power(g, args, k)
                 if by_radicand is not None:
                     parts.append((rows[g.args[n][0]], by_radicand, 1.0))
+                elif e == 1 and others and _by_argument(g, n, others):
+                    parts.append(
+                        (_settled(g, g.args[n][0], rows), slope(g, n, g.product(others)), 1.0)
+                    )
                 else:
                     parts.append((rows[n], g.product([*others, (n, e - 1)], float(e)), 1.0))
         return _combine(g, parts)
@@ -197,14 +201,15 @@ def _row(g: Graph, node: int, rows: dict[int, Row], vectors: dict[int, list[Row]
     operation = OPERATIONS.get(op)
     if operation is None or operation.partials is None or not any(rows[n] for n in args):
         return {}  # constants, other inputs, steps, conditions, factors
-    if rows[args[0]] and at_rest(g, node) is not None:
+    switched = op == "sqrt" and g.ops[args[0]] in ("max", "min", "select")
+    if rows[args[0]] and not switched and is_carried(g, node):
         by_root: Row = {-1 - node: g.one}
-        if op == "sqrt":
+        if op != "pow":
             return by_root
         by_exponent = operation.partials(g, node, *args)[1]
         return _combine(g, [(by_root, None, 1.0), (rows[args[1]], by_exponent, 1.0)])
     partials = operation.partials(g, node, *args)
-    if op == "sqrt" and g.ops[args[0]] in ("max", "min", "select"):
+    if switched:
         # Where the radicand stays zero an infinite slope has no part in it.
         own = _settled(g, args[0], rows)
         slopes = _combine(g, [(own, partials[0], 1.0)])
@@ -227,6 +232,15 @@ def _without_roots(g: Graph, row: Row, rows: dict[int, Row]) -> Row:
         by_radicand = slope(g, -1 - key, row[key])
         row = _combine(g, [(others, None, 1.0), (rows[g.args[-1 - key][0]], by_radicand, 1.0)])
     return row
+
+
+def _by_argument(g: Graph, node: int, others: Sequence[tuple[int, int]]) -> bool:
+    """Return whether a factor is differentiated by its argument, with what it is multiplied by."""
+    if g.ops[node] not in ("sqrt", "asin", "acos", "acosh") or not is_steep(g, node):
+        return False
+    if is_carried(g, node) or g.ops[g.args[node][0]] in ("max", "min", "select"):
+        return False
+    return any(not g.constant[m] for m, _ in others)
 
 
 def times(g: Graph, a: int, b: int) -> int:

@@ -5,6 +5,10 @@ A root has an infinite slope at zero, but what a model makes of it mostly has no
 
 A product of a root with its radicand, such as ``y √y``, is differentiated by the radicand.
 
+What a root is multiplied by may vanish with it. If that has a finite slope, so that it is of first
+order, the product is of higher order however steep the root is: the root has no part in the slope.
+The same holds of powers, and of inverse functions at the ends of their domain, as acos at 1.
+
 Else let a radicand y vanish where it is stationary, as sums of squares do, and let F depend on
 the root n. Then y is of second order, n = √y of first, and so is what F makes of it: where ∂F/∂n is
 zero n has no part in the slope of F. Where it is not, F has a kink, as a distance has at zero, and
@@ -17,24 +21,81 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from pydy._graph.node import Graph
+from pydy._graph.operations import OPERATIONS
 
-__all__ = ["at_rest", "of_half_power", "slope"]
+__all__ = ["is_carried", "is_steep", "of_half_power", "slope"]
+
+
+_STEEP = ("sqrt", "pow", "asin", "acos", "acosh")
+_STEPS = {"sign", "floor", "ceil", "atan2"}
+
+
+def is_steep(g: Graph, node: int) -> bool:
+    """Return whether a function may have a finite value and an infinite slope."""
+    if g.ops[node] not in _STEEP:
+        return False
+    if g.ops[node] in ("asin", "acos", "acosh"):
+        return True
+    _, core = g.scaled(g.args[node][0])
+    return not g.constant[core] and not _is_positive(g, core)
+
+
+def is_carried(g: Graph, node: int) -> bool:
+    """Return whether a steep function waits in forward mode until all made of it is known.
+
+    That takes as much as another variable: others are known by the products that they are in.
+    """
+    if g.ops[node] not in ("sqrt", "pow") or not is_steep(g, node):
+        return False
+    _, core = g.scaled(g.args[node][0])
+    return g.ops[core] in ("sqrt", "pow") or at_rest(g, node) is not None
 
 
 def slope(g: Graph, root: int, weight: int) -> int:
-    """Return `weight` times the derivative of a root by its radicand."""
-    y = g.args[root][0]
-    p = g.const(0.5) if g.ops[root] == "sqrt" else g.args[root][1]
-    if g.ops[root] == "sqrt":
-        steep = g.product([(weight, 1), (root, -1)], 0.5)
-    else:
+    """Return `weight` times the derivative of a steep function by its argument."""
+    scale, core = g.scaled(weight)
+    if g.ops[core] == "select" and g.zero in g.args[core][1:]:
+        # Beyond the switch the slope may be infinite, but has no part in anything.
+        which, *ways = g.args[core]
+        ends = [n if n == g.zero else slope(g, root, g.sum([(n, scale)])) for n in ways]
+        return g.call("select", which, *ends)
+    op, args = g.ops[root], g.args[root]
+    y, p = args[0], g.one
+    if op == "sqrt":
+        p, steep = g.const(0.5), g.product([(weight, 1), (root, -1)], 0.5)
+    elif op == "pow":
+        p = args[1]
         steep = g.mul(weight, p, g.call("pow", y, g.sum([(p, 1.0)], -1.0)))
+    else:
+        partials = OPERATIONS[op].partials
+        assert partials is not None
+        steep = g.mul(weight, partials(g, root, y)[0])
+    nothing = g.call("eq", weight, g.zero)
+    if nothing == g.boolean(False):
+        no_part = nothing
+    elif _has_finite_slope(g, weight):
+        return g.call("select", nothing, g.zero, steep)
+    else:
+        no_part = g.call("and", nothing, g.call("lt", g.const(0.25), p))
     rest = at_rest(g, root)
     if rest is None:
         return steep
-    used = g.call("and", g.call("eq", weight, g.zero), g.call("lt", g.const(0.25), p))
-    no_part = g.call("or", used, g.call("lt", g.const(0.5), p))
+    no_part = g.call("or", no_part, g.call("lt", g.const(0.5), p))
     return g.call("select", g.call("and", rest, no_part), g.zero, steep)
+
+
+def _has_finite_slope(g: Graph, node: int) -> bool:
+    """Return whether a node has finite slopes wherever it has a finite value, by structure."""
+    return not any(g.ops[n] in _STEPS or is_steep(g, n) for n in g.reachable([node]))
+
+
+def _is_positive(g: Graph, node: int) -> bool:
+    """Return whether a node never vanishes, by structure: c² + x² does not."""
+    if g.ops[node] != "sum":
+        return False
+    c0, terms = g.args[node]
+    fixed = c0 > 0.0 or any(g.constant[n] for n, _ in terms)
+    return fixed and _is_even(g, node)
 
 
 def at_rest(g: Graph, root: int) -> int | None:
