@@ -196,7 +196,8 @@ def _fit_speeds(data):
     if rows:
         A = world.A[rows]
         step = A.T @ solved(A @ A.T, world.residual[rows])
-        data["u"] = [float(v) for v in world.u - step]
+        # What rounding leaves of a speed that is held is none: in units it would be a motion.
+        data["u"] = [float(v) if abs(v) > 1e-15 else 0.0 for v in world.u - step]
         world = World(data, data["q"], data["u"], rows=rows)
     return len(rows) < world.nu and not np.any(np.abs(world.residual) > 1e-9)
 

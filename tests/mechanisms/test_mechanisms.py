@@ -60,6 +60,10 @@ def test_failures_of_a_kind_differ_in_numbers_and_names_only():
     assert len({kind_of(DisagreementError(text)) for text in texts}) == 1
 
 
+def test_speeds_that_constraints_hold_at_zero_are_zero():
+    assert draw(2530)["u"][1:] == [0.0, 0.0]
+
+
 def test_speeds_are_fitted_before_numbers_get_units():
     """With speeds that hold the cosine of a length, in units of that."""
     data = physical(draw(2360))
