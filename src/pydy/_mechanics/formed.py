@@ -258,12 +258,13 @@ def classify(equations: Equations) -> Equations:
     pool = [*zip(redundant, values["redundant"], strict=True)]
     pool += [(equations.velocity[k], motion[k]) for k in others]
     held = rows[list(enforced)]
-    pool.sort(key=lambda pair: max((_likeness(row, pair[1]) for row in held), default=0))
+    alike = [max((_likeness(row, other) for row in held), default=0) for _, other in pool]
+    own = sorted(sorted(range(len(pool)), key=alike.__getitem__)[: len(redundant)])
     return replace(
         equations,
         nonholonomic=tuple(equations.velocity[k] for k in chosen),
         enforced=enforced,
-        repeated=tuple(e for e, _ in pool[: len(redundant)]),
+        repeated=tuple(pool[k][0] for k in own),
     )
 
 

@@ -6,6 +6,8 @@ those that differ differ by 1e-3 or more.
 
 from __future__ import annotations
 
+from pydy._rank import DEPENDENT
+
 CANCELLED = 1e-4
 """The share of its row and column below which an entry of a mass matrix may be what is left of
 terms that cancel: where half the digits agree, differences of 1e-12 of them are rounding."""
@@ -35,7 +37,7 @@ SAME_DIRECTION = 1e-12
 """The difference of two unit vectors, and of two rotations, that are the same: users' axes are
 normalised to rounding, or to all digits that they wrote."""
 
-NEARLY_DEPENDENT = (1e-9, 1e-4)
+NEARLY_DEPENDENT = (DEPENDENT, 1e-4)
 """Singular values between are neither zero nor sound: such a state is not counted."""
 
 SOUND_PIVOT = 1e-2

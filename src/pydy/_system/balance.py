@@ -14,6 +14,7 @@ from pydy._assembly.specifieds import driven
 from pydy._checks import Places, check_mapping, listed, number, real_array
 from pydy._graph.derivative import dense_jacobian
 from pydy._graph.interpret import run
+from pydy._graph.program import Program
 from pydy._kernel import Kernel
 from pydy._names import unique_names
 from pydy._rank import HALF, ROUNDING, or_one
@@ -317,11 +318,18 @@ class Balance:
             part = np.zeros(len(getattr(self.made.assembly, block)))
             for group, values in numbers.items():
                 if len(values):
-                    program = self.made.assembly.jacobian_program(block, group)
-                    slopes = run(program, *arrays)[0].reshape(len(part), -1)
+                    slopes = run(self._by(block, group), *arrays)[0].reshape(len(part), -1)
                     part += np.abs(np.nan_to_num(slopes)) @ np.abs(values)
             parts.append(part)
         return np.concatenate([parts[0][self.rows], *parts[1:]])
+
+    def _by(self, block: str, group: str) -> Program:
+        """The derivatives of a block by constants or specifieds, lowered once."""
+        programs: dict[tuple[str, str], Program] = self.made.latest.setdefault("terms", {})
+        known = programs.get((block, group))
+        if known is None:
+            known = programs[block, group] = self.made.assembly.jacobian_program(block, group)
+        return known
 
     def problem(self, last: float | None = None) -> Problem:
         """Return the conditions of equilibrium; the `last` unknown may be given."""

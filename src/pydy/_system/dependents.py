@@ -13,7 +13,15 @@ import scipy
 from pydy._assembly.definition import Definition
 from pydy._checks import Places, describe, listed
 from pydy._errors import PyDyUserWarning, SingularMatrixError, few, warn_user
-from pydy._rank import DIGITS, HALF, ROUNDED, equilibrated, independent_columns, or_one
+from pydy._rank import (
+    DIGITS,
+    HALF,
+    ROUNDED,
+    equilibrated,
+    independent_columns,
+    least_step,
+    rank,
+)
 from pydy._system.snapshot import Snapshot
 from pydy.solvers.run.constraints import satisfied
 
@@ -215,19 +223,22 @@ def solve_dependents(
         start = x.copy()
         start[speeds] = 0.0
         right = -value(residual, start)
-        # Pivots are compared between rows of the same size: constraints may be of any.
-        largest = np.abs(matrix).max(axis=1)
-        rows = or_one(largest)
-        try:
-            x[speeds] = np.linalg.solve(matrix / rows[:, None], right / rows)
-        except np.linalg.LinAlgError:
-            names = [definition.states[k] for k in speeds]
-            raise SingularMatrixError(
-                f"The velocity constraints cannot be solved for {describe(names)} at t = {t!r}: "
-                "their matrix is singular in this configuration. Choose other `dep_vars`.",
-                t,
-                x,
-            ) from None
+        scaled, rows, columns = equilibrated(matrix)
+        if rank(matrix) == len(speeds):
+            x[speeds] = columns[0] * np.linalg.solve(scaled, right / rows[:, 0])
+        else:  # what the constraints leave undetermined here stays
+            change = right - matrix @ x[speeds]
+            x[speeds] += least_step(matrix, change)
+            size = np.abs(matrix) @ np.abs(x[speeds]) + np.abs(right)
+            if not (np.abs(right - matrix @ x[speeds]) <= HALF * size).all():
+                names = [definition.states[k] for k in speeds]
+                raise SingularMatrixError(
+                    f"The velocity constraints cannot be solved for {describe(names)} at t = "
+                    f"{t!r}: their matrix is singular in this configuration. Choose other "
+                    "`dep_vars`.",
+                    t,
+                    x,
+                )
         left = np.abs(value(residual, x))
         # Coefficients that cancel leave their rounding, in units of the row and of each speed.
         first = len(definition.equations.coordinates)

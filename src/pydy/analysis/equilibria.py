@@ -19,7 +19,7 @@ import scipy
 
 from pydy._errors import EquilibriumError
 from pydy._names import place_of, unique_names
-from pydy._rank import DIGITS, HALF, ROUNDED, equilibrated, least_step, null_space, or_one
+from pydy._rank import DEPENDENT, DIGITS, HALF, ROUNDED, null_space, or_one
 from pydy.analysis.directions import direction_text
 from pydy.analysis.scaling import scaled_step
 from pydy.analysis.settling import settled
@@ -218,7 +218,10 @@ def solve_equilibrium(
             if np.isfinite(slopes).all():
                 sizes = problem.sizes(slopes, begin)
                 # Terms at the start mislead where wheels do not turn yet: units do not.
-                rows = sizes.rows if attempt == "units" else or_one(sizes.terms)
+                # A row of rounding errors is no equation: it weighs what the largest row does.
+                noise = sizes.terms <= sizes.limit
+                terms = or_one(np.where(noise, sizes.limit / ROUNDED, sizes.terms))
+                rows = sizes.rows if attempt == "units" else terms
                 found, message = _search(problem, begin, bounds, rows, sizes.units)
         try:
             accepted = _accepted(problem, found, bounds, message)
@@ -322,7 +325,8 @@ def _quickly(
             return None
         step = scaled_step(slopes, values)
         largest = np.maximum(largest, np.abs(step))
-        if (np.abs(step) <= HALF * np.maximum(problem.sizes(slopes, z).unknowns, largest)).all():
+        unknowns = problem.sizes(problem.jacobian(z), z).unknowns
+        if (np.abs(step) <= HALF * np.maximum(unknowns, largest)).all():
             return _polished(residual, jacobian, z, low, high)
         z = z - step
         if (z < low).any() or (z > high).any():
@@ -397,7 +401,9 @@ def solve_many(
     """
     z = z.copy()
     best, J = residuals(z), slopes(z)
-    rows = equilibrated(np.where(np.isfinite(J), J, 0.0)[:, :, :-1])[1][:, :, 0]
+    # In units of motions: a row of rounding errors alone is no equation.
+    begin = measured(np.where(np.isfinite(J), J, 0.0)[:, :, :-1], z)
+    rows, units = np.array([s.rows for s in begin]), np.array([s.units for s in begin])
     sizes = np.abs(best / rows).max(axis=1)
     left = np.arange(len(z))
     for _ in range(_POLISH):
@@ -406,7 +412,9 @@ def solve_many(
         if not left.size:
             break
         after = z[left]
-        after[:, :-1] -= least_step(J[left, :, :-1], best[left])
+        scaled = J[left, :, :-1] * units[left][:, None] / rows[left][:, :, None]
+        inverse = np.linalg.pinv(scaled, rcond=DEPENDENT)
+        after[:, :-1] -= units[left] * (inverse @ (best[left] / rows[left])[:, :, None])[:, :, 0]
         values = residuals(after)
         better = np.abs(values / rows[left]).max(axis=1) < sizes[left]
         left, after, values = left[better], after[better], values[better]
