@@ -102,7 +102,8 @@ def test_a_simulation_compiles_nothing_empty(compiled, make, expected):
 
 
 @pytest.mark.parametrize(
-    ("make", "expected"), [(spring, ["rates"]), (fourbar, ["rates", "outputs"])]
+    ("make", "expected"),
+    [(spring, ["rates"]), (fourbar, ["rates", "rows", "sizes", "products", "outputs"])],
 )
 def test_an_ensemble_compiles_eight_lanes_alone(compiled, make, expected):
     system = make()

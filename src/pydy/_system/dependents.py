@@ -223,9 +223,10 @@ def solve_dependents(
         start = x.copy()
         start[speeds] = 0.0
         right = -value(residual, start)
-        scaled, rows, columns = equilibrated(matrix)
         if rank(matrix) == len(speeds):
-            x[speeds] = columns[0] * np.linalg.solve(scaled, right / rows[:, 0])
+            # Pivots are compared between rows of the same size: constraints may be of any.
+            rows = np.abs(matrix).max(axis=1)
+            x[speeds] = np.linalg.solve(matrix / rows[:, None], right / rows)
         else:  # what the constraints leave undetermined here stays
             change = right - matrix @ x[speeds]
             x[speeds] += least_step(matrix, change)

@@ -16,8 +16,6 @@ from pydy.solvers.kept import Ran, beyond_digits, is_near, judge, looked_at
 from pydy.solvers.outcome import FINISHED, TERMINATED
 from pydy.solvers.tuning import NEAR_SINGULAR
 
-__all__ = ["refuse"]
-
 _NUMBERS = 1_000_000  # of residuals and derivatives at a time
 
 
