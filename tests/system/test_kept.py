@@ -134,11 +134,6 @@ def test_energies_are_looked_at_where_constraints_nearly_lost_rank():
     system.ode_solver, system.times = "tsit5", np.linspace(0.0, 5.0, 61)
     error = refused(system, ENERGY_CHANGED, rtol=1e-10, atol=1e-10)
     assert np.abs(system.evaluate_constraints(error.states, system.times)).max() < 1e-5
-    # With other rows kept, another linkage passes by with its energy.
-    system = loop("peaucellier")
-    options = {"constraints": "baumgarte", "gain": 10.0, "rtol": 1e-10, "atol": 1e-10}
-    energy = system.evaluate_energy(system.simulate(**options).states)
-    assert np.ptp(energy.total) < 1e-4 * np.ptp(energy.kinetic)
 
 
 @pytest.mark.parametrize("size", [1e-9, 1.0, 1e9])
