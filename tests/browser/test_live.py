@@ -140,16 +140,6 @@ def speed_slider(page):
     return page.locator("#live li").filter(has_text="speed").locator("input[type=range]")
 
 
-UNTIL_NEW = """() => new Promise((done) => {
-    const before = pydy.positions()[0].join();
-    const look = () => {
-        const moved = pydy.time === 1.0 && pydy.positions()[0].join() !== before;
-        if (moved) done(true); else requestAnimationFrame(look);
-    };
-    look();
-})"""
-
-
 def drag(page, value):
     """Drag the speed to a value as a reader does."""
     speed_slider(page).evaluate(
@@ -181,9 +171,8 @@ def test_a_drag_shows_the_new_motion_at_the_moment_that_is_shown(path, open_page
     page.evaluate("pydy.pause(), pydy.seek(1.0)")
     places = page.evaluate("pydy.positions()[0]")
     drag(page, 4.5)
-    page.evaluate(UNTIL_NEW)
+    until(page, lambda: page.evaluate("pydy.positions()[0]") != places)
     assert page.evaluate("pydy.time") == 1.0
-    assert page.evaluate("pydy.positions()[0]") != places
 
 
 def test_boxes_take_numbers_and_resets_bring_them_back(path, open_page):

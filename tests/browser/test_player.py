@@ -157,11 +157,9 @@ def test_the_legend_hides_and_shows(path, open_page, screenshot):
     row = page.locator("#legend-rows .shown").first
     row.click()
     assert row.get_attribute("aria-pressed") == "false"
-    page.wait_for_timeout(200)
-    assert np.abs(screenshot(page, "legend", "#stage") - shown).max() > 60
+    until(page, lambda: np.abs(screenshot(page, "legend", "#stage") - shown).max() > 60)
     row.click()
-    page.wait_for_timeout(200)
-    assert np.abs(screenshot(page, "legend", "#stage") - shown).mean() < 1
+    until(page, lambda: np.abs(screenshot(page, "legend", "#stage") - shown).mean() < 1)
 
 
 def test_dragging_turns_the_view_and_r_turns_it_back(path, open_page):
@@ -174,8 +172,7 @@ def test_dragging_turns_the_view_and_r_turns_it_back(path, open_page):
     page.mouse.up()
     until(page, f"Math.abs(pydy.camera()[0][0] - {before[0][0]}) > 0.3")
     page.keyboard.press("r")
-    page.wait_for_timeout(300)
-    assert np.array(page.evaluate("pydy.camera()")) == pytest.approx(np.array(before))
+    until(page, lambda: np.allclose(page.evaluate("pydy.camera()"), before, rtol=1e-6))
 
 
 def test_the_wheel_zooms(path, open_page):
@@ -218,5 +215,4 @@ def test_a_change_of_theme_is_followed(path, open_page, screenshot):
     page = open_page(path, color_scheme="light")
     page.evaluate("pydy.seek(1)")
     page.emulate_media(color_scheme="dark")
-    page.wait_for_timeout(300)
-    assert screenshot(page, "theme").mean() < 100
+    until(page, lambda: screenshot(page, "theme").mean() < 100)

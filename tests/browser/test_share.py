@@ -60,8 +60,8 @@ def test_a_link_leads_to_a_moment_and_view(path, open_page):
     page.mouse.down()
     page.mouse.move(380, 240, steps=3)
     page.mouse.up()
-    page.wait_for_timeout(800)
-    link, camera = page.evaluate("pydy.moment"), page.evaluate("pydy.camera()")
+    # At once, while the view still swings on: the link's view is the one that stays.
+    link, camera = page.evaluate("[pydy.moment, pydy.camera()]")
     page.keyboard.press("c")
     until(page, "location.hash.length > 10")
     page.evaluate("pydy.seek(0); history.replaceState(null, '', '#')")

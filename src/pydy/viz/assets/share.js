@@ -113,6 +113,7 @@ function goToMoment(text) {
     arrange();
   }
   if (from && to) {
+    endSwing();
     camera.position.fromArray(from).divideScalar(unit);
     controls.target.fromArray(to).divideScalar(unit);
     controls.update();

@@ -162,11 +162,16 @@ function fitDistance() {
   return distance;
 }
 
-/** Look at everything from `direction`, an array, or from where the scene is best seen. */
-function lookFrom(direction) {
-  controls.enableDamping = false; // what is left of the last swing is done with now
+/** Do away with what is left of the last swing of the view. */
+function endSwing() {
+  controls.enableDamping = false;
   controls.update();
   controls.enableDamping = true;
+}
+
+/** Look at everything from `direction`, an array, or from where the scene is best seen. */
+function lookFrom(direction) {
+  endSwing();
   controls.target.fromArray(view.target);
   if (followed.body) controls.target.copy(followed.at.copy(placeFollowed()));
   else if (path && followed.on) controls.target.add(followed.at.fromArray(path.blend(now.k, now.part, followed.row)));
