@@ -83,6 +83,16 @@ def test_damping_and_what_depends_on_time_have_none(plane):
     assert (found.expression, found.unknown) == (0, [])
 
 
+def test_what_depends_on_speeds_is_not_multiplied_out(plane):
+    """Drag at the end of a chain is a product of sums; here are some with 16 million terms."""
+    frame, _, place = plane
+    product = sm.Mul(*(Q[0] + c for c in sm.symbols("c:24")))
+    loads = [(place, -sm.sqrt(U[0]) * product * frame.x - K * (1 + U[1]) * Q[1] * frame.y)]
+    found = potential(plane, loads)
+    assert differs_by_a_constant(found.expression, K * Q[1] ** 2 / 2)
+    assert not found.unknown
+
+
 def test_a_spring_between_decimal_places_has_that_of_its_length():
     """Its length's square and its pull are rounded in different ways."""
     q, u = me.dynamicsymbols("q u")

@@ -118,10 +118,7 @@ class _Search:
     def result(self) -> Potential:
         loads = [load for load in self.mechanism.loads if self._moves(load[0])]
         terms = [
-            term
-            for where, vector in self._radial(loads)
-            for term in self._terms(where, vector)
-            if self._is_static(term.size)
+            term for where, vector in self._radial(loads) for term in self._terms(where, vector)
         ]
         terms = [term for term in terms if not self._constant_force(term)]
         taken = len(self.energies), len(self.powers)
@@ -175,10 +172,21 @@ class _Search:
             s in self.coordinates or (s.is_Symbol and s != time) for s in find_symbols([expression])
         )
 
+    def _static_part(self, expression: Any) -> Any:
+        """Return the terms of an expression that depend on coordinates and constants alone.
+
+        Products of sums are not expanded for it: those of velocities have very many terms.
+        """
+        if expression.is_Add or expression.is_Mul:
+            return expression.func(*map(self._static_part, expression.args))
+        if expression.is_Pow and expression.exp.is_Integer and expression.exp > 0:
+            return self._static_part(expression.base) ** expression.exp
+        return expression if self._is_static(expression) else sm.S.Zero
+
     def _terms(self, where: Any, vector: Vector) -> Iterator[_Term]:
         for parts, frame in vector.args:
             for axis, part in enumerate(parts):
-                for size in sm.Add.make_args(sm.expand_mul(part)):
+                for size in sm.Add.make_args(sm.expand_mul(self._static_part(part))):
                     if size != 0:
                         yield _Term(where, size, frame, axis)
 
