@@ -233,6 +233,43 @@ def test_noncontributing_forces_in_the_loads_are_what_is_computed():
     assert np.isfinite(system.evaluate_outputs(wide(system, model.x0))).all()
 
 
+def bead(held):
+    """A bead on a level wire, lifted by a given push; the wire's force has an auxiliary speed."""
+    x, y, u, v, lift, push, force = me.dynamicsymbols("x y u v lift push force")
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    place = origin.locatenew("P", x * frame.x + (y * frame.y if held else 0))
+    place.set_vel(frame, u * frame.x + ((v if held else 0) + lift) * frame.y)
+    more = {"u_dependent": [v], "velocity_constraints": [v]} if held else {}
+    rates = [x.diff(T) - u, y.diff(T) - v][: 1 + held]
+    kane = me.KanesMethod(
+        frame, [x, y][: 1 + held], [u], rates, u_auxiliary=[lift], **more,
+        bodies=[me.Particle("bead", place, 3)],
+        forcelist=[(place, (push + force - 30) * frame.y)],
+    )  # fmt: skip
+    return System(kane), place, push, force
+
+
+@pytest.mark.parametrize("held", [False, True])
+def test_a_push_without_a_part_in_the_motion_is_a_load_all_the_same(held):
+    system, place, push, force = bead(held)
+    system.noncontributing_forces = [force]
+    wanted = dict(system.constraint_forces) | system.reaction("bead", place).outputs("wire")
+    system.outputs = wanted
+    system.specifieds = {push: 12.0}
+    values = dict(zip(map(str, system.outputs_symbols), system.evaluate_outputs(), strict=True))
+    assert values["wire_Fy"] == 18.0
+    assert values.get("lambda0", 18.0) == 18.0
+    assert force not in system.specifieds_symbols
+
+
+def test_a_force_that_nobody_named_is_a_load():
+    system, place, push, force = bead(held=True)
+    system.outputs = system.reaction("bead", place).outputs("wire")
+    system.specifieds = {push: 12.0, force: 1.0}
+    assert system.evaluate_outputs()[1] == 17.0
+
+
 DECIMALS = [
     ((1.09, -1.24), (0.07, -0.47)),
     ((1.09e-9, -1.24e-9), (0.07e-9, -0.47e-9)),

@@ -42,6 +42,10 @@ def test_rows_that_hold_nothing_are_none(seed):
     assert checked(seed)[2] is None
 
 
+def test_a_push_that_only_auxiliary_equations_hold_is_a_load():
+    assert checked(2306)[2] is None
+
+
 def test_the_oracle_takes_as_many_steps_as_a_motion_needs():
     data = draw(2050)  # drag that changes quickly: one step errs by 4 times what is allowed
     one = Check(data | {"loops": []}, "definition")

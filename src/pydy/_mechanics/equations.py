@@ -201,8 +201,6 @@ class Equations:
         """What gives multipliers and reactions; None without bodies."""
         if self.multibody is None:
             return None
-        states = {*self.coordinates, *self.speeds, *self.coordinate_rates, *self.speed_rates}
-        found = find_symbols(self.auxiliary_equations)
         return ConstraintForces(
             self.multibody,
             {k: self.holonomic[k] for k in self.enforced},
@@ -211,5 +209,4 @@ class Equations:
                 len(self.holonomic) + len(self.nonholonomic) + k: e
                 for k, e in enumerate(self.repeated)
             },
-            [s for s in found if not s.is_Symbol and s not in states and s not in self.symbols],
         )

@@ -51,8 +51,11 @@ class ConstraintForces:
         The other velocity constraints likewise. Together they imply all velocity constraints.
     redundant : mapping of int to expressions
         Further velocity constraints, that follow from these.
-    idle : sequence of functions of time
-        Noncontributing forces in the loads: they stand for what is computed here.
+
+    Notes
+    -----
+    The methods take the noncontributing forces among the loads by name: they stand for what is
+    computed here. Nothing else tells them from a load that has no part in the motion.
     """
 
     def __init__(
@@ -61,15 +64,13 @@ class ConstraintForces:
         holonomic: dict[int, Any],
         nonholonomic: dict[int, Any],
         redundant: dict[int, Any],
-        idle: Sequence[Any],
     ) -> None:
         self.body, self.holonomic, self.nonholonomic = body, holonomic, nonholonomic
-        self.redundant, self.idle = redundant, tuple(idle)
+        self.redundant = redundant
 
     def __reduce__(self) -> tuple[Any, ...]:
         # Graphs and expressions are made again when they are asked for.
-        parts = (self.body, self.holonomic, self.nonholonomic, self.redundant, self.idle)
-        return type(self), parts
+        return type(self), (self.body, self.holonomic, self.nonholonomic, self.redundant)
 
     @cached_property
     def _kinematics(self) -> Kinematics:
@@ -79,17 +80,17 @@ class ConstraintForces:
     def _rates(self) -> _Rates:
         return _Rates(self._kinematics)
 
-    @cached_property
-    def multipliers(self) -> dict[Any, Any]:
+    def multipliers(self, noncontributing: Iterable[Any] = ()) -> dict[Any, Any]:
         """λ of each constraint: symbols lambda0, lambda1, … to expressions in q, u and u'."""
         places = [*self.holonomic, *self.nonholonomic, *self.redundant]
         if not places:
             return {}
         names = [f"lambda{k}" for k in places]
         with collector_paused():
-            nodes = self._multipliers()
+            nodes = self._without(noncontributing, self._multipliers)
         return {sm.Symbol(n): self._expression(k, n) for n, k in zip(names, nodes, strict=True)}
 
+    @cached_property
     def _multipliers(self) -> Vec:
         kinematics = self._kinematics
         g, n, d = kinematics.graph, len(kinematics.speeds), len(self.body.dependent_speeds)
@@ -111,7 +112,7 @@ class ConstraintForces:
             found = g.solve([list(row) for row in zip(*columns, strict=True)], [force], "lu")[0]
         else:
             found = self._shortest(columns, force)
-        return self._without_idle(found)
+        return found
 
     def _unbalanced(self) -> Vec:
         """Return F − M u' with all speeds free."""
@@ -146,6 +147,7 @@ class ConstraintForces:
         frame: Any,
         loads: Iterable[tuple[Any, Any]],
         name: str,
+        noncontributing: Iterable[Any] = (),
     ) -> tuple[Vector, Vector]:
         """Return force and torque about a point of what holds some bodies, beside the loads.
 
@@ -160,6 +162,7 @@ class ConstraintForces:
             What else acts on them.
         name : str
             Of the expressions, in print.
+        noncontributing : iterable of symbols
         """
         members = list(members)
         kinematics = self._kinematics
@@ -168,7 +171,7 @@ class ConstraintForces:
                 [b for b in self.body.bodies if b in members],
                 [*self._loads_on(members), *loads],
             )
-            nodes = self._without_idle([*force, *torque])
+            nodes = self._without(noncontributing, [*force, *torque])
         values = [
             self._expression(n, f"{name}_{part}{axis}")
             for n, (part, axis) in zip(nodes, [(p, a) for p in "FT" for a in "xyz"], strict=True)
@@ -304,9 +307,9 @@ class ConstraintForces:
             found.append(bool((np.linalg.norm(own.sum(axis=1), axis=1) <= ROUNDED * sizes).all()))
         return found
 
-    def _without_idle(self, nodes: Vec) -> Vec:
+    def _without(self, forces: Iterable[Any], nodes: Vec) -> Vec:
         g, atoms = self._kinematics.graph, self._kinematics.read.atoms
-        nodes = substitute(g, nodes, {atoms[s]: g.zero for s in self.idle if s in atoms})
+        nodes = substitute(g, nodes, {atoms[s]: g.zero for s in forces if s in atoms})
         values = signatures(g, nodes)
         return [node if value else g.zero for node, value in zip(nodes, values, strict=True)]
 

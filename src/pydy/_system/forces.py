@@ -149,7 +149,8 @@ class Forces(Setup):
 
         The expressions depend on states, derivatives of the speeds, constants and specifieds. They
         can be used in outputs, events and scenes; ``system.outputs = system.constraint_forces``
-        makes each an output with its own name. Names can be used as keys.
+        makes each an output with its own name. Names can be used as keys. The forces that are
+        named in `noncontributing_forces` by then are zero in them, which they stand for.
 
         Raises
         ------
@@ -180,7 +181,7 @@ class Forces(Setup):
         """
         if not self._equations.velocity:
             return Multipliers()
-        return Multipliers(_forces(self._equations, bodies=False).multipliers)
+        return Multipliers(_forces(self._equations, bodies=False).multipliers(self._forces))
 
     def reaction(
         self, bodies: Any, point: Any = None, *, frame: Any = None, loads: Iterable[Any] = ()
@@ -271,4 +272,6 @@ class Forces(Setup):
         for item in members:
             if not isinstance(item, ReferenceFrame):
                 _check_way(item if isinstance(item, Point) else item.masscenter, point)
-        return Reaction(*forces.reaction(members, point, frame, more, f"reaction_{point}"), frame)
+        name = f"reaction_{point}"
+        found = forces.reaction(members, point, frame, more, name, self._forces)
+        return Reaction(*found, frame)
