@@ -128,6 +128,33 @@ def test_a_row_of_roundings_that_has_a_root_locks_nothing(metre):
     assert len(alone.multibody.holonomic) == 1
 
 
+def across(angle, other):
+    """A hinge's axis in a body that turned about one parallel to it, along what is across both."""
+    frame = me.ReferenceFrame("F")
+    axis, way = 0.16 * frame.x + 0.32 * frame.y - 0.87 * frame.z, -0.87 * frame.y - 0.32 * frame.z
+    first = frame.orientnew("first", "Axis", (angle, axis.normalize()))
+    second = frame.orientnew("second", "Axis", (other, axis.normalize()))
+    return way.express(first).dot(second.x * 0.16 + second.y * 0.32 - second.z * 0.87).evalf()
+
+
+@pytest.mark.parametrize("metre", [1e-9, 1.0, 1e9])
+def test_a_row_of_terms_that_cancel_constrains_nothing(metre):
+    row = across(x, y)
+    assert {x, y} <= row.atoms(sm.Function)
+    for rows in ([row, y - metre * sm.sin(x)], [metre * row, y - sm.sin(x), 3 * row]):
+        made = bead(holonomic_constraints=rows)
+        assert len(made.multibody.holonomic) == len(made.multibody.velocity) == 1
+        assert not made.multibody.redundant
+    alone = bead(holonomic_constraints=[row])
+    assert not alone.multibody.holonomic
+
+
+def test_a_row_of_large_terms_is_kept():
+    far = sm.Float(1e15)
+    made = bead(holonomic_constraints=[sm.sqrt((far + y) ** 2 + x**2) - far])
+    assert len(made.multibody.holonomic) == 1
+
+
 def test_speeds_keep_constraints_of_different_units():
     rows = {"holonomic_constraints": [1e-17 * (y - x**2)], "nonholonomic_constraints": [vx - 1]}
     assert len(bead(**rows).multibody.velocity) == 2

@@ -37,7 +37,9 @@ def test_rolling_that_implies_a_height_shares_its_forces_with_it():
     check(data, ["joints"], ["outputs"])
 
 
-@pytest.mark.parametrize("seed", [2359, 2400, 2453], ids=["twice nothing", "rounding", "height"])
+@pytest.mark.parametrize(
+    "seed", [2359, 2400, 2405, 2453], ids=["twice nothing", "rounding", "hinge", "height"]
+)
 def test_rows_that_hold_nothing_are_none(seed):
     assert checked(seed)[2] is None
 

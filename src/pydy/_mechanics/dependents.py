@@ -197,17 +197,20 @@ def _searched(
 
 
 def _of_rounding(states: GenericStates) -> list[int]:
-    """Return the rows whose terms are no larger than rounding errors of all others of their kind.
+    """Return the rows that are zero but for rounding, and those whose terms are roundings already.
 
-    SymPy adds up numbers beforehand: of a linkage in an oblique plane it leaves a row of 1e-17. At
-    states that have not been searched for, since such a row may have a root, and a row of squares
-    of nanometres is as small where it holds. Rates are in the units of their holonomic rows, which
-    may be any beside those of the others: they are what these are.
+    In an oblique plane the directions of two hinges are parallel whatever the angles, up to what
+    rounding leaves of terms that cancel. Where SymPy adds up numbers beforehand, it leaves a row of
+    1e-17: terms no larger than rounding errors of all other rows of their kind. At states that have
+    not been searched for, since such a row may have a root, and a row of squares of nanometres is
+    as small where it holds. Rates are in the units of their holonomic rows, which may be any beside
+    those of the others: they are what these are.
     """
     graph, holonomic, velocity = states.graph, states.holonomic, states.velocity
     bounds = rounding_bounds(graph, [*holonomic, *velocity])
     blocks = [
         ("bounds", (len(bounds),), bounds),
+        ("holonomic", (len(holonomic),), holonomic),
         ("rates", (len(holonomic),), states.rates(holonomic)),
         ("velocity", (len(velocity),), velocity),
     ]
@@ -221,12 +224,37 @@ def _of_rounding(states: GenericStates) -> list[int]:
             (np.abs(rates - own[:, None]) <= HALF * np.abs(rates)).all(axis=0) & own.any()
         )[:1]
     }
-    found: list[int] = []
+    values = np.concatenate([at["holonomic"], at["velocity"]], axis=1)
+    nothing = _nothing(values, at["bounds"])
+    found = _constant(states, np.flatnonzero(nothing))
     for part in (range(first), [k for k in range(first, len(sizes)) if k not in known]):
         order = sorted((k for k in part if sizes[k] > 0.0), key=lambda k: sizes[k])
         gaps = [i for i in range(1, len(order)) if sizes[order[i - 1]] <= ROUNDED * sizes[order[i]]]
         found += order[: gaps[-1]] if gaps else []
-    return found + [j for j, k in known.items() if k in found]
+    return found + [j for j, k in known.items() if k in found and j not in found]
+
+
+def _nothing(values: np.ndarray, bounds: np.ndarray) -> np.ndarray:
+    """Return what is zero at all states but for rounding, and not by chance: its terms are not."""
+    left: np.ndarray = (np.abs(values) <= ROUNDED * bounds).all(axis=0) & (bounds > 0.0).all(axis=0)
+    return left
+
+
+def _constant(states: GenericStates, rows: np.ndarray) -> list[int]:
+    """Return those rows that no input changes by more than rounding does.
+
+    A row of large terms may be no more than their rounding, but changes with what they hold.
+    """
+    every = [*states.holonomic, *states.velocity]
+    found = []
+    for k in map(int, rows):
+        name, shape, cells = states.table("slopes", [every[k]], states.inputs)
+        bounds = rounding_bounds(states.graph, cells)
+        at = states.anywhere([(name, shape, cells), ("bounds", shape, bounds)])
+        slopes, terms = at[name], at["bounds"]
+        if (np.abs(slopes) <= ROUNDED * terms).all():
+            found.append(k)
+    return found
 
 
 def _check_linear(equations: Equations, states: GenericStates) -> None:

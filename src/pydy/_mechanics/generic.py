@@ -49,7 +49,8 @@ class GenericStates:
     ----------
     graph : Graph
     read : SymPyReader
-    coordinates, speeds : list of nodes
+    coordinates, speeds, inputs : list of nodes
+        The inputs are all that expressions hold, with time.
     moving : list of (node, node)
         What moves, and its rate: coordinates, time, and specifieds whose derivatives occur.
     holonomic, velocity : list of nodes
@@ -81,6 +82,7 @@ class GenericStates:
         atoms = input_nodes(graph, x=states, r=others, t=[t])
         self.coordinates, self.speeds = [atoms[s] for s in q], [atoms[s] for s in u]
         self._others, time = [atoms[s] for s in others], atoms[t]
+        self.inputs = [*self.coordinates, *self.speeds, *self._others, time]
         self._symbols = t, *states, *others
         self._sizes = (len(states), len(others), 0)
         atoms |= dict.fromkeys(equations.zeros, graph.zero)
