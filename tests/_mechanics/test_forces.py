@@ -224,6 +224,31 @@ def test_a_string_pulls_as_the_pendulums_closed_form_says():
     close(values, [expected, -expected * s, expected * c, 0, 0, 0, 0], 1e-12)
 
 
+def test_a_load_on_what_hangs_on_a_carriage_of_nanometres_is_counted():
+    """Beside a coordinate of size one, on a rail so bent, the arms would be lost in rounding."""
+    s, a, v, w = me.dynamicsymbols("s a v w")
+    frame, origin, unit = me.ReferenceFrame("N"), me.Point("O"), 1e-9
+    origin.set_vel(frame, 0)
+    turned = frame.orientnew("B", "Axis", (a, frame.z))
+    level = frame.orientnew("A", "Axis", (0, frame.z))
+    cart = origin.locatenew("cart", s * frame.x + 0.46 / unit * s**2 * frame.y)
+    hook = cart.locatenew("hook", 0.8 * unit * level.y)
+    centre, end = (hook.locatenew(n, at * unit * turned.x) for n, at in (("c", 0.3), ("e", 0.7)))
+    bodies = [
+        me.RigidBody("cart", cart, level, 1, (me.inertia(level, 1, 1, 1), cart)),
+        me.RigidBody("plate", centre, turned, 1, (me.inertia(turned, 1, 1, unit**2), centre)),
+    ]
+    definition = Definition(
+        frame, [s, a], [v, w], bodies=bodies, loads=[(end, 5 * frame.x)],
+        kinematic_equations=[s.diff(T) - v, a.diff(T) - w],
+    )  # fmt: skip
+    system = System(definition)
+    held = system.reaction(bodies[1], hook).outputs("pin")
+    system.outputs = held | {"forward": v.diff(T), "turn": w.diff(T)}
+    found = system.evaluate_outputs(np.zeros(4), 0.0)
+    close(found[:2], [found[6] - 5, 0.3 * unit * found[7]], 1e-14)
+
+
 def test_noncontributing_forces_in_the_loads_are_what_is_computed():
     model = zoo.skate()
     system = system_of(model)

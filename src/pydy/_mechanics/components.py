@@ -64,14 +64,18 @@ def unrounded(graph: Graph, nodes: Sequence[int]) -> list[int]:
     ]
 
 
-def numbers_of(graph: Graph, flat: Sequence[int], held: Sequence[int] = ()) -> np.ndarray:
+def numbers_of(
+    graph: Graph, flat: Sequence[int], held: Sequence[int] = (), zeros: Sequence[int] = ()
+) -> np.ndarray:
     """Return values of nodes at random states, one row for each, at which `held` are zero.
 
     All that these rows hold is moved: an orientation by a quaternion is one where its length is
-    one, and two random lengths need not close.
+    one, and two random lengths need not close. Inputs among `zeros` that they do not hold are zero.
     """
     inputs = [n for n in graph.reachable([*flat, *held]) if graph.ops[n] == "input"]
     x = np.random.default_rng(0).uniform(0.5, 1.5, (_STATES, len(inputs)))
+    kept = {*graph.reachable(held)}
+    x[:, [n in zeros and n not in kept for n in inputs]] = 0.0
 
     def values(nodes: Sequence[int]) -> np.ndarray:
         return evaluator(graph, nodes)(dict(zip(inputs, x.T, strict=True)), _STATES)

@@ -27,6 +27,7 @@ from pydy._graph.derivative import dense_rows, jacobian
 from pydy._graph.from_sympy import NodeExpression
 from pydy._graph.identities import signatures
 from pydy._graph.rewrite import substitute
+from pydy._graph.rounding import rounding_bounds
 from pydy._mechanics.components import numbers_of, turned
 from pydy._mechanics.elimination import composite
 from pydy._mechanics.form import lagranges_equations, moving
@@ -36,6 +37,7 @@ from pydy._mechanics.kinematics import Kinematics, Vec
 from pydy._mechanics.multipliers import multipliers_of
 from pydy._mechanics.reader import Multibody, distances, given_velocity, is_rigid, oriented, places
 from pydy._mechanics.tuning import ROUNDED
+from pydy._rank import is_zero
 
 
 class ConstraintForces:
@@ -299,13 +301,36 @@ class ConstraintForces:
         if not flat:
             return [True] * len(sums)
         k = self._kinematics
-        values = numbers_of(k.graph, flat, orientation_rows(rotations(k.inertial), k.read))
+        held = orientation_rows(rotations(k.inertial), k.read)
+        values = numbers_of(k.graph, flat, held)
         values, found = values.reshape(len(values), -1, 3), []
         for vectors in sums:
             own, values = values[:, : len(vectors)], values[:, len(vectors) :]
             sizes = np.linalg.norm(own, axis=2).sum(axis=1)
             found.append(bool((np.linalg.norm(own.sum(axis=1), axis=1) <= ROUNDED * sizes).all()))
-        return found
+        left = [vectors for vectors, zero in zip(sums, found, strict=True) if zero]
+        closer = iter(self._vanishing_near_zero(left, held))
+        return [zero and next(closer) for zero in found]
+
+    def _vanishing_near_zero(
+        self, sums: Sequence[Sequence[Vec]], held: Sequence[int]
+    ) -> list[bool]:
+        """Return whether sums of vectors are zero where coordinates are, by each speed alone.
+
+        Beside coordinates and speeds of size one, offsets of nanometres may be lost in rounding.
+        """
+        if not sums:
+            return []
+        k, g = self._kinematics, self._kinematics.graph
+        totals = [k.plus(*vectors)[axis] for vectors in sums for axis in range(3)]
+        rows = dense_rows(g, jacobian(g, totals, k.speeds), len(k.speeds))
+        still = substitute(g, totals, dict.fromkeys(k.speeds, g.zero))
+        nodes = [n for row, rest in zip(rows, still, strict=True) for n in (*row, rest)]
+        values = numbers_of(g, [*nodes, *rounding_bounds(g, nodes)], held, k.coordinates)
+        lost, bounds = np.abs(values).reshape(len(values), 2, len(sums), -1).swapaxes(0, 1)
+        # What has no value there is left to the other states.
+        zero = is_zero(lost, bounds) | ~np.isfinite(lost)
+        return [bool(z) for z in zero.all(axis=(0, 2))]
 
     def _without(self, forces: Iterable[Any], nodes: Vec) -> Vec:
         g, atoms = self._kinematics.graph, self._kinematics.read.atoms

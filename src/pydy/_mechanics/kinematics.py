@@ -71,7 +71,7 @@ class Kinematics:
         states = [*body.coordinates, *body.speeds]
         atoms = input_nodes(g, x=states, t=[body.time])
         time = atoms[body.time]
-        coordinates = [atoms[s] for s in body.coordinates]
+        coordinates = self.coordinates = [atoms[s] for s in body.coordinates]
         self.speeds = [atoms[s] for s in body.speeds]
         self.accelerations = [g.input("a", k) for k in range(len(self.speeds))]
         atoms.update(zip(body.speed_rates, self.accelerations, strict=True))
