@@ -93,6 +93,25 @@ def test_what_depends_on_speeds_is_not_multiplied_out(plane):
     assert not found.unknown
 
 
+def test_energies_are_compared_where_the_constraints_hold():
+    """The velocity is what it is on the constraint, which Newton's method misses from most states.
+
+    An orientation by a quaternion of another length than one is as wrong.
+    """
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    place = origin.locatenew("P", Q[0] * frame.x + Q[1] * frame.y)
+    place.set_vel(frame, U[0] * frame.x + U[1] * Q[0] / Q[1] * frame.y)
+    definition = Definition(
+        frame, Q, U, bodies=[me.Particle("P", place, M)], loads=[(place, -M * G * frame.y)],
+        kinematic_equations=[a.diff() - b for a, b in zip(Q, U, strict=True)],
+        holonomic_constraints=[sm.atan(10 * (Q[1] - Q[0]))],
+    )  # fmt: skip
+    found = find_potential(System(definition)._equations)
+    assert differs_by_a_constant(found.expression, M * G * Q[1])
+    assert not found.unknown
+
+
 def test_a_spring_between_decimal_places_has_that_of_its_length():
     """Its length's square and its pull are rounded in different ways."""
     q, u = me.dynamicsymbols("q u")

@@ -18,7 +18,7 @@ from pydy._graph.identities import signatures
 from pydy._graph.rounding import rounding_bounds
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.formed import kinematics_of
-from pydy._mechanics.generic import Block, GenericStates, row_units
+from pydy._mechanics.generic import Block, GenericStates, openness
 from pydy._mechanics.reader import Multibody
 from pydy._mechanics.tuning import NEARLY_DEPENDENT, OPEN, ROUNDED
 from pydy._rank import HALF
@@ -152,7 +152,7 @@ def _choose(
             "Check what they divide by."
         )
     if not samples:
-        best = every[int(np.argmin(_openness(every)))]["residuals"]
+        best = every[int(np.argmin(openness(every)))]["residuals"]
         names = [f"holonomic constraint {k}, `{e}`" for k, e in enumerate(equations.holonomic)]
         names += [f"velocity constraint {k}, `{e}`" for k, e in enumerate(equations.velocity)]
         worst = [k for k in np.argsort(-np.abs(best)) if abs(best[k]) > _SHARE * np.abs(best).max()]
@@ -181,19 +181,12 @@ def _searched(
     states: GenericStates, near: Mapping[Any, float] | None
 ) -> tuple[list[Block], list[dict[str, np.ndarray]]]:
     """Return the constraints' derivatives by coordinates and by speeds, and values of both."""
-    residuals = [*states.holonomic, *states.velocity]
-    bounds = rounding_bounds(states.graph, residuals)
-    tables = [
-        states.table("holonomic", states.holonomic, states.coordinates),
-        states.table("velocity", states.velocity, states.speeds),
-    ]
-    blocks = [*tables, ("residuals", (len(residuals),), residuals)]
-    blocks.append(("bounds", (len(bounds),), bounds))
-    every = list(states.samples(blocks, _TRIALS, near=near))
+    blocks = states.closing()
+    every = list(states.samples(blocks, _TRIALS, near=near, left_open=True))
     samples = _closed(every)
     if not near and samples and _seem_redundant([s["velocity"] for s in samples]):
-        every += states.samples(blocks, _AROUND, around=True)
-    return tables, every
+        every += states.samples(blocks, _AROUND, around=True, left_open=True)
+    return blocks[:2], every
 
 
 def _of_rounding(states: GenericStates) -> list[int]:
@@ -282,23 +275,7 @@ def _check_linear(equations: Equations, states: GenericStates) -> None:
 def _closed(samples: list[dict[str, np.ndarray]]) -> list[dict[str, np.ndarray]]:
     if not samples:
         return samples
-    return [s for s, size in zip(samples, _openness(samples), strict=True) if size < OPEN]
-
-
-def _openness(samples: list[dict[str, np.ndarray]]) -> list[float]:
-    """Return how far states are from the constraints, whatever the units of the rows.
-
-    What rounding leaves does not count. SymPy adds up numbers beforehand: a row that is a number
-    is what it left of some as large as those of the other rows.
-    """
-    units = [row_units(np.array([s[name] for s in samples])) for name in ("holonomic", "velocity")]
-    every = np.concatenate(units)
-    found = []
-    for s in samples:
-        sizes = np.abs(s["residuals"])
-        rounded = ROUNDED * np.where(s["bounds"] > 0.0, s["bounds"], s["bounds"].max(initial=0.0))
-        found.append(float(np.where(sizes <= rounded, 0.0, sizes / every).max(initial=0.0)))
-    return found
+    return [s for s, size in zip(samples, openness(samples), strict=True) if size < OPEN]
 
 
 def _seem_redundant(matrices: list[np.ndarray]) -> bool:

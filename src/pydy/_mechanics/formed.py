@@ -193,9 +193,9 @@ def _agree(equations: Equations, formed: Formed) -> bool:
     nodes = [*(e for row in formed.matrix for e in row), *formed.forcing]
     values_at = evaluator(formed.graph, nodes)
     ours = values_at({node: numbers[symbol] for node, symbol in own.items()}, _STATES)
-    finite = np.isfinite(theirs).all(axis=1) & np.isfinite(ours).all(axis=1)
-    pairs = zip(theirs[finite], ours[finite], strict=True)
-    return bool(finite.any()) and all(_alike(*pair, n) for pair in pairs)
+    fit = np.isfinite(theirs).all(axis=1) & np.isfinite(ours).all(axis=1) & states.closed(inputs)
+    pairs = zip(theirs[fit], ours[fit], strict=True)
+    return bool(fit.any()) and all(_alike(*pair, n) for pair in pairs)
 
 
 def _alike(written: np.ndarray, formed: np.ndarray, n: int) -> bool:

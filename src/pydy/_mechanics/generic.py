@@ -18,11 +18,12 @@ from pydy._graph.derivative import jacobian
 from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.interpret import evaluator
 from pydy._graph.node import Graph
+from pydy._graph.rounding import rounding_bounds
 from pydy._graph.symbols import input_nodes
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.frames import orientation_rows, rotations
 from pydy._mechanics.symbols import find_symbols, rate_of, sort_symbols
-from pydy._mechanics.tuning import FULL_STEPS
+from pydy._mechanics.tuning import FULL_STEPS, OPEN
 from pydy._rank import ROUNDED
 
 _STEPS = 50
@@ -129,18 +130,42 @@ class GenericStates:
         *,
         around: bool = False,
         near: Mapping[Any, float] | None = None,
+        left_open: bool = False,
     ) -> Iterator[dict[str, np.ndarray]]:
         """Yield the values of blocks at states that keep the constraints, where all are finite.
 
         The search begins `near` a configuration, or with angles all `around` the circle to find all
-        ways in which a linkage can be assembled.
+        ways in which a linkage can be assembled. Where it ends at none that keeps them, and if they
+        may be `left_open`, all states count.
         """
         inputs = self.consistent(trials, around=around, near=near)
         values = evaluator_of(self.graph, blocks)(*inputs)
-        for k in range(trials):
+        found = np.full(trials, True) if left_open else self.closed(inputs)
+        for k in np.flatnonzero(found):
             own = {name: block[k] for name, block in values.items()}
             if all(np.isfinite(v).all() for v in own.values()):
                 yield own
+
+    def closing(self) -> list[Block]:
+        """Return the constraints' derivatives by coordinates and by speeds, and values of both."""
+        residuals = [*self.holonomic, *self.velocity]
+        bounds = rounding_bounds(self.graph, residuals)
+        return [
+            self.table("holonomic", self.holonomic, self.coordinates),
+            self.table("velocity", self.velocity, self.speeds),
+            ("residuals", (len(residuals),), residuals),
+            ("bounds", (len(bounds),), bounds),
+        ]
+
+    def closed(self, inputs: Inputs) -> np.ndarray:
+        """Return which states keep the constraints; where none does, all count."""
+        count = len(inputs[0])
+        if not (self.holonomic or self.velocity):
+            return np.full(count, True)
+        values = evaluator_of(self.graph, self.closing())(*inputs)
+        every = [{name: block[k] for name, block in values.items()} for k in range(count)]
+        found = np.array(openness(every)) < OPEN
+        return found | ~found.any()
 
     def anywhere(self, blocks: Sequence[Block]) -> dict[str, np.ndarray]:
         """Return the values of blocks at generic states that need not keep the constraints."""
@@ -210,6 +235,22 @@ class GenericStates:
             if left.size and np.isfinite(slope).all():
                 x[k, n:] -= _solved(slope, left, FULL_STEPS[-1])
         return t, x, r, p
+
+
+def openness(samples: list[dict[str, np.ndarray]]) -> list[float]:
+    """Return how far states are from the constraints, whatever the units of the rows.
+
+    What rounding leaves does not count. SymPy adds up numbers beforehand: a row that is a number
+    is what it left of some as large as those of the other rows.
+    """
+    units = [row_units(np.array([s[name] for s in samples])) for name in ("holonomic", "velocity")]
+    every = np.concatenate(units)
+    found = []
+    for s in samples:
+        sizes = np.abs(s["residuals"])
+        rounded = ROUNDED * np.where(s["bounds"] > 0.0, s["bounds"], s["bounds"].max(initial=0.0))
+        found.append(float(np.where(sizes <= rounded, 0.0, sizes / every).max(initial=0.0)))
+    return found
 
 
 def _solved(gradient: np.ndarray, residuals: np.ndarray, share: float) -> np.ndarray:
