@@ -27,7 +27,7 @@ LAYERS = {
     "machine": {"_backends", "_kernel", "solvers"},
     "assembly": {"_assembly"},
     "consumers": {
-        *("analysis", "codegen", "ensemble", "export", "linearize", "viz"),
+        *("analysis", "codegen", "control", "ensemble", "export", "linearize", "viz"),
     },
     "user": {"_system", "cli", "examples", "models", "system"},
 }
@@ -68,6 +68,7 @@ LATE = {
     "mpl_toolkits",
     "PIL",
     "playwright",
+    "casadi",
 }
 
 KANE_MODULE = "pydy._mechanics.kane"

@@ -21,6 +21,7 @@ __all__ = [
     "IntegrationError",
     "IntegrationInterrupted",
     "MissingDependencyError",
+    "OptimizationError",
     "PeriodicOrbitError",
     "PyDyUserWarning",
     "SingularMatrixError",
@@ -137,11 +138,12 @@ class AnalysisInterrupted(KeyboardInterrupt):
 
     Attributes
     ----------
-    results : EquilibriumBranch, EigenvalueSweep or dict
+    results : EquilibriumBranch, EigenvalueSweep, dict or OptimalTrajectory
         Of `follow_equilibria`, the branch up to where it was, with `ended` equal to
         ``'interrupted'``; of `eigenvalues`, the sweep over the first values; of
         `find_periodic_orbit`, the ``'period'`` and the ``'initial_conditions'`` of the motion that
-        came nearest to an orbit, to start from again.
+        came nearest to an orbit, to start from again; of `optimize_trajectory`, the
+        OptimalTrajectory of the latest iteration.
     """
 
     def __init__(self, message: str, results: object) -> None:
@@ -208,6 +210,23 @@ class PeriodicOrbitError(RuntimeError):
 
     def __reduce__(self) -> tuple[object, ...]:
         return (type(self), (str(self), self.values, self.residuals))
+
+
+class OptimizationError(RuntimeError):
+    """No optimal trajectory was found. The exception contains the motion where the search ended.
+
+    Attributes
+    ----------
+    trajectory : pydy.control.OptimalTrajectory
+        Its `message` and `history` say how the search went.
+    """
+
+    def __init__(self, message: str, trajectory: object) -> None:
+        super().__init__(message)
+        self.trajectory = trajectory
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return (type(self), (str(self), self.trajectory))
 
 
 class EquilibriumError(RuntimeError):

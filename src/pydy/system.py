@@ -17,6 +17,7 @@ from pydy._system.ensembles import Ensembles
 from pydy._system.exporting import Exporting
 from pydy._system.fits import Fitting
 from pydy._system.forces import Forces
+from pydy._system.optimal import Optimisation
 from pydy._system.orbits import Orbits
 from pydy._system.pictures import Pictures
 from pydy._system.simulation import Simulation
@@ -35,6 +36,7 @@ class System(
     Pictures,
     Orbits,
     Fitting,
+    Optimisation,
     Simulation,
     Evaluation,
     Exporting,

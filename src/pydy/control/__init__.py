@@ -1,0 +1,11 @@
+"""Optimal control by direct collocation: motions that minimise an objective.
+
+`OptimalControl` states a problem, and `System.optimize_trajectory` solves one in a single call.
+"""
+
+from __future__ import annotations
+
+from pydy.control.problem import OptimalControl
+from pydy.control.result import OptimalTrajectory
+
+__all__ = ["OptimalControl", "OptimalTrajectory"]

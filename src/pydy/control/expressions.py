@@ -1,0 +1,183 @@
+"""Objectives and conditions as users write them, into integrands and values at instants.
+
+``q.subs(t, tf)`` is q at the end; ``sm.Integral(u**2, t)`` is the integral over the motion, which
+begins at t = 0.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import sympy as sm
+from sympy.core.function import AppliedUndef
+from sympy.core.relational import Relational
+
+from pydy._checks import shown
+from pydy.control.transcription import Condition, Instant
+
+__all__ = ["Reader"]
+
+
+@dataclass(eq=False)
+class Reader:
+    """Reads expressions of one problem.
+
+    Parameters
+    ----------
+    time : Symbol
+    states, controls : sequences of symbols
+        Functions of time, or derivatives of such.
+    known : set of symbols
+        Constants, and the duration's symbol.
+    duration : Symbol or float
+
+    Attributes
+    ----------
+    instants : list of Instant
+        Those of everything that was read.
+    """
+
+    time: Any
+    states: Sequence[Any]
+    controls: Sequence[Any]
+    known: set[Any]
+    duration: Any
+    instants: list[Instant] = field(default_factory=list)
+
+    def objective(self, expression: Any) -> tuple[Any, Any]:
+        """Return the integrand and what is added to the integral.
+
+        Raises
+        ------
+        ValueError
+            The objective is not linear in the integrals, or holds something else.
+        """
+        integrals = sorted(expression.atoms(sm.Integral), key=sm.default_sort_key)
+        dummies = {integral: sm.Dummy(f"integral{k}") for k, integral in enumerate(integrals)}
+        rest = expression.xreplace(dummies)
+        running, none = sm.S.Zero, dict.fromkeys(dummies.values(), sm.S.Zero)
+        for integral, dummy in dummies.items():
+            self._check_limits(integral)
+            factor = rest.diff(dummy)
+            if factor.has(*dummies.values()) or not factor.free_symbols <= self.known:
+                raise ValueError(
+                    f"`objective` must be a sum of integrals, each times constants, and values at "
+                    f"instants, got {shown(expression)}."
+                )
+            running += factor * integral.function
+        self._refuse_instants(running)
+        return running, self.at_instants(rest.xreplace(none), "`objective`")
+
+    def _check_limits(self, integral: Any) -> None:
+        limits = integral.limits
+        variable, *ends = limits[0]
+        whole = not ends or (len(ends) == 2 and ends[0] == 0 and self._is_end(ends[1]))
+        if len(limits) != 1 or variable != self.time or not whole:
+            raise ValueError(
+                f"`objective` has {integral}, but integrals are over the whole motion: write "
+                f"Integral(expression, {self.time})."
+            )
+
+    def _is_end(self, value: Any) -> bool:
+        return bool(sm.simplify(value - self.duration) == 0)
+
+    def _refuse_instants(self, expression: Any) -> None:
+        if self._instants_in(expression):
+            raise ValueError(
+                f"`objective` has the integrand {expression}, with a value at an instant: "
+                f"integrands are functions of {self.time}."
+            )
+
+    def conditions(self, argument: str, relations: Sequence[Any]) -> tuple[Condition, ...]:
+        """Return relations between instants as conditions."""
+        found = []
+        for condition in self.path(argument, relations):
+            expression = self.at_instants(condition.expression, f"`{argument}`")
+            found.append(Condition(expression, condition.low, condition.high, condition.label))
+        return tuple(found)
+
+    def path(self, argument: str, relations: Sequence[Any]) -> tuple[Condition, ...]:
+        """Return relations as conditions, which hold what the relations hold."""
+        found = []
+        for relation in relations:
+            if not isinstance(relation, Relational) or isinstance(relation, sm.Ne):
+                raise ValueError(
+                    f"`{argument}` must hold equations and inequalities, `Eq(a, b)`, `a <= b` or "
+                    f"`a >= b`, got {shown(relation)}."
+                )
+            expression = relation.lhs - relation.rhs
+            low, high = float("-inf"), float("inf")
+            if isinstance(relation, sm.Eq):
+                low, high = 0.0, 0.0
+            elif isinstance(relation, (sm.Ge, sm.Gt)):
+                low = 0.0
+            else:
+                high = 0.0
+            found.append(Condition(expression, low, high, str(relation)))
+        return tuple(found)
+
+    # -- values at instants ----------------------------------------------------------------------
+
+    def at_instants(self, expression: Any, what: str) -> Any:
+        """Return an expression with a symbol for each value at an instant.
+
+        Raises
+        ------
+        ValueError
+            It has something that moves, or an instant that is none.
+        """
+        found = self._instants_in(expression)
+        replaced = {old: self._symbol(*value, what) for old, value in found.items()}
+        result = expression.xreplace(replaced)
+        instants = {i.symbol for i in self.instants}
+        left = sorted(result.atoms(AppliedUndef, sm.Derivative, sm.Subs), key=sm.default_sort_key)
+        strange = sorted(result.free_symbols - instants - self.known, key=sm.default_sort_key)
+        if left or strange:
+            one = (left or strange)[0]
+            names = ", ".join(map(str, (*self.states, *self.controls)))
+            raise ValueError(
+                f"{what} has `{one}`, which is neither a constant of the system nor a state or "
+                f"control at an instant. Write `q.subs({self.time}, {self.duration})` for the "
+                f"value of q at the end; states and controls are {names}."
+            )
+        return result
+
+    def _instants_in(self, expression: Any) -> dict[Any, tuple[str, int, Any]]:
+        """Return what the expression holds at instants: kind, index and the time."""
+        kinds = [("state", k, s) for k, s in enumerate(self.states)]
+        kinds += [("control", k, s) for k, s in enumerate(self.controls)]
+        found: dict[Any, tuple[str, int, Any]] = {}
+        for node in expression.atoms(sm.Subs):
+            inner = node.expr.xreplace({node.variables[0]: self.time})
+            for kind, k, symbol in kinds:
+                if inner == symbol and len(node.variables) == 1:
+                    found[node] = (kind, k, node.point[0])
+        rest = expression.xreplace({node: sm.Dummy() for node in found})
+        for node in rest.atoms(AppliedUndef):
+            if len(node.args) == 1 and node.args[0] != self.time:
+                for kind, k, symbol in kinds:
+                    if isinstance(symbol, AppliedUndef) and node.func == symbol.func:
+                        found[node] = (kind, k, node.args[0])
+        return found
+
+    def _symbol(self, kind: str, index: int, time: Any, what: str) -> Any:
+        ratio = sm.simplify(sm.sympify(time) / self.duration)
+        if not (ratio.is_number and ratio.is_real) or not 0 <= ratio <= 1:
+            raise ValueError(
+                f"{what} has a value at the time {time}, but instants lie between 0 and "
+                f"{self.duration}"
+                + (
+                    f" and are given as a part of it, such as {self.duration}/2."
+                    if getattr(self.duration, "free_symbols", None)
+                    else "."
+                )
+            )
+        fraction = float(ratio)
+        for known in self.instants:
+            if (known.kind, known.index, known.fraction) == (kind, index, fraction):
+                return known.symbol
+        made = Instant(sm.Dummy(f"{kind}{index}"), kind, index, fraction)
+        self.instants.append(made)
+        return made.symbol

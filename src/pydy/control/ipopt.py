@@ -1,0 +1,380 @@
+"""IPOPT by its C interface, out of the library that the wheel of CasADi contains.
+
+Nothing else of CasADi is used, or loaded. What the solver calls back is `Nlp`, whose functions are
+machine code; the arrays are the solver's own memory.
+
+References
+----------
+A. Wächter and L. T. Biegler, On the implementation of an interior-point filter line-search
+algorithm for large-scale nonlinear programming, Math. Program. 106 (2006) 25–57.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import sys
+from collections.abc import Callable, Mapping
+from ctypes import c_bool, c_char_p, c_double, c_int, c_void_p
+from dataclasses import dataclass
+from functools import cache
+from importlib.util import find_spec
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from pydy._errors import MissingDependencyError
+from pydy._interrupts import Interrupts
+from pydy.control.nlp import Nlp
+from pydy.control.tuning import TOLERANCE
+
+__all__ = ["SOLVED", "STATUS", "Iteration", "Solution", "solve"]
+
+_INFINITE = 2e19  # beyond 1e19 a bound is none, `nlp_upper_bound_inf`
+
+STATUS = {
+    0: "solved",
+    1: "solved to the `acceptable_tol` of IPOPT, not to its `tol`",
+    2: "the equations and bounds seem to contradict each other: the search ended at a point where "
+    "the violation is locally smallest",
+    3: "the steps became too small",
+    4: "the iterates diverge: the objective may have no lower bound",
+    5: "stopped",
+    6: "a point that satisfies the equations was found",
+    -1: "`max_iter` iterations were not enough",
+    -2: "the search for a point that satisfies the equations failed",
+    -3: "a step could not be computed",
+    -4: "the processor time `max_cpu_time` is over",
+    -5: "the time `max_wall_time` is over",
+    -10: "there are fewer unknowns than equations",
+    -11: "the bounds contradict each other",
+    -12: "IPOPT has no such option, or no such value of it",
+    -13: "the equations or their derivatives are not finite",
+    -102: "there is not enough memory",
+}
+SOLVED = (0, 1)
+
+_CALL: dict[str, tuple[Any, ...]] = {
+    "cost": (c_int, c_void_p, c_bool, c_void_p, c_void_p),
+    "rows": (c_int, c_void_p, c_bool, c_int, c_void_p, c_void_p),
+    "gradient": (c_int, c_void_p, c_bool, c_void_p, c_void_p),
+    "jacobian": (c_int, c_void_p, c_bool, c_int, c_int, *[c_void_p] * 4),
+    "hessian": (
+        *(c_int, c_void_p, c_bool, c_double, c_int, c_void_p, c_bool, c_int),
+        *[c_void_p] * 4,
+    ),
+    "each": (c_int, c_int, *[c_double] * 8, c_int, c_void_p),
+}
+
+
+@dataclass(frozen=True)
+class Iteration:
+    """An iteration of IPOPT.
+
+    Attributes
+    ----------
+    number : int
+    objective : float
+    violation : float
+        The largest violation of an equation, in units of the equations' own sizes.
+    dual_violation : float
+        How far from stationary, in the same sense.
+    barrier : float
+    """
+
+    number: int
+    objective: float
+    violation: float
+    dual_violation: float
+    barrier: float
+
+
+@dataclass(frozen=True, eq=False)
+class Solution:
+    """Where IPOPT ended.
+
+    Attributes
+    ----------
+    z : ndarray, shape (n,)
+    multipliers : ndarray, shape (m,)
+        Of the rows, as they are, in the objective's units.
+    bound_multipliers : ndarray, shape (n,)
+        Of the bounds of the unknowns, positive at upper ones.
+    objective : float
+    status : int
+        A key of `STATUS`.
+    history : tuple of Iteration
+    interrupted : bool
+    """
+
+    z: np.ndarray
+    multipliers: np.ndarray
+    bound_multipliers: np.ndarray
+    objective: float
+    status: int
+    history: tuple[Iteration, ...]
+    interrupted: bool
+
+
+@cache
+def library() -> Any:
+    """Return the shared library of IPOPT.
+
+    Raises
+    ------
+    MissingDependencyError
+        CasADi is not installed, or its wheel has no such library with this interface.
+    """
+    spec = find_spec("casadi")
+    if spec is None or not spec.submodule_search_locations:
+        raise MissingDependencyError(
+            "Optimal control needs IPOPT from the wheel of CasADi, which is not installed: "
+            "pip install 'pydy[optimal]'."
+        )
+    folder = Path(next(iter(spec.submodule_search_locations)))
+    pattern = {"win32": "*ipopt*.dll", "darwin": "libipopt*.dylib"}.get(
+        sys.platform, "libipopt.so*"
+    )
+    found = [p for p in sorted(folder.glob(pattern)) if "casadi" not in p.name]
+    for path in found:
+        try:
+            lib = ctypes.CDLL(str(path))
+            lib.CreateIpoptProblem, lib.GetIpoptVersion  # noqa: B018
+        except (OSError, AttributeError):
+            continue
+        _declare(lib)
+        if _probe(lib):
+            return lib
+    raise MissingDependencyError(
+        f"Optimal control needs the C interface of IPOPT, but {folder} has no library with it: "
+        "install a wheel of CasADi 3.6 or newer from PyPI, pip install --force-reinstall casadi."
+    )
+
+
+def _declare(lib: Any) -> None:
+    lib.CreateIpoptProblem.restype = c_void_p
+    lib.CreateIpoptProblem.argtypes = [
+        c_int, c_void_p, c_void_p, c_int, c_void_p, c_void_p, c_int, c_int, c_int, *[c_void_p] * 5,
+    ]  # fmt: skip
+    lib.FreeIpoptProblem.argtypes = [c_void_p]
+    lib.FreeIpoptProblem.restype = None
+    for kind, value in (("Str", c_char_p), ("Int", c_int), ("Num", c_double)):
+        add = getattr(lib, f"AddIpopt{kind}Option")
+        add.argtypes, add.restype = [c_void_p, c_char_p, value], c_bool
+    lib.SetIntermediateCallback.argtypes = [c_void_p, c_void_p]
+    lib.SetIntermediateCallback.restype = c_bool
+    lib.IpoptSolve.argtypes = [c_void_p] * 8
+    lib.IpoptSolve.restype = c_int
+    lib.GetIpoptCurrentIterate.argtypes = [
+        *(c_void_p, c_bool, c_int, c_void_p, c_void_p, c_void_p, c_int, c_void_p, c_void_p)
+    ]
+    lib.GetIpoptCurrentIterate.restype = c_bool
+
+
+def _probe(lib: Any) -> bool:
+    """Return whether the library has numbers and indices of the sizes that we pass.
+
+    The problem min (x − 3)² with 1 ≤ x ≤ 2 has the solution 2.
+    """
+
+    class Square:
+        size, rows, cost_size = 1, 0, 1.0
+        lower, upper, sizes = np.array([1.0]), np.array([2.0]), np.ones(1)
+        row_sizes, row_bounds = np.empty(0), (np.empty(0), np.empty(0))
+        jacobian_at = (np.empty(0, np.int32), np.empty(0, np.int32))
+        hessian_at = (np.zeros(1, np.int32), np.zeros(1, np.int32))
+
+        def cost(self, y: np.ndarray) -> float:
+            return float((y[0] - 3.0) ** 2)
+
+        def gradient(self, y: np.ndarray, out: np.ndarray) -> bool:
+            out[0] = 2.0 * (y[0] - 3.0)
+            return True
+
+        def values(self, y: np.ndarray, out: np.ndarray) -> bool:
+            return True
+
+        jacobian = values
+
+        def hessian(self, y: np.ndarray, weight: float, _: Any, out: np.ndarray) -> bool:
+            out[0] = 2.0 * weight
+            return True
+
+    found = _solve(lib, Square(), np.array([1.5]), None, {}, lambda iteration: None)
+    return found.status == 0 and abs(found.z[0] - 2.0) < 0.001
+
+
+def _view(address: int, size: int, kind: Any = c_double) -> np.ndarray:
+    """Return the solver's memory as an array."""
+    return np.frombuffer((kind * size).from_address(address), kind) if size else np.empty(0)
+
+
+def solve(
+    nlp: Nlp,
+    z: np.ndarray,
+    *,
+    warm: Solution | None = None,
+    options: Mapping[str, Any] | None = None,
+    watch: Callable[[Iteration], None] = lambda iteration: None,
+) -> Solution:
+    """Solve a nonlinear program.
+
+    Parameters
+    ----------
+    nlp : Nlp
+    z : ndarray, shape (n,)
+        Where to start.
+    warm : Solution, optional
+        Of a program with as many unknowns and rows: multipliers to start with.
+    options : mapping of str to float, int or str
+        Options of IPOPT.
+    watch : callable
+        Called at each iteration.
+    """
+    return _solve(library(), nlp, z, warm, dict(options or {}), watch)
+
+
+def _solve(
+    lib: Any,
+    nlp: Any,
+    z: np.ndarray,
+    warm: Solution | None,
+    options: dict[str, Any],
+    watch: Callable[[Iteration], None],
+) -> Solution:
+    n, m = nlp.size, nlp.rows
+    history: list[Iteration] = []
+    raised: list[BaseException] = []
+    interrupts = Interrupts()
+
+    def safe(function: Callable[..., bool]) -> Callable[..., bool]:
+        """Keep an exception, which ctypes would print and go on."""
+
+        def guarded(*arguments: Any) -> bool:
+            try:
+                return bool(function(*arguments))
+            except BaseException as error:  # noqa: BLE001
+                raised.append(error)
+                return False
+
+        return guarded
+
+    def cost(_n: int, y: int, _new: bool, out: int, _: Any) -> bool:
+        value = nlp.cost(_view(y, n))
+        _view(out, 1)[0] = value
+        return bool(np.isfinite(value))
+
+    def rows(_n: int, y: int, _new: bool, _m: int, out: int, _: Any) -> bool:
+        values = _view(out, m)
+        return bool(nlp.values(_view(y, n), values)) and bool(np.isfinite(values).all())
+
+    def gradient(_n: int, y: int, _new: bool, out: int, _: Any) -> bool:
+        return bool(nlp.gradient(_view(y, n), _view(out, n)))
+
+    def places(at: tuple[np.ndarray, np.ndarray], i: int, j: int) -> bool:
+        for address, indices in zip((i, j), at, strict=True):
+            _view(address, len(indices), c_int)[:] = indices
+        return True
+
+    def jacobian(
+        _n: int, y: int, _new: bool, _m: int, count: int, i: int, j: int, out: int, _: Any
+    ) -> bool:
+        if not out:
+            return places(nlp.jacobian_at, i, j)
+        return bool(nlp.jacobian(_view(y, n), _view(out, count)))
+
+    def hessian(
+        _n: int, y: int, _new: bool, weight: float, _m: int, multipliers: int, _again: bool,
+        count: int, i: int, j: int, out: int, _: Any,
+    ) -> bool:  # fmt: skip
+        if not out:
+            return places(nlp.hessian_at, i, j)
+        given = _view(multipliers, m)
+        return bool(nlp.hessian(_view(y, n), weight, given, _view(out, count)))
+
+    def each(
+        _mode: int, number: int, objective: float, primal: float, dual: float, barrier: float,
+        *_: Any,
+    ) -> bool:  # fmt: skip
+        history.append(Iteration(number, objective * nlp.cost_size, primal, dual, barrier))
+        watch(history[-1])
+        interrupts.check()
+        return not raised
+
+    functions: tuple[Callable[..., bool], ...] = (cost, rows, gradient, jacobian, hessian, each)
+    calls = {f.__name__: ctypes.CFUNCTYPE(c_bool, *_CALL[f.__name__])(safe(f)) for f in functions}
+    low, high = nlp.row_bounds
+    bounds = [
+        np.clip(np.ascontiguousarray(value), -_INFINITE, _INFINITE)
+        for value in (nlp.lower / nlp.sizes, nlp.upper / nlp.sizes, low / nlp.row_sizes,
+                      high / nlp.row_sizes)
+    ]  # fmt: skip
+    addresses = [ctypes.cast(calls[k], c_void_p) for k in
+                 ("cost", "rows", "gradient", "jacobian", "hessian")]  # fmt: skip
+    problem = c_void_p(
+        lib.CreateIpoptProblem(
+            *(n, bounds[0].ctypes.data, bounds[1].ctypes.data),
+            *(m, bounds[2].ctypes.data, bounds[3].ctypes.data),
+            *(len(nlp.jacobian_at[0]), len(nlp.hessian_at[0]), 0, *addresses),
+        )
+    )
+    if not problem:
+        return _failed(nlp, z, -11)
+    try:
+        # The program comes in units of its own.
+        own = {"print_level": 0, "sb": "yes", "nlp_scaling_method": "none", "tol": TOLERANCE}
+        if warm is not None:
+            own |= {"warm_start_init_point": "yes"}
+        for name, value in {**own, **options}.items():
+            _set_option(lib, problem, name, value)
+        lib.SetIntermediateCallback(problem, ctypes.cast(calls["each"], c_void_p))
+        y, values, objective = np.array(z / nlp.sizes), np.empty(m), np.zeros(1)
+        multipliers, below, above = np.zeros(m), np.zeros(n), np.zeros(n)
+        if warm is not None:
+            multipliers[:] = warm.multipliers * nlp.row_sizes / nlp.cost_size
+            of_bounds = warm.bound_multipliers * nlp.sizes / nlp.cost_size
+            below[:], above[:] = np.maximum(-of_bounds, 0.0), np.maximum(of_bounds, 0.0)
+        with interrupts:
+            status = lib.IpoptSolve(
+                problem,
+                *(a.ctypes.data for a in (y, values, objective, multipliers, below, above)),
+                None,
+            )
+            interrupted = bool(raised) and isinstance(raised[0], KeyboardInterrupt)
+            if raised and not interrupted:
+                raise raised[0]
+    finally:
+        lib.FreeIpoptProblem(problem)
+    return Solution(
+        z=y * nlp.sizes,
+        multipliers=multipliers * nlp.cost_size / nlp.row_sizes,
+        bound_multipliers=(above - below) * nlp.cost_size / nlp.sizes,
+        objective=float(objective[0]) * nlp.cost_size,
+        status=status,
+        history=tuple(history),
+        interrupted=interrupted,
+    )
+
+
+def _failed(nlp: Any, z: np.ndarray, status: int) -> Solution:
+    return Solution(z, np.zeros(nlp.rows), np.zeros(nlp.size), np.nan, status, (), False)
+
+
+def _set_option(lib: Any, problem: Any, name: str, value: Any) -> None:
+    key = name.encode()
+    if isinstance(value, str):
+        done = lib.AddIpoptStrOption(problem, key, value.encode())
+    elif isinstance(value, bool):
+        done = lib.AddIpoptStrOption(problem, key, b"yes" if value else b"no")
+    elif isinstance(value, (int, np.integer)):
+        # An option that is a number may be given as an integer.
+        done = lib.AddIpoptIntOption(problem, key, int(value)) or lib.AddIpoptNumOption(
+            problem, key, float(value)
+        )
+    else:
+        done = lib.AddIpoptNumOption(problem, key, float(value))
+    if not done:
+        raise ValueError(
+            f"`options` has {name!r}: {value!r}, which IPOPT does not know as an option, or not as "
+            "a value of it. See its list of options, https://coin-or.github.io/Ipopt/OPTIONS.html."
+        )

@@ -1,0 +1,260 @@
+"""Equations of motion in implicit form on a graph, and machine code for functions of points.
+
+This is the one file of the package that knows the expression graph and the LLVM back end.
+
+The equations are ``M(q) u' − F = 0`` and ``q' − G = 0``: no linear system is solved, and every
+derivative is a sum of products. A *point* is what the functions are evaluated at, a collocation
+point or the ends of the motion: its variables X, its data R and the constants P. Many points are
+evaluated in one call, side by side in vector registers, in arrays of shape (items, points).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+
+from pydy._backends.llvm.backend import LLVMBackend
+from pydy._graph.adjoint import adjoints
+from pydy._graph.collector import collector_paused
+from pydy._graph.derivative import jacobian
+from pydy._graph.from_sympy import SymPyReader
+from pydy._graph.lower import lower
+from pydy._graph.node import Graph
+from pydy._graph.passes.factor import factor_sums
+from pydy._graph.rewrite import substitute
+from pydy._graph.simplify import simplify
+from pydy._kernel import Kernel
+
+__all__ = ["Equations", "Functions", "Point"]
+
+_LANES = 8  # points that one call of the machine code takes
+
+
+@dataclass(frozen=True, eq=False)
+class Equations:
+    """``f(x', x, r, p, t) = 0`` as nodes of a graph.
+
+    The inputs are of the groups 'd' (x'), 'x', 'r', 'p' and 't'.
+
+    Attributes
+    ----------
+    graph : Graph
+    residuals : list of nodes
+        One for each state: first q' − G, then M u' − F, then those of auxiliary states.
+    atoms : mapping of symbols to nodes
+        What further expressions may hold.
+    given : mapping of nodes to nodes
+        What takes the place of specifieds that are expressions.
+    """
+
+    graph: Graph
+    residuals: list[int]
+    atoms: Mapping[Any, int]
+    given: Mapping[int, int]
+
+    @classmethod
+    def of(cls, now: Any) -> Equations:
+        """Return the equations of a System's snapshot."""
+        definition, model = now.definition, now.driven
+        assembly, equations = model.assembly.fork(), definition.equations
+        graph, rates = assembly.graph, assembly.rates
+        nq, nu = len(equations.coordinates), len(equations.speeds)
+        slopes = [graph.input("d", k) for k in range(len(rates))]
+        residuals = [graph.sub(slopes[k], rates[k]) for k in range(nq)]
+        for i in range(nu):
+            row = assembly.mass_matrix[i * nu : (i + 1) * nu]
+            terms = [(graph.mul(m, slopes[nq + j]), 1.0) for j, m in enumerate(row)]
+            residuals.append(graph.sum([*terms, (assembly.forcing[i], -1.0)]))
+        residuals += [graph.sub(slopes[k], rates[k]) for k in range(nq + nu, len(rates))]
+        # Accelerations in an objective are the unknown u', which no linear system gives.
+        atoms = {
+            **assembly.atoms,
+            **dict(zip(definition.outputs_symbols, assembly.outputs, strict=True)),
+            **dict(zip(equations.speed_rates, slopes[nq:], strict=False)),
+        }
+        return cls(graph, residuals, atoms, assembly.given)
+
+    def read(
+        self, graph: Graph, expressions: Iterable[Any], what: str, duration: Any = None
+    ) -> list[int]:
+        """Return expressions as nodes of a copy of the graph; `what` is for messages.
+
+        They may hold the symbol of the duration, an input of the group 'T'.
+        """
+        atoms = {**self.atoms, duration: graph.input("T", 0)}
+        nodes = SymPyReader(graph, atoms, what).all(list(expressions))
+        return substitute(graph, nodes, self.given)
+
+
+class Point:
+    """The making of the functions of points: variables, data and constants become nodes.
+
+    Parameters
+    ----------
+    equations : Equations
+    constants : int
+        How many numbers P are; see `constant`.
+    """
+
+    def __init__(self, equations: Equations, constants: int) -> None:
+        self.equations = equations
+        self.graph = equations.graph.copy()
+        self.constants = constants
+        self._variables: list[int] = []
+        self._data: list[int] = []
+
+    def variables(self, count: int) -> list[int]:
+        """Return the nodes of further variables, in the order of X."""
+        return self._more(self._variables, "V", count)
+
+    def data(self, count: int) -> list[int]:
+        """Return the nodes of further data, in the order of R."""
+        return self._more(self._data, "R", count)
+
+    def _more(self, known: list[int], group: str, count: int) -> list[int]:
+        new = [self.graph.input(group, len(known) + k) for k in range(count)]
+        known += new
+        return new
+
+    def constant(self, k: int) -> int:
+        """Return the node of one of the numbers P."""
+        return self.graph.input("P", k)
+
+    def combined(self, terms: Iterable[tuple[int, Any, int]], h: int) -> int:
+        """Return Σ coefficient · node · h^power; a coefficient is a number or a node in a list."""
+        g = self.graph
+        parts = []
+        for node, coefficient, power in terms:
+            number = coefficient if isinstance(coefficient, float) else 1.0
+            factors = [(node, 1), (h, power)]
+            if not isinstance(coefficient, float):
+                factors.append((coefficient[0], 1))
+            parts.append((g.product(factors), number))
+        return g.sum(parts)
+
+    def residuals(self, at: Mapping[tuple[str, int], int]) -> list[int]:
+        """Return the equations with nodes in place of their inputs."""
+        return self._placed(self.equations.residuals, at)
+
+    def read(
+        self,
+        expressions: Sequence[Any],
+        what: str,
+        at: Mapping[tuple[str, int], int],
+        duration: Any = None,
+    ) -> list[int]:
+        """Return expressions of the system's quantities as nodes; `at` as in `residuals`."""
+        return self._placed(self.equations.read(self.graph, expressions, what, duration), at)
+
+    def read_with(
+        self, expressions: Sequence[Any], what: str, atoms: Mapping[Any, int]
+    ) -> list[int]:
+        """Return expressions of some symbols alone as nodes."""
+        return SymPyReader(self.graph, dict(atoms), what).all(list(expressions))
+
+    def _placed(self, nodes: Sequence[int], at: Mapping[tuple[str, int], int]) -> list[int]:
+        return substitute(self.graph, nodes, {self.graph.input(*k): n for k, n in at.items()})
+
+    def functions(self, rows: Sequence[int], cost: int | None, *, hessian: bool) -> Functions:
+        """Compile the rows, a part of the objective, and their derivatives by the variables."""
+        g = self.graph
+        put = {n: g.input("x", k) for k, n in enumerate(self._variables)}
+        put |= {n: g.input("r", k) for k, n in enumerate(self._data)}
+        put |= {g.input("P", k): g.input("p", k) for k in range(self.constants)}
+        by, data, m = [*put.values()][: len(self._variables)], len(self._data), len(rows)
+        with collector_paused():
+            roots = substitute(g, [*rows, *([] if cost is None else [cost])], put)
+            roots = simplify(g, roots)
+            rows, costs = roots[:m], roots[m:]
+            weights = [g.input("r", data + k) for k in range(m + len(costs))]
+            slopes = jacobian(g, rows, by)
+            gradient = adjoints(g, costs, [g.one], by) if costs else []
+            gradient_at = [k for k, n in enumerate(gradient) if n != g.zero]
+            jacobian_at = [(i, j) for i, row in enumerate(slopes) for j in row]
+            cells = {
+                "cost": costs,
+                "gradient": [gradient[k] for k in gradient_at],
+                "rows": rows,
+                "jacobian": [slopes[i][j] for i, j in jacobian_at],
+            }
+            hessian_at: list[tuple[int, int]] = []
+            if hessian:
+                lagrangian = factor_sums(g, adjoints(g, roots, weights, by))
+                second = jacobian(g, lagrangian, by)
+                hessian_at = [(i, j) for i, row in enumerate(second) for j in row if j <= i]
+                cells["hessian"] = [second[i][j] for i, j in hessian_at]
+            sizes = (len(by), data, self.constants)
+            weighted = (len(by), data + len(weights), self.constants)
+            kernels = {}
+            for name, nodes in cells.items():
+                if nodes:
+                    shared = nodes if name in ("cost", "rows") else factor_sums(g, nodes)
+                    own = weighted if name == "hessian" else sizes
+                    program = lower(g, own, [(name, (len(nodes),), shared)])
+                    kernels[name] = LLVMBackend(lanes=_LANES).compile(program)
+        return Functions(
+            kernels,
+            sizes,
+            (m, len(costs)),
+            np.array(gradient_at, dtype=int),
+            np.array(jacobian_at, dtype=int).reshape(-1, 2),
+            np.array(hessian_at, dtype=int).reshape(-1, 2),
+        )
+
+
+@dataclass(frozen=True, eq=False)
+class Functions:
+    """Machine code for rows and a cost at points, and for their derivatives by the variables.
+
+    Attributes
+    ----------
+    kernels : dict of str to Kernel
+        'cost', 'gradient', 'rows', 'jacobian' and 'hessian', as far as they are not empty.
+    sizes : (int, int, int)
+        Numbers of variables, data and constants.
+    outputs : (int, int)
+        Numbers of rows and of costs, which is one or none.
+    gradient_at : ndarray, shape (k,)
+        The variables that the cost depends on.
+    jacobian_at, hessian_at : ndarray, shape (k, 2)
+        Rows and variables, or pairs of variables, of the entries; of the Hessian, the lower
+        triangle.
+    """
+
+    kernels: dict[str, Kernel]
+    sizes: tuple[int, int, int]
+    outputs: tuple[int, int]
+    gradient_at: np.ndarray
+    jacobian_at: np.ndarray
+    hessian_at: np.ndarray
+    _times: dict[int, np.ndarray] = field(default_factory=dict, repr=False)
+
+    def __call__(
+        self, name: str, X: np.ndarray, R: np.ndarray, P: np.ndarray, out: np.ndarray
+    ) -> bool:
+        """Evaluate one of the functions; return whether no linear solve failed.
+
+        Parameters
+        ----------
+        name : str
+            Of a kernel.
+        X : ndarray, shape (variables, points)
+        R : ndarray, shape (data, points)
+            For the Hessian, with the multipliers of the rows and the weight of the cost after them.
+        P : ndarray, shape (constants,)
+        out : ndarray, shape (entries, points)
+            All arrays are contiguous.
+        """
+        count = X.shape[1]
+        times = self._times.get(count)
+        if times is None:
+            times = self._times[count] = np.zeros(count)
+        if count > 1 and len(X) > 1:  # as they lie: `out` is written in place
+            _, failed = self.kernels[name].evaluate(times, X.T, R.T, P, out.T)
+        else:
+            values, failed = self.kernels[name].evaluate(times, X.T, R.T, P)
+            out[:] = values.T
+        return not failed.any()

@@ -1,0 +1,122 @@
+"""Errors of a mesh by integration, and finer meshes where they are too large.
+
+From the first state of each interval its motion is integrated with the interval's control, all
+intervals side by side, by the Runge–Kutta method of Dormand and Prince of order 8. The difference
+from the interval's last state is its error: what the collocation polynomial misses.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from pydy._kernel import Kernel
+from pydy._rank import or_one
+from pydy.control.transcription import Transcription
+from pydy.control.tuning import MOST_PARTS, MOST_STEPS, SURE
+from pydy.solvers.tableaus import tableau_of
+
+__all__ = ["Moved", "interval_errors", "refined"]
+
+
+@dataclass(frozen=True, eq=False)
+class Moved:
+    """What gives the derivatives of the states.
+
+    Attributes
+    ----------
+    kernel : Kernel
+        x' of t, x, r and p.
+    signals : SpecifiedsPlan
+        Gives r, but for the controls.
+    constants : ndarray
+        p.
+    """
+
+    kernel: Kernel
+    signals: Any
+    constants: np.ndarray
+
+
+def interval_errors(
+    moved: Moved, made: Transcription, z: np.ndarray, sizes: np.ndarray
+) -> np.ndarray:
+    """Return the error of each interval, shape (M,).
+
+    Parameters
+    ----------
+    moved : Moved
+        The System with the constants that were found.
+    made : Transcription
+    z : ndarray
+        The unknowns.
+    sizes : ndarray, shape (n,)
+        How large each state is at least.
+    """
+    states, _, _, duration = made.split(z)
+    M = made.intervals
+    first, last = states[:, :M].T, states[:, 1 : M + 1].T
+    scale = or_one(np.maximum(np.abs(states[:, : M + 1]).max(axis=1), sizes))
+    error, before, steps = np.zeros(M), None, 1
+    while steps <= MOST_STEPS:
+        ends = _integrated(moved, made, z, first, duration, steps)
+        error = _largest(ends - last, scale)
+        if before is not None and (_largest(ends - before, scale) <= SURE * error).all():
+            break
+        before, steps = ends, 2 * steps
+    return error
+
+
+def _largest(difference: np.ndarray, scale: np.ndarray) -> np.ndarray:
+    found: np.ndarray = np.abs(difference / scale).max(axis=1, initial=0.0)
+    return np.where(np.isfinite(found), found, np.inf)
+
+
+def _integrated(
+    moved: Moved, made: Transcription, z: np.ndarray, x: np.ndarray, duration: float, steps: int
+) -> np.ndarray:
+    """Return the states at the ends of the intervals, by as many equal steps in each."""
+    tableau = tableau_of("dop853")
+    left, lengths = made.mesh[:-1] * duration, np.diff(made.mesh) * duration
+    controls, every = list(made.problem.controls), np.arange(made.intervals)
+    x, h = x.copy(), (lengths / steps)[:, None]
+
+    def rates(s: float, x: np.ndarray) -> np.ndarray:
+        times = left + s * lengths
+        r = moved.signals.rows(x, times)
+        r = np.array(np.broadcast_to(r, (len(times), r.shape[1])))
+        r[:, controls] = made.controls_in(z, every, np.full(len(every), s))
+        found: np.ndarray = moved.kernel.evaluate(
+            times, np.ascontiguousarray(x), r, moved.constants
+        )[0]
+        return found
+
+    with np.errstate(all="ignore"):  # a motion that runs away has an infinite error
+        for step in range(steps):
+            stages: list[np.ndarray] = []
+            for node, row in zip(tableau.nodes, tableau.stages, strict=False):
+                at = x + h * sum((a * stages[j] for j, a in row.items()), np.zeros(1))
+                stages.append(rates((step + node) / steps, at))
+            x = x + h * sum((b * stages[j] for j, b in tableau.weights.items()), np.zeros(1))
+    return x
+
+
+def refined(mesh: np.ndarray, error: np.ndarray, tolerance: float, order: int) -> np.ndarray:
+    """Return a mesh on which the errors should be within the tolerance.
+
+    An interval is divided into as many equal parts as reduce its error enough, if it is
+    proportional to the length to the power `order` + 1; but no more than a few at a time, as
+    that holds for smooth controls only.
+    """
+    with np.errstate(divide="ignore"):
+        parts = np.ceil((error / tolerance) ** (1.0 / (order + 1)))
+    counts = np.clip(parts, 1, MOST_PARTS).astype(int)
+    counts[error > tolerance] = np.maximum(counts[error > tolerance], 2)
+    pieces: Sequence[np.ndarray] = [
+        np.linspace(a, b, num=k, endpoint=False)
+        for a, b, k in zip(mesh[:-1], mesh[1:], counts, strict=True)
+    ]
+    return np.concatenate([*pieces, mesh[-1:]])

@@ -1,0 +1,167 @@
+"""OptimalTrajectory: the solution of an optimal control problem."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from pydy._names import unique_names
+from pydy.codegen.arguments import one_format
+from pydy.control.ipopt import STATUS, Iteration, Solution
+from pydy.control.nlp import Nlp
+from pydy.control.transcription import Transcription
+from pydy.control.tuning import INPUT_SAMPLES, JUMP
+from pydy.inputs import SampledInput
+from pydy.trajectory import Columns, Trajectory
+
+__all__ = ["OptimalTrajectory"]
+
+
+class OptimalTrajectory(Trajectory):
+    """A motion that satisfies an optimal control problem, with all that belongs to it.
+
+    `OptimalControl.solve` and `System.optimize_trajectory` return it. It is a Trajectory at the
+    nodes and collocation points of the mesh; between them, states and controls are the method's
+    polynomials, of controls held within their bounds.
+
+    Attributes
+    ----------
+    objective : float
+    duration : float
+        In s; the motion begins at t = 0.
+    constants : dict
+        All constants of the system, with the values that were found for free ones.
+    controls : tuple of symbols
+    mesh : ndarray, shape (M + 1,)
+        Times of the nodes.
+    error : ndarray, shape (M,)
+        The error of each interval: how far a solver that starts at the interval's first state, with
+        these controls, ends from its last one, relative to how large each state becomes.
+    multipliers : dict of str to ndarray
+        The multipliers of each equation, path condition and boundary condition, by the labels that
+        messages use: at `collocation_times` or, of boundary conditions, shape (1,). They are the
+        derivatives of the objective by a change of the right-hand side.
+    collocation_times : ndarray
+    status : int
+        As IPOPT returns it; 0 is solved.
+    message : str
+    history : tuple of Iteration
+        The iterations of IPOPT, with `number`, `objective`, `violation`, `dual_violation` and
+        `barrier`.
+    """
+
+    def __init__(
+        self,
+        now: Any,
+        transcription: Transcription,
+        controls: Sequence[Any],
+        free: Sequence[Any],
+        nlp: Nlp,
+        solution: Solution,
+        error: np.ndarray,
+    ) -> None:
+        z = solution.z
+        duration = transcription.split(z)[3]
+        places, slopes = transcription.places
+        times = np.unique(places[~slopes]) * duration
+        self.duration = duration
+        self.objective = solution.objective
+        self.controls = tuple(controls)
+        self.mesh = transcription.mesh * duration
+        self.error = error
+        self.status = solution.status
+        self.message = STATUS.get(solution.status, f"IPOPT ended with status {solution.status}")
+        self.history: tuple[Iteration, ...] = solution.history
+        self._solution = solution
+        self._transcription = transcription
+        self.multipliers, self.collocation_times = _multipliers(nlp, solution, duration)
+        moved = moving(now, transcription, z, controls, free)
+        states = transcription.states_at(z, times)
+        super().__init__(
+            times,
+            states,
+            Columns(moved.definition.symbols_by_kind),
+            outputs=moved.outputs(times, states),
+            specifieds=moved.specifieds(times, states),
+            constants=moved.constants,
+            statistics={"iterations": len(solution.history) - 1},
+            model=moved,
+            dense=lambda at: transcription.states_at(z, np.asarray(at)),
+        )
+
+    def __repr__(self) -> str:
+        return f"Optimal{super().__repr__()}, objective {self.objective:.9g}: {self.message}"
+
+    def inputs(self) -> dict[Any, SampledInput]:
+        """Return the controls as `pydy.inputs.SampledInput`, for `System.specifieds`.
+
+        A simulation with them tells how far the motion is from one of the real equations. The
+        control's polynomial on each interval is sampled; where it jumps at a node, the samples lie
+        on both sides.
+
+        Returns
+        -------
+        dict
+            From each control's symbol to its samples.
+        """
+        s = np.linspace(0.0, 1.0 - JUMP, num=INPUT_SAMPLES)
+        lengths = np.diff(self.mesh)
+        times = np.append((self.mesh[:-1, None] + lengths[:, None] * s).ravel(), self.mesh[-1])
+        k = np.append(np.repeat(np.arange(len(lengths)), len(s)), len(lengths) - 1)
+        at = np.append(np.tile(s, len(lengths)), 1.0)
+        values = self._transcription.controls_in(self._solution.z, k, at)
+        return {
+            symbol: SampledInput(times, values[:, k], "pchip")
+            for k, symbol in enumerate(self.controls)
+        }
+
+
+def moving(
+    now: Any,
+    transcription: Transcription,
+    z: np.ndarray,
+    controls: Sequence[Any],
+    free: Sequence[Any],
+) -> Any:
+    """Return a System's snapshot with the controls and constants that were found."""
+    constants = transcription.split(z)[2]
+    user: Mapping[str, dict[Any, Any]] = now.user
+    specifieds, _ = one_format(user["specifieds"], "specifieds")
+    if controls:
+        duration = transcription.split(z)[3]
+
+        def values(x: np.ndarray, t: float) -> np.ndarray:
+            at = np.array([min(max(t, 0.0), duration)])
+            found: np.ndarray = transcription.controls_at(z, at)[0]
+            return found
+
+        specifieds = {**specifieds, tuple(controls): values}
+    known = dict(zip(now.definition.constants, now.p.tolist(), strict=True))
+    known |= dict(zip(free, constants.tolist(), strict=True))
+    return replace(now, user={**user, "specifieds": specifieds, "constants": known})
+
+
+def _multipliers(
+    nlp: Nlp, solution: Solution, duration: float
+) -> tuple[dict[str, np.ndarray], np.ndarray]:
+    """Return the multipliers by label, in the order of time, and the times."""
+    parts: dict[str, list[np.ndarray]] = {}
+    fractions: list[np.ndarray] = []
+    start = 0
+    for piece in nlp.pieces:
+        stop = start + piece.rows * piece.points
+        values = solution.multipliers[start:stop].reshape(piece.rows, piece.points)
+        names = unique_names(piece.labels)
+        for name, row in zip(names, values, strict=True):
+            parts.setdefault(name, []).append(row)
+        if piece.collocated:
+            fractions.append(piece.fractions)
+        start = stop
+    times = np.concatenate(fractions)
+    order = np.argsort(times, kind="stable")
+    joined = {name: np.concatenate(rows) for name, rows in parts.items()}
+    found = {name: row[order] if len(row) == len(order) else row for name, row in joined.items()}
+    return found, times[order] * duration

@@ -1,0 +1,254 @@
+"""Collocation methods as data: which values an interval has, and what its points make of them.
+
+Times within an interval are fractions of its length h. Its *slots* are places at which a state
+vector, or its derivative, is unknown; neighbours share those at their common node. A collocation
+point's state and derivative are Σ coefficient · slot · h^power.
+
+=================  =========================================================================
+backward Euler     Radau with one point
+midpoint           Gauss with one point: x = (x₀ + x₁)/2, x' = (x₁ − x₀)/h
+Hermite–Simpson    cubic with slopes as unknowns, x_c = (x₀ + x₁)/2 + h (v₀ − v₁)/8; the points
+                   are those of Lobatto IIIA with three stages
+Radau              polynomial of degree K through the start and K Radau IIA points
+=================  =========================================================================
+
+References
+----------
+E. Hairer and G. Wanner, Solving Ordinary Differential Equations II, 2nd ed., IV.5.
+J. T. Betts, Practical Methods for Optimal Control and Estimation Using Nonlinear Programming,
+2nd ed., 4.5 (Hermite–Simpson, separated form).
+D. Garg et al., Direct trajectory optimization and costate estimation of finite-horizon and
+infinite-horizon optimal control problems using a Radau pseudospectral method, Comput. Optim. Appl.
+49 (2011) 335–358.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cache
+
+import numpy as np
+from numpy.polynomial import legendre
+
+__all__ = ["METHODS", "Points", "Scheme", "scheme_of"]
+
+# A slot of the interval, its coefficient (None: different at each point, see `Points.coefficients`)
+# and the power of h.
+Term = tuple[int, float | None, int]
+
+
+@dataclass(frozen=True, eq=False)
+class Points:
+    """Collocation points of one kind, all over the mesh; they share machine code.
+
+    Attributes
+    ----------
+    state, rate : tuple of terms
+        How x and x' are made of the slots in `slots`.
+    slots : ndarray of int, shape (y, points)
+    controls : ndarray of int, shape (points,)
+        The slots of the controls.
+    coefficients : ndarray, shape (c, points)
+        In the order of the terms without a number, those of `state` first.
+    fractions, lengths, weights : ndarray, shape (points,)
+        Their times, the lengths h of their intervals and the quadrature weights, as fractions of
+        the duration.
+    """
+
+    state: tuple[Term, ...]
+    rate: tuple[Term, ...]
+    slots: np.ndarray
+    controls: np.ndarray
+    coefficients: np.ndarray
+    fractions: np.ndarray
+    lengths: np.ndarray
+    weights: np.ndarray
+
+
+@dataclass(frozen=True)
+class Scheme:
+    """A collocation method.
+
+    Attributes
+    ----------
+    name : {'radau', 'midpoint', 'hermite-simpson'}
+    order : int
+        Number of points of Radau; 1 for the others.
+    """
+
+    name: str
+    order: int = 1
+
+    @property
+    def convergence(self) -> int:
+        """The order of the states' error at the nodes in the length of the intervals."""
+        return {"radau": 2 * self.order - 1, "midpoint": 2, "hermite-simpson": 4}[self.name]
+
+    # -- where values lie ------------------------------------------------------------------------
+
+    def places(self, mesh: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Return the times of the slots of states and whether they are slopes.
+
+        `mesh` holds the nodes as fractions of the duration, M + 1 of them.
+        """
+        h, left = np.diff(mesh), mesh[:-1]
+        if self.name == "radau":
+            inner = [left + c * h for c in radau_points(self.order)[:-1]]
+            times = np.concatenate([mesh, *inner])
+            return times, np.zeros(len(times), dtype=bool)
+        if self.name == "midpoint":
+            return mesh, np.zeros(len(mesh), dtype=bool)
+        return np.tile(mesh, 2), np.repeat([False, True], len(mesh))
+
+    def control_places(self, mesh: np.ndarray) -> np.ndarray:
+        """Return the times of the slots of controls."""
+        h, left = np.diff(mesh), mesh[:-1]
+        if self.name == "radau":
+            return np.concatenate([left + c * h for c in radau_points(self.order)])
+        if self.name == "midpoint":
+            return left + 0.5 * h
+        return np.concatenate([mesh, left + 0.5 * h])
+
+    def interval_slots(self, intervals: int) -> np.ndarray:
+        """Return the slots of each interval, shape (y, M), in the order of `basis`."""
+        k = np.arange(intervals)
+        if self.name == "radau":
+            first = intervals + 1
+            inner = [first + j * intervals + k for j in range(self.order - 1)]
+            return np.array([k, *inner, k + 1])
+        if self.name == "midpoint":
+            return np.array([k, k + 1])
+        return np.array([k, k + 1, intervals + 1 + k, intervals + 2 + k])
+
+    def control_slots(self, intervals: int) -> np.ndarray:
+        """Return the slots of controls of each interval, in the order of `control_basis`."""
+        k = np.arange(intervals)
+        if self.name == "hermite-simpson":
+            return np.array([k, intervals + 1 + k, k + 1])
+        return np.array([j * intervals + k for j in range(self.order)])
+
+    # -- between the points ----------------------------------------------------------------------
+
+    def basis(self, s: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Return the states' interpolant at fractions s of an interval.
+
+        Returns
+        -------
+        values : ndarray, shape (y, len(s))
+            Of each slot of an interval.
+        powers : ndarray, shape (y,)
+            The power of h that each goes with.
+        """
+        if self.name == "hermite-simpson":
+            values = [(1 + 2 * s) * (1 - s) ** 2, s**2 * (3 - 2 * s), s * (1 - s) ** 2]
+            return np.array([*values, -(s**2) * (1 - s)]), np.array([0, 0, 1, 1])
+        if self.name == "midpoint":
+            return np.array([1 - s, s]), np.zeros(2, dtype=int)
+        nodes = np.append(0.0, radau_points(self.order))
+        return lagrange(nodes, s), np.zeros(len(nodes), dtype=int)
+
+    def control_basis(self, s: np.ndarray) -> np.ndarray:
+        """Return the controls' interpolant, shape (slots, len(s))."""
+        if self.name == "hermite-simpson":
+            return lagrange(np.array([0.0, 0.5, 1.0]), s)
+        if self.name == "midpoint":
+            return np.ones((1, len(s)))
+        return lagrange(radau_points(self.order), s)
+
+    # -- collocation points ----------------------------------------------------------------------
+
+    def points(self, mesh: np.ndarray) -> tuple[Points, ...]:
+        """Return the collocation points on a mesh of nodes, as fractions of the duration."""
+        h, M, left = np.diff(mesh), len(mesh) - 1, mesh[:-1]
+        k = np.arange(M)
+        slots = self.interval_slots(M)
+        if self.name == "radau":
+            K = self.order
+            c = radau_points(K)
+            D, w = derivatives(np.append(0.0, c)), quadrature(c)
+            order = [[j, *(i for i in range(K + 1) if i != j)] for j in range(1, K + 1)]
+            return (
+                Points(
+                    state=((0, 1.0, 0),),
+                    rate=tuple((y, None, -1) for y in range(K + 1)),
+                    slots=np.concatenate([slots[row] for row in order], axis=1),
+                    controls=np.arange(K * M),
+                    coefficients=np.repeat(
+                        np.array([D[row[0], row] for row in order]).T, M, axis=1
+                    ),
+                    fractions=np.concatenate([left + cj * h for cj in c]),
+                    lengths=np.tile(h, K),
+                    weights=np.concatenate([wj * h for wj in w]),
+                ),
+            )
+        none = np.empty((0, M))
+        if self.name == "midpoint":
+            state, rate = ((0, 0.5, 0), (1, 0.5, 0)), ((0, -1.0, -1), (1, 1.0, -1))
+            return (Points(state, rate, slots, k, none, left + 0.5 * h, h, h),)
+        nodes = np.arange(M + 1)
+        simpson = np.zeros(M + 1)
+        simpson[:-1] += h / 6
+        simpson[1:] += h / 6
+        x = ((0, 0.5, 0), (1, 0.5, 0), (2, 0.125, 1), (3, -0.125, 1))
+        v = ((0, -1.5, -1), (1, 1.5, -1), (2, -0.25, 0), (3, -0.25, 0))
+        return (
+            Points(
+                ((0, 1.0, 0),), ((1, 1.0, 0),), np.array([nodes, M + 1 + nodes]), nodes,
+                np.empty((0, M + 1)), mesh, np.append(h, h[-1]), simpson,
+            ),
+            Points(x, v, slots, M + 1 + k, none, left + 0.5 * h, h, h * (2 / 3)),
+        )  # fmt: skip
+
+
+METHODS = ("radau", "hermite-simpson", "midpoint", "backward-euler")
+
+
+def scheme_of(method: str, order: int) -> Scheme:
+    """Return the scheme of a method's name."""
+    if method == "radau":
+        return Scheme("radau", order)
+    return Scheme("radau", 1) if method == "backward-euler" else Scheme(method)
+
+
+@cache
+def radau_points(K: int) -> np.ndarray:
+    """Return the K Radau points in (0, 1], the last of which is 1.
+
+    1 − 2 c are the roots of P_{K−1} + P_K, −1 among them.
+    """
+    flipped = legendre.legroots(legendre.legadd([0.0] * (K - 1) + [1.0], [0.0] * K + [1.0]))
+    c: np.ndarray = np.sort((1.0 - np.real(flipped)) / 2)
+    c[-1] = 1.0
+    return c
+
+
+def lagrange(nodes: np.ndarray, s: np.ndarray) -> np.ndarray:
+    """Return the Lagrange polynomials of some nodes at s, shape (nodes, len(s))."""
+    rows = []
+    for i, own in enumerate(nodes):
+        others = np.delete(nodes, i)
+        rows.append(np.prod((s[:, None] - others) / (own - others), axis=1))
+    return np.array(rows)
+
+
+def derivatives(nodes: np.ndarray) -> np.ndarray:
+    """Return the derivatives of the Lagrange polynomials, D[j, i] that of i at node j.
+
+    By barycentric weights; the rows sum to zero, as the derivative of a constant (J.-P. Berrut and
+    L. N. Trefethen, Barycentric Lagrange interpolation, SIAM Rev. 46 (2004) 501–517, §9).
+    """
+    gaps = nodes[:, None] - nodes
+    np.fill_diagonal(gaps, 1.0)
+    weights = 1.0 / gaps.prod(axis=1)
+    D: np.ndarray = weights / weights[:, None] / gaps
+    np.fill_diagonal(D, 0.0)
+    np.fill_diagonal(D, -D.sum(axis=1))
+    return D
+
+
+def quadrature(nodes: Sequence[float] | np.ndarray) -> np.ndarray:
+    """Return the weights that integrate polynomials through some nodes over [0, 1] exactly."""
+    x, w = legendre.leggauss(len(nodes))
+    weights: np.ndarray = lagrange(np.asarray(nodes), (1.0 + x) / 2) @ (w / 2)
+    return weights

@@ -1,0 +1,137 @@
+"""Problems with known optima, each with its source, from a plain guess."""
+
+import numpy as np
+import pytest
+import sympy as sm
+from scipy.optimize import brentq
+
+import optima
+from optima import TF, T
+from pydy.control import OptimalControl
+
+METHODS = [("radau", 3), ("hermite-simpson", 1), ("midpoint", 1), ("backward-euler", 1)]
+
+
+@pytest.mark.parametrize(("method", "order"), METHODS)
+def test_the_least_energy_of_a_double_integrator_is_12(method, order):
+    # F = 6 − 12 t: Bryson and Ho, Applied Optimal Control, 5.2.
+    system, (x, v, F) = optima.double_integrator()
+    problem = OptimalControl(
+        system, sm.Integral(F**2, T), 1.0, end={x: 1.0, v: 0.0}, method=method, order=order
+    )
+    found = problem.solve()
+    if order == 1 and method != "hermite-simpson":  # Σ over 20 equal steps has another optimum
+        assert found.objective == pytest.approx(12.0 / (1.0 - 1.0 / 400.0), rel=1e-9)
+    else:
+        assert found.objective == pytest.approx(12.0, rel=1e-9)
+        np.testing.assert_allclose(found[F], 6.0 - 12.0 * found.times, atol=1e-6)
+
+
+def test_the_least_time_of_a_double_integrator_is_2():
+    # One switch, in the middle: Bryson and Ho, 3.9.
+    system, (x, v, F) = optima.double_integrator()
+    found = system.optimize_trajectory(
+        TF, TF, end={x: 1.0, v: 0.0}, bounds={F: (-1.0, 1.0), TF: (0.1, 10.0)}
+    )
+    assert found.objective == pytest.approx(2.0, rel=1e-6)
+    assert found.duration == found.objective
+
+
+def test_a_mass_of_2_kg_slides_a_metre_in_0_4_s():
+    # ±50 N: half the way in √(2 · 0.5 / 25) = 0.2 s, and as long for the other half.
+    system, (x, v, F) = optima.double_integrator(2)
+    found = system.optimize_trajectory(
+        TF, TF, end={x: 1.0, v: 0.0}, bounds={F: (-50.0, 50.0), TF: (0.05, 5.0)}
+    )
+    assert found.objective == pytest.approx(0.4, rel=1e-6)
+
+
+@pytest.mark.parametrize("limit", [1 / 9, 1 / 12])
+def test_the_problem_of_bryson_and_denham(limit):
+    # x(0) = x(1) = 0, v(0) = 1 = −v(1), x ≤ l ≤ 1/6, min ½ ∫ a² dt: 4 / (9 l), with F = 0 between
+    # 3 l and 1 − 3 l. Bryson and Ho, 3.11.
+    system, (x, v, F) = optima.double_integrator()
+    ends = {"start": {v: 1.0}, "end": {x: 0.0, v: -1.0}}
+    nodes = np.concatenate(
+        [np.linspace(0, 3 * limit, 9), np.linspace(3 * limit, 1 - 3 * limit, 4)[1:-1]]
+    )
+    nodes = np.concatenate([nodes, np.linspace(1 - 3 * limit, 1, 9)])
+    found = system.optimize_trajectory(
+        sm.Integral(F**2, T) / 2, 1.0, **ends, bounds={x: (None, limit)}, mesh=nodes
+    )
+    assert found.objective == pytest.approx(4.0 / (9.0 * limit), rel=1e-6)
+
+
+def cycloid_time(x, y, g):
+    """Return the time along the cycloid (Johann Bernoulli 1697): r (a − sin a), r (1 − cos a)."""
+    a = brentq(lambda a: (a - np.sin(a)) / (1 - np.cos(a)) - x / y, 0.1, 6.2)
+    return a * np.sqrt(y / (1 - np.cos(a)) / g)
+
+
+@pytest.mark.parametrize("method", ["radau", "hermite-simpson"])
+def test_the_brachistochrone_is_a_cycloid(method):
+    system, (x, y, v, angle) = optima.brachistochrone()
+    problem = OptimalControl(
+        system, TF, TF, end={x: 2.0, y: 2.0}, bounds={TF: (0.1, 5.0)}, method=method, order=4
+    )
+    found = problem.solve({v: [0.0, 6.0], angle: [0.0, 1.5]})
+    exact = cycloid_time(2.0, 2.0, 9.81)
+    assert exact == pytest.approx(0.824338669439, rel=1e-12)
+    assert found.objective == pytest.approx(exact, rel=1e-7)
+
+
+def test_the_hypersensitive_problem_of_betts():
+    # Problem 10.7 of Betts, Practical Methods for Optimal Control, 2nd ed.: x' = −x³ + u from 1 to
+    # 1.5 in 10,000 s. Between two boundary layers it rests at 0, so that each end has its own
+    # optimum, by its Hamilton–Jacobi equation: u = x³ − √(x⁶ + x²) leads to 0 and
+    # u = x³ + √(x⁶ + x²) away from it. Their costs are 2 ∫ (√(x⁶ + x²) ∓ x³) dx.
+    system, (x, u) = optima.hypersensitive()
+    layer = 25.0 * np.linspace(0.0, 1.0, 61) ** 1.5
+    middle = np.geomspace(40.0, 5000.0, 6)
+    nodes = np.concatenate([layer, middle, 10_000.0 - middle[-2::-1], 10_000.0 - layer[::-1]])
+    found = system.optimize_trajectory(
+        sm.Integral(x**2 + u**2, T), 1e4, start={x: 1.0}, end={x: 1.5}, mesh=nodes, order=5
+    )
+    assert found.objective == pytest.approx(leaving(1.5, 1.0) + leaving(1.0, -1.0), rel=1e-6)
+    assert found.objective == pytest.approx(6.7241, abs=1e-4)
+
+
+def leaving(x, sign):
+    """Return 2 ∫ (√(s⁶ + s²) + sign · s³) ds from 0 to x."""
+    s, w = np.polynomial.legendre.leggauss(60)
+    s, w = x * (1 + s) / 2, x * w / 2
+    return float(2.0 * w @ (np.sqrt(s**6 + s**2) + sign * s**3))
+
+
+def test_goddards_rocket_rises_to_1_01283():
+    # Dolan, Moré and Munson, Benchmarking Optimization Software with COPS 3.0, ANL/MCS-TM-273.
+    system, (h, m, v, thrust) = optima.goddard()
+    problem = OptimalControl(
+        system,
+        -h.subs(T, TF),
+        TF,
+        start={h: 1.0, m: 1.0, v: 0.0},
+        end={m: 0.6},
+        bounds={thrust: (0.0, 3.5), TF: (0.05, 0.4), m: (0.6, 1.0), v: (0.0, None)},
+        mesh=200,
+        method="hermite-simpson",
+    )
+    found = problem.solve({v: 0.05, thrust: 1.7})
+    assert -found.objective == pytest.approx(1.01283, abs=1e-5)
+
+
+@pytest.mark.parametrize("method", ["radau", "hermite-simpson"])
+def test_the_cart_pole_of_kelly_swings_up(method):
+    # M. Kelly, An introduction to trajectory optimization, SIAM Rev. 59 (2017), 6 and appendix E;
+    # the value to ten digits is that of Dymos' benchmark.
+    system, (q1, q2, u1, u2, F) = optima.cart_pole()
+    problem = OptimalControl(
+        system,
+        sm.Integral(F**2, T),
+        2.0,
+        end={q1: 1.0, q2: np.pi, u1: 0.0, u2: 0.0},
+        bounds={F: (-20.0, 20.0), q1: (-2.0, 2.0)},
+        mesh=40,
+        method=method,
+    )
+    assert problem.solve().objective == pytest.approx(58.80766746, rel=1e-5)

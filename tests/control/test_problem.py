@@ -1,0 +1,410 @@
+"""What `OptimalControl` takes, refuses and returns."""
+
+import pickle
+import sys
+
+import numpy as np
+import pytest
+import sympy as sm
+import sympy.physics.mechanics as me
+
+import optima
+from optima import TF, T
+from pydy import System
+from pydy.control import OptimalControl, ipopt
+from pydy.errors import (
+    AnalysisInterrupted,
+    MissingDependencyError,
+    OptimizationError,
+    PyDyUserWarning,
+)
+from pydy.inputs import SampledInput
+from pydy.models import n_link_pendulum_on_cart
+from pydy.solvers import dop853
+
+
+@pytest.fixture
+def mass():
+    return optima.double_integrator()
+
+
+def energy(F):
+    return sm.Integral(F**2, T)
+
+
+# -- what is asked ---------------------------------------------------------------------------------
+
+
+def test_names_stand_for_symbols(mass):
+    system, (_x, _v, F) = mass
+    found = system.optimize_trajectory(
+        energy(F), 1.0, start={"x": 0.0}, end={"x": 1.0, "v": 0.0}, bounds={"F": (None, 100)}
+    )
+    assert found.objective == pytest.approx(12.0, rel=1e-8)
+
+
+def test_a_start_that_is_not_given_is_the_initial_conditions(mass):
+    system, (x, v, F) = mass
+    system.initial_conditions = {x: 0.5}
+    found = system.optimize_trajectory(energy(F), 1.0, end={x: 1.0, v: 0.0})
+    assert found.objective == pytest.approx(3.0, rel=1e-8)
+    freed = system.optimize_trajectory(energy(F), 1.0, start={x: None}, end={x: 1.0, v: 0.0})
+    assert freed.objective == pytest.approx(0.0, abs=1e-9)
+    between = system.optimize_trajectory(
+        energy(F), 1.0, start={x: (-1.0, 0.25)}, end={x: 1.0, v: 0.0}
+    )
+    assert between.objective == pytest.approx(12.0 * 0.75**2, rel=1e-6)
+
+
+def test_values_at_instants_of_objective_and_boundary(mass):
+    system, (x, _v, F) = mass
+    # From rest, ∫ F² with x(1) = 1 and v(1) free is 3; half way it is to be at 0.25 at most.
+    miss = 1e4 * (x.subs(T, 1.0) - 1) ** 2
+    near = system.optimize_trajectory(energy(F) + miss, 1.0)
+    assert near.objective == pytest.approx(3.0, rel=1e-3)
+    halfway = system.optimize_trajectory(
+        energy(F), 1, end={x: 1.0}, boundary=[x.subs(T, sm.Rational(1, 2)) <= 0.25], mesh=7
+    )
+    assert halfway.at(0.5)["x"][0] == pytest.approx(0.25, abs=1e-7)
+    assert halfway.objective > 3.1
+    assert list(halfway.multipliers)[-1] == "x(1/2) <= 0.25"
+
+
+def test_a_periodic_motion_by_boundary_conditions():
+    # ∫ F² of x'' = F + sin t over a period is least with the mean of F zero.
+    x, v, F = me.dynamicsymbols("x v F")
+    system = optima.first_order([x], v, F + sm.sin(T))
+    end = 2 * sm.pi
+    found = system.optimize_trajectory(
+        energy(F),
+        2 * np.pi,
+        start={x: 0.0, v: None},
+        boundary=[sm.Eq(v.subs(T, end.n()), v.subs(T, 0)), sm.Eq(x.subs(T, end.n()), 0)],
+    )
+    assert found.objective == pytest.approx(0.0, abs=1e-9)
+    assert found["v"][[0, -1]] == pytest.approx([-1.0, -1.0], abs=1e-6)
+
+
+def test_path_conditions_hold_at_every_collocation_point(mass):
+    system, (x, v, F) = mass
+    found = system.optimize_trajectory(
+        energy(F), 1.0, end={x: 1.0, v: 0.0}, path=[v + x / 2 <= 1.6]
+    )
+    assert (found["v"] + found["x"] / 2).max() <= 1.6 + 1e-7
+    assert found.objective > 12.01
+
+
+def test_accelerations_and_outputs_in_objective_and_path(mass):
+    system, (x, v, F) = mass
+    power = me.dynamicsymbols("power")
+    system.outputs = {power: F * v}
+    by_rate = system.optimize_trajectory(sm.Integral(v.diff() ** 2, T), 1.0, end={x: 1.0, v: 0.0})
+    assert by_rate.objective == pytest.approx(12.0, rel=1e-8)
+    limited = system.optimize_trajectory(energy(F), 1.0, end={x: 1.0, v: 0.0}, path=[power <= 4.0])
+    assert limited["power"].max() <= 4.0 + 1e-6
+    assert limited.objective > 12.0
+
+
+def test_free_constants():
+    # A spring brings the mass to the other side, without a force, if its stiffness is π².
+    x, v, F = me.dynamicsymbols("x v F")
+    k = sm.Symbol("k")
+    system = optima.first_order([x], v, F - k * x, 1, None, {k: 5.0})
+    found = system.optimize_trajectory(
+        energy(F), 1.0, start={x: 1.0}, end={x: -1.0, v: 0.0}, free=[k], bounds={k: (1.0, 20.0)}
+    )
+    assert found.constants[k] == pytest.approx(np.pi**2, rel=1e-5)
+    assert found.objective == pytest.approx(0.0, abs=1e-9)
+    assert system.constants[k] == 5.0
+
+
+def test_known_signals_as_expressions_and_samples():
+    x, v, F, wind = me.dynamicsymbols("x v F wind")
+    system = optima.first_order([x], v, F + wind)
+    times = np.linspace(0.0, 1.0, 101)
+    objectives = []
+    for value in (sm.cos(3 * T), SampledInput(times, np.cos(3 * times), "pchip")):
+        system.specifieds = {wind: value}
+        found = system.optimize_trajectory(energy(F), 1.0, end={x: 1.0, v: 0.0})
+        assert found.controls == (F,)
+        objectives.append(found.objective)
+    assert objectives[1] == pytest.approx(objectives[0], rel=1e-5)
+
+
+def test_no_control_is_a_boundary_value_problem():
+    x, v = me.dynamicsymbols("x v")
+    system = optima.first_order([x], v, -x)
+    found = system.optimize_trajectory(sm.S(0), 1.0, start={x: 0.0, v: None}, end={x: 1.0}, order=6)
+    assert found["v"][0] == pytest.approx(1.0 / np.sin(1.0), rel=1e-10)
+    assert found.inputs() == {}
+
+
+def test_units_do_not_change_the_search():
+    histories = []
+    for unit in (1.0, 1e-9, 1e9):
+        x, v, F = me.dynamicsymbols("x v F")
+        system = optima.first_order([x], v, F, 2.0 * unit)
+        found = system.optimize_trajectory(
+            TF, TF, end={x: unit, v: 0.0}, bounds={F: (-50 * unit**2, 50 * unit**2), TF: (0.1, 5.0)}
+        )
+        assert found.objective == pytest.approx(0.4, rel=1e-6)
+        histories.append(len(found.history))
+    assert len(set(histories)) == 1
+
+
+# -- what comes back -------------------------------------------------------------------------------
+
+
+def test_a_simulation_with_the_inputs_agrees(mass):
+    system, (q1, q2, u1, u2, F) = optima.cart_pole()
+    rest = {q1: 0.3, q2: 0.0, u1: 0.0, u2: 0.0}
+    found = system.optimize_trajectory(energy(F), 1.0, end=rest, mesh_tol=1e-7)
+    assert found.error.max() <= 1e-7
+    system.specifieds = found.inputs()
+    system.ode_solver = dop853
+    system.times = found.mesh
+    run = system.simulate(rtol=1e-9, atol=1e-9)
+    np.testing.assert_allclose(run.states, found.at(found.mesh).states, atol=1e-5)
+
+
+@pytest.mark.parametrize("method", ["radau", "hermite-simpson", "midpoint", "backward-euler"])
+def test_errors_of_intervals_fall_with_the_order_of_the_method(method):
+    system, (q1, q2, u1, u2, F) = optima.cart_pole()
+    end = {q1: 0.3, q2: 0.2, u1: 0.0, u2: 0.0}
+    errors = []
+    for mesh in (20, 40):
+        problem = OptimalControl(system, energy(F), 1.0, end=end, method=method, order=2, mesh=mesh)
+        errors.append(problem.solve().error.max())
+    order = {"radau": 3, "hermite-simpson": 4, "midpoint": 2, "backward-euler": 1}[method]
+    # One order more within a single interval.
+    assert np.log2(errors[0] / errors[1]) == pytest.approx(order + 1, abs=0.8)
+
+
+def test_a_mesh_is_refined_where_it_must_be():
+    system, (x, u) = optima.hypersensitive()
+    found = system.optimize_trajectory(
+        sm.Integral(x**2 + u**2, T), 1e3, start={x: 1.0}, end={x: 1.5}, mesh=10, mesh_tol=1e-3
+    )
+    assert found.error.max() <= 1e-3
+    assert found.objective == pytest.approx(6.7241, rel=1e-2)
+    lengths = np.diff(found.mesh)
+    assert lengths.max() > 20 * lengths.min()
+
+
+def test_a_mesh_is_refined_where_a_control_jumps(mass):
+    system, (x, v, F) = mass
+    found = system.optimize_trajectory(
+        TF,
+        TF,
+        end={x: 1.0, v: 0.0},
+        bounds={F: (-1, 1), TF: (0.1, 9)},
+        mesh=[0.0, 0.3, 0.63, 1.0],
+        mesh_tol=1e-4,
+    )
+    assert found.duration == pytest.approx(2.0, rel=1e-4)
+    lengths = np.diff(found.mesh)
+    assert lengths[np.searchsorted(found.mesh, 1.0) - 1] < lengths.max() / 30
+    assert np.abs(found["F"]).max() <= 1.0
+
+
+def test_a_trajectory_with_labels_multipliers_and_history(mass):
+    system, (x, v, F) = mass
+    found = system.optimize_trajectory(energy(F), 1.0, end={x: 1.0, v: 0.0}, mesh=5)
+    assert found.names == ("x", "v", "F")
+    assert found.status == 0
+    assert found.message == "solved"
+    assert repr(found).startswith("OptimalTrajectory of x, v, F at 16 times from 0.0 to 1.0, ")
+    assert found.history[-1].violation < 1e-9
+    assert list(found.multipliers) == ["kinematics of x", "motion of v"]
+    assert found.collocation_times.shape == found.multipliers["motion of v"].shape == (15,)
+    assert (np.diff(found.collocation_times) > 0).all()
+    between = found.at(np.linspace(0, 1, 33))
+    np.testing.assert_allclose(between["x"], 3 * between.times**2 - 2 * between.times**3, atol=1e-9)
+    np.testing.assert_allclose(between["F"], 6 - 12 * between.times, atol=1e-7)
+    np.testing.assert_allclose(found.derivatives[:, 1], found["F"], atol=1e-9)
+    dataset = found.to_dataframe()
+    assert list(dataset.columns) == ["x", "v", "F"]
+
+
+def test_multipliers_are_derivatives_of_the_objective(mass):
+    # 12 d² for a distance d: 24 d of a change of d, which the boundary condition sets.
+    system, (x, v, F) = mass
+    found = system.optimize_trajectory(
+        energy(F), 1.0, end={v: 0.0}, boundary=[sm.Eq(x.subs(T, 1.0), 1.0)]
+    )
+    assert abs(found.multipliers["Eq(x(1.0), 1.0)"][0]) == pytest.approx(24.0, rel=1e-6)
+
+
+def test_a_solution_starts_the_next_search(mass):
+    system, (q1, q2, u1, u2, F) = optima.cart_pole()
+    end = {q1: 1.0, q2: np.pi, u1: 0.0, u2: 0.0}
+    problem = OptimalControl(system, energy(F), 2.0, end=end)
+    first = problem.solve()
+    again = problem.solve(first)
+    assert len(again.history) < len(first.history) / 2
+    assert again.objective == pytest.approx(first.objective, rel=1e-8)
+
+
+def test_a_simulation_is_a_guess(mass):
+    system, (x, v, F) = mass
+    system.times = np.linspace(0.0, 3.0, 31)
+    system.specifieds = {F: 0.1}
+    guess = system.simulate()
+    system.specifieds = {}
+    found = system.optimize_trajectory(
+        TF, TF, end={x: 1.0, v: 0.0}, bounds={F: (-1, 1)}, guess=guess
+    )
+    assert found.objective == pytest.approx(2.0, rel=1e-6)
+
+
+# -- what goes wrong -------------------------------------------------------------------------------
+
+
+def test_a_search_that_fails_holds_the_iterate_and_names_equations(mass):
+    system, (x, v, F) = mass
+    with pytest.raises(
+        OptimizationError, match=r"contradict each other.*Violated most.*(x|v)"
+    ) as e:
+        system.optimize_trajectory(
+            energy(F), 1.0, end={x: 1.0, v: 0.0}, bounds={F: (-1.0, 1.0)}, mesh=5
+        )
+    assert e.value.trajectory["x"].shape == (16,)
+    assert e.value.trajectory.status == 2
+    with pytest.raises(OptimizationError, match="`max_iter` iterations were not enough"):
+        system.optimize_trajectory(
+            TF, TF, end={x: 1.0, v: 0.0}, bounds={F: (-1, 1), TF: (1, 5)}, options={"max_iter": 2}
+        )
+
+
+def test_a_search_may_be_interrupted(mass, monkeypatch):
+    system, (x, v, F) = mass
+    problem = OptimalControl(system, TF, TF, end={x: 1.0, v: 0.0}, bounds={F: (-1, 1), TF: (1, 5)})
+
+    class Pressed(ipopt.Interrupts):
+        def check(self):
+            raise KeyboardInterrupt
+
+    monkeypatch.setattr(ipopt, "Interrupts", Pressed)
+    with pytest.raises(AnalysisInterrupted, match="interrupted") as error:
+        problem.solve()
+    assert len(error.value.results.history) == 1
+
+
+def test_without_casadi_the_extra_is_named(mass, monkeypatch):
+    system, (x, _v, F) = mass
+    monkeypatch.setattr(ipopt, "find_spec", lambda name: None)
+    ipopt.library.cache_clear()
+    try:
+        with pytest.raises(MissingDependencyError, match=r"pip install 'pydy\[optimal\]'"):
+            system.optimize_trajectory(energy(F), 1.0, end={x: 1.0})
+    finally:
+        ipopt.library.cache_clear()
+
+
+def test_solving_does_not_load_casadi(mass):
+    system, (x, _v, F) = mass
+    system.optimize_trajectory(energy(F), 1.0, end={x: 1.0})
+    assert "casadi" not in sys.modules
+
+
+def refused(message, system, *arguments, error=ValueError, **options):
+    with pytest.raises(error, match=message):
+        OptimalControl(system, *arguments, **options).check()
+
+
+def test_bad_arguments_are_told(mass):
+    system, (x, _v, F) = mass
+    J = energy(F)
+    refused("`system` must be a pydy.system.System", 3, J, 1.0, error=TypeError)
+    refused("`objective` must be SymPy expressions", system, "F", 1.0)
+    refused("`objective` has `x\\(t\\)`", system, x**2, 1.0)
+    refused("`objective` must be a sum of integrals", system, J**2, 1.0)
+    refused("integrals are over the whole", system, sm.Integral(F**2, (T, 0, 0.5)), 1.0)
+    refused("with a value at an instant", system, sm.Integral(F * x.subs(T, 1.0), T), 1.0)
+    refused("instants lie between 0 and 1.0", system, J + x.subs(T, 2.0), 1.0)
+    refused("part of it, such as tf/2", system, x.subs(T, 2.0), TF, bounds={TF: (1, 2)})
+    refused("`duration` must be positive, or a Symbol", system, J, 0.0)
+    refused("`duration` must be a real number", system, J, None)
+    refused("`start` has the key `y`", system, J, 1.0, start={"y": 0.0})
+    refused(r"`end\[x\]` must be a real number", system, J, 1.0, end={"x": "fast"})
+    refused(r"`end\[x\]` must be a pair with low <= high", system, J, 1.0, end={"x": (1, 0)})
+    refused(r"`bounds\[F\]` must be a pair", system, J, 1.0, bounds={"F": 3.0})
+    refused("`free` has the key `k`", system, J, 1.0, free=["k"])
+    refused("`mesh` must be a whole number", system, J, 1.0, mesh=0)
+    refused("`mesh` must ascend, got 1.0 after 2.0", system, J, 1.0, mesh=[0, 2, 1])
+    refused("`method` must be one of", system, J, 1.0, method="euler")
+    refused("`order` must be a whole number", system, J, 1.0, order=0)
+    refused("`boundary` must hold equations and", system, J, 1.0, boundary=[x.subs(T, 0)])
+    refused("`path` must hold equations and inequ", system, J, 1.0, path=[sm.Ne(x, 0)])
+    refused("`boundary` must be a sequence", system, J, 1.0, boundary=3, error=TypeError)
+
+
+def test_contradictions_are_told_before_the_search(mass):
+    system, (x, v, F) = mass
+    J = energy(F)
+    refused(r"`end\[x\(t\)\]` is 1.0, which the `bounds` \(None, 0.5\) exclude", system, J, 1.0,
+            end={x: 1.0}, bounds={x: (None, 0.5)})  # fmt: skip
+    refused("give `bounds` for it, {tf:", system, TF, TF, end={x: 1.0})
+    every = [sm.Eq(F, 0)]
+    refused("equations for .* unknowns", system, J, 1.0, end={x: 1.0, v: 0.0}, path=every)
+    problem = OptimalControl(system, J, 1.0, bounds={F: (-1.0, 1.0)})
+    with pytest.raises(ValueError, match=r"`guess\[F\(t\)\]` must lie within its `bounds`"):
+        problem.check({F: 3.0})
+    with pytest.raises(ValueError, match="`guess` has the key `z`"):
+        problem.check({"z": 3.0})
+    with pytest.raises(ValueError, match=r"`guess\[F\(t\)\]` must be a finite number"):
+        problem.check({F: [0.0, np.nan]})
+    with pytest.raises(ValueError, match="`options` has 'maxiter'"):
+        problem.solve(options={"maxiter": 3})
+
+
+def test_what_cannot_be_done_yet_is_told():
+    x, v, F, wind = me.dynamicsymbols("x v F wind")
+    system = optima.first_order([x], v, F + wind)
+    system.specifieds = {wind: lambda x, t: 1.0}
+    refused("gives a Python function for wind", system, energy(F), 1.0)
+    system.specifieds = {wind: SampledInput([0.0, 1.0], [0.0, 1.0])}
+    refused("the duration is free", system, TF, TF, bounds={TF: (1, 2)}, error=NotImplementedError)
+    refused("`duration` must lie within the times of the SampledInput", system, energy(F), 2.0)
+
+
+def test_systems_with_constraints_are_refused():
+    x, y, v, w = me.dynamicsymbols("x y v w")
+    ground, rest = me.ReferenceFrame("N"), me.Point("O")
+    rest.set_vel(ground, 0)
+    point = rest.locatenew("P", x * ground.x + y * ground.y)
+    from pydy.mechanics import Definition
+
+    system = System(
+        Definition(
+            ground, [x, y], [v, w], bodies=[me.Particle("p", point, 1)],
+            holonomic_constraints=[x**2 + y**2 - 1],
+        )
+    )  # fmt: skip
+    refused("constraints", system, sm.S(0), 1.0, error=NotImplementedError)
+
+
+def test_a_jump_that_no_mesh_meets_is_warned_of(monkeypatch, mass):
+    from pydy.control import problem
+
+    monkeypatch.setattr(problem, "MOST_REFINEMENTS", 1)
+    system, (q1, _q2, _u1, _u2, F) = optima.cart_pole()
+    with pytest.warns(PyDyUserWarning, match="After 1 refinements the mesh of 4 intervals"):
+        system.optimize_trajectory(energy(F), 1.0, end={q1: 0.3}, mesh=4, mesh_tol=1e-12)
+
+
+def test_an_error_is_pickled(mass):
+    error = OptimizationError("no", None)
+    assert pickle.loads(pickle.dumps(error)).args == ("no",)
+
+
+def test_a_model_of_the_package():
+    system = n_link_pendulum_on_cart(1)
+    (F,) = system.specifieds_symbols
+    still = dict.fromkeys(system.states, 0.0)
+    found = system.optimize_trajectory(
+        energy(F), 2.0, end={**still, system.coordinates[0]: 0.5}, mesh_tol=1e-5
+    )
+    assert found.error.max() <= 1e-5
+    scene = system.scene().animate(found)
+    assert scene is not None

@@ -1,0 +1,84 @@
+"""Optimal control problems with known answers, as Systems.
+
+A particle's law of motion stands for any ordinary differential equations: kinematic equations may
+hold anything, and so may its loads.
+"""
+
+import sympy as sm
+import sympy.physics.mechanics as me
+
+from pydy import System
+from pydy.mechanics import Definition
+
+T = me.dynamicsymbols._t
+TF = sm.Symbol("tf")
+
+
+def first_order(coordinates, speed, force, mass=1, kinematics=None, constants=None):
+    """Return a System of some coordinates and one particle with a speed along x."""
+    ground, rest = me.ReferenceFrame("N"), me.Point("O")
+    rest.set_vel(ground, 0)
+    point = me.Point("P")
+    point.set_vel(ground, speed * ground.x)
+    definition = Definition(
+        ground,
+        coordinates,
+        [speed],
+        bodies=[me.Particle("mass", point, mass)],
+        loads=[(point, force * ground.x)],
+        kinematic_equations=kinematics,
+    )
+    return System(definition, constants or {})
+
+
+def double_integrator(mass=1):
+    """Return x'' = F / m and its symbols x, v, F."""
+    x, v, F = me.dynamicsymbols("x v F")
+    return first_order([x], v, F, mass), (x, v, F)
+
+
+def brachistochrone():
+    """Return a bead that falls along a wire of free angle, with x, y, v, θ; Bryson and Ho, 2.7."""
+    x, y, v, angle = me.dynamicsymbols("x y v angle")
+    g = sm.Symbol("g")
+    kinematics = [x.diff() - v * sm.sin(angle), y.diff() - v * sm.cos(angle)]
+    made = first_order([x, y], v, g * sm.cos(angle), 1, kinematics, {g: 9.81})
+    return made, (x, y, v, angle)
+
+
+def hypersensitive():
+    """Return x' = −x³ + u, with x, u; its integral is a further state."""
+    position, x, u = me.dynamicsymbols("position x u")
+    return first_order([position], x, -(x**3) + u), (x, u)
+
+
+def goddard():
+    """Return the rocket of COPS with h, m, v and the thrust.
+
+    The momentum of what has a changing mass m changes by m' v too, which is no force here.
+    """
+    h, m, v, thrust = me.dynamicsymbols("h m v thrust")
+    drag = 310 * v**2 * sm.exp(-500 * (h - 1))
+    flow = thrust / sm.Rational(1, 2)
+    kinematics = [h.diff() - v, m.diff() + flow]
+    made = first_order([h, m], v, thrust - drag - m / h**2 - flow * v, m, kinematics)
+    return made, (h, m, v, thrust)
+
+
+def cart_pole():
+    """Return Kelly's cart-pole with q1, q2 (from hanging), u1, u2 and the force F."""
+    q1, q2, u1, u2, F = me.dynamicsymbols("q1 q2 u1 u2 F")
+    m1, m2, l, g = sm.symbols("m1 m2 l g")
+    ground, rest = me.ReferenceFrame("N"), me.Point("O")
+    rest.set_vel(ground, 0)
+    cart = rest.locatenew("C", q1 * ground.x)
+    cart.set_vel(ground, u1 * ground.x)
+    rod = me.ReferenceFrame("A")
+    rod.orient_axis(ground, q2, ground.z)
+    rod.set_ang_vel(ground, u2 * ground.z)
+    bob = cart.locatenew("B", -l * rod.y)
+    bob.v2pt_theory(cart, ground, rod)
+    bodies = [me.Particle("cart", cart, m1), me.Particle("bob", bob, m2)]
+    loads = [(cart, F * ground.x), (bob, -m2 * g * ground.y)]
+    definition = Definition(ground, [q1, q2], [u1, u2], bodies=bodies, loads=loads)
+    return System(definition, {m1: 1.0, m2: 0.3, l: 0.5, g: 9.81}), (q1, q2, u1, u2, F)
