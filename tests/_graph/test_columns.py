@@ -1,4 +1,4 @@
-"""Columns of sensitivities beside a state: all in one Program, or one column apart."""
+"""Columns of sensitivities beside a state, one column apart from what all share."""
 
 import numpy as np
 import pytest
@@ -7,18 +7,17 @@ import zoo
 from cases import system_of
 from pydy._graph.columns import Columns
 from pydy._graph.interpret import run
-from pydy._graph.split import SplitProgram
+from pydy._graph.tangent import program_from_bytes
 from pydy.models import n_link_pendulum_on_cart
 
 DIRECTIONS = (None, ("p", 0), ("p", 2), None, ("p", 0))
 
 
-def programs(assembly, directions):
-    """The Program of all columns, and those of the shared part and of one column."""
+def made_of(assembly, directions):
+    """Columns, and the derivatives of states and columns by time."""
     columns = Columns(assembly.sizes[0], directions)
     parts = assembly.sizes, assembly.passes
-    whole = columns.rates_program(*assembly.simplified("rates"), *parts)
-    return columns, whole, columns.split_programs(*assembly.simplified("rates"), *parts)
+    return columns, columns.tangent(*assembly.simplified("rates"), *parts, "rates")
 
 
 def assembly_of(system):
@@ -26,10 +25,21 @@ def assembly_of(system):
     return system.model.assembly
 
 
+def by_jacobians(assembly, columns, t, x, r, p):
+    """The same from whole Jacobians: f, then S' = (∂f/∂x) S + (∂f/∂p) dp."""
+    states, values = columns.apart(x)
+    n = columns.states
+    blocks = [assembly.program("rates"), *(assembly.jacobian_program("rates", k) for k in "xp")]
+    f, by_state, by_constant = (run(block, t, states, r, p)[0] for block in blocks)
+    dp = np.array([[float(d == ("p", k)) for d in columns.directions] for k in range(len(p))])
+    moved = by_state.reshape(-1, n, n) @ values + by_constant.reshape(-1, n, len(p)) @ dp
+    return columns.together(f, moved)
+
+
 @pytest.mark.parametrize("name", ["fourbar", "disc", "gyro", "sleigh"])
-def test_the_derivatives_of_one_column_are_those_of_all(name):
+def test_columns_are_those_of_whole_jacobians(name):
     assembly = assembly_of(system_of(getattr(zoo, name)()))
-    columns, whole, (shared, column) = programs(assembly, DIRECTIONS)
+    columns, made = made_of(assembly, DIRECTIONS)
     n, s, c = assembly.sizes
     rng = np.random.default_rng(3)
     x, r, p = (
@@ -38,50 +48,56 @@ def test_the_derivatives_of_one_column_are_those_of_all(name):
         rng.uniform(0.5, 1.5, c),
     )
     t = np.array([0.3])
-    expected = run(whole, t, x, r, p)[0][0]
+    expected = by_jacobians(assembly, columns, t, x, r, p)
+    assert np.allclose(run(made.written_out(), t, x, r, p)[0], expected, rtol=1e-10, atol=1e-10)
     states, values = columns.apart(x)
-    first = run(shared, t, states, r, p)[0]
-    assert np.allclose(first[0, :n], expected[:n], rtol=1e-12, atol=1e-12)
-    for k, direction in enumerate(columns.table().T):
-        one = run(column, t, values[:, :, k], first[:, n:], direction)[0][0]
-        exact = expected[n:].reshape(n, -1)[:, k]
+    first = run(made.shared, t, states, r, p)[0]
+    assert np.allclose(first[0, :n], expected[0, :n], rtol=1e-12, atol=1e-12)
+    (part,) = made.parts
+    for k, direction in enumerate(made.directions.T):
+        one = run(part.program, t, values[:, :, k], first[:, n:], direction)[0][0]
+        exact = expected[0, n:].reshape(n, -1)[:, k]
         assert np.allclose(one, exact, rtol=1e-10, atol=1e-10)
 
 
 @pytest.mark.parametrize("direction", [None, ("p", 0)])
 def test_the_number_of_columns_is_part_of_the_digest(direction):
     assembly = assembly_of(n_link_pendulum_on_cart(1))
-    digests = set()
-    for count in (1, 2, 3):
-        columns, _, parts = programs(assembly, (direction,) * count)
-        digests.add(SplitProgram(*parts, columns.table()).digest)
+    digests = {made_of(assembly, (direction,) * count)[1].digest for count in (1, 2, 3)}
     assert len(digests) == 3
 
 
 def test_a_column_takes_little_more_than_the_states():
     assembly = assembly_of(n_link_pendulum_on_cart(5))
-    columns, whole, (shared, column) = programs(assembly, (("p", 0), ("p", 1), *[None] * 6))
+    _, made = made_of(assembly, (("p", 0), ("p", 1), *[None] * 6))
     plain = assembly.program("rates").operation_count["run"].total()
-    both = SplitProgram(shared, column, columns.table())
+    code = [made.shared, *(part.program for part in made.parts)]
+    both = sum(program.operation_count["run"].total() for program in code)
     assert plain == 229
-    assert both.operation_count["run"].total() <= 813
-    assert whole.operation_count["run"].total() > 3.7 * both.operation_count["run"].total()
+    assert both <= 813
+    assert made.written_out().operation_count["run"].total() > 3.7 * both
+
+
+def test_a_tangent_is_written_and_read_again():
+    _, made = made_of(assembly_of(n_link_pendulum_on_cart(1)), DIRECTIONS)
+    again = program_from_bytes(made.to_bytes())
+    assert again.digest == made.digest
+    assert again.blocks == made.blocks
+    assert [block.name for block in again.blocks] == ["rates", "jacobian"]
 
 
 def test_both_parts_are_printed():
-    assembly = assembly_of(n_link_pendulum_on_cart(1))
-    columns, _, parts = programs(assembly, (("p", 0), None))
-    text = str(SplitProgram(*parts, columns.table()))
-    assert "For each of 2 columns:" in text
+    _, made = made_of(assembly_of(n_link_pendulum_on_cart(1)), (("p", 0), None))
+    text = str(made)
+    assert "For each of the columns 0 to 1:" in text
     assert "column" in text
 
 
 def test_states_and_columns_are_put_together_and_taken_apart():
     columns = Columns(3, (None, ("p", 0), None, None))
-    states, values = np.arange(6.0).reshape(2, 3), np.arange(18.0).reshape(2, 3, 3)
+    states, values = np.arange(6.0).reshape(2, 3), np.arange(24.0).reshape(2, 3, 4)
     whole = columns.together(states, values)
     assert whole.shape == (2, 15)
     again, table = columns.apart(whole)
     assert np.array_equal(again, states)
-    assert np.array_equal(table[..., :3], values)
-    assert not table[..., 3].any()
+    assert np.array_equal(table, values)

@@ -15,7 +15,6 @@ from typing import Any, NamedTuple
 from pydy._graph.collector import collector_paused
 from pydy._graph.derivative import jacobian
 from pydy._graph.from_sympy import SymPyReader
-from pydy._graph.jacobian_columns import JacobianColumns, columns_program, worthwhile_parts
 from pydy._graph.lower import lower
 from pydy._graph.node import Graph
 from pydy._graph.products import derivative_program
@@ -24,6 +23,7 @@ from pydy._graph.rewrite import substitute
 from pydy._graph.rounding import rounding_bounds
 from pydy._graph.simplify import simplify
 from pydy._graph.switches import Passes
+from pydy._graph.tangent import Tangent, jacobian_tangent, worthwhile_parts
 from pydy._mechanics.equations import Mechanism
 
 _BLOCKS = (
@@ -180,14 +180,14 @@ class Assembly:
 
     def jacobian_in_parts(
         self, name: str, by: str | Sequence[tuple[str, int]]
-    ) -> Program | JacobianColumns:
-        """Return the same in parts, where that is less work; see `JacobianColumns`."""
+    ) -> Program | Tangent:
+        """Return the same in parts, where that is less work."""
         graph, nodes = self.simplified(name)
         places = self._places(by)
         parts = worthwhile_parts(graph, nodes, [graph.input(*place) for place in places])
         if not parts:
             return self.jacobian_program(name, by)
-        return columns_program(graph, nodes, places, self.sizes, self.passes, parts)
+        return jacobian_tangent(graph, nodes, places, self.sizes, self.passes, parts)
 
     def _places(self, by: str | Sequence[tuple[str, int]]) -> Sequence[tuple[str, int]]:
         if not isinstance(by, str):

@@ -7,7 +7,7 @@ import sys
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import Any, TypeVar, cast
 
 import numpy as np
 import sympy as sm
@@ -19,23 +19,23 @@ from pydy._assembly.assembly import Assembly
 from pydy._assembly.definition import Definition, Layout
 from pydy._assembly.tuning import INTERPRETED
 from pydy._backends.base import strict
-from pydy._backends.registry import compile_program
+from pydy._backends.registry import compile_program, compiled_by
 from pydy._checks import real_array, shown
 from pydy._errors import SingularMatrixError
 from pydy._forks import cached_property
 from pydy._graph.interpret import run
-from pydy._graph.jacobian_columns import JacobianColumns
 from pydy._graph.lower import lower
 from pydy._graph.operations import OPERATIONS, SHIPPED
 from pydy._graph.passes import ONCE, ROUND
 from pydy._graph.program import Program
 from pydy._graph.solve.choose import FACTORISATIONS, UNKNOWNS
+from pydy._graph.tangent import Tangent, program_from_bytes
 from pydy._kernel import Kernel
 from pydy._names import unique_names
 
 # Small systems are simplified sooner than a file is read.
 _WORTH_STORING = 300
-_T = TypeVar("_T", Program, "Program | JacobianColumns")
+_T = TypeVar("_T", bound="Program | Tangent")
 _VARIANTS = 8  # with other specifieds compiled in, or stabilised; the latest are kept
 _AT_ONCE = 64  # samples that are interpreted together: all their intermediate values are kept
 
@@ -143,40 +143,17 @@ def _as_shipped() -> bool:
     return OPERATIONS == SHIPPED and all(f.__module__.startswith("pydy.") for f in functions)
 
 
-def stored_program(assembly: Assembly, what: str, make: Callable[[], Program]) -> Program:
-    """Return a Program from the cache, or make it and put it there."""
-    return _stored(assembly, what, make, Program.from_bytes)
-
-
-def stored_jacobian(
-    assembly: Assembly, what: str, make: Callable[[], Program | JacobianColumns]
-) -> Program | JacobianColumns:
-    """Return a Jacobian from the cache, or make it and put it there; see `stored_program`."""
-
-    def read(data: bytes) -> Program | JacobianColumns:
-        return kinds[data[:1]].from_bytes(data[1:])
-
-    kinds: dict[bytes, type[Program | JacobianColumns]] = {b"p": Program, b"c": JacobianColumns}
-    names = {kind: name for name, kind in kinds.items()}
-    return _stored(assembly, what, make, read, lambda made: names[type(made)] + made.to_bytes())
-
-
-def _stored(
-    assembly: Assembly,
-    what: str,
-    make: Callable[[], _T],
-    read: Callable[[bytes], _T],
-    write: Callable[[_T], bytes] = lambda made: made.to_bytes(),
-) -> _T:
+def stored_program(assembly: Assembly, what: str, make: Callable[[], _T]) -> _T:
+    """Return a Program or Tangent from the cache, or make it and put it there."""
     if len(assembly.graph) < _WORTH_STORING or not _as_shipped():
         return make()
     parts = (_CIRCUMSTANCES, assembly.fingerprint(), what.encode())
     key = hashlib.sha256(b"".join(parts)).hexdigest()
     data = _cache_folder.read(key)
     if data is not None:
-        return read(data)
+        return cast("_T", program_from_bytes(data))
     made = make()
-    _cache_folder.write(key, write(made))
+    _cache_folder.write(key, made.to_bytes())
     return made
 
 
@@ -283,31 +260,20 @@ class CompiledModel:
         return known
 
     def compiled_jacobian(self, block: str, by: str | tuple[tuple[str, int], ...]) -> Kernel:
-        """Return the Kernel of a Jacobian; see `Assembly.jacobian_program`.
-
-        A back end with a method ``compile_jacobian`` may take several columns at a time.
-        """
+        """Return the Kernel of a Jacobian; see `Assembly.jacobian_program`."""
         return self.kernel_by((block, "by", by), lambda: self._jacobian(block, by))
 
     def _jacobian(self, block: str, by: str | tuple[tuple[str, int], ...]) -> Kernel:
         assembly = self.assembly
-
-        def whole() -> Program:
-            return self.jacobian_program(block, by)
-
-        in_parts = getattr(self.backend, "compile_jacobian", None)
-        if in_parts is None:
-            return self._compiled(whole())
-        made = stored_jacobian(
+        if not getattr(self.backend, "tangents", False):
+            return compiled_by(self.backend, self.jacobian_program(block, by))
+        made = stored_program(
             assembly, f"{block} by {by}, in parts", lambda: assembly.jacobian_in_parts(block, by)
         )
-        if isinstance(made, JacobianColumns):
-            return with_finite_samples(in_parts(made), whole)
-        return self._compiled(made)
-
-    def _compiled(self, program: Program) -> Kernel:
-        kernel: Kernel = self.backend.compile(program)
-        return kernel
+        kernel = compiled_by(self.backend, made)
+        if isinstance(made, Program):
+            return kernel
+        return with_finite_samples(kernel, lambda: self.jacobian_program(block, by))
 
     def compiled_bounded(self, block: str) -> Kernel:
         """Return the Kernel of a block and its rounding bounds; see `Assembly.bounded_program`."""
@@ -328,9 +294,9 @@ class CompiledModel:
             lambda: self.assembly.expression_program(name, shape, expressions),
         )
 
-    def compiled_by(self, key: tuple[Any, ...], build: Callable[[], Program]) -> Kernel:
-        """Return the Kernel of a Program that `build` makes, at most once for each key."""
-        return self.kernel_by(key, lambda: self.backend.compile(build()))
+    def compiled_by(self, key: tuple[Any, ...], build: Callable[[], Program | Tangent]) -> Kernel:
+        """Return the Kernel of what `build` makes, at most once for each key."""
+        return self.kernel_by(key, lambda: compiled_by(self.backend, build()))
 
     def kernel_by(self, key: tuple[Any, ...], make: Callable[[], Kernel]) -> Kernel:
         """Return the Kernel that `make` gives, at most once for each key."""

@@ -6,9 +6,8 @@ A back end is a class with one method::
         def __init__(self, **options): ...
         def compile(self, program: Program) -> Kernel: ...
 
-Two more are used where it has them: ``compile_jacobian(jacobian)`` and ``compile_columns(split)``
-take a `JacobianColumns` and a `SplitProgram`, whose columns may be computed side by side. Without
-them all columns are written out in one Program.
+With an attribute ``tangents = True`` it is given derivatives as a `pydy._graph.tangent.Tangent`,
+whose columns it may compute side by side. Without it all columns are written out in one Program.
 
 An attribute ``force_c_contiguous``, if it has one, says whether a generated function copies states
 that are not contiguous (True, as without it) or refuses them (False); None leaves it to the caller.

@@ -8,6 +8,7 @@ from typing import Any
 from pydy._checks import shown
 from pydy._forks import whole
 from pydy._graph.program import Program
+from pydy._graph.tangent import Tangent
 from pydy._kernel import Kernel
 from pydy._names import nearest
 
@@ -60,7 +61,14 @@ def refusal(generator: Any) -> NotImplementedError:
     return NotImplementedError(message.rstrip())
 
 
-def compile_program(program: Program, generator: Any, options: dict[str, Any]) -> Kernel:
+def compile_program(program: Program | Tangent, generator: Any, options: dict[str, Any]) -> Kernel:
     """Compile a Program; also what a pickled Kernel calls where it lands."""
-    kernel: Kernel = resolve(generator)(**options).compile(program)
+    return compiled_by(resolve(generator)(**options), program)
+
+
+def compiled_by(backend: Any, program: Program | Tangent) -> Kernel:
+    """Return the Kernel of a Program or Tangent, all columns written out if need be."""
+    if isinstance(program, Tangent) and not getattr(backend, "tangents", False):
+        program = program.written_out()
+    kernel: Kernel = backend.compile(program)
     return kernel

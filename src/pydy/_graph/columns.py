@@ -19,8 +19,8 @@ from pydy._graph.node import Graph
 from pydy._graph.passes.factor import factor_sums
 from pydy._graph.program import Program
 from pydy._graph.simplify import simplify
-from pydy._graph.split import split
 from pydy._graph.switches import Passes
+from pydy._graph.tangent import Along, Tangent, tangent
 
 __all__ = ["Columns"]
 
@@ -56,12 +56,7 @@ class Columns:
         return self.states * (1 + self.count)
 
     def together(self, states: np.ndarray, columns: np.ndarray) -> np.ndarray:
-        """Return states (..., n) and sensitivities (..., n, k) as (..., n (1 + k)).
-
-        Columns that are missing at the end are zero.
-        """
-        missing = self.count - columns.shape[-1]
-        columns = np.pad(columns, [(0, 0)] * (columns.ndim - 1) + [(0, missing)])
+        """Return states (..., n) and sensitivities (..., n, k) as (..., n (1 + k))."""
         flat = columns.reshape(*columns.shape[:-2], self.states * self.count)
         return np.concatenate([states, flat], axis=-1)
 
@@ -83,73 +78,45 @@ class Columns:
                 given.setdefault(graph.input(*direction[:2]), {})[j] = weight
         return Rows(graph, given)
 
-    def rates_program(
-        self, graph: Graph, nodes: Sequence[int], sizes: tuple[int, int, int], passes: Passes
-    ) -> Program:
-        """Return the Program of the derivatives of the states and of their sensitivities.
+    def tangent(
+        self,
+        graph: Graph,
+        nodes: Sequence[int],
+        sizes: tuple[int, int, int],
+        passes: Passes,
+        values: str = "",
+    ) -> Tangent:
+        """Return the derivatives of some nodes along the columns.
 
         Parameters
         ----------
         graph : Graph
             Gets the new nodes.
         nodes : sequence of nodes
-            The derivatives of the states, simplified.
+            Simplified ones.
         sizes : (int, int, int)
             Numbers of states, specifieds and constants.
         passes : Passes
+        values : str, optional
+            What to call the values of the nodes, if they are to come before their derivatives.
         """
-        cells = self._cells(graph, nodes, passes)
-        return self._lowered(graph, [("rates", (self.size,), [*nodes, *cells])], sizes, passes)
-
-    @property
-    def _inputs(self) -> list[tuple[str, int] | tuple[str, int, int]]:
-        """What the equations are differentiated by, each once."""
-        return [*dict.fromkeys(d for d in self.directions if d)]
-
-    def table(self) -> np.ndarray:
-        """Return the direction of each column in the inputs of `split_programs`, shape (d, k)."""
-        rows = [[float(d == own) for d in self.directions] for own in self._inputs]
-        return np.array(rows, dtype=float).reshape(len(rows), self.count)
-
-    def split_programs(
-        self, graph: Graph, nodes: Sequence[int], sizes: tuple[int, int, int], passes: Passes
-    ) -> tuple[Program, Program]:
-        """Return the same with the derivatives of one column apart; see `split.SplitProgram`.
-
-        The parameters are those of `rates_program`.
-        """
-        n, (_, s, c), inputs = self.states, sizes, self._inputs
+        n, (_, s, c) = self.states, sizes
+        inputs = [*dict.fromkeys(d for d in self.directions if d)]
         terms: dict[int, list[tuple[int, float]]] = {}
         for k, direction in enumerate(inputs):
             size = graph.input("p", c + k)
             if len(direction) == 3:
                 size = graph.mul(size, graph.input("r", direction[2]))
             terms.setdefault(graph.input(*direction[:2]), []).append((size, 1.0))
-        given = {node: {0: graph.sum(parts)} for node, parts in terms.items()}
-        given.update({graph.input("x", i): {0: graph.input("x", n + i)} for i in range(n)})
-        rows = Rows(graph, given)
-        cells = [rows(node).get(0, graph.zero) for node in nodes]
-        cells = factor_sums(graph, cells) if "factor" in passes else cells
-        blocks = [("rates", (n,), nodes), ("column", (n,), cells)]
+        along = {node: graph.sum(parts) for node, parts in terms.items()}
+        along.update({graph.input("x", i): graph.input("x", n + i) for i in range(n)})
+        own = {("x", n + i): i for i in range(n)}
+        own.update({("p", c + k): k for k in range(len(inputs))})
+        part = Along(0, self.count, along, own, (n, len(inputs)))
+        rows = [[float(d == one) for d in self.directions] for one in inputs]
+        table = np.array(rows, dtype=float).reshape(len(inputs), self.count)
         whole = (2 * n, s + self.weights, c + len(inputs))
-        return split(lower(graph, whole, blocks, passes=passes, own=sizes), n, c)
-
-    def program(
-        self,
-        graph: Graph,
-        blocks: Sequence[tuple[str, Sequence[int]]],
-        sizes: tuple[int, int, int],
-        passes: Passes,
-    ) -> Program:
-        """Return the Program of the derivatives of blocks of nodes, of shapes (rows, k).
-
-        The parameters are those of `rates_program`.
-        """
-        lowered = []
-        for name, nodes in blocks:
-            cells = self._cells(graph, simplify(graph, nodes, passes), passes)
-            lowered.append((name, (len(nodes), self.count), cells))
-        return self._lowered(graph, lowered, sizes, passes)
+        return tangent(graph, nodes, [part], (sizes, whole), passes, self.count, table, values)
 
     def jump_program(
         self,
@@ -175,7 +142,7 @@ class Columns:
         rates : sequence of nodes
             The derivatives of the states before it.
         sizes, passes
-            As for `rates_program`.
+            As for `tangent`.
         """
         crossing, *rest = simplify(graph, [crossing, *after, *rates], passes)
         after, rates = rest[: len(after)], rest[len(after) :]
@@ -199,19 +166,4 @@ class Columns:
         cells = iter(factor_sums(graph, [node for part in parts.values() for node in part]))
         blocks = [(name, (len(part),), [next(cells) for _ in part]) for name, part in parts.items()]
         whole = (self.size, last + s, sizes[2])
-        return lower(graph, whole, blocks, passes=passes, own=sizes)
-
-    def _cells(self, graph: Graph, nodes: Sequence[int], passes: Passes) -> list[int]:
-        rows = self.rows(graph)
-        cells = [rows(node).get(j, graph.zero) for node in nodes for j in range(self.count)]
-        return factor_sums(graph, cells) if "factor" in passes else cells
-
-    def _lowered(
-        self,
-        graph: Graph,
-        blocks: Sequence[tuple[str, tuple[int, ...], Sequence[int]]],
-        sizes: tuple[int, int, int],
-        passes: Passes,
-    ) -> Program:
-        whole = (self.size, sizes[1] + self.weights, sizes[2])
         return lower(graph, whole, blocks, passes=passes, own=sizes)

@@ -637,7 +637,7 @@ class Gradients(Setup):
         task = _Task(definition, plan, now.p, parameters, model, final, integral)
         places = [definition.states.index(s) for s in dependent]
         sensitive = Sensitive(definition, model, plan, parameters, now.p, "wrt")
-        beginning = sensitive.start(now.x, float(instants[0]), places)[:, : sensitive.count]
+        beginning = sensitive.start(now.x, float(instants[0]), places)
         try:
             run = task.run(solver, now.x, instants, ready.options)
         except (IntegrationError, IntegrationInterrupted, SingularMatrixError) as error:

@@ -89,7 +89,7 @@ def differentiated(
     definition = now.definition
     following = latest_dependents(definition, dependent)
     parameters = read_parameters(definition, plan, chosen, dependent=following)
-    sensitive = Sensitive(definition, integrated, plan, parameters, now.p, apart=True)
+    sensitive = Sensitive(definition, integrated, plan, parameters, now.p)
     places = tuple(definition.states.index(symbol) for symbol in following)
     spacing = mean_spacing(parameters)
     if spacing is not None and solver.adaptive:
@@ -98,7 +98,7 @@ def differentiated(
     events = options.get("events")
     residuals = None
     if tied:
-        residuals = sensitive.program("holonomic", "velocity")
+        residuals = sensitive.tangent("holonomic", "velocity")
     controlled = control or spacing is not None
     names = unique_names([parameter.symbol for parameter in parameters])
     columns = [
@@ -108,8 +108,8 @@ def differentiated(
     ]
     model = EnsembleSensitivities(
         names=tuple(columns),
-        rates=sensitive.split_program(),
-        outputs=sensitive.program("outputs") if definition.outputs_symbols else None,
+        rates=sensitive.tangent(),
+        outputs=sensitive.tangent("outputs") if definition.outputs_symbols else None,
         start=sensitive.independent(places),
         dependent=places,
         gradients=tuple(integrated.jacobian_program(block, "x") for block in tied),

@@ -9,18 +9,17 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
-from functools import cache
 from typing import Any
 
 import numpy as np
 
 from pydy._assembly.definition import Definition
 from pydy._assembly.model import CompiledModel, stored_program
-from pydy._backends.llvm.columns import lanes_for
 from pydy._checks import describe
 from pydy._graph.columns import Columns
 from pydy._graph.program import Program
-from pydy._graph.split import SplitProgram
+from pydy._graph.simplify import simplify
+from pydy._graph.tangent import Tangent
 from pydy._kernel import Inputs, Kernel, KernelCall
 from pydy._system.parameters import Parameter, read_parameters
 from pydy._system.samples import by_samples, mean_spacing
@@ -48,8 +47,6 @@ class Sensitive:
     p : ndarray
     argument : str
         That named the parameters.
-    apart : bool, optional
-        Whether several columns are taken at a time; by default, whether the back end can.
     """
 
     definition: Definition
@@ -58,7 +55,6 @@ class Sensitive:
     parameters: tuple[Parameter, ...]
     p: np.ndarray
     argument: str = "sensitivities"
-    apart: bool | None = None
     columns: Columns = field(init=False)
 
     def __post_init__(self) -> None:
@@ -77,23 +73,7 @@ class Sensitive:
                     directions.append(("r", parameter.place, s + weights))
                     weights += 1
         n = len(self.definition.states)
-        if self._side_by_side:  # whole blocks; what is left over stays zero
-            directions += [None] * (-len(directions) % lanes_for(len(directions)))
         object.__setattr__(self, "columns", Columns(n, tuple(directions), weights))
-
-    @property
-    def count(self) -> int:
-        """The number of columns that are wanted; there may be more."""
-        return sum(parameter.count for parameter in self.parameters)
-
-    @property
-    def _side_by_side(self) -> bool:
-        """Whether several columns are taken at a time."""
-        return self._compile_columns is not None if self.apart is None else self.apart
-
-    @property
-    def _compile_columns(self) -> Callable[[SplitProgram], Kernel] | None:
-        return getattr(self.model.backend, "compile_columns", None)
 
     # -- compiled ---------------------------------------------------------------------------------
 
@@ -102,43 +82,26 @@ class Sensitive:
 
         By default it is that of the derivatives of the states and of their sensitivities by time.
         """
-        in_columns = self._compile_columns
-        if not blocks and self._side_by_side and in_columns is not None:
-            return self.model.kernel_by(
-                ("sensitivities", self.columns), lambda: in_columns(self.split_program())
-            )
         return self.model.compiled_by(
-            ("sensitivities", blocks, self.columns), lambda: self.program(*blocks)
+            ("sensitivities", blocks, self.columns), lambda: self.tangent(*blocks)
         )
 
-    def program(self, *blocks: str) -> Program:
-        """Return the Program of `kernel`, all columns one after the other."""
+    def tangent(self, *blocks: str) -> Tangent:
+        """Return the Tangent of `kernel`."""
         columns, assembly = self.columns, self.model.assembly
 
-        def make() -> Program:
-            if not blocks:
-                graph, rates = assembly.simplified("rates")
-                return columns.rates_program(graph, rates, assembly.sizes, assembly.passes)
-            graph = assembly.graph.copy()
-            nodes = [(name, getattr(assembly, name)) for name in blocks]
-            return columns.program(graph, nodes, assembly.sizes, assembly.passes)
-
-        what = f"sensitivities of {', '.join(blocks)} {columns}"
-        return stored_program(assembly, what, make)
-
-    def split_program(self) -> SplitProgram:
-        """Return the Programs of the derivatives by time, one column's apart."""
-        columns, assembly = self.columns, self.model.assembly
-
-        @cache
-        def made() -> tuple[Program, Program]:
+        def make() -> Tangent:
+            if blocks:
+                graph, passes = assembly.graph.copy(), assembly.passes
+                nodes = [node for name in blocks for node in getattr(assembly, name)]
+                return columns.tangent(graph, simplify(graph, nodes, passes), sizes, passes)
             graph, rates = assembly.simplified("rates")
-            return columns.split_programs(graph, rates, assembly.sizes, assembly.passes)
+            return columns.tangent(graph, rates, sizes, assembly.passes, "rates")
 
-        what = f"of sensitivities {columns}"
-        shared = stored_program(assembly, f"shared part {what}", lambda: made()[0])
-        column = stored_program(assembly, f"one column {what}", lambda: made()[1])
-        return SplitProgram(shared, column, columns.table())
+        sizes = assembly.sizes
+        return stored_program(
+            assembly, f"sensitivities of {', '.join(blocks) or 'rates'} {columns}", make
+        )
 
     def call(self) -> KernelCall:
         """Return the equations with sensitivities and their numbers, for native solvers."""
@@ -185,7 +148,6 @@ class Sensitive:
         return CompiledSensitivities(
             n,
             k,
-            self.count,
             scales,
             lambda event: self._jump(events[event]),
             lambda: self.kernel("holonomic", "velocity"),
@@ -218,12 +180,12 @@ class Sensitive:
     def rates(self, times: np.ndarray, states: np.ndarray, values: np.ndarray) -> np.ndarray:
         """Return the derivatives of the sensitivities by time, shape (m, n, k)."""
         out = self._sweep((), times, states, values)
-        return self.columns.apart(out)[1][..., : self.count]
+        return self.columns.apart(out)[1]
 
     def outputs(self, times: np.ndarray, states: np.ndarray, values: np.ndarray) -> np.ndarray:
         """Return the sensitivities of the outputs, shape (m, o, k)."""
         out = self._sweep(("outputs",), times, states, values)
-        return out.reshape(len(times), -1, self.columns.count)[..., : self.count]
+        return out.reshape(len(times), -1, self.columns.count)
 
     def _sweep(
         self, blocks: tuple[str, ...], times: np.ndarray, states: np.ndarray, values: np.ndarray
@@ -389,14 +351,9 @@ class Wanted:
         sensitive = self.sensitive
         states, values = sensitive.columns.apart(whole)
         states = np.ascontiguousarray(states)
-        values = np.ascontiguousarray(values[..., : sensitive.count])
+        values = np.ascontiguousarray(values)
         counts = {parameter.symbol: parameter.count for parameter in sensitive.parameters}
         return states, {"sensitivities": (counts, values), "sensitivity_model": sensitive}
-
-    def select(self, whole: np.ndarray) -> np.ndarray:
-        """Return the states of a solver's result, and after them the wanted sensitivities."""
-        states, values = self.sensitive.columns.apart(whole)
-        return np.hstack([states, values[..., : self.sensitive.count].reshape(len(whole), -1)])
 
     def cut(self, error: Any) -> None:
         """Leave the sensitivities out of what an error holds."""

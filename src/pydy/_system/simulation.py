@@ -367,8 +367,8 @@ class Simulation(Setup):
             times, states = times[:reached], states[:reached]
         events = statistics.pop("events", ())
         dense = statistics.pop("dense_output", None)
-        if wanted is not None and dense is not None:
-            dense = dense.selected(wanted.select) if isinstance(solver, Solver) else None
+        if wanted is not None and not isinstance(solver, Solver):
+            dense = None
         times = np.array(times, dtype=float)
         states = np.array(real_array(states, "What the `ode_solver` returns"))
         width = n if wanted is None else wanted.sensitive.columns.size

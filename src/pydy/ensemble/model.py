@@ -9,11 +9,9 @@ from typing import Any, Protocol
 import numpy as np
 
 from pydy import _forks
-from pydy._backends.llvm.column_lanes import compile_lanes_of_columns
-from pydy._backends.llvm.columns import compile_columns
 from pydy._backends.registry import compile_program
 from pydy._graph.program import Program
-from pydy._graph.split import SplitProgram
+from pydy._graph.tangent import Tangent
 from pydy._kernel import Inputs, Kernel, KernelCall
 from pydy.analysis.dependence import follow
 from pydy.solvers.options import Options
@@ -28,14 +26,14 @@ from pydy.solvers.tuning import LANES
 class EnsembleSensitivities:
     """Derivatives of all trajectories by the same parameters."""
 
-    names: tuple[str, ...]  # of the columns that are wanted, k; the others, up to K, are zero
-    rates: SplitProgram  # the derivatives of states and columns by time
-    outputs: Program | None  # the derivatives of the outputs, shape (o, K)
-    start: np.ndarray  # (n, K): those of the initial states; zero for the dependent ones
+    names: tuple[str, ...]  # of the k columns
+    rates: Tangent  # the derivatives of states and columns by time
+    outputs: Tangent | None  # the derivatives of the outputs, shape (o, k)
+    start: np.ndarray  # (n, k): those of the initial states; zero for the dependent ones
     dependent: tuple[int, ...]  # the places of the initial conditions that follow from the others
     gradients: tuple[Program, ...]  # the derivatives of each block of constraints by the states
     unknowns: tuple[range, ...]  # the places of the states that each block is solved for
-    residuals: Program | None  # the derivatives of the constraints, shape (c, K)
+    residuals: Tangent | None  # the derivatives of the constraints, shape (c, k)
     unsolved: str  # what to say where the dependent ones do not follow
     # (places, SampledInput): the derivatives of sampled inputs by their samples, at the end
     # of r
@@ -48,12 +46,6 @@ class EnsembleSensitivities:
     def programs(self) -> list[Any]:
         """All Programs."""
         return [self.rates, self.outputs, self.residuals, *self.gradients, *self.jumps]
-
-    @property
-    def lanes(self) -> SplitProgram:
-        """The derivatives by time, of the wanted columns alone."""
-        rates = self.rates
-        return replace(rates, directions=rates.directions[:, : len(self.names)])
 
     @property
     def identity(self) -> Any:
@@ -72,9 +64,9 @@ class EnsembleSensitivities:
         t: float,
         inputs: Inputs,
         p: np.ndarray,
-        kernel: Callable[[Program], Kernel],
+        kernel: Callable[[Program | Tangent], Kernel],
     ) -> tuple[int, np.ndarray]:
-        """Return the sensitivities of one sample at the beginning, shape (n, K).
+        """Return the sensitivities of one sample at the beginning, shape (n, k).
 
         Before them comes a code of `outcome`: whether there are any.
         """
@@ -92,7 +84,11 @@ class EnsembleSensitivities:
         return FINISHED, values
 
     def compiled(
-        self, x: np.ndarray, r: np.ndarray, p: np.ndarray, kernel: Callable[[Program], Kernel]
+        self,
+        x: np.ndarray,
+        r: np.ndarray,
+        p: np.ndarray,
+        kernel: Callable[[Program | Tangent], Kernel],
     ) -> CompiledSensitivities:
         """Return what the solver needs to know of one sample."""
         n, columns = self.start.shape
@@ -103,7 +99,7 @@ class EnsembleSensitivities:
             return kernel(self.residuals)
 
         return CompiledSensitivities(
-            n, columns, len(self.names), scales, lambda k: kernel(self.jumps[k]), constraints
+            n, columns, scales, lambda k: kernel(self.jumps[k]), constraints
         )
 
 
@@ -186,12 +182,12 @@ class Results:
     nearness: np.ndarray | None = None
 
 
-_KERNELS: dict[tuple[str, int], Any] = {}
+_KERNELS: dict[tuple[str, int], Kernel] = {}
 _KEPT = 64  # of several models with all that events need, for blocks that come one by one
 _LOCK = _forks.Lock()
 
 
-def _kernel(program: Program | SplitProgram, lanes: int) -> Any:
+def _kernel(program: Program | Tangent, lanes: int) -> Kernel:
     """Return the Kernel of a Program, compiled or loaded once in a process."""
     key = (program.digest, lanes)
     known = _KERNELS.get(key)
@@ -201,21 +197,13 @@ def _kernel(program: Program | SplitProgram, lanes: int) -> Any:
         if key not in _KERNELS:
             while len(_KERNELS) >= _KEPT:
                 del _KERNELS[next(iter(_KERNELS))]
-            if isinstance(program, SplitProgram):
-                _KERNELS[key] = (
-                    compile_columns(program)
-                    if lanes == 1
-                    else compile_lanes_of_columns(program, lanes)
-                )
-            else:
-                _KERNELS[key] = compile_program(program, "llvm", {"lanes": lanes})
+            _KERNELS[key] = compile_program(program, "llvm", {"lanes": lanes})
         return _KERNELS[key]
 
 
-def _single(program: Program) -> Kernel:
+def _single(program: Program | Tangent) -> Kernel:
     """Return the Kernel of one state at a time."""
-    kernel: Kernel = _kernel(program, 1)
-    return kernel
+    return _kernel(program, 1)
 
 
 def run(
@@ -240,7 +228,7 @@ def run(
 
 def _run_in_lanes(
     model: Model,
-    kernel: Any,
+    kernel: Kernel,
     inputs: tuple[np.ndarray, np.ndarray, np.ndarray],
     sampled: Sequence[tuple[np.ndarray, Any]],
     times: np.ndarray,
@@ -304,18 +292,16 @@ def evaluate_output_columns(
     """Return the sensitivities of the outputs, shape (o, k, m, times), from those of the states."""
     beside = model.sensitivities
     assert beside is not None
-    (n, wanted, m, number), every = columns.shape, beside.start.shape[1]
+    n, k, m, number = columns.shape
     if beside.outputs is None:
-        return np.empty((0, wanted, m, number))
-    whole = np.zeros((n * (1 + every), m, number))
-    whole[:n] = states
-    whole[n:].reshape(n, every, m, number)[:, :wanted] = columns
+        return np.empty((0, k, m, number))
+    whole = np.concatenate([states, columns.reshape(n * k, m, number)])
     r = np.concatenate([r, np.zeros((m, beside.further))], axis=1)
     from pydy.solvers.run.lanes import evaluate_samples
 
     kernel, sampled = _kernel(beside.outputs, LANES), (*model.sampled, *beside.sampled)
     found = evaluate_samples(kernel, r, p, sampled, times, whole)
-    return found.reshape(-1, every, m, number)[:, :wanted]
+    return found.reshape(-1, k, m, number)
 
 
 # -- one by one -----------------------------------------------------------------------------------
@@ -348,20 +334,19 @@ def _run_with_columns(
     """Integrate states with their sensitivities, where these are determined at the beginning."""
     from pydy._errors import warn_user
 
-    (m, n), wanted = x.shape, len(beside.names)
-    columns = wanted if model.in_lanes else beside.start.shape[1]
+    (m, n), columns = x.shape, len(beside.names)
     r = np.concatenate([r, np.zeros((m, beside.further))], axis=1)
     t, sampled = float(times[0]), (*model.sampled, *beside.sampled)
     whole = np.empty((n * (1 + columns), m, len(times)))
     start, codes = np.empty((m, len(whole))), np.zeros(m, dtype=np.int64)
     for k in range(m):
         codes[k], values = beside.beginning(x[k], t, Inputs(r[k], sampled), p[k], _single)
-        start[k, :n], start[k, n:] = x[k], values[:, :columns].ravel()
+        start[k, :n], start[k, n:] = x[k], values.ravel()
 
     def integrate(start: np.ndarray, r: np.ndarray, p: np.ndarray, into: np.ndarray) -> Results:
         if not model.in_lanes:
             return _run_one_by_one(model, start, r, p, times, stopped, into)
-        kernel = _kernel(beside.lanes, LANES)
+        kernel = _kernel(beside.rates, LANES)
         return _run_in_lanes(model, kernel, (start, r, p), sampled, times, stopped, into, n)
 
     started = codes == FINISHED
@@ -373,8 +358,8 @@ def _run_with_columns(
         found = integrate(start[started], r[started], p[started], part)
         whole[:], whole[:n, :, 0], whole[:, started] = np.nan, x.T, part
         results = _among(found, started, codes, t)
-    table = whole[n:].reshape(n, columns, m, len(times))
-    results.states, results.columns = whole[:n], table[:, :wanted]
+    results.states = whole[:n]
+    results.columns = whole[n:].reshape(n, columns, m, len(times))
     if states is not None:
         states[:] = results.states
         results.states = states

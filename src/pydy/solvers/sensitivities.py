@@ -54,8 +54,6 @@ class CompiledSensitivities:
         Number of states, n; they come first.
     columns : int
         Number of columns, k; S follows the state row after row.
-    wanted : int
-        How many of them stand for parameters; the others are zero.
     scales : ndarray, shape (k,), or None
         The sizes of the parameters, where the step control looks at the sensitivities too: the
         error allowed in ∂x/∂θ is then that of x over the size of θ. Otherwise it looks at the
@@ -69,7 +67,6 @@ class CompiledSensitivities:
 
     states: int
     columns: int
-    wanted: int
     scales: np.ndarray | None
     events: Callable[[int], Kernel]
     constraints: Callable[[], Kernel]

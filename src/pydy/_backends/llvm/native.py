@@ -21,7 +21,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from enum import Enum
 from functools import cache, partial
-from typing import Any, Literal, Protocol
+from typing import Any, Literal, Protocol, cast
 from weakref import ref
 
 import numpy as np
@@ -36,6 +36,7 @@ from pydy._backends.llvm.gate import Gate
 from pydy._backends.llvm.ir import Function, vector_type
 from pydy._backends.tuning import SWEPT
 from pydy._graph.program import Program
+from pydy._graph.tangent import Tangent
 from pydy._kernel import Kernel
 
 # -- Sweeps over many states in LLVM IR: how samples reach a kernel's lanes and results come back --
@@ -503,7 +504,7 @@ def _improve(known: ref[Entry], tiers: Tiers, compile_source: Compile) -> None:
 
 
 def native_kernel(
-    program: Program,
+    program: Program | Tangent,
     entry: Entry,
     lanes: int,
     rebuild: Callable[..., Kernel],
@@ -512,13 +513,14 @@ def native_kernel(
 ) -> Kernel:
     """Wrap native functions of the package's signature as a Kernel.
 
-    `strided` is the address of the form that takes items at any distance; see `sweep`.
+    `strided` is the address of the form that takes items at any distance, if there is one.
     """
     runtime = _runtime()
     sweep = _make_sweep(program, entry, lanes, strided, runtime)
     call = _make_call(program, entry, lanes, sweep, runtime)
     owner, settled = (entry, runtime), entry.settled
-    return Kernel(program, sweep, call, rebuild, recipe, settled, lanes, owner, entry.begin)
+    own = cast("Program", program)
+    return Kernel(own, sweep, call, rebuild, recipe, settled, lanes, owner, entry.begin)
 
 
 def _text(brief: bool) -> str:
@@ -566,13 +568,13 @@ def _runtime() -> _Runtime:
 
 
 def _make_sweep(
-    program: Program, entry: Entry, lanes: int, strided: int, runtime: _Runtime
+    program: Program | Tangent, entry: Entry, lanes: int, strided: int, runtime: _Runtime
 ) -> Callable[..., tuple[np.ndarray, np.ndarray]]:
     n, s, outputs = program.num_states, program.num_specifieds, len(program.outputs)
     sizes = (n, s, program.num_constants, len(program.carried), outputs)
     native = runtime.code.addresses[sweep_name(1)] if lanes == 1 else _wide_sweep(lanes)
     room = scratch_size(lanes, *sizes)
-    run, columns = runtime.sweep, lanes > 1
+    run, columns = runtime.sweep, strided != 0
     most = max(1, SWEPT // (lanes * (program.num_operations + 1))) * lanes
     words = np.array([0, 0, strided, native, *sizes], np.int64)
     assert len(words) == len(KERNEL_WORDS)
@@ -633,7 +635,7 @@ def _wide_sweep(lanes: int) -> int:
 
 
 def _make_call(
-    program: Program,
+    program: Program | Tangent,
     entry: Entry,
     lanes: int,
     sweep: Callable[..., tuple[np.ndarray, np.ndarray]],
@@ -654,7 +656,7 @@ def _make_call(
 
     # Without the interpreter's lock the gate's shared binding of constants would be a race.
     def call(x: Any, t: Any, r: Any, p: Any, out: np.ndarray) -> int:
-        if type(t) is not float or not strict(program, x, r, p):
+        if type(t) is not float or not strict(cast("Program", program), x, r, p):
             return -1
         values, failed = sweep(np.array([t], float), x[None, :], r[None, :], p)
         out[:] = values[0]

@@ -6,14 +6,22 @@ Which products go into sums, which values wait in memory, and what they are call
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from typing import NamedTuple
 
 from pydy._backends.llvm.ir import Function
 from pydy._graph.operations import operands
 from pydy._graph.program import Program
 
 Place = str | tuple[str, int]
+
+
+class Layout(NamedTuple):
+    """How arrays lie that are not one vector after the other."""
+
+    steps: Mapping[str, int]  # the distances between the items of an array
+    spread: Sequence[str] = ()  # arrays of numbers that all lanes have in common
 
 
 class Registers:
@@ -46,8 +54,14 @@ class Registers:
         self._homes: dict[int, tuple[str, int]] = {}
         self._slots: dict[int, str] = {}  # of values that were moved to memory to make room
         self._free: list[str] = []
-        self.steps: dict[str, str] = {}  # the distance between items, where it is not one vector
-        self.spread: set[str] = set()  # arrays of numbers that all lanes have in common
+        self.steps: dict[str, str] = {}  # see `Layout`; numbers, or names of them
+        self._spread: Sequence[str] = ()
+
+    def lie(self, layout: Layout | None) -> None:
+        """Say how arrays lie."""
+        if layout is not None:
+            self.steps.update({name: str(step) for name, step in layout.steps.items()})
+            self._spread = layout.spread
 
     def fix(self, node: int, name: str) -> None:
         """Name what takes no register of this kind: a literal, a truth value."""
@@ -76,22 +90,15 @@ class Registers:
         name = self._fixed.get(node) or self._names.get(node)
         if name is None:
             pointer, index = self._homes[node]
-            if pointer in self.spread:
-                name = self._spread(pointer, index)
-            else:
-                name = self._f.load(self._v, self.place(pointer, index))
+            kind = "double" if pointer in self._spread else self._v
+            name = self._f.load(kind, self.place(pointer, index))
+            if kind != self._v:
+                one = self._f.let(f"insertelement {self._v} poison, double {name}, i32 0")
+                zeros = self._v.replace("double", "i32")
+                vectors = f"{self._v} {one}, {self._v} poison, {zeros} zeroinitializer"
+                name = self._f.let(f"shufflevector {vectors}")
             self._names[node] = name
         return name
-
-    def _spread(self, pointer: str, index: int) -> str:
-        """Read one number for all lanes."""
-        f, v = self._f, self._v
-        number = f.load("double", pointer, str(index))
-        if v == "double":
-            return number
-        one = f.let(f"insertelement {v} poison, double {number}, i32 0")
-        zeros = v.replace("double", "i32")
-        return f.let(f"shufflevector {v} {one}, {v} poison, {zeros} zeroinitializer")
 
     def place(self, pointer: str, index: int) -> str:
         """Return the address of an item."""

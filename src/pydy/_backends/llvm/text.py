@@ -6,10 +6,11 @@ multiply-adds are those that the IR spells out.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 
 from pydy._backends.llvm.emit import BRANCH_WEIGHTS, SOLVES, Emitter, called
 from pydy._backends.llvm.ir import HEAP_DECLARATIONS, MALLOC, WIDTHS, Function, vector_type
+from pydy._backends.llvm.plan import Layout
 from pydy._backends.llvm.sincos import sincos_declarations, sincos_functions
 from pydy._backends.llvm.solve import solver_declarations, solver_functions
 from pydy._backends.llvm.targets import target
@@ -19,27 +20,16 @@ from pydy._graph.program import Program
 
 
 def kernel_text(
-    program: Program,
-    lanes: int,
-    width: int = 0,
-    brief: bool = False,
-    columns: int = 0,
-    fallbacks: bool = True,
+    program: Program, lanes: int, width: int = 0, brief: bool = False, fallbacks: bool = True
 ) -> str:
     """Return the module of a Program, with the functions `kernel` and `prepare`.
 
-    A `brief` one calls a routine for sines and cosines instead of writing them in line. With
-    `columns` a lane is one of so many columns, which lie side by side in each row of x and of the
-    output, and the inputs r are numbers that all have in common. Without `fallbacks` code of one
-    lane gives the status -1 where a guard is not sound.
+    A `brief` one calls a routine for sines and cosines instead of writing them in line. Without
+    `fallbacks` code of one lane gives the status -1 where a guard is not sound.
     """
     width = width or lanes
     if width < lanes:
         body = _in_turns(program, lanes, width, brief)
-    elif columns:
-        steps = {"%x": columns, "%out": columns}
-        parts = [stage_text(program, lanes, brief, steps=steps), *BRANCH_WEIGHTS, ""]
-        body = prepare_text(program, lanes, brief) + "\n".join(parts)
     else:
         body = prepare_text(program, lanes, brief, fallbacks=fallbacks)
         body += _kernel(program, lanes, brief, fallbacks)
@@ -118,20 +108,26 @@ def _lane_by_lane(name: str, arity: int, lanes: int) -> str:
 
 
 def prepare_text(
-    program: Program, lanes: int, brief: bool, prefix: str = "", fallbacks: bool = True
+    program: Program,
+    lanes: int,
+    brief: bool,
+    prefix: str = "",
+    fallbacks: bool = True,
+    layout: Layout | None = None,
 ) -> str:
     """Return the function of the setup stage."""
     linkage = "internal" if prefix else ""
-    f = Function(f"{prefix}prepare", "void", _PREPARES, f"{linkage}|nounwind")
-    vectors = target().vectors(lanes)
-    Emitter(f, program, lanes, vectors, True, brief, fallbacks=fallbacks).stage()
+    f = Function(f"{prefix}prepare", "void", PREPARE, f"{linkage}|nounwind")
+    e = Emitter(f, program, lanes, target().vectors(lanes), True, brief, fallbacks=fallbacks)
+    e.names.lie(layout)
+    e.stage()
     f.do("ret void")
     f.label("%bail")
     f.do("ret void")
     return f.text()
 
 
-_PREPARES = "ptr noalias readonly %p, ptr noalias %c"
+PREPARE = "ptr noalias readonly %p, ptr noalias %c"
 _ARRAYS = ("t", "x", "r", "c", "out")
 
 
@@ -140,7 +136,7 @@ def _parameters(suffix: str = "") -> str:
     return f"{inputs}, ptr noalias %out{suffix}"
 
 
-KERNEL_PARAMETERS = _parameters()
+KERNEL = _parameters()
 
 
 def _kernel(program: Program, lanes: int, brief: bool, fallbacks: bool) -> str:
@@ -171,8 +167,7 @@ def stage_text(
     lanes: int,
     brief: bool,
     name: str = "kernel",
-    steps: Mapping[str, int] | None = None,
-    linkage: str = "",
+    layout: Layout | None = None,
     fallbacks: bool = True,
 ) -> str:
     """Return the function of the run stage.
@@ -184,20 +179,16 @@ def stage_text(
     brief : bool
         See `kernel_text`.
     name : str
-    steps : mapping of str to int, optional
-        Distances between the items of %x and %out: lanes are then columns, which lie side by side
-        in each row, and the inputs r are numbers that all have in common.
-    linkage : str
+    layout : Layout, optional
+        How arrays lie, for a function that others of the module call.
     fallbacks : bool
         See `kernel_text`.
     """
-    f = Function(name, "i32", KERNEL_PARAMETERS, f"{linkage}|nounwind")
+    f = Function(name, "i32", KERNEL, f"{'internal' if layout else ''}|nounwind")
     vectors = target().vectors(lanes)
     e = Emitter(f, program, lanes, vectors, False, brief, fallbacks=fallbacks)
     e.solves.status = f.variable("i32", "0")
-    if steps:
-        e.names.steps.update({group: str(step) for group, step in steps.items()})
-        e.names.spread.add("%r")
+    e.names.lie(layout)
     e.stage()
     f.do(f"ret i32 {f.get('i32', e.solves.status)}")
     f.label("%bail")
@@ -252,7 +243,7 @@ def _strided(program: Program, lanes: int, brief: bool, loop: bool, prefix: str 
 
 def _packed_kernel(lanes: int) -> str:
     """Return the `kernel` that hands ``[item][lane]`` to its strided form."""
-    f = Function("kernel", "i32", KERNEL_PARAMETERS, "|nounwind")
+    f = Function("kernel", "i32", KERNEL, "|nounwind")
     arguments = ", ".join(f"ptr %{name}" for name in _ARRAYS)
     both = f.let(f"tail call i64 @strided({arguments}, ptr @packed)")
     f.do(f"ret i32 {f.let(f'trunc i64 {both} to i32')}")
@@ -268,7 +259,7 @@ def _in_turns(program: Program, lanes: int, width: int, brief: bool) -> str:
     """
     turns = range(0, lanes, width)
     v, carried = vector_type("double", width), len(program.carried)
-    prepare = Function("prepare", "void", _PREPARES, "|nounwind")
+    prepare = Function("prepare", "void", PREPARE, "|nounwind")
     p = prepare.slot(v, max(program.num_constants, 1))
     for first in turns:
         with prepare.loop("0", str(program.num_constants)) as i:
@@ -278,7 +269,7 @@ def _in_turns(program: Program, lanes: int, width: int, brief: bool) -> str:
         c = prepare.at("%c", str(first * carried))
         prepare.do(f"call void @turn.prepare(ptr {p}, ptr {c})")
     prepare.do("ret void")
-    f = Function("strided", "i64", f"{KERNEL_PARAMETERS}, ptr noalias readonly %steps", "|nounwind")
+    f = Function("strided", "i64", f"{KERNEL}, ptr noalias readonly %steps", "|nounwind")
     status = "0"
     for first in turns:
         places = {name: f.at(f"%{name}", str(first)) for name in _ARRAYS}

@@ -20,12 +20,14 @@ from pydy._backends.llvm.emit import SOLVES
 from pydy._backends.llvm.native import Quality
 from pydy._backends.llvm.sincos import sincos_names
 from pydy._backends.llvm.solve import solver_names
+from pydy._backends.llvm.tangents import pieces, tangent_text
 from pydy._backends.llvm.targets import target
 from pydy._backends.llvm.text import is_small, kernel_text, routines_text
 from pydy._backends.tuning import LARGE, MOST_RESULTS, MOST_WITHOUT_FALLBACKS, SHORT, TEMPORARY
 from pydy._graph.collector import collector_paused
 from pydy._graph.operations import ANGLES
 from pydy._graph.program import Program
+from pydy._graph.tangent import Tangent, program_from_bytes
 
 
 @dataclass(frozen=True)
@@ -55,14 +57,15 @@ class Tiers:
         return jit.load(self.source, jit.Joined(routines), compile_source)
 
 
-def tiers_of(program: Program) -> Tiers:
-    """Return the code of a Program for one state."""
-    calls = (1,) if calls_routines(program) else ()
+def tiers_of(program: Program | Tangent) -> Tiers:
+    """Return the code of a Program or Tangent for one state."""
+    if isinstance(program, Tangent):
+        return Tiers(_source(program, 1, 1), _calls(program, 1))
     short = None
     if len(program.without_fallbacks()) < MOST_WITHOUT_FALLBACKS * len(program.ops):
         name = f"kernel {program.digest} without fallbacks"
         short = Source(name, partial(_short_text, program), ("kernel", "prepare"))
-    return Tiers(_source(program, 1, 1, loops=_repeats(program)), calls, short)
+    return Tiers(_source(program, 1, 1, loops=_repeats(program)), _calls(program, 1), short)
 
 
 @collector_paused()
@@ -72,39 +75,44 @@ def _short_text(program: Program, brief: bool) -> str:
 
 @dataclass(frozen=True)
 class _Text:
-    """The IR of a Program; pickled as bytes that the interpreter writes in a sixth of the time."""
+    """The IR of a Program or Tangent; pickled as bytes that are written in a sixth of the time."""
 
-    program: Program
+    program: Program | Tangent
     lanes: int
     width: int
 
     @collector_paused()
     def __call__(self, brief: bool) -> str:
+        if isinstance(self.program, Tangent):
+            return tangent_text(self.program, self.lanes, brief)
         return kernel_text(self.program, self.lanes, self.width, brief)
 
     def __reduce__(self) -> tuple[Any, ...]:
         return _read_text, (self.program.to_bytes(), self.lanes, self.width)
 
 
-def wide_code(program: Program, lanes: int, width: int | None = None) -> jit.Code:
-    """Return the best code of a Program for several states at once, compiled if need be."""
-    width = width or width_of(program, lanes)
-    routines = shared_routines(width, at_best=True) if calls_routines(program) else None
-    return jit.load(_source(program, lanes, width), routines)
+def wide_code(program: Program | Tangent, lanes: int, width: int | None = None) -> jit.Code:
+    """Return the best code for several states at once, compiled if need be."""
+    if isinstance(program, Program):
+        width = width or width_of(program, lanes)
+    routines = [shared_routines(own, at_best=True) for own in _calls(program, width or lanes)]
+    return jit.load(_source(program, lanes, width or lanes), jit.Joined(routines))
 
 
-def _source(program: Program, lanes: int, width: int, loops: bool = False) -> Source:
+def _source(program: Program | Tangent, lanes: int, width: int, loops: bool = False) -> Source:
     name, text = f"kernel {program.digest} {lanes} {width}", _Text(program, lanes, width)
-    return Source(name, text, ("kernel", "prepare", "strided")[: 2 + (lanes > 1)], loops=loops)
+    strided = lanes > 1 and isinstance(program, Program)
+    return Source(name, text, ("kernel", "prepare", "strided")[: 2 + strided], loops=loops)
 
 
-def calls_routines(program: Program) -> bool:
-    """Return whether the shared routines are called."""
-    return bool({*SOLVES, *ANGLES} & set(program.ops))
+def _calls(program: Program | Tangent, lanes: int) -> tuple[int, ...]:
+    """Return the lanes of the shared routines that are called."""
+    called = {own for one, own in pieces(program, lanes) if {*SOLVES, *ANGLES} & set(one.ops)}
+    return tuple(sorted(called))
 
 
 def _read_text(program: bytes, lanes: int, width: int) -> _Text:
-    return _Text(Program.from_bytes(program), lanes, width)
+    return _Text(program_from_bytes(program), lanes, width)
 
 
 def width_of(program: Program, lanes: int) -> int:

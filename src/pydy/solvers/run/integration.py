@@ -103,17 +103,9 @@ class Extension:
         Returns a Workspace like that of the run, which may be used for another one meanwhile.
     rows : ndarray
         Those of `pydy.solvers.run.layout.Steps`.
-    select : callable, optional
-        What is made of the states; by default they are returned with all that is beside them.
     """
 
-    def __init__(
-        self,
-        make: Callable[[], Workspace],
-        rows: np.ndarray,
-        select: Callable[[np.ndarray], np.ndarray] | None = None,
-    ) -> None:
-        self._select = select
+    def __init__(self, make: Callable[[], Workspace], rows: np.ndarray) -> None:
         self._make, self._rows = make, rows
         self._in_use = _forks.Lock()  # by one of several threads
         # Not the ends of steps that an event cut short.
@@ -125,7 +117,7 @@ class Extension:
         return self._make()
 
     def __call__(self, times: np.ndarray) -> np.ndarray:
-        """Return the states at ascending times of the run, shape (m, n)."""
+        """Return states, with all beside them, at ascending times of the run, shape (m, n)."""
         work, n, m = self._workspace, self._workspace.n, len(times)
         places = np.searchsorted(self._starts, times, side="right") - 1
         out = np.full(m * n + BLOCK, np.nan)
@@ -135,12 +127,7 @@ class Extension:
         table = table_of(rows_of(wanted))
         with self._in_use:
             function_of("extend", bool(work.callbacks))(work.place, address(table))
-        states = out[: m * n].reshape(m, n)
-        return states if self._select is None else self._select(states)
-
-    def selected(self, select: Callable[[np.ndarray], np.ndarray]) -> Extension:
-        """Return the same of what `select` makes of the states."""
-        return Extension(self._make, self._rows, select)
+        return out[: m * n].reshape(m, n)
 
     def __deepcopy__(self, memo: Any) -> Extension:
         return self
@@ -452,7 +439,7 @@ class Integration:
             self.records.append(self._record(t, k, before, following, acting=True))
             before = following
             if beside is not None:
-                beside.table(before)[:, : beside.wanted] = self.records[-1].sensitivity_after
+                beside.table(before)[:] = self.records[-1].sensitivity_after
         self.memory.x[: self.n] = before
         if any(wanted.terminal[k] for k in fired):
             last = next(wanted.names[k] for k in fired if wanted.terminal[k])
@@ -498,13 +485,12 @@ class Integration:
             if acting:
                 self._stop(EVENT_GRAZES, event=wanted.names[event], depth=jump.depth)
             jump = jump._replace(time=np.full(beside.columns, np.nan))
-        k = beside.wanted
-        table = beside.table(before)[:, :k].copy()
+        table = beside.table(before).copy()
         return replace(
             record,
-            time_sensitivity=jump.time[:k],
+            time_sensitivity=jump.time,
             sensitivity_before=table,
-            sensitivity_after=jump.after[:, :k] if acting else table,
+            sensitivity_after=jump.after if acting else table,
         )
 
     # -- results ----------------------------------------------------------------------------------

@@ -9,7 +9,6 @@ from typing import Any
 
 import numpy as np
 
-from pydy._backends.llvm.column_lanes import LanesOfColumns
 from pydy._kernel import Kernel
 from pydy.solvers.options import Options
 from pydy.solvers.run import layout as at
@@ -49,7 +48,7 @@ class LaneResult:
 
 
 def integrate_samples(
-    kernel: Kernel | LanesOfColumns,
+    kernel: Kernel,
     method: str,
     x: np.ndarray,
     r: np.ndarray,
@@ -65,7 +64,7 @@ def integrate_samples(
 
     Parameters
     ----------
-    kernel : Kernel or LanesOfColumns
+    kernel : Kernel
         Of `LANES` lanes.
     method : str
         An explicit one.
@@ -150,7 +149,7 @@ def evaluate_samples(
 
 
 def _problem(
-    kernel: Kernel | LanesOfColumns, sampled: Sequence[tuple[np.ndarray, Any]], controlled: int = 0
+    kernel: Kernel, sampled: Sequence[tuple[np.ndarray, Any]], controlled: int = 0
 ) -> LaneProblem:
     program, addresses = kernel.program, kernel.addresses
     assert addresses is not None

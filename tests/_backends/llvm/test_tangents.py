@@ -1,4 +1,4 @@
-"""Jacobians in parts, whose columns lie side by side in vector registers."""
+"""Tangents whose columns, or states, lie side by side in vector registers."""
 
 import pickle
 import threading
@@ -12,12 +12,13 @@ from _backends.llvm.test_guards import by_hand, states
 from cases import system_of
 from graphs import on_tape
 from pydy._backends.llvm import jit
-from pydy._backends.llvm.backend import LLVMBackend, compile_jacobian
+from pydy._backends.llvm.backend import LLVMBackend
+from pydy._graph.columns import Columns
 from pydy._graph.derivative import dense_jacobian
 from pydy._graph.interpret import run
-from pydy._graph.jacobian_columns import JacobianColumns, columns_program
 from pydy._graph.node import Graph
 from pydy._graph.switches import Passes
+from pydy._graph.tangent import Tangent, jacobian_tangent
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 
 
@@ -35,7 +36,7 @@ def assembly_of(name):
 def in_parts(assembly, parts):
     graph, nodes = assembly.simplified("rates")
     places = [("x", k) for k in range(assembly.sizes[0])]
-    return columns_program(graph, nodes, places, assembly.sizes, assembly.passes, parts)
+    return jacobian_tangent(graph, nodes, places, assembly.sizes, assembly.passes, parts)
 
 
 def sample(assembly, m):
@@ -55,7 +56,7 @@ def test_columns_side_by_side_are_those_of_the_whole(name, widths):
     arguments = sample(assembly, 3)
     program = assembly.jacobian_program("rates", "x")
     expected, _ = LLVMBackend().compile(program).evaluate(*arguments)
-    found, failed = compile_jacobian(in_parts(assembly, parts)).evaluate(*arguments)
+    found, failed = LLVMBackend().compile(in_parts(assembly, parts)).evaluate(*arguments)
     assert not failed.any()
     assert np.allclose(found, expected, rtol=1e-10, atol=1e-9)
 
@@ -65,10 +66,10 @@ def test_columns_of_no_part_are_zero():
     x = [graph.input("x", k) for k in range(7)]
     nodes = [graph.mul(x[2], x[3]), graph.call("sin", x[2])]
     places = [("x", k) for k in range(7)]
-    made = columns_program(graph, nodes, places, (7, 0, 0), Passes(), [(2, 4)])
+    made = jacobian_tangent(graph, nodes, places, (7, 0, 0), Passes(), [(2, 4)])
     at = np.arange(7.0)
     out = np.full((1, 14), np.nan)
-    compile_jacobian(made).evaluate(np.zeros(1), at[None], np.empty((1, 0)), np.zeros(0), out)
+    LLVMBackend().compile(made).evaluate(np.zeros(1), at[None], np.empty((1, 0)), np.zeros(0), out)
     expected = np.zeros((2, 7))
     expected[0, 2:4] = 3.0, 2.0
     expected[1, 2] = np.cos(2.0)
@@ -87,13 +88,13 @@ def chain(n, kind):
     solution = graph.solve(rows, [right], kind)[0]
     places = [("x", k) for k in range(2 * n)]
     parts = [(0, n), (n, 2 * n)]
-    return columns_program(graph, solution, places, (2 * n, 0, 1), Passes(), parts)
+    return jacobian_tangent(graph, solution, places, (2 * n, 0, 1), Passes(), parts)
 
 
 @pytest.mark.parametrize("kind", ["ldl", "lu"])
 @pytest.mark.parametrize("n", [6, 9, 30])
 def test_states_that_cannot_go_the_quick_way_are_solved_by_pivoting(n, kind):
-    kernel = compile_jacobian(chain(n, kind))
+    kernel = LLVMBackend().compile(chain(n, kind))
     rng = np.random.default_rng(n)
     p = np.array([1.0])
     x = np.column_stack([rng.uniform(3, 4, (12, n)), rng.normal(size=(12, n))])
@@ -118,7 +119,7 @@ def test_guarded_solutions_have_derivatives_in_parts_wherever_they_fall_back(n):
     more = graph.call("atan", column[0])
     nodes = graph.guard(rows, [more, *column[1:]], sound, [*fast])
     places = [("x", k) for k in range(3 * n)]
-    made = columns_program(graph, nodes, places, sizes, Passes(), [(0, n), (n, 3 * n)])
+    made = jacobian_tangent(graph, nodes, places, sizes, Passes(), [(0, n), (n, 3 * n)])
     # No call computes what only the fallback needs, for itself or for the columns.
     assert "atan" in made.shared.ops
     assert "atan" not in made.operation_count["run"]
@@ -126,18 +127,77 @@ def test_guarded_solutions_have_derivatives_in_parts_wherever_they_fall_back(n):
     arguments = np.zeros(19), x, np.empty((19, 0)), p
     cells = dense_jacobian(graph, nodes, [graph.input(*place) for place in places])
     expected, _ = run(on_tape(graph, cells, sizes), *arguments)
-    found, failed = compile_jacobian(made).evaluate(*arguments)
+    found, failed = LLVMBackend().compile(made).evaluate(*arguments)
     assert not failed.any()
     np.testing.assert_allclose(found, expected, rtol=1e-9, atol=1e-11)
 
 
 @pytest.mark.parametrize("n", [5, 29])
 def test_a_singular_matrix_is_reported(n):
-    kernel = compile_jacobian(chain(n, "ldl"))
+    kernel = LLVMBackend().compile(chain(n, "ldl"))
     x = np.full((3, 2 * n), 3.0)
     x[1, :n] = 0.0  # of an odd number of rows
     _, failed = kernel.evaluate(np.zeros(3), x, np.empty((3, 0)), np.array([1.0]))
     assert failed.tolist() == [False, True, False]
+
+
+# -- seeds that follow the states, and several states at a time -----------------------------------
+
+
+def beside(name, count):
+    """The derivatives of states and of columns of sensitivities by time."""
+    assembly = assembly_of(name)
+    n, _, c = assembly.sizes
+    directions = tuple(("p", (k // 2) % c) if k % 2 else None for k in range(count))
+    columns = Columns(n, directions)
+    parts = assembly.sizes, assembly.passes
+    return assembly, columns, columns.tangent(*assembly.simplified("rates"), *parts, "rates")
+
+
+@pytest.mark.parametrize("count", [1, 2, 3, 4, 5, 6, 9])
+@pytest.mark.parametrize("name", ["fourbar", "disc", "lifted", "pendulum"])
+def test_columns_beside_states_are_those_of_one_program_in_any_lanes(name, count):
+    assembly, columns, made = beside(name, count)
+    t, x, r, p = sample(assembly, 11)
+    values = np.random.default_rng(2).normal(size=(11, columns.states, count))
+    x = columns.together(x, values)
+    expected, _ = LLVMBackend().compile(made.written_out()).evaluate(t, x, r, p)
+    kernel = LLVMBackend().compile(made)
+    found, failed = kernel.evaluate(t, x, r, p)
+    assert not failed.any()
+    np.testing.assert_allclose(found, expected, rtol=1e-9, atol=1e-9)
+    assert len(kernel.program.outputs) == kernel.program.num_states == columns.size
+    out = np.empty(columns.size)
+    assert kernel.at(x[0], t[0], r[0], p, out) == 0
+    np.testing.assert_array_equal(out, found[0])
+    for lanes in (2, 8):
+        wide = LLVMBackend(lanes=lanes).compile(made)
+        for order in "CF":
+            several, failed = wide.evaluate(t, np.asarray(x, order=order), r, p)
+            assert not failed.any()
+            np.testing.assert_array_equal(several, found)
+
+
+@pytest.mark.parametrize("name", ["disc", "pendulum"])
+@pytest.mark.parametrize("lanes", [2, 4, 8])
+def test_jacobians_of_several_states_have_the_bits_of_one(name, lanes):
+    assembly = assembly_of(name)
+    n = assembly.sizes[0]
+    made = in_parts(assembly, [(1, n // 2), (n // 2, n)])
+    arguments = sample(assembly, 11)
+    expected = LLVMBackend().compile(made).evaluate(*arguments)[0]
+    found, failed = LLVMBackend(lanes=lanes).compile(made).evaluate(*arguments)
+    assert not failed.any()
+    np.testing.assert_array_equal(found, expected)
+
+
+@pytest.mark.parametrize("lanes", [2, 8])
+def test_of_several_states_the_singular_one_is_reported(lanes):
+    kernel = LLVMBackend(lanes=lanes).compile(chain(9, "ldl"))
+    x = np.full((11, 18), 3.0)
+    x[7, :9] = 0.0
+    _, failed = kernel.evaluate(np.zeros(11), x, np.empty((11, 0)), np.array([1.0]))
+    assert np.flatnonzero(failed).tolist() == [7]
 
 
 @pytest.fixture
@@ -150,7 +210,7 @@ def nothing_cached(monkeypatch):
 def test_quick_and_best_code_compute_the_same_bits(name, nothing_cached):
     assembly = assembly_of(name)
     n = assembly.sizes[0]
-    kernel = compile_jacobian(in_parts(assembly, [(0, n // 2), (n // 2, n)]))
+    kernel = LLVMBackend().compile(in_parts(assembly, [(0, n // 2), (n // 2, n)]))
     arguments = sample(assembly, 20)
     quick = kernel.evaluate(*arguments)[0]
     before = kernel.owner[0].addresses
@@ -160,16 +220,16 @@ def test_quick_and_best_code_compute_the_same_bits(name, nothing_cached):
 
 def test_a_kernel_is_pickled_as_what_it_was_made_of():
     assembly = assembly_of("pendulum")
-    kernel = compile_jacobian(in_parts(assembly, [(0, 5), (5, 10)]))
+    kernel = LLVMBackend().compile(in_parts(assembly, [(0, 5), (5, 10)]))
     again = pickle.loads(pickle.dumps(kernel))
-    assert isinstance(again.program, JacobianColumns)
+    assert isinstance(again.program, Tangent)
     arguments = sample(assembly, 2)
     np.testing.assert_array_equal(kernel.evaluate(*arguments)[0], again.evaluate(*arguments)[0])
 
 
 def test_threads_share_a_kernel():
     assembly = assembly_of("pendulum")
-    kernel = compile_jacobian(in_parts(assembly, [(0, 10)]))
+    kernel = LLVMBackend().compile(in_parts(assembly, [(0, 10)]))
     arguments = sample(assembly, 200)
     expected = kernel.evaluate(*arguments)[0]
     found = {}

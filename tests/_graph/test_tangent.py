@@ -1,4 +1,4 @@
-"""Jacobians in parts: which columns make one, and that they are the columns of the whole."""
+"""Tangents: Jacobians in parts, which columns make one, and that they are those of the whole."""
 
 from collections import Counter
 
@@ -8,15 +8,16 @@ import pytest
 import zoo
 from cases import system_of
 from pydy._graph.interpret import run
-from pydy._graph.jacobian_columns import (
-    JacobianColumns,
-    columns_program,
+from pydy._graph.node import Graph
+from pydy._graph.program import Program
+from pydy._graph.tangent import (
+    Tangent,
+    jacobian_tangent,
     parts_of,
+    program_from_bytes,
     supports,
     worthwhile_parts,
 )
-from pydy._graph.node import Graph
-from pydy._graph.program import Program
 from pydy._graph.tuning import COLUMNS_TOGETHER, FROM_OPERATIONS
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 
@@ -32,7 +33,7 @@ def in_parts(assembly, parts=None):
     if parts is None:
         parts = worthwhile_parts(graph, nodes, [graph.input("x", k) for k in range(n)])
     places = [("x", k) for k in range(n)]
-    return columns_program(graph, nodes, places, assembly.sizes, assembly.passes, parts)
+    return jacobian_tangent(graph, nodes, places, assembly.sizes, assembly.passes, parts)
 
 
 def evaluated(jacobian, t, x, r, p):
@@ -60,8 +61,10 @@ def test_columns_in_parts_are_those_of_the_whole(name, cut):
         rng.uniform(0.5, 1.5, c),
     )
     expected = run(assembly.jacobian_program("rates", "x"), *arguments)[0].reshape(n, n)
-    found = evaluated(in_parts(assembly, parts), *arguments)
-    assert np.allclose(found, expected, rtol=1e-10, atol=1e-10)
+    made = in_parts(assembly, parts)
+    assert np.allclose(evaluated(made, *arguments), expected, rtol=1e-10, atol=1e-10)
+    out = run(made.written_out(), *arguments)[0].reshape(n, n)
+    assert np.allclose(out, expected, rtol=1e-10, atol=1e-10)
 
 
 def test_columns_that_depend_on_nothing_belong_to_no_part():
@@ -126,7 +129,8 @@ def test_the_code_for_a_row_of_masses_grows_in_proportion():
 
 def test_a_jacobian_is_written_and_read_again():
     made = in_parts(assembly_of(n_link_pendulum_on_cart(3)))
-    again = JacobianColumns.from_bytes(made.to_bytes())
+    again = program_from_bytes(made.to_bytes())
+    assert isinstance(again, Tangent)
     assert again.digest == made.digest
     assert again.blocks == made.blocks
     assert again.shape == (8, 8)
