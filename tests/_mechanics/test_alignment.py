@@ -19,25 +19,30 @@ from pydy.mechanics import Definition
 from pydy.system import System
 
 
-def accelerations(body, **way):
-    """u' in one form, at two states with constants of their own."""
-    formed = form(body, **way)
+def accelerations_at(formed, x, values):
+    """u' in one form, with constants by name."""
     graph, solved = formed.graph, formed.accelerations
     if solved is None:
         solved = graph.solve(formed.matrix, [formed.forcing], "ldl")[0]
-    sizes = (len(body.coordinates) + len(body.speeds), 0, len(formed.constants))
+    sizes = (len(x), 0, len(formed.constants))
     program = lower(graph, sizes, [("accelerations", (len(solved),), solved)])
+    p = np.array([values[s.name] for s in formed.constants])
+    found, failed = run(program, np.zeros(1), x[None], np.zeros((1, 0)), p)
+    assert not failed.any()
+    return found[0]
+
+
+def accelerations(body, **way):
+    """u' in one form, at two states with constants of their own."""
+    formed = form(body, **way)
     of_unit_norm = [k for k, q in enumerate(body.coordinates) if q.name.startswith("e")]
     both = []
     for seed in (1, 2):
         rng = np.random.default_rng(seed)
-        values = {s: rng.uniform(0.5, 1.5) for s in sorted(formed.constants, key=str)}
-        p = np.array([values[s] for s in formed.constants])
-        x = rng.normal(size=sizes[0])
+        values = {s.name: rng.uniform(0.5, 1.5) for s in sorted(formed.constants, key=str)}
+        x = rng.normal(size=len(body.coordinates) + len(body.speeds))
         x[of_unit_norm] /= np.linalg.norm(x[of_unit_norm]) if of_unit_norm else 1.0
-        found, failed = run(program, np.zeros(1), x[None], np.zeros((1, 0)), p)
-        assert not failed.any()
-        both.append(found[0])
+        both.append(accelerations_at(formed, x, values))
     return both
 
 
@@ -52,11 +57,12 @@ def check(source):
     return moving(body, in_bodies=True, falling=True)
 
 
-def chain(joints, *, set_velocities=False, last=None):
+def chain(joints, *, set_velocities=False, last=None, plain=False):
     """Bodies on hinges.
 
     Each joint is given by the rotations, (axis, angle) each, of a frame fixed in the body before,
-    and by the hinge's axis there.
+    and by the hinge's axis there. In a plain one bodies are described in their own axes alone, so
+    that they may be referred to other points of their hinges.
     """
     ground, origin = me.ReferenceFrame("N"), me.Point("O")
     origin.set_vel(ground, 0)
@@ -77,7 +83,8 @@ def chain(joints, *, set_velocities=False, last=None):
             own.orient_axis(fixed, direction, q[k])
             own.set_ang_vel(fixed, u[k] * direction.normalize())
         end = joint.locatenew(f"P{k}", 0.3 * above.x + sm.Symbol("l") * above.y - 0.2 * above.z)
-        centre = end.locatenew(f"C{k}", 0.1 * own.x + 0.2 * fixed.y - sm.Symbol("c") * own.z)
+        aside = own if plain else fixed
+        centre = end.locatenew(f"C{k}", 0.1 * own.x + 0.2 * aside.y - sm.Symbol("c") * own.z)
         if set_velocities:
             end.v2pt_theory(joint, ground, base)
             end_to = end.locatenew(f"D{k}", 0.1 * own.x - sm.Symbol("c") * own.z)
@@ -87,6 +94,7 @@ def chain(joints, *, set_velocities=False, last=None):
         bodies.append(me.RigidBody(f"b{k}", centre, own, 1.0 + k, (size, centre)))
         loads += [(centre, -(1.0 + k) * 9.81 * ground.z), (own, 0.3 * fixed.x)]
         above, joint = own, end
+    loads = loads[::2] if plain else loads
     rates = [a.diff() - b for a, b in zip(q, u, strict=True)]
     return Definition(ground, q, u, bodies=bodies, loads=loads, kinematic_equations=rates)
 
@@ -159,3 +167,37 @@ def test_an_arm_about_any_axes_costs_no_more_operations_than_it_did():
     source = definition(tree(list(range(-1, 6)), np.random.default_rng(3)))
     program = System(source).model.assembly.program("rates")
     assert sum(program.operation_count["run"].values()) <= 2296
+
+
+def check_system(source, values):
+    """Compare a System's accelerations with those in the inertial frame."""
+    system = System(source, constants=values)
+    formed = form(system._equations.multibody, in_bodies=False, articulated=False)
+    x = np.random.default_rng(3).normal(size=len(system.states))
+    found = system.evaluate_ode(x)[len(system.coordinates) :]
+    expected = accelerations_at(formed, x, values)
+    np.testing.assert_allclose(found, expected, rtol=0, atol=1e-11 * abs(expected).max())
+
+
+# Nearly parallel hinges as files of robots have them, whose right angles have twelve digits.
+@pytest.mark.parametrize("bend", [4.9e-12, 2.1e-13, 3e-9, 1e-5])
+def test_hinges_that_are_nearly_parallel_keep_their_joints_within_reach(bend):
+    # The other point of such an axis, from which two components lead on, lay 1e11 lengths away.
+    def about_x(angle):
+        return [("x", sm.Float(angle))]
+
+    values = {"l": 0.7, "c": 0.3, "I": 0.2}
+    legs = [([], "001"), (about_x(np.pi / 2 + bend), "001"), (about_x(np.pi + 3 * bend), "001")]
+    for joints in (legs, [([], "001"), (about_x(bend), "001"), ([("y", sm.Float(bend))], "001")]):
+        made = [(turns, tuple(map(int, axis))) for turns, axis in joints]
+        check_system(chain(made, plain=True), values)
+
+
+@pytest.mark.parametrize("twist", [0.0, 1e-300, 1e-12, 0.3, np.pi / 2, np.pi])
+@pytest.mark.parametrize("bend", [0.0, 1e-12, 0.4])
+def test_constant_angles_may_have_any_value(twist, bend):
+    # Where hinges are parallel for some values of constants, nothing is divided by their angle.
+    a, b = sm.symbols("a b")
+    turns = [[], [("x", a)], [("y", b)], [("x", a), ("z", b)]]
+    values = {"a": twist, "b": bend, "l": 0.7, "c": 0.3, "I": 0.2}
+    check_system(chain([(turn, (0, 0, 1)) for turn in turns], plain=True), values)

@@ -26,7 +26,7 @@ from pydy._graph.node import Graph
 from pydy._mechanics.components import identity, in_rows, terms_of, transposed, turned
 from pydy._mechanics.kinematics import Kinematics, Parts, Vec
 from pydy._mechanics.reader import is_rigid
-from pydy._mechanics.tuning import SAME_AXES, SAME_DIRECTION
+from pydy._mechanics.tuning import SAME_AXES, SAME_DIRECTION, STEEP
 
 Matrix = list[Vec]
 
@@ -169,20 +169,28 @@ def _joints(kinematics: Kinematics) -> dict[Any, _Joint]:
             inner = k.frames.parent(inner)
         if inner is before:
             n = _shortened(k, direction, before)
-            found[point] = _Joint(frame, axis, base, before, place, direction, n)
+            if n is not None:
+                found[point] = _Joint(frame, axis, base, before, place, direction, n)
     return found
 
 
-def _shortened(kinematics: Kinematics, direction: Vec, before: Any) -> int:
-    """Return the component of a place that is taken off, beside that along the hinge before."""
+def _shortened(kinematics: Kinematics, direction: Vec, before: Any) -> int | None:
+    """Return the component of a place that is taken off, beside that along the hinge before.
+
+    The way along the axis is that component over the direction's, which must not be small: between
+    nearly parallel hinges the other point would be far away, and between parallel ones nowhere.
+    Where the direction depends on constants it may be so for some of their values: None then.
+    """
     g = kinematics.graph
+    numbers = [g.value(n) for n in direction]
+    sizes = [abs(size) for size in numbers if size is not None]
+    if len(sizes) < 3:
+        return None
     along = hinge_axis(kinematics, before, kinematics.frames.parent(before))
-    sizes = [abs(g.value(n) or 0.0) for n in direction]
-    if None in [g.value(n) for n in direction]:
-        # By symbols: what is no number is not zero in general.
-        sizes = [float(n != g.zero) for n in direction]
-    if along is not None and sum(size > 0.0 for size in sizes) > 1:
-        sizes[along] = 0.0
+    if along is not None:
+        others = [0.0 if i == along else size for i, size in enumerate(sizes)]
+        if max(others) >= STEEP:
+            sizes = others
     return sizes.index(max(sizes))
 
 
@@ -531,6 +539,9 @@ def _own_axes(
         # As the axes before, where the angle is zero.
         return _snapped(place @ (np.outer(turn.own, turn.before) + turn.even).T)
     normal = np.cross(turn.own, ahead[0])
+    # Of nearly parallel axes little is left but rounding: what is along the axis is taken off.
+    normal /= np.linalg.norm(normal)
+    normal -= turn.own * (turn.own @ normal)
     rows = np.zeros((3, 3))
     rows[index], rows[(index + 1) % 3] = sign * turn.own, normal / np.linalg.norm(normal)
     rows[(index + 2) % 3] = np.cross(rows[index], rows[(index + 1) % 3])

@@ -37,6 +37,10 @@ SAME_DIRECTION = 1e-12
 """The difference of two unit vectors, and of two rotations, that are the same: users' axes are
 normalised to rounding, or to all digits that they wrote."""
 
+STEEP = 1 / 16
+"""The cosine that a place on a hinge's axis is divided by, to get to another one: four bits are
+lost at most."""
+
 NEARLY_DEPENDENT = (DEPENDENT, 1e-4)
 """Singular values between are neither zero nor sound: such a state is not counted."""
 
