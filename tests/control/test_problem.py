@@ -10,7 +10,6 @@ import sympy.physics.mechanics as me
 
 import optima
 from optima import TF, T
-from pydy import System
 from pydy.control import OptimalControl, ipopt
 from pydy.errors import (
     AnalysisInterrupted,
@@ -366,22 +365,6 @@ def test_what_cannot_be_done_yet_is_told():
     system.specifieds = {wind: SampledInput([0.0, 1.0], [0.0, 1.0])}
     refused("the duration is free", system, TF, TF, bounds={TF: (1, 2)}, error=NotImplementedError)
     refused("`duration` must lie within the times of the SampledInput", system, energy(F), 2.0)
-
-
-def test_systems_with_constraints_are_refused():
-    x, y, v, w = me.dynamicsymbols("x y v w")
-    ground, rest = me.ReferenceFrame("N"), me.Point("O")
-    rest.set_vel(ground, 0)
-    point = rest.locatenew("P", x * ground.x + y * ground.y)
-    from pydy.mechanics import Definition
-
-    system = System(
-        Definition(
-            ground, [x, y], [v, w], bodies=[me.Particle("p", point, 1)],
-            holonomic_constraints=[x**2 + y**2 - 1],
-        )
-    )  # fmt: skip
-    refused("constraints", system, sm.S(0), 1.0, error=NotImplementedError)
 
 
 def test_a_jump_that_no_mesh_meets_is_warned_of(monkeypatch, mass):

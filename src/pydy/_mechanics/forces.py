@@ -116,6 +116,12 @@ class ConstraintForces:
             found = self._shortest(columns, force)
         return found
 
+    def unbalanced(self, noncontributing: Iterable[Any] = ()) -> list[Any]:
+        """F − M u' of each speed, which Jᵀ λ balances: expressions in q, u and u'."""
+        with collector_paused():
+            nodes = self._without(noncontributing, self._unbalanced())
+        return [self._expression(node, f"force{k}") for k, node in enumerate(nodes)]
+
     def _unbalanced(self) -> Vec:
         """Return F − M u' with all speeds free."""
         kinematics = self._kinematics

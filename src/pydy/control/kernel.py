@@ -2,8 +2,14 @@
 
 This is the one file of the package that knows the expression graph and the LLVM back end.
 
-The equations are ``M(q) u' − F = 0`` and ``q' − G = 0``: no linear system is solved, and every
-derivative is a sum of products. A *point* is what the functions are evaluated at, a collocation
+The equations are ``q' − G = 0`` and ``M(q) u' − F = 0``: no linear system is solved, and every
+derivative is a sum of products. Constraints hold themselves, not their derivatives: of velocities,
+``J u + b = 0`` with multipliers in ``M u' − F − Jᵀ λ = 0``, which hold in every configuration; of
+positions, ``φ(q) = 0`` with slack velocities in ``q' − G − φ_qᵀ γ = 0``, which vanish with the
+errors of the discretisation (C. W. Gear, B. Leimkuhler and G. K. Gupta, Automatic integration of
+Euler–Lagrange equations with constraints, J. Comput. Appl. Math. 12 (1985) 77–90).
+
+A *point* is what the functions are evaluated at, a collocation
 point or the ends of the motion: its variables X, its data R and the constants P. Many points are
 evaluated in one call, side by side in vector registers, in arrays of shape (items, points).
 """
@@ -11,7 +17,7 @@ evaluated in one call, side by side in vector registers, in arrays of shape (ite
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -37,13 +43,15 @@ _LANES = 8  # points that one call of the machine code takes
 class Equations:
     """``f(x', x, r, p, t) = 0`` as nodes of a graph.
 
-    The inputs are of the groups 'd' (x'), 'x', 'r', 'p' and 't'.
+    The inputs are of the groups 'd' (x'), 'x', 'r', 'p', 't' and 's' (γ, then λ).
 
     Attributes
     ----------
     graph : Graph
     residuals : list of nodes
-        One for each state: first q' − G, then M u' − F, then those of auxiliary states.
+        Those of coordinates, of speeds and of auxiliary states, then the constraints.
+    constraints : list of nodes
+        The constraints of positions, then those of velocities.
     atoms : mapping of symbols to nodes
         What further expressions may hold.
     given : mapping of nodes to nodes
@@ -52,6 +60,7 @@ class Equations:
 
     graph: Graph
     residuals: list[int]
+    constraints: list[int]
     atoms: Mapping[Any, int]
     given: Mapping[int, int]
 
@@ -63,19 +72,42 @@ class Equations:
         graph, rates = assembly.graph, assembly.rates
         nq, nu = len(equations.coordinates), len(equations.speeds)
         slopes = [graph.input("d", k) for k in range(len(rates))]
-        residuals = [graph.sub(slopes[k], rates[k]) for k in range(nq)]
-        for i in range(nu):
-            row = assembly.mass_matrix[i * nu : (i + 1) * nu]
-            terms = [(graph.mul(m, slopes[nq + j]), 1.0) for j, m in enumerate(row)]
-            residuals.append(graph.sum([*terms, (assembly.forcing[i], -1.0)]))
-        residuals += [graph.sub(slopes[k], rates[k]) for k in range(nq + nu, len(rates))]
         # Accelerations in an objective are the unknown u', which no linear system gives.
         atoms = {
             **assembly.atoms,
             **dict(zip(definition.outputs_symbols, assembly.outputs, strict=True)),
             **dict(zip(equations.speed_rates, slopes[nq:], strict=False)),
         }
-        return cls(graph, residuals, atoms, assembly.given)
+        own = cls(graph, [], [], atoms, assembly.given)
+        x = [graph.input("x", k) for k in range(nq + nu)]
+        places, motion = [assembly.holonomic[k] for k in equations.enforced], assembly.velocity
+        if motion:
+            forces = equations.constraint_forces.unbalanced(definition.forces)
+            unbalanced = own.read(graph, forces, "the equations of motion")
+        else:
+            unbalanced = []
+            for i in range(nu):
+                row = assembly.mass_matrix[i * nu : (i + 1) * nu]
+                parts = [(graph.mul(m, slopes[nq + j]), -1.0) for j, m in enumerate(row)]
+                unbalanced.append(graph.sum([*parts, (assembly.forcing[i], 1.0)]))
+        terms = [[(slopes[k], 1.0), (rates[k], -1.0)] for k in range(nq)]
+        terms += [[(node, -1.0)] for node in unbalanced]
+        terms += [[(slopes[k], 1.0), (rates[k], -1.0)] for k in range(nq + nu, len(rates))]
+        by_places, by_speeds = jacobian(graph, places, x[:nq]), jacobian(graph, motion, x[nq:])
+        for j, row in enumerate(by_places):
+            for k, node in row.items():
+                terms[k].append((graph.mul(node, graph.input("s", j)), -1.0))
+        for j, row in enumerate(by_speeds, start=len(places)):
+            for k, node in row.items():
+                terms[nq + k].append((graph.mul(node, graph.input("s", j)), -1.0))
+        constraints = [*places, *motion]
+        residuals = [*(graph.sum(parts) for parts in terms), *constraints]
+        return replace(own, residuals=residuals, constraints=constraints)
+
+    def are_of(self, nodes: Iterable[int], places: Iterable[int]) -> bool:
+        """Return whether nodes depend on some of the specifieds."""
+        found = set(self.graph.reachable(nodes))
+        return any(self.graph.input("r", k) in found for k in places)
 
     def read(
         self, graph: Graph, expressions: Iterable[Any], what: str, duration: Any = None
@@ -138,6 +170,10 @@ class Point:
     def residuals(self, at: Mapping[tuple[str, int], int]) -> list[int]:
         """Return the equations with nodes in place of their inputs."""
         return self._placed(self.equations.residuals, at)
+
+    def constraints(self, at: Mapping[tuple[str, int], int]) -> list[int]:
+        """Return the constraints with nodes in place of their inputs."""
+        return self._placed(self.equations.constraints, at)
 
     def read(
         self,

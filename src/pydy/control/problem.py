@@ -23,7 +23,7 @@ from pydy._checks import (
 from pydy._errors import AnalysisInterrupted, OptimizationError, warn_user
 from pydy._names import unique_names
 from pydy._optional import progress_of
-from pydy._rank import or_one
+from pydy._rank import DIGITS, or_one, rank
 from pydy.codegen.arguments import checked_expression
 from pydy.control.expressions import Reader
 from pydy.control.ipopt import SOLVED, Iteration, Solution, solve
@@ -61,7 +61,8 @@ class OptimalControl:
         In s. The motion begins at t = 0. A Symbol is found, between its `bounds`.
     start, end : dict, optional
         From states to numbers, pairs (low, high), or None for free ones. At the start, states that
-        are not given have the system's initial conditions; at the end, they are free.
+        are not given have the system's initial conditions; but with `start`, dependent states that
+        it leaves out follow from the constraints. At the end, those not given are free.
     boundary : sequence of relations, optional
         Between values at instants: ``sm.Eq(u.subs(t, tf), u.subs(t, 0))``,
         ``q.subs(t, tf/2) <= 2``.
@@ -86,7 +87,8 @@ class OptimalControl:
     TypeError, ValueError
         An argument is not what it should be; the message names it.
     NotImplementedError
-        The system has constraints.
+        The system has constraints, and the method is not Radau's, or the system has no bodies; or
+        samples are given for a free duration.
 
     Examples
     --------
@@ -131,11 +133,6 @@ class OptimalControl:
         self._now = now = system._now()
         definition, plan = now.definition, now.plan
         equations, time = definition.equations, definition.equations.time
-        if equations.constrained:
-            raise NotImplementedError(
-                "OptimalControl does not treat systems with constraints yet. Choose coordinates "
-                "and speeds that need none, or add stiff springs and dampers in their place."
-            )
         if plan.functions:
             raise ValueError(
                 f"`specifieds` gives a Python function for {plan.functions[0][2]}, which has no "
@@ -143,6 +140,11 @@ class OptimalControl:
                 "specified without a value is a control."
             )
         self._method = choice(method, METHODS, "`method`")
+        if equations.constrained and self._method not in ("radau", "backward-euler"):
+            raise NotImplementedError(
+                f"`method` is {self._method!r}, which does not treat systems with constraints: the "
+                "points of such methods do not include the ends of intervals only. Use 'radau'."
+            )
         self._scheme = scheme_of(self._method, whole(order, "`order`"))
         self._mesh = _checked_mesh(mesh)
         given = plan.given | followed(definition, plan)
@@ -173,16 +175,37 @@ class OptimalControl:
         self._start = self._limits("start", start, definition.states)
         self._end = self._limits("end", end, definition.states)
         self._bounds = self._limits("bounds", bounds, self._unknown.symbols)
-        for k, value in enumerate(now.x):
-            self._start.setdefault(definition.states[k], (float(value), float(value)))
+        # Those that follow from the constraints, where `start` changes others.
+        dependent = {*equations.dependent_coordinates, *equations.dependent_speeds}
+        left = dependent - {*self._start} if self._start else ()
+        self._following = tuple(s for s in definition.states if s in left)
+        for s, value in zip(definition.states, now.x.tolist(), strict=True):
+            self._start.setdefault(s, _OPEN if s in self._following else (value, value))
         known = {*definition.constants, *last}
         reader = Reader(time, definition.states, self._controls, known, duration)
         running, terminal = reader.objective(checked_expression(objective, "`objective`"))
         conditions = reader.conditions("boundary", listed("boundary", boundary, "relations"))
         path = listed("path", () if path is None else path, "relations")
+        if equations.velocity and equations.constraint_forces is None:
+            raise NotImplementedError(
+                "The system has constraints, and equations without bodies. Optimal control of "
+                "constrained systems needs the bodies and loads: give them to the method, and "
+                "leave out `equations='method'`."
+            )
+        made = Equations.of(now)
+        if made.are_of(made.constraints, [definition.specifieds.index(s) for s in self._controls]):
+            raise NotImplementedError(
+                "The constraints hold a control, which has no value at the start. Give that "
+                "specified a value, or make it a state whose derivative is the control."
+            )
+        labels = _labels(definition)
+        held = _constraint_labels(equations)
+        self._fixed = all(low == high for low, high in self._start.values())
         self._problem = Problem(
-            equations=Equations.of(now),
-            labels=_labels(definition),
+            equations=made,
+            states=len(definition.states),
+            labels=labels,
+            constraints=() if self._fixed else tuple(f"{label} at the start" for label in held),
             controls=tuple(definition.specifieds.index(s) for s in self._controls),
             control_bounds=np.array(
                 [self._bounds.get(s, _OPEN) for s in self._controls], dtype=float
@@ -208,7 +231,7 @@ class OptimalControl:
     def __repr__(self) -> str:
         unknown = ", ".join(unique_names(self._controls)) or "none"
         return (
-            f"<OptimalControl: {len(self._problem.labels)} states, controls {unknown}, "
+            f"<OptimalControl: {self._problem.states} states, controls {unknown}, "
             f"{self._method} on {len(self._mesh) - 1} intervals>"
         )
 
@@ -245,6 +268,7 @@ class OptimalControl:
         lower, upper = self._bounds_of(made)
         z = self._guess(made, guess, lower, upper)
         nlp = made.nlp(lower, upper, self._sizes(made, z, lower, upper))
+        self._check_start(made, z)
         low, high = nlp.row_bounds
         equal, unknown = int((low == high).sum()), int((lower < upper).sum())
         if equal > unknown:
@@ -255,6 +279,35 @@ class OptimalControl:
             )
         return nlp.in_own_units(z), z
 
+    def _check_start(self, made: Transcription, z: np.ndarray) -> None:
+        """Refuse a start that violates the constraints, or that they do not determine."""
+        if not self._problem.equations.constraints:
+            return
+        begin = made.beginning()
+        rows, states = np.empty((begin.rows, 1)), self._now.definition.states
+        X, P, f = z[begin.at], self._problem.numbers, begin.functions
+        f("rows", X, begin.data, P, rows)
+        J = np.zeros((begin.rows, len(X)))
+        slopes = np.empty((len(f.jacobian_at), 1))
+        f("jacobian", X, begin.data, P, slopes)
+        J[tuple(f.jacobian_at.T)] = slopes[:, 0]
+        sizes = self._sizes(made, z, *self._bounds_of(made))[begin.at[:, 0]]
+        terms = np.abs(J) @ sizes
+        if self._fixed and (np.abs(rows[:, 0]) > DIGITS * terms).any():
+            at = int(np.argmax(np.abs(rows[:, 0]) - DIGITS * terms))
+            raise ValueError(
+                f"The start does not satisfy the constraints: `{begin.labels[at]}` is "
+                f"{rows[at, 0]:.3g}. Call `system.set_dependent_initial_conditions`, or free "
+                "states that follow from others: start={symbol: None}."
+            )
+        columns = [k for k, s in enumerate(states) if s in self._following]
+        if columns and rank(J[:, columns] * sizes[columns]) < len(columns):
+            names = ", ".join(str(states[k]) for k in columns)
+            raise ValueError(
+                f"`start` leaves out {names}, which the constraints do not determine there: the "
+                "configuration is singular for them. Give all states in `start`."
+            )
+
     def _bounds_of(self, made: Transcription) -> tuple[np.ndarray, np.ndarray]:
         """Return the bounds of the unknowns."""
         states, controls = self._now.definition.states, self._controls
@@ -262,7 +315,10 @@ class OptimalControl:
         M, slopes = made.intervals, made.places[1]
         sides = []
         for side, pick in ((0, max), (1, min)):
-            x, u = np.empty((len(states), slots)), np.empty((len(controls), own))
+            x, u = (
+                np.empty((len(states), slots)),
+                np.full((self._problem.algebraic, own), _OPEN[side]),
+            )
             for k, s in enumerate(states):
                 limit = self._bounds.get(s, _OPEN)[side]
                 x[k] = np.where(slopes, _OPEN[side], limit)
@@ -295,14 +351,13 @@ class OptimalControl:
         for k, s in enumerate(self._now.definition.states):
             values = guess.values(s, places, duration)
             if values is None:
-                a, b = self._start[s], self._end.get(s, _OPEN)
-                ends = [_middle(a), _middle(b)]
-                ends = [e if e is not None else o for e, o in zip(ends, ends[::-1], strict=True)]
-                values = np.interp(places, [0.0, 1.0], [e or 0.0 for e in ends])
+                first = _middle(self._start[s], float(self._now.x[k]))
+                last = _middle(self._end.get(s, _OPEN), first)
+                values = np.interp(places, [0.0, 1.0], [first, last])
             x[k] = values
             if slopes.any():
                 x[k, slopes] = np.gradient(x[k, ~slopes], made.mesh * duration)
-        u = np.zeros((len(self._controls), len(made.control_places)))
+        u = np.zeros((self._problem.algebraic, len(made.control_places)))
         for k, s in enumerate(self._controls):
             values = guess.values(s, made.control_places, duration)
             u[k] = 0.0 if values is None else values
@@ -349,12 +404,10 @@ class OptimalControl:
         whole = Transcription(self._problem, self._scheme, np.array([0.0, 1.0]))
         times = [whole.places[0], whole.control_places]
         _, _, constants, _ = made.split(z)
-        at = [
-            made.states_at(z, times[0] * duration).T,
-            made.controls_at(z, times[1] * duration).T,
-        ]
-        at[0] = np.where(whole.places[1], 0.0, at[0])
-        one = whole.joined(at[0], at[1], constants, duration)
+        states = np.where(whole.places[1], 0.0, made.states_at(z, times[0] * duration).T)
+        controls = np.zeros((self._problem.algebraic, len(times[1])))
+        controls[: len(self._controls)] = made.controls_at(z, times[1] * duration).T
+        one = whole.joined(states, controls, constants, duration)
         everywhere = np.full(len(one), np.inf)
         nlp = whole.nlp(-everywhere, everywhere, np.ones(len(one)))
         values = np.empty(len(nlp.jacobian_at[0]))
@@ -619,12 +672,12 @@ def _pair(value: Any, what: str, single: bool) -> tuple[float, float]:
     return low, high
 
 
-def _middle(limits: tuple[float, float]) -> float | None:
-    """Return a value within limits, or None if there are none."""
+def _middle(limits: tuple[float, float], otherwise: float) -> float:
+    """Return the middle of limits, or the value nearest to another where one is missing."""
     low, high = limits
     if np.isfinite(low) and np.isfinite(high):
         return 0.5 * (low + high)
-    return low if np.isfinite(low) else high if np.isfinite(high) else None
+    return min(max(otherwise, low), high)
 
 
 def _shown_pair(limits: tuple[float, float]) -> str:
@@ -647,6 +700,15 @@ def _labels(definition: Any) -> tuple[str, ...]:
         *(f"kinematics of {name}" for name in coordinates),
         *(f"motion of {name}" for name in speeds),
         *(f"integral {name}" for name in others),
+        *_constraint_labels(equations),
+    )
+
+
+def _constraint_labels(equations: Any) -> tuple[str, ...]:
+    """Return what to call the constraints, those of positions first."""
+    return (
+        *(f"constraint {k} of positions" for k in equations.enforced),
+        *(f"constraint {k} of velocities" for k in range(len(equations.velocity))),
     )
 
 

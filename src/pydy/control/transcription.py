@@ -64,8 +64,11 @@ class Problem:
     Attributes
     ----------
     equations : Equations
+    states : int
     labels : tuple of str
-        Of the equations, one for each state.
+        Of the equations.
+    constraints : tuple of str
+        Labels of those of the constraints that the start has to satisfy.
     controls : tuple of int
         Places in r.
     control_bounds : ndarray, shape (c, 2)
@@ -90,7 +93,9 @@ class Problem:
     """
 
     equations: Equations
+    states: int
     labels: tuple[str, ...]
+    constraints: tuple[str, ...]
     controls: tuple[int, ...]
     control_bounds: np.ndarray
     signals: tuple[tuple[int, Any], ...]
@@ -109,9 +114,9 @@ class Problem:
     _compiled: dict[Any, Functions] = field(default_factory=dict, repr=False)
 
     @property
-    def states(self) -> int:
-        """Number of states."""
-        return len(self.labels)
+    def algebraic(self) -> int:
+        """Number of controls, slack velocities and multipliers, which have the same slots."""
+        return len(self.controls) + len(self.equations.constraints)
 
     @property
     def numbers(self) -> np.ndarray:
@@ -131,7 +136,7 @@ class Problem:
     def _at_points(self, points: Points) -> Functions:
         point, n = self._point(), self.states
         values = [point.variables(n) for _ in range(len(points.slots))]
-        controls = point.variables(len(self.controls))
+        controls = point.variables(self.algebraic)
         constants, T = self._unknown_numbers(point)
         fraction, length, weight = point.data(3)
         g = point.graph
@@ -145,17 +150,12 @@ class Problem:
                 rows.append(point.combined([(values[y][k], c, p) for (y, _, p), c in parts], h))
             forms.append(rows)
         x, slopes = forms
-        signals = dict(
-            zip((k for k, _ in self.signals), point.data(len(self.signals)), strict=True)
-        )
-        known = len(self.constants)
         at = {("t", 0): g.mul(T, fraction), ("T", 0): T}
-        at |= {("x", k): node for k, node in enumerate(x)}
+        at |= self._inputs(point, x, constants)
         at |= {("d", k): node for k, node in enumerate(slopes)}
-        at |= {("p", k): node for k, node in enumerate(constants)}
-        at |= {("r", k): point.constant(known + k) for k in range(len(self.specifieds))}
-        at |= {("r", k): node for k, node in signals.items()}
-        at |= {("r", k): node for k, node in zip(self.controls, controls, strict=True)}
+        own = len(self.controls)
+        at |= {("r", k): node for k, node in zip(self.controls, controls[:own], strict=True)}
+        at |= {("s", k): node for k, node in enumerate(controls[own:])}
         rows = point.residuals(at)
         if self.path:
             path = [c.expression for c in self.path]
@@ -165,6 +165,29 @@ class Problem:
             integrand = point.read([self.running], "`objective`", at, self.duration_symbol)
             cost = g.mul(T, weight, integrand[0])
         return point.functions(rows, cost, hessian=self.hessian)
+
+    def _inputs(
+        self, point: Point, x: Sequence[int], constants: Sequence[int]
+    ) -> dict[tuple[str, int], int]:
+        """Return the nodes of states, constants and known specifieds."""
+        known = len(self.constants)
+        at = {("x", k): node for k, node in enumerate(x)}
+        at |= {("p", k): node for k, node in enumerate(constants)}
+        at |= {("r", k): point.constant(known + k) for k in range(len(self.specifieds))}
+        signals = point.data(len(self.signals))
+        at |= {("r", k): node for (k, _), node in zip(self.signals, signals, strict=True)}
+        return at
+
+    def at_start(self) -> Functions:
+        """Return the constraints at the start."""
+        if "start" not in self._compiled:
+            point = self._point()
+            x = point.variables(self.states)
+            constants, T = self._unknown_numbers(point)
+            at = {("t", 0): point.graph.zero, ("T", 0): T, **self._inputs(point, x, constants)}
+            rows = point.constraints(at)
+            self._compiled["start"] = point.functions(rows, None, hessian=self.hessian)
+        return self._compiled["start"]
 
     def _point(self) -> Point:
         return Point(self.equations, len(self.constants) + len(self.specifieds) + 1)
@@ -246,15 +269,18 @@ class Transcription:
         """Numbers of unknowns: of states, controls, constants and the duration."""
         p = self.problem
         states, controls = len(self.places[0]), len(self.control_places)
-        return (p.states * states, len(p.controls) * controls, len(p.free), p.duration is None)
+        return (p.states * states, p.algebraic * controls, len(p.free), p.duration is None)
 
     def split(self, z: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray, float]:
-        """Return states (n, slots), controls (c, slots), free constants and the duration."""
+        """Return states (n, slots), controls (c, slots), free constants and the duration.
+
+        Slack velocities and multipliers of constraints follow the controls.
+        """
         p = self.problem
         states, controls, constants, duration = np.split(z, np.cumsum(self.sizes)[:3])
         return (
             states.reshape(p.states, len(self.places[0])),
-            controls.reshape(len(p.controls), len(self.control_places)),
+            controls.reshape(p.algebraic, len(self.control_places)),
             constants,
             float(duration[0]) if p.duration is None else p.duration,
         )
@@ -282,6 +308,8 @@ class Transcription:
     def pieces(self) -> tuple[Piece, ...]:
         """The functions of the program with their unknowns."""
         made = [self._piece(points) for points in self.scheme.points(self.mesh)]
+        if self.problem.constraints:
+            made.append(self.beginning())
         ends = self._ends()
         return tuple(made) if ends is None else (*made, ends)
 
@@ -291,7 +319,7 @@ class Transcription:
         count = len(points.fractions)
         states = [k * slots + row for row in points.slots for k in range(n)]
         first = self.sizes[0]
-        controls = [first + k * own + points.controls for k in range(len(p.controls))]
+        controls = [first + k * own + points.controls for k in range(p.algebraic)]
         times = points.fractions * (1.0 if p.duration is None else p.duration)
         signals = [signal(times) for _, signal in p.signals]
         data = [points.fractions, points.lengths, points.weights, *points.coefficients, *signals]
@@ -299,10 +327,26 @@ class Transcription:
             p.at_points(points),
             np.concatenate([np.array([*states, *controls]), self._numbers_at(count)]),
             np.ascontiguousarray(data),
-            *_limits(p.states, p.path),
+            *_limits(len(p.labels), p.path),
             (*p.labels, *(c.label for c in p.path)),
             points.fractions,
             True,
+        )
+
+    def beginning(self) -> Piece:
+        """Return the constraints at the start."""
+        p = self.problem
+        count = len(p.equations.constraints)
+        states = np.arange(p.states) * len(self.places[0])
+        signals = [signal(np.zeros(1)) for _, signal in p.signals]
+        return Piece(
+            p.at_start(),
+            np.concatenate([states, self._numbers_at(1)[:, 0]])[:, None],
+            np.array(signals, dtype=float).reshape(-1, 1),
+            *_limits(count, ()),
+            p.constraints or tuple(p.labels[-count:]),
+            np.zeros(1),
+            False,
         )
 
     def _ends(self) -> Piece | None:
@@ -366,7 +410,8 @@ class Transcription:
         """
         slots = self.scheme.control_slots(self.intervals)[:, k]
         basis = self.scheme.control_basis(s)
-        found = np.einsum("cym,ym->mc", self.split(z)[1][:, slots], basis)
+        values = self.split(z)[1][: len(self.problem.controls)]
+        found = np.einsum("cym,ym->mc", values[:, slots], basis)
         within: np.ndarray = np.clip(found, *self.problem.control_bounds.T)
         return within
 
