@@ -336,7 +336,7 @@ def _kane(data):
         whole = kept
         holonomic = [k for k in whole if k < count]
         rows = [rates[k] if k < count else model.speeds[k - count] for k in whole]
-        dependent = pivots(world.A[holonomic], world.A_size[holonomic])[1]
+        dependent = pivots(*world.by_coordinates(holonomic))[1]
         model.rows = whole
         options = {
             "q_dependent": [model.q[k] for k in sorted(dependent)],

@@ -316,6 +316,14 @@ class World:
         """Of the coordinates."""
         return self.G @ self.a + self.drift
 
+    def by_coordinates(self, rows):
+        """Derivatives of rows by the coordinates, and their sizes: there are 4 for 3 speeds."""
+        of_q = np.array([self.data["units"][0] ** k for k in self.lengths], LONG)
+        of_u = self.natural * self.data["units"][2]
+        G = self.G / of_q[:, None] * of_u
+        inverse = solved(G.T @ G, G.T) * of_u[:, None] / of_q
+        return self.A[rows] @ inverse, self.A_size[rows] @ np.abs(inverse)
+
     def norms(self):
         """The squared lengths of quaternions, along which nothing is differentiated."""
         parts = [p for elements in self.places for e, p, _ in elements if len(e.lengths) == 4]

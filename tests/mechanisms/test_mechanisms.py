@@ -66,6 +66,12 @@ def test_failures_of_a_kind_differ_in_numbers_and_names_only():
     assert len({kind_of(DisagreementError(text)) for text in texts}) == 1
 
 
+def test_what_kane_calls_dependent_is_solved_for_beside_a_quaternion():
+    """Its four coordinates have three speeds, so that the others' places differ by one."""
+    model = Check(draw(881), "kane").model
+    assert model.positions[1].has(model.method.q[-1])
+
+
 def test_speeds_that_constraints_hold_at_zero_are_zero():
     assert draw(2530)["u"][1:] == [0.0, 0.0]
 
