@@ -220,3 +220,43 @@ def test_a_force_is_opposite_to_its_negative_up_to_rounding(plane):
     found = potential(plane, [(place, -1.0000000000000002 * pull), (other, pull)])
     assert differs_by_a_constant(found.expression, K * (way.magnitude() - L) ** 2 / 2)
     assert not found.unknown
+
+
+@pytest.mark.parametrize(
+    ("pull", "energy"),
+    [
+        (lambda r: K * r / (r**2 + L**2) ** sm.Rational(3, 2), lambda r: -K / sm.sqrt(r**2 + L**2)),
+        (
+            lambda r: K * r * (1 + r**2 / L**2) ** sm.Rational(-5, 2),
+            lambda r: -K * L**2 / 3 * (1 + r**2 / L**2) ** sm.Rational(-3, 2),
+        ),
+        (lambda r: K * sm.exp(-r) * (1 + r) / r**2, lambda r: -K * sm.exp(-r) / r),
+        (
+            lambda r: 2 * K * C * sm.exp(-C * (r - L)) * (1 - sm.exp(-C * (r - L))),
+            lambda r: K * (1 - sm.exp(-C * (r - L))) ** 2,
+        ),
+        (lambda r: K * r / (9 - r**2), lambda r: -K / 2 * sm.log(9 - r**2)),
+        (lambda r: K * sm.Max(r - L, 0), lambda r: K / 2 * sm.Max(r - L, 0) ** 2),
+    ],
+    ids=["softened", "Plummer", "Yukawa", "Morse", "FENE", "rope"],
+)
+def test_any_law_of_a_distance_with_an_integral_has_that(pull, energy):
+    """Along coordinates SymPy takes minutes for these, and finds none."""
+    q = me.dynamicsymbols("q:6")
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    ends = [
+        origin.locatenew(name, sum(c * axis for c, axis in zip(own, frame, strict=True)))
+        for name, own in (("A", q[:3]), ("B", q[3:]))
+    ]
+    way = ends[0].pos_from(ends[1])
+    distance = sm.sqrt(way.dot(way))
+    force = pull(distance) * way / distance
+    bodies = [me.Particle(str(end), end, M) for end in ends]
+    definition = Definition(frame, q, bodies=bodies, loads=[(ends[0], -force), (ends[1], force)])
+    found = find_potential(System(definition)._equations)
+    assert not found.unknown
+    apart = sm.lambdify([*q, K, L, C], found.expression - energy(distance))
+    here, there = (0.3, -0.4, 1.1, 0.2, 0.9, -0.6), (0.1, 0.2, 0.9, 0.0, -0.2, 0.3)
+    values = [apart(*place, 1.3, 0.7, 1.7) for place in (here, there)]
+    assert values[0] == pytest.approx(values[1], abs=1e-14)

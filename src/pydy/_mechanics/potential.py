@@ -235,6 +235,8 @@ class _Search:
             return False
         distance = sm.Dummy("L", positive=True)
         law = _in_terms_of(ratio, square, distance) * distance
+        if not self._is_constant(law):  # a - b beside b - a, say
+            law = sm.signsimp(law)
         if not self._is_constant(law):
             return False
         energy = _integral(-law, distance)
@@ -485,11 +487,8 @@ def _ratio(force: Vector, line: Vector) -> Any:
 def _in_terms_of(expression: Any, square: Any, distance: Any) -> Any:
     """Write an expression in terms of a distance: so many times its square are written by it."""
     moving = find_symbols([square])
-    bases = [
-        e
-        for e in {square, *(p.base for p in expression.atoms(sm.Pow))}
-        if find_symbols([e]) == moving
-    ]
+    sums = {square, *(p.base for p in expression.atoms(sm.Pow)), *expression.atoms(sm.Add)}
+    bases = [e for e in sums if find_symbols([e]) == moving]
     values = _numbers([square, *bases])
     shares = values[:, 1:] / values[:, :1]
     alike = np.abs(shares - shares[0]).max(axis=0) <= ROUNDED * np.abs(shares[0])
@@ -502,13 +501,67 @@ def _in_terms_of(expression: Any, square: Any, distance: Any) -> Any:
     def is_power(e: Any) -> bool:
         return bool(e in named or (e.is_Pow and e.base in named))
 
-    return expression.replace(
-        is_power,
-        lambda e: named[e] if e in named else sm.powdenest(named[e.base] ** e.exp, force=True),
-    )
+    def written(expression: Any) -> Any:
+        return expression.replace(
+            is_power,
+            lambda e: named[e] if e in named else sm.powdenest(named[e.base] ** e.exp, force=True),
+        )
+
+    found = written(expression)
+    coordinates = [s for s in moving if not s.is_Symbol]
+    if coordinates and found.has(*coordinates):
+        for e in found.atoms(sm.Add):
+            softened = _beside_constants(e, square, coordinates)
+            if softened is not None:
+                named[e] = softened[0] * distance**2 + softened[1]
+        found = written(found)
+    return found
+
+
+def _beside_constants(total: Any, square: Any, coordinates: Sequence[Any]) -> Any:
+    """Return a and b of ``total = a · square + b`` with constants a and b, or None."""
+    slopes = [(total.diff(q), square.diff(q)) for q in coordinates]
+    try:
+        values = _numbers([slope for pair in slopes for slope in pair])
+    except UnsupportedFunctionError:  # derivatives of what is no function of the distance
+        return None
+    with np.errstate(divide="ignore", invalid="ignore"):
+        shares = values[:, ::2] / values[:, 1::2]
+    if not (np.abs(shares - shares[:, :1]) <= ROUNDED * np.abs(shares)).all():
+        return None
+    share = sm.cancel(slopes[0][0] / slopes[0][1])
+    rest = sm.expand(total - share * square)
+    return None if share.has(*coordinates) or rest.has(*coordinates) else (share, rest)
 
 
 def _integral(law: Any, distance: Any) -> Any:
+    """Integrate a law over the distance; None where SymPy finds no elementary function."""
+    powers = _integral_of_powers(law, distance)
+    if powers is not None:
+        return powers
+    found = sm.S.NaN
+    if not law.has(sm.Max, sm.Min, sm.Abs, sm.sign, sm.Heaviside, sm.Piecewise):
+        with suppress(NotImplementedError, ValueError, TypeError, AttributeError, RecursionError):
+            found = sm.integrate(law, distance, risch=True)
+    if found.has(sm.Integral, sm.S.NaN):
+        # Many laws are functions of the square, which SymPy integrates sooner.
+        square = sm.Dummy("S", positive=True)
+        by_square = replace_symbols(law / distance, {distance: sm.sqrt(square)}) / 2
+        odd = any(p.base == square and not p.exp.is_Integer for p in by_square.atoms(sm.Pow))
+        found = _primitive(*((law, distance) if odd else (by_square, square)))
+        found = None if found is None else replace_symbols(found, {square: distance**2})
+    if found is None:
+        return None
+    # Of either sign: what is integrated is the logarithm's derivative.
+    found = found.replace(sm.log, lambda e: sm.log(e if e.is_positive else sm.Abs(e)))
+    try:
+        _numbers([found])
+    except UnsupportedFunctionError:  # an exponential integral, say
+        return None
+    return found
+
+
+def _integral_of_powers(law: Any, distance: Any) -> Any:
     """Integrate a sum of powers of the distance; None for anything else."""
     parts = []
     for term in sm.Add.make_args(sm.expand(law)):
