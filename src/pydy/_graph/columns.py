@@ -13,12 +13,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pydy._graph.derivative import Rows
-from pydy._graph.lower import lower
 from pydy._graph.node import Graph
-from pydy._graph.passes.factor import factor_sums
-from pydy._graph.program import Program
-from pydy._graph.simplify import simplify
 from pydy._graph.switches import Passes
 from pydy._graph.tangent import Along, Tangent, tangent
 
@@ -65,18 +60,17 @@ class Columns:
         n = self.states
         return whole[..., :n], whole[..., n:].reshape(*whole.shape[:-1], n, self.count)
 
-    def rows(self, graph: Graph) -> Rows:
-        """Return the derivatives of any nodes along the columns."""
-        n, k = self.states, self.count
-        given: dict[int, dict[int, int]] = {}
-        for i in range(n):
-            own = {j: graph.input("x", n + i * k + j) for j in range(k)}
-            given[graph.input("x", i)] = own
-        for j, direction in enumerate(self.directions):
-            if direction is not None:
-                weight = graph.input("r", direction[2]) if len(direction) == 3 else graph.one
-                given.setdefault(graph.input(*direction[:2]), {})[j] = weight
-        return Rows(graph, given)
+    @property
+    def wanted(self) -> tuple[tuple[str, int], ...]:
+        """The inputs that the equations are differentiated by, each once."""
+        return tuple(dict.fromkeys((d[0], d[1]) for d in self.directions if d))
+
+    @property
+    def sources(self) -> np.ndarray:
+        """For each column the places of its input in `wanted`, and of its weight in r, or -1."""
+        places = {one: k for k, one in enumerate(self.wanted)}
+        rows = [(places[d[0], d[1]], *d[2:], -1)[:2] if d else (-1, -1) for d in self.directions]
+        return np.array(rows, dtype=np.int64).reshape(-1, 2)
 
     def tangent(
         self,
@@ -117,53 +111,3 @@ class Columns:
         table = np.array(rows, dtype=float).reshape(len(inputs), self.count)
         whole = (2 * n, s + self.weights, c + len(inputs))
         return tangent(graph, nodes, [part], (sizes, whole), passes, self.count, table, values)
-
-    def jump_program(
-        self,
-        graph: Graph,
-        crossing: int,
-        after: Sequence[int],
-        rates: Sequence[int],
-        sizes: tuple[int, int, int],
-        passes: Passes,
-    ) -> Program:
-        """Return the Program of what moves columns through an event; see `solvers.sensitivities`.
-
-        The inputs r end with the derivatives of the specifieds by time.
-
-        Parameters
-        ----------
-        graph : Graph
-            Gets the new nodes.
-        crossing : node
-            What is zero at the event.
-        after : sequence of nodes
-            The states after it.
-        rates : sequence of nodes
-            The derivatives of the states before it.
-        sizes, passes
-            As for `tangent`.
-        """
-        crossing, *rest = simplify(graph, [crossing, *after, *rates], passes)
-        after, rates = rest[: len(after)], rest[len(after) :]
-        along: dict[int, dict[int, int]] = {graph.input("t", 0): {0: graph.one}}
-        states = [graph.input("x", i) for i in range(self.states)]
-        along.update((x, {0: rate}) for x, rate in zip(states, rates, strict=True))
-        s, last = sizes[1], sizes[1] + self.weights
-        along.update((graph.input("r", i), {0: graph.input("r", last + i)}) for i in range(s))
-        columns, motion = self.rows(graph), Rows(graph, along)
-        gradient = Rows(graph, {x: {i: graph.one} for i, x in enumerate(states)})
-        first = motion(crossing).get(0, graph.zero)
-        k, zero = range(self.count), graph.zero
-        parts = {
-            "rate": [first],
-            "curvature": [motion(first).get(0, zero)],
-            "gradient": [gradient(crossing).get(i, zero) for i in range(self.states)],
-            "moved": [columns(crossing).get(j, zero) for j in k],
-            "after_rates": [motion(node).get(0, zero) for node in after],
-            "after": [columns(node).get(j, zero) for node in after for j in k],
-        }
-        cells = iter(factor_sums(graph, [node for part in parts.values() for node in part]))
-        blocks = [(name, (len(part),), [next(cells) for _ in part]) for name, part in parts.items()]
-        whole = (self.size, last + s, sizes[2])
-        return lower(graph, whole, blocks, passes=passes, own=sizes)

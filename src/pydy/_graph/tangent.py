@@ -213,17 +213,19 @@ def program_from_bytes(data: bytes) -> Program | Tangent:
 def _copied(tape: Tape, program: Program, given: Mapping[tuple[str, int], int]) -> list[int]:
     """Write a Program on a tape, with nodes in place of some inputs; return its outputs."""
     new: dict[int, int] = {}
+    behind = {k: guard for guard, nodes in program.fallback.items() for k in nodes}
     for k, (op, args) in enumerate(zip(program.ops, program.args, strict=True)):
+        tape.behind = behind.get(k)
+        tape.called = k not in behind
         if op == "input":
             new[k] = given[args] if args in given else tape.make(op, *args)
         elif op == "const":
             new[k] = tape.const(*args)
         elif op in ("add", "sub", "mul", "div", "neg"):
             new[k] = getattr(tape, op)(*(new[n] for n in args))
-        elif op == "item" and program.ops[args[0]] == "guard" and not program.args[args[0]][4]:
-            new[k] = new[program.args[args[0]][2][args[1]]]  # of those put off
         else:
             new[k] = tape.make(op, *with_operands(op, args, new))
+    tape.behind, tape.called = None, True
     one, zero = tape.const(1.0), tape.const(0.0)
     nodes = [new[k] for k in program.outputs]
     return [tape.make("select", k, one, zero) if tape.ops[k] in TRUTHS else k for k in nodes]

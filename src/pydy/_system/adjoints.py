@@ -17,7 +17,6 @@ from pydy._assembly.model import CompiledModel
 from pydy._checks import Places, shown
 from pydy._errors import IntegrationError, IntegrationInterrupted, SingularMatrixError
 from pydy._forks import cached_property
-from pydy._graph.backward import event_program
 from pydy._graph.products import derivative_program
 from pydy._graph.program import Program
 from pydy._graph.simplify import simplify
@@ -28,7 +27,7 @@ from pydy._system.causes import explain
 from pydy._system.dependents import latest_dependents
 from pydy._system.parameters import Parameter, read_parameters
 from pydy._system.samples import by_samples, marker, mean_spacing
-from pydy._system.sensitivities import Sensitive
+from pydy._system.sensitivities import Sensitive, compiled_event
 from pydy._system.setup import Setup
 from pydy._system.simulation import begin
 from pydy._system.solving import native_solver
@@ -322,21 +321,6 @@ class _Task:
         key = ("gradient at the end", self.final, self.wanted)
         return self.call(model.compiled_by(key, make))
 
-    def event(self, event: Event) -> Kernel:
-        """Return what an event does to an adjoint; see `event_program`."""
-        model = self.model
-        states = self.definition.states
-        after = [event.reset.get(s, s) for s in states]
-
-        def make() -> Program:
-            own = model.assembly.fork()
-            crossing, *moved = own.read([event.expression, *after], f"the event `{event.name}`")
-            return event_program(
-                own.graph, crossing, moved, own.rates, self.wanted, own.sizes, own.passes
-            )
-
-        return model.compiled_by(("adjoint of", event.expression, *after, self.wanted), make)
-
 
 class _Run:
     """A motion whose steps were noted.
@@ -490,11 +474,12 @@ class _Run:
         time, and by its own slope where the motion ends there; dt_e/dθ = −(g_x S + g_θ) / ġ.
         """
         n, t = self.n, record.time
-        call = self.task.call(self.task.event(event))
-        program, x = call.kernel.program, record.before
-        r = np.concatenate([call.inputs_at(x, t), call.slopes_at(t), self._adjoint[:n]])
-        out = call.kernel.evaluate(np.array([t]), x[None], r[None], call.p)[0][0]
-        part = program.by_block(out)
+        kernel, changed = compiled_event(self.task.model, event, self.task.wanted)
+        call = self.task.call(kernel)
+        x, adjoint, places = record.before, self._adjoint[:n].copy(), [*changed]
+        r = np.concatenate([call.inputs_at(x, t), call.slopes_at(t)])
+        out = kernel.evaluate(np.array([t]), x[None], r[None], call.p)[0][0]
+        part = kernel.program.by_block(out)
         rate, curvature = float(part["rate"][0]), float(part["curvature"][0])
         events = self.options.events
         assert events is not None
@@ -502,11 +487,13 @@ class _Run:
         if forcing_time(call, events, record.index, x, t) is None:
             self._check_crossing(record, rate, curvature, part["crossing"][:n])
             before, after = self._rates(x, t), self._rates(record.after, t)
-            moved = float(part["after_rate"][0] - self._adjoint[:n] @ after[:n])
+            moved = float(adjoint @ (part["after_rates"] - after[:n]))
             moved += float(self._adjoint[n:] @ (before - after)[n:])
             share = -(moved + slope) / rate
-        self._adjoint[:n] = part["turned"][:n] + share * part["crossing"][:n]
-        self._add(part["turned"][n:] + share * part["crossing"][n:], t)
+        turned = adjoint[places] @ part["after"] + share * part["crossing"]
+        adjoint[places] = 0.0
+        self._adjoint[:n] = adjoint + turned[:n]
+        self._add(turned[n:], t)
 
     def _check_crossing(
         self, record: EventRecord, rate: float, curvature: float, gradient: np.ndarray

@@ -19,7 +19,7 @@ from pydy._system.inputs import check_times
 from pydy._system.kept import kept_programs
 from pydy._system.parameters import read_parameters
 from pydy._system.samples import mean_spacing
-from pydy._system.sensitivities import Sensitive
+from pydy._system.sensitivities import Sensitive, changed_by, program_of_event
 from pydy._system.setup import Setup
 from pydy._system.snapshot import Snapshot
 from pydy._system.solving import Ready, native_solver
@@ -118,7 +118,14 @@ def differentiated(
         unsolved=sensitive.unsolved(places),
         sampled=tuple(sensitive.weights()),
         sized=tuple(p.sized for p in parameters) if controlled else None,
-        jumps=() if events is None else tuple(map(sensitive.jump_program, events.sources)),
+        sources=sensitive.columns.sources,
+        jumps=tuple(
+            (
+                program_of_event(integrated, event, sensitive.columns.wanted),
+                changed_by(event, definition.states),
+            )
+            for event in (() if events is None else events.sources)
+        ),
     )
     if events is not None:  # workers need no SymPy
         options = {**options, "events": replace(events, sources=())}

@@ -17,6 +17,7 @@ from pydy._assembly.definition import Definition
 from pydy._assembly.model import CompiledModel, stored_program
 from pydy._checks import describe
 from pydy._graph.columns import Columns
+from pydy._graph.events import event_program
 from pydy._graph.program import Program
 from pydy._graph.simplify import simplify
 from pydy._graph.tangent import Tangent
@@ -30,7 +31,7 @@ from pydy.solvers.events import Event
 from pydy.solvers.sensitivities import CompiledSensitivities, scales_of
 from pydy.solvers.solver import Solver
 
-__all__ = ["Sensitive", "Wanted"]
+__all__ = ["Sensitive", "Wanted", "changed_by", "compiled_event", "program_of_event"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -144,32 +145,13 @@ class Sensitive:
 
     def compiled(self, scales: np.ndarray | None, events: Sequence[Event]) -> CompiledSensitivities:
         """Return what native solvers need to know beside the equations."""
-        n, k = self.columns.states, self.columns.count
+        columns, model = self.columns, self.model
         return CompiledSensitivities(
-            n,
-            k,
+            columns.states,
+            columns.sources,
             scales,
-            lambda event: self._jump(events[event]),
+            lambda event: compiled_event(model, events[event], columns.wanted),
             lambda: self.kernel("holonomic", "velocity"),
-        )
-
-    def _jump(self, event: Event) -> Kernel:
-        """Return the Kernel of what an event does to sensitivities."""
-        after = self._after(event)
-        key = ("jump", event.expression, *after, self.columns)
-        return self.model.compiled_by(key, lambda: self.jump_program(event))
-
-    def _after(self, event: Event) -> list[Any]:
-        """Return the states after an event that changes some."""
-        return [event.reset.get(s, s) for s in self.definition.states] if event.reset else []
-
-    def jump_program(self, event: Event) -> Program:
-        """Return the Program of what an event does to sensitivities."""
-        own = self.model.assembly.fork()
-        what = f"the event `{event.name}`"
-        crossing, *moved = own.read([event.expression, *self._after(event)], what)
-        return self.columns.jump_program(
-            own.graph, crossing, moved, own.rates, own.sizes, own.passes
         )
 
     def rows(self, times: np.ndarray) -> np.ndarray:
@@ -270,6 +252,33 @@ class Sensitive:
             f"the others, but the constraints cannot be solved {which}. Call "
             "set_dependent_initial_conditions(dep_vars=…) with variables for which they can."
         )
+
+
+def changed_by(event: Event, states: Sequence[Any]) -> tuple[int, ...]:
+    """Return the places of the states that an event changes."""
+    return tuple(k for k, state in enumerate(states) if state in event.reset)
+
+
+def program_of_event(
+    model: CompiledModel, event: Event, wanted: Sequence[tuple[str, int]]
+) -> Program:
+    """Return the Program of what an event does to derivatives; see `event_program`."""
+    own, states = model.assembly.fork(), model.layout.states
+    after = [event.reset.get(state, state) for state in states]
+    crossing, *moved = own.read([event.expression, *after], f"the event `{event.name}`")
+    changed = changed_by(event, states)
+    return event_program(
+        own.graph, crossing, moved, own.rates, changed, wanted, own.sizes, own.passes
+    )
+
+
+def compiled_event(
+    model: CompiledModel, event: Event, wanted: tuple[tuple[str, int], ...]
+) -> tuple[Kernel, tuple[int, ...]]:
+    """Return the Kernel of what an event does to derivatives, and which states it changes."""
+    key = ("the event", event.expression, *event.reset.items(), wanted)
+    kernel = model.compiled_by(key, lambda: program_of_event(model, event, wanted))
+    return kernel, changed_by(event, model.layout.states)
 
 
 class Wanted:

@@ -40,12 +40,19 @@ class EnsembleSensitivities:
     sampled: tuple[tuple[np.ndarray, Any], ...]
     # the parameters, where the step control looks at the sensitivities
     sized: tuple[Sized, ...] | None
-    jumps: tuple[Program, ...]  # what each event does
+    sources: np.ndarray  # (k, 2): see `solvers.sensitivities`
+    jumps: tuple[tuple[Program, tuple[int, ...]], ...]  # what each event does, and to which states
 
     @property
     def programs(self) -> list[Any]:
         """All Programs."""
-        return [self.rates, self.outputs, self.residuals, *self.gradients, *self.jumps]
+        return [
+            self.rates,
+            self.outputs,
+            self.residuals,
+            *self.gradients,
+            *(program for program, _ in self.jumps),
+        ]
 
     @property
     def identity(self) -> Any:
@@ -94,13 +101,15 @@ class EnsembleSensitivities:
         n, columns = self.start.shape
         scales = None if self.sized is None else scales_of(self.sized, x, r, p, columns)
 
+        def event(k: int) -> tuple[Kernel, tuple[int, ...]]:
+            program, changed = self.jumps[k]
+            return kernel(program), changed
+
         def constraints() -> Kernel:
             assert self.residuals is not None
             return kernel(self.residuals)
 
-        return CompiledSensitivities(
-            n, columns, scales, lambda k: kernel(self.jumps[k]), constraints
-        )
+        return CompiledSensitivities(n, self.sources, scales, event, constraints)
 
 
 class Programs(Protocol):

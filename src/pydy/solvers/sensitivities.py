@@ -52,24 +52,31 @@ class CompiledSensitivities:
     ----------
     states : int
         Number of states, n; they come first.
-    columns : int
-        Number of columns, k; S follows the state row after row.
+    sources : ndarray, shape (k, 2)
+        For each column, of which S has k and follows the state row after row, the place of the
+        input that it is a derivative by among those of `events`, and of its weight in r; or -1.
     scales : ndarray, shape (k,), or None
         The sizes of the parameters, where the step control looks at the sensitivities too: the
         error allowed in ∂x/∂θ is then that of x over the size of θ. Otherwise it looks at the
         states alone, and the steps are those of an integration without sensitivities.
     events : callable
-        Returns the Kernel of `pydy._graph.columns.Columns.jump_program` for an event.
+        Returns the Kernel of `pydy._graph.events.event_program` for an event, and the places of
+        the states that it changes.
     constraints : callable
         Returns the Kernel of the derivatives of the holonomic, then of the velocity residuals,
         shapes (h, k) and (v, k).
     """
 
     states: int
-    columns: int
+    sources: np.ndarray
     scales: np.ndarray | None
-    events: Callable[[int], Kernel]
+    events: Callable[[int], tuple[Kernel, Sequence[int]]]
     constraints: Callable[[], Kernel]
+
+    @property
+    def columns(self) -> int:
+        """Number of columns, k."""
+        return len(self.sources)
 
     def leads(self, implicit: bool) -> bool:
         """Tell whether the error norm is that of the first components, the states, alone."""
@@ -126,25 +133,36 @@ class CompiledSensitivities:
         forced : bool
             Whether a sampled input that jumps made it happen, at a time of its own.
         """
-        n, kernel = self.states, self.events(event)
-        program, r = kernel.program, call.inputs_at(whole, t)
-        r = np.concatenate([r, call.slopes_at(t)[: program.num_specifieds - len(r)]])
-        out = kernel.evaluate(np.array([t]), whole[None], r[None], call.p)[0][0]
+        n, (kernel, changed), table = self.states, self.events(event), self.table(whole)
+        r, program = call.inputs_at(whole, t), kernel.program
+        s = program.num_specifieds // 2
+        own = np.concatenate([r[:s], call.slopes_at(t)[:s]])
+        out = kernel.evaluate(np.array([t]), whole[None, :n], own[None], call.p)[0][0]
         part = program.by_block(out)
         rate, curvature = float(part["rate"][0]), float(part["curvature"][0])
         with np.errstate(all="ignore"):
-            moment = -part["moved"] / rate
+            moment = -self._along(part["crossing"][None], table, r)[0] / rate
             depth = rate * rate / (2.0 * abs(curvature)) if curvature else abs(rate) * np.inf
         if forced:
             moment, depth = np.zeros(self.columns), np.inf
         rtol, atol = tolerances
-        error = float(np.abs(part["gradient"]) @ (atol + rtol * np.abs(whole[:n])))
-        if not part["after"].size:  # nothing is reset
-            return Jump(moment, self.table(whole), depth, error)
-        moved = part["after"].reshape(n, self.columns)
+        error = float(np.abs(part["crossing"][:n]) @ (atol + rtol * np.abs(whole[:n])))
+        if not changed:
+            return Jump(moment, table, depth, error)
+        moved = table.copy()
+        moved[[*changed]] = self._along(part["after"], table, r)
         rates = call.evaluate(call.kernel, np.concatenate([after, moved.ravel()]), t)[:n]
         jump = moved + np.outer(part["after_rates"] - rates, moment)
         return Jump(moment, jump, depth, error)
+
+    def _along(self, rows: np.ndarray, table: np.ndarray, r: np.ndarray) -> np.ndarray:
+        """Return derivatives by the parameters from those by states and other inputs."""
+        n, (place, weight) = self.states, self.sources.T
+        # No product with inputs that a column has no part in: their slope may be infinite.
+        by_input = np.pad(rows[:, n:], [(0, 0), (0, 1)])[:, place]
+        with np.errstate(all="ignore"):
+            found: np.ndarray = rows[:, :n] @ table + by_input * np.append(r, 1.0)[weight]
+        return found
 
 
 class Sized(NamedTuple):

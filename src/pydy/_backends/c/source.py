@@ -24,7 +24,7 @@ _MATRIX = (
 _CALL = "{n}, {name}_a, {name}_pivots, {name}_scales"
 _FACTOR = (*_MATRIX, f"status |= lu_factor({_CALL});")
 # The fast solution, and in its place the other one where that is not sound.
-_GUARDED = ("double {name}[] = {{{fast}}};", "if (!({sound})) {{", "    {body}",
+_GUARDED = ("double {name}[{many}] = {{{fast}}};", "if (!({sound})) {{", "    {body}",
             Each("column", "    {name}[{k}] = {value};"))  # fmt: skip
 
 
