@@ -92,6 +92,20 @@ def test_fewer_initial_conditions_after_more_are_as_many_columns():
     assert same_bits(two.sensitivity, every.sensitivity.sel(parameter=["q1", "u2"]))
 
 
+def test_an_infinite_derivative_of_an_output_spoils_no_other():
+    system = multi_mass_spring_damper(1)
+    system.times, system.ode_solver = np.linspace(0.0, 1.0, 5), "dop853"
+    (damping,) = (c for c in system.constants_symbols if c.name.startswith("c"))
+    system.constants, system.initial_conditions = {damping: 0.0}, {"x0": 1.0}
+    system.outputs = {sm.Symbol("o"): sm.sqrt(damping) * system.states[0]}
+    wanted = ["m0", "k0", damping]
+    one = system.simulate(sensitivities=wanted).sensitivity.table()[1, -1]
+    many = system.integrate_ensemble(constants={"k0": [1.0, 2.0]}, sensitivities=wanted)
+    for found in (one, many.sensitivity.sel(quantity="o").values[0, 1]):
+        assert np.isfinite(found).tolist() == [True, True, False]
+        assert (found[:2] == 0.0).all()
+
+
 def test_parameters_that_vary_are_differentiated_by_where_they_are():
     system = swinging()
     sizes = np.linspace(0.8, 1.2, 81)

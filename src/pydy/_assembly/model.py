@@ -5,7 +5,7 @@ from __future__ import annotations
 import hashlib
 import sys
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, TypeVar, cast
 
@@ -37,7 +37,6 @@ from pydy._names import unique_names
 _WORTH_STORING = 300
 _T = TypeVar("_T", bound="Program | Tangent")
 _VARIANTS = 8  # with other specifieds compiled in, or stabilised; the latest are kept
-_AT_ONCE = 64  # samples that are interpreted together: all their intermediate values are kept
 
 
 LinearSolver = Callable[[np.ndarray, np.ndarray], np.ndarray]
@@ -270,10 +269,7 @@ class CompiledModel:
         made = stored_program(
             assembly, f"{block} by {by}, in parts", lambda: assembly.jacobian_in_parts(block, by)
         )
-        kernel = compiled_by(self.backend, made)
-        if isinstance(made, Program):
-            return kernel
-        return with_finite_samples(kernel, lambda: self.jacobian_program(block, by))
+        return compiled_by(self.backend, made)
 
     def compiled_bounded(self, block: str) -> Kernel:
         """Return the Kernel of a block and its rounding bounds; see `Assembly.bounded_program`."""
@@ -379,29 +375,6 @@ class _Evaluated:
         else:
             out, _ = self._kernel.evaluate(t, x, r, p)
         return self.program.by_block(out)
-
-
-def with_finite_samples(kernel: Kernel, whole: Callable[[], Program]) -> Kernel:
-    """Return the Kernel of derivatives with another Program interpreted where they are NaN.
-
-    In a Jacobian in parts an infinite derivative spoils the other columns of its part, as zero
-    times it is NaN: the Program of the whole has no product for a variable that does not occur.
-    """
-
-    def sweep(
-        t: np.ndarray, x: np.ndarray, r: np.ndarray, p: np.ndarray, out: np.ndarray | None = None
-    ) -> tuple[np.ndarray, np.ndarray]:
-        values, failed = kernel.evaluate(t, x, r, p, out)
-        finite = np.isfinite(values)
-        if not finite.all():
-            rows = np.flatnonzero(~finite.all(axis=1) & ~failed)
-            for start in range(0, len(rows), _AT_ONCE):
-                k = rows[start : start + _AT_ONCE]
-                values[k], bad = run(whole(), t[k], x[k], r if len(r) == 1 else r[k], p)
-                failed[k] |= bad
-        return values, failed
-
-    return replace(kernel, sweep=sweep)
 
 
 def _listed(symbols: tuple[Any, ...]) -> str:

@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from importlib import import_module
 from typing import Any
 
+import numpy as np
+
 from pydy._checks import shown
 from pydy._forks import whole
+from pydy._graph.interpret import run
 from pydy._graph.program import Program
 from pydy._graph.tangent import Tangent
 from pydy._kernel import Kernel
@@ -18,6 +22,8 @@ _BACKENDS: dict[str, Any] = {
     "lambdify": "pydy._backends.numpy_:NumPyBackend",
     "cython": "pydy._backends.c.cython_:CythonBackend",
 }
+
+_AT_ONCE = 64  # samples that are interpreted together: all their intermediate values are kept
 
 
 def names() -> list[str]:
@@ -68,7 +74,31 @@ def compile_program(program: Program | Tangent, generator: Any, options: dict[st
 
 def compiled_by(backend: Any, program: Program | Tangent) -> Kernel:
     """Return the Kernel of a Program or Tangent, all columns written out if need be."""
-    if isinstance(program, Tangent) and not getattr(backend, "tangents", False):
-        program = program.written_out()
-    kernel: Kernel = backend.compile(program)
-    return kernel
+    if isinstance(program, Program):
+        plain: Kernel = backend.compile(program)
+        return plain
+    if not getattr(backend, "tangents", False):
+        return compiled_by(backend, program.written_out())
+    return _with_finite_samples(backend.compile(program), program)
+
+
+def _with_finite_samples(kernel: Kernel, tangent: Tangent) -> Kernel:
+    """Return the Kernel of a Tangent with all columns interpreted apart where they are NaN.
+
+    An infinite derivative spoils the other columns of its part, as zero times it is NaN: written
+    out, they have no product for a variable that they have no part in.
+    """
+
+    def sweep(
+        t: np.ndarray, x: np.ndarray, r: np.ndarray, p: np.ndarray, out: np.ndarray | None = None
+    ) -> tuple[np.ndarray, np.ndarray]:
+        values, failed = kernel.evaluate(t, x, r, p, out)
+        finite = np.isfinite(values).all(axis=1) | ~np.isfinite(x).all(axis=1) | failed
+        rows = np.flatnonzero(~finite)
+        for start in range(0, len(rows), _AT_ONCE):
+            k, whole = rows[start : start + _AT_ONCE], tangent.written_out()
+            values[k], bad = run(whole, t[k], x[k], r if len(r) == 1 else r[k], p)
+            failed[k] |= bad
+        return values, failed
+
+    return replace(kernel, sweep=sweep)

@@ -109,7 +109,7 @@ def differentiated(
     model = EnsembleSensitivities(
         names=tuple(columns),
         rates=sensitive.tangent(),
-        outputs=sensitive.tangent("outputs") if definition.outputs_symbols else None,
+        outputs=sensitive.written_out("outputs") if definition.outputs_symbols else None,
         start=sensitive.independent(places),
         dependent=places,
         gradients=tuple(integrated.jacobian_program(block, "x") for block in tied),

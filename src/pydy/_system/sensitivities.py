@@ -104,6 +104,13 @@ class Sensitive:
             assembly, f"sensitivities of {', '.join(blocks) or 'rates'} {columns}", make
         )
 
+    def written_out(self, *blocks: str) -> Program:
+        """Return the Program of `kernel`: an infinite derivative spoils no other column."""
+        what = f"sensitivities of {', '.join(blocks)} {self.columns}, written out"
+        return stored_program(
+            self.model.assembly, what, lambda: self.tangent(*blocks).written_out()
+        )
+
     def call(self) -> KernelCall:
         """Return the equations with sensitivities and their numbers, for native solvers."""
         model = self.model

@@ -28,7 +28,7 @@ class EnsembleSensitivities:
 
     names: tuple[str, ...]  # of the k columns
     rates: Tangent  # the derivatives of states and columns by time
-    outputs: Tangent | None  # the derivatives of the outputs, shape (o, k)
+    outputs: Program | None  # the derivatives of the outputs, shape (o, k)
     start: np.ndarray  # (n, k): those of the initial states; zero for the dependent ones
     dependent: tuple[int, ...]  # the places of the initial conditions that follow from the others
     gradients: tuple[Program, ...]  # the derivatives of each block of constraints by the states
