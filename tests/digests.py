@@ -15,7 +15,7 @@ import joints
 import loops
 import zoo
 from cases import system_of
-from pydy._backends.llvm import background, compiling, native, tiers
+from pydy._backends.llvm import background, compiling, tiers
 from pydy.solvers.run import integration
 from pydy.system import System
 
@@ -24,7 +24,7 @@ def choose(tier, steps):
     """Have one sort of machine code run, and slices of so many steps."""
     background.submit = lambda task: None  # nothing takes its place meanwhile
     if tier == "best":
-        tiers.Tiers.at_hand = lambda self: (self.best(compiling.object_code), native.Quality.BEST)
+        tiers.Tiers.at_hand = lambda self: (self.best(compiling.object_code), tiers.Quality.BEST)
     else:
         tiers.jit.find = lambda source, calls=None: None
 
@@ -33,7 +33,7 @@ def choose(tier, steps):
             entry.complete()
             return entry.addresses
 
-        native.Entry.settled = settled
+        tiers.Entry.settled = settled
     integration.first_budget = lambda *_: steps
     integration.SLICE = 0.0 if steps == 1 else integration.SLICE
 

@@ -29,21 +29,6 @@ def adjoints(
 ) -> list[int]:
     """Return the derivatives of ``Σ weight · output`` with respect to `variables`.
 
-    Parameters
-    ----------
-    graph : Graph
-        Gets the new nodes.
-    outputs, weights : sequences of nodes
-        What is differentiated, and what each is multiplied with.
-    variables : sequence of input nodes
-
-    Returns
-    -------
-    list of nodes
-        One for each variable.
-
-    Notes
-    -----
     Switches are treated as `pydy._graph.derivative.jacobian` treats them.
     """
     active = set(variables)
@@ -56,16 +41,9 @@ def adjoints(
 
 
 class _Sweep:
-    """The adjoints of nodes, from seeds (node, adjoint) to where the sweep ends.
+    """The adjoints of `active` nodes, which depend on variables, from seeds (node, adjoint).
 
-    Parameters
-    ----------
-    graph : Graph
-    active : set of nodes
-        Those that depend on variables.
-    seeds : sequence of pairs of nodes
-    ends : set of nodes
-        Their adjoints are found, but not handed on.
+    Those of `ends` are found, but not handed on.
     """
 
     def __init__(

@@ -22,23 +22,14 @@ __all__ = ["Columns"]
 
 @dataclass(frozen=True)
 class Columns:
-    """The state with columns of sensitivities after it: x, then S row after row.
+    """The state with columns of sensitivities after it: x, then S row after row."""
 
-    Attributes
-    ----------
-    states : int
-        Number of states, n.
-    directions : tuple
-        For each column what the equations are differentiated by: None, where the parameter is an
-        initial condition alone; (group, index) of an input; or ('r', index, weight), where the
-        input's derivative by the parameter is the input `weight` of r.
-    weights : int
-        How many such further inputs r has at its end.
-    """
-
-    states: int
+    states: int  # number of states, n
+    # For each column what the equations are differentiated by: None, where the parameter is an
+    # initial condition alone; (group, index) of an input; or ('r', index, weight), where the
+    # input's derivative by the parameter is the input `weight` of r.
     directions: tuple[tuple[str, int] | tuple[str, int, int] | None, ...]
-    weights: int = 0
+    weights: int = 0  # how many such further inputs r has at its end
 
     @property
     def count(self) -> int:
@@ -80,19 +71,9 @@ class Columns:
         passes: Passes,
         values: str = "",
     ) -> Tangent:
-        """Return the derivatives of some nodes along the columns.
+        """Return the derivatives of simplified nodes along the columns.
 
-        Parameters
-        ----------
-        graph : Graph
-            Gets the new nodes.
-        nodes : sequence of nodes
-            Simplified ones.
-        sizes : (int, int, int)
-            Numbers of states, specifieds and constants.
-        passes : Passes
-        values : str, optional
-            What to call the values of the nodes, if they are to come before their derivatives.
+        With a name for the `values` of the nodes these come before their derivatives.
         """
         n, (_, s, c) = self.states, sizes
         inputs = [*dict.fromkeys(d for d in self.directions if d)]

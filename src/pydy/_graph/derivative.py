@@ -36,25 +36,11 @@ Row = dict[int, int]
 def jacobian(
     graph: Graph, outputs: Sequence[int], variables: Sequence[int]
 ) -> list[dict[int, int]]:
-    """Return the partial derivatives of `outputs` with respect to `variables`.
+    """Return a dict from a variable's place to the derivative's node for each output.
 
-    Parameters
-    ----------
-    graph : Graph
-        Gets the new nodes.
-    outputs : sequence of nodes
-    variables : sequence of input nodes
-
-    Returns
-    -------
-    list of dict
-        For each output a dict from the variable's place to the derivative's node; what is missing
-        is zero by structure.
-
-    Notes
-    -----
-    At a switch (``abs``, ``sign``, ``min``, ``max``, ``floor``, Piecewise) the derivative is that
-    of the branch that is taken; steps have derivative zero.
+    What is missing is zero by structure. At a switch (``abs``, ``sign``, ``min``, ``max``,
+    ``floor``, Piecewise) the derivative is that of the branch that is taken; steps have derivative
+    zero.
     """
     given = {node: {k: graph.one} for k, node in enumerate(variables)}
     return directional(graph, outputs, given)
@@ -76,22 +62,10 @@ def dense_rows(graph: Graph, rows: Sequence[Mapping[int, int]], width: int) -> l
 
 
 def directional(graph: Graph, outputs: Sequence[int], given: Mapping[int, Row]) -> list[Row]:
-    """Return the derivatives of `outputs` in several directions.
+    """Return the derivatives of `outputs` in several directions, as `jacobian` does.
 
-    Parameters
-    ----------
-    graph : Graph
-        Gets the new nodes.
-    outputs : sequence of nodes
-    given : mapping of nodes to rows
-        For each variable its part of the directions: a dict from the direction's place to the
-        node of the component.
-
-    Returns
-    -------
-    list of dict
-        For each output a dict from the direction's place to the derivative's node; what is missing
-        is zero by structure.
+    Given is for each variable its part of the directions: a dict from the direction's place to the
+    node of the component.
     """
     rows: dict[int, Row] = dict(given)
     vectors: dict[int, list[Row]] = {}
@@ -106,14 +80,8 @@ def directional(graph: Graph, outputs: Sequence[int], given: Mapping[int, Row]) 
 class Rows:
     """Sparse rows of derivatives, each made once. Differentiation stops where a row is given.
 
-    Parameters
-    ----------
-    graph : Graph
-        Gets the new nodes.
-    given : dict of nodes to rows
-        A row maps what is differentiated by, any integers, to the derivative's node.
-    leaf : callable, optional
-        Gives the row of an input that has none; no derivatives by default.
+    A row maps what is differentiated by, any integers, to the derivative's node. A `leaf` gives the
+    row of an input that has none; by default it has no derivatives.
     """
 
     def __init__(

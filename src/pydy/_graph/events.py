@@ -25,34 +25,19 @@ def event_program(
     sizes: tuple[int, int, int],
     passes: Passes,
 ) -> Program:
-    """Return the Program of an event.
+    """Return the Program of an event with g = 0 and the state R after it.
 
-    Its inputs r are followed by their derivatives by time. With f the states' derivatives before
-    the event, and R the state after it, its blocks are
+    The `rates` are the states' derivatives before it, `changed` the places of the states that it
+    changes, `wanted` inputs (group, index). The inputs r are followed by their derivatives by time.
+    The blocks are
 
     ===========  ============  ==================================================================
-    rate         (1,)          ġ of the expression g that is zero there, along the motion
+    rate         (1,)          ġ, along the motion
     curvature    (1,)          g̈
     crossing     (n + w,)      the derivatives of g by the states, then by what is wanted
     after_rates  (n,)          Ṙ, along the motion before the event
     after        (c, n + w)    the derivatives of those states in R that are changed
     ===========  ============  ==================================================================
-
-    Parameters
-    ----------
-    graph : Graph
-        Gets the new nodes.
-    crossing : node
-        g.
-    after, rates : sequence of n nodes
-        R and f.
-    changed : sequence of c int
-        The places of the states that the event changes.
-    wanted : sequence of w pairs (group, index)
-        Inputs.
-    sizes : (int, int, int)
-        Numbers of states, specifieds and constants.
-    passes : Passes
     """
     n, s, c = sizes
     crossing, *rest = simplify(graph, [crossing, *after, *rates], passes)

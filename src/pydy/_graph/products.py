@@ -34,29 +34,18 @@ def derivative_program(
 ) -> Program:
     """Return the Program of derivatives of some nodes.
 
-    Parameters
-    ----------
-    graph : Graph
-        Gets the new nodes.
-    outputs : sequence of m nodes
-        Simplified ones; one for gradients and Hessians.
-    variables : sequence of k pairs (group, index)
-    kind : one of `KINDS`
-        What to compute, with the shape of the only block:
+    The outputs are m simplified nodes, one for gradients and Hessians, and the variables k pairs
+    (group, index). The kind says what is computed, with the shape of the only block:
 
-        ==================  ==============  =================================================
-        jacobian            (m, k)          ∂f/∂v
-        jacobian-vector     (m, vectors)    ∂f/∂v · d, with d of k components
-        vector-jacobian     (k, vectors)    ∂(w · f)/∂v, with w of m components
-        gradient            (k + 1,)        the value f, then ∂f/∂v
-        hessian-vector      (k, vectors)    ∂²f/∂v² · d
-        ==================  ==============  =================================================
-    sizes : (int, int, int)
-        Numbers of states, specifieds and constants.
-    passes : Passes
-    vectors : int
-        How many vectors d or w there are. They are inputs at the end of r, as a matrix in C order
-        with a column for each.
+    ==================  ==============  =================================================
+    jacobian            (m, k)          ∂f/∂v
+    jacobian-vector     (m, vectors)    ∂f/∂v · d, with d of k components
+    vector-jacobian     (k, vectors)    ∂(w · f)/∂v, with w of m components
+    gradient            (k + 1,)        the value f, then ∂f/∂v
+    hessian-vector      (k, vectors)    ∂²f/∂v² · d
+    ==================  ==============  =================================================
+
+    The `vectors` d or w are inputs at the end of r, as a matrix in C order with a column for each.
     """
     n, s, c = sizes
     with collector_paused():

@@ -52,41 +52,23 @@ _MARK = b"tangent"
 
 @dataclass(frozen=True)
 class Part:
-    """Columns next to each other.
-
-    Attributes
-    ----------
-    first, count : int
-        The first column, and the number of columns.
-    program : Program
-        One column: x is its seed, r the shared values, p its direction in `Tangent.directions`.
-    """
+    """Columns next to each other."""
 
     first: int
     count: int
+    # One column: x is its seed, r the shared values, p its direction in `Tangent.directions`.
     program: Program
 
 
 @dataclass(frozen=True, eq=False)
 class Tangent:
-    """Derivatives along several directions, with those attributes of a Program that kernels need.
+    """Derivatives along directions, with those attributes of a Program that kernels need."""
 
-    Attributes
-    ----------
-    shared : Program
-        The values that come first among the outputs, if any, then a block 'shared'.
-    parts : tuple of Part
-        Columns of no part are zero.
-    shape : (int, int)
-        Rows and columns of the derivatives.
-    directions : ndarray, shape (d, columns), or None
-        The numbers p of each column; its seed then follows the states in x, a matrix row after row.
-        None: the seeds are unit vectors of each part's variables.
-    """
-
-    shared: Program
-    parts: tuple[Part, ...]
-    shape: tuple[int, int]
+    shared: Program  # the values that come first among the outputs, if any, and a block 'shared'
+    parts: tuple[Part, ...]  # columns of no part are zero
+    shape: tuple[int, int]  # rows and columns of the derivatives
+    # (d, columns): the numbers p of each column, whose seed follows the states in x, a matrix row
+    # after row. None: seeds are unit vectors of each part's variables.
     directions: np.ndarray | None = None
 
     @property
@@ -235,25 +217,13 @@ def _copied(tape: Tape, program: Program, given: Mapping[tuple[str, int], int]) 
 
 
 class Along(NamedTuple):
-    """The directions of a part.
+    """The directions of a part."""
 
-    Attributes
-    ----------
-    first, stop : int
-        Its columns.
-    along : dict of nodes to nodes
-        Variables to their derivatives along a direction, which are made of inputs of its own.
-    own : dict of (group, index) to index
-        These inputs, and what they are in the part.
-    sizes : (int, int)
-        How many of them are x and p there.
-    """
-
-    first: int
+    first: int  # its columns
     stop: int
-    along: dict[int, int]
-    own: dict[tuple[str, int], int]
-    sizes: tuple[int, int]
+    along: dict[int, int]  # from variables to their derivatives, made of inputs of its own
+    own: dict[tuple[str, int], int]  # these inputs, and their places in the part
+    sizes: tuple[int, int]  # how many of them are x and p there
 
 
 def tangent(
@@ -266,24 +236,10 @@ def tangent(
     directions: np.ndarray | None = None,
     values: str = "",
 ) -> Tangent:
-    """Return the derivatives of some nodes along directions.
+    """Return the derivatives of simplified nodes along directions.
 
-    Parameters
-    ----------
-    graph : Graph
-        Gets the new nodes.
-    outputs : sequence of nodes
-        Simplified ones.
-    wanted : iterable of Along
-    sizes : two of (int, int, int)
-        Numbers of states, specifieds and constants: those of the equations, and with inputs of
-        directions after them.
-    passes : Passes
-    columns : int
-    directions : ndarray, optional
-        See `Tangent`.
-    values : str, optional
-        What to call the values of the nodes, if they are to come before their derivatives.
+    The `sizes` are numbers of states, specifieds and constants: those of the equations, and with
+    the inputs of directions after them. With a name for the `values` of the nodes these come first.
     """
     (n, _, c), whole = sizes
     m, parts = len(outputs), list[Along]()
@@ -401,21 +357,7 @@ def jacobian_tangent(
     passes: Passes,
     parts: Sequence[tuple[int, int]],
 ) -> Tangent:
-    """Return the Jacobian of some nodes in parts.
-
-    Parameters
-    ----------
-    graph : Graph
-        Gets the new nodes.
-    outputs : sequence of m nodes
-        Simplified ones.
-    variables : sequence of k pairs (group, index)
-    sizes : (int, int, int)
-        Numbers of states, specifieds and constants.
-    passes : Passes
-    parts : sequence of (first, stop)
-        See `parts_of`.
-    """
+    """Return the Jacobian of simplified nodes in parts, see `parts_of`."""
     n, s, c = sizes
 
     def wanted() -> Iterator[Along]:
@@ -432,19 +374,9 @@ def jacobian_tangent(
 
 
 def supports(graph: Graph, outputs: Sequence[int], by: Sequence[int]) -> Counter[int]:
-    """Estimate what a derivative costs, by who has to pay.
+    """Count the operations of a derivative by inputs, by the set of columns that execute them.
 
-    Parameters
-    ----------
-    graph : Graph
-    outputs : sequence of nodes
-    by : sequence of input nodes
-
-    Returns
-    -------
-    Counter
-        Operations, by the set of columns that execute them; bit k stands for column k. Columns of
-        none are zero.
+    Bit k stands for column k. Columns of no operation are zero.
     """
     bits: dict[int, int] = {}
     for k, node in enumerate(by):
@@ -500,10 +432,7 @@ def _union(cost: Iterable[int]) -> int:
 def worthwhile_parts(
     graph: Graph, outputs: Sequence[int], by: Sequence[int]
 ) -> list[tuple[int, int]]:
-    """Return the parts of a Jacobian, see `parts_of`; none where it is small or sparse.
-
-    The parameters are those of `supports`.
-    """
+    """Return the parts of a Jacobian, see `parts_of`; none where it is small or sparse."""
     cost = supports(graph, outputs, by)
     whole = sum(own.bit_count() * operations for own, operations in cost.items())
     if whole < FROM_OPERATIONS or len(by) < COLUMNS_TOGETHER:

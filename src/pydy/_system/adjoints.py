@@ -84,21 +84,8 @@ class Projections:
     correction K in the norm of the projection, of positions and then of velocities. So an adjoint λ
     becomes λ − c_xᵀ Kᵀ λ before it, and the derivatives by θ gain −(Kᵀ λ) · c_θ.
 
-    Parameters
-    ----------
-    model : CompiledModel
-    constraints : CompiledConstraints
-    wanted : tuple of (group, index)
-        Inputs that are differentiated by.
-    call : callable
-        Returns the call of a Kernel with so many inputs after r.
-    times : ndarray, shape (m,)
-    states : ndarray, shape (m, n)
-        As they were projected.
-
-    Attributes
-    ----------
-    times : ndarray, shape (m,)
+    The inputs `wanted` are differentiated by; `call` returns the call of a Kernel with so many
+    inputs after r. The m states at the times are as they were projected.
     """
 
     def __init__(
@@ -196,25 +183,14 @@ Place = tuple[str, int]
 
 @dataclass(frozen=True, eq=False)
 class _Task:
-    """What is integrated and differentiated.
-
-    Attributes
-    ----------
-    definition : Definition
-    plan : SpecifiedsPlan
-    p : ndarray
-    parameters : tuple of Parameter
-    model : CompiledModel
-        Of the states alone.
-    final, integral : place of an output, expression, or None
-    """
+    """What is integrated and differentiated."""
 
     definition: Definition
     plan: SpecifiedsPlan
     p: np.ndarray
     parameters: tuple[Parameter, ...]
-    model: CompiledModel
-    final: Any
+    model: CompiledModel  # of the states alone
+    final: Any  # the place of an output, an expression, or None
     integral: Any
 
     @cached_property
@@ -325,25 +301,7 @@ class _Task:
 class _Run:
     """A motion whose steps were noted.
 
-    Parameters
-    ----------
-    task : _Task
-    method : str
-    options : Options
-    recording : Recording
-    rates : KernelCall
-        Of the states and the integral.
-    times : ndarray, shape (m,)
-    states : ndarray, shape (m, n)
-    last : ndarray, shape (n,)
-        The state in which it ended.
-    info : dict
-
-    Attributes
-    ----------
-    end : float
-        When it ended.
-    value : float
+    The `rates` are of the states and the integral; it ended in the state `last`.
     """
 
     def __init__(
@@ -401,11 +359,7 @@ class _Run:
     def gradient(self, sensitive: Sensitive, start: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Go back to the beginning; return the derivatives by parameters and by the first state.
 
-        Parameters
-        ----------
-        sensitive : Sensitive
-        start : ndarray, shape (n, k)
-            The derivatives of the first state by the parameters.
+        The derivatives of the first state by the parameters are `start`, shape (n, k).
         """
         steps = len(self.recording.starts)
         with progress_of(self.options.progress, " steps back", steps) as self._told:

@@ -36,26 +36,16 @@ __all__ = ["Sensitive", "Wanted", "changed_by", "compiled_event", "program_of_ev
 
 @dataclass(frozen=True, eq=False)
 class Sensitive:
-    """A System's equations with columns of sensitivities beside the state.
-
-    Attributes
-    ----------
-    definition : Definition
-    model : CompiledModel
-        With its linear solve and all expressions compiled in, as it is integrated.
-    plan : SpecifiedsPlan
-    parameters : tuple of Parameter
-    p : ndarray
-    argument : str
-        That named the parameters.
-    """
+    """A System's equations with columns of sensitivities beside the state."""
 
     definition: Definition
-    model: CompiledModel
+    model: (
+        CompiledModel  # with its linear solve and all expressions compiled in, as it is integrated
+    )
     plan: SpecifiedsPlan
     parameters: tuple[Parameter, ...]
     p: np.ndarray
-    argument: str = "sensitivities"
+    argument: str = "sensitivities"  # that named the parameters
     columns: Columns = field(init=False)
 
     def __post_init__(self) -> None:
@@ -187,12 +177,7 @@ class Sensitive:
     def start(self, x0: np.ndarray, t: float, dependent: Sequence[int]) -> np.ndarray:
         """Return the sensitivities of the initial state, shape (n, k).
 
-        Parameters
-        ----------
-        x0 : ndarray, shape (n,)
-        t : float
-        dependent : sequence of int
-            The places of the states that follow from the others by the constraints.
+        The states at the places `dependent` follow from the others by the constraints.
 
         Raises
         ------
@@ -291,19 +276,10 @@ def compiled_event(
 class Wanted:
     """Sensitivities that a simulation is to find, and what it is integrated with for them.
 
-    Parameters
-    ----------
-    parameters : symbol, name, or iterable of these
-    controlled : bool
-        Whether the step control of a native solver looks at the sensitivities too.
-
-    Attributes
-    ----------
-    sensitive : Sensitive
-        From the call of `problem` on.
+    `controlled` says whether the step control of a native solver looks at the sensitivities too.
     """
 
-    sensitive: Sensitive
+    sensitive: Sensitive  # from the call of `problem` on
 
     def __init__(self, parameters: Any, controlled: bool) -> None:
         self._parameters = parameters
@@ -322,20 +298,8 @@ class Wanted:
     ) -> tuple[Callable[..., np.ndarray], np.ndarray, dict[str, Any]]:
         """Return the right-hand side, the initial values and the options of the solver.
 
-        Parameters
-        ----------
-        definition : Definition
-        integrated : CompiledModel
-            Of the states alone.
-        plan : SpecifiedsPlan
-        start : (ndarray, float)
-            The initial state and its time.
-        p : ndarray
-        dependent : sequence of int
-            The places of the dependent initial conditions.
-        solver : callable
-        options : dict
-            For the solver.
+        The model `integrated` is of the states alone, which `start` at a state and its time; the
+        dependent ones have the places `dependent`.
         """
         following = [definition.states[k] for k in dependent]
         parameters = read_parameters(definition, plan, self._parameters, dependent=following)

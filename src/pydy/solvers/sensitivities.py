@@ -24,53 +24,30 @@ __all__ = ["CompiledSensitivities", "Jump", "Sized", "scales_of"]
 
 
 class Jump(NamedTuple):
-    """What an event does to sensitivities.
+    """What an event does to sensitivities."""
 
-    Attributes
-    ----------
-    time : ndarray, shape (k,)
-        Derivatives of the event's time.
-    after : ndarray, shape (n, k)
-        Derivatives of the states after it, at a fixed time.
-    depth : float
-        How far the motion goes beyond zero, at most: ġ² / 2|g̈|.
-    error : float
-        What the tolerances of the integration make of the expression that is zero.
-    """
-
-    time: np.ndarray
-    after: np.ndarray
-    depth: float
-    error: float
+    time: np.ndarray  # (k,): derivatives of the event's time
+    after: np.ndarray  # (n, k): derivatives of the states after it, at a fixed time
+    depth: float  # how far the motion goes beyond zero, at most: ġ² / 2|g̈|
+    error: float  # what the tolerances of the integration make of the expression that is zero
 
 
 @dataclass(frozen=True, eq=False)
 class CompiledSensitivities:
-    """What a solver needs to know of a state with columns of sensitivities after it.
+    """What a solver needs to know of a state with columns of sensitivities after it."""
 
-    Attributes
-    ----------
-    states : int
-        Number of states, n; they come first.
-    sources : ndarray, shape (k, 2)
-        For each column, of which S has k and follows the state row after row, the place of the
-        input that it is a derivative by among those of `events`, and of its weight in r; or -1.
-    scales : ndarray, shape (k,), or None
-        The sizes of the parameters, where the step control looks at the sensitivities too: the
-        error allowed in ∂x/∂θ is then that of x over the size of θ. Otherwise it looks at the
-        states alone, and the steps are those of an integration without sensitivities.
-    events : callable
-        Returns the Kernel of `pydy._graph.events.event_program` for an event, and the places of
-        the states that it changes.
-    constraints : callable
-        Returns the Kernel of the derivatives of the holonomic, then of the velocity residuals,
-        shapes (h, k) and (v, k).
-    """
-
-    states: int
+    states: int  # number of states, n; they come first
+    # (k, 2): for each column, of which S has k and follows the state row after row, the place of
+    # the input that it is a derivative by among those of `events`, and of its weight in r; or -1.
     sources: np.ndarray
+    # (k,): the sizes of the parameters, where the step control looks at the sensitivities too: the
+    # error allowed in ∂x/∂θ is then that of x over the size of θ. None: it looks at the states
+    # alone, and the steps are those of an integration without sensitivities.
     scales: np.ndarray | None
+    # The Kernel of `pydy._graph.events.event_program` for an event, and which states it changes.
     events: Callable[[int], tuple[Kernel, Sequence[int]]]
+    # The Kernel of the derivatives of the holonomic, then of the velocity residuals, shapes (h, k)
+    # and (v, k).
     constraints: Callable[[], Kernel]
 
     @property
@@ -116,22 +93,10 @@ class CompiledSensitivities:
         tolerances: tuple[np.ndarray, np.ndarray],
         forced: bool = False,
     ) -> Jump:
-        """Return what an event does.
+        """Return what an event does to states and sensitivities, `whole`, before it.
 
-        Parameters
-        ----------
-        call : KernelCall
-            The derivatives of states and sensitivities.
-        event : int
-        t : float
-        whole : ndarray, shape (n (1 + k),)
-            States and sensitivities before it.
-        after : ndarray, shape (n,)
-            States after it.
-        tolerances : (rtol, atol)
-            Of the states.
-        forced : bool
-            Whether a sampled input that jumps made it happen, at a time of its own.
+        After it the states are `after`; the tolerances are those of states. An event is `forced`
+        where a sampled input that jumps made it happen, at a time of its own.
         """
         n, (kernel, changed), table = self.states, self.events(event), self.table(whole)
         r, program = call.inputs_at(whole, t), kernel.program
@@ -166,23 +131,12 @@ class CompiledSensitivities:
 
 
 class Sized(NamedTuple):
-    """What tells the size of a parameter.
+    """What tells the size of a parameter."""
 
-    Attributes
-    ----------
-    group : {'x', 'r', 'p'}
-        The array that holds it: it is an initial condition, a specified or a constant.
-    place : int
-    columns : int
-        One, or the number of samples.
-    size : float or None
-        The largest of the samples.
-    """
-
-    group: str
+    group: str  # 'x', 'r' or 'p': it is an initial condition, a specified or a constant
     place: int
-    columns: int = 1
-    size: float | None = None
+    columns: int = 1  # one, or the number of samples
+    size: float | None = None  # the largest of the samples
 
 
 def scales_of(

@@ -6,7 +6,7 @@ import pytest
 
 from graphs import on_tape
 from pydy._backends.c.cython_ import CythonBackend
-from pydy._backends.llvm import jit, native, tiers
+from pydy._backends.llvm import jit, tiers
 from pydy._backends.llvm.backend import LLVMBackend
 from pydy._backends.numpy_ import NumPyBackend
 from pydy._graph.adjoint import adjoints
@@ -158,14 +158,14 @@ def test_one_state_has_its_fallback_compiled_with_the_constants_that_are_bound(q
 def test_solvers_have_fallbacks_after_an_interrupt_while_code_was_made(quick, monkeypatch):
     program = scaled(5)
     kernel = BACKENDS["llvm"].compile(program)
-    entry, use = kernel.owner[0], native.Entry._use
+    entry, use = kernel.owner[0], tiers.Entry._use
 
     def interrupted(self, code):
-        monkeypatch.setattr(native.Entry, "_use", use)
+        monkeypatch.setattr(tiers.Entry, "_use", use)
         use(self, code)
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(native.Entry, "_use", interrupted)
+    monkeypatch.setattr(tiers.Entry, "_use", interrupted)
     with pytest.raises(KeyboardInterrupt):
         kernel.begin()
     assert entry.short

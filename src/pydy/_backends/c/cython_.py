@@ -22,7 +22,8 @@ from types import ModuleType
 from typing import Any
 
 from pydy._backends.c.source import c_source
-from pydy._backends.llvm.native import Entry, native_kernel
+from pydy._backends.llvm.native import native_kernel
+from pydy._backends.llvm.tiers import Entry
 from pydy._backends.registry import compile_program
 from pydy._cache_folder import unsafe
 from pydy._errors import GeneratorError, MissingDependencyError, PyDyUserWarning

@@ -8,8 +8,8 @@ from __future__ import annotations
 from typing import Any
 
 from pydy._backends.llvm.ir import WIDTHS
-from pydy._backends.llvm.native import Entry, native_kernel
-from pydy._backends.llvm.tiers import tiers_of, wide_code
+from pydy._backends.llvm.native import native_kernel
+from pydy._backends.llvm.tiers import Entry, tiers_of, wide_code
 from pydy._backends.registry import compile_program
 from pydy._graph.program import Program
 from pydy._graph.tangent import Tangent

@@ -10,7 +10,6 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from itertools import chain
-from typing import Protocol
 
 from pydy._backends.llvm.ir import WIDTHS, Function, literal, vector_type
 from pydy._backends.llvm.plan import Place, Registers, fusion, readers
@@ -44,39 +43,10 @@ def _stored(n: int, entries: tuple[int, ...]) -> list[int]:
     return lower if n > 1 and is_symmetric(n, entries) else list(entries)
 
 
-class Writer(Protocol):
-    """What writes the stage's other operations."""
-
-    f: Function
-    program: Program
-    lanes: int
-    v: str
-    b: str
-    setup: bool
-    names: Registers
-
-    fallbacks: bool
-
-    def computed(self, node: int) -> bool:
-        """Tell whether an operation of the stage gives the value."""
-
-    def place(self, node: int, pointer: str, index: int, until: int = -1) -> None:
-        """Have a value written to memory as soon as it is computed."""
-
-    def load_carried(self, node: int) -> None:
-        """Read a value of the setup stage."""
-
-    def write_fallback(self, guard: int) -> None:
-        """Write what only the fallback of a guard needs."""
-
-    def divide(self) -> None:
-        """Begin another basic block if this one has become long."""
-
-
 class Solves:
     """Writes factorisations, solves and guards, and says where solutions lie in memory."""
 
-    def __init__(self, writer: Writer) -> None:
+    def __init__(self, writer: Emitter) -> None:
         self.e = writer
         self.f, self.v, self.b = writer.f, writer.v, writer.b
         self.lanes, self.program, self.names = writer.lanes, writer.program, writer.names

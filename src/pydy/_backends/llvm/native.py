@@ -19,21 +19,20 @@ import ctypes
 import sysconfig
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from enum import Enum
 from functools import cache, partial
-from typing import Any, Literal, Protocol, cast
-from weakref import ref
+from typing import Any, Literal, cast
 
 import numpy as np
 
-from pydy import _array_layout, _cache_folder, _forks
+from pydy import _array_layout, _cache_folder
 from pydy._array_layout import DATA, DESCR, FLAGS, FLOAT, KIND, NDIM, SHAPE
 from pydy._backends.base import strict
 from pydy._backends.llvm import background, jit
 from pydy._backends.llvm.background import Compile, Task
-from pydy._backends.llvm.compiling import Source, object_code
+from pydy._backends.llvm.compiling import Source
 from pydy._backends.llvm.gate import Gate
 from pydy._backends.llvm.ir import Function, vector_type
+from pydy._backends.llvm.tiers import Entry
 from pydy._backends.tuning import SWEPT
 from pydy._graph.program import Program
 from pydy._graph.tangent import Tangent
@@ -393,114 +392,6 @@ def _one(
 
 
 _HEADER = 8
-
-
-class Quality(Enum):
-    """What native functions are like.
-
-    Short ones give the status -1 where a guard is not sound: they have no fallbacks.
-    """
-
-    SHORT, COMPLETE, BEST = range(3)
-
-
-class Tiers(Protocol):
-    """How the native functions of a Program are compiled: quickly, and at LLVM's best."""
-
-    def at_hand(self) -> tuple[jit.Code, Quality]:
-        """Take the code that is ready soonest."""
-
-    def complete(self) -> jit.Code:
-        """Return code with all fallbacks, compiled quickly."""
-
-    def best(self, compile_source: Compile) -> jit.Code:
-        """Return the best code, compiled by the given function unless there is some."""
-
-
-class Entry:
-    """The native functions of a Program, `kernel` and `prepare`.
-
-    They are made when they are first wanted; better ones may replace them at any time. Who wants
-    the best from the beginning waits for that alone.
-
-    Parameters
-    ----------
-    tiers : Tiers or None
-        None where the functions are given by `replace` at once.
-    """
-
-    def __init__(self, tiers: Tiers | None = None) -> None:
-        self._tiers = tiers
-        self._lock = _forks.Lock()
-        self.addresses = 0, 0
-        self.short = False
-        self.better: Task | None = None
-        self._owners: list[Any] = []  # a call may be under way in the old code: it stays
-        self._words: list[np.ndarray] = []
-
-    def begin(self) -> None:
-        """Have some code, and better code compiled on the side."""
-        if self.addresses[0]:
-            return
-        with self._lock:
-            if self.addresses[0] or self._tiers is None:
-                return
-            code, quality = self._tiers.at_hand()
-            self.short = quality is Quality.SHORT
-            if quality is not Quality.BEST:
-                # Known before the code is: who wants the best after an interrupt finds it.
-                self.better = Task(partial(_improve, ref(self), self._tiers))
-            self._use(code)
-            if self.better is not None:
-                background.submit(self.better)
-
-    def complete(self) -> None:
-        """Have code with fallbacks."""
-        with self._lock:
-            if self.short and self._tiers is not None:
-                self._use(self._tiers.complete())
-                self.short = False
-
-    def improve(self, code: jit.Code) -> None:
-        """Use the best code from now on."""
-        with self._lock:
-            self._use(code)
-            self.short = False
-
-    def settled(self) -> tuple[int, int]:
-        """Return the addresses of the best code, compiling it now if need be."""
-        if not self.addresses[0]:
-            with self._lock:
-                if not self.addresses[0] and self._tiers is not None:
-                    self._use(self._tiers.best(object_code))
-        if self.better is not None:
-            self.better.run()
-        return self.addresses
-
-    def _use(self, code: jit.Code) -> None:
-        self.replace((code.addresses["kernel"], code.addresses["prepare"]), code)
-
-    def replace(self, addresses: tuple[int, int], owner: Any) -> None:
-        """Use other functions from the next call on; `owner` keeps their code alive."""
-        if addresses == self.addresses:
-            return
-        self._owners.append(owner)
-        self.addresses = addresses
-        for words in self._words:
-            words[:2] = addresses
-
-    def bind(self, words: np.ndarray) -> None:
-        """Keep the first two words of an array up to date."""
-        self._words.append(words)
-        words[:2] = self.addresses
-
-
-def _improve(known: ref[Entry], tiers: Tiers, compile_source: Compile) -> None:
-    """Compile at LLVM's best and put the result in the entry's place, if it is still there."""
-    code = tiers.best(compile_source)
-    entry = known()
-    if entry is not None:
-        entry.improve(code)
 
 
 def native_kernel(

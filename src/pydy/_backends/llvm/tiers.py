@@ -9,15 +9,18 @@ it is compiled after all. Code for several states is for long work and gets the 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from enum import Enum
 from functools import partial
 from typing import Any
+from weakref import ref
+
+import numpy as np
 
 from pydy import _forks
-from pydy._backends.llvm import jit
-from pydy._backends.llvm.background import Compile
+from pydy._backends.llvm import background, jit
+from pydy._backends.llvm.background import Compile, Task
 from pydy._backends.llvm.compiling import Source, object_code
 from pydy._backends.llvm.emit import SOLVES
-from pydy._backends.llvm.native import Quality
 from pydy._backends.llvm.sincos import sincos_names
 from pydy._backends.llvm.solve import solver_names
 from pydy._backends.llvm.tangents import pieces, tangent_text
@@ -30,6 +33,15 @@ from pydy._graph.program import Program
 from pydy._graph.tangent import Tangent, program_from_bytes
 
 
+class Quality(Enum):
+    """What native functions are like.
+
+    Short ones give the status -1 where a guard is not sound: they have no fallbacks.
+    """
+
+    SHORT, COMPLETE, BEST = range(3)
+
+
 @dataclass(frozen=True)
 class Tiers:
     """Code for one state."""
@@ -39,6 +51,7 @@ class Tiers:
     short: Source | None = None  # the same without fallbacks, where that is much less
 
     def at_hand(self) -> tuple[jit.Code, Quality]:
+        """Take the code that is ready soonest."""
         code = jit.find(self.source, self._routines())
         if code is not None:
             return code, Quality.BEST
@@ -47,14 +60,102 @@ class Tiers:
         return self.complete(), Quality.COMPLETE
 
     def complete(self) -> jit.Code:
+        """Return code with all fallbacks, compiled quickly."""
         return jit.load_quickly(self.source, self._routines())
 
     def _routines(self) -> jit.Joined:
         return jit.Joined([shared_routines(lanes, at_best=False) for lanes in self.calls])
 
     def best(self, compile_source: Compile) -> jit.Code:
+        """Return the best code, compiled by the given function unless there is some."""
         routines = [shared_routines(lanes, True, compile_source) for lanes in self.calls]
         return jit.load(self.source, jit.Joined(routines), compile_source)
+
+
+class Entry:
+    """The native functions of a Program, `kernel` and `prepare`.
+
+    They are made when they are first wanted; better ones may replace them at any time. Who wants
+    the best from the beginning waits for that alone.
+
+    Parameters
+    ----------
+    tiers : Tiers or None
+        None where the functions are given by `replace` at once.
+    """
+
+    def __init__(self, tiers: Tiers | None = None) -> None:
+        self._tiers = tiers
+        self._lock = _forks.Lock()
+        self.addresses = 0, 0
+        self.short = False
+        self.better: Task | None = None
+        self._owners: list[Any] = []  # a call may be under way in the old code: it stays
+        self._words: list[np.ndarray] = []
+
+    def begin(self) -> None:
+        """Have some code, and better code compiled on the side."""
+        if self.addresses[0]:
+            return
+        with self._lock:
+            if self.addresses[0] or self._tiers is None:
+                return
+            code, quality = self._tiers.at_hand()
+            self.short = quality is Quality.SHORT
+            if quality is not Quality.BEST:
+                # Known before the code is: who wants the best after an interrupt finds it.
+                self.better = Task(partial(_improve, ref(self), self._tiers))
+            self._use(code)
+            if self.better is not None:
+                background.submit(self.better)
+
+    def complete(self) -> None:
+        """Have code with fallbacks."""
+        with self._lock:
+            if self.short and self._tiers is not None:
+                self._use(self._tiers.complete())
+                self.short = False
+
+    def improve(self, code: jit.Code) -> None:
+        """Use the best code from now on."""
+        with self._lock:
+            self._use(code)
+            self.short = False
+
+    def settled(self) -> tuple[int, int]:
+        """Return the addresses of the best code, compiling it now if need be."""
+        if not self.addresses[0]:
+            with self._lock:
+                if not self.addresses[0] and self._tiers is not None:
+                    self._use(self._tiers.best(object_code))
+        if self.better is not None:
+            self.better.run()
+        return self.addresses
+
+    def _use(self, code: jit.Code) -> None:
+        self.replace((code.addresses["kernel"], code.addresses["prepare"]), code)
+
+    def replace(self, addresses: tuple[int, int], owner: Any) -> None:
+        """Use other functions from the next call on; `owner` keeps their code alive."""
+        if addresses == self.addresses:
+            return
+        self._owners.append(owner)
+        self.addresses = addresses
+        for words in self._words:
+            words[:2] = addresses
+
+    def bind(self, words: np.ndarray) -> None:
+        """Keep the first two words of an array up to date."""
+        self._words.append(words)
+        words[:2] = self.addresses
+
+
+def _improve(known: ref[Entry], tiers: Tiers, compile_source: Compile) -> None:
+    """Compile at LLVM's best and put the result in the entry's place, if it is still there."""
+    code = tiers.best(compile_source)
+    entry = known()
+    if entry is not None:
+        entry.improve(code)
 
 
 def tiers_of(program: Program | Tangent) -> Tiers:

@@ -33,41 +33,21 @@ _AT_ONCE = 2**20  # numbers of stages that are gone through between two looks at
 
 @dataclass(frozen=True, eq=False)
 class Sweep:
-    """What a stretch of steps makes of an adjoint.
+    """What a stretch of steps makes of an adjoint."""
 
-    Attributes
-    ----------
-    adjoint : ndarray, shape (n,)
-        Of the state at its beginning.
-    totals : ndarray, shape (k,)
-        The derivatives by what else is wanted.
-    times : ndarray, shape (m,)
-        Of the stages.
-    kept : ndarray, shape (m, j)
-        The last j of the totals stage by stage.
-    """
-
-    adjoint: np.ndarray
-    totals: np.ndarray
-    times: np.ndarray
-    kept: np.ndarray
+    adjoint: np.ndarray  # (n,): of the state at its beginning
+    totals: np.ndarray  # (k,): the derivatives by what else is wanted
+    times: np.ndarray  # (m,): of the RK stages
+    kept: np.ndarray  # (m, j): the last j of the totals, stage by stage
 
 
 @dataclass(frozen=True, eq=False)
 class _Ways:
-    """A tableau as the compiled loop reads it.
+    """A tableau as the compiled loop reads it."""
 
-    Attributes
-    ----------
-    nodes : ndarray, shape (stages,)
-    table : ndarray, shape (stages, stages)
-        Coefficients a.
-    rows, offsets, coefficients : ndarray
-        The terms of each row of a, then of each column with b below it.
-    """
-
-    nodes: np.ndarray
-    table: np.ndarray
+    nodes: np.ndarray  # (stages,)
+    table: np.ndarray  # (stages, stages): coefficients a
+    # The terms of each row of a, then of each column with b below it.
     rows: np.ndarray
     offsets: np.ndarray
     coefficients: np.ndarray
@@ -96,16 +76,9 @@ def _ways(method: str, length: int) -> _Ways:
 class WayBack:
     """The way back through the steps of an explicit method.
 
-    Parameters
-    ----------
-    method : str
-    rates : KernelCall
-        The derivatives of the n states.
-    turned : KernelCall
-        Of the same inputs, with n weights after r: the derivatives of Σ weight · rate by the states
-        and by k other inputs.
-    further, kept : int
-        k, and how many of these, the last, are wanted stage by stage.
+    The calls are of the derivatives of the n states, and of the same inputs with n weights after
+    r: the derivatives of Σ weight · rate by the states and by `further` other inputs, of which the
+    last `kept` are wanted stage by stage.
     """
 
     def __init__(
@@ -156,14 +129,7 @@ class WayBack:
     ) -> Sweep:
         """Go back from the end of step `last` − 1 to the beginning of step `first`.
 
-        Parameters
-        ----------
-        recording : Recording
-        first, last : int
-        adjoint : ndarray, shape (n,)
-            Of the state at the end.
-        told : callable
-            Called with the number of steps, now and then.
+        The adjoint is of the state at the end; the number of steps is `told` now and then.
         """
         totals = np.zeros(self.further)
         times: list[np.ndarray] = []
