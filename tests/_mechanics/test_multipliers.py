@@ -5,6 +5,9 @@ import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
 
+from pydy._graph.interpret import evaluator
+from pydy._graph.node import Graph
+from pydy._mechanics.multipliers import Constraints, accelerations_of_held
 from pydy.mechanics import Definition
 from pydy.system import System
 
@@ -86,3 +89,20 @@ def test_small_and_large_machines_have_the_same_accelerations_to_the_last_bit(so
         for power in (-24, -10, -7, 10):
             found = accelerations(system, angle, 2.0**power, 2.0 ** (2 * power))
             assert found.tolist() == expected.tolist()
+
+
+def test_rows_have_a_size_where_a_quaternion_is_of_another_length():
+    """A mass by a speed, written for a quaternion of length one, is negative at others.
+
+    Rows are measured at such states, too: derivatives met the root of a negative number.
+    """
+    g = Graph()
+    e = [g.input("x", k) for k in range(4)]
+    mass = g.sum([(g.powi(n, 2), -0.641) for n in e], 1.641)
+    row = [g.one, e[0]]
+    held = Constraints([row], [g.zero], 1, [row], [g.zero], [])
+    found = accelerations_of_held(g, [[mass, g.zero], [g.zero, g.one]], [g.one, e[1]], held)
+    roots = [n for n in g.reachable(found) if g.ops[n] == "sqrt"]
+    assert roots
+    values = evaluator(g, roots)(dict(zip(e, (0.5, -0.5, 0.7, 0.1), strict=True)), 1)
+    assert np.isfinite(values).all()

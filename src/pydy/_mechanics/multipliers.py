@@ -279,10 +279,12 @@ def _usual(graph: Graph, own: Sequence[int]) -> list[int]:
     """Return what squares of rows usually are, where a row of J may be about to vanish.
 
     That is no more than the mean of all rows and than what the row would be at other states: rows
-    in different units are compared with themselves.
+    in different units are compared with themselves. A square may be negative at states that are
+    none, where quaternions are of any length and masses by speeds are written for those of one.
     """
     mean = graph.sum([(size, 1.0 / len(own)) for size in own])
-    return [graph.call("min", mean, size) for size in usual_sizes(graph, own)]
+    elsewhere = usual_sizes(graph, [graph.call("abs", size) for size in own])
+    return [graph.call("min", mean, size) for size in elsewhere]
 
 
 def _squares(graph: Graph, rows: Sequence[list[int]], weights: Sequence[int]) -> list[int]:
