@@ -66,6 +66,10 @@ def test_failures_of_a_kind_differ_in_numbers_and_names_only():
     assert len({kind_of(DisagreementError(text)) for text in texts}) == 1
 
 
+def test_prescribed_motions_that_constraints_hold_are_no_inputs_of_linear_models():
+    check(draw(980), ["definition"], ["linear_models"])
+
+
 def test_what_kane_calls_dependent_is_solved_for_beside_a_quaternion():
     """Its four coordinates have three speeds, so that the others' places differ by one."""
     model = Check(draw(881), "kane").model
