@@ -341,3 +341,24 @@ def test_a_sweep_goes_on_where_its_second_block_begins():
     speeds = np.linspace(0.0, 2.57, num=258)
     sweep = system.eigenvalues({"u_x": speeds}, moving=["x", "theta_R", "theta_F"])
     assert np.isfinite(sweep.eigenvalues).all()
+
+
+@pytest.mark.parametrize("count", [3, 4, 9, 10, 30, 41])
+def test_a_branch_that_rests_on_the_axis_is_left_where_it_becomes_unstable(count):
+    """A particle on a rotating saddle: stable between the two curvatures that make it so.
+
+    On either side it is unstable, in different ways; eigenvalues are on the axis in between.
+    """
+    x, y = me.dynamicsymbols("x y")
+    p = sm.Symbol("p")
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    place = origin.locatenew("P", x * frame.x + y * frame.y)
+    force = ((1 - p) * x + 2 * y.diff()) * frame.x + (y - 2 * x.diff()) * frame.y
+    system = System(
+        Definition(frame, [x, y], bodies=[me.Particle("P", place, 1)], loads=[(place, force)])
+    )
+    gained, lost = system.eigenvalues({p: np.linspace(-0.5, 1.5, count)}).crossings()
+    assert (gained.value, lost.value) == pytest.approx((0.0, 1.0), abs=1e-11)
+    assert (gained.oscillatory, gained.stabilizing) == (True, True)
+    assert (lost.oscillatory, lost.stabilizing) == (False, False)

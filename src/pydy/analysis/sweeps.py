@@ -109,7 +109,7 @@ class EigenvalueSweep:
             for k in np.flatnonzero(signs[1:] != signs[:-1]):
                 first, last = seen[k], seen[k + 1]
                 middle = self.eigenvalues[first : last + 1, branch].imag
-                if middle.mean() > -limit:
+                if middle.mean() > -limit and not self._rests(branch, int(first), int(last)):
                     found.append(self._refined(branch, int(first), int(last)))
             for inside, out in self._departures(branch):
                 if self.eigenvalues[out, branch].imag > -limit:
@@ -126,16 +126,43 @@ class EigenvalueSweep:
                 continue
             for way, beyond in ((-1, seen[:k][::-1]), (1, seen[k + 1 :])):
                 last = int(beyond[0]) if len(beyond) else (-1 if way < 0 else len(real))
-                if abs(last - place) > 1 and not (len(beyond) and real[last] < 0.0):
+                stable = len(beyond) and real[last] < 0.0
+                ends = sorted((int(place), last))
+                if abs(last - place) > 1 and not (stable and not self._rests(branch, *ends)):
                     found += self._on_axis(branch, int(place), last, way)
         return found
+
+    def _rests(self, branch: int, first: int, last: int) -> bool:
+        """Whether a branch lies on the axis for a while between two values at which it does not.
+
+        It passes the axis at one value otherwise, which may be one of those between.
+        """
+        on_axis = [k for k in range(first + 1, last) if self._is_on_axis(branch, k)]
+        if len(on_axis) != 1:
+            return bool(on_axis)
+        beside = (self._nearest(branch, on_axis[0], end, 0.5) for end in (first, last))
+        return any(abs(found.real) <= rounding for found, rounding in beside)
+
+    def _is_on_axis(self, branch: int, k: int) -> bool:
+        """Whether nothing but rounding is left of a real part."""
+        spectrum, rounding = self._spectrum(self.A[k])
+        nearest = np.abs(spectrum - self.eigenvalues[k, branch]).argmin()
+        return bool(abs(spectrum[nearest].real) <= rounding[nearest])
+
+    def _nearest(self, branch: int, a: int, b: int, share: float) -> tuple[complex, float]:
+        """Return the eigenvalue of a branch at a share of the way between values, its rounding."""
+        value, start, expected = (
+            of[a] + share * (of[b] - of[a])
+            for of in (self.values, self.equilibria, self.eigenvalues[:, branch])
+        )
+        spectrum, rounding = self._spectrum(self._models(np.array([value]), start[None])[0])
+        k = np.abs(spectrum - expected).argmin()
+        return complex(spectrum[k]), float(rounding[k])
 
     def _on_axis(self, branch: int, place: int, last: int, way: int) -> list[tuple[int, int]]:
         """Return the next value at which nothing but rounding is left, and the one before it."""
         for k in range(place + way, last, way):
-            spectrum, rounding = self._spectrum(self.A[k])
-            nearest = np.abs(spectrum - self.eigenvalues[k, branch]).argmin()
-            if abs(spectrum[nearest].real) <= rounding[nearest]:
+            if self._is_on_axis(branch, k):
                 return [(k, k - way)]
         return []
 
@@ -144,16 +171,11 @@ class EigenvalueSweep:
 
     def _departed(self, branch: int, inside: int, out: int) -> Crossing:
         """Return the point between two values at which a branch leaves the axis."""
-        places = [inside, out]
-        ends, states = self.eigenvalues[places, branch], self.equilibria[places]
-        values = self.values[places]
+        values = self.values[[inside, out]]
 
         def near(share: float) -> tuple[complex, bool]:
-            value = values[0] + share * (values[1] - values[0])
-            start = states[0] + share * (states[1] - states[0])
-            spectrum, rounding = self._spectrum(self._models(np.array([value]), start[None])[0])
-            k = np.abs(spectrum - (ends[0] + share * (ends[1] - ends[0]))).argmin()
-            return complex(spectrum[k]), bool(spectrum[k].real > rounding[k])
+            found, rounding = self._nearest(branch, inside, out, share)
+            return found, found.real > rounding
 
         low, high = 0.0, 1.0
         while high - low > ROUNDED:
