@@ -19,45 +19,28 @@ Call = Callable[[Any, Any, Any, Any, np.ndarray], int]
 
 @dataclass(frozen=True, eq=False)
 class Kernel:
-    """Machine code, or the next best thing, for a Program.
-
-    Attributes
-    ----------
-    program : Program
-    sweep : callable
-        ``sweep(t, x, r, p) -> (out, failed)`` over m samples; t (m,), x (m, n), r (m, s) or (1, s)
-        for all samples alike, p (k,), all of them float64, t and p contiguous. `failed` marks the
-        samples whose linear solve was singular. Kernels of several lanes take an x whose columns
-        are contiguous fastest, and return the same order. Native ones also take the array to write
-        to, contiguous in the order of x, as a fifth argument.
-    gate : callable
-        ``gate(x, t, r, p, out) -> int`` for one state. There is no checking beyond what keeps it
-        safe: −1 asks the caller to convert its arguments and use `at`, otherwise it is the bit
-        mask of failed lanes. It compiles nothing: before `begin`, and where code that is missing is
-        needed, it answers −1.
-    rebuild : callable
-        ``rebuild(program, *recipe)`` gives this Kernel again, where it is unpickled.
-    recipe : tuple
-    settled : callable or None
-        Returns the native entry points ``kernel`` and ``prepare`` of the best code, compiling it
-        first if it is not ready; None for a back end without native code.
-    lanes : int
-        How many states one native call takes.
-    owner : object
-        Keeps the machine code alive.
-    begin : callable or None
-        Makes the code of `gate`, unless there is some.
-    """
+    """Machine code, or the next best thing, for a Program."""
 
     program: Program
+    # ``sweep(t, x, r, p) -> (out, failed)`` over m samples; t (m,), x (m, n), r (m, s) or (1, s)
+    # for all samples alike, p (k,), all of them float64, t and p contiguous. `failed` marks the
+    # samples whose linear solve was singular. Kernels of several lanes take an x whose columns are
+    # contiguous fastest, and return the same order. Native ones also take the array to write to,
+    # contiguous in the order of x, as a fifth argument.
     sweep: Sweep
+    # ``gate(x, t, r, p, out) -> int`` for one state. There is no checking beyond what keeps it
+    # safe: −1 asks the caller to convert its arguments and use `at`, otherwise it is the bit mask
+    # of failed lanes. It compiles nothing: before `begin`, and where code that is missing is
+    # needed, it answers −1.
     gate: Call
-    rebuild: Callable[..., Kernel]
+    rebuild: Callable[..., Kernel]  # ``rebuild(program, *recipe)`` gives it where it is unpickled
     recipe: tuple[Any, ...] = ()
+    # Returns the native entry points ``kernel`` and ``prepare`` of the best code, compiling it
+    # first if it is not ready; None for a back end without native code.
     settled: Callable[[], tuple[int, int]] | None = None
-    lanes: int = 1
-    owner: Any = field(default=None, repr=False)
-    begin: Callable[[], None] | None = None
+    lanes: int = 1  # how many states one native call takes
+    owner: Any = field(default=None, repr=False)  # keeps the machine code alive
+    begin: Callable[[], None] | None = None  # makes the code of `gate`, unless there is some
 
     def __reduce__(self) -> tuple[Any, ...]:
         return (self.rebuild, (self.program, *self.recipe))
@@ -102,21 +85,11 @@ class Kernel:
 
 @dataclass(frozen=True, eq=False)
 class Inputs:
-    """How r, the array of the specifieds, is computed.
+    """How r, the array of the specifieds, is computed."""
 
-    Attributes
-    ----------
-    values : ndarray, shape (s,)
-        Those that are numbers; anything elsewhere.
-    sampled : sequence of (columns, SampledInput)
-        Those that are sampled data, with their places in r.
-    functions : sequence of (columns, function)
-        Those that ``function(x, t)`` gives.
-    """
-
-    values: np.ndarray
-    sampled: Sequence[tuple[np.ndarray, Any]] = ()
-    functions: Sequence[tuple[np.ndarray, Callable[..., Any]]] = ()
+    values: np.ndarray  # (s,): those that are numbers; anything elsewhere
+    sampled: Sequence[tuple[np.ndarray, Any]] = ()  # sampled data, with their places in r
+    functions: Sequence[tuple[np.ndarray, Callable[..., Any]]] = ()  # those of ``function(x, t)``
 
     def __call__(self, x: np.ndarray, t: float) -> np.ndarray:
         """Return a fresh array of all specifieds at a state and time, shape (s,)."""
@@ -146,30 +119,16 @@ class KernelCall:
 
     Functions that stand for one have an attribute ``native``, which takes the solver's ``args``
     and returns this, or None where the function itself has to be called. A call stands for itself.
-
-    Attributes
-    ----------
-    kernel : Kernel
-    p : ndarray, shape (k,)
-    r : ndarray, shape (s,)
-        The specifieds that are numbers; zero elsewhere.
-    sampled : sequence of (columns, SampledInput)
-        Those that are sampled data, with their places in r.
-    inputs : callable or None
-        ``inputs(x, t)`` gives r where functions have to be called for it.
-    names : callable
-        Returns the names of the states.
-    jacobian : callable or None
-        Returns the Kernel of ∂f/∂x.
     """
 
     kernel: Kernel
-    p: np.ndarray
-    r: np.ndarray
-    sampled: tuple[tuple[np.ndarray, Any], ...] = ()
+    p: np.ndarray  # (k,)
+    r: np.ndarray  # (s,): the specifieds that are numbers; zero elsewhere
+    sampled: tuple[tuple[np.ndarray, Any], ...] = ()  # sampled data, with their places in r
+    # ``inputs(x, t)`` gives r where functions have to be called for it.
     inputs: Callable[[np.ndarray, float], np.ndarray] | None = None
-    names: Callable[[], tuple[str, ...]] = tuple
-    jacobian: Callable[[], Kernel] | None = None
+    names: Callable[[], tuple[str, ...]] = tuple  # returns the names of the states
+    jacobian: Callable[[], Kernel] | None = None  # returns the Kernel of ∂f/∂x
 
     def native(self, args: tuple[Any, ...]) -> KernelCall:
         """Return itself, whatever the solver's `args`."""

@@ -127,36 +127,17 @@ def identified(events: Any) -> list[tuple[Event, dict[Any, Any]]] | None:
 
 @dataclass(frozen=True, eq=False)
 class CompiledEvents:
-    """Events as Kernels.
-
-    Attributes
-    ----------
-    names : tuple of str
-    directions : tuple of int
-    terminal : tuple of bool
-    constant : tuple of bool
-        Whether the expression depends on neither state nor time nor specifieds.
-    values : Kernel
-        The expressions.
-    rates : Kernel
-        Their time derivatives along the motion.
-    resetting : tuple of bool
-        Whether the states change at each.
-    resets : Kernel or None
-        The states after each event, one below the other; None where no event changes them.
-    sources : tuple of Event
-        What they were compiled from.
-    """
+    """Events as Kernels."""
 
     names: tuple[str, ...]
     directions: tuple[int, ...]
     terminal: tuple[bool, ...]
-    constant: tuple[bool, ...]
-    values: Kernel
-    rates: Kernel
-    resetting: tuple[bool, ...]
-    resets: Kernel | None
-    sources: tuple[Event, ...] = ()
+    constant: tuple[bool, ...]  # whether it depends on neither state nor time nor specifieds
+    values: Kernel  # the expressions
+    rates: Kernel  # their time derivatives along the motion
+    resetting: tuple[bool, ...]  # whether the states change at each
+    resets: Kernel | None  # the states after each event, one below the other; None: no event resets
+    sources: tuple[Event, ...] = ()  # what they were compiled from
 
 
 def crowd(records: Sequence[EventRecord], event: int, number: int, t: float, span: float) -> bool:
@@ -175,15 +156,7 @@ def forcing_time(
     The expression then does not pass through zero: it has a sign before and another one after, and
     the event's time depends on nothing else.
 
-    Parameters
-    ----------
-    call : KernelCall
-    events : CompiledEvents
-    event : int
-    x : ndarray
-        The state before it.
-    t : float
-        When it was found.
+    The state x is that before it, t when it was found.
     """
     near: dict[float, list[Any]] = {}
     for columns, samples in call.sampled:

@@ -60,53 +60,27 @@ Part = Callable[[str, np.ndarray, np.ndarray], dict[str, np.ndarray]]
 
 
 class Verdict(NamedTuple):
-    """What is wrong with a motion.
+    """What is wrong with a motion."""
 
-    Attributes
-    ----------
-    code : int
-        LEFT_CONSTRAINTS or ENERGY_CHANGED.
-    place : int
-        Of the time and state where it was seen first.
-    details : dict
-        For the text of the outcome; `row` is a number.
-    """
-
-    code: int
-    place: int
-    details: dict[str, Any]
+    code: int  # LEFT_CONSTRAINTS or ENERGY_CHANGED
+    place: int  # of the time and state where it was seen first
+    details: dict[str, Any]  # for the text of the outcome; `row` is a number
 
 
 @dataclass(frozen=True, eq=False)
 class Ran:
-    """A few states of a motion, and how they were found.
+    """A few states of a motion, and how they were found."""
 
-    Attributes
-    ----------
-    times, states : ndarray, shapes (m,) and (m, n)
-        The first state is where the motion begins.
-    steps : float or None
-        None where errors are not controlled.
-    rtol, atol : float or ndarray, shape (n,)
-    nearness : float or None
-        How near the constraints came to losing rank, where projection holds them.
-    mended : bool
-        Whether the motion is brought back onto the constraints.
-    resets : list of (time, state)
-        Where events put the state.
-    redundant : bool
-        Whether constraints were left out.
-    """
-
-    times: np.ndarray
-    states: np.ndarray
-    steps: float | None
+    times: np.ndarray  # (m,)
+    states: np.ndarray  # (m, n): the first is where the motion begins
+    steps: float | None  # None where errors are not controlled
     rtol: Any
     atol: Any
+    # How near the constraints came to losing rank, where projection holds them.
     nearness: float | None = None
-    mended: bool = False
-    resets: list[tuple[float, np.ndarray]] = field(default_factory=list)
-    redundant: bool = False
+    mended: bool = False  # whether the motion is brought back onto the constraints
+    resets: list[tuple[float, np.ndarray]] = field(default_factory=list)  # where events put it
+    redundant: bool = False  # whether constraints were left out
 
     def errors(self, steps: float) -> np.ndarray:
         """Return how large the errors of so many steps are together, if each is what is allowed."""

@@ -17,50 +17,31 @@ __all__ = ["CompiledConstraints", "satisfied"]
 def satisfied(residuals: np.ndarray, bounds: np.ndarray) -> bool:
     """Return whether residuals are nothing but rounding.
 
-    Parameters
-    ----------
-    residuals : ndarray, shape (h,)
-    bounds : ndarray, shape (h,)
-        On their rounding errors, in units of 2⁻⁵²; see `pydy._graph.rounding`.
+    The bounds on their rounding errors are in units of 2⁻⁵²; see `pydy._graph.rounding`.
     """
     return bool((np.abs(residuals) <= ROUNDINGS * ROUNDING * bounds).all())
 
 
 @dataclass(frozen=True, eq=False)
 class CompiledConstraints:
-    """What the projection needs to know of a system.
+    """What the projection needs to know of a system."""
 
-    Attributes
-    ----------
-    kernel : Kernel
-        Outputs, one after the other: holonomic residuals (h), velocity residuals (v), ∂h/∂q
-        (h, q), N of q' = N u (q, u), ∂v/∂u (v, u), the unreduced mass matrix (u, u) where
-        `weighted`, and bounds on the rounding errors of the holonomic residuals (h).
-    holonomic, velocity, coordinates, speeds : int
-    dependent_speeds : int
-        How many speeds, the last ones, the equations of motion take from the velocity constraints.
-    weighted : bool
-        Whether corrections are measured by the mass matrix; by their square sum otherwise.
-    names : sequence of str
-        What to call the holonomic residuals, then the velocity residuals.
-    """
-
+    # Outputs, one after the other: holonomic residuals (h), velocity residuals (v), ∂h/∂q (h, q),
+    # N of q' = N u (q, u), ∂v/∂u (v, u), the unreduced mass matrix (u, u) where `weighted`, and
+    # bounds on the rounding errors of the holonomic residuals (h).
     kernel: Kernel
     holonomic: int
     velocity: int
     coordinates: int
     speeds: int
-    dependent_speeds: int
-    weighted: bool
-    names: Sequence[str]
+    dependent_speeds: int  # speeds, the last ones, taken from the velocity constraints
+    weighted: bool  # whether corrections are measured by the mass matrix; else by their square sum
+    names: Sequence[str]  # what to call the holonomic residuals, then the velocity residuals
 
     def dependent(self, values: np.ndarray) -> list[str]:
         """Return the names of redundant constraints: combinations of those before them.
 
-        Parameters
-        ----------
-        values : ndarray
-            What the kernel gives at some state.
+        The values are what the kernel gives at some state.
         """
         part = self.kernel.program.by_block(values)
         rows = [
@@ -74,22 +55,9 @@ class CompiledConstraints:
     ) -> tuple[float, list[str]]:
         """Return how near the velocity constraints are to losing rank, and which of them do.
 
-        Parameters
-        ----------
-        values : ndarray
-            What the kernel gives at some state.
-        longest : ndarray, shape (v,)
-            The lengths of their rows elsewhere, in the norm of corrections.
-        rank : int
-            Elsewhere.
-
-        Returns
-        -------
-        nearness : float
-            The least singular value of the rows in units of `longest`, except those that are zero
-            elsewhere too; 1 where the rows are not finite.
-        names : list of str
-            Of the constraints whose combination then vanishes.
+        That is the least singular value of their rows in units of the `longest` that they are
+        elsewhere, in the norm of corrections, where they have this rank; 1 where the rows are not
+        finite. The combination of the constraints that are named then vanishes.
         """
         part = self.kernel.program.by_block(values)
         rows = part["velocity_gradient"].reshape(self.velocity, self.speeds)
@@ -109,16 +77,8 @@ class CompiledConstraints:
     def determinacy(self, values: np.ndarray) -> float:
         """Return how near the velocity constraints are to not giving the dependent speeds.
 
-        Parameters
-        ----------
-        values : ndarray
-            What the kernel gives at some state.
-
-        Returns
-        -------
-        float
-            The least singular value of their rows' part that belongs to the dependent speeds, in
-            units of the rows' lengths; 1 where there are no such speeds.
+        That is the least singular value of their rows' part that belongs to these speeds, in units
+        of the rows' lengths; 1 where there are none.
         """
         part = self.kernel.program.by_block(values)
         rows = part["velocity_gradient"].reshape(self.velocity, self.speeds)

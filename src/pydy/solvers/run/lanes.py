@@ -33,18 +33,11 @@ _SLICE = 0.02  # seconds in compiled code, about, between two looks at whether t
 
 @dataclass(frozen=True, eq=False)
 class LaneResult:
-    """What became of m samples.
+    """What became of m samples."""
 
-    Attributes
-    ----------
-    counts : ndarray of int64, shape (m, 4)
-        Steps, rejected ones, evaluations, and how it ended: a code of `outcome`.
-    reached : ndarray, shape (m,)
-        The time up to which each was integrated.
-    """
-
+    # (m, 4): steps, rejected ones, evaluations, and how it ended: a code of `outcome`
     counts: np.ndarray
-    reached: np.ndarray
+    reached: np.ndarray  # (m,): the time up to which each was integrated
 
 
 def integrate_samples(
@@ -60,26 +53,13 @@ def integrate_samples(
     stopped: Callable[[], bool] = lambda: False,
     controlled: int | None = None,
 ) -> LaneResult:
-    """Integrate m samples, `LANES` at a time.
+    """Integrate m samples, `LANES` at a time, by an explicit method.
 
-    Parameters
-    ----------
-    kernel : Kernel
-        Of `LANES` lanes.
-    method : str
-        An explicit one.
-    x, r, p : ndarray, shapes (m, n), (m, s), (m, k)
-    sampled : sequence of (columns, SampledInput)
-        The places in r that samples in time take, the same for all.
-    times : ndarray
-    options : Options
-    states : ndarray, shape (n, m, times)
-        Where the states go, NaN from where a sample failed. Those of one sample lie side by side,
-        and the next sample's follow.
-    stopped : callable
-        Asked now and then; True ends the work with KeyboardInterrupt.
-    controlled : int, optional
-        How many components, which come first, the error is controlled of; all by default.
+    The inputs x, r and p have a row for each, and `sampled` is data in time with its places in r,
+    the same for all. The states go to (n, m, times), NaN from where a sample failed: those of one
+    sample lie side by side, and the next sample's follow. The error is controlled of all
+    components, or of so many that come first. Asked now and then whether the work is `stopped`,
+    True ends it with KeyboardInterrupt.
     """
     step_lanes = function_of("step_lanes")
     m, n = x.shape
@@ -128,7 +108,7 @@ def evaluate_samples(
 ) -> np.ndarray:
     """Evaluate a Kernel of `LANES` lanes along trajectories, shape (outputs, m, times).
 
-    The parameters are those of `integrate_samples`; `states` has the shape (n, m, times).
+    The parameters are those of `integrate_samples`.
     """
     n, m, number = states.shape
     out = np.empty((len(kernel.program.outputs), m, number))

@@ -40,15 +40,7 @@ def blocks(n: int) -> int:
 
 
 class Bound:
-    """A native Kernel with an array of its own for what it computes of the constants alone.
-
-    Attributes
-    ----------
-    address : int
-        Of the native function.
-    c : ndarray
-        What it computed.
-    """
+    """A native Kernel, by its address, with an array c of what it computes of constants alone."""
 
     def __init__(self, kernel: Kernel, p: np.ndarray) -> None:
         addresses = kernel.addresses
@@ -128,25 +120,8 @@ class Callback:
     exception, a full stack), stays set in the thread, and the entry that was called raises it.
     A callback of ctypes would print it and go on.
 
-    Parameters
-    ----------
-    function : callable
-        ``function(x, t)`` returns the derivative.
-    n : int
-        Number of states.
-    outputs : int
-        Number of values the function must return.
-    what : str
-        What to call these, for messages.
-    interrupts : Interrupts
-        Looked at before each call.
-
-    Attributes
-    ----------
-    address : int
-        Of the native function.
-    c : ndarray
-        Its constants.
+    The `function` of a state and time returns so many `outputs`, called `what` in messages;
+    interrupts are looked at before each call. The native function has an `address` and constants c.
     """
 
     def __init__(

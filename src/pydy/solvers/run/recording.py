@@ -19,25 +19,8 @@ class Recording:
 
     A step that an event cut short is noted as far as it counts, without its stages.
 
-    Parameters
-    ----------
-    states : int
-        Number of states; integrals may follow them.
-    count : int
-        Number of stages of the method.
-    rates : callable
-        ``rates(x, t)`` gives the first stage of the first step.
-
-    Attributes
-    ----------
-    states, count : int
-    starts, ends : list of float
-        Times.
-    before : list of ndarray
-        The state at the beginning of each step, padded to whole blocks.
-    stages : list of ndarray or None
-        The stages of each step one after the other, padded in the same way; None where they have to
-        be computed again.
+    Integrals may follow the states; `count` is the number of stages of the method, and
+    ``rates(x, t)`` gives the first stage of the first step.
     """
 
     def __init__(
@@ -50,7 +33,9 @@ class Recording:
         """Forget all steps."""
         self.starts: list[float] = []
         self.ends: list[float] = []
-        self.before: list[np.ndarray] = []
+        self.before: list[np.ndarray] = []  # states at the beginning of steps, in whole blocks
+        # The stages of each step one after the other, in whole blocks; None where they have to be
+        # computed again.
         self.stages: list[np.ndarray | None] = []
         self._room = _ROOM
 
@@ -59,13 +44,7 @@ class Recording:
     ) -> int:
         """Take some steps one by one and note them; return the code of why it stopped.
 
-        Parameters
-        ----------
-        most : int
-        advance : callable
-            Takes the steps that the budget allows.
-        progress, memory
-            Of the integration.
+        Calling `advance` takes the steps that the budget allows.
         """
         state, counts, code = progress.state, progress.counts, PAUSED
         for _ in range(most):
