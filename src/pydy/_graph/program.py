@@ -153,15 +153,7 @@ class Tape(Nodes):
 
 @dataclass(frozen=True)
 class Block:
-    """A named part of a Program's output.
-
-    Attributes
-    ----------
-    name : str
-    shape : tuple of int
-    start, stop : int
-        Where it lies in the flat output, row-major.
-    """
+    """A named part of a Program's output, which is flat and row-major."""
 
     name: str
     shape: tuple[int, ...]
@@ -171,32 +163,16 @@ class Block:
 
 @dataclass(frozen=True)
 class Program:
-    """Elementary operations with ordered inputs and named output blocks.
+    """Elementary operations with ordered inputs and named output blocks."""
 
-    Attributes
-    ----------
-    num_states, num_specifieds, num_constants : int
-        Sizes of the inputs x, r and p; time t is always one number.
-    ops : tuple of str
-    args : tuple of tuple
-        The operations, see the module.
-    setup : tuple of bool
-        Whether a node belongs to the setup stage.
-    carried : tuple of int
-        The nodes of the setup stage that the run stage or the outputs need: the array c.
-    outputs : tuple of int
-        The flat output.
-    blocks : tuple of Block
-    """
-
-    num_states: int
+    num_states: int  # sizes of the inputs x, r and p; time t is always one number
     num_specifieds: int
     num_constants: int
-    ops: tuple[str, ...]
+    ops: tuple[str, ...]  # the operations, see the module
     args: tuple[tuple[Any, ...], ...]
-    setup: tuple[bool, ...]
-    carried: tuple[int, ...]
-    outputs: tuple[int, ...]
+    setup: tuple[bool, ...]  # whether a node belongs to the setup stage
+    carried: tuple[int, ...]  # its nodes that the run stage or the outputs need: the array c
+    outputs: tuple[int, ...]  # the flat output
     blocks: tuple[Block, ...]
 
     @property

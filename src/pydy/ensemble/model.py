@@ -302,15 +302,11 @@ def evaluate_output_columns(
     beside = model.sensitivities
     assert beside is not None
     n, k, m, number = columns.shape
-    if beside.outputs is None:
-        return np.empty((0, k, m, number))
     whole = np.concatenate([states, columns.reshape(n * k, m, number)])
     r = np.concatenate([r, np.zeros((m, beside.further))], axis=1)
-    from pydy.solvers.run.lanes import evaluate_samples
-
-    kernel, sampled = _kernel(beside.outputs, LANES), (*model.sampled, *beside.sampled)
-    found = evaluate_samples(kernel, r, p, sampled, times, whole)
-    return found.reshape(-1, k, m, number)
+    further = replace(model, sampled=(*model.sampled, *beside.sampled))
+    found = evaluate(further, beside.outputs, r, p, times, whole, lambda: False)
+    return found.reshape(len(found) // k, k, m, number)
 
 
 # -- one by one -----------------------------------------------------------------------------------

@@ -312,22 +312,9 @@ BRANCH_WEIGHTS = (
 class Emitter:
     """Writes the operations of one stage.
 
-    Parameters
-    ----------
-    f : Function
-        Receives them.
-    program : Program
-    lanes : int
-    registers : int
-        How many values of all lanes the processor can hold.
-    setup : bool
-        Which stage.
-    brief : bool
-        Call routines where there are any.
-    whole : bool
-        Write one basic block, and leave the choice of what waits in memory to LLVM.
-    fallbacks : bool
-        Whether a guard that is not sound solves its system; else it reports status -1.
+    So many `registers` hold values of all lanes. In `brief`, routines are called where there are
+    any. As a `whole` they are one basic block, whose values LLVM moves to memory as it likes.
+    Without `fallbacks` a guard that is not sound reports status -1 in place of solving its system.
     """
 
     def __init__(

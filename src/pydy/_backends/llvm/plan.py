@@ -33,15 +33,8 @@ class Registers:
     78-101), and what lies in memory anyway is never written a second time. Values that come back
     do so, as a rule, in a later basic block, where LLVM cannot undo it.
 
-    Parameters
-    ----------
-    f : Function
-    v : str
-        The type of a number.
-    capacity : int
-        How many values may be at hand.
-    uses : dict of int to list of int
-        The operations, in the order they are written, that read a value.
+    A number has the type `v`, and so many may be at hand as the capacity says; `uses` are the
+    operations, in the order they are written, that read a value.
     """
 
     def __init__(self, f: Function, v: str, capacity: int, uses: dict[int, list[int]]) -> None:

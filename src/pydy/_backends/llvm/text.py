@@ -39,11 +39,7 @@ def kernel_text(
 def module_text(body: str, parts: Sequence[tuple[Program, int]]) -> str:
     """Return functions with the declarations that they need.
 
-    Parameters
-    ----------
-    body : str
-    parts : sequence of (Program, lanes)
-        What the functions are made of.
+    The parts are Programs that the functions are made of, with their lanes.
     """
     declared = "\n".join(_declarations(*part) for part in parts).splitlines()
     head = [*dict.fromkeys(declared)]
@@ -170,19 +166,9 @@ def stage_text(
     layout: Layout | None = None,
     fallbacks: bool = True,
 ) -> str:
-    """Return the function of the run stage.
+    """Return the function of the run stage; see `kernel_text`.
 
-    Parameters
-    ----------
-    program : Program
-    lanes : int
-    brief : bool
-        See `kernel_text`.
-    name : str
-    layout : Layout, optional
-        How arrays lie, for a function that others of the module call.
-    fallbacks : bool
-        See `kernel_text`.
+    A function that others of the module call is told the layout of its arrays.
     """
     f = Function(name, "i32", KERNEL, f"{'internal' if layout else ''}|nounwind")
     vectors = target().vectors(lanes)
