@@ -231,7 +231,7 @@ def test_multipliers_are_derivatives_of_the_objective(mass):
     found = system.optimize_trajectory(
         energy(F), 1.0, end={v: 0.0}, boundary=[sm.Eq(x.subs(T, 1.0), 1.0)]
     )
-    assert abs(found.multipliers["Eq(x(1.0), 1.0)"][0]) == pytest.approx(24.0, rel=1e-6)
+    assert found.multipliers["Eq(x(1.0), 1.0)"][0] == pytest.approx(24.0, rel=1e-6)
 
 
 def test_a_solution_starts_the_next_search(mass):
@@ -333,6 +333,8 @@ def test_bad_arguments_are_told(mass):
     refused("`mesh` must ascend, got 1.0 after 2.0", system, J, 1.0, mesh=[0, 2, 1])
     refused("`method` must be one of", system, J, 1.0, method="euler")
     refused("`order` must be a whole number", system, J, 1.0, order=0)
+    refused("`order` must be at most 50, got 51", system, J, 1.0, order=51)
+    refused("`mesh` must hold real numbers", system, J, 1.0, mesh=[[1.0], 2.0])
     refused("`boundary` must hold equations and", system, J, 1.0, boundary=[x.subs(T, 0)])
     refused("`path` must hold equations and inequ", system, J, 1.0, path=[sm.Ne(x, 0)])
     refused("`boundary` must be a sequence", system, J, 1.0, boundary=3, error=TypeError)

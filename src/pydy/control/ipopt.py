@@ -98,8 +98,6 @@ class Solution:
     z : ndarray, shape (n,)
     multipliers : ndarray, shape (m,)
         Of the rows, as they are, in the objective's units.
-    bound_multipliers : ndarray, shape (n,)
-        Of the bounds of the unknowns, positive at upper ones.
     objective : float
     status : int
         A key of `STATUS`.
@@ -109,7 +107,6 @@ class Solution:
 
     z: np.ndarray
     multipliers: np.ndarray
-    bound_multipliers: np.ndarray
     objective: float
     status: int
     history: tuple[Iteration, ...]
@@ -200,7 +197,7 @@ def _probe(lib: Any) -> bool:
             out[0] = 2.0 * weight
             return True
 
-    found = _solve(lib, Square(), np.array([1.5]), None, {}, lambda iteration: None)
+    found = _solve(lib, Square(), np.array([1.5]), {}, lambda iteration: None)
     return found.status == 0 and abs(found.z[0] - 2.0) < 0.001
 
 
@@ -213,7 +210,6 @@ def solve(
     nlp: Nlp,
     z: np.ndarray,
     *,
-    warm: Solution | None = None,
     options: Mapping[str, Any] | None = None,
     watch: Callable[[Iteration], None] = lambda iteration: None,
 ) -> Solution:
@@ -224,21 +220,18 @@ def solve(
     nlp : Nlp
     z : ndarray, shape (n,)
         Where to start.
-    warm : Solution, optional
-        Of a program with as many unknowns and rows: multipliers to start with.
     options : mapping of str to float, int or str
         Options of IPOPT.
     watch : callable
         Called at each iteration.
     """
-    return _solve(library(), nlp, z, warm, dict(options or {}), watch)
+    return _solve(library(), nlp, z, dict(options or {}), watch)
 
 
 def _solve(
     lib: Any,
     nlp: Any,
     z: np.ndarray,
-    warm: Solution | None,
     options: dict[str, Any],
     watch: Callable[[Iteration], None],
 ) -> Solution:
@@ -323,17 +316,11 @@ def _solve(
     try:
         # The program comes in units of its own.
         own = {"print_level": 0, "sb": "yes", "nlp_scaling_method": "none", "tol": TOLERANCE}
-        if warm is not None:
-            own |= {"warm_start_init_point": "yes"}
         for name, value in {**own, **options}.items():
             _set_option(lib, problem, name, value)
         lib.SetIntermediateCallback(problem, ctypes.cast(calls["each"], c_void_p))
         y, values, objective = np.array(z / nlp.sizes), np.empty(m), np.zeros(1)
         multipliers, below, above = np.zeros(m), np.zeros(n), np.zeros(n)
-        if warm is not None:
-            multipliers[:] = warm.multipliers * nlp.row_sizes / nlp.cost_size
-            of_bounds = warm.bound_multipliers * nlp.sizes / nlp.cost_size
-            below[:], above[:] = np.maximum(-of_bounds, 0.0), np.maximum(of_bounds, 0.0)
         with interrupts:
             status = lib.IpoptSolve(
                 problem,
@@ -348,7 +335,6 @@ def _solve(
     return Solution(
         z=y * nlp.sizes,
         multipliers=multipliers * nlp.cost_size / nlp.row_sizes,
-        bound_multipliers=(above - below) * nlp.cost_size / nlp.sizes,
         objective=float(objective[0]) * nlp.cost_size,
         status=status,
         history=tuple(history),
@@ -357,7 +343,7 @@ def _solve(
 
 
 def _failed(nlp: Any, z: np.ndarray, status: int) -> Solution:
-    return Solution(z, np.zeros(nlp.rows), np.zeros(nlp.size), np.nan, status, (), False)
+    return Solution(z, np.zeros(nlp.rows), np.nan, status, (), False)
 
 
 def _set_option(lib: Any, problem: Any, name: str, value: Any) -> None:

@@ -23,19 +23,20 @@ from pydy._checks import (
 from pydy._errors import AnalysisInterrupted, OptimizationError, warn_user
 from pydy._names import unique_names
 from pydy._optional import progress_of
-from pydy._rank import DIGITS, or_one, rank
+from pydy._rank import DIGITS, rank
 from pydy.codegen.arguments import checked_expression
 from pydy.control.expressions import Reader
+from pydy.control.guess import Guess, positive_time, shown_pair
 from pydy.control.ipopt import SOLVED, Iteration, Solution, solve
 from pydy.control.kernel import Equations
 from pydy.control.nlp import Nlp
 from pydy.control.refine import Moved, interval_errors, refined
 from pydy.control.result import OptimalTrajectory
 from pydy.control.schemes import METHODS, scheme_of
+from pydy.control.sizes import sizes_of
 from pydy.control.transcription import Problem, Transcription
-from pydy.control.tuning import MOST_REFINEMENTS
+from pydy.control.tuning import LARGEST_ORDER, MOST_REFINEMENTS
 from pydy.inputs import SampledInput
-from pydy.trajectory import Trajectory
 
 __all__ = ["OptimalControl"]
 
@@ -145,7 +146,12 @@ class OptimalControl:
                 f"`method` is {self._method!r}, which does not treat systems with constraints: the "
                 "points of such methods do not include the ends of intervals only. Use 'radau'."
             )
-        self._scheme = scheme_of(self._method, whole(order, "`order`"))
+        points = whole(order, "`order`")
+        if points > LARGEST_ORDER:
+            raise ValueError(
+                f"`order` must be at most {LARGEST_ORDER}, got {points}. Use more intervals."
+            )
+        self._scheme = scheme_of(self._method, points)
         self._mesh = _checked_mesh(mesh)
         given = plan.given | followed(definition, plan)
         self._controls = tuple(s for s in definition.specifieds if s not in given)
@@ -154,7 +160,7 @@ class OptimalControl:
             constants.symbols[k] for k in constants.columns(listed("free", free), "free")
         )
         self._symbol = duration if isinstance(duration, sm.Symbol) else None
-        self._duration = None if self._symbol is not None else _positive(duration)
+        self._duration = None if self._symbol is not None else positive_time(duration)
         if self._symbol is not None and self._symbol in (*definition.constants, time):
             raise ValueError(
                 f"`duration` is `{duration}`, which the equations hold already. Give the duration "
@@ -267,7 +273,7 @@ class OptimalControl:
         """Return the program and where to start."""
         lower, upper = self._bounds_of(made)
         z = self._guess(made, guess, lower, upper)
-        nlp = made.nlp(lower, upper, self._sizes(made, z, lower, upper))
+        nlp = made.nlp(lower, upper, sizes_of(made, z, lower, upper))
         self._check_start(made, z)
         low, high = nlp.row_bounds
         equal, unknown = int((low == high).sum()), int((lower < upper).sum())
@@ -291,7 +297,7 @@ class OptimalControl:
         slopes = np.empty((len(f.jacobian_at), 1))
         f("jacobian", X, begin.data, P, slopes)
         J[tuple(f.jacobian_at.T)] = slopes[:, 0]
-        sizes = self._sizes(made, z, *self._bounds_of(made))[begin.at[:, 0]]
+        sizes = sizes_of(made, z, *self._bounds_of(made))[begin.at[:, 0]]
         terms = np.abs(J) @ sizes
         if self._fixed and (np.abs(rows[:, 0]) > DIGITS * terms).any():
             at = int(np.argmax(np.abs(rows[:, 0]) - DIGITS * terms))
@@ -335,8 +341,8 @@ class OptimalControl:
                 if lower[k * slots + place] > upper[k * slots + place]:
                     given = (self._start if end == "start" else self._end)[s]
                     raise ValueError(
-                        f"`{end}[{s}]` is {_shown_pair(given)}, which the `bounds` "
-                        f"{_shown_pair(self._bounds[s])} exclude."
+                        f"`{end}[{s}]` is {shown_pair(given)}, which the `bounds` "
+                        f"{shown_pair(self._bounds[s])} exclude."
                     )
         return lower, upper
 
@@ -344,9 +350,11 @@ class OptimalControl:
         self, made: Transcription, given: Any, lower: np.ndarray, upper: np.ndarray
     ) -> np.ndarray:
         """Return where to start: what is given, else straight lines between the ends."""
-        guess = _Guess(self, given)
+        guess = Guess(given, self._unknown, self._duration, self._symbol)
         duration = guess.duration(self._bounds.get(self._symbol, _OPEN))
         places, slopes = made.places
+        inner = ~slopes
+        inner[[0, made.intervals]] = False  # the ends are where `start` and `end` say
         x = np.empty((self._problem.states, len(places)))
         for k, s in enumerate(self._now.definition.states):
             values = guess.values(s, places, duration)
@@ -354,6 +362,7 @@ class OptimalControl:
                 first = _middle(self._start[s], float(self._now.x[k]))
                 last = _middle(self._end.get(s, _OPEN), first)
                 values = np.interp(places, [0.0, 1.0], [first, last])
+            guess.check_bounds(s, values[inner], self._bounds.get(s, _OPEN))
             x[k] = values
             if slopes.any():
                 x[k, slopes] = np.gradient(x[k, ~slopes], made.mesh * duration)
@@ -361,80 +370,16 @@ class OptimalControl:
         for k, s in enumerate(self._controls):
             values = guess.values(s, made.control_places, duration)
             u[k] = 0.0 if values is None else values
-        constants = [
-            guess.number(s, self._problem.constants[k])
-            for s, k in zip(self._free, self._problem.free, strict=True)
-        ]
-        z = made.joined(x, u, constants, duration)
-        guess.check_bounds(made, z, lower, upper)
-        begin: np.ndarray = np.clip(z, lower, upper)
+            guess.check_bounds(s, u[k], self._bounds.get(s, _OPEN))
+        constants = []
+        for s, k in zip(self._free, self._problem.free, strict=True):
+            constants.append(guess.number(s, self._problem.constants[k]))
+            guess.check_bounds(s, np.array(constants[-1:]), self._bounds.get(s, _OPEN))
+        guess.check_bounds(
+            self._symbol, np.array([duration]), self._bounds.get(self._symbol, _OPEN)
+        )
+        begin: np.ndarray = np.clip(made.joined(x, u, constants, duration), lower, upper)
         return begin
-
-    def _sizes(
-        self, made: Transcription, z: np.ndarray, lower: np.ndarray, upper: np.ndarray
-    ) -> np.ndarray:
-        """Return how large each unknown becomes, by what is known of it.
-
-        That is its guess, its ends and bounds. What is zero everywhere gets the size at which it
-        decides one of the equations, whose terms are then of known size: the speed that covers a
-        known distance in the duration, the force that brings it about.
-        """
-        known = [np.where(np.isfinite(v), np.abs(v), 0.0) for v in (z, lower, upper)]
-        parts = [made.split(value) for value in known]
-        x = np.max([p[0].max(axis=1, where=~made.places[1], initial=0.0) for p in parts], axis=0)
-        u = np.max([p[1].max(axis=1, initial=0.0) for p in parts], axis=0)
-        c = np.max([p[2] for p in parts], axis=0)
-        duration = made.split(z)[3]
-        x, u = self._inferred(z, made, x, u, or_one(c), duration)
-        slopes = np.where(made.places[1], 1.0 / duration, 1.0)
-        return made.joined(
-            x[:, None] * slopes, np.repeat(u[:, None], len(made.control_places), 1), or_one(c),
-            duration,
-        )  # fmt: skip
-
-    def _inferred(
-        self, z: np.ndarray, made: Transcription, x: np.ndarray, u: np.ndarray, c: np.ndarray,
-        duration: float,
-    ) -> tuple[np.ndarray, np.ndarray]:  # fmt: skip
-        """Return sizes of states and controls where zeros are found from the equations."""
-        sizes = np.concatenate([x, u])
-        if (sizes > 0.0).all():
-            return x, u
-        # The equations of a single interval: its derivatives are changes in the whole duration.
-        whole = Transcription(self._problem, self._scheme, np.array([0.0, 1.0]))
-        times = [whole.places[0], whole.control_places]
-        _, _, constants, _ = made.split(z)
-        states = np.where(whole.places[1], 0.0, made.states_at(z, times[0] * duration).T)
-        controls = np.zeros((self._problem.algebraic, len(times[1])))
-        controls[: len(self._controls)] = made.controls_at(z, times[1] * duration).T
-        one = whole.joined(states, controls, constants, duration)
-        everywhere = np.full(len(one), np.inf)
-        nlp = whole.nlp(-everywhere, everywhere, np.ones(len(one)))
-        values = np.empty(len(nlp.jacobian_at[0]))
-        nlp.jacobian(one, values)
-        n, width = self._problem.states, len(sizes)
-        owner = np.concatenate([np.repeat(np.arange(n), len(times[0])),
-                                n + np.repeat(np.arange(width - n), len(times[1]))])  # fmt: skip
-        owner = np.append(owner, np.full(len(one) - len(owner), width))
-        slope = np.tile(whole.places[1], n)
-        table = np.zeros((nlp.rows, width + 1))
-        rows, columns = nlp.jacobian_at
-        weights = np.ones(len(one))
-        weights[: len(slope)][slope] = 1.0 / duration
-        entries = np.abs(np.nan_to_num(values)) * weights[columns]
-        np.maximum.at(table, (rows, owner[columns]), entries)
-        table = table[:, :width]
-        for _ in range(width):
-            reach = (table * sizes).max(axis=1, initial=0.0)
-            need = np.where((table > 0.0) & (reach[:, None] > 0.0),
-                            reach[:, None] / np.where(table > 0.0, table, 1.0), np.inf)  # fmt: skip
-            found = need.min(axis=0, initial=np.inf)
-            new = (sizes == 0.0) & np.isfinite(found)
-            if not new.any():
-                break
-            sizes = np.where(new, found, sizes)
-        sizes = or_one(sizes)
-        return sizes[:n], sizes[n:]
 
     # -- the search -------------------------------------------------------------------------------
 
@@ -479,7 +424,7 @@ class OptimalControl:
             IPOPT is not installed: ``pip install 'pydy[optimal]'``.
         """
         own = check_mapping("options", options)
-        tolerance = None if mesh_tol is None else _positive(mesh_tol, "`mesh_tol`")
+        tolerance = None if mesh_tol is None else positive_time(mesh_tol, "`mesh_tol`")
         mesh = self._mesh
         with progress_of(flag(progress, "`progress`"), " iterations") as told:
             for _ in range(MOST_REFINEMENTS):
@@ -532,110 +477,11 @@ class OptimalControl:
         return OptimalTrajectory(now, made, self._controls, self._free, nlp, solution, error)
 
 
-class _Guess:
-    """Where a search begins, as the user gives it."""
-
-    def __init__(self, problem: OptimalControl, given: Any) -> None:
-        self._problem = problem
-        self._motion: Trajectory | None = None
-        self._values: dict[Any, Any] = {}
-        if isinstance(given, Trajectory):
-            self._motion = given
-        else:
-            values = check_mapping("guess", given)
-            columns = problem._unknown.columns(values, "guess")
-            symbols = [problem._unknown.symbols[k] for k in columns]
-            self._values = dict(zip(symbols, values.values(), strict=True))
-
-    def duration(self, bounds: tuple[float, float]) -> float:
-        """Return the duration to begin with."""
-        problem = self._problem
-        if problem._duration is not None:
-            return problem._duration
-        symbol = problem._symbol
-        if self._motion is not None:
-            return float(self._motion.times[-1] - self._motion.times[0])
-        if symbol in self._values:
-            return _positive(self._values[symbol], f"`guess[{symbol}]`")
-        if not np.isfinite(bounds).all():
-            raise ValueError(
-                f"The duration `{symbol}` is free: give `bounds` for it, {{{symbol}: (low, high)}},"
-                f" or where the search begins, guess={{{symbol}: ...}}."
-            )
-        return float(np.mean(bounds))
-
-    def values(self, symbol: Any, fractions: np.ndarray, duration: float) -> np.ndarray | None:
-        """Return a state or control at some times, or None."""
-        if self._motion is not None:
-            if symbol not in self._motion:
-                return None
-            first, last = self._motion.times[[0, -1]]
-            order = np.argsort(fractions, kind="stable")
-            times = np.clip(first + fractions[order] * (last - first), first, last)
-            found = np.empty(len(fractions))
-            found[order] = self._motion.at(times)[symbol]
-            return found
-        if symbol not in self._values:
-            return None
-        value = self._values[symbol]
-        what = f"`guess[{symbol}]`"
-        if isinstance(value, SampledInput):
-            if value.size != 1:
-                raise ValueError(f"{what} must be samples of one value, got {value.size} a time.")
-            samples: np.ndarray = value.rows(fractions * duration)[:, 0]
-            return samples
-        samples = np.atleast_1d(real_array(value, what))
-        if samples.ndim != 1 or not len(samples) or not np.isfinite(samples).all():
-            raise ValueError(
-                f"{what} must be a finite number, or a row of them, got {shown(value)}."
-            )
-        even = np.linspace(0.0, 1.0, num=len(samples))
-        between: np.ndarray = np.interp(fractions, even, samples)
-        return between
-
-    def number(self, symbol: Any, known: float) -> float:
-        """Return a free constant to begin with."""
-        if self._motion is not None:
-            return float(self._motion.constants.get(symbol, known))
-        return number(self._values.get(symbol, known), f"`guess[{symbol}]`", finite=True)
-
-    def check_bounds(
-        self, made: Transcription, z: np.ndarray, lower: np.ndarray, upper: np.ndarray
-    ) -> None:
-        """Refuse what is given and lies outside of bounds, between the ends."""
-        parts = [made.split(value) for value in (z, lower, upper)]
-        problem, M = self._problem, made.intervals
-        states = problem._now.definition.states
-        inner = ~made.places[1]
-        inner[[0, M]] = False  # the ends are where `start` and `end` say
-        rows: list[tuple[Any, list[np.ndarray]]] = []
-        rows += [(s, [p[0][k][inner] for p in parts]) for k, s in enumerate(states)]
-        rows += [(s, [p[1][k] for p in parts]) for k, s in enumerate(problem._controls)]
-        rows += [(s, [p[2][k : k + 1] for p in parts]) for k, s in enumerate(problem._free)]
-        rows.append((problem._symbol, [np.array([p[3]]) for p in parts]))
-        for symbol, (values, low, high) in rows:
-            outside = (values < low) | (values > high)
-            if symbol in self._values and outside.any():
-                raise ValueError(
-                    f"`guess[{symbol}]` must lie within its `bounds`, "
-                    f"{_shown_pair(problem._bounds.get(symbol, _OPEN))}, got "
-                    f"{float(values[outside][0])!r}."
-                )
-
-
-def _positive(value: Any, what: str = "`duration`") -> float:
-    result = number(value, what, finite=True)
-    if not result > 0.0:
-        hint = ", or a Symbol for one that is found" if what == "`duration`" else ""
-        raise ValueError(f"{what} must be positive{hint}, got {result!r}.")
-    return result
-
-
 def _checked_mesh(mesh: Any) -> np.ndarray:
     """Return the nodes as fractions."""
-    if np.ndim(mesh) == 0:
-        return np.linspace(0.0, 1.0, num=whole(mesh, "`mesh`") + 1)
     nodes = real_array(mesh, "`mesh`")
+    if nodes.ndim == 0:
+        return np.linspace(0.0, 1.0, num=whole(mesh, "`mesh`") + 1)
     if nodes.ndim != 1 or len(nodes) < 2 or not np.isfinite(nodes).all():
         raise ValueError(
             "`mesh` must be a number of intervals, or at least two finite nodes, got "
@@ -678,11 +524,6 @@ def _middle(limits: tuple[float, float], otherwise: float) -> float:
     if np.isfinite(low) and np.isfinite(high):
         return 0.5 * (low + high)
     return min(max(otherwise, low), high)
-
-
-def _shown_pair(limits: tuple[float, float]) -> str:
-    low, high = (None if np.isinf(value) else value for value in limits)
-    return repr(low) if low == high else f"({low!r}, {high!r})"
 
 
 def _signal(samples: SampledInput, column: int) -> Any:

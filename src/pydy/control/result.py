@@ -43,7 +43,7 @@ class OptimalTrajectory(Trajectory):
     multipliers : dict of str to ndarray
         The multipliers of each equation, path condition and boundary condition, by the labels that
         messages use: at `collocation_times` or, of boundary conditions, shape (1,). They are the
-        derivatives of the objective by a change of the right-hand side.
+        derivatives of the objective by the right-hand side of ``a − b = 0`` or ``a − b <= 0``.
     collocation_times : ndarray
     status : int
         As IPOPT returns it; 0 is solved.
@@ -153,7 +153,7 @@ def _multipliers(
     start = 0
     for piece in nlp.pieces:
         stop = start + piece.rows * piece.points
-        values = solution.multipliers[start:stop].reshape(piece.rows, piece.points)
+        values = -solution.multipliers[start:stop].reshape(piece.rows, piece.points)
         names = unique_names(piece.labels)
         for name, row in zip(names, values, strict=True):
             parts.setdefault(name, []).append(row)

@@ -5,6 +5,7 @@ from __future__ import annotations
 __all__ = [
     "INPUT_SAMPLES",
     "JUMP",
+    "LARGEST_ORDER",
     "MOST_PARTS",
     "MOST_REFINEMENTS",
     "MOST_STEPS",
@@ -39,3 +40,7 @@ error fall more slowly than the order of the method tells; a next refinement the
 MOST_REFINEMENTS = 12
 """How often a mesh is refined, at most. Intervals are halved at least: they have then become 4096
 times shorter, which puts a jump of a control within that share of the motion."""
+
+LARGEST_ORDER = 50
+"""Points of an interval, at most. Derivatives at K points are of the size K², so that rounding
+leaves 1e-13 of them here; each point depends on all others, which makes the Jacobian full."""

@@ -1,0 +1,103 @@
+"""Where a search begins, as users give it."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from pydy._checks import Places, check_mapping, number, real_array, shown
+from pydy.inputs import SampledInput
+from pydy.trajectory import Trajectory
+
+__all__ = ["Guess", "positive_time", "shown_pair"]
+
+
+class Guess:
+    """Where a search begins, as the user gives it."""
+
+    def __init__(self, given: Any, unknown: Places, duration: float | None, symbol: Any) -> None:
+        self._duration, self._symbol = duration, symbol
+        self._motion: Trajectory | None = None
+        self._values: dict[Any, Any] = {}
+        if isinstance(given, Trajectory):
+            self._motion = given
+        else:
+            values = check_mapping("guess", given)
+            symbols = [unknown.symbols[k] for k in unknown.columns(values, "guess")]
+            self._values = dict(zip(symbols, values.values(), strict=True))
+
+    def duration(self, bounds: tuple[float, float]) -> float:
+        """Return the duration to begin with."""
+        symbol = self._symbol
+        if self._duration is not None:
+            return self._duration
+        if self._motion is not None:
+            return float(self._motion.times[-1] - self._motion.times[0])
+        if symbol in self._values:
+            return positive_time(self._values[symbol], f"`guess[{symbol}]`")
+        if not np.isfinite(bounds).all():
+            raise ValueError(
+                f"The duration `{symbol}` is free: give `bounds` for it, {{{symbol}: (low, high)}},"
+                f" or where the search begins, guess={{{symbol}: ...}}."
+            )
+        return float(np.mean(bounds))
+
+    def values(self, symbol: Any, fractions: np.ndarray, duration: float) -> np.ndarray | None:
+        """Return a state or control at some times, or None."""
+        if self._motion is not None:
+            if symbol not in self._motion:
+                return None
+            first, last = self._motion.times[[0, -1]]
+            order = np.argsort(fractions, kind="stable")
+            times = np.clip(first + fractions[order] * (last - first), first, last)
+            found = np.empty(len(fractions))
+            found[order] = self._motion.at(times)[symbol]
+            return found
+        if symbol not in self._values:
+            return None
+        value = self._values[symbol]
+        what = f"`guess[{symbol}]`"
+        if isinstance(value, SampledInput):
+            if value.size != 1:
+                raise ValueError(f"{what} must be samples of one value, got {value.size} a time.")
+            samples: np.ndarray = value.rows(fractions * duration)[:, 0]
+            return samples
+        samples = np.atleast_1d(real_array(value, what))
+        if samples.ndim != 1 or not len(samples) or not np.isfinite(samples).all():
+            raise ValueError(
+                f"{what} must be a finite number, or a row of them, got {shown(value)}."
+            )
+        even = np.linspace(0.0, 1.0, num=len(samples))
+        between: np.ndarray = np.interp(fractions, even, samples)
+        return between
+
+    def number(self, symbol: Any, known: float) -> float:
+        """Return a free constant to begin with."""
+        if self._motion is not None:
+            return float(self._motion.constants.get(symbol, known))
+        return number(self._values.get(symbol, known), f"`guess[{symbol}]`", finite=True)
+
+    def check_bounds(self, symbol: Any, values: np.ndarray, bounds: tuple[float, float]) -> None:
+        """Refuse values that the user gave and that lie outside of bounds."""
+        outside = (values < bounds[0]) | (values > bounds[1])
+        if symbol in self._values and outside.any():
+            raise ValueError(
+                f"`guess[{symbol}]` must lie within its `bounds`, {shown_pair(bounds)}, got "
+                f"{float(values[outside][0])!r}."
+            )
+
+
+def positive_time(value: Any, what: str = "`duration`") -> float:
+    """Return a positive number, or say what it was instead."""
+    result = number(value, what, finite=True)
+    if not result > 0.0:
+        hint = ", or a Symbol for one that is found" if what == "`duration`" else ""
+        raise ValueError(f"{what} must be positive{hint}, got {result!r}.")
+    return result
+
+
+def shown_pair(limits: tuple[float, float]) -> str:
+    """Return bounds for a message, as users give them."""
+    low, high = (None if np.isinf(value) else value for value in limits)
+    return repr(low) if low == high else f"({low!r}, {high!r})"
