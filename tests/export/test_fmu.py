@@ -18,14 +18,17 @@ import fmpy
 import numpy as np
 import pytest
 import sympy as sm
+import sympy.physics.mechanics as me
 from fmpy import instantiate_fmu, read_model_description, simulate_fmu
 from fmpy.fmi1 import FMICallException
 from fmpy.validation import validate_fmu
 
 from ball import bouncing_ball
 from exported_models import TIMES, ball, hostile, pendulum, spring_of
+from pydy import System
 from pydy.errors import GeneratorError
 from pydy.export.fmu import compiler
+from pydy.mechanics import Definition
 from pydy.solvers import Event
 
 VERSIONS = ("3.0", "2.0")
@@ -362,3 +365,23 @@ def test_a_ctrl_c_ends_the_compiler_and_what_it_started_at_once(tmp_path, monkey
         assert time.monotonic() - sent[0] < patience
         time.sleep(0.01)
     assert not (tmp_path / "spring.fmu").exists()
+
+
+def test_the_model_and_its_solver_may_need_functions_of_the_same_name(tmp_path):
+    """A contact in a loop that is closed without dependent speeds: what C has no function for."""
+    x, y = me.dynamicsymbols("x y")
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    place = origin.locatenew("P", x * frame.x + y * frame.y)
+    contact = (sm.Max(-x, 0) ** sm.Rational(3, 2) - sm.Min(x, 0) - 0.1 * sm.sign(x)) * frame.x
+    system = System(
+        Definition(
+            frame, [x, y], bodies=[me.Particle("P", place, 1)],
+            loads=[(place, contact - frame.y)], holonomic_constraints=[x**2 + y**2 - 1],
+        ),
+        initial_conditions={x: 0.6, y: -0.8}, times=TIMES, ode_solver="dop853",
+    )  # fmt: skip
+    path = tmp_path / "contact.fmu"
+    system.export(path)
+    expected = system.simulate(rtol=1e-11, atol=1e-11)["x"]
+    assert simulated(str(path), "CoSimulation", ["x"])[:, 0] == pytest.approx(expected, abs=1e-7)

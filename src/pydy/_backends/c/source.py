@@ -102,13 +102,13 @@ _HEAD = """\
 
 # By the name of the function; only those that a Program calls are written.
 _HELPERS = {
-    "minimum": """\
+    "min_or_nan": """\
 /* Unlike fmin and fmax, these give NaN when either argument is NaN. */
-static inline double minimum(double a, double b) { return a < b || a != a ? a : b; }
+static inline double min_or_nan(double a, double b) { return a < b || a != a ? a : b; }
 """,
-    "maximum": """\
+    "max_or_nan": """\
 /* Unlike fmin and fmax, these give NaN when either argument is NaN. */
-static inline double maximum(double a, double b) { return a > b || a != a ? a : b; }
+static inline double max_or_nan(double a, double b) { return a > b || a != a ? a : b; }
 """,
     "sign": """\
 static inline double sign(double a) { return a > 0.0 ? 1.0 : a < 0.0 ? -1.0 : a; }
