@@ -29,7 +29,7 @@ LAYERS = {
     "consumers": {
         *("analysis", "codegen", "control", "ensemble", "export", "linearize", "viz"),
     },
-    "user": {"_system", "cli", "examples", "models", "system"},
+    "user": {"_system", "cli", "examples", "models", "robots", "system"},
 }
 FLOORS = {name: floor for floor, rooms in enumerate(LAYERS.values()) for name in rooms}
 # Files that share a room with another: `pydy` itself holds the version and no more.
@@ -69,6 +69,7 @@ LATE = {
     "PIL",
     "playwright",
     "casadi",
+    "mujoco",
 }
 
 KANE_MODULE = "pydy._mechanics.kane"

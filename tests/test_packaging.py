@@ -25,7 +25,7 @@ def packages(extra):
 
 
 def test_all_is_what_users_need_and_no_tool_of_contributors():
-    features = {"control", "cython", "ensemble", "labels", "optimal", "plot"}
+    features = {"control", "cython", "ensemble", "labels", "optimal", "plot", "robots"}
     assert packages("all") == set().union(*map(packages, features))
     tools = {"ruff", "mypy", "pytest", "sphinx", "furo", "ziglang", "playwright"}
     assert not packages("all") & tools

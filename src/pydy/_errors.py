@@ -24,6 +24,7 @@ __all__ = [
     "OptimizationError",
     "PeriodicOrbitError",
     "PyDyUserWarning",
+    "RobotFileError",
     "SingularMatrixError",
     "UnsupportedFunctionError",
     "few",
@@ -247,3 +248,7 @@ class EquilibriumError(RuntimeError):
 
     def __reduce__(self) -> tuple[object, ...]:
         return (type(self), (str(self), self.values, self.residuals))
+
+
+class RobotFileError(ValueError):
+    """A file does not describe a robot; the message names the file and the line or element."""

@@ -17,6 +17,7 @@ from pydy._errors import (
     OptimizationError,
     PeriodicOrbitError,
     PyDyUserWarning,
+    RobotFileError,
     SingularMatrixError,
     UnsupportedFunctionError,
 )
@@ -33,6 +34,7 @@ __all__ = [
     "OptimizationError",
     "PeriodicOrbitError",
     "PyDyUserWarning",
+    "RobotFileError",
     "SingularMatrixError",
     "UnsupportedFunctionError",
 ]

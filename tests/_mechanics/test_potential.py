@@ -260,3 +260,17 @@ def test_any_law_of_a_distance_with_an_integral_has_that(pull, energy):
     here, there = (0.3, -0.4, 1.1, 0.2, 0.9, -0.6), (0.1, 0.2, 0.9, 0.0, -0.2, 0.3)
     values = [apart(*place, 1.3, 0.7, 1.7) for place in (here, there)]
     assert values[0] == pytest.approx(values[1], abs=1e-14)
+
+
+def test_a_rotation_may_be_given_as_a_matrix_that_could_change(plane):
+    # SymPy keeps what `orient_explicit` is given, a mutable matrix too.
+    frame, origin, _ = plane
+    tilted, own = me.ReferenceFrame("T"), me.ReferenceFrame("A")
+    tilted.orient_explicit(frame, sm.Matrix([[1, 0, 0], [0, 0.6, -0.8], [0, 0.8, 0.6]]))
+    own.orient_axis(tilted, tilted.z, Q[0])
+    place = origin.locatenew("P", L * own.x)
+    loads = [(place, -M * G * frame.z), (own, -K * Q[0] * own.z)]
+    body = me.Particle("P", place, M)
+    system = System(Definition(frame, [Q[0]], [U[0]], bodies=[body], loads=loads))
+    expected = M * G * L * 0.8 * sm.sin(Q[0]) + K * Q[0] ** 2 / 2
+    assert differs_by_a_constant(system.potential_energy, expected)

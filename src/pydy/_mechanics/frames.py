@@ -108,7 +108,8 @@ class Frames:
 def rotations(inertial: Any) -> list[Any]:
     """Return the matrices of all orientations, from the inertial frame outwards."""
     away = distances(inertial, oriented)
-    return [m for frame in away for f, m in oriented(frame).items() if away[f] > away[frame]]
+    pairs = [(m, away[f] > away[frame]) for frame in away for f, m in oriented(frame).items()]
+    return [m.as_immutable() for m, outwards in pairs if outwards]  # one may be the user's own
 
 
 def orientation_rows(matrices: Iterable[Any], read: SymPyReader) -> list[int]:

@@ -1,0 +1,109 @@
+"""Accelerations of robots from files by Pinocchio (URDF) and MuJoCo (MJCF).
+
+Without an argument: the files of the packages example-robot-data and dm_control, as JSON. With one:
+reads states as JSON from standard input, and writes the accelerations.
+"""
+
+from __future__ import annotations
+
+import json
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+from xml.etree import ElementTree
+
+import numpy as np
+
+
+def files() -> list[str]:
+    """Return all robots of both packages."""
+    import site
+
+    found: list[str] = []
+    for folder in map(Path, site.getsitepackages()):
+        found += sorted(map(str, folder.glob("cmeel.prefix/share/example-robot-data/**/*.urdf")))
+        found += sorted(map(str, folder.glob("dm_control/suite/*.xml")))
+    return found
+
+
+def by_pinocchio(file: str, q: dict[str, Any], v: dict[str, Any], tau: dict[str, Any]) -> Any:
+    """Return the accelerations by joint; joints that mimic others take their part."""
+    import pinocchio as pin
+
+    model = pin.buildModelFromUrdf(file, mimic=True)
+    joints = [k for k in range(1, model.njoints) if model.names[k] in q and model.joints[k].nv]
+    place, speed, force = pin.neutral(model), np.zeros(model.nv), np.zeros(model.nv)
+    for k in joints:
+        joint, name = model.joints[k], model.names[k]
+        turn = [np.cos(q[name]), np.sin(q[name])] if joint.nq == 2 else [q[name]]
+        place[joint.idx_q : joint.idx_q + joint.nq] = turn
+        speed[joint.idx_v] = v[name]
+        force[joint.idx_v] = tau[name] - model.damping[joint.idx_v] * v[name]
+    for master, damping in damping_of_mimics(file):
+        force[model.joints[model.getJointId(master)].idx_v] -= damping * v[master]
+    data = model.createData()
+    if len(joints) < model.njoints - 1:
+        mass = np.triu(pin.crba(model, data, place))
+        mass += np.triu(mass, 1).T
+        found = np.linalg.solve(
+            mass, force - pin.rnea(model, data, place, speed, np.zeros(model.nv))
+        )
+    else:
+        found = pin.aba(model, data, place, speed, force)
+    return {model.names[k]: float(found[model.joints[k].idx_v]) for k in joints}
+
+
+def damping_of_mimics(file: str) -> Iterator[tuple[str, float]]:
+    """Yield what joints that mimic others add to the damping of these, which Pinocchio drops."""
+    for joint in ElementTree.parse(file).getroot().findall("joint"):
+        mimic, dynamics = joint.find("mimic"), joint.find("dynamics")
+        if mimic is not None and dynamics is not None:
+            factor, damping = float(mimic.get("multiplier", 1)), float(dynamics.get("damping", 0))
+            yield mimic.attrib["joint"], factor**2 * damping
+
+
+def by_mujoco(file: str, q: dict[str, Any], v: dict[str, Any], taken: list[str]) -> Any:
+    """Return the accelerations by joint, without what `pydy.robots` leaves out."""
+    import mujoco
+
+    mujoco.set_mju_user_warning(lambda text: None)  # it would write a file of its own
+    model = mujoco.MjModel.from_xml_path(file)
+    off = mujoco.mjtDisableBit
+    model.opt.disableflags |= int(
+        off.mjDSBL_CONTACT | off.mjDSBL_EQUALITY | off.mjDSBL_FRICTIONLOSS | off.mjDSBL_LIMIT
+    )
+    model.opt.density = model.opt.viscosity = 0.0
+    model.tendon_stiffness[:] = model.tendon_damping[:] = 0.0
+    for k in range(model.nu):
+        if mujoco.mj_id2name(model, mujoco.mjtObj.mjOBJ_ACTUATOR, k) not in taken:
+            model.actuator_gainprm[k] = model.actuator_biasprm[k] = 0.0
+    model.actuator_forcelimited[:] = 0
+    data = mujoco.MjData(model)
+    names = list(q)
+    data.qpos[:] = [x for name in names for x in q[name]]
+    data.qvel[:] = [x for name in names for x in v[name]]
+    mujoco.mj_forward(model, data)
+    found, first = {}, 0
+    for name in names:
+        found[name] = data.qacc[first : first + len(v[name])].tolist()
+        first += len(v[name])
+    return found
+
+
+def main() -> None:
+    """Write the files, or the accelerations."""
+    if len(sys.argv) < 2:
+        print(json.dumps(files()))
+        return
+    found = []
+    for case in json.load(sys.stdin):
+        try:
+            found.append((by_pinocchio if case["file"].endswith("urdf") else by_mujoco)(**case))
+        except Exception as error:  # noqa: BLE001 (what a peer does not read is told)
+            found.append(f"{type(error).__name__}: {error}")
+    print(json.dumps(found))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,282 @@
+"""MJCF files, compiled by the `mujoco` package: defaults, includes, meshes and inertias resolved.
+
+The compiled model says what its documentation ("Computation", "XML reference") describes; what has
+no counterpart here is said in one list.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from pydy._errors import RobotFileError
+from pydy._optional import require
+from pydy.robots.tree import Joint, Link, Look, Motor, Tie, Tree, of_quaternion, turned
+from pydy.viz.shapes import Box, Capsule, Cylinder, Mesh, Sphere
+
+_KINDS = {
+    "mjJNT_HINGE": "hinge",
+    "mjJNT_SLIDE": "slide",
+    "mjJNT_BALL": "ball",
+    "mjJNT_FREE": "free",
+}
+_SHOWN_GROUPS = 3  # as in MuJoCo's own viewer: the others are for contacts
+
+
+def read_mjcf(path: Path) -> Tree:
+    """Return what an MJCF file says."""
+    mujoco = require("mujoco", "robots", "Reading MJCF files")
+    said: list[str] = []
+    before = mujoco.get_mju_user_warning()
+    mujoco.set_mju_user_warning(said.append)  # it would write them into a file of its own
+    try:
+        model = mujoco.MjModel.from_xml_path(str(path))
+    except ValueError as error:
+        reason = " ".join(str(error).split())
+        raise RobotFileError(f"{path}: MuJoCo does not read this file: {reason}") from None
+    finally:
+        mujoco.set_mju_user_warning(before)
+    tree = _Model(mujoco, model, path).tree()
+    tree.left_out += [f"MuJoCo says: {' '.join(text.split())}" for text in said]
+    return tree
+
+
+class _Model:
+    """A compiled model with names in place of numbers."""
+
+    def __init__(self, mujoco: Any, model: Any, path: Path) -> None:
+        self.mujoco, self.model, self.path = mujoco, model, path
+        self.off = model.opt.disableflags
+        self.left_out: list[str] = []
+
+    def name(self, kind: str, k: int) -> str:
+        """Return the name of the k-th thing of a kind, or its kind and number."""
+        found = self.mujoco.mj_id2name(self.model, getattr(self.mujoco.mjtObj, f"mjOBJ_{kind}"), k)
+        return found or f"{kind.lower()}{k}"
+
+    def disabled(self, what: str) -> bool:
+        return bool(self.off & getattr(self.mujoco.mjtDisableBit, f"mjDSBL_{what}"))
+
+    def tree(self) -> Tree:
+        model = self.model
+        links = [self.link(k) for k in range(1, model.nbody)]
+        joints = {joint.name: joint for link in links for joint in link.joints}
+        tree = Tree(self.path.stem, links, gravity=np.array(model.opt.gravity))
+        tree.motors = [m for k in range(model.nu) if (m := self.motor(k)) is not None]
+        tree.ties = [tie for k in range(model.neq) if (tie := self.tie(k)) is not None]
+        tree.start = {
+            self.joint_name(j): self.start(j)
+            for j in range(model.njnt)
+            if self.joint_name(j) in joints and self.start(j).any()
+        }
+        if self.disabled("GRAVITY"):
+            tree.gravity = np.zeros(3)
+        self.note_the_rest()
+        tree.left_out = self.left_out
+        tree.looks = list(self.looks(0))
+        return tree
+
+    def where(self, what: str) -> str:
+        return f"{self.path}, {what}"
+
+    def link(self, k: int) -> Link:
+        model, where = self.model, self.where(f"body '{self.name('BODY', k)}'")
+        if model.body_mocapid[k] >= 0:
+            self.left_out.append(f"the body '{self.name('BODY', k)}' is moved by data: it rests")
+        turn = of_quaternion(model.body_iquat[k])
+        link = Link(
+            name=self.name("BODY", k),
+            parent=int(model.body_parentid[k]) - 1,
+            place=np.array(model.body_pos[k]),
+            turn=of_quaternion(model.body_quat[k]),
+            mass=float(model.body_mass[k]),
+            centre=np.array(model.body_ipos[k]),
+            inertia=turned(np.diag(model.body_inertia[k]), turn),
+            lightened=float(model.body_gravcomp[k]),
+            looks=list(self.looks(k)),
+            where=where,
+        )
+        first = int(model.body_jntadr[k])
+        link.joints = [self.joint(j) for j in range(first, first + int(model.body_jntnum[k]))]
+        return link
+
+    def joint_name(self, j: int) -> str:
+        """Return the name of a joint; one without is called after its body."""
+        model, mujoco = self.model, self.mujoco
+        named = mujoco.mj_id2name(model, mujoco.mjtObj.mjOBJ_JOINT, j)
+        body = int(model.jnt_bodyid[j])
+        if named or model.body_jntnum[body] == 1:
+            return named or self.name("BODY", body)
+        return f"{self.name('BODY', body)}_{j - int(model.body_jntadr[body])}"
+
+    def start(self, j: int) -> np.ndarray:
+        model = self.model
+        first = int(model.jnt_qposadr[j])
+        kind = _KINDS[self.mujoco.mjtJoint(model.jnt_type[j]).name]
+        return np.array(model.qpos0[first : first + {"free": 7, "ball": 4}.get(kind, 1)])
+
+    def joint(self, j: int) -> Joint:
+        model, name = self.model, self.joint_name(j)
+        kind = _KINDS[self.mujoco.mjtJoint(model.jnt_type[j]).name]
+        first, place = int(model.jnt_dofadr[j]), int(model.jnt_qposadr[j])
+        count = {"free": 6, "ball": 3}.get(kind, 1)
+        own = slice(first, first + count)
+        joint = Joint(name, kind, where=self.where(f"joint '{name}'"))
+        joint.axis, joint.anchor = np.array(model.jnt_axis[j]), np.array(model.jnt_pos[j])
+        joint.armature = self.same(model.dof_armature[own], name, "armature")
+        joint.damping = self.same(model.dof_damping[own], name, "damping")
+        joint.friction = self.same(model.dof_frictionloss[own], name, "frictionloss")
+        joint.stiffness = float(model.jnt_stiffness[j])
+        if self.disabled("SPRING"):
+            joint.stiffness = 0.0
+        if self.disabled("DAMPER"):
+            joint.damping = 0.0
+        if self.disabled("FRICTIONLOSS"):
+            joint.friction = 0.0
+        if kind in ("hinge", "slide"):
+            joint.reference = float(model.qpos0[place])
+            joint.relaxed = float(model.qpos_spring[place])
+            if model.jnt_limited[j]:
+                low, high = model.jnt_range[j]
+                joint.limits = (float(low), float(high))
+        elif joint.stiffness:
+            self.left_out.append(f"the spring of the {kind} joint '{name}'")
+            joint.stiffness = 0.0
+        if model.jnt_stiffnesspoly[j].any() or model.dof_dampingpoly[own].any():
+            self.left_out.append(f"the polynomial stiffness or damping of the joint '{name}'")
+        return joint
+
+    def same(self, values: np.ndarray, joint: str, what: str) -> float:
+        """Return the one value that all axes of a joint have in a file."""
+        if (values != values[0]).any():
+            self.left_out.append(f"different {what} along the axes of the joint '{joint}'")
+        return float(values[0])
+
+    def not_taken(self, k: int, kinds: tuple[str, ...]) -> str | None:
+        """Return why an actuator has no counterpart here, None if it has one."""
+        model, mujoco = self.model, self.mujoco
+        if self.disabled("ACTUATION"):
+            return "which the file turns off"
+        way = mujoco.mjtTrn(model.actuator_trntype[k]).name.removeprefix("mjTRN_").lower()
+        if way not in ("joint", "jointinparent"):
+            return f"which acts by '{way}'"
+        j = int(model.actuator_trnid[k][0])
+        if _KINDS[mujoco.mjtJoint(model.jnt_type[j]).name] not in ("hinge", "slide"):
+            return "which acts on a joint of several axes"
+        if kinds[:2] != ("none", "fixed") or kinds[2] not in ("none", "affine"):
+            return f"whose dynamics are {', '.join(kinds)}"
+        if model.actuator_damping[k] or model.actuator_armature[k]:
+            return "which has a damping or an armature of its own"
+        return None
+
+    def motor(self, k: int) -> Motor | None:
+        model, mujoco, name = self.model, self.mujoco, self.name("ACTUATOR", k)
+        dynamics, gain, bias = (
+            mujoco.mjtDyn(model.actuator_dyntype[k]),
+            mujoco.mjtGain(model.actuator_gaintype[k]),
+            mujoco.mjtBias(model.actuator_biastype[k]),
+        )
+        kinds = tuple(kind.name.partition("_")[2].lower() for kind in (dynamics, gain, bias))
+        why = self.not_taken(k, kinds)
+        if why is not None:
+            self.left_out.append(f"the actuator '{name}', {why}")
+            return None
+        if model.actuator_forcelimited[k]:
+            self.left_out.append(f"the limits of the force of the actuator '{name}'")
+        gear = float(model.actuator_gear[k][0])
+        constant, length, rate = (
+            model.actuator_biasprm[k][:3] if kinds[2] == "affine" else (0.0, 0.0, 0.0)
+        )
+        low, high = model.actuator_ctrlrange[k]
+        return Motor(
+            name,
+            self.joint_name(int(model.actuator_trnid[k][0])),
+            gain=gear * float(model.actuator_gainprm[k][0]),
+            constant=gear * float(constant),
+            stiffness=-gear * gear * float(length),
+            damping=-gear * gear * float(rate),
+            input_range=(float(low), float(high)) if model.actuator_ctrllimited[k] else None,
+        )
+
+    def tie(self, k: int) -> Tie | None:
+        model, mujoco, name = self.model, self.mujoco, self.name("EQUALITY", k)
+        kind = mujoco.mjtEq(model.eq_type[k]).name.removeprefix("mjEQ_").lower()
+        if self.disabled("EQUALITY") or not model.eq_active0[k]:
+            self.left_out.append(f"the equality '{name}', which is not active")
+            return None
+        one, other = int(model.eq_obj1id[k]), int(model.eq_obj2id[k])
+        data = np.array(model.eq_data[k])
+        if kind == "joint":
+            names = [self.joint_name(j) if j >= 0 else None for j in (one, other)]
+            return Tie("joint", names[0], names[1], polynomial=tuple(data[:5].tolist()))
+        if kind not in ("connect", "weld"):
+            self.left_out.append(f"the equality '{name}', of the kind '{kind}'")
+            return None
+        if model.eq_objtype[k] == mujoco.mjtObj.mjOBJ_SITE:
+            ends = [
+                (int(model.site_bodyid[s]) - 1, np.array(model.site_pos[s])) for s in (one, other)
+            ]
+            turns = [of_quaternion(model.site_quat[s]) for s in (one, other)]
+            turn = turns[0] @ turns[1].T
+        else:
+            places = (data[0:3], data[3:6]) if kind == "connect" else (data[3:6], data[0:3])
+            ends = [(one - 1, places[0]), (other - 1, places[1])]
+            turn = of_quaternion(data[6:10]) if kind == "weld" else np.eye(3)
+        return Tie(kind, ends[0][0], ends[1][0], (ends[0][1], ends[1][1]), turn)
+
+    def looks(self, body: int) -> Iterator[Look]:
+        model, mujoco = self.model, self.mujoco
+        first = int(model.body_geomadr[body])
+        for g in range(first, first + int(model.body_geomnum[body])):
+            rgba = np.array(model.geom_rgba[g])
+            if (material := int(model.geom_matid[g])) >= 0:
+                rgba = np.array(model.mat_rgba[material])
+            if model.geom_group[g] >= _SHOWN_GROUPS or not rgba[3] > 0.0:
+                continue
+            kind = mujoco.mjtGeom(model.geom_type[g]).name.removeprefix("mjGEOM_").lower()
+            options = {"colour": tuple(rgba[:3].tolist()), "opacity": float(min(rgba[3], 1.0))}
+            shape = self.shape(kind, g, model.geom_size[g].tolist(), options)
+            if shape is None:
+                continue
+            yield Look(shape, np.array(model.geom_pos[g]), of_quaternion(model.geom_quat[g]))
+
+    def shape(self, kind: str, g: int, size: list[float], options: dict[str, Any]) -> Any:
+        model = self.model
+        if kind == "sphere":
+            return Sphere(size[0], **options)
+        if kind == "capsule":
+            return Capsule(2 * size[1], size[0], axis="z", **options)
+        if kind == "cylinder":
+            return Cylinder(2 * size[1], size[0], axis="z", **options)
+        if kind == "box":
+            return Box(*(2 * s for s in size), **options)
+        if kind == "mesh":
+            k = int(model.geom_dataid[g])
+            first, count = int(model.mesh_vertadr[k]), int(model.mesh_vertnum[k])
+            vertices = np.array(model.mesh_vert[first : first + count], dtype=float)
+            first, count = int(model.mesh_faceadr[k]), int(model.mesh_facenum[k])
+            return Mesh((vertices, np.array(model.mesh_face[first : first + count])), **options)
+        if kind == "plane":  # the ground; a page has its own
+            return None
+        self.left_out.append(f"the look of a geom of the kind '{kind}'")
+        return None
+
+    def note_the_rest(self) -> None:
+        model = self.model
+        if model.ngeom and not self.disabled("CONTACT") and not self.disabled("CONSTRAINT"):
+            touching = np.flatnonzero(model.geom_contype | model.geom_conaffinity)
+            if len(touching) > 1 or model.npair:
+                self.left_out.append("contacts")
+        for count, what in (
+            (model.ntendon, "tendons"),
+            (model.nsensor, "sensors"),
+            (model.nflex, "flexible bodies"),
+            (model.nplugin, "plugins"),
+        ):
+            if count:
+                self.left_out.append(what)
+        if model.opt.density or model.opt.viscosity:
+            self.left_out.append("the forces of the fluid around")

@@ -1,0 +1,223 @@
+"""Robots from files: URDF and MJCF."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from os import PathLike
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from pydy._checks import choice, number
+from pydy._errors import RobotFileError, few
+from pydy.mechanics import Definition
+from pydy.robots.assemble import Assembly, JointSymbols, Place
+from pydy.robots.mjcf import read_mjcf
+from pydy.robots.tree import Tree
+from pydy.robots.urdf import read_urdf
+from pydy.solvers import Event
+from pydy.system import System
+
+if TYPE_CHECKING:
+    from pydy.viz import Scene
+
+
+class Robot:
+    """A robot that `read` has read: its mechanics, numbers and looks.
+
+    Attributes
+    ----------
+    name : str
+    definition : pydy.mechanics.Definition
+        Bodies, loads, kinematics and constraints, in symbols.
+    values : dict
+        The constants' values as the file has them.
+    start : dict
+        The coordinates that are not zero in the pose that the file shows.
+    frames : dict
+        By the name of a link, and ``'world'``: its `frame` and its `point`, SymPy's.
+    joints : dict
+        By name: `coordinates`, `speeds`, `limits` and `effort`.
+    actuators : dict
+        By name: the specified function of time that drives it; zero unless you give it a value.
+    input_ranges : dict
+        By the name of an actuator: the least and the largest input that the file allows.
+    left_out : tuple of str
+        What the file has and this robot has not.
+    """
+
+    def __init__(self, tree: Tree, made: Assembly) -> None:
+        self.name = tree.name
+        self.definition: Definition = made.definition
+        self.values: dict[Any, float] = made.values
+        self.start: dict[Any, float] = made.start
+        names = ["world", *(link.name for link in tree.links)]
+        self.frames: dict[str, Place] = dict(zip(names, made.places, strict=True))
+        self.joints: dict[str, JointSymbols] = made.joints
+        self.actuators: dict[str, Any] = made.actuators
+        self.input_ranges: dict[str, tuple[float, float]] = made.input_ranges
+        self.left_out = tuple(dict.fromkeys(tree.left_out))
+        self._looks = [tree.looks, *(link.looks for link in tree.links)]
+
+    def __repr__(self) -> str:
+        definition = self.definition
+        parts = (
+            f"{len(self.frames) - 1} links",
+            f"{len(self.joints)} joints",
+            f"{len(definition.coordinates)} coordinates",
+            f"{len(definition.speeds)} speeds",
+            f"{len(self.actuators)} actuators",
+            f"{len(definition.holonomic_constraints)} constraints",
+        )
+        rest = f"; left out: {few(self.left_out)}" if self.left_out else ""
+        return f"<Robot '{self.name}': {', '.join(parts)}{rest}>"
+
+    def system(self, **options: Any) -> System:
+        """Return a System of this robot, with the file's values, in the pose that it shows.
+
+        Parameters
+        ----------
+        **options
+            Arguments of `pydy.system.System`. What `constants` and `initial_conditions` name
+            replaces the file's values.
+
+        Examples
+        --------
+        >>> from importlib.resources import files
+        >>> from pydy.robots import read
+        >>> robot = read(files('pydy.examples') / 'pendulum.urdf')
+        >>> system = robot.system(initial_conditions={'q_hinge': 1.0})
+        >>> float(system.evaluate_ode()[1].round(6))
+        -8.25483
+        """
+        constants = options.pop("constants", None) or {}
+        start = options.pop("initial_conditions", None) or {}
+        system = System(self.definition, **options)
+        # What cancels, such as the inertia of a base about axes that it does not turn about, is no
+        # constant of the System.
+        own = {s: v for s, v in self.values.items() if s in system.constants_symbols}
+        system.constants = _replaced(own, constants)
+        system.initial_conditions = _replaced(self.start, start)
+        return system
+
+    @property
+    def limits(self) -> list[Event]:
+        """Events that end a simulation where a joint reaches the end of its range."""
+        found = []
+        for name, joint in self.joints.items():
+            if joint.limits is not None:
+                (q,) = joint.coordinates
+                for value, way, where in zip(
+                    joint.limits, (-1, 1), ("lower", "upper"), strict=True
+                ):
+                    label = f"{name} at its {where} limit"
+                    found.append(Event(q - value, direction=way, terminal=True, name=label))
+        return found
+
+    def scene(self, **options: Any) -> Scene:
+        """Return what the robot looks like, to be animated with a trajectory.
+
+        Parameters
+        ----------
+        **options
+            Of `pydy.viz.Scene`.
+
+        Returns
+        -------
+        pydy.viz.Scene
+            Without visuals in the file: the default shapes of its bodies.
+        """
+        import sympy as sm
+        from sympy.physics.mechanics import ReferenceFrame
+
+        from pydy.viz import Scene, Visual
+
+        world = self.frames["world"]
+        visuals: list[Any] = []
+        for (name, place), looks in zip(self.frames.items(), self._looks, strict=True):
+            for k, look in enumerate(looks):
+                frame, point = place
+                if (look.turn != [[1, 0, 0], [0, 1, 0], [0, 0, 1]]).any():
+                    frame = ReferenceFrame(f"look {k} of {name}")
+                    frame.orient_explicit(place.frame, sm.Matrix(look.turn.tolist()))
+                if look.place.any():
+                    x, y, z = look.place.tolist()
+                    own = place.frame
+                    point = point.locatenew(
+                        f"look {k} of {name}", x * own.x + y * own.y + z * own.z
+                    )
+                visuals.append(Visual(look.shape, frame, point, name=name))
+        if not visuals:
+            visuals = [body for body in self.definition.bodies if "armature of" not in body.name]
+        options.setdefault("up", "z")
+        return Scene(world.frame, world.point, *visuals, **options)
+
+
+def _replaced(own: Mapping[Any, float], given: Mapping[Any, float]) -> dict[Any, float]:
+    """Return own values and given ones, whose keys may be names, and which come first."""
+    known = {key for s in own for key in (s, s.name) if key in given}
+    return {s: v for s, v in own.items() if not known & {s, s.name}} | dict(given)
+
+
+def read(
+    path: str | PathLike[str],
+    *,
+    parameters: str = "symbols",
+    friction_speed: float | None = None,
+) -> Robot:
+    """Read a robot from a URDF or MJCF file.
+
+    Joints, masses, inertias, damping, springs, armatures, gravity, actuators, loops (MJCF's
+    ``connect``, ``weld`` and ``joint`` equalities) and joints that mimic others (URDF) become
+    bodies, loads and constraints. Contacts, tendons and sensors do not: what a file has beyond is
+    in `Robot.left_out`.
+
+    Parameters
+    ----------
+    path : path
+        A file with the suffix ``.urdf``; any other is read as MJCF by the ``mujoco`` package
+        (``pip install 'pydy[robots]'``), which resolves defaults, includes and meshes.
+    parameters : {'symbols', 'numbers'}
+        Whether masses (``m_link``), mass centres (``cx_link``), inertias (``Ixx_link``), places of
+        joints (``px_link``), damping and so on become constants of the system, with the file's
+        values in `Robot.values`, or stay numbers, for shorter code.
+    friction_speed : float, optional
+        The speed (rad/s or m/s) at which dry friction f, acting as ``-f tanh(u / friction_speed)``,
+        has three quarters of its size. Without it dry friction is left out.
+
+    Returns
+    -------
+    Robot
+
+    Raises
+    ------
+    RobotFileError
+        The file cannot be read; the message has the file, the line or element, and what is wrong.
+    FileNotFoundError
+
+    Notes
+    -----
+    The coordinates of a joint are ``q_joint``, its speeds ``u_joint``; see `Robot.joints` for those
+    with several. The root of a URDF file rests in the world; give it a floating joint to set it
+    free. Armatures are particles and balls in the world that move as their joints do, and have the
+    same kinetic energy.
+
+    Examples
+    --------
+    >>> from importlib.resources import files
+    >>> from pydy.robots import read
+    >>> read(files('pydy.examples') / 'pendulum.urdf')
+    <Robot 'pendulum': 2 links, 1 joints, 1 coordinates, 1 speeds, 1 actuators, 0 constraints>
+    """
+    choice(parameters, ("symbols", "numbers"), "`parameters`")
+    if friction_speed is not None:
+        friction_speed = number(friction_speed, "`friction_speed`", finite=True)
+        if not friction_speed > 0.0:
+            raise ValueError(f"`friction_speed` must be positive, got {friction_speed}.")
+    file = Path(path)
+    if not file.is_file():
+        raise FileNotFoundError(f"There is no file '{file}'.")
+    tree = read_urdf(file) if file.suffix.lower() == ".urdf" else read_mjcf(file)
+    tree.check()
+    if not any(link.joints for link in tree.links):
+        raise RobotFileError(f"{file}: the robot has no joint that moves.")
+    return Robot(tree, Assembly(tree, parameters == "symbols", friction_speed))

@@ -1,0 +1,210 @@
+"""What a file says of a robot, whichever format it has: links, joints and what ties them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+from pydy._errors import RobotFileError
+
+# A file's rotation is normalised before it becomes a matrix of cosines, each of which is then off
+# by a few units in the last place: an entry so close to 0 or ±1 was meant to be that.
+_COSINE = 8 * np.finfo(float).eps
+
+
+@dataclass
+class Joint:
+    """How a link may move against its parent; MuJoCo allows several in a row.
+
+    A hinge or slide has an axis; a ball joint a quaternion; a free one that and a place.
+    """
+
+    name: str
+    kind: str  # 'hinge', 'slide', 'ball', 'free'
+    axis: np.ndarray = field(default_factory=lambda: np.array([0.0, 0.0, 1.0]))
+    anchor: np.ndarray = field(default_factory=lambda: np.zeros(3))  # in the link
+    reference: float = 0.0  # the coordinate in the pose that the file shows
+    limits: tuple[float, float] | None = None
+    effort: float | None = None
+    damping: float = 0.0
+    stiffness: float = 0.0
+    relaxed: float = 0.0  # the coordinate at which the spring is relaxed
+    armature: float = 0.0
+    friction: float = 0.0
+    mimics: tuple[str, float, float] | None = None  # a joint, a factor, a constant
+    where: str = ""
+
+
+@dataclass
+class Look:
+    """A shape of a link: what the viewer shows."""
+
+    shape: Any
+    place: np.ndarray
+    turn: np.ndarray
+
+
+@dataclass
+class Link:
+    """A rigid body, or a frame without mass.
+
+    Attributes
+    ----------
+    parent : int
+        Index of the link that it hangs on; −1 is the world.
+    place, turn : ndarray
+        Its origin and axes (columns) in the parent's, in the pose that the file shows.
+    inertia : ndarray, shape (3, 3)
+        About the mass centre, in the link's axes.
+    lightened : float
+        The part of its weight that is taken away.
+    """
+
+    name: str
+    parent: int
+    place: np.ndarray
+    turn: np.ndarray
+    joints: list[Joint] = field(default_factory=list)
+    mass: float = 0.0
+    centre: np.ndarray = field(default_factory=lambda: np.zeros(3))
+    inertia: np.ndarray = field(default_factory=lambda: np.zeros((3, 3)))
+    lightened: float = 0.0
+    looks: list[Look] = field(default_factory=list)
+    where: str = ""
+
+
+@dataclass
+class Motor:
+    """A force along a joint: gain × input − stiffness × coordinate − damping × rate + constant."""
+
+    name: str
+    joint: str
+    gain: float = 1.0
+    constant: float = 0.0
+    stiffness: float = 0.0
+    damping: float = 0.0
+    input_range: tuple[float, float] | None = None
+
+
+@dataclass
+class Tie:
+    """An equality between two links, or between two joints.
+
+    Attributes
+    ----------
+    kind : str
+        ``'connect'`` (two points coincide), ``'weld'`` (two frames coincide), ``'joint'`` (a
+        coordinate is a polynomial of another).
+    one, other : int or str
+        Links by index, or joints by name; `other` may be None for joints.
+    places : tuple of ndarray
+        The points, each in its link.
+    turn : ndarray
+        Axes of the other link in those of the one.
+    polynomial : tuple of float
+        Of the difference of the other coordinate to its reference.
+    """
+
+    kind: str
+    one: Any
+    other: Any
+    places: tuple[np.ndarray, np.ndarray] = (np.zeros(3), np.zeros(3))
+    turn: np.ndarray = field(default_factory=lambda: np.eye(3))
+    polynomial: tuple[float, ...] = ()
+
+
+@dataclass
+class Tree:
+    """All that is read from one file.
+
+    Attributes
+    ----------
+    links : list of Link
+        Each after its parent.
+    start : dict
+        Values of coordinates that are not zero in the pose that the file shows, by joint.
+    left_out : list of str
+        What the file has and this has not, a line each.
+    looks : list of Look
+        Of the world.
+    """
+
+    name: str
+    links: list[Link]
+    motors: list[Motor] = field(default_factory=list)
+    ties: list[Tie] = field(default_factory=list)
+    gravity: np.ndarray = field(default_factory=lambda: np.array([0.0, 0.0, -9.81]))
+    start: dict[str, np.ndarray] = field(default_factory=dict)
+    left_out: list[str] = field(default_factory=list)
+    looks: list[Look] = field(default_factory=list)
+
+    def check(self) -> None:
+        """Refuse what cannot move: negative masses, and joints that nothing with mass follows."""
+        heavy = [link.mass > 0.0 or bool(link.inertia.any()) for link in self.links]
+        for k in range(len(self.links) - 1, -1, -1):
+            link = self.links[k]
+            if not link.mass >= 0.0 or not np.isfinite(link.mass):
+                raise RobotFileError(
+                    f"{link.where}: the mass of the link '{link.name}' must be a finite number, "
+                    f"not negative, got {link.mass}."
+                )
+            if not np.isfinite(link.inertia).all() or (np.diagonal(link.inertia) < 0.0).any():
+                raise RobotFileError(
+                    f"{link.where}: the moments of inertia of the link '{link.name}' must be "
+                    f"finite numbers, not negative, got {np.diagonal(link.inertia).tolist()}."
+                )
+            driven = [j for j in link.joints if not j.armature > 0.0 and j.mimics is None]
+            if driven and not heavy[k]:
+                raise RobotFileError(
+                    f"{driven[0].where}: nothing that the joint '{driven[0].name}' moves has mass: "
+                    "its acceleration is undetermined. Give the link "
+                    f"'{link.name}' or one that hangs on it a mass, or make the joint fixed."
+                )
+            if link.parent >= 0:
+                heavy[link.parent] |= heavy[k]
+
+
+def cosines(turn: np.ndarray) -> np.ndarray:
+    """Return a rotation whose entries that are 0, 1 or −1 but for rounding are just that."""
+    near = np.rint(turn)
+    return np.where(np.abs(turn - near) <= _COSINE, near, turn)
+
+
+def of_quaternion(quaternion: np.ndarray) -> np.ndarray:
+    """Return the rotation of a quaternion, scalar part first, of any length but zero."""
+    w, x, y, z = quaternion / np.linalg.norm(quaternion)
+    return cosines(
+        np.array(
+            [
+                [w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)],
+                [2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x)],
+                [2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z],
+            ]
+        )
+    )
+
+
+def to_quaternion(turn: np.ndarray) -> np.ndarray:
+    """Return the quaternion of a rotation, scalar part first."""
+    x, y, z, w = Rotation.from_matrix(turn).as_quat()
+    return np.array([w, x, y, z])
+
+
+def of_roll_pitch_yaw(angles: np.ndarray) -> np.ndarray:
+    """Return the rotation about the fixed x, then y, then z."""
+    (cr, cp, cy), (sr, sp, sy) = np.cos(angles), np.sin(angles)
+    about_x = np.array([[1, 0, 0], [0, cr, -sr], [0, sr, cr]])
+    about_y = np.array([[cp, 0, sp], [0, 1, 0], [-sp, 0, cp]])
+    about_z = np.array([[cy, -sy, 0], [sy, cy, 0], [0, 0, 1]])
+    return cosines(about_z @ about_y @ about_x)
+
+
+def turned(inertia: np.ndarray, turn: np.ndarray) -> np.ndarray:
+    """Return an inertia in other axes; products that rounding alone left are zero."""
+    found = turn @ inertia @ turn.T
+    found = (found + found.T) / 2
+    size = np.abs(inertia).max()
+    return np.where(np.abs(found) <= _COSINE * size, 0.0, found)

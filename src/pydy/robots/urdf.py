@@ -1,0 +1,408 @@
+"""URDF files: links, joints and looks, read from their XML.
+
+The format is that of the ROS package ``urdf``. MuJoCo's own reader refuses a third of the robots
+that are in use (inertias that break the triangle inequality, moving links without mass, missing
+meshes), all of which have well-defined equations of motion: these files are read here.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from pathlib import Path
+from typing import Any
+from xml.etree import ElementTree
+from xml.parsers import expat
+
+import numpy as np
+
+from pydy._errors import RobotFileError
+from pydy.robots.tree import (
+    Joint,
+    Link,
+    Look,
+    Motor,
+    Tree,
+    of_roll_pitch_yaw,
+    to_quaternion,
+    turned,
+)
+from pydy.viz.shapes import Box, Cylinder, Mesh, Sphere
+
+_MOVING = {"revolute": "hinge", "continuous": "hinge", "prismatic": "slide", "floating": "free"}
+_SHOWN = (".stl", ".obj")
+
+
+class _Reader:
+    """Elements with the lines where they stand."""
+
+    def __init__(self, path: Path) -> None:
+        self.path = path
+        self.lines: dict[int, int] = {}
+        self.root = self._parsed(path.read_bytes())
+
+    def _parsed(self, data: bytes) -> ElementTree.Element:
+        builder, parser = ElementTree.TreeBuilder(), expat.ParserCreate()
+
+        def start(tag: str, attributes: dict[str, str]) -> None:
+            element = builder.start(tag, attributes)
+            self.lines[id(element)] = parser.CurrentLineNumber
+
+        parser.StartElementHandler = start
+        parser.EndElementHandler = builder.end
+        try:
+            parser.Parse(data, True)
+        except expat.ExpatError as error:
+            raise RobotFileError(
+                f"{self.path}:{error.lineno}: not well-formed XML: {error}."
+            ) from None
+        return builder.close()
+
+    def where(self, element: ElementTree.Element) -> str:
+        return f"{self.path}:{self.lines.get(id(element), 1)}"
+
+    def text(self, element: ElementTree.Element, attribute: str) -> str:
+        found = element.get(attribute)
+        if not found:
+            raise RobotFileError(
+                f"{self.where(element)}: <{element.tag}> must have the attribute '{attribute}'."
+            )
+        return found
+
+    def child(self, element: ElementTree.Element, tag: str) -> ElementTree.Element:
+        found = element.find(tag)
+        if found is None:
+            name = element.get("name")
+            of_name = f" of '{name}'" if name else ""
+            raise RobotFileError(
+                f"{self.where(element)}: <{element.tag}>{of_name} must hold a <{tag}>."
+            )
+        return found
+
+    def numbers(
+        self, element: ElementTree.Element | None, attribute: str, default: Any, count: int
+    ) -> np.ndarray:
+        text = None if element is None else element.get(attribute)
+        if element is None or text is None:
+            if default is None:
+                assert element is not None
+                self.text(element, attribute)
+            return np.full(count, default, float) if np.isscalar(default) else np.array(default)
+        try:
+            found = np.array([float(part) for part in text.split()])
+        except ValueError:
+            found = np.empty(0)
+        if len(found) != count or not np.isfinite(found).all():
+            what = "a finite number" if count == 1 else f"{count} finite numbers"
+            raise RobotFileError(
+                f"{self.where(element)}: '{attribute}' of <{element.tag}> must be {what}, got "
+                f"{text!r}."
+            )
+        return found
+
+    def number(self, element: ElementTree.Element | None, attribute: str, default: Any) -> float:
+        return float(self.numbers(element, attribute, default, 1)[0])
+
+    def pose(self, element: ElementTree.Element) -> tuple[np.ndarray, np.ndarray]:
+        origin = element.find("origin")
+        place = self.numbers(origin, "xyz", 0.0, 3)
+        return place, of_roll_pitch_yaw(self.numbers(origin, "rpy", 0.0, 3))
+
+
+def read_urdf(path: Path) -> Tree:
+    """Return what a URDF file says."""
+    reader = _Reader(path)
+    root = reader.root
+    if root.tag != "robot":
+        raise RobotFileError(
+            f"{reader.where(root)}: the outermost element of a URDF file must be <robot>, got "
+            f"<{root.tag}>."
+        )
+    links = {reader.text(e, "name"): e for e in root.findall("link")}
+    joints = root.findall("joint")
+    for kind, elements in (("link", root.findall("link")), ("joint", joints)):
+        _check_once(reader, kind, elements)
+    if not links:
+        raise RobotFileError(f"{reader.where(root)}: <robot> holds no <link>.")
+    above = _joints_above(reader, links, joints)
+    left_out: list[str] = []
+    found: list[Link] = []
+    for name in _in_order(reader, links, above):
+        found.append(_link(reader, name, links[name], above.get(name), found, left_out))
+    if root.find("transmission") is not None:
+        left_out.append("transmissions: each joint has a force of its own")
+    motors = [
+        Motor(joint.name, joint.name, input_range=_both_ways(joint.effort))
+        for link in found
+        for joint in link.joints
+        if joint.kind in ("hinge", "slide") and joint.mimics is None
+    ]
+    _check_mimics(found)
+    tree = Tree(root.get("name") or path.stem, found, motors, left_out=left_out)
+    _set_free(tree)
+    return tree
+
+
+def _both_ways(effort: float | None) -> tuple[float, float] | None:
+    return None if effort is None else (-effort, effort)
+
+
+def _set_free(tree: Tree) -> None:
+    """Let floating links start where the file shows them."""
+    for link in tree.links:
+        if [joint.kind for joint in link.joints] != ["free"]:
+            continue
+        place, turn, above = link.place, link.turn, link.parent
+        while above >= 0:
+            parent = tree.links[above]
+            if parent.joints:
+                raise RobotFileError(
+                    f"{link.joints[0].where}: the floating joint '{link.joints[0].name}' hangs on "
+                    f"the link '{parent.name}', which moves; it must hang on one that rests."
+                )
+            place, turn = parent.place + parent.turn @ place, parent.turn @ turn
+            above = parent.parent
+        tree.start[link.joints[0].name] = np.concatenate([place, to_quaternion(turn)])
+
+
+def _check_once(reader: _Reader, kind: str, elements: list[ElementTree.Element]) -> None:
+    counts = Counter(reader.text(e, "name") for e in elements)
+    for element in reversed(elements):
+        if counts[element.get("name", "")] > 1:
+            raise RobotFileError(
+                f"{reader.where(element)}: there is more than one {kind} '{element.get('name')}'."
+            )
+
+
+def _joints_above(
+    reader: _Reader,
+    links: dict[str, ElementTree.Element],
+    joints: list[ElementTree.Element],
+) -> dict[str, ElementTree.Element]:
+    """Return the joint that each link hangs on."""
+    above: dict[str, ElementTree.Element] = {}
+    for joint in joints:
+        for end in ("parent", "child"):
+            element = reader.child(joint, end)
+            if reader.text(element, "link") not in links:
+                raise RobotFileError(
+                    f"{reader.where(element)}: there is no link '{element.get('link')}', which "
+                    f"the joint '{joint.get('name')}' has as its {end}."
+                )
+        name = reader.child(joint, "child").get("link", "")
+        if name in above:
+            raise RobotFileError(
+                f"{reader.where(joint)}: the link '{name}' is the child of two joints, "
+                f"'{above[name].get('name')}' and '{joint.get('name')}'; URDF knows trees alone. "
+                "Close a loop with a constraint of the System, or use an MJCF file."
+            )
+        above[name] = joint
+    return above
+
+
+def _in_order(
+    reader: _Reader,
+    links: dict[str, ElementTree.Element],
+    above: dict[str, ElementTree.Element],
+) -> list[str]:
+    """Return the names of the links, each after its parent, in the file's order otherwise."""
+    roots = [name for name in links if name not in above]
+    if len(roots) != 1:
+        if not roots:
+            first = next(iter(links.values()))
+            raise RobotFileError(
+                f"{reader.where(first)}: there is no root: each link is the child of a joint, so "
+                "that they form a ring."
+            )
+        raise RobotFileError(
+            f"{reader.where(links[roots[1]])}: there is more than one root: no joint has "
+            f"{' or '.join(map(repr, roots[:3]))} as its child."
+        )
+    below: dict[str, list[str]] = {}
+    for name, joint in above.items():
+        below.setdefault(reader.child(joint, "parent").get("link", ""), []).append(name)
+    order, waiting = [], [roots[0]]
+    while waiting:
+        order.append(waiting.pop())
+        waiting += reversed(below.get(order[-1], []))
+    lost = [name for name in links if name not in order]
+    if lost:
+        raise RobotFileError(
+            f"{reader.where(above[lost[0]])}: the links {', '.join(map(repr, lost[:3]))} form a "
+            "ring that hangs on nothing."
+        )
+    return order
+
+
+def _link(
+    reader: _Reader,
+    name: str,
+    element: ElementTree.Element,
+    above: ElementTree.Element | None,
+    before: list[Link],
+    left_out: list[str],
+) -> Link:
+    link = Link(name, -1, np.zeros(3), np.eye(3), where=reader.where(element))
+    if above is not None:
+        parent = reader.child(above, "parent").get("link")
+        link.parent = next(k for k, other in enumerate(before) if other.name == parent)
+        link.place, link.turn = reader.pose(above)
+        link.joints = _joints(reader, above, left_out)
+    inertial = element.find("inertial")
+    if inertial is not None:
+        link.mass = reader.number(reader.child(inertial, "mass"), "value", None)
+        link.centre, turn = reader.pose(inertial)
+        about = inertial.find("inertia")
+        xx, yy, zz, xy, xz, yz = (
+            reader.number(about, f"i{axes}", 0.0) for axes in ("xx", "yy", "zz", "xy", "xz", "yz")
+        )
+        inertia = np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
+        link.inertia = turned(inertia, turn)
+    for visual in element.findall("visual"):
+        look = _look(reader, visual, left_out)
+        if look is not None:
+            link.looks.append(look)
+    return link
+
+
+def _joints(reader: _Reader, element: ElementTree.Element, left_out: list[str]) -> list[Joint]:
+    name, kind = reader.text(element, "name"), reader.text(element, "type")
+    where = reader.where(element)
+    if kind == "fixed":
+        return []
+    if kind == "planar":
+        normal = _axis(reader, element, [1.0, 0.0, 0.0])
+        along = np.cross(normal, np.eye(3)[np.argmin(np.abs(normal))])
+        along /= np.linalg.norm(along)
+        return [
+            Joint(f"{name}_x", "slide", along, where=where),
+            Joint(f"{name}_y", "slide", np.cross(normal, along), where=where),
+            Joint(f"{name}_turn", "hinge", normal, where=where),
+        ]
+    if kind not in _MOVING:
+        raise RobotFileError(
+            f"{where}: the joint '{name}' is of the type {kind!r}; known are "
+            f"{', '.join(map(repr, ('fixed', *_MOVING, 'planar')))}."
+        )
+    joint = Joint(name, _MOVING[kind], where=where)
+    if joint.kind == "free":
+        return [joint]
+    joint.axis = _axis(reader, element, [1.0, 0.0, 0.0])
+    limit, dynamics = element.find("limit"), element.find("dynamics")
+    if limit is not None:
+        joint.effort = reader.number(limit, "effort", 0.0) or None
+        low, high = reader.number(limit, "lower", 0.0), reader.number(limit, "upper", 0.0)
+        if kind != "continuous" and low < high:
+            joint.limits = (low, high)
+    joint.damping = reader.number(dynamics, "damping", 0.0)
+    joint.friction = reader.number(dynamics, "friction", 0.0)
+    mimic = element.find("mimic")
+    if mimic is not None:
+        joint.mimics = (
+            reader.text(mimic, "joint"),
+            reader.number(mimic, "multiplier", 1.0),
+            reader.number(mimic, "offset", 0.0),
+        )
+    if element.find("safety_controller") is not None:
+        line = "safety controllers of joints"
+        if line not in left_out:
+            left_out.append(line)
+    return [joint]
+
+
+def _axis(reader: _Reader, element: ElementTree.Element, default: list[float]) -> np.ndarray:
+    axis = element.find("axis")
+    found = reader.numbers(axis, "xyz", default, 3)
+    size = np.linalg.norm(found)
+    if not size > 0.0:
+        assert axis is not None
+        raise RobotFileError(
+            f"{reader.where(axis)}: the axis of the joint '{element.get('name')}' has no "
+            f"direction, got {axis.get('xyz')!r}."
+        )
+    direction: np.ndarray = found / size
+    return direction
+
+
+def _check_mimics(links: list[Link]) -> None:
+    joints = {joint.name: joint for link in links for joint in link.joints}
+    for joint in joints.values():
+        seen = [joint.name]
+        while joint.mimics is not None:
+            name = joint.mimics[0]
+            if name not in joints or joints[name].kind not in ("hinge", "slide"):
+                raise RobotFileError(
+                    f"{joint.where}: the joint '{joint.name}' mimics '{name}', which is no "
+                    "revolute, continuous or prismatic joint of this robot."
+                )
+            if name in seen:
+                raise RobotFileError(
+                    f"{joint.where}: joints mimic each other in a ring: {', '.join(seen)}."
+                )
+            seen.append(name)
+            joint = joints[name]
+
+
+# -- looks -----------------------------------------------------------------------------------------
+
+
+def _look(reader: _Reader, visual: ElementTree.Element, left_out: list[str]) -> Look | None:
+    geometry = reader.child(visual, "geometry")
+    options = _colours(reader, visual)
+    shape: Any = None
+    for element in geometry:
+        if element.tag == "box":
+            shape = Box(*reader.numbers(element, "size", None, 3).tolist(), **options)
+        elif element.tag in ("cylinder", "sphere"):
+            options["radius"] = reader.number(element, "radius", None)
+            if element.tag == "sphere":
+                shape = Sphere(**options)
+            else:
+                length = reader.number(element, "length", None)
+                shape = Cylinder(length=length, axis="z", **options)
+        elif element.tag == "mesh":
+            shape = _mesh(reader, element, options)
+            if shape is None:
+                left_out.append(f"the mesh {element.get('filename')}, which is not shown")
+    return None if shape is None else Look(shape, *reader.pose(visual))
+
+
+def _colours(reader: _Reader, visual: ElementTree.Element) -> dict[str, Any]:
+    """Return the options of a shape: its material, or the robot's material of that name."""
+    material = visual.find("material")
+    if material is None:
+        return {}
+    colour = material.find("color")
+    if colour is None:
+        for other in reader.root.findall("material"):
+            if other.get("name") == material.get("name"):
+                colour = other.find("color")
+    if colour is None:
+        return {}
+    rgba = reader.numbers(colour, "rgba", None, 4).clip(0.0, 1.0)
+    return {"colour": tuple(rgba[:3].tolist()), "opacity": float(rgba[3])}
+
+
+def _mesh(reader: _Reader, element: ElementTree.Element, options: dict[str, Any]) -> Mesh | None:
+    path = _file_of(reader.path, reader.text(element, "filename"))
+    if path is None or path.suffix.lower() not in _SHOWN:
+        return None
+    vertices, faces = Mesh(path).source
+    return Mesh((vertices * reader.numbers(element, "scale", 1.0, 3), faces), **options)
+
+
+def _file_of(robot: Path, name: str) -> Path | None:
+    """Return the file that a URDF file names, or None where there is none.
+
+    ROS looks packages up among those installed; here they are looked for around the file: a package
+    is a folder above it, or beside one above it.
+    """
+    scheme, _, rest = name.rpartition("://")
+    if scheme in ("", "file"):
+        found = robot.parent / rest
+        return found if found.is_file() else None
+    package, _, inside = rest.partition("/")
+    for folder in robot.resolve().parents:
+        for start in (folder / package, folder if folder.name == package else None):
+            if start is not None and (start / inside).is_file():
+                return start / inside
+    return None

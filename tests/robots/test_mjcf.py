@@ -1,0 +1,207 @@
+"""Robots from MJCF files, against MuJoCo's own accelerations."""
+
+import numpy as np
+import pytest
+
+from pydy.errors import RobotFileError
+from pydy.robots import read
+
+mujoco = pytest.importorskip("mujoco")
+
+OFF = mujoco.mjtDisableBit.mjDSBL_CONTACT | mujoco.mjtDisableBit.mjDSBL_EQUALITY
+
+BRANCHED = """<mujoco>
+<compiler angle="radian"/>
+<option gravity="0.3 -0.2 -9.81"/>
+<default><geom density="700"/><joint damping="0.2"/></default>
+<worldbody>
+<body name="trunk" pos="0 0 1" quat="0.8 0.1 0.5 0.3"><freejoint name="base"/>
+  <geom type="box" size="0.2 0.1 0.3" pos="0.05 0.02 0"/>
+  <body name="arm" pos="0.2 0 0.3" euler="1.5707963 0 0.3">
+    <joint name="swing" axis="1 2 3" pos="0.1 0 0.05" armature="0.05" ref="0.2"/>
+    <joint name="reach" type="slide" axis="0 0.6 0.8" stiffness="5" springref="0.1"/>
+    <geom type="capsule" size="0.03" fromto="0 0 0 0.3 0.1 0.4"/>
+    <body name="hand" pos="0.3 0.1 0.4" gravcomp="0.4">
+      <joint name="wrist" type="ball" pos="0.02 0 -0.1" damping="0.1" armature="0.01"/>
+      <geom type="cylinder" size="0.05 0.2" euler="0.2 0.3 0"/>
+      <geom type="sphere" size="0.04" pos="0 0 0.3"/>
+    </body>
+  </body>
+  <body name="leg" pos="0 0.1 -0.3" gravcomp="1">
+    <joint name="hip x" axis="1 0 0" armature="0.1"/><joint name="hip y" axis="0 1 0"/>
+    <geom type="ellipsoid" size="0.05 0.06 0.2" pos="0 0 -0.2"/>
+  </body>
+</body>
+<body name="beam" euler="0 0.4 0"><joint name="hinge" axis="0 1 0" stiffness="3" ref="0.3"/>
+  <geom type="box" size="0.2 0.1 0.3" pos="0.5 0.02 0"/></body>
+</worldbody>
+<actuator>
+<motor name="push" joint="reach" gear="2"/><position name="servo" joint="hip x" kp="20" kv="3"/>
+<general name="odd" joint="hinge" gear="-1.5" gainprm="3" biastype="affine" biasprm="1 -2 -0.3"/>
+</actuator>
+</mujoco>"""
+
+
+def written(tmp_path, text):
+    path = tmp_path / "robot.xml"
+    path.write_text(text)
+    return path
+
+
+def order_of(robot, model):
+    """Coordinates and speeds in MuJoCo's order."""
+    names = [mujoco.mj_id2name(model, mujoco.mjtObj.mjOBJ_JOINT, j) for j in range(model.njnt)]
+    return [[s for n in names for s in robot.joints[n][k]] for k in (0, 1)]
+
+
+def state(rng, model, data):
+    q = model.qpos0 + 0.5 * rng.normal(size=model.nq)
+    mujoco.mj_normalizeQuat(model, q)
+    data.qpos[:], data.qvel[:] = q, rng.normal(size=model.nv)
+    data.ctrl[:] = rng.normal(size=model.nu)
+
+
+@pytest.mark.parametrize("parameters", ["symbols", "numbers"])
+def test_accelerations_are_those_of_mujoco(tmp_path, parameters):
+    path = written(tmp_path, BRANCHED)
+    model = mujoco.MjModel.from_xml_path(str(path))
+    model.opt.disableflags |= OFF
+    data = mujoco.MjData(model)
+    robot = read(path, parameters=parameters)
+    assert robot.left_out == ("the look of a geom of the kind 'ellipsoid'", "contacts")
+    system = robot.system()
+    coordinates, speeds = order_of(robot, model)
+    rng = np.random.default_rng(4)
+    for _ in range(3):
+        state(rng, model, data)
+        mujoco.mj_forward(model, data)
+        values = [*data.qpos, *data.qvel]
+        system.initial_conditions = dict(zip([*coordinates, *speeds], values, strict=True))
+        inputs = (robot.actuators[name] for name in ("push", "servo", "odd"))
+        system.specifieds = dict(zip(inputs, data.ctrl, strict=True))
+        rates = dict(zip(system.states, system.evaluate_ode(), strict=True))
+        size = abs(data.qacc).max()
+        assert [rates[u] for u in speeds] == pytest.approx(data.qacc, abs=1e-11 * size)
+
+
+def test_the_start_is_the_pose_of_the_file(tmp_path):
+    path = written(tmp_path, BRANCHED)
+    model = mujoco.MjModel.from_xml_path(str(path))
+    robot = read(path)
+    coordinates, _ = order_of(robot, model)
+    assert [robot.start.get(q, 0.0) for q in coordinates] == pytest.approx(model.qpos0)
+
+
+LOOPS = """<mujoco>
+<compiler angle="radian"/>
+<default><geom type="capsule" size="0.02"/></default>
+<worldbody>
+<body name="crank" pos="0 0 0"><joint name="a" axis="0 1 0"/><geom fromto="0 0 0 0 0 0.3"/>
+  <body name="coupler" pos="0 0 0.3"><joint name="b" axis="0 1 0"/><geom fromto="0 0 0 1 0 0.2"/>
+  </body></body>
+<body name="rocker" pos="1 0 0"><joint name="c" axis="0 1 0"/><geom fromto="0 0 0 0 0 0.5"/></body>
+<body name="wheel" pos="0 0.5 0"><joint name="d" axis="0 1 0" ref="0.1"/>
+  <geom type="cylinder" size="0.1 0.02" euler="1.57 0 0" pos="0.01 0 0"/></body>
+<body name="plate" pos="0 0 0.5"><joint name="e" axis="0 1 0"/>
+  <geom fromto="0 0 0 0.2 0.1 0.3"/></body>
+</worldbody>
+<equality>
+{}
+</equality>
+</mujoco>"""
+TIES = {
+    "connect": '<connect body1="coupler" body2="rocker" anchor="1 0 0.2"/>',
+    "to the world": '<connect body1="rocker" anchor="0 0 0.5"/>',
+    "weld": '<weld body1="plate" body2="crank"/>',
+    "joint": '<joint joint1="d" joint2="a" polycoef="0 -2 0.5 0 0"/>',
+}
+
+
+@pytest.mark.parametrize("kind", TIES)
+def test_ties_are_constraints(tmp_path, kind):
+    # The multipliers of the rows, with MuJoCo's mass matrix and forces.
+    path = written(tmp_path, LOOPS.format(TIES[kind]))
+    model = mujoco.MjModel.from_xml_path(str(path))
+    model.opt.disableflags |= OFF
+    data = mujoco.MjData(model)
+    robot = read(path)
+    system = robot.system()
+    coordinates, speeds = order_of(robot, model)
+    rows = system.evaluate_holonomic_constraints()
+    assert rows == pytest.approx(0.0, abs=1e-12)
+    rng = np.random.default_rng(1)
+    u = rng.normal(size=model.nv)
+
+    def residuals(q):
+        values = dict(zip(coordinates, q, strict=True))
+        x = [values.get(s, 0.0) for s in system.states]
+        return system.evaluate_holonomic_constraints(x)
+
+    q0 = np.array(model.qpos0)
+    if kind == "joint":  # elsewhere than at its start
+        q0[0] = 0.4
+        q0[3] = 0.1 - 2 * 0.4 + 0.5 * 0.4**2
+    step = 1e-5
+
+    def jacobian(q):
+        steps = step * np.eye(model.nv)
+        return np.stack([(residuals(q + s) - residuals(q - s)) / (2 * step) for s in steps], 1)
+
+    full = jacobian(q0)
+    u -= np.linalg.pinv(full, rcond=1e-6) @ (full @ u)
+    data.qpos[:], data.qvel[:] = q0, u
+    mujoco.mj_forward(model, data)
+    mass = np.zeros((model.nv, model.nv))
+    mujoco.mj_fullM(model, data, mass)
+    bent = (jacobian(q0 + step * u) - jacobian(q0 - step * u)) @ u / (2 * step)
+    free = np.linalg.solve(mass, data.qfrc_passive - data.qfrc_bias)
+    way = np.linalg.solve(mass, full.T)
+    force = np.linalg.lstsq(full @ way, -bent - full @ free, rcond=1e-6)[0]
+    expected = free + way @ force
+    values = dict(zip([*coordinates, *speeds], [*q0, *u], strict=True))
+    rates = system.evaluate_ode([values[s] for s in system.states])
+    found = dict(zip(system.states, rates, strict=True))
+    assert [found[s] for s in speeds] == pytest.approx(expected, abs=1e-4 * abs(expected).max())
+
+
+def test_a_loop_keeps_its_energy_and_its_constraints(tmp_path):
+    robot = read(written(tmp_path, LOOPS.format(TIES["connect"])))
+    system = robot.system(ode_solver="dop853", times=np.linspace(0.0, 2.0, 21))
+    system.initial_conditions = {**robot.start, "u_a": 1.0}
+    system.set_dependent_initial_conditions()
+    motion = system.simulate(rtol=1e-10, atol=1e-10, constraints="project")
+    assert abs(system.evaluate_holonomic_constraints(motion.states, motion.times)).max() < 1e-12
+    assert np.ptp(motion["q_a"]) > 1.0
+    whole = system.evaluate_energy(motion.states, motion.times).total
+    assert np.ptp(whole) < 1e-8 * abs(whole).max()
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("<mujoco><worldbody/></mujoco>", "no joint that moves"),
+        ("<mujoco>", "MuJoCo does not read this file"),
+        (
+            '<mujoco><worldbody><body><joint/><geom type="mesh" mesh="gone"/></body></worldbody>'
+            '<asset><mesh name="gone" file="gone.stl"/></asset></mujoco>',
+            "gone.stl",
+        ),
+    ],
+)
+def test_what_is_wrong_with_a_file_is_said(tmp_path, text, said):
+    with pytest.raises(RobotFileError, match=said):
+        read(written(tmp_path, text))
+
+
+def test_what_has_no_counterpart_is_listed_and_nothing_is_written(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    text = BRANCHED.replace(
+        "<compiler", '<option density="1.2"/><compiler settotalmass="20"'
+    ).replace("</actuator>", '<muscle name="flexor" joint="hinge" lengthrange="0 1"/></actuator>')
+    robot = read(written(tmp_path, text))
+    assert "the forces of the fluid around" in robot.left_out
+    assert "the actuator 'flexor', whose dynamics are muscle, muscle, muscle" in robot.left_out
+    assert any("settotalmass" in line for line in robot.left_out)
+    assert [file.name for file in tmp_path.iterdir()] == ["robot.xml"]
+    assert "left out: " in repr(robot)
+    assert " more" in repr(robot)

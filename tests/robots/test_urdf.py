@@ -1,0 +1,170 @@
+"""Robots from URDF files: their accelerations, and what is wrong with a file."""
+
+from importlib.resources import files
+
+import numpy as np
+import pytest
+
+from pydy.errors import RobotFileError
+from pydy.robots import read
+from robots.random_robots import random_tree, torques, urdf
+
+PENDULUM = files("pydy.examples") / "pendulum.urdf"
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_random_trees_need_the_torques_of_newton_and_euler(tmp_path, seed):
+    rng = np.random.default_rng(seed)
+    links = random_tree(rng, 2 + seed)
+    path = tmp_path / "robot.urdf"
+    path.write_text(urdf(links))
+    robot = read(path, parameters="symbols" if seed % 2 else "numbers")
+    system = robot.system()
+    x = rng.normal(size=len(system.states))
+    places = {s: k for k, s in enumerate(system.states)}
+    own = {int(n[1:]): (s.coordinates[0], s.speeds[0]) for n, s in robot.joints.items()}
+    given = {k: float(rng.normal()) for k in own}
+    system.specifieds = {robot.actuators[f"j{k}"]: force for k, force in given.items()}
+    rates = system.evaluate_ode(x)
+    q, v = ({k: x[places[pair[i]]] for k, pair in own.items()} for i in (0, 1))
+    needed = torques(links, q, v, {k: rates[places[u]] for k, (_, u) in own.items()})
+    size = max(abs(n) for n in torques(links, q, v, {}).values()) + 1.0
+    assert [needed[k] for k in own] == pytest.approx([given[k] for k in own], abs=1e-11 * size)
+
+
+def test_symbols_have_the_values_of_the_file(tmp_path):
+    path = tmp_path / "robot.urdf"
+    path.write_text(urdf(random_tree(np.random.default_rng(9), 4)))
+    one, other = (read(path, parameters=p).system() for p in ("symbols", "numbers"))
+    x = np.random.default_rng(1).normal(size=len(one.states))
+    assert one.evaluate_ode(x) == pytest.approx(other.evaluate_ode(x), rel=1e-11)
+    assert {s.name for s in one.constants_symbols} >= {"g", "m_l1"}
+    assert not other.constants_symbols
+
+
+MIMIC = """<robot name="gripper">
+<link name="base"/>
+<link name="one"><inertial><mass value="0.3"/></inertial></link>
+<link name="two"><inertial><mass value="0.2"/></inertial></link>
+<joint name="left" type="prismatic"><parent link="base"/><child link="one"/><axis xyz="0 0 1"/>
+<dynamics friction="0.5"/></joint>
+<joint name="right" type="prismatic"><parent link="base"/><child link="two"/><axis xyz="0 0 1"/>
+<mimic joint="left" multiplier="-2" offset="0.1"/></joint>
+</robot>"""
+
+
+def test_joints_that_mimic_others_move_with_them(tmp_path):
+    (tmp_path / "gripper.urdf").write_text(MIMIC)
+    robot = read(tmp_path / "gripper.urdf", parameters="numbers")
+    system = robot.system()
+    assert [str(s) for s in system.states] == ["q_left(t)", "u_left(t)"]
+    # The one's mass and four times the other's, whose weight acts twice and upwards.
+    system.specifieds = {robot.actuators["left"]: 1.0}
+    expected = (1.0 - 9.81 * (0.3 - 2 * 0.2)) / (0.3 + 4 * 0.2)
+    assert system.evaluate_ode([0.2, 0.3])[1] == pytest.approx(expected, rel=1e-14)
+    frame, origin = robot.frames["world"]
+    height = robot.frames["two"].point.pos_from(origin).dot(frame.z)
+    assert height == 0.1 - 2 * robot.joints["left"].coordinates[0]
+
+
+def test_dry_friction_is_smooth_or_left_out(tmp_path):
+    (tmp_path / "gripper.urdf").write_text(MIMIC)
+    robot = read(tmp_path / "gripper.urdf")
+    assert "dry friction of the joint 'left'" in robot.left_out[0]
+    rough = read(tmp_path / "gripper.urdf", friction_speed=0.01)
+    assert not rough.left_out
+    less = robot.system().evaluate_ode([0, 1])[1] - rough.system().evaluate_ode([0, 1])[1]
+    assert less == pytest.approx(0.5 / (0.3 + 4 * 0.2), rel=1e-14)
+
+
+def test_a_floating_base_falls_from_where_the_file_has_it(tmp_path):
+    text = urdf(random_tree(np.random.default_rng(2), 1)).replace("revolute", "floating")
+    (tmp_path / "robot.urdf").write_text(text)
+    robot = read(tmp_path / "robot.urdf")
+    system = robot.system()
+    start = [system.initial_conditions.get(q, 0.0) for q in system.coordinates]
+    assert np.linalg.norm(start[3:]) == pytest.approx(1.0, rel=1e-15)
+    frame, origin = robot.frames["world"]
+    place = robot.frames["l0"].point.pos_from(origin)
+    assert start[:3] == [float(place.dot(e).subs(robot.start)) for e in frame]
+    # The mass centre falls freely, whatever the spin.
+    centre = next(b.masscenter for b in robot.definition.bodies if b.name == "l0")
+    height = centre.pos_from(origin).dot(frame.z)
+    system.outputs = {"height": height}
+    system.initial_conditions = {**system.initial_conditions, "u_j0_wx": 1.0, "u_j0_wz": -2.0}
+    system.times, system.ode_solver = np.linspace(0.0, 1.0, 5), "vern9"
+    motion = system.simulate(rtol=1e-12, atol=1e-12)
+    rise = np.polyfit(motion.times, motion["height"], 2)
+    assert rise[0] == pytest.approx(-9.81 / 2, rel=1e-9)
+
+
+def test_limits_end_a_simulation():
+    robot = read(PENDULUM)
+    system = robot.system(ode_solver="dop853", times=np.linspace(0, 5, 11))
+    system.initial_conditions = {"u_hinge": 7.0}
+    motion = system.simulate(events=robot.limits)
+    assert motion.events[-1].name == "hinge at its upper limit"
+    assert motion.events[-1].before[0] == pytest.approx(3.0, abs=1e-12)
+
+
+def test_what_it_looks_like_moves():
+    robot = read(PENDULUM)
+    system = robot.system(ode_solver="dop853", times=np.linspace(0, 1, 61))
+    system.initial_conditions = {"q_hinge": 1.0}
+    motion = system.simulate()
+    scene = robot.scene().animate(motion, fps=None)
+    angle = motion["q_hinge"]
+    middle = np.stack([-0.5 * np.sin(angle), 0 * angle, -0.5 * np.cos(angle)], 1)
+    assert scene.poses[:, 0, :3, 3] == pytest.approx(middle, abs=1e-6)
+
+
+def robot_of(*parts):
+    return "\n".join(['<robot name="r">', '<link name="base"/>', *parts, "</robot>"])
+
+
+def link(mass=1):
+    return f'<link name="a"><inertial><mass value="{mass}"/></inertial></link>'
+
+
+def joint(kind="revolute", up="base", down="a", more="", name="j"):
+    ends = f'<parent link="{up}"/><child link="{down}"/>'
+    return f'<joint name="{name}" type="{kind}">{ends}{more}</joint>'
+
+
+@pytest.mark.parametrize(
+    ("text", "line", "said"),
+    [
+        ("<robot", 1, "not well-formed XML"),
+        ("<model/>", 1, "must be <robot>, got <model>"),
+        ("<robot/>", 1, "holds no <link>"),
+        (robot_of(link()), 3, "more than one root: .*'base' or 'a'"),
+        (robot_of(link(-1), joint()), 3, "mass of the link 'a' .*not negative, got -1"),
+        (robot_of(link("x"), joint()), 3, "must be a finite number, got 'x'"),
+        (robot_of(link("1e999"), joint()), 3, "must be a finite number"),
+        (robot_of(link(0), joint()), 4, "nothing that the joint 'j' moves has mass"),
+        (robot_of(link(), joint("spherical")), 4, "of the type 'spherical'; known are 'fixed'"),
+        (robot_of(link(), joint(down="b")), 4, "no link 'b', which the joint 'j' has as its child"),
+        (robot_of(link(), joint(up="a")), 4, "'a' form a ring that hangs on nothing"),
+        (robot_of(link(), joint(), joint(name="k")), 5, "the child of two joints, 'j' and 'k'"),
+        (robot_of(link(), joint(), joint()), 5, "more than one joint 'j'"),
+        (robot_of(link(), joint(more='<mimic joint="z"/>')), 4, "mimics 'z', which is no"),
+        (robot_of(link(), joint(more='<axis xyz="0 0 0"/>')), 4, "the axis .* has no direction"),
+        (robot_of(link(), joint(more='<axis xyz="1 0"/>')), 4, "must be 3 finite numbers"),
+        (robot_of(link(), joint("fixed")), None, "no joint that moves"),
+    ],
+)
+def test_what_is_wrong_with_a_file_is_said_with_its_line(tmp_path, text, line, said):
+    path = tmp_path / "bad.urdf"
+    path.write_text(text)
+    with pytest.raises(RobotFileError, match=said) as raised:
+        read(path)
+    assert str(raised.value).startswith(f"{path}:{line}:" if line else str(path))
+
+
+def test_arguments_are_checked():
+    with pytest.raises(FileNotFoundError, match=r"no file 'nowhere\.urdf'"):
+        read("nowhere.urdf")
+    with pytest.raises(ValueError, match="`parameters`"):
+        read(PENDULUM, parameters="some")
+    with pytest.raises(ValueError, match="`friction_speed` must be positive"):
+        read(PENDULUM, friction_speed=0.0)
