@@ -71,9 +71,9 @@ class Chosen:
         while free.any():
             worst = np.where(free, np.abs(work).min(axis=0), 0.0)
             sound = np.where(worst < HALF, 0.0, worst)
-            good = np.where(sound >= SOUND_PIVOT * sound.max(), sound, 0.0)
-            weighed = shares * np.where(varies, good, _STEADY * good)
-            if not weighed.any():
+            weighed = (np.abs(work) * shares).min(axis=0) * np.where(varies, 1.0, _STEADY)
+            weighed[sound < SOUND_PIVOT * sound.max()] = 0.0
+            if not sound.any():
                 break
             # The first of those of one size: rounding does not choose.
             i, j = np.argwhere(weighed >= (1.0 - HALF) * weighed.max())[0]
@@ -94,13 +94,14 @@ def _in_one_size(samples: Sequence[np.ndarray]) -> tuple[np.ndarray, np.ndarray]
     Returns
     -------
     scaled : ndarray, shape (states, m, n)
-    shares : ndarray, shape (m, n)
-        Times an entry of it: as a share of the largest in its row.
+    shares : ndarray, shape (states, m, n)
+        Times an entry of it: as a share of the largest in its row at that state.
     """
     work = np.array(samples, dtype=float)
     largest = np.abs(work).max(axis=0)
     _, rows, columns = equilibrated(largest, exact=True)
-    return work * columns / rows, rows / columns / or_one(largest.max(axis=1, keepdims=True))
+    at_each = np.abs(work).max(axis=2, keepdims=True, initial=0.0)
+    return work * columns / rows, rows / columns / or_one(at_each)
 
 
 def constrained(
