@@ -11,6 +11,7 @@ from pydy._rank import (
     least_step,
     null_space,
     rank,
+    roundings,
 )
 
 RNG = np.random.default_rng(0)
@@ -58,3 +59,15 @@ def test_steps_follow_the_units_of_unknowns(unit):
     np.testing.assert_allclose(many, np.stack([step, -step], axis=1), rtol=1e-12)
     several = least_step(np.stack([rows, 2.0 * rows]), np.stack([values, values]))
     np.testing.assert_allclose(rows @ several[1], 0.5 * values, rtol=1e-12)
+
+
+@pytest.mark.parametrize("row", UNITS)
+@pytest.mark.parametrize("column", UNITS)
+def test_roundings_of_a_row_are_those_of_the_rows_that_hold_its_unknowns(row, column):
+    slopes = np.array([[1.0, 0.0, 0.5, 0.0], [0.0, 1.0, 2.0, 0.0], [0.0, 0.0, 0.0, 1.0]])
+    sizes = np.array([7.0, 1e-20, 1e-20])
+    rows, columns = np.array([1.0, row, 1.0]), np.array([1.0, column, 1.0, 1.0])
+    found = roundings(rows[:, None] * slopes * columns, rows * sizes) / rows
+    assert 7.0 <= found[0] / 2.0**-42 <= 70.0
+    assert 1.0 <= found[1] / 2.0**-42 <= 140.0
+    assert found[2] <= 1e-30

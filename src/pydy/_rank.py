@@ -23,6 +23,7 @@ __all__ = [
     "or_one",
     "rank",
     "rank_of",
+    "roundings",
 ]
 
 ROUNDING = 2.0**-52
@@ -145,6 +146,28 @@ def least_step(matrix: np.ndarray, values: np.ndarray) -> np.ndarray:
         found: np.ndarray = columns[0, :, None] * (inverse @ (values / rows))
         return found
     found = columns[..., 0, :] * (inverse @ (values[..., None] / rows))[..., 0]
+    return found
+
+
+def roundings(slopes: np.ndarray, sizes: np.ndarray) -> np.ndarray:
+    """Return what rounding leaves of rows that are zero at states which were found from them.
+
+    By elimination, errors of a row become errors of all others that hold the same unknowns, and
+    those of these. A row of unknowns that are zero has no larger terms of its own.
+
+    Parameters
+    ----------
+    slopes : ndarray, shape (..., m, k)
+        The rows' derivatives by the states.
+    sizes : ndarray, shape (..., m)
+        Of the rows' terms.
+    """
+    scaled, rows, _ = equilibrated(slopes)
+    # The share of a row's error that comes from another: that of the unknown that both hold.
+    linked = np.minimum(np.abs(scaled) @ np.abs(scaled).swapaxes(-1, -2), 1.0)
+    for _ in range(rows.shape[-2].bit_length()):
+        linked = np.minimum(linked @ linked, 1.0)
+    found: np.ndarray = ROUNDED * rows[..., 0] * (linked @ (sizes[..., None] / rows))[..., 0]
     return found
 
 

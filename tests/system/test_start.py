@@ -152,6 +152,48 @@ def test_a_start_far_off_is_told_in_any_units(length, constraints):
             system.simulate(**options)
 
 
+UNITS = [1e-9, 1e-4, 1.0, 1e5, 1e9]
+
+
+def sledge(metre, second):
+    """A sledge with a blade, and a second one that is driven by it; a metre and a second a step."""
+    x, y, a, z, u, v, w, s = me.dynamicsymbols("x y a z u v w s")
+    N, O, P, Q = me.ReferenceFrame("N"), *map(me.Point, "OPQ")
+    O.set_vel(N, 0)
+    P.set_pos(O, x * N.x + y * N.y)
+    Q.set_pos(O, z * N.x)
+    B = N.orientnew("B", "Axis", (a, N.z))
+    bodies = [me.RigidBody("sledge", P, B, 1, (me.inertia(B, 1, 1, 1), P)), me.Particle("b", Q, 1)]
+    rates = [x.diff() - u, y.diff() - v, a.diff() - w, z.diff() - s]
+    rows = [-u * sm.sin(a) + v * sm.cos(a), s - 2 * v]
+    made = Definition(
+        N, [x, y, a, z], [u, v, w, s], bodies=bodies, kinematic_equations=rates,
+        nonholonomic_constraints=rows,
+    )  # fmt: skip
+    system = System(made, ode_solver="dop853", times=[0.0, 0.1 * second])
+    system.initial_conditions = {u: metre / second}
+    return system, (a, v, s)
+
+
+@pytest.mark.parametrize("metre", UNITS)
+@pytest.mark.parametrize("second", UNITS)
+def test_what_rounding_leaves_of_a_start_is_not_told_of(metre, second):
+    system, (a, v, s) = sledge(metre, second)
+    rate = metre / second
+    system.initial_conditions |= {a: 1e-17, v: 3e-18 * rate, s: -2e-18 * rate}
+    system.integrate(atol=1e-9 * rate)
+
+
+@pytest.mark.parametrize("metre", UNITS)
+@pytest.mark.parametrize("second", UNITS)
+def test_speeds_that_are_off_are_told_in_any_units(metre, second):
+    system, (a, v, s) = sledge(metre, second)
+    rate = metre / second
+    system.initial_conditions |= {a: 0.3, v: rate * np.tan(0.3), s: 2.001 * rate * np.tan(0.3)}
+    with pytest.warns(PyDyUserWarning, match="do not satisfy the constraints"):
+        system.integrate(atol=1e-9 * rate)
+
+
 @pytest.mark.parametrize("unit", [1.0, 1e9, 1e-9])
 def test_a_bicycle_that_stands_upright_to_rounding_is_not_told_of(unit):
     model = whipple_bicycle.derive()

@@ -9,11 +9,16 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from pydy._graph.derivative import Rows
+from pydy._graph.derivative import Rows, jacobian
 from pydy._graph.node import Graph
 from pydy._graph.operations import OPERATIONS
 
-__all__ = ["rounding_bounds"]
+__all__ = ["per_unit", "rounding_bounds"]
+
+# Functions of pure numbers: one is large beside nothing, in whatever units.
+_OF_NUMBERS = frozenset(
+    ("exp", "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "asinh", "atanh")
+)
 
 
 def rounding_bounds(
@@ -42,6 +47,29 @@ def rounding_bounds(
     for node in graph.reachable(nodes):
         bounds[node] = _bound(graph, node, bounds, rounded)
     return [bounds[n] for n in nodes]
+
+
+def per_unit(graph: Graph, nodes: Sequence[int], states: Sequence[int]) -> list[int]:
+    """Return how much of a unit each state is per its own: of angles 1, of lengths mostly zero.
+
+    States that are arguments of sines and exponentials have units of their own; of others nothing
+    but their values tells what is small.
+
+    Parameters
+    ----------
+    graph : Graph
+        Gets the new nodes.
+    nodes : sequence of nodes
+        What the states are used in.
+    states : sequence of input nodes
+    """
+    arguments = [graph.args[n][0] for n in graph.reachable(nodes) if graph.ops[n] in _OF_NUMBERS]
+    found = [graph.zero] * len(states)
+    for row in jacobian(graph, arguments, states):
+        for k, slope in row.items():
+            if graph.constant[slope]:
+                found[k] = graph.call("max", found[k], graph.call("abs", slope))
+    return found
 
 
 def _bound(g: Graph, node: int, bounds: dict[int, int], rounded: tuple[str, ...]) -> int:

@@ -18,9 +18,10 @@ from pydy._graph.lower import lower
 from pydy._graph.node import Graph
 from pydy._graph.program import Program
 from pydy._graph.rewrite import substitute
+from pydy._graph.rounding import per_unit
 from pydy._system.snapshot import Snapshot
 from pydy._system.solving import constraint_names
-from pydy._system.start import Rows, evaluated_rows
+from pydy._system.start import Rows, evaluated_rows, solved_slopes
 from pydy.solvers.kept import Ran, judge, looked_at
 from pydy.solvers.options import Options
 from pydy.solvers.outcome import OUTCOMES
@@ -242,6 +243,8 @@ class Products:
 class Slopes:
     """All constraints, rates of the holonomic ones, and the derivatives of both by the states.
 
+    With the units that states have by themselves: see `rounding.per_unit`.
+
     Rows with specifieds of which nothing but values is known have no rate, and are left out.
     """
 
@@ -262,6 +265,8 @@ class Slopes:
             "rows": rows,
             "rates": rates,
             "slopes": dense_jacobian(graph, rows, states),
+            "solved": solved_slopes(assembly, rows, len(places)),
+            "per_unit": per_unit(graph, rows, states),
             "turns": dense_jacobian(graph, rates, states),
         }
 

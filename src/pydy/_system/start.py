@@ -14,10 +14,11 @@ from pydy._assembly.model import CompiledModel
 from pydy._errors import few, warn_user
 from pydy._graph.derivative import dense_jacobian
 from pydy._graph.node import Graph
-from pydy._graph.rounding import rounding_bounds
+from pydy._graph.rounding import per_unit, rounding_bounds
 from pydy._mechanics.tuning import ROUNDED
-from pydy._rank import DIGITS, ROUNDING, rank
+from pydy._rank import DIGITS, rank
 from pydy._system.solving import constraint_names
+from pydy.solvers.kept import left_by_rounding
 from pydy.solvers.tuning import TRIED
 from pydy.trajectory import EventRecord
 
@@ -27,6 +28,7 @@ __all__ = [
     "check_samples",
     "check_start",
     "evaluated_rows",
+    "solved_slopes",
     "surely_held",
     "violations",
     "warn_of_left_out",
@@ -305,16 +307,14 @@ def evaluated_rows(
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return the residuals of all constraints at m states, and what rounding is in proportion to.
 
-    What a search leaves of states that are zero is a rounding of one unit: smaller ones count as
-    that.
-
     Parameters
     ----------
     definition : Definition
     model : CompiledModel
         With all expressions compiled in.
     what : {'sizes', 'bounds'}
-        The terms of the last sum, which are quickly found, or the bounds on rounding errors.
+        The terms of the last sum, which are quickly found, or the bounds on rounding errors, with
+        what a search leaves of states that are zero; see `left_by_rounding`.
     at : (t, x, r, p)
 
     Returns
@@ -322,15 +322,26 @@ def evaluated_rows(
     residuals, sizes : ndarray, shape (m, rows)
         Holonomic constraints, those left out behind the others, then velocity constraints.
     """
-    rows, (t, x, r, p) = Rows(*definition.equations.left_out, what), at
-    m, least = len(t), ROUNDING / DIGITS
-    small = np.abs(x) < least
-    if small.any():  # the sizes are those of other states, which follow the first ones
-        moved = np.where(small, np.copysign(least, x), x)
-        r = np.concatenate([r, r]) if len(r) == m > 1 else r
-        at = np.concatenate([t, t]), np.concatenate([x, moved]), r, p
-    found = model.interpreted(rows, at)
-    return found["rows"][:m], found["sizes"][-m:]
+    found = model.interpreted(Rows(*definition.equations.left_out, what), at)
+    sizes = found["sizes"]
+    if what == "bounds":
+        sizes = sizes + left_by_rounding(found, sizes, at[1]) / DIGITS
+    return found["rows"], sizes
+
+
+def solved_slopes(assembly: Assembly, rows: Sequence[int], count: int) -> list[int]:
+    """Return the derivatives of `count` rows by the states, and of those behind by the speeds.
+
+    Those by the other states are zero: speeds are solved for where the coordinates are known.
+    """
+    graph, n = assembly.graph, assembly.sizes[0]
+    states = [graph.input("x", k) for k in range(n)]
+    moving = {states.index(u) for u in assembly.speeds}
+    cells = dense_jacobian(graph, rows, states)
+    return [
+        graph.zero if k >= count * n and k % n not in moving else node
+        for k, node in enumerate(cells)
+    ]
 
 
 @dataclass(frozen=True)
@@ -352,9 +363,18 @@ class Rows:
                 "more": dense_jacobian(graph, more, states),
             }
         rows = [*assembly.holonomic, *closed, *assembly.velocity, *more]
+        derived = {}
+        if self.what == "bounds":
+            states = [graph.input("x", k) for k in range(assembly.sizes[0])]
+            count = len(assembly.holonomic) + len(closed)
+            derived = {
+                "slopes": dense_jacobian(graph, rows, states),
+                "solved": solved_slopes(assembly, rows, count),
+                "per_unit": per_unit(graph, rows, states),
+            }
         parts = (assembly.holonomic, closed), (assembly.velocity, more)
         sizes = [size for part in parts for size in self._sizes(graph, *part)]
-        return {"rows": rows, "sizes": sizes}
+        return {"rows": rows, "sizes": sizes, **derived}
 
     def _sizes(self, graph: Graph, kept: list[int], left_out: list[int]) -> list[int]:
         """Return what rounding is in proportion to.

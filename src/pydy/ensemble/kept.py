@@ -10,7 +10,6 @@ import numpy as np
 from pydy._graph.interpret import run as interpret
 from pydy._graph.program import Program
 from pydy._kernel import Inputs
-from pydy._rank import DIGITS, ROUNDING
 from pydy.ensemble.model import Model, Programs, Results, evaluate
 from pydy.solvers.kept import Ran, beyond_digits, is_near, judge, looked_at
 from pydy.solvers.outcome import FINISHED, TERMINATED
@@ -80,10 +79,7 @@ class _Parts:
             return {}
         r = np.array([self._inputs(state, float(time)) for state, time in zip(x, t, strict=True)])
 
-        def values(x: np.ndarray) -> dict[str, np.ndarray]:
-            return program.by_block(interpret(program, t, x, r, self._p)[0])
-
-        return _with_sizes(values, x) if name == "rows" else values(x)
+        return program.by_block(interpret(program, t, x, r, self._p)[0])
 
 
 def _suspects(
@@ -124,32 +120,13 @@ def _suspect(
     stopped: Callable[[], bool],
 ) -> np.ndarray:
     """Tell which samples have residuals beyond six digits, or come near to losing rank."""
-
-    def values(x: np.ndarray) -> dict[str, np.ndarray]:
-        out = evaluate(model, program, r[part], p[part], times[few], x, stopped)
-        return program.by_block(np.moveaxis(out, 0, -1))  # (m, times, values)
-
-    found = _with_sizes(values, np.ascontiguousarray(states[:, part][:, :, few]))
+    x = np.ascontiguousarray(states[:, part][:, :, few])
+    out = evaluate(model, program, r[part], p[part], times[few], x, stopped)
+    found = program.by_block(np.moveaxis(out, 0, -1))  # (m, times, values)
     suspect = beyond_digits(found["rows"], found["sizes"])
     if model.options.step is None:
         suspect |= is_near(found["products"])
     return suspect
-
-
-def _with_sizes(
-    evaluate: Callable[[np.ndarray], dict[str, np.ndarray]], x: np.ndarray
-) -> dict[str, np.ndarray]:
-    """Return ``rows`` at states, and ``sizes`` that are not smaller than roundings are.
-
-    What a search leaves of states that are zero is a rounding of one unit: smaller ones count as
-    that.
-    """
-    least = ROUNDING / DIGITS
-    found = evaluate(x)
-    small = np.abs(x) < least
-    if not small.any():
-        return found
-    return {**found, "sizes": evaluate(np.where(small, np.copysign(least, x), x))["sizes"]}
 
 
 def _lose(results: Results, k: int, times: np.ndarray, reached: int, code: int) -> None:

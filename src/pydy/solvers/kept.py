@@ -18,14 +18,14 @@ and the units; a mechanism that left its constraints, or a branch of its motion,
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from math import isqrt
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from pydy._rank import DIGITS
+from pydy._rank import DIGITS, or_one, roundings
 from pydy.solvers.outcome import ENERGY_CHANGED, LEFT_CONSTRAINTS
 from pydy.solvers.tuning import EXCESS, FEW_STEPS, LEFT, LOST, NEAR_SINGULAR, TRIED
 
@@ -36,6 +36,7 @@ __all__ = [
     "beyond_digits",
     "is_near",
     "judge",
+    "left_by_rounding",
     "looked_at",
 ]
 
@@ -48,7 +49,8 @@ Part = Callable[[str, np.ndarray, np.ndarray], dict[str, np.ndarray]]
     ``products`` of the rows of the velocity constraints that were kept, as linear in the speeds.
 'slopes'
     ``rows``, ``rates`` of the holonomic ones, and derivatives of both by the states, ``slopes`` and
-    ``turns``.
+    ``turns``; ``solved``, the derivatives by what is solved for; ``per_unit``, the inverses of
+    units that states have by themselves, or zeros.
 'moving'
     ``kinetic`` energy, and ``hessian``, its second derivatives by the states as far as these are
     speeds. Nothing where it is not known.
@@ -152,12 +154,15 @@ def judge(ran: Ran, part: Part) -> Verdict | None:
         return None
     near = ran.nearness is not None and ran.nearness < NEAR_SINGULAR
     found = part("rows", t, x)
-    if not beyond_digits(found["rows"], found["sizes"]):
+    limits, beyond = DIGITS * found["sizes"].max(axis=0), False
+    if beyond_digits(found["rows"], found["sizes"]):
+        sizes, found = found["sizes"], part("slopes", t, x)
+        limits = limits + left_by_rounding(found, sizes, x).max(axis=0)
+        beyond = bool((np.abs(found["rows"]) > limits).any())
+    if not beyond:
         if ran.nearness is None and ran.steps is not None:
             near = bool(is_near(part("products", t, x)["products"]))
         return _energy(ran, part) if near else None
-    limits = DIGITS * found["sizes"].max(axis=0)
-    found = part("slopes", t, x)
     begins = [(t[0], x[0]), *ran.resets]
     start = part("slopes", *(np.array(values) for values in zip(*begins, strict=True)))
     errors = ran.errors(EXCESS * (ran.steps or 1.0))
@@ -210,6 +215,32 @@ def _unseen(ran: Ran, part: Part, slopes: np.ndarray) -> np.ndarray:
     share = 2.0 * np.finfo(float).eps * found["kinetic"].max()
     largest: np.ndarray = np.sqrt(share * np.fmax(moved, 0.0)).max(axis=0)
     return largest
+
+
+def left_by_rounding(
+    found: Mapping[str, np.ndarray], sizes: np.ndarray, x: np.ndarray
+) -> np.ndarray:
+    """Return what a search leaves of rows at m states, shape (m, rows): roundings, in any units.
+
+    States are as large as they are at any of the times, and those with a unit of their own, such as
+    angles, as large as that.
+
+    Parameters
+    ----------
+    found : mapping
+        ``slopes``, ``solved`` and ``per_unit`` of `Part`.
+    sizes : ndarray, shape (m, rows)
+        Of the rows' terms.
+    x : ndarray, shape (m, n)
+    """
+    m, n = x.shape
+    parts = (found[name].reshape(m, -1, n) for name in ("slopes", "solved"))
+    slopes, solved = (np.nan_to_num(a, nan=0.0, posinf=0.0, neginf=0.0) for a in parts)
+    per_unit = found["per_unit"]
+    units = np.where(per_unit > 0.0, 1.0 / or_one(per_unit), 0.0)
+    natural = np.fmax(np.abs(x).max(axis=0), units)
+    terms = (np.abs(slopes) @ natural[..., None])[..., 0]
+    return roundings(solved, np.fmax(sizes, terms))
 
 
 def _moved(slopes: np.ndarray, errors: np.ndarray) -> np.ndarray:
