@@ -199,7 +199,20 @@ def _fit_speeds(data):
         # What rounding leaves of a speed that is held is none: in units it would be a motion.
         data["u"] = [float(v) if abs(v) > 1e-15 else 0.0 for v in world.u - step]
         world = World(data, data["q"], data["u"], rows=rows)
-    return len(rows) < world.nu and not np.any(np.abs(world.residual) > 1e-9)
+    kept = len(rows) < world.nu and not np.any(np.abs(world.residual) > 1e-9)
+    return kept and _agree(world, [k for k in range(len(world.position)) if k not in rows])
+
+
+def _agree(world, rows):
+    """Whether places that others imply are told by doubles: some hold the square of what is small.
+
+    Rounding of the terms that cancel there, beside what is left of them, is what they contradict
+    the others by.
+    """
+    held = np.abs(world.by_coordinates(rows)[0]) @ np.abs(world.q)
+    size = world.A_size[rows].max(axis=1, initial=0)
+    some = np.abs(world.A[rows]).max(axis=1, initial=0) > 1e-13 * size
+    return not np.any(some & (2.0**-52 * size > 1e-9 * held))
 
 
 def lengths(data):

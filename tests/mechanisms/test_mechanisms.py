@@ -70,6 +70,12 @@ def test_prescribed_motions_that_constraints_hold_are_no_inputs_of_linear_models
     check(draw(980), ["definition"], ["linear_models"])
 
 
+def test_places_that_are_told_twice_are_told_by_doubles():
+    """The square of 3e-5 beside offsets of one has 6 digits, and is off the other place by them."""
+    assert draw(898)["loops"] == []
+    assert checked(898)[2] is None
+
+
 def test_what_kane_calls_dependent_is_solved_for_beside_a_quaternion():
     """Its four coordinates have three speeds, so that the others' places differ by one."""
     model = Check(draw(881), "kane").model
