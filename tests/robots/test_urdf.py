@@ -5,7 +5,7 @@ from importlib.resources import files
 import numpy as np
 import pytest
 
-from pydy.errors import RobotFileError
+from pydy.errors import PyDyUserWarning, RobotFileError
 from pydy.robots import read
 from robots.random_robots import random_tree, torques, urdf
 
@@ -82,8 +82,10 @@ def test_a_floating_base_falls_from_where_the_file_has_it(tmp_path):
     (tmp_path / "robot.urdf").write_text(text)
     robot = read(tmp_path / "robot.urdf")
     system = robot.system()
-    start = [system.initial_conditions.get(q, 0.0) for q in system.coordinates]
+    start = [robot.start.get(q, 0.0) for q in robot.joints["j0"].coordinates]
     assert np.linalg.norm(start[3:]) == pytest.approx(1.0, rel=1e-15)
+    with pytest.warns(PyDyUserWarning, match="do not satisfy the constraints"):
+        robot.system(initial_conditions={"q_j0_e1": 2.0}, times=[0.0, 1e-3]).integrate()
     frame, origin = robot.frames["world"]
     place = robot.frames["l0"].point.pos_from(origin)
     assert start[:3] == [float(place.dot(e).subs(robot.start)) for e in frame]

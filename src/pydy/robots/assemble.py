@@ -373,6 +373,10 @@ class Assembly:
     def _definition(self) -> Definition:
         own = [j for link in self.tree.links for j in link.joints if j.mimics is None]
         rows = [row for tie in self.tree.ties for row in self._rows(tie)]
+        for joint in own:
+            if joint.kind in ("ball", "free"):  # a start that is no rotation is told, and mended
+                turn = self.joints[joint.name].coordinates[-4:]
+                rows.append(sm.Add(*(e**2 for e in turn)) - 1)
         known: set[Any] = set()
         for row in rows:
             known |= row.free_symbols | row.atoms(sm.core.function.AppliedUndef)
