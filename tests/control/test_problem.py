@@ -1,6 +1,8 @@
 """What `OptimalControl` takes, refuses and returns."""
 
+import os
 import pickle
+import signal
 import sys
 
 import numpy as np
@@ -10,7 +12,9 @@ import sympy.physics.mechanics as me
 
 import optima
 from optima import TF, T
+from pydy import System
 from pydy.control import OptimalControl, ipopt
+from pydy.control.nlp import Nlp
 from pydy.errors import (
     AnalysisInterrupted,
     MissingDependencyError,
@@ -18,6 +22,7 @@ from pydy.errors import (
     PyDyUserWarning,
 )
 from pydy.inputs import SampledInput
+from pydy.mechanics import Definition
 from pydy.models import n_link_pendulum_on_cart
 from pydy.solvers import dop853
 
@@ -275,18 +280,38 @@ def test_a_search_that_fails_holds_the_iterate_and_names_equations(mass):
         )
 
 
-def test_a_search_may_be_interrupted(mass, monkeypatch):
+def test_ctrl_c_ends_a_search_within_an_iteration(mass, monkeypatch):
     system, (x, v, F) = mass
     problem = OptimalControl(system, TF, TF, end={x: 1.0, v: 0.0}, bounds={F: (-1, 1), TF: (1, 5)})
+    jacobian, calls = Nlp.jacobian, []
 
-    class Pressed(ipopt.Interrupts):
-        def check(self):
-            raise KeyboardInterrupt
+    def pressed(self, y, out):
+        calls.append(y)
+        if len(calls) == 4:
+            os.kill(os.getpid(), signal.SIGINT)
+        return jacobian(self, y, out)
 
-    monkeypatch.setattr(ipopt, "Interrupts", Pressed)
+    monkeypatch.setattr(Nlp, "jacobian", pressed)
     with pytest.raises(AnalysisInterrupted, match="interrupted") as error:
         problem.solve()
-    assert len(error.value.results.history) == 1
+    assert 2 <= len(error.value.results.history) <= 5
+    assert error.value.results.message == "stopped"
+
+
+def test_an_error_in_a_callback_is_raised(mass, monkeypatch):
+    system, (x, v, F) = mass
+    problem = OptimalControl(system, TF, TF, end={x: 1.0, v: 0.0}, bounds={F: (-1, 1), TF: (1, 5)})
+    jacobian, calls = Nlp.jacobian, []
+
+    def broken(self, y, out):
+        calls.append(y)
+        if len(calls) == 4:
+            raise MemoryError("no more")
+        return jacobian(self, y, out)
+
+    monkeypatch.setattr(Nlp, "jacobian", broken)
+    with pytest.raises(MemoryError, match="no more"):
+        problem.solve()
 
 
 def test_without_casadi_the_extra_is_named(mass, monkeypatch):
@@ -376,6 +401,52 @@ def test_a_jump_that_no_mesh_meets_is_warned_of(monkeypatch, mass):
     system, (q1, _q2, _u1, _u2, F) = optima.cart_pole()
     with pytest.warns(PyDyUserWarning, match="After 1 refinements the mesh of 4 intervals"):
         system.optimize_trajectory(energy(F), 1.0, end={q1: 0.3}, mesh=4, mesh_tol=1e-12)
+
+
+def test_a_trajectory_is_pickled(mass):
+    system, (x, v, F) = mass
+    found = system.optimize_trajectory(energy(F), 1.0, end={x: 1.0, v: 0.0}, mesh=4)
+    again = pickle.loads(pickle.dumps(found))
+    assert again.objective == found.objective
+    np.testing.assert_array_equal(again.specifieds, found.specifieds)
+    np.testing.assert_array_equal(
+        again.multipliers["motion of v"], found.multipliers["motion of v"]
+    )
+
+
+def test_derivatives_that_are_speeds_have_values_at_instants():
+    q, F = me.dynamicsymbols("q F")
+    frame, point = me.ReferenceFrame("N"), me.Point("P")
+    point.set_vel(frame, q.diff() * frame.x)
+    body = me.Particle("b", point, 1)
+    method = me.LagrangesMethod(
+        me.Lagrangian(frame, body),
+        [q],
+        forcelist=[(point, F * frame.x)],
+        frame=frame,
+        bodies=[body],
+    )
+    system = System(method)
+    found = system.optimize_trajectory(
+        energy(F), 1.0, end={q: 1.0}, boundary=[sm.Eq(q.diff().subs(T, 1), 0)]
+    )
+    assert found.objective == pytest.approx(12.0, rel=1e-8)
+    last = system.optimize_trajectory(
+        energy(F) + 1e4 * q.diff().subs(T, TF) ** 2, TF, end={q: 1.0}, bounds={TF: (0.5, 1.0)}
+    )
+    assert last.objective == pytest.approx(12.0, rel=1e-2)
+    assert abs(last.at(last.duration)[q.diff()][0]) < 0.01
+
+
+def test_a_control_is_not_the_derivative_of_another():
+    x, v, place = me.dynamicsymbols("x v place")
+    frame, point = me.ReferenceFrame("N"), me.Point("P")
+    point.set_vel(frame, (v + place.diff()) * frame.x)
+    made = Definition(
+        frame, [x], [v], bodies=[me.Particle("p", point, 1)], loads=[(point, place * frame.x)]
+    )
+    refused("it would not be the derivative", System(made),
+            sm.S(0), 1.0, error=NotImplementedError)  # fmt: skip
 
 
 def test_an_error_is_pickled(mass):

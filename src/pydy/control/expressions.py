@@ -149,11 +149,16 @@ class Reader:
         kinds = [("state", k, s) for k, s in enumerate(self.states)]
         kinds += [("control", k, s) for k, s in enumerate(self.controls)]
         found: dict[Any, tuple[str, int, Any]] = {}
-        for node in expression.atoms(sm.Subs):
-            inner = node.expr.xreplace({node.variables[0]: self.time})
+        # A derivative at an instant is a Subs, or one by the instant where that is a symbol.
+        for node in expression.atoms(sm.Subs, sm.Derivative):
+            variable = node.variables[0]
+            if isinstance(node, sm.Subs):
+                inner, instant = node.expr.xreplace({variable: self.time}), node.point[0]
+            else:
+                inner, instant = node.xreplace({variable: self.time}), variable
             for kind, k, symbol in kinds:
-                if inner == symbol and len(node.variables) == 1:
-                    found[node] = (kind, k, node.point[0])
+                if inner == symbol and instant != self.time and len({*node.variables}) == 1:
+                    found[node] = (kind, k, instant)
         rest = expression.xreplace({node: sm.Dummy() for node in found})
         for node in rest.atoms(AppliedUndef):
             if len(node.args) == 1 and node.args[0] != self.time:

@@ -321,15 +321,18 @@ def _solve(
         lib.SetIntermediateCallback(problem, ctypes.cast(calls["each"], c_void_p))
         y, values, objective = np.array(z / nlp.sizes), np.empty(m), np.zeros(1)
         multipliers, below, above = np.zeros(m), np.zeros(n), np.zeros(n)
-        with interrupts:
-            status = lib.IpoptSolve(
-                problem,
-                *(a.ctypes.data for a in (y, values, objective, multipliers, below, above)),
-                None,
-            )
-            interrupted = bool(raised) and isinstance(raised[0], KeyboardInterrupt)
-            if raised and not interrupted:
-                raise raised[0]
+        interrupted = False
+        try:
+            with interrupts:
+                status = lib.IpoptSolve(
+                    problem,
+                    *(a.ctypes.data for a in (y, values, objective, multipliers, below, above)),
+                    None,
+                )
+                if raised:
+                    raise raised[0]
+        except KeyboardInterrupt:
+            interrupted = True
     finally:
         lib.FreeIpoptProblem(problem)
     return Solution(

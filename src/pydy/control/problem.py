@@ -155,6 +155,16 @@ class OptimalControl:
         self._mesh = _checked_mesh(mesh)
         given = plan.given | followed(definition, plan)
         self._controls = tuple(s for s in definition.specifieds if s not in given)
+        for s in self._controls:
+            lower = [
+                d for d in definition.lower_derivatives.get(s, ()) if d in definition.specifieds
+            ]
+            if lower:
+                raise NotImplementedError(
+                    f"The equations hold `{s}` and `{lower[0]}`, and the first has no value: as a "
+                    "control it would not be the derivative of the second. Make the second a "
+                    "state, or give the first a value."
+                )
         constants = definition.places["constants"]
         self._free = tuple(
             constants.symbols[k] for k in constants.columns(listed("free", free), "free")

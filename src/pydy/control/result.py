@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -89,7 +89,7 @@ class OptimalTrajectory(Trajectory):
             constants=moved.constants,
             statistics={"iterations": len(solution.history) - 1},
             model=moved,
-            dense=lambda at: transcription.states_at(z, np.asarray(at)),
+            dense=_States(transcription, z),
         )
 
     def __repr__(self) -> str:
@@ -119,6 +119,32 @@ class OptimalTrajectory(Trajectory):
         }
 
 
+@dataclass(frozen=True, eq=False)
+class _Controls:
+    """The controls as a function of time."""
+
+    transcription: Transcription
+    z: np.ndarray
+
+    def __call__(self, x: np.ndarray, t: float) -> np.ndarray:
+        duration = self.transcription.split(self.z)[3]
+        found: np.ndarray = self.transcription.controls_at(
+            self.z, np.array([min(max(t, 0.0), duration)])
+        )[0]
+        return found
+
+
+@dataclass(frozen=True, eq=False)
+class _States:
+    """The states as a function of times."""
+
+    transcription: Transcription
+    z: np.ndarray
+
+    def __call__(self, times: np.ndarray) -> np.ndarray:
+        return self.transcription.states_at(self.z, np.asarray(times))
+
+
 def moving(
     now: Any,
     transcription: Transcription,
@@ -131,14 +157,7 @@ def moving(
     user: Mapping[str, dict[Any, Any]] = now.user
     specifieds, _ = one_format(user["specifieds"], "specifieds")
     if controls:
-        duration = transcription.split(z)[3]
-
-        def values(x: np.ndarray, t: float) -> np.ndarray:
-            at = np.array([min(max(t, 0.0), duration)])
-            found: np.ndarray = transcription.controls_at(z, at)[0]
-            return found
-
-        specifieds = {**specifieds, tuple(controls): values}
+        specifieds = {**specifieds, tuple(controls): _Controls(transcription, z)}
     known = dict(zip(now.definition.constants, now.p.tolist(), strict=True))
     known |= dict(zip(free, constants.tolist(), strict=True))
     return replace(now, user={**user, "specifieds": specifieds, "constants": known})
