@@ -493,7 +493,8 @@ def _make_sweep(
     def sweep(
         t: np.ndarray, x: np.ndarray, r: np.ndarray, p: np.ndarray, out: np.ndarray | None = None
     ) -> tuple[np.ndarray, np.ndarray]:
-        entry.begin()
+        if not entry.addresses[0]:
+            entry.begin()
         m = len(t)
         if m <= most:
             return part(t, x, r, p, out)
