@@ -182,3 +182,35 @@ def test_a_bar_counts_points(capsys):
     shown = capsys.readouterr().err
     assert f"{len(branch.values) - 2} points" in shown  # but for the first and the last
     assert "c0=" in shown
+
+
+@pytest.mark.parametrize(("metre", "second"), [(1.0, 1.0), (1e6, 1e-6), (1e-9, 1e-12)])
+def test_rounding_across_a_plane_of_symmetry_does_not_end_a_branch(metre, second):
+    """Two springs from (±1, 0) to a particle, which is loaded along y: the truss of von Mises.
+
+    Nothing on the branch tells the size of x. With s the length of a spring, the load is
+    2 k (L/s − 1) y; at the fold s³ = L.
+    """
+    x, y = me.dynamicsymbols("x y")
+    force = sm.Symbol("F")
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    place = origin.locatenew("P", x * frame.x + y * frame.y)
+    stiffness, free = 10.0 / second**2, 1.25 * metre
+    loads = [(place, -force * frame.y - 0.3 / second * place.vel(frame))]
+    for side in (-metre, metre):
+        hook = origin.locatenew("H", side * frame.x)
+        hook.set_vel(frame, 0)
+        loads += me.LinearSpring(stiffness, me.LinearPathway(place, hook), free).to_loads()
+    system = System(
+        Definition(frame, [x, y], bodies=[me.Particle("P", place, 1)], loads=loads),
+        initial_conditions={y: 0.9 * metre},
+    )
+    unit = metre / second**2
+    branch = system.follow_equilibria({force: [-2.0 * unit, 2.0 * unit]})
+    length = 1.25 ** (1 / 3)
+    most = 20.0 * (1.25 / length - 1.0) * np.sqrt(length**2 - 1.0)
+    assert branch.ended == "bounds"
+    assert [point.kind for point in branch.special] == ["fold", "fold"]
+    found = [point.value / unit for point in branch.special]
+    assert found == pytest.approx([most, -most], rel=1e-9)

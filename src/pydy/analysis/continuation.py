@@ -18,7 +18,7 @@ import numpy as np
 
 from pydy._names import place_of
 from pydy._optional import require
-from pydy._rank import ROUNDED, or_one, rank_of
+from pydy._rank import DEPENDENT, ROUNDED, or_one, rank_of
 from pydy.analysis.pictures import plot_branch
 from pydy.analysis.scaling import sizes_along
 from pydy.analysis.tuning import (
@@ -34,6 +34,8 @@ Function = Callable[[np.ndarray], np.ndarray]
 Spectrum = Callable[[np.ndarray], tuple[np.ndarray, np.ndarray]]
 
 _ITERATIONS = 8
+# Points, and how far they are changed, that tell of the rounding of residuals.
+_ROUNDINGS, _LAST_DIGITS = 4, 4.0
 
 
 @dataclass(frozen=True)
@@ -97,7 +99,7 @@ class EquilibriumBranch:
         found = ", ".join(f"{p.kind} at {p.value:.6g}" for p in self.special) or "nothing special"
         return (
             f"{len(self.values)} equilibria, {self.parameter} from {self.values[0]:.6g} to "
-            f"{self.values[-1]:.6g}: {found}"
+            f"{self.values[-1]:.6g}: {found}{'; lost there' if self.ended == 'lost' else ''}"
         )
 
     __repr__ = __str__
@@ -143,6 +145,7 @@ class _Curve:
         self._F, self._J, self.spectrum = F, J, spectrum
         first = J(z)
         self.scale = sizes_along(first, z, span)
+        self.scale[:-1] *= self._above_rounding(first, z)[:-1]
         sizes = np.abs(first * self.scale).max(axis=1, initial=0.0)
         self.sizes = or_one(sizes)
         slopes = self.J(z)[:, :-1] * self.scale[:-1]
@@ -154,6 +157,22 @@ class _Curve:
         self.origin = z
         left = np.linalg.svd(self._whole(z), full_matrices=False)[0]
         self.rows = left[:, : len(z) - 1].T
+
+    def _above_rounding(self, slopes: np.ndarray, z: np.ndarray) -> np.ndarray:
+        """Return factors of the scale with which rounding is no step of Newton's method.
+
+        The slopes do not tell the size of unknowns that the parameter does not move, such as those
+        of a symmetry. Rounding is what unknowns changed in their last digits leave of residuals.
+        """
+        signs = np.random.default_rng(0).choice([-1.0, 1.0], size=(_ROUNDINGS, len(z)))
+        moved = z * (1.0 + _LAST_DIGITS * np.finfo(float).eps * signs)
+        left = [self._F(at) - self._F(z) - slopes @ (at - z) for at in moved]
+        rounding = np.abs(left).max(axis=0)
+        sizes = or_one(np.abs(slopes * self.scale).max(axis=1, initial=0.0))
+        inverse = np.linalg.pinv(slopes * self.scale / sizes[:, None], rcond=DEPENDENT)
+        steps = np.abs(inverse) @ (rounding / sizes)
+        factors: np.ndarray = np.where(steps > 0.1 * ON_BRANCH, 100.0 * steps / ON_BRANCH, 1.0)
+        return factors
 
     def F(self, z: np.ndarray) -> np.ndarray:
         residuals: np.ndarray = self._F(z) / self.sizes
