@@ -65,6 +65,22 @@ def goddard():
     return made, (h, m, v, thrust)
 
 
+def robot_arm():
+    """Return the arm of COPS with ρ, θ, φ, their rates and the controls."""
+    rho, theta, phi, a, b, c, *controls = me.dynamicsymbols("rho theta phi a b c u1:4")
+    length = 5
+    inertia = ((length - rho) ** 3 + rho**3) / 3
+    kinematics = [
+        rho.diff() - a,
+        theta.diff() - b,
+        phi.diff() - c,
+        a.diff() - controls[0] / length,
+        b.diff() - controls[1] / (inertia * sm.sin(phi) ** 2),
+    ]
+    made = first_order([rho, theta, phi, a, b], c, controls[2] / inertia, 1, kinematics)
+    return made, (rho, theta, phi, a, b, c, *controls)
+
+
 def cart_pole():
     """Return Kelly's cart-pole with q1, q2 (from hanging), u1, u2 and the force F."""
     q1, q2, u1, u2, F = me.dynamicsymbols("q1 q2 u1 u2 F")

@@ -120,6 +120,28 @@ def test_goddards_rocket_rises_to_1_01283():
     assert -found.objective == pytest.approx(1.01283, abs=1e-5)
 
 
+def test_the_robot_arm_of_cops_takes_9_1409_s():
+    # Dolan, Moré and Munson, Benchmarking Optimization Software with COPS 3.0, ANL/MCS-TM-273.
+    system, (rho, theta, phi, a, b, c, *controls) = optima.robot_arm()
+    rest = {a: 0.0, b: 0.0, c: 0.0}
+    problem = OptimalControl(
+        system,
+        TF,
+        TF,
+        start={rho: 4.5, theta: 0.0, phi: np.pi / 4, **rest},
+        end={rho: 4.5, theta: 2 * np.pi / 3, phi: np.pi / 4, **rest},
+        bounds={
+            **dict.fromkeys(controls, (-1.0, 1.0)),
+            rho: (0.0, 5.0),
+            theta: (-np.pi, np.pi),
+            phi: (0.0, np.pi),
+            TF: (1.0, 20.0),
+        },
+        mesh=80,
+    )
+    assert problem.solve().objective == pytest.approx(9.1409, abs=1e-4)
+
+
 @pytest.mark.parametrize("method", ["radau", "hermite-simpson"])
 def test_the_cart_pole_of_kelly_swings_up(method):
     # M. Kelly, An introduction to trajectory optimization, SIAM Rev. 59 (2017), 6 and appendix E;

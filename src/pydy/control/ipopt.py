@@ -162,10 +162,6 @@ def _declare(lib: Any) -> None:
     lib.SetIntermediateCallback.restype = c_bool
     lib.IpoptSolve.argtypes = [c_void_p] * 8
     lib.IpoptSolve.restype = c_int
-    lib.GetIpoptCurrentIterate.argtypes = [
-        *(c_void_p, c_bool, c_int, c_void_p, c_void_p, c_void_p, c_int, c_void_p, c_void_p)
-    ]
-    lib.GetIpoptCurrentIterate.restype = c_bool
 
 
 def _probe(lib: Any) -> bool:
