@@ -136,7 +136,7 @@ def library() -> Any:
     for path in found:
         try:
             lib = ctypes.CDLL(str(path))
-            lib.CreateIpoptProblem, lib.GetIpoptVersion  # noqa: B018
+            lib.CreateIpoptProblem, lib.SetIntermediateCallback  # noqa: B018
         except (OSError, AttributeError):
             continue
         _declare(lib)
