@@ -249,12 +249,21 @@ class Check:
         """Where twice as many steps make no difference, by far; drag has kinks where steps err."""
         world, allowed = self.world, TOLERANCE / 20 * self._size_at_end()
         count, end = 1, self._stepped(world, 1)
+        if self._turns_back(end):
+            return MOST_STEPS
         while count < MOST_STEPS:
             finer = self._stepped(world, 2 * count)
             if np.all(np.abs(finer - end) <= allowed):
                 break
             count, end = 2 * count, finer
         return count
+
+    def _turns_back(self, end):
+        """Whether what drag holds turns back: the end hardly errs then, but its derivatives do."""
+        world = self.world
+        later = World(self.data, end[: world.nq], end[world.nq :], rows=world.kept)
+        drags = [load for load in self.data["loads"] if load["kind"] == "drag"]
+        return any(world.motion(load)[1] @ later.motion(load)[1] < 0 for load in drags)
 
     def _stepped(self, world, count):
         start = LONG(self.t)

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from mechanisms.check import Check, DisagreementError, check
+from mechanisms.check import MOST_STEPS, Check, DisagreementError, check
 from mechanisms.generate import BODIES, draw, physical
 from mechanisms.oracle import World
 from mechanisms.run import checked
@@ -52,6 +52,8 @@ def test_the_oracle_takes_as_many_steps_as_a_motion_needs():
     data = draw(2050)  # drag that changes quickly: one step errs by 4 times what is allowed
     one = Check(data | {"loops": []}, "definition")
     assert one._steps > 1
+    back = Check(draw(1361), "definition")  # drag that turns back: its derivatives have a kink
+    assert back._steps == MOST_STEPS
     still = Check(draw(0), "definition")
     assert still._steps == 1
 
