@@ -71,3 +71,9 @@ def test_roundings_of_a_row_are_those_of_the_rows_that_hold_its_unknowns(row, co
     assert 7.0 <= found[0] / 2.0**-42 <= 70.0
     assert 1.0 <= found[1] / 2.0**-42 <= 140.0
     assert found[2] <= 1e-30
+
+
+def test_nothing_is_of_one_size_already():
+    for scaled in equilibrated(np.zeros((2, 0, 3))):
+        assert scaled.shape[0] == 2
+    assert equilibrated(np.zeros((0, 3)))[2].tolist() == [[1.0, 1.0, 1.0]]

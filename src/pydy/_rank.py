@@ -90,7 +90,7 @@ def equilibrated(
     rows = or_one(sizes.max(axis=-1, keepdims=True, initial=0.0))
     sizes = sizes / rows
     sizes[sizes <= ROUNDED] = 0.0
-    columns = np.ones_like(sizes[..., :1, :])
+    columns = np.ones((*sizes.shape[:-2], 1, sizes.shape[-1]))
     for _ in range(_EXACT if exact else _SWEEPS):
         tall = np.sqrt(or_one(sizes.max(axis=-2, keepdims=True, initial=0.0)))
         wide = np.sqrt(or_one(sizes.max(axis=-1, keepdims=True, initial=0.0)))

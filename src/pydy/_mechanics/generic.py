@@ -24,7 +24,7 @@ from pydy._mechanics.equations import Equations
 from pydy._mechanics.frames import orientation_rows, rotations
 from pydy._mechanics.symbols import find_symbols, rate_of, sort_symbols
 from pydy._mechanics.tuning import FULL_STEPS, OPEN
-from pydy._rank import ROUNDED
+from pydy._rank import ROUNDED, equilibrated
 
 _STEPS = 50
 _ANYWHERE = 3  # states
@@ -215,7 +215,9 @@ class GenericStates:
             return closing(t[rows], x[rows], r[rows], p[rows])
 
         searching, usable = list(range(trials)), list(range(trials))
-        units = row_units(residuals(searching)["gradient"])
+        first = residuals(searching)
+        units, sizes = row_units(first["gradient"]), column_units(first["gradient"])
+        speeds = column_units(first["slope"])
         for share in FULL_STEPS:
             for _ in range(_STEPS):
                 if not searching:
@@ -225,7 +227,7 @@ class GenericStates:
                     if not (np.isfinite(gradient).all() and np.isfinite(left).all()):
                         usable.remove(k)
                     elif np.abs(left / units).max(initial=0.0) >= ROUNDED:
-                        step = -_solved(gradient, left, share)
+                        step = -_solved(gradient, left, share, sizes)
                         x[k, :n] += step[:n]
                         r[k] += step[n:]
                         still.append(k)
@@ -233,7 +235,7 @@ class GenericStates:
         now = residuals(usable)
         for k, slope, left in zip(usable, now["slope"], now["velocity"], strict=True):
             if left.size and np.isfinite(slope).all():
-                x[k, n:] -= _solved(slope, left, FULL_STEPS[-1])
+                x[k, n:] -= _solved(slope, left, FULL_STEPS[-1], speeds)
         return t, x, r, p
 
 
@@ -253,12 +255,15 @@ def openness(samples: list[dict[str, np.ndarray]]) -> list[float]:
     return found
 
 
-def _solved(gradient: np.ndarray, residuals: np.ndarray, share: float) -> np.ndarray:
-    """Return the least step along directions that move the residuals by more than a share."""
+def _solved(
+    gradient: np.ndarray, residuals: np.ndarray, share: float, units: np.ndarray
+) -> np.ndarray:
+    """Return the least step, in units, along what moves the residuals by more than a share."""
+    gradient = gradient * units
     sizes = np.linalg.norm(gradient, axis=1)
     scale = np.where(sizes > 0.0, sizes, 1.0)
     rows, right = gradient / scale[:, None], residuals / scale
-    step: np.ndarray = np.linalg.lstsq(rows, right, rcond=share)[0]
+    step: np.ndarray = units * np.linalg.lstsq(rows, right, rcond=share)[0]
     return step
 
 
@@ -270,6 +275,18 @@ def row_units(tables: np.ndarray) -> np.ndarray:
     sizes = np.linalg.norm(tables, axis=2)
     longest = np.where(np.isfinite(sizes) & (sizes > 0.0), sizes, 0.0).max(axis=0)
     found: np.ndarray = np.exp2(10.0 * np.round(np.log2(np.where(longest, longest, 1.0)) / 10.0))
+    return found
+
+
+def column_units(tables: np.ndarray) -> np.ndarray:
+    """Return the unit of each column of tables at several states, a power of 1024 likewise.
+
+    What moves by kilometres would stand still beside angles, which close no loop alone.
+    """
+    sizes = np.abs(tables)
+    largest = np.where(np.isfinite(sizes), sizes, 0.0).max(axis=0)
+    columns = equilibrated(largest)[2][0]
+    found: np.ndarray = np.exp2(10.0 * np.round(np.log2(columns) / 10.0))
     return found
 
 
