@@ -164,7 +164,7 @@ def test_what_is_wrong_with_a_file_is_said_with_its_line(tmp_path, text, line, s
 
 
 def test_arguments_are_checked():
-    with pytest.raises(FileNotFoundError, match=r"no file 'nowhere\.urdf'"):
+    with pytest.raises(FileNotFoundError, match=r"file that exists, got 'nowhere\.urdf'"):
         read("nowhere.urdf")
     with pytest.raises(ValueError, match="`parameters`"):
         read(PENDULUM, parameters="some")

@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from os import PathLike
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from pydy._checks import choice, number
+from pydy._checks import check_mapping, choice, number, path_of
 from pydy._errors import RobotFileError, few
 from pydy.mechanics import Definition
 from pydy.robots.assemble import Assembly, JointSymbols, Place
@@ -89,8 +88,10 @@ class Robot:
         >>> float(system.evaluate_ode()[1].round(6))
         -8.25483
         """
-        constants = options.pop("constants", None) or {}
-        start = options.pop("initial_conditions", None) or {}
+        constants, start = (
+            check_mapping(name, options.pop(name, None))
+            for name in ("constants", "initial_conditions")
+        )
         system = System(self.definition, **options)
         # What cancels, such as the inertia of a base about axes that it does not turn about, is no
         # constant of the System.
@@ -213,9 +214,9 @@ def read(
         friction_speed = number(friction_speed, "`friction_speed`", finite=True)
         if not friction_speed > 0.0:
             raise ValueError(f"`friction_speed` must be positive, got {friction_speed}.")
-    file = Path(path)
+    file = path_of(path, "`path`")
     if not file.is_file():
-        raise FileNotFoundError(f"There is no file '{file}'.")
+        raise FileNotFoundError(f"`path` must be a file that exists, got '{path}'.")
     tree = read_urdf(file) if file.suffix.lower() == ".urdf" else read_mjcf(file)
     tree.check()
     if not any(link.joints for link in tree.links):

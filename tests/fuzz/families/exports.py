@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
@@ -9,6 +10,7 @@ from fuzz.kinds import choice, nothing, real, text
 from fuzz.table import empty_or_none, flags, number, target
 from fuzz.world import world
 from pydy.export.writing import check_options
+from pydy.robots import read
 from pydy.viz import Live, Slider
 
 
@@ -108,3 +110,29 @@ def _(v):
 def _(v):
     o = world().o
     return o.native.scene(reference_frame=o.N, origin=o.O).animate(o.trajectory).html(live=v)
+
+
+# -- robots from files ----------------------------------------------------------------------------
+
+
+_ROBOT = files("pydy.examples") / "pendulum.urdf"
+
+
+@target("read.path", nothing("paths", "texts"), "`path", "does not read this file")
+def _(v):
+    return read(v)
+
+
+@target("read.parameters", choice("symbols", "numbers"))
+def _(v):
+    return [str(s) for s in read(_ROBOT, parameters=v).values]
+
+
+@target("read.friction_speed", real(above=0.0).or_none())
+def _(v):
+    return read(_ROBOT, friction_speed=v).left_out
+
+
+@target("Robot.system.constants", nothing("texts", allowed=_none_of_them), "constants")
+def _(v):
+    return read(_ROBOT).system(constants=v)
