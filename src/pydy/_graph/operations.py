@@ -278,13 +278,13 @@ register(Operation("pow", 2, np.power, "pow({0}, {1})", "libm pow", _pow))
 register(Operation("atan2", 2, np.arctan2, "atan2({0}, {1})", "libm atan2", _atan2, sympy="atan2"))
 register(
     Operation(
-        "min", 2, np.minimum, "min_or_nan({0}, {1})", "intrinsic minimum",
+        "min", 2, np.minimum, "minimum({0}, {1})", "intrinsic minimum",
         _chosen(lambda g, a, b: g.call("le", a, b)), _extremum,
     )
 )  # fmt: skip
 register(
     Operation(
-        "max", 2, np.maximum, "max_or_nan({0}, {1})", "intrinsic maximum",
+        "max", 2, np.maximum, "maximum({0}, {1})", "intrinsic maximum",
         _chosen(lambda g, a, b: g.call("le", b, a)), _extremum,
     )
 )  # fmt: skip

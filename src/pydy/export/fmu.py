@@ -21,6 +21,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 from xml.sax.saxutils import quoteattr
 
+from pydy._backends.c.source import HELPERS
 from pydy._errors import GeneratorError
 from pydy._files import replacing
 from pydy._processes import output_of, started
@@ -73,14 +74,25 @@ def _sources(model: Model, fmi: str) -> dict[str, str]:
         **included("advance.c", "scan_events.c"),
     }
     return {
-        # The model's text must not meet the macros of the loop.
-        "all.c": "".join(f'#include "{name}"\n' for name in ("config.h", "model.c", "fmi.c")),
+        "all.c": _unit(),
         "fmi.c": resource("fmi.c"),
         **loop,
         "layout.h": layout_header("\n".join(loop.values()), plain=True),
         "config.h": "\n".join([c_header(model, head), *_config(model, fmi)]),
         "model.c": c_model_source(model, head),
     }
+
+
+def _unit() -> str:
+    """Return the one unit that is compiled.
+
+    The model's text must not meet the macros of the loop, nor its functions those of the loop,
+    some of which do the same under the same name.
+    """
+    ours = [f"#define {name}(...) model_{name}(__VA_ARGS__)" for name in HELPERS]
+    theirs = [f"#undef {name}" for name in HELPERS]
+    parts = ['#include "config.h"', *ours, '#include "model.c"', *theirs, '#include "fmi.c"']
+    return "\n".join([*parts, ""])
 
 
 def _config(model: Model, fmi: str) -> Iterator[str]:

@@ -101,14 +101,14 @@ _HEAD = """\
 """
 
 # By the name of the function; only those that a Program calls are written.
-_HELPERS = {
-    "min_or_nan": """\
+HELPERS = {
+    "minimum": """\
 /* Unlike fmin and fmax, these give NaN when either argument is NaN. */
-static inline double min_or_nan(double a, double b) { return a < b || a != a ? a : b; }
+static inline double minimum(double a, double b) { return a < b || a != a ? a : b; }
 """,
-    "max_or_nan": """\
+    "maximum": """\
 /* Unlike fmin and fmax, these give NaN when either argument is NaN. */
-static inline double max_or_nan(double a, double b) { return a > b || a != a ? a : b; }
+static inline double maximum(double a, double b) { return a > b || a != a ? a : b; }
 """,
     "sign": """\
 static inline double sign(double a) { return a > 0.0 ? 1.0 : a < 0.0 ? -1.0 : a; }
@@ -321,5 +321,5 @@ def c_functions(programs: Mapping[str, Program], *, static: bool = False) -> str
             writer = Writer(program, C, carried, **fields)
             lines += writer.filled(template, writer.lines(nodes), {"results": results})
     code = "\n".join(lines)
-    called = [text for name, text in _HELPERS.items() if f"{name}(" in code]
+    called = [text for name, text in HELPERS.items() if f"{name}(" in code]
     return "\n".join([_HEAD, *map(numbered, called), code])
