@@ -193,7 +193,8 @@ def _agree(equations: Equations, formed: Formed) -> bool:
     nodes = [*(e for row in formed.matrix for e in row), *formed.forcing]
     values_at = evaluator(formed.graph, nodes)
     ours = values_at({node: numbers[symbol] for node, symbol in own.items()}, _STATES)
-    fit = np.isfinite(theirs).all(axis=1) & np.isfinite(ours).all(axis=1) & states.closed(inputs)
+    finite = np.isfinite(theirs).all(axis=1) & np.isfinite(ours).all(axis=1)
+    fit = states.closed(inputs, finite)
     pairs = zip(theirs[fit], ours[fit], strict=True)
     return bool(fit.any()) and all(_alike(*pair, n) for pair in pairs)
 

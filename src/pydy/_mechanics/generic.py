@@ -140,11 +140,11 @@ class GenericStates:
         """
         inputs = self.consistent(trials, around=around, near=near)
         values = evaluator_of(self.graph, blocks)(*inputs)
-        found = np.full(trials, True) if left_open else self.closed(inputs)
-        for k in np.flatnonzero(found):
-            own = {name: block[k] for name, block in values.items()}
-            if all(np.isfinite(v).all() for v in own.values()):
-                yield own
+        finite = np.full(trials, True)
+        for block in values.values():
+            finite &= np.isfinite(block).reshape(trials, -1).all(axis=1)
+        for k in np.flatnonzero(finite if left_open else self.closed(inputs, finite)):
+            yield {name: block[k] for name, block in values.items()}
 
     def closing(self) -> list[Block]:
         """Return the constraints' derivatives by coordinates and by speeds, and values of both."""
@@ -157,15 +157,18 @@ class GenericStates:
             ("bounds", (len(bounds),), bounds),
         ]
 
-    def closed(self, inputs: Inputs) -> np.ndarray:
-        """Return which states keep the constraints; where none does, all count."""
+    def closed(self, inputs: Inputs, among: np.ndarray) -> np.ndarray:
+        """Return which states keep the constraints, among some; where none does, all of these count.
+
+        A search may close a loop by lengths that vanish, where values are not finite.
+        """
         count = len(inputs[0])
         if not (self.holonomic or self.velocity):
-            return np.full(count, True)
+            return among
         values = evaluator_of(self.graph, self.closing())(*inputs)
         every = [{name: block[k] for name, block in values.items()} for k in range(count)]
-        found = np.array(openness(every)) < OPEN
-        return found | ~found.any()
+        found = among & (np.array(openness(every)) < OPEN)
+        return found if found.any() else among
 
     def anywhere(self, blocks: Sequence[Block]) -> dict[str, np.ndarray]:
         """Return the values of blocks at generic states that need not keep the constraints."""
