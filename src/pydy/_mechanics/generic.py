@@ -158,7 +158,7 @@ class GenericStates:
         ]
 
     def closed(self, inputs: Inputs, among: np.ndarray) -> np.ndarray:
-        """Return which states keep the constraints, among some; where none does, all of these count.
+        """Return which of some states keep the constraints; where none does, all of these count.
 
         A search may close a loop by lengths that vanish, where values are not finite.
         """

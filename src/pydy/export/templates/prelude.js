@@ -1,6 +1,6 @@
 const { sqrt, exp, log, sin, cos, tan, asin, acos, atan, sinh, cosh, tanh, asinh, acosh, atanh,
   floor, ceil, pow, atan2, sign } = Math;
-const fabs = Math.abs, min_or_nan = Math.min, max_or_nan = Math.max, NAN = NaN, INFINITY = Infinity;
+const fabs = Math.abs, minimum = Math.min, maximum = Math.max, NAN = NaN, INFINITY = Infinity;
 
 // Factorise the n by n matrix a in place by LU with partial pivoting, rows and columns scaled;
 // return whether it is singular, its last pivot then being NaN and so every solution.
