@@ -374,7 +374,27 @@ def test_loads_on_the_ground_and_on_other_carriages_are_not_counted(name):
 def test_a_load_on_the_ground_is_counted_where_the_ground_is_listed():
     system, bodies, frame = two_carriages()
     system.outputs = system.reaction([bodies[1], frame], bodies[1].masscenter).outputs("held")
-    close(system.evaluate_outputs(np.zeros(6), 0.0)[5], 5.0, 1e-14)
+    # The motor's torque, and the force on the wall, 3.1 above.
+    close(system.evaluate_outputs(np.zeros(6), 0.0)[5], 5.0 + 11.0 * 3.1, 1e-14)
+
+
+def test_a_load_on_the_ground_is_none_of_a_body_that_is_welded_to_it():
+    # A motor's torque on the ground and a force at a point of it ask for its frame twice.
+    q, u = me.dynamicsymbols("q u")
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    wheel = frame.orientnew("A", "Axis", (q, frame.z))
+    post = frame.orientnew("B", "Axis", (0, frame.z))
+    hub, foot = origin.locatenew("hub", 3 * frame.y), origin.locatenew("foot", 0 * frame.x)
+    wall = origin.locatenew("wall", frame.x - frame.z)
+    bodies = [
+        me.RigidBody("wheel", hub, wheel, 1, (me.inertia(wheel, 1, 1, 1), hub)),
+        me.RigidBody("post", foot, post, 2, (me.inertia(post, 1, 1, 1), foot)),
+    ]
+    loads = [*me.TorqueActuator(5, frame.z, wheel, frame).to_loads(), (wall, 11 * frame.x)]
+    system = System(Definition(frame, [q], [u], bodies=bodies, loads=loads))
+    system.outputs = system.reaction(bodies[1], foot).outputs("held")
+    close(system.evaluate_outputs(np.zeros(2), 0.0), [0.0] * 6, 1e-14)
 
 
 def test_loads_on_a_body_that_stands_still_are_its_own():

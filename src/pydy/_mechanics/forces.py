@@ -213,7 +213,8 @@ class ConstraintForces:
             else:
                 rest.append(where)
         turning = [w for w in found if not isinstance(w, Point)]
-        fixed = self._fixed_to([*turning, *(f for frames in still.values() for f in frames)])
+        everywhere = [*turning, *(f for frames in still.values() for f in frames)]
+        fixed = self._fixed_to(list(dict.fromkeys(everywhere)))
         found |= {frame: fixed[frame] for frame in turning}
         for where, frames in still.items():
             if all(fixed[f] == [k.inertial] for f in frames):
