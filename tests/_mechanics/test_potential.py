@@ -274,3 +274,15 @@ def test_a_rotation_may_be_given_as_a_matrix_that_could_change(plane):
     system = System(Definition(frame, [Q[0]], [U[0]], bodies=[body], loads=loads))
     expected = M * G * L * 0.8 * sm.sin(Q[0]) + K * Q[0] ** 2 / 2
     assert differs_by_a_constant(system.potential_energy, expected)
+
+
+def test_numbers_that_rounding_adds_up_hide_no_potential(plane):
+    # 2 √2 less 3 √2 / 2 and √2 / 2 is no zero in floats.
+    frame, origin, _ = plane
+    along = (frame.y - frame.z).normalize()
+    place = origin.locatenew("P", Q[0] * along)
+    place.set_vel(frame, Q[0].diff() * along)
+    body = me.Particle("P", place, M)
+    load = (place, -8 * frame.x - 3 * frame.y + frame.z)
+    system = System(me.LagrangesMethod(M * Q[0].diff() ** 2 / 2, [Q[0]], [load], [body], frame))
+    assert differs_by_a_constant(system.potential_energy, 2 * sm.sqrt(2) * Q[0])
