@@ -373,6 +373,12 @@ def _accepted(
             z,
             values,
         )
+    # What is rounding beside its size is nothing: speeds of 1e-31 at rest keep no constraint.
+    still = np.clip(np.where(np.abs(z) <= ROUNDED * sizes.unknowns, 0.0, z), low, high)
+    if (still != z).any():
+        there = problem.residual(still)
+        if (np.abs(there) <= np.maximum(sizes.limit, np.abs(values))).all():
+            z, values = still, there
     return z, float(np.abs(values).max(initial=0.0)), _undetermined(slopes, problem.unknowns)
 
 
