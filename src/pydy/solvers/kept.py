@@ -239,7 +239,7 @@ def left_by_rounding(
     per_unit = found["per_unit"]
     units = np.where(per_unit > 0.0, 1.0 / or_one(per_unit), 0.0)
     natural = np.fmax(np.abs(x).max(axis=0), units)
-    with np.errstate(over="ignore"):  # what overflows is large
+    with np.errstate(over="ignore", invalid="ignore"):  # what overflows is told as it is
         terms = (np.abs(slopes) @ natural[..., None])[..., 0]
         return roundings(solved, np.fmax(sizes, terms))
 
