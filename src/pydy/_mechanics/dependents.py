@@ -20,8 +20,8 @@ from pydy._mechanics.equations import Equations
 from pydy._mechanics.formed import kinematics_of
 from pydy._mechanics.generic import Block, GenericStates, openness
 from pydy._mechanics.reader import Multibody
-from pydy._mechanics.tuning import NEARLY_DEPENDENT, OPEN, ROUNDED, SOUND_PIVOT
-from pydy._rank import HALF, equilibrated, or_one
+from pydy._mechanics.tuning import NEARLY_DEPENDENT, OPEN, ROUNDED
+from pydy._rank import HALF
 
 _TRIALS = 12
 _AROUND = (
@@ -44,12 +44,6 @@ class Chosen:
     varying : ndarray of bool, shape (m, n), optional
         Entries that depend on the configuration: elsewhere they may vanish, as no constant does.
 
-    Notes
-    -----
-    Which pivots are sound no unit decides: rows and columns are brought to one size, as large as
-    they become at any of the states. Among sound ones the largest in its row is taken: of several
-    links, the longest has an angle for more positions of the others.
-
     Attributes
     ----------
     rows, columns : list of int
@@ -62,8 +56,10 @@ class Chosen:
         allowed: Sequence[int] | None = None,
         varying: np.ndarray | None = None,
     ) -> None:
-        work, shares = _in_one_size(samples)
+        work = np.array(samples, dtype=float)
         varies = np.ones(work.shape[1:], dtype=bool) if varying is None else varying.copy()
+        sizes = np.abs(work).max(axis=2, keepdims=True, initial=0.0)
+        work /= np.where(sizes > 0.0, sizes, 1.0)
         rows: list[int] = []
         columns: list[int] = []
         free = np.zeros(work.shape[1:], dtype=bool)
@@ -71,12 +67,10 @@ class Chosen:
         while free.any():
             worst = np.where(free, np.abs(work).min(axis=0), 0.0)
             sound = np.where(worst < HALF, 0.0, worst)
-            weighed = (np.abs(work) * shares).min(axis=0) * np.where(varies, 1.0, _STEADY)
-            weighed[sound < SOUND_PIVOT * sound.max()] = 0.0
-            if not sound.any():
+            weighed = np.where(varies, sound, _STEADY * sound)
+            i, j = np.unravel_index(int(weighed.argmax()), worst.shape)
+            if sound[i, j] == 0.0:
                 break
-            # The first of those of one size: rounding does not choose.
-            i, j = np.argwhere(weighed >= (1.0 - HALF) * weighed.max())[0]
             rows.append(int(i))
             columns.append(int(j))
             ratio = work[:, :, j] / work[:, i, j][:, None]
@@ -86,22 +80,6 @@ class Chosen:
             work -= ratio[:, :, None] * work[:, i, :][:, None, :]
             free[i, :] = free[:, j] = False
         self.rows, self.columns = sorted(rows), sorted(columns)
-
-
-def _in_one_size(samples: Sequence[np.ndarray]) -> tuple[np.ndarray, np.ndarray]:
-    """Return a matrix at several states with rows and columns of one size, that of their largest.
-
-    Returns
-    -------
-    scaled : ndarray, shape (states, m, n)
-    shares : ndarray, shape (states, m, n)
-        Times an entry of it: as a share of the largest in its row at that state.
-    """
-    work = np.array(samples, dtype=float)
-    largest = np.abs(work).max(axis=0)
-    _, rows, columns = equilibrated(largest, exact=True)
-    at_each = np.abs(work).max(axis=2, keepdims=True, initial=0.0)
-    return work * columns / rows, rows / columns / or_one(at_each)
 
 
 def constrained(
@@ -309,15 +287,15 @@ def _of_full_rank(matrices: list[np.ndarray]) -> list[np.ndarray]:
 
     A linkage may be assembled in a degenerate way too, in which its constraints are redundant.
     """
-    if not matrices[0].size:
-        return matrices
-    scaled, _ = _in_one_size(matrices)
-    sizes = np.linalg.svd(scaled, compute_uv=False)
-    least = np.array(NEARLY_DEPENDENT)[:, None, None] * sizes[:, :1]
-    clear = ~((sizes > least[0]) & (sizes < least[1])).any(axis=1)
-    clear |= not clear.any()
-    ranks = np.where(clear, (sizes > least[0]).sum(axis=1), -1)
-    return [m for m, rank in zip(matrices, ranks, strict=True) if rank == ranks.max()]
+    clear = [m for m in matrices if not _nearly_singular(m)] or matrices
+    ranks = [len(Chosen([matrix]).rows) for matrix in clear]
+    return [m for m, rank in zip(clear, ranks, strict=True) if rank == max(ranks)]
+
+
+def _nearly_singular(matrix: np.ndarray) -> bool:
+    sizes = np.linalg.svd(matrix, compute_uv=False) if matrix.size else np.zeros(1)
+    low, high = NEARLY_DEPENDENT
+    return bool(((sizes > low * sizes[0]) & (sizes < high * sizes[0])).any())
 
 
 def _checked(
