@@ -85,7 +85,7 @@ class Optimisation(Simulation):
 
         Examples
         --------
-        A cart with a pendulum moves half a metre in a second, and is at rest again:
+        A cart with a pendulum moves half a metre in two seconds, and is at rest again:
 
         >>> import sympy as sm
         >>> import sympy.physics.mechanics as me
