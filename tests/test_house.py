@@ -29,7 +29,7 @@ LAYERS = {
     "consumers": {
         *("analysis", "codegen", "control", "ensemble", "export", "linearize", "viz"),
     },
-    "user": {"_system", "cli", "examples", "models", "robots", "system"},
+    "user": {"_system", "cli", "contact", "examples", "models", "robots", "system"},
 }
 FLOORS = {name: floor for floor, rooms in enumerate(LAYERS.values()) for name in rooms}
 # Files that share a room with another: `pydy` itself holds the version and no more.
