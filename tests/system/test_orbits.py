@@ -250,6 +250,66 @@ def test_a_first_flight_that_runs_away_sets_no_sizes(metre, second):
     assert v * second / metre == pytest.approx(0.0, abs=1e-10)
 
 
+def truss(length, mass, time):
+    """A particle between two springs, that hangs: it moves up and down, and not to a side."""
+    x, y = me.dynamicsymbols("x y")
+    N, O = me.ReferenceFrame("N"), me.Point("O")
+    O.set_vel(N, 0)
+    P = O.locatenew("P", x * N.x + y * N.y)
+    loads = [(P, -0.1 * mass * length / time**2 * N.y)]
+    for side in (-length, length):
+        A = O.locatenew("A", side * N.x)
+        A.set_vel(N, 0)
+        spring = me.LinearSpring(10 * mass / time**2, me.LinearPathway(P, A), 1.25 * length)
+        loads += spring.to_loads()
+    made = Definition(N, [x, y], bodies=[me.Particle("p", P, mass)], loads=loads)
+    return System(made, initial_conditions={y: 0.9 * length})
+
+
+UNITS = [
+    (1e12, 1.0, 1.0),
+    (1e-9, 1e-9, 1.0),
+    (1e9, 1e9, 1e9),
+    (1.5e11, 1e30, 3e7),
+    (1e6, 1.0, 1e-6),
+]
+
+
+@pytest.mark.parametrize("units", UNITS)
+def test_a_state_that_nothing_moves_has_a_size_in_any_units(units):
+    """Sideways there is rounding alone; in large units it was to close to a thousandth of 1."""
+    expected = truss(1.0, 1.0, 1.0).find_periodic_orbit(2.4)
+    orbit = truss(*units).find_periodic_orbit(2.4 * units[2])
+    assert orbit.period / units[2] == pytest.approx(expected.period, rel=1e-7)
+    found, wanted = (np.sort(found.multipliers.real) for found in (orbit, expected))
+    np.testing.assert_allclose(found, wanted, rtol=0.0, atol=1e-4)
+    assert orbit.residual < 1e-8 * units[0] / min(units[2], 1.0)
+
+
+def rod_and_carriage(metre):
+    """A carriage on a spring, on which a rod is hinged that turns as it is driven."""
+    x, q, u, w = me.dynamicsymbols("x q u w")
+    N, O = me.ReferenceFrame("N"), me.Point("O")
+    O.set_vel(N, 0)
+    hinge = O.locatenew("H", x * N.x)
+    rod = N.orientnew("R", "Axis", (q, N.z))
+    tip = hinge.locatenew("T", metre * rod.x)
+    bodies = [me.Particle("carriage", hinge, 2.0), me.Particle("tip", tip, 1.0)]
+    drive = (0.3 * sm.cos(t) - 0.2 * w) * metre**2
+    loads = [(hinge, (-5 * x - u) * N.x), (rod, (drive - metre**2 * sm.sin(q)) * N.z)]
+    return System(Definition(N, [x, q], [u, w], bodies=bodies, loads=loads))
+
+
+@pytest.mark.parametrize("metre", [1e-9, 1e12])
+def test_multipliers_of_lengths_beside_angles_are_the_same_in_any_units(metre):
+    expected = rod_and_carriage(1.0).find_periodic_orbit(2.0 * np.pi)
+    orbit = rod_and_carriage(metre).find_periodic_orbit(2.0 * np.pi)
+    np.testing.assert_allclose(orbit.multipliers, expected.multipliers, rtol=0.0, atol=1e-9)
+    sizes = np.array([metre, 1.0, metre, 1.0])
+    scaled = orbit.monodromy / sizes[:, None] * sizes
+    np.testing.assert_allclose(scaled, expected.monodromy, rtol=0.0, atol=1e-9)
+
+
 def test_where_there_is_no_orbit_what_is_left_is_told():
     system = on_a_line(lambda x, v, mu: mu + 0 * x)
     with pytest.raises(PeriodicOrbitError, match=r"Nearest, at x = .*change over it"):

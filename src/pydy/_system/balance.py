@@ -288,11 +288,9 @@ class Balance:
 
     def _inertia(self, at: Inputs) -> np.ndarray:
         """Return how large rows are for motions of one energy, shape (m, rows); see `Sizes`."""
-        found = self.made.interpreted(_masses, at)["masses"]
         equations = self.definition.equations
         first, n, m = len(equations.coordinates), len(equations.speeds), len(at[1])
-        masses = np.abs(found[:, :: n + 1]) if found.size else np.ones((m, n))
-        speeds = 1.0 / np.sqrt(or_one(masses))
+        speeds = 1.0 / np.sqrt(or_one(_inertias(self.made, n, at)))
         moving = slice(first, first + n)
 
         def moved(block: str, by: slice, motion: np.ndarray) -> np.ndarray:
@@ -407,6 +405,58 @@ def _arguments(assembly: Assembly) -> dict[str, list[int]]:
         for k in range(size)
     ]
     return {"slopes": dense_jacobian(g, inner, inputs)}
+
+
+def energetic_motions(
+    now: Snapshot, times: np.ndarray, states: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return what tells the sizes of states, the least of it at any of m states.
+
+    Parameters
+    ----------
+    now : Snapshot
+    times : ndarray, shape (m,)
+    states : ndarray, shape (m, n)
+
+    Returns
+    -------
+    natural : ndarray, shape (n,)
+        How large coordinates are by themselves, and the integrals of speeds, which may change
+        several; 0 where nothing tells.
+    moved : ndarray, shape (n,)
+        Speeds, and rates of the coordinates, in motions of one energy; 0 where they have none.
+    """
+    made, states = now.driven, np.ascontiguousarray(states)
+    at = times, states, now.plan.rows(states, times), now.p
+    at = times, states, np.broadcast_to(at[2], (len(states), at[2].shape[1])), now.p
+    m, q = len(states), len(now.definition.equations.coordinates)
+    masses = _inertias(made, states.shape[1] - q, at)
+    known = masses > 0.0
+    speeds = np.where(known, 1.0 / np.sqrt(np.where(known, masses, 1.0)), 0.0)
+    table = np.abs(made.interpreted(_kinematics, at)["kinematics"].reshape(m, q, -1))
+    moved = np.concatenate([(table * speeds[:, None]).max(axis=2, initial=0.0), speeds], axis=1)
+    angles = natural_sizes(made, at)["states"][:, :q]
+    own = _least((angles[:, :, None] / or_one(table)) * (table > 0.0), 1)
+    return _least(np.concatenate([angles, own], axis=1), 0), _least(moved, 0)
+
+
+def _least(values: np.ndarray, axis: int) -> np.ndarray:
+    """Return the least along an axis of what is not zero; zero where nothing is else."""
+    found = np.where(values > 0.0, values, np.inf).min(axis=axis, initial=np.inf)
+    return np.where(np.isinf(found), 0.0, found)
+
+
+def _inertias(made: CompiledModel, n: int, at: Inputs) -> np.ndarray:
+    """Return the diagonal of the mass matrix of n speeds at m states, shape (m, n)."""
+    found = made.interpreted(_masses, at)["masses"]
+    return np.abs(found[:, :: n + 1]) if found.size else np.ones((len(at[1]), n))
+
+
+def _kinematics(assembly: Assembly) -> dict[str, list[int]]:
+    """Return the derivatives of the coordinates' rates by the speeds."""
+    speeds = assembly.speeds
+    rates = assembly.rates[: len(assembly.rates) - len(speeds)]
+    return {"kinematics": dense_jacobian(assembly.graph, rates, speeds)}
 
 
 def _masses(assembly: Assembly) -> dict[str, list[int]]:

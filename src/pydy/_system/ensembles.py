@@ -19,7 +19,7 @@ from pydy._system.inputs import check_times
 from pydy._system.kept import kept_programs
 from pydy._system.parameters import read_parameters
 from pydy._system.samples import mean_spacing
-from pydy._system.sensitivities import Sensitive, changed_by, program_of_event
+from pydy._system.sensitivities import Sensitive, changed_by, program_of_event, sizes_of
 from pydy._system.setup import Setup
 from pydy._system.snapshot import Snapshot
 from pydy._system.solving import Ready, native_solver
@@ -117,7 +117,7 @@ def differentiated(
         residuals=residuals,
         unsolved=sensitive.unsolved(places),
         sampled=tuple(sensitive.weights()),
-        sized=tuple(p.sized for p in parameters) if controlled else None,
+        sized=sizes_of(parameters, options, len(definition.states)) if controlled else None,
         sources=sensitive.columns.sources,
         jumps=tuple(
             (

@@ -13,14 +13,15 @@ from pydy._checks import flag, listed, number
 from pydy._errors import AnalysisInterrupted, PeriodicOrbitError
 from pydy._names import unique_names
 from pydy._optional import progress_of
+from pydy._system.balance import energetic_motions
 from pydy._system.dependents import latest_dependents
 from pydy._system.simulation import Simulation
 from pydy._system.snapshot import Snapshot
 from pydy._system.solving import native_solver
 from pydy._system.tuning import BEGINNING, ORBIT
 from pydy._system.values import Evaluation
-from pydy.analysis.orbits import Flight, PeriodicOrbit, shoot
-from pydy.analysis.tuning import LEAST_SIZE, ORBIT_CLOSED
+from pydy.analysis.orbits import Flight, Measure, PeriodicOrbit, shoot
+from pydy.analysis.tuning import ORBIT_CLOSED
 from pydy.solvers.events import Event
 
 # How long an event is waited for, in periods as guessed.
@@ -69,8 +70,9 @@ class Orbits(Simulation, Evaluation):
         progress : bool, optional
             Whether to show a progress bar, with the remaining gap; requires tqdm.
         **solver_kwargs
-            Options of the native solver (``'dop853'`` if `ode_solver` is not native); `rtol` and
-            `atol` are 1e-12 by default. Constraints are enforced by projection.
+            Options of the native solver (``'dop853'`` if `ode_solver` is not native); `rtol` is
+            1e-12 by default, and `atol` as much of the sizes of the states along the way.
+            Constraints are enforced by projection.
 
         Returns
         -------
@@ -118,7 +120,8 @@ class Orbits(Simulation, Evaluation):
         rows = [definition.states.index(s) for s in kept]
         runner = copy(self)
         runner.ode_solver = native_solver(self.ode_solver)
-        options = {"rtol": ORBIT, "atol": ORBIT, **solver_kwargs}
+        options = {"rtol": ORBIT, **solver_kwargs}
+        chosen = "atol" not in solver_kwargs
         if tied:
             options.setdefault("constraints", "project")
         t0 = now.t
@@ -144,13 +147,14 @@ class Orbits(Simulation, Evaluation):
             "initial_conditions": dict(self.initial_conditions),
         }
         least = np.inf
+        speeds = np.arange(len(now.x)) >= len(equations.coordinates)
 
         def fly(z: np.ndarray, length: float) -> Flight:
             nonlocal least
             begin(z)
             started = dict(runner.initial_conditions)
             flight = flown(z, length)
-            gap = float(np.abs(flight.end - z).max(initial=0.0))
+            gap = float((np.abs(flight.end - z) / begun[free]).max(initial=0.0))
             if gap < least:
                 least = gap
                 nearest.update(period=flight.period, initial_conditions=started)
@@ -183,38 +187,61 @@ class Orbits(Simulation, Evaluation):
                 rates = runner.evaluate_ode(end, instant)
                 after = event.sensitivity_after + np.outer(rates, event.time_sensitivity)
                 slopes = after @ first.sensitivity.values[-1][rows]
-            most = np.abs(ride.states[:, free]).max(axis=0)
-            return Flight(end[free], slopes[np.ix_(free, columns)], rates[free], instant - t0, most)
+            return Flight(
+                end[free],
+                slopes[np.ix_(free, columns)],
+                rates[free],
+                instant - t0,
+                sizes_along(ride.times, ride.states, end, rates, instant - t0),
+            )
+
+        def sizes_along(
+            times: np.ndarray,
+            states: np.ndarray,
+            end: np.ndarray,
+            rates: np.ndarray,
+            length: float,
+        ) -> np.ndarray:
+            """Return the sizes of all states on a flight."""
+            natural, moved = energetic_motions(now, times, states)
+            most = np.abs(np.concatenate([states, end[None]])).max(axis=0)
+            return Measure(free, speeds, natural, moved).sizes(most, rates, length)
 
         start = now.x[free]
-        speeds = np.array(free) >= len(equations.coordinates)
         slope = None
+        begin(start)
+        beginning = np.array([runner.initial_conditions[s] for s in definition.states])
+        rates = runner.evaluate_ode()
+        at_start = np.array([t0]), beginning[None], beginning
         if autonomous:
-            begin(start)
-            slope = runner.evaluate_ode()[free]
-            unit = np.where(speeds, 1.0 / guess, 1.0)
-            moved, size = np.abs(slope) * guess / unit, np.abs(start) / unit
-            if (moved <= ORBIT_CLOSED * np.maximum(size, LEAST_SIZE * size.max(initial=0.0))).all():
+            slope = rates[free]
+            own = sizes_along(*at_start, np.zeros_like(rates), guess)[free]
+            if (np.abs(slope) * guess <= ORBIT_CLOSED * own * start.any()).all():
                 raise ValueError(
                     "The initial conditions are an equilibrium, which is no orbit. Start "
                     "elsewhere, or use `find_equilibrium`."
                 )
             slope = slope / np.linalg.norm(slope)
+        begun = sizes_along(*at_start, rates, guess)
+        if chosen:
+            options["atol"] = ORBIT * begun
         with progress_of(flag(progress, "`progress`"), " flights") as told:
             try:
                 z, flight = start, fly(start, guess)
-                again = begun = flight.sizes(z, speeds)
+                begun = flight.sizes
                 for _ in range(_RESIZED):
-                    sizes = again
-                    if "atol" not in solver_kwargs:
-                        options["atol"] = np.full(len(now.x), ORBIT)
-                        options["atol"][free] *= np.minimum(sizes, 1.0)
+                    sizes = flight.sizes
+                    if chosen:
+                        coarse = (options["atol"] > 2.0 * ORBIT * sizes).any()
+                        options["atol"] = ORBIT * sizes
+                        if coarse:
+                            flight = fly(z, flight.period)
                     z, flight, residual = shoot(
-                        fly, flight, sizes, z, flight.period, slope, [names[k] for k in free],
-                        float(np.max(options["rtol"])),
+                        fly, flight, sizes[free], z, flight.period, slope,
+                        [names[k] for k in free], float(np.max(options["rtol"])),
                     )  # fmt: skip
                     # A first flight that led far away told nothing of the orbit.
-                    again = flight.sizes(z, speeds)
+                    again = flight.sizes
                     if (again >= 0.5 * sizes).all() or (again <= ORBIT * begun).all():
                         break
                 begin(z)
@@ -236,6 +263,6 @@ class Orbits(Simulation, Evaluation):
             monodromy=flight.by_start,
             residual=residual,
             autonomous=autonomous,
-            equilibrium=bool((moved <= ORBIT * begun).all()),
+            equilibrium=bool((moved <= ORBIT * begun[free]).all()),
             trajectory=trajectory,
         )

@@ -7,7 +7,7 @@ function theorem: from c(x, θ) = 0 follows c_d x_d' = −(c_i x_i' + c_θ) for 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -28,10 +28,10 @@ from pydy.analysis.dependence import follow
 from pydy.codegen.arguments import SpecifiedsPlan
 from pydy.inputs import SampledInput
 from pydy.solvers.events import Event
-from pydy.solvers.sensitivities import CompiledSensitivities, scales_of
+from pydy.solvers.sensitivities import CompiledSensitivities, Sized, scales_of
 from pydy.solvers.solver import Solver
 
-__all__ = ["Sensitive", "Wanted", "changed_by", "compiled_event", "program_of_event"]
+__all__ = ["Sensitive", "Wanted", "changed_by", "compiled_event", "program_of_event", "sizes_of"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -273,6 +273,22 @@ def compiled_event(
     return kernel, changed_by(event, model.layout.states)
 
 
+def sizes_of(
+    parameters: Sequence[Parameter], options: Mapping[str, Any], n: int
+) -> tuple[Sized, ...]:
+    """Return what tells the sizes of parameters, of n states, for the control of sensitivities.
+
+    States with absolute tolerances of their own are as small, where they pass through zero, as
+    these say in relative ones; all others have sizes of at least 1.
+    """
+    sized = tuple(parameter.sized for parameter in parameters)
+    rtol, atol = (np.asarray(options.get(name, 0.0), dtype=float) for name in ("rtol", "atol"))
+    if atol.shape != (n,) or not (rtol > 0.0).all() or not (atol > 0.0).all():
+        return sized
+    least = atol / rtol
+    return tuple(s._replace(least=float(least[s.place])) if s.group == "x" else s for s in sized)
+
+
 class Wanted:
     """Sensitivities that a simulation is to find, and what it is integrated with for them.
 
@@ -314,7 +330,7 @@ class Wanted:
             controlled = self._controlled or spacing is not None
             scales = None
             if controlled:
-                sized = [parameter.sized for parameter in parameters]
+                sized = sizes_of(parameters, options, columns.states)
                 scales = scales_of(sized, start[0], plan.values, p, columns.count)
             events = options.get("events")
             compiled = sensitive.compiled(scales, () if events is None else events.sources)

@@ -9,13 +9,13 @@ describe how small deviations grow from one period to the next.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
 from pydy._errors import PeriodicOrbitError
-from pydy._rank import ROUNDED
+from pydy._rank import ROUNDED, or_one
 from pydy.analysis.tuning import DAMPED, LEAST_SIZE, MARGIN, ORBIT_CLOSED
 
 __all__ = ["Flight", "PeriodicOrbit", "shoot"]
@@ -102,48 +102,83 @@ class Flight:
     rates : ndarray, shape (k,)
         Their time derivatives at the end.
     period : float
-    most : ndarray, shape (k,)
-        How large they become on the way.
+    sizes : ndarray, shape (k,)
+        How large they are on the way; see `Measure`.
     """
 
     end: np.ndarray
     by_start: np.ndarray
     rates: np.ndarray
     period: float
-    most: np.ndarray
-
-    def sizes(self, start: np.ndarray, speeds: np.ndarray) -> np.ndarray:
-        """Return how large the states are on the way: the units to search and integrate in.
-
-        A state is zero at the ends of an oscillation through zero, where its rate tells the size.
-        One that is small compared with the others may be nothing but their rounding; speeds count
-        as the amplitudes that they have in an oscillation of this period.
-
-        Parameters
-        ----------
-        start : ndarray, shape (k,)
-        speeds : ndarray of bool, shape (k,)
-            Which of the states are speeds.
-        """
-        time = self.period / (2.0 * np.pi)
-        unit = np.where(speeds, 1.0 / time, 1.0)
-        swing = np.abs(self.rates) * time
-        sizes = np.maximum.reduce([np.abs(start), np.abs(self.end), swing, self.most]) / unit
-        largest = float(sizes.max(initial=0.0))
-        if not (np.isfinite(largest) and largest > 0.0):
-            return np.ones(len(start))
-        least: np.ndarray = np.maximum(sizes, min(1.0, LEAST_SIZE * largest)) * unit
-        return least
+    sizes: np.ndarray
 
     def scaled(self, sizes: np.ndarray, period: float) -> Flight:
         """Return the same in units of the states' sizes and of a period."""
-        return Flight(
+        return replace(
+            self,
             end=self.end / sizes,
             by_start=self.by_start * sizes / sizes[:, None],
             rates=self.rates * period / sizes,
             period=self.period / period,
-            most=self.most / sizes,
         )
+
+
+@dataclass(frozen=True, eq=False)
+class Measure:
+    """How large states are on the way: the units to search and to integrate in.
+
+    A state that stays where it is has no size of its own but that of rounding. It gets a share of
+    what others reach: of those with a like unit, of the motion with as much energy, and of a
+    radian. The least of them is taken, since one too large would hide a gap.
+
+    Attributes
+    ----------
+    free : sequence of int
+        The states that are searched for; others, such as the way of a vehicle, measure nothing.
+    speeds : ndarray of bool, shape (n,)
+        Which of the states are speeds; they count as the amplitudes of an oscillation.
+    natural : ndarray, shape (n,)
+        How large coordinates are by themselves, and the integrals of speeds: of angles 1; 0 where
+        nothing tells.
+    moved : ndarray, shape (n,)
+        The speeds, and the rates of the coordinates, in motions of one energy; 0 where these are
+        not known.
+    """
+
+    free: Sequence[int]
+    speeds: np.ndarray
+    natural: np.ndarray
+    moved: np.ndarray
+
+    def sizes(self, most: np.ndarray, rates: np.ndarray, period: float) -> np.ndarray:
+        """Return the sizes of all states, shape (n,); 1 where nothing moves.
+
+        Parameters
+        ----------
+        most : ndarray, shape (n,)
+            How large they become.
+        rates : ndarray, shape (n,)
+            Where a state is zero at the ends of an oscillation through zero, they tell its size.
+        period : float
+        """
+        time = period / (2.0 * np.pi)
+        unit = np.where(self.speeds, 1.0 / time, 1.0)
+        sizes = np.maximum(np.abs(most), np.abs(rates) * time) / unit
+        largest = float(sizes[self.free].max(initial=0.0))
+        if not (np.isfinite(largest) and largest > 0.0):
+            return np.ones(len(most))
+        one = self.moved * time
+        searched = np.isin(np.arange(len(most)), self.free)
+        energetic = float((sizes / or_one(one))[searched & (one > 0.0)].max(initial=0.0))
+        by_energy = LEAST_SIZE * energetic * one
+        plain = self.natural == 0.0
+        # What does not move by itself is no measure of others.
+        alike = LEAST_SIZE * float(sizes[searched & plain & (sizes > by_energy)].max(initial=0.0))
+        least = np.where(plain, alike if alike > 0.0 else np.inf, self.natural)
+        least = np.minimum(least, np.where(by_energy > 0.0, by_energy, np.inf))
+        least[np.isinf(least)] = LEAST_SIZE * largest
+        found: np.ndarray = np.maximum(sizes, least) * unit
+        return found
 
 
 def shoot(

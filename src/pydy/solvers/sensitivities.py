@@ -137,6 +137,7 @@ class Sized(NamedTuple):
     place: int
     columns: int = 1  # one, or the number of samples
     size: float | None = None  # the largest of the samples
+    least: float = 1.0  # the least size of an initial condition
 
 
 def scales_of(
@@ -144,9 +145,9 @@ def scales_of(
 ) -> np.ndarray:
     """Return the sizes of parameters, shape (..., columns), from arrays of shape (..., n).
 
-    An initial condition passes through zero, so that what it is at the start says little: its size
-    is at least 1. Else a derivative by a speed of 1e-17 would have no error to speak of. Columns
-    that are left over have the size 1.
+    An initial condition passes through zero, so that what it is at the start says little: it has a
+    least size. Else a derivative by a speed of 1e-17 would have no error to speak of. Columns that
+    are left over have the size 1.
     """
     arrays = {"x": x, "r": r, "p": p}
     scales, column = np.ones((*x.shape[:-1], columns)), 0
@@ -155,7 +156,7 @@ def scales_of(
         if parameter.size is not None:
             own = np.full_like(own, parameter.size)
         elif parameter.group == "x":
-            own = np.maximum(own, 1.0)
+            own = np.maximum(own, parameter.least)
         own = np.where(own > 0.0, own, 1.0)
         scales[..., column : column + parameter.columns] = own[..., None]
         column += parameter.columns
