@@ -246,7 +246,7 @@ def test_a_length_in_nanometres_is_no_gimbal_lock(metre):
     kane.kanes_equations([me.Particle("P", point, 1), body], [])
     system = System(kane, constants={r: 0.3 * metre, inertia: 0.0})
     now = system._now()
-    told = cause_of(now.definition, now.driven, 0.0, now.x, np.zeros(0), now.p)
+    told = cause_of(now.at(np.zeros(1), now.x[None]))
     assert "The cause is the constant `I`, which is zero" in told
 
 

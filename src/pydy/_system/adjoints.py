@@ -586,7 +586,7 @@ class Gradients(Setup):
                 n = len(definition.states)
                 error.states, error.state = error.states[:, :n], error.state[:n]
             if not isinstance(error, IntegrationInterrupted):
-                explain(error, definition, model, plan, now.p)
+                explain(error, lambda t, x: replace(now.at(t, x), model=model))
             raise
         n = len(definition.states)
         reached = run.info["reached"]

@@ -20,7 +20,7 @@ from pydy._rank import equilibrated, is_zero, or_one
 from pydy._system.balance import GROUPS, evaluated, feedback, located, members, natural_sizes
 from pydy._system.evaluation import samples
 from pydy._system.setup import Setup
-from pydy._system.snapshot import Snapshot
+from pydy._system.snapshot import At, Snapshot
 from pydy._system.start import surely_held, violations
 from pydy._system.tuning import BESIDE
 from pydy.analysis.equilibria import Equilibrium
@@ -54,26 +54,13 @@ def variables(definition: Definition, wrt: Any) -> str | tuple[tuple[str, int], 
 
 
 @dataclass(frozen=True, eq=False)
-class Point:
+class Point(At):
     """States, times and numbers at which a System is linearised, m of them.
 
-    Attributes
-    ----------
-    definition : Definition
-    made : CompiledModel
-        With additions to the specifieds that are expressions as inputs.
-    plan : SpecifiedsPlan
-    t, x, r, p : ndarray
-        Shapes (m,), (m, n), (m, s) or (1, s), and (k,) or (m, k).
+    The model has additions to the specifieds that are expressions as inputs; p is (k,) or (m, k).
     """
 
-    definition: Definition
-    made: CompiledModel
     plan: SpecifiedsPlan
-    t: np.ndarray
-    x: np.ndarray
-    r: np.ndarray
-    p: np.ndarray
 
     @cached_property
     def through(self) -> np.ndarray:
@@ -82,18 +69,16 @@ class Point:
 
     def value(self, kernel: Kernel, width: int | None = None) -> np.ndarray:
         """Return the outputs of a Kernel, in rows of so many columns."""
-        if self.p.ndim > 1:
-            out = evaluated(kernel, self.t, self.x, self.r, self.p)
-        else:
-            out = self.made.evaluate(kernel, self.t, self.x, self.r, self.p)
+        at = self.t, self.x, self.r, self.p
+        out = evaluated(kernel, *at) if self.p.ndim > 1 else self.evaluate(kernel)
         return out if width is None else out.reshape(len(self.x), -1, width)
 
     def slopes(self, block: str) -> np.ndarray:
         """Return the derivatives of a block by the states, with all feedback."""
-        direct = self.value(self.made.compiled_jacobian(block, "x"), self.x.shape[1])
+        direct = self.value(self.model.compiled_jacobian(block, "x"), self.x.shape[1])
         if not self.through.any():
             return direct
-        by_input = self.value(self.made.compiled_jacobian(block, "r"), self.r.shape[1])
+        by_input = self.value(self.model.compiled_jacobian(block, "r"), self.r.shape[1])
         whole: np.ndarray = direct + by_input @ self.through
         return whole
 
@@ -136,7 +121,7 @@ class Point:
         itself, as an angle of 1 rad, or as the others in units of the columns.
         """
         n, places = gradient.shape[2], len(self.definition.equations.coordinates)
-        natural = natural_sizes(self.made, (self.t, self.x, self.r, self.p))["states"]
+        natural = natural_sizes(self.model, (self.t, self.x, self.r, self.p))["states"]
         large = np.maximum(np.abs(self.x), natural)
         columns = equilibrated(gradient[:, :, :places])[2][:, 0]
         shares = large[:, :places] / columns
@@ -145,7 +130,7 @@ class Point:
         large[:, :places] = np.where(is_zero(shares, share), usual, large[:, :places])
         offset = BESIDE * large * np.cos(np.arange(n))
         beside = replace(self, x=self.x + offset)
-        moved = beside.value(self.made.compiled_jacobian(block, "x"), n)
+        moved = beside.value(self.model.compiled_jacobian(block, "x"), n)
         both = np.maximum(np.abs(gradient), np.nan_to_num(np.abs(moved), posinf=0.0))
         units = np.ones((len(self.x), n))
         _, rows, columns = equilibrated(both[..., own], exact=True)
@@ -153,29 +138,20 @@ class Point:
         return rows, units
 
 
-def _which(k: int, x: np.ndarray) -> str:
-    return f"state {k} of `at`" if len(x) > 1 else "the state"
+def _which(k: int, m: int) -> str:
+    return f"state {k} of `at`" if m > 1 else "the state"
 
 
-def _warn_of_violations(
-    definition: Definition,
-    made: CompiledModel,
-    t: np.ndarray,
-    x: np.ndarray,
-    rows: np.ndarray,
-    p: np.ndarray,
-) -> None:
+def _warn_of_violations(at: At) -> None:
     """Warn of the first state that is off the constraints, of those that are tried."""
-    tried = np.unique(np.linspace(0, len(x) - 1, min(len(x), TRIED)).astype(int))
-    some = rows[tried] if len(rows) > 1 else rows
-    held = surely_held(definition, made, t[tried], x[tried], some, p)
-    for k in tried[~held]:
-        row = rows[k if len(rows) > 1 else 0]
-        told = violations(definition, made, float(t[k]), x[k], row, p)
+    m = len(at.x)
+    tried = np.unique(np.linspace(0, m - 1, min(m, TRIED)).astype(int))
+    for k in tried[~surely_held(at.some(tried))]:
+        told = violations(at.some([k]))
         if told:
             warn_user(
                 f"The linear model is one of motions that keep the constraints, but "
-                f"{_which(k, x)} does not satisfy them. {told} Call "
+                f"{_which(k, m)} does not satisfy them. {told} Call "
                 "`system.set_dependent_initial_conditions()` first, or take states of a motion "
                 "that was integrated with `constraints='project'`."
             )
@@ -277,13 +253,12 @@ class LinearModels(Setup):
         places = definition.places
         names = unique_names(definition.states)
         made = driven(now.model, definition, plan, perturbed=True)
-        rows = plan.rows(x, t)
-        point = Point(definition, made, plan, t, x, rows, p)
+        point = Point(definition, made, t, x, plan.rows(x, t), p, plan)
         value, slopes, blocks = point.value, point.slopes, point.blocks
         n, s = len(definition.states), len(definition.specifieds)
         T, free = point.tangents()
         if definition.equations.constrained:
-            _warn_of_violations(definition, made, t, x, rows, p)
+            _warn_of_violations(point)
         A = (slopes("rates") @ T)[:, free]
         symbols = definition.specifieds if inputs is None else listed("inputs", inputs)
         columns = [places["specifieds"].find(symbol, "inputs") for symbol in symbols]
@@ -306,8 +281,9 @@ class LinearModels(Setup):
         if not np.all(sound):
             k = int(np.all(sound, axis=0).argmin())
             raise ValueError(
-                f"The equations or their derivatives are not finite at {_which(k, x)}: there is no "
-                "linear model. `evaluate_ode` and `evaluate_jacobian` say where they are not."
+                "The equations or their derivatives are not finite at "
+                f"{_which(k, len(x))}: there is no linear model. `evaluate_ode` and "
+                "`evaluate_jacobian` say where they are not."
             )
         A, B, C, D, rates = (part[0] if single else part for part in parts)
         return LinearModel(

@@ -7,17 +7,17 @@ SymPy's that is zero, or kinematic equations in gimbal lock divide by zero in so
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
 from pydy._assembly.assembly import Assembly
-from pydy._assembly.definition import Definition
-from pydy._assembly.model import CompiledModel
 from pydy._checks import describe
 from pydy._errors import IntegrationError, SingularMatrixError
 from pydy._graph.derivative import dense_jacobian
 from pydy._rank import DEPENDENT, DIGITS, equilibrated, independent_columns
+from pydy._system.snapshot import At
 from pydy.solvers.outcome import NOT_FINITE, OUTCOMES, SINGULAR, STEP_UNDERFLOW
 
 __all__ = ["cause_of", "explain"]
@@ -27,46 +27,23 @@ _LARGEST = float(np.sqrt(np.finfo(float).max) * np.finfo(float).eps)
 
 
 def explain(
-    error: IntegrationError | SingularMatrixError,
-    definition: Definition,
-    model: CompiledModel,
-    specified: Callable[[np.ndarray, float], np.ndarray],
-    p: np.ndarray,
+    error: IntegrationError | SingularMatrixError, at: Callable[[np.ndarray, np.ndarray], At]
 ) -> None:
-    """Put the cause into the message of an error, in place of general advice.
-
-    `specified` gives r at a state and time.
-    """
+    """Put the cause into the message of an error, in place of general advice."""
     code = error.info.get("code") if isinstance(error, IntegrationError) else SINGULAR
     if code in (NOT_FINITE, SINGULAR, STEP_UNDERFLOW):
-        t, x = error.time, np.array(error.state)
-        cause = cause_of(definition, model, t, x, specified(x, t), p)
+        cause = cause_of(at(np.array([error.time]), np.array([error.state])))
         if cause:
             error.args = (str(error).removesuffix(OUTCOMES[code].remedy) + cause,)
 
 
-def cause_of(
-    definition: Definition,
-    model: CompiledModel,
-    t: float,
-    x: np.ndarray,
-    r: np.ndarray,
-    p: np.ndarray,
-) -> str | None:
-    """Return what is singular at a state, in words, or None if it is not one of the usual.
-
-    Parameters
-    ----------
-    definition : Definition
-    model : CompiledModel
-        With all expressions compiled in.
-    t, x, r, p
-        Where the equations are evaluated.
-    """
-    for symbol, value in zip(definition.specifieds, r, strict=False):
+def cause_of(at: At) -> str | None:
+    """Return what is singular at one state, in words, or None if it is not one of the usual."""
+    definition, model, p = at.definition, at.model, at.p
+    for symbol, value in zip(definition.specifieds, at.r[0], strict=False):
         if not np.isfinite(value):
             return f"The specified `{symbol}` is {value} there."
-    rates = model.interpreted(_rates, (np.array([t]), x[None], r[None], p))["rates"][0]
+    rates = at.values(_rates)["rates"][0]
     if np.isfinite(rates).all() and np.abs(rates).max(initial=0.0) > _LARGEST:
         fastest = int(np.abs(rates).argmax())
         return (
@@ -82,14 +59,12 @@ def cause_of(
             "inertia takes part in them, or it has cancelled. Check that velocities of points and "
             "angular velocities of frames hold these speeds, and that bodies have mass and inertia."
         )
-    found = model.interpreted(_parts, (np.array([t]), x[None], r[None], p))
-    values = {name: part[0] for name, part in found.items()}
+    values = {name: part[0] for name, part in at.values(_parts).items()}
     kinematics = values["kinematics"].reshape(len(equations.coordinates), -1)
-    beside = np.random.default_rng(0).uniform(0.3, 1.3, x.shape)
+    beside = replace(at, x=np.random.default_rng(0).uniform(0.3, 1.3, at.x.shape))
 
     def elsewhere(part: str, constants: np.ndarray) -> np.ndarray:
-        found = model.interpreted(_parts, (np.array([t]), beside[None], r[None], constants))
-        return np.asarray(found[part][0])
+        return np.asarray(replace(beside, p=constants).values(_parts)[part][0])
 
     wild = _wild(kinematics, elsewhere("kinematics", p).reshape(kinematics.shape))
     if wild.any():

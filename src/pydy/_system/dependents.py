@@ -149,10 +149,7 @@ def _warn_of_changes(definition: Definition, given: Mapping[Any, float], x: np.n
 
 def _at(now: Snapshot, kernel: Any, state: np.ndarray) -> np.ndarray:
     """Evaluate a block at the first time."""
-    t = np.array([now.t])
-    r = now.plan(state, now.t)[None]
-    row: np.ndarray = now.driven.evaluate(kernel, t, state[None], r, now.p)[0]
-    return row
+    return np.asarray(now.at(np.array([now.t]), state[None]).evaluate(kernel)[0])
 
 
 def solve_dependents(

@@ -21,7 +21,7 @@ from pydy._system.parameters import read_parameters
 from pydy._system.samples import mean_spacing
 from pydy._system.sensitivities import Sensitive, changed_by, program_of_event, sizes_of
 from pydy._system.setup import Setup
-from pydy._system.snapshot import Snapshot
+from pydy._system.snapshot import At, Snapshot
 from pydy._system.solving import Ready, native_solver
 from pydy._system.start import check_samples
 from pydy._system.tuning import BLOCK_BYTES, LARGEST_BLOCK, SMALLEST_BLOCK
@@ -534,10 +534,10 @@ class Ensembles(Setup):
         axes = _Axes(product, names)
         initial = check_mapping("initial_conditions", initial_conditions)
         constants = check_mapping("constants", constants)
-        at = definition.places
-        x = _columns("initial_conditions", initial, at["states"], now.x, axes, "initial")
-        p = _columns("constants", constants, at["constants"], now.p, axes, "constant")
-        r = _columns("specifieds", varied, at["specifieds"], plan.values, axes, "specified")
+        places = definition.places
+        x = _columns("initial_conditions", initial, places["states"], now.x, axes, "initial")
+        p = _columns("constants", constants, places["constants"], now.p, axes, "constant")
+        r = _columns("specifieds", varied, places["specifieds"], plan.values, axes, "specified")
         axes.check_names()
         for (label, attrs), (dims, value) in zip(names.constants, p, strict=True):
             if not dims:
@@ -548,10 +548,14 @@ class Ensembles(Setup):
         kept = None
         if definition.equations.constrained:
             start, shape = float(times[0]), tuple(axes.dims.values())
-            columns = aligned[0], aligned[1], aligned[2]
+            columns = samples.x, samples.r, samples.p
             mended = solver_kwargs.get("constraints") is not None
             moved = driven(now.model, definition, plan)
-            check_samples(definition, moved, start, plan, columns, shape, mended)
+
+            def at(t: np.ndarray, x: np.ndarray) -> At:
+                return At(definition, moved, t, x, plan.rows(x, t), now.p)
+
+            check_samples(at, start, columns, shape, mended)
             kept = Kept(kept_programs(now, moved), any(definition.equations.left_out), mended)
         ready: Ready | None = now.model.latest.get("ensemble")
         given: dict[str, Any] = {**solver_kwargs}

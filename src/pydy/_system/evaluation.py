@@ -7,16 +7,10 @@ from typing import Any
 
 import numpy as np
 
-from pydy._assembly.definition import Definition, Layout
+from pydy._assembly.definition import Definition
 from pydy._checks import describe, real_array
 from pydy._errors import warn_user
-
-__all__ = [
-    "row_names",
-    "samples",
-    "specified_rows",
-    "warn_not_finite",
-]
+from pydy._system.snapshot import At
 
 
 def samples(
@@ -24,15 +18,7 @@ def samples(
 ) -> tuple[np.ndarray, np.ndarray, bool]:
     """Return states (m, n), times (m,), and whether there is only one sample.
 
-    Parameters
-    ----------
-    x : array_like, shape (n,) or (m, n), or None
-    t : float or array_like, shape (m,), or None
-    default : callable
-        Gives the state that None stands for.
-    times : ndarray
-        What t None stands for.
-    n : int
+    None stands for the state that `default` gives, and for `times`.
     """
     if x is None:
         states = default()
@@ -101,37 +87,24 @@ def row_names(definition: Definition, block: str) -> list[str]:
 
 
 def warn_not_finite(
-    out: np.ndarray,
-    inputs: tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray],
-    layout: Layout,
-    names: Sequence[str],
-    cause: Callable[[int], str | None],
+    out: np.ndarray, at: At, names: Sequence[str], cause: Callable[[At], str | None]
 ) -> None:
-    """Warn of values that are not finite where all that they were computed from is.
+    """Warn of values (m, o, …) that are not finite where all that they were computed from is.
 
-    Parameters
-    ----------
-    out : ndarray, shape (m, o, ...)
-    inputs : (t, x, r, p)
-        With r of the shape (1, s) or (m, s).
-    layout : Layout
-    names : sequence of str
-        Of the rows of each sample.
-    cause : callable
-        Says of a sample what is singular there, if it can be told.
+    The `names` are those of the o rows; `cause` says of a state what is singular there.
     """
-    t, x, r, p = inputs
-    sound = np.isfinite(t) & np.isfinite(x).all(axis=1) & np.isfinite(r).all(axis=1)
+    sound = np.isfinite(at.t) & np.isfinite(at.x).all(axis=1) & np.isfinite(at.r).all(axis=1)
     wrong = ~np.isfinite(out.reshape(*out.shape[:2], -1)).all(axis=2)
-    bad = np.flatnonzero(wrong.any(axis=1) & sound & np.isfinite(p).all())
+    bad = np.flatnonzero(wrong.any(axis=1) & sound & np.isfinite(at.p).all())
     if not bad.size:
         return
     k = int(bad[0])
     rows = [name for name, flag in zip(names, wrong[k], strict=True) if flag]
-    state = ", ".join(f"{s} = {v:.6g}" for s, v in zip(layout.states, x[k], strict=True))
-    why = cause(k) or "Look for a division by zero, or a function outside its domain."
+    known = zip(at.definition.states, at.x[k], strict=True)
+    state = ", ".join(f"{s} = {v:.6g}" for s, v in known)
+    why = cause(at.some([k])) or "Look for a division by zero, or a function outside its domain."
     more = f"; {bad.size - 1} other samples have such values too" if bad.size > 1 else ""
     warn_user(
-        f"These values are not finite: {describe(rows)} at t = {float(t[k])!r} in the state "
+        f"These values are not finite: {describe(rows)} at t = {float(at.t[k])!r} in the state "
         f"{state}{more}. {why}"
     )

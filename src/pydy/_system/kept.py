@@ -21,7 +21,7 @@ from pydy._graph.rewrite import substitute
 from pydy._graph.rounding import per_unit
 from pydy._system.snapshot import Snapshot
 from pydy._system.solving import constraint_names
-from pydy._system.start import Rows, evaluated_rows, solved_slopes
+from pydy._system.start import Rows, solved_slopes
 from pydy.solvers.kept import Ran, judge, looked_at
 from pydy.solvers.options import Options
 from pydy.solvers.outcome import OUTCOMES
@@ -92,13 +92,8 @@ class Motion:
 
     def part(self, name: str, t: np.ndarray, x: np.ndarray) -> dict[str, np.ndarray]:
         """Return values along the motion; see `kept.Part`."""
-        now = self.now
-        at = t, x, now.plan.rows(x, t), now.p
-        if name == "rows":
-            rows, sizes = evaluated_rows(now.definition, now.driven, "sizes", at)
-            return {"rows": rows, "sizes": sizes}
-        made = part_of(now, name)
-        return {} if made is None else now.driven.interpreted(made, at)
+        made = part_of(self.now, name)
+        return {} if made is None else self.now.at(t, x).values(made)
 
     @property
     def ran(self) -> Ran:

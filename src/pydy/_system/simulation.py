@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from contextlib import suppress
+from dataclasses import replace
 from typing import Any, Literal, overload
 
 import numpy as np
@@ -54,8 +55,8 @@ def begin(now: Snapshot, solver: SolverFunction, given: dict[str, Any]) -> tuple
     if ready is not None and not ready.suits(plan, solver, given):
         ready = None
     if now.definition.equations.constrained if ready is None else ready.constrained:
-        t, x, mended = float(times[0]), now.x, given.get("constraints") is not None
-        check_start(now.definition, now.driven, t, x, plan(x, t), now.p, mended=mended)
+        mended = given.get("constraints") is not None
+        check_start(now.at(times[:1], now.x[None]), mended=mended)
     if ready is None:
         ready = Ready(now.definition, now.model, plan, solver, given)
         if solver is scipy.integrate.odeint:
@@ -133,7 +134,7 @@ def _solve(
                 result, pair = solver(f, x0, times, args=args, **options), False
         if ready.constrained:
             if native and free:
-                check_resets(now.definition, now.driven, result[1]["events"], now.plan, now.p)
+                check_resets(result[1]["events"], now.at)
             if motion := _motion(now, solver, times, result, options, not free):
                 check_kept(motion)
     except TypeError as error:
@@ -150,10 +151,10 @@ def _solve(
     except (IntegrationError, SingularMatrixError) as error:
         if wanted is not None:
             wanted.cut(error)
-        explain(error, now.definition, ready.model, now.plan, now.p)
+        explain(error, lambda t, x: replace(now.at(t, x), model=ready.model))
         if ready.constrained and native and free and isinstance(error, IntegrationError):
             told: Any = error.info
-            check_resets(now.definition, now.driven, told["events"], now.plan, now.p)
+            check_resets(told["events"], now.at)
         raise
     return result[0] if pair and not full else result
 

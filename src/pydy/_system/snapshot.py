@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
+from pydy._assembly.assembly import Assembly
 from pydy._assembly.definition import Definition
 from pydy._assembly.model import CompiledModel
 from pydy._assembly.specifieds import driven
@@ -21,9 +22,6 @@ from pydy._system.energy import EnergyModel
 from pydy._system.inputs import check_times
 from pydy.codegen.arguments import SpecifiedsPlan
 from pydy.trajectory import Columns, Trajectory
-
-__all__ = ["Snapshot", "checked_plan"]
-
 
 _DEFAULTS = {"constants": ("constants", 1.0), "initial_conditions": ("states", 0.0)}
 
@@ -56,6 +54,31 @@ def read_numbers(definition: Definition, argument: str, values: dict[Any, Any]) 
                 f"`system.constants[{name!r}] = ...`, right before the first call with them."
             ) from None
         raise
+
+
+@dataclass(frozen=True, eq=False)
+class At:
+    """A model at m states, with all that its equations take there."""
+
+    definition: Definition
+    model: CompiledModel  # with the expressions for specifieds compiled in
+    t: np.ndarray  # (m,)
+    x: np.ndarray  # (m, n)
+    r: np.ndarray  # (m, s), or (1, s) for all states alike
+    p: np.ndarray  # (k,)
+
+    def some(self, places: Any) -> At:
+        """Return the same at some of the states, by their places."""
+        r = self.r[places] if len(self.r) > 1 else self.r
+        return replace(self, t=self.t[places], x=self.x[places], r=r)
+
+    def evaluate(self, kernel: Kernel) -> np.ndarray:
+        """Return the flat outputs of a Kernel, shape (m, o)."""
+        return self.model.evaluate(kernel, self.t, self.x, self.r, self.p)
+
+    def values(self, parts: Callable[[Assembly], dict[str, list[int]]]) -> dict[str, np.ndarray]:
+        """Return the values of nodes, shape (m, o) for each name; few are worth compiling."""
+        return self.model.interpreted(parts, (self.t, self.x, self.r, self.p))
 
 
 @dataclass(frozen=True, eq=False)
@@ -123,6 +146,11 @@ class Snapshot:
             return self.model
         return driven(self.model, self.definition, self.plan)
 
+    def at(self, t: np.ndarray, x: np.ndarray) -> At:
+        """Return the model with these numbers at m times and states."""
+        x = np.ascontiguousarray(x)
+        return At(self.definition, self.driven, t, x, self.plan.rows(x, t), self.p)
+
     def checked_times(self) -> np.ndarray:
         """Return a copy of the times, whose array may have been edited in place."""
         times, known = self.times, self.model.latest.get("times")
@@ -174,25 +202,21 @@ class Snapshot:
             rows = self.plan.rows(np.ascontiguousarray(states), times)
             return np.array(np.broadcast_to(rows, (len(times), len(symbols))))
         kernel = self.driven.compiled_expressions("the specifieds", (len(symbols),), symbols)
-        return self._along(kernel, times, states)
+        return self.at(times, states).evaluate(kernel)
 
     def derivatives(self, times: np.ndarray, states: np.ndarray) -> np.ndarray:
         """Return the derivatives of the states, shape (m, n)."""
-        return self._along(self.driven.compiled("rates"), times, states)
+        return self.at(times, states).evaluate(self.driven.compiled("rates"))
 
     def outputs(self, times: np.ndarray, states: np.ndarray) -> np.ndarray:
         """Return the outputs, shape (m, o)."""
         if not self.definition.outputs_symbols:
             return np.empty((len(times), 0))
-        return self._along(self.driven.compiled("outputs"), times, states)
+        return self.at(times, states).evaluate(self.driven.compiled("outputs"))
 
     def energy(self, times: np.ndarray, states: np.ndarray) -> np.ndarray:
         """Return kinetic, potential and total energy, shape (m, 3)."""
-        return self._along(self.energies.kernel(self.driven), times, states)
-
-    def _along(self, kernel: Kernel, times: np.ndarray, states: np.ndarray) -> np.ndarray:
-        states = np.ascontiguousarray(states)
-        return self.driven.evaluate(kernel, times, states, self.plan.rows(states, times), self.p)
+        return self.at(times, states).evaluate(self.energies.kernel(self.driven))
 
     def trajectory(self, times: np.ndarray, states: np.ndarray, **more: Any) -> Trajectory:
         """Return states at some times with their names, outputs and specifieds."""

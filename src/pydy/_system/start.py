@@ -3,66 +3,39 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Literal
 
 import numpy as np
 
 from pydy._assembly.assembly import Assembly
-from pydy._assembly.definition import Definition
-from pydy._assembly.model import CompiledModel
 from pydy._errors import few, warn_user
 from pydy._graph.derivative import dense_jacobian
 from pydy._graph.node import Graph
 from pydy._graph.rounding import per_unit, rounding_bounds
 from pydy._mechanics.tuning import ROUNDED
 from pydy._rank import DIGITS, rank
+from pydy._system.snapshot import At
 from pydy._system.solving import constraint_names
 from pydy.solvers.kept import left_by_rounding
 from pydy.solvers.tuning import TRIED
 from pydy.trajectory import EventRecord
 
-__all__ = [
-    "Rows",
-    "check_resets",
-    "check_samples",
-    "check_start",
-    "evaluated_rows",
-    "solved_slopes",
-    "surely_held",
-    "violations",
-    "warn_of_left_out",
-]
 
-
-def check_start(
-    definition: Definition,
-    model: CompiledModel,
-    t: float,
-    x: np.ndarray,
-    r: np.ndarray,
-    p: np.ndarray,
-    whose: str = "",
-    mended: bool = False,
-) -> bool:
+def check_start(at: At, whose: str = "", mended: bool = False) -> bool:
     """Warn where a motion starts off the constraints; return whether it does.
 
-    Where it does not, what was left out as redundant must hold too: see `check_redundant`.
-
-    The parameters are those of `violations`, and
-
-    whose : str
-        Says in the warning which initial conditions are meant.
-    mended : bool
-        Whether the motion is brought onto the constraints, so that there is nothing to warn of.
+    Where it does not, what was left out as redundant must hold too. The warning says `whose`
+    initial conditions are meant; there is none where the motion is `mended`, that is, brought onto
+    the constraints.
     """
-    held = surely_held(definition, model, np.array([t]), x[None], r[None], p)[0]
-    if held and not any(definition.equations.left_out):
+    held = surely_held(at)[0]
+    if held and not any(at.definition.equations.left_out):
         return False
-    told = "" if held else violations(definition, model, t, x, r, p, redundant=False)
+    told = "" if held else violations(at, redundant=False)
     if not told:
-        check_redundant(definition, model, t, x, r, p)
-        told = violations(definition, model, t, x, r, p)
+        check_redundant(at)
+        told = violations(at)
     if told and not mended:
         warn_user(
             f"The initial conditions{whose} do not satisfy the constraints, and nothing will bring "
@@ -73,30 +46,14 @@ def check_start(
 
 
 def check_resets(
-    definition: Definition,
-    model: CompiledModel,
-    records: Iterable[EventRecord],
-    specified: Callable[[np.ndarray, float], np.ndarray],
-    p: np.ndarray,
+    records: Iterable[EventRecord], at: Callable[[np.ndarray, np.ndarray], At]
 ) -> None:
-    """Warn of the first reset of each event that leaves the constraints.
-
-    Parameters
-    ----------
-    definition : Definition
-    model : CompiledModel
-        With all expressions compiled in.
-    records : iterable of EventRecord
-    specified : callable
-        Gives r at a state and time.
-    p : ndarray
-    """
+    """Warn of the first reset of each event that leaves the constraints."""
     told: set[str] = set()
     for record in records:
         if record.name in told or (record.after == record.before).all():
             continue
-        x, t = record.after, record.time
-        if off := violations(definition, model, t, x, specified(x, t), p):
+        if off := violations(at(np.array([record.time]), record.after[None])):
             told.add(record.name)
             warn_user(
                 f"The reset of the event `{record.name}` leaves the constraints, and nothing will "
@@ -105,54 +62,26 @@ def check_resets(
             )
 
 
-def surely_held(
-    definition: Definition,
-    model: CompiledModel,
-    t: np.ndarray,
-    x: np.ndarray,
-    r: np.ndarray,
-    p: np.ndarray,
-) -> np.ndarray:
+def surely_held(at: At) -> np.ndarray:
     """Return which of m states have no `violations`, as far as the last operations tell."""
-    residuals, sizes = evaluated_rows(definition, model, "sizes", (t, x, r, p))
+    residuals, sizes = evaluated_rows(at, "sizes")
     held: np.ndarray = (np.abs(residuals) <= DIGITS * sizes).all(axis=1)  # NaN is not
     return held
 
 
-def violations(
-    definition: Definition,
-    model: CompiledModel,
-    t: float,
-    x: np.ndarray,
-    r: np.ndarray,
-    p: np.ndarray,
-    redundant: bool = True,
-) -> str:
+def violations(at: At, redundant: bool = True) -> str:
     """Name the residuals of a state that is farther from the constraints than six digits are.
 
     A residual is compared with the bound on its rounding errors, if six digits were computed with.
-
-    Parameters
-    ----------
-    definition : Definition
-    model : CompiledModel
-        With all expressions compiled in.
-    t, x, r, p
-    redundant : bool
-        Whether constraints that were left out as redundant are judged too.
-
-    Returns
-    -------
-    str
-        A sentence, or nothing.
+    Constraints that were left out as `redundant` are judged too. What is returned is a sentence, or
+    nothing.
     """
-    at = (np.array([t]), x[None], r[None], p)
-    if surely_held(definition, model, *at)[0]:
+    if surely_held(at)[0]:
         return ""
-    residuals, bounds = (part[0] for part in evaluated_rows(definition, model, "bounds", at))
+    residuals, bounds = (part[0] for part in evaluated_rows(at, "bounds"))
     allowed = DIGITS * bounds
     off = ~(np.abs(residuals) <= allowed)
-    equations = definition.equations
+    equations = at.definition.equations
     parts = zip((equations.holonomic, equations.velocity), equations.left_out, strict=True)
     lengths = [len(rows) for pair in parts for rows in pair]
     off &= np.repeat([True, redundant] * 2, lengths)
@@ -163,42 +92,30 @@ def violations(
     worst = far[np.argsort(-shares, kind="stable")]
     names = constraint_names(equations, redundant=True)
     told = few([f"{residuals[k]:.3g} in the {names[k]}" for k in worst])
-    return f"The residuals at t = {t!r} are {told}."
+    return f"The residuals at t = {float(at.t[0])!r} are {told}."
 
 
 def check_samples(
-    definition: Definition,
-    model: CompiledModel,
+    at: Callable[[np.ndarray, np.ndarray], At],
     t: float,
-    specified: Callable[[np.ndarray, float], np.ndarray],
     columns: tuple[Sequence[np.ndarray], Sequence[np.ndarray], Sequence[np.ndarray]],
     shape: tuple[int, ...],
     mended: bool,
 ) -> None:
     """Warn of the first sample of an ensemble that is off the constraints, of 64 that are tried.
 
-    Parameters
-    ----------
-    definition : Definition
-    model : CompiledModel
-    t : float
-    specified : callable
-        Gives r at a state and time, where no sample has its own.
-    columns : (x, r, p)
-        For each symbol an array that can be broadcast to `shape`.
-    shape : tuple of int
-        Of the samples.
-    mended : bool
-        See `check_start`.
+    The `columns` of x, r and p hold an array for each symbol that can be broadcast to `shape`;
+    `at` knows the specifieds of which no sample has its own. See `check_start`.
     """
     total = int(np.prod(shape))
+    varied = np.array([np.size(a) > 1 for a in columns[1]], dtype=bool)
     for number in np.unique(np.linspace(0, total - 1, min(total, TRIED)).astype(int)):
-        at = np.unravel_index(number, shape)
-        x, own, p = (np.array([np.broadcast_to(a, shape)[at] for a in part]) for part in columns)
-        varied = [np.size(a) > 1 for a in columns[1]]
-        r = np.where(varied, own, specified(x, t)) if len(own) else own
-        whose = f" of sample {', '.join(map(str, at))}" if shape else ""
-        if check_start(definition, model, t, x, r, p, whose, mended):
+        place = np.unravel_index(number, shape)
+        x, r, p = (np.array([np.broadcast_to(a, shape)[place] for a in part]) for part in columns)
+        common = at(np.array([t]), x[None])
+        sample = replace(common, r=np.where(varied, r, common.r), p=p)
+        whose = f" of sample {', '.join(map(str, place))}" if shape else ""
+        if check_start(sample, whose, mended):
             return
 
 
@@ -207,36 +124,18 @@ def check_samples(
 # constraint may contradict others in a length that was random there.
 
 
-def check_redundant(
-    definition: Definition,
-    model: CompiledModel,
-    t: float,
-    x: np.ndarray,
-    r: np.ndarray,
-    p: np.ndarray,
-) -> None:
+def check_redundant(at: At) -> None:
     """Refuse a state that keeps the constraints, where more of them are independent than were kept.
 
-    Parameters
-    ----------
-    definition : Definition
-    model : CompiledModel
-        With all expressions compiled in.
-    t, x, r, p
-
-    Raises
-    ------
-    ValueError
-        More constraints are independent, or one that was left out does not hold.
+    Refuse one, too, where a constraint that was left out does not hold.
     """
-    equations, at = definition.equations, (np.array([t]), x[None], r[None], p)
+    equations, t = at.definition.equations, float(at.t[0])
     left_out = equations.left_out
     if not any(left_out):
         return
     n = len(equations.coordinates)
     places = slice(len(equations.holonomic), len(equations.holonomic) + len(left_out[0]))
-    found = evaluated_rows(definition, model, "bounds", at)
-    closed, bounds = (part[0, places] for part in found)
+    closed, bounds = (part[0, places] for part in evaluated_rows(at, "bounds"))
     if (far := ~(np.abs(closed) <= DIGITS * bounds)).any():
         k = int(np.argmax(far))
         raise ValueError(
@@ -244,9 +143,8 @@ def check_redundant(
             f"these numbers it contradicts the others: at t = {t!r} it is {closed[k]:.3g} where "
             "the others hold. Correct it, or the constants and initial conditions."
         )
-    slopes = model.interpreted(Rows(*equations.left_out, "slopes"), at)
-    values = {name: part.reshape(-1, len(x)) for name, part in slopes.items()}
-    kept, more = (values[name][:, n:] for name in ("kept", "more"))
+    values = at.values(Rows(*left_out, "slopes"))
+    kept, more = (values[name].reshape(-1, at.x.shape[1])[:, n:] for name in ("kept", "more"))
     # The state is known to six digits: what is singular there leaves half of them.
     needed = rank(np.concatenate([kept, more]), least=DIGITS**0.5)
     if needed > len(kept):
@@ -258,74 +156,43 @@ def check_redundant(
         )
 
 
-def warn_of_left_out(
-    definition: Definition,
-    model: CompiledModel,
-    at: tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray],
-    blocks: tuple[bool, bool],
-) -> None:
+def warn_of_left_out(at: At, blocks: tuple[bool, bool]) -> None:
     """Warn of states that keep all constraints but those that were left out as redundant.
 
-    Parameters
-    ----------
-    definition : Definition
-    model : CompiledModel
-        With all expressions compiled in.
-    at : (t, x, r, p)
-    blocks : (bool, bool)
-        Whether holonomic constraints are looked at, and velocity constraints.
+    The `blocks` say whether holonomic constraints are looked at, and velocity constraints.
     """
-    equations = definition.equations
+    equations = at.definition.equations
     parts = zip((equations.holonomic, equations.velocity), equations.left_out, blocks, strict=True)
     pairs = [(len(kept), len(more), wanted) for kept, more, wanted in parts]
     lengths = [n for pair in pairs for n in pair[:2]]
     kept = np.repeat([True, False] * 2, lengths)
     left = np.repeat([False, pairs[0][2], False, pairs[1][2]], lengths)
-    if not left.any():
+    if not left.any() or surely_held(at).all():
         return
-    residuals, sizes = evaluated_rows(definition, model, "sizes", at)
-    if (np.abs(residuals) <= DIGITS * sizes).all():
-        return
-    residuals, sizes = evaluated_rows(definition, model, "bounds", at)
+    residuals, sizes = evaluated_rows(at, "bounds")
     off = np.abs(residuals) > DIGITS * sizes
     states = np.flatnonzero(off[:, left].any(axis=1) & ~off[:, kept].any(axis=1))
     if states.size:
         k, names = states[0], constraint_names(equations, redundant=True)
         row = int(np.argmax(off[k] & left))
         warn_user(
-            f"A constraint that was left out as redundant does not hold at t = {float(at[0][k])!r} "
+            f"A constraint that was left out as redundant does not hold at t = {float(at.t[k])!r} "
             f"although the others do: the residual is {residuals[k, row]:.3g} in the {names[row]}. "
             "The others lost rank on the way there, and the mechanism has come apart."
         )
 
 
-def evaluated_rows(
-    definition: Definition,
-    model: CompiledModel,
-    what: Literal["sizes", "bounds"],
-    at: tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray],
-) -> tuple[np.ndarray, np.ndarray]:
-    """Return the residuals of all constraints at m states, and what rounding is in proportion to.
+def evaluated_rows(at: At, what: Literal["sizes", "bounds"]) -> tuple[np.ndarray, np.ndarray]:
+    """Return the residuals of all constraints, (m, rows), and what rounding is in proportion to.
 
-    Parameters
-    ----------
-    definition : Definition
-    model : CompiledModel
-        With all expressions compiled in.
-    what : {'sizes', 'bounds'}
-        The terms of the last sum, which are quickly found, or the bounds on rounding errors, with
-        what a search leaves of states that are zero; see `left_by_rounding`.
-    at : (t, x, r, p)
-
-    Returns
-    -------
-    residuals, sizes : ndarray, shape (m, rows)
-        Holonomic constraints, those left out behind the others, then velocity constraints.
+    That is 'sizes', the terms of the last sum, which are quickly found, or 'bounds' on rounding
+    errors with what a search leaves of states that are zero; see `left_by_rounding`. Rows are the
+    holonomic constraints, those left out behind the others, then the velocity constraints.
     """
-    found = model.interpreted(Rows(*definition.equations.left_out, what), at)
+    found = at.values(Rows(*at.definition.equations.left_out, what))
     sizes = found["sizes"]
     if what == "bounds":
-        sizes = sizes + left_by_rounding(found, sizes, at[1]) / DIGITS
+        sizes = sizes + left_by_rounding(found, sizes, at.x) / DIGITS
     return found["rows"], sizes
 
 

@@ -112,7 +112,7 @@ class Family:
         """Return the state matrices, all states, and the places of the independent ones."""
         balance = self.balance
         t, x, r, p = balance.inputs(z)
-        point = Point(balance.definition, balance.made, balance.plan, t, x, r, p)
+        point = Point(balance.definition, balance.made, t, x, r, p, balance.plan)
         T, free = point.tangents()
         A = (point.slopes("rates") @ T)[:, free]
         sound = np.isfinite(A.reshape(len(A), -1)).all(axis=1)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from typing import Any
 
@@ -27,7 +27,7 @@ from pydy._system.causes import cause_of, explain
 from pydy._system.energy import Energy
 from pydy._system.evaluation import row_names, samples, specified_rows, warn_not_finite
 from pydy._system.setup import Setup
-from pydy._system.snapshot import Snapshot
+from pydy._system.snapshot import At, Snapshot
 from pydy._system.start import warn_of_left_out
 
 BLOCKS = {"ode": "rates", "outputs": "outputs", "holonomic": "holonomic", "velocity": "velocity"}
@@ -214,7 +214,7 @@ def evaluate_block(
     blocks = block in ("constraints", "holonomic"), block in ("constraints", "velocity")
     look = None
     if wrt is None and any(blocks) and any(now.definition.equations.left_out):
-        look = partial(warn_of_left_out, now.definition, blocks=blocks)
+        look = partial(warn_of_left_out, blocks=blocks)
     return _sweep(now, kernel, names, x, t, r, p, perturbed=perturbed, look=look)
 
 
@@ -248,47 +248,41 @@ def _sweep(
     *,
     perturbed: bool = False,
     vectors: np.ndarray | None = None,
-    look: Callable[..., None] | None = None,
+    look: Callable[[At], None] | None = None,
 ) -> np.ndarray:
     """Evaluate a Kernel at one state or several, with the defaults of the evaluations.
 
     `names` returns those of the result's rows; `vectors`, (1, k) or (m, k), are inputs after r;
-    `look` is called with the model and with what it is evaluated at.
+    `look` is called with what is evaluated.
     """
-    model, layout = now.model, now.model.layout
+    model, definition = now.model, now.definition
     states, instants, single = samples(
-        now.x_with(x), t, lambda: now.x, now.times, len(layout.states)
+        now.x_with(x), t, lambda: now.x, now.times, len(definition.states)
     )
     if r is None or callable(r) or isinstance(r, Mapping):
         plan = now.plan_with(r)
         plan.check_times(instants, "times" if t is None else "t")
         rows = plan.rows(states, instants)
-        model = driven(model, now.definition, plan, perturbed=perturbed)
+        model = driven(model, definition, plan, perturbed=perturbed)
     else:
-        rows = specified_rows(r, instants, len(layout.specifieds))
-    constants = now.p_with(p)
+        rows = specified_rows(r, instants, len(definition.specifieds))
+    at = At(definition, model, instants, states, rows, now.p_with(p))
     if look is not None:
-        every = np.broadcast_to(rows, (len(states), rows.shape[1]))
-        look(model, (instants, states, every, constants))
+        look(at)
     made = kernel(model)
     if vectors is not None:
         shapes = [(len(states), part.shape[1]) for part in (rows, vectors)]
-        rows = np.hstack([np.broadcast_to(rows, shapes[0]), np.broadcast_to(vectors, shapes[1])])
+        both = [np.broadcast_to(rows, shapes[0]), np.broadcast_to(vectors, shapes[1])]
+        at = replace(at, r=np.hstack(both))
     try:
-        out = model.evaluate(made, instants, states, rows, constants)
+        out = at.evaluate(made)
     except SingularMatrixError as error:
-        k = int((states == error.state).all(axis=1).argmax()) % len(rows)
-        explain(error, now.definition, model, lambda x, t: rows[k], constants)
+        k = int((states == error.state).all(axis=1).argmax())
+        explain(error, lambda t, x: at.some([k]))
         raise
     out = out.reshape(len(out), *made.program.blocks[0].shape)
     if not np.isfinite(out).all():
-
-        def cause(k: int) -> str | None:
-            row = rows[k if len(rows) > 1 else 0]
-            instant = float(instants[k])
-            return cause_of(now.definition, model, instant, states[k], row, constants)
-
-        warn_not_finite(out, (instants, states, rows, constants), layout, names(), cause)
+        warn_not_finite(out, at, names(), cause_of)
     result: np.ndarray = out[0] if single else out
     return result
 
