@@ -37,10 +37,10 @@ def test_an_interpreter_that_lays_objects_out_otherwise_is_not_looked_into(monke
 @pytest.fixture
 def other_layout(monkeypatch):
     monkeypatch.setattr(_array_layout, "FITS", False)
-    native._runtime.cache_clear()
+    native.gates.cache_clear()
     yield
     monkeypatch.undo()
-    native._runtime.cache_clear()
+    native.gates.cache_clear()
 
 
 @pytest.mark.parametrize("order", ["C", "F"])
@@ -53,7 +53,7 @@ def test_sweeps_give_the_same_bits_by_the_safe_path(other_layout, lanes, order, 
     careful = LLVMBackend(lanes=lanes).compile(MODEL)
     found = careful.evaluate(t, x, r, p)
     _array_layout.FITS = True
-    native._runtime.cache_clear()
+    native.gates.cache_clear()
     quick = LLVMBackend(lanes=lanes).compile(MODEL)
     for one, other in zip(found, quick.evaluate(t, x, r, p), strict=True):
         np.testing.assert_array_equal(one, other)
@@ -68,7 +68,7 @@ def test_calls_give_the_same_bits_by_the_safe_path(other_layout):
     assert careful.call(x, 0.5, r, p, one) == 0
     assert careful.call(list(x), 0.5, r, p, one) == -1
     _array_layout.FITS = True
-    native._runtime.cache_clear()
+    native.gates.cache_clear()
     quick = LLVMBackend().compile(MODEL)
     assert type(quick.call) is type(len)
     assert quick.call(x, 0.5, r, p, other) == 0

@@ -9,20 +9,17 @@ from collections import Counter
 from pathlib import Path
 
 import pytest
+import solvers_ir
 from llvmlite import binding
 
 from graphs import everything, solves
 from pydy import _cache_folder, cli
-from pydy._backends.llvm import native
 from pydy._backends.llvm.compiling import Source
-from pydy._backends.llvm.native import sweep_module
 from pydy._backends.llvm.text import kernel_text
 from pydy._names import printable
 from pydy.examples import bicycle_ride
-from pydy.solvers.run import shipped as stepper_gate
 
 ROOT = Path(__file__).parents[1]
-IR = ROOT / "src/pydy/solvers/ir"
 
 
 def run(code, **environment):
@@ -232,7 +229,6 @@ def test_kernels_can_be_emitted_for_every_system_and_call_nothing_unknown(triple
 
 
 # Of Python and the C library, what gates, sweeps and the solvers' loops call.
-PYTHON = {"PyEval_SaveThread", "PyEval_RestoreThread", "PyLong_FromLongLong"}
 LIBRARY = {"memcmp", "memcpy", "memset", "hypot", "sqrt", "__chkstk", "_chkstk"}
 
 
@@ -244,9 +240,9 @@ def test_loops_sweeps_and_gates_can_be_emitted_for_every_system(triple):
         cpu=TRIPLES[triple], opt=2, codemodel="jitdefault", jit=True
     )
     head = f'target datalayout = "{machine.target_data}"\ntarget triple = "{triple}"\n'
-    shipped = [file.read_text(encoding="utf-8") for file in sorted(IR.glob("*.ll"))]
-    assert len(shipped) > 5
-    for text in (*shipped, native._text(False), sweep_module(8), stepper_gate._GATE):
+    shipped = [solvers_ir.ir(name).read_text("utf-8") for name in solvers_ir.ENTRIES]
+    assert len(shipped) > 9
+    for text in shipped:
         module = binding.parse_assembly(head + text, binding.create_context())
         code = machine.emit_object(module)
         assert code
@@ -254,13 +250,13 @@ def test_loops_sweeps_and_gates_can_be_emitted_for_every_system(triple):
         named = set(re.findall(r"\b_?([A-Za-z_]\w+)\b", assembly))
         own = {f.name for f in module.functions if not f.is_declaration}
         outside = {f.name for f in module.functions if f.is_declaration} & named
-        assert outside - own <= PYTHON | LIBRARY
+        assert outside - own <= solvers_ir.PYTHON | LIBRARY
 
 
 def test_integers_that_python_takes_have_the_same_size_everywhere():
     # A long has 32 bits on Windows, 64 elsewhere.
-    for text in (native._text(False), sweep_module(8), stepper_gate._GATE):
-        assert not re.search(r"Py\w*(From|As)(Unsigned)?Long\b", text)
+    text = solvers_ir.ir("gates").read_text("utf-8")
+    assert not re.search(r"Py\w*(From|As)(Unsigned)?Long\b", text)
 
 
 @pytest.mark.parametrize("lanes", [1, 8])

@@ -1,8 +1,9 @@
-"""Write the solvers' loops as LLVM IR: ``python tools/solvers_ir.py``; ``make solvers-ir`` runs it.
+"""Write the compiled loops as LLVM IR: ``python tools/solvers_ir.py``; ``make solvers-ir`` runs it.
 
-Needed after a change of the C in ``src/pydy/solvers/core``, or of the tuples and numbers that its
-header is written from. What it writes to ``src/pydy/solvers/ir`` is committed, and compiled for the
-processor at hand by users, who need no C compiler (see `pydy.solvers.run.shipped`).
+Needed after a change of the C in ``src/pydy/solvers/core`` or ``src/pydy/_backends/llvm/core``, or
+of the tuples and numbers that their headers are written from. What it writes to ``solvers/ir`` and
+beside the latter is committed, and compiled for the processor at hand by users, who need no C
+compiler (see `pydy._backends.llvm.shipped`).
 
 The compiler is pinned, and not newer than the LLVM of the oldest llvmlite that is supported, which
 has to read the text. It compiles for one processor everywhere, whose name and features are then
@@ -20,16 +21,29 @@ from importlib.metadata import version
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-SOLVERS = Path(__file__).resolve().parents[1] / "src" / "pydy" / "solvers"
-if str(SOLVERS.parents[1]) not in sys.path:
-    sys.path.insert(0, str(SOLVERS.parents[1]))
+SRC = Path(__file__).resolve().parents[1] / "src"
+if str(SRC) not in sys.path:
+    sys.path.insert(0, str(SRC))
 
-from pydy.solvers.core.declarations import FOLDER, included, layout_header  # noqa: E402
+from pydy import _array_layout  # noqa: E402
+from pydy.solvers.core import declarations  # noqa: E402
 
-IR = SOLVERS / "ir"
-ENTRIES = sorted(path.stem for path in FOLDER.glob("*.c"))
-# What entries may call: of libm, where LLVM does not write it in line.
+SOLVERS, GATES = SRC / "pydy/solvers/ir", SRC / "pydy/_backends/llvm/core"
+
+
+def sources() -> dict[str, Path]:
+    """Return the C of each entry by its name."""
+    folders = declarations.FOLDER, GATES
+    return {path.stem: path for folder in folders for path in sorted(folder.glob("*.c"))}
+
+
+ENTRIES = [*sources()]
+# What entries may call: of libm, where LLVM does not write it in line, and gates of Python.
 LIBRARY = {"hypot", "sqrt"}
+PYTHON = {
+    *("PyErr_Occurred", "PyEval_RestoreThread", "PyEval_SaveThread", "PyLong_FromLongLong"),
+    *("PyObject_CallNoArgs", "Py_DecRef", "memcmp"),
+}
 COMPILER = "0.14.1"  # of the wheel `ziglang`: clang 19
 TARGET = ("-target", "x86_64-unknown-linux-gnu")
 FLAGS = (
@@ -45,16 +59,30 @@ FLAGS = (
 KEPT_ATTRIBUTES = {"noinline", "nounwind", "willreturn", "memory(none)", "memory(read)"}
 
 
+def ir(name: str) -> Path:
+    """Return where the IR of an entry lies."""
+    return (SOLVERS if sources()[name].parent == declarations.FOLDER else GATES) / f"{name}.ll"
+
+
+def header(source: Path, text: str | None = None) -> str:
+    """Return the text of ``layout.h`` for a file, of what a text of it uses."""
+    if source.parent != GATES:
+        return declarations.layout_header(text)
+    offsets = [name for name in _array_layout.__all__ if name.isupper()]
+    return "".join(f"#define {name} {getattr(_array_layout, name)}\n" for name in offsets)
+
+
 def digest(name: str) -> str:
     """Return the digest of an entry's sources, which its IR begins with."""
-    text = "\n".join(included(f"{name}.c").values())
-    parts = (text, layout_header(text), Path(__file__).read_text(encoding="utf-8"))
+    source = sources()[name]
+    text = "\n".join(declarations.included(source.name, folder=source.parent).values())
+    parts = (text, header(source, text), Path(__file__).read_text(encoding="utf-8"))
     return hashlib.sha256("\n".join(parts).encode()).hexdigest()
 
 
 def recorded(name: str) -> str | None:
     """Return the digest with which the shipped IR of an entry begins."""
-    path = IR / f"{name}.ll"
+    path = ir(name)
     if not path.exists():
         return None
     return path.read_text(encoding="utf-8").split("\n", 1)[0].removeprefix("; sources ")
@@ -62,9 +90,9 @@ def recorded(name: str) -> str | None:
 
 def compiled(source: Path, folder: Path) -> str:
     """Return the compiler's IR of a file in C; the header is written to a folder."""
-    (folder / "layout.h").write_text(layout_header(), encoding="utf-8")
+    (folder / "layout.h").write_text(header(source), encoding="utf-8")
     command = [sys.executable, "-m", "ziglang", "clang", *TARGET, *FLAGS, "-S", "-emit-llvm"]
-    command += [f"-I{FOLDER}", f"-I{folder}", str(source), "-o", "-"]
+    command += [f"-I{declarations.FOLDER}", f"-I{folder}", str(source), "-o", "-"]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     if done.returncode:
         sys.exit(done.stderr)
@@ -93,9 +121,10 @@ def written(name: str) -> str:
     if version("ziglang") != COMPILER:
         sys.exit(f"needs ziglang {COMPILER}, got {version('ziglang')}")
     with TemporaryDirectory() as folder:
-        text = neutral(compiled(FOLDER / f"{name}.c", Path(folder)))
+        text = neutral(compiled(sources()[name], Path(folder)))
     called = set(re.findall(r"^declare [^@]*@([\w.]+)", text, flags=re.MULTILINE))
-    foreign = {f for f in called if not f.startswith("llvm.")} - LIBRARY
+    known = LIBRARY if ir(name).parent == SOLVERS else PYTHON
+    foreign = {f for f in called if not f.startswith("llvm.")} - known
     if foreign:
         sys.exit(f"{name} would need {sorted(foreign)}, which users have not got.")
     head = f"; sources {digest(name)}\n; Made by tools/solvers_ir.py with ziglang {COMPILER}.\n\n"
@@ -108,7 +137,7 @@ def main() -> None:
     parser.add_argument("entries", nargs="*", choices=[*ENTRIES, []], help="default: stale ones")
     names = parser.parse_args().entries or [n for n in ENTRIES if recorded(n) != digest(n)]
     for name in names:
-        (IR / f"{name}.ll").write_text(written(name), encoding="utf-8", newline="\n")
+        ir(name).write_text(written(name), encoding="utf-8", newline="\n")
 
 
 if __name__ == "__main__":

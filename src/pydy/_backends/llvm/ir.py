@@ -8,7 +8,7 @@ registers.
 from __future__ import annotations
 
 import struct
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
 
 WIDTHS = (1, 2, 4, 8)
@@ -164,20 +164,15 @@ class Function:
     def loop(self, start: str, stop: str, step: str = "1") -> Iterator[str]:
         """Write ``for i in range(start, stop, step)`` around the body; gives i. `step` > 0."""
         counter = self.variable("i64", start)
-        with self.repeat(lambda: self.let(f"icmp slt i64 {self.get('i64', counter)}, {stop}")):
-            i = self.get("i64", counter)
-            yield i
-            self.set("i64", counter, self.let(f"add nsw i64 {i}, {step}"))
-
-    @contextmanager
-    def repeat(self, condition: Callable[[], str]) -> Iterator[None]:
-        """Write ``while condition:`` around the body; `condition` writes the test."""
         head, body, end = self.name("head"), self.name("body"), self.name("end")
         self.do(f"br label {head}")
         self.label(head)
-        self.do(f"br i1 {condition()}, label {body}, label {end}")
+        more = self.let(f"icmp slt i64 {self.get('i64', counter)}, {stop}")
+        self.do(f"br i1 {more}, label {body}, label {end}")
         self.label(body)
-        yield
+        i = self.get("i64", counter)
+        yield i
+        self.set("i64", counter, self.let(f"add nsw i64 {i}, {step}"))
         self.do(f"br label {head}")
         self.label(end)
 

@@ -40,7 +40,7 @@ _BEGIN = """\
 """
 
 
-def included(*names: str) -> dict[str, str]:
+def included(*names: str, folder: Path | None = None) -> dict[str, str]:
     """Return the texts of files of the loops and of what they include, but for ``layout.h``."""
     found: dict[str, str] = {}
     left = [*names]
@@ -48,7 +48,7 @@ def included(*names: str) -> dict[str, str]:
         name = left.pop()
         if name in found or name == "layout.h":
             continue
-        found[name] = text = (FOLDER / name).read_text(encoding="utf-8")
+        found[name] = text = ((folder or FOLDER) / name).read_text(encoding="utf-8")
         left += re.findall(r'^#include "(.*)"$', text, re.MULTILINE)
     return dict(sorted(found.items()))
 

@@ -1,4 +1,4 @@
-; sources 271cfe5fe3c52471e365fffc7830c95b6e5027667dc5299b8270c258fee48f2c
+; sources b5f219fd323a245b605136f3c1b5061970a48cab55dec4c96130c50f8650c2c0
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {

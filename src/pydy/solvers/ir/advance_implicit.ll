@@ -1,4 +1,4 @@
-; sources 075572b43c3dc981d385976cc5b8f06125631938e3bd1f4e825fd1599cb0d46a
+; sources 2f89e7735338bea933956bcd33a124d023689b44b8b1886db0297190f5943c73
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 @NODES = internal unnamed_addr constant [3 x double] [double 0x3FC3D8B64657CAEA, double 0x3FE4A36C0803A6DF, double 1.000000e+00], align 16

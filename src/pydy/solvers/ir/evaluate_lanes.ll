@@ -1,4 +1,4 @@
-; sources aff41ac96f01e4bf44a010e2c143cc960b8282223f55d55da0e9220e4d27c7c2
+; sources 47cb5f68fd5614e3e250bdcc92ba52952d17ed1a7287bd8e7e116444f8dfabf2
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define noundef i64 @evaluate_lanes(ptr noundef readonly %0) #0 {

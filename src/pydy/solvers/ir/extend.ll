@@ -1,4 +1,4 @@
-; sources 4b9119f1a92075ab1b543e6bbb1fa284fb1646eb1d07610c656512d88c51100d
+; sources 79edf030333002330790e9ed76e35a39950968c0c17259110588d878fa82574f
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @extend(ptr noundef %0, ptr noundef readonly %1) #0 {

@@ -1,4 +1,4 @@
-; sources 157ba893020a975f7927b86cc06f65c55adc49a516c18257eb37acc5827b11b0
+; sources 0883e7fdbf09c5fdf0705baba93a0baac15d89347824a39e380a563badb31970
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Held = type { ptr, i64, i64, i64, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr }

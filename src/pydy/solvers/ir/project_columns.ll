@@ -1,4 +1,4 @@
-; sources 7387617badf3df9bbf41a7a3155f74be7cb8e225cc8e888eaa034e829da22d37
+; sources 2f254fe484a24cd8e3b06644550ecdc8b90e8f524fb14b52b0d626cbdbc7fe5f
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Held = type { ptr, i64, i64, i64, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr }

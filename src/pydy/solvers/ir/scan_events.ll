@@ -1,4 +1,4 @@
-; sources a4d807a0de47c6f4060c7a068c7c4ad1dc135ae9996b85a69a0bb0dc46d238e1
+; sources 35acc52800a8b74a23fe70ce494cb3e15e764f90f1dbe5c2d7d1b9e9053f1ed1
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Stepper = type { ptr, ptr, ptr }

@@ -1,4 +1,4 @@
-; sources 07c718ed0adbfb7299d908a1fc501c2e1ef060fbe5f2e6b6aafa82cd408b2165
+; sources 0be26370248804c073542afe2392befa9c7ca7a7ab1d9f3ba164e833842a959a
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @step_back(ptr noundef readonly %0) #0 {

@@ -1,4 +1,4 @@
-; sources 25335ab9dff7a4bb9065a4a695b4623ac4d907005ab4daf305ded19d0e02ae19
+; sources 923c26cc1049f3df65e405aa0b897837587c75d69689ff1209b5ad2cfcdfb5ff
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Stepper = type { ptr, ptr, ptr }

@@ -1,0 +1,3 @@
+#define LANES 4
+#define SWEEP sweep_4
+#include "sweep.h"
