@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from difflib import get_close_matches
 from typing import Any
 
 __all__ = [
+    "column_names",
     "latex_of",
     "latex_of_rate",
     "name_of",
@@ -57,6 +58,14 @@ def unique_names(symbols: Sequence[Any]) -> tuple[str, ...]:
             number += 1
         taken.add(names[k])
     return tuple(names)
+
+
+def column_names(counts: Mapping[Any, int]) -> tuple[str, ...]:
+    """Return a name for each column; symbols with several have ``F[0]``, ``F[1]`` and so on."""
+    named = zip(unique_names(list(counts)), counts.values(), strict=True)
+    return tuple(
+        name if count == 1 else f"{name}[{j}]" for name, count in named for j in range(count)
+    )
 
 
 def told_apart(

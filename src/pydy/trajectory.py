@@ -13,7 +13,15 @@ from pydy._checks import check_mapping, choice, flag, listed, number, real_array
 from pydy._dataset import ENERGIES, KINDS, OUTPUTS, STATES, read_netcdf, to_dataset, write_netcdf
 from pydy._html import table_of_columns
 from pydy._interpolation import Model, Samples, SensitivityModel, checked_times
-from pydy._names import latex_of, latex_of_rate, name_of, nearest, unique_names, written_out
+from pydy._names import (
+    column_names,
+    latex_of,
+    latex_of_rate,
+    name_of,
+    nearest,
+    unique_names,
+    written_out,
+)
 from pydy._optional import require
 
 __all__ = ["EventRecord", "Model", "Sensitivity", "Trajectory"]
@@ -134,11 +142,7 @@ class Sensitivity:
         self.values = values
         self.counts = dict(parameters)
         names = unique_names(list(self.counts))
-        self.names = tuple(
-            name if count == 1 else f"{name}[{j}]"
-            for name, count in zip(names, self.counts.values(), strict=True)
-            for j in range(count)
-        )
+        self.names = column_names(self.counts)
         self._columns: dict[Any, slice | int] = {name: k for k, name in enumerate(self.names)}
         start = 0
         for name, (symbol, count) in zip(names, self.counts.items(), strict=True):

@@ -24,15 +24,13 @@ from pydy._kernel import Inputs, Kernel, KernelCall
 from pydy._optional import progress_of
 from pydy._rank import DEPENDENT, or_one
 from pydy._system.causes import explain
-from pydy._system.dependents import latest_dependents
-from pydy._system.parameters import Parameter, read_parameters
-from pydy._system.samples import by_samples, marker, mean_spacing
+from pydy._system.parameters import Parameter
+from pydy._system.samples import by_samples, marker
 from pydy._system.sensitivities import Sensitive, compiled_event
 from pydy._system.setup import Setup
 from pydy._system.simulation import begin
 from pydy._system.solving import native_solver
 from pydy.analysis.adjoint import AdjointGradient
-from pydy.codegen.arguments import SpecifiedsPlan
 from pydy.inputs import SampledInput
 from pydy.solvers.events import Event, EventRecord, forcing_time
 from pydy.solvers.options import read_options
@@ -185,11 +183,7 @@ Place = tuple[str, int]
 class _Task:
     """What is integrated and differentiated."""
 
-    definition: Definition
-    plan: SpecifiedsPlan
-    p: np.ndarray
-    parameters: tuple[Parameter, ...]
-    model: CompiledModel  # of the states alone
+    sensitive: Sensitive  # its model is of the states alone
     final: Any  # the place of an output, an expression, or None
     integral: Any
 
@@ -197,27 +191,29 @@ class _Task:
     def whole(self) -> CompiledModel:
         """The equations, with the integral and the marker of samples as their last states."""
         marked = self.marker is not None
+        model = self.sensitive.model
         if self.integral is None and not marked:
-            return self.model
-        return self.model.changed(
+            return model
+        return model.changed(
             ("integral", self.integral, marked), partial(extended, self.integral, marked)
         )
 
     @cached_property
     def marker(self) -> SampledInput | None:
         """See `samples.marker`."""
-        return marker(self.parameters)
+        return marker(self.sensitive.parameters)
 
     @cached_property
     def sampled(self) -> list[Parameter]:
         """The parameters that are samples."""
-        return [p for p in self.parameters if p.samples is not None]
+        return [p for p in self.sensitive.parameters if p.samples is not None]
 
     @cached_property
     def wanted(self) -> tuple[Place, ...]:
         """The inputs to differentiate by; those that are samples come last."""
         groups = {"constants": "p", "specifieds": "r"}
-        plain = [p for p in self.parameters if p.kind in groups and p.samples is None]
+        parameters = self.sensitive.parameters
+        plain = [p for p in parameters if p.kind in groups and p.samples is None]
         return tuple((groups[p.kind], p.place) for p in (*plain, *self.sampled))
 
     def call_whole(self, kernel: Kernel, further: int = 0) -> KernelCall:
@@ -225,18 +221,18 @@ class _Task:
         if self.marker is None:
             return self.call(kernel, further)
         call = self.call(kernel, further + 1)
-        place = np.array([len(self.plan.values)])
+        place = np.array([len(self.sensitive.plan.values)])
         return replace(call, sampled=(*call.sampled, (place, self.marker)))
 
     def call(self, kernel: Kernel, further: int = 0) -> KernelCall:
         """Return the call of a Kernel with so many inputs after r."""
-        states = self.model.layout.states
-        r = np.concatenate([self.plan.values, np.zeros(further)])
+        plan, states = self.sensitive.plan, self.sensitive.definition.states
+        r = np.concatenate([plan.values, np.zeros(further)])
 
         def names() -> tuple[str, ...]:
             return (*map(str, states), "the integral")
 
-        return KernelCall(kernel, self.p, r, self.plan.sampled, None, names)
+        return KernelCall(kernel, self.sensitive.p, r, plan.sampled, None, names)
 
     def run(
         self, solver: Solver, x0: np.ndarray, times: np.ndarray, options: dict[str, Any]
@@ -251,9 +247,7 @@ class _Task:
             if np.size(options[name]) == n > 1 and more:  # the integral as the strictest state
                 given = np.asarray(options[name], dtype=float)
                 options = {**options, name: np.append(given, given.min())}
-        spacing = mean_spacing(self.parameters)
-        if spacing is not None and solver.adaptive:
-            options = {"max_step": spacing, **options}
+        options = self.sensitive.stepped(solver, options)
         recording = Recording(n, len(tableau_of(solver.name).stages), rates)
         read = replace(read_options(solver.name, solver.adaptive, options), recording=recording)
         whole = np.append(x0, np.zeros(more))
@@ -283,7 +277,7 @@ class _Task:
 
     def objective(self) -> KernelCall:
         """Return `final`, and its derivatives by states, time, specifieds and what is wanted."""
-        model = self.model
+        model = self.sensitive.model
         assembly = model.assembly
         n, s, _ = assembly.sizes
         places = [("t", 0), *(("r", k) for k in range(s)), *self.wanted]
@@ -356,7 +350,7 @@ class _Run:
         if self._kept:
             self._seen.append((np.array([t]), part[None, len(part) - self._kept :]))
 
-    def gradient(self, sensitive: Sensitive, start: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    def gradient(self, start: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Go back to the beginning; return the derivatives by parameters and by the first state.
 
         The derivatives of the first state by the parameters are `start`, shape (n, k).
@@ -404,7 +398,7 @@ class _Run:
             sweeps = [(k, k + 1) for k in range(first, last)]
             ends = np.array([x[:n] for x in (*recording.before[first + 1 : last], end)])
             projections = Projections(
-                self.task.model, self.options.constraints, self.task.wanted,
+                self.task.sensitive.model, self.options.constraints, self.task.wanted,
                 self.task.call, np.array(recording.ends[first:last]), ends,
             )  # fmt: skip
         for k, (start, stop) in reversed(list(enumerate(sweeps))):
@@ -428,7 +422,7 @@ class _Run:
         time, and by its own slope where the motion ends there; dt_e/dθ = −(g_x S + g_θ) / ġ.
         """
         n, t = self.n, record.time
-        kernel, changed = compiled_event(self.task.model, event, self.task.wanted)
+        kernel, changed = compiled_event(self.task.sensitive.model, event, self.task.wanted)
         call = self.task.call(kernel)
         x, adjoint, places = record.before, self._adjoint[:n].copy(), [*changed]
         r = np.concatenate([call.inputs_at(x, t), call.slopes_at(t)])
@@ -471,7 +465,7 @@ class _Run:
         place = {one: k for k, one in enumerate(task.wanted)}
         sampled = {p.symbol: k for k, p in enumerate(task.sampled)}
         found: list[float] = []
-        for parameter in task.parameters:
+        for parameter in task.sensitive.parameters:
             if parameter.kind == "states":
                 found.append(0.0)
             elif parameter.samples is None:
@@ -555,7 +549,6 @@ class Gradients(Setup):
         """
         now, solver = self._now(solver_kwargs.get("events")), self.ode_solver
         definition, plan = now.definition, now.plan
-        dependent = latest_dependents(definition, self._dependent)
         if isinstance(solver, Solver) and solver.name == "radau":
             raise ValueError(
                 "`adjoint_gradient` goes back through the steps of an explicit method, but "
@@ -568,17 +561,15 @@ class Gradients(Setup):
                 "`final` or `integral` must be given: an output or an expression of states, "
                 "specifieds, constants and time."
             )
-        parameters = read_parameters(definition, plan, wrt, "wrt", dependent)
         final, integral = (
             None if term is None else read_term(definition, term, name)
             for term, name in ((final, "final"), (integral, "integral"))
         )
         ready, instants = begin(now, solver, solver_kwargs)
         model = ready.model
-        task = _Task(definition, plan, now.p, parameters, model, final, integral)
-        places = [definition.states.index(s) for s in dependent]
-        sensitive = Sensitive(definition, model, plan, parameters, now.p, "wrt")
-        beginning = sensitive.start(now.x, float(instants[0]), places)
+        sensitive = Sensitive.of(now, model, plan, wrt, self._dependent, "wrt")
+        task = _Task(sensitive, final, integral)
+        beginning = sensitive.start(now.x, float(instants[0]))
         try:
             run = task.run(solver, now.x, instants, ready.options)
         except (IntegrationError, IntegrationInterrupted, SingularMatrixError) as error:
@@ -592,7 +583,7 @@ class Gradients(Setup):
         reached = run.info["reached"]
         states = run.states[:reached, :n].copy()
         try:
-            values, by_state = run.gradient(sensitive, beginning)
+            values, by_state = run.gradient(beginning)
         except KeyboardInterrupt as stop:
             raise IntegrationInterrupted(
                 "The gradient was interrupted on the way back through the motion, which is whole: "
@@ -604,6 +595,6 @@ class Gradients(Setup):
             times = instants[:reached].copy()
             return now.trajectory(times, states, events=run.records, statistics=run.info)
 
-        counts = {p.symbol: p.count for p in parameters}
+        counts = {p.symbol: p.count for p in sensitive.parameters}
         statistics = {k: v for k, v in run.info.items() if k not in ("events", "reached")}
         return AdjointGradient(run.value, values, counts, by_state, run.end, statistics, motion)

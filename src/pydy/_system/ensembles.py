@@ -3,23 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from pydy._assembly.definition import Definition
-from pydy._assembly.model import CompiledModel
 from pydy._assembly.specifieds import driven
 from pydy._checks import Places, check_mapping, flag, number, real_array, text, whole
 from pydy._dataset import SENSITIVITY
-from pydy._names import latex_of, name_of, unique_names
-from pydy._system.dependents import latest_dependents
+from pydy._names import column_names, latex_of, name_of, unique_names
 from pydy._system.inputs import check_times
 from pydy._system.kept import kept_programs
-from pydy._system.parameters import read_parameters
-from pydy._system.samples import mean_spacing
-from pydy._system.sensitivities import Sensitive, changed_by, program_of_event, sizes_of
+from pydy._system.sensitivities import Sensitive, changed_by, program_of_event
 from pydy._system.setup import Setup
 from pydy._system.snapshot import At, Snapshot
 from pydy._system.solving import Ready, native_solver
@@ -44,92 +40,31 @@ if TYPE_CHECKING:
     from pydy._system.solving import EnsembleOptions
 
 
-@dataclass(frozen=True, eq=False)
-class Differentiated:
-    """What an ensemble with sensitivities integrates.
-
-    Attributes
-    ----------
-    model : EnsembleSensitivities
-    options : dict
-        For the solver.
-    """
-
-    model: EnsembleSensitivities
-    options: dict[str, Any]
-
-
 def differentiated(
-    now: Snapshot,
-    integrated: CompiledModel,
-    plan: SpecifiedsPlan,
-    solver: Solver,
-    options: dict[str, Any],
-    wanted: tuple[Any, Any, Any],
-) -> Differentiated | None:
-    """Return the sensitivities of an ensemble, or None where none are asked for.
-
-    Parameters
-    ----------
-    now : Snapshot
-    integrated : CompiledModel
-        Of the states alone.
-    plan : SpecifiedsPlan
-        Of the ensemble.
-    solver : Solver
-    options : dict
-        For the solver, events and constraints compiled.
-    wanted : (parameters, control, dependent)
-        As for `simulation.simulate`.
-    """
-    chosen, control, dependent = wanted
-    control = flag(control, "`control_sensitivities`")
-    if chosen is None:
-        return None
-    definition = now.definition
-    following = latest_dependents(definition, dependent)
-    parameters = read_parameters(definition, plan, chosen, dependent=following)
-    sensitive = Sensitive(definition, integrated, plan, parameters, now.p)
-    places = tuple(definition.states.index(symbol) for symbol in following)
-    spacing = mean_spacing(parameters)
-    if spacing is not None and solver.adaptive:
-        options = {"max_step": spacing, **options}
-    tied = sensitive.tied
+    sensitive: Sensitive, options: Mapping[str, Any], control: bool
+) -> EnsembleSensitivities:
+    """Return the sensitivities of an ensemble as Programs and numbers."""
+    model, definition = sensitive.model, sensitive.definition
+    tied, wanted = sensitive.tied, sensitive.columns.wanted
     events = options.get("events")
-    residuals = None
-    if tied:
-        residuals = sensitive.tangent("holonomic", "velocity")
-    controlled = control or spacing is not None
-    names = unique_names([parameter.symbol for parameter in parameters])
-    columns = [
-        name if parameter.count == 1 else f"{name}[{j}]"
-        for name, parameter in zip(names, parameters, strict=True)
-        for j in range(parameter.count)
-    ]
-    model = EnsembleSensitivities(
-        names=tuple(columns),
+    return EnsembleSensitivities(
+        names=column_names({p.symbol: p.count for p in sensitive.parameters}),
         rates=sensitive.tangent(),
         outputs=sensitive.written_out("outputs") if definition.outputs_symbols else None,
-        start=sensitive.independent(places),
-        dependent=places,
-        gradients=tuple(integrated.jacobian_program(block, "x") for block in tied),
+        start=sensitive.independent(),
+        dependent=sensitive.dependent,
+        gradients=tuple(model.jacobian_program(block, "x") for block in tied),
         unknowns=tuple(sensitive.unknowns),
-        residuals=residuals,
-        unsolved=sensitive.unsolved(places),
+        residuals=sensitive.tangent("holonomic", "velocity") if tied else None,
+        unsolved=sensitive.unsolved(),
         sampled=tuple(sensitive.weights()),
-        sized=sizes_of(parameters, options, len(definition.states)) if controlled else None,
+        sized=sensitive.sized(control, options),
         sources=sensitive.columns.sources,
         jumps=tuple(
-            (
-                program_of_event(integrated, event, sensitive.columns.wanted),
-                changed_by(event, definition.states),
-            )
+            (program_of_event(model, event, wanted), changed_by(event, definition.states))
             for event in (() if events is None else events.sources)
         ),
     )
-    if events is not None:  # workers need no SymPy
-        options = {**options, "events": replace(events, sources=())}
-    return Differentiated(model, options)
 
 
 class _Names:
@@ -512,6 +447,7 @@ class Ensembles(Setup):
         True
         """
         product, progress = flag(product, "`product`"), flag(progress, "`progress`")
+        control = flag(control_sensitivities, "`control_sensitivities`")
         if not (isinstance(resume, str) and resume):
             resume = flag(resume, "`resume`, unless it is a name for functions,")
         now = self._now(solver_kwargs.get("events"), constants)
@@ -561,14 +497,17 @@ class Ensembles(Setup):
         given: dict[str, Any] = {**solver_kwargs}
         if ready is None or not ready.suits(plan, solver, given):
             ready = Ready(definition, now.model, plan, solver, given)
-        integrated, wanted = ready.model, None
-        asked = sensitivities, control_sensitivities, self._dependent
-        if sensitivities is not None or control_sensitivities is not False:
-            wanted = differentiated(now, integrated, plan, solver, ready.options, asked)
+        integrated, options, beside = ready.model, ready.options, None
+        if sensitivities is not None:
+            sensitive = Sensitive.of(now, integrated, plan, sensitivities, self._dependent)
+            options = sensitive.stepped(solver, options)
+            beside = differentiated(sensitive, options, control)
+            if "events" in options:  # workers need no SymPy
+                options = {**options, "events": replace(options["events"], sources=())}
         read = ready.read
-        if read is None or wanted is not None:
-            read = _read(definition, solver, ready.options if wanted is None else wanted.options)
-        if wanted is None:
+        if read is None or beside is not None:
+            read = _read(definition, solver, options)
+        if beside is None:
             ready.read, now.model.latest["ensemble"] = read, ready
         model = Model(
             rates=integrated.program("rates"),
@@ -581,7 +520,7 @@ class Ensembles(Setup):
             sampled=plan.sampled,
             functions=tuple((columns, function) for columns, function, _ in plan.functions),
             jacobian=integrated.jacobian_program("rates", "x") if solver.name == "radau" else None,
-            sensitivities=None if wanted is None else wanted.model,
+            sensitivities=beside,
             kept=kept,
         )
         reductions = read_reductions(reduce, model, names.name)
@@ -589,7 +528,7 @@ class Ensembles(Setup):
         work = Work(model, reductions, described)
         # Work with few samples goes to all threads; large results come in pieces.
         row = 8.0 * len(names.of) * (len(times) if not reductions else 8)
-        row *= 1 if wanted is None else 1 + len(wanted.model.names)
+        row *= 1 if beside is None else 1 + len(beside.names)
         # One by one takes long: an interrupt should find blocks that are finished.
         most = LARGEST_BLOCK if model.in_lanes else SMALLEST_BLOCK
         default = int(min(max(BLOCK_BYTES / row, SMALLEST_BLOCK), most))

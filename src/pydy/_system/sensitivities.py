@@ -7,7 +7,7 @@ function theorem: from c(x, θ) = 0 follows c_d x_d' = −(c_i x_i' + c_θ) for 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -22,8 +22,10 @@ from pydy._graph.program import Program
 from pydy._graph.simplify import simplify
 from pydy._graph.tangent import Tangent
 from pydy._kernel import Inputs, Kernel, KernelCall
+from pydy._system.dependents import latest_dependents
 from pydy._system.parameters import Parameter, read_parameters
 from pydy._system.samples import by_samples, mean_spacing
+from pydy._system.snapshot import Snapshot
 from pydy.analysis.dependence import follow
 from pydy.codegen.arguments import SpecifiedsPlan
 from pydy.inputs import SampledInput
@@ -31,22 +33,37 @@ from pydy.solvers.events import Event
 from pydy.solvers.sensitivities import CompiledSensitivities, Sized, scales_of
 from pydy.solvers.solver import Solver
 
-__all__ = ["Sensitive", "Wanted", "changed_by", "compiled_event", "program_of_event", "sizes_of"]
-
 
 @dataclass(frozen=True, eq=False)
 class Sensitive:
     """A System's equations with columns of sensitivities beside the state."""
 
     definition: Definition
-    model: (
-        CompiledModel  # with its linear solve and all expressions compiled in, as it is integrated
-    )
+    model: CompiledModel  # with all expressions compiled in, as it is integrated
     plan: SpecifiedsPlan
     parameters: tuple[Parameter, ...]
     p: np.ndarray
     argument: str = "sensitivities"  # that named the parameters
+    dependent: tuple[int, ...] = ()  # the places of states that follow from the others
     columns: Columns = field(init=False)
+
+    @staticmethod
+    def of(
+        now: Snapshot,
+        model: CompiledModel,
+        plan: SpecifiedsPlan,
+        wanted: Any,
+        solved: Iterable[Any] | None,
+        argument: str = "sensitivities",
+    ) -> Sensitive:
+        """Return the sensitivities to what a user wanted.
+
+        The initial conditions that were `solved` for, or else the method's, depend on the others.
+        """
+        following = latest_dependents(now.definition, solved)
+        places = tuple(now.definition.states.index(s) for s in following)
+        parameters = read_parameters(now.definition, plan, wanted, argument, following)
+        return Sensitive(now.definition, model, plan, parameters, now.p, argument, places)
 
     def __post_init__(self) -> None:
         s = len(self.definition.specifieds)
@@ -65,6 +82,31 @@ class Sensitive:
                     weights += 1
         n = len(self.definition.states)
         object.__setattr__(self, "columns", Columns(n, tuple(directions), weights))
+
+    def stepped(self, solver: Solver, options: dict[str, Any]) -> dict[str, Any]:
+        """Return options with steps that are short enough for samples.
+
+        Samples in a line leave no mark in the motion: the states' error shows no kink there.
+        """
+        spacing = mean_spacing(self.parameters)
+        if spacing is None or not solver.adaptive:
+            return options
+        return {"max_step": spacing, **options}
+
+    def sized(self, controlled: bool, options: Mapping[str, Any]) -> tuple[Sized, ...] | None:
+        """Return the parameters' sizes, where the step control looks at the sensitivities too.
+
+        States with absolute tolerances of their own are as small, where they pass through zero, as
+        these say in relative ones; all others have sizes of at least 1.
+        """
+        if not controlled and mean_spacing(self.parameters) is None:
+            return None
+        found = tuple(parameter.sized for parameter in self.parameters)
+        rtol, atol = (np.asarray(options.get(name, 0.0), dtype=float) for name in ("rtol", "atol"))
+        if atol.shape != (self.columns.states,) or not ((rtol > 0.0).all() and (atol > 0.0).all()):
+            return found
+        least = (atol / rtol).tolist()
+        return tuple(s._replace(least=least[s.place]) if s.group == "x" else s for s in found)
 
     # -- compiled ---------------------------------------------------------------------------------
 
@@ -174,20 +216,18 @@ class Sensitive:
 
     # -- the start --------------------------------------------------------------------------------
 
-    def start(self, x0: np.ndarray, t: float, dependent: Sequence[int]) -> np.ndarray:
-        """Return the sensitivities of the initial state, shape (n, k).
-
-        The states at the places `dependent` follow from the others by the constraints.
-
-        Raises
-        ------
-        ValueError
-            A parameter is a dependent initial condition, or the constraints cannot be solved for
-            the dependent ones.
-        """
-        values = self.independent(dependent)
+    def start(self, x0: np.ndarray, t: float) -> np.ndarray:
+        """Return the sensitivities of the initial state, shape (n, k); see `follow`."""
+        values = self.independent()
         if self.tied:
-            self._complete(values, x0, t, list(dependent))
+            n, instant, model = self.columns.states, np.array([t]), self.model
+            args = (instant, x0[None], self.plan.rows(x0[None], instant), self.p)
+            rows = [model.evaluate(model.compiled_jacobian(b, "x"), *args) for b in self.tied]
+            moved = [self._sweep((b,), instant, x0[None], values[None])[0] for b in self.tied]
+            gradients = [row.reshape(-1, n) for row in rows]
+            every = np.concatenate(moved)
+            if not follow(values, gradients, every, self.unknowns, self.dependent):
+                raise ValueError(self.unsolved())
         return values
 
     @property
@@ -203,42 +243,32 @@ class Sensitive:
         every = {"holonomic": range(first), "velocity": range(first, self.columns.states)}
         return [every[block] for block in self.tied]
 
-    def independent(self, dependent: Sequence[int]) -> np.ndarray:
+    def independent(self) -> np.ndarray:
         """Return the sensitivities of the initial state, zero for the dependent ones."""
         values = np.zeros((self.columns.states, self.columns.count))
         column = 0
         for parameter in self.parameters:
             if parameter.kind == "states":
-                if parameter.place in dependent:
+                if parameter.place in self.dependent:
                     raise ValueError(
                         f"`{self.argument}` has the initial condition of `{parameter.symbol}`, "
                         "which follows from the others by the constraints, as do "
-                        f"{self._named(dependent)}. Name independent ones, or make it independent: "
+                        f"{self._following}. Name independent ones, or make it independent: "
                         "call set_dependent_initial_conditions(dep_vars=…) with other variables."
                     )
                 values[parameter.place, column] = 1.0
             column += parameter.count
         return values
 
-    def _named(self, places: Sequence[int]) -> str:
-        return describe([self.definition.states[k] for k in places])
+    @property
+    def _following(self) -> str:
+        return describe([self.definition.states[k] for k in self.dependent])
 
-    def _complete(self, values: np.ndarray, x0: np.ndarray, t: float, dependent: list[int]) -> None:
-        """Let the dependent initial conditions follow the others."""
-        n, instant = self.columns.states, np.array([t])
-        args = (instant, x0[None], self.plan.rows(x0[None], instant), self.p)
-        model = self.model
-        rows = [model.evaluate(model.compiled_jacobian(b, "x"), *args) for b in self.tied]
-        moved = [self._sweep((b,), instant, x0[None], values[None])[0] for b in self.tied]
-        gradients = [row.reshape(-1, n) for row in rows]
-        if not follow(values, gradients, np.concatenate(moved), self.unknowns, dependent):
-            raise ValueError(self.unsolved(dependent))
-
-    def unsolved(self, dependent: Sequence[int]) -> str:
+    def unsolved(self) -> str:
         """Return what to say where the constraints do not give the dependent conditions."""
         which = "for any: none is named as dependent"
-        if len(dependent):
-            which = f"for {self._named(dependent)}"
+        if self.dependent:
+            which = f"for {self._following}"
         return (
             f"`{self.argument}` needs to know how the dependent initial conditions follow from "
             f"the others, but the constraints cannot be solved {which}. Call "
@@ -273,65 +303,31 @@ def compiled_event(
     return kernel, changed_by(event, model.layout.states)
 
 
-def sizes_of(
-    parameters: Sequence[Parameter], options: Mapping[str, Any], n: int
-) -> tuple[Sized, ...]:
-    """Return what tells the sizes of parameters, of n states, for the control of sensitivities.
-
-    States with absolute tolerances of their own are as small, where they pass through zero, as
-    these say in relative ones; all others have sizes of at least 1.
-    """
-    sized = tuple(parameter.sized for parameter in parameters)
-    rtol, atol = (np.asarray(options.get(name, 0.0), dtype=float) for name in ("rtol", "atol"))
-    if atol.shape != (n,) or not (rtol > 0.0).all() or not (atol > 0.0).all():
-        return sized
-    least = atol / rtol
-    return tuple(s._replace(least=float(least[s.place])) if s.group == "x" else s for s in sized)
-
-
+@dataclass
 class Wanted:
-    """Sensitivities that a simulation is to find, and what it is integrated with for them.
+    """Sensitivities that a simulation is to find, and what it is integrated with for them."""
 
-    `controlled` says whether the step control of a native solver looks at the sensitivities too.
-    """
-
-    sensitive: Sensitive  # from the call of `problem` on
-
-    def __init__(self, parameters: Any, controlled: bool) -> None:
-        self._parameters = parameters
-        self._controlled = controlled
+    parameters: Any  # as the user names them
+    controlled: bool  # whether the step control of a native solver looks at the sensitivities too
+    solved: Iterable[Any] | None  # see `Sensitive.of`
+    sensitive: Sensitive = field(init=False)  # from the call of `problem` on
 
     def problem(
-        self,
-        definition: Definition,
-        integrated: CompiledModel,
-        plan: SpecifiedsPlan,
-        start: tuple[np.ndarray, float],
-        p: np.ndarray,
-        dependent: Sequence[int],
-        solver: Any,
-        options: dict[str, Any],
+        self, now: Snapshot, model: CompiledModel, t: float, solver: Any, options: dict[str, Any]
     ) -> tuple[Callable[..., np.ndarray], np.ndarray, dict[str, Any]]:
         """Return the right-hand side, the initial values and the options of the solver.
 
-        The model `integrated` is of the states alone, which `start` at a state and its time; the
-        dependent ones have the places `dependent`.
+        The model that is integrated is of the states alone.
         """
-        following = [definition.states[k] for k in dependent]
-        parameters = read_parameters(definition, plan, self._parameters, dependent=following)
-        self.sensitive = sensitive = Sensitive(definition, integrated, plan, parameters, p)
-        values = sensitive.start(*start, dependent)
-        columns = sensitive.columns
+        self.sensitive = sensitive = Sensitive.of(
+            now, model, now.plan, self.parameters, self.solved
+        )
+        values, columns = sensitive.start(now.x, t), sensitive.columns
         if isinstance(solver, Solver):
-            # Samples in a line leave no mark in the motion: the states' error shows no kink there.
-            spacing = mean_spacing(parameters)
-            if spacing is not None and solver.adaptive:
-                options = {"max_step": spacing, **options}
-            controlled = self._controlled or spacing is not None
-            scales = None
-            if controlled:
-                sized = sizes_of(parameters, options, columns.states)
-                scales = scales_of(sized, start[0], plan.values, p, columns.count)
+            options = sensitive.stepped(solver, options)
+            scales, sized = None, sensitive.sized(self.controlled, options)
+            if sized is not None:
+                scales = scales_of(sized, now.x, now.plan.values, now.p, columns.count)
             events = options.get("events")
             compiled = sensitive.compiled(scales, () if events is None else events.sources)
             options = {**options, "sensitivities": compiled}
@@ -340,7 +336,7 @@ class Wanted:
                 if np.size(options[name]) == columns.states > 1:  # others as of their states
                     every = np.repeat(np.asarray(options[name]), columns.count)
                     options = {**options, name: np.concatenate([options[name], every])}
-        return sensitive.function(), columns.together(start[0], values), options
+        return sensitive.function(), columns.together(now.x, values), options
 
     def results(self, whole: np.ndarray) -> tuple[np.ndarray, dict[str, Any]]:
         """Return the states of a solver's result, and what a Trajectory takes beside them."""

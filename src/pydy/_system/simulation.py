@@ -17,7 +17,6 @@ from pydy._system.dependents import (
     check_dependents,
     default_dependents,
     given_values,
-    latest_dependents,
     solve_dependents,
 )
 from pydy._system.kept import Motion, check_kept
@@ -82,27 +81,6 @@ def _run(
     return states, prepared
 
 
-def _problem(
-    now: Snapshot,
-    solver: SolverFunction,
-    ready: Ready,
-    times: np.ndarray,
-    wanted: Wanted | None,
-    dependent: Any,
-) -> tuple[Any, np.ndarray, tuple[Any, Any], dict[str, Any]]:
-    """Return f, x0, args and the options for any solver."""
-    definition, plan, model, x0, p = now.definition, now.plan, ready.model, now.x, now.p
-    if wanted is None:
-        f, options = rates_function(model, plan), ready.options
-    else:
-        places = [definition.states.index(s) for s in latest_dependents(definition, dependent)]
-        start = (x0, float(times[0]))
-        f, x0, options = wanted.problem(
-            definition, model, plan, start, p, places, solver, ready.options
-        )
-    return f, x0, (plan.values.copy() if plan.constant else plan, p), options
-
-
 def _solve(
     now: Snapshot,
     solver: SolverFunction,
@@ -110,7 +88,6 @@ def _solve(
     *,
     checked: bool,
     wanted: Wanted | None = None,
-    dependent: Any = None,
 ) -> Any:
     """Call the solver; `checked` tells whether odeint's giving up is an error."""
     free, full = given.get("constraints") is None, given.get("full_output", False)
@@ -124,7 +101,10 @@ def _solve(
             info, options = prepared.info if full or watched else {}, ready.options
             result: Any = states, info
         else:
-            f, x0, args, options = _problem(now, solver, ready, times, wanted, dependent)
+            f, x0, options = rates_function(ready.model, now.plan), now.x, ready.options
+            if wanted is not None:
+                f, x0, options = wanted.problem(now, ready.model, float(times[0]), solver, options)
+            args = now.plan.values.copy() if now.plan.constant else now.plan, now.p
             if checked and solver is scipy.integrate.odeint:
                 result = call_odeint(f, x0, times, args, now.definition.states, options)
             elif watched:
@@ -356,10 +336,9 @@ class Simulation(Setup):
             options = {"dense_output": True, **options}
         wanted, n = None, len(now.definition.states)
         if sensitivities is not None:
-            wanted = Wanted(sensitivities, flag(control_sensitivities, "`control_sensitivities`"))
-        result = _solve(
-            now, solver, options, checked=True, wanted=wanted, dependent=self._dependent
-        )
+            control = flag(control_sensitivities, "`control_sensitivities`")
+            wanted = Wanted(sensitivities, control, self._dependent)
+        result = _solve(now, solver, options, checked=True, wanted=wanted)
         states, info = result if isinstance(result, tuple) else (result, None)
         statistics = dict(info) if isinstance(info, dict) else {}
         times = statistics.pop("times", now.times)

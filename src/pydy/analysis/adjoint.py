@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from pydy._forks import cached_property
-from pydy._names import name_of, unique_names
+from pydy._names import column_names, name_of, unique_names
 
 __all__ = ["AdjointGradient"]
 
@@ -52,13 +52,7 @@ class AdjointGradient:
     @property
     def names(self) -> tuple[str, ...]:
         """The parameters' names: ``F[0]``, ``F[1]``, … for samples."""
-        return tuple(
-            name if count == 1 else f"{name}[{j}]"
-            for name, count in zip(
-                unique_names(list(self.counts)), self.counts.values(), strict=True
-            )
-            for j in range(count)
-        )
+        return column_names(self.counts)
 
     @cached_property
     def trajectory(self) -> Any:
