@@ -30,13 +30,7 @@ from pydy.solvers.tuning import TRIED
 
 
 def variables(definition: Definition, wrt: Any) -> str | tuple[tuple[str, int], ...]:
-    """Return the inputs to differentiate by: a group, or some of any.
-
-    Parameters
-    ----------
-    definition : Definition
-    wrt : {'states', 'specifieds', 'constants'}, symbol, name, or a list
-    """
+    """Return the inputs that a user's `wrt` means: a group, or some of any."""
     if isinstance(wrt, str) and wrt in GROUPS:
         return GROUPS[wrt]
     if isinstance(wrt, str):

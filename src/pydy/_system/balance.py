@@ -60,13 +60,7 @@ class Unknowns:
 
 
 def located(definition: Definition, symbol: Any, argument: str) -> tuple[str, int]:
-    """Return the kind of a symbol or name, and its place there.
-
-    Raises
-    ------
-    ValueError
-        It is no state, constant or specified.
-    """
+    """Return the kind of a symbol or name, a state, constant or specified, and its place there."""
     for kind in GROUPS:
         place = definition.places[kind].get(symbol, argument)
         if place is not None:
@@ -82,12 +76,7 @@ def members(
 ) -> list[Any]:
     """Return symbols and names, with all symbols of a group in place of its name.
 
-    Parameters
-    ----------
-    definition : Definition
-    keys : iterable
-    without : mapping, optional
-        Symbols that a group does not stand for.
+    A group does not stand for those in `without`.
     """
     found: list[Any] = []
     for key in keys:
@@ -120,17 +109,8 @@ def evaluated(
 class Balance:
     """Derivatives of the states and residuals of the constraints as functions of unknowns z.
 
-    Parameters
-    ----------
-    now : Snapshot
-    unknowns : iterable of symbols or names, optional
-        By default all coordinates and speeds that are neither given, nor moving, nor varied.
-    given : mapping, optional
-        Values of other states, constants and specifieds.
-    moving : iterable of coordinates
-        Those that may change steadily.
-    varied : sequence of symbols or names
-        Further unknowns, the last ones, which are never taken by default.
+    The `unknowns` are by default all coordinates and speeds that are neither `given` a value, nor
+    `moving` steadily, nor `varied`: these are further unknowns, the last ones.
     """
 
     def __init__(
@@ -371,18 +351,8 @@ def natural_sizes(
     """Return how large states, specifieds and constants are by themselves; 0 where nothing tells.
 
     The argument of a sine or an exponential function is a number without a unit. What makes it
-    change by one is large: an angle of 1 rad, or a thousandth of a speed in tanh(1000 v).
-
-    Parameters
-    ----------
-    made : CompiledModel
-    at : (t, x, r, p)
-        Of m states.
-
-    Returns
-    -------
-    dict
-        Maps each of `GROUPS` to an array (m, n).
+    change by one is large: an angle of 1 rad, or a thousandth of a speed in tanh(1000 v). Each of
+    `GROUPS` has an array (m, n), for m states ``at = (t, x, r, p)``.
     """
     t, x, r, p = at
     r = np.broadcast_to(r, (len(x), r.shape[1]))

@@ -29,21 +29,11 @@ _CANDIDATES = (sm.Basic, sm.MatrixBase, list, tuple, np.ndarray)
 
 @dataclass(frozen=True)
 class Given:
-    """What a dictionary of specifieds says about the symbols of a System. Nothing is checked.
+    """What a dictionary of specifieds says about the symbols of a System. Nothing is checked."""
 
-    Attributes
-    ----------
-    expressions : dict
-        The SymPy expressions, by symbol or name.
-    keys : tuple of symbols or names
-        All that have a value.
-    ordered : bool
-        Whether `keys` are the order of r: the dictionary is in the second format.
-    """
-
-    expressions: dict[Any, Any]
-    keys: tuple[Any, ...]
-    ordered: bool
+    expressions: dict[Any, Any]  # the SymPy expressions, by symbol or name
+    keys: tuple[Any, ...]  # all symbols or names that have a value
+    ordered: bool  # whether `keys` are the order of r: the dictionary is in the second format
 
     def still_holds(self, specifieds: Mapping[Any, Any]) -> bool:
         """Return whether the dictionary, which may have been edited, says the same."""
@@ -76,25 +66,11 @@ def given_in(specifieds: Mapping[Any, Any]) -> Given:
 class Definer:
     """Makes the Definition of what a user set; the latest is kept while that stays the same.
 
-    Parameters
-    ----------
-    equations : Equations
-    base : (constants, specifieds)
-        Those of the equations of motion, as found or as the user gave them.
-    energies : EnergyModel
-        Constants and specifieds may be held by these alone.
-
-    Attributes
-    ----------
-    residuals : dict
-        The constraints as outputs.
-    latest : Definition
-        The last that was sound.
-    of_events : dict
-        Keyed by the constants of all events that were met.
+    The constants and specifieds of the equations of motion, as found or as the user gave them, are
+    the `base`; others may be held by `energies` alone.
     """
 
-    latest: Definition
+    latest: Definition  # that was sound
 
     def __init__(
         self,
@@ -106,9 +82,10 @@ class Definer:
         self.energies = energies
         self._base = base
         rows = (*equations.holonomic, *equations.nonholonomic)
+        # The constraints as outputs.
         self.residuals = {sm.Dummy(f"c{k}"): row for k, row in enumerate(rows)}
         self._key: tuple[dict[Any, Any], list[Any], Given] | None = None
-        self.of_events: dict[Any, None] = {}
+        self.of_events: dict[Any, None] = {}  # keyed by the constants of all events that were met
         self._wider: tuple[Definition, set[Any], Definition] | None = None
         self._held: tuple[Definition, list[Any], list[Any]] | None = None  # by the latest events
         self._warned_of: set[Any] = set()
@@ -119,15 +96,9 @@ class Definer:
         forces: Sequence[Any],
         specifieds: Mapping[Any, Any],
     ) -> Definition:
-        """Return the Definition.
+        """Return the Definition of outputs, names of noncontributing forces, and specifieds.
 
-        Parameters
-        ----------
-        outputs : mapping
-            With residuals and forces or without; the user may have edited it.
-        forces : sequence of symbols
-            Names of the noncontributing forces.
-        specifieds : mapping
+        The user may have edited the outputs, which are with residuals and forces or without.
         """
         if self._key is not None:
             known, names, given = self._key
@@ -213,19 +184,9 @@ def define(
 ) -> Definition:
     """Check the outputs and forces of a System and sort out its symbols.
 
-    Parameters
-    ----------
-    equations : Equations
-    outputs, residuals : mapping
-        The user's, and the constraints.
-    forces : iterable of symbols or None
-    base : (constants, specifieds)
-        Those of the equations of motion, as found or as the user gave them.
-    given : Given
-        How specifieds are given. Symbols that occur only in expressions are added, and so are
-        motions of which the equations hold derivatives only.
-    more : callable
-        Gives specifieds that energies hold; asked where one is given that nothing else holds.
+    Symbols that occur only in expressions for specifieds are added, and so are motions of which the
+    equations hold derivatives only. What `more` returns, the specifieds that energies hold, is
+    asked for where one is given that nothing else holds.
     """
     constants, specifieds = base
     groups = output_groups({**outputs, **residuals})
@@ -326,11 +287,8 @@ def _symbols_of(
 def unfollowed(definition: Definition, plan: SpecifiedsPlan) -> list[tuple[Any, Any]]:
     """Return derivatives that are zero for want of a value although their function moves.
 
-    Returns
-    -------
-    list of (derivative, function)
-        `function`, or a derivative of it, is given as a function or as samples, of which no
-        derivative is taken; numbers and expressions have derivatives that follow.
+    Each comes with what is given as a function or as samples, of which no derivative is taken: the
+    function, or a derivative of it. Numbers and expressions have derivatives that follow.
     """
     if plan.constant or not definition.lower_derivatives:
         return []

@@ -44,13 +44,7 @@ def latest_dependents(definition: Definition, solved: Iterable[Any] | None) -> t
 def check_dependents(
     definition: Definition, dep_vars: Iterable[Any]
 ) -> tuple[list[int], list[int]]:
-    """Return the places in x of the dependent coordinates and speeds.
-
-    Raises
-    ------
-    ValueError
-        The system has no constraints, or their number does not fit.
-    """
+    """Return the places in x of the dependent coordinates and speeds."""
     equations = definition.equations
     holonomic, velocity = len(equations.holonomic), len(equations.velocity)
     if not holonomic and not velocity:
@@ -159,20 +153,10 @@ def solve_dependents(
     use_jac: bool,
     root_kwargs: dict[str, Any],
 ) -> np.ndarray:
-    """Return the initial state with its dependent coordinates and speeds solved for.
+    """Return the initial state with its dependent coordinates and speeds, at `places`, solved for.
 
-    Parameters
-    ----------
-    now : Snapshot
-        Holds the independent values and the guesses.
-    places : (list of int, list of int)
-        Of the dependent coordinates and speeds in x.
-    given : mapping of symbols to numbers
-        Values that are to stay, and are told of where they cannot.
-    use_jac : bool
-        Whether the root finder gets the exact Jacobian.
-    root_kwargs : dict
-        For `scipy.optimize.root`.
+    The Snapshot holds the independent values and the guesses. Values that are `given` are to stay,
+    and are told of where they cannot. `root_kwargs` are for `scipy.optimize.root`.
     """
     model, definition, t = now.driven, now.definition, now.t
     x = now.x.copy()

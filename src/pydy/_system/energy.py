@@ -38,17 +38,10 @@ class Energy(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class EnergyModel:
-    """The energies as expressions.
-
-    Attributes
-    ----------
-    equations : Equations
-    given : expression or None
-        The potential energy, where the user told it.
-    """
+    """The energies as expressions."""
 
     equations: Equations
-    given: Any = None
+    given: Any = None  # the potential energy, where the user told it
 
     @property
     def kinetic(self) -> Any:
@@ -107,13 +100,7 @@ class EnergyModel:
         return tuple(s for s in found if s not in states)
 
     def expressions(self, layout: Layout) -> tuple[Any, Any]:
-        """Return the kinetic and the potential energy; 1 stands for constants without a value.
-
-        Raises
-        ------
-        ValueError
-            They are not known, or hold what the equations of motion do not.
-        """
+        """Return the kinetic and the potential energy; 1 stands for constants without a value."""
         kinetic, potential = self._in(layout, self._moving, self.potential)
         return kinetic, potential
 
@@ -164,15 +151,7 @@ def check_potential(
     coordinates: Sequence[Any],
     others: Sequence[Any],
 ) -> Any:
-    """Return a user's potential energy as an expression.
-
-    Parameters
-    ----------
-    value : expression or None
-    coordinates : sequence of symbols
-    others : sequence of symbols
-        Time, constants and specifieds.
-    """
+    """Return a user's potential energy as an expression in coordinates and other symbols."""
     if value is None:
         return None
     expression = checked_expression(value, "`potential_energy`")

@@ -70,27 +70,7 @@ def differentiated(
 class _Names:
     """What the quantities of a definition are called in results.
 
-    Parameters
-    ----------
-    definition : Definition
-    more : iterable of str
-        What the result holds beside states, outputs and `COUNTS`.
-
-    Attributes
-    ----------
-    known : Places
-        States and outputs.
-    of : dict
-        From these to their names.
-    states, outputs : tuple of str
-    taken : set of str
-        Names that variables of the result have.
-    labels : dict
-        From states, constants and specifieds to the names of coordinates.
-    constants : tuple
-        For each constant its label and the attributes of its coordinate.
-    attributes : dict of str to dict
-        Of variables.
+    A result holds some names beside states, outputs and `COUNTS`: `more`.
     """
 
     def __init__(self, definition: Definition, more: Iterable[str]) -> None:
@@ -100,7 +80,7 @@ class _Names:
         names = unique_names(variables)
         self.of = dict(zip(variables, names, strict=True))
         self.states, self.outputs = names[:n], names[n:]
-        self.taken = {*names}
+        self.taken = {*names}  # that variables of the result have
         for name in ("time", "occurrence", *COUNTS, *more):
             if name in self.taken:
                 raise ValueError(
@@ -108,6 +88,7 @@ class _Names:
                     "but that is the name of a state or output too. Rename that."
                 )
             self.taken.add(name)
+        # The names of coordinates; of a constant, also their attributes.
         self.labels = {s: f"initial_{self.of[s]}" for s in definition.states}
         self.labels |= {s: f"{v} (state)" for s, v in self.labels.items() if v in self.taken}
         others = (*definition.constants, *definition.specifieds)
@@ -155,14 +136,7 @@ class _Names:
 
 
 class _Axes:
-    """Collects dimensions, and coordinates along them.
-
-    Parameters
-    ----------
-    product : bool
-        Whether each plain array has a dimension of its own.
-    names : _Names
-    """
+    """Collects dimensions and coordinates; with `product`, each array has its own dimension."""
 
     def __init__(self, product: bool, names: _Names) -> None:
         self.product, self.names = product, names
@@ -171,17 +145,7 @@ class _Axes:
         self._from: dict[str, str] = {}
 
     def add(self, what: str, value: Any, name: str, attrs: dict[str, Any]) -> tuple[Any, Any]:
-        """Take one value; return it as (dims, float array).
-
-        Parameters
-        ----------
-        what : str
-            Its name in messages.
-        value : number, array or xarray.DataArray
-        name : str
-            That of its coordinate.
-        attrs : dict
-        """
+        """Return one value, called `what` in messages, as (dims, float array)."""
         dims: tuple[str, ...]
         if hasattr(value, "dims") and hasattr(value, "coords"):
             dims = tuple(map(str, value.dims))

@@ -26,16 +26,8 @@ def up_in_lagrangian(
 
     That energy is what the potential one has of a symbol `g`, or of the masses, or all of it where
     these are numbers. At random states it must be a multiple of the masses' first moment about one
-    of the axes, apart from a constant.
-
-    Parameters
-    ----------
-    mechanism : Mechanism
-    origin : Point
-    names : Names
-        The states and specifieds.
-    values : mapping of symbols to numbers
-        Of constants; others are 1.
+    of the axes, apart from a constant. The `names` are those of states and specifieds; constants
+    without one of the `values` are 1.
     """
     lagrangian = sm.sympify(mechanism.lagrangian)
     potential = -lagrangian.xreplace(dict.fromkeys(lagrangian.atoms(sm.Derivative), 0))

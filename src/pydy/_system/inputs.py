@@ -117,21 +117,8 @@ def sort_out(
 ) -> tuple[list[Any], list[Any]]:
     """Return the constants and the specifieds that occur in expressions, sorted.
 
-    Parameters
-    ----------
-    equations : Equations
-        Tells what is a state.
-    expressions : iterable of expressions, optional
-        By default those of the equations.
-    known : iterable of symbols
-        Other names that are neither, such as those of outputs.
-
-    Raises
-    ------
-    ValueError
-        A derivative of a coordinate or speed that the equations of motion do not provide.
-    UnsupportedFunctionError
-        An undefined function that is not one of time alone, or a derivative of something else.
+    By default these are the expressions of the equations, which tell what is a state. Names that
+    are `known`, such as those of outputs, are neither.
     """
     t = equations.time
     states = {*equations.coordinates, *equations.speeds}

@@ -69,26 +69,16 @@ def _energy(now: Snapshot) -> EnergyPart | None:
 
 @dataclass(frozen=True, eq=False)
 class Motion:
-    """What a solver returned.
-
-    Attributes
-    ----------
-    now : Snapshot
-    times, states : ndarray, shapes (m,) and (m, n)
-    options : dict
-        For the solver; with its own tolerances, if these are not those of `Options`.
-    info : dict
-        Its statistics; where they do not tell the number of steps, its errors are not known.
-    mended : bool
-        Whether the motion is brought back onto the constraints.
-    """
+    """What a solver returned."""
 
     now: Snapshot
     times: np.ndarray
     states: np.ndarray
+    # for the solver, with its own tolerances if these are not those of `Options`
     options: dict[str, Any]
+    # its statistics; where they do not tell the number of steps, its errors are not known
     info: Mapping[str, Any]
-    mended: bool
+    mended: bool  # whether the motion is brought back onto the constraints
 
     def part(self, name: str, t: np.ndarray, x: np.ndarray) -> dict[str, np.ndarray]:
         """Return values along the motion; see `kept.Part`."""
@@ -122,12 +112,7 @@ class Motion:
 
 
 def check_kept(motion: Motion) -> None:
-    """Refuse a motion that left the constraints, redundant ones too, or changed its energy.
-
-    Raises
-    ------
-    IntegrationError
-    """
+    """Refuse a motion that left the constraints, redundant ones too, or changed its energy."""
     held = motion.info["nearness"] >= NEAR_SINGULAR if "constraints" in motion.options else False
     if held and not any(motion.now.definition.equations.left_out):
         return
@@ -154,14 +139,7 @@ def check_kept(motion: Motion) -> None:
 
 
 def kept_programs(now: Snapshot, model: CompiledModel) -> KeptPrograms:
-    """Return the parts as Programs, those that the latest ensemble made.
-
-    Parameters
-    ----------
-    now : Snapshot
-    model : CompiledModel
-        With all expressions compiled in.
-    """
+    """Return the parts as Programs, those that the latest ensemble of a model made."""
     energies, found = model.latest.get("kept", (None, None))
     if energies is not now.energies:
         found = KeptPrograms(now, model)
@@ -173,13 +151,8 @@ def kept_programs(now: Snapshot, model: CompiledModel) -> KeptPrograms:
 class KeptPrograms:
     """The parts of `kept.Part` as Programs, each made when it is first asked for.
 
-    Few motions need more than the first; those that travel to other processes take all along.
-
-    Parameters
-    ----------
-    now : Snapshot
-    model : CompiledModel
-        With all expressions compiled in.
+    The model has all expressions compiled in. Few motions need more than the first; those that
+    travel to other processes take all along.
     """
 
     def __init__(self, now: Snapshot, model: CompiledModel) -> None:

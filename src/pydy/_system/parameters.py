@@ -21,23 +21,12 @@ __all__ = ["Parameter", "read_parameters"]
 
 @dataclass(frozen=True)
 class Parameter:
-    """Something that a motion depends on.
+    """Something that a motion depends on."""
 
-    Attributes
-    ----------
-    symbol : symbol
-        A constant, a state for its initial condition, or a specified.
-    kind : {'constants', 'states', 'specifieds'}
-    place : int
-        In p, x or r.
-    samples : SampledInput or None
-        The samples of a specified, of which each is a parameter; those of this one alone.
-    """
-
-    symbol: Any
-    kind: str
-    place: int
-    samples: SampledInput | None = None
+    symbol: Any  # a constant, a state for its initial condition, or a specified
+    kind: str  # 'constants', 'states' or 'specifieds'
+    place: int  # in p, x or r
+    samples: SampledInput | None = None  # of a specified, of this one alone: each is a parameter
 
     @property
     def count(self) -> int:
@@ -59,24 +48,10 @@ def read_parameters(
     argument: str = "sensitivities",
     dependent: Sequence[Any] = (),
 ) -> tuple[Parameter, ...]:
-    """Return the parameters that a user named, in the argument of a name.
+    """Return the parameters that a user `wanted`, in the argument of a name.
 
-    Parameters
-    ----------
-    definition : Definition
-    plan : SpecifiedsPlan
-    wanted : symbol, name, group, or iterable of these
-        A group stands for all of its symbols that may be parameters: states that are not
-        dependent, specifieds that are numbers or samples.
-    argument : str
-    dependent : sequence of symbols
-        The initial conditions that follow from the others.
-
-    Raises
-    ------
-    ValueError
-        One that the system does not have, or has twice; or a specified of which no derivative is
-        taken.
+    A group stands for all of its symbols that may be parameters: states that are not `dependent`,
+    and specifieds that are numbers or samples.
     """
     following = _following(definition, plan)
     symbols = members(

@@ -34,13 +34,7 @@ __all__ = [
 
 
 def refuse_nested(name: str) -> None:
-    """Raise if a function that LSODA calls is about to start it again.
-
-    Parameters
-    ----------
-    name : str
-        Of the solver that is about to start, for the message.
-    """
+    """Raise if a function that LSODA calls is about to start it again, as a solver of some name."""
     # The stack cannot be out of date, as a mark that an interrupt leaves behind would be.
     running = {
         unwrap(scipy.integrate.odeint).__code__: "odeint",
@@ -87,21 +81,8 @@ def call_odeint(
 ) -> tuple[np.ndarray, dict[str, Any]]:
     """Return the states and the information of ``odeint(f, x0, times, args, full_output=True)``.
 
-    Parameters
-    ----------
-    f, x0, times, args
-        As odeint takes them.
-    names : sequence of symbols
-        Of the states, for messages.
-    options : dict
-        Further ones of odeint.
-
-    Raises
-    ------
-    IntegrationError
-        It gave up, after which the rows hold whatever lay in memory, or went on with NaN.
-    RuntimeError
-        It is running already, and has called what calls it.
+    Where it gives up, its rows hold whatever lay in memory, or NaN: that is an IntegrationError, in
+    which the states have `names`.
     """
     refuse_nested("odeint")
     options = check_scipy_options(options)
@@ -154,13 +135,9 @@ METHODS = ("RK45", "RK23", "DOP853", "Radau", "BDF", "LSODA")
 def resolve_ode_solver(solver: Any) -> Any:
     """Return the function that an `ode_solver` stands for, called as odeint is; None for odeint.
 
-    SciPy's integrators take as long to load as SymPy: they are loaded when they are first used.
-
-    Parameters
-    ----------
-    solver : callable, str, type or None
-        A name is ``'odeint'`` or ``'lsoda'``, that of a native solver, or of a method of
-        `scipy.integrate.solve_ivp`. A class is such a method.
+    A name is ``'odeint'`` or ``'lsoda'``, that of a native solver, or of a method of
+    `scipy.integrate.solve_ivp`; a class is such a method. SciPy's integrators take as long to load
+    as SymPy: they are loaded when they are first used.
     """
     if solver is None:
         return None
@@ -200,15 +177,9 @@ def _called(solver: Any) -> Any:
 
 @dataclass(frozen=True)
 class SolveIvp:
-    """A method of `scipy.integrate.solve_ivp` with the signature of `odeint`.
+    """A method of `scipy.integrate.solve_ivp` with the signature of `odeint`."""
 
-    Attributes
-    ----------
-    method : type
-        By default; an option of a call may name another.
-    """
-
-    method: type
+    method: type  # by default; an option of a call may name another
 
     @property
     def name(self) -> str:
@@ -235,15 +206,7 @@ class SolveIvp:
         full_output: bool = False,
         **options: Any,
     ) -> Any:
-        """Return the states at the times, shape (m, n); with `full_output`, also a dictionary.
-
-        Raises
-        ------
-        TypeError
-            `solve_ivp` and the method do not have an option.
-        IntegrationError
-            It could not go on.
-        """
+        """Return the states at the times, shape (m, n); with `full_output`, also a dictionary."""
         method = options.pop("method", self.method)
         if isinstance(method, str) and method in METHODS:
             method = getattr(scipy.integrate, method)

@@ -39,28 +39,18 @@ _REFUSED = {
 
 @dataclass(frozen=True, eq=False)
 class Generated:
-    """What was generated for a definition.
-
-    Attributes
-    ----------
-    definition : Definition
-    model : CompiledModel
-    arguments : mapping
-        How the function reads r and p, and in which order.
-    """
+    """What was generated for a definition."""
 
     definition: Definition
     model: CompiledModel
-    arguments: Mapping[str, Any]
+    arguments: Mapping[str, Any]  # how the function reads r and p, and in which order
     _functions: dict[bool, Any] = field(default_factory=dict)
 
     def function(self, *, any_layout: bool) -> Any:
         """Return the function that users call; made once for each way to take arrays.
 
-        Parameters
-        ----------
-        any_layout : bool
-            Whether states that are not contiguous are copied, where the back end leaves it open.
+        With `any_layout`, states that are not contiguous are copied, where the back end leaves it
+        open.
         """
         side = RightHandSide(self.model, any_layout=any_layout, **self.arguments)
         if side.refuse_strided not in self._functions:
@@ -87,15 +77,9 @@ def checked_options(options: dict[str, Any]) -> dict[str, Any]:
 
 
 def generate(definition: Definition, eom_method: Any, options: Mapping[str, Any]) -> Generated:
-    """Return the model of a definition; nothing is compiled as yet.
+    """Return the model of a definition, by options of `generate_ode_function`.
 
-    Parameters
-    ----------
-    definition : Definition
-    eom_method : object
-        Has the mass matrix, for a symbolic solution.
-    options : mapping
-        Of `generate_ode_function`.
+    Nothing is compiled as yet. The `eom_method` has the mass matrix, for a symbolic solution.
     """
     options = dict(options)
     solver = resolve_solver(options.pop("linear_sys_solver", None))

@@ -86,27 +86,16 @@ class Snapshot:
     """What a System is while one of its methods runs; it does not change with the System.
 
     A Trajectory keeps it as its `trajectory.Model`.
-
-    Attributes
-    ----------
-    definition : Definition
-    model : CompiledModel
-        Takes all specifieds as inputs.
-    user : dict of str to dict
-        'constants', 'specifieds' and 'initial_conditions' as the user gave them; each is checked
-        when it is first needed.
-    times : ndarray
-    energies : EnergyModel
-    told : set
-        Derivatives of specifieds that the user has been warned of.
     """
 
     definition: Definition
-    model: CompiledModel
+    model: CompiledModel  # takes all specifieds as inputs
+    # 'constants', 'specifieds' and 'initial_conditions' as the user gave them, each checked when
+    # it is first needed
     user: dict[str, dict[Any, Any]]
     times: np.ndarray
     energies: EnergyModel
-    told: set[Any]
+    told: set[Any]  # derivatives of specifieds that the user has been warned of
 
     @cached_property
     def x(self) -> np.ndarray:

@@ -53,24 +53,10 @@ def prepare(
     plan: SpecifiedsPlan,
     options: dict[str, Any],
 ) -> tuple[CompiledModel, dict[str, Any]]:
-    """Turn events and constraints into what a solver takes.
+    """Return what is integrated, and the options for its solver.
 
-    Parameters
-    ----------
-    solver : callable
-    definition : Definition
-    model : CompiledModel
-        Takes all specifieds as inputs.
-    plan : SpecifiedsPlan
-    options : dict
-        Of `System.integrate`.
-
-    Returns
-    -------
-    model : CompiledModel
-        What is to be integrated, with the expressions of `plan` compiled in.
-    options : dict
-        For the solver.
+    Of the options of `System.integrate`, events and constraints are compiled; the expressions of
+    `plan` are compiled into the model, which takes all specifieds as inputs before.
     """
     options = dict(options)
     native = isinstance(solver, Solver)
@@ -118,20 +104,7 @@ _PLAIN = frozenset((float, int, bool, str, type(None)))  # an array may be edite
 class Ready:
     """What is integrated but for its numbers: a call that differs in these alone takes it as it is.
 
-    Parameters
-    ----------
-    definition, model, plan, solver, given
-        As for `prepare`.
-
-    Attributes
-    ----------
-    constrained : bool
-    model, options
-        As `prepare` returns them.
-    read : Options or None
-        The same options as the solver has read them.
-    free : list of Prepared
-        What the latest call has reserved, unless another one has it.
+    Its `model` and `options` are those that `prepare` returns.
     """
 
     def __init__(
@@ -146,8 +119,8 @@ class Ready:
         self._events = identified(given.get("events"))
         self.constrained = definition.equations.constrained
         self.model, self.options = prepare(solver, definition, model, plan, given)
-        self.read: Options | None = None
-        self.free: list[Prepared] = []
+        self.read: Options | None = None  # as the solver has read them
+        self.free: list[Prepared] = []  # what the latest call has reserved, if no other has it
 
     def suits(self, plan: SpecifiedsPlan, solver: Any, given: dict[str, Any]) -> bool:
         """Return whether a call differs in numbers alone, as far as that can be seen."""
@@ -165,15 +138,7 @@ class Ready:
 
 
 def check_events(events: Any, states: Places) -> tuple[Event, ...]:
-    """Return the events of an argument as a tuple, with states in place of names in their resets.
-
-    Raises
-    ------
-    TypeError
-        Something that is no Event.
-    ValueError
-        A reset of something that is no state, or of one twice; or two events of one name.
-    """
+    """Return the events of an argument, with states in place of names in their resets."""
     if isinstance(events, Event):
         events = (events,)
     if not isinstance(events, Iterable) or isinstance(events, (str, bytes)):

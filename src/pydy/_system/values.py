@@ -36,19 +36,10 @@ BLOCKS = {"ode": "rates", "outputs": "outputs", "holonomic": "holonomic", "veloc
 
 @dataclass(frozen=True)
 class Target:
-    """What is differentiated.
+    """What is differentiated."""
 
-    Attributes
-    ----------
-    block : str
-        Of the Assembly; empty for a choice of outputs and expressions.
-    chosen : tuple
-        Places of outputs, and expressions.
-    names : tuple of str
-    """
-
-    block: str
-    chosen: tuple[Any, ...]
+    block: str  # of the Assembly; empty for a choice of outputs and expressions
+    chosen: tuple[Any, ...]  # places of outputs, and expressions
     names: tuple[str, ...]
 
     def nodes(self, assembly: Assembly) -> tuple[Graph, list[int]]:
@@ -64,13 +55,7 @@ class Target:
 
 
 def target_of(definition: Definition, of: Any, *, scalar: bool = False) -> Target:
-    """Return what a user's `of` means: a block, or outputs and expressions.
-
-    Raises
-    ------
-    ValueError
-        It is not one of these, or several where one is needed.
-    """
+    """Return what a user's `of` means: a block, or outputs and expressions; one if `scalar`."""
     if isinstance(of, str) and of in BLOCKS and not scalar:
         names = row_names(definition, BLOCKS[of])
         if not names:

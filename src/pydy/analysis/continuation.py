@@ -231,33 +231,12 @@ def trace(
     names: tuple[str, ...],
     told: Callable[[float], None],
 ) -> tuple[list[np.ndarray], list[np.ndarray], list[SpecialPoint], str]:
-    """Follow F(z) = 0 from a solution.
+    """Follow F(z) = 0, with the parameter last in z, from a solution; also say how it ended.
 
-    Parameters
-    ----------
-    F, J : callable
-        Of z (k,), the parameter last: shapes (r,) and (r, k).
-    spectrum : callable
-        Eigenvalues at z, and bounds on their rounding.
-    start : ndarray, shape (k,)
-    bounds : (float, float)
-        Of the parameter.
-    forward : bool
-        Whether it ascends at first.
-    step : float
-        The longest step, as a share of the bounds' distance.
-    most : int
-        The most points.
-    names : tuple of str
-        Of z.
-    told : callable
-        Called with the parameter at each further point.
-
-    Returns
-    -------
-    points, spectra : list of ndarray
-    special : list of SpecialPoint
-    ended : str
+    The `spectrum` returns the eigenvalues at z and bounds on their rounding. The parameter stays
+    within `bounds`, ascending at first if `forward`; a `step` is at most such a share of their
+    distance, and there are at `most` so many points. `told` is called with the parameter at each
+    further one.
     """
     low, high = bounds
     curve = _Curve(F, J, spectrum, start, high - low)

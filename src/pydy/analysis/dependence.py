@@ -23,17 +23,9 @@ def follow(
     From c(x, θ) = 0 follows c_d x_d' = −(c_i x_i' + c_θ) for the dependent states d. Coordinates
     first: in one system with the speeds, units of time would decide what its rank is.
 
-    Parameters
-    ----------
-    values : ndarray, shape (n, k)
-        Derivatives of the states; those of the dependent ones, zero before, are set.
-    gradients : sequence of ndarray, shape (c, n)
-        Of each block of constraints by the states.
-    moved : ndarray, shape (sum of c times k,)
-        c_i x_i' + c_θ of all blocks.
-    unknowns : sequence of range
-        The places of the states that each block is solved for: those of its own kind.
-    dependent : sequence of int
+    Of the derivatives `values` (n, k), those of the dependent states, zero before, are set. Each
+    block of constraints has a gradient (c, n) by the states, and is solved for `unknowns`, those of
+    its own kind; `moved` is c_i x_i' + c_θ of all blocks, one after the other.
     """
     if not (all(np.isfinite(g).all() for g in gradients) and np.isfinite(moved).all()):
         return False

@@ -12,19 +12,9 @@ __all__ = ["direction_text"]
 
 
 def direction_text(direction: np.ndarray, names: Sequence[str], least: float) -> str:
-    """Return a direction as a sum, its largest share first of all 1.
+    """Return a direction as a sum, its largest share first of all 1: ``a - 0.5 c``.
 
-    Parameters
-    ----------
-    direction : ndarray, shape (n,)
-    names : sequence of str
-    least : float
-        What has less than this share of the largest is left out.
-
-    Examples
-    --------
-    >>> direction_text(np.array([0.5, 0.0, -0.25]), "abc", 1e-6)
-    'a - 0.5 c'
+    What has less than the `least` share of the largest is left out.
     """
     shares = direction / direction[np.abs(direction).argmax()]
     parts = [

@@ -81,64 +81,30 @@ class Equilibrium:
 
 @dataclass(frozen=True, eq=False)
 class Problem:
-    """Equations of equilibrium ``residual(z) = 0``, and what is known of their sizes.
+    """Equations of equilibrium ``residual(z) = 0``, and what is known of their sizes."""
 
-    Attributes
-    ----------
-    residual, jacobian : callable
-        Of z (k,): shapes (m,) and (m, k).
-    unknowns, rows : sequence of str
-        Names, for messages.
-    rates : mapping of int to int
-        The rows that are rates of an unknown, and its place.
-    held : int
-        How many of the rows, the last ones, are constraints.
-    sizes : callable
-        Of the Jacobian and z: how large unknowns and rows are.
-    terms : callable
-        Of z: how large the terms of the residuals are that constants and specifieds make, (m,).
-    """
-
-    residual: Callable[[np.ndarray], np.ndarray]
-    jacobian: Callable[[np.ndarray], np.ndarray]
+    residual: Callable[[np.ndarray], np.ndarray]  # of z (k,): shape (m,)
+    jacobian: Callable[[np.ndarray], np.ndarray]  # of z: shape (m, k)
     unknowns: Sequence[str]
     rows: Sequence[str]
-    rates: Mapping[int, int]
-    held: int
-    sizes: Callable[[np.ndarray, np.ndarray], Sizes]
+    rates: Mapping[int, int]  # the rows that are rates of an unknown, and its place
+    held: int  # how many of the rows, the last ones, are constraints
+    sizes: Callable[[np.ndarray, np.ndarray], Sizes]  # of the Jacobian and z
+    # of z: the sizes of what constants and specifieds make of the rows
     terms: Callable[[np.ndarray], np.ndarray]
 
 
 class Sizes:
     """How large the unknowns and the rows of a Jacobian are, in the units that the user works in.
 
-    An unknown is at least as large as those that are large by themselves, or else as the largest,
-    in units of motions of one energy.
+    An unknown is at least as large as those that are large by themselves, as `natural` says, or
+    else as the largest, in units of motions of one energy. The `inertia` says how large the rows
+    are for such motions, and by which power of an angular frequency that is to be multiplied: 1 for
+    accelerations. For `rates` see `Problem`.
 
-    Parameters
-    ----------
-    slopes : ndarray, shape (m, k)
-    z, natural : ndarray, shape (k,)
-        Values of unknowns, and how large they are by themselves.
-    rates : mapping of int to int
-        See `Problem`.
-    inertia : (ndarray, ndarray), shapes (m,)
-        How large the rows are for motions of the same energy, and by which power of an angular
-        frequency that is to be multiplied: 1 for accelerations.
-
-    Attributes
-    ----------
-    units, unknowns : ndarray, shape (k,)
-        Units of motions of one energy, and sizes.
-    terms : ndarray, shape (m,)
-        What the unknowns make of each row.
-    rows : ndarray, shape (m,)
-        What such motions make of each row.
-    limit : ndarray, shape (m,)
-        What rounding may leave of each row. Accelerations come from one linear solve, so that none
-        is more exact than a rounding error of the largest, in units of the same energy: a bicycle's
-        wheels at rest are moved by what is left of its weight, and a bead at the bottom of a hoop
-        by what the hoop's force leaves.
+    Accelerations come from one linear solve, so that none is more exact than a rounding error of
+    the largest, in units of the same energy: a bicycle's wheels at rest are moved by what is left
+    of its weight, and a bead at the bottom of a hoop by what the hoop's force leaves.
     """
 
     def __init__(
@@ -158,7 +124,7 @@ class Sizes:
         if not speed > _SMALLEST:
             speed = 1.0
         units[columns] *= speed ** (powers[own] - 1.0)
-        self.rows = or_one(rows * speed**powers)
+        self.rows = or_one(rows * speed**powers)  # what such motions make of each row
         self._linked = np.where(powers == 1.0, rows, 0.0)
         others = np.setdiff1d(np.arange(len(units)), columns)
         steepest = np.abs(slopes[:, others] / self.rows[:, None]).max(axis=0, initial=0.0)
@@ -166,10 +132,10 @@ class Sizes:
         acts = (np.abs(slopes) * units).max(axis=0, initial=0.0) > 0.0
         known = np.maximum(np.abs(z), natural)
         shares = (natural if natural[acts].any() else known) / units
-        self.units = np.where(acts, units, or_one(known))
+        self.units = np.where(acts, units, or_one(known))  # of motions of one energy
         self.unknowns = np.maximum(known, shares[acts].max(initial=0.0) * units)
-        self.terms = np.abs(slopes) @ self.unknowns
-        self.limit = self.rounding(self.terms)
+        self.terms = np.abs(slopes) @ self.unknowns  # what the unknowns make of each row
+        self.limit = self.rounding(self.terms)  # what rounding may leave of each row
 
     def rounding(self, terms: np.ndarray) -> np.ndarray:
         """Return what rounding leaves of rows with such terms."""
@@ -182,27 +148,10 @@ class Sizes:
 def solve_equilibrium(
     problem: Problem, start: np.ndarray, bounds: tuple[np.ndarray, np.ndarray]
 ) -> tuple[np.ndarray, float, tuple[str, ...]]:
-    """Solve a `Problem`.
+    """Solve a `Problem` between the lowest and the highest values of its unknowns.
 
-    Parameters
-    ----------
-    problem : Problem
-    start : ndarray, shape (k,)
-    bounds : (ndarray, ndarray), shapes (k,)
-        Lowest and highest values.
-
-    Returns
-    -------
-    z : ndarray, shape (k,)
-    largest : float
-        The largest residual.
-    free : tuple of str
-        Combinations of unknowns that the equations do not determine.
-
-    Raises
-    ------
-    EquilibriumError
-        None was found.
+    Return the solution, its largest residual, and the combinations of unknowns that the equations
+    do not determine. Where there is none, raise EquilibriumError.
     """
     z = np.clip(start, *bounds)
     missed: EquilibriumError | None = None
@@ -390,20 +339,9 @@ def solve_many(
 ) -> tuple[np.ndarray, np.ndarray]:
     """Solve for all but the last column of `z` in each row at once, by Newton's method.
 
-    Parameters
-    ----------
-    residuals, slopes : callable
-        Of z (m, k): shapes (m, r) and (m, r, k).
-    z : ndarray, shape (m, k)
-        Where to start.
-    measured : callable
-        Of slopes (n, r, k - 1) and z (n, k): the sizes there.
-
-    Returns
-    -------
-    z : ndarray, shape (m, k)
-    sound : ndarray of bool, shape (m,)
-        Where the residuals are rounding errors.
+    The residuals of z (m, k) and their slopes have the shapes (m, r) and (m, r, k); sizes are
+    `measured` of some of the slopes (n, r, k - 1) and z (n, k). Return also which rows are sound:
+    those where the residuals are rounding errors.
     """
     z = z.copy()
     best, J = residuals(z), slopes(z)

@@ -167,29 +167,11 @@ def estimate(
     most: int,
     told: bool = True,
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray, Any]:
-    """Minimise the sum of squares of residuals.
+    """Minimise the sum of squares of residuals; `most` is the most evaluations.
 
-    Parameters
-    ----------
-    evaluate : callable
-        Returns residuals (m,) and their Jacobian (m, k); NaN where the motion cannot be computed.
-    start : ndarray, shape (k,)
-    bounds : (ndarray, ndarray), shapes (k,)
-    names : sequence of str
-    most : int
-        The most evaluations.
-
-    Returns
-    -------
-    z : ndarray, shape (k,)
-    residuals, jacobian : ndarray
-        There.
-    found : OptimizeResult
-
-    Raises
-    ------
-    FitInterrupted
-        Ctrl-C; it hands over the best estimates so far.
+    `evaluate` returns residuals (m,) and their Jacobian (m, k); NaN where the motion cannot be
+    computed. Return the estimates, both of these there, and what SciPy found. Ctrl-C is a
+    FitInterrupted that hands over the best estimates so far.
     """
     best: list[Any] = [np.inf, start]
     known: dict[bytes, tuple[np.ndarray, np.ndarray]] = {}

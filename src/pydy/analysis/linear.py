@@ -177,19 +177,9 @@ def independent_places(
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return the places of independent and dependent states.
 
-    Parameters
-    ----------
-    jacobian : ndarray, shape (c, n)
-        Of the constraints' residuals, with rows and columns in units of their own; rows may depend
-        on each other.
-    dependent : sequence of int
-        Those that the user called dependent. They are taken if the constraints can be solved for
-        them, and completed or replaced otherwise.
-
-    Raises
-    ------
-    ValueError
-        The constraints have a lower rank than there are dependent states.
+    The Jacobian (c, n) of the constraints' residuals has rows and columns in units of their own;
+    rows may depend on each other. What the user called `dependent` is taken if the constraints can
+    be solved for it, and completed or replaced otherwise.
     """
     rank = len(independent_columns(jacobian))
     if rank < len(dependent):
@@ -210,25 +200,10 @@ def _singular(k: int) -> ValueError:
 def tangents(
     jacobian: np.ndarray, free: np.ndarray, bound: np.ndarray, units: np.ndarray
 ) -> np.ndarray:
-    """Return T with J T = 0 and rows of the identity at the independent states.
+    """Return T (m, n, n - rank) with J T = 0 and rows of the identity at the independent states.
 
-    Parameters
-    ----------
-    jacobian : ndarray, shape (m, c, n)
-        As there, but with columns as they are.
-    free, bound : ndarray of int
-        The places of independent and dependent states.
-    units : ndarray, shape (m, n)
-        Those of the columns.
-
-    Returns
-    -------
-    ndarray, shape (m, n, n - rank)
-
-    Raises
-    ------
-    ValueError
-        The constraints cannot be solved for the dependent states.
+    The Jacobian (m, c, n) has columns as they are; `units` (m, n) are those of its columns, `free`
+    and `bound` the places of independent and dependent states.
     """
     m, _, n = jacobian.shape
     result = np.zeros((m, n, len(free)))

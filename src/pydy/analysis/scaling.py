@@ -17,14 +17,9 @@ def unknown_units(
 ) -> tuple[np.ndarray, float]:
     """Return units of the unknowns in which rates are balanced, and the fastest of these.
 
-    That leaves a factor common to all, which no step depends on. The units of unknowns without a
-    rate follow from those of the rows that they are in.
-
-    Parameters
-    ----------
-    slopes : ndarray, shape (m, k)
-    own, columns : sequences of int
-        Rows that are rates of unknowns, and of which.
+    That leaves a factor common to all, which no step depends on. The rows `own` of the slopes (m,
+    k) are rates of the unknowns `columns`; the units of others follow from those of the rows that
+    they are in.
     """
     k = slopes.shape[1]
     between = slopes[np.ix_(own, columns)]
@@ -48,11 +43,6 @@ def scaled_step(slopes: np.ndarray, values: np.ndarray) -> np.ndarray:
 
     Rows weigh what they do: a row of rounding errors, as next to a singular configuration, would
     otherwise count like the rest.
-
-    Parameters
-    ----------
-    slopes : ndarray, shape (m, k)
-    values : ndarray, shape (m,)
     """
     sizes = np.abs(slopes)
     sizes[is_zero(sizes, sizes.max(axis=1, keepdims=True, initial=0.0))] = 0.0

@@ -33,17 +33,7 @@ def settled(
 ) -> np.ndarray:
     """Return where the unknowns settle, or have come to when this was given up.
 
-    Parameters
-    ----------
-    residual, jacobian : callable
-        As in `solve_equilibrium`.
-    z : ndarray, shape (k,)
-        Where to begin.
-    bounds : (ndarray, ndarray), shapes (k,)
-    rates : mapping of int to int
-        The rows that are rates of an unknown, and its place.
-    held : int
-        How many of the rows, the last ones, are constraints.
+    The parameters are parts of a `Problem`, where to begin, and bounds.
     """
     values, slopes = residual(z), jacobian(z)
     own, columns = list(rates), list(rates.values())

@@ -30,15 +30,7 @@ _UNCHANGING = frozenset((float, int, FunctionType, SampledInput))
 
 
 class ConstantsArgument:
-    """Reads the argument p.
-
-    Parameters
-    ----------
-    symbols : sequence of Symbol
-        In the order of the array.
-    arg_type : {None, 'array', 'dictionary'}
-        None looks at each value.
-    """
+    """Reads the argument p: an array or a dictionary; without `arg_type`, as each value is."""
 
     def __init__(self, symbols: Sequence[Any], arg_type: str | None = None) -> None:
         _check_type("constants_arg_type", arg_type, ("array", "dictionary"))
@@ -63,14 +55,8 @@ class ConstantsArgument:
 class SpecifiedsArgument:
     """Reads the argument r: an array, a function, or a dictionary of numbers and functions.
 
-    Parameters
-    ----------
-    symbols : sequence of functions of time
-        In the order of the array.
-    arg_type : {None, 'array', 'dictionary', 'function'}
-        None looks at each value.
-    time_first : bool
-        Whether functions are called as g(t, x).
+    Without `arg_type` that depends on each value; with `time_first`, functions are called as g(t,
+    x).
     """
 
     def __init__(
@@ -211,43 +197,14 @@ class _Checked:
 class SpecifiedsPlan:
     """A dictionary of specifieds, checked once and then evaluated many times.
 
-    Parameters
-    ----------
-    values : mapping
-        From a symbol, or a tuple of symbols, to a number, an array, a function, a SampledInput, a
-        SymPy expression, or a sequence of numbers and expressions; or in the second format. Names
-        may stand for symbols.
-    symbols : Places or sequence of functions of time
-        All specifieds, in the order of the array.
-    time_first : bool
-        Whether functions are called as g(t, x).
-    complete : bool
-        Whether every symbol must have a value, as in the second format; missing ones are zero
-        otherwise.
-    argument : str
-        What the user calls `values`, for messages.
+    Its `values` map a symbol or name, or a tuple of them, to a number, an array, a function, a
+    SampledInput, a SymPy expression, or a sequence of numbers and expressions; or they are in the
+    second format. Messages call them `argument`. If they are `complete`, as those of the second
+    format are, every symbol must have a value; missing ones are zero otherwise. With `time_first`,
+    functions are called as g(t, x).
 
-    Attributes
-    ----------
-    values : ndarray, shape (s,)
-        The values that are numbers; zero elsewhere.
-    sampled : tuple of (columns, SampledInput)
-        `columns` are the places in r, an int64 array.
-    functions : tuple of (columns, function, label)
-        ``function(x, t)`` calls the user's function, checks what it returns, and gives a float64
-        array with one value for each column; `label` lists the symbols, for messages.
-    expressions : dict
-        From symbols to SymPy expressions, which have to be compiled into the code. Their places in
-        r are zero.
-    given : frozenset of symbols
-        Those that have a value of any kind.
-    constant : bool
-        Whether `values` are r at every state and time: there are no samples and no functions.
-
-    Notes
-    -----
-    No place in r belongs to two of `sampled`, `functions` and `expressions`. None of these
-    attributes takes a call of a user's function.
+    No place in r belongs to two of `sampled`, `functions` and `expressions`. None of the attributes
+    takes a call of a user's function.
     """
 
     def __init__(
@@ -262,7 +219,8 @@ class SpecifiedsPlan:
         places = symbols if isinstance(symbols, Places) else Places(symbols, _SPECIFIEDS)
         self.places = places
         self.symbols = places.symbols
-        self.values = np.zeros(len(self.symbols))
+        self.values = np.zeros(len(self.symbols))  # those that are numbers
+        # Have to be compiled into the code; their places in r are zero.
         self.expressions: dict[Any, Any] = {}
         sampled: list[tuple[np.ndarray, SampledInput]] = []
         functions: list[tuple[np.ndarray, _Checked]] = []
@@ -290,11 +248,12 @@ class SpecifiedsPlan:
             raise ValueError(
                 f"`specifieds` for {self.symbols[k]} must be finite, got {self.values[k]}."
             )
+        # All symbols that have a value of any kind.
         self.given = frozenset(name for names, _, _ in groups for name in names)
         if (complete or together) and len(self.given) < len(self.symbols):
             missing = [s for s in self.symbols if s not in self.given]
             raise ValueError(f"`{argument}` has no value for the specifieds {describe(missing)}.")
-        self.sampled = tuple(sampled)
+        self.sampled = tuple(sampled)  # with the places in r, an int64 array
         self._functions = tuple(functions)
 
     def _take(
@@ -342,7 +301,7 @@ class SpecifiedsPlan:
 
     @property
     def functions(self) -> tuple[tuple[np.ndarray, Callable[..., np.ndarray], str], ...]:
-        """The functions of the user, with the places they fill."""
+        """The places in r, a function of a state and time that checks the user's, and its label."""
         return tuple((columns, f, describe(f.names)) for columns, f in self._functions)
 
     def again(self, values: Mapping[Any, Any]) -> SpecifiedsPlan | None:

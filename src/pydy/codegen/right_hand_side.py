@@ -197,14 +197,8 @@ _NOTHING = np.empty(0)
 class RightHandSide:
     """The implementation of a generated function: a model, and how its arguments are read.
 
-    Parameters
-    ----------
-    model : CompiledModel
-    constants_arg_type, specifieds_arg_type : str, optional
-    time_first : bool, optional
-    any_layout : bool, optional
-        Whether states that are not contiguous are copied where the back end leaves it open; see
-        `pydy._backends.base`.
+    With `any_layout`, states that are not contiguous are copied where the back end leaves it open;
+    see `pydy._backends.base`.
     """
 
     def __init__(
@@ -348,13 +342,8 @@ class RightHandSide:
 def rates_function(model: CompiledModel, plan: SpecifiedsPlan) -> Any:
     """Return ``f(x, t, r, p)`` for solvers: the derivatives alone, from arrays r and p.
 
-    Native solvers find a `KernelCall` through its attribute ``native``.
-
-    Parameters
-    ----------
-    model : CompiledModel
-    plan : SpecifiedsPlan
-        Unless it is constant, it gives r at each state and time, in place of the argument.
+    Unless the plan is constant, it gives r at each state and time, in place of the argument. Native
+    solvers find a `KernelCall` through the attribute ``native``.
     """
     kernel = model.compiled("rates")
     empty, n = np.empty, len(model.layout.states)

@@ -208,13 +208,8 @@ class Ensemble:
         """Write a Zarr store block by block, and return it as a Dataset.
 
         Blocks that are in the store are not computed again. The others are computed by Dask tasks
-        if a Dask scheduler is chosen or a client is connected, and by threads otherwise.
-
-        Parameters
-        ----------
-        path : path
-        resume : bool or str
-            Whether the store may exist; a string also names the user's functions.
+        if a Dask scheduler is chosen or a client is connected, and by threads otherwise. With
+        `resume` the store may exist; a string also names the user's functions.
         """
         require("xarray", "ensemble", "System.integrate_ensemble")
         require("zarr", "ensemble", "`store`")

@@ -55,11 +55,8 @@ class UnidentifiedError(ValueError):
 def fingerprint(thing: Any) -> str:
     """Return a digest of a value, including the functions in it.
 
-    Raises
-    ------
-    UnidentifiedError
-        The value contains something that cannot be read: an open file, a module that is not
-        installed, or an object that other processes would find by its name alone.
+    UnidentifiedError tells what cannot be read: an open file, a module that is not installed, or an
+    object that other processes would find by its name alone.
     """
     return _Reader().digest(thing)
 

@@ -28,17 +28,7 @@ def refuse(
 ) -> None:
     """Let samples be NaN from where they were last seen to be sound; the others stay as they are.
 
-    The model has constraints.
-
-    Parameters
-    ----------
-    model : Model
-    results : Results
-        Of m samples.
-    r, p : ndarray, shapes (m, s) and (m, k)
-    times : ndarray
-    stopped : callable
-        Tells whether to give up.
+    The model has constraints; `stopped` tells whether to give up.
     """
     kept = model.kept
     assert kept is not None

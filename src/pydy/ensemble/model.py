@@ -120,21 +120,11 @@ class Programs(Protocol):
 
 @dataclass(frozen=True, eq=False)
 class Kept:
-    """What tells whether motions kept their constraints and energy.
+    """What tells whether motions kept their constraints and energy."""
 
-    Attributes
-    ----------
-    programs : Programs
-        Also 'screen', which is both rows and products.
-    redundant : bool
-        Whether constraints were left out.
-    mended : bool
-        Whether motions are brought back onto the constraints.
-    """
-
-    programs: Programs
-    redundant: bool
-    mended: bool
+    programs: Programs  # also 'screen', which is both rows and products
+    redundant: bool  # whether constraints were left out
+    mended: bool  # whether motions are brought back onto the constraints
 
 
 # -- The model -------------------------------------------------------------------------------------

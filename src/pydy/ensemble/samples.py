@@ -47,15 +47,9 @@ class Form:
 def check_forms(
     found: Mapping[str, Variable], expected: Mapping[str, Form], samples: Sequence[Any]
 ) -> None:
-    """Raise if results do not match those of other samples: assigning would broadcast them.
+    """Raise if results do not match the forms of others: assigning them would broadcast them.
 
-    Parameters
-    ----------
-    found : mapping
-    expected : mapping
-        The forms of all variables.
-    samples : sequence of str
-        The sample dimensions.
+    The dimensions of the `samples` come first.
     """
     rule = "`reduce` must return the same variables for all blocks of samples"
     for name in dict.fromkeys((*expected, *found)):
@@ -173,14 +167,9 @@ class Samples:
 def block_sizes(dims: Mapping[str, int], chunks: Any, default: int) -> tuple[int, ...]:
     """Return the size of blocks along each dimension.
 
-    Parameters
-    ----------
-    dims : mapping of str to int
-    chunks : None, 'auto', int, or mapping of str to int
-        A number is that of samples in a block, as nearly as whole rows of the last dimensions
-        allow; a mapping gives sizes by dimension, all of it where one is not named.
-    default : int
-        The number that None and 'auto' stand for.
+    A number is that of samples in a block, as nearly as whole rows of the last dimensions allow;
+    None and 'auto' stand for the `default`. A mapping gives sizes by dimension, all of it where one
+    is not named.
     """
     if isinstance(chunks, Mapping):
         unknown = [d for d in chunks if d not in dims]

@@ -87,18 +87,7 @@ _SETTING = Lock()  # zarr's configuration belongs to all threads
 def token_of(work: Work, samples: Samples, sizes: Sequence[int], name: str = "") -> str:
     """Return the identity of an ensemble: equations, options, numbers, functions, blocks.
 
-    Parameters
-    ----------
-    work : Work
-    samples : Samples
-    sizes : sequence of int
-    name : str
-        The user's own name for all functions; they are read where it is empty.
-
-    Raises
-    ------
-    UnidentifiedError
-        A function without a name cannot be identified.
+    A `name` of the user's stands for all functions; they are read where it is empty.
     """
     model = work.model
     events, constraints = model.options.events, model.options.constraints
@@ -135,13 +124,7 @@ def token_of(work: Work, samples: Samples, sizes: Sequence[int], name: str = "")
 
 
 def check(path: str, token: str, resume: bool) -> bool:
-    """Return whether there is a store to resume.
-
-    Raises
-    ------
-    ValueError
-        The path contains something else, or an array of the store is lost.
-    """
+    """Return whether there is a store to resume, and nothing else in its place."""
     if not Path(path).exists():
         target = Path(os.path.realpath(path))
         above = next(folder for folder in target.parents if folder.exists())
@@ -188,12 +171,9 @@ def create(
 ) -> None:
     """Make a store with all coordinates and no results yet; it is there as a whole, or not at all.
 
-    Parameters
-    ----------
-    example : xarray.Dataset
-        Of one sample, with all attributes and coordinates; its own sizes do not count.
-    labels : mapping
-        Of further dimensions. They are attributes: Zarr has no settled form for arrays of text.
+    The `example` is a Dataset of one sample with all attributes and coordinates; its own sizes do
+    not count. The `labels` of further dimensions are attributes: Zarr has no settled form for
+    arrays of text.
     """
     target = Path(os.path.realpath(path))
     target.parent.mkdir(parents=True, exist_ok=True)

@@ -53,15 +53,7 @@ def _refusal(entry: Any) -> str:
 
 
 def read_reductions(reduce: Any, model: Model, name: Callable[[Any], str]) -> tuple[Reduction, ...]:
-    """Check the argument `reduce`.
-
-    Parameters
-    ----------
-    reduce : None, one reduction or a list of them
-    model : Model
-    name : callable
-        Turns a symbol into its name.
-    """
+    """Check the argument `reduce`; `name` turns a symbol into its name."""
     if reduce is None:
         return ()
     wanted = reduce if isinstance(reduce, list) else [reduce]
