@@ -139,12 +139,8 @@ def _row(g: Graph, node: int, rows: dict[int, Row], vectors: dict[int, list[Row]
                 by_radicand = of_half_power(g, args, k)
                 if by_radicand is not None:
                     parts.append((rows[g.args[n][0]], by_radicand, 1.0))
-                elif e == 1 and others and _by_argument(g, n, others):
-                    parts.append(
-                        (_settled(g, g.args[n][0], rows), slope(g, n, g.product(others)), 1.0)
-                    )
                 else:
-                    parts.append((rows[n], g.product([*others, (n, e - 1)], float(e)), 1.0))
+                    parts += _times_others(g, (n, e), others, rows)
         return _combine(g, parts)
     if op == "select":
         condition, yes, no = args
@@ -200,6 +196,38 @@ def _without_roots(g: Graph, row: Row, rows: dict[int, Row]) -> Row:
         by_radicand = slope(g, -1 - key, row[key])
         row = _combine(g, [(others, None, 1.0), (rows[g.args[-1 - key][0]], by_radicand, 1.0)])
     return row
+
+
+def _times_others(
+    g: Graph, factor: tuple[int, int], others: list[tuple[int, int]], rows: dict[int, Row]
+) -> list[tuple[Row, int, float]]:
+    """Return the parts of a product's derivative by one of its factors, with its power.
+
+    A steep root in a sum is differentiated together with what the sum is multiplied by.
+    """
+    n, e = factor
+    if e == 1 and others:
+        if _by_argument(g, n, others):
+            return [(_settled(g, g.args[n][0], rows), slope(g, n, g.product(others)), 1.0)]
+        if g.ops[n] == "sum":
+            terms = g.args[n][1]
+            roots = [(m, c) for m, c in terms if _holds_root(g, m, others)]
+            if roots:
+                rest = [(rows[m], None, c) for m, c in terms if (m, c) not in roots]
+                parts = [(_combine(g, rest), g.product(others), 1.0)]
+                for m, c in roots:
+                    inner = g.args[m] if g.ops[m] == "prod" else ((m, 1),)
+                    for k, (own, power) in enumerate(inner):
+                        beside = [*inner[:k], *inner[k + 1 :], *others]
+                        found = _times_others(g, (own, power), beside, rows)
+                        parts += [(row, by, c * weight) for row, by, weight in found]
+                return parts
+    return [(rows[n], g.product([*others, (n, e - 1)], float(e)), 1.0)]
+
+
+def _holds_root(g: Graph, term: int, others: Sequence[tuple[int, int]]) -> bool:
+    factors = g.args[term] if g.ops[term] == "prod" else ((term, 1),)
+    return any(e == 1 and _by_argument(g, m, others) for m, e in factors)
 
 
 def _by_argument(g: Graph, node: int, others: Sequence[tuple[int, int]]) -> bool:

@@ -27,6 +27,7 @@ __all__ = ["is_carried", "is_steep", "of_half_power", "slope"]
 
 
 _STEEP = ("sqrt", "pow", "asin", "acos", "acosh")
+_SMOOTH = ("sin", "cos", "sinh", "cosh", "exp")  # stationary, or one, where these sums vanish
 _STEPS = {"sign", "floor", "ceil", "atan2"}
 
 
@@ -43,10 +44,13 @@ def is_steep(g: Graph, node: int) -> bool:
 def is_carried(g: Graph, node: int) -> bool:
     """Return whether a steep function waits in forward mode until all made of it is known.
 
-    That takes as much as another variable: others are known by the products that they are in.
+    That takes as much as another variable: other roots, which are many, are known by the products
+    and the sums in products that they are in.
     """
-    if g.ops[node] not in ("sqrt", "pow") or not is_steep(g, node):
+    if not is_steep(g, node):
         return False
+    if g.ops[node] not in ("sqrt", "pow"):
+        return True
     _, core = g.scaled(g.args[node][0])
     return g.ops[core] in ("sqrt", "pow") or at_rest(g, node) is not None
 
@@ -107,7 +111,8 @@ def at_rest(g: Graph, root: int) -> int | None:
         return None
     if g.ops[core] == "sum":
         c0, terms = g.args[core]
-        if c0 != 0.0 or any(g.constant[n] for n, _ in terms):
+        waves = any(g.ops[n] in _SMOOTH for n, _ in terms)  # as in √(1 − cos x)
+        if (c0 != 0.0 and not waves) or any(g.constant[n] for n, _ in terms):
             return None  # as √(c² + x²), which need not vanish
     conditions = [g.call("eq", root, g.zero)]
     if not _is_even(g, core):
@@ -148,7 +153,18 @@ def _polynomial(
             if e == 1 and g.ops[m] == "sum":
                 _polynomial(g, m, by, slopes)
             else:
-                slopes.setdefault(m, []).append((by, 1.0))
+                _inner(g, m, by, slopes)
+    else:
+        _inner(g, node, weight, slopes)
+
+
+def _inner(g: Graph, node: int, weight: int, slopes: dict[int, list[tuple[int, float]]]) -> None:
+    """Add the slopes of what is no polynomial, of a wave by its argument."""
+    if g.ops[node] in _SMOOTH:
+        partials = OPERATIONS[g.ops[node]].partials
+        assert partials is not None
+        (argument,) = g.args[node]
+        _polynomial(g, argument, g.mul(weight, partials(g, node, argument)[0]), slopes)
     else:
         slopes.setdefault(node, []).append((weight, 1.0))
 
