@@ -124,6 +124,14 @@ class IntegrationError(_Partial, RuntimeError):
     """
 
 
+class ContactError(IntegrationError):
+    """Exact contacts could not go on: no combination of their modes satisfies the equations.
+
+    The message names the reason, such as Painlevé's paradox or jamming. `info` has ``'modes'``, the
+    modes of the contacts before.
+    """
+
+
 class IntegrationInterrupted(_Partial, KeyboardInterrupt):
     """The user interrupted an integration. The exception contains the results so far.
 

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from pydy._errors import (
     AnalysisInterrupted,
+    ContactError,
     EnsembleInterrupted,
     EquilibriumError,
     FitInterrupted,
@@ -24,6 +25,7 @@ from pydy._errors import (
 
 __all__ = [
     "AnalysisInterrupted",
+    "ContactError",
     "EnsembleInterrupted",
     "EquilibriumError",
     "FitInterrupted",

@@ -1,12 +1,16 @@
-"""Contact and friction: laws as expressions.
+"""Contact and friction: laws as expressions, and exact contacts with modes.
 
-`laws` are functions that return SymPy expressions of a gap, a speed and a normal force;
-`CompliantContact` makes loads of them, for any method of mechanics.
+Laws are functions that return SymPy expressions of a gap, a speed and a normal force;
+`CompliantContact` makes loads of them, for any method of mechanics. `Contacts` simulates a System
+with contacts that open, close, stick and slide at exact times: gaps, `Unilateral`, and friction
+that sticks, `Stick`.
 """
 
 from __future__ import annotations
 
 from pydy.contact.compliant import CompliantContact
+from pydy.contact.conditions import Stick, Unilateral
+from pydy.contact.contacts import Contacts
 from pydy.contact.laws import (
     brown_mcphee,
     hunt_crossley,
@@ -15,9 +19,14 @@ from pydy.contact.laws import (
     rolling_resistance,
     stribeck,
 )
+from pydy.contact.trajectory import ContactTrajectory
 
 __all__ = [
     "CompliantContact",
+    "ContactTrajectory",
+    "Contacts",
+    "Stick",
+    "Unilateral",
     "brown_mcphee",
     "hunt_crossley",
     "joint_friction",

@@ -112,6 +112,12 @@ class Extension:
         self._steps = np.flatnonzero(np.append(rows[:-1, 1] > 0.0, True))
         self._starts = rows[self._steps, 0]
 
+    @property
+    def starts(self) -> np.ndarray:
+        """The times at which the steps begin."""
+        found: np.ndarray = self._starts
+        return found
+
     @_forks.cached_property
     def _workspace(self) -> Workspace:
         return self._make()

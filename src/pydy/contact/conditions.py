@@ -1,0 +1,236 @@
+"""Unilateral contacts and friction that sticks, as a user writes them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import sympy as sm
+from sympy.physics.mechanics import Point, Vector
+
+from pydy._checks import listed, shown
+from pydy.contact.laws import _expressions
+from pydy.contact.tuning import CONTACTS
+
+
+class Unilateral:
+    """A gap that does not become negative.
+
+    While it is closed a normal force acts, which is not negative. Where it closes with a speed v,
+    it leaves with the speed −e v (Newton's hypothesis). If that is zero, or the rebounds have
+    become lower than the tolerances of the solver, it stays closed until the normal force vanishes.
+
+    Parameters
+    ----------
+    gap : expression
+        Of the coordinates and time; positive while open. The normal force has the unit in which its
+        power is force times rate of the gap: N for a gap in m, N m for an angle.
+    restitution : expression, optional
+        Coefficient of restitution e, between 0 and 1.
+    name : str, optional
+        For results and messages.
+
+    Examples
+    --------
+    >>> import sympy.physics.mechanics as me
+    >>> from pydy.contact import Unilateral
+    >>> Unilateral(me.dynamicsymbols('y'), restitution=0.8, name='floor')
+    <Unilateral floor: y(t)>
+    """
+
+    def __init__(self, gap: Any, *, restitution: Any = 0, name: str = "contact") -> None:
+        self.gap, self.restitution = _expressions(gap=gap, restitution=restitution)
+        _within("restitution", self.restitution, 1.0)
+        if self.gap.is_number:
+            raise ValueError(f"`gap` must depend on coordinates, got the number {self.gap}.")
+        self.name = _named(name)
+
+    def __repr__(self) -> str:
+        return f"<Unilateral {self.name}: {self.gap}>"
+
+
+class Stick:
+    """Coulomb friction that holds until it is overcome.
+
+    At rest the friction is as large as it has to be, up to mu_static N; a body that slides is
+    braked by mu N against its motion.
+
+    Parameters
+    ----------
+    point : Point or expression
+        What slides: a point, or a speed that is linear in the speeds of the system, such as the
+        relative rate of a joint.
+    on : Unilateral, optional
+        The contact whose normal force presses.
+    mu : expression
+        Coefficient of kinetic friction. It also limits the friction of impacts.
+    mu_static : expression, optional
+        Coefficient of static friction, not below `mu`, by default equal to it.
+    along : Vector, optional
+        Unit vector along which the point slides; needed with a point.
+    against : Point, optional
+        Point of a body that the point slides on, if that moves; with a point.
+    normal : expression, optional
+        In place of `on`: a normal force that is known, such as the preload of a brake. It is not
+        negative, and depends on the state and time.
+    name : str, optional
+        For results and messages; by default that of `on`.
+
+    Examples
+    --------
+    >>> import sympy as sm
+    >>> import sympy.physics.mechanics as me
+    >>> from pydy.contact import Stick
+    >>> Stick(me.dynamicsymbols('v'), mu=0.2, normal=sm.Symbol('N'), name='brake')
+    <Stick brake>
+    """
+
+    def __init__(
+        self,
+        point: Any,
+        *,
+        mu: Any,
+        on: Unilateral | None = None,
+        mu_static: Any = None,
+        along: Vector | None = None,
+        against: Point | None = None,
+        normal: Any = None,
+        name: str = "",
+    ) -> None:
+        if (on is None) == (normal is None):
+            raise ValueError(
+                "`on` or `normal` must say what presses: give a Unilateral as `on`, or a known "
+                "normal force as `normal`, and not both."
+            )
+        if on is not None and not isinstance(on, Unilateral):
+            raise TypeError(f"`on` must be a Unilateral, got {shown(on)}.")
+        if isinstance(point, Point) != isinstance(along, Vector):
+            raise TypeError(
+                "`along` must be a Vector if `point` is a Point, and is not used with a speed; got "
+                f"{shown(point)} and {shown(along)}. Friction in two directions of a plane in "
+                "space is not supported yet."
+            )
+        if against is not None and not (isinstance(against, Point) and isinstance(point, Point)):
+            raise TypeError(f"`against` must be a Point, with a Point, got {shown(against)}.")
+        if not isinstance(point, Point):
+            (point,) = _expressions(point=point)
+        self.point, self.on, self.along, self.against = point, on, along, against
+        self.mu, self.mu_static = _expressions(
+            mu=mu, mu_static=mu if mu_static is None else mu_static
+        )
+        self.normal = None if normal is None else _expressions(normal=normal)[0]
+        for argument in ("mu", "mu_static", "normal"):
+            _within(argument, getattr(self, argument))
+        if (self.mu_static - self.mu).is_negative:
+            raise ValueError(
+                f"`mu_static` must not be below `mu`, got {self.mu_static} and {self.mu}."
+            )
+        self.name = _named(name or ("friction" if on is None else on.name))
+
+    def __repr__(self) -> str:
+        return f"<Stick {self.name}>"
+
+    def speed(self, frame: Any) -> Any:
+        """Return the sliding speed; velocities are those in the inertial frame."""
+        if not isinstance(self.point, Point):
+            return self.point
+        velocity = self.point.vel(frame)
+        if self.against is not None:
+            velocity -= self.against.vel(frame)
+        return velocity.dot(self.along)
+
+
+@dataclass(frozen=True, eq=False)
+class Contact:
+    """A Unilateral with the Stick on it, or one of them alone."""
+
+    name: str
+    unilateral: Unilateral | None
+    stick: Stick | None
+
+    @property
+    def kind(self) -> str:
+        """What its modes may be: those of a gap, of friction, or of both."""
+        if self.unilateral is None:
+            return "friction"
+        return "gap" if self.stick is None else "both"
+
+
+def paired(contacts: Any) -> tuple[Contact, ...]:
+    """Return the contacts, each with its friction.
+
+    Raises
+    ------
+    TypeError, ValueError
+    """
+    given = listed("contacts", contacts, "Unilateral and Stick objects")
+    for one in given:
+        if not isinstance(one, (Unilateral, Stick)):
+            raise TypeError(f"`contacts` must hold Unilateral and Stick, got {shown(one)}.")
+    gaps = [one for one in given if isinstance(one, Unilateral)]
+    sticks = [one for one in given if isinstance(one, Stick)]
+    if not given:
+        raise ValueError("`contacts` must have at least one Unilateral or Stick.")
+    for stick in sticks:
+        if stick.on is not None and stick.on not in gaps:
+            gaps.append(stick.on)
+    found = []
+    for gap in gaps:
+        own = [s for s in sticks if s.on is gap]
+        if len(own) > 1:
+            raise ValueError(
+                f"`contacts` has {len(own)} Sticks on {gap!r}; one direction of sliding is "
+                "supported."
+            )
+        found.append(Contact(gap.name, gap, own[0] if own else None))
+    found += [Contact(s.name, None, s) for s in sticks if s.on is None]
+    names = [c.name for c in found]
+    if twice := [n for n in names if names.count(n) > 1]:
+        raise ValueError(
+            f"`contacts` must have different names, got {twice[0]!r} twice. Give them `name=`."
+        )
+    if len(found) > CONTACTS:
+        raise ValueError(f"`contacts` may be up to {CONTACTS}, got {len(found)}.")
+    return tuple(found)
+
+
+def check_values(contacts: Sequence[Contact], numbers: Sequence[dict[str, float]]) -> None:
+    """Check coefficients when their numbers are known."""
+    for contact, values in zip(contacts, numbers, strict=True):
+        e, mu, static = (values[name] for name in ("restitution", "mu", "mu_static"))
+        if not 0.0 <= e <= 1.0:
+            raise ValueError(f"`restitution` of {contact.name!r} must be from 0 to 1, got {e}.")
+        if not mu >= 0.0:
+            raise ValueError(f"`mu` of {contact.name!r} must not be negative, got {mu}.")
+        if not static >= mu:
+            raise ValueError(
+                f"`mu_static` of {contact.name!r} must not be below `mu`, got {static} and {mu}."
+            )
+
+
+def _within(argument: str, value: Any, most: float | None = None) -> None:
+    """Refuse a number that is negative, or more than the most."""
+    if value is None or not value.is_number:
+        return
+    if not (value.is_real and value >= 0 and (most is None or value <= most)):
+        range_ = "not be negative" if most is None else f"be from 0 to {most:g}"
+        raise ValueError(f"`{argument}` must {range_}, got {value}.")
+
+
+def _named(name: Any) -> str:
+    if not isinstance(name, str) or not name:
+        raise TypeError(f"`name` must be a string that is not empty, got {shown(name)}.")
+    return name
+
+
+def symbols_of(contacts: Sequence[Contact]) -> list[Any]:
+    """Return the expressions whose symbols need numbers, other than sliding speeds."""
+    parts: list[Any] = []
+    for contact in contacts:
+        if contact.unilateral is not None:
+            parts += [contact.unilateral.gap, contact.unilateral.restitution]
+        if contact.stick is not None:
+            parts += [contact.stick.mu, contact.stick.mu_static]
+            parts += [sm.S.Zero if contact.stick.normal is None else contact.stick.normal]
+    return parts

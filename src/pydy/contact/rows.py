@@ -1,0 +1,256 @@
+"""Contacts as rows of accelerations, J u' + b = 0, and their forces, on the graph of a mechanism.
+
+Rows are numbered contact by contact, the normal one first. With W = M⁻¹ Jᵀ and u' = a without
+contact forces, the accelerations of the rows are J a + b + J W λ.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+import sympy as sm
+from sympy.core.function import AppliedUndef
+
+from pydy._checks import describe
+from pydy._forks import cached_property
+from pydy._graph.derivative import dense_jacobian, dense_rows, jacobian
+from pydy._graph.from_sympy import SymPyReader
+from pydy._graph.interpret import evaluator
+from pydy._graph.node import Graph
+from pydy._graph.rewrite import substitute
+from pydy._graph.rounding import rounding_bounds
+from pydy._graph.solve.choose import solve_accelerations
+from pydy._graph.switches import Passes
+from pydy._mechanics.equations import Equations
+from pydy._mechanics.form import Formed
+from pydy._mechanics.symbols import find_symbols
+from pydy.contact.conditions import Contact
+
+
+@dataclass(frozen=True)
+class Numbers:
+    """The rows at one state."""
+
+    gap: np.ndarray  # (contacts,); zero without one
+    near: np.ndarray  # (contacts,), bounds on the rounding errors of the gaps, in units of 2⁻⁵²
+    speed: np.ndarray  # (rows,), J u + …
+    slow: np.ndarray  # (rows,), bounds on the rounding errors of the speeds
+    free: np.ndarray  # (rows,), J a + b
+    square: np.ndarray  # (rows, rows), J W
+    moves: np.ndarray  # (speeds, rows), W
+    kinematics: np.ndarray  # (coordinates, speeds), ∂q'/∂u
+    normal: np.ndarray  # (contacts,), known normal forces
+    restitution: np.ndarray
+    mu: np.ndarray
+    mu_static: np.ndarray
+
+
+class ContactRows:
+    """The rows of all contacts of a mechanism, as nodes.
+
+    Parameters
+    ----------
+    equations : Equations
+    contacts : sequence of Contact
+    constants, specifieds : sequences of symbols
+        All that may occur.
+    """
+
+    def __init__(
+        self,
+        equations: Equations,
+        contacts: Sequence[Contact],
+        constants: Sequence[Any],
+        specifieds: Sequence[Any],
+    ) -> None:
+        self.equations, self.contacts = equations, tuple(contacts)
+        formed = _checked(equations)
+        more = [s for s in constants if s not in formed.constants]
+        others = [s for s in specifieds if s not in formed.specifieds]
+        self.formed = replace(
+            formed,
+            graph=formed.graph.copy(),
+            constants=[*formed.constants, *more],
+            specifieds=[*formed.specifieds, *others],
+            simplified=None,
+        )
+        self.graph = self.formed.graph
+        self._read()
+
+    def _read(self) -> None:
+        g, e = self.graph, self.equations
+        states = (*e.coordinates, *e.speeds)
+        self.symbols = self.formed.input_symbols(e.time, states)
+        atoms = {symbol: node for node, symbol in self.symbols.items()}
+        atoms.update((z, g.zero) for z in e.zeros)
+        atoms.update(zip(e.coordinate_rates, self.formed.rates, strict=True))
+        u = [g.input("x", len(e.coordinates) + k) for k in range(len(e.speeds))]
+        du = [g.input("a", k) for k in range(len(u))]
+        atoms.update(zip(e.speeds, u, strict=True))
+        atoms.update(zip(e.speed_rates, du, strict=True))
+        read = SymPyReader(g, atoms, "the contacts")
+        self.normal: list[int | None] = []
+        self.tangent: list[int | None] = []
+        speeds: list[Any] = []
+        gaps: list[int] = []
+        for c in self.contacts:
+            self.normal.append(None if c.unilateral is None else len(speeds))
+            if c.unilateral is not None:
+                read.what = f"the gap of {c.name!r}"
+                speeds.append(_rate(e, c.unilateral.gap, c.name))
+                gaps.append(read(c.unilateral.gap))
+            else:
+                gaps.append(g.zero)
+            self.tangent.append(None if c.stick is None else len(speeds))
+            if c.stick is not None:
+                assert e.mechanism is not None
+                speed = e.in_states(sm.sympify(c.stick.speed(e.mechanism.frame)))
+                _check_linear(e, speed, c.name)
+                speeds.append(speed)
+        read.what = "the contacts"
+        self.speed_expressions = speeds
+        self.speeds, self.gaps = read.all(speeds), gaps
+        rates = read.all([s.diff(e.time) for s in speeds])
+        self.drift = substitute(g, rates, dict.fromkeys(du, g.zero))
+        self.jacobian = dense_rows(g, jacobian(g, self.speeds, u), len(u))
+        for row, c in zip(self.jacobian, self._owners(), strict=True):
+            if all(n == g.zero for n in row):
+                raise ValueError(f"The contact {c.name!r} moves with no speed of the system.")
+        self.free = self._free()
+        self.moves = self._moves()
+        one, zero = g.one, g.zero
+        self.mu = [one if c.stick is None else read(c.stick.mu) for c in self.contacts]
+        self.static = [one if c.stick is None else read(c.stick.mu_static) for c in self.contacts]
+        self.restitution = [
+            zero if c.unilateral is None else read(c.unilateral.restitution) for c in self.contacts
+        ]
+        self.pressed = [
+            zero if c.stick is None or c.stick.normal is None else read(c.stick.normal)
+            for c in self.contacts
+        ]
+
+    def _owners(self) -> list[Contact]:
+        return [c for c in self.contacts for part in (c.unilateral, c.stick) if part is not None]
+
+    def _free(self) -> list[int]:
+        """Return u' without contact forces."""
+        formed, g = self.formed, self.graph
+        if formed.accelerations is not None:
+            return list(formed.accelerations)
+        kind = "ldl" if self.equations.positive_definite else "lu"
+        beyond = solve_accelerations(g, formed.matrix, formed.rest, kind, Passes())
+        return [g.add(*parts) for parts in zip(formed.start, beyond, strict=True)]
+
+    def _moves(self) -> list[list[int]]:
+        """Return for each row what a unit of its force adds to u'.
+
+        With dependent speeds u_d = A u_i + …, by the last rows of the matrix, the force of a row
+        is Jᵢ + Aᵀ J_d.
+        """
+        g, e, matrix = self.graph, self.equations, self.formed.matrix
+        d, n = len(e.velocity), len(matrix)
+        p = n - d
+        columns = [list(row) for row in self.jacobian]
+        if d:
+            held = [list(row[p:]) for row in matrix[p:]]
+            shares = g.solve(held, [[g.neg(row[i]) for row in matrix[p:]] for i in range(p)], "lu")
+            columns = [
+                [
+                    g.sum([(row[i], 1.0)] + [
+                        (g.mul(a, b), 1.0) for a, b in zip(shares[i], row[p:], strict=True)
+                    ])
+                    for i in range(p)
+                ] + [g.zero] * d
+                for row in columns
+            ]  # fmt: skip
+        kind = "ldl" if e.positive_definite and not d else "lu"
+        return g.solve([list(row) for row in matrix], columns, kind)
+
+    @cached_property
+    def _values(self) -> Any:
+        g = self.graph
+        near, slow = rounding_bounds(g, self.gaps), rounding_bounds(g, self.speeds)
+        free = [self.acceleration(g, k, self.free) for k in range(len(self.speeds))]
+        square = [self.dot(g, row, moved) for row in self.jacobian for moved in self.moves]
+        moves = [n for moved in self.moves for n in moved]
+        others = [*self.pressed, *self.restitution, *self.mu, *self.static]
+        n = len(self.equations.coordinates)
+        u = [g.input("x", n + k) for k in range(len(self.equations.speeds))]
+        others = [*dense_jacobian(g, self.formed.rates, u), *others]
+        nodes = [*self.gaps, *near, *self.speeds, *slow, *free, *square, *moves, *others]
+        return evaluator(g, nodes)
+
+    def numbers(self, values: dict[Any, float]) -> Numbers:
+        """Return the rows, given a number for each symbol."""
+        inputs = {node: values.get(symbol, 0.0) for node, symbol in self.symbols.items()}
+        found = self._values(inputs, 1)[0]
+        c, k, n = len(self.contacts), len(self.speeds), len(self.equations.speeds)
+        q = len(self.equations.coordinates)
+        sizes = [c, c, k, k, k, k * k, k * n, q * n, c, c, c, c]
+        parts = np.split(found, np.cumsum(sizes)[:-1])
+        gap, near, speed, slow, free, square, moves, kinematics, *others = parts
+        pressed, e, mu, static = others
+        return Numbers(
+            gap, near, speed, slow, free, square.reshape(k, k), moves.reshape(k, n).T,
+            kinematics.reshape(q, n), pressed, e, mu, static,
+        )  # fmt: skip
+
+    @staticmethod
+    def dot(g: Graph, a: Sequence[int], b: Sequence[int]) -> int:
+        """Return the product of two rows of nodes."""
+        return g.sum([(g.mul(x, y), 1.0) for x, y in zip(a, b, strict=True)])
+
+    def acceleration(self, g: Graph, row: int, rates: Sequence[int]) -> int:
+        """Return J u' + b of a row."""
+        return g.add(self.dot(g, self.jacobian[row], rates), self.drift[row])
+
+
+def _checked(equations: Equations) -> Formed:
+    """Return the equations on the graph, or say why contacts cannot use them."""
+    formed = equations.formed
+    if formed is None:
+        raise ValueError(
+            "Contacts need equations that are formed from the bodies and loads: `eom_method` must "
+            "be a Definition, or a method with bodies and loads without `equations='method'`."
+        )
+    if any(group == "a" for group, _ in formed.inputs()):
+        raise NotImplementedError("Contacts are not supported with loads that depend on u'.")
+    if equations.auxiliary_speeds:
+        raise NotImplementedError(
+            "Contacts are not supported with auxiliary speeds: their noncontributing forces would "
+            "lack the contact forces."
+        )
+    return formed
+
+
+def _rate(equations: Equations, gap: Any, name: str) -> Any:
+    found = find_symbols([gap])
+    wrong = [s for s in found if s in equations.speeds or s in equations.coordinate_rates]
+    if wrong:
+        raise ValueError(f"The gap of {name!r} must depend on coordinates, got {describe(wrong)}.")
+    _check_known(equations, found, name)
+    return equations.in_states(sm.sympify(gap).diff(equations.time))
+
+
+def _check_known(equations: Equations, found: Any, name: str) -> None:
+    known = {*equations.coordinates, *equations.speeds, *equations.coordinate_rates}
+    others = [s for s in found if isinstance(s, (AppliedUndef, sm.Derivative)) and s not in known]
+    if others:
+        raise NotImplementedError(
+            f"The contact {name!r} depends on {describe(others)}, which is no state. Write a "
+            "prescribed motion as an expression of time."
+        )
+
+
+def _check_linear(equations: Equations, speed: Any, name: str) -> None:
+    _check_known(equations, find_symbols([speed]), name)
+    for u in equations.speeds:
+        slope = speed.diff(u)
+        if any(slope.has(w) for w in equations.speeds):
+            raise ValueError(
+                f"The sliding speed of {name!r} must be linear in the speeds of the system, got "
+                f"{speed}."
+            )

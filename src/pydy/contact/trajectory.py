@@ -1,0 +1,156 @@
+"""The motion of a System with contacts: a Trajectory that knows its modes."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from pydy._forks import cached_property
+from pydy.trajectory import Trajectory
+
+_POINTS, _WEIGHTS = np.polynomial.legendre.leggauss(8)
+
+
+@dataclass(frozen=True, eq=False)
+class Piece:
+    """A part of the motion in one mode.
+
+    Attributes
+    ----------
+    start, end : float
+    modes : tuple of str
+    model : object
+        Evaluates derivatives and outputs; see `pydy.trajectory.Model`.
+    columns : list of int
+        The outputs of the model that are those of the whole trajectory.
+    dense : callable
+        Times to states.
+    """
+
+    start: float
+    end: float
+    modes: tuple[str, ...]
+    model: Any
+    columns: list[int]
+    dense: Callable[[np.ndarray], np.ndarray]
+
+
+class Pieces:
+    """The model of a motion in several modes; see `pydy.trajectory.Model`."""
+
+    def __init__(self, pieces: Sequence[Piece], base: Any) -> None:
+        self.pieces, self._base = list(pieces), base
+        self.starts = np.array([piece.start for piece in pieces])
+
+    def places(self, times: np.ndarray) -> np.ndarray:
+        """Return the piece of each time; at a transition it is the one after it."""
+        found: np.ndarray = np.searchsorted(self.starts[1:], times, side="right")
+        return found
+
+    def _each(self, times: np.ndarray, width: int, value: Any) -> np.ndarray:
+        table, places = np.empty((len(times), width)), self.places(times)
+        for k in np.unique(places):
+            own = places == k
+            table[own] = value(self.pieces[k], own)
+        return table
+
+    def states(self, times: np.ndarray) -> np.ndarray:
+        """Return the states between the solver's steps."""
+        times = np.asarray(times, dtype=float)
+        width = self.pieces[0].dense(np.array([self.pieces[0].start])).shape[1]
+        return self._each(times, width, lambda piece, own: piece.dense(times[own]))
+
+    def derivatives(self, times: np.ndarray, states: np.ndarray) -> np.ndarray:
+        """Return the derivatives of the states, shape (m, n)."""
+        return self._each(
+            times, states.shape[1], lambda p, own: p.model.derivatives(times[own], states[own])
+        )
+
+    def outputs(self, times: np.ndarray, states: np.ndarray) -> np.ndarray:
+        """Return the outputs, shape (m, o)."""
+        return self._each(
+            times,
+            len(self.pieces[0].columns),
+            lambda p, own: p.model.outputs(times[own], states[own])[:, p.columns],
+        )
+
+    def specifieds(self, times: np.ndarray, states: np.ndarray) -> np.ndarray:
+        """Return the specifieds, shape (m, s)."""
+        found: np.ndarray = self._base.specifieds(times, states)
+        return found
+
+    def energy(self, times: np.ndarray, states: np.ndarray) -> np.ndarray:
+        """Return kinetic, potential and total energy, shape (m, 3)."""
+        found: np.ndarray = self._base.energy(times, states)
+        return found
+
+    def scene(self, *visuals: Any, **options: Any) -> Any:
+        """Return a scene that shows the bodies."""
+        return self._base.scene(*visuals, **options)
+
+
+class ContactTrajectory(Trajectory):
+    """A Trajectory of a System with contacts.
+
+    Its outputs include, for a contact of the name ``floor``, ``floor_gap``, ``floor_normal`` (the
+    normal force), ``floor_friction``, ``floor_sliding`` (the sliding speed) and ``floor_power``
+    (that of the friction, which is not positive). Its `events` are the transitions: ``'floor
+    closes'``, ``'floor opens'``, ``'floor slips'`` (it stuck until then), ``'floor stops'`` (its
+    sliding speed vanishes), and ``'floor rests'``, the limit of impacts that accumulate.
+
+    Attributes
+    ----------
+    modes : list of (float, float, dict)
+        When each part of the motion begins and ends, and the mode of each contact in it: 'open',
+        'closed' (without friction), 'sticks', 'slides +' or 'slides -'.
+    impacts : list of (float, dict)
+        The time of each impact, and the impulses of each contact: (normal, tangential).
+    """
+
+    def __init__(
+        self,
+        *args: Any,
+        pieces: Pieces,
+        names: Sequence[str],
+        impacts: Sequence[tuple[float, dict[str, tuple[float, float]], float]],
+        **options: Any,
+    ) -> None:
+        super().__init__(*args, model=pieces, dense=pieces.states, **options)
+        self._pieces, self._names = pieces, tuple(names)
+        self.modes = [
+            (p.start, p.end, dict(zip(names, p.modes, strict=True))) for p in pieces.pieces
+        ]
+        self.impacts = [(time, impulses) for time, impulses, _ in impacts]
+        self._lost = [(time, work) for time, _, work in impacts]
+
+    @cached_property
+    def contact_work(self) -> np.ndarray:
+        """Work that friction and impacts have done since the first time, shape (m,).
+
+        It is what the total energy has changed by where nothing else does work. That of friction is
+        the integral of its power over the solver's steps, by Gauss's rule with 8 points.
+        """
+        powers = [k for k, name in enumerate(self.outputs_symbols) if self._is_power(str(name))]
+        knots = [self.times]
+        for piece in self._pieces.pieces:
+            inside = np.asarray(getattr(piece.dense, "starts", ()), dtype=float)
+            knots += [inside, np.array([piece.start, piece.end])]
+        nodes = np.unique(np.concatenate(knots))
+        nodes = nodes[(nodes >= self.times[0]) & (nodes <= self.times[-1])]
+        work = np.zeros(len(nodes))
+        if powers and len(nodes) > 1:
+            half, middle = np.diff(nodes) / 2, (nodes[1:] + nodes[:-1]) / 2
+            times = (middle[:, None] + half[:, None] * _POINTS).ravel()
+            outputs = self._pieces.outputs(times, self._pieces.states(times))
+            power = outputs[:, powers].sum(axis=1).reshape(len(half), -1)
+            work[1:] = np.cumsum(half * (power @ _WEIGHTS))
+        for time, lost in self._lost:
+            work[nodes >= time] += lost
+        found: np.ndarray = work[np.searchsorted(nodes, self.times)]
+        return found
+
+    def _is_power(self, name: str) -> bool:
+        return any(name == f"{own}_power" for own in self._names)

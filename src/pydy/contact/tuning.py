@@ -1,0 +1,44 @@
+"""Thresholds of exact contacts. All are shares of what is compared, or counts."""
+
+from __future__ import annotations
+
+from pydy._rank import HALF, ROUNDING
+
+__all__ = [
+    "CHECKED",
+    "CONTACTS",
+    "INSTANT",
+    "RESOLUTION",
+    "SETTLING",
+    "SLACK",
+    "STALLED",
+    "WITHIN",
+]
+
+CONTACTS = 8
+"""Contacts that may be closed at the same time: up to 4⁸ combinations are tried."""
+
+SLACK = HALF
+"""An inequality between forces or accelerations holds if it is missed by this share of the largest
+that take part. Events are located to rounding, but in states that have errors of integration:
+forces that are equal there agree in half their digits."""
+
+WITHIN = 2.0**10
+"""A gap or a sliding speed is zero within so many of its bounds on rounding errors: initial
+conditions may have been computed in some hundred operations."""
+
+RESOLUTION = 16.0 * ROUNDING
+"""Events whose times differ by less, in units of the time, happen at the same instant: the solver
+locates them to rounding."""
+
+INSTANT = 64
+"""Transitions that may follow each other within `RESOLUTION`: several contacts take several."""
+
+STALLED = 100_000
+"""Transitions in one simulation, beyond which it does not come to an end."""
+
+CHECKED = 33
+"""States of each part of a motion at which gaps and normal forces are looked at again."""
+
+SETTLING = 3
+"""Newton steps from a state that is off by rounding: the second changes the last digits, if any."""

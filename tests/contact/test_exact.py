@@ -1,0 +1,330 @@
+"""Exact contacts against closed forms."""
+
+import math
+
+import numpy as np
+import pytest
+import sympy as sm
+import sympy.physics.mechanics as me
+
+from pydy import System, solvers
+from pydy.contact import Contacts, Stick, Unilateral
+from pydy.errors import ContactError
+from pydy.mechanics import Definition
+from touching import (
+    TIGHT,
+    J,
+    N,
+    O,
+    a,
+    ball,
+    block,
+    body_in_plane,
+    e,
+    falling_body,
+    g,
+    k,
+    m,
+    mu,
+    r,
+    slope,
+    vx,
+    vy,
+    w,
+    x,
+    y,
+)
+
+
+def balance(trajectory):
+    """The change of energy beyond the work of contacts, and whether energy falls all the time."""
+    total = trajectory.energy[:, 2]
+    size = abs(total).max()
+    assert (np.diff(total) <= 1e-9 * size).all()
+    return abs(total - total[0] - trajectory.contact_work).max() / size
+
+
+def test_a_billiard_ball_slides_then_rolls():
+    C, body, _ = body_in_plane()
+    system = System(
+        Definition(N, [x, y, a], [vx, vy, w], bodies=[body], loads=[(C, -m * g * N.y)]),
+        {g: 9.81, J: 0.4 * 0.01}, ode_solver="dop853",
+        initial_conditions={y: 0.1, vx: 2.0}, times=np.linspace(0.0, 0.5, 6),
+    )  # fmt: skip
+    table = Unilateral(y - r, name="table")
+    stick = Stick(vx + r * w, on=table, mu=mu)
+    trajectory = Contacts(system, [table, stick], {mu: 0.2, r: 0.1}).simulate(**TIGHT)
+    (rolls,) = trajectory.events
+    assert rolls.name == "table stops"
+    assert rolls.time == pytest.approx(0.291247997670, abs=1e-10)
+    assert rolls.after[0] == pytest.approx(0.499282281720, abs=1e-10)
+    assert trajectory["v_x"][-1] == pytest.approx(10 / 7, abs=1e-10)
+    assert [modes["table"] for *_, modes in trajectory.modes] == ["slides +", "sticks"]
+    assert trajectory["table_friction"][[0, -1]] == pytest.approx([-0.2 * 9.81, 0.0], abs=1e-12)
+    assert balance(trajectory) < 1e-9
+
+
+def test_an_oscillator_with_coulombs_friction_stops_dead():
+    P = O.locatenew("P", x * N.x)
+    P.set_vel(N, vx * N.x)
+    system = System(
+        Definition(N, [x], [vx], bodies=[me.Particle("P", P, m)], loads=[(P, -k * x * N.x)]),
+        {k: 100.0}, ode_solver="dop853",
+        initial_conditions={x: 1.0}, times=np.linspace(0.0, 20.0, 201),
+    )  # fmt: skip
+    rub = Stick(vx, mu=mu, normal=m * g, name="rub")
+    trajectory = Contacts(system, [rub], {mu: 0.9, g: 9.81}).simulate(**TIGHT)
+    lost = 2 * 0.9 * 9.81 / 100
+    turns = [event.after[0] for event in trajectory.events]
+    # It turns as long as the spring is stronger than friction, and then stands for good.
+    assert len(turns) == 6
+    assert turns == pytest.approx([(-1) ** j * (1 - j * lost) for j in range(1, 7)], abs=1e-10)
+    times = [event.time for event in trajectory.events]
+    assert times == pytest.approx([math.pi / 10 * j for j in range(1, 7)], abs=1e-10)
+    assert abs(turns[-2]) > lost / 2 > abs(turns[-1])
+    after = trajectory.times > times[-1]
+    assert set(trajectory["x"][after]) == {turns[-1]}
+    assert balance(trajectory) < 1e-9
+
+
+def test_impacts_that_accumulate_end_in_contact():
+    system, floor = ball(restitution=e)
+    system.initial_conditions, system.times = {y: 1.0}, np.linspace(0.0, 5.0, 51)
+    trajectory = Contacts(system, [floor], {e: 0.8}).simulate(rtol=1e-11, atol=1e-13)
+    *bounces, rests = trajectory.events
+    assert {event.name for event in bounces} == {"floor closes"}
+    assert rests.name == "floor rests"
+    assert rests.time == pytest.approx(math.sqrt(2 / 9.81) * (1 + 2 * 0.8 / 0.2), abs=1e-10)
+    assert trajectory.modes[-1][2] == {"floor": "closed"}
+    assert trajectory["floor_normal"][-1] == pytest.approx(9.81)
+    assert not trajectory["y"][-5:].any()
+    assert trajectory.at(np.linspace(0.0, 5.0, 999))["floor_gap"].min() > -1e-10
+    assert balance(trajectory) < 1e-9
+
+
+@pytest.mark.parametrize("inertia", [0.3, 1e-6])
+def test_a_rimless_wheel_keeps_its_gait(inertia):
+    half, tilt = math.pi / 8, 0.08
+    spokes = [(math.sin(2 * half * j), -math.cos(2 * half * j)) for j in range(-1, 4)]
+    system, feet = falling_body(spokes, tilt=slope, mu=mu)
+
+    def gait(inertia):
+        ratio = (inertia + math.cos(2 * half)) / (inertia + 1)
+        gain = 4 * 9.81 * math.sin(half) * math.sin(tilt) / (inertia + 1)
+        return math.sqrt(ratio**2 * gain / (1 - ratio**2))
+
+    assert gait(0.0) == pytest.approx(1.0954628396, abs=1e-10)
+    rate = gait(inertia)
+    system.constants[J], system.constants[slope] = inertia, -tilt
+    system.initial_conditions = {
+        a: half, x: -math.sin(half), y: math.cos(half),
+        w: -rate, vx: rate * math.cos(half), vy: rate * math.sin(half),
+    }  # fmt: skip
+    system.times = np.linspace(0.0, 2.2, 12)
+    trajectory = Contacts(system, feet, {mu: 5.0}).simulate(**TIGHT)
+    impacts = [event for event in trajectory.events if event.name.endswith("closes")]
+    assert len(impacts) == 2
+    assert [-event.after[5] for event in impacts] == pytest.approx([rate] * 2, abs=1e-9)
+    assert balance(trajectory) < 1e-9
+
+
+@pytest.mark.parametrize("restitution", [0.0, 0.5])
+def test_two_feet_that_touch_down_at_the_same_instant(restitution):
+    system, feet = falling_body([(-1, -0.2), (1, -0.2)], restitution=restitution, mu=mu)
+    system.initial_conditions = {y: 1.0, vx: 0.5}
+    system.times = np.linspace(0.0, 3.0, 31)
+    system.constants[J] = 0.4
+    trajectory = Contacts(system, feet, {mu: 0.3}).simulate(rtol=1e-10, atol=1e-12)
+    first, second = trajectory.events[:2]
+    assert first.time == second.time == pytest.approx(math.sqrt(2 * 0.8 / 9.81), abs=1e-10)
+    assert abs(trajectory["a"]).max() < 1e-12
+    assert trajectory.modes[-1][2] == {"foot0": "sticks", "foot1": "sticks"}
+    assert trajectory["foot0_normal"][-1] == pytest.approx(9.81 / 2)
+    assert balance(trajectory) < 1e-9
+
+
+def test_a_block_on_a_slope_does_not_creep():
+    system, P = block(slope)
+    system.times, system.constants[slope] = np.linspace(0.0, 60.0, 61), 0.3
+    ground = Unilateral(y, name="ground")
+    stick = Stick(P, on=ground, mu=mu, along=N.x)
+    trajectory = Contacts(system, [ground, stick], {mu: 0.4}).simulate()
+    assert abs(trajectory.states).max() <= 1e-12
+    assert not trajectory.events
+
+
+def test_a_block_in_a_grip_does_not_creep_and_its_fingers_share_the_weight():
+    q = me.dynamicsymbols("x_b y_b x_l x_r")
+    u = me.dynamicsymbols("u_x u_y u_l u_r")
+    F = sm.Symbol("F")
+    points = []
+    for name, place, speed in (
+        ("B", q[0] * N.x + q[1] * N.y, u[0] * N.x + u[1] * N.y),
+        ("L", q[2] * N.x, u[2] * N.x),
+        ("R", q[3] * N.x, u[3] * N.x),
+    ):
+        points.append(O.locatenew(name, place))
+        points[-1].set_vel(N, speed)
+    B, L, R = points
+    system = System(
+        Definition(
+            N, q, u, bodies=[me.Particle(P.name, P, m) for P in points],
+            loads=[(B, -m * g * N.y), (L, F * N.x), (R, -F * N.x)],
+        ),
+        {g: 9.81, F: 20.0}, ode_solver="dop853",
+        initial_conditions={q[2]: -0.05, q[3]: 0.05}, times=np.linspace(0.0, 60.0, 61),
+    )  # fmt: skip
+    left = Unilateral(q[0] - q[2] - 0.05, name="left")
+    right = Unilateral(q[3] - q[0] - 0.05, name="right")
+    sticks = [Stick(B, on=gap, mu=mu, along=N.y) for gap in (left, right)]
+    trajectory = Contacts(system, [left, right, *sticks], {mu: 0.5}).simulate()
+    assert abs(trajectory["y_b"]).max() <= 1e-12
+    assert trajectory["left_normal"] == pytest.approx(20.0)
+    # The two rows that hold it say the same: the forces are the least ones.
+    assert trajectory["left_friction"] == pytest.approx(9.81 / 2)
+    assert trajectory["right_friction"] == pytest.approx(9.81 / 2)
+    # Held too loosely, it falls at a constant acceleration.
+    system.constants[F] = 5.0
+    falls = Contacts(system, sticks).simulate()
+    assert set(falls.modes[0][2].values()) == {"slides -"}
+    assert falls["y_b"][-1] == pytest.approx(-0.5 * (9.81 - 5.0) * 3600.0, rel=1e-8)
+
+
+def test_painleves_paradox_is_named():
+    system, feet = falling_body([(-1.0, 0.0)], mu=mu)
+    lean = 0.9
+    system.constants[J], system.times = 1 / 3, [0.0, 0.3]
+    system.initial_conditions = {a: lean, x: math.cos(lean), y: math.sin(lean), vx: -1.0}
+    contacts = Contacts(system, feet, {mu: 0.5})
+    contacts.simulate()
+    # J + 1 cos a (cos a − μ sin a) < 0
+    system.constants[mu] = 1.1 * (1 / 3 + math.cos(lean) ** 2) / (math.cos(lean) * math.sin(lean))
+    with pytest.raises(ContactError, match=r"Painlevé's paradox.*'foot0'.*state x\(t\) = 0.62"):
+        contacts.simulate()
+
+
+def test_a_contact_in_a_mechanism_with_constraints():
+    P = O.locatenew("P", x * N.x + y * N.y)
+    P.set_vel(N, vx * N.x + vy * N.y)
+    bob = me.Particle("P", P, m)
+    bound = System(
+        Definition(
+            N, [x, y], [vx, vy], bodies=[bob], loads=[(P, -m * g * N.y)],
+            holonomic_constraints=[x**2 + y**2 - 1],
+        ),
+        {g: 9.81}, ode_solver="dop853",
+        initial_conditions={x: 0.6, y: -0.8}, times=np.linspace(0.0, 3.0, 31),
+    )  # fmt: skip
+    wall = {"name": "wall", "restitution": 0.7}
+    one = Contacts(bound, [Unilateral(x, **wall)])
+    one = one.simulate(constraints="project", rtol=1e-11, atol=1e-12)
+    B = me.ReferenceFrame("B")
+    B.orient_axis(N, N.z, a)
+    B.set_ang_vel(N, w * N.z)
+    Q = O.locatenew("Q", -B.y)
+    Q.v2pt_theory(O, N, B)
+    free = System(
+        Definition(N, [a], [w], bodies=[me.Particle("P", Q, m)], loads=[(Q, -m * g * N.y)]),
+        {g: 9.81}, ode_solver="dop853",
+        initial_conditions={a: math.asin(0.6)}, times=np.linspace(0.0, 3.0, 31),
+    )  # fmt: skip
+    two = Contacts(free, [Unilateral(sm.sin(a), **wall)]).simulate(rtol=1e-11, atol=1e-12)
+    assert one["x"] == pytest.approx(np.sin(two["a"]), abs=1e-9)
+    assert len(one.events) == len(two.events) == 3
+    assert abs(one.constraints).max() < 1e-12
+    assert one.outputs_symbols[-1] in one.constraints_symbols
+
+
+def test_a_belt_lets_a_block_stick_and_slip():
+    P = O.locatenew("P", x * N.x)
+    P.set_vel(N, vx * N.x)
+    system = System(
+        Definition(N, [x], [vx], bodies=[me.Particle("P", P, m)], loads=[(P, -k * x * N.x)]),
+        {k: 1.0}, {}, "dop853", {vx: 0.1}, np.linspace(0.0, 60.0, 601),
+    )  # fmt: skip
+    belt, static = sm.symbols("belt static")
+    rub = Stick(vx - belt, mu=mu, mu_static=static, normal=1, name="belt")
+    contacts = Contacts(system, [rub], {belt: 0.1, mu: 0.5, static: 1.0})
+    trajectory = contacts.simulate(**TIGHT)
+    slips = [event.time for event in trajectory.events if event.name == "belt slips"]
+    # It sticks for 1 m at 0.1 m/s, and slides on an ellipse about x = 0.5.
+    period = 10.0 + math.pi + 2 * math.atan(0.2)
+    assert slips[0] == pytest.approx(10.0, abs=1e-10)
+    assert np.diff(slips) == pytest.approx(np.full(len(slips) - 1, period), abs=1e-10)
+    assert contacts.compiled_modes == [{"belt": "sticks"}, {"belt": "slides -"}]
+
+
+def test_the_result_is_a_trajectory(tmp_path):
+    system, floor = ball(restitution=0.5)
+    system.initial_conditions, system.times = {y: 1.0}, np.linspace(0.0, 2.0, 21)
+    system.outputs[sm.Symbol("height")] = 2 * y
+    apex = solvers.Event(vy, direction=-1, name="apex")
+    contacts = Contacts(system, [floor])
+    trajectory = contacts.simulate(events=[apex])
+    assert [event.name for event in trajectory.events[:4]] == [
+        *("apex", "floor closes", "apex", "floor closes")
+    ]
+    assert trajectory["height"] == pytest.approx(2 * trajectory["y"])
+    assert trajectory.derivatives.shape == (21, 2)
+    middle = trajectory.at([0.31, 0.47, 1.5])
+    assert middle["height"] == pytest.approx(2 * middle["y"])
+    assert trajectory.to_dataframe().shape[0] == 21
+    trajectory.plot(["y", "floor_normal"])
+    low = solvers.Event(y - 0.5, direction=-1, terminal=True)
+    ended = contacts.simulate(events=[low])
+    assert ended.times[-1] <= math.sqrt(1 / 9.81) < ended.times[-1] + 0.1
+    assert contacts.compiled_modes == [{"floor": "open"}, {"floor": "closed"}]
+
+
+def test_bad_input_is_named():
+    with pytest.raises(ValueError, match=r"`restitution` must be from 0 to 1, got 1.5"):
+        Unilateral(y, restitution=1.5)
+    with pytest.raises(ValueError, match=r"`mu` must not be negative, got -0.1"):
+        Stick(vx, mu=-0.1, normal=1)
+    with pytest.raises(ValueError, match="`mu_static` must not be below `mu`"):
+        Stick(vx, mu=0.5, mu_static=0.4, normal=1)
+    with pytest.raises(ValueError, match="`on` or `normal` must say what presses"):
+        Stick(vx, mu=0.5)
+    with pytest.raises(TypeError, match="two directions of a plane in space is not supported yet"):
+        Stick(O, mu=0.5, normal=1, along=(N.x, N.y))
+    with pytest.raises(ValueError, match="`gap` must depend on coordinates"):
+        Unilateral(-1.0)
+    system, floor = ball(restitution=e)
+    with pytest.raises(ValueError, match="must have different names, got 'floor' twice"):
+        Contacts(system, [floor, Unilateral(y + 1, name="floor")])
+    with pytest.raises(ValueError, match="must depend on coordinates, got v_y"):
+        Contacts(system, [Unilateral(vy)])
+    with pytest.raises(ValueError, match="moves with no speed"):
+        Contacts(system, [Unilateral(m)])
+    with pytest.raises(ValueError, match="must be linear in the speeds"):
+        Contacts(system, [Stick(vy**2, mu=1, normal=1)])
+    contacts = Contacts(system, [floor])
+    system.times, system.initial_conditions = [0.0, 1.0], {y: -0.5}
+    with pytest.raises(ValueError, match=r"gap of 'floor' must not be negative .*, got -0.5"):
+        contacts.simulate()
+    system.initial_conditions = {y: 0.5}
+    system.constants[e] = 1.5
+    with pytest.raises(ValueError, match=r"`restitution` of 'floor' must be from 0 to 1, got 1.5"):
+        contacts.simulate()
+    system.constants[e] = 0.5
+    with pytest.raises(NotImplementedError, match="`sensitivities` is not supported"):
+        contacts.simulate(sensitivities=[g])
+    with pytest.raises(NotImplementedError, match="resets are not supported"):
+        contacts.simulate(events=[solvers.Event(vy, reset={vy: 0})])
+    system.ode_solver = None
+    with pytest.raises(ValueError, match="native solver"):
+        contacts.simulate()
+
+
+def test_contacts_that_exclude_each_other_are_named():
+    system, floor = ball()
+    ceiling = Unilateral(-y - 1, name="ceiling")
+    system.times = [0.0, 1.0]
+    with pytest.raises(ValueError, match=r"gap of 'ceiling' must not be negative"):
+        Contacts(system, [floor, ceiling]).simulate()
+    # A ceiling that comes down on a ball that stands on the floor.
+    t = me.dynamicsymbols._t
+    press = Unilateral(1 - t - y, name="press")
+    system.times = [0.0, 2.0]
+    with pytest.raises(ContactError, match=r"Jamming: .*At t = 1\.0"):
+        Contacts(system, [floor, press]).simulate()
