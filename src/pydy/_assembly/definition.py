@@ -91,12 +91,8 @@ class Definition:
 
     @cached_property
     def places(self) -> dict[str, Places]:
-        """Where states, specifieds and constants lie in x, r and p."""
-        layout = self.layout
-        return {
-            what: Places(getattr(layout, what), f"{what} of the system")
-            for what in ("states", "specifieds", "constants")
-        }
+        """Where states, specifieds and constants lie in x, r and p; and outputs among all."""
+        return {what: Places(s, f"{what} of the system") for what, s in vars(self.layout).items()}
 
     def assemble(self, equations: Equations, *, external: bool, passes: Passes) -> Assembly:
         """Return the graph of everything; `equations` may be these, solved beforehand."""

@@ -14,7 +14,7 @@ import sympy as sm
 from pydy._assembly.assembly import Assembly
 from pydy._assembly.definition import Definition
 from pydy._assembly.model import CompiledModel
-from pydy._checks import Places, shown
+from pydy._checks import shown
 from pydy._errors import IntegrationError, IntegrationInterrupted, SingularMatrixError
 from pydy._forks import cached_property
 from pydy._graph.products import derivative_program
@@ -43,8 +43,7 @@ from pydy.solvers.tableaus import tableau_of
 
 def read_term(definition: Definition, term: Any, argument: str) -> Any:
     """Return the place of an output, or an expression."""
-    outputs = Places(definition.outputs_symbols, "outputs of the system")
-    place = outputs.get(term, argument)
+    place = definition.places["outputs"].get(term, argument)
     if place is not None:
         return place
     if isinstance(term, str):
@@ -234,29 +233,6 @@ class _Task:
 
         return KernelCall(kernel, self.sensitive.p, r, plan.sampled, None, names)
 
-    def run(
-        self, solver: Solver, x0: np.ndarray, times: np.ndarray, options: dict[str, Any]
-    ) -> _Run:
-        """Integrate, and note the steps."""
-        from pydy.solvers.run.integration import Integration
-
-        n, model = len(x0), self.whole
-        rates = self.call_whole(model.compiled("rates"))
-        more = rates.kernel.program.num_states - n
-        for name in options.keys() & {"rtol", "atol"}:
-            if np.size(options[name]) == n > 1 and more:  # the integral as the strictest state
-                given = np.asarray(options[name], dtype=float)
-                options = {**options, name: np.append(given, given.min())}
-        options = self.sensitive.stepped(solver, options)
-        recording = Recording(n, len(tableau_of(solver.name).stages), rates)
-        read = replace(read_options(solver.name, solver.adaptive, options), recording=recording)
-        whole = np.append(x0, np.zeros(more))
-        integration = Integration(solver.name, rates, len(whole), times, (), read)
-        states = integration.run(whole)
-        end = integration.memory.x[: len(whole)].copy()
-        info = integration.info()
-        return _Run(self, solver.name, read, recording, rates, times, states, end, info)
-
     # -- compiled ---------------------------------------------------------------------------------
 
     def turned(self) -> KernelCall:
@@ -293,34 +269,44 @@ class _Task:
 
 
 class _Run:
-    """A motion whose steps were noted.
-
-    The `rates` are of the states and the integral; it ended in the state `last`.
-    """
+    """A motion of the states and the integral, to the state `last`; its steps are noted."""
 
     def __init__(
         self,
         task: _Task,
-        method: str,
-        options: Any,
-        recording: Recording,
-        rates: KernelCall,
+        solver: Solver,
+        x0: np.ndarray,
         times: np.ndarray,
-        states: np.ndarray,
-        last: np.ndarray,
-        info: dict[str, Any],
+        options: dict[str, Any],
     ) -> None:
-        self.task, self.recording, self.rates = task, recording, rates
-        self.options, self.times, self.states, self.info = options, times, states, info
+        from pydy.solvers.run.backward import WayBack
+        from pydy.solvers.run.integration import Integration
+
+        n = len(x0)
+        self.rates = rates = task.call_whole(task.whole.compiled("rates"))
+        more = rates.kernel.program.num_states - n
+        for name in options.keys() & {"rtol", "atol"}:
+            if np.size(options[name]) == n > 1 and more:  # the integral as the strictest state
+                given = np.asarray(options[name], dtype=float)
+                options = {**options, name: np.append(given, given.min())}
+        options = task.sensitive.stepped(solver, options)
+        self.recording = recording = Recording(n, len(tableau_of(solver.name).stages), rates)
+        read: Any = replace(
+            read_options(solver.name, solver.adaptive, options), recording=recording
+        )
+        whole = np.append(x0, np.zeros(more))
+        integration = Integration(solver.name, rates, len(whole), times, (), read)
+        self.task, self.times, self.n = task, times, n
+        self.options: Any = read
+        self.states = states = integration.run(whole)
+        self.info = info = integration.info()
         self.records: list[EventRecord] = info["events"]
-        self.n = n = recording.states
         self.end: float = info["time"]
         self.stopped = info["code"] == TERMINATED
-        self.last = last if self.stopped or not len(states) else states[-1]
+        ended = integration.memory.x[: len(whole)].copy()
+        self.last = ended if self.stopped or not len(states) else states[-1]
         further, kept = len(task.wanted), len(task.sampled)
-        from pydy.solvers.run.backward import WayBack
-
-        self._back = WayBack(method, rates, task.turned(), further, kept)
+        self._back = WayBack(solver.name, rates, task.turned(), further, kept)
         self._kept = kept
         integrals = 0 if task.integral is None else 1
         self.value = float(self.last[n : n + integrals].sum())
@@ -571,7 +557,7 @@ class Gradients(Setup):
         task = _Task(sensitive, final, integral)
         beginning = sensitive.start(now.x, float(instants[0]))
         try:
-            run = task.run(solver, now.x, instants, ready.options)
+            run = _Run(task, solver, now.x, instants, ready.options)
         except (IntegrationError, IntegrationInterrupted, SingularMatrixError) as error:
             if not isinstance(error, SingularMatrixError):
                 n = len(definition.states)

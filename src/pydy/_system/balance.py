@@ -59,15 +59,20 @@ class Unknowns:
         return self._found[kind]
 
 
-def located(definition: Definition, symbol: Any, argument: str) -> tuple[str, int]:
+def located(
+    definition: Definition,
+    symbol: Any,
+    argument: str,
+    kinds: Iterable[str] = GROUPS,
+    what: str = "states, constants and specifieds of the system",
+) -> tuple[str, int]:
     """Return the kind of a symbol or name, a state, constant or specified, and its place there."""
-    for kind in GROUPS:
+    for kind in kinds:
         place = definition.places[kind].get(symbol, argument)
         if place is not None:
             return kind, place
-    everything = [s for kind in GROUPS for s in definition.places[kind].symbols]
-    places = Places(everything, "states, constants and specifieds of the system")
-    places.find(symbol, argument)  # raises, with names that are alike
+    everything = [s for kind in kinds for s in definition.places[kind].symbols]
+    Places(everything, what).find(symbol, argument)  # raises, with names that are alike
     raise AssertionError(symbol)
 
 

@@ -10,8 +10,8 @@ import numpy as np
 import sympy as sm
 
 from pydy._assembly.definition import Definition
-from pydy._checks import Places, one_or_more
-from pydy._system.balance import members
+from pydy._checks import one_or_more
+from pydy._system.balance import located, members
 from pydy.codegen.arguments import SpecifiedsPlan
 from pydy.inputs import SampledInput
 from pydy.solvers.sensitivities import Sized
@@ -94,16 +94,8 @@ def _following(definition: Definition, plan: SpecifiedsPlan) -> list[Any]:
 def _parameter(
     definition: Definition, plan: SpecifiedsPlan, following: list[Any], key: Any, argument: str
 ) -> Parameter:
-    kinds = ("constants", "states", "specifieds")
-    for kind in kinds:
-        place = definition.places[kind].get(key, argument)
-        if place is not None:
-            break
-    else:
-        everything = [s for kind in kinds for s in definition.places[kind].symbols]
-        what = "constants, states (for their initial conditions) and specifieds of the system"
-        Places(everything, what).find(key, argument)  # raises, with names that are alike
-        raise AssertionError(key)
+    what = "constants, states (for their initial conditions) and specifieds of the system"
+    kind, place = located(definition, key, argument, ("constants", "states", "specifieds"), what)
     symbol = definition.places[kind].symbols[place]
     if kind != "specifieds":
         return Parameter(symbol, kind, place)

@@ -39,20 +39,9 @@ def make_scene(
 ) -> Scene:
     """Return a scene, with what was not said taken from the bodies and loads.
 
-    Parameters
-    ----------
-    definition : Definition
-    constants : mapping of symbols to numbers
-        To tell which way gravity pulls.
-    assembly : callable
-        Gives the equations of motion, where the scene holds derivatives of the speeds.
-    visuals : sequence of Visual, RigidBody or Particle
-        By default all bodies.
-    reference_frame, origin : ReferenceFrame, Point, or None
-    options : dict
-        Of the Scene.
-    times, trajectory, live
-        See `pydy.viz.motion.Model`.
+    The `constants` tell which way gravity pulls; `assembly` gives the equations of motion, where
+    the scene holds derivatives of the speeds. For `times`, `trajectory` and `live` see
+    `pydy.viz.motion.Model`.
     """
     equations = definition.equations
     options = dict(options)

@@ -14,7 +14,7 @@ from pydy._assembly.assembly import Assembly
 from pydy._assembly.definition import Definition
 from pydy._assembly.model import CompiledModel
 from pydy._assembly.specifieds import driven
-from pydy._checks import Places, flag, listed, real_array, shown
+from pydy._checks import flag, listed, real_array, shown
 from pydy._errors import SingularMatrixError
 from pydy._graph.node import Graph
 from pydy._graph.products import derivative_program
@@ -66,8 +66,7 @@ def target_of(definition: Definition, of: Any, *, scalar: bool = False) -> Targe
     if not entries or (scalar and len(entries) > 1):
         count = "one output or expression" if scalar else "at least one output or expression"
         raise ValueError(f"`of` must be {count}, got {shown(of)}.")
-    outputs = Places(definition.outputs_symbols, "outputs of the system")
-    states = definition.places["states"]
+    outputs, states = definition.places["outputs"], definition.places["states"]
     chosen: list[Any] = []
     time = definition.equations.time
     for entry in entries:
@@ -85,79 +84,6 @@ def target_of(definition: Definition, of: Any, *, scalar: bool = False) -> Targe
                 f"its states, specifieds and constants, got {shown(entry)}."
             )
     return Target("", tuple(chosen), tuple(f"the derivative of {e}" for e in entries))
-
-
-@dataclass(frozen=True, eq=False)
-class Derivative:
-    """A product to evaluate.
-
-    Attributes
-    ----------
-    kernel : callable
-        Returns the Kernel for a model.
-    vectors : ndarray or None
-        Inputs at the end of r, shape (1, k) for all samples or (m, k).
-    names : list of str
-        Of the rows of the result.
-    squeeze : bool
-        Whether there is one vector, and no axis for it.
-    perturbed : bool
-        Whether specifieds are differentiated by.
-    """
-
-    kernel: Callable[[CompiledModel], Kernel]
-    vectors: np.ndarray | None
-    names: list[str]
-    squeeze: bool
-    perturbed: bool
-
-
-def prepare_product(
-    definition: Definition, kind: str, of: Any, wrt: Any, v: Any, states: Any
-) -> Derivative:
-    """Return what `System`'s methods of this kind evaluate.
-
-    Parameters
-    ----------
-    definition : Definition
-    kind : str
-        One of `pydy._graph.products.KINDS`.
-    of, wrt, v : object
-        As the user gave them.
-    states : array_like or None
-        As given: whether it is one state or several decides what the axes of `v` mean.
-    """
-    scalar = kind in ("gradient", "hessian-vector")
-    target = target_of(definition, of, scalar=scalar)
-    by = variables(definition, wrt)
-    if isinstance(by, str):
-        group = {"x": definition.states, "r": definition.specifieds, "p": definition.constants}[by]
-        by = tuple((by, k) for k in range(len(group)))
-    by_row = kind in ("jacobian", "jacobian-vector")
-    names = (
-        list(target.names) if by_row else [f"the derivative by {s}" for s in _named(definition, by)]
-    )
-    vectors, count, squeeze = None, 1, False
-    if kind == "gradient":
-        names = [target.names[0], *names]
-    elif kind != "jacobian":
-        length = len(target.names) if kind == "vector-jacobian" else len(by)
-        vectors, count, squeeze = _vectors(v, length, states)
-
-    def build(made: CompiledModel) -> Kernel:
-        assembly = made.assembly
-        key = ("product", kind, target.block, target.chosen, by, count)
-
-        def program() -> Program:
-            graph, nodes = target.nodes(assembly)
-            return derivative_program(
-                graph, nodes, by, kind, assembly.sizes, assembly.passes, count
-            )
-
-        return made.compiled_by(key, program)
-
-    perturbed = any(group == "r" for group, _ in by)
-    return Derivative(build, vectors, names, squeeze, perturbed)
 
 
 def _vectors(v: Any, length: int, states: Any) -> tuple[np.ndarray, int, bool]:
@@ -181,11 +107,6 @@ def _vectors(v: Any, length: int, states: Any) -> tuple[np.ndarray, int, bool]:
     )
 
 
-def _named(definition: Definition, by: tuple[tuple[str, int], ...]) -> list[Any]:
-    groups = {"x": definition.states, "r": definition.specifieds, "p": definition.constants}
-    return [groups[group][place] for group, place in by]
-
-
 def evaluate_block(
     now: Snapshot, block: str, x: Any, t: Any, r: Any, p: Any, wrt: Any = None
 ) -> np.ndarray:
@@ -206,20 +127,38 @@ def evaluate_block(
 def evaluate_product(
     now: Snapshot, kind: str, of: Any, wrt: Any, v: Any, x: Any, t: Any, r: Any, p: Any
 ) -> np.ndarray:
-    """Evaluate a product with derivatives; see `prepare_product`."""
-    made = prepare_product(now.definition, kind, of, wrt, v, x)
-    out = _sweep(
-        now,
-        made.kernel,
-        lambda: made.names,
-        x,
-        t,
-        r,
-        p,
-        perturbed=made.perturbed,
-        vectors=made.vectors,
-    )
-    return out[..., 0] if made.squeeze else out
+    """Evaluate a product with derivatives, of one of `pydy._graph.products.KINDS`."""
+    definition = now.definition
+    groups = {"x": definition.states, "r": definition.specifieds, "p": definition.constants}
+    target = target_of(definition, of, scalar=kind in ("gradient", "hessian-vector"))
+    by = variables(definition, wrt)
+    if isinstance(by, str):
+        by = tuple((by, k) for k in range(len(groups[by])))
+    vectors, count, squeeze = None, 1, False
+    if kind not in ("gradient", "jacobian"):
+        length = len(target.names) if kind == "vector-jacobian" else len(by)
+        vectors, count, squeeze = _vectors(v, length, x)
+
+    def kernel(model: CompiledModel) -> Kernel:
+        assembly = model.assembly
+
+        def program() -> Program:
+            graph, nodes = target.nodes(assembly)
+            return derivative_program(
+                graph, nodes, by, kind, assembly.sizes, assembly.passes, count
+            )
+
+        return model.compiled_by(("product", kind, target.block, target.chosen, by, count), program)
+
+    def names() -> list[str]:
+        if kind in ("jacobian", "jacobian-vector"):
+            return [*target.names]
+        slopes = [f"the derivative by {groups[group][place]}" for group, place in by]
+        return [target.names[0], *slopes] if kind == "gradient" else slopes
+
+    perturbed = any(group == "r" for group, _ in by)
+    out = _sweep(now, kernel, names, x, t, r, p, perturbed=perturbed, vectors=vectors)
+    return out[..., 0] if squeeze else out
 
 
 def _sweep(

@@ -144,50 +144,6 @@ def _name(symbol: Any) -> str:
     return str(symbol)
 
 
-def rhs_docstring(
-    states: Sequence[Any],
-    specifieds: Sequence[Any],
-    constants: Sequence[Any],
-    num_outputs: int,
-    *,
-    specifieds_arg_type: str | None,
-    constants_arg_type: str | None,
-    time_first: bool,
-) -> str:
-    """Return the docstring of a generated right-hand side.
-
-    Parameters
-    ----------
-    states, specifieds, constants : sequence of symbols
-        In the order of the arrays.
-    num_outputs : int
-    specifieds_arg_type, constants_arg_type : str or None
-    time_first : bool
-    """
-    xt = "t, x" if time_first else "x, t"
-    arguments = ", ".join([xt, *(["r"] if specifieds else []), "p"])
-    values = {
-        "arguments": arguments,
-        "xt": xt,
-        "g": f"g({xt})",
-        "n": len(states),
-        "s": len(specifieds),
-        "k": len(constants),
-        "o": num_outputs,
-        "states": _items(states),
-        "specifieds": _items(specifieds),
-        "constants": _items(constants),
-        "outputs": _items([f"y{i}(t)" for i in range(num_outputs)]),
-    }
-    parts = [_HEAD, *((_TIME, _STATES) if time_first else (_STATES, _TIME))]
-    if specifieds:
-        parts.append(_SPECIFIEDS[specifieds_arg_type])
-    parts += [_CONSTANTS[constants_arg_type], _RETURNS]
-    if num_outputs:
-        parts.append(_OUTPUTS)
-    return "".join(part.format(**values) for part in parts)
-
-
 # -- The function ----------------------------------------------------------------------------------
 
 
@@ -228,15 +184,28 @@ class RightHandSide:
 
     def docstring(self) -> str:
         """Return the docstring that users read with help()."""
-        return rhs_docstring(
-            self.layout.states,
-            self.layout.specifieds,
-            self.layout.constants,
-            self.num_outputs,
-            specifieds_arg_type=self.specifieds.arg_type,
-            constants_arg_type=self.constants.arg_type,
-            time_first=self.time_first,
-        )
+        layout, outputs = self.layout, self.num_outputs
+        xt = "t, x" if self.time_first else "x, t"
+        values = {
+            "arguments": ", ".join([xt, *(["r"] if layout.specifieds else []), "p"]),
+            "xt": xt,
+            "g": f"g({xt})",
+            "n": len(layout.states),
+            "s": len(layout.specifieds),
+            "k": len(layout.constants),
+            "o": outputs,
+            "states": _items(layout.states),
+            "specifieds": _items(layout.specifieds),
+            "constants": _items(layout.constants),
+            "outputs": _items([f"y{i}(t)" for i in range(outputs)]),
+        }
+        parts = [_HEAD, *((_TIME, _STATES) if self.time_first else (_STATES, _TIME))]
+        if layout.specifieds:
+            parts.append(_SPECIFIEDS[self.specifieds.arg_type])
+        parts += [_CONSTANTS[self.constants.arg_type], _RETURNS]
+        if outputs:
+            parts.append(_OUTPUTS)
+        return "".join(part.format(**values) for part in parts)
 
     def function(self) -> Any:
         """Return the function that evaluates, with the fast path inlined in its closure."""
