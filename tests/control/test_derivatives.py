@@ -14,6 +14,7 @@ import optima
 from optima import TF, T
 from pydy import System
 from pydy.control import OptimalControl
+from pydy.control.identification import Experiment, Identification, _Joined
 from pydy.control.transcription import Transcription
 from pydy.inputs import SampledInput
 
@@ -75,7 +76,7 @@ class Reference:
                             for k in range(n)
                         ]
                     )
-                time = duration * mp.mpf(points.fractions[j])
+                time = mp.mpf(p.begin) + duration * mp.mpf(points.fractions[j])
                 signals = [mp.mpf(s(np.array([float(time)]))[0]) for _, s in p.signals]
                 controls = [row[points.controls[j]] for row in u]
                 at = (*sides, controls, signals, c, time, duration)
@@ -308,3 +309,85 @@ def test_evaluation_is_the_same_for_few_and_for_many_points():
         at = states[:, points.slots[0]]
         expected = [rates[0] - at[1], rates[1] - controls[0, points.controls]]
         np.testing.assert_allclose(own, np.ravel(expected), atol=1e-11)
+
+
+def test_derivatives_of_two_disturbed_experiments():
+    x, v, F, wind = me.dynamicsymbols("x v F wind")
+    k = sm.Symbol("k")
+    system = optima.first_order([x], v, F * v - k * x**3 + wind * x + sm.sin(T) * v, 2)
+    system.outputs = {"power": F * v + k * x}
+    outputs = system.outputs_symbols
+    assert isinstance(system, System)
+    experiments = []
+    rng = np.random.default_rng(2)
+    for begin, force in ((0.0, 0.5), (0.7, -0.3)):
+        system.specifieds = {wind: force, F: SampledInput([0.0, 1.0, 3.0], [1.0, 3.0, 2.0])}
+        times = begin + np.array([0.0, 0.31, 0.8, 1.1])
+        values, weights = rng.normal(size=(4, 2)), rng.uniform(1.0, 3.0, size=(4, 2))
+        weights[2, 0] = 0.0
+        experiments.append(
+            Experiment(
+                system._now(), begin, times, (outputs[0], x), values, weights, (1,), (),
+                np.ones((2, 2)), times[[0, -1]],
+            )
+        )  # fmt: skip
+    order = experiments[0].now.definition.specifieds
+    open_ = np.full(5, np.inf)
+    shared = [
+        ("specifieds", order.index(wind)),
+        ("constants", 0),
+        ("states", 0),
+    ]
+    place = order.index(F)
+    fit = Identification(experiments, shared, {place: 0.4}, (-open_, open_), [(0, 0.2, 0.5)])
+    fit.scheme = type(fit.scheme)("radau", 2)
+    joined = _Joined(fit, [np.array([0.0, 0.4, 1.0])] * 2)
+    slope = np.array([0.0, 0.3, 0.0, 0.0, -0.2])
+    nlp, _, _ = joined.program(np.ones(5), [None, None], slope)
+    ones = np.ones(joined.size)
+    nlp = type(nlp)(nlp.pieces, -np.inf * ones, np.inf * ones, ones)
+    assert fit.problems[0]._compiled is fit.problems[1]._compiled
+    force = F * v - k * x**3 + wind * x + sm.sin(T) * v
+    disturbance = me.dynamicsymbols("disturbance")
+    references = []
+    for made in joined.made:
+        symbols = {
+            "x": [x, v], "d": [x.diff(), v.diff()], "u": [disturbance], "s": [F], "c": [wind, k],
+        }  # fmt: skip
+        rows = [x.diff() - v, 2 * v.diff() - force]
+        rows = [row.subs(F, F + disturbance) for row in rows]
+        references.append(
+            Reference(
+                fit, made, rows, [], disturbance**2 / 2 / sm.Float(0.4) ** 2,
+                lambda value, tf, c: [], lambda value, tf, c: mp.mpf(0), symbols,
+            )
+        )  # fmt: skip
+
+    def reference(z):
+        cost, rows = mp.mpf(0), []
+        for e, made, own, one in zip(experiments, joined.made, joined.own, references, strict=True):
+            local = [z[k] for k in own]
+            more, found = one(local)
+            cost, rows = cost + more, rows + found
+            duration = made.problem.duration
+            slots, width = len(made.places[0]), len(made.control_places)
+            c = local[-2:]
+            for j, time in enumerate(e.times):
+                state = {}
+                for kind, index in (("state", 0), ("state", 1), ("control", 0)):
+                    places, weights, _ = made.located(kind, (time - e.begin) / duration)
+                    first = index * slots if kind == "state" else 2 * slots + index * width
+                    parts = zip(places, weights, strict=True)
+                    state[kind, index] = sum(local[first + p] * mp.mpf(w) for p, w in parts)
+                signal = mp.mpf(float(e.now.plan.sampled[0][1].rows(np.array([time]))[0, 0]))
+                total = signal + state["control", 0]
+                model = [total * state["state", 1] + c[1] * state["state", 0], state["state", 0]]
+                for q in range(2):
+                    missed = mp.mpf(e.weights[j, q]) * (model[q] - mp.mpf(e.values[j, q]))
+                    cost += missed**2 / 2
+        p = [z[k] for k in joined.parameters]
+        cost += ((p[0] - mp.mpf(0.2)) / mp.mpf(0.5)) ** 2 / 2
+        return cost + sum(mp.mpf(s) * one for s, one in zip(slope, p, strict=True)), rows
+
+    z = np.random.default_rng(5).uniform(0.2, 1.2, joined.size)
+    compare(nlp, z, reference)

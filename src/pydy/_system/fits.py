@@ -2,191 +2,36 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 from copy import copy
 from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any
 
 import numpy as np
-import sympy.physics.mechanics as me
 
 from pydy._checks import (
     Places,
     check_mapping,
+    choice,
     flag,
     listed,
     number,
     one_or_more,
     real_array,
-    shown,
     whole,
 )
-from pydy._errors import IntegrationError, SingularMatrixError, warn_user
-from pydy._mechanics.symbols import find_symbols
+from pydy._errors import FitInterrupted, IntegrationError, SingularMatrixError, warn_user
 from pydy._names import unique_names
 from pydy._optional import progress_of
 from pydy._system.balance import located
 from pydy._system.dependents import latest_dependents
 from pydy._system.setup import Setup
 from pydy._system.solving import native_solver
+from pydy._system.trials import Data, checked_trial
 from pydy._system.tuning import FIT, INSTANT, LEAST_SPREAD
 from pydy.analysis.fit import FitResult, Trial, covariance_of, estimate, held_by
 from pydy.analysis.tuning import LEAST_SIZE
-
-
-@dataclass(frozen=True, eq=False)
-class Data:
-    """A trial as it was checked.
-
-    Attributes
-    ----------
-    trial : Trial
-    label : str
-    times : ndarray, shape (m,)
-    start : float
-    keys : list
-        What each measured quantity is in a trajectory.
-    names : list of str
-        What the user called it.
-    values, noise : ndarray, shape (m, q)
-    unknown : list of symbols
-        States.
-    """
-
-    trial: Trial
-    label: str
-    times: np.ndarray
-    start: float
-    keys: list[Any]
-    names: list[str]
-    values: np.ndarray
-    noise: np.ndarray
-    unknown: list[Any]
-
-
-def checked_trial(
-    k: int, trial: Any, states: Places, outputs: Places, expressions: dict[Any, Any]
-) -> Data:
-    """Check a trial, the k-th; expressions that it measures get names in `expressions`."""
-    label = f"trial {k}"
-    if not isinstance(trial, Trial):
-        raise TypeError(
-            "`trials` must be pydy.analysis.Trial, or a list of them: Trial(times, "
-            "{'q1': samples}) says when samples were taken, and of which state, output or "
-            "expression. Got "
-            f"{shown(trial)} at {k}."
-        )
-    label = trial.name or label
-    times = real_array(trial.times, f"`times` of {label}")
-    if times.ndim != 1 or not len(times):
-        raise ValueError(f"`times` of {label} must have the shape (m,), got {times.shape}.")
-    if not np.isfinite(times).all():
-        at = int(np.flatnonzero(~np.isfinite(times))[0])
-        raise ValueError(f"`times` of {label} must be finite, got {times[at]!r} at {at}.")
-    if (np.diff(times) <= 0.0).any():
-        at = int(np.flatnonzero(np.diff(times) <= 0.0)[0]) + 1
-        raise ValueError(
-            f"`times` of {label} must ascend, got {times[at]!r} after {times[at - 1]!r}."
-        )
-    begin = float(times[0])
-    if trial.start is not None:
-        begin = number(trial.start, f"`start` of {label}", finite=True)
-        if begin > times[0]:
-            raise ValueError(
-                f"`start` of {label} must not lie after the first of the `times`, "
-                f"{float(times[0])!r}, got {begin!r}."
-            )
-    measured = check_mapping(f"measured of {label}", trial.measured)
-    if not measured:
-        raise ValueError(f"`measured` of {label} must hold at least one quantity.")
-    keys, columns = [], []
-    for key, samples in measured.items():
-        keys.append(_key(key, label, states, outputs, expressions))
-        if keys[-1] in keys[:-1]:
-            raise ValueError(
-                f"`measured` of {label} gives `{keys[-1]}` more than once, by the symbol or by its "
-                "name. Keep one of them."
-            )
-        column = real_array(samples, f"`measured[{key}]` of {label}")
-        if column.shape != times.shape:
-            raise ValueError(
-                f"`measured[{key}]` of {label} must have the shape {times.shape}, a sample for "
-                f"each of the `times`, got {column.shape}."
-            )
-        if np.isinf(column).any():
-            raise ValueError(
-                f"`measured[{key}]` of {label} must be finite, or NaN where a sample is missing."
-            )
-        columns.append(column)
-    values = np.stack(columns, axis=1)
-    if np.isnan(values).all():
-        raise ValueError(
-            f"`measured` of {label} must hold at least one sample that is not NaN, but all "
-            f"{values.size} are. Leave the trial out."
-        )
-    unknown = [
-        states.symbols[states.find(s, f"unknown of {label}")]
-        for s in one_or_more("unknown", trial.unknown)
-    ]
-    names = list(unique_names(list(measured)))
-    known = {**dict(zip(names, keys, strict=True)), **dict(zip(measured, keys, strict=True))}
-    everything = Places([*states.symbols, *outputs.symbols], "states and outputs of the system")
-    noise = _noise(
-        trial.noise,
-        keys,
-        lambda key: known.get(key, everything.meaning(key, "noise")),
-        names,
-        values.shape,
-        label,
-    )
-    return Data(trial, label, times, begin, keys, names, values, noise, unknown)
-
-
-def _key(key: Any, label: str, states: Places, outputs: Places, expressions: dict[Any, Any]) -> Any:
-    for places in (states, outputs):
-        place = places.get(key, "measured")
-        if place is not None:
-            return places.symbols[place]
-    if isinstance(key, str) or not hasattr(key, "free_symbols") or not find_symbols([key]):
-        places = Places([*states.symbols, *outputs.symbols], "states and outputs of the system")
-        places.find(key, f"measured of {label}")  # raises, with names that are alike
-    if key not in expressions:
-        expressions[key] = me.dynamicsymbols(f"measured_{len(expressions)}")
-    return expressions[key]
-
-
-def _noise(
-    given: Any,
-    keys: list[Any],
-    meaning: Callable[[Any], Any],
-    names: list[str],
-    shape: tuple[int, ...],
-    label: str,
-) -> np.ndarray:
-    noise = np.ones(shape)
-    if given is None:
-        return noise
-    entries = [given] * len(keys)
-    if isinstance(given, Mapping):
-        chosen = {meaning(key): value for key, value in given.items()}
-        missing = [n for n, key in zip(names, keys, strict=True) if key not in chosen]
-        if missing or len(chosen) != len(keys):
-            raise ValueError(
-                f"`noise` of {label} must have an entry for each measured quantity, "
-                f"{', '.join(names)}, got {', '.join(map(str, given))}."
-            )
-        entries = [chosen[key] for key in keys]
-    for k, entry in enumerate(entries):
-        column = real_array(entry, f"`noise` of {label}")
-        if column.shape not in ((), shape[:1]) or not (column > 0.0).all():
-            raise ValueError(
-                f"`noise` of {label} must be positive standard deviations, a number or "
-                f"{shape[0]} of them for each measured quantity."
-            )
-        noise[:, k] = column
-    return noise
-
 
 # Weights of the gaps between segments, in shares of a state's spread, from search to search.
 _STAGES = (1e1, 1e3, 1e5)
@@ -327,12 +172,53 @@ class _Fit:
 
     # -- simulations ------------------------------------------------------------------------------
 
+    def motion(self, z: np.ndarray, k: int) -> tuple[Any, np.ndarray, np.ndarray]:
+        """Return the System of a trial, and times and states where a search may begin.
+
+        States that are measured are their samples, and speeds that are rates of such coordinates
+        the slopes; the others are simulated if they can be, or stay where they are.
+        """
+        d = self.data[k]
+        times = np.unique(np.append(d.start, d.times))
+        if len(times) < 2:
+            raise ValueError(
+                f"`times` of {d.label} must hold a time after the start, got {float(times[0])!r} "
+                "alone: collocation needs a motion."
+            )
+        self._set(z, k, self.parts[k][0])
+        self.runner.times = times
+        if self.tied:
+            self.runner.set_dependent_initial_conditions(self.tied)
+        now = self.runner._now()
+        states = np.tile(now.x, (len(times), 1))
+        known = {}
+        for key, column in zip(d.keys, d.values.T, strict=True):
+            there = np.isfinite(column)
+            if key in self.order and there.any():
+                known[key] = np.interp(times, d.times[there], column[there])
+        equations = now.definition.equations
+        rates = dict(zip(equations.coordinate_derivatives, equations.coordinates, strict=True))
+        for speed, coordinate in rates.items():
+            if coordinate in known and speed in self.order and speed not in known:
+                known[speed] = np.gradient(known[coordinate], times)
+        if len(known) < len(self.order):
+            try:
+                ride = self.runner.simulate(**self.options)
+                if np.isfinite(ride.states).all():
+                    states = ride.states.copy()
+            except (IntegrationError, SingularMatrixError):
+                pass  # the search may begin with states that stand still
+        for symbol, column in known.items():
+            states[:, self.order.index(symbol)] = column
+        return now, times, states
+
     def _set(self, z: np.ndarray, k: int, part: _Part) -> tuple[list[Any], list[int]]:
         """Put numbers into the runner; return what is differentiated by, and its columns."""
         d, runner = self.data[k], self.runner
         constants, specifieds = dict(self.constants[k]), dict(self.specifieds[k])
         initial = dict(self.initial[k])
-        symbols, columns = [], []
+        symbols: list[Any] = []
+        columns: list[int] = []
         for j, (kind, symbol) in enumerate(self.shared):
             if kind == "constants":
                 constants[symbol] = float(z[j])
@@ -459,25 +345,125 @@ class _Fit:
         return z
 
 
+def _shot(
+    work: _Fit, values: np.ndarray, J: np.ndarray
+) -> tuple[np.ndarray, np.ndarray, list[dict[str, np.ndarray]]]:
+    """Return residuals without gaps, their derivatives by the parameters, and tables of them."""
+    k = work.count
+    gap = np.append(work.is_gap, np.zeros(len(values) - len(work.is_gap), dtype=bool))
+    by_parameters = J[~gap, :k]
+    if gap.any():
+        # The states between segments follow from the parameters: their gaps stay closed.
+        follow = np.linalg.solve(J[gap, k:], -J[gap, :k])
+        by_parameters = by_parameters + J[~gap, k:] @ follow
+    residuals, start = [], 0
+    for d, parts in zip(work.data, work.parts, strict=True):
+        table = np.full(d.values.shape, np.nan)
+        for j, part in enumerate(parts):
+            run = slice(part.first, part.last)
+            there = np.isfinite(d.values[run])
+            block = np.full(there.shape, np.nan)
+            count = int(there.sum())
+            block[there] = -values[start : start + count]
+            table[run] = block * d.noise[run]
+            start += count + (len(work.free) if j + 1 < len(parts) else 0)
+        residuals.append(dict(zip(d.names, table.T, strict=True)))
+    return values[~gap], by_parameters, residuals
+
+
+def _collocated(
+    work: _Fit,
+    z: np.ndarray,
+    limits: tuple[np.ndarray, np.ndarray],
+    priors: list[tuple[int, float, float]],
+    asked: tuple[Any, dict[int, float], dict[str, Any], bool],
+) -> FitResult:
+    """Fit by collocation."""
+    from pydy.control.identification import Experiment, Identification
+
+    mesh, noise, options, progress = asked
+    order, definition = work.order, work.now.definition
+    experiments = []
+    for k, d in enumerate(work.data):
+        now, at, states = work.motion(z, k)
+        if now.plan.functions:
+            raise ValueError(
+                f"`specifieds` gives a Python function for {now.plan.functions[0][2]}, which has "
+                "no derivatives. Give an expression of time and states, or samples."
+            )
+        weights = np.where(np.isfinite(d.values), 1.0 / d.noise, 0.0)
+        unknown, tied = ([order.index(s) for s in part] for part in (d.unknown, work.tied))
+        experiments.append(
+            Experiment(
+                now, d.start, d.times, tuple(d.keys), d.values, weights, tuple(unknown),
+                tuple(tied), states, at,
+            )
+        )  # fmt: skip
+    shared = [(kind, definition.places[kind].symbols.index(s)) for kind, s in work.shared]
+    fit = Identification(experiments, shared, noise, limits, priors)
+
+    def watch(iteration: Any) -> None:
+        told(1, objective=f"{iteration.objective:.4g}", gap=f"{iteration.violation:.2g}")
+
+    with progress_of(progress, " iterations") as told:
+        found = fit.solve(z, mesh, options, watch)
+    if found.solution.interrupted:
+        values = dict(zip(work.names, found.z.tolist(), strict=True))
+        raise FitInterrupted(
+            "The fit was interrupted. Its latest estimates are in `values`.", values
+        )
+    if not found.success:
+        warn_user(
+            f"The fit did not converge in {found.iterations} iterations: {found.message}. "
+            "The estimates are the last ones. Start closer to the solution, set `bounds` or raise "
+            "`most`."
+        )
+    work.sizes = found.largest
+    tables = []
+    for d, missed in zip(work.data, found.residuals, strict=True):
+        table = np.where(np.isfinite(d.values), -missed * d.noise, np.nan)
+        tables.append(dict(zip(d.names, table.T, strict=True)))
+    pulls = [(found.z[k] - mean) / s for k, mean, s in priors]
+    rows = np.zeros((len(pulls), len(z)))
+    rows[np.arange(len(pulls)), [k for k, _, _ in priors]] = [1.0 / s for _, _, s in priors]
+    missed = np.append(found.values, pulls)
+    J = np.vstack([found.jacobian, rows])
+    samples = sum(int(np.isfinite(d.values).sum()) for d in work.data) + len(pulls)
+    ended = found.success, found.message
+    return _result(work, found.z, missed, J, tables, limits, (samples, found.iterations), ended)
+
+
+def _disturbances(work: _Fit, given: Any) -> dict[int, float]:
+    """Return the intensities of white noise by places in r."""
+    places = work.now.definition.places["specifieds"]
+    found: dict[int, float] = {}
+    for key, value in check_mapping("process_noise", given).items():
+        intensity = number(value, f"`process_noise[{key}]`", finite=True)
+        if not intensity > 0.0:
+            raise ValueError(f"`process_noise[{key}]` must be positive, got {intensity!r}.")
+        found[places.find(key, "process_noise")] = intensity
+    if found and work.own_noise:
+        raise ValueError(
+            "`process_noise` needs the `noise` of each Trial: what is noise of the samples and "
+            "what of the motion follows from their sizes."
+        )
+    return found
+
+
 def _result(
     work: _Fit,
     z: np.ndarray,
     values: np.ndarray,
     J: np.ndarray,
-    found: Any,
+    residuals: list[dict[str, np.ndarray]],
     limits: tuple[np.ndarray, np.ndarray],
     counts: tuple[int, int],
+    ended: tuple[bool, str],
 ) -> FitResult:
+    """Return what is told of a fit: J are the derivatives of the values by the parameters."""
     names, k = tuple(work.names[: work.count]), work.count
     degrees = counts[0] - k
-    gap = np.append(work.is_gap, np.zeros(len(values) - len(work.is_gap), dtype=bool))
-    found_values = values[~gap]
-    whole_J, J = J, J[~gap, :k]
-    if gap.any():
-        # The states between segments follow from the parameters: their gaps stay closed.
-        follow = np.linalg.solve(whole_J[gap, k:], -whole_J[gap, :k])
-        J = J + whole_J[~gap, k:] @ follow
-    noise = float(np.sqrt(found_values @ found_values / degrees)) if degrees > 0 else np.nan
+    noise = float(np.sqrt(values @ values / degrees)) if degrees > 0 else np.nan
     sizes = np.maximum(np.abs(z[:k]), work.scales())
     covariance, undetermined = covariance_of(J, sizes, names)
     if work.own_noise:
@@ -493,18 +479,6 @@ def _result(
             f"The fit stopped at a bound of {', '.join(held)}: the estimates there, and all "
             "standard errors, are not those of a free fit."
         )
-    residuals, start = [], 0
-    for d, parts in zip(work.data, work.parts, strict=True):
-        table = np.full(d.values.shape, np.nan)
-        for j, part in enumerate(parts):
-            run = slice(part.first, part.last)
-            there = np.isfinite(d.values[run])
-            block = np.full(there.shape, np.nan)
-            count = int(there.sum())
-            block[there] = -values[start : start + count]
-            table[run] = block * d.noise[run]
-            start += count + (len(work.free) if j + 1 < len(parts) else 0)
-        residuals.append(dict(zip(d.names, table.T, strict=True)))
     shared = list(zip(work.shared, z.tolist(), strict=False))
     return FitResult(
         names=names,
@@ -519,8 +493,8 @@ def _result(
         noise=noise,
         degrees=degrees,
         evaluations=counts[1],
-        success=bool(found.success),
-        message=str(found.message),
+        success=ended[0],
+        message=ended[1],
     )
 
 
@@ -571,6 +545,25 @@ def _priors(work: _Fit, priors: Any) -> list[tuple[int, float, float]]:
     return found
 
 
+def _check_method(
+    collocated: bool, segments: int, mesh: Any, process_noise: Any, options: Mapping[str, Any]
+) -> None:
+    """Refuse arguments of the other method."""
+    if collocated and segments > 1:
+        raise ValueError(
+            "`segments` belongs to method='shooting'. With collocation, `mesh` is the number of "
+            "intervals."
+        )
+    if collocated and "events" in options:
+        raise ValueError(
+            "`events` need method='shooting': collocation takes the equations of motion alone."
+        )
+    if not collocated:
+        for name, value in (("mesh", mesh), ("process_noise", process_noise)):
+            if value is not None:
+                raise ValueError(f"`{name}` needs method='collocation'.")
+
+
 class Fitting(Setup):
     """Fits to measured motions."""
 
@@ -582,6 +575,9 @@ class Fitting(Setup):
         bounds: dict[Any, Any] | None = None,
         priors: dict[Any, Any] | None = None,
         segments: int = 1,
+        method: str = "shooting",
+        mesh: Any = None,
+        process_noise: Mapping[Any, Any] | None = None,
         most: int = 100,
         progress: bool = False,
         **solver_kwargs: Any,
@@ -606,13 +602,26 @@ class Fitting(Setup):
         segments : int, optional
             Number of segments into which each trial is divided. Each has its own initial state, and
             all must meet in the end: multiple shooting, for long or unstable motions.
+        method : {'shooting', 'collocation'}, optional
+            Simulations from the initial conditions, or collocation, where all states are unknown
+            and the equations hold in the end: for unstable motions, feedback with unknown gains and
+            disturbances. It needs IPOPT, ``pip install 'pydy[optimal]'``.
+        mesh : int or array_like, optional
+            Of collocation: the number of equal intervals of each trial, or ascending nodes, which
+            are scaled to its duration. By default the mesh is refined until its error is small
+            beside the noise.
+        process_noise : dict, optional
+            Of collocation: maps specifieds to the intensities of white noise that is added to
+            them, their standard deviation times the square root of the time, in s, over which each
+            value lasts. These disturbances are found too, at a cost ½ ∫ (disturbance/intensity)² dt
+            beside that of the residuals, ½ Σ (residual/noise)².
         most : int, optional
-            The maximum number of evaluations.
+            The maximum number of evaluations, or of iterations of IPOPT.
         progress : bool, optional
             Show a progress bar; requires tqdm.
         **solver_kwargs
             Options of the native solver (``'dop853'`` if `ode_solver` is not native); `rtol` and
-            `atol` are 1e-9 by default.
+            `atol` are 1e-9 by default. With collocation, those of IPOPT.
 
         Returns
         -------
@@ -649,13 +658,20 @@ class Fitting(Setup):
         given: list[Any] = [trials] if alone else listed("trials", trials, "pydy.analysis.Trial")
         if not given:
             raise ValueError("`trials` must hold at least one pydy.analysis.Trial.")
-        work = _Fit(self, parameters, given, whole(segments, "`segments`"), solver_kwargs)
+        segments, most = whole(segments, "`segments`"), whole(most, "`most`")
+        collocated = choice(method, ("shooting", "collocation"), "`method`") == "collocation"
+        _check_method(collocated, segments, mesh, process_noise, solver_kwargs)
+        work = _Fit(self, parameters, given, segments, {} if collocated else solver_kwargs)
         z = work.guess()
         limits = _bounds(work, bounds, len(z))
         if not ((limits[0] <= z) & (z <= limits[1])).all():
             z = np.clip(z, *limits)
         known = _priors(work, priors)
         progress = flag(progress, "`progress`")
+        if collocated:
+            disturbed = _disturbances(work, process_noise)
+            options = {"max_iter": most, **solver_kwargs}
+            return _collocated(work, z, limits, known, (mesh, disturbed, options, progress))
         count = 0
 
         def evaluate(z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -682,7 +698,7 @@ class Fitting(Setup):
             for stage in stages:
                 work.gaps = stage
                 last = stage == stages[-1]
-                z, values, J, found = estimate(
-                    evaluate, z, limits, work.names, whole(most, "`most`"), told=last
-                )
-        return _result(work, z, values, J, found, limits, (samples + len(known), count))
+                z, values, J, found = estimate(evaluate, z, limits, work.names, most, told=last)
+        values, J, tables = _shot(work, values, J)
+        ended = bool(found.success), str(found.message)
+        return _result(work, z, values, J, tables, limits, (samples + len(known), count), ended)

@@ -98,6 +98,8 @@ class Solution:
     z : ndarray, shape (n,)
     multipliers : ndarray, shape (m,)
         Of the rows, as they are, in the objective's units.
+    below, above : ndarray, shape (n,)
+        Of the lower and the upper bounds of z, not negative.
     objective : float
     status : int
         A key of `STATUS`.
@@ -107,6 +109,8 @@ class Solution:
 
     z: np.ndarray
     multipliers: np.ndarray
+    below: np.ndarray
+    above: np.ndarray
     objective: float
     status: int
     history: tuple[Iteration, ...]
@@ -334,6 +338,8 @@ def _solve(
     return Solution(
         z=y * nlp.sizes,
         multipliers=multipliers * nlp.cost_size / nlp.row_sizes,
+        below=below * nlp.cost_size / nlp.sizes,
+        above=above * nlp.cost_size / nlp.sizes,
         objective=float(objective[0]) * nlp.cost_size,
         status=status,
         history=tuple(history),
@@ -342,7 +348,8 @@ def _solve(
 
 
 def _failed(nlp: Any, z: np.ndarray, status: int) -> Solution:
-    return Solution(z, np.zeros(nlp.rows), np.nan, status, (), False)
+    none = np.zeros(nlp.size)
+    return Solution(z, np.zeros(nlp.rows), none, none, np.nan, status, (), False)
 
 
 def _set_option(lib: Any, problem: Any, name: str, value: Any) -> None:

@@ -22,6 +22,7 @@ from typing import Any
 
 import numpy as np
 
+from pydy._assembly.specifieds import driven
 from pydy._backends.llvm.backend import LLVMBackend
 from pydy._graph.adjoint import adjoints
 from pydy._graph.collector import collector_paused
@@ -65,9 +66,15 @@ class Equations:
     given: Mapping[int, int]
 
     @classmethod
-    def of(cls, now: Any) -> Equations:
-        """Return the equations of a System's snapshot."""
+    def of(cls, now: Any, *, disturbed: bool = False) -> Equations:
+        """Return the equations of a System's snapshot.
+
+        Specifieds that are expressions may be `disturbed`: what stands in their places in r is
+        added to them.
+        """
         definition, model = now.definition, now.driven
+        if disturbed:
+            model = driven(now.model, definition, now.plan, perturbed=True)
         assembly, equations = model.assembly.fork(), definition.equations
         graph, rates = assembly.graph, assembly.rates
         nq, nu = len(equations.coordinates), len(equations.speeds)

@@ -2,9 +2,9 @@
 
     minimise  Σ cost(X, R, P)   such that   lower ≤ z ≤ upper,   low ≤ rows(X, R, P) ≤ high
 
-The variables X of a point are some of the unknowns z. Solvers see it in units of its own: with
-z = sizes · y, each row and the objective divided by their sizes, no tolerance depends on the units
-in which a model is written.
+The variables X of a point are some of the unknowns z; the constants P are those of its piece.
+Solvers see it in units of its own: with z = sizes · y, each row and the objective divided by their
+sizes, no tolerance depends on the units in which a model is written.
 """
 
 from __future__ import annotations
@@ -30,6 +30,8 @@ class Piece:
     at : ndarray of int, shape (variables, points)
         Which unknowns the points' variables are.
     data : ndarray, shape (data, points)
+    constants : ndarray
+        The numbers P.
     low, high : ndarray, shape (rows,)
     labels : tuple of str
         What each row is, for messages.
@@ -42,6 +44,7 @@ class Piece:
     functions: Functions
     at: np.ndarray
     data: np.ndarray
+    constants: np.ndarray
     low: np.ndarray
     high: np.ndarray
     labels: tuple[str, ...]
@@ -66,8 +69,6 @@ class Nlp:
     Attributes
     ----------
     pieces : sequence of Piece
-    constants : ndarray
-        The numbers P.
     lower, upper : ndarray, shape (n,)
         Bounds of the unknowns z.
     sizes : ndarray, shape (n,)
@@ -81,7 +82,6 @@ class Nlp:
     """
 
     pieces: Sequence[Piece]
-    constants: np.ndarray
     lower: np.ndarray
     upper: np.ndarray
     sizes: np.ndarray
@@ -161,7 +161,7 @@ class Nlp:
         for k, piece in enumerate(self.pieces):
             if "cost" in piece.functions.kernels:
                 out = np.empty((1, piece.points))
-                ok = piece.functions("cost", self._points(k, y), piece.data, self.constants, out)
+                ok = piece.functions("cost", self._points(k, y), piece.data, piece.constants, out)
                 total += float(out.sum()) if ok else np.nan
         return total / self.cost_size
 
@@ -173,7 +173,7 @@ class Nlp:
             f = piece.functions
             if "gradient" in f.kernels:
                 slopes = np.empty((len(f.gradient_at), piece.points))
-                fine &= f("gradient", self._points(k, y), piece.data, self.constants, slopes)
+                fine &= f("gradient", self._points(k, y), piece.data, piece.constants, slopes)
                 places = piece.at[f.gradient_at].ravel()
                 out += np.bincount(places, slopes.ravel(), minlength=len(out))
         out *= self.sizes / self.cost_size
@@ -194,7 +194,7 @@ class Nlp:
             if name in f.kernels:
                 count = len(f.kernels[name].program.outputs) * piece.points
                 part = out[start : start + count].reshape(-1, piece.points)
-                fine &= f(name, self._points(k, y), piece.data, self.constants, part)
+                fine &= f(name, self._points(k, y), piece.data, piece.constants, part)
                 start += count
         out /= divisor
         return fine
@@ -216,7 +216,7 @@ class Nlp:
             if "hessian" in f.kernels:
                 count = len(f.hessian_at) * piece.points
                 part = out[start : start + count].reshape(-1, piece.points)
-                fine &= f("hessian", self._points(k, y), data, self.constants, part)
+                fine &= f("hessian", self._points(k, y), data, piece.constants, part)
                 start += count
         out *= self._hessian_units
         return fine

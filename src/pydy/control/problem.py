@@ -38,7 +38,7 @@ from pydy.control.transcription import Problem, Transcription
 from pydy.control.tuning import LARGEST_ORDER, MOST_REFINEMENTS
 from pydy.inputs import SampledInput
 
-__all__ = ["OptimalControl"]
+__all__ = ["OptimalControl", "checked_mesh", "labels_of", "signal_of"]
 
 _OPEN = (-np.inf, np.inf)
 
@@ -152,7 +152,7 @@ class OptimalControl:
                 f"`order` must be at most {LARGEST_ORDER}, got {points}. Use more intervals."
             )
         self._scheme = scheme_of(self._method, points)
-        self._mesh = _checked_mesh(mesh)
+        self._mesh = checked_mesh(mesh)
         given = plan.given | followed(definition, plan)
         self._controls = tuple(s for s in definition.specifieds if s not in given)
         for s in self._controls:
@@ -214,8 +214,7 @@ class OptimalControl:
                 "The constraints hold a control, which has no value at the start. Give that "
                 "specified a value, or make it a state whose derivative is the control."
             )
-        labels = _labels(definition)
-        held = _constraint_labels(equations)
+        labels, held = labels_of(definition)
         self._fixed = all(low == high for low, high in self._start.values())
         self._problem = Problem(
             equations=made,
@@ -227,7 +226,7 @@ class OptimalControl:
                 [self._bounds.get(s, _OPEN) for s in self._controls], dtype=float
             ).reshape(-1, 2),
             signals=tuple(
-                (int(column), _signal(samples, k))
+                (int(column), signal_of(samples, k))
                 for columns, samples in plan.sampled
                 for k, column in enumerate(columns)
             ),
@@ -301,7 +300,7 @@ class OptimalControl:
             return
         begin = made.beginning()
         rows, states = np.empty((begin.rows, 1)), self._now.definition.states
-        X, P, f = z[begin.at], self._problem.numbers, begin.functions
+        X, P, f = z[begin.at], begin.constants, begin.functions
         f("rows", X, begin.data, P, rows)
         J = np.zeros((begin.rows, len(X)))
         slopes = np.empty((len(f.jacobian_at), 1))
@@ -479,15 +478,13 @@ class OptimalControl:
 
     def _trajectory(self, made: Transcription, nlp: Nlp, solution: Solution) -> OptimalTrajectory:
         now = self._now
-        p = now.p.copy()
-        p[list(self._problem.free)] = made.split(solution.z)[2]
-        moved = Moved(now.driven.compiled("rates"), now.plan, p)
+        moved = Moved(now.driven.compiled("rates"), now.plan)
         sizes = made.split(nlp.sizes)[0][:, 0]
         error = interval_errors(moved, made, solution.z, sizes)
         return OptimalTrajectory(now, made, self._controls, self._free, nlp, solution, error)
 
 
-def _checked_mesh(mesh: Any) -> np.ndarray:
+def checked_mesh(mesh: Any) -> np.ndarray:
     """Return the nodes as fractions."""
     nodes = real_array(mesh, "`mesh`")
     if nodes.ndim == 0:
@@ -536,31 +533,29 @@ def _middle(limits: tuple[float, float], otherwise: float) -> float:
     return min(max(otherwise, low), high)
 
 
-def _signal(samples: SampledInput, column: int) -> Any:
+def signal_of(samples: SampledInput, column: int) -> Any:
+    """Return a column of samples as a function of times."""
     return lambda times: samples.rows(times)[:, column]
 
 
-def _labels(definition: Any) -> tuple[str, ...]:
-    """Return what to call the equation of each state."""
+def labels_of(definition: Any) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """Return what to call all equations, and the constraints among them."""
     equations = definition.equations
     coordinates, speeds, others = (
         unique_names(part)
         for part in (equations.coordinates, equations.speeds, definition.auxiliaries)
     )
-    return (
-        *(f"kinematics of {name}" for name in coordinates),
-        *(f"motion of {name}" for name in speeds),
-        *(f"integral {name}" for name in others),
-        *_constraint_labels(equations),
-    )
-
-
-def _constraint_labels(equations: Any) -> tuple[str, ...]:
-    """Return what to call the constraints, those of positions first."""
-    return (
+    constraints = (
         *(f"constraint {k} of positions" for k in equations.enforced),
         *(f"constraint {k} of velocities" for k in range(len(equations.velocity))),
     )
+    labels = (
+        *(f"kinematics of {name}" for name in coordinates),
+        *(f"motion of {name}" for name in speeds),
+        *(f"integral {name}" for name in others),
+        *constraints,
+    )
+    return labels, constraints
 
 
 def _worst(nlp: Nlp, solution: Solution, trajectory: OptimalTrajectory) -> str:

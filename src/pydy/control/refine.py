@@ -31,14 +31,11 @@ class Moved:
     kernel : Kernel
         x' of t, x, r and p.
     signals : SpecifiedsPlan
-        Gives r, but for the controls.
-    constants : ndarray
-        p.
+        Gives r, but for the controls and specifieds that are unknown numbers.
     """
 
     kernel: Kernel
     signals: Any
-    constants: np.ndarray
 
 
 def interval_errors(
@@ -49,7 +46,6 @@ def interval_errors(
     Parameters
     ----------
     moved : Moved
-        The System with the constants that were found.
     made : Transcription
     z : ndarray
         The unknowns.
@@ -80,19 +76,21 @@ def _integrated(
 ) -> np.ndarray:
     """Return the states at the ends of the intervals, by as many equal steps in each."""
     tableau = tableau_of("dop853")
-    left, lengths = made.mesh[:-1] * duration, np.diff(made.mesh) * duration
-    controls, every = list(made.problem.controls), np.arange(made.intervals)
+    problem, (p, found) = made.problem, made.numbers(z)
+    left, lengths = problem.begin + made.mesh[:-1] * duration, np.diff(made.mesh) * duration
+    controls, every = list(problem.controls), np.arange(made.intervals)
+    numbers = [k - len(p) for k in problem.free if k >= len(p)]
     x, h = x.copy(), (lengths / steps)[:, None]
 
     def rates(s: float, x: np.ndarray) -> np.ndarray:
         times = left + s * lengths
         r = moved.signals.rows(x, times)
         r = np.array(np.broadcast_to(r, (len(times), r.shape[1])))
-        r[:, controls] = made.controls_in(z, every, np.full(len(every), s))
-        found: np.ndarray = moved.kernel.evaluate(
-            times, np.ascontiguousarray(x), r, moved.constants
-        )[0]
-        return found
+        r[:, numbers] = found[numbers]
+        moves = made.controls_in(z, every, np.full(len(every), s))
+        r[:, controls] = moves + (r[:, controls] if problem.noise else 0.0)
+        slopes: np.ndarray = moved.kernel.evaluate(times, np.ascontiguousarray(x), r, p)[0]
+        return slopes
 
     with np.errstate(all="ignore"):  # a motion that runs away has an infinite error
         for step in range(steps):

@@ -6,9 +6,9 @@ The unknowns are ordered as states by slots, controls by slots, constants, and t
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
-from typing import Any, Literal
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any, Literal, TypeVar
 
 import numpy as np
 
@@ -18,6 +18,8 @@ from pydy.control.nlp import Nlp, Piece
 from pydy.control.schemes import Points, Scheme
 
 __all__ = ["Condition", "Instant", "Problem", "Transcription"]
+
+Compiled = TypeVar("Compiled")
 
 
 @dataclass(frozen=True)
@@ -76,7 +78,7 @@ class Problem:
     signals : tuple of (int, callable)
         Places in r of known signals, and their values at times.
     free : tuple of int
-        Places in p of constants that are unknown.
+        Places in (p, r) of constants that are unknown.
     constants, specifieds : ndarray
         p and r; those that are unknown or signals do not count.
     duration : float or None
@@ -90,6 +92,13 @@ class Problem:
     boundary, path : tuple of Condition
     hessian : bool
         Whether the exact Hessian is compiled.
+    begin : float
+        The time at which the motion begins.
+    noise : tuple of float
+        Intensities of white noise: the controls are then added to what is known of these
+        specifieds, and ½ ∫ Σ (control / intensity)² dt to the objective.
+    measured : tuple of symbols
+        States and outputs that `Transcription.samples` compares with samples.
     """
 
     equations: Equations
@@ -111,7 +120,10 @@ class Problem:
     boundary: tuple[Condition, ...]
     path: tuple[Condition, ...]
     hessian: bool = True
-    _compiled: dict[Any, Functions] = field(default_factory=dict, repr=False)
+    begin: float = 0.0
+    noise: tuple[float, ...] = ()
+    measured: tuple[Any, ...] = ()
+    _compiled: dict[Any, Any] = field(default_factory=dict, repr=False)
 
     @property
     def algebraic(self) -> int:
@@ -120,24 +132,28 @@ class Problem:
 
     @property
     def numbers(self) -> np.ndarray:
-        """The constants P of all points: p, r and the duration."""
+        """The constants P of all points: p, r, the duration and the time of the start."""
         duration = np.nan if self.duration is None else self.duration
-        return np.concatenate([self.constants, self.specifieds, [duration]])
+        return np.concatenate([self.constants, self.specifieds, [duration, self.begin]])
 
     # -- machine code, for any mesh ----------------------------------------------------------------
 
     def at_points(self, points: Points) -> Functions:
         """Return the equations, path conditions and the objective's part of collocation points."""
-        key = (points.state, points.rate)
+        return self._once((points.state, points.rate), lambda: self._at_points(points))
+
+    def _once(self, key: Any, make: Callable[[], Compiled]) -> Compiled:
+        """Return what is compiled for all meshes, and for problems that differ in numbers."""
         if key not in self._compiled:
-            self._compiled[key] = self._at_points(points)
-        return self._compiled[key]
+            self._compiled[key] = make()
+        found: Compiled = self._compiled[key]
+        return found
 
     def _at_points(self, points: Points) -> Functions:
         point, n = self._point(), self.states
         values = [point.variables(n) for _ in range(len(points.slots))]
         controls = point.variables(self.algebraic)
-        constants, T = self._unknown_numbers(point)
+        numbers, T = self._unknown_numbers(point)
         fraction, length, weight = point.data(3)
         g = point.graph
         h = g.mul(T, length)
@@ -150,11 +166,10 @@ class Problem:
                 rows.append(point.combined([(values[y][k], c, p) for (y, _, p), c in parts], h))
             forms.append(rows)
         x, slopes = forms
-        at = {("t", 0): g.mul(T, fraction), ("T", 0): T}
-        at |= self._inputs(point, x, constants)
+        at = {("t", 0): self._time(point, T, fraction), ("T", 0): T}
+        at |= self._inputs(point, x, numbers, controls)
         at |= {("d", k): node for k, node in enumerate(slopes)}
         own = len(self.controls)
-        at |= {("r", k): node for k, node in zip(self.controls, controls[:own], strict=True)}
         at |= {("s", k): node for k, node in enumerate(controls[own:])}
         rows = point.residuals(at)
         if self.path:
@@ -164,50 +179,105 @@ class Problem:
         if self.running != 0:
             integrand = point.read([self.running], "`objective`", at, self.duration_symbol)
             cost = g.mul(T, weight, integrand[0])
+        if self.noise:
+            pairs = zip(controls[:own], self.noise, strict=True)
+            cost = g.mul(T, weight, g.sum([(g.powi(c, 2), 0.5 / s**2) for c, s in pairs]))
         return point.functions(rows, cost, hessian=self.hessian)
 
+    def _time(self, point: Point, T: int, fraction: int) -> int:
+        """Return the node of the time."""
+        begin = point.constant(len(self.constants) + len(self.specifieds) + 1)
+        return point.graph.add(begin, point.graph.mul(T, fraction))
+
     def _inputs(
-        self, point: Point, x: Sequence[int], constants: Sequence[int]
+        self, point: Point, x: Sequence[int], numbers: Sequence[int], controls: Sequence[int] = ()
     ) -> dict[tuple[str, int], int]:
-        """Return the nodes of states, constants and known specifieds."""
+        """Return the nodes of states, constants and specifieds."""
         known = len(self.constants)
         at = {("x", k): node for k, node in enumerate(x)}
-        at |= {("p", k): node for k, node in enumerate(constants)}
-        at |= {("r", k): point.constant(known + k) for k in range(len(self.specifieds))}
+        at |= {("p", k): node for k, node in enumerate(numbers[:known])}
+        at |= {("r", k): node for k, node in enumerate(numbers[known:])}
         signals = point.data(len(self.signals))
         at |= {("r", k): node for (k, _), node in zip(self.signals, signals, strict=True)}
+        for k, node in zip(self.controls, controls, strict=False):
+            at["r", k] = point.graph.add(at["r", k], node) if self.noise else node
         return at
 
     def at_start(self) -> Functions:
         """Return the constraints at the start."""
-        if "start" not in self._compiled:
-            point = self._point()
-            x = point.variables(self.states)
-            constants, T = self._unknown_numbers(point)
-            at = {("t", 0): point.graph.zero, ("T", 0): T, **self._inputs(point, x, constants)}
-            rows = point.constraints(at)
-            self._compiled["start"] = point.functions(rows, None, hessian=self.hessian)
-        return self._compiled["start"]
+        return self._once("start", self._at_start)
+
+    def _at_start(self) -> Functions:
+        point = self._point()
+        x = point.variables(self.states)
+        numbers, T = self._unknown_numbers(point)
+        at = {("t", 0): self._time(point, T, point.graph.zero), ("T", 0): T}
+        at |= self._inputs(point, x, numbers)
+        return point.functions(point.constraints(at), None, hessian=self.hessian)
 
     def _point(self) -> Point:
-        return Point(self.equations, len(self.constants) + len(self.specifieds) + 1)
+        return Point(self.equations, len(self.numbers))
 
     def _unknown_numbers(self, point: Point) -> tuple[list[int], int]:
-        """Return the nodes of all constants and of the duration."""
-        nodes = [point.constant(k) for k in range(len(self.constants))]
+        """Return the nodes of (p, r) and of the duration."""
+        count = len(self.constants) + len(self.specifieds)
+        nodes = [point.constant(k) for k in range(count)]
         for k, node in zip(self.free, point.variables(len(self.free)), strict=True):
             nodes[k] = node
         if self.duration is None:
             return nodes, point.variables(1)[0]
-        return nodes, point.constant(len(self.constants) + len(self.specifieds))
+        return nodes, point.constant(count)
+
+    def of_parameters(self) -> Functions:
+        """Return ½ (factor · (parameter − mean))² + slope · parameter, of these three data."""
+        return self._once("parameters", self._of_parameters)
+
+    def _of_parameters(self) -> Functions:
+        point = Point(self.equations, 0)
+        (parameter,), (mean, factor, slope), g = point.variables(1), point.data(3), point.graph
+        known = g.powi(g.mul(factor, g.sub(parameter, mean)), 2)
+        cost = g.sum([(known, 0.5), (g.mul(slope, parameter), 1.0)])
+        return point.functions([], cost, hessian=self.hessian)
+
+    def at_samples(self, scheme: Scheme) -> tuple[Functions, Functions]:
+        """Return half the sum of squares of the residuals of a sample, and these as rows."""
+        return self._once("samples", lambda: self._at_samples(scheme))
+
+    def _at_samples(self, scheme: Scheme) -> tuple[Functions, Functions]:
+        point, n, one = self._point(), self.states, np.zeros(1)
+        g, powers = point.graph, scheme.basis(one)[1].tolist()
+        slots = [point.variables(n) for _ in powers]
+        controls = [point.variables(len(self.controls)) for _ in scheme.control_basis(one)]
+        numbers, T = self._unknown_numbers(point)
+        fraction, length = point.data(2)
+        basis, flat = point.data(len(slots)), point.data(len(controls))
+        h = g.mul(T, length)
+        x = [
+            point.combined(
+                [(row[k], [b], p) for row, b, p in zip(slots, basis, powers, strict=True)], h
+            )
+            for k in range(n)
+        ]
+        c = [
+            point.combined([(row[k], [b], 0) for row, b in zip(controls, flat, strict=True)], h)
+            for k in range(len(self.controls))
+        ]
+        at = {("t", 0): self._time(point, T, fraction), ("T", 0): T}
+        at |= self._inputs(point, x, numbers, c)
+        model = point.read(self.measured, "`measured`", at)
+        samples, weights = point.data(len(model)), point.data(len(model))
+        rows = [g.mul(w, g.sub(m, y)) for m, y, w in zip(model, samples, weights, strict=True)]
+        cost = g.sum([(g.powi(row, 2), 0.5) for row in rows])
+        return (
+            point.functions([], cost, hessian=self.hessian),
+            point.functions(rows, None, hessian=False),
+        )
 
     def at_instants(self, scheme: Scheme) -> Functions | None:
         """Return the boundary conditions and the objective's other part."""
         if not self.boundary and self.terminal == 0:
             return None
-        if "boundary" not in self._compiled:
-            self._compiled["boundary"] = self._at_instants(scheme)
-        return self._compiled["boundary"]
+        return self._once("boundary", lambda: self._at_instants(scheme))
 
     def _at_instants(self, scheme: Scheme) -> Functions:
         point = self._point()
@@ -302,7 +372,7 @@ class Transcription:
 
     def nlp(self, lower: np.ndarray, upper: np.ndarray, sizes: np.ndarray) -> Nlp:
         """Return the program; bounds and sizes are those of the unknowns."""
-        return Nlp(self.pieces, self.problem.numbers, lower, upper, sizes)
+        return Nlp(self.pieces, lower, upper, sizes)
 
     @cached_property
     def pieces(self) -> tuple[Piece, ...]:
@@ -320,13 +390,14 @@ class Transcription:
         states = [k * slots + row for row in points.slots for k in range(n)]
         first = self.sizes[0]
         controls = [first + k * own + points.controls for k in range(p.algebraic)]
-        times = points.fractions * (1.0 if p.duration is None else p.duration)
+        times = p.begin + points.fractions * (1.0 if p.duration is None else p.duration)
         signals = [signal(times) for _, signal in p.signals]
         data = [points.fractions, points.lengths, points.weights, *points.coefficients, *signals]
         return Piece(
             p.at_points(points),
             np.concatenate([np.array([*states, *controls]), self._numbers_at(count)]),
             np.ascontiguousarray(data),
+            p.numbers,
             *_limits(len(p.labels), p.path),
             (*p.labels, *(c.label for c in p.path)),
             points.fractions,
@@ -338,11 +409,12 @@ class Transcription:
         p = self.problem
         count = len(p.equations.constraints)
         states = np.arange(p.states) * len(self.places[0])
-        signals = [signal(np.zeros(1)) for _, signal in p.signals]
+        signals = [signal(np.full(1, p.begin)) for _, signal in p.signals]
         return Piece(
             p.at_start(),
             np.concatenate([states, self._numbers_at(1)[:, 0]])[:, None],
             np.array(signals, dtype=float).reshape(-1, 1),
+            p.numbers,
             *_limits(count, ()),
             p.constraints or tuple(p.labels[-count:]),
             np.zeros(1),
@@ -366,11 +438,54 @@ class Transcription:
             functions,
             np.concatenate(at)[:, None],
             np.concatenate([[], *data])[:, None],
+            p.numbers,
             *_limits(0, p.boundary),
             tuple(c.label for c in p.boundary),
             np.array([fractions.pop() if len(fractions) == 1 else np.nan]),
             False,
         )
+
+    def samples(
+        self, times: np.ndarray, values: np.ndarray, weights: np.ndarray
+    ) -> tuple[Piece, Piece]:
+        """Return what samples add to the objective, and their residuals as rows.
+
+        Parameters
+        ----------
+        times : ndarray, shape (m,)
+            Between the start and the end, by the same clock as `Problem.begin`.
+        values, weights : ndarray, shape (m, q)
+            Residuals are the `weights` times the difference of model and `values`.
+        """
+        p = self.problem
+        assert p.duration is not None
+        k, s = self._local((times - p.begin) / p.duration)
+        own = (len(self.places[0]), len(self.control_places))
+        states = self.scheme.interval_slots(self.intervals)[:, k]
+        controls = self.scheme.control_slots(self.intervals)[:, k]
+        at = [j * own[0] + row for row in states for j in range(p.states)]
+        at += [self.sizes[0] + j * own[1] + row for row in controls for j in range(len(p.controls))]
+        signals = [signal(times) for _, signal in p.signals]
+        lengths = np.diff(self.mesh)[k]
+        bases = [*self.scheme.basis(s)[0], *self.scheme.control_basis(s)]
+        fractions = (times - p.begin) / p.duration
+        data = [fractions, lengths, *bases, *signals, *values.T, *weights.T]
+        cost, rows = p.at_samples(self.scheme)
+        names = tuple(str(symbol) for symbol in p.measured)
+        places = np.concatenate([np.array(at), self._numbers_at(len(times))])
+        made = Piece(
+            cost, places, np.ascontiguousarray(data), p.numbers, *_limits(0, ()), (), fractions,
+            False,
+        )  # fmt: skip
+        low, high = _limits(len(names), ())
+        return made, replace(made, functions=rows, low=low, high=high, labels=names)
+
+    def numbers(self, z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Return the constants p and the specifieds r, with those that were found."""
+        p = self.problem
+        numbers = np.concatenate([p.constants, p.specifieds])
+        numbers[list(p.free)] = self.split(z)[2]
+        return numbers[: len(p.constants)], numbers[len(p.constants) :]
 
     def located(self, kind: str, fraction: float) -> tuple[np.ndarray, np.ndarray, float]:
         """Return slots, their coefficients and the interval's length for a time."""

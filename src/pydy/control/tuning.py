@@ -3,12 +3,20 @@
 from __future__ import annotations
 
 __all__ = [
+    "FEWEST_INTERVALS",
+    "FIT_ORDER",
     "INPUT_SAMPLES",
     "JUMP",
     "LARGEST_ORDER",
+    "LEAST_FIT_ERROR",
+    "MOST_CORRECTIONS",
     "MOST_PARTS",
     "MOST_REFINEMENTS",
     "MOST_STEPS",
+    "PROXIMAL",
+    "SHARE_OF_NOISE",
+    "STEADY",
+    "STILL",
     "SURE",
     "TOLERANCE",
 ]
@@ -44,3 +52,27 @@ times shorter, which puts a jump of a control within that share of the motion.""
 LARGEST_ORDER = 50
 """Points of an interval, at most. Derivatives at K points are of the size K², so that rounding
 leaves 1e-13 of them here; each point depends on all others, which makes the Jacobian full."""
+
+FIT_ORDER = 5
+"""Radau points of an interval of a fit: errors fall with the ninth power of its length, so that
+the few intervals of a smooth motion reach the accuracy of an integration."""
+
+FEWEST_INTERVALS = 10
+"""Intervals of a fit to begin with, at least; else there are as many points as samples, which see
+all that the samples do."""
+
+SHARE_OF_NOISE = 0.01
+"""The error of a fit's mesh beside its residuals: it adds the square of this share to them."""
+
+LEAST_FIT_ERROR = 1e-10
+"""An interval's relative error that is small enough without noise too, as for the integrations of
+a fit: hundreds of intervals add up to a few of their tolerances of 1e-9."""
+
+PROXIMAL, STEADY = 1e-9, 3
+"""What is added to the diagonal where the equations leave it zero, and how often the result is
+corrected for that: each time reduces the effect by this share of the smallest eigenvalue that is
+not zero."""
+
+MOST_CORRECTIONS, STILL = 10, 0.03
+"""How often the likelihood's slope is computed anew, at most, and the share of a standard error
+by which the estimates then still move: a thirtieth adds a thousandth to the variance."""

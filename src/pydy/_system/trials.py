@@ -1,0 +1,170 @@
+"""Measured motions as a user gives them, checked and normalised."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import sympy.physics.mechanics as me
+
+from pydy._checks import Places, check_mapping, number, one_or_more, real_array, shown
+from pydy._mechanics.symbols import find_symbols
+from pydy._names import unique_names
+from pydy.analysis.fit import Trial
+
+__all__ = ["Data", "checked_trial"]
+
+
+@dataclass(frozen=True, eq=False)
+class Data:
+    """A trial as it was checked.
+
+    Attributes
+    ----------
+    trial : Trial
+    label : str
+    times : ndarray, shape (m,)
+    start : float
+    keys : list
+        What each measured quantity is in a trajectory.
+    names : list of str
+        What the user called it.
+    values, noise : ndarray, shape (m, q)
+    unknown : list of symbols
+        States.
+    """
+
+    trial: Trial
+    label: str
+    times: np.ndarray
+    start: float
+    keys: list[Any]
+    names: list[str]
+    values: np.ndarray
+    noise: np.ndarray
+    unknown: list[Any]
+
+
+def checked_trial(
+    k: int, trial: Any, states: Places, outputs: Places, expressions: dict[Any, Any]
+) -> Data:
+    """Check a trial, the k-th; expressions that it measures get names in `expressions`."""
+    label = f"trial {k}"
+    if not isinstance(trial, Trial):
+        raise TypeError(
+            "`trials` must be pydy.analysis.Trial, or a list of them: Trial(times, "
+            "{'q1': samples}) says when samples were taken, and of which state, output or "
+            "expression. Got "
+            f"{shown(trial)} at {k}."
+        )
+    label = trial.name or label
+    times = real_array(trial.times, f"`times` of {label}")
+    if times.ndim != 1 or not len(times):
+        raise ValueError(f"`times` of {label} must have the shape (m,), got {times.shape}.")
+    if not np.isfinite(times).all():
+        at = int(np.flatnonzero(~np.isfinite(times))[0])
+        raise ValueError(f"`times` of {label} must be finite, got {times[at]!r} at {at}.")
+    if (np.diff(times) <= 0.0).any():
+        at = int(np.flatnonzero(np.diff(times) <= 0.0)[0]) + 1
+        raise ValueError(
+            f"`times` of {label} must ascend, got {times[at]!r} after {times[at - 1]!r}."
+        )
+    begin = float(times[0])
+    if trial.start is not None:
+        begin = number(trial.start, f"`start` of {label}", finite=True)
+        if begin > times[0]:
+            raise ValueError(
+                f"`start` of {label} must not lie after the first of the `times`, "
+                f"{float(times[0])!r}, got {begin!r}."
+            )
+    measured = check_mapping(f"measured of {label}", trial.measured)
+    if not measured:
+        raise ValueError(f"`measured` of {label} must hold at least one quantity.")
+    keys, columns = [], []
+    for key, samples in measured.items():
+        keys.append(_key(key, label, states, outputs, expressions))
+        if keys[-1] in keys[:-1]:
+            raise ValueError(
+                f"`measured` of {label} gives `{keys[-1]}` more than once, by the symbol or by its "
+                "name. Keep one of them."
+            )
+        column = real_array(samples, f"`measured[{key}]` of {label}")
+        if column.shape != times.shape:
+            raise ValueError(
+                f"`measured[{key}]` of {label} must have the shape {times.shape}, a sample for "
+                f"each of the `times`, got {column.shape}."
+            )
+        if np.isinf(column).any():
+            raise ValueError(
+                f"`measured[{key}]` of {label} must be finite, or NaN where a sample is missing."
+            )
+        columns.append(column)
+    values = np.stack(columns, axis=1)
+    if np.isnan(values).all():
+        raise ValueError(
+            f"`measured` of {label} must hold at least one sample that is not NaN, but all "
+            f"{values.size} are. Leave the trial out."
+        )
+    unknown = [
+        states.symbols[states.find(s, f"unknown of {label}")]
+        for s in one_or_more("unknown", trial.unknown)
+    ]
+    names = list(unique_names(list(measured)))
+    known = {**dict(zip(names, keys, strict=True)), **dict(zip(measured, keys, strict=True))}
+    everything = Places([*states.symbols, *outputs.symbols], "states and outputs of the system")
+    noise = _noise(
+        trial.noise,
+        keys,
+        lambda key: known.get(key, everything.meaning(key, "noise")),
+        names,
+        values.shape,
+        label,
+    )
+    return Data(trial, label, times, begin, keys, names, values, noise, unknown)
+
+
+def _key(key: Any, label: str, states: Places, outputs: Places, expressions: dict[Any, Any]) -> Any:
+    for places in (states, outputs):
+        place = places.get(key, "measured")
+        if place is not None:
+            return places.symbols[place]
+    if isinstance(key, str) or not hasattr(key, "free_symbols") or not find_symbols([key]):
+        places = Places([*states.symbols, *outputs.symbols], "states and outputs of the system")
+        places.find(key, f"measured of {label}")  # raises, with names that are alike
+    if key not in expressions:
+        expressions[key] = me.dynamicsymbols(f"measured_{len(expressions)}")
+    return expressions[key]
+
+
+def _noise(
+    given: Any,
+    keys: list[Any],
+    meaning: Callable[[Any], Any],
+    names: list[str],
+    shape: tuple[int, ...],
+    label: str,
+) -> np.ndarray:
+    noise = np.ones(shape)
+    if given is None:
+        return noise
+    entries = [given] * len(keys)
+    if isinstance(given, Mapping):
+        chosen = {meaning(key): value for key, value in given.items()}
+        missing = [n for n, key in zip(names, keys, strict=True) if key not in chosen]
+        if missing or len(chosen) != len(keys):
+            raise ValueError(
+                f"`noise` of {label} must have an entry for each measured quantity, "
+                f"{', '.join(names)}, got {', '.join(map(str, given))}."
+            )
+        entries = [chosen[key] for key in keys]
+    for k, entry in enumerate(entries):
+        column = real_array(entry, f"`noise` of {label}")
+        if column.shape not in ((), shape[:1]) or not (column > 0.0).all():
+            raise ValueError(
+                f"`noise` of {label} must be positive standard deviations, a number or "
+                f"{shape[0]} of them for each measured quantity."
+            )
+        noise[:, k] = column
+    return noise

@@ -1,0 +1,571 @@
+"""Parameters from measured motions by collocation.
+
+    minimise ½ Σ ((model − sample) / noise)² + ½ Σ ((parameter − mean) / deviation)²
+             + ½ ∫ Σ (disturbance / intensity)² dt
+
+over the parameters, the states of all experiments and the disturbances, which are controls: the
+states satisfy the equations at collocation points, not by an integration from the start, so that
+unstable motions are as good as others. Experiments are transcriptions whose unknowns are joined;
+those that stand for a parameter are one unknown.
+
+The covariance is the inverse of the Gauss–Newton Hessian reduced to the parameters. With the
+equations A dw + B dp = 0 linearised at the optimum, the states and disturbances w follow a change
+dp such that the residuals ``R dw + S dp`` are least; the matrix of these residuals takes the place
+of the Jacobian of a fit. It is the solution of
+
+    | −I  R  0 | | J |     | S |
+    | Rᵀ  0  Aᵀ| | W | = − | 0 |
+    | 0   A  0 | | Λ |     | B |
+
+whose sparse factors grow in proportion to the length of the motions.
+
+With disturbances, the least objective over parameters and disturbances together is biased: it does
+not count how many disturbances explain the data nearly as well. Laplace's approximation of the
+likelihood of the parameters alone adds ½ log det of the Hessian reduced to the disturbances v,
+
+    ½ log det H_v = ½ log |det K| − log |det A_x|,
+
+K the matrix above and A_x the equations' derivatives by the states. Its slope by the parameters is
+found by differences and added to the objective, until the estimates stay.
+
+References
+----------
+J. T. Betts, Practical Methods for Optimal Control and Estimation Using Nonlinear Programming,
+2nd ed., ch. 5. H. G. Bock, Randwertproblemmethoden zur Parameteridentifizierung in Systemen
+nichtlinearer Differentialgleichungen, Bonner Math. Schriften 183 (1987), for the covariance.
+M. S. Varziri, K. B. McAuley and P. J. McLellan, Parameter and state estimation in nonlinear
+stochastic continuous-time dynamic models with unknown disturbance intensity, Can. J. Chem. Eng. 86
+(2008) 828–837, and A. Kristensen et al., TMB: automatic differentiation and Laplace approximation,
+J. Stat. Softw. 70 (2016) 5, for the likelihood of the parameters alone.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+import scipy.sparse
+
+from pydy._assembly.specifieds import driven
+from pydy._errors import warn_user
+from pydy.control.ipopt import SOLVED, STATUS, Iteration, Solution, solve
+from pydy.control.kernel import Equations
+from pydy.control.nlp import Nlp, Piece
+from pydy.control.problem import checked_mesh, labels_of, signal_of
+from pydy.control.refine import Moved, interval_errors, refined
+from pydy.control.schemes import Scheme, scheme_of
+from pydy.control.sizes import sizes_of
+from pydy.control.transcription import Problem, Transcription
+from pydy.control.tuning import (
+    FEWEST_INTERVALS,
+    FIT_ORDER,
+    LEAST_FIT_ERROR,
+    MOST_CORRECTIONS,
+    MOST_REFINEMENTS,
+    PROXIMAL,
+    SHARE_OF_NOISE,
+    STEADY,
+    STILL,
+)
+
+__all__ = ["Experiment", "Identification", "Identified"]
+
+
+@dataclass(frozen=True, eq=False)
+class Experiment:
+    """A measured motion.
+
+    Attributes
+    ----------
+    now : Snapshot
+        The System as it was in this experiment.
+    begin : float
+        The time of the initial conditions.
+    times : ndarray, shape (m,)
+    measured : tuple of symbols
+        States and outputs.
+    values, weights : ndarray, shape (m, q)
+        Samples, and one over their noise; zero where there is no sample.
+    unknown : tuple of int
+        States whose values at the start are parameters of this experiment.
+    tied : tuple of int
+        States whose values at the start follow from the constraints.
+    states : ndarray, shape (m', n)
+        Where the search begins, at the times `at`.
+    at : ndarray, shape (m',)
+    """
+
+    now: Any
+    begin: float
+    times: np.ndarray
+    measured: tuple[Any, ...]
+    values: np.ndarray
+    weights: np.ndarray
+    unknown: tuple[int, ...]
+    tied: tuple[int, ...]
+    states: np.ndarray
+    at: np.ndarray
+
+
+@dataclass(frozen=True, eq=False)
+class Identified:
+    """What was found.
+
+    Attributes
+    ----------
+    z : ndarray, shape (k,)
+        The parameters.
+    residuals : list of ndarray, shapes (m, q)
+        For each experiment: model minus sample, divided by the noise.
+    values : ndarray, shape (r,)
+        All residuals, those of disturbances included.
+    jacobian : ndarray, shape (r, k)
+        By the parameters, the states and disturbances following them.
+    followed : ndarray, shape (n, k)
+        Derivatives of all unknowns by the parameters.
+    largest : ndarray, shape (n,)
+        How large each state becomes.
+    solution : Solution
+    """
+
+    z: np.ndarray
+    residuals: list[np.ndarray]
+    values: np.ndarray
+    jacobian: np.ndarray
+    followed: np.ndarray
+    largest: np.ndarray
+    solution: Solution
+
+    @property
+    def iterations(self) -> int:
+        """Iterations of the last search."""
+        return len(self.solution.history) - 1
+
+    @property
+    def success(self) -> bool:
+        """Whether the search converged."""
+        return self.solution.status in SOLVED
+
+    @property
+    def message(self) -> str:
+        """Why it ended."""
+        return STATUS.get(self.solution.status, f"IPOPT: status {self.solution.status}")
+
+
+class Identification:
+    """A fit as a nonlinear program.
+
+    Parameters
+    ----------
+    experiments : sequence of Experiment
+    shared : sequence of (str, int)
+        Parameters of all experiments: 'constants', 'specifieds' or 'states', and the place.
+    noise : mapping of int to float
+        From places in r to the intensities of their disturbances.
+    limits : (ndarray, ndarray), shapes (k,)
+        Bounds of the parameters: those that are shared, then those of each experiment.
+    priors : sequence of (int, float, float)
+        Parameters with their mean and standard deviation.
+    """
+
+    def __init__(
+        self,
+        experiments: Sequence[Experiment],
+        shared: Sequence[tuple[str, int]],
+        noise: Mapping[int, float],
+        limits: tuple[np.ndarray, np.ndarray],
+        priors: Sequence[tuple[int, float, float]],
+    ) -> None:
+        self.experiments, self.shared = experiments, shared
+        self.noise, self.limits, self.priors = noise, limits, priors
+        self.scheme: Scheme = scheme_of("radau", FIT_ORDER)
+        self.problems: list[Problem] = []
+        for experiment in experiments:
+            self.problems.append(self._problem(experiment))
+
+    def _problem(self, e: Experiment) -> Problem:
+        now, definition, plan = e.now, e.now.definition, e.now.plan
+        count = len(definition.constants)
+        columns = [
+            k + count * (kind == "specifieds") for kind, k in self.shared if kind != "states"
+        ]
+        signals = tuple(
+            (int(column), signal_of(samples, k))
+            for columns_, samples in plan.sampled
+            for k, column in enumerate(columns_)
+        )
+        numbers = {
+            "constants": now.p,
+            "specifieds": plan.values,
+            "signals": signals,
+            "duration": float(e.times[-1]) - e.begin,
+            "begin": e.begin,
+        }
+        labels, held = labels_of(definition)
+        start = (*e.unknown, *e.tied, *(k for kind, k in self.shared if kind == "states"))
+        constraints = tuple(f"{label} at the start" for label in held) if start else ()
+        numbers["constraints"] = constraints
+        for other, made in zip(self.experiments, self.problems, strict=False):
+            # Equal equations and kinds of inputs share their machine code.
+            same = other.now.driven is now.driven and made.measured == e.measured
+            if same and [k for k, _ in made.signals] == [k for k, _ in signals]:
+                return replace(made, **numbers)
+        return Problem(
+            equations=Equations.of(now, disturbed=self._disturbed(e)),
+            states=len(definition.states),
+            labels=labels,
+            controls=tuple(self.noise),
+            control_bounds=np.tile([-np.inf, np.inf], (len(self.noise), 1)),
+            free=tuple(columns),
+            duration_symbol=None,
+            symbols={},
+            running=0,
+            terminal=0,
+            instants=(),
+            boundary=(),
+            path=(),
+            noise=tuple(self.noise.values()),
+            measured=e.measured,
+            **numbers,
+        )
+
+    def _disturbed(self, e: Experiment) -> bool:
+        """Return whether a specified that is an expression is disturbed."""
+        return any(e.now.plan.symbols[k] in e.now.plan.expressions for k in self.noise)
+
+    def _moved(self, k: int) -> Moved:
+        now, disturbed = self.experiments[k].now, self._disturbed(self.experiments[k])
+        model = driven(now.model, now.definition, now.plan, perturbed=disturbed)
+        return Moved(model.compiled("rates"), now.plan)
+
+    def meshes(self, given: Any) -> list[np.ndarray]:
+        """Return the mesh of each experiment: a point a sample or two, if none is given."""
+        if given is not None:
+            return [checked_mesh(given)] * len(self.experiments)
+        points = 2 if self.noise else 1
+        counts = [
+            max(FEWEST_INTERVALS, -(-points * len(e.times) // FIT_ORDER)) for e in self.experiments
+        ]
+        return [np.linspace(0.0, 1.0, num=count + 1) for count in counts]
+
+    def solve(
+        self,
+        z: np.ndarray,
+        mesh: Any,
+        options: Mapping[str, Any],
+        watch: Callable[[Iteration], None],
+    ) -> Identified:
+        """Find the parameters, from z on.
+
+        Without a `mesh`, it is refined until its error is small beside the residuals, or until the
+        estimates stay where they are beside their standard errors.
+        """
+        meshes = self.meshes(mesh)
+        motions: list[Any] = [None] * len(self.experiments)
+        slope, earlier = np.zeros(len(z)), np.full(len(z), np.inf)
+        for _ in range(MOST_REFINEMENTS):
+            joined = _Joined(self, meshes)
+            for _ in range(MOST_CORRECTIONS if self.noise else 1):
+                nlp, residuals, start = joined.program(z, motions, slope)
+                solution = solve(nlp, start, options=options, watch=watch)
+                found = self._found(joined, nlp, residuals, solution)
+                if not found.success or solution.interrupted:
+                    return found
+                z, parts = found.z, [solution.z[own] for own in joined.own]
+                motions = list(zip(joined.made, parts, strict=True))
+                if not self.noise:
+                    break
+                before, slope = slope, joined.slope(nlp, residuals, found)
+                # How far the estimates will move, in standard errors.
+                change = np.linalg.lstsq(found.jacobian.T, slope - before)[0]
+                if np.linalg.norm(change) <= STILL:
+                    break
+            moved = (
+                np.linalg.norm(found.jacobian @ (z - earlier)) if earlier[0] < np.inf else np.inf
+            )
+            if mesh is not None or moved <= STILL * np.sqrt(np.mean(found.values**2)):
+                return found
+            earlier = z
+            errors = []
+            for k, (made, part) in enumerate(zip(joined.made, parts, strict=True)):
+                sizes = made.split(nlp.sizes[joined.own[k]])[0][:, 0]
+                errors.append(interval_errors(self._moved(k), made, part, sizes))
+            allowed = self._allowed(found)
+            limits = [max(allowed / len(error), LEAST_FIT_ERROR) for error in errors]
+            if all(e.max() <= limit for e, limit in zip(errors, limits, strict=True)):
+                return found
+            meshes = [
+                refined(m, e, limit, self.scheme.convergence)
+                for m, e, limit in zip(meshes, errors, limits, strict=True)
+            ]
+        worst = max(float(error.max()) for error in errors)
+        warn_user(
+            f"After {MOST_REFINEMENTS} refinements the mesh of the fit has an error of {worst:.2g} "
+            "of the states' sizes. Where inputs jump, nodes of `mesh` at the jumps help."
+        )
+        return found
+
+    def _allowed(self, found: Identified) -> float:
+        """Return the error of the states that disappears in the noise, relative to their sizes."""
+        rows = [
+            (r, e.values * e.weights)
+            for r, e in zip(found.residuals, self.experiments, strict=True)
+        ]
+        noise = float(sum((r**2).sum() for r, _ in rows))
+        size = float(sum((y**2).sum() for _, y in rows))
+        return SHARE_OF_NOISE * np.sqrt(min(noise / size, 1.0)) if size > 0.0 else SHARE_OF_NOISE
+
+    def _found(self, joined: _Joined, nlp: Nlp, residuals: Nlp, solution: Solution) -> Identified:
+        z = joined.at_bounds(nlp, solution)
+        k = len(self.limits[0])
+        values = np.empty(residuals.rows)
+        residuals.values(z / residuals.sizes, values)
+        parts, start = [], 0
+        for e in self.experiments:
+            size = e.values.size
+            parts.append(values[start : start + size].reshape(-1, len(e.times)).T)
+            start += size
+        there = np.concatenate([(e.weights > 0.0).T.ravel() for e in self.experiments])
+        columns, factors = joined.disturbances()
+        J, W = (
+            (np.empty((0, k)), np.empty((0, k)))
+            if solution.interrupted
+            else joined.followed(nlp, residuals, z)
+        )
+        largest = np.max(
+            [
+                np.abs(made.split(z[own])[0]).max(axis=1)
+                for made, own in zip(joined.made, joined.own, strict=True)
+            ],
+            axis=0,
+        )
+        return Identified(
+            z[joined.parameters],
+            parts,
+            np.concatenate([values[there], factors * z[columns]]),
+            J,
+            W,
+            largest,
+            solution,
+        )
+
+
+class _Joined:
+    """Experiments on meshes, with their unknowns as one vector.
+
+    Attributes
+    ----------
+    made : list of Transcription
+    own : list of ndarray of int
+        Where the unknowns of each are.
+    parameters : ndarray of int, shape (k,)
+    """
+
+    def __init__(self, asked: Identification, meshes: Sequence[np.ndarray]) -> None:
+        self.asked, self.experiments = asked, asked.experiments
+        self.made = [
+            Transcription(problem, asked.scheme, mesh)
+            for problem, mesh in zip(asked.problems, meshes, strict=True)
+        ]
+        count = len(asked.shared)
+        self.own, own_parameters = [], []
+        for e, made in zip(self.experiments, self.made, strict=True):
+            slots, first = len(made.places[0]), sum(made.sizes[:2])
+            places, numbers = [], 0
+            for kind, k in asked.shared:
+                places.append(k * slots if kind == "states" else first + numbers)
+                numbers += kind != "states"
+            size = sum(made.sizes)
+            alone = np.ones(size, dtype=bool)
+            alone[places] = False
+            own = np.empty(size, dtype=int)
+            own[places] = np.arange(len(asked.shared))
+            own[alone] = count + np.arange(int(alone.sum()))
+            count += int(alone.sum())
+            self.own.append(own)
+            own_parameters += [own[k * slots] for k in e.unknown]
+        self.size = count
+        self.parameters = np.array([*range(len(asked.shared)), *own_parameters], dtype=int)
+
+    def program(
+        self, z: np.ndarray, motions: Sequence[Any], slope: np.ndarray
+    ) -> tuple[Nlp, Nlp, np.ndarray]:
+        """Return the program, the residuals as the rows of another, and where to start.
+
+        The objective has the `slope` by the parameters in addition.
+        """
+        asked = self.asked
+        lower, upper = np.full(self.size, -np.inf), np.full(self.size, np.inf)
+        start, sizes = np.empty(self.size), np.zeros(self.size)
+        parts = []
+        for e, made, own, motion in zip(
+            self.experiments, self.made, self.own, motions, strict=True
+        ):
+            parts.append(part := _start(e, made, motion))
+            nodes = np.arange(made.problem.states) * len(made.places[0])
+            known = nodes[[k for k in range(len(nodes)) if k not in (*e.unknown, *e.tied)]]
+            lower[own[known]] = upper[own[known]] = e.now.x[known // len(made.places[0])]
+            start[own] = part
+        start[self.parameters] = z
+        for side, limit in zip((lower, upper), asked.limits, strict=True):
+            side[self.parameters] = limit
+        pieces: list[Piece] = []
+        rows: list[Piece] = []
+        for e, made, own in zip(self.experiments, self.made, self.own, strict=True):
+            open_ = np.full(len(own), np.inf)
+            np.maximum.at(sizes, own, sizes_of(made, start[own], -open_, open_))
+            samples = made.samples(e.times, np.nan_to_num(e.values), e.weights)
+            pieces += [replace(p, at=own[p.at]) for p in (*made.pieces, samples[0])]
+            rows.append(replace(samples[1], at=own[samples[1].at]))
+        pieces.append(self._known(slope))
+        nlp = Nlp(pieces, lower, upper, sizes)
+        return nlp.in_own_units(start), Nlp(rows, lower, upper, sizes), start
+
+    def _known(self, slope: np.ndarray) -> Piece:
+        """Return what is known of parameters before, and a slope."""
+        problem = self.made[0].problem
+        count = len(self.parameters)
+        data = np.array([np.zeros(count), np.zeros(count), slope])
+        for k, mean, deviation in self.asked.priors:
+            data[:2, k] = mean, 1.0 / deviation
+        none = np.empty(0)
+        return Piece(
+            problem.of_parameters(), self.parameters[None], data, none, none, none, (),
+            np.full(count, np.nan), False,
+        )  # fmt: skip
+
+    def disturbances(self) -> tuple[np.ndarray, np.ndarray]:
+        """Return the disturbances' unknowns, and what makes residuals of them."""
+        places, factors = [np.empty(0, dtype=int)], [np.empty(0)]
+        for made, own in zip(self.made, self.own, strict=True):
+            (points,) = made.scheme.points(made.mesh)
+            for k, intensity in enumerate(made.problem.noise):
+                first = made.sizes[0] + k * len(made.control_places)
+                places.append(own[first + points.controls])
+                assert made.problem.duration is not None
+                factors.append(np.sqrt(made.problem.duration * points.weights) / intensity)
+        return np.concatenate(places), np.concatenate(factors)
+
+    def at_bounds(self, nlp: Nlp, solution: Solution) -> np.ndarray:
+        """Return the unknowns, parameters at a bound exactly there.
+
+        An interior-point method leaves the distance and the multiplier of an active bound with a
+        small product; the larger one tells.
+        """
+        z = solution.z.copy()
+        for side, multipliers in ((nlp.lower, solution.below), (nlp.upper, solution.above)):
+            distance = np.abs(z - side) / nlp.sizes
+            held = multipliers * nlp.sizes / nlp.cost_size > distance
+            held &= np.isin(np.arange(self.size), self.parameters)
+            z[held] = side[held]
+        return z
+
+    def followed(self, nlp: Nlp, residuals: Nlp, z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Return derivatives by the parameters, all else following them.
+
+        Returns
+        -------
+        J : ndarray, shape (r, k)
+            Of the residuals.
+        W : ndarray, shape (n, k)
+            Of the unknowns.
+        """
+        R, A = self._linear(nlp, residuals, z)
+        p, free = self.parameters, self._free(nlp)
+        # In units of the largest residual, beside equations in units of their own.
+        unit = float(np.abs(R.data).max(initial=0.0)) or 1.0
+        R = R / unit
+        right = -np.vstack(
+            [R[:, p].toarray(), np.zeros((int(free.sum()), len(p))), A[:, p].toarray()]
+        )
+        K, shift = _system(R[:, free], A[:, free])
+        factors = scipy.sparse.linalg.splu((K + shift).tocsc())
+        found = factors.solve(right)
+        for _ in range(STEADY):
+            found = found + factors.solve(right - K @ found)
+        count = R.shape[0]
+        W = np.zeros((self.size, len(p)))
+        W[p], W[free] = np.eye(len(p)), found[count : count + int(free.sum())]
+        return found[:count] * unit / nlp.sizes[p], W * nlp.sizes[:, None] / nlp.sizes[p]
+
+    def slope(self, nlp: Nlp, residuals: Nlp, found: Identified) -> np.ndarray:
+        """Return the derivatives of ½ log det H_v by the parameters, all else following them."""
+        z, sizes = found.solution.z, nlp.sizes[self.parameters]
+        steps = np.linalg.norm(np.linalg.pinv(found.jacobian * sizes), axis=1) * sizes
+        slopes = np.zeros(len(steps))
+        for k, (direction, step) in enumerate(zip(found.followed.T, STILL * steps, strict=True)):
+            if step > 0.0:
+                sides = [
+                    self._spread(nlp, residuals, z + s * step * direction) for s in (1.0, -1.0)
+                ]
+                slopes[k] = (sides[0] - sides[1]) / (2.0 * step)
+        return slopes
+
+    def _spread(self, nlp: Nlp, residuals: Nlp, z: np.ndarray) -> float:
+        """Return ½ log det H_v but for a constant."""
+        R, A = self._linear(nlp, residuals, z)
+        free = self._free(nlp)
+        states = free.copy()
+        states[self.disturbances()[0]] = False
+        none = scipy.sparse.csr_array((0, int(states.sum())))
+        both = [_system(R[:, free], A[:, free]), _system(none, A[:, states])]
+        return 0.5 * (_log_determinant(*both[0]) - _log_determinant(*both[1]))
+
+    def _free(self, nlp: Nlp) -> np.ndarray:
+        """Return which unknowns follow the parameters."""
+        found: np.ndarray = nlp.lower < nlp.upper
+        found[self.parameters] = False
+        return found
+
+    def _linear(self, nlp: Nlp, residuals: Nlp, z: np.ndarray) -> tuple[Any, Any]:
+        """Return the derivatives of residuals and equations, in units of the program."""
+        y = z / nlp.sizes
+        there = np.concatenate([(e.weights > 0.0).T.ravel() for e in self.experiments])
+        R = _matrix(residuals, y, residuals.rows, self.size)[there]
+        columns, factors = self.disturbances()
+        entries = (factors * nlp.sizes[columns], (np.arange(len(columns)), columns))
+        own = scipy.sparse.csr_array(entries, (len(columns), self.size))
+        return scipy.sparse.vstack([R, own], "csr"), _matrix(nlp, y, nlp.rows, self.size)
+
+
+def _start(e: Experiment, made: Transcription, motion: Any) -> np.ndarray:
+    """Return an experiment's unknowns where the search begins."""
+    duration = made.problem.duration
+    assert duration is not None
+    controls = np.zeros((made.problem.algebraic, len(made.control_places)))
+    if motion is None:
+        times = e.begin + made.places[0] * duration
+        states = np.array([np.interp(times, e.at, column) for column in e.states.T])
+    else:
+        before, z = motion
+        states = before.states_at(z, made.places[0] * duration).T
+        controls[: len(made.problem.controls)] = before.controls_at(
+            z, made.control_places * duration
+        ).T
+    p = made.problem
+    numbers = np.concatenate([p.constants, p.specifieds])[list(p.free)]
+    return made.joined(states, controls, numbers, duration)
+
+
+def _matrix(nlp: Nlp, y: np.ndarray, rows: int, columns: int) -> Any:
+    """Return the Jacobian of a program's rows, in units of its own."""
+    values = np.empty(len(nlp.jacobian_at[0]))
+    nlp.jacobian(y, values)
+    return scipy.sparse.csr_array((values, nlp.jacobian_at), (rows, columns))
+
+
+def _system(R: Any, A: Any) -> tuple[Any, Any]:
+    """Return K, and what makes it regular where constraints are redundant: a diagonal."""
+    K = scipy.sparse.block_array(
+        [[-scipy.sparse.eye_array(R.shape[0]), R, None], [R.T, None, A.T], [None, A, None]],
+        format="csc",
+    )
+    shift = np.repeat([0.0, PROXIMAL, -PROXIMAL], [R.shape[0], R.shape[1], A.shape[0]])
+    return K, scipy.sparse.diags_array(shift)
+
+
+def _log_determinant(K: Any, shift: Any) -> float:
+    factors = scipy.sparse.linalg.splu((K + shift).tocsc())
+    return float(np.log(np.abs(factors.U.diagonal())).sum())

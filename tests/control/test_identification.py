@@ -1,0 +1,205 @@
+"""Fits by collocation against other estimators, and where simulations fail."""
+
+import numpy as np
+import pytest
+import sympy as sm
+import sympy.physics.mechanics as me
+from scipy.optimize import minimize
+
+import optima
+from optima import T
+from pydy._interrupts import Interrupts
+from pydy.analysis import Trial
+from pydy.errors import FitInterrupted, IntegrationError, PyDyUserWarning
+from pydy.inputs import SampledInput
+
+QUARTER = np.deg2rad(0.25)
+
+
+def standing(seed, seconds=10.0, noise=None):
+    """Return a person with gains of zero, measured states, gains, torques and the truth."""
+    system, (states, gains, torques) = optima.standing_person()
+    rng = np.random.default_rng(seed)
+    times = np.linspace(0.0, seconds, num=int(50 * seconds) + 1)
+    known = dict(system.specifieds)
+    if noise is not None:
+        grid = np.linspace(0.0, seconds, num=2 * len(times) - 1)
+        for torque in torques:
+            own = me.dynamicsymbols(f"w_{torque.func}")
+            values = rng.normal(0.0, noise / np.sqrt(grid[1]), len(grid))
+            system.specifieds[torque] = known[torque] + own
+            system.specifieds[own] = SampledInput(grid, values, "previous")
+    system.constants = dict(zip(gains, optima.GAINS.ravel(), strict=True))
+    system.times, system.ode_solver = times, "dop853"
+    ride = system.simulate(rtol=1e-8, atol=1e-8)
+    measured = {s: ride[s] + rng.normal(0.0, QUARTER, len(times)) for s in states}
+    system.specifieds, system.constants = known, dict.fromkeys(gains, 0.0)
+    return system, Trial(times, measured, noise=QUARTER), gains, torques
+
+
+@pytest.mark.parametrize("seed", range(2))
+def test_the_gains_of_a_standing_person_from_zeros(seed):
+    """With gains of zero the person falls: no simulation gets near the data."""
+    system, trial, gains, _ = standing(seed)
+    found = system.fit(gains, trial, method="collocation")
+    distance = (found.estimates - optima.GAINS.ravel()) / found.standard_errors
+    assert np.abs(distance).max() < 3.0
+    assert found.noise == pytest.approx(1.0, abs=0.08)
+    assert (found.standard_errors < 0.02 * optima.GAINS.ravel()).all()
+
+
+def test_the_gains_of_a_standing_person_whose_torques_are_disturbed():
+    system, trial, gains, torques = standing(0, 6.0, noise=2.0)
+    disturbed = dict.fromkeys(torques, 2.0)
+    found = system.fit(gains, trial, method="collocation", process_noise=disturbed, mesh=120)
+    distance = (found.estimates - optima.GAINS.ravel()) / found.standard_errors
+    assert np.abs(distance).max() < 3.0
+    assert found.noise == pytest.approx(1.0, abs=0.1)
+
+
+def test_disturbed_motion_has_the_estimates_of_a_kalman_filter():
+    """v' = −a v + b + w in white noise: the filter gives the exact likelihood of a and b."""
+    x, v, F, w = me.dynamicsymbols("x v F w")
+    a, b = sm.symbols("a b")
+    a_, b_, intensity, deviation = 1.3, 0.7, 0.3, 0.05
+    times = np.linspace(0.0, 20.0, num=201)
+    rng = np.random.default_rng(3)
+
+    def step(a):
+        h = times[1]
+        return np.exp(-a * h), -np.expm1(-a * h) / a, -(intensity**2) * np.expm1(-2 * a * h) / 2 / a
+
+    rate, gain, spread = step(a_)
+    truth = np.ones(len(times))
+    for k in range(1, len(times)):
+        truth[k] = rate * truth[k - 1] + gain * b_ + rng.normal(0.0, np.sqrt(spread))
+    samples = truth + rng.normal(0.0, deviation, len(times))
+
+    def surprise(z):
+        """Return −log of the likelihood, but for a constant."""
+        rate, gain, spread = step(z[0])
+        mean, variance, total = 1.0, 0.0, 0.0
+        for k, sample in enumerate(samples):
+            if k:
+                mean, variance = rate * mean + gain * z[1], rate**2 * variance + spread
+            sure = variance + deviation**2
+            total += 0.5 * (np.log(sure) + (sample - mean) ** 2 / sure)
+            mean += variance / sure * (sample - mean)
+            variance *= deviation**2 / sure
+        return total
+
+    best = minimize(surprise, [a_, b_], method="Nelder-Mead", options={"xatol": 1e-7}).x
+    steps = 1e-3 * np.eye(2)
+    H = [[(surprise(best + s + t) - surprise(best + s - t) - surprise(best - s + t)
+           + surprise(best - s - t)) / 4e-6 for s in steps] for t in steps]  # fmt: skip
+    errors = np.sqrt(np.diag(np.linalg.inv(H)))
+    system = optima.first_order([x], v, -a * v + F)
+    trial = Trial(times, {v: samples}, {v: 1.0}, noise=deviation)
+    options = {"method": "collocation", "process_noise": {F: intensity}}
+    system.specifieds = {F: b}  # an expression, which the noise is added to
+    found = system.fit([a, b], trial, **options)
+    np.testing.assert_allclose(found.estimates, best, atol=0.1 * errors.min())
+    np.testing.assert_allclose(found.standard_errors, errors, rtol=0.15)
+    fine = system.fit([a, b], trial, mesh=320, **options)
+    np.testing.assert_allclose(fine.estimates, best, atol=0.02 * errors.min())
+    # The same with a number, which is a parameter, and as a part of an expression.
+    system.specifieds = {F: 0.5}
+    number = system.fit([a, F], trial, **options)
+    np.testing.assert_allclose(number.estimates, found.estimates, rtol=1e-6)
+    system.specifieds = {F: b + w}
+    part = system.fit([a, b], trial, method="collocation", process_noise={"w": intensity})
+    np.testing.assert_allclose(part.estimates, found.estimates, rtol=1e-6)
+
+
+def inverted(seed):
+    """Return an unstable pendulum that noisy torques of a controller held up, as measured."""
+    q, u, torque, w = me.dynamicsymbols("q u torque w")
+    k, c = sm.symbols("k c")
+    system = optima.first_order([q], u, k * sm.sin(q) - c * u + torque)
+    rng = np.random.default_rng(seed)
+    times = np.linspace(0.0, 12.0, num=601)
+    grid = np.linspace(0.0, 12.0, num=1201)
+    disturbance = SampledInput(grid, rng.normal(0.0, 2.0, len(grid)), "previous")
+    held = -20 * q - 4 * u + 3 * sm.sin(2 * T)
+    system.specifieds = {torque: held + w, w: disturbance}
+    system.constants, system.initial_conditions = {k: 9.0, c: 0.5}, {q: 0.1}
+    system.times, system.ode_solver = times, "dop853"
+    ride = system.simulate(rtol=1e-8, atol=1e-8)
+    # What was asked of the motor is known, what it did besides is not.
+    asked = -20 * ride[q] - 4 * ride[u] + 3 * np.sin(2 * times)
+    system.specifieds = {torque: SampledInput(times, asked)}
+    system.constants = {k: 6.0, c: 1.0}
+    trial = Trial(times, {q: ride[q] + rng.normal(0.0, 0.01, len(times))}, noise=0.01)
+    return system, trial, (k, c), torque
+
+
+def test_an_unstable_pendulum_whose_simulations_run_away():
+    system, trial, constants, torque = inverted(0)
+    try:
+        with pytest.warns(PyDyUserWarning):
+            shot = system.fit(constants, trial).estimates
+    except (IntegrationError, pytest.fail.Exception):
+        shot = np.zeros(2)
+    assert np.abs(shot - [9.0, 0.5]).max() > 0.5
+    intensity = 2.0 * np.sqrt(0.01)
+    found = system.fit(constants, trial, method="collocation", process_noise={torque: intensity})
+    assert (np.abs(found.estimates - [9.0, 0.5]) < 3.0 * found.standard_errors).all()
+    assert (found.standard_errors < [1.0, 0.2]).all()
+
+
+def test_motions_that_begin_later_and_inputs_of_time():
+    x, v, F, push = me.dynamicsymbols("x v F push")
+    k = sm.Symbol("k")
+    system = optima.first_order([x], v, -k * x + F + push)
+    system.specifieds = {push: sm.sin(T), F: SampledInput([0.0, 4.0, 9.0], [0.0, 2.0, 1.0])}
+    system.constants, system.initial_conditions = {k: 3.0}, {x: 0.4}
+    system.times, system.ode_solver = np.linspace(2.0, 8.0, num=61), "dop853"
+    ride = system.simulate(rtol=1e-11, atol=1e-11)
+    trial = Trial(ride.times[5:], {x: ride[x][5:]}, start=2.0)
+    system.constants = {k: 2.5}
+    for mesh in (None, 60, np.linspace(0.0, 1.0, num=61) ** 1.1):
+        found = system.fit(k, trial, method="collocation", mesh=mesh)
+        assert found[k] == pytest.approx(3.0, rel=1e-5)
+
+
+def test_a_guess_far_away_and_the_covariance_of_shooting():
+    system, trial, gains, _ = standing(1, 4.0)
+    system.constants = dict(zip(gains, optima.GAINS.ravel(), strict=True))
+    shot = system.fit(gains, trial)
+    system.constants = dict.fromkeys(gains, 10.0)
+    found = system.fit(gains, trial, method="collocation")
+    np.testing.assert_allclose(
+        found.estimates, shot.estimates, atol=0.02 * min(shot.standard_errors)
+    )
+    np.testing.assert_allclose(found.covariance, shot.covariance, rtol=1e-3, atol=1e-3)
+
+
+def test_ctrl_c_hands_over_the_estimates(monkeypatch):
+    system, trial, gains, _ = standing(0, 2.0)
+    calls = []
+
+    def check(self):
+        calls.append(1)
+        if len(calls) == 3:
+            raise KeyboardInterrupt
+
+    monkeypatch.setattr(Interrupts, "check", check)
+    with pytest.raises(FitInterrupted) as caught:
+        system.fit(gains, trial, method="collocation")
+    assert set(caught.value.values) == {str(g) for g in gains}
+
+
+def test_process_noise_needs_the_noise_of_samples_and_is_positive():
+    system, (x, v, F) = optima.double_integrator()
+    m = sm.Symbol("m")
+    system = optima.first_order([x], v, F, m)
+    times = np.linspace(0.0, 1.0, num=5)
+    trial = Trial(times, {x: times})
+    with pytest.raises(ValueError, match="`process_noise` needs the `noise` of each Trial"):
+        system.fit(m, trial, method="collocation", process_noise={F: 1.0})
+    trial = Trial(times, {x: times}, noise=1.0)
+    with pytest.raises(ValueError, match=r"`process_noise\[F\(t\)\]` must be positive, got -1.0"):
+        system.fit(m, trial, method="collocation", process_noise={F: -1.0})
+    system.specifieds = {F: lambda x, t: 1.0}
+    with pytest.raises(ValueError, match="Python function"):
+        system.fit(m, trial, method="collocation")
