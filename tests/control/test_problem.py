@@ -315,6 +315,32 @@ def test_an_error_in_a_callback_is_raised(mass, monkeypatch):
         problem.solve()
 
 
+def test_what_is_raised_on_the_way_into_a_callback_arrives(mass, uncollected, capfd):
+    system, (x, v, F) = mass
+    problem = OptimalControl(system, energy(F), 1.0, end={x: 1.0, v: 0.0}, mesh=2)
+    problem.solve()
+
+    class AlarmError(Exception):
+        pass
+
+    for late in range(10):  # the first calls ask for the places of the matrices' entries
+        calls = []
+
+        def ring(frame, what, _, calls=calls, late=late):
+            if what == "call" and frame.f_code.co_name == "guarded":
+                calls.append(frame)
+                if len(calls) == late + 1:
+                    raise AlarmError  # as the handler of a signal does, before the first line
+
+        sys.setprofile(ring)
+        try:
+            with pytest.raises(AlarmError):
+                problem.solve()
+        finally:
+            sys.setprofile(None)
+    assert "ignored" not in capfd.readouterr().err
+
+
 def test_without_casadi_the_extra_is_named(mass, monkeypatch):
     system, (x, _v, F) = mass
     monkeypatch.setattr(ipopt, "find_spec", lambda name: None)

@@ -13,7 +13,9 @@ from __future__ import annotations
 
 import ctypes
 import sys
-from collections.abc import Callable, Mapping
+import threading
+from collections.abc import Callable, Collection, Iterator, Mapping
+from contextlib import contextmanager
 from ctypes import c_bool, c_char_p, c_double, c_int, c_void_p
 from dataclasses import dataclass
 from functools import cache
@@ -201,6 +203,37 @@ def _probe(lib: Any) -> bool:
     return found.status == 0 and abs(found.z[0] - 2.0) < 0.001
 
 
+@contextmanager
+def _kept(raised: list[BaseException], guards: Collection[Callable[..., bool]]) -> Iterator[None]:
+    """Keep what a signal's handler raises on the way into a function, before it can catch it.
+
+    ctypes reports it as unraisable, and answers with whatever lies in the result, often true. The
+    solver then reads arrays that nobody has filled, places in matrices among them: what the
+    function was called for is done all the same. Signals reach the main thread alone.
+    """
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    before = sys.unraisablehook
+
+    def note(what: Any) -> None:
+        error, trace = what.exc_value, what.exc_traceback
+        if trace is None or all(trace.tb_frame.f_code is not f.__code__ for f in guards):
+            before(what)
+            return
+        entered = trace.tb_frame.f_locals
+        try:
+            entered["function"](*entered["arguments"])
+        finally:
+            raised.append(error)
+
+    sys.unraisablehook = note
+    try:
+        yield
+    finally:
+        sys.unraisablehook = before
+
+
 def _view(address: int, size: int, kind: Any = c_double) -> np.ndarray:
     """Return the solver's memory as an array."""
     return np.frombuffer((kind * size).from_address(address), kind) if size else np.empty(0)
@@ -245,7 +278,7 @@ def _solve(
 
         def guarded(*arguments: Any) -> bool:
             try:
-                return bool(function(*arguments))
+                return not raised and bool(function(*arguments))
             except BaseException as error:  # noqa: BLE001
                 raised.append(error)
                 return False
@@ -295,7 +328,8 @@ def _solve(
         return not raised
 
     functions: tuple[Callable[..., bool], ...] = (cost, rows, gradient, jacobian, hessian, each)
-    calls = {f.__name__: ctypes.CFUNCTYPE(c_bool, *_CALL[f.__name__])(safe(f)) for f in functions}
+    guards = {f.__name__: safe(f) for f in functions}
+    calls = {name: ctypes.CFUNCTYPE(c_bool, *_CALL[name])(f) for name, f in guards.items()}
     low, high = nlp.row_bounds
     bounds = [
         np.clip(np.ascontiguousarray(value), -_INFINITE, _INFINITE)
@@ -323,7 +357,7 @@ def _solve(
         multipliers, below, above = np.zeros(m), np.zeros(n), np.zeros(n)
         interrupted = False
         try:
-            with interrupts:
+            with interrupts, _kept(raised, guards.values()):
                 status = lib.IpoptSolve(
                     problem,
                     *(a.ctypes.data for a in (y, values, objective, multipliers, below, above)),
