@@ -3,6 +3,8 @@
 All URDF files of the package example-robot-data, and all MJCF files of dm_control's suite, at a
 random state with random forces: accelerations, the time from the file to the first of them, and why
 a file is refused. Fails where the largest difference is above 1e-11 of the largest acceleration.
+With `--terms`: inverse dynamics, bias forces, gravity, mass matrices, places and Jacobians of
+frames of the URDF files, and how many operations the first take, against Pinocchio.
 """
 
 from __future__ import annotations
@@ -72,6 +74,47 @@ def own(file: str, rng: np.random.Generator) -> tuple[dict[str, Any], dict[str, 
     return case, ours, f"{len(system.speeds)} speeds, {seconds:.1f} s{_rest(robot)}"
 
 
+def terms(file: str, rng: np.random.Generator) -> tuple[dict[str, Any], dict[str, Any], str]:
+    """Return a case for the worker, our forces, matrices and places, and a line about them.
+
+    The frame is that of the last link. Its place needs no joint to move.
+    """
+    robot = read(file, parameters="numbers")
+    system = robot.system()
+    joints = [name for name, joint in robot.joints.items() if joint.speeds[0] in system.speeds]
+    speeds = [robot.joints[name].speeds[0] for name in joints]
+    n = len(joints)
+    if n != len(system.speeds) or n != len(robot.joints):
+        raise ValueError(": joints of several speeds, or that mimic others")
+    q, v, a = rng.normal(size=(3, n)) / 2
+    order = [system.speeds.index(u) for u in speeds]
+    link = list(robot.frames)[-1]
+    found = {
+        "inverse_dynamics": system.inverse_dynamics(q, v, a)[order],
+        "bias": system.bias(q, v)[order],
+        "gravity": system.gravity(q)[order],
+        "mass_matrix": system.mass_matrix(q)[np.ix_(order, order)],
+        "frame_jacobian": system.frame_jacobian(link, q)[:, order],
+        "frame_position": system.frame_position(link, q),
+        "frame_rotation": system.frame_rotation(link, q),
+    }
+    case: dict[str, Any] = {"file": file, "frame": link}
+    for key, values in (("q", q), ("v", v), ("a", a)):
+        case[key] = {name: float(values[k]) for name, k in zip(joints, order, strict=True)}
+    counts = [_operations(system, "inverse dynamics"), _operations(system, ("rates",))]
+    share = f"{counts[0]} operations to {counts[1]} of the accelerations"
+    return case, found, f"{n} speeds, {share}, {counts[0] / counts[1]:.2f}"
+
+
+def _operations(system: Any, what: Any) -> int:
+    kernels = system.model._kernels
+    if isinstance(what, tuple):
+        program = system.model.program(*what)
+    else:
+        (program,) = (k.program for key, k in kernels.items() if key[0] == what)
+    return int(sum(program.operation_count["run"].values()))
+
+
 def _rest(robot: Robot) -> str:
     return f", {len(robot.left_out)} left out" if robot.left_out else ""
 
@@ -80,26 +123,35 @@ def main() -> int:
     """Compare; return how many robots differ."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--peer-python", default=sys.executable)
+    parser.add_argument("--terms", action="store_true", help="inverse dynamics, matrices, frames")
+    parser.add_argument("--only", default="", metavar="TEXT", help="files with this in their path")
     options = parser.parse_args()
     rng = np.random.default_rng(3)
     done = []
     for file in asked(options.peer_python):
+        if options.only not in file or (options.terms and not file.endswith("urdf")):
+            continue
         name = "/".join(Path(file).parts[-3:])
         try:
-            done.append((name, *own(file, rng)))
+            done.append((name, *(terms if options.terms else own)(file, rng)))
         except ValueError as error:
             print(f"{name}: {str(error).removeprefix(str(file))}")
-    peers = asked(options.peer_python, "compare", given=[case for _, case, _, _ in done])
+    what = "terms" if options.terms else "compare"
+    peers = asked(options.peer_python, what, given=[case for _, case, _, _ in done])
     failed = 0
     for (name, _, ours, line), theirs in zip(done, peers, strict=True):
         if isinstance(theirs, str):
             print(f"{name}: {line}; the peer: {theirs}")
             continue
-        pairs = [(np.ravel(ours[joint]), np.ravel(theirs[joint])) for joint in theirs]
-        largest = max(np.abs(b).max() for _, b in pairs)
-        difference = max(np.abs(a - b).max() for a, b in pairs) / largest
-        failed += difference > TOLERANCE
-        print(f"{name}: {line}; differs by {difference:.1e} of the largest")
+        pairs = {key: (np.ravel(ours[key]), np.ravel(theirs[key])) for key in theirs}
+        sizes = {key: np.abs(b).max() for key, (_, b) in pairs.items()}
+        if not options.terms:
+            sizes = dict.fromkeys(sizes, max(sizes.values()))
+        errors = {k: np.abs(a - b).max() / (sizes[k] or 1.0) for k, (a, b) in pairs.items()}
+        worst = max(errors, key=errors.__getitem__)
+        failed += errors[worst] > TOLERANCE
+        where = f" ({worst})" if options.terms else ""
+        print(f"{name}: {line}; differs by {errors[worst]:.1e} of the largest{where}")
     return int(failed)
 
 

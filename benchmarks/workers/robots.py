@@ -54,6 +54,46 @@ def by_pinocchio(file: str, q: dict[str, Any], v: dict[str, Any], tau: dict[str,
     return {model.names[k]: float(found[model.joints[k].idx_v]) for k in joints}
 
 
+def terms_by_pinocchio(
+    file: str, q: dict[str, Any], v: dict[str, Any], a: dict[str, Any], frame: str
+) -> dict[str, Any]:
+    """Return forces and the like by joint, in the order of `q`, and a frame's place and Jacobian.
+
+    Joints that are not in `q` rest. What joints themselves damp is no part of it.
+    """
+    import pinocchio as pin
+
+    full = pin.buildModelFromUrdf(file)
+    rest = [k for k in range(1, full.njoints) if full.names[k] not in q]
+    model = pin.buildReducedModel(full, rest, pin.neutral(full))
+    data, place = model.createData(), pin.neutral(model)
+    speed, rate, order = np.zeros(model.nv), np.zeros(model.nv), []
+    for name in q:
+        joint = model.joints[model.getJointId(name)]
+        turn = [np.cos(q[name]), np.sin(q[name])] if joint.nq == 2 else [q[name]]
+        place[joint.idx_q : joint.idx_q + joint.nq] = turn
+        speed[joint.idx_v], rate[joint.idx_v] = v[name], a[name]
+        order.append(joint.idx_v)
+    mass = np.triu(pin.crba(model, data, place))
+    mass += np.triu(mass, 1).T
+    number, axes = (
+        model.getFrameId(frame, pin.FrameType.BODY),
+        pin.ReferenceFrame.LOCAL_WORLD_ALIGNED,
+    )
+    slopes = pin.computeFrameJacobian(model, data, place, number, axes)
+    pin.framesForwardKinematics(model, data, place)
+    damped = model.damping[order] * speed[order]
+    return {
+        "inverse_dynamics": (pin.rnea(model, data, place, speed, rate)[order] + damped).tolist(),
+        "bias": (pin.nonLinearEffects(model, data, place, speed)[order] + damped).tolist(),
+        "gravity": pin.computeGeneralizedGravity(model, data, place)[order].tolist(),
+        "mass_matrix": mass[np.ix_(order, order)].tolist(),
+        "frame_jacobian": slopes[:, order].tolist(),
+        "frame_position": data.oMf[number].translation.tolist(),
+        "frame_rotation": data.oMf[number].rotation.tolist(),
+    }
+
+
 def damping_of_mimics(file: str) -> Iterator[tuple[str, float]]:
     """Yield what joints that mimic others add to the damping of these, which Pinocchio drops."""
     for joint in ElementTree.parse(file).getroot().findall("joint"):
@@ -92,14 +132,15 @@ def by_mujoco(file: str, q: dict[str, Any], v: dict[str, Any], taken: list[str])
 
 
 def main() -> None:
-    """Write the files, or the accelerations."""
+    """Write the files, the accelerations, or with the argument 'terms' what these are made of."""
     if len(sys.argv) < 2:
         print(json.dumps(files()))
         return
     found = []
     for case in json.load(sys.stdin):
         try:
-            found.append((by_pinocchio if case["file"].endswith("urdf") else by_mujoco)(**case))
+            by_urdf = terms_by_pinocchio if sys.argv[1] == "terms" else by_pinocchio
+            found.append((by_urdf if case["file"].endswith("urdf") else by_mujoco)(**case))
         except Exception as error:  # noqa: BLE001 (what a peer does not read is told)
             found.append(f"{type(error).__name__}: {error}")
     print(json.dumps(found))

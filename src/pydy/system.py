@@ -13,6 +13,7 @@ from pydy._names import nearest
 from pydy._system.adjoints import Gradients
 from pydy._system.analysis import LinearModels
 from pydy._system.balance import Equilibria
+from pydy._system.dynamics import Dynamics
 from pydy._system.ensembles import Ensembles
 from pydy._system.exporting import Exporting
 from pydy._system.fits import Fitting
@@ -39,6 +40,7 @@ class System(
     Optimisation,
     Simulation,
     Evaluation,
+    Dynamics,
     Exporting,
     Forces,
 ):

@@ -30,6 +30,31 @@ def test_random_trees_need_the_torques_of_newton_and_euler(tmp_path, seed):
     needed = torques(links, q, v, {k: rates[places[u]] for k, (_, u) in own.items()})
     size = max(abs(n) for n in torques(links, q, v, {}).values()) + 1.0
     assert [needed[k] for k in own] == pytest.approx([given[k] for k in own], abs=1e-11 * size)
+    n = len(system.coordinates)
+    found = system.inverse_dynamics(x[:n], x[n:], rates[n:], r=dict.fromkeys(system.specifieds, 0))
+    speeds = [system.speeds.index(u) for _, u in own.values()]
+    assert found[speeds] == pytest.approx([given[k] for k in own], abs=1e-11 * size)
+
+
+def test_links_are_known_by_their_names(tmp_path):
+    path = tmp_path / "robot.urdf"
+    path.write_text(urdf(random_tree(np.random.default_rng(4), 5)))
+    robot = read(path)
+    system = robot.system()
+    q = np.random.default_rng(5).normal(size=len(system.coordinates))
+    numbers = {**dict(zip(system.coordinates, q, strict=True)), **robot.values}
+    world = robot.frames["world"]
+    for name, (frame, point) in robot.frames.items():
+        place = point.pos_from(world.point).to_matrix(world.frame).subs(numbers)
+        turn = frame.dcm(world.frame).T.subs(numbers)
+        assert system.frame_position(name, q) == pytest.approx(
+            np.array(place, dtype=float)[:, 0], abs=1e-13
+        )
+        assert system.frame_rotation(name, q) == pytest.approx(
+            np.array(turn, dtype=float), abs=1e-13
+        )
+        slopes = system.frame_position(name, q, wrt="coordinates")
+        assert system.frame_jacobian(name, q)[:3] == pytest.approx(slopes, abs=1e-13)
 
 
 def test_symbols_have_the_values_of_the_file(tmp_path):

@@ -12,7 +12,7 @@ from typing import Any
 
 import sympy as sm
 from sympy.core.function import AppliedUndef
-from sympy.physics.mechanics import ReferenceFrame, dynamicsymbols
+from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
 from pydy._checks import check_mapping, describe, listed, number, resolved, shown
 from pydy._forks import cached_property
@@ -66,6 +66,11 @@ class Definition:
         random states that satisfy all of them; a linkage that can also be assembled in degenerate
         ways, in which more of them are redundant, may need to be told which way is meant. Speeds
         in it are not used: it may be the ``initial_conditions`` of a System.
+    frames : mapping of names to pairs of a ReferenceFrame and a Point, optional
+        Places that `System.frame_position`, `frame_rotation` and `frame_jacobian` know by name.
+    values : mapping of constants to numbers, optional
+        What these have there in place of 1.0, if the motion does not depend on them and the System
+        has no value either: the place of a robot's base.
 
     Raises
     ------
@@ -105,6 +110,8 @@ class Definition:
         dependent_speeds: Sequence[Any] | None = None,
         auxiliary_speeds: Sequence[Any] = (),
         configuration: Mapping[Any, float] | None = None,
+        frames: Mapping[str, tuple[ReferenceFrame, Any]] | None = None,
+        values: Mapping[Any, float] | None = None,
     ) -> None:
         if not isinstance(frame, ReferenceFrame):
             raise TypeError(f"`frame` must be a ReferenceFrame, got {shown(frame)}.")
@@ -134,6 +141,11 @@ class Definition:
         )
         self.dependent_speeds = _among("dependent_speeds", dependent_speeds, self.speeds, "speeds")
         self.configuration = self._near(configuration)
+        self.frames = _places(frames)
+        self.values = {
+            key: number(value, f"`values[{key}]`", finite=True)
+            for key, value in check_mapping("values", values).items()
+        }
         self._check_names()
         self.as_method: Callable[[Definition], Any] | None = None
 
@@ -283,6 +295,24 @@ def _expressions(argument: str, expressions: Any) -> tuple[Any, ...]:
                 f"`{argument}` must hold expressions that are zero, got {shown(expression)}."
             )
     return tuple(map(sm.sympify, found))
+
+
+def _places(frames: Any) -> dict[str, tuple[Any, Any]]:
+    found = {}
+    for name, place in check_mapping("frames", frames).items():
+        pair = isinstance(place, tuple) and len(place) == 2
+        if not (
+            isinstance(name, str)
+            and pair
+            and isinstance(place[0], ReferenceFrame)
+            and isinstance(place[1], Point)
+        ):
+            raise TypeError(
+                "`frames` must map names to pairs of a ReferenceFrame and a Point, got "
+                f"{shown(name)}: {shown(place)}."
+            )
+        found[name] = (place[0], place[1])
+    return found
 
 
 def _among(argument: str, symbols: Any, known: Sequence[Any], what: str) -> tuple[Any, ...] | None:

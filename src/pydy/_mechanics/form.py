@@ -297,9 +297,11 @@ def moving(
     auxiliary: bool = False,
     falling: bool = False,
     referred: bool = False,
+    driven: bool = False,
     known: Collection[Any] | None = None,
+    more: Iterable[Any] = (),
 ) -> Kinematics:
-    """Return the kinematics with all points placed and velocities of the user's honoured.
+    """Return the kinematics with all points placed, more of them too; the user's velocities hold.
 
     `falling` takes gravity for an acceleration where it can, and refers bodies on hinges to other
     points of their axes. Which velocities are to be honoured is found out, if it is not known.
@@ -312,11 +314,12 @@ def moving(
             in_bodies=in_bodies,
             auxiliary=auxiliary,
             referred=referred,
+            driven=driven,
             honoured=honoured,
         )
         if falling:
             take_gravity_off(kinematics)
-        points = points_of(kinematics)
+        points = [*points_of(kinematics), *more]
         kinematics.place(points)
         if falling:
             align(kinematics)
@@ -493,10 +496,10 @@ def _pulls(kinematics: Kinematics, point: Any, mass: int) -> dict[int, Vec]:
 
 def _place(graph: Graph, pull: Vec, own: dict[int, Vec]) -> int | None:
     """Return which of a body's loads pulls it like that."""
-    return next((k for k, other in own.items() if _alike(graph, pull, other)), None)
+    return next((k for k, other in own.items() if alike(graph, pull, other)), None)
 
 
-def _alike(graph: Graph, a: Vec, b: Vec) -> bool:
+def alike(graph: Graph, a: Vec, b: Vec) -> bool:
     """Return whether vectors are equal up to the rounding of numbers."""
     for x, y in zip(a, b, strict=True):
         one, two = _split(graph, x), _split(graph, y)

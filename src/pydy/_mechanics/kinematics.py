@@ -45,6 +45,8 @@ class Kinematics:
         Whether the auxiliary speeds are inputs; else they are zero.
     referred : bool
         Whether accelerations are those at the u' of `start`; else at u' = 0.
+    driven : bool
+        Whether they are those at the u' that are inputs.
     honoured : iterable of points
         Those with a velocity that is not the derivative of their place: the user's holds.
 
@@ -63,6 +65,7 @@ class Kinematics:
         in_bodies: bool,
         auxiliary: bool = False,
         referred: bool = False,
+        driven: bool = False,
         honoured: Iterable[Any] = (),
     ) -> None:
         self.body, self.in_bodies, self.honoured = body, in_bodies, frozenset(honoured)
@@ -90,6 +93,9 @@ class Kinematics:
             | {time: {0: g.one}},
             self._rate_of_input,
         )
+        if driven:
+            moved = zip(self.speeds, self.accelerations, strict=True)
+            self._dots.known.update((speed, {0: rate}) for speed, rate in moved)
         variables = [*self.speeds, *self.auxiliary]
         self.rows = Rows(g, {n: {n: g.one} for n in variables})
         self.groups: list[list[int]] = []

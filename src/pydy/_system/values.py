@@ -121,7 +121,7 @@ def evaluate_block(
     look = None
     if wrt is None and any(blocks) and any(now.definition.equations.left_out):
         look = partial(warn_of_left_out, blocks=blocks)
-    return _sweep(now, kernel, names, x, t, r, p, perturbed=perturbed, look=look)
+    return sweep(now, kernel, names, x, t, r, p, perturbed=perturbed, look=look)
 
 
 def evaluate_product(
@@ -157,11 +157,11 @@ def evaluate_product(
         return [target.names[0], *slopes] if kind == "gradient" else slopes
 
     perturbed = any(group == "r" for group, _ in by)
-    out = _sweep(now, kernel, names, x, t, r, p, perturbed=perturbed, vectors=vectors)
+    out = sweep(now, kernel, names, x, t, r, p, perturbed=perturbed, vectors=vectors)
     return out[..., 0] if squeeze else out
 
 
-def _sweep(
+def sweep(
     now: Snapshot,
     kernel: Callable[[CompiledModel], Kernel],
     names: Callable[[], Sequence[str]],
@@ -307,7 +307,7 @@ class Evaluation(Setup):
         """
         now = self._now(constants=p)
         names = partial(row_names, now.definition, "energy")
-        values = _sweep(now, now.energies.kernel, names, x, t, r, p)
+        values = sweep(now, now.energies.kernel, names, x, t, r, p)
         return Energy(*(values.tolist() if values.ndim == 1 else values.T.copy()))
 
     def evaluate_constraints(

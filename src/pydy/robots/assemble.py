@@ -95,6 +95,12 @@ class Assembly:
         self.start = self._start()
         self.definition = self._definition()
 
+    @property
+    def frames(self) -> dict[str, Place]:
+        """The places of the world and of the links by name."""
+        names = ["world", *(link.name for link in self.tree.links)]
+        return dict(zip(names, self.places, strict=True))
+
     # -- names and numbers -------------------------------------------------------------------------
 
     def _name(self, prefix: str, name: str) -> str:
@@ -390,6 +396,8 @@ class Assembly:
             kinematic_equations=[e for joint in own for e in self._kinematic(joint)],
             holonomic_constraints=rows,
             configuration={key: value for key, value in near.items() if key in known},
+            frames=self.frames,
+            values=self.values,
         )
 
     def _rows(self, tie: Tie) -> Iterator[Any]:

@@ -49,8 +49,7 @@ class Robot:
         self.definition: Definition = made.definition
         self.values: dict[Any, float] = made.values
         self.start: dict[Any, float] = made.start
-        names = ["world", *(link.name for link in tree.links)]
-        self.frames: dict[str, Place] = dict(zip(names, made.places, strict=True))
+        self.frames: dict[str, Place] = made.frames
         self.joints: dict[str, JointSymbols] = made.joints
         self.actuators: dict[str, Any] = made.actuators
         self.input_ranges: dict[str, tuple[float, float]] = made.input_ranges

@@ -165,3 +165,45 @@ def _no_loads(value: Any) -> bool:
 @target("reaction.loads", nothing("symbols", "texts", "arrays", allowed=_no_loads), "load")
 def _(v):
     return _reaction(loads=v)
+
+
+@target("inverse_dynamics.q", array((1,), (None, 1)).or_(_none).or_none())
+def _(v):
+    return world().o.system.inverse_dynamics(v)
+
+
+@target("inverse_dynamics.v", array((1,), (None, 1)).or_(_none).or_none())
+def _(v):
+    return world().o.system.inverse_dynamics(v=v)
+
+
+@target("inverse_dynamics.a", array((1,), (None, 1)).or_(_none).or_none())
+def _(v):
+    return world().o.system.inverse_dynamics(a=v)
+
+
+@target("bias.t", array((None,)).or_(real(finite=False)).or_none())
+def _(v):
+    return world().o.system.bias([1.0], [2.0], v)
+
+
+@target("inverse_dynamics.at", nothing("symbols", "texts", allowed=one_of("independent", None)))
+def _(v):
+    return world().c.system.inverse_dynamics(at=v)
+
+
+@target("mass_matrix.wrt", nothing("symbols", "texts", allowed=one_of(None)))
+def _(v):
+    return world().o.system.mass_matrix(wrt=v)
+
+
+@target("gravity.acceleration", nothing(allowed=one_of(None)))
+def _(v):
+    return world().o.system.gravity(acceleration=v)
+
+
+for _method in ("frame_position", "frame_rotation", "frame_jacobian"):
+
+    @target(f"{_method}.where", nothing("texts"))
+    def _(v, method=_method):
+        return getattr(world().o.system, method)(v)

@@ -1,0 +1,242 @@
+"""Inverse dynamics on the graph, the parts it is made of, and how places move with the speeds.
+
+With the accelerations u' given, those of the bodies follow from the inner ones outwards, and the
+generalised forces
+
+    τ = M u' − F,        F: loads, gravity and what the speeds bring,
+
+from the outer ones inwards: the recursive Newton–Euler algorithm (Featherstone, Rigid Body Dynamics
+Algorithms, 2008, ch. 5). No constraint holds a speed. What forces at some of the speeds alone, τ_S,
+do together with those of the constraints, Jᵀ λ, follows from the rows of the other speeds:
+
+    τ = τ_S + Jᵀ λ,        J: the velocity constraints' derivatives by the speeds.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Mapping, Sequence
+from typing import Any
+
+from pydy._graph.collector import collector_paused
+from pydy._graph.counting import operations
+from pydy._graph.derivative import dense_rows, jacobian
+from pydy._graph.from_sympy import NodeExpression
+from pydy._graph.rewrite import substitute
+from pydy._mechanics.elimination import composite
+from pydy._mechanics.form import (
+    alike,
+    idle_inputs,
+    lagranges_equations,
+    moving,
+    useful_axes,
+)
+from pydy._mechanics.inertia import Load, loads_and_inertias, lumped
+from pydy._mechanics.kinematics import Kinematics, Vec
+from pydy._mechanics.reader import Multibody, distances, places
+
+Expressions = list[Any]
+
+
+class Known:
+    """What expressions may hold, and what the rest stands for.
+
+    Constants that are not known affect no motion. Where they cancel they are left out; the place of
+    a base does not.
+
+    Parameters
+    ----------
+    symbols : collection of symbols
+    zeros : iterable of symbols
+        Noncontributing forces, which stand for what others compute.
+    values : mapping of constants to numbers
+        Of those that are not known; others are 1.
+    """
+
+    def __init__(
+        self, symbols: Collection[Any], zeros: Iterable[Any], values: Mapping[Any, float]
+    ) -> None:
+        self.symbols, self.zeros, self.values = symbols, frozenset(zeros), values
+
+    def expressions(self, kinematics: Kinematics, nodes: Sequence[int]) -> Expressions:
+        """Return nodes as expressions in q, u, u', constants and specifieds."""
+        g, symbols = kinematics.graph, kinematics.symbols()
+        zeros = {
+            node: g.zero
+            for node, symbol in symbols.items()
+            if symbol in self.zeros or (g.args[node][0] == "r" and symbol not in self.symbols)
+        }
+        nodes = substitute(g, nodes, zeros)
+        held = set(g.reachable(nodes))
+        strange = [n for n, s in symbols.items() if n in held and g.args[n][0] == "p"]
+        strange = [n for n in strange if symbols[n] not in self.symbols]
+        if strange:
+            given = {n: g.const(self.values.get(symbols[n], 1.0)) for n in strange}
+            given.update(dict.fromkeys(idle_inputs(g, nodes, strange), g.zero))
+            nodes = substitute(g, nodes, given)
+        return [NodeExpression.of(g, node, symbols, "…") for node in nodes]
+
+
+@collector_paused()
+def inverse_dynamics(
+    body: Multibody, known: Known, at: Sequence[int] | None = None, *, free: bool = False
+) -> Expressions:
+    """Return the generalised forces that given accelerations take, in q, u and u'.
+
+    Parameters
+    ----------
+    body : Multibody
+    known : Known
+    at : sequence of int, optional
+        Places of the speeds at which they act, as many as the constraints leave free; by default
+        at all.
+    free : bool
+        Whether the u' of dependent speeds follow from those of the others.
+    """
+    kinematics, forces = _required(body)
+    g, n, rates = kinematics.graph, len(kinematics.speeds), kinematics.accelerations
+    rows = kinematics.read.all(body.velocity) if free or at is not None else []
+    slopes = dense_rows(g, jacobian(g, rows, kinematics.speeds), n)
+    if at is not None:
+        others = [k for k in range(n) if k not in at]
+        held = [[row[k] for row in slopes] for k in others]
+        shares = g.solve(held, [[forces[k] for k in others]], "lu")[0] if others else []
+        found = []
+        for k in at:
+            terms = [(g.mul(row[k], s), -1.0) for row, s in zip(slopes, shares, strict=True)]
+            found.append(g.sum([(forces[k], 1.0), *terms]))
+        forces = found
+    if free and rows:
+        bound = rates[n - len(rows) :]
+        residuals = kinematics.read.all(body.acceleration) or kinematics.dt(rows)
+        held = dense_rows(g, jacobian(g, residuals, bound), len(bound))
+        drift = substitute(g, residuals, dict.fromkeys(bound, g.zero))
+        solved = g.solve(held, [[g.neg(node) for node in drift]], "lu")[0]
+        forces = substitute(g, forces, dict(zip(bound, solved, strict=True)))
+    return known.expressions(kinematics, forces)
+
+
+def _required(body: Multibody) -> tuple[Kinematics, Vec]:
+    """Return the forces at all speeds, in the axes that take fewest operations."""
+    if body.lagrangian is not None:
+        kinematics = moving(body, in_bodies=True, driven=True)
+        forcing = lagranges_equations(kinematics)[1]
+        return kinematics, [kinematics.graph.neg(node) for node in forcing]
+    found = []
+    for in_bodies in useful_axes(body):
+        kinematics = moving(body, in_bodies, falling=in_bodies, driven=True)
+        loads = lumped(kinematics)[1] if in_bodies else loads_and_inertias(kinematics)[1]
+        forces = [kinematics.graph.neg(node) for node in _pushed(kinematics, loads)]
+        found.append((operations(kinematics.graph, forces), kinematics, forces))
+    return min(found, key=lambda item: item[0])[1:]
+
+
+@collector_paused()
+def mass_matrix(body: Multibody, known: Known) -> Expressions:
+    """Return M of all speeds, which no constraint holds, row by row."""
+    if body.lagrangian is not None:
+        kinematics = moving(body, in_bodies=True)
+        matrix, forcing = lagranges_equations(kinematics)
+    else:
+        kinematics = moving(body, in_bodies=True, falling=True)
+        inertias, loads, _ = lumped(kinematics)
+        parts = kinematics.graph, kinematics.rows, kinematics.groups, kinematics.speeds
+        matrix, forcing = composite(*parts, inertias, loads)
+    g, n = kinematics.graph, len(kinematics.speeds)
+    moved = dense_rows(g, jacobian(g, forcing, kinematics.accelerations), n)
+    pairs = zip(matrix, moved, strict=True)
+    cells = [g.sub(m, f) for row, part in pairs for m, f in zip(row, part, strict=True)]
+    return known.expressions(kinematics, cells)
+
+
+@collector_paused()
+def weights(body: Multibody, known: Known, pull: Any = None) -> Expressions | None:
+    """Return the forces that hold all masses against gravity; None where no load tells it.
+
+    Parameters
+    ----------
+    body : Multibody
+    known : Known
+    pull : Vector, optional
+        The acceleration; by default what is common to the loads at all mass centres.
+    """
+    kinematics = moving(body, in_bodies=True)
+    g, inertial = kinematics.graph, kinematics.inertial
+    fall = None if pull is None else kinematics.vector(pull, inertial)
+    if fall is None and body.lagrangian is None:
+        fall = _common_pull(kinematics)
+    if fall is None:
+        return None
+    loads = []
+    for item in body.bodies:
+        home, v, _ = kinematics.motion(item.masscenter)
+        mass, down = kinematics.read(item.mass), kinematics.expressed(fall, inertial, home)
+        loads.append(Load(v, [g.neg(g.mul(mass, x)) for x in down]))
+    return known.expressions(kinematics, _pushed(kinematics, loads))
+
+
+def _common_pull(kinematics: Kinematics) -> Vec | None:
+    """Return the acceleration that the loads give all mass centres alike."""
+    g, zero = kinematics.graph, kinematics.graph.zero
+    found = []
+    for body in kinematics.body.bodies:
+        mass, own = kinematics.read(body.mass), []
+        if mass == zero:
+            continue
+        for where, vector in kinematics.body.loads:
+            if where is body.masscenter:
+                force = kinematics.vector(vector, kinematics.inertial)
+                if g.ops[mass] == "input":  # whatever else is in the same vector
+                    fall = [row.get(0, zero) for row in jacobian(g, force, [mass])]
+                else:
+                    fall = [g.div(node, mass) for node in force]
+                if all(g.constant[node] for node in fall):
+                    own.append(fall)
+        found.append(own or [[zero] * 3])
+    for fall in sorted(found[0], key=lambda fall: fall == [zero] * 3) if found else ():
+        if all(any(alike(g, fall, other) for other in own) for own in found):
+            return fall
+    return None
+
+
+def _pushed(kinematics: Kinematics, loads: list[Load]) -> Vec:
+    """Return what loads do at the speeds."""
+    parts = kinematics.graph, kinematics.rows, kinematics.groups, kinematics.speeds
+    return composite(*parts, [], loads)[1]
+
+
+@collector_paused()
+def position(body: Multibody, known: Known, point: Any, origin: Any) -> Expressions:
+    """Return the way from a point to another, in the axes of the inertial frame."""
+    kinematics = moving(body, in_bodies=True)
+    away, total = distances(origin, places), [kinematics.graph.zero] * 3
+    while point is not origin:
+        before = next(p for p in places(point) if away[p] < away[point])
+        total = kinematics.plus(total, kinematics.vector(places(point)[before], body.frame))
+        point = before
+    return known.expressions(kinematics, total)
+
+
+@collector_paused()
+def rotation(body: Multibody, known: Known, frame: Any) -> Expressions:
+    """Return the matrix of a frame's axes as columns, in those of the inertial frame."""
+    kinematics = moving(body, in_bodies=True)
+    columns = [kinematics.vector(axis, body.frame) for axis in (frame.x, frame.y, frame.z)]
+    return known.expressions(kinematics, [column[i] for i in range(3) for column in columns])
+
+
+@collector_paused()
+def partial_velocities(body: Multibody, known: Known, point: Any, frame: Any) -> Expressions:
+    """Return the derivatives by the speeds of a point's velocity and a frame's angular velocity.
+
+    Either may be None. Components are in the inertial frame; rows come one after the other.
+    """
+    kinematics = moving(body, in_bodies=True, more=() if point is None else (point,))
+    g, found = kinematics.graph, []
+    for where in (point, frame):
+        if where is not None:
+            home, own = kinematics.at(where)
+            velocity = kinematics.expressed(own, home, body.frame)
+            for i in range(3):
+                unit = [g.one if j == i else g.zero for j in range(3)]
+                found += _pushed(kinematics, [Load(velocity, unit)])
+    return known.expressions(kinematics, found)

@@ -1,0 +1,690 @@
+"""Inverse dynamics, the terms of the equations of motion, and frames: what robots are driven by."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from sympy.physics.mechanics import Particle, Point, ReferenceFrame, RigidBody, Vector
+
+from pydy._assembly.assembly import Assembly
+from pydy._assembly.definition import Definition
+from pydy._assembly.model import CompiledModel
+from pydy._checks import Places, describe, one_or_more, real_array, shown
+from pydy._errors import SingularMatrixError
+from pydy._graph.from_sympy import SymPyReader
+from pydy._graph.products import derivative_program
+from pydy._graph.program import Program
+from pydy._graph.rewrite import substitute
+from pydy._graph.simplify import simplify
+from pydy._mechanics.equations import Equations
+from pydy._mechanics.inverse import (
+    Known,
+    inverse_dynamics,
+    mass_matrix,
+    partial_velocities,
+    position,
+    rotation,
+    weights,
+)
+from pydy._mechanics.reader import Multibody, distances, places
+from pydy._names import name_of
+from pydy._system.analysis import variables
+from pydy._system.setup import Setup
+from pydy._system.snapshot import Snapshot
+from pydy._system.values import sweep
+
+__all__ = ["Dynamics"]
+
+Expressions = Callable[[Equations, Known], Any]
+
+
+@dataclass(frozen=True)
+class Instants:
+    """Where something is evaluated: at one moment or at m.
+
+    Attributes
+    ----------
+    x : ndarray, shape (n,) or (m, n)
+    t : float or ndarray, shape (m,)
+    a : ndarray, shape (1, k) or (m, k)
+        Accelerations; k is zero where nothing depends on them.
+    """
+
+    x: np.ndarray
+    t: Any
+    a: np.ndarray
+
+    @classmethod
+    def of(cls, now: Snapshot, q: Any, v: Any, a: Any, t: Any) -> Instants:
+        """Return the user's coordinates, speeds and accelerations as states and inputs."""
+        equations = now.definition.equations
+        nq, nu = len(equations.coordinates), len(equations.speeds)
+        own = np.split(now.x, [nq, nq + nu])
+        parts = {
+            "q": _columns("q", q, equations.coordinates, own[0]),
+            "v": _columns("v", v, equations.speeds, own[1]),
+            "a": a,
+            "t": np.array(now.t) if t is None else real_array(t, "`t`"),
+        }
+        if parts["t"].ndim > 1:
+            raise ValueError(
+                f"`t` must be a number or have the shape (m,), got {parts['t'].shape}."
+            )
+        rows = {name: len(p) for name, p in parts.items() if p.ndim == 1 + (name != "t")}
+        if len({*rows.values()}) > 1:
+            found = ", ".join(f"`{name}` has {count}" for name, count in rows.items())
+            raise ValueError(f"All must have as many rows, or be one for all: {found}.")
+        m = next(iter(rows.values()), None)
+        if m is None:
+            x = np.concatenate([parts["q"], parts["v"], own[2]])
+            return cls(x, float(parts["t"]), a[None])
+        every = [np.broadcast_to(c, (m, c.shape[-1])) for c in (parts["q"], parts["v"], own[2])]
+        return cls(np.hstack(every), np.array(np.broadcast_to(parts["t"], m)), np.atleast_2d(a))
+
+
+def _columns(argument: str, value: Any, symbols: Sequence[Any], default: np.ndarray) -> np.ndarray:
+    """Return numbers for all symbols, shape (n,) or (m, n)."""
+    if value is None:
+        return default
+    if isinstance(value, Mapping):
+        kind = "coordinates" if argument == "q" else "speeds"
+        return Places(symbols, f"{kind} of the system").read(argument, value, default)
+    array, n = real_array(value, f"`{argument}`"), len(symbols)
+    if array.ndim not in (1, 2) or array.shape[-1] != n:
+        raise ValueError(f"`{argument}` must have the shape ({n},) or (m, {n}), got {array.shape}.")
+    return array
+
+
+def _accelerations(value: Any, equations: Equations) -> np.ndarray:
+    """Return those of all speeds, or of the independent ones alone."""
+    n = len(equations.speeds)
+    free = n - len(equations.dependent_speeds)
+    if value is None:
+        return np.zeros(free)
+    if isinstance(value, Mapping):
+        speeds = Places(equations.speeds, "speeds of the system")
+        found: np.ndarray = speeds.read("a", value, 0.0)
+        named = [speeds.get(key, "a") for key in value]
+        return found if any(k is not None and k >= free for k in named) else found[:free]
+    array = real_array(value, "`a`")
+    if array.ndim not in (1, 2) or array.shape[-1] not in (n, free):
+        several = f" or, for the independent speeds alone, ({free},) or (m, {free})"
+        raise ValueError(
+            f"`a` must have the shape ({n},) or (m, {n}){several if free < n else ''}, got "
+            f"{array.shape}."
+        )
+    return array
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """What is evaluated.
+
+    Attributes
+    ----------
+    name : str
+    key : tuple
+        With the name it says what the expressions are.
+    shape : tuple of int
+    expressions : callable
+        Gives them; or the name of a block of the Assembly.
+    rows : tuple of str
+        For messages.
+    accelerations : int
+        How many are inputs; those of further speeds are zero.
+    """
+
+    name: str
+    key: tuple[Any, ...]
+    shape: tuple[int, ...]
+    expressions: Expressions
+    rows: tuple[str, ...]
+    accelerations: int = 0
+
+    def evaluated(
+        self, now: Snapshot, at: Instants, r: Any, p: Any, wrt: Any, silent: Mapping[Any, float]
+    ) -> np.ndarray:
+        """Return the values, or their derivatives.
+
+        `silent` has values of constants that the motion does not depend on.
+        """
+        by = () if wrt is None else self._by(now.definition, wrt)
+        shape = (*self.shape, len(by)) if by else self.shape
+        out = sweep(
+            now,
+            lambda model: model.compiled_by(
+                (self.name, self.key, self.accelerations, by),
+                lambda: self._program(now.definition, model, by, silent),
+            ),
+            lambda: self.rows,
+            at.x,
+            at.t,
+            r,
+            p,
+            perturbed=any(group == "r" for group, _ in by),
+            vectors=at.a,
+        )
+        return out.reshape(*at.x.shape[:-1], *shape)
+
+    def _by(self, definition: Definition, wrt: Any) -> tuple[tuple[str, int], ...]:
+        """Return what the user's `wrt` means as inputs."""
+        equations = definition.equations
+        nq, nu = len(equations.coordinates), len(equations.speeds)
+        own = {
+            "coordinates": [("x", k) for k in range(nq)],
+            "speeds": [("x", nq + k) for k in range(nu)],
+        }
+        if self.accelerations:
+            s = len(definition.specifieds)
+            own["accelerations"] = [("r", s + k) for k in range(self.accelerations)]
+        found: list[tuple[str, int]] = []
+        for entry in one_or_more("wrt", wrt):
+            if isinstance(entry, str) and entry in own:
+                found += own[entry]
+                continue
+            by = variables(definition, entry)
+            if isinstance(by, str):
+                size = dict(zip("xrp", map(len, _groups(definition)), strict=True))[by]
+                by = tuple((by, k) for k in range(size))
+            found += by
+        if not found:
+            raise ValueError("`wrt` must name at least one variable.")
+        return tuple(found)
+
+    def _program(
+        self,
+        definition: Definition,
+        model: CompiledModel,
+        by: tuple[tuple[str, int], ...],
+        silent: Mapping[Any, float],
+    ) -> Program:
+        equations, assembly = definition.equations, model.assembly.fork()
+        g, (n, s, c) = assembly.graph, assembly.sizes
+        atoms, count = dict(assembly.atoms), self.accelerations
+        for k, rate in enumerate(equations.speed_rates):
+            atoms[rate] = g.input("r", s + k) if k < count else g.zero
+        found = self.expressions(equations, Known(atoms, definition.forces, silent))
+        if isinstance(found, tuple):
+            nodes = _of_method(assembly, [atoms[rate] for rate in equations.speed_rates], *found)
+        else:
+            read = SymPyReader(g, atoms, f"the {self.name}")
+            nodes = substitute(g, read.all(found), assembly.given)
+        sizes = n, s + count, c
+        if not by:
+            return assembly.lowered([(self.name, (len(nodes),), nodes)], g, sizes)
+        nodes = simplify(g, nodes, assembly.passes)
+        return derivative_program(g, nodes, by, "jacobian", sizes, assembly.passes)
+
+
+def _groups(definition: Definition) -> tuple[Sequence[Any], ...]:
+    return definition.states, definition.specifieds, definition.constants
+
+
+def _of_method(assembly: Assembly, rates: Sequence[int], what: str) -> list[int]:
+    """Return M, or M u' − F, of equations that a method derived, without constraints."""
+    if what == "matrix":
+        return assembly.mass_matrix
+    g, n = assembly.graph, len(rates)
+    rows = [assembly.mass_matrix[i * n : (i + 1) * n] for i in range(n)]
+    return [
+        g.sum([*((g.mul(m, a), 1.0) for m, a in zip(row, rates, strict=True)), (f, -1.0)])
+        for row, f in zip(rows, assembly.forcing, strict=True)
+    ]
+
+
+def _bodies(equations: Equations) -> Multibody:
+    body = equations.multibody
+    if body is None:
+        raise ValueError(
+            "This follows from bodies and loads, but `eom_method` holds no bodies: construct a "
+            "KanesMethod with `bodies=` and `forcelist=`, or call its `kanes_equations(bodies, "
+            "loads)`."
+        )
+    return body
+
+
+def _without_bodies(equations: Equations) -> bool:
+    """Return whether the method's own equations of motion are all there is, or what holds."""
+    return equations.formed is None and not equations.velocity
+
+
+def _required(
+    equations: Equations, count: int, at: tuple[int, ...] | None, *, zero: bool = False
+) -> Quantity:
+    """Return the forces that accelerations take, of which `count` are inputs."""
+    speeds = [equations.speeds[k] for k in at] if at is not None else equations.speeds
+    free = count < len(equations.speeds) and not zero
+
+    def expressions(equations: Equations, known: Known) -> Any:
+        if _without_bodies(equations):
+            return ("forces",)
+        return inverse_dynamics(_bodies(equations), known, at, free=free)
+
+    rows = tuple(f"the force at {speed}" for speed in speeds)
+    name = "bias forces" if zero else "inverse dynamics"
+    return Quantity(name, (at, free), (len(rows),), expressions, rows, 0 if zero else count)
+
+
+def _places_of(equations: Equations, at: Any) -> tuple[int, ...] | None:
+    """Return which speeds a user's `at` means."""
+    if at is None:
+        return None
+    speeds, held = equations.speeds, len(equations.velocity)
+    free = len(speeds) - held
+    if isinstance(at, str) and at == "independent":
+        return tuple(range(free))
+    known = Places(speeds, "speeds of the system")
+    found = tuple(known.find(one, "at") for one in one_or_more("at", at))
+    if len({*found}) != len(found) or len(found) != free:
+        raise ValueError(
+            f"`at` must be 'independent' or {free} different speeds, as many as {held} constraints "
+            f"leave free of {len(speeds)}, got {describe([speeds[k] for k in found])}."
+        )
+    return found
+
+
+# -- places ----------------------------------------------------------------------------------------
+
+
+def _place(equations: Equations, eom_method: Any, where: Any) -> tuple[Any, Any]:
+    """Return the frame and the point that a user means; either may be None."""
+    bodies, known = _bodies(equations).bodies, getattr(eom_method, "frames", None) or {}
+    if isinstance(where, str) and where in known:
+        return (*known[where],)
+    named = [body for body in bodies if isinstance(where, str) and name_of(body) == where]
+    body = named[0] if len(named) == 1 else where
+    if isinstance(body, RigidBody):
+        return body.frame, body.masscenter
+    if isinstance(body, Particle):
+        return None, body.masscenter
+    if isinstance(where, Point):
+        return None, where
+    if isinstance(where, ReferenceFrame):
+        return where, None
+    if isinstance(where, tuple) and len(where) == 2:
+        frame, point = where
+        if isinstance(frame, ReferenceFrame) and isinstance(point, Point):
+            return frame, point
+    names = dict.fromkeys([*known, *(str(name_of(body)) for body in bodies)])
+    raise ValueError(
+        "`where` must be a body, Point, ReferenceFrame, or pair of a ReferenceFrame and a Point, "
+        f"or a name: {describe(list(names))}; got {shown(where)}."
+    )
+
+
+def _origin(body: Multibody, point: Any) -> Any:
+    """Return the point that positions are measured from."""
+    from pydy.viz.defaults import find_origin  # with the rest of viz and SciPy's rotations
+
+    origin = find_origin(body.frame, [b.masscenter for b in body.bodies])
+    if origin is None:
+        raise ValueError(
+            f"No point at rest in `{body.frame}` is connected with the bodies, so that positions "
+            f"have no origin. Say `O.set_vel({body.frame}, 0)` of one."
+        )
+    if point not in distances(origin, places):
+        raise ValueError(
+            f"`where` is the point {point}, whose place beside {origin} is not known. Locate it "
+            f"with `{point}.set_pos(...)` from a point of the bodies."
+        )
+    return origin
+
+
+class Dynamics(Setup):
+    """Inverse dynamics, terms of the equations of motion, and how frames move."""
+
+    def _evaluated(
+        self, made: Quantity, at: tuple[Any, Any, Any, Any], r: Any, p: Any, wrt: Any
+    ) -> np.ndarray:
+        """Evaluate at the user's q, v, a and t."""
+        now = self._now(constants=p)
+        silent = getattr(self._eom_method, "values", {})
+        return made.evaluated(now, Instants.of(now, *at), r, p, wrt, silent)
+
+    def inverse_dynamics(
+        self,
+        q: Any = None,
+        v: Any = None,
+        a: Any = None,
+        t: Any = None,
+        *,
+        at: Any = None,
+        r: Any = None,
+        p: Any = None,
+        wrt: Any = None,
+    ) -> np.ndarray:
+        """Return the generalised forces that a motion takes, beside the loads.
+
+        τ = M(q) a + b(q, v), with `mass_matrix` and `bias`. They are what has to be added to the
+        system's loads, specifieds included, so that the speeds change at the rates a. The force at
+        a speed times that speed is a power: N for m/s, N m for rad/s. The recursive Newton–Euler
+        algorithm gives them, in about half of the operations of `evaluate_ode`.
+
+        Without `at` these are forces at all speeds, with which the motion needs no constraint
+        forces: in a mechanism with loops, those of the tree that is left when the loops are cut.
+        With `at` they act at some speeds alone, such as those of the motors, and constraints do the
+        rest.
+
+        Parameters
+        ----------
+        q, v : array_like, shape (n,) or (m, n), or dict, optional
+            Coordinates, and speeds, in the orders of `coordinates` and `speeds`; by default the
+            initial conditions. A dictionary gives some of these instead, by symbol or name.
+        a : array_like, shape (n,) or (m, n), or dict, optional
+            Derivatives of the speeds. Those of independent speeds alone, by shape or in a
+            dictionary, bring the others along, as the constraints say. By default these are zero.
+        t : float or array_like, shape (m,), optional
+            Time; by default the first of `times`, or zero.
+        at : {'independent'} or list of speeds or names, optional
+            Where the forces act, in this order: as many speeds as the constraints leave free.
+        r, p
+            As in `evaluate_ode`.
+        wrt : {'coordinates', 'speeds', 'accelerations', 'specifieds', 'constants'}, list, optional
+            Return the exact derivatives by these instead, or by symbols or names.
+
+        Returns
+        -------
+        ndarray, shape (k,) or (m, k)
+            One force for each speed, or for each in `at`. With `wrt` one more axis, for the
+            variables.
+
+        Raises
+        ------
+        ValueError
+            A shape or a name is not valid, or constraints are known but no bodies.
+        SingularMatrixError
+            Forces at these speeds cannot give this motion: the mechanism is singular there.
+
+        References
+        ----------
+        Featherstone, Rigid Body Dynamics Algorithms, Springer 2008, section 5.3.
+
+        Examples
+        --------
+        >>> from pydy.models import multi_mass_spring_damper
+        >>> system = multi_mass_spring_damper()
+        >>> system.inverse_dynamics([1.0], [0.0], [0.0])  # holds the spring
+        array([1.])
+        >>> system.inverse_dynamics([1.0], [0.0], system.evaluate_ode([1.0, 0.0])[1:])
+        array([0.])
+        """
+        equations = self._equations
+        rates = _accelerations(a, equations)
+        speeds = _places_of(equations, at)
+        made = _required(equations, rates.shape[-1], speeds)
+        try:
+            return self._evaluated(made, (q, v, rates, t), r, p, wrt)
+        except SingularMatrixError as error:
+            raise SingularMatrixError(
+                f"`at` and `a` leave what the constraints do open at t = {error.time!r}: there "
+                "they have no full rank in the other speeds. Give other speeds as `at`, and the "
+                "accelerations of all speeds.",
+                error.time,
+                error.state,
+            ) from None
+
+    def mass_matrix(
+        self, q: Any = None, t: Any = None, *, r: Any = None, p: Any = None, wrt: Any = None
+    ) -> np.ndarray:
+        """Return the mass matrix of all speeds, before any constraint reduces it.
+
+        Parameters
+        ----------
+        q, t, r, p, wrt
+            As in `inverse_dynamics`.
+
+        Returns
+        -------
+        ndarray, shape (n, n) or (m, n, n)
+            Entries times a product of two speeds are energies. It is symmetric, unless loads hold
+            accelerations.
+
+        Examples
+        --------
+        >>> from pydy.models import n_link_pendulum_on_cart
+        >>> system = n_link_pendulum_on_cart(1, cart_force=False)
+        >>> system.mass_matrix([0.0, 0.0])
+        array([[ 2., -1.],
+               [-1.,  1.]])
+        """
+        equations = self._equations
+        n = len(equations.speeds)
+
+        def expressions(equations: Equations, known: Known) -> Any:
+            if not equations.velocity:
+                return ("matrix",)
+            return mass_matrix(_bodies(equations), known)
+
+        rows = tuple(f"row {k} of the mass matrix" for k in range(n * n))
+        made = Quantity("mass matrix", (), (n, n), expressions, rows)
+        return self._evaluated(made, (q, None, np.zeros(0), t), r, p, wrt)
+
+    def bias(
+        self,
+        q: Any = None,
+        v: Any = None,
+        t: Any = None,
+        *,
+        r: Any = None,
+        p: Any = None,
+        wrt: Any = None,
+    ) -> np.ndarray:
+        """Return the generalised forces at zero accelerations, one for each speed.
+
+        They balance gravity and all other loads, and what the speeds bring: Coriolis and
+        centrifugal forces.
+
+        Parameters
+        ----------
+        q, v, t, r, p, wrt
+            As in `inverse_dynamics`.
+
+        Returns
+        -------
+        ndarray, shape (n,) or (m, n)
+
+        Examples
+        --------
+        >>> from pydy.models import multi_mass_spring_damper
+        >>> multi_mass_spring_damper().bias([1.0], [2.0])  # k0*x0 + c0*v0
+        array([3.])
+        """
+        equations = self._equations
+        made = _required(equations, len(equations.speeds), None, zero=True)
+        return self._evaluated(made, (q, v, np.zeros(0), t), r, p, wrt)
+
+    def gravity(
+        self,
+        q: Any = None,
+        t: Any = None,
+        *,
+        acceleration: Any = None,
+        r: Any = None,
+        p: Any = None,
+        wrt: Any = None,
+    ) -> np.ndarray:
+        """Return the generalised forces that hold all masses against gravity.
+
+        Gravity is what the loads at all mass centres have in common: a force for each body with a
+        mass, this mass times one acceleration.
+
+        Parameters
+        ----------
+        q, t, r, p, wrt
+            As in `inverse_dynamics`.
+        acceleration : Vector, optional
+            Of what falls, such as ``-g*N.z``, where the loads do not tell it.
+
+        Returns
+        -------
+        ndarray, shape (n,) or (m, n)
+
+        Raises
+        ------
+        ValueError
+            The loads at mass centres have no acceleration in common, or gravity is in a
+            Lagrangian; give `acceleration`.
+
+        Examples
+        --------
+        >>> from pydy.models import n_link_pendulum_on_cart
+        >>> system = n_link_pendulum_on_cart(1)
+        >>> system.constants = {'g': 10.0}
+        >>> system.gravity({'q1': 0.5}).round(6)
+        array([0.      , 4.794255])
+        """
+        equations = self._equations
+        if acceleration is not None and not isinstance(acceleration, Vector):
+            raise TypeError(f"`acceleration` must be a Vector, got {shown(acceleration)}.")
+        body = _bodies(equations)
+
+        def expressions(equations: Equations, known: Known) -> Any:
+            found = weights(body, known, acceleration)
+            if found is None:
+                raise ValueError(
+                    "The loads at the mass centres do not tell which way gravity pulls: no "
+                    "acceleration times the mass is among them for all bodies. Give it: "
+                    f"`acceleration=-g*{body.frame}.z`."
+                )
+            return found
+
+        fall = () if acceleration is None else tuple(acceleration.to_matrix(body.frame))
+        rows = tuple(f"the weight at {speed}" for speed in equations.speeds)
+        made = Quantity("gravity", fall, (len(rows),), expressions, rows)
+        return self._evaluated(made, (q, None, np.zeros(0), t), r, p, wrt)
+
+    def frame_position(
+        self,
+        where: Any,
+        q: Any = None,
+        t: Any = None,
+        *,
+        r: Any = None,
+        p: Any = None,
+        wrt: Any = None,
+    ) -> np.ndarray:
+        """Return where a point is, in the axes of the inertial frame.
+
+        It is measured from the point at rest that is next to the bodies.
+
+        Parameters
+        ----------
+        where : str, RigidBody, Particle, Point, or pair of a ReferenceFrame and a Point
+            A name is one of the `frames` of a `pydy.mechanics.Definition`, such as the links of a
+            robot from a file, or that of a body, whose mass centre is meant.
+        q, t, r, p, wrt
+            As in `inverse_dynamics`.
+
+        Returns
+        -------
+        ndarray, shape (3,) or (m, 3)
+
+        Examples
+        --------
+        >>> from pydy.models import multi_mass_spring_damper
+        >>> system = multi_mass_spring_damper()
+        >>> body = system.eom_method.bodies[0]
+        >>> system.frame_position(body, [2.0])
+        array([2., 0., 0.])
+        """
+        body = _bodies(self._equations)
+        _, point = _place(self._equations, self._eom_method, where)
+        if point is None:
+            raise ValueError(f"`where` must have a point, got the frame {where}.")
+        origin = _origin(body, point)
+
+        def expressions(equations: Equations, known: Known) -> Any:
+            return position(body, known, point, origin)
+
+        rows = tuple(f"the {axis} of {point}" for axis in "xyz")
+        made = Quantity("position", (point,), (3,), expressions, rows)
+        return self._evaluated(made, (q, None, np.zeros(0), t), r, p, wrt)
+
+    def frame_rotation(
+        self,
+        where: Any,
+        q: Any = None,
+        t: Any = None,
+        *,
+        r: Any = None,
+        p: Any = None,
+        wrt: Any = None,
+    ) -> np.ndarray:
+        """Return the rotation matrix of a frame: its axes as columns, in the inertial frame.
+
+        Parameters
+        ----------
+        where : str, RigidBody, ReferenceFrame, or pair of a ReferenceFrame and a Point
+            As in `frame_position`.
+        q, t, r, p, wrt
+            As in `inverse_dynamics`.
+
+        Returns
+        -------
+        ndarray, shape (3, 3) or (m, 3, 3)
+        """
+        body = _bodies(self._equations)
+        frame, _ = _place(self._equations, self._eom_method, where)
+        if frame is None:
+            raise ValueError(f"`where` must have a frame, got {where}, which does not turn.")
+
+        def expressions(equations: Equations, known: Known) -> Any:
+            return rotation(body, known, frame)
+
+        rows = tuple(f"entry {k} of the rotation of {frame}" for k in range(9))
+        made = Quantity("rotation", (frame,), (3, 3), expressions, rows)
+        return self._evaluated(made, (q, None, np.zeros(0), t), r, p, wrt)
+
+    def frame_jacobian(
+        self,
+        where: Any,
+        q: Any = None,
+        t: Any = None,
+        *,
+        r: Any = None,
+        p: Any = None,
+        wrt: Any = None,
+    ) -> np.ndarray:
+        """Return how fast a frame moves with each speed, all speeds free.
+
+        Parameters
+        ----------
+        where : str, RigidBody, Particle, Point, ReferenceFrame, or pair of the last two
+            As in `frame_position`.
+        q, t, r, p, wrt
+            As in `inverse_dynamics`.
+
+        Returns
+        -------
+        ndarray, shape (6, n) or (m, 6, n)
+            Three rows for the velocity of the point, then three for the angular velocity, in the
+            axes of the inertial frame: the derivatives of both by the speeds. For a point or a
+            frame alone, its three rows. The transpose gives the generalised forces of a force and
+            a torque there.
+
+        Examples
+        --------
+        >>> from pydy.models import n_link_pendulum_on_cart
+        >>> system = n_link_pendulum_on_cart(1)
+        >>> cart, bob = system.eom_method.bodies
+        >>> system.frame_jacobian(bob, [0.0, 0.0])
+        array([[1., 1.],
+               [0., 0.],
+               [0., 0.]])
+        """
+        body = _bodies(self._equations)
+        frame, point = _place(self._equations, self._eom_method, where)
+        if point is not None:
+            _origin(body, point)
+        n = len(self._equations.speeds)
+
+        def expressions(equations: Equations, known: Known) -> Any:
+            return partial_velocities(body, known, point, frame)
+
+        count = 3 * ((point is not None) + (frame is not None))
+        rows = tuple(f"entry {k} of the Jacobian of {where}" for k in range(count * n))
+        made = Quantity("frame Jacobian", (point, frame), (count, n), expressions, rows)
+        return self._evaluated(made, (q, None, np.zeros(0), t), r, p, wrt)

@@ -1,0 +1,293 @@
+"""Inverse dynamics and its terms, and how frames move: against the forward equations and SymPy."""
+
+import numpy as np
+import pytest
+import sympy as sm
+import sympy.physics.mechanics as me
+
+import joints
+import loops
+import zoo
+from by_hand import MECHANISMS
+from cases import close, system_of
+from pydy import System
+from pydy.errors import SingularMatrixError
+from pydy.mechanics import Definition
+from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
+
+T = me.dynamicsymbols._t
+OWN = (
+    "camera", "mixed_speeds", "gimbals", "burning_rocket", "own_velocities", "coupler", "wheel",
+    "given_accelerations", "towed_sledge", "driven_crane",
+)  # fmt: skip
+MODELS = {**zoo.MODELS, **{name: MECHANISMS[name] for name in OWN}}
+
+
+def consistent(name):
+    """A System, its state and the accelerations there."""
+    system = system_of(MODELS[name]())
+    if len(system.constraints):
+        system.set_dependent_initial_conditions()
+    x = np.array([system.initial_conditions.get(s, 0.1) for s in system.states])
+    n = len(system.coordinates)
+    q, v = x[:n], x[n : n + len(system.speeds)]
+    return system, q, v, system.evaluate_ode(x)[n : n + len(v)]
+
+
+def four_bar():
+    """A four-bar of pins that a torque T drives at its first pin, standing."""
+    method, torque = joints.four_bar(), me.dynamicsymbols("T")
+    link = method.bodies[1].frame
+    method.add_loads((link, torque * link.z))
+    system = System(method)
+    numbers = {"l1": 1.9, "l2": 0.8, "l3": 1.4, "l4": 1.3, "rho": 2.0, "g": 9.7}
+    system.constants = {s: numbers[s.name] for s in system.constants_symbols}
+    system.initial_conditions = {"q1": 1.2, "q2": -0.9, "q3": -1.4, "u1": 0.7}
+    system.set_dependent_initial_conditions()
+    x = np.array([system.initial_conditions[s] for s in system.states])
+    return system, x[:3], x[3:]
+
+
+@pytest.mark.parametrize("name", MODELS)
+def test_the_motion_that_loads_cause_takes_no_further_forces(name):
+    system, q, v, a = consistent(name)
+    forces = system.inverse_dynamics(q, v, a)
+    size = np.abs(system.mass_matrix(q)) @ np.abs(a) + np.abs(system.bias(q, v))
+    for rates in (a, a[: len(a) - system.num_velocity_constraints]):
+        left = system.inverse_dynamics(q, v, rates, at="independent")
+        assert np.abs(left).max() <= 1e-12 * size.max()
+    assert len(forces) == len(a)
+
+
+@pytest.mark.parametrize("name", [name for name in MODELS if name != "added_mass"])
+def test_inverse_dynamics_is_mass_times_acceleration_and_bias(name):
+    system, q, v, _ = consistent(name)
+    a = np.random.default_rng(2).normal(size=len(v))
+    matrix = system.mass_matrix(q)
+    found = system.inverse_dynamics(q, v, a)
+    parts = matrix @ a, system.bias(q, v)
+    assert np.abs(found - sum(parts)).max() <= 1e-12 * np.abs(parts).max()
+    close(matrix, system.inverse_dynamics(q, v, a, wrt="accelerations"), 1e-12)
+    if name != "towed_sledge":  # its loads hold accelerations
+        np.testing.assert_array_equal(matrix, matrix.T)
+
+
+def test_loads_that_hold_accelerations_are_part_of_the_mass_matrix():
+    system = system_of(zoo.MODELS["added_mass"]())
+    q, v = np.array([0.3, 0.4]), np.array([0.5, -0.2])
+    close(
+        system.inverse_dynamics(q, v, [1.0, 0.0]) - system.bias(q, v),
+        system.inverse_dynamics(q, v, [0.3, 2.0], wrt="accelerations")[:, 0],
+    )
+
+
+def test_forces_of_all_speeds_are_what_multipliers_do_there():
+    system, q, v, a = consistent("fourbar")
+    system.outputs = system.constraint_forces
+    x = np.concatenate([q, v])
+    multipliers = system.evaluate_outputs(x)[:2]
+    slopes = system.evaluate_jacobian(x, wrt=system.speeds, of="velocity")
+    forces = system.inverse_dynamics(q, v, a)
+    assert np.abs(forces - slopes.T @ multipliers).max() <= 1e-12 * np.abs(forces).max()
+
+
+@pytest.mark.parametrize("torque", [0.0, 1.7])
+def test_the_torque_that_drives_a_loop_is_found_again(torque):
+    system, q, v = four_bar()
+    a = system.evaluate_ode(np.concatenate([q, v]), r={"T": torque})[3:]
+    close(system.inverse_dynamics(q, v, a, at=["u1"]), [torque], 1e-12)
+    close(system.inverse_dynamics(q, v, a[:1], at=["u1"]), [torque], 1e-12)
+    close(system.inverse_dynamics(q, v, {"u1": a[0]}, at="independent"), [torque], 1e-12)
+    power = system.inverse_dynamics(q, v, a, at=["u3"]) * v[2]
+    close(power, [torque * v[0]], 1e-12)  # at another pin: the same power
+
+
+def test_a_loop_that_no_force_at_a_speed_can_drive_is_told():
+    made, start = loops.parallelogram()
+    system = System(made, {"g": 9.7}, initial_conditions=start)
+    free = len(system.speeds) - system.num_velocity_constraints
+    with pytest.raises(ValueError, match=rf"`at` must be 'independent' or {free} different speeds"):
+        system.inverse_dynamics(at=system.speeds)
+    sliders, (x, y) = me.ReferenceFrame("N"), me.dynamicsymbols("x y")
+    origin = me.Point("O")
+    origin.set_vel(sliders, 0)
+    bob = me.Particle("bob", origin.locatenew("P", x * sliders.x + y * sliders.y), 2.0)
+    circle = Definition(
+        sliders, [x, y], bodies=[bob], holonomic_constraints=[x**2 + y**2 - 1],
+        dependent_coordinates=[y], dependent_speeds=[y.diff(T)],
+    )  # fmt: skip
+    system = System(circle)
+    with pytest.raises(SingularMatrixError, match="`at` and `a` leave"):
+        system.inverse_dynamics([1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], at=[x.diff(T)])
+
+
+def test_states_in_rows_give_the_same_as_one_by_one():
+    system = n_link_pendulum_on_cart(2)
+    q, v, a = np.random.default_rng(5).normal(size=(3, 7, 3))
+    found = system.inverse_dynamics(q, v, a)
+    slopes = system.inverse_dynamics(q, v, a, wrt=["coordinates", "m1"])
+    assert found.shape == (7, 3)
+    assert slopes.shape == (7, 3, 4)
+    for k in range(7):
+        np.testing.assert_array_equal(found[k], system.inverse_dynamics(q[k], v[k], a[k]))
+        np.testing.assert_array_equal(
+            slopes[k], system.inverse_dynamics(q[k], v[k], a[k], wrt=["coordinates", "m1"])
+        )
+    np.testing.assert_array_equal(  # one for all
+        system.inverse_dynamics(q[0], v, a[0]),
+        system.inverse_dynamics(np.tile(q[0], (7, 1)), v, np.tile(a[0], (7, 1))),
+    )
+    assert system.mass_matrix(q).shape == (7, 3, 3)
+    assert system.gravity(q).shape == system.bias(q, v).shape == (7, 3)
+
+
+def test_derivatives_are_those_of_the_values():
+    system = n_link_pendulum_on_cart(2)
+    q, v, a = np.random.default_rng(6).normal(size=(3, 3))
+    step = 1e-6
+    for k, which in enumerate(("coordinates", "speeds", "accelerations")):
+        slopes = system.inverse_dynamics(q, v, a, wrt=which)
+        for j in range(3):
+            ahead, back = [[q.copy(), v.copy(), a.copy()] for _ in range(2)]
+            ahead[k][j] += step
+            back[k][j] -= step
+            rise = system.inverse_dynamics(*ahead) - system.inverse_dynamics(*back)
+            close(slopes[:, j], rise / (2 * step), 1e-7)
+    body = system.eom_method.bodies[2]
+    close(
+        system.frame_position(body, q, wrt=system.coordinates),
+        system.frame_jacobian(body, q),  # here speeds are the rates of the coordinates
+        1e-15,
+    )
+
+
+def test_specifieds_and_constants_of_one_call_count():
+    system = n_link_pendulum_on_cart(1)
+    close(system.inverse_dynamics([0.0, 0.0], r={"F": 3.0}), [-3.0, 0.0])
+    close(system.mass_matrix([0.0, 0.0], p={"m0": 4.0})[0, 0], 5.0)
+    system.specifieds = {"F": -2.0 * system.coordinates[0]}
+    close(system.bias([0.5, 0.0], [0.0, 0.0])[0], 1.0)
+    close(system.bias([0.5, 0.0], [0.0, 0.0], wrt=["q0"])[0, 0], 2.0)
+
+
+def test_gravity_is_the_slope_of_the_potential_energy():
+    system = n_link_pendulum_on_cart(3)
+    q = np.array([0.2, 0.5, -0.8, 1.1])
+    slope = system.evaluate_gradient(system.potential_energy, [*q, *[0.0] * 4], wrt=system.states)
+    close(system.gravity(q), slope[:4], 1e-14)
+    frame = system._equations.mechanism.frame
+    close(system.gravity(q, acceleration=-sm.Symbol("g") * frame.y), slope[:4], 1e-14)
+    sideways = system.gravity(q, acceleration=2.0 * frame.x)
+    close(sideways[0], -2.0 * 4)  # four unit masses
+
+
+def test_gravity_that_no_load_tells_is_asked_for():
+    with pytest.raises(ValueError, match="Give it: `acceleration=-g"):
+        consistent("towed_sledge")[0].gravity()
+    with pytest.raises(TypeError, match=r"`acceleration` must be a Vector, got 9\.8"):
+        multi_mass_spring_damper().gravity(acceleration=9.8)
+    close(multi_mass_spring_damper().gravity([1.0]), [0.0])
+
+
+def test_a_lagrangian_has_inverse_dynamics_too():
+    theta, x = me.dynamicsymbols("theta x")
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    arm = frame.orientnew("A", "Axis", (theta, frame.z))
+    cart = origin.locatenew("C", x * frame.x)
+    cart.set_vel(frame, x.diff(T) * frame.x)
+    bob = cart.locatenew("P", -2 * arm.y)
+    bob.v2pt_theory(cart, frame, arm)
+    bodies = [me.Particle("cart", cart, 3), me.Particle("bob", bob, 1.5)]
+    bodies[1].potential_energy = 1.5 * 10 * bob.pos_from(origin).dot(frame.y)
+    for rows in ((), [x - sm.sin(theta)]):
+        lagrange = me.LagrangesMethod(
+            me.Lagrangian(frame, *bodies), [x, theta], hol_coneqs=rows, bodies=bodies, frame=frame
+        )
+        lagrange.form_lagranges_equations()
+        system = System(lagrange)
+        values = {x: np.sin(0.4), theta: 0.4, x.diff(T): 0.9 * np.cos(0.4), theta.diff(T): 0.9}
+        system.initial_conditions = values
+        tau = system.inverse_dynamics(a=system.evaluate_ode()[2:], at="independent")
+        assert np.abs(tau).max() < 1e-13
+        order = [system.coordinates.index(s) for s in (x, theta)]
+        across = 3.0 * np.cos(0.4)
+        close(system.mass_matrix()[np.ix_(order, order)], [[4.5, across], [across, 6.0]])
+        with pytest.raises(ValueError, match="Give it"):
+            system.gravity()
+
+
+def test_a_method_without_bodies_has_what_needs_none():
+    x, v = me.dynamicsymbols("x v")
+    frame, point = me.ReferenceFrame("N"), me.Point("P")
+    point.set_vel(frame, v * frame.x)
+    kane = me.KanesMethod(frame, [x], [v], kd_eqs=[x.diff(T) - v])
+    kane.kanes_equations([me.Particle("A", point, 2.0)], [(point, -3.0 * x * frame.x)])
+    system = System(kane, equations="method")
+    close(system.inverse_dynamics([1.0], [0.0], [2.0]), [7.0])
+    close(system.mass_matrix(), [[2.0]])
+
+
+def test_frames_move_as_sympy_says():
+    system, q, _, _ = consistent("free_body")
+    body = system.eom_method.bodies[0]
+    frame = system._equations.mechanism.frame
+    numbers = {**dict(zip(system.coordinates, q, strict=True)), **system.constants}
+    turn = np.array(body.frame.dcm(frame).T.subs(numbers), dtype=float)
+    close(system.frame_rotation(body.name, q), turn, 1e-15)
+    rows = [body.masscenter.vel(frame).dot(e) for e in frame]
+    rows += [body.frame.ang_vel_in(frame).dot(e) for e in frame]
+    slopes = sm.Matrix(rows).jacobian(system.speeds).subs(numbers)
+    close(system.frame_jacobian(body, q), np.array(slopes, dtype=float), 1e-15)
+    close(system.frame_jacobian(body.masscenter, q), np.array(slopes, dtype=float)[:3], 1e-15)
+    close(system.frame_jacobian(body.frame, q), np.array(slopes, dtype=float)[3:], 1e-15)
+
+
+def test_a_place_is_known_by_the_name_that_a_definition_gives_it():
+    q = me.dynamicsymbols("q")
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    arm = frame.orientnew("A", "Axis", (q, frame.z))
+    tip = origin.locatenew("tip", 2 * arm.x)
+    bob = me.Particle("bob", origin.locatenew("C", arm.x), 1.0)
+    made = Definition(frame, [q], bodies=[bob], frames={"tool": (arm, tip)})
+    system = System(made)
+    close(system.frame_position("tool", [np.pi / 2]), [0.0, 2.0, 0.0], 1e-15)
+    close(system.frame_position((arm, tip), [0.0]), [2.0, 0.0, 0.0])
+    close(system.frame_jacobian("tool", [0.0])[:, 0], [0.0, 2.0, 0.0, 0.0, 0.0, 1.0])
+    close(system.frame_jacobian("bob", [0.0])[:, 0], [0.0, 1.0, 0.0])
+    for call in (system.frame_position, system.frame_rotation, system.frame_jacobian):
+        with pytest.raises(ValueError, match=r"`where` must be a body.*tool, bob; got 'tip'"):
+            call("tip")
+    with pytest.raises(ValueError, match="`where` must have a point, got the frame A"):
+        system.frame_position(arm)
+    with pytest.raises(ValueError, match="`where` must have a frame, got tip"):
+        system.frame_rotation(tip)
+    with pytest.raises(ValueError, match="`where` is the point lost, whose place"):
+        system.frame_position(me.Point("lost"))
+    with pytest.raises(TypeError, match="`frames` must map names to pairs"):
+        Definition(frame, [q], bodies=[bob], frames={"tool": tip})
+
+
+@pytest.mark.parametrize(
+    ("argument", "value"), [("q", [1.0, 2.0]), ("v", np.zeros((2, 3))), ("a", [[[1.0]]])]
+)
+def test_shapes_that_do_not_fit_are_told(argument, value):
+    system = multi_mass_spring_damper()
+    with pytest.raises(ValueError, match=rf"`{argument}` must have the shape \(1,\) or \(m, 1\)"):
+        system.inverse_dynamics(**{argument: value})
+    with pytest.raises(ValueError, match=r"as many rows.*`q` has 2, `t` has 3"):
+        system.inverse_dynamics([[1.0], [2.0]], t=[0.0, 1.0, 2.0])
+    with pytest.raises(ValueError, match="not one of the speeds of the system: v0"):
+        system.inverse_dynamics(a={"v1": 2.0})
+    with pytest.raises(ValueError, match="`wrt`"):
+        system.mass_matrix(wrt="accelerations")
+
+
+def test_forces_take_fewer_operations_than_accelerations():
+    system = n_link_pendulum_on_cart(6)
+    forward = sum(system.model.program("rates").operation_count["run"].values())
+    system.inverse_dynamics()
+    (key,) = (k for k in system.model._kernels if k[0] == "inverse dynamics")
+    inverse = sum(system.model._kernels[key].program.operation_count["run"].values())
+    assert inverse <= 0.65 * forward
