@@ -193,6 +193,36 @@ def test_what_is_wrong_with_a_file_is_said(tmp_path, text, said):
         read(written(tmp_path, text))
 
 
+def body(name, joints, inside=""):
+    inertia = '<inertial pos="0 0 0" mass="1" diaginertia="1 1 1"/>'
+    return f"<body {name}>{inertia}{joints}{inside}</body>"
+
+
+def test_what_has_no_name_gets_one_that_nothing_else_has(tmp_path):
+    inner = body('name="body1"', '<joint name="a" axis="1 0 0"/><joint/>')
+    bodies = body("", '<joint name="b"/>', body('name="a"', "<joint/>", inner))
+    motors = '<motor joint="b"/><motor name="actuator0" joint="b" gear="2"/>'
+    text = f"<mujoco><worldbody>{bodies}</worldbody><actuator>{motors}</actuator></mujoco>"
+    robot = read(written(tmp_path, text))
+    assert list(robot.frames) == ["world", "body1_2", "a", "body1"]
+    assert list(robot.joints) == ["b", "a_2", "a", "body1_1"]
+    one, two = robot.actuators["actuator0_2"], robot.actuators["actuator0"]
+    rates = [robot.system(specifieds={f: 1.0}).evaluate_ode() for f in (one, two)]
+    assert rates[1] == pytest.approx(2 * rates[0])
+    assert rates[0].any()
+
+
+@pytest.mark.parametrize(
+    ("of_joint", "of_motor", "said"),
+    [('stiffness="inf"', "", "jnt_stiffness"), ("", 'gear="nan"', "actuator_gear")],
+)
+def test_numbers_that_are_not_finite_are_told(tmp_path, of_joint, of_motor, said):
+    bodies = body("", f'<joint name="j" {of_joint}/>')
+    motor = f'<actuator><motor joint="j" {of_motor}/></actuator>'
+    with pytest.raises(RobotFileError, match=f"not finite .* `{said}`"):
+        read(written(tmp_path, f"<mujoco><worldbody>{bodies}</worldbody>{motor}</mujoco>"))
+
+
 def test_what_has_no_counterpart_is_listed_and_nothing_is_written(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     text = BRANCHED.replace(

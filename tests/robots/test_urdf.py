@@ -9,6 +9,7 @@ from pydy.errors import PyDyUserWarning, RobotFileError
 from pydy.robots import read
 from robots.random_robots import random_tree, torques, urdf
 
+BALL = '<sphere radius="1"/>'
 PENDULUM = files("pydy.examples") / "pendulum.urdf"
 
 
@@ -149,8 +150,11 @@ def robot_of(*parts):
     return "\n".join(['<robot name="r">', '<link name="base"/>', *parts, "</robot>"])
 
 
-def link(mass=1):
-    return f'<link name="a"><inertial><mass value="{mass}"/></inertial></link>'
+def link(mass=1, looks="", name="a"):
+    shown = f"<visual><geometry>{looks}</geometry></visual>" if looks else ""
+    inertia = '<inertia ixx="1" iyy="1" izz="1"/>'
+    about = f'<inertial><mass value="{mass}"/>{inertia if mass == 1 else ""}</inertial>'
+    return f'<link name="{name}">{about}{shown}</link>'
 
 
 def joint(kind="revolute", up="base", down="a", more="", name="j"):
@@ -178,14 +182,59 @@ def joint(kind="revolute", up="base", down="a", more="", name="j"):
         (robot_of(link(), joint(more='<axis xyz="0 0 0"/>')), 4, "the axis .* has no direction"),
         (robot_of(link(), joint(more='<axis xyz="1 0"/>')), 4, "must be 3 finite numbers"),
         (robot_of(link(), joint("fixed")), None, "no joint that moves"),
+        (robot_of(link("1_0"), joint()), 3, "must be a finite number, got '1_0'"),
+        (robot_of(link("٣"), joint()), 3, "must be a finite number"),
+        ("<robot>\n<xacro:arm/></robot>", 2, "<xacro:arm> is a macro. Expand them first"),
+        ('<?xml version="1.0" encoding="gbk"?><robot/>', 1, "encoding .* UTF-8"),
+        ('<?xml version="1.0" encoding="klingon"?><robot/>', 1, "klingon. Save it as UTF-8"),
+        (robot_of(link(), joint(more='<limit effort="-1"/>')), 4, "effort .* not be negative"),
+        (robot_of(link(looks="<sphere radius='-1'/>"), joint()), 3, "`radius` of Sphere must be"),
+        (robot_of(link(looks="<mesh filename='bad.obj'/>"), joint()), 3, "not a valid OBJ file"),
+        (robot_of(link(looks=f"<mesh filename='{'x' * 300}.obj'/>"), joint()), 3, "too long"),
     ],
 )
 def test_what_is_wrong_with_a_file_is_said_with_its_line(tmp_path, text, line, said):
+    (tmp_path / "bad.obj").write_text("v 1 2")
     path = tmp_path / "bad.urdf"
-    path.write_text(text)
+    path.write_text(text, encoding="utf-8")
     with pytest.raises(RobotFileError, match=said) as raised:
         read(path)
     assert str(raised.value).startswith(f"{path}:{line}:" if line else str(path))
+
+
+def read_text(tmp_path, text):
+    path = tmp_path / "robot.urdf"
+    path.write_text(text)
+    return read(path)
+
+
+def test_a_link_may_be_called_world(tmp_path):
+    hinge = joint(up="world")
+    robot = read_text(tmp_path, f'<robot><link name="world"/>{link(looks=BALL)}{hinge}</robot>')
+    assert "<Robot 'robot': 2 links" in repr(robot)
+    assert robot.frames["world"].point.pos_from(robot.frames["a"].point) == 0
+    assert [visual.name for visual in robot.scene().visuals] == ["a"]
+
+
+def test_a_planar_joint_stands_beside_joints_of_the_names_of_its_parts(tmp_path):
+    parts = link(), joint("planar", name="p"), link(name="b"), joint(up="a", down="b", name="p_x")
+    assert set(read_text(tmp_path, robot_of(*parts)).joints) == {"p_x_2", "p_y", "p_turn", "p_x"}
+
+
+def test_what_cannot_be_taken_over_is_listed(tmp_path):
+    limits = '<limit lower="1" upper="-1"/>'
+    robot = read_text(tmp_path, robot_of(link(looks="<cone/>"), joint(more=limits)))
+    assert robot.left_out == (
+        "the limits of the joint 'j', the lower of which is the upper",
+        "the shape <cone>, which is not shown",
+    )
+
+
+@pytest.mark.parametrize("size", ["1e-200", "1e200"])
+def test_an_axis_may_have_any_length(tmp_path, size):
+    parts = link(), joint(more=f'<axis xyz="0 {size} 0"/>')
+    rates = read_text(tmp_path, robot_of(*parts)).system(specifieds={"f_j": 2.0}).evaluate_ode()
+    assert rates.tolist() == [0.0, 2.0]
 
 
 def test_arguments_are_checked():

@@ -14,7 +14,17 @@ import numpy as np
 
 from pydy._errors import RobotFileError
 from pydy._optional import require
-from pydy.robots.tree import Joint, Link, Look, Motor, Tie, Tree, of_quaternion, turned
+from pydy.robots.tree import (
+    Joint,
+    Link,
+    Look,
+    Motor,
+    Tie,
+    Tree,
+    another,
+    of_quaternion,
+    turned,
+)
 from pydy.viz.shapes import Box, Capsule, Cylinder, Mesh, Sphere
 
 _KINDS = {
@@ -23,6 +33,24 @@ _KINDS = {
     "mjJNT_BALL": "ball",
     "mjJNT_FREE": "free",
 }
+_NUMBERS = [
+    "body_pos",
+    "body_ipos",
+    "body_mass",
+    "body_inertia",
+    "body_gravcomp",
+    "jnt_pos",
+    "jnt_axis",
+    "jnt_stiffness",
+    "dof_damping",
+    "dof_armature",
+    "dof_frictionloss",
+    "qpos0",
+    "qpos_spring",
+    "actuator_gear",
+    "actuator_gainprm",
+    "actuator_biasprm",
+]
 _SHOWN_GROUPS = 3  # as in MuJoCo's own viewer: the others are for contacts
 
 
@@ -51,11 +79,28 @@ class _Model:
         self.mujoco, self.model, self.path = mujoco, model, path
         self.off = model.opt.disableflags
         self.left_out: list[str] = []
+        self._names: dict[str, list[str]] = {}
+        for what, values in {
+            "gravity": model.opt.gravity,
+            **{n: getattr(model, n) for n in _NUMBERS},
+        }.items():
+            if not np.isfinite(values).all():
+                raise RobotFileError(
+                    f"{path}: a number that is not finite became part of MuJoCo's `{what}`. Look "
+                    "for 'nan' and 'inf' in the file."
+                )
 
     def name(self, kind: str, k: int) -> str:
-        """Return the name of the k-th thing of a kind, or its kind and number."""
-        found = self.mujoco.mj_id2name(self.model, getattr(self.mujoco.mjtObj, f"mjOBJ_{kind}"), k)
-        return found or f"{kind.lower()}{k}"
+        """Return the name of the k-th thing of a kind, or one of its own that nothing else has."""
+        if kind not in self._names:
+            count = {"BODY": "nbody", "JOINT": "njnt", "ACTUATOR": "nu", "EQUALITY": "neq"}[kind]
+            of_kind = getattr(self.mujoco.mjtObj, f"mjOBJ_{kind}")
+            indices = range(getattr(self.model, count))
+            names = [self.mujoco.mj_id2name(self.model, of_kind, i) for i in indices]
+            self._names[kind] = names
+            for i in indices:
+                names[i] = names[i] or another(self.without_name(kind, i), names)
+        return self._names[kind][k]
 
     def disabled(self, what: str) -> bool:
         return bool(self.off & getattr(self.mujoco.mjtDisableBit, f"mjDSBL_{what}"))
@@ -103,14 +148,17 @@ class _Model:
         link.joints = [self.joint(j) for j in range(first, first + int(model.body_jntnum[k]))]
         return link
 
+    def without_name(self, kind: str, k: int) -> str:
+        """Return what to call the k-th thing of a kind: a joint after its body."""
+        model = self.model
+        if kind != "JOINT":
+            return f"{kind.lower()}{k}"
+        body = int(model.jnt_bodyid[k])
+        alone = model.body_jntnum[body] == 1
+        return self.name("BODY", body) + ("" if alone else f"_{k - int(model.body_jntadr[body])}")
+
     def joint_name(self, j: int) -> str:
-        """Return the name of a joint; one without is called after its body."""
-        model, mujoco = self.model, self.mujoco
-        named = mujoco.mj_id2name(model, mujoco.mjtObj.mjOBJ_JOINT, j)
-        body = int(model.jnt_bodyid[j])
-        if named or model.body_jntnum[body] == 1:
-            return named or self.name("BODY", body)
-        return f"{self.name('BODY', body)}_{j - int(model.body_jntadr[body])}"
+        return self.name("JOINT", j)
 
     def start(self, j: int) -> np.ndarray:
         model = self.model

@@ -50,6 +50,9 @@ class Robot:
         self.values: dict[Any, float] = made.values
         self.start: dict[Any, float] = made.start
         self.frames: dict[str, Place] = made.frames
+        # The root of a URDF file is often called 'world', too.
+        names = ["world", *(link.name for link in tree.links)]
+        self._places = list(zip(names, made.places, strict=True))
         self.joints: dict[str, JointSymbols] = made.joints
         self.actuators: dict[str, Any] = made.actuators
         self.input_ranges: dict[str, tuple[float, float]] = made.input_ranges
@@ -59,7 +62,7 @@ class Robot:
     def __repr__(self) -> str:
         definition = self.definition
         parts = (
-            f"{len(self.frames) - 1} links",
+            f"{len(self._places) - 1} links",
             f"{len(self.joints)} joints",
             f"{len(definition.coordinates)} coordinates",
             f"{len(definition.speeds)} speeds",
@@ -131,9 +134,9 @@ class Robot:
 
         from pydy.viz import Scene, Visual
 
-        world = self.frames["world"]
+        _, world = self._places[0]
         visuals: list[Any] = []
-        for (name, place), looks in zip(self.frames.items(), self._looks, strict=True):
+        for (name, place), looks in zip(self._places, self._looks, strict=True):
             for k, look in enumerate(looks):
                 frame, point = place
                 if (look.turn != [[1, 0, 0], [0, 1, 0], [0, 0, 1]]).any():

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -165,6 +166,15 @@ class Tree:
                 )
             if link.parent >= 0:
                 heavy[link.parent] |= heavy[k]
+
+
+def another(name: str, taken: Collection[str]) -> str:
+    """Return the name, or, where something else has it, the name with a number."""
+    found, count = name, 1
+    while found in taken:
+        count += 1
+        found = f"{name}_{count}"
+    return found
 
 
 def cosines(turn: np.ndarray) -> np.ndarray:

@@ -22,6 +22,7 @@ from pydy.robots.tree import (
     Look,
     Motor,
     Tree,
+    another,
     of_roll_pitch_yaw,
     to_quaternion,
     turned,
@@ -46,14 +47,26 @@ class _Reader:
         def start(tag: str, attributes: dict[str, str]) -> None:
             element = builder.start(tag, attributes)
             self.lines[id(element)] = parser.CurrentLineNumber
+            if tag.startswith("xacro:"):
+                raise RobotFileError(
+                    f"{self.where(element)}: <{tag}> is a macro. Expand them first, with ROS's "
+                    "command `xacro`."
+                )
 
         parser.StartElementHandler = start
         parser.EndElementHandler = builder.end
         try:
             parser.Parse(data, True)
+        except RobotFileError:
+            raise
         except expat.ExpatError as error:
             raise RobotFileError(
                 f"{self.path}:{error.lineno}: not well-formed XML: {error}."
+            ) from None
+        except (LookupError, ValueError) as error:
+            raise RobotFileError(
+                f"{self.path}:1: the encoding that the file declares cannot be read: {error}. Save "
+                "it as UTF-8."
             ) from None
         return builder.close()
 
@@ -90,6 +103,8 @@ class _Reader:
         try:
             found = np.array([float(part) for part in text.split()])
         except ValueError:
+            found = np.empty(0)
+        if "_" in text or not text.isascii():  # numbers in Python alone
             found = np.empty(0)
         if len(found) != count or not np.isfinite(found).all():
             what = "a finite number" if count == 1 else f"{count} finite numbers"
@@ -273,10 +288,12 @@ def _joints(reader: _Reader, element: ElementTree.Element, left_out: list[str]) 
         normal = _axis(reader, element, [1.0, 0.0, 0.0])
         along = np.cross(normal, np.eye(3)[np.argmin(np.abs(normal))])
         along /= np.linalg.norm(along)
+        taken = [other.get("name", "") for other in reader.root.findall("joint")]
+        x, y, turn = (another(f"{name}_{end}", taken) for end in ("x", "y", "turn"))
         return [
-            Joint(f"{name}_x", "slide", along, where=where),
-            Joint(f"{name}_y", "slide", np.cross(normal, along), where=where),
-            Joint(f"{name}_turn", "hinge", normal, where=where),
+            Joint(x, "slide", along, where=where),
+            Joint(y, "slide", np.cross(normal, along), where=where),
+            Joint(turn, "hinge", normal, where=where),
         ]
     if kind not in _MOVING:
         raise RobotFileError(
@@ -290,9 +307,16 @@ def _joints(reader: _Reader, element: ElementTree.Element, left_out: list[str]) 
     limit, dynamics = element.find("limit"), element.find("dynamics")
     if limit is not None:
         joint.effort = reader.number(limit, "effort", 0.0) or None
+        if joint.effort is not None and joint.effort < 0.0:
+            raise RobotFileError(
+                f"{reader.where(limit)}: the effort of the joint '{name}' must not be negative, "
+                f"got {joint.effort:g}."
+            )
         low, high = reader.number(limit, "lower", 0.0), reader.number(limit, "upper", 0.0)
         if kind != "continuous" and low < high:
             joint.limits = (low, high)
+        elif kind != "continuous" and low > high:
+            left_out.append(f"the limits of the joint '{name}', the lower of which is the upper")
     joint.damping = reader.number(dynamics, "damping", 0.0)
     joint.friction = reader.number(dynamics, "friction", 0.0)
     mimic = element.find("mimic")
@@ -312,6 +336,7 @@ def _joints(reader: _Reader, element: ElementTree.Element, left_out: list[str]) 
 def _axis(reader: _Reader, element: ElementTree.Element, default: list[float]) -> np.ndarray:
     axis = element.find("axis")
     found = reader.numbers(axis, "xyz", default, 3)
+    found = found / (np.abs(found).max() or 1.0)  # squares of tiny and huge ones are no floats
     size = np.linalg.norm(found)
     if not size > 0.0:
         assert axis is not None
@@ -347,6 +372,21 @@ def _check_mimics(links: list[Link]) -> None:
 
 def _look(reader: _Reader, visual: ElementTree.Element, left_out: list[str]) -> Look | None:
     geometry = reader.child(visual, "geometry")
+    try:
+        shape = _shape(reader, visual, geometry, left_out)
+    except RobotFileError:
+        raise
+    except (OSError, ValueError) as error:
+        raise RobotFileError(f"{reader.where(geometry)}: {error}") from None
+    return None if shape is None else Look(shape, *reader.pose(visual))
+
+
+def _shape(
+    reader: _Reader,
+    visual: ElementTree.Element,
+    geometry: ElementTree.Element,
+    left_out: list[str],
+) -> Any:
     options = _colours(reader, visual)
     shape: Any = None
     for element in geometry:
@@ -363,7 +403,9 @@ def _look(reader: _Reader, visual: ElementTree.Element, left_out: list[str]) -> 
             shape = _mesh(reader, element, options)
             if shape is None:
                 left_out.append(f"the mesh {element.get('filename')}, which is not shown")
-    return None if shape is None else Look(shape, *reader.pose(visual))
+        else:
+            left_out.append(f"the shape <{element.tag}>, which is not shown")
+    return shape
 
 
 def _colours(reader: _Reader, visual: ElementTree.Element) -> dict[str, Any]:
