@@ -85,7 +85,7 @@ def test_slack_velocities_vanish_with_the_errors():
         found = system.optimize_trajectory(
             effort(system), 1.5, end={"x": PLACE["x"], "v": 0.0}, mesh=mesh
         )
-        slack = found._transcription.split(found._solution.z)[1][1]
+        slack = found._transcription.split(found.solution.z)[1][1]
         sizes.append(np.abs(slack).max())
     assert sizes[0] < 0.1
     assert sizes[1] < sizes[0] / 4

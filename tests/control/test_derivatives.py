@@ -391,3 +391,30 @@ def test_derivatives_of_two_disturbed_experiments():
 
     z = np.random.default_rng(5).uniform(0.2, 1.2, joined.size)
     compare(nlp, z, reference)
+
+
+def test_the_hessian_of_gauss_and_newton():
+    x, v, F = me.dynamicsymbols("x v F")
+    k = sm.Symbol("k")
+    system = optima.first_order([x], v, F - k * sm.sin(x), 1, None, {k: 2.0})
+    linear = sm.Integral(3 * F**2 + k * (x - v) ** 4 + (F - 2) ** 2, T) + (x.subs(T, 1.3) - 2) ** 2
+    exact, made = [], None
+    for hessian in ("exact", "gauss-newton"):
+        problem = OptimalControl(
+            system, linear, 1.3, mesh=2, order=2, boundary=[sm.Eq(v.subs(T, 1.3), 1)],
+            hessian=hessian,
+        )  # fmt: skip
+        nlp, z, made = nlp_of(problem, 1)
+        own = np.empty(len(nlp.hessian_at[0]))
+        nlp.hessian(z, 0.7, np.zeros(nlp.rows), own)
+        exact.append(dense((nlp.size, nlp.size), nlp.hessian_at, own))
+    # (x − v)⁴ = r² with r = (x − v)²: its exact Hessian is 12 (x − v)², that of r² 8 (x − v)².
+    states, _controls, _, _ = made.split(z)
+    slots = len(made.places[0])
+    weights = 0.7 * 1.3 * 2.0 * made.scheme.points(made.mesh)[0].weights
+    missing = np.zeros_like(exact[0])
+    for w, slot in zip(weights, made.scheme.points(made.mesh)[0].slots[0], strict=True):
+        gap = (states[0, slot] - states[1, slot]) ** 2
+        for i, j, sign in ((slot, slot, 1), (slots + slot,) * 2 + (1,), (slots + slot, slot, -1)):
+            missing[i, j] += 4.0 * sign * w * gap
+    np.testing.assert_allclose(exact[0] - exact[1], missing, atol=1e-12)

@@ -27,6 +27,32 @@ def test_the_least_energy_of_a_double_integrator_is_12(method, order):
         np.testing.assert_allclose(found[F], 6.0 - 12.0 * found.times, atol=1e-6)
 
 
+def test_the_costates_of_a_double_integrator():
+    # H = F²/2 + a v + b F: a' = 0, b' = −a and F = −b, so that a = −12 and b = −6 + 12 t (Bryson
+    # and Ho, 5.2); a is the derivative of 6 (1 − x₀)² by x₀.
+    system, (x, v, F) = optima.double_integrator()
+    found = system.optimize_trajectory(
+        sm.Integral(F**2, T) / 2, 1.0, end={x: 1.0, v: 0.0}, mesh=[0.0, 0.2, 0.7, 1.0]
+    )
+    np.testing.assert_allclose(found.costates[x], -12.0, rtol=1e-7)
+    np.testing.assert_allclose(found.costates[v], -6.0 + 12.0 * found.mesh, rtol=1e-6)
+
+
+@pytest.mark.parametrize("method", ["radau", "midpoint", "backward-euler"])
+def test_costates_are_derivatives_of_the_objective_by_the_start(method):
+    system, (q1, q2, u1, u2, F) = optima.cart_pole()
+    ends = {"end": {q1: 0.5, q2: 0.3, u1: 0.0, u2: 0.0}, "method": method, "mesh": 12}
+    objective = sm.Integral(F**2, T) + u2.subs(T, 1.0) ** 2
+    found = system.optimize_trajectory(objective, 1.0, **ends)
+    for state in (q1, q2, u1, u2):
+        sides = [
+            system.optimize_trajectory(objective, 1.0, start={state: h}, guess=found, **ends)
+            for h in (1e-4, -1e-4)
+        ]
+        slope = (sides[0].objective - sides[1].objective) / 2e-4
+        assert found.costates[state][0] == pytest.approx(slope, rel=1e-5, abs=1e-5)
+
+
 def test_the_least_time_of_a_double_integrator_is_2():
     # One switch, in the middle: Bryson and Ho, 3.9.
     system, (x, v, F) = optima.double_integrator()

@@ -505,3 +505,69 @@ def test_a_model_of_the_package():
     assert found.error.max() <= 1e-5
     scene = system.scene().animate(found)
     assert scene is not None
+
+
+def test_other_hessians_find_the_same_and_a_solution_is_a_warm_start():
+    system, (q1, q2, u1, u2, F) = optima.cart_pole()
+    ends = {"end": {q1: 0.5, q2: 0.5, u1: 0.0, u2: 0.0}, "bounds": {F: (-9.0, 9.0)}, "mesh": 10}
+    objective = sm.Integral(F**2, T)
+    found = OptimalControl(system, objective, 1.0, **ends).solve()
+    for hessian in ("gauss-newton", "lbfgs"):
+        other = OptimalControl(system, objective, 1.0, hessian=hessian, **ends)
+        assert other.solve().objective == pytest.approx(found.objective, rel=1e-7)
+    again = OptimalControl(system, objective, 1.0, **ends).solve(found)
+    assert len(again.history) < 0.5 * len(found.history)
+    assert again.objective == pytest.approx(found.objective, rel=1e-9)
+    finer = OptimalControl(system, objective, 1.0, **{**ends, "mesh": 14}).solve(found)
+    assert finer.objective == pytest.approx(found.objective, rel=1e-3)
+
+
+def test_a_sweep_goes_on_from_the_neighbour():
+    system, (q1, q2, u1, u2, F) = optima.cart_pole()
+    problem = OptimalControl(
+        system, sm.Integral(F**2, T), 1.0, end={q1: 0.5, q2: 0.5, u1: 0.0, u2: 0.0}, mesh=8
+    )
+    masses = [0.3, 0.35, 0.4]
+    found = problem.sweep({"m2": masses})
+    for motion, mass in zip(found, masses, strict=True):
+        assert motion.constants[sm.Symbol("m2")] == mass
+        system.constants = {**system.constants, sm.Symbol("m2"): mass}
+        alone = system.optimize_trajectory(
+            sm.Integral(F**2, T), 1.0, end={q1: 0.5, q2: 0.5, u1: 0.0, u2: 0.0}, mesh=8
+        )
+        assert motion.objective == pytest.approx(alone.objective, rel=1e-8)
+        assert motion.error.max() < 1e-2  # with the constants of its own
+    assert len(found[1].history) < len(found[0].history)
+
+
+@pytest.mark.parametrize(
+    ("values", "message"),
+    [
+        ({}, "`values` must map at least one constant"),
+        ({"m9": [1.0]}, "`values` has the key `m9`"),
+        ({"m2": [1.0], "l": [1.0, 2.0]}, r"as many as for the others, got the shape \(2,\)"),
+        ({"m2": [np.nan]}, "must be finite numbers"),
+        ({"m1": [1.0]}, "`values` has `m1`, which is `free`"),
+    ],
+)
+def test_bad_values_of_a_sweep_are_named(values, message):
+    system, (*_, F) = optima.cart_pole()
+    problem = OptimalControl(system, sm.Integral(F**2, T), 1.0, free=["m1"])
+    with pytest.raises((ValueError, TypeError), match=message):
+        problem.sweep(values)
+
+
+def test_what_the_hessian_of_gauss_and_newton_needs_is_told():
+    system, (x, _v, F) = optima.double_integrator()
+    for objective, message in [
+        (sm.Integral(F**2 + x, T), "it has the term x"),
+        (sm.Integral(-(F**2), T), "it has the term -F"),
+        (TF, "`objective` has no squares"),
+    ]:
+        with pytest.raises(ValueError, match=message):
+            OptimalControl(system, objective, TF, bounds={TF: (1, 2)}, hessian="gauss-newton")
+    with pytest.raises(ValueError, match="`hessian` must be"):
+        OptimalControl(system, TF, TF, hessian="newton")
+    problem = OptimalControl(system, sm.Integral(F**2, T), 1.0, method="hermite-simpson")
+    with pytest.raises(NotImplementedError, match="has no costates"):
+        problem.solve().costates

@@ -28,6 +28,7 @@ class Optimisation(Simulation):
         mesh: Any = 20,
         method: str = "radau",
         order: int = 3,
+        hessian: str = "exact",
         guess: Any = None,
         mesh_tol: float | None = None,
         options: Mapping[str, Any] | None = None,
@@ -61,6 +62,8 @@ class Optimisation(Simulation):
         method : {'radau', 'hermite-simpson', 'midpoint', 'backward-euler'}, optional
         order : int, optional
             The number of Radau points in an interval.
+        hessian : {'exact', 'gauss-newton', 'lbfgs'}, optional
+            Exact second derivatives, those of a sum of squares by first derivatives, or estimates.
         guess : dict or Trajectory, optional
             Where the search begins: from unknowns to numbers, arrays or SampledInputs, or a motion.
         mesh_tol : float, optional
@@ -113,5 +116,6 @@ class Optimisation(Simulation):
             mesh=mesh,
             method=method,
             order=order,
+            hessian=hessian,
         )
         return problem.solve(guess, mesh_tol=mesh_tol, options=options, progress=progress)

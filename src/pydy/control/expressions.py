@@ -90,6 +90,37 @@ class Reader:
                 f"integrands are functions of {self.time}."
             )
 
+    def squares(self, expression: Any) -> tuple[tuple[Any, Any], ...]:
+        """Return factors and residuals whose squares the expression is a sum of.
+
+        Terms of constants and the duration alone do not count.
+
+        Raises
+        ------
+        ValueError
+            A term is no square, or a factor is negative.
+        """
+        found = []
+        for term in sm.Add.make_args(expression):
+            if term.free_symbols <= self.known and not term.atoms(AppliedUndef):
+                continue
+            factor, residual, fine = sm.S.One, sm.S.One, True
+            for part in sm.Mul.make_args(term):
+                base, exponent = part.as_base_exp()
+                if part.free_symbols <= self.known and not part.atoms(AppliedUndef):
+                    factor *= part
+                elif exponent.is_Integer and exponent > 0 and exponent % 2 == 0:
+                    residual *= base ** (exponent / 2)
+                else:
+                    fine = False
+            if not fine or factor.is_negative:
+                raise ValueError(
+                    f"`hessian` is 'gauss-newton', which needs an `objective` that is a sum of "
+                    f"squares, but it has the term {term}. Use 'exact', or 'lbfgs'."
+                )
+            found.append((factor, residual))
+        return tuple(found)
+
     def conditions(self, argument: str, relations: Sequence[Any]) -> tuple[Condition, ...]:
         """Return relations between instants as conditions."""
         found = []

@@ -28,7 +28,7 @@ import numpy as np
 from pydy._errors import MissingDependencyError
 from pydy._interrupts import Interrupts
 from pydy.control.nlp import Nlp
-from pydy.control.tuning import TOLERANCE
+from pydy.control.tuning import TOLERANCE, WARM_BARRIER
 
 __all__ = ["SOLVED", "STATUS", "Iteration", "Solution", "solve"]
 
@@ -55,6 +55,12 @@ STATUS = {
     -102: "there is not enough memory",
 }
 SOLVED = (0, 1)
+_WARM = {
+    "warm_start_init_point": "yes",
+    "mu_init": WARM_BARRIER,
+    **{f"warm_start_{name}": WARM_BARRIER for name in
+       ("bound_push", "bound_frac", "slack_bound_push", "slack_bound_frac", "mult_bound_push")},
+}  # fmt: skip
 
 _CALL: dict[str, tuple[Any, ...]] = {
     "cost": (c_int, c_void_p, c_bool, c_void_p, c_void_p),
@@ -177,7 +183,7 @@ def _probe(lib: Any) -> bool:
     """
 
     class Square:
-        size, rows, cost_size = 1, 0, 1.0
+        size, rows, cost_size, estimated = 1, 0, 1.0, False
         lower, upper, sizes = np.array([1.0]), np.array([2.0]), np.ones(1)
         row_sizes, row_bounds = np.empty(0), (np.empty(0), np.empty(0))
         jacobian_at = (np.empty(0, np.int32), np.empty(0, np.int32))
@@ -245,6 +251,7 @@ def solve(
     *,
     options: Mapping[str, Any] | None = None,
     watch: Callable[[Iteration], None] = lambda iteration: None,
+    warm: Solution | None = None,
 ) -> Solution:
     """Solve a nonlinear program.
 
@@ -257,8 +264,10 @@ def solve(
         Options of IPOPT.
     watch : callable
         Called at each iteration.
+    warm : Solution, optional
+        Of a program with the same unknowns and rows, whose multipliers the search begins with.
     """
-    return _solve(library(), nlp, z, dict(options or {}), watch)
+    return _solve(library(), nlp, z, dict(options or {}), watch, warm)
 
 
 def _solve(
@@ -267,6 +276,7 @@ def _solve(
     z: np.ndarray,
     options: dict[str, Any],
     watch: Callable[[Iteration], None],
+    warm: Solution | None = None,
 ) -> Solution:
     n, m = nlp.size, nlp.rows
     history: list[Iteration] = []
@@ -350,11 +360,19 @@ def _solve(
     try:
         # The program comes in units of its own.
         own = {"print_level": 0, "sb": "yes", "nlp_scaling_method": "none", "tol": TOLERANCE}
+        if nlp.estimated:
+            own["hessian_approximation"] = "limited-memory"
+        if warm is not None:
+            own |= _WARM
         for name, value in {**own, **options}.items():
             _set_option(lib, problem, name, value)
         lib.SetIntermediateCallback(problem, ctypes.cast(calls["each"], c_void_p))
         y, values, objective = np.array(z / nlp.sizes), np.empty(m), np.zeros(1)
         multipliers, below, above = np.zeros(m), np.zeros(n), np.zeros(n)
+        if warm is not None:
+            multipliers[:] = warm.multipliers * nlp.row_sizes / nlp.cost_size
+            below[:] = warm.below * nlp.sizes / nlp.cost_size
+            above[:] = warm.above * nlp.sizes / nlp.cost_size
         interrupted = False
         try:
             with interrupts, _kept(raised, guards.values()):

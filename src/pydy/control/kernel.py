@@ -201,16 +201,35 @@ class Point:
     def _placed(self, nodes: Sequence[int], at: Mapping[tuple[str, int], int]) -> list[int]:
         return substitute(self.graph, nodes, {self.graph.input(*k): n for k, n in at.items()})
 
-    def functions(self, rows: Sequence[int], cost: int | None, *, hessian: bool) -> Functions:
-        """Compile the rows, a part of the objective, and their derivatives by the variables."""
+    def functions(
+        self,
+        rows: Sequence[int],
+        cost: int | None,
+        *,
+        hessian: str | None,
+        squares: Sequence[tuple[int, int]] = (),
+    ) -> Functions:
+        """Compile the rows, a part of the objective, and their derivatives by the variables.
+
+        Parameters
+        ----------
+        rows : sequence of nodes
+        cost : node or None
+        hessian : {'exact', 'gauss-newton'} or None
+            Second derivatives: of rows and cost, or what first derivatives say of the cost's.
+        squares : sequence of (node, node)
+            Factors and residuals whose squares the cost is a sum of, for 'gauss-newton'.
+        """
         g = self.graph
         put = {n: g.input("x", k) for k, n in enumerate(self._variables)}
         put |= {n: g.input("r", k) for k, n in enumerate(self._data)}
         put |= {g.input("P", k): g.input("p", k) for k in range(self.constants)}
         by, data, m = [*put.values()][: len(self._variables)], len(self._data), len(rows)
         with collector_paused():
-            roots = substitute(g, [*rows, *([] if cost is None else [cost])], put)
-            roots = simplify(g, roots)
+            costs = [] if cost is None else [cost]
+            pairs = [node for pair in squares for node in pair]
+            roots = simplify(g, substitute(g, [*rows, *costs, *pairs], put))
+            pairs, roots = roots[m + len(costs) :], roots[: m + len(costs)]
             rows, costs = roots[:m], roots[m:]
             weights = [g.input("r", data + k) for k in range(m + len(costs))]
             slopes = jacobian(g, rows, by)
@@ -224,7 +243,9 @@ class Point:
                 "jacobian": [slopes[i][j] for i, j in jacobian_at],
             }
             hessian_at: list[tuple[int, int]] = []
-            if hessian:
+            if hessian == "gauss-newton" and pairs:
+                hessian_at, cells["hessian"] = _normal(g, pairs[::2], pairs[1::2], by, weights[m])
+            elif hessian == "exact":
                 lagrangian = factor_sums(g, adjoints(g, roots, weights, by))
                 second = jacobian(g, lagrangian, by)
                 hessian_at = [(i, j) for i, row in enumerate(second) for j in row if j <= i]
@@ -246,6 +267,19 @@ class Point:
             np.array(jacobian_at, dtype=int).reshape(-1, 2),
             np.array(hessian_at, dtype=int).reshape(-1, 2),
         )
+
+
+def _normal(
+    g: Graph, factors: Sequence[int], residuals: Sequence[int], by: Sequence[int], weight: int
+) -> tuple[list[tuple[int, int]], list[int]]:
+    """Return the lower triangle of ``2 weight Σ factor · slope slopeᵀ``: places and nodes."""
+    terms: dict[tuple[int, int], list[tuple[int, float]]] = {}
+    for factor, row in zip(factors, jacobian(g, residuals, by), strict=True):
+        for i, a in row.items():
+            for j, b in row.items():
+                if j <= i:
+                    terms.setdefault((i, j), []).append((g.mul(weight, factor, a, b), 2.0))
+    return [*terms], [g.sum(parts) for parts in terms.values()]
 
 
 @dataclass(frozen=True, eq=False)

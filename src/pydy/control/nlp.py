@@ -76,6 +76,8 @@ class Nlp:
     row_sizes : ndarray, shape (m,)
         One by default.
     cost_size : float
+    estimated : bool
+        Whether the solver estimates the Hessian, as no piece has it.
     jacobian_at, hessian_at : (ndarray of int32, ndarray of int32)
         Rows and columns of the entries; those of the Hessian are of its lower triangle, and
         entries of the same place are to be added.
@@ -87,6 +89,7 @@ class Nlp:
     sizes: np.ndarray
     row_sizes: np.ndarray = field(default_factory=lambda: np.empty(0))
     cost_size: float = 1.0
+    estimated: bool = False
     jacobian_at: tuple[np.ndarray, np.ndarray] = field(init=False)
     hessian_at: tuple[np.ndarray, np.ndarray] = field(init=False)
     _units: list[np.ndarray] = field(init=False, repr=False)
@@ -243,12 +246,16 @@ class Nlp:
             start = stop
         slope = np.empty(self.size)
         self.gradient(y, slope)
-        H = np.zeros(len(self.hessian_at[0]))
-        self.hessian(y, 1.0, np.zeros(self.rows), H)
-        i, j = self.hessian_at
         curved = np.zeros(self.size)
-        np.add.at(curved, i, np.abs(H) / 2)
-        np.add.at(curved, j[i != j], np.abs(H[i != j]) / 2)
+        i, j = self.hessian_at
+        if not self.estimated:
+            H = np.zeros(len(i))
+            self.hessian(y, 1.0, np.zeros(self.rows), H)
+            np.add.at(curved, i, np.abs(H) / 2)
+            np.add.at(curved, j[i != j], np.abs(H[i != j]) / 2)
+        else:
+            self.gradient(y + 1.0, curved)  # by their sizes farther, all at once
+            curved = np.abs(curved - slope) / 2
         size = float(np.max(np.nan_to_num(np.abs(slope) + curved), initial=0.0))
         return replace(self, row_sizes=or_one(sizes), cost_size=size if size > 0.0 else 1.0)
 

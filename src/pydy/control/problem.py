@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
+from copy import copy
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -82,6 +84,10 @@ class OptimalControl:
         length of the intervals; the others have the orders 4, 2 and 1.
     order : int, optional
         Of Radau.
+    hessian : {'exact', 'gauss-newton', 'lbfgs'}, optional
+        Second derivatives: exact ones; those that follow from first derivatives if the objective is
+        a sum of squares, while equations count as linear; or none, estimated as the search goes on.
+        The others take more iterations, and build faster.
 
     Raises
     ------
@@ -128,6 +134,7 @@ class OptimalControl:
         mesh: Any = 20,
         method: str = "radau",
         order: int = 3,
+        hessian: str = "exact",
     ) -> None:
         if not hasattr(system, "_now"):
             raise TypeError(f"`system` must be a pydy.system.System, got {shown(system)}.")
@@ -200,6 +207,13 @@ class OptimalControl:
         known = {*definition.constants, *last}
         reader = Reader(time, definition.states, self._controls, known, duration)
         running, terminal = reader.objective(checked_expression(objective, "`objective`"))
+        second = choice(hessian, ("exact", "gauss-newton", "lbfgs"), "`hessian`")
+        squares = [reader.squares(e) for e in (running, terminal) if second == "gauss-newton"]
+        if squares and not any(squares):
+            raise ValueError(
+                "`hessian` is 'gauss-newton', but `objective` has no squares. Use 'exact', or "
+                "'lbfgs'."
+            )
         conditions = reader.conditions("boundary", listed("boundary", boundary, "relations"))
         path = listed("path", () if path is None else path, "relations")
         if equations.velocity and equations.constraint_forces is None:
@@ -241,6 +255,9 @@ class OptimalControl:
             instants=tuple(reader.instants),
             boundary=conditions,
             path=reader.path("path", path),
+            hessian=None if second == "lbfgs" else second,
+            squares=squares[0] if squares else (),
+            terminal_squares=squares[1] if squares else (),
         )
 
     def __repr__(self) -> str:
@@ -407,8 +424,9 @@ class OptimalControl:
         guess : dict or Trajectory, optional
             Where the search begins: from states, controls, free constants and the duration to
             numbers, to arrays of samples at equal distances over the motion, or to SampledInputs;
-            or a motion, such as a simulation or the solution of a similar problem. By default
-            states lie on straight lines between the ends, and controls are zero.
+            or a motion, such as a simulation or the solution of a similar problem, whose
+            multipliers are taken over too if it is on the same mesh. By default states lie on
+            straight lines between the ends, and controls are zero.
         mesh_tol : float, optional
             The mesh is refined until the `error` of each interval is below it. By default the mesh
             stays as it is.
@@ -450,6 +468,72 @@ class OptimalControl:
         )
         return found
 
+    def sweep(
+        self,
+        values: Mapping[Any, Any],
+        guess: Any = None,
+        *,
+        mesh_tol: float | None = None,
+        options: Mapping[str, Any] | None = None,
+        progress: bool = False,
+    ) -> list[OptimalTrajectory]:
+        """Find the motions for several values of constants; each search begins at the last motion.
+
+        Parameters
+        ----------
+        values : dict
+            From constants to arrays of the same length.
+        guess, mesh_tol, options, progress
+            As for `solve`; the guess is that of the first motion.
+
+        Returns
+        -------
+        list of OptimalTrajectory
+
+        Raises
+        ------
+        OptimizationError
+            A search did not converge, neither from the last motion nor from the guess.
+        """
+        places = self._now.definition.places["constants"]
+        given = check_mapping("values", values)
+        columns = places.columns(given, "values")
+        rows = [np.atleast_1d(real_array(v, f"`values[{k}]`")) for k, v in given.items()]
+        for key, k, row in zip(given, columns, rows, strict=True):
+            if places.symbols[k] in self._free:
+                raise ValueError(f"`values` has `{key}`, which is `free`: it is found.")
+            if row.ndim != 1 or row.shape != rows[0].shape or not np.isfinite(row).all():
+                raise ValueError(
+                    f"`values[{key}]` must be finite numbers, as many as for the others, got the "
+                    f"shape {row.shape} after {rows[0].shape}."
+                )
+        if not rows:
+            raise ValueError("`values` must map at least one constant to numbers.")
+        found: list[OptimalTrajectory] = []
+
+        def search(problem: OptimalControl, start: Any) -> OptimalTrajectory:
+            return problem.solve(start, mesh_tol=mesh_tol, options=options, progress=progress)
+
+        for numbers in zip(*rows, strict=True):
+            problem = self._with(columns, numbers)
+            try:
+                problem._mesh = self._mesh if not found else found[-1].fractions
+                found.append(search(problem, found[-1] if found else guess))
+            except OptimizationError:
+                problem._mesh = self._mesh
+                found.append(search(problem, guess))
+        return found
+
+    def _with(self, columns: Sequence[int], numbers: Sequence[float]) -> OptimalControl:
+        """Return the same problem with other values of constants, and the same machine code."""
+        other = copy(self)
+        p = self._now.p.copy()
+        p[list(columns)] = numbers
+        known = dict(zip(self._now.definition.constants, p.tolist(), strict=True))
+        other._now = replace(self._now, user={**self._now.user, "constants": known})
+        other._problem = replace(self._problem, constants=p)
+        return other
+
     def _solved(
         self, mesh: np.ndarray, guess: Any, options: dict[str, Any], told: Any
     ) -> OptimalTrajectory:
@@ -460,7 +544,12 @@ class OptimalControl:
         def watch(iteration: Iteration) -> None:
             told(1, objective=f"{iteration.objective:.6g}", gap=f"{iteration.violation:.2g}")
 
-        solution = solve(nlp, z, options=options, watch=watch)
+        warm = guess.solution if isinstance(guess, OptimalTrajectory) else None
+        if warm is not None and guess.is_on(made):
+            z = np.clip(warm.z, nlp.lower, nlp.upper)
+        else:
+            warm = None
+        solution = solve(nlp, z, options=options, watch=watch, warm=warm)
         trajectory = self._trajectory(made, nlp, solution)
         if solution.interrupted:
             raise AnalysisInterrupted(

@@ -45,9 +45,13 @@ class OptimalTrajectory(Trajectory):
         messages use: at `collocation_times` or, of boundary conditions, shape (1,). They are the
         derivatives of the objective by the right-hand side of ``a − b = 0`` or ``a − b <= 0``.
     collocation_times : ndarray
+    costates : dict of symbols to ndarray, shape (M + 1,)
+        For each state, at the times of the nodes, `mesh`.
     status : int
         As IPOPT returns it; 0 is solved.
     message : str
+    solution : Solution
+        Unknowns and multipliers as IPOPT returns them.
     history : tuple of Iteration
         The iterations of IPOPT, with `number`, `objective`, `violation`, `dual_violation` and
         `barrier`.
@@ -70,13 +74,14 @@ class OptimalTrajectory(Trajectory):
         self.duration = duration
         self.objective = solution.objective
         self.controls = tuple(controls)
+        self._states = tuple(now.definition.states)
         self.mesh = transcription.mesh * duration
         self.error = error
         self.status = solution.status
         self.message = STATUS.get(solution.status, f"IPOPT ended with status {solution.status}")
         self.history: tuple[Iteration, ...] = solution.history
-        self._solution = solution
-        self._transcription = transcription
+        self.solution = solution
+        self._nlp, self._transcription = nlp, transcription
         self.multipliers, self.collocation_times = _multipliers(nlp, solution, duration)
         moved = moving(now, transcription, z, controls, free)
         states = transcription.states_at(z, times)
@@ -95,6 +100,60 @@ class OptimalTrajectory(Trajectory):
     def __repr__(self) -> str:
         return f"Optimal{super().__repr__()}, objective {self.objective:.9g}: {self.message}"
 
+    @property
+    def fractions(self) -> np.ndarray:
+        """The nodes as fractions of the duration."""
+        return self._transcription.mesh
+
+    def is_on(self, made: Transcription) -> bool:
+        """Return whether a transcription has the same unknowns and equations."""
+        own = self._transcription
+        same = own.scheme == made.scheme and np.array_equal(own.mesh, made.mesh)
+        labels = [[piece.labels for piece in one.pieces] for one in (own, made)]
+        return same and own.sizes == made.sizes and labels[0] == labels[1]
+
+    @property
+    def costates(self) -> dict[Any, np.ndarray]:
+        """The derivatives of the objective, from a node on, by the states there.
+
+        These are the adjoint variables of Pontryagin's principle for ``H = L + costates · rates``
+        with the integrand L that is minimised, and the gradient of the value function. They are
+        those of the program: the objective's derivatives by the values of `start`, to rounding.
+
+        Raises
+        ------
+        NotImplementedError
+            The method is 'hermite-simpson', whose equations at nodes belong to two intervals.
+        """
+        made, nlp, z = self._transcription, self._nlp, self.solution.z
+        if made.scheme.name == "hermite-simpson":
+            raise NotImplementedError(
+                "The method 'hermite-simpson' has no costates: its equations at nodes belong to "
+                "the intervals on both sides. Use 'radau'."
+            )
+        slots, M, n = len(made.places[0]), made.intervals, made.problem.states
+        found, piece = np.zeros((n, M + 1)), nlp.pieces[0]
+        nodes = np.arange(n)[:, None] * slots
+        own = np.tile(np.arange(M), piece.points // M)  # the points' intervals
+        f = piece.functions
+        weights = self.solution.multipliers[: piece.rows * piece.points].reshape(piece.rows, -1)
+        entries = {}
+        for name, places in (("gradient", f.gradient_at), ("jacobian", f.jacobian_at)):
+            entries[name] = np.zeros((len(places), piece.points))
+            if len(places):
+                f(name, z[piece.at], piece.data, piece.constants, entries[name])
+        slopes = [*zip(f.gradient_at, entries["gradient"], strict=True)]
+        for (i, j), row in zip(f.jacobian_at, entries["jacobian"], strict=True):
+            slopes.append((j, weights[i] * row))
+        for variable, values in slopes:
+            state, slot = np.divmod(piece.at[variable], slots)
+            for node, sign in ((own, 1.0), (np.full_like(own, M), -1.0)):
+                # What an interval adds by its first node; of the last one also by its last node.
+                there = (piece.at[variable] < nodes[-1, 0] + slots) & (slot == node)
+                there &= (own == node) | ((node == M) & (own == M - 1))
+                np.add.at(found, (state[there], node[there]), sign * values[there])
+        return dict(zip(self._states, found, strict=True))
+
     def inputs(self) -> dict[Any, SampledInput]:
         """Return the controls as `pydy.inputs.SampledInput`, for `System.specifieds`.
 
@@ -112,7 +171,7 @@ class OptimalTrajectory(Trajectory):
         times = np.append((self.mesh[:-1, None] + lengths[:, None] * s).ravel(), self.mesh[-1])
         k = np.append(np.repeat(np.arange(len(lengths)), len(s)), len(lengths) - 1)
         at = np.append(np.tile(s, len(lengths)), 1.0)
-        values = self._transcription.controls_in(self._solution.z, k, at)
+        values = self._transcription.controls_in(self.solution.z, k, at)
         return {
             symbol: SampledInput(times, values[:, k], "pchip")
             for k, symbol in enumerate(self.controls)

@@ -90,8 +90,10 @@ class Problem:
         The objective is the integral of the first plus the second.
     instants : tuple of Instant
     boundary, path : tuple of Condition
-    hessian : bool
-        Whether the exact Hessian is compiled.
+    hessian : {'exact', 'gauss-newton'} or None
+        Which second derivatives are compiled.
+    squares, terminal_squares : tuple of (SymPy expression, SymPy expression)
+        Factors and residuals, whose squares `running` and `terminal` are sums of.
     begin : float
         The time at which the motion begins.
     noise : tuple of float
@@ -119,7 +121,9 @@ class Problem:
     instants: tuple[Instant, ...]
     boundary: tuple[Condition, ...]
     path: tuple[Condition, ...]
-    hessian: bool = True
+    hessian: str | None = "exact"
+    squares: tuple[tuple[Any, Any], ...] = ()
+    terminal_squares: tuple[tuple[Any, Any], ...] = ()
     begin: float = 0.0
     noise: tuple[float, ...] = ()
     measured: tuple[Any, ...] = ()
@@ -175,14 +179,17 @@ class Problem:
         if self.path:
             path = [c.expression for c in self.path]
             rows += point.read(path, "`path`", at, self.duration_symbol)
-        cost = None
+        cost, squares = None, []
         if self.running != 0:
-            integrand = point.read([self.running], "`objective`", at, self.duration_symbol)
-            cost = g.mul(T, weight, integrand[0])
+            wanted = [self.running, *(e for pair in self.squares for e in pair)]
+            nodes = point.read(wanted, "`objective`", at, self.duration_symbol)
+            cost = g.mul(T, weight, nodes[0])
+            factors = [g.mul(T, weight, factor) for factor in nodes[1::2]]
+            squares = [*zip(factors, nodes[2::2], strict=True)]
         if self.noise:
             pairs = zip(controls[:own], self.noise, strict=True)
             cost = g.mul(T, weight, g.sum([(g.powi(c, 2), 0.5 / s**2) for c, s in pairs]))
-        return point.functions(rows, cost, hessian=self.hessian)
+        return point.functions(rows, cost, hessian=self.hessian, squares=squares)
 
     def _time(self, point: Point, T: int, fraction: int) -> int:
         """Return the node of the time."""
@@ -270,7 +277,7 @@ class Problem:
         cost = g.sum([(g.powi(row, 2), 0.5) for row in rows])
         return (
             point.functions([], cost, hessian=self.hessian),
-            point.functions(rows, None, hessian=False),
+            point.functions(rows, None, hessian=None),
         )
 
     def at_instants(self, scheme: Scheme) -> Functions | None:
@@ -295,10 +302,13 @@ class Problem:
             # Each instant has an interval of its own.
             h = point.graph.mul(T, point.data(1)[0])
             atoms[instant.symbol] = point.combined(terms, h)
+        count = len(self.boundary)
         expressions = [*(c.expression for c in self.boundary), self.terminal]
+        expressions += [e for pair in self.terminal_squares for e in pair]
         nodes = point.read_with(expressions, "`boundary` and `objective`", atoms)
-        cost = None if self.terminal == 0 else nodes[-1]
-        return point.functions(nodes[:-1], cost, hessian=self.hessian)
+        cost = None if self.terminal == 0 else nodes[count]
+        squares = [*zip(nodes[count + 1 :: 2], nodes[count + 2 :: 2], strict=True)]
+        return point.functions(nodes[:count], cost, hessian=self.hessian, squares=squares)
 
 
 @dataclass(frozen=True, eq=False)
@@ -372,7 +382,7 @@ class Transcription:
 
     def nlp(self, lower: np.ndarray, upper: np.ndarray, sizes: np.ndarray) -> Nlp:
         """Return the program; bounds and sizes are those of the unknowns."""
-        return Nlp(self.pieces, lower, upper, sizes)
+        return Nlp(self.pieces, lower, upper, sizes, estimated=self.problem.hessian is None)
 
     @cached_property
     def pieces(self) -> tuple[Piece, ...]:

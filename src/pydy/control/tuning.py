@@ -19,6 +19,7 @@ __all__ = [
     "STILL",
     "SURE",
     "TOLERANCE",
+    "WARM_BARRIER",
 ]
 
 INPUT_SAMPLES = 129
@@ -76,3 +77,8 @@ not zero."""
 MOST_CORRECTIONS, STILL = 10, 0.03
 """How often the likelihood's slope is computed anew, at most, and the share of a standard error
 by which the estimates then still move: a thirtieth adds a thousandth to the variance."""
+
+WARM_BARRIER = 1e-6
+"""The barrier with which a search begins that has the multipliers of a similar problem, and how far
+from its bounds: between 0.1, which loses them, and the last one of 1e-10, from which bounds that
+are no longer active are left slowly."""
