@@ -1,6 +1,6 @@
 """Write the compiled loops as LLVM IR: ``python tools/solvers_ir.py``; ``make solvers-ir`` runs it.
 
-Needed after a change of the C in ``src/pydy/solvers/core`` or ``src/pydy/_backends/llvm/core``, or
+Needed after a change of the C in ``src/pydy/solvers/core`` or ``src/pydy/_backends/core``, or
 of the tuples and numbers that their headers are written from. What it writes to ``solvers/ir`` and
 beside the latter is committed, and compiled for the processor at hand by users, who need no C
 compiler (see `pydy._backends.llvm.shipped`).
@@ -26,9 +26,10 @@ if str(SRC) not in sys.path:
     sys.path.insert(0, str(SRC))
 
 from pydy import _array_layout  # noqa: E402
+from pydy._graph import tuning as graph  # noqa: E402
 from pydy.solvers.core import declarations  # noqa: E402
 
-SOLVERS, GATES = SRC / "pydy/solvers/ir", SRC / "pydy/_backends/llvm/core"
+SOLVERS, GATES = SRC / "pydy/solvers/ir", SRC / "pydy/_backends/core"
 
 
 def sources() -> dict[str, Path]:
@@ -69,7 +70,12 @@ def header(source: Path, text: str | None = None) -> str:
     if source.parent != GATES:
         return declarations.layout_header(text)
     offsets = [name for name in _array_layout.__all__ if name.isupper()]
-    return "".join(f"#define {name} {getattr(_array_layout, name)}\n" for name in offsets)
+    found = {name: getattr(_array_layout, name) for name in offsets}
+    found |= {name: getattr(graph, name) for name in ("SINGULAR", "INDEPENDENT", "REDUNDANT")}
+    return "".join(
+        f"#define {name} {float(x).hex() if isinstance(x, float) else x}\n"
+        for name, x in found.items()
+    )
 
 
 def digest(name: str) -> str:

@@ -14,7 +14,6 @@ from itertools import chain
 from pydy._backends.llvm.ir import WIDTHS, Function, literal, vector_type
 from pydy._backends.llvm.plan import Place, Registers, fusion, readers
 from pydy._backends.llvm.sincos import sincos, sincos_call, sincos_together
-from pydy._backends.llvm.solve import mask, solver_names
 from pydy._backends.tuning import (
     BASIC_BLOCK,
     FALLBACK_STACK,
@@ -35,6 +34,34 @@ from pydy._graph.operations import (
 from pydy._graph.program import Program
 
 # -- Linear solves as part of a stage: matrices for fallbacks, the guards, and their solutions -----
+
+_ROUTINES = {
+    "lu": "i32 (ptr, ptr, ptr, ptr, i64, i32)",
+    "ldl_factor": "i32 (ptr, ptr, i64)",
+    "ldl_solve": "void (ptr, ptr, ptr, i64)",
+    "guard": "i32 (ptr, ptr, i64, ptr, i64, i32)",
+    "constrained": "i32 (ptr, ptr, ptr, ptr, i64, i64, i32)",
+}
+
+
+def solver_names(lanes: int) -> tuple[str, ...]:
+    """Return the routines of ``core/solve.h`` that a kernel of `lanes` lanes may call."""
+    return tuple(f"pydy_{name}_{lanes}" for name in _ROUTINES)
+
+
+def solver_declarations(lanes: int) -> str:
+    """Return their IR declarations."""
+    heads = (kind.partition(" ") for kind in _ROUTINES.values())
+    pairs = zip(solver_names(lanes), heads, strict=True)
+    return "".join(f"declare {result} @{name}{rest}\n" for name, (result, _, rest) in pairs)
+
+
+def mask(f: Function, flags: str, lanes: int) -> str:
+    """Return a vector of truth values as the bits of an i32."""
+    if lanes == 1:
+        return f.let(f"zext i1 {flags} to i32")
+    bits = f.let(f"bitcast <{lanes} x i1> {flags} to i{lanes}")
+    return bits if lanes == 32 else f.let(f"zext i{lanes} {bits} to i32")
 
 
 def _stored(n: int, entries: tuple[int, ...]) -> list[int]:

@@ -13,7 +13,6 @@ import ctypes
 import sysconfig
 from collections.abc import Callable
 from functools import cache, partial
-from pathlib import Path
 from typing import Any, Literal, cast
 
 import numpy as np
@@ -24,7 +23,7 @@ from pydy._backends.llvm import background, jit
 from pydy._backends.llvm.background import Compile, Task
 from pydy._backends.llvm.compiling import Source
 from pydy._backends.llvm.gate import Gate
-from pydy._backends.llvm.shipped import Shipped
+from pydy._backends.llvm.shipped import CORE
 from pydy._backends.llvm.tiers import Entry
 from pydy._backends.tuning import SWEPT
 from pydy._graph.program import Program
@@ -34,7 +33,6 @@ from pydy._kernel import Kernel
 # How many words the structs of C have before what belongs to one call: `Words`, and `Bound`.
 _SWEEP_WORDS, _CALL_WORDS = 9, 8
 _GATES = ("sweep_1", "sweep_gate", "kernel_gate", "step_gate", "call_python")
-_SHIPPED = Shipped(Path(__file__).with_name("core"))
 
 
 def scratch_size(lanes: int, n: int, s: int, k: int, carried: int, outputs: int) -> int:
@@ -70,7 +68,7 @@ class _Gates:
     """The gates from Python."""
 
     def __init__(self) -> None:
-        source = _SHIPPED.source("gates", _GATES)
+        source = CORE.source("gates", _GATES)
         self.better: Task | None = None
         code = jit.find(source)
         if code is None:
@@ -161,7 +159,7 @@ _WIDE: dict[int, jit.Code] = {}
 
 def _wide_sweep(lanes: int) -> int:
     if lanes not in _WIDE:
-        _WIDE[lanes] = jit.load(_SHIPPED.source(f"sweep_{lanes}"))
+        _WIDE[lanes] = jit.load(CORE.source(f"sweep_{lanes}"))
     return _WIDE[lanes].addresses[f"sweep_{lanes}"]
 
 

@@ -27,5 +27,8 @@ class Shipped:
         return Source(what, partial(_finished, text), tuple(functions) or (name,), loops=True)
 
 
+CORE = Shipped(Path(__file__).parents[1] / "core")
+
+
 def _finished(text: str, brief: bool) -> str:
     return target_lines() + text

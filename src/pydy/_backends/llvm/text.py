@@ -8,11 +8,16 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from pydy._backends.llvm.emit import BRANCH_WEIGHTS, SOLVES, Emitter, called
+from pydy._backends.llvm.emit import (
+    BRANCH_WEIGHTS,
+    SOLVES,
+    Emitter,
+    called,
+    solver_declarations,
+)
 from pydy._backends.llvm.ir import HEAP_DECLARATIONS, MALLOC, WIDTHS, Function, vector_type
 from pydy._backends.llvm.plan import Layout
 from pydy._backends.llvm.sincos import sincos_declarations, sincos_functions
-from pydy._backends.llvm.solve import solver_declarations, solver_functions
 from pydy._backends.llvm.targets import target
 from pydy._backends.tuning import LOOP
 from pydy._graph.operations import ANGLES
@@ -272,9 +277,8 @@ def _in_turns(program: Program, lanes: int, width: int, brief: bool) -> str:
     return "\n".join([own, *outer, *BRANCH_WEIGHTS, ""])
 
 
-def routines_text(lanes: int, brief: bool) -> str:
-    """Return the module of what many kernels share: linear solves, sine and cosine."""
-    widths = WIDTHS if lanes == 1 else (1, lanes)
+def angles_text(lanes: int, brief: bool) -> str:
+    """Return the module of the sines and cosines that kernels share."""
+    widths = WIDTHS if lanes == 1 else (lanes,)
     parts = [_arithmetic_declarations(widths), *_LIBM_ANGLES, *BRANCH_WEIGHTS]
-    parts += [sincos_functions(w) for w in widths if w == lanes or lanes == 1]
-    return "\n".join([*parts, solver_functions(lanes)])
+    return "\n".join([*parts, *map(sincos_functions, widths)])

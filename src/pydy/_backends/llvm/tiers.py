@@ -20,12 +20,12 @@ from pydy import _forks
 from pydy._backends.llvm import background, jit
 from pydy._backends.llvm.background import Compile, Task
 from pydy._backends.llvm.compiling import Source, object_code
-from pydy._backends.llvm.emit import SOLVES
+from pydy._backends.llvm.emit import SOLVES, solver_names
+from pydy._backends.llvm.shipped import CORE
 from pydy._backends.llvm.sincos import sincos_names
-from pydy._backends.llvm.solve import solver_names
 from pydy._backends.llvm.tangents import pieces, tangent_text
 from pydy._backends.llvm.targets import target
-from pydy._backends.llvm.text import is_small, kernel_text, routines_text
+from pydy._backends.llvm.text import angles_text, is_small, kernel_text
 from pydy._backends.tuning import LARGE, MOST_RESULTS, MOST_WITHOUT_FALLBACKS, SHORT, TEMPORARY
 from pydy._graph.collector import collector_paused
 from pydy._graph.operations import ANGLES
@@ -47,7 +47,7 @@ class Tiers:
     """Code for one state."""
 
     source: Source
-    calls: tuple[int, ...]  # the lanes of the shared routines that it needs
+    calls: tuple[tuple[str, int], ...]  # the shared routines that it needs, with their lanes
     short: Source | None = None  # the same without fallbacks, where that is much less
 
     def at_hand(self) -> tuple[jit.Code, Quality]:
@@ -64,11 +64,11 @@ class Tiers:
         return jit.load_quickly(self.source, self._routines())
 
     def _routines(self) -> jit.Joined:
-        return jit.Joined([shared_routines(lanes, at_best=False) for lanes in self.calls])
+        return jit.Joined([shared_routines(*call, at_best=False) for call in self.calls])
 
     def best(self, compile_source: Compile) -> jit.Code:
         """Return the best code, compiled by the given function unless there is some."""
-        routines = [shared_routines(lanes, True, compile_source) for lanes in self.calls]
+        routines = [shared_routines(*call, True, compile_source) for call in self.calls]
         return jit.load(self.source, jit.Joined(routines), compile_source)
 
 
@@ -196,7 +196,8 @@ def wide_code(program: Program | Tangent, lanes: int, width: int | None = None) 
     """Return the best code for several states at once, compiled if need be."""
     if isinstance(program, Program):
         width = width or width_of(program, lanes)
-    routines = [shared_routines(own, at_best=True) for own in _calls(program, width or lanes)]
+    calls = _calls(program, width or lanes)
+    routines = [shared_routines(*call, at_best=True) for call in calls]
     return jit.load(_source(program, lanes, width or lanes), jit.Joined(routines))
 
 
@@ -206,9 +207,11 @@ def _source(program: Program | Tangent, lanes: int, width: int, loops: bool = Fa
     return Source(name, text, ("kernel", "prepare", "strided")[: 2 + strided], loops=loops)
 
 
-def _calls(program: Program | Tangent, lanes: int) -> tuple[int, ...]:
-    """Return the lanes of the shared routines that are called."""
-    called = {own for one, own in pieces(program, lanes) if {*SOLVES, *ANGLES} & set(one.ops)}
+def _calls(program: Program | Tangent, lanes: int) -> tuple[tuple[str, int], ...]:
+    """Return the shared routines that are called, with their lanes."""
+    kinds = ("angles", {*ANGLES}), ("solve", {*SOLVES})
+    parts = [(set(one.ops), own) for one, own in pieces(program, lanes)]
+    called = {(kind, own) for kind, ops in kinds for found, own in parts if ops & found}
     return tuple(sorted(called))
 
 
@@ -244,17 +247,22 @@ def _does_little(program: Program) -> bool:
     return program.operation_count["run"].total() < SHORT * len(program.outputs)
 
 
-_ROUTINES: dict[tuple[int, bool], jit.Code] = {}
+_ROUTINES: dict[tuple[str, int, bool], jit.Code] = {}
 _ROUTINES_LOCK = _forks.Lock()
 
 
-def shared_routines(lanes: int, at_best: bool, compile_source: Compile = object_code) -> jit.Code:
-    """Return the routines kernels call; unless they are cached, quickly compiled will do."""
-    best = _ROUTINES.get((lanes, True))
+def shared_routines(
+    kind: str, lanes: int, at_best: bool, compile_source: Compile = object_code
+) -> jit.Code:
+    """Return routines that kernels call; unless they are cached, quickly compiled will do."""
+    best = _ROUTINES.get((kind, lanes, True))
     if best is not None:
         return best
-    names = solver_names(lanes) + sincos_names(lanes)
-    source = Source(f"routines {lanes}", partial(routines_text, lanes), names, loops=True)
+    if kind == "solve":
+        source = CORE.source(f"solve_{lanes}", solver_names(lanes))
+    else:
+        text = partial(angles_text, lanes)
+        source = Source(f"angles {lanes}", text, sincos_names(lanes), loops=True)
     code: jit.Code | None
     if not at_best:
         code = jit.find(source)
@@ -264,8 +272,8 @@ def shared_routines(lanes: int, at_best: bool, compile_source: Compile = object_
     else:
         code = jit.load(source, None, compile_source)
     if code is not None:
-        return _ROUTINES.setdefault((lanes, True), code)
-    quick = _ROUTINES.get((lanes, False))
+        return _ROUTINES.setdefault((kind, lanes, True), code)
+    quick = _ROUTINES.get((kind, lanes, False))
     if quick is None:
-        quick = _ROUTINES[lanes, False] = jit.load_quickly(source)
+        quick = _ROUTINES[kind, lanes, False] = jit.load_quickly(source)
     return quick

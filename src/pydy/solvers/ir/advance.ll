@@ -1,4 +1,4 @@
-; sources b5f219fd323a245b605136f3c1b5061970a48cab55dec4c96130c50f8650c2c0
+; sources fd9645c6e8c7854e195b94ce71a21c001ea661529766ca6fe30553440e319bd3
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {

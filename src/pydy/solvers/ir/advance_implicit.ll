@@ -1,4 +1,4 @@
-; sources 2f89e7735338bea933956bcd33a124d023689b44b8b1886db0297190f5943c73
+; sources 5afa32eb8bc04f4bb923ac954970f1b7cfd2cf02ac389462ef7a827948d96e43
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 @NODES = internal unnamed_addr constant [3 x double] [double 0x3FC3D8B64657CAEA, double 0x3FE4A36C0803A6DF, double 1.000000e+00], align 16

@@ -1,4 +1,4 @@
-; sources 47cb5f68fd5614e3e250bdcc92ba52952d17ed1a7287bd8e7e116444f8dfabf2
+; sources 90ce2c69abeb33303ed378201caa0d9b8ec01ebcef3af4ff81b8e86724079d62
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define noundef i64 @evaluate_lanes(ptr noundef readonly %0) #0 {

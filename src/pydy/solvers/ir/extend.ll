@@ -1,4 +1,4 @@
-; sources 79edf030333002330790e9ed76e35a39950968c0c17259110588d878fa82574f
+; sources c7fc1d9de95251ba26dd447fc589f96daf71af6bf0fea3da20d1a1bc8c9fa98a
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @extend(ptr noundef %0, ptr noundef readonly %1) #0 {

@@ -1,4 +1,4 @@
-; sources 0883e7fdbf09c5fdf0705baba93a0baac15d89347824a39e380a563badb31970
+; sources e4100f3604c2e0c357805a29a53177c027d42c61a6f0da079276377a198afce4
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Held = type { ptr, i64, i64, i64, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr }

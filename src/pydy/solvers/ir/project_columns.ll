@@ -1,4 +1,4 @@
-; sources 2f254fe484a24cd8e3b06644550ecdc8b90e8f524fb14b52b0d626cbdbc7fe5f
+; sources e3c4dfb1bbcfdc78807e71e2bfa92b8a87321366e9ec2ae4308fb8f1f4069dfb
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Held = type { ptr, i64, i64, i64, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr }

@@ -1,4 +1,4 @@
-; sources 35acc52800a8b74a23fe70ce494cb3e15e764f90f1dbe5c2d7d1b9e9053f1ed1
+; sources f15e1ee7635c471af3c55af9783e41ef6463314c4d9140b7d21e8a53bd9616d2
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Stepper = type { ptr, ptr, ptr }

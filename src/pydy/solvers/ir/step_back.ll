@@ -1,4 +1,4 @@
-; sources 0be26370248804c073542afe2392befa9c7ca7a7ab1d9f3ba164e833842a959a
+; sources 74df20581c12719e6aca4374aef0a210dca09e8570f8a66c5b34be08250c9f55
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @step_back(ptr noundef readonly %0) #0 {

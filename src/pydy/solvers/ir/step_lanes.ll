@@ -1,4 +1,4 @@
-; sources 923c26cc1049f3df65e405aa0b897837587c75d69689ff1209b5ad2cfcdfb5ff
+; sources 57d49f3c5f9efd3c261820f2b59331e13e737ad5dbe0a1f7338aa1755e489eee
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Stepper = type { ptr, ptr, ptr }

@@ -1,4 +1,4 @@
-; sources 2a82843b27625a482e0816489a06d3ee80a1bfa26d75ec845730eb58481caf0f
+; sources fe04ed3dd397567b323bd40c660dbdb17c830b70b4fdb7b2a14324e6b6912d4e
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define void @sweep_4(ptr noundef readonly %0, ptr noundef %1, ptr noundef %2, ptr noundef %3, ptr noundef readonly %4, ptr noundef %5, ptr noundef writeonly %6, ptr noundef %7) #0 {

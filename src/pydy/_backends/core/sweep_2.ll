@@ -1,4 +1,4 @@
-; sources 0f506e5ab41712ab1de82fc0206074e482b87a2f4d9d5c668380980123a0dc52
+; sources 9e0f6815318495660d3fd9971de02cfade45a3a6fe76ca58977089075b20d474
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define void @sweep_2(ptr noundef readonly %0, ptr noundef %1, ptr noundef %2, ptr noundef %3, ptr noundef readonly %4, ptr noundef %5, ptr noundef writeonly %6, ptr noundef %7) #0 {

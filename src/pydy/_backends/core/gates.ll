@@ -1,4 +1,4 @@
-; sources eb58962155dba7667ca0eacf66892efb7d90b24586e2af0eb1e7b2cee0cb2b7a
+; sources 2ed3dc73a05fdb44969f9abd9161aecca1f48517cd1a814792c25dfde454c28f
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Words = type { ptr, ptr, ptr, ptr, i64, i64, i64, i64, i64, i64, i64, i64 }

@@ -1,4 +1,4 @@
-; sources 9537c45513593ee698dce3cc51affc0ab08e3ff12d2e104915a176c371e68491
+; sources 0d2f12be98897a41b995f457e2f8ca9847101758cc043f8750615f88f2db2349
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define void @sweep_8(ptr noundef readonly %0, ptr noundef %1, ptr noundef %2, ptr noundef %3, ptr noundef readonly %4, ptr noundef %5, ptr noundef writeonly %6, ptr noundef %7) #0 {
