@@ -293,8 +293,13 @@ def test_ctrl_c_ends_a_search_within_an_iteration(mass, monkeypatch):
         return jacobian(self, y, out)
 
     monkeypatch.setattr(Nlp, "jacobian", pressed)
-    with pytest.raises(AnalysisInterrupted, match="interrupted") as error:
-        problem.solve()
+    # A shell has what runs in its background ignore Ctrl-C.
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    try:
+        with pytest.raises(AnalysisInterrupted, match="interrupted") as error:
+            problem.solve()
+    finally:
+        signal.signal(signal.SIGINT, before)
     assert 2 <= len(error.value.results.history) <= 5
     assert error.value.results.message == "stopped"
 
