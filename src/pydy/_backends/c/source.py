@@ -103,8 +103,8 @@ _HEAD = """\
 
 _CORE = Path(__file__).parents[1] / "core"
 # What files of the core leave open, around them.
-_BEGIN = "#define AT(k) (k)\n#define LESS(c, a, b) ((c) - (a) * (b))\n"
-_END = "#undef AT\n#undef LESS\n"
+_BEGIN = "#define AT(k) (k)\n#define LESS(c, a, b) ((c) - (a) * (b))\n#define SERIAL\n"
+_END = "#undef AT\n#undef LESS\n#undef SERIAL\n"
 
 
 def _shared(name: str) -> str:

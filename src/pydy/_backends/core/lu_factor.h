@@ -7,6 +7,7 @@ static inline int32_t lu_factor(int64_t n, double *a, int64_t *pivots, double *s
     int32_t singular = 0;
     for (int64_t i = 0; i < n; i++) {
         double top = 0.0;
+        SERIAL
         for (int64_t j = 0; j < n; j++) {
             const double size = fabs(a[AT(i * n + j)]);
             top = size > top ? size : top;
@@ -15,6 +16,7 @@ static inline int32_t lu_factor(int64_t n, double *a, int64_t *pivots, double *s
     }
     for (int64_t j = 0; j < n; j++) {
         double top = 0.0;
+        SERIAL
         for (int64_t i = 0; i < n; i++) {
             const double size = fabs(a[AT(i * n + j)]) * scales[i];
             top = size > top ? size : top;
@@ -24,6 +26,7 @@ static inline int32_t lu_factor(int64_t n, double *a, int64_t *pivots, double *s
     for (int64_t k = 0; k < n; k++) {
         int64_t pivot = k;
         double best = fabs(a[AT(k * n + k)]) * scales[k];
+        SERIAL
         for (int64_t i = k + 1; i < n; i++) {
             const double size = fabs(a[AT(i * n + k)]) * scales[i];
             if (size > best) {
@@ -35,6 +38,7 @@ static inline int32_t lu_factor(int64_t n, double *a, int64_t *pivots, double *s
             singular = 1;
         pivots[AT(k)] = pivot;
         if (pivot != k) {
+            SERIAL
             for (int64_t j = 0; j < n; j++) {
                 const double swapped = a[AT(k * n + j)];
                 a[AT(k * n + j)] = a[AT(pivot * n + j)];
@@ -48,6 +52,7 @@ static inline int32_t lu_factor(int64_t n, double *a, int64_t *pivots, double *s
         for (int64_t i = k + 1; i < n; i++) {
             const double factor = a[AT(i * n + k)] * inverse;
             a[AT(i * n + k)] = factor;
+            SERIAL
             for (int64_t j = k + 1; j < n; j++)
                 a[AT(i * n + j)] = LESS(a[AT(i * n + j)], factor, a[AT(k * n + j)]);
         }

@@ -11,6 +11,11 @@
 
 #define AT(k) ((k) * LANES)
 #define LESS(c, a, b) __builtin_fma(-(a), b, c)
+#if LANES > 1
+#define SERIAL _Pragma("clang loop vectorize(disable)") /* no gathers along a lane */
+#else
+#define SERIAL
+#endif
 #define NAN __builtin_nan("")
 #define fabs __builtin_fabs
 #define sqrt __builtin_sqrt

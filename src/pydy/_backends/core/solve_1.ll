@@ -1,4 +1,4 @@
-; sources 428a92d31ab31fe0298c2bb71d41073873cacad5a36b24cf3031e88ff7bbb025
+; sources 56bf8ccf0767eb67ae394de2335a6a540f4259b1439574bf519e61a0ac753bd4
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define range(i32 0, 2) i32 @pydy_lu_1(ptr noundef %0, ptr noundef %1, ptr noundef %2, ptr noundef %3, i64 noundef %4, i32 noundef %5) #0 {
@@ -312,7 +312,7 @@ define range(i32 0, 2) i32 @pydy_constrained_1(ptr noundef %0, ptr noundef %1, p
   %14 = fmul double %13, 0x3CB0000000000000
   %15 = add i64 %5, 1
   %16 = getelementptr double, ptr %2, i64 %5
-  br i1 %9, label %302, label %17
+  br i1 %9, label %346, label %17
 
 17:                                               ; preds = %7
   br i1 %10, label %20, label %18
@@ -393,14 +393,14 @@ define range(i32 0, 2) i32 @pydy_constrained_1(ptr noundef %0, ptr noundef %1, p
   %69 = phi i64 [ %51, %66 ], [ 0, %49 ]
   %70 = phi i64 [ %67, %66 ], [ %50, %49 ]
   %71 = icmp sgt i64 %69, 0
-  br i1 %71, label %72, label %250
+  br i1 %71, label %72, label %294
 
 72:                                               ; preds = %68
   %73 = icmp slt i64 %69, %5
   br label %77
 
 74:                                               ; preds = %105
-  br i1 %71, label %75, label %250
+  br i1 %71, label %75, label %294
 
 75:                                               ; preds = %74
   %76 = icmp slt i64 %69, %5
@@ -452,271 +452,340 @@ define range(i32 0, 2) i32 @pydy_constrained_1(ptr noundef %0, ptr noundef %1, p
   %109 = icmp slt i64 %108, %69
   br i1 %109, label %77, label %74, !llvm.loop !24
 
-110:                                              ; preds = %244, %75
-  %111 = phi i64 [ %70, %75 ], [ %187, %244 ]
-  %112 = phi i32 [ 0, %75 ], [ %246, %244 ]
-  %113 = phi double [ %30, %75 ], [ %245, %244 ]
-  %114 = phi i64 [ 0, %75 ], [ %247, %244 ]
+110:                                              ; preds = %288, %75
+  %111 = phi i64 [ %70, %75 ], [ %195, %288 ]
+  %112 = phi i32 [ 0, %75 ], [ %290, %288 ]
+  %113 = phi i64 [ 0, %75 ], [ %291, %288 ]
+  %114 = phi double [ %30, %75 ], [ %289, %288 ]
   %115 = icmp ne i64 %111, 0
   %116 = and i1 %76, %115
   br i1 %116, label %117, label %127
 
-117:                                              ; preds = %110, %152
-  %118 = phi i64 [ %156, %152 ], [ %69, %110 ]
-  %119 = phi i64 [ %155, %152 ], [ -1, %110 ]
-  %120 = phi i64 [ %154, %152 ], [ -1, %110 ]
-  %121 = phi double [ %153, %152 ], [ %13, %110 ]
+117:                                              ; preds = %110, %139
+  %118 = phi i64 [ %143, %139 ], [ %69, %110 ]
+  %119 = phi i64 [ %142, %139 ], [ -1, %110 ]
+  %120 = phi i64 [ %141, %139 ], [ -1, %110 ]
+  %121 = phi double [ %140, %139 ], [ %13, %110 ]
   %122 = getelementptr inbounds i64, ptr %1, i64 %118
   %123 = load i64, ptr %122, align 8
   %124 = icmp slt i64 %123, 0
   %125 = mul nsw i64 %118, %5
   %126 = getelementptr double, ptr %0, i64 %125
-  br i1 %124, label %131, label %152
+  br i1 %124, label %131, label %139
 
-127:                                              ; preds = %152, %110
-  %128 = phi i64 [ -1, %110 ], [ %154, %152 ]
-  %129 = phi i64 [ -1, %110 ], [ %155, %152 ]
+127:                                              ; preds = %139, %110
+  %128 = phi i64 [ -1, %110 ], [ %141, %139 ]
+  %129 = phi i64 [ -1, %110 ], [ %142, %139 ]
   %130 = icmp slt i64 %128, 0
-  br i1 %130, label %159, label %182
+  br i1 %130, label %163, label %190
 
-131:                                              ; preds = %117, %131
-  %132 = phi i64 [ %150, %131 ], [ 0, %117 ]
-  %133 = phi i64 [ %149, %131 ], [ %119, %117 ]
-  %134 = phi i64 [ %148, %131 ], [ %120, %117 ]
-  %135 = phi double [ %147, %131 ], [ %121, %117 ]
-  %136 = getelementptr double, ptr %126, i64 %132
-  %137 = load double, ptr %136, align 8
-  %138 = tail call double @llvm.fabs.f64(double %137)
-  %139 = getelementptr inbounds double, ptr %2, i64 %132
-  %140 = load double, ptr %139, align 8
-  %141 = fmul double %138, %140
-  %142 = getelementptr inbounds i64, ptr %1, i64 %132
-  %143 = load i64, ptr %142, align 8
-  %144 = icmp slt i64 %143, 0
-  %145 = fcmp ogt double %141, %135
-  %146 = select i1 %144, i1 %145, i1 false
-  %147 = select i1 %146, double %141, double %135
-  %148 = select i1 %146, i64 %118, i64 %134
-  %149 = select i1 %146, i64 %132, i64 %133
-  %150 = add nuw nsw i64 %132, 1
-  %151 = icmp slt i64 %150, %69
-  br i1 %151, label %131, label %152, !llvm.loop !25
+131:                                              ; preds = %117, %157
+  %132 = phi i64 [ %161, %157 ], [ 0, %117 ]
+  %133 = phi i64 [ %160, %157 ], [ %119, %117 ]
+  %134 = phi i64 [ %159, %157 ], [ %120, %117 ]
+  %135 = phi double [ %158, %157 ], [ %121, %117 ]
+  %136 = getelementptr inbounds i64, ptr %1, i64 %132
+  %137 = load i64, ptr %136, align 8
+  %138 = icmp sgt i64 %137, -1
+  br i1 %138, label %157, label %146
 
-152:                                              ; preds = %131, %117
-  %153 = phi double [ %121, %117 ], [ %147, %131 ]
-  %154 = phi i64 [ %120, %117 ], [ %148, %131 ]
-  %155 = phi i64 [ %119, %117 ], [ %149, %131 ]
-  %156 = add nuw nsw i64 %118, 1
-  %157 = icmp slt i64 %156, %5
-  %158 = select i1 %115, i1 %157, i1 false
-  br i1 %158, label %117, label %127, !llvm.loop !26
+139:                                              ; preds = %157, %117
+  %140 = phi double [ %121, %117 ], [ %158, %157 ]
+  %141 = phi i64 [ %120, %117 ], [ %159, %157 ]
+  %142 = phi i64 [ %119, %117 ], [ %160, %157 ]
+  %143 = add nuw nsw i64 %118, 1
+  %144 = icmp slt i64 %143, %5
+  %145 = select i1 %115, i1 %144, i1 false
+  br i1 %145, label %117, label %127, !llvm.loop !25
 
-159:                                              ; preds = %127, %159
-  %160 = phi i64 [ %180, %159 ], [ 0, %127 ]
-  %161 = phi i64 [ %179, %159 ], [ %129, %127 ]
-  %162 = phi i64 [ %178, %159 ], [ %128, %127 ]
-  %163 = phi double [ %177, %159 ], [ %14, %127 ]
-  %164 = mul i64 %160, %15
-  %165 = getelementptr inbounds double, ptr %0, i64 %164
-  %166 = load double, ptr %165, align 8
-  %167 = tail call double @llvm.fabs.f64(double %166)
-  %168 = getelementptr inbounds double, ptr %2, i64 %160
-  %169 = load double, ptr %168, align 8
-  %170 = fmul double %167, %169
-  %171 = fmul double %169, %170
-  %172 = getelementptr inbounds i64, ptr %1, i64 %160
-  %173 = load i64, ptr %172, align 8
-  %174 = icmp slt i64 %173, 0
-  %175 = fcmp ogt double %171, %163
-  %176 = select i1 %174, i1 %175, i1 false
-  %177 = select i1 %176, double %171, double %163
-  %178 = select i1 %176, i64 %160, i64 %162
-  %179 = select i1 %176, i64 %160, i64 %161
-  %180 = add nuw nsw i64 %160, 1
-  %181 = icmp slt i64 %180, %69
-  br i1 %181, label %159, label %184, !llvm.loop !27
+146:                                              ; preds = %131
+  %147 = getelementptr double, ptr %126, i64 %132
+  %148 = load double, ptr %147, align 8
+  %149 = tail call double @llvm.fabs.f64(double %148)
+  %150 = getelementptr inbounds double, ptr %2, i64 %132
+  %151 = load double, ptr %150, align 8
+  %152 = fmul double %149, %151
+  %153 = fcmp ogt double %152, %135
+  %154 = select i1 %153, double %152, double %135
+  %155 = select i1 %153, i64 %118, i64 %134
+  %156 = select i1 %153, i64 %132, i64 %133
+  br label %157
 
-182:                                              ; preds = %127
-  %183 = add nsw i64 %111, -1
+157:                                              ; preds = %146, %131
+  %158 = phi double [ %135, %131 ], [ %154, %146 ]
+  %159 = phi i64 [ %134, %131 ], [ %155, %146 ]
+  %160 = phi i64 [ %133, %131 ], [ %156, %146 ]
+  %161 = add nuw nsw i64 %132, 1
+  %162 = icmp slt i64 %161, %69
+  br i1 %162, label %131, label %139, !llvm.loop !26
+
+163:                                              ; preds = %127, %184
+  %164 = phi i64 [ %188, %184 ], [ 0, %127 ]
+  %165 = phi i64 [ %187, %184 ], [ %129, %127 ]
+  %166 = phi i64 [ %186, %184 ], [ %128, %127 ]
+  %167 = phi double [ %185, %184 ], [ %14, %127 ]
+  %168 = getelementptr inbounds i64, ptr %1, i64 %164
+  %169 = load i64, ptr %168, align 8
+  %170 = icmp sgt i64 %169, -1
+  br i1 %170, label %184, label %171
+
+171:                                              ; preds = %163
+  %172 = mul i64 %164, %15
+  %173 = getelementptr inbounds double, ptr %0, i64 %172
+  %174 = load double, ptr %173, align 8
+  %175 = tail call double @llvm.fabs.f64(double %174)
+  %176 = getelementptr inbounds double, ptr %2, i64 %164
+  %177 = load double, ptr %176, align 8
+  %178 = fmul double %175, %177
+  %179 = fmul double %177, %178
+  %180 = fcmp ogt double %179, %167
+  %181 = select i1 %180, double %179, double %167
+  %182 = select i1 %180, i64 %164, i64 %166
+  %183 = select i1 %180, i64 %164, i64 %165
   br label %184
 
-184:                                              ; preds = %159, %182
-  %185 = phi i64 [ %128, %182 ], [ %178, %159 ]
-  %186 = phi i64 [ %129, %182 ], [ %179, %159 ]
-  %187 = phi i64 [ %183, %182 ], [ 0, %159 ]
-  %188 = icmp sgt i64 %185, -1
-  br i1 %188, label %189, label %191
+184:                                              ; preds = %171, %163
+  %185 = phi double [ %167, %163 ], [ %181, %171 ]
+  %186 = phi i64 [ %166, %163 ], [ %182, %171 ]
+  %187 = phi i64 [ %165, %163 ], [ %183, %171 ]
+  %188 = add nuw nsw i64 %164, 1
+  %189 = icmp slt i64 %188, %69
+  br i1 %189, label %163, label %192, !llvm.loop !27
 
-189:                                              ; preds = %184
-  %190 = icmp ne i64 %185, %186
-  br label %195
+190:                                              ; preds = %127
+  %191 = add nsw i64 %111, -1
+  br label %192
 
-191:                                              ; preds = %184
-  %192 = fadd double %19, %113
-  %193 = fcmp oeq double %192, 0.000000e+00
-  %194 = zext i1 %193 to i32
-  br label %244
+192:                                              ; preds = %184, %190
+  %193 = phi i64 [ %128, %190 ], [ %186, %184 ]
+  %194 = phi i64 [ %129, %190 ], [ %187, %184 ]
+  %195 = phi i64 [ %191, %190 ], [ 0, %184 ]
+  %196 = icmp sgt i64 %193, -1
+  br i1 %196, label %201, label %197
 
-195:                                              ; preds = %205, %189
-  %196 = phi i32 [ 0, %189 ], [ %207, %205 ]
-  %197 = icmp eq i32 %196, 0
-  %198 = select i1 %197, i64 %185, i64 %186
-  %199 = select i1 %197, i64 %186, i64 %185
-  %200 = mul nsw i64 %198, %5
-  %201 = getelementptr double, ptr %0, i64 %200
-  %202 = getelementptr double, ptr %201, i64 %199
-  %203 = load double, ptr %202, align 8
-  %204 = fdiv double 1.000000e+00, %203
-  br i1 %11, label %209, label %205
-
-205:                                              ; preds = %241, %195
-  %206 = getelementptr inbounds i64, ptr %1, i64 %198
-  store i64 %199, ptr %206, align 8
-  %207 = add nuw nsw i32 %196, 1
-  %208 = and i1 %190, %197
-  br i1 %208, label %195, label %244, !llvm.loop !28
-
-209:                                              ; preds = %195, %241
-  %210 = phi i64 [ %242, %241 ], [ 0, %195 ]
-  %211 = mul nuw nsw i64 %210, %5
-  %212 = getelementptr double, ptr %0, i64 %211
-  %213 = getelementptr double, ptr %212, i64 %199
-  %214 = load double, ptr %213, align 8
-  %215 = fmul double %204, %214
-  %216 = icmp eq i64 %210, %198
-  %217 = fcmp oeq double %215, 0.000000e+00
-  %218 = select i1 %216, i1 true, i1 %217
-  br i1 %218, label %241, label %219
-
-219:                                              ; preds = %209
-  %220 = fneg double %215
-  br label %222
-
-221:                                              ; preds = %222
-  br i1 %10, label %231, label %241
-
-222:                                              ; preds = %222, %219
-  %223 = phi i64 [ 0, %219 ], [ %229, %222 ]
-  %224 = getelementptr double, ptr %201, i64 %223
-  %225 = load double, ptr %224, align 8
-  %226 = getelementptr double, ptr %212, i64 %223
-  %227 = load double, ptr %226, align 8
-  %228 = tail call double @llvm.fma.f64(double %220, double %225, double %227)
-  store double %228, ptr %226, align 8
-  %229 = add nuw nsw i64 %223, 1
-  %230 = icmp eq i64 %229, %5
-  br i1 %230, label %221, label %222, !llvm.loop !29
-
-231:                                              ; preds = %221, %231
-  %232 = phi i64 [ %239, %231 ], [ 0, %221 ]
-  %233 = getelementptr double, ptr %3, i64 %232
-  %234 = getelementptr double, ptr %233, i64 %198
-  %235 = load double, ptr %234, align 8
-  %236 = getelementptr double, ptr %233, i64 %210
-  %237 = load double, ptr %236, align 8
-  %238 = tail call double @llvm.fma.f64(double %220, double %235, double %237)
-  store double %238, ptr %236, align 8
-  %239 = add nuw nsw i64 %232, %5
-  %240 = icmp slt i64 %239, %4
-  br i1 %240, label %231, label %241, !llvm.loop !30
-
-241:                                              ; preds = %231, %221, %209
-  %242 = add nuw nsw i64 %210, 1
-  %243 = icmp eq i64 %242, %5
-  br i1 %243, label %205, label %209, !llvm.loop !31
-
-244:                                              ; preds = %205, %191
-  %245 = phi double [ 0x7FF8000000000000, %191 ], [ %113, %205 ]
-  %246 = phi i32 [ %194, %191 ], [ %112, %205 ]
-  %247 = add nuw nsw i64 %114, 1
-  %248 = icmp slt i64 %247, %69
-  %249 = select i1 %188, i1 %248, i1 false
-  br i1 %249, label %110, label %250, !llvm.loop !32
-
-250:                                              ; preds = %244, %68, %74
-  %251 = phi double [ %30, %74 ], [ %30, %68 ], [ %245, %244 ]
-  %252 = phi i32 [ 0, %74 ], [ 0, %68 ], [ %246, %244 ]
-  br i1 %10, label %253, label %302
-
-253:                                              ; preds = %250, %291
-  %254 = phi i64 [ %292, %291 ], [ 0, %250 ]
-  br i1 %11, label %255, label %257
-
-255:                                              ; preds = %253
-  %256 = getelementptr double, ptr %3, i64 %254
-  br label %261
-
-257:                                              ; preds = %261, %253
-  %258 = phi double [ %251, %253 ], [ %267, %261 ]
-  br i1 %11, label %259, label %291
-
-259:                                              ; preds = %257
-  %260 = getelementptr double, ptr %3, i64 %254
-  br label %274
-
-261:                                              ; preds = %261, %255
-  %262 = phi i64 [ 0, %255 ], [ %269, %261 ]
-  %263 = phi double [ %251, %255 ], [ %267, %261 ]
-  %264 = getelementptr double, ptr %256, i64 %262
-  %265 = load double, ptr %264, align 8
-  %266 = fmul double %265, 0.000000e+00
-  %267 = fadd double %263, %266
-  %268 = getelementptr double, ptr %16, i64 %262
-  store double 0.000000e+00, ptr %268, align 8
-  %269 = add nuw nsw i64 %262, 1
-  %270 = icmp eq i64 %269, %5
-  br i1 %270, label %257, label %261, !llvm.loop !33
-
-271:                                              ; preds = %288
-  br i1 %11, label %272, label %291
-
-272:                                              ; preds = %271
-  %273 = getelementptr double, ptr %3, i64 %254
-  br label %294
-
-274:                                              ; preds = %288, %259
-  %275 = phi i64 [ 0, %259 ], [ %289, %288 ]
-  %276 = getelementptr inbounds i64, ptr %1, i64 %275
-  %277 = load i64, ptr %276, align 8
-  %278 = icmp sgt i64 %277, -1
-  br i1 %278, label %279, label %288
-
-279:                                              ; preds = %274
-  %280 = getelementptr double, ptr %260, i64 %275
-  %281 = load double, ptr %280, align 8
-  %282 = mul nuw nsw i64 %275, %5
-  %283 = getelementptr double, ptr %0, i64 %282
-  %284 = getelementptr double, ptr %283, i64 %277
-  %285 = load double, ptr %284, align 8
-  %286 = fdiv double %281, %285
-  %287 = getelementptr double, ptr %16, i64 %277
-  store double %286, ptr %287, align 8
+197:                                              ; preds = %192
+  %198 = fadd double %19, %114
+  %199 = fcmp oeq double %198, 0.000000e+00
+  %200 = zext i1 %199 to i32
   br label %288
 
-288:                                              ; preds = %279, %274
-  %289 = add nuw nsw i64 %275, 1
-  %290 = icmp eq i64 %289, %5
-  br i1 %290, label %271, label %274, !llvm.loop !34
+201:                                              ; preds = %192
+  %202 = mul nsw i64 %193, %5
+  %203 = getelementptr double, ptr %0, i64 %202
+  %204 = getelementptr double, ptr %203, i64 %194
+  %205 = load double, ptr %204, align 8
+  %206 = fdiv double 1.000000e+00, %205
+  br i1 %11, label %207, label %242
 
-291:                                              ; preds = %294, %257, %271
-  %292 = add nsw i64 %254, %5
-  %293 = icmp slt i64 %292, %4
-  br i1 %293, label %253, label %302, !llvm.loop !35
+207:                                              ; preds = %201, %239
+  %208 = phi i64 [ %240, %239 ], [ 0, %201 ]
+  %209 = mul nuw nsw i64 %208, %5
+  %210 = getelementptr double, ptr %0, i64 %209
+  %211 = getelementptr double, ptr %210, i64 %194
+  %212 = load double, ptr %211, align 8
+  %213 = fmul double %206, %212
+  %214 = icmp eq i64 %208, %193
+  %215 = fcmp oeq double %213, 0.000000e+00
+  %216 = select i1 %214, i1 true, i1 %215
+  br i1 %216, label %239, label %217
 
-294:                                              ; preds = %294, %272
-  %295 = phi i64 [ 0, %272 ], [ %300, %294 ]
-  %296 = getelementptr double, ptr %16, i64 %295
-  %297 = load double, ptr %296, align 8
-  %298 = fadd double %258, %297
-  %299 = getelementptr double, ptr %273, i64 %295
-  store double %298, ptr %299, align 8
-  %300 = add nuw nsw i64 %295, 1
-  %301 = icmp eq i64 %300, %5
-  br i1 %301, label %291, label %294, !llvm.loop !36
+217:                                              ; preds = %207
+  %218 = fneg double %213
+  br label %220
 
-302:                                              ; preds = %291, %250, %7
-  %303 = phi i32 [ 0, %7 ], [ %252, %250 ], [ %252, %291 ]
-  ret i32 %303
+219:                                              ; preds = %220
+  br i1 %10, label %229, label %239
+
+220:                                              ; preds = %220, %217
+  %221 = phi i64 [ 0, %217 ], [ %227, %220 ]
+  %222 = getelementptr double, ptr %203, i64 %221
+  %223 = load double, ptr %222, align 8
+  %224 = getelementptr double, ptr %210, i64 %221
+  %225 = load double, ptr %224, align 8
+  %226 = tail call double @llvm.fma.f64(double %218, double %223, double %225)
+  store double %226, ptr %224, align 8
+  %227 = add nuw nsw i64 %221, 1
+  %228 = icmp eq i64 %227, %5
+  br i1 %228, label %219, label %220, !llvm.loop !28
+
+229:                                              ; preds = %219, %229
+  %230 = phi i64 [ %237, %229 ], [ 0, %219 ]
+  %231 = getelementptr double, ptr %3, i64 %230
+  %232 = getelementptr double, ptr %231, i64 %193
+  %233 = load double, ptr %232, align 8
+  %234 = getelementptr double, ptr %231, i64 %208
+  %235 = load double, ptr %234, align 8
+  %236 = tail call double @llvm.fma.f64(double %218, double %233, double %235)
+  store double %236, ptr %234, align 8
+  %237 = add nuw nsw i64 %230, %5
+  %238 = icmp slt i64 %237, %4
+  br i1 %238, label %229, label %239, !llvm.loop !29
+
+239:                                              ; preds = %229, %219, %207
+  %240 = add nuw nsw i64 %208, 1
+  %241 = icmp eq i64 %240, %5
+  br i1 %241, label %242, label %207, !llvm.loop !30
+
+242:                                              ; preds = %239, %201
+  %243 = getelementptr inbounds i64, ptr %1, i64 %193
+  store i64 %194, ptr %243, align 8
+  %244 = icmp eq i64 %193, %194
+  br i1 %244, label %288, label %245
+
+245:                                              ; preds = %242
+  %246 = mul nsw i64 %194, %5
+  %247 = getelementptr double, ptr %0, i64 %246
+  %248 = getelementptr double, ptr %247, i64 %193
+  %249 = load double, ptr %248, align 8
+  %250 = fdiv double 1.000000e+00, %249
+  br i1 %11, label %251, label %286
+
+251:                                              ; preds = %245, %283
+  %252 = phi i64 [ %284, %283 ], [ 0, %245 ]
+  %253 = mul nuw nsw i64 %252, %5
+  %254 = getelementptr double, ptr %0, i64 %253
+  %255 = getelementptr double, ptr %254, i64 %193
+  %256 = load double, ptr %255, align 8
+  %257 = fmul double %250, %256
+  %258 = icmp eq i64 %252, %194
+  %259 = fcmp oeq double %257, 0.000000e+00
+  %260 = select i1 %258, i1 true, i1 %259
+  br i1 %260, label %283, label %261
+
+261:                                              ; preds = %251
+  %262 = fneg double %257
+  br label %264
+
+263:                                              ; preds = %264
+  br i1 %10, label %273, label %283
+
+264:                                              ; preds = %264, %261
+  %265 = phi i64 [ 0, %261 ], [ %271, %264 ]
+  %266 = getelementptr double, ptr %247, i64 %265
+  %267 = load double, ptr %266, align 8
+  %268 = getelementptr double, ptr %254, i64 %265
+  %269 = load double, ptr %268, align 8
+  %270 = tail call double @llvm.fma.f64(double %262, double %267, double %269)
+  store double %270, ptr %268, align 8
+  %271 = add nuw nsw i64 %265, 1
+  %272 = icmp eq i64 %271, %5
+  br i1 %272, label %263, label %264, !llvm.loop !28
+
+273:                                              ; preds = %263, %273
+  %274 = phi i64 [ %281, %273 ], [ 0, %263 ]
+  %275 = getelementptr double, ptr %3, i64 %274
+  %276 = getelementptr double, ptr %275, i64 %194
+  %277 = load double, ptr %276, align 8
+  %278 = getelementptr double, ptr %275, i64 %252
+  %279 = load double, ptr %278, align 8
+  %280 = tail call double @llvm.fma.f64(double %262, double %277, double %279)
+  store double %280, ptr %278, align 8
+  %281 = add nuw nsw i64 %274, %5
+  %282 = icmp slt i64 %281, %4
+  br i1 %282, label %273, label %283, !llvm.loop !29
+
+283:                                              ; preds = %273, %263, %251
+  %284 = add nuw nsw i64 %252, 1
+  %285 = icmp eq i64 %284, %5
+  br i1 %285, label %286, label %251, !llvm.loop !30
+
+286:                                              ; preds = %283, %245
+  %287 = getelementptr inbounds i64, ptr %1, i64 %194
+  store i64 %193, ptr %287, align 8
+  br label %288
+
+288:                                              ; preds = %286, %242, %197
+  %289 = phi double [ 0x7FF8000000000000, %197 ], [ %114, %286 ], [ %114, %242 ]
+  %290 = phi i32 [ %200, %197 ], [ %112, %286 ], [ %112, %242 ]
+  %291 = add nuw nsw i64 %113, 1
+  %292 = icmp slt i64 %291, %69
+  %293 = select i1 %196, i1 %292, i1 false
+  br i1 %293, label %110, label %294, !llvm.loop !31
+
+294:                                              ; preds = %288, %68, %74
+  %295 = phi double [ %30, %74 ], [ %30, %68 ], [ %289, %288 ]
+  %296 = phi i32 [ 0, %74 ], [ 0, %68 ], [ %290, %288 ]
+  br i1 %10, label %297, label %346
+
+297:                                              ; preds = %294, %335
+  %298 = phi i64 [ %336, %335 ], [ 0, %294 ]
+  br i1 %11, label %299, label %301
+
+299:                                              ; preds = %297
+  %300 = getelementptr double, ptr %3, i64 %298
+  br label %305
+
+301:                                              ; preds = %305, %297
+  %302 = phi double [ %295, %297 ], [ %311, %305 ]
+  br i1 %11, label %303, label %335
+
+303:                                              ; preds = %301
+  %304 = getelementptr double, ptr %3, i64 %298
+  br label %318
+
+305:                                              ; preds = %305, %299
+  %306 = phi i64 [ 0, %299 ], [ %313, %305 ]
+  %307 = phi double [ %295, %299 ], [ %311, %305 ]
+  %308 = getelementptr double, ptr %300, i64 %306
+  %309 = load double, ptr %308, align 8
+  %310 = fmul double %309, 0.000000e+00
+  %311 = fadd double %307, %310
+  %312 = getelementptr double, ptr %16, i64 %306
+  store double 0.000000e+00, ptr %312, align 8
+  %313 = add nuw nsw i64 %306, 1
+  %314 = icmp eq i64 %313, %5
+  br i1 %314, label %301, label %305, !llvm.loop !32
+
+315:                                              ; preds = %332
+  br i1 %11, label %316, label %335
+
+316:                                              ; preds = %315
+  %317 = getelementptr double, ptr %3, i64 %298
+  br label %338
+
+318:                                              ; preds = %332, %303
+  %319 = phi i64 [ 0, %303 ], [ %333, %332 ]
+  %320 = getelementptr inbounds i64, ptr %1, i64 %319
+  %321 = load i64, ptr %320, align 8
+  %322 = icmp sgt i64 %321, -1
+  br i1 %322, label %323, label %332
+
+323:                                              ; preds = %318
+  %324 = getelementptr double, ptr %304, i64 %319
+  %325 = load double, ptr %324, align 8
+  %326 = mul nuw nsw i64 %319, %5
+  %327 = getelementptr double, ptr %0, i64 %326
+  %328 = getelementptr double, ptr %327, i64 %321
+  %329 = load double, ptr %328, align 8
+  %330 = fdiv double %325, %329
+  %331 = getelementptr double, ptr %16, i64 %321
+  store double %330, ptr %331, align 8
+  br label %332
+
+332:                                              ; preds = %323, %318
+  %333 = add nuw nsw i64 %319, 1
+  %334 = icmp eq i64 %333, %5
+  br i1 %334, label %315, label %318, !llvm.loop !33
+
+335:                                              ; preds = %338, %301, %315
+  %336 = add nsw i64 %298, %5
+  %337 = icmp slt i64 %336, %4
+  br i1 %337, label %297, label %346, !llvm.loop !34
+
+338:                                              ; preds = %338, %316
+  %339 = phi i64 [ 0, %316 ], [ %344, %338 ]
+  %340 = getelementptr double, ptr %16, i64 %339
+  %341 = load double, ptr %340, align 8
+  %342 = fadd double %302, %341
+  %343 = getelementptr double, ptr %317, i64 %339
+  store double %342, ptr %343, align 8
+  %344 = add nuw nsw i64 %339, 1
+  %345 = icmp eq i64 %344, %5
+  br i1 %345, label %335, label %338, !llvm.loop !35
+
+346:                                              ; preds = %335, %294, %7
+  %347 = phi i32 [ 0, %7 ], [ %296, %294 ], [ %296, %335 ]
+  ret i32 %347
 }
 
 define range(i32 0, 2) i32 @pydy_ldl_factor_1(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
@@ -743,11 +812,11 @@ define range(i32 0, 2) i32 @pydy_ldl_factor_1(ptr noundef %0, ptr noundef %1, i6
   store double %16, ptr %17, align 8
   %18 = add nuw nsw i64 %12, 1
   %19 = icmp eq i64 %18, %2
-  br i1 %19, label %9, label %11, !llvm.loop !37
+  br i1 %19, label %9, label %11, !llvm.loop !36
 
 20:                                               ; preds = %48, %24
   %21 = icmp eq i64 %37, %2
-  br i1 %21, label %22, label %24, !llvm.loop !38
+  br i1 %21, label %22, label %24, !llvm.loop !37
 
 22:                                               ; preds = %20, %9
   %23 = phi i32 [ 0, %9 ], [ %35, %20 ]
@@ -785,7 +854,7 @@ define range(i32 0, 2) i32 @pydy_ldl_factor_1(ptr noundef %0, ptr noundef %1, i6
 48:                                               ; preds = %51
   %49 = add nuw nsw i64 %40, 1
   %50 = icmp slt i64 %49, %2
-  br i1 %50, label %39, label %20, !llvm.loop !39
+  br i1 %50, label %39, label %20, !llvm.loop !38
 
 51:                                               ; preds = %39, %51
   %52 = phi i64 [ %40, %39 ], [ %58, %51 ]
@@ -797,7 +866,7 @@ define range(i32 0, 2) i32 @pydy_ldl_factor_1(ptr noundef %0, ptr noundef %1, i6
   store double %57, ptr %55, align 8
   %58 = add nuw nsw i64 %52, 1
   %59 = icmp slt i64 %58, %2
-  br i1 %59, label %51, label %48, !llvm.loop !40
+  br i1 %59, label %51, label %48, !llvm.loop !39
 }
 
 declare double @llvm.fma.f64(double, double, double) #1
@@ -829,7 +898,7 @@ define void @pydy_ldl_solve_1(ptr noundef readonly %0, ptr noundef readonly %1, 
 20:                                               ; preds = %22, %8
   store double %14, ptr %10, align 8
   %21 = icmp eq i64 %15, %3
-  br i1 %21, label %6, label %8, !llvm.loop !41
+  br i1 %21, label %6, label %8, !llvm.loop !40
 
 22:                                               ; preds = %17, %22
   %23 = phi i64 [ %15, %17 ], [ %30, %22 ]
@@ -842,7 +911,7 @@ define void @pydy_ldl_solve_1(ptr noundef readonly %0, ptr noundef readonly %1, 
   store double %29, ptr %27, align 8
   %30 = add nuw nsw i64 %23, 1
   %31 = icmp slt i64 %30, %3
-  br i1 %31, label %22, label %20, !llvm.loop !42
+  br i1 %31, label %22, label %20, !llvm.loop !41
 
 32:                                               ; preds = %6, %40
   %33 = phi i64 [ %34, %40 ], [ %3, %6 ]
@@ -868,7 +937,7 @@ define void @pydy_ldl_solve_1(ptr noundef readonly %0, ptr noundef readonly %1, 
   %47 = fadd double %46, %44
   store double %47, ptr %45, align 8
   %48 = icmp sgt i64 %33, 1
-  br i1 %48, label %32, label %39, !llvm.loop !43
+  br i1 %48, label %32, label %39, !llvm.loop !42
 
 49:                                               ; preds = %36, %49
   %50 = phi i64 [ %33, %36 ], [ %58, %49 ]
@@ -881,7 +950,7 @@ define void @pydy_ldl_solve_1(ptr noundef readonly %0, ptr noundef readonly %1, 
   %57 = tail call double @llvm.fma.f64(double %54, double %56, double %51)
   %58 = add nuw nsw i64 %50, 1
   %59 = icmp eq i64 %58, %3
-  br i1 %59, label %40, label %49, !llvm.loop !44
+  br i1 %59, label %40, label %49, !llvm.loop !43
 }
 
 define range(i32 0, 2) i32 @pydy_guard_1(ptr noundef readonly %0, ptr noundef %1, i64 noundef %2, ptr noundef %3, i64 noundef %4, i32 noundef %5) #2 {
@@ -909,7 +978,7 @@ define range(i32 0, 2) i32 @pydy_guard_1(ptr noundef readonly %0, ptr noundef %1
   %22 = add nuw nsw i64 %11, 1
   %23 = add nuw i64 %9, 1
   %24 = icmp eq i64 %22, %4
-  br i1 %24, label %15, label %8, !llvm.loop !45
+  br i1 %24, label %15, label %8, !llvm.loop !44
 
 25:                                               ; preds = %8, %25
   %26 = phi ptr [ %10, %8 ], [ %28, %25 ]
@@ -923,7 +992,7 @@ define range(i32 0, 2) i32 @pydy_guard_1(ptr noundef readonly %0, ptr noundef %1
   store double %29, ptr %32, align 8
   %33 = add nuw nsw i64 %27, 1
   %34 = icmp eq i64 %33, %9
-  br i1 %34, label %21, label %25, !llvm.loop !46
+  br i1 %34, label %21, label %25, !llvm.loop !45
 
 35:                                               ; preds = %36, %15
   ret i32 %19
@@ -935,7 +1004,7 @@ define range(i32 0, 2) i32 @pydy_guard_1(ptr noundef readonly %0, ptr noundef %1
   %40 = tail call i32 @pydy_lu_1(ptr noundef %3, ptr noundef %17, ptr noundef %18, ptr noundef %39, i64 noundef %4, i32 noundef %5) #3
   %41 = add nuw nsw i64 %37, 1
   %42 = icmp eq i64 %41, %2
-  br i1 %42, label %35, label %36, !llvm.loop !47
+  br i1 %42, label %35, label %36, !llvm.loop !46
 }
 
 declare double @llvm.fabs.f64(double) #1
@@ -995,4 +1064,3 @@ attributes #3 = { nounwind }
 !44 = distinct !{!44, !4, !5}
 !45 = distinct !{!45, !4, !5}
 !46 = distinct !{!46, !4, !5}
-!47 = distinct !{!47, !4, !5}

@@ -1,4 +1,4 @@
-; sources 0a61fa53fd02a78ea1884a51459e294c37e020dc3628ce465640e64a674145a0
+; sources 6d53a53326f47ad94d19e1a1c9bc640a7dc32b83c792bc8fabc8605047717ee8
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i32 @pydy_lu_8(ptr noundef %0, ptr noundef %1, ptr noundef %2, ptr noundef %3, i64 noundef %4, i32 noundef %5) #0 {
@@ -72,7 +72,7 @@ define i32 @pydy_lu_8(ptr noundef %0, ptr noundef %1, ptr noundef %2, ptr nounde
 52:                                               ; preds = %55, %43
   %53 = add nuw nsw i64 %44, 1
   %54 = icmp eq i64 %53, %4
-  br i1 %54, label %51, label %43, !llvm.loop !6
+  br i1 %54, label %51, label %43, !llvm.loop !7
 
 55:                                               ; preds = %55, %46
   %56 = phi double [ %50, %46 ], [ %66, %55 ]
@@ -89,7 +89,7 @@ define i32 @pydy_lu_8(ptr noundef %0, ptr noundef %1, ptr noundef %2, ptr nounde
   store double %66, ptr %49, align 8
   %67 = add nuw nsw i64 %57, 1
   %68 = icmp eq i64 %67, %44
-  br i1 %68, label %52, label %55, !llvm.loop !7
+  br i1 %68, label %52, label %55, !llvm.loop !8
 
 69:                                               ; preds = %51, %78
   %70 = phi i64 [ %71, %78 ], [ %4, %51 ]
@@ -114,7 +114,7 @@ define i32 @pydy_lu_8(ptr noundef %0, ptr noundef %1, ptr noundef %2, ptr nounde
   %85 = fdiv double %84, %81
   store double %85, ptr %83, align 8
   %86 = icmp sgt i64 %70, 1
-  br i1 %86, label %69, label %252, !llvm.loop !8
+  br i1 %86, label %69, label %252, !llvm.loop !9
 
 87:                                               ; preds = %87, %73
   %88 = phi double [ %77, %73 ], [ %98, %87 ]
@@ -131,7 +131,7 @@ define i32 @pydy_lu_8(ptr noundef %0, ptr noundef %1, ptr noundef %2, ptr nounde
   store double %98, ptr %76, align 8
   %99 = add nuw nsw i64 %89, 1
   %100 = icmp eq i64 %99, %4
-  br i1 %100, label %78, label %87, !llvm.loop !9
+  br i1 %100, label %78, label %87, !llvm.loop !10
 
 101:                                              ; preds = %25
   br i1 %14, label %102, label %153
@@ -152,7 +152,7 @@ define i32 @pydy_lu_8(ptr noundef %0, ptr noundef %1, ptr noundef %2, ptr nounde
   store double %109, ptr %110, align 8
   %111 = add nuw nsw i64 %103, 1
   %112 = icmp eq i64 %111, %4
-  br i1 %112, label %105, label %102, !llvm.loop !10
+  br i1 %112, label %105, label %102, !llvm.loop !11
 
 113:                                              ; preds = %113, %102
   %114 = phi double [ 0.000000e+00, %102 ], [ %122, %113 ]
@@ -166,7 +166,7 @@ define i32 @pydy_lu_8(ptr noundef %0, ptr noundef %1, ptr noundef %2, ptr nounde
   %122 = select i1 %121, double %120, double %114
   %123 = add nuw nsw i64 %115, 1
   %124 = icmp eq i64 %123, %4
-  br i1 %124, label %106, label %113, !llvm.loop !11
+  br i1 %124, label %106, label %113, !llvm.loop !12
 
 125:                                              ; preds = %105, %128
   %126 = phi i64 [ %133, %128 ], [ 0, %105 ]
@@ -183,7 +183,7 @@ define i32 @pydy_lu_8(ptr noundef %0, ptr noundef %1, ptr noundef %2, ptr nounde
   store double %131, ptr %132, align 8
   %133 = add nuw nsw i64 %126, 1
   %134 = icmp eq i64 %133, %4
-  br i1 %134, label %127, label %125, !llvm.loop !12
+  br i1 %134, label %127, label %125, !llvm.loop !13
 
 135:                                              ; preds = %135, %125
   %136 = phi i64 [ %149, %135 ], [ 0, %125 ]
@@ -201,11 +201,11 @@ define i32 @pydy_lu_8(ptr noundef %0, ptr noundef %1, ptr noundef %2, ptr nounde
   %148 = select i1 %147, double %146, double %137
   %149 = add nuw nsw i64 %136, 1
   %150 = icmp eq i64 %149, %4
-  br i1 %150, label %128, label %135, !llvm.loop !13
+  br i1 %150, label %128, label %135, !llvm.loop !14
 
 151:                                              ; preds = %229, %217
   %152 = icmp eq i64 %168, %4
-  br i1 %152, label %153, label %156, !llvm.loop !14
+  br i1 %152, label %153, label %156, !llvm.loop !15
 
 153:                                              ; preds = %151, %101, %105, %127
   %154 = phi i32 [ 0, %127 ], [ 0, %105 ], [ 0, %101 ], [ %177, %151 ]
@@ -264,7 +264,7 @@ define i32 @pydy_lu_8(ptr noundef %0, ptr noundef %1, ptr noundef %2, ptr nounde
   %198 = select i1 %196, double %195, double %185
   %199 = add nuw nsw i64 %184, 1
   %200 = icmp slt i64 %199, %4
-  br i1 %200, label %183, label %170, !llvm.loop !15
+  br i1 %200, label %183, label %170, !llvm.loop !16
 
 201:                                              ; preds = %205
   %202 = load double, ptr %165, align 8
@@ -288,7 +288,7 @@ define i32 @pydy_lu_8(ptr noundef %0, ptr noundef %1, ptr noundef %2, ptr nounde
   store double %210, ptr %213, align 8
   %215 = add nuw nsw i64 %206, 1
   %216 = icmp eq i64 %215, %4
-  br i1 %216, label %201, label %205, !llvm.loop !16
+  br i1 %216, label %201, label %205, !llvm.loop !17
 
 217:                                              ; preds = %201, %170
   %218 = load double, ptr %162, align 8
@@ -310,7 +310,7 @@ define i32 @pydy_lu_8(ptr noundef %0, ptr noundef %1, ptr noundef %2, ptr nounde
 229:                                              ; preds = %232
   %230 = add nuw nsw i64 %221, 1
   %231 = icmp slt i64 %230, %4
-  br i1 %231, label %220, label %151, !llvm.loop !17
+  br i1 %231, label %220, label %151, !llvm.loop !18
 
 232:                                              ; preds = %232, %220
   %233 = phi i64 [ %168, %220 ], [ %243, %232 ]
@@ -326,7 +326,7 @@ define i32 @pydy_lu_8(ptr noundef %0, ptr noundef %1, ptr noundef %2, ptr nounde
   store double %242, ptr %240, align 8
   %243 = add nuw nsw i64 %233, 1
   %244 = icmp slt i64 %243, %4
-  br i1 %244, label %232, label %229, !llvm.loop !18
+  br i1 %244, label %232, label %229, !llvm.loop !19
 
 245:                                              ; preds = %153
   %246 = getelementptr i8, ptr %26, i64 %16
@@ -344,7 +344,7 @@ define i32 @pydy_lu_8(ptr noundef %0, ptr noundef %1, ptr noundef %2, ptr nounde
   %253 = phi i32 [ %251, %248 ], [ %20, %18 ], [ %20, %28 ], [ %20, %30 ], [ %20, %51 ], [ %20, %78 ]
   %254 = add nuw nsw i64 %19, 1
   %255 = icmp eq i64 %254, 8
-  br i1 %255, label %17, label %18, !llvm.loop !19
+  br i1 %255, label %17, label %18, !llvm.loop !20
 }
 
 define i32 @pydy_constrained_8(ptr noundef %0, ptr noundef %1, ptr noundef %2, ptr noundef %3, i64 noundef %4, i64 noundef %5, i32 noundef %6) #0 {
@@ -360,17 +360,17 @@ define i32 @pydy_constrained_8(ptr noundef %0, ptr noundef %1, ptr noundef %2, p
   %17 = getelementptr double, ptr %2, i64 %5
   br label %19
 
-18:                                               ; preds = %340
-  ret i32 %341
+18:                                               ; preds = %394
+  ret i32 %395
 
-19:                                               ; preds = %7, %340
-  %20 = phi i64 [ 0, %7 ], [ %342, %340 ]
-  %21 = phi i32 [ 0, %7 ], [ %341, %340 ]
+19:                                               ; preds = %7, %394
+  %20 = phi i64 [ 0, %7 ], [ %396, %394 ]
+  %21 = phi i32 [ 0, %7 ], [ %395, %394 ]
   %22 = trunc nuw nsw i64 %20 to i32
   %23 = shl nuw nsw i32 1, %22
   %24 = and i32 %23, %6
   %25 = icmp eq i32 %24, 0
-  br i1 %25, label %340, label %26
+  br i1 %25, label %394, label %26
 
 26:                                               ; preds = %19
   %27 = getelementptr inbounds double, ptr %0, i64 %20
@@ -392,7 +392,7 @@ define i32 @pydy_constrained_8(ptr noundef %0, ptr noundef %1, ptr noundef %2, p
   %39 = fadd double %33, %38
   %40 = add nuw nsw i64 %34, 1
   %41 = icmp eq i64 %40, %4
-  br i1 %41, label %30, label %32, !llvm.loop !20
+  br i1 %41, label %30, label %32, !llvm.loop !21
 
 42:                                               ; preds = %51, %30
   %43 = phi double [ 0.000000e+00, %30 ], [ %62, %51 ]
@@ -411,7 +411,7 @@ define i32 @pydy_constrained_8(ptr noundef %0, ptr noundef %1, ptr noundef %2, p
 51:                                               ; preds = %54
   %52 = add nuw nsw i64 %47, 1
   %53 = icmp eq i64 %52, %5
-  br i1 %53, label %42, label %45, !llvm.loop !21
+  br i1 %53, label %42, label %45, !llvm.loop !22
 
 54:                                               ; preds = %54, %45
   %55 = phi double [ %46, %45 ], [ %62, %54 ]
@@ -424,7 +424,7 @@ define i32 @pydy_constrained_8(ptr noundef %0, ptr noundef %1, ptr noundef %2, p
   %62 = fadd double %55, %61
   %63 = add nuw nsw i64 %56, 1
   %64 = icmp eq i64 %63, %5
-  br i1 %64, label %51, label %54, !llvm.loop !22
+  br i1 %64, label %51, label %54, !llvm.loop !23
 
 65:                                               ; preds = %42, %82
   %66 = phi i64 [ %83, %82 ], [ %5, %42 ]
@@ -453,20 +453,20 @@ define i32 @pydy_constrained_8(ptr noundef %0, ptr noundef %1, ptr noundef %2, p
 82:                                               ; preds = %80
   %83 = add nsw i64 %66, -1
   %84 = icmp eq i64 %83, 0
-  br i1 %84, label %85, label %65, !llvm.loop !23
+  br i1 %84, label %85, label %65, !llvm.loop !24
 
 85:                                               ; preds = %82, %80, %42
   %86 = phi i64 [ %5, %42 ], [ 0, %82 ], [ %66, %80 ]
   %87 = phi i64 [ 0, %42 ], [ %81, %80 ], [ %81, %82 ]
   %88 = icmp sgt i64 %86, 0
-  br i1 %88, label %89, label %282
+  br i1 %88, label %89, label %336
 
 89:                                               ; preds = %85
   %90 = icmp slt i64 %86, %5
   br label %94
 
 91:                                               ; preds = %123
-  br i1 %88, label %92, label %282
+  br i1 %88, label %92, label %336
 
 92:                                               ; preds = %91
   %93 = icmp slt i64 %86, %5
@@ -497,7 +497,7 @@ define i32 @pydy_constrained_8(ptr noundef %0, ptr noundef %1, ptr noundef %2, p
   %112 = select i1 %111, double %110, double %104
   %113 = add nuw nsw i64 %103, 1
   %114 = icmp eq i64 %113, %5
-  br i1 %114, label %99, label %102, !llvm.loop !24
+  br i1 %114, label %99, label %102, !llvm.loop !25
 
 115:                                              ; preds = %99
   %116 = tail call double @llvm.sqrt.f64(double %98)
@@ -517,291 +517,370 @@ define i32 @pydy_constrained_8(ptr noundef %0, ptr noundef %1, ptr noundef %2, p
   store double %124, ptr %125, align 8
   %126 = add nuw nsw i64 %95, 1
   %127 = icmp eq i64 %126, %86
-  br i1 %127, label %91, label %94, !llvm.loop !25
+  br i1 %127, label %91, label %94, !llvm.loop !26
 
-128:                                              ; preds = %276, %92
-  %129 = phi i64 [ %87, %92 ], [ %209, %276 ]
-  %130 = phi i32 [ 0, %92 ], [ %278, %276 ]
-  %131 = phi double [ %43, %92 ], [ %277, %276 ]
-  %132 = phi i64 [ 0, %92 ], [ %279, %276 ]
+128:                                              ; preds = %330, %92
+  %129 = phi i64 [ %87, %92 ], [ %217, %330 ]
+  %130 = phi i32 [ 0, %92 ], [ %332, %330 ]
+  %131 = phi i64 [ 0, %92 ], [ %333, %330 ]
+  %132 = phi double [ %43, %92 ], [ %331, %330 ]
   %133 = icmp ne i64 %129, 0
   %134 = and i1 %93, %133
   br i1 %134, label %135, label %145
 
-135:                                              ; preds = %128, %173
-  %136 = phi i64 [ %177, %173 ], [ %86, %128 ]
-  %137 = phi i64 [ %176, %173 ], [ -1, %128 ]
-  %138 = phi i64 [ %175, %173 ], [ -1, %128 ]
-  %139 = phi double [ %174, %173 ], [ %13, %128 ]
+135:                                              ; preds = %128, %158
+  %136 = phi i64 [ %162, %158 ], [ %86, %128 ]
+  %137 = phi i64 [ %161, %158 ], [ -1, %128 ]
+  %138 = phi i64 [ %160, %158 ], [ -1, %128 ]
+  %139 = phi double [ %159, %158 ], [ %13, %128 ]
   %140 = shl nsw i64 %136, 6
   %141 = getelementptr inbounds i8, ptr %28, i64 %140
   %142 = load i64, ptr %141, align 8
   %143 = icmp slt i64 %142, 0
   %144 = mul nsw i64 %136, %5
-  br i1 %143, label %149, label %173
+  br i1 %143, label %149, label %158
 
-145:                                              ; preds = %173, %128
-  %146 = phi i64 [ -1, %128 ], [ %175, %173 ]
-  %147 = phi i64 [ -1, %128 ], [ %176, %173 ]
+145:                                              ; preds = %158, %128
+  %146 = phi i64 [ -1, %128 ], [ %160, %158 ]
+  %147 = phi i64 [ -1, %128 ], [ %161, %158 ]
   %148 = icmp slt i64 %146, 0
-  br i1 %148, label %180, label %204
+  br i1 %148, label %184, label %212
 
-149:                                              ; preds = %135, %149
-  %150 = phi i64 [ %171, %149 ], [ 0, %135 ]
-  %151 = phi i64 [ %170, %149 ], [ %137, %135 ]
-  %152 = phi i64 [ %169, %149 ], [ %138, %135 ]
-  %153 = phi double [ %168, %149 ], [ %139, %135 ]
-  %154 = add nsw i64 %150, %144
-  %155 = shl nsw i64 %154, 6
-  %156 = getelementptr inbounds i8, ptr %27, i64 %155
-  %157 = load double, ptr %156, align 8
-  %158 = tail call double @llvm.fabs.f64(double %157)
-  %159 = getelementptr inbounds double, ptr %2, i64 %150
-  %160 = load double, ptr %159, align 8
-  %161 = fmul double %158, %160
-  %162 = shl nsw i64 %150, 6
-  %163 = getelementptr inbounds i8, ptr %28, i64 %162
-  %164 = load i64, ptr %163, align 8
-  %165 = icmp slt i64 %164, 0
-  %166 = fcmp ogt double %161, %153
-  %167 = select i1 %165, i1 %166, i1 false
-  %168 = select i1 %167, double %161, double %153
-  %169 = select i1 %167, i64 %136, i64 %152
-  %170 = select i1 %167, i64 %150, i64 %151
-  %171 = add nuw nsw i64 %150, 1
-  %172 = icmp eq i64 %171, %86
-  br i1 %172, label %173, label %149, !llvm.loop !26
+149:                                              ; preds = %135, %178
+  %150 = phi i64 [ %182, %178 ], [ 0, %135 ]
+  %151 = phi i64 [ %181, %178 ], [ %137, %135 ]
+  %152 = phi i64 [ %180, %178 ], [ %138, %135 ]
+  %153 = phi double [ %179, %178 ], [ %139, %135 ]
+  %154 = shl nsw i64 %150, 6
+  %155 = getelementptr inbounds i8, ptr %28, i64 %154
+  %156 = load i64, ptr %155, align 8
+  %157 = icmp sgt i64 %156, -1
+  br i1 %157, label %178, label %165
 
-173:                                              ; preds = %149, %135
-  %174 = phi double [ %139, %135 ], [ %168, %149 ]
-  %175 = phi i64 [ %138, %135 ], [ %169, %149 ]
-  %176 = phi i64 [ %137, %135 ], [ %170, %149 ]
-  %177 = add nuw nsw i64 %136, 1
-  %178 = icmp slt i64 %177, %5
-  %179 = select i1 %133, i1 %178, i1 false
-  br i1 %179, label %135, label %145, !llvm.loop !27
+158:                                              ; preds = %178, %135
+  %159 = phi double [ %139, %135 ], [ %179, %178 ]
+  %160 = phi i64 [ %138, %135 ], [ %180, %178 ]
+  %161 = phi i64 [ %137, %135 ], [ %181, %178 ]
+  %162 = add nuw nsw i64 %136, 1
+  %163 = icmp slt i64 %162, %5
+  %164 = select i1 %133, i1 %163, i1 false
+  br i1 %164, label %135, label %145, !llvm.loop !27
 
-180:                                              ; preds = %145, %180
-  %181 = phi i64 [ %202, %180 ], [ 0, %145 ]
-  %182 = phi i64 [ %201, %180 ], [ %147, %145 ]
-  %183 = phi i64 [ %200, %180 ], [ %146, %145 ]
-  %184 = phi double [ %199, %180 ], [ %14, %145 ]
-  %185 = mul i64 %181, %16
-  %186 = getelementptr inbounds i8, ptr %27, i64 %185
-  %187 = load double, ptr %186, align 8
-  %188 = tail call double @llvm.fabs.f64(double %187)
-  %189 = getelementptr inbounds double, ptr %2, i64 %181
-  %190 = load double, ptr %189, align 8
-  %191 = fmul double %188, %190
-  %192 = fmul double %190, %191
-  %193 = shl nsw i64 %181, 6
-  %194 = getelementptr inbounds i8, ptr %28, i64 %193
-  %195 = load i64, ptr %194, align 8
-  %196 = icmp slt i64 %195, 0
-  %197 = fcmp ogt double %192, %184
-  %198 = select i1 %196, i1 %197, i1 false
-  %199 = select i1 %198, double %192, double %184
-  %200 = select i1 %198, i64 %181, i64 %183
-  %201 = select i1 %198, i64 %181, i64 %182
-  %202 = add nuw nsw i64 %181, 1
-  %203 = icmp eq i64 %202, %86
-  br i1 %203, label %206, label %180, !llvm.loop !28
+165:                                              ; preds = %149
+  %166 = add nsw i64 %150, %144
+  %167 = shl nsw i64 %166, 6
+  %168 = getelementptr inbounds i8, ptr %27, i64 %167
+  %169 = load double, ptr %168, align 8
+  %170 = tail call double @llvm.fabs.f64(double %169)
+  %171 = getelementptr inbounds double, ptr %2, i64 %150
+  %172 = load double, ptr %171, align 8
+  %173 = fmul double %170, %172
+  %174 = fcmp ogt double %173, %153
+  %175 = select i1 %174, double %173, double %153
+  %176 = select i1 %174, i64 %136, i64 %152
+  %177 = select i1 %174, i64 %150, i64 %151
+  br label %178
 
-204:                                              ; preds = %145
-  %205 = add nsw i64 %129, -1
+178:                                              ; preds = %165, %149
+  %179 = phi double [ %153, %149 ], [ %175, %165 ]
+  %180 = phi i64 [ %152, %149 ], [ %176, %165 ]
+  %181 = phi i64 [ %151, %149 ], [ %177, %165 ]
+  %182 = add nuw nsw i64 %150, 1
+  %183 = icmp eq i64 %182, %86
+  br i1 %183, label %158, label %149, !llvm.loop !28
+
+184:                                              ; preds = %145, %206
+  %185 = phi i64 [ %210, %206 ], [ 0, %145 ]
+  %186 = phi i64 [ %209, %206 ], [ %147, %145 ]
+  %187 = phi i64 [ %208, %206 ], [ %146, %145 ]
+  %188 = phi double [ %207, %206 ], [ %14, %145 ]
+  %189 = shl nsw i64 %185, 6
+  %190 = getelementptr inbounds i8, ptr %28, i64 %189
+  %191 = load i64, ptr %190, align 8
+  %192 = icmp sgt i64 %191, -1
+  br i1 %192, label %206, label %193
+
+193:                                              ; preds = %184
+  %194 = mul i64 %185, %16
+  %195 = getelementptr inbounds i8, ptr %27, i64 %194
+  %196 = load double, ptr %195, align 8
+  %197 = tail call double @llvm.fabs.f64(double %196)
+  %198 = getelementptr inbounds double, ptr %2, i64 %185
+  %199 = load double, ptr %198, align 8
+  %200 = fmul double %197, %199
+  %201 = fmul double %199, %200
+  %202 = fcmp ogt double %201, %188
+  %203 = select i1 %202, double %201, double %188
+  %204 = select i1 %202, i64 %185, i64 %187
+  %205 = select i1 %202, i64 %185, i64 %186
   br label %206
 
-206:                                              ; preds = %180, %204
-  %207 = phi i64 [ %146, %204 ], [ %200, %180 ]
-  %208 = phi i64 [ %147, %204 ], [ %201, %180 ]
-  %209 = phi i64 [ %205, %204 ], [ 0, %180 ]
-  %210 = icmp slt i64 %207, 0
-  br i1 %210, label %213, label %211
+206:                                              ; preds = %193, %184
+  %207 = phi double [ %188, %184 ], [ %203, %193 ]
+  %208 = phi i64 [ %187, %184 ], [ %204, %193 ]
+  %209 = phi i64 [ %186, %184 ], [ %205, %193 ]
+  %210 = add nuw nsw i64 %185, 1
+  %211 = icmp eq i64 %210, %86
+  br i1 %211, label %214, label %184, !llvm.loop !29
 
-211:                                              ; preds = %206
-  %212 = icmp ne i64 %207, %208
-  br label %217
+212:                                              ; preds = %145
+  %213 = add nsw i64 %129, -1
+  br label %214
 
-213:                                              ; preds = %206
-  %214 = fadd double %31, %131
-  %215 = fcmp oeq double %214, 0.000000e+00
-  %216 = zext i1 %215 to i32
-  br label %276
+214:                                              ; preds = %206, %212
+  %215 = phi i64 [ %146, %212 ], [ %208, %206 ]
+  %216 = phi i64 [ %147, %212 ], [ %209, %206 ]
+  %217 = phi i64 [ %213, %212 ], [ 0, %206 ]
+  %218 = icmp slt i64 %215, 0
+  br i1 %218, label %219, label %223
 
-217:                                              ; preds = %228, %211
-  %218 = phi i32 [ 0, %211 ], [ %231, %228 ]
-  %219 = icmp eq i32 %218, 0
-  %220 = select i1 %219, i64 %207, i64 %208
-  %221 = select i1 %219, i64 %208, i64 %207
-  %222 = mul nsw i64 %220, %5
-  %223 = add nsw i64 %222, %221
-  %224 = shl nsw i64 %223, 6
-  %225 = getelementptr inbounds i8, ptr %27, i64 %224
-  %226 = load double, ptr %225, align 8
-  %227 = fdiv double 1.000000e+00, %226
-  br i1 %9, label %233, label %228
+219:                                              ; preds = %214
+  %220 = fadd double %31, %132
+  %221 = fcmp oeq double %220, 0.000000e+00
+  %222 = zext i1 %221 to i32
+  br label %330
 
-228:                                              ; preds = %273, %217
-  %229 = shl nsw i64 %220, 6
-  %230 = getelementptr inbounds i8, ptr %28, i64 %229
-  store i64 %221, ptr %230, align 8
-  %231 = add nuw nsw i32 %218, 1
-  %232 = and i1 %212, %219
-  br i1 %232, label %217, label %276, !llvm.loop !29
+223:                                              ; preds = %214
+  %224 = mul nsw i64 %215, %5
+  %225 = add nsw i64 %224, %216
+  %226 = shl nsw i64 %225, 6
+  %227 = getelementptr inbounds i8, ptr %27, i64 %226
+  %228 = load double, ptr %227, align 8
+  %229 = fdiv double 1.000000e+00, %228
+  br i1 %9, label %230, label %273
 
-233:                                              ; preds = %217, %273
-  %234 = phi i64 [ %274, %273 ], [ 0, %217 ]
-  %235 = mul nuw nsw i64 %234, %5
-  %236 = add nsw i64 %235, %221
-  %237 = shl nsw i64 %236, 6
-  %238 = getelementptr inbounds i8, ptr %27, i64 %237
-  %239 = load double, ptr %238, align 8
-  %240 = fmul double %227, %239
-  %241 = icmp eq i64 %234, %220
-  %242 = fcmp oeq double %240, 0.000000e+00
-  %243 = select i1 %241, i1 true, i1 %242
-  br i1 %243, label %273, label %244
+230:                                              ; preds = %223, %270
+  %231 = phi i64 [ %271, %270 ], [ 0, %223 ]
+  %232 = mul nuw nsw i64 %231, %5
+  %233 = add nsw i64 %232, %216
+  %234 = shl nsw i64 %233, 6
+  %235 = getelementptr inbounds i8, ptr %27, i64 %234
+  %236 = load double, ptr %235, align 8
+  %237 = fmul double %229, %236
+  %238 = icmp eq i64 %231, %215
+  %239 = fcmp oeq double %237, 0.000000e+00
+  %240 = select i1 %238, i1 true, i1 %239
+  br i1 %240, label %270, label %241
 
-244:                                              ; preds = %233
-  %245 = fneg double %240
-  br label %247
+241:                                              ; preds = %230
+  %242 = fneg double %237
+  br label %244
 
-246:                                              ; preds = %247
-  br i1 %8, label %260, label %273
+243:                                              ; preds = %244
+  br i1 %8, label %257, label %270
 
-247:                                              ; preds = %247, %244
-  %248 = phi i64 [ 0, %244 ], [ %258, %247 ]
-  %249 = add nsw i64 %248, %222
-  %250 = shl nsw i64 %249, 6
-  %251 = getelementptr inbounds i8, ptr %27, i64 %250
-  %252 = load double, ptr %251, align 8
-  %253 = add nuw nsw i64 %248, %235
-  %254 = shl nsw i64 %253, 6
-  %255 = getelementptr inbounds i8, ptr %27, i64 %254
-  %256 = load double, ptr %255, align 8
-  %257 = tail call double @llvm.fma.f64(double %245, double %252, double %256)
-  store double %257, ptr %255, align 8
-  %258 = add nuw nsw i64 %248, 1
-  %259 = icmp eq i64 %258, %5
-  br i1 %259, label %246, label %247, !llvm.loop !30
+244:                                              ; preds = %244, %241
+  %245 = phi i64 [ 0, %241 ], [ %255, %244 ]
+  %246 = add nuw nsw i64 %245, %224
+  %247 = shl nsw i64 %246, 6
+  %248 = getelementptr inbounds i8, ptr %27, i64 %247
+  %249 = load double, ptr %248, align 8
+  %250 = add nuw nsw i64 %245, %232
+  %251 = shl nsw i64 %250, 6
+  %252 = getelementptr inbounds i8, ptr %27, i64 %251
+  %253 = load double, ptr %252, align 8
+  %254 = tail call double @llvm.fma.f64(double %242, double %249, double %253)
+  store double %254, ptr %252, align 8
+  %255 = add nuw nsw i64 %245, 1
+  %256 = icmp eq i64 %255, %5
+  br i1 %256, label %243, label %244, !llvm.loop !30
 
-260:                                              ; preds = %246, %260
-  %261 = phi i64 [ %271, %260 ], [ 0, %246 ]
-  %262 = add nsw i64 %261, %220
-  %263 = shl nsw i64 %262, 6
-  %264 = getelementptr inbounds i8, ptr %29, i64 %263
-  %265 = load double, ptr %264, align 8
-  %266 = add nuw nsw i64 %261, %234
-  %267 = shl nsw i64 %266, 6
-  %268 = getelementptr inbounds i8, ptr %29, i64 %267
-  %269 = load double, ptr %268, align 8
-  %270 = tail call double @llvm.fma.f64(double %245, double %265, double %269)
-  store double %270, ptr %268, align 8
-  %271 = add nuw nsw i64 %261, %5
-  %272 = icmp slt i64 %271, %4
-  br i1 %272, label %260, label %273, !llvm.loop !31
+257:                                              ; preds = %243, %257
+  %258 = phi i64 [ %268, %257 ], [ 0, %243 ]
+  %259 = add nuw nsw i64 %258, %215
+  %260 = shl nsw i64 %259, 6
+  %261 = getelementptr inbounds i8, ptr %29, i64 %260
+  %262 = load double, ptr %261, align 8
+  %263 = add nuw nsw i64 %258, %231
+  %264 = shl nsw i64 %263, 6
+  %265 = getelementptr inbounds i8, ptr %29, i64 %264
+  %266 = load double, ptr %265, align 8
+  %267 = tail call double @llvm.fma.f64(double %242, double %262, double %266)
+  store double %267, ptr %265, align 8
+  %268 = add nuw nsw i64 %258, %5
+  %269 = icmp slt i64 %268, %4
+  br i1 %269, label %257, label %270, !llvm.loop !31
 
-273:                                              ; preds = %260, %246, %233
-  %274 = add nuw nsw i64 %234, 1
-  %275 = icmp eq i64 %274, %5
-  br i1 %275, label %228, label %233, !llvm.loop !32
+270:                                              ; preds = %257, %243, %230
+  %271 = add nuw nsw i64 %231, 1
+  %272 = icmp eq i64 %271, %5
+  br i1 %272, label %273, label %230, !llvm.loop !32
 
-276:                                              ; preds = %228, %213
-  %277 = phi double [ 0x7FF8000000000000, %213 ], [ %131, %228 ]
-  %278 = phi i32 [ %216, %213 ], [ %130, %228 ]
-  %279 = add nuw nsw i64 %132, 1
-  %280 = icmp eq i64 %279, %86
-  %281 = select i1 %210, i1 true, i1 %280
-  br i1 %281, label %282, label %128, !llvm.loop !33
+273:                                              ; preds = %270, %223
+  %274 = shl nsw i64 %215, 6
+  %275 = getelementptr inbounds i8, ptr %28, i64 %274
+  store i64 %216, ptr %275, align 8
+  %276 = icmp eq i64 %215, %216
+  br i1 %276, label %330, label %277
 
-282:                                              ; preds = %276, %85, %91
-  %283 = phi double [ %43, %91 ], [ %43, %85 ], [ %277, %276 ]
-  %284 = phi i32 [ 0, %91 ], [ 0, %85 ], [ %278, %276 ]
-  br i1 %8, label %285, label %336
+277:                                              ; preds = %273
+  %278 = mul nsw i64 %216, %5
+  %279 = add nsw i64 %278, %215
+  %280 = shl nsw i64 %279, 6
+  %281 = getelementptr inbounds i8, ptr %27, i64 %280
+  %282 = load double, ptr %281, align 8
+  %283 = fdiv double 1.000000e+00, %282
+  br i1 %9, label %284, label %327
 
-285:                                              ; preds = %282, %323
-  %286 = phi i64 [ %324, %323 ], [ 0, %282 ]
-  br i1 %9, label %289, label %287
+284:                                              ; preds = %277, %324
+  %285 = phi i64 [ %325, %324 ], [ 0, %277 ]
+  %286 = mul nuw nsw i64 %285, %5
+  %287 = add nuw nsw i64 %286, %215
+  %288 = shl nsw i64 %287, 6
+  %289 = getelementptr inbounds i8, ptr %27, i64 %288
+  %290 = load double, ptr %289, align 8
+  %291 = fmul double %283, %290
+  %292 = icmp eq i64 %285, %216
+  %293 = fcmp oeq double %291, 0.000000e+00
+  %294 = select i1 %292, i1 true, i1 %293
+  br i1 %294, label %324, label %295
 
-287:                                              ; preds = %289, %285
-  %288 = phi double [ %283, %285 ], [ %297, %289 ]
-  br i1 %9, label %302, label %323
+295:                                              ; preds = %284
+  %296 = fneg double %291
+  br label %298
 
-289:                                              ; preds = %285, %289
-  %290 = phi i64 [ %299, %289 ], [ 0, %285 ]
-  %291 = phi double [ %297, %289 ], [ %283, %285 ]
-  %292 = add nsw i64 %290, %286
-  %293 = shl nsw i64 %292, 6
-  %294 = getelementptr inbounds i8, ptr %29, i64 %293
-  %295 = load double, ptr %294, align 8
-  %296 = fmul double %295, 0.000000e+00
-  %297 = fadd double %291, %296
-  %298 = getelementptr double, ptr %17, i64 %290
-  store double 0.000000e+00, ptr %298, align 8
-  %299 = add nuw nsw i64 %290, 1
-  %300 = icmp eq i64 %299, %5
-  br i1 %300, label %287, label %289, !llvm.loop !34
+297:                                              ; preds = %298
+  br i1 %8, label %311, label %324
 
-301:                                              ; preds = %320
-  br i1 %9, label %326, label %323
+298:                                              ; preds = %298, %295
+  %299 = phi i64 [ 0, %295 ], [ %309, %298 ]
+  %300 = add nsw i64 %299, %278
+  %301 = shl nsw i64 %300, 6
+  %302 = getelementptr inbounds i8, ptr %27, i64 %301
+  %303 = load double, ptr %302, align 8
+  %304 = add nuw nsw i64 %299, %286
+  %305 = shl nsw i64 %304, 6
+  %306 = getelementptr inbounds i8, ptr %27, i64 %305
+  %307 = load double, ptr %306, align 8
+  %308 = tail call double @llvm.fma.f64(double %296, double %303, double %307)
+  store double %308, ptr %306, align 8
+  %309 = add nuw nsw i64 %299, 1
+  %310 = icmp eq i64 %309, %5
+  br i1 %310, label %297, label %298, !llvm.loop !30
 
-302:                                              ; preds = %287, %320
-  %303 = phi i64 [ %321, %320 ], [ 0, %287 ]
-  %304 = shl nsw i64 %303, 6
-  %305 = getelementptr inbounds i8, ptr %28, i64 %304
-  %306 = load i64, ptr %305, align 8
-  %307 = icmp sgt i64 %306, -1
-  br i1 %307, label %308, label %320
+311:                                              ; preds = %297, %311
+  %312 = phi i64 [ %322, %311 ], [ 0, %297 ]
+  %313 = add nsw i64 %312, %216
+  %314 = shl nsw i64 %313, 6
+  %315 = getelementptr inbounds i8, ptr %29, i64 %314
+  %316 = load double, ptr %315, align 8
+  %317 = add nuw nsw i64 %312, %285
+  %318 = shl nsw i64 %317, 6
+  %319 = getelementptr inbounds i8, ptr %29, i64 %318
+  %320 = load double, ptr %319, align 8
+  %321 = tail call double @llvm.fma.f64(double %296, double %316, double %320)
+  store double %321, ptr %319, align 8
+  %322 = add nuw nsw i64 %312, %5
+  %323 = icmp slt i64 %322, %4
+  br i1 %323, label %311, label %324, !llvm.loop !31
 
-308:                                              ; preds = %302
-  %309 = add nsw i64 %303, %286
-  %310 = shl nsw i64 %309, 6
-  %311 = getelementptr inbounds i8, ptr %29, i64 %310
-  %312 = load double, ptr %311, align 8
-  %313 = mul nuw nsw i64 %303, %5
-  %314 = add nuw nsw i64 %306, %313
-  %315 = shl nsw i64 %314, 6
-  %316 = getelementptr inbounds i8, ptr %27, i64 %315
-  %317 = load double, ptr %316, align 8
-  %318 = fdiv double %312, %317
-  %319 = getelementptr double, ptr %17, i64 %306
-  store double %318, ptr %319, align 8
-  br label %320
+324:                                              ; preds = %311, %297, %284
+  %325 = add nuw nsw i64 %285, 1
+  %326 = icmp eq i64 %325, %5
+  br i1 %326, label %327, label %284, !llvm.loop !32
 
-320:                                              ; preds = %308, %302
-  %321 = add nuw nsw i64 %303, 1
-  %322 = icmp eq i64 %321, %5
-  br i1 %322, label %301, label %302, !llvm.loop !35
+327:                                              ; preds = %324, %277
+  %328 = shl nsw i64 %216, 6
+  %329 = getelementptr inbounds i8, ptr %28, i64 %328
+  store i64 %215, ptr %329, align 8
+  br label %330
 
-323:                                              ; preds = %326, %287, %301
-  %324 = add nsw i64 %286, %5
-  %325 = icmp slt i64 %324, %4
-  br i1 %325, label %285, label %336, !llvm.loop !36
+330:                                              ; preds = %327, %273, %219
+  %331 = phi double [ 0x7FF8000000000000, %219 ], [ %132, %327 ], [ %132, %273 ]
+  %332 = phi i32 [ %222, %219 ], [ %130, %327 ], [ %130, %273 ]
+  %333 = add nuw nsw i64 %131, 1
+  %334 = icmp eq i64 %333, %86
+  %335 = select i1 %218, i1 true, i1 %334
+  br i1 %335, label %336, label %128, !llvm.loop !33
 
-326:                                              ; preds = %301, %326
-  %327 = phi i64 [ %334, %326 ], [ 0, %301 ]
-  %328 = getelementptr double, ptr %17, i64 %327
-  %329 = load double, ptr %328, align 8
-  %330 = fadd double %288, %329
-  %331 = add nsw i64 %327, %286
-  %332 = shl nsw i64 %331, 6
-  %333 = getelementptr inbounds i8, ptr %29, i64 %332
-  store double %330, ptr %333, align 8
-  %334 = add nuw nsw i64 %327, 1
-  %335 = icmp eq i64 %334, %5
-  br i1 %335, label %323, label %326, !llvm.loop !37
+336:                                              ; preds = %330, %85, %91
+  %337 = phi double [ %43, %91 ], [ %43, %85 ], [ %331, %330 ]
+  %338 = phi i32 [ 0, %91 ], [ 0, %85 ], [ %332, %330 ]
+  br i1 %8, label %339, label %390
 
-336:                                              ; preds = %323, %282
-  %337 = trunc nuw nsw i64 %20 to i32
-  %338 = shl nuw nsw i32 %284, %337
-  %339 = or i32 %338, %21
-  br label %340
+339:                                              ; preds = %336, %377
+  %340 = phi i64 [ %378, %377 ], [ 0, %336 ]
+  br i1 %9, label %343, label %341
 
-340:                                              ; preds = %19, %336
-  %341 = phi i32 [ %339, %336 ], [ %21, %19 ]
-  %342 = add nuw nsw i64 %20, 1
-  %343 = icmp eq i64 %342, 8
-  br i1 %343, label %18, label %19, !llvm.loop !38
+341:                                              ; preds = %343, %339
+  %342 = phi double [ %337, %339 ], [ %351, %343 ]
+  br i1 %9, label %356, label %377
+
+343:                                              ; preds = %339, %343
+  %344 = phi i64 [ %353, %343 ], [ 0, %339 ]
+  %345 = phi double [ %351, %343 ], [ %337, %339 ]
+  %346 = add nsw i64 %344, %340
+  %347 = shl nsw i64 %346, 6
+  %348 = getelementptr inbounds i8, ptr %29, i64 %347
+  %349 = load double, ptr %348, align 8
+  %350 = fmul double %349, 0.000000e+00
+  %351 = fadd double %345, %350
+  %352 = getelementptr double, ptr %17, i64 %344
+  store double 0.000000e+00, ptr %352, align 8
+  %353 = add nuw nsw i64 %344, 1
+  %354 = icmp eq i64 %353, %5
+  br i1 %354, label %341, label %343, !llvm.loop !34
+
+355:                                              ; preds = %374
+  br i1 %9, label %380, label %377
+
+356:                                              ; preds = %341, %374
+  %357 = phi i64 [ %375, %374 ], [ 0, %341 ]
+  %358 = shl nsw i64 %357, 6
+  %359 = getelementptr inbounds i8, ptr %28, i64 %358
+  %360 = load i64, ptr %359, align 8
+  %361 = icmp sgt i64 %360, -1
+  br i1 %361, label %362, label %374
+
+362:                                              ; preds = %356
+  %363 = add nsw i64 %357, %340
+  %364 = shl nsw i64 %363, 6
+  %365 = getelementptr inbounds i8, ptr %29, i64 %364
+  %366 = load double, ptr %365, align 8
+  %367 = mul nuw nsw i64 %357, %5
+  %368 = add nuw nsw i64 %360, %367
+  %369 = shl nsw i64 %368, 6
+  %370 = getelementptr inbounds i8, ptr %27, i64 %369
+  %371 = load double, ptr %370, align 8
+  %372 = fdiv double %366, %371
+  %373 = getelementptr double, ptr %17, i64 %360
+  store double %372, ptr %373, align 8
+  br label %374
+
+374:                                              ; preds = %362, %356
+  %375 = add nuw nsw i64 %357, 1
+  %376 = icmp eq i64 %375, %5
+  br i1 %376, label %355, label %356, !llvm.loop !35
+
+377:                                              ; preds = %380, %341, %355
+  %378 = add nsw i64 %340, %5
+  %379 = icmp slt i64 %378, %4
+  br i1 %379, label %339, label %390, !llvm.loop !36
+
+380:                                              ; preds = %355, %380
+  %381 = phi i64 [ %388, %380 ], [ 0, %355 ]
+  %382 = getelementptr double, ptr %17, i64 %381
+  %383 = load double, ptr %382, align 8
+  %384 = fadd double %342, %383
+  %385 = add nsw i64 %381, %340
+  %386 = shl nsw i64 %385, 6
+  %387 = getelementptr inbounds i8, ptr %29, i64 %386
+  store double %384, ptr %387, align 8
+  %388 = add nuw nsw i64 %381, 1
+  %389 = icmp eq i64 %388, %5
+  br i1 %389, label %377, label %380, !llvm.loop !37
+
+390:                                              ; preds = %377, %336
+  %391 = trunc nuw nsw i64 %20 to i32
+  %392 = shl nuw nsw i32 %338, %391
+  %393 = or i32 %392, %21
+  br label %394
+
+394:                                              ; preds = %19, %390
+  %395 = phi i32 [ %393, %390 ], [ %21, %19 ]
+  %396 = add nuw nsw i64 %20, 1
+  %397 = icmp eq i64 %396, 8
+  br i1 %397, label %18, label %19, !llvm.loop !38
 }
 
 define range(i32 0, 256) i32 @pydy_ldl_factor_8(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
@@ -1049,41 +1128,41 @@ attributes #3 = { nounwind }
 !0 = !{i32 1, !"wchar_size", i32 4}
 !1 = !{i32 8, !"PIC Level", i32 2}
 !2 = !{i32 7, !"PIE Level", i32 2}
-!3 = distinct !{!3, !4, !5}
+!3 = distinct !{!3, !4, !5, !6}
 !4 = !{!"llvm.loop.mustprogress"}
 !5 = !{!"llvm.loop.unroll.disable"}
-!6 = distinct !{!6, !4, !5}
+!6 = !{!"llvm.loop.vectorize.width", i32 1}
 !7 = distinct !{!7, !4, !5}
-!8 = distinct !{!8, !4, !5}
+!8 = distinct !{!8, !4, !5, !6}
 !9 = distinct !{!9, !4, !5}
-!10 = distinct !{!10, !4, !5}
+!10 = distinct !{!10, !4, !5, !6}
 !11 = distinct !{!11, !4, !5}
-!12 = distinct !{!12, !4, !5}
+!12 = distinct !{!12, !4, !5, !6}
 !13 = distinct !{!13, !4, !5}
-!14 = distinct !{!14, !4, !5}
+!14 = distinct !{!14, !4, !5, !6}
 !15 = distinct !{!15, !4, !5}
-!16 = distinct !{!16, !4, !5}
-!17 = distinct !{!17, !4, !5}
+!16 = distinct !{!16, !4, !5, !6}
+!17 = distinct !{!17, !4, !5, !6}
 !18 = distinct !{!18, !4, !5}
-!19 = distinct !{!19, !4, !5}
+!19 = distinct !{!19, !4, !5, !6}
 !20 = distinct !{!20, !4, !5}
-!21 = distinct !{!21, !4, !5}
+!21 = distinct !{!21, !4, !5, !6}
 !22 = distinct !{!22, !4, !5}
-!23 = distinct !{!23, !4, !5}
-!24 = distinct !{!24, !4, !5}
-!25 = distinct !{!25, !4, !5}
+!23 = distinct !{!23, !4, !5, !6}
+!24 = distinct !{!24, !4, !5, !6}
+!25 = distinct !{!25, !4, !5, !6}
 !26 = distinct !{!26, !4, !5}
 !27 = distinct !{!27, !4, !5}
-!28 = distinct !{!28, !4, !5}
-!29 = distinct !{!29, !4, !5}
-!30 = distinct !{!30, !4, !5}
-!31 = distinct !{!31, !4, !5}
+!28 = distinct !{!28, !4, !5, !6}
+!29 = distinct !{!29, !4, !5, !6}
+!30 = distinct !{!30, !4, !5, !6}
+!31 = distinct !{!31, !4, !5, !6}
 !32 = distinct !{!32, !4, !5}
 !33 = distinct !{!33, !4, !5}
-!34 = distinct !{!34, !4, !5}
-!35 = distinct !{!35, !4, !5}
+!34 = distinct !{!34, !4, !5, !6}
+!35 = distinct !{!35, !4, !5, !6}
 !36 = distinct !{!36, !4, !5}
-!37 = distinct !{!37, !4, !5}
+!37 = distinct !{!37, !4, !5, !6}
 !38 = distinct !{!38, !4, !5}
 !39 = distinct !{!39, !4, !5}
 !40 = distinct !{!40, !4, !5}
