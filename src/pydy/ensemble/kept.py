@@ -2,44 +2,37 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 
 from pydy._graph.interpret import run as interpret
-from pydy._graph.program import Program
 from pydy._kernel import Inputs
-from pydy.ensemble.model import Model, Programs, Results, evaluate
-from pydy.solvers.kept import Ran, beyond_digits, is_near, judge, looked_at
+from pydy.ensemble.model import Batch, Programs, Results
+from pydy.solvers.kept import Part, Ran, beyond_digits, is_near, judge, looked_at
 from pydy.solvers.outcome import FINISHED, TERMINATED
 from pydy.solvers.tuning import NEAR_SINGULAR
 
 _NUMBERS = 1_000_000  # of residuals and derivatives at a time
 
 
-def refuse(
-    model: Model,
-    results: Results,
-    r: np.ndarray,
-    p: np.ndarray,
-    times: np.ndarray,
-    stopped: Callable[[], bool],
-) -> None:
+def refuse(batch: Batch, results: Results, times: np.ndarray) -> None:
     """Let samples be NaN from where they were last seen to be sound; the others stay as they are.
 
-    The model has constraints; `stopped` tells whether to give up.
+    The model has constraints.
     """
-    kept = model.kept
+    model, kept = batch.model, batch.model.kept
     assert kept is not None
     projected = model.options.constraints is not None
     ended = np.isin(results.status, (FINISHED, TERMINATED))
     if projected:
         assert results.nearness is not None
         ended &= kept.redundant | (results.nearness < NEAR_SINGULAR)
-    for k in _suspects(model, np.flatnonzero(ended), results.states, r, p, times, stopped):
+    suspects = np.flatnonzero(ended)
+    if not projected:
+        suspects = _suspects(batch, kept.programs, suspects, results.states, times)
+    for k in suspects.tolist():
         few = looked_at(results.states[:, k].T, projected)
-        events = results.resets[k] if results.resets else []
         ran = Ran(
             times[few],
             np.ascontiguousarray(results.states[:, k, few].T),
@@ -48,75 +41,53 @@ def refuse(
             model.options.atol,
             float(results.nearness[k]) if projected and results.nearness is not None else None,
             projected or kept.mended,
-            events,
+            results.resets[k] if results.resets else [],
             kept.redundant,
         )
-        inputs = Inputs(r[k], model.sampled, model.functions)
-        verdict = judge(ran, _Parts(kept.programs, inputs, p[k]))
+        verdict = judge(ran, _part_of(batch, kept.programs, k))
         if verdict is not None:
             _lose(results, k, times, int(few[max(0, verdict.place - 1)]) + 1, verdict.code)
 
 
-class _Parts:
-    """Gives `kept.Part` along one sample."""
+def _part_of(batch: Batch, programs: Programs, k: int) -> Part:
+    """Return what gives `kept.Part` along sample k."""
+    inputs = Inputs(batch.r[k], batch.model.sampled, batch.model.functions)
 
-    def __init__(self, programs: Programs, inputs: Inputs, p: np.ndarray) -> None:
-        self._programs, self._inputs, self._p = programs, inputs, p
-
-    def __call__(self, name: str, t: np.ndarray, x: np.ndarray) -> dict[str, np.ndarray]:
-        program = self._programs[name]
+    def part(name: str, t: np.ndarray, x: np.ndarray) -> dict[str, np.ndarray]:
+        program = programs[name]
         if program is None:
             return {}
-        r = np.array([self._inputs(state, float(time)) for state, time in zip(x, t, strict=True)])
+        r = np.array([inputs(state, float(time)) for state, time in zip(x, t, strict=True)])
+        return program.by_block(interpret(program, t, x, r, batch.p[k])[0])
 
-        return program.by_block(interpret(program, t, x, r, self._p)[0])
+    return part
 
 
 def _suspects(
-    model: Model,
-    ended: np.ndarray,
-    states: np.ndarray,
-    r: np.ndarray,
-    p: np.ndarray,
-    times: np.ndarray,
-    stopped: Callable[[], bool],
+    batch: Batch, programs: Programs, ended: np.ndarray, states: np.ndarray, times: np.ndarray
 ) -> np.ndarray:
-    """Return the samples that need a closer look, of some: many are looked at together."""
-    projected = model.options.constraints is not None
+    """Return the samples that need a closer look, of some: many are looked at together.
+
+    Those have residuals beyond six digits, or come near to losing rank.
+    """
     whole = ended[np.isfinite(states[:, ended, -1]).all(axis=0)]
-    if not len(whole) or projected:
+    if not len(whole):
         return ended
-    assert model.kept is not None
-    program = model.kept.programs["screen"]
+    program = programs["screen"]
     assert program is not None
-    few = looked_at(states[:, whole[0]].T, projected)
+    few = looked_at(states[:, whole[0]].T, projected=False)
     number = max(1, _NUMBERS // (len(few) * max(1, len(program.outputs))))
-    found = []
+    suspects = [np.setdiff1d(ended, whole)]
     for start in range(0, len(whole), number):
-        part = whole[start : start + number]
-        found.append(part[_suspect(model, program, part, states, r, p, times, few, stopped)])
-    return np.union1d(np.setdiff1d(ended, whole), np.concatenate(found))
-
-
-def _suspect(
-    model: Model,
-    program: Program,
-    part: np.ndarray,
-    states: np.ndarray,
-    r: np.ndarray,
-    p: np.ndarray,
-    times: np.ndarray,
-    few: np.ndarray,
-    stopped: Callable[[], bool],
-) -> np.ndarray:
-    """Tell which samples have residuals beyond six digits, or come near to losing rank."""
-    x = np.ascontiguousarray(states[:, part][:, :, few])
-    out = evaluate(model, program, r[part], p[part], times[few], x, stopped)
-    found = program.by_block(np.moveaxis(out, 0, -1))  # (m, times, values)
-    suspect = beyond_digits(found["rows"], found["sizes"])
-    if model.options.step is None:
-        suspect |= is_near(found["products"])
-    return suspect
+        places = whole[start : start + number]
+        x = np.ascontiguousarray(states[:, places][:, :, few])
+        out = batch.some(places).evaluate(program, times[few], x)
+        found = program.by_block(np.moveaxis(out, 0, -1))  # (m, times, values)
+        suspect = beyond_digits(found["rows"], found["sizes"])
+        if batch.model.options.step is None:
+            suspect |= is_near(found["products"])
+        suspects.append(places[suspect])
+    return np.unique(np.concatenate(suspects))
 
 
 def _lose(results: Results, k: int, times: np.ndarray, reached: int, code: int) -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any, Protocol
 
@@ -134,7 +134,7 @@ class Kept:
 class Model:
     """A model with the options of its integration."""
 
-    rates: Program  # the derivatives of the states
+    rates: Program | Tangent  # the derivatives of the states
     outputs: Program | None
     states: tuple[str, ...]
     output_names: tuple[str, ...]
@@ -205,160 +205,166 @@ def _single(program: Program | Tangent) -> Kernel:
     return _kernel(program, 1)
 
 
-def run(
-    model: Model,
-    x: np.ndarray,
-    r: np.ndarray,
-    p: np.ndarray,
-    times: np.ndarray,
-    stopped: Callable[[], bool],
-    states: np.ndarray | None = None,
-) -> Results:
-    """Integrate m samples: x (m, n), r (m, s), p (m, k); into `states` (n, m, times) if given."""
-    if model.sensitivities is not None:
-        return _run_with_columns(model, model.sensitivities, x, r, p, times, stopped, states)
-    if states is None:
-        states = np.empty((x.shape[1], len(x), len(times)))
-    if not model.in_lanes:
-        return _run_one_by_one(model, x, r, p, times, stopped, states)
-    kernel = _kernel(model.rates, LANES)
-    return _run_in_lanes(model, kernel, (x, r, p), model.sampled, times, stopped, states)
+@dataclass(frozen=True, eq=False)
+class Batch:
+    """Some samples of a model, with their numbers."""
 
+    model: Model
+    x: np.ndarray  # (m, n)
+    r: np.ndarray  # (m, s)
+    p: np.ndarray  # (m, k)
+    stopped: Callable[[], bool]  # tells whether to give up
 
-def _run_in_lanes(
-    model: Model,
-    kernel: Kernel,
-    inputs: tuple[np.ndarray, np.ndarray, np.ndarray],
-    sampled: Sequence[tuple[np.ndarray, Any]],
-    times: np.ndarray,
-    stopped: Callable[[], bool],
-    states: np.ndarray,
-    controlled: int | None = None,
-) -> Results:
-    """Integrate several samples at a time: x, r and p with one row for each."""
-    from pydy.solvers.run.lanes import integrate_samples
+    def some(self, places: np.ndarray) -> Batch:
+        """Return some of the samples."""
+        return replace(self, x=self.x[places], r=self.r[places], p=self.p[places])
 
-    x, r, p = inputs
-    found = integrate_samples(
-        kernel, model.method, x, r, p, sampled, times, model.options, states, stopped, controlled
-    )
-    steps, rejected, evaluations, status = (np.array(c) for c in found.counts.T)
-    return Results(states, steps, rejected, evaluations, status, found.reached)
+    def beside(self) -> Batch:
+        """Return the same, with what the sensitivities take: their equations and inputs."""
+        beside = self.model.sensitivities
+        assert beside is not None
+        sampled = (*self.model.sampled, *beside.sampled)
+        model = replace(self.model, rates=beside.rates, sampled=sampled)
+        r = np.concatenate([self.r, np.zeros((len(self.r), beside.further))], axis=1)
+        return replace(self, model=model, r=r)
 
+    def inputs(self, k: int) -> Callable[[np.ndarray, float], np.ndarray]:
+        """Return the function that gives all specifieds of sample k."""
+        every = Inputs(self.r[k], self.model.sampled, self.model.functions)
 
-def evaluate(
-    model: Model,
-    program: Program | None,
-    r: np.ndarray,
-    p: np.ndarray,
-    times: np.ndarray,
-    states: np.ndarray,
-    stopped: Callable[[], bool],
-) -> np.ndarray:
-    """Return a Program's outputs along trajectories (n, m, times), shape (outputs, m, times)."""
-    if program is None:
-        return np.empty((0, *states.shape[1:]))
-    if not model.functions:
-        from pydy.solvers.run.lanes import evaluate_samples
+        def inputs(x: np.ndarray, t: float) -> np.ndarray:
+            if self.stopped():
+                raise KeyboardInterrupt
+            return every(x, t)
 
-        return evaluate_samples(_kernel(program, LANES), r, p, model.sampled, times, states)
-    kernel = _kernel(program, 1)
-    out = np.empty((len(program.outputs), *states.shape[1:]))
-    for k in range(states.shape[1]):
-        inputs = _inputs(model, r[k], stopped)
-        x = np.ascontiguousarray(states[:, k].T)
-        reached = np.isfinite(x).all(axis=1)
-        rows = np.array(
-            [
-                inputs(s, float(t)) if ok else r[k]
-                for s, t, ok in zip(x, times, reached, strict=True)
-            ]
-        )
-        values, failed = kernel.evaluate(times, x, rows, np.ascontiguousarray(p[k]))
-        values[failed | ~reached] = np.nan
-        out[:, k] = values.T
-    return out
+        return inputs
 
+    def run(self, times: np.ndarray, states: np.ndarray | None = None) -> Results:
+        """Integrate; into `states` (n, m, times) if given."""
+        if self.model.sensitivities is not None:
+            return self._with_columns(self.model.sensitivities, times, states)
+        if states is None:
+            states = np.empty((self.x.shape[1], len(self.x), len(times)))
+        return self._integrated(times, states)
 
-def evaluate_output_columns(
-    model: Model,
-    r: np.ndarray,
-    p: np.ndarray,
-    times: np.ndarray,
-    states: np.ndarray,
-    columns: np.ndarray,
-) -> np.ndarray:
-    """Return the sensitivities of the outputs, shape (o, k, m, times), from those of the states."""
-    beside = model.sensitivities
-    assert beside is not None
-    n, k, m, number = columns.shape
-    whole = np.concatenate([states, columns.reshape(n * k, m, number)])
-    r = np.concatenate([r, np.zeros((m, beside.further))], axis=1)
-    further = replace(model, sampled=(*model.sampled, *beside.sampled))
-    found = evaluate(further, beside.outputs, r, p, times, whole, lambda: False)
-    return found.reshape(len(found) // k, k, m, number)
+    def _integrated(
+        self, times: np.ndarray, states: np.ndarray, controlled: int | None = None
+    ) -> Results:
+        """Integrate; several samples at a time control the errors of so many components."""
+        from pydy.solvers.run.lanes import integrate_samples
 
-
-# -- one by one -----------------------------------------------------------------------------------
-
-
-def _inputs(
-    model: Model, r: np.ndarray, stopped: Callable[[], bool]
-) -> Callable[[np.ndarray, float], np.ndarray]:
-    """Return the function that gives all specifieds of one sample."""
-    every = Inputs(r, model.sampled, model.functions)
-
-    def inputs(x: np.ndarray, t: float) -> np.ndarray:
-        if stopped():
-            raise KeyboardInterrupt
-        return every(x, t)
-
-    return inputs
-
-
-def _run_with_columns(
-    model: Model,
-    beside: EnsembleSensitivities,
-    x: np.ndarray,
-    r: np.ndarray,
-    p: np.ndarray,
-    times: np.ndarray,
-    stopped: Callable[[], bool],
-    states: np.ndarray | None,
-) -> Results:
-    """Integrate states with their sensitivities, where these are determined at the beginning."""
-    from pydy._errors import warn_user
-
-    (m, n), columns = x.shape, len(beside.names)
-    r = np.concatenate([r, np.zeros((m, beside.further))], axis=1)
-    t, sampled = float(times[0]), (*model.sampled, *beside.sampled)
-    whole = np.empty((n * (1 + columns), m, len(times)))
-    start, codes = np.empty((m, len(whole))), np.zeros(m, dtype=np.int64)
-    for k in range(m):
-        codes[k], values = beside.beginning(x[k], t, Inputs(r[k], sampled), p[k], _single)
-        start[k, :n], start[k, n:] = x[k], values.ravel()
-
-    def integrate(start: np.ndarray, r: np.ndarray, p: np.ndarray, into: np.ndarray) -> Results:
+        model = self.model
         if not model.in_lanes:
-            return _run_one_by_one(model, start, r, p, times, stopped, into)
-        kernel = _kernel(beside.rates, LANES)
-        return _run_in_lanes(model, kernel, (start, r, p), sampled, times, stopped, into, n)
+            return self._one_by_one(times, states)
+        found = integrate_samples(
+            _kernel(model.rates, LANES), model.method, self.x, self.r, self.p, model.sampled,
+            times, model.options, states, self.stopped, controlled,
+        )  # fmt: skip
+        steps, rejected, evaluations, status = (np.array(c) for c in found.counts.T)
+        return Results(states, steps, rejected, evaluations, status, found.reached)
 
-    started = codes == FINISHED
-    if started.all():
-        results = integrate(start, r, p, whole)
-    else:
-        warn_user(f"In one sample or more, {beside.unsolved}")
-        part = np.empty((len(whole), int(started.sum()), len(times)))
-        found = integrate(start[started], r[started], p[started], part)
-        whole[:], whole[:n, :, 0], whole[:, started] = np.nan, x.T, part
-        results = _among(found, started, codes, t)
-    results.states = whole[:n]
-    results.columns = whole[n:].reshape(n, columns, m, len(times))
-    if states is not None:
-        states[:] = results.states
-        results.states = states
-    return results
+    def _with_columns(
+        self, beside: EnsembleSensitivities, times: np.ndarray, states: np.ndarray | None
+    ) -> Results:
+        """Integrate states with their sensitivities, where these are determined at the start."""
+        from pydy._errors import warn_user
+
+        (m, n), columns, t = self.x.shape, len(beside.names), float(times[0])
+        batch = self.beside()
+        whole = np.empty((n * (1 + columns), m, len(times)))
+        start, codes = np.empty((m, len(whole))), np.zeros(m, dtype=np.int64)
+        for k in range(m):
+            inputs = Inputs(batch.r[k], batch.model.sampled)
+            codes[k], values = beside.beginning(self.x[k], t, inputs, self.p[k], _single)
+            start[k, :n], start[k, n:] = self.x[k], values.ravel()
+        batch, started = replace(batch, x=start), codes == FINISHED
+        if started.all():
+            results = batch._integrated(times, whole, n)
+        else:
+            warn_user(f"In one sample or more, {beside.unsolved}")
+            part = np.empty((len(whole), int(started.sum()), len(times)))
+            found = batch.some(started)._integrated(times, part, n)
+            whole[:], whole[:n, :, 0], whole[:, started] = np.nan, self.x.T, part
+            results = _among(found, started, codes, t)
+        results.states = whole[:n]
+        results.columns = whole[n:].reshape(n, columns, m, len(times))
+        if states is not None:
+            states[:] = results.states
+            results.states = states
+        return results
+
+    def _one_by_one(self, times: np.ndarray, states: np.ndarray) -> Results:
+        """Integrate with the solver of single trajectories."""
+        from pydy._errors import IntegrationError
+        from pydy.solvers.run.integration import Integration
+
+        model, (m, n) = self.model, self.x.shape
+        beside, options, jacobian = model.sensitivities, model.options, model.jacobian
+        kernel, one = _kernel(model.rates, 1), None
+        counts = [np.zeros(m, dtype=np.int64) for _ in range(4)]
+        states[:] = np.nan
+        results = Results(states, counts[0], counts[1], counts[2], counts[3], np.full(m, times[0]))
+        results.nearness = np.ones(m)
+        for k in range(m):
+            if self.stopped():
+                raise KeyboardInterrupt
+            x, r, p = (np.ascontiguousarray(part[k]) for part in (self.x, self.r, self.p))
+            call = KernelCall(
+                kernel,
+                p,
+                r,
+                model.sampled,
+                self.inputs(k) if model.functions else None,
+                lambda: model.states,
+                None if jacobian is None else lambda: _kernel(jacobian, 1),
+            )
+            if beside is not None:
+                options = replace(model.options, sensitivities=beside.compiled(x, r, p, _single))
+            same = one is not None and one.reusable and beside is None
+            if one is None or not (same and one.rebind(call, times)):
+                one = Integration(model.method, call, n, times, (), options, self.stopped)
+            try:
+                found = one.run(x)
+                info = one.info()
+            except IntegrationError as error:
+                found, info = one.reached(), error.info
+            results.states[:, k, : len(found)] = found.T
+            _take(results, k, info)
+        return results
+
+    def evaluate(
+        self, program: Program | None, times: np.ndarray, states: np.ndarray
+    ) -> np.ndarray:
+        """Return a Program's outputs (o, m, times) along trajectories (n, m, times)."""
+        if program is None:
+            return np.empty((0, *states.shape[1:]))
+        if not self.model.functions:
+            from pydy.solvers.run.lanes import evaluate_samples
+
+            kernel = _kernel(program, LANES)
+            return evaluate_samples(kernel, self.r, self.p, self.model.sampled, times, states)
+        kernel = _kernel(program, 1)
+        out = np.empty((len(program.outputs), *states.shape[1:]))
+        for k, r in enumerate(self.r):
+            inputs, x = self.inputs(k), np.ascontiguousarray(states[:, k].T)
+            reached = np.isfinite(x).all(axis=1)
+            parts = zip(x, times, reached, strict=True)
+            rows = np.array([inputs(s, float(t)) if ok else r for s, t, ok in parts])
+            values, failed = kernel.evaluate(times, x, rows, np.ascontiguousarray(self.p[k]))
+            values[failed | ~reached] = np.nan
+            out[:, k] = values.T
+        return out
+
+    def output_columns(
+        self, times: np.ndarray, states: np.ndarray, columns: np.ndarray
+    ) -> np.ndarray:
+        """Return the sensitivities of the outputs, (o, k, m, times), from those of the states."""
+        beside = self.model.sensitivities
+        assert beside is not None
+        n, k, m, number = columns.shape
+        whole = np.concatenate([states, columns.reshape(n * k, m, number)])
+        found = self.beside().evaluate(beside.outputs, times, whole)
+        return found.reshape(len(found) // k, k, m, number)
 
 
 def _among(found: Results, started: np.ndarray, codes: np.ndarray, t: float) -> Results:
@@ -382,58 +388,6 @@ def _among(found: Results, started: np.ndarray, codes: np.ndarray, t: float) -> 
         resets=[next(resets, []) if one else [] for one in started],
         nearness=None if found.nearness is None else placed(found.nearness, 1.0),
     )
-
-
-def _run_one_by_one(
-    model: Model,
-    x: np.ndarray,
-    r: np.ndarray,
-    p: np.ndarray,
-    times: np.ndarray,
-    stopped: Callable[[], bool],
-    states: np.ndarray,
-) -> Results:
-    """Integrate with the solver of single trajectories."""
-    from pydy._errors import IntegrationError
-    from pydy.solvers.run.integration import Integration
-
-    (m, n), beside = x.shape, model.sensitivities
-    kernel = _kernel(model.rates if beside is None else beside.rates, 1)
-    sampled, options = model.sampled, model.options
-    if beside is not None:
-        sampled = (*sampled, *beside.sampled)
-    counts = [np.zeros(m, dtype=np.int64) for _ in range(4)]
-    states[:] = np.nan
-    results = Results(states, counts[0], counts[1], counts[2], counts[3], np.full(m, times[0]))
-    results.nearness = np.ones(m)
-    jacobian, one = model.jacobian, None
-    for k in range(m):
-        if stopped():
-            raise KeyboardInterrupt
-        call = KernelCall(
-            kernel,
-            np.ascontiguousarray(p[k]),
-            np.ascontiguousarray(r[k]),
-            sampled,
-            _inputs(model, r[k], stopped) if model.functions else None,
-            lambda: model.states,
-            None if jacobian is None else lambda: _kernel(jacobian, 1),
-        )
-        if beside is not None:
-            options = replace(
-                model.options, sensitivities=beside.compiled(x[k], r[k], p[k], _single)
-            )
-        same = one is not None and one.reusable and beside is None
-        if one is None or not (same and one.rebind(call, times)):
-            one = Integration(model.method, call, n, times, (), options, stopped)
-        try:
-            found = one.run(x[k])
-            info = one.info()
-        except IntegrationError as error:
-            found, info = one.reached(), error.info
-        results.states[:, k, : len(found)] = found.T
-        _take(results, k, info)
-    return results
 
 
 def _take(results: Results, k: int, info: Mapping[str, Any]) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -11,7 +12,7 @@ import numpy as np
 from pydy._checks import shown
 from pydy._dataset import SENSITIVITY
 from pydy.ensemble.kept import refuse
-from pydy.ensemble.model import Model, Results, evaluate, evaluate_output_columns, run
+from pydy.ensemble.model import Batch, Model, Results
 from pydy.ensemble.samples import PARAMETER, QUANTITY, Samples, Variable, to_dataset
 from pydy.solvers.outcome import OUTCOMES
 
@@ -145,22 +146,14 @@ class Work:
         model, times = self.model, self.model.times
         if self.reductions and all(isinstance(r, _Final | _EventTimes) for r in self.reductions):
             times = times[[0, -1]]  # steps do not depend on the outputs
-        x, r, p = samples.rows()
-        results = run(model, x, r, p, times, stopped, states)
+        batch = Batch(model, *samples.rows(), stopped)
+        results = batch.run(times, states)
         if model.kept is not None:
-            refuse(model, results, r, p, times, stopped)
-
-        def outputs(t: np.ndarray, x: np.ndarray) -> np.ndarray:
-            return evaluate(model, model.outputs, r, p, t, x, stopped)
-
+            refuse(batch, results, times)
+        outputs = partial(batch.evaluate, model.outputs)
         found = self._reduced(results, times, outputs)
         if results.columns is not None:
-            found |= self._differentiated(
-                results,
-                times,
-                outputs,
-                lambda t, x, s: evaluate_output_columns(model, r, p, t, x, s),
-            )
+            found |= self._differentiated(results, times, outputs, batch.output_columns)
         for name in COUNTS:
             found[name] = Variable((), getattr(results, name))
         shape, dims = samples.shape, tuple(samples.dims)
