@@ -40,9 +40,7 @@ class Ours:
         rows = (np.resize(self.x, (count, len(names))), np.resize(self.p, (count, len(self.p[0]))))
         x, p = (tuple(rows_.T) for rows_ in rows)
         r = tuple(np.zeros((self.program.num_specifieds, 1)))
-        return Ensemble(
-            Work(model, work.reductions, {}), Samples(dims, x, r, p), (2048,), {}, threads
-        )
+        return Ensemble(Work(model, work.reductions, {}), Samples(dims, x, r, p), 2048, {}, threads)
 
     def lanes(self, method: str, tol: float, threads: int, count: int) -> dict[str, Any]:
         """Time the ensemble of the first samples; the states come from the Dataset."""

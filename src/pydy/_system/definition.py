@@ -35,12 +35,6 @@ class Given:
     keys: tuple[Any, ...]  # all symbols or names that have a value
     ordered: bool  # whether `keys` are the order of r: the dictionary is in the second format
 
-    def still_holds(self, specifieds: Mapping[Any, Any]) -> bool:
-        """Return whether the dictionary, which may have been edited, says the same."""
-        if not specifieds and not self.keys:
-            return True
-        return self == given_in(specifieds)
-
 
 def given_in(specifieds: Mapping[Any, Any]) -> Given:
     """Return what a dictionary of specifieds, in either format, says about symbols."""
@@ -103,7 +97,7 @@ class Definer:
         if self._key is not None:
             known, names, given = self._key
             same = known == outputs and names == [*outputs, *forces]
-            if same and given.still_holds(specifieds):
+            if same and ((not specifieds and not given.keys) or given == given_in(specifieds)):
                 return self.latest
         given = given_in(specifieds)
         own = self.users(outputs, forces)

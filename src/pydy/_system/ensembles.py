@@ -17,15 +17,15 @@ from pydy._system.inputs import check_times
 from pydy._system.kept import kept_programs
 from pydy._system.sensitivities import Sensitive, changed_by, program_of_event
 from pydy._system.setup import Setup
+from pydy._system.simulation import Ready
 from pydy._system.snapshot import At, Snapshot
-from pydy._system.solving import Ready, native_solver
+from pydy._system.solving import native_solver
 from pydy._system.start import check_samples
-from pydy._system.tuning import BLOCK_BYTES, LARGEST_BLOCK, SMALLEST_BLOCK
 from pydy._version import __version__
 from pydy.codegen.arguments import SpecifiedsPlan, symbolic_entries
 from pydy.ensemble.engine import Ensemble
 from pydy.ensemble.model import EnsembleSensitivities, Kept, Model
-from pydy.ensemble.samples import PARAMETER, QUANTITY, Coordinate, Samples, block_sizes
+from pydy.ensemble.samples import PARAMETER, QUANTITY, Coordinate, Samples
 from pydy.ensemble.work import COUNTS, Work, read_reductions
 from pydy.inputs import SampledInput
 from pydy.solvers.options import Options, read_options
@@ -490,12 +490,6 @@ class Ensembles(Setup):
         reductions = read_reductions(reduce, model, names.name)
         described = names.described(units)
         work = Work(model, reductions, described)
-        # Work with few samples goes to all threads; large results come in pieces.
-        row = 8.0 * len(names.of) * (len(times) if not reductions else 8)
-        row *= 1 if beside is None else 1 + len(beside.names)
-        # One by one takes long: an interrupt should find blocks that are finished.
-        most = LARGEST_BLOCK if model.in_lanes else SMALLEST_BLOCK
-        default = int(min(max(BLOCK_BYTES / row, SMALLEST_BLOCK), most))
         about = {
             "ode_solver": solver.name,
             "lanes": LANES if model.in_lanes else 1,
@@ -503,8 +497,7 @@ class Ensembles(Setup):
             "atol": np.asarray(read.atol).tolist(),
             "pydy_version": __version__,
         }
-        sizes = block_sizes(samples.dims, chunks, default)
-        ensemble = Ensemble(work, samples, sizes, about, workers, progress)
+        ensemble = Ensemble(work, samples, chunks, about, workers, progress)
         if store is not None:
             return ensemble.into(store, resume)
         if resume:

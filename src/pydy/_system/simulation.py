@@ -10,7 +10,11 @@ from typing import Any, Literal, overload
 import numpy as np
 import scipy
 
-from pydy._checks import flag, real_array
+from pydy._assembly.baumgarte import stabilised
+from pydy._assembly.definition import Definition
+from pydy._assembly.model import CompiledModel
+from pydy._assembly.specifieds import driven
+from pydy._checks import choice, flag, number, real_array
 from pydy._errors import IntegrationError, IntegrationInterrupted, SingularMatrixError
 from pydy._system.causes import explain
 from pydy._system.dependents import (
@@ -29,14 +33,115 @@ from pydy._system.scipy_solvers import (
 from pydy._system.sensitivities import Wanted
 from pydy._system.setup import Setup
 from pydy._system.snapshot import Snapshot
-from pydy._system.solving import Ready
+from pydy._system.solving import check_events, compile_constraints, compile_events
 from pydy._system.start import check_resets, check_start
+from pydy.codegen.arguments import SpecifiedsPlan
 from pydy.codegen.right_hand_side import rates_function
-from pydy.solvers.options import check_option_names
+from pydy.solvers.events import identified
+from pydy.solvers.options import Options, check_option_names
 from pydy.solvers.solver import Prepared, Solver
 from pydy.trajectory import Trajectory
 
 SolverFunction = Callable[..., Any]
+
+
+def prepare(
+    solver: Any,
+    definition: Definition,
+    model: CompiledModel,
+    plan: SpecifiedsPlan,
+    options: dict[str, Any],
+) -> tuple[CompiledModel, dict[str, Any]]:
+    """Return what is integrated, and the options for its solver.
+
+    Of the options of `System.integrate`, events and constraints are compiled; the expressions of
+    `plan` are compiled into the model, which takes all specifieds as inputs before.
+    """
+    options = dict(options)
+    native = isinstance(solver, Solver)
+    constraints, events = options.pop("constraints", None), options.pop("events", None)
+    gain = options.pop("gain", None)
+    constraints = choice(constraints, (None, "project", "baumgarte"), "`constraints`")
+    equations = definition.equations
+    if constraints == "project" and not (equations.holonomic or equations.velocity):
+        raise ValueError("`constraints='project'` holds constraints, but the system has none.")
+    if constraints == "baumgarte" and not equations.velocity:
+        raise ValueError(
+            "`constraints='baumgarte'` works on velocity constraints, but the system has none. "
+            "Give KanesMethod `velocity_constraints`, or use constraints='project'."
+        )
+    if (gain is None) == (constraints == "baumgarte"):
+        raise ValueError(
+            "`gain` and `constraints='baumgarte'` belong together: the gain g > 0, in 1/s, lets "
+            "residuals die out about as exp(−g t). Pass both or neither."
+        )
+    if constraints == "baumgarte":
+        gain = number(gain, "`gain`", finite=True)
+        if gain <= 0.0:
+            raise ValueError(f"`gain` must be positive, got {gain}.")
+        key = ("baumgarte", gain)
+        model = model.changed(key, lambda assembly: stabilised(assembly, equations, gain))
+    if not native and (constraints == "project" or events is not None):
+        what = "constraints='project'" if constraints == "project" else "events"
+        raise ValueError(
+            f"`{what}` needs a native solver: set `system.ode_solver = 'dop853'`, or another one "
+            "of pydy.solvers."
+        )
+    model = driven(model, definition, plan)
+    if constraints == "project":
+        options["constraints"] = compile_constraints(model, definition)
+    if events is not None:
+        checked = check_events(events, definition.places["states"])
+        if checked:
+            options["events"] = compile_events(model, definition, checked)
+    return model, options
+
+
+_PLAIN = frozenset((float, int, bool, str, type(None)))  # an array may be edited between two calls
+
+
+class Ready:
+    """What is integrated but for its numbers: a call that differs in these alone takes it as it is.
+
+    Its `model` and `options` are those that `prepare` returns.
+    """
+
+    def __init__(
+        self,
+        definition: Definition,
+        model: CompiledModel,
+        plan: SpecifiedsPlan,
+        solver: Any,
+        given: dict[str, Any],
+    ) -> None:
+        self._plan, self._solver, self._given = plan, solver, dict(given)
+        self._events = identified(given.get("events"))
+        self.constrained = definition.equations.constrained
+        self.model, self.options = prepare(solver, definition, model, plan, given)
+        self.read: Options | None = None  # as the solver has read them
+        self.free: list[Prepared] = []  # what the latest call has reserved, if no other has it
+
+    def suits(self, plan: SpecifiedsPlan, solver: Any, given: dict[str, Any]) -> bool:
+        """Return whether a call differs in numbers alone, as far as that can be seen.
+
+        A plan by `SpecifiedsPlan.again` has the other one's expressions, samples and functions.
+        """
+        if solver is not self._solver or [*given] != [*self._given]:
+            return False
+        for name, value in given.items():
+            known = self._given[name]
+            if name == "events":
+                same = self._events is not None and self._events == identified(value)
+            else:
+                same = type(value) in _PLAIN and type(value) is type(known) and value == known
+            if not same:
+                return False
+        known = self._plan
+        return plan is known or (
+            plan.expressions is known.expressions
+            and plan.sampled is known.sampled
+            and plan._functions is known._functions
+        )
 
 
 def begin(now: Snapshot, solver: SolverFunction, given: dict[str, Any]) -> tuple[Ready, np.ndarray]:

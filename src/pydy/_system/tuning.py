@@ -5,13 +5,10 @@ from __future__ import annotations
 __all__ = [
     "BEGINNING",
     "BESIDE",
-    "BLOCK_BYTES",
     "FIT",
     "INSTANT",
-    "LARGEST_BLOCK",
     "LEAST_SPREAD",
     "ORBIT",
-    "SMALLEST_BLOCK",
 ]
 
 BESIDE = 1e-3
@@ -33,12 +30,3 @@ LEAST_SPREAD = 1e-2
 
 BEGINNING = 1e-3
 """An event that ends a period may be where it begins: it is looked for after this share."""
-
-BLOCK_BYTES = 8e6
-"""Results in a block of an ensemble, about: it fits the cache that processors share."""
-
-SMALLEST_BLOCK = 64
-"""Samples in a block: with fewer, lanes idle at its end for too long a part of the time."""
-
-LARGEST_BLOCK = 8192
-"""Samples in a block: with more, an interrupt waits, and threads end at different times."""

@@ -328,14 +328,6 @@ class SpecifiedsPlan:
                 result.values[self._columns[k]] = given[k]
         return result
 
-    def agrees(self, other: SpecifiedsPlan) -> bool:
-        """Return whether another plan, by `again`, differs in numbers at most."""
-        return self is other or (
-            self.expressions is other.expressions
-            and self.sampled is other.sampled
-            and self._functions is other._functions
-        )
-
     def updated(self, other: SpecifiedsPlan) -> SpecifiedsPlan:
         """Return this plan with another's values in place of its own, where the other has any."""
         result = SpecifiedsPlan({}, self.places)

@@ -15,6 +15,7 @@ import numpy as np
 
 from pydy._checks import path_of
 from pydy._errors import EnsembleInterrupted, warn_user
+from pydy._forks import cached_property
 from pydy._optional import require
 from pydy._processes import LOOK
 from pydy.ensemble import store as stores
@@ -28,12 +29,11 @@ from pydy.ensemble.samples import (
     check_forms,
     to_dataset,
 )
+from pydy.ensemble.tuning import BLOCK_BYTES, LARGEST_BLOCK, ONE_BY_ONE, SMALLEST_BLOCK
 from pydy.ensemble.work import Work
 from pydy.solvers.outcome import NOT_COMPUTED
 
-_LEAST = 64  # samples in a block: fewer leave lanes idle at its end for too long
 _ENDED: set[str] = set()  # runs of Dask in this process that have ended, or were interrupted
-_ONE_BY_ONE = 8  # samples in a block: an interrupt keeps the finished ones
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,10 +42,22 @@ class Ensemble:
 
     work: Work
     samples: Samples
-    sizes: tuple[int, ...]  # of blocks, along each dimension
+    chunks: Any  # sizes of blocks as the user gave them
     attrs: dict[str, Any]  # of the Dataset
     workers: int | None = None  # number of threads; None for one for each processor
     progress: bool = False
+
+    @cached_property
+    def sizes(self) -> tuple[int, ...]:
+        """The sizes of blocks along each dimension."""
+        model, beside = self.work.model, self.work.model.sensitivities
+        # Work with few samples goes to all threads; large results come in pieces.
+        row = 8.0 * len(self.work.names) * (8 if self.work.reductions else len(model.times))
+        row *= 1 if beside is None else 1 + len(beside.names)
+        # One by one takes long: an interrupt should find blocks that are finished.
+        most = LARGEST_BLOCK if model.in_lanes else SMALLEST_BLOCK
+        default = int(min(max(BLOCK_BYTES / row, SMALLEST_BLOCK), most))
+        return block_sizes(self.samples.dims, self.chunks, default)
 
     # -- in memory ----------------------------------------------------------------------------
 
@@ -53,14 +65,15 @@ class Ensemble:
         """Return the Dataset, computed on threads."""
         shape, model = self.samples.shape, self.work.model
         # Small enough that all threads end at about the same time; sizes decide no bit.
+        if self.samples.size <= SMALLEST_BLOCK and model.in_lanes and not self.progress:
+            every = tuple(slice(0, size) for size in shape)  # interrupts are heeded here
+            done = _Here().submit(self.work, self.samples)
+            _check(done, every, self.samples)
+            return self._dataset(done.result())
         share = -(-self.samples.size // (4 * self._threads()))
-        number = max(_LEAST, min(prod(self.sizes), share)) if model.in_lanes else _ONE_BY_ONE
+        number = max(SMALLEST_BLOCK, min(prod(self.sizes), share)) if model.in_lanes else ONE_BY_ONE
         sizes = block_sizes(self.samples.dims, number, number)
         left = [block for _, block in self.samples.blocks(sizes)]
-        if len(left) == 1 and model.in_lanes and not self.progress:  # interrupts are heeded here
-            done = _Here().submit(self.work, self.samples)
-            _check(done, left[0], self.samples)
-            return self._dataset(done.result())
         whole: dict[str, Variable] = {}
         lock = Lock()
         states = None
@@ -170,6 +183,7 @@ class Ensemble:
 
     def lazy(self) -> Any:
         """Return a Dataset of Dask arrays, a task for each block."""
+        blocks = list(self.samples.blocks(self.sizes))
         dask = require("dask", "ensemble", "`chunks`")
         array = require("dask.array", "ensemble", "`chunks`")
         work = dask.delayed(self.work, traverse=False)
@@ -177,7 +191,7 @@ class Ensemble:
         example = self._example()
         forms = self._forms(example)
         tasks: dict[tuple[int, ...], tuple[Any, Block]] = {}
-        for place, block in self.samples.blocks(self.sizes):
+        for place, block in blocks:
             tasks[place] = compute(work, self.samples.of(block), forms), block
         numbers = [
             -(-whole // size) for whole, size in zip(self.samples.shape, self.sizes, strict=True)
