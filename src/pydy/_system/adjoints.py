@@ -24,8 +24,7 @@ from pydy._kernel import Inputs, Kernel, KernelCall
 from pydy._optional import progress_of
 from pydy._rank import DEPENDENT, or_one
 from pydy._system.causes import explain
-from pydy._system.parameters import Parameter
-from pydy._system.samples import by_samples, marker
+from pydy._system.parameters import Parameter, by_samples, marker
 from pydy._system.sensitivities import Sensitive, compiled_event
 from pydy._system.setup import Setup
 from pydy._system.simulation import begin

@@ -18,10 +18,9 @@ from pydy._graph.lower import lower
 from pydy._graph.node import Graph
 from pydy._graph.program import Program
 from pydy._graph.rewrite import substitute
-from pydy._graph.rounding import per_unit
 from pydy._system.snapshot import Snapshot
 from pydy._system.solving import constraint_names
-from pydy._system.start import Rows, solved_slopes
+from pydy._system.start import Rows, measured
 from pydy.solvers.kept import Ran, judge, looked_at
 from pydy.solvers.options import Options
 from pydy.solvers.outcome import OUTCOMES
@@ -229,14 +228,9 @@ class Slopes:
         rates = dense(graph, directional(graph, rows[: len(places)], along), 1)
         rates += [graph.zero] * len(motion)
         states = [graph.input("x", k) for k in range(assembly.sizes[0])]
-        return {
-            "rows": rows,
-            "rates": rates,
-            "slopes": dense_jacobian(graph, rows, states),
-            "solved": solved_slopes(assembly, rows, len(places)),
-            "per_unit": per_unit(graph, rows, states),
-            "turns": dense_jacobian(graph, rates, states),
-        }
+        turns = dense_jacobian(graph, rates, states)
+        derived = measured(assembly, rows, len(places))
+        return {"rows": rows, "rates": rates, "turns": turns, **derived}
 
     def read(self, assembly: Assembly) -> tuple[list[int], list[int]]:
         """Return the holonomic and the velocity constraints."""

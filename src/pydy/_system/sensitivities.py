@@ -23,8 +23,7 @@ from pydy._graph.simplify import simplify
 from pydy._graph.tangent import Tangent
 from pydy._kernel import Inputs, Kernel, KernelCall
 from pydy._system.dependents import latest_dependents
-from pydy._system.parameters import Parameter, read_parameters
-from pydy._system.samples import by_samples, mean_spacing
+from pydy._system.parameters import Parameter, by_samples, mean_spacing, read_parameters
 from pydy._system.snapshot import Snapshot
 from pydy.analysis.dependence import follow
 from pydy.codegen.arguments import SpecifiedsPlan

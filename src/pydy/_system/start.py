@@ -196,19 +196,20 @@ def evaluated_rows(at: At, what: Literal["sizes", "bounds"]) -> tuple[np.ndarray
     return found["rows"], sizes
 
 
-def solved_slopes(assembly: Assembly, rows: Sequence[int], count: int) -> list[int]:
-    """Return the derivatives of `count` rows by the states, and of those behind by the speeds.
+def measured(assembly: Assembly, rows: Sequence[int], count: int) -> dict[str, list[int]]:
+    """Return what tells the rounding of rows: ``slopes``, ``solved`` and ``per_unit`` of `Part`.
 
-    Those by the other states are zero: speeds are solved for where the coordinates are known.
+    The first `count` rows are solved for the states, those behind for the speeds, where the
+    coordinates are known: their derivatives by the other states are zero.
     """
     graph, n = assembly.graph, assembly.sizes[0]
     states = [graph.input("x", k) for k in range(n)]
-    moving = {states.index(u) for u in assembly.speeds}
-    cells = dense_jacobian(graph, rows, states)
-    return [
-        graph.zero if k >= count * n and k % n not in moving else node
-        for k, node in enumerate(cells)
+    moving, cells = {*assembly.speeds}, dense_jacobian(graph, rows, states)
+    solved = [
+        cell if k < count * n or states[k % n] in moving else graph.zero
+        for k, cell in enumerate(cells)
     ]
+    return {"slopes": cells, "solved": solved, "per_unit": per_unit(graph, rows, states)}
 
 
 @dataclass(frozen=True)
@@ -232,13 +233,7 @@ class Rows:
         rows = [*assembly.holonomic, *closed, *assembly.velocity, *more]
         derived = {}
         if self.what == "bounds":
-            states = [graph.input("x", k) for k in range(assembly.sizes[0])]
-            count = len(assembly.holonomic) + len(closed)
-            derived = {
-                "slopes": dense_jacobian(graph, rows, states),
-                "solved": solved_slopes(assembly, rows, count),
-                "per_unit": per_unit(graph, rows, states),
-            }
+            derived = measured(assembly, rows, len(assembly.holonomic) + len(closed))
         parts = (assembly.holonomic, closed), (assembly.velocity, more)
         sizes = [size for part in parts for size in self._sizes(graph, *part)]
         return {"rows": rows, "sizes": sizes, **derived}

@@ -18,9 +18,8 @@ import numpy as np
 
 from pydy._names import place_of
 from pydy._optional import require
-from pydy._rank import DEPENDENT, ROUNDED, or_one, rank_of
+from pydy._rank import DEPENDENT, ROUNDED, is_zero, or_one, rank_of
 from pydy.analysis.pictures import plot_branch
-from pydy.analysis.scaling import sizes_along
 from pydy.analysis.tuning import (
     ON_BRANCH,
     SHORTEST_STEP,
@@ -384,3 +383,21 @@ def _bisected(
         if high - low < ROUNDED:
             break
     return low, high
+
+
+def sizes_along(slopes: np.ndarray, z: np.ndarray, span: float) -> np.ndarray:
+    """Return sizes of the unknowns; of the parameter, which is the last, its span.
+
+    Unknowns that the parameter moves are as large as what it moves them by, or as they are: with
+    each entry of the Jacobian times the size of its column as large as its row, as far as least
+    squares of logarithms allow (Curtis and Reid, J. Inst. Maths Applics 10 (1972) 118-124). That
+    does not depend on the units that a user works in. What nothing tells of has the size 1.
+    """
+    m, k = slopes.shape
+    sizes = np.abs(slopes)
+    sizes[:, -1] *= span
+    row, column = np.nonzero(~is_zero(sizes, sizes.max(axis=1, initial=0.0, keepdims=True)))
+    table = np.zeros((len(row), m + k))
+    table[np.arange(len(row)), row] = table[np.arange(len(row)), m + column] = 1.0
+    logs = np.linalg.lstsq(table[:, :-1], -np.log(sizes[row, column]), rcond=None)[0]
+    return np.append(np.maximum(np.abs(z[:-1]), np.exp(logs[m:])), span)

@@ -19,9 +19,8 @@ import scipy
 
 from pydy._errors import EquilibriumError
 from pydy._names import place_of, unique_names
-from pydy._rank import DEPENDENT, DIGITS, HALF, ROUNDED, null_space, or_one
+from pydy._rank import DEPENDENT, DIGITS, HALF, ROUNDED, is_zero, null_space, or_one
 from pydy.analysis.directions import direction_text
-from pydy.analysis.scaling import scaled_step
 from pydy.analysis.settling import settled
 
 __all__ = ["Equilibrium", "Problem", "Sizes", "solve_equilibrium", "solve_many"]
@@ -427,3 +426,16 @@ def _reduced(rows: np.ndarray) -> np.ndarray:
         rows[others] -= np.outer(rows[others, j], rows[k])
         pivots.append(int(j))
     return rows[np.argsort(pivots)]
+
+
+def scaled_step(slopes: np.ndarray, values: np.ndarray) -> np.ndarray:
+    """Return the least z with ``slopes @ z = values``, in units of the columns.
+
+    Rows weigh what they do: a row of rounding errors, as next to a singular configuration, would
+    otherwise count like the rest.
+    """
+    sizes = np.abs(slopes)
+    sizes[is_zero(sizes, sizes.max(axis=1, keepdims=True, initial=0.0))] = 0.0
+    columns = 1.0 / or_one(sizes.max(axis=0, initial=0.0))
+    step: np.ndarray = columns * np.linalg.lstsq(slopes * columns, values, rcond=DEPENDENT)[0]
+    return step

@@ -9,12 +9,12 @@ way does not depend on units.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
+import scipy
 
 from pydy._rank import or_one, rank_of
-from pydy.analysis.scaling import unknown_units
 from pydy.analysis.tuning import BENT, NEARLY_STRAIGHT, SETTLED
 
 __all__ = ["settled"]
@@ -80,3 +80,29 @@ def _constrained(rows: np.ndarray, values: np.ndarray) -> tuple[np.ndarray, np.n
     rank = rank_of(singular)
     solved = (left.T @ values)[:rank] / singular[:rank]
     return -right[:rank].T @ solved, right[rank:].T
+
+
+def unknown_units(
+    slopes: np.ndarray, own: Sequence[int], columns: Sequence[int]
+) -> tuple[np.ndarray, float]:
+    """Return units of the unknowns in which rates are balanced, and the fastest of these.
+
+    That leaves a factor common to all, which no step depends on. The rows `own` of the slopes (m,
+    k) are rates of the unknowns `columns`; the units of others follow from those of the rows that
+    they are in.
+    """
+    k = slopes.shape[1]
+    between = slopes[np.ix_(own, columns)]
+    units = np.ones(k)
+    if len(own):
+        with np.errstate(invalid="ignore"):  # in what `separate` is not asked for
+            balanced = scipy.linalg.matrix_balance(between, permute=False, separate=True)
+        units[columns] = balanced[1][0]
+    between = between * units[columns] / units[columns][:, None]
+    speed = float(or_one(np.abs(np.linalg.eigvals(between)).max(initial=0.0)))
+    others = np.setdiff1d(np.arange(k), columns)
+    sizes = np.abs(slopes[:, columns] * units[columns]).max(axis=1, initial=0.0)
+    sizes[own] = units[columns] * speed
+    sizes = np.where(sizes > 0.0, sizes, np.inf)
+    units[others] = 1.0 / or_one(np.abs(slopes[:, others] / sizes[:, None]).max(axis=0))
+    return units, speed

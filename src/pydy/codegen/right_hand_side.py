@@ -305,7 +305,8 @@ class RightHandSide:
         x, t = _state(self.model, x), number(t, "`t`")
         if self.layout.specifieds:
             r = self.specifieds(r, x, t)
-        _call_strict(self.model, self.kernel, x, t, r, self.constants(p), out)
+        if self.kernel.at(x, t, r, self.constants(p), out):
+            raise self.model.singular(t, x)
 
 
 def rates_function(model: CompiledModel, plan: SpecifiedsPlan) -> Any:
@@ -322,7 +323,8 @@ def rates_function(model: CompiledModel, plan: SpecifiedsPlan) -> Any:
         out = empty(n)
         if call(x, t, r, p, out):
             x, t = _state(model, x), number(t, "`t`")
-            _call_strict(model, kernel, x, t, _specifieds(model, r), _constants(model, p), out)
+            if kernel.at(x, t, _specifieds(model, r), _constants(model, p), out):
+                raise model.singular(t, x)
         return out
 
     def f_with_functions(x: Any, t: Any, r: Any, p: Any) -> np.ndarray:
@@ -371,19 +373,6 @@ def _state(model: CompiledModel, x: Any) -> np.ndarray:
             f"`x` must have the shape ({n},), one value for each state, got {array.shape}."
         )
     return array
-
-
-def _call_strict(
-    model: CompiledModel,
-    kernel: Kernel,
-    x: np.ndarray,
-    t: float,
-    r: np.ndarray,
-    p: np.ndarray,
-    out: np.ndarray,
-) -> None:
-    if kernel.at(x, t, r, p, out):
-        raise model.singular(t, x)
 
 
 def make_backend(generator: Any, options: dict[str, Any]) -> Any:

@@ -14,7 +14,7 @@ import io
 import pickle
 import sys
 import sysconfig
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from functools import cache, lru_cache
 from importlib.util import find_spec
 from pathlib import Path
@@ -129,7 +129,7 @@ class _Reader:
 
     def _function(self, function: FunctionType) -> Iterator[tuple[str, Any]]:
         code, around = function.__code__, function.__globals__
-        outside = sorted(_OUTSIDE & _attributes(code))
+        outside = sorted(_OUTSIDE & _names(code, _ATTRIBUTES))
         if outside:
             raise UnidentifiedError(
                 f"`{function.__qualname__}` uses `{outside[0]}`, which may differ at the next call"
@@ -142,7 +142,7 @@ class _Reader:
                 yield f"the variable `{name}`", cell.cell_contents
             except ValueError:
                 yield f"the empty variable `{name}`", None
-        for name in sorted(_names(code)):
+        for name in sorted(_names(code, _GLOBALS)):
             if name in around:
                 yield f"the global `{name}`", around[name]
             elif name in _OPEN_ENDED:
@@ -211,21 +211,12 @@ def _is_symbolic(thing: Any) -> bool:
     return all((type(p).__module__ or "sympy").partition(".")[0] == "sympy" for p in parts)
 
 
-def _names(code: CodeType) -> set[str]:
-    """Return the globals that some code and the code within it read."""
-    names = {i.argval for i in dis.get_instructions(code) if i.opname in _GLOBALS}
+def _names(code: CodeType, operations: Collection[str]) -> set[str]:
+    """Return the names that some operations of a code, and of the code within it, read."""
+    names = {i.argval for i in dis.get_instructions(code) if i.opname in operations}
     for constant in code.co_consts:
         if isinstance(constant, CodeType):
-            names |= _names(constant)
-    return names
-
-
-def _attributes(code: CodeType) -> set[str]:
-    """Return the attributes that some code and the code within it read."""
-    names = {i.argval for i in dis.get_instructions(code) if i.opname in _ATTRIBUTES}
-    for constant in code.co_consts:
-        if isinstance(constant, CodeType):
-            names |= _attributes(constant)
+            names |= _names(constant, operations)
     return names
 
 

@@ -203,7 +203,7 @@ class Work:
                 last = self._values(self.names, states[:, :, -1:], times[-1:], outputs)
                 found |= {name: Variable((), last[name][:, 0]) for name in self.names}
             elif isinstance(entry, _EventTimes):
-                found |= self._event_times(results, entry.occurrences)
+                found |= self._events(results, entry.occurrences)
         return found
 
     def _differentiated(
@@ -240,8 +240,6 @@ class Work:
                 rows.append(whole[place][:, m, when])
             elif isinstance(entry, _Final):
                 rows += list(every(slice(-1, None))[..., 0])
-            elif isinstance(entry, _EventTimes):
-                found |= self._event_moments(results, entry.occurrences)
         if rows:
             table = np.ascontiguousarray(np.array(rows).transpose(2, 0, 1))
             found[SENSITIVITY] = Variable((QUANTITY, PARAMETER), table, attrs)
@@ -252,49 +250,35 @@ class Work:
         """What stands along the dimensions of sensitivities."""
         if self.model.sensitivities is None:
             return {}
-        quantities = list(self.names)
+        quantities = [*self.names]
         if self.reductions and not self.function:
-            quantities = []
-            for entry in self.reductions:
-                if isinstance(entry, Extreme):
-                    quantities.append(f"{entry.name}_{entry.kind}")
-                elif isinstance(entry, _Final):
-                    quantities += self.names
+            others = [e for e in self.reductions if not isinstance(e, _EventTimes)]
+            quantities = [name for entry in others for name in _produced(entry, self.model)]
         return {QUANTITY: quantities, PARAMETER: list(self.model.sensitivities.names)}
 
-    def _event_moments(self, results: Results, occurrences: int) -> dict[str, Variable]:
-        """Return the derivatives of the first times of each event."""
+    def _events(self, results: Results, occurrences: int) -> dict[str, Variable]:
+        """Return how often each event happened, its first times, and their derivatives."""
         wanted, beside = self.model.options.events, self.model.sensitivities
         assert wanted is not None
-        assert beside is not None
+        m, columns = len(results.events), 0 if beside is None else len(beside.names)
         found = {}
         for index, name in enumerate(wanted.names):
-            table = np.full((len(results.events), occurrences, len(beside.names)), np.nan)
-            for k, (events, moments) in enumerate(
-                zip(results.events, results.moments, strict=True)
-            ):
-                pairs = zip(events, moments, strict=True)
-                mine = [moment for (number, _), moment in pairs if number == index]
-                for j, moment in enumerate(mine[:occurrences]):
-                    table[k, j] = moment
-            found[f"{name}_times_{SENSITIVITY}"] = Variable(
-                ("occurrence", PARAMETER), table, {"role": SENSITIVITY}
-            )
-        return found
-
-    def _event_times(self, results: Results, occurrences: int) -> dict[str, Variable]:
-        wanted = self.model.options.events
-        assert wanted is not None
-        found = {}
-        for index, name in enumerate(wanted.names):
-            when = np.full((len(results.events), occurrences), np.nan)
-            count = np.zeros(len(results.events), dtype=np.int64)
+            when = np.full((m, occurrences), np.nan)
+            slopes = np.full((m, occurrences, columns), np.nan)
+            count = np.zeros(m, dtype=np.int64)
             for k, events in enumerate(results.events):
-                mine = [t for number, t in events if number == index]
+                mine = [j for j, (number, _) in enumerate(events) if number == index]
                 count[k] = len(mine)
-                when[k, : len(mine)] = mine[:occurrences]
+                for place, j in enumerate(mine[:occurrences]):
+                    when[k, place] = events[j][1]
+                    if columns:
+                        slopes[k, place] = results.moments[k][j]
             found[f"{name}_count"] = Variable((), count, {"role": "event"})
             found[f"{name}_times"] = Variable(("occurrence",), when, {"role": "event"})
+            if columns:
+                found[f"{name}_times_{SENSITIVITY}"] = Variable(
+                    ("occurrence", PARAMETER), slopes, {"role": SENSITIVITY}
+                )
         return found
 
     def _by_function(self, variables: dict[str, Variable], samples: Samples) -> dict[str, Variable]:
