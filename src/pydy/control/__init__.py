@@ -5,7 +5,8 @@
 
 from __future__ import annotations
 
+from pydy.control.phases import PhasedTrajectory, Phases
 from pydy.control.problem import OptimalControl
 from pydy.control.result import OptimalTrajectory
 
-__all__ = ["OptimalControl", "OptimalTrajectory"]
+__all__ = ["OptimalControl", "OptimalTrajectory", "PhasedTrajectory", "Phases"]

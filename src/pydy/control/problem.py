@@ -32,8 +32,9 @@ from pydy.control.guess import Guess, positive_time, shown_pair
 from pydy.control.ipopt import SOLVED, Iteration, Solution, solve
 from pydy.control.kernel import Equations
 from pydy.control.nlp import Nlp
+from pydy.control.phases import Phases
 from pydy.control.refine import Moved, interval_errors, refined
-from pydy.control.result import OptimalTrajectory
+from pydy.control.result import OptimalTrajectory, worst_rows
 from pydy.control.schemes import METHODS, scheme_of
 from pydy.control.sizes import sizes_of
 from pydy.control.transcription import Problem, Transcription
@@ -198,6 +199,7 @@ class OptimalControl:
         self._start = self._limits("start", start, definition.states)
         self._end = self._limits("end", end, definition.states)
         self._bounds = self._limits("bounds", bounds, self._unknown.symbols)
+        self._begins = frozenset(self._start)
         # Those that follow from the constraints, where `start` changes others.
         dependent = {*equations.dependent_coordinates, *equations.dependent_speeds}
         left = dependent - {*self._start} if self._start else ()
@@ -276,6 +278,64 @@ class OptimalControl:
         for k, (key, value) in zip(columns, values.items(), strict=True):
             found[places.symbols[k]] = _pair(value, f"`{argument}[{key}]`", argument != "bounds")
         return found
+
+    @staticmethod
+    def phases(
+        problems: Iterable[OptimalControl], links: Iterable[Mapping[Any, Any]] | None = None
+    ) -> Phases:
+        """Join problems to one motion in phases, as of a hopper: flight, impact, stance.
+
+        The sum of the objectives is minimised. Each phase has a time of its own, from 0 on, a
+        system, a mesh and conditions. States that are linked begin as the link says: what `start`
+        gives holds in addition, the initial conditions do not count. Free constants, and durations,
+        of the same symbol are the same.
+
+        Parameters
+        ----------
+        problems : sequence of OptimalControl
+        links : sequence of dict, optional
+            For each junction a dictionary from states of the later phase to expressions of states,
+            at the end, and constants of the phase before; None is no link. States that are not in
+            it go on with their values.
+
+        Returns
+        -------
+        Phases
+            Its method `solve` takes a list of guesses, and `mesh_tol`, `options` and `progress`; it
+            returns a `PhasedTrajectory`, the sequence of the phases' motions.
+
+        Examples
+        --------
+        A mass runs against a wall and comes back with half of its speed, all with the least ∫ F²:
+
+        >>> import sympy as sm
+        >>> import sympy.physics.mechanics as me
+        >>> from pydy import System
+        >>> from pydy.control import OptimalControl
+        >>> from pydy.mechanics import Definition
+        >>> x, v, F = me.dynamicsymbols('x v F')
+        >>> t = me.dynamicsymbols._t
+        >>> ground, rest = me.ReferenceFrame('N'), me.Point('O')
+        >>> rest.set_vel(ground, 0)
+        >>> mass = rest.locatenew('P', x*ground.x)
+        >>> system = System(Definition(ground, [x], [v], bodies=[me.Particle('mass', mass, 1)],
+        ...                            loads=[(mass, F*ground.x)]))
+        >>> effort = sm.Integral(F**2, t)
+        >>> there = OptimalControl(system, effort, 1.0, end={x: 1.0})
+        >>> back = OptimalControl(system, effort, 1.0, end={x: 0.0, v: 0.0})
+        >>> found = OptimalControl.phases([there, back], [{v: -v/2}]).solve()
+        >>> round(found.objective, 6), (found[1][v][0] / found[0][v][-1]).round(6)
+        (7.8, np.float64(-0.5))
+        """
+        given = listed("problems", problems, "OptimalControl")
+        for k, problem in enumerate(given):
+            if not isinstance(problem, OptimalControl):
+                raise TypeError(
+                    f"`problems` must hold OptimalControl objects, got {shown(problem)} at {k}."
+                )
+        if len(given) < 2:
+            raise ValueError(f"`problems` must hold at least two phases, got {len(given)}.")
+        return Phases(given, [{}] * (len(given) - 1) if links is None else links)
 
     # -- before the search ------------------------------------------------------------------------
 
@@ -560,7 +620,8 @@ class OptimalControl:
         if solution.status not in SOLVED:
             raise OptimizationError(
                 f"The search for an optimal trajectory ended after {len(solution.history) - 1} "
-                f"iterations: {trajectory.message}. {_worst(nlp, solution, trajectory)}",
+                f"iterations: {trajectory.message}. "
+                f"{worst_rows(nlp, solution, trajectory.duration)}",
                 trajectory,
             )
         return trajectory
@@ -645,27 +706,3 @@ def labels_of(definition: Any) -> tuple[tuple[str, ...], tuple[str, ...]]:
         *constraints,
     )
     return labels, constraints
-
-
-def _worst(nlp: Nlp, solution: Solution, trajectory: OptimalTrajectory) -> str:
-    """Name the equations that are violated most, in units of their sizes."""
-    y = solution.z / nlp.sizes
-    values = np.empty(nlp.rows)
-    nlp.values(y, values)
-    low, high = (side / nlp.row_sizes for side in nlp.row_bounds)
-    violated = np.nan_to_num(np.maximum(np.maximum(low - values, values - high), 0.0), nan=np.inf)
-    found, start = [], 0
-    for piece in nlp.pieces:
-        for label in piece.labels:
-            part = violated[start : start + piece.points]
-            start += piece.points
-            at = int(part.argmax())
-            when = piece.fractions[at] * trajectory.duration
-            place = "" if np.isnan(when) else f" at t = {when:.6g}"
-            found.append((float(part[at]), f"{label}{place}, by {part[at]:.2g}"))
-    found.sort(key=lambda pair: -pair[0])
-    return (
-        "Violated most, in units of each equation's size: "
-        + "; ".join(text for _, text in found[:3])
-        + ". Another `guess`, wider `bounds` or a finer `mesh` may help."
-    )

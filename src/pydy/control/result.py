@@ -17,7 +17,7 @@ from pydy.control.tuning import INPUT_SAMPLES, JUMP
 from pydy.inputs import SampledInput
 from pydy.trajectory import Columns, Trajectory
 
-__all__ = ["OptimalTrajectory"]
+__all__ = ["OptimalTrajectory", "worst_rows"]
 
 
 class OptimalTrajectory(Trajectory):
@@ -243,3 +243,27 @@ def _multipliers(
     joined = {name: np.concatenate(rows) for name, rows in parts.items()}
     found = {name: row[order] if len(row) == len(order) else row for name, row in joined.items()}
     return found, times[order] * duration
+
+
+def worst_rows(nlp: Nlp, solution: Solution, duration: float) -> str:
+    """Name the equations that are violated most, in units of their sizes."""
+    y = solution.z / nlp.sizes
+    values = np.empty(nlp.rows)
+    nlp.values(y, values)
+    low, high = (side / nlp.row_sizes for side in nlp.row_bounds)
+    violated = np.nan_to_num(np.maximum(np.maximum(low - values, values - high), 0.0), nan=np.inf)
+    found, start = [], 0
+    for piece in nlp.pieces:
+        for label in piece.labels:
+            part = violated[start : start + piece.points]
+            start += piece.points
+            at = int(part.argmax())
+            when = piece.fractions[at] * duration
+            place = "" if np.isnan(when) else f" at t = {when:.6g}"
+            found.append((float(part[at]), f"{label}{place}, by {part[at]:.2g}"))
+    found.sort(key=lambda pair: -pair[0])
+    return (
+        "Violated most, in units of each equation's size: "
+        + "; ".join(text for _, text in found[:3])
+        + ". Another `guess`, wider `bounds` or a finer `mesh` may help."
+    )

@@ -144,9 +144,9 @@ class Problem:
 
     def at_points(self, points: Points) -> Functions:
         """Return the equations, path conditions and the objective's part of collocation points."""
-        return self._once((points.state, points.rate), lambda: self._at_points(points))
+        return self.once((points.state, points.rate), lambda: self._at_points(points))
 
-    def _once(self, key: Any, make: Callable[[], Compiled]) -> Compiled:
+    def once(self, key: Any, make: Callable[[], Compiled]) -> Compiled:
         """Return what is compiled for all meshes, and for problems that differ in numbers."""
         if key not in self._compiled:
             self._compiled[key] = make()
@@ -157,7 +157,7 @@ class Problem:
         point, n = self._point(), self.states
         values = [point.variables(n) for _ in range(len(points.slots))]
         controls = point.variables(self.algebraic)
-        numbers, T = self._unknown_numbers(point)
+        numbers, T = self.unknown_numbers(point)
         fraction, length, weight = point.data(3)
         g = point.graph
         h = g.mul(T, length)
@@ -212,12 +212,12 @@ class Problem:
 
     def at_start(self) -> Functions:
         """Return the constraints at the start."""
-        return self._once("start", self._at_start)
+        return self.once("start", self._at_start)
 
     def _at_start(self) -> Functions:
         point = self._point()
         x = point.variables(self.states)
-        numbers, T = self._unknown_numbers(point)
+        numbers, T = self.unknown_numbers(point)
         at = {("t", 0): self._time(point, T, point.graph.zero), ("T", 0): T}
         at |= self._inputs(point, x, numbers)
         return point.functions(point.constraints(at), None, hessian=self.hessian)
@@ -225,7 +225,7 @@ class Problem:
     def _point(self) -> Point:
         return Point(self.equations, len(self.numbers))
 
-    def _unknown_numbers(self, point: Point) -> tuple[list[int], int]:
+    def unknown_numbers(self, point: Point) -> tuple[list[int], int]:
         """Return the nodes of (p, r) and of the duration."""
         count = len(self.constants) + len(self.specifieds)
         nodes = [point.constant(k) for k in range(count)]
@@ -237,7 +237,7 @@ class Problem:
 
     def of_parameters(self) -> Functions:
         """Return ½ (factor · (parameter − mean))² + slope · parameter, of these three data."""
-        return self._once("parameters", self._of_parameters)
+        return self.once("parameters", self._of_parameters)
 
     def _of_parameters(self) -> Functions:
         point = Point(self.equations, 0)
@@ -248,14 +248,14 @@ class Problem:
 
     def at_samples(self, scheme: Scheme) -> tuple[Functions, Functions]:
         """Return half the sum of squares of the residuals of a sample, and these as rows."""
-        return self._once("samples", lambda: self._at_samples(scheme))
+        return self.once("samples", lambda: self._at_samples(scheme))
 
     def _at_samples(self, scheme: Scheme) -> tuple[Functions, Functions]:
         point, n, one = self._point(), self.states, np.zeros(1)
         g, powers = point.graph, scheme.basis(one)[1].tolist()
         slots = [point.variables(n) for _ in powers]
         controls = [point.variables(len(self.controls)) for _ in scheme.control_basis(one)]
-        numbers, T = self._unknown_numbers(point)
+        numbers, T = self.unknown_numbers(point)
         fraction, length = point.data(2)
         basis, flat = point.data(len(slots)), point.data(len(controls))
         h = g.mul(T, length)
@@ -284,11 +284,11 @@ class Problem:
         """Return the boundary conditions and the objective's other part."""
         if not self.boundary and self.terminal == 0:
             return None
-        return self._once("boundary", lambda: self._at_instants(scheme))
+        return self.once("boundary", lambda: self._at_instants(scheme))
 
     def _at_instants(self, scheme: Scheme) -> Functions:
         point = self._point()
-        constants, T = self._unknown_numbers(point)
+        constants, T = self.unknown_numbers(point)
         atoms = {s: constants[k] for s, k in self.symbols.items()}
         if self.duration_symbol is not None:
             atoms[self.duration_symbol] = T

@@ -1,0 +1,272 @@
+"""Motions in several phases, with what happens between them: impacts, releases, other equations."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from copy import copy
+from dataclasses import replace
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+import sympy as sm
+
+from pydy._checks import check_mapping, flag, listed, shown
+from pydy._errors import AnalysisInterrupted, OptimizationError
+from pydy._optional import progress_of
+from pydy.codegen.arguments import checked_expression
+from pydy.control.guess import positive_time
+from pydy.control.ipopt import SOLVED, STATUS, Iteration, Solution, solve
+from pydy.control.kernel import Point
+from pydy.control.nlp import Nlp, Piece
+from pydy.control.refine import refined
+from pydy.control.result import OptimalTrajectory, worst_rows
+from pydy.control.sizes import sizes_of
+from pydy.control.transcription import Transcription
+from pydy.control.tuning import MOST_REFINEMENTS
+
+__all__ = ["PhasedTrajectory", "Phases"]
+
+_OPEN = (-np.inf, np.inf)
+
+
+class PhasedTrajectory(Sequence[OptimalTrajectory]):
+    """The phases of an optimal motion, in order.
+
+    Attributes
+    ----------
+    objective, duration : float
+        Sums of those of the phases.
+    status : int
+        As IPOPT returns it; 0 is solved.
+    message : str
+    history : tuple of Iteration
+    """
+
+    def __init__(self, phases: Sequence[OptimalTrajectory], solution: Solution) -> None:
+        self._phases = tuple(phases)
+        self.objective = solution.objective
+        self.duration = sum(phase.duration for phase in phases)
+        self.status = solution.status
+        self.message = STATUS.get(solution.status, f"IPOPT ended with status {solution.status}")
+        self.history: tuple[Iteration, ...] = solution.history
+
+    def __len__(self) -> int:
+        return len(self._phases)
+
+    def __getitem__(self, key: Any) -> Any:
+        return self._phases[key]
+
+    def __iter__(self) -> Iterator[OptimalTrajectory]:
+        return iter(self._phases)
+
+    def __repr__(self) -> str:
+        return (
+            f"PhasedTrajectory: {len(self)} phases, {self.duration:.6g} s, objective "
+            f"{self.objective:.9g}: {self.message}"
+        )
+
+
+class Phases:
+    """Optimal control problems one after the other, solved as one; see `OptimalControl.phases`."""
+
+    def __init__(self, problems: Sequence[Any], links: Any) -> None:
+        given = listed("links", links, "a dictionary for each junction")
+        if len(given) != len(problems) - 1:
+            raise ValueError(
+                f"`links` must have a dictionary for each of the {len(problems) - 1} junctions "
+                f"between {len(problems)} phases, got {len(given)}. An empty one links all states "
+                "that both phases have."
+            )
+        self._links = [
+            _checked(f"links[{k}]", link, before, after)
+            for k, (link, (before, after)) in enumerate(zip(given, pairwise(problems), strict=True))
+        ]
+        self._problems = [problems[0]]
+        for problem, link in zip(problems[1:], self._links, strict=True):
+            states = problem._now.definition.states
+            other = copy(problem)
+            other._start = {
+                s: _OPEN if s in link and s not in problem._begins else limits
+                for s, limits in problem._start.items()
+            }
+            if len(link) == len(states):
+                # The state is given by the link, and so is whether it satisfies the constraints.
+                other._problem = replace(problem._problem, constraints=())
+            self._problems.append(other)
+
+    def solve(
+        self,
+        guess: Any = None,
+        *,
+        mesh_tol: float | None = None,
+        options: Mapping[str, Any] | None = None,
+        progress: bool = False,
+    ) -> PhasedTrajectory:
+        """Find the motion.
+
+        Parameters
+        ----------
+        guess : sequence, optional
+            For each phase what `OptimalControl.solve` takes, or a `PhasedTrajectory`.
+        mesh_tol, options, progress
+            As for `OptimalControl.solve`.
+
+        Returns
+        -------
+        PhasedTrajectory
+
+        Raises
+        ------
+        OptimizationError, AnalysisInterrupted
+            As `OptimalControl.solve` raises them; they hold the `PhasedTrajectory`.
+        """
+        own = check_mapping("options", options)
+        tolerance = None if mesh_tol is None else positive_time(mesh_tol, "`mesh_tol`")
+        guesses: Sequence[Any] = [None] * len(self._problems)
+        if guess is not None:
+            guesses = listed("guess", guess, "a guess for each phase")
+        if len(guesses) != len(self._problems):
+            raise ValueError(
+                f"`guess` must have an entry for each of the {len(self._problems)} phases, got "
+                f"{len(guesses)}."
+            )
+        meshes = [problem._mesh for problem in self._problems]
+        with progress_of(flag(progress, "`progress`"), " iterations") as told:
+
+            def watch(iteration: Iteration) -> None:
+                told(1, objective=f"{iteration.objective:.6g}", gap=f"{iteration.violation:.2g}")
+
+            for _ in range(MOST_REFINEMENTS):
+                found = self._solved(meshes, guesses, own, watch)
+                worst = max(float(phase.error.max()) for phase in found)
+                if tolerance is None or worst <= tolerance:
+                    break
+                guesses = list(found)
+                meshes = [
+                    refined(mesh, phase.error, tolerance, problem._scheme.convergence)
+                    for mesh, phase, problem in zip(meshes, found, self._problems, strict=True)
+                ]
+        return found
+
+    def _solved(
+        self, meshes: Sequence[np.ndarray], guesses: Sequence[Any], options: Any, watch: Any
+    ) -> PhasedTrajectory:
+        made, programs, starts, own = [], [], [], []
+        known: dict[Any, int] = {}
+        size = 0
+        for problem, mesh, guess in zip(self._problems, meshes, guesses, strict=True):
+            one = Transcription(problem._problem, problem._scheme, mesh)
+            lower, upper = problem._bounds_of(one)
+            z = problem._guess(one, guess, lower, upper)
+            made.append(one)
+            starts.append(z)
+            programs.append(one.nlp(lower, upper, sizes_of(one, z, lower, upper)))
+            last = () if problem._symbol is None else (problem._symbol,)
+            shared = [*problem._free, *last]
+            at = np.arange(size, size + len(z))
+            for k, symbol in enumerate(shared, start=len(z) - len(shared)):
+                # Constants and durations of the same symbol are one unknown.
+                at[k] = known.setdefault(symbol, at[k])
+            own.append(at)
+            size += len(z)
+        # Unknowns of which others took the place are left out.
+        used = np.unique(np.concatenate(own))
+        own = [np.searchsorted(used, at) for at in own]
+        lower, upper = np.full(len(used), -np.inf), np.full(len(used), np.inf)
+        start, sizes = np.empty(len(used)), np.zeros(len(used))
+        pieces: list[Piece] = []
+        for k, (program, at, z) in enumerate(zip(programs, own, starts, strict=True)):
+            np.maximum.at(lower, at, program.lower)
+            np.minimum.at(upper, at, program.upper)
+            np.maximum.at(sizes, at, program.sizes)
+            start[at] = z
+            pieces += [
+                replace(p, at=at[p.at], labels=tuple(f"phase {k}: {name}" for name in p.labels))
+                for p in program.pieces
+            ]
+        for k in range(len(own) - 1):
+            pieces.append(self._link(k, made[k : k + 2], own[k : k + 2]))
+        nlp = Nlp(
+            pieces, lower, upper, sizes, estimated=all(p.estimated for p in programs)
+        ).in_own_units(np.clip(start, lower, upper))
+        solution = solve(nlp, np.clip(start, lower, upper), options=options, watch=watch)
+        phases, first = [], 0
+        for problem, one, program, at in zip(self._problems, made, programs, own, strict=True):
+            z, rows = solution.z[at], slice(first, first + program.rows)
+            first += program.rows
+            part = replace(
+                solution, z=z, multipliers=solution.multipliers[rows], below=solution.below[at],
+                above=solution.above[at], objective=program.cost(z / program.sizes),
+            )  # fmt: skip
+            phases.append(problem._trajectory(one, program, part))
+        found = PhasedTrajectory(phases, solution)
+        if solution.interrupted:
+            raise AnalysisInterrupted(
+                "The search for an optimal trajectory was interrupted. Its latest iteration is in "
+                "the attribute `results` of this error.",
+                found,
+            )
+        if solution.status not in SOLVED:
+            raise OptimizationError(
+                f"The search for an optimal trajectory in {len(found)} phases ended after "
+                f"{len(solution.history) - 1} iterations: {found.message}. "
+                f"{worst_rows(nlp, solution, np.nan)}",
+                found,
+            )
+        return found
+
+    def _link(self, k: int, made: Sequence[Transcription], own: Sequence[np.ndarray]) -> Piece:
+        """Return what holds between two phases."""
+        before, after = (one.problem for one in made)
+        definition, link = self._problems[k]._now.definition, self._links[k]
+        next_states = self._problems[k + 1]._now.definition.states
+        key = ("link", k, *map(str, link.items()))
+
+        def compiled() -> Any:
+            point = Point(before.equations, len(before.numbers))
+            x, y = point.variables(before.states), point.variables(after.states)
+            numbers, _ = before.unknown_numbers(point)
+            atoms = dict(zip(definition.states, x, strict=True))
+            atoms |= {s: numbers[j] for j, s in enumerate(definition.constants)}
+            nodes = point.read_with(list(link.values()), f"`links[{k}]`", atoms)
+            at = dict(zip(next_states, y, strict=True))
+            g = point.graph
+            rows = [g.sub(at[s], node) for s, node in zip(link, nodes, strict=True)]
+            return point.functions(rows, None, hessian=before.hessian)
+
+        ends = np.arange(before.states) * len(made[0].places[0]) + made[0].intervals
+        begins = np.arange(after.states) * len(made[1].places[0])
+        numbers = np.arange(sum(made[0].sizes[:2]), sum(made[0].sizes))
+        at = np.concatenate([own[0][ends], own[1][begins], own[0][numbers]])
+        zeros = np.zeros(len(link))
+        return Piece(
+            before.once(key, compiled), at[:, None], np.empty((0, 1)), before.numbers, zeros, zeros,
+            tuple(f"link {k} of {s}" for s in link), np.full(1, np.nan), False,
+        )  # fmt: skip
+
+
+def _checked(what: str, link: Any, before: Any, after: Any) -> dict[Any, Any]:
+    """Return an expression for each state that is linked."""
+    states = after._now.definition.states
+    definition = before._now.definition
+    known = {*definition.states, *definition.constants}
+    found: dict[Any, Any] = {s: s for s in states if s in definition.states}
+    for key, value in check_mapping(what, link).items():
+        s = states[after._now.definition.places["states"].find(key, what)]
+        if value is None:
+            found.pop(s, None)
+            continue
+        expression = checked_expression(sm.sympify(value), f"`{what}[{key}]`")
+        strange = [
+            a for a in (*expression.atoms(sm.Function, sm.Derivative), *expression.free_symbols)
+            if a not in known and (a.is_Symbol or a.is_Derivative or isinstance(
+                a, sm.core.function.AppliedUndef)) and a != definition.equations.time
+        ]  # fmt: skip
+        if strange or expression.has(sm.Derivative):
+            raise ValueError(
+                f"`{what}[{key}]` is {shown(value)}, but a link is an expression of the states of "
+                "the phase before, at its end, and of constants."
+            )
+        found[s] = expression
+    return {s: found[s] for s in states if s in found}

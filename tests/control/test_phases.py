@@ -1,0 +1,93 @@
+"""Motions in phases against closed forms."""
+
+import numpy as np
+import pytest
+import sympy as sm
+import sympy.physics.mechanics as me
+
+import optima
+from optima import TF, T
+from pydy import System
+from pydy.control import OptimalControl
+from pydy.errors import OptimizationError
+
+
+def moved(mass, speed, distance):
+    """Return the least ∫ F² dt from rest to a speed, or from it to rest, over a distance in 1 s."""
+    return mass**2 * (12 * distance**2 - 12 * distance * speed + 4 * speed**2)
+
+
+@pytest.mark.parametrize("method", ["radau", "hermite-simpson"])
+@pytest.mark.parametrize("restitution", [0.5, 0.8])
+def test_a_mass_that_bounces_off_a_wall(restitution, method):
+    # Each way costs 12 − 12 V + 4 V² at the speed V at the wall (the cubic through the ends), so
+    # that the sum is least at V = 12 (1 + e) / (8 (1 + e²)).
+    system, (x, v, F) = optima.double_integrator()
+    effort = sm.Integral(F**2, T)
+    there = OptimalControl(system, effort, 1.0, end={x: 1.0}, mesh=4, method=method)
+    back = OptimalControl(system, effort, 1.0, end={x: 0.0, v: 0.0}, mesh=5)
+    e = restitution
+    found = OptimalControl.phases([there, back], [{"v": -e * v}]).solve()
+    assert found.objective == pytest.approx(24 - 9 * (1 + e) ** 2 / (1 + e**2), rel=1e-8)
+    assert found[0][v][-1] == pytest.approx(12 * (1 + e) / (8 * (1 + e**2)), rel=1e-6)
+    assert found[1][v][0] == pytest.approx(-e * found[0][v][-1], rel=1e-8)
+    assert sum(phase.objective for phase in found) == pytest.approx(found.objective, rel=1e-8)
+    assert (len(found), found.duration, found.message) == (2, 2.0, "solved")
+
+
+def test_phases_have_systems_of_their_own_and_share_free_constants():
+    x, v, F = me.dynamicsymbols("x v F")
+    m, k = sm.symbols("m k")
+    heavy = optima.first_order([x], v, F, m, None, {m: 2.0})
+    light = optima.first_order([x], v, F + k, 1, None, {k: 0.0})
+    effort = sm.Integral(F**2, T)
+    first = OptimalControl(heavy, effort, 1.0, mesh=3)
+    second = OptimalControl(light, effort, 1.0, end={x: 1.0, v: 0.0}, mesh=3)
+    found = OptimalControl.phases([first, second]).solve()
+    # The sum of two quadratic forms of x and v at the junction.
+    X, V = sm.symbols("X V")
+    total = moved(2, V, X) + moved(1, V, 1 - X)
+    at = sm.solve([total.diff(X), total.diff(V)], [X, V])
+    assert found.objective == pytest.approx(float(total.subs(at)), rel=1e-8)
+    assert found[1][x][0] == pytest.approx(float(at[X]), rel=1e-6)
+    both = [OptimalControl(light, effort + k**2, 1.0, free=[k], mesh=3, **ends)
+            for ends in ({}, {"end": {x: 1.0, v: 0.0}})]  # fmt: skip
+    found = OptimalControl.phases(both).solve()
+    assert found[0].constants == found[1].constants
+
+
+def test_a_duration_that_phases_share_and_a_state_that_starts_anew():
+    system, (x, v, F) = optima.double_integrator()
+    bounds = {F: (-1.0, 1.0), TF: (0.1, 10.0)}
+    first = OptimalControl(system, TF, TF, bounds=bounds, mesh=4)
+    second = OptimalControl(system, TF, TF, end={x: 1.0, v: 0.0}, bounds=bounds, mesh=4)
+    found = OptimalControl.phases([first, second]).solve(mesh_tol=1e-6)
+    assert found.duration == pytest.approx(2.0, rel=1e-6)  # Bryson and Ho, 3.9
+    assert found[0].duration == found[1].duration
+    # Without a link of x, the second phase begins where its system does.
+    alone = OptimalControl(system, TF, TF, end={x: 0.5}, bounds=bounds, mesh=4)
+    found = OptimalControl.phases([first, alone], [{x: None}]).solve(list(found))
+    assert found[1][x][0] == 0.0
+
+
+def test_bad_phases_are_named():
+    system, (x, v, F) = optima.double_integrator()
+    assert isinstance(system, System)
+    one = OptimalControl(system, sm.Integral(F**2, T), 1.0, end={x: 1.0}, mesh=3)
+    for given, error, message in [
+        (([one],), ValueError, "at least two phases, got 1"),
+        (([one, 3],), TypeError, "`problems` must hold OptimalControl objects, got 3 at 1"),
+        (([one, one], []), ValueError, r"for each of the 1 junctions between 2 phases, got 0"),
+        (([one, one], [{"bogus": 1}]), ValueError, "has the key `bogus`"),
+        (([one, one], [{v: F}]), ValueError, r"`links\[0\]\[v\(t\)\]` is F"),
+        (([one, one], [{v: v.diff()}]), ValueError, "expression of the states of the phase before"),
+    ]:
+        with pytest.raises(error, match=message):
+            OptimalControl.phases(*given)
+    phases = OptimalControl.phases([one, one])
+    with pytest.raises(ValueError, match="an entry for each of the 2 phases, got 1"):
+        phases.solve([{}])
+    with pytest.raises(OptimizationError, match=r"in 2 phases .*phase \d|link 0 of") as caught:
+        phases.solve(options={"max_iter": 0})
+    assert len(caught.value.trajectory) == 2
+    assert np.isfinite(caught.value.trajectory.duration)
