@@ -369,7 +369,7 @@ def plot_states(
     if not kinds:
         raise nothing_to_plot("states", runs[0])
     if axes is None:
-        plt = _pyplot()
+        plt = require("matplotlib.pyplot", "plot", "pydy.plot")
         size = (6.4, 1.0 + 2.2 * len(kinds))
         _, axes = plt.subplots(
             len(kinds), sharex=True, squeeze=False, figsize=size, layout="constrained"
@@ -491,7 +491,7 @@ def plot_phase(
                 rate_of(run, across, units) if y is None else curves_of(run, (), "", [y], units)[0],
             )
         )
-    ax = _axes(ax)
+    ax = axes_of(ax)
     for (label, _), (across, up) in zip(runs, orbits, strict=True):
         a, b = np.broadcast_arrays(np.atleast_2d(across.values), np.atleast_2d(up.values))
         step = -(-len(a) // MOST_ORBITS)
@@ -525,7 +525,7 @@ def _plot(
 
 
 def _draw(ax: Any, curves: Sequence[Curve], what: str, time_unit: str) -> Any:
-    ax = _axes(ax)
+    ax = axes_of(ax)
     shared = {c.unit for c in curves}
     quantities = list(dict.fromkeys(c.name for c in curves))
     colours: dict[str, Any] = {}
@@ -563,13 +563,10 @@ def _draw(ax: Any, curves: Sequence[Curve], what: str, time_unit: str) -> Any:
     return ax
 
 
-def _pyplot() -> Any:
-    return require("matplotlib.pyplot", "plot", "pydy.plot")
-
-
-def _axes(ax: Any) -> Any:
+def axes_of(ax: Any, what: str = "pydy.plot") -> Any:
+    """Return the Axes that were given, or those of a new figure, which something needs."""
     if ax is None:
-        return _pyplot().subplots(layout="constrained")[1]
+        return require("matplotlib.pyplot", "plot", what).subplots(layout="constrained")[1]
     if not hasattr(ax, "set_xlabel"):
         raise TypeError(f"`ax` must be Matplotlib Axes, got {shown(ax)}.")
     return ax

@@ -391,7 +391,12 @@ class _Run:
                 self._adjoint[:n] = projections.back(k, self._adjoint[:n])
             sweep = self._back.through(recording, start, stop, self._adjoint, self._told)
             if not np.isfinite(sweep.adjoint).all():
-                raise _not_finite(recording.starts[start], recording.ends[stop - 1])
+                raise ValueError(
+                    "The derivatives of the equations are not finite between t = "
+                    f"{recording.starts[start]!r} and t = {recording.ends[stop - 1]!r}, though the "
+                    "motion is: look there for the square root of zero, or another function "
+                    "without a derivative. `system.evaluate_jacobian` tells which."
+                )
             self._adjoint = sweep.adjoint
             self._totals += sweep.totals
             self._seen.append((sweep.times, sweep.kept))
@@ -462,14 +467,6 @@ class _Run:
                     total += kept[:, sampled[parameter.symbol]] @ weights.rows(times)
                 found += total.tolist()
         return np.array(found)
-
-
-def _not_finite(start: float, end: float) -> ValueError:
-    return ValueError(
-        f"The derivatives of the equations are not finite between t = {start!r} and t = {end!r}, "
-        "though the motion is: look there for the square root of zero, or another function without "
-        "a derivative. `system.evaluate_jacobian` tells which."
-    )
 
 
 class Gradients(Setup):

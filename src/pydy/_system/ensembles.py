@@ -277,12 +277,7 @@ def _read(definition: Definition, solver: Solver, given: Mapping[str, Any]) -> O
     read = vars(read_options(solver.name, solver.adaptive, own))
     rest = {k: v for k, v in given.items() if k not in own}
     options = Options(**{**read, **rest, "full_output": True})
-    _check_tolerances(options, len(definition.states))
-    return options
-
-
-def _check_tolerances(options: Options, n: int) -> None:
-    least = 10.0 * np.finfo(float).eps
+    n, least = len(definition.states), 10.0 * np.finfo(float).eps
     for name in ("rtol", "atol"):
         if np.shape(getattr(options, name)) not in ((), (n,)):
             raise ValueError(
@@ -294,6 +289,7 @@ def _check_tolerances(options: Options, n: int) -> None:
             f"`rtol` or `atol` must be at least {least:.1e}, ten times the rounding unit, got "
             f"rtol = {options.rtol} and atol = {options.atol}."
         )
+    return options
 
 
 class Ensembles(Setup):

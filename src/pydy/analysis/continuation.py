@@ -19,13 +19,13 @@ import numpy as np
 from pydy._names import place_of
 from pydy._optional import require
 from pydy._rank import DEPENDENT, ROUNDED, is_zero, or_one, rank_of
-from pydy.analysis.pictures import plot_branch
 from pydy.analysis.tuning import (
     ON_BRANCH,
     SHORTEST_STEP,
     STEEPEST_TURN,
     ZERO_ROOT,
 )
+from pydy.plot import axes_of
 
 __all__ = ["EquilibriumBranch", "SpecialPoint", "trace"]
 
@@ -117,8 +117,21 @@ class EquilibriumBranch:
 
     def plot(self, name: str, ax: Any = None) -> Any:
         """Plot an unknown over the parameter, dashed where unstable; return the Axes."""
-        special = [(p.value, p.values[name], p.kind) for p in self.special]
-        return plot_branch(self.values, self[name], self.stable, self.parameter, name, special, ax)
+        ax, solution, stable, start = axes_of(ax, "a plot"), self[name], self.stable, 0
+        m = len(self.values)
+        for k in range(1, m + 1):
+            if k == m or stable[k] != stable[start]:
+                run = slice(start, min(k + 1, m))
+                style = "-" if stable[start] else "--"
+                ax.plot(self.values[run], solution[run], color="C0", linestyle=style)
+                start = k
+        for p in self.special:
+            at = p.value, p.values[name]
+            ax.plot(*at, "o", color="C3", markersize=4)
+            ax.annotate(p.kind, at, textcoords="offset points", xytext=(4, 4), fontsize="small")
+        ax.set_xlabel(self.parameter)
+        ax.set_ylabel(name)
+        return ax
 
 
 @dataclass(frozen=True, eq=False)

@@ -17,10 +17,11 @@ import scipy
 from pydy._checks import number
 from pydy._errors import FitInterrupted, warn_user
 from pydy._names import place_of
+from pydy._optional import require
 from pydy._rank import HALF
 from pydy.analysis.directions import direction_text
-from pydy.analysis.pictures import plot_residuals
 from pydy.analysis.tuning import FITTED, NAMED_IN_FIT, UNDETERMINED
+from pydy.plot import axes_of
 
 __all__ = ["FitResult", "Trial", "estimate"]
 
@@ -144,7 +145,18 @@ class FitResult:
 
     def plot_residuals(self, axes: Any = None) -> Any:
         """Plot the residuals of each trial over time; return the Axes."""
-        return plot_residuals(self.times, self.residuals, axes)
+        if axes is None:
+            plt = require("matplotlib.pyplot", "plot", "a plot")
+            axes = plt.subplots(len(self.times), squeeze=False, layout="constrained")[1][:, 0]
+        parts = zip(np.atleast_1d(axes), self.times, self.residuals, strict=True)
+        for ax, times, columns in parts:
+            axes_of(ax, "a plot").axhline(0.0, color="0.7", linewidth=0.8)
+            for name, column in columns.items():
+                ax.plot(times, column, ".", markersize=3, label=name)
+            ax.set_xlabel("time")
+            ax.set_ylabel("measured minus model")
+            ax.legend()
+        return axes
 
     def __str__(self) -> str:
         rows = [

@@ -19,8 +19,8 @@ import numpy as np
 from pydy._checks import choice, real_array
 from pydy._optional import require
 from pydy._rank import DEPENDENT, independent_columns
-from pydy.analysis.pictures import plot_bode, plot_poles
 from pydy.analysis.tuning import CROSSED
+from pydy.plot import axes_of
 
 __all__ = ["LinearModel", "independent_places", "tangents"]
 
@@ -96,7 +96,13 @@ class LinearModel:
         -------
         matplotlib Axes
         """
-        return plot_poles(self.eigenvalues, axes)
+        ax, found = complex_plane(axes), self.eigenvalues
+        ax.axhline(0.0, color="0.7", linewidth=0.8)
+        colours: dict[str, Any] = {"color": "C0"}
+        if found.ndim == 2:
+            colours = {"c": np.broadcast_to(np.arange(len(found))[:, None], found.shape)}
+        ax.scatter(found.real, found.imag, marker="x", **colours)
+        return ax
 
     def to_state_space(self) -> Any:
         """Return the model as a `scipy.signal.StateSpace`."""
@@ -156,7 +162,19 @@ class LinearModel:
             low, high = (sizes.min(), sizes.max()) if sizes.size else (1.0, 1.0)
             frequencies = np.geomspace(0.1 * low, 10.0 * high, num=400)
         response = self.frequency_response(frequencies)[:, i, j]
-        return plot_bode(np.asarray(frequencies), response, f"{input} → {output}", axes)
+        if axes is None:
+            plt = require("matplotlib.pyplot", "plot", "a plot")
+            _, axes = plt.subplots(2, sharex=True, layout="constrained")
+        magnitude, phase = (axes_of(ax, "a plot") for ax in axes)
+        title = f"{input} → {output}"
+        with np.errstate(divide="ignore"):
+            magnitude.semilogx(frequencies, 20.0 * np.log10(np.abs(response)), label=title)
+        phase.semilogx(frequencies, np.degrees(np.unwrap(np.angle(response))), label=title)
+        magnitude.set_ylabel("magnitude (dB)")
+        phase.set_ylabel("phase (°)")
+        phase.set_xlabel("frequency (rad/s)")
+        magnitude.legend()
+        return axes
 
     def _one(self, what: str) -> tuple[np.ndarray, ...]:
         if self.A.ndim != 2:
@@ -219,3 +237,12 @@ def tangents(
         solved = -right.transpose(0, 2, 1) @ projected
         result[:, bound] = units[:, bound, None] * solved
     return result
+
+
+def complex_plane(ax: Any) -> Any:
+    """Return Axes for eigenvalues, with the imaginary axis."""
+    ax = axes_of(ax, "a plot")
+    ax.axvline(0.0, color="0.7", linewidth=0.8)
+    ax.set_xlabel("real part (1/s)")
+    ax.set_ylabel("imaginary part (1/s)")
+    return ax

@@ -11,8 +11,9 @@ import scipy
 
 from pydy._optional import require
 from pydy._rank import ROUNDED
-from pydy.analysis.pictures import plot_eigenvalues, plot_root_locus
+from pydy.analysis.linear import complex_plane
 from pydy.analysis.tuning import AT_ONCE, CROSSED
+from pydy.plot import axes_of
 
 __all__ = ["Crossing", "EigenvalueSweep", "spectra_of", "with_rounding"]
 
@@ -233,11 +234,27 @@ class EigenvalueSweep:
 
     def plot(self, ax: Any = None, unit: str = "") -> Any:
         """Plot real parts, and imaginary parts dashed, over the parameter; return the Axes."""
-        return plot_eigenvalues(self.values, self.eigenvalues, self.parameter, ax, unit)
+        ax = axes_of(ax, "a plot")
+        ax.axhline(0.0, color="0.7", linewidth=0.8)
+        for branch, column in enumerate(self.eigenvalues.T):
+            colour = f"C{branch % 10}"
+            ax.plot(self.values, column.real, color=colour)
+            if column.imag.max() > 0.0:
+                imag = np.where(column.imag > 0.0, column.imag, np.nan)
+                ax.plot(self.values, imag, color=colour, linestyle="--")
+        ax.set_xlabel(f"{self.parameter} ({unit})" if unit else self.parameter)
+        ax.set_ylabel("real and imaginary (dashed) parts (1/s)")
+        return ax
 
     def plot_root_locus(self, ax: Any = None, unit: str = "") -> Any:
         """Plot the branches in the complex plane, with the parameter as colour; return the Axes."""
-        return plot_root_locus(self.values, self.eigenvalues, self.parameter, ax, unit)
+        ax, found = complex_plane(ax), self.eigenvalues
+        colours = np.broadcast_to(self.values[:, None], found.shape)
+        points = ax.scatter(found.real, found.imag, c=colours, s=6)
+        ax.scatter(found[0].real, found[0].imag, marker="x", color="k", linewidths=0.8)
+        label = f"{self.parameter} ({unit})" if unit else self.parameter
+        ax.figure.colorbar(points, ax=ax, label=label)
+        return ax
 
 
 def spectra_of(A: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

@@ -33,7 +33,7 @@ class ConstantsArgument:
     """Reads the argument p: an array or a dictionary; without `arg_type`, as each value is."""
 
     def __init__(self, symbols: Sequence[Any], arg_type: str | None = None) -> None:
-        _check_type("constants_arg_type", arg_type, ("array", "dictionary"))
+        choice(arg_type, (None, "array", "dictionary"), "`constants_arg_type`")
         self.places = Places(symbols, "constants of the equations")
         self.arg_type = arg_type
 
@@ -62,7 +62,7 @@ class SpecifiedsArgument:
     def __init__(
         self, symbols: Sequence[Any], arg_type: str | None = None, time_first: bool = False
     ) -> None:
-        _check_type("specifieds_arg_type", arg_type, ARGUMENT_TYPES)
+        choice(arg_type, (None, *ARGUMENT_TYPES), "`specifieds_arg_type`")
         self.places = Places(symbols, _SPECIFIEDS)
         self.arg_type = arg_type
         self.time_first = time_first
@@ -470,7 +470,3 @@ def _check_arity(function: Callable[..., Any], symbols: Sequence[Any], arguments
             f"The function given for the specifieds {describe(symbols)} must take the state and "
             f"the time, g({arguments}), got a function of {taken}."
         ) from None
-
-
-def _check_type(argument: str, value: str | None, allowed: tuple[str, ...]) -> None:
-    choice(value, (None, *allowed), f"`{argument}`")

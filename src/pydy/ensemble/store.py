@@ -175,23 +175,6 @@ def create(
     not count. The `labels` of further dimensions are attributes: Zarr has no settled form for
     arrays of text.
     """
-    target = Path(os.path.realpath(path))
-    target.parent.mkdir(parents=True, exist_ok=True)
-    with tempfile.TemporaryDirectory(prefix=".pydy-", dir=target.parent) as folder:
-        aside = Path(folder, target.name)
-        _fill(str(aside), token, example, samples, sizes, labels)
-        os.rename(aside, target)  # refused where another process was first
-
-
-def _fill(
-    path: str,
-    token: str,
-    example: Any,
-    samples: Samples,
-    sizes: Sequence[int],
-    labels: Mapping[str, Sequence[str]],
-) -> None:
-    """Write groups, arrays and coordinates of a new store."""
     zarr = require("zarr", "ensemble", "`store`")
     files = file_names(map(str, (*example.variables, *example.dims)))
     about = {
@@ -201,22 +184,27 @@ def _fill(
         _FILES: {name: file for name, file in files.items() if name != file},
         _LABELS: {d: list(names) for d, names in labels.items() if d in example.dims},
     }
-    group = zarr.open_group(path, mode="w", attributes=about)
     dims = tuple(samples.dims)
-    for name, variable in example.variables.items():
-        file, along = files[str(name)], [files[str(d)] for d in variable.dims]
-        attrs = {**variable.attrs}
-        if name in example.coords:
-            shape = tuple(samples.dims.get(d, variable.sizes[d]) for d in variable.dims)
-            _array(group, file, shape, shape, variable.dtype, along, attrs)
-            continue
-        rest = tuple(variable.sizes[d] for d in variable.dims if d not in dims)
-        shape, chunks = (*samples.shape, *rest), (*sizes, *rest)
-        fill = NOT_COMPUTED if name == "status" else None
-        _array(group, file, shape, chunks, variable.dtype, along, attrs, fill)
-    coordinates = " ".join(files[name] for name in samples.coordinates)
-    group.attrs.update({**example.attrs, "coordinates": coordinates})
-    write_coordinates(path, samples, example.coords.get("time"))
+    target = Path(os.path.realpath(path))
+    target.parent.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory(prefix=".pydy-", dir=target.parent) as folder:
+        aside = Path(folder, target.name)
+        group = zarr.open_group(str(aside), mode="w", attributes=about)
+        for name, variable in example.variables.items():
+            file, along = files[str(name)], [files[str(d)] for d in variable.dims]
+            attrs = {**variable.attrs}
+            if name in example.coords:
+                shape = tuple(samples.dims.get(d, variable.sizes[d]) for d in variable.dims)
+                _array(group, file, shape, shape, variable.dtype, along, attrs)
+                continue
+            rest = tuple(variable.sizes[d] for d in variable.dims if d not in dims)
+            shape, chunks = (*samples.shape, *rest), (*sizes, *rest)
+            fill = NOT_COMPUTED if name == "status" else None
+            _array(group, file, shape, chunks, variable.dtype, along, attrs, fill)
+        coordinates = " ".join(files[name] for name in samples.coordinates)
+        group.attrs.update({**example.attrs, "coordinates": coordinates})
+        write_coordinates(str(aside), samples, example.coords.get("time"))
+        os.rename(aside, target)  # refused where another process was first
 
 
 def opened(path: str, chunks: Any) -> Any:
