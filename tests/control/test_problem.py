@@ -160,6 +160,40 @@ def test_units_do_not_change_the_search():
 # -- what comes back -------------------------------------------------------------------------------
 
 
+@pytest.mark.parametrize("bound", [1e9, 1e20])
+def test_wide_bounds_do_not_change_the_search(mass, bound):
+    system, (x, v, F) = mass
+    limits = dict.fromkeys((x, v, F), (None, bound))
+    found, same = (
+        system.optimize_trajectory(energy(F), 1.0, end={x: 1.0, v: 0.0}, bounds=bounds, order=2)
+        for bounds in (limits, {})
+    )
+    assert found.objective == pytest.approx(same.objective, rel=1e-8)
+    assert found[F] == pytest.approx(same[F], abs=1e-5)
+    assert found.error == pytest.approx(same.error, rel=1e-3)
+
+
+@pytest.mark.parametrize("method", ["radau", "hermite-simpson"])
+def test_a_short_interval_does_not_loosen_the_equations_of_others(mass, method):
+    system, (x, v, F) = mass
+    mesh = np.sort(np.append(np.linspace(0.0, 1.0, num=6), 0.4 + 1e-12))
+    found = system.optimize_trajectory(
+        energy(F), 1.0, end={x: 1.0, v: 0.0}, mesh=mesh, method=method
+    )
+    assert found.objective == pytest.approx(12.0, rel=1e-8)
+    assert found.error.max() < 1e-9
+
+
+def test_a_mesh_that_is_much_too_coarse_warns():
+    system = n_link_pendulum_on_cart(1, cart_force=True)
+    (force,), angle = system.specifieds_symbols, system.states[1]
+    problem = OptimalControl(
+        system, energy(force), 400.0, start={angle: 1.0}, end={angle: 0.0}, mesh=2, order=2
+    )
+    with pytest.warns(PyDyUserWarning, match="The mesh is too coarse: .* Use more intervals"):
+        problem.solve()
+
+
 def test_a_simulation_with_the_inputs_agrees(mass):
     system, (q1, q2, u1, u2, F) = optima.cart_pole()
     rest = {q1: 0.3, q2: 0.0, u1: 0.0, u2: 0.0}

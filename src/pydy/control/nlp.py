@@ -16,6 +16,7 @@ import numpy as np
 
 from pydy._rank import or_one
 from pydy.control.kernel import Functions
+from pydy.control.tuning import UNEVEN
 
 __all__ = ["Nlp", "Piece"]
 
@@ -60,6 +61,11 @@ class Piece:
     def points(self) -> int:
         """Number of points."""
         return len(self.fractions)
+
+    @property
+    def shortest(self) -> np.ndarray:
+        """The shortest interval of the mesh, as a share of each collocation point's."""
+        return self.data[1].min() / self.data[1] if self.collocated else np.ones(1)
 
 
 @dataclass(frozen=True, eq=False)
@@ -230,8 +236,8 @@ class Nlp:
         """Return the same with rows and objective divided by how much they vary.
 
         A row varies by its largest derivative times the size of that unknown, for all points
-        alike. The objective does so by its slope and its curvature: one that is a sum of squares
-        is flat where a search may begin.
+        alike, unless their intervals are very different. The objective does so by its slope and its
+        curvature: one that is a sum of squares is flat where a search may begin.
         """
         y = z / self.sizes
         J = np.empty(len(self.jacobian_at[0]))
@@ -242,7 +248,9 @@ class Nlp:
         for piece in self.pieces:
             stop = start + piece.rows * piece.points
             groups = sizes[start:stop].reshape(piece.rows, piece.points)
-            groups[:] = groups.max(axis=1, keepdims=True, initial=0.0)
+            largest = groups.max(axis=1, keepdims=True, initial=0.0)
+            uneven = piece.shortest < UNEVEN
+            groups[:] = np.where(uneven, np.maximum(groups, piece.shortest * largest), largest)
             start = stop
         slope = np.empty(self.size)
         self.gradient(y, slope)

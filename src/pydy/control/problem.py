@@ -517,6 +517,13 @@ class OptimalControl:
             for _ in range(MOST_REFINEMENTS):
                 found = self._solved(mesh, guess, own, told)
                 worst = float(found.error.max())
+                if tolerance is None and not worst < 1.0:
+                    warn_user(
+                        f"The mesh is too coarse: a motion that begins at a node with these "
+                        f"controls misses the next one by {worst:.2g} times the size of a state. "
+                        "The solution is none of the equations' motions. Use more intervals, or "
+                        "pass `mesh_tol`."
+                    )
                 if tolerance is None or worst <= tolerance:
                     return found
                 order = self._scheme.convergence
@@ -610,7 +617,7 @@ class OptimalControl:
         else:
             warm = None
         solution = solve(nlp, z, options=options, watch=watch, warm=warm)
-        trajectory = self._trajectory(made, nlp, solution)
+        trajectory = self._trajectory(made, nlp, z, solution)
         if solution.interrupted:
             raise AnalysisInterrupted(
                 "The search for an optimal trajectory was interrupted. Its latest iteration is in "
@@ -626,10 +633,13 @@ class OptimalControl:
             )
         return trajectory
 
-    def _trajectory(self, made: Transcription, nlp: Nlp, solution: Solution) -> OptimalTrajectory:
+    def _trajectory(
+        self, made: Transcription, nlp: Nlp, start: np.ndarray, solution: Solution
+    ) -> OptimalTrajectory:
         now = self._now
         moved = Moved(now.driven.compiled("rates"), now.plan)
-        sizes = made.split(nlp.sizes)[0][:, 0]
+        open_ = np.full(nlp.size, np.inf)  # bounds do not tell how large a state becomes
+        sizes = made.split(sizes_of(made, start, -open_, open_))[0][:, 0]
         error = interval_errors(moved, made, solution.z, sizes)
         return OptimalTrajectory(now, made, self._controls, self._free, nlp, solution, error)
 

@@ -6,6 +6,7 @@ import numpy as np
 
 from pydy._rank import or_one
 from pydy.control.transcription import Transcription
+from pydy.control.tuning import WIDE
 
 __all__ = ["sizes_of"]
 
@@ -17,15 +18,24 @@ def sizes_of(
 
     That is its guess, its ends and bounds. What is zero everywhere gets the size at which it
     decides one of the equations, whose terms are then of known size: the speed that covers a
-    known distance in the duration, the force that brings it about.
+    known distance in the duration, the force that brings it about. Bounds that are far wider than
+    all else tells are no sizes.
     """
     known = [np.where(np.isfinite(v), np.abs(v), 0.0) for v in (z, lower, upper)]
     parts = [made.split(value) for value in known]
-    x = np.max([p[0].max(axis=1, where=~made.places[1], initial=0.0) for p in parts], axis=0)
-    u = np.max([p[1].max(axis=1, initial=0.0) for p in parts], axis=0)
-    c = np.max([p[2] for p in parts], axis=0)
+    x = np.array([p[0].max(axis=1, where=~made.places[1], initial=0.0) for p in parts])
+    u = np.array([p[1].max(axis=1, initial=0.0) for p in parts])
+    c = np.array([p[2] for p in parts])
     duration = made.split(z)[3]
-    x, u = _inferred(made, z, x, u)
+    xu, n = np.concatenate([x, u], axis=1), x.shape[1]
+    if (xu[1:] > WIDE * xu[0]).any() or not xu.any(axis=0).all():
+        table = _slopes(made, z, xu.shape[1])
+        _leave_out_wide(xu, _spread(table, xu[0]))
+        sizes = _spread(table, xu.max(axis=0))
+    else:
+        sizes = xu.max(axis=0)
+    _leave_out_wide(c, c[0])
+    x, u, c = or_one(sizes[:n]), or_one(sizes[n:]), c.max(axis=0)
     slopes = np.where(made.places[1], 1.0 / duration, 1.0)
     return made.joined(
         x[:, None] * slopes, np.repeat(u[:, None], len(made.control_places), 1), or_one(c),
@@ -33,13 +43,13 @@ def sizes_of(
     )  # fmt: skip
 
 
-def _inferred(
-    made: Transcription, z: np.ndarray, x: np.ndarray, u: np.ndarray
-) -> tuple[np.ndarray, np.ndarray]:
-    """Return sizes of states and controls where zeros are found from the equations."""
-    sizes = np.concatenate([x, u])
-    if (sizes > 0.0).all():
-        return x, u
+def _leave_out_wide(sizes: np.ndarray, told: np.ndarray) -> None:
+    """Let bounds, the second and third row, be none where they are far wider than what is told."""
+    sizes[1:][(sizes[1:] > WIDE * told) & (told > 0.0)] = 0.0
+
+
+def _slopes(made: Transcription, z: np.ndarray, width: int) -> np.ndarray:
+    """Return how much each equation changes with each state and control, shape (rows, width)."""
     # The equations of a single interval: its derivatives are changes in the whole duration.
     whole = Transcription(made.problem, made.scheme, np.array([0.0, 1.0]))
     times = [whole.places[0], whole.control_places]
@@ -52,7 +62,7 @@ def _inferred(
     nlp = whole.nlp(-everywhere, everywhere, np.ones(len(one)))
     values = np.empty(len(nlp.jacobian_at[0]))
     nlp.jacobian(one, values)
-    n, width = made.problem.states, len(sizes)
+    n = made.problem.states
     owner = np.concatenate([np.repeat(np.arange(n), len(times[0])),
                             n + np.repeat(np.arange(width - n), len(times[1]))])  # fmt: skip
     owner = np.append(owner, np.full(len(one) - len(owner), width))
@@ -63,8 +73,12 @@ def _inferred(
     weights[: len(slope)][slope] = 1.0 / duration
     entries = np.abs(np.nan_to_num(values)) * weights[columns]
     np.maximum.at(table, (rows, owner[columns]), entries)
-    table = table[:, :width]
-    for _ in range(width):
+    return table[:, :width]
+
+
+def _spread(table: np.ndarray, sizes: np.ndarray) -> np.ndarray:
+    """Return sizes of states and controls where zeros are found from the equations, or stay."""
+    for _ in range(len(sizes)):
         reach = (table * sizes).max(axis=1, initial=0.0)
         need = np.where((table > 0.0) & (reach[:, None] > 0.0),
                         reach[:, None] / np.where(table > 0.0, table, 1.0), np.inf)  # fmt: skip
@@ -73,5 +87,4 @@ def _inferred(
         if not new.any():
             break
         sizes = np.where(new, found, sizes)
-    sizes = or_one(sizes)
-    return sizes[:n], sizes[n:]
+    return sizes

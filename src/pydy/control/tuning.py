@@ -19,7 +19,9 @@ __all__ = [
     "STILL",
     "SURE",
     "TOLERANCE",
+    "UNEVEN",
     "WARM_BARRIER",
+    "WIDE",
 ]
 
 INPUT_SAMPLES = 129
@@ -82,3 +84,11 @@ WARM_BARRIER = 1e-6
 """The barrier with which a search begins that has the multipliers of a similar problem, and how far
 from its bounds: between 0.1, which loses them, and the last one of 1e-10, from which bounds that
 are no longer active are left slowly."""
+
+WIDE = 1e6
+"""Bounds that are as many times wider than what guess, ends and equations tell are no sizes: where
+an unknown is a millionth of its unit, `TOLERANCE` leaves 1e-8 of the objective and 1e-4 of it."""
+
+UNEVEN = 1e-3
+"""The equations of an interval have a unit of their own where others are shorter than this share of
+it. Their rates would be the unit of all, in which `TOLERANCE` is 1e-6 at most."""
