@@ -21,7 +21,7 @@ from pydy._system.snapshot import Snapshot
 from pydy.analysis.continuation import EquilibriumBranch, trace
 from pydy.analysis.equilibria import solve_equilibrium, solve_many
 from pydy.analysis.sweeps import EigenvalueSweep, spectra_of, with_rounding
-from pydy.analysis.tuning import AT_ONCE, ZERO_ROOT
+from pydy.analysis.tuning import AT_ONCE, CROSSED
 
 
 def parameter_of(definition: Definition, over: Any) -> tuple[Any, np.ndarray]:
@@ -340,7 +340,7 @@ class Sweeps(Setup):
                 lambda value: told(1, **{family.names[-1]: f"{value:.6g}"}),
             )
         z = np.array(points)
-        limit = ZERO_ROOT * max(float(np.abs(s).max(initial=0.0)) for s in spectra)
+        limit = CROSSED * max(float(np.abs(s).max(initial=0.0)) for s in spectra)
         branch = EquilibriumBranch(
             parameter=family.names[-1],
             values=z[:, -1].copy(),

@@ -18,12 +18,11 @@ import numpy as np
 
 from pydy._names import place_of
 from pydy._optional import require
-from pydy._rank import DEPENDENT, ROUNDED, is_zero, or_one, rank_of
+from pydy._rank import DEPENDENT, HALF, ROUNDED, is_zero, or_one, rank_of
 from pydy.analysis.tuning import (
+    CROSSED,
     ON_BRANCH,
-    SHORTEST_STEP,
     STEEPEST_TURN,
-    ZERO_ROOT,
 )
 from pydy.plot import axes_of
 
@@ -257,7 +256,7 @@ def trace(
     point = curve.point(start, towards)
     if point.tangent[-1] * towards[-1] < 0.0:
         raise AssertionError("the tangent points the other way")
-    limit = ZERO_ROOT * float(np.abs(point.spectrum).max(initial=0.0))
+    limit = CROSSED * float(np.abs(point.spectrum).max(initial=0.0))
     points: list[_Point] = [point]
     special: list[SpecialPoint] = []
     try:
@@ -288,7 +287,7 @@ def _followed(
         )
         if found is None or not near:
             length *= 0.5
-            if length < SHORTEST_STEP:
+            if length < HALF:
                 return "lost"
             continue
         z, count = found

@@ -20,7 +20,7 @@ from pydy._names import place_of
 from pydy._optional import require
 from pydy._rank import HALF
 from pydy.analysis.directions import direction_text
-from pydy.analysis.tuning import FITTED, NAMED_IN_FIT, UNDETERMINED
+from pydy.analysis.tuning import FITTED, NAMED_IN_FIT
 from pydy.plot import axes_of
 
 __all__ = ["FitResult", "Trial", "estimate"]
@@ -231,7 +231,7 @@ def covariance_of(
     sizes = np.where(sizes > 0.0, sizes, 1.0)
     _, singular, right = np.linalg.svd(jacobian * sizes, full_matrices=False)
     largest = singular.max(initial=0.0)
-    weak = singular <= UNDETERMINED * largest
+    weak = singular <= HALF * largest
     inverse = np.where(weak, 0.0, 1.0 / np.where(weak, 1.0, singular))
     covariance = (right.T * inverse**2) @ right
     texts = []

@@ -15,16 +15,10 @@ __all__ = [
     "ON_BRANCH",
     "ORBIT_CLOSED",
     "SETTLED",
-    "SHORTEST_STEP",
     "STEEPEST_TURN",
-    "UNDETERMINED",
-    "ZERO_ROOT",
 ]
 
 # -- ranks and directions --------------------------------------------------------------------------
-
-UNDETERMINED = 1e-8
-"""The same for the scaled Jacobian of a fit, whose sensitivities are integrated."""
 
 NAMED_IN_FIT = 1e-4
 """Parameters with less than this share of an undetermined direction are not named."""
@@ -41,19 +35,15 @@ SETTLED = 1e4
 ON_BRANCH = 1e-11
 """Newton's last step to a point of a branch, in scaled unknowns."""
 
-SHORTEST_STEP, STEEPEST_TURN = 1e-8, 1e-4
-"""Steps along a branch, as arc length: shorter, it is lost; shorter than the second, it may turn
-as it likes."""
+STEEPEST_TURN = 1e-4
+"""A step along a branch, as arc length: along shorter ones it may turn as it likes."""
 
 # -- eigenvalues -----------------------------------------------------------------------------------
 
-ZERO_ROOT = 1e-7
-"""Real parts along branches below this share of the largest eigenvalue are zero: those of double
-roots come out at the square root of a rounding, 1e-8."""
-
 CROSSED = 1e-6
-"""The same in a sweep, whose equilibria are found one by one: those of coordinates that may be
-anywhere. A Bode plot is not drawn down to such."""
+"""Real parts below this share of the largest eigenvalue are zero: those of double roots come out at
+the square root of a rounding, 1e-8, and at more where equilibria are found one by one: those of
+coordinates that may be anywhere. A Bode plot is not drawn down to such."""
 
 # -- periodic orbits -------------------------------------------------------------------------------
 
