@@ -26,20 +26,10 @@ from pydy._mechanics.symbols import find_symbols
 
 
 class Plan(Protocol):
-    """How specifieds are given, as far as it matters here.
+    """How specifieds are given, as far as it matters here."""
 
-    Attributes
-    ----------
-    symbols : tuple of symbols
-        All specifieds.
-    given : frozenset of symbols
-        Those that have a value of any kind.
-    expressions : mapping
-        From symbols to SymPy expressions.
-    """
-
-    symbols: tuple[Any, ...]
-    given: frozenset[Any]
+    symbols: tuple[Any, ...]  # all specifieds
+    given: frozenset[Any]  # those that have a value of any kind
     expressions: dict[Any, Any]
 
 

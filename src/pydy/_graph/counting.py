@@ -12,12 +12,7 @@ __all__ = ["operations"]
 def operations(graph: Graph, roots: Sequence[int], known: dict[int, int] | None = None) -> int:
     """Estimate the operations of every call: nothing shared but whole nodes.
 
-    Parameters
-    ----------
-    graph : Graph
-    roots : sequence of nodes
-    known : dict of int to int, optional
-        Keeps the counts of single nodes, for those who count again and again.
+    Counts of single nodes are `known` to those who count again and again.
     """
     known = {} if known is None else known
     nodes = graph.reachable(roots)

@@ -239,14 +239,8 @@ def _handler(kind: type) -> Handler | None:
 class SymPyReader:
     """Reads SymPy expressions into one graph.
 
-    Parameters
-    ----------
-    graph : Graph
-        Where the nodes go.
-    atoms : mapping of SymPy symbols, functions of time and derivatives to nodes
-        What each name stands for. Names can be added later through ``reader.atoms``.
-    what : str
-        What is being read, for messages ("the equations of motion").
+    The `atoms` map symbols, functions of time and derivatives to nodes; names can be added later.
+    Messages say `what` is being read.
     """
 
     def __init__(
@@ -265,15 +259,7 @@ class SymPyReader:
         self._alive.clear()
 
     def __call__(self, expression: Any) -> int:
-        """Return the node of one expression.
-
-        Raises
-        ------
-        ValueError
-            A symbol that nothing provides, or a number that is not real.
-        UnsupportedFunctionError
-            A function without a numerical counterpart here.
-        """
+        """Return the node of one expression, or say which part of it has none."""
         root = expression if isinstance(expression, sm.Basic) else sm.sympify(expression)
         graph, seen, alive = self.graph, self._seen, self._alive
         stack: list[tuple[Any, Handler | None]] = [(root, None)]

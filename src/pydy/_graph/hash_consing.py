@@ -13,22 +13,12 @@ _REPORTING = frozenset({"factor", "solve", "guard", "item"})
 
 
 class Nodes:
-    """Hash-consed operations on earlier ones, in topological order.
-
-    Attributes
-    ----------
-    ops : list of str
-        Kind of each node.
-    args : list of tuple
-        Operands of each node, and what else it takes.
-    constant : list of bool
-        Whether each node depends on constants (inputs 'p') and numbers alone.
-    """
+    """Hash-consed operations on earlier ones, in topological order."""
 
     def __init__(self) -> None:
-        self.ops: list[str] = []
-        self.args: list[tuple[Any, ...]] = []
-        self.constant: list[bool] = []
+        self.ops: list[str] = []  # the kind of each node
+        self.args: list[tuple[Any, ...]] = []  # its operands, and what else it takes
+        self.constant: list[bool] = []  # whether it depends on inputs 'p' and numbers alone
         self._operands: list[tuple[int, ...]] = []
         self._known: dict[tuple[Any, ...], int] = {}
 

@@ -85,22 +85,10 @@ def _value(
 def run(
     program: Program, t: np.ndarray, x: np.ndarray, r: np.ndarray, p: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Evaluate a Program at m samples.
+    """Evaluate a Program at m samples: t (m,), x (m, n), r (m, s) and p (k,).
 
-    Parameters
-    ----------
-    program : Program
-    t : ndarray, shape (m,)
-    x : ndarray, shape (m, n)
-    r : ndarray, shape (m, s)
-    p : ndarray, shape (k,)
-
-    Returns
-    -------
-    out : ndarray, shape (m, o)
-        The flat outputs; NaN where they depend on a singular solve.
-    failed : ndarray of bool, shape (m,)
-        Where a linear solve met a singular matrix.
+    Return the flat outputs (m, o), NaN where they depend on a singular solve, and at which of the
+    samples a linear solve met a singular matrix.
     """
     m = len(t)
     inputs: dict[str, Callable[[int], Any]] = {
@@ -165,13 +153,8 @@ def stacked(columns: Sequence[Any], m: int) -> np.ndarray:
 def solved(matrix: np.ndarray, columns: np.ndarray, failed: np.ndarray) -> np.ndarray:
     """Solve sample by sample with partial pivoting.
 
-    Parameters
-    ----------
-    matrix : ndarray, shape (m, n, n)
-    columns : ndarray, shape (m, k n)
-        Right-hand sides, one after the other.
-    failed : ndarray of bool, shape (m,)
-        Gets True where the matrix is singular; the solution is NaN there.
+    The right-hand sides, (m, k n), follow each other. Where the matrix is singular, `failed` gets
+    True and the solution is NaN.
     """
     m, n = len(matrix), matrix.shape[-1]
     x = np.empty(columns.shape)

@@ -29,21 +29,12 @@ def lower(
     passes: Passes | None = None,
     own: tuple[int, int, int] | None = None,
 ) -> Program:
-    """Return the Program that computes `blocks`.
+    """Return the Program that computes `blocks` of names, shapes, and nodes, row-major.
 
-    Parameters
-    ----------
-    graph : Graph
-    sizes : (int, int, int)
-        How many states, specifieds and constants there are; the graph's inputs are
-        ``('x', i)``, ``('t', 0)``, ``('r', i)`` and ``('p', i)``.
-    blocks : sequence of (name, shape, nodes)
-        Row-major.
-    passes : Passes, optional
-        All by default.
-    own : (int, int, int), optional
-        How many of these inputs the matrices of linear solves depend on; all by default. Pivots
-        are chosen at random states of so many inputs: further ones leave the choice as it is.
+    The graph's inputs are ``('x', i)``, ``('t', 0)``, ``('r', i)`` and ``('p', i)``, with the
+    `sizes` of all but the second. The matrices of linear solves depend on the first `own` of them
+    alone, by default on all: pivots are chosen at random states of so many inputs, and further ones
+    leave the choice as it is.
     """
     passes = Passes() if passes is None else passes
     lowering = _Lowering(graph, sizes, passes, own or sizes)

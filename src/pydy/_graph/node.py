@@ -32,19 +32,11 @@ _SPECIAL_FACTORS = frozenset({"const", "prod", "sum", "sqrt"})
 
 
 class Graph(Nodes):
-    """The arena that holds every node.
+    """The arena that holds every node, with its kind, operands and whether it is `constant`.
 
-    Attributes
-    ----------
-    ops : list of str
-        Kind of each node.
-    args : list of tuple
-        Operands of each node: other nodes, except for the kinds ``const`` (value,), ``bool``
-        (value,), ``input`` (group, index), ``sum``, ``prod`` (see the module), ``factor``
-        (kind, n, entries), ``solve`` (factor, right-hand sides), ``guard`` (see `Graph.guard`) and
-        ``item`` (solve or guard, index).
-    constant : list of bool
-        See `pydy._graph.hash_consing.Nodes`.
+    Operands are other nodes, except for the kinds ``const`` (value,), ``bool`` (value,), ``input``
+    (group, index), ``sum``, ``prod`` (see the module), ``factor`` (kind, n, entries), ``solve``
+    (factor, right-hand sides), ``guard`` (see `Graph.guard`) and ``item`` (solve or guard, index).
     """
 
     def __init__(self) -> None:
@@ -268,13 +260,9 @@ class Graph(Nodes):
     ) -> list[list[int]]:
         """Return the solutions of ``matrix · x = column`` for each column.
 
-        Parameters
-        ----------
-        matrix : n lists of n nodes
-        columns : lists of n nodes
-        kind : {'ldl', 'lu'}
-            'ldl' promises a symmetric positive definite matrix (only the lower triangle is
-            used, and the solution falls back to LU where the promise does not hold).
+        The kind 'ldl' promises a symmetric positive definite matrix: only the lower triangle is
+        used, and the solution falls back to LU where the promise does not hold. The other kind is
+        'lu'.
         """
         n = len(matrix)
         factor = self.make("factor", (kind, n, tuple(e for row in matrix for e in row)))
@@ -290,20 +278,11 @@ class Graph(Nodes):
     def guard(
         self, matrix: list[list[int]], column: list[int], sound: int, fast: list[int]
     ) -> list[int]:
-        """Return solutions of a linear system that were found in another way.
+        """Return solutions of a linear system, which are `fast` where this is `sound`.
 
-        With a matrix of one, they are what is computed in one of two ways.
-
-        Parameters
-        ----------
-        matrix : n lists of n nodes
-            Symmetric ones must be positive definite.
-        column : list of nodes
-            Right-hand sides, each of n, one after the other.
-        sound : node
-            A truth value: whether `fast` is to be taken. Else the system is solved.
-        fast : list of nodes
-            Equal to the solutions.
+        That is found in another way and equals the solutions; else the system is solved. The
+        `column` holds right-hand sides, one after the other; a symmetric matrix must be positive
+        definite. With a matrix of one, solutions are what is computed in one of two ways.
         """
         n = len(matrix)
         entries = tuple(e for row in matrix for e in row)
@@ -319,11 +298,7 @@ class Graph(Nodes):
     def reachable(self, roots: Iterable[int], *, fallbacks: bool = True) -> list[int]:
         """Return every node the roots need, in topological (ascending) order.
 
-        Parameters
-        ----------
-        roots : iterable of nodes
-        fallbacks : bool
-            Whether the systems that guards fall back to count; those that are always solved do.
+        Without `fallbacks`, systems that guards fall back to do not count; those always solved do.
         """
         ops, needs = self.ops, self._operands
         never = self._known.get(("bool", (False,)))

@@ -46,20 +46,13 @@ NEVER_PUT_OFF = (FREE - {"guard", "item"}) | set(ANGLES)
 
 
 class Tape(Nodes):
-    """Elementary operations, in the making of a Program.
-
-    Attributes
-    ----------
-    called : bool
-        Whether what is made is needed at every call.
-    behind : int or None
-        The guard whose fallback is made. What several fallbacks need, but no call, each computes
-        for itself: shared, it would be computed at every call.
-    """
+    """Elementary operations, in the making of a Program."""
 
     def __init__(self) -> None:
         super().__init__()
-        self.called = True
+        self.called = True  # whether what is made is needed at every call
+        # The guard whose fallback is made. What several fallbacks need, but no call, each computes
+        # for itself: shared, it would be computed at every call.
         self.behind: int | None = None
         self._every: set[int] = set()  # what calls need
 

@@ -16,14 +16,9 @@ def rebuild(
     roots: Sequence[int],
     rule: Callable[[int, str, tuple[Any, ...]], int],
 ) -> list[int]:
-    """Return the roots with every node replaced by what `rule` makes of it.
+    """Return the roots with every node replaced by what ``rule(node, op, args)`` makes of it.
 
-    Parameters
-    ----------
-    graph : Graph
-    roots : sequence of nodes
-    rule : callable
-        ``rule(node, op, args)`` with the operands in `args` already replaced returns a node.
+    The operands in `args` are already replaced.
     """
     new: dict[int, int] = {}
     for node in graph.reachable(roots):

@@ -24,21 +24,12 @@ _OF_NUMBERS = frozenset(
 def rounding_bounds(
     graph: Graph, nodes: Sequence[int], inherited: bool = True, constants: bool = False
 ) -> list[int]:
-    """Return bounds on the rounding errors of `nodes`, in units of 2⁻⁵².
+    """Return bounds on the rounding errors of `nodes`, in units of 2⁻⁵², as new nodes.
 
     The states are taken as rounded too; time, specifieds and what depends on constants alone are
-    exact, since every evaluation sees the same numbers.
-
-    Parameters
-    ----------
-    graph : Graph
-        Gets the new nodes.
-    nodes : sequence of nodes
-    inherited : bool
-        Whether the roundings of operands count; else only those of the last operations, which is a
-        part of the bounds that costs little.
-    constants : bool
-        Whether constants are taken as rounded, and what is computed from them.
+    exact, since every evaluation sees the same numbers, unless `constants` are to be taken as
+    rounded. Without what is `inherited` from operands, the roundings of the last operations alone
+    count: a part of the bounds that costs little.
     """
     if not inherited:
         return [_own(graph, n) for n in nodes]
@@ -52,16 +43,8 @@ def rounding_bounds(
 def per_unit(graph: Graph, nodes: Sequence[int], states: Sequence[int]) -> list[int]:
     """Return how much of a unit each state is per its own: of angles 1, of lengths mostly zero.
 
-    States that are arguments of sines and exponentials have units of their own; of others nothing
-    but their values tells what is small.
-
-    Parameters
-    ----------
-    graph : Graph
-        Gets the new nodes.
-    nodes : sequence of nodes
-        What the states are used in.
-    states : sequence of input nodes
+    States that are arguments of sines and exponentials, in the nodes, have units of their own; of
+    others nothing but their values tells what is small.
     """
     arguments = [graph.args[n][0] for n in graph.reachable(nodes) if graph.ops[n] in _OF_NUMBERS]
     found = [graph.zero] * len(states)

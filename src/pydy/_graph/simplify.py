@@ -15,15 +15,7 @@ __all__ = ["simplify"]
 
 
 def simplify(graph: Graph, roots: Sequence[int], passes: Passes | None = None) -> list[int]:
-    """Return roots that cost fewer operations.
-
-    Parameters
-    ----------
-    graph : Graph
-    roots : sequence of nodes
-    passes : Passes, optional
-        All by default.
-    """
+    """Return roots that cost fewer operations, by all passes or some."""
     passes = Passes() if passes is None else passes
     guards = [n for n in graph.reachable(roots) if graph.ops[n] == "guard"]
     if guards:

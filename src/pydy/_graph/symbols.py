@@ -13,12 +13,8 @@ __all__ = ["input_nodes", "input_symbols"]
 def input_nodes(graph: Graph, **groups: Iterable[Any]) -> dict[Any, int]:
     """Return the input node of each symbol; the graph gets them in the order of the arguments.
 
-    Parameters
-    ----------
-    graph : Graph
-    **groups
-        The symbols of each group of inputs in order: ``x=states, t=[time]``. A symbol in several
-        groups belongs to the last.
+    Each group of inputs has its symbols in order: ``x=states, t=[time]``. A symbol in several
+    groups belongs to the last.
     """
     return {s: graph.input(g, k) for g, symbols in groups.items() for k, s in enumerate(symbols)}
 

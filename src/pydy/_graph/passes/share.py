@@ -34,18 +34,11 @@ def is_pair(tree: Tree) -> bool:
 
 
 def share_pairs(rows: Sequence[Sequence[Signed]]) -> list[list[Signed]]:
-    """Return the rows with common pairs joined.
+    """Return the rows, each as what is left to combine, with common pairs joined.
 
-    Parameters
-    ----------
-    rows : sequence of sequences of (operand, positive)
-        The operands, each once, of products or of sums; a − b and b − a are the same pair.
-
-    Returns
-    -------
-    list of list of (tree, positive)
-        For each row what is left to combine: operands, and pairs of signed trees (see `is_pair`),
-        which are the same object in every row that has them.
+    Rows are the operands, each once, of products or of sums, and whether they are positive; a − b
+    and b − a are the same pair. What is left are operands and pairs of signed trees (see
+    `is_pair`), which are the same object in every row that has them.
     """
     # An entry of a row is twice its tree's number, plus one where it is negative.
     trees: list[Tree] = []

@@ -18,13 +18,7 @@ __all__ = ["Differences", "difference_basis"]
 
 @dataclass(frozen=True)
 class Differences:
-    """A linear system in the differences of another one's rows.
-
-    Attributes
-    ----------
-    matrix : list of list of nodes
-    column : list of nodes
-    """
+    """A linear system in the differences of another one's rows."""
 
     graph: Graph
     matrix: list[list[int]]

@@ -27,23 +27,12 @@ def propose(matrix: Matrix) -> Proposal | None:
 
 
 def elimination_order(filled: np.ndarray, fixed: np.ndarray) -> tuple[list[int], int]:
-    """Return an order of elimination with little fill, and what LDLᵀ then costs.
+    """Return an order of elimination with little fill, and the multiply-adds of LDLᵀ and one solve.
 
-    Parameters
-    ----------
-    filled : ndarray of bool, shape (n, n)
-        The symmetric pattern.
-    fixed : ndarray of bool, shape (n,)
-        Which diagonal entries do not depend on the state. Of equal rows these go first: a pivot
-        that is still one of them is divided by only once per binding.
-
-    Returns
-    -------
-    order : list of int
-        By minimum degree, if that beats the given order (George & Liu, The evolution of the
-        minimum degree ordering algorithm, SIAM Review 31(1), 1989).
-    cost : int
-        Multiply-adds of the factorisation and one solve.
+    It is found by minimum degree, if that beats the given order (George & Liu, The evolution of the
+    minimum degree ordering algorithm, SIAM Review 31(1), 1989). The symmetric pattern is `filled`.
+    Diagonal entries that are `fixed` do not depend on the state: of equal rows these go first,
+    since a pivot that is still one of them is divided by only once per binding.
     """
     n = len(filled)
     given = list(range(n))

@@ -46,19 +46,11 @@ def _generic(matrix: Matrix) -> np.ndarray | None:
 def pivot_order(samples: np.ndarray, filled: np.ndarray) -> tuple[list[int], list[int], int] | None:
     """Choose the pivots of an LU beforehand: few new entries, and sound at generic states.
 
-    Parameters
-    ----------
-    samples : ndarray, shape (m, n, n)
-        The matrix at m generic states.
-    filled : ndarray of bool, shape (n, n)
-        Its pattern.
-
-    Returns
-    -------
-    (rows, columns, cost) or None
-        In the order of elimination, by Markowitz' count with threshold pivoting (Duff, Erisman &
-        Reid, Direct Methods for Sparse Matrices, 2nd ed., §§5.2, 7.2), and the multiply-adds of
-        the factorisation and one solve. None where no entry would do at all samples.
+    The `samples` (m, n, n) are the matrix at such states, `filled` is its pattern. The rows and
+    columns are in the order of elimination, by Markowitz' count with threshold pivoting (Duff,
+    Erisman & Reid, Direct Methods for Sparse Matrices, 2nd ed., §§5.2, 7.2); their cost is the
+    multiply-adds of the factorisation and one solve. None is returned where no entry would do at
+    all samples.
     """
     a = samples / np.abs(samples).max(axis=2, keepdims=True).clip(np.finfo(float).tiny)
     pattern = filled.copy()

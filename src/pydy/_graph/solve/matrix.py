@@ -31,33 +31,17 @@ Proposal = tuple[int, Callable[[], Factor]]
 
 @dataclass(frozen=True)
 class Matrix:
-    """A square matrix.
+    """A square matrix."""
 
-    Attributes
-    ----------
-    tape : Tape
-        Receives the operations.
-    kind : {'ldl', 'lu'}
-        Symmetric and positive definite, of which the lower triangle is read; or any.
-    n : int
-    cells : list of int
-        The entries on the tape, row by row.
-    graph : Graph
-    entries : sequence of nodes
-        The same in the graph.
-    sizes : (int, int, int)
-        Of the Program.
-    value : callable
-        Writes a sum of products of nodes of the graph on the tape, given ``{part: coefficient}``.
-    """
-
-    tape: Tape
+    tape: Tape  # receives the operations
+    # 'ldl': symmetric and positive definite, of which the lower triangle is read; or 'lu': any
     kind: str
     n: int
-    cells: list[int]
+    cells: list[int]  # the entries on the tape, row by row
     graph: Graph
-    entries: Sequence[int]
-    sizes: tuple[int, int, int]
+    entries: Sequence[int]  # the same in the graph
+    sizes: tuple[int, int, int]  # of the Program
+    # writes a sum of products of nodes of the graph on the tape, given ``{part: coefficient}``
     value: Callable[[dict[Part, float]], int]
 
     @cached_property

@@ -71,13 +71,7 @@ def first_budget(method: str, call: KernelCall | None, calls_python: bool) -> in
 
 
 def progress_bar(name: str, span: float, start: float) -> Any:
-    """Return a bar of tqdm over the simulated time, from `start` on.
-
-    Raises
-    ------
-    MissingDependencyError
-        tqdm is not installed.
-    """
+    """Return a bar of tqdm over the simulated time, from `start` on."""
     try:
         from tqdm.auto import tqdm
     except ImportError:
@@ -93,16 +87,10 @@ def progress_bar(name: str, span: float, start: float) -> Any:
 class Extension:
     """The solution between the steps of a run: the interpolant of the method itself.
 
-    The steps are kept with their states alone. Where a time is wanted, the step over it is taken
-    again, with the same bits, and projected as an output is. At the time of an event it is the
-    state after it.
-
-    Parameters
-    ----------
-    make : callable
-        Returns a Workspace like that of the run, which may be used for another one meanwhile.
-    rows : ndarray
-        Those of `pydy.solvers.run.layout.Steps`.
+    The steps are kept with their states alone, in `rows` of `layout.Steps`. Where a time is wanted,
+    the step over it is taken again, with the same bits, and projected as an output is: in a
+    Workspace like that of the run, which `make` returns. At the time of an event it is the state
+    after it.
     """
 
     def __init__(self, make: Callable[[], Workspace], rows: np.ndarray) -> None:
@@ -218,13 +206,7 @@ class Integration:
         return self.call is not None and self.rebind(replace(self.call, p=p, r=r), times)
 
     def run(self, x0: np.ndarray) -> np.ndarray:
-        """Run to the end and return the states.
-
-        Raises
-        ------
-        ValueError
-            When `x0` is not finite.
-        """
+        """Run to the end from a finite state, and return the states."""
         self._rows = rows = np.empty(self._room)
         rows[0] = self._x0 = x0
         self.code = NOT_COMPUTED

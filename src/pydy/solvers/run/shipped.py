@@ -32,12 +32,9 @@ def _code(name: str) -> jit.Code:
 
 
 def address_of(name: str) -> int:
-    """Return the address of an entry; it is compiled, or loaded, when this is first asked for.
+    """Return the address of an entry, the name of a file in ``ir``.
 
-    Parameters
-    ----------
-    name : str
-        Of a file in ``ir``.
+    It is compiled, or loaded, when this is first asked for.
     """
     return _code(name).addresses[name]
 
