@@ -610,3 +610,37 @@ def test_what_the_hessian_of_gauss_and_newton_needs_is_told():
     problem = OptimalControl(system, sm.Integral(F**2, T), 1.0, method="hermite-simpson")
     with pytest.raises(NotImplementedError, match="has no costates"):
         problem.solve().costates
+
+
+def test_bounds_change_over_the_motion():
+    # From rest at full force: the speed is the integral of the bound, ∫ (2 − t) dt = 1.5 in 1 s.
+    system, (x, v, F) = optima.double_integrator()
+    t = np.linspace(0.0, 1.0, num=11)
+    for high in ([2.0, 1.0], SampledInput(t, 2.0 - t)):
+        problem = OptimalControl(system, -v.subs(T, 1.0), 1.0, bounds={F: (None, high)}, mesh=4)
+        found = problem.solve({F: 0.5})
+        assert found[v][-1] == pytest.approx(1.5, rel=1e-6)
+        np.testing.assert_allclose(found[F], 2.0 - found.times, atol=1e-5)
+    # A state that has to rise: v <= 1 − t allows x = 1/2 in the end.
+    problem = OptimalControl(
+        system, -x.subs(T, 1.0), 1.0, start={v: None}, bounds={"v": (None, [1.0, 0.0])}, mesh=4
+    )
+    assert problem.solve()[x][-1] == pytest.approx(0.5, rel=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("bounds", "duration", "message"),
+    [
+        ({"F": ([1.0, 0.0], 0.5)}, 1.0, r"`bounds\[F\(t\)\]` must have low <= high everywhere"),
+        ({"F": (np.array([np.nan, 0.0]), 0.5)}, 1.0, "rows of finite numbers"),
+        ({"F": (SampledInput([0, 1], [1, 2]), 5)}, TF, "and the duration is free"),
+        ({TF: ([0.0, 1.0], 5)}, TF, r"`bounds\[tf\]` must be a pair of numbers"),
+        ({"v": ([-1.0, -2.0], [1.0, -1.0])}, 1.0, r"is 0.0.*\(-2.0, -1.0\) exclude"),
+    ],
+)  # fmt: skip
+def test_bad_bounds_over_the_motion_are_named(bounds, duration, message):
+    system, (x, v, F) = optima.double_integrator()
+    with pytest.raises(ValueError, match=message):
+        OptimalControl(
+            system, sm.Integral(F**2, T), duration, end={x: 1.0, v: 0.0}, bounds=bounds
+        ).check({TF: 1.0} if duration is TF else None)

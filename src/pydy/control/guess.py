@@ -78,13 +78,15 @@ class Guess:
             return float(self._motion.constants.get(symbol, known))
         return number(self._values.get(symbol, known), f"`guess[{symbol}]`", finite=True)
 
-    def check_bounds(self, symbol: Any, values: np.ndarray, bounds: tuple[float, float]) -> None:
-        """Refuse values that the user gave and that lie outside of bounds."""
-        outside = (values < bounds[0]) | (values > bounds[1])
+    def check_bounds(self, symbol: Any, values: np.ndarray, bounds: Any) -> None:
+        """Refuse values that the user gave and that lie outside of bounds, numbers or arrays."""
+        low, high = np.broadcast_arrays(*bounds, values)[:2]
+        outside = (values < low) | (values > high)
         if symbol in self._values and outside.any():
+            at = int(np.flatnonzero(outside)[0])
             raise ValueError(
-                f"`guess[{symbol}]` must lie within its `bounds`, {shown_pair(bounds)}, got "
-                f"{float(values[outside][0])!r}."
+                f"`guess[{symbol}]` must lie within its `bounds`, "
+                f"{shown_pair((float(low[at]), float(high[at])))}, got {float(values[at])!r}."
             )
 
 

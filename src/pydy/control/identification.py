@@ -52,6 +52,7 @@ from pydy._assembly.specifieds import driven
 from pydy._errors import warn_user
 from pydy.control.ipopt import SOLVED, STATUS, Iteration, Solution, solve
 from pydy.control.kernel import Equations
+from pydy.control.limits import Limit
 from pydy.control.nlp import Nlp, Piece
 from pydy.control.problem import checked_mesh, labels_of, signal_of
 from pydy.control.refine import Moved, interval_errors, refined
@@ -217,7 +218,7 @@ class Identification:
             states=len(definition.states),
             labels=labels,
             controls=tuple(self.noise),
-            control_bounds=np.tile([-np.inf, np.inf], (len(self.noise), 1)),
+            control_bounds=tuple((Limit(-np.inf), Limit(np.inf)) for _ in self.noise),
             free=tuple(columns),
             duration_symbol=None,
             symbols={},

@@ -31,6 +31,7 @@ from pydy.control.expressions import Reader
 from pydy.control.guess import Guess, positive_time, shown_pair
 from pydy.control.ipopt import SOLVED, Iteration, Solution, solve
 from pydy.control.kernel import Equations
+from pydy.control.limits import Limit, limit
 from pydy.control.nlp import Nlp
 from pydy.control.phases import Phases
 from pydy.control.refine import Moved, interval_errors, refined
@@ -75,7 +76,8 @@ class OptimalControl:
         collocation point.
     bounds : dict, optional
         From states, controls, free constants and the duration to pairs (low, high); None is
-        no bound.
+        no bound. Those of states and controls may be arrays, of values at equal distances over the
+        motion, or `pydy.inputs.SampledInput`.
     free : sequence of constants, optional
         Constants that are found. The search begins at the system's values.
     mesh : int or array_like, optional
@@ -198,7 +200,9 @@ class OptimalControl:
         )
         self._start = self._limits("start", start, definition.states)
         self._end = self._limits("end", end, definition.states)
-        self._bounds = self._limits("bounds", bounds, self._unknown.symbols)
+        # Bounds that are numbers, and those that change over the motion.
+        self._moving: dict[Any, tuple[Limit, Limit]] = {}
+        self._bounds = self._limits("bounds", self._numbers(bounds), self._unknown.symbols)
         self._begins = frozenset(self._start)
         # Those that follow from the constraints, where `start` changes others.
         dependent = {*equations.dependent_coordinates, *equations.dependent_speeds}
@@ -238,9 +242,11 @@ class OptimalControl:
             labels=labels,
             constraints=() if self._fixed else tuple(f"{label} at the start" for label in held),
             controls=tuple(definition.specifieds.index(s) for s in self._controls),
-            control_bounds=np.array(
-                [self._bounds.get(s, _OPEN) for s in self._controls], dtype=float
-            ).reshape(-1, 2),
+            control_bounds=tuple(
+                (Limit(low), Limit(high)) if s not in self._moving else self._moving[s]
+                for s in self._controls
+                for low, high in [self._bounds.get(s, _OPEN)]
+            ),
             signals=tuple(
                 (int(column), signal_of(samples, k))
                 for columns, samples in plan.sampled
@@ -268,6 +274,43 @@ class OptimalControl:
             f"<OptimalControl: {self._problem.states} states, controls {unknown}, "
             f"{self._method} on {len(self._mesh) - 1} intervals>"
         )
+
+    def _numbers(self, bounds: Any) -> dict[Any, Any]:
+        """Return the bounds that are pairs of numbers; keep the others."""
+        given = check_mapping("bounds", bounds)
+        columns = self._unknown.columns(given, "bounds")
+        moving = (*self._now.definition.states, *self._controls)
+        found = {}
+        for k, (key, pair) in zip(columns, given.items(), strict=True):
+            symbol, what = self._unknown.symbols[k], f"`bounds[{key}]`"
+            sides = pair if isinstance(pair, (tuple, list)) and len(pair) == 2 else ()
+            if all(
+                side is None
+                or isinstance(side, float)
+                or (np.ndim(side) == 0 and not isinstance(side, SampledInput))
+                for side in sides
+            ):
+                found[key] = pair
+                continue
+            if symbol not in moving:
+                raise ValueError(f"{what} must be a pair of numbers, got {shown(pair)}.")
+            low, high = (
+                end if side is None else limit(side, what, self._duration)
+                for side, end in zip(sides, _OPEN, strict=True)
+            )
+            self._moving[symbol] = tuple(  # type: ignore[assignment]
+                side if isinstance(side, Limit) else Limit(side) for side in (low, high)
+            )
+        return found
+
+    def _bound(self, symbol: Any, side: int, fractions: np.ndarray) -> np.ndarray:
+        """Return a side of the bounds of a state or control."""
+        if symbol in self._moving:
+            return self._moving[symbol][side](fractions)
+        return np.full(len(fractions), self._bounds.get(symbol, _OPEN)[side])
+
+    def _pair_at(self, symbol: Any, fractions: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        return self._bound(symbol, 0, fractions), self._bound(symbol, 1, fractions)
 
     def _limits(self, argument: str, given: Any, symbols: Any) -> dict[Any, tuple[float, float]]:
         """Return pairs of numbers by symbol."""
@@ -412,25 +455,38 @@ class OptimalControl:
                 np.full((self._problem.algebraic, own), _OPEN[side]),
             )
             for k, s in enumerate(states):
-                limit = self._bounds.get(s, _OPEN)[side]
-                x[k] = np.where(slopes, _OPEN[side], limit)
-                x[k, 0] = pick(limit, self._start[s][side])
-                x[k, M] = pick(limit, self._end.get(s, _OPEN)[side])
+                own_side = self._bound(s, side, made.places[0])
+                x[k] = np.where(slopes, _OPEN[side], own_side)
+                x[k, 0] = pick(own_side[0], self._start[s][side])
+                x[k, M] = pick(own_side[M], self._end.get(s, _OPEN)[side])
             for k, s in enumerate(controls):
-                u[k] = self._bounds.get(s, _OPEN)[side]
+                u[k] = self._bound(s, side, made.control_places)
             constants = [self._bounds.get(s, _OPEN)[side] for s in self._free]
             least = self._bounds.get(self._symbol, _OPEN)[side]
             sides.append(made.joined(x, u, constants, least if side else max(least, 0.0)))
         lower, upper = sides
+        for s in self._moving:
+            places = made.places[0] if s in states else made.control_places
+            low, high = self._pair_at(s, places)
+            if (low > high).any():
+                at = int(np.flatnonzero(low > high)[0])
+                raise ValueError(
+                    f"`bounds[{s}]` must have low <= high everywhere, got {float(low[at])!r} and "
+                    f"{float(high[at])!r} after {float(places[at]):.6g} of the motion."
+                )
         for k, s in enumerate(states):
             for place, end in ((0, "start"), (M, "end")):
                 if lower[k * slots + place] > upper[k * slots + place]:
                     given = (self._start if end == "start" else self._end)[s]
                     raise ValueError(
                         f"`{end}[{s}]` is {shown_pair(given)}, which the `bounds` "
-                        f"{shown_pair(self._bounds[s])} exclude."
+                        f"{shown_pair(self._ends_of(s, made, place))} exclude."
                     )
         return lower, upper
+
+    def _ends_of(self, s: Any, made: Transcription, place: int) -> tuple[float, float]:
+        low, high = self._pair_at(s, made.places[0][[place]])
+        return float(low[0]), float(high[0])
 
     def _guess(
         self, made: Transcription, given: Any, lower: np.ndarray, upper: np.ndarray
@@ -448,7 +504,7 @@ class OptimalControl:
                 first = _middle(self._start[s], float(self._now.x[k]))
                 last = _middle(self._end.get(s, _OPEN), first)
                 values = np.interp(places, [0.0, 1.0], [first, last])
-            guess.check_bounds(s, values[inner], self._bounds.get(s, _OPEN))
+            guess.check_bounds(s, values[inner], self._pair_at(s, places[inner]))
             x[k] = values
             if slopes.any():
                 x[k, slopes] = np.gradient(x[k, ~slopes], made.mesh * duration)
@@ -456,7 +512,7 @@ class OptimalControl:
         for k, s in enumerate(self._controls):
             values = guess.values(s, made.control_places, duration)
             u[k] = 0.0 if values is None else values
-            guess.check_bounds(s, u[k], self._bounds.get(s, _OPEN))
+            guess.check_bounds(s, u[k], self._pair_at(s, made.control_places))
         constants = []
         for s, k in zip(self._free, self._problem.free, strict=True):
             constants.append(guess.number(s, self._problem.constants[k]))

@@ -73,8 +73,8 @@ class Problem:
         Labels of those of the constraints that the start has to satisfy.
     controls : tuple of int
         Places in r.
-    control_bounds : ndarray, shape (c, 2)
-        Low and high.
+    control_bounds : tuple of (callable, callable)
+        Low and high, at fractions of the duration.
     signals : tuple of (int, callable)
         Places in r of known signals, and their values at times.
     free : tuple of int
@@ -108,7 +108,7 @@ class Problem:
     labels: tuple[str, ...]
     constraints: tuple[str, ...]
     controls: tuple[int, ...]
-    control_bounds: np.ndarray
+    control_bounds: tuple[tuple[Any, Any], ...]
     signals: tuple[tuple[int, Any], ...]
     free: tuple[int, ...]
     constants: np.ndarray
@@ -536,9 +536,11 @@ class Transcription:
         slots = self.scheme.control_slots(self.intervals)[:, k]
         basis = self.scheme.control_basis(s)
         values = self.split(z)[1][: len(self.problem.controls)]
-        found = np.einsum("cym,ym->mc", values[:, slots], basis)
-        within: np.ndarray = np.clip(found, *self.problem.control_bounds.T)
-        return within
+        found: np.ndarray = np.einsum("cym,ym->mc", values[:, slots], basis)
+        fractions = self.mesh[k] + s * np.diff(self.mesh)[k]
+        for column, (low, high) in zip(found.T, self.problem.control_bounds, strict=True):
+            np.clip(column, low(fractions), high(fractions), out=column)
+        return found
 
     def _local(
         self, fractions: np.ndarray, side: Literal["left", "right"] = "right"
