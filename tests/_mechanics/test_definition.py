@@ -295,6 +295,14 @@ def test_a_load_at_a_point_that_nothing_places_is_named():
         System(swung(loads=[(me.Point("L"), me.ReferenceFrame("N").x)]))
 
 
+def test_a_definition_without_speeds_is_named():
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    still = Definition(frame, [], bodies=[me.Particle("p", origin, 1)])
+    with pytest.raises(ValueError, match="has no speeds: nothing in it can move"):
+        System(still)
+
+
 def test_a_speed_that_moves_nothing_is_named():
     with pytest.raises(ValueError, match=r"The speed `vy\(t\)` moves no mass and no inertia"):
         System(swung())

@@ -270,6 +270,11 @@ def equations_of_definition(definition: Definition, source: str | None = None) -
             "`equations='method'` needs a method object, such as a KanesMethod; `eom_method` is a "
             "Definition, whose equations are formed from its bodies."
         )
+    if not definition.speeds:
+        raise ValueError(
+            "`eom_method` has no speeds: nothing in it can move, so there are no equations of motion. "
+            "Give `coordinates` and `speeds` to a Definition, or a joint that is no weld."
+        )
     return equations_of(definition.multibody)
 
 
