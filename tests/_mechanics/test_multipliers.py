@@ -99,7 +99,7 @@ def test_rows_have_a_size_where_a_quaternion_is_of_another_length():
     g = Graph()
     e = [g.input("x", k) for k in range(4)]
     mass = g.sum([(g.powi(n, 2), -0.641) for n in e], 1.641)
-    row = [g.one, e[0]]
+    row = [g.one, g.zero]
     held = Constraints([row], [g.zero], 1, [row], [g.zero], [])
     found = accelerations_of_held(g, [[mass, g.zero], [g.zero, g.one]], [g.one, e[1]], held)
     roots = [n for n in g.reachable(found) if g.ops[n] == "sqrt"]

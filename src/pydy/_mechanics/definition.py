@@ -272,8 +272,8 @@ def equations_of_definition(definition: Definition, source: str | None = None) -
         )
     if not definition.speeds:
         raise ValueError(
-            "`eom_method` has no speeds: nothing in it can move, so there are no equations of motion. "
-            "Give `coordinates` and `speeds` to a Definition, or a joint that is no weld."
+            "`eom_method` has no speeds: nothing in it can move, so there are no equations of "
+            "motion. Give `coordinates` and `speeds` to a Definition, or a joint that is no weld."
         )
     return equations_of(definition.multibody)
 
