@@ -302,7 +302,7 @@ class Check:
     def _direction(self, paths):
         """A direction of states and numbers along which the constraints stay satisfied."""
         known = numbers_of(self.data)
-        steps = np.concatenate([self._sizes(), [abs(known[p]) for p in paths]]).astype(LONG)
+        steps = np.concatenate([self._sizes(), [abs(known[p]) or 1.0 for p in paths]]).astype(LONG)
         scaled = self.rng.uniform(-1, 1, len(steps)).astype(LONG)
         if len(self.world.A) or self.world.norms().size:
             J = np.array([self._residuals(paths, k, h) for k, h in enumerate(steps)]).T

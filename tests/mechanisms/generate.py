@@ -12,8 +12,12 @@ from mechanisms.oracle import World, layout, mixing
 from mechanisms.taylor import LONG, pivots, solved
 
 MOST_SPEEDS = 10
+HINGES = ("pin", "slide", "cylinder", "screw")  # joints along an axis
 # Numbers that no constraint holds.
 MATERIAL = {"mass", "inertia", "gravity", "push", "moment", "stiffness", "damping", "drag"}
+# From this seed on hinges are nearly parallel to those before them, by twists of their own.
+TWISTED = 3000
+QUARTER = 1.57079632679  # as it is typed: half of pi to twelve digits
 # The most bodies of a seed, in turn: large mechanisms take most of the time.
 BODIES = (2, 2, 3, 2, 3, 4, 8)
 
@@ -41,6 +45,9 @@ def draw(seed):
     near = 10.0 ** -rng.integers(1, 5) if rng.random() < 0.2 else 1.0
     for k in range(int(rng.choice(np.arange(1, most + 1), p=_shares(most)))):
         data["bodies"].append(_body(rng, k, plane, near))
+    own = np.random.default_rng([28, seed])  # what it draws changes no other seeds
+    if seed >= TWISTED:
+        _hinge(own, data)
     while layout(data)[2] > MOST_SPEEDS or not layout(data)[2]:
         if not layout(data)[2]:
             data["bodies"].append(_body(rng, len(data["bodies"]), plane, near))
@@ -80,6 +87,8 @@ def draw(seed):
     loads = [p for p in everything if p.startswith("loads") and ("push" in p or "moment" in p)]
     data["inputs"] = [p for p in loads if rng.random() < 0.2]
     data["fixed_inputs"] = [p for p in everything if p.split("_")[-1] == "drive"]
+    if seed >= TWISTED:
+        _twist(own, data)
     settle(data)
     for load in data["loads"]:
         if load["kind"] == "stop":  # away from the kink, where derivatives have two values
@@ -125,6 +134,53 @@ def _body(rng, k, plane, near):
     }  # fmt: skip
 
 
+def _hinge(rng, data):
+    """Make most joints hinges, most of a chain."""
+    for k, body in enumerate(data["bodies"]):
+        if k and rng.random() < 0.7:
+            body["on"] = k - 1
+        if data["plane"] is None and body["inertia"] is not None and rng.random() < 0.7:
+            kept = {name: body[name] for name in ("on", "at", "tilt", "centre", "mass", "about")}
+            made = {**kept, "inertia": body["inertia"], "joint": "pin"} | JOINTS["pin"][2](rng)
+            data["bodies"][k] = made
+
+
+def _twist(rng, data):
+    """Make hinges nearly parallel to those before them: by a quarter turn, a tiny one, or none.
+
+    One of none is a constant that is zero, in mechanisms without loops.
+    """
+    bodies, zeros = data["bodies"], []
+    free = [k for k, b in enumerate(bodies) if b["joint"] in HINGES]
+    for k in free:
+        body, before = bodies[k], bodies[k]["on"]
+        about, onto = (int(i) for i in rng.permutation(3)[:2])
+        kind = str(rng.choice(["quarter", "tiny", "none", "as it was"], p=[0.4, 0.3, 0.2, 0.1]))
+        tilt, sign = [0.0] * 3, float(rng.choice([-1, 1]))
+        size = float(rng.choice([1e-12, 1e-11, 1e-9, 1e-7]))
+        if kind == "as it was":
+            continue
+        if kind == "none":
+            if not data["loops"]:
+                zeros.append(f"bodies_{k}_tilt_{about}")
+        elif data["plane"] is None:
+            tilt[about] = sign * (QUARTER if kind == "quarter" else size)
+        if data["plane"] is None and before in free:
+            axis = [0.0] * 3
+            axis[onto] = 1.0
+            # In a frame that is turned about another axis, it is the third one.
+            body["axis"] = axis
+            if kind == "quarter":
+                body["axis"] = [float(i not in (about, onto)) for i in range(3)]
+            if all(b["on"] != before or b is body for b in bodies):
+                bodies[before]["axis"] = axis
+            elif kind != "quarter":
+                body["axis"] = list(bodies[before]["axis"])
+        body["tilt"] = tilt
+    known = {path for path, _ in leaves(data)}
+    data["named"] = [p for p in data["named"] if p in known] + zeros
+
+
 def leaves(data, path=""):
     """Names of all numbers that may become symbols, and the numbers; zeros stay numbers."""
     if not path:
@@ -142,21 +198,26 @@ def leaves(data, path=""):
 
 
 def numbers_of(data):
-    return dict(leaves(data))
+    return dict.fromkeys(data["named"], 0.0) | dict(leaves(data))
 
 
-def replaced(data, f, path=""):
-    """The same data with f(path, number) in place of each of the numbers in `leaves`."""
+def replaced(data, f, path="", named=()):
+    """The same data with f(path, number) in place of each of the numbers in `leaves`.
+
+    Of zeros those that are named count.
+    """
     if not path:
+        named = {*data["named"]}
         parts = {
-            part: replaced(data[part], f, part) for part in ("gravity", "bodies", "loads", "loops")
+            part: replaced(data[part], f, part, named)
+            for part in ("gravity", "bodies", "loads", "loops")
         }
         return {**data, **parts}
     if isinstance(data, dict):
-        return {key: replaced(value, f, f"{path}_{key}") for key, value in data.items()}
+        return {key: replaced(value, f, f"{path}_{key}", named) for key, value in data.items()}
     if isinstance(data, (list, tuple)):
-        return [replaced(value, f, f"{path}_{k}") for k, value in enumerate(data)]
-    if isinstance(data, (float, np.floating)) and data != 0:
+        return [replaced(value, f, f"{path}_{k}", named) for k, value in enumerate(data)]
+    if isinstance(data, (float, np.floating)) and (data != 0 or path in named):
         return f(path, data)
     return data
 

@@ -18,7 +18,7 @@ from pydy._graph.derivative import jacobian
 from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.interpret import evaluator
 from pydy._graph.node import Graph
-from pydy._graph.rounding import rounding_bounds
+from pydy._graph.rounding import per_unit, rounding_bounds
 from pydy._graph.symbols import input_nodes
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.frames import orientation_rows, rotations
@@ -62,7 +62,7 @@ class GenericStates:
         graph = self.graph = Graph()
         t, q, u = equations.time, equations.coordinates, equations.speeds
         states = [*q, *u]
-        made_from = equations.mechanism
+        made_from = equations.mechanism or equations.multibody
         turns = [] if made_from is None else rotations(made_from.frame)
         known = {*states, *equations.zeros, t, *equations.coordinate_rates}
         found = {
@@ -186,12 +186,36 @@ class GenericStates:
         x = inputs[1]
         if around:
             x[:, :n] = np.pi * (2.0 * (x[:, :n] - _LOW) / (_HIGH - _LOW) - 1.0)
-        size = _NEAR * max((abs(value) for value in near.values()), default=0.0)
         moved = self._symbols[1 : 1 + n]
+        sizes = dict(zip(moved, self._beside(moved, near), strict=True)) if near else {}
         for symbol, column in self.by_symbol(inputs).items():
             if symbol in near:
-                column[:] = near[symbol] + (size * (column - 1.0) if symbol in moved else 0.0)
+                size = _NEAR * sizes.get(symbol, 0.0)
+                column[:] = near[symbol] + size * (column - 1.0)
         return inputs
+
+    def _beside(self, moved: Sequence[Any], near: Mapping[Any, float]) -> list[float]:
+        """Return how large coordinates are near a configuration, each in its unit.
+
+        Angles and quaternions are numbers: beside lengths in nanometres or in any other unit they
+        are as large as they are among themselves, or as one.
+        """
+        steep = self._per_unit()
+        given = np.array([abs(near.get(s, 0.0)) for s in moved])
+        largest = max((abs(value) for value in near.values()), default=0.0)
+        lengths = given[steep == 0.0].max(initial=0.0) or largest
+        turned = max(float((given * steep).max(initial=0.0)), 1.0)
+        return [min(largest, turned / s) if s > 0.0 else lengths for s in steep]
+
+    def _per_unit(self) -> np.ndarray:
+        """Return how much of a unit coordinates are per their own, shape (n,): see `per_unit`."""
+        graph, places = self.graph, self.coordinates
+        slopes = per_unit(graph, [*self.holonomic, *self.velocity], places)
+        at = self.anywhere([("slopes", (len(places),), slopes)])
+        found: np.ndarray = np.nan_to_num(at["slopes"]).max(axis=0, initial=0.0)
+        turning = {*graph.reachable(self._turning)}
+        found[[k for k, node in enumerate(places) if node in turning]] = 1.0
+        return found
 
     def by_symbol(self, inputs: Inputs) -> dict[Any, np.ndarray]:
         """Return the numbers of each symbol, as views."""
@@ -219,6 +243,11 @@ class GenericStates:
 
         searching, usable = list(range(trials)), list(range(trials))
         first = residuals(searching)
+        if near:  # near zero the vector of a quaternion moves no row
+            beside = x.copy()
+            numbers = np.flatnonzero(self._per_unit())
+            beside[:, numbers] = generic_inputs(self._sizes, trials)[1][:, numbers]
+            first = closing(t, beside, r, p)
         units, sizes = row_units(first["gradient"]), column_units(first["gradient"])
         speeds = column_units(first["slope"])
         for share in FULL_STEPS:
