@@ -121,7 +121,7 @@ class _Names:
         symbol = self.known.meaning(key, "reduce")
         return self.of[symbol] if symbol in self.of else name_of(key)
 
-    def described(self, units: Mapping[Any, str] | None) -> dict[str, dict[str, Any]]:
+    def described(self, units: Mapping[Any, str]) -> dict[str, dict[str, Any]]:
         """Return the attributes of variables, with their units."""
         result = {name: dict(attributes) for name, attributes in self.attributes.items()}
         for key, unit in check_mapping("units", units).items():
@@ -484,7 +484,7 @@ class Ensembles(Setup):
             kept=kept,
         )
         reductions = read_reductions(reduce, model, names.name)
-        described = names.described(units)
+        described = names.attributes if units is None else names.described(units)
         work = Work(model, reductions, described)
         about = {
             "ode_solver": solver.name,

@@ -18,6 +18,7 @@ from pydy._assembly.specifieds import followed
 from pydy._checks import Places, choice, file_of, listed, text
 from pydy._graph.program import Program
 from pydy._names import name_of, unique_names
+from pydy._system.dependents import latest_dependents
 from pydy._system.setup import Setup
 from pydy._system.solving import check_events, event_rates_program, projection_program
 from pydy.codegen.arguments import SpecifiedsPlan
@@ -31,18 +32,13 @@ def _dependents(
     definition: Definition, solved: Iterable[Any] | None
 ) -> tuple[list[int], list[int]]:
     """Return the places in x of what the constraints determine, of all if that is not known."""
-    equations = definition.equations
-    states = list(definition.states)
-    if solved is not None:
-        places = [states.index(s) for s in solved]
-        count = len(equations.coordinates)
-        return [k for k in places if k < count], [k for k in places if k >= count]
-    q = [states.index(s) for s in equations.dependent_coordinates]
-    u = [states.index(s) for s in equations.dependent_speeds]
-    if len(q) < len(equations.holonomic):
-        q = [states.index(s) for s in equations.coordinates]
-    if len(u) < len(equations.velocity):
-        u = [states.index(s) for s in equations.speeds]
+    equations, count = definition.equations, len(definition.equations.coordinates)
+    places = [definition.states.index(s) for s in latest_dependents(definition, solved)]
+    q, u = [k for k in places if k < count], [k for k in places if k >= count]
+    if solved is None and len(q) < len(equations.holonomic):
+        q = list(range(count))
+    if solved is None and len(u) < len(equations.velocity):
+        u = list(range(count, count + len(equations.speeds)))
     return q, u
 
 

@@ -119,15 +119,10 @@ def beyond_digits(rows: np.ndarray, sizes: np.ndarray) -> np.ndarray:
 
 
 def is_near(products: np.ndarray) -> np.ndarray:
-    """Tell along which motions rows nearly lost rank.
+    """Tell along which motions rows nearly lost rank, by products (…, m, rows²) of each with each.
 
     What is measured is the least that a row has beside the rows before it, in units of the most
     that it has along the motion.
-
-    Parameters
-    ----------
-    products : ndarray, shape (..., m, rows * rows)
-        Of each row with each.
     """
     n = isqrt(products.shape[-1])
     products = products.reshape(*products.shape[:-1], n, n).copy()
@@ -222,16 +217,9 @@ def left_by_rounding(
 ) -> np.ndarray:
     """Return what a search leaves of rows at m states, shape (m, rows): roundings, in any units.
 
+    The rows' terms have `sizes`; ``slopes``, ``solved`` and ``per_unit`` are those of `Part`.
     States are as large as they are at any of the times, and those with a unit of their own, such as
     angles, as large as that.
-
-    Parameters
-    ----------
-    found : mapping
-        ``slopes``, ``solved`` and ``per_unit`` of `Part`.
-    sizes : ndarray, shape (m, rows)
-        Of the rows' terms.
-    x : ndarray, shape (m, n)
     """
     m, n = x.shape
     parts = (found[name].reshape(m, -1, n) for name in ("slopes", "solved"))

@@ -138,22 +138,8 @@ _TOLD: WeakSet[Kernel] = WeakSet()  # whose redundant constraints have been warn
 class Integration:
     """An integration that can be run again and again, from other states.
 
-    Parameters
-    ----------
-    method : str
-    f : callable
-    n : int
-        Number of states.
-    times : ndarray
-    args : tuple
-    options : Options
-    stopped : callable
-        Asked now and then; True is as good as a Ctrl-C.
-
-    Attributes
-    ----------
-    reusable : bool
-        Whether `rebind` may make it another call's.
+    Where it is `reusable`, `rebind` may make it another call's. `stopped` is asked now and then;
+    True is as good as a Ctrl-C.
     """
 
     def __init__(

@@ -82,25 +82,9 @@ class Workspace:
     """What one integration reserves, once, for all its runs.
 
     Its parameters are those of `pydy.solvers.run.integration.Integration`, and the interrupts that
-    callbacks look at.
-
-    Attributes
-    ----------
-    call : KernelCall or None
-        None when `f` is a Python function alone.
-    callbacks : list of Callback
-        The Python functions that compiled code calls.
-    memory : Memory
-    constraints : Constraints
-    seen : ndarray
-        The part of ``constraints.values`` that the projection notes something in.
-    watch : Watch
-    progress : Progress
-    steps : Steps
-    beginning : Beginning
-        From what `progress` is at the beginning of each run.
-    place : int
-        The address of the table.
+    callbacks look at. The `call` is None when `f` is a Python function alone; `seen` is the part of
+    ``constraints.values`` that the projection notes something in, `beginning` is made of what
+    `progress` is at the beginning of each run, and `place` is the address of the table.
     """
 
     def __init__(
