@@ -25,7 +25,7 @@ from pydy._version import __version__
 from pydy.codegen.arguments import SpecifiedsPlan, symbolic_entries
 from pydy.ensemble.engine import Ensemble
 from pydy.ensemble.model import EnsembleSensitivities, Kept, Model
-from pydy.ensemble.samples import PARAMETER, QUANTITY, Coordinate, Samples
+from pydy.ensemble.samples import PARAMETER, QUANTITY, Samples, Variable
 from pydy.ensemble.work import COUNTS, Work, read_reductions
 from pydy.inputs import SampledInput
 from pydy.solvers.options import Options, read_options
@@ -141,7 +141,7 @@ class _Axes:
     def __init__(self, product: bool, names: _Names) -> None:
         self.product, self.names = product, names
         self.dims: dict[str, int] = {}
-        self.coordinates: dict[str, Coordinate] = {}
+        self.coordinates: dict[str, Variable] = {}
         self._from: dict[str, str] = {}
 
     def add(self, what: str, value: Any, name: str, attrs: dict[str, Any]) -> tuple[Any, Any]:
@@ -153,7 +153,7 @@ class _Axes:
             for d in dims:
                 if d in value.coords and value.coords[d].ndim == 1:
                     own = value.coords[d]
-                    self._label(what, d, Coordinate((d,), np.asarray(own), dict(own.attrs)))
+                    self._label(what, d, Variable((d,), np.asarray(own), dict(own.attrs)))
         else:
             array = real_array(value, what)
             if array.ndim > 1:
@@ -168,7 +168,7 @@ class _Axes:
         for d, size in zip(dims, array.shape, strict=True):
             self._dimension(what, d, size)
         if dims:
-            self._label(what, name, Coordinate(dims, np.array(array), attrs))
+            self._label(what, name, Variable(dims, np.array(array), attrs))
         return dims, array
 
     def _dimension(self, what: str, dim: str, size: int) -> None:
@@ -187,7 +187,7 @@ class _Axes:
             )
         self._from.setdefault(dim, what)
 
-    def _label(self, what: str, name: str, coordinate: Coordinate) -> None:
+    def _label(self, what: str, name: str, coordinate: Variable) -> None:
         known = self.coordinates.get(name)
         if known is not None and not np.array_equal(known.values, coordinate.values):
             raise ValueError(
@@ -437,7 +437,7 @@ class Ensembles(Setup):
         axes.check_names()
         for (label, attrs), (dims, value) in zip(names.constants, p, strict=True):
             if not dims:
-                axes.coordinates.setdefault(label, Coordinate((), value, dict(attrs)))
+                axes.coordinates.setdefault(label, Variable((), value, dict(attrs)))
         aligned = [_aligned(c, axes.dims) for c in (x, r, p)]
         samples = Samples(axes.dims, aligned[0], aligned[1], aligned[2], axes.coordinates)
 

@@ -65,7 +65,7 @@ def check_forms(
 
 def to_dataset(
     variables: Mapping[str, Variable],
-    coordinates: Mapping[str, Coordinate],
+    coordinates: Mapping[str, Variable],
     times: np.ndarray,
     attrs: Mapping[str, Any] | None = None,
     labels: Mapping[str, Sequence[str]] | None = None,
@@ -95,15 +95,6 @@ Block = tuple[slice, ...]
 
 
 @dataclass(frozen=True, eq=False)
-class Coordinate:
-    """Values that distinguish samples, for the labels of results."""
-
-    dims: tuple[str, ...]
-    values: np.ndarray
-    attrs: dict[str, Any] = field(default_factory=dict)
-
-
-@dataclass(frozen=True, eq=False)
 class Samples:
     """Initial states, specifieds and constants of all samples."""
 
@@ -113,7 +104,8 @@ class Samples:
     x: tuple[np.ndarray, ...]
     r: tuple[np.ndarray, ...]
     p: tuple[np.ndarray, ...]
-    coordinates: dict[str, Coordinate] = field(default_factory=dict)
+    # Values that distinguish samples, for the labels of results.
+    coordinates: dict[str, Variable] = field(default_factory=dict)
 
     @property
     def shape(self) -> tuple[int, ...]:
@@ -137,7 +129,7 @@ class Samples:
             )
 
         coordinates = {
-            name: Coordinate(c.dims, c.values[tuple(part[d] for d in c.dims)], c.attrs)
+            name: Variable(c.dims, c.values[tuple(part[d] for d in c.dims)], c.attrs)
             for name, c in self.coordinates.items()
         }
         return Samples(dims, cut(self.x), cut(self.r), cut(self.p), coordinates)
