@@ -421,7 +421,7 @@ class _Run:
             normal = normals[i]
             if normal is not None and p.speed[normal] < 0.0 and i in closing:
                 start[normal] = p.speed[normal] * (1.0 + (0.0 if i in rests else e[i]))
-            elif normal is not None and i not in closing:
+            elif normal is not None and i in state.touching:
                 start[normal] = 0.0
         problem = replace(
             self.problem(p, state),
