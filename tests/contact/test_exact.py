@@ -285,8 +285,12 @@ def test_bad_input_is_named():
         Stick(vx, mu=0.5, mu_static=0.4, normal=1)
     with pytest.raises(ValueError, match="`on` or `normal` must say what presses"):
         Stick(vx, mu=0.5)
-    with pytest.raises(TypeError, match="two directions of a plane in space is not supported yet"):
-        Stick(O, mu=0.5, normal=1, along=(N.x, N.y))
+    with pytest.raises(TypeError, match="`along` must be one Vector or two if `point` is a Point"):
+        Stick(O, mu=0.5, normal=1)
+    with pytest.raises(ValueError, match="`along` must be orthogonal"):
+        Stick(O, mu=0.5, normal=1, along=(N.x, N.x + N.y))
+    with pytest.raises(TypeError, match="must be a speed or a pair of them"):
+        Stick((vx, vy, w), mu=0.5, normal=1)
     with pytest.raises(ValueError, match="`gap` must depend on coordinates"):
         Unilateral(-1.0)
     system, floor = ball(restitution=e)

@@ -67,8 +67,10 @@ class Stick:
         Coefficient of kinetic friction. It also limits the friction of impacts.
     mu_static : expression, optional
         Coefficient of static friction, not below `mu`, by default equal to it.
-    along : Vector, optional
-        Unit vector along which the point slides; needed with a point.
+    along : Vector or two Vectors, optional
+        Unit vector along which the point slides, or two of the plane in which it slides, orthogonal
+        to each other; needed with a point. In place of a point and these, `point` may be a pair of
+        speeds.
     against : Point, optional
         Point of a body that the point slides on, if that moves; with a point.
     normal : expression, optional
@@ -93,7 +95,7 @@ class Stick:
         mu: Any,
         on: Unilateral | None = None,
         mu_static: Any = None,
-        along: Vector | None = None,
+        along: Vector | Sequence[Vector] | None = None,
         against: Point | None = None,
         normal: Any = None,
         name: str = "",
@@ -105,17 +107,20 @@ class Stick:
             )
         if on is not None and not isinstance(on, Unilateral):
             raise TypeError(f"`on` must be a Unilateral, got {shown(on)}.")
-        if isinstance(point, Point) != isinstance(along, Vector):
+        axes = _axes(along)
+        if isinstance(point, Point) != bool(axes):
             raise TypeError(
-                "`along` must be a Vector if `point` is a Point, and is not used with a speed; got "
-                f"{shown(point)} and {shown(along)}. Friction in two directions of a plane in "
-                "space is not supported yet."
+                "`along` must be one Vector or two if `point` is a Point, and is not used with a "
+                f"speed; got {shown(point)} and {shown(along)}."
             )
         if against is not None and not (isinstance(against, Point) and isinstance(point, Point)):
             raise TypeError(f"`against` must be a Point, with a Point, got {shown(against)}.")
         if not isinstance(point, Point):
-            (point,) = _expressions(point=point)
-        self.point, self.on, self.along, self.against = point, on, along, against
+            parts = point if isinstance(point, (tuple, list)) else (point,)
+            if len(parts) not in (1, 2):
+                raise TypeError(f"`point` must be a speed or a pair of them, got {shown(point)}.")
+            point = tuple(_expressions(point=part)[0] for part in parts)
+        self.point, self.on, self.along, self.against = point, on, axes, against
         self.mu, self.mu_static = _expressions(
             mu=mu, mu_static=mu if mu_static is None else mu_static
         )
@@ -131,14 +136,19 @@ class Stick:
     def __repr__(self) -> str:
         return f"<Stick {self.name}>"
 
-    def speed(self, frame: Any) -> Any:
-        """Return the sliding speed; velocities are those in the inertial frame."""
+    @property
+    def plane(self) -> bool:
+        """Whether the point slides in a plane, in any direction."""
+        return len(self.along or self.point) == 2
+
+    def speeds(self, frame: Any) -> tuple[Any, ...]:
+        """Return the sliding speed or speeds; velocities are those in the inertial frame."""
         if not isinstance(self.point, Point):
-            return self.point
+            return tuple(self.point)
         velocity = self.point.vel(frame)
         if self.against is not None:
             velocity -= self.against.vel(frame)
-        return velocity.dot(self.along)
+        return tuple(velocity.dot(axis) for axis in self.along)
 
 
 @dataclass(frozen=True, eq=False)
@@ -180,8 +190,8 @@ def paired(contacts: Any) -> tuple[Contact, ...]:
         own = [s for s in sticks if s.on is gap]
         if len(own) > 1:
             raise ValueError(
-                f"`contacts` has {len(own)} Sticks on {gap!r}; one direction of sliding is "
-                "supported."
+                f"`contacts` has {len(own)} Sticks on {gap!r}. Give one, with two vectors as "
+                "`along` if it slides in a plane."
             )
         found.append(Contact(gap.name, gap, own[0] if own else None))
     found += [Contact(s.name, None, s) for s in sticks if s.on is None]
@@ -216,6 +226,19 @@ def _within(argument: str, value: Any, most: float | None = None) -> None:
     if not (value.is_real and value >= 0 and (most is None or value <= most)):
         range_ = "not be negative" if most is None else f"be from 0 to {most:g}"
         raise ValueError(f"`{argument}` must {range_}, got {value}.")
+
+
+def _axes(along: Any) -> tuple[Vector, ...]:
+    found = () if along is None else (along,) if isinstance(along, Vector) else along
+    valid = isinstance(found, (list, tuple)) and len(found) <= 2
+    if not valid or not all(isinstance(v, Vector) for v in found):
+        raise TypeError(f"`along` must be one Vector or two, got {shown(along)}.")
+    axes: tuple[Any, ...] = tuple(found)
+    if len(axes) == 2:
+        product = sm.simplify(axes[0].dot(axes[1]))
+        if product.is_number and product != 0:
+            raise ValueError(f"`along` must be orthogonal vectors, got {axes[0]} and {axes[1]}.")
+    return axes
 
 
 def _named(name: Any) -> str:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -17,6 +17,9 @@ from pydy.contact.decide import (
     CLOSED,
     FORWARD,
     OPEN,
+    SLIDES,
+    SLIDING,
+    STARTING,
     STICKS,
     Problem,
     Solution,
@@ -25,15 +28,32 @@ from pydy.contact.decide import (
     independent,
     solved,
 )
-from pydy.contact.modes import Mode, output_symbols, stated_symbols
+from pydy.contact.modes import Mode, output_symbols
 from pydy.contact.rows import ContactRows, Numbers
 from pydy.contact.trajectory import ContactTrajectory, Piece, Pieces
-from pydy.contact.tuning import CHECKED, INSTANT, RESOLUTION, SETTLING, SLACK, STALLED, WITHIN
+from pydy.contact.tuning import (
+    BEGUN,
+    CHECKED,
+    FIRST,
+    INSTANT,
+    RESOLUTION,
+    RESOLVED,
+    SETTLING,
+    SLACK,
+    STALLED,
+    WITHIN,
+)
 from pydy.solvers.events import Event, EventRecord
 from pydy.solvers.options import Options
 from pydy.solvers.outcome import TERMINATED
 from pydy.solvers.solver import Solver
 from pydy.system import System
+
+IMPACTS = (  # what an impulse may do, by the number of tangential directions
+    [CLOSED, OPEN],
+    [STICKS, FORWARD, BACKWARD, OPEN],
+    [STICKS, STARTING, OPEN],
+)
 
 
 class Contacts:
@@ -103,7 +123,8 @@ class Contacts:
         frame = getattr(system._equations.mechanism, "frame", None)
         if frame is None:
             raise ValueError("Contacts need a System with bodies and an inertial frame.")
-        parts += [c.stick.speed(frame) for c in self.contacts if c.stick is not None]
+        for c in self.contacts:
+            parts += [] if c.stick is None else c.stick.speeds(frame)
         self._symbols = [Event(part) for part in parts]
         self._kept: _Compiled | None = None
         for key, value in check_mapping("constants", constants).items():
@@ -189,8 +210,9 @@ class _Compiled:
         self.rows = ContactRows(
             now.definition.equations, contacts, now.definition.constants, now.definition.specifieds
         )
-        names, kinds = [c.name for c in contacts], [c.kind for c in contacts]
-        self.stated = stated_symbols(names, kinds)
+        self.stated = list(output_symbols(contacts).values())
+        hidden = [s for own in self.rows.references.values() for s in own]
+        self.constants = (*self.definition.constants, *hidden)
         self.modes: dict[tuple[tuple[str, ...], tuple[int, ...]], tuple[Mode, System]] = {}
         self._events: dict[Any, Any] = {}
         self._users = system._define.users(system._outputs, system._forces)
@@ -205,7 +227,7 @@ class _Compiled:
                 made.equations,
                 outputs={**self._users, **made.outputs},
                 specifieds=dict(self._system._specifieds),
-                constants_symbols=self.definition.constants,
+                constants_symbols=self.constants,
                 specifieds_symbols=self.definition.specifieds,
             )
             self.modes[key] = made, system
@@ -238,6 +260,7 @@ class _State:
     touching: set[int]
     rising: set[int]  # open, and on the way up
     resting: set[int]  # contacts whose sliding speed is zero
+    directions: dict[int, np.ndarray] = field(default_factory=dict)  # of those in a plane
 
 
 class _Run:
@@ -260,7 +283,7 @@ class _Run:
         self.states = np.full((len(times), self.n), np.nan)
         self.pieces: list[Piece] = []
         self.records: list[EventRecord] = []
-        self.impacts: list[tuple[float, dict[str, tuple[float, float]], float]] = []
+        self.impacts: list[tuple[float, dict[str, tuple[float, ...]], float]] = []
         self.first_height: dict[int, float] = {}
         self.modes: tuple[str, ...] = tuple(OPEN for _ in self.contacts)
         self.largest = 0.0  # of the forces where a part of the motion begins
@@ -283,10 +306,19 @@ class _Run:
         return self.rows.numbers(values)
 
     def problem(self, p: Numbers, state: _State) -> Problem:
+        self.note_directions(p, state)
         return Problem(
             p.free, p.square, self.rows.normal, self.rows.tangent, p.mu, p.mu_static, p.normal,
-            frozenset(state.resting), frozenset(state.touching),
+            frozenset(state.resting), frozenset(state.touching), dict(state.directions),
         )  # fmt: skip
+
+    def note_directions(self, p: Numbers, state: _State) -> None:
+        """Note in which directions contacts slide in a plane; those that begin to keep theirs."""
+        for i, rows in enumerate(self.rows.tangent):
+            if len(rows) == 2 and i in state.touching and i not in state.resting:
+                speed = p.speed[rows]
+                if not self._is_still(p, rows, speed):
+                    state.directions[i] = speed / np.linalg.norm(speed)
 
     def resolution(self, t: float) -> float:
         return RESOLUTION * max(abs(t), self.span)
@@ -349,11 +381,9 @@ class _Run:
         return state
 
     def _find_resting(self, state: _State, p: Numbers) -> None:
-        for i, row in enumerate(self.rows.tangent):
-            if row is not None and i in state.touching:
-                slow = WITHIN * np.finfo(float).eps * p.slow[row]
-                if abs(p.speed[row]) <= slow:
-                    state.resting.add(i)
+        for i, rows in enumerate(self.rows.tangent):
+            if rows and i in state.touching and self._is_still(p, rows, p.speed[rows]):
+                state.resting.add(i)
 
     # -- what happens -----------------------------------------------------------------------------
 
@@ -361,9 +391,11 @@ class _Run:
         """Return the modes that a contact may have, those that are likely first."""
         if i not in state.touching:
             return [OPEN]
-        row, found = self.rows.tangent[i], [CLOSED]
-        if row is not None:
-            sliding = [FORWARD if p.speed[row] > 0.0 else BACKWARD]
+        rows, found = self.rows.tangent[i], [CLOSED]
+        if len(rows) == 2:
+            found = [STICKS, STARTING] if i in state.resting else [SLIDING]
+        elif rows:
+            sliding = [FORWARD if p.speed[rows[0]] > 0.0 else BACKWARD]
             found = [STICKS, FORWARD, BACKWARD] if i in state.resting else sliding
         return found if self.rows.normal[i] is None else [*found, OPEN]
 
@@ -372,9 +404,10 @@ class _Run:
         p = self.numbers(state.t, state.x)
         problem = self.problem(p, state)
         for i in state.touching - state.resting:
-            normal, row = self.rows.normal[i], self.rows.tangent[i]
-            if normal is not None and row is not None and fixed.get(i) != OPEN:
-                push = p.mu[i] * np.sign(p.speed[row]) * p.square[normal, row]
+            normal, rows = self.rows.normal[i], self.rows.tangent[i]
+            if normal is not None and rows and fixed.get(i) != OPEN:
+                along = state.directions[i] if len(rows) == 2 else np.sign(p.speed[rows])
+                push = p.mu[i] * p.square[normal, rows] @ along
                 if p.square[normal, normal] - push <= SLACK * p.square[normal, normal]:
                     raise self.fail(
                         state.t, state.x,
@@ -432,10 +465,7 @@ class _Run:
             touching=frozenset(hit),
         )
         options = [
-            ([CLOSED, OPEN] if tangents[i] is None else [STICKS, FORWARD, BACKWARD, OPEN])
-            if i in hit
-            else [OPEN]
-            for i in range(len(self.contacts))
+            IMPACTS[len(tangents[i])] if i in hit else [OPEN] for i in range(len(self.contacts))
         ]
         found = chosen(problem, options)
         if found is None:
@@ -454,14 +484,13 @@ class _Run:
         state.x = before.copy()
         speeds = slice(self.first, self.first + p.moves.shape[0])
         state.x[speeds] += p.moves @ found.forces
-        impulses: dict[str, tuple[float, float]] = {}
+        impulses: dict[str, tuple[float, ...]] = {}
         for i in sorted(hit):
-            normal, row, mode = normals[i], tangents[i], found.modes[i]
+            normal, rows, mode = normals[i], tangents[i], found.modes[i]
             assert normal is not None
             name = self.contacts[i].name
             if mode != OPEN:
-                impulse = 0.0 if row is None else float(found.forces[row])
-                impulses[name] = float(found.forces[normal]), impulse
+                impulses[name] = tuple(float(found.forces[k]) for k in (normal, *rows))
             kept = 0.0 if i in rests or p.speed[normal] >= 0.0 or i not in closing else e[i]
             leaves = -kept * p.speed[normal] if mode != OPEN else after[normal]
             slow = SLACK * (abs(p.speed[normal]) + abs(after[normal]))
@@ -473,7 +502,7 @@ class _Run:
                 state.touching.add(i)
                 state.rising.discard(i)
                 state.resting.discard(i)
-                if row is not None and (mode == STICKS or self._is_still(p, row, after[row])):
+                if rows and (mode == STICKS or self._is_still(p, rows, after[rows])):
                     state.resting.add(i)
             if i in closing:
                 self.records.append(
@@ -491,19 +520,21 @@ class _Run:
                 self.first_height.pop(i, None)
         for i in state.touching:
             # Friction with a known normal force has no impulse, but may slide now.
-            row = tangents[i]
-            if normals[i] is None and row is not None:
+            rows = tangents[i]
+            if normals[i] is None:
                 state.resting.discard(i)
-                if self._is_still(p, row, after[row]):
+                if self._is_still(p, rows, after[rows]):
                     state.resting.add(i)
         self.impacts.append((state.t, impulses, work))
 
     def _is_closed(self, p: Numbers, i: int) -> bool:
         return bool(p.gap[i] <= WITHIN * np.finfo(float).eps * p.near[i])
 
-    def _is_still(self, p: Numbers, row: int, speed: float) -> bool:
-        slow = WITHIN * np.finfo(float).eps * max(p.slow[row], abs(p.speed[row]))
-        return bool(abs(speed) <= slow)
+    def _is_still(self, p: Numbers, rows: Sequence[int], speeds: np.ndarray) -> bool:
+        """Whether sliding speeds are zero beside the rounding of their terms, or what they were."""
+        sizes = np.maximum(p.slow[list(rows)], np.abs(p.speed[list(rows)]))
+        slow = WITHIN * np.finfo(float).eps * np.linalg.norm(sizes)
+        return bool(np.linalg.norm(speeds) <= slow)
 
     def _is_low(self, i: int, speed: float, acceleration: float) -> bool:
         """Whether the rebounds that follow are all lower than the tolerance of the solver.
@@ -544,6 +575,7 @@ class _Run:
 
     def run(self, state: _State, solution: Solution) -> tuple[bool, list[tuple[str, int]]]:
         """Integrate in one mode; return whether that is the end, and what ended it otherwise."""
+        state.directions.update(solution.directions)
         p = self.numbers(state.t, state.x)
         problem = self.problem(p, state)
         # An impact elsewhere may have turned round what was on its way up.
@@ -564,7 +596,7 @@ class _Run:
         self.states[here] = state.x
         if not later.any():
             return True, []
-        system.constants = dict(self._numbers_of)
+        system.constants = dict(self._numbers_of) | self.references(p, solution)
         system.specifieds = dict(self.kept._system._specifieds)
         system.ode_solver = self.kept._system.ode_solver
         system.times = np.concatenate([[state.t], self.times[later]])
@@ -572,6 +604,13 @@ class _Run:
         options = dict(self.options)
         if held:
             options["constraints"] = "project"
+        if self.leaps(p, solution) and "step" not in options:
+            # Where a body begins to slide in a plane, friction turns its velocity ever faster the
+            # slower it is: explicit methods would need steps in proportion to the speed, and the
+            # error of a long first step is hidden by the slopes at rest. Where it begins without an
+            # acceleration, μ being μ_static, these hide more: explicit methods have to do it.
+            system.ode_solver = "radau"
+            options["first_step"] = FIRST * self.resolution(state.t)
         try:
             part = system.simulate(events=[*events, *self.user_events], **options)
         except IntegrationError as error:
@@ -580,6 +619,37 @@ class _Run:
                 f"The integration stopped in the modes {', '.join(self.modes)}: {error}",
             ) from error  # fmt: skip
         return self.take(state, part, mode, kinds, system)
+
+    def leaps(self, p: Numbers, solution: Solution) -> bool:
+        """Whether contacts begin to slide in a plane, and at once with an acceleration."""
+        found = [i for i, mode in enumerate(solution.modes) if mode == STARTING]
+        for i in found:
+            rows = self.rows.tangent[i]
+            rate, free = (np.linalg.norm(part[rows]) for part in (solution.rates, p.free))
+            if rate <= BEGUN * free:
+                return False
+        return bool(found)
+
+    def references(self, p: Numbers, solution: Solution) -> dict[Any, float]:
+        """Return what tells in which directions contacts slide in a plane.
+
+        The least speed is rounding, or, where they begin to slide, a part of what the solver
+        resolves: below it the direction is that of the acceleration. They have begun at a part of
+        the speed that they would gain without contacts.
+        """
+        found: dict[Any, float] = {}
+        eps = np.finfo(float).eps
+        atol = float(np.min(self.options.get("atol", Options.atol)))
+        for i, symbols in self.rows.references.items():
+            rows = self.rows.tangent[i]
+            gained = float(np.linalg.norm(p.free[rows])) * self.span
+            least = float(eps) * max(float(np.linalg.norm(p.slow[rows])), gained)
+            if solution.modes[i] == STARTING:
+                least = max(least, RESOLVED * atol)
+            along = solution.directions.get(i, np.array([1.0, 0.0]))
+            values = [*map(float, along), least or 1.0, BEGUN * gained]
+            found.update(zip(symbols, values, strict=True))
+        return found
 
     def settle(self, state: _State, held: tuple[int, ...]) -> None:
         """Remove what rounding has left of gaps and speeds that are held, by Newton's method."""
@@ -608,6 +678,7 @@ class _Run:
         for name in self.totals:
             self.totals[name] += int(told.get(name, 0))
         own = len(kinds)
+        state.resting -= {i for i, what in enumerate(mode.modes) if what in SLIDES}
         for record in part.events:
             if record.index >= own and (record.time > state.t or not self.pieces):
                 self.records.append(replace(record, index=record.index + len(self.contacts) - own))
@@ -617,7 +688,7 @@ class _Run:
         acting = [r for r in at_end if r.index < own]
         rows = (self.times > state.t) & (self.times <= end)
         self.states[rows] = part.states[1 : 1 + int(rows.sum())]
-        self.check(part, mode, end)
+        self.check(part, mode, end, at_end[-1].before if stopped else None)
         columns = self.kept.columns(mode, system._now().definition)
         self.pieces.append(Piece(state.t, end, mode.modes, part._model, columns, part._dense))
         if not stopped:
@@ -628,18 +699,29 @@ class _Run:
             return True, []
         return False, [kinds[r.index] for r in acting]
 
-    def check(self, part: Any, mode: Mode, end: float) -> None:
+    def check(self, part: Any, mode: Mode, end: float, last: np.ndarray | None) -> None:
         """Refuse a motion in which a transition was missed: no number that is wrong is returned."""
         atol = float(np.max(self.options.get("atol", Options.atol)))
-        symbols = output_symbols([c.name for c in self.contacts])
+        symbols = output_symbols(self.contacts)
         few = np.append(np.linspace(part.times[0], end, CHECKED), end)
         few = np.unique(np.concatenate([few, part.times[part.times <= end]]))
         states = part._dense(few)
-        states[-1] = part.events[-1].before[: self.n] if part.events else states[-1]
+        if last is not None:  # the state that is kept there is the one after the event
+            states[-1] = last[: self.n]
         model = part._model
         table = model.outputs(few, np.ascontiguousarray(states))
         names = list(model.definition.outputs_symbols)
         for i, c in enumerate(self.contacts):
+            if mode.modes[i] in SLIDES:
+                values = table[:, names.index(symbols[i, "power"])]
+                most = SLACK * max(np.abs(values).max(initial=0.0), atol * self.largest)
+                if values.max() > most:
+                    worst = int(values.argmax())
+                    raise self.fail(
+                        float(few[worst]), states[worst],
+                        f"The friction of {c.name!r} drives it: the solver stepped over a reversal "
+                        "of its sliding speed. Limit the step with `max_step`.",
+                    )  # fmt: skip
             if c.unilateral is None:
                 continue
             what = "gap" if mode.modes[i] == OPEN else "normal"
@@ -666,7 +748,7 @@ class _Run:
         closing: set[int] = set()
         fixed: dict[int, str] = {}
         for i, mode in enumerate(self.modes):
-            normal, row = self.rows.normal[i], self.rows.tangent[i]
+            normal, rows = self.rows.normal[i], self.rows.tangent[i]
             what = {kind for kind, k in fired if k == i}
             if mode == OPEN:
                 assert normal is not None
@@ -689,13 +771,15 @@ class _Run:
             little = SLACK * solution.largest
             if normal is not None and ("opens" in what or press <= little):
                 fixed[i] = OPEN
-            elif row is not None and mode == STICKS:
-                force = solution.forces[row]
-                if "slips" in what or p.mu_static[i] * press - abs(force) <= little:
-                    fixed[i] = FORWARD if force < 0.0 else BACKWARD
-            elif row is not None:
-                slow = WITHIN * eps * p.slow[row] + abs(solution.rates[row]) * resolved
-                if "stops" in what or abs(p.speed[row]) <= slow:
+            elif mode == STICKS:
+                force = solution.forces[rows]
+                if "slips" in what or p.mu_static[i] * press - np.linalg.norm(force) <= little:
+                    one = FORWARD if force[0] < 0.0 else BACKWARD
+                    fixed[i] = STARTING if len(rows) == 2 else one
+            elif rows:
+                slow = np.linalg.norm(solution.rates[rows]) * resolved
+                still = self._is_still(p, rows, p.speed[rows])
+                if "stops" in what or still or np.linalg.norm(p.speed[rows]) <= slow:
                     state.resting.add(i)
             for kind in what & {"opens", "slips", "stops"}:
                 name = f"{self.contacts[i].name} {kind}"

@@ -2,7 +2,8 @@
 
 For accelerations of rows a = c + A λ, of impulses p likewise with velocities in place of a. A
 contact is open, with λ_n = 0 and a_n ≥ 0; or closed, with a_n = 0 and λ_n ≥ 0, and then it sticks,
-with a_t = 0 and |λ_t| ≤ μ λ_n, or slides in the direction s with λ_t = −μ s λ_n and s a_t ≥ 0.
+with a_t = 0 and |λ_t| ≤ μ λ_n, or slides in the direction s with λ_t = −μ s λ_n and s a_t ≥ 0. In
+a plane in space s is a unit vector, and a_t points along it where sliding begins.
 Where rows depend on each other, the forces are the least in the Euclidean norm.
 
 References
@@ -13,16 +14,17 @@ F. Pfeiffer, C. Glocker, Multibody Dynamics with Unilateral Contacts, Wiley, 199
 from __future__ import annotations
 
 import itertools
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from pydy._rank import DEPENDENT
-from pydy.contact.tuning import SLACK
+from pydy._rank import DEPENDENT, HALF, ROUNDED
+from pydy.contact.tuning import SLACK, TURNED, TURNS
 
 OPEN, CLOSED, STICKS, FORWARD, BACKWARD = "open", "closed", "sticks", "slides +", "slides -"
-SLIDES = {FORWARD: 1.0, BACKWARD: -1.0}
+SLIDING, STARTING = "slides", "begins to slide"  # in a plane, in some direction
+SLIDES = {FORWARD: 1.0, BACKWARD: -1.0, SLIDING: 1.0, STARTING: 1.0}
 
 
 @dataclass(frozen=True)
@@ -35,8 +37,10 @@ class Problem:
         c.
     square : ndarray, shape (rows, rows)
         A.
-    normal, tangent : sequences of int or None
-        The rows of each contact.
+    normal : sequence of int or None
+        The normal row of each contact.
+    tangent : sequence of sequences of int
+        The tangential rows of each contact: none, one or two.
     mu, hold : ndarray, shape (contacts,)
         Coefficients of kinetic friction, and of the largest friction that holds.
     pressed : ndarray, shape (contacts,)
@@ -45,17 +49,20 @@ class Problem:
         Contacts whose direction of sliding is free, and must agree with a_t.
     touching : collection of int
         Contacts with a gap of zero: where they open, a_n must not be negative.
+    directions : mapping of int to ndarray, shape (2,)
+        The directions in which contacts slide in a plane, if they do.
     """
 
     free: np.ndarray
     square: np.ndarray
     normal: Sequence[int | None]
-    tangent: Sequence[int | None]
+    tangent: Sequence[Sequence[int]]
     mu: np.ndarray
     hold: np.ndarray
     pressed: np.ndarray
     resting: frozenset[int]
     touching: frozenset[int]
+    directions: Mapping[int, np.ndarray] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -72,6 +79,8 @@ class Solution:
         Whether the equations have a solution.
     largest : float
         The largest of the forces, and of those that would change the accelerations as much.
+    directions : mapping of int to ndarray
+        Those of the problem, and those that were found.
     """
 
     modes: tuple[str, ...]
@@ -80,6 +89,7 @@ class Solution:
     margins: np.ndarray
     consistent: bool
     largest: float
+    directions: Mapping[int, np.ndarray] = field(default_factory=dict)
 
 
 def held_rows(problem: Problem, modes: Sequence[str]) -> list[int]:
@@ -89,8 +99,8 @@ def held_rows(problem: Problem, modes: Sequence[str]) -> list[int]:
         normal, tangent = problem.normal[i], problem.tangent[i]
         if normal is not None and mode != OPEN:
             found.append(normal)
-        if tangent is not None and mode == STICKS:
-            found.append(tangent)
+        if mode == STICKS:
+            found += tangent
     return found
 
 
@@ -110,25 +120,32 @@ def independent(square: np.ndarray, rows: Sequence[int]) -> list[int]:
     return found
 
 
+def direction(problem: Problem, i: int, mode: str) -> np.ndarray:
+    """Return the unit vector in which a contact slides."""
+    if mode in (SLIDING, STARTING):
+        return problem.directions[i]
+    return np.array([SLIDES[mode]])
+
+
 def directions(problem: Problem, modes: Sequence[str]) -> tuple[np.ndarray, np.ndarray]:
     """Return the forces of all rows as B y + k of unknowns y, and k."""
     rows = len(problem.free)
     columns, known = [], np.zeros(rows)
     for i, mode in enumerate(modes):
-        normal, tangent = problem.normal[i], problem.tangent[i]
+        normal, tangent = problem.normal[i], list(problem.tangent[i])
         if mode == OPEN:
             continue
         if normal is not None:
             column = np.zeros(rows)
             column[normal] = 1.0
-            if tangent is not None and mode in SLIDES:
-                column[tangent] = -problem.mu[i] * SLIDES[mode]
+            if mode in SLIDES:
+                column[tangent] = -problem.mu[i] * direction(problem, i, mode)
             columns.append(column)
-        elif tangent is not None and mode in SLIDES:
-            known[tangent] = -problem.mu[i] * SLIDES[mode] * problem.pressed[i]
-        if tangent is not None and mode == STICKS:
+        elif mode in SLIDES:
+            known[tangent] = -problem.mu[i] * direction(problem, i, mode) * problem.pressed[i]
+        for row in tangent if mode == STICKS else ():
             column = np.zeros(rows)
-            column[tangent] = 1.0
+            column[row] = 1.0
             columns.append(column)
     return np.array(columns).reshape(len(columns), rows).T, known
 
@@ -159,28 +176,69 @@ def solved(problem: Problem, modes: Sequence[str]) -> Solution:
 
     margins = np.full(len(modes), np.inf)
     for i, mode in enumerate(modes):
-        normal, tangent = problem.normal[i], problem.tangent[i]
+        normal, tangent = problem.normal[i], list(problem.tangent[i])
         own = []
         if mode == OPEN:
             if normal is not None and i in problem.touching:
                 own.append(share(rates[normal], terms[normal]))
         elif normal is not None:
             own.append(share(forces[normal], largest))
-        if tangent is not None and mode == STICKS:
+        if mode == STICKS:
             press = problem.pressed[i] if normal is None else forces[normal]
-            own.append(share(problem.hold[i] * press - abs(forces[tangent]), largest))
-        if tangent is not None and mode in SLIDES and i in problem.resting:
-            own.append(share(SLIDES[mode] * rates[tangent], terms[tangent]))
+            friction = float(np.linalg.norm(forces[tangent]))
+            own.append(share(problem.hold[i] * press - friction, largest))
+        if mode in SLIDES and i in problem.resting:
+            along = direction(problem, i, mode) @ rates[tangent]
+            own.append(share(float(along), float(np.linalg.norm(terms[tangent]))))
         margins[i] = min(own, default=np.inf)
-    return Solution(tuple(modes), forces, rates, margins, consistent, largest)
+    return Solution(tuple(modes), forces, rates, margins, consistent, largest, problem.directions)
+
+
+def turned(problem: Problem, modes: Sequence[str]) -> Solution | None:
+    """Return the solution where contacts that begin to slide do so in the directions of a_t.
+
+    The first guess is against the friction that would hold them; it is exact for bodies that move
+    alike in all directions. Newton's method turns them until a_t has no part across. None: there is
+    no end.
+    """
+    free = [i for i, mode in enumerate(modes) if mode == STARTING and i in problem.resting]
+    if not free:
+        return solved(problem, modes)
+    held = solved(problem, [STICKS if i in free else mode for i, mode in enumerate(modes)])
+    angles = np.zeros(len(free))
+    for k, i in enumerate(free):
+        one, two = -held.forces[list(problem.tangent[i])]
+        angles[k] = np.arctan2(two, one)
+
+    def tried(angles: np.ndarray) -> tuple[Solution, np.ndarray]:
+        units = np.stack([np.cos(angles), np.sin(angles)], axis=1)
+        directions = {**problem.directions, **dict(zip(free, units, strict=True))}
+        found = solved(replace(problem, directions=directions), modes)
+        across = np.zeros(len(free))
+        for k, i in enumerate(free):
+            own = list(problem.tangent[i])
+            rate, unit = found.rates[own], units[k]
+            size = np.abs(problem.free[own]) + np.abs(problem.square[own]) @ np.abs(found.forces)
+            whole = np.linalg.norm(size)
+            across[k] = (unit[0] * rate[1] - unit[1] * rate[0]) / whole if whole > 0.0 else 0.0
+        return found, across
+
+    for _ in range(TURNS):
+        found, across = tried(angles)
+        if np.abs(across).max() <= ROUNDED:
+            return found
+        columns = [(tried(angles + HALF * unit)[1] - across) / HALF for unit in np.eye(len(free))]
+        step = np.linalg.lstsq(np.array(columns).T, -across, rcond=DEPENDENT)[0]
+        angles = angles + np.clip(step, -TURNED, TURNED)
+    return None
 
 
 def chosen(problem: Problem, options: Sequence[Sequence[str]]) -> Solution | None:
     """Return the first combination whose inequalities hold, or nearly hold; None if none does."""
     near: Solution | None = None
     for modes in itertools.product(*options):
-        tried = solved(problem, modes)
-        if not tried.consistent or not np.isfinite(tried.forces).all():
+        tried = turned(problem, modes)
+        if tried is None or not tried.consistent or not np.isfinite(tried.forces).all():
             continue
         worst = tried.margins.min(initial=np.inf)
         if worst >= 0.0:

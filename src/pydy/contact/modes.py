@@ -6,18 +6,17 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
-import numpy as np
 import sympy as sm
 
 from pydy._graph.from_sympy import NodeExpression
 from pydy._graph.node import Graph
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.extract import extract
-from pydy.contact.decide import OPEN, SLIDES, STICKS
+from pydy.contact.conditions import Contact
+from pydy.contact.decide import OPEN, SLIDES, SLIDING, STARTING, STICKS
 from pydy.contact.rows import ContactRows
+from pydy.contact.tuning import TURNED
 from pydy.solvers.events import Event
-
-QUANTITIES = ("gap", "normal", "friction", "sliding", "power")
 
 
 @dataclass(frozen=True, eq=False)
@@ -32,13 +31,16 @@ def _(mode: ModeEquations, source: str | None = None) -> Equations:
     return mode.equations
 
 
-def output_symbols(names: Sequence[str]) -> dict[tuple[int, str], Any]:
-    """Return the names of the outputs of each contact."""
-    return {
-        (i, what): sm.Symbol(f"{name}_{what}")
-        for i, name in enumerate(names)
-        for what in QUANTITIES
-    }
+def output_symbols(contacts: Sequence[Contact]) -> dict[tuple[int, str], Any]:
+    """Return the outputs of each contact, by its place and what they are."""
+    found = {}
+    for i, c in enumerate(contacts):
+        number = 0 if c.stick is None else 2 if c.stick.plane else 1
+        parts = ["gap"] if c.unilateral is not None else []
+        parts += ["normal", *_names("friction", number), *_names("sliding", number)]
+        parts += ["power"] if number else []
+        found.update({(i, what): sm.Symbol(f"{c.name}_{what}") for what in parts})
+    return found
 
 
 class Mode:
@@ -109,14 +111,16 @@ class Mode:
             normal, tangent = rows.normal[i], rows.tangent[i]
             if mode == OPEN:
                 continue
+            along = self._direction(i, mode) if mode in SLIDES else []
             if normal is not None:
                 unknown.append({normal: g.one})
-                if tangent is not None and mode in SLIDES:
-                    unknown[-1][tangent] = g.sum([(rows.mu[i], -SLIDES[mode])])
-            elif tangent is not None and mode in SLIDES:
-                forces[tangent].append((g.mul(rows.mu[i], rows.pressed[i]), -SLIDES[mode]))
-            if tangent is not None and mode == STICKS:
-                unknown.append({tangent: g.one})
+                for row, unit in zip(tangent, along, strict=bool(along)):
+                    unknown[-1][row] = g.sum([(g.mul(rows.mu[i], unit), -1.0)])
+            else:
+                for row, unit in zip(tangent, along, strict=bool(along)):
+                    forces[row].append((g.mul(rows.mu[i], rows.pressed[i], unit), -1.0))
+            if mode == STICKS:
+                unknown += [{row: g.one} for row in tangent]
         known = [g.sum(part) for part in forces]
         base = [
             g.sum([(a, 1.0), *(
@@ -154,6 +158,30 @@ class Mode:
                 forces[row].append((g.mul(share, y), 1.0))
         self.forces = [g.sum(part) for part in forces]
 
+    def _direction(self, i: int, mode: str) -> list[int]:
+        """Return the direction in which a contact slides.
+
+        In a plane it is w/|w|, with w = v + ε d, which is v but for the least speed ε, along the
+        reference d where v vanishes. When a body slides its sign is that of w·d: the direction does
+        not jump where v passes through zero, so that this is located.
+        """
+        g, rows = self.graph, self.rows
+        if mode not in (SLIDING, STARTING):
+            return [g.const(SLIDES[mode])]
+        *reference, least, _ = self._reference(i)
+        speeds = [
+            g.add(rows.speeds[k], g.mul(least, own))
+            for k, own in zip(rows.tangent[i], reference, strict=True)
+        ]
+        ahead = g.call("lt", g.zero, rows.dot(g, speeds, reference))
+        sign = g.one if mode == STARTING else g.call("select", ahead, g.one, g.const(-1.0))
+        size = g.call("sqrt", rows.dot(g, speeds, speeds))
+        return [g.div(g.mul(sign, speed), size) for speed in speeds]
+
+    def _reference(self, i: int) -> list[int]:
+        nodes = {symbol: node for node, symbol in self.rows.symbols.items()}
+        return [nodes[s] for s in self.rows.references[i]]
+
     def _unknown_normals(self) -> list[tuple[int, int | None]]:
         """Return the contact of each unknown, and its normal row, or None for a tangential one."""
         found: list[tuple[int, int | None]] = []
@@ -162,8 +190,8 @@ class Mode:
                 continue
             if self.rows.normal[i] is not None:
                 found.append((i, self.rows.normal[i]))
-            if self.rows.tangent[i] is not None and mode == STICKS:
-                found.append((i, None))
+            if mode == STICKS:
+                found += [(i, None) for _ in self.rows.tangent[i]]
         return found
 
     def _expression(self, node: int, name: str) -> Any:
@@ -174,18 +202,21 @@ class Mode:
 
     def _outputs(self) -> dict[Any, Any]:
         rows, g = self.rows, self.graph
-        symbols = output_symbols([c.name for c in rows.contacts])
+        symbols = output_symbols(rows.contacts)
         found: dict[Any, Any] = {}
-        for i, c in enumerate(rows.contacts):
+        for i in range(len(rows.contacts)):
             normal, tangent = rows.normal[i], rows.tangent[i]
-            force = g.zero if tangent is None else self.forces[tangent]
-            press = rows.pressed[i] if normal is None else self.forces[normal]
-            speed = g.zero if tangent is None else rows.speeds[tangent]
-            nodes = (rows.gaps[i], press, force, speed, g.mul(force, speed))
-            for what, node in zip(QUANTITIES, nodes, strict=True):
-                symbol = symbols[i, what]
-                if _stated(c.kind, what):
-                    found[symbol] = self._expression(node, str(symbol))
+            forces, speeds = ([part[k] for k in tangent] for part in (self.forces, rows.speeds))
+            nodes = {
+                "gap": rows.gaps[i],
+                "normal": rows.pressed[i] if normal is None else self.forces[normal],
+                "power": rows.dot(g, forces, speeds),
+            }
+            for what, parts in (("friction", forces), ("sliding", speeds)):
+                nodes |= dict(zip(_names(what, len(tangent)), parts, strict=True))
+            for (k, what), symbol in symbols.items():
+                if k == i:
+                    found[symbol] = self._expression(nodes[what], str(symbol))
         return found
 
     def events(self, rising: frozenset[int]) -> tuple[list[Event], list[tuple[str, int]]]:
@@ -210,14 +241,25 @@ class Mode:
             press = rows.pressed[i] if normal is None else self.forces[normal]
             if normal is not None:
                 watch(press, "opens", i)
-            if tangent is not None and mode == STICKS:
-                most, force = g.mul(rows.static[i], press), self.forces[tangent]
-                watch(g.sub(most, force), "slips", i)
-                watch(g.add(most, force), "slips", i)
-            if tangent is not None and mode in SLIDES:
-                watch(g.sum([(rows.speeds[tangent], SLIDES[mode])]), "stops", i)
-                if i in self.pivots:
-                    watch(self.pivots[i], "jams", i)
+            forces, speeds = ([part[k] for k in tangent] for part in (self.forces, rows.speeds))
+            most = g.mul(rows.static[i], press)
+            if mode == STICKS and len(tangent) == 2:
+                watch(g.sub(g.powi(most, 2), rows.dot(g, forces, forces)), "slips", i)
+            elif mode == STICKS:
+                watch(g.sub(most, forces[0]), "slips", i)
+                watch(g.add(most, forces[0]), "slips", i)
+            if mode in (SLIDING, STARTING):
+                *reference, _, clear = self._reference(i)
+                ahead, square = (rows.dot(g, speeds, other) for other in (reference, speeds))
+                watch(ahead, "stops", i)
+                if mode == STARTING:
+                    watch(g.sub(g.powi(clear, 2), square), "clears", i)
+                else:
+                    watch(g.sum([(g.powi(ahead, 2), 1.0), (square, -(TURNED**2))]), "bends", i)
+            elif mode in SLIDES:
+                watch(g.sum([(speeds[0], SLIDES[mode])]), "stops", i)
+            if mode in SLIDES and i in self.pivots:
+                watch(self.pivots[i], "jams", i)
         found = [
             Event(self._expression(node, what), direction=-1, terminal=True, name=f"{k}: {what}")
             for k, (node, (what, _)) in enumerate(zip(nodes, kinds, strict=True))
@@ -225,19 +267,6 @@ class Mode:
         return found, kinds
 
 
-def _stated(kind: str, what: str) -> bool:
-    """Return whether a contact of some kind has a quantity."""
-    if what == "gap":
-        return kind != "friction"
-    return what == "normal" or kind != "gap"
-
-
-def stated_symbols(names: Sequence[str], kinds: Sequence[str]) -> list[Any]:
-    """Return the outputs of all contacts, in order."""
-    symbols = output_symbols(names)
-    return [s for (i, what), s in symbols.items() if _stated(kinds[i], what)]
-
-
-def rows_of(table: np.ndarray, columns: Sequence[int]) -> np.ndarray:
-    """Return some columns of a table."""
-    return np.ascontiguousarray(table[:, list(columns)])
+def _names(what: str, number: int) -> list[str]:
+    """Return the names of the parts of a tangential quantity."""
+    return [what] if number == 1 else [f"{what}_{k + 1}" for k in range(number)]

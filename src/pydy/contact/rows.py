@@ -68,6 +68,13 @@ class ContactRows:
     ) -> None:
         self.equations, self.contacts = equations, tuple(contacts)
         formed = _checked(equations)
+        # For sliding in a plane: a direction in which each contact slides, and two speeds.
+        self.references = {
+            i: sm.symbols([f"{c.name}_reference_{k}" for k in ("1", "2", "least", "clear")])
+            for i, c in enumerate(contacts)
+            if c.stick is not None and c.stick.plane
+        }
+        constants = [*constants, *(s for own in self.references.values() for s in own)]
         more = [s for s in constants if s not in formed.constants]
         others = [s for s in specifieds if s not in formed.specifieds]
         self.formed = replace(
@@ -93,7 +100,7 @@ class ContactRows:
         atoms.update(zip(e.speed_rates, du, strict=True))
         read = SymPyReader(g, atoms, "the contacts")
         self.normal: list[int | None] = []
-        self.tangent: list[int | None] = []
+        self.tangent: list[list[int]] = []
         speeds: list[Any] = []
         gaps: list[int] = []
         for c in self.contacts:
@@ -104,11 +111,12 @@ class ContactRows:
                 gaps.append(read(c.unilateral.gap))
             else:
                 gaps.append(g.zero)
-            self.tangent.append(None if c.stick is None else len(speeds))
-            if c.stick is not None:
-                assert e.mechanism is not None
-                speed = e.in_states(sm.sympify(c.stick.speed(e.mechanism.frame)))
+            self.tangent.append([])
+            frame = getattr(e.mechanism, "frame", None)
+            for part in () if c.stick is None else c.stick.speeds(frame):
+                speed = e.in_states(sm.sympify(part))
                 _check_linear(e, speed, c.name)
+                self.tangent[-1].append(len(speeds))
                 speeds.append(speed)
         read.what = "the contacts"
         self.speed_expressions = speeds
@@ -133,7 +141,10 @@ class ContactRows:
         ]
 
     def _owners(self) -> list[Contact]:
-        return [c for c in self.contacts for part in (c.unilateral, c.stick) if part is not None]
+        found = []
+        for c, normal, tangent in zip(self.contacts, self.normal, self.tangent, strict=True):
+            found += [c] * (len(tangent) + (normal is not None))
+        return found
 
     def _free(self) -> list[int]:
         """Return u' without contact forces."""

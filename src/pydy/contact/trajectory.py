@@ -97,17 +97,20 @@ class ContactTrajectory(Trajectory):
 
     Its outputs include, for a contact of the name ``floor``, ``floor_gap``, ``floor_normal`` (the
     normal force), ``floor_friction``, ``floor_sliding`` (the sliding speed) and ``floor_power``
-    (that of the friction, which is not positive). Its `events` are the transitions: ``'floor
-    closes'``, ``'floor opens'``, ``'floor slips'`` (it stuck until then), ``'floor stops'`` (its
-    sliding speed vanishes), and ``'floor rests'``, the limit of impacts that accumulate.
+    (that of the friction, which is not positive). In a plane in space ``floor_friction_1`` and
+    ``floor_friction_2`` are along the two vectors, and so are the sliding speeds. Its `events` are
+    the transitions: ``'floor closes'``, ``'floor opens'``, ``'floor slips'`` (it stuck until then),
+    ``'floor stops'`` (its sliding speed vanishes), and ``'floor rests'``, the limit of impacts that
+    accumulate.
 
     Attributes
     ----------
     modes : list of (float, float, dict)
         When each part of the motion begins and ends, and the mode of each contact in it: 'open',
-        'closed' (without friction), 'sticks', 'slides +' or 'slides -'.
+        'closed' (without friction), 'sticks', 'slides +' or 'slides -'; in a plane in space 'begins
+        to slide' or 'slides'.
     impacts : list of (float, dict)
-        The time of each impact, and the impulses of each contact: (normal, tangential).
+        The time of each impact, and the impulses of each contact: normal, then tangential.
     """
 
     def __init__(
@@ -115,7 +118,7 @@ class ContactTrajectory(Trajectory):
         *args: Any,
         pieces: Pieces,
         names: Sequence[str],
-        impacts: Sequence[tuple[float, dict[str, tuple[float, float]], float]],
+        impacts: Sequence[tuple[float, dict[str, tuple[float, ...]], float]],
         **options: Any,
     ) -> None:
         super().__init__(*args, model=pieces, dense=pieces.states, **options)

@@ -5,13 +5,18 @@ from __future__ import annotations
 from pydy._rank import HALF, ROUNDING
 
 __all__ = [
+    "BEGUN",
     "CHECKED",
     "CONTACTS",
+    "FIRST",
     "INSTANT",
     "RESOLUTION",
+    "RESOLVED",
     "SETTLING",
     "SLACK",
     "STALLED",
+    "TURNED",
+    "TURNS",
     "WITHIN",
 ]
 
@@ -42,3 +47,24 @@ CHECKED = 33
 
 SETTLING = 3
 """Newton steps from a state that is off by rounding: the second changes the last digits, if any."""
+
+TURNS = 40
+"""Newton steps for the directions in which contacts begin to slide."""
+
+TURNED = 0.5
+"""The cosine of the angle by which a sliding velocity may turn before its direction is noted again:
+a velocity through zero is told from one that turns round by its sign along that direction. In rad,
+the most by which a Newton step turns a direction."""
+
+RESOLVED = 2.0**-6
+"""The part of the absolute tolerance below which a speed in a plane has no direction: what this
+changes is as small."""
+
+BEGUN = 2.0**-10
+"""The speed from which on a body slides like any other, in units of what it would gain without
+contacts: explicit methods then need some thousand steps for the whole time, where friction turns
+the velocity."""
+
+FIRST = 16.0
+"""The first step of a body that begins to slide in a plane, in units of `RESOLUTION`; a dozen steps
+that grow as they may lead from there to any other size."""
