@@ -1,0 +1,673 @@
+"""One simulation with contacts: from transition to transition."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+import numpy as np
+
+from pydy._errors import ContactError, IntegrationError
+from pydy._system.snapshot import Snapshot
+from pydy.contact.conditions import Contact, check_values
+from pydy.contact.decide import (
+    BACKWARD,
+    CLOSED,
+    FORWARD,
+    OPEN,
+    SLIDES,
+    SLIDING,
+    STARTING,
+    STICKS,
+    Problem,
+    Solution,
+    chosen,
+    held_rows,
+    independent,
+    solved,
+)
+from pydy.contact.modes import Mode, output_symbols
+from pydy.contact.rows import ContactRows, Numbers
+from pydy.contact.trajectory import ContactTrajectory, Piece, Pieces
+from pydy.contact.tuning import (
+    BEGUN,
+    CHECKED,
+    FIRST,
+    INSTANT,
+    RESOLUTION,
+    RESOLVED,
+    SETTLING,
+    SLACK,
+    STALLED,
+    WITHIN,
+)
+from pydy.solvers.events import EventRecord
+from pydy.solvers.options import Options
+from pydy.solvers.outcome import TERMINATED
+from pydy.system import System
+
+IMPACTS = (  # what an impulse may do, by the number of tangential directions
+    [CLOSED, OPEN],
+    [STICKS, FORWARD, BACKWARD, OPEN],
+    [STICKS, STARTING, OPEN],
+)
+
+
+class Compiled:
+    """What is made for a definition: rows of the contacts, and modes as they occur."""
+
+    def __init__(self, system: System, now: Snapshot, contacts: tuple[Contact, ...]) -> None:
+        self.definition, self.contacts = now.definition, contacts
+        self.rows = ContactRows(
+            now.definition.equations, contacts, now.definition.constants, now.definition.specifieds
+        )
+        self.stated = list(output_symbols(contacts).values())
+        hidden = [s for own in self.rows.references.values() for s in own]
+        self.constants = (*self.definition.constants, *hidden)
+        self.modes: dict[tuple[tuple[str, ...], tuple[int, ...]], tuple[Mode, System]] = {}
+        self._events: dict[Any, Any] = {}
+        self._users = system._define.users(system._outputs, system._forces)
+        self._system = system
+
+    def mode(self, modes: tuple[str, ...], held: tuple[int, ...], every: Any) -> Any:
+        """Return a Mode and its System."""
+        key = modes, held
+        if key not in self.modes:
+            made = Mode(self.rows, modes, held, every)
+            system = System(
+                made.equations,
+                outputs={**self._users, **made.outputs},
+                specifieds=dict(self._system._specifieds),
+                constants_symbols=self.constants,
+                specifieds_symbols=self.definition.specifieds,
+            )
+            self.modes[key] = made, system
+        return self.modes[key]
+
+    def events(self, mode: Mode, rising: frozenset[int]) -> Any:
+        """Return the events of a Mode, made once."""
+        key = mode, rising
+        if key not in self._events:
+            self._events[key] = mode.events(rising)
+        return self._events[key]
+
+    def columns(self, mode: Mode, definition: Any) -> list[int]:
+        """Return which outputs of a mode are those of the trajectory."""
+        own = list(definition.outputs_symbols)
+        base = self.definition
+        h, n = len(base.equations.holonomic), len(base.equations.nonholonomic)
+        residuals = list(definition.residuals)
+        kept = [*residuals[:h], *residuals[len(residuals) - n :]] if n else residuals[:h]
+        users = base.symbols_by_kind["output"]
+        return [own.index(s) for s in (*users, *self.stated, *kept)]
+
+
+@dataclass
+class State:
+    """Where the motion is."""
+
+    t: float
+    x: np.ndarray
+    touching: set[int]
+    rising: set[int]  # open, and on the way up
+    resting: set[int]  # contacts whose sliding speed is zero
+    directions: dict[int, np.ndarray] = field(default_factory=dict)  # of those in a plane
+
+
+class Run:
+    """One simulation."""
+
+    def __init__(
+        self,
+        kept: Compiled,
+        now: Snapshot,
+        times: np.ndarray,
+        events: list[Any],
+        options: dict[str, Any],
+    ) -> None:
+        self.kept, self.now, self.times = kept, now, times
+        self.user_events, self.options = events, options
+        self.rows, self.contacts = kept.rows, kept.contacts
+        self.span = float(times[-1] - times[0])
+        self.n = len(now.definition.states)
+        self.first = len(now.definition.equations.coordinates)
+        self.states = np.full((len(times), self.n), np.nan)
+        self.pieces: list[Piece] = []
+        self.records: list[EventRecord] = []
+        self.impacts: list[tuple[float, dict[str, tuple[float, ...]], float]] = []
+        self.first_height: dict[int, float] = {}
+        self.modes: tuple[str, ...] = tuple(OPEN for _ in self.contacts)
+        self.largest = 0.0  # of the forces where a part of the motion begins
+        self.reached = np.ones(len(times), dtype=bool)
+        self.totals = {"steps": 0, "rejected": 0, "evaluations": 0}
+        self._numbers_of: dict[Any, float] = dict(
+            zip(now.definition.constants, now.p.tolist(), strict=True)
+        )
+
+    # -- numbers ----------------------------------------------------------------------------------
+
+    def numbers(self, t: float, x: np.ndarray) -> Numbers:
+        """Return the rows of the contacts at a state."""
+        definition = self.now.definition
+        values = dict(self._numbers_of)
+        values[definition.equations.time] = t
+        values.update(zip(definition.states, x.tolist(), strict=True))
+        if definition.specifieds:
+            r = self.now.specifieds(np.array([t]), x[None])[0]
+            values.update(zip(definition.specifieds, r.tolist(), strict=True))
+        return self.rows.numbers(values)
+
+    def problem(self, p: Numbers, state: State) -> Problem:
+        """Return what the combinations of modes are tried on, for accelerations."""
+        self.note_directions(p, state)
+        return Problem(
+            p.free, p.square, self.rows.normal, self.rows.tangent, p.mu, p.mu_static, p.normal,
+            frozenset(state.resting), frozenset(state.touching), dict(state.directions),
+        )  # fmt: skip
+
+    def note_directions(self, p: Numbers, state: State) -> None:
+        """Note in which directions contacts slide in a plane; those that begin to keep theirs."""
+        for i, rows in enumerate(self.rows.tangent):
+            if len(rows) == 2 and i in state.touching and i not in state.resting:
+                speed = p.speed[rows]
+                if not self._is_still(p, rows, speed):
+                    state.directions[i] = speed / np.linalg.norm(speed)
+
+    def resolution(self, t: float) -> float:
+        """Return the time within which events happen at the same instant."""
+        return RESOLUTION * max(abs(t), self.span)
+
+    def fail(self, t: float, x: np.ndarray, why: str) -> ContactError:
+        """Return an error with the state, the modes and the results so far."""
+        names = [str(s) for s in self.now.definition.states]
+        state = ", ".join(f"{n} = {v:.6g}" for n, v in zip(names, x, strict=True))
+        done = int((self.times < t).sum())
+        modes = dict(zip([c.name for c in self.contacts], self.modes, strict=True))
+        return ContactError(
+            f"{why} At t = {t!r} in the state {state}; the modes before were {modes}.",
+            self.times[:done].copy(),
+            self.states[:done].copy(),
+            t,
+            x.copy(),
+            {"modes": modes, "events": list(self.records)},
+        )
+
+    # -- the start --------------------------------------------------------------------------------
+
+    def begin(self) -> State:
+        """Return the state at the first time, after the impacts that happen there."""
+        t, x = float(self.times[0]), self.now.x.copy()
+        p = self.numbers(t, x)
+        named = [
+            {"restitution": e, "mu": mu, "mu_static": static}
+            for e, mu, static in zip(p.restitution, p.mu, p.mu_static, strict=True)
+        ]
+        check_values(self.contacts, named)
+        state = State(t, x, set(), set(), set())
+        closing = set()
+        for i, c in enumerate(self.contacts):
+            normal = self.rows.normal[i]
+            if normal is None:
+                state.touching.add(i)
+                continue
+            if not p.square[normal, normal] > 0.0:
+                raise self.fail(t, x, f"No speed can change the gap of {c.name!r} here.")
+            nothing = WITHIN * np.finfo(float).eps * p.near[i]
+            if p.gap[i] < -nothing:
+                raise ValueError(
+                    f"The gap of {c.name!r} must not be negative at the first time, got "
+                    f"{p.gap[i]:.6g}. Change the initial conditions, or the sign of the gap."
+                )
+            if p.gap[i] <= nothing:
+                speed = p.speed[normal]
+                slow = WITHIN * np.finfo(float).eps * p.slow[normal]
+                if speed > slow:
+                    state.rising.add(i)
+                elif speed < -slow:
+                    closing.add(i)
+                else:
+                    state.touching.add(i)
+        self._find_resting(state, p)
+        self.modes = tuple(
+            OPEN if i not in state.touching else self.options_of(state, p, i)[0]
+            for i in range(len(self.contacts))
+        )
+        if closing:
+            self.impact(state, closing)
+        return state
+
+    def _find_resting(self, state: State, p: Numbers) -> None:
+        for i, rows in enumerate(self.rows.tangent):
+            if rows and i in state.touching and self._is_still(p, rows, p.speed[rows]):
+                state.resting.add(i)
+
+    # -- what happens -----------------------------------------------------------------------------
+
+    def options_of(self, state: State, p: Numbers, i: int) -> list[str]:
+        """Return the modes that a contact may have, those that are likely first."""
+        if i not in state.touching:
+            return [OPEN]
+        rows, found = self.rows.tangent[i], [CLOSED]
+        if len(rows) == 2:
+            found = [STICKS, STARTING] if i in state.resting else [SLIDING]
+        elif rows:
+            sliding = [FORWARD if p.speed[rows[0]] > 0.0 else BACKWARD]
+            found = [STICKS, FORWARD, BACKWARD] if i in state.resting else sliding
+        return found if self.rows.normal[i] is None else [*found, OPEN]
+
+    def decide(self, state: State, fixed: dict[int, str]) -> Solution:
+        """Return the modes from here on, by the complementarity of the accelerations."""
+        p = self.numbers(state.t, state.x)
+        problem = self.problem(p, state)
+        for i in state.touching - state.resting:
+            normal, rows = self.rows.normal[i], self.rows.tangent[i]
+            if normal is not None and rows and fixed.get(i) != OPEN:
+                along = state.directions[i] if len(rows) == 2 else np.sign(p.speed[rows])
+                push = p.mu[i] * p.square[normal, rows] @ along
+                if p.square[normal, normal] - push <= SLACK * p.square[normal, normal]:
+                    raise self.fail(
+                        state.t, state.x,
+                        f"Painlevé's paradox: a normal force at {self.contacts[i].name!r}, which "
+                        "slides, would not push the bodies apart, because its friction pulls them "
+                        "together by more.",
+                    )  # fmt: skip
+        every = [self.options_of(state, p, i) for i in range(len(self.contacts))]
+        wanted = [[fixed[i]] if i in fixed else own for i, own in enumerate(every)]
+        found = chosen(problem, wanted) or (chosen(problem, every) if fixed else None)
+        if found is None:
+            raise self.fail(
+                state.t, state.x,
+                "Jamming: no combination of contacts that open, stick and slide satisfies the "
+                "equations of motion.",
+            )  # fmt: skip
+        for i, mode in enumerate(found.modes):
+            if mode == OPEN and i in state.touching:
+                state.touching.discard(i)
+                state.resting.discard(i)
+                state.rising.add(i)
+        return found
+
+    def impact(self, state: State, closing: set[int]) -> None:
+        """Apply the impulses of contacts that close; all that are closed take part."""
+        p = self.numbers(state.t, state.x)
+        normals, tangents = self.rows.normal, self.rows.tangent
+        hit = {
+            i
+            for i, normal in enumerate(normals)
+            if normal is not None
+            and (i in closing | state.touching or (i in state.rising and self._is_closed(p, i)))
+        }
+        e = p.restitution.copy()
+        rates = solved(self.problem(p, state), self.modes).rates
+        rests: list[int] = []
+        for i in sorted(closing):
+            normal = normals[i]
+            assert normal is not None
+            if e[i] > 0.0 and self._is_low(i, e[i] * abs(p.speed[normal]), rates[normal]):
+                rests.append(i)
+        start = p.speed.copy()
+        for i in hit:
+            normal = normals[i]
+            if normal is not None and p.speed[normal] < 0.0 and i in closing:
+                start[normal] = p.speed[normal] * (1.0 + (0.0 if i in rests else e[i]))
+            elif normal is not None and i in state.touching:
+                start[normal] = 0.0
+        problem = replace(
+            self.problem(p, state),
+            free=start,
+            hold=p.mu,
+            pressed=np.zeros(len(self.contacts)),
+            resting=frozenset(hit),
+            touching=frozenset(hit),
+        )
+        options = [
+            IMPACTS[len(tangents[i])] if i in hit else [OPEN] for i in range(len(self.contacts))
+        ]
+        found = chosen(problem, options)
+        if found is None:
+            raise self.fail(state.t, state.x, "Jamming: no impulses satisfy Coulomb's law.")
+        after = p.speed + p.square @ found.forces
+        work = 0.5 * float(found.forces @ (p.speed + after))
+        size = 0.5 * float(np.abs(found.forces) @ (np.abs(p.speed) + np.abs(after)))
+        if work > SLACK * size:
+            raise self.fail(
+                state.t, state.x,
+                "An impact would raise the energy: Newton's hypothesis, with this restitution and "
+                "friction, contradicts it. Use a smaller `restitution`, or the same for all "
+                "contacts.",
+            )  # fmt: skip
+        before = state.x.copy()
+        state.x = before.copy()
+        speeds = slice(self.first, self.first + p.moves.shape[0])
+        state.x[speeds] += p.moves @ found.forces
+        impulses: dict[str, tuple[float, ...]] = {}
+        for i in sorted(hit):
+            normal, rows, mode = normals[i], tangents[i], found.modes[i]
+            assert normal is not None
+            name = self.contacts[i].name
+            if mode != OPEN:
+                impulses[name] = tuple(float(found.forces[k]) for k in (normal, *rows))
+            kept = 0.0 if i in rests or p.speed[normal] >= 0.0 or i not in closing else e[i]
+            leaves = -kept * p.speed[normal] if mode != OPEN else after[normal]
+            slow = SLACK * (abs(p.speed[normal]) + abs(after[normal]))
+            if leaves > slow and leaves > 0.0:
+                state.touching.discard(i)
+                state.resting.discard(i)
+                state.rising.add(i)
+            else:
+                state.touching.add(i)
+                state.rising.discard(i)
+                state.resting.discard(i)
+                if rows and (mode == STICKS or self._is_still(p, rows, after[rows])):
+                    state.resting.add(i)
+            if i in closing:
+                self.records.append(
+                    EventRecord(state.t, f"{name} closes", i, before, state.x.copy())
+                )
+            if i in rests:
+                v, a = e[i] * abs(p.speed[normal]), abs(rates[normal])
+                limit = state.t + 2.0 * v / (a * (1.0 - e[i])) if e[i] < 1.0 else state.t
+                self.first_height.pop(i, None)
+                if limit <= self.times[-1]:
+                    self.records.append(
+                        EventRecord(limit, f"{name} rests", i, state.x.copy(), state.x.copy())
+                    )
+            elif i in state.touching:
+                self.first_height.pop(i, None)
+        for i in state.touching:
+            # Friction with a known normal force has no impulse, but may slide now.
+            rows = tangents[i]
+            if normals[i] is None:
+                state.resting.discard(i)
+                if self._is_still(p, rows, after[rows]):
+                    state.resting.add(i)
+        self.impacts.append((state.t, impulses, work))
+
+    def _is_closed(self, p: Numbers, i: int) -> bool:
+        return bool(p.gap[i] <= WITHIN * np.finfo(float).eps * p.near[i])
+
+    def _is_still(self, p: Numbers, rows: Sequence[int], speeds: np.ndarray) -> bool:
+        """Whether sliding speeds are zero beside the rounding of their terms, or what they were."""
+        sizes = np.maximum(p.slow[list(rows)], np.abs(p.speed[list(rows)]))
+        slow = WITHIN * np.finfo(float).eps * np.linalg.norm(sizes)
+        return bool(np.linalg.norm(speeds) <= slow)
+
+    def _is_low(self, i: int, speed: float, acceleration: float) -> bool:
+        """Whether the rebounds that follow are all lower than the tolerance of the solver.
+
+        Heights are compared with that of the first impact of the sequence.
+        """
+        if not acceleration < 0.0:
+            return False
+        height = speed**2 / (2.0 * -acceleration)
+        first = self.first_height.setdefault(i, height)
+        rtol = float(np.min(self.options.get("rtol", Options.rtol)))
+        atol = float(np.min(self.options.get("atol", Options.atol)))
+        return bool(height <= max(rtol * first, atol))
+
+    # -- from transition to transition ------------------------------------------------------------
+
+    def trajectory(self) -> ContactTrajectory:
+        """Simulate over all times."""
+        state = self.begin()
+        fixed: dict[int, str] = {}
+        instants, transitions = 0, 0
+        ended = False
+        while not ended:
+            before = state.t
+            found = self.decide(state, fixed)
+            self.modes = found.modes
+            ended, fired = self.run(state, found)
+            if ended:
+                break
+            fixed = self.after(state, fired)
+            transitions += 1
+            instants = instants + 1 if state.t - before <= self.resolution(state.t) else 0
+            if instants > INSTANT or transitions > STALLED:
+                raise self.fail(
+                    state.t, state.x,
+                    "Chattering: the contacts change their modes again and again without an end.",
+                )  # fmt: skip
+        return self.result()
+
+    def run(self, state: State, solution: Solution) -> tuple[bool, list[tuple[str, int]]]:
+        """Integrate in one mode; return whether that is the end, and what ended it otherwise."""
+        state.directions.update(solution.directions)
+        p = self.numbers(state.t, state.x)
+        problem = self.problem(p, state)
+        # An impact elsewhere may have turned round what was on its way up.
+        normals = self.rows.normal
+        state.rising = {
+            i for i in state.rising if p.speed[normals[i]] > 0.0 or self._is_closed(p, i)
+        }
+        every = held_rows(problem, solution.modes)
+        held = tuple(independent(p.square, every))
+        self.largest = solved(problem, solution.modes).largest
+        self.settle(state, held)
+        mode, system = self.kept.mode(solution.modes, held, every)
+        rising = frozenset(state.rising)
+        events, kinds = self.kept.events(mode, rising)
+        now = self.now
+        later = self.times > state.t
+        here = self.times == state.t
+        self.states[here] = state.x
+        if not later.any():
+            return True, []
+        system.constants = dict(self._numbers_of) | self.references(p, solution)
+        system.specifieds = dict(self.kept._system._specifieds)
+        system.ode_solver = self.kept._system.ode_solver
+        system.times = np.concatenate([[state.t], self.times[later]])
+        system.initial_conditions = dict(zip(now.definition.states, state.x.tolist(), strict=True))
+        options = dict(self.options)
+        if held:
+            options["constraints"] = "project"
+        if self.leaps(p, solution) and "step" not in options:
+            # Where a body begins to slide in a plane, friction turns its velocity ever faster the
+            # slower it is: explicit methods would need steps in proportion to the speed, and the
+            # error of a long first step is hidden by the slopes at rest. Where it begins without an
+            # acceleration, μ being μ_static, these hide more: explicit methods have to do it.
+            system.ode_solver = "radau"
+            options["first_step"] = FIRST * self.resolution(state.t)
+        try:
+            part = system.simulate(events=[*events, *self.user_events], **options)
+        except IntegrationError as error:
+            raise self.fail(
+                error.time, error.state[: self.n],
+                f"The integration stopped in the modes {', '.join(self.modes)}: {error}",
+            ) from error  # fmt: skip
+        return self.take(state, part, mode, kinds, system)
+
+    def leaps(self, p: Numbers, solution: Solution) -> bool:
+        """Whether contacts begin to slide in a plane, and at once with an acceleration."""
+        found = [i for i, mode in enumerate(solution.modes) if mode == STARTING]
+        for i in found:
+            rows = self.rows.tangent[i]
+            rate, free = (np.linalg.norm(part[rows]) for part in (solution.rates, p.free))
+            if rate <= BEGUN * free:
+                return False
+        return bool(found)
+
+    def references(self, p: Numbers, solution: Solution) -> dict[Any, float]:
+        """Return what tells in which directions contacts slide in a plane.
+
+        The least speed is rounding, or, where they begin to slide, a part of what the solver
+        resolves: below it the direction is that of the acceleration. They have begun at a part of
+        the speed that they would gain without contacts.
+        """
+        found: dict[Any, float] = {}
+        eps = np.finfo(float).eps
+        atol = float(np.min(self.options.get("atol", Options.atol)))
+        for i, symbols in self.rows.references.items():
+            rows = self.rows.tangent[i]
+            gained = float(np.linalg.norm(p.free[rows])) * self.span
+            least = float(eps) * max(float(np.linalg.norm(p.slow[rows])), gained)
+            if solution.modes[i] == STARTING:
+                least = max(least, RESOLVED * atol)
+            along = solution.directions.get(i, np.array([1.0, 0.0]))
+            values = [*map(float, along), least or 1.0, BEGUN * gained]
+            found.update(zip(symbols, values, strict=True))
+        return found
+
+    def settle(self, state: State, held: tuple[int, ...]) -> None:
+        """Remove what rounding has left of gaps and speeds that are held, by Newton's method."""
+        owners = {n: i for i, n in enumerate(self.rows.normal) if n in held}
+        normals = [n for n in held if n in owners]
+        for _ in range(SETTLING if held else 0):
+            p = self.numbers(state.t, state.x)
+            rest = p.gap[[owners[n] for n in normals]]
+            if not rest.any() and not p.speed[list(held)].any():
+                return
+            x = state.x.copy()
+            if normals:
+                shares = np.linalg.solve(p.square[np.ix_(normals, normals)], -rest)
+                x[: self.first] += p.kinematics @ (p.moves[:, normals] @ shares)
+                p = self.numbers(state.t, x)
+            rows = list(held)
+            shares = np.linalg.solve(p.square[np.ix_(rows, rows)], -p.speed[rows])
+            x[self.first : self.first + len(p.moves)] += p.moves[:, rows] @ shares
+            state.x = x
+
+    def take(
+        self, state: State, part: Any, mode: Mode, kinds: list[tuple[str, int]], system: System
+    ) -> tuple[bool, list[tuple[str, int]]]:
+        """Keep what was integrated up to the event that ended it."""
+        told = part.statistics or {}
+        for name in self.totals:
+            self.totals[name] += int(told.get(name, 0))
+        own = len(kinds)
+        state.resting -= {i for i, what in enumerate(mode.modes) if what in SLIDES}
+        for record in part.events:
+            if record.index >= own and (record.time > state.t or not self.pieces):
+                self.records.append(replace(record, index=record.index + len(self.contacts) - own))
+        stopped = told.get("code") == TERMINATED
+        end = part.events[-1].time if stopped else float(self.times[-1])
+        at_end = [r for r in part.events if stopped and r.time == end]
+        acting = [r for r in at_end if r.index < own]
+        rows = (self.times > state.t) & (self.times <= end)
+        self.states[rows] = part.states[1 : 1 + int(rows.sum())]
+        self.check(part, mode, end, at_end[-1].before if stopped else None)
+        columns = self.kept.columns(mode, system._now().definition)
+        self.pieces.append(Piece(state.t, end, mode.modes, part._model, columns, part._dense))
+        if not stopped:
+            return True, []
+        state.t, state.x = end, at_end[-1].after[: self.n].copy()
+        if any(r.index >= own and self.user_events[r.index - own].terminal for r in at_end):
+            self.reached = self.times <= end
+            return True, []
+        return False, [kinds[r.index] for r in acting]
+
+    def check(self, part: Any, mode: Mode, end: float, last: np.ndarray | None) -> None:
+        """Refuse a motion in which a transition was missed: no number that is wrong is returned."""
+        atol = float(np.max(self.options.get("atol", Options.atol)))
+        symbols = output_symbols(self.contacts)
+        few = np.append(np.linspace(part.times[0], end, CHECKED), end)
+        few = np.unique(np.concatenate([few, part.times[part.times <= end]]))
+        states = part._dense(few)
+        if last is not None:  # the state that is kept there is the one after the event
+            states[-1] = last[: self.n]
+        model = part._model
+        table = model.outputs(few, np.ascontiguousarray(states))
+        names = list(model.definition.outputs_symbols)
+        for i, c in enumerate(self.contacts):
+            if mode.modes[i] in SLIDES:
+                values = table[:, names.index(symbols[i, "power"])]
+                most = SLACK * max(np.abs(values).max(initial=0.0), atol * self.largest)
+                if values.max() > most:
+                    worst = int(values.argmax())
+                    raise self.fail(
+                        float(few[worst]), states[worst],
+                        f"The friction of {c.name!r} drives it: the solver stepped over a reversal "
+                        "of its sliding speed. Limit the step with `max_step`.",
+                    )  # fmt: skip
+            if c.unilateral is None:
+                continue
+            what = "gap" if mode.modes[i] == OPEN else "normal"
+            values = table[:, names.index(symbols[i, what])]
+            allowed = SLACK * np.abs(values).max(initial=0.0)
+            allowed += atol if what == "gap" else SLACK * self.largest
+            worst = int(values.argmin())
+            if values[worst] < -allowed:
+                raise self.fail(
+                    float(few[worst]), states[worst],
+                    f"The {'gap' if what == 'gap' else 'normal force'} of {c.name!r} became "
+                    f"{values[worst]:.3g} between two transitions: the solver stepped over one. "
+                    "Limit the step with `max_step`.",
+                )  # fmt: skip
+
+    def after(self, state: State, fired: list[tuple[str, int]]) -> dict[int, str]:
+        """Note what happened; return the modes that follow from it.
+
+        What happens to several contacts at the same instant is told by values that are nearly zero.
+        """
+        p, eps = self.numbers(state.t, state.x), np.finfo(float).eps
+        solution = solved(self.problem(p, state), self.modes)
+        resolved = self.resolution(state.t)
+        closing: set[int] = set()
+        fixed: dict[int, str] = {}
+        for i, mode in enumerate(self.modes):
+            normal, rows = self.rows.normal[i], self.rows.tangent[i]
+            what = {kind for kind, k in fired if k == i}
+            if mode == OPEN:
+                assert normal is not None
+                near, speed = WITHIN * eps * p.near[i], p.speed[normal]
+                if i in state.rising:
+                    if what:
+                        state.rising.discard(i)
+                    if what and p.gap[i] <= near:
+                        state.touching.add(i)
+                elif what or (speed < 0.0 and p.gap[i] <= near - speed * resolved):
+                    closing.add(i)
+                continue
+            press = p.normal[i] if normal is None else solution.forces[normal]
+            if "jams" in what:
+                raise self.fail(
+                    state.t, state.x,
+                    f"Painlevé's paradox: the normal force at {self.contacts[i].name!r}, which "
+                    "slides, has no bound, because its friction presses the bodies together.",
+                )  # fmt: skip
+            little = SLACK * solution.largest
+            if normal is not None and ("opens" in what or press <= little):
+                fixed[i] = OPEN
+            elif mode == STICKS:
+                force = solution.forces[rows]
+                if "slips" in what or p.mu_static[i] * press - np.linalg.norm(force) <= little:
+                    one = FORWARD if force[0] < 0.0 else BACKWARD
+                    fixed[i] = STARTING if len(rows) == 2 else one
+            elif rows:
+                slow = np.linalg.norm(solution.rates[rows]) * resolved
+                still = self._is_still(p, rows, p.speed[rows])
+                if "stops" in what or still or np.linalg.norm(p.speed[rows]) <= slow:
+                    state.resting.add(i)
+            for kind in what & {"opens", "slips", "stops"}:
+                name = f"{self.contacts[i].name} {kind}"
+                self.records.append(EventRecord(state.t, name, i, state.x.copy(), state.x.copy()))
+        if closing:
+            self.impact(state, closing)
+            return {}
+        return fixed
+
+    # -- the result -------------------------------------------------------------------------------
+
+    def result(self) -> ContactTrajectory:
+        """Return the parts of the motion as one."""
+        times, states = self.times[self.reached], self.states[self.reached]
+        base = self.now.definition
+        kinds = dict(base.symbols_by_kind)
+        kinds["output"] = (*kinds["output"], *self.kept.stated)
+        model = Pieces(self.pieces, self.now)
+        last = self.pieces[-1].end
+        records = sorted((r for r in self.records if r.time <= last), key=lambda r: r.time)
+        return ContactTrajectory(
+            times,
+            states,
+            kinds,
+            outputs=model.outputs(times, states),
+            specifieds=model.specifieds(times, states),
+            constants=self.now.constants,
+            events=records,
+            statistics={"transitions": len(self.pieces) - 1, **self.totals},
+            pieces=model,
+            names=[c.name for c in self.contacts],
+            impacts=self.impacts,
+        )
