@@ -21,6 +21,7 @@ from pydy._system.forces import Forces
 from pydy._system.optimal import Optimisation
 from pydy._system.orbits import Orbits
 from pydy._system.pictures import Pictures
+from pydy._system.reading import Reading
 from pydy._system.simulation import Simulation
 from pydy._system.sweeps import Sweeps
 from pydy._system.values import Evaluation
@@ -41,6 +42,7 @@ class System(
     Simulation,
     Evaluation,
     Dynamics,
+    Reading,
     Exporting,
     Forces,
 ):

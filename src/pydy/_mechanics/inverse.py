@@ -45,7 +45,8 @@ class Known:
 
     Parameters
     ----------
-    symbols : collection of symbols
+    symbols : collection of symbols or None
+        None knows all.
     zeros : iterable of symbols
         Noncontributing forces, which stand for what others compute.
     values : mapping of constants to numbers
@@ -53,22 +54,20 @@ class Known:
     """
 
     def __init__(
-        self, symbols: Collection[Any], zeros: Iterable[Any], values: Mapping[Any, float]
+        self, symbols: Collection[Any] | None, zeros: Iterable[Any], values: Mapping[Any, float]
     ) -> None:
         self.symbols, self.zeros, self.values = symbols, frozenset(zeros), values
 
     def expressions(self, kinematics: Kinematics, nodes: Sequence[int]) -> Expressions:
         """Return nodes as expressions in q, u, u', constants and specifieds."""
         g, symbols = kinematics.graph, kinematics.symbols()
-        zeros = {
-            node: g.zero
-            for node, symbol in symbols.items()
-            if symbol in self.zeros or (g.args[node][0] == "r" and symbol not in self.symbols)
-        }
-        nodes = substitute(g, nodes, zeros)
+        known = self.symbols
+        unknown = [n for n, s in symbols.items() if known is not None and s not in known]
+        zeros = [n for n in unknown if g.args[n][0] == "r"]
+        zeros += [n for n, s in symbols.items() if s in self.zeros]
+        nodes = substitute(g, nodes, dict.fromkeys(zeros, g.zero))
         held = set(g.reachable(nodes))
-        strange = [n for n, s in symbols.items() if n in held and g.args[n][0] == "p"]
-        strange = [n for n in strange if symbols[n] not in self.symbols]
+        strange = [n for n in unknown if n in held and g.args[n][0] == "p"]
         if strange:
             given = {n: g.const(self.values.get(symbols[n], 1.0)) for n in strange}
             given.update(dict.fromkeys(idle_inputs(g, nodes, strange), g.zero))

@@ -75,3 +75,7 @@ LIGHT, LIGHTEST = 2e-7, 1e-4
 """What an independent speed moves by itself, as a share of what moves with it: below, three digits
 of the dependent speeds' derivatives are lost; the second where pivots are not looked at, since of
 the independent ones' equations twice as many are."""
+
+READABLE = 2000
+"""Terms of an equation that are multiplied out to be written like a textbook's: those of an arm of
+three joints in space, with all moments and products of inertia, are some hundreds."""

@@ -36,7 +36,7 @@ from pydy._system.setup import Setup
 from pydy._system.snapshot import Snapshot
 from pydy._system.values import sweep
 
-__all__ = ["Dynamics"]
+__all__ = ["Dynamics", "without_bodies"]
 
 Expressions = Callable[[Equations, Known], Any]
 
@@ -246,7 +246,7 @@ def _bodies(equations: Equations) -> Multibody:
     return body
 
 
-def _without_bodies(equations: Equations) -> bool:
+def without_bodies(equations: Equations) -> bool:
     """Return whether the method's own equations of motion are all there is, or what holds."""
     return equations.formed is None and not equations.velocity
 
@@ -259,7 +259,7 @@ def _required(
     free = count < len(equations.speeds) and not zero
 
     def expressions(equations: Equations, known: Known) -> Any:
-        if _without_bodies(equations):
+        if without_bodies(equations):
             return ("forces",)
         return inverse_dynamics(_bodies(equations), known, at, free=free)
 

@@ -9,6 +9,7 @@ __all__ = [
     "INSTANT",
     "LEAST_SPREAD",
     "ORBIT",
+    "TEXTBOOK_UP_TO",
 ]
 
 BESIDE = 1e-3
@@ -30,3 +31,9 @@ LEAST_SPREAD = 1e-2
 
 BEGINNING = 1e-3
 """An event that ends a period may be where it begins: it is looked for after this share."""
+
+TEXTBOOK_UP_TO = 3
+"""Coordinates of a model whose equations are multiplied out to be read, as textbooks do.
+
+The terms of an arm in space grow tenfold with each joint: beyond three nobody prints them.
+"""

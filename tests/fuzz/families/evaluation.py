@@ -207,3 +207,8 @@ for _method in ("frame_position", "frame_rotation", "frame_jacobian"):
     @target(f"{_method}.where", nothing("texts"))
     def _(v, method=_method):
         return getattr(world().o.system, method)(v)
+
+
+@target("equations_of_motion.short", flags)
+def _(v):
+    return str(world().o.system.equations_of_motion(v))

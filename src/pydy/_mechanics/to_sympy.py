@@ -1,0 +1,106 @@
+"""Graph nodes as SymPy expressions, with names for what occurs more than once."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Mapping, Sequence
+from fractions import Fraction
+from typing import Any
+
+import sympy as sm
+
+from pydy._errors import UnsupportedFunctionError
+from pydy._graph.node import Graph
+from pydy._graph.operations import OPERATIONS
+
+__all__ = ["applied", "exact", "written"]
+
+_DENOMINATORS = 12  # of numbers that are written as fractions: those of moments of inertia
+
+
+def exact(value: float) -> Any:
+    """Return a number as a whole number or a common fraction where it is one, else as a float."""
+    fraction = Fraction(value).limit_denominator(_DENOMINATORS) if abs(value) < 2**53 else None
+    if fraction is not None and float(fraction) == value:
+        return sm.Rational(fraction.numerator, fraction.denominator)
+    return sm.Float(f"{value:.15g}")
+
+
+_OTHERS: dict[str, Callable[..., Any]] = {
+    "select": lambda condition, yes, no: sm.Piecewise((yes, condition), (no, True)),
+    "min": sm.Min,
+    "max": sm.Max,
+    "log": sm.log,
+    "pow": sm.Pow,
+    "sqrt": sm.sqrt,
+    "neg": lambda x: -x,
+    "kept": lambda x: x,
+}
+
+
+def applied(op: str, args: Sequence[Any]) -> Any:
+    """Return an operation applied to SymPy expressions.
+
+    Raises
+    ------
+    UnsupportedFunctionError
+        Its row names no counterpart in SymPy.
+    """
+    row = OPERATIONS.get(op)
+    function = _OTHERS.get(op) or (getattr(sm, row.sympy) if row and row.sympy else None)
+    if function is None:
+        raise UnsupportedFunctionError(
+            f"The operation `{op}` cannot be written with SymPy: its row in OPERATIONS names no "
+            "counterpart there (`sympy=`)."
+        )
+    return function(*args)
+
+
+def written(
+    graph: Graph,
+    nodes: Sequence[int],
+    symbols: Mapping[int, Any],
+    name: Callable[[str, Any], Any] | None = None,
+) -> tuple[list[Any], dict[Any, Any]]:
+    """Return nodes as expressions, and what the names in them stand for, in order.
+
+    Parameters
+    ----------
+    graph : Graph
+    nodes : sequence of int
+    symbols : mapping of nodes to symbols
+        Of the inputs.
+    name : callable, optional
+        ``name(op, expression)`` returns a symbol for what occurs more than once, None for none.
+    """
+    reached = graph.reachable(nodes)
+    uses = Counter(nodes)
+    for node in reached:
+        uses.update(graph.operands(node))
+    found: dict[int, Any] = {}
+    names: dict[Any, Any] = {}
+    for node in reached:
+        op, args = graph.ops[node], graph.args[node]
+        if op == "input":
+            found[node] = symbols[node]
+            continue
+        if op == "const":
+            found[node] = exact(args[0])
+            continue
+        if op == "bool":
+            found[node] = sm.true if args[0] else sm.false
+            continue
+        if op == "sum":
+            terms = [exact(c) * found[n] for n, c in args[1]]
+            made = sm.Add(exact(args[0]), *terms)
+        elif op == "prod":
+            made = sm.Mul(*(found[n] ** e for n, e in args))
+        else:
+            made = applied(op, [found[n] for n in args])
+        symbol = None
+        if name is not None and (uses[node] > 1 or op in ("sin", "cos")):
+            symbol = name(op, made)
+        if symbol is not None:
+            names[symbol] = made
+        found[node] = made if symbol is None else symbol
+    return [found[node] for node in nodes], names

@@ -1,0 +1,272 @@
+"""The equations of motion to read: as SymPy, as short as a textbook prints them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from html import escape
+from itertools import count
+from typing import Any
+
+import sympy as sm
+from sympy.physics.vector import vlatex
+
+from pydy._checks import flag
+from pydy._graph.collector import collector_paused
+from pydy._graph.derivative import dense_rows, jacobian
+from pydy._graph.from_sympy import SymPyReader
+from pydy._graph.node import Graph
+from pydy._graph.simplify import simplify
+from pydy._graph.symbols import input_nodes
+from pydy._mechanics.equations import Equations
+from pydy._mechanics.inverse import Known, inverse_dynamics, mass_matrix
+from pydy._mechanics.symbols import find_symbols, replace_symbols
+from pydy._mechanics.to_sympy import written
+from pydy._mechanics.trigonometric import Textbook, TooLongError
+from pydy._names import name_of
+from pydy._system.dynamics import without_bodies
+from pydy._system.setup import Setup
+from pydy._system.tuning import TEXTBOOK_UP_TO
+
+__all__ = ["EquationsOfMotion", "Reading"]
+
+
+@dataclass(frozen=True, eq=False)
+class EquationsOfMotion:
+    """Equations of motion to read.
+
+    ``mass_matrix * u' = forcing + constraint_jacobian.T * λ`` and ``q' = kinematics``, where
+    λ are the multipliers of ``constraint_jacobian * u + … = 0``, for all speeds.
+
+    Attributes
+    ----------
+    coordinates, speeds : tuple
+    mass_matrix : Matrix, shape (n, n)
+    forcing : Matrix, shape (n, 1)
+    kinematics : Matrix, shape (k, 1)
+    constraint_jacobian : Matrix, shape (c, n)
+    names : dict
+        What the short names stand for, in an order in which each needs earlier ones alone.
+    """
+
+    coordinates: tuple[Any, ...]
+    speeds: tuple[Any, ...]
+    mass_matrix: Any
+    forcing: Any
+    kinematics: Any
+    constraint_jacobian: Any
+    names: dict[Any, Any] = field(default_factory=dict)
+
+    def written_out(self, expression: Any) -> Any:
+        """Return an expression, or a matrix of them, without the short names."""
+        full: dict[Any, Any] = {}
+        for symbol, meaning in self.names.items():
+            full[symbol] = replace_symbols(meaning, full)
+        if isinstance(expression, sm.MatrixBase):
+            return expression.applyfunc(lambda entry: replace_symbols(entry, full))
+        return replace_symbols(sm.sympify(expression), full)
+
+    def __str__(self) -> str:
+        parts = [
+            ("M", self.mass_matrix), ("F", self.forcing), ("q'", self.kinematics),
+            ("J", self.constraint_jacobian),
+        ]  # fmt: skip
+        head = "M u' = F" + (" + J.T λ, J u + … = 0" if self.constraint_jacobian.rows else "")
+        lines = [f"{head}, with u = ({', '.join(map(_plain, self.speeds))})"]
+        for name, matrix in parts:
+            for i in range(matrix.rows):
+                for j in range(matrix.cols):
+                    if matrix[i, j] != 0 and not (name == "M" and j < i and _even(matrix, i, j)):
+                        place = f"{i + 1}{j + 1}" if matrix.cols > 1 else f"{i + 1}"
+                        lines.append(f"{name}{place} = {_plain(matrix[i, j])}")
+        lines += [f"{symbol} = {_plain(meaning)}" for symbol, meaning in self.names.items()]
+        return "\n".join(lines)
+
+    def _repr_latex_(self) -> str:
+        rates = sm.Matrix([sm.Symbol(rf"\dot{{{vlatex(u)}}}") for u in self.speeds])
+        forces = vlatex(self.forcing)
+        lines = [f"{vlatex(self.mass_matrix)} {vlatex(rates)} &= {forces}"]
+        if self.constraint_jacobian.rows:
+            lines[0] += rf" + {vlatex(self.constraint_jacobian)}^T \lambda"
+        moving = zip(self.coordinates, self.kinematics, strict=True)
+        lines += [rf"\dot{{{vlatex(q)}}} &= {vlatex(rate)}" for q, rate in moving]
+        lines += [f"{vlatex(s)} &= {vlatex(meaning)}" for s, meaning in self.names.items()]
+        return r"$\displaystyle \begin{aligned} " + r" \\ ".join(lines) + r" \end{aligned}$"
+
+    def _repr_html_(self) -> str | None:
+        """Return a page in which the many names are folded away; None where LaTeX is enough."""
+        if not any(re.fullmatch(r"z\d+", name_of(symbol)) for symbol in self.names):
+            return None
+        lines = str(self).split("\n")
+        first = len(lines) - len(self.names)
+        parts = ["\n".join(map(escape, part)) for part in (lines[:first], lines[first:])]
+        title = f"{len(self.names)} intermediate quantities"
+        return (
+            f"<pre>{parts[0]}</pre><details><summary>{title}</summary><pre>{parts[1]}</pre>"
+            "</details>"
+        )
+
+
+def _even(matrix: Any, i: int, j: int) -> bool:
+    return bool(matrix[i, j] == matrix[j, i])
+
+
+def _plain(expression: Any) -> str:
+    """Return an expression as text, functions of time by their names, derivatives with dashes."""
+    short = {}
+    for symbol in find_symbols([expression]):
+        if isinstance(symbol, sm.Derivative):
+            dashes = "'" * symbol.derivative_count
+            short[symbol] = sm.Symbol(f"{name_of(symbol.expr)}{dashes}")
+        elif not isinstance(symbol, sm.Symbol):
+            short[symbol] = sm.Symbol(name_of(symbol))
+    return str(replace_symbols(expression, short))
+
+
+@collector_paused()
+def equations_to_read(equations: Equations, forces: tuple[Any, ...]) -> EquationsOfMotion:
+    """Return the equations with short names."""
+    q, u, n = equations.coordinates, equations.speeds, len(equations.speeds)
+    if without_bodies(equations):
+        matrix, bias = [*equations.mass_matrix], [-f for f in equations.forcing]
+    else:
+        body, known = equations.multibody, Known(None, forces, {})
+        if body is None:
+            raise ValueError(
+                "The equations of motion with constraints follow from bodies and loads, but "
+                "`eom_method` holds no bodies. Use the `mass_matrix_full` and `forcing_full` of "
+                "the method itself."
+            )
+        matrix, bias = mass_matrix(body, known), inverse_dynamics(body, known)
+    rates = [*equations.coordinate_derivatives]
+    velocity = [*equations.velocity]
+    moving = {*equations.coordinate_rates, *equations.speed_rates, *equations.zeros}
+    parts = [*matrix, *bias, *rates, *velocity]
+    graph = Graph()
+    order = (*q, *u, *(s for s in find_symbols(parts) if s not in moving))
+    atoms = input_nodes(graph, x=dict.fromkeys(order))
+    symbols = {node: symbol for symbol, node in atoms.items()}
+    atoms.update(dict.fromkeys(equations.zeros, graph.zero))
+    atoms.update(dict.fromkeys((s for s in equations.speed_rates if s not in atoms), graph.zero))
+    read = SymPyReader(graph, atoms, "the equations of motion")
+    moved = read.all(rates)
+    for rate, node in zip(equations.coordinate_rates, moved, strict=True):
+        read.define(rate, node)
+    nodes = [*read.all(matrix), *(graph.neg(node) for node in read.all(bias)), *moved]
+    rows = read.all(velocity)
+    slopes = dense_rows(graph, jacobian(graph, rows, [read.atoms[s] for s in u]), n)
+    nodes += [node for row in slopes for node in row]
+    found, names = _short(graph, nodes, symbols, q)
+    cells = iter(found)
+    sizes = ((n, n), (n, 1), (len(q), 1), (len(velocity), n))
+    made = [sm.Matrix(*size, [next(cells) for _ in range(size[0] * size[1])]) for size in sizes]
+    return EquationsOfMotion(q, u, made[0], made[1], made[2], made[3], names)
+
+
+def _short(
+    graph: Graph, nodes: list[int], symbols: Mapping[int, Any], coordinates: tuple[Any, ...]
+) -> tuple[list[Any], dict[Any, Any]]:
+    """Write nodes as a textbook would, or with named intermediate quantities."""
+    taken = {name_of(s) for s in symbols.values()}
+    name = _namer(coordinates, taken)
+    if len(coordinates) <= TEXTBOOK_UP_TO:
+        textbook = Textbook(graph, symbols, name)
+        try:
+            found = textbook(nodes)
+            names = sorted(textbook.names, key=lambda s: (s.name[1:], s.name[0]))
+            return found, {symbol: textbook.names[symbol] for symbol in names}
+        except TooLongError:
+            pass
+    nodes = simplify(graph, nodes)
+    numbers = count(1)
+
+    def intermediate(op: str, expression: Any) -> Any:
+        if op in ("sin", "cos") and set(find_symbols(expression.args)) <= {*coordinates}:
+            return name(op, expression.args[0])
+        return next(z for z in (sm.Symbol(f"z{k}") for k in numbers) if z.name not in taken)
+
+    return written(graph, nodes, symbols, intermediate)
+
+
+def _namer(coordinates: tuple[Any, ...], taken: set[str]) -> Callable[[str, Any], Any]:
+    """Return what names the sines and cosines of sums of coordinates: s1, c12, s1m2."""
+    names = [name_of(q) for q in coordinates]
+    digits = [re.sub(r"^.*?(\d*)$", r"\1", n) for n in names]
+    labels = dict(zip(coordinates, digits if all(digits) else names, strict=True))
+    if len({*labels.values()}) < len(labels):
+        labels = dict(zip(coordinates, names, strict=True))
+    between = "" if all(len(label) == 1 for label in labels.values()) else "_"
+    known: dict[Any, Any] = {}
+
+    def name(op: str, angle: Any) -> Any:
+        if (op, angle) not in known:
+            text = ""
+            for part in sm.Add.make_args(angle):
+                number, symbol = part.as_coeff_Mul()
+                label = labels.get(symbol)
+                if label is None or not number.is_Integer:
+                    text = f"_{len(known) + 1}"
+                    break
+                sign = "m" if number < 0 else between if text else ""
+                text += sign + between.join([label] * abs(int(number)))
+            short = f"{op[0]}{text}"
+            known[op, angle] = sm.Symbol(short if short not in taken else f"{op}_{text}")
+        return known[op, angle]
+
+    return name
+
+
+class Reading(Setup):
+    """The equations of motion to read."""
+
+    def equations_of_motion(self, short: bool = True) -> EquationsOfMotion:
+        """Return the equations of motion as SymPy expressions, to print and to work with.
+
+        Up to three coordinates they are written as a textbook would: what cancels is gone, sums of
+        angles are joined where that is shorter, common factors are taken out. Beyond that they are
+        those that are compiled, with names for what occurs more than once.
+
+        Parameters
+        ----------
+        short : bool, optional
+            Whether sines and cosines are named as usual in robotics: s1 for the sine of q1, c12
+            for the cosine of q1 + q2, s1m2 for the sine of q1 − q2.
+
+        Returns
+        -------
+        EquationsOfMotion
+            ``mass_matrix``, ``forcing`` and ``kinematics`` are matrices: ``M u' = F``, ``q' = …``,
+            for all speeds. With constraints ``constraint_jacobian`` is J of ``M u' = F + Jᵀ λ``.
+            ``names`` says what the short names stand for, ``written_out(M)`` puts that in. It is
+            shown as LaTeX in notebooks.
+
+        Raises
+        ------
+        ValueError
+            There are constraints, and the method has no bodies.
+
+        Examples
+        --------
+        >>> from pydy.models import n_link_pendulum_on_cart
+        >>> system = n_link_pendulum_on_cart(1, cart_force=False)
+        >>> print(system.equations_of_motion())
+        M u' = F, with u = (u0, u1)
+        M11 = m0 + m1
+        M12 = -c1*l0*m1
+        M22 = l0**2*m1
+        F1 = -l0*m1*s1*u1**2
+        F2 = g*l0*m1*s1
+        q'1 = u0
+        q'2 = u1
+        c1 = cos(q1)
+        s1 = sin(q1)
+        """
+        made = equations_to_read(self._equations, tuple(self._forces))
+        if flag(short, "`short`"):
+            return made
+        out = made.written_out
+        return EquationsOfMotion(
+            made.coordinates, made.speeds, out(made.mass_matrix), out(made.forcing),
+            out(made.kinematics), out(made.constraint_jacobian),
+        )  # fmt: skip
