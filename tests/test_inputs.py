@@ -148,3 +148,9 @@ def test_what_makes_no_sense_is_refused(name):
     arguments, message = REFUSED[name]
     with pytest.raises(ValueError, match=message):
         SampledInput(*arguments)
+
+
+@pytest.mark.parametrize("interpolation", ["linear", "pchip"])
+def test_slopes_beyond_the_range_of_floats_are_refused(interpolation):
+    with pytest.raises(ValueError, match=r"slope of a SampledInput between times 0\.0 and 1e-320"):
+        SampledInput([0.0, 1e-320, 3.0], [1.0, 2.0, 3.0], interpolation)

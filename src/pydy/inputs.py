@@ -251,7 +251,15 @@ def _refuse_not_finite(name: str, array: np.ndarray) -> None:
 def _coefficients(breaks: np.ndarray, values: np.ndarray, interpolation: str) -> np.ndarray:
     """Return piecewise cubics, shape (m − 1, 4, k), highest power first."""
     steps = np.diff(breaks)[:, None]
-    slopes = np.diff(values, axis=0) / steps
+    with np.errstate(over="ignore"):
+        slopes = np.diff(values, axis=0) / steps
+    if interpolation != "previous" and not np.isfinite(slopes).all():
+        k = int(np.argwhere(~np.isfinite(slopes))[0][0])
+        raise ValueError(
+            f"The slope of a SampledInput between times {float(breaks[k])!r} and "
+            f"{float(breaks[k + 1])!r} is beyond the range of floats. Drop one of the samples, or "
+            "use interpolation='previous'."
+        )
     cubics = np.zeros((len(steps), 4, values.shape[1]))
     cubics[:, 3] = values[:-1]
     if interpolation == "linear":

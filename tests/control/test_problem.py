@@ -445,6 +445,49 @@ def test_bad_arguments_are_told(mass):
     refused("`boundary` must be a sequence", system, J, 1.0, boundary=3, error=TypeError)
 
 
+@pytest.mark.parametrize(
+    ("options", "error", "said"),
+    [
+        ({"bounds": {TF: (-3, 0)}}, ValueError, r"`bounds\[tf\]` must allow a positive duration"),
+        ({"mesh_tol": 1e-15}, ValueError, "`mesh_tol` must be at least 1.5e-14"),
+        ({"options": {1: 2}}, TypeError, "`options` must hold numbers, strings, .* got 1: 2"),
+        ({"options": {"tol": None}}, TypeError, "`options` must hold .* 'tol': None"),
+        ({"options": {"tol": np.nan}}, TypeError, "`options` must hold .* 'tol': nan"),
+        ({"options": {"\ud800": 1}}, ValueError, "which IPOPT does not know"),
+        ({"options": {"linear_solver": "ma57"}}, OptimizationError, "does not take its `options`"),
+    ],
+)
+def test_faults_of_options_and_of_the_duration_are_told(mass, options, error, said):
+    system, (x, v, F) = mass
+    options = {"bounds": {TF: (0.5, 2.0)}, "mesh": 3, **options}
+    with pytest.raises(error, match=said):
+        system.optimize_trajectory(energy(F), TF, end={x: 1.0, v: 0.0}, **options)
+
+
+def test_the_bounds_of_a_duration_may_reach_below_zero(mass):
+    system, (x, v, F) = mass
+    found = system.optimize_trajectory(
+        TF, TF, end={x: 1.0, v: 0.0}, bounds={F: (-1, 1), TF: (-9, 3)}
+    )
+    assert found.duration == pytest.approx(2.0, abs=1e-3)
+
+
+def test_an_objective_that_is_not_finite_is_named(mass):
+    system, (x, v, F) = mass
+    said = "after 0 iterations: .* The objective or its derivatives are not finite there"
+    with pytest.raises(OptimizationError, match=said):
+        system.optimize_trajectory(sm.Integral(sm.log(F), T), 1.0, end={x: 1.0, v: 0.0}, mesh=3)
+
+
+def test_why_the_library_of_ipopt_is_not_loaded_is_told(monkeypatch):
+    def broken(path):
+        raise OSError("failed to map segment")
+
+    monkeypatch.setattr(ipopt.ctypes, "CDLL", broken)
+    with pytest.raises(MissingDependencyError, match=r"with it \(failed to map segment\)"):
+        ipopt.library.__wrapped__()
+
+
 def test_contradictions_are_told_before_the_search(mass):
     system, (x, v, F) = mass
     J = energy(F)

@@ -76,6 +76,15 @@ def test_where_it_fails_the_error_holds_what_was_computed(system):
     assert e.value.states.shape == (2, 2)
 
 
+def test_where_it_fails_at_once_the_error_holds_the_start(system):
+    system.ode_solver, system.times = "RK45", [1e16, 1e16 + 2, 1e16 + 4]  # neighbours
+    with pytest.raises(
+        IntegrationError, match=r"`solve_ivp` could not go on after t = 1e\+16"
+    ) as e:
+        system.integrate(**TIGHT)
+    np.testing.assert_array_equal(e.value.states, [[1.0, 0.0]])
+
+
 @pytest.mark.parametrize(
     ("solver", "option", "meant"),
     [

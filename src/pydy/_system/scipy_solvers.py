@@ -231,6 +231,8 @@ class SolveIvp:
             t_eval=times,
             **check_scipy_options(options),
         )
+        if not len(found.t):  # it failed at once, and left out the start
+            found.t, found.y = times[:1], np.array(x0, dtype=float)[:, None]
         states = found.y.T
         # A step, or one that was rejected, takes a whole number of evaluations.
         steps = found.nfev // getattr(method, "n_stages", 1)

@@ -7,10 +7,11 @@ from typing import Any
 import numpy as np
 
 from pydy._checks import Places, check_mapping, number, real_array, shown
+from pydy.control.tuning import LEAST_MESH_TOL
 from pydy.inputs import SampledInput
 from pydy.trajectory import Trajectory
 
-__all__ = ["Guess", "positive_time", "shown_pair"]
+__all__ = ["Guess", "mesh_tolerance", "positive_time", "shown_pair"]
 
 
 class Guess:
@@ -41,7 +42,7 @@ class Guess:
                 f"The duration `{symbol}` is free: give `bounds` for it, {{{symbol}: (low, high)}},"
                 f" or where the search begins, guess={{{symbol}: ...}}."
             )
-        return float(np.mean(bounds))
+        return float(np.mean(np.maximum(bounds, 0.0)))
 
     def values(self, symbol: Any, fractions: np.ndarray, duration: float) -> np.ndarray | None:
         """Return a state or control at some times, or None."""
@@ -96,6 +97,19 @@ def positive_time(value: Any, what: str = "`duration`") -> float:
     if not result > 0.0:
         hint = ", or a Symbol for one that is found" if what == "`duration`" else ""
         raise ValueError(f"{what} must be positive{hint}, got {result!r}.")
+    return result
+
+
+def mesh_tolerance(value: Any) -> float | None:
+    """Return a checked `mesh_tol`."""
+    if value is None:
+        return None
+    result = positive_time(value, "`mesh_tol`")
+    if result < LEAST_MESH_TOL:
+        raise ValueError(
+            f"`mesh_tol` must be at least {LEAST_MESH_TOL:.2g}, what rounding leaves on any mesh, "
+            f"got {result:g}."
+        )
     return result
 
 

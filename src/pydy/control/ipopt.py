@@ -25,6 +25,7 @@ from typing import Any
 
 import numpy as np
 
+from pydy._checks import shown
 from pydy._errors import MissingDependencyError
 from pydy._interrupts import Interrupts
 from pydy.control.nlp import Nlp
@@ -50,7 +51,8 @@ STATUS = {
     -5: "the time `max_wall_time` is over",
     -10: "there are fewer unknowns than equations",
     -11: "the bounds contradict each other",
-    -12: "IPOPT has no such option, or no such value of it",
+    -12: "IPOPT does not take its `options`: it has no such option or value, or lacks what one "
+    "names, such as a linear solver",
     -13: "the equations or their derivatives are not finite",
     -102: "there is not enough memory",
 }
@@ -145,17 +147,20 @@ def library() -> Any:
         sys.platform, "libipopt.so*"
     )
     found = [p for p in sorted(folder.glob(pattern)) if "casadi" not in p.name]
+    reason = ""
     for path in found:
         try:
             lib = ctypes.CDLL(str(path))
             lib.CreateIpoptProblem, lib.SetIntermediateCallback  # noqa: B018
-        except (OSError, AttributeError):
+        except (OSError, AttributeError) as error:
+            reason = reason or f" ({error})"
             continue
         _declare(lib)
         if _probe(lib):
             return lib
     raise MissingDependencyError(
-        f"Optimal control needs the C interface of IPOPT, but {folder} has no library with it: "
+        f"Optimal control needs the C interface of IPOPT, but {folder} has no library with "
+        f"it{reason}: "
         "install a wheel of CasADi 3.6 or newer from PyPI, pip install --force-reinstall casadi."
     )
 
@@ -405,10 +410,16 @@ def _failed(nlp: Any, z: np.ndarray, status: int) -> Solution:
 
 
 def _set_option(lib: Any, problem: Any, name: str, value: Any) -> None:
-    key = name.encode()
+    known = isinstance(value, (str, bool, np.bool_, int, np.integer, float, np.floating))
+    if not isinstance(name, str) or not known or value != value:
+        raise TypeError(
+            "`options` must hold numbers, strings, True or False by names of options of IPOPT, got "
+            f"{shown(name)}: {shown(value)}."
+        )
+    key = name.encode(errors="replace")
     if isinstance(value, str):
-        done = lib.AddIpoptStrOption(problem, key, value.encode())
-    elif isinstance(value, bool):
+        done = lib.AddIpoptStrOption(problem, key, value.encode(errors="replace"))
+    elif isinstance(value, (bool, np.bool_)):
         done = lib.AddIpoptStrOption(problem, key, b"yes" if value else b"no")
     elif isinstance(value, (int, np.integer)):
         # An option that is a number may be given as an integer.

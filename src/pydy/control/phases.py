@@ -15,7 +15,7 @@ from pydy._checks import check_mapping, flag, listed, shown
 from pydy._errors import AnalysisInterrupted, OptimizationError
 from pydy._optional import progress_of
 from pydy.codegen.arguments import checked_expression
-from pydy.control.guess import positive_time
+from pydy.control.guess import mesh_tolerance
 from pydy.control.ipopt import SOLVED, STATUS, Iteration, Solution, solve
 from pydy.control.kernel import Point
 from pydy.control.nlp import Nlp, Piece
@@ -122,7 +122,7 @@ class Phases:
             As `OptimalControl.solve` raises them; they hold the `PhasedTrajectory`.
         """
         own = check_mapping("options", options)
-        tolerance = None if mesh_tol is None else positive_time(mesh_tol, "`mesh_tol`")
+        tolerance = mesh_tolerance(mesh_tol)
         guesses: Sequence[Any] = [None] * len(self._problems)
         if guess is not None:
             guesses = listed("guess", guess, "a guess for each phase")

@@ -28,7 +28,7 @@ from pydy._optional import progress_of
 from pydy._rank import DIGITS, rank
 from pydy.codegen.arguments import checked_expression
 from pydy.control.expressions import Reader
-from pydy.control.guess import Guess, positive_time, shown_pair
+from pydy.control.guess import Guess, mesh_tolerance, positive_time, shown_pair
 from pydy.control.ipopt import SOLVED, Iteration, Solution, solve
 from pydy.control.kernel import Equations
 from pydy.control.limits import Limit, limit
@@ -203,6 +203,11 @@ class OptimalControl:
         # Bounds that are numbers, and those that change over the motion.
         self._moving: dict[Any, tuple[Limit, Limit]] = {}
         self._bounds = self._limits("bounds", self._numbers(bounds), self._unknown.symbols)
+        if not self._bounds.get(self._symbol, _OPEN)[1] > 0.0:
+            raise ValueError(
+                f"`bounds[{self._symbol}]` must allow a positive duration, got "
+                f"{shown_pair(self._bounds[self._symbol])}."
+            )
         self._begins = frozenset(self._start)
         # Those that follow from the constraints, where `start` changes others.
         dependent = {*equations.dependent_coordinates, *equations.dependent_speeds}
@@ -567,7 +572,7 @@ class OptimalControl:
             IPOPT is not installed: ``pip install 'pydy[optimal]'``.
         """
         own = check_mapping("options", options)
-        tolerance = None if mesh_tol is None else positive_time(mesh_tol, "`mesh_tol`")
+        tolerance = mesh_tolerance(mesh_tol)
         mesh = self._mesh
         with progress_of(flag(progress, "`progress`"), " iterations") as told:
             for _ in range(MOST_REFINEMENTS):
@@ -682,8 +687,8 @@ class OptimalControl:
             )
         if solution.status not in SOLVED:
             raise OptimizationError(
-                f"The search for an optimal trajectory ended after {len(solution.history) - 1} "
-                f"iterations: {trajectory.message}. "
+                "The search for an optimal trajectory ended after "
+                f"{max(len(solution.history) - 1, 0)} iterations: {trajectory.message}. "
                 f"{worst_rows(nlp, solution, trajectory.duration)}",
                 trajectory,
             )

@@ -248,8 +248,14 @@ def _multipliers(
 def worst_rows(nlp: Nlp, solution: Solution, duration: float) -> str:
     """Name the equations that are violated most, in units of their sizes."""
     y = solution.z / nlp.sizes
-    values = np.empty(nlp.rows)
+    values, slope = np.empty(nlp.rows), np.empty(nlp.size)
     nlp.values(y, values)
+    nlp.gradient(y, slope)
+    if not (np.isfinite(nlp.cost(y)) and np.isfinite(slope).all()):
+        return (
+            "The objective or its derivatives are not finite there: begin elsewhere, with another "
+            "`guess`, or keep away from such values with `bounds`."
+        )
     low, high = (side / nlp.row_sizes for side in nlp.row_bounds)
     violated = np.nan_to_num(np.maximum(np.maximum(low - values, values - high), 0.0), nan=np.inf)
     found, start = [], 0

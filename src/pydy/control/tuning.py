@@ -9,6 +9,7 @@ __all__ = [
     "JUMP",
     "LARGEST_ORDER",
     "LEAST_FIT_ERROR",
+    "LEAST_MESH_TOL",
     "MOST_CORRECTIONS",
     "MOST_PARTS",
     "MOST_REFINEMENTS",
@@ -92,3 +93,7 @@ an unknown is a millionth of its unit, `TOLERANCE` leaves 1e-8 of the objective 
 UNEVEN = 1e-3
 """The equations of an interval have a unit of their own where others are shorter than this share of
 it. Their rates would be the unit of all, in which `TOLERANCE` is 1e-6 at most."""
+
+LEAST_MESH_TOL = 1.5e-14
+"""The least `mesh_tol`: 64 units of rounding. The integration of an interval with up to 64 steps
+leaves as much, on any mesh, which would be divided for ever."""
