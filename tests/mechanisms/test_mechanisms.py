@@ -110,3 +110,8 @@ def test_hinges_are_nearly_parallel_or_their_twists_are_constants_of_zero():
     assert len(still) > 5
     model = Check(still[0], "definition").model
     assert 0.0 in model.constants.values()
+
+
+def test_energies_are_compared_at_states_that_are_some():
+    """Quaternions of another length are none, and a spring's energy is written for length one."""
+    assert checked(2707)[2] is None
