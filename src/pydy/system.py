@@ -13,11 +13,11 @@ from pydy._names import nearest
 from pydy._system.adjoints import Gradients
 from pydy._system.analysis import LinearModels
 from pydy._system.balance import Equilibria
-from pydy._system.dynamics import Dynamics
 from pydy._system.ensembles import Ensembles
 from pydy._system.exporting import Exporting
 from pydy._system.fits import Fitting
 from pydy._system.forces import Forces
+from pydy._system.inertial import InertialParameters
 from pydy._system.optimal import Optimisation
 from pydy._system.orbits import Orbits
 from pydy._system.pictures import Pictures
@@ -41,7 +41,7 @@ class System(
     Optimisation,
     Simulation,
     Evaluation,
-    Dynamics,
+    InertialParameters,
     Reading,
     Exporting,
     Forces,

@@ -32,7 +32,7 @@ from pydy._mechanics.form import (
 )
 from pydy._mechanics.inertia import Load, loads_and_inertias, lumped
 from pydy._mechanics.kinematics import Kinematics, Vec
-from pydy._mechanics.reader import Multibody, distances, places
+from pydy._mechanics.reader import Multibody, distances, is_rigid, places
 
 Expressions = list[Any]
 
@@ -171,6 +171,80 @@ def weights(body: Multibody, known: Known, pull: Any = None) -> Expressions | No
         mass, down = kinematics.read(item.mass), kinematics.expressed(fall, inertial, home)
         loads.append(Load(v, [g.neg(g.mul(mass, x)) for x in down]))
     return known.expressions(kinematics, _pushed(kinematics, loads))
+
+
+@collector_paused()
+def regressor(body: Multibody, known: Known) -> Expressions | None:
+    """Return Y of τ = Y π + …, row by row, with the inertial parameters π of `parameters`.
+
+    With the acceleration a of the mass centre, less gravity, and the angular velocity and
+    acceleration in the body's axes, a mass m with the first moment h and the inertia I about that
+    point takes the force m a + α × h + ω × (ω × h) and the torque h × a + I α + ω × I ω: linear in
+    the ten (Khalil, Dombre, Modeling, Identification and Control of Robots, 2002, ch. 9).
+    None where no load tells what gravity is.
+    """
+    kinematics = moving(body, in_bodies=True, driven=True)
+    fall = None if body.lagrangian is not None else _common_pull(kinematics)
+    if fall is None:
+        return None
+    g, columns = kinematics.graph, []
+    units = [[g.one if j == i else g.zero for j in range(3)] for i in range(3)]
+    for item in body.bodies:
+        home, v, _ = kinematics.motion(item.masscenter)
+        down = kinematics.expressed(fall, kinematics.inertial, home)
+        a = [
+            g.sub(x, y) for x, y in zip(kinematics.acceleration(item.masscenter), down, strict=True)
+        ]
+        axes = item.frame if is_rigid(item) else home
+        a, v = (kinematics.expressed(part, home, axes) for part in (a, v))
+        pairs: list[tuple[Vec, Vec | None]] = [(a, None)]
+        moved = [_pushed(kinematics, [Load(v, unit)]) for unit in units]
+        turned: list[Vec] = []
+        if is_rigid(item):
+            w, _ = kinematics.spin(axes)
+            alpha, turning = kinematics.angular_acceleration(axes, axes), kinematics.turning(axes)
+            turned = [_pushed(kinematics, [Load(w, unit)]) for unit in units]
+            pairs += [
+                ([row[i] for row in turning], kinematics.cross(unit, a))
+                for i, unit in enumerate(units)
+            ]
+            for i, j in _ENTRIES:
+                part = [[g.zero] * 3 for _ in range(3)]
+                part[i][j] = part[j][i] = g.one
+                momentum = kinematics.turned(part, w)
+                couple = kinematics.plus(
+                    kinematics.turned(part, alpha), kinematics.cross(w, momentum)
+                )
+                pairs.append(([g.zero] * 3, couple))
+        for force, torque in pairs:
+            terms = list(zip(moved, force, strict=True))
+            terms += list(zip(turned, torque, strict=True)) if torque is not None else []
+            columns.append(
+                [
+                    g.sum([(g.mul(row[k], size), 1.0) for row, size in terms])
+                    for k in range(len(kinematics.speeds))
+                ]
+            )
+    return known.expressions(kinematics, [n for row in zip(*columns, strict=True) for n in row])
+
+
+_ENTRIES = ((0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (0, 2))
+
+
+@collector_paused()
+def parameters(body: Multibody, known: Known) -> Expressions:
+    """Return the inertial parameters of all bodies: m, m c, and the inertia about the mass centre.
+
+    The mass centre c is where the model has it, so that its first moments are zero. A particle has
+    its mass alone.
+    """
+    kinematics, found = moving(body, in_bodies=True), []
+    for item in body.bodies:
+        found.append(kinematics.read(item.mass))
+        if is_rigid(item):
+            tensor = kinematics.tensor(tuple(item.central_inertia.args), item.frame)
+            found += [*[kinematics.graph.zero] * 3, *(tensor[i][j] for i, j in _ENTRIES)]
+    return known.expressions(kinematics, found)
 
 
 def _common_pull(kinematics: Kinematics) -> Vec | None:

@@ -36,7 +36,7 @@ from pydy._system.setup import Setup
 from pydy._system.snapshot import Snapshot
 from pydy._system.values import sweep
 
-__all__ = ["Dynamics", "without_bodies"]
+__all__ = ["Dynamics", "Quantity", "all_accelerations", "bodies_of", "without_bodies"]
 
 Expressions = Callable[[Equations, Known], Any]
 
@@ -116,6 +116,15 @@ def _accelerations(value: Any, equations: Equations) -> np.ndarray:
             f"`a` must have the shape ({n},) or (m, {n}){several if free < n else ''}, got "
             f"{array.shape}."
         )
+    return array
+
+
+def all_accelerations(value: Any, equations: Equations) -> np.ndarray:
+    """Return those of all speeds, which must be given; None stands for zeros."""
+    n = len(equations.speeds)
+    array = np.zeros(n) if value is None else _accelerations(value, equations)
+    if array.shape[-1] != n:
+        raise ValueError(f"`a` must have the accelerations of all {n} speeds, got {array.shape}.")
     return array
 
 
@@ -235,7 +244,7 @@ def _of_method(assembly: Assembly, rates: Sequence[int], what: str) -> list[int]
     ]
 
 
-def _bodies(equations: Equations) -> Multibody:
+def bodies_of(equations: Equations) -> Multibody:
     body = equations.multibody
     if body is None:
         raise ValueError(
@@ -261,7 +270,7 @@ def _required(
     def expressions(equations: Equations, known: Known) -> Any:
         if without_bodies(equations):
             return ("forces",)
-        return inverse_dynamics(_bodies(equations), known, at, free=free)
+        return inverse_dynamics(bodies_of(equations), known, at, free=free)
 
     rows = tuple(f"the force at {speed}" for speed in speeds)
     name = "bias forces" if zero else "inverse dynamics"
@@ -291,7 +300,7 @@ def _places_of(equations: Equations, at: Any) -> tuple[int, ...] | None:
 
 def _place(equations: Equations, eom_method: Any, where: Any) -> tuple[Any, Any]:
     """Return the frame and the point that a user means; either may be None."""
-    bodies, known = _bodies(equations).bodies, getattr(eom_method, "frames", None) or {}
+    bodies, known = bodies_of(equations).bodies, getattr(eom_method, "frames", None) or {}
     if isinstance(where, str) and where in known:
         return (*known[where],)
     named = [body for body in bodies if isinstance(where, str) and name_of(body) == where]
@@ -456,7 +465,7 @@ class Dynamics(Setup):
         def expressions(equations: Equations, known: Known) -> Any:
             if not equations.velocity:
                 return ("matrix",)
-            return mass_matrix(_bodies(equations), known)
+            return mass_matrix(bodies_of(equations), known)
 
         rows = tuple(f"row {k} of the mass matrix" for k in range(n * n))
         made = Quantity("mass matrix", (), (n, n), expressions, rows)
@@ -539,7 +548,7 @@ class Dynamics(Setup):
         equations = self._equations
         if acceleration is not None and not isinstance(acceleration, Vector):
             raise TypeError(f"`acceleration` must be a Vector, got {shown(acceleration)}.")
-        body = _bodies(equations)
+        body = bodies_of(equations)
 
         def expressions(equations: Equations, known: Known) -> Any:
             found = weights(body, known, acceleration)
@@ -590,7 +599,7 @@ class Dynamics(Setup):
         >>> system.frame_position(body, [2.0])
         array([2., 0., 0.])
         """
-        body = _bodies(self._equations)
+        body = bodies_of(self._equations)
         _, point = _place(self._equations, self._eom_method, where)
         if point is None:
             raise ValueError(f"`where` must have a point, got the frame {where}.")
@@ -626,7 +635,7 @@ class Dynamics(Setup):
         -------
         ndarray, shape (3, 3) or (m, 3, 3)
         """
-        body = _bodies(self._equations)
+        body = bodies_of(self._equations)
         frame, _ = _place(self._equations, self._eom_method, where)
         if frame is None:
             raise ValueError(f"`where` must have a frame, got {where}, which does not turn.")
@@ -675,7 +684,7 @@ class Dynamics(Setup):
                [0., 0.],
                [0., 0.]])
         """
-        body = _bodies(self._equations)
+        body = bodies_of(self._equations)
         frame, point = _place(self._equations, self._eom_method, where)
         if point is not None:
             _origin(body, point)

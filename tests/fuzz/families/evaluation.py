@@ -212,3 +212,13 @@ for _method in ("frame_position", "frame_rotation", "frame_jacobian"):
 @target("equations_of_motion.short", flags)
 def _(v):
     return str(world().o.system.equations_of_motion(v))
+
+
+@target("regressor.a", array((1,), (None, 1)).or_(_none).or_none())
+def _(v):
+    return world().o.system.regressor(a=v)
+
+
+@target("base_parameters.q", array((1,), (None, 1)).or_(_none).or_none())
+def _(v):
+    return world().o.system.base_parameters(v, [1.0], [2.0]).places
