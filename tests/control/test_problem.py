@@ -6,6 +6,7 @@ import signal
 import subprocess
 import sys
 
+import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 import sympy as sm
@@ -687,3 +688,19 @@ def test_bad_bounds_over_the_motion_are_named(bounds, duration, message):
         OptimalControl(
             system, sm.Integral(F**2, T), duration, end={x: 1.0, v: 0.0}, bounds=bounds
         ).check({TF: 1.0} if duration is TF else None)
+
+
+def test_controls_errors_and_sparsity_are_plotted():
+    system, (x, v, F) = optima.double_integrator()
+    found = system.optimize_trajectory(
+        TF, TF, end={x: 1.0, v: 0.0}, bounds={F: (-1.0, [1.0, 1.2]), TF: (0.1, 10.0)}, mesh=4
+    )
+    (ax,) = found.plot_controls()
+    assert (ax.get_ylabel(), len(ax.lines)) == ("F", 4)  # itself, its bounds, the nodes
+    assert found.plot_controls(ax) is ax
+    ax = found.plot_error()
+    assert ax.patches[0].get_data().values.tolist() == found.error.tolist()
+    ax = found.plot_sparsity()
+    places = set(zip(*ax.lines[0].get_data(), strict=True))
+    assert {row for _, row in places} == set(range(2 * 3 * 4))
+    plt.close("all")

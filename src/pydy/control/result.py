@@ -9,12 +9,14 @@ from typing import Any
 import numpy as np
 
 from pydy._names import unique_names
+from pydy._optional import require
 from pydy.codegen.arguments import one_format
 from pydy.control.ipopt import STATUS, Iteration, Solution
 from pydy.control.nlp import Nlp
 from pydy.control.transcription import Transcription
 from pydy.control.tuning import INPUT_SAMPLES, JUMP
 from pydy.inputs import SampledInput
+from pydy.plot import axes_of
 from pydy.trajectory import Columns, Trajectory
 
 __all__ = ["OptimalTrajectory", "worst_rows"]
@@ -153,6 +155,58 @@ class OptimalTrajectory(Trajectory):
                 there &= (own == node) | ((node == M) & (own == M - 1))
                 np.add.at(found, (state[there], node[there]), sign * values[there])
         return dict(zip(self._states, found, strict=True))
+
+    def plot_controls(self, axes: Any = None) -> Any:
+        """Plot the controls over time, dashed their bounds, and the nodes; return the Axes.
+
+        Parameters
+        ----------
+        axes : Axes or sequence of Axes, optional
+            One for each control.
+        """
+        if not self.controls:
+            raise ValueError("The motion has no controls to plot.")
+        if axes is None:
+            plt = require("matplotlib.pyplot", "plot", "a plot")
+            axes = plt.subplots(
+                len(self.controls), squeeze=False, sharex=True, layout="constrained"
+            )[1][:, 0]
+        bounds, inputs = self._transcription.problem.control_bounds, self.inputs()
+        names = unique_names(self.controls)
+        parts = zip(np.atleast_1d(axes), names, self.controls, bounds, strict=True)
+        for ax, name, symbol, sides in parts:
+            times = inputs[symbol].breaks
+            axes_of(ax, "a plot").plot(times, inputs[symbol].rows(times)[:, 0])
+            for side in sides:
+                limit = side(times / self.duration)
+                if np.isfinite(limit).all():
+                    ax.plot(times, limit, "--", color="0.5", linewidth=0.8)
+            ax.plot(self.mesh, np.zeros_like(self.mesh), "|", color="0.6",
+                    transform=ax.get_xaxis_transform())  # fmt: skip
+            ax.set_xlabel("time (s)")
+            ax.set_ylabel(name)
+        return axes
+
+    def plot_error(self, ax: Any = None) -> Any:
+        """Plot the error of each interval over time; return the Axes."""
+        ax = axes_of(ax, "a plot")
+        ax.stairs(self.error, self.mesh, baseline=None)
+        if (self.error > 0.0).any():
+            ax.set_yscale("log")
+        ax.set_xlabel("time (s)")
+        ax.set_ylabel("error of the interval")
+        return ax
+
+    def plot_sparsity(self, ax: Any = None) -> Any:
+        """Plot where the Jacobian of the equations by the unknowns is not zero; return the Axes."""
+        ax = axes_of(ax, "a plot")
+        rows, columns = self._nlp.jacobian_at
+        ax.plot(columns, rows, "s", markersize=1)
+        ax.set_xlim(-1, self._nlp.size)
+        ax.set_ylim(self._nlp.rows, -1)
+        ax.set_xlabel("unknowns")
+        ax.set_ylabel("equations")
+        return ax
 
     def inputs(self) -> dict[Any, SampledInput]:
         """Return the controls as `pydy.inputs.SampledInput`, for `System.specifieds`.
