@@ -192,14 +192,15 @@ class Phases:
         ).in_own_units(np.clip(start, lower, upper))
         solution = solve(nlp, np.clip(start, lower, upper), options=options, watch=watch)
         phases, first = [], 0
-        for problem, one, program, at in zip(self._problems, made, programs, own, strict=True):
+        parts = zip(self._problems, made, programs, own, starts, strict=True)
+        for problem, one, program, at, begin in parts:
             z, rows = solution.z[at], slice(first, first + program.rows)
             first += program.rows
             part = replace(
                 solution, z=z, multipliers=solution.multipliers[rows], below=solution.below[at],
                 above=solution.above[at], objective=program.cost(z / program.sizes),
             )  # fmt: skip
-            phases.append(problem._trajectory(one, program, part))
+            phases.append(problem._trajectory(one, program, begin, part))
         found = PhasedTrajectory(phases, solution)
         if solution.interrupted:
             raise AnalysisInterrupted(
