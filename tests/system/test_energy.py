@@ -438,3 +438,38 @@ def test_a_motion_that_moves_nothing_else_counts_in_the_energy():
     close(system.evaluate_energy(t=0.1).kinetic, 0.04 + 9)
     with pytest.raises(ValueError, match="z"):
         system.specifieds = {me.dynamicsymbols("z"): 3.0}
+
+
+def body_to_change():
+    q, u = me.dynamicsymbols("q u")
+    frame, turning, origin = me.ReferenceFrame("N"), me.ReferenceFrame("A"), me.Point("O")
+    origin.set_vel(frame, 0)
+    turning.orient_axis(frame, q, frame.z)
+    center = origin.locatenew("C", turning.x)
+    inertia = me.inertia(turning, 0, 0, 0.1), center
+    bob = me.RigidBody("bob", center, turning, 2, inertia)
+    loads = [(center, -19.62 * frame.y)]
+    return bob, frame, q, System(Definition(frame, [q], [u], bodies=[bob], loads=loads))
+
+
+@pytest.mark.parametrize("what", ["mass", "inertia", "position", "orientation"])
+@pytest.mark.parametrize("ask", ["evaluate_energy", "scene", "equations_of_motion"])
+def test_a_body_that_was_changed_after_the_system_was_made_is_told(what, ask):
+    bob, frame, q, system = body_to_change()
+    if what == "mass":
+        bob.mass = 7
+    elif what == "inertia":
+        bob.inertia = me.inertia(bob.frame, 0, 0, 3), bob.masscenter
+    elif what == "position":
+        bob.masscenter.set_pos(next(iter(bob.masscenter._pos_dict)), 3 * bob.frame.x)
+    else:
+        bob.frame.orient_axis(frame, 2 * q, frame.z)
+    with pytest.raises(ValueError, match=rf"The {what} of the body `bob` has been changed"):
+        getattr(system, ask)()
+
+
+def test_a_body_that_only_gains_neighbours_has_not_changed():
+    bob, frame, _, system = body_to_change()
+    bob.masscenter.locatenew("P", bob.frame.y)
+    me.ReferenceFrame("B").orient_axis(bob.frame, 1, frame.z)
+    close(system.evaluate_energy().total, 0.0)

@@ -176,6 +176,11 @@ class Equations:
         rates = zip(self.coordinate_rates, self.coordinate_derivatives, strict=True)
         return replace_symbols(expression, {**dict(rates), **dict.fromkeys(self.zeros, sm.S.Zero)})
 
+    def check_unchanged(self) -> None:
+        """Raise where a body has been changed since these equations were made."""
+        if self.multibody is not None:
+            self.multibody.check_unchanged()
+
     @cached_property
     def left_out(self) -> tuple[tuple[Any, ...], tuple[Any, ...]]:
         """The holonomic and the velocity constraints that are redundant, in terms of the states."""
@@ -194,6 +199,7 @@ class Equations:
         """The kinetic energy in terms of q, u, t, constants and specifieds; None without bodies."""
         if self.mechanism is None or not self.mechanism.bodies:
             return None
+        self.check_unchanged()
         return self.in_states(self.mechanism.kinetic_energy)
 
     @cached_property
@@ -201,6 +207,7 @@ class Equations:
         """What gives multipliers and reactions; None without bodies."""
         if self.multibody is None:
             return None
+        self.check_unchanged()
         return ConstraintForces(
             self.multibody,
             {k: self.holonomic[k] for k in self.enforced},

@@ -84,6 +84,7 @@ def find_potential(equations: Equations) -> Potential:
     mechanism = equations.mechanism
     if mechanism is None:
         return Potential()
+    equations.check_unchanged()
     with warnings.catch_warnings():
         # SymPy makes up velocities that nobody set, and warns where there are several ways.
         warnings.simplefilter("ignore", UserWarning)

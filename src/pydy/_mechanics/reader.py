@@ -55,11 +55,42 @@ class Multibody:
     # Whether no choice of dependent speeds is to be relied on: the rank of the constraints,
     # or what they can be solved for, may change as the system moves.
     changing: bool = False
+    # The bodies as they were when they were first read, which SymPy lets change afterwards.
+    noted: tuple[tuple[Any, tuple[Any, ...]], ...] = ()
+
+    def __post_init__(self) -> None:
+        if not self.noted:
+            noted = tuple((body, _noted(body)) for body in self.bodies)
+            object.__setattr__(self, "noted", noted)
+
+    def check_unchanged(self) -> None:
+        """Raise where a body is not as it was: what is derived now would be of another model."""
+        for body, before in self.noted:
+            names = ("mass", "inertia", "mass center", "frame", "position", "orientation")
+            for name, old, new in zip(names, before, _noted(body), strict=True):
+                if isinstance(old, dict):  # SymPy adds neighbours as it goes
+                    new = {key: new.get(key) for key in old}
+                if old is not new and old != new:
+                    said = "" if isinstance(old, dict) else f" from {old} to {new}"
+                    raise ValueError(
+                        f"The {name} of the body `{body.name}` has been changed{said} since the "
+                        "System was made. Its equations of motion are those from before: make a "
+                        "new System, or undo the change. For values that vary, use constants."
+                    )
 
     @cached_property
     def speed_rates(self) -> tuple[Any, ...]:
         """The derivatives of the speeds."""
         return tuple(rate_of(u, self.time) for u in self.speeds)
+
+
+def _noted(body: Any) -> tuple[Any, ...]:
+    """Return what a body is like, as `Multibody.check_unchanged` names it."""
+    point = body.masscenter
+    if not is_rigid(body):
+        return body.mass, None, point, None, {**places(point)}, {}
+    inertia = body.inertia
+    return body.mass, inertia, point, body.frame, {**places(point)}, {**oriented(body.frame)}
 
 
 def read_loads(loads: Iterable[Any]) -> tuple[tuple[Any, Any], ...]:

@@ -252,6 +252,7 @@ def bodies_of(equations: Equations) -> Multibody:
             "KanesMethod with `bodies=` and `forcelist=`, or call its `kanes_equations(bodies, "
             "loads)`."
         )
+    body.check_unchanged()
     return body
 
 

@@ -138,6 +138,7 @@ def equations_to_read(equations: Equations, forces: tuple[Any, ...]) -> Equation
                 "`eom_method` holds no bodies. Use the `mass_matrix_full` and `forcing_full` of "
                 "the method itself."
             )
+        body.check_unchanged()
         matrix, bias = mass_matrix(body, known), inverse_dynamics(body, known)
     rates = [*equations.coordinate_derivatives]
     velocity = [*equations.velocity]

@@ -49,6 +49,7 @@ def make_scene(
     loads = flag(options.pop("loads", False), "`loads`")
     mechanism = equations.mechanism
     bodies = mechanism.bodies if mechanism is not None else ()
+    equations.check_unchanged()
     if not visuals and not bodies:
         raise ValueError(
             "`scene` needs visuals, such as Visual(Sphere(0.1), point): the System's `eom_method` "
