@@ -16,6 +16,7 @@ __all__ = ["FAMILIES", "TARGETS", "Target", "target"]
 
 FAMILIES = (
     "command_line",
+    "contacts",
     "ensembles",
     "evaluation",
     "exports",

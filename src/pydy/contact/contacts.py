@@ -5,14 +5,18 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from pydy._checks import check_mapping
+from pydy._checks import check_mapping, choice, flag
 from pydy._system.snapshot import Snapshot
+from pydy._system.solving import check_events
 from pydy.contact.conditions import paired, symbols_of
 from pydy.contact.run import Compiled, Run
 from pydy.contact.trajectory import ContactTrajectory
 from pydy.solvers.events import Event
 from pydy.solvers.solver import Solver
 from pydy.system import System
+
+# How `constraints` may be given; closed contacts are held by projection.
+_HELD = (None, "project", "baumgarte")
 
 
 class Contacts:
@@ -136,8 +140,9 @@ class Contacts:
         refused = [k for k in ("sensitivities", "control_sensitivities") if solver_kwargs.get(k)]
         if refused:
             raise NotImplementedError(f"`{refused[0]}` is not supported with contacts yet.")
-        if solver_kwargs.get("constraints") == "baumgarte" or not solver_kwargs.get(
-            "dense_output", True
+        held = choice(solver_kwargs.get("constraints"), _HELD, "`constraints`")
+        if held == "baumgarte" or not flag(
+            solver_kwargs.get("dense_output", True), "`dense_output`"
         ):
             raise ValueError(
                 "`constraints='baumgarte'` and `dense_output=False` are not supported with "
@@ -149,10 +154,10 @@ class Contacts:
                 "Contacts need a native solver, which locates events: set `system.ode_solver = "
                 "'dop853'`, or another one of pydy.solvers."
             )
-        given = [events] if isinstance(events, Event) else list(events)
-        if any(isinstance(e, Event) and e.reset for e in given):
-            raise NotImplementedError("`events` with resets are not supported with contacts yet.")
         now, kept = self._now()
+        given = [] if events is None else [*check_events(events, now.definition.places["states"])]
+        if any(e.reset for e in given):
+            raise NotImplementedError("`events` with resets are not supported with contacts yet.")
         times = now.checked_times()
         if len(times) < 2:
             raise ValueError(

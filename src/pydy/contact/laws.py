@@ -11,7 +11,7 @@ from typing import Any
 
 import sympy as sm
 
-from pydy._checks import shown
+from pydy._checks import number, shown
 
 
 def hunt_crossley(gap: Any, rate: Any, stiffness: Any, damping: Any, exponent: Any = 1.5) -> Any:
@@ -310,12 +310,23 @@ def joint_friction(
     return r * brown_mcphee(r * w, pressing, mu, transition, mu_static=peak)
 
 
+_POSITIVE = {"transition", "stribeck_speed", "normal_transition"}
+
+
 def _expressions(**given: Any) -> list[Any]:
-    """Return arguments as SymPy expressions."""
+    """Return arguments as SymPy expressions with finite real values."""
     found = []
     for name, value in given.items():
-        number = isinstance(value, (int, float)) and not isinstance(value, bool)
-        if not (number or isinstance(value, sm.Expr)):
+        if isinstance(value, sm.Expr) and not value.is_number:
+            if value.has(sm.nan, sm.zoo, sm.I, sm.oo, sm.MatrixSymbol):
+                raise ValueError(f"`{name}` must have real values, got {shown(value)}.")
+            found.append(value)
+            continue
+        if not hasattr(value, "__float__") and not isinstance(value, sm.Basic):
             raise TypeError(f"`{name}` must be an expression or a number, got {shown(value)}.")
-        found.append(sm.sympify(value))
+        known = number(value, f"`{name}`", finite=True)
+        if name in _POSITIVE and not known > 0.0:
+            raise ValueError(f"`{name}` must be positive, got {known:g}.")
+        plain = isinstance(value, (int, sm.Expr)) and not isinstance(value, bool)
+        found.append(sm.sympify(value if plain else known))
     return found

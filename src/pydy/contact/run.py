@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from pydy._checks import real_array
 from pydy._errors import ContactError, IntegrationError
 from pydy._system.snapshot import Snapshot
 from pydy.contact.conditions import Contact, check_values
@@ -128,6 +129,7 @@ class Run:
     ) -> None:
         self.kept, self.now, self.times = kept, now, times
         self.user_events, self.options = events, options
+        self._atol = real_array(options.get("atol", Options.atol), "`atol`")
         self.rows, self.contacts = kept.rows, kept.contacts
         self.span = float(times[-1] - times[0])
         self.n = len(now.definition.states)
@@ -402,8 +404,8 @@ class Run:
             return False
         height = speed**2 / (2.0 * -acceleration)
         first = self.first_height.setdefault(i, height)
-        rtol = float(np.min(self.options.get("rtol", Options.rtol)))
-        atol = float(np.min(self.options.get("atol", Options.atol)))
+        rtol = float(np.min(real_array(self.options.get("rtol", Options.rtol), "`rtol`")))
+        atol = float(np.min(self._atol))
         return bool(height <= max(rtol * first, atol))
 
     # -- from transition to transition ------------------------------------------------------------
@@ -497,7 +499,7 @@ class Run:
         """
         found: dict[Any, float] = {}
         eps = np.finfo(float).eps
-        atol = float(np.min(self.options.get("atol", Options.atol)))
+        atol = float(np.min(self._atol))
         for i, symbols in self.rows.references.items():
             rows = self.rows.tangent[i]
             gained = float(np.linalg.norm(p.free[rows])) * self.span
@@ -559,7 +561,7 @@ class Run:
 
     def check(self, part: Any, mode: Mode, end: float, last: np.ndarray | None) -> None:
         """Refuse a motion in which a transition was missed: no number that is wrong is returned."""
-        atol = float(np.max(self.options.get("atol", Options.atol)))
+        atol = float(np.max(self._atol))
         symbols = output_symbols(self.contacts)
         few = np.append(np.linspace(part.times[0], end, CHECKED), end)
         few = np.unique(np.concatenate([few, part.times[part.times <= end]]))

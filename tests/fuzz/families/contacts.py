@@ -1,0 +1,205 @@
+"""Laws of contact, and contacts that open, close, stick and slide."""
+
+from __future__ import annotations
+
+from functools import cache
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+import sympy as sm
+from sympy.physics.mechanics import Particle, Point, ReferenceFrame, dynamicsymbols
+
+from fuzz.kinds import Kind, RefusedError, choice, nothing, real
+from fuzz.table import empty_or_none, expression, key, mapping, target
+from pydy.contact import (
+    Contacts,
+    Stick,
+    Unilateral,
+    brown_mcphee,
+    hunt_crossley,
+    joint_friction,
+    kelvin_voigt,
+    rolling_resistance,
+    stribeck,
+)
+from pydy.mechanics import Definition
+from pydy.system import System
+
+
+@cache
+def _block() -> SimpleNamespace:
+    """A block above a floor, and its contacts."""
+    x, y, v, w = dynamicsymbols("x, y, v, w")
+    m, g, mu = sm.symbols("m, g, mu")
+    N, O = ReferenceFrame("N"), Point("O")
+    O.set_vel(N, 0)
+    P = O.locatenew("P", x * N.x + y * N.y)
+    P.set_vel(N, v * N.x + w * N.y)
+    block = Definition(
+        N, [x, y], [v, w], bodies=[Particle("block", P, m)], loads=[(P, -m * g * N.y)]
+    )
+    floor = Unilateral(y, restitution=0.5, name="floor")
+    return SimpleNamespace(**locals())
+
+
+def _system() -> System:
+    b = _block()
+    return System(
+        b.block,
+        {b.m: 2.0, b.g: 9.81},
+        initial_conditions={b.v: 1.0, b.y: 0.1},
+        times=np.linspace(0.0, 0.5, 3),
+        ode_solver="dop853",
+    )
+
+
+def _run(*contacts: Any, constants: Any = None, **options: Any) -> Any:
+    return Contacts(_system(), list(contacts), constants).simulate(**options).states
+
+
+def _parameter(value: Any) -> Any:
+    """Return a number or an expression that may stand for one."""
+    found = expression(value)
+    if isinstance(found, sm.Basic) and (found.is_Relational or not isinstance(found, sm.Expr)):
+        raise RefusedError
+    return found
+
+
+def _amount(most: float = np.inf) -> Kind:
+    def read(value: Any) -> Any:
+        found = _parameter(value)
+        if isinstance(found, sm.Expr) and not found.is_number:
+            return found
+        return real(least=0.0, most=most).read(found)
+
+    return Kind(read, ("common", "numbers", "symbols"), compare=False)
+
+
+_gap = Kind(_parameter, ("common", "numbers", "symbols"), compare=False)
+
+
+def _moving_gap(value: Any) -> Any:
+    found = _parameter(value)
+    if not isinstance(found, sm.Expr) or found.is_number:
+        raise RefusedError
+    return found
+
+
+_LAWS: dict[Any, dict[str, Any]] = {
+    hunt_crossley: {"gap": -0.1, "rate": 0.0, "stiffness": 1e3, "damping": 0.3, "exponent": 1.5},
+    kelvin_voigt: {"gap": -0.1, "rate": 0.0, "stiffness": 1e3, "damping": 3.0},
+    brown_mcphee: {"speed": 0.1, "normal": 2.0, "mu": 0.3, "transition": 0.01},
+    stribeck: {"speed": 0.1, "normal": 2.0, "mu": 0.3, "mu_static": 0.4, "stribeck_speed": 0.1},
+    rolling_resistance: {"rate": 0.1, "normal": 2.0, "arm": 0.3, "transition": 0.1},
+    joint_friction: {"rate": 0.1, "normal": 2.0, "mu": 0.3, "radius": 0.1, "transition": 0.01},
+}
+
+for _law, _given in _LAWS.items():
+    for _name in _given:
+
+        @target(f"{_law.__name__}.{_name}", _gap)
+        def _(v, law=_law, name=_name, given=_given):
+            return repr(law(**{**given, name: v}))
+
+
+def _sliding(value: Any) -> Any:
+    if isinstance(value, (list, tuple)) and len(value) in (1, 2):
+        return [_parameter(part) for part in value]
+    return _parameter(value)
+
+
+@target("Unilateral.gap", Kind(_moving_gap, _gap.groups, compare=False))
+def _(v):
+    return repr(Unilateral(v))
+
+
+@target("Unilateral.restitution", _amount(1.0))
+def _(v):
+    return repr(Unilateral(_block().y, restitution=v))
+
+
+@target("Unilateral.name", nothing("texts", allowed=lambda v: isinstance(v, str)))
+def _(v):
+    return repr(Unilateral(_block().y, name=v))
+
+
+@target("Stick.on", nothing("symbols", "texts"))
+def _(v):
+    return repr(Stick(_block().v, on=v, mu=0.2))
+
+
+@target("Stick.mu", _amount())
+def _(v):
+    return repr(Stick(_block().v, on=_block().floor, mu=v))
+
+
+@target("Stick.mu_static", _amount().or_none(), "`mu_static`")
+def _(v):
+    return repr(Stick(_block().v, on=_block().floor, mu=0.0, mu_static=v))
+
+
+@target("Stick.normal", _amount(), "`normal`")
+def _(v):
+    return repr(Stick(_block().v, normal=v, mu=0.2))
+
+
+@target("Stick.point", Kind(_sliding, _gap.groups, compare=False), "`point`", "`along`")
+def _(v):
+    return repr(Stick(v, on=_block().floor, mu=0.2))
+
+
+@target("Stick.along", nothing("symbols", "texts", "arrays"))
+def _(v):
+    return repr(Stick(_block().P, on=_block().floor, mu=0.2, along=v))
+
+
+@target("Stick.against", nothing("symbols", "texts", allowed=lambda v: v is None))
+def _(v):
+    b = _block()
+    return repr(Stick(b.P, on=b.floor, mu=0.2, along=b.N.x, against=v))
+
+
+@target("Contacts.system", nothing("symbols", "texts"))
+def _(v):
+    return Contacts(v, [_block().floor])
+
+
+@target("Contacts.contacts", nothing("symbols", "texts", "arrays"))
+def _(v):
+    return Contacts(_system(), v)
+
+
+@target("Contacts.constants", mapping)
+def _(v):
+    return _run(_block().floor, constants=v)
+
+
+@target("Contacts.constants[key]", key, "constants", "constant")
+def _(v):
+    try:
+        hash(v)
+    except TypeError:
+        v = frozenset()
+    return _run(_block().floor, constants={v: 1.0})
+
+
+@target("Contacts.constants[value]", real(least=0.0), "mu", "constant")
+def _(v):
+    b = _block()
+    return _run(Stick(b.v, on=b.floor, mu=b.mu), constants={b.mu: v})
+
+
+@target("Contacts.simulate.events", nothing("symbols", "texts", allowed=empty_or_none))
+def _(v):
+    return _run(_block().floor, events=v)
+
+
+@target("Contacts.simulate.rtol", Kind(real(least=0.0).read, ("common", "numbers"), compare=False))
+def _(v):
+    return _run(_block().floor, rtol=v).shape
+
+
+@target("Contacts.simulate.constraints", choice("project").or_none())
+def _(v):
+    return _run(_block().floor, constraints=v)
