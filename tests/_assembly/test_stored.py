@@ -40,7 +40,7 @@ x = np.linspace(-1.0, 1.0, 26)
 rates = system.evaluate_ode(x)
 jacobian = system.evaluate_jacobian(x)
 assert all(kernel.addresses for kernel in system.model._kernels.values())
-better = native._runtime().better
+better = native.gates().better
 if better is not None:
     better.run()
 print(json.dumps([counts, rates.tolist(), jacobian.tolist()]))

@@ -52,9 +52,9 @@ def limit(value: Any, what: str, duration: float | None) -> Limit | float:
         if value.size != 1:
             raise ValueError(f"{what} must be samples of one value, got {value.size} a time.")
         return Limit(value, duration)
-    if np.ndim(value) == 0:
-        return number(value, what)
     samples = real_array(value, what)
+    if samples.ndim == 0:
+        return number(value, what)
     if samples.ndim != 1 or not len(samples) or not np.isfinite(samples).all():
         raise ValueError(f"{what} must have rows of finite numbers, got {shown(value)}.")
     return Limit(samples)

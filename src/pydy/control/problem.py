@@ -289,12 +289,7 @@ class OptimalControl:
         for k, (key, pair) in zip(columns, given.items(), strict=True):
             symbol, what = self._unknown.symbols[k], f"`bounds[{key}]`"
             sides = pair if isinstance(pair, (tuple, list)) and len(pair) == 2 else ()
-            if all(
-                side is None
-                or isinstance(side, float)
-                or (np.ndim(side) == 0 and not isinstance(side, SampledInput))
-                for side in sides
-            ):
+            if all(map(_constant, sides)):
                 found[key] = pair
                 continue
             if symbol not in moving:
@@ -722,6 +717,16 @@ def checked_mesh(mesh: Any) -> np.ndarray:
         )
     fractions: np.ndarray = (nodes - nodes[0]) / (nodes[-1] - nodes[0])
     return fractions
+
+
+def _constant(side: Any) -> bool:
+    """Return whether a bound is one for the whole motion."""
+    if side is None or isinstance(side, SampledInput):
+        return side is None
+    try:
+        return np.ndim(side) == 0
+    except (TypeError, ValueError):  # which says less than `limit` does
+        return False
 
 
 def _pair(value: Any, what: str, single: bool) -> tuple[float, float]:

@@ -290,6 +290,9 @@ def _(v):
     return _optimal(objective=v)
 
 
+# Bounds may change over the motion.
+_low_over_time = array((None,), check=lambda a: len(a) > 1 and not np.isnan(a).any())
+
 for _name in ("start", "end", "bounds"):
 
     @target(f"OptimalControl.{_name}", nothing("symbols", "arrays", allowed=_no_values))
@@ -300,7 +303,11 @@ for _name in ("start", "end", "bounds"):
     def _(v, name=_name):
         return _optimal(**{name: {hashable(v): (None, 2.0)}})
 
-    @target(f"OptimalControl.{_name}[value][0]", _low, f"`{_name}")
+    @target(
+        f"OptimalControl.{_name}[value][0]",
+        _low.or_(_low_over_time) if _name == "bounds" else _low,
+        f"`{_name}",
+    )
     def _(v, name=_name):
         o = world().o
         return _optimal(**{name: {o.f if name == "bounds" else o.x: (v, None)}})
