@@ -4,6 +4,7 @@ const sliders = live.sliders.map((one) => ({ ...one, now: one.value }));
 const width = liveModel.states.length, count = times.length;
 const motion = {
   states: new Float64Array(width * count), run: null, dirty: true, reached: 0, started: 0, cost: 0, simulated: 0,
+  asked: start, given: NaN, // the moment that was shown before the run, and what is shown until the run is there
   status: "running", first: null, poses: new Float64Array(liveModel.poses_size), lengths: new Float64Array(liveModel.sizes_size),
   outputs: new Float64Array(liveModel.outputs.length), inputs: null,
 };
@@ -146,6 +147,14 @@ function stop(status) {
   invalidate();
 }
 
+/** Show the last moment that is simulated until the one that was shown is, unless a reader goes elsewhere. */
+function hold() {
+  if (now.time !== motion.given) motion.asked = now.time;
+  const last = motion.run && motion.reached ? times[motion.reached - 1] : Infinity;
+  motion.given = Math.min(motion.asked, last);
+  if (now.time !== motion.given) locate(motion.given);
+}
+
 /** Simulate for some milliseconds. */
 function work(budget) {
   if (motion.dirty) restart();
@@ -156,7 +165,8 @@ function work(budget) {
   if (motion.run.status !== "running") {
     motion.simulated = motion.run.t - start;
     stop(motion.run.status);
-  } else if (motion.reached && now.time > times[motion.reached - 1]) locate(times[motion.reached - 1]);
+  }
+  hold();
   invalidate();
 }
 
