@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import graphlib
+import re
 import subprocess
 import sys
 from collections.abc import Iterator
@@ -358,6 +359,27 @@ def test_thresholds_stand_in_tuning_files_under_names():
             for node in small_numbers(module)
         ]
     )
+
+
+def test_the_files_that_the_design_names_are_there():
+    page = (SRC.parent / "docs/design.md").read_text()
+    table = page[page.index("| layer, room |") : page.index("## Rules")].strip().splitlines()[2:]
+    package, named, missing = SRC / "pydy", set(), []
+    for row in table:
+        rooms, files = (re.findall(r"`([a-z_0-9.*/]+)`", cell) for cell in row.split("|")[1:3])
+        named |= {room.removesuffix(".py") for room in (*rooms, *files)}
+        missing += [name for name in rooms if not any(package.glob(f"{name}*"))]
+        missing += [
+            name
+            for name in files
+            if not any(
+                any(folder.glob(f"{place}{name}{end}"))
+                for folder in (package, *(package / room for room in rooms))
+                for place, end in (("", ""), ("", ".*"), ("*/", ".*"))
+            )
+        ]
+    assert not missing
+    assert set(FLOORS) <= named
 
 
 def test_no_picture_lies_in_the_root():
