@@ -311,6 +311,14 @@ def test_a_first_value_needs_none_of_scipys_packages():
         assert not loaded & heavy, statement
 
 
+def test_private_modules_have_no_list_of_what_they_show():
+    # The reference shows none of them; what other modules may take is what has no underscore.
+    # `_array_layout` names the offsets that `tools/solvers_ir.py` writes into C.
+    private = [m for m in MODULES if "._" in m and m != "pydy._array_layout"]
+    showing = [m for m in private if "\n__all__ = " in MODULES[m].read_text(encoding="utf-8")]
+    no_offences([f"{m} has an `__all__`" for m in showing])
+
+
 def test_no_file_is_longer_than_800_lines():
     lengths = {m: len(p.read_text(encoding="utf-8").splitlines()) for m, p in MODULES.items()}
     offences = [f"{m} has {n} lines, 800 are allowed" for m, n in lengths.items() if n > 800]

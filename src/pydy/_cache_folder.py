@@ -31,8 +31,6 @@ from pathlib import Path
 
 from pydy._errors import PyDyUserWarning
 
-__all__ = ["LIMIT_BYTES", "folder", "read", "unsafe", "write"]
-
 LIMIT_BYTES = 256 * 2**20
 _MAGIC = b"pydy code 1\n"
 _STALE_SECONDS = 3600.0

@@ -21,30 +21,6 @@ import numpy as np
 
 from pydy._names import name_of, nearest, told_apart, written_out
 
-__all__ = [
-    "Check",
-    "Keyed",
-    "Places",
-    "check_mapping",
-    "checked",
-    "choice",
-    "describe",
-    "file_of",
-    "flag",
-    "listed",
-    "number",
-    "one_of",
-    "optional",
-    "path_of",
-    "positive",
-    "real_array",
-    "resolved",
-    "shown",
-    "text",
-    "vector",
-    "whole",
-]
-
 _FLOAT = np.dtype(float)
 _PLAIN = frozenset((float, int, np.float64))
 _HUGE = "a number beyond the range of floats"

@@ -12,25 +12,6 @@ from collections.abc import Sequence
 
 import numpy as np
 
-__all__ = [
-    "AnalysisInterrupted",
-    "EnsembleInterrupted",
-    "EquilibriumError",
-    "FitInterrupted",
-    "GeneratorError",
-    "IntegrationError",
-    "IntegrationInterrupted",
-    "MissingDependencyError",
-    "OptimizationError",
-    "PeriodicOrbitError",
-    "PyDyUserWarning",
-    "RobotFileError",
-    "SingularMatrixError",
-    "UnsupportedFunctionError",
-    "few",
-    "warn_user",
-]
-
 
 class PyDyUserWarning(UserWarning):
     """Base class of all warnings that this package gives to users."""

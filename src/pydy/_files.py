@@ -11,8 +11,6 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-__all__ = ["replacing", "write_files"]
-
 
 @contextlib.contextmanager
 def replacing(*paths: Path) -> Iterator[list[Path]]:

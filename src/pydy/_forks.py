@@ -17,8 +17,6 @@ import threading
 from collections.abc import Callable
 from typing import Any, Generic, TypeVar, overload
 
-__all__ = ["Lock", "cached_property", "in_child", "whole"]
-
 T = TypeVar("T")
 
 

@@ -11,8 +11,6 @@ import numpy as np
 from pydy._forks import cached_property
 from pydy._graph.program import Program
 
-__all__ = ["Call", "Inputs", "Kernel", "KernelCall"]
-
 Sweep = Callable[..., tuple[np.ndarray, np.ndarray]]
 Call = Callable[[Any, Any, Any, Any, np.ndarray], int]
 

@@ -7,19 +7,6 @@ from collections.abc import Callable, Mapping, Sequence
 from difflib import get_close_matches
 from typing import Any
 
-__all__ = [
-    "column_names",
-    "latex_of",
-    "latex_of_rate",
-    "name_of",
-    "nearest",
-    "place_of",
-    "printable",
-    "told_apart",
-    "unique_names",
-    "written_out",
-]
-
 
 def name_of(symbol: Any) -> str:
     """Return the short name of a symbol: ``q1`` for ``q1(t)``; a string is its own name."""

@@ -7,8 +7,6 @@ from contextlib import contextmanager
 from importlib import import_module
 from typing import Any
 
-__all__ = ["progress_of", "require"]
-
 
 def require(module: str, extra: str, purpose: str) -> Any:
     """Import a module, or say which `extra` of this package brings it, and what needs it."""

@@ -12,8 +12,6 @@ from typing import Any
 
 from pydy._interrupts import Interrupts
 
-__all__ = ["LOOK", "output_of", "started"]
-
 LOOK = 0.1
 """Seconds between two looks for a signal: one that comes right before a wait does not end it."""
 

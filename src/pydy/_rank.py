@@ -9,23 +9,6 @@ from __future__ import annotations
 
 import numpy as np
 
-__all__ = [
-    "DEPENDENT",
-    "DIGITS",
-    "HALF",
-    "ROUNDED",
-    "ROUNDING",
-    "equilibrated",
-    "independent_columns",
-    "is_zero",
-    "least_step",
-    "null_space",
-    "or_one",
-    "rank",
-    "rank_of",
-    "roundings",
-]
-
 ROUNDING = 2.0**-52
 """The distance from 1.0 to the next float."""
 

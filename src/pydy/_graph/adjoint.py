@@ -19,8 +19,6 @@ from pydy._graph.node import Graph
 from pydy._graph.operations import OPERATIONS
 from pydy._graph.roots import is_steep, of_half_power, slope
 
-__all__ = ["adjoints"]
-
 Terms = list[tuple[int, float]]
 
 

@@ -13,9 +13,6 @@ from contextlib import contextmanager
 
 from pydy import _forks
 
-__all__ = ["collector_paused"]
-
-
 _pausing: int | None = None  # the thread
 _put_aside = 0  # how many objects
 _limit: int | None = None

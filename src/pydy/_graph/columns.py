@@ -17,8 +17,6 @@ from pydy._graph.node import Graph
 from pydy._graph.switches import Passes
 from pydy._graph.tangent import Along, Tangent, tangent
 
-__all__ = ["Columns"]
-
 
 @dataclass(frozen=True)
 class Columns:

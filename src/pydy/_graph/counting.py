@@ -6,8 +6,6 @@ from collections.abc import Sequence
 
 from pydy._graph.node import Graph
 
-__all__ = ["operations"]
-
 
 def operations(graph: Graph, roots: Sequence[int], known: dict[int, int] | None = None) -> int:
     """Estimate the operations of every call: nothing shared but whole nodes.

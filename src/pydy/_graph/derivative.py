@@ -20,16 +20,6 @@ from pydy._graph.node import Graph
 from pydy._graph.operations import OPERATIONS
 from pydy._graph.roots import is_carried, is_steep, of_half_power, slope
 
-__all__ = [
-    "Rows",
-    "dense",
-    "dense_jacobian",
-    "dense_rows",
-    "directional",
-    "jacobian",
-    "times",
-]
-
 Row = dict[int, int]
 
 

@@ -12,8 +12,6 @@ from pydy._graph.program import Program
 from pydy._graph.simplify import simplify
 from pydy._graph.switches import Passes
 
-__all__ = ["event_program"]
-
 
 def event_program(
     graph: Graph,

@@ -24,8 +24,6 @@ from pydy._graph.node import Graph
 from pydy._graph.operations import named_in_sympy
 from pydy._graph.rewrite import again, rebuild, transplanted
 
-__all__ = ["NodeExpression", "SymPyReader", "differentiated", "is_unevaluated"]
-
 Handler = Callable[[Graph, Any, list[int]], int]
 
 

@@ -6,8 +6,6 @@ from typing import Any
 
 from pydy._graph.operations import operands
 
-__all__ = ["Nodes"]
-
 # Solves report failures, which only calls can do.
 _REPORTING = frozenset({"factor", "solve", "guard", "item"})
 

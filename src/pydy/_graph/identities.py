@@ -15,8 +15,6 @@ from pydy._graph.node import Graph
 from pydy._graph.operations import OPERATIONS
 from pydy._graph.tuning import SOLVED_MODULO_A_PRIME
 
-__all__ = ["evaluated", "signatures"]
-
 
 def signatures(graph: Graph, nodes: Sequence[int]) -> list[int]:
     """Return a number for each node: equal ones for nodes that are equal wherever defined.

@@ -17,8 +17,6 @@ from pydy._graph.program import Program
 from pydy._graph.solve.matrix import symmetric
 from pydy._graph.tuning import INDEPENDENT, REDUNDANT, SINGULAR
 
-__all__ = ["constrained", "constrained_sample", "evaluator", "run", "solved", "stacked"]
-
 Values = list[Any]
 Evaluator = Callable[[Mapping[int, Any], int], np.ndarray]
 

@@ -9,8 +9,6 @@ from pydy._graph.operations import OPERATIONS
 
 Program = Any  # `pydy._graph.program.Program`, which imports this module to print itself
 
-__all__ = ["listing"]
-
 _MOST_LINES = 200
 _ARGUMENTS = {"x": "states", "r": "specifieds", "p": "constants"}
 

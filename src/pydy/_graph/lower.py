@@ -18,8 +18,6 @@ from pydy._graph.solve.choose import factorised
 from pydy._graph.solve.matrix import Factor, Matrix, Part
 from pydy._graph.switches import Passes
 
-__all__ = ["lower"]
-
 
 def lower(
     graph: Graph,

@@ -10,8 +10,6 @@ from __future__ import annotations
 import hashlib
 from functools import lru_cache
 
-__all__ = ["PRIME", "arbitrary", "cosine", "inverse", "residue", "sine"]
-
 # Floats are whole numbers times powers of two: p = 2 q + 1 with a prime q, so that these powers
 # repeat after q of them. p = 3 (mod 4), so that −1 is no square and no 1 + x² vanishes.
 PRIME = 2**61 - 2373

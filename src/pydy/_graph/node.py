@@ -25,8 +25,6 @@ import numpy as np
 from pydy._graph.hash_consing import Nodes
 from pydy._graph.operations import OPERATIONS, Operation
 
-__all__ = ["Graph"]
-
 # Factors of a product that are not just counted.
 _SPECIAL_FACTORS = frozenset({"const", "prod", "sum", "sqrt"})
 

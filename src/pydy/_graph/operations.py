@@ -17,19 +17,6 @@ import numpy as np
 from pydy._graph.modular import cosine, sine
 from pydy._graph.tuning import INDEPENDENT, REDUNDANT
 
-__all__ = [
-    "ANGLES",
-    "OPERATIONS",
-    "SHIPPED",
-    "TRUTHS",
-    "Operation",
-    "is_constrained",
-    "named_in_sympy",
-    "operands",
-    "register",
-    "with_operands",
-]
-
 Nodes = tuple[int, ...]
 Args = tuple[Any, ...]
 

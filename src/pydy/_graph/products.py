@@ -18,8 +18,6 @@ from pydy._graph.passes.factor import factor_sums
 from pydy._graph.program import Program
 from pydy._graph.switches import Passes
 
-__all__ = ["KINDS", "derivative_program"]
-
 KINDS = ("jacobian", "jacobian-vector", "vector-jacobian", "gradient", "hessian-vector")
 
 

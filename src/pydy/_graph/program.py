@@ -38,8 +38,6 @@ from pydy._graph.tuning import DEEPER
 if TYPE_CHECKING:
     import numpy as np
 
-__all__ = ["Block", "Program", "Tape"]
-
 FREE = frozenset({"const", "bool", "input", "item", "factor", "solve", "guard"})
 # What back ends read or compute in groups.
 NEVER_PUT_OFF = (FREE - {"guard", "item"}) | set(ANGLES)

@@ -8,8 +8,6 @@ from typing import Any
 from pydy._graph.node import Graph
 from pydy._graph.operations import OPERATIONS, with_operands
 
-__all__ = ["again", "rebuild", "substitute", "transplanted"]
-
 
 def rebuild(
     graph: Graph,

@@ -23,9 +23,6 @@ from collections.abc import Sequence
 from pydy._graph.node import Graph
 from pydy._graph.operations import OPERATIONS
 
-__all__ = ["is_carried", "is_steep", "of_half_power", "slope"]
-
-
 _STEEP = ("sqrt", "pow", "asin", "acos", "acosh")
 _SMOOTH = ("sin", "cos", "sinh", "cosh", "exp")  # stationary, or one, where these sums vanish
 _STEPS = {"sign", "floor", "ceil", "atan2"}

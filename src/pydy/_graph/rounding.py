@@ -13,8 +13,6 @@ from pydy._graph.derivative import Rows, jacobian
 from pydy._graph.node import Graph
 from pydy._graph.operations import OPERATIONS
 
-__all__ = ["per_unit", "rounding_bounds"]
-
 # Functions of pure numbers: one is large beside nothing, in whatever units.
 _OF_NUMBERS = frozenset(
     ("exp", "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "asinh", "atanh")

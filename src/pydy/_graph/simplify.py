@@ -11,8 +11,6 @@ from pydy._graph.rewrite import substitute
 from pydy._graph.switches import Passes
 from pydy._graph.tuning import ANOTHER_ROUND
 
-__all__ = ["simplify"]
-
 
 def simplify(graph: Graph, roots: Sequence[int], passes: Passes | None = None) -> list[int]:
     """Return roots that cost fewer operations, by all passes or some."""

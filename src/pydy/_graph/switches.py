@@ -7,8 +7,6 @@ from dataclasses import dataclass
 from pydy._graph.passes import ONCE, ROUND, SHARING
 from pydy._graph.solve.choose import FACTORISATIONS, UNKNOWNS
 
-__all__ = ["Passes"]
-
 
 @dataclass(frozen=True)
 class Passes:

@@ -7,8 +7,6 @@ from typing import Any
 
 from pydy._graph.node import Graph
 
-__all__ = ["input_nodes", "input_symbols"]
-
 
 def input_nodes(graph: Graph, **groups: Iterable[Any]) -> dict[Any, int]:
     """Return the input node of each symbol; the graph gets them in the order of the arguments.

@@ -35,18 +35,6 @@ from pydy._graph.program import Block, Program, Tape
 from pydy._graph.switches import Passes
 from pydy._graph.tuning import ANOTHER_PART, COLUMNS_TOGETHER, FROM_OPERATIONS, LESS_WORK
 
-__all__ = [
-    "Along",
-    "Part",
-    "Tangent",
-    "jacobian_tangent",
-    "parts_of",
-    "program_from_bytes",
-    "supports",
-    "tangent",
-    "worthwhile_parts",
-]
-
 _MARK = b"tangent"
 
 

@@ -7,31 +7,6 @@ from __future__ import annotations
 
 import re
 
-__all__ = [
-    "ANOTHER_PART",
-    "ANOTHER_ROUND",
-    "BACKWARD_ERROR",
-    "CANCELLATION",
-    "COLUMNS_TOGETHER",
-    "DEEPER",
-    "FROM_OPERATIONS",
-    "INDEPENDENT",
-    "LESS_WORK",
-    "LONGEST_ENTRY",
-    "LONGEST_MULTIPLIED_OUT",
-    "LONGEST_PAIRED",
-    "MOST_CHANNELS",
-    "PIVOT_SHARE",
-    "POPULAR",
-    "REDUNDANT",
-    "SEPARATE_FROM",
-    "SINGULAR",
-    "SMALL_PIVOT",
-    "SOLVED_MODULO_A_PRIME",
-    "UNROLL_LIMIT",
-    "numbered",
-]
-
 # A matrix of n rows is singular where a pivot is not above n times this of its scale: what
 # rounding leaves of a pivot that is zero (Higham, Accuracy and Stability, 2nd ed., §9.3). Every
 # solve uses it.

@@ -13,8 +13,6 @@ from pydy._errors import UnsupportedFunctionError
 from pydy._graph.node import Graph
 from pydy._graph.operations import OPERATIONS
 
-__all__ = ["applied", "exact", "written"]
-
 _DENOMINATORS = 12  # of numbers that are written as fractions: those of moments of inertia
 
 

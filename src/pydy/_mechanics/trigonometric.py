@@ -27,8 +27,6 @@ from pydy._mechanics.to_sympy import applied, exact
 from pydy._mechanics.tuning import READABLE
 from pydy._rank import ROUNDED
 
-__all__ = ["Textbook", "TooLongError"]
-
 Powers = tuple[tuple[Any, int], ...]  # of angles or factors, none zero, in order
 Key = tuple[Powers, Powers]  # the harmonic n, and the powers m
 # Coefficients, each with the sum of the magnitudes that it was added up from.

@@ -31,13 +31,14 @@ from pydy._system.simulation import begin
 from pydy._system.solving import native_solver
 from pydy.analysis.adjoint import AdjointGradient
 from pydy.inputs import SampledInput
-from pydy.solvers.events import Event, EventRecord, forcing_time
+from pydy.solvers.events import Event, forcing_time
 from pydy.solvers.options import read_options
 from pydy.solvers.outcome import EVENT_GRAZES, OUTCOMES, TERMINATED
 from pydy.solvers.run.constraints import CompiledConstraints
 from pydy.solvers.run.recording import Recording
 from pydy.solvers.solver import Solver
 from pydy.solvers.tableaus import tableau_of
+from pydy.trajectory import EventRecord
 
 
 def read_term(definition: Definition, term: Any, argument: str) -> Any:

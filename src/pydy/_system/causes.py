@@ -20,8 +20,6 @@ from pydy._rank import DEPENDENT, DIGITS, equilibrated, independent_columns
 from pydy._system.snapshot import At
 from pydy.solvers.outcome import NOT_FINITE, OUTCOMES, SINGULAR, STEP_UNDERFLOW
 
-__all__ = ["cause_of", "explain"]
-
 # What a solver squares over tolerances, which are seldom below the precision of floats.
 _LARGEST = float(np.sqrt(np.finfo(float).max) * np.finfo(float).eps)
 

@@ -21,9 +21,6 @@ from pydy._system.inputs import check_forces, named_outputs, output_groups, sort
 from pydy.codegen.arguments import SpecifiedsPlan, symbolic_entries
 from pydy.solvers.events import Event, identified
 
-__all__ = ["Definer", "unfollowed"]
-
-
 _CANDIDATES = (sm.Basic, sm.MatrixBase, list, tuple, np.ndarray)
 
 

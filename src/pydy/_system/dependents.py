@@ -25,14 +25,6 @@ from pydy._rank import (
 from pydy._system.snapshot import Snapshot
 from pydy.solvers.run.constraints import satisfied
 
-__all__ = [
-    "check_dependents",
-    "default_dependents",
-    "given_values",
-    "latest_dependents",
-    "solve_dependents",
-]
-
 
 def latest_dependents(definition: Definition, solved: Iterable[Any] | None) -> tuple[Any, ...]:
     """Return what the System `solved` for last; else the dependent states."""

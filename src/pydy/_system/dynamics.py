@@ -36,8 +36,6 @@ from pydy._system.setup import Setup
 from pydy._system.snapshot import Snapshot
 from pydy._system.values import sweep
 
-__all__ = ["Dynamics", "Quantity", "all_accelerations", "bodies_of", "without_bodies"]
-
 Expressions = Callable[[Equations, Known], Any]
 
 

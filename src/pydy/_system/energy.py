@@ -20,8 +20,6 @@ from pydy._mechanics.reader import distances, oriented, places
 from pydy._mechanics.symbols import find_symbols, replace_symbols
 from pydy.codegen.arguments import checked_expression
 
-__all__ = ["Energy", "EnergyModel", "check_potential"]
-
 
 class Energy(NamedTuple):
     """Energies at one state, or along a trajectory.

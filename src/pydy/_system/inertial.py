@@ -14,8 +14,6 @@ from pydy._names import unique_names
 from pydy._rank import ROUNDED, equilibrated, independent_columns
 from pydy._system.dynamics import Dynamics, Quantity, all_accelerations, bodies_of
 
-__all__ = ["BaseParameters", "InertialParameters"]
-
 _COMPONENTS = ("m", "mx", "my", "mz", "Ixx", "Iyy", "Izz", "Ixy", "Iyz", "Ixz")
 
 

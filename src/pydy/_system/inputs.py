@@ -11,25 +11,12 @@ from sympy.core.function import AppliedUndef
 from sympy.physics.mechanics import dynamicsymbols
 
 from pydy._assembly.system import Group, check_accelerations
-from pydy._checks import Places, check_mapping, describe, listed, real_array, resolved, shown
+from pydy._checks import Places, describe, listed, real_array, resolved, shown
 from pydy._errors import UnsupportedFunctionError
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.symbols import find_symbols, sort_symbols
 from pydy._names import told_apart
 from pydy.codegen.arguments import checked_expression
-
-__all__ = [
-    "SymbolSet",
-    "base_symbols",
-    "check_forces",
-    "check_mapping",
-    "check_symbols",
-    "check_times",
-    "named_forces",
-    "named_outputs",
-    "output_groups",
-    "sort_out",
-]
 
 
 class SymbolSet(set[Any]):

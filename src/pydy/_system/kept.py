@@ -27,8 +27,6 @@ from pydy.solvers.outcome import OUTCOMES
 from pydy.solvers.tuning import NEAR_SINGULAR
 from pydy.trajectory import EventRecord
 
-__all__ = ["KeptPrograms", "Motion", "check_kept", "kept_programs"]
-
 
 def part_of(now: Snapshot, name: str) -> Callable[[Assembly], dict[str, list[int]]] | None:
     """Return what makes a part of `kept.Part` of an Assembly, or None where it is not known."""

@@ -29,8 +29,6 @@ from pydy._system.dynamics import without_bodies
 from pydy._system.setup import Setup
 from pydy._system.tuning import TEXTBOOK_UP_TO
 
-__all__ = ["EquationsOfMotion", "Reading"]
-
 
 @dataclass(frozen=True, eq=False)
 class EquationsOfMotion:

@@ -21,15 +21,6 @@ from pydy.solvers.options import check_option_names, check_scipy_options
 from pydy.solvers.outcome import NOT_FINITE, OUTCOMES, STEP_UNDERFLOW, TOO_MANY_STEPS
 from pydy.solvers.solver import SOLVERS, Solver
 
-__all__ = [
-    "METHODS",
-    "SolveIvp",
-    "call_odeint",
-    "came_to_the_end",
-    "odeint_options",
-    "resolve_ode_solver",
-]
-
 # -- LSODA, behind both, has one memory: runs cannot be nested ------------------------------------
 
 

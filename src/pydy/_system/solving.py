@@ -18,15 +18,6 @@ from pydy.solvers.options import StepOptions
 from pydy.solvers.run.constraints import CompiledConstraints
 from pydy.solvers.solver import SOLVERS, Solver
 
-__all__ = [
-    "EnsembleOptions",
-    "check_events",
-    "constraint_names",
-    "event_rates_program",
-    "native_solver",
-    "projection_program",
-]
-
 
 class EnsembleOptions(StepOptions, total=False):
     """Options of `System.integrate_ensemble` that decide each integration, for type checkers."""

@@ -14,8 +14,6 @@ from pydy._mechanics.symbols import find_symbols
 from pydy._names import unique_names
 from pydy.analysis.fit import Trial
 
-__all__ = ["Data", "checked_trial"]
-
 
 @dataclass(frozen=True, eq=False)
 class Data:

@@ -2,16 +2,6 @@
 
 from __future__ import annotations
 
-__all__ = [
-    "BEGINNING",
-    "BESIDE",
-    "FIT",
-    "INSTANT",
-    "LEAST_SPREAD",
-    "ORBIT",
-    "TEXTBOOK_UP_TO",
-]
-
 BESIDE = 1e-3
 """How far beside a state, relative to it, the size of a constraint's gradient is taken.
 

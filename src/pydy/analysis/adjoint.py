@@ -14,8 +14,6 @@ import numpy as np
 from pydy._forks import cached_property
 from pydy._names import column_names, name_of, unique_names
 
-__all__ = ["AdjointGradient"]
-
 
 @dataclass(frozen=True, eq=False)
 class AdjointGradient:

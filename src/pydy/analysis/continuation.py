@@ -26,8 +26,6 @@ from pydy.analysis.tuning import (
 )
 from pydy.plot import axes_of
 
-__all__ = ["EquilibriumBranch", "SpecialPoint", "trace"]
-
 Function = Callable[[np.ndarray], np.ndarray]
 Spectrum = Callable[[np.ndarray], tuple[np.ndarray, np.ndarray]]
 

@@ -8,8 +8,6 @@ import numpy as np
 
 from pydy._rank import DEPENDENT, DIGITS, equilibrated
 
-__all__ = ["follow"]
-
 
 def follow(
     values: np.ndarray,

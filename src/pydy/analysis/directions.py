@@ -8,8 +8,6 @@ import numpy as np
 
 from pydy._rank import HALF
 
-__all__ = ["direction_text"]
-
 
 def direction_text(direction: np.ndarray, names: Sequence[str], least: float) -> str:
     """Return a direction as a sum, its largest share first of all 1: ``a - 0.5 c``.

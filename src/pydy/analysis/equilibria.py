@@ -23,8 +23,6 @@ from pydy._rank import DEPENDENT, DIGITS, HALF, ROUNDED, is_zero, null_space, or
 from pydy.analysis.directions import direction_text
 from pydy.analysis.settling import settled
 
-__all__ = ["Equilibrium", "Problem", "Sizes", "solve_equilibrium", "solve_many"]
-
 _POLISH = 20
 # Nothing moves so slowly: its powers would leave the range of floats.
 _SMALLEST = float(np.finfo(float).tiny ** 0.25)

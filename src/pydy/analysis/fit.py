@@ -23,8 +23,6 @@ from pydy.analysis.directions import direction_text
 from pydy.analysis.tuning import FITTED, NAMED_IN_FIT
 from pydy.plot import axes_of
 
-__all__ = ["FitResult", "Trial", "estimate"]
-
 
 @dataclass(frozen=True, eq=False)
 class Trial:

@@ -22,8 +22,6 @@ from pydy._rank import DEPENDENT, independent_columns
 from pydy.analysis.tuning import CROSSED
 from pydy.plot import axes_of
 
-__all__ = ["LinearModel", "independent_places", "tangents"]
-
 
 @dataclass(frozen=True, eq=False)
 class LinearModel:

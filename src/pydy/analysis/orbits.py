@@ -18,8 +18,6 @@ from pydy._errors import PeriodicOrbitError
 from pydy._rank import ROUNDED, or_one
 from pydy.analysis.tuning import DAMPED, LEAST_SIZE, MARGIN, ORBIT_CLOSED
 
-__all__ = ["Flight", "PeriodicOrbit", "shoot"]
-
 _ITERATIONS = 40
 _STUCK = 1e8
 # Steps from where rounding is all that is left of the gap.

@@ -17,8 +17,6 @@ import scipy
 from pydy._rank import or_one, rank_of
 from pydy.analysis.tuning import BENT, NEARLY_STRAIGHT, SETTLED
 
-__all__ = ["settled"]
-
 _TRIALS = 400
 _LONGER = 3.0
 

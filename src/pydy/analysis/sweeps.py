@@ -15,8 +15,6 @@ from pydy.analysis.linear import complex_plane
 from pydy.analysis.tuning import AT_ONCE, CROSSED
 from pydy.plot import axes_of
 
-__all__ = ["Crossing", "EigenvalueSweep", "spectra_of", "with_rounding"]
-
 Models = Callable[[np.ndarray, np.ndarray], np.ndarray]
 
 

@@ -2,22 +2,6 @@
 
 from __future__ import annotations
 
-__all__ = [
-    "AT_ONCE",
-    "BENT",
-    "CROSSED",
-    "DAMPED",
-    "FITTED",
-    "LEAST_SIZE",
-    "MARGIN",
-    "NAMED_IN_FIT",
-    "NEARLY_STRAIGHT",
-    "ON_BRANCH",
-    "ORBIT_CLOSED",
-    "SETTLED",
-    "STEEPEST_TURN",
-]
-
 # -- ranks and directions --------------------------------------------------------------------------
 
 NAMED_IN_FIT = 1e-4

@@ -43,10 +43,10 @@ from pydy.contact.tuning import (
     STALLED,
     WITHIN,
 )
-from pydy.solvers.events import EventRecord
 from pydy.solvers.options import Options
 from pydy.solvers.outcome import TERMINATED
 from pydy.system import System
+from pydy.trajectory import EventRecord
 
 IMPACTS = (  # what an impulse may do, by the number of tangential directions
     [CLOSED, OPEN],

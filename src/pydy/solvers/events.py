@@ -14,8 +14,6 @@ from pydy._kernel import Kernel, KernelCall
 from pydy.solvers.tuning import CROWD, CROWDED, ROUNDING, ROUNDINGS
 from pydy.trajectory import EventRecord
 
-__all__ = ["CompiledEvents", "Event", "EventRecord", "crowd", "forcing_time", "identified"]
-
 
 @dataclass(frozen=True)
 class Event:

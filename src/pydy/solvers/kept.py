@@ -29,17 +29,6 @@ from pydy._rank import DIGITS, or_one, roundings
 from pydy.solvers.outcome import ENERGY_CHANGED, LEFT_CONSTRAINTS
 from pydy.solvers.tuning import EXCESS, FEW_STEPS, LEFT, LOST, NEAR_SINGULAR, TRIED
 
-__all__ = [
-    "Part",
-    "Ran",
-    "Verdict",
-    "beyond_digits",
-    "is_near",
-    "judge",
-    "left_by_rounding",
-    "looked_at",
-]
-
 Part = Callable[[str, np.ndarray, np.ndarray], dict[str, np.ndarray]]
 """Gives values at times (m,) and states (m, n), by name, each of the shape (m, values):
 

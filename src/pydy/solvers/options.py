@@ -19,15 +19,6 @@ from pydy.solvers.sensitivities import CompiledSensitivities
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
-__all__ = [
-    "Options",
-    "SolverOptions",
-    "StepOptions",
-    "check_option_names",
-    "check_scipy_options",
-    "read_options",
-]
-
 _DEFAULT = 1.49012e-8  # odeint's: the square root of the rounding unit
 
 

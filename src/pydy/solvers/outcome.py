@@ -8,34 +8,6 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-__all__ = [
-    "CONSTRAINTS_NOT_MET",
-    "DEPENDENTS_NOT_GIVEN",
-    "ENERGY_CHANGED",
-    "EVENTS_ACCUMULATE",
-    "EVENT_CONSTANT",
-    "EVENT_GRAZES",
-    "EVENT_UNDEFINED",
-    "FINISHED",
-    "INTERRUPTED",
-    "LEFT_CONSTRAINTS",
-    "NOT_COMPUTED",
-    "NOT_FINITE",
-    "NO_CONVERGENCE",
-    "OUTCOMES",
-    "RESET_NOT_FINITE",
-    "RESET_OFF_CONSTRAINTS",
-    "SINGULAR",
-    "SINGULAR_CONFIGURATION",
-    "SPEEDS_NOT_GIVEN",
-    "START_OFF_CONSTRAINTS",
-    "STEP_UNDERFLOW",
-    "TERMINATED",
-    "TOLERANCE_TOO_SMALL",
-    "TOO_MANY_STEPS",
-    "Outcome",
-]
-
 # Stores of ensembles keep these numbers: new ones go to the end.
 NOT_COMPUTED = -1
 FINISHED, TOO_MANY_STEPS, STEP_UNDERFLOW, SINGULAR, NOT_FINITE, TERMINATED = range(6)

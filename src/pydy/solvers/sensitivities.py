@@ -20,8 +20,6 @@ import numpy as np
 
 from pydy._kernel import Kernel, KernelCall
 
-__all__ = ["CompiledSensitivities", "Jump", "Sized", "scales_of"]
-
 
 class Jump(NamedTuple):
     """What an event does to sensitivities."""

@@ -23,8 +23,6 @@ if TYPE_CHECKING:
     from pydy.solvers.options import SolverOptions
     from pydy.solvers.run.integration import Integration
 
-__all__ = ["SOLVERS", "Prepared", "Solver", "dop853", "radau", "rk4", "tsit5", "vern9"]
-
 _FLOAT = np.dtype(float)
 _PLAIN = frozenset((float, int, bool))  # an array may be edited between two calls
 

@@ -4,43 +4,6 @@ from __future__ import annotations
 
 from pydy import _rank
 
-__all__ = [
-    "AFTER_FAILURE",
-    "BLOCK",
-    "CROWD",
-    "CROWDED",
-    "DEPENDENT",
-    "DIFFERENCE",
-    "DIFFERENCE_SCALE",
-    "EXCESS",
-    "FEW_STEPS",
-    "FIRST_ERROR",
-    "GROW",
-    "LANES",
-    "LEAST_ERROR",
-    "LEAST_TOLERANCE",
-    "LEFT",
-    "LOST",
-    "NEARLY_SINGULAR",
-    "NEAR_SINGULAR",
-    "NEGLIGIBLE",
-    "NEGLIGIBLE_SLOPE",
-    "RESOLVED",
-    "ROUNDING",
-    "ROUNDINGS",
-    "SAFETY",
-    "SHORTEST",
-    "SHRINK",
-    "SLIVER",
-    "SLOW",
-    "STARTING_MOVE",
-    "STEPS_MEMORY",
-    "TRIAL_PART",
-    "TRIAL_SIZE",
-    "TRIED",
-    "WHOLE",
-]
-
 BLOCK = 8
 """Numbers that the compiled loops work on side by side; vectors are padded to whole blocks."""
 

@@ -14,8 +14,6 @@ from pydy._graph.passes.expand import expand_sums
 from pydy._graph.passes.factor import factor_sums
 from pydy._graph.passes.merge import merge_equal
 
-__all__ = ["ONCE", "ROUND", "SHARING", "Pass", "register"]
-
 Pass = Callable[[Graph, Sequence[int]], list[int]]
 
 ONCE: list[tuple[str, Pass]] = [("factor", factor_sums), ("merge", merge_equal)]

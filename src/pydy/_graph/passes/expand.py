@@ -16,8 +16,6 @@ from pydy._graph.passes.factor import Term, factored, terms_of
 from pydy._graph.rewrite import again, rebuild
 from pydy._graph.tuning import LONGEST_MULTIPLIED_OUT, POPULAR
 
-__all__ = ["expand_sums", "is_exact"]
-
 
 def expand_sums(graph: Graph, roots: Sequence[int]) -> list[int]:
     """Multiply short sums out inside sums, and take common factors out again.

@@ -8,8 +8,6 @@ from typing import Any
 from pydy._graph.node import Graph
 from pydy._graph.rewrite import again, rebuild
 
-__all__ = ["Term", "factor_sums", "factored", "terms_of"]
-
 # The powers of a product, its coefficient, and its node, -1 where there may be none yet.
 Term = tuple[dict[int, int], float, int]
 

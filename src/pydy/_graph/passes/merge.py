@@ -16,8 +16,6 @@ from pydy._graph.operations import ANGLES
 from pydy._graph.passes.expand import is_exact
 from pydy._graph.rewrite import again, replaced
 
-__all__ = ["merge_equal"]
-
 
 def merge_equal(graph: Graph, roots: Sequence[int]) -> list[int]:
     """Return roots in which equal nodes, or opposite ones, are one: the one that costs least.

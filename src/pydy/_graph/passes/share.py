@@ -14,8 +14,6 @@ from itertools import pairwise
 
 from pydy._graph.tuning import LONGEST_PAIRED
 
-__all__ = ["Tree", "is_pair", "share_pairs"]
-
 # An operand, or the combination of two trees.
 Tree = Hashable
 # A tree, and whether it counts positive; factors of a product always do.

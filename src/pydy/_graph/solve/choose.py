@@ -15,8 +15,6 @@ from pydy._graph.solve.differences import difference_basis
 from pydy._graph.solve.loop import LoopFactor
 from pydy._graph.solve.matrix import Factor, Matrix, Proposal
 
-__all__ = ["FACTORISATIONS", "UNKNOWNS", "factorised", "solve_accelerations"]
-
 # Takes a graph, a symmetric matrix and a column; gives None or a system with `matrix`, `column` and
 # `given_unknowns(solution)`.
 _Change = Callable[[Graph, Sequence[Sequence[int]], Sequence[int]], Any]

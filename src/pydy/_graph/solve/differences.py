@@ -13,8 +13,6 @@ from itertools import pairwise
 
 from pydy._graph.node import Graph
 
-__all__ = ["Differences", "difference_basis"]
-
 
 @dataclass(frozen=True)
 class Differences:

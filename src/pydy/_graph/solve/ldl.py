@@ -13,8 +13,6 @@ from pydy._graph.program import Tape
 from pydy._graph.solve.matrix import Matrix, Proposal, symmetric
 from pydy._graph.tuning import SINGULAR, UNROLL_LIMIT
 
-__all__ = ["UnrolledLDL", "elimination_order", "propose"]
-
 
 def propose(matrix: Matrix) -> Proposal | None:
     """Offer to write the elimination out, unless it is too long."""

@@ -5,8 +5,6 @@ from __future__ import annotations
 from pydy._graph.program import Tape
 from pydy._graph.solve.matrix import Matrix, symmetric
 
-__all__ = ["LoopFactor"]
-
 
 class LoopFactor:
     """A factorisation that the back end does in a loop."""

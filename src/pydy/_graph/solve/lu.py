@@ -12,8 +12,6 @@ from pydy._graph.program import Program, Tape
 from pydy._graph.solve.matrix import Matrix, Proposal
 from pydy._graph.tuning import BACKWARD_ERROR, PIVOT_SHARE, SINGULAR, SMALL_PIVOT, UNROLL_LIMIT
 
-__all__ = ["UnrolledLU", "pivot_order", "propose"]
-
 
 def propose(matrix: Matrix) -> Proposal | None:
     """Offer to write the elimination out, unless it is too long or there is no sound order."""

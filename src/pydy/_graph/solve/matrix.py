@@ -12,8 +12,6 @@ import numpy as np
 from pydy._graph.node import Graph
 from pydy._graph.program import Tape
 
-__all__ = ["Factor", "Matrix", "Part", "Proposal", "symmetric"]
-
 Part = tuple[tuple[int, int], ...]
 """A product of powers of nodes of a graph."""
 

@@ -30,8 +30,6 @@ from pydy._graph.tuning import (
     SINGULAR,
 )
 
-__all__ = ["Generators", "SemiseparableLDL", "propose", "separate"]
-
 # What multiplies a column's part in each row: {row: {part: coefficient}}.
 _Rows = dict[int, dict[Part, float]]
 

@@ -19,8 +19,6 @@ from pydy.solvers import outcome, tuning
 from pydy.solvers.run import layout as run
 from pydy.solvers.tableaus import radau
 
-__all__ = ["FOLDER", "included", "layout_header"]
-
 FOLDER = Path(__file__).parent
 
 _ARRAYS = {np.int64: "Words", np.float64: "Numbers", np.complex128: "Pairs"}

@@ -9,13 +9,13 @@ from typing import Any
 
 import numpy as np
 
+from pydy._array_layout import address
 from pydy._interrupts import Interrupts
 from pydy._kernel import Inputs, KernelCall
 from pydy.solvers.run import layout as at
 from pydy.solvers.run.layout import Backward, rows_of, table_of
 from pydy.solvers.run.problem import (
     Callback,
-    address,
     blocks,
     callback_problem,
     kernel_problem,
@@ -25,8 +25,6 @@ from pydy.solvers.run.recording import Recording
 from pydy.solvers.run.shipped import function_of
 from pydy.solvers.tableaus import tableau_of
 from pydy.solvers.tuning import BLOCK
-
-__all__ = ["Sweep", "WayBack"]
 
 _AT_ONCE = 2**20  # numbers of stages that are gone through between two looks at whether to go on
 

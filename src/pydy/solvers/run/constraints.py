@@ -11,8 +11,6 @@ import numpy as np
 from pydy._kernel import Kernel
 from pydy.solvers.tuning import DEPENDENT, ROUNDING, ROUNDINGS
 
-__all__ = ["CompiledConstraints", "satisfied"]
-
 
 def satisfied(residuals: np.ndarray, bounds: np.ndarray) -> bool:
     """Return whether residuals are nothing but rounding.

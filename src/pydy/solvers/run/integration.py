@@ -16,6 +16,7 @@ from weakref import WeakSet
 import numpy as np
 
 from pydy import _forks
+from pydy._array_layout import address
 from pydy._errors import (
     IntegrationError,
     IntegrationInterrupted,
@@ -25,7 +26,7 @@ from pydy._errors import (
 )
 from pydy._interrupts import Interrupts
 from pydy._kernel import Kernel, KernelCall
-from pydy.solvers.events import CompiledEvents, EventRecord, crowd, forcing_time
+from pydy.solvers.events import CompiledEvents, crowd, forcing_time
 from pydy.solvers.options import Options
 from pydy.solvers.outcome import (
     EVENT_CONSTANT,
@@ -48,13 +49,11 @@ from pydy.solvers.outcome import (
 from pydy.solvers.run import layout as at
 from pydy.solvers.run.constraints import CompiledConstraints
 from pydy.solvers.run.layout import Wanted, rows_of, table_of
-from pydy.solvers.run.problem import address
 from pydy.solvers.run.shipped import function_of, stepper
 from pydy.solvers.run.workspace import Workspace
 from pydy.solvers.tableaus import IMPLICIT, tableau_of
 from pydy.solvers.tuning import BLOCK, NEARLY_SINGULAR, ROUNDING, STARTING_MOVE
-
-__all__ = ["Extension", "Integration"]
+from pydy.trajectory import EventRecord
 
 SLICE = 0.02
 """Seconds in compiled code, about, until an interrupt is noticed and the bar moves."""

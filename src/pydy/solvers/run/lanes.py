@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from pydy._array_layout import address
 from pydy._kernel import Kernel
 from pydy.solvers.options import Options
 from pydy.solvers.run import layout as at
@@ -20,13 +21,11 @@ from pydy.solvers.run.layout import (
     rows_of,
     table_of,
 )
-from pydy.solvers.run.problem import address, lined_up, tables_of
+from pydy.solvers.run.problem import lined_up, tables_of
 from pydy.solvers.run.shipped import function_of
 from pydy.solvers.run.workspace import memory_for
 from pydy.solvers.tableaus import method_arrays
 from pydy.solvers.tuning import LANES, LEAST_TOLERANCE
-
-__all__ = ["LaneResult", "evaluate_samples", "integrate_samples"]
 
 _SLICE = 0.02  # seconds in compiled code, about, between two looks at whether to go on
 

@@ -15,35 +15,6 @@ import numpy as np
 
 from pydy._array_layout import address
 
-__all__ = [
-    "ALONG",
-    "BACK",
-    "EVALUATION",
-    "EXTENSION",
-    "PROJECTION",
-    "RUN",
-    "STEPPING",
-    "Backward",
-    "Beginning",
-    "Constraints",
-    "Evaluation",
-    "LaneProblem",
-    "Lanes",
-    "Memory",
-    "Method",
-    "Newton",
-    "Problem",
-    "Progress",
-    "Projection",
-    "Queue",
-    "Steps",
-    "Tangents",
-    "Wanted",
-    "Watch",
-    "rows_of",
-    "table_of",
-]
-
 # Contiguous vectors and matrices.
 Words = Annotated[np.ndarray, np.int64, 1]
 Numbers = Annotated[np.ndarray, np.float64, 1]

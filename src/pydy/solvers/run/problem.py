@@ -20,17 +20,6 @@ from pydy.solvers.tuning import BLOCK
 
 _NO_TABLES = np.zeros((0, 4), dtype=np.int64), np.zeros(0), np.zeros((0, 4))
 
-__all__ = [
-    "Bound",
-    "Callback",
-    "address",
-    "callback_problem",
-    "kernel_problem",
-    "lined_up",
-    "tables_of",
-    "watch_arrays",
-]
-
 _PREPARE = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_void_p)
 
 

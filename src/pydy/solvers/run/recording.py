@@ -9,8 +9,6 @@ import numpy as np
 from pydy.solvers.outcome import FINISHED
 from pydy.solvers.run.layout import BUDGET, PAUSED, STARTED, TIME, Memory, Progress
 
-__all__ = ["Recording"]
-
 _ROOM = 2**26  # bytes of stages: those of later steps are computed again
 
 

@@ -19,8 +19,6 @@ from pydy._backends.llvm import jit
 from pydy._backends.llvm.native import gates
 from pydy._backends.llvm.shipped import Shipped
 
-__all__ = ["address_of", "callback_address", "function_of", "stepper"]
-
 _SHIPPED = Shipped(Path(__file__).parents[1] / "ir")
 _LOCK = _forks.Lock()
 

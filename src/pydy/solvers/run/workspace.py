@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from pydy._array_layout import address
 from pydy._interrupts import Interrupts
 from pydy._kernel import Kernel, KernelCall
 from pydy.solvers.options import Options
@@ -33,7 +34,6 @@ from pydy.solvers.run.layout import (
 from pydy.solvers.run.problem import (
     Bound,
     Callback,
-    address,
     blocks,
     callback_problem,
     kernel_problem,
@@ -43,8 +43,6 @@ from pydy.solvers.run.problem import (
 from pydy.solvers.sensitivities import CompiledSensitivities
 from pydy.solvers.tableaus import IMPLICIT, method_arrays
 from pydy.solvers.tuning import BLOCK, LEAST_TOLERANCE, STEPS_MEMORY
-
-__all__ = ["Workspace", "memory_for"]
 
 _LOG = 256  # events between two visits in Python
 _STEPS = 2**13  # numbers of kept steps, likewise

@@ -13,16 +13,6 @@ import numpy as np
 from pydy.solvers.run.layout import DEPTH, Method
 from pydy.solvers.tuning import GROW, SAFETY, SHRINK
 
-__all__ = [
-    "IMPLICIT",
-    "Row",
-    "Tableau",
-    "add_tableau",
-    "from_monomials",
-    "method_arrays",
-    "tableau_of",
-]
-
 Row = dict[int, float]
 
 _CONSISTENT = 1e-12  # coefficients come in 16 digits

@@ -8,8 +8,6 @@ from __future__ import annotations
 
 from pydy.solvers.tableaus import Row, Tableau
 
-__all__ = ["DOP853"]
-
 _NODES = (
     0.0,
     0.05260015195876773,

@@ -9,8 +9,6 @@ from __future__ import annotations
 
 from math import sqrt
 
-__all__ = ["COMPLEX", "ERROR", "INTERPOLANT", "NODES", "REAL", "TI", "T"]
-
 _S = sqrt(6.0)
 
 NODES = ((4.0 - _S) / 10.0, (4.0 + _S) / 10.0, 1.0)

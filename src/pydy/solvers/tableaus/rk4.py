@@ -8,8 +8,6 @@ from __future__ import annotations
 
 from pydy.solvers.tableaus import Tableau
 
-__all__ = ["RK4"]
-
 _WEIGHTS = {0: 1 / 6, 1: 1 / 3, 2: 1 / 3, 3: 1 / 6}
 
 RK4 = Tableau(

@@ -8,8 +8,6 @@ from __future__ import annotations
 
 from pydy.solvers.tableaus import Tableau, from_monomials
 
-__all__ = ["TSIT5"]
-
 _WEIGHTS = {
     0: 0.09646076681806523, 1: 0.01, 2: 0.4798896504144996,
     3: 1.379008574103742, 4: -3.290069515436081, 5: 2.324710524099774,

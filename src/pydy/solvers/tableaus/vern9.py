@@ -9,8 +9,6 @@ from __future__ import annotations
 
 from pydy.solvers.tableaus import Row, Tableau, from_monomials
 
-__all__ = ["VERN9"]
-
 _NODES = (
     0.0, 0.03462, 0.09702435063878044594828361677100617517633,
     0.1455365259581706689224254251565092627645, 0.561, 0.2290079115904850126662751771814700052182,
