@@ -80,10 +80,7 @@ def _is_private(group: int, user_id: int) -> bool:
 def unsafe(place: Path) -> str | None:
     """Return which folder on the way to `place` somebody else can change, and how, or None.
 
-    Parameters
-    ----------
-    place : Path
-        Without symbolic links. What does not exist yet is safe.
+    The place has no symbolic links; what does not exist yet is safe.
     """
     for part in (*reversed(place.parents), place):
         try:
@@ -176,12 +173,9 @@ def _own_file(path: Path) -> bytes | None:
 
 
 def read(key: str) -> bytes | None:
-    """Return the content of an entry, or None when there is no sound one of this user's.
+    """Return the content of an entry, by its SHA-256 in hexadecimal digits, or None.
 
-    Parameters
-    ----------
-    key : str
-        A SHA-256 in hexadecimal digits.
+    None is returned when there is no sound one of this user's.
     """
     place = folder()
     if place is None:

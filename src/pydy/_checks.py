@@ -306,12 +306,7 @@ def _spellings(key: Any) -> set[str]:
 class Places:
     """Where each of some symbols lies in an array; its name stands for it where no other has it.
 
-    Parameters
-    ----------
-    symbols : sequence of symbols
-        In the order of the array.
-    what : str
-        What they are, for messages: ``'constants of the system'``.
+    `what` says what they are, for messages: ``'constants of the system'``.
     """
 
     def __init__(self, symbols: Sequence[Any], what: str) -> None:
@@ -368,13 +363,7 @@ class Places:
         return key if place is None else self.symbols[place]
 
     def find(self, key: Any, argument: str) -> int:
-        """Return the place of a symbol or name.
-
-        Raises
-        ------
-        ValueError
-            It is not one of the symbols; the message tells those of the same name.
-        """
+        """Return the place of a symbol or name; the error tells symbols of the same name."""
         place = self.get(key, argument)
         if place is None:
             raise ValueError(
@@ -438,17 +427,10 @@ class Places:
     def read(
         self, argument: str, values: Mapping[Any, Any], base: np.ndarray | float | None = None
     ) -> np.ndarray:
-        """Return the numbers of a dictionary in order.
+        """Return the numbers of a dictionary, called `argument` in messages, in order.
 
-        Parameters
-        ----------
-        argument : str
-            Its name in messages.
-        values : mapping
-            From symbols, or their names, to numbers.
-        base : ndarray or float, optional
-            The numbers of symbols that are not given; the others must be finite then. Without it
-            all must be given.
+        Symbols that are not given have those of `base`; the others must be finite then. Without it
+        all must be given.
         """
         keys = [*values]
         known, columns = self._some

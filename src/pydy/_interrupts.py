@@ -15,12 +15,8 @@ class Interrupts:
     A `KeyboardInterrupt` that Python raises on its way from compiled code into a callback would be
     lost: ctypes prints it and goes on with what lay in the result. A second Ctrl-C is raised at
     once, for a function of the user that hangs. Handlers other than Python's own are left alone,
-    and so are threads other than the main one, which get no signals: there, `stopped` tells.
-
-    Parameters
-    ----------
-    stopped : callable
-        Asked at every `check`: True is as good as a Ctrl-C.
+    and so are threads other than the main one, which get no signals: there, `stopped` tells, which
+    every `check` asks; True is as good as a Ctrl-C.
     """
 
     def __init__(self, stopped: Callable[[], bool] = lambda: False) -> None:

@@ -17,13 +17,7 @@ def name_of(symbol: Any) -> str:
 
 
 def place_of(key: Any, names: Sequence[str], what: str) -> int:
-    """Return the place of a name, or of a symbol's.
-
-    Raises
-    ------
-    KeyError
-        There is none such; `what` says what the names are of.
-    """
+    """Return the place of a name, or of a symbol's; `what` says what the names are of."""
     name = name_of(key)
     if name not in names:
         raise KeyError(f"`{key}` is not one of the {what}: {', '.join(names)}.")

@@ -50,24 +50,13 @@ def or_one(sizes: np.ndarray) -> np.ndarray:
 def equilibrated(
     matrix: np.ndarray, exact: bool = False
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return matrices with the largest entry of each row and column near 1.
+    """Scale matrices (..., m, k) so that the largest entry of each row and column is near 1.
 
     After D. Ruiz, "A scaling algorithm to equilibrate both rows and columns norms in matrices",
     RAL-TR-2001-034. What rounding leaves of zeros does not count: otherwise a column of rounding
-    errors would be as large as the others.
-
-    Parameters
-    ----------
-    matrix : ndarray, shape (..., m, k)
-    exact : bool
-        Whether it matters which entries are equal: for choices that no unit may decide.
-
-    Returns
-    -------
-    scaled : ndarray, shape (..., m, k)
-        ``matrix * columns / rows``.
-    rows : ndarray, shape (..., m, 1)
-    columns : ndarray, shape (..., 1, k)
+    errors would be as large as the others. `exact` is for choices that no unit may decide: then it
+    matters which entries are equal. Returned are ``matrix * columns / rows``, the rows (..., m, 1)
+    and the columns (..., 1, k).
     """
     sizes = np.abs(matrix)
     rows = or_one(sizes.max(axis=-1, keepdims=True, initial=0.0))
@@ -83,29 +72,18 @@ def equilibrated(
 
 
 def rank(matrix: np.ndarray, least: float = DEPENDENT) -> int:
-    """Return how many rows are independent, whatever the units of rows and columns.
+    """Return how many rows of a matrix (m, k) are independent, in whatever units.
 
-    Parameters
-    ----------
-    matrix : ndarray, shape (m, k)
-    least : float
-        Singular values below this share of the largest are zero.
+    Singular values below the share `least` of the largest are zero.
     """
     return rank_of(np.linalg.svd(equilibrated(matrix)[0], compute_uv=False), least)
 
 
 def null_space(matrix: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return directions in which no row changes, orthonormal in units that come with them.
+    """Return directions (k − rank, k) in which no row changes, and the units (k,) of columns.
 
-    Parameters
-    ----------
-    matrix : ndarray, shape (m, k)
-
-    Returns
-    -------
-    directions : ndarray, shape (k - rank, k)
-        In units of the columns: ``directions * columns`` solves the homogeneous equations.
-    columns : ndarray, shape (k,)
+    The directions are orthonormal in these units: ``directions * columns`` solves the homogeneous
+    equations of the matrix (m, k).
     """
     scaled, _, columns = equilibrated(matrix)
     _, sizes, right = np.linalg.svd(scaled)
@@ -115,13 +93,9 @@ def null_space(matrix: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 def least_step(matrix: np.ndarray, values: np.ndarray) -> np.ndarray:
     """Return the least z with ``matrix @ z = values``, in units of the columns.
 
-    Where rows contradict each other, z solves them as nearly as they allow, in units of the rows.
-
-    Parameters
-    ----------
-    matrix : ndarray, shape (..., m, k)
-    values : ndarray, shape (..., m) or (m, n)
-        Several right-hand sides for a single matrix.
+    Matrices (..., m, k) have values (..., m); a single one may have several right-hand sides (m,
+    n). Where rows contradict each other, z solves them as nearly as they allow, in units of the
+    rows.
     """
     scaled, rows, columns = equilibrated(matrix)
     inverse = np.linalg.pinv(scaled, rcond=DEPENDENT)
@@ -135,15 +109,9 @@ def least_step(matrix: np.ndarray, values: np.ndarray) -> np.ndarray:
 def roundings(slopes: np.ndarray, sizes: np.ndarray) -> np.ndarray:
     """Return what rounding leaves of rows that are zero at states which were found from them.
 
-    By elimination, errors of a row become errors of all others that hold the same unknowns, and
-    those of these. A row of unknowns that are zero has no larger terms of its own.
-
-    Parameters
-    ----------
-    slopes : ndarray, shape (..., m, k)
-        The rows' derivatives by the states.
-    sizes : ndarray, shape (..., m)
-        Of the rows' terms.
+    The `slopes` (..., m, k) are the rows' derivatives by the states, the `sizes` (..., m) those of
+    their terms. By elimination, errors of a row become errors of all others that hold the same
+    unknowns, and those of these. A row of unknowns that are zero has no larger terms of its own.
     """
     scaled, rows, _ = equilibrated(slopes)
     # The share of a row's error that comes from another: that of the unknown that both hold.
@@ -157,13 +125,8 @@ def roundings(slopes: np.ndarray, sizes: np.ndarray) -> np.ndarray:
 def independent_columns(scaled: np.ndarray) -> list[int]:
     """Return as many columns as there are independent rows, which can be solved for.
 
-    By elimination with complete pivoting; of pivots of one size the first is taken, so that
-    rounding does not choose.
-
-    Parameters
-    ----------
-    scaled : ndarray, shape (m, k)
-        Rows and columns in units of their own, as those of `equilibrated`.
+    The matrix (m, k) is scaled as by `equilibrated`. By elimination with complete pivoting; of
+    pivots of one size the first is taken, so that rounding does not choose.
     """
     work, found = scaled.copy(), []
     for _ in range(min(work.shape)):

@@ -58,16 +58,9 @@ def kernel_of(
 ) -> Kernel:
     """Return the Kernel of a back end that is written in Python.
 
-    Parameters
-    ----------
-    program : Program
-    evaluate : callable
-        ``evaluate(t, x, r, p) -> (out, failed)`` over m samples: t (m,), x (m, n), r (m, s), p
-        (k,); out (m, o), and which samples' linear solve was singular.
-    generator : str or class
-        The back end by name, or itself: it compiles the Program again where a Kernel is unpickled.
-    options : dict
-        Its options.
+    ``evaluate(t, x, r, p)`` takes m samples, t (m,), x (m, n), r (m, s) and p (k,), and returns
+    their outputs (m, o) and which samples' linear solve was singular. `generator`, the back end by
+    name or itself, compiles the Program again, with its `options`, where a Kernel is unpickled.
     """
 
     def sweep(

@@ -37,13 +37,7 @@ def register(name: str, backend: type) -> None:
 
 
 def resolve(generator: Any) -> type:
-    """Return the back end class for a name or a class.
-
-    Raises
-    ------
-    NotImplementedError
-        The name is not registered.
-    """
+    """Return the back end class for a name or a class."""
     if isinstance(generator, type):
         return generator
     entry = _BACKENDS.get(generator) if isinstance(generator, str) else None

@@ -29,46 +29,28 @@ Template = Sequence[str | Each]
 
 @dataclass(frozen=True)
 class Dialect:
-    """A language, as templates.
+    """A language, as templates."""
 
-    Attributes
-    ----------
-    operation : callable
-        Returns the expression of an operation from its row of `OPERATIONS`, with ``{0}``, ``{1}``,
-        … for the operands.
-    literals : mapping of str to str
-        Words for 'nan', 'inf', 'True' and 'False'.
-    inputs : mapping of str to str
-        For each group 't', 'x', 'r', 'p' its entry ``{k}``; and for 'c', what the set-up stage has
-        computed, and 'c truth', a truth value of it.
-    let, let_truth : str
-        Gives a value a ``{name}``.
-    rules : mapping of str to str or Template
-        For 'factor', 'solve', 'guard' and 'constrained' (a guard whose system has constraints, see
-        `pydy._graph.interpret.constrained`), an expression, or lines that define an array
-        ``{name}``. Their fields are described in `Writer`. The fallback of a guard that is an
-        expression is computed whether it is needed or not.
-    item : str
-        Entry ``{k}`` of a solution ``{vector}``.
-    name, array : str
-        What values are called, and what the arrays of lines are, by their number ``{node}``.
-    reserved : mapping of str to Template
-        Lines by kinds of operations as in `rules`, which define an array outside of functions.
-    empty : str
-        What a list without nodes has in it.
-    """
-
+    # the expression of an operation from its row of `OPERATIONS`, with ``{0}``, ``{1}``, … for the
+    # operands
     operation: Callable[[Operation], str]
-    literals: Mapping[str, str]
+    literals: Mapping[str, str]  # words for 'nan', 'inf', 'True' and 'False'
+    # for each group 't', 'x', 'r', 'p' its entry ``{k}``; and for 'c', what the set-up stage has
+    # computed, and 'c truth', a truth value of it
     inputs: Mapping[str, str]
+    # For 'factor', 'solve', 'guard' and 'constrained' (a guard whose system has constraints, see
+    # `pydy._graph.interpret.constrained`), an expression, or lines that define an array ``{name}``.
+    # Their fields are described in `Writer`. The fallback of a guard that is an expression is
+    # computed whether it is needed or not.
     rules: Mapping[str, str | Template]
-    item: str = "{vector}[{k}]"
-    let: str = "{name} = {value}"
+    item: str = "{vector}[{k}]"  # of a solution
+    let: str = "{name} = {value}"  # gives a value a name
     let_truth: str = ""
-    name: str = "v{node}"
-    array: str = "v{node}"
+    name: str = "v{node}"  # what values are called
+    array: str = "v{node}"  # what the arrays of lines are called
+    # lines by kinds of operations as in `rules`, which define an array outside of functions
     reserved: Mapping[str, Template] = field(default_factory=dict)
-    empty: str = ""
+    empty: str = ""  # what a list without nodes has in it
 
     def literal(self, value: float | bool) -> str:
         """Return a number or truth value, exactly."""
@@ -86,16 +68,9 @@ class Writer:
     Rules have the fields ``{n}``, the rows of a system; ``{entries}``, its matrix row by row, and
     ``{column}``, its right-hand sides one after the other, ``{many}`` numbers; ``{fast}``, the
     solutions without pivoting, and ``{sound}``, the condition under which these are taken;
-    ``{factor}``, the name of a factorisation. In lists there are commas between the values.
-
-    Parameters
-    ----------
-    program : Program
-    dialect : Dialect
-    carried : bool, optional
-        Whether values of the set-up stage are read from the array c.
-    **fields
-        Further fields of all templates.
+    ``{factor}``, the name of a factorisation. In lists there are commas between the values. Further
+    `fields` are filled into all templates; values of the set-up stage are read from the array c if
+    `carried`.
     """
 
     def __init__(

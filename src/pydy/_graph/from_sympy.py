@@ -368,12 +368,8 @@ def differentiated(expr: Any) -> NodeExpression:
     """Return a derivative that SymPy left unevaluated, by the rules of the graph.
 
     At steps the derivatives of ``Mod``, ``floor`` and others are those of the branch that is taken.
-
-    Raises
-    ------
-    UnsupportedFunctionError
-        It is by something that an undefined function depends on, or holds a function that cannot
-        be translated.
+    An UnsupportedFunctionError tells that it is by something that an undefined function depends on,
+    or holds a function that cannot be translated.
     """
     graph = Graph()
     read = _OpenReader(graph, {})

@@ -20,14 +20,8 @@ def listing(
 ) -> str:
     """Return the operations of a Program, line by line.
 
-    Parameters
-    ----------
-    program : Program
-    names : mapping of str to sequence of str, optional
-        What the inputs are called, for the groups ``'x'`` (states), ``'r'`` (specifieds) and
-        ``'p'`` (constants).
-    most_lines : int or None, optional
-        Of operations; the rest are counted. None for all.
+    `names` are those of the inputs, for the groups ``'x'`` (states), ``'r'`` (specifieds) and
+    ``'p'`` (constants). Beyond `most_lines`, operations are counted; None writes all.
     """
     lines = [*_summary(program), *_Writer(program, names or {}, most_lines).lines()]
     return "\n".join(lines)

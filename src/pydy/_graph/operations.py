@@ -23,50 +23,30 @@ Args = tuple[Any, ...]
 
 @dataclass(frozen=True)
 class Operation:
-    """An elementary operation: real numbers or truth values in, one number or truth value out.
+    """An elementary operation: real numbers or truth values in, one number or truth value out."""
 
-    Attributes
-    ----------
-    name : str
-        Its kind in graphs and Programs.
-    arity : int
-    numpy : callable
-        Evaluates it for arrays. Numbers are folded with it too, so that NaN and infinity arise
-        where the machine would give them.
-    c : str
-        An expression in C with ``{0}``, ``{1}``, … for the operands.
-    llvm : str
-        The name of an emitter of `pydy._backends.llvm.emit` and its argument, such as
-        ``'libm cbrt'``: the C library's function of that name.
-    partials : callable, optional
-        ``partials(graph, node, *operands)`` returns the nodes of the partial derivatives with
-        respect to each operand. Both forward and reverse accumulation use them. Without it the
-        operation is piecewise constant.
-    rewrite : callable, optional
-        ``rewrite(graph, operands, values)`` returns a simpler node or None; ``values`` holds the
-        operands' numbers and truth values, None for those that are not known.
-    parity : int, optional
-        1 for an even function, −1 for an odd one: signs then leave the argument.
-    truth : bool, optional
-        Whether the result is a truth value.
-    modular : callable, optional
-        Its value modulo `pydy._graph.modular.PRIME` from the operands' values. Without it, a
-        number that depends on the operands' values alone.
-    sympy : str, optional
-        The name of the SymPy class with the same arguments.
-    """
-
-    name: str
+    name: str  # its kind in graphs and Programs
     arity: int
+    # Evaluates it for arrays. Numbers are folded with it too, so that NaN and infinity arise where
+    # the machine would give them.
     numpy: Callable[..., Any]
-    c: str
+    c: str  # an expression in C with ``{0}``, ``{1}``, … for the operands
+    # The name of an emitter of `pydy._backends.llvm.emit` and its argument, such as ``'libm
+    # cbrt'``: the C library's function of that name.
     llvm: str
+    # ``partials(graph, node, *operands)`` returns the nodes of the partial derivatives with respect
+    # to each operand. Both forward and reverse accumulation use them. Without it the operation is
+    # piecewise constant.
     partials: Callable[..., Nodes] | None = None
+    # ``rewrite(graph, operands, values)`` returns a simpler node or None; ``values`` holds the
+    # operands' numbers and truth values, None for those that are not known.
     rewrite: Callable[[Any, Nodes, Sequence[Any]], int | None] | None = None
-    parity: int = 0
-    truth: bool = False
+    parity: int = 0  # 1 for an even function, −1 for an odd one: signs then leave the argument
+    truth: bool = False  # whether the result is a truth value
+    # Its value modulo `pydy._graph.modular.PRIME` from the operands' values. Without it, a number
+    # that depends on the operands' values alone.
     modular: Callable[..., int] | None = None
-    sympy: str = ""
+    sympy: str = ""  # the name of the SymPy class with the same arguments
 
 
 OPERATIONS: dict[str, Operation] = {}

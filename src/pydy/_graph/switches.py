@@ -13,10 +13,6 @@ class Passes:
     """Switches, by the names in the lists of passes and strategies.
 
     ``name in passes`` tells whether one is on.
-
-    Attributes
-    ----------
-    off : frozenset of str
     """
 
     off: frozenset[str] = frozenset()
@@ -34,13 +30,7 @@ class Passes:
 
     @classmethod
     def without(cls, *names: str) -> Passes:
-        """Return the switches with some of them off.
-
-        Raises
-        ------
-        ValueError
-            There is no pass or strategy of that name.
-        """
+        """Return the switches with some of them off."""
         for name in names:
             if name not in cls.names():
                 raise ValueError(

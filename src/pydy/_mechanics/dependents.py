@@ -33,21 +33,11 @@ _STEADY = 10.0  # a pivot that is the same in all configurations weighs so much 
 
 
 class Chosen:
-    """Rows that are independent, and as many columns that can be solved for.
+    """Rows that are independent, and as many columns that can be solved for, in ascending order.
 
-    Parameters
-    ----------
-    samples : list of ndarray, shape (m, n)
-        One matrix at several states.
-    allowed : sequence of int, optional
-        The columns to choose from; all by default.
-    varying : ndarray of bool, shape (m, n), optional
-        Entries that depend on the configuration: elsewhere they may vanish, as no constant does.
-
-    Attributes
-    ----------
-    rows, columns : list of int
-        In ascending order.
+    The `samples` (m, n) are one matrix at several states; the columns are chosen from those
+    `allowed`. Entries that are `varying` depend on the configuration: elsewhere they may vanish, as
+    no constant does.
     """
 
     def __init__(

@@ -43,19 +43,10 @@ from pydy._rank import is_zero
 class ConstraintForces:
     """The forces behind the constraints and joints of a mechanism.
 
-    Parameters
-    ----------
-    body : Multibody
-    holonomic : mapping of int to expressions
-        The configuration constraints that the velocity constraints enforce, by their places among
-        the constraints.
-    nonholonomic : mapping of int to expressions
-        The other velocity constraints likewise. Together they imply all velocity constraints.
-    redundant : mapping of int to expressions
-        Further velocity constraints, that follow from these.
+    Constraints are given as expressions by their places: the `holonomic` ones that velocity
+    constraints enforce, and the other, `nonholonomic` ones, which together imply all velocity
+    constraints; `redundant` ones follow from these.
 
-    Notes
-    -----
     The methods take the noncontributing forces among the loads by name: they stand for what is
     computed here. Nothing else tells them from a load that has no part in the motion.
     """
@@ -159,18 +150,9 @@ class ConstraintForces:
     ) -> tuple[Vector, Vector]:
         """Return force and torque about a point of what holds some bodies, beside the loads.
 
-        Parameters
-        ----------
-        members : iterable of Particle, RigidBody, Point and ReferenceFrame
-            The bodies; massless points and frames whose loads act on them.
-        point : Point
-        frame : ReferenceFrame
-            For the components.
-        loads : iterable of (Point, force Vector) and (ReferenceFrame, torque Vector)
-            What else acts on them.
-        name : str
-            Of the expressions, in print.
-        noncontributing : iterable of symbols
+        The `members` are these bodies, and massless points and frames whose loads act on them;
+        further `loads` are pairs of a Point or ReferenceFrame and a Vector. The components are in
+        the `frame`; the expressions are printed by a `name`.
         """
         members = list(members)
         kinematics = self._kinematics

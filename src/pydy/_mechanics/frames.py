@@ -23,16 +23,9 @@ Vec = list[int]
 class Frames:
     """The tree of frames, with axes put between them (`pydy._mechanics.alignment`).
 
-    Attributes
-    ----------
-    above : dict of axes to axes
-        What was put behind what.
-    turns : dict of axes to nodes or None
-        How fast they turn there; None if they are fixed.
-    written : dict of frames to (axes, matrix or None)
-        The axes that a frame's components are turned into, and how.
-    steps : dict of frames to matrices
-        Which give components in a frame from those in its parent.
+    Axes are put `above` others, beside which they turn as fast as `turns` tells (None: they are
+    fixed). A frame's components are `written` in axes, by a matrix or as they are; `steps` are
+    matrices that give components in a frame from those in its parent.
     """
 
     def __init__(self, graph: Graph, tree: Tree, read: InputReader) -> None:

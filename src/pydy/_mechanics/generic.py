@@ -38,24 +38,9 @@ Inputs = tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]  # t, x, r, p
 class GenericStates:
     """Expressions of a system as nodes of a graph, and their values at generic states.
 
-    Parameters
-    ----------
-    equations : Equations
-    expressions : iterable of expressions
-        What will be read besides the constraints and the kinematics.
-    what : str
-        Says what is read, for messages.
-
-    Attributes
-    ----------
-    graph : Graph
-    read : SymPyReader
-    coordinates, speeds, inputs : list of nodes
-        The inputs are all that expressions hold, with time.
-    moving : list of (node, node)
-        What moves, and its rate: coordinates, time, and specifieds whose derivatives occur.
-    holonomic, velocity : list of nodes
-        The constraints.
+    `expressions` are read besides the constraints and the kinematics; `what` names them in
+    messages. The `inputs` are all that they hold, with time; `moving` has what moves with its rate:
+    coordinates, time, and specifieds whose derivatives occur.
     """
 
     def __init__(self, equations: Equations, expressions: Iterable[Any], what: str) -> None:

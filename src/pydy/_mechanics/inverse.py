@@ -38,19 +38,11 @@ Expressions = list[Any]
 
 
 class Known:
-    """What expressions may hold, and what the rest stands for.
+    """What expressions may hold (None: anything), and what the rest stands for.
 
     Constants that are not known affect no motion. Where they cancel they are left out; the place of
-    a base does not.
-
-    Parameters
-    ----------
-    symbols : collection of symbols or None
-        None knows all.
-    zeros : iterable of symbols
-        Noncontributing forces, which stand for what others compute.
-    values : mapping of constants to numbers
-        Of those that are not known; others are 1.
+    a base does not: it has one of the `values`, or 1. The `zeros` are noncontributing forces, which
+    stand for what others compute.
     """
 
     def __init__(
@@ -81,15 +73,8 @@ def inverse_dynamics(
 ) -> Expressions:
     """Return the generalised forces that given accelerations take, in q, u and u'.
 
-    Parameters
-    ----------
-    body : Multibody
-    known : Known
-    at : sequence of int, optional
-        Places of the speeds at which they act, as many as the constraints leave free; by default
-        at all.
-    free : bool
-        Whether the u' of dependent speeds follow from those of the others.
+    They act at all speeds, or at the places `at`, as many as the constraints leave free. If `free`,
+    the u' of dependent speeds follow from those of the others.
     """
     kinematics, forces = _required(body)
     g, n, rates = kinematics.graph, len(kinematics.speeds), kinematics.accelerations
@@ -151,12 +136,7 @@ def mass_matrix(body: Multibody, known: Known) -> Expressions:
 def weights(body: Multibody, known: Known, pull: Any = None) -> Expressions | None:
     """Return the forces that hold all masses against gravity; None where no load tells it.
 
-    Parameters
-    ----------
-    body : Multibody
-    known : Known
-    pull : Vector, optional
-        The acceleration; by default what is common to the loads at all mass centres.
+    It pulls as `pull`, by default as what is common to the loads at all mass centres.
     """
     kinematics = moving(body, in_bodies=True)
     g, inertial = kinematics.graph, kinematics.inertial

@@ -35,27 +35,11 @@ Parts = list[tuple[Vec, Any]]
 class Kinematics:
     """Motion of frames and points in the inertial frame.
 
-    Parameters
-    ----------
-    body : Multibody
-    in_bodies : bool
-        Whether velocities of points are written in the frames of the bodies; else in the inertial
-        frame.
-    auxiliary : bool
-        Whether the auxiliary speeds are inputs; else they are zero.
-    referred : bool
-        Whether accelerations are those at the u' of `start`; else at u' = 0.
-    driven : bool
-        Whether they are those at the u' that are inputs.
-    honoured : iterable of points
-        Those with a velocity that is not the derivative of their place: the user's holds.
-
-    Attributes
-    ----------
-    loads : tuple of (Point or ReferenceFrame, Vector)
-    pull : list of nodes or None
-        What is taken off the accelerations of points, in the inertial frame, in place of loads
-        (`pydy._mechanics.form`).
+    Velocities of points are written `in_bodies`, in the frames of these, or else in the inertial
+    frame. The `auxiliary` speeds are inputs or else zero. Accelerations are those at u' = 0, at the
+    u' of `start` if `referred`, or at u' that are inputs if `driven`. Points are `honoured` whose
+    velocity, the user's, is not the derivative of their place. In place of `loads`, `pull` is taken
+    off the accelerations of points (`pydy._mechanics.form`).
     """
 
     def __init__(

@@ -227,13 +227,7 @@ def _products(graph: Graph, a: Sequence[list[int]], b: Sequence[list[int]]) -> l
 
 
 class _Elimination:
-    """L D Lᵀ of a symmetric matrix, written out.
-
-    Attributes
-    ----------
-    pivots : list of nodes
-        D.
-    """
+    """L D Lᵀ of a symmetric matrix, written out; `pivots` are D."""
 
     def __init__(self, graph: Graph, square: Sequence[list[int]]) -> None:
         n = len(square)

@@ -177,13 +177,7 @@ def _check_symmetric(body: Any) -> None:
 
 
 class InputReader(SymPyReader):
-    """Reads expressions; what is neither a state nor time becomes an input when it is met.
-
-    Attributes
-    ----------
-    constants, specifieds : list
-        What was met, in order.
-    """
+    """Reads expressions; what is neither a state nor time becomes an input when it is met."""
 
     def __init__(self, graph: Graph, atoms: dict[Any, int], states: Sequence[Any]) -> None:
         super().__init__(graph, atoms, "the bodies, loads and kinematics")

@@ -99,16 +99,9 @@ def reduced(
 class _Basis:
     """Directions u' = z₁ c₁ + … + w in which the constraints hold, and their mass matrix.
 
-    Directions that are nearly parallel are made orthogonal by the mass matrix, with w, as in
-    Gram and Schmidt's modified process (Björck, BIT 7, 1967): the equations for all z would lose
-    twice as many digits.
-
-    Attributes
-    ----------
-    square : p lists of p nodes
-        cᵢ·M cⱼ.
-    sizes : p nodes
-        What it is of each independent speed by itself.
+    Directions that are nearly parallel are made orthogonal by the mass matrix, with w, as in Gram
+    and Schmidt's modified process (Björck, BIT 7, 1967): the equations for all z would lose twice
+    as many digits. `square` holds cᵢ·M cⱼ, `sizes` what it is of each independent speed by itself.
     """
 
     def __init__(

@@ -37,13 +37,7 @@ _OTHERS: dict[str, Callable[..., Any]] = {
 
 
 def applied(op: str, args: Sequence[Any]) -> Any:
-    """Return an operation applied to SymPy expressions.
-
-    Raises
-    ------
-    UnsupportedFunctionError
-        Its row names no counterpart in SymPy.
-    """
+    """Return an operation applied to SymPy expressions."""
     row = OPERATIONS.get(op)
     function = _OTHERS.get(op) or (getattr(sm, row.sympy) if row and row.sympy else None)
     if function is None:
@@ -62,14 +56,8 @@ def written(
 ) -> tuple[list[Any], dict[Any, Any]]:
     """Return nodes as expressions, and what the names in them stand for, in order.
 
-    Parameters
-    ----------
-    graph : Graph
-    nodes : sequence of int
-    symbols : mapping of nodes to symbols
-        Of the inputs.
-    name : callable, optional
-        ``name(op, expression)`` returns a symbol for what occurs more than once, None for none.
+    `symbols` are those of the inputs. ``name(op, expression)`` returns a symbol for what occurs
+    more than once, None for none.
     """
     reached = graph.reachable(nodes)
     uses = Counter(nodes)

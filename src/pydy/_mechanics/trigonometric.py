@@ -76,20 +76,10 @@ def _power(base: Polynomial, exponent: int) -> Polynomial:
 
 @dataclass
 class Textbook:
-    """Writes nodes of one graph.
+    """Writes nodes of one graph, whose inputs have `symbols`.
 
-    Parameters
-    ----------
-    graph : Graph
-    symbols : mapping of nodes to symbols
-        Of the inputs.
-    name : callable
-        ``name('sin', expression)`` returns what the sine of an angle is called.
-
-    Attributes
-    ----------
-    names : dict
-        What was named so far, and what it stands for.
+    ``name('sin', expression)`` returns what the sine of an angle is called; `names` has what was
+    named so far, and what it stands for.
     """
 
     graph: Graph
@@ -103,12 +93,7 @@ class Textbook:
     _named: dict[Any, Any] = field(default_factory=dict)
 
     def __call__(self, nodes: Sequence[int]) -> list[Any]:
-        """Return nodes as expressions.
-
-        Raises
-        ------
-        TooLongError
-        """
+        """Return nodes as expressions; a TooLongError tells that they would be too long."""
         for node in self.graph.reachable(nodes):
             op, args = self.graph.ops[node], self.graph.args[node]
             if op == "bool":

@@ -385,21 +385,11 @@ def _arguments(assembly: Assembly) -> dict[str, list[int]]:
 def energetic_motions(
     now: Snapshot, times: np.ndarray, states: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Return what tells the sizes of states, the least of it at any of m states.
+    """Return what tells the sizes of states, the least of it at any of the states (m, n).
 
-    Parameters
-    ----------
-    now : Snapshot
-    times : ndarray, shape (m,)
-    states : ndarray, shape (m, n)
-
-    Returns
-    -------
-    natural : ndarray, shape (n,)
-        How large coordinates are by themselves, and the integrals of speeds, which may change
-        several; 0 where nothing tells.
-    moved : ndarray, shape (n,)
-        Speeds, and rates of the coordinates, in motions of one energy; 0 where they have none.
+    The first array (n,) is how large coordinates are by themselves, and the integrals of speeds,
+    which may change several; the second, how large speeds and rates of the coordinates are in
+    motions of one energy. Both are 0 where nothing tells.
     """
     made, states = now.driven, np.ascontiguousarray(states)
     at = times, states, now.plan.rows(states, times), now.p

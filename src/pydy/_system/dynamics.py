@@ -41,19 +41,11 @@ Expressions = Callable[[Equations, Known], Any]
 
 @dataclass(frozen=True)
 class Instants:
-    """Where something is evaluated: at one moment or at m.
+    """Where something is evaluated: at one moment or at m."""
 
-    Attributes
-    ----------
-    x : ndarray, shape (n,) or (m, n)
-    t : float or ndarray, shape (m,)
-    a : ndarray, shape (1, k) or (m, k)
-        Accelerations; k is zero where nothing depends on them.
-    """
-
-    x: np.ndarray
-    t: Any
-    a: np.ndarray
+    x: np.ndarray  # (n,) or (m, n)
+    t: Any  # a float or (m,)
+    a: np.ndarray  # accelerations (1, k) or (m, k); k is zero where nothing depends on them
 
     @classmethod
     def of(cls, now: Snapshot, q: Any, v: Any, a: Any, t: Any) -> Instants:
@@ -128,28 +120,14 @@ def all_accelerations(value: Any, equations: Equations) -> np.ndarray:
 
 @dataclass(frozen=True)
 class Quantity:
-    """What is evaluated.
-
-    Attributes
-    ----------
-    name : str
-    key : tuple
-        With the name it says what the expressions are.
-    shape : tuple of int
-    expressions : callable
-        Gives them; or the name of a block of the Assembly.
-    rows : tuple of str
-        For messages.
-    accelerations : int
-        How many are inputs; those of further speeds are zero.
-    """
+    """What is evaluated."""
 
     name: str
-    key: tuple[Any, ...]
+    key: tuple[Any, ...]  # with the name it says what the expressions are
     shape: tuple[int, ...]
-    expressions: Expressions
-    rows: tuple[str, ...]
-    accelerations: int = 0
+    expressions: Expressions  # gives them, or the name of a block of the Assembly
+    rows: tuple[str, ...]  # for messages
+    accelerations: int = 0  # how many are inputs; those of further speeds are zero
 
     def evaluated(
         self, now: Snapshot, at: Instants, r: Any, p: Any, wrt: Any, silent: Mapping[Any, float]

@@ -43,23 +43,13 @@ _TIGHTER = 0.1
 
 @dataclass(frozen=True)
 class _Part:
-    """A piece of a trial that is simulated at once.
-
-    Attributes
-    ----------
-    first, last : int
-        Samples ``first <= k < last``.
-    begin, end : float
-        Times.
-    column : int or None
-        Of the unknown states at its beginning; None for those of the trial.
-    """
+    """A piece of a trial that is simulated at once: samples ``first <= k < last``."""
 
     first: int
     last: int
-    begin: float
+    begin: float  # its time
     end: float
-    column: int | None
+    column: int | None  # of the unknown states at its beginning; None for those of the trial
 
 
 class _Fit:

@@ -17,32 +17,17 @@ from pydy.analysis.fit import Trial
 
 @dataclass(frozen=True, eq=False)
 class Data:
-    """A trial as it was checked.
-
-    Attributes
-    ----------
-    trial : Trial
-    label : str
-    times : ndarray, shape (m,)
-    start : float
-    keys : list
-        What each measured quantity is in a trajectory.
-    names : list of str
-        What the user called it.
-    values, noise : ndarray, shape (m, q)
-    unknown : list of symbols
-        States.
-    """
+    """A trial as it was checked."""
 
     trial: Trial
     label: str
-    times: np.ndarray
+    times: np.ndarray  # (m,)
     start: float
-    keys: list[Any]
-    names: list[str]
-    values: np.ndarray
-    noise: np.ndarray
-    unknown: list[Any]
+    keys: list[Any]  # what each measured quantity is in a trajectory
+    names: list[str]  # what the user called it
+    values: np.ndarray  # (m, q)
+    noise: np.ndarray  # (m, q)
+    unknown: list[Any]  # symbols of states
 
 
 def checked_trial(

@@ -90,25 +90,13 @@ class PeriodicOrbit:
 
 @dataclass(frozen=True, eq=False)
 class Flight:
-    """A motion over one period.
+    """A motion over one period, in k unknown states."""
 
-    Attributes
-    ----------
-    end : ndarray, shape (k,)
-        The unknown states after it.
-    by_start : ndarray, shape (k, k)
-    rates : ndarray, shape (k,)
-        Their time derivatives at the end.
-    period : float
-    sizes : ndarray, shape (k,)
-        How large they are on the way; see `Measure`.
-    """
-
-    end: np.ndarray
-    by_start: np.ndarray
-    rates: np.ndarray
+    end: np.ndarray  # the states after it
+    by_start: np.ndarray  # their derivatives (k, k)
+    rates: np.ndarray  # their time derivatives at the end
     period: float
-    sizes: np.ndarray
+    sizes: np.ndarray  # how large they are on the way; see `Measure`
 
     def scaled(self, sizes: np.ndarray, period: float) -> Flight:
         """Return the same in units of the states' sizes and of a period."""
@@ -123,41 +111,29 @@ class Flight:
 
 @dataclass(frozen=True, eq=False)
 class Measure:
-    """How large states are on the way: the units to search and to integrate in.
+    """How large n states are on the way: the units to search and to integrate in.
 
     A state that stays where it is has no size of its own but that of rounding. It gets a share of
     what others reach: of those with a like unit, of the motion with as much energy, and of a
     radian. The least of them is taken, since one too large would hide a gap.
-
-    Attributes
-    ----------
-    free : sequence of int
-        The states that are searched for; others, such as the way of a vehicle, measure nothing.
-    speeds : ndarray of bool, shape (n,)
-        Which of the states are speeds; they count as the amplitudes of an oscillation.
-    natural : ndarray, shape (n,)
-        How large coordinates are by themselves, and the integrals of speeds: of angles 1; 0 where
-        nothing tells.
-    moved : ndarray, shape (n,)
-        The speeds, and the rates of the coordinates, in motions of one energy; 0 where these are
-        not known.
     """
 
+    # the states that are searched for; others, such as the way of a vehicle, measure nothing
     free: Sequence[int]
+    # which of the states are speeds; they count as the amplitudes of an oscillation
     speeds: np.ndarray
+    # how large coordinates are by themselves, and the integrals of speeds: of angles 1; 0 where
+    # nothing tells
     natural: np.ndarray
+    # the speeds, and the rates of the coordinates, in motions of one energy; 0 where these are not
+    # known
     moved: np.ndarray
 
     def sizes(self, most: np.ndarray, rates: np.ndarray, period: float) -> np.ndarray:
-        """Return the sizes of all states, shape (n,); 1 where nothing moves.
+        """Return the sizes of all states, 1 where nothing moves, if they become as large as `most`.
 
-        Parameters
-        ----------
-        most : ndarray, shape (n,)
-            How large they become.
-        rates : ndarray, shape (n,)
-            Where a state is zero at the ends of an oscillation through zero, they tell its size.
-        period : float
+        Where a state is zero at the ends of an oscillation through zero, its rate there tells its
+        size.
         """
         time = period / (2.0 * np.pi)
         unit = np.where(self.speeds, 1.0 / time, 1.0)
@@ -189,31 +165,11 @@ def shoot(
     names: Sequence[str],
     tolerance: float,
 ) -> tuple[np.ndarray, Flight, float]:
-    """Solve for a state that comes back, in units of their sizes.
+    """Solve for k states that come back, in units of their sizes.
 
-    Parameters
-    ----------
-    fly : callable
-        Of the unknown states and the period.
-    first : Flight
-        From the start.
-    sizes : ndarray, shape (k,)
-        Of the states.
-    start : ndarray, shape (k,)
-    period : float
-        The period, or where to begin the search for it.
-    slope : ndarray, shape (k,), or None
-        The states' rates at the start: the search keeps to the plane normal to them. None where
-        the period is not an unknown.
-    names : sequence of str
-        Of the states.
-    tolerance : float
-        That of the integration.
-
-    Raises
-    ------
-    PeriodicOrbitError
-        The search does not converge.
+    ``fly(states, period)`` gives a Flight, of which the `first` leaves from the `start`. The
+    `slope` has the states' rates there: the search keeps to the plane normal to them, and the
+    period is an unknown unless it is None. The `tolerance` is that of the integration.
     """
     guess, k = period, len(start)
     flight = first.scaled(sizes, guess)

@@ -45,47 +45,26 @@ class SolverOptions(StepOptions, total=False):
 
 @dataclass(frozen=True)
 class Options:
-    """The options of a solver.
+    """The options of a solver."""
 
-    Attributes
-    ----------
-    rtol, atol : float or array_like, shape (n,)
-        The error allowed in a step is ``atol + rtol * abs(x)``.
-    first_step : float, optional
-        The size of the first step; found automatically by default.
-    max_step : float
-    max_steps : int
-        Accepted and rejected steps together.
-    step : float, optional
-        The size of steps of a method without error control. Each interval between two times is
-        divided into equal steps not larger than this.
-    full_output : bool
-        Whether ``(states, info)`` is returned.
-    progress : bool
-        Whether a bar shows the simulated time; needs tqdm.
-    events : CompiledEvents or None
-    constraints : CompiledConstraints or None
-    sensitivities : CompiledSensitivities or None
-        Of a state that has columns of sensitivities after it; `rtol` and `atol` are those of the
-        state alone.
-    recording : Recording or None
-        What notes the steps.
-    dense_output : bool
-        Whether the steps are kept, so that the solution between them is known.
-    """
-
+    # a number or (n,): the error allowed in a step is ``atol + rtol * abs(x)``
     rtol: Any = _DEFAULT
     atol: Any = _DEFAULT
-    first_step: float | None = None
+    first_step: float | None = None  # found automatically by default
     max_step: float = np.inf
-    max_steps: int = 10_000_000
+    max_steps: int = 10_000_000  # accepted and rejected ones together
+    # the size of steps of a method without error control. Each interval between two times is
+    # divided into equal steps not larger than this
     step: float | None = None
-    full_output: bool = False
-    progress: bool = False
+    full_output: bool = False  # whether ``(states, info)`` is returned
+    progress: bool = False  # whether a bar shows the simulated time; needs tqdm
     events: CompiledEvents | None = None
     constraints: CompiledConstraints | None = None
+    # of a state that has columns of sensitivities after it; `rtol` and `atol` are those of the
+    # state alone
     sensitivities: CompiledSensitivities | None = None
-    recording: Recording | None = None
+    recording: Recording | None = None  # notes the steps
+    # whether the steps are kept, so that the solution between them is known
     dense_output: bool = False
 
 
@@ -140,15 +119,7 @@ _NATIVE: dict[str, Check] = {
 
 
 def read_options(method: str, adaptive: bool, given: Mapping[str, Any]) -> Options:
-    """Check the names and values of options.
-
-    Raises
-    ------
-    TypeError
-        The method has no such option.
-    ValueError
-        A value is not valid.
-    """
+    """Check the names and values of options."""
     foreign = {"step"} if adaptive else {"rtol", "atol", "first_step", "max_step"}
     check_option_names(method, _NATIVE.keys() - foreign, given)
     options = Options(**checked(_NATIVE, given))

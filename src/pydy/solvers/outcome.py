@@ -18,19 +18,10 @@ RESET_OFF_CONSTRAINTS, LEFT_CONSTRAINTS, ENERGY_CHANGED, EVENT_UNDEFINED = range
 
 
 class Outcome(NamedTuple):
-    """What a code means.
+    """What a code means."""
 
-    Attributes
-    ----------
-    name : str
-        One word, for flags.
-    text : str
-        What the solver did; details are inserted in the braces.
-    remedy : str
-    """
-
-    name: str
-    text: str
+    name: str  # one word, for flags
+    text: str  # what the solver did; details are inserted in the braces
     remedy: str = ""
 
 

@@ -359,15 +359,7 @@ _STL_TRIANGLE = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("sp
 
 
 def read_mesh(path: Path) -> tuple[np.ndarray, np.ndarray]:
-    """Return the vertices (n, 3) and the triangles (k, 3) of an STL or OBJ file.
-
-    Raises
-    ------
-    ValueError
-        The suffix is neither, the file is broken, or it holds no triangle.
-    OSError
-        The file cannot be read.
-    """
+    """Return the vertices (n, 3) and the triangles (k, 3) of an STL or OBJ file."""
     readers = {".stl": _read_stl, ".obj": _read_obj}
     reader = readers.get(path.suffix.lower())
     if reader is None:

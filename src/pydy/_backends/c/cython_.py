@@ -80,14 +80,8 @@ class CythonBackend:
     def compile(self, program: Program) -> Kernel:
         """Return the Kernel of a Program.
 
-        Raises
-        ------
-        MissingDependencyError
-            Cython or setuptools is not installed. It is a GeneratorError and an ImportError.
-        GeneratorError
-            The build failed; the message ends with the compiler's own.
-        ValueError
-            `tmp_dir` is not a directory and cannot be made one.
+        A `GeneratorError` tells that Cython or setuptools is missing, or how the build failed, with
+        the compiler's own words.
         """
         _require("Cython", "setuptools")
         name, directory = self._reserve(program.digest)

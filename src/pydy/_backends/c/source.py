@@ -141,14 +141,8 @@ def c_source(program: Program, *, prefix: str = "", static: bool = False) -> str
     `prepare` computes from the constants p what all calls share, ``len(program.carried)`` numbers.
     `kernel` writes ``len(program.outputs)`` numbers, the blocks of the Program one after the other,
     and returns 1 where a linear solve met a singular matrix, whose solution is then NaN, else 0.
-
-    Parameters
-    ----------
-    program : Program
-    prefix : str, optional
-        What the names of both functions begin with.
-    static : bool, optional
-        Whether they are visible in this file alone, which another one includes.
+    Both names begin with `prefix`; `static` ones are visible in this file alone, which another one
+    includes.
     """
     head = f"/* Written by pydy for the program {program.digest}. */\n\n"
     return head + c_functions({prefix: program}, static=static)

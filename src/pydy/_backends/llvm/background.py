@@ -29,10 +29,7 @@ Compile = Callable[[Source], bytes]
 class Task:
     """Something to do once: on the side, or by the first thread that needs it.
 
-    Parameters
-    ----------
-    function : callable
-        Takes what compiles a `Source`, here or elsewhere, and returns nothing.
+    The function takes what compiles a `Source`, here or elsewhere, and returns nothing.
     """
 
     def __init__(self, function: Callable[[Compile], None]) -> None:

@@ -145,12 +145,7 @@ class Helper:
         self._process: Any = None
 
     def compile(self, source: Source) -> bytes:
-        """Compile as `object_code` does, elsewhere.
-
-        Raises
-        ------
-        HelperError
-        """
+        """Compile as `object_code` does, elsewhere; a HelperError tells that it cannot be done."""
         try:
             process = self._process  # `close` may be called meanwhile, when the program ends
             if process is None:

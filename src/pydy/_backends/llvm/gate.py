@@ -14,16 +14,10 @@ _make.argtypes = [ctypes.c_void_p, ctypes.py_object, ctypes.py_object]
 
 
 class Gate:
-    """Machine code as functions of Python.
+    """Machine code as functions that Python calls by a `name`.
 
-    Parameters
-    ----------
-    name : bytes
-        What Python calls them.
-    code : Code
-        Kept as long as there is the gate or a function of it.
-    entry : str
-        ``PyObject *entry(PyObject *self, PyObject *const *args, Py_ssize_t count)`` in the code.
+    The code, kept as long as the gate or a function of it, has the `entry` ``PyObject
+    *entry(PyObject *self, PyObject *const *args, Py_ssize_t count)``.
     """
 
     def __init__(self, name: bytes, code: Code, entry: str) -> None:

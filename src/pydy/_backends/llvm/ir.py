@@ -51,15 +51,8 @@ def literal(value: float, lanes: int) -> str:
 class Function:
     """One IR function in the making.
 
-    Parameters
-    ----------
-    name : str
-    returns : str
-        IR type.
-    parameters : str
-        As in IR: ``"ptr %a, i64 %n"``.
-    attributes : str
-        What stands before the type (linkage) and after the parameter list, separated by ``|``.
+    Types and `parameters` are written as in IR: ``"ptr %a, i64 %n"``; `attributes` are what stands
+    before the type (linkage) and after the parameter list, separated by ``|``.
     """
 
     def __init__(self, name: str, returns: str, parameters: str, attributes: str = "|") -> None:

@@ -18,12 +18,7 @@ _LOCK = _forks.Lock()
 
 
 class Code:
-    """Machine code in memory; it lives as long as this object, and so does what it calls.
-
-    Attributes
-    ----------
-    addresses : dict of str to int
-    """
+    """Machine code in memory, by `addresses`; it and what it calls live as long as this object."""
 
     def __init__(self, engine: Any, names: Sequence[str], calls: Code | Joined | None) -> None:
         self._engine = engine
@@ -32,12 +27,7 @@ class Code:
 
 
 class Joined:
-    """Several pieces of code as one, for what calls them all.
-
-    Attributes
-    ----------
-    addresses : dict of str to int
-    """
+    """Several pieces of code as one, with all their `addresses`, for what calls them all."""
 
     def __init__(self, parts: Sequence[Code]) -> None:
         self._parts = parts

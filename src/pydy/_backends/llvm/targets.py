@@ -76,23 +76,10 @@ def registers_for(features: Collection[str], machine: str) -> Registers:
 
 
 def chosen(name: str, machine: str, processor: str, features: Collection[str]) -> Target:
-    """Return the target of a name on some machine.
+    """Return the target of a name on a machine: its triple, its processor and what that has.
 
-    Parameters
-    ----------
-    name : {'native', 'generic', 'x86-64-v3', 'x86-64-v4'}
-        This machine's processor; any of its architecture; or any of a level of x86-64.
-    machine : str
-        The machine's triple.
-    processor : str
-        Its processor.
-    features : collection of str
-        What that has.
-
-    Raises
-    ------
-    ValueError
-        There is no such target, or the machine cannot run its code.
+    'native' is this machine's processor; 'generic' any of its architecture; 'x86-64-v3' and
+    'x86-64-v4' any of a level of x86-64.
     """
     if name not in _NAMES:
         raise ValueError(

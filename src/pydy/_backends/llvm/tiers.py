@@ -75,13 +75,8 @@ class Tiers:
 class Entry:
     """The native functions of a Program, `kernel` and `prepare`.
 
-    They are made when they are first wanted; better ones may replace them at any time. Who wants
-    the best from the beginning waits for that alone.
-
-    Parameters
-    ----------
-    tiers : Tiers or None
-        None where the functions are given by `replace` at once.
+    They are made when they are first wanted, unless `replace` gives them at once; better ones may
+    replace them at any time. Who wants the best from the beginning waits for that alone.
     """
 
     def __init__(self, tiers: Tiers | None = None) -> None:

@@ -49,18 +49,11 @@ def propose(matrix: Matrix) -> Proposal | None:
 
 @dataclass(frozen=True)
 class Generators:
-    """The parts of rows and columns, by channel.
+    """The parts of rows and columns, by channel."""
 
-    Attributes
-    ----------
-    rows : tuple of tuple of dict
-        X as ``rows[i][c]``: parts with their coefficients, whose sum it is.
-    columns : tuple of tuple of dict
-        Y in the same way.
-    """
-
+    # X as ``rows[i][c]``: parts with their coefficients, whose sum it is
     rows: tuple[tuple[dict[Part, float], ...], ...]
-    columns: tuple[tuple[dict[Part, float], ...], ...]
+    columns: tuple[tuple[dict[Part, float], ...], ...]  # Y in the same way
 
     @property
     def cost(self) -> int:

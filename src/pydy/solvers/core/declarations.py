@@ -52,14 +52,9 @@ def included(*names: str, folder: Path | None = None) -> dict[str, str]:
 
 
 def layout_header(text: str | None = None, plain: bool = False) -> str:
-    """Return the text of ``layout.h``.
+    """Return the text of ``layout.h``: of all numbers, or of those that a `text` uses.
 
-    Parameters
-    ----------
-    text : str, optional
-        What uses it: other numbers are left out.
-    plain : bool
-        For any compiler of C99: blocks of one number, and explicit methods alone.
+    A `plain` one is for any compiler of C99: blocks of one number, and explicit methods alone.
     """
     tables: dict[str, Sequence[Any]] = {"Run": run.RUN[:-1]} if plain else _TABLES
     parts = [*tables.values()] + ([] if plain else [run.EXTENSION, run.PROJECTION, run.ALONG])
