@@ -7,12 +7,11 @@ from pydy._assembly.assembly import Assembly
 from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.interpret import run
 from pydy._graph.lower import lower
-from pydy._graph.node import Graph
+from pydy._graph.node import Graph, input_nodes
 from pydy._graph.operations import OPERATIONS
 from pydy._graph.program import Program, Tape
 from pydy._graph.solve.ldl import UnrolledLDL
 from pydy._graph.switches import Passes
-from pydy._graph.symbols import input_nodes
 
 __all__ = [
     "BINARY",

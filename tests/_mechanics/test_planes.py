@@ -10,8 +10,7 @@ import sympy.physics.mechanics as me
 from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.interpret import run
 from pydy._graph.lower import lower
-from pydy._graph.node import Graph
-from pydy._graph.symbols import input_nodes
+from pydy._graph.node import Graph, input_nodes
 from pydy._mechanics.planes import Detours, plane_rotations, split
 
 SEQUENCES = ["".join(s) for s in itertools.product("123", repeat=3) if s[0] != s[1] != s[2]]

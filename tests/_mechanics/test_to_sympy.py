@@ -6,9 +6,8 @@ import sympy as sm
 
 from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.interpret import evaluator
-from pydy._graph.node import Graph
+from pydy._graph.node import Graph, input_nodes
 from pydy._graph.operations import OPERATIONS
-from pydy._graph.symbols import input_nodes
 from pydy._mechanics.to_sympy import exact, written
 from pydy._mechanics.trigonometric import Textbook, TooLongError
 

@@ -9,7 +9,7 @@ from scipy.integrate import ODEintWarning
 import loops
 from pydy import System
 from pydy._system.kept import Motion, check_kept
-from pydy.ensemble import kept
+from pydy.ensemble import work
 from pydy.ensemble.model import Batch
 from pydy.errors import IntegrationError
 from pydy.mechanics import Definition
@@ -404,7 +404,7 @@ def test_a_projected_ensemble_passes_and_is_looked_at_where_rows_were_left_out(m
     system, options = two_cranks(constraints="project")
     assert (system.integrate_ensemble(**options).status == 0).all()
     judged = []
-    monkeypatch.setattr(kept, "judge", lambda ran, part: judged.append(ran.nearness))
+    monkeypatch.setattr(work, "judge", lambda ran, part: judged.append(ran.nearness))
     system.integrate_ensemble(**options)
     assert len(judged) == 2
 
@@ -420,10 +420,10 @@ def test_an_ensemble_in_other_processes_is_looked_at():
 def test_a_sound_ensemble_is_looked_at_once():
     system = slider_crank(2.0).system
     judged = []
-    real = kept.judge
+    real = work.judge
     times = np.linspace(0.0, 3.0, 201)
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(kept, "judge", lambda *a: judged.append(a) or real(*a))
+        patch.setattr(work, "judge", lambda *a: judged.append(a) or real(*a))
         evaluate, counted = Batch.evaluate, []
 
         def count(batch, program, times, states):

@@ -19,9 +19,8 @@ from pydy._assembly.model import CompiledModel
 from pydy._checks import describe
 from pydy._graph.derivative import jacobian
 from pydy._graph.from_sympy import SymPyReader
-from pydy._graph.node import Graph
+from pydy._graph.node import Graph, input_nodes
 from pydy._graph.rewrite import substitute
-from pydy._graph.symbols import input_nodes
 from pydy._mechanics.symbols import find_symbols
 
 

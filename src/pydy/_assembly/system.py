@@ -10,11 +10,10 @@ from pydy._assembly.assembly import Assembly, Depending
 from pydy._graph.collector import collector_paused
 from pydy._graph.derivative import dense_rows, jacobian
 from pydy._graph.from_sympy import SymPyReader
-from pydy._graph.node import Graph
+from pydy._graph.node import Graph, input_nodes
 from pydy._graph.rewrite import substitute
 from pydy._graph.solve.choose import solve_accelerations
 from pydy._graph.switches import Passes
-from pydy._graph.symbols import input_nodes
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.symbols import find_symbols
 

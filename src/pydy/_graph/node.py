@@ -22,8 +22,48 @@ from typing import Any
 
 import numpy as np
 
-from pydy._graph.hash_consing import Nodes
-from pydy._graph.operations import OPERATIONS, Operation
+from pydy._graph.operations import OPERATIONS, Operation, operands
+
+# -- Operations that are kept once -----------------------------------------------------------------
+
+# Solves report failures, which only calls can do.
+_REPORTING = frozenset({"factor", "solve", "guard", "item"})
+
+
+class Nodes:
+    """Hash-consed operations on earlier ones, in topological order."""
+
+    def __init__(self) -> None:
+        self.ops: list[str] = []  # the kind of each node
+        self.args: list[tuple[Any, ...]] = []  # its operands, and what else it takes
+        self.constant: list[bool] = []  # whether it depends on inputs 'p' and numbers alone
+        self._operands: list[tuple[int, ...]] = []
+        self._known: dict[tuple[Any, ...], int] = {}
+
+    def node(self, op: str, args: tuple[Any, ...], apart: int | None = None) -> int:
+        """Return the node for `op` on `args` as they are, without any rewriting.
+
+        Given `apart`, it is another one than without, unless it depends on constants alone.
+        """
+        key: tuple[Any, ...] = (op, args)
+        if apart is not None and not self._is_constant(op, args, operands(op, args)):
+            key = (op, args, apart)
+        node = self._known.get(key)
+        if node is None:
+            node = len(self.ops)
+            self._known[key] = node
+            self.ops.append(op)
+            self.args.append(args)
+            needs = operands(op, args)
+            self._operands.append(needs)
+            self.constant.append(self._is_constant(op, args, needs))
+        return node
+
+    def _is_constant(self, op: str, args: tuple[Any, ...], needs: tuple[int, ...]) -> bool:
+        if op == "input":
+            return bool(args[0] == "p")
+        return op not in _REPORTING and all(map(self.constant.__getitem__, needs))
+
 
 # Factors of a product that are not just counted.
 _SPECIAL_FACTORS = frozenset({"const", "prod", "sum", "sqrt"})
@@ -334,3 +374,20 @@ def _powi(base: float, exponent: int) -> float:
 def _folded(function: Callable[..., Any], *values: float) -> float:
     with np.errstate(all="ignore"):
         return float(function(*map(np.float64, values)))
+
+
+# -- Which input of a graph stands for each symbol -------------------------------------------------
+
+
+def input_nodes(graph: Graph, **groups: Iterable[Any]) -> dict[Any, int]:
+    """Return the input node of each symbol; the graph gets them in the order of the arguments.
+
+    Each group of inputs has its symbols in order: ``x=states, t=[time]``. A symbol in several
+    groups belongs to the last.
+    """
+    return {s: graph.input(g, k) for g, symbols in groups.items() for k, s in enumerate(symbols)}
+
+
+def input_symbols(graph: Graph, **groups: Iterable[Any]) -> dict[int, Any]:
+    """Return the symbol of each input node; the groups are those of `input_nodes`."""
+    return {graph.input(g, k): s for g, symbols in groups.items() for k, s in enumerate(symbols)}

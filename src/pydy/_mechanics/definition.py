@@ -18,8 +18,7 @@ from pydy._checks import check_mapping, describe, listed, number, resolved, show
 from pydy._forks import cached_property
 from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.identities import signatures
-from pydy._graph.node import Graph
-from pydy._graph.symbols import input_nodes
+from pydy._graph.node import Graph, input_nodes
 from pydy._mechanics.dependents import constrained
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.formed import equations_of

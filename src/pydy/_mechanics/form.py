@@ -21,10 +21,9 @@ from pydy._graph.derivative import jacobian
 from pydy._graph.from_sympy import NodeExpression, SymPyReader
 from pydy._graph.identities import signatures
 from pydy._graph.interpret import evaluator
-from pydy._graph.node import Graph
+from pydy._graph.node import Graph, input_nodes, input_symbols
 from pydy._graph.rewrite import substitute
 from pydy._graph.rounding import rounding_bounds
-from pydy._graph.symbols import input_nodes, input_symbols
 from pydy._mechanics.alignment import align, in_a_plane, move_along_axes
 from pydy._mechanics.components import numbers_of
 from pydy._mechanics.elimination import composite, eliminated

@@ -20,12 +20,11 @@ from dataclasses import replace
 import numpy as np
 
 from pydy._graph.collector import collector_paused
-from pydy._graph.counting import operations
 from pydy._graph.derivative import dense_rows, jacobian
 from pydy._graph.interpret import evaluator
 from pydy._graph.lower import lower
 from pydy._graph.node import Graph
-from pydy._graph.simplify import simplify
+from pydy._graph.simplify import operations, simplify
 from pydy._graph.solve.choose import solve_accelerations
 from pydy._graph.solve.differences import difference_basis
 from pydy._graph.switches import Passes

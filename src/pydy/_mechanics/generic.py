@@ -17,9 +17,8 @@ from sympy.core.function import AppliedUndef
 from pydy._graph.derivative import jacobian
 from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.interpret import evaluator
-from pydy._graph.node import Graph
+from pydy._graph.node import Graph, input_nodes
 from pydy._graph.rounding import per_unit, rounding_bounds
-from pydy._graph.symbols import input_nodes
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.frames import orientation_rows, rotations
 from pydy._mechanics.symbols import find_symbols, rate_of, sort_symbols

@@ -18,10 +18,10 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 from typing import Any
 
 from pydy._graph.collector import collector_paused
-from pydy._graph.counting import operations
 from pydy._graph.derivative import dense_rows, jacobian
 from pydy._graph.from_sympy import NodeExpression
 from pydy._graph.rewrite import substitute
+from pydy._graph.simplify import operations
 from pydy._mechanics.elimination import composite
 from pydy._mechanics.form import (
     alike,

@@ -18,8 +18,7 @@ from sympy.physics.mechanics import Point
 
 from pydy._graph.derivative import Row, Rows
 from pydy._graph.identities import signatures
-from pydy._graph.node import Graph
-from pydy._graph.symbols import input_nodes, input_symbols
+from pydy._graph.node import Graph, input_nodes, input_symbols
 from pydy._mechanics.components import in_rows, turned, unrounded
 from pydy._mechanics.frames import Frames
 from pydy._mechanics.planes import Detours

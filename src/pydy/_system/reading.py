@@ -16,9 +16,8 @@ from pydy._checks import flag
 from pydy._graph.collector import collector_paused
 from pydy._graph.derivative import dense_rows, jacobian
 from pydy._graph.from_sympy import SymPyReader
-from pydy._graph.node import Graph
+from pydy._graph.node import Graph, input_nodes
 from pydy._graph.simplify import simplify
-from pydy._graph.symbols import input_nodes
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.inverse import Known, inverse_dynamics, mass_matrix
 from pydy._mechanics.symbols import find_symbols, replace_symbols

@@ -16,8 +16,7 @@ import numpy as np
 from pydy._assembly.definition import Definition
 from pydy._assembly.model import CompiledModel, stored_program
 from pydy._checks import describe
-from pydy._graph.columns import Columns
-from pydy._graph.events import event_program
+from pydy._graph.columns import Columns, event_program
 from pydy._graph.program import Program
 from pydy._graph.simplify import simplify
 from pydy._graph.tangent import Tangent

@@ -14,10 +14,9 @@ from pydy._checks import Places, choice, number, positive, shown, text
 from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.interpret import run
 from pydy._graph.lower import lower
-from pydy._graph.node import Graph
+from pydy._graph.node import Graph, input_nodes
 from pydy._graph.program import Program
 from pydy._graph.simplify import simplify
-from pydy._graph.symbols import input_nodes
 from pydy._names import name_of
 from pydy.export.javascript import javascript_object
 from pydy.export.model import Model, Variable

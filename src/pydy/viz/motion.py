@@ -17,10 +17,9 @@ from pydy._checks import check_mapping, listed, number, real_array
 from pydy._graph.collector import collector_paused
 from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.lower import lower
-from pydy._graph.node import Graph
+from pydy._graph.node import Graph, input_nodes
 from pydy._graph.program import Program
 from pydy._graph.simplify import simplify
-from pydy._graph.symbols import input_nodes
 from pydy._mechanics.symbols import find_symbols
 from pydy._names import name_of
 from pydy.viz.tuning import ON_TIME

@@ -7,7 +7,7 @@ import numpy as np
 
 from pydy._backends.llvm import jit
 from pydy._backends.llvm.compiling import Source
-from pydy._backends.llvm.gate import Gate
+from pydy._backends.llvm.native import Gate
 
 # Returns the first argument, with one more reference to it.
 TEXT = """

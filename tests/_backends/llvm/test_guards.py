@@ -10,11 +10,10 @@ from pydy._backends.llvm import jit, tiers
 from pydy._backends.llvm.backend import LLVMBackend
 from pydy._backends.numpy_ import NumPyBackend
 from pydy._graph.adjoint import adjoints
-from pydy._graph.counting import operations
 from pydy._graph.derivative import jacobian
 from pydy._graph.interpret import run
 from pydy._graph.node import Graph
-from pydy._graph.simplify import simplify
+from pydy._graph.simplify import operations, simplify
 from pydy._graph.tuning import INDEPENDENT
 
 BACKENDS = {

@@ -10,10 +10,25 @@ from collections.abc import Callable, Container, Sequence
 from typing import Any
 
 from pydy._graph.node import Graph
+from pydy._graph.program import Tape
 from pydy._graph.solve import ldl, lu, semiseparable
 from pydy._graph.solve.differences import difference_basis
-from pydy._graph.solve.loop import LoopFactor
-from pydy._graph.solve.matrix import Factor, Matrix, Proposal
+from pydy._graph.solve.matrix import Factor, Matrix, Proposal, symmetric
+
+
+class LoopFactor:
+    """A factorisation that the back end does in a loop."""
+
+    def __init__(self, matrix: Matrix) -> None:
+        self.tape: Tape = matrix.tape
+        lower = matrix.kind == "ldl"
+        cells = symmetric(matrix.n, matrix.cells) if lower else matrix.cells
+        self.node = self.tape.make("factor", matrix.kind, matrix.n, tuple(cells))
+
+    def solve(self, column: list[int]) -> int:
+        """Return the vector node of the solution."""
+        return self.tape.make("solve", self.node, tuple(column))
+
 
 # Takes a graph, a symmetric matrix and a column; gives None or a system with `matrix`, `column` and
 # `given_unknowns(solution)`.
