@@ -39,7 +39,9 @@ def test_rolling_that_implies_a_height_shares_its_forces_with_it():
 
 
 @pytest.mark.parametrize(
-    "seed", [2359, 2400, 2405, 2453], ids=["twice nothing", "rounding", "hinge", "height"]
+    "seed",
+    [2359, 2400, 2405, 2453, 2724],
+    ids=["twice nothing", "rounding", "hinge", "height", "nanometres"],
 )
 def test_rows_that_hold_nothing_are_none(seed):
     assert checked(seed)[2] is None

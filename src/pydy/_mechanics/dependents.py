@@ -6,6 +6,7 @@ a pivot is as good as it is at the worst of them. What is left below the rank is
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any
@@ -15,12 +16,13 @@ import numpy as np
 from pydy._checks import describe
 from pydy._errors import few
 from pydy._graph.identities import signatures
+from pydy._graph.node import Graph
 from pydy._graph.rounding import rounding_bounds
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.formed import kinematics_of
-from pydy._mechanics.generic import Block, GenericStates, openness
-from pydy._mechanics.reader import Multibody
-from pydy._mechanics.tuning import NEARLY_DEPENDENT, OPEN, ROUNDED
+from pydy._mechanics.generic import Block, GenericStates, openness, units_of
+from pydy._mechanics.reader import Multibody, numbers_in_places
+from pydy._mechanics.tuning import BITS, NEARLY_DEPENDENT, OPEN, ROUNDED, TYPED
 from pydy._rank import HALF
 
 _TRIALS = 12
@@ -103,12 +105,14 @@ def constrained(
         dependent_coordinates=q_dep,
         dependent_speeds=u_dep,
         chosen=(*(() if coordinates else q_dep), *(() if speeds else u_dep)),
-        redundant=tuple(
-            e for k, e in enumerate(body.velocity) if k not in {*motions.rows, *rounded}
-        ),
-        closed=tuple(e for k, e in enumerate(body.holonomic) if k not in places.rows),
+        redundant=_others(body.velocity, motions.rows, [k - len(holonomic) for k in rounded]),
+        closed=_others(body.holonomic, places.rows, rounded),
         changing=speeds is None,
     )
+
+
+def _others(rows: Sequence[Any], kept: Sequence[int], rounded: Sequence[int]) -> tuple[Any, ...]:
+    return tuple(e for k, e in enumerate(rows) if k not in kept and k not in rounded)
 
 
 def _behind(symbols: Sequence[Any], last: Sequence[Any]) -> tuple[Any, ...]:
@@ -131,8 +135,8 @@ def _choose(
     """Return the independent constraints, and the coordinates and speeds that follow from them."""
     states = GenericStates(equations, (), "the constraints")
     _check_linear(equations, states)
-    rows = _of_rounding(states)
-    rounded = [k - len(states.holonomic) for k in rows if k >= len(states.holonomic)]
+    body = equations.mechanism or equations.multibody
+    rows = _of_rounding(states, () if body is None else body.bodies)
     states.leave_out(rows)
     tables, every = _searched(states, near)
     samples = _closed(every)
@@ -143,9 +147,10 @@ def _choose(
         )
     if not samples:
         best = every[int(np.argmin(openness(every)))]["residuals"]
+        sizes = np.abs(best) / units_of(every)
         names = [f"holonomic constraint {k}, `{e}`" for k, e in enumerate(equations.holonomic)]
         names += [f"velocity constraint {k}, `{e}`" for k, e in enumerate(equations.velocity)]
-        worst = [k for k in np.argsort(-np.abs(best)) if abs(best[k]) > _SHARE * np.abs(best).max()]
+        worst = [k for k in np.argsort(-sizes) if sizes[k] > _SHARE * sizes.max()]
         open_ones = few([f"the {names[k]}, is left at {best[k]:.3g}" for k in worst])
         raise ValueError(
             "The constraints contradict each other: no state was found that satisfies all of them; "
@@ -164,7 +169,7 @@ def _choose(
         if chosen is not None:
             best_choice = _checked(name, symbols, chosen, matrices, len(best_choice.columns))
         found.append((best_choice, tuple(symbols[k] for k in best_choice.columns)))
-    return found[0], found[1], rounded
+    return found[0], found[1], rows
 
 
 def _searched(
@@ -179,18 +184,24 @@ def _searched(
     return blocks[:2], every
 
 
-def _of_rounding(states: GenericStates) -> list[int]:
+def _of_rounding(states: GenericStates, bodies: Sequence[Any]) -> list[int]:
     """Return the rows that are zero but for rounding, and those whose terms are roundings already.
 
     In an oblique plane the directions of two hinges are parallel whatever the angles, up to what
     rounding leaves of terms that cancel. Where SymPy adds up numbers beforehand, it leaves a row of
-    1e-17: terms no larger than rounding errors of all other rows of their kind. At states that have
-    not been searched for, since such a row may have a root, and a row of squares of nanometres is
-    as small where it holds. Rates are in the units of their holonomic rows, which may be any beside
-    those of the others: they are what these are.
+    1e-17: terms no larger than rounding errors of what they were made of, as the numbers tell, or
+    of all other rows of their kind. At states that have not been searched for, since such a row may
+    have a root, and a row of squares of nanometres is as small where it holds. Rates are in the
+    units of their holonomic rows, which may be any beside those of the others: they are what these
+    are.
+
+    Rows have units: directions and gears are numbers, of order one beside lengths of nanometres and
+    squares of kilometres. What is as large as a number, or as lengths of the mechanism and their
+    squares, is not small because other rows are large.
     """
     graph, holonomic, velocity = states.graph, states.holonomic, states.velocity
-    bounds = rounding_bounds(graph, [*holonomic, *velocity])
+    every = [*holonomic, *velocity]
+    bounds = rounding_bounds(graph, every)
     blocks = [
         ("bounds", (len(bounds),), bounds),
         ("holonomic", (len(holonomic),), holonomic),
@@ -210,11 +221,47 @@ def _of_rounding(states: GenericStates) -> list[int]:
     values = np.concatenate([at["holonomic"], at["velocity"]], axis=1)
     nothing = _nothing(values, at["bounds"])
     found = _constant(states, np.flatnonzero(nothing))
+    made_of = np.array([_cancelled(graph, node) for node in every])
+    found += [int(k) for k in np.flatnonzero((sizes > 0.0) & (sizes <= ROUNDED * made_of))]
+    lengths = np.array(sorted(numbers_in_places(bodies)))
     for part in (range(first), [k for k in range(first, len(sizes)) if k not in known]):
-        order = sorted((k for k in part if sizes[k] > 0.0), key=lambda k: sizes[k])
-        gaps = [i for i in range(1, len(order)) if sizes[order[i - 1]] <= ROUNDED * sizes[order[i]]]
-        found += order[: gaps[-1]] if gaps else []
+        largest = max((sizes[k] for k in part), default=0.0)
+        found += [
+            k
+            for k in part
+            if sizes[k] > 0.0
+            and sizes[k] <= ROUNDED * largest
+            and not _as_large_as(sizes[k], lengths)
+            and k not in found
+        ]
     return found + [j for j, k in known.items() if k in found and j not in found]
+
+
+def _cancelled(graph: Graph, node: int) -> float:
+    """Return how large the numbers were that left the coefficients of a sum when they cancelled.
+
+    A sum of numbers is a multiple of the last place of the smallest: what is left of terms that
+    cancel has few of a float's bits, but many decimals. A number that someone typed, or that was
+    computed from such without cancellation, has not both.
+    """
+    if graph.ops[node] != "sum":
+        return 0.0
+    constant, terms = graph.args[node]
+    found = 0.0
+    for value in map(abs, (constant, *(c for _, c in terms))):
+        if not math.isfinite(value):
+            continue
+        odd, last = value.as_integer_ratio()  # the last place is one over a power of two
+        decimals = repr(value).partition("e")[0].replace(".", "").strip("0")
+        if odd.bit_length() <= BITS // 2 and len(decimals) > TYPED:
+            found = max(found, math.ldexp(1.0, BITS + 1 - last.bit_length()))
+    return found
+
+
+def _as_large_as(size: float, lengths: np.ndarray) -> bool:
+    """Return whether a row may be one of numbers, or of lengths or their squares."""
+    units = np.concatenate([lengths, lengths**2])
+    return bool(size > HALF or ((size > HALF * units) & (HALF * size < units)).any())
 
 
 def _nothing(values: np.ndarray, bounds: np.ndarray) -> np.ndarray:

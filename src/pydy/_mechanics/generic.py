@@ -261,14 +261,18 @@ def openness(samples: list[dict[str, np.ndarray]]) -> list[float]:
     What rounding leaves does not count. SymPy adds up numbers beforehand: a row that is a number
     is what it left of some as large as those of the other rows.
     """
-    units = [row_units(np.array([s[name] for s in samples])) for name in ("holonomic", "velocity")]
-    every = np.concatenate(units)
-    found = []
+    every, found = units_of(samples), []
     for s in samples:
         sizes = np.abs(s["residuals"])
         rounded = ROUNDED * np.where(s["bounds"] > 0.0, s["bounds"], s["bounds"].max(initial=0.0))
         found.append(float(np.where(sizes <= rounded, 0.0, sizes / every).max(initial=0.0)))
     return found
+
+
+def units_of(samples: list[dict[str, np.ndarray]]) -> np.ndarray:
+    """Return the units of the constraints, holonomic ones first, by their derivatives."""
+    tables = [np.array([s[name] for s in samples]) for name in ("holonomic", "velocity")]
+    return np.concatenate([row_units(table) for table in tables])
 
 
 def _solved(

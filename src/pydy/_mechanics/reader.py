@@ -217,6 +217,20 @@ def places(point: Any) -> dict[Any, Any]:
     return found
 
 
+def numbers_in_places(bodies: Iterable[Any]) -> set[float]:
+    """Return the sizes of the numbers by which bodies are placed: the lengths that have values."""
+    waiting = [body.masscenter for body in bodies]
+    seen, found = set(waiting), set()
+    while waiting:
+        for other, way in places(waiting.pop()).items():
+            for part, _ in way.args:
+                found |= {abs(float(number)) for number in part.atoms(sm.Number)}
+            if other not in seen:
+                seen.add(other)
+                waiting.append(other)
+    return {size for size in found if size > 0.0}
+
+
 def given_velocity(point: Any, frame: Any) -> Any:
     """Return the velocity that was set, or None; SymPy's `vel` would make one up."""
     return point._vel_dict.get(frame)

@@ -79,3 +79,9 @@ the independent ones' equations twice as many are."""
 READABLE = 2000
 """Terms of an equation that are multiplied out to be written like a textbook's: those of an arm of
 three joints in space, with all moments and products of inertia, are some hundreds."""
+
+BITS = 53
+"""Digits of a float. What has less than half of them is a sum that cancelled, or was typed."""
+
+TYPED = 12
+"""Decimals that nobody types: a number of few bits that has more is left of others."""
