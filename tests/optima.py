@@ -7,6 +7,7 @@ hold anything, and so may its loads.
 import numpy as np
 import sympy as sm
 import sympy.physics.mechanics as me
+from scipy.optimize import brentq
 
 from pydy import System
 from pydy.mechanics import Definition
@@ -45,6 +46,12 @@ def brachistochrone():
     kinematics = [x.diff() - v * sm.sin(angle), y.diff() - v * sm.cos(angle)]
     made = first_order([x, y], v, g * sm.cos(angle), 1, kinematics, {g: 9.81})
     return made, (x, y, v, angle)
+
+
+def cycloid_time(x, y, g):
+    """Return the time along the cycloid (Johann Bernoulli 1697): r (a − sin a), r (1 − cos a)."""
+    a = brentq(lambda a: (a - np.sin(a)) / (1 - np.cos(a)) - x / y, 0.1, 6.2)
+    return a * np.sqrt(y / (1 - np.cos(a)) / g)
 
 
 def hypersensitive():

@@ -3,7 +3,6 @@
 import numpy as np
 import pytest
 import sympy as sm
-from scipy.optimize import brentq
 
 import optima
 from optima import TF, T
@@ -88,12 +87,6 @@ def test_the_problem_of_bryson_and_denham(limit):
     assert found.objective == pytest.approx(4.0 / (9.0 * limit), rel=1e-6)
 
 
-def cycloid_time(x, y, g):
-    """Return the time along the cycloid (Johann Bernoulli 1697): r (a − sin a), r (1 − cos a)."""
-    a = brentq(lambda a: (a - np.sin(a)) / (1 - np.cos(a)) - x / y, 0.1, 6.2)
-    return a * np.sqrt(y / (1 - np.cos(a)) / g)
-
-
 @pytest.mark.parametrize("method", ["radau", "hermite-simpson"])
 def test_the_brachistochrone_is_a_cycloid(method):
     system, (x, y, v, angle) = optima.brachistochrone()
@@ -101,7 +94,7 @@ def test_the_brachistochrone_is_a_cycloid(method):
         system, TF, TF, end={x: 2.0, y: 2.0}, bounds={TF: (0.1, 5.0)}, method=method, order=4
     )
     found = problem.solve({v: [0.0, 6.0], angle: [0.0, 1.5]})
-    exact = cycloid_time(2.0, 2.0, 9.81)
+    exact = optima.cycloid_time(2.0, 2.0, 9.81)
     assert exact == pytest.approx(0.824338669439, rel=1e-12)
     assert found.objective == pytest.approx(exact, rel=1e-7)
 

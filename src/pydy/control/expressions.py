@@ -6,7 +6,7 @@ begins at t = 0.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -148,6 +148,25 @@ class Reader:
                 high = 0.0
             found.append(Condition(expression, low, high, str(relation)))
         return tuple(found)
+
+    @staticmethod
+    def check_functions(what: str, expressions: Iterable[Any], known: Iterable[Any]) -> None:
+        """Refuse functions of time that none of some symbols and derivatives is or holds.
+
+        Raises
+        ------
+        ValueError
+            With the remedy: a control need not be in an equation.
+        """
+        own = {f for symbol in known for f in symbol.atoms(AppliedUndef)}
+        strange = {f for e in expressions for f in sm.sympify(e).atoms(AppliedUndef)} - own
+        if strange:
+            one = min(strange, key=sm.default_sort_key)
+            raise ValueError(
+                f"{what} has `{one}`, which is in none of the system's equations. To have it as a "
+                "control all the same, give the system an output that holds it: "
+                f"system.outputs[sm.Symbol('name')] = {one}."
+            )
 
     # -- values at instants ----------------------------------------------------------------------
 

@@ -233,7 +233,9 @@ class OptimalControl:
                 "constrained systems needs the bodies and loads: give them to the method, and "
                 "leave out `equations='method'`."
             )
-        made = Equations.of(now)
+        made, inequalities = Equations.of(now), reader.path("path", path)
+        reader.check_functions("`path`", [c.expression for c in inequalities], made.atoms)
+        reader.check_functions("`objective`", [running], made.atoms)
         if made.are_of(made.constraints, [definition.specifieds.index(s) for s in self._controls]):
             raise NotImplementedError(
                 "The constraints hold a control, which has no value at the start. Give that "
@@ -267,7 +269,7 @@ class OptimalControl:
             terminal=terminal,
             instants=tuple(reader.instants),
             boundary=conditions,
-            path=reader.path("path", path),
+            path=inequalities,
             hessian=None if second == "lbfgs" else second,
             squares=squares[0] if squares else (),
             terminal_squares=squares[1] if squares else (),
