@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -13,19 +12,14 @@ from pydy._assembly.model import CompiledModel
 from pydy._assembly.specifieds import driven
 from pydy._checks import Places, listed, one_or_more
 from pydy._errors import warn_user
-from pydy._forks import cached_property
-from pydy._kernel import Kernel
 from pydy._names import unique_names
-from pydy._rank import equilibrated, is_zero, or_one
-from pydy._system.balance import GROUPS, evaluated, feedback, located, members, natural_sizes
+from pydy._system.balance import GROUPS, Point, located, members
 from pydy._system.evaluation import samples
 from pydy._system.setup import Setup
 from pydy._system.snapshot import At, Snapshot
 from pydy._system.start import surely_held, violations
-from pydy._system.tuning import BESIDE
 from pydy.analysis.equilibria import Equilibrium
-from pydy.analysis.linear import LinearModel, independent_places, tangents
-from pydy.codegen.arguments import SpecifiedsPlan
+from pydy.analysis.linear import LinearModel
 from pydy.solvers.tuning import TRIED
 
 
@@ -45,91 +39,6 @@ def variables(definition: Definition, wrt: Any) -> str | tuple[tuple[str, int], 
         raise ValueError("`wrt` must name at least one state, constant or specified.")
     found = (located(definition, symbol, "wrt") for symbol in symbols)
     return tuple((GROUPS[kind], place) for kind, place in found)
-
-
-@dataclass(frozen=True, eq=False)
-class Point(At):
-    """States, times and numbers at which a System is linearised, m of them.
-
-    The model has additions to the specifieds that are expressions as inputs; p is (k,) or (m, k).
-    """
-
-    plan: SpecifiedsPlan
-
-    @cached_property
-    def through(self) -> np.ndarray:
-        """How Python functions among the specifieds change with the states, shape (m, s, n)."""
-        return feedback(self.plan, self.x, self.t)
-
-    def value(self, kernel: Kernel, width: int | None = None) -> np.ndarray:
-        """Return the outputs of a Kernel, in rows of so many columns."""
-        at = self.t, self.x, self.r, self.p
-        out = evaluated(kernel, *at) if self.p.ndim > 1 else self.evaluate(kernel)
-        return out if width is None else out.reshape(len(self.x), -1, width)
-
-    def slopes(self, block: str) -> np.ndarray:
-        """Return the derivatives of a block by the states, with all feedback."""
-        direct = self.value(self.model.compiled_jacobian(block, "x"), self.x.shape[1])
-        if not self.through.any():
-            return direct
-        by_input = self.value(self.model.compiled_jacobian(block, "r"), self.r.shape[1])
-        whole: np.ndarray = direct + by_input @ self.through
-        return whole
-
-    @property
-    def blocks(self) -> list[str]:
-        """The constraints there are."""
-        return [b for b in ("holonomic", "velocity") if getattr(self.definition.equations, b)]
-
-    def tangents(self) -> tuple[np.ndarray, np.ndarray]:
-        """Return T, shape (m, n, k), and the places of the independent states.
-
-        Coordinates are tied first: in one system with the speeds, units of time would decide which
-        states are independent.
-        """
-        definition, n = self.definition, self.x.shape[1]
-        equations, moving = definition.equations, n - len(definition.auxiliaries)
-        first = len(equations.coordinates)
-        kinds = {"holonomic": range(first), "velocity": range(first, moving)}
-        dependent = (*equations.dependent_coordinates, *equations.dependent_speeds)
-        chosen = [definition.states.index(state) for state in dependent]
-        free = np.arange(moving)  # integrals of outputs move nothing
-        T = np.broadcast_to(np.eye(n)[:, :moving], (len(self.x), n, moving))
-        for block in self.blocks:
-            gradient = self.slopes(block)
-            rows, columns = self._units(block, gradient, kinds[block])
-            moved, units = gradient / rows @ T, columns[:, free]
-            own = np.flatnonzero(np.isin(free, kinds[block]))
-            named = np.flatnonzero(np.isin(free[own], chosen))
-            scaled = moved[0][:, own] * units[0, own]
-            bound = own[independent_places(scaled, named.tolist())[1]]
-            left = np.setdiff1d(np.arange(len(free)), bound)
-            T, free = T @ tangents(moved, left, bound, units), free[left]
-        return T, free
-
-    def _units(self, block: str, gradient: np.ndarray, own: range) -> tuple[np.ndarray, np.ndarray]:
-        """Return units of the rows (m, c, 1) of a block's gradient, and of the states (m, n).
-
-        A row that vanishes in a singular configuration is rounding errors there: its size is taken
-        beside it, as far as the states are large. A coordinate that is zero is as large as it is by
-        itself, as an angle of 1 rad, or as the others in units of the columns.
-        """
-        n, places = gradient.shape[2], len(self.definition.equations.coordinates)
-        natural = natural_sizes(self.model, (self.t, self.x, self.r, self.p))["states"]
-        large = np.maximum(np.abs(self.x), natural)
-        columns = equilibrated(gradient[:, :, :places])[2][:, 0]
-        shares = large[:, :places] / columns
-        share = shares.max(axis=1, keepdims=True, initial=0.0)
-        usual = or_one(share) * columns
-        large[:, :places] = np.where(is_zero(shares, share), usual, large[:, :places])
-        offset = BESIDE * large * np.cos(np.arange(n))
-        beside = replace(self, x=self.x + offset)
-        moved = beside.value(self.model.compiled_jacobian(block, "x"), n)
-        both = np.maximum(np.abs(gradient), np.nan_to_num(np.abs(moved), posinf=0.0))
-        units = np.ones((len(self.x), n))
-        _, rows, columns = equilibrated(both[..., own], exact=True)
-        units[:, own] = columns[:, 0]
-        return rows, units
 
 
 def _which(k: int, m: int) -> str:

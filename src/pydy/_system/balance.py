@@ -3,30 +3,32 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from typing import Any
+from dataclasses import dataclass, replace
+from typing import Any, Self
 
 import numpy as np
 
 from pydy._assembly.assembly import Assembly
 from pydy._assembly.definition import Definition
-from pydy._assembly.model import CompiledModel
 from pydy._assembly.specifieds import driven
 from pydy._checks import Places, check_mapping, listed, number, real_array
+from pydy._forks import cached_property
 from pydy._graph.derivative import dense_jacobian
 from pydy._graph.interpret import run
 from pydy._graph.program import Program
 from pydy._kernel import Kernel
 from pydy._names import unique_names
-from pydy._rank import HALF, ROUNDING, or_one
+from pydy._rank import HALF, ROUNDING, equilibrated, is_zero, or_one
 from pydy._system.evaluation import row_names
 from pydy._system.setup import Setup
-from pydy._system.snapshot import Snapshot
+from pydy._system.snapshot import At, Snapshot
+from pydy._system.tuning import BESIDE
 from pydy.analysis.equilibria import Equilibrium, Problem, Sizes, solve_equilibrium
+from pydy.analysis.linear import independent_places, tangents
 from pydy.codegen.arguments import SpecifiedsPlan
 
 GROUPS = {"states": "x", "specifieds": "r", "constants": "p"}
 """The kinds of symbols, and the arrays that hold their numbers."""
-Inputs = tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]  # t, x, r, p
 # Decades of steps of differences that are tried, and the rounding errors of a function.
 _DECADES, _ROUNDED = 10, 100.0
 _OF_NUMBERS = {"sin", "cos", "tan", "exp", "sinh", "cosh", "tanh"}  # functions of what has no unit
@@ -93,22 +95,121 @@ def members(
     return found
 
 
-def evaluated(
-    kernel: Kernel, t: np.ndarray, x: np.ndarray, r: np.ndarray, p: np.ndarray
-) -> np.ndarray:
-    """Return the outputs of a Kernel at m samples, NaN where singular; p (k,) or (m, k)."""
-    if p.ndim == 1:
-        out, failed = kernel.evaluate(t, x, r, p)
-    else:
-        rows = np.broadcast_to(r, (len(x), r.shape[1]))
-        parts = [
-            kernel.evaluate(t[k : k + 1], x[k : k + 1], rows[k : k + 1].copy(), p[k])
-            for k in range(len(x))
-        ]
+@dataclass(frozen=True, eq=False)
+class Point(At):
+    """States, times and numbers at which a System is looked at, m of them.
+
+    The model has additions to the specifieds that are expressions as inputs; p is (k,) or (m, k).
+    """
+
+    plan: SpecifiedsPlan
+
+    @cached_property
+    def through(self) -> np.ndarray:
+        """How Python functions among the specifieds change with the states, shape (m, s, n)."""
+        return feedback(self.plan, self.x, self.t)
+
+    def alone(self) -> list[Self]:
+        """Return points with one p each: this one, or every state by itself."""
+        if self.p.ndim == 1:
+            return [self]
+        return [replace(self.some([k]), p=p) for k, p in enumerate(self.p)]
+
+    def tried(self, kernel: Kernel) -> np.ndarray:
+        """Return the outputs of a Kernel, shape (m, o); NaN where singular."""
+        parts = [kernel.evaluate(at.t, at.x, at.r, at.p) for at in self.alone()]
         out, failed = (np.concatenate(part) for part in zip(*parts, strict=True))
-    if failed.any():
-        out = np.where(failed[:, None], np.nan, out)
-    return out
+        return np.where(failed[:, None], np.nan, out) if failed.any() else out
+
+    def value(self, kernel: Kernel, width: int | None = None) -> np.ndarray:
+        """Return the outputs of a Kernel, in rows of so many columns."""
+        out = self.tried(kernel) if self.p.ndim > 1 else self.evaluate(kernel)
+        return out if width is None else out.reshape(len(self.x), -1, width)
+
+    @cached_property
+    def natural(self) -> dict[str, np.ndarray]:
+        """How large states, specifieds and constants are by themselves; 0 where nothing tells.
+
+        The argument of a sine or an exponential function is a number without a unit. What makes it
+        change by one is large: an angle of 1 rad, or a thousandth of a speed in tanh(1000 v). Each
+        of `GROUPS` has an array (m, n).
+        """
+        sizes, m = self.model.assembly.sizes, len(self.x)
+        r = np.broadcast_to(self.r, (m, self.r.shape[1]))
+        numbers = replace(self, r=r, p=np.atleast_2d(self.p)[0])
+        slopes = numbers.values(_arguments)["slopes"].reshape(m, -1, sum(sizes))
+        steepest = np.abs(slopes).max(axis=1, initial=0.0)
+        known = (steepest > 0.0) & np.isfinite(steepest)
+        natural = np.where(known, 1.0 / np.where(known, steepest, 1.0), 0.0)
+        return dict(zip(GROUPS, np.split(natural, np.cumsum(sizes)[:-1], axis=1), strict=True))
+
+    def inertias(self, n: int) -> np.ndarray:
+        """Return the diagonal of the mass matrix of n speeds, shape (m, n)."""
+        found = self.values(_masses)["masses"]
+        return np.abs(found[:, :: n + 1]) if found.size else np.ones((len(self.x), n))
+
+    def slopes(self, block: str) -> np.ndarray:
+        """Return the derivatives of a block by the states, with all feedback."""
+        direct = self.value(self.model.compiled_jacobian(block, "x"), self.x.shape[1])
+        if not self.through.any():
+            return direct
+        by_input = self.value(self.model.compiled_jacobian(block, "r"), self.r.shape[1])
+        whole: np.ndarray = direct + by_input @ self.through
+        return whole
+
+    @property
+    def blocks(self) -> list[str]:
+        """The constraints there are."""
+        return [b for b in ("holonomic", "velocity") if getattr(self.definition.equations, b)]
+
+    def tangents(self) -> tuple[np.ndarray, np.ndarray]:
+        """Return T, shape (m, n, k), and the places of the independent states.
+
+        Coordinates are tied first: in one system with the speeds, units of time would decide which
+        states are independent.
+        """
+        definition, n = self.definition, self.x.shape[1]
+        equations, moving = definition.equations, n - len(definition.auxiliaries)
+        first = len(equations.coordinates)
+        kinds = {"holonomic": range(first), "velocity": range(first, moving)}
+        dependent = (*equations.dependent_coordinates, *equations.dependent_speeds)
+        chosen = [definition.states.index(state) for state in dependent]
+        free = np.arange(moving)  # integrals of outputs move nothing
+        T = np.broadcast_to(np.eye(n)[:, :moving], (len(self.x), n, moving))
+        for block in self.blocks:
+            gradient = self.slopes(block)
+            rows, columns = self._units(block, gradient, kinds[block])
+            moved, units = gradient / rows @ T, columns[:, free]
+            own = np.flatnonzero(np.isin(free, kinds[block]))
+            named = np.flatnonzero(np.isin(free[own], chosen))
+            scaled = moved[0][:, own] * units[0, own]
+            bound = own[independent_places(scaled, named.tolist())[1]]
+            left = np.setdiff1d(np.arange(len(free)), bound)
+            T, free = T @ tangents(moved, left, bound, units), free[left]
+        return T, free
+
+    def _units(self, block: str, gradient: np.ndarray, own: range) -> tuple[np.ndarray, np.ndarray]:
+        """Return units of the rows (m, c, 1) of a block's gradient, and of the states (m, n).
+
+        A row that vanishes in a singular configuration is rounding errors there: its size is taken
+        beside it, as far as the states are large. A coordinate that is zero is as large as it is by
+        itself, as an angle of 1 rad, or as the others in units of the columns.
+        """
+        n, places = gradient.shape[2], len(self.definition.equations.coordinates)
+        large = np.maximum(np.abs(self.x), self.natural["states"])
+        columns = equilibrated(gradient[:, :, :places])[2][:, 0]
+        shares = large[:, :places] / columns
+        share = shares.max(axis=1, keepdims=True, initial=0.0)
+        usual = or_one(share) * columns
+        large[:, :places] = np.where(is_zero(shares, share), usual, large[:, :places])
+        offset = BESIDE * large * np.cos(np.arange(n))
+        beside = replace(self, x=self.x + offset)
+        moved = beside.value(self.model.compiled_jacobian(block, "x"), n)
+        both = np.maximum(np.abs(gradient), np.nan_to_num(np.abs(moved), posinf=0.0))
+        units = np.ones((len(self.x), n))
+        _, rows, columns = equilibrated(both[..., own], exact=True)
+        units[:, own] = columns[:, 0]
+        return rows, units
 
 
 class Balance:
@@ -199,8 +300,8 @@ class Balance:
         """How many rows of the residual are constraints; they are the last ones."""
         return len(self.titles) - len(self.rows)
 
-    def inputs(self, z: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
-        """Return t (m,), x (m, n), r (m, s) and p, (k,) or (m, k), for unknowns z (m, l)."""
+    def at(self, z: np.ndarray) -> Point:
+        """Return where unknowns z (m, l) are; p has rows where it is among them."""
         m = len(z)
         by_state, at_state = self.wanted.of("states")
         by_constant, at_constant = self.wanted.of("constants")
@@ -211,32 +312,31 @@ class Balance:
             p[:, at_constant] = z[:, by_constant]
         r = np.broadcast_to(self.plan.rows(x, t), (m, len(self.definition.specifieds))).copy()
         r[:, self.columns] = z[:, self.wanted.of("specifieds")[0]]
-        return t, x, r, p
+        return Point(self.definition, self.made, t, x, r, p, self.plan)
 
     def residuals(self, z: np.ndarray) -> np.ndarray:
         """Return the residuals, shape (m, rows); NaN in singular states."""
-        inputs = self.inputs(z)
-        parts = [evaluated(self.made.compiled(b), *inputs) for b in self.blocks]
+        at = self.at(z)
+        parts = [at.tried(self.made.compiled(b)) for b in self.blocks]
         return np.concatenate([parts[0][:, self.rows], *parts[1:]], axis=1)
 
     def slopes(self, z: np.ndarray) -> np.ndarray:
         """Return the derivatives of the residuals by the unknowns, shape (m, rows, l)."""
-        m, made = len(z), self.made
-        t, x, r, p = self.inputs(z)
-        through = feedback(self.plan, x, t)
+        m, made, at = len(z), self.made, self.at(z)
+        through = at.through
         through[:, self.columns] = 0.0
         by_state, at_state = self.wanted.of("states")
         parts = []
         for block in self.blocks:
             part = np.zeros((m, len(getattr(made.assembly, block)), z.shape[1]))
             if through.any():
-                by_input = evaluated(made.compiled_jacobian(block, "r"), t, x, r, p)
+                by_input = at.tried(made.compiled_jacobian(block, "r"))
                 whole = by_input.reshape(m, part.shape[1], -1) @ through
                 part[:, :, by_state] = whole[:, :, at_state]
             for kind, group in GROUPS.items():
                 places, found = self.wanted.of(kind)
                 if places:
-                    slopes = evaluated(made.compiled_jacobian(block, group), t, x, r, p)
+                    slopes = at.tried(made.compiled_jacobian(block, group))
                     part[:, :, places] += slopes.reshape(m, part.shape[1], -1)[:, :, found]
             parts.append(part)
         return np.concatenate([parts[0][:, self.rows], *parts[1:]], axis=1)
@@ -247,14 +347,11 @@ class Balance:
         Constants that are unknowns have one sample each: nothing else is evaluated one by one.
         """
         m, k = len(z), slopes.shape[2]
-        t, x, r, p = self.inputs(z)
-        if p.ndim == 1 or m == 1:
-            parts = [(t, x, r, p if p.ndim == 1 else p[0])]
-        else:
-            parts = [(t[[i]], x[[i]], r[[i]], p[i]) for i in range(m)]
         natural, rows = (
             np.concatenate(part)
-            for part in zip(*((self._natural(at), self._inertia(at)) for at in parts), strict=True)
+            for part in zip(
+                *((self._natural(at), self._inertia(at)) for at in self.at(z).alone()), strict=True
+            )
         )
         rates = {row: column for row, column in self.pairs.items() if column < k}
         powers = np.zeros(len(self.titles))
@@ -266,20 +363,19 @@ class Balance:
             Sizes(slopes[i], z[i, :k], natural[i, :k], rates, (rows[i], powers)) for i in range(m)
         ]
 
-    def _natural(self, at: Inputs) -> np.ndarray:
-        """Return how large the unknowns are by themselves, shape (m, l); see `natural_sizes`."""
-        found = natural_sizes(self.made, at)
-        return np.stack([found[kind][:, k] for kind, k in self.wanted.order], axis=1)
+    def _natural(self, at: Point) -> np.ndarray:
+        """Return how large the unknowns are by themselves, shape (m, l); see `Point.natural`."""
+        return np.stack([at.natural[kind][:, k] for kind, k in self.wanted.order], axis=1)
 
-    def _inertia(self, at: Inputs) -> np.ndarray:
+    def _inertia(self, at: Point) -> np.ndarray:
         """Return how large rows are for motions of one energy, shape (m, rows); see `Sizes`."""
         equations = self.definition.equations
-        first, n, m = len(equations.coordinates), len(equations.speeds), len(at[1])
-        speeds = 1.0 / np.sqrt(or_one(_inertias(self.made, n, at)))
+        first, n, m = len(equations.coordinates), len(equations.speeds), len(at.x)
+        speeds = 1.0 / np.sqrt(or_one(at.inertias(n)))
         moving = slice(first, first + n)
 
         def moved(block: str, by: slice, motion: np.ndarray) -> np.ndarray:
-            slopes = evaluated(self.made.compiled_jacobian(block, "x"), *at)
+            slopes = at.tried(self.made.compiled_jacobian(block, "x"))
             table = np.abs(np.nan_to_num(slopes.reshape(m, -1, self.x.size)[:, :, by]))
             return np.asarray((table @ motion[:, :, None])[:, :, 0])
 
@@ -293,9 +389,9 @@ class Balance:
 
     def terms(self, z: np.ndarray) -> np.ndarray:
         """Return how large the terms of the residuals are that constants and specifieds make."""
-        inputs = self.inputs(z[None])
-        numbers = {"r": inputs[2][0], "p": np.atleast_2d(inputs[3])[0]}
-        arrays = *inputs[:3], numbers["p"]
+        at = self.at(z[None])
+        numbers = {"r": at.r[0], "p": np.atleast_2d(at.p)[0]}
+        arrays = at.t, at.x, at.r, numbers["p"]
         parts = []
         for block in self.blocks:
             part = np.zeros(len(getattr(self.made.assembly, block)))
@@ -337,7 +433,7 @@ class Balance:
         """Return the result for the unknowns that were found, shape (l,)."""
         wanted = self.wanted
         values = dict(zip(wanted.symbols, z.tolist(), strict=True))
-        x = self.inputs(z[None])[1][0]
+        x = self.at(z[None]).x[0]
         return Equilibrium(
             values=values,
             initial_conditions=dict(zip(self.definition.states, x.tolist(), strict=True)),
@@ -348,25 +444,6 @@ class Balance:
             free=free,
             given={s: value for s, value in self.given.items() if s not in values},
         )
-
-
-def natural_sizes(
-    made: CompiledModel, at: tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]
-) -> dict[str, np.ndarray]:
-    """Return how large states, specifieds and constants are by themselves; 0 where nothing tells.
-
-    The argument of a sine or an exponential function is a number without a unit. What makes it
-    change by one is large: an angle of 1 rad, or a thousandth of a speed in tanh(1000 v). Each of
-    `GROUPS` has an array (m, n), for m states ``at = (t, x, r, p)``.
-    """
-    t, x, r, p = at
-    r = np.broadcast_to(r, (len(x), r.shape[1]))
-    slopes = made.interpreted(_arguments, (t, x, r, np.atleast_2d(p)[0]))["slopes"]
-    sizes = made.assembly.sizes
-    steepest = np.abs(slopes.reshape(len(x), -1, sum(sizes))).max(axis=1, initial=0.0)
-    known = (steepest > 0.0) & np.isfinite(steepest)
-    natural = np.where(known, 1.0 / np.where(known, steepest, 1.0), 0.0)
-    return dict(zip(GROUPS, np.split(natural, np.cumsum(sizes)[:-1], axis=1), strict=True))
 
 
 def _arguments(assembly: Assembly) -> dict[str, list[int]]:
@@ -391,16 +468,16 @@ def energetic_motions(
     which may change several; the second, how large speeds and rates of the coordinates are in
     motions of one energy. Both are 0 where nothing tells.
     """
-    made, states = now.driven, np.ascontiguousarray(states)
-    at = times, states, now.plan.rows(states, times), now.p
-    at = times, states, np.broadcast_to(at[2], (len(states), at[2].shape[1])), now.p
+    states = np.ascontiguousarray(states)
     m, q = len(states), len(now.definition.equations.coordinates)
-    masses = _inertias(made, states.shape[1] - q, at)
+    r = np.broadcast_to(now.plan.rows(states, times), (m, len(now.plan.symbols)))
+    at = Point(now.definition, now.driven, times, states, r, now.p, now.plan)
+    masses = at.inertias(states.shape[1] - q)
     known = masses > 0.0
     speeds = np.where(known, 1.0 / np.sqrt(np.where(known, masses, 1.0)), 0.0)
-    table = np.abs(made.interpreted(_kinematics, at)["kinematics"].reshape(m, q, -1))
+    table = np.abs(at.values(_kinematics)["kinematics"].reshape(m, q, -1))
     moved = np.concatenate([(table * speeds[:, None]).max(axis=2, initial=0.0), speeds], axis=1)
-    angles = natural_sizes(made, at)["states"][:, :q]
+    angles = at.natural["states"][:, :q]
     own = _least((angles[:, :, None] / or_one(table)) * (table > 0.0), 1)
     return _least(np.concatenate([angles, own], axis=1), 0), _least(moved, 0)
 
@@ -409,12 +486,6 @@ def _least(values: np.ndarray, axis: int) -> np.ndarray:
     """Return the least along an axis of what is not zero; zero where nothing is else."""
     found = np.where(values > 0.0, values, np.inf).min(axis=axis, initial=np.inf)
     return np.where(np.isinf(found), 0.0, found)
-
-
-def _inertias(made: CompiledModel, n: int, at: Inputs) -> np.ndarray:
-    """Return the diagonal of the mass matrix of n speeds at m states, shape (m, n)."""
-    found = made.interpreted(_masses, at)["masses"]
-    return np.abs(found[:, :: n + 1]) if found.size else np.ones((len(at[1]), n))
 
 
 def _kinematics(assembly: Assembly) -> dict[str, list[int]]:

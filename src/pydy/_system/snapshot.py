@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, Self
 
 import numpy as np
 
@@ -67,7 +67,7 @@ class At:
     r: np.ndarray  # (m, s), or (1, s) for all states alike
     p: np.ndarray  # (k,)
 
-    def some(self, places: Any) -> At:
+    def some(self, places: Any) -> Self:
         """Return the same at some of the states, by their places."""
         r = self.r[places] if len(self.r) > 1 else self.r
         return replace(self, t=self.t[places], x=self.x[places], r=r)

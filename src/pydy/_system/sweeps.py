@@ -13,7 +13,6 @@ from pydy._errors import AnalysisInterrupted, EquilibriumError
 from pydy._names import unique_names
 from pydy._optional import progress_of
 from pydy._rank import ROUNDED, equilibrated, least_step
-from pydy._system.analysis import Point
 from pydy._system.balance import Balance, located
 from pydy._system.evaluation import samples
 from pydy._system.setup import Setup
@@ -111,8 +110,7 @@ class Family:
     def matrices(self, z: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Return the state matrices, all states, and the places of the independent ones."""
         balance = self.balance
-        t, x, r, p = balance.inputs(z)
-        point = Point(balance.definition, balance.made, t, x, r, p, balance.plan)
+        point = balance.at(z)
         T, free = point.tangents()
         A = (point.slopes("rates") @ T)[:, free]
         sound = np.isfinite(A.reshape(len(A), -1)).all(axis=1)
@@ -121,7 +119,7 @@ class Family:
                 "The equations or their derivatives are not finite at "
                 f"{self.names[-1]} = {z[int(sound.argmin()), -1]:.10g}: there is no linear model."
             )
-        return A, x, free
+        return A, point.x, free
 
     def models(self, values: np.ndarray, states: np.ndarray) -> np.ndarray:
         """Return the state matrices at the equilibria near some states."""
@@ -346,7 +344,7 @@ class Sweeps(Setup):
             values=z[:, -1].copy(),
             unknowns=family.names[:-1],
             solutions=z[:, :-1].copy(),
-            states=balance.inputs(z)[1],
+            states=balance.at(z).x,
             stable=np.array([s.real.max(initial=-np.inf) <= limit for s in spectra]),
             special=tuple(special),
             ended=ended,
