@@ -58,6 +58,13 @@ def test_the_truth_lies_within_the_confidence_intervals(oscillator):
     assert result.noise == pytest.approx(1.0, abs=0.25)
 
 
+def test_a_single_sample_at_the_start_is_met_however_fast_the_motion_leaves_it(oscillator):
+    oscillator.constants = {"k0": -1e30}  # 1e6 e-foldings in a nanosecond
+    trial = Trial([2.0], {"x0": [0.25]}, {"x0": 1.0}, start=2.0, unknown=["x0"])
+    result = oscillator.fit([], trial)
+    np.testing.assert_allclose(result.estimates, [0.25], rtol=1e-9)
+
+
 def test_covariances_are_those_of_a_fit_with_differences(oscillator):
     rng = np.random.default_rng(1)
     noisy = swing() + rng.normal(0.0, 0.02, len(TIMES))

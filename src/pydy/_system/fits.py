@@ -29,14 +29,12 @@ from pydy._system.dependents import latest_dependents
 from pydy._system.setup import Setup
 from pydy._system.solving import native_solver
 from pydy._system.trials import Data, checked_trial
-from pydy._system.tuning import FIT, INSTANT, LEAST_SPREAD
+from pydy._system.tuning import FIT, LEAST_SPREAD
 from pydy.analysis.fit import FitResult, Trial, covariance_of, estimate, held_by
 from pydy.analysis.tuning import LEAST_SIZE
 
 # Weights of the gaps between segments, in shares of a state's spread, from search to search.
 _STAGES = (1e1, 1e3, 1e5)
-# A single sample at the end of a trial is followed for so many roundings of its time.
-_LATER = 64.0
 # The size of a state from which the first simulations are done again with its tolerance.
 _TIGHTER = 0.1
 
@@ -238,7 +236,7 @@ class _Fit:
         skip = int(not len(times) or times[0] > part.begin)
         times = np.append(part.begin, times) if skip else times
         if len(times) < 2:
-            times = np.append(times, times[-1] + max(INSTANT, _LATER * np.spacing(times[-1])))
+            times = np.append(times, times)  # a single sample, where the part begins
         self.runner.times = times
         if self.tied:
             self.runner.set_dependent_initial_conditions(self.tied)

@@ -13,9 +13,6 @@ FIT, ORBIT = 1e-9, 1e-12
 
 What moves by less than the second over a period, in units of its size, does not move."""
 
-INSTANT = 1e-9
-"""How long, in s, a part of a fit lasts that has a single sample, at its beginning."""
-
 LEAST_SPREAD = 1e-2
 """The least scale of the states at which a fit joins parts, in units of their sizes."""
 
