@@ -9,12 +9,13 @@ from typing import Any
 import numpy as np
 from scipy.spatial.transform import Rotation
 
+from pydy.viz.arguments import round_number
 from pydy.viz.colours import CYCLE
 from pydy.viz.defaults import default_shape
 from pydy.viz.motion import Geometry, Motion, Placement, place
 from pydy.viz.shapes import Arrow, Line, Plane, Shape, Trace
 from pydy.viz.surfaces import arrow, rods, surface
-from pydy.viz.tuning import ROUND, USUAL
+from pydy.viz.tuning import USUAL
 from pydy.viz.visuals import Visual
 
 # -- From where a scene is seen: the camera, the ground, and what they follow ----------------------
@@ -102,7 +103,7 @@ def frame(animation: Animation, look: Look) -> Framing:
         target=(low + high) / 2,
         extent=extent,
         ground=height,
-        cell=_nice(float(np.linalg.norm(extent)) / 8),
+        cell=round_number(float(np.linalg.norm(extent)) / 8),
         path=path if follow else None,
     )
 
@@ -131,11 +132,6 @@ def _path(animation: Animation, up: np.ndarray) -> np.ndarray:
     path -= path[0]
     level: np.ndarray = path - np.outer(path @ up, up)
     return level
-
-
-def _nice(value: float) -> float:
-    power = 10.0 ** np.floor(np.log10(value))
-    return float(power * max(k for k in (1, 2, 5) if k * power <= value * (1 + ROUND)))
 
 
 # -- The animation ---------------------------------------------------------------------------------

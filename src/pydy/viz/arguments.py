@@ -12,8 +12,9 @@ from sympy.physics.mechanics import Particle, RigidBody
 from pydy._checks import check_mapping, number, real_array, shown, text
 from pydy._interpolation import filled
 from pydy._mechanics.symbols import find_symbols
+from pydy._rank import DIGITS, HALF
 from pydy.viz.shapes import Arrow
-from pydy.viz.tuning import FILLED, ON_TIME
+from pydy.viz.tuning import FILLED
 from pydy.viz.visuals import Visual
 
 
@@ -169,21 +170,26 @@ def filmed(trajectory: Any, fps: float | None, speed: float | None) -> Any:
 
     def step_of(duration: float) -> float:
         step = playback(fps, speed, duration)[1]
-        return np.inf if step is None else max(step * (1.0 - ON_TIME), duration / FILLED)
+        return np.inf if step is None else max(step * (1.0 - DIGITS), duration / FILLED)
 
     return filled(trajectory, step_of)
 
 
 def watchable_speed(duration: float) -> float:
-    """Return the speed, 1 or 2 or 5 times a power of ten, at which a film is watched in peace.
+    """Return the speed, a round number, at which a film is watched in peace.
 
     Between one second and two minutes the film runs in real time.
     """
     if 1 <= duration <= 120 or duration <= 0:
         return 1.0
     wanted = duration / (10.0 if duration < 1 else 60.0)
-    power = 10.0 ** np.floor(np.log10(wanted))
-    return float(power * max(k for k in (1, 2, 5) if k * power <= wanted))
+    return round_number(wanted)
+
+
+def round_number(most: float) -> float:
+    """Return the largest number, 1 or 2 or 5 times a power of ten, that is no larger."""
+    power = 10.0 ** np.floor(np.log10(most))
+    return float(power * max(k for k in (1, 2, 5, 10) if k * power <= most * (1.0 + HALF)))
 
 
 def in_notebook() -> bool:

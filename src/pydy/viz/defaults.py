@@ -13,8 +13,8 @@ from sympy.physics.vector import ReferenceFrame, Vector
 
 from pydy._checks import real_array, shown
 from pydy._mechanics.reader import given_velocity, places
+from pydy._rank import DIGITS
 from pydy.viz.shapes import Arrow, Box, Cylinder, Shape, Sphere
-from pydy.viz.tuning import ALIKE
 from pydy.viz.visuals import Visual
 
 # A plate is drawn no thinner than this part of its greatest edge.
@@ -56,11 +56,11 @@ def default_shape(body: Any, values: Mapping[Any, float], size: float) -> Shape:
 def _round_shape(moments: list[float], mass: float) -> Shape | None:
     """Return the sphere or cylinder of uniform density with these moments, or None for a box."""
     greatest = max(moments)
-    if np.ptp(moments) <= ALIKE * greatest:
+    if np.ptp(moments) <= DIGITS * greatest:
         return Sphere(float(np.sqrt(2.5 * greatest / mass)))
     for k, axis in enumerate("xyz"):
         own, (one, other) = moments[k], np.delete(moments, k)
-        if abs(one - other) > ALIKE * greatest:
+        if abs(one - other) > DIGITS * greatest:
             continue
         # I = m r² / 2 about the axis, m (3 r² + l²) / 12 across it.
         radius = np.sqrt(2 * max(own, 0.0) / mass)

@@ -18,13 +18,13 @@ from pydy._graph.node import Graph, input_nodes
 from pydy._graph.program import Program
 from pydy._graph.simplify import simplify
 from pydy._names import name_of
+from pydy._rank import HALF
 from pydy.export.javascript import javascript_object
 from pydy.export.model import Model, Variable
 from pydy.viz.animation import Animation, Item
 from pydy.viz.arguments import unknowns_beside
 from pydy.viz.motion import Geometry, Motion, Names, pose_program
 from pydy.viz.shapes import Arrow, Line, Plane
-from pydy.viz.tuning import RIGID
 
 
 @dataclass(frozen=True)
@@ -184,7 +184,7 @@ class Witness:
         """Tell whether a point rests in a frame as seen from another point."""
         away = self._positions[point] - self._positions[base]
         offset = np.einsum("mji,mj->mi", self._rotations[frame], away)
-        return bool(np.ptp(offset, axis=0).max() <= RIGID * self._size)
+        return bool(np.ptp(offset, axis=0).max() <= HALF * self._size)
 
 
 # -- the page -------------------------------------------------------------------------------------

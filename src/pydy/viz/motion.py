@@ -22,7 +22,7 @@ from pydy._graph.program import Program
 from pydy._graph.simplify import simplify
 from pydy._mechanics.symbols import find_symbols
 from pydy._names import name_of
-from pydy.viz.tuning import ON_TIME
+from pydy._rank import DIGITS
 
 # -- Where everything is: the poses of all visuals from one compiled Program -----------------------
 # The position of each point and the orientation of each frame become nodes of one graph, in which
@@ -394,7 +394,7 @@ def sampled(times: np.ndarray, step: float | None) -> np.ndarray:
     if step is None:
         return np.arange(last + 1)
     keep = [0]
-    close = step * (1 - ON_TIME)  # a rounding error is not a frame less
+    close = step * (1 - DIGITS)  # times that were typed are not a frame less
     while True:
         k = max(int(np.searchsorted(times, times[keep[-1]] + close)), keep[-1] + 1)
         if k > last:

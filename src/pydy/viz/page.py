@@ -29,13 +29,13 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from pydy._files import write_files
+from pydy._rank import HALF
 from pydy._version import __version__
 from pydy.viz import shapes
 from pydy.viz.animation import Animation, Item, Look, frame
 from pydy.viz.colours import CYCLE
 from pydy.viz.live import LivePage, Witness
 from pydy.viz.surfaces import surface
-from pydy.viz.tuning import AT_REST, TRACK
 
 # -- Labels as they are typeset: Greek letters by their names, indices lowered ---------------------
 
@@ -231,7 +231,7 @@ def _column(array: np.ndarray, changing: bool = False) -> dict[str, Any]:
     """Return an array of shape (m, …) for the page: once if it is constant and never changes."""
     rows = array.reshape(len(array), -1)
     scale = float(np.abs(rows).max(initial=0.0))
-    if not changing and np.ptp(rows, axis=0).max(initial=0.0) <= AT_REST * scale:
+    if not changing and np.ptp(rows, axis=0).max(initial=0.0) <= HALF * scale:
         return {"width": rows.shape[1], "fixed": rows[0].tolist()}
     return {"width": rows.shape[1], "rows": _packed(rows)}
 
@@ -251,8 +251,8 @@ class _Tracks:
         self._bases: list[tuple[Any, np.ndarray, np.ndarray]] = []
         self._frames = {item.visual.frame: item.rotations for item in animation.items}
         self._frames.setdefault(None, np.broadcast_to(np.eye(3), (len(animation.times), 3, 3)))
-        # Below what a 32-bit float can tell apart at that distance.
-        self._tolerance = TRACK * float(np.abs([low, high]).max(initial=0.0))
+        # The page has 32-bit floats, which tell no more apart at that distance.
+        self._tolerance = HALF * float(np.abs([low, high]).max(initial=0.0))
 
     def find(self, frame: Any, point: Any, positions: np.ndarray) -> tuple[int, list[float]]:
         """Return the number of the track that moves with a frame, and a point's offset from it."""

@@ -20,8 +20,8 @@ from sympy.physics.vector import Point, Vector
 from pydy._checks import choice, number, real_array, shown
 from pydy._errors import warn_user
 from pydy._names import nearest
+from pydy._rank import rank_of
 from pydy.viz.colours import hex_colour
-from pydy.viz.tuning import FLAT
 
 # -- What all shapes have in common ----------------------------------------------------------------
 
@@ -305,7 +305,7 @@ def hull(points: Any) -> tuple[np.ndarray, np.ndarray] | None:
         return None
     if table.ndim != 2 or table.shape[1] != 3 or len(table) < 3 or not np.isfinite(table).all():
         return None
-    flat = np.linalg.matrix_rank(table - table.mean(0), tol=FLAT * np.ptp(table)) < 3
+    flat = rank_of(np.linalg.svd(table - table.mean(0), compute_uv=False)) < 3
     found = ConvexHull(table, qhull_options="QJ" if flat else "Qt").simplices
     a, b, c = (table[found[:, k]] for k in range(3))
     inwards = np.einsum("ij,ij->i", np.cross(b - a, c - a), a - table.mean(0)) < 0
