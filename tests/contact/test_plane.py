@@ -166,3 +166,34 @@ def test_how_a_block_begins_to_slide_is_found_to_tolerance(static):
     coarse, fine = pulled(static, 1e-6), pulled(static, 1e-8)
     assert coarse.states[-1] == pytest.approx(fine.states[-1], abs=5e-6)
     assert [event.name for event in fine.events] == ["floor slips"]
+
+
+@pytest.mark.parametrize(
+    ("number", "spin", "speed"), [(3, 2.0, 0.5), (3, -4.0, 0.2), (4, 2.0, 0.5)]
+)
+def test_a_body_on_several_feet_comes_to_rest_on_all_of_them_at_once(number, spin, speed):
+    turn, rate, inertia = *me.dynamicsymbols("turn rate"), sm.Symbol("J")
+    B = me.ReferenceFrame("B")
+    B.orient_axis(N, N.z, turn)
+    B.set_ang_vel(N, rate * N.z)
+    C = O.locatenew("C", x * N.x + y * N.y)
+    C.set_vel(N, vx * N.x + vy * N.y)
+    feet = []
+    for j in range(number):
+        angle = 2 * math.pi * j / number
+        feet.append(C.locatenew(f"F{j}", math.cos(angle) * B.x + math.sin(angle) * B.y))
+        feet[-1].v2pt_theory(C, N, B)
+    body = me.RigidBody("tripod", C, B, m, (me.inertia(B, 0, 0, inertia), C))
+    system = System(
+        Definition(N, [x, y, turn], [vx, vy, rate], bodies=[body]),
+        {inertia: 0.4}, {}, "dop853", {vx: speed, rate: spin}, np.linspace(0.0, 3.0, 31),
+    )  # fmt: skip
+    sticks = [
+        Stick(foot, normal=m * g / number, mu=mu, along=(N.x, N.y), name=foot.name) for foot in feet
+    ]
+    motion = Contacts(system, sticks, {mu: 0.2, g: 9.81}).simulate(rtol=1e-9, atol=1e-10)
+    assert {event.name for event in motion.events} == {f"F{j} stops" for j in range(number)}
+    assert set(motion.modes[-1][2].values()) == {"sticks"}
+    total = motion.energy[:, 2]
+    assert total - total[0] == pytest.approx(motion.contact_work, abs=1e-8)
+    assert abs(motion.states[-1, 3:]).max() < 1e-12

@@ -4,7 +4,8 @@ For accelerations of rows a = c + A λ, of impulses p likewise with velocities i
 contact is open, with λ_n = 0 and a_n ≥ 0; or closed, with a_n = 0 and λ_n ≥ 0, and then it sticks,
 with a_t = 0 and |λ_t| ≤ μ λ_n, or slides in the direction s with λ_t = −μ s λ_n and s a_t ≥ 0. In
 a plane in space s is a unit vector, and a_t points along it where sliding begins.
-Where rows depend on each other, the forces are the least in the Euclidean norm.
+Where rows depend on each other, the forces are the least in the Euclidean norm if they are within
+the cones, and the innermost ones otherwise.
 
 References
 ----------
@@ -20,6 +21,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from pydy._rank import DEPENDENT, HALF, ROUNDED
+from pydy.contact.cones import Cone, innermost, relaxed
 from pydy.contact.tuning import SLACK, TURNED, TURNS
 
 OPEN, CLOSED, STICKS, FORWARD, BACKWARD = "open", "closed", "sticks", "slides +", "slides -"
@@ -51,6 +53,8 @@ class Problem:
         Contacts with a gap of zero: where they open, a_n must not be negative.
     directions : mapping of int to ndarray, shape (2,)
         The directions in which contacts slide in a plane, if they do.
+    bias : ndarray, shape (rows,), optional
+        Forces from which those that are not determined differ least; zero by default.
     """
 
     free: np.ndarray
@@ -63,6 +67,7 @@ class Problem:
     resting: frozenset[int]
     touching: frozenset[int]
     directions: Mapping[int, np.ndarray] = field(default_factory=dict)
+    bias: np.ndarray | None = None
 
 
 @dataclass(frozen=True)
@@ -81,6 +86,10 @@ class Solution:
         The largest of the forces, and of those that would change the accelerations as much.
     directions : mapping of int to ndarray
         Those of the problem, and those that were found.
+    bias : ndarray or None
+        The one that was used.
+    null : ndarray, shape (held rows, …)
+        Forces of the held rows, as columns, that change no acceleration of a held row.
     """
 
     modes: tuple[str, ...]
@@ -89,7 +98,9 @@ class Solution:
     margins: np.ndarray
     consistent: bool
     largest: float
-    directions: Mapping[int, np.ndarray] = field(default_factory=dict)
+    directions: Mapping[int, np.ndarray]
+    bias: np.ndarray | None
+    null: np.ndarray
 
 
 def held_rows(problem: Problem, modes: Sequence[str]) -> list[int]:
@@ -156,14 +167,27 @@ def solved(problem: Problem, modes: Sequence[str]) -> Solution:
     unknown, forces = directions(problem, modes)
     free, square = problem.free, problem.square
     consistent = True
+    null = np.zeros((len(held), 0))
     if held:
+        start = np.zeros(len(held)) if problem.bias is None else problem.bias[held]
         right = -(free[held] + square[held] @ forces)
         matrix = square[held] @ unknown
         size = np.sqrt(np.abs(np.diag(square))[held])
         size[size == 0.0] = 1.0
-        found = np.linalg.lstsq(matrix / size[:, None], right / size, rcond=DEPENDENT)[0]
+        scaled = matrix / size[:, None]
+        found, _, rank, _ = np.linalg.lstsq(
+            scaled, (right - matrix @ start) / size, rcond=DEPENDENT
+        )
+        found = start + found
+        if rank < len(held):
+            null = np.linalg.svd(scaled)[2][rank:].T
         forces = forces + unknown @ found
         most = np.abs(right) + np.abs(matrix) @ np.abs(found)
+        for i in (i for i, mode in enumerate(modes) if mode == STICKS):
+            # Beside what its friction could do, the rest of a motion through v² is nothing.
+            normal, tangent = problem.normal[i], problem.tangent[i]
+            press = problem.pressed[i] if normal is None else forces[normal]
+            most += problem.hold[i] * abs(press) * np.abs(square[np.ix_(held, tangent)]).sum(axis=1)
         consistent = bool((np.abs(matrix @ found - right) <= SLACK * most).all())
     rates = free + square @ forces
     terms = np.abs(free) + np.abs(square) @ np.abs(forces)
@@ -191,24 +215,40 @@ def solved(problem: Problem, modes: Sequence[str]) -> Solution:
             along = direction(problem, i, mode) @ rates[tangent]
             own.append(share(float(along), float(np.linalg.norm(terms[tangent]))))
         margins[i] = min(own, default=np.inf)
-    return Solution(tuple(modes), forces, rates, margins, consistent, largest, problem.directions)
+    return Solution(
+        tuple(modes), forces, rates, margins, consistent, largest, problem.directions,
+        problem.bias, null,
+    )  # fmt: skip
 
 
-def turned(problem: Problem, modes: Sequence[str]) -> Solution | None:
+def turned(
+    problem: Problem, modes: Sequence[str], guess: Mapping[int, np.ndarray] | None = None
+) -> Solution | None:
     """Return the solution where contacts that begin to slide do so in the directions of a_t.
 
-    The first guess is against the friction that would hold them; it is exact for bodies that move
-    alike in all directions. Newton's method turns them until a_t has no part across. None: there is
-    no end.
+    Without a guess of the directions, the first one is against the friction that would hold them;
+    it is exact for bodies that move alike in all directions. The second is what they would do
+    without friction. None: Newton's method does not end.
     """
     free = [i for i, mode in enumerate(modes) if mode == STARTING and i in problem.resting]
     if not free:
         return solved(problem, modes)
+    if guess is not None:
+        return _turned(problem, modes, free, np.array([guess[i] for i in free]))
     held = solved(problem, [STICKS if i in free else mode for i, mode in enumerate(modes)])
-    angles = np.zeros(len(free))
-    for k, i in enumerate(free):
-        one, two = -held.forces[list(problem.tangent[i])]
-        angles[k] = np.arctan2(two, one)
+    found = None
+    for vectors in (-held.forces, problem.free):
+        found = _turned(problem, modes, free, vectors[[problem.tangent[i] for i in free]])
+        if found is not None and found.margins.min(initial=np.inf) >= -SLACK:
+            break
+    return found
+
+
+def _turned(
+    problem: Problem, modes: Sequence[str], free: Sequence[int], vectors: np.ndarray
+) -> Solution | None:
+    """Turn the directions of some contacts by Newton's method until a_t has no part across."""
+    angles = np.arctan2(vectors[:, 1], vectors[:, 0])
 
     def tried(angles: np.ndarray) -> tuple[Solution, np.ndarray]:
         units = np.stack([np.cos(angles), np.sin(angles)], axis=1)
@@ -233,16 +273,99 @@ def turned(problem: Problem, modes: Sequence[str]) -> Solution | None:
     return None
 
 
-def chosen(problem: Problem, options: Sequence[Sequence[str]]) -> Solution | None:
-    """Return the first combination whose inequalities hold, or nearly hold; None if none does."""
-    near: Solution | None = None
-    for modes in itertools.product(*options):
-        tried = turned(problem, modes)
-        if tried is None or not tried.consistent or not np.isfinite(tried.forces).all():
+def within(problem: Problem, found: Solution) -> Solution:
+    """Return a solution with the innermost forces, if the least ones are outside of their cones.
+
+    Those that differ by what changes no acceleration are tried.
+    """
+    if not found.null.shape[1]:
+        return found
+    held = held_rows(problem, found.modes)
+    places = {row: k for k, row in enumerate(held)}
+    cones = []
+    for i, mode in enumerate(found.modes):
+        normal = problem.normal[i]
+        if mode == OPEN or (normal is None and mode != STICKS):
             continue
-        worst = tried.margins.min(initial=np.inf)
-        if worst >= 0.0:
-            return tried
-        if worst >= -SLACK and near is None:
-            near = tried
+        tangent = tuple(places[row] for row in problem.tangent[i]) if mode == STICKS else ()
+        hold = float(problem.hold[i]) * (float(problem.pressed[i]) if normal is None else 1.0)
+        cones.append(Cone(None if normal is None else places[normal], tangent, hold))
+    bias = np.zeros(len(problem.free))
+    bias[held] = innermost(found.forces[held], found.null, cones, found.largest)
+    better = solved(replace(problem, directions=found.directions, bias=bias), found.modes)
+    return better if better.margins.min() > found.margins.min() else found
+
+
+def _good(problem: Problem, found: Solution | None) -> Solution | None:
+    """Return a solution within its cones, if there is one; None if its equations have none."""
+    if found is None or not found.consistent or not np.isfinite(found.forces).all():
+        return None
+    return found if found.margins.min(initial=np.inf) >= 0.0 else within(problem, found)
+
+
+def _relaxed(
+    problem: Problem, options: Sequence[Sequence[str]], excluded: Sequence[str] | None
+) -> Solution | None:
+    """Return the combination that forces tell, found by iteration; None if they tell none."""
+    contacts, tied = [], {}
+    for i, own in enumerate(options):
+        if list(own) == [OPEN]:
+            continue
+        normal, tangent = problem.normal[i], problem.tangent[i]
+        sure = {mode for mode in own if mode != OPEN}
+        if tangent and len(sure) == 1 and sure <= set(SLIDES) and i not in problem.resting:
+            tied[i] = direction(problem, i, *sure)
+        numbers = [float(part[i]) for part in (problem.mu, problem.hold, problem.pressed)]
+        contacts.append((i, normal, tangent, *numbers))
+    before: list[str] = []
+    for told in relaxed(problem.free, problem.square, contacts, tied):  # type: ignore[arg-type]
+        if not np.isfinite(told.forces).all():
+            return None
+        modes = []
+        for i, own in enumerate(options):
+            mode = CLOSED if not problem.tangent[i] else STICKS
+            if i in told.open or list(own) == [OPEN]:
+                mode = OPEN
+            elif i in tied:
+                mode = next(mode for mode in own if mode != OPEN)
+            elif i in told.sliding:
+                along = told.sliding[i]
+                mode = STARTING if len(along) == 2 else FORWARD if along[0] > 0.0 else BACKWARD
+            modes.append(mode)
+        possible = all(mode in own for mode, own in zip(modes, options, strict=True))
+        if modes == before and possible and tuple(modes) != excluded:
+            for bias in (None, told.forces.copy()):
+                near = replace(problem, bias=bias)
+                tried = _good(near, turned(near, modes, told.sliding))
+                if tried is not None and tried.margins.min(initial=np.inf) >= -SLACK:
+                    return tried
+        before = modes
+    return None
+
+
+def chosen(
+    problem: Problem,
+    options: Sequence[Sequence[str]],
+    excluded: Sequence[str] | None = None,
+) -> Solution | None:
+    """Return the first combination whose inequalities hold, or nearly hold; None if none does.
+
+    Where several contacts may begin to slide in a plane, the combination that an iteration over the
+    contacts leads to is tried after the first one.
+    """
+    near: Solution | None = None
+    several = sum(STARTING in own for own in options) > 1
+    for number, modes in enumerate(itertools.product(*options)):
+        if modes != excluded:
+            tried = _good(problem, turned(problem, modes))
+            if tried is not None:
+                worst = tried.margins.min(initial=np.inf)
+                if worst >= 0.0:
+                    return tried
+                if worst >= -SLACK and near is None:
+                    near = tried
+        if several and number == 0:
+            tried = near or _relaxed(problem, options, excluded)
+            if tried is not None:
+                return tried
     return near

@@ -103,7 +103,10 @@ class Mode:
         self.outputs = self._outputs()
 
     def _solve(self, g: Graph, held: Sequence[int], every: Sequence[int]) -> None:
-        """Find the forces of all rows: y with J u' + b = 0, the least if there are more of them."""
+        """Find the forces of all rows: y with J u' + b = 0.
+
+        If there are more of them, those that are next to the biases.
+        """
         rows = self.rows
         unknown: list[dict[int, int]] = []  # the share of each row in each unknown
         forces: list[list[tuple[int, float]]] = [[] for _ in rows.speeds]
@@ -147,12 +150,19 @@ class Mode:
         elif len(held) == len(every):
             found = g.solve(matrix, [right], "lu")[0]
         else:
+            nodes = {symbol: node for node, symbol in rows.symbols.items()}
+            bias = [nodes[rows.biases[row]] for row in every]
+            right = [
+                g.sub(one, rows.dot(g, line, bias)) for one, line in zip(right, matrix, strict=True)
+            ]
             square = [[rows.dot(g, a, b) for b in matrix] for a in matrix]
             shares = g.solve(square, [right], "lu")[0]
             found = [
-                g.sum([(g.mul(line[k], s), 1.0) for line, s in zip(matrix, shares, strict=True)])
+                g.sum([(bias[k], 1.0), *(
+                    (g.mul(line[k], s), 1.0) for line, s in zip(matrix, shares, strict=True)
+                )])
                 for k in range(len(unknown))
-            ]
+            ]  # fmt: skip
         for part, y in zip(unknown, found, strict=True):
             for row, share in part.items():
                 forces[row].append((g.mul(share, y), 1.0))

@@ -74,7 +74,16 @@ class ContactRows:
             for i, c in enumerate(contacts)
             if c.stick is not None and c.stick.plane
         }
-        constants = [*constants, *(s for own in self.references.values() for s in own)]
+        # Of each row: what forces that are not determined differ from least.
+        self.biases = [
+            sm.Symbol(f"{c.name}_bias_{k}")
+            for c in contacts
+            for k in range(
+                (c.unilateral is not None) + (0 if c.stick is None else 2 if c.stick.plane else 1)
+            )
+        ]
+        hidden = [*(s for own in self.references.values() for s in own), *self.biases]
+        constants = [*constants, *hidden]
         more = [s for s in constants if s not in formed.constants]
         others = [s for s in specifieds if s not in formed.specifieds]
         self.formed = replace(

@@ -10,6 +10,7 @@ import numpy as np
 
 from pydy._checks import real_array
 from pydy._errors import ContactError, IntegrationError
+from pydy._rank import ROUNDED
 from pydy._system.snapshot import Snapshot
 from pydy.contact.conditions import Contact, check_values
 from pydy.contact.decide import (
@@ -27,6 +28,7 @@ from pydy.contact.decide import (
     held_rows,
     independent,
     solved,
+    within,
 )
 from pydy.contact.modes import Mode, output_symbols
 from pydy.contact.rows import ContactRows, Numbers
@@ -34,6 +36,7 @@ from pydy.contact.trajectory import ContactTrajectory, Piece, Pieces
 from pydy.contact.tuning import (
     BEGUN,
     CHECKED,
+    ERRORS,
     FIRST,
     INSTANT,
     RESOLUTION,
@@ -65,7 +68,7 @@ class Compiled:
         )
         self.stated = list(output_symbols(contacts).values())
         hidden = [s for own in self.rows.references.values() for s in own]
-        self.constants = (*self.definition.constants, *hidden)
+        self.constants = (*self.definition.constants, *hidden, *self.rows.biases)
         self.modes: dict[tuple[tuple[str, ...], tuple[int, ...]], tuple[Mode, System]] = {}
         self._events: dict[Any, Any] = {}
         self._users = system._define.users(system._outputs, system._forces)
@@ -141,6 +144,9 @@ class Run:
         self.first_height: dict[int, float] = {}
         self.modes: tuple[str, ...] = tuple(OPEN for _ in self.contacts)
         self.largest = 0.0  # of the forces where a part of the motion begins
+        self.bias: np.ndarray | None = None
+        self.redundant = False
+        self.quickest: dict[int, float] = {}  # sliding speeds since they began
         self.reached = np.ones(len(times), dtype=bool)
         self.totals = {"steps": 0, "rejected": 0, "evaluations": 0}
         self._numbers_of: dict[Any, float] = dict(
@@ -165,7 +171,7 @@ class Run:
         self.note_directions(p, state)
         return Problem(
             p.free, p.square, self.rows.normal, self.rows.tangent, p.mu, p.mu_static, p.normal,
-            frozenset(state.resting), frozenset(state.touching), dict(state.directions),
+            frozenset(state.resting), frozenset(state.touching), dict(state.directions), self.bias,
         )  # fmt: skip
 
     def note_directions(self, p: Numbers, state: State) -> None:
@@ -258,9 +264,17 @@ class Run:
             found = [STICKS, FORWARD, BACKWARD] if i in state.resting else sliding
         return found if self.rows.normal[i] is None else [*found, OPEN]
 
-    def decide(self, state: State, fixed: dict[int, str]) -> Solution:
+    def decide(
+        self, state: State, fixed: dict[int, str], excluded: tuple[str, ...] | None = None
+    ) -> Solution:
         """Return the modes from here on, by the complementarity of the accelerations."""
+        self.bias = None
         p = self.numbers(state.t, state.x)
+        still = [row for i in sorted(state.resting) for row in self.rows.tangent[i]]
+        if len(held := independent(p.square, still)) < len(still):
+            # What is left of speeds that are zero together contradicts that in its accelerations.
+            self.settle(state, tuple(held))
+            p = self.numbers(state.t, state.x)
         problem = self.problem(p, state)
         for i in state.touching - state.resting:
             normal, rows = self.rows.normal[i], self.rows.tangent[i]
@@ -276,7 +290,7 @@ class Run:
                     )  # fmt: skip
         every = [self.options_of(state, p, i) for i in range(len(self.contacts))]
         wanted = [[fixed[i]] if i in fixed else own for i, own in enumerate(every)]
-        found = chosen(problem, wanted) or (chosen(problem, every) if fixed else None)
+        found = chosen(problem, wanted, excluded) or (chosen(problem, every) if fixed else None)
         if found is None:
             raise self.fail(
                 state.t, state.x,
@@ -395,6 +409,11 @@ class Run:
         slow = WITHIN * np.finfo(float).eps * np.linalg.norm(sizes)
         return bool(np.linalg.norm(speeds) <= slow)
 
+    def _unresolved(self, i: int) -> float:
+        """Return the sliding speed that is not told from zero by the tolerances of the solver."""
+        rtol = float(np.min(self.options.get("rtol", Options.rtol)))
+        return ERRORS * (float(np.min(self._atol)) + rtol * self.quickest.get(i, 0.0))
+
     def _is_low(self, i: int, speed: float, acceleration: float) -> bool:
         """Whether the rebounds that follow are all lower than the tolerance of the solver.
 
@@ -416,14 +435,20 @@ class Run:
         fixed: dict[int, str] = {}
         instants, transitions = 0, 0
         ended = False
+        excluded: tuple[str, ...] | None = None
         while not ended:
             before = state.t
-            found = self.decide(state, fixed)
+            found = self.decide(state, fixed, excluded)
+            if self.redundant and excluded is not None:
+                self.note_changes(state, found)
             self.modes = found.modes
             ended, fired = self.run(state, found)
             if ended:
                 break
-            fixed = self.after(state, fired)
+            if self.redundant and {what for what, _ in fired} <= {"slips", "opens"}:
+                fixed, excluded = {}, None if self.goes_on(state) else self.modes
+            else:
+                fixed, excluded = self.after(state, fired), None
             transitions += 1
             instants = instants + 1 if state.t - before <= self.resolution(state.t) else 0
             if instants > INSTANT or transitions > STALLED:
@@ -436,6 +461,7 @@ class Run:
     def run(self, state: State, solution: Solution) -> tuple[bool, list[tuple[str, int]]]:
         """Integrate in one mode; return whether that is the end, and what ended it otherwise."""
         state.directions.update(solution.directions)
+        self.bias = solution.bias
         p = self.numbers(state.t, state.x)
         problem = self.problem(p, state)
         # An impact elsewhere may have turned round what was on its way up.
@@ -445,7 +471,14 @@ class Run:
         }
         every = held_rows(problem, solution.modes)
         held = tuple(independent(p.square, every))
+        self.redundant = len(held) < len(every)
         self.largest = solved(problem, solution.modes).largest
+        for i, mode_of in enumerate(solution.modes):
+            if mode_of in SLIDES:
+                speed = float(np.linalg.norm(p.speed[self.rows.tangent[i]]))
+                self.quickest[i] = max(self.quickest.get(i, 0.0), speed)
+            else:
+                self.quickest.pop(i, None)
         self.settle(state, held)
         mode, system = self.kept.mode(solution.modes, held, every)
         rising = frozenset(state.rising)
@@ -481,9 +514,12 @@ class Run:
         return self.take(state, part, mode, kinds, system)
 
     def leaps(self, p: Numbers, solution: Solution) -> bool:
-        """Whether contacts begin to slide in a plane, and at once with an acceleration."""
+        """Whether contacts begin to slide in a plane, and at once with an acceleration.
+
+        For several of them friction that turns is stiff whether or not there is one.
+        """
         found = [i for i, mode in enumerate(solution.modes) if mode == STARTING]
-        for i in found:
+        for i in found if len(found) == 1 else ():
             rows = self.rows.tangent[i]
             rate, free = (np.linalg.norm(part[rows]) for part in (solution.rates, p.free))
             if rate <= BEGUN * free:
@@ -491,13 +527,14 @@ class Run:
         return bool(found)
 
     def references(self, p: Numbers, solution: Solution) -> dict[Any, float]:
-        """Return what tells in which directions contacts slide in a plane.
+        """Return the biases, and what tells in which directions contacts slide in a plane.
 
         The least speed is rounding, or, where they begin to slide, a part of what the solver
         resolves: below it the direction is that of the acceleration. They have begun at a part of
         the speed that they would gain without contacts.
         """
-        found: dict[Any, float] = {}
+        bias = np.zeros(len(p.free)) if self.bias is None else self.bias
+        found: dict[Any, float] = dict(zip(self.rows.biases, bias.tolist(), strict=True))
         eps = np.finfo(float).eps
         atol = float(np.min(self._atol))
         for i, symbols in self.rows.references.items():
@@ -574,7 +611,8 @@ class Run:
         for i, c in enumerate(self.contacts):
             if mode.modes[i] in SLIDES:
                 values = table[:, names.index(symbols[i, "power"])]
-                most = SLACK * max(np.abs(values).max(initial=0.0), atol * self.largest)
+                most = SLACK * np.abs(values).max(initial=0.0)
+                most = max(most, self._unresolved(i) * self.largest)
                 if values.max() > most:
                     worst = int(values.argmax())
                     raise self.fail(
@@ -597,6 +635,20 @@ class Run:
                     "Limit the step with `max_step`.",
                 )  # fmt: skip
 
+    def goes_on(self, state: State) -> bool:
+        """Whether other forces of the same modes are within the cones, with a margin."""
+        problem = self.problem(self.numbers(state.t, state.x), state)
+        better = within(problem, solved(problem, self.modes))
+        return bool(better.margins.min() > ROUNDED)
+
+    def note_changes(self, state: State, found: Solution) -> None:
+        """Note which contacts open and slip where forces were not determined before."""
+        for i, (old, new) in enumerate(zip(self.modes, found.modes, strict=True)):
+            kind = "opens" if new == OPEN != old else "slips" if old == STICKS != new else ""
+            if kind:
+                name = f"{self.contacts[i].name} {kind}"
+                self.records.append(EventRecord(state.t, name, i, state.x.copy(), state.x.copy()))
+
     def after(self, state: State, fired: list[tuple[str, int]]) -> dict[int, str]:
         """Note what happened; return the modes that follow from it.
 
@@ -607,6 +659,7 @@ class Run:
         resolved = self.resolution(state.t)
         closing: set[int] = set()
         fixed: dict[int, str] = {}
+        turning = any(kind in ("stops", "bends") for kind, _ in fired)
         for i, mode in enumerate(self.modes):
             normal, rows = self.rows.normal[i], self.rows.tangent[i]
             what = {kind for kind, k in fired if k == i}
@@ -638,6 +691,8 @@ class Run:
                     fixed[i] = STARTING if len(rows) == 2 else one
             elif rows:
                 slow = np.linalg.norm(solution.rates[rows]) * resolved
+                if turning and np.linalg.norm(p.speed[rows]) <= self._unresolved(i):
+                    what.add("stops")  # a body on several feet comes to rest on all of them at once
                 still = self._is_still(p, rows, p.speed[rows])
                 if "stops" in what or still or np.linalg.norm(p.speed[rows]) <= slow:
                     state.resting.add(i)

@@ -8,6 +8,9 @@ __all__ = [
     "BEGUN",
     "CHECKED",
     "CONTACTS",
+    "CUTS",
+    "ERRORS",
+    "FEASIBLE",
     "FIRST",
     "INSTANT",
     "RESOLUTION",
@@ -15,6 +18,8 @@ __all__ = [
     "SETTLING",
     "SLACK",
     "STALLED",
+    "SWEEPS",
+    "TILT",
     "TURNED",
     "TURNS",
     "WITHIN",
@@ -68,3 +73,20 @@ the velocity."""
 FIRST = 16.0
 """The first step of a body that begins to slide in a plane, in units of `RESOLUTION`; a dozen steps
 that grow as they may lead from there to any other size."""
+
+ERRORS = 16.0
+"""Errors of many steps, in units of the tolerance of one."""
+
+CUTS = 60
+"""Linear programs for the innermost forces: each plane that touches a cone halves the distance to
+it or more, and rounding is some forty halves away."""
+
+FEASIBLE = 1e-10
+"""The tolerance of these linear programs, the finest that HiGHS takes; forces are of size one."""
+
+TILT = 2.0**-10
+"""What a unit of normal forces is worth in margins of cones, where internal forces may be as large
+as one likes."""
+
+SWEEPS = 4096
+"""Sweeps over the contacts until their modes are told from their forces."""

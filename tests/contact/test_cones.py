@@ -1,0 +1,100 @@
+"""Forces of bodies on several feet: within the cones wherever they can be."""
+
+import math
+
+import numpy as np
+import pytest
+import sympy.physics.mechanics as me
+
+from pydy.contact import Contacts
+from pydy.contact.cones import Cone, innermost
+from pydy.contact.decide import OPEN, STARTING, STICKS, Problem, chosen
+from touching import J, falling_body, mu, slope, y
+
+t = me.dynamicsymbols._t
+
+
+def test_the_innermost_of_forces_that_are_not_determined():
+    # Two feet hold 1 together with friction of any shares; the loads are 3 and 1, and μ is 0.3.
+    y0 = np.array([3.0, 0.5, 1.0, 0.5])
+    null = np.array([[0.0, 1.0, 0.0, -1.0]]).T / math.sqrt(2)
+    cones = [Cone(0, (1,), 0.3), Cone(2, (3,), 0.3)]
+    found = innermost(y0, null, cones, 3.0)
+    # Both margins may be (0.3 · 4 − 1) / 2.
+    assert 0.05 <= min(c.margin(found) for c in cones) <= 0.1 + 1e-9
+    # In a plane the same, where both pull in a direction that is none of the first planes.
+    turn = np.array([0.6, 0.8])
+    y0 = np.concatenate([[3.0], 0.5 * turn, [1.0], 0.5 * turn])
+    null = np.zeros((6, 2))
+    null[1:3], null[4:] = np.eye(2), -np.eye(2)
+    cones = [Cone(0, (1, 2), 0.3), Cone(3, (4, 5), 0.3)]
+    found = innermost(y0, null, cones, 3.0)
+    assert 0.05 <= min(c.margin(found) for c in cones) <= 0.1 + 1e-9
+
+
+def impact(random, feet=3):
+    """A rigid body that falls on its feet, as rows of velocities; with J M⁻¹ Jᵀ."""
+    angles = np.sort(random.uniform(0, 2 * math.pi, feet))
+    places = np.stack([np.cos(angles), np.sin(angles), np.full(feet, -random.uniform(0.1, 1))], 1)
+    rows = []
+    for place in places:
+        axes = np.eye(3)[[2, 0, 1]]
+        rows += [np.concatenate([axis, np.cross(place, axis)]) for axis in axes]
+    rows = np.array(rows)
+    inverse = np.diag(1 / np.concatenate([np.ones(3), random.uniform(0.1, 1.0, 3)]))
+    speeds = random.normal(size=6)
+    speeds[2] -= 2.0
+    start = rows @ speeds
+    friction = np.full(feet, random.choice([0.1, 0.4, 1.0]))
+    every = frozenset(range(feet))
+    return Problem(
+        start, rows @ inverse @ rows.T, [3 * k for k in range(feet)],
+        [[3 * k + 1, 3 * k + 2] for k in range(feet)], friction, friction, np.zeros(feet),
+        every, every,
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize("feet", [3, 4])
+def test_impacts_of_bodies_on_several_feet_satisfy_coulombs_law(feet):
+    random = np.random.default_rng(feet)
+    for _ in range(12):
+        problem = impact(random, feet)
+        found = chosen(problem, [[STICKS, STARTING, OPEN]] * feet)
+        assert found is not None
+        p = found.forces.reshape(feet, 3)
+        after = (problem.free + problem.square @ found.forces).reshape(feet, 3)
+        size = abs(p).max() + 1.0
+        assert p[:, 0].min() > -1e-9 * size
+        assert after[:, 0].min() > -1e-9
+        assert abs(p[:, 0] * after[:, 0]).max() < 1e-9 * size
+        limit = problem.mu * p[:, 0] - np.linalg.norm(p[:, 1:], axis=1)
+        assert limit.min() > -1e-7 * size
+        slip = np.linalg.norm(after[:, 1:], axis=1)
+        assert abs(limit * slip).max() < 1e-7 * size
+        assert abs((p[:, 1:] * after[:, 1:]).sum(1) + problem.mu * p[:, 0] * slip).max() < 1e-7
+
+
+@pytest.mark.parametrize("part", [0.9999, 1.0001])
+def test_a_body_on_two_feet_holds_on_a_slope_up_to_the_angle_of_friction(part):
+    # The foot that is further up presses less: friction in equal parts would slip too early.
+    system, feet = falling_body([(-1, -0.5), (1, -0.5)], tilt=slope, mu=mu)
+    angle = part * math.atan(0.4)
+    system.constants.update({J: 0.3, slope: angle})
+    system.initial_conditions, system.times = {y: 0.5}, np.linspace(0.0, 2.0, 5)
+    motion = Contacts(system, feet, {mu: 0.4}).simulate(rtol=1e-11, atol=1e-12)
+    rate = min(0.0, -9.81 * (math.sin(angle) - 0.4 * math.cos(angle)))
+    assert motion["x"] == pytest.approx(rate * motion.times**2 / 2, abs=1e-10)
+    for name in ("foot0", "foot1"):
+        assert (abs(motion[f"{name}_friction"]) <= 0.4 * motion[f"{name}_normal"] + 1e-9).all()
+
+
+def test_a_body_on_two_feet_slips_when_the_slope_is_steep_enough():
+    system, feet = falling_body([(-1, -0.5), (1, -0.5)], tilt=slope * t, mu=mu)
+    system.constants.update({J: 0.3, slope: 0.1})
+    system.initial_conditions, system.times = {y: 0.5}, np.linspace(0.0, 5.0, 6)
+    motion = Contacts(system, feet, {mu: 0.4}).simulate(rtol=1e-11, atol=1e-12)
+    assert {"foot0 slips", "foot1 slips"} <= {event.name for event in motion.events}
+    times = np.array([event.time for event in motion.events])
+    assert times == pytest.approx(10 * math.atan(0.4), rel=1e-7)
+    assert motion["x"][-1] < -1e-3
+    assert set(motion.modes[-1][2].values()) == {"slides -"}
