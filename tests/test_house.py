@@ -28,7 +28,7 @@ LAYERS = {
     "machine": {"_backends", "_kernel", "solvers"},
     "assembly": {"_assembly"},
     "consumers": {
-        *("analysis", "codegen", "control", "ensemble", "export", "linearize", "viz"),
+        *("analysis", "codegen", "control", "ensemble", "export", "layers", "linearize", "viz"),
     },
     "user": {"_system", "cli", "contact", "examples", "models", "robots", "system"},
 }
@@ -71,6 +71,8 @@ LATE = {
     "playwright",
     "casadi",
     "mujoco",
+    "jax",
+    "torch",
 }
 
 KANE_MODULE = "pydy._mechanics.kane"

@@ -18,6 +18,7 @@ from pydy._system.exporting import Exporting
 from pydy._system.fits import Fitting
 from pydy._system.forces import Forces
 from pydy._system.inertial import InertialParameters
+from pydy._system.layers import Layers
 from pydy._system.optimal import Optimisation
 from pydy._system.orbits import Orbits
 from pydy._system.pictures import Pictures
@@ -30,6 +31,7 @@ __all__ = ["System"]
 
 
 class System(
+    Layers,
     Sweeps,
     LinearModels,
     Equilibria,

@@ -28,6 +28,7 @@ from pydy._system.parameters import Parameter, by_samples, marker
 from pydy._system.sensitivities import Sensitive, compiled_event
 from pydy._system.setup import Setup
 from pydy._system.simulation import begin
+from pydy._system.snapshot import Snapshot
 from pydy._system.solving import native_solver
 from pydy.analysis.adjoint import AdjointGradient
 from pydy.inputs import SampledInput
@@ -278,6 +279,7 @@ class _Run:
         x0: np.ndarray,
         times: np.ndarray,
         options: dict[str, Any],
+        weights: np.ndarray | None = None,
     ) -> None:
         from pydy.solvers.run.backward import WayBack
         from pydy.solvers.run.integration import Integration
@@ -315,6 +317,8 @@ class _Run:
         self._adjoint = np.zeros(len(self.last))
         self._adjoint[n : n + integrals] = 1.0
         self._slope = 0.0  # of the objective along the motion at its end
+        if weights is not None:  # of the last state
+            self._adjoint[:n] = weights
         if task.final is not None:
             self._finish()
 
@@ -530,54 +534,78 @@ class Gradients(Setup):
         >>> round(found.value, 8), round(found['k0'], 8), round(found['m0'], 8)
         (0.54030231, -0.42073549, 0.42073549)
         """
-        now, solver = self._now(solver_kwargs.get("events")), self.ode_solver
-        definition, plan = now.definition, now.plan
-        if isinstance(solver, Solver) and solver.name == "radau":
-            raise ValueError(
-                "`adjoint_gradient` goes back through the steps of an explicit method, but "
-                "`ode_solver` is 'radau'. Choose another solver of pydy.solvers, or call "
-                "system.simulate(sensitivities=…), which goes forward."
-            )
-        solver = native_solver(solver)
+        now, solver = self._now(solver_kwargs.get("events")), self._explicit()
         if final is None and integral is None:
             raise ValueError(
                 "`final` or `integral` must be given: an output or an expression of states, "
                 "specifieds, constants and time."
             )
         final, integral = (
-            None if term is None else read_term(definition, term, name)
+            None if term is None else read_term(now.definition, term, name)
             for term, name in ((final, "final"), (integral, "integral"))
         )
-        ready, instants = begin(now, solver, solver_kwargs)
-        model = ready.model
-        sensitive = Sensitive.of(now, model, plan, wrt, self._dependent, "wrt")
-        task = _Task(sensitive, final, integral)
-        beginning = sensitive.start(now.x, float(instants[0]))
-        try:
-            run = _Run(task, solver, now.x, instants, ready.options)
-        except (IntegrationError, IntegrationInterrupted, SingularMatrixError) as error:
-            if not isinstance(error, SingularMatrixError):
-                n = len(definition.states)
-                error.states, error.state = error.states[:, :n], error.state[:n]
-            if not isinstance(error, IntegrationInterrupted):
-                explain(error, lambda t, x: replace(now.at(t, x), model=model))
-            raise
-        n = len(definition.states)
-        reached = run.info["reached"]
+        run, sensitive, values, by_state = self._there_and_back(
+            now, solver, wrt, final, integral, solver_kwargs
+        )
+        n, reached = len(now.definition.states), run.info["reached"]
         states = run.states[:reached, :n].copy()
-        try:
-            values, by_state = run.gradient(beginning)
-        except KeyboardInterrupt as stop:
-            raise IntegrationInterrupted(
-                "The gradient was interrupted on the way back through the motion, which is whole: "
-                "it is in the attributes `times` and `states` of this error.",
-                instants[:reached].copy(), states, run.end, run.last[:n].copy(), run.info,
-            ) from stop  # fmt: skip
 
         def motion() -> Any:
-            times = instants[:reached].copy()
+            times = run.times[:reached].copy()
             return now.trajectory(times, states, events=run.records, statistics=run.info)
 
         counts = {p.symbol: p.count for p in sensitive.parameters}
         statistics = {k: v for k, v in run.info.items() if k not in ("events", "reached")}
         return AdjointGradient(run.value, values, counts, by_state, run.end, statistics, motion)
+
+    def _explicit(self) -> Solver:
+        """Return the solver, which has to be one that goes back."""
+        solver = self.ode_solver
+        if isinstance(solver, Solver) and solver.name == "radau":
+            raise ValueError(
+                "`adjoint_gradient` goes back through the steps of an explicit method, but "
+                "`ode_solver` is 'radau'. Choose another solver of pydy.solvers, or call "
+                "system.simulate(sensitivities=…), which goes forward."
+            )
+        return native_solver(solver)
+
+    def _there_and_back(
+        self,
+        now: Snapshot,
+        solver: Solver,
+        wrt: Any,
+        final: Any,
+        integral: Any,
+        given: dict[str, Any],
+        weights: np.ndarray | None = None,
+    ) -> tuple[_Run, Sensitive, np.ndarray, np.ndarray]:
+        """Return a motion and the derivatives by the parameters and by the first state.
+
+        They are those of the objective, or of the last state's sum with some `weights`.
+        """
+        definition, plan = now.definition, now.plan
+        ready, instants = begin(now, solver, given)
+        model = ready.model
+        sensitive = Sensitive.of(now, model, plan, wrt, self._dependent, "wrt")
+        task = _Task(sensitive, final, integral)
+        beginning = sensitive.start(now.x, float(instants[0]))
+        n = len(definition.states)
+        try:
+            run = _Run(task, solver, now.x, instants, ready.options, weights)
+        except (IntegrationError, IntegrationInterrupted, SingularMatrixError) as error:
+            if not isinstance(error, SingularMatrixError):
+                error.states, error.state = error.states[:, :n], error.state[:n]
+            if not isinstance(error, IntegrationInterrupted):
+                explain(error, lambda t, x: replace(now.at(t, x), model=model))
+            raise
+        try:
+            values, by_state = run.gradient(beginning)
+        except KeyboardInterrupt as stop:
+            reached = run.info["reached"]
+            raise IntegrationInterrupted(
+                "The gradient was interrupted on the way back through the motion, which is whole: "
+                "it is in the attributes `times` and `states` of this error.",
+                instants[:reached].copy(), run.states[:reached, :n].copy(), run.end,
+                run.last[:n].copy(), run.info,
+            ) from stop  # fmt: skip
+        return run, sensitive, values, by_state

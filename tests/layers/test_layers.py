@@ -1,0 +1,314 @@
+"""Functions of a system in JAX and PyTorch: values, derivatives both ways, and many at a time."""
+
+import numpy as np
+import pytest
+import sympy as sm
+
+from layers.libraries import Jax, Torch
+from pydy.inputs import SampledInput
+from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
+from pydy.solvers import Event
+from pydy.system import System
+
+TIGHT = {"rtol": 1e-10, "atol": 1e-10}
+X = np.array([0.1, 0.4, -0.3, 0.2, 1.0, 0.5])
+
+
+@pytest.fixture(params=[Jax, Torch], ids=["jax", "torch"])
+def library(request):
+    return request.param()
+
+
+def pendulum(links=2):
+    system = n_link_pendulum_on_cart(links)
+    system.constants = {"g": 9.81, "m1": 0.5}
+    system.initial_conditions = {"q1": 0.3, "q0": 0.1}
+    system.times = np.linspace(0.0, 1.0, num=11)
+    system.ode_solver = "dop853"
+    return system
+
+
+def close(found, expected, tolerance=1e-12):
+    np.testing.assert_allclose(np.asarray(found), expected, rtol=tolerance, atol=tolerance)
+
+
+def test_values_are_those_of_the_system(library):
+    system = pendulum()
+    system.outputs = {sm.Symbol("twice"): 2 * system.coordinates[1]}
+    layer, x = library.layer(system), library.array(X)
+    assert (np.asarray(layer.ode(x)) == system.evaluate_ode(X)).all()
+    assert (np.asarray(layer.ode()) == system.evaluate_ode()).all()
+    assert (np.asarray(layer.outputs(x)) == system.evaluate_outputs(X)).all()
+    found = layer.ode(x, r={"F": 2.0}, p={"m1": 0.7, "l0": 1.5})
+    expected = system.evaluate_ode(X, r={"F": 2.0}, p={"m1": 0.7, "l0": 1.5})
+    assert (np.asarray(found) == expected).all()
+    many = np.stack([X, 2 * X, 3 * X])
+    found = layer.ode(library.array(many), p={"m1": library.array([0.5, 0.6, 0.7])})
+    expected = [
+        system.evaluate_ode(x, p={"m1": m}) for x, m in zip(many, (0.5, 0.6, 0.7), strict=True)
+    ]
+    close(found, expected)
+
+
+def test_derivatives_of_the_equations_are_the_compiled_ones(library):
+    system = pendulum()
+    layer, w, v = library.layer(system), np.arange(6.0), np.linspace(1.0, 2.0, 6)
+    p = np.array([system.constants.get(s.name, 1.0) for s in system.model.layout.constants])
+    weights = library.array(w)
+
+    found = library.grad(lambda x: (weights * layer.ode(x)).sum(), library.array(X))
+    close(found, system.evaluate_vector_jacobian(w, X))
+    found = library.grad(lambda p: (weights * layer.ode(library.array(X), p=p)).sum(),
+                         library.array(p))  # fmt: skip
+    close(found, system.evaluate_vector_jacobian(w, X, wrt="constants"))
+    found = library.jvp(lambda x: layer.ode(x), library.array(X), library.array(v))
+    close(found, system.evaluate_jacobian_vector(v, X))
+    found = library.jvp(lambda f: layer.ode(library.array(X), r={"F": f, }),
+                        library.array(0.0), library.array(1.0))  # fmt: skip
+    close(found, system.evaluate_jacobian(X, wrt=["F"])[:, 0])
+
+
+def test_time_moves_expressions_and_samples(library):
+    system = pendulum(1)
+    (force,) = system.specifieds_symbols
+    t, x = 0.37, np.array([0.1, 0.2, 0.3, 0.4])
+    by_force = system.evaluate_jacobian(x, wrt=[force])[:, 0]
+    for given, slope in (
+        (sm.sin(3 * sm.Symbol("t")), 3 * np.cos(3 * t)),
+        (SampledInput([0.0, 0.2, 0.6, 1.0], [0.0, 1.0, 0.0, 2.0]), -2.5),
+    ):
+        system.specifieds = {force: given}
+        layer = library.layer(system)
+
+        def f(t, layer=layer):
+            return layer.ode(library.array(x), t)
+
+        close(library.jvp(f, library.array(t), library.array(1.0)), by_force * slope)
+        found = library.grad(lambda t, f=f: f(t)[3], library.array(t))
+        close(found, by_force[3] * slope)
+    # A number in place of the samples does not move.
+    found = library.grad(
+        lambda t: layer.ode(library.array(x), t, r={"F": 1.0})[3], library.array(t)
+    )
+    assert found == 0.0
+
+
+def test_the_gradient_of_the_last_state_is_the_adjoint_one(library):
+    system = pendulum()
+    layer = library.layer(system, **TIGHT)
+    names = ("g", "l0", "l1", "m0", "m1", "m2")
+    p = library.array([9.81, 1.0, 1.0, 1.0, 0.5, 1.0])
+    expected = system.adjoint_gradient([*names], final="q2", **TIGHT)
+    found = library.grad(lambda p: layer.final(p=dict(zip(names, p, strict=True)))[2], p)
+    close(found, [expected[name] for name in names])
+    close(layer.final()[2], expected.value)
+    x = library.array([0.1, 0.3, 0.0, 0.0, 0.0, 0.0])
+    close(library.grad(lambda x: layer.final(x)[2], x), expected.by_state)
+
+
+def test_the_gradient_along_the_motion_is_that_of_the_sensitivities(library):
+    system = pendulum()
+    layer = library.layer(system, **TIGHT)
+    trajectory = system.simulate(sensitivities=["m1", "q1"], **TIGHT)
+    close(layer.simulate(), trajectory.states)
+    weights = np.random.default_rng(1).normal(size=trajectory.states.shape)
+    expected = np.einsum("tnk,tn->k", trajectory.sensitivity.values[:, :6], weights)
+
+    def cost(values):
+        m1, q1 = values
+        return (library.array(weights) * layer.simulate(x={"q1": q1}, p={"m1": m1})).sum()
+
+    close(library.grad(cost, library.array([0.5, 0.3])), expected)
+    found = library.jvp(lambda m: layer.simulate(p={"m1": m}), library.array(0.5),
+                        library.array(2.0))  # fmt: skip
+    close(found, 2.0 * trajectory.sensitivity.values[:, :6, 0])
+    found = library.jvp(lambda m: layer.final(p={"m1": m}), library.array(0.5), library.array(1.0))
+    close(found, trajectory.sensitivity.values[-1, :6, 0])
+
+
+def test_many_samples_are_one_ensemble(library, monkeypatch):
+    system, calls = pendulum(), []
+    layer = library.layer(system, **TIGHT)
+    ensemble = System.integrate_ensemble
+    monkeypatch.setattr(
+        System, "integrate_ensemble", lambda *a, **k: calls.append(k) or ensemble(*a, **k)
+    )
+    masses = np.array([0.5, 0.7, 0.9])
+
+    def cost(m):
+        return layer.simulate(p={"m1": m})[-1, 2]
+
+    found = library.vmap(cost)(library.array(masses))
+    assert len(calls) == 1
+    gradients = library.vmapped_grad(cost)(library.array(masses))
+    for k, mass in enumerate(masses):
+        system.constants["m1"] = mass
+        one = system.simulate(sensitivities=["m1"], **TIGHT)
+        close(found[k], one["q2"][-1])
+        close(gradients[k], one.sensitivity["q2", "m1"][-1], 1e-11)
+        by_adjoint = library.vmapped_grad(lambda m: layer.final(p={"m1": m})[2])
+        close(by_adjoint(library.array(masses[k : k + 1])), [float(gradients[k])], 1e-11)
+
+
+def test_equations_at_many_states_are_one_call(library):
+    system = pendulum()
+    system.times = []
+    layer, many = library.layer(system), np.stack([X, 2 * X, 3 * X])
+    close(library.vmap(layer.ode)(library.array(many)), system.evaluate_ode(many))
+    w = library.array([0.0, 0.0, 0.0, 0.0, 0.0, 1.0])
+    found = library.vmapped_grad(lambda x: (w * layer.ode(x)).sum())(library.array(many))
+    close(found, system.evaluate_jacobian(many)[:, 5])
+    masses = library.array([0.5, 0.6, 0.6])
+    found = library.vmapped_grad(lambda m: layer.ode(library.array(X), p={"m1": m})[5])(masses)
+    expected = [system.evaluate_jacobian(X, wrt=["m1"], p={"m1": m})[5, 0] for m in (0.5, 0.6, 0.6)]
+    close(found, expected)
+
+
+def test_samples_of_an_input_are_parameters(library):
+    system = pendulum(1)
+    (force,) = system.specifieds_symbols
+    samples = np.array([0.0, 1.0, -1.0, 0.5])
+    times = [0.0, 0.3, 0.6, 1.0]
+    system.specifieds = {force: SampledInput(times, 0 * samples)}
+    layer = library.layer(system, **TIGHT)
+    system.specifieds = {force: SampledInput(times, samples)}
+    expected = system.adjoint_gradient([force], final="q1", **TIGHT)
+    found = library.grad(lambda f: layer.final(r={"F": f})[1], library.array(samples))
+    close(found, expected.values)
+    with pytest.raises(ValueError, match=r"`r\[F\]` must have the shape \(…, 4\), .* got \(3,\)"):
+        layer.final(r={"F": library.array(samples[:3])})
+    system.specifieds = {force: 0.5}
+    close(layer.final(r=library.array([0.5])), system.integrate(**TIGHT)[-1])
+
+
+def test_dependent_initial_conditions_follow_the_constants(library):
+    import zoo
+    from cases import system_of
+
+    system = system_of(zoo.MODELS["track"](), times=np.linspace(0.0, 0.5, num=3))
+    system.ode_solver = "dop853"
+    system.set_dependent_initial_conditions()
+    layer = library.layer(system, **TIGHT)
+    expected = system.adjoint_gradient("constants", final=system.states[0], **TIGHT)
+    names = [*expected.names]
+    known = {str(symbol): value for symbol, value in system.constants.items()}
+    values = [float(known[name]) for name in names]
+    found = library.grad(
+        lambda p: layer.final(p=dict(zip(names, p, strict=True)))[0], library.array(values)
+    )
+    close(found, expected.values)
+
+
+def test_a_layer_is_of_the_system_as_it_was(library):
+    system = pendulum()
+    layer = library.layer(system, **TIGHT)
+    before = np.asarray(layer.final())
+    rates = np.asarray(layer.ode())
+    system.constants["m1"] = 3.0
+    system.initial_conditions = {"q1": 1.0}
+    system.times = [0.0, 5.0]
+    assert (np.asarray(layer.final()) == before).all()
+    assert (np.asarray(layer.ode()) == rates).all()
+    layer.simulate(p={"m1": library.array(2.0)})
+    assert system.constants["m1"] == 3.0
+
+
+def test_after_a_terminal_event_states_are_nan_and_the_last_is_that_of_the_event(library):
+    system = multi_mass_spring_damper()
+    x0, v0 = system.states
+    system.constants = {"c0": 0.0}
+    system.initial_conditions = {x0: 1.0}
+    system.times = np.linspace(0.0, 3.0, num=7)
+    system.ode_solver = "dop853"
+    event = Event(x0, terminal=True)
+    layer = library.layer(system, events=[event], **TIGHT)
+    states = np.asarray(layer.simulate())
+    assert np.isfinite(states[:4]).all()
+    assert np.isnan(states[4:]).all()
+    expected = system.adjoint_gradient(["k0"], final=v0, events=[event], **TIGHT)
+    close(layer.final()[1], -1.0, 1e-8)
+    found = library.grad(lambda k: layer.final(p={"k0": k})[1], library.array(1.0))
+    close(found, expected["k0"])
+    close(found, -0.5, 1e-8)  # the speed at the end is √k
+    many = layer.final(p={"k0": library.array([1.0, 4.0, 0.01])})  # the last meets no event
+    close(many[:2, 1], [-1.0, -2.0], 1e-8)
+    close(many[2, 0], np.cos(0.3), 1e-8)
+    with pytest.raises(Exception, match="a terminal event ended the motion"):
+        library.jvp(lambda k: layer.final(p={"k0": k}), library.array(1.0), library.array(1.0))
+
+
+def test_a_sample_that_fails_is_nan_among_others(library):
+    system = multi_mass_spring_damper()
+    system.initial_conditions = {"x0": 1.0}
+    system.times = [0.0, 100.0]
+    system.ode_solver = "dop853"
+    layer = library.layer(system, max_steps=100)
+    found = np.asarray(layer.final(p={"k0": library.array([1e-4, 1e8])}))
+    assert np.isfinite(found[0]).all()
+    assert np.isnan(found[1]).all()
+
+
+def test_bad_arguments_are_named(library):
+    system = pendulum()
+    layer = library.layer(system)
+    with pytest.raises(ValueError, match=r"`x` must have the shape \(…, 6\), .* got \(5,\)"):
+        layer.ode(library.array(X[:5]))
+    with pytest.raises(ValueError, match="`p` has the key `mass`, which is not one of the const"):
+        layer.ode(p={"mass": 1.0})
+    with pytest.raises(ValueError, match="`p` must have at least one entry"):
+        layer.ode(p={})
+    with pytest.raises(ValueError, match="The system has no outputs"):
+        layer.outputs()
+    system.times = []
+    with pytest.raises(ValueError, match="`times` must have at least two values before `final`"):
+        library.layer(system).final()
+
+
+def test_functions_for_specifieds_have_values_but_no_derivatives(library):
+    system = pendulum()
+    (force,) = system.specifieds_symbols
+    system.specifieds = {force: lambda x, t: -x[0]}
+    layer = library.layer(system)
+    close(layer.ode(library.array(X)), system.evaluate_ode(X))
+    with pytest.raises(Exception, match=r"but F\(t\) is a Python function|function for F"):
+        library.grad(lambda x: layer.ode(x).sum(), library.array(X))
+    found = library.grad(lambda x: layer.ode(x, r={"F": 0.0}).sum(), library.array(X))
+    system.specifieds = {}
+    close(found, system.evaluate_vector_jacobian(np.ones(6), X))
+
+
+def test_second_derivatives_are_refused(library):
+    layer, x = library.layer(pendulum()), library.array(X)
+    if library.name == "as_jax":
+        second = library.jax.hessian(lambda x: layer.ode(x).sum())
+    else:
+        second = library.torch.func.grad(
+            lambda x: library.torch.func.grad(lambda y: layer.ode(y).sum())(x).sum()
+        )
+    with pytest.raises(NotImplementedError, match="first derivatives only"):
+        second(x)
+
+
+def test_single_precision_is_refused():
+    library = Jax()
+    layer, jax = library.layer(pendulum()), library.jax
+    with pytest.raises(TypeError, match="`x` must be of float64, got float32"):
+        layer.ode(jax.numpy.asarray(X, dtype="float32"))
+    with jax.enable_x64(False), pytest.raises(TypeError, match=r"update\('jax_enable_x64', True\)"):
+        pendulum().as_jax()
+
+
+def test_tensors_of_single_precision_are_refused():
+    library = Torch()
+    layer = library.layer(pendulum())
+    with pytest.raises(TypeError, match=r"`p\[m1\]` must be of float64, got torch.float32"):
+        layer.ode(p={"m1": library.torch.tensor(0.5)})
+
+
+def test_a_missing_library_is_named(monkeypatch):
+    import sys
+
+    for name in ("jax", "torch"):
+        monkeypatch.setitem(sys.modules, name, None)
+        with pytest.raises(ImportError, match=rf"`as_{name}` needs {name}, .* 'pydy\[{name}\]'"):
+            getattr(pendulum(), f"as_{name}")()
