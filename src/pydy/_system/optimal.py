@@ -33,6 +33,7 @@ class Optimisation(Simulation):
         mesh_tol: float | None = None,
         options: Mapping[str, Any] | None = None,
         progress: bool = False,
+        solver: str = "ipopt",
     ) -> OptimalTrajectory:
         """Find the motion, and the specifieds without a value, that minimise an objective.
 
@@ -69,9 +70,11 @@ class Optimisation(Simulation):
         mesh_tol : float, optional
             The mesh is refined until the error of each interval is below it.
         options : dict, optional
-            Options of IPOPT.
+            Options of the solver.
         progress : bool, optional
             Whether to show the iterations; requires tqdm.
+        solver : {'ipopt', 'cyipopt', 'pounce'}, optional
+            IPOPT from CasADi's wheel, an installed cyipopt, or pounce-solver.
 
         Returns
         -------
@@ -118,4 +121,6 @@ class Optimisation(Simulation):
             order=order,
             hessian=hessian,
         )
-        return problem.solve(guess, mesh_tol=mesh_tol, options=options, progress=progress)
+        return problem.solve(
+            guess, mesh_tol=mesh_tol, options=options, progress=progress, solver=solver
+        )

@@ -14,7 +14,7 @@ from __future__ import annotations
 import ctypes
 import sys
 import threading
-from collections.abc import Callable, Collection, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from ctypes import c_bool, c_char_p, c_double, c_int, c_void_p
 from dataclasses import dataclass
@@ -31,7 +31,9 @@ from pydy._interrupts import Interrupts
 from pydy.control.nlp import Nlp
 from pydy.control.tuning import TOLERANCE, WARM_BARRIER
 
-__all__ = ["SOLVED", "STATUS", "Iteration", "Solution", "solve"]
+__all__ = [
+    "SOLVED", "STATUS", "Iteration", "Solution", "program_bounds", "solve", "solver_options",
+]  # fmt: skip
 
 _INFINITE = 2e19  # beyond 1e19 a bound is none, `nlp_upper_bound_inf`
 
@@ -125,6 +127,31 @@ class Solution:
     status: int
     history: tuple[Iteration, ...]
     interrupted: bool
+
+    @classmethod
+    def of(
+        cls, nlp: Any, y: Any, multipliers: Any, below: Any, above: Any, objective: float,
+        status: int, history: Sequence[Iteration], interrupted: bool,
+    ) -> Solution:  # fmt: skip
+        """Return the Solution of what a solver tells of the program in units of its own."""
+        return cls(
+            z=y * nlp.sizes,
+            multipliers=multipliers * nlp.cost_size / nlp.row_sizes,
+            below=below * nlp.cost_size / nlp.sizes,
+            above=above * nlp.cost_size / nlp.sizes,
+            objective=objective * nlp.cost_size,
+            status=status,
+            history=tuple(history),
+            interrupted=interrupted,
+        )
+
+    def seeds(self, nlp: Any) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Return the multipliers of rows and lower and upper bounds in a program's own units."""
+        return (
+            self.multipliers * nlp.row_sizes / nlp.cost_size,
+            self.below * nlp.sizes / nlp.cost_size,
+            self.above * nlp.sizes / nlp.cost_size,
+        )
 
 
 @cache
@@ -250,6 +277,25 @@ def _view(address: int, size: int, kind: Any = c_double) -> np.ndarray:
     return np.frombuffer((kind * size).from_address(address), kind) if size else np.empty(0)
 
 
+def program_bounds(nlp: Any) -> list[np.ndarray]:
+    """Return the bounds of unknowns and rows, in units of their own: low, high, low, high."""
+    low, high = nlp.row_bounds
+    return [
+        np.clip(np.ascontiguousarray(value), -_INFINITE, _INFINITE)
+        for value in (nlp.lower / nlp.sizes, nlp.upper / nlp.sizes, low / nlp.row_sizes,
+                      high / nlp.row_sizes)
+    ]  # fmt: skip
+
+
+def solver_options(nlp: Any, warm: Solution | None) -> dict[str, Any]:
+    """Return the options that the user's own come on top of."""
+    # The program comes in units of its own.
+    own = {"print_level": 0, "sb": "yes", "nlp_scaling_method": "none", "tol": TOLERANCE}
+    if nlp.estimated:
+        own["hessian_approximation"] = "limited-memory"
+    return own if warm is None else own | _WARM
+
+
 def solve(
     nlp: Nlp,
     z: np.ndarray,
@@ -345,12 +391,7 @@ def _solve(
     functions: tuple[Callable[..., bool], ...] = (cost, rows, gradient, jacobian, hessian, each)
     guards = {f.__name__: safe(f) for f in functions}
     calls = {name: ctypes.CFUNCTYPE(c_bool, *_CALL[name])(f) for name, f in guards.items()}
-    low, high = nlp.row_bounds
-    bounds = [
-        np.clip(np.ascontiguousarray(value), -_INFINITE, _INFINITE)
-        for value in (nlp.lower / nlp.sizes, nlp.upper / nlp.sizes, low / nlp.row_sizes,
-                      high / nlp.row_sizes)
-    ]  # fmt: skip
+    bounds = program_bounds(nlp)
     addresses = [ctypes.cast(calls[k], c_void_p) for k in
                  ("cost", "rows", "gradient", "jacobian", "hessian")]  # fmt: skip
     problem = c_void_p(
@@ -363,21 +404,13 @@ def _solve(
     if not problem:
         return _failed(nlp, z, -11)
     try:
-        # The program comes in units of its own.
-        own = {"print_level": 0, "sb": "yes", "nlp_scaling_method": "none", "tol": TOLERANCE}
-        if nlp.estimated:
-            own["hessian_approximation"] = "limited-memory"
-        if warm is not None:
-            own |= _WARM
-        for name, value in {**own, **options}.items():
+        for name, value in {**solver_options(nlp, warm), **options}.items():
             _set_option(lib, problem, name, value)
         lib.SetIntermediateCallback(problem, ctypes.cast(calls["each"], c_void_p))
         y, values, objective = np.array(z / nlp.sizes), np.empty(m), np.zeros(1)
         multipliers, below, above = np.zeros(m), np.zeros(n), np.zeros(n)
         if warm is not None:
-            multipliers[:] = warm.multipliers * nlp.row_sizes / nlp.cost_size
-            below[:] = warm.below * nlp.sizes / nlp.cost_size
-            above[:] = warm.above * nlp.sizes / nlp.cost_size
+            multipliers[:], below[:], above[:] = warm.seeds(nlp)
         interrupted = False
         try:
             with interrupts, _kept(raised, guards.values()):
@@ -392,15 +425,8 @@ def _solve(
             interrupted = True
     finally:
         lib.FreeIpoptProblem(problem)
-    return Solution(
-        z=y * nlp.sizes,
-        multipliers=multipliers * nlp.cost_size / nlp.row_sizes,
-        below=below * nlp.cost_size / nlp.sizes,
-        above=above * nlp.cost_size / nlp.sizes,
-        objective=float(objective[0]) * nlp.cost_size,
-        status=status,
-        history=tuple(history),
-        interrupted=interrupted,
+    return Solution.of(
+        nlp, y, multipliers, below, above, float(objective[0]), status, history, interrupted
     )
 
 

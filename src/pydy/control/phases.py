@@ -16,12 +16,13 @@ from pydy._errors import AnalysisInterrupted, OptimizationError
 from pydy._optional import progress_of
 from pydy.codegen.arguments import checked_expression
 from pydy.control.guess import mesh_tolerance
-from pydy.control.ipopt import SOLVED, STATUS, Iteration, Solution, solve
+from pydy.control.ipopt import SOLVED, STATUS, Iteration, Solution
 from pydy.control.kernel import Point
 from pydy.control.nlp import Nlp, Piece
 from pydy.control.refine import refined
 from pydy.control.result import OptimalTrajectory, worst_rows
 from pydy.control.sizes import sizes_of
+from pydy.control.solvers import solver_of
 from pydy.control.transcription import Transcription
 from pydy.control.tuning import MOST_REFINEMENTS
 
@@ -102,6 +103,7 @@ class Phases:
         mesh_tol: float | None = None,
         options: Mapping[str, Any] | None = None,
         progress: bool = False,
+        solver: str = "ipopt",
     ) -> PhasedTrajectory:
         """Find the motion.
 
@@ -109,7 +111,7 @@ class Phases:
         ----------
         guess : sequence, optional
             For each phase what `OptimalControl.solve` takes, or a `PhasedTrajectory`.
-        mesh_tol, options, progress
+        mesh_tol, options, progress, solver
             As for `OptimalControl.solve`.
 
         Returns
@@ -121,7 +123,7 @@ class Phases:
         OptimizationError, AnalysisInterrupted
             As `OptimalControl.solve` raises them; they hold the `PhasedTrajectory`.
         """
-        own = check_mapping("options", options)
+        search = solver_of(solver, options)
         tolerance = mesh_tolerance(mesh_tol)
         guesses: Sequence[Any] = [None] * len(self._problems)
         if guess is not None:
@@ -138,7 +140,7 @@ class Phases:
                 told(1, objective=f"{iteration.objective:.6g}", gap=f"{iteration.violation:.2g}")
 
             for _ in range(MOST_REFINEMENTS):
-                found = self._solved(meshes, guesses, own, watch)
+                found = self._solved(meshes, guesses, search, watch)
                 worst = max(float(phase.error.max()) for phase in found)
                 if tolerance is None or worst <= tolerance:
                     break
@@ -150,7 +152,7 @@ class Phases:
         return found
 
     def _solved(
-        self, meshes: Sequence[np.ndarray], guesses: Sequence[Any], options: Any, watch: Any
+        self, meshes: Sequence[np.ndarray], guesses: Sequence[Any], search: Any, watch: Any
     ) -> PhasedTrajectory:
         made, programs, starts, own = [], [], [], []
         known: dict[Any, int] = {}
@@ -190,7 +192,7 @@ class Phases:
         nlp = Nlp(
             pieces, lower, upper, sizes, estimated=all(p.estimated for p in programs)
         ).in_own_units(np.clip(start, lower, upper))
-        solution = solve(nlp, np.clip(start, lower, upper), options=options, watch=watch)
+        solution: Solution = search(nlp, np.clip(start, lower, upper), watch=watch)
         phases, first = [], 0
         parts = zip(self._problems, made, programs, own, starts, strict=True)
         for problem, one, program, at, begin in parts:

@@ -29,7 +29,7 @@ from pydy._rank import DIGITS, rank
 from pydy.codegen.arguments import checked_expression
 from pydy.control.expressions import Reader
 from pydy.control.guess import Guess, mesh_tolerance, positive_time, shown_pair
-from pydy.control.ipopt import SOLVED, Iteration, Solution, solve
+from pydy.control.ipopt import SOLVED, Iteration, Solution
 from pydy.control.kernel import Equations
 from pydy.control.limits import Limit, limit
 from pydy.control.nlp import Nlp
@@ -38,6 +38,7 @@ from pydy.control.refine import Moved, interval_errors, refined
 from pydy.control.result import OptimalTrajectory, worst_rows
 from pydy.control.schemes import METHODS, scheme_of
 from pydy.control.sizes import sizes_of
+from pydy.control.solvers import solver_of
 from pydy.control.transcription import Problem, Transcription
 from pydy.control.tuning import LARGEST_ORDER, MOST_REFINEMENTS
 from pydy.inputs import SampledInput
@@ -534,6 +535,7 @@ class OptimalControl:
         mesh_tol: float | None = None,
         options: Mapping[str, Any] | None = None,
         progress: bool = False,
+        solver: str = "ipopt",
     ) -> OptimalTrajectory:
         """Find the motion.
 
@@ -549,9 +551,11 @@ class OptimalControl:
             The mesh is refined until the `error` of each interval is below it. By default the mesh
             stays as it is.
         options : dict, optional
-            Options of IPOPT, such as ``{'max_iter': 500, 'tol': 1e-10}``.
+            Options of the solver, such as ``{'max_iter': 500, 'tol': 1e-10}``.
         progress : bool, optional
             Whether to show the iterations; requires tqdm.
+        solver : {'ipopt', 'cyipopt', 'pounce'}, optional
+            IPOPT from CasADi's wheel, an installed cyipopt, or pounce-solver.
 
         Returns
         -------
@@ -566,14 +570,14 @@ class OptimalControl:
         ValueError
             What `check` raises.
         MissingDependencyError
-            IPOPT is not installed: ``pip install 'pydy[optimal]'``.
+            The solver is not installed: ``pip install 'pydy[optimal]'``.
         """
-        own = check_mapping("options", options)
+        search = solver_of(solver, options)
         tolerance = mesh_tolerance(mesh_tol)
         mesh = self._mesh
         with progress_of(flag(progress, "`progress`"), " iterations") as told:
             for _ in range(MOST_REFINEMENTS):
-                found = self._solved(mesh, guess, own, told)
+                found = self._solved(mesh, guess, search, told)
                 worst = float(found.error.max())
                 if tolerance is None and not worst < 1.0:
                     warn_user(
@@ -601,6 +605,7 @@ class OptimalControl:
         mesh_tol: float | None = None,
         options: Mapping[str, Any] | None = None,
         progress: bool = False,
+        solver: str = "ipopt",
     ) -> list[OptimalTrajectory]:
         """Find the motions for several values of constants; each search begins at the last motion.
 
@@ -608,7 +613,7 @@ class OptimalControl:
         ----------
         values : dict
             From constants to arrays of the same length.
-        guess, mesh_tol, options, progress
+        guess, mesh_tol, options, progress, solver
             As for `solve`; the guess is that of the first motion.
 
         Returns
@@ -637,7 +642,9 @@ class OptimalControl:
         found: list[OptimalTrajectory] = []
 
         def search(problem: OptimalControl, start: Any) -> OptimalTrajectory:
-            return problem.solve(start, mesh_tol=mesh_tol, options=options, progress=progress)
+            return problem.solve(
+                start, mesh_tol=mesh_tol, options=options, progress=progress, solver=solver
+            )
 
         for numbers in zip(*rows, strict=True):
             problem = self._with(columns, numbers)
@@ -659,9 +666,7 @@ class OptimalControl:
         other._problem = replace(self._problem, constants=p)
         return other
 
-    def _solved(
-        self, mesh: np.ndarray, guess: Any, options: dict[str, Any], told: Any
-    ) -> OptimalTrajectory:
+    def _solved(self, mesh: np.ndarray, guess: Any, search: Any, told: Any) -> OptimalTrajectory:
         """Return the motion on a mesh."""
         made = Transcription(self._problem, self._scheme, mesh)
         nlp, z = self._prepared(made, guess)
@@ -674,7 +679,7 @@ class OptimalControl:
             z = np.clip(warm.z, nlp.lower, nlp.upper)
         else:
             warm = None
-        solution = solve(nlp, z, options=options, watch=watch, warm=warm)
+        solution: Solution = search(nlp, z, watch=watch, warm=warm)
         trajectory = self._trajectory(made, nlp, z, solution)
         if solution.interrupted:
             raise AnalysisInterrupted(

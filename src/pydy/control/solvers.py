@@ -1,0 +1,161 @@
+"""The solvers that a nonlinear program is handed to.
+
+===========  =====================================================================
+``ipopt``    IPOPT out of the wheel of CasADi, by its C interface
+``cyipopt``  an IPOPT that the user has built, such as one with HSL's linear solvers
+``pounce``   POUNCE, which began as a port of IPOPT to Rust
+===========  =====================================================================
+
+The last two have the same Python interface, options and codes of how they ended.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from functools import partial
+from typing import Any
+
+import numpy as np
+
+from pydy._checks import check_mapping, choice
+from pydy._errors import MissingDependencyError
+from pydy._interrupts import Interrupts
+from pydy._optional import require
+from pydy.control import ipopt
+from pydy.control.ipopt import Iteration, Solution, program_bounds, solver_options
+from pydy.control.nlp import Nlp
+
+__all__ = ["solver_of"]
+
+
+def solver_of(name: Any, options: Any) -> Callable[..., Solution]:
+    """Return the function ``solve(nlp, z, *, watch, warm)`` of a solver with its options."""
+    chosen = SOLVERS[choice(name, tuple(SOLVERS), "`solver`")]
+    return partial(chosen, options=check_mapping("options", options))
+
+
+class _Program:
+    """A program as cyipopt and POUNCE ask for it; what cannot be computed is NaN."""
+
+    def __init__(
+        self, nlp: Nlp, watch: Callable[[Iteration], None], interrupts: Interrupts
+    ) -> None:
+        self._nlp, self._watch, self._interrupts = nlp, watch, interrupts
+        self.history: list[Iteration] = []
+        self.raised: list[BaseException] = []
+        self.y = np.full(nlp.size, np.nan)
+
+    def _filled(self, count: int, function: Callable[..., bool], *arguments: Any) -> np.ndarray:
+        out = np.empty(count)
+        try:
+            if self.raised or not function(*arguments, out):
+                out[:] = np.nan
+        except BaseException as error:  # noqa: BLE001  raised after the solver has returned
+            self.raised.append(error)
+            out[:] = np.nan
+        return out
+
+    def objective(self, y: np.ndarray) -> float:
+        def cost(at: np.ndarray, out: np.ndarray) -> bool:
+            out[0] = self._nlp.cost(at)
+            return True
+
+        return float(self._filled(1, cost, y)[0])
+
+    def gradient(self, y: np.ndarray) -> np.ndarray:
+        return self._filled(self._nlp.size, self._nlp.gradient, y)
+
+    def constraints(self, y: np.ndarray) -> np.ndarray:
+        return self._filled(self._nlp.rows, self._nlp.values, y)
+
+    def jacobianstructure(self) -> tuple[np.ndarray, np.ndarray]:
+        return self._nlp.jacobian_at
+
+    def jacobian(self, y: np.ndarray) -> np.ndarray:
+        return self._filled(len(self._nlp.jacobian_at[0]), self._nlp.jacobian, y)
+
+    def hessianstructure(self) -> tuple[np.ndarray, np.ndarray]:
+        return self._nlp.hessian_at
+
+    def hessian(self, y: np.ndarray, multipliers: np.ndarray, weight: float) -> np.ndarray:
+        count = len(self._nlp.hessian_at[0])
+        return self._filled(count, self._nlp.hessian, y, weight, multipliers)
+
+    def intermediate(
+        self, alg_mod: int, iter_count: int, obj_value: float, inf_pr: float, inf_du: float,
+        mu: float, *_: Any, **_more: Any,
+    ) -> bool:  # fmt: skip
+        try:
+            self.history.append(
+                Iteration(iter_count, obj_value * self._nlp.cost_size, inf_pr, inf_du, mu)
+            )
+            self._watch(self.history[-1])
+            self._interrupts.check()
+        except BaseException as error:  # noqa: BLE001  raised after the solver has returned
+            self.raised.append(error)
+        return not self.raised
+
+
+def _by_package(
+    module: str,
+    extra: str,
+    nlp: Nlp,
+    z: np.ndarray,
+    *,
+    options: Mapping[str, Any],
+    watch: Callable[[Iteration], None] = lambda iteration: None,
+    warm: Solution | None = None,
+) -> Solution:
+    try:
+        package = require(module, extra, f"`solver={extra!r}`")
+    except ImportError as error:
+        raise MissingDependencyError(str(error)) from error
+    interrupts = Interrupts()
+    program = _Program(nlp, watch, interrupts)
+    lower, upper, low, high = program_bounds(nlp)
+    problem = package.Problem(
+        n=nlp.size, m=nlp.rows, problem_obj=program, lb=lower, ub=upper, cl=low, cu=high
+    )
+    for name, value in {**solver_options(nlp, warm), **options}.items():
+        _add_option(problem, module, name, value)
+    start = (
+        {} if warm is None else dict(zip(("lagrange", "zl", "zu"), warm.seeds(nlp), strict=True))
+    )
+    told: Any = None
+    interrupted = False
+    try:
+        with interrupts:
+            y, told = problem.solve(np.array(z / nlp.sizes), **start)
+            if program.raised:
+                raise program.raised[0]
+    except KeyboardInterrupt:
+        if told is None:  # the second in the solver's own code
+            raise
+        interrupted = True
+    except RuntimeError as error:  # POUNCE reads options as late as this
+        if "OPTION" not in str(error):
+            raise
+        raise ValueError(f"`options` has what {module} does not take: {error}") from error
+    return Solution.of(
+        nlp, y, told["mult_g"], told["mult_x_L"], told["mult_x_U"], float(told["obj_val"]),
+        int(told["status"]), program.history, interrupted,
+    )  # fmt: skip
+
+
+def _add_option(problem: Any, module: str, name: Any, value: Any) -> None:
+    if isinstance(value, (bool, np.bool_)):
+        value = "yes" if value else "no"
+    try:
+        problem.add_option(name, value)
+    except TypeError as error:
+        raise ValueError(
+            f"`options` has {name!r}: {value!r}, which {module} does not know as an option, or not "
+            "as a value of it. See https://coin-or.github.io/Ipopt/OPTIONS.html."
+        ) from error
+
+
+SOLVERS: dict[str, Callable[..., Solution]] = {
+    "ipopt": lambda *args, **named: ipopt.solve(*args, **named),
+    "cyipopt": partial(_by_package, "cyipopt", "cyipopt"),
+    "pounce": partial(_by_package, "pounce", "pounce"),
+}
