@@ -45,12 +45,8 @@ DEEPER = 2
 # beyond, compiling takes longer than the loop loses. Of constants four times as many: they run
 # once.
 UNROLL_LIMIT = 3500
-# Multiply-adds of an elimination from which separable rows are looked for: below, it needs none.
-SEPARATE_FROM = 200
 # Terms of an entry, multiplied out, in the search for separable rows; a chain's entries have two.
 LONGEST_ENTRY = 8
-# Channels of a matrix with separable rows; a chain in the plane has two.
-MOST_CHANNELS = 6
 # How much larger than a diagonal entry the terms may be whose difference it is, where rows
 # separate: four bits at most are lost. In chains of bodies they never are larger.
 CANCELLATION = 16.0

@@ -25,8 +25,6 @@ from pydy._graph.solve.matrix import Matrix, Part, Proposal, symmetric
 from pydy._graph.tuning import (
     CANCELLATION,
     LONGEST_ENTRY,
-    MOST_CHANNELS,
-    SEPARATE_FROM,
     SINGULAR,
 )
 
@@ -35,12 +33,11 @@ _Rows = dict[int, dict[Part, float]]
 
 
 def propose(matrix: Matrix) -> Proposal | None:
-    """Offer an elimination by generators, if the matrix has them and is not small or constant."""
+    """Offer an elimination by generators, if the matrix has them and is not constant."""
     if matrix.kind != "ldl" or matrix.fixed.all():
         return None
-    if elimination_order(matrix.filled, matrix.fixed.diagonal())[1] <= SEPARATE_FROM:
-        return None
-    found = separate(matrix.graph, matrix.n, matrix.entries)
+    dense = elimination_order(matrix.filled, matrix.fixed.diagonal())[1]
+    found = separate(matrix.graph, matrix.n, matrix.entries, dense)
     if found is None:
         return None
     tape, n, cells, value = matrix.tape, matrix.n, matrix.cells, matrix.value
@@ -58,15 +55,23 @@ class Generators:
     @property
     def cost(self) -> int:
         """Multiply-adds of the factorisation and one solve."""
-        count = len(self.rows[0])
-        return len(self.rows) * (count * (count + 1) * 3 // 2 + 8 * count + 2)
+        return _cost(len(self.rows), len(self.rows[0]))
 
 
-def separate(graph: Graph, n: int, entries: Sequence[int]) -> Generators | None:
+def _cost(n: int, channels: int) -> int:
+    return n * (channels * (channels + 1) * 3 // 2 + 8 * channels + 2)
+
+
+def separate(
+    graph: Graph, n: int, entries: Sequence[int], most: float = float("inf")
+) -> Generators | None:
     """Return generators of a symmetric matrix of nodes, None where it has none of this form.
 
-    Only the lower triangle is read.
+    Only the lower triangle is read. As many channels as other rows separate nothing; nor are
+    generators wanted that cost as much as `most`.
     """
+    if _cost(n, 1) >= most:
+        return None
     owners: dict[int, set[int]] = {}
     terms: dict[tuple[int, int], list[tuple[Part, float]]] = {}
     for j in range(n):
@@ -115,7 +120,7 @@ def separate(graph: Graph, n: int, entries: Sequence[int]) -> Generators | None:
                 c = len(channels)
                 channels.append((rows, {}))
             channels[c][1][j] = (own, scale)
-        if len(channels) > MOST_CHANNELS:
+        if len(channels) >= n - 1 or _cost(n, len(channels)) >= most:
             return None
     if not channels:
         return None
