@@ -64,6 +64,7 @@ def test_the_ir_is_for_no_processor_and_needs_libm_or_python_alone(name):
     kind, _, lanes = name.partition("_")
     expected = {
         "gates": native._GATES,
+        "nlp": native.NLP,
         "solve": solver_names(int(lanes or 0) if kind == "solve" else 0),
     }
     assert sorted(outside) == sorted(expected.get(kind, [name]))

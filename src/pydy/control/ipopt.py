@@ -1,7 +1,8 @@
 """IPOPT by its C interface, out of the library that the wheel of CasADi contains.
 
-Nothing else of CasADi is used, or loaded. What the solver calls back is `Nlp`, whose functions are
-machine code; the arrays are the solver's own memory.
+Nothing else of CasADi is used, or loaded. What the solver calls back is machine code that reads and
+writes the solver's own memory (see `native`); Python runs once an iteration, to note it, to show
+progress and to heed a Ctrl-C.
 
 References
 ----------
@@ -14,7 +15,7 @@ from __future__ import annotations
 import ctypes
 import sys
 import threading
-from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from ctypes import c_bool, c_char_p, c_double, c_int, c_void_p
 from dataclasses import dataclass
@@ -28,6 +29,7 @@ import numpy as np
 from pydy._checks import shown
 from pydy._errors import MissingDependencyError
 from pydy._interrupts import Interrupts
+from pydy.control.native import SIGNATURES
 from pydy.control.nlp import Nlp
 from pydy.control.tuning import TOLERANCE, WARM_BARRIER
 
@@ -66,17 +68,7 @@ _WARM = {
        ("bound_push", "bound_frac", "slack_bound_push", "slack_bound_frac", "mult_bound_push")},
 }  # fmt: skip
 
-_CALL: dict[str, tuple[Any, ...]] = {
-    "cost": (c_int, c_void_p, c_bool, c_void_p, c_void_p),
-    "rows": (c_int, c_void_p, c_bool, c_int, c_void_p, c_void_p),
-    "gradient": (c_int, c_void_p, c_bool, c_void_p, c_void_p),
-    "jacobian": (c_int, c_void_p, c_bool, c_int, c_int, *[c_void_p] * 4),
-    "hessian": (
-        *(c_int, c_void_p, c_bool, c_double, c_int, c_void_p, c_bool, c_int),
-        *[c_void_p] * 4,
-    ),
-    "each": (c_int, c_int, *[c_double] * 8, c_int, c_void_p),
-}
+_EACH = ctypes.CFUNCTYPE(c_bool, c_int, c_int, *[c_double] * 8, c_int, c_void_p)
 
 
 @dataclass(frozen=True)
@@ -220,21 +212,41 @@ def _probe(lib: Any) -> bool:
         row_sizes, row_bounds = np.empty(0), (np.empty(0), np.empty(0))
         jacobian_at = (np.empty(0, np.int32), np.empty(0, np.int32))
         hessian_at = (np.zeros(1, np.int32), np.zeros(1, np.int32))
+        handle = None
 
-        def cost(self, y: np.ndarray) -> float:
-            return float((y[0] - 3.0) ** 2)
+        @property
+        def native(self) -> Square:
+            return self
 
-        def gradient(self, y: np.ndarray, out: np.ndarray) -> bool:
-            out[0] = 2.0 * (y[0] - 3.0)
+        def __init__(self) -> None:
+            self._calls = [
+                ctypes.CFUNCTYPE(c_bool, *kinds)(getattr(self, "rows_" if name == "rows" else name))
+                for name, kinds in SIGNATURES.items()
+            ]
+            pairs = zip(SIGNATURES, self._calls, strict=True)
+            self.addresses = {name: ctypes.cast(call, c_void_p).value for name, call in pairs}
+
+        def cost(self, _n: int, y: int, _new: bool, out: int, _: Any) -> bool:
+            _view(out, 1)[0] = (_view(y, 1)[0] - 3.0) ** 2
             return True
 
-        def values(self, y: np.ndarray, out: np.ndarray) -> bool:
+        def gradient(self, _n: int, y: int, _new: bool, out: int, _: Any) -> bool:
+            _view(out, 1)[0] = 2.0 * (_view(y, 1)[0] - 3.0)
             return True
 
-        jacobian = values
+        def rows_(self, *_: Any) -> bool:
+            return True
 
-        def hessian(self, y: np.ndarray, weight: float, _: Any, out: np.ndarray) -> bool:
-            out[0] = 2.0 * weight
+        jacobian = rows_
+
+        def hessian(
+            self, _n: int, _y: int, _new: bool, weight: float, _m: int, _multipliers: int,
+            _again: bool, _count: int, i: int, j: int, out: int, _: Any,
+        ) -> bool:  # fmt: skip
+            if out:
+                _view(out, 1)[0] = 2.0 * weight
+            else:
+                _view(i, 1, c_int)[0] = _view(j, 1, c_int)[0] = 0
             return True
 
     found = _solve(lib, Square(), np.array([1.5]), {}, lambda iteration: None)
@@ -242,12 +254,11 @@ def _probe(lib: Any) -> bool:
 
 
 @contextmanager
-def _kept(raised: list[BaseException], guards: Collection[Callable[..., bool]]) -> Iterator[None]:
+def _kept(raised: list[BaseException], guard: Callable[..., bool]) -> Iterator[None]:
     """Keep what a signal's handler raises on the way into a function, before it can catch it.
 
-    ctypes reports it as unraisable, and answers with whatever lies in the result, often true. The
-    solver then reads arrays that nobody has filled, places in matrices among them: what the
-    function was called for is done all the same. Signals reach the main thread alone.
+    ctypes reports it as unraisable, and answers with whatever lies in the result, often true: the
+    search then ends at the next iteration. Signals reach the main thread alone.
     """
     if threading.current_thread() is not threading.main_thread():
         yield
@@ -256,14 +267,10 @@ def _kept(raised: list[BaseException], guards: Collection[Callable[..., bool]]) 
 
     def note(what: Any) -> None:
         error, trace = what.exc_value, what.exc_traceback
-        if trace is None or all(trace.tb_frame.f_code is not f.__code__ for f in guards):
+        if trace is None or trace.tb_frame.f_code is not guard.__code__:
             before(what)
             return
-        entered = trace.tb_frame.f_locals
-        try:
-            entered["function"](*entered["arguments"])
-        finally:
-            raised.append(error)
+        raised.append(error)
 
     sys.unraisablehook = note
     try:
@@ -334,66 +341,26 @@ def _solve(
     raised: list[BaseException] = []
     interrupts = Interrupts()
 
-    def safe(function: Callable[..., bool]) -> Callable[..., bool]:
-        """Keep an exception, which ctypes would print and go on."""
-
-        def guarded(*arguments: Any) -> bool:
-            try:
-                return not raised and bool(function(*arguments))
-            except BaseException as error:  # noqa: BLE001
-                raised.append(error)
-                return False
-
-        return guarded
-
-    def cost(_n: int, y: int, _new: bool, out: int, _: Any) -> bool:
-        value = nlp.cost(_view(y, n))
-        _view(out, 1)[0] = value
-        return bool(np.isfinite(value))
-
-    def rows(_n: int, y: int, _new: bool, _m: int, out: int, _: Any) -> bool:
-        values = _view(out, m)
-        return bool(nlp.values(_view(y, n), values)) and bool(np.isfinite(values).all())
-
-    def gradient(_n: int, y: int, _new: bool, out: int, _: Any) -> bool:
-        return bool(nlp.gradient(_view(y, n), _view(out, n)))
-
-    def places(at: tuple[np.ndarray, np.ndarray], i: int, j: int) -> bool:
-        for address, indices in zip((i, j), at, strict=True):
-            _view(address, len(indices), c_int)[:] = indices
-        return True
-
-    def jacobian(
-        _n: int, y: int, _new: bool, _m: int, count: int, i: int, j: int, out: int, _: Any
-    ) -> bool:
-        if not out:
-            return places(nlp.jacobian_at, i, j)
-        return bool(nlp.jacobian(_view(y, n), _view(out, count)))
-
-    def hessian(
-        _n: int, y: int, _new: bool, weight: float, _m: int, multipliers: int, _again: bool,
-        count: int, i: int, j: int, out: int, _: Any,
-    ) -> bool:  # fmt: skip
-        if not out:
-            return places(nlp.hessian_at, i, j)
-        given = _view(multipliers, m)
-        return bool(nlp.hessian(_view(y, n), weight, given, _view(out, count)))
-
     def each(
         _mode: int, number: int, objective: float, primal: float, dual: float, barrier: float,
         *_: Any,
-    ) -> bool:  # fmt: skip
+    ) -> None:  # fmt: skip
         history.append(Iteration(number, objective * nlp.cost_size, primal, dual, barrier))
         watch(history[-1])
         interrupts.check()
+
+    def guarded(*arguments: Any) -> bool:
+        """Keep an exception, which ctypes would print and go on."""
+        try:
+            if not raised:
+                each(*arguments)
+        except BaseException as error:  # noqa: BLE001
+            raised.append(error)
         return not raised
 
-    functions: tuple[Callable[..., bool], ...] = (cost, rows, gradient, jacobian, hessian, each)
-    guards = {f.__name__: safe(f) for f in functions}
-    calls = {name: ctypes.CFUNCTYPE(c_bool, *_CALL[name])(f) for name, f in guards.items()}
-    bounds = program_bounds(nlp)
-    addresses = [ctypes.cast(calls[k], c_void_p) for k in
-                 ("cost", "rows", "gradient", "jacobian", "hessian")]  # fmt: skip
+    called = _EACH(guarded)
+    bounds, native = program_bounds(nlp), nlp.native
+    addresses = [native.addresses[k] for k in SIGNATURES]
     problem = c_void_p(
         lib.CreateIpoptProblem(
             *(n, bounds[0].ctypes.data, bounds[1].ctypes.data),
@@ -406,18 +373,18 @@ def _solve(
     try:
         for name, value in {**solver_options(nlp, warm), **options}.items():
             _set_option(lib, problem, name, value)
-        lib.SetIntermediateCallback(problem, ctypes.cast(calls["each"], c_void_p))
+        lib.SetIntermediateCallback(problem, ctypes.cast(called, c_void_p))
         y, values, objective = np.array(z / nlp.sizes), np.empty(m), np.zeros(1)
         multipliers, below, above = np.zeros(m), np.zeros(n), np.zeros(n)
         if warm is not None:
             multipliers[:], below[:], above[:] = warm.seeds(nlp)
         interrupted = False
         try:
-            with interrupts, _kept(raised, guards.values()):
+            with interrupts, _kept(raised, guarded):
                 status = lib.IpoptSolve(
                     problem,
                     *(a.ctypes.data for a in (y, values, objective, multipliers, below, above)),
-                    None,
+                    native.handle,
                 )
                 if raised:
                     raise raised[0]

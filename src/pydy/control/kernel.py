@@ -24,6 +24,7 @@ import numpy as np
 
 from pydy._assembly.specifieds import driven
 from pydy._backends.llvm.backend import LLVMBackend
+from pydy._backends.llvm.native import nlp_functions, sweep_by_columns
 from pydy._graph.adjoint import adjoints
 from pydy._graph.collector import collector_paused
 from pydy._graph.derivative import jacobian
@@ -35,7 +36,7 @@ from pydy._graph.rewrite import substitute
 from pydy._graph.simplify import simplify
 from pydy._kernel import Kernel
 
-__all__ = ["Equations", "Functions", "Point"]
+__all__ = ["Equations", "Functions", "Point", "nlp_functions"]
 
 _LANES = 8  # points that one call of the machine code takes
 
@@ -308,6 +309,10 @@ class Functions:
     jacobian_at: np.ndarray
     hessian_at: np.ndarray
     _times: dict[int, np.ndarray] = field(default_factory=dict, repr=False)
+
+    def sweep(self, name: str) -> tuple[np.ndarray, int, Any]:
+        """Return what native code needs for one of the functions; see `sweep_by_columns`."""
+        return sweep_by_columns(self.kernels[name].program, _LANES)
 
     def __call__(
         self, name: str, X: np.ndarray, R: np.ndarray, P: np.ndarray, out: np.ndarray

@@ -14,8 +14,10 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
+from pydy._forks import cached_property
 from pydy._rank import or_one
 from pydy.control.kernel import Functions
+from pydy.control.native import Native
 from pydy.control.tuning import UNEVEN
 
 __all__ = ["Nlp", "Piece"]
@@ -87,6 +89,8 @@ class Nlp:
     jacobian_at, hessian_at : (ndarray of int32, ndarray of int32)
         Rows and columns of the entries; those of the Hessian are of its lower triangle, and
         entries of the same place are to be added.
+    derivative_units : (ndarray, ndarray)
+        What the Jacobian's entries are divided by, and the Hessian's multiplied with.
     """
 
     pieces: Sequence[Piece]
@@ -98,10 +102,7 @@ class Nlp:
     estimated: bool = False
     jacobian_at: tuple[np.ndarray, np.ndarray] = field(init=False)
     hessian_at: tuple[np.ndarray, np.ndarray] = field(init=False)
-    _units: list[np.ndarray] = field(init=False, repr=False)
-    _weights: list[np.ndarray] = field(init=False, repr=False)
-    _jacobian_units: np.ndarray = field(init=False, repr=False)
-    _hessian_units: np.ndarray = field(init=False, repr=False)
+    derivative_units: tuple[np.ndarray, np.ndarray] = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
         rows, columns, lower, upper, twice = [], [], [], [], []
@@ -119,19 +120,13 @@ class Nlp:
             start += piece.rows * piece.points
         self._set("jacobian_at", (_indices(rows), _indices(columns)))
         self._set("hessian_at", (_indices(lower), _indices(upper)))
-        self._set("_units", [self.sizes[piece.at] for piece in self.pieces])
         if not len(self.row_sizes):
             self._set("row_sizes", np.ones(start))
         i, j = self.jacobian_at
-        self._set("_jacobian_units", self.row_sizes[i] / self.sizes[j])
+        divisor = self.row_sizes[i] / self.sizes[j]
         i, j = self.hessian_at
-        units = self.sizes[i] * self.sizes[j]
-        self._set("_hessian_units", units * np.where(np.concatenate([[], *twice]), 2.0, 1.0))
-        weighted = []
-        for piece in self.pieces:
-            m, costs = piece.functions.outputs
-            weighted.append(np.concatenate([piece.data, np.zeros((m + costs, piece.points))]))
-        self._set("_weights", weighted)
+        factor = self.sizes[i] * self.sizes[j] * np.where(np.concatenate([[], *twice]), 2.0, 1.0)
+        self._set("derivative_units", (divisor, factor))
 
     def _set(self, name: str, value: object) -> None:
         object.__setattr__(self, name, value)
@@ -158,77 +153,38 @@ class Nlp:
 
     # -- functions of y, in units of their own ----------------------------------------------------
 
-    def _points(self, k: int, y: np.ndarray) -> np.ndarray:
-        """Return the variables of the points of a piece."""
-        X: np.ndarray = y[self.pieces[k].at]
-        X *= self._units[k]
-        return X
+    @cached_property
+    def native(self) -> Native:
+        """The compiled functions, which write to arrays of this object: one thread at a time."""
+        return Native(self)
+
+    def __getstate__(self) -> dict[str, object]:
+        return {key: value for key, value in self.__dict__.items() if key != "native"}
 
     def cost(self, y: np.ndarray) -> float:
         """Return the objective, NaN where it cannot be computed."""
-        total = 0.0
-        for k, piece in enumerate(self.pieces):
-            if "cost" in piece.functions.kernels:
-                out = np.empty((1, piece.points))
-                ok = piece.functions("cost", self._points(k, y), piece.data, piece.constants, out)
-                total += float(out.sum()) if ok else np.nan
-        return total / self.cost_size
+        out = np.empty(1)
+        self.native.cost(np.ascontiguousarray(y, float), out)
+        return float(out[0])
 
     def gradient(self, y: np.ndarray, out: np.ndarray) -> bool:
         """Write the gradient of the objective; return whether it could be computed."""
-        out[:] = 0.0
-        fine = True
-        for k, piece in enumerate(self.pieces):
-            f = piece.functions
-            if "gradient" in f.kernels:
-                slopes = np.empty((len(f.gradient_at), piece.points))
-                fine &= f("gradient", self._points(k, y), piece.data, piece.constants, slopes)
-                places = piece.at[f.gradient_at].ravel()
-                out += np.bincount(places, slopes.ravel(), minlength=len(out))
-        out *= self.sizes / self.cost_size
-        return fine
+        return self.native.gradient(np.ascontiguousarray(y, float), out)
 
     def values(self, y: np.ndarray, out: np.ndarray) -> bool:
-        """Write the rows; return whether they could be computed."""
-        return self._written("rows", y, out, self.row_sizes)
+        """Write the rows; return whether they are finite."""
+        return self.native.rows(np.ascontiguousarray(y, float), out)
 
     def jacobian(self, y: np.ndarray, out: np.ndarray) -> bool:
         """Write the entries of the rows' Jacobian; return whether they could be computed."""
-        return self._written("jacobian", y, out, self._jacobian_units)
-
-    def _written(self, name: str, y: np.ndarray, out: np.ndarray, divisor: np.ndarray) -> bool:
-        start, fine = 0, True
-        for k, piece in enumerate(self.pieces):
-            f = piece.functions
-            if name in f.kernels:
-                count = len(f.kernels[name].program.outputs) * piece.points
-                part = out[start : start + count].reshape(-1, piece.points)
-                fine &= f(name, self._points(k, y), piece.data, piece.constants, part)
-                start += count
-        out /= divisor
-        return fine
+        return self.native.jacobian(np.ascontiguousarray(y, float), out)
 
     def hessian(
         self, y: np.ndarray, weight: float, multipliers: np.ndarray, out: np.ndarray
     ) -> bool:
         """Write the entries of the Hessian of ``weight · cost + multipliers · rows``."""
-        first, start, fine = 0, 0, True
-        weights = multipliers / self.row_sizes
-        for k, piece in enumerate(self.pieces):
-            f, data = piece.functions, self._weights[k]
-            m, costs = f.outputs
-            taken = weights[first : first + m * piece.points]
-            data[len(piece.data) : len(piece.data) + m] = taken.reshape(m, piece.points)
-            if costs:
-                data[-1] = weight / self.cost_size
-            first += m * piece.points
-            if "hessian" in f.kernels:
-                count = len(f.hessian_at) * piece.points
-                part = out[start : start + count].reshape(-1, piece.points)
-                fine &= f("hessian", self._points(k, y), data, piece.constants, part)
-                start += count
-        out *= self._hessian_units
-        return fine
+        multipliers = np.ascontiguousarray(multipliers, float)
+        return self.native.hessian(np.ascontiguousarray(y, float), weight, multipliers, out)
 
     # -- units ------------------------------------------------------------------------------------
 

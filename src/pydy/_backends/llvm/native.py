@@ -24,7 +24,7 @@ from pydy._backends.llvm.background import Compile, Task
 from pydy._backends.llvm.compiling import Source
 from pydy._backends.llvm.jit import Code
 from pydy._backends.llvm.shipped import CORE
-from pydy._backends.llvm.tiers import Entry
+from pydy._backends.llvm.tiers import Entry, wide_code
 from pydy._backends.tuning import SWEPT
 from pydy._graph.program import Program
 from pydy._graph.tangent import Tangent
@@ -61,6 +61,7 @@ class Gate:
 # How many words the structs of C have before what belongs to one call: `Words`, and `Bound`.
 _SWEEP_WORDS, _CALL_WORDS = 9, 8
 _GATES = ("sweep_1", "sweep_gate", "kernel_gate", "step_gate", "call_python")
+NLP = ("nlp_cost", "nlp_rows", "nlp_gradient", "nlp_jacobian", "nlp_hessian")
 
 
 def scratch_size(lanes: int, n: int, s: int, k: int, carried: int, outputs: int) -> int:
@@ -135,7 +136,7 @@ def _make_sweep(
 ) -> Callable[..., tuple[np.ndarray, np.ndarray]]:
     n, s, outputs = program.num_states, program.num_specifieds, len(program.outputs)
     sizes = (n, s, program.num_constants, len(program.carried), outputs)
-    native = gates().code.addresses["sweep_1"] if lanes == 1 else _wide_sweep(lanes)
+    native = gates().code.addresses["sweep_1"] if lanes == 1 else wide_sweep(lanes)
     room = scratch_size(lanes, *sizes)
     run, columns = gates().sweep, strided != 0
     most = max(1, SWEPT // (lanes * (program.num_operations + 1))) * lanes
@@ -185,10 +186,41 @@ def _make_sweep(
 _WIDE: dict[int, jit.Code] = {}
 
 
-def _wide_sweep(lanes: int) -> int:
+def wide_sweep(lanes: int) -> int:
     if lanes not in _WIDE:
         _WIDE[lanes] = jit.load(CORE.source(f"sweep_{lanes}"))
     return _WIDE[lanes].addresses[f"sweep_{lanes}"]
+
+
+@cache
+def nlp_functions() -> jit.Code:
+    """Return the functions of nonlinear programs, ``core/nlp.c``."""
+    return jit.load(CORE.source("nlp", NLP))
+
+
+def sweep_by_columns(program: Program, lanes: int) -> tuple[np.ndarray, int, Any]:
+    """Return what a sweep whose arrays are (items, samples) reads, but for the samples' number.
+
+    Returns
+    -------
+    words : ndarray of int64
+        `Words` of ``core/kernel.h``; the last three are of one call.
+    scratch : int
+        How many numbers of scratch memory it needs.
+    owner : object
+        Keeps the code alive.
+    """
+    code = wide_code(program, lanes)
+    sizes = (
+        program.num_states,
+        program.num_specifieds,
+        program.num_constants,
+        len(program.carried),
+        len(program.outputs),
+    )
+    entries = [code.addresses[name] for name in ("kernel", "prepare", "strided")]
+    words = np.array([*entries, wide_sweep(lanes), *sizes, 0, 0, 1], np.int64)
+    return words, scratch_size(lanes, *sizes), code
 
 
 def _make_call(

@@ -1,0 +1,125 @@
+"""The compiled functions of a program against NumPy, to the bit."""
+
+import pickle
+import sys
+
+import numpy as np
+import pytest
+import sympy as sm
+
+import optima
+from optima import TF, T
+from pydy.control import OptimalControl
+from pydy.control.ipopt import library, solve
+from pydy.control.native import SIGNATURES
+from pydy.control.transcription import Transcription
+
+
+def points(nlp, k, y):
+    piece = nlp.pieces[k]
+    return y[piece.at] * nlp.sizes[piece.at]
+
+
+def evaluated(nlp, name, y, data=None):
+    """Return the results of each piece, as the kernels give them."""
+    found = []
+    for k, piece in enumerate(nlp.pieces):
+        f = piece.functions
+        if name in f.kernels:
+            out = np.empty((len(f.kernels[name].program.outputs), piece.points))
+            own = piece.data if data is None else data[k]
+            assert f(name, points(nlp, k, y), own, piece.constants, out)
+            found.append((piece, out))
+    return found
+
+
+@pytest.mark.parametrize(
+    ("method", "order", "mesh"),
+    [("radau", 3, 70), ("radau", 2, 1), ("hermite-simpson", 1, 5), ("midpoint", 1, 200)],
+)
+def test_functions_of_a_program_have_the_bits_of_numpy(method, order, mesh):
+    system, (q1, q2, u1, u2, F) = optima.cart_pole()
+    problem = OptimalControl(
+        system,
+        sm.Integral(F**2 + q1 * TF, T) + u2.subs(T, TF) ** 2,
+        TF,
+        end={q1: 0.5},
+        bounds={TF: (1.0, 3.0)},
+        boundary=[sm.Eq(u1.subs(T, TF), q2.subs(T, TF))],
+        mesh=mesh,
+        method=method,
+        order=order,
+    )
+    made = Transcription(problem._problem, problem._scheme, problem._mesh)
+    nlp, z = problem._prepared(made, {TF: 2.0})
+    rng = np.random.default_rng(1)
+    y = z / nlp.sizes + rng.normal(size=len(z)) / 10
+    multipliers, weight = rng.normal(size=nlp.rows), 0.7
+
+    cost = sum(float(out.sum()) for _, out in evaluated(nlp, "cost", y)) / nlp.cost_size
+    assert nlp.cost(y) == cost
+    slopes = np.zeros(nlp.size)
+    for piece, out in evaluated(nlp, "gradient", y):
+        at = piece.at[piece.functions.gradient_at].ravel()
+        slopes += np.bincount(at, out.ravel(), minlength=nlp.size)
+    gradient, rows = np.empty(nlp.size), np.empty(nlp.rows)
+    J, H = (np.empty(len(at[0])) for at in (nlp.jacobian_at, nlp.hessian_at))
+    assert nlp.gradient(y, gradient)
+    np.testing.assert_array_equal(gradient, slopes * (nlp.sizes / nlp.cost_size))
+    assert nlp.values(y, rows)
+    plain = np.concatenate([out.ravel() for _, out in evaluated(nlp, "rows", y)])
+    np.testing.assert_array_equal(rows, plain / nlp.row_sizes)
+    assert nlp.jacobian(y, J)
+    plain = np.concatenate([out.ravel() for _, out in evaluated(nlp, "jacobian", y)])
+    np.testing.assert_array_equal(J, plain / nlp.derivative_units[0])
+    weighted, first = [], 0
+    for piece in nlp.pieces:
+        m, costs = piece.functions.outputs
+        own = (multipliers / nlp.row_sizes)[first : first + m * piece.points]
+        first += m * piece.points
+        last = np.full((costs, piece.points), weight / nlp.cost_size)
+        weighted.append(np.concatenate([piece.data, own.reshape(m, piece.points), last]))
+    assert nlp.hessian(y, weight, multipliers, H)
+    plain = np.concatenate([out.ravel() for _, out in evaluated(nlp, "hessian", y, weighted)])
+    np.testing.assert_array_equal(H, plain * nlp.derivative_units[1])
+
+
+def test_what_is_not_finite_is_told():
+    system, (x, _, F) = optima.double_integrator()
+    problem = OptimalControl(system, sm.Integral(F**2 + sm.log(x), T), 1.0, end={x: 1.0}, mesh=9)
+    made = Transcription(problem._problem, problem._scheme, problem._mesh)
+    nlp, z = problem._prepared(made, {x: np.linspace(1.0, 2.0, num=5)})
+    z[:] = -1.0
+    assert np.isnan(nlp.cost(z / nlp.sizes))
+    z[:] = np.inf
+    assert not nlp.values(z, np.empty(nlp.rows))
+
+
+def test_a_search_calls_python_once_an_iteration_and_no_more():
+    system, (x, v, F) = optima.double_integrator()
+    problem = OptimalControl(
+        system, TF, TF, end={x: 1.0, v: 0.0}, bounds={F: (-1.0, 1.0), TF: (0.1, 10.0)}
+    )
+    made = Transcription(problem._problem, problem._scheme, problem._mesh)
+    nlp, z = problem._prepared(made, None)
+    library()  # which is tried with functions in Python
+    assert nlp.native.handle
+    calls = []
+    sys.setprofile(lambda frame, what, _: what == "call" and calls.append(frame.f_code.co_name))
+    try:
+        found = solve(nlp, z)
+    finally:
+        sys.setprofile(None)
+    assert len(found.history) > 5
+    assert calls.count("guarded") == len(found.history)
+    during = calls[calls.index("guarded") : -calls[::-1].index("guarded")]
+    assert {*during} == {"guarded", "each", "__init__", "<lambda>", "check"}
+
+
+def test_a_program_is_pickled_without_its_addresses():
+    system, (x, v, F) = optima.double_integrator()
+    found = system.optimize_trajectory(sm.Integral(F**2, T), 1.0, end={x: 1.0, v: 0.0})
+    other = pickle.loads(pickle.dumps(found._nlp))
+    y = found.solution.z / found._nlp.sizes
+    assert set(other.native.addresses) == set(SIGNATURES)
+    assert other.cost(y) == found._nlp.cost(y)
