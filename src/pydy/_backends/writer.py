@@ -1,8 +1,8 @@
 """A Program as straight-line code of any language.
 
 A language is a `Dialect`: a table of templates for `str.format`. A `Writer` fills them in, one
-operation after the other. C, JavaScript, NumPy and JAX are such tables; "Add a language" in the
-documentation writes another one.
+operation after the other. C, JavaScript, NumPy, JAX and CasADi are such tables; "Add a language" in
+the documentation writes another one.
 """
 
 from __future__ import annotations

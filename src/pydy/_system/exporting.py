@@ -86,6 +86,15 @@ def _constraint_sizes(definition: Definition) -> dict[str, int]:
     }
 
 
+def _block_program(assembly: Assembly, name: str) -> Program:
+    """Return the Program of a block, of the mass matrix as a matrix."""
+    program = assembly.program(name)
+    if name != "mass_matrix":
+        return program
+    count = len(assembly.forcing)
+    return replace(program, blocks=(replace(program.blocks[0], shape=(count, count)),))
+
+
 def _names(symbols: Sequence[Any]) -> list[str]:
     """Return a name for each symbol, none twice; derivatives are called as in FMI: ``der(F)``."""
     spelled = []
@@ -116,7 +125,7 @@ class Exporting(Setup):
         path : path
             The suffix selects the format: ``.c`` (C99, with a header next to it), ``.fmu`` (a
             functional mock-up unit for Model Exchange and Co-Simulation), ``.js`` (an ECMAScript
-            module) or ``.py`` (functions that need only NumPy or JAX).
+            module) or ``.py`` (functions that need only NumPy, JAX or CasADi).
         name : str, optional
             Name of the model; by default the stem of the file.
         events : Event or sequence of Event, optional
@@ -125,7 +134,7 @@ class Exporting(Setup):
             Specifieds given by a function or by samples that become inputs.
         **options
             ``fmi`` ('3.0' or '2.0') and ``binary`` (False omits the compiled library) for
-            ``.fmu``; ``target`` ('numpy' or 'jax') for ``.py``.
+            ``.fmu``; ``target`` ('numpy', 'jax' or 'casadi') for ``.py``.
 
         Returns
         -------
@@ -170,7 +179,7 @@ class Exporting(Setup):
         `constraints` are None or 'project'; `inputs` are specifieds that become inputs although a
         function or samples give them.
         """
-        from pydy.export.model import EventData, Model, Variable, identifiers, with_inputs
+        from pydy.export.model import PARTS, EventData, Model, Variable, identifiers, with_inputs
 
         now = self._now(events)
         definition, plan, x0, p, times = now.definition, now.plan, now.x, now.p, now.times
@@ -194,6 +203,10 @@ class Exporting(Setup):
             "outputs": stored("outputs", lambda a: a.program("outputs")),
             "jacobian": stored(f"exported jacobian {places}", jacobian),
         }
+        for part in PARTS:
+            if getattr(assembly, part):
+                make = partial(_block_program, name=part)
+                builders[part] = stored(f"exported {part}", make)
         held: dict[str, int] = {}
         if choice(constraints, (None, "project"), "`constraints`") is not None:
             held = _constraint_sizes(definition)

@@ -71,6 +71,10 @@ class EventData:
         return len(self.names)
 
 
+PARTS = ("mass_matrix", "forcing", "holonomic", "velocity")
+"""Blocks of the equations: M (n, n) and f (n,) of M u' = f, and the residuals of constraints."""
+
+
 @dataclass(frozen=True, eq=False)
 class Model:
     """A model to be exported.
@@ -85,7 +89,8 @@ class Model:
     builders : mapping of str to callable
         Return the Programs: 'rates' (n,), 'outputs' (m,), 'jacobian' (n + m, n + s) of both by
         states and inputs, 'events' (e,), 'event_rates' (e,), 'resets' (e, n) the states after each
-        event, 'projection' (see `pydy.solvers.run.constraints`).
+        event, 'projection' (see `pydy.solvers.run.constraints`), and those of `PARTS` that the
+        equations have.
     events : EventData
     start, stop : float
         The default time span for importers.

@@ -22,9 +22,9 @@ from pydy._version import __version__
 from pydy.export.c import c_header, c_model_source, with_c_names
 from pydy.export.fmu import write_fmu
 from pydy.export.javascript import javascript_module
-from pydy.export.model import Exported, Model, Variable, plain_text, resource
+from pydy.export.model import PARTS, Exported, Model, Variable, plain_text, resource
 
-# -- A model as Python functions that need NumPy or JAX, but not pydy ------------------------------
+# -- A model as Python functions that need NumPy, JAX or CasADi, but not pydy ----------------------
 
 
 def _dialect(module: str) -> Dialect:
@@ -56,7 +56,24 @@ def _dialect(module: str) -> Dialect:
     )
 
 
-DIALECTS = {"numpy": _dialect("np"), "jax": _dialect("jnp")}
+_OF_CASADI = {
+    **{"abs": "fabs({0})", "min": "fmin({0}, {1})", "max": "fmax({0}, {1})"},
+    **{"and": "logic_and({0}, {1})", "or": "logic_or({0}, {1})", "not": "logic_not({0})"},
+    **{"select": "if_else({0}, {1}, {2})", "pow": "{0} ** {1}"},
+}
+_CASADI = Dialect(
+    operation=lambda row: re.sub(r"\b(?=[a-z]\w*\()", "ca.", _OF_CASADI.get(row.name, row.c)),
+    literals={"nan": "ca.SX.nan()", "inf": "ca.SX.inf()", "True": "ca.SX(1)", "False": "ca.SX(0)"},
+    inputs={"t": "t", **{group: f"{group}[{{k}}]" for group in "xrp"}},
+    rules={
+        "factor": "_matrix({n}, [{entries}])",
+        "solve": "_solve({n}, {factor}, [{column}])",
+        "guard": "_guarded({n}, {sound}, [{entries}], [{column}], [{fast}])",
+        # An expression cannot find out which constraints are redundant at a singular position.
+        "constrained": "ca.vertcat({fast})",
+    },
+)
+DIALECTS = {"numpy": _dialect("np"), "jax": _dialect("jnp"), "casadi": _CASADI}
 _JAX: Template = (
     "def {name}(t, x, r=None, p=None):",
     '    """{purpose}"""',
@@ -65,21 +82,39 @@ _JAX: Template = (
     "    return _stacked([{results}], t, x, r{shape})",
     "",
 )
-_FUNCTION = {"numpy": ('@np.errstate(all="ignore")', *_JAX), "jax": _JAX}
+_FUNCTION = {
+    "numpy": ('@np.errstate(all="ignore")', *_JAX),
+    "jax": _JAX,
+    "casadi": (
+        "def {name}(t, x, r, p):",
+        "    {body}",
+        "    return [{results}]",
+        "",
+        "",
+        "{name} = _function({name}, {rows}, {columns})  # {purpose}",
+        "",
+    ),
+}
 _PURPOSES = {
     "rates": "Return the derivatives of the states.",
     "outputs": "Return the outputs.",
     "jacobian": "Return the derivatives of rates and outputs (rows) by states and inputs.",
     "events": "Return the expressions whose zero crossings are events.",
     "resets": "Return the states after each event, a row for each.",
+    "mass_matrix": "Return M of the equations M u' = f for the derivatives u' of the speeds.",
+    "forcing": "Return f of these equations.",
+    "holonomic": "Return the residuals of the constraints of positions.",
+    "velocity": "Return the residuals of the constraints of velocities.",
 }
 
 
 def python_source(model: Model, target: str, head: Sequence[str]) -> str:
-    """Return a module for 'numpy' or 'jax', with some lines at the top of its docstring."""
-    names = ["rates", "outputs", "jacobian"]
-    if target == "jax":
-        names.remove("jacobian")  # jax.jacfwd makes it
+    """Return a module for one of `DIALECTS`, with some lines at the top of its docstring."""
+    names = ["rates", "outputs"]
+    if target == "numpy":
+        names.append("jacobian")  # the others make it themselves
+    if target == "casadi":
+        names += [name for name in PARTS if name in model.builders]
     if model.events:
         names += ["events", "resets"]
     parts = {
@@ -90,7 +125,7 @@ def python_source(model: Model, target: str, head: Sequence[str]) -> str:
         "OUTPUTS": repr(tuple(v.identifier for v in model.outputs)),
         "NAMES": repr(model.renamed),
         "CONSTRAINED": numbered(getsource(constrained_sample)),
-        "FUNCTIONS": "\n\n".join(_function(model.program(n), n, target) for n in names),
+        "FUNCTIONS": "\n\n".join(python_function(model.program(n), n, target) for n in names),
     }
     text = numbered(resource(f"{target}_module.py.txt"))
     if "_guarded(_constrained" not in parts["FUNCTIONS"]:
@@ -107,7 +142,8 @@ def _dictionary(variables: Sequence[Variable]) -> str:
     return f"{{\n{entries}}}" if entries else "{}"
 
 
-def _function(program: Program, name: str, target: str) -> str:
+def python_function(program: Program, name: str, target: str) -> str:
+    """Return the definition of a function of a module, for one of `DIALECTS`."""
     writer = Writer(program, DIALECTS[target])
     nodes = sorted(itertools.chain(*stages(program)))
     shape = program.blocks[0].shape
@@ -119,6 +155,8 @@ def _function(program: Program, name: str, target: str) -> str:
             name=name,
             purpose=_PURPOSES[name],
             shape="" if len(shape) == 1 else f", {shape}",
+            rows=shape[0] if len(shape) == 2 else len(program.outputs),
+            columns=shape[1] if len(shape) == 2 else 1,
         )
     )
 
@@ -134,7 +172,7 @@ def write(model: Model, path: Path, **options: Any) -> Exported:
     model : Model
     path : Path
         With the suffix ``.c``, ``.fmu``, ``.js`` or ``.py``.
-    target : {'numpy', 'jax'}, optional
+    target : {'numpy', 'jax', 'casadi'}, optional
         For ``.py``.
     fmi : {'3.0', '2.0'}, optional
         For ``.fmu``.
