@@ -47,6 +47,11 @@ def test_rows_that_hold_nothing_are_none(seed):
     assert checked(seed)[2] is None
 
 
+@pytest.mark.parametrize("seed", [144, 353, 404, 832])
+def test_columns_of_rounding_are_no_unknowns_and_small_ones_are(seed):
+    assert checked(seed)[2] is None
+
+
 def test_a_push_that_only_auxiliary_equations_hold_is_a_load():
     assert checked(2306)[2] is None
 

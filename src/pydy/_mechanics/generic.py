@@ -30,6 +30,8 @@ _ANYWHERE = 3  # states
 _LOW, _HIGH = 0.3, 1.3  # generic coordinates and speeds
 _NEAR = 0.03  # of the largest number of a configuration: how far beside it samples begin
 
+_STATE = ("time of the state", "state", "specifieds at the state", "constants at the state")
+
 Block = tuple[str, tuple[int, ...], list[int]]
 Inputs = tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]  # t, x, r, p
 
@@ -127,8 +129,16 @@ class GenericStates:
         finite = np.full(trials, True)
         for block in values.values():
             finite &= np.isfinite(block).reshape(trials, -1).all(axis=1)
+        values |= dict(zip(_STATE, inputs, strict=True))
         for k in np.flatnonzero(finite if left_open else self.closed(inputs, finite)):
             yield {name: block[k] for name, block in values.items()}
+
+    def again(
+        self, samples: Sequence[dict[str, np.ndarray]], blocks: Sequence[Block]
+    ) -> dict[str, np.ndarray]:
+        """Return the values of other blocks at the states of samples."""
+        t, x, r, p = (np.array([s[name] for s in samples]) for name in _STATE)
+        return evaluator_of(self.graph, blocks)(t, x, r, p)
 
     def closing(self) -> list[Block]:
         """Return the constraints' derivatives by coordinates and by speeds, and values of both."""
