@@ -106,6 +106,10 @@ class Inputs:
         for columns, samples in self.sampled:
             r[:, columns] = samples.rows(t)
         for columns, function in self.functions:
+            along = getattr(function, "along", None)
+            if along is not None:
+                r[:, columns] = along(t)
+                continue
             for k, instant in enumerate(t):
                 r[k, columns] = function(x[k], float(instant))
         return r

@@ -17,6 +17,7 @@ from optima import TF, T
 from pydy import System
 from pydy.control import OptimalControl, ipopt
 from pydy.control.ipopt import Iteration
+from pydy.control.transcription import Transcription
 from pydy.errors import (
     AnalysisInterrupted,
     MissingDependencyError,
@@ -707,3 +708,18 @@ def test_controls_errors_and_sparsity_are_plotted():
     places = set(zip(*ax.lines[0].get_data(), strict=True))
     assert {row for _, row in places} == set(range(2 * 3 * 4))
     plt.close("all")
+
+
+def test_controls_are_evaluated_at_all_times_at_once(mass, monkeypatch):
+    system, (x, v, F) = mass
+    calls, original = [], Transcription.controls_at
+
+    def counted(self, z, times):
+        calls.append(len(times))
+        return original(self, z, times)
+
+    monkeypatch.setattr(Transcription, "controls_at", counted)
+    found = system.optimize_trajectory(energy(F), 1.0, end={x: 1.0, v: 0.0}, mesh=30)
+    assert len(calls) < 5
+    assert max(calls) == len(found.times)
+    np.testing.assert_allclose(found[F], 6.0 - 12.0 * found.times, atol=1e-6)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from copy import copy
 from dataclasses import dataclass, replace
@@ -175,6 +176,19 @@ def _is_symbolic(value: Any) -> bool:
     return bool(find_symbols([value]))
 
 
+class OfTime(ABC):
+    """A function of x and t that the package makes, of the time alone."""
+
+    def __call__(self, x: np.ndarray, t: float) -> np.ndarray:
+        """Return the values at a time."""
+        found: np.ndarray = self.along(np.array([t]))[0]
+        return found
+
+    @abstractmethod
+    def along(self, times: np.ndarray) -> np.ndarray:
+        """Return the values at m times, shape (m, values)."""
+
+
 @dataclass(frozen=True)
 class _Checked:
     """A user's function for some specifieds, called as g(x, t); what it returns is checked."""
@@ -188,6 +202,14 @@ class _Checked:
     def identity(self) -> tuple[Any, ...]:
         """What decides the values, besides the places that they go to."""
         return self.function, self.time_first, self.kept
+
+    @property
+    def along(self) -> Callable[[np.ndarray], np.ndarray] | None:
+        """Gives the values at many times at once; None for functions of users."""
+        function = self.function
+        if not isinstance(function, OfTime):
+            return None
+        return lambda times: function.along(times)[:, list(self.kept)]
 
     def __call__(self, x: np.ndarray, t: float) -> np.ndarray:
         value = evaluate_function(self.function, self.names, x, t, self.time_first)

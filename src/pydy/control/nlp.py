@@ -109,14 +109,15 @@ class Nlp:
         start = 0
         for piece in self.pieces:
             k, f = np.arange(piece.points), piece.functions
-            for i, j in f.jacobian_at:
-                rows.append(start + i * piece.points + k)
-                columns.append(piece.at[j])
-            for i, j in f.hessian_at:
-                lower.append(np.maximum(piece.at[i], piece.at[j]))
-                upper.append(np.minimum(piece.at[i], piece.at[j]))
-                # Two variables of a point that are one unknown meet twice on the diagonal.
-                twice.append((i != j) & (piece.at[i] == piece.at[j]))
+            i, j = f.jacobian_at.T
+            rows.append((start + i[:, None] * piece.points + k).ravel())
+            columns.append(piece.at[j].ravel())
+            i, j = f.hessian_at.T
+            first, second = piece.at[i], piece.at[j]
+            lower.append(np.maximum(first, second).ravel())
+            upper.append(np.minimum(first, second).ravel())
+            # Two variables of a point that are one unknown meet twice on the diagonal.
+            twice.append(((i != j)[:, None] & (first == second)).ravel())
             start += piece.rows * piece.points
         self._set("jacobian_at", (_indices(rows), _indices(columns)))
         self._set("hessian_at", (_indices(lower), _indices(upper)))

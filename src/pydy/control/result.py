@@ -10,7 +10,7 @@ import numpy as np
 
 from pydy._names import unique_names
 from pydy._optional import require
-from pydy.codegen.arguments import one_format
+from pydy.codegen.arguments import OfTime, one_format
 from pydy.control.ipopt import STATUS, Iteration, Solution
 from pydy.control.nlp import Nlp
 from pydy.control.transcription import Transcription
@@ -233,18 +233,16 @@ class OptimalTrajectory(Trajectory):
 
 
 @dataclass(frozen=True, eq=False)
-class _Controls:
+class _Controls(OfTime):
     """The controls as a function of time."""
 
     transcription: Transcription
     z: np.ndarray
 
-    def __call__(self, x: np.ndarray, t: float) -> np.ndarray:
+    def along(self, times: np.ndarray) -> np.ndarray:
+        """Return the controls at m times; before and after the motion those at its ends."""
         duration = self.transcription.split(self.z)[3]
-        found: np.ndarray = self.transcription.controls_at(
-            self.z, np.array([min(max(t, 0.0), duration)])
-        )[0]
-        return found
+        return self.transcription.controls_at(self.z, np.clip(times, 0.0, duration))
 
 
 @dataclass(frozen=True, eq=False)

@@ -166,7 +166,7 @@ class Scheme:
         if self.name == "radau":
             K = self.order
             c = radau_points(K)
-            D, w = derivatives(np.append(0.0, c)), quadrature(c)
+            D, w = radau_matrices(K)
             order = [[j, *(i for i in range(K + 1) if i != j)] for j in range(1, K + 1)]
             return (
                 Points(
@@ -221,6 +221,13 @@ def radau_points(K: int) -> np.ndarray:
     c: np.ndarray = np.sort((1.0 - np.real(flipped)) / 2)
     c[-1] = 1.0
     return c
+
+
+@cache
+def radau_matrices(K: int) -> tuple[np.ndarray, np.ndarray]:
+    """Return the derivatives of the polynomials at the start and the points, and the weights."""
+    c = radau_points(K)
+    return derivatives(np.append(0.0, c)), quadrature(c)
 
 
 def lagrange(nodes: np.ndarray, s: np.ndarray) -> np.ndarray:
