@@ -262,10 +262,10 @@ class Balance:
         self.wanted = wanted = Unknowns(definition, [*unknowns, *varied])
         self.rows = [k for k in range(n) if k not in steady]
         by_specified, self.columns = wanted.of("specifieds")
-        own = [definition.specifieds[k] for k in self.columns]
+        own = {definition.specifieds[k]: k for k in self.columns}
         self.plan = now.plan.updated(
             SpecifiedsPlan(
-                {**inputs, **{s: _start(now, s) for s in own if s not in inputs}},
+                {s: now.value("specifieds", k) for s, k in own.items()} | inputs,
                 definition.places["specifieds"],
                 argument="given",
             )
@@ -558,13 +558,6 @@ def _central(
     apart, largest = np.abs(slope - halved), np.maximum(np.abs(slope), np.abs(halved))
     missed = np.where(apart <= rounding, 0.0, apart / np.where(largest > 0.0, largest, 1.0))
     return slope, rounding, missed
-
-
-def _start(now: Snapshot, symbol: Any) -> float:
-    """Return the value of a specified from which to search."""
-    place = now.definition.specifieds.index(symbol)
-    row = now.plan.rows(now.x[None], np.array([now.t]))[0]
-    return float(row[place])
 
 
 def _bounds(

@@ -84,14 +84,15 @@ class _Fit:
         self.order = definition.states
         self.free = [s for s in (*equations.coordinates, *equations.speeds) if s not in tied]
         self.shared: list[tuple[str, Any]] = []
+        start: list[float] = []
         for key in one_or_more("parameters", parameters):
             kind, place = located(definition, key, "parameters")
             symbol = definition.places[kind].symbols[place]
             if any(symbol == other for _, other in self.shared):
                 raise ValueError(f"`parameters` has `{key}` more than once.")
             self.shared.append((kind, symbol))
+            start.append(self.now.value(kind, place))
         self.names = list(unique_names([s for _, s in self.shared]))
-        start = [self._start(kind, symbol) for kind, symbol in self.shared]
         self.columns: list[int] = []
         self.initial = [self._initial(d) for d in self.data]
         parameters = {symbol for _, symbol in self.shared}
@@ -132,15 +133,6 @@ class _Fit:
         states = now.definition.places["states"]
         x = now.x_with(check_mapping(argument, d.trial.initial_conditions), argument)
         return dict(zip(states.symbols, x.tolist(), strict=True))
-
-    def _start(self, kind: str, symbol: Any) -> float:
-        now = self.now
-        if kind == "states":
-            return float(now.x[now.definition.states.index(symbol)])
-        if kind == "constants":
-            return float(now.p[now.definition.constants.index(symbol)])
-        r = now.plan.rows(now.x[None], np.array([now.t]))[0]
-        return float(r[now.definition.specifieds.index(symbol)])
 
     def _split(self, d: Data, segments: int) -> list[_Part]:
         m = len(d.times)

@@ -140,6 +140,12 @@ class Snapshot:
         x = np.ascontiguousarray(x)
         return At(self.definition, self.driven, t, x, self.plan.rows(x, t), self.p)
 
+    def value(self, kind: str, place: int) -> float:
+        """Return the number of a state, constant or specified at the initial time."""
+        if kind == "specifieds":
+            return float(self.plan.rows(self.x[None], np.array([self.t]))[0][place])
+        return float((self.x if kind == "states" else self.p)[place])
+
     def checked_times(self) -> np.ndarray:
         """Return a copy of the times, whose array may have been edited in place."""
         times, known = self.times, self.model.latest.get("times")
