@@ -32,7 +32,7 @@ from pydy._mechanics.components import numbers_of, turned
 from pydy._mechanics.elimination import composite
 from pydy._mechanics.form import lagranges_equations, moving
 from pydy._mechanics.frames import orientation_rows, rotations
-from pydy._mechanics.inertia import Load, inertia_seen, loads_and_inertias
+from pydy._mechanics.inertia import Load, euler, loads_and_inertias, newton
 from pydy._mechanics.kinematics import Kinematics, Vec
 from pydy._mechanics.multipliers import multipliers_of
 from pydy._mechanics.reader import Multibody, distances, given_velocity, is_rigid, oriented, places
@@ -384,11 +384,12 @@ class _Balance:
 
     def of(self, bodies: Iterable[Any], loads: Iterable[tuple[Any, Any]]) -> tuple[Vec, Vec]:
         """Return force and torque: what the bodies need beyond the loads."""
-        for body in bodies:
-            self._move(body)
-            if is_rigid(body):
-                self._turn(body)
         k = self.kinematics
+        for body in bodies:
+            if (moved := newton(k, body, self.rates)) is not None:
+                self._push(body.masscenter, k.expressed(moved[3], moved[0], self.frame))
+            if (turned := euler(k, body, self.rates)) is not None:
+                self.torque = k.plus(self.torque, k.expressed(turned[3], turned[0], self.frame))
         for where, vector in loads:
             opposite = [k.graph.neg(n) for n in k.vector(vector, self.frame)]
             if isinstance(where, Point):
@@ -402,25 +403,3 @@ class _Balance:
         arm = k.vector(where.pos_from(self.point), self.frame)
         self.force = k.plus(self.force, force)
         self.torque = k.plus(self.torque, k.cross(arm, force))
-
-    def _move(self, body: Any) -> None:
-        k, g = self.kinematics, self.kinematics.graph
-        mass, point = k.read(body.mass), body.masscenter
-        home, v, _ = k.motion(point)
-        a = k.plus(k.acceleration(point), self.rates(v))
-        (change,) = k.dt([mass])
-        needed = [g.add(g.mul(mass, x), g.mul(change, y)) for x, y in zip(a, v, strict=True)]
-        self._push(point, k.expressed(needed, home, self.frame))
-
-    def _turn(self, body: Any) -> None:
-        k = self.kinematics
-        terms = tuple(body.central_inertia.args)
-        if not terms:
-            return
-        home, tensor, change = inertia_seen(k, body.frame, terms)
-        w, _ = k.spin(body.frame, home)
-        alpha = k.plus(k.angular_acceleration(body.frame, home), self.rates(w))
-        needed = k.plus(
-            k.turned(tensor, alpha), k.cross(w, k.turned(tensor, w)), k.turned(change, w)
-        )
-        self.torque = k.plus(self.torque, k.expressed(needed, home, self.frame))

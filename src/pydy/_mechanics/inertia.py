@@ -19,7 +19,7 @@ left of a body is no body: its mass is zero. Sums with the body before are what 
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -71,9 +71,12 @@ def contributions(
     inertias: list[Inertia] = []
     loads: list[Load] = []
     for body in bodies:
-        _translation(kinematics, body, inertias, loads)
-        if is_rigid(body):
-            _rotation(kinematics, body, inertias, loads)
+        for law in (newton, euler):
+            found = law(kinematics, body)
+            if found is not None:
+                _, velocity, inertia, needed = found
+                inertias.append(Inertia(velocity, inertia))
+                loads.append(Load(velocity, [kinematics.graph.neg(x) for x in needed]))
     for where, vector in kinematics.loads:
         home, v = kinematics.at(where)
         loads.append(Load(v, kinematics.vector(vector, home)))
@@ -97,39 +100,49 @@ def without_rest(
     )
 
 
-def _translation(
-    kinematics: Kinematics, body: Any, inertias: list[Inertia], loads: list[Load]
-) -> None:
+# Axes, a velocity in them, the inertia of a body's motion there, and what it needs.
+_Law = tuple[Any, Vec, list[Vec], Vec]
+
+
+def newton(
+    kinematics: Kinematics, body: Any, rates: Callable[[Vec], Vec] | None = None
+) -> _Law | None:
+    """Return the velocity of a mass centre, and the force m a + m' v that it needs.
+
+    With `rates`, which gives what u' adds to an acceleration, it is that at these u'.
+    """
     g = kinematics.graph
     mass = kinematics.read(body.mass)
     if mass == g.zero:
-        return
-    _, v, _ = kinematics.motion(body.masscenter)
+        return None
+    home, v, _ = kinematics.motion(body.masscenter)
     a = kinematics.acceleration(body.masscenter)
+    if rates is not None:
+        a = kinematics.plus(a, rates(v))
     (change,) = kinematics.dt([mass])
     needed = [g.add(g.mul(mass, x), g.mul(change, y)) for x, y in zip(a, v, strict=True)]
-    inertias.append(Inertia(v, [[mass if i == j else g.zero for j in range(3)] for i in range(3)]))
-    loads.append(Load(v, [g.neg(x) for x in needed]))
+    return home, v, [[mass if i == j else g.zero for j in range(3)] for i in range(3)], needed
 
 
-def _rotation(
-    kinematics: Kinematics, body: Any, inertias: list[Inertia], loads: list[Load]
-) -> None:
-    g = kinematics.graph
-    terms = tuple(body.central_inertia.args)
+def euler(
+    kinematics: Kinematics, body: Any, rates: Callable[[Vec], Vec] | None = None
+) -> _Law | None:
+    """Return a body's angular velocity and the torque I α + ω × I ω + I' ω, as `newton` does."""
+    terms = tuple(body.central_inertia.args) if is_rigid(body) else ()
     if not terms:
-        return
+        return None
     home, tensor, change = inertia_seen(kinematics, body.frame, terms)
     w, _ = kinematics.spin(body.frame, home)
     alpha = kinematics.angular_acceleration(body.frame, home)
+    if rates is not None:
+        alpha = kinematics.plus(alpha, rates(w))
     momentum = kinematics.turned(tensor, w)
     needed = kinematics.plus(
         kinematics.turned(tensor, alpha),
         kinematics.cross(w, momentum),
         kinematics.turned(change, w),
     )
-    inertias.append(Inertia(w, tensor))
-    loads.append(Load(w, [g.neg(x) for x in needed]))
+    return home, w, tensor, needed
 
 
 def inertia_seen(
