@@ -1,7 +1,7 @@
 """Accelerations of robots from files by Pinocchio (URDF) and MuJoCo (MJCF).
 
-Without an argument: the files of the packages example-robot-data and dm_control, as JSON. With one:
-reads states as JSON from standard input, and writes the accelerations.
+Without an argument: the files of the packages example-robot-data, dm_control and brax, as JSON.
+With one: reads states as JSON from standard input, and writes the accelerations.
 """
 
 from __future__ import annotations
@@ -23,7 +23,8 @@ def files() -> list[str]:
     found: list[str] = []
     for folder in map(Path, site.getsitepackages()):
         found += sorted(map(str, folder.glob("cmeel.prefix/share/example-robot-data/**/*.urdf")))
-        found += sorted(map(str, folder.glob("dm_control/suite/*.xml")))
+        for package in ("dm_control", "brax"):
+            found += sorted(map(str, folder.glob(f"{package}/**/*.xml")))
     return found
 
 
@@ -43,15 +44,22 @@ def by_pinocchio(file: str, q: dict[str, Any], v: dict[str, Any], tau: dict[str,
     for master, damping in damping_of_mimics(file):
         force[model.joints[model.getJointId(master)].idx_v] -= damping * v[master]
     data = model.createData()
+    mass = np.triu(pin.crba(model, data, place))
+    mass += np.triu(mass, 1).T
     if len(joints) < model.njoints - 1:
-        mass = np.triu(pin.crba(model, data, place))
-        mass += np.triu(mass, 1).T
         found = np.linalg.solve(
             mass, force - pin.rnea(model, data, place, speed, np.zeros(model.nv))
         )
     else:
         found = pin.aba(model, data, place, speed, force)
-    return {model.names[k]: float(found[model.joints[k].idx_v]) for k in joints}
+    rates = {model.names[k]: float(found[model.joints[k].idx_v]) for k in joints}
+    return {"rates": rates, "condition": condition(mass)}
+
+
+def condition(mass: np.ndarray) -> float:
+    """Return the condition of a mass matrix, whatever the units of its rows."""
+    sizes = np.sqrt(np.abs(np.diagonal(mass)))
+    return float(np.linalg.cond(mass / np.outer(sizes, sizes))) if sizes.all() else np.inf
 
 
 def terms_by_pinocchio(
@@ -116,7 +124,8 @@ def by_mujoco(file: str, q: dict[str, Any], v: dict[str, Any], taken: list[str])
     model.opt.density = model.opt.viscosity = 0.0
     model.tendon_stiffness[:] = model.tendon_damping[:] = 0.0
     for k in range(model.nu):
-        if mujoco.mj_id2name(model, mujoco.mjtObj.mjOBJ_ACTUATOR, k) not in taken:
+        name = mujoco.mj_id2name(model, mujoco.mjtObj.mjOBJ_ACTUATOR, k) or f"actuator{k}"
+        if name not in taken:
             model.actuator_gainprm[k] = model.actuator_biasprm[k] = 0.0
     model.actuator_forcelimited[:] = 0
     data = mujoco.MjData(model)
@@ -128,7 +137,13 @@ def by_mujoco(file: str, q: dict[str, Any], v: dict[str, Any], taken: list[str])
     for name in names:
         found[name] = data.qacc[first : first + len(v[name])].tolist()
         first += len(v[name])
-    return found
+    mass = np.zeros((model.nv, model.nv))
+    mujoco.mj_fullM(model, data, mass)
+    # Mass centres a few nanometres from the origin of a body are taken as being there.
+    moved = model.body_ipos[model.body_sameframe == mujoco.mjtSameFrame.mjSAMEFRAME_BODY]
+    rates = np.abs(data.qvel).max() ** 2 + np.abs(data.qacc).max()
+    rounded = float(np.abs(moved).max(initial=0.0) * rates / np.abs(data.qacc).max())
+    return {"rates": found, "condition": condition(mass), "rounded": rounded}
 
 
 def main() -> None:

@@ -223,6 +223,14 @@ def test_numbers_that_are_not_finite_are_told(tmp_path, of_joint, of_motor, said
         read(written(tmp_path, f"<mujoco><worldbody>{bodies}</worldbody>{motor}</mujoco>"))
 
 
+@pytest.mark.parametrize("what", ["damping", "armature", "frictionloss"])
+def test_negative_numbers_of_joints_are_told(tmp_path, what):
+    bodies = body("", f'<joint name="j" {what}="-1"/>')
+    text = f"<mujoco><worldbody>{bodies}</worldbody></mujoco>"
+    with pytest.raises(RobotFileError, match=f"{what[:8]} of the joint 'j' must be .*got -1.0"):
+        read(written(tmp_path, text))
+
+
 def test_what_has_no_counterpart_is_listed_and_nothing_is_written(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     text = BRANCHED.replace(

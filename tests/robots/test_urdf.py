@@ -188,6 +188,8 @@ def joint(kind="revolute", up="base", down="a", more="", name="j"):
         ('<?xml version="1.0" encoding="gbk"?><robot/>', 1, "encoding .* UTF-8"),
         ('<?xml version="1.0" encoding="klingon"?><robot/>', 1, "klingon. Save it as UTF-8"),
         (robot_of(link(), joint(more='<limit effort="-1"/>')), 4, "effort .* not be negative"),
+        (robot_of(link(), joint(more='<dynamics damping="-1"/>')), 4, "damping .* 'j' .* got -1"),
+        (robot_of(link(), joint(more='<dynamics friction="-1"/>')), 4, "friction .* 'j' .* got -1"),
         (robot_of(link(looks="<sphere radius='-1'/>"), joint()), 3, "`radius` of Sphere must be"),
         (robot_of(link(looks="<mesh filename='bad.obj'/>"), joint()), 3, "not a valid OBJ file"),
         (robot_of(link(looks=f"<mesh filename='{'x' * 300}.obj'/>"), joint()), 3, "too long"),
@@ -200,6 +202,23 @@ def test_what_is_wrong_with_a_file_is_said_with_its_line(tmp_path, text, line, s
     with pytest.raises(RobotFileError, match=said) as raised:
         read(path)
     assert str(raised.value).startswith(f"{path}:{line}:" if line else str(path))
+
+
+def point_mass(moment):
+    """A link whose mass centre is off its origin: its moment of inertia there may be rounding."""
+    return (
+        '<link name="a"><inertial><mass value="0.526"/><origin xyz="0 0 0.03045"/>'
+        f'<inertia ixx="{moment}" ixy="0" ixz="0" iyy="{moment}" iyz="0" izz="0"/></inertial>'
+        "</link>"
+    )
+
+
+def test_a_moment_of_inertia_may_be_negative_by_rounding(tmp_path):
+    hinge = joint(more='<axis xyz="1 0 0"/>')
+    robot = read_text(tmp_path, robot_of(point_mass("-5.42101e-20"), hinge))
+    assert not any(str(symbol).startswith("I") for symbol in robot.values)
+    with pytest.raises(RobotFileError, match=r"moments of inertia .* 'a' .*, not negative"):
+        read_text(tmp_path, robot_of(point_mass("-5.42101e-18"), hinge))
 
 
 def read_text(tmp_path, text):

@@ -143,7 +143,7 @@ class Tree:
     looks: list[Look] = field(default_factory=list)
 
     def check(self) -> None:
-        """Refuse what cannot move: negative masses, and joints that nothing with mass follows."""
+        """Refuse what cannot move: negative numbers, and joints that nothing with mass follows."""
         heavy = [link.mass > 0.0 or bool(link.inertia.any()) for link in self.links]
         for k in range(len(self.links) - 1, -1, -1):
             link = self.links[k]
@@ -152,11 +152,21 @@ class Tree:
                     f"{link.where}: the mass of the link '{link.name}' must be a finite number, "
                     f"not negative, got {link.mass}."
                 )
+            _drop_rounding(link)
             if not np.isfinite(link.inertia).all() or (np.diagonal(link.inertia) < 0.0).any():
                 raise RobotFileError(
                     f"{link.where}: the moments of inertia of the link '{link.name}' must be "
                     f"finite numbers, not negative, got {np.diagonal(link.inertia).tolist()}."
                 )
+            for joint in link.joints:
+                for what in ("damping", "armature", "friction"):
+                    value = getattr(joint, what)
+                    if not value >= 0.0 or not np.isfinite(value):
+                        raise RobotFileError(
+                            f"{joint.where}: the {what} of the joint '{joint.name}' must be a "
+                            f"finite number, not negative, got {value}. If the joint is to be "
+                            "driven, give it an actuator."
+                        )
             driven = [j for j in link.joints if not j.armature > 0.0 and j.mimics is None]
             if driven and not heavy[k]:
                 raise RobotFileError(
@@ -166,6 +176,18 @@ class Tree:
                 )
             if link.parent >= 0:
                 heavy[link.parent] |= heavy[k]
+
+
+def _drop_rounding(link: Link) -> None:
+    """Set negative moments of inertia to zero that are the rounding of the parallel-axis theorem.
+
+    Programs that write such files subtract the moment of the mass, m c², from that about the origin
+    of the link: what is left is off by a few units in the last place of m c².
+    """
+    least = -_COSINE * link.mass * float(link.centre @ link.centre)
+    for k in range(3):
+        if least <= link.inertia[k, k] < 0.0:
+            link.inertia[k, k] = 0.0
 
 
 def another(name: str, taken: Collection[str]) -> str:
