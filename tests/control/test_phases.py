@@ -9,7 +9,8 @@ import optima
 from optima import TF, T
 from pydy import System
 from pydy.control import OptimalControl
-from pydy.errors import OptimizationError
+from pydy.errors import OptimizationError, PyDyUserWarning
+from pydy.models import n_link_pendulum_on_cart
 
 
 def moved(mass, speed, distance):
@@ -68,6 +69,20 @@ def test_a_duration_that_phases_share_and_a_state_that_starts_anew():
     alone = OptimalControl(system, TF, TF, end={x: 0.5}, bounds=bounds, mesh=4)
     found = OptimalControl.phases([first, alone], [{x: None}]).solve(list(found))
     assert found[1][x][0] == 0.0
+
+
+def test_a_mesh_of_phases_that_is_too_coarse_is_warned_of(monkeypatch):
+    system = n_link_pendulum_on_cart(1, cart_force=True)
+    (force,), angle = system.specifieds_symbols, system.states[1]
+    options = {"end": {angle: 0.0}, "mesh": 2, "order": 2}
+    effort = sm.Integral(force**2, T)
+    first = OptimalControl(system, effort, 400.0, start={angle: 1.0}, **options)
+    phases = OptimalControl.phases([first, OptimalControl(system, effort, 1.0, **options)])
+    with pytest.warns(PyDyUserWarning, match="The mesh is too coarse"):
+        phases.solve()
+    monkeypatch.setattr("pydy.control.phases.MOST_REFINEMENTS", 1)
+    with pytest.warns(PyDyUserWarning, match="After 1 refinements the mesh of 4 intervals has"):
+        phases.solve(mesh_tol=1e-6)
 
 
 def test_bad_phases_are_named():

@@ -19,7 +19,7 @@ from pydy.control.guess import mesh_tolerance
 from pydy.control.ipopt import SOLVED, STATUS, Iteration, Solution
 from pydy.control.kernel import Point
 from pydy.control.nlp import Nlp, Piece
-from pydy.control.refine import refined
+from pydy.control.refine import refined, warn_of_refinements, warn_where_coarse
 from pydy.control.result import OptimalTrajectory, worst_rows
 from pydy.control.sizes import sizes_of
 from pydy.control.solvers import solver_of
@@ -142,13 +142,17 @@ class Phases:
             for _ in range(MOST_REFINEMENTS):
                 found = self._solved(meshes, guesses, search, watch)
                 worst = max(float(phase.error.max()) for phase in found)
+                if tolerance is None:
+                    warn_where_coarse(worst)
                 if tolerance is None or worst <= tolerance:
-                    break
+                    return found
                 guesses = list(found)
                 meshes = [
                     refined(mesh, phase.error, tolerance, problem._scheme.convergence)
                     for mesh, phase, problem in zip(meshes, found, self._problems, strict=True)
                 ]
+        intervals = sum(len(phase.mesh) - 1 for phase in found)
+        warn_of_refinements(MOST_REFINEMENTS, intervals, worst, tolerance)
         return found
 
     def _solved(

@@ -22,7 +22,7 @@ from pydy._checks import (
     shown,
     whole,
 )
-from pydy._errors import AnalysisInterrupted, OptimizationError, warn_user
+from pydy._errors import AnalysisInterrupted, OptimizationError
 from pydy._names import unique_names
 from pydy._optional import progress_of
 from pydy._rank import DIGITS, rank
@@ -34,7 +34,13 @@ from pydy.control.kernel import Equations
 from pydy.control.limits import Limit, limit
 from pydy.control.nlp import Nlp
 from pydy.control.phases import Phases
-from pydy.control.refine import Moved, interval_errors, refined
+from pydy.control.refine import (
+    Moved,
+    interval_errors,
+    refined,
+    warn_of_refinements,
+    warn_where_coarse,
+)
 from pydy.control.result import OptimalTrajectory, worst_rows
 from pydy.control.schemes import METHODS, scheme_of
 from pydy.control.sizes import sizes_of
@@ -579,22 +585,13 @@ class OptimalControl:
             for _ in range(MOST_REFINEMENTS):
                 found = self._solved(mesh, guess, search, told)
                 worst = float(found.error.max())
-                if tolerance is None and not worst < 1.0:
-                    warn_user(
-                        f"The mesh is too coarse: a motion that begins at a node with these "
-                        f"controls misses the next one by {worst:.2g} times the size of a state. "
-                        "The solution is none of the equations' motions. Use more intervals, or "
-                        "pass `mesh_tol`."
-                    )
+                if tolerance is None:
+                    warn_where_coarse(worst)
                 if tolerance is None or worst <= tolerance:
                     return found
                 order = self._scheme.convergence
                 mesh, guess = refined(mesh, found.error, tolerance, order), found
-        warn_user(
-            f"After {MOST_REFINEMENTS} refinements the mesh of {len(found.mesh) - 1} intervals "
-            f"has an error of {worst:.2g}, above `mesh_tol` = {tolerance:g}. Where controls jump, "
-            "nodes of `mesh` near the jumps help; so does a larger `mesh_tol`."
-        )
+        warn_of_refinements(MOST_REFINEMENTS, len(found.mesh) - 1, worst, tolerance)
         return found
 
     def sweep(

@@ -13,13 +13,14 @@ from typing import Any
 
 import numpy as np
 
+from pydy._errors import warn_user
 from pydy._kernel import Kernel
 from pydy._rank import or_one
 from pydy.control.transcription import Transcription
 from pydy.control.tuning import MOST_PARTS, MOST_STEPS, SURE
 from pydy.solvers.tableaus import tableau_of
 
-__all__ = ["Moved", "interval_errors", "refined"]
+__all__ = ["Moved", "interval_errors", "refined", "warn_of_refinements", "warn_where_coarse"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -118,3 +119,22 @@ def refined(mesh: np.ndarray, error: np.ndarray, tolerance: float, order: int) -
         for a, b, k in zip(mesh[:-1], mesh[1:], counts, strict=True)
     ]
     return np.concatenate([*pieces, mesh[-1:]])
+
+
+def warn_where_coarse(worst: float) -> None:
+    """Say that a solution is none, by the largest error of its intervals."""
+    if not worst < 1.0:
+        warn_user(
+            f"The mesh is too coarse: a motion that begins at a node with these controls misses "
+            f"the next one by {worst:.2g} times the size of a state. The solution is none of the "
+            "equations' motions. Use more intervals, or pass `mesh_tol`."
+        )
+
+
+def warn_of_refinements(count: int, intervals: int, worst: float, tolerance: float | None) -> None:
+    """Say that a mesh has been refined as often as it may be, in vain."""
+    warn_user(
+        f"After {count} refinements the mesh of {intervals} intervals has an error of "
+        f"{worst:.2g}, above `mesh_tol` = {tolerance:g}. Where controls jump, nodes of `mesh` near "
+        "the jumps help; so does a larger `mesh_tol`."
+    )
