@@ -146,8 +146,13 @@ class FitResult:
         if axes is None:
             plt = require("matplotlib.pyplot", "plot", "a plot")
             axes = plt.subplots(len(self.times), squeeze=False, layout="constrained")[1][:, 0]
-        parts = zip(np.atleast_1d(axes), self.times, self.residuals, strict=True)
-        for ax, times, columns in parts:
+        given = np.atleast_1d(axes)
+        if given.shape != (len(self.times),):
+            raise ValueError(
+                f"`axes` must have one Axes for each trial, {len(self.times)} of them, got the "
+                f"shape {given.shape}. Pass plt.subplots({len(self.times)})[1], or leave it out."
+            )
+        for ax, times, columns in zip(given, self.times, self.residuals, strict=True):
             axes_of(ax, "a plot").axhline(0.0, color="0.7", linewidth=0.8)
             for name, column in columns.items():
                 ax.plot(times, column, ".", markersize=3, label=name)
