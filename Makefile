@@ -92,6 +92,7 @@ bench-peers: $(VENV)/.installed-test $(PEERS)/.installed
 	$(PY) benchmarks/peers.py --peer-python $(PEERS_PY)
 	$(PY) benchmarks/trees.py --peer-python $(PEERS_PY)
 	$(PY) benchmarks/robots.py --peer-python $(PEERS_PY)
+	$(PY) benchmarks/loops.py
 	PYDY_CPU=x86-64-v3 $(PY) benchmarks/peers.py --peer-python $(PEERS_PY)
 	$(PY) benchmarks/exported.py --peer-python $(PEERS_PY)
 
