@@ -309,10 +309,17 @@ class Functions:
     jacobian_at: np.ndarray
     hessian_at: np.ndarray
     _times: dict[int, np.ndarray] = field(default_factory=dict, repr=False)
+    _sweeps: dict[str, tuple[np.ndarray, int, Any]] = field(default_factory=dict, repr=False)
 
     def sweep(self, name: str) -> tuple[np.ndarray, int, Any]:
         """Return what native code needs for one of the functions; see `sweep_by_columns`."""
-        return sweep_by_columns(self.kernels[name].program, _LANES)
+        if name not in self._sweeps:
+            self._sweeps[name] = sweep_by_columns(self.kernels[name].program, _LANES)
+        words, scratch, code = self._sweeps[name]
+        return words.copy(), scratch, code
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {**self.__dict__, "_sweeps": {}}
 
     def __call__(
         self, name: str, X: np.ndarray, R: np.ndarray, P: np.ndarray, out: np.ndarray
