@@ -54,24 +54,27 @@ def _slopes(made: Transcription, z: np.ndarray, width: int) -> np.ndarray:
     whole = Transcription(made.problem, made.scheme, np.array([0.0, 1.0]))
     times = [whole.places[0], whole.control_places]
     _, _, constants, duration = made.split(z)
-    states = np.where(whole.places[1], 0.0, made.states_at(z, times[0] * duration).T)
-    controls = np.zeros((made.problem.algebraic, len(times[1])))
-    controls[: len(made.problem.controls)] = made.controls_at(z, times[1] * duration).T
-    one = whole.joined(states, controls, constants, duration)
-    everywhere = np.full(len(one), np.inf)
-    nlp = whole.nlp(-everywhere, everywhere, np.ones(len(one)))
-    values = np.empty(len(nlp.jacobian_at[0]))
-    nlp.jacobian(one, values)
+    # Along the motion, and as if it stayed where it begins or ends: in its middle alone an arm may
+    # be level, where its weight has a torque that no turn changes, but for rounding.
+    count = sum(whole.sizes)
+    nlp = whole.nlp(np.full(count, -np.inf), np.full(count, np.inf), np.ones(count))
+    values, found = np.zeros((2, len(nlp.jacobian_at[0])))
+    for along in (times, *([0 * t + end for t in times] for end in (0.0, 1.0))):
+        states = np.where(whole.places[1], 0.0, made.states_at(z, along[0] * duration).T)
+        controls = np.zeros((made.problem.algebraic, len(times[1])))
+        controls[: len(made.problem.controls)] = made.controls_at(z, along[1] * duration).T
+        nlp.jacobian(whole.joined(states, controls, constants, duration), found)
+        np.maximum(values, np.abs(np.nan_to_num(found)), out=values)
     n = made.problem.states
     owner = np.concatenate([np.repeat(np.arange(n), len(times[0])),
                             n + np.repeat(np.arange(width - n), len(times[1]))])  # fmt: skip
-    owner = np.append(owner, np.full(len(one) - len(owner), width))
+    owner = np.append(owner, np.full(count - len(owner), width))
     slope = np.tile(whole.places[1], n)
     table = np.zeros((nlp.rows, width + 1))
     rows, columns = nlp.jacobian_at
-    weights = np.ones(len(one))
+    weights = np.ones(count)
     weights[: len(slope)][slope] = 1.0 / duration
-    entries = np.abs(np.nan_to_num(values)) * weights[columns]
+    entries = values * weights[columns]
     np.maximum.at(table, (rows, owner[columns]), entries)
     return table[:, :width]
 
