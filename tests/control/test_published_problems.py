@@ -330,6 +330,43 @@ def test_a_car_parks_beside_another(car, method, mesh, objective):
     assert found.objective == pytest.approx(objective, rel=WORSE)
 
 
+def test_a_rocket_with_a_singular_arc():
+    # Betts 10.47, Goddard's rocket in feet: full thrust, the thrust of the singular arc, none.
+    # The gallery gives 18664 ft for the height; the arcs' own equations, integrated one after the
+    # other, end at 18550.873 ft.
+    h, v, m = me.dynamicsymbols("h v m")
+    most, g, drag, c, scale = 193.044, 32.174, 5.4915348492e-5, 1580.942579, 23800.0
+    resistance = drag * v**2 * sm.exp(-h / scale)
+    lift = (c**2 / (scale * g) * (1 + v / c) - 1 - 2 * c / v) / (1 + 4 * c / v + 2 * c**2 / v**2)
+    laws = {"full": most, "singular": resistance + m * g * (1 + lift), "none": sm.S(0)}
+    times = dict(zip(laws, sm.symbols("t1:4"), strict=True))
+
+    def phase(law, objective=0, **ends):
+        flow = laws[law] / c
+        force = (laws[law] - resistance) / m - g
+        system = first_order([h, m], v, force, 1, [h.diff() - v, m.diff() + flow])
+        bounds = {times[law]: (5.0, 40.0)}
+        return OptimalControl(system, objective, times[law], bounds=bounds, mesh=6, **ends)
+
+    switch = (m * g - (1 + v / c) * resistance).subs(T, times["full"])
+    phases = OptimalControl.phases(
+        [
+            phase("full", start={h: 0.0, v: 0.0, m: 3.0}, boundary=[sm.Eq(switch, 0)]),
+            phase("singular", end={m: 1.0}),
+            phase("none", -h.subs(T, times["none"]), end={v: 0.0}),
+        ]
+    )
+    guesses = [
+        {v: [0.0, 800.0], h: [0.0, 5000.0], m: [3.0, 1.5]},
+        {v: 800.0, h: [5000.0, 11000.0], m: [1.5, 1.0]},
+        {v: [800.0, 0.0], h: [11000.0, 19000.0], m: 1.0},
+    ]
+    found = phases.solve(guesses)
+    assert -found.objective == pytest.approx(18550.8728, rel=1e-6)
+    assert found[0].duration == pytest.approx(13.7512705, rel=1e-6)
+    assert found.duration == pytest.approx(42.8879130, rel=1e-6)
+
+
 def test_a_block_slides_over_a_hill():
     # `plot_sliding_block.py`: 1 kg on y = 1.5 x² exp(2.5 − x) from rest to rest 10 m away, from −10
     # to 15 N along the road. It gives no duration; work and energy tell it: full force, then full
