@@ -17,7 +17,7 @@ PEERS_PY := $(PEERS)/bin/python
 
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help demo test test-browser test-fuzz test-mechanisms test-lowest test-newest test-pyright test-arm64 test-undefined docs bench bench-analysis bench-pages bench-peers bench-solvers solvers-ir three clean
+.PHONY: help demo test test-browser test-fuzz test-mechanisms test-lowest test-newest test-pyright test-arm64 test-undefined docs bench bench-analysis bench-control bench-pages bench-peers bench-solvers solvers-ir three clean
 
 help:
 	@echo "make demo   install into $(VENV), run the bicycle demo, plot and animate it into build/"
@@ -33,6 +33,7 @@ help:
 	@echo "make docs   build the documentation into build/docs; a warning is an error"
 	@echo "make bench  ratios against the released pydy 0.9.4"
 	@echo "make bench-peers  ratios against heyoka, CasADi, JAX and Pinocchio; operation counts; trees"
+	@echo "make bench-control  optimal control and identification against opty and CasADi"
 	@echo "make bench-pages  pages that simulate: times real time, and how long a drag takes"
 	@echo "make bench-analysis  Jacobians over their functions; linear models, trims and fits; sensitivities against other packages'"
 	@echo "make bench-solvers  solvers against other packages', at equal error, and against odeint"
@@ -99,6 +100,9 @@ bench-peers: $(VENV)/.installed-test $(PEERS)/.installed
 bench-solvers: $(VENV)/.installed-test $(PEERS)/.installed $(REFERENCE)/.installed
 	$(PY) benchmarks/solvers.py --peer-python $(PEERS_PY) --reference $(REFERENCE_PY)
 
+bench-control: $(VENV)/.installed-test $(PEERS)/.installed-opty
+	$(PY) benchmarks/control.py --peer-python $(PEERS_PY)
+
 bench-pages: $(VENV)/.installed-test $(VENV)/.installed-browser
 	$(PY) benchmarks/live_pages.py
 
@@ -134,6 +138,17 @@ $(REFERENCE)/.installed: | $(REFERENCE_PY)
 
 $(PEERS)/.installed: benchmarks/requirements.txt | $(PEERS_PY)
 	$(PEERS_PY) $(PIP_INSTALL) --requirement benchmarks/requirements.txt
+	@touch $@
+
+# opty needs cyipopt, which is built for the IPOPT of CasADi's wheel: all have the same solver.
+$(PEERS)/.installed-opty: $(PEERS)/.installed
+	$(PEERS_PY) $(PIP_INSTALL) cython numpy setuptools wheel
+	folder=$$($(PEERS_PY) -c 'import casadi; print(*casadi.__path__)'); \
+	mkdir -p $(PEERS)/pkgconfig; \
+	printf 'Name: Ipopt\nDescription: of CasADi\nVersion: 3.14\nCflags: -I%s/include/coin-or\nLibs: -L%s -lipopt\n' \
+		$$folder $$folder > $(PEERS)/pkgconfig/ipopt.pc; \
+	PKG_CONFIG_PATH=$(PEERS)/pkgconfig LDFLAGS=-Wl,-rpath,$$folder \
+		$(PEERS_PY) $(PIP_INSTALL) --no-build-isolation cyipopt==1.7.0 opty==1.5.0
 	@touch $@
 
 $(PY) $(REFERENCE_PY) $(PEERS_PY): %/bin/python:

@@ -1,0 +1,156 @@
+"""This project's optimal control; the first argument is the folder for its machine code."""
+
+from __future__ import annotations
+
+import os
+import re
+import sys
+import tempfile
+import time
+from pathlib import Path
+from typing import Any
+
+os.environ["PYDY_CACHE_DIR"] = sys.argv[1]
+
+import numpy as np
+import sympy as sm
+import sympy.physics.mechanics as me
+from harness.optimal import TASKS, Task, model_of, point
+from harness.serve import Repeated, serve
+
+from pydy import System, models
+from pydy.control import OptimalControl
+from pydy.control.ipopt import library
+from pydy.control.ipopt import solve as search
+from pydy.control.transcription import Transcription
+from pydy.mechanics import Definition
+
+library()  # IPOPT is loaded once
+T, TF = me.dynamicsymbols._t, sm.Symbol("tf")
+
+
+def system_of(task: Task) -> Any:
+    """Return the System, and its control."""
+    if task.model.startswith("pendulum"):
+        made = models.n_link_pendulum_on_cart(int(task.model.split("-")[1]))
+        model = model_of(task)
+        made.constants = dict(zip(model.constants, model.values, strict=True))
+        return made
+    frame, point_, rest = me.ReferenceFrame("N"), me.Point("P"), me.Point("O")
+    rest.set_vel(frame, 0)
+    x, v, F = me.dynamicsymbols("x v F")
+    point_.set_vel(frame, v * frame.x)
+    mass, force = (sm.Symbol("m"), F) if task.model == "mass" else (1, F - v**3)
+    body = me.Particle("mass", point_, mass)
+    definition = Definition(frame, [x], [v], bodies=[body], loads=[(point_, force * frame.x)])
+    return System(definition, {mass: 2.0} if task.model == "mass" else {})
+
+
+class Ours:
+    def load(self, task: str, nodes: int, method: str, order: int = 1, mesh: Any = None) -> Any:
+        """Build everything; return the seconds from the bodies to the compiled functions."""
+        start = time.perf_counter()
+        self.task = own = TASKS[task]
+        system = system_of(own)
+        (F,) = system.specifieds_symbols
+        states = system.states
+        ends = [dict(zip(states[-len(e) :], e, strict=True)) for e in (own.start, own.end)]
+        objective = {
+            "effort": sm.Integral(F**2, T),
+            "time": TF,
+            "quadratic": sm.Integral(states[-1] ** 2 + F**2, T) / 2,
+        }[own.objective]
+        bounds = {} if own.limit is None else {F: (-own.limit, own.limit)}
+        if own.free:
+            bounds[TF] = (0.1, 10.0)
+        self.guess = {TF: own.duration} if own.free else {}
+        self.problem = OptimalControl(
+            system,
+            objective,
+            TF if own.free else own.duration,
+            start=ends[0],
+            end=ends[1],
+            bounds=bounds,
+            mesh=nodes - 1 if mesh is None else mesh,
+            method=method,
+            order=order,
+        )
+        self.problem.check(self.guess)
+        self.nodes = nodes
+        return {"seconds": time.perf_counter() - start}
+
+    def evaluations(self) -> Any:
+        """Return rows, J d and dᵀ H d at a point, and prepare to time."""
+        p = self.problem
+        made = Transcription(p._problem, p._scheme, p._mesh)
+        z, d, given = point(self.task, self.nodes)
+        none = np.full(len(z), np.inf)
+        nlp = made.nlp(-none, none, np.ones(len(z)))
+        rows, J, H = (np.empty(k) for k in (nlp.rows, *(len(at[0]) for at in _at(nlp))))
+        count = len(given)
+        multipliers = np.zeros(nlp.rows)
+        multipliers[:count] = given
+        gradient = np.empty(len(z))
+        calls = {
+            "rows": lambda: nlp.values(z, rows),
+            "jacobian": lambda: nlp.jacobian(z, J),
+            "hessian": lambda: nlp.hessian(z, 1.0, multipliers, H),
+            "gradient": lambda: nlp.gradient(z, gradient),
+        }
+        for call in calls.values():
+            call()
+        self.runs = {name: Repeated(call) for name, call in calls.items()}
+        (i, j), (k, l) = _at(nlp)
+        slopes = np.bincount(i, J * d[j], nlp.rows)
+        curved = H * d[k] * d[l] * np.where(k == l, 1.0, 2.0)
+        return {"rows": rows[:count].tolist(), "slopes": slopes[:count].tolist(),
+                "curvature": float(curved.sum())}  # fmt: skip
+
+    def run(self, kind: str) -> float:
+        """Return the seconds of an evaluation."""
+        return self.runs[kind]()
+
+    def solve(self, options: dict[str, Any]) -> Any:
+        """Solve from the guess."""
+        start = time.perf_counter()
+        found = self.problem.solve(self.guess, options=options)
+        return {"seconds": time.perf_counter() - start, "objective": found.objective,
+                "iterations": len(found.history) - 1}  # fmt: skip
+
+    def search(self, options: dict[str, Any]) -> Any:
+        """Time IPOPT alone, as CasADi's solver does: no bounds, guess, errors or trajectory."""
+        p = self.problem
+        made = Transcription(p._problem, p._scheme, p._mesh)
+        nlp, z = p._prepared(made, self.guess)
+        start = time.perf_counter()
+        search(nlp, z, options=options)
+        return {"seconds": time.perf_counter() - start}
+
+    def shares(self) -> Any:
+        """Return IPOPT's own account of a search: its processor time and what it is spent on."""
+        with tempfile.TemporaryDirectory() as folder:
+            file = str(Path(folder, "ipopt.txt"))
+            told = {"output_file": file, "file_print_level": 3, "print_timing_statistics": "yes"}
+            self.problem.solve(self.guess, options={"tol": 1e-8, **told})
+            text = Path(file).read_text()
+        names = {
+            "seconds": "OverallAlgorithm",
+            "linear algebra": "StdAugSystemSolverMultiSolve",
+            "evaluations": "Function Evaluations",
+        }
+        pattern = r"^ *{}\.*: *([0-9.]+)"
+        return {
+            key: float(re.search(pattern.format(name), text, re.MULTILINE)[1])  # type: ignore[index]
+            for key, name in names.items()
+        }
+
+
+def _at(nlp: Any) -> Any:
+    return nlp.jacobian_at, nlp.hessian_at
+
+
+if __name__ == "__main__":
+    ours = Ours()
+    serve(
+        {n: getattr(ours, n) for n in ("load", "evaluations", "run", "solve", "search", "shares")}
+    )
