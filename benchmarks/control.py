@@ -243,13 +243,7 @@ def show_shares(lines: Lines) -> None:
 OPTIMA = {
     # The smallest of these that reaches the optimum is timed; the peer's alike.
     "swing-up": {
-        "ours": [
-            ("radau", 4, 6),
-            ("radau", 4, 8),
-            ("radau", 5, 8),
-            ("radau", 5, 10),
-            ("radau", 5, 12),
-        ],
+        "ours": [("radau", *pair) for pair in ((3, 20), (3, 30), (3, 40), (5, 30))],
         "opty": [("midpoint", n) for n in (101, 201, 401, 801, 1601, 3201)],
     },
     "betts-10.7": {
