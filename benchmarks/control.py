@@ -247,7 +247,7 @@ OPTIMA = {
         "opty": [("midpoint", n) for n in (101, 201, 401, 801, 1601, 3201)],
     },
     "betts-10.7": {
-        "ours": [("radau", 5, LAYERS)],
+        "ours": [("radau", order, LAYERS) for order in (8, 10, 12)],
         "opty": [("midpoint", 10_001)],
     },
 }
