@@ -93,7 +93,7 @@ bench-peers: $(VENV)/.installed-test $(PEERS)/.installed
 	$(PY) benchmarks/peers.py --peer-python $(PEERS_PY)
 	$(PY) benchmarks/trees.py --peer-python $(PEERS_PY)
 	$(PY) benchmarks/robots.py --peer-python $(PEERS_PY)
-	$(PY) benchmarks/loops.py
+	$(PY) benchmarks/closed_loops.py
 	PYDY_CPU=x86-64-v3 $(PY) benchmarks/peers.py --peer-python $(PEERS_PY)
 	$(PY) benchmarks/exported.py --peer-python $(PEERS_PY)
 
@@ -101,7 +101,7 @@ bench-solvers: $(VENV)/.installed-test $(PEERS)/.installed $(REFERENCE)/.install
 	$(PY) benchmarks/solvers.py --peer-python $(PEERS_PY) --reference $(REFERENCE_PY)
 
 bench-control: $(VENV)/.installed-test $(PEERS)/.installed-opty
-	$(PY) benchmarks/control.py --peer-python $(PEERS_PY)
+	$(PY) benchmarks/optimal_control.py --peer-python $(PEERS_PY)
 
 bench-pages: $(VENV)/.installed-test $(VENV)/.installed-browser
 	$(PY) benchmarks/live_pages.py

@@ -392,6 +392,14 @@ def test_the_files_that_the_design_names_are_there():
     assert set(FLOORS) <= named
 
 
+def test_scripts_of_benchmarks_are_not_named_like_helpers_of_tests_or_like_packages():
+    # Some tests import the benchmarks' harness: what else lies there hides nothing.
+    root = SRC.parent
+    scripts = {p.stem for p in (root / "benchmarks").glob("*.py")}
+    assert not scripts & {p.stem for p in (root / "tests").glob("*.py")}
+    assert not scripts & {"control", *sys.stdlib_module_names}
+
+
 def test_no_picture_lies_in_the_root():
     # Tests and examples draw into folders of their own.
     root = SRC.parent

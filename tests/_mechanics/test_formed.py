@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from sympy.physics.mechanics import models
 
-sys.path.insert(0, str(Path(__file__).parents[2] / "benchmarks"))
+sys.path.append(str(Path(__file__).parents[2] / "benchmarks"))
 
 from trees import HUMANOID, definition, rods, tree
 

@@ -252,11 +252,14 @@ class GenericStates:
                 for k, gradient, left in zip(searching, now["gradient"], now["held"], strict=True):
                     if not (np.isfinite(gradient).all() and np.isfinite(left).all()):
                         usable.remove(k)
-                    elif np.abs(left / units).max(initial=0.0) >= ROUNDED:
+                    elif left.any():
+                        # Once more where it is closed: what would vanish there is as large as what
+                        # is left of the constraints, and is known by its rounding alone.
                         step = -_solved(gradient, left, share, sizes)
                         x[k, :n] += step[:n]
                         r[k] += step[n:]
-                        still.append(k)
+                        if np.abs(left / units).max(initial=0.0) >= ROUNDED:
+                            still.append(k)
                 searching = still
         now = residuals(usable)
         for k, slope, left in zip(usable, now["slope"], now["velocity"], strict=True):

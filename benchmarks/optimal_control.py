@@ -1,4 +1,4 @@
-"""Optimal control and identification beside opty and CasADi: ``python benchmarks/control.py``.
+"""Optimal control and identification beside opty and CasADi.
 
 Everybody has the same equations, transcription, mesh and guess, and the IPOPT and MUMPS of CasADi's
 wheel. Ratios above one say that the other takes longer.
