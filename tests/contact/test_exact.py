@@ -311,8 +311,6 @@ def test_bad_input_is_named():
     with pytest.raises(ValueError, match=r"`restitution` of 'floor' must be from 0 to 1, got 1.5"):
         contacts.simulate()
     system.constants[e] = 0.5
-    with pytest.raises(NotImplementedError, match="`sensitivities` is not supported"):
-        contacts.simulate(sensitivities=[g])
     with pytest.raises(NotImplementedError, match="resets are not supported"):
         contacts.simulate(events=[solvers.Event(vy, reset={vy: 0})])
     system.ode_solver = None

@@ -308,6 +308,7 @@ class Wanted:
     parameters: Any  # as the user names them
     controlled: bool  # whether the step control of a native solver looks at the sensitivities too
     solved: Iterable[Any] | None  # see `Sensitive.of`
+    given: np.ndarray | None = None  # those of the initial state, shape (n, k); else they follow
     sensitive: Sensitive = field(init=False)  # from the call of `problem` on
 
     def problem(
@@ -320,7 +321,8 @@ class Wanted:
         self.sensitive = sensitive = Sensitive.of(
             now, model, now.plan, self.parameters, self.solved
         )
-        values, columns = sensitive.start(now.x, t), sensitive.columns
+        values = sensitive.start(now.x, t) if self.given is None else self.given
+        columns = sensitive.columns
         if isinstance(solver, Solver):
             options = sensitive.stepped(solver, options)
             scales, sized = None, sensitive.sized(self.controlled, options)

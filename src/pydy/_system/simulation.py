@@ -440,7 +440,9 @@ class Simulation(Setup):
         if isinstance(solver, Solver):
             options = {"dense_output": True, **options}
         wanted, n = None, len(now.definition.states)
-        if sensitivities is not None:
+        if isinstance(sensitivities, Wanted):
+            wanted = sensitivities
+        elif sensitivities is not None:
             control = flag(control_sensitivities, "`control_sensitivities`")
             wanted = Wanted(sensitivities, control, self._dependent)
         result = _solve(now, solver, options, checked=True, wanted=wanted)

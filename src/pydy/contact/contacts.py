@@ -10,6 +10,7 @@ from pydy._system.snapshot import Snapshot
 from pydy._system.solving import check_events
 from pydy.contact.conditions import paired, symbols_of
 from pydy.contact.run import Compiled, Run
+from pydy.contact.sensitivities import Carried
 from pydy.contact.trajectory import ContactTrajectory
 from pydy.solvers.events import Event
 from pydy.solvers.solver import Solver
@@ -109,13 +110,23 @@ class Contacts:
             self._kept = Compiled(self.system, now, self.contacts)
         return now, self._kept
 
-    def simulate(self, *, events: Sequence[Event] = (), **solver_kwargs: Any) -> ContactTrajectory:
+    def simulate(
+        self,
+        *,
+        events: Sequence[Event] = (),
+        sensitivities: Any = None,
+        control_sensitivities: Any = False,
+        **solver_kwargs: Any,
+    ) -> ContactTrajectory:
         """Simulate the System over its `times`, and return a trajectory with modes.
 
         Parameters
         ----------
         events : sequence of Event, optional
             Further events, without resets.
+        sensitivities, control_sensitivities
+            As in `System.simulate`: constants, among them those of contacts, initial conditions,
+            and specifieds that are numbers. Transitions and impacts are taken into account.
         **solver_kwargs
             Options of the native solver, such as `rtol` and `atol`. Constraints of closed contacts
             are held by projection.
@@ -133,13 +144,10 @@ class Contacts:
             No combination of modes is possible (Painlevé's paradox, jamming), or an impact would
             raise the energy; the message has the state.
         NotImplementedError
-            Sensitivities, and events with resets.
+            Events with resets, and sensitivities by samples.
         IntegrationError
             As in `System.simulate`.
         """
-        refused = [k for k in ("sensitivities", "control_sensitivities") if solver_kwargs.get(k)]
-        if refused:
-            raise NotImplementedError(f"`{refused[0]}` is not supported with contacts yet.")
         held = choice(solver_kwargs.get("constraints"), _HELD, "`constraints`")
         if held == "baumgarte" or not flag(
             solver_kwargs.get("dense_output", True), "`dense_output`"
@@ -163,4 +171,8 @@ class Contacts:
             raise ValueError(
                 f"`times` must have at least two values, got {len(times)}. Set `system.times`."
             )
-        return Run(kept, now, times, given, solver_kwargs).trajectory()
+        carried = None
+        if sensitivities is not None:
+            control = flag(control_sensitivities, "`control_sensitivities`")
+            carried = Carried(kept.rows, now, sensitivities, control, self.system._dependent)
+        return Run(kept, now, times, given, solver_kwargs, carried).trajectory()

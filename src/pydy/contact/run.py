@@ -11,6 +11,7 @@ import numpy as np
 from pydy._checks import real_array
 from pydy._errors import ContactError, IntegrationError
 from pydy._rank import ROUNDED
+from pydy._system.sensitivities import Wanted
 from pydy._system.snapshot import Snapshot
 from pydy.contact.conditions import Contact, check_values
 from pydy.contact.decide import (
@@ -32,7 +33,8 @@ from pydy.contact.decide import (
 )
 from pydy.contact.modes import Mode, output_symbols
 from pydy.contact.rows import ContactRows, Numbers
-from pydy.contact.trajectory import ContactTrajectory, Piece, Pieces
+from pydy.contact.sensitivities import Carried
+from pydy.contact.trajectory import ContactTrajectory, Piece, Pieces, PieceSensitivities
 from pydy.contact.tuning import (
     BEGUN,
     CHECKED,
@@ -56,6 +58,9 @@ IMPACTS = (  # what an impulse may do, by the number of tangential directions
     [STICKS, FORWARD, BACKWARD, OPEN],
     [STICKS, STARTING, OPEN],
 )
+
+
+_NOTED = frozenset({"bends", "clears", "turns"})  # events that change no mode
 
 
 class Compiled:
@@ -129,7 +134,9 @@ class Run:
         times: np.ndarray,
         events: list[Any],
         options: dict[str, Any],
+        carried: Carried | None = None,
     ) -> None:
+        self.carried = carried
         self.kept, self.now, self.times = kept, now, times
         self.user_events, self.options = events, options
         self._atol = real_array(options.get("atol", Options.atol), "`atol`")
@@ -138,6 +145,9 @@ class Run:
         self.n = len(now.definition.states)
         self.first = len(now.definition.equations.coordinates)
         self.states = np.full((len(times), self.n), np.nan)
+        width = 0 if carried is None else len(carried.symbols)
+        self.columns = np.full((len(times), self.n, width), np.nan)
+        self.arriving: np.ndarray | None = None  # sensitivities before the last event
         self.pieces: list[Piece] = []
         self.records: list[EventRecord] = []
         self.impacts: list[tuple[float, dict[str, tuple[float, ...]], float]] = []
@@ -157,6 +167,10 @@ class Run:
 
     def numbers(self, t: float, x: np.ndarray) -> Numbers:
         """Return the rows of the contacts at a state."""
+        return self.rows.numbers(self.values(t, x))
+
+    def values(self, t: float, x: np.ndarray) -> dict[Any, float]:
+        """Return a number for each symbol."""
         definition = self.now.definition
         values = dict(self._numbers_of)
         values[definition.equations.time] = t
@@ -164,7 +178,7 @@ class Run:
         if definition.specifieds:
             r = self.now.specifieds(np.array([t]), x[None])[0]
             values.update(zip(definition.specifieds, r.tolist(), strict=True))
-        return self.rows.numbers(values)
+        return values
 
     def problem(self, p: Numbers, state: State) -> Problem:
         """Return what the combinations of modes are tried on, for accelerations."""
@@ -354,6 +368,14 @@ class Run:
                 "contacts.",
             )  # fmt: skip
         before = state.x.copy()
+        if self.carried is not None:
+            kept_of = {
+                i: 0.0 if i in rests else float(e[i])
+                for i in hit & closing
+                if p.speed[normals[i]] < 0.0
+            }
+            values = self.values(state.t, before)
+            self.carried.impact(values, p, found, kept_of, frozenset(state.touching), self.first)
         state.x = before.copy()
         speeds = slice(self.first, self.first + p.moves.shape[0])
         state.x[speeds] += p.moves @ found.forces
@@ -480,6 +502,12 @@ class Run:
             else:
                 self.quickest.pop(i, None)
         self.settle(state, held)
+        if self.carried is not None and held:
+            owners = {n: i for i, n in enumerate(normals) if n in held}
+            self.carried.project(
+                self.values(state.t, state.x), self.numbers(state.t, state.x), held,
+                [n for n in held if n in owners], owners, self.first,
+            )  # fmt: skip
         mode, system = self.kept.mode(solution.modes, held, every)
         rising = frozenset(state.rising)
         events, kinds = self.kept.events(mode, rising)
@@ -504,6 +532,8 @@ class Run:
             # acceleration, μ being μ_static, these hide more: explicit methods have to do it.
             system.ode_solver = "radau"
             options["first_step"] = FIRST * self.resolution(state.t)
+        if self.carried is not None:
+            options["sensitivities"] = self.columns_of(state, system)
         try:
             part = system.simulate(events=[*events, *self.user_events], **options)
         except IntegrationError as error:
@@ -512,6 +542,20 @@ class Run:
                 f"The integration stopped in the modes {', '.join(self.modes)}: {error}",
             ) from error  # fmt: skip
         return self.take(state, part, mode, kinds, system)
+
+    def columns_of(self, state: State, system: System) -> Wanted:
+        """Return the sensitivities of the mode that begins, and note them where it does."""
+        carried = self.carried
+        assert carried is not None
+        given = carried.starts(system.evaluate_ode(state.x, state.t))
+        self.columns[self.times == state.t] = given
+        for k, record in enumerate(self.records):
+            if record.time == state.t and record.time_sensitivity is None:
+                self.records[k] = replace(
+                    record, time_sensitivity=carried.time, sensitivity_before=self.arriving,
+                    sensitivity_after=given,
+                )  # fmt: skip
+        return Wanted(carried.symbols, carried.controlled, None, given)
 
     def leaps(self, p: Numbers, solution: Solution) -> bool:
         """Whether contacts begin to slide in a plane, and at once with an acceleration.
@@ -585,11 +629,23 @@ class Run:
         acting = [r for r in at_end if r.index < own]
         rows = (self.times > state.t) & (self.times <= end)
         self.states[rows] = part.states[1 : 1 + int(rows.sum())]
+        if self.carried is not None:
+            self.columns[rows] = part.sensitivity.values[1 : 1 + int(rows.sum())]
         self.check(part, mode, end, at_end[-1].before if stopped else None)
         columns = self.kept.columns(mode, system._now().definition)
-        self.pieces.append(Piece(state.t, end, mode.modes, part._model, columns, part._dense))
+        self.pieces.append(
+            Piece(
+                state.t, end, mode.modes, part._model, columns, part._dense,
+                part._sensitivity_model,
+            )
+        )  # fmt: skip
         if not stopped:
             return True, []
+        if self.carried is not None and acting:
+            last = next((r for r in acting if kinds[r.index][0] not in _NOTED), acting[-1])
+            rates = system.evaluate_ode(last.before[: self.n], end)
+            self.carried.ends(last, rates)
+            self.arriving = last.sensitivity_before
         state.t, state.x = end, at_end[-1].after[: self.n].copy()
         if any(r.index >= own and self.user_events[r.index - own].terminal for r in at_end):
             self.reached = self.times <= end
@@ -602,7 +658,7 @@ class Run:
         symbols = output_symbols(self.contacts)
         few = np.append(np.linspace(part.times[0], end, CHECKED), end)
         few = np.unique(np.concatenate([few, part.times[part.times <= end]]))
-        states = part._dense(few)
+        states = part._dense(few)[:, : self.n]
         if last is not None:  # the state that is kept there is the one after the event
             states[-1] = last[: self.n]
         model = part._model
@@ -715,6 +771,11 @@ class Run:
         model = Pieces(self.pieces, self.now)
         last = self.pieces[-1].end
         records = sorted((r for r in self.records if r.time <= last), key=lambda r: r.time)
+        sensitive: dict[str, Any] = {}
+        if self.carried is not None:
+            values = self.columns[self.reached]
+            sensitive["sensitivities"] = self.carried.counts, values
+            sensitive["sensitivity_model"] = PieceSensitivities(self.pieces)
         return ContactTrajectory(
             times,
             states,
@@ -727,4 +788,5 @@ class Run:
             pieces=model,
             names=[c.name for c in self.contacts],
             impacts=self.impacts,
+            **sensitive,
         )

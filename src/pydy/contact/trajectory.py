@@ -27,7 +27,8 @@ class Piece:
     columns : list of int
         The outputs of the model that are those of the whole trajectory.
     dense : callable
-        Times to states.
+        Times to states, and to sensitivities after them if there are any.
+    sensitive : SensitivityModel or None
     """
 
     start: float
@@ -36,6 +37,7 @@ class Piece:
     model: Any
     columns: list[int]
     dense: Callable[[np.ndarray], np.ndarray]
+    sensitive: Any = None
 
 
 class Pieces:
@@ -59,6 +61,10 @@ class Pieces:
 
     def states(self, times: np.ndarray) -> np.ndarray:
         """Return the states between the solver's steps."""
+        return self.whole(times)[:, : len(self._base.x)]
+
+    def whole(self, times: np.ndarray) -> np.ndarray:
+        """Return the states between the solver's steps, and the sensitivities after them."""
         times = np.asarray(times, dtype=float)
         width = self.pieces[0].dense(np.array([self.pieces[0].start])).shape[1]
         return self._each(times, width, lambda piece, own: piece.dense(times[own]))
@@ -92,6 +98,36 @@ class Pieces:
         return self._base.scene(*visuals, **options)
 
 
+class PieceSensitivities:
+    """The sensitivities of a motion in several modes; see `pydy.trajectory.SensitivityModel`."""
+
+    def __init__(self, pieces: Sequence[Piece]) -> None:
+        self.pieces = pieces
+        self.starts = np.array([piece.start for piece in pieces])
+
+    def _each(self, times: np.ndarray, value: Callable[[Piece, Any], np.ndarray]) -> np.ndarray:
+        places = np.searchsorted(self.starts[1:], times, side="right")
+        parts = [(places == k, self.pieces[k]) for k in np.unique(places)]
+        values = [(own, value(piece, own)) for own, piece in parts]
+        table = np.empty((len(times), *values[0][1].shape[1:]))
+        for own, value_ in values:
+            table[own] = value_
+        return table
+
+    def rates(self, times: np.ndarray, states: np.ndarray, values: np.ndarray) -> np.ndarray:
+        """Return the derivatives of the sensitivities by time, shape (m, n, k)."""
+        return self._each(
+            times, lambda p, own: p.sensitive.rates(times[own], states[own], values[own])
+        )
+
+    def outputs(self, times: np.ndarray, states: np.ndarray, values: np.ndarray) -> np.ndarray:
+        """Return the sensitivities of the outputs, shape (m, o, k)."""
+        return self._each(
+            times,
+            lambda p, own: p.sensitive.outputs(times[own], states[own], values[own])[:, p.columns],
+        )
+
+
 class ContactTrajectory(Trajectory):
     """A Trajectory of a System with contacts.
 
@@ -121,7 +157,7 @@ class ContactTrajectory(Trajectory):
         impacts: Sequence[tuple[float, dict[str, tuple[float, ...]], float]],
         **options: Any,
     ) -> None:
-        super().__init__(*args, model=pieces, dense=pieces.states, **options)
+        super().__init__(*args, model=pieces, dense=pieces.whole, **options)
         self._pieces, self._names = pieces, tuple(names)
         self.modes = [
             (p.start, p.end, dict(zip(names, p.modes, strict=True))) for p in pieces.pieces

@@ -1,0 +1,232 @@
+"""Derivatives of a motion with contacts by parameters, through its transitions.
+
+Within a mode the columns S = ∂x/∂θ are integrated beside the state. A transition at the time τ(θ)
+turns the state x into R(x, t, θ), which an impact changes and which held rows are projected on:
+
+    D = S + f dτ/dθ,    S⁺ = R_x D + R_t dτ/dθ + R_θ − f⁺ dτ/dθ,
+
+with the derivatives f of the states before it and f⁺ after it. The impulses p of an impact follow
+from the equations of its modes by the implicit function theorem.
+
+References
+----------
+M. di Bernardo et al., Piecewise-smooth Dynamical Systems, Springer, 2008, section 2.5.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from pydy._forks import cached_property
+from pydy._graph.derivative import directional
+from pydy._graph.interpret import evaluator
+from pydy._rank import DEPENDENT
+from pydy._system.sensitivities import Sensitive
+from pydy._system.snapshot import Snapshot
+from pydy.contact.decide import CLOSED, OPEN, SLIDES, STARTING, STICKS, Solution
+from pydy.contact.rows import ContactRows, Numbers
+
+
+@dataclass(frozen=True)
+class Slopes:
+    """Derivatives of the rows at one state, by k parameters; the last axis is theirs."""
+
+    gap: np.ndarray  # (contacts, k)
+    speed: np.ndarray  # (rows, k)
+    square: np.ndarray  # (rows, rows, k)
+    moves: np.ndarray  # (speeds, rows, k)
+    restitution: np.ndarray  # (contacts, k)
+    mu: np.ndarray
+
+
+class Carried:
+    """Sensitivities that are carried from mode to mode.
+
+    Parameters
+    ----------
+    rows : ContactRows
+    now : Snapshot
+    wanted : object
+        Parameters, as a user names them.
+    controlled : bool
+        Whether the step control looks at the sensitivities too.
+    solved : iterable or None
+        The initial conditions that were solved for.
+
+    Attributes
+    ----------
+    counts : dict
+        The number of columns of each parameter.
+    total : ndarray, shape (n, k)
+        D: derivatives of the state where the motion is, at the time that moves.
+    time : ndarray, shape (k,)
+        The derivatives of that time.
+    """
+
+    def __init__(
+        self, rows: ContactRows, now: Snapshot, wanted: Any, controlled: bool, solved: Any
+    ) -> None:
+        self.rows, self.now, self.controlled = rows, now, controlled
+        sensitive = Sensitive.of(now, now.model, now.plan, wanted, solved)
+        parameters = sensitive.parameters
+        if sampled := [p.symbol for p in parameters if p.samples is not None]:
+            raise NotImplementedError(
+                f"`sensitivities` by samples ({sampled[0]}) are not supported with contacts yet."
+            )
+        self.counts = {p.symbol: p.count for p in parameters}
+        self.symbols = [p.symbol for p in parameters]
+        self._constants = [p.symbol if p.kind == "constants" else None for p in parameters]
+        self.total = sensitive.start(now.x, float(now.times[0]))
+        self.time = np.zeros(len(self.symbols))
+
+    @cached_property
+    def _slopes(self) -> Any:
+        """The evaluator of the slopes, and the places of their inputs' directions."""
+        rows = self.rows
+        g = rows.graph.copy()
+        moving = {*self.now.definition.states, self.now.definition.equations.time}
+        moving.update(symbol for symbol in self._constants if symbol is not None)
+        places = {node: s for node, s in rows.symbols.items() if s in moving}
+        square = [rows.dot(g, row, moved) for row in rows.jacobian for moved in rows.moves]
+        moves = [node for moved in rows.moves for node in moved]
+        nodes = [*rows.gaps, *rows.speeds, *square, *moves, *rows.restitution, *rows.mu]
+        if any(g.ops[n] == "input" and g.args[n][0] == "r" for n in g.reachable(nodes)):
+            raise NotImplementedError(
+                "`sensitivities` of contacts that depend on specifieds are not supported yet. "
+                "Write a prescribed motion as an expression of time."
+            )
+        along = {node: g.input("along", k) for k, node in enumerate(places)}
+        slopes = directional(g, nodes, {node: {0: unit} for node, unit in along.items()})
+        found = evaluator(g, [row.get(0, g.zero) for row in slopes])
+        return found, {along[node]: symbol for node, symbol in places.items()}
+
+    def slopes(self, values: Mapping[Any, float]) -> Slopes:
+        """Return the derivatives of the rows along D, given a number for each symbol."""
+        evaluate, directions = self._slopes
+        states = list(self.now.definition.states)
+        inputs: dict[int, Any] = {
+            node: values.get(symbol, 0.0) for node, symbol in self.rows.symbols.items()
+        }
+        for node, symbol in directions.items():
+            if symbol in self.now.definition.states:
+                inputs[node] = self.total[states.index(symbol)]
+            elif symbol in self._constants:
+                inputs[node] = np.eye(len(self.symbols))[self._constants.index(symbol)]
+            else:
+                inputs[node] = self.time
+        found = evaluate(inputs, len(self.symbols)).T
+        c, k = len(self.rows.contacts), len(self.rows.speeds)
+        n = len(self.rows.equations.speeds)
+        parts = np.split(found, np.cumsum([c, k, k * k, k * n, c]))
+        return Slopes(
+            parts[0],
+            parts[1],
+            parts[2].reshape(k, k, -1),
+            parts[3].reshape(k, n, -1).transpose(1, 0, 2),
+            parts[4],
+            parts[5],
+        )
+
+    # -- what transitions do ----------------------------------------------------------------------
+
+    def ends(self, record: Any, rates: np.ndarray) -> None:
+        """Take the derivatives at the event that ends a mode."""
+        self.time = record.time_sensitivity
+        self.total = record.sensitivity_before + np.outer(rates, self.time)
+
+    def starts(self, rates: np.ndarray) -> np.ndarray:
+        """Return S⁺ of the mode that begins."""
+        found: np.ndarray = self.total - np.outer(rates, self.time)
+        return found
+
+    def impact(
+        self,
+        values: Mapping[Any, float],
+        p: Numbers,
+        found: Solution,
+        kept: Mapping[int, float],
+        still: Collection[int],
+        first: int,
+    ) -> None:
+        """Apply the derivatives of an impact.
+
+        Parameters
+        ----------
+        values : mapping
+            Numbers before it.
+        p : Numbers
+        found : Solution
+            Impulses and modes.
+        kept : mapping of int to float
+            The restitution of each contact that closes, zero where it rests.
+        still : collection of int
+            The contacts that touched before it.
+        first : int
+            The place of the first speed among the states.
+        """
+        d, f = self.slopes(values), found.forces
+        size, columns = len(f), len(self.symbols)
+        # Velocities after it are those of `start`, by Newton's hypothesis, and A p.
+        start = d.speed.copy()
+        for i, normal in enumerate(self.rows.normal):
+            if normal is None:
+                continue
+            if i in kept:
+                more = d.restitution[i] if kept[i] > 0.0 else 0.0
+                start[normal] = d.speed[normal] * (1.0 + kept[i]) + p.speed[normal] * more
+            elif i in still:
+                start[normal] = 0.0
+        moved = start + np.einsum("ijk,j->ik", d.square, f)
+        matrix, right = np.eye(size), np.zeros((size, columns))
+        for i, mode in enumerate(found.modes):
+            normal, tangent = self.rows.normal[i], list(self.rows.tangent[i])
+            if mode == OPEN or normal is None:
+                continue
+            held = [normal, *(tangent if mode in (STICKS, CLOSED) else ())]
+            matrix[held], right[held] = p.square[held], -moved[held]
+            if mode not in SLIDES:
+                continue
+            if mode != STARTING:
+                unit, turning = np.array([SLIDES[mode]]), np.zeros((1, 1))
+            else:
+                after = found.rates[tangent]
+                unit = after / np.linalg.norm(after)
+                turning = (np.eye(2) - np.outer(unit, unit)) / np.linalg.norm(after)
+            push = p.mu[i] * f[normal]
+            matrix[tangent, normal] += p.mu[i] * unit
+            matrix[tangent] += push * turning @ p.square[tangent]
+            right[tangent] = -np.outer(unit, d.mu[i] * f[normal]) - push * turning @ moved[tangent]
+        slope = _least(matrix, right)
+        change = np.einsum("ijk,j->ik", d.moves, f) + p.moves @ slope
+        self.total = self.total.copy()
+        self.total[first : first + len(change)] += change
+
+    def project(
+        self,
+        values: Mapping[Any, float],
+        p: Numbers,
+        held: Sequence[int],
+        normals: Sequence[int],
+        owners: Mapping[int, int],
+        first: int,
+    ) -> None:
+        """Project D on what rows that are held leave free."""
+        self.total = self.total.copy()
+        if normals:
+            rest = self.slopes(values).gap[[owners[n] for n in normals]]
+            shares = _least(p.square[np.ix_(normals, normals)], -rest)
+            self.total[:first] += p.kinematics @ (p.moves[:, normals] @ shares)
+        if held:
+            rest = self.slopes(values).speed[list(held)]
+            shares = _least(p.square[np.ix_(held, held)], -rest)
+            self.total[first : first + len(p.moves)] += p.moves[:, list(held)] @ shares
+
+
+def _least(matrix: np.ndarray, right: np.ndarray) -> np.ndarray:
+    """Solve for the least unknowns: rows of several feet may hold the same thing."""
+    found: np.ndarray = np.linalg.lstsq(matrix, right, rcond=DEPENDENT)[0]
+    return found

@@ -1,0 +1,161 @@
+"""Derivatives of motions with contacts, against closed forms and central differences."""
+
+import math
+
+import numpy as np
+import pytest
+import sympy as sm
+import sympy.physics.mechanics as me
+
+from pydy import System
+from pydy.contact import Contacts, Stick, Unilateral
+from pydy.mechanics import Definition
+from touching import (
+    TIGHT,
+    J,
+    N,
+    O,
+    a,
+    ball,
+    body_in_plane,
+    e,
+    falling_body,
+    g,
+    k,
+    m,
+    mu,
+    r,
+    vx,
+    vy,
+    w,
+    x,
+    y,
+)
+
+
+def test_when_a_billiard_ball_rolls():
+    C, body, _ = body_in_plane()
+    system = System(
+        Definition(N, [x, y, a], [vx, vy, w], bodies=[body], loads=[(C, -m * g * N.y)]),
+        {g: 9.81, J: 0.4 * 0.01}, ode_solver="dop853",
+        initial_conditions={y: 0.1, vx: 2.0}, times=np.linspace(0.0, 0.5, 6),
+    )  # fmt: skip
+    table = Unilateral(y - r, name="table")
+    contacts = Contacts(system, [Stick(vx + r * w, on=table, mu=mu)], {mu: 0.2, r: 0.1})
+    motion = contacts.simulate(sensitivities=[mu, vx, g], **TIGHT)
+    (rolls,) = motion.events
+    time = 2 * 2.0 / (7 * 0.2 * 9.81)
+    wanted = [-time / 0.2, time / 2.0, -time / 9.81]
+    assert rolls.time_sensitivity == pytest.approx(wanted, abs=1e-9)
+    # x = v₀ t − μ g t²/2 up to then, and goes on with 5/7 v₀: the time itself does not matter.
+    assert motion.sensitivity["x", mu][-1] == pytest.approx(-9.81 * time**2 / 2, abs=1e-9)
+    assert motion.sensitivity["v_x"][-1] == pytest.approx([0.0, 5 / 7, 0.0], abs=1e-10)
+    assert motion.sensitivity["table_friction", mu][0] == pytest.approx(-9.81)
+    assert motion.sensitivity["table_friction", mu][-1] == pytest.approx(0.0, abs=1e-10)
+    assert motion.at([0.4]).sensitivity["v_x", vx][0] == pytest.approx(5 / 7, abs=1e-9)
+
+
+def test_where_an_oscillator_with_coulombs_friction_stops_dead():
+    P = O.locatenew("P", x * N.x)
+    P.set_vel(N, vx * N.x)
+    system = System(
+        Definition(N, [x], [vx], bodies=[me.Particle("P", P, m)], loads=[(P, -k * x * N.x)]),
+        {k: 100.0}, ode_solver="dop853", initial_conditions={x: 1.0}, times=[0.0, 20.0],
+    )  # fmt: skip
+    rub = Stick(vx, mu=mu, normal=m * g, name="rub")
+    contacts = Contacts(system, [rub], {mu: 0.9, g: 9.81})
+    motion = contacts.simulate(sensitivities=[mu, k, x], **TIGHT)
+    # x = 1 − 6 · 2 μ g / k at the end, and each half of a cycle takes π/√k.
+    lost = 2 * 9.81 / 100
+    wanted = [-6 * lost, 6 * lost * 0.9 / 100, 1.0]
+    assert motion.sensitivity["x"][-1] == pytest.approx(wanted, abs=1e-9)
+    last = motion.events[-1].time_sensitivity
+    assert last == pytest.approx([0.0, -6 * math.pi / 2 / 1000, 0.0], abs=1e-10)
+    assert abs(motion.sensitivity["v_x"][-1]).max() < 1e-12
+
+
+def test_how_high_a_ball_bounces():
+    system, floor = ball(restitution=e)
+    system.initial_conditions, system.times = {y: 1.0}, [0.0, 1.0]
+    contacts = Contacts(system, [floor], {e: 0.8})
+    motion = contacts.simulate(sensitivities=[e, g, y], **TIGHT)
+
+    def height(e, g, h):
+        falls = sm.sqrt(2 * h / g)
+        return e * sm.sqrt(2 * g * h) * (1 - falls) - g * (1 - falls) ** 2 / 2
+
+    values = sm.symbols("e g h", positive=True)
+    numbers = dict(zip(values, (0.8, 9.81, 1.0), strict=True))
+    wanted = [float(height(*values).diff(s).subs(numbers)) for s in values]
+    assert motion["y"][-1] == pytest.approx(float(height(*values).subs(numbers)))
+    assert motion.sensitivity["y"][-1] == pytest.approx(wanted, abs=1e-9)
+    bounce = motion.events[0]
+    assert bounce.time_sensitivity[2] == pytest.approx(0.5 * math.sqrt(2 / 9.81), abs=1e-10)
+
+
+def compared(contacts, parameters, names, steps=1e-5, **options):
+    """Sensitivities at the end, and central differences."""
+    system = contacts.system
+    exact = contacts.simulate(sensitivities=parameters, **options)
+    for p in parameters:
+        own = system.constants if p in system.constants else None
+        start = system.initial_conditions.get(p, 0.0) if own is None else own[p]
+        found = []
+        for step in (steps, -steps):
+            if own is None:
+                system.initial_conditions = {**system.initial_conditions, p: start + step}
+            else:
+                own[p] = start + step
+            motion = contacts.simulate(**options)
+            found.append(np.array([motion[name][-1] for name in names]))
+        if own is None:
+            system.initial_conditions = {**system.initial_conditions, p: start}
+        else:
+            own[p] = start
+        slope = (found[0] - found[1]) / (2 * steps)
+        own_slope = np.array([exact.sensitivity[name, p][-1] for name in names])
+        assert own_slope == pytest.approx(slope, abs=1e-6 * max(1.0, abs(slope).max())), p
+    return exact
+
+
+@pytest.mark.parametrize(("friction", "end"), [(0.3, 0.8), (2.0, 0.6)])
+def test_a_body_that_tumbles_on_two_feet(friction, end):
+    system, feet = falling_body([(-1, -0.2), (1, -0.2)], restitution=e, mu=mu)
+    system.constants.update({J: 0.4, e: 0.3})
+    system.initial_conditions = {y: 1.0, a: 0.4, vx: 1.0}
+    system.times = [0.0, end]
+    contacts = Contacts(system, feet, {mu: friction})
+    names = ["x", "y", "a", "v_x", "v_y", "w", "foot0_normal"]
+    exact = compared(contacts, [mu, e, J, a, vx], names, **TIGHT)
+    assert len(exact.impacts) >= 2
+
+
+def test_a_particle_that_is_thrown_on_the_ice_and_slides_to_a_stop():
+    z, vz = me.dynamicsymbols("z v_z")
+    P = O.locatenew("P", x * N.x + y * N.y + z * N.z)
+    P.set_vel(N, vx * N.x + vy * N.y + vz * N.z)
+    pull = m * g * (sm.sin(0.1) * N.x - sm.cos(0.1) * N.z)
+    system = System(
+        Definition(
+            N, [x, y, z], [vx, vy, vz], bodies=[me.Particle("puck", P, m)], loads=[(P, pull)]
+        ),
+        {g: 9.81}, {}, "dop853", {z: 0.1, vx: 0.6, vy: 0.8}, [0.0, 1.0],
+    )  # fmt: skip
+    ice = Unilateral(z, name="ice")
+    contacts = Contacts(system, [Stick(P, on=ice, mu=mu, along=(N.x, N.y))], {mu: 0.25})
+    exact = compared(contacts, [mu, g, z, vx, vy], ["x", "y", "v_x"], **TIGHT)
+    assert [event.name for event in exact.events] == ["ice closes", "ice stops"]
+
+
+def test_samples_as_parameters_are_named():
+    from pydy.inputs import SampledInput
+
+    F = me.dynamicsymbols("F")
+    P = O.locatenew("P", y * N.y)
+    P.set_vel(N, vy * N.y)
+    system = System(
+        Definition(N, [y], [vy], bodies=[me.Particle("P", P, m)], loads=[(P, F * N.y)]),
+        {}, {F: SampledInput([0.0, 1.0], [0.0, 1.0])}, "dop853", {y: 1.0}, [0.0, 1.0],
+    )  # fmt: skip
+    with pytest.raises(NotImplementedError, match=r"by samples \(F\(t\)\) are not supported"):
+        Contacts(system, [Unilateral(y)]).simulate(sensitivities=[F])
