@@ -1,103 +1,14 @@
-"""Which constraints are independent, and what follows from them, whatever the units."""
+"""The search for consistent states, whatever the units."""
 
-import numpy as np
 import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
 
-from pydy._mechanics.dependents import Chosen, _of_full_rank
 from pydy._mechanics.formed import kinematics_of
 from pydy._mechanics.generic import GenericStates
 from pydy.mechanics import Definition
-from pydy.system import System
-from zoo import T
 
 UNITS = [1e-9, 1e-4, 1.0, 1e5, 1e9]
-
-
-def carriage(metre):
-    """A carriage that a crank of given motion drives, and a particle that is free."""
-    x, y, a, u, v, w = me.dynamicsymbols("x y a u v w")
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
-    place = origin.locatenew("P", x * frame.x + y * frame.y)
-    rows = [x - metre * sm.sin(a), a - sm.sin(T)]
-    body = me.Particle("carriage", place, 1)
-    return Definition(frame, [x, y, a], [u, v, w], bodies=[body], holonomic_constraints=rows)
-
-
-@pytest.mark.parametrize("metre", UNITS)
-def test_no_unit_makes_a_constraint_redundant(metre):
-    body = carriage(metre).multibody
-    assert [str(q) for q in body.dependent_coordinates] == ["x(t)", "a(t)"]
-    assert not body.closed
-    assert not body.redundant
-
-
-def yoke(metre):
-    """Two cranks of which one drives a slide in two directions, the other in one."""
-    x, y, a, b = me.dynamicsymbols("x y a b")
-    frame, origin = me.ReferenceFrame("N"), me.Point("O")
-    origin.set_vel(frame, 0)
-    place = origin.locatenew("P", x * frame.x + y * frame.y)
-    bodies = [me.Particle("slide", place, 1.0)]
-    for angle in (a, b):
-        crank = frame.orientnew(f"crank {angle}", "Axis", (angle, frame.z))
-        inertia = (me.inertia(crank, 0, 0, metre**2), origin)
-        bodies.append(me.RigidBody(str(angle), origin, crank, 1.0, inertia))
-    rows = [x - metre * sm.sin(a), x - 2 * metre * sm.sin(b), y - metre * sm.cos(a)]
-    loads = [(bodies[1].frame, 5 * metre**2 * frame.z)]
-    return (x, y, a, b), Definition(
-        frame, [x, y, a, b], bodies=bodies, loads=loads, holonomic_constraints=rows
-    )
-
-
-@pytest.mark.parametrize("metre", [*UNITS, 1e-10, 1e8])
-def test_a_yoke_moves_alike_in_all_units(metre):
-    # Of sin b = sin a / 2 come db/da and its derivative: a'' (2 + (db/da)²) + … = 5.
-    (x, y, a, b), definition = yoke(metre)
-    system = System(definition)
-    assert len(definition.multibody.holonomic) == 3
-    angle, turn = 0.4, 1.3
-    other = np.arcsin(np.sin(angle) / 2)
-    slope = np.cos(angle) / (2 * np.cos(other))
-    curve = (-np.sin(angle) / 2 + np.sin(other) * slope**2) / np.cos(other)
-    at = {x: metre * np.sin(angle), y: metre * np.cos(angle), a: angle, b: other}
-    at |= {
-        x.diff(T): metre * np.cos(angle) * turn, y.diff(T): -metre * np.sin(angle) * turn,
-        a.diff(T): turn, b.diff(T): slope * turn,
-    }  # fmt: skip
-    system.initial_conditions = at
-    rates = dict(zip(system.states, system.evaluate_ode(), strict=True))
-    expected = (5 - slope * curve * turn**2) / (2 + slope**2)
-    assert rates[a.diff(T)] == pytest.approx(expected, rel=1e-12)
-    assert rates[b.diff(T)] == pytest.approx(slope * expected + curve * turn**2, rel=1e-12)
-
-
-def matrices():
-    """Rows at three states: sound, nearly singular, and singular, where two are parallel."""
-    random = np.random.default_rng(0)
-    sound = random.uniform(0.5, 1.5, (3, 5))
-    found = []
-    for part in (1.0, 1e-7, 0.0):
-        found.append(sound.copy())
-        found[-1][2] = 2 * sound[1] + part * sound[2]
-    return found
-
-
-@pytest.mark.parametrize("row", UNITS)
-@pytest.mark.parametrize("column", UNITS)
-def test_no_unit_decides_which_states_are_singular(row, column):
-    rows, columns = np.array([1.0, row, 1 / row])[:, None], np.array([1.0, 1, column, 1, 1])
-    scaled = [rows * m * columns for m in matrices()]
-    assert [id(m) for m in _of_full_rank(scaled)] == [id(scaled[0])]
-    assert len(Chosen(scaled[:1]).rows) == 3
-    assert len(Chosen(scaled).rows) == 2
-
-
-def test_a_row_that_vanishes_at_a_state_is_no_pivot_there():
-    varied = [np.array([[size, 1e-12], [0.0, 1.0]]) for size in (1.0, 1e-9)]
-    assert Chosen(varied).rows == [1]
 
 
 @pytest.mark.parametrize("metre", UNITS)

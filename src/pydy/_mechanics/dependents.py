@@ -23,7 +23,7 @@ from pydy._mechanics.formed import kinematics_of
 from pydy._mechanics.generic import Block, GenericStates, openness, units_of
 from pydy._mechanics.reader import Multibody, numbers_in_places
 from pydy._mechanics.tuning import BITS, NEARLY_DEPENDENT, OPEN, ROUNDED, TYPED
-from pydy._rank import HALF, equilibrated, is_zero, or_one
+from pydy._rank import HALF
 
 _TRIALS = 12
 _AROUND = (
@@ -50,20 +50,18 @@ class Chosen:
     ) -> None:
         work = np.array(samples, dtype=float)
         varies = np.ones(work.shape[1:], dtype=bool) if varying is None else varying.copy()
-        sizes = or_one(np.abs(work).max(axis=2, keepdims=True, initial=0.0))
-        _, tall, wide = _in_one_size(work)
-        units = sizes * wide / tall
-        work /= sizes
+        sizes = np.abs(work).max(axis=2, keepdims=True, initial=0.0)
+        work /= np.where(sizes > 0.0, sizes, 1.0)
         rows: list[int] = []
         columns: list[int] = []
         free = np.zeros(work.shape[1:], dtype=bool)
         free[:, range(work.shape[2]) if allowed is None else list(allowed)] = True
         while free.any():
-            sound = free & ((np.abs(work) * units).min(axis=0) >= HALF)
-            worst = np.where(sound, np.abs(work).min(axis=0), 0.0)
-            weighed = np.where(varies, worst, _STEADY * worst)
+            worst = np.where(free, np.abs(work).min(axis=0), 0.0)
+            sound = np.where(worst < HALF, 0.0, worst)
+            weighed = np.where(varies, sound, _STEADY * sound)
             i, j = np.unravel_index(int(weighed.argmax()), worst.shape)
-            if not sound[i, j]:
+            if sound[i, j] == 0.0:
                 break
             rows.append(int(i))
             columns.append(int(j))
@@ -74,15 +72,6 @@ class Chosen:
             work -= ratio[:, :, None] * work[:, i, :][:, None, :]
             free[i, :] = free[:, j] = False
         self.rows, self.columns = sorted(rows), sorted(columns)
-
-
-def _in_one_size(matrices: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return matrices at several states with rows and columns of one size, and what brought them.
-
-    The largest of each is near one at one of the states: rows may vanish in singular positions.
-    """
-    _, rows, columns = equilibrated(np.abs(matrices).max(axis=0), exact=True)
-    return matrices * columns / rows, rows, columns
 
 
 def constrained(
@@ -168,14 +157,13 @@ def _choose(
             f"{open_ones}. Leave out one of them, or correct it."
         )
     found = []
-    for block, symbols, chosen in zip(
+    for (name, shape, cells), symbols, chosen in zip(
         tables,
         (equations.coordinates, equations.speeds),
         (coordinates, speeds),
         strict=True,
     ):
-        name, shape, cells = block
-        matrices = _of_full_rank(_without_rounding(states, samples, block))[:_STATES]
+        matrices = _of_full_rank([s[name] for s in samples])[:_STATES]
         varying = np.array([states.changes(node) for node in cells], dtype=bool).reshape(shape)
         best_choice = Chosen(matrices, varying=varying)
         if chosen is not None:
@@ -191,7 +179,7 @@ def _searched(
     blocks = states.closing()
     every = list(states.samples(blocks, _TRIALS, near=near, left_open=True))
     samples = _closed(every)
-    if not near and samples and _seem_redundant(_without_rounding(states, samples, blocks[1])):
+    if not near and samples and _seem_redundant([s["velocity"] for s in samples]):
         every += states.samples(blocks, _AROUND, around=True, left_open=True)
     return blocks[:2], every
 
@@ -276,28 +264,6 @@ def _as_large_as(size: float, lengths: np.ndarray) -> bool:
     return bool(size > HALF or ((size > HALF * units) & (HALF * size < units)).any())
 
 
-def _without_rounding(
-    states: GenericStates,
-    samples: list[dict[str, np.ndarray]],
-    block: Block,
-) -> list[np.ndarray]:
-    """Return the matrices of samples with zeros for entries that are within their roundings.
-
-    Only what is small in its row can be such, and has its bounds evaluated.
-    """
-    name, _, cells = block
-    matrices = np.array([s[name] for s in samples])
-    sizes = np.abs(matrices)
-    small = (sizes > 0.0) & (sizes < HALF * sizes.max(axis=2, keepdims=True, initial=0.0))
-    places = np.flatnonzero(small.any(axis=0))
-    if len(places):
-        bounds = rounding_bounds(states.graph, [cells[k] for k in places])
-        found = states.again(samples, [("bounds", (len(places),), bounds)])["bounds"]
-        flat = matrices.reshape(len(samples), -1)
-        flat[:, places] = np.where(is_zero(flat[:, places], found), 0.0, flat[:, places])
-    return list(matrices)
-
-
 def _nothing(values: np.ndarray, bounds: np.ndarray) -> np.ndarray:
     """Return what is zero at all states but for rounding, and not by chance: its terms are not."""
     left: np.ndarray = (np.abs(values) <= ROUNDED * bounds).all(axis=0) & (bounds > 0.0).all(axis=0)
@@ -358,9 +324,7 @@ def _of_full_rank(matrices: list[np.ndarray]) -> list[np.ndarray]:
 
     A linkage may be assembled in a degenerate way too, in which its constraints are redundant.
     """
-    scaled = _in_one_size(np.array(matrices))[0]
-    clear = [m for m, own in zip(matrices, scaled, strict=True) if not _nearly_singular(own)]
-    clear = clear or matrices
+    clear = [m for m in matrices if not _nearly_singular(m)] or matrices
     ranks = [len(Chosen([matrix]).rows) for matrix in clear]
     return [m for m, rank in zip(clear, ranks, strict=True) if rank == max(ranks)]
 

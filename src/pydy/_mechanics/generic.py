@@ -30,8 +30,6 @@ _ANYWHERE = 3  # states
 _LOW, _HIGH = 0.3, 1.3  # generic coordinates and speeds
 _NEAR = 0.03  # of the largest number of a configuration: how far beside it samples begin
 
-_STATE = ("time of the state", "state", "specifieds at the state", "constants at the state")
-
 Block = tuple[str, tuple[int, ...], list[int]]
 Inputs = tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]  # t, x, r, p
 
@@ -129,16 +127,8 @@ class GenericStates:
         finite = np.full(trials, True)
         for block in values.values():
             finite &= np.isfinite(block).reshape(trials, -1).all(axis=1)
-        values |= dict(zip(_STATE, inputs, strict=True))
         for k in np.flatnonzero(finite if left_open else self.closed(inputs, finite)):
             yield {name: block[k] for name, block in values.items()}
-
-    def again(
-        self, samples: Sequence[dict[str, np.ndarray]], blocks: Sequence[Block]
-    ) -> dict[str, np.ndarray]:
-        """Return the values of other blocks at the states of samples."""
-        t, x, r, p = (np.array([s[name] for s in samples]) for name in _STATE)
-        return evaluator_of(self.graph, blocks)(t, x, r, p)
 
     def closing(self) -> list[Block]:
         """Return the constraints' derivatives by coordinates and by speeds, and values of both."""
@@ -252,14 +242,11 @@ class GenericStates:
                 for k, gradient, left in zip(searching, now["gradient"], now["held"], strict=True):
                     if not (np.isfinite(gradient).all() and np.isfinite(left).all()):
                         usable.remove(k)
-                    elif left.any():
-                        # Once more where it is closed: what would vanish there is as large as what
-                        # is left of the constraints, and is known by its rounding alone.
+                    elif np.abs(left / units).max(initial=0.0) >= ROUNDED:
                         step = -_solved(gradient, left, share, sizes)
                         x[k, :n] += step[:n]
                         r[k] += step[n:]
-                        if np.abs(left / units).max(initial=0.0) >= ROUNDED:
-                            still.append(k)
+                        still.append(k)
                 searching = still
         now = residuals(usable)
         for k, slope, left in zip(usable, now["slope"], now["velocity"], strict=True):
