@@ -4,13 +4,20 @@ A particle's law of motion stands for any ordinary differential equations: kinem
 hold anything, and so may its loads.
 """
 
+import sys
+from pathlib import Path
+
 import numpy as np
 import sympy as sm
 import sympy.physics.mechanics as me
 from scipy.optimize import brentq
 
 from pydy import System
+from pydy.control import OptimalControl
 from pydy.mechanics import Definition
+
+sys.path.append(str(Path(__file__).parent.parent / "benchmarks"))
+from harness import standing
 
 T = me.dynamicsymbols._t
 TF = sm.Symbol("tf")
@@ -108,44 +115,31 @@ def cart_pole():
     return System(definition, {m1: 1.0, m2: 0.3, l: 0.5, g: 9.81}), (q1, q2, u1, u2, F)
 
 
-GAINS = np.array([[950.0, 175.0, 185.0, 50.0], [45.0, 290.0, 60.0, 26.0]])
+def kelly(**options):
+    """Return the cart-pole's swing-up by Kelly and its force; the optimum is 58.80766746.
+
+    M. Kelly, An introduction to trajectory optimization, SIAM Rev. 59 (2017), 6 and appendix E; the
+    value to ten digits is that of Dymos' benchmark.
+    """
+    system, (q1, q2, u1, u2, F) = cart_pole()
+    end = {q1: 1.0, q2: np.pi, u1: 0.0, u2: 0.0}
+    bounds = {F: (-20.0, 20.0), q1: (-2.0, 2.0)}
+    effort = sm.Integral(F**2, T)
+    return OptimalControl(system, effort, 2.0, end=end, bounds=bounds, **options), F
 
 
 def standing_person():
-    """Return a person on a platform that is shaken, and the symbols of states, gains and torques.
+    """Return the person of `harness.standing`, and the symbols of states, gains and torques.
 
-    Legs and trunk are held upright by ankle and hip torques that feed all states back, as in S.
-    Park, F. B. Horak and A. D. Kuo, Postural feedback responses scale with biomechanical
-    constraints in human standing, Exp. Brain Res. 154 (2004) 417–427. The sines of the platform and
-    the gains are those of the gallery of opty (`plot_park2004.py`); the segments are of a person of
-    70 kg and 1.75 m by D. A. Winter, Biomechanics and Motor Control of Human Movement, table 4.1.
+    The torques are specifieds that feed all states back.
     """
-    ankle, hip, ankle_rate, hip_rate = states = me.dynamicsymbols("ankle hip ankle_rate hip_rate")
+    states, gains = standing.STATES, standing.gains
     torques = me.dynamicsymbols("T_ankle T_hip")
-    shaken = me.dynamicsymbols("acceleration")
-    gains = sm.symbols("k:2:4")
-    ground, leg, trunk = (me.ReferenceFrame(name) for name in "NLT")
-    leg.orient_axis(ground, ankle, ground.z)
-    leg.set_ang_vel(ground, ankle_rate * ground.z)
-    trunk.orient_axis(leg, hip, leg.z)
-    trunk.set_ang_vel(leg, hip_rate * leg.z)
-    foot = me.Point("foot")  # in the frame of the platform
-    foot.set_vel(ground, 0)
-    joint = foot.locatenew("hip", 0.86 * leg.y)
-    bodies, loads = [], []
-    parts = [("leg", foot, leg, 22.5, 0.475, 0.28), ("trunk", joint, trunk, 47.5, 0.315, 0.25)]
-    for name, start, frame, mass, distance, gyration in parts:
-        centre = start.locatenew(name, distance * frame.y)
-        spin = me.inertia(frame, 0, 0, mass * gyration**2)
-        bodies.append(me.RigidBody(name, centre, frame, mass, (spin, centre)))
-        loads.append((centre, -mass * shaken * ground.x - 9.81 * mass * ground.y))
-    loads += [(leg, (torques[0] - torques[1]) * ground.z), (trunk, torques[1] * ground.z)]
+    ground, bodies, loads = standing.person(torques)
     system = System(Definition(ground, states[:2], states[2:], bodies=bodies, loads=loads))
-    sines = [7, 11, 16, 25, 38, 61, 103, 131, 151, 181, 313, 523]
-    rates = [2 * np.pi * n / 240 for n in sines]
     feedback = -(sm.Matrix(2, 4, gains) * sm.Matrix(states))
     system.specifieds = {
-        shaken: sum(-0.02 * w**2 * sm.sin(w * T) for w in rates),
+        standing.ACCELERATION: standing.accelerations(T, sm.sin),
         **dict(zip(torques, feedback, strict=True)),
     }
     return system, (states, gains, torques)

@@ -8,13 +8,17 @@ Winter, Biomechanics and Motor Control of Human Movement, table 4.1.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 import sympy as sm
 import sympy.physics.mechanics as me
 
-__all__ = ["GAINS", "NOISE", "SECONDS", "STATES", "accelerations", "equations", "gains"]
+__all__ = [
+    "ACCELERATION", "GAINS", "NOISE", "SECONDS", "STATES", "accelerations", "equations", "gains",
+    "person",
+]  # fmt: skip
 
 STATES = me.dynamicsymbols("ankle hip ankle_rate hip_rate")
 ACCELERATION = me.dynamicsymbols("acceleration")
@@ -30,8 +34,8 @@ def accelerations(t: Any, sin: Any) -> Any:
     return sum(-0.02 * w**2 * sin(w * t) for w in RATES)
 
 
-def equations() -> Any:
-    """Return the KanesMethod, with the feedback and the gains in its loads."""
+def person(torques: Sequence[Any]) -> tuple[Any, list[Any], list[Any]]:
+    """Return the ground, the bodies and the loads, with the torques at ankle and hip."""
     ankle, hip, ankle_rate, hip_rate = STATES
     ground, leg, trunk = (me.ReferenceFrame(name) for name in "NLT")
     leg.orient_axis(ground, ankle, ground.z)
@@ -42,7 +46,6 @@ def equations() -> Any:
     foot.set_vel(ground, 0)
     joint = foot.locatenew("hip", 0.86 * leg.y)
     joint.v2pt_theory(foot, ground, leg)
-    torques = -(sm.Matrix(2, 4, gains) * sm.Matrix(STATES))
     bodies, loads = [], []
     parts = [("leg", foot, leg, 22.5, 0.475, 0.28), ("trunk", joint, trunk, 47.5, 0.315, 0.25)]
     for name, start, frame, mass, distance, gyration in parts:
@@ -52,8 +55,14 @@ def equations() -> Any:
         bodies.append(me.RigidBody(name, centre, frame, mass, (spin, centre)))
         loads.append((centre, -mass * ACCELERATION * ground.x - 9.81 * mass * ground.y))
     loads += [(leg, (torques[0] - torques[1]) * ground.z), (trunk, torques[1] * ground.z)]
+    return ground, bodies, loads
+
+
+def equations() -> Any:
+    """Return the KanesMethod, with the feedback and the gains in its loads."""
+    ground, bodies, loads = person(-(sm.Matrix(2, 4, gains) * sm.Matrix(STATES)))
     t = me.dynamicsymbols._t
-    kinematics = [ankle_rate - ankle.diff(t), hip_rate - hip.diff(t)]
+    kinematics = [u - q.diff(t) for q, u in zip(STATES[:2], STATES[2:], strict=True)]
     kane = me.KanesMethod(ground, STATES[:2], STATES[2:], kd_eqs=kinematics)
     kane.kanes_equations(bodies, loads)
     return kane

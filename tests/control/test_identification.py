@@ -13,6 +13,7 @@ from pydy.analysis import Trial
 from pydy.errors import FitInterrupted, IntegrationError, PyDyUserWarning
 from pydy.inputs import SampledInput
 
+GAINS = optima.standing.GAINS
 QUARTER = np.deg2rad(0.25)
 
 
@@ -29,7 +30,7 @@ def standing(seed, seconds=10.0, noise=None):
             values = rng.normal(0.0, noise / np.sqrt(grid[1]), len(grid))
             system.specifieds[torque] = known[torque] + own
             system.specifieds[own] = SampledInput(grid, values, "previous")
-    system.constants = dict(zip(gains, optima.GAINS.ravel(), strict=True))
+    system.constants = dict(zip(gains, GAINS.ravel(), strict=True))
     system.times, system.ode_solver = times, "dop853"
     ride = system.simulate(rtol=1e-8, atol=1e-8)
     measured = {s: ride[s] + rng.normal(0.0, QUARTER, len(times)) for s in states}
@@ -42,17 +43,17 @@ def test_the_gains_of_a_standing_person_from_zeros(seed):
     """With gains of zero the person falls: no simulation gets near the data."""
     system, trial, gains, _ = standing(seed)
     found = system.fit(gains, trial, method="collocation")
-    distance = (found.estimates - optima.GAINS.ravel()) / found.standard_errors
+    distance = (found.estimates - GAINS.ravel()) / found.standard_errors
     assert np.abs(distance).max() < 3.0
     assert found.noise == pytest.approx(1.0, abs=0.08)
-    assert (found.standard_errors < 0.02 * optima.GAINS.ravel()).all()
+    assert (found.standard_errors < 0.02 * GAINS.ravel()).all()
 
 
 def test_the_gains_of_a_standing_person_whose_torques_are_disturbed():
     system, trial, gains, torques = standing(0, 6.0, noise=2.0)
     disturbed = dict.fromkeys(torques, 2.0)
     found = system.fit(gains, trial, method="collocation", process_noise=disturbed, mesh=120)
-    distance = (found.estimates - optima.GAINS.ravel()) / found.standard_errors
+    distance = (found.estimates - GAINS.ravel()) / found.standard_errors
     assert np.abs(distance).max() < 3.0
     assert found.noise == pytest.approx(1.0, abs=0.1)
 
@@ -164,7 +165,7 @@ def test_motions_that_begin_later_and_inputs_of_time():
 
 def test_a_guess_far_away_and_the_covariance_of_shooting():
     system, trial, gains, _ = standing(1, 4.0)
-    system.constants = dict(zip(gains, optima.GAINS.ravel(), strict=True))
+    system.constants = dict(zip(gains, GAINS.ravel(), strict=True))
     shot = system.fit(gains, trial)
     system.constants = dict.fromkeys(gains, 10.0)
     found = system.fit(gains, trial, method="collocation")

@@ -163,16 +163,5 @@ def test_the_robot_arm_of_cops_takes_9_1409_s():
 
 @pytest.mark.parametrize("method", ["radau", "hermite-simpson"])
 def test_the_cart_pole_of_kelly_swings_up(method):
-    # M. Kelly, An introduction to trajectory optimization, SIAM Rev. 59 (2017), 6 and appendix E;
-    # the value to ten digits is that of Dymos' benchmark.
-    system, (q1, q2, u1, u2, F) = optima.cart_pole()
-    problem = OptimalControl(
-        system,
-        sm.Integral(F**2, T),
-        2.0,
-        end={q1: 1.0, q2: np.pi, u1: 0.0, u2: 0.0},
-        bounds={F: (-20.0, 20.0), q1: (-2.0, 2.0)},
-        mesh=40,
-        method=method,
-    )
+    problem, _ = optima.kelly(mesh=40, method=method)
     assert problem.solve().objective == pytest.approx(58.80766746, rel=1e-5)

@@ -8,7 +8,6 @@ import sympy as sm
 
 import optima
 from optima import TF, T
-from pydy.control import OptimalControl
 from pydy.control.nlp import Nlp
 from pydy.errors import AnalysisInterrupted, MissingDependencyError, OptimizationError
 
@@ -23,15 +22,7 @@ SOLVERS = [installed("cyipopt"), installed("pounce")]
 
 @pytest.fixture(scope="module")
 def cart():
-    system, (q1, q2, u1, u2, F) = optima.cart_pole()
-    problem = OptimalControl(
-        system,
-        sm.Integral(F**2, T),
-        2.0,
-        end={q1: 1.0, q2: np.pi, u1: 0.0, u2: 0.0},
-        bounds={F: (-20.0, 20.0), q1: (-2.0, 2.0)},
-        mesh=15,
-    )
+    problem, F = optima.kelly(mesh=15)
     return problem, F, problem.solve()
 
 

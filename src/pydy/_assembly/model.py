@@ -7,7 +7,7 @@ import sys
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, TypeVar, cast
+from typing import Any, Protocol, TypeVar, cast
 
 import numpy as np
 import sympy as sm
@@ -142,18 +142,37 @@ def _as_shipped() -> bool:
     return OPERATIONS == SHIPPED and all(f.__module__.startswith("pydy.") for f in functions)
 
 
-def stored_program(assembly: Assembly, what: str, make: Callable[[], _T]) -> _T:
-    """Return a Program or Tangent from the cache, or make it and put it there."""
-    if len(assembly.graph) < _WORTH_STORING or not _as_shipped():
+class Storable(Protocol):
+    """What is written to the cache."""
+
+    def to_bytes(self) -> bytes: ...
+
+
+_S = TypeVar("_S", bound=Storable)
+
+
+def stored(parts: Sequence[bytes], make: Callable[[], _S], read: Callable[[bytes], _S]) -> _S:
+    """Return what the cache has, or make it and put it there.
+
+    `parts` are all that decides what is made, but for the sources of the graph and the assembly.
+    """
+    if not _as_shipped():
         return make()
-    parts = (_CIRCUMSTANCES, assembly.fingerprint(), what.encode())
-    key = hashlib.sha256(b"".join(parts)).hexdigest()
+    key = hashlib.sha256(b"".join((_CIRCUMSTANCES, *parts))).hexdigest()
     data = _cache_folder.read(key)
     if data is not None:
-        return cast("_T", program_from_bytes(data))
+        return read(data)
     made = make()
     _cache_folder.write(key, made.to_bytes())
     return made
+
+
+def stored_program(assembly: Assembly, what: str, make: Callable[[], _T]) -> _T:
+    """Return a Program or Tangent from the cache, or make it and put it there."""
+    if len(assembly.graph) < _WORTH_STORING:
+        return make()
+    parts = (assembly.fingerprint(), what.encode())
+    return stored(parts, make, lambda data: cast("_T", program_from_bytes(data)))
 
 
 @dataclass(frozen=True, eq=False, repr=False)

@@ -17,8 +17,6 @@ from sympy.core.relational import Relational
 from pydy._checks import shown
 from pydy.control.transcription import Condition, Instant
 
-__all__ = ["Reader"]
-
 
 @dataclass(eq=False)
 class Reader:

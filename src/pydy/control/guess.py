@@ -11,8 +11,6 @@ from pydy.control.tuning import LEAST_MESH_TOL
 from pydy.inputs import SampledInput
 from pydy.trajectory import Trajectory
 
-__all__ = ["Guess", "mesh_tolerance", "positive_time", "shown_pair"]
-
 
 class Guess:
     """Where a search begins, as the user gives it."""

@@ -71,8 +71,6 @@ from pydy.control.tuning import (
     STILL,
 )
 
-__all__ = ["Experiment", "Identification", "Identified"]
-
 
 @dataclass(frozen=True, eq=False)
 class Experiment:

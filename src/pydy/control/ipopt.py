@@ -33,10 +33,6 @@ from pydy.control.native import SIGNATURES
 from pydy.control.nlp import Nlp
 from pydy.control.tuning import TOLERANCE, WARM_BARRIER
 
-__all__ = [
-    "SOLVED", "STATUS", "Iteration", "Solution", "program_bounds", "solve", "solver_options",
-]  # fmt: skip
-
 _INFINITE = 2e19  # beyond 1e19 a bound is none, `nlp_upper_bound_inf`
 
 STATUS = {

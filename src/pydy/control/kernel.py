@@ -1,6 +1,7 @@
 """Equations of motion in implicit form on a graph, and machine code for functions of points.
 
-This is the one file of the package that knows the expression graph and the LLVM back end.
+This is the one file of the package that knows the expression graph; `native` knows the LLVM back
+end, too.
 
 The equations are ``q' − G = 0`` and ``M(q) u' − F = 0``: no linear system is solved, and every
 derivative is a sum of products. Constraints hold themselves, not their derivatives: of velocities,
@@ -16,29 +17,36 @@ evaluated in one call, side by side in vector registers, in arrays of shape (ite
 
 from __future__ import annotations
 
+import hashlib
+import marshal
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 
+from pydy._assembly.model import stored
 from pydy._assembly.specifieds import driven
 from pydy._backends.llvm.backend import LLVMBackend
-from pydy._backends.llvm.native import nlp_functions, sweep_by_columns
+from pydy._backends.llvm.native import sweep_by_columns
 from pydy._graph.adjoint import adjoints
 from pydy._graph.collector import collector_paused
 from pydy._graph.derivative import jacobian
 from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.lower import lower
 from pydy._graph.node import Graph
+from pydy._graph.operations import with_operands
 from pydy._graph.passes.factor import factor_sums
+from pydy._graph.program import Program
 from pydy._graph.rewrite import substitute
 from pydy._graph.simplify import simplify
 from pydy._kernel import Kernel
-
-__all__ = ["Equations", "Functions", "Point", "nlp_functions"]
+from pydy.control.tuning import KEPT
 
 _LANES = 8  # points that one call of the machine code takes
+# Now: the package may be replaced while this process runs.
+_SOURCE = hashlib.sha256(Path(__file__).read_bytes()).digest()
 
 
 @dataclass(frozen=True, eq=False)
@@ -58,6 +66,8 @@ class Equations:
         What further expressions may hold.
     given : mapping of nodes to nodes
         What takes the place of specifieds that are expressions.
+    made : dict
+        The latest Functions of the model, by what decides them.
     """
 
     graph: Graph
@@ -65,6 +75,10 @@ class Equations:
     constraints: list[int]
     atoms: Mapping[Any, int]
     given: Mapping[int, int]
+    made: dict[bytes, Functions] = field(default_factory=dict, repr=False)
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {**self.__dict__, "made": {}}
 
     @classmethod
     def of(cls, now: Any, *, disturbed: bool = False) -> Equations:
@@ -86,7 +100,8 @@ class Equations:
             **dict(zip(definition.outputs_symbols, assembly.outputs, strict=True)),
             **dict(zip(equations.speed_rates, slopes[nq:], strict=False)),
         }
-        own = cls(graph, [], [], atoms, assembly.given)
+        made = model.latest.setdefault("points", {})
+        own = cls(graph, [], [], atoms, assembly.given, made)
         x = [graph.input("x", k) for k in range(nq + nu)]
         places, motion = [assembly.holonomic[k] for k in equations.enforced], assembly.velocity
         if motion:
@@ -221,6 +236,46 @@ class Point:
         squares : sequence of (node, node)
             Factors and residuals whose squares the cost is a sum of, for 'gauss-newton'.
         """
+        key = self._content(rows, cost, hessian, squares)
+        known = self.equations.made
+        made = known.pop(key, None)
+        if made is None:
+            derived = stored(
+                (_SOURCE, key),
+                lambda: self._derived(rows, cost, hessian, squares),
+                _Derived.from_bytes,
+            )
+            made = derived.compiled((len(rows), int(cost is not None)))
+        known[key] = made
+        while len(known) > KEPT:
+            del known[next(iter(known))]
+        return made
+
+    def _content(
+        self,
+        rows: Sequence[int],
+        cost: int | None,
+        hessian: str | None,
+        squares: Sequence[tuple[int, int]],
+    ) -> bytes:
+        """Return a digest of all that decides what is derived."""
+        g, pairs = self.graph, [node for pair in squares for node in pair]
+        roots = [*rows, *([] if cost is None else [cost]), *pairs]
+        order = g.reachable(roots)
+        new = {old: k for k, old in enumerate(order)}
+        nodes = [(g.ops[n], with_operands(g.ops[n], g.args[n], new)) for n in order]
+        sizes = (len(self._variables), len(self._data), self.constants, len(rows), len(pairs))
+        # Version 2 of the format writes every object in full: equal content gives equal bytes.
+        content = (nodes, [new[n] for n in roots], sizes, cost is None, hessian)
+        return hashlib.sha256(marshal.dumps(content, 2)).digest()
+
+    def _derived(
+        self,
+        rows: Sequence[int],
+        cost: int | None,
+        hessian: str | None,
+        squares: Sequence[tuple[int, int]],
+    ) -> _Derived:
         g = self.graph
         put = {n: g.input("x", k) for k, n in enumerate(self._variables)}
         put |= {n: g.input("r", k) for k, n in enumerate(self._data)}
@@ -253,20 +308,45 @@ class Point:
                 cells["hessian"] = [second[i][j] for i, j in hessian_at]
             sizes = (len(by), data, self.constants)
             weighted = (len(by), data + len(weights), self.constants)
-            kernels = {}
+            programs = {}
             for name, nodes in cells.items():
                 if nodes:
                     shared = nodes if name in ("cost", "rows") else factor_sums(g, nodes)
                     own = weighted if name == "hessian" else sizes
-                    program = lower(g, own, [(name, (len(nodes),), shared)])
-                    kernels[name] = LLVMBackend(lanes=_LANES).compile(program)
+                    programs[name] = lower(g, own, [(name, (len(nodes),), shared)])
+        return _Derived(programs, sizes, gradient_at, jacobian_at, hessian_at)
+
+
+@dataclass(frozen=True)
+class _Derived:
+    """Functions before they are compiled: Programs, and the places of their outputs."""
+
+    programs: dict[str, Program]
+    sizes: tuple[int, int, int]
+    gradient_at: list[int]
+    jacobian_at: list[tuple[int, int]]
+    hessian_at: list[tuple[int, int]]
+
+    def to_bytes(self) -> bytes:
+        programs = {name: program.to_bytes() for name, program in self.programs.items()}
+        return marshal.dumps(
+            (programs, self.sizes, self.gradient_at, self.jacobian_at, self.hessian_at)
+        )
+
+    @classmethod
+    def from_bytes(cls, data: bytes) -> _Derived:
+        programs, *rest = marshal.loads(data)
+        return cls({name: Program.from_bytes(one) for name, one in programs.items()}, *rest)
+
+    def compiled(self, outputs: tuple[int, int]) -> Functions:
+        backend = LLVMBackend(lanes=_LANES)
         return Functions(
-            kernels,
-            sizes,
-            (m, len(costs)),
-            np.array(gradient_at, dtype=int),
-            np.array(jacobian_at, dtype=int).reshape(-1, 2),
-            np.array(hessian_at, dtype=int).reshape(-1, 2),
+            {name: backend.compile(program) for name, program in self.programs.items()},
+            self.sizes,
+            outputs,
+            np.array(self.gradient_at, dtype=int),
+            np.array(self.jacobian_at, dtype=int).reshape(-1, 2),
+            np.array(self.hessian_at, dtype=int).reshape(-1, 2),
         )
 
 

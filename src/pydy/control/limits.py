@@ -10,8 +10,6 @@ import numpy as np
 from pydy._checks import number, real_array, shown
 from pydy.inputs import SampledInput
 
-__all__ = ["Limit", "limit"]
-
 
 @dataclass(frozen=True, eq=False)
 class Limit:

@@ -12,9 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from pydy.control.kernel import nlp_functions
-
-__all__ = ["SIGNATURES", "Native"]
+from pydy._backends.llvm.native import nlp_functions
 
 SIGNATURES: dict[str, tuple[Any, ...]] = {
     "cost": (c_int, c_void_p, c_bool, c_void_p, c_void_p),

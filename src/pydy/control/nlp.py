@@ -20,8 +20,6 @@ from pydy.control.kernel import Functions
 from pydy.control.native import Native
 from pydy.control.tuning import UNEVEN
 
-__all__ = ["Nlp", "Piece"]
-
 
 @dataclass(frozen=True, eq=False)
 class Piece:

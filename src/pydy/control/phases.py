@@ -26,8 +26,6 @@ from pydy.control.solvers import solver_of
 from pydy.control.transcription import Transcription
 from pydy.control.tuning import MOST_REFINEMENTS
 
-__all__ = ["PhasedTrajectory", "Phases"]
-
 _OPEN = (-np.inf, np.inf)
 
 

@@ -49,8 +49,6 @@ from pydy.control.transcription import Problem, Transcription
 from pydy.control.tuning import LARGEST_ORDER, MOST_REFINEMENTS
 from pydy.inputs import SampledInput
 
-__all__ = ["OptimalControl", "checked_mesh", "labels_of", "signal_of"]
-
 _OPEN = (-np.inf, np.inf)
 
 

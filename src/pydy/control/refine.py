@@ -20,8 +20,6 @@ from pydy.control.transcription import Transcription
 from pydy.control.tuning import MOST_PARTS, MOST_STEPS, SURE
 from pydy.solvers.tableaus import tableau_of
 
-__all__ = ["Moved", "interval_errors", "refined", "warn_of_refinements", "warn_where_coarse"]
-
 
 @dataclass(frozen=True, eq=False)
 class Moved:

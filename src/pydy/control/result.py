@@ -19,8 +19,6 @@ from pydy.inputs import SampledInput
 from pydy.plot import axes_of
 from pydy.trajectory import Columns, Trajectory
 
-__all__ = ["OptimalTrajectory", "worst_rows"]
-
 
 class OptimalTrajectory(Trajectory):
     """A motion that satisfies an optimal control problem, with all that belongs to it.

@@ -31,8 +31,6 @@ from functools import cache
 import numpy as np
 from numpy.polynomial import legendre
 
-__all__ = ["METHODS", "Points", "Scheme", "scheme_of"]
-
 # A slot of the interval, its coefficient (None: different at each point, see `Points.coefficients`)
 # and the power of h.
 Term = tuple[int, float | None, int]

@@ -8,8 +8,6 @@ from pydy._rank import or_one
 from pydy.control.transcription import Transcription
 from pydy.control.tuning import WIDE
 
-__all__ = ["sizes_of"]
-
 
 def sizes_of(
     made: Transcription, z: np.ndarray, lower: np.ndarray, upper: np.ndarray

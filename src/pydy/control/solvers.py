@@ -25,8 +25,6 @@ from pydy.control import ipopt
 from pydy.control.ipopt import Iteration, Solution, program_bounds, solver_options
 from pydy.control.nlp import Nlp
 
-__all__ = ["solver_of"]
-
 
 def solver_of(name: Any, options: Any) -> Callable[..., Solution]:
     """Return the function ``solve(nlp, z, *, watch, warm)`` of a solver with its options."""

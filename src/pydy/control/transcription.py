@@ -17,8 +17,6 @@ from pydy.control.kernel import Equations, Functions, Point
 from pydy.control.nlp import Nlp, Piece
 from pydy.control.schemes import Points, Scheme
 
-__all__ = ["Condition", "Instant", "Problem", "Transcription"]
-
 Compiled = TypeVar("Compiled")
 
 

@@ -2,29 +2,6 @@
 
 from __future__ import annotations
 
-__all__ = [
-    "FEWEST_INTERVALS",
-    "FIT_ORDER",
-    "INPUT_SAMPLES",
-    "JUMP",
-    "LARGEST_ORDER",
-    "LEAST_FIT_ERROR",
-    "LEAST_MESH_TOL",
-    "MOST_CORRECTIONS",
-    "MOST_PARTS",
-    "MOST_REFINEMENTS",
-    "MOST_STEPS",
-    "PROXIMAL",
-    "SHARE_OF_NOISE",
-    "STEADY",
-    "STILL",
-    "SURE",
-    "TOLERANCE",
-    "UNEVEN",
-    "WARM_BARRIER",
-    "WIDE",
-]
-
 INPUT_SAMPLES = 129
 """Samples of a control on an interval. Even straight lines between them would be off by no more
 than 1e-5 of how far the control bends there, 1/8 of the spacing squared."""
@@ -97,3 +74,7 @@ it. Their rates would be the unit of all, in which `TOLERANCE` is 1e-6 at most."
 LEAST_MESH_TOL = 1.5e-14
 """The least `mesh_tol`: 64 units of rounding. The integration of an interval with up to 64 steps
 leaves as much, on any mesh, which would be divided for ever."""
+
+KEPT = 16
+"""Functions of points that a model keeps for further problems: a problem has at most five, of its
+points, start, ends, samples and parameters, so that three in turn derive nothing anew."""
