@@ -1,10 +1,11 @@
 """Systems with contacts that several tests look at."""
 
+import numpy as np
 import sympy as sm
 import sympy.physics.mechanics as me
 
 from pydy import System
-from pydy.contact import Stick, Unilateral
+from pydy.contact import Contacts, Stick, Unilateral
 from pydy.mechanics import Definition
 
 x, y, a = me.dynamicsymbols("x y a")
@@ -47,6 +48,18 @@ def falling_body(points, *, tilt=0, **contact):
         if mu_ is not None:
             found.append(Stick(foot, on=gap, mu=mu_, along=N.x))
     return system, found
+
+
+def billiard_ball():
+    """A ball on a table that slides at first, y above it being its radius, and its contacts."""
+    C, body, _ = body_in_plane()
+    system = System(
+        Definition(N, [x, y, a], [vx, vy, w], bodies=[body], loads=[(C, -m * g * N.y)]),
+        {g: 9.81, J: 0.4 * 0.01}, ode_solver="dop853",
+        initial_conditions={y: 0.1, vx: 2.0}, times=np.linspace(0.0, 0.5, 6),
+    )  # fmt: skip
+    table = Unilateral(y - r, name="table")
+    return Contacts(system, [table, Stick(vx + r * w, on=table, mu=mu)], {mu: 0.2, r: 0.1})
 
 
 def ball(**options):

@@ -181,27 +181,20 @@ def test_a_drag_shows_the_new_motion_at_the_moment_that_is_shown(path, open_page
     assert page.evaluate("pydy.positions()[0]") != places
 
 
-def test_a_slow_machine_comes_back_to_the_moment_that_was_shown(path, open_page):
+@pytest.mark.parametrize("goes_to", [None, 0.01])
+def test_a_slow_machine_comes_back_to_the_moment_that_was_shown_or_asked_for(
+    path, open_page, goes_to
+):
     page = open_page(path, 320, 260)
     page.evaluate("pydy.pause(), pydy.seek(4.0)")
     slow_down(page, 30)
     drag(page, 4.5)
-    until(page, "pydy.live.busy && pydy.time < 4.0")
+    until(page, f"pydy.live.busy && {goes_to or 0.0} < pydy.time && pydy.time < 4.0")
+    if goes_to is not None:
+        page.evaluate(f"pydy.seek({goes_to})")
     slow_down(page, 1)
     until(page, "!pydy.live.busy")
-    assert page.evaluate("pydy.time") == 4.0
-
-
-def test_where_a_reader_goes_while_a_motion_is_computed_stays(path, open_page):
-    page = open_page(path, 320, 260)
-    page.evaluate("pydy.pause(), pydy.seek(4.0)")
-    slow_down(page, 30)
-    drag(page, 4.5)
-    until(page, "pydy.live.busy && 0.01 < pydy.time && pydy.time < 4.0")
-    page.evaluate("pydy.seek(0.01)")
-    slow_down(page, 1)
-    until(page, "!pydy.live.busy")
-    assert page.evaluate("pydy.time") == 0.01
+    assert page.evaluate("pydy.time") == (4.0 if goes_to is None else goes_to)
 
 
 def test_boxes_take_numbers_and_resets_bring_them_back(path, open_page):

@@ -18,15 +18,14 @@ from touching import (
     O,
     a,
     ball,
+    billiard_ball,
     block,
-    body_in_plane,
     e,
     falling_body,
     g,
     k,
     m,
     mu,
-    r,
     slope,
     vx,
     vy,
@@ -45,15 +44,7 @@ def balance(trajectory):
 
 
 def test_a_billiard_ball_slides_then_rolls():
-    C, body, _ = body_in_plane()
-    system = System(
-        Definition(N, [x, y, a], [vx, vy, w], bodies=[body], loads=[(C, -m * g * N.y)]),
-        {g: 9.81, J: 0.4 * 0.01}, ode_solver="dop853",
-        initial_conditions={y: 0.1, vx: 2.0}, times=np.linspace(0.0, 0.5, 6),
-    )  # fmt: skip
-    table = Unilateral(y - r, name="table")
-    stick = Stick(vx + r * w, on=table, mu=mu)
-    trajectory = Contacts(system, [table, stick], {mu: 0.2, r: 0.1}).simulate(**TIGHT)
+    trajectory = billiard_ball().simulate(**TIGHT)
     (rolls,) = trajectory.events
     assert rolls.name == "table stops"
     assert rolls.time == pytest.approx(0.291247997670, abs=1e-10)

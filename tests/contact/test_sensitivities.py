@@ -17,32 +17,22 @@ from touching import (
     O,
     a,
     ball,
-    body_in_plane,
+    billiard_ball,
     e,
     falling_body,
     g,
     k,
     m,
     mu,
-    r,
     vx,
     vy,
-    w,
     x,
     y,
 )
 
 
 def test_when_a_billiard_ball_rolls():
-    C, body, _ = body_in_plane()
-    system = System(
-        Definition(N, [x, y, a], [vx, vy, w], bodies=[body], loads=[(C, -m * g * N.y)]),
-        {g: 9.81, J: 0.4 * 0.01}, ode_solver="dop853",
-        initial_conditions={y: 0.1, vx: 2.0}, times=np.linspace(0.0, 0.5, 6),
-    )  # fmt: skip
-    table = Unilateral(y - r, name="table")
-    contacts = Contacts(system, [Stick(vx + r * w, on=table, mu=mu)], {mu: 0.2, r: 0.1})
-    motion = contacts.simulate(sensitivities=[mu, vx, g], **TIGHT)
+    motion = billiard_ball().simulate(sensitivities=[mu, vx, g], **TIGHT)
     (rolls,) = motion.events
     time = 2 * 2.0 / (7 * 0.2 * 9.81)
     wanted = [-time / 0.2, time / 2.0, -time / 9.81]

@@ -7,6 +7,7 @@ a pivot is as good as it is at the worst of them. What is left below the rank is
 from __future__ import annotations
 
 import math
+import sys
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any
@@ -22,13 +23,11 @@ from pydy._mechanics.equations import Equations
 from pydy._mechanics.formed import kinematics_of
 from pydy._mechanics.generic import Block, GenericStates, openness, units_of
 from pydy._mechanics.reader import Multibody, numbers_in_places
-from pydy._mechanics.tuning import BITS, NEARLY_DEPENDENT, OPEN, ROUNDED, TYPED
+from pydy._mechanics.tuning import DIGITS, NEARLY_DEPENDENT, OPEN, ROUNDED
 from pydy._rank import HALF
 
 _TRIALS = 12
-_AROUND = (
-    60  # more, where constraints seem redundant: in a three-stage lift each sixth finds its shape
-)
+_AROUND = 60  # more, where rows seem redundant: in a three-stage lift each sixth finds its shape
 _STATES = 3  # of those at which the constraints hold
 _SHARE = 0.1  # of the largest residual: what is named with it
 _STEADY = 10.0  # a pivot that is the same in all configurations weighs so much more
@@ -253,8 +252,8 @@ def _cancelled(graph: Graph, node: int) -> float:
             continue
         odd, last = value.as_integer_ratio()  # the last place is one over a power of two
         decimals = repr(value).partition("e")[0].replace(".", "").strip("0")
-        if odd.bit_length() <= BITS // 2 and len(decimals) > TYPED:
-            found = max(found, math.ldexp(1.0, BITS + 1 - last.bit_length()))
+        if 2 * odd.bit_length() < sys.float_info.mant_dig and len(decimals) > DIGITS:
+            found = max(found, math.ldexp(1.0, sys.float_info.mant_dig + 1 - last.bit_length()))
     return found
 
 

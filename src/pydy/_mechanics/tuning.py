@@ -6,6 +6,8 @@ those that differ differ by 1e-3 or more.
 
 from __future__ import annotations
 
+import sys
+
 from pydy._rank import DEPENDENT
 
 CANCELLED = 1e-4
@@ -80,8 +82,6 @@ READABLE = 2000
 """Terms of an equation that are multiplied out to be written like a textbook's: those of an arm of
 three joints in space, with all moments and products of inertia, are some hundreds."""
 
-BITS = 53
-"""Digits of a float. What has less than half of them is a sum that cancelled, or was typed."""
-
-TYPED = 12
-"""Decimals that nobody types: a number of few bits that has more is left of others."""
+DIGITS = sys.float_info.dig
+"""Decimals that every float keeps as they were typed: what has few bits, but more decimals, is left
+of others."""

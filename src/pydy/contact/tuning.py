@@ -4,27 +4,6 @@ from __future__ import annotations
 
 from pydy._rank import HALF, ROUNDING
 
-__all__ = [
-    "BEGUN",
-    "CHECKED",
-    "CONTACTS",
-    "CUTS",
-    "ERRORS",
-    "FEASIBLE",
-    "FIRST",
-    "INSTANT",
-    "RESOLUTION",
-    "RESOLVED",
-    "SETTLING",
-    "SLACK",
-    "STALLED",
-    "SWEEPS",
-    "TILT",
-    "TURNED",
-    "TURNS",
-    "WITHIN",
-]
-
 CONTACTS = 8
 """Contacts that may be closed at the same time: up to 4⁸ combinations are tried."""
 

@@ -15,8 +15,6 @@ import numpy as np
 
 from pydy._checks import Places
 
-__all__ = ["Arrays", "Function", "Functions", "Layer", "Part"]
-
 
 @dataclass(frozen=True)
 class Part:

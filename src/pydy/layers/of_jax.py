@@ -15,8 +15,6 @@ import numpy as np
 from pydy._optional import require
 from pydy.layers.layer import Function
 
-__all__ = ["JaxArrays"]
-
 
 class JaxArrays:
     """Arrays of JAX."""

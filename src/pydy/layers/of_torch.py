@@ -10,8 +10,6 @@ import numpy as np
 from pydy._optional import require
 from pydy.layers.layer import Function
 
-__all__ = ["TorchArrays"]
-
 
 class TorchArrays:
     """Tensors of PyTorch."""
