@@ -5,9 +5,11 @@ hold anything, and so may its loads.
 """
 
 import sys
+from importlib.util import find_spec
 from pathlib import Path
 
 import numpy as np
+import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
 from scipy.optimize import brentq
@@ -21,6 +23,14 @@ from harness import standing
 
 T = me.dynamicsymbols._t
 TF = sm.Symbol("tf")
+
+
+def installed(name):
+    missing = find_spec(name) is None
+    return pytest.param(name, marks=pytest.mark.skipif(missing, reason=f"needs {name}"))
+
+
+SOLVERS = [installed("cyipopt"), installed("pounce")]  # beside IPOPT
 
 
 def first_order(coordinates, speed, force, mass=1, kinematics=None, constants=None):

@@ -7,9 +7,10 @@ import sympy.physics.mechanics as me
 from scipy.optimize import minimize
 
 import optima
-from optima import T
+from optima import SOLVERS, T
 from pydy._interrupts import Interrupts
 from pydy.analysis import Trial
+from pydy.control import identification, refine
 from pydy.errors import FitInterrupted, IntegrationError, PyDyUserWarning
 from pydy.inputs import SampledInput
 
@@ -173,6 +174,51 @@ def test_a_guess_far_away_and_the_covariance_of_shooting():
         found.estimates, shot.estimates, atol=0.02 * min(shot.standard_errors)
     )
     np.testing.assert_allclose(found.covariance, shot.covariance, rtol=1e-3, atol=1e-3)
+
+
+def test_a_fit_costs_few_integrations_and_no_factorisation_but_the_equations(monkeypatch):
+    """The mesh's errors are known to be small enough; states follow from the equations alone."""
+    system, trial, gains, _ = standing(0, 4.0)
+    counts = {"integrations": 0, "general": 0}
+
+    def counted(name, owner, key):
+        original = getattr(owner, name)
+
+        def call(*arguments, **named):
+            counts[key] += 1
+            return original(*arguments, **named)
+
+        monkeypatch.setattr(owner, name, call)
+
+    counted("_integrated", refine, "integrations")
+    counted("_system", identification, "general")
+    found = system.fit(gains, trial, method="collocation")
+    assert counts == {"integrations": 2, "general": 0}
+    monkeypatch.setattr(identification._Joined, "_states_follow", False)
+    general = system.fit(gains, trial, method="collocation")
+    assert counts["general"] == 1
+    np.testing.assert_allclose(general.covariance, found.covariance, rtol=1e-6)
+
+
+@pytest.mark.parametrize("solver", ["ipopt", *SOLVERS])
+def test_fits_by_each_solver(solver):
+    system, trial, gains, torques = standing(0, 2.0)
+    options = {"method": "collocation", "mesh": 30, "process_noise": {torques[0]: 0.5}}
+    system.constants = dict(zip(gains, 0.7 * GAINS.ravel(), strict=True))
+    expected = system.fit(gains, trial, **options)
+    found = system.fit(gains, trial, solver=solver, mu_strategy="adaptive", **options)
+    assert found.success
+    assert np.abs(found.estimates / expected.estimates - 1.0).max() < 1e-5
+
+
+def test_solvers_of_fits_that_are_refused():
+    system, trial, gains, _ = standing(0, 1.0)
+    with pytest.raises(ValueError, match="`solver` needs method='collocation'"):
+        system.fit(gains, trial, solver="ipopt")
+    with pytest.raises(ValueError, match="`solver` must be one of 'ipopt', 'cyipopt', 'pounce'"):
+        system.fit(gains, trial, method="collocation", solver="")
+    with pytest.raises(ValueError, match="`options` has 'nonsense': 1"):
+        system.fit(gains, trial, method="collocation", nonsense=1)
 
 
 def test_ctrl_c_hands_over_the_estimates(monkeypatch):

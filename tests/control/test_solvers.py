@@ -1,23 +1,13 @@
 """The same programs by each solver that is installed, and what is told of those that are not."""
 
-from importlib.util import find_spec
-
 import numpy as np
 import pytest
 import sympy as sm
 
 import optima
-from optima import TF, T
+from optima import SOLVERS, TF, T
 from pydy.control.nlp import Nlp
 from pydy.errors import AnalysisInterrupted, MissingDependencyError, OptimizationError
-
-
-def installed(name):
-    missing = find_spec(name) is None
-    return pytest.param(name, marks=pytest.mark.skipif(missing, reason=f"needs {name}"))
-
-
-SOLVERS = [installed("cyipopt"), installed("pounce")]
 
 
 @pytest.fixture(scope="module")

@@ -356,12 +356,14 @@ def _collocated(
     z: np.ndarray,
     limits: tuple[np.ndarray, np.ndarray],
     priors: list[tuple[int, float, float]],
-    asked: tuple[Any, dict[int, float], dict[str, Any], bool],
+    asked: tuple[Any, dict[int, float], tuple[str, dict[str, Any]], bool],
 ) -> FitResult:
     """Fit by collocation."""
     from pydy.control.identification import Experiment, Identification
+    from pydy.control.solvers import fitting_solver_of
 
-    mesh, noise, options, progress = asked
+    mesh, noise, solver, progress = asked
+    search = fitting_solver_of(*solver)
     order, definition = work.order, work.now.definition
     experiments = []
     for k, d in enumerate(work.data):
@@ -386,7 +388,7 @@ def _collocated(
         told(1, objective=f"{iteration.objective:.4g}", gap=f"{iteration.violation:.2g}")
 
     with progress_of(progress, " iterations") as told:
-        found = fit.solve(z, mesh, options, watch)
+        found = fit.solve(z, mesh, search, watch)
     if found.solution.interrupted:
         values = dict(zip(work.names, found.z.tolist(), strict=True))
         raise FitInterrupted(
@@ -526,7 +528,7 @@ def _priors(work: _Fit, priors: Any) -> list[tuple[int, float, float]]:
 
 
 def _check_method(
-    collocated: bool, segments: int, mesh: Any, process_noise: Any, options: Mapping[str, Any]
+    collocated: bool, segments: int, own: Mapping[str, Any], options: Mapping[str, Any]
 ) -> None:
     """Refuse arguments of the other method."""
     if collocated and segments > 1:
@@ -539,7 +541,7 @@ def _check_method(
             "`events` need method='shooting': collocation takes the equations of motion alone."
         )
     if not collocated:
-        for name, value in (("mesh", mesh), ("process_noise", process_noise)):
+        for name, value in own.items():
             if value is not None:
                 raise ValueError(f"`{name}` needs method='collocation'.")
 
@@ -558,6 +560,7 @@ class Fitting(Setup):
         method: str = "shooting",
         mesh: Any = None,
         process_noise: Mapping[Any, Any] | None = None,
+        solver: str | None = None,
         most: int = 100,
         progress: bool = False,
         **solver_kwargs: Any,
@@ -595,13 +598,16 @@ class Fitting(Setup):
             them, their standard deviation times the square root of the time, in s, over which each
             value lasts. These disturbances are found too, at a cost ½ ∫ (disturbance/intensity)² dt
             beside that of the residuals, ½ Σ (residual/noise)².
+        solver : {'ipopt', 'cyipopt', 'pounce'}, optional
+            Of collocation: IPOPT from CasADi's wheel, which is the default, an installed cyipopt,
+            or pounce-solver.
         most : int, optional
-            The maximum number of evaluations, or of iterations of IPOPT.
+            The maximum number of evaluations, or of iterations of that solver.
         progress : bool, optional
             Show a progress bar; requires tqdm.
         **solver_kwargs
             Options of the native solver (``'dop853'`` if `ode_solver` is not native); `rtol` and
-            `atol` are 1e-9 by default. With collocation, those of IPOPT.
+            `atol` are 1e-9 by default. With collocation, those of `solver`.
 
         Returns
         -------
@@ -612,6 +618,8 @@ class Fitting(Setup):
         ValueError, TypeError
             The system has no such parameter, a specified has no derivatives, or the data are not
             valid.
+        MissingDependencyError
+            The `solver` is not installed: ``pip install 'pydy[optimal]'``.
         FitInterrupted
             The user pressed Ctrl-C; the exception contains the best estimates so far.
 
@@ -640,7 +648,8 @@ class Fitting(Setup):
             raise ValueError("`trials` must hold at least one pydy.analysis.Trial.")
         segments, most = whole(segments, "`segments`"), whole(most, "`most`")
         collocated = choice(method, ("shooting", "collocation"), "`method`") == "collocation"
-        _check_method(collocated, segments, mesh, process_noise, solver_kwargs)
+        own = {"mesh": mesh, "process_noise": process_noise, "solver": solver}
+        _check_method(collocated, segments, own, solver_kwargs)
         work = _Fit(self, parameters, given, segments, {} if collocated else solver_kwargs)
         z = work.guess()
         limits = _bounds(work, bounds, len(z))
@@ -650,8 +659,8 @@ class Fitting(Setup):
         progress = flag(progress, "`progress`")
         if collocated:
             disturbed = _disturbances(work, process_noise)
-            options = {"max_iter": most, **solver_kwargs}
-            return _collocated(work, z, limits, known, (mesh, disturbed, options, progress))
+            searching = ("ipopt" if solver is None else solver, {"max_iter": most, **solver_kwargs})
+            return _collocated(work, z, limits, known, (mesh, disturbed, searching, progress))
         count = 0
 
         def evaluate(z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

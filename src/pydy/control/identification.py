@@ -50,7 +50,7 @@ import scipy.sparse
 
 from pydy._assembly.specifieds import driven
 from pydy._errors import warn_user
-from pydy.control.ipopt import SOLVED, STATUS, Iteration, Solution, solve
+from pydy.control.ipopt import SOLVED, STATUS, Iteration, Solution
 from pydy.control.kernel import Equations
 from pydy.control.limits import Limit
 from pydy.control.nlp import Nlp, Piece
@@ -253,10 +253,10 @@ class Identification:
         self,
         z: np.ndarray,
         mesh: Any,
-        options: Mapping[str, Any],
+        search: Callable[..., Solution],
         watch: Callable[[Iteration], None],
     ) -> Identified:
-        """Find the parameters, from z on.
+        """Find the parameters, from z on, with what `solver_of` returns.
 
         Without a `mesh`, it is refined until its error is small beside the residuals, or until the
         estimates stay where they are beside their standard errors.
@@ -268,7 +268,7 @@ class Identification:
             joined = _Joined(self, meshes)
             for _ in range(MOST_CORRECTIONS if self.noise else 1):
                 nlp, residuals, start = joined.program(z, motions, slope)
-                solution = solve(nlp, start, options=options, watch=watch)
+                solution = search(nlp, start, watch=watch)
                 found = self._found(joined, nlp, residuals, solution)
                 if not found.success or solution.interrupted:
                     return found
@@ -287,12 +287,11 @@ class Identification:
             if mesh is not None or moved <= STILL * np.sqrt(np.mean(found.values**2)):
                 return found
             earlier = z
-            errors = []
+            allowed, errors, limits = self._allowed(found), [], []
             for k, (made, part) in enumerate(zip(joined.made, parts, strict=True)):
                 sizes = made.split(nlp.sizes[joined.own[k]])[0][:, 0]
-                errors.append(interval_errors(self._moved(k), made, part, sizes))
-            allowed = self._allowed(found)
-            limits = [max(allowed / len(error), LEAST_FIT_ERROR) for error in errors]
+                limits.append(max(allowed / made.intervals, LEAST_FIT_ERROR))
+                errors.append(interval_errors(self._moved(k), made, part, sizes, limits[-1]))
             if all(e.max() <= limit for e, limit in zip(errors, limits, strict=True)):
                 return found
             meshes = [
@@ -473,6 +472,11 @@ class _Joined:
         """
         R, A = self._linear(nlp, residuals, z)
         p, free = self.parameters, self._free(nlp)
+        W = np.zeros((self.size, len(p)))
+        W[p] = np.eye(len(p))
+        if self._states_follow:
+            W[free] = scipy.sparse.linalg.splu(A[:, free].tocsc()).solve(-A[:, p].toarray())
+            return R @ W / nlp.sizes[p], W * nlp.sizes[:, None] / nlp.sizes[p]
         # In units of the largest residual, beside equations in units of their own.
         unit = float(np.abs(R.data).max(initial=0.0)) or 1.0
         R = R / unit
@@ -485,9 +489,13 @@ class _Joined:
         for _ in range(STEADY):
             found = found + factors.solve(right - K @ found)
         count = R.shape[0]
-        W = np.zeros((self.size, len(p)))
-        W[p], W[free] = np.eye(len(p)), found[count : count + int(free.sum())]
+        W[free] = found[count : count + int(free.sum())]
         return found[:count] * unit / nlp.sizes[p], W * nlp.sizes[:, None] / nlp.sizes[p]
+
+    @property
+    def _states_follow(self) -> bool:
+        """Whether the equations alone give all states, without choice or redundance."""
+        return not any(p.controls or p.equations.constraints for p in self.asked.problems)
 
     def slope(self, nlp: Nlp, residuals: Nlp, found: Identified) -> np.ndarray:
         """Return the derivatives of ½ log det H_v by the parameters, all else following them."""

@@ -38,7 +38,7 @@ class Moved:
 
 
 def interval_errors(
-    moved: Moved, made: Transcription, z: np.ndarray, sizes: np.ndarray
+    moved: Moved, made: Transcription, z: np.ndarray, sizes: np.ndarray, enough: float = 0.0
 ) -> np.ndarray:
     """Return the error of each interval, shape (M,).
 
@@ -50,6 +50,8 @@ def interval_errors(
         The unknowns.
     sizes : ndarray, shape (n,)
         How large each state is at least.
+    enough : float
+        Errors that are below it need not be known better than that.
     """
     states, _, _, duration = made.split(z)
     M = made.intervals
@@ -59,8 +61,10 @@ def interval_errors(
     while steps <= MOST_STEPS:
         ends = _integrated(moved, made, z, first, duration, steps)
         error = _largest(ends - last, scale)
-        if before is not None and (_largest(ends - before, scale) <= SURE * error).all():
-            break
+        if before is not None:
+            change = _largest(ends - before, scale)
+            if ((change <= SURE * error) | (error + change <= enough)).all():
+                break
         before, steps = ends, 2 * steps
     return error
 

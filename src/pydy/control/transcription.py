@@ -531,6 +531,8 @@ class Transcription:
 
         A polynomial that leaves the bounds between its points is held at them.
         """
+        if not self.problem.controls:
+            return np.empty((len(k), 0))
         slots = self.scheme.control_slots(self.intervals)[:, k]
         basis = self.scheme.control_basis(s)
         values = self.split(z)[1][: len(self.problem.controls)]
