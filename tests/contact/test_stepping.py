@@ -1,5 +1,7 @@
 """Exact contacts against an independent time-stepping, and what holds in any motion."""
 
+import itertools
+
 import numpy as np
 import pytest
 import sympy as sm
@@ -88,6 +90,33 @@ def test_complementarity_holds_and_energy_falls_in_random_motions():
         total = motion.energy[:, 2]
         assert np.diff(total).max() < 1e-8
         assert abs(total - total[0] - motion.contact_work).max() < 1e-8
+
+
+def test_each_combination_of_modes_and_each_state_is_made_once(monkeypatch):
+    from pydy._system import solving
+    from pydy.contact.rows import ContactRows
+
+    programs, rates, states = [], solving.event_rates_program, []
+    numbers = ContactRows.numbers
+
+    def counted(*args, **options):
+        programs.append(args[1])
+        return rates(*args, **options)
+
+    def noted(self, values):
+        states.append(tuple(values.values()))
+        return numbers(self, values)
+
+    monkeypatch.setattr(solving, "event_rates_program", counted)
+    monkeypatch.setattr(ContactRows, "numbers", noted)
+    system, contacts = falling_body([(-1, -0.2), (1, -0.2)], mu=0.3, restitution=0.3)
+    system.constants[J] = 0.4
+    system.initial_conditions, system.times = {y: 1.0, a: 0.4, vx: 1.0}, [0.0, 1.2]
+    contacts = Contacts(system, contacts)
+    motion = contacts.simulate(rtol=1e-8, atol=1e-9)
+    # A gap on the way up is told by a number: it needs no events of its own.
+    assert len(programs) == len(contacts.compiled_modes) < len(motion.modes)
+    assert all(one != other for one, other in itertools.pairwise(states))
 
 
 def test_a_table_on_four_feet_has_the_least_forces_and_turns_on_its_edges():

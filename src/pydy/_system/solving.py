@@ -10,7 +10,8 @@ from pydy._assembly.assembly import Assembly
 from pydy._assembly.definition import Definition
 from pydy._assembly.model import CompiledModel
 from pydy._checks import Places, describe
-from pydy._graph.derivative import dense_jacobian, jacobian
+from pydy._graph.derivative import dense_jacobian, directional
+from pydy._graph.lower import lower
 from pydy._graph.program import Program
 from pydy._mechanics.equations import Equations
 from pydy.solvers.events import CompiledEvents, Event
@@ -98,7 +99,7 @@ def compile_events(
         values=model.compiled_expressions("the events", (len(nodes),), expressions),
         rates=model.compiled_by(
             ("rates of the events", *expressions),
-            lambda: event_rates_program(model.assembly, expressions),
+            lambda: event_rates_program(model.assembly, expressions, simplified=False),
         ),
         resetting=resetting,
         resets=model.compiled_by(key, resets) if any(resetting) else None,
@@ -106,16 +107,21 @@ def compile_events(
     )
 
 
-def event_rates_program(assembly: Assembly, expressions: Sequence[Any]) -> Program:
-    """Return the Program of the events' time derivatives along the motion."""
+def event_rates_program(
+    assembly: Assembly, expressions: Sequence[Any], *, simplified: bool = True
+) -> Program:
+    """Return the Program of the events' time derivatives along the motion.
+
+    A simulation wants them at its ends and at events only: to simplify them would take longer.
+    """
     own = assembly.fork()
     graph = own.graph
     nodes = own.read(expressions, "the events")
-    along = [graph.input("x", k) for k in range(own.sizes[0])]
-    slopes = [*own.rates, graph.one]
-    rows = jacobian(graph, nodes, [*along, graph.input("t", 0)])
-    totals = [graph.sum([(graph.mul(d, slopes[k]), 1.0) for k, d in r.items()]) for r in rows]
-    return own.lowered([("rates", (len(totals),), totals)], graph)
+    along = {graph.input("x", k): {0: rate} for k, rate in enumerate(own.rates)}
+    rows = directional(graph, nodes, {**along, graph.input("t", 0): {0: graph.one}})
+    totals = [row.get(0, graph.zero) for row in rows]
+    blocks = [("rates", (len(totals),), totals)]
+    return own.lowered(blocks, graph) if simplified else lower(graph, own.sizes, blocks)
 
 
 def compile_constraints(model: CompiledModel, definition: Definition) -> CompiledConstraints:

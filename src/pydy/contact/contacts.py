@@ -8,8 +8,9 @@ from typing import Any
 from pydy._checks import check_mapping, choice, flag
 from pydy._system.snapshot import Snapshot
 from pydy._system.solving import check_events
+from pydy.contact.compiled import Compiled
 from pydy.contact.conditions import paired, symbols_of
-from pydy.contact.run import Compiled, Run
+from pydy.contact.run import Run
 from pydy.contact.sensitivities import Carried
 from pydy.contact.trajectory import ContactTrajectory
 from pydy.solvers.events import Event

@@ -15,7 +15,7 @@ F. Pfeiffer, C. Glocker, Multibody Dynamics with Unilateral Contacts, Wiley, 199
 from __future__ import annotations
 
 import itertools
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -304,7 +304,7 @@ def _good(problem: Problem, found: Solution | None) -> Solution | None:
 
 
 def _relaxed(
-    problem: Problem, options: Sequence[Sequence[str]], excluded: Sequence[str] | None
+    problem: Problem, options: Sequence[Sequence[str]], excluded: Collection[Sequence[str]]
 ) -> Solution | None:
     """Return the combination that forces tell, found by iteration; None if they tell none."""
     contacts, tied = [], {}
@@ -333,7 +333,7 @@ def _relaxed(
                 mode = STARTING if len(along) == 2 else FORWARD if along[0] > 0.0 else BACKWARD
             modes.append(mode)
         possible = all(mode in own for mode, own in zip(modes, options, strict=True))
-        if modes == before and possible and tuple(modes) != excluded:
+        if modes == before and possible and tuple(modes) not in excluded:
             for bias in (None, told.forces.copy()):
                 near = replace(problem, bias=bias)
                 tried = _good(near, turned(near, modes, told.sliding))
@@ -346,7 +346,7 @@ def _relaxed(
 def chosen(
     problem: Problem,
     options: Sequence[Sequence[str]],
-    excluded: Sequence[str] | None = None,
+    excluded: Collection[Sequence[str]] = (),
 ) -> Solution | None:
     """Return the first combination whose inequalities hold, or nearly hold; None if none does.
 
@@ -356,7 +356,7 @@ def chosen(
     near: Solution | None = None
     several = sum(STARTING in own for own in options) > 1
     for number, modes in enumerate(itertools.product(*options)):
-        if modes != excluded:
+        if modes not in excluded:
             tried = _good(problem, turned(problem, modes))
             if tried is not None:
                 worst = tried.margins.min(initial=np.inf)

@@ -8,6 +8,7 @@ from typing import Any
 
 import sympy as sm
 
+from pydy._forks import cached_property
 from pydy._graph.from_sympy import NodeExpression
 from pydy._graph.node import Graph
 from pydy._mechanics.equations import Equations
@@ -41,6 +42,11 @@ def output_symbols(contacts: Sequence[Contact]) -> dict[tuple[int, str], Any]:
         parts += ["power"] if number else []
         found.update({(i, what): sm.Symbol(f"{c.name}_{what}") for what in parts})
     return found
+
+
+def margin_symbol(contact: Contact) -> Any:
+    """Return what a contact that sticks has to spare: (μ_s N)² − F²."""
+    return sm.Symbol(f"{contact.name}_margin")
 
 
 class Mode:
@@ -227,11 +233,20 @@ class Mode:
             for (k, what), symbol in symbols.items():
                 if k == i:
                     found[symbol] = self._expression(nodes[what], str(symbol))
+            if self.modes[i] == STICKS:
+                most = g.powi(g.mul(rows.static[i], nodes["normal"]), 2)
+                margin = g.sub(most, rows.dot(g, forces, forces))
+                found[margin_symbol(rows.contacts[i])] = self._expression(margin, "margin")
         return found
 
-    def events(self, rising: frozenset[int]) -> tuple[list[Event], list[tuple[str, int]]]:
-        """Return what ends the mode, and what each event is: what happens, to which contact."""
+    @cached_property
+    def events(self) -> tuple[list[Event], list[tuple[str, int]]]:
+        """What ends the mode, and what each event is: what happens, to which contact.
+
+        A gap on the way up may be zero by rounding: until its speed turns, that is watched.
+        """
         rows, g = self.rows, self.graph
+        nodes_of = {symbol: node for node, symbol in rows.symbols.items()}
         nodes: list[int] = []
         kinds: list[tuple[str, int]] = []
 
@@ -243,10 +258,8 @@ class Mode:
         for i, mode in enumerate(self.modes):
             normal, tangent = rows.normal[i], rows.tangent[i]
             if mode == OPEN and normal is not None:
-                if i in rising:
-                    watch(rows.speeds[normal], "turns", i)
-                else:
-                    watch(rows.gaps[i], "closes", i)
+                up = g.call("lt", g.zero, nodes_of[rows.rising[i]])
+                watch(g.call("select", up, rows.speeds[normal], rows.gaps[i]), "closes", i)
                 continue
             press = rows.pressed[i] if normal is None else self.forces[normal]
             if normal is not None:

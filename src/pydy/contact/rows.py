@@ -42,6 +42,7 @@ class Numbers:
     square: np.ndarray  # (rows, rows), J W
     moves: np.ndarray  # (speeds, rows), W
     kinematics: np.ndarray  # (coordinates, speeds), ∂q'/∂u
+    gradient: np.ndarray  # (contacts, coordinates), of the gaps
     normal: np.ndarray  # (contacts,), known normal forces
     restitution: np.ndarray
     mu: np.ndarray
@@ -82,8 +83,12 @@ class ContactRows:
                 (c.unilateral is not None) + (0 if c.stick is None else 2 if c.stick.plane else 1)
             )
         ]
-        hidden = [*(s for own in self.references.values() for s in own), *self.biases]
-        constants = [*constants, *hidden]
+        # Of each contact: whether its gap is on the way up; then its speed is watched, not the gap.
+        self.rising = [sm.Symbol(f"{c.name}_rising") for c in contacts]
+        self.hidden = [
+            *(s for own in self.references.values() for s in own), *self.biases, *self.rising
+        ]  # fmt: skip
+        constants = [*constants, *self.hidden]
         more = [s for s in constants if s not in formed.constants]
         others = [s for s in specifieds if s not in formed.specifieds]
         self.formed = replace(
@@ -199,7 +204,9 @@ class ContactRows:
         others = [*self.pressed, *self.restitution, *self.mu, *self.static]
         n = len(self.equations.coordinates)
         u = [g.input("x", n + k) for k in range(len(self.equations.speeds))]
-        others = [*dense_jacobian(g, self.formed.rates, u), *others]
+        q = [g.input("x", k) for k in range(n)]
+        slopes = dense_jacobian(g, self.formed.rates, u), dense_jacobian(g, self.gaps, q)
+        others = [*slopes[0], *slopes[1], *others]
         nodes = [*self.gaps, *near, *self.speeds, *slow, *free, *square, *moves, *others]
         return evaluator(g, nodes)
 
@@ -209,13 +216,13 @@ class ContactRows:
         found = self._values(inputs, 1)[0]
         c, k, n = len(self.contacts), len(self.speeds), len(self.equations.speeds)
         q = len(self.equations.coordinates)
-        sizes = [c, c, k, k, k, k * k, k * n, q * n, c, c, c, c]
+        sizes = [c, c, k, k, k, k * k, k * n, q * n, c * q, c, c, c, c]
         parts = np.split(found, np.cumsum(sizes)[:-1])
-        gap, near, speed, slow, free, square, moves, kinematics, *others = parts
+        gap, near, speed, slow, free, square, moves, kinematics, gradient, *others = parts
         pressed, e, mu, static = others
         return Numbers(
             gap, near, speed, slow, free, square.reshape(k, k), moves.reshape(k, n).T,
-            kinematics.reshape(q, n), pressed, e, mu, static,
+            kinematics.reshape(q, n), gradient.reshape(c, q), pressed, e, mu, static,
         )  # fmt: skip
 
     @staticmethod

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -13,7 +13,8 @@ from pydy._errors import ContactError, IntegrationError
 from pydy._rank import ROUNDED
 from pydy._system.sensitivities import Wanted
 from pydy._system.snapshot import Snapshot
-from pydy.contact.conditions import Contact, check_values
+from pydy.contact.compiled import Compiled
+from pydy.contact.conditions import check_values
 from pydy.contact.decide import (
     BACKWARD,
     CLOSED,
@@ -31,8 +32,8 @@ from pydy.contact.decide import (
     solved,
     within,
 )
-from pydy.contact.modes import Mode, output_symbols
-from pydy.contact.rows import ContactRows, Numbers
+from pydy.contact.modes import Mode, margin_symbol, output_symbols
+from pydy.contact.rows import Numbers
 from pydy.contact.sensitivities import Carried
 from pydy.contact.trajectory import ContactTrajectory, Piece, Pieces, PieceSensitivities
 from pydy.contact.tuning import (
@@ -61,55 +62,6 @@ IMPACTS = (  # what an impulse may do, by the number of tangential directions
 
 
 _NOTED = frozenset({"bends", "clears", "turns"})  # events that change no mode
-
-
-class Compiled:
-    """What is made for a definition: rows of the contacts, and modes as they occur."""
-
-    def __init__(self, system: System, now: Snapshot, contacts: tuple[Contact, ...]) -> None:
-        self.definition, self.contacts = now.definition, contacts
-        self.rows = ContactRows(
-            now.definition.equations, contacts, now.definition.constants, now.definition.specifieds
-        )
-        self.stated = list(output_symbols(contacts).values())
-        hidden = [s for own in self.rows.references.values() for s in own]
-        self.constants = (*self.definition.constants, *hidden, *self.rows.biases)
-        self.modes: dict[tuple[tuple[str, ...], tuple[int, ...]], tuple[Mode, System]] = {}
-        self._events: dict[Any, Any] = {}
-        self._users = system._define.users(system._outputs, system._forces)
-        self._system = system
-
-    def mode(self, modes: tuple[str, ...], held: tuple[int, ...], every: Any) -> Any:
-        """Return a Mode and its System."""
-        key = modes, held
-        if key not in self.modes:
-            made = Mode(self.rows, modes, held, every)
-            system = System(
-                made.equations,
-                outputs={**self._users, **made.outputs},
-                specifieds=dict(self._system._specifieds),
-                constants_symbols=self.constants,
-                specifieds_symbols=self.definition.specifieds,
-            )
-            self.modes[key] = made, system
-        return self.modes[key]
-
-    def events(self, mode: Mode, rising: frozenset[int]) -> Any:
-        """Return the events of a Mode, made once."""
-        key = mode, rising
-        if key not in self._events:
-            self._events[key] = mode.events(rising)
-        return self._events[key]
-
-    def columns(self, mode: Mode, definition: Any) -> list[int]:
-        """Return which outputs of a mode are those of the trajectory."""
-        own = list(definition.outputs_symbols)
-        base = self.definition
-        h, n = len(base.equations.holonomic), len(base.equations.nonholonomic)
-        residuals = list(definition.residuals)
-        kept = [*residuals[:h], *residuals[len(residuals) - n :]] if n else residuals[:h]
-        users = base.symbols_by_kind["output"]
-        return [own.index(s) for s in (*users, *self.stated, *kept)]
 
 
 @dataclass
@@ -159,6 +111,7 @@ class Run:
         self.quickest: dict[int, float] = {}  # sliding speeds since they began
         self.reached = np.ones(len(times), dtype=bool)
         self.totals = {"steps": 0, "rejected": 0, "evaluations": 0}
+        self._latest: tuple[Any, Numbers] | None = None  # a state, and the rows there
         self._numbers_of: dict[Any, float] = dict(
             zip(now.definition.constants, now.p.tolist(), strict=True)
         )
@@ -167,7 +120,10 @@ class Run:
 
     def numbers(self, t: float, x: np.ndarray) -> Numbers:
         """Return the rows of the contacts at a state."""
-        return self.rows.numbers(self.values(t, x))
+        key = t, x.tobytes()
+        if self._latest is None or self._latest[0] != key:
+            self._latest = key, self.rows.numbers(self.values(t, x))
+        return self._latest[1]
 
     def values(self, t: float, x: np.ndarray) -> dict[Any, float]:
         """Return a number for each symbol."""
@@ -279,7 +235,7 @@ class Run:
         return found if self.rows.normal[i] is None else [*found, OPEN]
 
     def decide(
-        self, state: State, fixed: dict[int, str], excluded: tuple[str, ...] | None = None
+        self, state: State, fixed: dict[int, str], excluded: Collection[tuple[str, ...]] = ()
     ) -> Solution:
         """Return the modes from here on, by the complementarity of the accelerations."""
         self.bias = None
@@ -334,7 +290,8 @@ class Run:
         for i in sorted(closing):
             normal = normals[i]
             assert normal is not None
-            if e[i] > 0.0 and self._is_low(i, e[i] * abs(p.speed[normal]), rates[normal]):
+            leaves = e[i] * abs(p.speed[normal])
+            if e[i] > 0.0 and self._is_low(i, leaves, rates[normal], p, state.x):
                 rests.append(i)
         start = p.speed.copy()
         for i in hit:
@@ -375,7 +332,9 @@ class Run:
                 if p.speed[normals[i]] < 0.0
             }
             values = self.values(state.t, before)
-            self.carried.impact(values, p, found, kept_of, frozenset(state.touching), self.first)
+            slopes = self.carried.impact(
+                values, p, found, kept_of, frozenset(state.touching), self.first
+            )
         state.x = before.copy()
         speeds = slice(self.first, self.first + p.moves.shape[0])
         state.x[speeds] += p.moves @ found.forces
@@ -405,12 +364,17 @@ class Run:
                 )
             if i in rests:
                 v, a = e[i] * abs(p.speed[normal]), abs(rates[normal])
-                limit = state.t + 2.0 * v / (a * (1.0 - e[i])) if e[i] < 1.0 else state.t
+                left = 1.0 / (a * (1.0 - e[i])) if e[i] < 1.0 else 0.0
+                limit = float(state.t + 2.0 * v * left)
                 self.first_height.pop(i, None)
+                record = EventRecord(limit, f"{name} rests", i, state.x.copy(), state.x.copy())
+                if self.carried is not None:  # the acceleration changes it by what is as small
+                    slower = v * left * a * slopes.restitution[i]
+                    faster = -e[i] * slopes.speed[normal] - p.speed[normal] * slopes.restitution[i]
+                    moved = self.carried.time + 2.0 * left * (faster + slower)
+                    record = replace(record, time_sensitivity=moved)
                 if limit <= self.times[-1]:
-                    self.records.append(
-                        EventRecord(limit, f"{name} rests", i, state.x.copy(), state.x.copy())
-                    )
+                    self.records.append(record)
             elif i in state.touching:
                 self.first_height.pop(i, None)
         for i in state.touching:
@@ -436,18 +400,20 @@ class Run:
         rtol = float(np.min(self.options.get("rtol", Options.rtol)))
         return ERRORS * (float(np.min(self._atol)) + rtol * self.quickest.get(i, 0.0))
 
-    def _is_low(self, i: int, speed: float, acceleration: float) -> bool:
+    def _is_low(self, i: int, speed: float, acceleration: float, p: Numbers, x: np.ndarray) -> bool:
         """Whether the rebounds that follow are all lower than the tolerance of the solver.
 
-        Heights are compared with that of the first impact of the sequence.
+        Heights are compared with that of the first impact of the sequence, and with what the
+        solver tells of the gap: twice that, so that no impact which follows grazes.
         """
         if not acceleration < 0.0:
             return False
         height = speed**2 / (2.0 * -acceleration)
         first = self.first_height.setdefault(i, height)
         rtol = float(np.min(real_array(self.options.get("rtol", Options.rtol), "`rtol`")))
-        atol = float(np.min(self._atol))
-        return bool(height <= max(rtol * first, atol))
+        atol = np.broadcast_to(self._atol, self.n)[: self.first]
+        told = np.abs(p.gradient[i]) @ (atol + rtol * np.abs(x[: self.first]))
+        return bool(height <= max(rtol * first, 2.0 * told))
 
     # -- from transition to transition ------------------------------------------------------------
 
@@ -457,22 +423,24 @@ class Run:
         fixed: dict[int, str] = {}
         instants, transitions = 0, 0
         ended = False
-        excluded: tuple[str, ...] | None = None
+        excluded: set[tuple[str, ...]] = set()  # what is not possible at this instant
         while not ended:
             before = state.t
             found = self.decide(state, fixed, excluded)
-            if self.redundant and excluded is not None:
+            if self.redundant and excluded:
                 self.note_changes(state, found)
             self.modes = found.modes
             ended, fired = self.run(state, found)
             if ended:
                 break
+            here = state.t - before <= self.resolution(state.t)
+            excluded = excluded if here else set()
             if self.redundant and {what for what, _ in fired} <= {"slips", "opens"}:
-                fixed, excluded = {}, None if self.goes_on(state) else self.modes
+                fixed, excluded = {}, set() if self.goes_on(state) else {*excluded, self.modes}
             else:
-                fixed, excluded = self.after(state, fired), None
+                fixed, excluded = self.after(state, fired), set()
             transitions += 1
-            instants = instants + 1 if state.t - before <= self.resolution(state.t) else 0
+            instants = instants + 1 if here else 0
             if instants > INSTANT or transitions > STALLED:
                 raise self.fail(
                     state.t, state.x,
@@ -509,15 +477,16 @@ class Run:
                 [n for n in held if n in owners], owners, self.first,
             )  # fmt: skip
         mode, system = self.kept.mode(solution.modes, held, every)
-        rising = frozenset(state.rising)
-        events, kinds = self.kept.events(mode, rising)
+        events, kinds = mode.events
+        kinds = [("turns", i) if what == "closes" and i in state.rising else (what, i)
+                 for what, i in kinds]  # fmt: skip
         now = self.now
         later = self.times > state.t
         here = self.times == state.t
         self.states[here] = state.x
         if not later.any():
             return True, []
-        system.constants = dict(self._numbers_of) | self.references(p, solution)
+        system.constants = dict(self._numbers_of) | self.references(p, state, solution)
         system.specifieds = dict(self.kept._system._specifieds)
         system.ode_solver = self.kept._system.ode_solver
         system.times = np.concatenate([[state.t], self.times[later]])
@@ -533,7 +502,10 @@ class Run:
             system.ode_solver = "radau"
             options["first_step"] = FIRST * self.resolution(state.t)
         if self.carried is not None:
-            options["sensitivities"] = self.columns_of(state, system)
+            given = self.carried.starts(system.evaluate_ode(state.x, state.t))
+            self.columns[here] = given
+            wanted = Wanted(self.carried.symbols, self.carried.controlled, None, given)
+            options["sensitivities"] = wanted
         try:
             part = system.simulate(events=[*events, *self.user_events], **options)
         except IntegrationError as error:
@@ -542,20 +514,6 @@ class Run:
                 f"The integration stopped in the modes {', '.join(self.modes)}: {error}",
             ) from error  # fmt: skip
         return self.take(state, part, mode, kinds, system)
-
-    def columns_of(self, state: State, system: System) -> Wanted:
-        """Return the sensitivities of the mode that begins, and note them where it does."""
-        carried = self.carried
-        assert carried is not None
-        given = carried.starts(system.evaluate_ode(state.x, state.t))
-        self.columns[self.times == state.t] = given
-        for k, record in enumerate(self.records):
-            if record.time == state.t and record.time_sensitivity is None:
-                self.records[k] = replace(
-                    record, time_sensitivity=carried.time, sensitivity_before=self.arriving,
-                    sensitivity_after=given,
-                )  # fmt: skip
-        return Wanted(carried.symbols, carried.controlled, None, given)
 
     def leaps(self, p: Numbers, solution: Solution) -> bool:
         """Whether contacts begin to slide in a plane, and at once with an acceleration.
@@ -570,8 +528,8 @@ class Run:
                 return False
         return bool(found)
 
-    def references(self, p: Numbers, solution: Solution) -> dict[Any, float]:
-        """Return the biases, and what tells in which directions contacts slide in a plane.
+    def references(self, p: Numbers, state: State, solution: Solution) -> dict[Any, float]:
+        """Return the biases, what rises, and in which directions contacts slide in a plane.
 
         The least speed is rounding, or, where they begin to slide, a part of what the solver
         resolves: below it the direction is that of the acceleration. They have begun at a part of
@@ -579,6 +537,7 @@ class Run:
         """
         bias = np.zeros(len(p.free)) if self.bias is None else self.bias
         found: dict[Any, float] = dict(zip(self.rows.biases, bias.tolist(), strict=True))
+        found.update({s: float(i in state.rising) for i, s in enumerate(self.rows.rising)})
         eps = np.finfo(float).eps
         atol = float(np.min(self._atol))
         for i, symbols in self.rows.references.items():
@@ -619,19 +578,29 @@ class Run:
         for name in self.totals:
             self.totals[name] += int(told.get(name, 0))
         own = len(kinds)
+        stopped = told.get("code") == TERMINATED
+        end = part.events[-1].time if stopped else float(self.times[-1])
+        at_end = [r for r in part.events if stopped and r.time == end]
+        if broken := self.check(part, mode, end, at_end[-1].before if stopped else None):
+            return False, broken
+        if self.carried is not None:
+            begun = {
+                "time_sensitivity": self.carried.time,
+                "sensitivity_before": self.arriving,
+                "sensitivity_after": part.sensitivity.values[0],
+            }
+            for k, record in enumerate(self.records):
+                if record.time == state.t and record.time_sensitivity is None:
+                    self.records[k] = replace(record, **begun)
         state.resting -= {i for i, what in enumerate(mode.modes) if what in SLIDES}
         for record in part.events:
             if record.index >= own and (record.time > state.t or not self.pieces):
                 self.records.append(replace(record, index=record.index + len(self.contacts) - own))
-        stopped = told.get("code") == TERMINATED
-        end = part.events[-1].time if stopped else float(self.times[-1])
-        at_end = [r for r in part.events if stopped and r.time == end]
         acting = [r for r in at_end if r.index < own]
         rows = (self.times > state.t) & (self.times <= end)
         self.states[rows] = part.states[1 : 1 + int(rows.sum())]
         if self.carried is not None:
             self.columns[rows] = part.sensitivity.values[1 : 1 + int(rows.sum())]
-        self.check(part, mode, end, at_end[-1].before if stopped else None)
         columns = self.kept.columns(mode, system._now().definition)
         self.pieces.append(
             Piece(
@@ -652,8 +621,14 @@ class Run:
             return True, []
         return False, [kinds[r.index] for r in acting]
 
-    def check(self, part: Any, mode: Mode, end: float, last: np.ndarray | None) -> None:
-        """Refuse a motion in which a transition was missed: no number that is wrong is returned."""
+    def check(
+        self, part: Any, mode: Mode, end: float, last: np.ndarray | None
+    ) -> list[tuple[str, int]]:
+        """Refuse a motion in which a transition was missed: no number that is wrong is returned.
+
+        Return what is violated from the start on: forces at their limits fit several modes there,
+        and only the motion tells which of them hold.
+        """
         atol = float(np.max(self._atol))
         symbols = output_symbols(self.contacts)
         few = np.append(np.linspace(part.times[0], end, CHECKED), end)
@@ -664,32 +639,37 @@ class Run:
         model = part._model
         table = model.outputs(few, np.ascontiguousarray(states))
         names = list(model.definition.outputs_symbols)
+        broken = []
         for i, c in enumerate(self.contacts):
-            if mode.modes[i] in SLIDES:
-                values = table[:, names.index(symbols[i, "power"])]
-                most = SLACK * np.abs(values).max(initial=0.0)
-                most = max(most, self._unresolved(i) * self.largest)
-                if values.max() > most:
-                    worst = int(values.argmax())
-                    raise self.fail(
-                        float(few[worst]), states[worst],
-                        f"The friction of {c.name!r} drives it: the solver stepped over a reversal "
-                        "of its sliding speed. Limit the step with `max_step`.",
-                    )  # fmt: skip
-            if c.unilateral is None:
-                continue
-            what = "gap" if mode.modes[i] == OPEN else "normal"
-            values = table[:, names.index(symbols[i, what])]
-            allowed = SLACK * np.abs(values).max(initial=0.0)
-            allowed += atol if what == "gap" else SLACK * self.largest
-            worst = int(values.argmin())
-            if values[worst] < -allowed:
+            looked: list[tuple[Any, float, str, str]] = []  # symbol, slack, kind, in words
+            own = mode.modes[i]
+            if own in SLIDES:
+                slack = self._unresolved(i) * self.largest
+                looked.append((symbols[i, "power"], slack, "", "power of friction"))
+            if own == STICKS:
+                slack = 2.0 * SLACK * self.largest**2
+                looked.append((margin_symbol(c), slack, "slips", "margin of friction, squared,"))
+            if c.unilateral is not None and own == OPEN:
+                looked.append((symbols[i, "gap"], atol, "", "gap"))
+            elif c.unilateral is not None:
+                looked.append((symbols[i, "normal"], SLACK * self.largest, "opens", "normal force"))
+            for symbol, slack, kind, words in looked:
+                values = table[:, names.index(symbol)] * (-1.0 if words[:5] == "power" else 1.0)
+                allowed = SLACK * np.abs(values).max(initial=0.0) + slack
+                below = values < -allowed
+                if not below.any():
+                    continue
+                if kind and values[: below.argmax()].max(initial=-np.inf) <= allowed:
+                    broken.append((kind, i))
+                    continue
+                worst = int(values.argmin())
                 raise self.fail(
                     float(few[worst]), states[worst],
-                    f"The {'gap' if what == 'gap' else 'normal force'} of {c.name!r} became "
-                    f"{values[worst]:.3g} between two transitions: the solver stepped over one. "
-                    "Limit the step with `max_step`.",
+                    f"The {words} of {c.name!r} became {table[worst, names.index(symbol)]:.3g} "
+                    "between two transitions: the solver stepped over one. Limit the step with "
+                    "`max_step`.",
                 )  # fmt: skip
+        return broken
 
     def goes_on(self, state: State) -> bool:
         """Whether other forces of the same modes are within the cones, with a margin."""

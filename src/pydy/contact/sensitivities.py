@@ -151,8 +151,8 @@ class Carried:
         kept: Mapping[int, float],
         still: Collection[int],
         first: int,
-    ) -> None:
-        """Apply the derivatives of an impact.
+    ) -> Slopes:
+        """Apply the derivatives of an impact; return those of the rows before it.
 
         Parameters
         ----------
@@ -204,6 +204,7 @@ class Carried:
         change = np.einsum("ijk,j->ik", d.moves, f) + p.moves @ slope
         self.total = self.total.copy()
         self.total[first : first + len(change)] += change
+        return d
 
     def project(
         self,

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 from pydy._rank import HALF, ROUNDING
 
 CONTACTS = 8
@@ -54,18 +56,22 @@ FIRST = 16.0
 that grow as they may lead from there to any other size."""
 
 ERRORS = 16.0
-"""Errors of many steps, in units of the tolerance of one."""
+"""Errors of many steps, in units of the tolerance of one. They have either sign and add up as the
+square root of their number: of 256 steps, and motions between two transitions rarely take more."""
 
-CUTS = 60
+CUTS = round(-math.log2(ROUNDING))
 """Linear programs for the innermost forces: each plane that touches a cone halves the distance to
-it or more, and rounding is some forty halves away."""
+it or more, and so many halves lead from one to rounding."""
 
 FEASIBLE = 1e-10
 """The tolerance of these linear programs, the finest that HiGHS takes; forces are of size one."""
 
-TILT = 2.0**-10
+TILT = FEASIBLE**0.5
 """What a unit of normal forces is worth in margins of cones, where internal forces may be as large
-as one likes."""
+as one likes: as far above what the linear programs resolve as below one. Contacts with a smaller
+coefficient of friction are not pressed together to hold."""
 
 SWEEPS = 4096
-"""Sweeps over the contacts until their modes are told from their forces."""
+"""Sweeps over the contacts until their modes are told from their forces. Errors fall as
+exp(−sweeps/κ) with the condition number κ of J M⁻¹ Jᵀ: half the digits take 18 κ, so that this is
+enough for κ = 200. Beyond that all combinations are tried."""
