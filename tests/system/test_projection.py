@@ -15,6 +15,7 @@ from gallery import definitions
 from pydy._errors import IntegrationError, PyDyUserWarning
 from pydy.examples import whipple_bicycle
 from pydy.inputs import SampledInput
+from pydy.mechanics import Definition
 from pydy.solvers import Event
 from pydy.system import System
 
@@ -370,6 +371,27 @@ def test_constraints_that_can_no_longer_be_met_stop_the_integration():
     assert "limit `max_step`" in message
     assert 0.0 <= caught.value.time <= 0.5
     assert np.isfinite(caught.value.states).all()
+
+
+@pytest.mark.parametrize("angle", [0.3, 0.5])
+@pytest.mark.parametrize("mass", [1.7, 2.0, 3.0])
+def test_coordinates_that_are_held_at_zero_need_not_be_zero_to_the_last_bit(angle, mass):
+    # A block on a wedge that is held at the origin: corrections along the slope are felt there.
+    N, O = me.ReferenceFrame("N"), me.Point("O")
+    O.set_vel(N, 0)
+    q, u = me.dynamicsymbols("x y X Y"), me.dynamicsymbols("v_x v_y V_x V_y")
+    P, W = O.locatenew("P", q[0] * N.x + q[1] * N.y), O.locatenew("W", q[2] * N.x + q[3] * N.y)
+    P.set_vel(N, u[0] * N.x + u[1] * N.y)
+    W.set_vel(N, u[2] * N.x + u[3] * N.y)
+    across = sm.Float(np.sin(angle)) * (q[0] - q[2]) + sm.Float(np.cos(angle)) * (q[1] - q[3])
+    wedge = Definition(
+        N, q, u, bodies=[me.Particle("block", P, 1), me.Particle("wedge", W, mass)],
+        loads=[(P, -9.81 * N.y)], holonomic_constraints=[across, q[3], q[2]],
+    )  # fmt: skip
+    system = System(wedge, ode_solver="dop853", times=np.linspace(0.0, 1.0, 3))
+    motion = system.simulate(constraints="project", rtol=1e-11, atol=1e-12)
+    assert motion["x"][-1] == pytest.approx(9.81 / 4 * np.sin(2 * angle), rel=1e-12)
+    assert motion.statistics["rejected"] == 0
 
 
 @pytest.mark.parametrize("solver", ADAPTIVE)

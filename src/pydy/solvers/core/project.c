@@ -29,20 +29,24 @@ INLINE void watch_rank(const Held *s, double t, const double *x, int64_t n)
     }
 }
 
-/* Move positions until their residuals are rounding. */
+/* Move positions until their residuals are rounding: that of their terms, or that of the first
+   correction, beside which the terms are nothing where coordinates are held at zero. */
 INLINE int64_t hold_positions(const Run *run, const Held *s, double *x)
 {
     const Problem *p = &run->problem;
-    double before = INF;
+    double before = INF, *mended = s->scratch->mended.at;
+    for (int64_t i = 0; i < s->h; i++)
+        mended[i] = 0.0;
     for (int iteration = 0;; iteration++) {
         if (call_kernel(run->constraints.words.at[PROJECTOR], p->clock.at, x, p->r.at,
                 run->constraints.c.at, s->values) < 0)
             return CONSTRAINTS_NOT_MET;
         double worst = 0.0; /* in units of what rounding may make of residuals */
         for (int64_t i = 0; i < s->h; i++) {
-            if (s->values[i] != 0.0)
-                worst = maximum(absolute(s->values[i]) / (ROUNDING * s->rounding[i]), worst);
-            if (!is_finite(s->values[i]))
+            const double size = absolute(s->values[i]);
+            if (size != 0.0)
+                worst = maximum(size / (ROUNDING * maximum(s->rounding[i], mended[i])), worst);
+            if (!is_finite(size))
                 return CONSTRAINTS_NOT_MET;
         }
         if (worst <= 1.0 || (worst >= 0.5 * before && worst <= ROUNDINGS))

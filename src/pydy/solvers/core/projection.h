@@ -201,6 +201,10 @@ APART void move_positions(const Held *s, double *x, int64_t width)
     set_rows(&p->kinematics, p->gradient.at, &p->holonomic);
     divide_rows(p->holonomic.at, s->h, p->factor.at, s->u);
     minimum_norm(&p->holonomic, p);
+    const double norm = root(product(p->step.at, p->step.at, s->u));
+    for (int64_t i = 0; i < s->h; i++)
+        if (p->mended.at[i] == 0.0)
+            p->mended.at[i] = p->lengths.at[i] * norm;
     divide_transposed(p->factor.at, s->u, p->step.at);
     for (int64_t j = 0; j < s->q; j++)
         for (int64_t k = 0; k < s->u; k++)

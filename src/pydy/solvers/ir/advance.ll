@@ -1,4 +1,4 @@
-; sources fd9645c6e8c7854e195b94ce71a21c001ea661529766ca6fe30553440e319bd3
+; sources 832606f130959624fa94bed9d85baba841a900a60bd8b8a65bd3524a49bf50aa
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {

@@ -1,4 +1,4 @@
-; sources 90ce2c69abeb33303ed378201caa0d9b8ec01ebcef3af4ff81b8e86724079d62
+; sources acf3b4bb5fbf54b29d288606883f7f6e7e95b0c15d77bd5429e089016218155c
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define noundef i64 @evaluate_lanes(ptr noundef readonly %0) #0 {

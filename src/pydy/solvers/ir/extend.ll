@@ -1,4 +1,4 @@
-; sources c7fc1d9de95251ba26dd447fc589f96daf71af6bf0fea3da20d1a1bc8c9fa98a
+; sources 62dcefd1d60b4a83d077fdeb840a90cb2baa379d919254b7361e3ad49a6192ae
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @extend(ptr noundef %0, ptr noundef readonly %1) #0 {

@@ -1,4 +1,4 @@
-; sources e4100f3604c2e0c357805a29a53177c027d42c61a6f0da079276377a198afce4
+; sources 329b7bfe85be4e9d96ac914c2a972deefcb01d4437edabb5dff9607012d0905f
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Held = type { ptr, i64, i64, i64, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr }
@@ -88,392 +88,411 @@ define i64 @project(ptr noundef readonly %0, double noundef %1, ptr noundef %2) 
   store i64 %58, ptr %56, align 8
   %59 = load ptr, ptr %9, align 8
   %60 = icmp sgt i64 %21, 0
-  br i1 %60, label %61, label %65
+  br i1 %60, label %61, label %75
 
-61:                                               ; preds = %53, %88
-  %62 = phi i64 [ %89, %88 ], [ 0, %53 ]
+61:                                               ; preds = %53, %65
+  %62 = phi i64 [ %66, %65 ], [ 0, %53 ]
   %63 = mul nuw nsw i64 %62, %21
   %64 = getelementptr double, ptr %59, i64 %63
-  br label %91
+  br label %68
 
-65:                                               ; preds = %88, %53
-  %66 = getelementptr inbounds i8, ptr %0, i64 168
-  %67 = getelementptr inbounds i8, ptr %0, i64 192
-  %68 = getelementptr inbounds i8, ptr %0, i64 672
-  %69 = load ptr, ptr %5, align 8
-  %70 = getelementptr inbounds i8, ptr %69, i64 8
-  %71 = load i64, ptr %70, align 8
-  %72 = load ptr, ptr %66, align 8
-  %73 = load ptr, ptr %67, align 8
-  %74 = load ptr, ptr %68, align 8
-  %75 = inttoptr i64 %71 to ptr
-  %76 = tail call i32 %75(ptr noundef %72, ptr noundef %2, ptr noundef %73, ptr noundef %74, ptr noundef %27) #8
-  %77 = icmp slt i32 %76, 0
-  br i1 %77, label %199, label %78
+65:                                               ; preds = %68
+  %66 = add nuw nsw i64 %62, 1
+  %67 = icmp eq i64 %66, %21
+  br i1 %67, label %75, label %61, !llvm.loop !6
 
-78:                                               ; preds = %65
-  %79 = icmp sgt i64 %12, 0
-  %80 = icmp eq i64 %24, 1
-  %81 = getelementptr inbounds i8, ptr %9, i64 8
-  %82 = getelementptr inbounds i8, ptr %9, i64 16
-  %83 = getelementptr inbounds i8, ptr %9, i64 24
-  %84 = getelementptr inbounds i8, ptr %9, i64 32
-  %85 = getelementptr inbounds i8, ptr %9, i64 40
-  %86 = getelementptr inbounds i8, ptr %9, i64 144
-  %87 = icmp sgt i64 %12, 0
-  br label %109
+68:                                               ; preds = %61, %68
+  %69 = phi i64 [ 0, %61 ], [ %73, %68 ]
+  %70 = icmp eq i64 %62, %69
+  %71 = select i1 %70, double 1.000000e+00, double 0.000000e+00
+  %72 = getelementptr double, ptr %64, i64 %69
+  store double %71, ptr %72, align 8
+  %73 = add nuw nsw i64 %69, 1
+  %74 = icmp eq i64 %73, %21
+  br i1 %74, label %65, label %68, !llvm.loop !9
 
-88:                                               ; preds = %91
-  %89 = add nuw nsw i64 %62, 1
-  %90 = icmp eq i64 %89, %21
-  br i1 %90, label %65, label %61, !llvm.loop !6
+75:                                               ; preds = %65, %53
+  %76 = getelementptr inbounds i8, ptr %9, i64 264
+  %77 = load ptr, ptr %76, align 8
+  %78 = icmp sgt i64 %12, 0
+  br i1 %78, label %102, label %79
 
-91:                                               ; preds = %61, %91
-  %92 = phi i64 [ 0, %61 ], [ %96, %91 ]
-  %93 = icmp eq i64 %62, %92
-  %94 = select i1 %93, double 1.000000e+00, double 0.000000e+00
-  %95 = getelementptr double, ptr %64, i64 %92
-  store double %94, ptr %95, align 8
-  %96 = add nuw nsw i64 %92, 1
-  %97 = icmp eq i64 %96, %21
-  br i1 %97, label %88, label %91, !llvm.loop !9
+79:                                               ; preds = %102, %75
+  %80 = getelementptr inbounds i8, ptr %0, i64 168
+  %81 = getelementptr inbounds i8, ptr %0, i64 192
+  %82 = getelementptr inbounds i8, ptr %0, i64 672
+  %83 = load ptr, ptr %5, align 8
+  %84 = getelementptr inbounds i8, ptr %83, i64 8
+  %85 = load i64, ptr %84, align 8
+  %86 = load ptr, ptr %80, align 8
+  %87 = load ptr, ptr %81, align 8
+  %88 = load ptr, ptr %82, align 8
+  %89 = inttoptr i64 %85 to ptr
+  %90 = tail call i32 %89(ptr noundef %86, ptr noundef %2, ptr noundef %87, ptr noundef %88, ptr noundef %27) #8
+  %91 = icmp slt i32 %90, 0
+  br i1 %91, label %213, label %92
 
-98:                                               ; preds = %195
-  %99 = add nuw nsw i32 %110, 1
-  %100 = load ptr, ptr %5, align 8
-  %101 = getelementptr inbounds i8, ptr %100, i64 8
-  %102 = load i64, ptr %101, align 8
-  %103 = load ptr, ptr %66, align 8
-  %104 = load ptr, ptr %67, align 8
-  %105 = load ptr, ptr %68, align 8
-  %106 = inttoptr i64 %102 to ptr
-  %107 = tail call i32 %106(ptr noundef %103, ptr noundef %2, ptr noundef %104, ptr noundef %105, ptr noundef %27) #8
-  %108 = icmp slt i32 %107, 0
-  br i1 %108, label %199, label %109, !llvm.loop !10
+92:                                               ; preds = %79
+  %93 = icmp sgt i64 %12, 0
+  %94 = icmp eq i64 %24, 1
+  %95 = getelementptr inbounds i8, ptr %9, i64 8
+  %96 = getelementptr inbounds i8, ptr %9, i64 16
+  %97 = getelementptr inbounds i8, ptr %9, i64 24
+  %98 = getelementptr inbounds i8, ptr %9, i64 32
+  %99 = getelementptr inbounds i8, ptr %9, i64 40
+  %100 = getelementptr inbounds i8, ptr %9, i64 144
+  %101 = icmp sgt i64 %12, 0
+  br label %118
 
-109:                                              ; preds = %78, %98
-  %110 = phi i32 [ 0, %78 ], [ %99, %98 ]
-  %111 = phi double [ 0x7FF0000000000000, %78 ], [ %197, %98 ]
-  %112 = phi i64 [ undef, %78 ], [ %196, %98 ]
-  br i1 %79, label %117, label %136
+102:                                              ; preds = %75, %102
+  %103 = phi i64 [ %105, %102 ], [ 0, %75 ]
+  %104 = getelementptr inbounds double, ptr %77, i64 %103
+  store double 0.000000e+00, ptr %104, align 8
+  %105 = add nuw nsw i64 %103, 1
+  %106 = icmp eq i64 %105, %12
+  br i1 %106, label %79, label %102, !llvm.loop !10
 
-113:                                              ; preds = %132
-  %114 = add nuw nsw i64 %119, 1
-  %115 = icmp slt i64 %114, %12
-  %116 = icmp eq i64 %114, %12
-  br i1 %116, label %136, label %117, !llvm.loop !11
+107:                                              ; preds = %209
+  %108 = add nuw nsw i32 %120, 1
+  %109 = load ptr, ptr %5, align 8
+  %110 = getelementptr inbounds i8, ptr %109, i64 8
+  %111 = load i64, ptr %110, align 8
+  %112 = load ptr, ptr %80, align 8
+  %113 = load ptr, ptr %81, align 8
+  %114 = load ptr, ptr %82, align 8
+  %115 = inttoptr i64 %111 to ptr
+  %116 = tail call i32 %115(ptr noundef %112, ptr noundef %2, ptr noundef %113, ptr noundef %114, ptr noundef %27) #8
+  %117 = icmp slt i32 %116, 0
+  br i1 %117, label %213, label %118, !llvm.loop !11
 
-117:                                              ; preds = %109, %113
-  %118 = phi i1 [ %115, %113 ], [ %79, %109 ]
-  %119 = phi i64 [ %114, %113 ], [ 0, %109 ]
-  %120 = phi double [ %133, %113 ], [ 0.000000e+00, %109 ]
-  %121 = getelementptr inbounds double, ptr %27, i64 %119
-  %122 = load double, ptr %121, align 8
-  %123 = fcmp une double %122, 0.000000e+00
-  br i1 %123, label %124, label %132
+118:                                              ; preds = %92, %107
+  %119 = phi i64 [ undef, %92 ], [ %212, %107 ]
+  %120 = phi i32 [ 0, %92 ], [ %108, %107 ]
+  %121 = phi double [ 0x7FF0000000000000, %92 ], [ %210, %107 ]
+  br i1 %93, label %126, label %150
 
-124:                                              ; preds = %117
-  %125 = tail call double @llvm.fabs.f64(double %122)
-  %126 = getelementptr inbounds double, ptr %44, i64 %119
-  %127 = load double, ptr %126, align 8
-  %128 = fmul double %127, 0x3CB0000000000000
-  %129 = fdiv double %125, %128
-  %130 = fcmp ogt double %129, %120
-  %131 = select i1 %130, double %129, double %120
-  br label %132
+122:                                              ; preds = %146
+  %123 = add nuw nsw i64 %129, 1
+  %124 = icmp slt i64 %123, %12
+  %125 = icmp eq i64 %123, %12
+  br i1 %125, label %150, label %126, !llvm.loop !12
 
-132:                                              ; preds = %124, %117
-  %133 = phi double [ %131, %124 ], [ %120, %117 ]
-  %134 = tail call double @llvm.fabs.f64(double %122)
-  %135 = fcmp ueq double %134, 0x7FF0000000000000
-  br i1 %135, label %136, label %113
+126:                                              ; preds = %118, %122
+  %127 = phi i1 [ %124, %122 ], [ %93, %118 ]
+  %128 = phi i64 [ %149, %122 ], [ %119, %118 ]
+  %129 = phi i64 [ %123, %122 ], [ 0, %118 ]
+  %130 = phi double [ %147, %122 ], [ 0.000000e+00, %118 ]
+  %131 = getelementptr inbounds double, ptr %27, i64 %129
+  %132 = load double, ptr %131, align 8
+  %133 = tail call double @llvm.fabs.f64(double %132)
+  %134 = fcmp une double %132, 0.000000e+00
+  br i1 %134, label %135, label %146
 
-136:                                              ; preds = %113, %132, %109
-  %137 = phi i1 [ %79, %109 ], [ %115, %113 ], [ %118, %132 ]
-  %138 = phi i64 [ %112, %109 ], [ %112, %113 ], [ 6, %132 ]
-  %139 = phi double [ 0.000000e+00, %109 ], [ %133, %132 ], [ %133, %113 ]
-  br i1 %137, label %195, label %140
+135:                                              ; preds = %126
+  %136 = getelementptr inbounds double, ptr %44, i64 %129
+  %137 = load double, ptr %136, align 8
+  %138 = getelementptr inbounds double, ptr %77, i64 %129
+  %139 = load double, ptr %138, align 8
+  %140 = fcmp ogt double %137, %139
+  %141 = select i1 %140, double %137, double %139
+  %142 = fmul double %141, 0x3CB0000000000000
+  %143 = fdiv double %133, %142
+  %144 = fcmp ogt double %143, %130
+  %145 = select i1 %144, double %143, double %130
+  br label %146
 
-140:                                              ; preds = %136
-  %141 = fcmp ugt double %139, 1.000000e+00
-  br i1 %141, label %142, label %195
+146:                                              ; preds = %135, %126
+  %147 = phi double [ %145, %135 ], [ %130, %126 ]
+  %148 = fcmp ueq double %133, 0x7FF0000000000000
+  %149 = select i1 %148, i64 6, i64 %128
+  br i1 %148, label %150, label %122
 
-142:                                              ; preds = %140
-  %143 = fmul double %111, 5.000000e-01
-  %144 = fcmp oge double %139, %143
-  %145 = fcmp ole double %139, 8.000000e+00
-  %146 = and i1 %144, %145
-  br i1 %146, label %195, label %147
+150:                                              ; preds = %122, %146, %118
+  %151 = phi i1 [ %93, %118 ], [ %124, %122 ], [ %127, %146 ]
+  %152 = phi double [ 0.000000e+00, %118 ], [ %147, %146 ], [ %147, %122 ]
+  %153 = phi i64 [ %119, %118 ], [ %149, %146 ], [ %149, %122 ]
+  br i1 %151, label %209, label %154
 
-147:                                              ; preds = %142
-  %148 = icmp eq i32 %110, 9
-  br i1 %148, label %195, label %149
+154:                                              ; preds = %150
+  %155 = fcmp ugt double %152, 1.000000e+00
+  br i1 %155, label %156, label %209
 
-149:                                              ; preds = %147
-  br i1 %80, label %150, label %168
+156:                                              ; preds = %154
+  %157 = fmul double %121, 5.000000e-01
+  %158 = fcmp oge double %152, %157
+  %159 = fcmp ole double %152, 8.000000e+00
+  %160 = and i1 %158, %159
+  br i1 %160, label %209, label %161
 
-150:                                              ; preds = %149
-  %151 = load i64, ptr %81, align 8
-  %152 = load i64, ptr %82, align 8
-  %153 = mul nsw i64 %152, %151
-  %154 = icmp sgt i64 %153, 0
-  br i1 %154, label %155, label %166
+161:                                              ; preds = %156
+  %162 = icmp eq i32 %120, 9
+  br i1 %162, label %209, label %163
 
-155:                                              ; preds = %150, %155
-  %156 = phi i64 [ %161, %155 ], [ 0, %150 ]
-  %157 = getelementptr inbounds double, ptr %41, i64 %156
-  %158 = load double, ptr %157, align 8
-  %159 = load ptr, ptr %9, align 8
-  %160 = getelementptr inbounds double, ptr %159, i64 %156
-  store double %158, ptr %160, align 8
-  %161 = add nuw nsw i64 %156, 1
-  %162 = load i64, ptr %81, align 8
-  %163 = load i64, ptr %82, align 8
-  %164 = mul nsw i64 %163, %162
-  %165 = icmp slt i64 %161, %164
-  br i1 %165, label %155, label %166, !llvm.loop !12
+163:                                              ; preds = %161
+  br i1 %94, label %164, label %182
 
-166:                                              ; preds = %155, %150
-  %167 = load ptr, ptr %9, align 8
-  tail call fastcc void @factorise(ptr noundef %167, i64 noundef %21) #7
-  br label %168
+164:                                              ; preds = %163
+  %165 = load i64, ptr %95, align 8
+  %166 = load i64, ptr %96, align 8
+  %167 = mul nsw i64 %166, %165
+  %168 = icmp sgt i64 %167, 0
+  br i1 %168, label %169, label %180
 
-168:                                              ; preds = %149, %166
-  %169 = load i64, ptr %84, align 8
-  %170 = load i64, ptr %85, align 8
-  %171 = mul nsw i64 %170, %169
-  %172 = icmp sgt i64 %171, 0
-  br i1 %172, label %173, label %184
+169:                                              ; preds = %164, %169
+  %170 = phi i64 [ %175, %169 ], [ 0, %164 ]
+  %171 = getelementptr inbounds double, ptr %41, i64 %170
+  %172 = load double, ptr %171, align 8
+  %173 = load ptr, ptr %9, align 8
+  %174 = getelementptr inbounds double, ptr %173, i64 %170
+  store double %172, ptr %174, align 8
+  %175 = add nuw nsw i64 %170, 1
+  %176 = load i64, ptr %95, align 8
+  %177 = load i64, ptr %96, align 8
+  %178 = mul nsw i64 %177, %176
+  %179 = icmp slt i64 %175, %178
+  br i1 %179, label %169, label %180, !llvm.loop !13
 
-173:                                              ; preds = %168, %173
-  %174 = phi i64 [ %179, %173 ], [ 0, %168 ]
-  %175 = getelementptr inbounds double, ptr %37, i64 %174
-  %176 = load double, ptr %175, align 8
-  %177 = load ptr, ptr %83, align 8
-  %178 = getelementptr inbounds double, ptr %177, i64 %174
-  store double %176, ptr %178, align 8
-  %179 = add nuw nsw i64 %174, 1
-  %180 = load i64, ptr %84, align 8
-  %181 = load i64, ptr %85, align 8
-  %182 = mul nsw i64 %181, %180
-  %183 = icmp slt i64 %179, %182
-  br i1 %183, label %173, label %184, !llvm.loop !12
+180:                                              ; preds = %169, %164
+  %181 = load ptr, ptr %9, align 8
+  tail call fastcc void @factorise(ptr noundef %181, i64 noundef %21) #7
+  br label %182
 
-184:                                              ; preds = %173, %168
-  %185 = load ptr, ptr %86, align 8
-  br i1 %87, label %186, label %194
+182:                                              ; preds = %163, %180
+  %183 = load i64, ptr %98, align 8
+  %184 = load i64, ptr %99, align 8
+  %185 = mul nsw i64 %184, %183
+  %186 = icmp sgt i64 %185, 0
+  br i1 %186, label %187, label %198
 
-186:                                              ; preds = %184, %186
-  %187 = phi i64 [ %192, %186 ], [ 0, %184 ]
-  %188 = getelementptr inbounds double, ptr %27, i64 %187
-  %189 = load double, ptr %188, align 8
-  %190 = fneg double %189
-  %191 = getelementptr inbounds double, ptr %185, i64 %187
-  store double %190, ptr %191, align 8
-  %192 = add nuw nsw i64 %187, 1
-  %193 = icmp eq i64 %192, %12
-  br i1 %193, label %194, label %186, !llvm.loop !13
+187:                                              ; preds = %182, %187
+  %188 = phi i64 [ %193, %187 ], [ 0, %182 ]
+  %189 = getelementptr inbounds double, ptr %37, i64 %188
+  %190 = load double, ptr %189, align 8
+  %191 = load ptr, ptr %97, align 8
+  %192 = getelementptr inbounds double, ptr %191, i64 %188
+  store double %190, ptr %192, align 8
+  %193 = add nuw nsw i64 %188, 1
+  %194 = load i64, ptr %98, align 8
+  %195 = load i64, ptr %99, align 8
+  %196 = mul nsw i64 %195, %194
+  %197 = icmp slt i64 %193, %196
+  br i1 %197, label %187, label %198, !llvm.loop !13
 
-194:                                              ; preds = %186, %184
+198:                                              ; preds = %187, %182
+  %199 = load ptr, ptr %100, align 8
+  br i1 %101, label %200, label %208
+
+200:                                              ; preds = %198, %200
+  %201 = phi i64 [ %206, %200 ], [ 0, %198 ]
+  %202 = getelementptr inbounds double, ptr %27, i64 %201
+  %203 = load double, ptr %202, align 8
+  %204 = fneg double %203
+  %205 = getelementptr inbounds double, ptr %199, i64 %201
+  store double %204, ptr %205, align 8
+  %206 = add nuw nsw i64 %201, 1
+  %207 = icmp eq i64 %206, %12
+  br i1 %207, label %208, label %200, !llvm.loop !14
+
+208:                                              ; preds = %200, %198
   call fastcc void @move_positions(ptr noundef nonnull %4, ptr noundef %2) #7
-  br label %195
+  br label %209
 
-195:                                              ; preds = %194, %147, %142, %140, %136
-  %196 = phi i64 [ %138, %194 ], [ %138, %136 ], [ 0, %142 ], [ 0, %140 ], [ 6, %147 ]
-  %197 = phi double [ %139, %194 ], [ %111, %136 ], [ %111, %142 ], [ %111, %140 ], [ %111, %147 ]
-  %198 = phi i1 [ true, %194 ], [ false, %136 ], [ false, %142 ], [ false, %140 ], [ false, %147 ]
-  br i1 %198, label %98, label %199
+209:                                              ; preds = %208, %161, %156, %154, %150
+  %210 = phi double [ %152, %208 ], [ %121, %150 ], [ %121, %156 ], [ %121, %154 ], [ %121, %161 ]
+  %211 = phi i1 [ true, %208 ], [ false, %150 ], [ false, %156 ], [ false, %154 ], [ false, %161 ]
+  %212 = phi i64 [ %153, %208 ], [ %153, %150 ], [ 0, %156 ], [ 0, %154 ], [ 6, %161 ]
+  br i1 %211, label %107, label %213
 
-199:                                              ; preds = %195, %98, %65
-  %200 = phi i64 [ 6, %65 ], [ %196, %195 ], [ 6, %98 ]
-  %201 = icmp ne i64 %200, 0
-  %202 = icmp eq i64 %15, 0
-  %203 = select i1 %201, i1 true, i1 %202
-  br i1 %203, label %328, label %204
+213:                                              ; preds = %209, %107, %79
+  %214 = phi i64 [ 6, %79 ], [ %212, %209 ], [ 6, %107 ]
+  %215 = icmp ne i64 %214, 0
+  %216 = icmp eq i64 %15, 0
+  %217 = select i1 %215, i1 true, i1 %216
+  br i1 %217, label %342, label %218
 
-204:                                              ; preds = %199
-  %205 = icmp sgt i64 %15, 0
-  br i1 %205, label %209, label %206
+218:                                              ; preds = %213
+  %219 = icmp sgt i64 %15, 0
+  br i1 %219, label %223, label %220
 
-206:                                              ; preds = %209, %204
-  %207 = phi double [ 0.000000e+00, %204 ], [ %215, %209 ]
-  %208 = icmp sgt i64 %40, 0
-  br i1 %208, label %221, label %218
+220:                                              ; preds = %223, %218
+  %221 = phi double [ 0.000000e+00, %218 ], [ %229, %223 ]
+  %222 = icmp sgt i64 %40, 0
+  br i1 %222, label %235, label %232
 
-209:                                              ; preds = %204, %209
-  %210 = phi i64 [ %216, %209 ], [ 0, %204 ]
-  %211 = phi double [ %215, %209 ], [ 0.000000e+00, %204 ]
-  %212 = getelementptr double, ptr %34, i64 %210
-  %213 = load double, ptr %212, align 8
-  %214 = fmul double %213, 0.000000e+00
-  %215 = fadd double %211, %214
-  %216 = add nuw nsw i64 %210, 1
-  %217 = icmp eq i64 %216, %15
-  br i1 %217, label %206, label %209, !llvm.loop !14
+223:                                              ; preds = %218, %223
+  %224 = phi i64 [ %230, %223 ], [ 0, %218 ]
+  %225 = phi double [ %229, %223 ], [ 0.000000e+00, %218 ]
+  %226 = getelementptr double, ptr %34, i64 %224
+  %227 = load double, ptr %226, align 8
+  %228 = fmul double %227, 0.000000e+00
+  %229 = fadd double %225, %228
+  %230 = add nuw nsw i64 %224, 1
+  %231 = icmp eq i64 %230, %15
+  br i1 %231, label %220, label %223, !llvm.loop !15
 
-218:                                              ; preds = %221, %206
-  %219 = phi double [ %207, %206 ], [ %227, %221 ]
-  %220 = fcmp une double %219, 0.000000e+00
-  br i1 %220, label %328, label %230
+232:                                              ; preds = %235, %220
+  %233 = phi double [ %221, %220 ], [ %241, %235 ]
+  %234 = fcmp une double %233, 0.000000e+00
+  br i1 %234, label %342, label %244
 
-221:                                              ; preds = %206, %221
-  %222 = phi i64 [ %228, %221 ], [ 0, %206 ]
-  %223 = phi double [ %227, %221 ], [ %207, %206 ]
-  %224 = getelementptr inbounds double, ptr %39, i64 %222
-  %225 = load double, ptr %224, align 8
-  %226 = fmul double %225, 0.000000e+00
-  %227 = fadd double %223, %226
-  %228 = add nuw nsw i64 %222, 1
-  %229 = icmp eq i64 %228, %40
-  br i1 %229, label %218, label %221, !llvm.loop !15
+235:                                              ; preds = %220, %235
+  %236 = phi i64 [ %242, %235 ], [ 0, %220 ]
+  %237 = phi double [ %241, %235 ], [ %221, %220 ]
+  %238 = getelementptr inbounds double, ptr %39, i64 %236
+  %239 = load double, ptr %238, align 8
+  %240 = fmul double %239, 0.000000e+00
+  %241 = fadd double %237, %240
+  %242 = add nuw nsw i64 %236, 1
+  %243 = icmp eq i64 %242, %40
+  br i1 %243, label %232, label %235, !llvm.loop !16
 
-230:                                              ; preds = %218
-  %231 = icmp eq i64 %24, 1
-  br i1 %231, label %232, label %252
+244:                                              ; preds = %232
+  %245 = icmp eq i64 %24, 1
+  br i1 %245, label %246, label %266
 
-232:                                              ; preds = %230
-  %233 = getelementptr inbounds i8, ptr %9, i64 8
-  %234 = getelementptr inbounds i8, ptr %9, i64 16
-  %235 = load i64, ptr %233, align 8
-  %236 = load i64, ptr %234, align 8
-  %237 = mul nsw i64 %236, %235
-  %238 = icmp sgt i64 %237, 0
-  br i1 %238, label %239, label %250
+246:                                              ; preds = %244
+  %247 = getelementptr inbounds i8, ptr %9, i64 8
+  %248 = getelementptr inbounds i8, ptr %9, i64 16
+  %249 = load i64, ptr %247, align 8
+  %250 = load i64, ptr %248, align 8
+  %251 = mul nsw i64 %250, %249
+  %252 = icmp sgt i64 %251, 0
+  br i1 %252, label %253, label %264
 
-239:                                              ; preds = %232, %239
-  %240 = phi i64 [ %245, %239 ], [ 0, %232 ]
-  %241 = getelementptr inbounds double, ptr %41, i64 %240
-  %242 = load double, ptr %241, align 8
-  %243 = load ptr, ptr %9, align 8
-  %244 = getelementptr inbounds double, ptr %243, i64 %240
-  store double %242, ptr %244, align 8
-  %245 = add nuw nsw i64 %240, 1
-  %246 = load i64, ptr %233, align 8
-  %247 = load i64, ptr %234, align 8
-  %248 = mul nsw i64 %247, %246
-  %249 = icmp slt i64 %245, %248
-  br i1 %249, label %239, label %250, !llvm.loop !12
+253:                                              ; preds = %246, %253
+  %254 = phi i64 [ %259, %253 ], [ 0, %246 ]
+  %255 = getelementptr inbounds double, ptr %41, i64 %254
+  %256 = load double, ptr %255, align 8
+  %257 = load ptr, ptr %9, align 8
+  %258 = getelementptr inbounds double, ptr %257, i64 %254
+  store double %256, ptr %258, align 8
+  %259 = add nuw nsw i64 %254, 1
+  %260 = load i64, ptr %247, align 8
+  %261 = load i64, ptr %248, align 8
+  %262 = mul nsw i64 %261, %260
+  %263 = icmp slt i64 %259, %262
+  br i1 %263, label %253, label %264, !llvm.loop !13
 
-250:                                              ; preds = %239, %232
-  %251 = load ptr, ptr %9, align 8
-  tail call fastcc void @factorise(ptr noundef %251, i64 noundef %21) #7
-  br label %252
+264:                                              ; preds = %253, %246
+  %265 = load ptr, ptr %9, align 8
+  tail call fastcc void @factorise(ptr noundef %265, i64 noundef %21) #7
+  br label %266
 
-252:                                              ; preds = %230, %250
-  %253 = getelementptr inbounds i8, ptr %9, i64 144
-  %254 = load ptr, ptr %253, align 8
-  %255 = icmp sgt i64 %15, 0
-  br i1 %255, label %256, label %264
+266:                                              ; preds = %244, %264
+  %267 = getelementptr inbounds i8, ptr %9, i64 144
+  %268 = load ptr, ptr %267, align 8
+  %269 = icmp sgt i64 %15, 0
+  br i1 %269, label %270, label %278
 
-256:                                              ; preds = %252, %256
-  %257 = phi i64 [ %262, %256 ], [ 0, %252 ]
-  %258 = getelementptr inbounds double, ptr %34, i64 %257
-  %259 = load double, ptr %258, align 8
-  %260 = fneg double %259
-  %261 = getelementptr inbounds double, ptr %254, i64 %257
-  store double %260, ptr %261, align 8
-  %262 = add nuw nsw i64 %257, 1
-  %263 = icmp eq i64 %262, %15
-  br i1 %263, label %264, label %256, !llvm.loop !13
+270:                                              ; preds = %266, %270
+  %271 = phi i64 [ %276, %270 ], [ 0, %266 ]
+  %272 = getelementptr inbounds double, ptr %34, i64 %271
+  %273 = load double, ptr %272, align 8
+  %274 = fneg double %273
+  %275 = getelementptr inbounds double, ptr %268, i64 %271
+  store double %274, ptr %275, align 8
+  %276 = add nuw nsw i64 %271, 1
+  %277 = icmp eq i64 %276, %15
+  br i1 %277, label %278, label %270, !llvm.loop !14
 
-264:                                              ; preds = %256, %252
+278:                                              ; preds = %270, %266
   call fastcc void @move_speeds(ptr noundef nonnull %4, ptr noundef %2) #7
-  %265 = load ptr, ptr %46, align 8
-  %266 = getelementptr inbounds i8, ptr %265, i64 8
-  %267 = load i64, ptr %266, align 8
-  %268 = getelementptr inbounds i8, ptr %9, i64 216
-  %269 = load ptr, ptr %268, align 8
-  %270 = getelementptr inbounds i8, ptr %9, i64 240
-  %271 = load ptr, ptr %270, align 8
-  %272 = getelementptr inbounds i8, ptr %45, i64 24
-  %273 = getelementptr inbounds double, ptr %272, i64 %267
-  %274 = icmp sgt i64 %15, 0
-  br i1 %274, label %282, label %277
+  %279 = load ptr, ptr %46, align 8
+  %280 = getelementptr inbounds i8, ptr %279, i64 8
+  %281 = load i64, ptr %280, align 8
+  %282 = getelementptr inbounds i8, ptr %9, i64 216
+  %283 = load ptr, ptr %282, align 8
+  %284 = getelementptr inbounds i8, ptr %9, i64 240
+  %285 = load ptr, ptr %284, align 8
+  %286 = getelementptr inbounds i8, ptr %45, i64 24
+  %287 = getelementptr inbounds double, ptr %286, i64 %281
+  %288 = icmp sgt i64 %15, 0
+  br i1 %288, label %296, label %291
 
-275:                                              ; preds = %300
-  %276 = sitofp i64 %302 to double
-  br label %277
+289:                                              ; preds = %314
+  %290 = sitofp i64 %316 to double
+  br label %291
 
-277:                                              ; preds = %275, %264
-  %278 = phi double [ 1.000000e+00, %264 ], [ %301, %275 ]
-  %279 = phi double [ 0.000000e+00, %264 ], [ %276, %275 ]
-  %280 = load double, ptr %45, align 8
-  %281 = fcmp olt double %280, %279
-  br i1 %281, label %305, label %307
+291:                                              ; preds = %289, %278
+  %292 = phi double [ 1.000000e+00, %278 ], [ %315, %289 ]
+  %293 = phi double [ 0.000000e+00, %278 ], [ %290, %289 ]
+  %294 = load double, ptr %45, align 8
+  %295 = fcmp olt double %294, %293
+  br i1 %295, label %319, label %321
 
-282:                                              ; preds = %264, %300
-  %283 = phi i64 [ %303, %300 ], [ 0, %264 ]
-  %284 = phi i64 [ %302, %300 ], [ 0, %264 ]
-  %285 = phi double [ %301, %300 ], [ 1.000000e+00, %264 ]
-  %286 = getelementptr inbounds double, ptr %269, i64 %283
-  %287 = load double, ptr %286, align 8
-  %288 = getelementptr inbounds double, ptr %273, i64 %283
-  %289 = load double, ptr %288, align 8
-  %290 = fcmp ogt double %287, %289
-  %291 = select i1 %290, double %287, double %289
-  store double %291, ptr %288, align 8
-  %292 = getelementptr inbounds double, ptr %271, i64 %283
-  %293 = load double, ptr %292, align 8
-  %294 = fcmp ogt double %293, 0.000000e+00
-  br i1 %294, label %295, label %300
+296:                                              ; preds = %278, %314
+  %297 = phi i64 [ %317, %314 ], [ 0, %278 ]
+  %298 = phi i64 [ %316, %314 ], [ 0, %278 ]
+  %299 = phi double [ %315, %314 ], [ 1.000000e+00, %278 ]
+  %300 = getelementptr inbounds double, ptr %283, i64 %297
+  %301 = load double, ptr %300, align 8
+  %302 = getelementptr inbounds double, ptr %287, i64 %297
+  %303 = load double, ptr %302, align 8
+  %304 = fcmp ogt double %301, %303
+  %305 = select i1 %304, double %301, double %303
+  store double %305, ptr %302, align 8
+  %306 = getelementptr inbounds double, ptr %285, i64 %297
+  %307 = load double, ptr %306, align 8
+  %308 = fcmp ogt double %307, 0.000000e+00
+  br i1 %308, label %309, label %314
 
-295:                                              ; preds = %282
-  %296 = add nsw i64 %284, 1
-  %297 = fdiv double %293, %291
-  %298 = fcmp olt double %297, %285
-  %299 = select i1 %298, double %297, double %285
-  br label %300
+309:                                              ; preds = %296
+  %310 = add nsw i64 %298, 1
+  %311 = fdiv double %307, %305
+  %312 = fcmp olt double %311, %299
+  %313 = select i1 %312, double %311, double %299
+  br label %314
 
-300:                                              ; preds = %295, %282
-  %301 = phi double [ %299, %295 ], [ %285, %282 ]
-  %302 = phi i64 [ %296, %295 ], [ %284, %282 ]
-  %303 = add nuw nsw i64 %283, 1
-  %304 = icmp eq i64 %303, %15
-  br i1 %304, label %275, label %282, !llvm.loop !16
+314:                                              ; preds = %309, %296
+  %315 = phi double [ %313, %309 ], [ %299, %296 ]
+  %316 = phi i64 [ %310, %309 ], [ %298, %296 ]
+  %317 = add nuw nsw i64 %297, 1
+  %318 = icmp eq i64 %317, %15
+  br i1 %318, label %289, label %296, !llvm.loop !17
 
-305:                                              ; preds = %277
-  store double %279, ptr %45, align 8
-  %306 = getelementptr inbounds i8, ptr %45, i64 8
-  store double 1.000000e+00, ptr %306, align 8
-  br label %310
+319:                                              ; preds = %291
+  store double %293, ptr %45, align 8
+  %320 = getelementptr inbounds i8, ptr %45, i64 8
+  store double 1.000000e+00, ptr %320, align 8
+  br label %324
 
-307:                                              ; preds = %277
-  %308 = fcmp ogt double %280, %279
-  br i1 %308, label %309, label %310
+321:                                              ; preds = %291
+  %322 = fcmp ogt double %294, %293
+  br i1 %322, label %323, label %324
 
-309:                                              ; preds = %307
-  br label %310
+323:                                              ; preds = %321
+  br label %324
 
-310:                                              ; preds = %309, %307, %305
-  %311 = phi double [ %278, %305 ], [ 0.000000e+00, %309 ], [ %278, %307 ]
-  %312 = getelementptr inbounds i8, ptr %45, i64 8
-  %313 = load double, ptr %312, align 8
-  %314 = fcmp olt double %311, %313
-  %315 = fcmp ogt double %313, 1.000000e-05
-  %316 = and i1 %314, %315
-  br i1 %316, label %317, label %328
+324:                                              ; preds = %323, %321, %319
+  %325 = phi double [ %292, %319 ], [ 0.000000e+00, %323 ], [ %292, %321 ]
+  %326 = getelementptr inbounds i8, ptr %45, i64 8
+  %327 = load double, ptr %326, align 8
+  %328 = fcmp olt double %325, %327
+  %329 = fcmp ogt double %327, 1.000000e-05
+  %330 = and i1 %328, %329
+  br i1 %330, label %331, label %342
 
-317:                                              ; preds = %310
-  store double %311, ptr %312, align 8
-  %318 = getelementptr inbounds i8, ptr %45, i64 16
-  store double %1, ptr %318, align 8
-  %319 = getelementptr inbounds i8, ptr %45, i64 24
-  %320 = icmp sgt i64 %267, 0
-  br i1 %320, label %321, label %328
+331:                                              ; preds = %324
+  store double %325, ptr %326, align 8
+  %332 = getelementptr inbounds i8, ptr %45, i64 16
+  store double %1, ptr %332, align 8
+  %333 = getelementptr inbounds i8, ptr %45, i64 24
+  %334 = icmp sgt i64 %281, 0
+  br i1 %334, label %335, label %342
 
-321:                                              ; preds = %317, %321
-  %322 = phi i64 [ %326, %321 ], [ 0, %317 ]
-  %323 = getelementptr inbounds double, ptr %2, i64 %322
-  %324 = load double, ptr %323, align 8
-  %325 = getelementptr inbounds double, ptr %319, i64 %322
-  store double %324, ptr %325, align 8
-  %326 = add nuw nsw i64 %322, 1
-  %327 = icmp eq i64 %326, %267
-  br i1 %327, label %328, label %321, !llvm.loop !17
+335:                                              ; preds = %331, %335
+  %336 = phi i64 [ %340, %335 ], [ 0, %331 ]
+  %337 = getelementptr inbounds double, ptr %2, i64 %336
+  %338 = load double, ptr %337, align 8
+  %339 = getelementptr inbounds double, ptr %333, i64 %336
+  store double %338, ptr %339, align 8
+  %340 = add nuw nsw i64 %336, 1
+  %341 = icmp eq i64 %340, %281
+  br i1 %341, label %342, label %335, !llvm.loop !18
 
-328:                                              ; preds = %321, %317, %310, %218, %199
-  %329 = phi i64 [ %200, %199 ], [ 6, %218 ], [ 0, %310 ], [ 0, %317 ], [ 0, %321 ]
-  ret i64 %329
+342:                                              ; preds = %335, %331, %324, %232, %213
+  %343 = phi i64 [ %214, %213 ], [ 6, %232 ], [ 0, %324 ], [ 0, %331 ], [ 0, %335 ]
+  ret i64 %343
 }
 
 
@@ -503,7 +522,7 @@ define internal fastcc void @move_speeds(ptr noundef readonly %0, ptr noundef %1
   %21 = load i64, ptr %8, align 8
   %22 = mul nsw i64 %21, %20
   %23 = icmp slt i64 %19, %22
-  br i1 %23, label %13, label %24, !llvm.loop !12
+  br i1 %23, label %13, label %24, !llvm.loop !13
 
 24:                                               ; preds = %13, %2
   %25 = load ptr, ptr %6, align 8
@@ -544,7 +563,7 @@ define internal fastcc void @move_speeds(ptr noundef readonly %0, ptr noundef %1
   %50 = add nuw nsw i64 %41, 1
   %51 = load i64, ptr %29, align 8
   %52 = icmp slt i64 %50, %51
-  br i1 %52, label %40, label %39, !llvm.loop !18
+  br i1 %52, label %40, label %39, !llvm.loop !19
 }
 
 define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #2 {
@@ -616,7 +635,7 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #2 {
   %53 = select i1 %51, i64 %48, i64 %45
   %54 = sub nsw i64 %53, %52
   %55 = icmp sgt i64 %54, 1
-  br i1 %55, label %44, label %56, !llvm.loop !19
+  br i1 %55, label %44, label %56, !llvm.loop !20
 
 56:                                               ; preds = %44, %42, %35, %38
   %57 = phi i64 [ %31, %38 ], [ %31, %35 ], [ 0, %42 ], [ %52, %44 ]
@@ -648,7 +667,7 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #2 {
   %81 = add nuw nsw i64 %14, 1
   %82 = load i64, ptr %2, align 8
   %83 = icmp slt i64 %81, %82
-  br i1 %83, label %13, label %12, !llvm.loop !20
+  br i1 %83, label %13, label %12, !llvm.loop !21
 }
 
 declare double @llvm.fabs.f64(double) #3
@@ -678,7 +697,7 @@ define internal fastcc void @move_positions(ptr noundef readonly %0, ptr noundef
   %21 = load i64, ptr %8, align 8
   %22 = mul nsw i64 %21, %20
   %23 = icmp slt i64 %19, %22
-  br i1 %23, label %13, label %24, !llvm.loop !12
+  br i1 %23, label %13, label %24, !llvm.loop !13
 
 24:                                               ; preds = %13, %2
   %25 = getelementptr inbounds i8, ptr %3, i64 24
@@ -693,100 +712,151 @@ define internal fastcc void @move_positions(ptr noundef readonly %0, ptr noundef
   %33 = load i64, ptr %32, align 8
   tail call fastcc void @divide_rows(ptr noundef %28, i64 noundef %30, ptr noundef %31, i64 noundef %33) #7
   tail call fastcc void @minimum_norm(ptr noundef nonnull %27, ptr noundef nonnull %3) #7
-  %34 = load ptr, ptr %3, align 8
-  %35 = load i64, ptr %32, align 8
-  %36 = getelementptr inbounds i8, ptr %3, i64 120
-  %37 = load ptr, ptr %36, align 8
-  tail call fastcc void @divide_transposed(ptr noundef %34, i64 noundef %35, ptr noundef %37) #7
-  %38 = getelementptr inbounds i8, ptr %0, i64 24
-  %39 = load i64, ptr %38, align 8
-  %40 = icmp sgt i64 %39, 0
-  br i1 %40, label %41, label %47
+  %34 = getelementptr inbounds i8, ptr %3, i64 120
+  %35 = load ptr, ptr %34, align 8
+  %36 = load i64, ptr %32, align 8
+  %37 = icmp sgt i64 %36, 0
+  br i1 %37, label %38, label %47
 
-41:                                               ; preds = %24, %54
-  %42 = phi i64 [ %55, %54 ], [ 0, %24 ]
-  %43 = load i64, ptr %32, align 8
-  %44 = icmp sgt i64 %43, 0
-  br i1 %44, label %45, label %54
+38:                                               ; preds = %24, %38
+  %39 = phi i64 [ %45, %38 ], [ 0, %24 ]
+  %40 = phi double [ %44, %38 ], [ 0.000000e+00, %24 ]
+  %41 = getelementptr inbounds double, ptr %35, i64 %39
+  %42 = load double, ptr %41, align 8
+  %43 = fmul double %42, %42
+  %44 = fadd double %40, %43
+  %45 = add nuw nsw i64 %39, 1
+  %46 = icmp eq i64 %45, %36
+  br i1 %46, label %47, label %38, !llvm.loop !22
 
-45:                                               ; preds = %41
-  %46 = getelementptr inbounds double, ptr %1, i64 %42
-  br label %58
+47:                                               ; preds = %38, %24
+  %48 = phi double [ 0.000000e+00, %24 ], [ %44, %38 ]
+  %49 = tail call double @llvm.sqrt.f64(double %48)
+  %50 = load i64, ptr %29, align 8
+  %51 = icmp sgt i64 %50, 0
+  br i1 %51, label %52, label %55
 
-47:                                               ; preds = %54, %24
-  %48 = getelementptr inbounds i8, ptr %0, i64 24
-  %49 = load i64, ptr %29, align 8
-  %50 = icmp sgt i64 %49, 0
-  br i1 %50, label %51, label %101
+52:                                               ; preds = %47
+  %53 = getelementptr inbounds i8, ptr %3, i64 264
+  %54 = getelementptr inbounds i8, ptr %3, i64 216
+  br label %62
 
-51:                                               ; preds = %47
-  %52 = getelementptr inbounds i8, ptr %3, i64 144
-  %53 = load ptr, ptr %52, align 8
-  br label %77
+55:                                               ; preds = %73, %47
+  %56 = load ptr, ptr %3, align 8
+  %57 = load i64, ptr %32, align 8
+  %58 = load ptr, ptr %34, align 8
+  tail call fastcc void @divide_transposed(ptr noundef %56, i64 noundef %57, ptr noundef %58) #7
+  %59 = getelementptr inbounds i8, ptr %0, i64 24
+  %60 = load i64, ptr %59, align 8
+  %61 = icmp sgt i64 %60, 0
+  br i1 %61, label %77, label %83
 
-54:                                               ; preds = %58, %41
-  %55 = add nuw nsw i64 %42, 1
-  %56 = load i64, ptr %38, align 8
-  %57 = icmp slt i64 %55, %56
-  br i1 %57, label %41, label %47, !llvm.loop !21
+62:                                               ; preds = %52, %73
+  %63 = phi i64 [ 0, %52 ], [ %74, %73 ]
+  %64 = load ptr, ptr %53, align 8
+  %65 = getelementptr inbounds double, ptr %64, i64 %63
+  %66 = load double, ptr %65, align 8
+  %67 = fcmp oeq double %66, 0.000000e+00
+  br i1 %67, label %68, label %73
 
-58:                                               ; preds = %45, %58
-  %59 = phi i64 [ %43, %45 ], [ %73, %58 ]
-  %60 = phi i64 [ 0, %45 ], [ %72, %58 ]
-  %61 = load ptr, ptr %25, align 8
-  %62 = mul nsw i64 %59, %42
-  %63 = getelementptr double, ptr %61, i64 %62
-  %64 = getelementptr double, ptr %63, i64 %60
-  %65 = load double, ptr %64, align 8
-  %66 = load ptr, ptr %36, align 8
-  %67 = getelementptr inbounds double, ptr %66, i64 %60
-  %68 = load double, ptr %67, align 8
-  %69 = fmul double %65, %68
-  %70 = load double, ptr %46, align 8
-  %71 = fadd double %70, %69
-  store double %71, ptr %46, align 8
-  %72 = add nuw nsw i64 %60, 1
-  %73 = load i64, ptr %32, align 8
-  %74 = icmp slt i64 %72, %73
-  br i1 %74, label %58, label %54, !llvm.loop !22
+68:                                               ; preds = %62
+  %69 = load ptr, ptr %54, align 8
+  %70 = getelementptr inbounds double, ptr %69, i64 %63
+  %71 = load double, ptr %70, align 8
+  %72 = fmul double %49, %71
+  store double %72, ptr %65, align 8
+  br label %73
 
-75:                                               ; preds = %77
-  %76 = fcmp ogt double %84, 0.000000e+00
-  br i1 %76, label %87, label %101
+73:                                               ; preds = %62, %68
+  %74 = add nuw nsw i64 %63, 1
+  %75 = load i64, ptr %29, align 8
+  %76 = icmp slt i64 %74, %75
+  br i1 %76, label %62, label %55, !llvm.loop !23
 
-77:                                               ; preds = %51, %77
-  %78 = phi i64 [ 0, %51 ], [ %85, %77 ]
-  %79 = phi double [ 0.000000e+00, %51 ], [ %84, %77 ]
-  %80 = getelementptr inbounds double, ptr %53, i64 %78
-  %81 = load double, ptr %80, align 8
-  %82 = tail call double @llvm.fabs.f64(double %81)
-  %83 = fcmp ogt double %82, %79
-  %84 = select i1 %83, double %82, double %79
-  %85 = add nuw nsw i64 %78, 1
-  %86 = icmp eq i64 %85, %49
-  br i1 %86, label %75, label %77, !llvm.loop !23
+77:                                               ; preds = %55, %90
+  %78 = phi i64 [ %91, %90 ], [ 0, %55 ]
+  %79 = load i64, ptr %32, align 8
+  %80 = icmp sgt i64 %79, 0
+  br i1 %80, label %81, label %90
 
-87:                                               ; preds = %75
+81:                                               ; preds = %77
+  %82 = getelementptr inbounds double, ptr %1, i64 %78
+  br label %94
+
+83:                                               ; preds = %90, %55
+  %84 = getelementptr inbounds i8, ptr %0, i64 24
+  %85 = load i64, ptr %29, align 8
+  %86 = icmp sgt i64 %85, 0
+  br i1 %86, label %87, label %137
+
+87:                                               ; preds = %83
+  %88 = getelementptr inbounds i8, ptr %3, i64 144
+  %89 = load ptr, ptr %88, align 8
+  br label %113
+
+90:                                               ; preds = %94, %77
+  %91 = add nuw nsw i64 %78, 1
+  %92 = load i64, ptr %59, align 8
+  %93 = icmp slt i64 %91, %92
+  br i1 %93, label %77, label %83, !llvm.loop !24
+
+94:                                               ; preds = %81, %94
+  %95 = phi i64 [ %79, %81 ], [ %109, %94 ]
+  %96 = phi i64 [ 0, %81 ], [ %108, %94 ]
+  %97 = load ptr, ptr %25, align 8
+  %98 = mul nsw i64 %95, %78
+  %99 = getelementptr double, ptr %97, i64 %98
+  %100 = getelementptr double, ptr %99, i64 %96
+  %101 = load double, ptr %100, align 8
+  %102 = load ptr, ptr %34, align 8
+  %103 = getelementptr inbounds double, ptr %102, i64 %96
+  %104 = load double, ptr %103, align 8
+  %105 = fmul double %101, %104
+  %106 = load double, ptr %82, align 8
+  %107 = fadd double %106, %105
+  store double %107, ptr %82, align 8
+  %108 = add nuw nsw i64 %96, 1
+  %109 = load i64, ptr %32, align 8
+  %110 = icmp slt i64 %108, %109
+  br i1 %110, label %94, label %90, !llvm.loop !25
+
+111:                                              ; preds = %113
+  %112 = fcmp ogt double %120, 0.000000e+00
+  br i1 %112, label %123, label %137
+
+113:                                              ; preds = %87, %113
+  %114 = phi i64 [ 0, %87 ], [ %121, %113 ]
+  %115 = phi double [ 0.000000e+00, %87 ], [ %120, %113 ]
+  %116 = getelementptr inbounds double, ptr %89, i64 %114
+  %117 = load double, ptr %116, align 8
+  %118 = tail call double @llvm.fabs.f64(double %117)
+  %119 = fcmp ogt double %118, %115
+  %120 = select i1 %119, double %118, double %115
+  %121 = add nuw nsw i64 %114, 1
+  %122 = icmp eq i64 %121, %85
+  br i1 %122, label %111, label %113, !llvm.loop !26
+
+123:                                              ; preds = %111
   tail call fastcc void @minimum_norm(ptr noundef nonnull %6, ptr noundef nonnull %3) #7
-  %88 = load i64, ptr %48, align 8
-  %89 = icmp sgt i64 %88, 0
-  br i1 %89, label %90, label %101
+  %124 = load i64, ptr %84, align 8
+  %125 = icmp sgt i64 %124, 0
+  br i1 %125, label %126, label %137
 
-90:                                               ; preds = %87, %90
-  %91 = phi i64 [ %98, %90 ], [ 0, %87 ]
-  %92 = load ptr, ptr %36, align 8
-  %93 = getelementptr inbounds double, ptr %92, i64 %91
-  %94 = load double, ptr %93, align 8
-  %95 = getelementptr inbounds double, ptr %1, i64 %91
-  %96 = load double, ptr %95, align 8
-  %97 = fadd double %94, %96
-  store double %97, ptr %95, align 8
-  %98 = add nuw nsw i64 %91, 1
-  %99 = load i64, ptr %48, align 8
-  %100 = icmp slt i64 %98, %99
-  br i1 %100, label %90, label %101, !llvm.loop !24
+126:                                              ; preds = %123, %126
+  %127 = phi i64 [ %134, %126 ], [ 0, %123 ]
+  %128 = load ptr, ptr %34, align 8
+  %129 = getelementptr inbounds double, ptr %128, i64 %127
+  %130 = load double, ptr %129, align 8
+  %131 = getelementptr inbounds double, ptr %1, i64 %127
+  %132 = load double, ptr %131, align 8
+  %133 = fadd double %130, %132
+  store double %133, ptr %131, align 8
+  %134 = add nuw nsw i64 %127, 1
+  %135 = load i64, ptr %84, align 8
+  %136 = icmp slt i64 %134, %135
+  br i1 %136, label %126, label %137, !llvm.loop !27
 
-101:                                              ; preds = %90, %47, %87, %75
+137:                                              ; preds = %126, %83, %123, %111
   ret void
 }
 
@@ -834,7 +904,7 @@ define internal fastcc void @set_rows(ptr noundef readonly %0, ptr noundef reado
   %30 = add nuw nsw i64 %18, 1
   %31 = load i64, ptr %8, align 8
   %32 = icmp slt i64 %30, %31
-  br i1 %32, label %17, label %23, !llvm.loop !25
+  br i1 %32, label %17, label %23, !llvm.loop !28
 
 33:                                               ; preds = %45, %24
   %34 = phi double [ 0.000000e+00, %24 ], [ %55, %45 ]
@@ -849,7 +919,7 @@ define internal fastcc void @set_rows(ptr noundef readonly %0, ptr noundef reado
   store double %39, ptr %42, align 8
   %43 = add nuw nsw i64 %25, 1
   %44 = icmp eq i64 %43, %7
-  br i1 %44, label %29, label %24, !llvm.loop !26
+  br i1 %44, label %29, label %24, !llvm.loop !29
 
 45:                                               ; preds = %26, %45
   %46 = phi i64 [ 0, %26 ], [ %58, %45 ]
@@ -866,7 +936,7 @@ define internal fastcc void @set_rows(ptr noundef readonly %0, ptr noundef reado
   %57 = fadd double %47, %56
   %58 = add nuw nsw i64 %46, 1
   %59 = icmp eq i64 %58, %5
-  br i1 %59, label %33, label %45, !llvm.loop !27
+  br i1 %59, label %33, label %45, !llvm.loop !30
 }
 
 define internal fastcc void @divide_rows(ptr noundef %0, i64 noundef %1, ptr noundef readonly %2, i64 noundef %3) unnamed_addr #4 {
@@ -893,7 +963,7 @@ define internal fastcc void @divide_rows(ptr noundef %0, i64 noundef %1, ptr nou
 15:                                               ; preds = %26, %9
   %16 = add nuw nsw i64 %10, 1
   %17 = icmp eq i64 %16, %1
-  br i1 %17, label %14, label %9, !llvm.loop !28
+  br i1 %17, label %14, label %9, !llvm.loop !31
 
 18:                                               ; preds = %11, %26
   %19 = phi i64 [ 0, %11 ], [ %32, %26 ]
@@ -916,7 +986,7 @@ define internal fastcc void @divide_rows(ptr noundef %0, i64 noundef %1, ptr nou
   store double %31, ptr %20, align 8
   %32 = add nuw nsw i64 %19, 1
   %33 = icmp eq i64 %32, %3
-  br i1 %33, label %15, label %18, !llvm.loop !29
+  br i1 %33, label %15, label %18, !llvm.loop !32
 
 34:                                               ; preds = %23, %34
   %35 = phi i64 [ 0, %23 ], [ %43, %34 ]
@@ -929,7 +999,7 @@ define internal fastcc void @divide_rows(ptr noundef %0, i64 noundef %1, ptr nou
   %42 = fsub double %36, %41
   %43 = add nuw nsw i64 %35, 1
   %44 = icmp eq i64 %43, %19
-  br i1 %44, label %26, label %34, !llvm.loop !30
+  br i1 %44, label %26, label %34, !llvm.loop !33
 }
 
 define internal fastcc void @minimum_norm(ptr noundef readonly %0, ptr noundef readonly %1) unnamed_addr #2 {
@@ -968,7 +1038,7 @@ define internal fastcc void @minimum_norm(ptr noundef readonly %0, ptr noundef r
   store double 0.000000e+00, ptr %28, align 8
   %29 = add nuw nsw i64 %27, 1
   %30 = icmp eq i64 %29, %6
-  br i1 %30, label %21, label %26, !llvm.loop !31
+  br i1 %30, label %21, label %26, !llvm.loop !34
 
 31:                                               ; preds = %72, %21
   %32 = icmp sgt i64 %4, 0
@@ -996,7 +1066,7 @@ define internal fastcc void @minimum_norm(ptr noundef readonly %0, ptr noundef r
   %48 = fadd double %44, %47
   %49 = add nuw nsw i64 %43, 1
   %50 = icmp eq i64 %49, %6
-  br i1 %50, label %51, label %42, !llvm.loop !32
+  br i1 %50, label %51, label %42, !llvm.loop !22
 
 51:                                               ; preds = %42, %38
   %52 = phi double [ 0.000000e+00, %38 ], [ %48, %42 ]
@@ -1031,12 +1101,12 @@ define internal fastcc void @minimum_norm(ptr noundef readonly %0, ptr noundef r
   store double %69, ptr %67, align 8
   %70 = add nuw nsw i64 %65, 1
   %71 = icmp eq i64 %70, %6
-  br i1 %71, label %72, label %64, !llvm.loop !33
+  br i1 %71, label %72, label %64, !llvm.loop !35
 
 72:                                               ; preds = %64, %58, %51
   %73 = add nuw nsw i64 %39, 1
   %74 = icmp eq i64 %73, %4
-  br i1 %74, label %31, label %38, !llvm.loop !34
+  br i1 %74, label %31, label %38, !llvm.loop !36
 
 75:                                               ; preds = %33, %170
   %76 = phi i64 [ 0, %33 ], [ %171, %170 ]
@@ -1069,7 +1139,7 @@ define internal fastcc void @minimum_norm(ptr noundef readonly %0, ptr noundef r
   %95 = fadd double %91, %94
   %96 = add nuw nsw i64 %90, 1
   %97 = icmp eq i64 %96, %6
-  br i1 %97, label %98, label %89, !llvm.loop !32
+  br i1 %97, label %98, label %89, !llvm.loop !22
 
 98:                                               ; preds = %89, %86
   %99 = phi double [ 0.000000e+00, %86 ], [ %95, %89 ]
@@ -1083,7 +1153,7 @@ define internal fastcc void @minimum_norm(ptr noundef readonly %0, ptr noundef r
   %105 = phi double [ %102, %98 ], [ %81, %79 ]
   %106 = add nuw nsw i64 %80, 1
   %107 = icmp eq i64 %106, %4
-  br i1 %107, label %77, label %79, !llvm.loop !35
+  br i1 %107, label %77, label %79, !llvm.loop !37
 
 108:                                              ; preds = %77
   %109 = tail call double @llvm.sqrt.f64(double %105)
@@ -1115,7 +1185,7 @@ define internal fastcc void @minimum_norm(ptr noundef readonly %0, ptr noundef r
   store double %128, ptr %126, align 8
   %129 = add nuw nsw i64 %121, 1
   %130 = icmp eq i64 %129, %6
-  br i1 %130, label %131, label %120, !llvm.loop !36
+  br i1 %130, label %131, label %120, !llvm.loop !38
 
 131:                                              ; preds = %120, %108
   br label %132
@@ -1143,7 +1213,7 @@ define internal fastcc void @minimum_norm(ptr noundef readonly %0, ptr noundef r
   %148 = fadd double %142, %147
   %149 = add nuw nsw i64 %141, 1
   %150 = icmp eq i64 %149, %6
-  br i1 %150, label %151, label %140, !llvm.loop !32
+  br i1 %150, label %151, label %140, !llvm.loop !22
 
 151:                                              ; preds = %140, %137
   %152 = phi double [ 0.000000e+00, %137 ], [ %148, %140 ]
@@ -1165,17 +1235,17 @@ define internal fastcc void @minimum_norm(ptr noundef readonly %0, ptr noundef r
   store double %164, ptr %162, align 8
   %165 = add nuw nsw i64 %158, 1
   %166 = icmp eq i64 %165, %6
-  br i1 %166, label %167, label %157, !llvm.loop !37
+  br i1 %166, label %167, label %157, !llvm.loop !39
 
 167:                                              ; preds = %157, %151, %132
   %168 = add nuw nsw i64 %133, 1
   %169 = icmp eq i64 %168, %4
-  br i1 %169, label %170, label %132, !llvm.loop !38
+  br i1 %169, label %170, label %132, !llvm.loop !40
 
 170:                                              ; preds = %167
   %171 = add nuw nsw i64 %76, 1
   %172 = icmp eq i64 %171, %4
-  br i1 %172, label %173, label %75, !llvm.loop !39
+  br i1 %172, label %173, label %75, !llvm.loop !41
 
 173:                                              ; preds = %170, %77, %31
   %174 = icmp sgt i64 %4, 0
@@ -1194,8 +1264,10 @@ define internal fastcc void @minimum_norm(ptr noundef readonly %0, ptr noundef r
   store double %182, ptr %180, align 8
   %183 = add nuw nsw i64 %177, 1
   %184 = icmp eq i64 %183, %4
-  br i1 %184, label %175, label %176, !llvm.loop !40
+  br i1 %184, label %175, label %176, !llvm.loop !42
 }
+
+declare double @llvm.sqrt.f64(double) #3
 
 define internal fastcc void @divide_transposed(ptr noundef readonly %0, i64 noundef %1, ptr noundef %2) unnamed_addr #4 {
   %4 = icmp sgt i64 %1, 0
@@ -1225,7 +1297,7 @@ define internal fastcc void @divide_transposed(ptr noundef readonly %0, i64 noun
   %20 = fdiv double %16, %19
   store double %20, ptr %11, align 8
   %21 = icmp sgt i64 %9, 1
-  br i1 %21, label %8, label %7, !llvm.loop !41
+  br i1 %21, label %8, label %7, !llvm.loop !43
 
 22:                                               ; preds = %8, %22
   %23 = phi i64 [ %32, %22 ], [ %9, %8 ]
@@ -1239,10 +1311,8 @@ define internal fastcc void @divide_transposed(ptr noundef readonly %0, i64 noun
   %31 = fsub double %24, %30
   %32 = add nuw nsw i64 %23, 1
   %33 = icmp eq i64 %32, %1
-  br i1 %33, label %15, label %22, !llvm.loop !42
+  br i1 %33, label %15, label %22, !llvm.loop !44
 }
-
-declare double @llvm.sqrt.f64(double) #3
 
 define internal fastcc void @factorise(ptr noundef %0, i64 noundef %1) unnamed_addr #4 {
   %3 = icmp sgt i64 %1, 0
@@ -1278,7 +1348,7 @@ define internal fastcc void @factorise(ptr noundef %0, i64 noundef %1) unnamed_a
   %25 = fsub double %21, %24
   %26 = add nuw nsw i64 %20, 1
   %27 = icmp eq i64 %26, %9
-  br i1 %27, label %15, label %19, !llvm.loop !43
+  br i1 %27, label %15, label %19, !llvm.loop !45
 
 28:                                               ; preds = %15, %32
   %29 = phi i64 [ %33, %32 ], [ 0, %15 ]
@@ -1327,7 +1397,7 @@ define internal fastcc void @factorise(ptr noundef %0, i64 noundef %1) unnamed_a
   store double %57, ptr %52, align 8
   %58 = add nuw nsw i64 %49, 1
   %59 = icmp slt i64 %58, %1
-  br i1 %59, label %48, label %71, !llvm.loop !44
+  br i1 %59, label %48, label %71, !llvm.loop !46
 
 60:                                               ; preds = %48, %60
   %61 = phi i64 [ %69, %60 ], [ 0, %48 ]
@@ -1340,13 +1410,13 @@ define internal fastcc void @factorise(ptr noundef %0, i64 noundef %1) unnamed_a
   %68 = fsub double %62, %67
   %69 = add nuw nsw i64 %61, 1
   %70 = icmp eq i64 %69, %9
-  br i1 %70, label %54, label %60, !llvm.loop !45
+  br i1 %70, label %54, label %60, !llvm.loop !47
 
 71:                                               ; preds = %54, %32, %42
   %72 = add nuw nsw i64 %9, 1
   %73 = icmp eq i64 %72, %1
   %74 = select i1 %18, i1 true, i1 %73
-  br i1 %74, label %75, label %8, !llvm.loop !46
+  br i1 %74, label %75, label %8, !llvm.loop !48
 
 75:                                               ; preds = %71, %2
   ret void
@@ -1375,8 +1445,8 @@ attributes #8 = { nounwind }
 !7 = !{!"llvm.loop.mustprogress"}
 !8 = !{!"llvm.loop.unroll.disable"}
 !9 = distinct !{!9, !7, !8}
-!10 = distinct !{!10, !8}
-!11 = distinct !{!11, !7, !8}
+!10 = distinct !{!10, !7, !8}
+!11 = distinct !{!11, !8}
 !12 = distinct !{!12, !7, !8}
 !13 = distinct !{!13, !7, !8}
 !14 = distinct !{!14, !7, !8}
@@ -1412,3 +1482,5 @@ attributes #8 = { nounwind }
 !44 = distinct !{!44, !7, !8}
 !45 = distinct !{!45, !7, !8}
 !46 = distinct !{!46, !7, !8}
+!47 = distinct !{!47, !7, !8}
+!48 = distinct !{!48, !7, !8}

@@ -1,4 +1,4 @@
-; sources e3c4dfb1bbcfdc78807e71e2bfa92b8a87321366e9ec2ae4308fb8f1f4069dfb
+; sources 97793491e7c167b95e2daacfb0cd82f3ba9e310e118a34c39cd056e8e704f16f
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Held = type { ptr, i64, i64, i64, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr }
@@ -326,102 +326,153 @@ define internal fastcc void @move_positions(ptr noundef readonly %0, ptr noundef
   %34 = load i64, ptr %33, align 8
   tail call fastcc void @divide_rows(ptr noundef %29, i64 noundef %31, ptr noundef %32, i64 noundef %34) #10
   tail call fastcc void @minimum_norm(ptr noundef nonnull %28, ptr noundef nonnull %4) #10
-  %35 = load ptr, ptr %4, align 8
-  %36 = load i64, ptr %33, align 8
-  %37 = getelementptr inbounds i8, ptr %4, i64 120
-  %38 = load ptr, ptr %37, align 8
-  tail call fastcc void @divide_transposed(ptr noundef %35, i64 noundef %36, ptr noundef %38) #10
-  %39 = getelementptr inbounds i8, ptr %0, i64 24
-  %40 = load i64, ptr %39, align 8
-  %41 = icmp sgt i64 %40, 0
-  br i1 %41, label %42, label %49
+  %35 = getelementptr inbounds i8, ptr %4, i64 120
+  %36 = load ptr, ptr %35, align 8
+  %37 = load i64, ptr %33, align 8
+  %38 = icmp sgt i64 %37, 0
+  br i1 %38, label %39, label %48
 
-42:                                               ; preds = %25, %56
-  %43 = phi i64 [ %57, %56 ], [ 0, %25 ]
-  %44 = load i64, ptr %33, align 8
-  %45 = icmp sgt i64 %44, 0
-  br i1 %45, label %46, label %56
+39:                                               ; preds = %25, %39
+  %40 = phi i64 [ %46, %39 ], [ 0, %25 ]
+  %41 = phi double [ %45, %39 ], [ 0.000000e+00, %25 ]
+  %42 = getelementptr inbounds double, ptr %36, i64 %40
+  %43 = load double, ptr %42, align 8
+  %44 = fmul double %43, %43
+  %45 = fadd double %41, %44
+  %46 = add nuw nsw i64 %40, 1
+  %47 = icmp eq i64 %46, %37
+  br i1 %47, label %48, label %39, !llvm.loop !14
 
-46:                                               ; preds = %42
-  %47 = mul nsw i64 %43, %2
-  %48 = getelementptr inbounds double, ptr %1, i64 %47
-  br label %60
-
-49:                                               ; preds = %56, %25
-  %50 = getelementptr inbounds i8, ptr %0, i64 24
+48:                                               ; preds = %39, %25
+  %49 = phi double [ 0.000000e+00, %25 ], [ %45, %39 ]
+  %50 = tail call double @llvm.sqrt.f64(double %49)
   %51 = load i64, ptr %30, align 8
   %52 = icmp sgt i64 %51, 0
-  br i1 %52, label %53, label %104
+  br i1 %52, label %53, label %56
 
-53:                                               ; preds = %49
-  %54 = getelementptr inbounds i8, ptr %4, i64 144
-  %55 = load ptr, ptr %54, align 8
-  br label %79
+53:                                               ; preds = %48
+  %54 = getelementptr inbounds i8, ptr %4, i64 264
+  %55 = getelementptr inbounds i8, ptr %4, i64 216
+  br label %63
 
-56:                                               ; preds = %60, %42
-  %57 = add nuw nsw i64 %43, 1
-  %58 = load i64, ptr %39, align 8
-  %59 = icmp slt i64 %57, %58
-  br i1 %59, label %42, label %49, !llvm.loop !14
+56:                                               ; preds = %74, %48
+  %57 = load ptr, ptr %4, align 8
+  %58 = load i64, ptr %33, align 8
+  %59 = load ptr, ptr %35, align 8
+  tail call fastcc void @divide_transposed(ptr noundef %57, i64 noundef %58, ptr noundef %59) #10
+  %60 = getelementptr inbounds i8, ptr %0, i64 24
+  %61 = load i64, ptr %60, align 8
+  %62 = icmp sgt i64 %61, 0
+  br i1 %62, label %78, label %85
 
-60:                                               ; preds = %46, %60
-  %61 = phi i64 [ %44, %46 ], [ %75, %60 ]
-  %62 = phi i64 [ 0, %46 ], [ %74, %60 ]
-  %63 = load ptr, ptr %26, align 8
-  %64 = mul nsw i64 %61, %43
-  %65 = getelementptr double, ptr %63, i64 %64
-  %66 = getelementptr double, ptr %65, i64 %62
+63:                                               ; preds = %53, %74
+  %64 = phi i64 [ 0, %53 ], [ %75, %74 ]
+  %65 = load ptr, ptr %54, align 8
+  %66 = getelementptr inbounds double, ptr %65, i64 %64
   %67 = load double, ptr %66, align 8
-  %68 = load ptr, ptr %37, align 8
-  %69 = getelementptr inbounds double, ptr %68, i64 %62
-  %70 = load double, ptr %69, align 8
-  %71 = fmul double %67, %70
-  %72 = load double, ptr %48, align 8
-  %73 = fadd double %72, %71
-  store double %73, ptr %48, align 8
-  %74 = add nuw nsw i64 %62, 1
-  %75 = load i64, ptr %33, align 8
-  %76 = icmp slt i64 %74, %75
-  br i1 %76, label %60, label %56, !llvm.loop !15
+  %68 = fcmp oeq double %67, 0.000000e+00
+  br i1 %68, label %69, label %74
 
-77:                                               ; preds = %79
-  %78 = fcmp ogt double %86, 0.000000e+00
-  br i1 %78, label %89, label %104
+69:                                               ; preds = %63
+  %70 = load ptr, ptr %55, align 8
+  %71 = getelementptr inbounds double, ptr %70, i64 %64
+  %72 = load double, ptr %71, align 8
+  %73 = fmul double %50, %72
+  store double %73, ptr %66, align 8
+  br label %74
 
-79:                                               ; preds = %53, %79
-  %80 = phi i64 [ 0, %53 ], [ %87, %79 ]
-  %81 = phi double [ 0.000000e+00, %53 ], [ %86, %79 ]
-  %82 = getelementptr inbounds double, ptr %55, i64 %80
-  %83 = load double, ptr %82, align 8
-  %84 = tail call double @llvm.fabs.f64(double %83)
-  %85 = fcmp ogt double %84, %81
-  %86 = select i1 %85, double %84, double %81
-  %87 = add nuw nsw i64 %80, 1
-  %88 = icmp eq i64 %87, %51
-  br i1 %88, label %77, label %79, !llvm.loop !16
+74:                                               ; preds = %63, %69
+  %75 = add nuw nsw i64 %64, 1
+  %76 = load i64, ptr %30, align 8
+  %77 = icmp slt i64 %75, %76
+  br i1 %77, label %63, label %56, !llvm.loop !15
 
-89:                                               ; preds = %77
+78:                                               ; preds = %56, %92
+  %79 = phi i64 [ %93, %92 ], [ 0, %56 ]
+  %80 = load i64, ptr %33, align 8
+  %81 = icmp sgt i64 %80, 0
+  br i1 %81, label %82, label %92
+
+82:                                               ; preds = %78
+  %83 = mul nsw i64 %79, %2
+  %84 = getelementptr inbounds double, ptr %1, i64 %83
+  br label %96
+
+85:                                               ; preds = %92, %56
+  %86 = getelementptr inbounds i8, ptr %0, i64 24
+  %87 = load i64, ptr %30, align 8
+  %88 = icmp sgt i64 %87, 0
+  br i1 %88, label %89, label %140
+
+89:                                               ; preds = %85
+  %90 = getelementptr inbounds i8, ptr %4, i64 144
+  %91 = load ptr, ptr %90, align 8
+  br label %115
+
+92:                                               ; preds = %96, %78
+  %93 = add nuw nsw i64 %79, 1
+  %94 = load i64, ptr %60, align 8
+  %95 = icmp slt i64 %93, %94
+  br i1 %95, label %78, label %85, !llvm.loop !16
+
+96:                                               ; preds = %82, %96
+  %97 = phi i64 [ %80, %82 ], [ %111, %96 ]
+  %98 = phi i64 [ 0, %82 ], [ %110, %96 ]
+  %99 = load ptr, ptr %26, align 8
+  %100 = mul nsw i64 %97, %79
+  %101 = getelementptr double, ptr %99, i64 %100
+  %102 = getelementptr double, ptr %101, i64 %98
+  %103 = load double, ptr %102, align 8
+  %104 = load ptr, ptr %35, align 8
+  %105 = getelementptr inbounds double, ptr %104, i64 %98
+  %106 = load double, ptr %105, align 8
+  %107 = fmul double %103, %106
+  %108 = load double, ptr %84, align 8
+  %109 = fadd double %108, %107
+  store double %109, ptr %84, align 8
+  %110 = add nuw nsw i64 %98, 1
+  %111 = load i64, ptr %33, align 8
+  %112 = icmp slt i64 %110, %111
+  br i1 %112, label %96, label %92, !llvm.loop !17
+
+113:                                              ; preds = %115
+  %114 = fcmp ogt double %122, 0.000000e+00
+  br i1 %114, label %125, label %140
+
+115:                                              ; preds = %89, %115
+  %116 = phi i64 [ 0, %89 ], [ %123, %115 ]
+  %117 = phi double [ 0.000000e+00, %89 ], [ %122, %115 ]
+  %118 = getelementptr inbounds double, ptr %91, i64 %116
+  %119 = load double, ptr %118, align 8
+  %120 = tail call double @llvm.fabs.f64(double %119)
+  %121 = fcmp ogt double %120, %117
+  %122 = select i1 %121, double %120, double %117
+  %123 = add nuw nsw i64 %116, 1
+  %124 = icmp eq i64 %123, %87
+  br i1 %124, label %113, label %115, !llvm.loop !18
+
+125:                                              ; preds = %113
   tail call fastcc void @minimum_norm(ptr noundef nonnull %7, ptr noundef nonnull %4) #10
-  %90 = load i64, ptr %50, align 8
-  %91 = icmp sgt i64 %90, 0
-  br i1 %91, label %92, label %104
+  %126 = load i64, ptr %86, align 8
+  %127 = icmp sgt i64 %126, 0
+  br i1 %127, label %128, label %140
 
-92:                                               ; preds = %89, %92
-  %93 = phi i64 [ %101, %92 ], [ 0, %89 ]
-  %94 = load ptr, ptr %37, align 8
-  %95 = getelementptr inbounds double, ptr %94, i64 %93
-  %96 = load double, ptr %95, align 8
-  %97 = mul nsw i64 %93, %2
-  %98 = getelementptr inbounds double, ptr %1, i64 %97
-  %99 = load double, ptr %98, align 8
-  %100 = fadd double %96, %99
-  store double %100, ptr %98, align 8
-  %101 = add nuw nsw i64 %93, 1
-  %102 = load i64, ptr %50, align 8
-  %103 = icmp slt i64 %101, %102
-  br i1 %103, label %92, label %104, !llvm.loop !17
+128:                                              ; preds = %125, %128
+  %129 = phi i64 [ %137, %128 ], [ 0, %125 ]
+  %130 = load ptr, ptr %35, align 8
+  %131 = getelementptr inbounds double, ptr %130, i64 %129
+  %132 = load double, ptr %131, align 8
+  %133 = mul nsw i64 %129, %2
+  %134 = getelementptr inbounds double, ptr %1, i64 %133
+  %135 = load double, ptr %134, align 8
+  %136 = fadd double %132, %135
+  store double %136, ptr %134, align 8
+  %137 = add nuw nsw i64 %129, 1
+  %138 = load i64, ptr %86, align 8
+  %139 = icmp slt i64 %137, %138
+  br i1 %139, label %128, label %140, !llvm.loop !19
 
-104:                                              ; preds = %92, %49, %89, %77
+140:                                              ; preds = %128, %85, %125, %113
   ret void
 }
 
@@ -493,7 +544,7 @@ define internal fastcc void @move_speeds(ptr noundef readonly %0, ptr noundef %1
   %52 = add nuw nsw i64 %42, 1
   %53 = load i64, ptr %30, align 8
   %54 = icmp slt i64 %52, %53
-  br i1 %54, label %41, label %40, !llvm.loop !18
+  br i1 %54, label %41, label %40, !llvm.loop !20
 }
 
 define internal fastcc void @factorise(ptr noundef %0, i64 noundef %1) unnamed_addr #4 {
@@ -530,7 +581,7 @@ define internal fastcc void @factorise(ptr noundef %0, i64 noundef %1) unnamed_a
   %25 = fsub double %21, %24
   %26 = add nuw nsw i64 %20, 1
   %27 = icmp eq i64 %26, %9
-  br i1 %27, label %15, label %19, !llvm.loop !19
+  br i1 %27, label %15, label %19, !llvm.loop !21
 
 28:                                               ; preds = %15, %32
   %29 = phi i64 [ %33, %32 ], [ 0, %15 ]
@@ -579,7 +630,7 @@ define internal fastcc void @factorise(ptr noundef %0, i64 noundef %1) unnamed_a
   store double %57, ptr %52, align 8
   %58 = add nuw nsw i64 %49, 1
   %59 = icmp slt i64 %58, %1
-  br i1 %59, label %48, label %71, !llvm.loop !20
+  br i1 %59, label %48, label %71, !llvm.loop !22
 
 60:                                               ; preds = %48, %60
   %61 = phi i64 [ %69, %60 ], [ 0, %48 ]
@@ -592,13 +643,13 @@ define internal fastcc void @factorise(ptr noundef %0, i64 noundef %1) unnamed_a
   %68 = fsub double %62, %67
   %69 = add nuw nsw i64 %61, 1
   %70 = icmp eq i64 %69, %9
-  br i1 %70, label %54, label %60, !llvm.loop !21
+  br i1 %70, label %54, label %60, !llvm.loop !23
 
 71:                                               ; preds = %54, %32, %42
   %72 = add nuw nsw i64 %9, 1
   %73 = icmp eq i64 %72, %1
   %74 = select i1 %18, i1 true, i1 %73
-  br i1 %74, label %75, label %8, !llvm.loop !22
+  br i1 %74, label %75, label %8, !llvm.loop !24
 
 75:                                               ; preds = %71, %2
   ret void
@@ -650,7 +701,7 @@ define internal fastcc void @set_rows(ptr noundef readonly %0, ptr noundef reado
   %30 = add nuw nsw i64 %18, 1
   %31 = load i64, ptr %8, align 8
   %32 = icmp slt i64 %30, %31
-  br i1 %32, label %17, label %23, !llvm.loop !23
+  br i1 %32, label %17, label %23, !llvm.loop !25
 
 33:                                               ; preds = %45, %24
   %34 = phi double [ 0.000000e+00, %24 ], [ %55, %45 ]
@@ -665,7 +716,7 @@ define internal fastcc void @set_rows(ptr noundef readonly %0, ptr noundef reado
   store double %39, ptr %42, align 8
   %43 = add nuw nsw i64 %25, 1
   %44 = icmp eq i64 %43, %7
-  br i1 %44, label %29, label %24, !llvm.loop !24
+  br i1 %44, label %29, label %24, !llvm.loop !26
 
 45:                                               ; preds = %26, %45
   %46 = phi i64 [ 0, %26 ], [ %58, %45 ]
@@ -682,7 +733,7 @@ define internal fastcc void @set_rows(ptr noundef readonly %0, ptr noundef reado
   %57 = fadd double %47, %56
   %58 = add nuw nsw i64 %46, 1
   %59 = icmp eq i64 %58, %5
-  br i1 %59, label %33, label %45, !llvm.loop !25
+  br i1 %59, label %33, label %45, !llvm.loop !27
 }
 
 define internal fastcc void @divide_rows(ptr noundef %0, i64 noundef %1, ptr noundef readonly %2, i64 noundef %3) unnamed_addr #4 {
@@ -709,7 +760,7 @@ define internal fastcc void @divide_rows(ptr noundef %0, i64 noundef %1, ptr nou
 15:                                               ; preds = %26, %9
   %16 = add nuw nsw i64 %10, 1
   %17 = icmp eq i64 %16, %1
-  br i1 %17, label %14, label %9, !llvm.loop !26
+  br i1 %17, label %14, label %9, !llvm.loop !28
 
 18:                                               ; preds = %11, %26
   %19 = phi i64 [ 0, %11 ], [ %32, %26 ]
@@ -732,7 +783,7 @@ define internal fastcc void @divide_rows(ptr noundef %0, i64 noundef %1, ptr nou
   store double %31, ptr %20, align 8
   %32 = add nuw nsw i64 %19, 1
   %33 = icmp eq i64 %32, %3
-  br i1 %33, label %15, label %18, !llvm.loop !27
+  br i1 %33, label %15, label %18, !llvm.loop !29
 
 34:                                               ; preds = %23, %34
   %35 = phi i64 [ 0, %23 ], [ %43, %34 ]
@@ -745,7 +796,7 @@ define internal fastcc void @divide_rows(ptr noundef %0, i64 noundef %1, ptr nou
   %42 = fsub double %36, %41
   %43 = add nuw nsw i64 %35, 1
   %44 = icmp eq i64 %43, %19
-  br i1 %44, label %26, label %34, !llvm.loop !28
+  br i1 %44, label %26, label %34, !llvm.loop !30
 }
 
 define internal fastcc void @minimum_norm(ptr noundef readonly %0, ptr noundef readonly %1) unnamed_addr #3 {
@@ -784,7 +835,7 @@ define internal fastcc void @minimum_norm(ptr noundef readonly %0, ptr noundef r
   store double 0.000000e+00, ptr %28, align 8
   %29 = add nuw nsw i64 %27, 1
   %30 = icmp eq i64 %29, %6
-  br i1 %30, label %21, label %26, !llvm.loop !29
+  br i1 %30, label %21, label %26, !llvm.loop !31
 
 31:                                               ; preds = %72, %21
   %32 = icmp sgt i64 %4, 0
@@ -812,7 +863,7 @@ define internal fastcc void @minimum_norm(ptr noundef readonly %0, ptr noundef r
   %48 = fadd double %44, %47
   %49 = add nuw nsw i64 %43, 1
   %50 = icmp eq i64 %49, %6
-  br i1 %50, label %51, label %42, !llvm.loop !30
+  br i1 %50, label %51, label %42, !llvm.loop !14
 
 51:                                               ; preds = %42, %38
   %52 = phi double [ 0.000000e+00, %38 ], [ %48, %42 ]
@@ -847,12 +898,12 @@ define internal fastcc void @minimum_norm(ptr noundef readonly %0, ptr noundef r
   store double %69, ptr %67, align 8
   %70 = add nuw nsw i64 %65, 1
   %71 = icmp eq i64 %70, %6
-  br i1 %71, label %72, label %64, !llvm.loop !31
+  br i1 %71, label %72, label %64, !llvm.loop !32
 
 72:                                               ; preds = %64, %58, %51
   %73 = add nuw nsw i64 %39, 1
   %74 = icmp eq i64 %73, %4
-  br i1 %74, label %31, label %38, !llvm.loop !32
+  br i1 %74, label %31, label %38, !llvm.loop !33
 
 75:                                               ; preds = %33, %170
   %76 = phi i64 [ 0, %33 ], [ %171, %170 ]
@@ -885,7 +936,7 @@ define internal fastcc void @minimum_norm(ptr noundef readonly %0, ptr noundef r
   %95 = fadd double %91, %94
   %96 = add nuw nsw i64 %90, 1
   %97 = icmp eq i64 %96, %6
-  br i1 %97, label %98, label %89, !llvm.loop !30
+  br i1 %97, label %98, label %89, !llvm.loop !14
 
 98:                                               ; preds = %89, %86
   %99 = phi double [ 0.000000e+00, %86 ], [ %95, %89 ]
@@ -899,7 +950,7 @@ define internal fastcc void @minimum_norm(ptr noundef readonly %0, ptr noundef r
   %105 = phi double [ %102, %98 ], [ %81, %79 ]
   %106 = add nuw nsw i64 %80, 1
   %107 = icmp eq i64 %106, %4
-  br i1 %107, label %77, label %79, !llvm.loop !33
+  br i1 %107, label %77, label %79, !llvm.loop !34
 
 108:                                              ; preds = %77
   %109 = tail call double @llvm.sqrt.f64(double %105)
@@ -931,7 +982,7 @@ define internal fastcc void @minimum_norm(ptr noundef readonly %0, ptr noundef r
   store double %128, ptr %126, align 8
   %129 = add nuw nsw i64 %121, 1
   %130 = icmp eq i64 %129, %6
-  br i1 %130, label %131, label %120, !llvm.loop !34
+  br i1 %130, label %131, label %120, !llvm.loop !35
 
 131:                                              ; preds = %120, %108
   br label %132
@@ -959,7 +1010,7 @@ define internal fastcc void @minimum_norm(ptr noundef readonly %0, ptr noundef r
   %148 = fadd double %142, %147
   %149 = add nuw nsw i64 %141, 1
   %150 = icmp eq i64 %149, %6
-  br i1 %150, label %151, label %140, !llvm.loop !30
+  br i1 %150, label %151, label %140, !llvm.loop !14
 
 151:                                              ; preds = %140, %137
   %152 = phi double [ 0.000000e+00, %137 ], [ %148, %140 ]
@@ -981,17 +1032,17 @@ define internal fastcc void @minimum_norm(ptr noundef readonly %0, ptr noundef r
   store double %164, ptr %162, align 8
   %165 = add nuw nsw i64 %158, 1
   %166 = icmp eq i64 %165, %6
-  br i1 %166, label %167, label %157, !llvm.loop !35
+  br i1 %166, label %167, label %157, !llvm.loop !36
 
 167:                                              ; preds = %157, %151, %132
   %168 = add nuw nsw i64 %133, 1
   %169 = icmp eq i64 %168, %4
-  br i1 %169, label %170, label %132, !llvm.loop !36
+  br i1 %169, label %170, label %132, !llvm.loop !37
 
 170:                                              ; preds = %167
   %171 = add nuw nsw i64 %76, 1
   %172 = icmp eq i64 %171, %4
-  br i1 %172, label %173, label %75, !llvm.loop !37
+  br i1 %172, label %173, label %75, !llvm.loop !38
 
 173:                                              ; preds = %170, %77, %31
   %174 = icmp sgt i64 %4, 0
@@ -1010,7 +1061,7 @@ define internal fastcc void @minimum_norm(ptr noundef readonly %0, ptr noundef r
   store double %182, ptr %180, align 8
   %183 = add nuw nsw i64 %177, 1
   %184 = icmp eq i64 %183, %4
-  br i1 %184, label %175, label %176, !llvm.loop !38
+  br i1 %184, label %175, label %176, !llvm.loop !39
 }
 
 define internal fastcc void @divide_transposed(ptr noundef readonly %0, i64 noundef %1, ptr noundef %2) unnamed_addr #4 {
@@ -1041,7 +1092,7 @@ define internal fastcc void @divide_transposed(ptr noundef readonly %0, i64 noun
   %20 = fdiv double %16, %19
   store double %20, ptr %11, align 8
   %21 = icmp sgt i64 %9, 1
-  br i1 %21, label %8, label %7, !llvm.loop !39
+  br i1 %21, label %8, label %7, !llvm.loop !40
 
 22:                                               ; preds = %8, %22
   %23 = phi i64 [ %32, %22 ], [ %9, %8 ]
@@ -1055,7 +1106,7 @@ define internal fastcc void @divide_transposed(ptr noundef readonly %0, i64 noun
   %31 = fsub double %24, %30
   %32 = add nuw nsw i64 %23, 1
   %33 = icmp eq i64 %32, %1
-  br i1 %33, label %15, label %22, !llvm.loop !40
+  br i1 %33, label %15, label %22, !llvm.loop !41
 }
 
 declare double @llvm.fabs.f64(double) #5
@@ -1118,3 +1169,4 @@ attributes #10 = { nounwind }
 !38 = distinct !{!38, !7, !8}
 !39 = distinct !{!39, !7, !8}
 !40 = distinct !{!40, !7, !8}
+!41 = distinct !{!41, !7, !8}

@@ -1,4 +1,4 @@
-; sources f15e1ee7635c471af3c55af9783e41ef6463314c4d9140b7d21e8a53bd9616d2
+; sources 6a9a44cfdd8eebbf53765581b566b7706f7125ffcf8ada3afc620ceb2fbbcde9
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Stepper = type { ptr, ptr, ptr }

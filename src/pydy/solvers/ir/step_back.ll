@@ -1,4 +1,4 @@
-; sources 74df20581c12719e6aca4374aef0a210dca09e8570f8a66c5b34be08250c9f55
+; sources 89634e1c5a6107f69629f119fc816818e92befa5f9d45f18953def4944b3a055
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @step_back(ptr noundef readonly %0) #0 {

@@ -1,4 +1,4 @@
-; sources 57d49f3c5f9efd3c261820f2b59331e13e737ad5dbe0a1f7338aa1755e489eee
+; sources 4f55485f10984da4a48d73f27592755b1ea7cc879c2e3442f81e889473ed4c1a
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Stepper = type { ptr, ptr, ptr }

@@ -136,6 +136,7 @@ class Projection(NamedTuple):
     left: Words
     lengths: Numbers
     kept: Numbers
+    mended: Numbers  # the largest residuals that the first correction of positions can mend
 
 
 class Tangents(NamedTuple):

@@ -279,6 +279,7 @@ class Workspace:
             left=np.zeros(some, dtype=np.int64),
             lengths=np.zeros(some),
             kept=np.zeros(some),
+            mended=np.zeros(some),
         )
         self._scratch = table_of(rows_of(self._projection))
         words[at.SCRATCH] = address(self._scratch)
