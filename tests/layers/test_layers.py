@@ -289,6 +289,46 @@ def test_second_derivatives_are_refused(library):
         second(x)
 
 
+def test_pytorch_s_own_derivatives_bind_no_signatures(monkeypatch):
+    """To bind arguments to a signature takes longer than the equations of a small system."""
+    import inspect
+
+    library = Torch()
+    layer, w = library.layer(pendulum()), library.array(np.arange(6.0))
+    x = library.array(X).requires_grad_()
+    bound, bind = [], inspect.Signature.bind
+    monkeypatch.setattr(
+        inspect.Signature, "bind", lambda *a, **k: (bound.append(a), bind(*a, **k))[1]
+    )
+    layer.ode(x).backward(w)
+    assert not bound
+    close(x.grad, pendulum().evaluate_vector_jacobian(np.arange(6.0), X))
+
+
+def test_pytorch_s_own_second_and_mixed_derivatives_are_refused():
+    library = Torch()
+    torch, layer = library.torch, library.layer(pendulum())
+    x = library.array(X).requires_grad_()
+    (slope,) = torch.autograd.grad(layer.ode(x).sum(), x, create_graph=True)
+    with pytest.raises(NotImplementedError, match="first derivatives only"):
+        slope.sum().backward()
+    weights = library.array(np.ones(6))
+    with torch.autograd.forward_ad.dual_level():
+        dual = torch.autograd.forward_ad.make_dual(weights, weights)
+        with pytest.raises(Exception, match=r"jvp|forward mode"):
+            torch.autograd.grad(layer.ode(x), x, dual)
+
+
+def test_pytorch_s_forward_mode_needs_no_torch_func():
+    library = Torch()
+    forward, system = library.torch.autograd.forward_ad, pendulum()
+    v = np.linspace(1.0, 2.0, 6)
+    with forward.dual_level():
+        value = library.layer(system).ode(forward.make_dual(library.array(X), library.array(v)))
+        found = forward.unpack_dual(value).tangent.numpy()
+    close(found, system.evaluate_jacobian_vector(v, X))
+
+
 def test_single_precision_is_refused():
     library = Jax()
     layer, jax = library.layer(pendulum()), library.jax

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from copy import copy
+from itertools import accumulate
 from typing import Any
 
 import numpy as np
@@ -174,8 +175,8 @@ class _Values:
     ) -> tuple[np.ndarray, ...]:
         kernel, parts = self._product("vector-jacobian", wanted)
         found = self._evaluate(kernel, given, weights)
-        ends = np.cumsum([part.size for part in parts])[:-1]
-        columns = np.split(found, ends, axis=-1)
+        stops = [*accumulate(part.size for part in parts)]
+        columns = [found[..., a:b] for a, b in zip([0, *stops], stops, strict=False)]
         if len(parts) > len(wanted):
             k = next(k for k, part in enumerate(parts) if part.group == "t")
             extra = (columns.pop() * self._slopes(wanted, given)).sum(axis=-1, keepdims=True)
@@ -486,7 +487,7 @@ class Layers(Setup):
         Returns
         -------
         Layer
-            ``ode``, ``outputs``, ``simulate`` and ``final``, of the system as it is now.
+            As of `as_jax`.
 
         Raises
         ------

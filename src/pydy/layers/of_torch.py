@@ -43,12 +43,22 @@ class TorchArrays:
 
     def call(self, function: Function, given: list[Any]) -> Any:
         """Return the value of a Function."""
-        return _call().apply(function, *given)
+        direct, call, transformed = _calls()
+        return (call if transformed() else direct).apply(function, *given)
 
 
 @cache
-def _call() -> Any:
+def _calls() -> tuple[Any, Any, Any]:
+    """Return the autograd.Functions of a value, and what tells which of them is to be used.
+
+    The second one is for the transformations of torch.func. PyTorch binds the arguments of such a
+    Function to its signature at each call, which takes longer than most of what is computed.
+    """
     import torch
+
+    # Whether a transformation of torch.func is at work; where PyTorch does not tell, one may be.
+    transformed = getattr(torch._C, "_are_functorch_transforms_active", lambda: True)
+    tangent_of = torch.autograd.forward_ad.unpack_dual
 
     def numbers(given: Any) -> tuple[np.ndarray, ...]:
         return tuple(a.detach().cpu().numpy() for a in given)
@@ -62,24 +72,29 @@ def _call() -> Any:
             for a, k in zip(given, axes, strict=True)
         ]
 
-    class Call(torch.autograd.Function):  # type: ignore[misc]
+    def products(function: Function, wanted: tuple[int, ...], *given: Any) -> tuple[Any, ...]:
+        *arrays, weights = numbers(given)
+        found = function.backward(wanted, tuple(arrays), weights)
+        return tuple(tensor(one, given[0]) for one in found)
+
+    def keep(ctx: Any, function: Function, given: Any) -> None:
+        ctx.function = function
+        ctx.save_for_backward(*given)
+        ctx.save_for_forward(*given)
+
+    class Value(torch.autograd.Function):  # type: ignore[misc]
         """The value of a Function."""
-
-        @staticmethod
-        def forward(function: Function, *given: Any) -> Any:
-            return tensor(function.value(*numbers(given)), given[0])
-
-        @staticmethod
-        def setup_context(ctx: Any, inputs: Any, output: Any) -> None:
-            ctx.function, *given = inputs
-            ctx.save_for_backward(*given)
-            ctx.save_for_forward(*given)
 
         @staticmethod
         def backward(ctx: Any, weights: Any) -> Any:
             wanted = tuple(k for k, need in enumerate(ctx.needs_input_grad[1:]) if need)
             given = ctx.saved_tensors
-            found = Back.apply(ctx.function, wanted, *given, weights)
+            # A product that is to be differentiated in turn, and so refused, is a Function too.
+            differentiated = torch.is_grad_enabled() or transformed()
+            if not differentiated:
+                differentiated = any(tangent_of(a).tangent is not None for a in (*given, weights))
+            product = Back.apply if differentiated else products
+            found = product(ctx.function, wanted, *given, weights)
             result: list[Any] = [None] * (1 + len(given))
             for k, one in zip(wanted, found, strict=True):
                 result[1 + k] = one
@@ -91,6 +106,25 @@ def _call() -> Any:
             return Ahead.apply(
                 ctx.function, wanted, *ctx.saved_tensors, *(along[k] for k in wanted)
             )
+
+    class Direct(Value):
+        """The same without torch.func."""
+
+        @staticmethod
+        def forward(ctx: Any, function: Function, *given: Any) -> Any:
+            keep(ctx, function, given)
+            return tensor(function.value(*numbers(given)), given[0])
+
+    class Call(Value):
+        """The same under torch.func."""
+
+        @staticmethod
+        def forward(function: Function, *given: Any) -> Any:
+            return tensor(function.value(*numbers(given)), given[0])
+
+        @staticmethod
+        def setup_context(ctx: Any, inputs: Any, output: Any) -> None:
+            keep(ctx, inputs[0], inputs[1:])
 
         @staticmethod
         def vmap(info: Any, axes: Any, function: Function, *given: Any) -> Any:
@@ -127,13 +161,11 @@ def _call() -> Any:
 
         @staticmethod
         def forward(function: Function, wanted: tuple[int, ...], *given: Any) -> Any:
-            *arrays, weights = numbers(given)
-            found = function.backward(wanted, tuple(arrays), weights)
-            return tuple(tensor(one, given[0]) for one in found)
+            return products(function, wanted, *given)
 
         @staticmethod
         def vmap(info: Any, axes: Any, function: Function, wanted: Any, *given: Any) -> Any:
             found = Back.apply(function, wanted, *in_front(given, axes[2:], info.batch_size))
             return found, (0,) * len(found)
 
-    return Call
+    return Direct, Call, transformed
