@@ -27,6 +27,8 @@ EXPRESSIONS = [
     sm.Abs(x - y) + sm.Min(x, z) - sm.Max(y, b),
     sm.Piecewise((x**2 - y, x < y), (x - y**2, True)),
     x ** sm.Rational(5, 2) * b - z**b,
+    (sm.sqrt(x) - sm.sqrt(y)) * (x + z),
+    z * (x * (sm.sqrt(y) - sm.sqrt(x)) * y - x * sm.sqrt(z)),
 ]
 
 

@@ -7,7 +7,7 @@ says by how much (N. J. Higham, Accuracy and Stability of Numerical Algorithms, 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 
 from pydy._graph.derivative import Rows, jacobian
 from pydy._graph.node import Graph
@@ -67,15 +67,50 @@ def _bound(g: Graph, node: int, bounds: dict[int, int], rounded: tuple[str, ...]
     if op in ("factor", "solve", "item"):
         return own  # linear solves are not looked into
     operands = g.operands(node)
-    # y √y is differentiated by y.
-    given = [*operands, *(g.args[n][0] for n in operands if g.ops[n] == "sqrt")]
+    given = [*operands, *(m for n in operands for m in _within(g, n))]
     partials = Rows(g, {n: {n: g.one} for n in given}).through(node)
     inherited = [
         (g.mul(g.call("abs", d), bounds[n]), 1.0)
         for n, d in partials.items()
         if bounds[n] != g.zero
     ]
-    return g.sum([*inherited, (own, 1.0)])
+    left = _roundings(g, args, partials.keys()) if op == "prod" else []
+    return g.sum([*inherited, *left, (own, 1.0)])
+
+
+def _within(g: Graph, factor: int) -> list[int]:
+    """Return what a product may be differentiated by in place of a factor.
+
+    y √y is differentiated by y, and a sum of roots times something term by term.
+    """
+    if g.ops[factor] == "sqrt":
+        return [g.args[factor][0]]
+    found = []
+    for n, _ in g.args[factor][1] if g.ops[factor] == "sum" else ():
+        inner = [m for m, _ in _factors(g, n)]
+        found += [n, *inner, *(part for m in inner for part in _within(g, m))]
+    return found
+
+
+def _roundings(
+    g: Graph, factors: Sequence[tuple[int, int]], by: Collection[int]
+) -> list[tuple[int, float]]:
+    """Return the roundings of factors that a product was not differentiated by: sums of roots.
+
+    Those of the sum and those of each of its terms are as large as the terms together.
+    """
+    found = []
+    for k, (n, _) in enumerate(factors):
+        if g.ops[n] == "sum" and n not in by and not g.constant[n]:
+            others = [*factors[:k], *factors[k + 1 :]]
+            found.append((g.mul(g.call("abs", g.product(others)), _own(g, n)), 2.0))
+            for m, _ in g.args[n][1]:
+                found += _roundings(g, [*_factors(g, m), *others], by)
+    return found
+
+
+def _factors(g: Graph, node: int) -> Sequence[tuple[int, int]]:
+    return g.args[node] if g.ops[node] == "prod" else ((node, 1),)
 
 
 def _own(g: Graph, node: int) -> int:
