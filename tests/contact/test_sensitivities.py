@@ -143,6 +143,22 @@ def test_a_body_that_comes_to_rest_by_rebounds_ever_faster():
     assert set(exact.modes[-1][2].values()) == {"sticks"}
 
 
+@pytest.mark.parametrize("mass", [1e-15, 1e12, 1e30])
+@pytest.mark.parametrize("friction", [0.1, 2.0])
+def test_derivatives_through_an_impact_are_the_same_in_any_unit_of_mass(mass, friction):
+    system, feet = falling_body([(-1, 0), (1, 0)], restitution=e, mu=mu)
+    system.initial_conditions = {y: 0.6, a: 0.6, vx: 0.3, vy: -1.0}
+    system.times = [0.0, 0.1]
+    found = []
+    for unit in (1.0, mass):
+        system.constants.update({m: unit, J: unit / 3, e: 0.5})
+        motion = Contacts(system, feet, {mu: friction}).simulate(sensitivities=[e, mu, m], **TIGHT)
+        assert [event.name for event in motion.events] == ["foot0 closes"]
+        found.append(motion.sensitivity.values[-1][:6] * [1.0, 1.0, unit])
+    assert abs(found[0]).max() > 0.5
+    assert found[1] == pytest.approx(found[0], rel=1e-9, abs=1e-9)
+
+
 def test_a_particle_that_is_thrown_on_the_ice_and_slides_to_a_stop():
     z, vz = me.dynamicsymbols("z v_z")
     P = O.locatenew("P", x * N.x + y * N.y + z * N.z)

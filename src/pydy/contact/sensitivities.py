@@ -182,12 +182,14 @@ class Carried:
                 start[normal] = 0.0
         moved = start + np.einsum("ijk,j->ik", d.square, f)
         matrix, right = np.eye(size), np.zeros((size, columns))
+        told: set[int] = set()  # rows whose accelerations are given; of the others forces are
         for i, mode in enumerate(found.modes):
             normal, tangent = self.rows.normal[i], list(self.rows.tangent[i])
             if mode == OPEN or normal is None:
                 continue
             held = [normal, *(tangent if mode in (STICKS, CLOSED) else ())]
             matrix[held], right[held] = p.square[held], -moved[held]
+            told.update(held)
             if mode not in SLIDES:
                 continue
             if mode != STARTING:
@@ -200,7 +202,10 @@ class Carried:
             matrix[tangent, normal] += p.mu[i] * unit
             matrix[tangent] += push * turning @ p.square[tangent]
             right[tangent] = -np.outer(unit, d.mu[i] * f[normal]) - push * turning @ moved[tangent]
-        slope = _least(matrix, right)
+        for row in {*range(size)} - told:
+            matrix[row] *= p.square[row, row]
+            right[row] *= p.square[row, row]
+        slope = _least(matrix, right, p.square.diagonal())
         change = np.einsum("ijk,j->ik", d.moves, f) + p.moves @ slope
         self.total = self.total.copy()
         self.total[first : first + len(change)] += change
@@ -219,15 +224,23 @@ class Carried:
         self.total = self.total.copy()
         if normals:
             rest = self.slopes(values).gap[[owners[n] for n in normals]]
-            shares = _least(p.square[np.ix_(normals, normals)], -rest)
+            square = p.square[np.ix_(normals, normals)]
+            shares = _least(square, -rest, square.diagonal())
             self.total[:first] += p.kinematics @ (p.moves[:, normals] @ shares)
         if held:
             rest = self.slopes(values).speed[list(held)]
-            shares = _least(p.square[np.ix_(held, held)], -rest)
+            square = p.square[np.ix_(held, held)]
+            shares = _least(square, -rest, square.diagonal())
             self.total[first : first + len(p.moves)] += p.moves[:, list(held)] @ shares
 
 
-def _least(matrix: np.ndarray, right: np.ndarray) -> np.ndarray:
-    """Solve for the least unknowns: rows of several feet may hold the same thing."""
-    found: np.ndarray = np.linalg.lstsq(matrix, right, rcond=DEPENDENT)[0]
-    return found
+def _least(matrix: np.ndarray, right: np.ndarray, square: np.ndarray) -> np.ndarray:
+    """Solve for the least unknowns: rows of several feet may hold the same thing.
+
+    Rows and unknowns are measured by what a unit of each force does to its own row, so that ranks
+    are those of the mechanism in any units.
+    """
+    size = np.sqrt(np.where(square > 0.0, square, 1.0))
+    scaled = matrix / np.outer(size, size)
+    found: np.ndarray = np.linalg.lstsq(scaled, right / size[:, None], rcond=DEPENDENT)[0]
+    return found / size[:, None]
