@@ -245,6 +245,31 @@ def test_a_belt_lets_a_block_stick_and_slip():
     assert contacts.compiled_modes == [{"belt": "sticks"}, {"belt": "slides -"}]
 
 
+@pytest.mark.parametrize("units", [(1.0, 1.0, 1.0), (1e-9, 1.0, 1.0), (1.5e11, 1e30, 3e7)])
+def test_a_floor_and_a_stop_for_an_angle_hold_in_any_units(units):
+    length, mass, time = units
+    P, Q, B = O.locatenew("P", y * N.y), me.Point("Q"), me.ReferenceFrame("B")
+    P.set_vel(N, vy * N.y)
+    B.orient_axis(N, N.z, a)
+    Q.set_pos(O, 5 * r * N.x + r * B.x)
+    Q.set_vel(N, r * w * B.y)
+    bodies = [me.Particle("weight", P, m), me.Particle("arm", Q, m)]
+    system = System(
+        Definition(N, [y, a], [vy, w], bodies=bodies, loads=[(p, -m * g * N.y) for p in (P, Q)]),
+        {m: mass, g: 9.81 * length / time**2, r: length}, ode_solver="dop853",
+        initial_conditions={y: 0.5 * length, a: 0.5}, times=np.linspace(0.0, time, 3),
+    )  # fmt: skip
+    contacts = Contacts(system, [Unilateral(y, name="floor"), Unilateral(a, name="stop")])
+    atol = 1e-12 * np.array([length, 1.0, length / time, 1.0 / time])
+    motion = contacts.simulate(rtol=1e-10, atol=atol)
+    assert [event.time / time for event in motion.events] == pytest.approx(
+        [0.31927542840705, 0.3348094220717], abs=1e-10
+    )
+    weight = mass * system.constants[g]
+    assert motion["floor_normal"][-1] == pytest.approx(weight)
+    assert motion["stop_normal"][-1] == pytest.approx(weight * length)
+
+
 def test_the_result_is_a_trajectory(tmp_path):
     system, floor = ball(restitution=0.5)
     system.initial_conditions, system.times = {y: 1.0}, np.linspace(0.0, 2.0, 21)

@@ -175,12 +175,19 @@ def solved(problem: Problem, modes: Sequence[str]) -> Solution:
         size = np.sqrt(np.abs(np.diag(square))[held])
         size[size == 0.0] = 1.0
         scaled = matrix / size[:, None]
-        found, _, rank, _ = np.linalg.lstsq(
-            scaled, (right - matrix @ start) / size, rcond=DEPENDENT
-        )
+        right_of = (right - matrix @ start) / size
+        found, _, rank, _ = np.linalg.lstsq(scaled, right_of, rcond=DEPENDENT)
+        width = np.ones(len(held))
+        if rank < len(held):
+            # Forces of different kinds, or on bodies of other masses, have sizes of their own.
+            own = np.linalg.norm(scaled, axis=0)
+            own[own == 0.0] = 1.0
+            again = np.linalg.lstsq(scaled / own, right_of, rcond=DEPENDENT)
+            if again[2] > rank:
+                width, rank, found = own, again[2], again[0] / own
         found = start + found
         if rank < len(held):
-            null = np.linalg.svd(scaled)[2][rank:].T
+            null = (np.linalg.svd(scaled / width)[2][rank:] / width).T
         forces = forces + unknown @ found
         most = np.abs(right) + np.abs(matrix) @ np.abs(found)
         for i in (i for i, mode in enumerate(modes) if mode == STICKS):
