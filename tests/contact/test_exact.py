@@ -26,6 +26,7 @@ from touching import (
     k,
     m,
     mu,
+    r,
     slope,
     vx,
     vy,
@@ -268,6 +269,33 @@ def test_a_floor_and_a_stop_for_an_angle_hold_in_any_units(units):
     weight = mass * system.constants[g]
     assert motion["floor_normal"][-1] == pytest.approx(weight)
     assert motion["stop_normal"][-1] == pytest.approx(weight * length)
+
+
+@pytest.mark.parametrize("pebble", [1e-6, 1e-18])
+@pytest.mark.parametrize("order", [1, -1])
+def test_a_truck_slips_though_a_pebble_beside_it_holds(pebble, order):
+    # 2.9e6 N hold the truck; the pebble's forces are nothing beside them, but its own.
+    X, Y = me.dynamicsymbols("X Y")
+    u = me.dynamicsymbols("u_x u_y U_x U_y")
+    P, Q = O.locatenew("P", x * N.x + y * N.y), O.locatenew("Q", X * N.x + Y * N.y)
+    P.set_vel(N, u[0] * N.x + u[1] * N.y)
+    Q.set_vel(N, u[2] * N.x + u[3] * N.y)
+    pull = 4e6 * me.dynamicsymbols._t * N.x - 9.81e6 * N.y
+    tilted = -9.81 * pebble * (math.cos(0.1) * N.y + math.sin(0.1) * N.x)
+    bodies = [me.Particle("truck", P, 1e6), me.Particle("pebble", Q, pebble)]
+    system = System(
+        Definition(N, [x, y, X, Y], u, bodies=bodies, loads=[(P, pull), (Q, tilted)]),
+        ode_solver="dop853", times=np.linspace(0.0, 2.0, 3),
+    )  # fmt: skip
+    floors = [Unilateral(y, name="road"), Unilateral(Y, name="slope")][::order]
+    sticks = [
+        Stick(p, on=f, mu=0.3, along=N.x) for p, f in zip([P, Q][::order], floors, strict=True)
+    ]
+    motion = Contacts(system, [*floors, *sticks]).simulate(rtol=1e-10, atol=1e-12)
+    slips = 0.3 * 9.81 / 4
+    assert [(r.name, r.time) for r in motion.events] == [("road slips", pytest.approx(slips))]
+    assert motion["x"][-1] == pytest.approx(4 / 6 * (2 - slips) ** 3, rel=1e-9)
+    assert abs(motion["X"][-1]) < 1e-12
 
 
 def test_the_result_is_a_trajectory(tmp_path):

@@ -82,8 +82,9 @@ class Solution:
         By how much the inequalities of each contact hold, as a share of what is compared.
     consistent : bool
         Whether the equations have a solution.
-    largest : float
-        The largest of the forces, and of those that would change the accelerations as much.
+    sizes : ndarray, shape (contacts,)
+        The largest of the forces of each contact, and of those that would change its accelerations
+        as much as all that act. Those of others may be of another kind, or hold other bodies.
     directions : mapping of int to ndarray
         Those of the problem, and those that were found.
     bias : ndarray or None
@@ -97,7 +98,7 @@ class Solution:
     rates: np.ndarray
     margins: np.ndarray
     consistent: bool
-    largest: float
+    sizes: np.ndarray
     directions: Mapping[int, np.ndarray]
     bias: np.ndarray | None
     null: np.ndarray
@@ -200,7 +201,12 @@ def solved(problem: Problem, modes: Sequence[str]) -> Solution:
     terms = np.abs(free) + np.abs(square) @ np.abs(forces)
     diagonal = np.abs(np.diag(square))
     natural = np.divide(terms, diagonal, out=np.zeros_like(terms), where=diagonal > 0.0)
-    largest = max(np.abs(forces).max(initial=0.0), natural.max(initial=0.0))
+    sizes = np.zeros(len(modes))
+    for i, (normal, tangent) in enumerate(zip(problem.normal, problem.tangent, strict=True)):
+        own_rows = [*tangent, *(() if normal is None else (normal,))]
+        sizes[i] = np.maximum(np.abs(forces), natural)[own_rows].max(initial=0.0)
+        if normal is None:
+            sizes[i] = max(sizes[i], problem.hold[i] * abs(problem.pressed[i]))
 
     def share(value: float, of: float) -> float:
         return value / of if of > 0.0 else 0.0
@@ -213,17 +219,17 @@ def solved(problem: Problem, modes: Sequence[str]) -> Solution:
             if normal is not None and i in problem.touching:
                 own.append(share(rates[normal], terms[normal]))
         elif normal is not None:
-            own.append(share(forces[normal], largest))
+            own.append(share(forces[normal], sizes[i]))
         if mode == STICKS:
             press = problem.pressed[i] if normal is None else forces[normal]
             friction = float(np.linalg.norm(forces[tangent]))
-            own.append(share(problem.hold[i] * press - friction, largest))
+            own.append(share(problem.hold[i] * press - friction, sizes[i]))
         if mode in SLIDES and i in problem.resting:
             along = direction(problem, i, mode) @ rates[tangent]
             own.append(share(float(along), float(np.linalg.norm(terms[tangent]))))
         margins[i] = min(own, default=np.inf)
     return Solution(
-        tuple(modes), forces, rates, margins, consistent, largest, problem.directions,
+        tuple(modes), forces, rates, margins, consistent, sizes, problem.directions,
         problem.bias, null,
     )  # fmt: skip
 
@@ -298,7 +304,7 @@ def within(problem: Problem, found: Solution) -> Solution:
         hold = float(problem.hold[i]) * (float(problem.pressed[i]) if normal is None else 1.0)
         cones.append(Cone(None if normal is None else places[normal], tangent, hold))
     bias = np.zeros(len(problem.free))
-    bias[held] = innermost(found.forces[held], found.null, cones, found.largest)
+    bias[held] = innermost(found.forces[held], found.null, cones, found.sizes.max())
     better = solved(replace(problem, directions=found.directions, bias=bias), found.modes)
     return better if better.margins.min() > found.margins.min() else found
 

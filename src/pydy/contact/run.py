@@ -105,7 +105,8 @@ class Run:
         self.impacts: list[tuple[float, dict[str, tuple[float, ...]], float]] = []
         self.first_height: dict[int, float] = {}
         self.modes: tuple[str, ...] = tuple(OPEN for _ in self.contacts)
-        self.largest = 0.0  # of the forces where a part of the motion begins
+        self.sizes = np.zeros(len(self.contacts))  # of forces where a part of the motion begins
+        self.sure: set[int] = set()  # contacts with events of their own at the last transition
         self.bias: np.ndarray | None = None
         self.redundant = False
         self.quickest: dict[int, float] = {}  # sliding speeds since they began
@@ -260,7 +261,13 @@ class Run:
                     )  # fmt: skip
         every = [self.options_of(state, p, i) for i in range(len(self.contacts))]
         wanted = [[fixed[i]] if i in fixed else own for i, own in enumerate(every)]
-        found = chosen(problem, wanted, excluded) or (chosen(problem, every) if fixed else None)
+        found = chosen(problem, wanted, excluded)
+        if found is None and fixed.keys() - self.sure:
+            # What was told by values that are nearly zero may be wrong; events are not.
+            tied = self.sure & fixed.keys()
+            wanted = [[fixed[i]] if i in tied else own for i, own in enumerate(every)]
+            found = chosen(problem, wanted)
+        found = found or (chosen(problem, every) if fixed else None)
         if found is None:
             raise self.fail(
                 state.t, state.x,
@@ -462,7 +469,7 @@ class Run:
         every = held_rows(problem, solution.modes)
         held = tuple(independent(p.square, every))
         self.redundant = len(held) < len(every)
-        self.largest = solved(problem, solution.modes).largest
+        self.sizes = solved(problem, solution.modes).sizes
         for i, mode_of in enumerate(solution.modes):
             if mode_of in SLIDES:
                 speed = float(np.linalg.norm(p.speed[self.rows.tangent[i]]))
@@ -644,15 +651,16 @@ class Run:
             looked: list[tuple[Any, float, str, str]] = []  # symbol, slack, kind, in words
             own = mode.modes[i]
             if own in SLIDES:
-                slack = self._unresolved(i) * self.largest
+                slack = self._unresolved(i) * self.sizes[i]
                 looked.append((symbols[i, "power"], slack, "", "power of friction"))
             if own == STICKS:
-                slack = 2.0 * SLACK * self.largest**2
+                slack = 2.0 * SLACK * self.sizes[i] ** 2
                 looked.append((margin_symbol(c), slack, "slips", "margin of friction, squared,"))
             if c.unilateral is not None and own == OPEN:
                 looked.append((symbols[i, "gap"], atol, "", "gap"))
             elif c.unilateral is not None:
-                looked.append((symbols[i, "normal"], SLACK * self.largest, "opens", "normal force"))
+                slack = SLACK * self.sizes[i]
+                looked.append((symbols[i, "normal"], slack, "opens", "normal force"))
             for symbol, slack, kind, words in looked:
                 values = table[:, names.index(symbol)] * (-1.0 if words[:5] == "power" else 1.0)
                 allowed = SLACK * np.abs(values).max(initial=0.0) + slack
@@ -696,6 +704,7 @@ class Run:
         closing: set[int] = set()
         fixed: dict[int, str] = {}
         turning = any(kind in ("stops", "bends") for kind, _ in fired)
+        self.sure = {i for kind, i in fired if kind in ("opens", "slips")}
         for i, mode in enumerate(self.modes):
             normal, rows = self.rows.normal[i], self.rows.tangent[i]
             what = {kind for kind, k in fired if k == i}
@@ -717,7 +726,7 @@ class Run:
                     f"Painlevé's paradox: the normal force at {self.contacts[i].name!r}, which "
                     "slides, has no bound, because its friction presses the bodies together.",
                 )  # fmt: skip
-            little = SLACK * solution.largest
+            little = SLACK * solution.sizes[i]
             if normal is not None and ("opens" in what or press <= little):
                 fixed[i] = OPEN
             elif mode == STICKS:
