@@ -333,6 +333,8 @@ def test_bad_input_is_named():
         Stick(O, mu=0.5, normal=1)
     with pytest.raises(ValueError, match="`along` must be orthogonal"):
         Stick(O, mu=0.5, normal=1, along=(N.x, N.x + N.y))
+    with pytest.raises(ValueError, match=r"`along` must be of unit length, got 2\*N.x"):
+        Stick(O, mu=0.5, normal=1, along=2 * N.x)
     with pytest.raises(TypeError, match="must be a speed or a pair of them"):
         Stick((vx, vy, w), mu=0.5, normal=1)
     with pytest.raises(ValueError, match="`gap` must depend on coordinates"):

@@ -137,5 +137,9 @@ def test_wrong_arguments_are_named():
         CompliantContact(P, O, N.x, N, lambda g, r: 1, lambda s, n: -n, along=(N.y, N.z))
     with pytest.raises(TypeError, match="`force` must be a function"):
         CompliantContact(P, O, N.x, N, 3.0)
+    with pytest.raises(ValueError, match=r"`normal` must be of unit length, got 2\*N.x"):
+        CompliantContact(P, O, 2 * N.x, N, lambda g, r: 1)
+    with pytest.raises(ValueError, match=r"`along` must be of unit length, got N.y \+ N.z"):
+        CompliantContact(P, O, N.x, N, lambda g, r: 1, lambda s, n: -n, along=N.y + N.z)
     with pytest.raises(TypeError, match="`along` must be one Vector or two"):
         CompliantContact(P, O, N.x, N, lambda g, r: 1, lambda s, n: -n, along=3)

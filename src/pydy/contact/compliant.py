@@ -9,7 +9,7 @@ import sympy as sm
 from sympy.physics.mechanics import Point, ReferenceFrame, Vector, dynamicsymbols
 
 from pydy._checks import shown
-from pydy.contact.laws import _expressions
+from pydy.contact.laws import _check_units, _expressions
 from pydy.solvers.events import Event
 
 
@@ -106,6 +106,8 @@ class CompliantContact:
             if not callable(function) and (function is not None or argument == "force"):
                 raise TypeError(f"`{argument}` must be a function, got {shown(function)}.")
         directions = _directions(along)
+        _check_units("normal", [normal])
+        _check_units("along", directions)
         if (friction is None) != (not directions):
             raise ValueError("`friction` and `along` belong together: give both or none.")
         if (len(directions) == 2) != (smoothing is not None):

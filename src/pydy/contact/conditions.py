@@ -10,7 +10,7 @@ import sympy as sm
 from sympy.physics.mechanics import Point, Vector
 
 from pydy._checks import listed, shown
-from pydy.contact.laws import _expressions
+from pydy.contact.laws import _check_units, _expressions
 from pydy.contact.tuning import CONTACTS
 
 
@@ -72,7 +72,8 @@ class Stick:
         to each other; needed with a point. In place of a point and these, `point` may be a pair of
         speeds.
     against : Point, optional
-        Point of a body that the point slides on, if that moves; with a point.
+        Point of a body that the point slides on, if that moves; with a point. If the body turns,
+        that of its points which is where the body is touched, with its velocity.
     normal : expression, optional
         In place of `on`: a normal force that is known, such as the preload of a brake. It is not
         negative, and depends on the state and time.
@@ -238,6 +239,7 @@ def _axes(along: Any) -> tuple[Vector, ...]:
         product = sm.simplify(axes[0].dot(axes[1]))
         if product.is_number and product != 0:
             raise ValueError(f"`along` must be orthogonal vectors, got {axes[0]} and {axes[1]}.")
+    _check_units("along", axes)
     return axes
 
 

@@ -7,11 +7,13 @@ that speed.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Any
 
 import sympy as sm
 
 from pydy._checks import number, shown
+from pydy._rank import ROUNDED
 
 
 def hunt_crossley(gap: Any, rate: Any, stiffness: Any, damping: Any, exponent: Any = 1.5) -> Any:
@@ -330,3 +332,14 @@ def _expressions(**given: Any) -> list[Any]:
         plain = isinstance(value, (int, sm.Expr)) and not isinstance(value, bool)
         found.append(sm.sympify(value if plain else known))
     return found
+
+
+def _check_units(argument: str, vectors: Iterable[Any]) -> None:
+    """Refuse vectors whose length is a number other than 1: forces would be wrong by it."""
+    for vector in vectors:
+        length = sm.simplify(vector.dot(vector))
+        if length.is_number and not abs(length - 1) <= ROUNDED:
+            raise ValueError(
+                f"`{argument}` must be of unit length, got {vector}. Divide it by its length: "
+                "forces are along it."
+            )
