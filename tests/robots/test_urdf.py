@@ -68,6 +68,33 @@ def test_symbols_have_the_values_of_the_file(tmp_path):
     assert not other.constants_symbols
 
 
+LIFTED = """<robot name="lifted">
+<link name="base"/>
+<link name="arm"><inertial><origin xyz="0.5 0 0"/><mass value="2"/></inertial></link>
+<link name="tool"/>
+<joint name="shoulder" type="continuous"><parent link="base"/><child link="arm"/>
+<origin xyz="0 0 3"/><axis xyz="0 1 0"/></joint>
+<joint name="hand" type="fixed"><parent link="arm"/><child link="tool"/>
+<origin xyz="0.7 0 0"/></joint>
+</robot>"""
+
+
+def test_places_that_cancel_from_the_equations_have_the_values_of_the_file(tmp_path):
+    # The height of the shoulder moves nothing, and the tool has no mass.
+    path = tmp_path / "robot.urdf"
+    path.write_text(LIFTED)
+    robot = read(path)
+    system = robot.system(initial_conditions={"q_shoulder": -np.pi / 6})
+    world = robot.frames["world"]
+    height = robot.frames["tool"].point.pos_from(world.point).dot(world.frame.z)
+    system.outputs = {"height": height}
+    assert system.evaluate_outputs() == pytest.approx([3.35])
+    assert system.evaluate_energy().potential == pytest.approx(2 * 9.81 * 3.25)
+    assert system.frame_position("tool", [-np.pi / 6])[2] == pytest.approx(3.35)
+    system.constants["pz_arm"] = 4.0
+    assert system.evaluate_outputs() == pytest.approx([4.35])
+
+
 MIMIC = """<robot name="gripper">
 <link name="base"/>
 <link name="one"><inertial><mass value="0.3"/></inertial></link>

@@ -94,9 +94,9 @@ class Robot:
             check_mapping(name, options.pop(name, None))
             for name in ("constants", "initial_conditions")
         )
+        # What cancels, such as the height of a base, counts in energies, places and outputs.
+        options.setdefault("constants_symbols", list(self.values) or None)
         system = System(self.definition, **options)
-        # What cancels, such as the inertia of a base about axes that it does not turn about, is no
-        # constant of the System.
         own = {s: v for s, v in self.values.items() if s in system.constants_symbols}
         system.constants = _replaced(own, constants)
         system.initial_conditions = _replaced(self.start, start)
