@@ -9,6 +9,7 @@ from __future__ import annotations
 import sys
 import warnings
 from collections.abc import Sequence
+from inspect import signature
 
 import numpy as np
 
@@ -31,7 +32,15 @@ def few(texts: Sequence[str]) -> str:
     return "; ".join(texts[:2]) + more
 
 
-class SingularMatrixError(np.linalg.LinAlgError):
+class _Pickled(BaseException):
+    """An exception that is pickled as what it was made of: its message, then its attributes."""
+
+    def __reduce__(self) -> tuple[object, ...]:
+        _, *names = signature(type(self)).parameters
+        return type(self), (str(self), *(getattr(self, name) for name in names))
+
+
+class SingularMatrixError(_Pickled, np.linalg.LinAlgError):
     """A linear solve inside the equations encountered a singular matrix.
 
     Attributes
@@ -47,9 +56,6 @@ class SingularMatrixError(np.linalg.LinAlgError):
         self.time = time
         self.state = state
 
-    def __reduce__(self) -> tuple[object, ...]:
-        return (type(self), (str(self), self.time, self.state))
-
 
 class UnsupportedFunctionError(NotImplementedError):
     """An expression contains a function that has no numerical translation."""
@@ -63,7 +69,7 @@ class MissingDependencyError(GeneratorError, ImportError):
     """A code generator needs a package that is not installed."""
 
 
-class _Partial(BaseException):
+class _Partial(_Pickled):
     """The results of an integration up to where it stopped."""
 
     def __init__(
@@ -81,10 +87,6 @@ class _Partial(BaseException):
         self.time = time
         self.state = state
         self.info = info
-
-    def __reduce__(self) -> tuple[object, ...]:
-        parts = (self.times, self.states, self.time, self.state, self.info)
-        return (type(self), (str(self), *parts))
 
 
 class IntegrationError(_Partial, RuntimeError):
@@ -121,7 +123,15 @@ class IntegrationInterrupted(_Partial, KeyboardInterrupt):
     """
 
 
-class AnalysisInterrupted(KeyboardInterrupt):
+class _Interrupted(_Pickled, KeyboardInterrupt):
+    """The user interrupted something. What there was by then is in `results`."""
+
+    def __init__(self, message: str, results: object) -> None:
+        super().__init__(message)
+        self.results = results
+
+
+class AnalysisInterrupted(_Interrupted):
     """The user interrupted an analysis of a System. What was found so far is here.
 
     A `KeyboardInterrupt`, so that no ``except Exception`` swallows it.
@@ -136,15 +146,8 @@ class AnalysisInterrupted(KeyboardInterrupt):
         OptimalTrajectory of the latest iteration.
     """
 
-    def __init__(self, message: str, results: object) -> None:
-        super().__init__(message)
-        self.results = results
 
-    def __reduce__(self) -> tuple[object, ...]:
-        return (type(self), (str(self), self.results))
-
-
-class FitInterrupted(KeyboardInterrupt):
+class FitInterrupted(_Pickled, KeyboardInterrupt):
     """The user interrupted a fit. The exception contains the best estimates so far.
 
     A `KeyboardInterrupt`, so that no ``except Exception`` swallows it.
@@ -159,11 +162,8 @@ class FitInterrupted(KeyboardInterrupt):
         super().__init__(message)
         self.values = values
 
-    def __reduce__(self) -> tuple[object, ...]:
-        return (type(self), (str(self), self.values))
 
-
-class EnsembleInterrupted(KeyboardInterrupt):
+class EnsembleInterrupted(_Interrupted):
     """The user interrupted an ensemble. The exception contains the finished samples.
 
     A `KeyboardInterrupt`, so that no ``except Exception`` swallows it.
@@ -174,15 +174,17 @@ class EnsembleInterrupted(KeyboardInterrupt):
         What the ensemble would have returned. Unfinished samples have the status −1 and no values.
     """
 
-    def __init__(self, message: str, results: object) -> None:
+
+class _SearchError(_Pickled, RuntimeError):
+    """A search found nothing; it ended at `values` of its unknowns, with these `residuals`."""
+
+    def __init__(self, message: str, values: np.ndarray, residuals: np.ndarray) -> None:
         super().__init__(message)
-        self.results = results
-
-    def __reduce__(self) -> tuple[object, ...]:
-        return (type(self), (str(self), self.results))
+        self.values = values
+        self.residuals = residuals
 
 
-class PeriodicOrbitError(RuntimeError):
+class PeriodicOrbitError(_SearchError):
     """No periodic orbit was found. The exception contains the point where the search ended.
 
     Attributes
@@ -193,16 +195,8 @@ class PeriodicOrbitError(RuntimeError):
         Their changes over the period.
     """
 
-    def __init__(self, message: str, values: np.ndarray, residuals: np.ndarray) -> None:
-        super().__init__(message)
-        self.values = values
-        self.residuals = residuals
 
-    def __reduce__(self) -> tuple[object, ...]:
-        return (type(self), (str(self), self.values, self.residuals))
-
-
-class OptimizationError(RuntimeError):
+class OptimizationError(_Pickled, RuntimeError):
     """No optimal trajectory was found. The exception contains the motion where the search ended.
 
     Attributes
@@ -215,11 +209,8 @@ class OptimizationError(RuntimeError):
         super().__init__(message)
         self.trajectory = trajectory
 
-    def __reduce__(self) -> tuple[object, ...]:
-        return (type(self), (str(self), self.trajectory))
 
-
-class EquilibriumError(RuntimeError):
+class EquilibriumError(_SearchError):
     """No equilibrium was found. The exception contains the point where the search ended.
 
     Attributes
@@ -229,14 +220,6 @@ class EquilibriumError(RuntimeError):
     residuals : numpy.ndarray, shape (m,)
         The residuals there, which should be zero.
     """
-
-    def __init__(self, message: str, values: np.ndarray, residuals: np.ndarray) -> None:
-        super().__init__(message)
-        self.values = values
-        self.residuals = residuals
-
-    def __reduce__(self) -> tuple[object, ...]:
-        return (type(self), (str(self), self.values, self.residuals))
 
 
 class RobotFileError(ValueError):

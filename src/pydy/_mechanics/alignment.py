@@ -26,7 +26,7 @@ from pydy._graph.node import Graph
 from pydy._mechanics.components import identity, in_rows, terms_of, transposed, turned
 from pydy._mechanics.kinematics import Kinematics, Parts, Vec
 from pydy._mechanics.reader import is_rigid
-from pydy._mechanics.tuning import SAME_AXES, SAME_DIRECTION, STEEP
+from pydy._mechanics.tuning import ROUNDED, SAME_DIRECTION, STEEP
 
 Matrix = list[Vec]
 
@@ -130,7 +130,7 @@ def _joined(kinematics: Kinematics, parts: Parts) -> Parts:
     graph = kinematics.graph
     for frame, v in found.items():
         sizes = [abs(graph.value(n) or 0.0) for n in v]
-        tiny = SAME_AXES * max(sizes)
+        tiny = ROUNDED * max(sizes)
         found[frame] = [
             graph.zero if graph.ops[n] == "const" and size <= tiny else n
             for n, size in zip(v, sizes, strict=True)
@@ -469,7 +469,7 @@ class _Alignment:
 def _snapped(numbers: np.ndarray) -> np.ndarray:
     """Return numbers with the rounding of 0, 1 and -1 taken off."""
     near = np.rint(numbers)
-    return np.where(np.abs(numbers - near) < SAME_AXES, near, numbers)
+    return np.where(np.abs(numbers - near) < ROUNDED, near, numbers)
 
 
 def _axis(direction: np.ndarray) -> tuple[int, float] | None:
@@ -566,7 +566,7 @@ def _circle(graph: Graph, terms: list[tuple[int, float]], start: float) -> tuple
     """Return cosine and sine of a sum; those of the sum without right angles."""
     quarters = round(start / (np.pi / 2))
     start -= quarters * np.pi / 2
-    phi = graph.sum(terms, 0.0 if abs(start) < SAME_AXES else start)
+    phi = graph.sum(terms, 0.0 if abs(start) < ROUNDED else start)
     c, s = graph.call("cos", phi), graph.call("sin", phi)
     for _ in range(quarters % 4):
         c, s = graph.neg(s), c

@@ -9,7 +9,7 @@ import numpy as np
 from pydy._graph.derivative import dense_jacobian
 from pydy._graph.interpret import evaluator
 from pydy._graph.node import Graph
-from pydy._mechanics.tuning import SAME_AXES
+from pydy._mechanics.tuning import ROUNDED
 
 _STATES = 3
 _STEPS = 12  # of Newton's method, which doubles the digits with each
@@ -57,7 +57,7 @@ def unrounded(graph: Graph, nodes: Sequence[int]) -> list[int]:
     for row in rows:
         for n, c in row.items():
             sizes[n] = max(sizes.get(n, 0.0), abs(c))
-    kept = [{n: c for n, c in row.items() if abs(c) > SAME_AXES * sizes[n]} for row in rows]
+    kept = [{n: c for n, c in row.items() if abs(c) > ROUNDED * sizes[n]} for row in rows]
     return [
         node if len(own) == len(row) else graph.sum(own.items())
         for node, row, own in zip(nodes, rows, kept, strict=True)

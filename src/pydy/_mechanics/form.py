@@ -32,7 +32,7 @@ from pydy._mechanics.kinematics import Kinematics, Vec
 from pydy._mechanics.reader import Multibody
 from pydy._mechanics.reduction import reduced, slopes
 from pydy._mechanics.symbols import find_symbols, replace_symbols
-from pydy._mechanics.tuning import ALIKE, SAME_DIRECTION
+from pydy._mechanics.tuning import SAME_DIRECTION
 from pydy._rank import ROUNDED
 
 _STATES = 2
@@ -502,7 +502,7 @@ def alike(graph: Graph, a: Vec, b: Vec) -> bool:
     """Return whether vectors are equal up to the rounding of numbers."""
     for x, y in zip(a, b, strict=True):
         one, two = _split(graph, x), _split(graph, y)
-        if one[1] != two[1] or abs(one[0] - two[0]) > ALIKE * abs(one[0]):
+        if one[1] != two[1] or abs(one[0] - two[0]) > ROUNDED * abs(one[0]):
             return False
     return True
 

@@ -14,9 +14,6 @@ CANCELLED = 1e-4
 """The share of its row and column below which an entry of a mass matrix may be what is left of
 terms that cancel: where half the digits agree, differences of 1e-12 of them are rounding."""
 
-ALIKE = 1e-15
-"""The difference of two bodies' weights over their masses, in units of one: that of rounding."""
-
 FORMS_COUNTED_UP_TO = 12
 """Speeds beyond which forms are estimated, and one set of axes is tried: to count them takes as
 long as all the rest (twice the time for a tree of 29 joints, four times for 20 links)."""
@@ -29,11 +26,8 @@ FULL_STEPS = (0.05, 1e-14)
 since redundant constraints draw full steps to singular positions; then with all."""
 
 ROUNDED = 100 * 2.0**-52
-"""What rounding leaves of a sum of vectors that cancel, in units of their lengths: a few units in
-the last place for each rotation and product on the way to them."""
-
-SAME_AXES = 1e-14
-"""What is left of 0 and 1 by products of rotations by numbers: some 1e-16 for each."""
+"""What rounding leaves of a sum of vectors that cancel, in units of their lengths, and of 0 and 1
+in products of rotations by numbers: a few units in the last place for each on the way to them."""
 
 SAME_DIRECTION = 1e-12
 """The difference of two unit vectors, and of two rotations, that are the same: users' axes are
