@@ -10,7 +10,7 @@ import numpy as np
 
 from pydy._assembly.definition import Definition
 from pydy._assembly.specifieds import driven
-from pydy._checks import Places, check_mapping, flag, number, real_array, text, whole
+from pydy._checks import Places, check_mapping, flag, number, real_array, shown, text, whole
 from pydy._dataset import SENSITIVITY
 from pydy._names import column_names, latex_of, name_of, unique_names
 from pydy._system.inputs import check_times
@@ -73,9 +73,12 @@ class _Names:
     A result holds some names beside states, outputs and `COUNTS`: `more`.
     """
 
-    def __init__(self, definition: Definition, more: Iterable[str]) -> None:
+    def __init__(
+        self, definition: Definition, more: Iterable[str], outputs: Iterable[Any] | None = None
+    ) -> None:
         equations, n = definition.equations, len(definition.states)
-        variables = (*definition.states, *definition.outputs_symbols)
+        outputs = definition.outputs_symbols if outputs is None else outputs
+        variables = (*definition.states, *outputs)
         self.known = Places(variables, "states and outputs of the system")
         names = unique_names(variables)
         self.of = dict(zip(variables, names, strict=True))
@@ -292,6 +295,9 @@ def _read(definition: Definition, solver: Solver, given: Mapping[str, Any]) -> O
     return options
 
 
+_ABOUT_MODES = frozenset(("events", "constraints", "gain"))
+
+
 class Ensembles(Setup):
     """Many trajectories at a time."""
 
@@ -313,6 +319,7 @@ class Ensembles(Setup):
         workers: int | None = None,
         progress: bool = False,
         units: Mapping[Any, str] | None = None,
+        contacts: Any = None,
         **solver_kwargs: Unpack[EnsembleOptions],
     ) -> Any:
         """Integrate many trajectories of the system, each with different values.
@@ -363,6 +370,9 @@ class Ensembles(Setup):
             Whether to show a progress bar; requires tqdm.
         units : dict of symbols or names to str, optional
             Values of the attribute ``units`` of the variables.
+        contacts : pydy.contact.Contacts, optional
+            Contacts of this System: trajectories are those of `Contacts.simulate`, one by one, with
+            its outputs. Samples share the compiled modes. `reduce='events'` has the transitions.
         **solver_kwargs
             Options of the solver, and `events`, `constraints` and `gain` as in `integrate`.
 
@@ -410,7 +420,12 @@ class Ensembles(Setup):
         control = flag(control_sensitivities, "`control_sensitivities`")
         if not (isinstance(resume, str) and resume):
             resume = flag(resume, "`resume`, unless it is a name for functions,")
-        now = self._now(solver_kwargs.get("events"), constants)
+        if contacts is None:
+            now = self._now(solver_kwargs.get("events"), constants)
+        elif getattr(contacts, "system", None) is not self:
+            raise TypeError(f"`contacts` must be Contacts of this System, got {shown(contacts)}.")
+        else:
+            now = self._now(contacts.symbols, constants)
         definition = now.definition
         varied, common = _split_specifieds(specifieds)
         plan = now.plan
@@ -426,7 +441,18 @@ class Ensembles(Setup):
         plan.check_times(times, "times")
         solver = _native(native_solver(self._ode_solver) if ode_solver is None else ode_solver)
         workers = None if workers is None else whole(workers, "`workers`")
-        names = _Names.latest(now, sensitivities is not None)
+        motions = None
+        if contacts is not None:
+            if sensitivities is not None:
+                raise NotImplementedError(
+                    "`sensitivities` of ensembles with contacts are not supported yet: simulate "
+                    "the samples one by one, with `Contacts.simulate`."
+                )
+            columns = definition.places["specifieds"].columns(varied, "specifieds").tolist()
+            motions = contacts.motions(now, solver, common, columns, solver_kwargs)
+            names = _Names(definition, (), motions.outputs)
+        else:
+            names = _Names.latest(now, sensitivities is not None)
         axes = _Axes(product, names)
         initial = check_mapping("initial_conditions", initial_conditions)
         constants = check_mapping("constants", constants)
@@ -455,6 +481,8 @@ class Ensembles(Setup):
             kept = Kept(kept_programs(now, moved), any(definition.equations.left_out), mended)
         ready: Ready | None = now.model.latest.get("ensemble")
         given: dict[str, Any] = {**solver_kwargs}
+        if motions is not None:  # it has the events, and holds the constraints
+            given, kept = {k: v for k, v in given.items() if k not in _ABOUT_MODES}, None
         if ready is None or not ready.suits(plan, solver, given):
             ready = Ready(definition, now.model, plan, solver, given)
         integrated, options, beside = ready.model, ready.options, None
@@ -482,6 +510,7 @@ class Ensembles(Setup):
             jacobian=integrated.jacobian_program("rates", "x") if solver.name == "radau" else None,
             sensitivities=beside,
             kept=kept,
+            motions=motions,
         )
         reductions = read_reductions(reduce, model, names.name)
         described = names.attributes if units is None else names.described(units)

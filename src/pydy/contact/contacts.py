@@ -3,9 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from copy import copy
+from dataclasses import replace
 from typing import Any
 
+import numpy as np
+
 from pydy._checks import check_mapping, choice, flag
+from pydy._errors import ContactError
 from pydy._system.snapshot import Snapshot
 from pydy._system.solving import check_events
 from pydy.contact.compiled import Compiled
@@ -14,6 +19,7 @@ from pydy.contact.run import Run
 from pydy.contact.sensitivities import Carried
 from pydy.contact.trajectory import ContactTrajectory
 from pydy.solvers.events import Event
+from pydy.solvers.outcome import CONTACTS_IMPOSSIBLE, FINISHED, TERMINATED
 from pydy.solvers.solver import Solver
 from pydy.system import System
 
@@ -90,7 +96,7 @@ class Contacts:
             raise ValueError("Contacts need a System with bodies and an inertial frame.")
         for c in self.contacts:
             parts += [] if c.stick is None else c.stick.speeds(frame)
-        self._symbols = [Event(part) for part in parts]
+        self.symbols = [Event(part) for part in parts]  # what needs numbers
         self._kept: Compiled | None = None
         for key, value in check_mapping("constants", constants).items():
             system.constants[key] = value
@@ -106,7 +112,7 @@ class Contacts:
         return [dict(zip(self.names, modes, strict=True)) for modes in keys]
 
     def _now(self) -> tuple[Snapshot, Compiled]:
-        now = self.system._now(self._symbols)
+        now = self.system._now(self.symbols)
         if self._kept is None or self._kept.definition != now.definition:
             self._kept = Compiled(self.system, now, self.contacts)
         return now, self._kept
@@ -149,6 +155,23 @@ class Contacts:
         IntegrationError
             As in `System.simulate`.
         """
+        return self._run(events, sensitivities, control_sensitivities, solver_kwargs).trajectory()
+
+    def motions(
+        self,
+        now: Snapshot,
+        solver: Solver,
+        specifieds: Mapping[Any, Any],
+        columns: Sequence[int],
+        options: Mapping[str, Any],
+    ) -> Motions:
+        """Return how the samples of an ensemble move, for `System.integrate_ensemble`."""
+        return Motions(self, now, solver, specifieds, columns, options)
+
+    def _run(
+        self, events: Any, sensitivities: Any, control_sensitivities: Any, solver_kwargs: Any
+    ) -> Run:
+        """Return a simulation that has not begun."""
         held = choice(solver_kwargs.get("constraints"), _HELD, "`constraints`")
         if held == "baumgarte" or not flag(
             solver_kwargs.get("dense_output", True), "`dense_output`"
@@ -176,4 +199,64 @@ class Contacts:
         if sensitivities is not None:
             control = flag(control_sensitivities, "`control_sensitivities`")
             carried = Carried(kept.rows, now, sensitivities, control, self.system._dependent)
-        return Run(kept, now, times, given, solver_kwargs, carried).trajectory()
+        return Run(kept, self.system, now, times, given, solver_kwargs, carried)
+
+
+class Motions:
+    """How the samples of an ensemble with contacts move; see `pydy.ensemble.model.Motions`.
+
+    Samples in several threads share the compiled modes.
+    """
+
+    def __init__(
+        self,
+        contacts: Contacts,
+        now: Snapshot,
+        solver: Solver,
+        specifieds: Mapping[Any, Any],
+        columns: Sequence[int],
+        options: Mapping[str, Any],
+    ) -> None:
+        self.contacts, self.options = copy(contacts), {**options}
+        self.contacts.system = system = copy(contacts.system)
+        system.ode_solver = solver
+        system.specifieds = {**system.specifieds, **specifieds}
+        given = self.options.pop("events", None)
+        self._given = (
+            [] if given is None else [*check_events(given, now.definition.places["states"])]
+        )
+        definition, kept = now.definition, self.contacts._now()[1]
+        self.outputs = kept.outputs
+        self.events = (*kept.transitions, *(event.name for event in self._given))
+        self._states, self._constants = definition.states, definition.constants
+        self._varied = {definition.specifieds[k]: k for k in columns}
+
+    def __call__(
+        self, x: np.ndarray, r: np.ndarray, p: np.ndarray, times: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray, dict[str, Any]]:
+        """Return states, outputs, and how the motion ended."""
+        if self.contacts._kept is None:  # in another process
+            self.contacts._now()
+        contacts = copy(self.contacts)
+        contacts.system = system = copy(self.contacts.system)
+        system.initial_conditions = dict(zip(self._states, x.tolist(), strict=True))
+        system.constants = dict(zip(self._constants, p.tolist(), strict=True))
+        varied = {symbol: float(r[k]) for symbol, k in self._varied.items()}
+        system.specifieds = {**system.specifieds, **varied}
+        system.times = times
+        run = contacts._run(self._given, None, False, self.options)
+        code, motion = FINISHED, None
+        try:
+            motion = run.trajectory()
+            end = run.pieces[-1].end
+            code = FINISHED if run.reached.all() else TERMINATED
+        except ContactError as error:
+            motion, end = run.partial(), error.time
+            known = getattr(error.__cause__, "info", None) or {}
+            code = known.get("code", CONTACTS_IMPOSSIBLE)
+        happened = [] if motion is None else motion.events
+        records = [replace(one, index=self.events.index(one.name)) for one in happened]
+        info = {**run.totals, "code": code, "time": end, "events": records, "nearness": 1.0}
+        if motion is None:
+            return np.empty((0, len(x))), np.empty((0, len(self.outputs))), info
+        return motion.states, motion.outputs, info

@@ -82,6 +82,7 @@ class Run:
     def __init__(
         self,
         kept: Compiled,
+        users: System,
         now: Snapshot,
         times: np.ndarray,
         events: list[Any],
@@ -89,7 +90,7 @@ class Run:
         carried: Carried | None = None,
     ) -> None:
         self.carried = carried
-        self.kept, self.now, self.times = kept, now, times
+        self.kept, self.users, self.now, self.times = kept, users, now, times
         self.user_events, self.options = events, options
         self._atol = real_array(options.get("atol", Options.atol), "`atol`")
         self.rows, self.contacts = kept.rows, kept.contacts
@@ -494,8 +495,8 @@ class Run:
         if not later.any():
             return True, []
         system.constants = dict(self._numbers_of) | self.references(p, state, solution)
-        system.specifieds = dict(self.kept._system._specifieds)
-        system.ode_solver = self.kept._system.ode_solver
+        system.specifieds = dict(self.users._specifieds)
+        system.ode_solver = self.users.ode_solver
         system.times = np.concatenate([[state.t], self.times[later]])
         system.initial_conditions = dict(zip(now.definition.states, state.x.tolist(), strict=True))
         options = dict(self.options)
@@ -750,6 +751,13 @@ class Run:
         return fixed
 
     # -- the result -------------------------------------------------------------------------------
+
+    def partial(self) -> ContactTrajectory | None:
+        """Return the motion up to where it could not go on; None if it did not begin."""
+        if not self.pieces:
+            return None
+        self.reached = self.times <= self.pieces[-1].end
+        return self.result()
 
     def result(self) -> ContactTrajectory:
         """Return the parts of the motion as one."""

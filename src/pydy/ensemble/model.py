@@ -127,6 +127,18 @@ class Kept:
     mended: bool  # whether motions are brought back onto the constraints
 
 
+class Motions(Protocol):
+    """How samples move that have transitions of their own, as with contacts."""
+
+    events: tuple[str, ...]  # their names; records hold the places
+
+    def __call__(
+        self, x: np.ndarray, r: np.ndarray, p: np.ndarray, times: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray, dict[str, Any]]:
+        """Return states and outputs up to where a motion came, and as much as `_take` needs."""
+        ...
+
+
 # -- The model -------------------------------------------------------------------------------------
 
 
@@ -150,14 +162,22 @@ class Model:
     jacobian: Program | None = None  # ∂f/∂x, for an implicit method
     sensitivities: EnsembleSensitivities | None = None
     kept: Kept | None = None  # what motions with constraints are judged by
+    motions: Motions | None = None  # in place of `rates` and `outputs`
 
     @property
     def in_lanes(self) -> bool:
         """Whether trajectories are integrated several at a time."""
         asks = self.options.events is not None or self.options.constraints is not None
         beside = self.sensitivities
-        asks = asks or (beside is not None and beside.sized is not None)
+        asks = asks or self.motions is not None or (beside is not None and beside.sized is not None)
         return self.method != "radau" and not self.functions and not asks
+
+    @property
+    def event_names(self) -> tuple[str, ...]:
+        """What may happen."""
+        if self.motions is not None:
+            return self.motions.events
+        return () if self.options.events is None else self.options.events.names
 
 
 @dataclass(eq=False)
@@ -179,6 +199,7 @@ class Results:
     resets: list[list[tuple[float, np.ndarray]]] = field(default_factory=list)
     # (m,): how near constraints that projection holds came to losing rank
     nearness: np.ndarray | None = None
+    outputs: np.ndarray | None = None  # (o, m, times), of `Motions`
 
 
 _KERNELS: dict[tuple[str, int], Kernel] = {}
@@ -241,11 +262,37 @@ class Batch:
 
     def run(self, times: np.ndarray, states: np.ndarray | None = None) -> Results:
         """Integrate; into `states` (n, m, times) if given."""
+        if self.model.motions is not None:
+            return self._moved(self.model.motions, times, states)
         if self.model.sensitivities is not None:
             return self._with_columns(self.model.sensitivities, times, states)
         if states is None:
             states = np.empty((self.x.shape[1], len(self.x), len(times)))
         return self._integrated(times, states)
+
+    def _begun(self, times: np.ndarray, states: np.ndarray | None, width: int) -> Results:
+        """Return results of samples of which nothing is known."""
+        m = len(self.x)
+        states = np.empty((width, m, len(times))) if states is None else states
+        states[:] = np.nan
+        counts = [np.zeros(m, dtype=np.int64) for _ in range(4)]
+        results = Results(states, counts[0], counts[1], counts[2], counts[3], np.full(m, times[0]))
+        results.nearness = np.ones(m)
+        return results
+
+    def _moved(self, motions: Motions, times: np.ndarray, states: np.ndarray | None) -> Results:
+        """Let samples move one after another."""
+        m, n = self.x.shape
+        results = self._begun(times, states, n)
+        results.outputs = np.full((len(self.model.output_names), m, len(times)), np.nan)
+        for k in range(m):
+            if self.stopped():
+                raise KeyboardInterrupt
+            found, outputs, info = motions(self.x[k], self.r[k], self.p[k], times)
+            results.states[:, k, : len(found)] = found.T
+            results.outputs[:, k, : len(outputs)] = outputs.T
+            _take(results, k, info)
+        return results
 
     def _integrated(
         self, times: np.ndarray, states: np.ndarray, controlled: int | None = None
@@ -301,10 +348,7 @@ class Batch:
         model, (m, n) = self.model, self.x.shape
         beside, options, jacobian = model.sensitivities, model.options, model.jacobian
         kernel, one = _kernel(model.rates, 1), None
-        counts = [np.zeros(m, dtype=np.int64) for _ in range(4)]
-        states[:] = np.nan
-        results = Results(states, counts[0], counts[1], counts[2], counts[3], np.full(m, times[0]))
-        results.nearness = np.ones(m)
+        results = self._begun(times, states, n)
         for k in range(m):
             if self.stopped():
                 raise KeyboardInterrupt

@@ -80,7 +80,7 @@ def read_reductions(reduce: Any, model: Model, name: Callable[[Any], str]) -> tu
             result.append(Extreme(kind, name(rest[0])))
         elif kind == "events" and len(rest) < 2:
             number = rest[0] if rest else _OCCURRENCES
-            if model.options.events is None:
+            if not model.event_names:
                 raise ValueError("`reduce='events'` needs `events`, a list of pydy.solvers.Event.")
             if isinstance(number, bool) or not isinstance(number, int) or number < 1:
                 raise ValueError(f"`reduce` must have how many events to keep, got {number!r}.")
@@ -103,8 +103,8 @@ def _produced(entry: Reduction, model: Model) -> Sequence[str]:
         return [f"{entry.name}_{entry.kind}"]
     if isinstance(entry, _Final):
         return (*model.states, *model.output_names)
-    events = model.options.events if isinstance(entry, _EventTimes) else None
-    return [f"{n}_{part}" for n in (events.names if events else ()) for part in ("count", "times")]
+    names = model.event_names if isinstance(entry, _EventTimes) else ()
+    return [f"{name}_{part}" for name in names for part in ("count", "times")]
 
 
 def _refuse_twice(produced: Sequence[tuple[str, Reduction]]) -> None:
@@ -153,7 +153,9 @@ class Work:
         results = batch.run(times, states)
         if model.kept is not None:
             refuse(batch, results, times)
-        outputs = partial(batch.evaluate, model.outputs)
+        outputs: _Outputs = partial(batch.evaluate, model.outputs)
+        if (known := results.outputs) is not None:
+            outputs = lambda some, _: known[:, :, np.searchsorted(times, some)]  # noqa: E731
         found = self._reduced(results, times, outputs)
         if results.columns is not None:
             found |= self._differentiated(results, times, outputs, batch.output_columns)
@@ -261,11 +263,10 @@ class Work:
 
     def _events(self, results: Results, occurrences: int) -> dict[str, Variable]:
         """Return how often each event happened, its first times, and their derivatives."""
-        wanted, beside = self.model.options.events, self.model.sensitivities
-        assert wanted is not None
+        beside = self.model.sensitivities
         m, columns = len(results.events), 0 if beside is None else len(beside.names)
         found = {}
-        for index, name in enumerate(wanted.names):
+        for index, name in enumerate(self.model.event_names):
             when = np.full((m, occurrences), np.nan)
             slopes = np.full((m, occurrences, columns), np.nan)
             count = np.zeros(m, dtype=np.int64)

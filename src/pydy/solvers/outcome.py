@@ -15,6 +15,7 @@ CONSTRAINTS_NOT_MET, NO_CONVERGENCE, EVENTS_ACCUMULATE, START_OFF_CONSTRAINTS = 
 INTERRUPTED, TOLERANCE_TOO_SMALL, EVENT_CONSTANT, RESET_NOT_FINITE = range(10, 14)
 SINGULAR_CONFIGURATION, EVENT_GRAZES, SPEEDS_NOT_GIVEN, DEPENDENTS_NOT_GIVEN = range(14, 18)
 RESET_OFF_CONSTRAINTS, LEFT_CONSTRAINTS, ENERGY_CHANGED, EVENT_UNDEFINED = range(18, 22)
+CONTACTS_IMPOSSIBLE = 22
 
 
 class Outcome(NamedTuple):
@@ -146,5 +147,10 @@ OUTCOMES = {
         "met the event `{event}`, whose expression becomes NaN there,",
         "Whether it crosses zero cannot be seen. Pass an expression that is defined on both sides, "
         "as `x - 1` is instead of `sqrt(x - 1)`. The states are in the attributes of this error.",
+    ),
+    CONTACTS_IMPOSSIBLE: Outcome(
+        "contacts_impossible",
+        "found no modes of the contacts that satisfy the equations",
+        "Simulate that sample alone: the error tells whether it is Painlevé's paradox or jamming.",
     ),
 }

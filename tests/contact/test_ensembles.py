@@ -1,0 +1,102 @@
+"""Many motions with contacts: one by one, with modes that all samples share."""
+
+import pickle
+
+import numpy as np
+import pytest
+import sympy as sm
+import sympy.physics.mechanics as me
+
+from pydy import System
+from pydy.contact import Contacts, Unilateral
+from pydy.mechanics import Definition
+from pydy.solvers import Event
+from touching import TIGHT, J, N, O, a, ball, e, falling_body, g, k, m, mu, vx, vy, x, y
+
+
+def test_samples_move_as_they_do_alone():
+    system, floor = ball(restitution=e)
+    system.initial_conditions, system.times = {y: 1.0}, np.linspace(0.0, 1.5, 4)
+    contacts = Contacts(system, [floor], {e: 0.8})
+    result = system.integrate_ensemble(
+        contacts=contacts, constants={e: [0.2, 0.5, 0.8]}, initial_conditions={y: [1.0, 2.0, 3.0]},
+        workers=2, **TIGHT,
+    )  # fmt: skip
+    assert set(result.status.values) == {0}
+    assert contacts.compiled_modes == [{"floor": "open"}, {"floor": "closed"}]
+    for row, (ratio, height) in enumerate([(0.2, 1.0), (0.5, 2.0), (0.8, 3.0)]):
+        system.constants[e], system.initial_conditions = ratio, {y: height}
+        alone = contacts.simulate(**TIGHT)
+        for name in ("y", "v_y", "floor_gap", "floor_normal"):
+            assert result[name].values[row] == pytest.approx(alone[name], abs=1e-14)
+        assert result.steps.values[row] == alone.statistics["steps"]
+
+
+def test_transitions_and_users_events_are_told_of_each_sample():
+    system, floor = ball(restitution=0.5)
+    system.times = np.linspace(0.0, 1.0, 3)
+    apex = Event(system.states[1], direction=-1, name="apex")
+    result = system.integrate_ensemble(
+        contacts=Contacts(system, [floor]), initial_conditions={y: [1.0, 0.5]}, events=apex,
+        reduce=["final", ("events", 2), ("max", "floor_normal")], **TIGHT,
+    )  # fmt: skip
+    first = np.sqrt(2 * np.array([1.0, 0.5]) / 9.81)
+    assert result["floor closes_times"].values[:, 0] == pytest.approx(first, abs=1e-11)
+    assert result["apex_times"].values[:, 1] == pytest.approx(1.5 * first, abs=1e-11)
+    assert result["floor_normal_max"].values == pytest.approx([0.0, 9.81])  # the second rests
+    assert result["y"].shape == (2,)
+
+
+def test_a_sample_without_a_motion_is_lost_alone():
+    # Painlevé's paradox: J + cos a (cos a − μ sin a) < 0 for the largest friction.
+    system, feet = falling_body([(-1.0, 0.0)], mu=mu)
+    lean = 0.9
+    system.constants[J], system.times = 1 / 3, [0.0, 0.1, 0.2]
+    system.initial_conditions = {a: lean, x: np.cos(lean), y: np.sin(lean), vx: -1.0}
+    contacts = Contacts(system, feet, {mu: 0.5})
+    result = system.integrate_ensemble(contacts=contacts, constants={mu: [0.3, 3.0, 0.6]})
+    assert list(result.status.values) == [0, 22, 0]
+    assert result.status.attrs["flag_meanings"].split()[-1] == "contacts_impossible"
+    assert np.isnan(result["x"].values[1]).all()
+    assert np.isfinite(result["foot0_normal"].values[[0, 2]]).all()
+
+
+def test_what_a_sample_did_before_it_failed_is_kept():
+    P = O.locatenew("P", y * N.y)
+    P.set_vel(N, vy * N.y)
+    pull = (-m * g + sm.log(1 - k * me.dynamicsymbols._t)) * N.y
+    system = System(
+        Definition(N, [y], [vy], bodies=[me.Particle("P", P, m)], loads=[(P, pull)]),
+        {g: 9.81}, {}, "dop853", {y: 1.0}, np.linspace(0.0, 2.0, 5),
+    )  # fmt: skip
+    contacts = Contacts(system, [Unilateral(y, name="floor", restitution=0.5)])
+    result = system.integrate_ensemble(contacts=contacts, constants={k: [0.0, 1.0]}, rtol=1e-8)
+    assert result.status.values[0] == 0
+    assert result.status.values[1] in (2, 4)  # the logarithm ends at t = 1
+    assert result.end_time.values[1] == pytest.approx(1.0, abs=1e-3)
+    assert np.isfinite(result["floor_gap"].values[1, :2]).all()
+    assert np.isnan(result["y"].values[1, 3:]).all()
+
+
+def test_a_sample_travels_to_another_process():
+    system, floor = ball(restitution=0.5)
+    system.initial_conditions, system.times = {y: 1.0}, np.linspace(0.0, 1.0, 3)
+    contacts = Contacts(system, [floor])
+    wanted = contacts.simulate()
+    there = pickle.loads(pickle.dumps(contacts))
+    assert there.simulate().states == pytest.approx(wanted.states, abs=0)
+    lazy = system.integrate_ensemble(contacts=contacts, initial_conditions={y: [1.0]}, chunks=1)
+    assert lazy["y"].values[0] == pytest.approx(wanted["y"], abs=0)
+
+
+def test_what_is_no_contacts_of_the_system_is_named():
+    system, floor = ball()
+    other, _ = ball()
+    system.times = other.times = [0.0, 1.0]
+    contacts = Contacts(system, [Unilateral(y, name="floor")])
+    with pytest.raises(TypeError, match="`contacts` must be Contacts of this System, got"):
+        other.integrate_ensemble(contacts=contacts, initial_conditions={y: [1.0]})
+    with pytest.raises(TypeError, match="`contacts` must be Contacts of this System, got"):
+        system.integrate_ensemble(contacts=[floor], initial_conditions={y: [1.0]})
+    with pytest.raises(NotImplementedError, match="`sensitivities` of ensembles with contacts"):
+        system.integrate_ensemble(contacts=contacts, sensitivities=[g])
