@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from pydy._checks import flag, listed, number
+from pydy._checks import flag, listed, number, shown
 from pydy._errors import AnalysisInterrupted, PeriodicOrbitError
 from pydy._names import unique_names
 from pydy._optional import progress_of
@@ -52,6 +52,7 @@ class Orbits(Simulation, Evaluation):
         moving: Iterable[Any] = (),
         until: Event | None = None,
         progress: bool = False,
+        contacts: Any = None,
         **solver_kwargs: Any,
     ) -> PeriodicOrbit:
         """Find a periodic motion by shooting, and its Floquet multipliers.
@@ -69,6 +70,9 @@ class Orbits(Simulation, Evaluation):
             The period ends when this happens, after its reset: the impact of a walker's foot, say.
         progress : bool, optional
             Whether to show a progress bar, with the remaining gap; requires tqdm.
+        contacts : pydy.contact.Contacts, optional
+            Contacts of this System: the motion is that of `Contacts.simulate`. Its start stays in
+            the modes of the initial conditions; an event `until` must not be a transition.
         **solver_kwargs
             Options of the native solver (``'dop853'`` if `ode_solver` is not native); `rtol` is
             1e-12 by default, and `atol` as much of the sizes of the states along the way.
@@ -120,12 +124,22 @@ class Orbits(Simulation, Evaluation):
         rows = [definition.states.index(s) for s in kept]
         runner = copy(self)
         runner.ode_solver = native_solver(self.ode_solver)
+        held = None  # the modes of contacts at the start
+        if contacts is not None:
+            if getattr(contacts, "system", None) is not self:
+                raise TypeError(
+                    f"`contacts` must be Contacts of this System, got {shown(contacts)}."
+                )
+            contacts = copy(contacts)
+            contacts.system = runner
         options = {"rtol": ORBIT, **solver_kwargs}
         chosen = "atol" not in solver_kwargs
         if tied:
             options.setdefault("constraints", "project")
         t0 = now.t
         autonomous = until is None and not _depends_on_time(now)
+        if contacts is not None:
+            autonomous &= not contacts.depends_on_time
 
         def begin(z: np.ndarray) -> None:
             """Set the states at the start; the dependent ones follow."""
@@ -135,12 +149,18 @@ class Orbits(Simulation, Evaluation):
             if tied:
                 runner.set_dependent_initial_conditions(dependent)
 
-        def run(times: Any, **more: Any) -> Any:
+        def rates_of(ride: Any, x: np.ndarray, t: float, last: int = -1) -> np.ndarray:
+            """Return the derivatives of the states, where a motion ends or begins."""
+            if contacts is None:
+                return np.array(runner.evaluate_ode(x, t))
+            found: np.ndarray = ride.end(last)[1](np.array([t]), x[None])[0]
+            return found
+
+        def run(times: Any, modes: Any = None, **more: Any) -> Any:
             runner.times = times
             # A state that stays would be followed in steps that are too long for its neighbours.
-            return runner.simulate(
-                sensitivities=kept, control_sensitivities=True, **more, **options
-            )
+            more = {"sensitivities": kept, "control_sensitivities": True, **more, **options}
+            return runner.simulate(**more) if contacts is None else contacts.resumed(modes, **more)
 
         nearest: dict[str, Any] = {
             "period": guess,
@@ -163,18 +183,21 @@ class Orbits(Simulation, Evaluation):
 
         def flown(z: np.ndarray, length: float) -> Flight:
             if until is None:
-                ride = run(np.linspace(t0, t0 + length, num=_ON_THE_WAY))
+                ride = run(np.linspace(t0, t0 + length, num=_ON_THE_WAY), held)
                 end, slopes, instant = ride.states[-1], ride.sensitivity.values[-1], t0 + length
-                rates = runner.evaluate_ode(end, instant)
+                start = ride.states[0]
+                rates = rates_of(ride, end, instant)
             else:
-                first = run([t0, t0 + BEGINNING * guess])
+                first = run([t0, t0 + BEGINNING * guess], held)
+                start, modes = first.states[0], None if contacts is None else first.end()[0]
                 runner.initial_conditions = dict(
                     zip(definition.states, first.states[-1].tolist(), strict=True)
                 )
                 ending = replace(until, terminal=True)
                 times = np.linspace(t0 + BEGINNING * guess, t0 + _PATIENCE * guess, num=_ON_THE_WAY)
-                ride = run(times, events=ending)
-                if not ride.events:
+                ride = run(times, modes, events=ending)
+                happened = [event for event in ride.events if event.name == ending.name]
+                if not happened:
                     raise PeriodicOrbitError(
                         f"The event `{until.name}` does not happen within {_PATIENCE:g} times the "
                         f"`period` of {guess:g} s. Give a period nearer to it, or other initial "
@@ -182,9 +205,9 @@ class Orbits(Simulation, Evaluation):
                         z,
                         np.full(len(z), np.nan),
                     )
-                event = ride.events[-1]
+                event = happened[-1]
                 end, instant = event.after, event.time
-                rates = runner.evaluate_ode(end, instant)
+                rates = rates_of(ride, end, instant)
                 after = event.sensitivity_after + np.outer(rates, event.time_sensitivity)
                 slopes = after @ first.sensitivity.values[-1][rows]
             return Flight(
@@ -193,6 +216,7 @@ class Orbits(Simulation, Evaluation):
                 rates[free],
                 instant - t0,
                 sizes_along(ride.times, ride.states, end, rates, instant - t0),
+                None if contacts is None else start[free],
             )
 
         def sizes_along(
@@ -211,7 +235,11 @@ class Orbits(Simulation, Evaluation):
         slope = None
         begin(start)
         beginning = np.array([runner.initial_conditions[s] for s in definition.states])
-        rates = runner.evaluate_ode()
+        if contacts is None:
+            rates = runner.evaluate_ode()
+        else:
+            ride = run([t0, t0 + BEGINNING * guess])
+            held, rates = ride.end(0)[0], rates_of(ride, ride.states[0], t0, 0)
         at_start = np.array([t0]), beginning[None], beginning
         if autonomous:
             slope = rates[free]
@@ -247,7 +275,11 @@ class Orbits(Simulation, Evaluation):
                 begin(z)
                 initial = dict(runner.initial_conditions)
                 runner.times = np.linspace(t0, t0 + flight.period, num=_SAMPLES)
-                trajectory = runner.simulate(**options)
+                if contacts is None:
+                    trajectory = runner.simulate(**options)
+                else:  # what contacts hold is projected at the start
+                    trajectory = contacts.resumed(held, **options)
+                    initial = dict(zip(initial, trajectory.states[0].tolist(), strict=True))
             except KeyboardInterrupt as stop:
                 raise AnalysisInterrupted(
                     "The search for a periodic orbit was interrupted. The period and the initial "

@@ -97,6 +97,7 @@ class Flight:
     rates: np.ndarray  # their time derivatives at the end
     period: float
     sizes: np.ndarray  # how large they are on the way; see `Measure`
+    projected: np.ndarray | None = None  # the states at its start, if they are not as wanted
 
     def scaled(self, sizes: np.ndarray, period: float) -> Flight:
         """Return the same in units of the states' sizes and of a period."""
@@ -106,7 +107,12 @@ class Flight:
             by_start=self.by_start * sizes / sizes[:, None],
             rates=self.rates * period / sizes,
             period=self.period / period,
+            projected=None if self.projected is None else self.projected / sizes,
         )
+
+    def begun(self, wanted: np.ndarray) -> np.ndarray:
+        """Return the states at its start."""
+        return wanted if self.projected is None else self.projected
 
 
 @dataclass(frozen=True, eq=False)
@@ -173,7 +179,7 @@ def shoot(
     """
     guess, k = period, len(start)
     flight = first.scaled(sizes, guess)
-    begun = z = start / sizes
+    begun = z = flight.begun(start / sizes)
     if slope is not None:
         slope = slope / sizes / np.linalg.norm(slope / sizes)
     gap, speed, period = flight.end - z, float(np.linalg.norm(flight.rates)), 1.0
@@ -199,8 +205,10 @@ def shoot(
                         new = None
             except RuntimeError:  # no event, or a failure of the integration
                 new = None
-            if new is not None and float(np.abs(new.end - after).max()) < size:
-                break
+            if new is not None:
+                after = new.begun(after)
+                if float(np.abs(new.end - after).max()) < size:
+                    break
             new = None
             if size <= ORBIT_CLOSED * _scale(z):
                 break
@@ -227,6 +235,7 @@ def shoot(
         z, period = z + step[:k], period + (float(step[k]) if slope is not None else 0.0)
         found = fly(z * sizes, period * guess)
         flight = found.scaled(sizes, guess)
+        z = flight.begun(z)
         gap = flight.end - z
     return z * sizes, found, float(np.abs(gap * sizes).max(initial=0.0))
 

@@ -111,6 +111,14 @@ class Contacts:
         keys = {} if self._kept is None else dict.fromkeys(m for m, _ in self._kept.modes)
         return [dict(zip(self.names, modes, strict=True)) for modes in keys]
 
+    @property
+    def depends_on_time(self) -> bool:
+        """Whether gaps, sliding speeds or coefficients do, beside the states."""
+        rows = self._now()[1].rows
+        nodes = [*rows.gaps, *rows.speeds, *rows.pressed, *rows.mu, *rows.static, *rows.restitution]
+        g = rows.graph
+        return any(g.ops[n] == "input" and g.args[n][0] == "t" for n in g.reachable(nodes))
+
     def _now(self) -> tuple[Snapshot, Compiled]:
         now = self.system._now(self.symbols)
         if self._kept is None or self._kept.definition != now.definition:
@@ -167,6 +175,23 @@ class Contacts:
     ) -> Motions:
         """Return how the samples of an ensemble move, for `System.integrate_ensemble`."""
         return Motions(self, now, solver, specifieds, columns, options)
+
+    def resumed(
+        self,
+        modes: tuple[str, ...] | None,
+        *,
+        events: Any = (),
+        sensitivities: Any = None,
+        control_sensitivities: Any = False,
+        **solver_kwargs: Any,
+    ) -> ContactTrajectory:
+        """Simulate from initial conditions that are near those of some modes.
+
+        They are projected on what these hold. Without modes it is what `simulate` does.
+        """
+        run = self._run(events, sensitivities, control_sensitivities, solver_kwargs)
+        run.begun = modes
+        return run.trajectory()
 
     def _run(
         self, events: Any, sensitivities: Any, control_sensitivities: Any, solver_kwargs: Any

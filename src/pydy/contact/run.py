@@ -90,6 +90,7 @@ class Run:
         carried: Carried | None = None,
     ) -> None:
         self.carried = carried
+        self.begun: tuple[str, ...] | None = None  # the modes at the start, if they are given
         self.kept, self.users, self.now, self.times = kept, users, now, times
         self.user_events, self.options = events, options
         self._atol = real_array(options.get("atol", Options.atol), "`atol`")
@@ -188,17 +189,18 @@ class Run:
         closing = set()
         for i, c in enumerate(self.contacts):
             normal = self.rows.normal[i]
-            if normal is None:
+            if normal is None or (self.begun is not None and self.begun[i] != OPEN):
                 state.touching.add(i)
                 continue
             if not p.square[normal, normal] > 0.0:
                 raise self.fail(t, x, f"No speed can change the gap of {c.name!r} here.")
             nothing = WITHIN * np.finfo(float).eps * p.near[i]
             if p.gap[i] < -nothing:
-                raise ValueError(
+                why = (
                     f"The gap of {c.name!r} must not be negative at the first time, got "
                     f"{p.gap[i]:.6g}. Change the initial conditions, or the sign of the gap."
                 )
+                raise ValueError(why) if self.begun is None else self.fail(t, x, why)
             if p.gap[i] <= nothing:
                 speed = p.speed[normal]
                 slow = WITHIN * np.finfo(float).eps * p.slow[normal]
@@ -208,7 +210,10 @@ class Run:
                     closing.add(i)
                 else:
                     state.touching.add(i)
-        self._find_resting(state, p)
+        if self.begun is None:
+            self._find_resting(state, p)
+        else:  # what is left of gaps and speeds that are held is projected away
+            state.resting = {i for i, mode in enumerate(self.begun) if mode == STICKS}
         self.modes = tuple(
             OPEN if i not in state.touching else self.options_of(state, p, i)[0]
             for i in range(len(self.contacts))

@@ -165,6 +165,11 @@ class ContactTrajectory(Trajectory):
         self.impacts = [(time, impulses) for time, impulses, _ in impacts]
         self._lost = [(time, work) for time, _, work in impacts]
 
+    def end(self, last: int = -1) -> tuple[tuple[str, ...], Any]:
+        """Return the modes of a part of the motion, and what evaluates its derivatives."""
+        piece = self._pieces.pieces[last]
+        return piece.modes, piece.model.derivatives
+
     @cached_property
     def contact_work(self) -> np.ndarray:
         """Work that friction and impacts have done since the first time, shape (m,).

@@ -1,0 +1,91 @@
+"""Periodic motions through transitions and impacts, and their Floquet multipliers."""
+
+import math
+
+import mpmath
+import numpy as np
+import pytest
+import sympy as sm
+import sympy.physics.mechanics as me
+
+from pydy import System
+from pydy.contact import Contacts, Stick, Unilateral
+from pydy.mechanics import Definition
+from pydy.solvers import Event
+from touching import J, N, O, a, ball, e, falling_body, k, m, mu, slope, vx, vy, w, x, y
+
+
+@pytest.mark.parametrize("inertia", [0.3, 1e-4])
+def test_the_gait_of_a_rimless_wheel(inertia):
+    half, tilt = math.pi / 8, 0.08
+    spokes = [(math.sin(2 * half * j), -math.cos(2 * half * j)) for j in range(2)]
+    system, feet = falling_body(spokes, tilt=slope, mu=mu)
+    system.constants[J], system.constants[slope] = inertia, -tilt
+    contacts = Contacts(system, feet, {mu: 5.0})
+    system.initial_conditions = {y: 1.0, w: -0.5, vx: 0.5}  # in the middle of a step, too slow
+    orbit = system.find_periodic_orbit(
+        1.0, contacts=contacts, moving=[x, a], until=Event(a + 2 * half, direction=-1)
+    )
+    # ω² after an impact is r² (ω² + gain): so are small changes. For J = 0 it is 1.0954628396.
+    ratio = (inertia + math.cos(2 * half)) / (inertia + 1)
+    gain = 4 * 9.81 * math.sin(half) * math.sin(tilt) / (inertia + 1)
+    impact = next(one for one in orbit.trajectory.events if one.name.endswith("closes"))
+    assert -impact.after[5] == pytest.approx(math.sqrt(ratio**2 * gain / (1 - ratio**2)), abs=1e-10)
+    assert orbit.multipliers[0] == pytest.approx(ratio**2, abs=1e-8)
+    assert abs(orbit.multipliers[1:]).max() < 1e-8
+    assert orbit.stable
+    # The start that is returned is one that a simulation takes as it is.
+    system.initial_conditions, system.times = orbit.initial_conditions, [0.0, orbit.period]
+    again = contacts.simulate(rtol=1e-11, atol=1e-12)
+    assert again["w"] == pytest.approx(orbit.initial_conditions[w] * np.ones(2), abs=1e-9)
+
+
+def test_stick_and_slip_on_a_belt():
+    belt, static = sm.symbols("belt static")
+    P = O.locatenew("P", x * N.x)
+    P.set_vel(N, vx * N.x)
+    numbers = {k: 20.0, belt: 0.1, mu: 0.3, static: 0.6}
+    system = System(
+        Definition(N, [x], [vx], bodies=[me.Particle("P", P, m)], loads=[(P, -k * x * N.x)]),
+        {k: 20.0}, {}, "dop853", {vx: 0.1},
+    )  # fmt: skip
+    rub = Stick(vx - belt, mu=mu, mu_static=static, normal=9.81, name="belt")
+    contacts = Contacts(system, [rub], numbers)
+    # In 30 digits: from one end of the slide to the other with the belt, and back on an arc.
+    with mpmath.workdps(30):
+        rate, load, speed = mpmath.sqrt(20), mpmath.mpf("9.81") / 20, mpmath.mpf("0.1")
+        reach = load * (mpmath.mpf("0.6") - mpmath.mpf("0.3"))
+        angle = mpmath.atan2(speed / rate, reach)
+        period = 2 * reach / speed + (mpmath.pi + 2 * angle) / rate
+    orbit = system.find_periodic_orbit(3.0, contacts=contacts)
+    assert orbit.autonomous
+    assert orbit.period == pytest.approx(float(period), abs=1e-10)
+    # Sticking forgets all but the phase.
+    assert orbit.multipliers == pytest.approx([1.0, 0.0], abs=1e-8)
+
+
+def test_a_ball_on_a_table_that_moves_up_and_down():
+    # It rebounds with the table's period T: v⁺ = g T/2, v⁻ = −g T/2, v⁺ − c = −e (v⁻ − c) with
+    # the speed c of the table, which slows down then.
+    ratio, period, rise, half = 0.8, 0.5, 0.03, 9.81 * 0.5 / 2
+    turns = 2 * math.pi / period
+    angle = math.acos(half * (1 - ratio) / (1 + ratio) / (rise * turns))
+    height = rise * sm.sin(turns * (me.dynamicsymbols._t - period / 2) + angle)
+    system, _ = ball()
+    contacts = Contacts(system, [Unilateral(y - height, restitution=e, name="table")], {e: ratio})
+    apex = rise * math.sin(angle) + 9.81 * period**2 / 8
+    system.initial_conditions = {y: apex + 0.01, vy: -0.02}
+    orbit = system.find_periodic_orbit(period, contacts=contacts)
+    assert not orbit.autonomous
+    assert orbit.initial_conditions[y] == pytest.approx(apex, abs=1e-9)
+    (impact,) = orbit.trajectory.events
+    assert impact.before[1] == pytest.approx(-half, abs=1e-9)
+    # The flow keeps areas, an impact takes e² of them.
+    assert np.prod(orbit.multipliers) == pytest.approx(ratio**2, abs=1e-8)
+    assert orbit.stable
+
+
+def test_contacts_of_another_system_are_named():
+    (system, floor), (other, _) = ball(), ball()
+    with pytest.raises(TypeError, match="`contacts` must be Contacts of this System, got"):
+        other.find_periodic_orbit(1.0, contacts=Contacts(system, [floor]))
