@@ -9,12 +9,14 @@ from typing import Any
 
 import numpy as np
 
-from pydy._checks import check_mapping, choice, flag
+from pydy._checks import check_mapping, choice, flag, shown
 from pydy._errors import ContactError
 from pydy._system.snapshot import Snapshot
 from pydy._system.solving import check_events
 from pydy.contact.compiled import Compiled
 from pydy.contact.conditions import paired, symbols_of
+from pydy.contact.decide import OPEN, SLIDING
+from pydy.contact.modes import modes_of
 from pydy.contact.run import Run
 from pydy.contact.sensitivities import Carried
 from pydy.contact.trajectory import ContactTrajectory
@@ -164,6 +166,66 @@ class Contacts:
             As in `System.simulate`.
         """
         return self._run(events, sensitivities, control_sensitivities, solver_kwargs).trajectory()
+
+    def in_modes(self, modes: Mapping[str, str]) -> System:
+        """Return the System that moves in some modes, for what knows no transitions.
+
+        Linear models, equilibria, adjoints and exports are those of one combination of modes: what
+        it holds are constraints, and nothing ends it.
+
+        Parameters
+        ----------
+        modes : dict of str to str
+            The mode of each contact by its name; a gap that is not named is open.
+
+        Returns
+        -------
+        System
+            With the values that the System has now.
+
+        Raises
+        ------
+        ValueError
+            A name or a mode is not one of a contact.
+        NotImplementedError
+            A contact slides in a plane, where it has no direction of its own.
+        """
+        given = check_mapping("modes", modes)
+        if unknown := [name for name in given if name not in self.names]:
+            raise ValueError(
+                f"`modes` has the key {unknown[0]!r}; the contacts are {', '.join(self.names)}."
+            )
+        found = []
+        for c in self.contacts:
+            possible = modes_of(c)
+            mode = given.get(c.name, possible[0])
+            if mode not in possible or (c.name not in given and mode != OPEN):
+                raise ValueError(
+                    f"`modes[{c.name!r}]` must be one of {', '.join(map(repr, possible))}, got "
+                    f"{shown(given.get(c.name))}."
+                )
+            if mode == SLIDING:
+                raise NotImplementedError(
+                    f"`modes[{c.name!r}]`: sliding in a plane is not supported by itself."
+                )
+            found.append(mode)
+        now, kept = self._now()
+        run = Run(kept, self.system, now, np.array([now.t]), [], {})
+        held, every = run.held(found)
+        system: System = kept.mode(tuple(found), held, every)[1]
+        system.constants = {**now.constants, **dict.fromkeys(kept.rows.hidden, 0.0)}
+        system.specifieds = dict(self.system.specifieds)
+        system.ode_solver, system.times = self.system.ode_solver, self.system.times
+        system.initial_conditions = dict(self.system.initial_conditions)
+        return system
+
+    def __getattr__(self, name: str) -> Any:
+        if name.startswith("_") or not hasattr(System, name):
+            raise AttributeError(f"Contacts have no attribute {name!r}.")
+        raise AttributeError(
+            f"Contacts have no `{name}`: that of a System knows no transitions. A System of one "
+            "combination of modes, which has it, is returned by `in_modes`."
+        )
 
     def motions(
         self,

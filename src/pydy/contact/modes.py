@@ -14,7 +14,16 @@ from pydy._graph.node import Graph
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.extract import extract
 from pydy.contact.conditions import Contact
-from pydy.contact.decide import OPEN, SLIDES, SLIDING, STARTING, STICKS
+from pydy.contact.decide import (
+    BACKWARD,
+    CLOSED,
+    FORWARD,
+    OPEN,
+    SLIDES,
+    SLIDING,
+    STARTING,
+    STICKS,
+)
 from pydy.contact.rows import ContactRows
 from pydy.contact.tuning import TURNED
 from pydy.solvers.events import Event
@@ -42,6 +51,14 @@ def output_symbols(contacts: Sequence[Contact]) -> dict[tuple[int, str], Any]:
         parts += ["power"] if number else []
         found.update({(i, what): sm.Symbol(f"{c.name}_{what}") for what in parts})
     return found
+
+
+def modes_of(contact: Contact) -> list[str]:
+    """Return what a contact may do, beside beginning to slide; if it may open, that first."""
+    found = [] if contact.unilateral is None else [OPEN]
+    if contact.stick is None:
+        return [*found, CLOSED]
+    return [*found, STICKS, *([SLIDING] if contact.stick.plane else [FORWARD, BACKWARD])]
 
 
 def margin_symbol(contact: Contact) -> Any:

@@ -155,6 +155,13 @@ class Run:
                 if not self._is_still(p, rows, speed):
                     state.directions[i] = speed / np.linalg.norm(speed)
 
+    def held(self, modes: Sequence[str]) -> tuple[tuple[int, ...], list[int]]:
+        """Return the rows that modes hold at the start: independent ones, and all."""
+        x = self.now.x
+        p = self.numbers(self.now.t, x)
+        every = held_rows(self.problem(p, State(self.now.t, x, set(), set(), set())), modes)
+        return tuple(independent(p.square, every)), every
+
     def resolution(self, t: float) -> float:
         """Return the time within which events happen at the same instant."""
         return RESOLUTION * max(abs(t), self.span)

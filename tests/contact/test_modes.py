@@ -1,0 +1,58 @@
+"""Systems of one combination of modes, and what contacts cost that do not act."""
+
+import math
+
+import numpy as np
+import pytest
+
+from pydy.contact import Contacts, Stick, Unilateral
+from touching import J, N, a, block, falling_body, mu, slope, vx, y
+
+
+def test_a_linear_model_of_one_mode():
+    # A body that stands on one foot, which sticks: an inverted pendulum of the length 1.
+    system, feet = falling_body([(0.0, -1.0)], mu=mu)
+    system.constants[J], system.initial_conditions = 0.3, {y: 1.0}
+    contacts = Contacts(system, feet, {mu: 0.5})
+    stands = contacts.in_modes({"foot0": "sticks"})
+    values = np.sort(stands.linearize().eigenvalues.real)
+    rate = math.sqrt(9.81 / 1.3)
+    assert values[[0, -1]] == pytest.approx([-rate, rate], abs=1e-9)
+    # It is free to move where nothing holds it, and slides with friction that does not hold.
+    assert contacts.in_modes({}).evaluate_ode()[3:] == pytest.approx([0.0, -9.81, 0.0])
+    slides = contacts.in_modes({"foot0": "slides +"}).evaluate_ode()[3:]
+    assert slides[0] == pytest.approx(-0.5 * (9.81 + slides[1]))
+    assert abs(stands.evaluate_ode()).max() == 0.0
+
+
+def test_modes_that_a_contact_does_not_have_are_named():
+    system, P = block(slope)
+    ground = Unilateral(y, name="ground")
+    contacts = Contacts(system, [Stick(P, on=ground, mu=mu, along=N.x)])
+    with pytest.raises(ValueError, match="`modes` has the key 'floor'; the contacts are ground"):
+        contacts.in_modes({"floor": "open"})
+    with pytest.raises(ValueError, match=r"must be one of 'open', 'sticks', .*got 'closed'"):
+        contacts.in_modes({"ground": "closed"})
+    brake = Contacts(system, [Stick(vx, mu=mu, normal=1.0, name="brake")])
+    with pytest.raises(ValueError, match=r"`modes\['brake'\]` must be one of 'sticks'.* got None"):
+        brake.in_modes({})
+    with pytest.raises(AttributeError, match=r"Contacts have no `export`.*`in_modes`"):
+        contacts.export("model.c")
+    with pytest.raises(AttributeError, match="Contacts have no attribute 'hop'"):
+        contacts.hop()
+
+
+def test_a_contact_that_does_not_act_costs_no_step_and_no_evaluation():
+    system, feet = falling_body([(-1, -0.2), (1, -0.2)], mu=0.3)
+    system.constants[J] = 0.4
+    system.initial_conditions, system.times = {y: 1e3, a: 0.3, vx: 1.0}, np.linspace(0.0, 5.0, 6)
+    contacts = Contacts(system, feet)
+    for solver in ("tsit5", "dop853"):
+        system.ode_solver = solver
+        apart, alone = contacts.simulate(rtol=1e-9), system.simulate(rtol=1e-9)
+        assert len(apart.modes) == 1
+        assert apart.statistics["steps"] == alone.statistics["steps"]
+        assert np.array_equal(apart.states, alone.states)
+        # The dense output that events are looked for along takes three more of 'dop853'.
+        more = {"tsit5": 0, "dop853": 3}[solver] * alone.statistics["steps"]
+        assert apart.statistics["evaluations"] <= alone.statistics["evaluations"] + more
