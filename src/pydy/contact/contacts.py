@@ -199,7 +199,8 @@ class Contacts:
         for c in self.contacts:
             possible = modes_of(c)
             mode = given.get(c.name, possible[0])
-            if mode not in possible or (c.name not in given and mode != OPEN):
+            known = isinstance(mode, str) and mode in possible
+            if not known or (c.name not in given and mode != OPEN):
                 raise ValueError(
                     f"`modes[{c.name!r}]` must be one of {', '.join(map(repr, possible))}, got "
                     f"{shown(given.get(c.name))}."

@@ -217,10 +217,12 @@ class Run:
                     closing.add(i)
                 else:
                     state.touching.add(i)
-        if self.begun is None:
-            self._find_resting(state, p)
-        else:  # what is left of gaps and speeds that are held is projected away
-            state.resting = {i for i, mode in enumerate(self.begun) if mode == STICKS}
+        for i, rows in enumerate(self.rows.tangent):
+            if rows and i in state.touching:
+                # What is left of gaps and speeds that given modes hold is projected away.
+                still = None if self.begun is None else self.begun[i] == STICKS
+                if self._is_still(p, rows, p.speed[rows]) if still is None else still:
+                    state.resting.add(i)
         self.modes = tuple(
             OPEN if i not in state.touching else self.options_of(state, p, i)[0]
             for i in range(len(self.contacts))
@@ -228,11 +230,6 @@ class Run:
         if closing:
             self.impact(state, closing)
         return state
-
-    def _find_resting(self, state: State, p: Numbers) -> None:
-        for i, rows in enumerate(self.rows.tangent):
-            if rows and i in state.touching and self._is_still(p, rows, p.speed[rows]):
-                state.resting.add(i)
 
     # -- what happens -----------------------------------------------------------------------------
 

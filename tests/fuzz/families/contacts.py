@@ -203,3 +203,23 @@ def _(v):
 @target("Contacts.simulate.constraints", choice("project").or_none())
 def _(v):
     return _run(_block().floor, constraints=v)
+
+
+@target("Contacts.in_modes.modes", mapping)
+def _(v):
+    return Contacts(_system(), [_block().floor]).in_modes(v).evaluate_ode()
+
+
+@target("Contacts.in_modes.modes[value]", choice("open", "closed"), "modes")
+def _(v):
+    return Contacts(_system(), [_block().floor]).in_modes({"floor": v}).evaluate_ode()
+
+
+@target("integrate_ensemble.contacts", nothing("symbols", "texts", allowed=lambda v: v is None))
+def _(v):
+    return _system().integrate_ensemble(contacts=v, initial_conditions={_block().y: [1.0]})
+
+
+@target("find_periodic_orbit.contacts", nothing("symbols", "texts", allowed=lambda v: v is None))
+def _(v):
+    return None if v is None else _system().find_periodic_orbit(1.0, contacts=v)
