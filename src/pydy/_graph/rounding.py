@@ -7,7 +7,7 @@ says by how much (N. J. Higham, Accuracy and Stability of Numerical Algorithms, 
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Mapping, Sequence
 
 from pydy._graph.derivative import Rows, jacobian
 from pydy._graph.node import Graph
@@ -20,21 +20,28 @@ _OF_NUMBERS = frozenset(
 
 
 def rounding_bounds(
-    graph: Graph, nodes: Sequence[int], inherited: bool = True, constants: bool = False
+    graph: Graph,
+    nodes: Sequence[int],
+    inherited: bool = True,
+    constants: bool = False,
+    errors: Mapping[int, int] | None = None,
 ) -> list[int]:
     """Return bounds on the rounding errors of `nodes`, in units of 2⁻⁵², as new nodes.
 
     The states are taken as rounded too; time, specifieds and what depends on constants alone are
     exact, since every evaluation sees the same numbers, unless `constants` are to be taken as
-    rounded. Without what is `inherited` from operands, the roundings of the last operations alone
-    count: a part of the bounds that costs little.
+    rounded. Inputs that are known less well have `errors` beside, nodes in the same unit. Without
+    what is `inherited` from operands, the roundings of the last operations alone count: a part of
+    the bounds that costs little.
     """
     if not inherited:
         return [_own(graph, n) for n in nodes]
     rounded = ("x", "p") if constants else ("x",)
     bounds: dict[int, int] = {}
+    known = errors or {}
     for node in graph.reachable(nodes):
-        bounds[node] = _bound(graph, node, bounds, rounded)
+        own = _bound(graph, node, bounds, rounded)
+        bounds[node] = graph.sum([(own, 1.0), (known[node], 1.0)]) if node in known else own
     return [bounds[n] for n in nodes]
 
 

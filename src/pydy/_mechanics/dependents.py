@@ -24,7 +24,7 @@ from pydy._mechanics.formed import kinematics_of
 from pydy._mechanics.generic import Block, GenericStates, openness, units_of
 from pydy._mechanics.reader import Multibody, numbers_in_places
 from pydy._mechanics.tuning import DIGITS, NEARLY_DEPENDENT, OPEN, ROUNDED
-from pydy._rank import HALF
+from pydy._rank import HALF, equilibrated, is_zero, or_one
 
 _TRIALS = 12
 _AROUND = 60  # more, where rows seem redundant: in a three-stage lift each sixth finds its shape
@@ -36,31 +36,38 @@ _STEADY = 10.0  # a pivot that is the same in all configurations weighs so much 
 class Chosen:
     """Rows that are independent, and as many columns that can be solved for, in ascending order.
 
-    The `samples` (m, n) are one matrix at several states; the columns are chosen from those
-    `allowed`. Entries that are `varying` depend on the configuration: elsewhere they may vanish, as
-    no constant does.
+    The `samples` (m, n) are one matrix at several states, known within `bounds`; the columns are
+    chosen from those `allowed`. Entries that are `varying` depend on the configuration: elsewhere
+    they may vanish, as no constant does. A pivot counts if half the digits of its row tell it, or
+    of its row and column after all were brought to one size, and it is larger than its bound.
     """
 
     def __init__(
         self,
-        samples: Sequence[np.ndarray],
+        samples: np.ndarray,
         allowed: Sequence[int] | None = None,
         varying: np.ndarray | None = None,
+        bounds: np.ndarray | None = None,
     ) -> None:
         work = np.array(samples, dtype=float)
+        errors = np.zeros_like(work) if bounds is None else np.array(bounds, dtype=float)
         varies = np.ones(work.shape[1:], dtype=bool) if varying is None else varying.copy()
-        sizes = np.abs(work).max(axis=2, keepdims=True, initial=0.0)
-        work /= np.where(sizes > 0.0, sizes, 1.0)
+        sizes = or_one(np.abs(work).max(axis=2, keepdims=True, initial=0.0))
+        _, tall, wide = _in_one_size(_without_errors(work, errors))
+        units = sizes * wide / tall
+        work /= sizes
+        errors /= sizes
         rows: list[int] = []
         columns: list[int] = []
         free = np.zeros(work.shape[1:], dtype=bool)
         free[:, range(work.shape[2]) if allowed is None else list(allowed)] = True
         while free.any():
-            worst = np.where(free, np.abs(work).min(axis=0), 0.0)
-            sound = np.where(worst < HALF, 0.0, worst)
-            weighed = np.where(varies, sound, _STEADY * sound)
+            least = np.minimum(HALF, np.maximum(HALF / units, errors))
+            sound = free & (np.abs(work) >= least).all(axis=0)
+            worst = np.where(sound, np.abs(work).min(axis=0), 0.0)
+            weighed = np.where(varies, worst, _STEADY * worst)
             i, j = np.unravel_index(int(weighed.argmax()), worst.shape)
-            if sound[i, j] == 0.0:
+            if not sound[i, j]:
                 break
             rows.append(int(i))
             columns.append(int(j))
@@ -68,9 +75,30 @@ class Chosen:
             ratio[:, rows] = 0.0
             moved = (ratio != 0.0).any(axis=0)
             varies[moved] |= varies[i] | varies[moved, j][:, None]
+            known = errors[:, :, j] + np.abs(ratio) * errors[:, i, j][:, None]
+            known = np.where(ratio != 0.0, known / np.abs(work[:, i, j])[:, None], 0.0)
+            errors += np.abs(ratio)[:, :, None] * errors[:, i, :][:, None, :]
+            errors += known[:, :, None] * np.abs(work[:, i, :])[:, None, :]
             work -= ratio[:, :, None] * work[:, i, :][:, None, :]
             free[i, :] = free[:, j] = False
         self.rows, self.columns = sorted(rows), sorted(columns)
+
+
+def _without_errors(matrices: np.ndarray, bounds: np.ndarray) -> np.ndarray:
+    """Return matrices with zeros for what is small in its row and within its bound."""
+    sizes = np.abs(matrices)
+    small = sizes < HALF * sizes.max(axis=2, keepdims=True, initial=0.0)
+    found: np.ndarray = np.where(small & (sizes <= bounds), 0.0, matrices)
+    return found
+
+
+def _in_one_size(matrices: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return matrices at several states with rows and columns of one size, and what brought them.
+
+    The largest of each is near one at one of the states: rows may vanish in singular positions.
+    """
+    _, rows, columns = equilibrated(np.abs(matrices).max(axis=0), exact=True)
+    return matrices * columns / rows, rows, columns
 
 
 def constrained(
@@ -156,18 +184,21 @@ def _choose(
             f"{open_ones}. Leave out one of them, or correct it."
         )
     found = []
-    for (name, shape, cells), symbols, chosen in zip(
+    for block, symbols, chosen in zip(
         tables,
         (equations.coordinates, equations.speeds),
         (coordinates, speeds),
         strict=True,
     ):
-        matrices = _of_full_rank([s[name] for s in samples])[:_STATES]
+        name, shape, cells = block
+        matrices, bounds = _known(states, samples, block)
+        full = _of_full_rank(matrices, bounds)[:_STATES]
+        matrices, bounds = matrices[full], bounds[full]
         varying = np.array([states.changes(node) for node in cells], dtype=bool).reshape(shape)
-        best_choice = Chosen(matrices, varying=varying)
+        choice = Chosen(matrices, varying=varying, bounds=bounds)
         if chosen is not None:
-            best_choice = _checked(name, symbols, chosen, matrices, len(best_choice.columns))
-        found.append((best_choice, tuple(symbols[k] for k in best_choice.columns)))
+            choice = _checked(name, symbols, chosen, matrices, bounds, len(choice.columns))
+        found.append((choice, tuple(symbols[k] for k in choice.columns)))
     return found[0], found[1], rows
 
 
@@ -178,7 +209,7 @@ def _searched(
     blocks = states.closing()
     every = list(states.samples(blocks, _TRIALS, near=near, left_open=True))
     samples = _closed(every)
-    if not near and samples and _seem_redundant([s["velocity"] for s in samples]):
+    if not near and samples and _seem_redundant(*_known(states, samples, blocks[1])):
         every += states.samples(blocks, _AROUND, around=True, left_open=True)
     return blocks[:2], every
 
@@ -263,6 +294,23 @@ def _as_large_as(size: float, lengths: np.ndarray) -> bool:
     return bool(size > HALF or ((size > HALF * units) & (HALF * size < units)).any())
 
 
+def _known(
+    states: GenericStates, samples: list[dict[str, np.ndarray]], block: Block
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return the matrices of a block at samples, and bounds on their entries' errors.
+
+    Those are evaluated where an entry is so small in its row that rounding could make a pivot of
+    it after it was brought to the size of the others. Elsewhere rows tell enough.
+    """
+    name, (count, width), cells = block
+    matrices = np.array([s[name] for s in samples]).reshape(len(samples), count, width)
+    sizes = np.abs(matrices)
+    largest = sizes.max(axis=2, keepdims=True, initial=0.0)
+    if not ((sizes > 0.0) & is_zero(HALF * sizes, largest)).any():
+        return matrices, np.broadcast_to(largest, matrices.shape)
+    return matrices, states.uncertain(samples, cells).reshape(matrices.shape)
+
+
 def _nothing(values: np.ndarray, bounds: np.ndarray) -> np.ndarray:
     """Return what is zero at all states but for rounding, and not by chance: its terms are not."""
     left: np.ndarray = (np.abs(values) <= ROUNDED * bounds).all(axis=0) & (bounds > 0.0).all(axis=0)
@@ -314,18 +362,21 @@ def _closed(samples: list[dict[str, np.ndarray]]) -> list[dict[str, np.ndarray]]
     return [s for s, size in zip(samples, openness(samples), strict=True) if size < OPEN]
 
 
-def _seem_redundant(matrices: list[np.ndarray]) -> bool:
-    return len(Chosen(_of_full_rank(matrices)[:1]).rows) < len(matrices[0])
+def _seem_redundant(matrices: np.ndarray, bounds: np.ndarray) -> bool:
+    first = _of_full_rank(matrices, bounds)[:1]
+    return bool(len(Chosen(matrices[first], bounds=bounds[first]).rows) < matrices.shape[1])
 
 
-def _of_full_rank(matrices: list[np.ndarray]) -> list[np.ndarray]:
-    """Return those of highest rank, away from singular positions as far as there are such.
+def _of_full_rank(matrices: np.ndarray, bounds: np.ndarray) -> list[int]:
+    """Return which are of highest rank, away from singular positions as far as there are such.
 
     A linkage may be assembled in a degenerate way too, in which its constraints are redundant.
     """
-    clear = [m for m in matrices if not _nearly_singular(m)] or matrices
-    ranks = [len(Chosen([matrix]).rows) for matrix in clear]
-    return [m for m, rank in zip(clear, ranks, strict=True) if rank == max(ranks)]
+    clean = _in_one_size(_without_errors(matrices, bounds))[0]
+    clear = [k for k, own in enumerate(clean) if not _nearly_singular(own)]
+    clear = clear or list(range(len(matrices)))
+    ranks = [len(Chosen(matrices[k : k + 1], bounds=bounds[k : k + 1]).rows) for k in clear]
+    return [k for k, rank in zip(clear, ranks, strict=True) if rank == max(ranks)]
 
 
 def _nearly_singular(matrix: np.ndarray) -> bool:
@@ -335,7 +386,12 @@ def _nearly_singular(matrix: np.ndarray) -> bool:
 
 
 def _checked(
-    name: str, symbols: Sequence[Any], chosen: Sequence[Any], matrices: list[np.ndarray], rank: int
+    name: str,
+    symbols: Sequence[Any],
+    chosen: Sequence[Any],
+    matrices: np.ndarray,
+    bounds: np.ndarray,
+    rank: int,
 ) -> Chosen:
     """Return a user's choice, or say why the constraints do not give it."""
     argument, others = (
@@ -348,7 +404,7 @@ def _checked(
             f"{argument} must have {rank} {others}, as many as there are independent {name} "
             f"constraints, got {len(chosen)}: {describe(chosen)}. Leave it out to have them chosen."
         )
-    made = Chosen(matrices, [symbols.index(s) for s in chosen])
+    made = Chosen(matrices, [symbols.index(s) for s in chosen], bounds=bounds)
     if len(made.columns) < rank:
         raise ValueError(
             f"The {name} constraints do not give the {others} {describe(chosen)}: their matrix is "

@@ -21,14 +21,17 @@ from pydy._graph.node import Graph, input_nodes
 from pydy._graph.rounding import per_unit, rounding_bounds
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.frames import orientation_rows, rotations
+from pydy._mechanics.reader import numbers_in_places
 from pydy._mechanics.symbols import find_symbols, rate_of, sort_symbols
-from pydy._mechanics.tuning import FULL_STEPS, OPEN
-from pydy._rank import ROUNDED, equilibrated
+from pydy._mechanics.tuning import DOUBLED, FULL_STEPS, OPEN
+from pydy._rank import HALF, ROUNDED, equilibrated, or_one
 
 _STEPS = 50
 _ANYWHERE = 3  # states
 _LOW, _HIGH = 0.3, 1.3  # generic coordinates and speeds
 _NEAR = 0.03  # of the largest number of a configuration: how far beside it samples begin
+
+_STATE = ("time of the state", "state", "specifieds at the state")
 
 Block = tuple[str, tuple[int, ...], list[int]]
 Inputs = tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]  # t, x, r, p
@@ -47,6 +50,7 @@ class GenericStates:
         t, q, u = equations.time, equations.coordinates, equations.speeds
         states = [*q, *u]
         made_from = equations.mechanism or equations.multibody
+        self._bodies = () if made_from is None else made_from.bodies
         turns = [] if made_from is None else rotations(made_from.frame)
         known = {*states, *equations.zeros, t, *equations.coordinate_rates}
         found = {
@@ -127,8 +131,31 @@ class GenericStates:
         finite = np.full(trials, True)
         for block in values.values():
             finite &= np.isfinite(block).reshape(trials, -1).all(axis=1)
+        values |= dict(zip(_STATE, inputs, strict=False))
         for k in np.flatnonzero(finite if left_open else self.closed(inputs, finite)):
             yield {name: block[k] for name, block in values.items()}
+
+    def uncertain(self, samples: Sequence[dict[str, np.ndarray]], cells: Sequence[int]) -> Any:
+        """Return how far values of nodes may be from those where the constraints hold exactly.
+
+        Shape (samples, nodes). Roundings add to it, and what is left of the constraints: a step of
+        Newton's method takes that away, so the state is not known better than by its length.
+        """
+        t, x, r = (np.array([s[name] for s in samples]) for name in _STATE)
+        free, held = [*self.coordinates, *self._others], self._held()
+        blocks = [
+            ("held", (len(held),), held),
+            ("bounds", (len(held),), rounding_bounds(self.graph, held)),
+            self.table("gradient", held, free),
+        ]
+        at = evaluator_of(self.graph, blocks)(t, x, r, np.zeros((len(t), 0)))
+        scaled, rows, columns = equilibrated(np.nan_to_num(at["gradient"]))
+        left = (DOUBLED * np.abs(at["held"]) / ROUNDED + at["bounds"])[..., None] / rows
+        steps = np.abs(np.linalg.pinv(scaled, rcond=HALF)) @ left
+        errors = {node: self.graph.input("p", k) for k, node in enumerate(free)}
+        bounds = rounding_bounds(self.graph, cells, errors=errors)
+        known = evaluator_of(self.graph, [("bounds", (len(cells),), bounds)])
+        return ROUNDED * known(t, x, r, columns[:, 0] * steps[..., 0])["bounds"]
 
     def closing(self) -> list[Block]:
         """Return the constraints' derivatives by coordinates and by speeds, and values of both."""
@@ -158,10 +185,14 @@ class GenericStates:
         """Return the values of blocks at generic states that need not keep the constraints."""
         return evaluator_of(self.graph, blocks)(*generic_inputs(self._sizes, _ANYWHERE))
 
-    def _without_speeds(self) -> list[int]:
-        """Return the velocity constraints that no speed can keep: conditions for all the rest."""
+    def _held(self) -> list[int]:
+        """Return the rows that a state keeps, whatever the speeds.
+
+        Velocity constraints that no speed can keep are conditions for all the rest.
+        """
         speeds, g = set(self.speeds), self.graph
-        return [n for n in self.velocity if speeds.isdisjoint(g.reachable([n]))]
+        others = [n for n in self.velocity if speeds.isdisjoint(g.reachable([n]))]
+        return [*self.holonomic, *self._turning, *others]
 
     def _beginning(self, trials: int, around: bool, near: Mapping[Any, float]) -> Inputs:
         """Return where the search for consistent states begins."""
@@ -178,13 +209,40 @@ class GenericStates:
                 column[:] = near[symbol] + size * (column - 1.0)
         return inputs
 
+    def _resized(self, inputs: Inputs, near: Mapping[Any, float], gradient: np.ndarray) -> bool:
+        """Bring lengths that nothing tells from order one to those of the mechanism.
+
+        Beside legs of one metre, offsets of nanometres vanish, and rows seem to follow from others.
+        The mechanism's lengths are those `near` which it is assembled, or the levers of angles, as
+        the `gradient` has them, or the numbers by which bodies are placed.
+        """
+        placed = max(numbers_in_places(self._bodies), default=0.0)
+        if row_units(np.full((1, 1, 1), placed)) == 1.0 and (column_units(gradient) == 1.0).all():
+            return False
+        steep, sizes = self._per_unit(), np.nan_to_num(np.abs(gradient)).max(axis=0, initial=0.0)
+        n = len(self.coordinates)
+        free = (*self._symbols[1 : 1 + n], *self._symbols[1 + inputs[1].shape[1] :])
+        long = np.array([isinstance(s, AppliedUndef) for s in free]) & (steep == 0.0)
+        given = [abs(near[s]) for s, own in zip(free, long, strict=True) if own and s in near]
+        turns = steep > 0.0
+        turned = (sizes[:, turns] / steep[turns]).max(axis=1, keepdims=True, initial=0.0)
+        found = np.where(sizes > 0.0, turned / or_one(sizes), 0.0).max(axis=0, initial=0.0)
+        found[found == 0.0] = found[long].max(initial=0.0) or placed
+        if any(given):
+            found[:] = max(given)
+        units, known = row_units(found[None, :, None]), self.by_symbol(inputs)
+        for k in np.flatnonzero(long):
+            if free[k] not in near:
+                known[free[k]] *= units[k]
+        return True
+
     def _beside(self, moved: Sequence[Any], near: Mapping[Any, float]) -> list[float]:
         """Return how large coordinates are near a configuration, each in its unit.
 
         Angles and quaternions are numbers: beside lengths in nanometres or in any other unit they
         are as large as they are among themselves, or as one.
         """
-        steep = self._per_unit()
+        steep = self._per_unit()[: len(moved)]
         given = np.array([abs(near.get(s, 0.0)) for s in moved])
         largest = max((abs(value) for value in near.values()), default=0.0)
         lengths = given[steep == 0.0].max(initial=0.0) or largest
@@ -192,8 +250,11 @@ class GenericStates:
         return [min(largest, turned / s) if s > 0.0 else lengths for s in steep]
 
     def _per_unit(self) -> np.ndarray:
-        """Return how much of a unit coordinates are per their own, shape (n,): see `per_unit`."""
-        graph, places = self.graph, self.coordinates
+        """Return how much of a unit each of what may be moved is per its own: see `per_unit`.
+
+        Coordinates, and then all that has no value.
+        """
+        graph, places = self.graph, [*self.coordinates, *self._others]
         slopes = per_unit(graph, [*self.holonomic, *self.velocity], places)
         at = self.anywhere([("slopes", (len(places),), slopes)])
         found: np.ndarray = np.nan_to_num(at["slopes"]).max(axis=0, initial=0.0)
@@ -212,7 +273,7 @@ class GenericStates:
         """Return states that keep the constraints, as far as Newton's method finds them."""
         n = len(self.coordinates)
         free = [*self.coordinates, *self._others]
-        held = [*self.holonomic, *self._turning, *self._without_speeds()]
+        held = self._held()
         blocks = [
             ("held", (len(held),), held),
             self.table("gradient", held, free),
@@ -220,16 +281,18 @@ class GenericStates:
             self.table("slope", self.velocity, self.speeds),
         ]
         closing = evaluator_of(self.graph, blocks)
-        t, x, r, p = self._beginning(trials, around, near or {})
+        t, x, r, p = inputs = self._beginning(trials, around, near or {})
 
         def residuals(rows: Sequence[int]) -> dict[str, np.ndarray]:
             return closing(t[rows], x[rows], r[rows], p[rows])
 
         searching, usable = list(range(trials)), list(range(trials))
         first = residuals(searching)
+        if held and self._resized(inputs, near or {}, first["gradient"]):
+            first = residuals(searching)
         if near:  # near zero the vector of a quaternion moves no row
             beside = x.copy()
-            numbers = np.flatnonzero(self._per_unit())
+            numbers = np.flatnonzero(self._per_unit()[:n])
             beside[:, numbers] = generic_inputs(self._sizes, trials)[1][:, numbers]
             first = closing(t, beside, r, p)
         units, sizes = row_units(first["gradient"]), column_units(first["gradient"])

@@ -223,8 +223,10 @@ def numbers_in_places(bodies: Iterable[Any]) -> set[float]:
     seen, found = set(waiting), set()
     while waiting:
         for other, way in places(waiting.pop()).items():
-            for part, _ in way.args:
-                found |= {abs(float(number)) for number in part.atoms(sm.Number)}
+            every = (e for part, _ in way.args for e in part)
+            for term in (term for e in every for term in sm.Add.make_args(e)):
+                if not isinstance(term.as_coeff_Mul()[1], AppliedUndef):  # coordinates have factors
+                    found |= {abs(float(number)) for number in term.atoms(sm.Number)}
             if other not in seen:
                 seen.add(other)
                 waiting.append(other)

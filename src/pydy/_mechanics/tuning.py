@@ -37,6 +37,10 @@ STEEP = 1 / 16
 """The cosine that a place on a hinge's axis is divided by, to get to another one: four bits are
 lost at most."""
 
+DOUBLED = 4.0
+"""What a step of Newton's method is multiplied with to bound the way to where the constraints hold:
+twice, since at a double root it goes half the way, and twice for the curvature on it."""
+
 NEARLY_DEPENDENT = (DEPENDENT, 1e-4)
 """Singular values between are neither zero nor sound: such a state is not counted."""
 
