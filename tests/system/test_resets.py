@@ -57,6 +57,16 @@ def test_a_reset_that_leaves_the_constraints_warns_with_residual_and_remedy(meth
         assert result.shape == (9, 4)
 
 
+def test_drift_that_a_reset_passes_on_is_not_its_own(recwarn):
+    # At the bottom y' is drift alone, as is all of the residual x x' + y y'.
+    system, (x, _, vx, vy) = bob()
+    system.initial_conditions = {x: 0.6, "y": -0.8}
+    back = Event(x, reset={vx: -0.8 * vx, vy: -0.8 * vy}, name="back")
+    motion = system.simulate(events=[back], rtol=1e-10, atol=1e-10)
+    assert [event.name for event in motion.events] == ["back"]
+    assert not [w for w in recwarn if "reset" in str(w.message)]
+
+
 def test_it_also_warns_where_the_motion_comes_to_nothing():
     system, (x, _, vx, _) = bob()
     system.times = np.linspace(0.0, 3.0, 31)

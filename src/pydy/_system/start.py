@@ -17,6 +17,7 @@ from pydy._mechanics.tuning import ROUNDED
 from pydy._rank import DIGITS, rank
 from pydy._system.snapshot import At
 from pydy._system.solving import constraint_names
+from pydy._system.tuning import INHERITED
 from pydy.solvers.kept import left_by_rounding
 from pydy.solvers.tuning import TRIED
 from pydy.trajectory import EventRecord
@@ -53,7 +54,8 @@ def check_resets(
     for record in records:
         if record.name in told or (record.after == record.before).all():
             continue
-        if off := violations(at(np.array([record.time]), record.after[None])):
+        time = np.array([record.time])
+        if off := violations(at(time, record.after[None]), before=at(time, record.before[None])):
             told.add(record.name)
             warn_user(
                 f"The reset of the event `{record.name}` leaves the constraints, and nothing will "
@@ -69,17 +71,19 @@ def surely_held(at: At) -> np.ndarray:
     return held
 
 
-def violations(at: At, redundant: bool = True) -> str:
+def violations(at: At, redundant: bool = True, before: At | None = None) -> str:
     """Name the residuals of a state that is farther from the constraints than six digits are.
 
     A residual is compared with the bound on its rounding errors, if six digits were computed with.
-    Constraints that were left out as `redundant` are judged too. What is returned is a sentence, or
-    nothing.
+    Constraints that were left out as `redundant` are judged too. What there was `before` a reset
+    counts as drift that it has not made. What is returned is a sentence, or nothing.
     """
     if surely_held(at)[0]:
         return ""
     residuals, bounds = (part[0] for part in evaluated_rows(at, "bounds"))
     allowed = DIGITS * bounds
+    if before is not None:
+        allowed = np.maximum(allowed, INHERITED * np.abs(evaluated_rows(before, "bounds")[0][0]))
     off = ~(np.abs(residuals) <= allowed)
     equations = at.definition.equations
     parts = zip((equations.holonomic, equations.velocity), equations.left_out, strict=True)
