@@ -48,10 +48,10 @@ def listed(
     raise TypeError(f"`{argument}` must be a sequence of {what}, got {shown(value)}.")
 
 
-def one_or_more(argument: str, value: Any) -> list[Any]:
+def one_or_more(argument: str, value: Any, *, hashable: bool = False) -> list[Any]:
     """Return one symbol, expression or name, or a sequence of them, as a list."""
     single = isinstance(value, str) or hasattr(value, "free_symbols")
-    return [value] if single else listed(argument, value)
+    return listed(argument, [value] if single else value, hashable=hashable)
 
 
 def resolved(argument: str, keys: Iterable[Any], symbols: Iterable[Any], what: str) -> list[Any]:

@@ -459,6 +459,9 @@ def test_bad_arguments_are_told(mass):
         ({"options": {"tol": None}}, TypeError, "`options` must hold .* 'tol': None"),
         ({"options": {"tol": np.nan}}, TypeError, "`options` must hold .* 'tol': nan"),
         ({"options": {"\ud800": 1}}, ValueError, "which IPOPT does not know"),
+        ({"options": {"max_iter": 2**40}}, ValueError, "'max_iter': 1099511627776, which IPOPT"),
+        ({"options": {"tol": 10**400}}, ValueError, "`options` has 'tol'"),
+        ({"options": {"tol": np.timedelta64(1)}}, TypeError, "`options` must hold .* 'tol'"),
         ({"options": {"linear_solver": "ma57"}}, OptimizationError, "does not take its `options`"),
     ],
 )

@@ -22,6 +22,7 @@ FAMILIES = (
     "exports",
     "generation",
     "integration",
+    "optimal",
     "pictures",
     "results",
     "scenes",

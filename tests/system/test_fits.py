@@ -324,6 +324,8 @@ COLLOCATED = {"method": "collocation"}
         (["k0"], bad(measured={"x0": swing() + np.inf}), {}, "NaN where a sample is missing"),
         (["k0"], bad(measured={"x0": swing() + np.nan}), {}, "one sample that is not NaN"),
         (["k0"], bad(noise=-1.0), {}, "`noise` of trial 0 must be positive"),
+        (["k0"], bad(noise=np.inf), {}, "`noise` of trial 0 must be .* finite number"),
+        ([["k0"]], bad(), {}, "`parameters` must be a sequence of symbols"),
         (["k0"], bad(noise={"v0": 1.0}), {}, "an entry for each measured quantity"),
         (["k0"], [bad(noise=1.0), bad()], {}, "of all trials, or of none"),
         (["k0"], bad(start=3.0), {}, "must not lie after the first"),
@@ -353,6 +355,7 @@ def test_one_parameter_needs_no_list(oscillator):
     trial = bad(initial_conditions={"x0": 1.0, "v0": -0.1})
     several = oscillator.fit(["k0"], trial).estimates
     np.testing.assert_array_equal(oscillator.fit("k0", trial).estimates, several)
+    np.testing.assert_array_equal(oscillator.fit(iter(["k0"]), trial).estimates, several)
 
 
 def test_a_specified_that_is_a_python_function_is_named():

@@ -35,6 +35,8 @@ from pydy.analysis.tuning import LEAST_SIZE
 
 # Weights of the gaps between segments, in shares of a state's spread, from search to search.
 _STAGES = (1e1, 1e3, 1e5)
+# Iterations that solvers can count to.
+_MOST = 2**31 - 1
 # The size of a state from which the first simulations are done again with its tolerance.
 _TIGHTER = 0.1
 
@@ -59,7 +61,8 @@ class _Fit:
         self.runner.ode_solver = native_solver(system.ode_solver)
         self.options = {"rtol": FIT, "atol": FIT, **options}
         self.exact = "atol" in options
-        given: dict[Any, Any] = dict.fromkeys(one_or_more("parameters", parameters))
+        keys = one_or_more("parameters", parameters, hashable=True)
+        given: dict[Any, Any] = dict.fromkeys(keys)
         for trial in trials:
             given |= check_mapping("constants", getattr(trial, "constants", None))
         self.now = system._now(self.options.get("events"), given)
@@ -85,7 +88,7 @@ class _Fit:
         self.free = [s for s in (*equations.coordinates, *equations.speeds) if s not in tied]
         self.shared: list[tuple[str, Any]] = []
         start: list[float] = []
-        for key in one_or_more("parameters", parameters):
+        for key in keys:
             kind, place = located(definition, key, "parameters")
             symbol = definition.places[kind].symbols[place]
             if any(symbol == other for _, other in self.shared):
@@ -659,7 +662,10 @@ class Fitting(Setup):
         progress = flag(progress, "`progress`")
         if collocated:
             disturbed = _disturbances(work, process_noise)
-            searching = ("ipopt" if solver is None else solver, {"max_iter": most, **solver_kwargs})
+            searching = (
+                "ipopt" if solver is None else solver,
+                {"max_iter": min(most, _MOST), **solver_kwargs},
+            )
             return _collocated(work, z, limits, known, (mesh, disturbed, searching, progress))
         count = 0
 

@@ -144,10 +144,12 @@ def _noise(
         entries = [chosen[key] for key in keys]
     for k, entry in enumerate(entries):
         column = real_array(entry, f"`noise` of {label}")
-        if column.shape not in ((), shape[:1]) or not (column > 0.0).all():
+        sound = ((column > 0.0) & (column < np.inf)).all()
+        if column.shape not in ((), shape[:1]) or not sound:
             raise ValueError(
-                f"`noise` of {label} must be positive standard deviations, a number or "
-                f"{shape[0]} of them for each measured quantity."
+                f"`noise` of {label} must be positive standard deviations, a finite number or "
+                f"{shape[0]} of them for each measured quantity, got {shown(entry)}. What is not "
+                "known at a time is NaN in `measured`."
             )
         noise[:, k] = column
     return noise

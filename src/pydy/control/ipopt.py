@@ -16,7 +16,7 @@ import ctypes
 import sys
 import threading
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from ctypes import c_bool, c_char_p, c_double, c_int, c_void_p
 from dataclasses import dataclass
 from functools import cache
@@ -400,6 +400,7 @@ def _failed(nlp: Any, z: np.ndarray, status: int) -> Solution:
 
 def _set_option(lib: Any, problem: Any, name: str, value: Any) -> None:
     known = isinstance(value, (str, bool, np.bool_, int, np.integer, float, np.floating))
+    known = known and not isinstance(value, np.timedelta64)  # for NumPy an integer
     if not isinstance(name, str) or not known or value != value:
         raise TypeError(
             "`options` must hold numbers, strings, True or False by names of options of IPOPT, got "
@@ -410,13 +411,12 @@ def _set_option(lib: Any, problem: Any, name: str, value: Any) -> None:
         done = lib.AddIpoptStrOption(problem, key, value.encode(errors="replace"))
     elif isinstance(value, (bool, np.bool_)):
         done = lib.AddIpoptStrOption(problem, key, b"yes" if value else b"no")
-    elif isinstance(value, (int, np.integer)):
-        # An option that is a number may be given as an integer.
-        done = lib.AddIpoptIntOption(problem, key, int(value)) or lib.AddIpoptNumOption(
-            problem, key, float(value)
-        )
     else:
-        done = lib.AddIpoptNumOption(problem, key, float(value))
+        # An option that is a number may be given as an integer; C's has 32 bits.
+        whole = isinstance(value, (int, np.integer)) and -(2**31) <= value < 2**31
+        done = whole and lib.AddIpoptIntOption(problem, key, int(value))
+        with suppress(OverflowError):  # no float is as large, and no option
+            done = done or lib.AddIpoptNumOption(problem, key, float(value))
     if not done:
         raise ValueError(
             f"`options` has {name!r}: {value!r}, which IPOPT does not know as an option, or not as "

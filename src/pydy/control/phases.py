@@ -262,7 +262,7 @@ def _checked(what: str, link: Any, before: Any, after: Any) -> dict[Any, Any]:
         if value is None:
             found.pop(s, None)
             continue
-        expression = checked_expression(sm.sympify(value), f"`{what}[{key}]`")
+        expression = checked_expression(value, f"`{what}[{key}]`")
         strange = [
             a for a in (*expression.atoms(sm.Function, sm.Derivative), *expression.free_symbols)
             if a not in known and (a.is_Symbol or a.is_Derivative or isinstance(

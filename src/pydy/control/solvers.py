@@ -38,8 +38,9 @@ def fitting_solver_of(name: Any, options: Any) -> Callable[..., Solution]:
     Few unknowns, the parameters, are in many equations. The order in which MUMPS eliminates depends
     on that: 6 is AMD with dense rows apart.
     """
-    own = {"mumps_pivot_order": 6} if name == "ipopt" else {}  # others may have no MUMPS
-    return solver_of(name, {**own, **check_mapping("options", options)})
+    chosen = choice(name, tuple(SOLVERS), "`solver`")
+    own = {"mumps_pivot_order": 6} if chosen == "ipopt" else {}  # others may have no MUMPS
+    return solver_of(chosen, {**own, **check_mapping("options", options)})
 
 
 class _Program:

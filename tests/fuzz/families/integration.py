@@ -7,7 +7,6 @@ from typing import Any
 
 import numpy as np
 import sympy as sm
-import sympy.physics.mechanics as me
 
 from fuzz.kinds import Kind, RefusedError, array, choice, integer, nothing, real, text
 from fuzz.table import (
@@ -15,14 +14,11 @@ from fuzz.table import (
     expression,
     flags,
     hashable,
-    is_number,
     key,
     one_of,
     target,
 )
 from fuzz.world import TIMES, driven, world
-from pydy.control import OptimalControl
-from pydy.control.transcription import Transcription
 from pydy.solvers import Event, dop853, radau, rk4
 
 _positive = real(finite=False, above=0.0)
@@ -222,135 +218,3 @@ def _(v):
 @target("Event.name", text())
 def _(v):
     return _event(name=v)
-
-
-# -- optimal control -------------------------------------------------------------------------------
-
-
-def _no_relations(value: Any) -> bool:
-    empty = isinstance(value, (list, tuple, set)) and not value
-    return empty or (isinstance(value, np.ndarray) and not value.size)
-
-
-def _scalar(value: Any) -> bool:
-    return is_number(value) and not isinstance(value, list) and np.ndim(value) == 0
-
-
-def _no_values(value: Any) -> bool:
-    return value is None or (isinstance(value, dict) and not value)
-
-
-def _bound(value: Any) -> float:
-    number = real(finite=False, most=1.79e308).read(value)
-    if np.isnan(number):
-        raise RefusedError
-    return number
-
-
-def _points(value: Any) -> int:
-    number: int = integer(1).read(value)
-    if number > 50:
-        raise RefusedError
-    return number
-
-
-def _nodes(mesh: np.ndarray) -> bool:
-    return len(mesh) > 1 and bool(np.isfinite(mesh).all() and (np.diff(mesh) > 0).all())
-
-
-_few = Kind(_points, integer(1).groups)
-_low = Kind(_bound, ("common", "numbers")).or_none()
-_samples = real().or_(array((None,), check=lambda a: len(a) > 0 and np.isfinite(a).all()))
-
-
-def _optimal(guess: Any = None, **changes: Any) -> Any:
-    """Return the bounds and the first iterate of a problem that is checked, not solved."""
-    o = world().o
-    given = {
-        "objective": sm.Integral(o.f**2, me.dynamicsymbols._t),
-        "duration": 1.0,
-        "end": {o.x: 0.5},
-        "mesh": 2,
-        **changes,
-    }
-    system = driven(o, specifieds={o.g: 0.125})
-    problem = OptimalControl(system, given.pop("objective"), given.pop("duration"), **given)
-    made = Transcription(problem._problem, problem._scheme, problem._mesh)
-    _, z = problem._prepared(made, guess)
-    return z, *problem._bounds_of(made)
-
-
-@target("OptimalControl.duration", real(above=0.0), "duration")
-def _(v):
-    return _optimal(duration=v)
-
-
-@target("OptimalControl.objective", nothing("texts", "arrays", allowed=_scalar))
-def _(v):
-    return _optimal(objective=v)
-
-
-# Bounds may change over the motion.
-_low_over_time = array((None,), check=lambda a: len(a) > 1 and not np.isnan(a).any())
-
-for _name in ("start", "end", "bounds"):
-
-    @target(f"OptimalControl.{_name}", nothing("symbols", "arrays", allowed=_no_values))
-    def _(v, name=_name):
-        return _optimal(**{name: v})
-
-    @target(f"OptimalControl.{_name}[key]", key, f"`{_name}")
-    def _(v, name=_name):
-        return _optimal(**{name: {hashable(v): (None, 2.0)}})
-
-    @target(
-        f"OptimalControl.{_name}[value][0]",
-        _low.or_(_low_over_time) if _name == "bounds" else _low,
-        f"`{_name}",
-    )
-    def _(v, name=_name):
-        o = world().o
-        return _optimal(**{name: {o.f if name == "bounds" else o.x: (v, None)}})
-
-
-@target("OptimalControl.boundary", nothing("symbols", "texts", "arrays", allowed=_no_relations))
-def _(v):
-    return _optimal(boundary=v)
-
-
-@target(
-    "OptimalControl.path",
-    nothing("symbols", "texts", "arrays", allowed=lambda v: v is None or _no_relations(v)),
-)
-def _(v):
-    return _optimal(path=v)
-
-
-@target("OptimalControl.free", nothing("symbols", "texts", "arrays", allowed=_no_relations))
-def _(v):
-    return _optimal(free=v)
-
-
-@target("OptimalControl.mesh", array((None,), check=_nodes))
-def _(v):
-    return _optimal(mesh=v)
-
-
-@target("OptimalControl.method", choice("radau", "hermite-simpson", "midpoint", "backward-euler"))
-def _(v):
-    return _optimal(method=v)
-
-
-@target("OptimalControl.order", _few)
-def _(v):
-    return _optimal(order=v)
-
-
-@target("OptimalControl.guess", nothing("symbols", "arrays", allowed=_no_values))
-def _(v):
-    return _optimal(guess=v)
-
-
-@target("OptimalControl.guess[value]", _samples, "`guess")
-def _(v):
-    return _optimal(guess={world().o.f: v})
