@@ -394,6 +394,35 @@ def test_coordinates_that_are_held_at_zero_need_not_be_zero_to_the_last_bit(angl
     assert motion.statistics["rejected"] == 0
 
 
+@pytest.mark.parametrize("length", [1.0, 1e-9, 1.5e11])
+def test_a_wall_and_a_floor_are_two_constraints_in_any_unit_of_length(length):
+    # Beside the rod's length the angle's column hides those of the places.
+    N, A, O = me.ReferenceFrame("N"), me.ReferenceFrame("A"), me.Point("O")
+    x, y, a, vx, vy, w = me.dynamicsymbols("x y a v_x v_y w")
+    m, half, g = sm.symbols("m l g")
+    O.set_vel(N, 0)
+    A.orient_axis(N, N.z, a)
+    A.set_ang_vel(N, w * N.z)
+    C = O.locatenew("C", x * N.x + y * N.y)
+    C.set_vel(N, vx * N.x + vy * N.y)
+    rod = me.RigidBody("rod", C, A, m, (me.inertia(A, 0, 0, m * half**2 / 3), C))
+    held = [x - half * sm.cos(a), y - half * sm.sin(a)]
+    ladder = Definition(
+        N, [x, y, a], [vx, vy, w], bodies=[rod], loads=[(C, -m * g * N.y)],
+        holonomic_constraints=held,
+    )  # fmt: skip
+    system = System(
+        ladder, {half: length, g: 9.81 * length}, ode_solver="dop853",
+        initial_conditions={x: 0.6 * length, y: 0.8 * length, a: np.arctan2(0.8, 0.6)},
+        times=np.linspace(0.0, 0.5, 3),
+    )  # fmt: skip
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        atol = 1e-12 * np.array([length, length, 1.0] * 2)
+        motion = system.simulate(constraints="project", rtol=1e-10, atol=atol)
+    assert np.ptp(motion.energy[:, 2]) < 1e-9 * 9.81 * length**2
+
+
 @pytest.mark.parametrize("solver", ADAPTIVE)
 def test_a_step_that_ends_too_far_from_the_constraints_is_tried_again_with_a_shorter_one(solver):
     # Newton's method for atan(z) = 0 diverges from 1.4 on, which here is 1.4e-5 m off the curve.

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 
@@ -42,11 +42,25 @@ class CompiledConstraints:
         The values are what the kernel gives at some state.
         """
         part = self.kernel.program.by_block(values)
-        rows = [
-            *(_dependent(part["gradient"].reshape(self.holonomic, self.coordinates))),
-            *(_dependent(part["velocity_gradient"].reshape(self.velocity, self.speeds))),
-        ]
-        return [self.names[k] for k, found in enumerate(rows) if found]
+        gradient = part["gradient"].reshape(self.holonomic, self.coordinates)
+        velocity = part["velocity_gradient"].reshape(self.velocity, self.speeds)
+        found = _dependent(gradient) + _dependent(velocity)
+        if any(found) and self.weighted:
+            # Lengths beside angles have no common unit: only the masses compare them.
+            reach = gradient @ part["kinematics"].reshape(self.coordinates, self.speeds)
+            alike = _dependent(self._measured(part, reach))
+            alike += _dependent(self._measured(part, velocity))
+            found = [a and b for a, b in zip(found, alike, strict=True)]
+        return [self.names[k] for k, own in enumerate(found) if own]  # printed if told
+
+    def _measured(self, part: Mapping[str, np.ndarray], rows: np.ndarray) -> np.ndarray:
+        """Return rows in the norm of corrections, that of the masses where they give one."""
+        if self.weighted:
+            hessian = part["kinetic_hessian"].reshape(self.speeds, self.speeds)
+            with suppress(np.linalg.LinAlgError):
+                measured: np.ndarray = np.linalg.solve(np.linalg.cholesky(hessian), rows.T).T
+                return measured
+        return rows
 
     def combination(
         self, values: np.ndarray, longest: np.ndarray, rank: int
@@ -59,10 +73,7 @@ class CompiledConstraints:
         """
         part = self.kernel.program.by_block(values)
         rows = part["velocity_gradient"].reshape(self.velocity, self.speeds)
-        if self.weighted:
-            hessian = part["kinetic_hessian"].reshape(self.speeds, self.speeds)
-            with suppress(np.linalg.LinAlgError):
-                rows = np.linalg.solve(np.linalg.cholesky(hessian), rows.T).T
+        rows = self._measured(part, rows)
         if not np.isfinite(rows).all():
             return 1.0, []
         left, sizes, _ = np.linalg.svd(rows / np.where(longest > 0.0, longest, 1.0)[:, None])
