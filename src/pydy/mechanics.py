@@ -1,5 +1,6 @@
 """Multibody systems from their bodies, loads, kinematics and constraints."""
 
 from pydy._mechanics.definition import Definition
+from pydy._mechanics.implicit import Implicit
 
-__all__ = ["Definition"]
+__all__ = ["Definition", "Implicit"]

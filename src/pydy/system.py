@@ -87,6 +87,9 @@ class System(
         from the Lagrangian; ``'method'`` uses those derived by ``kanes_equations()`` or
         ``form_lagranges_equations()``. By default they are formed; if a KanesMethod has derived its
         own, these are used unless the formed ones have the same values.
+    implicit : pydy.mechanics.Implicit, optional
+        Functions of time that residuals give, solved numerically inside the equations: the nearest
+        point of a curved surface, say. They become coordinates.
 
     Raises
     ------

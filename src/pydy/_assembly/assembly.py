@@ -60,6 +60,8 @@ class Assembly:
     atoms: Mapping[Any, int] = field(default_factory=dict)
     speeds: list[int] = field(default_factory=list)
     mechanism: Mechanism | None = None  # the bodies behind the equations
+    # The places of holonomic residuals, and of the coordinates that they alone give.
+    following: tuple[tuple[int, ...], tuple[int, ...]] = ((), ())
     # The blocks that depend on accelerations, with these as inputs of the group 'a': for a
     # linear solver of the user's. Empty where there is none.
     open: Mapping[str, list[int]] = field(default_factory=dict)

@@ -247,6 +247,7 @@ def assemble_system(
         atoms=known if external else known | dict(zip(equations.speed_rates, solved, strict=True)),
         speeds=[atoms[s] for s in u],
         mechanism=equations.mechanism,
+        following=equations.following,
         open=depending(accelerations)._asdict() if external else {},
     )
 

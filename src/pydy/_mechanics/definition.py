@@ -1,8 +1,4 @@
-"""A multibody system without a method object: bodies, loads, kinematics and constraints.
-
-Kinematic differential equations that share no q' are solved apart: in most models each holds one,
-and in the others a few, such as the three of a body-fixed sequence of angles.
-"""
+"""A multibody system without a method object: bodies, loads, kinematics and constraints."""
 
 from __future__ import annotations
 
@@ -16,16 +12,13 @@ from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
 from pydy._checks import check_mapping, describe, listed, number, resolved, shown
 from pydy._forks import cached_property
-from pydy._graph.from_sympy import SymPyReader
-from pydy._graph.identities import signatures
-from pydy._graph.node import Graph, input_nodes
 from pydy._mechanics.dependents import constrained
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.formed import equations_of
+from pydy._mechanics.implicit import Implicit
+from pydy._mechanics.rates import solve_rates
 from pydy._mechanics.reader import Multibody, check_bodies, read_loads
-from pydy._mechanics.symbols import find_symbols, rate_of, replace_symbols, sort_symbols
-
-_BY_MINORS = 3  # unknowns; Cramer's rule divides by nothing but the determinant
+from pydy._mechanics.symbols import find_symbols, rate_of
 
 
 class Definition:
@@ -225,6 +218,10 @@ class Definition:
     @cached_property
     def multibody(self) -> Multibody:
         """The same, with q' solved for and dependent coordinates and speeds behind the others."""
+        return self.multibody_with(None)
+
+    def multibody_with(self, implicit: Implicit | None) -> Multibody:
+        """Return it with coordinates that follow from residuals."""
         rates, speeds = self._rates, set(self.speeds)
         if self._each_a_rate and (self.speeds == rates or speeds.isdisjoint(rates)):
             solved = dict(zip(rates, self.speeds, strict=True))
@@ -244,15 +241,20 @@ class Definition:
             coordinate_derivatives=tuple(solved.get(rate, rate) for rate in rates),
             auxiliary=self.auxiliary_speeds,
         )
-        if not self.holonomic_constraints and not self._motion:
+        if implicit is not None:
+            body = implicit.joined(body)
+        if not body.holonomic and not self.holonomic_constraints and not self._motion:
             return self._unconstrained(body)
+        chosen, near = self.dependent_coordinates, self.configuration
+        if implicit is not None and near:
+            near = implicit.start | near
         return constrained(
             body,
-            self.holonomic_constraints,
+            (*self.holonomic_constraints, *body.holonomic),
             self._motion,
-            self.dependent_coordinates,
+            None if chosen is None else (*chosen, *body.dependent_coordinates),
             self.dependent_speeds,
-            self.configuration,
+            near,
         )
 
     def _unconstrained(self, body: Multibody) -> Multibody:
@@ -262,7 +264,9 @@ class Definition:
         return body
 
 
-def equations_of_definition(definition: Definition, source: str | None = None) -> Equations:
+def equations_of_definition(
+    definition: Definition, source: str | None = None, implicit: Implicit | None = None
+) -> Equations:
     """Return the equations of a Definition, which are always formed."""
     if source == "method":
         raise ValueError(
@@ -274,7 +278,8 @@ def equations_of_definition(definition: Definition, source: str | None = None) -
             "`eom_method` has no speeds: nothing in it can move, so there are no equations of "
             "motion. Give `coordinates` and `speeds` to a Definition, or a joint that is no weld."
         )
-    return equations_of(definition.multibody)
+    body = definition.multibody if implicit is None else definition.multibody_with(implicit)
+    return equations_of(body)
 
 
 def _functions(argument: str, symbols: Any, rates: Sequence[Any] = ()) -> tuple[Any, ...]:
@@ -330,72 +335,3 @@ def _among(argument: str, symbols: Any, known: Sequence[Any], what: str) -> tupl
 
 
 # -- kinematic equations ---------------------------------------------------------------------------
-
-
-def solve_rates(
-    equations: Sequence[Any], coordinate_rates: Sequence[Any], argument: str
-) -> tuple[Any, ...]:
-    """Return q' from equations that are zero, linear in q'."""
-    order = {rate: k for k, rate in enumerate(coordinate_rates)}
-    unknowns = [[s for s in find_symbols([e]) if s in order] for e in equations]
-    found: dict[Any, Any] = {}
-    for group in _connected(unknowns):
-        own = sorted({s for k in group for s in unknowns[k]}, key=order.__getitem__)
-        rows = [equations[k] for k in group]
-        if len(own) != len(group):
-            raise ValueError(
-                f"`{argument}` must give each coordinate's derivative once: {len(rows)} equations "
-                f"hold {describe(own)}. Each equation must be zero, and contain derivatives of "
-                "coordinates."
-            )
-        found.update(zip(own, _solved(rows, own, argument), strict=True))
-    missing = [rate for rate in coordinate_rates if rate not in found]
-    if missing:
-        raise ValueError(
-            f"`{argument}` do not give {describe(missing)}: no equation holds it. Add one, such as "
-            f"`{missing[0]} - u` with one of the speeds as u."
-        )
-    return tuple(found[rate] for rate in coordinate_rates)
-
-
-def _connected(unknowns: list[list[Any]]) -> list[list[int]]:
-    """Return the equations in groups that share unknowns, in order."""
-    home: dict[Any, list[int]] = {}
-    for k, symbols in enumerate(unknowns):
-        merged = [k]
-        for group in {id(home[s]): home[s] for s in symbols if s in home}.values():
-            merged += group
-        for j in merged:
-            home.update(dict.fromkeys(unknowns[j], merged))
-    groups = {id(group): sorted(group) for group in home.values()}
-    return [*groups.values(), *([k] for k, symbols in enumerate(unknowns) if not symbols)]
-
-
-def _solved(rows: list[Any], own: list[Any], argument: str) -> list[Any]:
-    if len(own) == 1:  # mostly q' less an expression, where SymPy's derivatives would take long
-        for trial in (own[0] - rows[0], own[0] + rows[0]):
-            if own[0] not in find_symbols([trial]):
-                return [trial]
-    matrix = sm.Matrix([[row.diff(rate) for rate in own] for row in rows])
-    if any(rate in find_symbols(matrix) for rate in own):
-        raise ValueError(f"`{argument}` must be linear in {describe(own)}, got {describe(rows)}.")
-    rest = sm.Matrix([replace_symbols(row, dict.fromkeys(own, sm.S.Zero)) for row in rows])
-    if len(own) > _BY_MINORS:
-        _check_regular(matrix.det(method="berkowitz"), own, argument)
-        return list(matrix.LUsolve(-rest))
-    size = matrix.det()
-    _check_regular(size, own, argument)
-    if size in (1, -1):
-        return list(-size * (matrix.adjugate() * rest))
-    return [-part / size for part in matrix.adjugate() * rest]
-
-
-def _check_regular(determinant: Any, own: list[Any], argument: str) -> None:
-    symbols = sort_symbols(find_symbols([determinant]))
-    graph = Graph()
-    node = SymPyReader(graph, input_nodes(graph, p=symbols), f"`{argument}`")(determinant)
-    if not signatures(graph, [node])[0]:
-        raise ValueError(
-            f"`{argument}` cannot be solved for {describe(own)}: their equations depend on each "
-            "other. Give as many independent equations as coordinates."
-        )

@@ -37,9 +37,10 @@ class Chosen:
     """Rows that are independent, and as many columns that can be solved for, in ascending order.
 
     The `samples` (m, n) are one matrix at several states, known within `bounds`; the columns are
-    chosen from those `allowed`. Entries that are `varying` depend on the configuration: elsewhere
-    they may vanish, as no constant does. A pivot counts if half the digits of its row tell it, or
-    of its row and column after all were brought to one size, and it is larger than its bound.
+    chosen from those `allowed`, those that come `first` before others. Entries that are `varying`
+    depend on the configuration: elsewhere they may vanish, as no constant does. A pivot counts if
+    half the digits of its row tell it, or of its row and column after all were brought to one size,
+    and it is larger than its bound.
     """
 
     def __init__(
@@ -48,6 +49,7 @@ class Chosen:
         allowed: Sequence[int] | None = None,
         varying: np.ndarray | None = None,
         bounds: np.ndarray | None = None,
+        first: Sequence[int] = (),
     ) -> None:
         work = np.array(samples, dtype=float)
         errors = np.zeros_like(work) if bounds is None else np.array(bounds, dtype=float)
@@ -66,6 +68,8 @@ class Chosen:
             sound = free & (np.abs(work) >= least).all(axis=0)
             worst = np.where(sound, np.abs(work).min(axis=0), 0.0)
             weighed = np.where(varies, worst, _STEADY * worst)
+            if weighed[:, first].any():
+                weighed[:, ~np.isin(np.arange(weighed.shape[1]), first)] = 0.0
             i, j = np.unravel_index(int(weighed.argmax()), worst.shape)
             if not sound[i, j]:
                 break
@@ -131,7 +135,10 @@ def constrained(
         velocity=tuple(body.velocity[k] for k in motions.rows),
         dependent_coordinates=q_dep,
         dependent_speeds=u_dep,
-        chosen=(*(() if coordinates else q_dep), *(() if speeds else u_dep)),
+        chosen=(
+            *(() if coordinates else (q for q in q_dep if q not in body.dependent_coordinates)),
+            *(() if speeds else u_dep),
+        ),
         redundant=_others(body.velocity, motions.rows, [k - len(holonomic) for k in rounded]),
         closed=_others(body.holonomic, places.rows, rounded),
         changing=speeds is None,
@@ -195,7 +202,8 @@ def _choose(
         full = _of_full_rank(matrices, bounds)[:_STATES]
         matrices, bounds = matrices[full], bounds[full]
         varying = np.array([states.changes(node) for node in cells], dtype=bool).reshape(shape)
-        choice = Chosen(matrices, varying=varying, bounds=bounds)
+        first = [k for k, s in enumerate(symbols) if s in equations.dependent_coordinates]
+        choice = Chosen(matrices, varying=varying, bounds=bounds, first=first)
         if chosen is not None:
             choice = _checked(name, symbols, chosen, matrices, bounds, len(choice.columns))
         found.append((choice, tuple(symbols[k] for k in choice.columns)))

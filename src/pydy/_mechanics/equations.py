@@ -123,6 +123,8 @@ class Equations:
     formed: Formed | None = field(default=None, repr=False)
     # What the equations of motion can be formed from, where the method knows it.
     multibody: Multibody | None = field(default=None, repr=False)
+    # The `Implicit` whose residuals, among the holonomic ones, give some coordinates.
+    implicit: Any = field(default=None, repr=False)
     # The places of the holonomic constraints whose rates the velocity constraints imply.
     enforced: tuple[int, ...] = ()
     # The velocity constraints that follow from those and from `nonholonomic`.
@@ -180,6 +182,17 @@ class Equations:
         """Raise where a body has been changed since these equations were made."""
         if self.multibody is not None:
             self.multibody.check_unchanged()
+
+    @cached_property
+    def following(self) -> tuple[tuple[int, ...], tuple[int, ...]]:
+        """The places of residuals among the holonomic constraints, and of what they give in q."""
+        if self.implicit is None:
+            return (), ()
+        rows = {*self.implicit.residuals.values()}
+        return (
+            tuple(k for k, e in enumerate(self.holonomic) if e in rows),
+            tuple(k for k, q in enumerate(self.coordinates) if q in self.implicit.residuals),
+        )
 
     @cached_property
     def left_out(self) -> tuple[tuple[Any, ...], tuple[Any, ...]]:

@@ -21,24 +21,30 @@ from sympy.physics.mechanics.jointsmethod import JointsMethod
 
 from pydy._mechanics.definition import Definition, equations_of_definition
 from pydy._mechanics.equations import Equations
+from pydy._mechanics.implicit import Implicit
 from pydy._mechanics.kane import equations_of_kane
 from pydy._mechanics.lagrange import equations_of_lagrange
 
 
-def equations_of_system(system: System, source: str | None = None) -> Equations:
+def equations_of_system(
+    system: System, source: str | None = None, implicit: Implicit | None = None
+) -> Equations:
     """Return the equations of a System of SymPy.
 
     Where ``form_eoms()`` was called, they are those of its method. Else they are formed from its
     bodies: by Kane's equations, or, where its speeds are the derivatives of its coordinates, which
     KanesMethod refuses, by Lagrange's.
     """
-    read = _read(system.eom_method, source, lambda: _definition(system), lambda: _lagrange(system))
+    ways = (lambda: _definition(system), lambda: _lagrange(system))
+    read = _read(system.eom_method, source, implicit, *ways)
     if read.mechanism is None:
         return read
     return replace(read, mechanism=replace(read.mechanism, joints=tuple(system.joints)))
 
 
-def equations_of_joints(method: JointsMethod, source: str | None = None) -> Equations:
+def equations_of_joints(
+    method: JointsMethod, source: str | None = None, implicit: Implicit | None = None
+) -> Equations:
     """Return the equations of a JointsMethod, as those of a System."""
     bodies = [_plain(body) for body in method.bodies]
 
@@ -56,19 +62,20 @@ def equations_of_joints(method: JointsMethod, source: str | None = None) -> Equa
         energy = Lagrangian(method.frame, *bodies)
         return LagrangesMethod(energy, method.q, method.loads, bodies, method.frame)
 
-    return _read(method.method, source, definition, lagrange)
+    return _read(method.method, source, implicit, definition, lagrange)
 
 
 def _read(
     formed: Any,
     source: str | None,
+    implicit: Implicit | None,
     definition: Callable[[], Definition],
     lagrange: Callable[[], LagrangesMethod],
 ) -> Equations:
     if isinstance(formed, KanesMethod):
-        return equations_of_kane(formed, source)
+        return equations_of_kane(formed, source, implicit)
     if isinstance(formed, LagrangesMethod):
-        return equations_of_lagrange(formed, source)
+        return equations_of_lagrange(formed, source, implicit)
     if source == "method":
         raise ValueError(
             "`equations='method'` needs the equations of `eom_method`: call its `form_eoms()` "
@@ -76,7 +83,7 @@ def _read(
         )
     made = definition()
     if not any(isinstance(u, Derivative) for u in made.speeds):
-        return equations_of_definition(made)
+        return equations_of_definition(made, None, implicit)
     others = [u for u in made.speeds if not isinstance(u, Derivative)]
     if others:
         raise ValueError(
@@ -87,7 +94,7 @@ def _read(
     with warnings.catch_warnings():
         # SymPy makes up velocities that nobody set, and warns where there are several ways.
         warnings.simplefilter("ignore", UserWarning)
-        return equations_of_lagrange(lagrange())
+        return equations_of_lagrange(lagrange(), None, implicit)
 
 
 def _definition(system: System) -> Definition:
@@ -131,8 +138,13 @@ def _plain(body: Any) -> Any:
 
 
 @singledispatch
-def extract(eom_method: Any, source: str | None = None) -> Equations:
-    """Return the equations that a method object holds, or that its bodies and loads give."""
+def extract(
+    eom_method: Any, source: str | None = None, implicit: Implicit | None = None
+) -> Equations:
+    """Return the equations that a method object holds, or that its bodies and loads give.
+
+    Coordinates that are `implicit` join them.
+    """
     raise TypeError(
         "`eom_method` must be a KanesMethod, LagrangesMethod or System of sympy.physics.mechanics, "
         f"or a pydy.mechanics.Definition, got an object of type {type(eom_method).__name__}."

@@ -62,6 +62,7 @@ def kinematics_of(body: Multibody) -> Equations:
         dependent_speeds=body.dependent_speeds,
         auxiliary_speeds=auxiliary,
         # In motion the auxiliary speeds are zero at all times.
+        implicit=body.implicit,
         zeros=(*auxiliary, *(rate_of(u, body.time) for u in auxiliary)),
         multibody=body if body.bodies or body.lagrangian is not None else None,
     )

@@ -8,9 +8,11 @@ from weakref import WeakKeyDictionary
 
 from sympy.physics.mechanics import KanesMethod, dynamicsymbols
 
+from pydy._checks import describe
 from pydy._mechanics.equations import Equations, Mechanism
 from pydy._mechanics.form import Formed, without_idle
 from pydy._mechanics.formed import classify, equations_of, formed_alike, kinematics_of
+from pydy._mechanics.implicit import Implicit
 from pydy._mechanics.reader import Multibody, check_bodies, read_loads
 
 
@@ -45,7 +47,9 @@ def multibody_of_kane(kane: KanesMethod) -> Multibody:
     )
 
 
-def equations_of_kane(kane: KanesMethod, source: str | None = None) -> Equations:
+def equations_of_kane(
+    kane: KanesMethod, source: str | None = None, implicit: Implicit | None = None
+) -> Equations:
     """Return the equations of a KanesMethod, formed from bodies and loads or its own.
 
     Without `source`, where ``kanes_equations()`` has been called, the former are taken if they give
@@ -57,7 +61,12 @@ def equations_of_kane(kane: KanesMethod, source: str | None = None) -> Equations
             "`equations='method'` needs the equations of `eom_method`: call its "
             "`kanes_equations(bodies, loads)` before it is handed to System."
         )
-    formed = source == "graph" or not called
+    if source == "method" and implicit is not None:
+        raise ValueError(
+            "`equations='method'` is not possible with `implicit`: the method took "
+            f"{describe([*implicit.residuals])} for prescribed motions. Leave it out."
+        )
+    formed = source == "graph" or not called or implicit is not None
     if formed and not kane.bodies:
         raise ValueError(
             "`eom_method` holds no equations of motion yet, and no bodies to form them from: "
@@ -69,6 +78,8 @@ def equations_of_kane(kane: KanesMethod, source: str | None = None) -> Equations
             "`eom_method` has no kinematic differential equations: construct it with `kd_eqs=`."
         )
     body = multibody_of_kane(kane)
+    if implicit is not None:
+        body = implicit.joined(body)
     if formed:
         return equations_of(body)
     auxiliary = tuple(kane.auxiliary_eqs) if body.auxiliary else ()

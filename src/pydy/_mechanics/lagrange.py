@@ -11,14 +11,23 @@ from pydy._mechanics.dependents import constrained
 from pydy._mechanics.equations import Equations, Mechanism
 from pydy._mechanics.form import form_lagrangian
 from pydy._mechanics.formed import classify, kinematics_of
+from pydy._mechanics.implicit import Implicit
 from pydy._mechanics.reader import Multibody, check_bodies, is_rigid, read_loads
 
 
-def equations_of_lagrange(method: LagrangesMethod, source: str | None = None) -> Equations:
+def equations_of_lagrange(
+    method: LagrangesMethod, source: str | None = None, implicit: Implicit | None = None
+) -> Equations:
     """Return the equations of a LagrangesMethod. The speeds are the derivatives q'.
 
     Constraints are solved for dependent coordinates and speeds, which come behind the others.
     """
+    if implicit is not None:
+        raise ValueError(
+            "`implicit` needs the bodies and loads: a Lagrangian's derivatives by the coordinates "
+            "would miss what follows them. Use KanesMethod or pydy.mechanics.Definition in place "
+            "of LagrangesMethod."
+        )
     if method.loads and method.inertial is None:
         raise ValueError(
             "`eom_method` has a `forcelist` but no `frame`: give LagrangesMethod the inertial "

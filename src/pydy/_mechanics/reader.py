@@ -55,6 +55,7 @@ class Multibody:
     # Whether no choice of dependent speeds is to be relied on: the rank of the constraints,
     # or what they can be solved for, may change as the system moves.
     changing: bool = False
+    implicit: Any = None  # the `Implicit` that gave some coordinates and holonomic constraints
     # The bodies as they were when they were first read, which SymPy lets change afterwards.
     noted: tuple[tuple[Any, tuple[Any, ...]], ...] = ()
 

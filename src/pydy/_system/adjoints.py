@@ -29,7 +29,7 @@ from pydy._system.sensitivities import Sensitive, compiled_event
 from pydy._system.setup import Setup
 from pydy._system.simulation import begin
 from pydy._system.snapshot import Snapshot
-from pydy._system.solving import native_solver
+from pydy._system.solving import native_solver, with_residuals_held
 from pydy.analysis.adjoint import AdjointGradient
 from pydy.inputs import SampledInput
 from pydy.solvers.events import Event, forcing_time
@@ -103,6 +103,11 @@ class Projections:
         out = model.evaluate(constraints.kernel, times, states, self._r, self._p)
         self._parts = constraints.kernel.program.by_block(out)
         h, v, n = constraints.holonomic, constraints.velocity, states.shape[1]
+        self._gradient = self._parts["gradient"].reshape(len(times), h, constraints.coordinates)
+        if any(model.assembly.following):  # whose corrections are not along the gradient
+            by_state = model.compiled_jacobian("holonomic", "x")
+            found = model.evaluate(by_state, times, states, self._r, self._p)
+            self._gradient = found.reshape(len(times), h, n)[:, :, : constraints.coordinates]
         self._slopes = np.zeros((len(times), v, n))
         if v:
             by_state = model.compiled_jacobian("velocity", "x")
@@ -131,7 +136,7 @@ class Projections:
             # Rows that no speed reaches.
             correction = correction + _least(gradient) @ (np.eye(h) - gradient @ correction)
             multipliers[:h] = correction.T @ adjoint[:q]
-            adjoint[:q] -= multipliers[:h] @ gradient
+            adjoint[:q] -= multipliers[:h] @ self._gradient[k]
         return adjoint
 
     def totals(self) -> tuple[np.ndarray, np.ndarray]:
@@ -584,7 +589,7 @@ class Gradients(Setup):
         They are those of the objective, or of the last state's sum with some `weights`.
         """
         definition, plan = now.definition, now.plan
-        ready, instants = begin(now, solver, given)
+        ready, instants = begin(now, solver, with_residuals_held(definition, solver, given))
         model = ready.model
         sensitive = Sensitive.of(now, model, plan, wrt, self._dependent, "wrt")
         task = _Task(sensitive, final, integral)

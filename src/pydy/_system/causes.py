@@ -67,6 +67,14 @@ def cause_of(at: At) -> str | None:
     wild = _wild(kinematics, elsewhere("kinematics", p).reshape(kinematics.shape))
     if wild.any():
         names = [q for q, bad in zip(equations.coordinates, wild, strict=True) if bad]
+        residuals = {} if equations.implicit is None else equations.implicit.residuals
+        if given := [z for z in names if z in residuals]:
+            return (
+                f"The residuals of `implicit` cannot be solved for {describe(given)} there: their "
+                f"derivatives by {describe(given)} are singular, as where two solutions meet. In "
+                f"`{residuals[given[0]]}`, check whether the motion may come there, as to a centre "
+                "of curvature."
+            )
         return (
             f"The kinematic equations `kd_eqs` are singular there, as angles are in gimbal lock: "
             f"the derivatives of {describe(names)} divide by zero. Choose other angles, another "

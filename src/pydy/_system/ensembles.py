@@ -19,7 +19,7 @@ from pydy._system.sensitivities import Sensitive, changed_by, program_of_event
 from pydy._system.setup import Setup
 from pydy._system.simulation import Ready
 from pydy._system.snapshot import At, Snapshot
-from pydy._system.solving import native_solver
+from pydy._system.solving import native_solver, with_residuals_held
 from pydy._system.start import check_samples
 from pydy._version import __version__
 from pydy.codegen.arguments import SpecifiedsPlan, symbolic_entries
@@ -467,11 +467,14 @@ class Ensembles(Setup):
         aligned = [_aligned(c, axes.dims) for c in (x, r, p)]
         samples = Samples(axes.dims, aligned[0], aligned[1], aligned[2], axes.coordinates)
 
+        given: dict[str, Any] = {**solver_kwargs}
+        if definition.equations.implicit is not None:
+            given = with_residuals_held(definition, solver, given)
         kept = None
         if definition.equations.constrained:
             start, shape = float(times[0]), tuple(axes.dims.values())
             columns = samples.x, samples.r, samples.p
-            mended = solver_kwargs.get("constraints") is not None
+            mended = given.get("constraints") is not None
             moved = driven(now.model, definition, plan)
 
             def at(t: np.ndarray, x: np.ndarray) -> At:
@@ -480,7 +483,6 @@ class Ensembles(Setup):
             check_samples(at, start, columns, shape, mended)
             kept = Kept(kept_programs(now, moved), any(definition.equations.left_out), mended)
         ready: Ready | None = now.model.latest.get("ensemble")
-        given: dict[str, Any] = {**solver_kwargs}
         if motions is not None:  # it has the events, and holds the constraints
             given, kept = {k: v for k, v in given.items() if k not in _ABOUT_MODES}, None
         if ready is None or not ready.suits(plan, solver, given):

@@ -210,7 +210,8 @@ class Exporting(Setup):
         held: dict[str, int] = {}
         if choice(constraints, (None, "project"), "`constraints`") is not None:
             held = _constraint_sizes(definition)
-            builders["projection"] = stored("projection", projection_program)
+            what = f"projection {assembly.following}" if any(assembly.following) else "projection"
+            builders["projection"] = stored(what, projection_program)
         checked = check_events(events, definition.places["states"]) if events is not None else ()
         if checked:
             expressions = tuple(event.expression for event in checked)

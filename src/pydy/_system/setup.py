@@ -18,6 +18,7 @@ from pydy._errors import warn_user
 from pydy._graph.switches import Passes
 from pydy._html import html_table
 from pydy._mechanics.extract import extract, method_of, symbolic_matrices
+from pydy._mechanics.implicit import Implicit
 from pydy._names import name_of, unique_names
 from pydy._system.definition import Definer
 from pydy._system.energy import EnergyModel, check_potential
@@ -125,10 +126,16 @@ class Setup:
         constants_symbols: Iterable[Any] | None = None,
         specifieds_symbols: Iterable[Any] | None = None,
         equations: Literal["graph", "method"] | None = None,
+        implicit: Implicit | None = None,
     ) -> None:
         if equations not in (None, "graph", "method"):
             raise ValueError(f"`equations` must be 'graph' or 'method', got {equations!r}.")
-        self._equations = extract(eom_method, equations)
+        if not (implicit is None or isinstance(implicit, Implicit)):
+            raise TypeError(
+                "`implicit` must be a pydy.mechanics.Implicit, got an object of type "
+                f"{type(implicit).__name__}."
+            )
+        self._equations = extract(eom_method, equations, implicit)
         self._eom_method = eom_method
         self._energies = EnergyModel(self._equations)
         base = base_symbols(self._equations, constants_symbols, specifieds_symbols)

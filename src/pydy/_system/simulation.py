@@ -33,7 +33,12 @@ from pydy._system.scipy_solvers import (
 from pydy._system.sensitivities import Wanted
 from pydy._system.setup import Setup
 from pydy._system.snapshot import Snapshot
-from pydy._system.solving import check_events, compile_constraints, compile_events
+from pydy._system.solving import (
+    check_events,
+    compile_constraints,
+    compile_events,
+    with_residuals_held,
+)
 from pydy._system.start import check_resets, check_start
 from pydy.codegen.arguments import SpecifiedsPlan
 from pydy.codegen.right_hand_side import rates_function
@@ -195,6 +200,8 @@ def _solve(
     wanted: Wanted | None = None,
 ) -> Any:
     """Call the solver; `checked` tells whether odeint's giving up is an error."""
+    if now.definition.equations.implicit is not None:
+        given = with_residuals_held(now.definition, solver, given)
     free, full = given.get("constraints") is None, given.get("full_output", False)
     ready, times = begin(now, solver, given)
     native = isinstance(solver, Solver)

@@ -7,22 +7,27 @@ from dataclasses import dataclass, replace
 from typing import Any, Self
 
 import numpy as np
+import scipy
 
 from pydy._assembly.assembly import Assembly
 from pydy._assembly.definition import Definition
 from pydy._assembly.model import CompiledModel
 from pydy._assembly.specifieds import driven
-from pydy._checks import vector
+from pydy._checks import describe, vector
 from pydy._errors import warn_user
 from pydy._forks import cached_property
+from pydy._graph.derivative import dense_jacobian
+from pydy._graph.rounding import rounding_bounds
 from pydy._kernel import Kernel
 from pydy._names import name_of
 from pydy._system.definition import unfollowed
 from pydy._system.energy import EnergyModel
 from pydy._system.inputs import check_times
 from pydy.codegen.arguments import SpecifiedsPlan
+from pydy.solvers.run.constraints import satisfied
 from pydy.trajectory import Columns, Trajectory
 
+_POLISHED = 5  # steps of Newton's method, of which two do
 _DEFAULTS = {"constants": ("constants", 1.0), "initial_conditions": ("states", 0.0)}
 
 
@@ -81,6 +86,62 @@ class At:
         return self.model.interpreted(parts, (self.t, self.x, self.r, self.p))
 
 
+@dataclass(frozen=True)
+class _Residuals:
+    """What an `Implicit` solves: rows of the holonomic constraints, by coordinates."""
+
+    rows: tuple[int, ...]
+    places: tuple[int, ...]
+
+    def __call__(self, assembly: Assembly) -> dict[str, list[int]]:
+        graph = assembly.graph
+        rows = [assembly.holonomic[k] for k in self.rows]
+        unknowns = [graph.input("x", k) for k in self.places]
+        return {
+            "residuals": rows,
+            "slopes": dense_jacobian(graph, rows, unknowns),
+            "bounds": rounding_bounds(graph, rows),
+        }
+
+
+def solved_residuals(at: At) -> np.ndarray:
+    """Return a state with the coordinates that the residuals of an `Implicit` give.
+
+    Those of the state are where the search begins: by a safeguarded method, then by Newton's to the
+    last digit.
+    """
+    equations = at.definition.equations
+    parts = _Residuals(*equations.following)
+    places = list(parts.places)
+    x: np.ndarray = at.x[0].copy()
+    n = len(places)
+
+    def values(z: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        x[places] = z
+        found = replace(at, x=x[None]).values(parts)
+        return found["residuals"][0], found["slopes"][0].reshape(n, n), found["bounds"][0]
+
+    z = x[places]
+    left, slopes, bounds = values(z)
+    if not satisfied(left, bounds):
+        z = scipy.optimize.root(lambda z: values(z)[0], z, jac=lambda z: values(z)[1]).x
+        for _ in range(_POLISHED):
+            left, slopes, bounds = values(z)
+            if satisfied(left, bounds) or not np.isfinite(slopes).all():
+                break
+            z = z - np.linalg.lstsq(slopes, left)[0]
+    if not satisfied(left, bounds):
+        k = int(np.argmax(np.where(np.isfinite(left), np.abs(left), np.inf)))
+        residual = equations.holonomic[parts.rows[k]]
+        raise ValueError(
+            f"`implicit` finds no {describe([*equations.implicit.residuals])} at t = "
+            f"{float(at.t[0])!r} that make its residuals zero: `{residual}` "
+            f"is left at {left[k]:.3g}. Give a `start`, or initial conditions, nearer to a "
+            "solution, or check that there is one."
+        )
+    return x
+
+
 @dataclass(frozen=True, eq=False)
 class Snapshot:
     """What a System is while one of its methods runs; it does not change with the System.
@@ -99,8 +160,17 @@ class Snapshot:
 
     @cached_property
     def x(self) -> np.ndarray:
-        """The initial conditions in order."""
-        return read_numbers(self.definition, "initial_conditions", self.user["initial_conditions"])
+        """The initial conditions in order; where residuals give some of them, these are solved."""
+        given = self.user["initial_conditions"]
+        x = read_numbers(self.definition, "initial_conditions", given)
+        implicit, places = self.definition.equations.implicit, self.definition.places["states"]
+        if implicit is None:
+            return x
+        known = {places.find(key, "initial_conditions") for key in given}
+        for symbol, value in implicit.start.items():
+            if (k := places.symbols.index(symbol)) not in known:
+                x[k] = value
+        return solved_residuals(self.at(np.array([self.t]), x[None]))
 
     @cached_property
     def p(self) -> np.ndarray:
@@ -159,7 +229,10 @@ class Snapshot:
     def x_with(self, x: Any, argument: str = "x") -> Any:
         """Return states; a dictionary gives some of the initial conditions instead."""
         if isinstance(x, Mapping):
-            return self.definition.places["states"].read(argument, x, self.x)
+            found = self.definition.places["states"].read(argument, x, self.x)
+            if self.definition.equations.implicit is None:
+                return found
+            return solved_residuals(self.at(np.array([self.t]), found[None]))
         return x
 
     def p_with(self, p: Any) -> np.ndarray:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import Any, Literal
 
@@ -10,8 +10,9 @@ from pydy._assembly.assembly import Assembly
 from pydy._assembly.definition import Definition
 from pydy._assembly.model import CompiledModel
 from pydy._checks import Places, describe
-from pydy._graph.derivative import dense_jacobian, directional
+from pydy._graph.derivative import dense_jacobian, dense_rows, directional, jacobian
 from pydy._graph.lower import lower
+from pydy._graph.node import Graph
 from pydy._graph.program import Program
 from pydy._mechanics.equations import Equations
 from pydy.solvers.events import CompiledEvents, Event
@@ -66,6 +67,15 @@ def check_events(events: Any, states: Places) -> tuple[Event, ...]:
     if double:
         raise ValueError(f"`events` must have different names, got `{double[0]}` twice.")
     return tuple(checked)
+
+
+def with_residuals_held(
+    definition: Definition, solver: Any, options: Mapping[str, Any]
+) -> dict[str, Any]:
+    """Return options of a simulation by which residuals of an `Implicit` are held to rounding."""
+    held = definition.equations.implicit is not None and isinstance(solver, Solver)
+    more = held and options.get("constraints") is None
+    return {**options, "constraints": "project"} if more else {**options}
 
 
 def compile_events(
@@ -138,6 +148,7 @@ def compile_constraints(model: CompiledModel, definition: Definition) -> Compile
         speeds=len(equations.speeds),
         dependent_speeds=len(equations.dependent_speeds),
         weighted=weighted,
+        following=equations.following[1],
         names=_Names(equations),
     )
 
@@ -186,15 +197,47 @@ def projection_program(assembly: Assembly) -> Program:
     graph, speeds = assembly.graph, assembly.speeds
     first = graph.args[speeds[0]][1]
     coordinates = [graph.input("x", k) for k in range(first)]
-    kinematics = assembly.rates[:first]
-
+    rows = jacobian(graph, assembly.holonomic, coordinates)
+    gradient = dense_rows(graph, rows, first)
+    kinematics = dense_rows(graph, jacobian(graph, assembly.rates[:first], speeds), len(speeds))
+    _separate(graph, gradient, kinematics, assembly.following)
     parts = {
         "holonomic": assembly.holonomic,
         "velocity": assembly.velocity,
-        "gradient": dense_jacobian(graph, assembly.holonomic, coordinates),
-        "kinematics": dense_jacobian(graph, kinematics, speeds),
+        "gradient": [cell for row in gradient for cell in row],
+        "kinematics": [cell for row in kinematics for cell in row],
         "velocity_gradient": dense_jacobian(graph, assembly.velocity, speeds),
         "kinetic_hessian": assembly.kinetic_hessian,
     }
     blocks = [(name, (len(nodes),), nodes) for name, nodes in parts.items()]
     return assembly.lowered(blocks, graph, bounded="holonomic")
+
+
+def _separate(
+    graph: Graph,
+    gradient: list[list[int]],
+    kinematics: list[list[int]],
+    following: tuple[tuple[int, ...], tuple[int, ...]],
+) -> None:
+    """Let residuals g move the coordinates z that they give, and no others.
+
+    As rows that no speed reaches, by ∂g/∂z alone. In the gradients of other constraints h, z
+    follows: h_q − h_z g_z⁻¹ g_q. So what the user gave is not moved to satisfy g.
+    """
+    rows, places = following
+    if len(rows) != len(places):
+        return
+    zero = graph.zero
+    own = [[gradient[i][k] for k in places] for i in rows]
+    for i, row in enumerate(gradient):
+        if i in rows or all(row[k] == zero for k in places):
+            continue
+        transposed = [list(column) for column in zip(*own, strict=True)]
+        (share,) = graph.solve(transposed, [[row[k] for k in places]], "lu")
+        for k in range(len(row)):
+            terms = [(graph.mul(a, gradient[g][k]), -1.0) for a, g in zip(share, rows, strict=True)]
+            row[k] = zero if k in places else graph.sum([(row[k], 1.0), *terms])
+    for i in rows:
+        gradient[i] = [c if k in places else zero for k, c in enumerate(gradient[i])]
+    for k in places:
+        kinematics[k] = [zero] * len(kinematics[k])

@@ -37,7 +37,7 @@ class ModeEquations:
 
 
 @extract.register(ModeEquations)
-def _(mode: ModeEquations, source: str | None = None) -> Equations:
+def _(mode: ModeEquations, source: str | None = None, implicit: Any = None) -> Equations:
     return mode.equations
 
 

@@ -34,6 +34,8 @@ class CompiledConstraints:
     speeds: int
     dependent_speeds: int  # speeds, the last ones, taken from the velocity constraints
     weighted: bool  # whether corrections are measured by the mass matrix; else by their square sum
+    # The coordinates that follow from the others at once: they may be moved as far as it takes.
+    following: tuple[int, ...]
     names: Sequence[str]  # what to call the holonomic residuals, then the velocity residuals
 
     def dependent(self, values: np.ndarray) -> list[str]:

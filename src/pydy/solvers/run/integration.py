@@ -328,6 +328,7 @@ class Integration:
         size = 1.0 + np.abs(before[: self.states])
         size[:first] += min(1.0, float(np.abs(before[:first]).max(initial=0.0)) or 1.0) - 1.0
         moved = np.abs(x[: self.states] - before[: self.states])
+        moved[list(wanted.following)] = 0.0
         if code != 0 or (moved > STARTING_MOVE * size).any():
             k = int(np.argmax(moved / size))
             mended = f"moved {self._state_name(k)} from {before[k]:.6g} to {x[k]:.6g}"

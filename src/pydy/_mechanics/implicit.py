@@ -1,0 +1,139 @@
+"""Quantities that residuals give: equations inside the equations, which are solved numerically.
+
+Such a quantity z becomes a coordinate without a speed. By the implicit function theorem, z' follows
+from g(z, q, t) = 0, as from a kinematic equation, and g = 0 is a holonomic constraint that no
+motion violates, as the norm of a quaternion is. What is done with coordinates is done with z.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import Any
+
+import sympy as sm
+from sympy.core.function import AppliedUndef
+from sympy.matrices import dotprodsimp
+from sympy.physics.mechanics import dynamicsymbols
+
+from pydy._checks import check_mapping, describe, number, resolved, shown
+from pydy._mechanics.rates import solve_rates
+from pydy._mechanics.reader import Multibody
+from pydy._mechanics.symbols import find_symbols, rate_of, replace_symbols
+
+
+class Implicit:
+    """Functions of time that residuals give, such as the point of a surface that is nearest.
+
+    They may stand in loads, positions, constraints and outputs. They are states that follow from
+    the coordinates: g(z, q, t) = 0 is solved by Newton's method, and their derivatives follow by
+    the implicit function theorem, z' = −g_z⁻¹ (g_q q' + g_t).
+
+    Parameters
+    ----------
+    residuals : mapping of functions of time to expressions
+        As many expressions as functions; all are zero together. They hold these functions,
+        coordinates, constants, specifieds and time, but no speeds.
+    start : mapping of these functions to numbers, optional
+        Where the search for their first values begins, 0.0 by default: it decides which one of
+        several solutions is meant. An initial condition of the System takes its place.
+
+    Raises
+    ------
+    TypeError, ValueError
+        An argument is not what it should be; the message names it.
+
+    Examples
+    --------
+    The eccentric anomaly E of an orbit satisfies Kepler's equation:
+
+    >>> import sympy as sm
+    >>> import sympy.physics.mechanics as me
+    >>> from pydy import System
+    >>> from pydy.mechanics import Definition, Implicit
+    >>> x, v, E = me.dynamicsymbols('x, v, E')
+    >>> m, n, e = sm.symbols('m, n, e')
+    >>> N, O = me.ReferenceFrame('N'), me.Point('O')
+    >>> O.set_vel(N, 0)
+    >>> P = O.locatenew('P', x*N.x)
+    >>> pulled = Definition(N, [x], [v], bodies=[me.Particle('P', P, m)],
+    ...                     loads=[(P, (sm.cos(E) - x)*N.x)])
+    >>> kepler = Implicit({E: E - e*sm.sin(E) - n*me.dynamicsymbols._t}, start={E: 0.0})
+    >>> system = System(pulled, {e: 0.5}, times=[0.0, 1.0], ode_solver='dop853', implicit=kepler)
+    >>> system.simulate(rtol=1e-10, atol=1e-10)['E'].round(6)
+    array([0.      , 1.498701])
+    """
+
+    def __init__(
+        self, residuals: Mapping[Any, Any], start: Mapping[Any, float] | None = None
+    ) -> None:
+        time = dynamicsymbols._t
+        self.residuals = check_mapping("residuals", residuals)
+        if not self.residuals:
+            raise ValueError("`residuals` must map at least one function of time to an expression.")
+        for symbol, residual in self.residuals.items():
+            if not (isinstance(symbol, AppliedUndef) and symbol.args == (time,)):
+                raise ValueError(
+                    "`residuals` must have functions of time as keys, such as dynamicsymbols('z'), "
+                    f"got {shown(symbol)}."
+                )
+            if not isinstance(residual, sm.Expr):
+                raise TypeError(
+                    f"`residuals[{symbol}]` must be an expression that is zero, got "
+                    f"{shown(residual)}."
+                )
+            if self.residuals.keys().isdisjoint(find_symbols([residual])):
+                raise ValueError(
+                    f"`residuals[{symbol}]`, `{residual}`, holds none of {describe([*residuals])}: "
+                    "nothing follows from it. Give an expression that does."
+                )
+        given = check_mapping("start", start)
+        keys = resolved("start", given, self.residuals, "keys of `residuals`")
+        for key in keys:
+            if key not in self.residuals:
+                raise ValueError(
+                    f"`start` must give values of {describe([*residuals])}, got {shown(key)}."
+                )
+        self.start = dict.fromkeys(self.residuals, 0.0) | {
+            key: number(value, f"`start[{key}]`", finite=True)
+            for key, value in zip(keys, given.values(), strict=True)
+        }
+
+    def __repr__(self) -> str:
+        return f"<Implicit {describe([*self.residuals])}>"
+
+    def joined(self, body: Multibody) -> Multibody:
+        """Return a system with these coordinates, and their residuals as holonomic constraints."""
+        time, unknowns = body.time, tuple(self.residuals)
+        known = (*body.coordinates, *body.speeds, *body.auxiliary)
+        if taken := [z for z in unknowns if z in known]:
+            raise ValueError(
+                f"`implicit` gives {describe(taken)}, which the system has as a coordinate or "
+                "speed already. Leave it out of the one or the other."
+            )
+        moving = {*body.speeds, *body.speed_rates, *body.auxiliary, *body.coordinate_rates}
+        moving |= {rate_of(z, time) for z in unknowns}
+        for z, residual in self.residuals.items():
+            if held := [s for s in find_symbols([residual]) if s in moving]:
+                raise ValueError(
+                    f"The residual of `{z}`, `{residual}`, holds {describe(held)}: it may hold "
+                    "coordinates, but no speeds or derivatives. Write what depends on speeds as a "
+                    "load or an output."
+                )
+        rates = tuple(rate_of(z, time) for z in unknowns)
+        equations = [residual.diff(time) for residual in self.residuals.values()]
+        with dotprodsimp(False):  # which expands all products, for minutes on a wheel and a rail
+            found = solve_rates(equations, rates, "implicit")
+        mapping = dict(zip(body.coordinate_rates, body.coordinate_derivatives, strict=True))
+        return replace(
+            body,
+            coordinates=(*body.coordinates, *unknowns),
+            coordinate_rates=(*body.coordinate_rates, *rates),
+            coordinate_derivatives=(
+                *body.coordinate_derivatives,
+                *(replace_symbols(e, mapping) for e in found),
+            ),
+            holonomic=(*body.holonomic, *self.residuals.values()),
+            dependent_coordinates=(*body.dependent_coordinates, *unknowns),
+            implicit=self,
+        )

@@ -1,0 +1,62 @@
+"""What `Implicit` takes, and what it says of the rest."""
+
+import pytest
+import sympy as sm
+import sympy.physics.mechanics as me
+
+from pydy import System
+from pydy.mechanics import Definition, Implicit
+
+X, V, Z, Y = me.dynamicsymbols("x, v, z, y")
+K = sm.Symbol("k")
+
+
+def free():
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    place = origin.locatenew("P", X * frame.x)
+    return Definition(frame, [X], [V], bodies=[me.Particle("P", place, 1)])
+
+
+@pytest.mark.parametrize(
+    ("residuals", "start", "message"),
+    [
+        ({}, None, "at least one function of time"),
+        ({K: K - X}, None, r"functions of time as keys, .* got k"),
+        ({Z: "z"}, None, r"`residuals\[z\(t\)\]` must be an expression that is zero, got 'z'"),
+        ({Z: X}, None, r"`residuals\[z\(t\)\]`, `x\(t\)`, holds none of z\(t\)"),
+        ({Z: Z - X}, {Y: 1.0}, r"`start` must give values of z\(t\), got"),
+        ({Z: Z - X}, {Z: "a"}, r"`start\[z\(t\)\]` must be a real number"),
+    ],
+)
+def test_arguments_are_checked(residuals, start, message):
+    with pytest.raises((TypeError, ValueError), match=message):
+        Implicit(residuals, start)
+
+
+@pytest.mark.parametrize(
+    ("residuals", "message"),
+    [
+        ({X: X - 1}, r"`implicit` gives x\(t\), which the system has as a coordinate or speed"),
+        ({Z: Z - V}, r"The residual of `z\(t\)`, .*, holds v\(t\): .* no speeds or derivatives"),
+        ({Z: Z - X.diff()}, r"holds Derivative\(x\(t\), t\)"),
+        ({Z: Z + Y - X, Y: 2 * Z + 2 * Y}, "`implicit` cannot be solved for"),
+    ],
+)
+def test_residuals_fit_the_system(residuals, message):
+    with pytest.raises(ValueError, match=message):
+        System(free(), implicit=Implicit(residuals))
+
+
+def test_unknowns_are_the_dependent_coordinates():
+    system = System(free(), implicit=Implicit({Z: Z**3 + Z - X}))
+    assert system.coordinates == [X, Z]
+    assert system.speeds == [V]
+    body = free().multibody_with(Implicit({Z: Z**3 + Z - X}))
+    assert body.dependent_coordinates == (Z,)
+    assert body.coordinate_derivatives[1] == V / (3 * Z**2 + 1)
+
+
+def test_names_are_taken_in_start():
+    assert Implicit({Z: Z - X}, {"z": 2}).start == {Z: 2.0}
+    assert repr(Implicit({Z: Z - X})) == "<Implicit z(t)>"

@@ -1,0 +1,386 @@
+"""Quantities that residuals give, in loads, constraints, outputs and all that is done with them."""
+
+import copy
+import pickle
+
+import numpy as np
+import pytest
+import scipy
+import sympy as sm
+import sympy.physics.mechanics as me
+
+from pydy import System
+from pydy.contact import Contacts, Unilateral
+from pydy.errors import IntegrationError
+from pydy.mechanics import Definition, Implicit
+from pydy.solvers import Event
+
+T = me.dynamicsymbols._t
+X, Y, V, W, E = me.dynamicsymbols("x, y, v, w, E")
+M, K, A, B, R, G = sm.symbols("m, k, a, b, R, g")
+TIGHT = {"rtol": 1e-11, "atol": 1e-11}
+# The point (a cos E, b sin E) of an ellipse that is nearest to (x, y).
+NEAR = (A * sm.cos(E), B * sm.sin(E))
+RESIDUAL = (X - NEAR[0]) * A * sm.sin(E) - (Y - NEAR[1]) * B * sm.cos(E)
+DISTANCE = sm.sqrt((X - NEAR[0]) ** 2 + (Y - NEAR[1]) ** 2)
+
+
+def point(loads=(), constraints=()):
+    """A particle in a plane."""
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    place = origin.locatenew("P", X * frame.x + Y * frame.y)
+    place.set_vel(frame, V * frame.x + W * frame.y)
+    forces = [(place, f[0] * frame.x + f[1] * frame.y) for f in loads]
+    return frame, [me.Particle("P", place, M)], forces, constraints
+
+
+def definition(*parts, **options):
+    frame, bodies, loads, constraints = point(*parts)
+    return Definition(
+        frame, [X, Y], [V, W], bodies=bodies, loads=loads, holonomic_constraints=constraints,
+        **options,
+    )  # fmt: skip
+
+
+def pulled(**options):
+    """A particle that a spring pulls to the nearest point of an ellipse."""
+    spring = (-K * (X - NEAR[0]), -K * (Y - NEAR[1]))
+    settings = {
+        "initial_conditions": {X: 3.0, Y: 1.0, W: 1.0},
+        "times": np.linspace(0.0, 3.0, 31),
+        "ode_solver": "dop853",
+        "outputs": {"d": DISTANCE},
+        "implicit": Implicit({E: RESIDUAL}, start={E: 0.3}),
+    }
+    values = {M: 1.0, K: 4.0, A: 2.0, B: 1.0}
+    return System(definition([spring]), values, **settings | options)
+
+
+residual_at = sm.lambdify((X, Y, E, A, B), RESIDUAL)
+
+
+def test_residuals_are_rounding_at_all_outputs():
+    trajectory = pulled().simulate()
+    left = residual_at(trajectory["x"], trajectory["y"], trajectory["E"], 2.0, 1.0)
+    assert abs(left).max() < 2e-14
+    assert trajectory["x"][0] == 3.0
+
+
+def test_nearest_point_is_that_of_a_search():
+    trajectory = pulled().simulate(**TIGHT)
+    for k in (0, 10, 30):
+        x, y = trajectory["x"][k], trajectory["y"][k]
+        found = scipy.optimize.minimize_scalar(
+            lambda e, x=x, y=y: (x - 2.0 * np.cos(e)) ** 2 + (y - np.sin(e)) ** 2,
+            bracket=(trajectory["E"][k] - 0.1, trajectory["E"][k] + 0.1),
+        )
+        assert trajectory["d"][k] == pytest.approx(np.sqrt(found.fun), rel=1e-9)
+
+
+def test_motion_about_a_circle_is_that_of_a_central_force():
+    """With b = a the nearest point is known: the force is −k (r − a) along the radius."""
+    system = pulled()
+    system.constants[B] = 2.0
+    radius = sm.sqrt(X**2 + Y**2)
+    force = tuple(-K * (1 - A / radius) * c for c in (X, Y))
+    other = System(
+        definition([force]), {M: 1.0, K: 4.0, A: 2.0},
+        initial_conditions={X: 3.0, Y: 1.0, W: 1.0}, times=system.times, ode_solver="dop853",
+    )  # fmt: skip
+    ours, theirs = system.simulate(**TIGHT), other.simulate(**TIGHT)
+    np.testing.assert_allclose(ours["x"], theirs["x"], rtol=0, atol=1e-9)
+    np.testing.assert_allclose(
+        ours["E"], np.unwrap(np.arctan2(theirs["y"], theirs["x"])), atol=1e-9
+    )
+
+
+def test_kepler_s_equation_gives_the_orbit():
+    """The eccentric anomaly gives the place on an orbit that is integrated as well."""
+    n, e = sm.symbols("n, e")
+    pull = -(n**2) / (X**2 + Y**2) ** sm.Rational(3, 2)
+    system = System(
+        definition([(M * pull * X, M * pull * Y)]),
+        {n: 1.3, e: 0.6},
+        initial_conditions={X: 0.4, W: 1.3 * np.sqrt(1.6 / 0.4)},
+        times=np.linspace(0.0, 10.0, 41),
+        ode_solver="dop853",
+        implicit=Implicit({E: E - e * sm.sin(E) - n * T}),
+        outputs={"off_x": sm.cos(E) - e - X, "off_y": sm.sqrt(1 - e**2) * sm.sin(E) - Y},
+    )
+    trajectory = system.simulate(rtol=1e-13, atol=1e-13)
+    assert abs(trajectory["off_x"]).max() < 1e-10
+    assert abs(trajectory["off_y"]).max() < 1e-10
+
+
+def test_several_unknowns_are_solved_together():
+    """The feet of the common perpendicular of two skew lines."""
+    p, q = me.dynamicsymbols("p, q")
+    gap = sm.Matrix([p - X, p - q * Y, 1 - q])
+    first, second = sm.Matrix([1, 1, 0]), sm.Matrix([0, Y, 1])
+    residuals = {p: gap.dot(first), q: gap.dot(second)}
+    system = System(
+        definition([(-X, -Y)]), initial_conditions={X: 1.0, Y: 0.5, W: 1.0},
+        times=np.linspace(0.0, 2.0, 5), ode_solver="tsit5", implicit=Implicit(residuals),
+    )  # fmt: skip
+    trajectory = system.simulate()
+    rows = sm.lambdify((X, Y, p, q), [*residuals.values()])
+    left = rows(*(trajectory[name] for name in ("x", "y", "p", "q")))
+    assert np.abs(left).max() < 1e-14
+
+
+# The wheelset of the Test Set for IVP Solvers: cones on rails of circular profile. Conditions of
+# contact (14) to (17) of B. Simeon, C. Führer, P. Rentrop, "Introduction to differential-algebraic
+# equations in vehicle system dynamics", Surv. Math. Ind. 1 (1991) 1-37; numbers and solutions are
+# those of `wheel.f`: positions, then angle and place of contact right and left, at 0 and 10 s.
+WHEELSET = {
+    0.0: [0.14941e-02, 0.40089e-06, 0.11241e-05, -0.28573e-03, 0.26459e-03,
+          -7.4122380357667139e-06, -0.1521364296121248,
+          7.5634406395172940e-06, 0.1490635714733819],
+    10.0: [0.86355386965811e-02, 0.13038281022727e-04, -0.93635784016818e-04,
+           -0.13642299804033e-01, 0.15292895005422e-02,
+           -0.33666751972196e-03, -0.15949425684022,
+           0.37839614386969e-03, 0.14173214964613],
+}  # fmt: skip
+
+
+def contact(side, x, y, theta, phi, psi, xi):
+    """Conditions that the normals are parallel, and the gap; `side` is 1 on the left, or −1."""
+    cone, radius, half, rail = 0.0262, 0.1, 0.1506, 0.06
+    s, c = sm.sin, sm.cos
+    wheel, slope = radius + np.tan(cone) * (half - side * xi), -side * np.tan(cone)
+    across = x + xi * c(theta) * c(phi)
+    across += wheel * (c(theta) * s(phi) * c(psi) - s(theta) * s(psi))
+    beside = side * across - half - np.sin(cone) * rail
+    depth = sm.sqrt(rail**2 - beside**2)
+    tilt = -side * beside / depth
+    parallel = tilt * (slope * s(phi) + c(phi) * c(psi)) + slope * c(theta) * c(phi)
+    parallel += s(theta) * s(psi) - c(theta) * s(phi) * c(psi)
+    along = slope * s(theta) * c(phi) - s(theta) * s(phi) * c(psi) - c(theta) * s(psi)
+    height = depth - radius - np.cos(cone) * rail
+    return parallel, along, height - y - xi * s(phi) + wheel * c(phi) * c(psi)
+
+
+def test_a_wheel_touches_a_rail_where_the_ivp_test_set_says():
+    places = me.dynamicsymbols("x, y, z, theta, phi")
+    speeds = me.dynamicsymbols("v_x, v_y, v_z, v_theta, v_phi")
+    unknowns = me.dynamicsymbols("psi_r, xi_r, psi_l, xi_l")
+    x, y, z, theta, phi = places
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    axle = frame.orientnew("A", "body", (theta, phi, 0), "yzx")
+    centre = origin.locatenew("C", x * frame.x + y * frame.y + z * frame.z)
+    inertia = me.inertia(axle, 1, 1, 1)
+    right = contact(-1, x, y, theta, phi, *unknowns[:2])
+    left = contact(1, x, y, theta, phi, *unknowns[2:])
+    wheelset = Definition(
+        frame, places, speeds, bodies=[me.RigidBody("W", centre, axle, 1, (inertia, centre))],
+        configuration=dict(zip(places, WHEELSET[10.0], strict=False)),
+    )  # fmt: skip
+    system = System(
+        wheelset,
+        implicit=Implicit(
+            dict(zip(unknowns, (*right[:2], *left[:2]), strict=True)),
+            {unknowns[1]: -0.15, unknowns[3]: 0.15},
+        ),
+        outputs={**dict(zip("abcd", unknowns, strict=True)), "right": right[2], "left": left[2]},
+    )
+    for values in WHEELSET.values():
+        found = system.evaluate_outputs(dict(zip(places, values, strict=False)))
+        np.testing.assert_allclose(found[:4], values[5:], rtol=1e-6)
+        assert abs(found[4:6]).max() < 1e-8
+
+
+def test_kanes_method_takes_them_as_a_definition_does():
+    frame, bodies, loads, _ = point([(-K * (X - NEAR[0]), -K * (Y - NEAR[1]))])
+    kane = me.KanesMethod(
+        frame, [X, Y], [V, W], [X.diff() - V, Y.diff() - W], forcelist=loads, bodies=bodies
+    )
+    kane.kanes_equations()
+    ours = pulled()
+    theirs = System(
+        kane, ours.constants, initial_conditions=ours.initial_conditions, times=ours.times,
+        ode_solver="dop853", implicit=Implicit({E: RESIDUAL}, {"E": 0.3}),
+    )  # fmt: skip
+    assert theirs.states == ours.states
+    np.testing.assert_allclose(theirs.evaluate_ode(), ours.evaluate_ode(), rtol=1e-14)
+
+
+def rolled(b=2.0, **options):
+    """A particle at the distance R from an ellipse, with gravity: a bead on its parallel curve."""
+    settings = {
+        "initial_conditions": {X: 0.3, Y: -2.5, V: 0.2},
+        "times": np.linspace(0.0, 4.0, 21),
+        "ode_solver": "dop853",
+        "implicit": Implicit({E: RESIDUAL}, start={E: -1.5}),
+    }
+    constraint = (X - NEAR[0]) ** 2 + (Y - NEAR[1]) ** 2 - R**2
+    system = System(
+        definition([(0, -M * G)], [constraint], dependent_coordinates=[Y]),
+        {M: 1.0, A: 2.0, B: b, R: 0.5, G: 9.81},
+        **settings | options,
+    )
+    system.set_dependent_initial_conditions()
+    return system
+
+
+def test_a_constraint_holds_what_a_residual_gives():
+    """At a distance from a circle a particle is a pendulum."""
+    system = rolled()
+    trajectory = system.simulate(**TIGHT)
+    angle = np.arctan2(trajectory["x"], -trajectory["y"])
+    rate = system.initial_conditions[V] * np.cos(angle[0]) + system.initial_conditions[W] * np.sin(
+        angle[0]
+    )
+    reference = scipy.integrate.solve_ivp(
+        lambda t, s: [s[1], -9.81 / 2.5 * np.sin(s[0])], (0.0, 4.0), [angle[0], rate / 2.5],
+        t_eval=system.times, method="DOP853", rtol=1e-12, atol=1e-12,
+    )  # fmt: skip
+    np.testing.assert_allclose(angle, reference.y[0], rtol=0, atol=1e-9)
+
+
+def test_constraints_and_energy_are_kept_with_an_ellipse():
+    trajectory = rolled(b=1.5, initial_conditions={X: 0.3, Y: -2.0, V: 0.2}).simulate(**TIGHT)
+    x, y, e = (trajectory[name] for name in ("x", "y", "E"))
+    assert abs(residual_at(x, y, e, 2.0, 1.5)).max() < 1e-14
+    away = (x - 2.0 * np.cos(e)) ** 2 + (y - 1.5 * np.sin(e)) ** 2
+    assert abs(away - 0.25).max() < 1e-14
+    total = 0.5 * (trajectory["v"] ** 2 + trajectory["w"] ** 2) + 9.81 * y
+    assert np.ptp(total) < 1e-9
+
+
+@pytest.mark.parametrize("make", [pulled, rolled])
+def test_sensitivities_are_those_of_differences(make):
+    system = make()
+    system.outputs = {"d": E}
+    system.times = np.linspace(0.0, 2.0, 5)
+    trajectory = system.simulate(sensitivities=[A, X], **TIGHT)
+    step = 1e-5
+    for column, key in enumerate((A, X)):
+        sides = []
+        for sign in (1, -1):
+            other = copy.copy(system)
+            values = other.constants if key == A else other.initial_conditions
+            changed = {**values, key: values[key] + sign * step}
+            if key == A:
+                other.constants = changed
+            else:
+                other.initial_conditions = changed
+            if make is rolled:
+                other.set_dependent_initial_conditions([Y, E, *system.speeds[1:]])
+            sides.append(other.simulate(**TIGHT)["E"])
+        expected = (sides[0] - sides[1]) / (2 * step)
+        found = trajectory.sensitivity["E"][:, column]
+        np.testing.assert_allclose(found, expected, rtol=0, atol=1e-7)
+
+
+@pytest.mark.parametrize("make", [pulled, rolled])
+def test_gradients_back_are_those_forward(make):
+    system = make()
+    system.outputs = {"d": E * X}
+    system.times = np.linspace(0.0, 2.0, 5)
+    # Coarse steps leave the constraints farther, so that projections move more.
+    loose = {"rtol": 1e-8, "atol": 1e-8}
+    forward = system.simulate(sensitivities=[A, X], **loose).sensitivity["d"][-1]
+    back = system.adjoint_gradient(final="d", wrt=[A, X], **loose)
+    np.testing.assert_allclose([back[A], back[X]], forward, rtol=1e-8)
+
+
+def test_samples_of_an_ensemble_start_on_their_own_residuals():
+    system, values = pulled(), np.linspace(1.7, 2.2, 9)
+    found = system.integrate_ensemble(constants={A: values}, **TIGHT)
+    assert (found["x"].values[:, 0] == 3.0).all()
+    for k in (0, 8):
+        system.constants[A] = values[k]
+        np.testing.assert_allclose(found["E"].values[k], system.simulate(**TIGHT)["E"], atol=1e-10)
+
+
+def test_odeint_keeps_residuals_as_well_as_its_tolerances():
+    trajectory = pulled(ode_solver=None).simulate(**TIGHT)
+    left = residual_at(trajectory["x"], trajectory["y"], trajectory["E"], 2.0, 1.0)
+    assert abs(left).max() < 1e-8
+
+
+def test_values_of_one_call_are_solved_for():
+    system = pulled()
+    assert system.evaluate_outputs({X: 7.0, Y: 0.0})[0] == pytest.approx(5.0)
+    rates = system.evaluate_ode({X: 5.0, Y: 0.0})
+    np.testing.assert_allclose(rates[-2:], [-12.0, 0.0], atol=1e-12)
+
+
+def test_linear_models_leave_out_what_follows():
+    model = pulled(initial_conditions={X: 2.0}).linearize()
+    assert model.states == ("x", "y", "v", "w")
+    assert model.eigenvalues[0].real == pytest.approx(0.0, abs=1e-9)
+
+
+def test_events_see_what_residuals_give():
+    (record,) = pulled().simulate(events=[Event(E - 1.0, name="one")], **TIGHT).events
+    assert record.before[2] == pytest.approx(1.0, abs=1e-10)
+
+
+def test_contacts_close_on_a_curved_surface():
+    """A particle falls on the crest of an ellipse: the gap is the distance to it."""
+    normal = sm.Matrix([sm.cos(E) / A, sm.sin(E) / B])
+    gap = ((X - NEAR[0]) * normal[0] + (Y - NEAR[1]) * normal[1]) / normal.norm()
+    system = System(
+        definition([(0, -M * G)]),
+        {M: 1.0, A: 2.0, B: 1.0, G: 9.81},
+        initial_conditions={X: 0.2, Y: 1.5},
+        times=np.linspace(0.0, 0.6, 13),
+        ode_solver="dop853",
+        implicit=Implicit({E: RESIDUAL}, {E: 1.5}),
+    )
+    trajectory = Contacts(system, [Unilateral(gap, name="hill")]).simulate(**TIGHT)
+    fall = np.sqrt(2 * (1.5 - np.sqrt(1 - 0.01)) / 9.81)
+    assert trajectory.modes[0][1] == pytest.approx(fall, abs=1e-9)
+    after = trajectory.times > fall
+    height = trajectory["x"] ** 2 / 4 + trajectory["y"] ** 2 - 1
+    assert abs(height[after]).max() < 1e-8  # it slides down
+
+
+def test_exports_have_the_state_that_follows(tmp_path):
+    system, names = pulled(), {}
+    system.export(tmp_path / "model.py")
+    exec((tmp_path / "model.py").read_text(), names)
+    state = np.array([2.5, 1.0, 0.4, 0.1, -0.3])
+    np.testing.assert_allclose(names["rates"](0.0, state), system.evaluate_ode(state), rtol=1e-12)
+
+
+def test_a_system_is_pickled_with_them():
+    system = pulled()
+    other = pickle.loads(pickle.dumps(system.simulate()))
+    assert (other["E"] == system.simulate()["E"]).all()
+
+
+# -- errors ---------------------------------------------------------------------------------------
+
+
+def test_a_singular_residual_is_named():
+    """On the way through the centre of curvature two nearest points meet."""
+    with pytest.raises(
+        IntegrationError, match=r"residuals of `implicit` cannot be solved for E\(t\)"
+    ):
+        System(
+            definition(), {A: 2.0, B: 1.0}, initial_conditions={X: 0.3, Y: 0.2, W: -1.0},
+            times=[0.0, 5.0], ode_solver="dop853", implicit=Implicit({E: RESIDUAL}, {E: 1.5}),
+        ).simulate()  # fmt: skip
+
+
+def test_a_start_without_solution_is_named():
+    system = pulled(implicit=Implicit({E: sm.sin(E) - X}))
+    with pytest.raises(ValueError, match=r"`implicit` finds no E\(t\) at t = 0.0 .* is left at"):
+        system.simulate()
+
+
+def test_what_is_not_possible_is_refused():
+    frame, bodies, loads, _ = point()
+    kane = me.KanesMethod(frame, [X, Y], [V, W], [X.diff() - V, Y.diff() - W])
+    kane.kanes_equations(bodies, loads)
+    with pytest.raises(ValueError, match=r"`equations='method'` is not possible with `implicit`"):
+        System(kane, equations="method", implicit=Implicit({E: E - X}))
+    lagrange = me.LagrangesMethod(M * X.diff() ** 2 / 2, [X])
+    with pytest.raises(ValueError, match="`implicit` needs the bodies and loads"):
+        System(lagrange, implicit=Implicit({E: E - X}))
+    with pytest.raises(TypeError, match=r"`implicit` must be a pydy\.mechanics\.Implicit, got"):
+        System(definition(), implicit={E: E - X})
