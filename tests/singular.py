@@ -7,9 +7,10 @@ import numpy as np
 import sympy as sm
 import sympy.physics.mechanics as me
 
+from pydy.mechanics import Definition
 from pydy.system import System
 
-__all__ = ["Singular", "bead", "bricard", "n_four_bar", "slider_crank"]
+__all__ = ["Singular", "bead", "bricard", "defined_windows", "n_four_bar", "slider_crank"]
 
 T = me.dynamicsymbols._t
 
@@ -69,10 +70,20 @@ def _rod(frame, name, start, angle, rate, length, mass):
     return me.RigidBody(name, centre, body, mass, inertia), end
 
 
-@cache
-def _n_four_bar(windows):
+class Windows(NamedTuple):
+    """The parts of a chain of four-bars: posts at angles a, beams at angles b."""
+
+    frame: me.ReferenceFrame
+    coordinates: list[Any]
+    speeds: list[Any]
+    bodies: list[Any]
+    loads: list[Any]
+    rows: list[Any]
+    rates: list[Any]
+
+
+def chain_of_windows(n):
     """N windows of rods of equal length on the ground, in their absolute angles."""
-    n = windows
     q = me.dynamicsymbols(f"a:{n + 1} b:{n}")
     u = me.dynamicsymbols(f"ua:{n + 1} ub:{n}")
     m, l, g = sm.symbols("m l g", positive=True)
@@ -92,6 +103,25 @@ def _n_four_bar(windows):
         for axis in (frame.x, frame.y):
             rows.append(end.pos_from(tops[k + 1]).dot(axis))
             rates.append((end.vel(frame) - tops[k + 1].vel(frame)).dot(axis))
+    loads = [(b.masscenter, -b.mass * g * frame.y) for b in bodies]
+    return Windows(frame, list(q), list(u), bodies, loads, rows, rates)
+
+
+def defined_windows(n):
+    """The chain as a Definition, which finds for itself what depends on what."""
+    parts = chain_of_windows(n)
+    return Definition(
+        parts.frame, parts.coordinates, parts.speeds,
+        bodies=parts.bodies, loads=parts.loads, holonomic_constraints=parts.rows,
+        kinematic_equations=[
+            a.diff(T) - w for a, w in zip(parts.coordinates, parts.speeds, strict=True)
+        ],
+    )  # fmt: skip
+
+
+@cache
+def _n_four_bar(windows):
+    frame, q, u, bodies, loads, rows, rates = chain_of_windows(windows)
     kane = me.KanesMethod(
         frame, q[:1], u[:1],
         kd_eqs=[a.diff(T) - w for a, w in zip(q, u, strict=True)],
@@ -99,7 +129,6 @@ def _n_four_bar(windows):
         u_dependent=u[1:], velocity_constraints=rates,
         constraint_solver="CRAMER",
     )  # fmt: skip
-    loads = [(b.masscenter, -b.mass * g * frame.y) for b in bodies]
     kane.kanes_equations(bodies, loads)
     return kane
 

@@ -5,7 +5,7 @@ import sympy as sm
 import sympy.physics.mechanics as me
 
 from pydy._mechanics.kane import equations_of_kane
-from pydy._mechanics.potential import find_potential
+from pydy._mechanics.potential import _Search, find_potential
 from pydy.mechanics import Definition
 from pydy.system import System
 
@@ -286,3 +286,11 @@ def test_numbers_that_rounding_adds_up_hide_no_potential(plane):
     load = (place, -8 * frame.x - 3 * frame.y + frame.z)
     system = System(me.LagrangesMethod(M * Q[0].diff() ** 2 / 2, [Q[0]], [load], [body], frame))
     assert differs_by_a_constant(system.potential_energy, 2 * sm.sqrt(2) * Q[0])
+
+
+def test_weights_ask_for_no_second_point(plane, monkeypatch):
+    """Each pair of points was tried, for 40 four-bars in a row a minute of them."""
+    monkeypatch.setattr(_Search, "_pair", None)
+    frame, _, place = plane
+    found = potential(plane, [(place, -M * G * frame.y)])
+    assert differs_by_a_constant(found.expression, M * G * Q[1])

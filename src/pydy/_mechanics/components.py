@@ -17,7 +17,9 @@ _STEPS = 12  # of Newton's method, which doubles the digits with each
 
 def dot(graph: Graph, a: Sequence[int], b: Sequence[int]) -> int:
     """Return the sum of the products of entries."""
-    return graph.sum([(graph.mul(x, y), 1.0) for x, y in zip(a, b, strict=True)])
+    zero = graph.zero
+    both = [(x, y) for x, y in zip(a, b, strict=True) if x != zero != y]
+    return graph.sum([(graph.mul(x, y), 1.0) for x, y in both])
 
 
 def turned(graph: Graph, matrix: Sequence[Sequence[int]], v: Sequence[int]) -> list[int]:

@@ -217,7 +217,7 @@ def _searched(
     blocks = states.closing()
     every = list(states.samples(blocks, _TRIALS, near=near, left_open=True))
     samples = _closed(every)
-    if not near and samples and _seem_redundant(*_known(states, samples, blocks[1])):
+    if not near and (not samples or _seem_redundant(*_known(states, samples, blocks[1]))):
         every += states.samples(blocks, _AROUND, around=True, left_open=True)
     return blocks[:2], every
 

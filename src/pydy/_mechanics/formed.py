@@ -251,7 +251,10 @@ def classify(equations: Equations) -> Equations:
     sizes = np.linalg.norm(terms, axis=1)
     # What cancels is no row: the rate of a quaternion's norm.
     rows[np.linalg.norm(rows, axis=1) <= HALF * sizes] = 0.0
-    enforced = tuple(k for k, row in enumerate(rows) if _implied(row, motion))
+    moves = _Space(len(motion), motion.shape[1])
+    for row in motion:
+        moves.extend(row)
+    enforced = tuple(k for k, row in enumerate(rows) if row.any() and not moves.beyond(row).any())
     chosen = _completing(rows, motion)
     # What was redundant may be the rate of a holonomic constraint, which stands for itself now, and
     # what was kept may be what is redundant beside it.
@@ -269,11 +272,6 @@ def classify(equations: Equations) -> Equations:
     )
 
 
-def _implied(row: np.ndarray, motion: np.ndarray) -> bool:
-    """Return whether the motion rows imply a row, which must not be zero."""
-    return bool(row.any()) and not _completing(motion, row[None])
-
-
 def _likeness(row: np.ndarray, other: np.ndarray) -> int:
     """Tell whether rows are equal (2) or parallel (1), which where one speed moves all rows are."""
     if np.linalg.norm(row - other) <= HALF * np.linalg.norm(row):
@@ -283,22 +281,33 @@ def _likeness(row: np.ndarray, other: np.ndarray) -> int:
 
 def _completing(rates: np.ndarray, motion: np.ndarray) -> list[int]:
     """Return which motion rows, taken in order, complete the row space of the rates."""
-    basis: list[np.ndarray] = []
+    space = _Space(len(rates) + len(motion), motion.shape[1])
+    for row in rates:
+        space.extend(row)
+    return [k for k, row in enumerate(motion) if space.extend(row)]
 
-    def extends(row: np.ndarray) -> bool:
-        size = np.linalg.norm(row)
+
+class _Space:
+    """The row space of some rows, by unit vectors."""
+
+    def __init__(self, most: int, width: int) -> None:
+        self._basis, self._found = np.zeros((most, width)), 0
+
+    def beyond(self, row: np.ndarray) -> np.ndarray:
+        """Return the part of a row, of length one, that is not in the space."""
+        basis, size = self._basis[: self._found], np.linalg.norm(row)
         rest = row / size if size else row
         for _ in range(2):  # the second orthogonalization removes the rounding of the first
-            for unit in basis:
-                rest = rest - (unit @ rest) * unit
-        left = np.linalg.norm(rest)
-        if left > HALF:
-            basis.append(rest / left)
-        return bool(left > HALF)
+            rest = rest - (basis @ rest) @ basis
+        return np.where(np.linalg.norm(rest) > HALF, rest, 0.0)
 
-    for row in rates:
-        extends(row)
-    return [k for k, row in enumerate(motion) if extends(row)]
+    def extend(self, row: np.ndarray) -> bool:
+        """Add a row to the space; return whether it was not in it."""
+        rest = self.beyond(row)
+        if rest.any():
+            self._basis[self._found] = rest / np.linalg.norm(rest)
+            self._found += 1
+        return bool(rest.any())
 
 
 def _rows(states: GenericStates, name: str, nodes: list[int]) -> Block:

@@ -20,6 +20,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 from pydy._graph.node import Graph
 from pydy._graph.rewrite import substitute
@@ -50,8 +51,8 @@ def accelerations_of_held(
 ) -> list[int]:
     """Return u' with M u' = F + Jᵀ λ and J u' + b = 0; M, of all speeds, is mostly definite."""
     first, heavy = held.rows[: held.rank], graph.boolean(True)
-    if len(forcing) <= GUARDED_UP_TO:
-        eliminated = _Elimination(graph, matrix)
+    eliminated = _Elimination(graph, matrix)
+    if eliminated.work <= _work_of_dense(GUARDED_UP_TO):
         free, *moved = [eliminated.solution(column) for column in (forcing, *first)]
         for k, pivot in enumerate(eliminated.pivots):
             heavy = graph.call("and", heavy, _is_above(graph, pivot, matrix[k][k], LIGHT))
@@ -227,36 +228,78 @@ def _products(graph: Graph, a: Sequence[list[int]], b: Sequence[list[int]]) -> l
 
 
 class _Elimination:
-    """L D Lᵀ of a symmetric matrix, written out; `pivots` are D."""
+    """L D Lᵀ of a symmetric matrix, written out where cells are not zero; `pivots` are D.
+
+    Beyond what is written out of dense matrices too, the row with the fewest cells goes first: what
+    is coupled as the windows of a chain of loops then costs no more than its length.
+    """
 
     def __init__(self, graph: Graph, square: Sequence[list[int]]) -> None:
         n = len(square)
-        cell = [list(row) for row in square]
         self.graph, self.pivots = graph, [graph.zero] * n
         self._inverses = [graph.zero] * n
-        self._lower = [[graph.zero] * n for _ in range(n)]
-        for j in range(n):
-            self.pivots[j] = cell[j][j]
-            self._inverses[j] = graph.powi(cell[j][j], -1)
-            for i in range(j + 1, n):
-                self._lower[i][j] = graph.mul(cell[i][j], self._inverses[j])
-            for i in range(j + 1, n):
-                for k in range(j + 1, i + 1):
-                    taken = graph.mul(self._lower[i][j], cell[k][j])
-                    cell[i][k] = cell[k][i] = graph.sub(cell[i][k], taken)
+        # Below the diagonal, both ways: what is zero there may be another sum above.
+        cells: list[dict[int, int]] = [{} for _ in square]
+        for i, row in enumerate(square):
+            for k, c in enumerate(row[: i + 1]):
+                if c != graph.zero:
+                    cells[i][k] = cells[k][i] = c
+        self._cells = cells
+        self._order, self.work = _order_of(cells)
+
+    @cached_property
+    def _lower(self) -> dict[int, dict[int, int]]:
+        """The columns of L by pivots, in their order."""
+        graph, cell = self.graph, self._cells
+        found: dict[int, dict[int, int]] = {}
+        for j in self._order:
+            pivot = self.pivots[j] = cell[j].pop(j, graph.zero)
+            self._inverses[j] = graph.powi(pivot, -1)
+            below, found[j] = sorted(cell[j]), {}
+            for i in below:
+                del cell[i][j]
+                found[j][i] = graph.mul(cell[j][i], self._inverses[j])
+            for a, i in enumerate(below):
+                for k in below[: a + 1]:
+                    taken = graph.mul(found[j][i], cell[j][k])
+                    cell[i][k] = cell[k][i] = graph.sub(cell[i].get(k, graph.zero), taken)
+        return found
 
     def solution(self, right: Sequence[int]) -> list[int]:
         """Return the solution for one right-hand side."""
-        graph, lower = self.graph, self._lower
-        n, found = len(right), list(right)
-        for j in range(n):
-            for i in range(j + 1, n):
-                found[i] = graph.sub(found[i], graph.mul(lower[i][j], found[j]))
+        graph, found = self.graph, list(right)
+        for j, column in self._lower.items():
+            for i, share in column.items():
+                found[i] = graph.sub(found[i], graph.mul(share, found[j]))
         found = [graph.mul(a, b) for a, b in zip(found, self._inverses, strict=True)]
-        for j in reversed(range(n)):
-            for i in range(j + 1, n):
-                found[j] = graph.sub(found[j], graph.mul(lower[i][j], found[i]))
+        for j in reversed(self._lower):
+            for i, share in self._lower[j].items():
+                found[j] = graph.sub(found[j], graph.mul(share, found[i]))
         return found
+
+
+def _order_of(cells: Sequence[dict[int, int]]) -> tuple[list[int], int]:
+    """Return in which order a symmetric matrix is eliminated, and the multiplications."""
+    n, work, order = len(cells), 0, []
+    beside = [{k for k in row if k != i} for i, row in enumerate(cells)]
+    left = set(range(n))
+    while left:
+        j = min(left) if n <= GUARDED_UP_TO else min(left, key=lambda k: (len(beside[k]), k))
+        left.remove(j)
+        order.append(j)
+        work += _work_of_pivot(len(beside[j]))
+        for i in beside[j]:
+            beside[i] |= beside[j]
+            beside[i] -= {i, j}
+    return order, work
+
+
+def _work_of_pivot(beside: int) -> int:
+    return beside * (beside + 3) // 2
+
+
+def _work_of_dense(n: int) -> int:
+    return sum(_work_of_pivot(k) for k in range(n))
 
 
 def solved_soundly(
@@ -264,9 +307,10 @@ def solved_soundly(
 ) -> tuple[list[int], int]:
     """Return the solution by LDLᵀ, and whether no pivot is small beside its row's size."""
     eliminated, sound = _Elimination(graph, square), graph.boolean(True)
+    found = eliminated.solution(right)
     for pivot, size in zip(eliminated.pivots, sizes, strict=True):
         sound = graph.call("and", sound, _is_above(graph, pivot, size, SOUND_PIVOT))
-    return eliminated.solution(right), sound
+    return found, sound
 
 
 def _usual(graph: Graph, own: Sequence[int]) -> list[int]:

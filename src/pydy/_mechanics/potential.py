@@ -118,6 +118,7 @@ class _Search:
 
     def result(self) -> Potential:
         loads = [load for load in self.mechanism.loads if self._moves(load[0])]
+        loads = [load for load in loads if not self._constant_load(*load)]
         terms = [
             term for where, vector in self._radial(loads) for term in self._terms(where, vector)
         ]
@@ -247,6 +248,17 @@ class _Search:
         return True
 
     # -- constant forces --------------------------------------------------------------------------
+
+    def _constant_load(self, where: Any, vector: Vector) -> bool:
+        """Take a load all of whose terms are constant forces, as weights are."""
+        whole = [part for parts, _ in vector.args for part in parts if part != 0]
+        if not all(map(self._is_constant, whole)):
+            return False
+        taken = len(self.energies), len(self.powers)
+        if all(map(self._constant_force, self._terms(where, vector))):
+            return True
+        del self.energies[taken[0] :], self.powers[taken[1] :]
+        return False
 
     def _constant_force(self, term: _Term) -> bool:
         if not (isinstance(term.where, Point) and self._is_constant(term.size)):
