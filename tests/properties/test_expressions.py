@@ -67,6 +67,7 @@ OPERATIONS = [
 ]
 SHOWN = 6
 LARGEST = 120  # nodes of a tree; SymPy's own rules for nested choices take long beyond
+STEEPEST = 12  # powers of powers: SymPy may multiply them out to tell whether a tanh is real
 
 recipes = st.lists(
     st.tuples(
@@ -95,9 +96,18 @@ def expressions_of(recipe):
             continue
         if expression.is_Boolean or expression.has(sm.I, sm.zoo, sm.nan, sm.oo, sm.arg, sm.im):
             continue
-        if next(islice(sm.preorder_traversal(expression), LARGEST, None), None) is None:
+        small = next(islice(sm.preorder_traversal(expression), LARGEST, None), None) is None
+        if small and steepness(expression) <= STEEPEST:
             pool.append(expression)
     return [e for e in pool[leaves:][-SHOWN:] if e.free_symbols]
+
+
+def steepness(expression):
+    """The highest power of sums within an expression, were it multiplied out."""
+    inner = [steepness(a) for a in expression.args]
+    if expression.is_Pow and expression.exp.is_Rational:
+        return abs(expression.exp) * inner[0]
+    return sum(inner) if expression.is_Mul else max(inner, default=1)
 
 
 def points_of(seed, count=8):
