@@ -8,6 +8,7 @@ import sympy.physics.mechanics as me
 from cases import close
 from oracle import Oracle
 from pydy._mechanics.form import without_idle
+from pydy.mechanics import Definition
 from pydy.system import System
 from rolling import ball_on_a_turntable
 from zoo import Model, T, _numbers
@@ -104,3 +105,41 @@ def test_a_force_that_cancels_by_an_identity_of_angles_is_noncontributing(equati
     wide = np.append(x, 0.0)
     close(system.evaluate_ode(wide, 0.0)[:4], oracle.xdot(x), 1e-12)
     close(system.evaluate_outputs(wide, 0.0)[-1:], oracle.forces(x), 1e-12)
+
+
+def along_a_direction(kind, load=None):
+    """A particle that moves along a direction at a given angle, pushed along it."""
+    x, v, angle, F = me.dynamicsymbols("x v angle F")
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    direction = sm.cos(angle) * frame.x + sm.sin(angle) * frame.y
+    point = origin.locatenew("P", x * direction)
+    point.set_vel(frame, v * direction)
+    bodies = [me.Particle("P", point, 2)]
+    loads = [(point, F * direction if load is None else load(frame, angle))]
+    if kind == "kane":
+        kane = me.KanesMethod(frame, [x], [v], [v - x.diff()])
+        kane.kanes_equations(bodies, loads)
+        return System(kane), F, angle
+    return System(Definition(frame, [x], [v], bodies=bodies, loads=loads)), F, angle
+
+
+@pytest.mark.parametrize("kind", ["definition", "kane"])
+def test_a_direction_and_its_rate_that_cancel_are_no_specifieds(kind):
+    system, F, angle = along_a_direction(kind)
+    # Expressions of a method's own say what they hold.
+    assert system.specifieds_symbols == ({F} if kind == "definition" else {F, angle})
+    system.specifieds, system.initial_conditions = {F: 3.0}, {"v": 2.0}
+    system.times = np.array([0.0, 1.0])
+    np.testing.assert_allclose(system.integrate()[-1], [2.75, 3.5])
+    energy = system.evaluate_energy(system.simulate())
+    np.testing.assert_allclose(energy.kinetic[-1], 3.5**2)
+    system.specifieds = {F: 3.0, angle: sm.sin(T)}  # taken, as for pictures
+    np.testing.assert_allclose(system.integrate()[-1], [2.75, 3.5])
+
+
+def test_a_direction_that_a_load_leaves_stays_and_its_rate_does_not():
+    system, _, angle = along_a_direction("definition", lambda frame, _: 5 * frame.x)
+    assert system.specifieds_symbols == {angle}
+    system.specifieds, system.times = {angle: 0.3}, np.array([0.0, 1.0])
+    np.testing.assert_allclose(system.integrate()[-1, 1], 2.5 * np.cos(0.3))

@@ -745,3 +745,18 @@ def test_a_guess_that_is_level_in_its_middle_gives_no_speed_a_size_of_rounding(m
     sizes = found._transcription.split(found._nlp.sizes)[0][:, 0]
     assert sizes.min() > 0.1
     assert len(found.history) < 20
+
+
+def test_a_direction_whose_rate_cancels_asks_for_no_control():
+    """Opty's users push a mass along a direction that turns; neither it nor its rate acts."""
+    x, v, angle, F = me.dynamicsymbols("x v angle F")
+    ground, rest = me.ReferenceFrame("N"), me.Point("O")
+    rest.set_vel(ground, 0)
+    direction = sm.cos(angle) * ground.x + sm.sin(angle) * ground.y
+    point = rest.locatenew("P", x * direction)
+    point.set_vel(ground, v * direction)
+    bodies, loads = [me.Particle("mass", point, 1)], [(point, F * direction)]
+    system = System(Definition(ground, [x], [v], bodies=bodies, loads=loads))
+    found = system.optimize_trajectory(sm.Integral(F**2, T), 1.0, end={x: 1.0, v: 0.0}, mesh=2)
+    assert found.controls == (F,)
+    assert found.objective == pytest.approx(12.0, rel=1e-6)

@@ -18,6 +18,7 @@ import logging
 from dataclasses import replace
 
 import numpy as np
+import sympy as sm
 
 from pydy._graph.collector import collector_paused
 from pydy._graph.derivative import dense_rows, jacobian
@@ -91,7 +92,8 @@ def chosen(body: Multibody) -> Formed:
     """Return the equations of motion in the form that takes fewest operations.
 
     The axes are chosen by estimates, articulated or composite bodies by what is compiled. Beyond a
-    dozen speeds one set of axes is tried, and estimates decide both.
+    dozen speeds one set of axes is tried, and estimates decide both. Specifieds that cancel are
+    left out where rates of some occur, which the kinematics brings in unasked.
     """
     many = len(body.speeds) > FORMS_COUNTED_UP_TO
     first, *others = useful_axes(body)[-1:] if many else useful_axes(body)
@@ -100,8 +102,41 @@ def chosen(body: Multibody) -> Formed:
         found.append(forms(body, in_bodies=other, honoured=found[0][0].honoured))
     kinds: list[Formed] = [min(same, key=_estimated) for same in zip(*found, strict=True)]
     if many or len(kinds) == 1:
-        return min(kinds, key=_estimated)
-    return min((replace(f, simplified=_simplified(f)) for f in kinds), key=_counted)
+        best = min(kinds, key=_estimated)
+    else:
+        best = min((replace(f, simplified=_simplified(f)) for f in kinds), key=_counted)
+    rates = any(isinstance(s, sm.Derivative) for s in best.specifieds)
+    return _without_cancelled(best) if rates else best
+
+
+def _without_cancelled(formed: Formed) -> Formed:
+    """Return the same without specifieds that cancel, or as it is.
+
+    A particle that moves along a direction has no work from the direction's own rate, which is in
+    its acceleration all the same.
+    """
+    graph = formed.graph.copy()
+    parts = [formed.rates, *formed.matrix, formed.forcing, formed.start, formed.rest]
+    parts += [[*formed.measures], formed.accelerations or []]
+    nodes = iter(simplify(graph, [node for part in parts for node in part]))
+    rates, *rows, measures, solved = [[next(nodes) for _ in part] for part in parts]
+    matrix, (forcing, start, rest) = rows[:-3], rows[-3:]
+    kinetic = simplify(graph, [formed.kinetic])
+    found = replace(
+        formed,
+        graph=graph,
+        rates=rates,
+        matrix=matrix,
+        forcing=forcing,
+        start=start,
+        rest=rest,
+        kinetic=kinetic[0],
+        measures=tuple(measures),
+        accelerations=solved if formed.accelerations is not None else None,
+    )
+    gone = formed.inputs() - found.inputs()
+    inputs = {graph.args[k] for k in graph.reachable(kinetic) if graph.ops[k] == "input"}
+    return found if any(g == "r" and (g, k) not in inputs for g, k in gone) else formed
 
 
 def _estimated(formed: Formed) -> int:
