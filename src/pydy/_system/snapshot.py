@@ -135,7 +135,7 @@ def solved_residuals(at: At) -> np.ndarray:
         residual = equations.holonomic[parts.rows[k]]
         raise ValueError(
             f"`implicit` finds no {describe([*equations.implicit.residuals])} at t = "
-            f"{float(at.t[0])!r} that make its residuals zero: `{residual}` "
+            f"{float(at.t[0])!r} with which the residuals are zero: `{residual}` "
             f"is left at {left[k]:.3g}. Give a `start`, or initial conditions, nearer to a "
             "solution, or check that there is one."
         )
