@@ -160,10 +160,16 @@ def main() -> int:
     parser.add_argument("--peer-python", default=sys.executable)
     parser.add_argument("--terms", action="store_true", help="inverse dynamics, matrices, frames")
     parser.add_argument("--only", default="", metavar="TEXT", help="files with this in their path")
+    parser.add_argument("--under", type=Path, metavar="FOLDER", help="all files in a folder")
     options = parser.parse_args()
     rng = np.random.default_rng(3)
     done, table = [], Table()
-    for file in asked(options.peer_python):
+    if options.under:
+        paths = (p for end in ("urdf", "xml") for p in options.under.resolve().rglob(f"*.{end}"))
+        files = sorted(map(str, paths))
+    else:
+        files = asked(options.peer_python)
+    for file in files:
         if options.only not in file or (options.terms and not file.endswith("urdf")):
             continue
         name = "/".join(Path(file).parts[-3:])

@@ -153,6 +153,42 @@ def test_a_floating_base_falls_from_where_the_file_has_it(tmp_path):
     assert rise[0] == pytest.approx(-9.81 / 2, rel=1e-9)
 
 
+def test_the_root_floats_as_by_a_joint_of_the_file(tmp_path):
+    trunk = (
+        '<link name="world"><inertial><origin xyz="0.1 0 0.2"/><mass value="2"/>'
+        '<inertia ixx="1" iyy="1.5" izz="2"/></inertial></link>'
+    )
+    text = urdf(random_tree(np.random.default_rng(4), 4)).replace('<link name="world"/>', trunk)
+    (tmp_path / "free.urdf").write_text(text)
+    joint = (
+        '<link name="ground"/><joint name="root" type="floating"><parent link="ground"/>'
+        '<child link="world"/></joint></robot>'
+    )
+    (tmp_path / "joint.urdf").write_text(text.replace("</robot>", joint))
+    rates = []
+    for name, floating in (("free", True), ("joint", False)):
+        robot = read(tmp_path / f"{name}.urdf", floating=floating)
+        where = [robot.start.get(q, 0.0) for q in robot.joints["root"].coordinates]
+        assert where == [0, 0, 0, 1, 0, 0, 0]
+        system = robot.system()
+        rng = np.random.default_rng(0)
+        start = {x.name: rng.uniform(-1, 1) for x in sorted(system.states, key=str)}
+        turn = [f"q_root_e{k}" for k in range(4)]
+        size = np.linalg.norm([start[e] for e in turn])
+        start.update((e, start[e] / size) for e in turn)
+        found = system.evaluate_ode([start[x.name] for x in system.states])
+        rates.append({x.name: rate for x, rate in zip(system.states, found, strict=True)})
+    assert rates[0] == pytest.approx(rates[1], rel=1e-12, abs=1e-12)
+    # A root that hangs on nothing and has no joint is one free body.
+    alone = f'<robot name="r">{link()}</robot>'
+    (tmp_path / "alone.urdf").write_text(alone)
+    with pytest.raises(RobotFileError, match="`floating=True` lets it move"):
+        read(tmp_path / "alone.urdf")
+    system = read(tmp_path / "alone.urdf", floating=True).system()
+    accelerations = dict(zip(system.states, system.evaluate_ode(), strict=True))
+    assert [accelerations[u] for u in system.speeds] == pytest.approx([0, 0, -9.81, 0, 0, 0])
+
+
 def test_limits_end_a_simulation():
     robot = read(PENDULUM)
     system = robot.system(ode_solver="dop853", times=np.linspace(0, 5, 11))
@@ -276,6 +312,16 @@ def test_what_cannot_be_taken_over_is_listed(tmp_path):
     )
 
 
+def test_marks_without_size_are_left_out(tmp_path):
+    marks = '<sphere radius="0"/>', '<box size="1 0 1"/>', '<cylinder length="0" radius="1"/>'
+    for mark in marks:
+        robot = read_text(tmp_path, robot_of(link(looks=mark), joint()))
+        kind = mark[1:].split()[0]
+        assert robot.left_out == (f"a <{kind}> without size, which is not shown",)
+    with pytest.raises(RobotFileError, match=r"`radius` of Sphere must be a positive number"):
+        read_text(tmp_path, robot_of(link(looks='<sphere radius="-1"/>'), joint()))
+
+
 @pytest.mark.parametrize("size", ["1e-200", "1e200"])
 def test_an_axis_may_have_any_length(tmp_path, size):
     parts = link(), joint(more=f'<axis xyz="0 {size} 0"/>')
@@ -290,3 +336,7 @@ def test_arguments_are_checked():
         read(PENDULUM, parameters="some")
     with pytest.raises(ValueError, match="`friction_speed` must be positive"):
         read(PENDULUM, friction_speed=0.0)
+    with pytest.raises(TypeError, match="`floating` must be True or False, got 'base'"):
+        read(PENDULUM, floating="base")
+    with pytest.raises(ValueError, match=r"`floating` is for URDF files, got 'test_urdf\.py'"):
+        read(__file__, floating=True)

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from os import PathLike
 from typing import TYPE_CHECKING, Any
 
-from pydy._checks import check_mapping, choice, number, path_of
+from pydy._checks import check_mapping, choice, flag, number, path_of
 from pydy._errors import RobotFileError, few
 from pydy.mechanics import Definition
 from pydy.robots.assemble import Assembly, JointSymbols, Place
@@ -166,6 +166,7 @@ def read(
     *,
     parameters: str = "symbols",
     friction_speed: float | None = None,
+    floating: bool = False,
 ) -> Robot:
     """Read a robot from a URDF or MJCF file.
 
@@ -186,6 +187,10 @@ def read(
     friction_speed : float, optional
         The speed (rad/s or m/s) at which dry friction f, acting as ``-f tanh(u / friction_speed)``,
         has three quarters of its size. Without it dry friction is left out.
+    floating : bool
+        Whether the root link of a URDF file moves freely, as that of a walking or flying robot,
+        instead of resting in the world: by a joint named ``root``. MJCF files have a ``freejoint``
+        for it.
 
     Returns
     -------
@@ -200,9 +205,8 @@ def read(
     Notes
     -----
     The coordinates of a joint are ``q_joint``, its speeds ``u_joint``; see `Robot.joints` for those
-    with several. The root of a URDF file rests in the world; give it a floating joint to set it
-    free. Armatures are particles and balls in the world that move as their joints do, and have the
-    same kinetic energy.
+    with several. Armatures are particles and balls in the world that move as their joints do, and
+    have the same kinetic energy.
 
     Examples
     --------
@@ -219,8 +223,15 @@ def read(
     file = path_of(path, "`path`")
     if not file.is_file():
         raise FileNotFoundError(f"`path` must be a file that exists, got '{path}'.")
-    tree = read_urdf(file) if file.suffix.lower() == ".urdf" else read_mjcf(file)
+    urdf = file.suffix.lower() == ".urdf"
+    if flag(floating, "`floating`") and not urdf:
+        raise ValueError(
+            f"`floating` is for URDF files, got '{file.name}': in MJCF files, <freejoint/> in the "
+            "robot's first body sets it free."
+        )
+    tree = read_urdf(file, floating) if urdf else read_mjcf(file)
     tree.check()
     if not any(link.joints for link in tree.links):
-        raise RobotFileError(f"{file}: the robot has no joint that moves.")
+        remedy = " `floating=True` lets it move as a whole." if urdf else ""
+        raise RobotFileError(f"{file}: the robot has no joint that moves.{remedy}")
     return Robot(tree, Assembly(tree, parameters == "symbols", friction_speed))

@@ -31,6 +31,11 @@ from pydy.viz.shapes import Box, Cylinder, Mesh, Sphere
 
 _MOVING = {"revolute": "hinge", "continuous": "hinge", "prismatic": "slide", "floating": "free"}
 _SHOWN = (".stl", ".obj")
+_SIZES: dict[str, list[tuple[str, None, int]]] = {  # attributes, as `_Reader.numbers` takes them
+    "box": [("size", None, 3)],
+    "sphere": [("radius", None, 1)],
+    "cylinder": [("length", None, 1), ("radius", None, 1)],
+}
 
 
 class _Reader:
@@ -123,8 +128,8 @@ class _Reader:
         return place, of_roll_pitch_yaw(self.numbers(origin, "rpy", 0.0, 3))
 
 
-def read_urdf(path: Path) -> Tree:
-    """Return what a URDF file says."""
+def read_urdf(path: Path, floating: bool = False) -> Tree:
+    """Return what a URDF file says; the root link rests in the world, or floats in it."""
     reader = _Reader(path)
     root = reader.root
     if root.tag != "robot":
@@ -143,6 +148,9 @@ def read_urdf(path: Path) -> Tree:
     found: list[Link] = []
     for name in _in_order(reader, links, above):
         found.append(_link(reader, name, links[name], above.get(name), found, left_out))
+    if floating:
+        name = another("root", [joint.get("name", "") for joint in joints])
+        found[0].joints = [Joint(name, "free", where=found[0].where)]
     if root.find("transmission") is not None:
         left_out.append("transmissions: each joint has a force of its own")
     motors = [
@@ -390,15 +398,16 @@ def _shape(
     options = _colours(reader, visual)
     shape: Any = None
     for element in geometry:
-        if element.tag == "box":
-            shape = Box(*reader.numbers(element, "size", None, 3).tolist(), **options)
-        elif element.tag in ("cylinder", "sphere"):
-            options["radius"] = reader.number(element, "radius", None)
-            if element.tag == "sphere":
-                shape = Sphere(**options)
+        if element.tag in _SIZES:
+            size = np.concatenate([reader.numbers(element, *a) for a in _SIZES[element.tag]])
+            if (size == 0.0).any():  # a mark for a point, in files that are in use
+                left_out.append(f"a <{element.tag}> without size, which is not shown")
+            elif element.tag == "box":
+                shape = Box(*size.tolist(), **options)
+            elif element.tag == "sphere":
+                shape = Sphere(float(size[0]), **options)
             else:
-                length = reader.number(element, "length", None)
-                shape = Cylinder(length=length, axis="z", **options)
+                shape = Cylinder(float(size[0]), float(size[1]), axis="z", **options)
         elif element.tag == "mesh":
             shape = _mesh(reader, element, options)
             if shape is None:
