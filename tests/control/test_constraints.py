@@ -5,6 +5,7 @@ import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
 
+import joints
 from optima import T
 from pydy import System
 from pydy.control import OptimalControl
@@ -117,15 +118,21 @@ def vehicle(minimal):
     return System(definition), sm.Integral(push**2 + torque**2, T)
 
 
-def test_a_nonholonomic_vehicle():
+@pytest.mark.parametrize(
+    ("method", "mesh", "rel"),
+    [("radau", 20, 1e-6), ("midpoint", 40, 1e-3), ("hermite-simpson", 40, 5e-6)],
+)
+def test_a_nonholonomic_vehicle(method, mesh, rel):
     end = {"x": 1.0, "y": 1.0, "angle": 0.0, "v": 0.0, "turn": 0.0}
     system, objective = vehicle(minimal=True)
     free = system.optimize_trajectory(objective, 2.0, end=end, order=4)
     system, objective = vehicle(minimal=False)
     times = np.linspace(0.0, 2.0, 41)
     guess = {name: free.at(times)[name] for name in ("x", "y", "angle")}
-    bound = system.optimize_trajectory(objective, 2.0, end=end, order=4, guess=guess)
-    assert bound.objective == pytest.approx(free.objective, rel=1e-6)
+    bound = system.optimize_trajectory(
+        objective, 2.0, end=end, order=4, guess=guess, method=method, mesh=mesh
+    )
+    assert bound.objective == pytest.approx(free.objective, rel=rel)
     sideways = bound["w"] * np.cos(bound["angle"]) - bound["v"] * np.sin(bound["angle"])
     assert np.abs(sideways[1:]).max() < 1e-9
 
@@ -153,10 +160,106 @@ def test_a_start_that_the_constraints_do_not_determine_is_refused():
         system.optimize_trajectory(effort(system), 1.0, start={"y": -1.0, "w": 0.0})
 
 
-def test_methods_and_equations_that_do_not_take_constraints_are_told():
+def missed_by(system, found):
+    """Return how far a simulation with the controls is from the nodes, at most."""
+    system.specifieds, system.times, system.ode_solver = found.inputs(), found.mesh, "dop853"
+    states = system.simulate(rtol=1e-10, atol=1e-10).states
+    system.specifieds = {}
+    return np.abs(states - found.at(found.mesh).states).max()
+
+
+ORDERS = {"backward-euler": 1, "midpoint": 2, "hermite-simpson": 4}
+
+
+@pytest.mark.parametrize("method", ORDERS)
+@pytest.mark.parametrize("constraints", [1, 2])
+def test_every_method_keeps_its_order(by_angle, method, constraints):
+    system, wrong, missed = pendulum_in_a_plane(constraints), [], []
+    for mesh in (20, 40):
+        found = system.optimize_trajectory(
+            effort(system), 1.5, end={"x": PLACE["x"], "v": 0.0}, mesh=mesh, method=method
+        )
+        nodes = found.at(found.mesh)
+        assert np.abs(nodes["x"] ** 2 + nodes["y"] ** 2 - 1.0).max() < 1e-9
+        assert np.abs(nodes["x"] * nodes["v"] + nodes["y"] * nodes["w"]).max() < 1e-9
+        wrong.append(abs(found.objective - by_angle.objective))
+        missed.append(missed_by(system, found))
+    for first, second in (wrong, missed):
+        assert second < 1.1 * first / 2 ** ORDERS[method]
+    assert missed[1] < {1: 0.6, 2: 7e-3, 4: 1e-5}[ORDERS[method]]
+
+
+def test_the_first_multipliers_of_hermite_simpson_are_determined():
+    """They would be free: the constraints hold at the start already."""
     system = pendulum_in_a_plane()
-    with pytest.raises(NotImplementedError, match="`method` is 'midpoint', which does not treat"):
-        OptimalControl(system, effort(system), 1.0, method="midpoint")
+    found = system.optimize_trajectory(
+        effort(system), 1.5, end={"x": PLACE["x"], "v": 0.0}, method="hermite-simpson"
+    )
+    _, algebraic, _, _ = found._transcription.split(found.solution.z)
+    force, slack, tension = algebraic[:, 0]
+    assert slack == pytest.approx(0.0, abs=1e-9)
+    assert abs(force) > 1.0  # across the rod that hangs, where it is no part of the tension
+    assert tension == pytest.approx(-9.81 / 2, rel=1e-9)  # of the weight by 2 y
+    assert found.multipliers["motion of v"].shape == found.collocation_times.shape == (41,)
+    assert found.multipliers["constraint 0 of velocities"].shape == (40,)
+
+
+def test_costates_of_the_midpoint_rule_are_slopes_of_the_objective():
+    system = pendulum_in_a_plane()
+
+    def found(angle):
+        system.initial_conditions = {"x": np.sin(angle), "y": -np.cos(angle)}
+        return system.optimize_trajectory(
+            effort(system), 1.5, end={"x": PLACE["x"], "v": 0.0}, method="midpoint"
+        )
+
+    slope = (found(1e-4).objective - found(-1e-4).objective) / 2e-4
+    x = next(s for s in system.states if s.name == "x")
+    assert found(0.0).costates[x][0] == pytest.approx(slope, rel=1e-7)
+
+
+def test_a_four_bar_by_every_method():
+    """A torque turns the crank from rest to rest; the loop of three links and a base is closed."""
+    model = joints.four_bar()
+    torque, link = me.dynamicsymbols("T"), model.bodies[1].frame
+    model.add_loads((link, torque * link.z))
+    numbers = {"l1": 1.9, "l2": 0.8, "l3": 1.4, "l4": 1.3, "rho": 2.0, "g": 9.7}
+    system = System(model)
+    system.constants = {s: numbers[s.name] for s in system.constants_symbols}
+    system.initial_conditions = {"q1": 1.2, "q2": -0.9, "q3": -1.4}
+    system.set_dependent_initial_conditions()
+    asked, objective = {"end": {"q1": 2.6, "u1": 0.0}}, effort(system)
+    best = system.optimize_trajectory(objective, 0.8, order=6, mesh=12, **asked)
+    for method, ratio in (("midpoint", 3.8), ("hermite-simpson", 13.0)):
+        off, missed = [], []
+        for mesh in (20, 40):
+            found = system.optimize_trajectory(
+                objective, 0.8, mesh=mesh, method=method, guess=best, **asked
+            )
+            off.append(abs(found.objective / best.objective - 1.0))
+            missed.append(missed_by(system, found))
+        assert off[1] < off[0] / ratio
+        assert missed[1] < missed[0] / ratio
+
+
+@pytest.mark.parametrize("method", ["midpoint", "hermite-simpson"])
+def test_dependent_states_follow_and_phases_join_by_every_method(method):
+    system = pendulum_in_a_plane()
+    found = system.optimize_trajectory(
+        effort(system), 1.0, start={"y": -0.8, "w": 0.3}, end={"x": 0.0, "v": 0.0},
+        guess={"x": [0.5, 0.0]}, method=method,
+    )  # fmt: skip
+    assert found["x"][0] == pytest.approx(0.6, abs=1e-9)
+    assert found["v"][0] == pytest.approx(0.4, abs=1e-9)
+    ends = [{"x": 0.5}, {"x": PLACE["x"], "v": 0.0}]
+    phases = [
+        [OptimalControl(system, effort(system), 0.7, end=end, **how) for end in ends]
+        for how in ({"order": 5}, {"method": method, "mesh": 40})
+    ]
+    best, found = (OptimalControl.phases(each).solve() for each in phases)
+    assert found.objective == pytest.approx(best.objective, rel=1e-3)
+    for phase in found:
+        assert np.abs(phase["x"] ** 2 + phase["y"] ** 2 - 1.0)[[0, -1]].max() < 1e-9
 
 
 def test_a_constraint_that_a_control_moves_is_refused():

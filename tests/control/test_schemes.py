@@ -84,3 +84,20 @@ def test_the_cubic_of_hermite_simpson_has_the_given_slopes():
     left, right = (scheme.basis(np.clip(ends + d, 0, 1))[0] for d in (-step, step))
     slopes = (right - left)[2:] / step
     np.testing.assert_allclose(slopes, np.eye(2), atol=1e-5)
+
+
+@pytest.mark.parametrize("scheme", SCHEMES, ids=str)
+def test_constraints_hold_at_every_node_but_the_first(scheme):
+    points = scheme.points(MESH, constrained=True)
+    held = np.concatenate([p.fractions for p in points if p.rows in ("all", "constraints")])
+    assert set(MESH[1:]) <= set(held)
+    assert 0.0 not in held
+    # As many multipliers as rows that determine them.
+    start = sum(p.rows == "start" for p in points)
+    assert len(held) + start == len(scheme.control_places(MESH))
+    # Motion and objective are those of motions without constraints.
+    motion = [p for p in points if p.rows != "constraints"]
+    for name in ("fractions", "weights"):
+        joined = np.concatenate([getattr(p, name) for p in motion])
+        free = np.concatenate([getattr(p, name) for p in scheme.points(MESH)])
+        np.testing.assert_array_equal(joined, free)

@@ -62,6 +62,8 @@ class Equations:
         Those of coordinates, of speeds and of auxiliary states, then the constraints.
     constraints : list of nodes
         The constraints of positions, then those of velocities.
+    rates : list of nodes
+        Their rates where they hold: γ, then those of the constraints of velocities.
     atoms : mapping of symbols to nodes
         What further expressions may hold.
     given : mapping of nodes to nodes
@@ -73,6 +75,7 @@ class Equations:
     graph: Graph
     residuals: list[int]
     constraints: list[int]
+    rates: list[int]
     atoms: Mapping[Any, int]
     given: Mapping[int, int]
     made: dict[bytes, Functions] = field(default_factory=dict, repr=False)
@@ -101,7 +104,7 @@ class Equations:
             **dict(zip(equations.speed_rates, slopes[nq:], strict=False)),
         }
         made = model.latest.setdefault("points", {})
-        own = cls(graph, [], [], atoms, assembly.given, made)
+        own = cls(graph, [], [], [], atoms, assembly.given, made)
         x = [graph.input("x", k) for k in range(nq + nu)]
         places, motion = [assembly.holonomic[k] for k in equations.enforced], assembly.velocity
         if motion:
@@ -125,7 +128,22 @@ class Equations:
                 terms[nq + k].append((graph.mul(node, graph.input("s", j)), -1.0))
         constraints = [*places, *motion]
         residuals = [*(graph.sum(parts) for parts in terms), *constraints]
-        return replace(own, residuals=residuals, constraints=constraints)
+        held = [graph.input("s", k) for k in range(len(places))]
+        for i in range(nu - len(motion), nu):  # the last rows of M u' = F
+            row = assembly.mass_matrix[i * nu : (i + 1) * nu]
+            parts = [(graph.mul(m, slopes[nq + j]), 1.0) for j, m in enumerate(row)]
+            held.append(graph.sum([*parts, (assembly.forcing[i], -1.0)]))
+        return replace(own, residuals=residuals, constraints=constraints, rates=held)
+
+    def rows(self, kind: str) -> list[int]:
+        """Return the equations of points; see `Points.rows`."""
+        motion = self.residuals[: len(self.residuals) - len(self.constraints)]
+        return {
+            "all": self.residuals,
+            "motion": motion,
+            "constraints": self.constraints,
+            "start": [*motion, *self.rates],
+        }[kind]
 
     def are_of(self, nodes: Iterable[int], places: Iterable[int]) -> bool:
         """Return whether nodes depend on some of the specifieds."""
@@ -190,9 +208,9 @@ class Point:
             parts.append((g.product(factors), number))
         return g.sum(parts)
 
-    def residuals(self, at: Mapping[tuple[str, int], int]) -> list[int]:
-        """Return the equations with nodes in place of their inputs."""
-        return self._placed(self.equations.residuals, at)
+    def residuals(self, at: Mapping[tuple[str, int], int], kind: str = "all") -> list[int]:
+        """Return the equations with nodes in place of their inputs; see `Points.rows`."""
+        return self._placed(self.equations.rows(kind), at)
 
     def constraints(self, at: Mapping[tuple[str, int], int]) -> list[int]:
         """Return the constraints with nodes in place of their inputs."""

@@ -102,8 +102,7 @@ class OptimalControl:
     TypeError, ValueError
         An argument is not what it should be; the message names it.
     NotImplementedError
-        The system has constraints, and the method is not Radau's, or the system has no bodies; or
-        samples are given for a free duration.
+        The system has constraints and no bodies; or samples are given for a free duration.
 
     Examples
     --------
@@ -156,11 +155,6 @@ class OptimalControl:
                 "specified without a value is a control."
             )
         self._method = choice(method, METHODS, "`method`")
-        if equations.constrained and self._method not in ("radau", "backward-euler"):
-            raise NotImplementedError(
-                f"`method` is {self._method!r}, which does not treat systems with constraints: the "
-                "points of such methods do not include the ends of intervals only. Use 'radau'."
-            )
         points = whole(order, "`order`")
         if points > LARGEST_ORDER:
             raise ValueError(

@@ -44,6 +44,8 @@ class OptimalTrajectory(Trajectory):
         The multipliers of each equation, path condition and boundary condition, by the labels that
         messages use: at `collocation_times` or, of boundary conditions, shape (1,). They are the
         derivatives of the objective by the right-hand side of ``a − b = 0`` or ``a − b <= 0``.
+        Those of constraints of 'midpoint' are at the nodes after the first, those of
+        'hermite-simpson' at `collocation_times` after the start.
     collocation_times : ndarray
     costates : dict of symbols to ndarray, shape (M + 1,)
         For each state, at the times of the nodes, `mesh`.
@@ -132,26 +134,27 @@ class OptimalTrajectory(Trajectory):
                 "the intervals on both sides. Use 'radau'."
             )
         slots, M, n = len(made.places[0]), made.intervals, made.problem.states
-        found, piece = np.zeros((n, M + 1)), nlp.pieces[0]
+        found, start = np.zeros((n, M + 1)), 0
         nodes = np.arange(n)[:, None] * slots
-        own = np.tile(np.arange(M), piece.points // M)  # the points' intervals
-        f = piece.functions
-        weights = self.solution.multipliers[: piece.rows * piece.points].reshape(piece.rows, -1)
-        entries = {}
-        for name, places in (("gradient", f.gradient_at), ("jacobian", f.jacobian_at)):
-            entries[name] = np.zeros((len(places), piece.points))
-            if len(places):
-                f(name, z[piece.at], piece.data, piece.constants, entries[name])
-        slopes = [*zip(f.gradient_at, entries["gradient"], strict=True)]
-        for (i, j), row in zip(f.jacobian_at, entries["jacobian"], strict=True):
-            slopes.append((j, weights[i] * row))
-        for variable, values in slopes:
-            state, slot = np.divmod(piece.at[variable], slots)
-            for node, sign in ((own, 1.0), (np.full_like(own, M), -1.0)):
-                # What an interval adds by its first node; of the last one also by its last node.
-                there = (piece.at[variable] < nodes[-1, 0] + slots) & (slot == node)
-                there &= (own == node) | ((node == M) & (own == M - 1))
-                np.add.at(found, (state[there], node[there]), sign * values[there])
+        for piece in nlp.pieces[: len(made.points)]:
+            own = np.tile(np.arange(M), piece.points // M)  # the points' intervals
+            f, stop = piece.functions, start + piece.rows * piece.points
+            weights = self.solution.multipliers[start:stop].reshape(piece.rows, -1)
+            start, entries = stop, {}
+            for name, places in (("gradient", f.gradient_at), ("jacobian", f.jacobian_at)):
+                entries[name] = np.zeros((len(places), piece.points))
+                if len(places):
+                    f(name, z[piece.at], piece.data, piece.constants, entries[name])
+            slopes = [*zip(f.gradient_at, entries["gradient"], strict=True)]
+            for (i, j), row in zip(f.jacobian_at, entries["jacobian"], strict=True):
+                slopes.append((j, weights[i] * row))
+            for variable, values in slopes:
+                state, slot = np.divmod(piece.at[variable], slots)
+                for node, sign in ((own, 1.0), (np.full_like(own, M), -1.0)):
+                    # What an interval adds by its first node; of the last one also by its last.
+                    there = (piece.at[variable] < nodes[-1, 0] + slots) & (slot == node)
+                    there &= (own == node) | ((node == M) & (own == M - 1))
+                    np.add.at(found, (state[there], node[there]), sign * values[there])
         return dict(zip(self._states, found, strict=True))
 
     def plot_controls(self, axes: Any = None) -> Any:
@@ -277,6 +280,7 @@ def _multipliers(
 ) -> tuple[dict[str, np.ndarray], np.ndarray]:
     """Return the multipliers by label, in the order of time, and the times."""
     parts: dict[str, list[np.ndarray]] = {}
+    when: dict[str, list[np.ndarray]] = {}
     fractions: list[np.ndarray] = []
     start = 0
     for piece in nlp.pieces:
@@ -285,14 +289,15 @@ def _multipliers(
         names = unique_names(piece.labels)
         for name, row in zip(names, values, strict=True):
             parts.setdefault(name, []).append(row)
+            when.setdefault(name, []).append(piece.fractions)
         if piece.collocated:
             fractions.append(piece.fractions)
         start = stop
-    times = np.concatenate(fractions)
-    order = np.argsort(times, kind="stable")
-    joined = {name: np.concatenate(rows) for name, rows in parts.items()}
-    found = {name: row[order] if len(row) == len(order) else row for name, row in joined.items()}
-    return found, times[order] * duration
+    found = {}
+    for name, rows in parts.items():
+        order = np.argsort(np.concatenate(when[name]), kind="stable")
+        found[name] = np.concatenate(rows)[order]
+    return found, np.sort(np.concatenate(fractions)) * duration
 
 
 def worst_rows(nlp: Nlp, solution: Solution, duration: float) -> str:

@@ -12,6 +12,13 @@ Hermite–Simpson    cubic with slopes as unknowns, x_c = (x₀ + x₁)/2 + h (v
 Radau              polynomial of degree K through the start and K Radau IIA points
 =================  =========================================================================
 
+Constraints hold at the nodes whatever the method, with their multipliers at the collocation points.
+Radau's include the ends of intervals. The midpoint rule's do not: a force in the middle brings each
+node back to the constraints, a symmetric step and so of order 2 (Jay 1998). Those of
+Hermite–Simpson include the start, whose constraints hold already: their rates determine the
+multipliers there. Left free, these would change by (1, −1/2, 1) times any number along each
+interval without an effect on the motion but by its errors.
+
 References
 ----------
 E. Hairer and G. Wanner, Solving Ordinary Differential Equations II, 2nd ed., IV.5.
@@ -20,12 +27,16 @@ J. T. Betts, Practical Methods for Optimal Control and Estimation Using Nonlinea
 D. Garg et al., Direct trajectory optimization and costate estimation of finite-horizon and
 infinite-horizon optimal control problems using a Radau pseudospectral method, Comput. Optim. Appl.
 49 (2011) 335–358.
+L. O. Jay, Structure preservation for constrained dynamics with super partitioned additive
+Runge–Kutta methods, SIAM J. Sci. Comput. 20 (1998) 416–446, and Convergence of a class of
+Runge–Kutta methods for differential-algebraic systems of index 2, BIT 33 (1993) 137–150 (Lobatto
+IIIA).
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 
 import numpy as np
@@ -52,6 +63,9 @@ class Points:
     fractions, lengths, weights : ndarray, shape (points,)
         Their times, the lengths h of their intervals and the quadrature weights, as fractions of
         the duration.
+    rows : {'all', 'motion', 'constraints', 'start'}
+        Which equations hold there: all, those of motion alone, the constraints alone, or those of
+        motion with the rates of the constraints.
     """
 
     state: tuple[Term, ...]
@@ -62,6 +76,20 @@ class Points:
     fractions: np.ndarray
     lengths: np.ndarray
     weights: np.ndarray
+    rows: str = "all"
+
+    def part(self, which: slice, rows: str = "all") -> Points:
+        """Return some of the points."""
+        return replace(
+            self,
+            slots=self.slots[:, which],
+            controls=self.controls[which],
+            coefficients=self.coefficients[:, which],
+            fractions=self.fractions[which],
+            lengths=self.lengths[which],
+            weights=self.weights[which],
+            rows=rows,
+        )
 
 
 @dataclass(frozen=True)
@@ -156,8 +184,12 @@ class Scheme:
 
     # -- collocation points ----------------------------------------------------------------------
 
-    def points(self, mesh: np.ndarray) -> tuple[Points, ...]:
-        """Return the collocation points on a mesh of nodes, as fractions of the duration."""
+    def points(self, mesh: np.ndarray, *, constrained: bool = False) -> tuple[Points, ...]:
+        """Return the collocation points on a mesh of nodes, as fractions of the duration.
+
+        The first ones of 'radau' and 'midpoint' have their intervals in order, all K times. Where
+        motions are `constrained`, further points of 'midpoint' hold the constraints.
+        """
         h, M, left = np.diff(mesh), len(mesh) - 1, mesh[:-1]
         k = np.arange(M)
         slots = self.interval_slots(M)
@@ -183,20 +215,27 @@ class Scheme:
         none = np.empty((0, M))
         if self.name == "midpoint":
             state, rate = ((0, 0.5, 0), (1, 0.5, 0)), ((0, -1.0, -1), (1, 1.0, -1))
-            return (Points(state, rate, slots, k, none, left + 0.5 * h, h, h),)
+            middles = Points(state, rate, slots, k, none, left + 0.5 * h, h, h)
+            if not constrained:
+                return (middles,)
+            ends = Points(
+                ((0, 1.0, 0),), (), slots[1:], k, none, mesh[1:], h, 0.0 * h, "constraints"
+            )
+            return replace(middles, rows="motion"), ends
         nodes = np.arange(M + 1)
         simpson = np.zeros(M + 1)
         simpson[:-1] += h / 6
         simpson[1:] += h / 6
         x = ((0, 0.5, 0), (1, 0.5, 0), (2, 0.125, 1), (3, -0.125, 1))
         v = ((0, -1.5, -1), (1, 1.5, -1), (2, -0.25, 0), (3, -0.25, 0))
-        return (
-            Points(
-                ((0, 1.0, 0),), ((1, 1.0, 0),), np.array([nodes, M + 1 + nodes]), nodes,
-                np.empty((0, M + 1)), mesh, np.append(h, h[-1]), simpson,
-            ),
-            Points(x, v, slots, M + 1 + k, none, left + 0.5 * h, h, h * (2 / 3)),
+        ends = Points(
+            ((0, 1.0, 0),), ((1, 1.0, 0),), np.array([nodes, M + 1 + nodes]), nodes,
+            np.empty((0, M + 1)), mesh, np.append(h, h[-1]), simpson,
         )  # fmt: skip
+        middles = Points(x, v, slots, M + 1 + k, none, left + 0.5 * h, h, h * (2 / 3))
+        if not constrained:
+            return ends, middles
+        return ends.part(slice(0, 1), "start"), ends.part(slice(1, None)), middles
 
 
 METHODS = ("radau", "hermite-simpson", "midpoint", "backward-euler")

@@ -142,7 +142,22 @@ class Problem:
 
     def at_points(self, points: Points) -> Functions:
         """Return the equations, path conditions and the objective's part of collocation points."""
-        return self.once((points.state, points.rate), lambda: self._at_points(points))
+        key = (points.state, points.rate, points.rows)
+        return self.once(key, lambda: self._at_points(points))
+
+    def labels_at(self, points: Points) -> tuple[str, ...]:
+        """Return what the rows of collocation points are, without path conditions."""
+        held = len(self.equations.constraints)
+        first = len(self.labels) - held
+        if points.rows == "constraints":
+            return self.labels[first:]
+        rates = tuple(f"rate of {name} at the start" for name in self.labels[first:])
+        further = {"all": self.labels[first:], "motion": (), "start": rates}
+        return (*self.labels[:first], *further[points.rows])
+
+    def path_at(self, points: Points) -> tuple[Condition, ...]:
+        """Return the path conditions that hold at collocation points."""
+        return () if points.rows == "constraints" else self.path
 
     def once(self, key: Any, make: Callable[[], Compiled]) -> Compiled:
         """Return what is compiled for all meshes, and for problems that differ in numbers."""
@@ -173,7 +188,9 @@ class Problem:
         at |= {("d", k): node for k, node in enumerate(slopes)}
         own = len(self.controls)
         at |= {("s", k): node for k, node in enumerate(controls[own:])}
-        rows = point.residuals(at)
+        rows = point.residuals(at, points.rows)
+        if points.rows == "constraints":
+            return point.functions(rows, None, hessian=self.hessian)
         if self.path:
             path = [c.expression for c in self.path]
             rows += point.read(path, "`path`", at, self.duration_symbol)
@@ -383,9 +400,15 @@ class Transcription:
         return Nlp(self.pieces, lower, upper, sizes, estimated=self.problem.hessian is None)
 
     @cached_property
+    def points(self) -> tuple[Points, ...]:
+        """The collocation points, of which `pieces` begin with the functions."""
+        constrained = bool(self.problem.equations.constraints)
+        return self.scheme.points(self.mesh, constrained=constrained)
+
+    @cached_property
     def pieces(self) -> tuple[Piece, ...]:
         """The functions of the program with their unknowns."""
-        made = [self._piece(points) for points in self.scheme.points(self.mesh)]
+        made = [self._piece(points) for points in self.points]
         if self.problem.constraints:
             made.append(self.beginning())
         ends = self._ends()
@@ -401,15 +424,16 @@ class Transcription:
         times = p.begin + points.fractions * (1.0 if p.duration is None else p.duration)
         signals = [signal(times) for _, signal in p.signals]
         data = [points.fractions, points.lengths, points.weights, *points.coefficients, *signals]
+        labels, path = p.labels_at(points), p.path_at(points)
         return Piece(
             p.at_points(points),
             np.concatenate([np.array([*states, *controls]), self._numbers_at(count)]),
             np.ascontiguousarray(data),
             p.numbers,
-            *_limits(len(p.labels), p.path),
-            (*p.labels, *(c.label for c in p.path)),
+            *_limits(len(labels), path),
+            (*labels, *(c.label for c in path)),
             points.fractions,
-            True,
+            points.rows != "constraints",
         )
 
     def beginning(self) -> Piece:
