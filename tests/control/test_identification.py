@@ -176,6 +176,64 @@ def test_a_guess_far_away_and_the_covariance_of_shooting():
     np.testing.assert_allclose(found.covariance, shot.covariance, rtol=1e-3, atol=1e-3)
 
 
+@pytest.mark.parametrize("guess", [2.0, 90.0])
+def test_a_long_record_of_a_pendulum_from_poor_guesses(guess):
+    # opty's `plot_vyasarayani.py`, by Vyasarayani et al. 2011: 50 s of noisy angles, 80 turns of
+    # which any wrong frequency is a local optimum of fits by shooting; the start is unknown.
+    angle, rate = me.dynamicsymbols("angle rate")
+    p = sm.Symbol("p")
+    system = optima.first_order([angle], rate, -p * sm.sin(angle))
+    system.constants, system.initial_conditions = {p: 10.0}, {angle: np.pi / 6}
+    system.times, system.ode_solver = np.linspace(0.0, 50.0, num=5000), "dop853"
+    swing = system.simulate(rtol=1e-10, atol=1e-10)[angle]
+    samples = swing + np.random.default_rng(1).normal(0.0, 0.05, 5000)
+    start = {angle: samples[0], rate: 0.0}
+    trial = Trial(system.times, {angle: samples}, start, unknown=(angle, rate), noise=0.05)
+    system.constants = {p: guess}
+    found = system.fit(p, trial, method="collocation")
+    assert found[p] == pytest.approx(10.0, abs=3.0 * found.standard_errors[0])
+    assert found.standard_errors[0] < 2e-3
+    # The objective is at most that of the truth.
+    assert (found.residuals[0]["angle"] ** 2).sum() <= ((samples - swing) ** 2).sum()
+
+
+@pytest.mark.parametrize("guess", [0.2, -5.0])
+def test_a_parameter_of_a_motion_that_grows_by_60_a_second(guess):
+    # opty's `plot_betts2003.py`, by Betts and Huffman 2003: y = sin(p t) is one of the motions of
+    # y'' = 3600 y − (3600 + p²) sin(p t), the others run away; p = π from 100 noisy samples.
+    y, v = me.dynamicsymbols("y v")
+    p = sm.Symbol("p")
+    system = optima.first_order([y], v, 3600 * y - (3600 + p**2) * sm.sin(p * T))
+    system.constants, system.initial_conditions = {p: guess}, {v: np.pi}
+    times = np.linspace(0.0, 1.0, num=100)
+    samples = np.sin(np.pi * times) + np.random.default_rng(0).normal(0.0, 0.05, 100)
+    found = system.fit(p, Trial(times, {y: samples}, noise=0.05), method="collocation")
+    assert found[p] == pytest.approx(np.pi, rel=1e-8)
+
+
+def test_four_records_of_a_mass_on_a_spring_are_fitted_at_once():
+    # opty's `plot_non_contiguous_parameter_identification.py`: positions with a noise of 2 m, from
+    # starts that are unknown, of a mass with c = 0.25 N s/m and k = 1 N/m, from 0.1 and 3.
+    x, v = me.dynamicsymbols("x v")
+    c, k = sm.symbols("c k")
+    system = optima.first_order([x], v, -c * v - k * (x - 1))
+    system.constants = {c: 0.25, k: 1.0}
+    system.times, system.ode_solver = np.linspace(0.0, 20.0, num=500), "dop853"
+    rng, trials, true = np.random.default_rng(123), [], 0.0
+    for _ in range(4):
+        system.initial_conditions = dict(zip((x, v), 4 * rng.normal(size=2), strict=True))
+        error = 2 * rng.normal(size=500)
+        samples = system.simulate(rtol=1e-10, atol=1e-10)[x] + error
+        start = {x: samples[0], v: 0.0}
+        trials.append(Trial(system.times, {x: samples}, start, unknown=(x, v), noise=2.0))
+        true += (error**2).sum()
+    system.constants = {c: 0.1, k: 3.0}
+    found = system.fit([c, k], trials, method="collocation")
+    away = (found.estimates[:2] - [0.25, 1.0]) / found.standard_errors[:2]
+    assert np.abs(away).max() < 3.0
+    assert sum((r["x"] ** 2).sum() for r in found.residuals) <= true
+
+
 def test_a_fit_costs_few_integrations_and_no_factorisation_but_the_equations(monkeypatch):
     """The mesh's errors are known to be small enough; states follow from the equations alone."""
     system, trial, gains, _ = standing(0, 4.0)

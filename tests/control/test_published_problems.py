@@ -3,8 +3,9 @@
 Those that the gallery takes from J. T. Betts (A Collection of Optimal Control Test Problems, 2015,
 also chapter 10 of Practical Methods for Optimal Control Using Nonlinear Programming, 3rd ed., 2020)
 have his values; 10.7 is among the known optima. For the others the durations and inputs that the
-gallery stores give the objective, of backward Euler on its nodes. At most a thousandth above it is
-allowed; where the mesh is fine enough for more, more is asked for.
+gallery stores give the objective, of backward Euler on its nodes; where it stores none, the same
+rule on the same nodes does here. At most a thousandth above it is allowed; where the mesh is fine
+enough for more, more is asked for. Its problems of identification are in `test_identification`.
 """
 
 from itertools import pairwise
@@ -408,3 +409,102 @@ def time_over_the_hill(end):
     first = quad(lambda s: 2 * s * road(s * s) / speed(s * s), 0, np.sqrt(switch))[0]
     rest = np.sqrt(end - switch)
     return first + quad(lambda s: 2 * s * road(end - s * s) / speed(end - s * s), 0, rest)[0]
+
+
+def test_a_bicycle_steers_to_the_right_to_turn_left():
+    # `plot_countersteer.py`, by Karnopp: an inverted pendulum on a bicycle at 5 m/s turns by a
+    # right angle in the least time, upright and steering straight on before and after. Steering
+    # turns by at most 200 degrees a second, the lean by 100. It divides the time into 200 steps.
+    lean, x, y, heading, steer, rate, turn = me.dynamicsymbols(
+        "lean x y heading steer lean_rate turn"
+    )
+    m, height, speed, rear = 87.0, 1.0, 5.0, 0.5  # kg, m, m/s, m; the wheelbase is 1 m
+    roll, pitch, upright = 9.2, 11.0, 2.8  # moments of inertia, kg m²
+    yaw = speed * sm.tan(steer)
+    falls = m * 9.81 * height * sm.sin(lean)
+    thrown = (upright - pitch - m * height**2) * yaw**2 * sm.sin(lean) * sm.cos(lean)
+    pushed = m * height * sm.cos(lean) * (rear * speed * turn / sm.cos(steer) ** 2 + yaw)
+    kinematics = [
+        lean.diff() - rate,
+        x.diff() - speed * sm.cos(heading),
+        y.diff() - speed * sm.sin(heading),
+        heading.diff() - yaw,
+        steer.diff() - turn,
+    ]
+    system = first_order(
+        [lean, x, y, heading, steer],
+        rate,
+        falls - thrown - pushed,
+        roll + m * height**2,
+        kinematics,
+    )
+    fastest, right = np.deg2rad([200.0, 100.0]), np.pi / 2
+    bounds = {turn: (-fastest[0], fastest[0]), rate: (-fastest[1], fastest[1]), TF: (0.2, 100.0)}
+    bounds |= {steer: (-right, right), lean: (-right, right), heading: (-4 * right, 4 * right)}
+    asked = {"end": {lean: 0.0, rate: 0.0, heading: right, steer: 0.0}, "bounds": bounds}
+    euler = OptimalControl(system, TF, TF, method="backward-euler", mesh=200, **asked)
+    published = euler.solve({TF: 2.0})
+    found = OptimalControl(system, TF, TF, mesh=80, **asked).solve(published)
+    assert found.objective <= published.objective * (1 + WORSE)
+    assert found.objective == pytest.approx(1.3087, abs=2e-4)
+    assert found[steer].min() < -0.05  # to the other side first
+    assert found[lean].min() < -0.2
+
+
+def test_a_drone_tumbles_on_its_way():
+    # `plot_drone.py`: a plate of 2 kg flies 10 m along each axis in 10 s, on its side at half time,
+    # with the least integral of the squares of its four thrusts. The length of its quaternion, one,
+    # is a constraint. It divides the time into 300 steps.
+    place, turned, forces = (me.dynamicsymbols(names) for names in ("x y z", "e0:4", "F1:5"))
+    along, rates = (me.dynamicsymbols(names) for names in ("vx vy vz", "first wx wy wz"))
+    frame, origin = plane()
+    body = me.ReferenceFrame("B")
+    body.orient_quaternion(frame, turned)
+    centre = origin.locatenew(
+        "C", sum((s * e for s, e in zip(place, frame, strict=True)), 0 * frame.x)
+    )
+    velocity, spin = centre.pos_from(origin).dt(frame), body.ang_vel_in(frame)
+    kinematics = [s - velocity.dot(e) for s, e in zip(along, body, strict=True)]
+    kinematics += [rates[0] - turned[0].diff()]
+    kinematics += [s - spin.dot(e) for s, e in zip(rates[1:], body, strict=True)]
+    body.set_ang_vel(frame, sum((s * e for s, e in zip(rates[1:], body, strict=True)), 0 * body.x))
+    centre.set_vel(frame, sum((s * e for s, e in zip(along, body, strict=True)), 0 * body.x))
+    m, length, width, depth, drag = 2.0, 1.0, 0.5, 0.1, 0.06
+    squares = [width**2 + depth**2, length**2 + depth**2, length**2 + width**2]
+    inertia = me.inertia(body, *(m * square / 12 for square in squares))
+    loads = [(centre, -9.81 * m * frame.z - drag * centre.vel(frame))]
+    for k, (i, j) in enumerate(((1, 1), (-1, 1), (1, -1), (-1, -1))):
+        corner = centre.locatenew(f"P{k}", i * length / 2 * body.x + j * width / 2 * body.y)
+        corner.v2pt_theory(centre, frame, body)
+        loads.append((corner, forces[k] * body.z))
+    definition = Definition(
+        frame,
+        [*place, *turned],
+        [*along, *rates],
+        bodies=[me.RigidBody("drone", centre, body, m, (inertia, centre))],
+        loads=loads,
+        kinematic_equations=kinematics,
+        holonomic_constraints=[sum(e**2 for e in turned) - 1],
+    )
+    system = System(definition, initial_conditions={turned[0]: 1.0})
+    level = dict(zip(turned, (1.0, 0.0, 0.0, 0.0), strict=True))
+    side = [e.subs(T, 5.0) for e in turned]
+    asked = {
+        "end": {**dict.fromkeys(place, 10.0), **level, **dict.fromkeys([*along, *rates], 0.0)},
+        # Three parts give the fourth, but for its sign.
+        "boundary": [
+            sm.Eq(side[1], np.sqrt(0.5)),
+            sm.Eq(side[2], 0),
+            sm.Eq(side[3], 0),
+            side[0] >= 0,
+        ],
+        "bounds": dict.fromkeys(forces, (-100.0, 100.0)),
+    }
+    effort = sm.Integral(sum(force**2 for force in forces), T)
+    guess = {**dict.fromkeys(forces, 10.0), turned[0]: 1.0}
+    euler = OptimalControl(system, effort, 10.0, method="backward-euler", mesh=300, **asked)
+    published = euler.solve(guess)
+    found = OptimalControl(system, effort, 10.0, mesh=40, order=4, **asked).solve(guess)
+    assert found.objective <= published.objective * (1 + WORSE)
+    assert found.objective == pytest.approx(1014.93, rel=1e-4)
+    assert np.abs(sum(found[e] ** 2 for e in turned) - 1.0).max() < 1e-9
