@@ -2,10 +2,17 @@
 
 import numpy as np
 import pytest
+import sympy as sm
+import sympy.physics.mechanics as me
 
+import loops
 from ensemble_cases import identical, pendulum, random_values, runaway, same_bits
+from pydy._errors import IntegrationError
 from pydy.inputs import SampledInput
+from pydy.mechanics import Definition
 from pydy.models import multi_mass_spring_damper
+from pydy.solvers.outcome import ENERGY_CHANGED, LEFT_CONSTRAINTS, START_OFF_CONSTRAINTS
+from pydy.system import System
 
 
 def one_by_one(system, method, values, m, **options):
@@ -172,3 +179,88 @@ def test_equal_times_and_a_start_before_the_first_output_are_written():
     assert same_bits(q[:, 0], q[:, 1])
     assert same_bits(q[:, 2], q[:, 3])
     assert same_bits(q[:, 0], [0.1, 0.2])
+
+
+# -- on constraints --------------------------------------------------------------------------------
+
+
+def bead():
+    """A particle in x and y on a circle, pushed along x."""
+    x, y, u, v = me.dynamicsymbols("x y u v")
+    m, g, length = sm.symbols("m g length")
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    place = origin.locatenew("P", x * frame.x + y * frame.y)
+    place.set_vel(frame, u * frame.x + v * frame.y)
+    push = me.dynamicsymbols("push") * frame.x
+    made = Definition(
+        frame,
+        [x, y],
+        [u, v],
+        bodies=[me.Particle("P", place, m)],
+        loads=[(place, push - m * g * frame.y)],
+        holonomic_constraints=[x**2 + y**2 - length**2],
+    )
+    return System(
+        made,
+        initial_conditions={x: 0.6, y: -0.8},
+        constants={"m": 2.0, "g": 9.81, "length": 1.0},
+        times=np.linspace(0.0, 3.0, num=61),
+    )
+
+
+def linkage(make, **given):
+    made, start = make(**given)
+    times = np.linspace(0.0, 2.0, num=41)
+    return System(made, constants={"g": 9.81}, initial_conditions=start, times=times)
+
+
+@pytest.mark.parametrize(
+    ("method", "options"),
+    [
+        ("dop853", {"rtol": 1e-8, "atol": 1e-8}),
+        ("tsit5", {"rtol": 1e-6, "atol": 1e-6}),
+        ("vern9", {"rtol": 1.0, "atol": 1.0, "first_step": 0.7}),  # far off, or not at all
+        ("tsit5", {"rtol": 100.0, "atol": 100.0, "first_step": 0.7, "max_steps": 200}),
+        ("rk4", {"step": 0.05}),
+    ],
+)
+@pytest.mark.filterwarnings("ignore")
+def test_lanes_on_constraints_have_the_bits_of_the_solver_for_one(method, options):
+    gravities = np.geomspace(1.0, 400.0, num=12)
+    options = options | {"constraints": "project"}
+    for system in (linkage(loops.bricard), linkage(loops.parallelogram), bead()):
+        if system.specifieds_symbols:
+            t = np.linspace(0.0, 3.0, num=9)
+            push = SampledInput(t, 9.0 * np.cos(3.0 * t), interpolation="pchip")
+            system.specifieds = {"push": push}
+        system.ode_solver = method
+        many = system.integrate_ensemble(constants={"g": gravities}, **options)
+        assert many.attrs["lanes"] == 8
+        found = stacked(system, many)
+        for k, gravity in enumerate(gravities):
+            system.constants["g"] = gravity
+            try:
+                states, info = system.integrate(full_output=True, **options)
+            except IntegrationError as error:
+                states, info = error.states, error.info
+            assert many["status"].values[k] == info["code"]
+            sound = np.isfinite(found[k]).all(axis=1).sum()  # ensembles lose what was judged
+            assert sound == len(states) or info["code"] in (LEFT_CONSTRAINTS, ENERGY_CHANGED)
+            np.testing.assert_array_equal(found[k, :sound], states[:sound])
+            assert np.isnan(found[k, sound:]).all()
+            for name in ("steps", "rejected", "evaluations"):
+                assert many[name].values[k] == info[name]
+
+
+@pytest.mark.filterwarnings("ignore:The initial conditions of sample 1")
+def test_samples_beside_their_constraints_are_told_and_alone():
+    system = bead()
+    heights = np.array([-0.8, -0.7, -0.8, -0.8 - 1e-9])
+    many = system.integrate_ensemble(
+        initial_conditions={"y": heights}, ode_solver="dop853", constraints="project"
+    )
+    assert many.attrs["lanes"] == 8
+    assert many.status.values.tolist() == [0, START_OFF_CONSTRAINTS, 0, 0]
+    assert np.isnan(many["x"].values[1]).all()
+    assert same_bits(many["x"][0], many["x"][2])

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
-from typing import Any, Protocol
+from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 
@@ -18,6 +19,10 @@ from pydy.solvers.options import Options
 from pydy.solvers.outcome import DEPENDENTS_NOT_GIVEN, FINISHED
 from pydy.solvers.sensitivities import CompiledSensitivities, Sized, scales_of
 from pydy.solvers.tuning import LANES
+
+if TYPE_CHECKING:
+    from pydy.solvers.run.integration import Integration
+    from pydy.solvers.run.lanes import HeldLanes
 
 # -- Sensitivities of an ensemble: Programs and numbers, which travel to wherever it is integrated -
 
@@ -167,9 +172,9 @@ class Model:
     @property
     def in_lanes(self) -> bool:
         """Whether trajectories are integrated several at a time."""
-        asks = self.options.events is not None or self.options.constraints is not None
-        beside = self.sensitivities
-        asks = asks or self.motions is not None or (beside is not None and beside.sized is not None)
+        beside, held = self.sensitivities, self.options.constraints is not None
+        asks = self.options.events is not None or self.motions is not None
+        asks = asks or (beside is not None and (held or beside.sized is not None))
         return self.method != "radau" and not self.functions and not asks
 
     @property
@@ -200,6 +205,12 @@ class Results:
     # (m,): how near constraints that projection holds came to losing rank
     nearness: np.ndarray | None = None
     outputs: np.ndarray | None = None  # (o, m, times), of `Motions`
+
+    def take(self, places: np.ndarray, others: Results) -> None:
+        """Take the results of some samples without events from others."""
+        self.states[:, places] = others.states
+        for name in ("steps", "rejected", "evaluations", "status", "end_time", "nearness"):
+            getattr(self, name)[places] = getattr(others, name)
 
 
 _KERNELS: dict[tuple[str, int], Kernel] = {}
@@ -303,12 +314,60 @@ class Batch:
         model = self.model
         if not model.in_lanes:
             return self._one_by_one(times, states)
+        x, held = self.x, None
+        if model.options.constraints is not None:
+            x, held = self._on_constraints(times)
         found = integrate_samples(
-            _kernel(model.rates, LANES), model.method, self.x, self.r, self.p, model.sampled,
-            times, model.options, states, self.stopped, controlled,
+            _kernel(model.rates, LANES), model.method, x, self.r, self.p, model.sampled,
+            times, model.options, states, self.stopped, controlled, held,
         )  # fmt: skip
         steps, rejected, evaluations, status = (np.array(c) for c in found.counts.T)
-        return Results(states, steps, rejected, evaluations, status, found.reached)
+        results = Results(states, steps, rejected, evaluations, status, found.reached)
+        if held is not None:
+            results.nearness = held.nearness()
+            lost = np.flatnonzero(status != FINISHED)
+            if lost.size:  # why, the solver of single trajectories tells
+                results.take(lost, self.some(lost)._one_by_one(times))
+        return results
+
+    def _on_constraints(self, times: np.ndarray) -> tuple[np.ndarray, HeldLanes]:
+        """Return the states in which motions begin, and how they are held on constraints.
+
+        NaN where a motion cannot begin: the solver of single trajectories tells why.
+        """
+        from pydy._errors import IntegrationError
+        from pydy.solvers.run.lanes import HeldLanes
+
+        x, seen, one = np.full_like(self.x, np.nan), [], None
+        for k in range(len(x)):
+            one = self._single(k, times, one)
+            with suppress(IntegrationError):
+                x[k] = one.begin(np.ascontiguousarray(self.x[k]))
+            seen.append(one.arrays.seen.copy())
+        assert one is not None
+        return x, HeldLanes(one.arrays, np.array(seen))
+
+    def _single(self, k: int, times: np.ndarray, before: Integration | None) -> Integration:
+        """Return the integration of sample k, which may be that of the sample before."""
+        from pydy.solvers.run.integration import Integration
+
+        model, beside, n = self.model, self.model.sensitivities, self.x.shape[1]
+        options, jacobian = model.options, model.jacobian
+        x, r, p = (np.ascontiguousarray(part[k]) for part in (self.x, self.r, self.p))
+        call = KernelCall(
+            _kernel(model.rates, 1),
+            p,
+            r,
+            model.sampled,
+            self.inputs(k) if model.functions else None,
+            lambda: model.states,
+            None if jacobian is None else lambda: _kernel(jacobian, 1),
+        )
+        if beside is not None:
+            options = replace(options, sensitivities=beside.compiled(x, r, p, _single))
+        elif before is not None and before.reusable and before.rebind(call, times):
+            return before
+        return Integration(model.method, call, n, times, (), options, self.stopped)
 
     def _with_columns(
         self, beside: EnsembleSensitivities, times: np.ndarray, states: np.ndarray | None
@@ -340,35 +399,18 @@ class Batch:
             results.states = states
         return results
 
-    def _one_by_one(self, times: np.ndarray, states: np.ndarray) -> Results:
+    def _one_by_one(self, times: np.ndarray, states: np.ndarray | None = None) -> Results:
         """Integrate with the solver of single trajectories."""
         from pydy._errors import IntegrationError
-        from pydy.solvers.run.integration import Integration
 
-        model, (m, n) = self.model, self.x.shape
-        beside, options, jacobian = model.sensitivities, model.options, model.jacobian
-        kernel, one = _kernel(model.rates, 1), None
-        results = self._begun(times, states, n)
-        for k in range(m):
+        one = None
+        results = self._begun(times, states, self.x.shape[1])
+        for k, x in enumerate(self.x):
             if self.stopped():
                 raise KeyboardInterrupt
-            x, r, p = (np.ascontiguousarray(part[k]) for part in (self.x, self.r, self.p))
-            call = KernelCall(
-                kernel,
-                p,
-                r,
-                model.sampled,
-                self.inputs(k) if model.functions else None,
-                lambda: model.states,
-                None if jacobian is None else lambda: _kernel(jacobian, 1),
-            )
-            if beside is not None:
-                options = replace(model.options, sensitivities=beside.compiled(x, r, p, _single))
-            same = one is not None and one.reusable and beside is None
-            if one is None or not (same and one.rebind(call, times)):
-                one = Integration(model.method, call, n, times, (), options, self.stopped)
+            one = self._single(k, times, one)
             try:
-                found = one.run(x)
+                found = one.run(np.ascontiguousarray(x))
                 info = one.info()
             except IntegrationError as error:
                 found, info = one.reached(), error.info

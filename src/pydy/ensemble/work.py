@@ -17,7 +17,7 @@ from pydy.ensemble.model import Batch, Model, Programs, Results
 from pydy.ensemble.samples import PARAMETER, QUANTITY, Samples, Variable, to_dataset
 from pydy.solvers.kept import Part, Ran, beyond_digits, is_near, judge, looked_at
 from pydy.solvers.outcome import FINISHED, OUTCOMES, TERMINATED
-from pydy.solvers.tuning import NEAR_SINGULAR
+from pydy.solvers.tuning import LANES, NEAR_SINGULAR
 
 COUNTS = ("steps", "rejected", "evaluations", "status", "end_time")
 """What the result tells of each sample beside its states and outputs."""
@@ -359,8 +359,8 @@ def refuse(batch: Batch, results: Results, times: np.ndarray) -> None:
         assert results.nearness is not None
         ended &= kept.redundant | (results.nearness < NEAR_SINGULAR)
     suspects = np.flatnonzero(ended)
-    if not projected:
-        suspects = _suspects(batch, kept.programs, suspects, results.states, times)
+    if not projected or len(suspects) > LANES:
+        suspects = _suspects(batch, kept.programs, suspects, results, times, projected)
     for k in suspects.tolist():
         few = looked_at(results.states[:, k].T, projected)
         ran = Ran(
@@ -394,18 +394,24 @@ def _part_of(batch: Batch, programs: Programs, k: int) -> Part:
 
 
 def _suspects(
-    batch: Batch, programs: Programs, ended: np.ndarray, states: np.ndarray, times: np.ndarray
+    batch: Batch,
+    programs: Programs,
+    ended: np.ndarray,
+    results: Results,
+    times: np.ndarray,
+    projected: bool,
 ) -> np.ndarray:
     """Return the samples that need a closer look, of some: many are looked at together.
 
     Those have residuals beyond six digits, or come near to losing rank.
     """
+    states = results.states
     whole = ended[np.isfinite(states[:, ended, -1]).all(axis=0)]
     if not len(whole):
         return ended
-    program = programs["screen"]
+    program = programs["rows" if projected else "screen"]
     assert program is not None
-    few = looked_at(states[:, whole[0]].T, projected=False)
+    few = looked_at(states[:, whole[0]].T, projected)
     number = max(1, _NUMBERS // (len(few) * max(1, len(program.outputs))))
     suspects = [np.setdiff1d(ended, whole)]
     for start in range(0, len(whole), number):
@@ -414,7 +420,10 @@ def _suspects(
         out = batch.some(places).evaluate(program, times[few], x)
         found = program.by_block(np.moveaxis(out, 0, -1))  # (m, times, values)
         suspect = beyond_digits(found["rows"], found["sizes"])
-        if batch.model.options.step is None:
+        if projected:
+            assert results.nearness is not None
+            suspect |= results.nearness[places] < NEAR_SINGULAR
+        elif batch.model.options.step is None:
             suspect |= is_near(found["products"])
         suspects.append(places[suspect])
     return np.unique(np.concatenate(suspects))

@@ -19,6 +19,55 @@
 #define ADD(field, value) put(l->field.at, 0, OF(field) + (value))
 #define SOME(which, value) where(which, (Real)(value), (Real)(0.0))
 
+/* -- constraints ------------------------------------------------------------------------------ */
+
+typedef int64_t Project(const Run *run, double t, double *x);
+
+INLINE const Run *held_in(const LaneRun *run, int64_t lane)
+{
+    return (const Run *)run->holding.runs.at[lane];
+}
+
+INLINE double *seen_in(const LaneRun *run, int64_t lane)
+{
+    return held_in(run, lane)->constraints.values.at + run->holding.words.at[HOLDING_SEEN];
+}
+
+/* Give the constraints of a lane the inputs of a sample, and what was seen of them at its start. */
+INLINE void take_constraints(const LaneRun *run, int64_t sample, int64_t lane)
+{
+    const Holding *g = &run->holding;
+    const Run *own = held_in(run, lane);
+    const Numbers *r = &run->queue.r, *p = &run->queue.p;
+    SERIAL
+    for (int64_t i = 0; i < r->columns; i++)
+        own->problem.r.at[i] = r->at[sample * r->columns + i];
+    ((Prepare *)g->words.at[HOLDING_PREPARE])(p->at + sample * p->columns, own->constraints.c.at);
+    SERIAL
+    for (int64_t i = 0; i < g->seen.columns; i++)
+        seen_in(run, lane)[i] = g->seen.at[sample * g->seen.columns + i];
+}
+
+/* Move the states of some lanes onto their constraints; return the bits of those that missed. */
+APART int64_t hold_lanes(const LaneRun *run, const double *times, double *x, int64_t which)
+{
+    double *state = run->holding.state.at;
+    const int64_t n = run->lane_problem.words.at[STATES];
+    int64_t missed = 0;
+    FOR_LANES(which) {
+        const Run *own = held_in(run, lane);
+        SERIAL
+        for (int64_t i = 0; i < n; i++)
+            state[i] = x[i * W + lane];
+        if (((Project *)own->constraints.words.at[PROJECT])(own, times[lane], state) != 0)
+            missed |= (int64_t)1 << lane;
+        SERIAL
+        for (int64_t i = 0; i < n; i++)
+            x[i * W + lane] = state[i];
+    }
+    return missed;
+}
+
 /* -- samples come and go ---------------------------------------------------------------------- */
 
 /* Copy one lane to another. */
@@ -67,6 +116,9 @@ APART void retire(const LaneRun *run, int64_t which, int64_t status)
         counts[LANES_EVALUATIONS] = (int64_t)l->evaluations.at[lane];
         counts[LANES_STATUS] = status < 0 ? (int64_t)l->reason.at[lane] : status;
         q->reached.at[sample] = l->time.at[lane];
+        SERIAL
+        for (int64_t i = 0; i < run->holding.seen.columns; i++)
+            run->holding.seen.at[sample * run->holding.seen.columns + i] = seen_in(run, lane)[i];
         l->samples.at[lane] = LANES_VACANT;
     }
 }
@@ -78,14 +130,19 @@ APART int64_t fill(const LaneRun *run, int64_t *working)
     const Queue *q = &run->queue;
     const LaneProblem *p = &run->lane_problem;
     const Memory *m = &run->memory;
-    int64_t fresh = 0, all = 0, example = -1;
+    int64_t fresh = 0, all = 0, example = -1, *head = q->state.at + LANES_HEAD;
     for (int64_t lane = 0; lane < W; lane++) {
-        if (l->samples.at[lane] == LANES_VACANT && q->state.at[LANES_HEAD] < q->x.size) {
-            const int64_t sample = q->state.at[LANES_HEAD]++;
+        while (*head < q->x.size && q->counts.at[*head * q->counts.columns + LANES_STATUS] != FINISHED)
+            *head += 1; /* who has ended already is left out */
+        if (l->samples.at[lane] == LANES_VACANT && *head < q->x.size) {
+            const int64_t sample = *head;
+            *head += 1;
             l->samples.at[lane] = sample;
             copy_in(&q->x, sample, m->x.at, lane);
             copy_in(&q->r, sample, p->r.at, lane);
             copy_in(&q->p, sample, p->p.at, lane);
+            if (run->holding.runs.size > 0)
+                take_constraints(run, sample, lane);
             l->time.at[lane] = q->times.at[0];
             fresh |= (int64_t)1 << lane;
         }
@@ -160,16 +217,28 @@ APART void start(const LaneRun *run, const Stepper *s, int64_t fresh)
 
 /* -- steps ------------------------------------------------------------------------------------ */
 
-/* Write the outputs due within the step of some lanes, in turns. */
-INLINE void write_within(const LaneRun *run, const Stepper *s, int64_t within, Real after)
+/* Write the outputs due within the step of some lanes, in turns; return the bits of those whose
+   constraints were missed there, with nothing written. */
+INLINE int64_t write_within(const LaneRun *run, const Stepper *s, int64_t within, Real after)
 {
     const Lanes *l = &run->lanes;
-    const Real t = OF(time), size = item(s->memory->step.at, 0);
+    const Real t = OF(time), size = item(s->memory->step.at, 0), next = OF(next), due = OF(due);
     double *trial = s->memory->trial.at;
-    for (int64_t left = within; left != 0; left &= bits(OF(due) < after)) {
+    int64_t missed = 0, place[W];
+    SERIAL
+    for (int64_t lane = 0; lane < W; lane++)
+        place[lane] = l->place.at[lane];
+    for (int64_t left = within; left != 0; left &= bits(OF(due) < after) & ~missed) {
         interpolate(s, (OF(due) - t) / size, trial);
-        write_outputs(run, trial, left);
+        if (run->holding.runs.size > 0)
+            missed |= hold_lanes(run, l->due.at, trial, left);
+        write_outputs(run, trial, left & ~missed);
     }
+    FOR_LANES(missed) {
+        l->next.at[lane] = next[lane], l->due.at[lane] = due[lane];
+        l->place.at[lane] = place[lane];
+    }
+    return missed;
 }
 
 /* Step until the queue is empty, or BUDGET steps are taken. */
@@ -183,7 +252,8 @@ int64_t step_lanes(const LaneRun *run)
     const double last = q->times.at[q->times.size - 2], largest = q->numbers.at[LANES_LARGEST];
     const double limit = (double)q->state.at[LANES_LIMIT], *control = run->method.control.at;
     const int adaptive = shape[ESTIMATES] > 0, reuse = shape[END_IN_ESTIMATE] == 1;
-    double *end = m->stages.at + shape[STAGES] * m->x.size;
+    const int held = run->holding.runs.size > 0, again = held || !reuse;
+    double *end = m->stages.at + shape[STAGES] * m->x.size, reached[W];
     int64_t working = 0, calls = 0;
     for (int64_t lane = 0; lane < W; lane++)
         working |= (int64_t)(l->samples.at[lane] >= 0) << lane;
@@ -229,12 +299,18 @@ int64_t step_lanes(const LaneRun *run)
             for (int64_t i = 0; i < n; i++)
                 error = error + 0.0 * item(m->new.at, i); /* NaN where the state is not finite */
         Flags good = active & (error < 1.0) & ~flags(failed);
+        int64_t missed = 0;
+        if (held && bits(good) != 0) {
+            put(reached, 0, after);
+            missed = hold_lanes(run, reached, m->new.at, bits(good));
+            good = good & ~flags(missed);
+        }
         const Flags tried = good;
-        if (!reuse && bits(good) != 0) {
+        if (again && bits(good) != 0) {
             failed |= rates(s->equations, after, m->new.at, end);
             good = good & ~flags(failed);
         }
-        ADD(evaluations, (double)(shape[STAGES] - 1 + reuse) + SOME(tried, !reuse));
+        ADD(evaluations, (double)(shape[STAGES] - 1 + reuse) + SOME(tried, again));
 
         Flags within = good & (OF(due) < after);
         if (bits(within) != 0) {
@@ -247,7 +323,9 @@ int64_t step_lanes(const LaneRun *run)
                 good = good & flags(working);
                 within = within & good;
             }
-            write_within(run, s, bits(within), after);
+            const int64_t off = write_within(run, s, bits(within), after);
+            missed |= off;
+            good = good & ~flags(off);
         }
         for (int64_t at_end = bits(good & (OF(due) == after)); at_end != 0;) {
             write_outputs(run, m->new.at, at_end);
@@ -263,12 +341,14 @@ int64_t step_lanes(const LaneRun *run)
             put(l->growth.at, 0, where(bad, (Real)(1.0), (Real)(control[GROW])));
         }
         if (bits(bad) != 0) {
-            const Flags singular = flags(failed), measured = (absolute(error) < INF) & ~singular;
+            const Flags singular = flags(failed), off = flags(missed);
+            const Flags measured = (absolute(error) < INF) & ~singular & ~off;
             /* a step of fixed size that fails cannot be helped */
             const Real shorter =
                 adaptive ? shorter_size(control, size, error, measured) : (Real)(0.0);
             const Real reason = where(measured, (Real)(STEP_UNDERFLOW), (Real)(NOT_FINITE));
             h = where(bad, shorter, h);
+            SET(reason, bad, where(off, (Real)(CONSTRAINTS_NOT_MET), reason));
             SET(reason, bad, where(singular, (Real)(SINGULAR), reason));
             ADD(rejected, SOME(bad, 1.0));
         }

@@ -1,4 +1,4 @@
-; sources 832606f130959624fa94bed9d85baba841a900a60bd8b8a65bd3524a49bf50aa
+; sources 15accae272eb9286798c91cf09682f8f869569cc9d924f0ea0a0ab0f1a442843
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {

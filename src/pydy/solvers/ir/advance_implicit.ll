@@ -1,4 +1,4 @@
-; sources 1d1a5f9a5bbfcb35707ac11dd6aedda8c4f66d7ffaa72db87791c80b358c62d1
+; sources 98b1b1a99682f1ea861b8bf19dcdb01431a51ddc30a97358be094233796e22dc
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 @NODES = internal unnamed_addr constant [3 x double] [double 0x3FC3D8B64657CAEA, double 0x3FE4A36C0803A6DF, double 1.000000e+00], align 16

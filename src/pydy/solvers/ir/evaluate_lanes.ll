@@ -1,4 +1,4 @@
-; sources acf3b4bb5fbf54b29d288606883f7f6e7e95b0c15d77bd5429e089016218155c
+; sources 54ccebbed066d71150c383931cb6f549dd762a16b63f71654c5f2f5368401dd9
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define noundef i64 @evaluate_lanes(ptr noundef readonly %0) #0 {

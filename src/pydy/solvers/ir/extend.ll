@@ -1,4 +1,4 @@
-; sources 62dcefd1d60b4a83d077fdeb840a90cb2baa379d919254b7361e3ad49a6192ae
+; sources 38f4b3103e797f5ba86f77e45a9089c7a462ffc063baa1512797700a40eab9b4
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @extend(ptr noundef %0, ptr noundef readonly %1) #0 {

@@ -1,4 +1,4 @@
-; sources 329b7bfe85be4e9d96ac914c2a972deefcb01d4437edabb5dff9607012d0905f
+; sources 534efa964bccc98a1c0b3ab7353888753d1b7fc1fc302b28c80b00132fb20a4c
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Held = type { ptr, i64, i64, i64, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr }

@@ -1,4 +1,4 @@
-; sources 97793491e7c167b95e2daacfb0cd82f3ba9e310e118a34c39cd056e8e704f16f
+; sources 937a5c778cfca78f76852937842822f12afb8bfa13ed0ab153b7dda5636df0ac
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Held = type { ptr, i64, i64, i64, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr }

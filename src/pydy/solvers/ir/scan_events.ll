@@ -1,4 +1,4 @@
-; sources 6a9a44cfdd8eebbf53765581b566b7706f7125ffcf8ada3afc620ceb2fbbcde9
+; sources fbdbc148739d068f1ecea4644b4bb865533a27287bebffbfe9acb60b7bc1d491
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Stepper = type { ptr, ptr, ptr }

@@ -1,4 +1,4 @@
-; sources 89634e1c5a6107f69629f119fc816818e92befa5f9d45f18953def4944b3a055
+; sources c953a0b735c3a45acdabc2db4c244fdc2634a998f5d0ef4829140905a8f9470d
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @step_back(ptr noundef readonly %0) #0 {

@@ -1,1234 +1,1340 @@
-; sources 4f55485f10984da4a48d73f27592755b1ea7cc879c2e3442f81e889473ed4c1a
+; sources c2fc68695bdb5a4daca1013864c31023315d9c2d94cee1326e968d8534d463c3
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Stepper = type { ptr, ptr, ptr }
 
 define noundef i64 @step_lanes(ptr noundef %0) #0 {
-  %2 = alloca %struct.Stepper, align 8
-  %3 = alloca i64, align 8
-  store ptr %0, ptr %2, align 8
-  %4 = getelementptr inbounds i8, ptr %2, i64 8
-  %5 = getelementptr inbounds i8, ptr %0, i64 144
-  store ptr %5, ptr %4, align 8
-  %6 = getelementptr inbounds i8, ptr %2, i64 16
-  %7 = getelementptr inbounds i8, ptr %0, i64 360
+  %2 = alloca [8 x i64], align 16
+  %3 = alloca %struct.Stepper, align 8
+  %4 = alloca [8 x double], align 16
+  %5 = alloca i64, align 8
+  store ptr %0, ptr %3, align 8
+  %6 = getelementptr inbounds i8, ptr %3, i64 8
+  %7 = getelementptr inbounds i8, ptr %0, i64 144
   store ptr %7, ptr %6, align 8
-  %8 = getelementptr inbounds i8, ptr %0, i64 912
-  %9 = load ptr, ptr %5, align 8
-  %10 = getelementptr inbounds i8, ptr %9, i64 8
-  %11 = load i64, ptr %10, align 8
-  %12 = load ptr, ptr %0, align 8
-  %13 = getelementptr inbounds i8, ptr %0, i64 960
-  %14 = load ptr, ptr %13, align 8
-  %15 = getelementptr inbounds i8, ptr %0, i64 968
-  %16 = load i64, ptr %15, align 8
-  %17 = getelementptr double, ptr %14, i64 %16
-  %18 = getelementptr i8, ptr %17, i64 -16
-  %19 = load double, ptr %18, align 8
-  %20 = getelementptr inbounds i8, ptr %0, i64 936
-  %21 = load ptr, ptr %20, align 8
-  %22 = load double, ptr %21, align 8
-  %23 = load ptr, ptr %8, align 8
-  %24 = getelementptr inbounds i8, ptr %23, i64 16
-  %25 = load i64, ptr %24, align 8
-  %26 = getelementptr inbounds i8, ptr %0, i64 120
-  %27 = load ptr, ptr %26, align 8
-  %28 = getelementptr inbounds i8, ptr %12, i64 8
-  %29 = load i64, ptr %28, align 8
-  %30 = getelementptr inbounds i8, ptr %12, i64 32
+  %8 = getelementptr inbounds i8, ptr %3, i64 16
+  %9 = getelementptr inbounds i8, ptr %0, i64 360
+  store ptr %9, ptr %8, align 8
+  %10 = getelementptr inbounds i8, ptr %0, i64 912
+  %11 = load ptr, ptr %7, align 8
+  %12 = getelementptr inbounds i8, ptr %11, i64 8
+  %13 = load i64, ptr %12, align 8
+  %14 = load ptr, ptr %0, align 8
+  %15 = getelementptr inbounds i8, ptr %0, i64 960
+  %16 = load ptr, ptr %15, align 8
+  %17 = getelementptr inbounds i8, ptr %0, i64 968
+  %18 = load i64, ptr %17, align 8
+  %19 = getelementptr double, ptr %16, i64 %18
+  %20 = getelementptr i8, ptr %19, i64 -16
+  %21 = load double, ptr %20, align 8
+  %22 = getelementptr inbounds i8, ptr %0, i64 936
+  %23 = load ptr, ptr %22, align 8
+  %24 = load double, ptr %23, align 8
+  %25 = load ptr, ptr %10, align 8
+  %26 = getelementptr inbounds i8, ptr %25, i64 16
+  %27 = load i64, ptr %26, align 8
+  %28 = getelementptr inbounds i8, ptr %0, i64 120
+  %29 = load ptr, ptr %28, align 8
+  %30 = getelementptr inbounds i8, ptr %14, i64 8
   %31 = load i64, ptr %30, align 8
-  %32 = getelementptr inbounds i8, ptr %0, i64 528
-  %33 = load ptr, ptr %32, align 8
-  %34 = load i64, ptr %12, align 8
-  %35 = getelementptr inbounds i8, ptr %0, i64 368
-  %36 = load i64, ptr %35, align 8
-  %37 = mul nsw i64 %36, %34
-  store i64 0, ptr %3, align 8
-  %38 = getelementptr inbounds i8, ptr %0, i64 864
-  %39 = load ptr, ptr %38, align 8
-  br label %122
-
-40:                                               ; preds = %122
-  %41 = getelementptr inbounds i8, ptr %0, i64 624
-  %42 = sitofp i64 %25 to double
-  %43 = icmp sgt i64 %29, 0
-  %44 = icmp ne i64 %31, 1
-  %45 = getelementptr inbounds double, ptr %33, i64 %37
-  store i64 %130, ptr %3, align 8
-  %46 = getelementptr inbounds i8, ptr %0, i64 864
-  %47 = getelementptr inbounds i8, ptr %0, i64 744
-  %48 = insertelement <8 x double> poison, double %19, i64 0
-  %49 = shufflevector <8 x double> %48, <8 x double> poison, <8 x i32> zeroinitializer
-  %50 = getelementptr inbounds i8, ptr %0, i64 648
-  %51 = insertelement <8 x double> poison, double %22, i64 0
-  %52 = shufflevector <8 x double> %51, <8 x double> poison, <8 x i32> zeroinitializer
-  %53 = getelementptr inbounds i8, ptr %0, i64 768
-  %54 = getelementptr inbounds i8, ptr %0, i64 792
-  %55 = insertelement <8 x double> poison, double %42, i64 0
-  %56 = shufflevector <8 x double> %55, <8 x double> poison, <8 x i32> zeroinitializer
-  %57 = getelementptr inbounds i8, ptr %0, i64 432
-  %58 = getelementptr inbounds i8, ptr %0, i64 408
-  %59 = getelementptr inbounds i8, ptr %0, i64 24
-  %60 = getelementptr inbounds i8, ptr %0, i64 528
-  %61 = getelementptr inbounds i8, ptr %0, i64 48
-  %62 = getelementptr inbounds i8, ptr %0, i64 72
-  %63 = getelementptr inbounds i8, ptr %0, i64 368
-  %64 = getelementptr inbounds i8, ptr %0, i64 96
-  %65 = getelementptr inbounds i8, ptr %0, i64 168
-  %66 = getelementptr inbounds i8, ptr %0, i64 272
-  %67 = getelementptr inbounds i8, ptr %0, i64 192
-  %68 = getelementptr inbounds i8, ptr %0, i64 240
-  %69 = getelementptr inbounds i8, ptr %0, i64 384
-  %70 = getelementptr inbounds i8, ptr %0, i64 24
-  %71 = getelementptr inbounds i8, ptr %0, i64 528
-  %72 = getelementptr inbounds i8, ptr %0, i64 48
-  %73 = getelementptr inbounds i8, ptr %0, i64 72
-  %74 = getelementptr inbounds i8, ptr %0, i64 384
-  %75 = getelementptr inbounds i8, ptr %0, i64 168
-  %76 = getelementptr inbounds i8, ptr %0, i64 272
-  %77 = getelementptr inbounds i8, ptr %0, i64 192
-  %78 = getelementptr inbounds i8, ptr %0, i64 240
-  %79 = icmp sgt i64 %11, 0
-  %80 = getelementptr inbounds i8, ptr %0, i64 384
-  %81 = getelementptr inbounds i8, ptr %0, i64 504
-  %82 = getelementptr inbounds i8, ptr %0, i64 368
-  %83 = getelementptr inbounds i8, ptr %0, i64 480
-  %84 = getelementptr inbounds i8, ptr %0, i64 600
-  %85 = getelementptr inbounds i8, ptr %0, i64 576
-  %86 = getelementptr inbounds i8, ptr %0, i64 384
-  %87 = getelementptr inbounds i8, ptr %0, i64 168
-  %88 = getelementptr inbounds i8, ptr %0, i64 272
-  %89 = getelementptr inbounds i8, ptr %0, i64 192
-  %90 = getelementptr inbounds i8, ptr %0, i64 240
-  %91 = getelementptr inbounds i8, ptr %0, i64 816
-  %92 = sext i1 %44 to i64
-  %93 = uitofp i1 %44 to double
-  %94 = insertelement <8 x double> poison, double %93, i64 0
-  %95 = shufflevector <8 x double> %94, <8 x double> poison, <8 x i32> zeroinitializer
-  %96 = getelementptr inbounds i8, ptr %0, i64 744
-  %97 = getelementptr inbounds i8, ptr %0, i64 368
-  %98 = getelementptr inbounds i8, ptr %0, i64 552
-  %99 = getelementptr inbounds i8, ptr %0, i64 408
-  %100 = getelementptr inbounds i8, ptr %0, i64 96
-  %101 = getelementptr inbounds i8, ptr %0, i64 168
-  %102 = getelementptr inbounds i8, ptr %0, i64 272
-  %103 = getelementptr inbounds i8, ptr %0, i64 192
-  %104 = getelementptr inbounds i8, ptr %0, i64 240
-  %105 = getelementptr inbounds i8, ptr %0, i64 480
-  %106 = getelementptr inbounds i8, ptr %12, i64 16
-  %107 = getelementptr inbounds i8, ptr %0, i64 408
-  %108 = getelementptr inbounds i8, ptr %0, i64 456
-  %109 = getelementptr inbounds i8, ptr %0, i64 384
-  %110 = getelementptr inbounds i8, ptr %0, i64 672
-  %111 = getelementptr inbounds i8, ptr %0, i64 696
-  %112 = getelementptr inbounds i8, ptr %27, i64 24
-  %113 = getelementptr inbounds i8, ptr %27, i64 8
-  %114 = getelementptr inbounds i8, ptr %27, i64 16
-  %115 = getelementptr inbounds i8, ptr %27, i64 32
-  %116 = getelementptr inbounds i8, ptr %27, i64 40
-  %117 = getelementptr inbounds i8, ptr %27, i64 24
-  %118 = getelementptr inbounds i8, ptr %27, i64 32
-  %119 = getelementptr inbounds i8, ptr %0, i64 840
-  %120 = icmp sgt i64 %11, 0
-  %121 = getelementptr inbounds i8, ptr %0, i64 384
+  %32 = getelementptr inbounds i8, ptr %14, i64 32
+  %33 = load i64, ptr %32, align 8
+  %34 = getelementptr inbounds i8, ptr %0, i64 1136
+  %35 = load i64, ptr %34, align 8
+  %36 = icmp sgt i64 %35, 0
+  %37 = getelementptr inbounds i8, ptr %0, i64 528
+  %38 = load ptr, ptr %37, align 8
+  %39 = load i64, ptr %14, align 8
+  %40 = getelementptr inbounds i8, ptr %0, i64 368
+  %41 = load i64, ptr %40, align 8
+  %42 = mul nsw i64 %41, %39
+  store i64 0, ptr %5, align 8
+  %43 = getelementptr inbounds i8, ptr %0, i64 864
+  %44 = load ptr, ptr %43, align 8
   br label %133
 
-122:                                              ; preds = %1, %122
-  %123 = phi i64 [ 0, %1 ], [ %131, %122 ]
-  %124 = phi i64 [ 0, %1 ], [ %130, %122 ]
-  %125 = getelementptr inbounds i64, ptr %39, i64 %123
-  %126 = load i64, ptr %125, align 8
-  %127 = icmp sgt i64 %126, -1
-  %128 = zext i1 %127 to i64
-  %129 = shl nuw nsw i64 %128, %123
-  %130 = or i64 %129, %124
-  %131 = add nuw nsw i64 %123, 1
-  %132 = icmp eq i64 %131, 8
-  br i1 %132, label %40, label %122, !llvm.loop !3
+45:                                               ; preds = %133
+  %46 = getelementptr inbounds i8, ptr %0, i64 624
+  %47 = sitofp i64 %27 to double
+  %48 = icmp sgt i64 %31, 0
+  %49 = icmp ne i64 %33, 1
+  %50 = select i1 %36, i1 true, i1 %49
+  %51 = getelementptr inbounds double, ptr %38, i64 %42
+  store i64 %141, ptr %5, align 8
+  %52 = getelementptr inbounds i8, ptr %0, i64 864
+  %53 = getelementptr inbounds i8, ptr %0, i64 744
+  %54 = insertelement <8 x double> poison, double %21, i64 0
+  %55 = shufflevector <8 x double> %54, <8 x double> poison, <8 x i32> zeroinitializer
+  %56 = getelementptr inbounds i8, ptr %0, i64 648
+  %57 = insertelement <8 x double> poison, double %24, i64 0
+  %58 = shufflevector <8 x double> %57, <8 x double> poison, <8 x i32> zeroinitializer
+  %59 = getelementptr inbounds i8, ptr %0, i64 768
+  %60 = getelementptr inbounds i8, ptr %0, i64 792
+  %61 = insertelement <8 x double> poison, double %47, i64 0
+  %62 = shufflevector <8 x double> %61, <8 x double> poison, <8 x i32> zeroinitializer
+  %63 = getelementptr inbounds i8, ptr %0, i64 432
+  %64 = getelementptr inbounds i8, ptr %0, i64 408
+  %65 = getelementptr inbounds i8, ptr %0, i64 24
+  %66 = getelementptr inbounds i8, ptr %0, i64 528
+  %67 = getelementptr inbounds i8, ptr %0, i64 48
+  %68 = getelementptr inbounds i8, ptr %0, i64 72
+  %69 = getelementptr inbounds i8, ptr %0, i64 368
+  %70 = getelementptr inbounds i8, ptr %0, i64 96
+  %71 = getelementptr inbounds i8, ptr %0, i64 168
+  %72 = getelementptr inbounds i8, ptr %0, i64 272
+  %73 = getelementptr inbounds i8, ptr %0, i64 192
+  %74 = getelementptr inbounds i8, ptr %0, i64 240
+  %75 = getelementptr inbounds i8, ptr %0, i64 384
+  %76 = getelementptr inbounds i8, ptr %0, i64 24
+  %77 = getelementptr inbounds i8, ptr %0, i64 528
+  %78 = getelementptr inbounds i8, ptr %0, i64 48
+  %79 = getelementptr inbounds i8, ptr %0, i64 72
+  %80 = getelementptr inbounds i8, ptr %0, i64 384
+  %81 = getelementptr inbounds i8, ptr %0, i64 168
+  %82 = getelementptr inbounds i8, ptr %0, i64 272
+  %83 = getelementptr inbounds i8, ptr %0, i64 192
+  %84 = getelementptr inbounds i8, ptr %0, i64 240
+  %85 = icmp sgt i64 %13, 0
+  %86 = getelementptr inbounds i8, ptr %0, i64 384
+  %87 = getelementptr inbounds i8, ptr %0, i64 504
+  %88 = getelementptr inbounds i8, ptr %0, i64 368
+  %89 = getelementptr inbounds i8, ptr %0, i64 480
+  %90 = getelementptr inbounds i8, ptr %0, i64 600
+  %91 = getelementptr inbounds i8, ptr %0, i64 576
+  %92 = getelementptr inbounds i8, ptr %0, i64 384
+  %93 = getelementptr inbounds i8, ptr %0, i64 384
+  %94 = getelementptr inbounds i8, ptr %0, i64 168
+  %95 = getelementptr inbounds i8, ptr %0, i64 272
+  %96 = getelementptr inbounds i8, ptr %0, i64 192
+  %97 = getelementptr inbounds i8, ptr %0, i64 240
+  %98 = getelementptr inbounds i8, ptr %0, i64 816
+  %99 = sext i1 %49 to i64
+  %100 = uitofp i1 %50 to double
+  %101 = insertelement <8 x double> poison, double %100, i64 0
+  %102 = bitcast <8 x double> %101 to <8 x i64>
+  %103 = shufflevector <8 x i64> %102, <8 x i64> poison, <8 x i32> zeroinitializer
+  %104 = getelementptr inbounds i8, ptr %0, i64 744
+  %105 = getelementptr inbounds i8, ptr %0, i64 368
+  %106 = getelementptr inbounds i8, ptr %0, i64 552
+  %107 = getelementptr inbounds i8, ptr %0, i64 408
+  %108 = getelementptr inbounds i8, ptr %0, i64 96
+  %109 = getelementptr inbounds i8, ptr %0, i64 168
+  %110 = getelementptr inbounds i8, ptr %0, i64 272
+  %111 = getelementptr inbounds i8, ptr %0, i64 192
+  %112 = getelementptr inbounds i8, ptr %0, i64 240
+  %113 = getelementptr inbounds i8, ptr %0, i64 480
+  %114 = getelementptr inbounds i8, ptr %14, i64 16
+  %115 = getelementptr inbounds i8, ptr %0, i64 720
+  %116 = getelementptr inbounds i8, ptr %0, i64 408
+  %117 = getelementptr inbounds i8, ptr %0, i64 888
+  %118 = getelementptr inbounds i8, ptr %0, i64 456
+  %119 = getelementptr inbounds i8, ptr %0, i64 888
+  %120 = getelementptr inbounds i8, ptr %0, i64 384
+  %121 = getelementptr inbounds i8, ptr %0, i64 672
+  %122 = getelementptr inbounds i8, ptr %0, i64 696
+  %123 = getelementptr inbounds i8, ptr %29, i64 24
+  %124 = getelementptr inbounds i8, ptr %29, i64 8
+  %125 = getelementptr inbounds i8, ptr %29, i64 16
+  %126 = getelementptr inbounds i8, ptr %29, i64 32
+  %127 = getelementptr inbounds i8, ptr %29, i64 40
+  %128 = getelementptr inbounds i8, ptr %29, i64 24
+  %129 = getelementptr inbounds i8, ptr %29, i64 32
+  %130 = getelementptr inbounds i8, ptr %0, i64 840
+  %131 = icmp sgt i64 %13, 0
+  %132 = getelementptr inbounds i8, ptr %0, i64 384
+  br label %144
 
-133:                                              ; preds = %160, %40
-  %134 = phi i32 [ 1, %40 ], [ %161, %160 ]
-  %135 = icmp eq i32 %134, 0
-  br i1 %135, label %162, label %136
+133:                                              ; preds = %1, %133
+  %134 = phi i64 [ 0, %1 ], [ %142, %133 ]
+  %135 = phi i64 [ 0, %1 ], [ %141, %133 ]
+  %136 = getelementptr inbounds i64, ptr %44, i64 %134
+  %137 = load i64, ptr %136, align 8
+  %138 = icmp sgt i64 %137, -1
+  %139 = zext i1 %138 to i64
+  %140 = shl nuw nsw i64 %139, %134
+  %141 = or i64 %140, %135
+  %142 = add nuw nsw i64 %134, 1
+  %143 = icmp eq i64 %142, 8
+  br i1 %143, label %45, label %133, !llvm.loop !3
 
-136:                                              ; preds = %133
-  %137 = call fastcc i64 @fill(ptr noundef nonnull %0, ptr noundef nonnull %3) #10
-  %138 = load i64, ptr %3, align 8
-  %139 = icmp eq i64 %138, 0
-  br i1 %139, label %157, label %140
+144:                                              ; preds = %171, %45
+  %145 = phi i32 [ 1, %45 ], [ %172, %171 ]
+  %146 = icmp eq i32 %145, 0
+  br i1 %146, label %173, label %147
 
-140:                                              ; preds = %136
-  %141 = icmp eq i64 %137, 0
-  br i1 %141, label %157, label %142
+147:                                              ; preds = %144
+  %148 = call fastcc i64 @fill(ptr noundef nonnull %0, ptr noundef nonnull %5) #10
+  %149 = load i64, ptr %5, align 8
+  %150 = icmp eq i64 %149, 0
+  br i1 %150, label %168, label %151
 
-142:                                              ; preds = %140
-  call fastcc void @start(ptr noundef nonnull %0, ptr noundef nonnull %2, i64 noundef %137) #10
-  br label %143
+151:                                              ; preds = %147
+  %152 = icmp eq i64 %148, 0
+  br i1 %152, label %168, label %153
 
-143:                                              ; preds = %142, %152
-  %144 = phi i32 [ 0, %142 ], [ %154, %152 ]
-  %145 = phi i64 [ 0, %142 ], [ %155, %152 ]
-  %146 = icmp eq i32 %144, 0
-  br i1 %146, label %147, label %152
+153:                                              ; preds = %151
+  call fastcc void @start(ptr noundef nonnull %0, ptr noundef nonnull %3, i64 noundef %148) #10
+  br label %154
 
-147:                                              ; preds = %143
-  %148 = load ptr, ptr %46, align 8
-  %149 = getelementptr inbounds i64, ptr %148, i64 %145
-  %150 = load i64, ptr %149, align 8
-  %151 = icmp eq i64 %150, -1
-  br label %152
+154:                                              ; preds = %153, %163
+  %155 = phi i32 [ 0, %153 ], [ %165, %163 ]
+  %156 = phi i64 [ 0, %153 ], [ %166, %163 ]
+  %157 = icmp eq i32 %155, 0
+  br i1 %157, label %158, label %163
 
-152:                                              ; preds = %147, %143
-  %153 = phi i1 [ true, %143 ], [ %151, %147 ]
-  %154 = zext i1 %153 to i32
-  %155 = add nuw nsw i64 %145, 1
-  %156 = icmp eq i64 %155, 8
-  br i1 %156, label %157, label %143, !llvm.loop !6
+158:                                              ; preds = %154
+  %159 = load ptr, ptr %52, align 8
+  %160 = getelementptr inbounds i64, ptr %159, i64 %156
+  %161 = load i64, ptr %160, align 8
+  %162 = icmp eq i64 %161, -1
+  br label %163
 
-157:                                              ; preds = %152, %140, %136
-  %158 = phi i32 [ 1, %136 ], [ 8, %140 ], [ 0, %152 ]
-  %159 = phi i32 [ %134, %136 ], [ %134, %140 ], [ %154, %152 ]
-  switch i32 %158, label %1015 [
-    i32 0, label %160
-    i32 8, label %162
+163:                                              ; preds = %158, %154
+  %164 = phi i1 [ true, %154 ], [ %162, %158 ]
+  %165 = zext i1 %164 to i32
+  %166 = add nuw nsw i64 %156, 1
+  %167 = icmp eq i64 %166, 8
+  br i1 %167, label %168, label %154, !llvm.loop !6
+
+168:                                              ; preds = %163, %151, %147
+  %169 = phi i32 [ 1, %147 ], [ 8, %151 ], [ 0, %163 ]
+  %170 = phi i32 [ %145, %147 ], [ %145, %151 ], [ %165, %163 ]
+  switch i32 %169, label %1097 [
+    i32 0, label %171
+    i32 8, label %173
   ]
 
-160:                                              ; preds = %157, %987, %1013, %216
-  %161 = phi i32 [ %159, %157 ], [ %745, %987 ], [ 1, %1013 ], [ 1, %216 ]
-  br label %133, !llvm.loop !7
+171:                                              ; preds = %168, %1069, %1095, %227
+  %172 = phi i32 [ %170, %168 ], [ %820, %1069 ], [ 1, %1095 ], [ 1, %227 ]
+  br label %144, !llvm.loop !7
 
-162:                                              ; preds = %157, %133
-  %163 = phi i32 [ %159, %157 ], [ 0, %133 ]
-  %164 = load ptr, ptr %8, align 8
-  %165 = getelementptr inbounds i8, ptr %164, i64 8
-  %166 = load i64, ptr %165, align 8
-  %167 = icmp slt i64 %166, 1
-  br i1 %167, label %1015, label %168
+173:                                              ; preds = %168, %144
+  %174 = phi i32 [ %170, %168 ], [ 0, %144 ]
+  %175 = load ptr, ptr %10, align 8
+  %176 = getelementptr inbounds i8, ptr %175, i64 8
+  %177 = load i64, ptr %176, align 8
+  %178 = icmp slt i64 %177, 1
+  br i1 %178, label %1097, label %179
 
-168:                                              ; preds = %162
-  %169 = add nsw i64 %166, -1
-  store i64 %169, ptr %165, align 8
-  %170 = load i64, ptr %3, align 8
-  %171 = trunc i64 %170 to i8
-  %172 = bitcast i8 %171 to <8 x i1>
-  %173 = load ptr, ptr %41, align 8
-  %174 = load <8 x double>, ptr %173, align 8
-  br i1 %43, label %178, label %175
+179:                                              ; preds = %173
+  %180 = add nsw i64 %177, -1
+  store i64 %180, ptr %176, align 8
+  %181 = load i64, ptr %5, align 8
+  %182 = trunc i64 %181 to i8
+  %183 = bitcast i8 %182 to <8 x i1>
+  %184 = load ptr, ptr %46, align 8
+  %185 = load <8 x double>, ptr %184, align 8
+  br i1 %48, label %189, label %186
 
-175:                                              ; preds = %168
-  %176 = load ptr, ptr %47, align 8
-  %177 = load <8 x double>, ptr %176, align 8
-  br label %178
+186:                                              ; preds = %179
+  %187 = load ptr, ptr %53, align 8
+  %188 = load <8 x double>, ptr %187, align 8
+  br label %189
 
-178:                                              ; preds = %168, %175
-  %179 = phi <8 x double> [ %177, %175 ], [ %49, %168 ]
-  %180 = load ptr, ptr %50, align 8
-  %181 = load <8 x double>, ptr %180, align 8
-  br i1 %43, label %182, label %185
+189:                                              ; preds = %179, %186
+  %190 = phi <8 x double> [ %188, %186 ], [ %55, %179 ]
+  %191 = load ptr, ptr %56, align 8
+  %192 = load <8 x double>, ptr %191, align 8
+  br i1 %48, label %193, label %196
 
-182:                                              ; preds = %178
-  %183 = fcmp olt <8 x double> %181, %52
-  %184 = select <8 x i1> %183, <8 x double> %181, <8 x double> %52
-  br label %191
+193:                                              ; preds = %189
+  %194 = fcmp olt <8 x double> %192, %58
+  %195 = select <8 x i1> %194, <8 x double> %192, <8 x double> %58
+  br label %202
 
-185:                                              ; preds = %178
-  %186 = fsub <8 x double> %179, %174
-  %187 = fdiv <8 x double> %186, %181
-  %188 = fmul <8 x double> %187, <double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1>
-  %189 = tail call <8 x double> @llvm.ceil.v8f64(<8 x double> %188)
-  %190 = fdiv <8 x double> %186, %189
-  br label %191
+196:                                              ; preds = %189
+  %197 = fsub <8 x double> %190, %185
+  %198 = fdiv <8 x double> %197, %192
+  %199 = fmul <8 x double> %198, <double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1>
+  %200 = tail call <8 x double> @llvm.ceil.v8f64(<8 x double> %199)
+  %201 = fdiv <8 x double> %197, %200
+  br label %202
 
-191:                                              ; preds = %185, %182
-  %192 = phi <8 x double> [ %184, %182 ], [ %190, %185 ]
-  %193 = fadd <8 x double> %174, %192
-  %194 = fmul <8 x double> %192, <double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03>
-  %195 = fsub <8 x double> %179, %194
-  %196 = fcmp ogt <8 x double> %193, %195
-  %197 = fsub <8 x double> %179, %174
-  %198 = select <8 x i1> %196, <8 x double> %197, <8 x double> %192
-  %199 = select <8 x i1> %196, <8 x double> %179, <8 x double> %193
-  %200 = select <8 x i1> %172, <8 x double> %198, <8 x double> zeroinitializer
-  %201 = load ptr, ptr %53, align 8
-  %202 = load <8 x double>, ptr %201, align 8
-  %203 = load ptr, ptr %54, align 8
-  %204 = load <8 x double>, ptr %203, align 8
-  %205 = fadd <8 x double> %202, %204
-  %206 = fcmp oge <8 x double> %205, %56
-  %207 = fmul <8 x double> %200, <double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02>
-  %208 = fadd <8 x double> %174, %207
-  %209 = fcmp ule <8 x double> %208, %174
-  %210 = fcmp une <8 x double> %199, %179
-  %211 = and <8 x i1> %209, %210
-  %212 = or <8 x i1> %211, %206
-  %213 = and <8 x i1> %212, %172
-  %214 = bitcast <8 x i1> %213 to i8
-  %215 = icmp eq i8 %214, 0
-  br i1 %215, label %223, label %216
+202:                                              ; preds = %196, %193
+  %203 = phi <8 x double> [ %195, %193 ], [ %201, %196 ]
+  %204 = fadd <8 x double> %185, %203
+  %205 = fmul <8 x double> %203, <double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03>
+  %206 = fsub <8 x double> %190, %205
+  %207 = fcmp ogt <8 x double> %204, %206
+  %208 = fsub <8 x double> %190, %185
+  %209 = select <8 x i1> %207, <8 x double> %208, <8 x double> %203
+  %210 = select <8 x i1> %207, <8 x double> %190, <8 x double> %204
+  %211 = select <8 x i1> %183, <8 x double> %209, <8 x double> zeroinitializer
+  %212 = load ptr, ptr %59, align 8
+  %213 = load <8 x double>, ptr %212, align 8
+  %214 = load ptr, ptr %60, align 8
+  %215 = load <8 x double>, ptr %214, align 8
+  %216 = fadd <8 x double> %213, %215
+  %217 = fcmp oge <8 x double> %216, %62
+  %218 = fmul <8 x double> %211, <double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02>
+  %219 = fadd <8 x double> %185, %218
+  %220 = fcmp ule <8 x double> %219, %185
+  %221 = fcmp une <8 x double> %210, %190
+  %222 = and <8 x i1> %220, %221
+  %223 = or <8 x i1> %222, %217
+  %224 = and <8 x i1> %223, %183
+  %225 = bitcast <8 x i1> %224 to i8
+  %226 = icmp eq i8 %225, 0
+  br i1 %226, label %234, label %227
 
-216:                                              ; preds = %191
-  %217 = zext i8 %214 to i64
-  %218 = bitcast <8 x i1> %206 to i8
-  %219 = zext i8 %218 to i64
-  %220 = and i64 %217, %219
-  tail call fastcc void @retire(ptr noundef %0, i64 noundef %220, i64 noundef 1) #10
-  %221 = xor i64 %219, -1
-  %222 = and i64 %217, %221
-  tail call fastcc void @retire(ptr noundef %0, i64 noundef %222, i64 noundef -1) #10
-  br label %160
+227:                                              ; preds = %202
+  %228 = zext i8 %225 to i64
+  %229 = bitcast <8 x i1> %217 to i8
+  %230 = zext i8 %229 to i64
+  %231 = and i64 %228, %230
+  tail call fastcc void @retire(ptr noundef %0, i64 noundef %231, i64 noundef 1) #10
+  %232 = xor i64 %230, -1
+  %233 = and i64 %228, %232
+  tail call fastcc void @retire(ptr noundef %0, i64 noundef %233, i64 noundef -1) #10
+  br label %171
 
-223:                                              ; preds = %191
-  %224 = load ptr, ptr %0, align 8
-  %225 = load i64, ptr %224, align 8
-  %226 = load ptr, ptr %57, align 8
-  store <8 x double> %200, ptr %226, align 8
-  %227 = icmp sgt i64 %225, 1
-  br i1 %227, label %228, label %277
+234:                                              ; preds = %202
+  %235 = load ptr, ptr %0, align 8
+  %236 = load i64, ptr %235, align 8
+  %237 = load ptr, ptr %63, align 8
+  store <8 x double> %211, ptr %237, align 8
+  %238 = icmp sgt i64 %236, 1
+  br i1 %238, label %239, label %288
 
-228:                                              ; preds = %223, %265
-  %229 = phi i64 [ %274, %265 ], [ 0, %223 ]
-  %230 = phi i64 [ %275, %265 ], [ 1, %223 ]
-  %231 = load ptr, ptr %58, align 8
-  %232 = load ptr, ptr %7, align 8
-  %233 = load ptr, ptr %5, align 8
-  %234 = getelementptr inbounds i8, ptr %233, i64 16
-  %235 = load i64, ptr %234, align 8
-  %236 = load ptr, ptr %59, align 8
-  %237 = getelementptr inbounds i64, ptr %236, i64 %230
-  %238 = load i64, ptr %237, align 8
-  %239 = getelementptr i8, ptr %237, i64 8
-  %240 = load i64, ptr %239, align 8
-  %241 = xor i64 %238, -1
-  %242 = add i64 %240, %241
-  %243 = load ptr, ptr %57, align 8
-  %244 = load ptr, ptr %60, align 8
-  %245 = load ptr, ptr %61, align 8
-  %246 = getelementptr inbounds i64, ptr %245, i64 %238
-  %247 = load ptr, ptr %62, align 8
-  %248 = getelementptr inbounds double, ptr %247, i64 %238
-  tail call fastcc void @combine(ptr noundef %231, ptr noundef %232, ptr noundef %243, ptr noundef %244, ptr noundef %246, ptr noundef %248, i64 noundef %242, i64 noundef %235) #10
-  %249 = load ptr, ptr %60, align 8
-  %250 = load i64, ptr %63, align 8
-  %251 = mul nsw i64 %250, %230
-  %252 = getelementptr inbounds double, ptr %249, i64 %251
-  %253 = load ptr, ptr %64, align 8
-  %254 = getelementptr inbounds double, ptr %253, i64 %230
-  %255 = load double, ptr %254, align 8
-  %256 = insertelement <8 x double> poison, double %255, i64 0
-  %257 = shufflevector <8 x double> %256, <8 x double> poison, <8 x i32> zeroinitializer
-  %258 = fmul <8 x double> %200, %257
-  %259 = fadd <8 x double> %174, %258
-  %260 = load ptr, ptr %58, align 8
-  %261 = load ptr, ptr %65, align 8
-  store <8 x double> %259, ptr %261, align 8
-  %262 = load i64, ptr %66, align 8
-  %263 = icmp sgt i64 %262, 0
-  br i1 %263, label %264, label %265
+239:                                              ; preds = %234, %276
+  %240 = phi i64 [ %285, %276 ], [ 0, %234 ]
+  %241 = phi i64 [ %286, %276 ], [ 1, %234 ]
+  %242 = load ptr, ptr %64, align 8
+  %243 = load ptr, ptr %9, align 8
+  %244 = load ptr, ptr %7, align 8
+  %245 = getelementptr inbounds i8, ptr %244, i64 16
+  %246 = load i64, ptr %245, align 8
+  %247 = load ptr, ptr %65, align 8
+  %248 = getelementptr inbounds i64, ptr %247, i64 %241
+  %249 = load i64, ptr %248, align 8
+  %250 = getelementptr i8, ptr %248, i64 8
+  %251 = load i64, ptr %250, align 8
+  %252 = xor i64 %249, -1
+  %253 = add i64 %251, %252
+  %254 = load ptr, ptr %63, align 8
+  %255 = load ptr, ptr %66, align 8
+  %256 = load ptr, ptr %67, align 8
+  %257 = getelementptr inbounds i64, ptr %256, i64 %249
+  %258 = load ptr, ptr %68, align 8
+  %259 = getelementptr inbounds double, ptr %258, i64 %249
+  tail call fastcc void @combine(ptr noundef %242, ptr noundef %243, ptr noundef %254, ptr noundef %255, ptr noundef %257, ptr noundef %259, i64 noundef %253, i64 noundef %246) #10
+  %260 = load ptr, ptr %66, align 8
+  %261 = load i64, ptr %69, align 8
+  %262 = mul nsw i64 %261, %241
+  %263 = getelementptr inbounds double, ptr %260, i64 %262
+  %264 = load ptr, ptr %70, align 8
+  %265 = getelementptr inbounds double, ptr %264, i64 %241
+  %266 = load double, ptr %265, align 8
+  %267 = insertelement <8 x double> poison, double %266, i64 0
+  %268 = shufflevector <8 x double> %267, <8 x double> poison, <8 x i32> zeroinitializer
+  %269 = fmul <8 x double> %211, %268
+  %270 = fadd <8 x double> %185, %269
+  %271 = load ptr, ptr %64, align 8
+  %272 = load ptr, ptr %71, align 8
+  store <8 x double> %270, ptr %272, align 8
+  %273 = load i64, ptr %72, align 8
+  %274 = icmp sgt i64 %273, 0
+  br i1 %274, label %275, label %276
 
-264:                                              ; preds = %228
-  tail call fastcc void @sample(ptr noundef nonnull %5) #10
-  br label %265
+275:                                              ; preds = %239
+  tail call fastcc void @sample(ptr noundef nonnull %7) #10
+  br label %276
 
-265:                                              ; preds = %228, %264
-  %266 = load ptr, ptr %5, align 8
-  %267 = load i64, ptr %266, align 8
-  %268 = load ptr, ptr %65, align 8
-  %269 = load ptr, ptr %67, align 8
-  %270 = load ptr, ptr %68, align 8
-  %271 = inttoptr i64 %267 to ptr
-  %272 = tail call i32 %271(ptr noundef %268, ptr noundef %260, ptr noundef %269, ptr noundef %270, ptr noundef %252) #11
-  %273 = zext i32 %272 to i64
-  %274 = or i64 %229, %273
-  %275 = add nuw nsw i64 %230, 1
-  %276 = icmp eq i64 %275, %225
-  br i1 %276, label %277, label %228, !llvm.loop !8
+276:                                              ; preds = %239, %275
+  %277 = load ptr, ptr %7, align 8
+  %278 = load i64, ptr %277, align 8
+  %279 = load ptr, ptr %71, align 8
+  %280 = load ptr, ptr %73, align 8
+  %281 = load ptr, ptr %74, align 8
+  %282 = inttoptr i64 %278 to ptr
+  %283 = tail call i32 %282(ptr noundef %279, ptr noundef %271, ptr noundef %280, ptr noundef %281, ptr noundef %263) #11
+  %284 = zext i32 %283 to i64
+  %285 = or i64 %240, %284
+  %286 = add nuw nsw i64 %241, 1
+  %287 = icmp eq i64 %286, %236
+  br i1 %287, label %288, label %239, !llvm.loop !8
 
-277:                                              ; preds = %265, %223
-  %278 = phi i64 [ 0, %223 ], [ %274, %265 ]
-  %279 = load ptr, ptr %69, align 8
-  %280 = load ptr, ptr %7, align 8
-  %281 = load ptr, ptr %5, align 8
-  %282 = getelementptr inbounds i8, ptr %281, i64 16
-  %283 = load i64, ptr %282, align 8
-  %284 = load ptr, ptr %70, align 8
-  %285 = getelementptr inbounds i64, ptr %284, i64 %225
-  %286 = load i64, ptr %285, align 8
-  %287 = getelementptr i8, ptr %285, i64 8
-  %288 = load i64, ptr %287, align 8
-  %289 = xor i64 %286, -1
-  %290 = add i64 %288, %289
-  %291 = load ptr, ptr %57, align 8
-  %292 = load ptr, ptr %71, align 8
-  %293 = load ptr, ptr %72, align 8
-  %294 = getelementptr inbounds i64, ptr %293, i64 %286
-  %295 = load ptr, ptr %73, align 8
-  %296 = getelementptr inbounds double, ptr %295, i64 %286
-  tail call fastcc void @combine(ptr noundef %279, ptr noundef %280, ptr noundef %291, ptr noundef %292, ptr noundef %294, ptr noundef %296, i64 noundef %290, i64 noundef %283) #10
-  br i1 %44, label %313, label %297
+288:                                              ; preds = %276, %234
+  %289 = phi i64 [ 0, %234 ], [ %285, %276 ]
+  %290 = load ptr, ptr %75, align 8
+  %291 = load ptr, ptr %9, align 8
+  %292 = load ptr, ptr %7, align 8
+  %293 = getelementptr inbounds i8, ptr %292, i64 16
+  %294 = load i64, ptr %293, align 8
+  %295 = load ptr, ptr %76, align 8
+  %296 = getelementptr inbounds i64, ptr %295, i64 %236
+  %297 = load i64, ptr %296, align 8
+  %298 = getelementptr i8, ptr %296, i64 8
+  %299 = load i64, ptr %298, align 8
+  %300 = xor i64 %297, -1
+  %301 = add i64 %299, %300
+  %302 = load ptr, ptr %63, align 8
+  %303 = load ptr, ptr %77, align 8
+  %304 = load ptr, ptr %78, align 8
+  %305 = getelementptr inbounds i64, ptr %304, i64 %297
+  %306 = load ptr, ptr %79, align 8
+  %307 = getelementptr inbounds double, ptr %306, i64 %297
+  tail call fastcc void @combine(ptr noundef %290, ptr noundef %291, ptr noundef %302, ptr noundef %303, ptr noundef %305, ptr noundef %307, i64 noundef %301, i64 noundef %294) #10
+  br i1 %49, label %324, label %308
 
-297:                                              ; preds = %277
-  %298 = load ptr, ptr %74, align 8
-  %299 = load ptr, ptr %75, align 8
-  store <8 x double> %199, ptr %299, align 8
-  %300 = load i64, ptr %76, align 8
-  %301 = icmp sgt i64 %300, 0
-  br i1 %301, label %302, label %303
+308:                                              ; preds = %288
+  %309 = load ptr, ptr %80, align 8
+  %310 = load ptr, ptr %81, align 8
+  store <8 x double> %210, ptr %310, align 8
+  %311 = load i64, ptr %82, align 8
+  %312 = icmp sgt i64 %311, 0
+  br i1 %312, label %313, label %314
 
-302:                                              ; preds = %297
-  tail call fastcc void @sample(ptr noundef nonnull %5) #10
-  br label %303
+313:                                              ; preds = %308
+  tail call fastcc void @sample(ptr noundef nonnull %7) #10
+  br label %314
 
-303:                                              ; preds = %297, %302
-  %304 = load ptr, ptr %5, align 8
-  %305 = load i64, ptr %304, align 8
-  %306 = load ptr, ptr %75, align 8
-  %307 = load ptr, ptr %77, align 8
-  %308 = load ptr, ptr %78, align 8
-  %309 = inttoptr i64 %305 to ptr
-  %310 = tail call i32 %309(ptr noundef %306, ptr noundef %298, ptr noundef %307, ptr noundef %308, ptr noundef %45) #11
-  %311 = zext i32 %310 to i64
-  %312 = or i64 %278, %311
-  br label %313
+314:                                              ; preds = %308, %313
+  %315 = load ptr, ptr %7, align 8
+  %316 = load i64, ptr %315, align 8
+  %317 = load ptr, ptr %81, align 8
+  %318 = load ptr, ptr %83, align 8
+  %319 = load ptr, ptr %84, align 8
+  %320 = inttoptr i64 %316 to ptr
+  %321 = tail call i32 %320(ptr noundef %317, ptr noundef %309, ptr noundef %318, ptr noundef %319, ptr noundef %51) #11
+  %322 = zext i32 %321 to i64
+  %323 = or i64 %289, %322
+  br label %324
 
-313:                                              ; preds = %303, %277
-  %314 = phi i64 [ %312, %303 ], [ %278, %277 ]
-  br i1 %43, label %318, label %315
+324:                                              ; preds = %314, %288
+  %325 = phi i64 [ %323, %314 ], [ %289, %288 ]
+  br i1 %48, label %329, label %326
 
-315:                                              ; preds = %313
-  br i1 %79, label %316, label %491
+326:                                              ; preds = %324
+  br i1 %85, label %327, label %502
 
-316:                                              ; preds = %315
-  %317 = load ptr, ptr %80, align 8
-  br label %481
+327:                                              ; preds = %326
+  %328 = load ptr, ptr %86, align 8
+  br label %492
 
-318:                                              ; preds = %313
-  %319 = load ptr, ptr %5, align 8
-  %320 = load ptr, ptr %0, align 8
-  %321 = getelementptr inbounds i8, ptr %319, i64 24
-  %322 = load i64, ptr %321, align 8
-  %323 = getelementptr inbounds i8, ptr %320, i64 8
-  %324 = load i64, ptr %323, align 8
-  %325 = load ptr, ptr %81, align 8
-  %326 = load i64, ptr %82, align 8
-  %327 = getelementptr inbounds double, ptr %325, i64 %326
-  %328 = icmp sgt i64 %324, 0
-  br i1 %328, label %329, label %331
+329:                                              ; preds = %324
+  %330 = load ptr, ptr %7, align 8
+  %331 = load ptr, ptr %0, align 8
+  %332 = getelementptr inbounds i8, ptr %330, i64 24
+  %333 = load i64, ptr %332, align 8
+  %334 = getelementptr inbounds i8, ptr %331, i64 8
+  %335 = load i64, ptr %334, align 8
+  %336 = load ptr, ptr %87, align 8
+  %337 = load i64, ptr %88, align 8
+  %338 = getelementptr inbounds double, ptr %336, i64 %337
+  %339 = icmp sgt i64 %335, 0
+  br i1 %339, label %340, label %342
 
-329:                                              ; preds = %318
-  %330 = getelementptr inbounds i8, ptr %319, i64 32
-  br label %339
+340:                                              ; preds = %329
+  %341 = getelementptr inbounds i8, ptr %330, i64 32
+  br label %350
 
-331:                                              ; preds = %339, %318
-  %332 = icmp sgt i64 %322, 0
-  br i1 %332, label %333, label %365
+342:                                              ; preds = %350, %329
+  %343 = icmp sgt i64 %333, 0
+  br i1 %343, label %344, label %376
 
-333:                                              ; preds = %331
-  %334 = load ptr, ptr %7, align 8
-  %335 = load ptr, ptr %69, align 8
-  %336 = load ptr, ptr %84, align 8
-  %337 = load ptr, ptr %85, align 8
-  %338 = load ptr, ptr %81, align 8
-  br label %428
+344:                                              ; preds = %342
+  %345 = load ptr, ptr %9, align 8
+  %346 = load ptr, ptr %75, align 8
+  %347 = load ptr, ptr %90, align 8
+  %348 = load ptr, ptr %91, align 8
+  %349 = load ptr, ptr %87, align 8
+  br label %439
 
-339:                                              ; preds = %329, %339
-  %340 = phi i64 [ 0, %329 ], [ %363, %339 ]
-  %341 = load i64, ptr %320, align 8
-  %342 = load i64, ptr %330, align 8
-  %343 = load ptr, ptr %81, align 8
-  %344 = load i64, ptr %82, align 8
-  %345 = mul nsw i64 %344, %340
-  %346 = getelementptr inbounds double, ptr %343, i64 %345
-  %347 = load ptr, ptr %83, align 8
-  %348 = load ptr, ptr %70, align 8
-  %349 = getelementptr i64, ptr %348, i64 %341
-  %350 = getelementptr i8, ptr %349, i64 8
-  %351 = getelementptr i64, ptr %350, i64 %340
-  %352 = load i64, ptr %351, align 8
-  %353 = getelementptr i8, ptr %351, i64 8
-  %354 = load i64, ptr %353, align 8
-  %355 = xor i64 %352, -1
-  %356 = add i64 %354, %355
-  %357 = load ptr, ptr %57, align 8
-  %358 = load ptr, ptr %71, align 8
-  %359 = load ptr, ptr %72, align 8
-  %360 = getelementptr inbounds i64, ptr %359, i64 %352
-  %361 = load ptr, ptr %73, align 8
-  %362 = getelementptr inbounds double, ptr %361, i64 %352
-  tail call fastcc void @combine(ptr noundef %346, ptr noundef %347, ptr noundef %357, ptr noundef %358, ptr noundef %360, ptr noundef %362, i64 noundef %356, i64 noundef %342) #10
-  %363 = add nuw nsw i64 %340, 1
-  %364 = icmp eq i64 %363, %324
-  br i1 %364, label %331, label %339, !llvm.loop !9
+350:                                              ; preds = %340, %350
+  %351 = phi i64 [ 0, %340 ], [ %374, %350 ]
+  %352 = load i64, ptr %331, align 8
+  %353 = load i64, ptr %341, align 8
+  %354 = load ptr, ptr %87, align 8
+  %355 = load i64, ptr %88, align 8
+  %356 = mul nsw i64 %355, %351
+  %357 = getelementptr inbounds double, ptr %354, i64 %356
+  %358 = load ptr, ptr %89, align 8
+  %359 = load ptr, ptr %76, align 8
+  %360 = getelementptr i64, ptr %359, i64 %352
+  %361 = getelementptr i8, ptr %360, i64 8
+  %362 = getelementptr i64, ptr %361, i64 %351
+  %363 = load i64, ptr %362, align 8
+  %364 = getelementptr i8, ptr %362, i64 8
+  %365 = load i64, ptr %364, align 8
+  %366 = xor i64 %363, -1
+  %367 = add i64 %365, %366
+  %368 = load ptr, ptr %63, align 8
+  %369 = load ptr, ptr %77, align 8
+  %370 = load ptr, ptr %78, align 8
+  %371 = getelementptr inbounds i64, ptr %370, i64 %363
+  %372 = load ptr, ptr %79, align 8
+  %373 = getelementptr inbounds double, ptr %372, i64 %363
+  tail call fastcc void @combine(ptr noundef %357, ptr noundef %358, ptr noundef %368, ptr noundef %369, ptr noundef %371, ptr noundef %373, i64 noundef %367, i64 noundef %353) #10
+  %374 = add nuw nsw i64 %351, 1
+  %375 = icmp eq i64 %374, %335
+  br i1 %375, label %342, label %350, !llvm.loop !9
 
-365:                                              ; preds = %428, %331
-  %366 = phi <8 x double> [ zeroinitializer, %331 ], [ %461, %428 ]
-  %367 = phi <8 x double> [ zeroinitializer, %331 ], [ %459, %428 ]
-  %368 = load ptr, ptr %69, align 8
-  %369 = getelementptr inbounds i8, ptr %319, i64 8
-  %370 = load i64, ptr %369, align 8
-  %371 = add nsw i64 %370, -3
-  %372 = getelementptr i8, ptr %368, i64 64
-  %373 = getelementptr i8, ptr %368, i64 128
-  %374 = getelementptr i8, ptr %368, i64 192
-  %375 = icmp slt i64 %322, %371
-  br i1 %375, label %383, label %376
+376:                                              ; preds = %439, %342
+  %377 = phi <8 x double> [ zeroinitializer, %342 ], [ %472, %439 ]
+  %378 = phi <8 x double> [ zeroinitializer, %342 ], [ %470, %439 ]
+  %379 = load ptr, ptr %75, align 8
+  %380 = getelementptr inbounds i8, ptr %330, i64 8
+  %381 = load i64, ptr %380, align 8
+  %382 = add nsw i64 %381, -3
+  %383 = getelementptr i8, ptr %379, i64 64
+  %384 = getelementptr i8, ptr %379, i64 128
+  %385 = getelementptr i8, ptr %379, i64 192
+  %386 = icmp slt i64 %333, %382
+  br i1 %386, label %394, label %387
 
-376:                                              ; preds = %383, %365
-  %377 = phi <8 x double> [ zeroinitializer, %365 ], [ %393, %383 ]
-  %378 = phi <8 x double> [ zeroinitializer, %365 ], [ %398, %383 ]
-  %379 = phi <8 x double> [ zeroinitializer, %365 ], [ %403, %383 ]
-  %380 = phi <8 x double> [ zeroinitializer, %365 ], [ %408, %383 ]
-  %381 = phi i64 [ %322, %365 ], [ %409, %383 ]
-  %382 = icmp slt i64 %381, %370
-  br i1 %382, label %411, label %421
+387:                                              ; preds = %394, %376
+  %388 = phi <8 x double> [ zeroinitializer, %376 ], [ %404, %394 ]
+  %389 = phi <8 x double> [ zeroinitializer, %376 ], [ %409, %394 ]
+  %390 = phi <8 x double> [ zeroinitializer, %376 ], [ %414, %394 ]
+  %391 = phi <8 x double> [ zeroinitializer, %376 ], [ %419, %394 ]
+  %392 = phi i64 [ %333, %376 ], [ %420, %394 ]
+  %393 = icmp slt i64 %392, %381
+  br i1 %393, label %422, label %432
 
-383:                                              ; preds = %365, %383
-  %384 = phi i64 [ %409, %383 ], [ %322, %365 ]
-  %385 = phi <8 x double> [ %408, %383 ], [ zeroinitializer, %365 ]
-  %386 = phi <8 x double> [ %403, %383 ], [ zeroinitializer, %365 ]
-  %387 = phi <8 x double> [ %398, %383 ], [ zeroinitializer, %365 ]
-  %388 = phi <8 x double> [ %393, %383 ], [ zeroinitializer, %365 ]
-  %389 = shl nsw i64 %384, 6
-  %390 = getelementptr inbounds i8, ptr %368, i64 %389
-  %391 = load <8 x double>, ptr %390, align 8
-  %392 = fmul <8 x double> %391, zeroinitializer
-  %393 = fadd <8 x double> %388, %392
-  %394 = shl i64 %384, 6
-  %395 = getelementptr i8, ptr %372, i64 %394
-  %396 = load <8 x double>, ptr %395, align 8
-  %397 = fmul <8 x double> %396, zeroinitializer
-  %398 = fadd <8 x double> %387, %397
-  %399 = shl i64 %384, 6
-  %400 = getelementptr i8, ptr %373, i64 %399
-  %401 = load <8 x double>, ptr %400, align 8
-  %402 = fmul <8 x double> %401, zeroinitializer
-  %403 = fadd <8 x double> %386, %402
-  %404 = shl i64 %384, 6
-  %405 = getelementptr i8, ptr %374, i64 %404
-  %406 = load <8 x double>, ptr %405, align 8
-  %407 = fmul <8 x double> %406, zeroinitializer
-  %408 = fadd <8 x double> %385, %407
-  %409 = add nsw i64 %384, 4
-  %410 = icmp slt i64 %409, %371
-  br i1 %410, label %383, label %376, !llvm.loop !10
+394:                                              ; preds = %376, %394
+  %395 = phi i64 [ %420, %394 ], [ %333, %376 ]
+  %396 = phi <8 x double> [ %419, %394 ], [ zeroinitializer, %376 ]
+  %397 = phi <8 x double> [ %414, %394 ], [ zeroinitializer, %376 ]
+  %398 = phi <8 x double> [ %409, %394 ], [ zeroinitializer, %376 ]
+  %399 = phi <8 x double> [ %404, %394 ], [ zeroinitializer, %376 ]
+  %400 = shl nsw i64 %395, 6
+  %401 = getelementptr inbounds i8, ptr %379, i64 %400
+  %402 = load <8 x double>, ptr %401, align 8
+  %403 = fmul <8 x double> %402, zeroinitializer
+  %404 = fadd <8 x double> %399, %403
+  %405 = shl i64 %395, 6
+  %406 = getelementptr i8, ptr %383, i64 %405
+  %407 = load <8 x double>, ptr %406, align 8
+  %408 = fmul <8 x double> %407, zeroinitializer
+  %409 = fadd <8 x double> %398, %408
+  %410 = shl i64 %395, 6
+  %411 = getelementptr i8, ptr %384, i64 %410
+  %412 = load <8 x double>, ptr %411, align 8
+  %413 = fmul <8 x double> %412, zeroinitializer
+  %414 = fadd <8 x double> %397, %413
+  %415 = shl i64 %395, 6
+  %416 = getelementptr i8, ptr %385, i64 %415
+  %417 = load <8 x double>, ptr %416, align 8
+  %418 = fmul <8 x double> %417, zeroinitializer
+  %419 = fadd <8 x double> %396, %418
+  %420 = add nsw i64 %395, 4
+  %421 = icmp slt i64 %420, %382
+  br i1 %421, label %394, label %387, !llvm.loop !10
 
-411:                                              ; preds = %376, %411
-  %412 = phi i64 [ %419, %411 ], [ %381, %376 ]
-  %413 = phi <8 x double> [ %418, %411 ], [ %377, %376 ]
-  %414 = shl nsw i64 %412, 6
-  %415 = getelementptr inbounds i8, ptr %368, i64 %414
-  %416 = load <8 x double>, ptr %415, align 8
-  %417 = fmul <8 x double> %416, zeroinitializer
-  %418 = fadd <8 x double> %413, %417
-  %419 = add nsw i64 %412, 1
-  %420 = icmp eq i64 %419, %370
-  br i1 %420, label %421, label %411, !llvm.loop !11
+422:                                              ; preds = %387, %422
+  %423 = phi i64 [ %430, %422 ], [ %392, %387 ]
+  %424 = phi <8 x double> [ %429, %422 ], [ %388, %387 ]
+  %425 = shl nsw i64 %423, 6
+  %426 = getelementptr inbounds i8, ptr %379, i64 %425
+  %427 = load <8 x double>, ptr %426, align 8
+  %428 = fmul <8 x double> %427, zeroinitializer
+  %429 = fadd <8 x double> %424, %428
+  %430 = add nsw i64 %423, 1
+  %431 = icmp eq i64 %430, %381
+  br i1 %431, label %432, label %422, !llvm.loop !11
 
-421:                                              ; preds = %411, %376
-  %422 = phi <8 x double> [ %377, %376 ], [ %418, %411 ]
-  %423 = fadd <8 x double> %378, %422
-  %424 = fadd <8 x double> %379, %380
-  %425 = fadd <8 x double> %424, %423
-  %426 = fadd <8 x double> %367, %425
-  %427 = icmp eq i64 %324, 2
-  br i1 %427, label %464, label %475
+432:                                              ; preds = %422, %387
+  %433 = phi <8 x double> [ %388, %387 ], [ %429, %422 ]
+  %434 = fadd <8 x double> %389, %433
+  %435 = fadd <8 x double> %390, %391
+  %436 = fadd <8 x double> %435, %434
+  %437 = fadd <8 x double> %378, %436
+  %438 = icmp eq i64 %335, 2
+  br i1 %438, label %475, label %486
 
-428:                                              ; preds = %333, %428
-  %429 = phi <8 x double> [ zeroinitializer, %333 ], [ %459, %428 ]
-  %430 = phi <8 x double> [ zeroinitializer, %333 ], [ %461, %428 ]
-  %431 = phi i64 [ 0, %333 ], [ %462, %428 ]
-  %432 = shl nsw i64 %431, 6
-  %433 = getelementptr inbounds i8, ptr %334, i64 %432
-  %434 = load <8 x double>, ptr %433, align 8
-  %435 = getelementptr inbounds i8, ptr %335, i64 %432
-  %436 = load <8 x double>, ptr %435, align 8
-  %437 = getelementptr inbounds double, ptr %336, i64 %431
-  %438 = load double, ptr %437, align 8
-  %439 = insertelement <8 x double> poison, double %438, i64 0
-  %440 = shufflevector <8 x double> %439, <8 x double> poison, <8 x i32> zeroinitializer
-  %441 = getelementptr inbounds double, ptr %337, i64 %431
-  %442 = load double, ptr %441, align 8
-  %443 = insertelement <8 x double> poison, double %442, i64 0
-  %444 = shufflevector <8 x double> %443, <8 x double> poison, <8 x i32> zeroinitializer
-  %445 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %434)
-  %446 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %436)
-  %447 = fcmp ogt <8 x double> %445, %446
-  %448 = select <8 x i1> %447, <8 x double> %445, <8 x double> %446
-  %449 = fmul <8 x double> %448, %444
-  %450 = fadd <8 x double> %440, %449
-  %451 = fdiv <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %450
-  %452 = getelementptr inbounds i8, ptr %338, i64 %432
-  %453 = load <8 x double>, ptr %452, align 8
-  %454 = fmul <8 x double> %453, %451
-  %455 = getelementptr inbounds i8, ptr %327, i64 %432
-  %456 = load <8 x double>, ptr %455, align 8
-  %457 = fmul <8 x double> %456, %451
-  %458 = fmul <8 x double> %454, %454
-  %459 = fadd <8 x double> %429, %458
-  %460 = fmul <8 x double> %457, %457
-  %461 = fadd <8 x double> %430, %460
-  %462 = add nuw nsw i64 %431, 1
-  %463 = icmp eq i64 %462, %322
-  br i1 %463, label %365, label %428, !llvm.loop !12
+439:                                              ; preds = %344, %439
+  %440 = phi <8 x double> [ zeroinitializer, %344 ], [ %470, %439 ]
+  %441 = phi <8 x double> [ zeroinitializer, %344 ], [ %472, %439 ]
+  %442 = phi i64 [ 0, %344 ], [ %473, %439 ]
+  %443 = shl nsw i64 %442, 6
+  %444 = getelementptr inbounds i8, ptr %345, i64 %443
+  %445 = load <8 x double>, ptr %444, align 8
+  %446 = getelementptr inbounds i8, ptr %346, i64 %443
+  %447 = load <8 x double>, ptr %446, align 8
+  %448 = getelementptr inbounds double, ptr %347, i64 %442
+  %449 = load double, ptr %448, align 8
+  %450 = insertelement <8 x double> poison, double %449, i64 0
+  %451 = shufflevector <8 x double> %450, <8 x double> poison, <8 x i32> zeroinitializer
+  %452 = getelementptr inbounds double, ptr %348, i64 %442
+  %453 = load double, ptr %452, align 8
+  %454 = insertelement <8 x double> poison, double %453, i64 0
+  %455 = shufflevector <8 x double> %454, <8 x double> poison, <8 x i32> zeroinitializer
+  %456 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %445)
+  %457 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %447)
+  %458 = fcmp ogt <8 x double> %456, %457
+  %459 = select <8 x i1> %458, <8 x double> %456, <8 x double> %457
+  %460 = fmul <8 x double> %459, %455
+  %461 = fadd <8 x double> %451, %460
+  %462 = fdiv <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %461
+  %463 = getelementptr inbounds i8, ptr %349, i64 %443
+  %464 = load <8 x double>, ptr %463, align 8
+  %465 = fmul <8 x double> %464, %462
+  %466 = getelementptr inbounds i8, ptr %338, i64 %443
+  %467 = load <8 x double>, ptr %466, align 8
+  %468 = fmul <8 x double> %467, %462
+  %469 = fmul <8 x double> %465, %465
+  %470 = fadd <8 x double> %440, %469
+  %471 = fmul <8 x double> %468, %468
+  %472 = fadd <8 x double> %441, %471
+  %473 = add nuw nsw i64 %442, 1
+  %474 = icmp eq i64 %473, %333
+  br i1 %474, label %376, label %439, !llvm.loop !12
 
-464:                                              ; preds = %421
-  %465 = fmul <8 x double> %366, <double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02>
-  %466 = fadd <8 x double> %465, %426
-  %467 = sitofp i64 %322 to double
-  %468 = insertelement <8 x double> poison, double %467, i64 0
-  %469 = shufflevector <8 x double> %468, <8 x double> poison, <8 x i32> zeroinitializer
-  %470 = fmul <8 x double> %469, %466
-  %471 = tail call <8 x double> @llvm.sqrt.v8f64(<8 x double> %470)
-  %472 = fdiv <8 x double> %426, %471
-  %473 = fcmp oeq <8 x double> %426, zeroinitializer
-  %474 = select <8 x i1> %473, <8 x double> zeroinitializer, <8 x double> %472
-  br label %491
+475:                                              ; preds = %432
+  %476 = fmul <8 x double> %377, <double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02>
+  %477 = fadd <8 x double> %476, %437
+  %478 = sitofp i64 %333 to double
+  %479 = insertelement <8 x double> poison, double %478, i64 0
+  %480 = shufflevector <8 x double> %479, <8 x double> poison, <8 x i32> zeroinitializer
+  %481 = fmul <8 x double> %480, %477
+  %482 = tail call <8 x double> @llvm.sqrt.v8f64(<8 x double> %481)
+  %483 = fdiv <8 x double> %437, %482
+  %484 = fcmp oeq <8 x double> %437, zeroinitializer
+  %485 = select <8 x i1> %484, <8 x double> zeroinitializer, <8 x double> %483
+  br label %502
 
-475:                                              ; preds = %421
-  %476 = sitofp i64 %322 to double
-  %477 = insertelement <8 x double> poison, double %476, i64 0
-  %478 = shufflevector <8 x double> %477, <8 x double> poison, <8 x i32> zeroinitializer
-  %479 = fdiv <8 x double> %426, %478
-  %480 = tail call <8 x double> @llvm.sqrt.v8f64(<8 x double> %479)
-  br label %491
+486:                                              ; preds = %432
+  %487 = sitofp i64 %333 to double
+  %488 = insertelement <8 x double> poison, double %487, i64 0
+  %489 = shufflevector <8 x double> %488, <8 x double> poison, <8 x i32> zeroinitializer
+  %490 = fdiv <8 x double> %437, %489
+  %491 = tail call <8 x double> @llvm.sqrt.v8f64(<8 x double> %490)
+  br label %502
 
-481:                                              ; preds = %316, %481
-  %482 = phi <8 x double> [ zeroinitializer, %316 ], [ %488, %481 ]
-  %483 = phi i64 [ 0, %316 ], [ %489, %481 ]
-  %484 = shl nsw i64 %483, 6
-  %485 = getelementptr inbounds i8, ptr %317, i64 %484
-  %486 = load <8 x double>, ptr %485, align 8
-  %487 = fmul <8 x double> %486, zeroinitializer
-  %488 = fadd <8 x double> %482, %487
-  %489 = add nuw nsw i64 %483, 1
-  %490 = icmp eq i64 %489, %11
-  br i1 %490, label %491, label %481, !llvm.loop !13
+492:                                              ; preds = %327, %492
+  %493 = phi <8 x double> [ zeroinitializer, %327 ], [ %499, %492 ]
+  %494 = phi i64 [ 0, %327 ], [ %500, %492 ]
+  %495 = shl nsw i64 %494, 6
+  %496 = getelementptr inbounds i8, ptr %328, i64 %495
+  %497 = load <8 x double>, ptr %496, align 8
+  %498 = fmul <8 x double> %497, zeroinitializer
+  %499 = fadd <8 x double> %493, %498
+  %500 = add nuw nsw i64 %494, 1
+  %501 = icmp eq i64 %500, %13
+  br i1 %501, label %502, label %492, !llvm.loop !13
 
-491:                                              ; preds = %481, %315, %475, %464
-  %492 = phi <8 x double> [ %474, %464 ], [ %480, %475 ], [ zeroinitializer, %315 ], [ %488, %481 ]
-  %493 = fcmp uge <8 x double> %492, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %494 = trunc i64 %314 to i8
-  %495 = bitcast i8 %494 to <8 x i1>
-  %496 = select <8 x i1> %495, <8 x i1> <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>, <8 x i1> %493
-  %497 = xor <8 x i1> %496, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
-  %498 = select <8 x i1> %497, <8 x i1> %172, <8 x i1> zeroinitializer
-  %499 = sext <8 x i1> %498 to <8 x i64>
-  br i1 %44, label %500, label %524
+502:                                              ; preds = %492, %326, %486, %475
+  %503 = phi <8 x double> [ %485, %475 ], [ %491, %486 ], [ zeroinitializer, %326 ], [ %499, %492 ]
+  %504 = fcmp uge <8 x double> %503, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %505 = trunc i64 %325 to i8
+  %506 = bitcast i8 %505 to <8 x i1>
+  %507 = select <8 x i1> %506, <8 x i1> <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>, <8 x i1> %504
+  %508 = xor <8 x i1> %507, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
+  %509 = select <8 x i1> %508, <8 x i1> %183, <8 x i1> zeroinitializer
+  %510 = sext <8 x i1> %509 to <8 x i64>
+  br i1 %36, label %511, label %523
 
-500:                                              ; preds = %491
-  %501 = xor <8 x i1> %496, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
-  %502 = select <8 x i1> %501, <8 x i1> %172, <8 x i1> zeroinitializer
-  %503 = bitcast <8 x i1> %502 to i8
-  %504 = icmp eq i8 %503, 0
-  br i1 %504, label %524, label %505
+511:                                              ; preds = %502
+  %512 = xor <8 x i1> %507, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
+  %513 = select <8 x i1> %512, <8 x i1> %183, <8 x i1> zeroinitializer
+  %514 = bitcast <8 x i1> %513 to i8
+  %515 = icmp eq i8 %514, 0
+  br i1 %515, label %523, label %516
 
-505:                                              ; preds = %500
-  %506 = load ptr, ptr %86, align 8
-  %507 = load ptr, ptr %87, align 8
-  store <8 x double> %199, ptr %507, align 8
-  %508 = load i64, ptr %88, align 8
-  %509 = icmp sgt i64 %508, 0
-  br i1 %509, label %510, label %511
+516:                                              ; preds = %511
+  %517 = zext i8 %514 to i64
+  store <8 x double> %210, ptr %4, align 16
+  %518 = load ptr, ptr %92, align 8
+  %519 = call fastcc i64 @hold_lanes(ptr noundef nonnull %0, ptr noundef nonnull %4, ptr noundef %518, i64 noundef %517) #10
+  %520 = trunc nuw i64 %519 to i8
+  %521 = bitcast i8 %520 to <8 x i1>
+  %522 = select <8 x i1> %521, <8 x i64> zeroinitializer, <8 x i64> %510
+  br label %523
 
-510:                                              ; preds = %505
-  tail call fastcc void @sample(ptr noundef nonnull %5) #10
-  br label %511
+523:                                              ; preds = %516, %511, %502
+  %524 = phi i64 [ %519, %516 ], [ 0, %511 ], [ 0, %502 ]
+  %525 = phi <8 x i64> [ %522, %516 ], [ %510, %511 ], [ %510, %502 ]
+  %526 = icmp ne <8 x i64> %525, zeroinitializer
+  %527 = bitcast <8 x i1> %526 to i8
+  %528 = icmp ne i8 %527, 0
+  %529 = select i1 %50, i1 %528, i1 false
+  br i1 %529, label %530, label %549
 
-511:                                              ; preds = %505, %510
-  %512 = load ptr, ptr %5, align 8
-  %513 = load i64, ptr %512, align 8
-  %514 = load ptr, ptr %87, align 8
-  %515 = load ptr, ptr %89, align 8
-  %516 = load ptr, ptr %90, align 8
-  %517 = inttoptr i64 %513 to ptr
-  %518 = tail call i32 %517(ptr noundef %514, ptr noundef %506, ptr noundef %515, ptr noundef %516, ptr noundef %45) #11
-  %519 = zext i32 %518 to i64
-  %520 = or i64 %314, %519
-  %521 = trunc i64 %520 to i8
-  %522 = bitcast i8 %521 to <8 x i1>
-  %523 = select <8 x i1> %522, <8 x i64> zeroinitializer, <8 x i64> %499
-  br label %524
+530:                                              ; preds = %523
+  %531 = load ptr, ptr %93, align 8
+  %532 = load ptr, ptr %94, align 8
+  store <8 x double> %210, ptr %532, align 8
+  %533 = load i64, ptr %95, align 8
+  %534 = icmp sgt i64 %533, 0
+  br i1 %534, label %535, label %536
 
-524:                                              ; preds = %511, %500, %491
-  %525 = phi <8 x i64> [ %499, %491 ], [ %523, %511 ], [ %499, %500 ]
-  %526 = phi i64 [ %314, %491 ], [ %520, %511 ], [ %314, %500 ]
-  %527 = load ptr, ptr %91, align 8
-  %528 = load <8 x double>, ptr %527, align 8
-  %529 = load i64, ptr %12, align 8
-  %530 = add i64 %529, %92
-  %531 = sitofp i64 %530 to double
-  %532 = insertelement <8 x double> poison, double %531, i64 0
-  %533 = shufflevector <8 x double> %532, <8 x double> poison, <8 x i32> zeroinitializer
-  %534 = xor <8 x i1> %496, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
-  %535 = select <8 x i1> %534, <8 x i1> %172, <8 x i1> zeroinitializer
-  %536 = select <8 x i1> %535, <8 x double> %95, <8 x double> zeroinitializer
-  %537 = fadd <8 x double> %536, %533
-  %538 = fadd <8 x double> %528, %537
-  store <8 x double> %538, ptr %527, align 8
-  %539 = load ptr, ptr %96, align 8
-  %540 = load <8 x double>, ptr %539, align 8
-  %541 = fcmp olt <8 x double> %540, %199
-  %542 = select <8 x i1> %541, <8 x i64> %525, <8 x i64> zeroinitializer
-  %543 = icmp ne <8 x i64> %542, zeroinitializer
-  %544 = bitcast <8 x i1> %543 to i8
-  %545 = zext i8 %544 to i64
-  %546 = icmp eq i8 %544, 0
-  br i1 %546, label %743, label %547
+535:                                              ; preds = %530
+  tail call fastcc void @sample(ptr noundef nonnull %7) #10
+  br label %536
 
-547:                                              ; preds = %524
-  %548 = load ptr, ptr %0, align 8
-  %549 = load ptr, ptr %5, align 8
-  %550 = getelementptr inbounds i8, ptr %549, i64 16
-  %551 = load i64, ptr %550, align 8
-  %552 = load i64, ptr %548, align 8
-  %553 = load i64, ptr %97, align 8
-  %554 = load ptr, ptr %71, align 8
-  %555 = mul nsw i64 %553, %552
-  %556 = getelementptr inbounds double, ptr %554, i64 %555
-  %557 = load ptr, ptr %98, align 8
-  %558 = add nsw i64 %552, 1
-  %559 = getelementptr inbounds i8, ptr %548, i64 16
-  %560 = load i64, ptr %559, align 8
-  %561 = icmp sgt i64 %560, 0
-  br i1 %561, label %562, label %564
+536:                                              ; preds = %530, %535
+  %537 = load ptr, ptr %7, align 8
+  %538 = load i64, ptr %537, align 8
+  %539 = load ptr, ptr %94, align 8
+  %540 = load ptr, ptr %96, align 8
+  %541 = load ptr, ptr %97, align 8
+  %542 = inttoptr i64 %538 to ptr
+  %543 = tail call i32 %542(ptr noundef %539, ptr noundef %531, ptr noundef %540, ptr noundef %541, ptr noundef %51) #11
+  %544 = zext i32 %543 to i64
+  %545 = or i64 %325, %544
+  %546 = trunc i64 %545 to i8
+  %547 = bitcast i8 %546 to <8 x i1>
+  %548 = select <8 x i1> %547, <8 x i64> zeroinitializer, <8 x i64> %525
+  br label %549
 
-562:                                              ; preds = %547
-  %563 = getelementptr inbounds i8, ptr %548, i64 8
-  br label %575
+549:                                              ; preds = %536, %523
+  %550 = phi <8 x i64> [ %548, %536 ], [ %525, %523 ]
+  %551 = phi i64 [ %545, %536 ], [ %325, %523 ]
+  %552 = load ptr, ptr %98, align 8
+  %553 = load <8 x double>, ptr %552, align 8
+  %554 = load i64, ptr %14, align 8
+  %555 = add i64 %554, %99
+  %556 = sitofp i64 %555 to double
+  %557 = insertelement <8 x double> poison, double %556, i64 0
+  %558 = shufflevector <8 x double> %557, <8 x double> poison, <8 x i32> zeroinitializer
+  %559 = icmp slt <8 x i64> %525, zeroinitializer
+  %560 = select <8 x i1> %559, <8 x i64> %103, <8 x i64> zeroinitializer
+  %561 = bitcast <8 x i64> %560 to <8 x double>
+  %562 = fadd <8 x double> %558, %561
+  %563 = fadd <8 x double> %553, %562
+  store <8 x double> %563, ptr %552, align 8
+  %564 = load ptr, ptr %104, align 8
+  %565 = load <8 x double>, ptr %564, align 8
+  %566 = fcmp olt <8 x double> %565, %210
+  %567 = select <8 x i1> %566, <8 x i64> %550, <8 x i64> zeroinitializer
+  %568 = icmp ne <8 x i64> %567, zeroinitializer
+  %569 = bitcast <8 x i1> %568 to i8
+  %570 = zext i8 %569 to i64
+  %571 = icmp eq i8 %569, 0
+  br i1 %571, label %817, label %572
 
-564:                                              ; preds = %610, %547
-  %565 = phi i64 [ 0, %547 ], [ %619, %610 ]
-  %566 = getelementptr inbounds i8, ptr %548, i64 16
-  %567 = load ptr, ptr %5, align 8
-  %568 = getelementptr inbounds i8, ptr %567, i64 8
-  %569 = load i64, ptr %568, align 8
-  %570 = icmp sgt i64 %569, 0
-  br i1 %570, label %571, label %624
+572:                                              ; preds = %549
+  %573 = load ptr, ptr %0, align 8
+  %574 = load ptr, ptr %7, align 8
+  %575 = getelementptr inbounds i8, ptr %574, i64 16
+  %576 = load i64, ptr %575, align 8
+  %577 = load i64, ptr %573, align 8
+  %578 = load i64, ptr %105, align 8
+  %579 = load ptr, ptr %77, align 8
+  %580 = mul nsw i64 %578, %577
+  %581 = getelementptr inbounds double, ptr %579, i64 %580
+  %582 = load ptr, ptr %106, align 8
+  %583 = add nsw i64 %577, 1
+  %584 = getelementptr inbounds i8, ptr %573, i64 16
+  %585 = load i64, ptr %584, align 8
+  %586 = icmp sgt i64 %585, 0
+  br i1 %586, label %587, label %589
 
-571:                                              ; preds = %564
-  %572 = getelementptr inbounds double, ptr %557, i64 %553
-  %573 = shl nsw i64 %553, 4
-  %574 = getelementptr inbounds i8, ptr %557, i64 %573
-  br label %631
+587:                                              ; preds = %572
+  %588 = getelementptr inbounds i8, ptr %573, i64 8
+  br label %600
 
-575:                                              ; preds = %562, %610
-  %576 = phi i64 [ 0, %562 ], [ %619, %610 ]
-  %577 = phi i64 [ %558, %562 ], [ %620, %610 ]
-  %578 = load i64, ptr %563, align 8
-  %579 = load ptr, ptr %99, align 8
-  %580 = load ptr, ptr %7, align 8
-  %581 = load ptr, ptr %70, align 8
-  %582 = getelementptr i64, ptr %581, i64 %577
-  %583 = getelementptr i64, ptr %582, i64 %578
-  %584 = load i64, ptr %583, align 8
-  %585 = getelementptr i8, ptr %583, i64 8
-  %586 = load i64, ptr %585, align 8
-  %587 = xor i64 %584, -1
-  %588 = add i64 %586, %587
-  %589 = load ptr, ptr %57, align 8
-  %590 = load ptr, ptr %71, align 8
-  %591 = load ptr, ptr %72, align 8
-  %592 = getelementptr inbounds i64, ptr %591, i64 %584
-  %593 = load ptr, ptr %73, align 8
-  %594 = getelementptr inbounds double, ptr %593, i64 %584
-  tail call fastcc void @combine(ptr noundef %579, ptr noundef %580, ptr noundef %589, ptr noundef %590, ptr noundef %592, ptr noundef %594, i64 noundef %588, i64 noundef %551) #10
-  %595 = load ptr, ptr %71, align 8
-  %596 = mul nsw i64 %577, %553
-  %597 = getelementptr inbounds double, ptr %595, i64 %596
-  %598 = load ptr, ptr %100, align 8
-  %599 = getelementptr inbounds double, ptr %598, i64 %577
-  %600 = load double, ptr %599, align 8
-  %601 = insertelement <8 x double> poison, double %600, i64 0
-  %602 = shufflevector <8 x double> %601, <8 x double> poison, <8 x i32> zeroinitializer
-  %603 = fmul <8 x double> %200, %602
-  %604 = fadd <8 x double> %174, %603
-  %605 = load ptr, ptr %99, align 8
-  %606 = load ptr, ptr %101, align 8
-  store <8 x double> %604, ptr %606, align 8
-  %607 = load i64, ptr %102, align 8
-  %608 = icmp sgt i64 %607, 0
-  br i1 %608, label %609, label %610
+589:                                              ; preds = %635, %572
+  %590 = phi i64 [ 0, %572 ], [ %644, %635 ]
+  %591 = getelementptr inbounds i8, ptr %573, i64 16
+  %592 = load ptr, ptr %7, align 8
+  %593 = getelementptr inbounds i8, ptr %592, i64 8
+  %594 = load i64, ptr %593, align 8
+  %595 = icmp sgt i64 %594, 0
+  br i1 %595, label %596, label %649
 
-609:                                              ; preds = %575
-  tail call fastcc void @sample(ptr noundef nonnull %5) #10
-  br label %610
+596:                                              ; preds = %589
+  %597 = getelementptr inbounds double, ptr %582, i64 %578
+  %598 = shl nsw i64 %578, 4
+  %599 = getelementptr inbounds i8, ptr %582, i64 %598
+  br label %656
 
-610:                                              ; preds = %575, %609
-  %611 = load ptr, ptr %5, align 8
-  %612 = load i64, ptr %611, align 8
-  %613 = load ptr, ptr %101, align 8
-  %614 = load ptr, ptr %103, align 8
-  %615 = load ptr, ptr %104, align 8
-  %616 = inttoptr i64 %612 to ptr
-  %617 = tail call i32 %616(ptr noundef %613, ptr noundef %605, ptr noundef %614, ptr noundef %615, ptr noundef %597) #11
-  %618 = zext i32 %617 to i64
-  %619 = or i64 %576, %618
-  %620 = add nsw i64 %577, 1
-  %621 = load i64, ptr %559, align 8
-  %622 = add nsw i64 %621, %558
-  %623 = icmp slt i64 %620, %622
-  br i1 %623, label %575, label %564, !llvm.loop !14
+600:                                              ; preds = %587, %635
+  %601 = phi i64 [ 0, %587 ], [ %644, %635 ]
+  %602 = phi i64 [ %583, %587 ], [ %645, %635 ]
+  %603 = load i64, ptr %588, align 8
+  %604 = load ptr, ptr %107, align 8
+  %605 = load ptr, ptr %9, align 8
+  %606 = load ptr, ptr %76, align 8
+  %607 = getelementptr i64, ptr %606, i64 %602
+  %608 = getelementptr i64, ptr %607, i64 %603
+  %609 = load i64, ptr %608, align 8
+  %610 = getelementptr i8, ptr %608, i64 8
+  %611 = load i64, ptr %610, align 8
+  %612 = xor i64 %609, -1
+  %613 = add i64 %611, %612
+  %614 = load ptr, ptr %63, align 8
+  %615 = load ptr, ptr %77, align 8
+  %616 = load ptr, ptr %78, align 8
+  %617 = getelementptr inbounds i64, ptr %616, i64 %609
+  %618 = load ptr, ptr %79, align 8
+  %619 = getelementptr inbounds double, ptr %618, i64 %609
+  tail call fastcc void @combine(ptr noundef %604, ptr noundef %605, ptr noundef %614, ptr noundef %615, ptr noundef %617, ptr noundef %619, i64 noundef %613, i64 noundef %576) #10
+  %620 = load ptr, ptr %77, align 8
+  %621 = mul nsw i64 %602, %578
+  %622 = getelementptr inbounds double, ptr %620, i64 %621
+  %623 = load ptr, ptr %108, align 8
+  %624 = getelementptr inbounds double, ptr %623, i64 %602
+  %625 = load double, ptr %624, align 8
+  %626 = insertelement <8 x double> poison, double %625, i64 0
+  %627 = shufflevector <8 x double> %626, <8 x double> poison, <8 x i32> zeroinitializer
+  %628 = fmul <8 x double> %211, %627
+  %629 = fadd <8 x double> %185, %628
+  %630 = load ptr, ptr %107, align 8
+  %631 = load ptr, ptr %109, align 8
+  store <8 x double> %629, ptr %631, align 8
+  %632 = load i64, ptr %110, align 8
+  %633 = icmp sgt i64 %632, 0
+  br i1 %633, label %634, label %635
 
-624:                                              ; preds = %631, %564
-  %625 = getelementptr inbounds i8, ptr %548, i64 8
-  %626 = load i64, ptr %625, align 8
-  %627 = load i64, ptr %566, align 8
-  %628 = getelementptr inbounds i8, ptr %548, i64 24
-  %629 = load i64, ptr %628, align 8
-  %630 = icmp sgt i64 %629, 3
-  br i1 %630, label %659, label %684
+634:                                              ; preds = %600
+  tail call fastcc void @sample(ptr noundef nonnull %7) #10
+  br label %635
 
-631:                                              ; preds = %571, %631
-  %632 = phi i64 [ 0, %571 ], [ %654, %631 ]
-  %633 = load ptr, ptr %69, align 8
-  %634 = shl nsw i64 %632, 6
-  %635 = getelementptr inbounds i8, ptr %633, i64 %634
-  %636 = load <8 x double>, ptr %635, align 8
-  %637 = load ptr, ptr %7, align 8
-  %638 = getelementptr inbounds i8, ptr %637, i64 %634
-  %639 = load <8 x double>, ptr %638, align 8
-  %640 = fsub <8 x double> %636, %639
-  %641 = load ptr, ptr %71, align 8
-  %642 = getelementptr inbounds i8, ptr %641, i64 %634
-  %643 = load <8 x double>, ptr %642, align 8
-  %644 = fmul <8 x double> %200, %643
-  %645 = fsub <8 x double> %644, %640
-  %646 = getelementptr inbounds i8, ptr %557, i64 %634
-  store <8 x double> %640, ptr %646, align 8
-  %647 = getelementptr inbounds i8, ptr %572, i64 %634
-  store <8 x double> %645, ptr %647, align 8
-  %648 = fsub <8 x double> %640, %645
-  %649 = getelementptr inbounds i8, ptr %556, i64 %634
-  %650 = load <8 x double>, ptr %649, align 8
-  %651 = fmul <8 x double> %200, %650
-  %652 = fsub <8 x double> %648, %651
-  %653 = getelementptr inbounds i8, ptr %574, i64 %634
-  store <8 x double> %652, ptr %653, align 8
-  %654 = add nuw nsw i64 %632, 1
-  %655 = load ptr, ptr %5, align 8
-  %656 = getelementptr inbounds i8, ptr %655, i64 8
-  %657 = load i64, ptr %656, align 8
-  %658 = icmp slt i64 %654, %657
-  br i1 %658, label %631, label %624, !llvm.loop !15
+635:                                              ; preds = %600, %634
+  %636 = load ptr, ptr %7, align 8
+  %637 = load i64, ptr %636, align 8
+  %638 = load ptr, ptr %109, align 8
+  %639 = load ptr, ptr %111, align 8
+  %640 = load ptr, ptr %112, align 8
+  %641 = inttoptr i64 %637 to ptr
+  %642 = tail call i32 %641(ptr noundef %638, ptr noundef %630, ptr noundef %639, ptr noundef %640, ptr noundef %622) #11
+  %643 = zext i32 %642 to i64
+  %644 = or i64 %601, %643
+  %645 = add nsw i64 %602, 1
+  %646 = load i64, ptr %584, align 8
+  %647 = add nsw i64 %646, %583
+  %648 = icmp slt i64 %645, %647
+  br i1 %648, label %600, label %589, !llvm.loop !14
 
-659:                                              ; preds = %624, %659
-  %660 = phi i64 [ %681, %659 ], [ 3, %624 ]
-  %661 = mul nsw i64 %660, %553
-  %662 = getelementptr inbounds double, ptr %557, i64 %661
-  %663 = load ptr, ptr %105, align 8
-  %664 = load ptr, ptr %70, align 8
-  %665 = getelementptr i64, ptr %664, i64 %558
-  %666 = getelementptr i64, ptr %665, i64 %626
-  %667 = getelementptr i64, ptr %666, i64 %627
-  %668 = getelementptr i64, ptr %667, i64 %660
-  %669 = getelementptr i8, ptr %668, i64 -24
-  %670 = load i64, ptr %669, align 8
-  %671 = getelementptr i8, ptr %668, i64 -16
-  %672 = load i64, ptr %671, align 8
-  %673 = xor i64 %670, -1
-  %674 = add i64 %672, %673
-  %675 = load ptr, ptr %57, align 8
-  %676 = load ptr, ptr %71, align 8
-  %677 = load ptr, ptr %72, align 8
-  %678 = getelementptr inbounds i64, ptr %677, i64 %670
-  %679 = load ptr, ptr %73, align 8
-  %680 = getelementptr inbounds double, ptr %679, i64 %670
-  tail call fastcc void @combine(ptr noundef %662, ptr noundef %663, ptr noundef %675, ptr noundef %676, ptr noundef %678, ptr noundef %680, i64 noundef %674, i64 noundef %551) #10
-  %681 = add nuw nsw i64 %660, 1
-  %682 = load i64, ptr %628, align 8
-  %683 = icmp slt i64 %681, %682
-  br i1 %683, label %659, label %684, !llvm.loop !16
+649:                                              ; preds = %656, %589
+  %650 = getelementptr inbounds i8, ptr %573, i64 8
+  %651 = load i64, ptr %650, align 8
+  %652 = load i64, ptr %591, align 8
+  %653 = getelementptr inbounds i8, ptr %573, i64 24
+  %654 = load i64, ptr %653, align 8
+  %655 = icmp sgt i64 %654, 3
+  br i1 %655, label %684, label %709
 
-684:                                              ; preds = %659, %624
-  %685 = and i64 %565, %545
-  %686 = load ptr, ptr %91, align 8
-  %687 = load <8 x double>, ptr %686, align 8
-  %688 = load i64, ptr %106, align 8
-  %689 = sitofp i64 %688 to double
-  %690 = insertelement <8 x double> poison, double %689, i64 0
-  %691 = bitcast <8 x double> %690 to <8 x i64>
-  %692 = shufflevector <8 x i64> %691, <8 x i64> poison, <8 x i32> zeroinitializer
-  %693 = icmp slt <8 x i64> %542, zeroinitializer
-  %694 = select <8 x i1> %693, <8 x i64> %692, <8 x i64> zeroinitializer
-  %695 = bitcast <8 x i64> %694 to <8 x double>
-  %696 = fadd <8 x double> %687, %695
-  store <8 x double> %696, ptr %686, align 8
-  %697 = icmp eq i64 %685, 0
-  br i1 %697, label %705, label %698
+656:                                              ; preds = %596, %656
+  %657 = phi i64 [ 0, %596 ], [ %679, %656 ]
+  %658 = load ptr, ptr %75, align 8
+  %659 = shl nsw i64 %657, 6
+  %660 = getelementptr inbounds i8, ptr %658, i64 %659
+  %661 = load <8 x double>, ptr %660, align 8
+  %662 = load ptr, ptr %9, align 8
+  %663 = getelementptr inbounds i8, ptr %662, i64 %659
+  %664 = load <8 x double>, ptr %663, align 8
+  %665 = fsub <8 x double> %661, %664
+  %666 = load ptr, ptr %77, align 8
+  %667 = getelementptr inbounds i8, ptr %666, i64 %659
+  %668 = load <8 x double>, ptr %667, align 8
+  %669 = fmul <8 x double> %211, %668
+  %670 = fsub <8 x double> %669, %665
+  %671 = getelementptr inbounds i8, ptr %582, i64 %659
+  store <8 x double> %665, ptr %671, align 8
+  %672 = getelementptr inbounds i8, ptr %597, i64 %659
+  store <8 x double> %670, ptr %672, align 8
+  %673 = fsub <8 x double> %665, %670
+  %674 = getelementptr inbounds i8, ptr %581, i64 %659
+  %675 = load <8 x double>, ptr %674, align 8
+  %676 = fmul <8 x double> %211, %675
+  %677 = fsub <8 x double> %673, %676
+  %678 = getelementptr inbounds i8, ptr %599, i64 %659
+  store <8 x double> %677, ptr %678, align 8
+  %679 = add nuw nsw i64 %657, 1
+  %680 = load ptr, ptr %7, align 8
+  %681 = getelementptr inbounds i8, ptr %680, i64 8
+  %682 = load i64, ptr %681, align 8
+  %683 = icmp slt i64 %679, %682
+  br i1 %683, label %656, label %649, !llvm.loop !15
 
-698:                                              ; preds = %684
-  tail call fastcc void @retire(ptr noundef nonnull %0, i64 noundef %685, i64 noundef 3) #10
-  %699 = xor i64 %685, -1
-  %700 = and i64 %170, %699
-  store i64 %700, ptr %3, align 8
-  %701 = trunc i64 %700 to i8
-  %702 = bitcast i8 %701 to <8 x i1>
-  %703 = select <8 x i1> %702, <8 x i64> %525, <8 x i64> zeroinitializer
-  %704 = select <8 x i1> %702, <8 x i64> %542, <8 x i64> zeroinitializer
-  br label %705
+684:                                              ; preds = %649, %684
+  %685 = phi i64 [ %706, %684 ], [ 3, %649 ]
+  %686 = mul nsw i64 %685, %578
+  %687 = getelementptr inbounds double, ptr %582, i64 %686
+  %688 = load ptr, ptr %113, align 8
+  %689 = load ptr, ptr %76, align 8
+  %690 = getelementptr i64, ptr %689, i64 %583
+  %691 = getelementptr i64, ptr %690, i64 %651
+  %692 = getelementptr i64, ptr %691, i64 %652
+  %693 = getelementptr i64, ptr %692, i64 %685
+  %694 = getelementptr i8, ptr %693, i64 -24
+  %695 = load i64, ptr %694, align 8
+  %696 = getelementptr i8, ptr %693, i64 -16
+  %697 = load i64, ptr %696, align 8
+  %698 = xor i64 %695, -1
+  %699 = add i64 %697, %698
+  %700 = load ptr, ptr %63, align 8
+  %701 = load ptr, ptr %77, align 8
+  %702 = load ptr, ptr %78, align 8
+  %703 = getelementptr inbounds i64, ptr %702, i64 %695
+  %704 = load ptr, ptr %79, align 8
+  %705 = getelementptr inbounds double, ptr %704, i64 %695
+  tail call fastcc void @combine(ptr noundef %687, ptr noundef %688, ptr noundef %700, ptr noundef %701, ptr noundef %703, ptr noundef %705, i64 noundef %699, i64 noundef %576) #10
+  %706 = add nuw nsw i64 %685, 1
+  %707 = load i64, ptr %653, align 8
+  %708 = icmp slt i64 %706, %707
+  br i1 %708, label %684, label %709, !llvm.loop !16
 
-705:                                              ; preds = %698, %684
-  %706 = phi <8 x i64> [ %703, %698 ], [ %525, %684 ]
-  %707 = phi <8 x i64> [ %704, %698 ], [ %542, %684 ]
-  %708 = phi i32 [ 1, %698 ], [ %163, %684 ]
-  %709 = icmp ne <8 x i64> %707, zeroinitializer
-  %710 = bitcast <8 x i1> %709 to i8
-  %711 = load ptr, ptr %41, align 8
+709:                                              ; preds = %684, %649
+  %710 = and i64 %590, %570
+  %711 = load ptr, ptr %98, align 8
   %712 = load <8 x double>, ptr %711, align 8
-  %713 = load ptr, ptr %57, align 8
-  %714 = load <8 x double>, ptr %713, align 8
-  %715 = load ptr, ptr %107, align 8
-  %716 = icmp eq i8 %710, 0
-  br i1 %716, label %743, label %717
+  %713 = load i64, ptr %114, align 8
+  %714 = sitofp i64 %713 to double
+  %715 = insertelement <8 x double> poison, double %714, i64 0
+  %716 = bitcast <8 x double> %715 to <8 x i64>
+  %717 = shufflevector <8 x i64> %716, <8 x i64> poison, <8 x i32> zeroinitializer
+  %718 = icmp slt <8 x i64> %567, zeroinitializer
+  %719 = select <8 x i1> %718, <8 x i64> %717, <8 x i64> zeroinitializer
+  %720 = bitcast <8 x i64> %719 to <8 x double>
+  %721 = fadd <8 x double> %712, %720
+  store <8 x double> %721, ptr %711, align 8
+  %722 = icmp eq i64 %710, 0
+  br i1 %722, label %730, label %723
 
-717:                                              ; preds = %705
-  %718 = zext i8 %710 to i64
-  br label %719
+723:                                              ; preds = %709
+  tail call fastcc void @retire(ptr noundef nonnull %0, i64 noundef %710, i64 noundef 3) #10
+  %724 = xor i64 %710, -1
+  %725 = and i64 %181, %724
+  store i64 %725, ptr %5, align 8
+  %726 = trunc i64 %725 to i8
+  %727 = bitcast i8 %726 to <8 x i1>
+  %728 = select <8 x i1> %727, <8 x i64> %550, <8 x i64> zeroinitializer
+  %729 = select <8 x i1> %727, <8 x i64> %567, <8 x i64> zeroinitializer
+  br label %730
 
-719:                                              ; preds = %717, %719
-  %720 = phi i64 [ %741, %719 ], [ %718, %717 ]
-  %721 = load ptr, ptr %96, align 8
-  %722 = load <8 x double>, ptr %721, align 8
-  %723 = fsub <8 x double> %722, %712
-  %724 = fdiv <8 x double> %723, %714
-  %725 = load ptr, ptr %108, align 8
-  store <8 x double> %724, ptr %725, align 8
-  %726 = load ptr, ptr %7, align 8
-  %727 = load ptr, ptr %98, align 8
-  %728 = load i64, ptr %97, align 8
-  %729 = load ptr, ptr %0, align 8
-  %730 = getelementptr inbounds i8, ptr %729, i64 24
-  %731 = load i64, ptr %730, align 8
-  %732 = load ptr, ptr %108, align 8
-  %733 = load ptr, ptr %5, align 8
-  %734 = getelementptr inbounds i8, ptr %733, i64 16
-  %735 = load i64, ptr %734, align 8
-  tail call fastcc void @nested(ptr noundef %715, ptr noundef %726, ptr noundef %727, i64 noundef %728, i64 noundef %731, ptr noundef %732, i64 noundef %735) #10
-  tail call fastcc void @write_outputs(ptr noundef nonnull %0, ptr noundef %715, i64 noundef %720) #10
-  %736 = load ptr, ptr %96, align 8
+730:                                              ; preds = %723, %709
+  %731 = phi <8 x i64> [ %729, %723 ], [ %567, %709 ]
+  %732 = phi <8 x i64> [ %728, %723 ], [ %550, %709 ]
+  %733 = phi i32 [ 1, %723 ], [ %174, %709 ]
+  %734 = icmp ne <8 x i64> %731, zeroinitializer
+  %735 = bitcast <8 x i1> %734 to i8
+  %736 = load ptr, ptr %46, align 8
   %737 = load <8 x double>, ptr %736, align 8
-  %738 = fcmp olt <8 x double> %737, %199
-  %739 = bitcast <8 x i1> %738 to i8
-  %740 = zext i8 %739 to i64
-  %741 = and i64 %720, %740
-  %742 = icmp eq i64 %741, 0
-  br i1 %742, label %743, label %719, !llvm.loop !17
+  %738 = load ptr, ptr %63, align 8
+  %739 = load <8 x double>, ptr %738, align 8
+  %740 = load ptr, ptr %115, align 8
+  %741 = load <8 x double>, ptr %740, align 8
+  %742 = load ptr, ptr %104, align 8
+  %743 = load <8 x double>, ptr %742, align 8
+  %744 = load ptr, ptr %116, align 8
+  %745 = load ptr, ptr %117, align 8
+  br label %750
 
-743:                                              ; preds = %719, %705, %524
-  %744 = phi <8 x i64> [ %525, %524 ], [ %706, %705 ], [ %706, %719 ]
-  %745 = phi i32 [ %163, %524 ], [ %708, %705 ], [ %708, %719 ]
-  %746 = load ptr, ptr %96, align 8
-  %747 = load <8 x double>, ptr %746, align 8
-  %748 = fcmp oeq <8 x double> %747, %199
-  %749 = icmp ne <8 x i64> %744, zeroinitializer
-  %750 = select <8 x i1> %748, <8 x i1> %749, <8 x i1> zeroinitializer
-  %751 = bitcast <8 x i1> %750 to i8
-  %752 = icmp eq i8 %751, 0
-  br i1 %752, label %755, label %753
+746:                                              ; preds = %750
+  %747 = icmp eq i8 %735, 0
+  br i1 %747, label %757, label %748
 
-753:                                              ; preds = %743
-  %754 = zext i8 %751 to i64
-  br label %764
+748:                                              ; preds = %746
+  %749 = zext i8 %735 to i64
+  br label %760
 
-755:                                              ; preds = %764, %743
-  %756 = xor <8 x i64> %744, <i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1>
-  %757 = select <8 x i1> %172, <8 x i64> %756, <8 x i64> zeroinitializer
-  %758 = load ptr, ptr %53, align 8
-  %759 = load <8 x double>, ptr %758, align 8
-  %760 = icmp slt <8 x i64> %744, zeroinitializer
-  %761 = select <8 x i1> %760, <8 x i64> <i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408>, <8 x i64> zeroinitializer
-  %762 = bitcast <8 x i64> %761 to <8 x double>
-  %763 = fadd <8 x double> %759, %762
-  store <8 x double> %763, ptr %758, align 8
-  br i1 %43, label %774, label %898
+750:                                              ; preds = %730, %750
+  %751 = phi i64 [ 0, %730 ], [ %755, %750 ]
+  %752 = getelementptr inbounds i64, ptr %745, i64 %751
+  %753 = load i64, ptr %752, align 8
+  %754 = getelementptr inbounds [8 x i64], ptr %2, i64 0, i64 %751
+  store i64 %753, ptr %754, align 8
+  %755 = add nuw nsw i64 %751, 1
+  %756 = icmp eq i64 %755, 8
+  br i1 %756, label %746, label %750, !llvm.loop !17
 
-764:                                              ; preds = %753, %764
-  %765 = phi i64 [ %772, %764 ], [ %754, %753 ]
-  %766 = load ptr, ptr %109, align 8
-  tail call fastcc void @write_outputs(ptr noundef %0, ptr noundef %766, i64 noundef %765) #10
-  %767 = load ptr, ptr %96, align 8
-  %768 = load <8 x double>, ptr %767, align 8
-  %769 = fcmp oeq <8 x double> %768, %199
-  %770 = bitcast <8 x i1> %769 to i8
-  %771 = zext i8 %770 to i64
-  %772 = and i64 %765, %771
-  %773 = icmp eq i64 %772, 0
-  br i1 %773, label %755, label %764, !llvm.loop !18
+757:                                              ; preds = %784, %746
+  %758 = phi i64 [ 0, %746 ], [ %785, %784 ]
+  %759 = icmp eq i64 %758, 0
+  br i1 %759, label %812, label %796
 
-774:                                              ; preds = %755
-  %775 = load ptr, ptr %110, align 8
-  %776 = load <8 x double>, ptr %775, align 8
-  %777 = load ptr, ptr %111, align 8
-  %778 = load <8 x double>, ptr %777, align 8
-  %779 = fcmp ogt <8 x double> %492, <double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10>
-  %780 = bitcast <8 x double> %492 to <8 x i64>
-  %781 = select <8 x i1> %779, <8 x i64> %780, <8 x i64> <i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675>
-  %782 = load double, ptr %112, align 8
-  %783 = insertelement <8 x double> poison, double %782, i64 0
-  %784 = shufflevector <8 x double> %783, <8 x double> poison, <8 x i32> zeroinitializer
-  %785 = load double, ptr %113, align 8
-  %786 = fneg double %785
-  %787 = add <8 x i64> %781, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
-  %788 = ashr <8 x i64> %787, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %789 = and <8 x i64> %787, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
-  %790 = sub <8 x i64> %781, %789
-  %791 = bitcast <8 x i64> %790 to <8 x double>
-  %792 = fadd <8 x double> %791, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
-  %793 = fadd <8 x double> %791, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %794 = fdiv <8 x double> %792, %793
-  %795 = fmul <8 x double> %794, %794
-  %796 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %795, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
-  %797 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %796, <8 x double> %795, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
-  %798 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %797, <8 x double> %795, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
-  %799 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %798, <8 x double> %795, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
-  %800 = trunc nsw <8 x i64> %788 to <8 x i32>
-  %801 = sitofp <8 x i32> %800 to <8 x double>
-  %802 = fmul <8 x double> %794, %799
-  %803 = fadd <8 x double> %802, %801
-  %804 = insertelement <8 x double> poison, double %786, i64 0
-  %805 = shufflevector <8 x double> %804, <8 x double> poison, <8 x i32> zeroinitializer
-  %806 = fmul <8 x double> %803, %805
-  %807 = fcmp ogt <8 x double> %806, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
-  %808 = bitcast <8 x double> %806 to <8 x i64>
-  %809 = select <8 x i1> %807, <8 x i64> %808, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
-  %810 = bitcast <8 x i64> %809 to <8 x double>
-  %811 = fcmp olt <8 x double> %810, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
-  %812 = bitcast <8 x i64> %809 to <8 x double>
-  %813 = select <8 x i1> %811, <8 x double> %812, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
-  %814 = tail call <8 x double> @llvm.rint.v8f64(<8 x double> %813)
-  %815 = fsub <8 x double> %813, %814
-  %816 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %815, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
-  %817 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %816, <8 x double> %815, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
-  %818 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %817, <8 x double> %815, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
-  %819 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %818, <8 x double> %815, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
-  %820 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %819, <8 x double> %815, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
-  %821 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %820, <8 x double> %815, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
-  %822 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %821, <8 x double> %815, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
-  %823 = bitcast <8 x double> %822 to <8 x i64>
-  %824 = fptosi <8 x double> %814 to <8 x i32>
-  %825 = zext <8 x i32> %824 to <8 x i64>
-  %826 = shl <8 x i64> %825, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %827 = add <8 x i64> %826, %823
-  %828 = bitcast <8 x i64> %827 to <8 x double>
-  %829 = fmul <8 x double> %784, %828
-  %830 = load double, ptr %114, align 8
-  %831 = fcmp une double %830, 0.000000e+00
-  br i1 %831, label %832, label %877
+760:                                              ; preds = %748, %784
+  %761 = phi i64 [ %785, %784 ], [ 0, %748 ]
+  %762 = phi i64 [ %794, %784 ], [ %749, %748 ]
+  %763 = load ptr, ptr %104, align 8
+  %764 = load <8 x double>, ptr %763, align 8
+  %765 = fsub <8 x double> %764, %737
+  %766 = fdiv <8 x double> %765, %739
+  %767 = load ptr, ptr %118, align 8
+  store <8 x double> %766, ptr %767, align 8
+  %768 = load ptr, ptr %9, align 8
+  %769 = load ptr, ptr %106, align 8
+  %770 = load i64, ptr %105, align 8
+  %771 = load ptr, ptr %0, align 8
+  %772 = getelementptr inbounds i8, ptr %771, i64 24
+  %773 = load i64, ptr %772, align 8
+  %774 = load ptr, ptr %118, align 8
+  %775 = load ptr, ptr %7, align 8
+  %776 = getelementptr inbounds i8, ptr %775, i64 16
+  %777 = load i64, ptr %776, align 8
+  tail call fastcc void @nested(ptr noundef %744, ptr noundef %768, ptr noundef %769, i64 noundef %770, i64 noundef %773, ptr noundef %774, i64 noundef %777) #10
+  %778 = load i64, ptr %34, align 8
+  %779 = icmp sgt i64 %778, 0
+  br i1 %779, label %780, label %784
 
-832:                                              ; preds = %774
-  %833 = bitcast <8 x double> %776 to <8 x i64>
-  %834 = add <8 x i64> %833, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
-  %835 = ashr <8 x i64> %834, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %836 = and <8 x i64> %834, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
-  %837 = sub <8 x i64> %833, %836
-  %838 = bitcast <8 x i64> %837 to <8 x double>
-  %839 = fadd <8 x double> %838, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
-  %840 = fadd <8 x double> %838, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %841 = fdiv <8 x double> %839, %840
-  %842 = fmul <8 x double> %841, %841
-  %843 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %842, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
-  %844 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %843, <8 x double> %842, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
-  %845 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %844, <8 x double> %842, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
-  %846 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %845, <8 x double> %842, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
-  %847 = trunc nsw <8 x i64> %835 to <8 x i32>
-  %848 = sitofp <8 x i32> %847 to <8 x double>
-  %849 = fmul <8 x double> %841, %846
-  %850 = fadd <8 x double> %849, %848
-  %851 = insertelement <8 x double> poison, double %830, i64 0
-  %852 = shufflevector <8 x double> %851, <8 x double> poison, <8 x i32> zeroinitializer
-  %853 = fmul <8 x double> %852, %850
-  %854 = fcmp ogt <8 x double> %853, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
-  %855 = bitcast <8 x double> %853 to <8 x i64>
-  %856 = select <8 x i1> %854, <8 x i64> %855, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
-  %857 = bitcast <8 x i64> %856 to <8 x double>
-  %858 = fcmp olt <8 x double> %857, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
-  %859 = bitcast <8 x i64> %856 to <8 x double>
-  %860 = select <8 x i1> %858, <8 x double> %859, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
-  %861 = tail call <8 x double> @llvm.rint.v8f64(<8 x double> %860)
-  %862 = fsub <8 x double> %860, %861
-  %863 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %862, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
-  %864 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %863, <8 x double> %862, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
-  %865 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %864, <8 x double> %862, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
-  %866 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %865, <8 x double> %862, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
-  %867 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %866, <8 x double> %862, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
-  %868 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %867, <8 x double> %862, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
-  %869 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %868, <8 x double> %862, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
-  %870 = bitcast <8 x double> %869 to <8 x i64>
-  %871 = fptosi <8 x double> %861 to <8 x i32>
-  %872 = zext <8 x i32> %871 to <8 x i64>
-  %873 = shl <8 x i64> %872, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %874 = add <8 x i64> %873, %870
-  %875 = bitcast <8 x i64> %874 to <8 x double>
-  %876 = fmul <8 x double> %829, %875
-  br label %877
+780:                                              ; preds = %760
+  %781 = load ptr, ptr %104, align 8
+  %782 = tail call fastcc i64 @hold_lanes(ptr noundef nonnull %0, ptr noundef %781, ptr noundef %744, i64 noundef %762) #10
+  %783 = or i64 %782, %761
+  br label %784
 
-877:                                              ; preds = %774, %832
-  %878 = phi <8 x double> [ %876, %832 ], [ %829, %774 ]
-  %879 = load double, ptr %115, align 8
-  %880 = insertelement <8 x double> poison, double %879, i64 0
-  %881 = shufflevector <8 x double> %880, <8 x double> poison, <8 x i32> zeroinitializer
-  %882 = fcmp ogt <8 x double> %878, %881
-  %883 = select <8 x i1> %882, <8 x double> %878, <8 x double> %881
-  %884 = fcmp olt <8 x double> %778, %883
-  %885 = select <8 x i1> %884, <8 x double> %778, <8 x double> %883
-  %886 = fmul <8 x double> %200, %885
-  %887 = fcmp ogt <8 x double> %492, <double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04>
-  %888 = select <8 x i1> %887, <8 x i64> %780, <8 x i64> <i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789>
-  %889 = bitcast <8 x double> %776 to <8 x i64>
-  %890 = select <8 x i1> %760, <8 x i64> %888, <8 x i64> %889
-  store <8 x i64> %890, ptr %775, align 8
-  %891 = load ptr, ptr %111, align 8
-  %892 = load double, ptr %116, align 8
-  %893 = insertelement <8 x double> poison, double %892, i64 0
-  %894 = bitcast <8 x double> %893 to <8 x i64>
-  %895 = shufflevector <8 x i64> %894, <8 x i64> poison, <8 x i32> zeroinitializer
-  %896 = icmp slt <8 x i64> %757, zeroinitializer
-  %897 = select <8 x i1> %896, <8 x i64> <i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408>, <8 x i64> %895
-  store <8 x i64> %897, ptr %891, align 8
-  br label %898
+784:                                              ; preds = %780, %760
+  %785 = phi i64 [ %783, %780 ], [ %761, %760 ]
+  %786 = xor i64 %785, -1
+  %787 = and i64 %762, %786
+  tail call fastcc void @write_outputs(ptr noundef nonnull %0, ptr noundef %744, i64 noundef %787) #10
+  %788 = load ptr, ptr %104, align 8
+  %789 = load <8 x double>, ptr %788, align 8
+  %790 = fcmp olt <8 x double> %789, %210
+  %791 = bitcast <8 x i1> %790 to i8
+  %792 = zext i8 %791 to i64
+  %793 = and i64 %786, %792
+  %794 = and i64 %793, %762
+  %795 = icmp eq i64 %794, 0
+  br i1 %795, label %757, label %760, !llvm.loop !19
 
-898:                                              ; preds = %877, %755
-  %899 = phi <8 x double> [ %886, %877 ], [ %181, %755 ]
-  %900 = icmp ne <8 x i64> %757, zeroinitializer
-  %901 = bitcast <8 x i1> %900 to i8
-  %902 = icmp eq i8 %901, 0
-  br i1 %902, label %982, label %903
+796:                                              ; preds = %757, %796
+  %797 = phi i64 [ %810, %796 ], [ %758, %757 ]
+  %798 = tail call range(i64 0, 65) i64 @llvm.cttz.i64(i64 %797, i1 true)
+  %799 = extractelement <8 x double> %741, i64 %798
+  %800 = load ptr, ptr %115, align 8
+  %801 = getelementptr inbounds double, ptr %800, i64 %798
+  store double %799, ptr %801, align 8
+  %802 = extractelement <8 x double> %743, i64 %798
+  %803 = load ptr, ptr %104, align 8
+  %804 = getelementptr inbounds double, ptr %803, i64 %798
+  store double %802, ptr %804, align 8
+  %805 = getelementptr inbounds [8 x i64], ptr %2, i64 0, i64 %798
+  %806 = load i64, ptr %805, align 8
+  %807 = load ptr, ptr %119, align 8
+  %808 = getelementptr inbounds i64, ptr %807, i64 %798
+  store i64 %806, ptr %808, align 8
+  %809 = add nsw i64 %797, -1
+  %810 = and i64 %809, %797
+  %811 = icmp eq i64 %810, 0
+  br i1 %811, label %812, label %796, !llvm.loop !20
 
-903:                                              ; preds = %898
-  %904 = trunc i64 %526 to i8
-  %905 = bitcast i8 %904 to <8 x i1>
-  %906 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %492)
-  %907 = fcmp ueq <8 x double> %906, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
-  %908 = select <8 x i1> %907, <8 x i1> <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>, <8 x i1> %905
-  br i1 %43, label %909, label %968
+812:                                              ; preds = %796, %757
+  %813 = or i64 %758, %524
+  %814 = trunc nuw i64 %758 to i8
+  %815 = bitcast i8 %814 to <8 x i1>
+  %816 = select <8 x i1> %815, <8 x i64> zeroinitializer, <8 x i64> %732
+  br label %817
 
-909:                                              ; preds = %903
-  %910 = fcmp ogt <8 x double> %492, <double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10>
-  %911 = bitcast <8 x double> %492 to <8 x i64>
-  %912 = select <8 x i1> %910, <8 x i64> %911, <8 x i64> <i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675>
-  %913 = load double, ptr %117, align 8
-  %914 = insertelement <8 x double> poison, double %913, i64 0
-  %915 = shufflevector <8 x double> %914, <8 x double> poison, <8 x i32> zeroinitializer
-  %916 = load double, ptr %27, align 8
-  %917 = fneg double %916
-  %918 = add <8 x i64> %912, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
-  %919 = ashr <8 x i64> %918, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %920 = and <8 x i64> %918, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
-  %921 = sub <8 x i64> %912, %920
-  %922 = bitcast <8 x i64> %921 to <8 x double>
-  %923 = fadd <8 x double> %922, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
-  %924 = fadd <8 x double> %922, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %925 = fdiv <8 x double> %923, %924
-  %926 = fmul <8 x double> %925, %925
-  %927 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %926, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
-  %928 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %927, <8 x double> %926, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
-  %929 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %928, <8 x double> %926, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
-  %930 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %929, <8 x double> %926, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
-  %931 = trunc nsw <8 x i64> %919 to <8 x i32>
-  %932 = sitofp <8 x i32> %931 to <8 x double>
-  %933 = fmul <8 x double> %925, %930
-  %934 = fadd <8 x double> %933, %932
-  %935 = insertelement <8 x double> poison, double %917, i64 0
-  %936 = shufflevector <8 x double> %935, <8 x double> poison, <8 x i32> zeroinitializer
-  %937 = fmul <8 x double> %934, %936
-  %938 = fcmp ogt <8 x double> %937, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
-  %939 = bitcast <8 x double> %937 to <8 x i64>
-  %940 = select <8 x i1> %938, <8 x i64> %939, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
-  %941 = bitcast <8 x i64> %940 to <8 x double>
-  %942 = fcmp olt <8 x double> %941, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
-  %943 = bitcast <8 x i64> %940 to <8 x double>
-  %944 = select <8 x i1> %942, <8 x double> %943, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
-  %945 = tail call <8 x double> @llvm.rint.v8f64(<8 x double> %944)
-  %946 = fsub <8 x double> %944, %945
-  %947 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %946, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
-  %948 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %947, <8 x double> %946, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
-  %949 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %948, <8 x double> %946, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
-  %950 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %949, <8 x double> %946, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
-  %951 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %950, <8 x double> %946, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
-  %952 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %951, <8 x double> %946, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
-  %953 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %952, <8 x double> %946, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
-  %954 = bitcast <8 x double> %953 to <8 x i64>
-  %955 = fptosi <8 x double> %945 to <8 x i32>
-  %956 = zext <8 x i32> %955 to <8 x i64>
-  %957 = shl <8 x i64> %956, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %958 = add <8 x i64> %957, %954
-  %959 = bitcast <8 x i64> %958 to <8 x double>
-  %960 = fmul <8 x double> %915, %959
-  %961 = load double, ptr %118, align 8
-  %962 = insertelement <8 x double> poison, double %961, i64 0
-  %963 = shufflevector <8 x double> %962, <8 x double> poison, <8 x i32> zeroinitializer
-  %964 = fcmp ogt <8 x double> %960, %963
-  %965 = select <8 x i1> %964, <8 x double> %960, <8 x double> %963
-  %966 = select <8 x i1> %908, <8 x double> <double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01>, <8 x double> %965
-  %967 = fmul <8 x double> %200, %966
-  br label %968
+817:                                              ; preds = %812, %549
+  %818 = phi i64 [ %524, %549 ], [ %813, %812 ]
+  %819 = phi <8 x i64> [ %550, %549 ], [ %816, %812 ]
+  %820 = phi i32 [ %174, %549 ], [ %733, %812 ]
+  %821 = load ptr, ptr %104, align 8
+  %822 = load <8 x double>, ptr %821, align 8
+  %823 = fcmp oeq <8 x double> %822, %210
+  %824 = icmp ne <8 x i64> %819, zeroinitializer
+  %825 = select <8 x i1> %823, <8 x i1> %824, <8 x i1> zeroinitializer
+  %826 = bitcast <8 x i1> %825 to i8
+  %827 = icmp eq i8 %826, 0
+  br i1 %827, label %830, label %828
 
-968:                                              ; preds = %903, %909
-  %969 = phi <8 x double> [ %967, %909 ], [ zeroinitializer, %903 ]
-  %970 = select <8 x i1> %908, <8 x i64> <i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400>, <8 x i64> <i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904>
-  %971 = icmp slt <8 x i64> %757, zeroinitializer
-  %972 = select <8 x i1> %971, <8 x double> %969, <8 x double> %899
-  %973 = load ptr, ptr %119, align 8
-  %974 = select <8 x i1> %905, <8 x i64> <i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152>, <8 x i64> %970
-  %975 = load <8 x i64>, ptr %973, align 8
-  %976 = select <8 x i1> %971, <8 x i64> %974, <8 x i64> %975
-  store <8 x i64> %976, ptr %973, align 8
-  %977 = load ptr, ptr %54, align 8
-  %978 = load <8 x double>, ptr %977, align 8
-  %979 = select <8 x i1> %971, <8 x i64> <i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408>, <8 x i64> zeroinitializer
-  %980 = bitcast <8 x i64> %979 to <8 x double>
-  %981 = fadd <8 x double> %978, %980
-  store <8 x double> %981, ptr %977, align 8
-  br label %982
+828:                                              ; preds = %817
+  %829 = zext i8 %826 to i64
+  br label %839
 
-982:                                              ; preds = %968, %898
-  %983 = phi <8 x double> [ %899, %898 ], [ %972, %968 ]
-  %984 = load ptr, ptr %50, align 8
-  store <8 x double> %983, ptr %984, align 8
-  %985 = load ptr, ptr %41, align 8
-  %986 = select <8 x i1> %760, <8 x double> %199, <8 x double> %174
-  store <8 x double> %986, ptr %985, align 8
-  br i1 %120, label %995, label %987
+830:                                              ; preds = %839, %817
+  %831 = xor <8 x i64> %819, <i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1>
+  %832 = select <8 x i1> %183, <8 x i64> %831, <8 x i64> zeroinitializer
+  %833 = load ptr, ptr %59, align 8
+  %834 = load <8 x double>, ptr %833, align 8
+  %835 = icmp slt <8 x i64> %819, zeroinitializer
+  %836 = select <8 x i1> %835, <8 x i64> <i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408>, <8 x i64> zeroinitializer
+  %837 = bitcast <8 x i64> %836 to <8 x double>
+  %838 = fadd <8 x double> %834, %837
+  store <8 x double> %838, ptr %833, align 8
+  br i1 %48, label %849, label %973
 
-987:                                              ; preds = %995, %982
-  %988 = load ptr, ptr %96, align 8
-  %989 = load <8 x double>, ptr %988, align 8
-  %990 = fcmp oeq <8 x double> %989, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
-  %991 = icmp ne <8 x i64> %744, zeroinitializer
-  %992 = select <8 x i1> %990, <8 x i1> %991, <8 x i1> zeroinitializer
-  %993 = bitcast <8 x i1> %992 to i8
-  %994 = icmp eq i8 %993, 0
-  br i1 %994, label %160, label %1013
+839:                                              ; preds = %828, %839
+  %840 = phi i64 [ %847, %839 ], [ %829, %828 ]
+  %841 = load ptr, ptr %120, align 8
+  tail call fastcc void @write_outputs(ptr noundef %0, ptr noundef %841, i64 noundef %840) #10
+  %842 = load ptr, ptr %104, align 8
+  %843 = load <8 x double>, ptr %842, align 8
+  %844 = fcmp oeq <8 x double> %843, %210
+  %845 = bitcast <8 x i1> %844 to i8
+  %846 = zext i8 %845 to i64
+  %847 = and i64 %840, %846
+  %848 = icmp eq i64 %847, 0
+  br i1 %848, label %830, label %839, !llvm.loop !21
 
-995:                                              ; preds = %982, %995
-  %996 = phi i64 [ %1011, %995 ], [ 0, %982 ]
-  %997 = load ptr, ptr %7, align 8
-  %998 = load ptr, ptr %121, align 8
-  %999 = shl nsw i64 %996, 6
-  %1000 = getelementptr inbounds i8, ptr %998, i64 %999
-  %1001 = load <8 x i64>, ptr %1000, align 8
-  %1002 = getelementptr inbounds i8, ptr %997, i64 %999
-  %1003 = load <8 x i64>, ptr %1002, align 8
-  %1004 = select <8 x i1> %760, <8 x i64> %1001, <8 x i64> %1003
-  store <8 x i64> %1004, ptr %1002, align 8
-  %1005 = load ptr, ptr %32, align 8
-  %1006 = getelementptr inbounds i8, ptr %45, i64 %999
-  %1007 = load <8 x i64>, ptr %1006, align 8
-  %1008 = getelementptr inbounds i8, ptr %1005, i64 %999
-  %1009 = load <8 x i64>, ptr %1008, align 8
-  %1010 = select <8 x i1> %760, <8 x i64> %1007, <8 x i64> %1009
-  store <8 x i64> %1010, ptr %1008, align 8
-  %1011 = add nuw nsw i64 %996, 1
-  %1012 = icmp eq i64 %1011, %11
-  br i1 %1012, label %987, label %995, !llvm.loop !19
+849:                                              ; preds = %830
+  %850 = load ptr, ptr %121, align 8
+  %851 = load <8 x double>, ptr %850, align 8
+  %852 = load ptr, ptr %122, align 8
+  %853 = load <8 x double>, ptr %852, align 8
+  %854 = fcmp ogt <8 x double> %503, <double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10>
+  %855 = bitcast <8 x double> %503 to <8 x i64>
+  %856 = select <8 x i1> %854, <8 x i64> %855, <8 x i64> <i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675>
+  %857 = load double, ptr %123, align 8
+  %858 = insertelement <8 x double> poison, double %857, i64 0
+  %859 = shufflevector <8 x double> %858, <8 x double> poison, <8 x i32> zeroinitializer
+  %860 = load double, ptr %124, align 8
+  %861 = fneg double %860
+  %862 = add <8 x i64> %856, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
+  %863 = ashr <8 x i64> %862, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %864 = and <8 x i64> %862, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
+  %865 = sub <8 x i64> %856, %864
+  %866 = bitcast <8 x i64> %865 to <8 x double>
+  %867 = fadd <8 x double> %866, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
+  %868 = fadd <8 x double> %866, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %869 = fdiv <8 x double> %867, %868
+  %870 = fmul <8 x double> %869, %869
+  %871 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %870, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
+  %872 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %871, <8 x double> %870, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
+  %873 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %872, <8 x double> %870, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
+  %874 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %873, <8 x double> %870, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
+  %875 = trunc nsw <8 x i64> %863 to <8 x i32>
+  %876 = sitofp <8 x i32> %875 to <8 x double>
+  %877 = fmul <8 x double> %869, %874
+  %878 = fadd <8 x double> %877, %876
+  %879 = insertelement <8 x double> poison, double %861, i64 0
+  %880 = shufflevector <8 x double> %879, <8 x double> poison, <8 x i32> zeroinitializer
+  %881 = fmul <8 x double> %878, %880
+  %882 = fcmp ogt <8 x double> %881, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
+  %883 = bitcast <8 x double> %881 to <8 x i64>
+  %884 = select <8 x i1> %882, <8 x i64> %883, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
+  %885 = bitcast <8 x i64> %884 to <8 x double>
+  %886 = fcmp olt <8 x double> %885, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %887 = bitcast <8 x i64> %884 to <8 x double>
+  %888 = select <8 x i1> %886, <8 x double> %887, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %889 = tail call <8 x double> @llvm.rint.v8f64(<8 x double> %888)
+  %890 = fsub <8 x double> %888, %889
+  %891 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %890, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
+  %892 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %891, <8 x double> %890, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
+  %893 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %892, <8 x double> %890, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
+  %894 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %893, <8 x double> %890, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
+  %895 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %894, <8 x double> %890, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
+  %896 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %895, <8 x double> %890, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
+  %897 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %896, <8 x double> %890, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
+  %898 = bitcast <8 x double> %897 to <8 x i64>
+  %899 = fptosi <8 x double> %889 to <8 x i32>
+  %900 = zext <8 x i32> %899 to <8 x i64>
+  %901 = shl <8 x i64> %900, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %902 = add <8 x i64> %901, %898
+  %903 = bitcast <8 x i64> %902 to <8 x double>
+  %904 = fmul <8 x double> %859, %903
+  %905 = load double, ptr %125, align 8
+  %906 = fcmp une double %905, 0.000000e+00
+  br i1 %906, label %907, label %952
 
-1013:                                             ; preds = %987
-  %1014 = zext i8 %993 to i64
-  tail call fastcc void @retire(ptr noundef %0, i64 noundef %1014, i64 noundef 0) #10
-  br label %160
+907:                                              ; preds = %849
+  %908 = bitcast <8 x double> %851 to <8 x i64>
+  %909 = add <8 x i64> %908, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
+  %910 = ashr <8 x i64> %909, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %911 = and <8 x i64> %909, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
+  %912 = sub <8 x i64> %908, %911
+  %913 = bitcast <8 x i64> %912 to <8 x double>
+  %914 = fadd <8 x double> %913, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
+  %915 = fadd <8 x double> %913, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %916 = fdiv <8 x double> %914, %915
+  %917 = fmul <8 x double> %916, %916
+  %918 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %917, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
+  %919 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %918, <8 x double> %917, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
+  %920 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %919, <8 x double> %917, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
+  %921 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %920, <8 x double> %917, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
+  %922 = trunc nsw <8 x i64> %910 to <8 x i32>
+  %923 = sitofp <8 x i32> %922 to <8 x double>
+  %924 = fmul <8 x double> %916, %921
+  %925 = fadd <8 x double> %924, %923
+  %926 = insertelement <8 x double> poison, double %905, i64 0
+  %927 = shufflevector <8 x double> %926, <8 x double> poison, <8 x i32> zeroinitializer
+  %928 = fmul <8 x double> %927, %925
+  %929 = fcmp ogt <8 x double> %928, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
+  %930 = bitcast <8 x double> %928 to <8 x i64>
+  %931 = select <8 x i1> %929, <8 x i64> %930, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
+  %932 = bitcast <8 x i64> %931 to <8 x double>
+  %933 = fcmp olt <8 x double> %932, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %934 = bitcast <8 x i64> %931 to <8 x double>
+  %935 = select <8 x i1> %933, <8 x double> %934, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %936 = tail call <8 x double> @llvm.rint.v8f64(<8 x double> %935)
+  %937 = fsub <8 x double> %935, %936
+  %938 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %937, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
+  %939 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %938, <8 x double> %937, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
+  %940 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %939, <8 x double> %937, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
+  %941 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %940, <8 x double> %937, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
+  %942 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %941, <8 x double> %937, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
+  %943 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %942, <8 x double> %937, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
+  %944 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %943, <8 x double> %937, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
+  %945 = bitcast <8 x double> %944 to <8 x i64>
+  %946 = fptosi <8 x double> %936 to <8 x i32>
+  %947 = zext <8 x i32> %946 to <8 x i64>
+  %948 = shl <8 x i64> %947, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %949 = add <8 x i64> %948, %945
+  %950 = bitcast <8 x i64> %949 to <8 x double>
+  %951 = fmul <8 x double> %904, %950
+  br label %952
 
-1015:                                             ; preds = %162, %157
-  %1016 = phi i64 [ 1, %157 ], [ 0, %162 ]
-  ret i64 %1016
+952:                                              ; preds = %849, %907
+  %953 = phi <8 x double> [ %951, %907 ], [ %904, %849 ]
+  %954 = load double, ptr %126, align 8
+  %955 = insertelement <8 x double> poison, double %954, i64 0
+  %956 = shufflevector <8 x double> %955, <8 x double> poison, <8 x i32> zeroinitializer
+  %957 = fcmp ogt <8 x double> %953, %956
+  %958 = select <8 x i1> %957, <8 x double> %953, <8 x double> %956
+  %959 = fcmp olt <8 x double> %853, %958
+  %960 = select <8 x i1> %959, <8 x double> %853, <8 x double> %958
+  %961 = fmul <8 x double> %211, %960
+  %962 = fcmp ogt <8 x double> %503, <double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04>
+  %963 = select <8 x i1> %962, <8 x i64> %855, <8 x i64> <i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789>
+  %964 = bitcast <8 x double> %851 to <8 x i64>
+  %965 = select <8 x i1> %835, <8 x i64> %963, <8 x i64> %964
+  store <8 x i64> %965, ptr %850, align 8
+  %966 = load ptr, ptr %122, align 8
+  %967 = load double, ptr %127, align 8
+  %968 = insertelement <8 x double> poison, double %967, i64 0
+  %969 = bitcast <8 x double> %968 to <8 x i64>
+  %970 = shufflevector <8 x i64> %969, <8 x i64> poison, <8 x i32> zeroinitializer
+  %971 = icmp slt <8 x i64> %832, zeroinitializer
+  %972 = select <8 x i1> %971, <8 x i64> <i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408>, <8 x i64> %970
+  store <8 x i64> %972, ptr %966, align 8
+  br label %973
+
+973:                                              ; preds = %952, %830
+  %974 = phi <8 x double> [ %961, %952 ], [ %192, %830 ]
+  %975 = icmp ne <8 x i64> %832, zeroinitializer
+  %976 = bitcast <8 x i1> %975 to i8
+  %977 = icmp eq i8 %976, 0
+  br i1 %977, label %1064, label %978
+
+978:                                              ; preds = %973
+  %979 = trunc i64 %551 to i8
+  %980 = bitcast i8 %979 to <8 x i1>
+  %981 = trunc nuw i64 %818 to i8
+  %982 = bitcast i8 %981 to <8 x i1>
+  %983 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %503)
+  %984 = fcmp ueq <8 x double> %983, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
+  %985 = select <8 x i1> %984, <8 x i1> <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>, <8 x i1> %980
+  %986 = or <8 x i1> %985, %982
+  br i1 %48, label %987, label %1046
+
+987:                                              ; preds = %978
+  %988 = fcmp ogt <8 x double> %503, <double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10>
+  %989 = bitcast <8 x double> %503 to <8 x i64>
+  %990 = select <8 x i1> %988, <8 x i64> %989, <8 x i64> <i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675>
+  %991 = load double, ptr %128, align 8
+  %992 = insertelement <8 x double> poison, double %991, i64 0
+  %993 = shufflevector <8 x double> %992, <8 x double> poison, <8 x i32> zeroinitializer
+  %994 = load double, ptr %29, align 8
+  %995 = fneg double %994
+  %996 = add <8 x i64> %990, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
+  %997 = ashr <8 x i64> %996, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %998 = and <8 x i64> %996, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
+  %999 = sub <8 x i64> %990, %998
+  %1000 = bitcast <8 x i64> %999 to <8 x double>
+  %1001 = fadd <8 x double> %1000, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
+  %1002 = fadd <8 x double> %1000, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %1003 = fdiv <8 x double> %1001, %1002
+  %1004 = fmul <8 x double> %1003, %1003
+  %1005 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %1004, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
+  %1006 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %1005, <8 x double> %1004, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
+  %1007 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %1006, <8 x double> %1004, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
+  %1008 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %1007, <8 x double> %1004, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
+  %1009 = trunc nsw <8 x i64> %997 to <8 x i32>
+  %1010 = sitofp <8 x i32> %1009 to <8 x double>
+  %1011 = fmul <8 x double> %1003, %1008
+  %1012 = fadd <8 x double> %1011, %1010
+  %1013 = insertelement <8 x double> poison, double %995, i64 0
+  %1014 = shufflevector <8 x double> %1013, <8 x double> poison, <8 x i32> zeroinitializer
+  %1015 = fmul <8 x double> %1012, %1014
+  %1016 = fcmp ogt <8 x double> %1015, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
+  %1017 = bitcast <8 x double> %1015 to <8 x i64>
+  %1018 = select <8 x i1> %1016, <8 x i64> %1017, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
+  %1019 = bitcast <8 x i64> %1018 to <8 x double>
+  %1020 = fcmp olt <8 x double> %1019, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %1021 = bitcast <8 x i64> %1018 to <8 x double>
+  %1022 = select <8 x i1> %1020, <8 x double> %1021, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %1023 = tail call <8 x double> @llvm.rint.v8f64(<8 x double> %1022)
+  %1024 = fsub <8 x double> %1022, %1023
+  %1025 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %1024, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
+  %1026 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %1025, <8 x double> %1024, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
+  %1027 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %1026, <8 x double> %1024, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
+  %1028 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %1027, <8 x double> %1024, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
+  %1029 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %1028, <8 x double> %1024, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
+  %1030 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %1029, <8 x double> %1024, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
+  %1031 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %1030, <8 x double> %1024, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
+  %1032 = bitcast <8 x double> %1031 to <8 x i64>
+  %1033 = fptosi <8 x double> %1023 to <8 x i32>
+  %1034 = zext <8 x i32> %1033 to <8 x i64>
+  %1035 = shl <8 x i64> %1034, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %1036 = add <8 x i64> %1035, %1032
+  %1037 = bitcast <8 x i64> %1036 to <8 x double>
+  %1038 = fmul <8 x double> %993, %1037
+  %1039 = load double, ptr %129, align 8
+  %1040 = insertelement <8 x double> poison, double %1039, i64 0
+  %1041 = shufflevector <8 x double> %1040, <8 x double> poison, <8 x i32> zeroinitializer
+  %1042 = fcmp ogt <8 x double> %1038, %1041
+  %1043 = select <8 x i1> %1042, <8 x double> %1038, <8 x double> %1041
+  %1044 = select <8 x i1> %986, <8 x double> <double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01>, <8 x double> %1043
+  %1045 = fmul <8 x double> %211, %1044
+  br label %1046
+
+1046:                                             ; preds = %978, %987
+  %1047 = phi <8 x double> [ %1045, %987 ], [ zeroinitializer, %978 ]
+  %1048 = select <8 x i1> %986, <8 x i64> <i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400>, <8 x i64> <i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904>
+  %1049 = icmp slt <8 x i64> %832, zeroinitializer
+  %1050 = select <8 x i1> %1049, <8 x double> %1047, <8 x double> %974
+  %1051 = load ptr, ptr %130, align 8
+  %1052 = select <8 x i1> %982, <8 x i64> <i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648>, <8 x i64> %1048
+  %1053 = load <8 x i64>, ptr %1051, align 8
+  %1054 = select <8 x i1> %1049, <8 x i64> %1052, <8 x i64> %1053
+  store <8 x i64> %1054, ptr %1051, align 8
+  %1055 = load ptr, ptr %130, align 8
+  %1056 = select <8 x i1> %980, <8 x i64> <i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152>, <8 x i64> %1048
+  %1057 = load <8 x i64>, ptr %1055, align 8
+  %1058 = select <8 x i1> %1049, <8 x i64> %1056, <8 x i64> %1057
+  store <8 x i64> %1058, ptr %1055, align 8
+  %1059 = load ptr, ptr %60, align 8
+  %1060 = load <8 x double>, ptr %1059, align 8
+  %1061 = select <8 x i1> %1049, <8 x i64> <i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408>, <8 x i64> zeroinitializer
+  %1062 = bitcast <8 x i64> %1061 to <8 x double>
+  %1063 = fadd <8 x double> %1060, %1062
+  store <8 x double> %1063, ptr %1059, align 8
+  br label %1064
+
+1064:                                             ; preds = %1046, %973
+  %1065 = phi <8 x double> [ %974, %973 ], [ %1050, %1046 ]
+  %1066 = load ptr, ptr %56, align 8
+  store <8 x double> %1065, ptr %1066, align 8
+  %1067 = load ptr, ptr %46, align 8
+  %1068 = select <8 x i1> %835, <8 x double> %210, <8 x double> %185
+  store <8 x double> %1068, ptr %1067, align 8
+  br i1 %131, label %1077, label %1069
+
+1069:                                             ; preds = %1077, %1064
+  %1070 = load ptr, ptr %104, align 8
+  %1071 = load <8 x double>, ptr %1070, align 8
+  %1072 = fcmp oeq <8 x double> %1071, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
+  %1073 = icmp ne <8 x i64> %819, zeroinitializer
+  %1074 = select <8 x i1> %1072, <8 x i1> %1073, <8 x i1> zeroinitializer
+  %1075 = bitcast <8 x i1> %1074 to i8
+  %1076 = icmp eq i8 %1075, 0
+  br i1 %1076, label %171, label %1095
+
+1077:                                             ; preds = %1064, %1077
+  %1078 = phi i64 [ %1093, %1077 ], [ 0, %1064 ]
+  %1079 = load ptr, ptr %9, align 8
+  %1080 = load ptr, ptr %132, align 8
+  %1081 = shl nsw i64 %1078, 6
+  %1082 = getelementptr inbounds i8, ptr %1080, i64 %1081
+  %1083 = load <8 x i64>, ptr %1082, align 8
+  %1084 = getelementptr inbounds i8, ptr %1079, i64 %1081
+  %1085 = load <8 x i64>, ptr %1084, align 8
+  %1086 = select <8 x i1> %835, <8 x i64> %1083, <8 x i64> %1085
+  store <8 x i64> %1086, ptr %1084, align 8
+  %1087 = load ptr, ptr %37, align 8
+  %1088 = getelementptr inbounds i8, ptr %51, i64 %1081
+  %1089 = load <8 x i64>, ptr %1088, align 8
+  %1090 = getelementptr inbounds i8, ptr %1087, i64 %1081
+  %1091 = load <8 x i64>, ptr %1090, align 8
+  %1092 = select <8 x i1> %835, <8 x i64> %1089, <8 x i64> %1091
+  store <8 x i64> %1092, ptr %1090, align 8
+  %1093 = add nuw nsw i64 %1078, 1
+  %1094 = icmp eq i64 %1093, %13
+  br i1 %1094, label %1069, label %1077, !llvm.loop !22
+
+1095:                                             ; preds = %1069
+  %1096 = zext i8 %1075 to i64
+  tail call fastcc void @retire(ptr noundef %0, i64 noundef %1096, i64 noundef 0) #10
+  br label %171
+
+1097:                                             ; preds = %173, %168
+  %1098 = phi i64 [ 1, %168 ], [ 0, %173 ]
+  ret i64 %1098
 }
 
 
@@ -1237,271 +1343,385 @@ define internal fastcc i64 @fill(ptr noundef readonly %0, ptr noundef writeonly 
   %3 = getelementptr inbounds i8, ptr %0, i64 624
   %4 = getelementptr inbounds i8, ptr %0, i64 912
   %5 = getelementptr inbounds i8, ptr %0, i64 360
-  %6 = getelementptr inbounds i8, ptr %0, i64 864
-  %7 = getelementptr inbounds i8, ptr %0, i64 992
-  %8 = getelementptr inbounds i8, ptr %0, i64 984
-  %9 = getelementptr inbounds i8, ptr %0, i64 1000
-  %10 = getelementptr inbounds i8, ptr %0, i64 1008
-  %11 = getelementptr inbounds i8, ptr %0, i64 192
-  %12 = getelementptr inbounds i8, ptr %0, i64 1024
-  %13 = getelementptr inbounds i8, ptr %0, i64 1032
-  %14 = getelementptr inbounds i8, ptr %0, i64 216
-  %15 = getelementptr inbounds i8, ptr %0, i64 1048
-  %16 = getelementptr inbounds i8, ptr %0, i64 960
+  %6 = load ptr, ptr %4, align 8
+  %7 = getelementptr inbounds i8, ptr %0, i64 1056
+  %8 = getelementptr inbounds i8, ptr %0, i64 992
+  %9 = getelementptr inbounds i8, ptr %0, i64 984
+  %10 = getelementptr inbounds i8, ptr %0, i64 864
+  %11 = getelementptr inbounds i8, ptr %0, i64 1072
+  %12 = getelementptr inbounds i8, ptr %0, i64 1000
+  %13 = getelementptr inbounds i8, ptr %0, i64 1008
+  %14 = getelementptr inbounds i8, ptr %0, i64 192
+  %15 = getelementptr inbounds i8, ptr %0, i64 1024
+  %16 = getelementptr inbounds i8, ptr %0, i64 1032
+  %17 = getelementptr inbounds i8, ptr %0, i64 216
+  %18 = getelementptr inbounds i8, ptr %0, i64 1048
+  %19 = getelementptr inbounds i8, ptr %0, i64 1136
+  %20 = getelementptr inbounds i8, ptr %0, i64 1104
+  %21 = getelementptr inbounds i8, ptr %0, i64 1128
+  %22 = getelementptr inbounds i8, ptr %0, i64 1024
+  %23 = getelementptr inbounds i8, ptr %0, i64 1048
+  %24 = getelementptr inbounds i8, ptr %0, i64 1192
+  %25 = getelementptr inbounds i8, ptr %0, i64 1176
+  %26 = getelementptr inbounds i8, ptr %0, i64 960
   br label %27
 
-17:                                               ; preds = %102
-  %18 = getelementptr inbounds i8, ptr %0, i64 144
-  store i64 %110, ptr %1, align 8
-  %19 = icmp slt i64 %111, 0
-  br i1 %19, label %203, label %20
+27:                                               ; preds = %2, %194
+  %28 = phi i64 [ 0, %2 ], [ %204, %194 ]
+  %29 = phi i64 [ 0, %2 ], [ %195, %194 ]
+  %30 = phi i64 [ -1, %2 ], [ %203, %194 ]
+  %31 = phi i64 [ 0, %2 ], [ %202, %194 ]
+  %32 = load i64, ptr %6, align 8
+  %33 = load i64, ptr %8, align 8
+  %34 = icmp sge i64 %32, %33
+  br i1 %34, label %66, label %35
 
-20:                                               ; preds = %17
-  %21 = getelementptr inbounds i8, ptr %0, i64 864
-  %22 = getelementptr inbounds i8, ptr %0, i64 528
-  %23 = getelementptr inbounds i8, ptr %0, i64 192
-  %24 = getelementptr inbounds i8, ptr %0, i64 216
-  %25 = getelementptr inbounds i8, ptr %0, i64 648
-  %26 = getelementptr inbounds i8, ptr %0, i64 744
-  br label %123
+35:                                               ; preds = %27
+  %36 = load ptr, ptr %7, align 8
+  %37 = load i64, ptr %11, align 8
+  %38 = mul nsw i64 %37, %32
+  %39 = getelementptr i64, ptr %36, i64 %38
+  %40 = getelementptr i8, ptr %39, i64 24
+  %41 = load i64, ptr %40, align 8
+  %42 = icmp eq i64 %41, 0
+  br i1 %42, label %66, label %61
 
-27:                                               ; preds = %2, %102
-  %28 = phi i64 [ 0, %2 ], [ %112, %102 ]
-  %29 = phi i64 [ -1, %2 ], [ %111, %102 ]
-  %30 = phi i64 [ 0, %2 ], [ %110, %102 ]
-  %31 = phi i64 [ 0, %2 ], [ %103, %102 ]
-  %32 = load ptr, ptr %6, align 8
-  %33 = getelementptr inbounds i64, ptr %32, i64 %28
-  %34 = load i64, ptr %33, align 8
-  %35 = icmp eq i64 %34, -1
-  br i1 %35, label %36, label %102
+43:                                               ; preds = %194
+  %44 = getelementptr inbounds i8, ptr %0, i64 144
+  store i64 %202, ptr %1, align 8
+  %45 = icmp slt i64 %203, 0
+  br i1 %45, label %295, label %46
 
-36:                                               ; preds = %27
-  %37 = load ptr, ptr %4, align 8
-  %38 = load i64, ptr %37, align 8
-  %39 = load i64, ptr %7, align 8
-  %40 = icmp slt i64 %38, %39
-  br i1 %40, label %41, label %102
+46:                                               ; preds = %43
+  %47 = getelementptr inbounds i8, ptr %0, i64 864
+  %48 = getelementptr inbounds i8, ptr %0, i64 528
+  %49 = getelementptr inbounds i8, ptr %0, i64 192
+  %50 = getelementptr inbounds i8, ptr %0, i64 216
+  %51 = getelementptr inbounds i8, ptr %0, i64 648
+  %52 = getelementptr inbounds i8, ptr %0, i64 744
+  br label %215
 
-41:                                               ; preds = %36
-  %42 = add nsw i64 %38, 1
-  store i64 %42, ptr %37, align 8
-  %43 = load ptr, ptr %6, align 8
-  %44 = getelementptr inbounds i64, ptr %43, i64 %28
-  store i64 %38, ptr %44, align 8
-  %45 = load ptr, ptr %5, align 8
-  %46 = load ptr, ptr %8, align 8
-  %47 = load i64, ptr %9, align 8
-  %48 = mul nsw i64 %47, %38
-  %49 = getelementptr inbounds double, ptr %46, i64 %48
-  %50 = getelementptr double, ptr %45, i64 %28
-  %51 = icmp sgt i64 %47, 0
-  br i1 %51, label %52, label %61
+53:                                               ; preds = %61
+  %54 = load ptr, ptr %7, align 8
+  %55 = load i64, ptr %11, align 8
+  %56 = mul nsw i64 %55, %63
+  %57 = getelementptr i64, ptr %54, i64 %56
+  %58 = getelementptr i8, ptr %57, i64 24
+  %59 = load i64, ptr %58, align 8
+  %60 = icmp eq i64 %59, 0
+  br i1 %60, label %66, label %61, !llvm.loop !23
 
-52:                                               ; preds = %41, %52
-  %53 = phi i64 [ %58, %52 ], [ 0, %41 ]
-  %54 = getelementptr inbounds double, ptr %49, i64 %53
-  %55 = load double, ptr %54, align 8
-  %56 = shl i64 %53, 6
-  %57 = getelementptr i8, ptr %50, i64 %56
-  store double %55, ptr %57, align 8
-  %58 = add nuw nsw i64 %53, 1
-  %59 = load i64, ptr %9, align 8
-  %60 = icmp slt i64 %58, %59
-  br i1 %60, label %52, label %61, !llvm.loop !20
+61:                                               ; preds = %35, %53
+  %62 = phi i64 [ %63, %53 ], [ %32, %35 ]
+  %63 = add nsw i64 %62, 1
+  store i64 %63, ptr %6, align 8
+  %64 = load i64, ptr %8, align 8
+  %65 = icmp sge i64 %63, %64
+  br i1 %65, label %66, label %53, !llvm.loop !23
 
-61:                                               ; preds = %52, %41
-  %62 = load ptr, ptr %11, align 8
-  %63 = load ptr, ptr %10, align 8
-  %64 = load i64, ptr %12, align 8
-  %65 = mul nsw i64 %64, %38
-  %66 = getelementptr inbounds double, ptr %63, i64 %65
-  %67 = getelementptr double, ptr %62, i64 %28
-  %68 = icmp sgt i64 %64, 0
-  br i1 %68, label %69, label %78
+66:                                               ; preds = %61, %53, %35, %27
+  %67 = phi i64 [ %32, %27 ], [ %32, %35 ], [ %63, %53 ], [ %63, %61 ]
+  %68 = phi i1 [ %34, %27 ], [ %34, %35 ], [ %65, %53 ], [ %65, %61 ]
+  %69 = load ptr, ptr %10, align 8
+  %70 = getelementptr inbounds i64, ptr %69, i64 %28
+  %71 = load i64, ptr %70, align 8
+  %72 = icmp ne i64 %71, -1
+  %73 = or i1 %68, %72
+  br i1 %73, label %194, label %74
 
-69:                                               ; preds = %61, %69
-  %70 = phi i64 [ %75, %69 ], [ 0, %61 ]
-  %71 = getelementptr inbounds double, ptr %66, i64 %70
-  %72 = load double, ptr %71, align 8
-  %73 = shl i64 %70, 6
-  %74 = getelementptr i8, ptr %67, i64 %73
-  store double %72, ptr %74, align 8
-  %75 = add nuw nsw i64 %70, 1
-  %76 = load i64, ptr %12, align 8
-  %77 = icmp slt i64 %75, %76
-  br i1 %77, label %69, label %78, !llvm.loop !20
+74:                                               ; preds = %66
+  %75 = add nsw i64 %67, 1
+  store i64 %75, ptr %6, align 8
+  %76 = load ptr, ptr %10, align 8
+  %77 = getelementptr inbounds i64, ptr %76, i64 %28
+  store i64 %67, ptr %77, align 8
+  %78 = load ptr, ptr %5, align 8
+  %79 = load ptr, ptr %9, align 8
+  %80 = load i64, ptr %12, align 8
+  %81 = mul nsw i64 %80, %67
+  %82 = getelementptr inbounds double, ptr %79, i64 %81
+  %83 = getelementptr double, ptr %78, i64 %28
+  %84 = icmp sgt i64 %80, 0
+  br i1 %84, label %85, label %94
 
-78:                                               ; preds = %69, %61
-  %79 = load ptr, ptr %14, align 8
-  %80 = load ptr, ptr %13, align 8
-  %81 = load i64, ptr %15, align 8
-  %82 = mul nsw i64 %81, %38
-  %83 = getelementptr inbounds double, ptr %80, i64 %82
-  %84 = getelementptr double, ptr %79, i64 %28
-  %85 = icmp sgt i64 %81, 0
-  br i1 %85, label %86, label %95
+85:                                               ; preds = %74, %85
+  %86 = phi i64 [ %91, %85 ], [ 0, %74 ]
+  %87 = getelementptr inbounds double, ptr %82, i64 %86
+  %88 = load double, ptr %87, align 8
+  %89 = shl i64 %86, 6
+  %90 = getelementptr i8, ptr %83, i64 %89
+  store double %88, ptr %90, align 8
+  %91 = add nuw nsw i64 %86, 1
+  %92 = load i64, ptr %12, align 8
+  %93 = icmp slt i64 %91, %92
+  br i1 %93, label %85, label %94, !llvm.loop !24
 
-86:                                               ; preds = %78, %86
-  %87 = phi i64 [ %92, %86 ], [ 0, %78 ]
-  %88 = getelementptr inbounds double, ptr %83, i64 %87
-  %89 = load double, ptr %88, align 8
-  %90 = shl i64 %87, 6
-  %91 = getelementptr i8, ptr %84, i64 %90
-  store double %89, ptr %91, align 8
-  %92 = add nuw nsw i64 %87, 1
-  %93 = load i64, ptr %15, align 8
-  %94 = icmp slt i64 %92, %93
-  br i1 %94, label %86, label %95, !llvm.loop !20
+94:                                               ; preds = %85, %74
+  %95 = load ptr, ptr %14, align 8
+  %96 = load ptr, ptr %13, align 8
+  %97 = load i64, ptr %15, align 8
+  %98 = mul nsw i64 %97, %67
+  %99 = getelementptr inbounds double, ptr %96, i64 %98
+  %100 = getelementptr double, ptr %95, i64 %28
+  %101 = icmp sgt i64 %97, 0
+  br i1 %101, label %102, label %111
 
-95:                                               ; preds = %86, %78
-  %96 = load ptr, ptr %16, align 8
-  %97 = load double, ptr %96, align 8
-  %98 = load ptr, ptr %3, align 8
-  %99 = getelementptr inbounds double, ptr %98, i64 %28
-  store double %97, ptr %99, align 8
-  %100 = shl nuw nsw i64 1, %28
-  %101 = or i64 %100, %31
-  br label %102
+102:                                              ; preds = %94, %102
+  %103 = phi i64 [ %108, %102 ], [ 0, %94 ]
+  %104 = getelementptr inbounds double, ptr %99, i64 %103
+  %105 = load double, ptr %104, align 8
+  %106 = shl i64 %103, 6
+  %107 = getelementptr i8, ptr %100, i64 %106
+  store double %105, ptr %107, align 8
+  %108 = add nuw nsw i64 %103, 1
+  %109 = load i64, ptr %15, align 8
+  %110 = icmp slt i64 %108, %109
+  br i1 %110, label %102, label %111, !llvm.loop !24
 
-102:                                              ; preds = %95, %36, %27
-  %103 = phi i64 [ %101, %95 ], [ %31, %36 ], [ %31, %27 ]
-  %104 = load ptr, ptr %6, align 8
-  %105 = getelementptr inbounds i64, ptr %104, i64 %28
-  %106 = load i64, ptr %105, align 8
-  %107 = icmp sgt i64 %106, -1
-  %108 = shl nuw nsw i64 1, %28
-  %109 = select i1 %107, i64 %108, i64 0
-  %110 = or i64 %109, %30
-  %111 = select i1 %107, i64 %28, i64 %29
-  %112 = add nuw nsw i64 %28, 1
-  %113 = icmp eq i64 %112, 8
-  br i1 %113, label %17, label %27, !llvm.loop !22
+111:                                              ; preds = %102, %94
+  %112 = load ptr, ptr %17, align 8
+  %113 = load ptr, ptr %16, align 8
+  %114 = load i64, ptr %18, align 8
+  %115 = mul nsw i64 %114, %67
+  %116 = getelementptr inbounds double, ptr %113, i64 %115
+  %117 = getelementptr double, ptr %112, i64 %28
+  %118 = icmp sgt i64 %114, 0
+  br i1 %118, label %119, label %128
 
-114:                                              ; preds = %200
-  %115 = load ptr, ptr %18, align 8
-  %116 = getelementptr inbounds i8, ptr %115, i64 40
-  %117 = load i64, ptr %116, align 8
-  %118 = inttoptr i64 %117 to ptr
-  %119 = getelementptr inbounds i8, ptr %0, i64 216
-  %120 = load ptr, ptr %119, align 8
-  %121 = getelementptr inbounds i8, ptr %0, i64 240
-  %122 = load ptr, ptr %121, align 8
-  tail call void %118(ptr noundef %120, ptr noundef %122) #11
-  br label %203
+119:                                              ; preds = %111, %119
+  %120 = phi i64 [ %125, %119 ], [ 0, %111 ]
+  %121 = getelementptr inbounds double, ptr %116, i64 %120
+  %122 = load double, ptr %121, align 8
+  %123 = shl i64 %120, 6
+  %124 = getelementptr i8, ptr %117, i64 %123
+  store double %122, ptr %124, align 8
+  %125 = add nuw nsw i64 %120, 1
+  %126 = load i64, ptr %18, align 8
+  %127 = icmp slt i64 %125, %126
+  br i1 %127, label %119, label %128, !llvm.loop !24
 
-123:                                              ; preds = %20, %200
-  %124 = phi i64 [ 0, %20 ], [ %201, %200 ]
-  %125 = load ptr, ptr %21, align 8
-  %126 = getelementptr inbounds i64, ptr %125, i64 %124
-  %127 = load i64, ptr %126, align 8
-  %128 = icmp eq i64 %127, -1
-  br i1 %128, label %129, label %200
+128:                                              ; preds = %119, %111
+  %129 = load i64, ptr %19, align 8
+  %130 = icmp sgt i64 %129, 0
+  br i1 %130, label %131, label %187
 
-129:                                              ; preds = %123
-  %130 = load ptr, ptr %5, align 8
-  %131 = load ptr, ptr %18, align 8
-  %132 = getelementptr inbounds i8, ptr %131, i64 8
-  %133 = load i64, ptr %132, align 8
-  %134 = icmp sgt i64 %133, 0
-  br i1 %134, label %135, label %144
+131:                                              ; preds = %128
+  %132 = load ptr, ptr %21, align 8
+  %133 = getelementptr inbounds i64, ptr %132, i64 %28
+  %134 = load i64, ptr %133, align 8
+  %135 = inttoptr i64 %134 to ptr
+  %136 = load i64, ptr %22, align 8
+  %137 = icmp sgt i64 %136, 0
+  br i1 %137, label %138, label %140
 
-135:                                              ; preds = %129, %135
-  %136 = phi i64 [ %142, %135 ], [ 0, %129 ]
-  %137 = shl i64 %136, 6
-  %138 = getelementptr i8, ptr %130, i64 %137
-  %139 = getelementptr double, ptr %138, i64 %111
-  %140 = load double, ptr %139, align 8
-  %141 = getelementptr double, ptr %138, i64 %124
-  store double %140, ptr %141, align 8
-  %142 = add nuw nsw i64 %136, 1
-  %143 = icmp eq i64 %142, %133
-  br i1 %143, label %144, label %135, !llvm.loop !23
+138:                                              ; preds = %131
+  %139 = getelementptr inbounds i8, ptr %135, i64 192
+  br label %152
 
-144:                                              ; preds = %135, %129
-  %145 = load ptr, ptr %22, align 8
-  %146 = load ptr, ptr %18, align 8
-  %147 = getelementptr inbounds i8, ptr %146, i64 8
-  %148 = load i64, ptr %147, align 8
-  %149 = icmp sgt i64 %148, 0
-  br i1 %149, label %150, label %159
+140:                                              ; preds = %152, %131
+  %141 = load ptr, ptr %20, align 8
+  %142 = load i64, ptr %141, align 8
+  %143 = inttoptr i64 %142 to ptr
+  %144 = load ptr, ptr %16, align 8
+  %145 = load i64, ptr %23, align 8
+  %146 = mul nsw i64 %145, %67
+  %147 = getelementptr inbounds double, ptr %144, i64 %146
+  %148 = getelementptr inbounds i8, ptr %135, i64 672
+  %149 = load ptr, ptr %148, align 8
+  tail call void %143(ptr noundef %147, ptr noundef %149) #11
+  %150 = load i64, ptr %24, align 8
+  %151 = icmp sgt i64 %150, 0
+  br i1 %151, label %165, label %187
 
-150:                                              ; preds = %144, %150
-  %151 = phi i64 [ %157, %150 ], [ 0, %144 ]
-  %152 = shl i64 %151, 6
-  %153 = getelementptr i8, ptr %145, i64 %152
-  %154 = getelementptr double, ptr %153, i64 %111
-  %155 = load double, ptr %154, align 8
-  %156 = getelementptr double, ptr %153, i64 %124
-  store double %155, ptr %156, align 8
-  %157 = add nuw nsw i64 %151, 1
-  %158 = icmp eq i64 %157, %148
-  br i1 %158, label %159, label %150, !llvm.loop !23
+152:                                              ; preds = %138, %152
+  %153 = phi i64 [ %136, %138 ], [ %163, %152 ]
+  %154 = phi i64 [ 0, %138 ], [ %162, %152 ]
+  %155 = load ptr, ptr %13, align 8
+  %156 = mul nsw i64 %153, %67
+  %157 = getelementptr double, ptr %155, i64 %156
+  %158 = getelementptr double, ptr %157, i64 %154
+  %159 = load double, ptr %158, align 8
+  %160 = load ptr, ptr %139, align 8
+  %161 = getelementptr inbounds double, ptr %160, i64 %154
+  store double %159, ptr %161, align 8
+  %162 = add nuw nsw i64 %154, 1
+  %163 = load i64, ptr %22, align 8
+  %164 = icmp slt i64 %162, %163
+  br i1 %164, label %152, label %140, !llvm.loop !25
 
-159:                                              ; preds = %150, %144
-  %160 = load ptr, ptr %23, align 8
-  %161 = load ptr, ptr %18, align 8
-  %162 = getelementptr inbounds i8, ptr %161, i64 48
-  %163 = load i64, ptr %162, align 8
-  %164 = icmp sgt i64 %163, 0
-  br i1 %164, label %165, label %174
+165:                                              ; preds = %140, %165
+  %166 = phi i64 [ %185, %165 ], [ %150, %140 ]
+  %167 = phi i64 [ %184, %165 ], [ 0, %140 ]
+  %168 = load ptr, ptr %25, align 8
+  %169 = mul nsw i64 %166, %67
+  %170 = getelementptr double, ptr %168, i64 %169
+  %171 = getelementptr double, ptr %170, i64 %167
+  %172 = load double, ptr %171, align 8
+  %173 = load ptr, ptr %21, align 8
+  %174 = getelementptr inbounds i64, ptr %173, i64 %28
+  %175 = load i64, ptr %174, align 8
+  %176 = inttoptr i64 %175 to ptr
+  %177 = getelementptr inbounds i8, ptr %176, i64 696
+  %178 = load ptr, ptr %177, align 8
+  %179 = load ptr, ptr %20, align 8
+  %180 = getelementptr inbounds i8, ptr %179, i64 8
+  %181 = load i64, ptr %180, align 8
+  %182 = getelementptr inbounds double, ptr %178, i64 %181
+  %183 = getelementptr inbounds double, ptr %182, i64 %167
+  store double %172, ptr %183, align 8
+  %184 = add nuw nsw i64 %167, 1
+  %185 = load i64, ptr %24, align 8
+  %186 = icmp slt i64 %184, %185
+  br i1 %186, label %165, label %187, !llvm.loop !26
 
-165:                                              ; preds = %159, %165
-  %166 = phi i64 [ %172, %165 ], [ 0, %159 ]
-  %167 = shl i64 %166, 6
-  %168 = getelementptr i8, ptr %160, i64 %167
-  %169 = getelementptr double, ptr %168, i64 %111
-  %170 = load double, ptr %169, align 8
-  %171 = getelementptr double, ptr %168, i64 %124
-  store double %170, ptr %171, align 8
-  %172 = add nuw nsw i64 %166, 1
-  %173 = icmp eq i64 %172, %163
-  br i1 %173, label %174, label %165, !llvm.loop !23
-
-174:                                              ; preds = %165, %159
-  %175 = load ptr, ptr %24, align 8
-  %176 = load ptr, ptr %18, align 8
-  %177 = getelementptr inbounds i8, ptr %176, i64 56
-  %178 = load i64, ptr %177, align 8
-  %179 = icmp sgt i64 %178, 0
-  br i1 %179, label %180, label %189
-
-180:                                              ; preds = %174, %180
-  %181 = phi i64 [ %187, %180 ], [ 0, %174 ]
-  %182 = shl i64 %181, 6
-  %183 = getelementptr i8, ptr %175, i64 %182
-  %184 = getelementptr double, ptr %183, i64 %111
-  %185 = load double, ptr %184, align 8
-  %186 = getelementptr double, ptr %183, i64 %124
-  store double %185, ptr %186, align 8
-  %187 = add nuw nsw i64 %181, 1
-  %188 = icmp eq i64 %187, %178
-  br i1 %188, label %189, label %180, !llvm.loop !23
-
-189:                                              ; preds = %180, %174
+187:                                              ; preds = %165, %140, %128
+  %188 = load ptr, ptr %26, align 8
+  %189 = load double, ptr %188, align 8
   %190 = load ptr, ptr %3, align 8
-  %191 = getelementptr inbounds double, ptr %190, i64 %111
-  %192 = load double, ptr %191, align 8
-  %193 = getelementptr inbounds double, ptr %190, i64 %124
-  store double %192, ptr %193, align 8
-  %194 = load ptr, ptr %25, align 8
-  %195 = getelementptr inbounds double, ptr %194, i64 %124
-  store double 0.000000e+00, ptr %195, align 8
-  %196 = load ptr, ptr %26, align 8
-  %197 = getelementptr inbounds double, ptr %196, i64 %124
-  store double 0x7FF0000000000000, ptr %197, align 8
-  %198 = load ptr, ptr %21, align 8
-  %199 = getelementptr inbounds i64, ptr %198, i64 %124
-  store i64 -2, ptr %199, align 8
-  br label %200
+  %191 = getelementptr inbounds double, ptr %190, i64 %28
+  store double %189, ptr %191, align 8
+  %192 = shl nuw nsw i64 1, %28
+  %193 = or i64 %192, %29
+  br label %194
 
-200:                                              ; preds = %123, %189
-  %201 = add nuw nsw i64 %124, 1
-  %202 = icmp eq i64 %201, 8
-  br i1 %202, label %114, label %123, !llvm.loop !24
+194:                                              ; preds = %66, %187
+  %195 = phi i64 [ %193, %187 ], [ %29, %66 ]
+  %196 = load ptr, ptr %10, align 8
+  %197 = getelementptr inbounds i64, ptr %196, i64 %28
+  %198 = load i64, ptr %197, align 8
+  %199 = icmp sgt i64 %198, -1
+  %200 = shl nuw nsw i64 1, %28
+  %201 = select i1 %199, i64 %200, i64 0
+  %202 = or i64 %201, %31
+  %203 = select i1 %199, i64 %28, i64 %30
+  %204 = add nuw nsw i64 %28, 1
+  %205 = icmp eq i64 %204, 8
+  br i1 %205, label %43, label %27, !llvm.loop !27
 
-203:                                              ; preds = %17, %114
-  ret i64 %103
+206:                                              ; preds = %292
+  %207 = load ptr, ptr %44, align 8
+  %208 = getelementptr inbounds i8, ptr %207, i64 40
+  %209 = load i64, ptr %208, align 8
+  %210 = inttoptr i64 %209 to ptr
+  %211 = getelementptr inbounds i8, ptr %0, i64 216
+  %212 = load ptr, ptr %211, align 8
+  %213 = getelementptr inbounds i8, ptr %0, i64 240
+  %214 = load ptr, ptr %213, align 8
+  tail call void %210(ptr noundef %212, ptr noundef %214) #11
+  br label %295
+
+215:                                              ; preds = %46, %292
+  %216 = phi i64 [ 0, %46 ], [ %293, %292 ]
+  %217 = load ptr, ptr %47, align 8
+  %218 = getelementptr inbounds i64, ptr %217, i64 %216
+  %219 = load i64, ptr %218, align 8
+  %220 = icmp eq i64 %219, -1
+  br i1 %220, label %221, label %292
+
+221:                                              ; preds = %215
+  %222 = load ptr, ptr %5, align 8
+  %223 = load ptr, ptr %44, align 8
+  %224 = getelementptr inbounds i8, ptr %223, i64 8
+  %225 = load i64, ptr %224, align 8
+  %226 = icmp sgt i64 %225, 0
+  br i1 %226, label %227, label %236
+
+227:                                              ; preds = %221, %227
+  %228 = phi i64 [ %234, %227 ], [ 0, %221 ]
+  %229 = shl i64 %228, 6
+  %230 = getelementptr i8, ptr %222, i64 %229
+  %231 = getelementptr double, ptr %230, i64 %203
+  %232 = load double, ptr %231, align 8
+  %233 = getelementptr double, ptr %230, i64 %216
+  store double %232, ptr %233, align 8
+  %234 = add nuw nsw i64 %228, 1
+  %235 = icmp eq i64 %234, %225
+  br i1 %235, label %236, label %227, !llvm.loop !28
+
+236:                                              ; preds = %227, %221
+  %237 = load ptr, ptr %48, align 8
+  %238 = load ptr, ptr %44, align 8
+  %239 = getelementptr inbounds i8, ptr %238, i64 8
+  %240 = load i64, ptr %239, align 8
+  %241 = icmp sgt i64 %240, 0
+  br i1 %241, label %242, label %251
+
+242:                                              ; preds = %236, %242
+  %243 = phi i64 [ %249, %242 ], [ 0, %236 ]
+  %244 = shl i64 %243, 6
+  %245 = getelementptr i8, ptr %237, i64 %244
+  %246 = getelementptr double, ptr %245, i64 %203
+  %247 = load double, ptr %246, align 8
+  %248 = getelementptr double, ptr %245, i64 %216
+  store double %247, ptr %248, align 8
+  %249 = add nuw nsw i64 %243, 1
+  %250 = icmp eq i64 %249, %240
+  br i1 %250, label %251, label %242, !llvm.loop !28
+
+251:                                              ; preds = %242, %236
+  %252 = load ptr, ptr %49, align 8
+  %253 = load ptr, ptr %44, align 8
+  %254 = getelementptr inbounds i8, ptr %253, i64 48
+  %255 = load i64, ptr %254, align 8
+  %256 = icmp sgt i64 %255, 0
+  br i1 %256, label %257, label %266
+
+257:                                              ; preds = %251, %257
+  %258 = phi i64 [ %264, %257 ], [ 0, %251 ]
+  %259 = shl i64 %258, 6
+  %260 = getelementptr i8, ptr %252, i64 %259
+  %261 = getelementptr double, ptr %260, i64 %203
+  %262 = load double, ptr %261, align 8
+  %263 = getelementptr double, ptr %260, i64 %216
+  store double %262, ptr %263, align 8
+  %264 = add nuw nsw i64 %258, 1
+  %265 = icmp eq i64 %264, %255
+  br i1 %265, label %266, label %257, !llvm.loop !28
+
+266:                                              ; preds = %257, %251
+  %267 = load ptr, ptr %50, align 8
+  %268 = load ptr, ptr %44, align 8
+  %269 = getelementptr inbounds i8, ptr %268, i64 56
+  %270 = load i64, ptr %269, align 8
+  %271 = icmp sgt i64 %270, 0
+  br i1 %271, label %272, label %281
+
+272:                                              ; preds = %266, %272
+  %273 = phi i64 [ %279, %272 ], [ 0, %266 ]
+  %274 = shl i64 %273, 6
+  %275 = getelementptr i8, ptr %267, i64 %274
+  %276 = getelementptr double, ptr %275, i64 %203
+  %277 = load double, ptr %276, align 8
+  %278 = getelementptr double, ptr %275, i64 %216
+  store double %277, ptr %278, align 8
+  %279 = add nuw nsw i64 %273, 1
+  %280 = icmp eq i64 %279, %270
+  br i1 %280, label %281, label %272, !llvm.loop !28
+
+281:                                              ; preds = %272, %266
+  %282 = load ptr, ptr %3, align 8
+  %283 = getelementptr inbounds double, ptr %282, i64 %203
+  %284 = load double, ptr %283, align 8
+  %285 = getelementptr inbounds double, ptr %282, i64 %216
+  store double %284, ptr %285, align 8
+  %286 = load ptr, ptr %51, align 8
+  %287 = getelementptr inbounds double, ptr %286, i64 %216
+  store double 0.000000e+00, ptr %287, align 8
+  %288 = load ptr, ptr %52, align 8
+  %289 = getelementptr inbounds double, ptr %288, i64 %216
+  store double 0x7FF0000000000000, ptr %289, align 8
+  %290 = load ptr, ptr %47, align 8
+  %291 = getelementptr inbounds i64, ptr %290, i64 %216
+  store i64 -2, ptr %291, align 8
+  br label %292
+
+292:                                              ; preds = %215, %281
+  %293 = add nuw nsw i64 %216, 1
+  %294 = icmp eq i64 %293, 8
+  br i1 %294, label %206, label %215, !llvm.loop !29
+
+295:                                              ; preds = %43, %206
+  ret i64 %195
 }
 
 define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly %1, i64 noundef %2) unnamed_addr #3 {
@@ -1582,7 +1802,7 @@ define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly
   %65 = getelementptr inbounds i8, ptr %64, i64 8
   %66 = load i64, ptr %65, align 8
   %67 = icmp slt i64 %62, %66
-  br i1 %67, label %52, label %45, !llvm.loop !25
+  br i1 %67, label %52, label %45, !llvm.loop !30
 
 68:                                               ; preds = %45
   %69 = load double, ptr %48, align 8
@@ -1641,7 +1861,7 @@ define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly
   %115 = getelementptr inbounds i8, ptr %114, i64 8
   %116 = load i64, ptr %115, align 8
   %117 = icmp slt i64 %112, %116
-  br i1 %117, label %99, label %118, !llvm.loop !26
+  br i1 %117, label %99, label %118, !llvm.loop !31
 
 118:                                              ; preds = %99, %68
   %119 = phi ptr [ %92, %68 ], [ %113, %99 ]
@@ -1695,7 +1915,7 @@ define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly
   store <8 x double> %158, ptr %154, align 8
   %159 = add nuw nsw i64 %152, 1
   %160 = icmp eq i64 %159, %72
-  br i1 %160, label %161, label %151, !llvm.loop !27
+  br i1 %160, label %161, label %151, !llvm.loop !32
 
 161:                                              ; preds = %151, %133
   %162 = load ptr, ptr %70, align 8
@@ -1870,7 +2090,7 @@ define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly
   %312 = add nsw i64 %291, -1
   %313 = and i64 %312, %291
   %314 = icmp eq i64 %313, 0
-  br i1 %314, label %315, label %290, !llvm.loop !28
+  br i1 %314, label %315, label %290, !llvm.loop !33
 
 315:                                              ; preds = %290, %238
   %316 = xor i64 %37, %2
@@ -1909,7 +2129,7 @@ define internal fastcc void @start(ptr noundef readonly %0, ptr noundef readonly
   %340 = zext i8 %339 to i64
   %341 = and i64 %330, %340
   %342 = icmp eq i64 %341, 0
-  br i1 %342, label %321, label %329, !llvm.loop !29
+  br i1 %342, label %321, label %329, !llvm.loop !34
 }
 
 define internal fastcc void @retire(ptr noundef readonly %0, i64 noundef %1, i64 noundef %2) unnamed_addr #4 {
@@ -1923,7 +2143,7 @@ define internal fastcc void @retire(ptr noundef readonly %0, i64 noundef %1, i64
   %11 = getelementptr inbounds i8, ptr %10, i64 32
   %12 = load i64, ptr %11, align 8
   %13 = icmp eq i64 %1, 0
-  br i1 %13, label %47, label %14
+  br i1 %13, label %51, label %14
 
 14:                                               ; preds = %3
   %15 = getelementptr inbounds i8, ptr %0, i64 864
@@ -1939,102 +2159,212 @@ define internal fastcc void @retire(ptr noundef readonly %0, i64 noundef %1, i64
   %25 = icmp slt i64 %2, 0
   %26 = getelementptr inbounds i8, ptr %0, i64 840
   %27 = getelementptr inbounds i8, ptr %0, i64 1080
-  br label %28
+  %28 = getelementptr inbounds i8, ptr %0, i64 1192
+  %29 = getelementptr inbounds i8, ptr %0, i64 1176
+  %30 = getelementptr inbounds i8, ptr %0, i64 1128
+  %31 = getelementptr inbounds i8, ptr %0, i64 1104
+  br label %32
 
-28:                                               ; preds = %14, %85
-  %29 = phi i64 [ %1, %14 ], [ %96, %85 ]
-  %30 = tail call range(i64 0, 65) i64 @llvm.cttz.i64(i64 %29, i1 true)
-  %31 = load ptr, ptr %15, align 8
-  %32 = getelementptr inbounds i64, ptr %31, i64 %30
-  %33 = load i64, ptr %32, align 8
-  %34 = load i64, ptr %17, align 8
-  %35 = load ptr, ptr %18, align 8
-  %36 = getelementptr inbounds double, ptr %35, i64 %30
-  %37 = load double, ptr %36, align 8
-  %38 = fptosi double %37 to i64
-  %39 = xor i64 %38, -1
-  %40 = add i64 %34, %39
-  %41 = icmp sgt i64 %40, 0
-  br i1 %41, label %42, label %51
+32:                                               ; preds = %14, %99
+  %33 = phi i64 [ %1, %14 ], [ %103, %99 ]
+  %34 = tail call range(i64 0, 65) i64 @llvm.cttz.i64(i64 %33, i1 true)
+  %35 = load ptr, ptr %15, align 8
+  %36 = getelementptr inbounds i64, ptr %35, i64 %34
+  %37 = load i64, ptr %36, align 8
+  %38 = load i64, ptr %17, align 8
+  %39 = load ptr, ptr %18, align 8
+  %40 = getelementptr inbounds double, ptr %39, i64 %34
+  %41 = load double, ptr %40, align 8
+  %42 = fptosi double %41 to i64
+  %43 = xor i64 %42, -1
+  %44 = add i64 %38, %43
+  %45 = icmp sgt i64 %44, 0
+  br i1 %45, label %46, label %55
 
-42:                                               ; preds = %28
-  %43 = load ptr, ptr %16, align 8
-  %44 = getelementptr inbounds i64, ptr %43, i64 %30
-  %45 = load i64, ptr %44, align 8
-  %46 = inttoptr i64 %45 to ptr
-  br label %48
+46:                                               ; preds = %32
+  %47 = load ptr, ptr %16, align 8
+  %48 = getelementptr inbounds i64, ptr %47, i64 %34
+  %49 = load i64, ptr %48, align 8
+  %50 = inttoptr i64 %49 to ptr
+  br label %52
 
-47:                                               ; preds = %85, %3
+51:                                               ; preds = %99, %3
   ret void
 
-48:                                               ; preds = %42, %70
-  %49 = phi i64 [ %71, %70 ], [ %40, %42 ]
-  %50 = phi ptr [ %72, %70 ], [ %46, %42 ]
-  br i1 %19, label %74, label %70
+52:                                               ; preds = %46, %74
+  %53 = phi i64 [ %75, %74 ], [ %44, %46 ]
+  %54 = phi ptr [ %76, %74 ], [ %50, %46 ]
+  br i1 %19, label %78, label %74
 
-51:                                               ; preds = %70, %28
-  %52 = load ptr, ptr %20, align 8
-  %53 = load i64, ptr %21, align 8
-  %54 = mul nsw i64 %53, %33
-  %55 = getelementptr inbounds i64, ptr %52, i64 %54
-  %56 = load ptr, ptr %22, align 8
-  %57 = getelementptr inbounds double, ptr %56, i64 %30
-  %58 = load double, ptr %57, align 8
-  %59 = fptosi double %58 to i64
-  store i64 %59, ptr %55, align 8
-  %60 = load ptr, ptr %23, align 8
-  %61 = getelementptr inbounds double, ptr %60, i64 %30
+55:                                               ; preds = %74, %32
+  %56 = load ptr, ptr %20, align 8
+  %57 = load i64, ptr %21, align 8
+  %58 = mul nsw i64 %57, %37
+  %59 = getelementptr inbounds i64, ptr %56, i64 %58
+  %60 = load ptr, ptr %22, align 8
+  %61 = getelementptr inbounds double, ptr %60, i64 %34
   %62 = load double, ptr %61, align 8
   %63 = fptosi double %62 to i64
-  %64 = getelementptr inbounds i8, ptr %55, i64 8
-  store i64 %63, ptr %64, align 8
-  %65 = load ptr, ptr %24, align 8
-  %66 = getelementptr inbounds double, ptr %65, i64 %30
-  %67 = load double, ptr %66, align 8
-  %68 = fptosi double %67 to i64
-  %69 = getelementptr inbounds i8, ptr %55, i64 16
-  store i64 %68, ptr %69, align 8
-  br i1 %25, label %80, label %85
+  store i64 %63, ptr %59, align 8
+  %64 = load ptr, ptr %23, align 8
+  %65 = getelementptr inbounds double, ptr %64, i64 %34
+  %66 = load double, ptr %65, align 8
+  %67 = fptosi double %66 to i64
+  %68 = getelementptr inbounds i8, ptr %59, i64 8
+  store i64 %67, ptr %68, align 8
+  %69 = load ptr, ptr %24, align 8
+  %70 = getelementptr inbounds double, ptr %69, i64 %34
+  %71 = load double, ptr %70, align 8
+  %72 = fptosi double %71 to i64
+  %73 = getelementptr inbounds i8, ptr %59, i64 16
+  store i64 %72, ptr %73, align 8
+  br i1 %25, label %84, label %89
 
-70:                                               ; preds = %74, %48
-  %71 = add nsw i64 %49, -1
-  %72 = getelementptr inbounds i8, ptr %50, i64 8
-  %73 = icmp sgt i64 %49, 1
-  br i1 %73, label %48, label %51, !llvm.loop !30
+74:                                               ; preds = %78, %52
+  %75 = add nsw i64 %53, -1
+  %76 = getelementptr inbounds i8, ptr %54, i64 8
+  %77 = icmp sgt i64 %53, 1
+  br i1 %77, label %52, label %55, !llvm.loop !35
 
-74:                                               ; preds = %48, %74
-  %75 = phi i64 [ %78, %74 ], [ 0, %48 ]
-  %76 = mul nsw i64 %75, %12
-  %77 = getelementptr inbounds double, ptr %50, i64 %76
-  store double 0x7FF8000000000000, ptr %77, align 8
-  %78 = add nuw nsw i64 %75, 1
-  %79 = icmp eq i64 %78, %9
-  br i1 %79, label %70, label %74, !llvm.loop !31
+78:                                               ; preds = %52, %78
+  %79 = phi i64 [ %82, %78 ], [ 0, %52 ]
+  %80 = mul nsw i64 %79, %12
+  %81 = getelementptr inbounds double, ptr %54, i64 %80
+  store double 0x7FF8000000000000, ptr %81, align 8
+  %82 = add nuw nsw i64 %79, 1
+  %83 = icmp eq i64 %82, %9
+  br i1 %83, label %74, label %78, !llvm.loop !36
 
-80:                                               ; preds = %51
-  %81 = load ptr, ptr %26, align 8
-  %82 = getelementptr inbounds double, ptr %81, i64 %30
-  %83 = load double, ptr %82, align 8
-  %84 = fptosi double %83 to i64
-  br label %85
+84:                                               ; preds = %55
+  %85 = load ptr, ptr %26, align 8
+  %86 = getelementptr inbounds double, ptr %85, i64 %34
+  %87 = load double, ptr %86, align 8
+  %88 = fptosi double %87 to i64
+  br label %89
 
-85:                                               ; preds = %51, %80
-  %86 = phi i64 [ %84, %80 ], [ %2, %51 ]
-  %87 = getelementptr inbounds i8, ptr %55, i64 24
-  store i64 %86, ptr %87, align 8
-  %88 = load ptr, ptr %4, align 8
-  %89 = getelementptr inbounds double, ptr %88, i64 %30
-  %90 = load double, ptr %89, align 8
-  %91 = load ptr, ptr %27, align 8
-  %92 = getelementptr inbounds double, ptr %91, i64 %33
-  store double %90, ptr %92, align 8
-  %93 = load ptr, ptr %15, align 8
-  %94 = getelementptr inbounds i64, ptr %93, i64 %30
-  store i64 -1, ptr %94, align 8
-  %95 = add nsw i64 %29, -1
-  %96 = and i64 %95, %29
-  %97 = icmp eq i64 %96, 0
-  br i1 %97, label %47, label %28, !llvm.loop !32
+89:                                               ; preds = %55, %84
+  %90 = phi i64 [ %88, %84 ], [ %2, %55 ]
+  %91 = getelementptr inbounds i8, ptr %59, i64 24
+  store i64 %90, ptr %91, align 8
+  %92 = load ptr, ptr %4, align 8
+  %93 = getelementptr inbounds double, ptr %92, i64 %34
+  %94 = load double, ptr %93, align 8
+  %95 = load ptr, ptr %27, align 8
+  %96 = getelementptr inbounds double, ptr %95, i64 %37
+  store double %94, ptr %96, align 8
+  %97 = load i64, ptr %28, align 8
+  %98 = icmp sgt i64 %97, 0
+  br i1 %98, label %105, label %99
+
+99:                                               ; preds = %105, %89
+  %100 = load ptr, ptr %15, align 8
+  %101 = getelementptr inbounds i64, ptr %100, i64 %34
+  store i64 -1, ptr %101, align 8
+  %102 = add nsw i64 %33, -1
+  %103 = and i64 %102, %33
+  %104 = icmp eq i64 %103, 0
+  br i1 %104, label %51, label %32, !llvm.loop !37
+
+105:                                              ; preds = %89, %105
+  %106 = phi i64 [ %125, %105 ], [ %97, %89 ]
+  %107 = phi i64 [ %124, %105 ], [ 0, %89 ]
+  %108 = load ptr, ptr %30, align 8
+  %109 = getelementptr inbounds i64, ptr %108, i64 %34
+  %110 = load i64, ptr %109, align 8
+  %111 = inttoptr i64 %110 to ptr
+  %112 = getelementptr inbounds i8, ptr %111, i64 696
+  %113 = load ptr, ptr %112, align 8
+  %114 = load ptr, ptr %31, align 8
+  %115 = getelementptr inbounds i8, ptr %114, i64 8
+  %116 = load i64, ptr %115, align 8
+  %117 = getelementptr inbounds double, ptr %113, i64 %116
+  %118 = getelementptr inbounds double, ptr %117, i64 %107
+  %119 = load double, ptr %118, align 8
+  %120 = load ptr, ptr %29, align 8
+  %121 = mul nsw i64 %106, %37
+  %122 = getelementptr double, ptr %120, i64 %121
+  %123 = getelementptr double, ptr %122, i64 %107
+  store double %119, ptr %123, align 8
+  %124 = add nuw nsw i64 %107, 1
+  %125 = load i64, ptr %28, align 8
+  %126 = icmp slt i64 %124, %125
+  br i1 %126, label %105, label %99, !llvm.loop !38
+}
+
+define internal fastcc range(i64 0, 256) i64 @hold_lanes(ptr noundef readonly %0, ptr noundef readonly %1, ptr noundef %2, i64 noundef %3) unnamed_addr #2 {
+  %5 = getelementptr inbounds i8, ptr %0, i64 1152
+  %6 = load ptr, ptr %5, align 8
+  %7 = getelementptr inbounds i8, ptr %0, i64 144
+  %8 = load ptr, ptr %7, align 8
+  %9 = getelementptr inbounds i8, ptr %8, i64 8
+  %10 = load i64, ptr %9, align 8
+  %11 = icmp eq i64 %3, 0
+  br i1 %11, label %25, label %12
+
+12:                                               ; preds = %4
+  %13 = getelementptr inbounds i8, ptr %0, i64 1128
+  %14 = icmp sgt i64 %10, 0
+  %15 = icmp sgt i64 %10, 0
+  br label %16
+
+16:                                               ; preds = %12, %49
+  %17 = phi i64 [ 0, %12 ], [ %39, %49 ]
+  %18 = phi i64 [ %3, %12 ], [ %51, %49 ]
+  %19 = tail call range(i64 0, 65) i64 @llvm.cttz.i64(i64 %18, i1 true)
+  %20 = load ptr, ptr %13, align 8
+  %21 = getelementptr inbounds i64, ptr %20, i64 %19
+  %22 = load i64, ptr %21, align 8
+  %23 = inttoptr i64 %22 to ptr
+  %24 = getelementptr inbounds double, ptr %2, i64 %19
+  br i1 %14, label %41, label %27
+
+25:                                               ; preds = %49, %4
+  %26 = phi i64 [ 0, %4 ], [ %39, %49 ]
+  ret i64 %26
+
+27:                                               ; preds = %41, %16
+  %28 = getelementptr inbounds i8, ptr %23, i64 648
+  %29 = load ptr, ptr %28, align 8
+  %30 = getelementptr inbounds i8, ptr %29, i64 56
+  %31 = load i64, ptr %30, align 8
+  %32 = inttoptr i64 %31 to ptr
+  %33 = getelementptr inbounds double, ptr %1, i64 %19
+  %34 = load double, ptr %33, align 8
+  %35 = tail call i64 %32(ptr noundef %23, double noundef %34, ptr noundef %6) #11
+  %36 = icmp eq i64 %35, 0
+  %37 = shl nuw i64 1, %19
+  %38 = select i1 %36, i64 0, i64 %37
+  %39 = or i64 %38, %17
+  %40 = getelementptr inbounds double, ptr %2, i64 %19
+  br i1 %15, label %53, label %49
+
+41:                                               ; preds = %16, %41
+  %42 = phi i64 [ %47, %41 ], [ 0, %16 ]
+  %43 = shl nsw i64 %42, 6
+  %44 = getelementptr inbounds i8, ptr %24, i64 %43
+  %45 = load double, ptr %44, align 8
+  %46 = getelementptr inbounds double, ptr %6, i64 %42
+  store double %45, ptr %46, align 8
+  %47 = add nuw nsw i64 %42, 1
+  %48 = icmp eq i64 %47, %10
+  br i1 %48, label %27, label %41, !llvm.loop !39
+
+49:                                               ; preds = %53, %27
+  %50 = add nsw i64 %18, -1
+  %51 = and i64 %50, %18
+  %52 = icmp eq i64 %51, 0
+  br i1 %52, label %25, label %16, !llvm.loop !40
+
+53:                                               ; preds = %27, %53
+  %54 = phi i64 [ %59, %53 ], [ 0, %27 ]
+  %55 = getelementptr inbounds double, ptr %6, i64 %54
+  %56 = load double, ptr %55, align 8
+  %57 = shl nsw i64 %54, 6
+  %58 = getelementptr inbounds i8, ptr %40, i64 %57
+  store double %56, ptr %58, align 8
+  %59 = add nuw nsw i64 %54, 1
+  %60 = icmp eq i64 %59, %10
+  br i1 %60, label %49, label %53, !llvm.loop !41
 }
 
 define internal fastcc void @write_outputs(ptr noundef readonly %0, ptr noundef readonly %1, i64 noundef %2) unnamed_addr #4 {
@@ -2091,7 +2421,7 @@ define internal fastcc void @write_outputs(ptr noundef readonly %0, ptr noundef 
   %43 = add nsw i64 %20, -1
   %44 = and i64 %43, %20
   %45 = icmp eq i64 %44, 0
-  br i1 %45, label %28, label %19, !llvm.loop !33
+  br i1 %45, label %28, label %19, !llvm.loop !42
 
 46:                                               ; preds = %19, %46
   %47 = phi i64 [ %53, %46 ], [ 0, %19 ]
@@ -2103,7 +2433,7 @@ define internal fastcc void @write_outputs(ptr noundef readonly %0, ptr noundef 
   store double %50, ptr %52, align 8
   %53 = add nuw nsw i64 %47, 1
   %54 = icmp eq i64 %53, %7
-  br i1 %54, label %29, label %46, !llvm.loop !34
+  br i1 %54, label %29, label %46, !llvm.loop !43
 }
 
 declare <8 x double> @llvm.fabs.v8f64(<8 x double>) #5
@@ -2161,7 +2491,7 @@ define internal fastcc void @norm_to(ptr noundef writeonly %0, ptr noundef reado
   %46 = fadd <8 x double> %21, %45
   %47 = add nuw nsw i64 %22, 1
   %48 = icmp eq i64 %47, %4
-  br i1 %48, label %13, label %20, !llvm.loop !35
+  br i1 %48, label %13, label %20, !llvm.loop !44
 }
 
 declare <8 x double> @llvm.sqrt.v8f64(<8 x double>) #5
@@ -2225,7 +2555,7 @@ define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef reado
   %48 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %37, <8 x double> %47, <8 x double> %29)
   %49 = add nuw nsw i64 %30, 1
   %50 = icmp eq i64 %49, %6
-  br i1 %50, label %51, label %25, !llvm.loop !36
+  br i1 %50, label %51, label %25, !llvm.loop !45
 
 51:                                               ; preds = %25, %19
   %52 = phi <8 x double> [ zeroinitializer, %19 ], [ %45, %25 ]
@@ -2283,7 +2613,7 @@ define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef reado
   store <8 x double> %93, ptr %96, align 8
   %97 = add nuw nsw i64 %20, 32
   %98 = icmp sgt i64 %97, %10
-  br i1 %98, label %14, label %19, !llvm.loop !37
+  br i1 %98, label %14, label %19, !llvm.loop !46
 
 99:                                               ; preds = %17, %135
   %100 = phi i64 [ %15, %17 ], [ %137, %135 ]
@@ -2314,7 +2644,7 @@ define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef reado
   %121 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %116, <8 x double> %120, <8 x double> %111)
   %122 = add nuw nsw i64 %112, 1
   %123 = icmp eq i64 %122, %6
-  br i1 %123, label %104, label %110, !llvm.loop !36
+  br i1 %123, label %104, label %110, !llvm.loop !45
 
 124:                                              ; preds = %104
   %125 = getelementptr inbounds double, ptr %5, i64 %106
@@ -2334,7 +2664,7 @@ define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef reado
   store <8 x double> %136, ptr %101, align 8
   %137 = add nuw nsw i64 %100, 8
   %138 = icmp slt i64 %137, %10
-  br i1 %138, label %99, label %139, !llvm.loop !38
+  br i1 %138, label %99, label %139, !llvm.loop !47
 
 139:                                              ; preds = %135, %14
   ret void
@@ -2372,7 +2702,7 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #4 {
   %22 = add nuw nsw i64 %15, 1
   %23 = load i64, ptr %2, align 8
   %24 = icmp slt i64 %22, %23
-  br i1 %24, label %14, label %13, !llvm.loop !39
+  br i1 %24, label %14, label %13, !llvm.loop !48
 
 25:                                               ; preds = %14, %71
   %26 = phi i64 [ 0, %14 ], [ %98, %71 ]
@@ -2428,7 +2758,7 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #4 {
   %68 = select i1 %66, i64 %63, i64 %60
   %69 = sub nsw i64 %68, %67
   %70 = icmp sgt i64 %69, 1
-  br i1 %70, label %59, label %71, !llvm.loop !40
+  br i1 %70, label %59, label %71, !llvm.loop !49
 
 71:                                               ; preds = %59, %57, %50, %53
   %72 = phi i64 [ %46, %53 ], [ %46, %50 ], [ 0, %57 ], [ %67, %59 ]
@@ -2461,7 +2791,7 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #4 {
   store double %92, ptr %97, align 8
   %98 = add nuw nsw i64 %26, 1
   %99 = icmp eq i64 %98, 8
-  br i1 %99, label %21, label %25, !llvm.loop !41
+  br i1 %99, label %21, label %25, !llvm.loop !50
 }
 
 define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readonly %1, ptr noundef readonly %2, i64 noundef %3, i64 noundef %4, ptr noundef readonly %5, i64 noundef %6) unnamed_addr #6 {
@@ -2498,7 +2828,7 @@ define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readon
   store <8 x double> %29, ptr %26, align 8
   %30 = add nuw nsw i64 %21, 8
   %31 = icmp slt i64 %30, %10
-  br i1 %31, label %20, label %19, !llvm.loop !42
+  br i1 %31, label %20, label %19, !llvm.loop !51
 
 32:                                               ; preds = %20, %32
   %33 = phi i64 [ %42, %32 ], [ %16, %20 ]
@@ -2512,7 +2842,7 @@ define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readon
   %41 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %39, <8 x double> %34, <8 x double> %40)
   %42 = add nsw i64 %33, -1
   %43 = icmp sgt i64 %33, 0
-  br i1 %43, label %32, label %24, !llvm.loop !43
+  br i1 %43, label %32, label %24, !llvm.loop !52
 }
 
 declare <8 x i1> @llvm.is.fpclass.v8f64(<8 x double>, i32 immarg) #8
@@ -2548,30 +2878,39 @@ attributes #11 = { nounwind }
 !14 = distinct !{!14, !4, !5}
 !15 = distinct !{!15, !4, !5}
 !16 = distinct !{!16, !4, !5}
-!17 = distinct !{!17, !4, !5}
-!18 = distinct !{!18, !4, !5}
+!17 = distinct !{!17, !4, !5, !18}
+!18 = !{!"llvm.loop.vectorize.width", i32 1}
 !19 = distinct !{!19, !4, !5}
-!20 = distinct !{!20, !4, !5, !21}
-!21 = !{!"llvm.loop.vectorize.width", i32 1}
+!20 = distinct !{!20, !4, !5}
+!21 = distinct !{!21, !4, !5}
 !22 = distinct !{!22, !4, !5}
-!23 = distinct !{!23, !4, !5, !21}
-!24 = distinct !{!24, !4, !5}
-!25 = distinct !{!25, !4, !5}
-!26 = distinct !{!26, !4, !5}
+!23 = distinct !{!23, !4, !5}
+!24 = distinct !{!24, !4, !5, !18}
+!25 = distinct !{!25, !4, !5, !18}
+!26 = distinct !{!26, !4, !5, !18}
 !27 = distinct !{!27, !4, !5}
-!28 = distinct !{!28, !4, !5}
+!28 = distinct !{!28, !4, !5, !18}
 !29 = distinct !{!29, !4, !5}
 !30 = distinct !{!30, !4, !5}
-!31 = distinct !{!31, !4, !5, !21}
+!31 = distinct !{!31, !4, !5}
 !32 = distinct !{!32, !4, !5}
 !33 = distinct !{!33, !4, !5}
-!34 = distinct !{!34, !4, !5, !21}
+!34 = distinct !{!34, !4, !5}
 !35 = distinct !{!35, !4, !5}
-!36 = distinct !{!36, !4, !5}
+!36 = distinct !{!36, !4, !5, !18}
 !37 = distinct !{!37, !4, !5}
-!38 = distinct !{!38, !4, !5}
-!39 = distinct !{!39, !4, !5}
+!38 = distinct !{!38, !4, !5, !18}
+!39 = distinct !{!39, !4, !5, !18}
 !40 = distinct !{!40, !4, !5}
-!41 = distinct !{!41, !4, !5}
+!41 = distinct !{!41, !4, !5, !18}
 !42 = distinct !{!42, !4, !5}
-!43 = distinct !{!43, !4, !5}
+!43 = distinct !{!43, !4, !5, !18}
+!44 = distinct !{!44, !4, !5}
+!45 = distinct !{!45, !4, !5}
+!46 = distinct !{!46, !4, !5}
+!47 = distinct !{!47, !4, !5}
+!48 = distinct !{!48, !4, !5}
+!49 = distinct !{!49, !4, !5}
+!50 = distinct !{!50, !4, !5}
+!51 = distinct !{!51, !4, !5}
+!52 = distinct !{!52, !4, !5}

@@ -190,16 +190,28 @@ class Integration:
         """Take other times and other numbers for the same call, or return False."""
         return self.call is not None and self.rebind(replace(self.call, p=p, r=r), times)
 
-    def run(self, x0: np.ndarray) -> np.ndarray:
-        """Run to the end from a finite state, and return the states."""
-        self._rows = rows = np.empty(self._room)
-        rows[0] = self._x0 = x0
+    def begin(self, x0: np.ndarray) -> np.ndarray:
+        """Return the state in which a motion from a finite state begins, and go no further."""
+        self._set_out(x0)
+        with self.interrupts:
+            self._start()
+        return self.memory.x[: self.n].copy()
+
+    def _set_out(self, x0: np.ndarray) -> int:
+        """Begin a run; returns the code of why it stopped in its first slice."""
+        self._rows = np.empty(self._room)
+        self._rows[0] = self._x0 = x0
         self.code = NOT_COMPUTED
         self.records = []
         if self.options.dense_output:
             self.arrays.forget_steps()
+        return self._advance(self._rows, True)
+
+    def run(self, x0: np.ndarray) -> np.ndarray:
+        """Run to the end from a finite state, and return the states."""
         try:
-            code = self._advance(rows, True)
+            code = self._set_out(x0)
+            rows = self._rows
             if code == FINISHED:  # most end in their first slice
                 self.code, self._rows = FINISHED, _NO_ROWS
                 return rows[: self._number]

@@ -12,9 +12,11 @@ import numpy as np
 from pydy._array_layout import address
 from pydy._kernel import Kernel
 from pydy.solvers.options import Options
+from pydy.solvers.outcome import NOT_COMPUTED
 from pydy.solvers.run import layout as at
 from pydy.solvers.run.layout import (
     Evaluation,
+    Holding,
     LaneProblem,
     Lanes,
     Queue,
@@ -23,10 +25,13 @@ from pydy.solvers.run.layout import (
 )
 from pydy.solvers.run.problem import lined_up, tables_of
 from pydy.solvers.run.shipped import function_of
-from pydy.solvers.run.workspace import memory_for
+from pydy.solvers.run.workspace import Workspace, memory_for
 from pydy.solvers.tableaus import method_arrays
 from pydy.solvers.tuning import LANES, LEAST_TOLERANCE
 
+_NOT_HELD = Holding(
+    np.zeros(2, dtype=np.int64), np.zeros(0, dtype=np.int64), np.zeros(0), np.zeros((0, 0))
+)
 _SLICE = 0.02  # seconds in compiled code, about, between two looks at whether to go on
 
 
@@ -37,6 +42,42 @@ class LaneResult:
     # (m, 4): steps, rejected ones, evaluations, and how it ended: a code of `outcome`
     counts: np.ndarray
     reached: np.ndarray  # (m,): the time up to which each was integrated
+
+
+class HeldLanes:
+    """Lanes that are held on their constraints, one after another.
+
+    Each has the arrays of the `workspace` of one trajectory, but for inputs and what is noted of
+    the constraints, which are its own. The rows of `seen` are what was noted of each sample at its
+    beginning, and then at its end.
+    """
+
+    def __init__(self, workspace: Workspace, seen: np.ndarray) -> None:
+        problem, constraints = workspace.problem, workspace.constraints
+        wanted = workspace.options.constraints
+        assert wanted is not None
+        assert wanted.kernel.addresses is not None
+        self._arrays = [
+            (
+                problem._replace(r=problem.r.copy()),
+                constraints._replace(c=constraints.c.copy(), values=constraints.values.copy()),
+            )
+            for _ in range(LANES)
+        ]
+        self._tables = [workspace.table_with(*pair) for pair in self._arrays]
+        place = len(constraints.values) - len(workspace.seen)
+        self.holding = Holding(
+            words=np.array([wanted.kernel.addresses[1], place]),
+            runs=np.array([address(table) for table in self._tables]),
+            state=np.zeros(workspace.memory.x.shape),
+            seen=seen,
+        )
+        self._workspace = workspace  # which compiled code goes on using
+
+    def nearness(self) -> np.ndarray:
+        """Return how near the constraints of each sample came to losing rank."""
+        seen = self.holding.seen
+        return np.where(seen[:, at.RANK] != 0.0, seen[:, at.NEARNESS], 1.0)
 
 
 def integrate_samples(
@@ -51,14 +92,16 @@ def integrate_samples(
     states: np.ndarray,
     stopped: Callable[[], bool] = lambda: False,
     controlled: int | None = None,
+    held: HeldLanes | None = None,
 ) -> LaneResult:
     """Integrate m samples, `LANES` at a time, by an explicit method.
 
     The inputs x, r and p have a row for each, and `sampled` is data in time with its places in r,
     the same for all. The states go to (n, m, times), NaN from where a sample failed: those of one
     sample lie side by side, and the next sample's follow. The error is controlled of all
-    components, or of so many that come first. Asked now and then whether the work is `stopped`,
-    True ends it with KeyboardInterrupt.
+    components, or of so many that come first. Motions may be `held` on constraints, which their
+    beginnings satisfy; those that begin with NaN are left out, as not computed. Asked now and then
+    whether the work is `stopped`, True ends it with KeyboardInterrupt.
     """
     step_lanes = function_of("step_lanes")
     m, n = x.shape
@@ -81,9 +124,13 @@ def integrate_samples(
         counts=np.zeros((m, 4), dtype=np.int64),
         reached=np.full(m, times[0]),
     )
+    if held is not None:
+        out = np.isnan(x).any(axis=1)
+        queue.counts[out, at.LANES_STATUS], states[:, out] = NOT_COMPUTED, np.nan
     problem = _problem(kernel, sampled, controlled)
+    holding = _NOT_HELD if held is None else held.holding
     parts = (rows_of(arrays), rows_of(problem), memory_rows, rows_of(lanes), rows_of(queue))
-    table = table_of(*parts)
+    table = table_of(*parts, rows_of(holding))
     budget = 1000
     while True:
         queue.state[at.LANES_BUDGET] = budget

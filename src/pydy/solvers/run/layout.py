@@ -233,6 +233,9 @@ LANES_HEAD, LANES_BUDGET, LANES_LIMIT, LANES_PLACE, LANES_DISTANCE = range(5)
 LANES_LARGEST, LANES_FIRST = range(2)
 # Queue.counts, for each sample; the last is a code of `outcome`
 LANES_STEPS, LANES_REJECTED, LANES_EVALUATIONS, LANES_STATUS = range(4)
+# Holding.words: the address of what prepares the constants of the constraints' kernel, and where
+# `Holding.seen` stands in `Constraints.values`
+HOLDING_PREPARE, HOLDING_SEEN = range(2)
 # Evaluation.places: the address of the first state, and the distances from state to state, from
 # sample to sample and from time to time
 LANES_ORIGIN, LANES_PER_STATE, LANES_PER_SAMPLE, LANES_PER_TIME = range(4)
@@ -292,6 +295,15 @@ class Queue(NamedTuple):
     reached: Numbers  # (m,): the time up to which the sample was integrated
 
 
+class Holding(NamedTuple):
+    """How each lane is held on its constraints, one after another; nothing without `runs`."""
+
+    words: Words
+    runs: Words  # (lanes,): addresses of tables of one trajectory, with inputs of their own
+    state: Numbers
+    seen: NumberRows  # (m, ·): of each sample, what ends `Constraints.values`
+
+
 class Evaluation(NamedTuple):
     """States at which a kernel is evaluated, and where its results go."""
 
@@ -305,7 +317,7 @@ class Evaluation(NamedTuple):
 
 
 # The parts of the tables of `step_lanes` and `evaluate_lanes`.
-STEPPING = (Method, LaneProblem, Memory, Lanes, Queue)
+STEPPING = (Method, LaneProblem, Memory, Lanes, Queue, Holding)
 EVALUATION = (LaneProblem, Evaluation)
 
 

@@ -123,19 +123,24 @@ class Workspace:
             room = 4 + _STEPS // width
             self.steps = Steps(np.array([0, room]), np.zeros((room, width)))
         self._aside: list[np.ndarray] = []
-        further = self._reserve_newton() if method == IMPLICIT else []
-        self._table = table_of(
-            _method_rows(method, len(self.memory.x)),
-            rows_of(self.problem),
+        self._further = self._reserve_newton() if method == IMPLICIT else []
+        self._table = self.table_with(self.problem, self.constraints)
+        self.place = address(self._table)
+
+    def table_with(self, problem: Problem, constraints: Constraints) -> np.ndarray:
+        """Return a table of these arrays, with a problem and constraints."""
+        options = self.options
+        return table_of(
+            _method_rows(self.name, len(self.memory.x)),
+            rows_of(problem),
             self._memory_rows,
             rows_of(self.progress),
-            _NO_CONSTRAINTS_ROWS if options.constraints is None else rows_of(self.constraints),
+            _NO_CONSTRAINTS_ROWS if options.constraints is None else rows_of(constraints),
             _NO_EVENTS_ROWS if options.events is None else rows_of(self.watch),
             rows_of(self.beginning),
             rows_of(self.steps) if options.dense_output else _NO_STEPS_ROWS,
-            further,
+            self._further,
         )
-        self.place = address(self._table)
 
     def rebind(self, call: KernelCall, times: np.ndarray) -> bool:
         """Take other times and another call of the same Kernel, or return False.
