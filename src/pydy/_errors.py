@@ -201,8 +201,8 @@ class OptimizationError(_Pickled, RuntimeError):
 
     Attributes
     ----------
-    trajectory : pydy.control.OptimalTrajectory
-        Its `message` and `history` say how the search went.
+    trajectory : pydy.control.OptimalTrajectory or None
+        Its `message` and `history` say how the search went. None if its duration is zero.
     """
 
     def __init__(self, message: str, trajectory: object) -> None:

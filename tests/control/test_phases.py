@@ -10,6 +10,7 @@ from optima import TF, T
 from pydy import System
 from pydy.control import OptimalControl
 from pydy.errors import OptimizationError, PyDyUserWarning
+from pydy.mechanics import Definition
 from pydy.models import n_link_pendulum_on_cart
 
 
@@ -83,6 +84,54 @@ def test_a_mesh_of_phases_that_is_too_coarse_is_warned_of(monkeypatch):
     monkeypatch.setattr("pydy.control.phases.MOST_REFINEMENTS", 1)
     with pytest.warns(PyDyUserWarning, match="After 1 refinements the mesh of 4 intervals has"):
         phases.solve(mesh_tol=1e-6)
+
+
+def rod(place=(0.0, -1.0), constrained=True):
+    """A bob of 1 kg pushed sideways, at the end of a rod of 1 m or free."""
+    x, y, v, w, F = me.dynamicsymbols("x y v w F")
+    ground, rest = me.ReferenceFrame("N"), me.Point("O")
+    rest.set_vel(ground, 0)
+    bob = rest.locatenew("P", x * ground.x + y * ground.y)
+    bob.set_vel(ground, v * ground.x + w * ground.y)
+    rows = [x**2 + y**2 - 1] if constrained else []
+    definition = Definition(
+        ground, [x, y], [v, w], bodies=[me.Particle("bob", bob, 1)],
+        loads=[(bob, F * ground.x - 9.81 * ground.y)], holonomic_constraints=rows,
+    )  # fmt: skip
+    system = System(definition, initial_conditions=dict(zip((x, y), place, strict=True)))
+    return system, sm.Integral(F**2, T), (x, y, v, w)
+
+
+def off(motion):
+    """Return how far the start is from the constraints of the rod and of its rate."""
+    x, y, v, w = (motion[name][0] for name in "xyvw")
+    return max(abs(x**2 + y**2 - 1.0), abs(x * v + y * w))
+
+
+@pytest.mark.parametrize("method", ["radau", "midpoint", "hermite-simpson"])
+def test_constraints_hold_after_a_link(method):
+    system, effort, (x, _, v, w) = rod()
+    there = OptimalControl(system, effort, 0.7, end={x: 0.5}, method=method)
+    end, start = {x: 0.0, v: 0.0}, {w: None}
+    back = OptimalControl(system, effort, 0.8, end=end, method=method)
+    following = OptimalControl(system, effort, 0.8, end=end, start=start, method=method)
+    # The speed w that the first link takes over does not suit v, unless both are zero.
+    both = OptimalControl.phases([there, back], [{v: -v / 2}]).solve()
+    follows = OptimalControl.phases([there, following], [{v: -v / 2, w: None}]).solve()
+    assert max(off(both[1]), off(follows[1])) < 1e-9
+    assert abs(both[1][v][0]) < 1e-9 < 0.1 < abs(follows[1][v][0])
+    assert follows[1][v][0] == pytest.approx(-follows[0][v][-1] / 2, rel=1e-8)
+    assert follows.objective < both.objective
+    assert max(phase.error.max() for phase in (*both, *follows)) < 1e-3
+
+
+def test_a_phase_begins_where_its_own_constraints_hold():
+    """A free flight ends where the rod takes over, without being told so."""
+    flying, effort, (x, _, v, _) = rod((0.5, 0.3), constrained=False)
+    hanging = OptimalControl(rod()[0], effort, 0.8, end={x: 0.0, v: 0.0})
+    found = OptimalControl.phases([OptimalControl(flying, effort, 0.4), hanging]).solve()
+    assert off(found[1]) < 1e-9
+    assert max(phase.error.max() for phase in found) < 1e-5
 
 
 def test_bad_phases_are_named():

@@ -196,6 +196,29 @@ def test_a_mesh_that_is_much_too_coarse_warns():
         problem.solve()
 
 
+def test_errors_of_intervals_that_add_up_are_warned_of():
+    # In the middle of intervals the angle may be a turn off, which the equations do not see: the
+    # objective is right, and the control between the points brings the bead elsewhere.
+    system, (x, y, v, angle) = optima.brachistochrone()
+    asked = {"end": {x: 2.0, y: 2.0}, "bounds": {TF: (0.1, 5.0)}, "method": "hermite-simpson"}
+    guess = {v: [0.0, 6.0], angle: [0.0, 1.5]}
+    with pytest.warns(PyDyUserWarning, match="errors of its intervals add up to 1.*`mesh_tol`"):
+        found = system.optimize_trajectory(TF, TF, guess=guess, **asked)
+    assert found.error.max() < 0.1
+    system.specifieds, system.times, system.ode_solver = found.inputs(), found.mesh, dop853
+    missed = np.abs(system.simulate(rtol=1e-9, atol=1e-9).states[-1] - found.states[-1])
+    assert missed.max() > 1.0
+
+
+def test_a_duration_of_zero_is_told():
+    system, (x, v, F) = optima.double_integrator()
+    with pytest.raises(OptimizationError, match=r"a duration of zero .*`bounds\[tf\]` a positive"):
+        system.optimize_trajectory(
+            sm.Integral(F**2, T) + TF, TF, end={x: 0.0, v: 0.0}, bounds={TF: (0.0, 5.0)},
+            guess={TF: 1.0},
+        )  # fmt: skip
+
+
 def test_a_simulation_with_the_inputs_agrees(mass):
     system, (q1, q2, u1, u2, F) = optima.cart_pole()
     rest = {q1: 0.3, q2: 0.0, u1: 0.0, u2: 0.0}

@@ -145,9 +145,11 @@ class Equations:
             "start": [*motion, *self.rates],
         }[kind]
 
-    def are_of(self, nodes: Iterable[int], places: Iterable[int]) -> bool:
-        """Return whether nodes depend on some of the specifieds."""
+    def are_of(self, nodes: Iterable[int], places: Iterable[int], *, time: bool = False) -> bool:
+        """Return whether nodes depend on some of the specifieds, or on the `time`."""
         found = set(self.graph.reachable(nodes))
+        if time and self.graph.input("t", 0) in found:
+            return True
         return any(self.graph.input("r", k) in found for k in places)
 
     def read(

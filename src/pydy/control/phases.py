@@ -83,15 +83,14 @@ class Phases:
         ]
         self._problems = [problems[0]]
         for problem, link in zip(problems[1:], self._links, strict=True):
-            states = problem._now.definition.states
             other = copy(problem)
             other._start = {
                 s: _OPEN if s in link and s not in problem._begins else limits
                 for s, limits in problem._start.items()
             }
-            if len(link) == len(states):
-                # The state is given by the link, and so is whether it satisfies the constraints.
-                other._problem = replace(problem._problem, constraints=())
+            # The end of a phase satisfies the constraints, which need not hold after a link.
+            follow = _followers(self._problems[-1], problem, link)
+            other._problem = replace(problem._problem, constraints=problem._held[follow:])
             self._problems.append(other)
 
     def solve(
@@ -141,7 +140,7 @@ class Phases:
                 found = self._solved(meshes, guesses, search, watch)
                 worst = max(float(phase.error.max()) for phase in found)
                 if tolerance is None:
-                    warn_where_coarse(worst)
+                    warn_where_coarse([phase.error for phase in found])
                 if tolerance is None or worst <= tolerance:
                     return found
                 guesses = list(found)
@@ -249,6 +248,24 @@ class Phases:
             before.once(key, compiled), at[:, None], np.empty((0, 1)), before.numbers, zeros, zeros,
             tuple(f"link {k} of {s}" for s in link), np.full(1, np.nan), False,
         )  # fmt: skip
+
+
+def _followers(before: Any, after: Any, link: Mapping[Any, Any]) -> int:
+    """Return how many of the constraints, the first ones, hold after a link as they did before."""
+    definition, equations = after._now.definition, after._problem.equations
+    signals = [k for k, _ in after._problem.signals]
+    if not (
+        before._now.definition is definition
+        and np.array_equal(before._now.p, after._now.p)
+        and np.array_equal(before._problem.specifieds, after._problem.specifieds, equal_nan=True)
+        and not equations.are_of(equations.constraints, signals, time=True)
+    ):
+        return 0
+    q, u = definition.equations.coordinates, definition.equations.speeds
+    if any(link.get(s) != s for s in q):
+        return 0
+    places = len(definition.equations.enforced)
+    return places if any(link.get(s) != s for s in u) else len(equations.constraints)
 
 
 def _checked(what: str, link: Any, before: Any, after: Any) -> dict[Any, Any]:

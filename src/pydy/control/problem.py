@@ -242,11 +242,12 @@ class OptimalControl:
             )
         labels, held = labels_of(definition)
         self._fixed = all(low == high for low, high in self._start.values())
+        self._held = tuple(f"{label} at the start" for label in held)
         self._problem = Problem(
             equations=made,
             states=len(definition.states),
             labels=labels,
-            constraints=() if self._fixed else tuple(f"{label} at the start" for label in held),
+            constraints=() if self._fixed else self._held,
             controls=tuple(definition.specifieds.index(s) for s in self._controls),
             control_bounds=tuple(
                 (Limit(low), Limit(high)) if s not in self._moving else self._moving[s]
@@ -578,7 +579,7 @@ class OptimalControl:
                 found = self._solved(mesh, guess, search, told)
                 worst = float(found.error.max())
                 if tolerance is None:
-                    warn_where_coarse(worst)
+                    warn_where_coarse([found.error])
                 if tolerance is None or worst <= tolerance:
                     return found
                 order = self._scheme.convergence
@@ -688,7 +689,14 @@ class OptimalControl:
     def _trajectory(
         self, made: Transcription, nlp: Nlp, start: np.ndarray, solution: Solution
     ) -> OptimalTrajectory:
-        now = self._now
+        now, duration = self._now, made.split(solution.z)[3]
+        if not duration > 0.0:  # solvers let unknowns pass their bounds by a tolerance
+            raise OptimizationError(
+                f"The search ended at a duration of zero after {len(solution.history) - 1} "
+                f"iterations: the objective favours a motion of no length. Give "
+                f"`bounds[{self._symbol}]` a positive lower limit.",
+                None,
+            )
         moved = Moved(now.driven.compiled("rates"), now.plan)
         open_ = np.full(nlp.size, np.inf)  # bounds do not tell how large a state becomes
         sizes = made.split(sizes_of(made, start, -open_, open_))[0][:, 0]

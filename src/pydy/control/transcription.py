@@ -68,7 +68,7 @@ class Problem:
     labels : tuple of str
         Of the equations.
     constraints : tuple of str
-        Labels of those of the constraints that the start has to satisfy.
+        Labels of those of the constraints, the last ones, that the start has to satisfy.
     controls : tuple of int
         Places in r.
     control_bounds : tuple of (callable, callable)
@@ -225,17 +225,18 @@ class Problem:
             at["r", k] = point.graph.add(at["r", k], node) if self.noise else node
         return at
 
-    def at_start(self) -> Functions:
-        """Return the constraints at the start."""
-        return self.once("start", self._at_start)
+    def at_start(self, count: int) -> Functions:
+        """Return the last `count` of the constraints at the start."""
+        return self.once(("start", count), lambda: self._at_start(count))
 
-    def _at_start(self) -> Functions:
+    def _at_start(self, count: int) -> Functions:
         point = self._point()
         x = point.variables(self.states)
         numbers, T = self.unknown_numbers(point)
         at = {("t", 0): self._time(point, T, point.graph.zero), ("T", 0): T}
         at |= self._inputs(point, x, numbers)
-        return point.functions(point.constraints(at), None, hessian=self.hessian)
+        rows = point.constraints(at)
+        return point.functions(rows[len(rows) - count :], None, hessian=self.hessian)
 
     def _point(self) -> Point:
         return Point(self.equations, len(self.numbers))
@@ -437,13 +438,13 @@ class Transcription:
         )
 
     def beginning(self) -> Piece:
-        """Return the constraints at the start."""
+        """Return the constraints at the start, all of them if it need not satisfy any."""
         p = self.problem
-        count = len(p.equations.constraints)
+        count = len(p.constraints) or len(p.equations.constraints)
         states = np.arange(p.states) * len(self.places[0])
         signals = [signal(np.full(1, p.begin)) for _, signal in p.signals]
         return Piece(
-            p.at_start(),
+            p.at_start(count),
             np.concatenate([states, self._numbers_at(1)[:, 0]])[:, None],
             np.array(signals, dtype=float).reshape(-1, 1),
             p.numbers,
