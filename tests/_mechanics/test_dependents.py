@@ -75,6 +75,47 @@ def test_a_yoke_moves_alike_in_all_units(metre):
     assert rates[b.diff(T)] == pytest.approx(slope * expected + curve * turn**2, rel=1e-12)
 
 
+def four_bar(metre, *, symbols):
+    """Three rods and the ground, of symbols or numbers, and a row that follows from the others."""
+    frame, place = me.ReferenceFrame("N"), me.Point("O")
+    place.set_vel(frame, 0)
+    origin, bodies = place, []
+    sizes = [metre * size for size in (1.0, 2.5, 1.9, 2.2)]
+    named = sm.symbols("l0:4") if symbols else sizes
+    for angle, long in zip(me.dynamicsymbols("a b c"), named, strict=False):
+        rod = frame.orientnew(f"rod {angle}", "Axis", (angle, frame.z))
+        centre = place.locatenew(f"centre {angle}", long / 2 * rod.x)
+        inertia = (me.inertia(rod, 0, 0, long**2 / 12), centre)
+        bodies.append(me.RigidBody(str(angle), centre, rod, 1.0, inertia))
+        place = place.locatenew(f"end {angle}", long * rod.x)
+    gap = place.pos_from(origin) - named[3] * frame.x
+    rows = [gap.dot(e) for e in (frame.x, frame.y, frame.x + frame.y)]
+    loads = [(b.masscenter, -9.81 * metre * frame.y) for b in bodies]
+    made = Definition(
+        frame, me.dynamicsymbols("a b c"), bodies=bodies, loads=loads, holonomic_constraints=rows
+    )
+    return made, dict(zip(named, sizes, strict=True)) if symbols else {}
+
+
+@pytest.mark.parametrize("symbols", [False, True])
+def test_a_four_bar_moves_alike_at_any_length(symbols):
+    angle = 0.7
+    across, up = 2.2 - np.cos(angle), -np.sin(angle)  # from the crank's end to the other pivot
+    long, turn = np.hypot(across, up), np.arctan2(up, across)
+    coupler = turn + np.arccos((2.5**2 + long**2 - 1.9**2) / (5.0 * long))
+    rocker = np.arctan2(up - 2.5 * np.sin(coupler), across - 2.5 * np.cos(coupler))
+    found = []
+    for metre in (1.0, 1e-60, 1e15):
+        made, constants = four_bar(metre, symbols=symbols)
+        assert len(made.multibody.holonomic) == 2
+        start = dict(zip("abc", (angle, coupler, rocker), strict=True))
+        system = System(made, constants=constants, initial_conditions=start)
+        found.append(system.evaluate_ode()[3:])
+    assert np.abs(found[0]).max() > 1.0
+    for other in found[1:]:
+        np.testing.assert_allclose(other, found[0], rtol=1e-12)
+
+
 def platform(metre, *, given):
     """A plate in a plane on three legs of given lengths, where it stands, and the legs' forces."""
     q, legs = me.dynamicsymbols("x y a"), me.dynamicsymbols("l0:3")
