@@ -176,6 +176,15 @@ def test_a_guess_far_away_and_the_covariance_of_shooting():
     np.testing.assert_allclose(found.covariance, shot.covariance, rtol=1e-3, atol=1e-3)
 
 
+def test_poor_guesses_take_few_iterations():
+    system, trial, gains, _ = standing(0, 6.0)
+    for share in (0.0, 1.0, 10.0, -1.0):
+        system.constants = dict(zip(gains, share * GAINS.ravel(), strict=True))
+        found = system.fit(gains, trial, method="collocation")
+        assert np.abs((found.estimates - GAINS.ravel()) / found.standard_errors).max() < 3.5
+        assert found.evaluations <= 8
+
+
 @pytest.mark.parametrize("guess", [2.0, 90.0])
 def test_a_long_record_of_a_pendulum_from_poor_guesses(guess):
     # opty's `plot_vyasarayani.py`, by Vyasarayani et al. 2011: 50 s of noisy angles, 80 turns of

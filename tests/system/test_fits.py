@@ -142,6 +142,19 @@ def test_what_the_data_leave_undetermined_is_named(oscillator, method):
 
 
 @BOTH
+def test_fewer_samples_than_parameters_do_not_determine_them(oscillator, method):
+    """One sample of two parameters: one direction has no sample at all."""
+    one = Trial([1.0], {"x0": [0.2]}, {"x0": 1.0, "v0": 0.0}, noise=0.01, start=0.0)
+    with pytest.warns(PyDyUserWarning, match=r"do not determine .*: "):
+        result = oscillator.fit(["k0", "c0"], one, method=method)
+    assert len(result.undetermined) == 1
+    assert np.isinf(result.standard_errors).all()
+    both = oscillator.fit(["k0", "c0"], one, priors={"c0": (0.3, 0.1)}, method=method)
+    assert both.undetermined == ()
+    assert both.standard_errors[1] == pytest.approx(0.1, rel=1e-6)
+
+
+@BOTH
 def test_a_prior_determines_what_the_data_do_not(oscillator, method):
     result = oscillator.fit(
         ["m0", "k0", "c0"], let_go(swing(), noise=0.01), priors={"m0": (2.0, 0.1)}, method=method

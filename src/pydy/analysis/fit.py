@@ -232,7 +232,9 @@ def covariance_of(
     Parameters are compared by changes relative to their sizes, so that units do not matter.
     """
     sizes = np.where(sizes > 0.0, sizes, 1.0)
-    _, singular, right = np.linalg.svd(jacobian * sizes, full_matrices=False)
+    missing = max(len(sizes) - len(jacobian), 0)  # rows of zeros: directions without a sample
+    rows = np.concatenate([jacobian * sizes, np.zeros((missing, len(sizes)))])
+    _, singular, right = np.linalg.svd(rows, full_matrices=False)
     largest = singular.max(initial=0.0)
     weak = singular <= HALF * largest
     inverse = np.where(weak, 0.0, 1.0 / np.where(weak, 1.0, singular))
