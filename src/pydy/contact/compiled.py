@@ -18,7 +18,10 @@ _GAP, _FRICTION = ("closes", "opens", "rests"), ("slips", "stops")
 class Compiled:
     """What is made for a definition: rows of the contacts, and modes as they occur."""
 
-    def __init__(self, system: System, now: Snapshot, contacts: tuple[Contact, ...]) -> None:
+    def __init__(
+        self, system: System, now: Snapshot, contacts: tuple[Contact, ...], hypothesis: str
+    ) -> None:
+        self.hypothesis = hypothesis  # of restitution
         self.definition, self.contacts = now.definition, contacts
         self.rows = ContactRows(
             now.definition.equations, contacts, now.definition.constants, now.definition.specifieds

@@ -18,8 +18,9 @@ class Unilateral:
     """A gap that does not become negative.
 
     While it is closed a normal force acts, which is not negative. Where it closes with a speed v,
-    it leaves with the speed −e v (Newton's hypothesis). If that is zero, or the rebounds have
-    become lower than the tolerances of the solver, it stays closed until the normal force vanishes.
+    it leaves with the speed −e v (Newton's hypothesis; `Contacts` takes Poisson's too). If that is
+    zero, or the rebounds have become lower than the tolerances of the solver, it stays closed until
+    the normal force vanishes.
 
     Parameters
     ----------

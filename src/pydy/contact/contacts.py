@@ -47,6 +47,11 @@ class Contacts:
     constants : dict, optional
         Values of symbols that occur only in contacts. They are constants of the system, where they
         are set: later ``system.constants[mu] = 0.4``.
+    hypothesis : {'newton', 'poisson'}, optional
+        What `restitution` is a ratio of: normal speeds after and before an impact, or normal
+        impulses of its second phase and of compression. They differ where friction acts on a body
+        that is not hit centrally, or where several contacts are hit; there Newton's may raise the
+        energy, which is a `ContactError`.
 
     Raises
     ------
@@ -85,12 +90,18 @@ class Contacts:
     """
 
     def __init__(
-        self, system: System, contacts: Any, constants: Mapping[Any, float] | None = None
+        self,
+        system: System,
+        contacts: Any,
+        constants: Mapping[Any, float] | None = None,
+        *,
+        hypothesis: str = "newton",
     ) -> None:
         if not isinstance(system, System):
             raise TypeError(f"`system` must be a System, got {type(system).__name__}.")
         self.system = system
         self.contacts = paired(contacts)
+        self.hypothesis: str = choice(hypothesis, ("newton", "poisson"), "`hypothesis`")
         self.names = tuple(c.name for c in self.contacts)
         parts = symbols_of(self.contacts)
         frame = getattr(system._equations.mechanism, "frame", None)
@@ -124,7 +135,7 @@ class Contacts:
     def _now(self) -> tuple[Snapshot, Compiled]:
         now = self.system._now(self.symbols)
         if self._kept is None or self._kept.definition != now.definition:
-            self._kept = Compiled(self.system, now, self.contacts)
+            self._kept = Compiled(self.system, now, self.contacts, self.hypothesis)
         return now, self._kept
 
     def simulate(
@@ -161,7 +172,7 @@ class Contacts:
             No combination of modes is possible (Painlevé's paradox, jamming), or an impact would
             raise the energy; the message has the state.
         NotImplementedError
-            Events with resets, and sensitivities by samples.
+            Events with resets, sensitivities by samples, and those with Poisson's hypothesis.
         IntegrationError
             As in `System.simulate`.
         """
@@ -285,6 +296,11 @@ class Contacts:
             )
         carried = None
         if sensitivities is not None:
+            if self.hypothesis == "poisson":
+                raise NotImplementedError(
+                    "`sensitivities` are not supported with `hypothesis='poisson'`. Use "
+                    "`hypothesis='newton'`."
+                )
             control = flag(control_sensitivities, "`control_sensitivities`")
             carried = Carried(kept.rows, now, sensitivities, control, self.system._dependent)
         return Run(kept, self.system, now, times, given, solver_kwargs, carried)

@@ -46,7 +46,7 @@ class Problem:
     mu, hold : ndarray, shape (contacts,)
         Coefficients of kinetic friction, and of the largest friction that holds.
     pressed : ndarray, shape (contacts,)
-        Normal forces of contacts without a normal row.
+        Normal forces that are known: all of it without a normal row, otherwise beside its own.
     resting : collection of int
         Contacts whose direction of sliding is free, and must agree with a_t.
     touching : collection of int
@@ -153,13 +153,19 @@ def directions(problem: Problem, modes: Sequence[str]) -> tuple[np.ndarray, np.n
             if mode in SLIDES:
                 column[tangent] = -problem.mu[i] * direction(problem, i, mode)
             columns.append(column)
-        elif mode in SLIDES:
+        if mode in SLIDES:
             known[tangent] = -problem.mu[i] * direction(problem, i, mode) * problem.pressed[i]
         for row in tangent if mode == STICKS else ():
             column = np.zeros(rows)
             column[row] = 1.0
             columns.append(column)
     return np.array(columns).reshape(len(columns), rows).T, known
+
+
+def press(problem: Problem, forces: np.ndarray, i: int) -> float:
+    """Return the normal force of a contact: what is known of it, and that of its row."""
+    normal = problem.normal[i]
+    return float(problem.pressed[i] + (0.0 if normal is None else forces[normal]))
 
 
 def solved(problem: Problem, modes: Sequence[str]) -> Solution:
@@ -193,9 +199,8 @@ def solved(problem: Problem, modes: Sequence[str]) -> Solution:
         most = np.abs(right) + np.abs(matrix) @ np.abs(found)
         for i in (i for i, mode in enumerate(modes) if mode == STICKS):
             # Beside what its friction could do, the rest of a motion through v² is nothing.
-            normal, tangent = problem.normal[i], problem.tangent[i]
-            press = problem.pressed[i] if normal is None else forces[normal]
-            most += problem.hold[i] * abs(press) * np.abs(square[np.ix_(held, tangent)]).sum(axis=1)
+            most_of_it = problem.hold[i] * abs(press(problem, forces, i))
+            most += most_of_it * np.abs(square[np.ix_(held, problem.tangent[i])]).sum(axis=1)
         consistent = bool((np.abs(matrix @ found - right) <= SLACK * most).all())
     rates = free + square @ forces
     terms = np.abs(free) + np.abs(square) @ np.abs(forces)
@@ -205,8 +210,7 @@ def solved(problem: Problem, modes: Sequence[str]) -> Solution:
     for i, (normal, tangent) in enumerate(zip(problem.normal, problem.tangent, strict=True)):
         own_rows = [*tangent, *(() if normal is None else (normal,))]
         sizes[i] = np.maximum(np.abs(forces), natural)[own_rows].max(initial=0.0)
-        if normal is None:
-            sizes[i] = max(sizes[i], problem.hold[i] * abs(problem.pressed[i]))
+        sizes[i] = max(sizes[i], problem.hold[i] * abs(problem.pressed[i]))
 
     def share(value: float, of: float) -> float:
         return value / of if of > 0.0 else 0.0
@@ -221,9 +225,9 @@ def solved(problem: Problem, modes: Sequence[str]) -> Solution:
         elif normal is not None:
             own.append(share(forces[normal], sizes[i]))
         if mode == STICKS:
-            press = problem.pressed[i] if normal is None else forces[normal]
             friction = float(np.linalg.norm(forces[tangent]))
-            own.append(share(problem.hold[i] * press - friction, sizes[i]))
+            most_of_it = problem.hold[i] * press(problem, forces, i)
+            own.append(share(most_of_it - friction, sizes[i]))
         if mode in SLIDES and i in problem.resting:
             along = direction(problem, i, mode) @ rates[tangent]
             own.append(share(float(along), float(np.linalg.norm(terms[tangent]))))

@@ -32,6 +32,7 @@ from pydy.contact.decide import (
     solved,
     within,
 )
+from pydy.contact.impacts import RISES, newton, poisson
 from pydy.contact.modes import Mode, margin_symbol, output_symbols
 from pydy.contact.rows import Numbers
 from pydy.contact.sensitivities import Carried
@@ -53,13 +54,6 @@ from pydy.solvers.options import Options
 from pydy.solvers.outcome import TERMINATED
 from pydy.system import System
 from pydy.trajectory import EventRecord
-
-IMPACTS = (  # what an impulse may do, by the number of tangential directions
-    [CLOSED, OPEN],
-    [STICKS, FORWARD, BACKWARD, OPEN],
-    [STICKS, STARTING, OPEN],
-)
-
 
 _NOTED = frozenset({"bends", "clears", "turns"})  # events that change no mode
 
@@ -303,44 +297,37 @@ class Run:
         }
         e = p.restitution.copy()
         rates = solved(self.problem(p, state), self.modes).rates
-        rests: list[int] = []
-        for i in sorted(closing):
-            normal = normals[i]
-            assert normal is not None
-            leaves = e[i] * abs(p.speed[normal])
-            if e[i] > 0.0 and self._is_low(i, leaves, rates[normal], p, state.x):
-                rests.append(i)
-        start = p.speed.copy()
-        for i in hit:
-            normal = normals[i]
-            if normal is not None and p.speed[normal] < 0.0 and i in closing:
-                start[normal] = p.speed[normal] * (1.0 + (0.0 if i in rests else e[i]))
-            elif normal is not None and i in state.touching:
-                start[normal] = 0.0
         problem = replace(
             self.problem(p, state),
-            free=start,
             hold=p.mu,
             pressed=np.zeros(len(self.contacts)),
             resting=frozenset(hit),
             touching=frozenset(hit),
         )
-        options = [
-            IMPACTS[len(tangents[i])] if i in hit else [OPEN] for i in range(len(self.contacts))
-        ]
-        found = chosen(problem, options)
-        if found is None:
+        by_phases = self.kept.hypothesis == "poisson"
+        blow = poisson(problem, p.speed, e) if by_phases else None
+        rests: dict[int, float] = {}  # the speeds of rebounds that are left out
+        for i in sorted(hit if by_phases else closing):
+            normal = normals[i]
+            assert normal is not None
+            leaves = e[i] * abs(p.speed[normal])
+            if by_phases:  # friction, and other contacts, change it
+                hits = blow is not None and blow.modes[i] != OPEN
+                leaves = max(float(blow.rates[normal]), 0.0) if blow and hits else np.inf
+            if e[i] > 0.0 and self._is_low(i, leaves, rates[normal], p, state.x):
+                rests[i] = leaves
+        left = e.copy()
+        left[list(rests)] = 0.0
+        if not by_phases:
+            blow = newton(problem, p.speed, left, closing, state.touching)
+        elif rests:
+            blow = poisson(problem, p.speed, left)
+        if blow is None:
             raise self.fail(state.t, state.x, "Jamming: no impulses satisfy Coulomb's law.")
-        after = p.speed + p.square @ found.forces
-        work = 0.5 * float(found.forces @ (p.speed + after))
-        size = 0.5 * float(np.abs(found.forces) @ (np.abs(p.speed) + np.abs(after)))
-        if work > SLACK * size:
-            raise self.fail(
-                state.t, state.x,
-                "An impact would raise the energy: Newton's hypothesis, with this restitution and "
-                "friction, contradicts it. Use a smaller `restitution`, or the same for all "
-                "contacts.",
-            )  # fmt: skip
+        after = blow.rates
+        work, rises = blow.work(p.speed)
+        if rises:
+            raise self.fail(state.t, state.x, RISES[self.kept.hypothesis])
         before = state.x.copy()
         if self.carried is not None:
             kept_of = {
@@ -350,20 +337,20 @@ class Run:
             }
             values = self.values(state.t, before)
             slopes = self.carried.impact(
-                values, p, found, kept_of, frozenset(state.touching), self.first
+                values, p, blow, kept_of, frozenset(state.touching), self.first
             )
         state.x = before.copy()
         speeds = slice(self.first, self.first + p.moves.shape[0])
-        state.x[speeds] += p.moves @ found.forces
+        state.x[speeds] += p.moves @ blow.forces
         impulses: dict[str, tuple[float, ...]] = {}
         for i in sorted(hit):
-            normal, rows, mode = normals[i], tangents[i], found.modes[i]
+            normal, rows, mode = normals[i], tangents[i], blow.modes[i]
             assert normal is not None
             name = self.contacts[i].name
             if mode != OPEN:
-                impulses[name] = tuple(float(found.forces[k]) for k in (normal, *rows))
+                impulses[name] = tuple(float(blow.forces[k]) for k in (normal, *rows))
             kept = 0.0 if i in rests or p.speed[normal] >= 0.0 or i not in closing else e[i]
-            leaves = -kept * p.speed[normal] if mode != OPEN else after[normal]
+            leaves = after[normal] if by_phases or mode == OPEN else -kept * p.speed[normal]
             slow = SLACK * (abs(p.speed[normal]) + abs(after[normal]))
             if leaves > slow and leaves > 0.0:
                 state.touching.discard(i)
@@ -379,16 +366,17 @@ class Run:
                 self.records.append(
                     EventRecord(state.t, f"{name} closes", i, before, state.x.copy())
                 )
-            if i in rests:
-                v, a = e[i] * abs(p.speed[normal]), abs(rates[normal])
-                left = 1.0 / (a * (1.0 - e[i])) if e[i] < 1.0 else 0.0
-                limit = float(state.t + 2.0 * v * left)
+            if i in rests and i in closing:
+                v, a = rests[i], abs(rates[normal])
+                ratio = v / abs(p.speed[normal]) if by_phases else e[i]
+                later = 1.0 / (a * (1.0 - ratio)) if ratio < 1.0 else 0.0
+                limit = float(state.t + 2.0 * v * later)
                 self.first_height.pop(i, None)
                 record = EventRecord(limit, f"{name} rests", i, state.x.copy(), state.x.copy())
                 if self.carried is not None:  # the acceleration changes it by what is as small
-                    slower = v * left * a * slopes.restitution[i]
+                    slower = v * later * a * slopes.restitution[i]
                     faster = -e[i] * slopes.speed[normal] - p.speed[normal] * slopes.restitution[i]
-                    moved = self.carried.time + 2.0 * left * (faster + slower)
+                    moved = self.carried.time + 2.0 * later * (faster + slower)
                     record = replace(record, time_sensitivity=moved)
                 if limit <= self.times[-1]:
                     self.records.append(record)
@@ -726,6 +714,8 @@ class Run:
                         state.rising.discard(i)
                     if what and p.gap[i] <= near:
                         state.touching.add(i)
+                        if rows and np.linalg.norm(p.speed[rows]) <= self._unresolved(i):
+                            state.resting.add(i)  # not even its direction is known
                 elif what or (speed < 0.0 and p.gap[i] <= near - speed * resolved):
                     closing.add(i)
                 continue

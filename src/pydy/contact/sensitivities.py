@@ -27,7 +27,8 @@ from pydy._graph.interpret import evaluator
 from pydy._rank import DEPENDENT
 from pydy._system.sensitivities import Sensitive
 from pydy._system.snapshot import Snapshot
-from pydy.contact.decide import CLOSED, OPEN, SLIDES, STARTING, STICKS, Solution
+from pydy.contact.decide import CLOSED, OPEN, SLIDES, STARTING, STICKS
+from pydy.contact.impacts import Blow
 from pydy.contact.rows import ContactRows, Numbers
 
 
@@ -147,7 +148,7 @@ class Carried:
         self,
         values: Mapping[Any, float],
         p: Numbers,
-        found: Solution,
+        found: Blow,
         kept: Mapping[int, float],
         still: Collection[int],
         first: int,
@@ -159,8 +160,8 @@ class Carried:
         values : mapping
             Numbers before it.
         p : Numbers
-        found : Solution
-            Impulses and modes.
+        found : Blow
+            By Newton's hypothesis.
         kept : mapping of int to float
             The restitution of each contact that closes, zero where it rests.
         still : collection of int

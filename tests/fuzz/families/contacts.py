@@ -170,6 +170,11 @@ def _(v):
     return Contacts(_system(), v)
 
 
+@target("Contacts.hypothesis", choice("newton", "poisson"))
+def _(v):
+    return repr(Contacts(_system(), [_block().floor], hypothesis=v))
+
+
 @target("Contacts.constants", mapping)
 def _(v):
     return _run(_block().floor, constants=v)

@@ -1,0 +1,142 @@
+"""Impacts by the hypotheses of restitution of Newton and of Poisson."""
+
+import math
+
+import numpy as np
+import pytest
+
+from pydy.contact import Contacts, Unilateral
+from pydy.contact.decide import Problem
+from pydy.contact.impacts import newton, poisson
+from pydy.errors import ContactError
+from touching import TIGHT, J, a, ball, e, falling_body, g, mu, vx, vy, x, y
+
+LEAN = 0.6
+C, S = math.cos(LEAN), math.sin(LEAN)
+
+
+def hit(hypothesis, *, size=1.0, **values):
+    """The speeds v_x, v_y, w of a rod after its lower end has hit the floor, and the work done.
+
+    The rod has the mass 1 and the length 2; sizes are in units of `size`.
+    """
+    system, foot = falling_body([(-size, 0.0)], mu=mu, restitution=e)
+    system.constants.update({J: size**2 / 3, g: 9.81 * size})
+    system.times = [0.0, 1e-3]
+    system.initial_conditions = {
+        a: LEAN, x: C * size, y: S * size, vx: values["vx"] * size, vy: -size
+    }  # fmt: skip
+    contacts = Contacts(system, foot, {mu: values["mu"], e: values["e"]}, hypothesis=hypothesis)
+    motion = contacts.simulate(atol=1e-6 * np.tile([size, size, 1.0], 2))
+    return motion.events[0].after[3:] / [size, size, 1.0], motion.contact_work[-1] / size**2
+
+
+def after(start, normal, tangent):
+    """The speeds of the rod after an impulse at its lower end."""
+    return np.array([start + tangent, -1.0 + normal, 3.0 * (S * tangent - C * normal)])
+
+
+@pytest.mark.parametrize("size", [1.0, 1e-9, 1.5e11])
+def test_the_end_of_a_rod_slides_through_an_impact(size):
+    # Routh: while it slides, dv_n = (A_nn − μ A_nt) dΛ_n.
+    friction, ratio = 0.3, 0.5
+    normal = (1 + ratio) / (1 + 3 * C**2 + friction * 3 * C * S)
+    speeds, _ = hit("poisson", vx=2.0, mu=friction, e=ratio, size=size)
+    assert speeds == pytest.approx(after(2.0, normal, -friction * normal), abs=1e-12)
+    # It slides throughout: the ratios of Newton and of Poisson are the same.
+    other, _ = hit("newton", vx=2.0, mu=friction, e=ratio, size=size)
+    assert speeds == pytest.approx(other, abs=1e-12)
+
+
+def test_the_end_of_a_rod_sticks_in_an_impact():
+    # Routh: compression ends where both speeds of the end are zero; then dv_t = 0 holds on.
+    ratio, friction = 0.5, 2.0
+    square = np.array([[1 + 3 * C**2, -3 * C * S], [-3 * C * S, 1 + 3 * S**2]])
+    normal = (1 + ratio) * np.linalg.solve(square, [1.0, -0.2])[0]
+    tangent = -(0.2 + square[1, 0] * normal) / square[1, 1]
+    assert abs(tangent) < friction * normal
+    speeds, _ = hit("poisson", vx=0.2, mu=friction, e=ratio)
+    assert speeds == pytest.approx(after(0.2, normal, tangent), abs=1e-12)
+    assert hit("newton", vx=0.2, mu=friction, e=ratio)[0] != pytest.approx(speeds, abs=1e-2)
+
+
+def test_energy_that_newtons_hypothesis_would_raise_falls_by_poissons():
+    # Kane's paradox.
+    given = {"vx": 0.5, "mu": 0.3, "e": 0.9}
+    with pytest.raises(ContactError, match=r"Newton's hypothesis.*hypothesis='poisson'"):
+        hit("newton", **given)
+    assert -0.1 < hit("poisson", **given)[1] < -0.05
+
+
+def test_a_central_impact_is_the_same_by_both():
+    for hypothesis in ("newton", "poisson"):
+        system, floor = ball(restitution=0.8)
+        system.initial_conditions, system.times = {y: 1.0}, np.linspace(0.0, 5.0, 6)
+        motion = Contacts(system, [floor], hypothesis=hypothesis).simulate(rtol=1e-11, atol=1e-13)
+        *bounces, rests = motion.events
+        assert rests.name == "floor rests"
+        assert rests.time == pytest.approx(math.sqrt(2 / 9.81) * 9.0, abs=1e-10)
+        assert bounces[0].after[1] == pytest.approx(0.8 * math.sqrt(2 * 9.81), abs=1e-10)
+        assert motion.modes[-1][2] == {"floor": "closed"}
+
+
+def test_a_blow_passes_through_bodies_that_touch():
+    # Three equal masses in a row: the rows of their gaps are (1, −1, 0) and (0, 1, −1).
+    rows = np.array([[-1.0, 1.0, 0.0], [0.0, -1.0, 1.0]])
+    both = frozenset({0, 1})
+    problem = Problem(
+        np.zeros(2), rows @ rows.T, [0, 1], [[], []], *np.zeros((3, 2)), both, both
+    )  # fmt: skip
+    speed = rows @ [1.0, 0.0, 0.0]
+    for blow in (newton(problem, speed, np.ones(2), {0}, {1}), poisson(problem, speed, np.ones(2))):
+        speeds = [1.0, 0.0, 0.0] + rows.T @ blow.forces
+        assert speeds == pytest.approx([-1 / 3, 2 / 3, 2 / 3])
+    # Without restitution of the first contact it goes on as the others push it.
+    mixed = poisson(problem, speed, np.array([0.0, 1.0]))
+    assert mixed.rates.min() >= -1e-12
+    assert [1.0, 0.0, 0.0] + rows.T @ mixed.forces == pytest.approx([1 / 6, 1 / 6, 2 / 3])
+
+
+def test_random_impacts_with_friction_never_raise_the_energy():
+    random = np.random.default_rng(0)
+    for _ in range(60):
+        c = int(random.integers(1, 4))
+        every = frozenset(range(c))
+        rows = random.normal(size=(2 * c, random.integers(2, 6)))
+        speed = rows @ random.normal(size=rows.shape[1])
+        speed[::2] = np.where(speed[::2] > 0.0, 0.0, speed[::2]) if c == 1 else speed[::2]
+        if (speed[::2] > 0.0).any():
+            continue
+        friction = random.choice([0.0, 0.3, 0.8, 2.0], size=c)
+        tangent = [[2 * i + 1] for i in range(c)]
+        problem = Problem(
+            speed, rows @ rows.T, [2 * i for i in range(c)], tangent, friction, friction,
+            np.zeros(c), every, every,
+        )  # fmt: skip
+        blow = poisson(problem, speed, np.full(c, random.uniform()))
+        assert not blow.work(speed)[1]
+        size = np.abs(rows).sum()
+        assert blow.rates[::2].min() >= -1e-8 * size
+        assert (np.abs(blow.forces[1::2]) <= friction * blow.forces[::2] + 1e-8 * size).all()
+
+
+def test_what_hypotheses_may_be_is_named():
+    system, floor = ball()
+    with pytest.raises(ValueError, match="`hypothesis` must be"):
+        Contacts(system, [floor], hypothesis="stronge")
+    contacts = Contacts(system, [Unilateral(y, name="floor")], hypothesis="poisson")
+    system.times = [0.0, 1.0]
+    with pytest.raises(NotImplementedError, match="hypothesis='newton'"):
+        contacts.simulate(sensitivities=[y])
+
+
+def test_feet_that_chatter_while_they_slide_come_to_rest():
+    system, feet = falling_body([(-1, -0.2), (1, -0.2)], restitution=0.5, mu=mu)
+    system.initial_conditions, system.times = {y: 1.0, vx: 0.5}, np.linspace(0.0, 3.0, 31)
+    system.constants[J] = 0.4
+    motion = Contacts(system, feet, {mu: 0.3}, hypothesis="poisson").simulate(**TIGHT)
+    first = motion.events[0]
+    assert first.after[4] == pytest.approx(0.5 * math.sqrt(2 * 9.81 * 0.8), abs=1e-10)
+    assert motion.modes[-1][2] == {"foot0": "sticks", "foot1": "sticks"}
+    total = motion.energy[:, 2]
+    assert abs(total - total[0] - motion.contact_work).max() < 1e-9 * abs(total).max()
