@@ -8,6 +8,7 @@ import sympy.physics.mechanics as me
 import loops
 from ensemble_cases import identical, pendulum, random_values, runaway, same_bits
 from pydy._errors import IntegrationError
+from pydy._graph.interpret import run as interpret
 from pydy.inputs import SampledInput
 from pydy.mechanics import Definition
 from pydy.models import multi_mass_spring_damper
@@ -264,3 +265,24 @@ def test_samples_beside_their_constraints_are_told_and_alone():
     assert many.status.values.tolist() == [0, START_OFF_CONSTRAINTS, 0, 0]
     assert np.isnan(many["x"].values[1]).all()
     assert same_bits(many["x"][0], many["x"][2])
+
+
+def test_samples_are_judged_together_as_alone(monkeypatch):
+    asked = []
+
+    def counted(*given):
+        asked.append(len(given[1]))
+        return interpret(*given)
+
+    monkeypatch.setattr("pydy.ensemble.work.interpret", counted)
+    system = linkage(loops.parallelogram)
+    options = {"ode_solver": "dop853", "constraints": "project", "rtol": 1e-8, "atol": 1e-8}
+    system.times = np.linspace(0.0, 5.0, num=51)
+    gravities = np.linspace(5.0, 15.0, num=30)
+    many = system.integrate_ensemble(constants={"g": gravities}, **options)
+    assert 0 < len(asked) < 20  # not once for each sample
+    assert len(set(many.status.values)) > 1
+    for k in range(0, 30, 3):
+        alone = system.integrate_ensemble(constants={"g": gravities[k : k + 1]}, **options)
+        for name in alone.data_vars:
+            assert same_bits(alone[name][0], many[name][k]), name

@@ -83,7 +83,7 @@ def _value(
 def run(
     program: Program, t: np.ndarray, x: np.ndarray, r: np.ndarray, p: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Evaluate a Program at m samples: t (m,), x (m, n), r (m, s) and p (k,).
+    """Evaluate a Program at m samples: t (m,), x (m, n), r (m, s), and p (k,) or (m, k).
 
     Return the flat outputs (m, o), NaN where they depend on a singular solve, and at which of the
     samples a linear solve met a singular matrix.
@@ -93,7 +93,7 @@ def run(
         "x": lambda i: x[:, i],
         "t": lambda i: t,
         "r": lambda i: r[:, i],
-        "p": lambda i: p[i],
+        "p": lambda i: p[..., i],
     }
     values: Values = [None] * len(program.ops)
     failed = np.zeros(m, dtype=bool)

@@ -15,9 +15,10 @@ from pydy._graph.interpret import run as interpret
 from pydy._kernel import Inputs
 from pydy.ensemble.model import Batch, Model, Programs, Results
 from pydy.ensemble.samples import PARAMETER, QUANTITY, Samples, Variable, to_dataset
+from pydy.ensemble.tuning import SMALLEST_BLOCK
 from pydy.solvers.kept import Part, Ran, beyond_digits, is_near, judge, looked_at
 from pydy.solvers.outcome import FINISHED, OUTCOMES, TERMINATED
-from pydy.solvers.tuning import LANES, NEAR_SINGULAR
+from pydy.solvers.tuning import NEAR_SINGULAR
 
 COUNTS = ("steps", "rejected", "evaluations", "status", "end_time")
 """What the result tells of each sample beside its states and outputs."""
@@ -359,59 +360,91 @@ def refuse(batch: Batch, results: Results, times: np.ndarray) -> None:
         assert results.nearness is not None
         ended &= kept.redundant | (results.nearness < NEAR_SINGULAR)
     suspects = np.flatnonzero(ended)
-    if not projected or len(suspects) > LANES:
-        suspects = _suspects(batch, kept.programs, suspects, results, times, projected)
+    if not projected:
+        suspects = _suspects(batch, kept.programs, suspects, results.states, times)
+    alike: dict[tuple[int, ...], list[int]] = {}  # samples by the times that are looked at
     for k in suspects.tolist():
         few = looked_at(results.states[:, k].T, projected)
-        ran = Ran(
-            times[few],
-            np.ascontiguousarray(results.states[:, k, few].T),
-            float(results.steps[k]) if model.options.step is None else None,
-            model.options.rtol,
-            model.options.atol,
-            float(results.nearness[k]) if projected and results.nearness is not None else None,
-            projected or kept.mended,
-            results.resets[k] if results.resets else [],
-            kept.redundant,
-        )
-        verdict = judge(ran, _part_of(batch, kept.programs, k))
-        if verdict is not None:
-            _lose(results, k, times, int(few[max(0, verdict.place - 1)]) + 1, verdict.code)
+        alike.setdefault(tuple(few.tolist()), []).append(k)
+    for places, samples in alike.items():
+        for start in range(0, len(samples), SMALLEST_BLOCK):
+            some = samples[start : start + SMALLEST_BLOCK]
+            states = results.states[:, some][:, :, list(places)].transpose(1, 2, 0)
+            at = times[list(places)]
+            together = _Together(batch.some(np.array(some)), kept.programs, at, states)
+            for j, k in enumerate(some):
+                ran = Ran(
+                    together.times,
+                    together.states[j],
+                    float(results.steps[k]) if model.options.step is None else None,
+                    model.options.rtol,
+                    model.options.atol,
+                    float(results.nearness[k])
+                    if projected and results.nearness is not None
+                    else None,
+                    projected or kept.mended,
+                    results.resets[k] if results.resets else [],
+                    kept.redundant,
+                )
+                verdict = judge(ran, together.part_of(j))
+                if verdict is not None:
+                    _lose(results, k, times, places[max(0, verdict.place - 1)] + 1, verdict.code)
 
 
-def _part_of(batch: Batch, programs: Programs, k: int) -> Part:
-    """Return what gives `kept.Part` along sample k."""
-    inputs = Inputs(batch.r[k], batch.model.sampled, batch.model.functions)
+class _Together:
+    """Samples that are looked at at the same times: what is asked of one is found for all."""
 
-    def part(name: str, t: np.ndarray, x: np.ndarray) -> dict[str, np.ndarray]:
-        program = programs[name]
+    def __init__(
+        self, batch: Batch, programs: Programs, times: np.ndarray, states: np.ndarray
+    ) -> None:
+        self._batch, self._programs = batch, programs
+        self.times, self.states = times, np.ascontiguousarray(states)  # (f,), (m, f, n)
+        self._found: dict[str, dict[str, np.ndarray]] = {}
+
+    def part_of(self, j: int) -> Part:
+        """Return what gives `kept.Part` along one of the samples."""
+
+        def part(name: str, t: np.ndarray, x: np.ndarray) -> dict[str, np.ndarray]:
+            if t is not self.times:
+                found, place = self._values(name, [j], t, x[None]), 0
+            else:
+                every = range(len(self.states))
+                if name not in self._found:
+                    self._found[name] = self._values(name, every, t, self.states)
+                found, place = self._found[name], j
+            return {name: values[place] for name, values in found.items()}
+
+        return part
+
+    def _values(
+        self, name: str, places: Sequence[int], t: np.ndarray, x: np.ndarray
+    ) -> dict[str, np.ndarray]:
+        """Return the values (m, f, ·) of a Program along m of the samples."""
+        program, batch = self._programs[name], self._batch
         if program is None:
             return {}
-        r = np.array([inputs(state, float(time)) for state, time in zip(x, t, strict=True)])
-        return program.by_block(interpret(program, t, x, r, batch.p[k])[0])
-
-    return part
+        (m, f, n), rows = x.shape, []
+        for j, states in zip(places, x, strict=True):
+            inputs = Inputs(batch.r[j], batch.model.sampled, batch.model.functions)
+            rows.append(np.broadcast_to(inputs.rows(states, t), (f, batch.r.shape[1])))
+        p = np.repeat(batch.p[list(places)], f, axis=0)
+        flat, _ = interpret(program, np.tile(t, m), x.reshape(m * f, n), np.concatenate(rows), p)
+        return program.by_block(flat.reshape(m, f, -1))
 
 
 def _suspects(
-    batch: Batch,
-    programs: Programs,
-    ended: np.ndarray,
-    results: Results,
-    times: np.ndarray,
-    projected: bool,
+    batch: Batch, programs: Programs, ended: np.ndarray, states: np.ndarray, times: np.ndarray
 ) -> np.ndarray:
     """Return the samples that need a closer look, of some: many are looked at together.
 
     Those have residuals beyond six digits, or come near to losing rank.
     """
-    states = results.states
     whole = ended[np.isfinite(states[:, ended, -1]).all(axis=0)]
     if not len(whole):
         return ended
-    program = programs["rows" if projected else "screen"]
+    program = programs["screen"]
     assert program is not None
-    few = looked_at(states[:, whole[0]].T, projected)
+    few = looked_at(states[:, whole[0]].T, projected=False)
     number = max(1, _NUMBERS // (len(few) * max(1, len(program.outputs))))
     suspects = [np.setdiff1d(ended, whole)]
     for start in range(0, len(whole), number):
@@ -420,10 +453,7 @@ def _suspects(
         out = batch.some(places).evaluate(program, times[few], x)
         found = program.by_block(np.moveaxis(out, 0, -1))  # (m, times, values)
         suspect = beyond_digits(found["rows"], found["sizes"])
-        if projected:
-            assert results.nearness is not None
-            suspect |= results.nearness[places] < NEAR_SINGULAR
-        elif batch.model.options.step is None:
+        if batch.model.options.step is None:
             suspect |= is_near(found["products"])
         suspects.append(places[suspect])
     return np.unique(np.concatenate(suspects))
