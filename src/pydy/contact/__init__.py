@@ -3,7 +3,7 @@
 Laws are functions that return SymPy expressions of a gap, a speed and a normal force;
 `CompliantContact` makes loads of them, for any method of mechanics. `Contacts` simulates a System
 with contacts that open, close, stick and slide at exact times: gaps, `Unilateral`, and friction
-that sticks, `Stick`.
+that sticks, `Stick`. `Roll` and `Clearance` make these of a geometry.
 """
 
 from __future__ import annotations
@@ -11,6 +11,7 @@ from __future__ import annotations
 from pydy.contact.compliant import CompliantContact
 from pydy.contact.conditions import Stick, Unilateral
 from pydy.contact.contacts import Contacts
+from pydy.contact.joints import Clearance, Roll
 from pydy.contact.laws import (
     brown_mcphee,
     hunt_crossley,
@@ -22,9 +23,11 @@ from pydy.contact.laws import (
 from pydy.contact.trajectory import ContactTrajectory
 
 __all__ = [
+    "Clearance",
     "CompliantContact",
     "ContactTrajectory",
     "Contacts",
+    "Roll",
     "Stick",
     "Unilateral",
     "brown_mcphee",

@@ -193,9 +193,10 @@ class Run:
             if normal is None or (self.begun is not None and self.begun[i] != OPEN):
                 state.touching.add(i)
                 continue
-            if not p.square[normal, normal] > 0.0:
-                raise self.fail(t, x, f"No speed can change the gap of {c.name!r} here.")
             nothing = WITHIN * np.finfo(float).eps * p.near[i]
+            moved = p.square[normal, normal]
+            if not (moved > 0.0 or (moved == 0.0 and p.gap[i] > nothing)):  # open, it may be widest
+                raise self.fail(t, x, f"No speed can change the gap of {c.name!r} here.")
             if p.gap[i] < -nothing:
                 why = (
                     f"The gap of {c.name!r} must not be negative at the first time, got "

@@ -8,12 +8,21 @@ from typing import Any
 
 import numpy as np
 import sympy as sm
-from sympy.physics.mechanics import Particle, Point, ReferenceFrame, dynamicsymbols
+from sympy.physics.mechanics import (
+    Particle,
+    Point,
+    ReferenceFrame,
+    RigidBody,
+    dynamicsymbols,
+    inertia,
+)
 
 from fuzz.kinds import Kind, RefusedError, choice, nothing, real
 from fuzz.table import empty_or_none, expression, key, mapping, target
 from pydy.contact import (
+    Clearance,
     Contacts,
+    Roll,
     Stick,
     Unilateral,
     brown_mcphee,
@@ -158,6 +167,53 @@ def _(v):
 def _(v):
     b = _block()
     return repr(Stick(b.P, on=b.floor, mu=0.2, along=b.N.x, against=v))
+
+
+def _roll(**given: Any) -> str:
+    b = _block()
+    ball = RigidBody("ball", b.P, b.N, b.m, (inertia(b.N, 0, 0, 1), b.P))
+    usual = {
+        "body": ball, "radius": 0.1, "on": b.O, "normal": b.N.y, "along": b.N.x, "mu": 0.2
+    }  # fmt: skip
+    return repr(Roll(**{**usual, **given}).on)
+
+
+def _clearance(**given: Any) -> str:
+    b = _block()
+    usual = {
+        "pin": b.P, "bush": b.O, "radius": 0.1, "play": 0.1, "axis": b.N.z,
+        "frames": (b.N, b.N), "mu": 0.2,
+    }  # fmt: skip
+    return repr(Clearance(**{**usual, **given}).on)
+
+
+def _size(value: Any) -> Any:
+    found = _amount().read(value)
+    if not isinstance(found, sm.Expr) and not found > 0.0:
+        raise RefusedError
+    return found
+
+
+_sizes = Kind(_size, ("common", "numbers", "symbols"), compare=False)
+_objects = nothing("symbols", "texts")
+_GEOMETRIES: dict[Any, dict[str, Kind]] = {
+    _roll: {
+        **dict.fromkeys(("body", "on", "normal", "along"), _objects),
+        "radius": _sizes,
+        "axis": nothing("symbols", "texts", allowed=lambda v: v is None),
+    },
+    _clearance: {
+        **dict.fromkeys(("pin", "bush", "axis", "frames"), _objects),
+        **dict.fromkeys(("radius", "play"), _sizes),
+    },
+}
+
+for _make, _arguments in _GEOMETRIES.items():
+    for _name, _kind in _arguments.items():
+
+        @target(f"{_make.__name__[1:].capitalize()}.{_name}", _kind)
+        def _(v, make=_make, name=_name):
+            return make(**{name: v})
 
 
 @target("Contacts.system", nothing("symbols", "texts"))
