@@ -31,11 +31,12 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     add_pythons(parser, "--peer-python", "--python")
     parser.add_argument("--count", type=int, default=10_000, help="trajectories, a multiple of 8")
-    parser.add_argument("--links", type=int, nargs="+", default=list(GOALS))
+    parser.add_argument("--links", type=int, nargs="*", default=list(GOALS))
     parser.add_argument("--methods", nargs="+", default=METHODS)
     parser.add_argument("--checked", type=int, default=400, help="trajectories for errors")
     parser.add_argument("--rounds", type=int, default=5)
     parser.add_argument("--scaling", type=int, default=3, help="its rounds; 0 leaves it out")
+    parser.add_argument("--held", type=int, default=2000, help="closed loops; 0 leaves it out")
     parser.add_argument("--million", type=int, default=1_000_000, help="0 leaves this part out")
     options = parser.parse_args()
     results: dict[str, Any] = {}
@@ -43,6 +44,8 @@ def main() -> None:
         results[f"n={links}"] = _compare(links, options)
         if options.scaling:
             results[f"n={links}, scaling"] = _scaling(links, options)
+    if options.held:
+        results["held"] = _held(options)
     if options.million:
         results["million"] = _million(options.million, options.python)
     save("ensembles", results)
@@ -183,6 +186,24 @@ def _scaling(links: int, options: Any) -> dict[str, Any]:
         f"of the bare kernel {bare[0] / bare[1]:.2f}"
     )
     return {"seconds": seconds, "kernel": bare}
+
+
+def _held(options: Any) -> dict[str, Any]:
+    """Compare lanes that are projected onto constraints with a loop over the System."""
+    core = max(os.sched_getaffinity(0))
+    with Worker("ours", options.python, "ensembles_ours.py", core=core) as ours:
+        few = min(options.held, 200)
+        measures = {
+            "lanes": lambda: ours.ask("held", count=options.held, loop=False),
+            "loop": lambda: ours.ask("held", count=few, loop=True) * (options.held / few),
+        }
+        rounds = in_turn(measures, least=max(1, options.scaling), most=max(1, options.scaling))
+    seconds = {name: [r[name] for r in rounds] for name in measures}
+    print(
+        f"Bricard's mechanism, projected: {options.held / min(seconds['lanes']):,.0f} a second; "
+        f"lanes are faster than a loop by {pairwise(seconds['loop'], seconds['lanes']):.2f}"
+    )
+    return {"seconds": seconds}
 
 
 def _million(count: int, python: Path) -> dict[str, Any]:

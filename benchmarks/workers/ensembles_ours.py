@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import resource
+import sys
 import time
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -20,6 +22,11 @@ from pydy.ensemble.samples import Samples
 from pydy.ensemble.work import Work, read_reductions
 from pydy.solvers.options import read_options
 from pydy.solvers.solver import SOLVERS
+from pydy.system import System
+
+sys.path.insert(0, str(Path(__file__).parents[2] / "tests"))
+
+from loops import bricard
 
 
 class Ours:
@@ -70,6 +77,23 @@ class Ours:
         self.states = states
         return {"seconds": taken}
 
+    def held(self, count: int, loop: bool) -> float:
+        """Time motions of a closed loop, projected: as an ensemble, or one by one."""
+        made, start = bricard((1, -1, 1))
+        times, gravities = np.linspace(0.0, 5.0, num=51), np.linspace(5.0, 15.0, num=count)
+        system = System(made, {"g": 9.81}, initial_conditions=start, times=times)
+        system.ode_solver, options = "dop853", {"constraints": "project", "rtol": 1e-8}
+        for some in (gravities[:16], gravities):
+            begin = time.perf_counter()
+            if loop:
+                for gravity in some:
+                    system.constants["g"] = gravity
+                    system.integrate(**options)
+            else:
+                system.integrate_ensemble(constants={"g": some}, workers=1, **options)
+            taken = time.perf_counter() - begin
+        return taken
+
     def save(self, path: str, count: int) -> None:
         """Write the first trajectories, for errors."""
         np.save(path, self.states[:count])
@@ -107,4 +131,6 @@ class Ours:
 
 if __name__ == "__main__":
     ours = Ours()
-    serve({n: getattr(ours, n) for n in ("load", "lanes", "loop", "save", "kernel", "final")})
+    serve(
+        {n: getattr(ours, n) for n in ("load", "lanes", "loop", "save", "kernel", "final", "held")}
+    )
