@@ -9,6 +9,7 @@ import joints
 from optima import T
 from pydy import System
 from pydy.control import OptimalControl
+from pydy.control.transcription import Transcription
 from pydy.mechanics import Definition
 
 END = 1.2
@@ -233,9 +234,8 @@ def test_a_four_bar_by_every_method():
     for method, ratio in (("midpoint", 3.8), ("hermite-simpson", 13.0)):
         off, missed = [], []
         for mesh in (20, 40):
-            found = system.optimize_trajectory(
-                objective, 0.8, mesh=mesh, method=method, guess=best, **asked
-            )
+            found = system.optimize_trajectory(objective, 0.8, mesh=mesh, method=method, **asked)
+            assert len(found.history) <= 8  # the links of its guess are closed
             off.append(abs(found.objective / best.objective - 1.0))
             missed.append(missed_by(system, found))
         assert off[1] < off[0] / ratio
@@ -273,3 +273,55 @@ def test_a_constraint_that_a_control_moves_is_refused():
     system.specifieds = {F.diff(): 0.0}
     with pytest.raises(NotImplementedError, match="The constraints hold a control"):
         OptimalControl(system, sm.Integral(F**2, T), 1.0)
+
+
+def guessed(system, problem, given=None):
+    """Return the coordinates x and y of a guess at its nodes and points, and their times."""
+    made = Transcription(problem._problem, problem._scheme, problem._mesh)
+    states = made.split(problem._prepared(made, given)[1])[0]
+    rows = {s.name: row for s, row in zip(system.states, states, strict=True)}
+    there = ~made.places[1]
+    return rows["x"][there], rows["y"][there], made.places[0][there]
+
+
+@pytest.mark.parametrize("method", ["radau", "midpoint", "hermite-simpson"])
+def test_a_guess_follows_from_the_constraints(method):
+    system = pendulum_in_a_plane()
+    problem = OptimalControl(system, effort(system), 1.0, end={"x": 0.8}, method=method, mesh=12)
+    x, y, times = guessed(system, problem)
+    assert np.abs(x**2 + y**2 - 1.0).max() < 1e-4
+    assert (y < 0.0).all()  # on the side on which it begins
+    np.testing.assert_allclose(x, 0.8 * times, atol=1e-12)
+    # What is given stays as it is.
+    x, y, _ = guessed(system, problem, {"y": -0.5})
+    assert set(y) == {-0.5, -1.0}
+
+
+def test_a_guess_that_no_configuration_has_stays():
+    system = pendulum_in_a_plane()
+    problem = OptimalControl(system, effort(system), 1.0, end={"x": 1.2}, mesh=12)
+    x, y, times = guessed(system, problem)
+    near = x < 0.99
+    assert np.abs((x**2 + y**2 - 1.0)[near]).max() < 1e-4
+    np.testing.assert_allclose(x, 1.2 * times, atol=1e-12)
+    assert (y[x > 1.01] == -1.0).all()
+
+
+def test_a_swing_up_in_cartesian_coordinates_by_every_method():
+    system = pendulum()
+    best = system.optimize_trajectory(
+        effort(system), 2.0, end={"q": np.pi, "u": 0.0}, mesh=40, order=4
+    )
+    along = best.at(np.linspace(0.0, 2.0, num=81))
+    c, s, u = np.cos(along["q"]), np.sin(along["q"]), along["u"]
+    guess = {"x": s, "y": -c, "v": u * c, "w": u * s, "F": along["F"]}
+    end = {"x": 0.0, "y": 1.0, "v": 0.0, "w": 0.0}
+    system = pendulum_in_a_plane()
+    for method, off in (("radau", 2e-5), ("hermite-simpson", 2e-4), ("midpoint", 3e-2)):
+        found = system.optimize_trajectory(
+            effort(system), 2.0, end=end, mesh=40, method=method, guess=guess
+        )
+        assert found.objective == pytest.approx(best.objective, rel=off)
+        np.testing.assert_allclose(
+            found.at(found.mesh)["x"], np.sin(best.at(found.mesh)["q"]), atol=10 * off
+        )

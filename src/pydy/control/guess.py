@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 
 from pydy._checks import Places, check_mapping, number, real_array, shown
-from pydy.control.tuning import LEAST_MESH_TOL
+from pydy._rank import DIGITS, least_step
+from pydy.control.transcription import Transcription
+from pydy.control.tuning import LEAST_MESH_TOL, MOST_CLOSING_STEPS
 from pydy.inputs import SampledInput
 from pydy.trajectory import Trajectory
 
@@ -87,6 +90,39 @@ class Guess:
                 f"`guess[{symbol}]` must lie within its `bounds`, "
                 f"{shown_pair((float(low[at]), float(high[at])))}, got {float(values[at])!r}."
             )
+
+
+def follow_constraints(
+    made: Transcription, z: np.ndarray, moving: Sequence[int], count: int
+) -> None:
+    """Let some coordinates follow from the first `count` constraints, in place, from the start on.
+
+    Each place begins as far beside its guess as the one before ended, so that a mechanism does not
+    change its branch. Where no configuration is found the guess stays.
+    """
+    places, slopes = made.places
+    own = np.flatnonzero(~slopes)
+    slots = own[np.argsort(places[own], kind="stable")]
+    piece, states = made.held_at(slots), list(moving)
+    f, shift = piece.functions, np.zeros(len(states))
+    rows, entries = np.empty((piece.rows, 1)), np.empty((len(f.jacobian_at), 1))
+    J = np.zeros((piece.rows, f.sizes[0]))
+    for k in range(len(slots)):
+        at, data = piece.at[:, [k]], np.ascontiguousarray(piece.data[:, [k]])
+        X = z[at]
+        X[states, 0] += shift
+        for _ in range(MOST_CLOSING_STEPS):
+            f("rows", X, data, piece.constants, rows)
+            f("jacobian", X, data, piece.constants, entries)
+            J[tuple(f.jacobian_at.T)] = entries[:, 0]
+            left, by = rows[:count, 0], J[:count]
+            if not (np.isfinite(left).all() and np.isfinite(by).all()):
+                break
+            if (np.abs(left) <= DIGITS * (np.abs(by) @ np.abs(X[:, 0]))).all():
+                shift = X[states, 0] - z[at[states, 0]]
+                z[at[states, 0]] = X[states, 0]
+                break
+            X[states, 0] -= least_step(by[:, states], left)
 
 
 def positive_time(value: Any, what: str = "`duration`") -> float:

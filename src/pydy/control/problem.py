@@ -28,7 +28,7 @@ from pydy._optional import progress_of
 from pydy._rank import DIGITS, rank
 from pydy.codegen.arguments import checked_expression
 from pydy.control.expressions import Reader
-from pydy.control.guess import Guess, mesh_tolerance, positive_time, shown_pair
+from pydy.control.guess import Guess, follow_constraints, mesh_tolerance, positive_time, shown_pair
 from pydy.control.ipopt import SOLVED, Iteration, Solution
 from pydy.control.kernel import Equations
 from pydy.control.limits import Limit, limit
@@ -500,16 +500,17 @@ class OptimalControl:
         inner = ~slopes
         inner[[0, made.intervals]] = False  # the ends are where `start` and `end` say
         x = np.empty((self._problem.states, len(places)))
+        equations = self._now.definition.equations
+        moving = []  # coordinates of which nothing is given but the start
         for k, s in enumerate(self._now.definition.states):
             values = guess.values(s, places, duration)
             if values is None:
                 first = _middle(self._start[s], float(self._now.x[k]))
                 last = _middle(self._end.get(s, _OPEN), first)
                 values = np.interp(places, [0.0, 1.0], [first, last])
+                moving += [k] if s in equations.coordinates and s not in self._end else []
             guess.check_bounds(s, values[inner], self._pair_at(s, places[inner]))
             x[k] = values
-            if slopes.any():
-                x[k, slopes] = np.gradient(x[k, ~slopes], made.mesh * duration)
         u = np.zeros((self._problem.algebraic, len(made.control_places)))
         for k, s in enumerate(self._controls):
             values = guess.values(s, made.control_places, duration)
@@ -522,8 +523,14 @@ class OptimalControl:
         guess.check_bounds(
             self._symbol, np.array([duration]), self._bounds.get(self._symbol, _OPEN)
         )
-        begin: np.ndarray = np.clip(made.joined(x, u, constants, duration), lower, upper)
-        return begin
+        begin = made.joined(x, u, constants, duration)
+        if equations.enforced and moving:
+            follow_constraints(made, begin, moving, len(equations.enforced))
+        x = made.split(begin)[0]  # which is a view
+        for row in x if slopes.any() else ():
+            row[slopes] = np.gradient(row[~slopes], made.mesh * duration)
+        begun: np.ndarray = np.clip(begin, lower, upper)
+        return begun
 
     # -- the search -------------------------------------------------------------------------------
 
@@ -545,7 +552,8 @@ class OptimalControl:
             numbers, to arrays of samples at equal distances over the motion, or to SampledInputs;
             or a motion, such as a simulation or the solution of a similar problem, whose
             multipliers are taken over too if it is on the same mesh. By default states lie on
-            straight lines between the ends, and controls are zero.
+            straight lines between the ends, coordinates without an end follow from the constraints,
+            and controls are zero.
         mesh_tol : float, optional
             The mesh is refined until the `error` of each interval is below it. By default the mesh
             stays as it is.

@@ -454,6 +454,16 @@ class Transcription:
             False,
         )
 
+    def held_at(self, slots: np.ndarray) -> Piece:
+        """Return the constraints at some slots of states."""
+        count = len(slots)
+        return self._piece(
+            Points(
+                ((0, 1.0, 0),), (), slots[None], np.zeros(count, dtype=int), np.empty((0, count)),
+                self.places[0][slots], np.ones(count), np.zeros(count), "constraints",
+            )
+        )  # fmt: skip
+
     def _ends(self) -> Piece | None:
         p = self.problem
         functions = p.at_instants(self.scheme)

@@ -75,6 +75,10 @@ LEAST_MESH_TOL = 1.5e-14
 """The least `mesh_tol`: 64 units of rounding. The integration of an interval with up to 64 steps
 leaves as much, on any mesh, which would be divided for ever."""
 
+MOST_CLOSING_STEPS = 8
+"""Steps of Newton's method that put a place of a guess on the constraints, at most. They double the
+digits; what is not there by then is far from any configuration and stays as it is."""
+
 KEPT = 16
 """Functions of points that a model keeps for further problems: a problem has at most five, of its
 points, start, ends, samples and parameters, so that three in turn derive nothing anew."""
