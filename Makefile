@@ -17,7 +17,7 @@ PEERS_PY := $(PEERS)/bin/python
 
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help demo test test-browser test-fuzz test-mechanisms test-lowest test-newest test-pyright test-arm64 test-undefined docs bench bench-analysis bench-control bench-pages bench-peers bench-solvers solvers-ir three clean
+.PHONY: help demo test test-browser test-fuzz test-mechanisms test-mutations test-lowest test-newest test-pyright test-arm64 test-undefined docs bench bench-analysis bench-control bench-pages bench-peers bench-solvers solvers-ir three clean
 
 help:
 	@echo "make demo   install into $(VENV), run the bicycle demo, plot and animate it into build/"
@@ -25,6 +25,7 @@ help:
 	@echo "make test-browser  open the animation pages in Chromium and check them"
 	@echo "make test-fuzz  every public argument with every bad value; make test tries a part of them"
 	@echo "make test-mechanisms SEEDS=0:600  random mechanisms against an oracle; failures shrink to a script"
+	@echo "make test-mutations  random changes of the source that the tests should notice"
 	@echo "make test-lowest  a selection of tests on the oldest Python and packages supported"
 	@echo "make test-newest  the same on the newest Python that is here"
 	@echo "make test-pyright  the types as pyright reads them (needs npm and a network)"
@@ -61,6 +62,14 @@ test-fuzz: $(VENV)/.installed-test
 SEEDS ?= 0:600
 test-mechanisms: $(VENV)/.installed-test
 	$(PY) tests/mechanisms/run.py $(SEEDS) $(JOBS)
+
+# Options of tools/mutations.py.
+MUTATIONS ?= --count 30
+test-mutations: $(VENV)/.installed-test build/mutations
+	$(PY) tools/mutations.py try --jobs $(JOBS) $(MUTATIONS)
+
+build/mutations:
+	$(PY) tools/mutations.py record --jobs $(JOBS)
 
 # Each in an environment of its own, .venv-lowest and .venv-newest.
 test-lowest test-newest: test-%:
