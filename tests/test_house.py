@@ -305,9 +305,13 @@ def test_importing_system_loads_no_optional_library():
     assert not modules_loaded_by("import pydy.system") & late
 
 
-def test_a_first_value_needs_none_of_scipys_packages():
-    first = "from pydy.models import n_link_pendulum_on_cart as model; s = model(1); s.evaluate_ode"
-    for statement in ("import pydy.system, pydy.models", f"{first}([0.1, 0.2, 0.3, 0.4])"):
+def test_first_values_and_native_motions_need_none_of_scipys_packages():
+    model = "from pydy.models import n_link_pendulum_on_cart as model; s = model(1);"
+    for statement in (
+        "import pydy.system, pydy.models",
+        f"{model} s.evaluate_ode([0.1, 0.2, 0.3, 0.4])",
+        f"{model} s.times, s.ode_solver = [0.0, 1.0], 'dop853'; s.integrate(); s.simulate()",
+    ):
         loaded = modules_loaded_by(statement)
         heavy = {f"scipy.{name}" for name in ("integrate", "linalg", "optimize", "stats")}
         assert not loaded & heavy, statement

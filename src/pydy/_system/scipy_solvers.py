@@ -57,6 +57,11 @@ def odeint_options() -> frozenset[str]:
     return frozenset(signature(scipy.integrate.odeint).parameters) - given
 
 
+def is_odeint(solver: Any) -> bool:
+    """Whether a solver is `odeint`; to tell this of another one loads none of SciPy's packages."""
+    return not isinstance(solver, (Solver, SolveIvp)) and solver is scipy.integrate.odeint
+
+
 def came_to_the_end(states: np.ndarray, info: dict[str, Any]) -> bool:
     """Whether what `odeint` returned is a motion up to the last time."""
     return bool(info["message"].startswith(_GOOD) and np.isfinite(states).all())

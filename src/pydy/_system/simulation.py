@@ -8,7 +8,6 @@ from dataclasses import replace
 from typing import Any, Literal, overload
 
 import numpy as np
-import scipy
 
 from pydy._assembly.baumgarte import stabilised
 from pydy._assembly.definition import Definition
@@ -28,6 +27,7 @@ from pydy._system.scipy_solvers import (
     SolveIvp,
     call_odeint,
     came_to_the_end,
+    is_odeint,
     odeint_options,
 )
 from pydy._system.sensitivities import Wanted
@@ -168,7 +168,7 @@ def begin(now: Snapshot, solver: SolverFunction, given: dict[str, Any]) -> tuple
         check_start(now.at(times[:1], now.x[None]), mended=mended)
     if ready is None:
         ready = Ready(now.definition, now.model, plan, solver, given)
-        if solver is scipy.integrate.odeint:
+        if is_odeint(solver):
             check_option_names("odeint", odeint_options(), ready.options)
         latest["simulation"] = ready
     return ready, times
@@ -217,7 +217,7 @@ def _solve(
             if wanted is not None:
                 f, x0, options = wanted.problem(now, ready.model, float(times[0]), solver, options)
             args = now.plan.values.copy() if now.plan.constant else now.plan, now.p
-            if checked and solver is scipy.integrate.odeint:
+            if checked and is_odeint(solver):
                 result = call_odeint(f, x0, times, args, now.definition.states, options)
             elif watched:
                 whole = {**options, "full_output": True}
@@ -265,7 +265,7 @@ def _motion(
         if not (defaults := solver.tolerances(options)):
             info = {"method": solver.name}  # a method of the user's, whose errors are not known
         options = {**defaults, **options}
-    elif solver is scipy.integrate.odeint:
+    elif not isinstance(solver, Solver) and is_odeint(solver):
         if not came_to_the_end(states, info):
             return None
     elif not isinstance(solver, Solver):  # the user's
@@ -385,7 +385,7 @@ class Simulation(Setup):
         """
         now, solver = self._now(solver_kwargs.get("events")), self.ode_solver
         full = solver_kwargs.get("full_output", False)
-        if solver is scipy.integrate.odeint or isinstance(solver, (Solver, SolveIvp)):
+        if isinstance(solver, (Solver, SolveIvp)) or is_odeint(solver):
             full = full is True or (full is not False and flag(full, "`full_output`"))
         return _solve(now, solver, solver_kwargs, checked=not full)
 
@@ -442,7 +442,7 @@ class Simulation(Setup):
         """
         now, solver = self._now(solver_kwargs.get("events")), self.ode_solver
         options = solver_kwargs
-        if solver is scipy.integrate.odeint or isinstance(solver, (Solver, SolveIvp)):
+        if isinstance(solver, (Solver, SolveIvp)) or is_odeint(solver):
             options = {"full_output": True, **options}
         if isinstance(solver, Solver):
             options = {"dense_output": True, **options}
