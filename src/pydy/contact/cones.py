@@ -25,20 +25,11 @@ _TOLERANCES = ("primal_feasibility_tolerance", "dual_feasibility_tolerance")
 
 @dataclass(frozen=True)
 class Cone:
-    """|y_t| ≤ μ y_n of some unknowns y; without tangential ones y_n ≥ 0.
+    """|y_t| ≤ μ y_n of some unknowns y; without tangential ones y_n ≥ 0."""
 
-    Attributes
-    ----------
-    normal : int or None
-        Its unknown; None if the normal force is known.
-    tangent : tuple of int
-    hold : float
-        μ, or the largest friction if the normal force is known.
-    """
-
-    normal: int | None
+    normal: int | None  # its unknown; None if the normal force is known
     tangent: tuple[int, ...]
-    hold: float
+    hold: float  # μ, or the largest friction if the normal force is known
 
     def margin(self, y: np.ndarray) -> float:
         """Return by how much the inequalities hold."""
@@ -109,20 +100,12 @@ def innermost(y: np.ndarray, null: np.ndarray, cones: Sequence[Cone], size: floa
 
 @dataclass
 class Relaxed:
-    """Forces of all rows, and what contacts do with them.
-
-    Attributes
-    ----------
-    forces : ndarray
-    sliding : dict of int to ndarray
-        The unit vectors of contacts whose friction is as large as it may be.
-    open : set of int
-        Contacts without a normal force.
-    """
+    """Forces of all rows, and what contacts do with them."""
 
     forces: np.ndarray
+    # The unit vectors of contacts whose friction is as large as it may be.
     sliding: dict[int, np.ndarray]
-    open: set[int]
+    open: set[int]  # contacts without a normal force
 
 
 def relaxed(

@@ -31,76 +31,47 @@ SLIDES = {FORWARD: 1.0, BACKWARD: -1.0, SLIDING: 1.0, STARTING: 1.0}
 
 @dataclass(frozen=True)
 class Problem:
-    """What the combinations are tried on.
+    """What the combinations are tried on."""
 
-    Attributes
-    ----------
-    free : ndarray, shape (rows,)
-        c.
-    square : ndarray, shape (rows, rows)
-        A.
-    normal : sequence of int or None
-        The normal row of each contact.
-    tangent : sequence of sequences of int
-        The tangential rows of each contact: none, one or two.
-    mu, hold : ndarray, shape (contacts,)
-        Coefficients of kinetic friction, and of the largest friction that holds.
-    pressed : ndarray, shape (contacts,)
-        Normal forces that are known: all of it without a normal row, otherwise beside its own.
-    resting : collection of int
-        Contacts whose direction of sliding is free, and must agree with a_t.
-    touching : collection of int
-        Contacts with a gap of zero: where they open, a_n must not be negative.
-    directions : mapping of int to ndarray, shape (2,)
-        The directions in which contacts slide in a plane, if they do.
-    bias : ndarray, shape (rows,), optional
-        Forces from which those that are not determined differ least; zero by default.
-    """
-
-    free: np.ndarray
-    square: np.ndarray
-    normal: Sequence[int | None]
-    tangent: Sequence[Sequence[int]]
+    free: np.ndarray  # (rows,), c
+    square: np.ndarray  # (rows, rows), A
+    normal: Sequence[int | None]  # the normal row of each contact
+    tangent: Sequence[Sequence[int]]  # the tangential rows of each contact: none, one or two
+    # (contacts,), coefficients of kinetic friction, and of the largest friction that holds.
     mu: np.ndarray
     hold: np.ndarray
+    # (contacts,), normal forces that are known: all of them without a normal row, otherwise beside
+    # its own.
     pressed: np.ndarray
-    resting: frozenset[int]
+    resting: frozenset[int]  # contacts whose direction of sliding is free, and must agree with a_t
+    # Contacts with a gap of zero: where they open, a_n must not be negative.
     touching: frozenset[int]
+    # (2,), the directions in which contacts slide in a plane, if they do.
     directions: Mapping[int, np.ndarray] = field(default_factory=dict)
+    # (rows,), forces from which those that are not determined differ least; zero by default.
     bias: np.ndarray | None = None
 
 
 @dataclass(frozen=True)
 class Solution:
-    """What a combination gives.
-
-    Attributes
-    ----------
-    forces, rates : ndarray, shape (rows,)
-        λ and a.
-    margins : ndarray, shape (contacts,)
-        By how much the inequalities of each contact hold, as a share of what is compared.
-    consistent : bool
-        Whether the equations have a solution.
-    sizes : ndarray, shape (contacts,)
-        The largest of the forces of each contact, and of those that would change its accelerations
-        as much as all that act. Those of others may be of another kind, or hold other bodies.
-    directions : mapping of int to ndarray
-        Those of the problem, and those that were found.
-    bias : ndarray or None
-        The one that was used.
-    null : ndarray, shape (held rows, …)
-        Forces of the held rows, as columns, that change no acceleration of a held row.
-    """
+    """What a combination gives."""
 
     modes: tuple[str, ...]
+    # (rows,), λ and a.
     forces: np.ndarray
     rates: np.ndarray
+    # (contacts,), by how much the inequalities of each contact hold, as a share of what is
+    # compared.
     margins: np.ndarray
-    consistent: bool
+    consistent: bool  # whether the equations have a solution
+    # (contacts,), the largest of the forces of each contact, and of those that would change its
+    # accelerations as much as all that act. Those of others may be of another kind, or hold other
+    # bodies.
     sizes: np.ndarray
-    directions: Mapping[int, np.ndarray]
-    bias: np.ndarray | None
+    directions: Mapping[int, np.ndarray]  # those of the problem, and those that were found
+    bias: np.ndarray | None  # the one that was used
+    # (held rows, …), forces of the held rows, as columns, that change no acceleration of a held
+    # row.
     null: np.ndarray
 
 

@@ -56,19 +56,12 @@ RISES = {
 
 @dataclass(frozen=True)
 class Blow:
-    """What an impact does.
+    """What an impact does."""
 
-    Attributes
-    ----------
-    forces, rates : ndarray, shape (rows,)
-        Impulses, and the velocities after them.
-    modes : tuple of str
-        At its end.
-    """
-
+    # (rows,), impulses, and the velocities after them.
     forces: np.ndarray
     rates: np.ndarray
-    modes: tuple[str, ...]
+    modes: tuple[str, ...]  # at its end
 
     def work(self, speed: np.ndarray) -> tuple[float, bool]:
         """Return the work of the impulses, and whether it would raise the energy."""

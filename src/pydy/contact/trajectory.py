@@ -16,26 +16,14 @@ _POINTS, _WEIGHTS = np.polynomial.legendre.leggauss(8)
 
 @dataclass(frozen=True, eq=False)
 class Piece:
-    """A part of the motion in one mode.
-
-    Attributes
-    ----------
-    start, end : float
-    modes : tuple of str
-    model : object
-        Evaluates derivatives and outputs; see `pydy.trajectory.Model`.
-    columns : list of int
-        The outputs of the model that are those of the whole trajectory.
-    dense : callable
-        Times to states, and to sensitivities after them if there are any.
-    sensitive : SensitivityModel or None
-    """
+    """A part of the motion in one mode."""
 
     start: float
     end: float
     modes: tuple[str, ...]
-    model: Any
-    columns: list[int]
+    model: Any  # evaluates derivatives and outputs; see `pydy.trajectory.Model`
+    columns: list[int]  # the outputs of the model that are those of the whole trajectory
+    # Times to states, and to sensitivities after them if there are any.
     dense: Callable[[np.ndarray], np.ndarray]
     sensitive: Any = None
 

@@ -69,50 +69,26 @@ _EACH = ctypes.CFUNCTYPE(c_bool, c_int, c_int, *[c_double] * 8, c_int, c_void_p)
 
 @dataclass(frozen=True)
 class Iteration:
-    """An iteration of IPOPT.
-
-    Attributes
-    ----------
-    number : int
-    objective : float
-    violation : float
-        The largest violation of an equation, in units of the equations' own sizes.
-    dual_violation : float
-        How far from stationary, in the same sense.
-    barrier : float
-    """
+    """An iteration of IPOPT."""
 
     number: int
     objective: float
-    violation: float
-    dual_violation: float
+    violation: float  # the largest violation of an equation, in units of the equations' own sizes
+    dual_violation: float  # how far from stationary, in the same sense
     barrier: float
 
 
 @dataclass(frozen=True, eq=False)
 class Solution:
-    """Where IPOPT ended.
+    """Where IPOPT ended."""
 
-    Attributes
-    ----------
-    z : ndarray, shape (n,)
-    multipliers : ndarray, shape (m,)
-        Of the rows, as they are, in the objective's units.
-    below, above : ndarray, shape (n,)
-        Of the lower and the upper bounds of z, not negative.
-    objective : float
-    status : int
-        A key of `STATUS`.
-    history : tuple of Iteration
-    interrupted : bool
-    """
-
-    z: np.ndarray
-    multipliers: np.ndarray
+    z: np.ndarray  # (n,)
+    multipliers: np.ndarray  # (m,), of the rows, as they are, in the objective's units
+    # (n,), of the lower and the upper bounds of z, not negative.
     below: np.ndarray
     above: np.ndarray
     objective: float
-    status: int
+    status: int  # a key of `STATUS`
     history: tuple[Iteration, ...]
     interrupted: bool
 

@@ -54,30 +54,17 @@ class Equations:
     """``f(x', x, r, p, t) = 0`` as nodes of a graph.
 
     The inputs are of the groups 'd' (x'), 'x', 'r', 'p', 't' and 's' (γ, then λ).
-
-    Attributes
-    ----------
-    graph : Graph
-    residuals : list of nodes
-        Those of coordinates, of speeds and of auxiliary states, then the constraints.
-    constraints : list of nodes
-        The constraints of positions, then those of velocities.
-    rates : list of nodes
-        Their rates where they hold: γ, then those of the constraints of velocities.
-    atoms : mapping of symbols to nodes
-        What further expressions may hold.
-    given : mapping of nodes to nodes
-        What takes the place of specifieds that are expressions.
-    made : dict
-        The latest Functions of the model, by what decides them.
     """
 
     graph: Graph
+    # Nodes of coordinates, of speeds and of auxiliary states, then the constraints.
     residuals: list[int]
-    constraints: list[int]
+    constraints: list[int]  # nodes of the constraints of positions, then of velocities
+    # Nodes of their rates where they hold: γ, then those of the constraints of velocities.
     rates: list[int]
-    atoms: Mapping[Any, int]
-    given: Mapping[int, int]
+    atoms: Mapping[Any, int]  # symbols to nodes: what further expressions may hold
+    given: Mapping[int, int]  # takes the place of specifieds that are expressions
+    # The latest Functions of the model, by what decides them.
     made: dict[bytes, Functions] = field(default_factory=dict, repr=False)
 
     def __getstate__(self) -> dict[str, Any]:
@@ -385,27 +372,15 @@ def _normal(
 
 @dataclass(frozen=True, eq=False)
 class Functions:
-    """Machine code for rows and a cost at points, and for their derivatives by the variables.
+    """Machine code for rows and a cost at points, and for their derivatives by the variables."""
 
-    Attributes
-    ----------
-    kernels : dict of str to Kernel
-        'cost', 'gradient', 'rows', 'jacobian' and 'hessian', as far as they are not empty.
-    sizes : (int, int, int)
-        Numbers of variables, data and constants.
-    outputs : (int, int)
-        Numbers of rows and of costs, which is one or none.
-    gradient_at : ndarray, shape (k,)
-        The variables that the cost depends on.
-    jacobian_at, hessian_at : ndarray, shape (k, 2)
-        Rows and variables, or pairs of variables, of the entries; of the Hessian, the lower
-        triangle.
-    """
-
+    # 'cost', 'gradient', 'rows', 'jacobian' and 'hessian', as far as they are not empty.
     kernels: dict[str, Kernel]
-    sizes: tuple[int, int, int]
-    outputs: tuple[int, int]
-    gradient_at: np.ndarray
+    sizes: tuple[int, int, int]  # numbers of variables, data and constants
+    outputs: tuple[int, int]  # numbers of rows and of costs, which is one or none
+    gradient_at: np.ndarray  # (k,), the variables that the cost depends on
+    # (k, 2), rows and variables, or pairs of variables, of the entries; of the Hessian, the lower
+    # triangle.
     jacobian_at: np.ndarray
     hessian_at: np.ndarray
     _times: dict[int, np.ndarray] = field(default_factory=dict, repr=False)

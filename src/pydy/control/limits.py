@@ -13,18 +13,10 @@ from pydy.inputs import SampledInput
 
 @dataclass(frozen=True, eq=False)
 class Limit:
-    """A bound as a function of fractions of the duration.
+    """A bound as a function of fractions of the duration."""
 
-    Attributes
-    ----------
-    values : float, ndarray or SampledInput
-        A number, or values at equal distances over the motion, or at times.
-    duration : float or None
-        Of the motion, for samples at times.
-    """
-
-    values: Any
-    duration: float | None = None
+    values: Any  # a number, or values at equal distances over the motion, or at times
+    duration: float | None = None  # of the motion, for samples at times
 
     def __call__(self, fractions: np.ndarray) -> np.ndarray:
         """Return the values at fractions of the duration."""

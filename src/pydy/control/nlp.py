@@ -23,34 +23,18 @@ from pydy.control.tuning import UNEVEN
 
 @dataclass(frozen=True, eq=False)
 class Piece:
-    """Functions of points, with their unknowns, data and bounds.
-
-    Attributes
-    ----------
-    functions : Functions
-    at : ndarray of int, shape (variables, points)
-        Which unknowns the points' variables are.
-    data : ndarray, shape (data, points)
-    constants : ndarray
-        The numbers P.
-    low, high : ndarray, shape (rows,)
-    labels : tuple of str
-        What each row is, for messages.
-    fractions : ndarray, shape (points,)
-        The times of the points, as fractions of the duration; NaN where they have none.
-    collocated : bool
-        Whether these are collocation points.
-    """
+    """Functions of points, with their unknowns, data and bounds."""
 
     functions: Functions
-    at: np.ndarray
-    data: np.ndarray
-    constants: np.ndarray
-    low: np.ndarray
-    high: np.ndarray
-    labels: tuple[str, ...]
+    at: np.ndarray  # (variables, points), which unknowns the points' variables are
+    data: np.ndarray  # (data, points)
+    constants: np.ndarray  # the numbers P
+    low: np.ndarray  # (rows,)
+    high: np.ndarray  # (rows,)
+    labels: tuple[str, ...]  # what each row is, for messages
+    # (points,), the times of the points, as fractions of the duration; NaN where they have none.
     fractions: np.ndarray
-    collocated: bool
+    collocated: bool  # whether these are collocation points
 
     @property
     def rows(self) -> int:
@@ -70,36 +54,21 @@ class Piece:
 
 @dataclass(frozen=True, eq=False)
 class Nlp:
-    """A nonlinear program; rows are ordered by pieces, then rows, then points.
-
-    Attributes
-    ----------
-    pieces : sequence of Piece
-    lower, upper : ndarray, shape (n,)
-        Bounds of the unknowns z.
-    sizes : ndarray, shape (n,)
-        The units of the unknowns.
-    row_sizes : ndarray, shape (m,)
-        One by default.
-    cost_size : float
-    estimated : bool
-        Whether the solver estimates the Hessian, as no piece has it.
-    jacobian_at, hessian_at : (ndarray of int32, ndarray of int32)
-        Rows and columns of the entries; those of the Hessian are of its lower triangle, and
-        entries of the same place are to be added.
-    derivative_units : (ndarray, ndarray)
-        What the Jacobian's entries are divided by, and the Hessian's multiplied with.
-    """
+    """A nonlinear program; rows are ordered by pieces, then rows, then points."""
 
     pieces: Sequence[Piece]
+    # (n,), bounds of the unknowns z.
     lower: np.ndarray
     upper: np.ndarray
-    sizes: np.ndarray
-    row_sizes: np.ndarray = field(default_factory=lambda: np.empty(0))
+    sizes: np.ndarray  # (n,), the units of the unknowns
+    row_sizes: np.ndarray = field(default_factory=lambda: np.empty(0))  # (m,), one by default
     cost_size: float = 1.0
-    estimated: bool = False
+    estimated: bool = False  # whether the solver estimates the Hessian, as no piece has it
+    # Rows and columns of the entries; those of the Hessian are of its lower triangle, and entries
+    # of the same place are to be added.
     jacobian_at: tuple[np.ndarray, np.ndarray] = field(init=False)
     hessian_at: tuple[np.ndarray, np.ndarray] = field(init=False)
+    # What the Jacobian's entries are divided by, and the Hessian's multiplied with.
     derivative_units: tuple[np.ndarray, np.ndarray] = field(init=False, repr=False)
 
     def __post_init__(self) -> None:

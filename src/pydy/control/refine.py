@@ -23,18 +23,10 @@ from pydy.solvers.tableaus import tableau_of
 
 @dataclass(frozen=True, eq=False)
 class Moved:
-    """What gives the derivatives of the states.
+    """What gives the derivatives of the states."""
 
-    Attributes
-    ----------
-    kernel : Kernel
-        x' of t, x, r and p.
-    signals : SpecifiedsPlan
-        Gives r, but for the controls and specifieds that are unknown numbers.
-    """
-
-    kernel: Kernel
-    signals: Any
+    kernel: Kernel  # x' of t, x, r and p
+    signals: Any  # gives r, but for the controls and specifieds that are unknown numbers
 
 
 def interval_errors(

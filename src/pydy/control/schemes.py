@@ -49,33 +49,22 @@ Term = tuple[int, float | None, int]
 
 @dataclass(frozen=True, eq=False)
 class Points:
-    """Collocation points of one kind, all over the mesh; they share machine code.
+    """Collocation points of one kind, all over the mesh; they share machine code."""
 
-    Attributes
-    ----------
-    state, rate : tuple of terms
-        How x and x' are made of the slots in `slots`.
-    slots : ndarray of int, shape (y, points)
-    controls : ndarray of int, shape (points,)
-        The slots of the controls.
-    coefficients : ndarray, shape (c, points)
-        In the order of the terms without a number, those of `state` first.
-    fractions, lengths, weights : ndarray, shape (points,)
-        Their times, the lengths h of their intervals and the quadrature weights, as fractions of
-        the duration.
-    rows : {'all', 'motion', 'constraints', 'start'}
-        Which equations hold there: all, those of motion alone, the constraints alone, or those of
-        motion with the rates of the constraints.
-    """
-
+    # How x and x' are made of the slots in `slots`.
     state: tuple[Term, ...]
     rate: tuple[Term, ...]
-    slots: np.ndarray
-    controls: np.ndarray
+    slots: np.ndarray  # (y, points)
+    controls: np.ndarray  # (points,), the slots of the controls
+    # (c, points), in the order of the terms without a number, those of `state` first.
     coefficients: np.ndarray
+    # (points,), their times, the lengths h of their intervals and the quadrature weights, as
+    # fractions of the duration.
     fractions: np.ndarray
     lengths: np.ndarray
     weights: np.ndarray
+    # Which equations hold there: 'all', 'motion', 'constraints' or 'start': all, those of motion
+    # alone, the constraints alone, or those of motion with the rates of the constraints.
     rows: str = "all"
 
     def part(self, which: slice, rows: str = "all") -> Points:
@@ -94,17 +83,10 @@ class Points:
 
 @dataclass(frozen=True)
 class Scheme:
-    """A collocation method.
+    """A collocation method."""
 
-    Attributes
-    ----------
-    name : {'radau', 'midpoint', 'hermite-simpson'}
-    order : int
-        Number of points of Radau; 1 for the others.
-    """
-
-    name: str
-    order: int = 1
+    name: str  # 'radau', 'midpoint' or 'hermite-simpson'
+    order: int = 1  # number of points of Radau; 1 for the others
 
     @property
     def convergence(self) -> int:

@@ -22,16 +22,9 @@ Compiled = TypeVar("Compiled")
 
 @dataclass(frozen=True)
 class Condition:
-    """``low ≤ expression ≤ high``.
+    """``low ≤ expression ≤ high``."""
 
-    Attributes
-    ----------
-    expression : SymPy expression
-    low, high : float
-    label : str
-    """
-
-    expression: Any
+    expression: Any  # a SymPy expression
     low: float
     high: float
     label: str
@@ -39,91 +32,49 @@ class Condition:
 
 @dataclass(frozen=True)
 class Instant:
-    """A state or control at one time.
+    """A state or control at one time."""
 
-    Attributes
-    ----------
-    symbol : Symbol
-        What stands for it in conditions and the objective.
-    kind : {'state', 'control'}
-    index : int
-    fraction : float
-        The time, as a fraction of the duration.
-    """
-
-    symbol: Any
-    kind: str
+    symbol: Any  # what stands for it in conditions and the objective
+    kind: str  # 'state' or 'control'
     index: int
-    fraction: float
+    fraction: float  # the time, as a fraction of the duration
 
 
 @dataclass(frozen=True, eq=False)
 class Problem:
-    """An optimal control problem as ordered data.
-
-    Attributes
-    ----------
-    equations : Equations
-    states : int
-    labels : tuple of str
-        Of the equations.
-    constraints : tuple of str
-        Labels of those of the constraints, the last ones, that the start has to satisfy.
-    controls : tuple of int
-        Places in r.
-    control_bounds : tuple of (callable, callable)
-        Low and high, at fractions of the duration.
-    signals : tuple of (int, callable)
-        Places in r of known signals, and their values at times.
-    free : tuple of int
-        Places in (p, r) of constants that are unknown.
-    constants, specifieds : ndarray
-        p and r; those that are unknown or signals do not count.
-    duration : float or None
-        None if it is unknown.
-    duration_symbol : Symbol or None
-    symbols : mapping of symbols to (str, int)
-        The constants, as ('p', place).
-    running, terminal : SymPy expressions
-        The objective is the integral of the first plus the second.
-    instants : tuple of Instant
-    boundary, path : tuple of Condition
-    hessian : {'exact', 'gauss-newton'} or None
-        Which second derivatives are compiled.
-    squares, terminal_squares : tuple of (SymPy expression, SymPy expression)
-        Factors and residuals, whose squares `running` and `terminal` are sums of.
-    begin : float
-        The time at which the motion begins.
-    noise : tuple of float
-        Intensities of white noise: the controls are then added to what is known of these
-        specifieds, and ½ ∫ Σ (control / intensity)² dt to the objective.
-    measured : tuple of symbols
-        States and outputs that `Transcription.samples` compares with samples.
-    """
+    """An optimal control problem as ordered data."""
 
     equations: Equations
     states: int
-    labels: tuple[str, ...]
+    labels: tuple[str, ...]  # of the equations
+    # Labels of those of the constraints, the last ones, that the start has to satisfy.
     constraints: tuple[str, ...]
-    controls: tuple[int, ...]
-    control_bounds: tuple[tuple[Any, Any], ...]
-    signals: tuple[tuple[int, Any], ...]
-    free: tuple[int, ...]
+    controls: tuple[int, ...]  # places in r
+    control_bounds: tuple[tuple[Any, Any], ...]  # low and high, at fractions of the duration
+    signals: tuple[tuple[int, Any], ...]  # places in r of known signals, and their values at times
+    free: tuple[int, ...]  # places in (p, r) of constants that are unknown
+    # P and r; those that are unknown or signals do not count.
     constants: np.ndarray
     specifieds: np.ndarray
-    duration: float | None
+    duration: float | None  # None if it is unknown
     duration_symbol: Any
-    symbols: Mapping[Any, int]
+    symbols: Mapping[Any, int]  # the constants, as ('p', place)
+    # SymPy expressions: the objective is the integral of the first plus the second.
     running: Any
     terminal: Any
     instants: tuple[Instant, ...]
     boundary: tuple[Condition, ...]
     path: tuple[Condition, ...]
+    # Which second derivatives are compiled: 'exact', 'gauss-newton' or None.
     hessian: str | None = "exact"
+    # SymPy expressions: factors and residuals, whose squares `running` and `terminal` are sums of.
     squares: tuple[tuple[Any, Any], ...] = ()
     terminal_squares: tuple[tuple[Any, Any], ...] = ()
-    begin: float = 0.0
+    begin: float = 0.0  # the time at which the motion begins
+    # Intensities of white noise: the controls are then added to what is known of these specifieds,
+    # and ½ ∫ Σ (control / intensity)² dt to the objective.
     noise: tuple[float, ...] = ()
+    # States and outputs that `Transcription.samples` compares with samples.
     measured: tuple[Any, ...] = ()
     _compiled: dict[Any, Any] = field(default_factory=dict, repr=False)
 
@@ -329,19 +280,11 @@ class Problem:
 
 @dataclass(frozen=True, eq=False)
 class Transcription:
-    """A problem on a mesh.
-
-    Attributes
-    ----------
-    problem : Problem
-    scheme : Scheme
-    mesh : ndarray, shape (M + 1,)
-        The nodes as fractions of the duration, from 0 to 1.
-    """
+    """A problem on a mesh."""
 
     problem: Problem
     scheme: Scheme
-    mesh: np.ndarray
+    mesh: np.ndarray  # (M + 1,), the nodes as fractions of the duration, from 0 to 1
 
     # -- where the unknowns are -------------------------------------------------------------------
 

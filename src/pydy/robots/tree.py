@@ -50,29 +50,19 @@ class Look:
 
 @dataclass
 class Link:
-    """A rigid body, or a frame without mass.
-
-    Attributes
-    ----------
-    parent : int
-        Index of the link that it hangs on; −1 is the world.
-    place, turn : ndarray
-        Its origin and axes (columns) in the parent's, in the pose that the file shows.
-    inertia : ndarray, shape (3, 3)
-        About the mass centre, in the link's axes.
-    lightened : float
-        The part of its weight that is taken away.
-    """
+    """A rigid body, or a frame without mass."""
 
     name: str
-    parent: int
+    parent: int  # index of the link that it hangs on; −1 is the world
+    # Its origin and axes (columns) in the parent's, in the pose that the file shows.
     place: np.ndarray
     turn: np.ndarray
     joints: list[Joint] = field(default_factory=list)
     mass: float = 0.0
     centre: np.ndarray = field(default_factory=lambda: np.zeros(3))
+    # (3, 3), about the mass centre, in the link's axes.
     inertia: np.ndarray = field(default_factory=lambda: np.zeros((3, 3)))
-    lightened: float = 0.0
+    lightened: float = 0.0  # the part of its weight that is taken away
     looks: list[Look] = field(default_factory=list)
     where: str = ""
 
@@ -92,55 +82,35 @@ class Motor:
 
 @dataclass
 class Tie:
-    """An equality between two links, or between two joints.
+    """An equality between two links, or between two joints."""
 
-    Attributes
-    ----------
-    kind : str
-        ``'connect'`` (two points coincide), ``'weld'`` (two frames coincide), ``'joint'`` (a
-        coordinate is a polynomial of another).
-    one, other : int or str
-        Links by index, or joints by name; `other` may be None for joints.
-    places : tuple of ndarray
-        The points, each in its link.
-    turn : ndarray
-        Axes of the other link in those of the one.
-    polynomial : tuple of float
-        Of the difference of the other coordinate to its reference.
-    """
-
+    # ``'connect'`` (two points coincide), ``'weld'`` (two frames coincide), ``'joint'`` (a
+    # coordinate is a polynomial of another).
     kind: str
+    # Links by index, or joints by name; `other` may be None for joints.
     one: Any
     other: Any
+    # The points, each in its link.
     places: tuple[np.ndarray, np.ndarray] = (np.zeros(3), np.zeros(3))
+    # Axes of the other link in those of the one.
     turn: np.ndarray = field(default_factory=lambda: np.eye(3))
-    polynomial: tuple[float, ...] = ()
+    polynomial: tuple[float, ...] = ()  # of the difference of the other coordinate to its reference
 
 
 @dataclass
 class Tree:
-    """All that is read from one file.
-
-    Attributes
-    ----------
-    links : list of Link
-        Each after its parent.
-    start : dict
-        Values of coordinates that are not zero in the pose that the file shows, by joint.
-    left_out : list of str
-        What the file has and this has not, a line each.
-    looks : list of Look
-        Of the world.
-    """
+    """All that is read from one file."""
 
     name: str
-    links: list[Link]
+    links: list[Link]  # each after its parent
     motors: list[Motor] = field(default_factory=list)
     ties: list[Tie] = field(default_factory=list)
     gravity: np.ndarray = field(default_factory=lambda: np.array([0.0, 0.0, -9.81]))
+    # Values of coordinates that are not zero in the pose that the file shows, by joint.
     start: dict[str, np.ndarray] = field(default_factory=dict)
+    # What the file has and this has not, a line each.
     left_out: list[str] = field(default_factory=list)
-    looks: list[Look] = field(default_factory=list)
+    looks: list[Look] = field(default_factory=list)  # of the world
 
     def check(self) -> None:
         """Refuse what cannot move: negative numbers, and joints that nothing with mass follows."""
