@@ -6,10 +6,10 @@ import pytest
 import sympy as sm
 
 from pydy._graph.from_sympy import SymPyReader
-from pydy._graph.interpret import run
+from pydy._graph.interpret import evaluator, run
 from pydy._graph.lower import lower
 from pydy._graph.node import Graph
-from pydy._graph.rounding import rounding_bounds
+from pydy._graph.rounding import rounding_bounds, sizes_of_terms
 
 EPS = 2.0**-52
 X = sm.symbols("x y z")
@@ -79,3 +79,13 @@ def test_a_state_is_uncertain_by_its_own_rounding():
     graph = Graph()
     state = graph.input("x", 1)
     assert rounding_bounds(graph, [state]) == [graph.call("abs", state)]
+
+
+def test_terms_that_cancel_are_as_large_as_each_of_them():
+    graph = Graph()
+    a, b = graph.input("x", 0), graph.input("x", 1)
+    node = graph.mul(a, graph.sum([(a, 1.0), (b, -2.0)], 3.0))
+    chosen = graph.call("select", graph.call("lt", a, b), node, b)
+    values = evaluator(graph, sizes_of_terms(graph, [node, chosen, graph.sum([(node, -1.0)])]))
+    assert values({a: -2.0, b: -4.0}, 1)[0].tolist() == [26.0, 4.0, 26.0]
+    assert values({a: -5.0, b: -4.0}, 1)[0].tolist() == [80.0, 80.0, 80.0]

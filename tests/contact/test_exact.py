@@ -56,6 +56,25 @@ def test_a_billiard_ball_slides_then_rolls():
     assert balance(trajectory) < 1e-9
 
 
+@pytest.mark.parametrize("size", [1.0, 1e-9, 1.5e11])
+@pytest.mark.parametrize("squared", [False, True])
+def test_a_particle_leaves_a_dome_at_two_thirds_of_its_height(size, squared):
+    # Its weight and its centripetal acceleration cancel there: neither is small.
+    P = O.locatenew("P", x * N.x + y * N.y)
+    system = System(
+        Definition(N, [x, y], [vx, vy], bodies=[me.Particle("P", P, m)], loads=[(P, -m * g * N.y)]),
+        {m: 0.1, g: 9.81 * size}, ode_solver="dop853", times=np.linspace(0.0, 3.0, 11),
+        initial_conditions={x: 2.0 * size * math.sin(0.1), y: 2.0 * size * math.cos(0.1)},
+    )  # fmt: skip
+    gap = (x**2 + y**2 - r**2) / (2 * r) if squared else sm.sqrt(x**2 + y**2) - r
+    contacts = Contacts(system, [Unilateral(gap, name="dome")], {r: 2.0 * size})
+    trajectory = contacts.simulate(rtol=1e-11, atol=1e-11 * size)
+    (leaves,) = trajectory.events
+    assert leaves.name == "dome opens"
+    assert leaves.after[1] / (2.0 * size) == pytest.approx(2 / 3 * math.cos(0.1), abs=1e-10)
+    assert trajectory.modes[-1][2] == {"dome": "open"}
+
+
 def test_an_oscillator_with_coulombs_friction_stops_dead():
     P = O.locatenew("P", x * N.x)
     P.set_vel(N, vx * N.x)

@@ -138,6 +138,19 @@ def test_a_pin_rolls_in_its_bush_as_a_longer_pendulum():
     assert abs(total - total[0]).max() < 1e-9 * abs(total).max()
 
 
+def test_a_pin_rebounds_in_large_units_as_in_small_ones():
+    # Where the relative tolerance alone counts, it tells more of the gap than the absolute one.
+    heights = []
+    for size in (1.0, 1e9):
+        system, joint, values = pin(0.1, restitution=0.6)
+        system.constants = {g: 0.0, J: 0.5 * (0.01 * size) ** 2}
+        system.initial_conditions = {x: 6e-4 * size, vx: 0.1 * size, vy: 0.07 * size, w: -30.0}
+        system.times = np.linspace(0.0, 0.2, 5)
+        contacts = Contacts(system, [joint], {k: v * size for k, v in values.items()})
+        heights.append(contacts.simulate(rtol=1e-11, atol=1e-14)["y"] / size)
+    assert heights[1] == pytest.approx(heights[0], abs=1e-8)
+
+
 def test_arguments_of_geometries_are_named():
     C, body, _ = body_in_plane()
     given = {"on": O, "normal": N.y, "along": N.x, "mu": 0.2}

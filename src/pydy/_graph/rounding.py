@@ -11,7 +11,7 @@ from collections.abc import Collection, Mapping, Sequence
 
 from pydy._graph.derivative import Rows, jacobian
 from pydy._graph.node import Graph
-from pydy._graph.operations import OPERATIONS
+from pydy._graph.operations import OPERATIONS, TRUTHS
 
 # Functions of pure numbers: one is large beside nothing, in whatever units.
 _OF_NUMBERS = frozenset(
@@ -43,6 +43,26 @@ def rounding_bounds(
         own = _bound(graph, node, bounds, rounded)
         bounds[node] = graph.sum([(own, 1.0), (known[node], 1.0)]) if node in known else own
     return [bounds[n] for n in nodes]
+
+
+def sizes_of_terms(graph: Graph, nodes: Sequence[int]) -> list[int]:
+    """Return how large `nodes` would be if none of their terms cancelled, as new nodes.
+
+    Linear solves are not looked into, nor are denominators, roots and functions.
+    """
+    sizes: dict[int, int] = {}
+    for node in graph.reachable(nodes):
+        op, args = graph.ops[node], graph.args[node]
+        if op == "sum":
+            sizes[node] = graph.sum([(sizes[n], abs(c)) for n, c in args[1]], abs(args[0]))
+        elif op == "prod":
+            whole = [(sizes[n] if e > 0 else graph.call("abs", n), e) for n, e in args]
+            sizes[node] = graph.product(whole)
+        elif op == "select":
+            sizes[node] = graph.call("select", args[0], *(sizes[n] for n in args[1:]))
+        elif op not in TRUTHS and op not in ("factor", "solve", "guard"):  # which are no numbers
+            sizes[node] = graph.call("abs", node)
+    return [sizes[n] for n in nodes]
 
 
 def per_unit(graph: Graph, nodes: Sequence[int], states: Sequence[int]) -> list[int]:

@@ -50,6 +50,13 @@ class Problem:
     directions: Mapping[int, np.ndarray] = field(default_factory=dict)
     # (rows,), forces from which those that are not determined differ least; zero by default.
     bias: np.ndarray | None = None
+    # (rows,), those of the terms that c is the sum of; by default that of c.
+    sizes: np.ndarray | None = None
+
+    def terms(self, forces: np.ndarray) -> np.ndarray:
+        """Return the sizes of the terms of a, with some forces λ."""
+        own = np.abs(self.free) if self.sizes is None else self.sizes
+        return np.asarray(own + np.abs(self.square) @ np.abs(forces))
 
 
 @dataclass(frozen=True)
@@ -174,7 +181,7 @@ def solved(problem: Problem, modes: Sequence[str]) -> Solution:
             most += most_of_it * np.abs(square[np.ix_(held, problem.tangent[i])]).sum(axis=1)
         consistent = bool((np.abs(matrix @ found - right) <= SLACK * most).all())
     rates = free + square @ forces
-    terms = np.abs(free) + np.abs(square) @ np.abs(forces)
+    terms = problem.terms(forces)
     diagonal = np.abs(np.diag(square))
     natural = np.divide(terms, diagonal, out=np.zeros_like(terms), where=diagonal > 0.0)
     sizes = np.zeros(len(modes))
@@ -246,8 +253,7 @@ def _turned(
         for k, i in enumerate(free):
             own = list(problem.tangent[i])
             rate, unit = found.rates[own], units[k]
-            size = np.abs(problem.free[own]) + np.abs(problem.square[own]) @ np.abs(found.forces)
-            whole = np.linalg.norm(size)
+            whole = np.linalg.norm(problem.terms(found.forces)[own])
             across[k] = (unit[0] * rate[1] - unit[1] * rate[0]) / whole if whole > 0.0 else 0.0
         return found, across
 

@@ -92,7 +92,7 @@ def newton(
             start[normal] = speed[normal] * (1.0 + e[i])
         elif normal is not None and i in still:
             start[normal] = 0.0
-    found = chosen(replace(problem, free=start), _options(problem))
+    found = chosen(replace(problem, free=start, sizes=None), _options(problem))
     if found is None:
         return None
     return Blow(found.forces, speed + problem.square @ found.forces, found.modes)
@@ -100,7 +100,7 @@ def newton(
 
 def poisson(problem: Problem, speed: np.ndarray, e: np.ndarray) -> Blow | None:
     """Return the impact of the contacts that touch; None if no impulses satisfy the laws."""
-    pressing = chosen(replace(problem, free=speed), _options(problem))
+    pressing = chosen(replace(problem, free=speed, sizes=None), _options(problem))
     if pressing is None:
         return None
     given, known = np.zeros(len(e)), np.zeros(len(speed))
@@ -119,6 +119,7 @@ def poisson(problem: Problem, speed: np.ndarray, e: np.ndarray) -> Blow | None:
             second = replace(
                 problem,
                 free=free,
+                sizes=None,
                 pressed=given,
                 normal=[None if i in leaves else n for i, n in enumerate(problem.normal)],
             )
@@ -129,7 +130,7 @@ def poisson(problem: Problem, speed: np.ndarray, e: np.ndarray) -> Blow | None:
             found = chosen(second, options)
             if found is None:
                 continue
-            sizes = np.abs(free) + np.abs(problem.square) @ np.abs(found.forces)
+            sizes = second.terms(found.forces)
             apart = [n for i in leaves if (n := problem.normal[i]) is not None]
             if (found.rates[apart] < -SLACK * sizes[apart]).any():
                 continue

@@ -21,7 +21,7 @@ from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.interpret import evaluator
 from pydy._graph.node import Graph
 from pydy._graph.rewrite import substitute
-from pydy._graph.rounding import rounding_bounds
+from pydy._graph.rounding import rounding_bounds, sizes_of_terms
 from pydy._graph.solve.choose import solve_accelerations
 from pydy._graph.switches import Passes
 from pydy._mechanics.equations import Equations
@@ -39,6 +39,7 @@ class Numbers:
     speed: np.ndarray  # (rows,), J u + …
     slow: np.ndarray  # (rows,), bounds on the rounding errors of the speeds
     free: np.ndarray  # (rows,), J a + b
+    terms: np.ndarray  # (rows,), how large that would be if none of its terms cancelled
     square: np.ndarray  # (rows, rows), J W
     moves: np.ndarray  # (speeds, rows), W
     kinematics: np.ndarray  # (coordinates, speeds), ∂q'/∂u
@@ -194,11 +195,29 @@ class ContactRows:
         kind = "ldl" if e.positive_definite and not d else "lu"
         return g.solve([list(row) for row in matrix], columns, kind)
 
+    def _terms(self) -> list[int]:
+        """Return the sizes of what the rows' accelerations without contact forces are sums of.
+
+        A body that is about to leave a curved surface has a weight and a centripetal acceleration,
+        and the two cancel. With M u' = F these are J M⁻¹ F + b.
+        """
+        g, matrix = self.graph, self.formed.matrix
+        shares = self.moves
+        if self.equations.velocity:  # M is not symmetric
+            turned = [list(column) for column in zip(*matrix, strict=True)]
+            shares = g.solve(turned, [list(row) for row in self.jacobian], "lu")
+        forces = sizes_of_terms(g, self.formed.forcing)
+        return [
+            g.add(self.dot(g, [g.call("abs", n) for n in share], forces), drift)
+            for share, drift in zip(shares, sizes_of_terms(g, self.drift), strict=True)
+        ]
+
     @cached_property
     def _values(self) -> Any:
         g = self.graph
         near, slow = rounding_bounds(g, self.gaps), rounding_bounds(g, self.speeds)
         free = [self.acceleration(g, k, self.free) for k in range(len(self.speeds))]
+        terms = self._terms()
         square = [self.dot(g, row, moved) for row in self.jacobian for moved in self.moves]
         moves = [n for moved in self.moves for n in moved]
         others = [*self.pressed, *self.restitution, *self.mu, *self.static]
@@ -207,7 +226,7 @@ class ContactRows:
         q = [g.input("x", k) for k in range(n)]
         slopes = dense_jacobian(g, self.formed.rates, u), dense_jacobian(g, self.gaps, q)
         others = [*slopes[0], *slopes[1], *others]
-        nodes = [*self.gaps, *near, *self.speeds, *slow, *free, *square, *moves, *others]
+        nodes = [*self.gaps, *near, *self.speeds, *slow, *free, *terms, *square, *moves, *others]
         return evaluator(g, nodes)
 
     def numbers(self, values: dict[Any, float]) -> Numbers:
@@ -216,12 +235,12 @@ class ContactRows:
         found = self._values(inputs, 1)[0]
         c, k, n = len(self.contacts), len(self.speeds), len(self.equations.speeds)
         q = len(self.equations.coordinates)
-        sizes = [c, c, k, k, k, k * k, k * n, q * n, c * q, c, c, c, c]
+        sizes = [c, c, k, k, k, k, k * k, k * n, q * n, c * q, c, c, c, c]
         parts = np.split(found, np.cumsum(sizes)[:-1])
-        gap, near, speed, slow, free, square, moves, kinematics, gradient, *others = parts
+        gap, near, speed, slow, free, terms, square, moves, kinematics, gradient, *others = parts
         pressed, e, mu, static = others
         return Numbers(
-            gap, near, speed, slow, free, square.reshape(k, k), moves.reshape(k, n).T,
+            gap, near, speed, slow, free, terms, square.reshape(k, k), moves.reshape(k, n).T,
             kinematics.reshape(q, n), gradient.reshape(c, q), pressed, e, mu, static,
         )  # fmt: skip
 

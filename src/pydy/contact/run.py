@@ -139,6 +139,7 @@ class Run:
         return Problem(
             p.free, p.square, self.rows.normal, self.rows.tangent, p.mu, p.mu_static, p.normal,
             frozenset(state.resting), frozenset(state.touching), dict(state.directions), self.bias,
+            p.terms,
         )  # fmt: skip
 
     def note_directions(self, p: Numbers, state: State) -> None:
@@ -417,9 +418,13 @@ class Run:
         height = speed**2 / (2.0 * -acceleration)
         first = self.first_height.setdefault(i, height)
         rtol = float(np.min(real_array(self.options.get("rtol", Options.rtol), "`rtol`")))
+        return bool(height <= max(rtol * first, 2.0 * self._unresolved_gap(i, p, x)))
+
+    def _unresolved_gap(self, i: int, p: Numbers, x: np.ndarray) -> float:
+        """Return the gap that is not told from zero by the tolerances of the solver."""
+        rtol = float(np.min(real_array(self.options.get("rtol", Options.rtol), "`rtol`")))
         atol = np.broadcast_to(self._atol, self.n)[: self.first]
-        told = np.abs(p.gradient[i]) @ (atol + rtol * np.abs(x[: self.first]))
-        return bool(height <= max(rtol * first, 2.0 * told))
+        return float(np.abs(p.gradient[i]) @ (atol + rtol * np.abs(x[: self.first])))
 
     # -- from transition to transition ------------------------------------------------------------
 
@@ -664,6 +669,11 @@ class Run:
                 values = table[:, names.index(symbol)] * (-1.0 if words[:5] == "power" else 1.0)
                 allowed = SLACK * np.abs(values).max(initial=0.0) + slack
                 below = values < -allowed
+                if below.any() and symbol is symbols.get((i, "gap")):
+                    # In large units the relative tolerance tells less of a gap than the other.
+                    worst = int(values.argmin())
+                    p = self.numbers(float(few[worst]), states[worst])
+                    below &= values < -self._unresolved_gap(i, p, states[worst])
                 if not below.any():
                     continue
                 if kind and values[: below.argmax()].max(initial=-np.inf) <= allowed:
