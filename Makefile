@@ -157,7 +157,7 @@ $(PEERS)/.installed-opty: $(PEERS)/.installed
 	mkdir -p $(PEERS)/pkgconfig; \
 	printf 'Name: Ipopt\nDescription: of CasADi\nVersion: 3.14\nCflags: -I%s/include/coin-or\nLibs: -L%s -lipopt\n' \
 		$$folder $$folder > $(PEERS)/pkgconfig/ipopt.pc; \
-	PKG_CONFIG_PATH=$(PEERS)/pkgconfig LDFLAGS=-Wl,-rpath,$$folder \
+	PKG_CONFIG_PATH=$(abspath $(PEERS))/pkgconfig LDFLAGS=-Wl,-rpath,$$folder \
 		$(PEERS_PY) $(PIP_INSTALL) --no-build-isolation cyipopt==1.7.0 opty==1.5.0
 	@touch $@
 
