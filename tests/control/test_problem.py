@@ -162,6 +162,18 @@ def test_units_do_not_change_the_search():
 # -- what comes back -------------------------------------------------------------------------------
 
 
+@pytest.mark.parametrize(("far", "rel"), [(1e3, 1e-8), (1e6, 1e-4), (-1e9, 1e-4)])
+@pytest.mark.parametrize("method", ["radau", "hermite-simpson"])
+def test_a_short_way_far_from_the_origin_is_gone(mass, far, rel, method):
+    # 1e-8 of the distance from the origin, which is the tolerance, is the whole way and more.
+    system, (x, v, F) = mass
+    way = {1e3: 0.5, 1e6: 1e-3, -1e9: 1.0}[far]
+    found = system.optimize_trajectory(
+        sm.Integral(F**2, T), 1.0, start={x: far}, end={x: far + way, v: 0.0}, method=method, mesh=6
+    )
+    assert found.objective == pytest.approx(12.0 * (far + way - far) ** 2, rel=rel)
+
+
 @pytest.mark.parametrize("bound", [1e9, 1e20])
 def test_wide_bounds_do_not_change_the_search(mass, bound):
     system, (x, v, F) = mass
@@ -733,6 +745,20 @@ def test_controls_errors_and_sparsity_are_plotted():
     ax = found.plot_sparsity()
     places = set(zip(*ax.lines[0].get_data(), strict=True))
     assert {row for _, row in places} == set(range(2 * 3 * 4))
+    plt.close("all")
+
+
+def test_states_are_plotted_with_their_bounds(mass):
+    system, (x, v, F) = mass
+    found = system.optimize_trajectory(
+        sm.Integral(F**2, T), 1.0, end={x: 1.0, v: 0.0}, bounds={v: (None, 1.2)}, mesh=4
+    )
+    first, second = found.plot_states()
+    assert (first.get_ylabel(), len(first.lines)) == ("x", 2)  # itself and the nodes
+    assert (second.get_ylabel(), len(second.lines)) == ("v", 3)
+    times, values = second.lines[0].get_data()
+    assert np.array_equal(values, found.at(times)[v])
+    assert set(second.lines[1].get_ydata()) == {1.2}
     plt.close("all")
 
 

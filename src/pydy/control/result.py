@@ -14,7 +14,7 @@ from pydy.codegen.arguments import OfTime, one_format
 from pydy.control.ipopt import STATUS, Iteration, Solution
 from pydy.control.nlp import Nlp
 from pydy.control.transcription import Transcription
-from pydy.control.tuning import INPUT_SAMPLES, JUMP
+from pydy.control.tuning import INPUT_SAMPLES, JUMP, PLOTTED
 from pydy.inputs import SampledInput
 from pydy.plot import axes_of
 from pydy.trajectory import Columns, Trajectory
@@ -167,21 +167,47 @@ class OptimalTrajectory(Trajectory):
         """
         if not self.controls:
             raise ValueError("The motion has no controls to plot.")
+        curves, inputs = [], self.inputs()
+        for symbol, sides in zip(
+            self.controls, self._transcription.problem.control_bounds, strict=True
+        ):
+            times = inputs[symbol].breaks
+            limits = [(times, side(times / self.duration)) for side in sides]
+            curves.append((times, inputs[symbol].rows(times)[:, 0], limits))
+        return self._plotted(axes, self.controls, curves)
+
+    def plot_states(self, axes: Any = None) -> Any:
+        """Plot the states over time, dashed their bounds, and the nodes; return the Axes.
+
+        Parameters
+        ----------
+        axes : Axes or sequence of Axes, optional
+            One for each state.
+        """
+        made = self._transcription
+        places, slopes = made.places
+        inner = ~slopes & (places > 0.0) & (places < 1.0)  # `start` and `end` are no bounds
+        slots = np.flatnonzero(inner)[np.argsort(places[inner], kind="stable")]
+        sides = [made.split(side)[0][:, slots] for side in (self._nlp.lower, self._nlp.upper)]
+        times = np.linspace(0.0, self.duration, num=PLOTTED * made.intervals + 1)
+        at = places[slots] * self.duration
+        values = made.states_at(self.solution.z, times).T
+        rows = zip(values, *sides, strict=True)
+        curves = [(times, row, [(at, low), (at, high)]) for row, low, high in rows]
+        return self._plotted(axes, self._states, curves)
+
+    def _plotted(self, axes: Any, symbols: Sequence[Any], curves: Sequence[Any]) -> Any:
+        """Plot times and values with their limits, each in its Axes."""
         if axes is None:
             plt = require("matplotlib.pyplot", "plot", "a plot")
-            axes = plt.subplots(
-                len(self.controls), squeeze=False, sharex=True, layout="constrained"
-            )[1][:, 0]
-        bounds, inputs = self._transcription.problem.control_bounds, self.inputs()
-        names = unique_names(self.controls)
-        parts = zip(np.atleast_1d(axes), names, self.controls, bounds, strict=True)
-        for ax, name, symbol, sides in parts:
-            times = inputs[symbol].breaks
-            axes_of(ax, "a plot").plot(times, inputs[symbol].rows(times)[:, 0])
-            for side in sides:
-                limit = side(times / self.duration)
-                if np.isfinite(limit).all():
-                    ax.plot(times, limit, "--", color="0.5", linewidth=0.8)
+            size = {"squeeze": False, "sharex": True, "layout": "constrained"}
+            axes = plt.subplots(len(symbols), **size)[1][:, 0]
+        parts = zip(np.atleast_1d(axes), unique_names(symbols), curves, strict=True)
+        for ax, name, (times, values, limits) in parts:
+            axes_of(ax, "a plot").plot(times, values)
+            for at, limit in limits:
+                if len(limit) and np.isfinite(limit).all():
+                    ax.plot(at, limit, "--", color="0.5", linewidth=0.8)
             ax.plot(self.mesh, np.zeros_like(self.mesh), "|", color="0.6",
                     transform=ax.get_xaxis_transform())  # fmt: skip
             ax.set_xlabel("time (s)")

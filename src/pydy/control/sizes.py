@@ -6,7 +6,7 @@ import numpy as np
 
 from pydy._rank import or_one
 from pydy.control.transcription import Transcription
-from pydy.control.tuning import WIDE
+from pydy.control.tuning import NARROW, TOLERANCE, WIDE
 
 
 def sizes_of(
@@ -17,13 +17,23 @@ def sizes_of(
     That is its guess, its ends and bounds. What is zero everywhere gets the size at which it
     decides one of the equations, whose terms are then of known size: the speed that covers a
     known distance in the duration, the force that brings it about. Bounds that are far wider than
-    all else tells are no sizes.
+    all else tells are no sizes. A state that moves little, far from zero, is as large as it moves:
+    tolerances relative to its distance from zero would let it stay.
     """
-    known = [np.where(np.isfinite(v), np.abs(v), 0.0) for v in (z, lower, upper)]
+    states, first, finite = made.split(z)[0], np.zeros_like(z), np.isfinite
+    nodes = states[:, ~made.places[1]]
+    low, high, far = nodes.min(axis=1), nodes.max(axis=1), np.abs(nodes).max(axis=1)
+    narrow = (low < high) & (high - low < NARROW * far)
+    shift = np.where(narrow, 0.5 * (low + high), 0.0)
+    made.split(first)[0][:, ~made.places[1]] = shift[:, None]
+    known = [np.where(finite(v), np.abs(v - first), 0.0) for v in (z, lower, upper)]
     parts = [made.split(value) for value in known]
+    # The rounding of what is that far from zero must be below the tolerance.
+    least = np.where(narrow, 8 * np.finfo(float).eps / TOLERANCE * far, 0.0)
     x = np.array([p[0].max(axis=1, where=~made.places[1], initial=0.0) for p in parts])
     u = np.array([p[1].max(axis=1, initial=0.0) for p in parts])
     c = np.array([p[2] for p in parts])
+    x[0] = np.maximum(x[0], least)
     duration = made.split(z)[3]
     xu, n = np.concatenate([x, u], axis=1), x.shape[1]
     if (xu[1:] > WIDE * xu[0]).any() or not xu.any(axis=0).all():

@@ -63,6 +63,12 @@ WARM_BARRIER = 1e-6
 from its bounds: between 0.1, which loses them, and the last one of 1e-10, from which bounds that
 are no longer active are left slowly."""
 
+PLOTTED = 8
+"""Points of a plotted curve in each interval."""
+
+NARROW = 1e-3
+"""A state that moves by less than this share of its distance from zero is measured from there."""
+
 WIDE = 1e6
 """Bounds that are as many times wider than what guess, ends and equations tell are no sizes: where
 an unknown is a millionth of its unit, `TOLERANCE` leaves 1e-8 of the objective and 1e-4 of it."""
