@@ -102,7 +102,6 @@ def chain(joints, *, set_velocities=False, last=None, plain=False):
 SKEW = [([("z", 0.4), ("x", -1.1)], (0, 0, 1)), ([("x", 0.7)], (0, 1, 0)), ([], (1, 2, 3))]
 
 
-@pytest.mark.parametrize("set_velocities", [False, True])
 @pytest.mark.parametrize(
     "joints",
     [
@@ -115,9 +114,13 @@ SKEW = [([("z", 0.4), ("x", -1.1)], (0, 0, 1)), ([("x", 0.7)], (0, 1, 0)), ([], 
     ],
     ids=["skew", "opposite", "right angles", "tilted", "symbols", "both"],
 )
-def test_hinges_at_angles_give_the_accelerations_of_the_inertial_frame(joints, set_velocities):
-    kinematics = check(chain(joints, set_velocities=set_velocities))
-    assert not kinematics.honoured
+def test_hinges_at_angles_give_the_accelerations_of_the_inertial_frame(joints):
+    assert not check(chain(joints)).honoured
+
+
+def test_points_of_hinges_at_angles_may_have_velocities():
+    joints = [([], (0, 1, 0)), ([("y", sm.Symbol("b")), ("x", 0.3)], (0, 1, 0)), *SKEW]
+    assert not check(chain(joints, set_velocities=True)).honoured
 
 
 @pytest.mark.parametrize("floating", [False, True])
@@ -170,9 +173,15 @@ def test_an_arm_about_any_axes_costs_no_more_operations_than_it_did():
 
 
 def check_system(source, values):
-    """Compare a System's accelerations with those in the inertial frame."""
-    system = System(source, constants=values)
+    """Compare a System's accelerations with those in the inertial frame, for some values each."""
+    system = System(source)
     formed = form(system._equations.multibody, in_bodies=False, articulated=False)
+    for numbers in values:
+        check_numbers(system, formed, numbers)
+
+
+def check_numbers(system, formed, values):
+    system.constants = values
     x = np.random.default_rng(3).normal(size=len(system.states))
     found = system.evaluate_ode(x)[len(system.coordinates) :]
     expected = accelerations_at(formed, x, values)
@@ -190,14 +199,14 @@ def test_hinges_that_are_nearly_parallel_keep_their_joints_within_reach(bend):
     legs = [([], "001"), (about_x(np.pi / 2 + bend), "001"), (about_x(np.pi + 3 * bend), "001")]
     for joints in (legs, [([], "001"), (about_x(bend), "001"), ([("y", sm.Float(bend))], "001")]):
         made = [(turns, tuple(map(int, axis))) for turns, axis in joints]
-        check_system(chain(made, plain=True), values)
+        check_system(chain(made, plain=True), [values])
 
 
-@pytest.mark.parametrize("twist", [0.0, 1e-300, 1e-12, 0.3, np.pi / 2, np.pi])
-@pytest.mark.parametrize("bend", [0.0, 1e-12, 0.4])
-def test_constant_angles_may_have_any_value(twist, bend):
+def test_constant_angles_may_have_any_value():
     # Where hinges are parallel for some values of constants, nothing is divided by their angle.
     a, b = sm.symbols("a b")
     turns = [[], [("x", a)], [("y", b)], [("x", a), ("z", b)]]
-    values = {"a": twist, "b": bend, "l": 0.7, "c": 0.3, "I": 0.2}
+    twists, bends = [0.0, 1e-300, 1e-12, 0.3, np.pi / 2, np.pi], [0.0, 1e-12, 0.4]
+    others = {"l": 0.7, "c": 0.3, "I": 0.2}
+    values = [{"a": twist, "b": bend, **others} for twist in twists for bend in bends]
     check_system(chain([(turn, (0, 0, 1)) for turn in turns], plain=True), values)
