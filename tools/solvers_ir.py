@@ -3,7 +3,7 @@
 Needed after a change of the C in ``src/pydy/solvers/core`` or ``src/pydy/_backends/core``, or
 of the tuples and numbers that their headers are written from. What it writes to ``solvers/ir`` and
 beside the latter is committed, and compiled for the processor at hand by users, who need no C
-compiler (see `pydy._backends.llvm.shipped`).
+compiler (see `pydy._backends.llvm.compiling`).
 
 The compiler is pinned, and not newer than the LLVM of the oldest llvmlite that is supported, which
 has to read the text. It compiles for one processor everywhere, whose name and features are then

@@ -170,12 +170,7 @@ class Contact:
 
 
 def paired(contacts: Any) -> tuple[Contact, ...]:
-    """Return the contacts, each with its friction.
-
-    Raises
-    ------
-    TypeError, ValueError
-    """
+    """Return the contacts, each with its friction."""
     given = listed("contacts", contacts, "Unilateral and Stick objects")
     for one in given:
         if not isinstance(one, (Unilateral, Stick)):

@@ -116,13 +116,9 @@ def relaxed(
 ) -> Iterator[Relaxed]:
     """Iterate over contacts, each with the forces of the others; yield after 1, 2, 4 … sweeps.
 
-    Parameters
-    ----------
-    free, square : ndarray
-        Of a = c + A λ.
-    contacts : sequence of (contact, normal row, tangential rows, μ, μ_static, known normal force)
-    tied : dict
-        The unit vectors of contacts that slide in a known direction.
+    `free` and `square` are of a = c + A λ. Contacts are (contact, normal row, tangential rows, μ,
+    μ_static, known normal force), and `tied` has the unit vectors of those that slide in a known
+    direction.
     """
     found = Relaxed(np.zeros(len(free)), {}, set())
     forces = found.forces

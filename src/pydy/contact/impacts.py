@@ -76,14 +76,8 @@ def newton(
 ) -> Blow | None:  # fmt: skip
     """Return the impact of the contacts that touch; None if no impulses satisfy the laws.
 
-    Parameters
-    ----------
-    problem : Problem
-        Its free velocities are not used.
-    speed : ndarray, shape (rows,)
-    e : ndarray, shape (contacts,)
-    closing, still : collections of int
-        Contacts that close, and those that were closed before.
+    The problem's free velocities are not used, but `speed` (rows,), and `e` (contacts,). Contacts
+    are `closing`, or `still` closed from before.
     """
     start = speed.copy()
     for i in problem.touching:

@@ -69,22 +69,8 @@ def margin_symbol(contact: Contact) -> Any:
 class Mode:
     """Equations, outputs and events of one combination.
 
-    Parameters
-    ----------
-    rows : ContactRows
-    modes : tuple of str
-        Of each contact.
-    held : sequence of int
-        The rows that are held and independent.
-    every : sequence of int
-        All rows that are held.
-
-    Attributes
-    ----------
-    equations : ModeEquations
-    outputs : dict
-    held_gaps : int
-        So many holonomic constraints are added behind those of the mechanism.
+    Rows are `held` and independent, among `every` one that is held. Behind the holonomic
+    constraints of the mechanism, `held_gaps` more are added.
     """
 
     def __init__(

@@ -51,15 +51,7 @@ class Numbers:
 
 
 class ContactRows:
-    """The rows of all contacts of a mechanism, as nodes.
-
-    Parameters
-    ----------
-    equations : Equations
-    contacts : sequence of Contact
-    constants, specifieds : sequences of symbols
-        All that may occur.
-    """
+    """The rows of all contacts of a mechanism, as nodes of the constants and specifieds."""
 
     def __init__(
         self,

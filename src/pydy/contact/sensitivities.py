@@ -47,25 +47,10 @@ class Slopes:
 class Carried:
     """Sensitivities that are carried from mode to mode.
 
-    Parameters
-    ----------
-    rows : ContactRows
-    now : Snapshot
-    wanted : object
-        Parameters, as a user names them.
-    controlled : bool
-        Whether the step control looks at the sensitivities too.
-    solved : iterable or None
-        The initial conditions that were solved for.
-
-    Attributes
-    ----------
-    counts : dict
-        The number of columns of each parameter.
-    total : ndarray, shape (n, k)
-        D: derivatives of the state where the motion is, at the time that moves.
-    time : ndarray, shape (k,)
-        The derivatives of that time.
+    `total` (n, k) is D, the derivatives of the state where the motion is, at the time that moves;
+    `time` (k,) has those of that time, and `counts` the number of columns of each parameter. Where
+    `controlled`, the step control looks at them too; `solved` are the initial conditions that were
+    solved for.
     """
 
     def __init__(
@@ -155,19 +140,9 @@ class Carried:
     ) -> Slopes:
         """Apply the derivatives of an impact; return those of the rows before it.
 
-        Parameters
-        ----------
-        values : mapping
-            Numbers before it.
-        p : Numbers
-        found : Blow
-            By Newton's hypothesis.
-        kept : mapping of int to float
-            The restitution of each contact that closes, zero where it rests.
-        still : collection of int
-            The contacts that touched before it.
-        first : int
-            The place of the first speed among the states.
+        The `values` are numbers before it, and it is `found` by Newton's hypothesis. `kept` is the
+        restitution of each contact that closes, zero where it rests; those that are `still` touched
+        before it. `first` is the place of the first speed among the states.
         """
         d, f = self.slopes(values), found.forces
         size, columns = len(f), len(self.symbols)

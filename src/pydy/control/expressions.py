@@ -20,21 +20,10 @@ from pydy.control.transcription import Condition, Instant
 
 @dataclass(eq=False)
 class Reader:
-    """Reads expressions of one problem.
+    """Reads expressions of one problem; `instants` are those of everything that was read.
 
-    Parameters
-    ----------
-    time : Symbol
-    states, controls : sequences of symbols
-        Functions of time, or derivatives of such.
-    known : set of symbols
-        Constants, and the duration's symbol.
-    duration : Symbol or float
-
-    Attributes
-    ----------
-    instants : list of Instant
-        Those of everything that was read.
+    States and controls are functions of time or derivatives of such, `known` are the constants and
+    the duration's symbol.
     """
 
     time: Any
@@ -45,13 +34,7 @@ class Reader:
     instants: list[Instant] = field(default_factory=list)
 
     def objective(self, expression: Any) -> tuple[Any, Any]:
-        """Return the integrand and what is added to the integral.
-
-        Raises
-        ------
-        ValueError
-            The objective is not linear in the integrals, or holds something else.
-        """
+        """Return the integrand and what is added to the integral; nothing else is allowed."""
         integrals = sorted(expression.atoms(sm.Integral), key=sm.default_sort_key)
         dummies = {integral: sm.Dummy(f"integral{k}") for k, integral in enumerate(integrals)}
         rest = expression.xreplace(dummies)
@@ -89,14 +72,9 @@ class Reader:
             )
 
     def squares(self, expression: Any) -> tuple[tuple[Any, Any], ...]:
-        """Return factors and residuals whose squares the expression is a sum of.
+        """Return factors and residuals whose squares the expression is a sum of, or raise.
 
         Terms of constants and the duration alone do not count.
-
-        Raises
-        ------
-        ValueError
-            A term is no square, or a factor is negative.
         """
         found = []
         for term in sm.Add.make_args(expression):
@@ -149,13 +127,7 @@ class Reader:
 
     @staticmethod
     def check_functions(what: str, expressions: Iterable[Any], known: Iterable[Any]) -> None:
-        """Refuse functions of time that none of some symbols and derivatives is or holds.
-
-        Raises
-        ------
-        ValueError
-            With the remedy: a control need not be in an equation.
-        """
+        """Refuse functions of time that none of some symbols and derivatives is or holds."""
         own = {f for symbol in known for f in symbol.atoms(AppliedUndef)}
         strange = {f for e in expressions for f in sm.sympify(e).atoms(AppliedUndef)} - own
         if strange:
@@ -169,13 +141,7 @@ class Reader:
     # -- values at instants ----------------------------------------------------------------------
 
     def at_instants(self, expression: Any, what: str) -> Any:
-        """Return an expression with a symbol for each value at an instant.
-
-        Raises
-        ------
-        ValueError
-            It has something that moves, or an instant that is none.
-        """
+        """Return an expression with a symbol for each value at an instant; else nothing moves."""
         found = self._instants_in(expression)
         replaced = {old: self._symbol(*value, what) for old, value in found.items()}
         result = expression.xreplace(replaced)

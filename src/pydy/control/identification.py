@@ -351,15 +351,7 @@ class Identification:
 
 
 class _Joined:
-    """Experiments on meshes, with their unknowns as one vector.
-
-    Attributes
-    ----------
-    made : list of Transcription
-    own : list of ndarray of int
-        Where the unknowns of each are.
-    parameters : ndarray of int, shape (k,)
-    """
+    """Experiments on meshes, with their unknowns as one vector: those `own` of each are there."""
 
     def __init__(self, asked: Identification, meshes: Sequence[np.ndarray]) -> None:
         self.asked, self.experiments = asked, asked.experiments
@@ -463,12 +455,7 @@ class _Joined:
     def followed(self, nlp: Nlp, residuals: Nlp, z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Return derivatives by the parameters, all else following them.
 
-        Returns
-        -------
-        J : ndarray, shape (r, k)
-            Of the residuals.
-        W : ndarray, shape (n, k)
-            Of the unknowns.
+        They are those of the residuals (r, k) and of the unknowns (n, k).
         """
         R, A = self._linear(nlp, residuals, z)
         p, free = self.parameters, self._free(nlp)

@@ -120,13 +120,7 @@ class Solution:
 
 @cache
 def library() -> Any:
-    """Return the shared library of IPOPT.
-
-    Raises
-    ------
-    MissingDependencyError
-        CasADi is not installed, or its wheel has no such library with this interface.
-    """
+    """Return the shared library of IPOPT, or say how to install it."""
     spec = find_spec("casadi")
     if spec is None or not spec.submodule_search_locations:
         raise MissingDependencyError(
@@ -283,19 +277,10 @@ def solve(
     watch: Callable[[Iteration], None] = lambda iteration: None,
     warm: Solution | None = None,
 ) -> Solution:
-    """Solve a nonlinear program.
+    """Solve a nonlinear program from z on, and `watch` each iteration.
 
-    Parameters
-    ----------
-    nlp : Nlp
-    z : ndarray, shape (n,)
-        Where to start.
-    options : mapping of str to float, int or str
-        Options of IPOPT.
-    watch : callable
-        Called at each iteration.
-    warm : Solution, optional
-        Of a program with the same unknowns and rows, whose multipliers the search begins with.
+    `warm` is the Solution of a program with the same unknowns and rows: the search begins with its
+    multipliers.
     """
     return _solve(library(), nlp, z, dict(options or {}), watch, warm)
 

@@ -154,11 +154,7 @@ class Equations:
 class Point:
     """The making of the functions of points: variables, data and constants become nodes.
 
-    Parameters
-    ----------
-    equations : Equations
-    constants : int
-        How many numbers P are; see `constant`.
+    So many numbers P are `constants`; see `constant`.
     """
 
     def __init__(self, equations: Equations, constants: int) -> None:
@@ -234,14 +230,9 @@ class Point:
     ) -> Functions:
         """Compile the rows, a part of the objective, and their derivatives by the variables.
 
-        Parameters
-        ----------
-        rows : sequence of nodes
-        cost : node or None
-        hessian : {'exact', 'gauss-newton'} or None
-            Second derivatives: of rows and cost, or what first derivatives say of the cost's.
-        squares : sequence of (node, node)
-            Factors and residuals whose squares the cost is a sum of, for 'gauss-newton'.
+        The `hessian` is 'exact', that of rows and cost, 'gauss-newton', what first derivatives tell
+        of the cost's, or None. `squares` are factors and residuals, of whose squares the cost is
+        a sum.
         """
         key = self._content(rows, cost, hessian, squares)
         known = self.equations.made
@@ -401,16 +392,9 @@ class Functions:
     ) -> bool:
         """Evaluate one of the functions; return whether no linear solve failed.
 
-        Parameters
-        ----------
-        name : str
-            Of a kernel.
-        X : ndarray, shape (variables, points)
-        R : ndarray, shape (data, points)
-            For the Hessian, with the multipliers of the rows and the weight of the cost after them.
-        P : ndarray, shape (constants,)
-        out : ndarray, shape (entries, points)
-            All arrays are contiguous.
+        X is (variables, points), R (data, points), P (constants,) and `out` (entries, points), all
+        contiguous. For the Hessian, R ends with the multipliers of the rows and the weight of the
+        cost.
         """
         count = X.shape[1]
         times = self._times.get(count)

@@ -27,18 +27,9 @@ SIGNATURES: dict[str, tuple[Any, ...]] = {
 
 
 class Native:
-    """The compiled functions of an Nlp.
+    """The compiled functions of an Nlp: `addresses` by the keys of `SIGNATURES`.
 
-    Parameters
-    ----------
-    nlp : Nlp
-
-    Attributes
-    ----------
-    addresses : dict of str to int
-        By the keys of `SIGNATURES`.
-    handle : int
-        What they take as their last argument; it is valid as long as this object lives.
+    They take the `handle` as their last argument; it is valid as long as this object lives.
     """
 
     def __init__(self, nlp: Any) -> None:

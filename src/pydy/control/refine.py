@@ -34,16 +34,8 @@ def interval_errors(
 ) -> np.ndarray:
     """Return the error of each interval, shape (M,).
 
-    Parameters
-    ----------
-    moved : Moved
-    made : Transcription
-    z : ndarray
-        The unknowns.
-    sizes : ndarray, shape (n,)
-        How large each state is at least.
-    enough : float
-        Errors that are below it need not be known better than that.
+    `sizes` (n,) are how large each state is at least; errors below `enough` need not be known
+    better.
     """
     states, _, _, duration = made.split(z)
     M = made.intervals

@@ -141,12 +141,7 @@ class Scheme:
     def basis(self, s: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Return the states' interpolant at fractions s of an interval.
 
-        Returns
-        -------
-        values : ndarray, shape (y, len(s))
-            Of each slot of an interval.
-        powers : ndarray, shape (y,)
-            The power of h that each goes with.
+        The values (y, len(s)) are of each slot of an interval; the powers (y,) of h go with them.
         """
         if self.name == "hermite-simpson":
             values = [(1 + 2 * s) * (1 - s) ** 2, s**2 * (3 - 2 * s), s * (1 - s) ** 2]

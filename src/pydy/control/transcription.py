@@ -436,12 +436,8 @@ class Transcription:
     ) -> tuple[Piece, Piece]:
         """Return what samples add to the objective, and their residuals as rows.
 
-        Parameters
-        ----------
-        times : ndarray, shape (m,)
-            Between the start and the end, by the same clock as `Problem.begin`.
-        values, weights : ndarray, shape (m, q)
-            Residuals are the `weights` times the difference of model and `values`.
+        The times (m,) are by the clock of `Problem.begin`; residuals are the `weights` times the
+        difference of model and `values` (m, q).
         """
         p = self.problem
         assert p.duration is not None

@@ -55,15 +55,9 @@ class _Axis(NamedTuple):
 
 
 class Assembly:
-    """The bodies, loads and kinematics of a tree of links.
+    """The bodies, loads and kinematics of a tree of links; `symbolic` masses, lengths and the like.
 
-    Parameters
-    ----------
-    tree : Tree
-    symbolic : bool
-        Whether masses, lengths and the like become symbols, or stay numbers.
-    friction_speed : float or None
-        Where it is given, dry friction f acts as ``-f tanh(u / friction_speed)``.
+    Where a `friction_speed` is given, dry friction f acts as ``-f tanh(u / friction_speed)``.
     """
 
     def __init__(self, tree: Tree, symbolic: bool, friction_speed: float | None) -> None:

@@ -8,10 +8,11 @@ import pickle
 import signal
 import subprocess
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from functools import cache as once
+from functools import partial
 from mmap import mmap
 from pathlib import Path
 from typing import Any
@@ -121,6 +122,30 @@ def object_code(source: Source, quick: bool = False) -> bytes:
         passes.getModulePassManager().run(module, passes)
     code: bytes = machine.emit_object(module)
     return code
+
+
+class Shipped:
+    """The LLVM IR in a folder, compiled here for the processor at hand.
+
+    ``tools/solvers_ir.py`` makes it from C, with a compiler that nobody needs who does not change
+    it. It is read at once: the package may be replaced while this process runs.
+    """
+
+    def __init__(self, folder: Path) -> None:
+        self._texts = {path.stem: path.read_text("utf-8") for path in folder.glob("*.ll")}
+
+    def source(self, name: str, functions: Sequence[str] = ()) -> Source:
+        """Return what a file is compiled as; its functions, by default the one of its name."""
+        text = self._texts[name]
+        what = f"shipped {hashlib.sha256(text.encode()).hexdigest()}"
+        return Source(what, partial(_finished, text), tuple(functions) or (name,), loops=True)
+
+
+CORE = Shipped(Path(__file__).parents[1] / "core")
+
+
+def _finished(text: str, brief: bool) -> str:
+    return target_lines() + text
 
 
 # -- another process ------------------------------------------------------------------------------

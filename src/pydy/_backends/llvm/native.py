@@ -21,9 +21,8 @@ from pydy import _array_layout, _cache_folder
 from pydy._backends.base import strict
 from pydy._backends.llvm import background, jit
 from pydy._backends.llvm.background import Compile, Task
-from pydy._backends.llvm.compiling import Source
+from pydy._backends.llvm.compiling import CORE, Source
 from pydy._backends.llvm.jit import Code
-from pydy._backends.llvm.shipped import CORE
 from pydy._backends.llvm.tiers import Entry, wide_code
 from pydy._backends.tuning import SWEPT
 from pydy._graph.program import Program
@@ -201,14 +200,8 @@ def nlp_functions() -> jit.Code:
 def sweep_by_columns(program: Program, lanes: int) -> tuple[np.ndarray, int, Any]:
     """Return what a sweep whose arrays are (items, samples) reads, but for the samples' number.
 
-    Returns
-    -------
-    words : ndarray of int64
-        `Words` of ``core/kernel.h``; the last three are of one call.
-    scratch : int
-        How many numbers of scratch memory it needs.
-    owner : object
-        Keeps the code alive.
+    That is `Words` of ``core/kernel.h``, the last three of one call, how many numbers of scratch
+    memory it needs, and what keeps the code alive.
     """
     code = wide_code(program, lanes)
     sizes = (

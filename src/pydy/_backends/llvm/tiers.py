@@ -19,9 +19,8 @@ import numpy as np
 from pydy import _forks
 from pydy._backends.llvm import background, jit
 from pydy._backends.llvm.background import Compile, Task
-from pydy._backends.llvm.compiling import Source, object_code
+from pydy._backends.llvm.compiling import CORE, Source, object_code
 from pydy._backends.llvm.emit import SOLVES, solver_names
-from pydy._backends.llvm.shipped import CORE
 from pydy._backends.llvm.sincos import sincos_names
 from pydy._backends.llvm.tangents import pieces, tangent_text
 from pydy._backends.llvm.targets import target

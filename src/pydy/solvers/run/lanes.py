@@ -14,6 +14,7 @@ from pydy._kernel import Kernel
 from pydy.solvers.options import Options
 from pydy.solvers.outcome import NOT_COMPUTED
 from pydy.solvers.run import layout as at
+from pydy.solvers.run.integration import SLICE
 from pydy.solvers.run.layout import (
     Evaluation,
     Holding,
@@ -32,7 +33,6 @@ from pydy.solvers.tuning import LANES, LEAST_TOLERANCE
 _NOT_HELD = Holding(
     np.zeros(2, dtype=np.int64), np.zeros(0, dtype=np.int64), np.zeros(0), np.zeros((0, 0))
 )
-_SLICE = 0.02  # seconds in compiled code, about, between two looks at whether to go on
 
 
 @dataclass(frozen=True, eq=False)
@@ -141,7 +141,7 @@ def integrate_samples(
         if stopped():
             raise KeyboardInterrupt
         elapsed = max(perf_counter() - start, np.finfo(float).tiny)
-        budget = int(min(max(1.0, budget * _SLICE / elapsed), 4.0 * budget))
+        budget = int(min(max(1.0, budget * SLICE / elapsed), 4.0 * budget))
 
 
 def evaluate_samples(

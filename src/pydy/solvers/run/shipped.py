@@ -16,8 +16,8 @@ import numpy as np
 from pydy import _forks
 from pydy._array_layout import FITS, address
 from pydy._backends.llvm import jit
+from pydy._backends.llvm.compiling import Shipped
 from pydy._backends.llvm.native import gates
-from pydy._backends.llvm.shipped import Shipped
 
 _SHIPPED = Shipped(Path(__file__).parents[1] / "ir")
 _LOCK = _forks.Lock()

@@ -139,13 +139,7 @@ def tableau_of(name: str) -> Tableau:
 
 
 def add_tableau(tableau: Tableau) -> None:
-    """Make a tableau known by its name.
-
-    Raises
-    ------
-    ValueError
-        It is not consistent, or another one has this name.
-    """
+    """Make a consistent tableau known by its name, which no other one may have."""
     tableau.check()
     if _ADDED.setdefault(tableau.name, tableau) != tableau:
         raise ValueError(
