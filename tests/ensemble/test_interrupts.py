@@ -1,5 +1,6 @@
 """Ctrl-C, as a shell sends it to a process, while trajectories are integrated one by one."""
 
+import contextlib
 import os
 import pickle
 import signal
@@ -14,7 +15,8 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from ensemble_cases import constant
+from ensemble_cases import constant, pendulum
+from pydy.ensemble import store
 from pydy.errors import EnsembleInterrupted
 from pydy.models import multi_mass_spring_damper
 
@@ -144,3 +146,49 @@ def test_finished_samples_in_memory_are_handed_over(reduce):
     assert np.isfinite(results.x0[:8]).all()
     assert np.isnan(results.x0[8:]).all()
     assert pickle.loads(pickle.dumps(caught.value)).results.identical(results)
+
+
+class _Alarm(Exception):
+    pass
+
+
+@pytest.mark.skipif(not hasattr(signal, "SIGALRM"), reason="no alarms")
+def test_what_a_signal_handler_raises_while_a_store_is_made_arrives(tmp_path, monkeypatch):
+    """Zarr writes in a thread of its own: what it writes to must not be removed meanwhile."""
+    system, make, written, begun = pendulum(), store._array, [], threading.Event()
+
+    def slow(group, name, *rest):
+        if not written:
+            written.append(threading.Thread(target=fill, args=(Path(group.store.root, name),)))
+            written[0].start()
+            assert begun.wait(PATIENCE)
+            signal.raise_signal(signal.SIGALRM)
+        return make(group, name, *rest)
+
+    def fill(folder):
+        folder.mkdir()
+        parts = [folder / f"part {k}" for k in range(2000)]
+        for part in parts:
+            part.touch()
+        begun.set()
+        with contextlib.suppress(OSError):  # the folder has been removed, or is in its place
+            while all(part.exists() for part in parts[::200]):
+                time.sleep(0.0001)
+            for k in range(1000):
+                (folder / f"late {k}").touch()
+
+    def alarm(*_):
+        signal.signal(signal.SIGALRM, signal.SIG_IGN)
+        raise _Alarm
+
+    before = signal.signal(signal.SIGALRM, alarm)
+    monkeypatch.setattr(store, "_array", slow)
+    try:
+        with pytest.raises(_Alarm):
+            system.integrate_ensemble(
+                initial_conditions={"q1": [0.1, 0.2]}, store=tmp_path / "s.zarr"
+            )
+    finally:
+        signal.signal(signal.SIGALRM, before)
+        written[0].join()
+    assert [path.name for path in tmp_path.iterdir()] in ([], ["s.zarr"])

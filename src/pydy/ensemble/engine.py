@@ -234,7 +234,11 @@ class Ensemble:
         else:
             first = self.samples.of(self._first())
             example = to_dataset(self._example(), first.coordinates, times, self.attrs)
-            stores.create(path, token, example, self.samples, self.sizes, self.work.labels)
+            about = path, token, example, self.samples, self.sizes, self.work.labels
+            # In a thread that is waited for: Zarr's own would go on writing after an exception
+            # that a signal handler raises here, while what is written there is being removed.
+            with ThreadPoolExecutor(1, "store") if _startable(1) else _Here() as pool:
+                pool.submit(stores.create, *about).result()
         left = stores.missing(path, self._blocks())
         scheduler = self._scheduler()
         if scheduler is None:
