@@ -752,7 +752,7 @@ class Trajectory:
         def together(*kinds: str) -> np.ndarray:
             return np.concatenate([table.get(kind, np.empty((m, 0))) for kind in kinds], axis=1)
 
-        loaded = cls(
+        loaded = Trajectory(  # modes, costates and the like are not in the file
             parts.times,
             together(*STATES),
             {kind: tuple(parts.columns.get(kind, ())) for kind in KINDS},

@@ -580,6 +580,14 @@ def test_a_trajectory_is_pickled(mass):
     )
 
 
+def test_a_saved_optimum_is_loaded_as_a_trajectory(mass, tmp_path):
+    system, (x, v, F) = mass
+    found = system.optimize_trajectory(energy(F), 1.0, end={x: 1.0, v: 0.0}, mesh=4)
+    found.save(tmp_path / "found.nc")
+    loaded = type(found).load(tmp_path / "found.nc")
+    np.testing.assert_array_equal(loaded.states, found.states)
+
+
 def test_derivatives_that_are_speeds_have_values_at_instants():
     q, F = me.dynamicsymbols("q F")
     frame, point = me.ReferenceFrame("N"), me.Point("P")

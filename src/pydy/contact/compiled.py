@@ -8,7 +8,7 @@ from typing import Any
 from pydy import _forks
 from pydy._system.snapshot import Snapshot
 from pydy.contact.conditions import Contact
-from pydy.contact.modes import Mode, output_symbols
+from pydy.contact.modes import Mode, check_names, output_symbols
 from pydy.contact.rows import ContactRows
 from pydy.system import System
 
@@ -26,6 +26,9 @@ class Compiled:
         self.rows = ContactRows(
             now.definition.equations, contacts, now.definition.constants, now.definition.specifieds
         )
+        kinds = now.definition.symbols_by_kind
+        others = (s for kind, symbols in kinds.items() if kind != "output" for s in symbols)
+        check_names(self.rows, kinds["output"], (*others, *now.definition.constants))
         self.stated = list(output_symbols(contacts).values())
         self.constants = (*self.definition.constants, *self.rows.hidden)
         self.modes: dict[tuple[tuple[str, ...], tuple[int, ...]], tuple[Mode, System]] = {}

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -13,6 +13,7 @@ from pydy._graph.from_sympy import NodeExpression
 from pydy._graph.node import Graph
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.extract import extract
+from pydy._names import name_of
 from pydy.contact.conditions import Contact
 from pydy.contact.decide import (
     BACKWARD,
@@ -51,6 +52,21 @@ def output_symbols(contacts: Sequence[Contact]) -> dict[tuple[int, str], Any]:
         parts += ["power"] if number else []
         found.update({(i, what): sm.Symbol(f"{c.name}_{what}") for what in parts})
     return found
+
+
+def check_names(rows: ContactRows, outputs: Iterable[Any], others: Iterable[Any]) -> None:
+    """Raise where quantities of the System have the names of those that the contacts add.
+
+    The `outputs` are the user's; the `others` are states, constants and specifieds.
+    """
+    ours = [*output_symbols(rows.contacts).values(), *map(margin_symbol, rows.contacts)]
+    for symbols, names in ((outputs, {*map(str, ours)}), (others, {*map(str, rows.hidden)})):
+        for symbol in symbols:
+            if name_of(symbol) in names:
+                raise ValueError(
+                    f"The System has the name `{name_of(symbol)}`, which `contacts` need for a "
+                    "quantity of their own. Rename it, or pass another `name` to the contact."
+                )
 
 
 def modes_of(contact: Contact) -> list[str]:

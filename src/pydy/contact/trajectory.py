@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from copy import deepcopy
 from dataclasses import dataclass
 from typing import Any
 
@@ -86,6 +87,22 @@ class Pieces:
         return self._base.scene(*visuals, **options)
 
 
+class _Dense:
+    """The continuous extension of all pieces; like theirs, it becomes None elsewhere."""
+
+    def __init__(self, pieces: Pieces) -> None:
+        self._pieces = pieces
+
+    def __call__(self, times: np.ndarray) -> np.ndarray:
+        return self._pieces.whole(times)
+
+    def __deepcopy__(self, memo: Any) -> _Dense:
+        return _Dense(deepcopy(self._pieces, memo))
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(None), ()
+
+
 class PieceSensitivities:
     """The sensitivities of a motion in several modes; see `pydy.trajectory.SensitivityModel`."""
 
@@ -145,13 +162,16 @@ class ContactTrajectory(Trajectory):
         impacts: Sequence[tuple[float, dict[str, tuple[float, ...]], float]],
         **options: Any,
     ) -> None:
-        super().__init__(*args, model=pieces, dense=pieces.whole, **options)
+        super().__init__(*args, model=pieces, dense=_Dense(pieces), **options)
         self._pieces, self._names = pieces, tuple(names)
         self.modes = [
             (p.start, p.end, dict(zip(names, p.modes, strict=True))) for p in pieces.pieces
         ]
         self.impacts = [(time, impulses) for time, impulses, _ in impacts]
         self._lost = [(time, work) for time, _, work in impacts]
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {**vars(self), "contact_work": self.contact_work}  # it needs continuous extensions
 
     def end(self, last: int = -1) -> tuple[tuple[str, ...], Any]:
         """Return the modes of a part of the motion, and what evaluates its derivatives."""

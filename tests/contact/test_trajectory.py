@@ -1,0 +1,73 @@
+"""The results of a System with contacts: their names, copies, and what files keep of them."""
+
+import copy
+import pickle
+
+import numpy as np
+import pytest
+import sympy as sm
+
+from pydy.contact import Contacts, Stick
+from pydy.trajectory import Trajectory
+from touching import N, ball, billiard_ball, m, vy, y
+
+TIMES = np.linspace(0.0, 0.9, 40)
+
+
+def bounces(**options):
+    system, floor = ball(restitution=0.5)
+    system.initial_conditions, system.times = {y: 1.0}, np.linspace(0.0, 0.9, 10)
+    return Contacts(system, [floor]).simulate(**options)
+
+
+def test_a_pickled_motion_is_known_between_its_times():
+    motion = bounces(rtol=1e-10, atol=1e-10)
+    again = pickle.loads(pickle.dumps(motion))
+    # Cubics are exact for a fall; the impact is between two of the times.
+    assert again.at(TIMES).states == pytest.approx(motion.at(TIMES).states, abs=1e-9)
+    assert pickle.loads(pickle.dumps(motion.at(TIMES))).at(TIMES).states.shape == (40, 2)
+
+
+def test_the_work_of_contacts_is_pickled():
+    motion = billiard_ball().simulate()
+    again = pickle.loads(pickle.dumps(motion))
+    assert motion.contact_work[-1] < -0.1
+    np.testing.assert_array_equal(again.contact_work, motion.contact_work)
+
+
+def test_a_copied_motion_has_the_same_extension():
+    motion = bounces()
+    np.testing.assert_array_equal(copy.deepcopy(motion).at(TIMES).states, motion.at(TIMES).states)
+
+
+def test_a_file_is_loaded_as_a_trajectory(tmp_path):
+    motion = bounces()
+    motion.save(tmp_path / "motion.nc")
+    loaded = type(motion).load(tmp_path / "motion.nc")
+    assert type(loaded) is Trajectory
+    np.testing.assert_array_equal(loaded["floor_gap"], motion["floor_gap"])
+
+
+@pytest.mark.parametrize("name", ["floor_gap", "floor_normal", "floor_margin"])
+def test_outputs_of_the_user_and_of_contacts_have_different_names(name):
+    system, floor = ball()
+    system.outputs = {sm.Symbol(name): vy}
+    contacts = [Stick(vy, on=floor, mu=0.1)] if name == "floor_margin" else [floor]
+    with pytest.raises(ValueError, match=rf"the name `{name}`, which `contacts` need"):
+        Contacts(system, contacts)
+
+
+@pytest.mark.parametrize("name", ["floor_rising", "floor_bias_0"])
+def test_constants_do_not_become_quantities_of_contacts(name):
+    system, floor = ball()
+    system.constants = {}
+    own = sm.Symbol(name)
+    P = next(iter(system.eom_method.bodies)).masscenter
+    moved = type(system)(
+        type(system.eom_method)(
+            N, [y], [vy], bodies=system.eom_method.bodies, loads=[(P, -m * own * N.y)]
+        ),
+        {own: 9.81},
+    )
+    with pytest.raises(ValueError, match=rf"the name `{name}`, which `contacts` need"):
+        Contacts(moved, [floor])
