@@ -125,6 +125,17 @@ def test_a_tilde_in_the_name_of_the_folder_is_the_home_directory(tmp_path, monke
     assert cache.folder() == (tmp_path / "mine" / "pydy-cache").resolve()
 
 
+@pytest.mark.skipif(os.name == "nt", reason="a working directory cannot be removed there")
+def test_a_working_directory_that_is_gone_costs_only_the_cache(tmp_path, monkeypatch):
+    monkeypatch.setenv("PYDY_CACHE_DIR", "beside")
+    gone = tmp_path / "gone"
+    gone.mkdir()
+    monkeypatch.chdir(gone)
+    gone.rmdir()
+    cache.write(KEY, b"content")
+    assert cache.read(KEY) is None
+
+
 def test_a_folder_that_is_a_file_costs_only_the_cache(tmp_path, monkeypatch):
     (tmp_path / "cache").write_text("not a folder")
     monkeypatch.setenv("PYDY_CACHE_DIR", str(tmp_path / "cache"))

@@ -124,7 +124,10 @@ def folder() -> Path | None:
         import platformdirs
 
         chosen = platformdirs.user_cache_dir("pydy", appauthor=False)
-    place = Path(os.path.realpath(chosen))
+    try:
+        place = Path(os.path.realpath(chosen))
+    except OSError:  # a relative path where the working directory has been removed
+        return None
     trouble = unsafe(place)
     if trouble is None:
         return place
