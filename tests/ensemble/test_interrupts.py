@@ -148,7 +148,7 @@ def test_finished_samples_in_memory_are_handed_over(reduce):
     assert pickle.loads(pickle.dumps(caught.value)).results.identical(results)
 
 
-class _Alarm(Exception):
+class _AlarmError(Exception):
     pass
 
 
@@ -179,12 +179,12 @@ def test_what_a_signal_handler_raises_while_a_store_is_made_arrives(tmp_path, mo
 
     def alarm(*_):
         signal.signal(signal.SIGALRM, signal.SIG_IGN)
-        raise _Alarm
+        raise _AlarmError
 
     before = signal.signal(signal.SIGALRM, alarm)
     monkeypatch.setattr(store, "_array", slow)
     try:
-        with pytest.raises(_Alarm):
+        with pytest.raises(_AlarmError):
             system.integrate_ensemble(
                 initial_conditions={"q1": [0.1, 0.2]}, store=tmp_path / "s.zarr"
             )
