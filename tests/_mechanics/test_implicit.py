@@ -38,8 +38,8 @@ def test_arguments_are_checked(residuals, start, message):
     ("residuals", "message"),
     [
         ({X: X - 1}, r"`implicit` gives x\(t\), which the system has as a coordinate or speed"),
-        ({Z: Z - V}, r"The residual of `z\(t\)`, .*, holds v\(t\): .* no speeds or derivatives"),
-        ({Z: Z - X.diff()}, r"holds Derivative\(x\(t\), t\)"),
+        ({Z: Z - V.diff()}, r"The residual of `z\(t\)`, .*, holds Derivative\(v\(t\), t\): it may"),
+        ({Z: Z - X.diff(), Y: Y - Z.diff()}, r"holds Derivative\(z\(t\), t\)"),
         ({Z: Z + Y - X, Y: 2 * Z + 2 * Y}, "`implicit` cannot be solved for"),
     ],
 )
@@ -55,6 +55,13 @@ def test_unknowns_are_the_dependent_coordinates():
     body = free().multibody_with(Implicit({Z: Z**3 + Z - X}))
     assert body.dependent_coordinates == (Z,)
     assert body.coordinate_derivatives[1] == V / (3 * Z**2 + 1)
+
+
+def test_what_follows_one_by_one_is_solved_in_that_order():
+    residuals = {Z: Z + Y + K * Y**2 - X, Y: Y + Y**3 - X}
+    z, y = free().multibody_with(Implicit(residuals)).coordinate_derivatives[1:]
+    assert y == V / (3 * Y**2 + 1)
+    assert sm.simplify(z - V + y * (1 + 2 * K * Y)) == 0
 
 
 def test_names_are_taken_in_start():

@@ -353,6 +353,95 @@ def test_a_system_is_pickled_with_them():
     assert (other["E"] == system.simulate()["E"]).all()
 
 
+# -- residuals with speeds ------------------------------------------------------------------------
+
+D, C = me.dynamicsymbols("D"), sm.Symbol("c")
+DRAG = Implicit({D: D + C * D**3 - V}, {D: 0.3})  # a force that its own law does not give
+
+
+def dragged(**options):
+    settings = {
+        "initial_conditions": {X: 1.0, V: 0.5},
+        "times": np.linspace(0.0, 3.0, 7),
+        "ode_solver": "dop853",
+        "outputs": {"e": D * X},
+        "implicit": DRAG,
+    }
+    return System(definition([(-K * X - D, 0)]), {K: 4.0, C: 2.0}, **settings | options)
+
+
+def swung():
+    """The same force on a pendulum."""
+    bob = definition([(-D, -G)], [X**2 + Y**2 - R**2], dependent_coordinates=[Y])
+    system = System(
+        bob, {R: 1.0, C: 2.0, G: 9.81}, initial_conditions={X: 0.6, Y: -0.8, V: 0.4},
+        times=np.linspace(0.0, 3.0, 7), ode_solver="dop853", outputs={"e": D * X}, implicit=DRAG,
+    )  # fmt: skip
+    system.set_dependent_initial_conditions()
+    return system
+
+
+def force_of(v):
+    return scipy.optimize.brentq(lambda d: d + 2.0 * d**3 - v, -9.0, 9.0, xtol=1e-15)
+
+
+@pytest.mark.parametrize("solver", ["dop853", "radau"])
+def test_a_force_that_a_residual_gives_of_speeds_is_that_of_a_search(solver):
+    trajectory = dragged(ode_solver=solver).simulate(**TIGHT)
+    found = scipy.integrate.solve_ivp(
+        lambda t, s: [s[1], -4.0 * s[0] - force_of(s[1])], (0.0, 3.0), [1.0, 0.5],
+        t_eval=trajectory.times, method="DOP853", **TIGHT,
+    )  # fmt: skip
+    np.testing.assert_allclose(trajectory["x"], found.y[0], rtol=0, atol=1e-9)
+    left = trajectory["D"] + 2.0 * trajectory["D"] ** 3 - trajectory["v"]
+    assert abs(left).max() < 1e-14
+
+
+def test_a_force_that_a_residual_gives_of_speeds_acts_beside_constraints():
+    trajectory = swung().simulate(**TIGHT)
+    assert abs(trajectory["x"] ** 2 + trajectory["y"] ** 2 - 1.0).max() < 1e-14
+
+    def rates(t, s):
+        return [s[1], -9.81 * np.sin(s[0]) - force_of(s[1] * np.cos(s[0])) * np.cos(s[0])]
+
+    start = np.arctan2(0.6, 0.8)
+    found = scipy.integrate.solve_ivp(
+        rates, (0.0, 3.0), [start, 0.4 / 0.8], t_eval=trajectory.times, method="DOP853", **TIGHT
+    )
+    np.testing.assert_allclose(trajectory["x"], np.sin(found.y[0]), rtol=0, atol=1e-9)
+
+
+@pytest.mark.parametrize("make", [dragged, swung])
+def test_derivatives_of_motions_with_such_forces_are_those_of_differences(make):
+    system, wanted = make(), [C, X, V]
+    forward = system.simulate(sensitivities=wanted, **TIGHT).sensitivity["e"][-1]
+    back = system.adjoint_gradient(final="e", wrt=wanted, **TIGHT)
+    np.testing.assert_allclose([back[key] for key in wanted], forward, rtol=1e-8)
+    step, sides = 1e-5, []
+    for sign in (1, -1):
+        system.constants = {**system.constants, C: 2.0 + sign * step}
+        sides.append(system.simulate(**TIGHT)["e"][-1])
+    assert forward[0] == pytest.approx((sides[0] - sides[1]) / (2 * step), rel=1e-6)
+
+
+def test_linear_models_hold_the_forces_slope():
+    model = dragged(initial_conditions={X: 0.0, V: 0.0}).linearize()
+    assert model.states == ("x", "y", "v", "w")
+    found = sorted(model.eigenvalues, key=abs)[-1]
+    assert found.real == pytest.approx(-0.5)
+    assert abs(found.imag) == pytest.approx(np.sqrt(3.75))
+
+
+def test_positions_and_constraints_hold_no_force():
+    with pytest.raises(ValueError, match=r"constraint holds D\(t\), whose residuals hold speeds"):
+        System(definition([(-D, 0)], [X**2 + Y**2 - R**2 + D]), implicit=DRAG)
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    body = me.Particle("P", origin.locatenew("P", (X + D) * frame.x), 1)
+    with pytest.raises(ValueError, match=r"position, velocity .* holds D\(t\), whose residuals"):
+        System(Definition(frame, [X], [V], bodies=[body]), implicit=DRAG)
+
+
 # -- errors ---------------------------------------------------------------------------------------
 
 

@@ -222,8 +222,9 @@ def assemble_system(
         known = dict(zip(accelerations, u_dot, strict=True))
         values = evaluate_groups(graph, read, groups, known)
         parts = [*zip(values, integrated, strict=True)]
+        moving = substitute(graph, kinematics, known)
         return Depending(
-            rates=[*kinematics, *u_dot, *(n for part, own in parts if own for n in part)],
+            rates=[*moving, *u_dot, *(n for part, own in parts if own for n in part)],
             ordinary=[n for part, own in parts if not own for n in part],
             outputs=[n for part in values for n in part],
         )
@@ -231,7 +232,9 @@ def assemble_system(
     blocks = depending(solved)
     ready = None
     if formed is not None and formed.simplified is not None and passes == Passes():
-        ready = None if moved or any(integrated) else (blocks.rates, *formed.simplified)
+        # What residuals with speeds give moves with u' too, and is not simplified yet.
+        first = moved or any(integrated) or blocks.rates[: len(q)] != kinematics
+        ready = None if first else (blocks.rates, *formed.simplified)
     return Assembly(
         graph,
         sizes,

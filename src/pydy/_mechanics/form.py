@@ -27,6 +27,7 @@ from pydy._graph.rounding import rounding_bounds
 from pydy._mechanics.alignment import align, in_a_plane, move_along_axes
 from pydy._mechanics.components import numbers_of
 from pydy._mechanics.elimination import composite, eliminated
+from pydy._mechanics.implicit import check_forces
 from pydy._mechanics.inertia import Inertia, Load, loads_and_inertias, lumped, points_of
 from pydy._mechanics.kinematics import Kinematics, Vec
 from pydy._mechanics.reader import Multibody
@@ -141,6 +142,9 @@ def forms(
     kinematics = moving(body, in_bodies, falling=in_bodies, known=honoured, referred=free)
     g, speeds, read = kinematics.graph, kinematics.speeds, kinematics.read
     inertias, loads, plain = lumped(kinematics) if in_bodies else _as_they_are(kinematics)
+    kinetic = _kinetic(kinematics, plain)
+    if body.implicit is not None:
+        check_forces(body, g, kinetic)
     parts = (g, kinematics.rows, kinematics.groups, speeds, inertias, loads)
     matrix, rest = composite(*parts)
     start = kinematics.start()
@@ -163,7 +167,7 @@ def forms(
             accelerations,
             start,
             rest,
-            _kinetic(kinematics, plain),
+            kinetic,
             tuple(sorted(kinematics.honoured, key=str)),
             kinematics.in_one_frame,
             tuple(_measures(kinematics, plain)) if in_bodies else (),

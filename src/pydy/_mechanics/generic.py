@@ -18,6 +18,7 @@ from pydy._graph.derivative import jacobian
 from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.interpret import evaluator
 from pydy._graph.node import Graph, input_nodes
+from pydy._graph.rewrite import substitute
 from pydy._graph.rounding import per_unit, rounding_bounds
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.frames import orientation_rows, rotations
@@ -52,7 +53,9 @@ class GenericStates:
         made_from = equations.mechanism or equations.multibody
         self._bodies = () if made_from is None else made_from.bodies
         turns = [] if made_from is None else rotations(made_from.frame)
-        known = {*states, *equations.zeros, t, *equations.coordinate_rates}
+        # The rates of what residuals with speeds give hold u', which moves no constraint.
+        idle = {*equations.speed_rates} & {*find_symbols(equations.coordinate_derivatives)}
+        known = {*states, *equations.zeros, t, *equations.coordinate_rates, *idle}
         found = {
             s
             for s in find_symbols(
@@ -74,7 +77,7 @@ class GenericStates:
         self.inputs = [*self.coordinates, *self.speeds, *self._others, time]
         self._symbols = t, *states, *others
         self._sizes = (len(states), len(others), 0)
-        atoms |= dict.fromkeys(equations.zeros, graph.zero)
+        atoms |= dict.fromkeys((*equations.zeros, *idle), graph.zero)
         self.read = SymPyReader(graph, atoms, what)
         rates = self.read.all(equations.coordinate_derivatives)
         for rate, node in zip(equations.coordinate_rates, rates, strict=True):
@@ -84,6 +87,11 @@ class GenericStates:
         self.moving += [(atoms[s], atoms[s.diff(t)]) for s in others if isinstance(s, AppliedUndef)]
         self._moved = {node for node, _ in self.moving}
         self.holonomic = self.read.all(equations.holonomic)
+        if equations.implicit is not None:
+            # Residuals with speeds give forces, which no constraint knows, whatever the speeds are.
+            some = {node: graph.const(1.0 / (k + 2)) for k, node in enumerate(self.speeds)}
+            for k in equations.following[0]:
+                (self.holonomic[k],) = substitute(graph, [self.holonomic[k]], some)
         self.velocity = self.read.all(equations.velocity)
         self._turning = orientation_rows(turns, self.read)
 

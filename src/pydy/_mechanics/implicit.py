@@ -3,20 +3,23 @@
 Such a quantity z becomes a coordinate without a speed. By the implicit function theorem, z' follows
 from g(z, q, t) = 0, as from a kinematic equation, and g = 0 is a holonomic constraint that no
 motion violates, as the norm of a quaternion is. What is done with coordinates is done with z.
+Where g holds speeds too, z' holds u', and z may stand in loads and outputs only.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
+import numpy as np
 import sympy as sm
 from sympy.core.function import AppliedUndef
 from sympy.matrices import dotprodsimp
 from sympy.physics.mechanics import dynamicsymbols
 
 from pydy._checks import check_mapping, describe, number, resolved, shown
+from pydy._graph.node import Graph
 from pydy._mechanics.rates import solve_rates
 from pydy._mechanics.reader import Multibody
 from pydy._mechanics.symbols import find_symbols, rate_of, replace_symbols
@@ -25,15 +28,15 @@ from pydy._mechanics.symbols import find_symbols, rate_of, replace_symbols
 class Implicit:
     """Functions of time that residuals give, such as the point of a surface that is nearest.
 
-    They may stand in loads, positions, constraints and outputs. They are states that follow from
-    the coordinates: g(z, q, t) = 0 is solved by Newton's method, and their derivatives follow by
-    the implicit function theorem, z' = −g_z⁻¹ (g_q q' + g_t).
+    They may stand in loads, positions, constraints and outputs; where residuals hold speeds, in
+    loads and outputs. They are states that follow from the others: g(z, q, u, t) = 0 is solved by
+    Newton's method, and z' by the implicit function theorem, −g_z⁻¹ (g_q q' + g_u u' + g_t).
 
     Parameters
     ----------
     residuals : mapping of functions of time to expressions
         As many expressions as functions; all are zero together. They hold these functions,
-        coordinates, constants, specifieds and time, but no speeds.
+        coordinates, speeds, constants, specifieds and time, but no accelerations.
     start : mapping of these functions to numbers, optional
         Where the search for their first values begins, 0.0 by default: it decides which one of
         several solutions is meant. An initial condition of the System takes its place.
@@ -111,29 +114,77 @@ class Implicit:
                 f"`implicit` gives {describe(taken)}, which the system has as a coordinate or "
                 "speed already. Leave it out of the one or the other."
             )
-        moving = {*body.speeds, *body.speed_rates, *body.auxiliary, *body.coordinate_rates}
-        moving |= {rate_of(z, time) for z in unknowns}
-        for z, residual in self.residuals.items():
+        mapping = dict(zip(body.coordinate_rates, body.coordinate_derivatives, strict=True))
+        residuals = [
+            e if mapping.keys().isdisjoint(find_symbols([e])) else replace_symbols(e, mapping)
+            for e in self.residuals.values()
+        ]
+        moving = {*body.speed_rates, *body.auxiliary, *(rate_of(z, time) for z in unknowns)}
+        for z, residual in zip(unknowns, residuals, strict=True):
             if held := [s for s in find_symbols([residual]) if s in moving]:
                 raise ValueError(
                     f"The residual of `{z}`, `{residual}`, holds {describe(held)}: it may hold "
-                    "coordinates, but no speeds or derivatives. Write what depends on speeds as a "
-                    "load or an output."
+                    "coordinates and speeds, but no derivatives of speeds or unknowns. Write what "
+                    "depends on accelerations as an output."
                 )
         rates = tuple(rate_of(z, time) for z in unknowns)
-        equations = [residual.diff(time) for residual in self.residuals.values()]
+        equations = [residual.diff(time) for residual in residuals]
+        found: dict[Any, Any] = {}
         with dotprodsimp(False):  # which expands all products, for minutes on a wheel and a rail
-            found = solve_rates(equations, rates, "implicit")
-        mapping = dict(zip(body.coordinate_rates, body.coordinate_derivatives, strict=True))
+            for rows, own in _blocks(equations, rates):
+                solved = solve_rates(rows, own, "implicit")
+                mapping |= found
+                found |= {r: replace_symbols(e, mapping) for r, e in zip(own, solved, strict=True)}
         return replace(
             body,
             coordinates=(*body.coordinates, *unknowns),
             coordinate_rates=(*body.coordinate_rates, *rates),
             coordinate_derivatives=(
                 *body.coordinate_derivatives,
-                *(replace_symbols(e, mapping) for e in found),
+                *(found[rate] for rate in rates),
             ),
-            holonomic=(*body.holonomic, *self.residuals.values()),
+            holonomic=(*body.holonomic, *residuals),
             dependent_coordinates=(*body.dependent_coordinates, *unknowns),
-            implicit=self,
+            implicit=Implicit(dict(zip(unknowns, residuals, strict=True)), self.start),
         )
+
+
+def check_forces(body: Multibody, graph: Graph, kinetic: int) -> None:
+    """Refuse what depends on speeds by a residual in positions and constraints."""
+    rates = zip(body.coordinates, body.coordinate_derivatives, strict=True)
+    moved = {*body.speed_rates}
+    found = [z for z, rate in rates if not moved.isdisjoint(find_symbols([rate]))]
+    if not found:
+        return
+    given = {*body.implicit.residuals.values()}
+    rows = [e for e in (*body.holonomic, *body.velocity) if e not in given]
+    held = find_symbols(rows)
+    groups = {graph.args[n][0] for n in graph.reachable([kinetic]) if graph.ops[n] == "input"}
+    if "a" in groups or not held.keys().isdisjoint(found):
+        raise ValueError(
+            f"A position, velocity or constraint holds {describe(found)}, whose residuals hold "
+            "speeds. What depends on speeds may stand in loads and outputs only."
+        )
+
+
+def _blocks(equations: Sequence[Any], rates: Sequence[Any]) -> list[tuple[list[Any], list[Any]]]:
+    """Return equations with the rates that they give, in blocks that follow from those before."""
+    from scipy.sparse import csr_array  # which other models do without
+    from scipy.sparse.csgraph import maximum_bipartite_matching
+
+    n, order = len(rates), {rate: k for k, rate in enumerate(rates)}
+    held = np.zeros((n, n), dtype=bool)
+    for k, equation in enumerate(equations):
+        held[k, [order[s] for s in find_symbols([equation]) if s in order]] = True
+    gives = maximum_bipartite_matching(csr_array(held), perm_type="column")
+    if (gives < 0).any():
+        return [([*equations], [*rates])]  # which is refused
+    # Equations that need each other, at last, are a block; what needs more comes later.
+    needs = np.linalg.matrix_power(held[:, gives] | np.eye(n, dtype=bool), n)
+    blocks: dict[bytes, list[int]] = {}
+    for k in np.argsort(needs.sum(axis=1), kind="stable"):
+        blocks.setdefault(needs[k].tobytes(), []).append(int(k))
+    return [
+        ([equations[k] for k in block], [rates[j] for j in sorted(gives[block])])
+        for block in blocks.values()
+    ]

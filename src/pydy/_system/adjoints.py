@@ -107,7 +107,7 @@ class Projections:
         if any(model.assembly.following):  # whose corrections are not along the gradient
             by_state = model.compiled_jacobian("holonomic", "x")
             found = model.evaluate(by_state, times, states, self._r, self._p)
-            self._gradient = found.reshape(len(times), h, n)[:, :, : constraints.coordinates]
+            self._gradient = found.reshape(len(times), h, n)
         self._slopes = np.zeros((len(times), v, n))
         if v:
             by_state = model.compiled_jacobian("velocity", "x")
@@ -136,7 +136,8 @@ class Projections:
             # Rows that no speed reaches.
             correction = correction + _least(gradient) @ (np.eye(h) - gradient @ correction)
             multipliers[:h] = correction.T @ adjoint[:q]
-            adjoint[:q] -= multipliers[:h] @ self._gradient[k]
+            slopes = self._gradient[k]
+            adjoint[: slopes.shape[1]] -= multipliers[:h] @ slopes
         return adjoint
 
     def totals(self) -> tuple[np.ndarray, np.ndarray]:
