@@ -5,10 +5,10 @@ import pytest
 import scipy
 import sympy as sm
 import sympy.physics.mechanics as me
-from singular import defined_windows
 
 from pydy.mechanics import Definition
 from pydy.system import System
+from singular import defined_windows
 
 T = me.dynamicsymbols._t
 
@@ -117,7 +117,7 @@ def heavy_top():
 @pytest.mark.parametrize("solver", ["dop853", "radau"])
 def test_the_heavy_top_of_bruls_and_cardona_moves_as_its_own_equations_say(solver):
     # O. Brüls and A. Cardona, "On the use of Lie group time integrators in multibody dynamics",
-    # J. Comput. Nonlinear Dynam. 5 (2010) 031002, section 5: a fast top on its tip, by a quaternion.
+    # J. Comput. Nonlinear Dynam. 5 (2010) 031002, section 5: a fast top, by a quaternion.
     e, u = me.dynamicsymbols("e0:4"), me.dynamicsymbols("u1:4")
     frame, origin = ground()
     body = frame.orientnew("B", "Quaternion", e)

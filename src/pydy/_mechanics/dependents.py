@@ -21,13 +21,12 @@ from pydy._graph.node import Graph
 from pydy._graph.rounding import rounding_bounds
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.formed import kinematics_of
-from pydy._mechanics.generic import Block, GenericStates, openness, units_of
+from pydy._mechanics.generic import AROUND, Block, GenericStates, openness, units_of
 from pydy._mechanics.reader import Multibody, numbers_in_places
 from pydy._mechanics.tuning import DIGITS, NEARLY_DEPENDENT, OPEN, ROUNDED
 from pydy._rank import HALF, equilibrated, is_zero, or_one
 
 _TRIALS = 12
-_AROUND = 60  # more, where rows seem redundant: in a three-stage lift each sixth finds its shape
 _STATES = 3  # of those at which the constraints hold
 _SHARE = 0.1  # of the largest residual: what is named with it
 _STEADY = 10.0  # a pivot that is the same in all configurations weighs so much more
@@ -218,7 +217,7 @@ def _searched(
     every = list(states.samples(blocks, _TRIALS, near=near, left_open=True))
     samples = _closed(every)
     if not near and (not samples or _seem_redundant(*_known(states, samples, blocks[1]))):
-        every += states.samples(blocks, _AROUND, around=True, left_open=True)
+        every += states.samples(blocks, AROUND, around=True, left_open=True)
     return blocks[:2], every
 
 

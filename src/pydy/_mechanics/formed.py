@@ -25,17 +25,25 @@ from pydy._graph.derivative import dense_rows, jacobian
 from pydy._graph.interpret import evaluator
 from pydy._graph.lower import lower
 from pydy._graph.node import Graph
+from pydy._graph.rounding import rounding_bounds
 from pydy._graph.simplify import operations, simplify
 from pydy._graph.solve.choose import solve_accelerations
 from pydy._graph.solve.differences import difference_basis
 from pydy._graph.switches import Passes
 from pydy._mechanics.equations import Equations, Mechanism
 from pydy._mechanics.form import Formed, auxiliary_equations, forms, useful_axes
-from pydy._mechanics.generic import Block, GenericStates, evaluator_of
+from pydy._mechanics.generic import (
+    AROUND,
+    Block,
+    GenericStates,
+    column_units,
+    evaluator_of,
+    row_units,
+)
 from pydy._mechanics.reader import Multibody
 from pydy._mechanics.symbols import rate_of
-from pydy._mechanics.tuning import CANCELLED, FORMS_COUNTED_UP_TO
-from pydy._rank import HALF
+from pydy._mechanics.tuning import CANCELLED, FORMS_COUNTED_UP_TO, NEARLY_DEPENDENT
+from pydy._rank import HALF, is_zero
 
 _LOG = logging.getLogger("pydy")
 _STATES = 2
@@ -278,7 +286,9 @@ def classify(equations: Equations) -> Equations:
         _rows(states, "motion", states.velocity),
         _rows(states, "redundant", states.read.all(redundant)),
     ]
-    values = next(states.samples(blocks, _TRIALS), None)
+    cells = blocks[2][2]
+    blocks.append(("terms", blocks[2][1], rounding_bounds(states.graph, cells)))
+    values = _clearest(states, blocks)
     if values is None:  # nothing can be evaluated
         return replace(equations, nonholonomic=equations.velocity)
     rows, motion = values["gradient"] @ values["kinematics"], values["motion"]
@@ -305,6 +315,25 @@ def classify(equations: Equations) -> Equations:
         enforced=enforced,
         repeated=tuple(pool[k][0] for k in own),
     )
+
+
+def _clearest(states: GenericStates, blocks: list[Block]) -> dict[str, np.ndarray] | None:
+    """Find the state farthest from singular positions, in which rows are rounding errors.
+
+    A search may end in one: if it always did, begin all around the circle.
+    """
+    every: list[dict[str, np.ndarray]] = []
+    for trials, around in ((_TRIALS, False), (AROUND, True)):
+        every += states.samples(blocks, trials, around=around)
+        if not every:
+            continue
+        motion, terms = (np.array([s[name] for s in every]) for name in ("motion", "terms"))
+        motion[is_zero(motion, terms)] = 0.0
+        scaled = motion * column_units(motion) / row_units(motion)[:, None]
+        least = np.linalg.svd(scaled, compute_uv=False)[:, -1]
+        if least.max() > NEARLY_DEPENDENT[1]:
+            break
+    return every[int(least.argmax())] if every else None
 
 
 def _likeness(row: np.ndarray, other: np.ndarray) -> int:

@@ -29,6 +29,7 @@ from pydy._rank import HALF, ROUNDED, equilibrated, or_one
 
 _STEPS = 50
 _ANYWHERE = 3  # states
+AROUND = 60  # more, where rows seem redundant: in a three-stage lift each sixth finds its shape
 _LOW, _HIGH = 0.3, 1.3  # generic coordinates and speeds
 _NEAR = 0.03  # of the largest number of a configuration: how far beside it samples begin
 
