@@ -238,3 +238,14 @@ def test_digests_of_systems_do_not_depend_on_the_hash_seed():
     assert len(set(digests)) == 4
     assert said[1] == said[0]
     assert said[2] == said[0]
+
+
+def test_what_two_fallbacks_share_is_computed_by_each_and_by_no_call():
+    g = Graph()
+    shared, nodes = g.call("exp", g.input("x", 0)), []
+    for k in (1, 2):
+        pivot = g.input("x", k)
+        nodes += g.guard([[pivot]], [shared], g.call("lt", g.zero, pivot), [pivot])
+    program = on_tape(g, nodes, (3, 0, 0))
+    assert "exp" not in program.operation_count["run"]
+    assert program.ops.count("exp") == 2
