@@ -49,6 +49,17 @@ def test_a_puck_stops_where_it_should():
     assert total - total[0] == pytest.approx(motion.contact_work, abs=1e-9)
 
 
+def test_directions_that_were_computed_are_orthogonal_to_rounding():
+    across = np.cross([0.3, -0.8, 0.1], [1.0, 0.2, 0.7])
+    rest = np.cross([0.3, -0.8, 0.1], across)
+    axes = [v / np.linalg.norm(v) for v in (across, rest)]
+    first, second = (float(v[0]) * N.x + float(v[1]) * N.y + float(v[2]) * N.z for v in axes)
+    assert first.dot(second) != 0
+    Stick(P, mu=0.3, normal=1.0, along=(first, second))
+    with pytest.raises(ValueError, match="`along` must be orthogonal vectors"):
+        Stick(P, mu=0.3, normal=1.0, along=(N.x, 0.8 * N.y + 0.6 * N.x))
+
+
 def test_a_puck_that_crosses_a_slope_turns_downhill():
     # With μ = tan θ, v + v_x is constant: pushed across, it ends with half of its speed.
     contacts = puck()

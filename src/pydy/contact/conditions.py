@@ -10,6 +10,7 @@ import sympy as sm
 from sympy.physics.mechanics import Point, Vector
 
 from pydy._checks import listed, shown
+from pydy._rank import ROUNDED
 from pydy.contact.laws import _check_units, _expressions
 from pydy.contact.tuning import CONTACTS
 
@@ -233,7 +234,7 @@ def _axes(along: Any) -> tuple[Vector, ...]:
     axes: tuple[Any, ...] = tuple(found)
     if len(axes) == 2:
         product = sm.simplify(axes[0].dot(axes[1]))
-        if product.is_number and product != 0:
+        if product.is_number and not abs(product) <= ROUNDED:
             raise ValueError(f"`along` must be orthogonal vectors, got {axes[0]} and {axes[1]}.")
     _check_units("along", axes)
     return axes
