@@ -145,6 +145,24 @@ def test_a_particle_that_is_thrown_on_the_ice_sticks_or_slides_by_the_cone():
     assert impulses["ice"] == pytest.approx((hits, -0.6, -0.8), abs=1e-9)
 
 
+def test_a_bead_on_a_slanted_wire_rebounds_though_its_contact_rubs():
+    # One freedom: it slides back along the wire, opposite to how it came.
+    s, v = me.dynamicsymbols("s v")
+    bead = O.locatenew("bead", s * (0.48 * N.x - 0.64 * N.y + 0.6 * N.z))
+    bead.set_vel(N, v * (0.48 * N.x - 0.64 * N.y + 0.6 * N.z))
+    wire = Definition(N, [s], [v], bodies=[me.Particle("bead", bead, 2)])
+    system = System(wire, {}, {}, "dop853", {s: 1.0, v: -3.0}, [0.0, 1.0])
+    floor = Unilateral(0.6 * s, restitution=0.5, name="floor")
+    contacts = Contacts(system, [Stick(bead, on=floor, mu=0.3, along=(N.x, N.y))])
+    motion = contacts.simulate(**TIGHT)
+    assert motion["v"][-1] == pytest.approx(1.5, abs=1e-12)
+    ((time, impulses),) = [(t, told["floor"]) for t, told in motion.impacts]
+    assert time == pytest.approx(1 / 3, abs=1e-12)
+    pushes = impulses[0] * (0.6 - 0.3 * 0.8)  # friction along the wire: 0.8 of μ times the normal
+    assert pushes == pytest.approx(2 * 4.5, abs=1e-9)
+    assert impulses[1:] == pytest.approx(0.3 * impulses[0] * np.array([-0.6, 0.8]), abs=1e-9)
+
+
 def pulled(static, tolerance):
     """A block under a pull that grows and turns."""
     F, t = sm.Symbol("F"), me.dynamicsymbols._t

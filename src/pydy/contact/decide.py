@@ -245,22 +245,30 @@ def _turned(
     """Turn the directions of some contacts by Newton's method until a_t has no part across."""
     angles = np.arctan2(vectors[:, 1], vectors[:, 0])
 
-    def tried(angles: np.ndarray) -> tuple[Solution, np.ndarray]:
+    def tried(angles: np.ndarray) -> tuple[Solution, np.ndarray, np.ndarray]:
         units = np.stack([np.cos(angles), np.sin(angles)], axis=1)
         directions = {**problem.directions, **dict(zip(free, units, strict=True))}
         found = solved(replace(problem, directions=directions), modes)
-        across = np.zeros(len(free))
+        across, ahead = np.zeros(len(free)), np.zeros(len(free))
         for k, i in enumerate(free):
             own = list(problem.tangent[i])
             rate, unit = found.rates[own], units[k]
             whole = np.linalg.norm(problem.terms(found.forces)[own])
-            across[k] = (unit[0] * rate[1] - unit[1] * rate[0]) / whole if whole > 0.0 else 0.0
-        return found, across
+            if whole > 0.0:
+                across[k] = (unit[0] * rate[1] - unit[1] * rate[0]) / whole
+                ahead[k] = unit @ rate / whole
+        return found, across, ahead
 
+    reversed_once = False
     for _ in range(TURNS):
-        found, across = tried(angles)
+        found, across, ahead = tried(angles)
         if np.abs(across).max() <= ROUNDED:
-            return found
+            back = ahead < -SLACK  # a direction is found as well as its opposite
+            if reversed_once or not back.any():
+                return found
+            reversed_once = True
+            angles = angles + np.pi * back
+            continue
         columns = [(tried(angles + HALF * unit)[1] - across) / HALF for unit in np.eye(len(free))]
         step = np.linalg.lstsq(np.array(columns).T, -across, rcond=DEPENDENT)[0]
         angles = angles + np.clip(step, -TURNED, TURNED)
