@@ -297,6 +297,33 @@ def test_a_guess_follows_from_the_constraints(method):
     assert set(y) == {-0.5, -1.0}
 
 
+def test_dependent_coordinates_of_a_guess_follow_and_free_ones_keep_their_lines():
+    x, y, z, F = me.dynamicsymbols("x y z F")
+    frame, origin = ground()
+    bodies, u = [], me.dynamicsymbols("u1:4")
+    for name, q, axis in (("a", x, frame.x), ("b", y, frame.y), ("c", z, frame.z)):
+        point = origin.locatenew(name, q * axis)
+        bodies.append(me.Particle(name, point, 1))
+    made = Definition(
+        frame,
+        [x, y, z],
+        u,
+        bodies=bodies,
+        loads=[(bodies[0].point, F * frame.x)],
+        holonomic_constraints=[sm.sin(x) - y - z],
+        dependent_coordinates=[y],
+    )
+    system = System(made)
+    problem = OptimalControl(system, effort(system), 1.0, end={"x": 1.0}, mesh=6)
+    transcription = Transcription(problem._problem, problem._scheme, problem._mesh)
+    states = transcription.split(problem._prepared(transcription, None)[1])[0]
+    rows = {
+        s.name: row[~transcription.places[1]] for s, row in zip(system.states, states, strict=True)
+    }
+    assert (rows["z"] == 0.0).all()
+    np.testing.assert_allclose(rows["y"], np.sin(rows["x"]), atol=1e-5)
+
+
 def test_a_guess_that_no_configuration_has_stays():
     system = pendulum_in_a_plane()
     problem = OptimalControl(system, effort(system), 1.0, end={"x": 1.2}, mesh=12)

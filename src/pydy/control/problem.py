@@ -524,6 +524,10 @@ class OptimalControl:
             self._symbol, np.array([duration]), self._bounds.get(self._symbol, _OPEN)
         )
         begin = made.joined(x, u, constants, duration)
+        states = self._now.definition.states
+        dependent = [states.index(s) for s in equations.dependent_coordinates]
+        if set(dependent) <= set(moving):
+            moving = dependent  # the others keep their straight lines
         if equations.enforced and moving:
             follow_constraints(made, begin, moving, len(equations.enforced))
         x = made.split(begin)[0]  # which is a view
@@ -552,7 +556,7 @@ class OptimalControl:
             numbers, to arrays of samples at equal distances over the motion, or to SampledInputs;
             or a motion, such as a simulation or the solution of a similar problem, whose
             multipliers are taken over too if it is on the same mesh. By default states lie on
-            straight lines between the ends, coordinates without an end follow from the constraints,
+            straight lines between the ends, dependent coordinates follow from the constraints,
             and controls are zero.
         mesh_tol : float, optional
             The mesh is refined until the `error` of each interval is below it. By default the mesh
