@@ -40,6 +40,8 @@ def test_modes_that_a_contact_does_not_have_are_named():
         contacts.export("model.c")
     with pytest.raises(AttributeError, match="Contacts have no attribute 'hop'"):
         contacts.hop()
+    with pytest.raises(AttributeError, match="constants"):
+        contacts.constants = {mu: 0.3}  # those of the System are meant
 
 
 def test_a_contact_that_does_not_act_costs_no_step_and_no_evaluation():

@@ -142,6 +142,31 @@ def test_what_the_data_leave_undetermined_is_named(oscillator, method):
 
 
 @BOTH
+def test_a_mass_that_no_sample_depends_on_is_named(method):
+    """Bodies that fall from rest fall alike: rounding is no effect of a mass."""
+    y, a, b = me.dynamicsymbols("y a b")
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    rods = [frame.orientnew(n, "Axis", (q, frame.z)) for n, q in (("A", a), ("B", b))]
+    points = [origin.locatenew("P0", y * frame.y)]
+    points += [points[0].locatenew("P1", rods[0].x / 2)]
+    points += [points[1].locatenew("P2", rods[1].x / 2)]
+    bodies = [me.Particle(f"b{k}", p, sm.Symbol(f"m{k}")) for k, p in enumerate(points)]
+    loads = [(body.point, -9.81 * body.mass * frame.y) for body in bodies]
+    made = Definition(frame, [y, a, b], bodies=bodies, loads=loads)
+    system = System(made, {"m0": 1.0, "m1": 2.0, "m2": 1.23}, ode_solver="dop853")
+    system.initial_conditions, system.times = {a: 0.3, b: 0.7}, np.linspace(0.0, 1.0, 21)
+    ride = system.simulate()
+    trial = Trial(system.times, {q.name: ride[q] for q in (y, a, b)})
+    system.constants["m2"] = 1.6
+    with pytest.warns(PyDyUserWarning) as told:  # it may be told not to converge, too
+        result = system.fit(["m2"], trial, method=method)
+    assert any("do not determine" in str(warning.message) for warning in told)
+    assert result.undetermined == ("m2",)
+    assert np.isinf(result.standard_errors).all()
+
+
+@BOTH
 def test_fewer_samples_than_parameters_do_not_determine_them(oscillator, method):
     """One sample of two parameters: one direction has no sample at all."""
     one = Trial([1.0], {"x0": [0.2]}, {"x0": 1.0, "v0": 0.0}, noise=0.01, start=0.0)

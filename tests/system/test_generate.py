@@ -112,6 +112,8 @@ def test_a_failed_generation_leaves_the_system_usable():
 def test_an_unknown_option_is_refused():
     with pytest.raises(TypeError, match="wrong_word"):
         pendulum().generate_ode_function(wrong_word=1)
+    with pytest.raises(TypeError, match="`time_first` must be True or False, got 'no'"):
+        pendulum().generate_ode_function(time_first="no")
 
 
 def test_the_default_path_warns_of_nothing():

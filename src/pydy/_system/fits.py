@@ -415,7 +415,8 @@ def _collocated(
     J = np.vstack([found.jacobian, rows])
     samples = sum(int(np.isfinite(d.values).sum()) for d in work.data) + len(pulls)
     ended = found.success, found.message
-    return _result(work, found.z, missed, J, tables, limits, (samples, found.iterations), ended)
+    counts = samples, found.iterations, len(found.followed)
+    return _result(work, found.z, missed, J, tables, limits, counts, ended)
 
 
 def _disturbances(work: _Fit, given: Any) -> dict[int, float]:
@@ -442,15 +443,22 @@ def _result(
     J: np.ndarray,
     residuals: list[dict[str, np.ndarray]],
     limits: tuple[np.ndarray, np.ndarray],
-    counts: tuple[int, int],
+    counts: tuple[int, int, int],
     ended: tuple[bool, str],
 ) -> FitResult:
-    """Return what is told of a fit: J are the derivatives of the values by the parameters."""
+    """Return what is told of a fit: J are the derivatives of the values by the parameters.
+
+    The `counts` are those of samples, evaluations, and equations that were solved for a motion.
+    """
     names, k = tuple(work.names[: work.count]), work.count
-    degrees = counts[0] - k
+    measured, evaluations, equations = counts
+    degrees = measured - k
     noise = float(np.sqrt(values @ values / degrees)) if degrees > 0 else np.nan
     sizes = np.maximum(np.abs(z[:k]), work.scales())
-    covariance, undetermined = covariance_of(J, sizes, names)
+    # Motions are not more accurate than their tolerance, to which each equation is solved.
+    samples = [np.nan_to_num(d.values / d.noise).ravel() for d in work.data]
+    least = FIT * equations**0.5 * float(np.linalg.norm(np.concatenate(samples)))
+    covariance, undetermined = covariance_of(J, sizes, names, least)
     if work.own_noise:
         covariance = covariance * noise**2
     held = held_by(z[:k], (limits[0][:k], limits[1][:k]), names)
@@ -477,7 +485,7 @@ def _result(
         times=[d.times for d in work.data],
         noise=noise,
         degrees=degrees,
-        evaluations=counts[1],
+        evaluations=evaluations,
         success=ended[0],
         message=ended[1],
     )
@@ -696,4 +704,5 @@ class Fitting(Setup):
                 z, values, J, found = estimate(evaluate, z, limits, work.names, most, told=last)
         values, J, tables = _shot(work, values, J)
         ended = bool(found.success), str(found.message)
-        return _result(work, z, values, J, tables, limits, (samples + len(known), count), ended)
+        counts = samples + len(known), count, 1
+        return _result(work, z, values, J, tables, limits, counts, ended)

@@ -74,6 +74,7 @@ def checked_options(options: dict[str, Any]) -> dict[str, Any]:
             "equations. Options are linear_sys_solver, constants_arg_type, "
             "specifieds_arg_type, time_first, generator and those of the generator."
         )
+    flag(options.get("time_first", False), "`time_first`")
     return options
 
 

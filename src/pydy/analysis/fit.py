@@ -225,18 +225,19 @@ def estimate(
 
 
 def covariance_of(
-    jacobian: np.ndarray, sizes: np.ndarray, names: Sequence[str]
+    jacobian: np.ndarray, sizes: np.ndarray, names: Sequence[str], least: float
 ) -> tuple[np.ndarray, tuple[str, ...]]:
     """Return (JᵀJ)⁻¹, and combinations of parameters that J does not determine.
 
-    Parameters are compared by changes relative to their sizes, so that units do not matter.
+    Parameters are compared by changes relative to their sizes, so that units do not matter. Those
+    that change the samples by no more than `least` have an effect that is not known.
     """
     sizes = np.where(sizes > 0.0, sizes, 1.0)
     missing = max(len(sizes) - len(jacobian), 0)  # rows of zeros: directions without a sample
     rows = np.concatenate([jacobian * sizes, np.zeros((missing, len(sizes)))])
     _, singular, right = np.linalg.svd(rows, full_matrices=False)
     largest = singular.max(initial=0.0)
-    weak = singular <= HALF * largest
+    weak = singular <= max(HALF * largest, least)
     inverse = np.where(weak, 0.0, 1.0 / np.where(weak, 1.0, singular))
     covariance = (right.T * inverse**2) @ right
     texts = []

@@ -89,6 +89,9 @@ class Contacts:
     array([0.074006, 0.074006, 0.074006])
     """
 
+    # A misspelt attribute, or one of the System, would be set and never read.
+    __slots__ = ("_kept", "contacts", "hypothesis", "names", "symbols", "system")
+
     def __init__(
         self,
         system: System,
