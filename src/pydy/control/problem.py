@@ -526,7 +526,7 @@ class OptimalControl:
         begin = made.joined(x, u, constants, duration)
         states = self._now.definition.states
         dependent = [states.index(s) for s in equations.dependent_coordinates]
-        if set(dependent) <= set(moving):
+        if dependent and set(dependent) <= set(moving):
             moving = dependent  # the others keep their straight lines
         if equations.enforced and moving:
             follow_constraints(made, begin, moving, len(equations.enforced))
