@@ -42,7 +42,7 @@ def test_a_lift_of_crossed_bars_has_one_degree_of_freedom(stages, configuration)
 
 
 def test_a_lift_that_was_taken_for_bars_on_each_other_is_refused_with_the_remedy(monkeypatch):
-    monkeypatch.setattr(dependents, "_AROUND", 1)
+    monkeypatch.setattr(dependents, "AROUND", 1)
     system = lift(3)
     assert len(system.eom_method.multibody.velocity) == 4
     with pytest.raises(ValueError, match=r"there are 6 .* only 4 were kept.*`pydy.mechanics.Def"):

@@ -1,4 +1,4 @@
-; sources 2ed3dc73a05fdb44969f9abd9161aecca1f48517cd1a814792c25dfde454c28f
+; sources 74c5ba145d2f09ede668da8e6d7babbc0e6b40627901639150e0309dcebf13a5
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Words = type { ptr, ptr, ptr, ptr, i64, i64, i64, i64, i64, i64, i64, i64 }

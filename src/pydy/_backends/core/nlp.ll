@@ -1,4 +1,4 @@
-; sources 0cb4f67250f85d163d38412906816beca83bec9a33c588b698a65df4c065ef68
+; sources 2b85f0b5af5ea83830739df0bda38c3ec3c50cea02be4ea8559fa53f3f6384eb
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Part = type { %struct.Words, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, i64, i64 }

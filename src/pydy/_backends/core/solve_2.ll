@@ -1,4 +1,4 @@
-; sources d3b5ca9a0c7bae907fa7c7907299846cb72bcb9a838a0e1f42df046e8f83959b
+; sources 3db2b101ef6ff494736be5a5a1a675f94973555a26a32a1f73205ca583cef542
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define range(i32 0, 4) i32 @pydy_lu_2(ptr noundef %0, ptr noundef %1, ptr noundef %2, ptr noundef %3, i64 noundef %4, i32 noundef %5) #0 {

@@ -1,4 +1,4 @@
-; sources 65928c804e564f42c0bc954cb2472b8dde48eab94f754d9b21fe64e917ea15ea
+; sources 6acdf5b7d238f61e05f869ed5fc0fe9f3d15b836dcc126a49fa1392b33c8bdfe
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i32 @pydy_lu_4(ptr noundef %0, ptr noundef %1, ptr noundef %2, ptr noundef %3, i64 noundef %4, i32 noundef %5) #0 {

@@ -1,4 +1,4 @@
-; sources 9e0f6815318495660d3fd9971de02cfade45a3a6fe76ca58977089075b20d474
+; sources c01d29bfe696ff0fe8f1718950b85ba3d5cd3b217479d653a74f9ce391fe7300
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define void @sweep_2(ptr noundef readonly %0, ptr noundef %1, ptr noundef %2, ptr noundef %3, ptr noundef readonly %4, ptr noundef %5, ptr noundef writeonly %6, ptr noundef %7) #0 {

@@ -1,4 +1,4 @@
-; sources fe04ed3dd397567b323bd40c660dbdb17c830b70b4fdb7b2a14324e6b6912d4e
+; sources 8924854ad12e39eefe56d0e4ba46df439ea088c71dac1e244844d58378076099
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define void @sweep_4(ptr noundef readonly %0, ptr noundef %1, ptr noundef %2, ptr noundef %3, ptr noundef readonly %4, ptr noundef %5, ptr noundef writeonly %6, ptr noundef %7) #0 {

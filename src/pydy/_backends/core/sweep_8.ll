@@ -1,4 +1,4 @@
-; sources 0d2f12be98897a41b995f457e2f8ca9847101758cc043f8750615f88f2db2349
+; sources 6475bd35981cc0358ad1b017396a07337b3f756ffd087a94dc1f1bd7f23693f7
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define void @sweep_8(ptr noundef readonly %0, ptr noundef %1, ptr noundef %2, ptr noundef %3, ptr noundef readonly %4, ptr noundef %5, ptr noundef writeonly %6, ptr noundef %7) #0 {

@@ -1,4 +1,4 @@
-; sources 15accae272eb9286798c91cf09682f8f869569cc9d924f0ea0a0ab0f1a442843
+; sources e26e749c4934fb3f0970f9bcb360e7366d0c66e5aa8216792a767d87f19453f6
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {

@@ -1,4 +1,4 @@
-; sources 98b1b1a99682f1ea861b8bf19dcdb01431a51ddc30a97358be094233796e22dc
+; sources 531034c9bfbd3f94003c86fb304552fd396293e0a370a9cecbf504597091ad51
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 @NODES = internal unnamed_addr constant [3 x double] [double 0x3FC3D8B64657CAEA, double 0x3FE4A36C0803A6DF, double 1.000000e+00], align 16

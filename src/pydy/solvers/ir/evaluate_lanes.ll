@@ -1,4 +1,4 @@
-; sources 54ccebbed066d71150c383931cb6f549dd762a16b63f71654c5f2f5368401dd9
+; sources 07e638805a90e7e83840bcd5edb07caafcbb25a67a5f8cb0c069d5d24064cf5c
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define noundef i64 @evaluate_lanes(ptr noundef readonly %0) #0 {

@@ -1,4 +1,4 @@
-; sources 38f4b3103e797f5ba86f77e45a9089c7a462ffc063baa1512797700a40eab9b4
+; sources 25c0305d612499ae78c31f1d00c9fc379ad88b2680f6b4755d3771591e985371
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @extend(ptr noundef %0, ptr noundef readonly %1) #0 {

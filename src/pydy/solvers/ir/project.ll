@@ -1,4 +1,4 @@
-; sources 534efa964bccc98a1c0b3ab7353888753d1b7fc1fc302b28c80b00132fb20a4c
+; sources 4e4af995d49d13a53ce6e9da50561c496c35f71a89e74f2dc1a3f26ce4c8defd
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Held = type { ptr, i64, i64, i64, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr }

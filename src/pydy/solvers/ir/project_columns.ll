@@ -1,4 +1,4 @@
-; sources 937a5c778cfca78f76852937842822f12afb8bfa13ed0ab153b7dda5636df0ac
+; sources d87e2c0ee507f43c61de2166a28c995938bc5a91f16100f5ba92ba79abcd6196
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Held = type { ptr, i64, i64, i64, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr }

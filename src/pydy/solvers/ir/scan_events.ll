@@ -1,4 +1,4 @@
-; sources fbdbc148739d068f1ecea4644b4bb865533a27287bebffbfe9acb60b7bc1d491
+; sources 5c82bcbeec0675ef9b4733ef084d9b48a5637cea040f6e242ce2faeb81809f52
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Stepper = type { ptr, ptr, ptr }

@@ -1,4 +1,4 @@
-; sources c953a0b735c3a45acdabc2db4c244fdc2634a998f5d0ef4829140905a8f9470d
+; sources 5fe067a8de716a7f23385c4c241340de3df985335e9fdb6d74edd8c6d9deb3d2
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @step_back(ptr noundef readonly %0) #0 {

@@ -1,4 +1,4 @@
-; sources c2fc68695bdb5a4daca1013864c31023315d9c2d94cee1326e968d8534d463c3
+; sources 6d71edc5ce060c21c9579657f96ef2dfb5c5be5fa35e87951b700349fed6c1f3
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Stepper = type { ptr, ptr, ptr }
