@@ -395,6 +395,23 @@ class Places:
         self._refuse_twice(columns.tolist(), argument)
         return columns
 
+    def check_order(self, table: Any, argument: str) -> None:
+        """Refuse a table whose labels are the symbols in another order: it is read by place."""
+        if isinstance(table, (np.ndarray, list, tuple)):
+            return
+        if dims := getattr(table, "dims", None):  # of xarray
+            labels = getattr(table, "indexes", {}).get(dims[-1], ())
+        else:
+            labels = getattr(table, "columns" if np.ndim(table) == 2 else "index", ())
+        places = [] if callable(labels) else [self.get(key, argument) for key in labels]
+        known = [place for place in places if place is not None]
+        if len(known) < len(places) or known == sorted(known):
+            return
+        raise ValueError(
+            f"`{argument}` has the labels {describe(labels)}, and the {self.what} are in the order "
+            f"{describe(self.symbols)}. A table is read by place: reorder it."
+        )
+
     def groups(self, values: Mapping[Any, Any], argument: str) -> list[tuple[Any, ...]]:
         """Return (symbols, places, whether it is a tuple) for each key of a dictionary.
 

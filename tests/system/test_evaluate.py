@@ -8,6 +8,7 @@ import sympy.physics.mechanics as me
 import zoo
 from cases import close, system_of, wide
 from oracle import oracle
+from pydy.models import multi_mass_spring_damper
 
 GENERATORS = ["llvm", "lambdify"]
 A = sm.Symbol("a")
@@ -276,3 +277,31 @@ def test_names_for_messages_are_not_printed_before_there_is_one(monkeypatch):
     model = zoo.timed()
     x, t = model.sample()
     close(system_of(model).evaluate_ode(x, t), oracle(model).xdot(x, t))
+
+
+def test_a_table_with_its_labels_in_another_order_is_refused():
+    pandas, xarray = pytest.importorskip("pandas"), pytest.importorskip("xarray")
+    system = multi_mass_spring_damper(1, True)
+    names, x = ["x0", "v0"], np.array([[0.5, 2.0]])
+    right = system.evaluate_ode(x, np.zeros(1))
+    for table in (
+        pandas.DataFrame(x, columns=names),
+        pandas.DataFrame(x, columns=["position", "speed"]),
+        pandas.DataFrame(x),
+        xarray.DataArray(x, dims=("time", "state"), coords={"state": names}),
+    ):
+        np.testing.assert_array_equal(system.evaluate_ode(table, np.zeros(1)), right)
+    turned = x[:, ::-1]
+    for table in (
+        pandas.DataFrame(turned, columns=names[::-1]),
+        pandas.DataFrame(turned, columns=system.states[::-1]),
+        xarray.DataArray(turned, dims=("time", "state"), coords={"state": names[::-1]}),
+        pandas.Series(turned[0], index=names[::-1]),
+    ):
+        at = 0.0 if np.ndim(table) == 1 else np.zeros(1)
+        with pytest.raises(ValueError, match=r"`x` has the labels v0.*x0.* in the order x0.*v0"):
+            system.evaluate_ode(table, at)
+    constants = system.constants_symbols
+    p = pandas.Series(1.0, index=[*reversed([*constants])])
+    with pytest.raises(ValueError, match="`p` has the labels"):
+        system.evaluate_ode(x[0], 0.0, p=p)

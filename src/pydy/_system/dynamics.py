@@ -79,9 +79,12 @@ def _columns(argument: str, value: Any, symbols: Sequence[Any], default: np.ndar
     """Return numbers for all symbols, shape (n,) or (m, n)."""
     if value is None:
         return default
-    if isinstance(value, Mapping):
+    if not isinstance(value, np.ndarray):
         kind = "coordinates" if argument == "q" else "speeds"
-        return Places(symbols, f"{kind} of the system").read(argument, value, default)
+        places = Places(symbols, f"{kind} of the system")
+        if isinstance(value, Mapping):
+            return places.read(argument, value, default)
+        places.check_order(value, argument)
     array, n = real_array(value, f"`{argument}`"), len(symbols)
     if array.ndim not in (1, 2) or array.shape[-1] != n:
         raise ValueError(f"`{argument}` must have the shape ({n},) or (m, {n}), got {array.shape}.")

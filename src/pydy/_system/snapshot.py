@@ -233,6 +233,7 @@ class Snapshot:
             if self.definition.equations.implicit is None:
                 return found
             return solved_residuals(self.at(np.array([self.t]), found[None]))
+        self.definition.places["states"].check_order(x, argument)
         return x
 
     def p_with(self, p: Any) -> np.ndarray:
@@ -242,6 +243,7 @@ class Snapshot:
         places = self.definition.places["constants"]
         if isinstance(p, Mapping):
             return places.read("p", p, self.p)
+        places.check_order(p, "p")
         return vector(p, len(places), "`p`")
 
     def plan_with(self, r: Any) -> SpecifiedsPlan:
