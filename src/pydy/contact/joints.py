@@ -107,8 +107,8 @@ class Clearance(Stick):
     """A revolute joint with play: a pin in a bush that is wider, with restitution and friction.
 
     A `Stick` on a `Unilateral`. With the vector e from the centre of the bush to that of the pin,
-    and the play c, the gap is (c² − e²)/(2 c): c − |e| where they touch, with the same rate, and
-    smooth where the pin is in the middle.
+    and the play c, the gap is (c² − e²)/(2 c): c less the length of e where they
+    touch, with the same rate, and smooth where the pin is in the middle.
 
     Parameters
     ----------
