@@ -228,3 +228,29 @@ def test_children_that_are_forked_while_a_thread_compiles_compile_and_evaluate()
         timeout=1800,
     )
     assert done.stdout.strip() == str([0] * 12), done.stderr
+
+
+def test_threads_that_come_first_at_once_get_the_same():
+    """`functools.cache` gives each its own: code whose address one has was gone with the other."""
+    everybody = threading.Barrier(4)
+    made = []
+
+    @_forks.once
+    def thing(name):
+        time.sleep(0.05)
+        made.append(name)
+        return object()
+
+    found = []
+
+    def come():
+        everybody.wait()
+        found.append((thing("a"), thing("b")))
+
+    threads = [threading.Thread(target=come) for _ in range(4)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert len(set(found)) == 1
+    assert sorted(made) == ["a", "b"]

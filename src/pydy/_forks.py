@@ -15,6 +15,7 @@ import os
 import sys
 import threading
 from collections.abc import Callable
+from functools import wraps
 from typing import Any, Generic, TypeVar, overload
 
 T = TypeVar("T")
@@ -39,6 +40,25 @@ class Lock:
 
     def __exit__(self, *_: object) -> None:
         self._own().release()
+
+
+def once(function: Callable[..., T]) -> Callable[..., T]:
+    """Cache a function's results: there is one for all threads.
+
+    `functools.cache` lets each thread that comes first make one and keeps the last of them. Machine
+    code is handed on by its address, so that the others would go while they are in use.
+    """
+    lock, known = Lock(), dict[tuple[Any, ...], T]()
+
+    @wraps(function)
+    def called(*key: Any) -> T:
+        if key not in known:
+            with lock:
+                if key not in known:
+                    known[key] = function(*key)
+        return known[key]
+
+    return called
 
 
 _generation = 0

@@ -6,6 +6,10 @@ import pytest
 from pydy.errors import IntegrationError
 from pydy.models import n_link_pendulum_on_cart
 from pydy.solvers import dop853, radau, tsit5, vern9
+from pydy.solvers.options import Options
+from pydy.solvers.run.layout import rows_of
+from pydy.solvers.run.workspace import Workspace
+from pydy.solvers.tableaus import method_arrays
 
 TIMES = np.linspace(0.0, 2.0, num=9)
 
@@ -74,3 +78,15 @@ def test_the_end_of_the_last_step_needs_no_interpolant(pendulum):
         info = dop853(f, start, wanted, args=args, full_output=True)[1]
         counts.append(info["evaluations"] - 12 * (info["steps"] + info["rejected"]))
     assert counts[1] == counts[0] + 3  # the stages of dop853's interpolant
+
+
+def test_a_table_names_the_arrays_that_its_workspace_keeps():
+    """Of two threads that first use a method at once, one has arrays that no cache keeps.
+
+    Its rows were kept all the same: the next integrations then read memory that was free.
+    """
+    for _ in range(2):
+        work = Workspace("tsit5", lambda x, t: -x, 97, TIMES, (), Options())
+        rows = rows_of(work.method)
+        assert work._table[: len(rows)].tolist() == rows
+        method_arrays.cache_clear()  # as if the cache had kept the other thread's

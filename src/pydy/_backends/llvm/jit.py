@@ -48,6 +48,18 @@ def _linked(code: bytes, names: Sequence[str], calls: Code | Joined | None) -> C
         return Code(engine, names, calls)
 
 
+def _shared(source: Source, code: bytes, calls: Code | Joined | None) -> Code:
+    """Return the one code of a source, which may have come into use meanwhile.
+
+    Addresses are handed on without their code, which then has to be the one that is kept.
+    """
+    with _LOCK:
+        known = memory.get(source.key)
+        if known is None:
+            known = memory[source.key] = _linked(code, source.names, calls)
+    return known
+
+
 def find(source: Source, calls: Code | Joined | None = None) -> Code | None:
     """Return compiled code from memory or disk, or None."""
     key = source.key
@@ -56,10 +68,9 @@ def find(source: Source, calls: Code | Joined | None = None) -> Code | None:
         stored = _cache_folder.read(key)
         if stored is not None:
             try:
-                known = _linked(stored, source.names, calls)
+                known = _shared(source, stored, calls)
             except RuntimeError:  # a sound file that is no object code for this machine
                 return None
-            memory[key] = known
     return known
 
 
@@ -71,9 +82,7 @@ def load(
     if known is None:
         stored = compile_source(source)
         _cache_folder.write(source.key, stored)
-        known = memory.get(source.key)  # compiled twice, here and on the side
-        if known is None:
-            known = memory[source.key] = _linked(stored, source.names, calls)
+        known = _shared(source, stored, calls)
     return known
 
 

@@ -12,7 +12,7 @@ from __future__ import annotations
 import ctypes
 import sysconfig
 from collections.abc import Callable
-from functools import cache, partial
+from functools import partial
 from typing import Any, Literal, cast
 
 import numpy as np
@@ -25,6 +25,7 @@ from pydy._backends.llvm.compiling import CORE, Source
 from pydy._backends.llvm.jit import Code
 from pydy._backends.llvm.tiers import Entry, wide_code
 from pydy._backends.tuning import SWEPT
+from pydy._forks import once
 from pydy._graph.program import Program
 from pydy._graph.tangent import Tangent
 from pydy._kernel import Kernel
@@ -124,7 +125,7 @@ def _careful_sweep(words: np.ndarray, *arrays: np.ndarray) -> None:
     _SWEEP(int(words[3]))(*(array.ctypes.data for array in (words, *arrays)))
 
 
-@cache
+@once
 def gates() -> _Gates:
     """Return the gates of this process."""
     return _Gates()
@@ -182,16 +183,16 @@ def _make_sweep(
     return sweep
 
 
-_WIDE: dict[int, jit.Code] = {}
+@once
+def _wide(lanes: int) -> jit.Code:
+    return jit.load(CORE.source(f"sweep_{lanes}"))
 
 
 def wide_sweep(lanes: int) -> int:
-    if lanes not in _WIDE:
-        _WIDE[lanes] = jit.load(CORE.source(f"sweep_{lanes}"))
-    return _WIDE[lanes].addresses[f"sweep_{lanes}"]
+    return _wide(lanes).addresses[f"sweep_{lanes}"]
 
 
-@cache
+@once
 def nlp_functions() -> jit.Code:
     """Return the functions of nonlinear programs, ``core/nlp.c``."""
     return jit.load(CORE.source("nlp", NLP))

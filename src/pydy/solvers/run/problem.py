@@ -34,6 +34,7 @@ class Bound:
     def __init__(self, kernel: Kernel, p: np.ndarray) -> None:
         addresses = kernel.addresses
         assert addresses is not None
+        self._kernel = kernel  # the code lives as long as it does
         self.address, self._prepare = addresses[0], _prepare(addresses[1])
         self.c = np.zeros(max(1, len(kernel.program.carried)))
         self._p = np.empty(np.shape(p))

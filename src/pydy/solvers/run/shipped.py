@@ -13,20 +13,18 @@ from typing import Any
 
 import numpy as np
 
-from pydy import _forks
 from pydy._array_layout import FITS, address
 from pydy._backends.llvm import jit
 from pydy._backends.llvm.compiling import Shipped
 from pydy._backends.llvm.native import gates
+from pydy._forks import once
 
 _SHIPPED = Shipped(Path(__file__).parents[1] / "ir")
-_LOCK = _forks.Lock()
 
 
-@cache
+@once
 def _code(name: str) -> jit.Code:
-    with _LOCK:  # whoever comes second finds what the first one compiled
-        return jit.load(_SHIPPED.source(name))
+    return jit.load(_SHIPPED.source(name))
 
 
 def address_of(name: str) -> int:

@@ -56,8 +56,14 @@ _NO_STEPS_ROWS = rows_of(_NO_STEPS)
 
 
 @cache
-def _method_rows(method: str, length: int) -> list[int]:
-    return rows_of(method_arrays(method, length))
+def _method(name: str, length: int) -> tuple[Method, list[int]]:
+    """Return a method's arrays and their rows, together.
+
+    Of two threads that come first at the same time one may get arrays that no cache keeps: it keeps
+    them itself, and must not have rows that name others.
+    """
+    arrays = method_arrays(name, length)
+    return arrays, rows_of(arrays)
 
 
 def memory_for(method: Method, length: int) -> tuple[Memory, list[int]]:
@@ -131,7 +137,7 @@ class Workspace:
         """Return a table of these arrays, with a problem and constraints."""
         options = self.options
         return table_of(
-            _method_rows(self.name, len(self.memory.x)),
+            self._method_rows,
             rows_of(problem),
             self._memory_rows,
             rows_of(self.progress),
@@ -239,7 +245,7 @@ class Workspace:
 
     def _reserve(self) -> tuple[Method, Memory]:
         n = self.n
-        method = method_arrays(self.name, BLOCK * blocks(n))
+        method, self._method_rows = _method(self.name, BLOCK * blocks(n))
         memory, self._memory_rows = memory_for(method, BLOCK * blocks(n))
         memory.rtol[:n], memory.atol[:n] = self._tolerances()
         np.maximum(memory.atol, LEAST_TOLERANCE, out=memory.atol)
