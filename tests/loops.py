@@ -213,6 +213,43 @@ def sarrus(rate=2.0, angle=0.6):
     return _defined(frame, q, u, bodies, rows), start
 
 
+SCHATZ = {
+    # Denavit and Hartenberg's lengths of links, offsets along axes, and twists.
+    "lengths": (0.0, 1.0, 1.0, 1.0, 0.0, 3.0**0.5),
+    "offsets": (0.4, 0.0, 0.0, 0.0, 0.0, -0.4),
+    "twists": (*[np.pi / 2] * 5, 0.0),
+}
+
+
+def schatz(unit=1.0, last=True):
+    """Schatz's linkage, which turns all the way round: six hinges, six rows of rank five.
+
+    The five rows that are kept lose rank at positions in which all together have theirs. The last
+    link is the ground: a body of its own, or none, so that its speed moves no mass.
+    """
+    inertial, point = _ground()
+    origin, frame, bodies = point, inertial, []
+    q, u = list(me.dynamicsymbols("q1:7")), list(me.dynamicsymbols("u1:7"))
+    for k, (a, d, twist) in enumerate(zip(*SCHATZ.values(), strict=True)):
+        turned, own = me.ReferenceFrame(f"X{k}"), me.ReferenceFrame(f"Z{k}")
+        turned.orient_axis(frame, frame.z, q[k])
+        turned.set_ang_vel(frame, u[k] * frame.z)
+        own.orient_axis(turned, turned.x, sm.pi / 2 if twist else 0)
+        point = point.locatenew(f"P{k}", unit * d * frame.z + unit * a * turned.x)
+        inertia = me.inertia(own, *(unit**2 * i for i in (0.1, 0.12, 0.15)))
+        if k < 5 or last:
+            bodies.append(me.RigidBody(f"link{k}", point, own, 1 + 0.1 * k, (inertia, point)))
+        frame = own
+    rows = [point.pos_from(origin).dot(e) for e in inertial]
+    rows += [frame.x.dot(inertial.y), frame.y.dot(inertial.z), frame.z.dot(inertial.x)]
+    found = [-3.27477591, 0.5387395, -6.73531984, -4.21907166, 4.93845625, -1.83259898]
+    start = dict(zip([*q, *u], [*found, 1.0, *[0.0] * 5], strict=True))
+    loads = [(b.masscenter, -b.mass * GRAVITY * (inertial.z + 0.03 * inertial.x)) for b in bodies]
+    return Definition(
+        inertial, q, u, bodies=bodies, loads=loads, holonomic_constraints=rows, configuration=start
+    ), start
+
+
 def peaucellier(rate=0.3, angle=2.6):
     """Peaucellier and Lipkin's linkage, whose last joint moves along x = -27/8.
 

@@ -17,7 +17,7 @@ from pydy._graph.rewrite import substitute
 from pydy._graph.solve.choose import solve_accelerations
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.generic import evaluator_of, generic_inputs
-from pydy._mechanics.multipliers import Constraints, accelerations_of_held
+from pydy._mechanics.multipliers import Constraints, accelerations, accelerations_of_held
 from pydy._rank import DEPENDENT, HALF, ROUNDED
 
 _TRIALS = 3
@@ -46,7 +46,8 @@ def stabilised(assembly: Assembly, equations: Equations, gain: float) -> Assembl
     cells = assembly.kinetic_hessian if body is not None and body.changing else []
     matrix = [cells[i * n : (i + 1) * n] for i in range(n if cells else 0)]
     forcing = list(assembly.forcing)
-    if matrix and all(matrix[k][k] != graph.zero for k in range(n)):
+    massive = matrix and all(matrix[k][k] != graph.zero for k in range(n))
+    if massive or (matrix and len(velocity) > count):
         table = dense_jacobian(graph, velocity, speeds)
         rows = [table[i * n : (i + 1) * n] for i in range(len(velocity))]
         motion = {graph.input("x", k): {0: rate} for k, rate in enumerate(assembly.rates[:first])}
@@ -58,7 +59,11 @@ def stabilised(assembly: Assembly, equations: Equations, gain: float) -> Assembl
         along = dense_jacobian(graph, dt(holonomic), speeds)
         places = [(node, along[i * n : (i + 1) * n]) for i, node in enumerate(holonomic)]
         held = Constraints(rows, pull, count, [dt(row) for row in rows], velocity, places)
-        pulled = accelerations_of_held(graph, matrix, [graph.zero] * n, held)
+        nothing = [graph.zero] * n
+        if massive:
+            pulled = accelerations_of_held(graph, matrix, nothing, held)
+        else:
+            pulled = accelerations(graph, matrix, nothing, held, graph.boolean(False), nothing)
         after = [graph.add(a, b) for a, b in zip(before, pulled, strict=True)]
     else:
         rows = [assembly.mass_matrix[i * n : (i + 1) * n] for i in range(n)]

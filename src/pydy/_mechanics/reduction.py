@@ -82,6 +82,9 @@ def reduced(
     base = [g.zero] * p + solved[p]
     basis = _Basis(g, moves, upper, base, apart)
     sound = _clear(g, groups, loose, matrix, moves)
+    if len(bound.rows) > d:
+        # Rows that were kept may lose rank on a regular path, where it takes all of them.
+        sound = g.boolean(False)
     if 1 < p <= GUARDED_UP_TO:
         sizes = [g.zero, *(g.sum([(basis.square[i][i], SOUND_SHARE)]) for i in range(1, p))]
         shares, well = solved_soundly(g, basis.square, basis.right(forcing), sizes)

@@ -394,7 +394,7 @@ class _Run:
             sweeps = [(k, k + 1) for k in range(first, last)]
             ends = np.array([x[:n] for x in (*recording.before[first + 1 : last], end)])
             projections = Projections(
-                self.task.sensitive.model, self.options.constraints, self.task.wanted,
+                self.task.sensitive.whole.model, self.options.constraints, self.task.wanted,
                 self.task.call, np.array(recording.ends[first:last]), ends,
             )  # fmt: skip
         for k, (start, stop) in reversed(list(enumerate(sweeps))):

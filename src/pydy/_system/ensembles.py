@@ -56,6 +56,7 @@ def differentiated(
         gradients=tuple(model.jacobian_program(block, "x") for block in tied),
         unknowns=tuple(sensitive.unknowns),
         residuals=sensitive.tangent("holonomic", "velocity") if tied else None,
+        held=sensitive.whole.tangent("holonomic", "velocity") if tied else None,
         unsolved=sensitive.unsolved(),
         sampled=tuple(sensitive.weights()),
         sized=sensitive.sized(control, options),

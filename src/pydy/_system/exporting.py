@@ -20,7 +20,12 @@ from pydy._graph.program import Program
 from pydy._names import name_of, unique_names
 from pydy._system.dependents import latest_dependents
 from pydy._system.setup import Setup
-from pydy._system.solving import check_events, event_rates_program, projection_program
+from pydy._system.solving import (
+    check_events,
+    event_rates_program,
+    projection_program,
+    with_all,
+)
 from pydy.codegen.arguments import SpecifiedsPlan
 
 if TYPE_CHECKING:
@@ -76,10 +81,12 @@ def _constraint_sizes(definition: Definition) -> dict[str, int]:
     equations = definition.equations
     if not (equations.holonomic or equations.velocity):
         raise ValueError("`constraints='project'` holds constraints, but the system has none.")
-    mechanism = equations.mechanism
+    mechanism, (closed, redundant) = equations.mechanism, equations.left_out
     return {
-        "holonomic": len(equations.holonomic),
-        "velocity": len(equations.velocity),
+        "holonomic": len(equations.holonomic) + len(closed),
+        "velocity": len(equations.velocity) + len(redundant),
+        "positions": len(equations.holonomic),
+        "motions": len(equations.velocity),
         "coordinates": len(equations.coordinates),
         "speeds": len(equations.speeds),
         "weighted": int(mechanism is not None and bool(mechanism.bodies)),
@@ -189,7 +196,7 @@ class Exporting(Setup):
         assembly = now.driven.assembly
         n, m, s = len(definition.states), len(assembly.outputs), len(places)
 
-        def stored(what: str, make: Any) -> Any:
+        def stored(what: str, make: Any, assembly: Assembly = assembly) -> Any:
             program = partial(stored_program, assembly, what, lambda: make(assembly))
             return lambda: with_inputs(program(), places)
 
@@ -211,7 +218,8 @@ class Exporting(Setup):
         if choice(constraints, (None, "project"), "`constraints`") is not None:
             held = _constraint_sizes(definition)
             what = f"projection {assembly.following}" if any(assembly.following) else "projection"
-            builders["projection"] = stored(what, projection_program)
+            every = with_all(now.driven, definition).assembly
+            builders["projection"] = stored(what, projection_program, every)
         checked = check_events(events, definition.places["states"]) if events is not None else ()
         if checked:
             expressions = tuple(event.expression for event in checked)

@@ -8,7 +8,7 @@ function theorem: from c(x, θ) = 0 follows c_d x_d' = −(c_i x_i' + c_θ) for 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -24,6 +24,7 @@ from pydy._kernel import Inputs, Kernel, KernelCall
 from pydy._system.dependents import latest_dependents
 from pydy._system.parameters import Parameter, by_samples, mean_spacing, read_parameters
 from pydy._system.snapshot import Snapshot
+from pydy._system.solving import with_all
 from pydy.analysis.dependence import follow
 from pydy.codegen.arguments import SpecifiedsPlan
 from pydy.inputs import SampledInput
@@ -105,6 +106,12 @@ class Sensitive:
             return found
         least = (atol / rtol).tolist()
         return tuple(s._replace(least=least[s.place]) if s.group == "x" else s for s in found)
+
+    @property
+    def whole(self) -> Sensitive:
+        """The same with all constraints, as they are projected on."""
+        model = with_all(self.model, self.definition)
+        return self if model is self.model else replace(self, model=model)
 
     # -- compiled ---------------------------------------------------------------------------------
 
@@ -188,7 +195,7 @@ class Sensitive:
             columns.sources,
             scales,
             lambda event: compiled_event(model, events[event], columns.wanted),
-            lambda: self.kernel("holonomic", "velocity"),
+            lambda: self.whole.kernel("holonomic", "velocity"),
         )
 
     def rows(self, times: np.ndarray) -> np.ndarray:

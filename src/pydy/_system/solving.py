@@ -139,17 +139,19 @@ def compile_constraints(model: CompiledModel, definition: Definition) -> Compile
     equations = definition.equations
     mechanism = equations.mechanism
     weighted = mechanism is not None and bool(mechanism.bodies)
+    model, (closed, redundant) = with_all(model, definition), equations.left_out
     kernel = model.compiled_by(("projection",), lambda: projection_program(model.assembly))
     return CompiledConstraints(
         kernel=kernel,
-        holonomic=len(equations.holonomic),
-        velocity=len(equations.velocity),
+        holonomic=len(model.assembly.holonomic),
+        velocity=len(model.assembly.velocity),
         coordinates=len(equations.coordinates),
         speeds=len(equations.speeds),
         dependent_speeds=len(equations.dependent_speeds),
         weighted=weighted,
         following=equations.following[1],
         names=_Names(equations),
+        left_out=(len(closed), len(redundant)),
     )
 
 
@@ -178,7 +180,7 @@ class _Names(Sequence[str]):
 
     def _made(self) -> tuple[str, ...]:
         if self._equations is not None:
-            self._names, self._equations = constraint_names(self._equations), None
+            self._names, self._equations = constraint_names(self._equations, redundant=True), None
         return self._names
 
     def __len__(self) -> int:
@@ -189,6 +191,21 @@ class _Names(Sequence[str]):
 
     def __reduce__(self) -> tuple[Any, ...]:  # a worker has no SymPy to print with
         return tuple, (self._made(),)
+
+
+def with_all(model: CompiledModel, definition: Definition) -> CompiledModel:
+    """Return the same with all constraints, those that were left out as redundant last.
+
+    Those that were kept may lose rank on a regular path, where all together have theirs.
+    """
+    closed, redundant = definition.equations.left_out
+
+    def change(own: Assembly) -> Assembly:
+        holonomic = [*own.holonomic, *own.read(closed, "the holonomic constraints")]
+        velocity = [*own.velocity, *own.read(redundant, "the velocity constraints")]
+        return replace(own, holonomic=holonomic, velocity=velocity)
+
+    return model.changed("all constraints", change) if closed or redundant else model
 
 
 def projection_program(assembly: Assembly) -> Program:

@@ -39,6 +39,7 @@ class EnsembleSensitivities:
     gradients: tuple[Program, ...]  # the derivatives of each block of constraints by the states
     unknowns: tuple[range, ...]  # the places of the states that each block is solved for
     residuals: Tangent | None  # the derivatives of the constraints, shape (c, k)
+    held: Tangent | None  # those of all constraints, as they are projected on
     unsolved: str  # what to say where the dependent ones do not follow
     # (places, SampledInput): the derivatives of sampled inputs by their samples, at the end
     # of r
@@ -55,6 +56,7 @@ class EnsembleSensitivities:
             self.rates,
             self.outputs,
             self.residuals,
+            self.held,
             *self.gradients,
             *(program for program, _ in self.jumps),
         ]
@@ -111,8 +113,8 @@ class EnsembleSensitivities:
             return kernel(program), changed
 
         def constraints() -> Kernel:
-            assert self.residuals is not None
-            return kernel(self.residuals)
+            assert self.held is not None
+            return kernel(self.held)
 
         return CompiledSensitivities(n, self.sources, scales, event, constraints)
 

@@ -15,7 +15,7 @@ from pydy._graph.tuning import numbered
 from pydy.export.model import Model, Variable, plain_text, resource
 from pydy.solvers.run.layout import ALPHA, BETA, EXPONENT
 from pydy.solvers.tableaus import method_arrays, tableau_of
-from pydy.solvers.tuning import ROUNDINGS
+from pydy.solvers.tuning import ROUNDINGS, SOUND
 
 # -- A Program as straight-line JavaScript ---------------------------------------------------------
 # The expressions are those of C, which are also valid JavaScript once functions with the names of
@@ -177,7 +177,9 @@ def javascript_object(model: Model, extra: Sequence[str] = ()) -> str:
         "KEPT": kept,
         "BOUND": bound,
         "INTEGRATOR": resource("integrator.js"),
-        "PROJECTION": resource("projection.js").replace("{{ROUNDINGS}}", repr(ROUNDINGS))
+        "PROJECTION": resource("projection.js")
+        .replace("{{ROUNDINGS}}", repr(ROUNDINGS))
+        .replace("{{SOUND}}", repr(SOUND))
         if model.constraints
         else "",
         "METHOD": literal(_method()),

@@ -38,8 +38,12 @@ function divideTransposed(n, factor, y) {
   }
 }
 
-/** Return the least y with rows · y = right; `right` keeps what no y can reach. */
-function minimumNorm(m, n, rows, right) {
+/**
+ * Return the least y with rows · y = right; `right` keeps what no y can reach. There may be more rows
+ * than their rank: the last ones take the place of others that are nearly dependent, and
+ * `y.redundant` has those that were not needed.
+ */
+function minimumNorm(m, n, rows, right, rank) {
   const y = new Float64Array(n), scale = new Float64Array(m).fill(1), left = new Set();
   const square = (i) => {
     let total = 0;
@@ -55,11 +59,15 @@ function minimumNorm(m, n, rows, right) {
       for (let k = 0; k < n; k++) rows[i * n + k] *= scale[i];
     }
   }
-  for (let count = 0; count < m; count++) {
+  let count = 0;
+  for (; count < rank; count++) {
     let pivot = -1, longest = 1e-20;
-    for (const i of left) if (square(i) > longest) {
-      pivot = i;
-      longest = square(i);
+    for (const i of left) { // in ascending order
+      if (i >= rank && pivot >= 0 && pivot < rank && longest > SOUND ** 2) break;
+      if (square(i) > longest) {
+        pivot = i;
+        longest = square(i);
+      }
     }
     if (pivot < 0) break;
     left.delete(pivot);
@@ -76,7 +84,8 @@ function minimumNorm(m, n, rows, right) {
       for (let k = 0; k < n; k++) rows[i * n + k] -= along * rows[pivot * n + k];
     }
   }
-  for (let i = 0; i < m; i++) right[i] /= scale[i];
+  for (let i = 0; i < m; i++) right[i] = count === rank && rank < m ? 0 : right[i] / scale[i];
+  y.redundant = rank < m ? left : new Set();
   return y;
 }
 
@@ -86,7 +95,7 @@ function minimumNorm(m, n, rows, right) {
  * gradient by speeds, mass matrix, and what rounding may make of the first.
  */
 function projector(sizes, evaluate) {
-  const { holonomic: h, velocity: v, coordinates: q, speeds: u, weighted } = sizes;
+  const { holonomic: h, velocity: v, positions, motions, coordinates: q, speeds: u, weighted } = sizes;
   const starts = [0];
   for (const size of [h, v, h * q, q * u, v * u, weighted ? u * u : 0, h]) starts.push(starts[starts.length - 1] + size);
   const values = new Float64Array(starts[7]);
@@ -100,19 +109,19 @@ function projector(sizes, evaluate) {
     return factor;
   };
   /** Tell how far positions are from the constraints, in roundings, and whether that is good enough. */
-  const judge = (before) => {
+  const judge = (before, redundant) => {
     let worst = 0;
     for (let i = 0; i < h; i++) {
       if (Number.isNaN(values[i])) return { worst: NaN, done: false };
-      if (values[i] !== 0) worst = Math.max(worst, Math.abs(values[i]) / (EPS * values[starts[6] + i]));
+      if (values[i] !== 0 && !redundant.has(i)) worst = Math.max(worst, Math.abs(values[i]) / (EPS * values[starts[6] + i]));
     }
     return { worst, done: worst <= 1 || (worst >= 0.5 * before && worst <= ROUNDINGS) };
   };
   const project = (t, x) => {
-    let before = Infinity;
+    let before = Infinity, redundant = new Set();
     for (let iteration = 0; iteration < 10; iteration++) {
       evaluate(t, x, values);
-      const { worst, done } = judge(before);
+      const { worst, done } = judge(before, redundant);
       if (done) break;
       if (iteration === 9 || Number.isNaN(worst)) return false;
       before = worst;
@@ -127,15 +136,20 @@ function projector(sizes, evaluate) {
         rows[i * u + k] = Math.abs(total) <= 4 * q * EPS * size ? 0 : total; // nothing but rounding
       }
       divideRows(h, u, rows, factor);
-      const right = part(0).map((value) => -value), step = minimumNorm(h, u, rows, right);
+      const right = part(0).map((value) => -value), step = minimumNorm(h, u, rows, right, positions);
       divideTransposed(u, factor, step);
       for (let j = 0; j < q; j++) for (let k = 0; k < u; k++) x[j] += kinematics[j * u + k] * step[k];
-      if (right.some((rest) => rest !== 0)) minimumNorm(h, q, gradient, right).forEach((move, j) => { x[j] += move; });
+      redundant = step.redundant;
+      if (right.some((rest) => rest !== 0)) {
+        const rest = minimumNorm(h, q, gradient, right, positions);
+        rest.forEach((move, j) => { x[j] += move; });
+        redundant = rest.redundant;
+      }
     }
     if (v > 0) {
       const factor = massFactor(), rows = part(4), right = part(1).map((value) => -value);
       divideRows(v, u, rows, factor);
-      const step = minimumNorm(v, u, rows, right);
+      const step = minimumNorm(v, u, rows, right, motions);
       divideTransposed(u, factor, step);
       for (let k = 0; k < u; k++) x[q + k] += step[k];
     }
@@ -143,25 +157,27 @@ function projector(sizes, evaluate) {
   };
   /** Solve for some coordinates and speeds, the others held. */
   project.settle = (t, x, dependentQ, dependentU) => {
-    const move = (rows, width, right, places, first) => {
+    const move = (rows, width, right, places, first, rank) => {
       const few = new Float64Array(right.length * places.length);
       right.forEach((_, i) => places.forEach((place, k) => { few[i * places.length + k] = rows[i * width + place - first]; }));
-      const step = minimumNorm(right.length, places.length, few, right);
+      const step = minimumNorm(right.length, places.length, few, right, rank);
       places.forEach((place, k) => { x[place] += step[k]; });
+      return step.redundant;
     };
-    let before = Infinity;
+    let before = Infinity, redundant = new Set();
     for (let iteration = 0; h > 0; iteration++) {
       evaluate(t, x, values);
-      const { worst, done } = judge(before);
+      const { worst, done } = judge(before, redundant);
       if (done) break;
       if (iteration === 50 || Number.isNaN(worst)) return false;
       before = worst;
-      move(part(2), q, part(0).map((value) => -value), dependentQ, 0);
+      redundant = move(part(2), q, part(0).map((value) => -value), dependentQ, 0, positions);
     }
     evaluate(t, x, values);
-    if (v > 0) move(part(4), u, part(1).map((value) => -value), dependentU, q);
+    if (v > 0) move(part(4), u, part(1).map((value) => -value), dependentU, q, motions);
     return x.every(Number.isFinite);
   };
   return project;
 }
+const SOUND = {{SOUND}}; // rows that are this much shorter without others make room for redundant ones
 const ROUNDINGS = {{ROUNDINGS}}; // residuals of so many roundings are those of a state on the constraints

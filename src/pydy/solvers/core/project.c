@@ -30,7 +30,9 @@ INLINE void watch_rank(const Held *s, double t, const double *x, int64_t n)
 }
 
 /* Move positions until their residuals are rounding: that of their terms, or that of the first
-   correction, beside which the terms are nothing where coordinates are held at zero. */
+   correction, beside which the terms are nothing where coordinates are held at zero. Of rows that
+   are more than their rank, those that were redundant in the last correction are not looked at:
+   lengths of six digits let them hold to as many. */
 INLINE int64_t hold_positions(const Run *run, const Held *s, double *x)
 {
     const Problem *p = &run->problem;
@@ -43,8 +45,9 @@ INLINE int64_t hold_positions(const Run *run, const Held *s, double *x)
             return CONSTRAINTS_NOT_MET;
         double worst = 0.0; /* in units of what rounding may make of residuals */
         for (int64_t i = 0; i < s->h; i++) {
+            const int all = iteration == 0 || s->positions == s->h;
             const double size = absolute(s->values[i]);
-            if (size != 0.0)
+            if (size != 0.0 && (all || s->scratch->kept.at[i] > 0.0))
                 worst = maximum(size / (ROUNDING * maximum(s->rounding[i], mended[i])), worst);
             if (!is_finite(size))
                 return CONSTRAINTS_NOT_MET;

@@ -15,7 +15,7 @@
    first. */
 typedef struct {
     const Projection *scratch;
-    int64_t h, v, q, u, weighted;
+    int64_t h, v, q, u, weighted, positions, motions; /* the last two: ranks of h, v rows */
     double *values, *gradient, *kinematics, *velocity, *mass, *rounding, *seen;
 } Held;
 
@@ -24,6 +24,7 @@ INLINE Held held_by(const Run *run)
     const int64_t *w = run->constraints.words.at;
     Held s = {.scratch = (const Projection *)w[SCRATCH], .h = w[HOLONOMIC], .v = w[VELOCITY],
         .q = w[COORDINATES], .u = w[SPEEDS], .weighted = w[WEIGHTED],
+        .positions = w[POSITIONS], .motions = w[MOTIONS],
         .values = run->constraints.values.at};
     s.gradient = s.values + s.h + s.v;
     s.kinematics = s.gradient + s.h * s.q;
@@ -99,8 +100,10 @@ APART void divide_transposed(const double *factor, int64_t n, double *y)
 
    Rows are scaled to unit length and orthogonalised, the longest first, and overwritten. `lengths`
    are those of the rows as they came, and `kept` what orthogonalisation left of them: 0 for
-   redundant ones. */
-APART void minimum_norm(const Numbers *matrix, const Projection *p)
+   redundant ones. No more than `rank` are taken, of which there are more where some were left out
+   of the equations as redundant. Those come last, and take the place of others that are nearly
+   dependent: beside all that hold, one that follows from them does so to the state's error only. */
+APART void minimum_norm(const Numbers *matrix, const Projection *p, int64_t rank)
 {
     const int64_t m = matrix->size, n = matrix->columns;
     double *rows = matrix->at, *y = p->step.at, *right = p->right.at, *scale = p->scale.at;
@@ -120,15 +123,19 @@ APART void minimum_norm(const Numbers *matrix, const Projection *p)
                 row[k] *= scale[i];
         }
     }
-    for (int64_t turn = 0; turn < m; turn++) {
+    int64_t turn = 0;
+    for (; turn < rank; turn++) {
         int64_t pivot = -1;
         double longest = DEPENDENT * DEPENDENT;
-        for (int64_t i = 0; i < m; i++)
+        for (int64_t i = 0; i < m; i++) {
+            if (i == rank && longest > SOUND * SOUND)
+                break;
             if (left[i] == 1) {
                 const double norm = product(rows + i * n, rows + i * n, n);
                 if (norm > longest)
                     pivot = i, longest = norm;
             }
+        }
         if (pivot < 0)
             break;
         const double length = root(longest), z = right[pivot] / length;
@@ -148,7 +155,7 @@ APART void minimum_norm(const Numbers *matrix, const Projection *p)
             }
     }
     for (int64_t i = 0; i < m; i++)
-        right[i] /= scale[i];
+        right[i] = turn == rank && rank < m ? 0.0 : right[i] / scale[i];
 }
 
 /* -- corrections ------------------------------------------------------------------------------ */
@@ -200,7 +207,7 @@ APART void move_positions(const Held *s, double *x, int64_t width)
     copy_table(s->gradient, &p->gradient);
     set_rows(&p->kinematics, p->gradient.at, &p->holonomic);
     divide_rows(p->holonomic.at, s->h, p->factor.at, s->u);
-    minimum_norm(&p->holonomic, p);
+    minimum_norm(&p->holonomic, p, s->positions);
     const double norm = root(product(p->step.at, p->step.at, s->u));
     for (int64_t i = 0; i < s->h; i++)
         if (p->mended.at[i] == 0.0)
@@ -213,7 +220,7 @@ APART void move_positions(const Held *s, double *x, int64_t width)
     for (int64_t i = 0; i < s->h; i++)
         rest = maximum(absolute(p->right.at[i]), rest);
     if (rest > 0.0) { /* rows that no speed reaches, and redundant ones */
-        minimum_norm(&p->gradient, p);
+        minimum_norm(&p->gradient, p, s->positions);
         for (int64_t j = 0; j < s->q; j++)
             x[j * width] += p->step.at[j];
     }
@@ -225,7 +232,7 @@ APART void move_speeds(const Held *s, double *x, int64_t width)
     const Projection *p = s->scratch;
     copy_table(s->velocity, &p->velocity);
     divide_rows(p->velocity.at, s->v, p->factor.at, s->u);
-    minimum_norm(&p->velocity, p);
+    minimum_norm(&p->velocity, p, s->motions);
     divide_transposed(p->factor.at, s->u, p->step.at);
     for (int64_t k = 0; k < s->u; k++)
         x[(s->q + k) * width] += p->step.at[k];

@@ -1,7 +1,7 @@
-; sources 4e4af995d49d13a53ce6e9da50561c496c35f71a89e74f2dc1a3f26ce4c8defd
+; sources 919b762cd0d0afa925a3b81369e78415709afbe60e6ccbe372f43945c9332d19
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
-%struct.Held = type { ptr, i64, i64, i64, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr }
+%struct.Held = type { ptr, i64, i64, i64, i64, i64, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr }
 
 define i64 @project(ptr noundef readonly %0, double noundef %1, ptr noundef %2) #0 {
   %4 = alloca %struct.Held, align 8
@@ -33,473 +33,498 @@ define i64 @project(ptr noundef readonly %0, double noundef %1, ptr noundef %2) 
   %24 = load i64, ptr %23, align 8, !noalias !3
   store i64 %24, ptr %22, align 8, !alias.scope !3
   %25 = getelementptr inbounds i8, ptr %4, i64 48
-  %26 = getelementptr inbounds i8, ptr %0, i64 696
-  %27 = load ptr, ptr %26, align 8, !noalias !3
-  store ptr %27, ptr %25, align 8, !alias.scope !3
+  %26 = getelementptr inbounds i8, ptr %6, i64 80
+  %27 = load i64, ptr %26, align 8, !noalias !3
+  store i64 %27, ptr %25, align 8, !alias.scope !3
   %28 = getelementptr inbounds i8, ptr %4, i64 56
-  store ptr null, ptr %28, align 8, !alias.scope !3
-  %29 = getelementptr inbounds i8, ptr %4, i64 64
-  store ptr null, ptr %29, align 8, !alias.scope !3
-  %30 = getelementptr inbounds i8, ptr %4, i64 72
-  store ptr null, ptr %30, align 8, !alias.scope !3
-  %31 = getelementptr inbounds i8, ptr %4, i64 80
-  store ptr null, ptr %31, align 8, !alias.scope !3
-  %32 = getelementptr inbounds i8, ptr %4, i64 88
-  store ptr null, ptr %32, align 8, !alias.scope !3
-  %33 = getelementptr inbounds i8, ptr %4, i64 96
-  store ptr null, ptr %33, align 8, !alias.scope !3
-  %34 = getelementptr double, ptr %27, i64 %12
-  %35 = getelementptr inbounds double, ptr %34, i64 %15
-  store ptr %35, ptr %28, align 8, !alias.scope !3
-  %36 = mul nsw i64 %18, %12
-  %37 = getelementptr inbounds double, ptr %35, i64 %36
-  store ptr %37, ptr %29, align 8, !alias.scope !3
-  %38 = mul nsw i64 %21, %18
-  %39 = getelementptr inbounds double, ptr %37, i64 %38
-  store ptr %39, ptr %30, align 8, !alias.scope !3
-  %40 = mul i64 %21, %15
-  %41 = getelementptr inbounds double, ptr %39, i64 %40
-  store ptr %41, ptr %31, align 8, !alias.scope !3
-  %42 = mul i64 %21, %21
-  %43 = mul i64 %42, %24
-  %44 = getelementptr inbounds double, ptr %41, i64 %43
-  store ptr %44, ptr %32, align 8, !alias.scope !3
-  %45 = getelementptr inbounds double, ptr %44, i64 %12
-  store ptr %45, ptr %33, align 8, !alias.scope !3
-  %46 = getelementptr inbounds i8, ptr %0, i64 144
-  %47 = getelementptr inbounds i8, ptr %0, i64 168
-  %48 = load ptr, ptr %47, align 8
-  store double %1, ptr %48, align 8
-  %49 = getelementptr inbounds i8, ptr %0, i64 248
-  %50 = load i64, ptr %49, align 8
-  %51 = icmp sgt i64 %50, 0
-  br i1 %51, label %52, label %53
+  %29 = getelementptr inbounds i8, ptr %6, i64 88
+  %30 = load i64, ptr %29, align 8, !noalias !3
+  store i64 %30, ptr %28, align 8, !alias.scope !3
+  %31 = getelementptr inbounds i8, ptr %4, i64 64
+  %32 = getelementptr inbounds i8, ptr %0, i64 696
+  %33 = load ptr, ptr %32, align 8, !noalias !3
+  store ptr %33, ptr %31, align 8, !alias.scope !3
+  %34 = getelementptr inbounds i8, ptr %4, i64 72
+  store ptr null, ptr %34, align 8, !alias.scope !3
+  %35 = getelementptr inbounds i8, ptr %4, i64 80
+  store ptr null, ptr %35, align 8, !alias.scope !3
+  %36 = getelementptr inbounds i8, ptr %4, i64 88
+  store ptr null, ptr %36, align 8, !alias.scope !3
+  %37 = getelementptr inbounds i8, ptr %4, i64 96
+  store ptr null, ptr %37, align 8, !alias.scope !3
+  %38 = getelementptr inbounds i8, ptr %4, i64 104
+  store ptr null, ptr %38, align 8, !alias.scope !3
+  %39 = getelementptr inbounds i8, ptr %4, i64 112
+  store ptr null, ptr %39, align 8, !alias.scope !3
+  %40 = getelementptr double, ptr %33, i64 %12
+  %41 = getelementptr inbounds double, ptr %40, i64 %15
+  store ptr %41, ptr %34, align 8, !alias.scope !3
+  %42 = mul nsw i64 %18, %12
+  %43 = getelementptr inbounds double, ptr %41, i64 %42
+  store ptr %43, ptr %35, align 8, !alias.scope !3
+  %44 = mul nsw i64 %21, %18
+  %45 = getelementptr inbounds double, ptr %43, i64 %44
+  store ptr %45, ptr %36, align 8, !alias.scope !3
+  %46 = mul i64 %21, %15
+  %47 = getelementptr inbounds double, ptr %45, i64 %46
+  store ptr %47, ptr %37, align 8, !alias.scope !3
+  %48 = mul i64 %21, %21
+  %49 = mul i64 %48, %24
+  %50 = getelementptr inbounds double, ptr %47, i64 %49
+  store ptr %50, ptr %38, align 8, !alias.scope !3
+  %51 = getelementptr inbounds double, ptr %50, i64 %12
+  store ptr %51, ptr %39, align 8, !alias.scope !3
+  %52 = getelementptr inbounds i8, ptr %0, i64 144
+  %53 = getelementptr inbounds i8, ptr %0, i64 168
+  %54 = load ptr, ptr %53, align 8
+  store double %1, ptr %54, align 8
+  %55 = getelementptr inbounds i8, ptr %0, i64 248
+  %56 = load i64, ptr %55, align 8
+  %57 = icmp sgt i64 %56, 0
+  br i1 %57, label %58, label %59
 
-52:                                               ; preds = %3
-  tail call fastcc void @sample(ptr noundef nonnull %46) #7
-  br label %53
+58:                                               ; preds = %3
+  tail call fastcc void @sample(ptr noundef nonnull %52) #7
+  br label %59
 
-53:                                               ; preds = %3, %52
-  %54 = getelementptr inbounds i8, ptr %0, i64 600
-  %55 = load ptr, ptr %54, align 8
-  %56 = getelementptr inbounds i8, ptr %55, i64 88
-  %57 = load i64, ptr %56, align 8
-  %58 = add nsw i64 %57, 1
-  store i64 %58, ptr %56, align 8
-  %59 = load ptr, ptr %9, align 8
-  %60 = icmp sgt i64 %21, 0
-  br i1 %60, label %61, label %75
+59:                                               ; preds = %3, %58
+  %60 = getelementptr inbounds i8, ptr %0, i64 600
+  %61 = load ptr, ptr %60, align 8
+  %62 = getelementptr inbounds i8, ptr %61, i64 88
+  %63 = load i64, ptr %62, align 8
+  %64 = add nsw i64 %63, 1
+  store i64 %64, ptr %62, align 8
+  %65 = load ptr, ptr %9, align 8
+  %66 = icmp sgt i64 %21, 0
+  br i1 %66, label %67, label %81
 
-61:                                               ; preds = %53, %65
-  %62 = phi i64 [ %66, %65 ], [ 0, %53 ]
-  %63 = mul nuw nsw i64 %62, %21
-  %64 = getelementptr double, ptr %59, i64 %63
-  br label %68
+67:                                               ; preds = %59, %71
+  %68 = phi i64 [ %72, %71 ], [ 0, %59 ]
+  %69 = mul nuw nsw i64 %68, %21
+  %70 = getelementptr double, ptr %65, i64 %69
+  br label %74
 
-65:                                               ; preds = %68
-  %66 = add nuw nsw i64 %62, 1
-  %67 = icmp eq i64 %66, %21
-  br i1 %67, label %75, label %61, !llvm.loop !6
+71:                                               ; preds = %74
+  %72 = add nuw nsw i64 %68, 1
+  %73 = icmp eq i64 %72, %21
+  br i1 %73, label %81, label %67, !llvm.loop !6
 
-68:                                               ; preds = %61, %68
-  %69 = phi i64 [ 0, %61 ], [ %73, %68 ]
-  %70 = icmp eq i64 %62, %69
-  %71 = select i1 %70, double 1.000000e+00, double 0.000000e+00
-  %72 = getelementptr double, ptr %64, i64 %69
-  store double %71, ptr %72, align 8
-  %73 = add nuw nsw i64 %69, 1
-  %74 = icmp eq i64 %73, %21
-  br i1 %74, label %65, label %68, !llvm.loop !9
+74:                                               ; preds = %67, %74
+  %75 = phi i64 [ 0, %67 ], [ %79, %74 ]
+  %76 = icmp eq i64 %68, %75
+  %77 = select i1 %76, double 1.000000e+00, double 0.000000e+00
+  %78 = getelementptr double, ptr %70, i64 %75
+  store double %77, ptr %78, align 8
+  %79 = add nuw nsw i64 %75, 1
+  %80 = icmp eq i64 %79, %21
+  br i1 %80, label %71, label %74, !llvm.loop !9
 
-75:                                               ; preds = %65, %53
-  %76 = getelementptr inbounds i8, ptr %9, i64 264
-  %77 = load ptr, ptr %76, align 8
-  %78 = icmp sgt i64 %12, 0
-  br i1 %78, label %102, label %79
+81:                                               ; preds = %71, %59
+  %82 = getelementptr inbounds i8, ptr %9, i64 264
+  %83 = load ptr, ptr %82, align 8
+  %84 = icmp sgt i64 %12, 0
+  br i1 %84, label %110, label %85
 
-79:                                               ; preds = %102, %75
-  %80 = getelementptr inbounds i8, ptr %0, i64 168
-  %81 = getelementptr inbounds i8, ptr %0, i64 192
-  %82 = getelementptr inbounds i8, ptr %0, i64 672
-  %83 = load ptr, ptr %5, align 8
-  %84 = getelementptr inbounds i8, ptr %83, i64 8
-  %85 = load i64, ptr %84, align 8
-  %86 = load ptr, ptr %80, align 8
-  %87 = load ptr, ptr %81, align 8
-  %88 = load ptr, ptr %82, align 8
-  %89 = inttoptr i64 %85 to ptr
-  %90 = tail call i32 %89(ptr noundef %86, ptr noundef %2, ptr noundef %87, ptr noundef %88, ptr noundef %27) #8
-  %91 = icmp slt i32 %90, 0
-  br i1 %91, label %213, label %92
+85:                                               ; preds = %110, %81
+  %86 = getelementptr inbounds i8, ptr %0, i64 168
+  %87 = getelementptr inbounds i8, ptr %0, i64 192
+  %88 = getelementptr inbounds i8, ptr %0, i64 672
+  %89 = load ptr, ptr %5, align 8
+  %90 = getelementptr inbounds i8, ptr %89, i64 8
+  %91 = load i64, ptr %90, align 8
+  %92 = load ptr, ptr %86, align 8
+  %93 = load ptr, ptr %87, align 8
+  %94 = load ptr, ptr %88, align 8
+  %95 = inttoptr i64 %91 to ptr
+  %96 = tail call i32 %95(ptr noundef %92, ptr noundef %2, ptr noundef %93, ptr noundef %94, ptr noundef %33) #8
+  %97 = icmp slt i32 %96, 0
+  br i1 %97, label %230, label %98
 
-92:                                               ; preds = %79
-  %93 = icmp sgt i64 %12, 0
-  %94 = icmp eq i64 %24, 1
-  %95 = getelementptr inbounds i8, ptr %9, i64 8
-  %96 = getelementptr inbounds i8, ptr %9, i64 16
-  %97 = getelementptr inbounds i8, ptr %9, i64 24
-  %98 = getelementptr inbounds i8, ptr %9, i64 32
-  %99 = getelementptr inbounds i8, ptr %9, i64 40
-  %100 = getelementptr inbounds i8, ptr %9, i64 144
-  %101 = icmp sgt i64 %12, 0
-  br label %118
+98:                                               ; preds = %85
+  %99 = icmp sgt i64 %12, 0
+  %100 = icmp eq i64 %27, %12
+  %101 = getelementptr inbounds i8, ptr %9, i64 240
+  %102 = icmp eq i64 %24, 1
+  %103 = getelementptr inbounds i8, ptr %9, i64 8
+  %104 = getelementptr inbounds i8, ptr %9, i64 16
+  %105 = getelementptr inbounds i8, ptr %9, i64 24
+  %106 = getelementptr inbounds i8, ptr %9, i64 32
+  %107 = getelementptr inbounds i8, ptr %9, i64 40
+  %108 = getelementptr inbounds i8, ptr %9, i64 144
+  %109 = icmp sgt i64 %12, 0
+  br label %126
 
-102:                                              ; preds = %75, %102
-  %103 = phi i64 [ %105, %102 ], [ 0, %75 ]
-  %104 = getelementptr inbounds double, ptr %77, i64 %103
-  store double 0.000000e+00, ptr %104, align 8
-  %105 = add nuw nsw i64 %103, 1
-  %106 = icmp eq i64 %105, %12
-  br i1 %106, label %79, label %102, !llvm.loop !10
+110:                                              ; preds = %81, %110
+  %111 = phi i64 [ %113, %110 ], [ 0, %81 ]
+  %112 = getelementptr inbounds double, ptr %83, i64 %111
+  store double 0.000000e+00, ptr %112, align 8
+  %113 = add nuw nsw i64 %111, 1
+  %114 = icmp eq i64 %113, %12
+  br i1 %114, label %85, label %110, !llvm.loop !10
 
-107:                                              ; preds = %209
-  %108 = add nuw nsw i32 %120, 1
-  %109 = load ptr, ptr %5, align 8
-  %110 = getelementptr inbounds i8, ptr %109, i64 8
-  %111 = load i64, ptr %110, align 8
-  %112 = load ptr, ptr %80, align 8
-  %113 = load ptr, ptr %81, align 8
-  %114 = load ptr, ptr %82, align 8
-  %115 = inttoptr i64 %111 to ptr
-  %116 = tail call i32 %115(ptr noundef %112, ptr noundef %2, ptr noundef %113, ptr noundef %114, ptr noundef %27) #8
-  %117 = icmp slt i32 %116, 0
-  br i1 %117, label %213, label %118, !llvm.loop !11
+115:                                              ; preds = %226
+  %116 = add nuw nsw i32 %129, 1
+  %117 = load ptr, ptr %5, align 8
+  %118 = getelementptr inbounds i8, ptr %117, i64 8
+  %119 = load i64, ptr %118, align 8
+  %120 = load ptr, ptr %86, align 8
+  %121 = load ptr, ptr %87, align 8
+  %122 = load ptr, ptr %88, align 8
+  %123 = inttoptr i64 %119 to ptr
+  %124 = tail call i32 %123(ptr noundef %120, ptr noundef %2, ptr noundef %121, ptr noundef %122, ptr noundef %33) #8
+  %125 = icmp slt i32 %124, 0
+  br i1 %125, label %230, label %126, !llvm.loop !11
 
-118:                                              ; preds = %92, %107
-  %119 = phi i64 [ undef, %92 ], [ %212, %107 ]
-  %120 = phi i32 [ 0, %92 ], [ %108, %107 ]
-  %121 = phi double [ 0x7FF0000000000000, %92 ], [ %210, %107 ]
-  br i1 %93, label %126, label %150
+126:                                              ; preds = %98, %115
+  %127 = phi i64 [ undef, %98 ], [ %229, %115 ]
+  %128 = phi double [ 0x7FF0000000000000, %98 ], [ %228, %115 ]
+  %129 = phi i32 [ 0, %98 ], [ %116, %115 ]
+  br i1 %99, label %130, label %167
 
-122:                                              ; preds = %146
-  %123 = add nuw nsw i64 %129, 1
-  %124 = icmp slt i64 %123, %12
-  %125 = icmp eq i64 %123, %12
-  br i1 %125, label %150, label %126, !llvm.loop !12
+130:                                              ; preds = %126
+  %131 = icmp eq i32 %129, 0
+  %132 = select i1 %131, i1 true, i1 %100
+  br label %137
 
-126:                                              ; preds = %118, %122
-  %127 = phi i1 [ %124, %122 ], [ %93, %118 ]
-  %128 = phi i64 [ %149, %122 ], [ %119, %118 ]
-  %129 = phi i64 [ %123, %122 ], [ 0, %118 ]
-  %130 = phi double [ %147, %122 ], [ 0.000000e+00, %118 ]
-  %131 = getelementptr inbounds double, ptr %27, i64 %129
-  %132 = load double, ptr %131, align 8
-  %133 = tail call double @llvm.fabs.f64(double %132)
-  %134 = fcmp une double %132, 0.000000e+00
-  br i1 %134, label %135, label %146
+133:                                              ; preds = %163
+  %134 = add nuw nsw i64 %140, 1
+  %135 = icmp slt i64 %134, %12
+  %136 = icmp eq i64 %134, %12
+  br i1 %136, label %167, label %137, !llvm.loop !12
 
-135:                                              ; preds = %126
-  %136 = getelementptr inbounds double, ptr %44, i64 %129
-  %137 = load double, ptr %136, align 8
-  %138 = getelementptr inbounds double, ptr %77, i64 %129
-  %139 = load double, ptr %138, align 8
-  %140 = fcmp ogt double %137, %139
-  %141 = select i1 %140, double %137, double %139
-  %142 = fmul double %141, 0x3CB0000000000000
-  %143 = fdiv double %133, %142
-  %144 = fcmp ogt double %143, %130
-  %145 = select i1 %144, double %143, double %130
-  br label %146
+137:                                              ; preds = %130, %133
+  %138 = phi i1 [ %99, %130 ], [ %135, %133 ]
+  %139 = phi i64 [ %127, %130 ], [ %166, %133 ]
+  %140 = phi i64 [ 0, %130 ], [ %134, %133 ]
+  %141 = phi double [ 0.000000e+00, %130 ], [ %164, %133 ]
+  %142 = getelementptr inbounds double, ptr %33, i64 %140
+  %143 = load double, ptr %142, align 8
+  %144 = tail call double @llvm.fabs.f64(double %143)
+  %145 = fcmp une double %143, 0.000000e+00
+  br i1 %145, label %146, label %163
 
-146:                                              ; preds = %135, %126
-  %147 = phi double [ %145, %135 ], [ %130, %126 ]
-  %148 = fcmp ueq double %133, 0x7FF0000000000000
-  %149 = select i1 %148, i64 6, i64 %128
-  br i1 %148, label %150, label %122
+146:                                              ; preds = %137
+  br i1 %132, label %152, label %147
 
-150:                                              ; preds = %122, %146, %118
-  %151 = phi i1 [ %93, %118 ], [ %124, %122 ], [ %127, %146 ]
-  %152 = phi double [ 0.000000e+00, %118 ], [ %147, %146 ], [ %147, %122 ]
-  %153 = phi i64 [ %119, %118 ], [ %149, %146 ], [ %149, %122 ]
-  br i1 %151, label %209, label %154
+147:                                              ; preds = %146
+  %148 = load ptr, ptr %101, align 8
+  %149 = getelementptr inbounds double, ptr %148, i64 %140
+  %150 = load double, ptr %149, align 8
+  %151 = fcmp ogt double %150, 0.000000e+00
+  br i1 %151, label %152, label %163
 
-154:                                              ; preds = %150
-  %155 = fcmp ugt double %152, 1.000000e+00
-  br i1 %155, label %156, label %209
+152:                                              ; preds = %147, %146
+  %153 = getelementptr inbounds double, ptr %50, i64 %140
+  %154 = load double, ptr %153, align 8
+  %155 = getelementptr inbounds double, ptr %83, i64 %140
+  %156 = load double, ptr %155, align 8
+  %157 = fcmp ogt double %154, %156
+  %158 = select i1 %157, double %154, double %156
+  %159 = fmul double %158, 0x3CB0000000000000
+  %160 = fdiv double %144, %159
+  %161 = fcmp ogt double %160, %141
+  %162 = select i1 %161, double %160, double %141
+  br label %163
 
-156:                                              ; preds = %154
-  %157 = fmul double %121, 5.000000e-01
-  %158 = fcmp oge double %152, %157
-  %159 = fcmp ole double %152, 8.000000e+00
-  %160 = and i1 %158, %159
-  br i1 %160, label %209, label %161
+163:                                              ; preds = %152, %147, %137
+  %164 = phi double [ %162, %152 ], [ %141, %147 ], [ %141, %137 ]
+  %165 = fcmp ueq double %144, 0x7FF0000000000000
+  %166 = select i1 %165, i64 6, i64 %139
+  br i1 %165, label %167, label %133
 
-161:                                              ; preds = %156
-  %162 = icmp eq i32 %120, 9
-  br i1 %162, label %209, label %163
+167:                                              ; preds = %133, %163, %126
+  %168 = phi i1 [ %99, %126 ], [ %135, %133 ], [ %138, %163 ]
+  %169 = phi double [ 0.000000e+00, %126 ], [ %164, %163 ], [ %164, %133 ]
+  %170 = phi i64 [ %127, %126 ], [ %166, %163 ], [ %166, %133 ]
+  br i1 %168, label %226, label %171
 
-163:                                              ; preds = %161
-  br i1 %94, label %164, label %182
+171:                                              ; preds = %167
+  %172 = fcmp ugt double %169, 1.000000e+00
+  br i1 %172, label %173, label %226
 
-164:                                              ; preds = %163
-  %165 = load i64, ptr %95, align 8
-  %166 = load i64, ptr %96, align 8
-  %167 = mul nsw i64 %166, %165
-  %168 = icmp sgt i64 %167, 0
-  br i1 %168, label %169, label %180
+173:                                              ; preds = %171
+  %174 = fmul double %128, 5.000000e-01
+  %175 = fcmp oge double %169, %174
+  %176 = fcmp ole double %169, 8.000000e+00
+  %177 = and i1 %175, %176
+  br i1 %177, label %226, label %178
 
-169:                                              ; preds = %164, %169
-  %170 = phi i64 [ %175, %169 ], [ 0, %164 ]
-  %171 = getelementptr inbounds double, ptr %41, i64 %170
-  %172 = load double, ptr %171, align 8
-  %173 = load ptr, ptr %9, align 8
-  %174 = getelementptr inbounds double, ptr %173, i64 %170
-  store double %172, ptr %174, align 8
-  %175 = add nuw nsw i64 %170, 1
-  %176 = load i64, ptr %95, align 8
-  %177 = load i64, ptr %96, align 8
-  %178 = mul nsw i64 %177, %176
-  %179 = icmp slt i64 %175, %178
-  br i1 %179, label %169, label %180, !llvm.loop !13
+178:                                              ; preds = %173
+  %179 = icmp eq i32 %129, 9
+  br i1 %179, label %226, label %180
 
-180:                                              ; preds = %169, %164
-  %181 = load ptr, ptr %9, align 8
-  tail call fastcc void @factorise(ptr noundef %181, i64 noundef %21) #7
-  br label %182
+180:                                              ; preds = %178
+  br i1 %102, label %181, label %199
 
-182:                                              ; preds = %163, %180
-  %183 = load i64, ptr %98, align 8
-  %184 = load i64, ptr %99, align 8
-  %185 = mul nsw i64 %184, %183
-  %186 = icmp sgt i64 %185, 0
-  br i1 %186, label %187, label %198
+181:                                              ; preds = %180
+  %182 = load i64, ptr %103, align 8
+  %183 = load i64, ptr %104, align 8
+  %184 = mul nsw i64 %183, %182
+  %185 = icmp sgt i64 %184, 0
+  br i1 %185, label %186, label %197
 
-187:                                              ; preds = %182, %187
-  %188 = phi i64 [ %193, %187 ], [ 0, %182 ]
-  %189 = getelementptr inbounds double, ptr %37, i64 %188
-  %190 = load double, ptr %189, align 8
-  %191 = load ptr, ptr %97, align 8
-  %192 = getelementptr inbounds double, ptr %191, i64 %188
-  store double %190, ptr %192, align 8
-  %193 = add nuw nsw i64 %188, 1
-  %194 = load i64, ptr %98, align 8
-  %195 = load i64, ptr %99, align 8
-  %196 = mul nsw i64 %195, %194
-  %197 = icmp slt i64 %193, %196
-  br i1 %197, label %187, label %198, !llvm.loop !13
+186:                                              ; preds = %181, %186
+  %187 = phi i64 [ %192, %186 ], [ 0, %181 ]
+  %188 = getelementptr inbounds double, ptr %47, i64 %187
+  %189 = load double, ptr %188, align 8
+  %190 = load ptr, ptr %9, align 8
+  %191 = getelementptr inbounds double, ptr %190, i64 %187
+  store double %189, ptr %191, align 8
+  %192 = add nuw nsw i64 %187, 1
+  %193 = load i64, ptr %103, align 8
+  %194 = load i64, ptr %104, align 8
+  %195 = mul nsw i64 %194, %193
+  %196 = icmp slt i64 %192, %195
+  br i1 %196, label %186, label %197, !llvm.loop !13
 
-198:                                              ; preds = %187, %182
-  %199 = load ptr, ptr %100, align 8
-  br i1 %101, label %200, label %208
+197:                                              ; preds = %186, %181
+  %198 = load ptr, ptr %9, align 8
+  tail call fastcc void @factorise(ptr noundef %198, i64 noundef %21) #7
+  br label %199
 
-200:                                              ; preds = %198, %200
-  %201 = phi i64 [ %206, %200 ], [ 0, %198 ]
-  %202 = getelementptr inbounds double, ptr %27, i64 %201
-  %203 = load double, ptr %202, align 8
-  %204 = fneg double %203
-  %205 = getelementptr inbounds double, ptr %199, i64 %201
-  store double %204, ptr %205, align 8
-  %206 = add nuw nsw i64 %201, 1
-  %207 = icmp eq i64 %206, %12
-  br i1 %207, label %208, label %200, !llvm.loop !14
+199:                                              ; preds = %180, %197
+  %200 = load i64, ptr %106, align 8
+  %201 = load i64, ptr %107, align 8
+  %202 = mul nsw i64 %201, %200
+  %203 = icmp sgt i64 %202, 0
+  br i1 %203, label %204, label %215
 
-208:                                              ; preds = %200, %198
+204:                                              ; preds = %199, %204
+  %205 = phi i64 [ %210, %204 ], [ 0, %199 ]
+  %206 = getelementptr inbounds double, ptr %43, i64 %205
+  %207 = load double, ptr %206, align 8
+  %208 = load ptr, ptr %105, align 8
+  %209 = getelementptr inbounds double, ptr %208, i64 %205
+  store double %207, ptr %209, align 8
+  %210 = add nuw nsw i64 %205, 1
+  %211 = load i64, ptr %106, align 8
+  %212 = load i64, ptr %107, align 8
+  %213 = mul nsw i64 %212, %211
+  %214 = icmp slt i64 %210, %213
+  br i1 %214, label %204, label %215, !llvm.loop !13
+
+215:                                              ; preds = %204, %199
+  %216 = load ptr, ptr %108, align 8
+  br i1 %109, label %217, label %225
+
+217:                                              ; preds = %215, %217
+  %218 = phi i64 [ %223, %217 ], [ 0, %215 ]
+  %219 = getelementptr inbounds double, ptr %33, i64 %218
+  %220 = load double, ptr %219, align 8
+  %221 = fneg double %220
+  %222 = getelementptr inbounds double, ptr %216, i64 %218
+  store double %221, ptr %222, align 8
+  %223 = add nuw nsw i64 %218, 1
+  %224 = icmp eq i64 %223, %12
+  br i1 %224, label %225, label %217, !llvm.loop !14
+
+225:                                              ; preds = %217, %215
   call fastcc void @move_positions(ptr noundef nonnull %4, ptr noundef %2) #7
-  br label %209
+  br label %226
 
-209:                                              ; preds = %208, %161, %156, %154, %150
-  %210 = phi double [ %152, %208 ], [ %121, %150 ], [ %121, %156 ], [ %121, %154 ], [ %121, %161 ]
-  %211 = phi i1 [ true, %208 ], [ false, %150 ], [ false, %156 ], [ false, %154 ], [ false, %161 ]
-  %212 = phi i64 [ %153, %208 ], [ %153, %150 ], [ 0, %156 ], [ 0, %154 ], [ 6, %161 ]
-  br i1 %211, label %107, label %213
+226:                                              ; preds = %225, %178, %173, %171, %167
+  %227 = phi i1 [ true, %225 ], [ false, %167 ], [ false, %173 ], [ false, %171 ], [ false, %178 ]
+  %228 = phi double [ %169, %225 ], [ %128, %167 ], [ %128, %173 ], [ %128, %171 ], [ %128, %178 ]
+  %229 = phi i64 [ %170, %225 ], [ %170, %167 ], [ 0, %173 ], [ 0, %171 ], [ 6, %178 ]
+  br i1 %227, label %115, label %230
 
-213:                                              ; preds = %209, %107, %79
-  %214 = phi i64 [ 6, %79 ], [ %212, %209 ], [ 6, %107 ]
-  %215 = icmp ne i64 %214, 0
-  %216 = icmp eq i64 %15, 0
-  %217 = select i1 %215, i1 true, i1 %216
-  br i1 %217, label %342, label %218
+230:                                              ; preds = %226, %115, %85
+  %231 = phi i64 [ 6, %85 ], [ %229, %226 ], [ 6, %115 ]
+  %232 = icmp ne i64 %231, 0
+  %233 = icmp eq i64 %15, 0
+  %234 = select i1 %232, i1 true, i1 %233
+  br i1 %234, label %359, label %235
 
-218:                                              ; preds = %213
-  %219 = icmp sgt i64 %15, 0
-  br i1 %219, label %223, label %220
+235:                                              ; preds = %230
+  %236 = icmp sgt i64 %15, 0
+  br i1 %236, label %240, label %237
 
-220:                                              ; preds = %223, %218
-  %221 = phi double [ 0.000000e+00, %218 ], [ %229, %223 ]
-  %222 = icmp sgt i64 %40, 0
-  br i1 %222, label %235, label %232
+237:                                              ; preds = %240, %235
+  %238 = phi double [ 0.000000e+00, %235 ], [ %246, %240 ]
+  %239 = icmp sgt i64 %46, 0
+  br i1 %239, label %252, label %249
 
-223:                                              ; preds = %218, %223
-  %224 = phi i64 [ %230, %223 ], [ 0, %218 ]
-  %225 = phi double [ %229, %223 ], [ 0.000000e+00, %218 ]
-  %226 = getelementptr double, ptr %34, i64 %224
-  %227 = load double, ptr %226, align 8
-  %228 = fmul double %227, 0.000000e+00
-  %229 = fadd double %225, %228
-  %230 = add nuw nsw i64 %224, 1
-  %231 = icmp eq i64 %230, %15
-  br i1 %231, label %220, label %223, !llvm.loop !15
+240:                                              ; preds = %235, %240
+  %241 = phi i64 [ %247, %240 ], [ 0, %235 ]
+  %242 = phi double [ %246, %240 ], [ 0.000000e+00, %235 ]
+  %243 = getelementptr double, ptr %40, i64 %241
+  %244 = load double, ptr %243, align 8
+  %245 = fmul double %244, 0.000000e+00
+  %246 = fadd double %242, %245
+  %247 = add nuw nsw i64 %241, 1
+  %248 = icmp eq i64 %247, %15
+  br i1 %248, label %237, label %240, !llvm.loop !15
 
-232:                                              ; preds = %235, %220
-  %233 = phi double [ %221, %220 ], [ %241, %235 ]
-  %234 = fcmp une double %233, 0.000000e+00
-  br i1 %234, label %342, label %244
+249:                                              ; preds = %252, %237
+  %250 = phi double [ %238, %237 ], [ %258, %252 ]
+  %251 = fcmp une double %250, 0.000000e+00
+  br i1 %251, label %359, label %261
 
-235:                                              ; preds = %220, %235
-  %236 = phi i64 [ %242, %235 ], [ 0, %220 ]
-  %237 = phi double [ %241, %235 ], [ %221, %220 ]
-  %238 = getelementptr inbounds double, ptr %39, i64 %236
-  %239 = load double, ptr %238, align 8
-  %240 = fmul double %239, 0.000000e+00
-  %241 = fadd double %237, %240
-  %242 = add nuw nsw i64 %236, 1
-  %243 = icmp eq i64 %242, %40
-  br i1 %243, label %232, label %235, !llvm.loop !16
-
-244:                                              ; preds = %232
-  %245 = icmp eq i64 %24, 1
-  br i1 %245, label %246, label %266
-
-246:                                              ; preds = %244
-  %247 = getelementptr inbounds i8, ptr %9, i64 8
-  %248 = getelementptr inbounds i8, ptr %9, i64 16
-  %249 = load i64, ptr %247, align 8
-  %250 = load i64, ptr %248, align 8
-  %251 = mul nsw i64 %250, %249
-  %252 = icmp sgt i64 %251, 0
-  br i1 %252, label %253, label %264
-
-253:                                              ; preds = %246, %253
-  %254 = phi i64 [ %259, %253 ], [ 0, %246 ]
-  %255 = getelementptr inbounds double, ptr %41, i64 %254
+252:                                              ; preds = %237, %252
+  %253 = phi i64 [ %259, %252 ], [ 0, %237 ]
+  %254 = phi double [ %258, %252 ], [ %238, %237 ]
+  %255 = getelementptr inbounds double, ptr %45, i64 %253
   %256 = load double, ptr %255, align 8
-  %257 = load ptr, ptr %9, align 8
-  %258 = getelementptr inbounds double, ptr %257, i64 %254
-  store double %256, ptr %258, align 8
-  %259 = add nuw nsw i64 %254, 1
-  %260 = load i64, ptr %247, align 8
-  %261 = load i64, ptr %248, align 8
-  %262 = mul nsw i64 %261, %260
-  %263 = icmp slt i64 %259, %262
-  br i1 %263, label %253, label %264, !llvm.loop !13
+  %257 = fmul double %256, 0.000000e+00
+  %258 = fadd double %254, %257
+  %259 = add nuw nsw i64 %253, 1
+  %260 = icmp eq i64 %259, %46
+  br i1 %260, label %249, label %252, !llvm.loop !16
 
-264:                                              ; preds = %253, %246
-  %265 = load ptr, ptr %9, align 8
-  tail call fastcc void @factorise(ptr noundef %265, i64 noundef %21) #7
-  br label %266
+261:                                              ; preds = %249
+  %262 = icmp eq i64 %24, 1
+  br i1 %262, label %263, label %283
 
-266:                                              ; preds = %244, %264
-  %267 = getelementptr inbounds i8, ptr %9, i64 144
-  %268 = load ptr, ptr %267, align 8
-  %269 = icmp sgt i64 %15, 0
-  br i1 %269, label %270, label %278
+263:                                              ; preds = %261
+  %264 = getelementptr inbounds i8, ptr %9, i64 8
+  %265 = getelementptr inbounds i8, ptr %9, i64 16
+  %266 = load i64, ptr %264, align 8
+  %267 = load i64, ptr %265, align 8
+  %268 = mul nsw i64 %267, %266
+  %269 = icmp sgt i64 %268, 0
+  br i1 %269, label %270, label %281
 
-270:                                              ; preds = %266, %270
-  %271 = phi i64 [ %276, %270 ], [ 0, %266 ]
-  %272 = getelementptr inbounds double, ptr %34, i64 %271
+270:                                              ; preds = %263, %270
+  %271 = phi i64 [ %276, %270 ], [ 0, %263 ]
+  %272 = getelementptr inbounds double, ptr %47, i64 %271
   %273 = load double, ptr %272, align 8
-  %274 = fneg double %273
-  %275 = getelementptr inbounds double, ptr %268, i64 %271
-  store double %274, ptr %275, align 8
+  %274 = load ptr, ptr %9, align 8
+  %275 = getelementptr inbounds double, ptr %274, i64 %271
+  store double %273, ptr %275, align 8
   %276 = add nuw nsw i64 %271, 1
-  %277 = icmp eq i64 %276, %15
-  br i1 %277, label %278, label %270, !llvm.loop !14
+  %277 = load i64, ptr %264, align 8
+  %278 = load i64, ptr %265, align 8
+  %279 = mul nsw i64 %278, %277
+  %280 = icmp slt i64 %276, %279
+  br i1 %280, label %270, label %281, !llvm.loop !13
 
-278:                                              ; preds = %270, %266
-  call fastcc void @move_speeds(ptr noundef nonnull %4, ptr noundef %2) #7
-  %279 = load ptr, ptr %46, align 8
-  %280 = getelementptr inbounds i8, ptr %279, i64 8
-  %281 = load i64, ptr %280, align 8
-  %282 = getelementptr inbounds i8, ptr %9, i64 216
-  %283 = load ptr, ptr %282, align 8
-  %284 = getelementptr inbounds i8, ptr %9, i64 240
+281:                                              ; preds = %270, %263
+  %282 = load ptr, ptr %9, align 8
+  tail call fastcc void @factorise(ptr noundef %282, i64 noundef %21) #7
+  br label %283
+
+283:                                              ; preds = %261, %281
+  %284 = getelementptr inbounds i8, ptr %9, i64 144
   %285 = load ptr, ptr %284, align 8
-  %286 = getelementptr inbounds i8, ptr %45, i64 24
-  %287 = getelementptr inbounds double, ptr %286, i64 %281
-  %288 = icmp sgt i64 %15, 0
-  br i1 %288, label %296, label %291
+  %286 = icmp sgt i64 %15, 0
+  br i1 %286, label %287, label %295
 
-289:                                              ; preds = %314
-  %290 = sitofp i64 %316 to double
-  br label %291
+287:                                              ; preds = %283, %287
+  %288 = phi i64 [ %293, %287 ], [ 0, %283 ]
+  %289 = getelementptr inbounds double, ptr %40, i64 %288
+  %290 = load double, ptr %289, align 8
+  %291 = fneg double %290
+  %292 = getelementptr inbounds double, ptr %285, i64 %288
+  store double %291, ptr %292, align 8
+  %293 = add nuw nsw i64 %288, 1
+  %294 = icmp eq i64 %293, %15
+  br i1 %294, label %295, label %287, !llvm.loop !14
 
-291:                                              ; preds = %289, %278
-  %292 = phi double [ 1.000000e+00, %278 ], [ %315, %289 ]
-  %293 = phi double [ 0.000000e+00, %278 ], [ %290, %289 ]
-  %294 = load double, ptr %45, align 8
-  %295 = fcmp olt double %294, %293
-  br i1 %295, label %319, label %321
+295:                                              ; preds = %287, %283
+  call fastcc void @move_speeds(ptr noundef nonnull %4, ptr noundef %2) #7
+  %296 = load ptr, ptr %52, align 8
+  %297 = getelementptr inbounds i8, ptr %296, i64 8
+  %298 = load i64, ptr %297, align 8
+  %299 = getelementptr inbounds i8, ptr %9, i64 216
+  %300 = load ptr, ptr %299, align 8
+  %301 = getelementptr inbounds i8, ptr %9, i64 240
+  %302 = load ptr, ptr %301, align 8
+  %303 = getelementptr inbounds i8, ptr %51, i64 24
+  %304 = getelementptr inbounds double, ptr %303, i64 %298
+  %305 = icmp sgt i64 %15, 0
+  br i1 %305, label %313, label %308
 
-296:                                              ; preds = %278, %314
-  %297 = phi i64 [ %317, %314 ], [ 0, %278 ]
-  %298 = phi i64 [ %316, %314 ], [ 0, %278 ]
-  %299 = phi double [ %315, %314 ], [ 1.000000e+00, %278 ]
-  %300 = getelementptr inbounds double, ptr %283, i64 %297
-  %301 = load double, ptr %300, align 8
-  %302 = getelementptr inbounds double, ptr %287, i64 %297
-  %303 = load double, ptr %302, align 8
-  %304 = fcmp ogt double %301, %303
-  %305 = select i1 %304, double %301, double %303
-  store double %305, ptr %302, align 8
-  %306 = getelementptr inbounds double, ptr %285, i64 %297
-  %307 = load double, ptr %306, align 8
-  %308 = fcmp ogt double %307, 0.000000e+00
-  br i1 %308, label %309, label %314
+306:                                              ; preds = %331
+  %307 = sitofp i64 %333 to double
+  br label %308
 
-309:                                              ; preds = %296
-  %310 = add nsw i64 %298, 1
-  %311 = fdiv double %307, %305
-  %312 = fcmp olt double %311, %299
-  %313 = select i1 %312, double %311, double %299
-  br label %314
+308:                                              ; preds = %306, %295
+  %309 = phi double [ 1.000000e+00, %295 ], [ %332, %306 ]
+  %310 = phi double [ 0.000000e+00, %295 ], [ %307, %306 ]
+  %311 = load double, ptr %51, align 8
+  %312 = fcmp olt double %311, %310
+  br i1 %312, label %336, label %338
 
-314:                                              ; preds = %309, %296
-  %315 = phi double [ %313, %309 ], [ %299, %296 ]
-  %316 = phi i64 [ %310, %309 ], [ %298, %296 ]
-  %317 = add nuw nsw i64 %297, 1
-  %318 = icmp eq i64 %317, %15
-  br i1 %318, label %289, label %296, !llvm.loop !17
+313:                                              ; preds = %295, %331
+  %314 = phi i64 [ %334, %331 ], [ 0, %295 ]
+  %315 = phi i64 [ %333, %331 ], [ 0, %295 ]
+  %316 = phi double [ %332, %331 ], [ 1.000000e+00, %295 ]
+  %317 = getelementptr inbounds double, ptr %300, i64 %314
+  %318 = load double, ptr %317, align 8
+  %319 = getelementptr inbounds double, ptr %304, i64 %314
+  %320 = load double, ptr %319, align 8
+  %321 = fcmp ogt double %318, %320
+  %322 = select i1 %321, double %318, double %320
+  store double %322, ptr %319, align 8
+  %323 = getelementptr inbounds double, ptr %302, i64 %314
+  %324 = load double, ptr %323, align 8
+  %325 = fcmp ogt double %324, 0.000000e+00
+  br i1 %325, label %326, label %331
 
-319:                                              ; preds = %291
-  store double %293, ptr %45, align 8
-  %320 = getelementptr inbounds i8, ptr %45, i64 8
-  store double 1.000000e+00, ptr %320, align 8
-  br label %324
+326:                                              ; preds = %313
+  %327 = add nsw i64 %315, 1
+  %328 = fdiv double %324, %322
+  %329 = fcmp olt double %328, %316
+  %330 = select i1 %329, double %328, double %316
+  br label %331
 
-321:                                              ; preds = %291
-  %322 = fcmp ogt double %294, %293
-  br i1 %322, label %323, label %324
+331:                                              ; preds = %326, %313
+  %332 = phi double [ %330, %326 ], [ %316, %313 ]
+  %333 = phi i64 [ %327, %326 ], [ %315, %313 ]
+  %334 = add nuw nsw i64 %314, 1
+  %335 = icmp eq i64 %334, %15
+  br i1 %335, label %306, label %313, !llvm.loop !17
 
-323:                                              ; preds = %321
-  br label %324
+336:                                              ; preds = %308
+  store double %310, ptr %51, align 8
+  %337 = getelementptr inbounds i8, ptr %51, i64 8
+  store double 1.000000e+00, ptr %337, align 8
+  br label %341
 
-324:                                              ; preds = %323, %321, %319
-  %325 = phi double [ %292, %319 ], [ 0.000000e+00, %323 ], [ %292, %321 ]
-  %326 = getelementptr inbounds i8, ptr %45, i64 8
-  %327 = load double, ptr %326, align 8
-  %328 = fcmp olt double %325, %327
-  %329 = fcmp ogt double %327, 1.000000e-05
-  %330 = and i1 %328, %329
-  br i1 %330, label %331, label %342
+338:                                              ; preds = %308
+  %339 = fcmp ogt double %311, %310
+  br i1 %339, label %340, label %341
 
-331:                                              ; preds = %324
-  store double %325, ptr %326, align 8
-  %332 = getelementptr inbounds i8, ptr %45, i64 16
-  store double %1, ptr %332, align 8
-  %333 = getelementptr inbounds i8, ptr %45, i64 24
-  %334 = icmp sgt i64 %281, 0
-  br i1 %334, label %335, label %342
+340:                                              ; preds = %338
+  br label %341
 
-335:                                              ; preds = %331, %335
-  %336 = phi i64 [ %340, %335 ], [ 0, %331 ]
-  %337 = getelementptr inbounds double, ptr %2, i64 %336
-  %338 = load double, ptr %337, align 8
-  %339 = getelementptr inbounds double, ptr %333, i64 %336
-  store double %338, ptr %339, align 8
-  %340 = add nuw nsw i64 %336, 1
-  %341 = icmp eq i64 %340, %281
-  br i1 %341, label %342, label %335, !llvm.loop !18
+341:                                              ; preds = %340, %338, %336
+  %342 = phi double [ %309, %336 ], [ 0.000000e+00, %340 ], [ %309, %338 ]
+  %343 = getelementptr inbounds i8, ptr %51, i64 8
+  %344 = load double, ptr %343, align 8
+  %345 = fcmp olt double %342, %344
+  %346 = fcmp ogt double %344, 1.000000e-05
+  %347 = and i1 %345, %346
+  br i1 %347, label %348, label %359
 
-342:                                              ; preds = %335, %331, %324, %232, %213
-  %343 = phi i64 [ %214, %213 ], [ 6, %232 ], [ 0, %324 ], [ 0, %331 ], [ 0, %335 ]
-  ret i64 %343
+348:                                              ; preds = %341
+  store double %342, ptr %343, align 8
+  %349 = getelementptr inbounds i8, ptr %51, i64 16
+  store double %1, ptr %349, align 8
+  %350 = getelementptr inbounds i8, ptr %51, i64 24
+  %351 = icmp sgt i64 %298, 0
+  br i1 %351, label %352, label %359
+
+352:                                              ; preds = %348, %352
+  %353 = phi i64 [ %357, %352 ], [ 0, %348 ]
+  %354 = getelementptr inbounds double, ptr %2, i64 %353
+  %355 = load double, ptr %354, align 8
+  %356 = getelementptr inbounds double, ptr %350, i64 %353
+  store double %355, ptr %356, align 8
+  %357 = add nuw nsw i64 %353, 1
+  %358 = icmp eq i64 %357, %298
+  br i1 %358, label %359, label %352, !llvm.loop !18
+
+359:                                              ; preds = %352, %348, %341, %249, %230
+  %360 = phi i64 [ %231, %230 ], [ 6, %249 ], [ 0, %341 ], [ 0, %348 ], [ 0, %352 ]
+  ret i64 %360
 }
 
 
 
 define internal fastcc void @move_speeds(ptr noundef readonly %0, ptr noundef %1) unnamed_addr #2 {
   %3 = load ptr, ptr %0, align 8
-  %4 = getelementptr inbounds i8, ptr %0, i64 72
+  %4 = getelementptr inbounds i8, ptr %0, i64 88
   %5 = load ptr, ptr %4, align 8
   %6 = getelementptr inbounds i8, ptr %3, i64 96
   %7 = getelementptr inbounds i8, ptr %3, i64 104
@@ -532,38 +557,40 @@ define internal fastcc void @move_speeds(ptr noundef readonly %0, ptr noundef %1
   %29 = getelementptr inbounds i8, ptr %0, i64 32
   %30 = load i64, ptr %29, align 8
   tail call fastcc void @divide_rows(ptr noundef %25, i64 noundef %27, ptr noundef %28, i64 noundef %30) #7
-  tail call fastcc void @minimum_norm(ptr noundef nonnull %6, ptr noundef nonnull %3) #7
-  %31 = load ptr, ptr %3, align 8
-  %32 = load i64, ptr %29, align 8
-  %33 = getelementptr inbounds i8, ptr %3, i64 120
-  %34 = load ptr, ptr %33, align 8
-  tail call fastcc void @divide_transposed(ptr noundef %31, i64 noundef %32, ptr noundef %34) #7
-  %35 = load i64, ptr %29, align 8
-  %36 = icmp sgt i64 %35, 0
-  br i1 %36, label %37, label %39
+  %31 = getelementptr inbounds i8, ptr %0, i64 56
+  %32 = load i64, ptr %31, align 8
+  tail call fastcc void @minimum_norm(ptr noundef nonnull %6, ptr noundef nonnull %3, i64 noundef %32) #7
+  %33 = load ptr, ptr %3, align 8
+  %34 = load i64, ptr %29, align 8
+  %35 = getelementptr inbounds i8, ptr %3, i64 120
+  %36 = load ptr, ptr %35, align 8
+  tail call fastcc void @divide_transposed(ptr noundef %33, i64 noundef %34, ptr noundef %36) #7
+  %37 = load i64, ptr %29, align 8
+  %38 = icmp sgt i64 %37, 0
+  br i1 %38, label %39, label %41
 
-37:                                               ; preds = %24
-  %38 = getelementptr inbounds i8, ptr %0, i64 24
-  br label %40
+39:                                               ; preds = %24
+  %40 = getelementptr inbounds i8, ptr %0, i64 24
+  br label %42
 
-39:                                               ; preds = %40, %24
+41:                                               ; preds = %42, %24
   ret void
 
-40:                                               ; preds = %37, %40
-  %41 = phi i64 [ 0, %37 ], [ %50, %40 ]
-  %42 = load ptr, ptr %33, align 8
-  %43 = getelementptr inbounds double, ptr %42, i64 %41
-  %44 = load double, ptr %43, align 8
-  %45 = load i64, ptr %38, align 8
-  %46 = getelementptr double, ptr %1, i64 %45
-  %47 = getelementptr double, ptr %46, i64 %41
-  %48 = load double, ptr %47, align 8
-  %49 = fadd double %44, %48
-  store double %49, ptr %47, align 8
-  %50 = add nuw nsw i64 %41, 1
-  %51 = load i64, ptr %29, align 8
-  %52 = icmp slt i64 %50, %51
-  br i1 %52, label %40, label %39, !llvm.loop !19
+42:                                               ; preds = %39, %42
+  %43 = phi i64 [ 0, %39 ], [ %52, %42 ]
+  %44 = load ptr, ptr %35, align 8
+  %45 = getelementptr inbounds double, ptr %44, i64 %43
+  %46 = load double, ptr %45, align 8
+  %47 = load i64, ptr %40, align 8
+  %48 = getelementptr double, ptr %1, i64 %47
+  %49 = getelementptr double, ptr %48, i64 %43
+  %50 = load double, ptr %49, align 8
+  %51 = fadd double %46, %50
+  store double %51, ptr %49, align 8
+  %52 = add nuw nsw i64 %43, 1
+  %53 = load i64, ptr %29, align 8
+  %54 = icmp slt i64 %52, %53
+  br i1 %54, label %42, label %41, !llvm.loop !19
 }
 
 define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #2 {
@@ -674,7 +701,7 @@ declare double @llvm.fabs.f64(double) #3
 
 define internal fastcc void @move_positions(ptr noundef readonly %0, ptr noundef %1) unnamed_addr #2 {
   %3 = load ptr, ptr %0, align 8
-  %4 = getelementptr inbounds i8, ptr %0, i64 56
+  %4 = getelementptr inbounds i8, ptr %0, i64 72
   %5 = load ptr, ptr %4, align 8
   %6 = getelementptr inbounds i8, ptr %3, i64 48
   %7 = getelementptr inbounds i8, ptr %3, i64 56
@@ -711,152 +738,155 @@ define internal fastcc void @move_positions(ptr noundef readonly %0, ptr noundef
   %32 = getelementptr inbounds i8, ptr %0, i64 32
   %33 = load i64, ptr %32, align 8
   tail call fastcc void @divide_rows(ptr noundef %28, i64 noundef %30, ptr noundef %31, i64 noundef %33) #7
-  tail call fastcc void @minimum_norm(ptr noundef nonnull %27, ptr noundef nonnull %3) #7
-  %34 = getelementptr inbounds i8, ptr %3, i64 120
-  %35 = load ptr, ptr %34, align 8
-  %36 = load i64, ptr %32, align 8
-  %37 = icmp sgt i64 %36, 0
-  br i1 %37, label %38, label %47
+  %34 = getelementptr inbounds i8, ptr %0, i64 48
+  %35 = load i64, ptr %34, align 8
+  tail call fastcc void @minimum_norm(ptr noundef nonnull %27, ptr noundef nonnull %3, i64 noundef %35) #7
+  %36 = getelementptr inbounds i8, ptr %3, i64 120
+  %37 = load ptr, ptr %36, align 8
+  %38 = load i64, ptr %32, align 8
+  %39 = icmp sgt i64 %38, 0
+  br i1 %39, label %40, label %49
 
-38:                                               ; preds = %24, %38
-  %39 = phi i64 [ %45, %38 ], [ 0, %24 ]
-  %40 = phi double [ %44, %38 ], [ 0.000000e+00, %24 ]
-  %41 = getelementptr inbounds double, ptr %35, i64 %39
-  %42 = load double, ptr %41, align 8
-  %43 = fmul double %42, %42
-  %44 = fadd double %40, %43
-  %45 = add nuw nsw i64 %39, 1
-  %46 = icmp eq i64 %45, %36
-  br i1 %46, label %47, label %38, !llvm.loop !22
+40:                                               ; preds = %24, %40
+  %41 = phi i64 [ %47, %40 ], [ 0, %24 ]
+  %42 = phi double [ %46, %40 ], [ 0.000000e+00, %24 ]
+  %43 = getelementptr inbounds double, ptr %37, i64 %41
+  %44 = load double, ptr %43, align 8
+  %45 = fmul double %44, %44
+  %46 = fadd double %42, %45
+  %47 = add nuw nsw i64 %41, 1
+  %48 = icmp eq i64 %47, %38
+  br i1 %48, label %49, label %40, !llvm.loop !22
 
-47:                                               ; preds = %38, %24
-  %48 = phi double [ 0.000000e+00, %24 ], [ %44, %38 ]
-  %49 = tail call double @llvm.sqrt.f64(double %48)
-  %50 = load i64, ptr %29, align 8
-  %51 = icmp sgt i64 %50, 0
-  br i1 %51, label %52, label %55
+49:                                               ; preds = %40, %24
+  %50 = phi double [ 0.000000e+00, %24 ], [ %46, %40 ]
+  %51 = tail call double @llvm.sqrt.f64(double %50)
+  %52 = load i64, ptr %29, align 8
+  %53 = icmp sgt i64 %52, 0
+  br i1 %53, label %54, label %57
 
-52:                                               ; preds = %47
-  %53 = getelementptr inbounds i8, ptr %3, i64 264
-  %54 = getelementptr inbounds i8, ptr %3, i64 216
-  br label %62
+54:                                               ; preds = %49
+  %55 = getelementptr inbounds i8, ptr %3, i64 264
+  %56 = getelementptr inbounds i8, ptr %3, i64 216
+  br label %64
 
-55:                                               ; preds = %73, %47
-  %56 = load ptr, ptr %3, align 8
-  %57 = load i64, ptr %32, align 8
-  %58 = load ptr, ptr %34, align 8
-  tail call fastcc void @divide_transposed(ptr noundef %56, i64 noundef %57, ptr noundef %58) #7
-  %59 = getelementptr inbounds i8, ptr %0, i64 24
-  %60 = load i64, ptr %59, align 8
-  %61 = icmp sgt i64 %60, 0
-  br i1 %61, label %77, label %83
+57:                                               ; preds = %75, %49
+  %58 = load ptr, ptr %3, align 8
+  %59 = load i64, ptr %32, align 8
+  %60 = load ptr, ptr %36, align 8
+  tail call fastcc void @divide_transposed(ptr noundef %58, i64 noundef %59, ptr noundef %60) #7
+  %61 = getelementptr inbounds i8, ptr %0, i64 24
+  %62 = load i64, ptr %61, align 8
+  %63 = icmp sgt i64 %62, 0
+  br i1 %63, label %79, label %85
 
-62:                                               ; preds = %52, %73
-  %63 = phi i64 [ 0, %52 ], [ %74, %73 ]
-  %64 = load ptr, ptr %53, align 8
-  %65 = getelementptr inbounds double, ptr %64, i64 %63
-  %66 = load double, ptr %65, align 8
-  %67 = fcmp oeq double %66, 0.000000e+00
-  br i1 %67, label %68, label %73
+64:                                               ; preds = %54, %75
+  %65 = phi i64 [ 0, %54 ], [ %76, %75 ]
+  %66 = load ptr, ptr %55, align 8
+  %67 = getelementptr inbounds double, ptr %66, i64 %65
+  %68 = load double, ptr %67, align 8
+  %69 = fcmp oeq double %68, 0.000000e+00
+  br i1 %69, label %70, label %75
 
-68:                                               ; preds = %62
-  %69 = load ptr, ptr %54, align 8
-  %70 = getelementptr inbounds double, ptr %69, i64 %63
-  %71 = load double, ptr %70, align 8
-  %72 = fmul double %49, %71
-  store double %72, ptr %65, align 8
-  br label %73
+70:                                               ; preds = %64
+  %71 = load ptr, ptr %56, align 8
+  %72 = getelementptr inbounds double, ptr %71, i64 %65
+  %73 = load double, ptr %72, align 8
+  %74 = fmul double %51, %73
+  store double %74, ptr %67, align 8
+  br label %75
 
-73:                                               ; preds = %62, %68
-  %74 = add nuw nsw i64 %63, 1
-  %75 = load i64, ptr %29, align 8
-  %76 = icmp slt i64 %74, %75
-  br i1 %76, label %62, label %55, !llvm.loop !23
+75:                                               ; preds = %64, %70
+  %76 = add nuw nsw i64 %65, 1
+  %77 = load i64, ptr %29, align 8
+  %78 = icmp slt i64 %76, %77
+  br i1 %78, label %64, label %57, !llvm.loop !23
 
-77:                                               ; preds = %55, %90
-  %78 = phi i64 [ %91, %90 ], [ 0, %55 ]
-  %79 = load i64, ptr %32, align 8
-  %80 = icmp sgt i64 %79, 0
-  br i1 %80, label %81, label %90
+79:                                               ; preds = %57, %92
+  %80 = phi i64 [ %93, %92 ], [ 0, %57 ]
+  %81 = load i64, ptr %32, align 8
+  %82 = icmp sgt i64 %81, 0
+  br i1 %82, label %83, label %92
 
-81:                                               ; preds = %77
-  %82 = getelementptr inbounds double, ptr %1, i64 %78
-  br label %94
+83:                                               ; preds = %79
+  %84 = getelementptr inbounds double, ptr %1, i64 %80
+  br label %96
 
-83:                                               ; preds = %90, %55
-  %84 = getelementptr inbounds i8, ptr %0, i64 24
-  %85 = load i64, ptr %29, align 8
-  %86 = icmp sgt i64 %85, 0
-  br i1 %86, label %87, label %137
+85:                                               ; preds = %92, %57
+  %86 = getelementptr inbounds i8, ptr %0, i64 24
+  %87 = load i64, ptr %29, align 8
+  %88 = icmp sgt i64 %87, 0
+  br i1 %88, label %89, label %140
 
-87:                                               ; preds = %83
-  %88 = getelementptr inbounds i8, ptr %3, i64 144
-  %89 = load ptr, ptr %88, align 8
-  br label %113
+89:                                               ; preds = %85
+  %90 = getelementptr inbounds i8, ptr %3, i64 144
+  %91 = load ptr, ptr %90, align 8
+  br label %115
 
-90:                                               ; preds = %94, %77
-  %91 = add nuw nsw i64 %78, 1
-  %92 = load i64, ptr %59, align 8
-  %93 = icmp slt i64 %91, %92
-  br i1 %93, label %77, label %83, !llvm.loop !24
+92:                                               ; preds = %96, %79
+  %93 = add nuw nsw i64 %80, 1
+  %94 = load i64, ptr %61, align 8
+  %95 = icmp slt i64 %93, %94
+  br i1 %95, label %79, label %85, !llvm.loop !24
 
-94:                                               ; preds = %81, %94
-  %95 = phi i64 [ %79, %81 ], [ %109, %94 ]
-  %96 = phi i64 [ 0, %81 ], [ %108, %94 ]
-  %97 = load ptr, ptr %25, align 8
-  %98 = mul nsw i64 %95, %78
-  %99 = getelementptr double, ptr %97, i64 %98
-  %100 = getelementptr double, ptr %99, i64 %96
-  %101 = load double, ptr %100, align 8
-  %102 = load ptr, ptr %34, align 8
-  %103 = getelementptr inbounds double, ptr %102, i64 %96
-  %104 = load double, ptr %103, align 8
-  %105 = fmul double %101, %104
-  %106 = load double, ptr %82, align 8
-  %107 = fadd double %106, %105
-  store double %107, ptr %82, align 8
-  %108 = add nuw nsw i64 %96, 1
-  %109 = load i64, ptr %32, align 8
-  %110 = icmp slt i64 %108, %109
-  br i1 %110, label %94, label %90, !llvm.loop !25
+96:                                               ; preds = %83, %96
+  %97 = phi i64 [ %81, %83 ], [ %111, %96 ]
+  %98 = phi i64 [ 0, %83 ], [ %110, %96 ]
+  %99 = load ptr, ptr %25, align 8
+  %100 = mul nsw i64 %97, %80
+  %101 = getelementptr double, ptr %99, i64 %100
+  %102 = getelementptr double, ptr %101, i64 %98
+  %103 = load double, ptr %102, align 8
+  %104 = load ptr, ptr %36, align 8
+  %105 = getelementptr inbounds double, ptr %104, i64 %98
+  %106 = load double, ptr %105, align 8
+  %107 = fmul double %103, %106
+  %108 = load double, ptr %84, align 8
+  %109 = fadd double %108, %107
+  store double %109, ptr %84, align 8
+  %110 = add nuw nsw i64 %98, 1
+  %111 = load i64, ptr %32, align 8
+  %112 = icmp slt i64 %110, %111
+  br i1 %112, label %96, label %92, !llvm.loop !25
 
-111:                                              ; preds = %113
-  %112 = fcmp ogt double %120, 0.000000e+00
-  br i1 %112, label %123, label %137
+113:                                              ; preds = %115
+  %114 = fcmp ogt double %122, 0.000000e+00
+  br i1 %114, label %125, label %140
 
-113:                                              ; preds = %87, %113
-  %114 = phi i64 [ 0, %87 ], [ %121, %113 ]
-  %115 = phi double [ 0.000000e+00, %87 ], [ %120, %113 ]
-  %116 = getelementptr inbounds double, ptr %89, i64 %114
-  %117 = load double, ptr %116, align 8
-  %118 = tail call double @llvm.fabs.f64(double %117)
-  %119 = fcmp ogt double %118, %115
-  %120 = select i1 %119, double %118, double %115
-  %121 = add nuw nsw i64 %114, 1
-  %122 = icmp eq i64 %121, %85
-  br i1 %122, label %111, label %113, !llvm.loop !26
+115:                                              ; preds = %89, %115
+  %116 = phi i64 [ 0, %89 ], [ %123, %115 ]
+  %117 = phi double [ 0.000000e+00, %89 ], [ %122, %115 ]
+  %118 = getelementptr inbounds double, ptr %91, i64 %116
+  %119 = load double, ptr %118, align 8
+  %120 = tail call double @llvm.fabs.f64(double %119)
+  %121 = fcmp ogt double %120, %117
+  %122 = select i1 %121, double %120, double %117
+  %123 = add nuw nsw i64 %116, 1
+  %124 = icmp eq i64 %123, %87
+  br i1 %124, label %113, label %115, !llvm.loop !26
 
-123:                                              ; preds = %111
-  tail call fastcc void @minimum_norm(ptr noundef nonnull %6, ptr noundef nonnull %3) #7
-  %124 = load i64, ptr %84, align 8
-  %125 = icmp sgt i64 %124, 0
-  br i1 %125, label %126, label %137
+125:                                              ; preds = %113
+  %126 = load i64, ptr %34, align 8
+  tail call fastcc void @minimum_norm(ptr noundef nonnull %6, ptr noundef nonnull %3, i64 noundef %126) #7
+  %127 = load i64, ptr %86, align 8
+  %128 = icmp sgt i64 %127, 0
+  br i1 %128, label %129, label %140
 
-126:                                              ; preds = %123, %126
-  %127 = phi i64 [ %134, %126 ], [ 0, %123 ]
-  %128 = load ptr, ptr %34, align 8
-  %129 = getelementptr inbounds double, ptr %128, i64 %127
-  %130 = load double, ptr %129, align 8
-  %131 = getelementptr inbounds double, ptr %1, i64 %127
-  %132 = load double, ptr %131, align 8
-  %133 = fadd double %130, %132
-  store double %133, ptr %131, align 8
-  %134 = add nuw nsw i64 %127, 1
-  %135 = load i64, ptr %84, align 8
-  %136 = icmp slt i64 %134, %135
-  br i1 %136, label %126, label %137, !llvm.loop !27
+129:                                              ; preds = %125, %129
+  %130 = phi i64 [ %137, %129 ], [ 0, %125 ]
+  %131 = load ptr, ptr %36, align 8
+  %132 = getelementptr inbounds double, ptr %131, i64 %130
+  %133 = load double, ptr %132, align 8
+  %134 = getelementptr inbounds double, ptr %1, i64 %130
+  %135 = load double, ptr %134, align 8
+  %136 = fadd double %133, %135
+  store double %136, ptr %134, align 8
+  %137 = add nuw nsw i64 %130, 1
+  %138 = load i64, ptr %86, align 8
+  %139 = icmp slt i64 %137, %138
+  br i1 %139, label %129, label %140, !llvm.loop !27
 
-137:                                              ; preds = %126, %83, %123, %111
+140:                                              ; preds = %129, %85, %125, %113
   ret void
 }
 
@@ -1002,269 +1032,297 @@ define internal fastcc void @divide_rows(ptr noundef %0, i64 noundef %1, ptr nou
   br i1 %44, label %26, label %34, !llvm.loop !33
 }
 
-define internal fastcc void @minimum_norm(ptr noundef readonly %0, ptr noundef readonly %1) unnamed_addr #2 {
-  %3 = getelementptr inbounds i8, ptr %0, i64 8
-  %4 = load i64, ptr %3, align 8
-  %5 = getelementptr inbounds i8, ptr %0, i64 16
-  %6 = load i64, ptr %5, align 8
-  %7 = load ptr, ptr %0, align 8
-  %8 = getelementptr inbounds i8, ptr %1, i64 120
-  %9 = load ptr, ptr %8, align 8
-  %10 = getelementptr inbounds i8, ptr %1, i64 144
-  %11 = load ptr, ptr %10, align 8
-  %12 = getelementptr inbounds i8, ptr %1, i64 168
-  %13 = load ptr, ptr %12, align 8
-  %14 = getelementptr inbounds i8, ptr %1, i64 216
-  %15 = load ptr, ptr %14, align 8
-  %16 = getelementptr inbounds i8, ptr %1, i64 240
-  %17 = load ptr, ptr %16, align 8
-  %18 = getelementptr inbounds i8, ptr %1, i64 192
-  %19 = load ptr, ptr %18, align 8
-  %20 = icmp sgt i64 %6, 0
-  br i1 %20, label %26, label %21
+define internal fastcc void @minimum_norm(ptr noundef readonly %0, ptr noundef readonly %1, i64 noundef %2) unnamed_addr #2 {
+  %4 = getelementptr inbounds i8, ptr %0, i64 8
+  %5 = load i64, ptr %4, align 8
+  %6 = getelementptr inbounds i8, ptr %0, i64 16
+  %7 = load i64, ptr %6, align 8
+  %8 = load ptr, ptr %0, align 8
+  %9 = getelementptr inbounds i8, ptr %1, i64 120
+  %10 = load ptr, ptr %9, align 8
+  %11 = getelementptr inbounds i8, ptr %1, i64 144
+  %12 = load ptr, ptr %11, align 8
+  %13 = getelementptr inbounds i8, ptr %1, i64 168
+  %14 = load ptr, ptr %13, align 8
+  %15 = getelementptr inbounds i8, ptr %1, i64 216
+  %16 = load ptr, ptr %15, align 8
+  %17 = getelementptr inbounds i8, ptr %1, i64 240
+  %18 = load ptr, ptr %17, align 8
+  %19 = getelementptr inbounds i8, ptr %1, i64 192
+  %20 = load ptr, ptr %19, align 8
+  %21 = icmp sgt i64 %7, 0
+  br i1 %21, label %27, label %22
 
-21:                                               ; preds = %26, %2
-  %22 = icmp sgt i64 %4, 0
-  br i1 %22, label %23, label %31
+22:                                               ; preds = %27, %3
+  %23 = icmp sgt i64 %5, 0
+  br i1 %23, label %24, label %32
 
-23:                                               ; preds = %21
-  %24 = icmp sgt i64 %6, 0
-  %25 = icmp sgt i64 %6, 0
-  br label %38
+24:                                               ; preds = %22
+  %25 = icmp sgt i64 %7, 0
+  %26 = icmp sgt i64 %7, 0
+  br label %41
 
-26:                                               ; preds = %2, %26
-  %27 = phi i64 [ %29, %26 ], [ 0, %2 ]
-  %28 = getelementptr inbounds double, ptr %9, i64 %27
-  store double 0.000000e+00, ptr %28, align 8
-  %29 = add nuw nsw i64 %27, 1
-  %30 = icmp eq i64 %29, %6
-  br i1 %30, label %21, label %26, !llvm.loop !34
+27:                                               ; preds = %3, %27
+  %28 = phi i64 [ %30, %27 ], [ 0, %3 ]
+  %29 = getelementptr inbounds double, ptr %10, i64 %28
+  store double 0.000000e+00, ptr %29, align 8
+  %30 = add nuw nsw i64 %28, 1
+  %31 = icmp eq i64 %30, %7
+  br i1 %31, label %22, label %27, !llvm.loop !34
 
-31:                                               ; preds = %72, %21
-  %32 = icmp sgt i64 %4, 0
-  br i1 %32, label %33, label %173
+32:                                               ; preds = %75, %22
+  %33 = icmp sgt i64 %2, 0
+  br i1 %33, label %34, label %183
 
-33:                                               ; preds = %31
-  %34 = icmp sgt i64 %6, 0
-  %35 = icmp sgt i64 %6, 0
-  %36 = icmp sgt i64 %6, 0
-  %37 = icmp sgt i64 %6, 0
-  br label %75
+34:                                               ; preds = %32
+  %35 = icmp sgt i64 %5, 0
+  %36 = icmp sgt i64 %7, 0
+  %37 = icmp sgt i64 %7, 0
+  %38 = icmp sgt i64 %5, 0
+  %39 = icmp sgt i64 %7, 0
+  %40 = icmp sgt i64 %7, 0
+  br label %78
 
-38:                                               ; preds = %23, %72
-  %39 = phi i64 [ 0, %23 ], [ %73, %72 ]
-  %40 = mul nsw i64 %39, %6
-  %41 = getelementptr inbounds double, ptr %7, i64 %40
-  br i1 %24, label %42, label %51
+41:                                               ; preds = %24, %75
+  %42 = phi i64 [ 0, %24 ], [ %76, %75 ]
+  %43 = mul nsw i64 %42, %7
+  %44 = getelementptr inbounds double, ptr %8, i64 %43
+  br i1 %25, label %45, label %54
 
-42:                                               ; preds = %38, %42
-  %43 = phi i64 [ %49, %42 ], [ 0, %38 ]
-  %44 = phi double [ %48, %42 ], [ 0.000000e+00, %38 ]
-  %45 = getelementptr inbounds double, ptr %41, i64 %43
-  %46 = load double, ptr %45, align 8
-  %47 = fmul double %46, %46
-  %48 = fadd double %44, %47
-  %49 = add nuw nsw i64 %43, 1
-  %50 = icmp eq i64 %49, %6
-  br i1 %50, label %51, label %42, !llvm.loop !22
+45:                                               ; preds = %41, %45
+  %46 = phi i64 [ %52, %45 ], [ 0, %41 ]
+  %47 = phi double [ %51, %45 ], [ 0.000000e+00, %41 ]
+  %48 = getelementptr inbounds double, ptr %44, i64 %46
+  %49 = load double, ptr %48, align 8
+  %50 = fmul double %49, %49
+  %51 = fadd double %47, %50
+  %52 = add nuw nsw i64 %46, 1
+  %53 = icmp eq i64 %52, %7
+  br i1 %53, label %54, label %45, !llvm.loop !22
 
-51:                                               ; preds = %42, %38
-  %52 = phi double [ 0.000000e+00, %38 ], [ %48, %42 ]
-  %53 = getelementptr inbounds double, ptr %13, i64 %39
-  store double 1.000000e+00, ptr %53, align 8
-  %54 = getelementptr inbounds i64, ptr %19, i64 %39
-  store i64 1, ptr %54, align 8
-  %55 = getelementptr inbounds double, ptr %15, i64 %39
-  store double 0.000000e+00, ptr %55, align 8
-  %56 = getelementptr inbounds double, ptr %17, i64 %39
-  store double 0.000000e+00, ptr %56, align 8
-  %57 = fcmp ogt double %52, 0.000000e+00
-  br i1 %57, label %58, label %72
+54:                                               ; preds = %45, %41
+  %55 = phi double [ 0.000000e+00, %41 ], [ %51, %45 ]
+  %56 = getelementptr inbounds double, ptr %14, i64 %42
+  store double 1.000000e+00, ptr %56, align 8
+  %57 = getelementptr inbounds i64, ptr %20, i64 %42
+  store i64 1, ptr %57, align 8
+  %58 = getelementptr inbounds double, ptr %16, i64 %42
+  store double 0.000000e+00, ptr %58, align 8
+  %59 = getelementptr inbounds double, ptr %18, i64 %42
+  store double 0.000000e+00, ptr %59, align 8
+  %60 = fcmp ogt double %55, 0.000000e+00
+  br i1 %60, label %61, label %75
 
-58:                                               ; preds = %51
-  %59 = tail call double @llvm.sqrt.f64(double %52)
-  store double %59, ptr %55, align 8
-  %60 = fdiv double 1.000000e+00, %59
-  store double %60, ptr %53, align 8
-  %61 = getelementptr inbounds double, ptr %11, i64 %39
-  %62 = load double, ptr %61, align 8
-  %63 = fmul double %60, %62
-  store double %63, ptr %61, align 8
-  br i1 %25, label %64, label %72
+61:                                               ; preds = %54
+  %62 = tail call double @llvm.sqrt.f64(double %55)
+  store double %62, ptr %58, align 8
+  %63 = fdiv double 1.000000e+00, %62
+  store double %63, ptr %56, align 8
+  %64 = getelementptr inbounds double, ptr %12, i64 %42
+  %65 = load double, ptr %64, align 8
+  %66 = fmul double %63, %65
+  store double %66, ptr %64, align 8
+  br i1 %26, label %67, label %75
 
-64:                                               ; preds = %58, %64
-  %65 = phi i64 [ %70, %64 ], [ 0, %58 ]
-  %66 = load double, ptr %53, align 8
-  %67 = getelementptr inbounds double, ptr %41, i64 %65
-  %68 = load double, ptr %67, align 8
-  %69 = fmul double %66, %68
-  store double %69, ptr %67, align 8
-  %70 = add nuw nsw i64 %65, 1
-  %71 = icmp eq i64 %70, %6
-  br i1 %71, label %72, label %64, !llvm.loop !35
+67:                                               ; preds = %61, %67
+  %68 = phi i64 [ %73, %67 ], [ 0, %61 ]
+  %69 = load double, ptr %56, align 8
+  %70 = getelementptr inbounds double, ptr %44, i64 %68
+  %71 = load double, ptr %70, align 8
+  %72 = fmul double %69, %71
+  store double %72, ptr %70, align 8
+  %73 = add nuw nsw i64 %68, 1
+  %74 = icmp eq i64 %73, %7
+  br i1 %74, label %75, label %67, !llvm.loop !35
 
-72:                                               ; preds = %64, %58, %51
-  %73 = add nuw nsw i64 %39, 1
-  %74 = icmp eq i64 %73, %4
-  br i1 %74, label %31, label %38, !llvm.loop !36
+75:                                               ; preds = %67, %61, %54
+  %76 = add nuw nsw i64 %42, 1
+  %77 = icmp eq i64 %76, %5
+  br i1 %77, label %32, label %41, !llvm.loop !36
 
-75:                                               ; preds = %33, %170
-  %76 = phi i64 [ 0, %33 ], [ %171, %170 ]
-  br label %79
+78:                                               ; preds = %34, %180
+  %79 = phi i64 [ 0, %34 ], [ %181, %180 ]
+  br i1 %35, label %80, label %113
 
-77:                                               ; preds = %103
-  %78 = icmp sgt i64 %104, -1
-  br i1 %78, label %108, label %173
+80:                                               ; preds = %78, %108
+  %81 = phi i64 [ %111, %108 ], [ 0, %78 ]
+  %82 = phi double [ %110, %108 ], [ 0x3BC79CA10C924224, %78 ]
+  %83 = phi i64 [ %109, %108 ], [ -1, %78 ]
+  %84 = icmp eq i64 %81, %2
+  %85 = fcmp ogt double %82, 1.000000e-04
+  %86 = select i1 %84, i1 %85, i1 false
+  br i1 %86, label %113, label %87
 
-79:                                               ; preds = %75, %103
-  %80 = phi i64 [ %106, %103 ], [ 0, %75 ]
-  %81 = phi double [ %105, %103 ], [ 0x3BC79CA10C924224, %75 ]
-  %82 = phi i64 [ %104, %103 ], [ -1, %75 ]
-  %83 = getelementptr inbounds i64, ptr %19, i64 %80
-  %84 = load i64, ptr %83, align 8
-  %85 = icmp eq i64 %84, 1
-  br i1 %85, label %86, label %103
+87:                                               ; preds = %80
+  %88 = getelementptr inbounds i64, ptr %20, i64 %81
+  %89 = load i64, ptr %88, align 8
+  %90 = icmp eq i64 %89, 1
+  br i1 %90, label %91, label %108
 
-86:                                               ; preds = %79
-  %87 = mul nsw i64 %80, %6
-  %88 = getelementptr inbounds double, ptr %7, i64 %87
-  br i1 %34, label %89, label %98
+91:                                               ; preds = %87
+  %92 = mul nsw i64 %81, %7
+  %93 = getelementptr inbounds double, ptr %8, i64 %92
+  br i1 %36, label %94, label %103
 
-89:                                               ; preds = %86, %89
-  %90 = phi i64 [ %96, %89 ], [ 0, %86 ]
-  %91 = phi double [ %95, %89 ], [ 0.000000e+00, %86 ]
-  %92 = getelementptr inbounds double, ptr %88, i64 %90
-  %93 = load double, ptr %92, align 8
-  %94 = fmul double %93, %93
-  %95 = fadd double %91, %94
-  %96 = add nuw nsw i64 %90, 1
-  %97 = icmp eq i64 %96, %6
-  br i1 %97, label %98, label %89, !llvm.loop !22
+94:                                               ; preds = %91, %94
+  %95 = phi i64 [ %101, %94 ], [ 0, %91 ]
+  %96 = phi double [ %100, %94 ], [ 0.000000e+00, %91 ]
+  %97 = getelementptr inbounds double, ptr %93, i64 %95
+  %98 = load double, ptr %97, align 8
+  %99 = fmul double %98, %98
+  %100 = fadd double %96, %99
+  %101 = add nuw nsw i64 %95, 1
+  %102 = icmp eq i64 %101, %7
+  br i1 %102, label %103, label %94, !llvm.loop !22
 
-98:                                               ; preds = %89, %86
-  %99 = phi double [ 0.000000e+00, %86 ], [ %95, %89 ]
-  %100 = fcmp ogt double %99, %81
-  %101 = select i1 %100, i64 %80, i64 %82
-  %102 = select i1 %100, double %99, double %81
-  br label %103
+103:                                              ; preds = %94, %91
+  %104 = phi double [ 0.000000e+00, %91 ], [ %100, %94 ]
+  %105 = fcmp ogt double %104, %82
+  %106 = select i1 %105, i64 %81, i64 %83
+  %107 = select i1 %105, double %104, double %82
+  br label %108
 
-103:                                              ; preds = %79, %98
-  %104 = phi i64 [ %101, %98 ], [ %82, %79 ]
-  %105 = phi double [ %102, %98 ], [ %81, %79 ]
-  %106 = add nuw nsw i64 %80, 1
-  %107 = icmp eq i64 %106, %4
-  br i1 %107, label %77, label %79, !llvm.loop !37
+108:                                              ; preds = %87, %103
+  %109 = phi i64 [ %106, %103 ], [ %83, %87 ]
+  %110 = phi double [ %107, %103 ], [ %82, %87 ]
+  %111 = add nuw nsw i64 %81, 1
+  %112 = icmp eq i64 %111, %5
+  br i1 %112, label %113, label %80, !llvm.loop !37
 
-108:                                              ; preds = %77
-  %109 = tail call double @llvm.sqrt.f64(double %105)
-  %110 = getelementptr inbounds double, ptr %11, i64 %104
-  %111 = load double, ptr %110, align 8
-  %112 = fdiv double %111, %109
-  %113 = mul nsw i64 %104, %6
-  %114 = getelementptr inbounds double, ptr %7, i64 %113
-  %115 = getelementptr inbounds i64, ptr %19, i64 %104
-  store i64 0, ptr %115, align 8
-  store double 0.000000e+00, ptr %110, align 8
-  %116 = getelementptr inbounds double, ptr %15, i64 %104
-  %117 = load double, ptr %116, align 8
-  %118 = fmul double %109, %117
-  %119 = getelementptr inbounds double, ptr %17, i64 %104
-  store double %118, ptr %119, align 8
-  br i1 %35, label %120, label %131
+113:                                              ; preds = %108, %80, %78
+  %114 = phi i64 [ -1, %78 ], [ %109, %108 ], [ %83, %80 ]
+  %115 = phi double [ 0x3BC79CA10C924224, %78 ], [ %110, %108 ], [ %82, %80 ]
+  %116 = icmp sgt i64 %114, -1
+  br i1 %116, label %117, label %183
 
-120:                                              ; preds = %108, %120
-  %121 = phi i64 [ %129, %120 ], [ 0, %108 ]
-  %122 = getelementptr inbounds double, ptr %114, i64 %121
-  %123 = load double, ptr %122, align 8
-  %124 = fdiv double %123, %109
-  store double %124, ptr %122, align 8
-  %125 = fmul double %112, %124
-  %126 = getelementptr inbounds double, ptr %9, i64 %121
-  %127 = load double, ptr %126, align 8
-  %128 = fadd double %127, %125
-  store double %128, ptr %126, align 8
-  %129 = add nuw nsw i64 %121, 1
-  %130 = icmp eq i64 %129, %6
-  br i1 %130, label %131, label %120, !llvm.loop !38
+117:                                              ; preds = %113
+  %118 = tail call double @llvm.sqrt.f64(double %115)
+  %119 = getelementptr inbounds double, ptr %12, i64 %114
+  %120 = load double, ptr %119, align 8
+  %121 = fdiv double %120, %118
+  %122 = mul nsw i64 %114, %7
+  %123 = getelementptr inbounds double, ptr %8, i64 %122
+  %124 = getelementptr inbounds i64, ptr %20, i64 %114
+  store i64 0, ptr %124, align 8
+  store double 0.000000e+00, ptr %119, align 8
+  %125 = getelementptr inbounds double, ptr %16, i64 %114
+  %126 = load double, ptr %125, align 8
+  %127 = fmul double %118, %126
+  %128 = getelementptr inbounds double, ptr %18, i64 %114
+  store double %127, ptr %128, align 8
+  br i1 %37, label %130, label %129
 
-131:                                              ; preds = %120, %108
-  br label %132
+129:                                              ; preds = %130, %117
+  br i1 %38, label %141, label %179
 
-132:                                              ; preds = %131, %167
-  %133 = phi i64 [ %168, %167 ], [ 0, %131 ]
-  %134 = getelementptr inbounds i64, ptr %19, i64 %133
-  %135 = load i64, ptr %134, align 8
-  %136 = icmp eq i64 %135, 1
-  br i1 %136, label %137, label %167
+130:                                              ; preds = %117, %130
+  %131 = phi i64 [ %139, %130 ], [ 0, %117 ]
+  %132 = getelementptr inbounds double, ptr %123, i64 %131
+  %133 = load double, ptr %132, align 8
+  %134 = fdiv double %133, %118
+  store double %134, ptr %132, align 8
+  %135 = fmul double %121, %134
+  %136 = getelementptr inbounds double, ptr %10, i64 %131
+  %137 = load double, ptr %136, align 8
+  %138 = fadd double %137, %135
+  store double %138, ptr %136, align 8
+  %139 = add nuw nsw i64 %131, 1
+  %140 = icmp eq i64 %139, %7
+  br i1 %140, label %129, label %130, !llvm.loop !38
 
-137:                                              ; preds = %132
-  %138 = mul nsw i64 %133, %6
-  %139 = getelementptr double, ptr %7, i64 %138
-  br i1 %36, label %140, label %151
+141:                                              ; preds = %129, %176
+  %142 = phi i64 [ %177, %176 ], [ 0, %129 ]
+  %143 = getelementptr inbounds i64, ptr %20, i64 %142
+  %144 = load i64, ptr %143, align 8
+  %145 = icmp eq i64 %144, 1
+  br i1 %145, label %146, label %176
 
-140:                                              ; preds = %137, %140
-  %141 = phi i64 [ %149, %140 ], [ 0, %137 ]
-  %142 = phi double [ %148, %140 ], [ 0.000000e+00, %137 ]
-  %143 = getelementptr inbounds double, ptr %139, i64 %141
-  %144 = load double, ptr %143, align 8
-  %145 = getelementptr inbounds double, ptr %114, i64 %141
-  %146 = load double, ptr %145, align 8
-  %147 = fmul double %144, %146
-  %148 = fadd double %142, %147
-  %149 = add nuw nsw i64 %141, 1
-  %150 = icmp eq i64 %149, %6
-  br i1 %150, label %151, label %140, !llvm.loop !22
+146:                                              ; preds = %141
+  %147 = mul nsw i64 %142, %7
+  %148 = getelementptr double, ptr %8, i64 %147
+  br i1 %39, label %149, label %160
 
-151:                                              ; preds = %140, %137
-  %152 = phi double [ 0.000000e+00, %137 ], [ %148, %140 ]
-  %153 = fmul double %112, %152
-  %154 = getelementptr inbounds double, ptr %11, i64 %133
+149:                                              ; preds = %146, %149
+  %150 = phi i64 [ %158, %149 ], [ 0, %146 ]
+  %151 = phi double [ %157, %149 ], [ 0.000000e+00, %146 ]
+  %152 = getelementptr inbounds double, ptr %148, i64 %150
+  %153 = load double, ptr %152, align 8
+  %154 = getelementptr inbounds double, ptr %123, i64 %150
   %155 = load double, ptr %154, align 8
-  %156 = fsub double %155, %153
-  store double %156, ptr %154, align 8
-  br i1 %37, label %157, label %167
+  %156 = fmul double %153, %155
+  %157 = fadd double %151, %156
+  %158 = add nuw nsw i64 %150, 1
+  %159 = icmp eq i64 %158, %7
+  br i1 %159, label %160, label %149, !llvm.loop !22
 
-157:                                              ; preds = %151, %157
-  %158 = phi i64 [ %165, %157 ], [ 0, %151 ]
-  %159 = getelementptr inbounds double, ptr %114, i64 %158
-  %160 = load double, ptr %159, align 8
-  %161 = fmul double %152, %160
-  %162 = getelementptr double, ptr %139, i64 %158
-  %163 = load double, ptr %162, align 8
-  %164 = fsub double %163, %161
-  store double %164, ptr %162, align 8
-  %165 = add nuw nsw i64 %158, 1
-  %166 = icmp eq i64 %165, %6
-  br i1 %166, label %167, label %157, !llvm.loop !39
+160:                                              ; preds = %149, %146
+  %161 = phi double [ 0.000000e+00, %146 ], [ %157, %149 ]
+  %162 = fmul double %121, %161
+  %163 = getelementptr inbounds double, ptr %12, i64 %142
+  %164 = load double, ptr %163, align 8
+  %165 = fsub double %164, %162
+  store double %165, ptr %163, align 8
+  br i1 %40, label %166, label %176
 
-167:                                              ; preds = %157, %151, %132
-  %168 = add nuw nsw i64 %133, 1
-  %169 = icmp eq i64 %168, %4
-  br i1 %169, label %170, label %132, !llvm.loop !40
+166:                                              ; preds = %160, %166
+  %167 = phi i64 [ %174, %166 ], [ 0, %160 ]
+  %168 = getelementptr inbounds double, ptr %123, i64 %167
+  %169 = load double, ptr %168, align 8
+  %170 = fmul double %161, %169
+  %171 = getelementptr double, ptr %148, i64 %167
+  %172 = load double, ptr %171, align 8
+  %173 = fsub double %172, %170
+  store double %173, ptr %171, align 8
+  %174 = add nuw nsw i64 %167, 1
+  %175 = icmp eq i64 %174, %7
+  br i1 %175, label %176, label %166, !llvm.loop !39
 
-170:                                              ; preds = %167
-  %171 = add nuw nsw i64 %76, 1
-  %172 = icmp eq i64 %171, %4
-  br i1 %172, label %173, label %75, !llvm.loop !41
+176:                                              ; preds = %166, %160, %141
+  %177 = add nuw nsw i64 %142, 1
+  %178 = icmp eq i64 %177, %5
+  br i1 %178, label %179, label %141, !llvm.loop !40
 
-173:                                              ; preds = %170, %77, %31
-  %174 = icmp sgt i64 %4, 0
-  br i1 %174, label %176, label %175
+179:                                              ; preds = %176, %129
+  br i1 %116, label %180, label %183
 
-175:                                              ; preds = %176, %173
+180:                                              ; preds = %179
+  %181 = add nuw nsw i64 %79, 1
+  %182 = icmp eq i64 %181, %2
+  br i1 %182, label %183, label %78, !llvm.loop !41
+
+183:                                              ; preds = %180, %179, %113, %32
+  %184 = phi i64 [ 0, %32 ], [ %2, %180 ], [ %79, %179 ], [ %79, %113 ]
+  %185 = icmp sgt i64 %5, 0
+  br i1 %185, label %186, label %190
+
+186:                                              ; preds = %183
+  %187 = icmp eq i64 %184, %2
+  %188 = icmp sgt i64 %5, %2
+  %189 = select i1 %187, i1 %188, i1 false
+  br label %191
+
+190:                                              ; preds = %199, %183
   ret void
 
-176:                                              ; preds = %173, %176
-  %177 = phi i64 [ %183, %176 ], [ 0, %173 ]
-  %178 = getelementptr inbounds double, ptr %13, i64 %177
-  %179 = load double, ptr %178, align 8
-  %180 = getelementptr inbounds double, ptr %11, i64 %177
-  %181 = load double, ptr %180, align 8
-  %182 = fdiv double %181, %179
-  store double %182, ptr %180, align 8
-  %183 = add nuw nsw i64 %177, 1
-  %184 = icmp eq i64 %183, %4
-  br i1 %184, label %175, label %176, !llvm.loop !42
+191:                                              ; preds = %186, %199
+  %192 = phi i64 [ 0, %186 ], [ %202, %199 ]
+  br i1 %189, label %199, label %193
+
+193:                                              ; preds = %191
+  %194 = getelementptr inbounds double, ptr %12, i64 %192
+  %195 = load double, ptr %194, align 8
+  %196 = getelementptr inbounds double, ptr %14, i64 %192
+  %197 = load double, ptr %196, align 8
+  %198 = fdiv double %195, %197
+  br label %199
+
+199:                                              ; preds = %191, %193
+  %200 = phi double [ %198, %193 ], [ 0.000000e+00, %191 ]
+  %201 = getelementptr inbounds double, ptr %12, i64 %192
+  store double %200, ptr %201, align 8
+  %202 = add nuw nsw i64 %192, 1
+  %203 = icmp eq i64 %202, %5
+  br i1 %203, label %190, label %191, !llvm.loop !42
 }
 
 declare double @llvm.sqrt.f64(double) #3

@@ -1,7 +1,7 @@
-; sources d87e2c0ee507f43c61de2166a28c995938bc5a91f16100f5ba92ba79abcd6196
+; sources c503a76e84df8cfd88abaef212bebb322efde2db9792ecc0c195a5c3a211ba23
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
-%struct.Held = type { ptr, i64, i64, i64, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr }
+%struct.Held = type { ptr, i64, i64, i64, i64, i64, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr }
 
 define i64 @project_columns(ptr noundef %0, double noundef %1, ptr noundef %2) #0 {
   %4 = alloca %struct.Held, align 8
@@ -15,7 +15,7 @@ define i64 @project_columns(ptr noundef %0, double noundef %1, ptr noundef %2) #
   %12 = inttoptr i64 %11 to ptr
   %13 = tail call i64 %12(ptr noundef %0, double noundef %1, ptr noundef %2) #8
   %14 = icmp eq i64 %13, 0
-  br i1 %14, label %15, label %182
+  br i1 %14, label %15, label %188
 
 15:                                               ; preds = %3
   tail call void @llvm.experimental.noalias.scope.decl(metadata !3)
@@ -45,226 +45,234 @@ define i64 @project_columns(ptr noundef %0, double noundef %1, ptr noundef %2) #
   %34 = load i64, ptr %33, align 8, !noalias !3
   store i64 %34, ptr %32, align 8, !alias.scope !3
   %35 = getelementptr inbounds i8, ptr %4, i64 48
-  %36 = getelementptr inbounds i8, ptr %0, i64 696
-  %37 = load ptr, ptr %36, align 8, !noalias !3
-  store ptr %37, ptr %35, align 8, !alias.scope !3
+  %36 = getelementptr inbounds i8, ptr %16, i64 80
+  %37 = load i64, ptr %36, align 8, !noalias !3
+  store i64 %37, ptr %35, align 8, !alias.scope !3
   %38 = getelementptr inbounds i8, ptr %4, i64 56
-  store ptr null, ptr %38, align 8, !alias.scope !3
-  %39 = getelementptr inbounds i8, ptr %4, i64 64
-  store ptr null, ptr %39, align 8, !alias.scope !3
-  %40 = getelementptr inbounds i8, ptr %4, i64 72
-  store ptr null, ptr %40, align 8, !alias.scope !3
-  %41 = getelementptr inbounds i8, ptr %4, i64 80
-  store ptr null, ptr %41, align 8, !alias.scope !3
-  %42 = getelementptr inbounds i8, ptr %4, i64 88
-  store ptr null, ptr %42, align 8, !alias.scope !3
-  %43 = getelementptr inbounds i8, ptr %4, i64 96
-  store ptr null, ptr %43, align 8, !alias.scope !3
-  %44 = getelementptr inbounds double, ptr %37, i64 %22
-  %45 = getelementptr inbounds double, ptr %44, i64 %25
-  store ptr %45, ptr %38, align 8, !alias.scope !3
-  %46 = mul nsw i64 %28, %22
-  %47 = getelementptr inbounds double, ptr %45, i64 %46
-  store ptr %47, ptr %39, align 8, !alias.scope !3
-  %48 = mul nsw i64 %31, %28
-  %49 = getelementptr inbounds double, ptr %47, i64 %48
-  store ptr %49, ptr %40, align 8, !alias.scope !3
-  %50 = mul nsw i64 %31, %25
-  %51 = getelementptr inbounds double, ptr %49, i64 %50
-  store ptr %51, ptr %41, align 8, !alias.scope !3
-  %52 = mul i64 %31, %31
-  %53 = mul i64 %52, %34
-  %54 = getelementptr inbounds double, ptr %51, i64 %53
-  store ptr %54, ptr %42, align 8, !alias.scope !3
-  %55 = getelementptr inbounds double, ptr %54, i64 %22
-  store ptr %55, ptr %43, align 8, !alias.scope !3
-  %56 = load ptr, ptr %9, align 8
-  %57 = getelementptr inbounds i8, ptr %56, i64 16
-  %58 = load i64, ptr %57, align 8
-  %59 = getelementptr inbounds i8, ptr %9, i64 48
-  %60 = load ptr, ptr %59, align 8
-  %61 = getelementptr inbounds i8, ptr %0, i64 144
-  %62 = load ptr, ptr %61, align 8
-  %63 = getelementptr inbounds i8, ptr %62, i64 8
+  %39 = getelementptr inbounds i8, ptr %16, i64 88
+  %40 = load i64, ptr %39, align 8, !noalias !3
+  store i64 %40, ptr %38, align 8, !alias.scope !3
+  %41 = getelementptr inbounds i8, ptr %4, i64 64
+  %42 = getelementptr inbounds i8, ptr %0, i64 696
+  %43 = load ptr, ptr %42, align 8, !noalias !3
+  store ptr %43, ptr %41, align 8, !alias.scope !3
+  %44 = getelementptr inbounds i8, ptr %4, i64 72
+  store ptr null, ptr %44, align 8, !alias.scope !3
+  %45 = getelementptr inbounds i8, ptr %4, i64 80
+  store ptr null, ptr %45, align 8, !alias.scope !3
+  %46 = getelementptr inbounds i8, ptr %4, i64 88
+  store ptr null, ptr %46, align 8, !alias.scope !3
+  %47 = getelementptr inbounds i8, ptr %4, i64 96
+  store ptr null, ptr %47, align 8, !alias.scope !3
+  %48 = getelementptr inbounds i8, ptr %4, i64 104
+  store ptr null, ptr %48, align 8, !alias.scope !3
+  %49 = getelementptr inbounds i8, ptr %4, i64 112
+  store ptr null, ptr %49, align 8, !alias.scope !3
+  %50 = getelementptr inbounds double, ptr %43, i64 %22
+  %51 = getelementptr inbounds double, ptr %50, i64 %25
+  store ptr %51, ptr %44, align 8, !alias.scope !3
+  %52 = mul nsw i64 %28, %22
+  %53 = getelementptr inbounds double, ptr %51, i64 %52
+  store ptr %53, ptr %45, align 8, !alias.scope !3
+  %54 = mul nsw i64 %31, %28
+  %55 = getelementptr inbounds double, ptr %53, i64 %54
+  store ptr %55, ptr %46, align 8, !alias.scope !3
+  %56 = mul nsw i64 %31, %25
+  %57 = getelementptr inbounds double, ptr %55, i64 %56
+  store ptr %57, ptr %47, align 8, !alias.scope !3
+  %58 = mul i64 %31, %31
+  %59 = mul i64 %58, %34
+  %60 = getelementptr inbounds double, ptr %57, i64 %59
+  store ptr %60, ptr %48, align 8, !alias.scope !3
+  %61 = getelementptr inbounds double, ptr %60, i64 %22
+  store ptr %61, ptr %49, align 8, !alias.scope !3
+  %62 = load ptr, ptr %9, align 8
+  %63 = getelementptr inbounds i8, ptr %62, i64 16
   %64 = load i64, ptr %63, align 8
-  %65 = add nsw i64 %58, 1
-  %66 = sdiv i64 %64, %65
-  %67 = getelementptr inbounds double, ptr %2, i64 %66
-  %68 = load ptr, ptr %19, align 8
-  %69 = icmp sgt i64 %31, 0
-  br i1 %69, label %70, label %84
+  %65 = getelementptr inbounds i8, ptr %9, i64 48
+  %66 = load ptr, ptr %65, align 8
+  %67 = getelementptr inbounds i8, ptr %0, i64 144
+  %68 = load ptr, ptr %67, align 8
+  %69 = getelementptr inbounds i8, ptr %68, i64 8
+  %70 = load i64, ptr %69, align 8
+  %71 = add nsw i64 %64, 1
+  %72 = sdiv i64 %70, %71
+  %73 = getelementptr inbounds double, ptr %2, i64 %72
+  %74 = load ptr, ptr %19, align 8
+  %75 = icmp sgt i64 %31, 0
+  br i1 %75, label %76, label %90
 
-70:                                               ; preds = %15, %74
-  %71 = phi i64 [ %75, %74 ], [ 0, %15 ]
-  %72 = mul nuw nsw i64 %71, %31
-  %73 = getelementptr double, ptr %68, i64 %72
-  br label %77
+76:                                               ; preds = %15, %80
+  %77 = phi i64 [ %81, %80 ], [ 0, %15 ]
+  %78 = mul nuw nsw i64 %77, %31
+  %79 = getelementptr double, ptr %74, i64 %78
+  br label %83
 
-74:                                               ; preds = %77
-  %75 = add nuw nsw i64 %71, 1
-  %76 = icmp eq i64 %75, %31
-  br i1 %76, label %84, label %70, !llvm.loop !6
+80:                                               ; preds = %83
+  %81 = add nuw nsw i64 %77, 1
+  %82 = icmp eq i64 %81, %31
+  br i1 %82, label %90, label %76, !llvm.loop !6
 
-77:                                               ; preds = %70, %77
-  %78 = phi i64 [ 0, %70 ], [ %82, %77 ]
-  %79 = icmp eq i64 %71, %78
-  %80 = select i1 %79, double 1.000000e+00, double 0.000000e+00
-  %81 = getelementptr double, ptr %73, i64 %78
-  store double %80, ptr %81, align 8
-  %82 = add nuw nsw i64 %78, 1
-  %83 = icmp eq i64 %82, %31
-  br i1 %83, label %74, label %77, !llvm.loop !9
+83:                                               ; preds = %76, %83
+  %84 = phi i64 [ 0, %76 ], [ %88, %83 ]
+  %85 = icmp eq i64 %77, %84
+  %86 = select i1 %85, double 1.000000e+00, double 0.000000e+00
+  %87 = getelementptr double, ptr %79, i64 %84
+  store double %86, ptr %87, align 8
+  %88 = add nuw nsw i64 %84, 1
+  %89 = icmp eq i64 %88, %31
+  br i1 %89, label %80, label %83, !llvm.loop !9
 
-84:                                               ; preds = %74, %15
-  %85 = icmp eq i64 %34, 1
-  br i1 %85, label %86, label %106
+90:                                               ; preds = %80, %15
+  %91 = icmp eq i64 %34, 1
+  br i1 %91, label %92, label %112
 
-86:                                               ; preds = %84
-  %87 = getelementptr inbounds i8, ptr %19, i64 8
-  %88 = getelementptr inbounds i8, ptr %19, i64 16
-  %89 = load i64, ptr %87, align 8
-  %90 = load i64, ptr %88, align 8
-  %91 = mul nsw i64 %90, %89
-  %92 = icmp sgt i64 %91, 0
-  br i1 %92, label %93, label %104
+92:                                               ; preds = %90
+  %93 = getelementptr inbounds i8, ptr %19, i64 8
+  %94 = getelementptr inbounds i8, ptr %19, i64 16
+  %95 = load i64, ptr %93, align 8
+  %96 = load i64, ptr %94, align 8
+  %97 = mul nsw i64 %96, %95
+  %98 = icmp sgt i64 %97, 0
+  br i1 %98, label %99, label %110
 
-93:                                               ; preds = %86, %93
-  %94 = phi i64 [ %99, %93 ], [ 0, %86 ]
-  %95 = getelementptr inbounds double, ptr %51, i64 %94
-  %96 = load double, ptr %95, align 8
-  %97 = load ptr, ptr %19, align 8
-  %98 = getelementptr inbounds double, ptr %97, i64 %94
-  store double %96, ptr %98, align 8
-  %99 = add nuw nsw i64 %94, 1
-  %100 = load i64, ptr %87, align 8
-  %101 = load i64, ptr %88, align 8
-  %102 = mul nsw i64 %101, %100
-  %103 = icmp slt i64 %99, %102
-  br i1 %103, label %93, label %104, !llvm.loop !10
+99:                                               ; preds = %92, %99
+  %100 = phi i64 [ %105, %99 ], [ 0, %92 ]
+  %101 = getelementptr inbounds double, ptr %57, i64 %100
+  %102 = load double, ptr %101, align 8
+  %103 = load ptr, ptr %19, align 8
+  %104 = getelementptr inbounds double, ptr %103, i64 %100
+  store double %102, ptr %104, align 8
+  %105 = add nuw nsw i64 %100, 1
+  %106 = load i64, ptr %93, align 8
+  %107 = load i64, ptr %94, align 8
+  %108 = mul nsw i64 %107, %106
+  %109 = icmp slt i64 %105, %108
+  br i1 %109, label %99, label %110, !llvm.loop !10
 
-104:                                              ; preds = %93, %86
-  %105 = load ptr, ptr %19, align 8
-  tail call fastcc void @factorise(ptr noundef %105, i64 noundef %31) #10
-  br label %106
+110:                                              ; preds = %99, %92
+  %111 = load ptr, ptr %19, align 8
+  tail call fastcc void @factorise(ptr noundef %111, i64 noundef %31) #10
+  br label %112
 
-106:                                              ; preds = %84, %104
-  %107 = icmp sgt i64 %22, 0
-  br i1 %107, label %108, label %152
+112:                                              ; preds = %90, %110
+  %113 = icmp sgt i64 %22, 0
+  br i1 %113, label %114, label %158
 
-108:                                              ; preds = %106
-  %109 = tail call fastcc i64 @move(ptr noundef %0, ptr noundef nonnull %9, ptr noundef %2) #10
-  %110 = icmp slt i64 %109, 0
-  br i1 %110, label %180, label %111
+114:                                              ; preds = %112
+  %115 = tail call fastcc i64 @move(ptr noundef %0, ptr noundef nonnull %9, ptr noundef %2) #10
+  %116 = icmp slt i64 %115, 0
+  br i1 %116, label %186, label %117
 
-111:                                              ; preds = %108
-  %112 = getelementptr inbounds i8, ptr %19, i64 24
-  %113 = getelementptr inbounds i8, ptr %19, i64 32
-  %114 = getelementptr inbounds i8, ptr %19, i64 40
-  %115 = load i64, ptr %113, align 8
-  %116 = load i64, ptr %114, align 8
-  %117 = mul nsw i64 %116, %115
-  %118 = icmp sgt i64 %117, 0
-  br i1 %118, label %124, label %119
+117:                                              ; preds = %114
+  %118 = getelementptr inbounds i8, ptr %19, i64 24
+  %119 = getelementptr inbounds i8, ptr %19, i64 32
+  %120 = getelementptr inbounds i8, ptr %19, i64 40
+  %121 = load i64, ptr %119, align 8
+  %122 = load i64, ptr %120, align 8
+  %123 = mul nsw i64 %122, %121
+  %124 = icmp sgt i64 %123, 0
+  br i1 %124, label %130, label %125
 
-119:                                              ; preds = %124, %111
-  %120 = icmp sgt i64 %58, 0
-  br i1 %120, label %121, label %152
+125:                                              ; preds = %130, %117
+  %126 = icmp sgt i64 %64, 0
+  br i1 %126, label %127, label %158
 
-121:                                              ; preds = %119
-  %122 = getelementptr inbounds i8, ptr %19, i64 144
-  %123 = tail call i64 @llvm.smax.i64(i64 %22, i64 1)
-  br label %135
+127:                                              ; preds = %125
+  %128 = getelementptr inbounds i8, ptr %19, i64 144
+  %129 = tail call i64 @llvm.smax.i64(i64 %22, i64 1)
+  br label %141
 
-124:                                              ; preds = %111, %124
-  %125 = phi i64 [ %130, %124 ], [ 0, %111 ]
-  %126 = getelementptr inbounds double, ptr %47, i64 %125
-  %127 = load double, ptr %126, align 8
-  %128 = load ptr, ptr %112, align 8
-  %129 = getelementptr inbounds double, ptr %128, i64 %125
-  store double %127, ptr %129, align 8
-  %130 = add nuw nsw i64 %125, 1
-  %131 = load i64, ptr %113, align 8
-  %132 = load i64, ptr %114, align 8
-  %133 = mul nsw i64 %132, %131
-  %134 = icmp slt i64 %130, %133
-  br i1 %134, label %124, label %119, !llvm.loop !10
+130:                                              ; preds = %117, %130
+  %131 = phi i64 [ %136, %130 ], [ 0, %117 ]
+  %132 = getelementptr inbounds double, ptr %53, i64 %131
+  %133 = load double, ptr %132, align 8
+  %134 = load ptr, ptr %118, align 8
+  %135 = getelementptr inbounds double, ptr %134, i64 %131
+  store double %133, ptr %135, align 8
+  %136 = add nuw nsw i64 %131, 1
+  %137 = load i64, ptr %119, align 8
+  %138 = load i64, ptr %120, align 8
+  %139 = mul nsw i64 %138, %137
+  %140 = icmp slt i64 %136, %139
+  br i1 %140, label %130, label %125, !llvm.loop !10
 
-135:                                              ; preds = %121, %148
-  %136 = phi i64 [ 0, %121 ], [ %150, %148 ]
-  %137 = getelementptr inbounds double, ptr %60, i64 %136
-  %138 = load ptr, ptr %122, align 8
-  br label %139
+141:                                              ; preds = %127, %154
+  %142 = phi i64 [ 0, %127 ], [ %156, %154 ]
+  %143 = getelementptr inbounds double, ptr %66, i64 %142
+  %144 = load ptr, ptr %128, align 8
+  br label %145
 
-139:                                              ; preds = %135, %139
-  %140 = phi i64 [ %146, %139 ], [ 0, %135 ]
-  %141 = mul nuw nsw i64 %140, %58
-  %142 = getelementptr inbounds double, ptr %137, i64 %141
-  %143 = load double, ptr %142, align 8
-  %144 = fneg double %143
-  %145 = getelementptr inbounds double, ptr %138, i64 %140
-  store double %144, ptr %145, align 8
-  %146 = add nuw nsw i64 %140, 1
-  %147 = icmp eq i64 %146, %123
-  br i1 %147, label %148, label %139, !llvm.loop !11
+145:                                              ; preds = %141, %145
+  %146 = phi i64 [ %152, %145 ], [ 0, %141 ]
+  %147 = mul nuw nsw i64 %146, %64
+  %148 = getelementptr inbounds double, ptr %143, i64 %147
+  %149 = load double, ptr %148, align 8
+  %150 = fneg double %149
+  %151 = getelementptr inbounds double, ptr %144, i64 %146
+  store double %150, ptr %151, align 8
+  %152 = add nuw nsw i64 %146, 1
+  %153 = icmp eq i64 %152, %129
+  br i1 %153, label %154, label %145, !llvm.loop !11
 
-148:                                              ; preds = %139
-  %149 = getelementptr inbounds double, ptr %67, i64 %136
-  call fastcc void @move_positions(ptr noundef nonnull %4, ptr noundef %149, i64 noundef %58) #10
-  %150 = add nuw nsw i64 %136, 1
-  %151 = icmp eq i64 %150, %58
-  br i1 %151, label %152, label %135, !llvm.loop !12
+154:                                              ; preds = %145
+  %155 = getelementptr inbounds double, ptr %73, i64 %142
+  call fastcc void @move_positions(ptr noundef nonnull %4, ptr noundef %155, i64 noundef %64) #10
+  %156 = add nuw nsw i64 %142, 1
+  %157 = icmp eq i64 %156, %64
+  br i1 %157, label %158, label %141, !llvm.loop !12
 
-152:                                              ; preds = %148, %119, %106
-  %153 = icmp sgt i64 %25, 0
-  br i1 %153, label %154, label %180
+158:                                              ; preds = %154, %125, %112
+  %159 = icmp sgt i64 %25, 0
+  br i1 %159, label %160, label %186
 
-154:                                              ; preds = %152
-  %155 = tail call fastcc i64 @move(ptr noundef %0, ptr noundef nonnull %9, ptr noundef %2) #10
-  %156 = icmp slt i64 %155, 0
-  br i1 %156, label %180, label %157
+160:                                              ; preds = %158
+  %161 = tail call fastcc i64 @move(ptr noundef %0, ptr noundef nonnull %9, ptr noundef %2) #10
+  %162 = icmp slt i64 %161, 0
+  br i1 %162, label %186, label %163
 
-157:                                              ; preds = %154
-  %158 = icmp sgt i64 %58, 0
-  br i1 %158, label %159, label %180
+163:                                              ; preds = %160
+  %164 = icmp sgt i64 %64, 0
+  br i1 %164, label %165, label %186
 
-159:                                              ; preds = %157
-  %160 = mul nsw i64 %58, %22
-  %161 = getelementptr inbounds double, ptr %60, i64 %160
-  %162 = getelementptr inbounds i8, ptr %19, i64 144
-  br label %163
+165:                                              ; preds = %163
+  %166 = mul nsw i64 %64, %22
+  %167 = getelementptr inbounds double, ptr %66, i64 %166
+  %168 = getelementptr inbounds i8, ptr %19, i64 144
+  br label %169
 
-163:                                              ; preds = %159, %176
-  %164 = phi i64 [ 0, %159 ], [ %178, %176 ]
-  %165 = getelementptr inbounds double, ptr %161, i64 %164
-  %166 = load ptr, ptr %162, align 8
-  br label %167
+169:                                              ; preds = %165, %182
+  %170 = phi i64 [ 0, %165 ], [ %184, %182 ]
+  %171 = getelementptr inbounds double, ptr %167, i64 %170
+  %172 = load ptr, ptr %168, align 8
+  br label %173
 
-167:                                              ; preds = %163, %167
-  %168 = phi i64 [ %174, %167 ], [ 0, %163 ]
-  %169 = mul nuw nsw i64 %168, %58
-  %170 = getelementptr inbounds double, ptr %165, i64 %169
-  %171 = load double, ptr %170, align 8
-  %172 = fneg double %171
-  %173 = getelementptr inbounds double, ptr %166, i64 %168
-  store double %172, ptr %173, align 8
-  %174 = add nuw nsw i64 %168, 1
-  %175 = icmp eq i64 %174, %25
-  br i1 %175, label %176, label %167, !llvm.loop !11
+173:                                              ; preds = %169, %173
+  %174 = phi i64 [ %180, %173 ], [ 0, %169 ]
+  %175 = mul nuw nsw i64 %174, %64
+  %176 = getelementptr inbounds double, ptr %171, i64 %175
+  %177 = load double, ptr %176, align 8
+  %178 = fneg double %177
+  %179 = getelementptr inbounds double, ptr %172, i64 %174
+  store double %178, ptr %179, align 8
+  %180 = add nuw nsw i64 %174, 1
+  %181 = icmp eq i64 %180, %25
+  br i1 %181, label %182, label %173, !llvm.loop !11
 
-176:                                              ; preds = %167
-  %177 = getelementptr inbounds double, ptr %67, i64 %164
-  call fastcc void @move_speeds(ptr noundef nonnull %4, ptr noundef %177, i64 noundef %58) #10
-  %178 = add nuw nsw i64 %164, 1
-  %179 = icmp eq i64 %178, %58
-  br i1 %179, label %180, label %163, !llvm.loop !13
+182:                                              ; preds = %173
+  %183 = getelementptr inbounds double, ptr %73, i64 %170
+  call fastcc void @move_speeds(ptr noundef nonnull %4, ptr noundef %183, i64 noundef %64) #10
+  %184 = add nuw nsw i64 %170, 1
+  %185 = icmp eq i64 %184, %64
+  br i1 %185, label %186, label %169, !llvm.loop !13
 
-180:                                              ; preds = %176, %157, %152, %154, %108
-  %181 = phi i64 [ 6, %108 ], [ 6, %154 ], [ 0, %152 ], [ 0, %157 ], [ 0, %176 ]
-  br label %182
+186:                                              ; preds = %182, %163, %158, %160, %114
+  %187 = phi i64 [ 6, %114 ], [ 6, %160 ], [ 0, %158 ], [ 0, %163 ], [ 0, %182 ]
+  br label %188
 
-182:                                              ; preds = %3, %180
-  %183 = phi i64 [ %181, %180 ], [ %13, %3 ]
-  ret i64 %183
+188:                                              ; preds = %3, %186
+  %189 = phi i64 [ %187, %186 ], [ %13, %3 ]
+  ret i64 %189
 }
 
 
@@ -288,7 +296,7 @@ define internal fastcc range(i64 -2147483648, 2147483648) i64 @move(ptr noundef 
 
 define internal fastcc void @move_positions(ptr noundef readonly %0, ptr noundef %1, i64 noundef %2) unnamed_addr #3 {
   %4 = load ptr, ptr %0, align 8
-  %5 = getelementptr inbounds i8, ptr %0, i64 56
+  %5 = getelementptr inbounds i8, ptr %0, i64 72
   %6 = load ptr, ptr %5, align 8
   %7 = getelementptr inbounds i8, ptr %4, i64 48
   %8 = getelementptr inbounds i8, ptr %4, i64 56
@@ -325,161 +333,164 @@ define internal fastcc void @move_positions(ptr noundef readonly %0, ptr noundef
   %33 = getelementptr inbounds i8, ptr %0, i64 32
   %34 = load i64, ptr %33, align 8
   tail call fastcc void @divide_rows(ptr noundef %29, i64 noundef %31, ptr noundef %32, i64 noundef %34) #10
-  tail call fastcc void @minimum_norm(ptr noundef nonnull %28, ptr noundef nonnull %4) #10
-  %35 = getelementptr inbounds i8, ptr %4, i64 120
-  %36 = load ptr, ptr %35, align 8
-  %37 = load i64, ptr %33, align 8
-  %38 = icmp sgt i64 %37, 0
-  br i1 %38, label %39, label %48
+  %35 = getelementptr inbounds i8, ptr %0, i64 48
+  %36 = load i64, ptr %35, align 8
+  tail call fastcc void @minimum_norm(ptr noundef nonnull %28, ptr noundef nonnull %4, i64 noundef %36) #10
+  %37 = getelementptr inbounds i8, ptr %4, i64 120
+  %38 = load ptr, ptr %37, align 8
+  %39 = load i64, ptr %33, align 8
+  %40 = icmp sgt i64 %39, 0
+  br i1 %40, label %41, label %50
 
-39:                                               ; preds = %25, %39
-  %40 = phi i64 [ %46, %39 ], [ 0, %25 ]
-  %41 = phi double [ %45, %39 ], [ 0.000000e+00, %25 ]
-  %42 = getelementptr inbounds double, ptr %36, i64 %40
-  %43 = load double, ptr %42, align 8
-  %44 = fmul double %43, %43
-  %45 = fadd double %41, %44
-  %46 = add nuw nsw i64 %40, 1
-  %47 = icmp eq i64 %46, %37
-  br i1 %47, label %48, label %39, !llvm.loop !14
+41:                                               ; preds = %25, %41
+  %42 = phi i64 [ %48, %41 ], [ 0, %25 ]
+  %43 = phi double [ %47, %41 ], [ 0.000000e+00, %25 ]
+  %44 = getelementptr inbounds double, ptr %38, i64 %42
+  %45 = load double, ptr %44, align 8
+  %46 = fmul double %45, %45
+  %47 = fadd double %43, %46
+  %48 = add nuw nsw i64 %42, 1
+  %49 = icmp eq i64 %48, %39
+  br i1 %49, label %50, label %41, !llvm.loop !14
 
-48:                                               ; preds = %39, %25
-  %49 = phi double [ 0.000000e+00, %25 ], [ %45, %39 ]
-  %50 = tail call double @llvm.sqrt.f64(double %49)
-  %51 = load i64, ptr %30, align 8
-  %52 = icmp sgt i64 %51, 0
-  br i1 %52, label %53, label %56
+50:                                               ; preds = %41, %25
+  %51 = phi double [ 0.000000e+00, %25 ], [ %47, %41 ]
+  %52 = tail call double @llvm.sqrt.f64(double %51)
+  %53 = load i64, ptr %30, align 8
+  %54 = icmp sgt i64 %53, 0
+  br i1 %54, label %55, label %58
 
-53:                                               ; preds = %48
-  %54 = getelementptr inbounds i8, ptr %4, i64 264
-  %55 = getelementptr inbounds i8, ptr %4, i64 216
-  br label %63
+55:                                               ; preds = %50
+  %56 = getelementptr inbounds i8, ptr %4, i64 264
+  %57 = getelementptr inbounds i8, ptr %4, i64 216
+  br label %65
 
-56:                                               ; preds = %74, %48
-  %57 = load ptr, ptr %4, align 8
-  %58 = load i64, ptr %33, align 8
-  %59 = load ptr, ptr %35, align 8
-  tail call fastcc void @divide_transposed(ptr noundef %57, i64 noundef %58, ptr noundef %59) #10
-  %60 = getelementptr inbounds i8, ptr %0, i64 24
-  %61 = load i64, ptr %60, align 8
-  %62 = icmp sgt i64 %61, 0
-  br i1 %62, label %78, label %85
+58:                                               ; preds = %76, %50
+  %59 = load ptr, ptr %4, align 8
+  %60 = load i64, ptr %33, align 8
+  %61 = load ptr, ptr %37, align 8
+  tail call fastcc void @divide_transposed(ptr noundef %59, i64 noundef %60, ptr noundef %61) #10
+  %62 = getelementptr inbounds i8, ptr %0, i64 24
+  %63 = load i64, ptr %62, align 8
+  %64 = icmp sgt i64 %63, 0
+  br i1 %64, label %80, label %87
 
-63:                                               ; preds = %53, %74
-  %64 = phi i64 [ 0, %53 ], [ %75, %74 ]
-  %65 = load ptr, ptr %54, align 8
-  %66 = getelementptr inbounds double, ptr %65, i64 %64
-  %67 = load double, ptr %66, align 8
-  %68 = fcmp oeq double %67, 0.000000e+00
-  br i1 %68, label %69, label %74
+65:                                               ; preds = %55, %76
+  %66 = phi i64 [ 0, %55 ], [ %77, %76 ]
+  %67 = load ptr, ptr %56, align 8
+  %68 = getelementptr inbounds double, ptr %67, i64 %66
+  %69 = load double, ptr %68, align 8
+  %70 = fcmp oeq double %69, 0.000000e+00
+  br i1 %70, label %71, label %76
 
-69:                                               ; preds = %63
-  %70 = load ptr, ptr %55, align 8
-  %71 = getelementptr inbounds double, ptr %70, i64 %64
-  %72 = load double, ptr %71, align 8
-  %73 = fmul double %50, %72
-  store double %73, ptr %66, align 8
-  br label %74
+71:                                               ; preds = %65
+  %72 = load ptr, ptr %57, align 8
+  %73 = getelementptr inbounds double, ptr %72, i64 %66
+  %74 = load double, ptr %73, align 8
+  %75 = fmul double %52, %74
+  store double %75, ptr %68, align 8
+  br label %76
 
-74:                                               ; preds = %63, %69
-  %75 = add nuw nsw i64 %64, 1
-  %76 = load i64, ptr %30, align 8
-  %77 = icmp slt i64 %75, %76
-  br i1 %77, label %63, label %56, !llvm.loop !15
+76:                                               ; preds = %65, %71
+  %77 = add nuw nsw i64 %66, 1
+  %78 = load i64, ptr %30, align 8
+  %79 = icmp slt i64 %77, %78
+  br i1 %79, label %65, label %58, !llvm.loop !15
 
-78:                                               ; preds = %56, %92
-  %79 = phi i64 [ %93, %92 ], [ 0, %56 ]
-  %80 = load i64, ptr %33, align 8
-  %81 = icmp sgt i64 %80, 0
-  br i1 %81, label %82, label %92
+80:                                               ; preds = %58, %94
+  %81 = phi i64 [ %95, %94 ], [ 0, %58 ]
+  %82 = load i64, ptr %33, align 8
+  %83 = icmp sgt i64 %82, 0
+  br i1 %83, label %84, label %94
 
-82:                                               ; preds = %78
-  %83 = mul nsw i64 %79, %2
-  %84 = getelementptr inbounds double, ptr %1, i64 %83
-  br label %96
+84:                                               ; preds = %80
+  %85 = mul nsw i64 %81, %2
+  %86 = getelementptr inbounds double, ptr %1, i64 %85
+  br label %98
 
-85:                                               ; preds = %92, %56
-  %86 = getelementptr inbounds i8, ptr %0, i64 24
-  %87 = load i64, ptr %30, align 8
-  %88 = icmp sgt i64 %87, 0
-  br i1 %88, label %89, label %140
+87:                                               ; preds = %94, %58
+  %88 = getelementptr inbounds i8, ptr %0, i64 24
+  %89 = load i64, ptr %30, align 8
+  %90 = icmp sgt i64 %89, 0
+  br i1 %90, label %91, label %143
 
-89:                                               ; preds = %85
-  %90 = getelementptr inbounds i8, ptr %4, i64 144
-  %91 = load ptr, ptr %90, align 8
-  br label %115
+91:                                               ; preds = %87
+  %92 = getelementptr inbounds i8, ptr %4, i64 144
+  %93 = load ptr, ptr %92, align 8
+  br label %117
 
-92:                                               ; preds = %96, %78
-  %93 = add nuw nsw i64 %79, 1
-  %94 = load i64, ptr %60, align 8
-  %95 = icmp slt i64 %93, %94
-  br i1 %95, label %78, label %85, !llvm.loop !16
+94:                                               ; preds = %98, %80
+  %95 = add nuw nsw i64 %81, 1
+  %96 = load i64, ptr %62, align 8
+  %97 = icmp slt i64 %95, %96
+  br i1 %97, label %80, label %87, !llvm.loop !16
 
-96:                                               ; preds = %82, %96
-  %97 = phi i64 [ %80, %82 ], [ %111, %96 ]
-  %98 = phi i64 [ 0, %82 ], [ %110, %96 ]
-  %99 = load ptr, ptr %26, align 8
-  %100 = mul nsw i64 %97, %79
-  %101 = getelementptr double, ptr %99, i64 %100
-  %102 = getelementptr double, ptr %101, i64 %98
-  %103 = load double, ptr %102, align 8
-  %104 = load ptr, ptr %35, align 8
-  %105 = getelementptr inbounds double, ptr %104, i64 %98
-  %106 = load double, ptr %105, align 8
-  %107 = fmul double %103, %106
-  %108 = load double, ptr %84, align 8
-  %109 = fadd double %108, %107
-  store double %109, ptr %84, align 8
-  %110 = add nuw nsw i64 %98, 1
-  %111 = load i64, ptr %33, align 8
-  %112 = icmp slt i64 %110, %111
-  br i1 %112, label %96, label %92, !llvm.loop !17
+98:                                               ; preds = %84, %98
+  %99 = phi i64 [ %82, %84 ], [ %113, %98 ]
+  %100 = phi i64 [ 0, %84 ], [ %112, %98 ]
+  %101 = load ptr, ptr %26, align 8
+  %102 = mul nsw i64 %99, %81
+  %103 = getelementptr double, ptr %101, i64 %102
+  %104 = getelementptr double, ptr %103, i64 %100
+  %105 = load double, ptr %104, align 8
+  %106 = load ptr, ptr %37, align 8
+  %107 = getelementptr inbounds double, ptr %106, i64 %100
+  %108 = load double, ptr %107, align 8
+  %109 = fmul double %105, %108
+  %110 = load double, ptr %86, align 8
+  %111 = fadd double %110, %109
+  store double %111, ptr %86, align 8
+  %112 = add nuw nsw i64 %100, 1
+  %113 = load i64, ptr %33, align 8
+  %114 = icmp slt i64 %112, %113
+  br i1 %114, label %98, label %94, !llvm.loop !17
 
-113:                                              ; preds = %115
-  %114 = fcmp ogt double %122, 0.000000e+00
-  br i1 %114, label %125, label %140
+115:                                              ; preds = %117
+  %116 = fcmp ogt double %124, 0.000000e+00
+  br i1 %116, label %127, label %143
 
-115:                                              ; preds = %89, %115
-  %116 = phi i64 [ 0, %89 ], [ %123, %115 ]
-  %117 = phi double [ 0.000000e+00, %89 ], [ %122, %115 ]
-  %118 = getelementptr inbounds double, ptr %91, i64 %116
-  %119 = load double, ptr %118, align 8
-  %120 = tail call double @llvm.fabs.f64(double %119)
-  %121 = fcmp ogt double %120, %117
-  %122 = select i1 %121, double %120, double %117
-  %123 = add nuw nsw i64 %116, 1
-  %124 = icmp eq i64 %123, %87
-  br i1 %124, label %113, label %115, !llvm.loop !18
+117:                                              ; preds = %91, %117
+  %118 = phi i64 [ 0, %91 ], [ %125, %117 ]
+  %119 = phi double [ 0.000000e+00, %91 ], [ %124, %117 ]
+  %120 = getelementptr inbounds double, ptr %93, i64 %118
+  %121 = load double, ptr %120, align 8
+  %122 = tail call double @llvm.fabs.f64(double %121)
+  %123 = fcmp ogt double %122, %119
+  %124 = select i1 %123, double %122, double %119
+  %125 = add nuw nsw i64 %118, 1
+  %126 = icmp eq i64 %125, %89
+  br i1 %126, label %115, label %117, !llvm.loop !18
 
-125:                                              ; preds = %113
-  tail call fastcc void @minimum_norm(ptr noundef nonnull %7, ptr noundef nonnull %4) #10
-  %126 = load i64, ptr %86, align 8
-  %127 = icmp sgt i64 %126, 0
-  br i1 %127, label %128, label %140
+127:                                              ; preds = %115
+  %128 = load i64, ptr %35, align 8
+  tail call fastcc void @minimum_norm(ptr noundef nonnull %7, ptr noundef nonnull %4, i64 noundef %128) #10
+  %129 = load i64, ptr %88, align 8
+  %130 = icmp sgt i64 %129, 0
+  br i1 %130, label %131, label %143
 
-128:                                              ; preds = %125, %128
-  %129 = phi i64 [ %137, %128 ], [ 0, %125 ]
-  %130 = load ptr, ptr %35, align 8
-  %131 = getelementptr inbounds double, ptr %130, i64 %129
-  %132 = load double, ptr %131, align 8
-  %133 = mul nsw i64 %129, %2
-  %134 = getelementptr inbounds double, ptr %1, i64 %133
+131:                                              ; preds = %127, %131
+  %132 = phi i64 [ %140, %131 ], [ 0, %127 ]
+  %133 = load ptr, ptr %37, align 8
+  %134 = getelementptr inbounds double, ptr %133, i64 %132
   %135 = load double, ptr %134, align 8
-  %136 = fadd double %132, %135
-  store double %136, ptr %134, align 8
-  %137 = add nuw nsw i64 %129, 1
-  %138 = load i64, ptr %86, align 8
-  %139 = icmp slt i64 %137, %138
-  br i1 %139, label %128, label %140, !llvm.loop !19
+  %136 = mul nsw i64 %132, %2
+  %137 = getelementptr inbounds double, ptr %1, i64 %136
+  %138 = load double, ptr %137, align 8
+  %139 = fadd double %135, %138
+  store double %139, ptr %137, align 8
+  %140 = add nuw nsw i64 %132, 1
+  %141 = load i64, ptr %88, align 8
+  %142 = icmp slt i64 %140, %141
+  br i1 %142, label %131, label %143, !llvm.loop !19
 
-140:                                              ; preds = %128, %85, %125, %113
+143:                                              ; preds = %131, %87, %127, %115
   ret void
 }
 
 
 define internal fastcc void @move_speeds(ptr noundef readonly %0, ptr noundef %1, i64 noundef %2) unnamed_addr #3 {
   %4 = load ptr, ptr %0, align 8
-  %5 = getelementptr inbounds i8, ptr %0, i64 72
+  %5 = getelementptr inbounds i8, ptr %0, i64 88
   %6 = load ptr, ptr %5, align 8
   %7 = getelementptr inbounds i8, ptr %4, i64 96
   %8 = getelementptr inbounds i8, ptr %4, i64 104
@@ -512,39 +523,41 @@ define internal fastcc void @move_speeds(ptr noundef readonly %0, ptr noundef %1
   %30 = getelementptr inbounds i8, ptr %0, i64 32
   %31 = load i64, ptr %30, align 8
   tail call fastcc void @divide_rows(ptr noundef %26, i64 noundef %28, ptr noundef %29, i64 noundef %31) #10
-  tail call fastcc void @minimum_norm(ptr noundef nonnull %7, ptr noundef nonnull %4) #10
-  %32 = load ptr, ptr %4, align 8
-  %33 = load i64, ptr %30, align 8
-  %34 = getelementptr inbounds i8, ptr %4, i64 120
-  %35 = load ptr, ptr %34, align 8
-  tail call fastcc void @divide_transposed(ptr noundef %32, i64 noundef %33, ptr noundef %35) #10
-  %36 = load i64, ptr %30, align 8
-  %37 = icmp sgt i64 %36, 0
-  br i1 %37, label %38, label %40
+  %32 = getelementptr inbounds i8, ptr %0, i64 56
+  %33 = load i64, ptr %32, align 8
+  tail call fastcc void @minimum_norm(ptr noundef nonnull %7, ptr noundef nonnull %4, i64 noundef %33) #10
+  %34 = load ptr, ptr %4, align 8
+  %35 = load i64, ptr %30, align 8
+  %36 = getelementptr inbounds i8, ptr %4, i64 120
+  %37 = load ptr, ptr %36, align 8
+  tail call fastcc void @divide_transposed(ptr noundef %34, i64 noundef %35, ptr noundef %37) #10
+  %38 = load i64, ptr %30, align 8
+  %39 = icmp sgt i64 %38, 0
+  br i1 %39, label %40, label %42
 
-38:                                               ; preds = %25
-  %39 = getelementptr inbounds i8, ptr %0, i64 24
-  br label %41
+40:                                               ; preds = %25
+  %41 = getelementptr inbounds i8, ptr %0, i64 24
+  br label %43
 
-40:                                               ; preds = %41, %25
+42:                                               ; preds = %43, %25
   ret void
 
-41:                                               ; preds = %38, %41
-  %42 = phi i64 [ 0, %38 ], [ %52, %41 ]
-  %43 = load ptr, ptr %34, align 8
-  %44 = getelementptr inbounds double, ptr %43, i64 %42
-  %45 = load double, ptr %44, align 8
-  %46 = load i64, ptr %39, align 8
-  %47 = add nsw i64 %46, %42
-  %48 = mul nsw i64 %47, %2
-  %49 = getelementptr inbounds double, ptr %1, i64 %48
-  %50 = load double, ptr %49, align 8
-  %51 = fadd double %45, %50
-  store double %51, ptr %49, align 8
-  %52 = add nuw nsw i64 %42, 1
-  %53 = load i64, ptr %30, align 8
-  %54 = icmp slt i64 %52, %53
-  br i1 %54, label %41, label %40, !llvm.loop !20
+43:                                               ; preds = %40, %43
+  %44 = phi i64 [ 0, %40 ], [ %54, %43 ]
+  %45 = load ptr, ptr %36, align 8
+  %46 = getelementptr inbounds double, ptr %45, i64 %44
+  %47 = load double, ptr %46, align 8
+  %48 = load i64, ptr %41, align 8
+  %49 = add nsw i64 %48, %44
+  %50 = mul nsw i64 %49, %2
+  %51 = getelementptr inbounds double, ptr %1, i64 %50
+  %52 = load double, ptr %51, align 8
+  %53 = fadd double %47, %52
+  store double %53, ptr %51, align 8
+  %54 = add nuw nsw i64 %44, 1
+  %55 = load i64, ptr %30, align 8
+  %56 = icmp slt i64 %54, %55
+  br i1 %56, label %43, label %42, !llvm.loop !20
 }
 
 define internal fastcc void @factorise(ptr noundef %0, i64 noundef %1) unnamed_addr #4 {
@@ -799,269 +812,297 @@ define internal fastcc void @divide_rows(ptr noundef %0, i64 noundef %1, ptr nou
   br i1 %44, label %26, label %34, !llvm.loop !30
 }
 
-define internal fastcc void @minimum_norm(ptr noundef readonly %0, ptr noundef readonly %1) unnamed_addr #3 {
-  %3 = getelementptr inbounds i8, ptr %0, i64 8
-  %4 = load i64, ptr %3, align 8
-  %5 = getelementptr inbounds i8, ptr %0, i64 16
-  %6 = load i64, ptr %5, align 8
-  %7 = load ptr, ptr %0, align 8
-  %8 = getelementptr inbounds i8, ptr %1, i64 120
-  %9 = load ptr, ptr %8, align 8
-  %10 = getelementptr inbounds i8, ptr %1, i64 144
-  %11 = load ptr, ptr %10, align 8
-  %12 = getelementptr inbounds i8, ptr %1, i64 168
-  %13 = load ptr, ptr %12, align 8
-  %14 = getelementptr inbounds i8, ptr %1, i64 216
-  %15 = load ptr, ptr %14, align 8
-  %16 = getelementptr inbounds i8, ptr %1, i64 240
-  %17 = load ptr, ptr %16, align 8
-  %18 = getelementptr inbounds i8, ptr %1, i64 192
-  %19 = load ptr, ptr %18, align 8
-  %20 = icmp sgt i64 %6, 0
-  br i1 %20, label %26, label %21
+define internal fastcc void @minimum_norm(ptr noundef readonly %0, ptr noundef readonly %1, i64 noundef %2) unnamed_addr #3 {
+  %4 = getelementptr inbounds i8, ptr %0, i64 8
+  %5 = load i64, ptr %4, align 8
+  %6 = getelementptr inbounds i8, ptr %0, i64 16
+  %7 = load i64, ptr %6, align 8
+  %8 = load ptr, ptr %0, align 8
+  %9 = getelementptr inbounds i8, ptr %1, i64 120
+  %10 = load ptr, ptr %9, align 8
+  %11 = getelementptr inbounds i8, ptr %1, i64 144
+  %12 = load ptr, ptr %11, align 8
+  %13 = getelementptr inbounds i8, ptr %1, i64 168
+  %14 = load ptr, ptr %13, align 8
+  %15 = getelementptr inbounds i8, ptr %1, i64 216
+  %16 = load ptr, ptr %15, align 8
+  %17 = getelementptr inbounds i8, ptr %1, i64 240
+  %18 = load ptr, ptr %17, align 8
+  %19 = getelementptr inbounds i8, ptr %1, i64 192
+  %20 = load ptr, ptr %19, align 8
+  %21 = icmp sgt i64 %7, 0
+  br i1 %21, label %27, label %22
 
-21:                                               ; preds = %26, %2
-  %22 = icmp sgt i64 %4, 0
-  br i1 %22, label %23, label %31
+22:                                               ; preds = %27, %3
+  %23 = icmp sgt i64 %5, 0
+  br i1 %23, label %24, label %32
 
-23:                                               ; preds = %21
-  %24 = icmp sgt i64 %6, 0
-  %25 = icmp sgt i64 %6, 0
-  br label %38
+24:                                               ; preds = %22
+  %25 = icmp sgt i64 %7, 0
+  %26 = icmp sgt i64 %7, 0
+  br label %41
 
-26:                                               ; preds = %2, %26
-  %27 = phi i64 [ %29, %26 ], [ 0, %2 ]
-  %28 = getelementptr inbounds double, ptr %9, i64 %27
-  store double 0.000000e+00, ptr %28, align 8
-  %29 = add nuw nsw i64 %27, 1
-  %30 = icmp eq i64 %29, %6
-  br i1 %30, label %21, label %26, !llvm.loop !31
+27:                                               ; preds = %3, %27
+  %28 = phi i64 [ %30, %27 ], [ 0, %3 ]
+  %29 = getelementptr inbounds double, ptr %10, i64 %28
+  store double 0.000000e+00, ptr %29, align 8
+  %30 = add nuw nsw i64 %28, 1
+  %31 = icmp eq i64 %30, %7
+  br i1 %31, label %22, label %27, !llvm.loop !31
 
-31:                                               ; preds = %72, %21
-  %32 = icmp sgt i64 %4, 0
-  br i1 %32, label %33, label %173
+32:                                               ; preds = %75, %22
+  %33 = icmp sgt i64 %2, 0
+  br i1 %33, label %34, label %183
 
-33:                                               ; preds = %31
-  %34 = icmp sgt i64 %6, 0
-  %35 = icmp sgt i64 %6, 0
-  %36 = icmp sgt i64 %6, 0
-  %37 = icmp sgt i64 %6, 0
-  br label %75
+34:                                               ; preds = %32
+  %35 = icmp sgt i64 %5, 0
+  %36 = icmp sgt i64 %7, 0
+  %37 = icmp sgt i64 %7, 0
+  %38 = icmp sgt i64 %5, 0
+  %39 = icmp sgt i64 %7, 0
+  %40 = icmp sgt i64 %7, 0
+  br label %78
 
-38:                                               ; preds = %23, %72
-  %39 = phi i64 [ 0, %23 ], [ %73, %72 ]
-  %40 = mul nsw i64 %39, %6
-  %41 = getelementptr inbounds double, ptr %7, i64 %40
-  br i1 %24, label %42, label %51
+41:                                               ; preds = %24, %75
+  %42 = phi i64 [ 0, %24 ], [ %76, %75 ]
+  %43 = mul nsw i64 %42, %7
+  %44 = getelementptr inbounds double, ptr %8, i64 %43
+  br i1 %25, label %45, label %54
 
-42:                                               ; preds = %38, %42
-  %43 = phi i64 [ %49, %42 ], [ 0, %38 ]
-  %44 = phi double [ %48, %42 ], [ 0.000000e+00, %38 ]
-  %45 = getelementptr inbounds double, ptr %41, i64 %43
-  %46 = load double, ptr %45, align 8
-  %47 = fmul double %46, %46
-  %48 = fadd double %44, %47
-  %49 = add nuw nsw i64 %43, 1
-  %50 = icmp eq i64 %49, %6
-  br i1 %50, label %51, label %42, !llvm.loop !14
+45:                                               ; preds = %41, %45
+  %46 = phi i64 [ %52, %45 ], [ 0, %41 ]
+  %47 = phi double [ %51, %45 ], [ 0.000000e+00, %41 ]
+  %48 = getelementptr inbounds double, ptr %44, i64 %46
+  %49 = load double, ptr %48, align 8
+  %50 = fmul double %49, %49
+  %51 = fadd double %47, %50
+  %52 = add nuw nsw i64 %46, 1
+  %53 = icmp eq i64 %52, %7
+  br i1 %53, label %54, label %45, !llvm.loop !14
 
-51:                                               ; preds = %42, %38
-  %52 = phi double [ 0.000000e+00, %38 ], [ %48, %42 ]
-  %53 = getelementptr inbounds double, ptr %13, i64 %39
-  store double 1.000000e+00, ptr %53, align 8
-  %54 = getelementptr inbounds i64, ptr %19, i64 %39
-  store i64 1, ptr %54, align 8
-  %55 = getelementptr inbounds double, ptr %15, i64 %39
-  store double 0.000000e+00, ptr %55, align 8
-  %56 = getelementptr inbounds double, ptr %17, i64 %39
-  store double 0.000000e+00, ptr %56, align 8
-  %57 = fcmp ogt double %52, 0.000000e+00
-  br i1 %57, label %58, label %72
+54:                                               ; preds = %45, %41
+  %55 = phi double [ 0.000000e+00, %41 ], [ %51, %45 ]
+  %56 = getelementptr inbounds double, ptr %14, i64 %42
+  store double 1.000000e+00, ptr %56, align 8
+  %57 = getelementptr inbounds i64, ptr %20, i64 %42
+  store i64 1, ptr %57, align 8
+  %58 = getelementptr inbounds double, ptr %16, i64 %42
+  store double 0.000000e+00, ptr %58, align 8
+  %59 = getelementptr inbounds double, ptr %18, i64 %42
+  store double 0.000000e+00, ptr %59, align 8
+  %60 = fcmp ogt double %55, 0.000000e+00
+  br i1 %60, label %61, label %75
 
-58:                                               ; preds = %51
-  %59 = tail call double @llvm.sqrt.f64(double %52)
-  store double %59, ptr %55, align 8
-  %60 = fdiv double 1.000000e+00, %59
-  store double %60, ptr %53, align 8
-  %61 = getelementptr inbounds double, ptr %11, i64 %39
-  %62 = load double, ptr %61, align 8
-  %63 = fmul double %60, %62
-  store double %63, ptr %61, align 8
-  br i1 %25, label %64, label %72
+61:                                               ; preds = %54
+  %62 = tail call double @llvm.sqrt.f64(double %55)
+  store double %62, ptr %58, align 8
+  %63 = fdiv double 1.000000e+00, %62
+  store double %63, ptr %56, align 8
+  %64 = getelementptr inbounds double, ptr %12, i64 %42
+  %65 = load double, ptr %64, align 8
+  %66 = fmul double %63, %65
+  store double %66, ptr %64, align 8
+  br i1 %26, label %67, label %75
 
-64:                                               ; preds = %58, %64
-  %65 = phi i64 [ %70, %64 ], [ 0, %58 ]
-  %66 = load double, ptr %53, align 8
-  %67 = getelementptr inbounds double, ptr %41, i64 %65
-  %68 = load double, ptr %67, align 8
-  %69 = fmul double %66, %68
-  store double %69, ptr %67, align 8
-  %70 = add nuw nsw i64 %65, 1
-  %71 = icmp eq i64 %70, %6
-  br i1 %71, label %72, label %64, !llvm.loop !32
+67:                                               ; preds = %61, %67
+  %68 = phi i64 [ %73, %67 ], [ 0, %61 ]
+  %69 = load double, ptr %56, align 8
+  %70 = getelementptr inbounds double, ptr %44, i64 %68
+  %71 = load double, ptr %70, align 8
+  %72 = fmul double %69, %71
+  store double %72, ptr %70, align 8
+  %73 = add nuw nsw i64 %68, 1
+  %74 = icmp eq i64 %73, %7
+  br i1 %74, label %75, label %67, !llvm.loop !32
 
-72:                                               ; preds = %64, %58, %51
-  %73 = add nuw nsw i64 %39, 1
-  %74 = icmp eq i64 %73, %4
-  br i1 %74, label %31, label %38, !llvm.loop !33
+75:                                               ; preds = %67, %61, %54
+  %76 = add nuw nsw i64 %42, 1
+  %77 = icmp eq i64 %76, %5
+  br i1 %77, label %32, label %41, !llvm.loop !33
 
-75:                                               ; preds = %33, %170
-  %76 = phi i64 [ 0, %33 ], [ %171, %170 ]
-  br label %79
+78:                                               ; preds = %34, %180
+  %79 = phi i64 [ 0, %34 ], [ %181, %180 ]
+  br i1 %35, label %80, label %113
 
-77:                                               ; preds = %103
-  %78 = icmp sgt i64 %104, -1
-  br i1 %78, label %108, label %173
+80:                                               ; preds = %78, %108
+  %81 = phi i64 [ %111, %108 ], [ 0, %78 ]
+  %82 = phi double [ %110, %108 ], [ 0x3BC79CA10C924224, %78 ]
+  %83 = phi i64 [ %109, %108 ], [ -1, %78 ]
+  %84 = icmp eq i64 %81, %2
+  %85 = fcmp ogt double %82, 1.000000e-04
+  %86 = select i1 %84, i1 %85, i1 false
+  br i1 %86, label %113, label %87
 
-79:                                               ; preds = %75, %103
-  %80 = phi i64 [ %106, %103 ], [ 0, %75 ]
-  %81 = phi double [ %105, %103 ], [ 0x3BC79CA10C924224, %75 ]
-  %82 = phi i64 [ %104, %103 ], [ -1, %75 ]
-  %83 = getelementptr inbounds i64, ptr %19, i64 %80
-  %84 = load i64, ptr %83, align 8
-  %85 = icmp eq i64 %84, 1
-  br i1 %85, label %86, label %103
+87:                                               ; preds = %80
+  %88 = getelementptr inbounds i64, ptr %20, i64 %81
+  %89 = load i64, ptr %88, align 8
+  %90 = icmp eq i64 %89, 1
+  br i1 %90, label %91, label %108
 
-86:                                               ; preds = %79
-  %87 = mul nsw i64 %80, %6
-  %88 = getelementptr inbounds double, ptr %7, i64 %87
-  br i1 %34, label %89, label %98
+91:                                               ; preds = %87
+  %92 = mul nsw i64 %81, %7
+  %93 = getelementptr inbounds double, ptr %8, i64 %92
+  br i1 %36, label %94, label %103
 
-89:                                               ; preds = %86, %89
-  %90 = phi i64 [ %96, %89 ], [ 0, %86 ]
-  %91 = phi double [ %95, %89 ], [ 0.000000e+00, %86 ]
-  %92 = getelementptr inbounds double, ptr %88, i64 %90
-  %93 = load double, ptr %92, align 8
-  %94 = fmul double %93, %93
-  %95 = fadd double %91, %94
-  %96 = add nuw nsw i64 %90, 1
-  %97 = icmp eq i64 %96, %6
-  br i1 %97, label %98, label %89, !llvm.loop !14
+94:                                               ; preds = %91, %94
+  %95 = phi i64 [ %101, %94 ], [ 0, %91 ]
+  %96 = phi double [ %100, %94 ], [ 0.000000e+00, %91 ]
+  %97 = getelementptr inbounds double, ptr %93, i64 %95
+  %98 = load double, ptr %97, align 8
+  %99 = fmul double %98, %98
+  %100 = fadd double %96, %99
+  %101 = add nuw nsw i64 %95, 1
+  %102 = icmp eq i64 %101, %7
+  br i1 %102, label %103, label %94, !llvm.loop !14
 
-98:                                               ; preds = %89, %86
-  %99 = phi double [ 0.000000e+00, %86 ], [ %95, %89 ]
-  %100 = fcmp ogt double %99, %81
-  %101 = select i1 %100, i64 %80, i64 %82
-  %102 = select i1 %100, double %99, double %81
-  br label %103
+103:                                              ; preds = %94, %91
+  %104 = phi double [ 0.000000e+00, %91 ], [ %100, %94 ]
+  %105 = fcmp ogt double %104, %82
+  %106 = select i1 %105, i64 %81, i64 %83
+  %107 = select i1 %105, double %104, double %82
+  br label %108
 
-103:                                              ; preds = %79, %98
-  %104 = phi i64 [ %101, %98 ], [ %82, %79 ]
-  %105 = phi double [ %102, %98 ], [ %81, %79 ]
-  %106 = add nuw nsw i64 %80, 1
-  %107 = icmp eq i64 %106, %4
-  br i1 %107, label %77, label %79, !llvm.loop !34
+108:                                              ; preds = %87, %103
+  %109 = phi i64 [ %106, %103 ], [ %83, %87 ]
+  %110 = phi double [ %107, %103 ], [ %82, %87 ]
+  %111 = add nuw nsw i64 %81, 1
+  %112 = icmp eq i64 %111, %5
+  br i1 %112, label %113, label %80, !llvm.loop !34
 
-108:                                              ; preds = %77
-  %109 = tail call double @llvm.sqrt.f64(double %105)
-  %110 = getelementptr inbounds double, ptr %11, i64 %104
-  %111 = load double, ptr %110, align 8
-  %112 = fdiv double %111, %109
-  %113 = mul nsw i64 %104, %6
-  %114 = getelementptr inbounds double, ptr %7, i64 %113
-  %115 = getelementptr inbounds i64, ptr %19, i64 %104
-  store i64 0, ptr %115, align 8
-  store double 0.000000e+00, ptr %110, align 8
-  %116 = getelementptr inbounds double, ptr %15, i64 %104
-  %117 = load double, ptr %116, align 8
-  %118 = fmul double %109, %117
-  %119 = getelementptr inbounds double, ptr %17, i64 %104
-  store double %118, ptr %119, align 8
-  br i1 %35, label %120, label %131
+113:                                              ; preds = %108, %80, %78
+  %114 = phi i64 [ -1, %78 ], [ %109, %108 ], [ %83, %80 ]
+  %115 = phi double [ 0x3BC79CA10C924224, %78 ], [ %110, %108 ], [ %82, %80 ]
+  %116 = icmp sgt i64 %114, -1
+  br i1 %116, label %117, label %183
 
-120:                                              ; preds = %108, %120
-  %121 = phi i64 [ %129, %120 ], [ 0, %108 ]
-  %122 = getelementptr inbounds double, ptr %114, i64 %121
-  %123 = load double, ptr %122, align 8
-  %124 = fdiv double %123, %109
-  store double %124, ptr %122, align 8
-  %125 = fmul double %112, %124
-  %126 = getelementptr inbounds double, ptr %9, i64 %121
-  %127 = load double, ptr %126, align 8
-  %128 = fadd double %127, %125
-  store double %128, ptr %126, align 8
-  %129 = add nuw nsw i64 %121, 1
-  %130 = icmp eq i64 %129, %6
-  br i1 %130, label %131, label %120, !llvm.loop !35
+117:                                              ; preds = %113
+  %118 = tail call double @llvm.sqrt.f64(double %115)
+  %119 = getelementptr inbounds double, ptr %12, i64 %114
+  %120 = load double, ptr %119, align 8
+  %121 = fdiv double %120, %118
+  %122 = mul nsw i64 %114, %7
+  %123 = getelementptr inbounds double, ptr %8, i64 %122
+  %124 = getelementptr inbounds i64, ptr %20, i64 %114
+  store i64 0, ptr %124, align 8
+  store double 0.000000e+00, ptr %119, align 8
+  %125 = getelementptr inbounds double, ptr %16, i64 %114
+  %126 = load double, ptr %125, align 8
+  %127 = fmul double %118, %126
+  %128 = getelementptr inbounds double, ptr %18, i64 %114
+  store double %127, ptr %128, align 8
+  br i1 %37, label %130, label %129
 
-131:                                              ; preds = %120, %108
-  br label %132
+129:                                              ; preds = %130, %117
+  br i1 %38, label %141, label %179
 
-132:                                              ; preds = %131, %167
-  %133 = phi i64 [ %168, %167 ], [ 0, %131 ]
-  %134 = getelementptr inbounds i64, ptr %19, i64 %133
-  %135 = load i64, ptr %134, align 8
-  %136 = icmp eq i64 %135, 1
-  br i1 %136, label %137, label %167
+130:                                              ; preds = %117, %130
+  %131 = phi i64 [ %139, %130 ], [ 0, %117 ]
+  %132 = getelementptr inbounds double, ptr %123, i64 %131
+  %133 = load double, ptr %132, align 8
+  %134 = fdiv double %133, %118
+  store double %134, ptr %132, align 8
+  %135 = fmul double %121, %134
+  %136 = getelementptr inbounds double, ptr %10, i64 %131
+  %137 = load double, ptr %136, align 8
+  %138 = fadd double %137, %135
+  store double %138, ptr %136, align 8
+  %139 = add nuw nsw i64 %131, 1
+  %140 = icmp eq i64 %139, %7
+  br i1 %140, label %129, label %130, !llvm.loop !35
 
-137:                                              ; preds = %132
-  %138 = mul nsw i64 %133, %6
-  %139 = getelementptr double, ptr %7, i64 %138
-  br i1 %36, label %140, label %151
+141:                                              ; preds = %129, %176
+  %142 = phi i64 [ %177, %176 ], [ 0, %129 ]
+  %143 = getelementptr inbounds i64, ptr %20, i64 %142
+  %144 = load i64, ptr %143, align 8
+  %145 = icmp eq i64 %144, 1
+  br i1 %145, label %146, label %176
 
-140:                                              ; preds = %137, %140
-  %141 = phi i64 [ %149, %140 ], [ 0, %137 ]
-  %142 = phi double [ %148, %140 ], [ 0.000000e+00, %137 ]
-  %143 = getelementptr inbounds double, ptr %139, i64 %141
-  %144 = load double, ptr %143, align 8
-  %145 = getelementptr inbounds double, ptr %114, i64 %141
-  %146 = load double, ptr %145, align 8
-  %147 = fmul double %144, %146
-  %148 = fadd double %142, %147
-  %149 = add nuw nsw i64 %141, 1
-  %150 = icmp eq i64 %149, %6
-  br i1 %150, label %151, label %140, !llvm.loop !14
+146:                                              ; preds = %141
+  %147 = mul nsw i64 %142, %7
+  %148 = getelementptr double, ptr %8, i64 %147
+  br i1 %39, label %149, label %160
 
-151:                                              ; preds = %140, %137
-  %152 = phi double [ 0.000000e+00, %137 ], [ %148, %140 ]
-  %153 = fmul double %112, %152
-  %154 = getelementptr inbounds double, ptr %11, i64 %133
+149:                                              ; preds = %146, %149
+  %150 = phi i64 [ %158, %149 ], [ 0, %146 ]
+  %151 = phi double [ %157, %149 ], [ 0.000000e+00, %146 ]
+  %152 = getelementptr inbounds double, ptr %148, i64 %150
+  %153 = load double, ptr %152, align 8
+  %154 = getelementptr inbounds double, ptr %123, i64 %150
   %155 = load double, ptr %154, align 8
-  %156 = fsub double %155, %153
-  store double %156, ptr %154, align 8
-  br i1 %37, label %157, label %167
+  %156 = fmul double %153, %155
+  %157 = fadd double %151, %156
+  %158 = add nuw nsw i64 %150, 1
+  %159 = icmp eq i64 %158, %7
+  br i1 %159, label %160, label %149, !llvm.loop !14
 
-157:                                              ; preds = %151, %157
-  %158 = phi i64 [ %165, %157 ], [ 0, %151 ]
-  %159 = getelementptr inbounds double, ptr %114, i64 %158
-  %160 = load double, ptr %159, align 8
-  %161 = fmul double %152, %160
-  %162 = getelementptr double, ptr %139, i64 %158
-  %163 = load double, ptr %162, align 8
-  %164 = fsub double %163, %161
-  store double %164, ptr %162, align 8
-  %165 = add nuw nsw i64 %158, 1
-  %166 = icmp eq i64 %165, %6
-  br i1 %166, label %167, label %157, !llvm.loop !36
+160:                                              ; preds = %149, %146
+  %161 = phi double [ 0.000000e+00, %146 ], [ %157, %149 ]
+  %162 = fmul double %121, %161
+  %163 = getelementptr inbounds double, ptr %12, i64 %142
+  %164 = load double, ptr %163, align 8
+  %165 = fsub double %164, %162
+  store double %165, ptr %163, align 8
+  br i1 %40, label %166, label %176
 
-167:                                              ; preds = %157, %151, %132
-  %168 = add nuw nsw i64 %133, 1
-  %169 = icmp eq i64 %168, %4
-  br i1 %169, label %170, label %132, !llvm.loop !37
+166:                                              ; preds = %160, %166
+  %167 = phi i64 [ %174, %166 ], [ 0, %160 ]
+  %168 = getelementptr inbounds double, ptr %123, i64 %167
+  %169 = load double, ptr %168, align 8
+  %170 = fmul double %161, %169
+  %171 = getelementptr double, ptr %148, i64 %167
+  %172 = load double, ptr %171, align 8
+  %173 = fsub double %172, %170
+  store double %173, ptr %171, align 8
+  %174 = add nuw nsw i64 %167, 1
+  %175 = icmp eq i64 %174, %7
+  br i1 %175, label %176, label %166, !llvm.loop !36
 
-170:                                              ; preds = %167
-  %171 = add nuw nsw i64 %76, 1
-  %172 = icmp eq i64 %171, %4
-  br i1 %172, label %173, label %75, !llvm.loop !38
+176:                                              ; preds = %166, %160, %141
+  %177 = add nuw nsw i64 %142, 1
+  %178 = icmp eq i64 %177, %5
+  br i1 %178, label %179, label %141, !llvm.loop !37
 
-173:                                              ; preds = %170, %77, %31
-  %174 = icmp sgt i64 %4, 0
-  br i1 %174, label %176, label %175
+179:                                              ; preds = %176, %129
+  br i1 %116, label %180, label %183
 
-175:                                              ; preds = %176, %173
+180:                                              ; preds = %179
+  %181 = add nuw nsw i64 %79, 1
+  %182 = icmp eq i64 %181, %2
+  br i1 %182, label %183, label %78, !llvm.loop !38
+
+183:                                              ; preds = %180, %179, %113, %32
+  %184 = phi i64 [ 0, %32 ], [ %2, %180 ], [ %79, %179 ], [ %79, %113 ]
+  %185 = icmp sgt i64 %5, 0
+  br i1 %185, label %186, label %190
+
+186:                                              ; preds = %183
+  %187 = icmp eq i64 %184, %2
+  %188 = icmp sgt i64 %5, %2
+  %189 = select i1 %187, i1 %188, i1 false
+  br label %191
+
+190:                                              ; preds = %199, %183
   ret void
 
-176:                                              ; preds = %173, %176
-  %177 = phi i64 [ %183, %176 ], [ 0, %173 ]
-  %178 = getelementptr inbounds double, ptr %13, i64 %177
-  %179 = load double, ptr %178, align 8
-  %180 = getelementptr inbounds double, ptr %11, i64 %177
-  %181 = load double, ptr %180, align 8
-  %182 = fdiv double %181, %179
-  store double %182, ptr %180, align 8
-  %183 = add nuw nsw i64 %177, 1
-  %184 = icmp eq i64 %183, %4
-  br i1 %184, label %175, label %176, !llvm.loop !39
+191:                                              ; preds = %186, %199
+  %192 = phi i64 [ 0, %186 ], [ %202, %199 ]
+  br i1 %189, label %199, label %193
+
+193:                                              ; preds = %191
+  %194 = getelementptr inbounds double, ptr %12, i64 %192
+  %195 = load double, ptr %194, align 8
+  %196 = getelementptr inbounds double, ptr %14, i64 %192
+  %197 = load double, ptr %196, align 8
+  %198 = fdiv double %195, %197
+  br label %199
+
+199:                                              ; preds = %191, %193
+  %200 = phi double [ %198, %193 ], [ 0.000000e+00, %191 ]
+  %201 = getelementptr inbounds double, ptr %12, i64 %192
+  store double %200, ptr %201, align 8
+  %202 = add nuw nsw i64 %192, 1
+  %203 = icmp eq i64 %202, %5
+  br i1 %203, label %190, label %191, !llvm.loop !39
 }
 
 define internal fastcc void @divide_transposed(ptr noundef readonly %0, i64 noundef %1, ptr noundef %2) unnamed_addr #4 {

@@ -37,11 +37,14 @@ class CompiledConstraints:
     # The coordinates that follow from the others at once: they may be moved as far as it takes.
     following: tuple[int, ...]
     names: Sequence[str]  # what to call the holonomic residuals, then the velocity residuals
+    # How many of the holonomic, and of the velocity constraints are redundant: the last of each.
+    left_out: tuple[int, int] = (0, 0)
 
     def dependent(self, values: np.ndarray) -> list[str]:
         """Return the names of redundant constraints: combinations of those before them.
 
-        The values are what the kernel gives at some state.
+        Those are not told that were left out as such. The values are what the kernel gives at some
+        state.
         """
         part = self.kernel.program.by_block(values)
         gradient = part["gradient"].reshape(self.holonomic, self.coordinates)
@@ -53,7 +56,15 @@ class CompiledConstraints:
             alike = _dependent(self._measured(part, reach))
             alike += _dependent(self._measured(part, velocity))
             found = [a and b for a, b in zip(found, alike, strict=True)]
-        return [self.names[k] for k, own in enumerate(found) if own]  # printed if told
+        told = [k for k, own in enumerate(found) if own and not self._left_out(k)]
+        return [self.names[k] for k in told]  # printed if told
+
+    def _left_out(self, k: int) -> bool:
+        h, v = (
+            total - out
+            for total, out in zip((self.holonomic, self.velocity), self.left_out, strict=True)
+        )
+        return h <= k < self.holonomic or k >= self.holonomic + v
 
     def _measured(self, part: Mapping[str, np.ndarray], rows: np.ndarray) -> np.ndarray:
         """Return rows in the norm of corrections, that of the masses where they give one."""

@@ -38,6 +38,7 @@ NEXT, BUDGET, LIMIT, FAILURE, LOGGED, PROJECTIONS = range(6, 12)
 ACTIVE, PROJECTOR, HOLONOMIC, VELOCITY, COORDINATES, SPEEDS, WEIGHTED, PROJECT = range(8)
 SCRATCH = 8  # the address of the table of `Projection`
 TANGENTS = 9  # the address of the table of `Tangents`
+POSITIONS, MOTIONS = 10, 11  # the ranks of ∂h/∂q and ∂v/∂u, where rows may be more
 # Constraints.values, from where the kernel's end: the rank of ∂v/∂u so far, and the step at which
 # it was nearest to losing it.
 RANK, NEARNESS, WHEN, WHERE = range(4)

@@ -48,7 +48,7 @@ _LOG = 256  # events between two visits in Python
 _STEPS = 2**13  # numbers of kept steps, likewise
 
 # Compiled code neither reads nor writes these any further.
-_NO_CONSTRAINTS = Constraints(np.zeros(10, dtype=np.int64), np.zeros(1), np.zeros(1))
+_NO_CONSTRAINTS = Constraints(np.zeros(12, dtype=np.int64), np.zeros(1), np.zeros(1))
 _NO_EVENTS = watch_arrays((0, 0), np.zeros(1), (), (), 1, 0)
 _NO_STEPS = Steps(np.zeros(2, dtype=np.int64), np.zeros((1, 1)))
 _NO_CONSTRAINTS_ROWS, _NO_EVENTS_ROWS = rows_of(_NO_CONSTRAINTS), rows_of(_NO_EVENTS)
@@ -270,13 +270,14 @@ class Workspace:
         wanted = self.options.constraints
         if wanted is None:
             return _NO_CONSTRAINTS
-        words = np.zeros(10, dtype=np.int64)
+        words = np.zeros(12, dtype=np.int64)
         words[at.ACTIVE], words[at.PROJECT] = 1, shipped.address_of("project")
         words[at.PROJECTOR], c = self._bind_kernel(wanted.kernel)
         words[at.HOLONOMIC], words[at.VELOCITY] = wanted.holonomic, wanted.velocity
         words[at.COORDINATES], words[at.SPEEDS] = wanted.coordinates, wanted.speeds
         words[at.WEIGHTED] = wanted.weighted
         h, v, q, u = wanted.holonomic, wanted.velocity, wanted.coordinates, wanted.speeds
+        words[at.POSITIONS], words[at.MOTIONS] = h - wanted.left_out[0], v - wanted.left_out[1]
         some = max(h, v)
         self._projection = Projection(
             factor=np.zeros((u, u)),
