@@ -127,8 +127,9 @@ def test_lengths_that_must_agree_are_constants_and_judged_as_they_were_typed(oth
     for third in (0.1 + 0.2, 0.300001):
         system = pair(rows, {a: 0.1, b: 0.2, c: third})
         system.integrate()
-        system.ode_solver = "dop853"
-        system.integrate(constraints="project")
+        if others:
+            system.ode_solver = "dop853"
+            system.integrate(constraints="project")
     with pytest.raises(ValueError, match=r"`a \+ b - c` was left out .* it is -0.1 "):
         pair(rows, {a: 0.1, b: 0.2, c: 0.4}).integrate()
     with pytest.raises(ValueError, match=r"`a \+ b - c` was left out .* it is -0.1 "):
