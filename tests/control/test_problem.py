@@ -817,3 +817,37 @@ def test_a_direction_whose_rate_cancels_asks_for_no_control():
     found = system.optimize_trajectory(sm.Integral(F**2, T), 1.0, end={x: 1.0, v: 0.0}, mesh=2)
     assert found.controls == (F,)
     assert found.objective == pytest.approx(12.0, rel=1e-6)
+
+
+def test_more_intervals_than_rounding_allows_are_refused(mass):
+    system, (_x, _v, F) = mass
+    with pytest.raises(ValueError, match=r"`mesh` must be at most 4,503,599 intervals, got 1,000"):
+        OptimalControl(system, duration=1.0, objective=energy(F), mesh=10**9)
+
+
+def test_what_bends_in_the_objective_is_named_where_a_search_fails(mass):
+    system, (x, v, F) = mass
+    problem = OptimalControl(
+        system, duration=4.0, objective=sm.Integral(sm.Abs(F), T), end={x: 1.0, v: 0.0},
+        bounds={F: (-1.0, 1.0)},
+    )  # fmt: skip
+    with pytest.raises(OptimizationError, match=r"`objective` has `Abs\(F\(t\)\)`, which bends"):
+        problem.solve()
+
+
+@pytest.mark.parametrize("unit", [1.0, 1e-9, 1e9])
+def test_a_mass_that_the_objective_drives_to_nothing_is_named(unit):
+    x, v, F = me.dynamicsymbols("x v F")
+    m = sm.Symbol("m")
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    point = origin.locatenew("P", x * frame.x)
+    body = me.Particle("P", point, m)
+    definition = Definition(frame, [x], [v], bodies=[body], loads=[(point, F * frame.x)])
+    system = System(definition, {m: unit})
+    problem = {"duration": 4.0, "objective": energy(F / unit), "end": {x: 1.0, v: 0.0}, "free": [m]}
+    with pytest.raises(OptimizationError, match="brought `m` to its bound of 0, at which"):
+        OptimalControl(system, bounds={m: (0.0, 10.0 * unit)}, **problem).solve()
+    found = OptimalControl(system, bounds={m: (0.5 * unit, 10.0 * unit)}, **problem).solve()
+    assert found.constants[m] == pytest.approx(0.5 * unit, rel=1e-5)
+    assert found.objective == pytest.approx(0.1875 / 4, rel=1e-5)

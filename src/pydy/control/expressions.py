@@ -200,3 +200,16 @@ class Reader:
         made = Instant(sm.Dummy(f"{kind}{index}"), kind, index, fraction)
         self.instants.append(made)
         return made.symbol
+
+
+def bends(objective: Any) -> str:
+    """Return what to say of a search that failed where the objective may have no derivative."""
+    kinds = (sm.Abs, sm.Max, sm.Min, sm.sign, sm.Piecewise, sm.Heaviside)
+    bent = sorted((e for e in objective.atoms(*kinds) if not e.is_number), key=sm.default_sort_key)
+    if not bent:
+        return ""
+    return (
+        f" `objective` has `{bent[0]}`, which bends or jumps: a search that ends there finds no "
+        "minimum. Write it without: abs(a) is p + n with p - n = a, where p and n are controls of "
+        "at least zero."
+    )

@@ -54,8 +54,8 @@ from pydy.control.ipopt import SOLVED, STATUS, Iteration, Solution
 from pydy.control.kernel import Equations
 from pydy.control.limits import Limit
 from pydy.control.nlp import Nlp, Piece
-from pydy.control.problem import checked_mesh, labels_of, signal_of
-from pydy.control.refine import Moved, interval_errors, refined
+from pydy.control.problem import labels_of, signal_of
+from pydy.control.refine import Moved, checked_mesh, interval_errors, refined
 from pydy.control.schemes import Scheme, scheme_of
 from pydy.control.sizes import sizes_of
 from pydy.control.transcription import Problem, Transcription

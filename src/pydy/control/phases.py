@@ -215,7 +215,8 @@ class Phases:
             raise OptimizationError(
                 f"The search for an optimal trajectory in {len(found)} phases ended after "
                 f"{len(solution.history) - 1} iterations: {found.message}. "
-                f"{worst_rows(nlp, solution, np.nan)}",
+                f"{worst_rows(nlp, solution, np.nan)}"
+                + next((one._bends for one in self._problems if one._bends), ""),
                 found,
             )
         return found

@@ -27,7 +27,7 @@ from pydy._names import unique_names
 from pydy._optional import progress_of
 from pydy._rank import DIGITS, rank
 from pydy.codegen.arguments import checked_expression
-from pydy.control.expressions import Reader
+from pydy.control.expressions import Reader, bends
 from pydy.control.guess import Guess, follow_constraints, mesh_tolerance, positive_time, shown_pair
 from pydy.control.ipopt import SOLVED, Iteration, Solution
 from pydy.control.kernel import Equations
@@ -36,8 +36,10 @@ from pydy.control.nlp import Nlp
 from pydy.control.phases import Phases
 from pydy.control.refine import (
     Moved,
+    checked_mesh,
     interval_errors,
     refined,
+    refuse_singular,
     warn_of_refinements,
     warn_where_coarse,
 )
@@ -216,7 +218,8 @@ class OptimalControl:
             self._start.setdefault(s, _OPEN if s in self._following else (value, value))
         known = {*definition.constants, *last}
         reader = Reader(time, definition.states, self._controls, known, duration)
-        running, terminal = reader.objective(checked_expression(objective, "`objective`"))
+        objective = checked_expression(objective, "`objective`")
+        self._bends, (running, terminal) = bends(objective), reader.objective(objective)
         second = choice(hessian, ("exact", "gauss-newton", "lbfgs"), "`hessian`")
         squares = [reader.squares(e) for e in (running, terminal) if second == "gauss-newton"]
         if squares and not any(squares):
@@ -693,7 +696,7 @@ class OptimalControl:
             raise OptimizationError(
                 "The search for an optimal trajectory ended after "
                 f"{max(len(solution.history) - 1, 0)} iterations: {trajectory.message}. "
-                f"{worst_rows(nlp, solution, trajectory.duration)}",
+                f"{worst_rows(nlp, solution, trajectory.duration)}{self._bends}",
                 trajectory,
             )
         return trajectory
@@ -710,29 +713,12 @@ class OptimalControl:
                 None,
             )
         moved = Moved(now.driven.compiled("rates"), now.plan)
+        limits = {s: self._bounds.get(s, _OPEN) for s in self._free}
+        refuse_singular(moved, made, now.x, solution.z, nlp.sizes, limits)
         open_ = np.full(nlp.size, np.inf)  # bounds do not tell how large a state becomes
         sizes = made.split(sizes_of(made, start, -open_, open_))[0][:, 0]
         error = interval_errors(moved, made, solution.z, sizes)
         return OptimalTrajectory(now, made, self._controls, self._free, nlp, solution, error)
-
-
-def checked_mesh(mesh: Any) -> np.ndarray:
-    """Return the nodes as fractions."""
-    nodes = real_array(mesh, "`mesh`")
-    if nodes.ndim == 0:
-        return np.linspace(0.0, 1.0, num=whole(mesh, "`mesh`") + 1)
-    if nodes.ndim != 1 or len(nodes) < 2 or not np.isfinite(nodes).all():
-        raise ValueError(
-            "`mesh` must be a number of intervals, or at least two finite nodes, got "
-            f"{shown(mesh)}."
-        )
-    if (np.diff(nodes) <= 0.0).any():
-        at = int(np.flatnonzero(np.diff(nodes) <= 0.0)[0]) + 1
-        raise ValueError(
-            f"`mesh` must ascend, got {float(nodes[at])} after {float(nodes[at - 1])}."
-        )
-    fractions: np.ndarray = (nodes - nodes[0]) / (nodes[-1] - nodes[0])
-    return fractions
 
 
 def _constant(side: Any) -> bool:

@@ -7,17 +7,18 @@ from the interval's last state is its error: what the collocation polynomial mis
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
-from pydy._errors import warn_user
+from pydy._checks import real_array, shown, whole
+from pydy._errors import OptimizationError, warn_user
 from pydy._kernel import Kernel
-from pydy._rank import or_one
+from pydy._rank import ROUNDING, or_one
 from pydy.control.transcription import Transcription
-from pydy.control.tuning import MOST_PARTS, MOST_STEPS, SURE
+from pydy.control.tuning import MOST_PARTS, MOST_STEPS, SURE, TOLERANCE
 from pydy.solvers.tableaus import tableau_of
 
 
@@ -105,6 +106,57 @@ def refined(mesh: np.ndarray, error: np.ndarray, tolerance: float, order: int) -
         for a, b, k in zip(mesh[:-1], mesh[1:], counts, strict=True)
     ]
     return np.concatenate([*pieces, mesh[-1:]])
+
+
+def refuse_singular(
+    moved: Moved,
+    made: Transcription,
+    x: np.ndarray,
+    z: np.ndarray,
+    sizes: np.ndarray,
+    limits: Mapping[Any, tuple[float, float]],
+) -> None:
+    """Refuse constants at bounds where the equations have no solution, such as no mass."""
+    problem, first = made.problem, sum(made.sizes[:2])
+    for k, (symbol, ends) in enumerate(limits.items()):
+        for bound in ends:
+            # The barrier keeps it from its bound by the root of the tolerance.
+            if abs(z[first + k] - bound) < TOLERANCE ** (1 / 3) * sizes[first + k]:
+                p, r = problem.constants.copy(), np.ones((1, len(problem.specifieds)))
+                p[problem.free[k]] = bound
+                rates, failed = moved.kernel.evaluate(np.zeros(1), x[None], r, p)
+                if failed.any() or not np.isfinite(rates).all():
+                    raise OptimizationError(
+                        f"The search brought `{symbol}` to its bound of {bound:g}, at which the "
+                        "equations of motion have no solution: the objective has no minimum. Give "
+                        f"`bounds[{symbol}]` a limit that they allow.",
+                        None,
+                    )
+
+
+def checked_mesh(mesh: Any) -> np.ndarray:
+    """Return the nodes as fractions."""
+    nodes = real_array(mesh, "`mesh`")
+    if nodes.ndim == 0:
+        count, most = whole(mesh, "`mesh`"), int(TOLERANCE / ROUNDING)
+        if count > most:
+            raise ValueError(
+                f"`mesh` must be at most {most:,} intervals, got {count:,}: on shorter ones, "
+                "rounding of the states alone changes their rates by more than the search allows."
+            )
+        return np.linspace(0.0, 1.0, num=count + 1)
+    if nodes.ndim != 1 or len(nodes) < 2 or not np.isfinite(nodes).all():
+        raise ValueError(
+            "`mesh` must be a number of intervals, or at least two finite nodes, got "
+            f"{shown(mesh)}."
+        )
+    if (np.diff(nodes) <= 0.0).any():
+        at = int(np.flatnonzero(np.diff(nodes) <= 0.0)[0]) + 1
+        raise ValueError(
+            f"`mesh` must ascend, got {float(nodes[at])} after {float(nodes[at - 1])}."
+        )
+    fractions: np.ndarray = (nodes - nodes[0]) / (nodes[-1] - nodes[0])
+    return fractions
 
 
 def warn_where_coarse(errors: Sequence[np.ndarray]) -> None:
