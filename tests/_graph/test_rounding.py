@@ -89,3 +89,13 @@ def test_terms_that_cancel_are_as_large_as_each_of_them():
     values = evaluator(graph, sizes_of_terms(graph, [node, chosen, graph.sum([(node, -1.0)])]))
     assert values({a: -2.0, b: -4.0}, 1)[0].tolist() == [26.0, 4.0, 26.0]
     assert values({a: -5.0, b: -4.0}, 1)[0].tolist() == [80.0, 80.0, 80.0]
+
+
+def test_products_of_sums_within_sums_take_no_longer_than_they_are_large():
+    """Each holds the one before twice: as many as sixty would be 2⁶⁰ ways through them."""
+    g = Graph()
+    node, factor = g.input("x", 0), g.input("x", 1)
+    for _ in range(60):
+        once = g.sum([(node, 1.0), (g.mul(node, factor), 0.3)], 1.0)
+        node = g.mul(factor, once, g.sum([(node, 1.0)], 2.0))
+    assert len(rounding_bounds(g, [node])) == 1

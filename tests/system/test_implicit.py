@@ -424,6 +424,30 @@ def test_derivatives_of_motions_with_such_forces_are_those_of_differences(make):
     assert forward[0] == pytest.approx((sides[0] - sides[1]) / (2 * step), rel=1e-6)
 
 
+def test_a_force_that_depends_on_speeds_nonlinearly_acts_beside_constraints():
+    """Where the constraints are singular, u' is solved for with their derivatives by time."""
+
+    def bead(force, **options):
+        system = System(
+            definition([(force, -M * G)], [X**2 + Y**2 - R**2], dependent_coordinates=[Y]),
+            {M: 1.0, R: 1.0, G: 9.81, K: 0.5}, initial_conditions={X: 0.3, Y: -0.9},
+            times=np.linspace(0.0, 2.0, 5), ode_solver="dop853", **options,
+        )  # fmt: skip
+        system.set_dependent_initial_conditions()
+        return system.simulate(**TIGHT)
+
+    found = bead(-D, implicit=Implicit({D: D * (1 + V**2) - K * V}))
+    np.testing.assert_allclose(found["x"], bead(-K * V / (1 + V**2))["x"], rtol=0, atol=1e-9)
+
+
+def test_the_search_for_starts_ends_where_all_unknowns_are_zero():
+    p, q = me.dynamicsymbols("p, q")
+    residuals = {p: 3 * p + q * sm.cos(p) - V, q: p + 0.7 * q + q**3 - W}
+    system = System(definition(), implicit=Implicit(residuals, {p: 0.1, q: 0.02}))
+    rates = system.evaluate_ode({V: 0.0, W: 0.0})
+    np.testing.assert_array_equal(rates, 0.0)
+
+
 def test_linear_models_hold_the_forces_slope():
     model = dragged(initial_conditions={X: 0.0, V: 0.0}).linearize()
     assert model.states == ("x", "y", "v", "w")

@@ -112,11 +112,11 @@ def _within(g: Graph, factor: int) -> list[int]:
     """
     if g.ops[factor] == "sqrt":
         return [g.args[factor][0]]
-    found = []
-    for n, _ in g.args[factor][1] if g.ops[factor] == "sum" else ():
-        inner = [m for m, _ in _factors(g, n)]
-        found += [n, *inner, *(part for m in inner for part in _within(g, m))]
-    return found
+    terms = [n for n, _ in g.args[factor][1]] if g.ops[factor] == "sum" else []
+    roots = [[m for m, _ in _factors(g, n)] for n in terms]
+    roots = [inner for inner in roots if any(g.ops[m] == "sqrt" for m in inner)]
+    found = terms if roots else []
+    return [*found, *(n for inner in roots for m in inner for n in (m, *_within(g, m)))]
 
 
 def _roundings(

@@ -15,6 +15,7 @@ from sympy.physics.mechanics import Particle, ReferenceFrame
 from pydy._forks import cached_property
 from pydy._mechanics.forces import ConstraintForces
 from pydy._mechanics.form import Formed
+from pydy._mechanics.implicit import blocks_of
 from pydy._mechanics.reader import Multibody
 from pydy._mechanics.symbols import find_symbols, replace_symbols
 from pydy._names import name_of
@@ -193,6 +194,16 @@ class Equations:
             tuple(k for k, e in enumerate(self.holonomic) if e in rows),
             tuple(k for k, q in enumerate(self.coordinates) if q in self.implicit.residuals),
         )
+
+    @cached_property
+    def residual_blocks(self) -> list[tuple[tuple[int, ...], tuple[int, ...]]]:
+        """The same in blocks, of which each follows from those before."""
+        rows, places = self.following
+        residuals = [self.holonomic[k] for k in rows]
+        blocks = blocks_of(residuals, [self.coordinates[k] for k in places])
+        return [
+            (tuple(rows[k] for k in own), tuple(places[k] for k in given)) for own, given in blocks
+        ]
 
     @cached_property
     def left_out(self) -> tuple[tuple[Any, ...], tuple[Any, ...]]:

@@ -18,7 +18,6 @@ from pydy._graph.derivative import jacobian
 from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.interpret import evaluator
 from pydy._graph.node import Graph, input_nodes
-from pydy._graph.rewrite import substitute
 from pydy._graph.rounding import per_unit, rounding_bounds
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.frames import orientation_rows, rotations
@@ -81,6 +80,14 @@ class GenericStates:
         atoms |= dict.fromkeys((*equations.zeros, *idle), graph.zero)
         self.read = SymPyReader(graph, atoms, what)
         rates = self.read.all(equations.coordinate_derivatives)
+        # What residuals with speeds give are forces, which no constraint holds: they stay put.
+        still = [
+            k
+            for k, e in enumerate(equations.coordinate_derivatives)
+            if not idle.isdisjoint(find_symbols([e]))
+        ]
+        for k in still:
+            rates[k] = graph.zero
         for rate, node in zip(equations.coordinate_rates, rates, strict=True):
             self.read.define(rate, node)
         # A prescribed motion y(t) moves a constraint through y'(t).
@@ -88,11 +95,16 @@ class GenericStates:
         self.moving += [(atoms[s], atoms[s.diff(t)]) for s in others if isinstance(s, AppliedUndef)]
         self._moved = {node for node, _ in self.moving}
         self.holonomic = self.read.all(equations.holonomic)
-        if equations.implicit is not None:
-            # Residuals with speeds give forces, which no constraint knows, whatever the speeds are.
-            some = {node: graph.const(1.0 / (k + 2)) for k, node in enumerate(self.speeds)}
-            for k in equations.following[0]:
-                (self.holonomic[k],) = substitute(graph, [self.holonomic[k]], some)
+        if still:
+            forces = {self.coordinates[k]: equations.implicit.start[q[k]] for k in still}
+            held = {*forces, *self.speeds}
+            rows = [
+                k
+                for k in equations.following[0]
+                if not held.isdisjoint(graph.reachable([self.holonomic[k]]))
+            ]
+            for k, (node, value) in zip(rows, forces.items(), strict=True):
+                self.holonomic[k] = graph.sum([(node, 1.0)], -value)
         self.velocity = self.read.all(equations.velocity)
         self._turning = orientation_rows(turns, self.read)
 

@@ -15,12 +15,16 @@ from typing import Any
 import numpy as np
 import sympy as sm
 from sympy.core.function import AppliedUndef
-from sympy.matrices import dotprodsimp
 from sympy.physics.mechanics import dynamicsymbols
 
 from pydy._checks import check_mapping, describe, number, resolved, shown
+from pydy._graph.derivative import jacobian
+from pydy._graph.from_sympy import NodeExpression
+from pydy._graph.identities import signatures
+from pydy._graph.modular import inverse
 from pydy._graph.node import Graph
-from pydy._mechanics.rates import solve_rates
+from pydy._graph.rewrite import substitute
+from pydy._mechanics.kinematics import Kinematics
 from pydy._mechanics.reader import Multibody
 from pydy._mechanics.symbols import find_symbols, rate_of, replace_symbols
 
@@ -128,20 +132,13 @@ class Implicit:
                     "depends on accelerations as an output."
                 )
         rates = tuple(rate_of(z, time) for z in unknowns)
-        equations = [residual.diff(time) for residual in residuals]
-        found: dict[Any, Any] = {}
-        with dotprodsimp(False):  # which expands all products, for minutes on a wheel and a rail
-            for rows, own in _blocks(equations, rates):
-                solved = solve_rates(rows, own, "implicit")
-                mapping |= found
-                found |= {r: replace_symbols(e, mapping) for r, e in zip(own, solved, strict=True)}
         return replace(
             body,
             coordinates=(*body.coordinates, *unknowns),
             coordinate_rates=(*body.coordinate_rates, *rates),
             coordinate_derivatives=(
                 *body.coordinate_derivatives,
-                *(found[rate] for rate in rates),
+                *_rates(body, unknowns, residuals),
             ),
             holonomic=(*body.holonomic, *residuals),
             dependent_coordinates=(*body.dependent_coordinates, *unknowns),
@@ -156,9 +153,7 @@ def check_forces(body: Multibody, graph: Graph, kinetic: int) -> None:
     found = [z for z, rate in rates if not moved.isdisjoint(find_symbols([rate]))]
     if not found:
         return
-    given = {*body.implicit.residuals.values()}
-    rows = [e for e in (*body.holonomic, *body.velocity) if e not in given]
-    held = find_symbols(rows)
+    held = find_symbols([*body.places, *body.velocity])
     groups = {graph.args[n][0] for n in graph.reachable([kinetic]) if graph.ops[n] == "input"}
     if "a" in groups or not held.keys().isdisjoint(found):
         raise ValueError(
@@ -167,24 +162,56 @@ def check_forces(body: Multibody, graph: Graph, kinetic: int) -> None:
         )
 
 
-def _blocks(equations: Sequence[Any], rates: Sequence[Any]) -> list[tuple[list[Any], list[Any]]]:
-    """Return equations with the rates that they give, in blocks that follow from those before."""
+def _rates(body: Multibody, unknowns: Sequence[Any], residuals: Sequence[Any]) -> list[Any]:
+    """Return z' of the implicit function theorem, block by block, as functions of their symbols.
+
+    They are found on a graph: SymPy takes minutes for a wheel that creeps on a rail.
+    """
+    kinematics = Kinematics(body, in_bodies=False, driven=True)
+    g, read = kinematics.graph, kinematics.read
+    nodes, own = read.all(residuals), read.all(unknowns)
+    slopes = jacobian(g, nodes, own)
+    rates = dict.fromkeys(read.all(rate_of(z, body.time) for z in unknowns), g.zero)
+    rest = substitute(g, kinematics.dt(nodes), rates)
+    found: dict[int, int] = {}
+    for rows, columns in blocks_of(residuals, unknowns):
+        matrix = [[slopes[i].get(j, g.zero) for j in columns] for i in rows]
+        values = signatures(g, [n for row in matrix for n in row])
+        if inverse([values[k : k + len(rows)] for k in range(0, len(values), len(rows))]) is None:
+            given = describe([unknowns[k] for k in columns])
+            raise ValueError(
+                f"`implicit` cannot be solved for {given}: their residuals depend on "
+                "each other. Give as many independent ones as unknowns."
+            )
+        known = [
+            [(g.mul(d, found[j]), -1.0) for j, d in slopes[i].items() if j in found] for i in rows
+        ]
+        right = [g.sum([(rest[i], -1.0), *terms]) for i, terms in zip(rows, known, strict=True)]
+        if len(rows) == 1:
+            found[columns[0]] = g.div(right[0], matrix[0][0])
+        else:
+            found |= zip(columns, g.solve(matrix, [right], "lu")[0], strict=True)
+    symbols = kinematics.symbols()
+    return [NodeExpression.of(g, found[k], symbols, f"rate of {z}") for k, z in enumerate(unknowns)]
+
+
+def blocks_of(
+    residuals: Sequence[Any], unknowns: Sequence[Any]
+) -> list[tuple[list[int], list[int]]]:
+    """Return the places of residuals and of what they give, in blocks that follow from others."""
     from scipy.sparse import csr_array  # which other models do without
     from scipy.sparse.csgraph import maximum_bipartite_matching
 
-    n, order = len(rates), {rate: k for k, rate in enumerate(rates)}
+    n, order = len(unknowns), {z: k for k, z in enumerate(unknowns)}
     held = np.zeros((n, n), dtype=bool)
-    for k, equation in enumerate(equations):
-        held[k, [order[s] for s in find_symbols([equation]) if s in order]] = True
+    for k, residual in enumerate(residuals):
+        held[k, [order[s] for s in find_symbols([residual]) if s in order]] = True
     gives = maximum_bipartite_matching(csr_array(held), perm_type="column")
     if (gives < 0).any():
-        return [([*equations], [*rates])]  # which is refused
+        return [([*range(n)], [*range(n)])]  # which is refused
     # Equations that need each other, at last, are a block; what needs more comes later.
     needs = np.linalg.matrix_power(held[:, gives] | np.eye(n, dtype=bool), n)
     blocks: dict[bytes, list[int]] = {}
     for k in np.argsort(needs.sum(axis=1), kind="stable"):
         blocks.setdefault(needs[k].tobytes(), []).append(int(k))
-    return [
-        ([equations[k] for k in block], [rates[j] for j in sorted(gives[block])])
-        for block in blocks.values()
-    ]
+    return [(block, sorted(int(gives[k]) for k in block)) for block in blocks.values()]

@@ -64,6 +64,12 @@ class Multibody:
             noted = tuple((body, _noted(body)) for body in self.bodies)
             object.__setattr__(self, "noted", noted)
 
+    @property
+    def places(self) -> list[Any]:
+        """The holonomic constraints but for the residuals of an `Implicit`, which are kept."""
+        given = set() if self.implicit is None else {*self.implicit.residuals.values()}
+        return [e for e in (*self.holonomic, *self.closed) if e not in given]
+
     def check_unchanged(self) -> None:
         """Raise where a body is not as it was: what is derived now would be of another model."""
         for body, before in self.noted:

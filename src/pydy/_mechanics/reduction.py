@@ -203,7 +203,7 @@ def _held(kinematics: Kinematics, rows: list[list[int]], drift: list[int]) -> Co
         more, pull = _constraints(kinematics, body.redundant)
         velocity, rows, drift = (*velocity, *body.redundant), [*rows, *more], [*drift, *pull]
     rates = [dt(row) for row in rows]
-    places = read.all([*body.holonomic, *body.closed])
+    places = read.all(body.places)
     along = slopes(kinematics.graph, dt(places), kinematics.speeds)
     d = len(body.velocity)
     pairs = list(zip(places, along, strict=True))

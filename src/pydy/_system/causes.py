@@ -18,7 +18,13 @@ from pydy._errors import IntegrationError, SingularMatrixError
 from pydy._graph.derivative import dense_jacobian
 from pydy._rank import DEPENDENT, DIGITS, equilibrated, independent_columns
 from pydy._system.snapshot import At
-from pydy.solvers.outcome import NOT_FINITE, OUTCOMES, SINGULAR, STEP_UNDERFLOW
+from pydy.solvers.outcome import (
+    CONSTRAINTS_NOT_MET,
+    NOT_FINITE,
+    OUTCOMES,
+    SINGULAR,
+    STEP_UNDERFLOW,
+)
 
 # What a solver squares over tolerances, which are seldom below the precision of floats.
 _LARGEST = float(np.sqrt(np.finfo(float).max) * np.finfo(float).eps)
@@ -29,7 +35,7 @@ def explain(
 ) -> None:
     """Put the cause into the message of an error, in place of general advice."""
     code = error.info.get("code") if isinstance(error, IntegrationError) else SINGULAR
-    if code in (NOT_FINITE, SINGULAR, STEP_UNDERFLOW):
+    if code in (NOT_FINITE, SINGULAR, STEP_UNDERFLOW, CONSTRAINTS_NOT_MET):
         cause = cause_of(at(np.array([error.time]), np.array([error.state])))
         if cause:
             error.args = (str(error).removesuffix(OUTCOMES[code].remedy) + cause,)

@@ -110,18 +110,22 @@ def solved_residuals(at: At) -> np.ndarray:
     Those of the state are where the search begins: by a safeguarded method, then by Newton's to the
     last digit.
     """
-    equations = at.definition.equations
-    parts = _Residuals(*equations.following)
-    places = list(parts.places)
     x: np.ndarray = at.x[0].copy()
-    n = len(places)
+    for rows, places in at.definition.equations.residual_blocks:
+        x[[*places]] = _solved_block(replace(at, x=x[None]), _Residuals(rows, places))
+    return x
+
+
+def _solved_block(at: At, parts: _Residuals) -> np.ndarray:
+    x: np.ndarray = at.x[0].copy()
+    places, n = [*parts.places], len(parts.places)
 
     def values(z: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         x[places] = z
         found = replace(at, x=x[None]).values(parts)
         return found["residuals"][0], found["slopes"][0].reshape(n, n), found["bounds"][0]
 
-    z = x[places]
+    z: np.ndarray = x[places]
     left, slopes, bounds = values(z)
     if not satisfied(left, bounds):
         z = scipy.optimize.root(lambda z: values(z)[0], z, jac=lambda z: values(z)[1]).x
@@ -132,14 +136,16 @@ def solved_residuals(at: At) -> np.ndarray:
             z = z - np.linalg.lstsq(slopes, left)[0]
     if not satisfied(left, bounds):
         k = int(np.argmax(np.where(np.isfinite(left), np.abs(left), np.inf)))
+        equations = at.definition.equations
         residual = equations.holonomic[parts.rows[k]]
+        unknowns = [equations.coordinates[k] for k in places]
         raise ValueError(
-            f"`implicit` finds no {describe([*equations.implicit.residuals])} at t = "
+            f"`implicit` finds no {describe(unknowns)} at t = "
             f"{float(at.t[0])!r} with which the residuals are zero: `{residual}` "
             f"is left at {left[k]:.3g}. Give a `start`, or initial conditions, nearer to a "
             "solution, or check that there is one."
         )
-    return x
+    return z
 
 
 @dataclass(frozen=True, eq=False)

@@ -216,8 +216,10 @@ def projection_program(assembly: Assembly) -> Program:
     coordinates = [graph.input("x", k) for k in range(first)]
     rows = jacobian(graph, assembly.holonomic, coordinates)
     gradient = dense_rows(graph, rows, first)
-    kinematics = dense_rows(graph, jacobian(graph, assembly.rates[:first], speeds), len(speeds))
-    _separate(graph, gradient, kinematics, assembly.following)
+    rates = assembly.rates[:first]
+    for k in _separate(graph, gradient, assembly.following):
+        rates[k] = graph.zero
+    kinematics = dense_rows(graph, jacobian(graph, rates, speeds), len(speeds))
     parts = {
         "holonomic": assembly.holonomic,
         "velocity": assembly.velocity,
@@ -233,17 +235,16 @@ def projection_program(assembly: Assembly) -> Program:
 def _separate(
     graph: Graph,
     gradient: list[list[int]],
-    kinematics: list[list[int]],
     following: tuple[tuple[int, ...], tuple[int, ...]],
-) -> None:
-    """Let residuals g move the coordinates z that they give, and no others.
+) -> tuple[int, ...]:
+    """Let residuals g move the coordinates z that they give, and no others; return those places.
 
     As rows that no speed reaches, by ∂g/∂z alone. In the gradients of other constraints h, z
     follows: h_q − h_z g_z⁻¹ g_q. So what the user gave is not moved to satisfy g.
     """
     rows, places = following
     if len(rows) != len(places):
-        return
+        return ()
     zero = graph.zero
     own = [[gradient[i][k] for k in places] for i in rows]
     for i, row in enumerate(gradient):
@@ -256,5 +257,4 @@ def _separate(
             row[k] = zero if k in places else graph.sum([(row[k], 1.0), *terms])
     for i in rows:
         gradient[i] = [c if k in places else zero for k, c in enumerate(gradient[i])]
-    for k in places:
-        kinematics[k] = [zero] * len(kinematics[k])
+    return places

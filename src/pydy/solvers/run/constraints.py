@@ -17,7 +17,8 @@ def satisfied(residuals: np.ndarray, bounds: np.ndarray) -> bool:
 
     The bounds on their rounding errors are in units of 2⁻⁵²; see `pydy._graph.rounding`.
     """
-    return bool((np.abs(residuals) <= ROUNDINGS * ROUNDING * bounds).all())
+    allowed = ROUNDINGS * ROUNDING * bounds + np.finfo(float).tiny  # what underflows is nothing
+    return bool((np.abs(residuals) <= allowed).all())
 
 
 @dataclass(frozen=True, eq=False)
