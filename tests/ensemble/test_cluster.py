@@ -16,9 +16,9 @@ pytest.importorskip("zarr")
 pytestmark = pytest.mark.filterwarnings("ignore::ResourceWarning")
 
 
-@pytest.fixture
+@pytest.fixture(scope="module")
 def client():
-    """A cluster for one test: what a killed worker leaves behind is no other's concern."""
+    """One cluster, whose processes import everything once; the last test kills one of them."""
     distributed = pytest.importorskip("distributed")
     with (
         dask.config.set(
@@ -41,6 +41,12 @@ def test_a_cluster_of_processes_gives_the_same_bits(reference, client):
     assert not any(loaded.values())
 
 
+def test_workers_of_a_cluster_write_a_store_themselves(reference, client, tmp_path):
+    system, values, whole = reference
+    made = system.integrate_ensemble(**values, store=tmp_path / "s.zarr", chunks=25)
+    identical(made.load(scheduler="threads"), whole)
+
+
 def _slow(dataset):
     time.sleep(0.1)
     return dataset[["q1"]]
@@ -54,9 +60,3 @@ def test_a_worker_that_is_killed_costs_nothing_but_time(reference, client):
     time.sleep(0.3)
     os.kill(victim, signal.SIGKILL)
     assert same_bits(future.result(timeout=300).q1, whole.q1)
-
-
-def test_workers_of_a_cluster_write_a_store_themselves(reference, client, tmp_path):
-    system, values, whole = reference
-    made = system.integrate_ensemble(**values, store=tmp_path / "s.zarr", chunks=25)
-    identical(made.load(scheduler="threads"), whole)

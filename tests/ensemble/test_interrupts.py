@@ -38,11 +38,17 @@ SCRIPT = """
     from pydy.solvers import Event
 
     signal.signal(signal.SIGINT, signal.default_int_handler)
-    kind, path = sys.argv[1:]
-    if kind == "projection":
-        system, varied = system_of(zoo.fourbar()), sm.Symbol("g")
-        options = {"constraints": "project"}
-    else:
+    write = store.write
+
+
+    def missed():
+        # In this thread: the main one waits on, as if the signal had come right before its wait.
+        signal.pthread_kill(threading.get_ident(), signal.SIGINT)
+
+
+    def asked(kind):
+        if kind == "projection":
+            return system_of(zoo.fourbar()), sm.Symbol("g"), {"constraints": "project"}
         system = multi_mass_spring_damper(apply_external_forces=True)
         varied = next(s for s in system.constants_symbols if s.name == "k0")
         (force,) = system.specifieds_symbols
@@ -53,61 +59,75 @@ SCRIPT = """
             "events": {"events": [Event(x - 1e9)]},
             "radau": {"ode_solver": "radau"},
             "dask": {"specifieds": {force: lambda x, t: 0.0}},
-        }[kind]
-    dask.config.set(scheduler="threads" if kind == "dask" else None, num_workers=4)
-    write = store.write
+        }
+        return system, varied, options[kind]
 
-    def missed():
-        # In this thread: the main one waits on, as if the signal had come right before its wait.
-        signal.pthread_kill(threading.get_ident(), signal.SIGINT)
 
-    def tell(*arguments):
-        write(*arguments)
-        print("written", flush=True)
-        if kind == "function":
-            threading.Timer(0.3, missed).start()
+    for line in sys.stdin:
+        kind, path = line.split(maxsplit=1)
+        system, varied, options = asked(kind)
+        dask.config.set(scheduler="threads" if kind == "dask" else None, num_workers=4)
 
-    store.write = tell
-    try:
-        system.integrate_ensemble(
-            constants={varied: [1.0, 1e14, 1e14, 1e14]},
-            times=[0.0, 1.0, 2.0],
-            max_steps=10**15,
-            chunks=1,
-            workers=2,
-            store=path,
-            resume="x",
-            **options,
-        )
-    except KeyboardInterrupt:
-        print("interrupted", flush=True)
+        def tell(*arguments):
+            write(*arguments)
+            print("written", flush=True)
+            if kind == "function":
+                threading.Timer(0.3, missed).start()
+
+        store.write = tell
+        try:
+            system.integrate_ensemble(
+                constants={varied: [1.0, 1e14, 1e14, 1e14]},
+                times=[0.0, 1.0, 2.0],
+                max_steps=10**15,
+                chunks=1,
+                workers=2,
+                store=path.strip(),
+                resume="x",
+                **options,
+            )
+        except KeyboardInterrupt:
+            print("interrupted", flush=True)
 """
 
 
-@pytest.mark.parametrize("kind", ["function", "events", "radau", "projection", "dask"])
-def test_ctrl_c_ends_an_ensemble_and_keeps_the_finished_blocks(tmp_path, kind):
-    script, path = tmp_path / "script.py", tmp_path / "s.zarr"
+@pytest.fixture(scope="module")
+def process(tmp_path_factory):
+    """A process that makes the ensemble of each line, and ends when no more come."""
+    script = tmp_path_factory.mktemp("interrupted") / "script.py"
     script.write_text(textwrap.dedent(SCRIPT), "utf-8")
     tests = Path(__file__).parents[1]
     process = subprocess.Popen(
-        [sys.executable, str(script), kind, str(path)],
+        [sys.executable, str(script)],
         env={**os.environ, "PYTHONPATH": os.pathsep.join([str(tests), *sys.path])},
+        stdin=subprocess.PIPE,
         stdout=subprocess.PIPE,
         text=True,
     )
+    with process:
+        try:
+            yield process
+            process.stdin.close()
+            assert process.wait(timeout=PATIENCE) == 0  # nothing goes on behind an interrupt
+        finally:
+            process.kill()
+
+
+@pytest.mark.parametrize("kind", ["function", "events", "radau", "projection", "dask"])
+def test_ctrl_c_ends_an_ensemble_and_keeps_the_finished_blocks(tmp_path, kind, process):
+    path = tmp_path / "s.zarr"
     watchdog = threading.Timer(300.0, process.kill)
     watchdog.start()
     try:
+        process.stdin.write(f"{kind} {path}\n")
+        process.stdin.flush()
         assert process.stdout.readline() == "written\n"
         if kind != "function":  # which sends it itself
             time.sleep(0.3)  # the others are under way
             process.send_signal(signal.SIGINT)
-        assert process.wait(timeout=PATIENCE) == 0
         assert process.stdout.readline() == "interrupted\n"
     finally:
         watchdog.cancel()
-        process.kill()
-        process.communicate()
     status = xr.open_zarr(path, consolidated=False).status.values
     assert status.tolist() == [0, -1, -1, -1]
 

@@ -3,6 +3,7 @@
 import ctypes
 import os
 import re
+import shlex
 import shutil
 import signal
 import subprocess
@@ -51,6 +52,16 @@ def units(tmp_path_factory):
             system.export(path, fmi=fmi, **{"name": name, **options})
             found[name, fmi] = str(path)
     return found
+
+
+@pytest.fixture
+def hasty(tmp_path_factory, monkeypatch):
+    """Compile without optimisation, in a third of the time, what is tried for its names or once."""
+    script = tmp_path_factory.mktemp("hasty") / "cc"
+    script.write_text(f'#!/bin/sh\nexec {shlex.join(compiler())} "$@" -O0\n')
+    script.chmod(0o755)
+    if os.name == "posix":
+        monkeypatch.setenv("CC", str(script))
 
 
 def simulated(unit, kind, names, **options):
@@ -110,7 +121,7 @@ def test_events_reset_states(units, fmi, kind):
     assert found == pytest.approx(expected, abs=1e-8 if kind == "CoSimulation" else 1e-2)
 
 
-def test_a_terminal_event_ends_the_simulation(tmp_path):
+def test_a_terminal_event_ends_the_simulation(tmp_path, hasty):
     system, bounce = ball()
     stop = type(bounce)(bounce.expression, direction=-1, terminal=True)
     path = system.export(tmp_path / "fall.fmu", events=stop).path
@@ -119,7 +130,7 @@ def test_a_terminal_event_ends_the_simulation(tmp_path):
     assert result["time"][-1] == pytest.approx(np.sqrt(2 / 9.81), abs=0.06)
 
 
-def test_an_event_that_depends_on_constants_is_found_or_told_to_be_nan(tmp_path):
+def test_an_event_that_depends_on_constants_is_found_or_told_to_be_nan(tmp_path, hasty):
     system, bounce = bouncing_ball()
     system.initial_conditions = {"q": 1.0, "u": 0.0}
     above = bounce.expression  # q − d
@@ -135,7 +146,7 @@ def test_an_event_that_depends_on_constants_is_found_or_told_to_be_nan(tmp_path)
 
 
 @pytest.mark.parametrize("fmi", VERSIONS)
-def test_an_event_indicator_that_is_nan_is_told_to_the_importer(tmp_path, fmi):
+def test_an_event_indicator_that_is_nan_is_told_to_the_importer(tmp_path, hasty, fmi):
     system, bounce = bouncing_ball()
     system.initial_conditions = {"q": 1.0, "u": 0.0}
     root = Event(sm.sqrt(bounce.expression), name="50 % of it")  # NaN once the ball is below
@@ -312,7 +323,7 @@ def test_every_system_has_its_library_and_options(
         *(("\ud800 surrogate", "3.0"), ("x" * 300, "2.0")),
     ],
 )
-def test_a_model_may_have_any_name(tmp_path, name, fmi):
+def test_a_model_may_have_any_name(tmp_path, hasty, name, fmi):
     system = spring_of("NX", "SELF", "linux", "NULL", "length", "\x07", "\ud800", "k" * 300)
     path = system.export(tmp_path / "unit.fmu", name=name, fmi=fmi).path
     description = read_model_description(path)
@@ -324,7 +335,7 @@ def test_a_model_may_have_any_name(tmp_path, name, fmi):
 
 
 @pytest.mark.parametrize("name", ["all", "config", "fmu_core", "fmi"])
-def test_the_file_may_be_called_like_one_of_the_sources(tmp_path, name):
+def test_the_file_may_be_called_like_one_of_the_sources(tmp_path, hasty, name):
     path = spring_of("k").export(tmp_path / f"{name}.fmu").path
     result = simulate_fmu(str(path), fmi_type="CoSimulation", stop_time=1.0, output=["x"])
     assert result["x"][-1] == pytest.approx(np.cos(1.0), abs=1e-7)
@@ -367,7 +378,7 @@ def test_a_ctrl_c_ends_the_compiler_and_what_it_started_at_once(tmp_path, monkey
     assert not (tmp_path / "spring.fmu").exists()
 
 
-def test_the_model_and_its_solver_may_need_functions_of_the_same_name(tmp_path):
+def test_the_model_and_its_solver_may_need_functions_of_the_same_name(tmp_path, hasty):
     """A contact in a loop that is closed without dependent speeds: what C has no function for."""
     x, y = me.dynamicsymbols("x y")
     frame, origin = me.ReferenceFrame("N"), me.Point("O")

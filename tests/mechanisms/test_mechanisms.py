@@ -9,9 +9,10 @@ from mechanisms.oracle import World
 from mechanisms.run import checked
 from mechanisms.shrink import kind_of
 
-# Small ones: most of the time of large ones is SymPy's and the compiler's.
-SEEDS = [s for s in range(87) if BODIES[s % len(BODIES)] < 4][:60]
-SEEDS += [s for s in range(TWISTED, TWISTED + 14) if BODIES[s % len(BODIES)] < 4]
+# Small ones: most of the time of large ones is SymPy's and the compiler's, as with these two.
+SLOW = {79, 3007}
+SEEDS = [s for s in range(88) if BODIES[s % len(BODIES)] < 4 and s not in SLOW][:60]
+SEEDS += [s for s in range(TWISTED, TWISTED + 15) if BODIES[s % len(BODIES)] < 4 and s not in SLOW]
 
 
 @pytest.mark.parametrize("seed", SEEDS)
@@ -104,8 +105,8 @@ def test_speeds_are_fitted_before_numbers_get_units():
 
 
 def test_a_configuration_in_large_units_is_near():
-    """A quaternion was searched for at a distance of 22, beside lengths of 740."""
-    assert checked(1570)[2] is None
+    """A quaternion was searched for at a distance of 22, beside lengths of 740, in vain."""
+    check(draw(1570), ["definition"], ["rates"])
 
 
 def test_hinges_are_nearly_parallel_or_their_twists_are_constants_of_zero():

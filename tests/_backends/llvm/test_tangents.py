@@ -2,6 +2,7 @@
 
 import pickle
 import threading
+from functools import cache
 from itertools import pairwise
 
 import numpy as np
@@ -23,6 +24,7 @@ from pydy._graph.tangent import Tangent, jacobian_tangent
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 
 
+@cache
 def assembly_of(name):
     if name == "pendulum":
         system = n_link_pendulum_on_cart(4)
@@ -134,7 +136,8 @@ def test_guarded_solutions_have_derivatives_in_parts_wherever_they_fall_back(n):
     arguments = np.zeros(19), x, np.empty((19, 0)), p
     cells = dense_jacobian(graph, nodes, [graph.input(*place) for place in places])
     expected, _ = run(on_tape(graph, cells, sizes), *arguments)
-    for generator in ("llvm", "lambdify", "cython"):  # the others write all columns out
+    # The others write all columns out, and C is written for any size alike.
+    for generator in ("llvm", "lambdify", *(["cython"] if n == 3 else [])):
         found, failed = compile_program(made, generator, {}).evaluate(*arguments)
         assert not failed.any()
         np.testing.assert_allclose(found, expected, rtol=1e-9, atol=1e-11)
