@@ -4,12 +4,16 @@ import math
 
 import numpy as np
 import pytest
+import sympy as sm
+import sympy.physics.mechanics as me
 
-from pydy.contact import Contacts, Unilateral
+from pydy import System
+from pydy.contact import Contacts, Stick, Unilateral
 from pydy.contact.decide import Problem
 from pydy.contact.impacts import newton, poisson
 from pydy.errors import ContactError
-from touching import TIGHT, J, a, ball, e, falling_body, g, mu, vx, vy, x, y
+from pydy.mechanics import Definition
+from touching import TIGHT, J, N, O, a, ball, e, falling_body, g, m, mu, vx, vy, x, y
 
 LEAN = 0.6
 C, S = math.cos(LEAN), math.sin(LEAN)
@@ -66,6 +70,39 @@ def test_energy_that_newtons_hypothesis_would_raise_falls_by_poissons():
     with pytest.raises(ContactError, match=r"Newton's hypothesis.*hypothesis='poisson'"):
         hit("newton", **given)
     assert -0.1 < hit("poisson", **given)[1] < -0.05
+
+
+def test_an_arm_that_wedges_stays_by_poissons_hypothesis():
+    """An arm swings down to a floor at the angle φ from the vertical, where tan φ < μ.
+
+    With Newton's hypothesis it would move on, but the moment of friction is larger than that of the
+    normal impulse; by Poisson's, friction holds it in both phases.
+    """
+    angle, rate = me.dynamicsymbols("phi, omega")
+    end = O.locatenew("end", sm.sin(angle) * N.x - sm.cos(angle) * N.y)
+    end.set_vel(N, rate * (sm.cos(angle) * N.x + sm.sin(angle) * N.y))
+    arm = Definition(
+        N, [angle], [rate],
+        bodies=[me.Particle("end", end, m)], loads=[(end, -m * g * N.y)],
+    )  # fmt: skip
+    system = System(
+        arm, {g: 9.81, m: 2.0}, ode_solver="dop853", times=np.linspace(0.0, 1.0, 11),
+        initial_conditions={angle: 0.5, rate: -1.0},
+    )  # fmt: skip
+    floor = Unilateral(math.cos(0.2) - sm.cos(angle), restitution=e, name="floor")
+    rough = Stick(end, on=floor, mu=mu, along=N.x)
+    with pytest.raises(ContactError, match=r"friction would hold.*hypothesis='poisson'"):
+        Contacts(system, [rough], {mu: 0.3, e: 0.5}).simulate()
+    for hypothesis, ratio in (("newton", 0.0), ("poisson", 0.5)):
+        contacts = Contacts(system, [rough], {mu: 0.3, e: ratio}, hypothesis=hypothesis)
+        motion = contacts.simulate(**TIGHT)
+        assert motion.states[-1] == pytest.approx([0.2, 0.0], abs=1e-12)
+        assert motion.modes[-1][2] == {"floor": "sticks"}
+        speed = math.sqrt(1.0 + 2 * 9.81 * (math.cos(0.2) - math.cos(0.5)))
+        assert motion.contact_work[-1] == pytest.approx(-(speed**2), abs=1e-10)
+    # A smoother floor lets it rebound.
+    motion = Contacts(system, [rough], {mu: 0.1, e: 0.5}).simulate(**TIGHT)
+    assert motion.events[0].after[1] == pytest.approx(0.5 * speed, abs=1e-10)
 
 
 def test_a_central_impact_is_the_same_by_both():

@@ -94,7 +94,8 @@ def innermost(y: np.ndarray, null: np.ndarray, cones: Sequence[Cone], size: floa
         for cone in cones:
             if len(cone.tangent) == 2 and cone.margin(tried) < bound:
                 along = tried[list(cone.tangent)]
-                cut(cone, cone.hold, along / np.linalg.norm(along))
+                if own := float(np.linalg.norm(along)):  # else the first planes bound it
+                    cut(cone, cone.hold, along / own)
     return best
 
 

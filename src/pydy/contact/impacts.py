@@ -53,6 +53,18 @@ RISES = {
     "restitution, contradicts it. Use a smaller `restitution`, or the same for all contacts.",
 }
 
+_NONE = {
+    "newton": "No impulses satisfy Coulomb's law and Newton's hypothesis: friction would hold the "
+    "contact where its `restitution` lets it move on. Use a smaller `restitution`, or "
+    "`Contacts(..., hypothesis='poisson')`.",
+    "poisson": "Jamming: no impulses satisfy Coulomb's law.",
+}
+
+
+def contradiction(hypothesis: str, e: np.ndarray) -> str:
+    """Say why an impact with some coefficients of restitution has no solution."""
+    return _NONE[hypothesis if e.any() else "poisson"]  # without rebounds both are the same
+
 
 @dataclass(frozen=True)
 class Blow:

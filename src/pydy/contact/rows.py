@@ -27,7 +27,9 @@ from pydy._graph.switches import Passes
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.form import Formed
 from pydy._mechanics.symbols import find_symbols
+from pydy._rank import ROUNDING
 from pydy.contact.conditions import Contact
+from pydy.contact.tuning import WITHIN
 
 
 @dataclass(frozen=True)
@@ -48,6 +50,19 @@ class Numbers:
     restitution: np.ndarray
     mu: np.ndarray
     mu_static: np.ndarray
+
+    def is_closed(self, i: int) -> bool:
+        """Whether a gap is zero beside its rounding errors."""
+        return bool(self.gap[i] <= WITHIN * ROUNDING * self.near[i])
+
+    def after(self, impulses: np.ndarray) -> Numbers:
+        """Return the same after impulses, as to what speeds are the sums of."""
+        return replace(self, slow=self.slow + np.abs(self.square) @ np.abs(impulses))
+
+    def is_still(self, rows: Sequence[int], speeds: np.ndarray) -> bool:
+        """Whether sliding speeds are zero beside the rounding of their terms, or what they were."""
+        sizes = np.maximum(self.slow[list(rows)], np.abs(self.speed[list(rows)]))
+        return bool(np.linalg.norm(speeds) <= WITHIN * ROUNDING * np.linalg.norm(sizes))
 
 
 class ContactRows:

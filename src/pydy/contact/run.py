@@ -32,7 +32,7 @@ from pydy.contact.decide import (
     solved,
     within,
 )
-from pydy.contact.impacts import RISES, newton, poisson
+from pydy.contact.impacts import RISES, contradiction, newton, poisson
 from pydy.contact.modes import Mode, margin_symbol, output_symbols
 from pydy.contact.rows import Numbers
 from pydy.contact.sensitivities import Carried
@@ -147,8 +147,10 @@ class Run:
         for i, rows in enumerate(self.rows.tangent):
             if len(rows) == 2 and i in state.touching and i not in state.resting:
                 speed = p.speed[rows]
-                if not self._is_still(p, rows, speed):
+                if not p.is_still(rows, speed):
                     state.directions[i] = speed / np.linalg.norm(speed)
+                elif i not in state.directions:  # an impact has left it nothing but rounding
+                    state.resting.add(i)
 
     def held(self, modes: Sequence[str]) -> tuple[tuple[int, ...], list[int]]:
         """Return the rows that modes hold at the start: independent ones, and all."""
@@ -217,7 +219,7 @@ class Run:
             if rows and i in state.touching:
                 # What is left of gaps and speeds that given modes hold is projected away.
                 still = None if self.begun is None else self.begun[i] == STICKS
-                if self._is_still(p, rows, p.speed[rows]) if still is None else still:
+                if p.is_still(rows, p.speed[rows]) if still is None else still:
                     state.resting.add(i)
         self.modes = tuple(
             OPEN if i not in state.touching else self.options_of(state, p, i)[0]
@@ -295,7 +297,7 @@ class Run:
             i
             for i, normal in enumerate(normals)
             if normal is not None
-            and (i in closing | state.touching or (i in state.rising and self._is_closed(p, i)))
+            and (i in closing | state.touching or (i in state.rising and p.is_closed(i)))
         }
         e = p.restitution.copy()
         rates = solved(self.problem(p, state), self.modes).rates
@@ -325,7 +327,7 @@ class Run:
         elif rests:
             blow = poisson(problem, p.speed, left)
         if blow is None:
-            raise self.fail(state.t, state.x, "Jamming: no impulses satisfy Coulomb's law.")
+            raise self.fail(state.t, state.x, contradiction(self.kept.hypothesis, left))
         after = blow.rates
         work, rises = blow.work(p.speed)
         if rises:
@@ -344,6 +346,7 @@ class Run:
         state.x = before.copy()
         speeds = slice(self.first, self.first + p.moves.shape[0])
         state.x[speeds] += p.moves @ blow.forces
+        q = p.after(blow.forces)
         impulses: dict[str, tuple[float, ...]] = {}
         for i in sorted(hit):
             normal, rows, mode = normals[i], tangents[i], blow.modes[i]
@@ -353,7 +356,7 @@ class Run:
                 impulses[name] = tuple(float(blow.forces[k]) for k in (normal, *rows))
             kept = 0.0 if i in rests or p.speed[normal] >= 0.0 or i not in closing else e[i]
             leaves = after[normal] if by_phases or mode == OPEN else -kept * p.speed[normal]
-            slow = SLACK * (abs(p.speed[normal]) + abs(after[normal]))
+            slow = max(SLACK * abs(p.speed[normal]), WITHIN * np.finfo(float).eps * q.slow[normal])
             if leaves > slow and leaves > 0.0:
                 state.touching.discard(i)
                 state.resting.discard(i)
@@ -362,7 +365,7 @@ class Run:
                 state.touching.add(i)
                 state.rising.discard(i)
                 state.resting.discard(i)
-                if rows and (mode == STICKS or self._is_still(p, rows, after[rows])):
+                if rows and (mode == STICKS or q.is_still(rows, after[rows])):
                     state.resting.add(i)
             if i in closing:
                 self.records.append(
@@ -389,18 +392,9 @@ class Run:
             rows = tangents[i]
             if normals[i] is None:
                 state.resting.discard(i)
-                if self._is_still(p, rows, after[rows]):
+                if q.is_still(rows, after[rows]):
                     state.resting.add(i)
         self.impacts.append((state.t, impulses, work))
-
-    def _is_closed(self, p: Numbers, i: int) -> bool:
-        return bool(p.gap[i] <= WITHIN * np.finfo(float).eps * p.near[i])
-
-    def _is_still(self, p: Numbers, rows: Sequence[int], speeds: np.ndarray) -> bool:
-        """Whether sliding speeds are zero beside the rounding of their terms, or what they were."""
-        sizes = np.maximum(p.slow[list(rows)], np.abs(p.speed[list(rows)]))
-        slow = WITHIN * np.finfo(float).eps * np.linalg.norm(sizes)
-        return bool(np.linalg.norm(speeds) <= slow)
 
     def _unresolved(self, i: int) -> float:
         """Return the sliding speed that is not told from zero by the tolerances of the solver."""
@@ -467,9 +461,7 @@ class Run:
         problem = self.problem(p, state)
         # An impact elsewhere may have turned round what was on its way up.
         normals = self.rows.normal
-        state.rising = {
-            i for i in state.rising if p.speed[normals[i]] > 0.0 or self._is_closed(p, i)
-        }
+        state.rising = {i for i in state.rising if p.speed[normals[i]] > 0.0 or p.is_closed(i)}
         every = held_rows(problem, solution.modes)
         held = tuple(independent(p.square, every))
         self.redundant = len(held) < len(every)
@@ -749,7 +741,7 @@ class Run:
                 slow = np.linalg.norm(solution.rates[rows]) * resolved
                 if turning and np.linalg.norm(p.speed[rows]) <= self._unresolved(i):
                     what.add("stops")  # a body on several feet comes to rest on all of them at once
-                still = self._is_still(p, rows, p.speed[rows])
+                still = p.is_still(rows, p.speed[rows])
                 if "stops" in what or still or np.linalg.norm(p.speed[rows]) <= slow:
                     state.resting.add(i)
             for kind in what & {"opens", "slips", "stops"}:
