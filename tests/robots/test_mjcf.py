@@ -182,9 +182,9 @@ def test_a_loop_keeps_its_energy_and_its_constraints(tmp_path):
         ("<mujoco><worldbody/></mujoco>", "no joint that moves"),
         ("<mujoco>", "MuJoCo does not read this file"),
         (
-            '<mujoco><worldbody><body><joint/><geom type="mesh" mesh="gone"/></body></worldbody>'
+            '<mujoco><worldbody><body><joint/><geom type="mesh" mesh="gone"/></body></worldbody>\n'
             '<asset><mesh name="gone" file="gone.stl"/></asset></mujoco>',
-            "gone.stl",
+            r"xml:2: .*gone\.stl",
         ),
     ],
 )
@@ -219,8 +219,8 @@ def test_what_has_no_name_gets_one_that_nothing_else_has(tmp_path):
 def test_numbers_that_are_not_finite_are_told(tmp_path, of_joint, of_motor, said):
     bodies = body("", f'<joint name="j" {of_joint}/>')
     motor = f'<actuator><motor joint="j" {of_motor}/></actuator>'
-    with pytest.raises(RobotFileError, match=f"not finite .* `{said}`"):
-        read(written(tmp_path, f"<mujoco><worldbody>{bodies}</worldbody>{motor}</mujoco>"))
+    with pytest.raises(RobotFileError, match=f"xml:2: .* not finite .* `{said}`"):
+        read(written(tmp_path, f"<mujoco>\n<worldbody>{bodies}</worldbody>{motor}</mujoco>"))
 
 
 @pytest.mark.parametrize("what", ["damping", "armature", "frictionloss"])

@@ -254,12 +254,17 @@ def joint(kind="revolute", up="base", down="a", more="", name="j"):
         (robot_of(link(), joint(more='<dynamics damping="-1"/>')), 4, "damping .* 'j' .* got -1"),
         (robot_of(link(), joint(more='<dynamics friction="-1"/>')), 4, "friction .* 'j' .* got -1"),
         (robot_of(link(looks="<sphere radius='-1'/>"), joint()), 3, "`radius` of Sphere must be"),
-        (robot_of(link(looks="<mesh filename='bad.obj'/>"), joint()), 3, "not a valid OBJ file"),
+        (robot_of(link(), joint(more="<axis xyz='1 0 0'/>\n<axis/>")), 5, "more than one <axis>"),
+        (robot_of(link(), joint(more='<parent link="base"/>')), 4, "more than one <parent>"),
+        (
+            robot_of(link().replace("</link>", "<inertial/></link>"), joint()),
+            3,
+            "more than one <inertial>",
+        ),
         (robot_of(link(looks=f"<mesh filename='{'x' * 300}.obj'/>"), joint()), 3, "too long"),
     ],
 )
 def test_what_is_wrong_with_a_file_is_said_with_its_line(tmp_path, text, line, said):
-    (tmp_path / "bad.obj").write_text("v 1 2")
     path = tmp_path / "bad.urdf"
     path.write_text(text, encoding="utf-8")
     with pytest.raises(RobotFileError, match=said) as raised:
@@ -274,6 +279,20 @@ def point_mass(moment):
         f'<inertia ixx="{moment}" ixy="0" ixz="0" iyy="{moment}" iyz="0" izz="0"/></inertial>'
         "</link>"
     )
+
+
+def test_meshes_are_read_when_they_are_shown(tmp_path):
+    (tmp_path / "bad.obj").write_text("v 1 2")
+    path = tmp_path / "r.urdf"
+    path.write_text(robot_of(link(looks="<mesh filename='bad.obj'/>"), joint()))
+    robot = read(path)
+    for _ in range(2):
+        with pytest.raises(RobotFileError, match=r"r\.urdf:3: .*not a valid OBJ file"):
+            robot.scene()
+    (tmp_path / "bad.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3")
+    first, second = (robot.scene().visuals[0].shape for _ in range(2))
+    assert first.vertices.shape == (3, 3)
+    assert first is second
 
 
 def test_a_moment_of_inertia_may_be_negative_by_rounding(tmp_path):
@@ -310,6 +329,23 @@ def test_what_cannot_be_taken_over_is_listed(tmp_path):
         "the limits of the joint 'j', the lower of which is the upper",
         "the shape <cone>, which is not shown",
     )
+
+
+def test_what_is_odd_is_listed_with_its_line(tmp_path):
+    """Files that are in use hold such inertias."""
+    odd = link(looks="<mesh filename='gone.stl'/>").replace('izz="1"', 'izz="1" ixy="5"')
+    more = '<limit lower="1" upper="1"/>'
+    moved = joint("planar", more=f"{more}<dynamics damping='1'/>", name="p", down="b")
+    robot = read_text(tmp_path, robot_of(odd, joint(more=more), link(name="b"), moved))
+    path = tmp_path / "robot.urdf"
+    assert set(robot.left_out) == {
+        f"the mesh gone.stl, which is not found ({path}:3)",
+        "the limits of the joint 'j', which are equal, 1",
+        "the <limit> of the planar joint 'p'",
+        "the <dynamics> of the planar joint 'p'",
+        "the inertia of the link 'a' has a negative principal moment, -4: no body has it; it is "
+        f"taken as it is ({path}:3)",
+    }
 
 
 def test_marks_without_size_are_left_out(tmp_path):

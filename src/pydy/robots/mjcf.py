@@ -6,6 +6,7 @@ no counterpart here is said in one list.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -64,12 +65,23 @@ def read_mjcf(path: Path) -> Tree:
         model = mujoco.MjModel.from_xml_path(str(path))
     except ValueError as error:
         reason = " ".join(str(error).split())
-        raise RobotFileError(f"{path}: MuJoCo does not read this file: {reason}") from None
+        # MuJoCo has no line of a file that is missing.
+        name = re.search(r"Error opening file '(.*)'$", reason)
+        where = _line(path, rf"file\s*=\s*[\"']{re.escape(name[1])}[\"']") if name else path
+        raise RobotFileError(f"{where}: MuJoCo does not read this file: {reason}") from None
     finally:
         mujoco.set_mju_user_warning(before)
     tree = _Model(mujoco, model, path).tree()
     tree.left_out += [f"MuJoCo says: {' '.join(text.split())}" for text in said]
     return tree
+
+
+def _line(path: Path, pattern: str) -> str:
+    """Return the file with its first line that holds something, if one of its own does."""
+    lines = path.read_text("utf-8", "replace").splitlines()
+    found = (k for k, line in enumerate(lines, 1) if re.search(pattern, line, re.IGNORECASE))
+    line = next(found, None)
+    return f"{path}" if line is None else f"{path}:{line}"
 
 
 class _Model:
@@ -85,8 +97,9 @@ class _Model:
             **{n: getattr(model, n) for n in _NUMBERS},
         }.items():
             if not np.isfinite(values).all():
+                where = _line(path, r"[\"'\s][+-]?(nan|inf|infinity)[\"'\s]")
                 raise RobotFileError(
-                    f"{path}: a number that is not finite became part of MuJoCo's `{what}`. Look "
+                    f"{where}: a number that is not finite became part of MuJoCo's `{what}`. Look "
                     "for 'nan' and 'inf' in the file."
                 )
 

@@ -41,7 +41,7 @@ class Robot:
     input_ranges : dict
         By the name of an actuator: the least and the largest input that the file allows.
     left_out : tuple of str
-        What the file has and this robot has not.
+        What the file has and this robot has not, and what no real one could have.
     """
 
     def __init__(self, tree: Tree, made: Assembly) -> None:
@@ -128,6 +128,11 @@ class Robot:
         -------
         pydy.viz.Scene
             Without visuals in the file: the default shapes of its bodies.
+
+        Raises
+        ------
+        RobotFileError
+            A mesh that a URDF file names cannot be read. Files of meshes are read here, not before.
         """
         import sympy as sm
         from sympy.physics.mechanics import ReferenceFrame
@@ -148,7 +153,7 @@ class Robot:
                     point = point.locatenew(
                         f"look {k} of {name}", x * own.x + y * own.y + z * own.z
                     )
-                visuals.append(Visual(look.shape, frame, point, name=name))
+                visuals.append(Visual(look.read(), frame, point, name=name))
         if not visuals:
             visuals = [body for body in self.definition.bodies if "armature of" not in body.name]
         options.setdefault("up", "z")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection
 from dataclasses import dataclass, field
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -43,9 +44,15 @@ class Joint:
 class Look:
     """A shape of a link: what the viewer shows."""
 
-    shape: Any
+    shape: Any  # or what reads it from its file, which may take longer than all else
     place: np.ndarray
     turn: np.ndarray
+
+    def read(self) -> Any:
+        """Return the shape, which is read from its file once."""
+        if isinstance(self.shape, partial):
+            self.shape = self.shape()
+        return self.shape
 
 
 @dataclass
@@ -127,6 +134,12 @@ class Tree:
                 raise RobotFileError(
                     f"{link.where}: the moments of inertia of the link '{link.name}' must be "
                     f"finite numbers, not negative, got {np.diagonal(link.inertia).tolist()}."
+                )
+            least = float(np.linalg.eigvalsh(link.inertia)[0])
+            if least < -_COSINE * np.abs(link.inertia).max():  # as in files that are in use
+                self.left_out.append(
+                    f"the inertia of the link '{link.name}' has a negative principal moment, "
+                    f"{least:.3g}: no body has it; it is taken as it is ({link.where})"
                 )
             for joint in link.joints:
                 for what in ("damping", "armature", "friction"):

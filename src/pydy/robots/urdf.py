@@ -8,6 +8,7 @@ meshes), all of which have well-defined equations of motion: these files are rea
 from __future__ import annotations
 
 from collections import Counter
+from functools import partial
 from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree
@@ -27,7 +28,7 @@ from pydy.robots.tree import (
     to_quaternion,
     turned,
 )
-from pydy.viz.shapes import Box, Cylinder, Mesh, Sphere
+from pydy.viz.shapes import Box, Cylinder, Mesh, Sphere, read_mesh
 
 _MOVING = {"revolute": "hinge", "continuous": "hinge", "prismatic": "slide", "floating": "free"}
 _SHOWN = (".stl", ".obj")
@@ -86,8 +87,17 @@ class _Reader:
             )
         return found
 
+    def only(self, element: ElementTree.Element, tag: str) -> ElementTree.Element | None:
+        """Return the child of this kind, or None; of two, none is to be preferred."""
+        found = element.findall(tag)
+        if len(found) > 1:
+            raise RobotFileError(
+                f"{self.where(found[1])}: <{element.tag}> holds more than one <{tag}>."
+            )
+        return found[0] if found else None
+
     def child(self, element: ElementTree.Element, tag: str) -> ElementTree.Element:
-        found = element.find(tag)
+        found = self.only(element, tag)
         if found is None:
             name = element.get("name")
             of_name = f" of '{name}'" if name else ""
@@ -123,7 +133,7 @@ class _Reader:
         return float(self.numbers(element, attribute, default, 1)[0])
 
     def pose(self, element: ElementTree.Element) -> tuple[np.ndarray, np.ndarray]:
-        origin = element.find("origin")
+        origin = self.only(element, "origin")
         place = self.numbers(origin, "xyz", 0.0, 3)
         return place, of_roll_pitch_yaw(self.numbers(origin, "rpy", 0.0, 3))
 
@@ -270,11 +280,11 @@ def _link(
         link.parent = next(k for k, other in enumerate(before) if other.name == parent)
         link.place, link.turn = reader.pose(above)
         link.joints = _joints(reader, above, left_out)
-    inertial = element.find("inertial")
+    inertial = reader.only(element, "inertial")
     if inertial is not None:
         link.mass = reader.number(reader.child(inertial, "mass"), "value", None)
         link.centre, turn = reader.pose(inertial)
-        about = inertial.find("inertia")
+        about = reader.only(inertial, "inertia")
         xx, yy, zz, xy, xz, yz = (
             reader.number(about, f"i{axes}", 0.0) for axes in ("xx", "yy", "zz", "xy", "xz", "yz")
         )
@@ -292,6 +302,9 @@ def _joints(reader: _Reader, element: ElementTree.Element, left_out: list[str]) 
     where = reader.where(element)
     if kind == "fixed":
         return []
+    if kind in ("planar", "floating"):
+        more = [tag for tag in ("limit", "dynamics", "mimic") if element.find(tag) is not None]
+        left_out += [f"the <{tag}> of the {kind} joint '{name}'" for tag in more]
     if kind == "planar":
         normal = _axis(reader, element, [1.0, 0.0, 0.0])
         along = np.cross(normal, np.eye(3)[np.argmin(np.abs(normal))])
@@ -312,7 +325,7 @@ def _joints(reader: _Reader, element: ElementTree.Element, left_out: list[str]) 
     if joint.kind == "free":
         return [joint]
     joint.axis = _axis(reader, element, [1.0, 0.0, 0.0])
-    limit, dynamics = element.find("limit"), element.find("dynamics")
+    limit, dynamics = (reader.only(element, tag) for tag in ("limit", "dynamics"))
     if limit is not None:
         joint.effort = reader.number(limit, "effort", 0.0) or None
         if joint.effort is not None and joint.effort < 0.0:
@@ -325,9 +338,11 @@ def _joints(reader: _Reader, element: ElementTree.Element, left_out: list[str]) 
             joint.limits = (low, high)
         elif kind != "continuous" and low > high:
             left_out.append(f"the limits of the joint '{name}', the lower of which is the upper")
+        elif kind != "continuous" and low:
+            left_out.append(f"the limits of the joint '{name}', which are equal, {low:g}")
     joint.damping = reader.number(dynamics, "damping", 0.0)
     joint.friction = reader.number(dynamics, "friction", 0.0)
-    mimic = element.find("mimic")
+    mimic = reader.only(element, "mimic")
     if mimic is not None:
         joint.mimics = (
             reader.text(mimic, "joint"),
@@ -342,7 +357,7 @@ def _joints(reader: _Reader, element: ElementTree.Element, left_out: list[str]) 
 
 
 def _axis(reader: _Reader, element: ElementTree.Element, default: list[float]) -> np.ndarray:
-    axis = element.find("axis")
+    axis = reader.only(element, "axis")
     found = reader.numbers(axis, "xyz", default, 3)
     found = found / (np.abs(found).max() or 1.0)  # squares of tiny and huge ones are no floats
     size = np.linalg.norm(found)
@@ -409,9 +424,7 @@ def _shape(
             else:
                 shape = Cylinder(float(size[0]), float(size[1]), axis="z", **options)
         elif element.tag == "mesh":
-            shape = _mesh(reader, element, options)
-            if shape is None:
-                left_out.append(f"the mesh {element.get('filename')}, which is not shown")
+            shape = _mesh(reader, element, options, left_out)
         else:
             left_out.append(f"the shape <{element.tag}>, which is not shown")
     return shape
@@ -433,12 +446,27 @@ def _colours(reader: _Reader, visual: ElementTree.Element) -> dict[str, Any]:
     return {"colour": tuple(rgba[:3].tolist()), "opacity": float(rgba[3])}
 
 
-def _mesh(reader: _Reader, element: ElementTree.Element, options: dict[str, Any]) -> Mesh | None:
-    path = _file_of(reader.path, reader.text(element, "filename"))
-    if path is None or path.suffix.lower() not in _SHOWN:
+def _mesh(
+    reader: _Reader, element: ElementTree.Element, options: dict[str, Any], left_out: list[str]
+) -> partial[Mesh] | None:
+    name = reader.text(element, "filename")
+    path = _file_of(reader.path, name)
+    if path is None:
+        left_out.append(f"the mesh {name}, which is not found ({reader.where(element)})")
         return None
-    vertices, faces = Mesh(path).source
-    return Mesh((vertices * reader.numbers(element, "scale", 1.0, 3), faces), **options)
+    if path.suffix.lower() not in _SHOWN:
+        left_out.append(f"the mesh {name}: STL and OBJ files are shown")
+        return None
+    scale = reader.numbers(element, "scale", 1.0, 3)
+    return partial(_read_mesh, reader.where(element), path, scale, options)
+
+
+def _read_mesh(where: str, path: Path, scale: np.ndarray, options: dict[str, Any]) -> Mesh:
+    try:
+        vertices, faces = read_mesh(path)
+        return Mesh((vertices * scale, faces), **options)
+    except (OSError, ValueError) as error:
+        raise RobotFileError(f"{where}: {error}") from None
 
 
 def _file_of(robot: Path, name: str) -> Path | None:
