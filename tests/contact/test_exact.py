@@ -395,3 +395,47 @@ def test_contacts_that_exclude_each_other_are_named():
     system.times = [0.0, 2.0]
     with pytest.raises(ContactError, match=r"Jamming: .*At t = 1\.0"):
         Contacts(system, [floor, press]).simulate()
+
+
+def over_a_bump(unit, height, gap=None):
+    """A particle that flies level over a narrow bump at x = 5, with one step for the whole way."""
+    far = x / unit - 5
+    gap = y - unit * sm.exp(-100 * far**2) if gap is None else gap
+    point = O.locatenew("P", x * N.x + y * N.y)
+    system = System(
+        Definition(N, [x, y], [vx, vy], bodies=[me.Particle("P", point, 1)]),
+        initial_conditions={x: 0.0, y: height * unit, vx: unit},
+        times=[0.0, 10.0],
+        ode_solver="dop853",
+    )
+    contacts = Contacts(system, [Unilateral(gap, restitution=1, name="bump")])
+    return contacts.simulate(rtol=1e-10, atol=1e-10 * unit)
+
+
+@pytest.mark.parametrize("unit", [1.0, 1e-9, 1e9])
+@pytest.mark.parametrize("height", [0.1, 0.9, 0.999])
+def test_a_gap_that_closes_and_would_open_within_a_step_is_seen(unit, height):
+    motion = over_a_bump(unit, height)
+    before = math.sqrt(-math.log(height) / 100)
+    (closes,) = motion.events
+    assert closes.time == pytest.approx(5 - before, rel=1e-12)
+    normal = np.array([-200 * before * height, 1.0])
+    normal /= np.linalg.norm(normal)
+    bounced = np.array([1.0, 0.0]) - 2 * normal[0] * normal
+    end = motion.states[-1] / unit
+    np.testing.assert_allclose(end[2:], bounced, atol=1e-9)
+    way = [5 - before, height] + (5 + before) * bounced
+    np.testing.assert_allclose(end[:2], way, atol=1e-8)
+
+
+def test_a_gap_that_nearly_closes_within_a_step_is_none():
+    motion = over_a_bump(1.0, 1.0 + 1e-9)
+    assert not motion.events
+    np.testing.assert_allclose(motion.states[-1], [10.0, 1.0 + 1e-9, 1.0, 0.0], rtol=1e-12)
+
+
+def test_a_gap_that_is_no_number_is_named():
+    with pytest.raises(ValueError, match=r"The gap of 'bump' must be a number at .* got nan"):
+        over_a_bump(1.0, 1.0, sm.sqrt(x - 2) + y)
+    with pytest.raises(ContactError, match=r"the event `\d: speed of the gap of bump`, whose"):
+        over_a_bump(1.0, 1.0, sm.sqrt(2 - x) + y)

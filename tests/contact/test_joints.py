@@ -151,6 +151,54 @@ def test_a_pin_rebounds_in_large_units_as_in_small_ones():
     assert heights[1] == pytest.approx(heights[0], abs=1e-8)
 
 
+def linkage_with_play():
+    """A four-bar whose pin between coupler and rocker is loose, which starts amid its bush."""
+    q, u = me.dynamicsymbols("q1:4"), me.dynamicsymbols("u1:4")
+    lengths, base = np.array([0.1, 0.25, 0.2]), 0.28
+    ends, bodies = [], []
+    for k, (length, mass) in enumerate(zip(lengths, (0.4, 0.3, 0.25), strict=True)):
+        start = ends[-1] if k == 1 else O.locatenew(f"S{k}", base * (k // 2) * N.x)
+        own = N.orientnew(f"B{k}", "Axis", (q[k], N.z))
+        own.set_ang_vel(N, u[k] * N.z)
+        centre = start.locatenew(f"C{k}", length / 2 * own.x)
+        inertia = (me.inertia(own, 0, 0, mass * length**2 / 12), centre)
+        bodies.append(me.RigidBody(f"rod{k}", centre, own, mass, inertia))
+        ends.append(start.locatenew(f"E{k}", length * own.x))
+    angles, signs = np.array([0.5, 0.7, 1.8]), np.array([1, 1, -1])
+    for _ in range(20):
+        slopes = lengths * signs * np.array([-np.sin(angles), np.cos(angles)])
+        off = [lengths * signs @ np.cos(angles) - base, lengths * signs @ np.sin(angles)]
+        angles[1:] -= np.linalg.solve(slopes[:, 1:], off)
+    rates = [12.0, *np.linalg.solve(slopes[:, 1:], -slopes[:, 0] * 12.0)]
+    system = System(
+        Definition(N, q, u, bodies=bodies),
+        initial_conditions=dict(zip([*q, *u], [*angles, *rates], strict=True)),
+        times=np.linspace(0.0, 0.5, 1001),
+        ode_solver="dop853",
+    )
+    frames = (bodies[1].frame, bodies[2].frame)
+    return system, Clearance(
+        ends[1], ends[2], radius=5e-3, play=1e-4, axis=N.z, frames=frames, mu=0, restitution=0,
+        name="pin",
+    )  # fmt: skip
+
+
+def test_a_pin_that_leaves_its_bush_without_acceleration_is_seen_to_return():
+    # Pressed by no more than nothing it begins to leave, with a speed that is a rounding of either
+    # sign, and comes back within a quarter of a step.
+    system, joint = linkage_with_play()
+    contacts = Contacts(system, [joint])
+    motion = contacts.simulate(rtol=1e-11, atol=1e-13)
+    assert motion["pin_gap"].min() > -1e-10
+    total = motion.energy[:, 2]
+    assert np.abs(total - total[0] - motion.contact_work).max() < 1e-9 * total[0]
+    fine = contacts.simulate(rtol=1e-11, atol=1e-13, max_step=2e-4)
+    names = [[event.name for event in one.events] for one in (motion, fine)]
+    assert names[0] == names[1]
+    times = [[event.time for event in one.events] for one in (motion, fine)]
+    np.testing.assert_allclose(times[0], times[1], atol=1e-6)
+
+
 def test_arguments_of_geometries_are_named():
     C, body, _ = body_in_plane()
     given = {"on": O, "normal": N.y, "along": N.x, "mu": 0.2}

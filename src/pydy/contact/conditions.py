@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
+import numpy as np
 import sympy as sm
 from sympy.physics.mechanics import Point, Vector
 
@@ -204,9 +205,14 @@ def paired(contacts: Any) -> tuple[Contact, ...]:
 
 
 def check_values(contacts: Sequence[Contact], numbers: Sequence[dict[str, float]]) -> None:
-    """Check coefficients when their numbers are known."""
+    """Check gaps and coefficients when their numbers are known."""
     for contact, values in zip(contacts, numbers, strict=True):
         e, mu, static = (values[name] for name in ("restitution", "mu", "mu_static"))
+        if contact.unilateral is not None and not np.isfinite(values["gap"]):
+            raise ValueError(
+                f"The gap of {contact.name!r} must be a number at the first time, got "
+                f"{values['gap']}. Change the initial conditions, or what leaves its domain."
+            )
         if not 0.0 <= e <= 1.0:
             raise ValueError(f"`restitution` of {contact.name!r} must be from 0 to 1, got {e}.")
         if not mu >= 0.0:

@@ -29,6 +29,14 @@ from pydy.contact.rows import ContactRows
 from pydy.contact.tuning import TURNED
 from pydy.solvers.events import Event
 
+_WATCHED = {
+    "closes": "gap",
+    "nears": "speed of the gap",
+    "opens": "normal force",
+    "slips": "margin of friction",
+    "stops": "sliding speed",
+}
+
 
 @dataclass(frozen=True, eq=False)
 class ModeEquations:
@@ -262,7 +270,8 @@ class Mode:
     def events(self) -> tuple[list[Event], list[tuple[str, int]]]:
         """What ends the mode, and what each event is: what happens, to which contact.
 
-        A gap on the way up may be zero by rounding: until its speed turns, that is watched.
+        A gap on the way up may be zero by rounding: until its speed turns, that is watched. On the
+        way down, so is where its speed turns: there it is lowest, and may have been closed.
         """
         rows, g = self.rows, self.graph
         nodes_of = {symbol: node for node, symbol in rows.symbols.items()}
@@ -278,7 +287,10 @@ class Mode:
             normal, tangent = rows.normal[i], rows.tangent[i]
             if mode == OPEN and normal is not None:
                 up = g.call("lt", g.zero, nodes_of[rows.rising[i]])
-                watch(g.call("select", up, rows.speeds[normal], rows.gaps[i]), "closes", i)
+                # The speed may begin as a rounding of either sign.
+                speed, bound = rows.speeds[normal], nodes_of[rows.rising[i]]
+                watch(g.call("select", up, g.add(speed, bound), rows.gaps[i]), "closes", i)
+                watch(g.neg(speed), "nears", i)
                 continue
             press = rows.pressed[i] if normal is None else self.forces[normal]
             if normal is not None:
@@ -303,8 +315,13 @@ class Mode:
             if mode in SLIDES and i in self.pivots:
                 watch(self.pivots[i], "jams", i)
         found = [
-            Event(self._expression(node, what), direction=-1, terminal=True, name=f"{k}: {what}")
-            for k, (node, (what, _)) in enumerate(zip(nodes, kinds, strict=True))
+            Event(
+                self._expression(node, what),
+                direction=-1,
+                terminal=what != "nears",
+                name=f"{k}: {_WATCHED.get(what, what)} of {rows.contacts[i].name}",
+            )
+            for k, (node, (what, i)) in enumerate(zip(nodes, kinds, strict=True))
         ]
         return found, kinds
 

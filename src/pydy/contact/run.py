@@ -185,8 +185,8 @@ class Run:
         t, x = float(self.times[0]), self.now.x.copy()
         p = self.numbers(t, x)
         named = [
-            {"restitution": e, "mu": mu, "mu_static": static}
-            for e, mu, static in zip(p.restitution, p.mu, p.mu_static, strict=True)
+            {"gap": gap, "restitution": e, "mu": mu, "mu_static": static}
+            for gap, e, mu, static in zip(p.gap, p.restitution, p.mu, p.mu_static, strict=True)
         ]
         check_values(self.contacts, named)
         state = State(t, x, set(), set(), set())
@@ -426,8 +426,7 @@ class Run:
         """Simulate over all times."""
         state = self.begin()
         fixed: dict[int, str] = {}
-        instants, transitions = 0, 0
-        ended = False
+        instants, transitions, ended = 0, 0, False
         excluded: set[tuple[str, ...]] = set()  # what is not possible at this instant
         while not ended:
             before = state.t
@@ -540,13 +539,15 @@ class Run:
         """
         bias = np.zeros(len(p.free)) if self.bias is None else self.bias
         found: dict[Any, float] = dict(zip(self.rows.biases, bias.tolist(), strict=True))
-        found.update({s: float(i in state.rising) for i, s in enumerate(self.rows.rising)})
-        eps = np.finfo(float).eps
+        eps, tiny = float(np.finfo(float).eps), float(np.finfo(float).tiny)
+        found.update(dict.fromkeys(self.rows.rising, 0.0))
+        for i in state.rising:  # roundings of their speeds
+            found[self.rows.rising[i]] = max(eps * float(p.slow[self.rows.normal[i]]), tiny)
         atol = float(np.min(self._atol))
         for i, symbols in self.rows.references.items():
             rows = self.rows.tangent[i]
             gained = float(np.linalg.norm(p.free[rows])) * self.span
-            least = float(eps) * max(float(np.linalg.norm(p.slow[rows])), gained)
+            least = eps * max(float(np.linalg.norm(p.slow[rows])), gained)
             if solution.modes[i] == STARTING:
                 least = max(least, RESOLVED * atol)
             along = solution.directions.get(i, np.array([1.0, 0.0]))
@@ -599,7 +600,7 @@ class Run:
         for record in part.events:
             if record.index >= own and (record.time > state.t or not self.pieces):
                 self.records.append(replace(record, index=record.index + len(self.contacts) - own))
-        acting = [r for r in at_end if r.index < own]
+        acting = [r for r in at_end if r.index < own and kinds[r.index][0] != "nears"]
         rows = (self.times > state.t) & (self.times <= end)
         self.states[rows] = part.states[1 : 1 + int(rows.sum())]
         if self.carried is not None:

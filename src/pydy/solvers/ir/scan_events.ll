@@ -1,4 +1,4 @@
-; sources 5c82bcbeec0675ef9b4733ef084d9b48a5637cea040f6e242ce2faeb81809f52
+; sources 0bd3f5b1086cbd3eaad5e45f754cf8bf84f59f9e71254ec5b9f5fee3ad96b1a2
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Stepper = type { ptr, ptr, ptr }
@@ -40,498 +40,670 @@ define i64 @scan_events(ptr noundef %0, double noundef %1, double noundef %2) #0
   %34 = getelementptr inbounds i8, ptr %0, i64 192
   %35 = getelementptr inbounds i8, ptr %0, i64 744
   %36 = icmp sgt i64 %12, 0
-  %37 = icmp sgt i64 %12, 0
-  %38 = getelementptr double, ptr %16, i64 %12
-  %39 = getelementptr inbounds i8, ptr %0, i64 792
-  %40 = getelementptr inbounds i8, ptr %26, i64 48
-  %41 = icmp sgt i64 %12, 0
-  %42 = getelementptr inbounds i8, ptr %0, i64 912
-  %43 = getelementptr inbounds i8, ptr %0, i64 920
-  %44 = getelementptr inbounds i8, ptr %0, i64 936
-  %45 = getelementptr inbounds i8, ptr %0, i64 960
-  %46 = getelementptr inbounds i8, ptr %0, i64 976
-  %47 = getelementptr inbounds i8, ptr %26, i64 48
-  %48 = icmp sgt i64 %12, 0
-  %49 = getelementptr inbounds i8, ptr %26, i64 48
-  %50 = icmp sgt i64 %12, 0
-  br label %55
+  %37 = getelementptr inbounds i8, ptr %0, i64 792
+  %38 = icmp slt i64 %12, 1
+  %39 = getelementptr double, ptr %16, i64 %12
+  %40 = icmp sgt i64 %12, 0
+  %41 = getelementptr double, ptr %16, i64 %12
+  %42 = getelementptr inbounds i8, ptr %0, i64 792
+  %43 = getelementptr inbounds i8, ptr %26, i64 48
+  %44 = icmp sgt i64 %12, 0
+  %45 = getelementptr inbounds i8, ptr %0, i64 912
+  %46 = getelementptr inbounds i8, ptr %0, i64 920
+  %47 = getelementptr inbounds i8, ptr %0, i64 936
+  %48 = getelementptr inbounds i8, ptr %0, i64 960
+  %49 = getelementptr inbounds i8, ptr %0, i64 976
+  %50 = getelementptr inbounds i8, ptr %26, i64 48
+  %51 = icmp sgt i64 %12, 0
+  %52 = getelementptr inbounds i8, ptr %26, i64 48
+  %53 = icmp sgt i64 %12, 0
+  br label %58
 
-51:                                               ; preds = %355
-  %52 = add nuw nsw i32 %59, 1
-  %53 = icmp ugt i32 %59, 3
-  %54 = icmp eq i32 %52, 5
-  br i1 %54, label %360, label %55, !llvm.loop !3
+54:                                               ; preds = %479
+  %55 = add nuw nsw i32 %62, 1
+  %56 = icmp ugt i32 %62, 3
+  %57 = icmp eq i32 %55, 5
+  br i1 %57, label %484, label %58, !llvm.loop !3
 
-55:                                               ; preds = %3, %51
-  %56 = phi i1 [ false, %3 ], [ %53, %51 ]
-  %57 = phi i64 [ undef, %3 ], [ %358, %51 ]
-  %58 = phi double [ 0.000000e+00, %3 ], [ %357, %51 ]
-  %59 = phi i32 [ 1, %3 ], [ %52, %51 ]
-  %60 = uitofp nneg i32 %59 to double
-  %61 = fmul double %60, 2.500000e-01
-  %62 = load ptr, ptr %27, align 8
-  %63 = load ptr, ptr %28, align 8
-  %64 = insertelement <8 x double> poison, double %61, i64 0
-  %65 = shufflevector <8 x double> %64, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %65, ptr %63, align 8
-  %66 = load ptr, ptr %8, align 8
-  %67 = load ptr, ptr %29, align 8
-  %68 = load i64, ptr %30, align 8
-  %69 = load ptr, ptr %0, align 8
-  %70 = getelementptr inbounds i8, ptr %69, i64 24
-  %71 = load i64, ptr %70, align 8
-  %72 = load ptr, ptr %28, align 8
-  %73 = load ptr, ptr %6, align 8
-  %74 = getelementptr inbounds i8, ptr %73, i64 16
-  %75 = load i64, ptr %74, align 8
-  tail call fastcc void @nested(ptr noundef %62, ptr noundef %66, ptr noundef %67, i64 noundef %68, i64 noundef %71, ptr noundef %72, i64 noundef %75) #7
-  %76 = fmul double %61, %2
-  %77 = fadd double %76, %1
-  %78 = load ptr, ptr %31, align 8
-  store double %77, ptr %78, align 8
-  %79 = load i64, ptr %32, align 8
-  %80 = icmp sgt i64 %79, 0
-  br i1 %80, label %81, label %82
+58:                                               ; preds = %3, %54
+  %59 = phi i1 [ false, %3 ], [ %56, %54 ]
+  %60 = phi i64 [ undef, %3 ], [ %482, %54 ]
+  %61 = phi double [ 0.000000e+00, %3 ], [ %481, %54 ]
+  %62 = phi i32 [ 1, %3 ], [ %55, %54 ]
+  %63 = uitofp nneg i32 %62 to double
+  %64 = fmul double %63, 2.500000e-01
+  %65 = load ptr, ptr %27, align 8
+  %66 = load ptr, ptr %28, align 8
+  %67 = insertelement <8 x double> poison, double %64, i64 0
+  %68 = shufflevector <8 x double> %67, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %68, ptr %66, align 8
+  %69 = load ptr, ptr %8, align 8
+  %70 = load ptr, ptr %29, align 8
+  %71 = load i64, ptr %30, align 8
+  %72 = load ptr, ptr %0, align 8
+  %73 = getelementptr inbounds i8, ptr %72, i64 24
+  %74 = load i64, ptr %73, align 8
+  %75 = load ptr, ptr %28, align 8
+  %76 = load ptr, ptr %6, align 8
+  %77 = getelementptr inbounds i8, ptr %76, i64 16
+  %78 = load i64, ptr %77, align 8
+  tail call fastcc void @nested(ptr noundef %65, ptr noundef %69, ptr noundef %70, i64 noundef %71, i64 noundef %74, ptr noundef %75, i64 noundef %78) #7
+  %79 = fmul double %64, %2
+  %80 = fadd double %79, %1
+  %81 = load ptr, ptr %31, align 8
+  store double %80, ptr %81, align 8
+  %82 = load i64, ptr %32, align 8
+  %83 = icmp sgt i64 %82, 0
+  br i1 %83, label %84, label %85
 
-81:                                               ; preds = %55
+84:                                               ; preds = %58
   tail call fastcc void @sample(ptr noundef nonnull %6) #7
-  br label %82
+  br label %85
 
-82:                                               ; preds = %55, %81
-  %83 = load ptr, ptr %9, align 8
-  %84 = load i64, ptr %83, align 8
-  %85 = load ptr, ptr %33, align 8
-  %86 = load ptr, ptr %27, align 8
-  %87 = load ptr, ptr %34, align 8
-  %88 = load ptr, ptr %35, align 8
-  %89 = load ptr, ptr %15, align 8
-  %90 = inttoptr i64 %84 to ptr
-  %91 = tail call i32 %90(ptr noundef %85, ptr noundef %86, ptr noundef %87, ptr noundef %88, ptr noundef %89) #8
-  %92 = icmp slt i32 %91, 0
-  br i1 %92, label %93, label %98
+85:                                               ; preds = %58, %84
+  %86 = load ptr, ptr %9, align 8
+  %87 = load i64, ptr %86, align 8
+  %88 = load ptr, ptr %33, align 8
+  %89 = load ptr, ptr %27, align 8
+  %90 = load ptr, ptr %34, align 8
+  %91 = load ptr, ptr %35, align 8
+  %92 = load ptr, ptr %15, align 8
+  %93 = inttoptr i64 %87 to ptr
+  %94 = tail call i32 %93(ptr noundef %88, ptr noundef %89, ptr noundef %90, ptr noundef %91, ptr noundef %92) #8
+  %95 = icmp slt i32 %94, 0
+  br i1 %95, label %96, label %101
 
-93:                                               ; preds = %82
-  %94 = load ptr, ptr %22, align 8
-  %95 = getelementptr inbounds i8, ptr %94, i64 80
-  store i64 %25, ptr %95, align 8
-  %96 = load ptr, ptr %21, align 8
-  %97 = getelementptr inbounds i8, ptr %96, i64 48
-  store double 1.000000e+00, ptr %97, align 8
-  br label %355
+96:                                               ; preds = %85
+  %97 = load ptr, ptr %22, align 8
+  %98 = getelementptr inbounds i8, ptr %97, i64 80
+  store i64 %25, ptr %98, align 8
+  %99 = load ptr, ptr %21, align 8
+  %100 = getelementptr inbounds i8, ptr %99, i64 48
+  store double 1.000000e+00, ptr %100, align 8
+  br label %479
 
-98:                                               ; preds = %82, %337
-  %99 = phi double [ %339, %337 ], [ %58, %82 ]
-  %100 = phi i64 [ %340, %337 ], [ %57, %82 ]
-  br i1 %36, label %104, label %101
+101:                                              ; preds = %85, %461
+  %102 = phi double [ %463, %461 ], [ %61, %85 ]
+  %103 = phi i64 [ %464, %461 ], [ %60, %85 ]
+  br i1 %36, label %108, label %104
 
-101:                                              ; preds = %139, %98
-  %102 = phi double [ 2.000000e+00, %98 ], [ %140, %139 ]
-  %103 = fcmp ogt double %102, 1.000000e+00
-  br i1 %103, label %337, label %143
+104:                                              ; preds = %158, %101
+  %105 = phi double [ 2.000000e+00, %101 ], [ %159, %158 ]
+  %106 = phi i32 [ 0, %101 ], [ %160, %158 ]
+  %107 = fcmp ogt double %105, 1.000000e+00
+  br i1 %107, label %461, label %163
 
-104:                                              ; preds = %98, %139
-  %105 = phi i64 [ %141, %139 ], [ 0, %98 ]
-  %106 = phi double [ %140, %139 ], [ 2.000000e+00, %98 ]
-  %107 = getelementptr inbounds i64, ptr %20, i64 %105
-  store i64 0, ptr %107, align 8
-  %108 = getelementptr inbounds i64, ptr %18, i64 %105
-  %109 = load i64, ptr %108, align 8
-  %110 = getelementptr inbounds double, ptr %16, i64 %105
-  %111 = load double, ptr %110, align 8
-  %112 = getelementptr inbounds i64, ptr %14, i64 %105
-  %113 = load i64, ptr %112, align 8
-  %114 = icmp slt i64 %109, 0
-  %115 = fcmp ogt double %111, 0.000000e+00
-  %116 = and i1 %114, %115
-  %117 = icmp sgt i64 %113, -1
-  %118 = and i1 %116, %117
-  br i1 %118, label %126, label %119
+108:                                              ; preds = %101, %158
+  %109 = phi i64 [ %161, %158 ], [ 0, %101 ]
+  %110 = phi i32 [ %160, %158 ], [ 0, %101 ]
+  %111 = phi double [ %159, %158 ], [ 2.000000e+00, %101 ]
+  %112 = getelementptr inbounds i64, ptr %20, i64 %109
+  store i64 0, ptr %112, align 8
+  %113 = getelementptr inbounds i64, ptr %18, i64 %109
+  %114 = load i64, ptr %113, align 8
+  %115 = getelementptr inbounds double, ptr %16, i64 %109
+  %116 = load double, ptr %115, align 8
+  %117 = getelementptr inbounds i64, ptr %14, i64 %109
+  %118 = load i64, ptr %117, align 8
+  %119 = icmp slt i64 %114, 0
+  %120 = fcmp ogt double %116, 0.000000e+00
+  %121 = and i1 %119, %120
+  %122 = icmp sgt i64 %118, -1
+  %123 = and i1 %121, %122
+  br i1 %123, label %131, label %124
 
-119:                                              ; preds = %104
-  %120 = icmp sgt i64 %109, 0
-  %121 = fcmp olt double %111, 0.000000e+00
-  %122 = and i1 %120, %121
-  br i1 %122, label %123, label %126
+124:                                              ; preds = %108
+  %125 = icmp sgt i64 %114, 0
+  %126 = fcmp olt double %116, 0.000000e+00
+  %127 = and i1 %125, %126
+  br i1 %127, label %128, label %131
 
-123:                                              ; preds = %119
-  %124 = icmp slt i64 %113, 1
-  %125 = zext i1 %124 to i32
-  br label %126
+128:                                              ; preds = %124
+  %129 = icmp slt i64 %118, 1
+  %130 = zext i1 %129 to i32
+  br label %131
 
-126:                                              ; preds = %104, %119, %123
-  %127 = phi i32 [ 1, %104 ], [ 0, %119 ], [ %125, %123 ]
-  %128 = icmp eq i32 %127, 0
-  br i1 %128, label %129, label %133
+131:                                              ; preds = %108, %124, %128
+  %132 = phi i32 [ 1, %108 ], [ 0, %124 ], [ %130, %128 ]
+  %133 = icmp eq i32 %132, 0
+  br i1 %133, label %134, label %138
 
-129:                                              ; preds = %126
-  %130 = icmp eq i64 %109, 0
-  %131 = fcmp ord double %111, 0.000000e+00
-  %132 = or i1 %130, %131
-  br i1 %132, label %139, label %133
+134:                                              ; preds = %131
+  %135 = icmp eq i64 %114, 0
+  %136 = fcmp ord double %116, 0.000000e+00
+  %137 = or i1 %135, %136
+  br i1 %137, label %158, label %138
 
-133:                                              ; preds = %129, %126
-  %134 = call fastcc double @locate(ptr noundef nonnull %0, ptr noundef nonnull %4, double noundef %1, double noundef %2, double noundef %99, double noundef %61, i64 noundef %105) #7
-  %135 = fcmp ole double %134, %99
-  %136 = zext i1 %135 to i64
-  store i64 %136, ptr %107, align 8
-  %137 = fcmp olt double %134, %106
-  %138 = select i1 %137, double %134, double %106
-  br label %139
+138:                                              ; preds = %134, %131
+  %139 = call fastcc double @locate(ptr noundef nonnull %0, ptr noundef nonnull %4, double noundef %1, double noundef %2, double noundef %102, double noundef %64, i64 noundef %109) #7
+  %140 = fcmp ole double %139, %102
+  %141 = zext i1 %140 to i64
+  store i64 %141, ptr %112, align 8
+  %142 = fcmp uge double %139, %111
+  %143 = select i1 %142, i32 %110, i32 0
+  %144 = fcmp ugt double %139, %111
+  br i1 %144, label %155, label %145
 
-139:                                              ; preds = %129, %133
-  %140 = phi double [ %138, %133 ], [ %106, %129 ]
-  %141 = add nuw nsw i64 %105, 1
-  %142 = icmp eq i64 %141, %12
-  br i1 %142, label %101, label %104, !llvm.loop !6
+145:                                              ; preds = %138
+  %146 = icmp eq i32 %143, 0
+  br i1 %146, label %147, label %152
 
-143:                                              ; preds = %101
-  %144 = load ptr, ptr %27, align 8
-  %145 = load ptr, ptr %28, align 8
-  %146 = insertelement <8 x double> poison, double %102, i64 0
-  %147 = shufflevector <8 x double> %146, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %147, ptr %145, align 8
-  %148 = load ptr, ptr %8, align 8
-  %149 = load ptr, ptr %29, align 8
-  %150 = load i64, ptr %30, align 8
-  %151 = load ptr, ptr %0, align 8
-  %152 = getelementptr inbounds i8, ptr %151, i64 24
-  %153 = load i64, ptr %152, align 8
-  %154 = load ptr, ptr %28, align 8
-  %155 = load ptr, ptr %6, align 8
-  %156 = getelementptr inbounds i8, ptr %155, i64 16
-  %157 = load i64, ptr %156, align 8
-  tail call fastcc void @nested(ptr noundef %144, ptr noundef %148, ptr noundef %149, i64 noundef %150, i64 noundef %153, ptr noundef %154, i64 noundef %157) #7
-  %158 = fmul double %102, %2
-  %159 = fadd double %158, %1
-  %160 = load ptr, ptr %31, align 8
-  store double %159, ptr %160, align 8
-  %161 = load i64, ptr %32, align 8
-  %162 = icmp sgt i64 %161, 0
-  br i1 %162, label %163, label %164
+147:                                              ; preds = %145
+  %148 = load ptr, ptr %37, align 8
+  %149 = getelementptr inbounds i64, ptr %148, i64 %109
+  %150 = load i64, ptr %149, align 8
+  %151 = icmp eq i64 %150, 1
+  br label %152
 
-163:                                              ; preds = %143
-  tail call fastcc void @sample(ptr noundef nonnull %6) #7
-  br label %164
+152:                                              ; preds = %147, %145
+  %153 = phi i1 [ true, %145 ], [ %151, %147 ]
+  %154 = zext i1 %153 to i32
+  br label %155
 
-164:                                              ; preds = %143, %163
-  %165 = load ptr, ptr %9, align 8
-  %166 = load i64, ptr %165, align 8
-  %167 = load ptr, ptr %33, align 8
-  %168 = load ptr, ptr %27, align 8
-  %169 = load ptr, ptr %34, align 8
-  %170 = load ptr, ptr %35, align 8
-  %171 = load ptr, ptr %15, align 8
-  %172 = getelementptr inbounds i8, ptr %165, i64 8
+155:                                              ; preds = %152, %138
+  %156 = phi i32 [ %154, %152 ], [ %143, %138 ]
+  %157 = select i1 %142, double %111, double %139
+  br label %158
+
+158:                                              ; preds = %134, %155
+  %159 = phi double [ %157, %155 ], [ %111, %134 ]
+  %160 = phi i32 [ %156, %155 ], [ %110, %134 ]
+  %161 = add nuw nsw i64 %109, 1
+  %162 = icmp eq i64 %161, %12
+  br i1 %162, label %104, label %108, !llvm.loop !6
+
+163:                                              ; preds = %104
+  %164 = load ptr, ptr %27, align 8
+  %165 = load ptr, ptr %28, align 8
+  %166 = insertelement <8 x double> poison, double %105, i64 0
+  %167 = shufflevector <8 x double> %166, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %167, ptr %165, align 8
+  %168 = load ptr, ptr %8, align 8
+  %169 = load ptr, ptr %29, align 8
+  %170 = load i64, ptr %30, align 8
+  %171 = load ptr, ptr %0, align 8
+  %172 = getelementptr inbounds i8, ptr %171, i64 24
   %173 = load i64, ptr %172, align 8
-  %174 = getelementptr inbounds double, ptr %171, i64 %173
-  %175 = inttoptr i64 %166 to ptr
-  %176 = tail call i32 %175(ptr noundef %167, ptr noundef %168, ptr noundef %169, ptr noundef %170, ptr noundef %174) #8
-  %177 = icmp slt i32 %176, 0
-  br i1 %177, label %179, label %178
+  %174 = load ptr, ptr %28, align 8
+  %175 = load ptr, ptr %6, align 8
+  %176 = getelementptr inbounds i8, ptr %175, i64 16
+  %177 = load i64, ptr %176, align 8
+  tail call fastcc void @nested(ptr noundef %164, ptr noundef %168, ptr noundef %169, i64 noundef %170, i64 noundef %173, ptr noundef %174, i64 noundef %177) #7
+  %178 = fmul double %105, %2
+  %179 = fadd double %178, %1
+  %180 = load ptr, ptr %31, align 8
+  store double %179, ptr %180, align 8
+  %181 = load i64, ptr %32, align 8
+  %182 = icmp sgt i64 %181, 0
+  br i1 %182, label %183, label %184
 
-178:                                              ; preds = %164
-  br i1 %37, label %191, label %186
+183:                                              ; preds = %163
+  tail call fastcc void @sample(ptr noundef nonnull %6) #7
+  br label %184
 
-179:                                              ; preds = %164
-  %180 = load ptr, ptr %22, align 8
-  %181 = getelementptr inbounds i8, ptr %180, i64 80
-  store i64 %25, ptr %181, align 8
-  %182 = load ptr, ptr %21, align 8
-  %183 = getelementptr inbounds i8, ptr %182, i64 48
-  store double 1.000000e+00, ptr %183, align 8
-  br label %337
+184:                                              ; preds = %163, %183
+  %185 = load ptr, ptr %9, align 8
+  %186 = load i64, ptr %185, align 8
+  %187 = load ptr, ptr %33, align 8
+  %188 = load ptr, ptr %27, align 8
+  %189 = load ptr, ptr %34, align 8
+  %190 = load ptr, ptr %35, align 8
+  %191 = load ptr, ptr %15, align 8
+  %192 = getelementptr inbounds i8, ptr %185, i64 8
+  %193 = load i64, ptr %192, align 8
+  %194 = getelementptr inbounds double, ptr %191, i64 %193
+  %195 = inttoptr i64 %186 to ptr
+  %196 = tail call i32 %195(ptr noundef %187, ptr noundef %188, ptr noundef %189, ptr noundef %190, ptr noundef %194) #8
+  %197 = icmp slt i32 %196, 0
+  br i1 %197, label %201, label %198
 
-184:                                              ; preds = %269
-  %185 = zext i1 %270 to i32
-  br label %186
+198:                                              ; preds = %184
+  %199 = icmp ne i32 %106, 0
+  %200 = select i1 %38, i1 true, i1 %199
+  br i1 %200, label %299, label %206
 
-186:                                              ; preds = %184, %178
-  %187 = phi i32 [ 0, %178 ], [ %185, %184 ]
-  %188 = phi i64 [ -1, %178 ], [ %260, %184 ]
-  %189 = icmp eq i32 %187, 0
-  br i1 %189, label %190, label %273
+201:                                              ; preds = %184
+  %202 = load ptr, ptr %22, align 8
+  %203 = getelementptr inbounds i8, ptr %202, i64 80
+  store i64 %25, ptr %203, align 8
+  %204 = load ptr, ptr %21, align 8
+  %205 = getelementptr inbounds i8, ptr %204, i64 48
+  store double 1.000000e+00, ptr %205, align 8
+  br label %461
 
-190:                                              ; preds = %186
-  br i1 %41, label %274, label %322
-
-191:                                              ; preds = %178, %269
-  %192 = phi i64 [ %271, %269 ], [ 0, %178 ]
-  %193 = phi i64 [ %260, %269 ], [ -1, %178 ]
-  %194 = phi i1 [ %270, %269 ], [ false, %178 ]
-  %195 = getelementptr double, ptr %38, i64 %192
-  %196 = load double, ptr %195, align 8
-  %197 = getelementptr inbounds i64, ptr %18, i64 %192
-  %198 = load i64, ptr %197, align 8
-  %199 = getelementptr inbounds i64, ptr %14, i64 %192
-  %200 = load i64, ptr %199, align 8
-  %201 = icmp slt i64 %198, 0
-  %202 = fcmp ogt double %196, 0.000000e+00
-  %203 = and i1 %202, %201
-  %204 = icmp sgt i64 %200, -1
-  %205 = and i1 %203, %204
-  br i1 %205, label %213, label %206
-
-206:                                              ; preds = %191
-  %207 = icmp sgt i64 %198, 0
-  %208 = fcmp olt double %196, 0.000000e+00
-  %209 = and i1 %208, %207
-  br i1 %209, label %210, label %213
-
-210:                                              ; preds = %206
-  %211 = icmp slt i64 %200, 1
-  %212 = zext i1 %211 to i32
-  br label %213
-
-213:                                              ; preds = %191, %206, %210
-  %214 = phi i32 [ 1, %191 ], [ 0, %206 ], [ %212, %210 ]
-  %215 = icmp eq i32 %214, 0
-  br i1 %215, label %216, label %241
-
-216:                                              ; preds = %213
-  %217 = getelementptr inbounds double, ptr %16, i64 %192
-  %218 = load double, ptr %217, align 8
-  %219 = fcmp ogt double %218, 0.000000e+00
-  %220 = and i1 %201, %219
-  %221 = and i1 %204, %220
+206:                                              ; preds = %198, %293
+  %207 = phi i1 [ %298, %293 ], [ %200, %198 ]
+  %208 = phi i64 [ %295, %293 ], [ %103, %198 ]
+  %209 = phi i64 [ %296, %293 ], [ 0, %198 ]
+  %210 = phi double [ %294, %293 ], [ %105, %198 ]
+  %211 = getelementptr inbounds i64, ptr %18, i64 %209
+  %212 = load i64, ptr %211, align 8
+  %213 = getelementptr double, ptr %39, i64 %209
+  %214 = load double, ptr %213, align 8
+  %215 = getelementptr inbounds i64, ptr %14, i64 %209
+  %216 = load i64, ptr %215, align 8
+  %217 = icmp slt i64 %212, 0
+  %218 = fcmp ogt double %214, 0.000000e+00
+  %219 = and i1 %217, %218
+  %220 = icmp sgt i64 %216, -1
+  %221 = and i1 %219, %220
   br i1 %221, label %229, label %222
 
-222:                                              ; preds = %216
-  %223 = icmp sgt i64 %198, 0
-  %224 = fcmp olt double %218, 0.000000e+00
+222:                                              ; preds = %206
+  %223 = icmp sgt i64 %212, 0
+  %224 = fcmp olt double %214, 0.000000e+00
   %225 = and i1 %223, %224
   br i1 %225, label %226, label %229
 
 226:                                              ; preds = %222
-  %227 = icmp slt i64 %200, 1
+  %227 = icmp slt i64 %216, 1
   %228 = zext i1 %227 to i32
   br label %229
 
-229:                                              ; preds = %216, %222, %226
-  %230 = phi i32 [ 1, %216 ], [ 0, %222 ], [ %228, %226 ]
+229:                                              ; preds = %206, %222, %226
+  %230 = phi i32 [ 1, %206 ], [ 0, %222 ], [ %228, %226 ]
   %231 = icmp eq i32 %230, 0
-  br i1 %231, label %241, label %232
+  br i1 %231, label %293, label %232
 
 232:                                              ; preds = %229
-  %233 = fcmp oeq double %196, 0.000000e+00
-  br i1 %233, label %238, label %234
+  %233 = getelementptr inbounds double, ptr %16, i64 %209
+  %234 = load double, ptr %233, align 8
+  %235 = fcmp ogt double %234, 0.000000e+00
+  %236 = and i1 %217, %235
+  %237 = and i1 %220, %236
+  br i1 %237, label %245, label %238
 
-234:                                              ; preds = %232
-  %235 = getelementptr inbounds i64, ptr %20, i64 %192
-  %236 = load i64, ptr %235, align 8
-  %237 = icmp eq i64 %236, 1
-  br label %238
+238:                                              ; preds = %232
+  %239 = icmp sgt i64 %212, 0
+  %240 = fcmp olt double %234, 0.000000e+00
+  %241 = and i1 %239, %240
+  br i1 %241, label %242, label %245
 
-238:                                              ; preds = %234, %232
-  %239 = phi i1 [ true, %232 ], [ %237, %234 ]
-  %240 = zext i1 %239 to i32
-  br label %241
+242:                                              ; preds = %238
+  %243 = icmp slt i64 %216, 1
+  %244 = zext i1 %243 to i32
+  br label %245
 
-241:                                              ; preds = %238, %229, %213
-  %242 = phi i32 [ 1, %213 ], [ %240, %238 ], [ 0, %229 ]
-  %243 = icmp eq i32 %242, 0
-  br i1 %243, label %244, label %259
+245:                                              ; preds = %232, %238, %242
+  %246 = phi i32 [ 1, %232 ], [ 0, %238 ], [ %244, %242 ]
+  %247 = icmp eq i32 %246, 0
+  br i1 %247, label %248, label %293
 
-244:                                              ; preds = %241
-  %245 = getelementptr inbounds double, ptr %16, i64 %192
-  %246 = load double, ptr %245, align 8
-  %247 = icmp eq i64 %198, 0
-  %248 = fcmp ord double %246, 0.000000e+00
-  %249 = or i1 %247, %248
-  br i1 %249, label %259, label %250
+248:                                              ; preds = %245
+  %249 = call fastcc double @locate(ptr noundef nonnull %0, ptr noundef nonnull %4, double noundef %1, double noundef %2, double noundef %102, double noundef %210, i64 noundef %209) #7
+  %250 = fcmp ogt double %249, %102
+  %251 = select i1 %250, double %249, double %210
+  %252 = load ptr, ptr %27, align 8
+  %253 = load ptr, ptr %28, align 8
+  %254 = insertelement <8 x double> poison, double %251, i64 0
+  %255 = shufflevector <8 x double> %254, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %255, ptr %253, align 8
+  %256 = load ptr, ptr %8, align 8
+  %257 = load ptr, ptr %29, align 8
+  %258 = load i64, ptr %30, align 8
+  %259 = load ptr, ptr %0, align 8
+  %260 = getelementptr inbounds i8, ptr %259, i64 24
+  %261 = load i64, ptr %260, align 8
+  %262 = load ptr, ptr %28, align 8
+  %263 = load ptr, ptr %6, align 8
+  %264 = getelementptr inbounds i8, ptr %263, i64 16
+  %265 = load i64, ptr %264, align 8
+  tail call fastcc void @nested(ptr noundef %252, ptr noundef %256, ptr noundef %257, i64 noundef %258, i64 noundef %261, ptr noundef %262, i64 noundef %265) #7
+  %266 = fmul double %251, %2
+  %267 = fadd double %266, %1
+  %268 = load ptr, ptr %31, align 8
+  store double %267, ptr %268, align 8
+  %269 = load i64, ptr %32, align 8
+  %270 = icmp sgt i64 %269, 0
+  br i1 %270, label %271, label %272
 
-250:                                              ; preds = %244
-  %251 = sitofp i64 %198 to double
-  %252 = fmul double %196, %251
-  %253 = fcmp olt double %252, 0.000000e+00
-  br i1 %253, label %254, label %256
+271:                                              ; preds = %248
+  tail call fastcc void @sample(ptr noundef nonnull %6) #7
+  br label %272
 
-254:                                              ; preds = %250
-  %255 = sub nsw i64 0, %198
-  store i64 %255, ptr %197, align 8
-  br label %259
+272:                                              ; preds = %248, %271
+  %273 = load ptr, ptr %9, align 8
+  %274 = load i64, ptr %273, align 8
+  %275 = load ptr, ptr %33, align 8
+  %276 = load ptr, ptr %27, align 8
+  %277 = load ptr, ptr %34, align 8
+  %278 = load ptr, ptr %35, align 8
+  %279 = load ptr, ptr %15, align 8
+  %280 = getelementptr inbounds i8, ptr %273, i64 8
+  %281 = load i64, ptr %280, align 8
+  %282 = getelementptr inbounds double, ptr %279, i64 %281
+  %283 = inttoptr i64 %274 to ptr
+  %284 = tail call i32 %283(ptr noundef %275, ptr noundef %276, ptr noundef %277, ptr noundef %278, ptr noundef %282) #8
+  %285 = icmp sgt i32 %284, -1
+  br i1 %285, label %291, label %286
 
-256:                                              ; preds = %250
-  %257 = fcmp ueq double %196, 0.000000e+00
-  %258 = select i1 %257, i64 %192, i64 %193
-  br label %259
+286:                                              ; preds = %272
+  %287 = load ptr, ptr %22, align 8
+  %288 = getelementptr inbounds i8, ptr %287, i64 80
+  store i64 %25, ptr %288, align 8
+  %289 = load ptr, ptr %21, align 8
+  %290 = getelementptr inbounds i8, ptr %289, i64 48
+  store double 1.000000e+00, ptr %290, align 8
+  br label %291
 
-259:                                              ; preds = %256, %254, %244, %241
-  %260 = phi i64 [ %193, %241 ], [ %193, %254 ], [ %193, %244 ], [ %258, %256 ]
-  %261 = zext nneg i32 %242 to i64
-  %262 = getelementptr inbounds i64, ptr %20, i64 %192
-  store i64 %261, ptr %262, align 8
-  %263 = or i1 %194, %243
-  br i1 %263, label %269, label %264
+291:                                              ; preds = %272, %286
+  %292 = phi i64 [ -4, %286 ], [ %208, %272 ]
+  br i1 %285, label %293, label %299
 
-264:                                              ; preds = %259
-  %265 = load ptr, ptr %39, align 8
-  %266 = getelementptr inbounds i64, ptr %265, i64 %192
-  %267 = load i64, ptr %266, align 8
-  %268 = icmp eq i64 %267, 1
-  br label %269
+293:                                              ; preds = %229, %245, %291
+  %294 = phi double [ %210, %245 ], [ %251, %291 ], [ %210, %229 ]
+  %295 = phi i64 [ %208, %245 ], [ %292, %291 ], [ %208, %229 ]
+  %296 = add nuw nsw i64 %209, 1
+  %297 = icmp sge i64 %296, %12
+  %298 = select i1 %297, i1 true, i1 %199
+  br i1 %298, label %299, label %206, !llvm.loop !7
 
-269:                                              ; preds = %259, %264
-  %270 = phi i1 [ %194, %259 ], [ %268, %264 ]
-  %271 = add nuw nsw i64 %192, 1
-  %272 = icmp eq i64 %271, %12
-  br i1 %272, label %184, label %191, !llvm.loop !7
+299:                                              ; preds = %291, %293, %198
+  %300 = phi i1 [ %200, %198 ], [ %207, %291 ], [ %298, %293 ]
+  %301 = phi i32 [ 10, %198 ], [ 1, %291 ], [ 10, %293 ]
+  %302 = phi double [ %105, %198 ], [ %251, %291 ], [ %294, %293 ]
+  %303 = phi i64 [ %103, %198 ], [ %292, %291 ], [ %295, %293 ]
+  br i1 %300, label %304, label %461
 
-273:                                              ; preds = %186
-  store double %102, ptr %40, align 8
+304:                                              ; preds = %299
+  br i1 %40, label %315, label %307
+
+305:                                              ; preds = %393
+  %306 = zext i1 %394 to i32
+  br label %307
+
+307:                                              ; preds = %305, %304
+  %308 = phi i32 [ 0, %304 ], [ %306, %305 ]
+  %309 = phi i64 [ -1, %304 ], [ %384, %305 ]
+  %310 = icmp eq i32 %308, 0
+  br i1 %310, label %311, label %397
+
+311:                                              ; preds = %307
+  br i1 %44, label %312, label %446
+
+312:                                              ; preds = %311
+  %313 = fmul double %302, %2
+  %314 = fadd double %313, %1
+  br label %398
+
+315:                                              ; preds = %304, %393
+  %316 = phi i64 [ %395, %393 ], [ 0, %304 ]
+  %317 = phi i64 [ %384, %393 ], [ -1, %304 ]
+  %318 = phi i1 [ %394, %393 ], [ false, %304 ]
+  %319 = getelementptr double, ptr %41, i64 %316
+  %320 = load double, ptr %319, align 8
+  %321 = getelementptr inbounds i64, ptr %18, i64 %316
+  %322 = load i64, ptr %321, align 8
+  %323 = getelementptr inbounds i64, ptr %14, i64 %316
+  %324 = load i64, ptr %323, align 8
+  %325 = icmp slt i64 %322, 0
+  %326 = fcmp ogt double %320, 0.000000e+00
+  %327 = and i1 %326, %325
+  %328 = icmp sgt i64 %324, -1
+  %329 = and i1 %327, %328
+  br i1 %329, label %337, label %330
+
+330:                                              ; preds = %315
+  %331 = icmp sgt i64 %322, 0
+  %332 = fcmp olt double %320, 0.000000e+00
+  %333 = and i1 %332, %331
+  br i1 %333, label %334, label %337
+
+334:                                              ; preds = %330
+  %335 = icmp slt i64 %324, 1
+  %336 = zext i1 %335 to i32
   br label %337
 
-274:                                              ; preds = %190, %318
-  %275 = phi i1 [ %320, %318 ], [ %41, %190 ]
-  %276 = phi i64 [ %319, %318 ], [ 0, %190 ]
-  %277 = getelementptr inbounds i64, ptr %20, i64 %276
-  %278 = load i64, ptr %277, align 8
-  %279 = icmp eq i64 %278, 0
-  br i1 %279, label %318, label %280
+337:                                              ; preds = %315, %330, %334
+  %338 = phi i32 [ 1, %315 ], [ 0, %330 ], [ %336, %334 ]
+  %339 = icmp eq i32 %338, 0
+  br i1 %339, label %340, label %365
 
-280:                                              ; preds = %274
-  %281 = load ptr, ptr %22, align 8
-  %282 = getelementptr inbounds i8, ptr %281, i64 80
-  %283 = load i64, ptr %282, align 8
-  %284 = load ptr, ptr %6, align 8
-  %285 = getelementptr inbounds i8, ptr %284, i64 8
-  %286 = load i64, ptr %285, align 8
-  %287 = load i64, ptr %43, align 8
-  %288 = icmp eq i64 %287, 0
-  br i1 %288, label %314, label %289
+340:                                              ; preds = %337
+  %341 = getelementptr inbounds double, ptr %16, i64 %316
+  %342 = load double, ptr %341, align 8
+  %343 = fcmp ogt double %342, 0.000000e+00
+  %344 = and i1 %325, %343
+  %345 = and i1 %328, %344
+  br i1 %345, label %353, label %346
 
-289:                                              ; preds = %280
-  %290 = icmp eq i64 %283, %287
-  br i1 %290, label %313, label %291
+346:                                              ; preds = %340
+  %347 = icmp sgt i64 %322, 0
+  %348 = fcmp olt double %342, 0.000000e+00
+  %349 = and i1 %347, %348
+  br i1 %349, label %350, label %353
 
-291:                                              ; preds = %289
-  %292 = load ptr, ptr %42, align 8
-  %293 = getelementptr inbounds double, ptr %292, i64 %283
-  store double %159, ptr %293, align 8
-  %294 = load ptr, ptr %44, align 8
-  %295 = getelementptr inbounds i64, ptr %294, i64 %283
-  store i64 %276, ptr %295, align 8
-  %296 = icmp sgt i64 %286, 0
-  br i1 %296, label %301, label %297
+350:                                              ; preds = %346
+  %351 = icmp slt i64 %324, 1
+  %352 = zext i1 %351 to i32
+  br label %353
 
-297:                                              ; preds = %301, %291
-  %298 = add nsw i64 %283, 1
-  %299 = load ptr, ptr %22, align 8
-  %300 = getelementptr inbounds i8, ptr %299, i64 80
-  store i64 %298, ptr %300, align 8
-  br label %314
+353:                                              ; preds = %340, %346, %350
+  %354 = phi i32 [ 1, %340 ], [ 0, %346 ], [ %352, %350 ]
+  %355 = icmp eq i32 %354, 0
+  br i1 %355, label %365, label %356
 
-301:                                              ; preds = %291, %301
-  %302 = phi i64 [ %311, %301 ], [ 0, %291 ]
-  %303 = load ptr, ptr %27, align 8
-  %304 = getelementptr inbounds double, ptr %303, i64 %302
-  %305 = load double, ptr %304, align 8
-  %306 = load ptr, ptr %45, align 8
-  %307 = load i64, ptr %46, align 8
-  %308 = mul nsw i64 %307, %283
-  %309 = getelementptr double, ptr %306, i64 %308
-  %310 = getelementptr double, ptr %309, i64 %302
-  store double %305, ptr %310, align 8
-  %311 = add nuw nsw i64 %302, 1
-  %312 = icmp eq i64 %311, %286
-  br i1 %312, label %297, label %301, !llvm.loop !8
+356:                                              ; preds = %353
+  %357 = fcmp oeq double %320, 0.000000e+00
+  br i1 %357, label %362, label %358
 
-313:                                              ; preds = %289
-  store double %102, ptr %47, align 8
-  br label %322
+358:                                              ; preds = %356
+  %359 = getelementptr inbounds i64, ptr %20, i64 %316
+  %360 = load i64, ptr %359, align 8
+  %361 = icmp eq i64 %360, 1
+  br label %362
 
-314:                                              ; preds = %297, %280
-  %315 = getelementptr inbounds i64, ptr %18, i64 %276
-  %316 = load i64, ptr %315, align 8
-  %317 = sub nsw i64 0, %316
-  store i64 %317, ptr %315, align 8
-  br label %318
+362:                                              ; preds = %358, %356
+  %363 = phi i1 [ true, %356 ], [ %361, %358 ]
+  %364 = zext i1 %363 to i32
+  br label %365
 
-318:                                              ; preds = %274, %314
-  %319 = add nuw nsw i64 %276, 1
-  %320 = icmp slt i64 %319, %12
-  %321 = icmp eq i64 %319, %12
-  br i1 %321, label %322, label %274, !llvm.loop !9
+365:                                              ; preds = %362, %353, %337
+  %366 = phi i32 [ 1, %337 ], [ %364, %362 ], [ 0, %353 ]
+  %367 = icmp eq i32 %366, 0
+  br i1 %367, label %368, label %383
 
-322:                                              ; preds = %318, %190, %313
-  %323 = phi i1 [ %275, %313 ], [ %41, %190 ], [ %320, %318 ]
-  %324 = phi i32 [ 1, %313 ], [ 13, %190 ], [ 13, %318 ]
-  %325 = phi i64 [ -3, %313 ], [ %100, %190 ], [ %100, %318 ]
-  br i1 %323, label %337, label %326
+368:                                              ; preds = %365
+  %369 = getelementptr inbounds double, ptr %16, i64 %316
+  %370 = load double, ptr %369, align 8
+  %371 = icmp eq i64 %322, 0
+  %372 = fcmp ord double %370, 0.000000e+00
+  %373 = or i1 %371, %372
+  br i1 %373, label %383, label %374
 
-326:                                              ; preds = %322
-  %327 = icmp sgt i64 %188, -1
-  br i1 %327, label %328, label %337
+374:                                              ; preds = %368
+  %375 = sitofp i64 %322 to double
+  %376 = fmul double %320, %375
+  %377 = fcmp olt double %376, 0.000000e+00
+  br i1 %377, label %378, label %380
 
-328:                                              ; preds = %326
-  br i1 %48, label %330, label %329
+378:                                              ; preds = %374
+  %379 = sub nsw i64 0, %322
+  store i64 %379, ptr %321, align 8
+  br label %383
 
-329:                                              ; preds = %330, %328
-  store double %102, ptr %49, align 8
-  br label %337
+380:                                              ; preds = %374
+  %381 = fcmp ueq double %320, 0.000000e+00
+  %382 = select i1 %381, i64 %316, i64 %317
+  br label %383
 
-330:                                              ; preds = %328, %330
-  %331 = phi i64 [ %335, %330 ], [ 0, %328 ]
-  %332 = icmp eq i64 %331, %188
-  %333 = zext i1 %332 to i64
-  %334 = getelementptr inbounds i64, ptr %20, i64 %331
-  store i64 %333, ptr %334, align 8
-  %335 = add nuw nsw i64 %331, 1
-  %336 = icmp eq i64 %335, %12
-  br i1 %336, label %329, label %330, !llvm.loop !10
+383:                                              ; preds = %380, %378, %368, %365
+  %384 = phi i64 [ %317, %365 ], [ %317, %378 ], [ %317, %368 ], [ %382, %380 ]
+  %385 = zext nneg i32 %366 to i64
+  %386 = getelementptr inbounds i64, ptr %20, i64 %316
+  store i64 %385, ptr %386, align 8
+  %387 = or i1 %318, %367
+  br i1 %387, label %393, label %388
 
-337:                                              ; preds = %273, %329, %322, %326, %101, %179
-  %338 = phi i32 [ 1, %179 ], [ 5, %101 ], [ 1, %273 ], [ 1, %329 ], [ %324, %322 ], [ 0, %326 ]
-  %339 = phi double [ %99, %179 ], [ %99, %101 ], [ %99, %273 ], [ %99, %329 ], [ %99, %322 ], [ %102, %326 ]
-  %340 = phi i64 [ -4, %179 ], [ %100, %101 ], [ -2, %273 ], [ 21, %329 ], [ %325, %322 ], [ %325, %326 ]
-  switch i32 %338, label %355 [
-    i32 0, label %98
-    i32 5, label %341
-  ], !llvm.loop !11
+388:                                              ; preds = %383
+  %389 = load ptr, ptr %42, align 8
+  %390 = getelementptr inbounds i64, ptr %389, i64 %316
+  %391 = load i64, ptr %390, align 8
+  %392 = icmp eq i64 %391, 1
+  br label %393
 
-341:                                              ; preds = %337
-  br i1 %50, label %342, label %355
+393:                                              ; preds = %383, %388
+  %394 = phi i1 [ %318, %383 ], [ %392, %388 ]
+  %395 = add nuw nsw i64 %316, 1
+  %396 = icmp eq i64 %395, %12
+  br i1 %396, label %305, label %315, !llvm.loop !8
 
-342:                                              ; preds = %341, %352
-  %343 = phi i64 [ %353, %352 ], [ 0, %341 ]
-  %344 = getelementptr inbounds double, ptr %16, i64 %343
-  %345 = load double, ptr %344, align 8
-  %346 = fcmp ogt double %345, 0.000000e+00
-  br i1 %346, label %349, label %347
+397:                                              ; preds = %307
+  store double %302, ptr %43, align 8
+  br label %461
 
-347:                                              ; preds = %342
-  %348 = fcmp olt double %345, 0.000000e+00
-  br i1 %348, label %349, label %352
+398:                                              ; preds = %312, %442
+  %399 = phi i1 [ %44, %312 ], [ %444, %442 ]
+  %400 = phi i64 [ 0, %312 ], [ %443, %442 ]
+  %401 = getelementptr inbounds i64, ptr %20, i64 %400
+  %402 = load i64, ptr %401, align 8
+  %403 = icmp eq i64 %402, 0
+  br i1 %403, label %442, label %404
 
-349:                                              ; preds = %347, %342
-  %350 = phi i64 [ 1, %342 ], [ -1, %347 ]
-  %351 = getelementptr inbounds i64, ptr %18, i64 %343
-  store i64 %350, ptr %351, align 8
-  br label %352
+404:                                              ; preds = %398
+  %405 = load ptr, ptr %22, align 8
+  %406 = getelementptr inbounds i8, ptr %405, i64 80
+  %407 = load i64, ptr %406, align 8
+  %408 = load ptr, ptr %6, align 8
+  %409 = getelementptr inbounds i8, ptr %408, i64 8
+  %410 = load i64, ptr %409, align 8
+  %411 = load i64, ptr %46, align 8
+  %412 = icmp eq i64 %411, 0
+  br i1 %412, label %438, label %413
 
-352:                                              ; preds = %349, %347
-  %353 = add nuw nsw i64 %343, 1
-  %354 = icmp eq i64 %353, %12
-  br i1 %354, label %355, label %342, !llvm.loop !12
+413:                                              ; preds = %404
+  %414 = icmp eq i64 %407, %411
+  br i1 %414, label %437, label %415
 
-355:                                              ; preds = %337, %352, %341, %93
-  %356 = phi i32 [ 1, %93 ], [ 0, %341 ], [ 0, %352 ], [ %338, %337 ]
-  %357 = phi double [ %58, %93 ], [ %61, %341 ], [ %61, %352 ], [ %339, %337 ]
-  %358 = phi i64 [ -4, %93 ], [ %340, %341 ], [ %340, %352 ], [ %340, %337 ]
-  %359 = icmp eq i32 %356, 0
-  br i1 %359, label %51, label %360
+415:                                              ; preds = %413
+  %416 = load ptr, ptr %45, align 8
+  %417 = getelementptr inbounds double, ptr %416, i64 %407
+  store double %314, ptr %417, align 8
+  %418 = load ptr, ptr %47, align 8
+  %419 = getelementptr inbounds i64, ptr %418, i64 %407
+  store i64 %400, ptr %419, align 8
+  %420 = icmp sgt i64 %410, 0
+  br i1 %420, label %425, label %421
 
-360:                                              ; preds = %51, %355
-  %361 = phi i1 [ %53, %51 ], [ %56, %355 ]
-  br i1 %361, label %362, label %364
+421:                                              ; preds = %425, %415
+  %422 = add nsw i64 %407, 1
+  %423 = load ptr, ptr %22, align 8
+  %424 = getelementptr inbounds i8, ptr %423, i64 80
+  store i64 %422, ptr %424, align 8
+  br label %438
 
-362:                                              ; preds = %360
-  %363 = getelementptr inbounds i8, ptr %26, i64 48
-  store double 1.000000e+00, ptr %363, align 8
-  br label %364
+425:                                              ; preds = %415, %425
+  %426 = phi i64 [ %435, %425 ], [ 0, %415 ]
+  %427 = load ptr, ptr %27, align 8
+  %428 = getelementptr inbounds double, ptr %427, i64 %426
+  %429 = load double, ptr %428, align 8
+  %430 = load ptr, ptr %48, align 8
+  %431 = load i64, ptr %49, align 8
+  %432 = mul nsw i64 %431, %407
+  %433 = getelementptr double, ptr %430, i64 %432
+  %434 = getelementptr double, ptr %433, i64 %426
+  store double %429, ptr %434, align 8
+  %435 = add nuw nsw i64 %426, 1
+  %436 = icmp eq i64 %435, %410
+  br i1 %436, label %421, label %425, !llvm.loop !9
 
-364:                                              ; preds = %360, %362
-  %365 = phi i64 [ 0, %362 ], [ %358, %360 ]
-  ret i64 %365
+437:                                              ; preds = %413
+  store double %302, ptr %50, align 8
+  br label %446
+
+438:                                              ; preds = %421, %404
+  %439 = getelementptr inbounds i64, ptr %18, i64 %400
+  %440 = load i64, ptr %439, align 8
+  %441 = sub nsw i64 0, %440
+  store i64 %441, ptr %439, align 8
+  br label %442
+
+442:                                              ; preds = %398, %438
+  %443 = add nuw nsw i64 %400, 1
+  %444 = icmp slt i64 %443, %12
+  %445 = icmp eq i64 %443, %12
+  br i1 %445, label %446, label %398, !llvm.loop !10
+
+446:                                              ; preds = %442, %311, %437
+  %447 = phi i1 [ %399, %437 ], [ %44, %311 ], [ %444, %442 ]
+  %448 = phi i32 [ 1, %437 ], [ 16, %311 ], [ 16, %442 ]
+  %449 = phi i64 [ -3, %437 ], [ %303, %311 ], [ %303, %442 ]
+  br i1 %447, label %461, label %450
+
+450:                                              ; preds = %446
+  %451 = icmp sgt i64 %309, -1
+  br i1 %451, label %452, label %461
+
+452:                                              ; preds = %450
+  br i1 %51, label %454, label %453
+
+453:                                              ; preds = %454, %452
+  store double %302, ptr %52, align 8
+  br label %461
+
+454:                                              ; preds = %452, %454
+  %455 = phi i64 [ %459, %454 ], [ 0, %452 ]
+  %456 = icmp eq i64 %455, %309
+  %457 = zext i1 %456 to i64
+  %458 = getelementptr inbounds i64, ptr %20, i64 %455
+  store i64 %457, ptr %458, align 8
+  %459 = add nuw nsw i64 %455, 1
+  %460 = icmp eq i64 %459, %12
+  br i1 %460, label %453, label %454, !llvm.loop !11
+
+461:                                              ; preds = %397, %453, %446, %450, %104, %299, %201
+  %462 = phi i32 [ 1, %201 ], [ %301, %299 ], [ 5, %104 ], [ 1, %397 ], [ 1, %453 ], [ %448, %446 ], [ 0, %450 ]
+  %463 = phi double [ %102, %201 ], [ %102, %299 ], [ %102, %104 ], [ %102, %397 ], [ %102, %453 ], [ %102, %446 ], [ %302, %450 ]
+  %464 = phi i64 [ -4, %201 ], [ %303, %299 ], [ %103, %104 ], [ -2, %397 ], [ 21, %453 ], [ %449, %446 ], [ %449, %450 ]
+  switch i32 %462, label %479 [
+    i32 0, label %101
+    i32 5, label %465
+  ], !llvm.loop !12
+
+465:                                              ; preds = %461
+  br i1 %53, label %466, label %479
+
+466:                                              ; preds = %465, %476
+  %467 = phi i64 [ %477, %476 ], [ 0, %465 ]
+  %468 = getelementptr inbounds double, ptr %16, i64 %467
+  %469 = load double, ptr %468, align 8
+  %470 = fcmp ogt double %469, 0.000000e+00
+  br i1 %470, label %473, label %471
+
+471:                                              ; preds = %466
+  %472 = fcmp olt double %469, 0.000000e+00
+  br i1 %472, label %473, label %476
+
+473:                                              ; preds = %471, %466
+  %474 = phi i64 [ 1, %466 ], [ -1, %471 ]
+  %475 = getelementptr inbounds i64, ptr %18, i64 %467
+  store i64 %474, ptr %475, align 8
+  br label %476
+
+476:                                              ; preds = %473, %471
+  %477 = add nuw nsw i64 %467, 1
+  %478 = icmp eq i64 %477, %12
+  br i1 %478, label %479, label %466, !llvm.loop !13
+
+479:                                              ; preds = %461, %476, %465, %96
+  %480 = phi i32 [ 1, %96 ], [ 0, %465 ], [ 0, %476 ], [ %462, %461 ]
+  %481 = phi double [ %61, %96 ], [ %64, %465 ], [ %64, %476 ], [ %463, %461 ]
+  %482 = phi i64 [ -4, %96 ], [ %464, %465 ], [ %464, %476 ], [ %464, %461 ]
+  %483 = icmp eq i32 %480, 0
+  br i1 %483, label %54, label %484
+
+484:                                              ; preds = %54, %479
+  %485 = phi i1 [ %56, %54 ], [ %59, %479 ]
+  br i1 %485, label %486, label %488
+
+486:                                              ; preds = %484
+  %487 = getelementptr inbounds i8, ptr %26, i64 48
+  store double 1.000000e+00, ptr %487, align 8
+  br label %488
+
+488:                                              ; preds = %484, %486
+  %489 = phi i64 [ 0, %486 ], [ %482, %484 ]
+  ret i64 %489
 }
 
 
@@ -677,7 +849,7 @@ define internal fastcc double @locate(ptr noundef readonly %0, ptr noundef reado
   %126 = load double, ptr %20, align 8
   %127 = fmul double %126, %13
   %128 = fcmp ogt double %127, 0.000000e+00
-  br i1 %128, label %129, label %79, !llvm.loop !13
+  br i1 %128, label %129, label %79, !llvm.loop !14
 
 129:                                              ; preds = %113, %79
   %130 = phi double [ %4, %79 ], [ %83, %113 ]
@@ -803,7 +975,7 @@ define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readon
   store <8 x double> %29, ptr %26, align 8
   %30 = add nuw nsw i64 %21, 8
   %31 = icmp slt i64 %30, %10
-  br i1 %31, label %20, label %19, !llvm.loop !14
+  br i1 %31, label %20, label %19, !llvm.loop !15
 
 32:                                               ; preds = %20, %32
   %33 = phi i64 [ %42, %32 ], [ %16, %20 ]
@@ -817,7 +989,7 @@ define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readon
   %41 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %39, <8 x double> %34, <8 x double> %40)
   %42 = add nsw i64 %33, -1
   %43 = icmp sgt i64 %33, 0
-  br i1 %43, label %32, label %24, !llvm.loop !15
+  br i1 %43, label %32, label %24, !llvm.loop !16
 }
 
 declare <8 x double> @llvm.fma.v8f64(<8 x double>, <8 x double>, <8 x double>) #4
@@ -891,7 +1063,7 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #5 {
   %53 = select i1 %51, i64 %48, i64 %45
   %54 = sub nsw i64 %53, %52
   %55 = icmp sgt i64 %54, 1
-  br i1 %55, label %44, label %56, !llvm.loop !16
+  br i1 %55, label %44, label %56, !llvm.loop !17
 
 56:                                               ; preds = %44, %42, %35, %38
   %57 = phi i64 [ %31, %38 ], [ %31, %35 ], [ 0, %42 ], [ %52, %44 ]
@@ -923,7 +1095,7 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #5 {
   %81 = add nuw nsw i64 %14, 1
   %82 = load i64, ptr %2, align 8
   %83 = icmp slt i64 %81, %82
-  br i1 %83, label %13, label %12, !llvm.loop !17
+  br i1 %83, label %13, label %12, !llvm.loop !18
 }
 
 declare double @llvm.fabs.f64(double) #4
@@ -950,10 +1122,11 @@ attributes #8 = { nounwind }
 !8 = distinct !{!8, !4, !5}
 !9 = distinct !{!9, !4, !5}
 !10 = distinct !{!10, !4, !5}
-!11 = distinct !{!11, !5}
-!12 = distinct !{!12, !4, !5}
-!13 = distinct !{!13, !5}
-!14 = distinct !{!14, !4, !5}
+!11 = distinct !{!11, !4, !5}
+!12 = distinct !{!12, !5}
+!13 = distinct !{!13, !4, !5}
+!14 = distinct !{!14, !5}
 !15 = distinct !{!15, !4, !5}
 !16 = distinct !{!16, !4, !5}
 !17 = distinct !{!17, !4, !5}
+!18 = distinct !{!18, !4, !5}
