@@ -177,3 +177,15 @@ def test_asking_between_the_steps_leaves_the_end_of_the_run_as_it_was():
     states = prepared([1.0, 0.0])
     prepared.info["dense_output"](MANY[:100])
     np.testing.assert_array_equal(prepared.info["dense_output"](MANY[-1:]), states[-1:])
+
+
+@pytest.mark.parametrize("solver", ADAPTIVE)
+def test_a_long_motion_that_an_event_ends_is_known_to_its_end(solver):
+    """Beyond the steps for which there is room at a time, a row behind the last one was read."""
+    system = oscillator(solver, np.linspace(0.0, 2.0, num=2001))
+    q = system.states[0]
+    motion = system.simulate(events=[Event(q + 0.3, terminal=True)], max_step=2.0 / 2600)
+    end = float(np.arccos(-0.3))
+    assert motion.events[-1].time == pytest.approx(end, abs=1e-9)
+    times = np.linspace(0.0, motion.times[-1], num=4001)
+    np.testing.assert_allclose(motion.at(times)[q], np.cos(times), rtol=0.0, atol=1e-7)

@@ -198,7 +198,9 @@ class Workspace:
             return None
         last = np.zeros((1, rows.shape[1]))
         last[0, 0], last[0, 2 : 2 + self.n] = self.progress.state[at.TIME], self.memory.x[: self.n]
-        latest = rows[: words[at.KEPT] + 1 if words[at.KEPT] else 0]
+        # A step that an event has cut short ends in a row that is counted; what follows is old.
+        number = int(words[at.KEPT])
+        latest = rows[: number + 1 if number and rows[number - 1, 1] > 0.0 else number]
         return np.concatenate([*self._aside, latest, last])
 
     def _callback(self, function: Callable[..., Any], outputs: int, what: str) -> Callback:
