@@ -4,13 +4,34 @@ The first is IFToMM's benchmark of a mechanism that is always redundantly constr
 pass positions in which they could change over to another branch.
 """
 
+from copy import copy
+from functools import cache
+
 import numpy as np
 import sympy as sm
 import sympy.physics.mechanics as me
 
 from pydy.mechanics import Definition
+from pydy.system import System
 
 GRAVITY = sm.Symbol("g")
+
+
+def system_of(name, times, solver, **shape):
+    """A System of one of these, whose equations are formed once, in a state that closes it."""
+    system = copy(_closed(name, **shape))
+    system.constants = dict(system.constants)
+    system.initial_conditions = dict(system.initial_conditions)
+    system.times, system.ode_solver = times, solver
+    return system
+
+
+@cache
+def _closed(name, **shape):
+    definition, start = globals()[name](**shape)
+    system = System(definition, {GRAVITY: 9.81}, initial_conditions=start)
+    system.set_dependent_initial_conditions()
+    return system
 
 
 def _ground():

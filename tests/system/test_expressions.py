@@ -94,13 +94,6 @@ def test_an_expression_gives_what_the_function_gives(generator):
         close(system.evaluate_ode(x, t), oracle(zoo.pendulum()).xdot(x, t, numbers_of(x, t)))
 
 
-def test_the_cython_generator_takes_expressions():
-    system = controlled()
-    system.generate_ode_function(generator="cython")
-    x, t = zoo.pendulum().sample(1)
-    close(system.evaluate_ode(x, t), oracle(zoo.pendulum()).xdot(x, t, numbers_of(x, t)))
-
-
 @pytest.mark.parametrize("solver", ["numpy", "sympy", np.linalg.solve])
 def test_a_linear_solver_of_the_users_own_choice_takes_expressions(solver):
     system = System(mass(F), specifieds={F: PUSH}, constants={sm.Symbol("m"): 2.0})

@@ -63,14 +63,6 @@ def test_every_generator_gives_the_numbers_of_sympys_equations(name, generator):
         close(found[len(x) :], oracle(model).forces(x, t), 1e-12)
 
 
-def test_the_cython_generator_gives_them_too():
-    model = zoo.free_pendulum()
-    system = graph_system(model)
-    system.generate_ode_function(generator="cython")
-    x, t = model.sample(4)
-    close(system.evaluate_ode(x, t), oracle(model).xdot(x, t), 1e-12)
-
-
 @pytest.mark.parametrize("name", zoo.MODELS)
 def test_the_symbols_are_those_of_sympys_equations(name):
     model = zoo.MODELS[name]()

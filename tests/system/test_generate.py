@@ -137,6 +137,9 @@ def test_the_cython_generator_copies_for_a_custom_solver_only():
     close(rhs(x, t, model.constants), oracle(model).xdot(x, t))
     with pytest.raises(ValueError, match="contiguous"):
         rhs(strided, t, model.constants)
+    system.ode_solver = Recorder()  # which changes nothing in what the user said
+    with pytest.raises(ValueError, match="contiguous"):
+        system.evaluate_ode_function(strided, t, model.constants)
 
 
 def test_a_solver_set_after_the_generation_may_pass_any_layout():
@@ -153,13 +156,3 @@ def test_a_solver_set_after_the_generation_may_pass_any_layout():
     close(recorder.f(strided, t, *recorder.args), oracle(model).xdot(x, t))
     close(system.evaluate_ode_function(strided, t, model.constants), oracle(model).xdot(x, t))
     assert system.model.compiled("rates") is kernel  # nothing was built again
-
-
-def test_force_c_contiguous_as_the_user_says_outlives_another_solver():
-    model = zoo.timed()
-    x, t = model.sample()
-    system = system_of(model, times=[0.0, 0.1])
-    system.generate_ode_function(generator="cython", force_c_contiguous=False)
-    system.ode_solver = Recorder()
-    with pytest.raises(ValueError, match="contiguous"):
-        system.evaluate_ode_function(np.repeat(x, 2)[::2], t, model.constants)

@@ -22,16 +22,7 @@ ADAPTIVE = ["dop853", "tsit5", "vern9", "radau"]
 
 
 def loop(name, end=3.0, solver="dop853", **shape):
-    definition, start = getattr(loops, name)(**shape)
-    system = System(
-        definition,
-        {loops.GRAVITY: 9.81},
-        initial_conditions=start,
-        times=np.linspace(0.0, end, 61),
-        ode_solver=solver,
-    )
-    system.set_dependent_initial_conditions()
-    return system
+    return loops.system_of(name, np.linspace(0.0, end, 61), solver, **shape)
 
 
 def refused(system, code, **options):

@@ -140,8 +140,9 @@ _NUMBERS = itertools.count()
 
 _REMEDY = "generator='llvm' needs neither Cython nor a compiler."
 
+# binding=False: a plain function, with which the C compiler is done in less than half the time.
 _WRAPPER = '''\
-# cython: language_level=3
+# cython: language_level=3, binding=False
 """Compiled equations; written by pydy."""
 
 from libc.stdint cimport int32_t, uintptr_t
