@@ -204,25 +204,25 @@ def engine(crank=0.05, rod=0.2):
     return Definition(frame, q, u, bodies=bodies, loads=loads, holonomic_constraints=closed)
 
 
-def sarrus(rate=2.0, angle=0.6):
+def sarrus(rate=2.0, angle=0.6, unit=1):
     """Sarrus' linkage: two chains of three hinges lift a plate, six rows of rank five."""
     frame, origin = _ground()
     q, u = list(me.dynamicsymbols("q1:7")), list(me.dynamicsymbols("u1:7"))
     bodies, middles, plates = [], [], []
     for chain, (axis, arm) in enumerate(("xz", "zx")):
-        own, point = frame, origin.locatenew(f"A{chain}", getattr(frame, arm))
+        own, point = frame, origin.locatenew(f"A{chain}", unit * getattr(frame, arm))
         for j in range(3):
             above, own, k = own, me.ReferenceFrame(f"B{chain}{j}"), 3 * chain + j
             own.orient_axis(above, getattr(above, axis), q[k])
             own.set_ang_vel(above, u[k] * getattr(above, axis))
             if j == 2:
                 break
-            centre = point.locatenew(f"C{chain}{j}", own.y / 2)
-            inertia = me.inertia(own, *(sm.Rational(1, n) for n in (12, 50, 12)))
+            centre = point.locatenew(f"C{chain}{j}", unit * own.y / 2)
+            inertia = me.inertia(own, *(unit**2 * sm.Rational(1, n) for n in (12, 50, 12)))
             bodies.append(me.RigidBody(f"link{chain}{j}", centre, own, 1, (inertia, centre)))
-            point = point.locatenew(f"P{chain}{j}", own.y)
-        middle = point.locatenew(f"M{chain}", -getattr(own, arm))
-        inertia = me.inertia(own, *(sm.Rational(1, n) for n in (3, 2, 3)))
+            point = point.locatenew(f"P{chain}{j}", unit * own.y)
+        middle = point.locatenew(f"M{chain}", -unit * getattr(own, arm))
+        inertia = me.inertia(own, *(unit**2 * sm.Rational(1, n) for n in (3, 2, 3)))
         bodies.append(me.RigidBody(f"half{chain}", middle, own, 1, (inertia, middle)))
         middles.append(middle)
         plates.append(own)

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+import sympy as sm
 from scipy.integrate import solve_ivp
 
 import loops
@@ -173,3 +174,37 @@ def test_derivatives_hold_all_rows_too():
     close(back["g"], run.sensitivity[wanted, "g"][-1], 1e-7)
     many = system.integrate_ensemble(constants={"g": [9.81]}, sensitivities=["g"], **options)
     assert many.status.values[0] == 0
+
+
+SCALED = {
+    "bricard": lambda unit: {"edges": (unit / 2, unit, 1.5 * unit)},
+    "spatial_four_bar": lambda unit: {"lengths": (unit, 1.5 * unit)},
+    "parallelogram": lambda unit: {"crank": unit / 2, "base": unit, "angle": 2.0},
+    "sarrus": lambda unit: {"unit": unit},
+}
+
+
+@pytest.mark.parametrize("name", SCALED)
+def test_loops_move_alike_in_any_units(name):
+    found = []
+    for unit in (1.0, 1e-9, 1e9):
+        definition, start = getattr(loops, name)(**SCALED[name](unit))
+        system = System(
+            definition,
+            {loops.GRAVITY: 9.81 * unit},
+            initial_conditions=start,
+            times=np.linspace(0.0, 1.5, 31),
+            ode_solver="dop853",
+        )
+        system.set_dependent_initial_conditions()
+        assert any(system.eom_method.multibody.redundant)
+        run = system.simulate(constraints="project", rtol=1e-10, atol=1e-10)
+        q, u = in_order(system, run.states)
+        rows = sm.lambdify([definition.coordinates], definition.holonomic_constraints)
+        # Rows are lengths, or directions that are as small where they hold.
+        assert max(np.abs(rows(x)).max() for x in q) < 1e-12 * max(unit, 1.0)
+        energy = system.evaluate_energy(run.states, run.times)
+        assert np.abs(energy.total - energy.total[0]).max() < 1e-7 * np.ptp(energy.kinetic)
+        found.append(np.concatenate([q, u], axis=1))
+    close(found[1], found[0], 1e-6)
+    close(found[2], found[0], 1e-6)
