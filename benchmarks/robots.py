@@ -74,6 +74,8 @@ def own(file: str, rng: np.random.Generator) -> tuple[dict[str, Any], dict[str, 
         case["tau"] = forces
     else:
         case["taken"] = list(robot.actuators)
+        quaternions = sum(len(joint.coordinates) > 1 for joint in robot.joints.values())
+        case["tied"] = len(robot.definition.holonomic_constraints) > quaternions
     return case, ours, f"{len(system.speeds)} speeds, {seconds:.1f} s{_rest(robot)}"
 
 

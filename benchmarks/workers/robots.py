@@ -111,16 +111,20 @@ def damping_of_mimics(file: str) -> Iterator[tuple[str, float]]:
             yield mimic.attrib["joint"], factor**2 * damping
 
 
-def by_mujoco(file: str, q: dict[str, Any], v: dict[str, Any], taken: list[str]) -> Any:
+def by_mujoco(file: str, q: dict[str, Any], v: dict[str, Any], taken: list[str], tied: bool) -> Any:
     """Return the accelerations by joint, without what `pydy.robots` leaves out."""
     import mujoco
+
+    if tied:
+        raise ValueError("its equalities are springs here, and constraints there")
 
     mujoco.set_mju_user_warning(lambda text: None)  # it would write a file of its own
     model = mujoco.MjModel.from_xml_path(file)
     off = mujoco.mjtDisableBit
     model.opt.disableflags |= int(
         off.mjDSBL_CONTACT | off.mjDSBL_EQUALITY | off.mjDSBL_FRICTIONLOSS | off.mjDSBL_LIMIT
-    )
+        | off.mjDSBL_CLAMPCTRL
+    )  # fmt: skip
     model.opt.density = model.opt.viscosity = 0.0
     model.tendon_stiffness[:] = model.tendon_damping[:] = 0.0
     for k in range(model.nu):
