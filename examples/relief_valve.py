@@ -87,7 +87,7 @@ assert abs(growths[1]) < 1e-9
 
 impact = Event(y, direction=-1, reset={v: -RESTITUTION * v}, name="impact")
 top = Event(v, direction=-1, name="top")
-flows = np.linspace(0.6, 10.0, 40 if small else 1000)
+flows = np.linspace(0.6, 10.0, 40 if small else 400)
 options = {"constants": {q: flows}, "rtol": 1e-8, "atol": 1e-8}
 system.initial_conditions = {y: 0.2, p: 0.0, v: 0.0}
 settled = system.integrate_ensemble(events=[impact], times=[0.0, 300.0], reduce="final", **options)
