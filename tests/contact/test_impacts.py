@@ -134,6 +134,19 @@ def test_a_blow_passes_through_bodies_that_touch():
     assert [1.0, 0.0, 0.0] + rows.T @ mixed.forces == pytest.approx([1 / 6, 1 / 6, 2 / 3])
 
 
+@pytest.mark.parametrize("hypothesis", [newton, poisson])
+def test_a_blow_does_not_jam_contacts_that_it_moves_by_rounding(hypothesis):
+    # The third row is that of another body: entries of 1e-18 should be zero.
+    square = np.array([[0.3, -0.02, -7.6e-18], [-0.02, 0.3, -1.8e-18], [8.3e-18, -6.9e-18, 0.25]])
+    every = frozenset({0, 1, 2})
+    problem = Problem(
+        np.zeros(3), square, [0, 1, 2], [[], [], []], *np.zeros((3, 3)), every, every
+    )  # fmt: skip
+    speed, none = np.array([0.0, 0.0, -1.4]), np.zeros(3)
+    given = (problem, speed, none, {2}, {0, 1}) if hypothesis is newton else (problem, speed, none)
+    assert hypothesis(*given).forces == pytest.approx([0.0, 0.0, 5.6], abs=1e-12)
+
+
 def test_random_impacts_with_friction_never_raise_the_energy():
     random = np.random.default_rng(0)
     for _ in range(60):

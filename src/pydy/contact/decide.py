@@ -20,9 +20,9 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from pydy._rank import DEPENDENT, HALF, ROUNDED
+from pydy._rank import DEPENDENT, HALF, ROUNDED, ROUNDING
 from pydy.contact.cones import Cone, innermost, relaxed
-from pydy.contact.tuning import SLACK, TURNED, TURNS
+from pydy.contact.tuning import SLACK, TURNED, TURNS, WITHIN
 
 OPEN, CLOSED, STICKS, FORWARD, BACKWARD = "open", "closed", "sticks", "slides +", "slides -"
 SLIDING, STARTING = "slides", "begins to slide"  # in a plane, in some direction
@@ -57,6 +57,18 @@ class Problem:
         """Return the sizes of the terms of a, with some forces λ."""
         own = np.abs(self.free) if self.sizes is None else self.sizes
         return np.asarray(own + np.abs(self.square) @ np.abs(forces))
+
+    def rounding(self, forces: np.ndarray) -> np.ndarray:
+        """Return what of velocities a, with some impulses λ, may be rounding; zero for forces.
+
+        Entries of A that should be zero are rounded as √(A_ii A_jj), their bound, is. Forces are
+        compared where an event has found them at their limits: there rounding tells.
+        """
+        if self.sizes is not None:
+            return np.zeros(len(self.free))
+        root = np.sqrt(np.abs(np.diag(self.square)))
+        terms = np.abs(self.free) + root * (root @ np.abs(forces))
+        return np.asarray(WITHIN * ROUNDING * terms)
 
 
 @dataclass(frozen=True)
@@ -179,19 +191,24 @@ def solved(problem: Problem, modes: Sequence[str]) -> Solution:
             # Beside what its friction could do, the rest of a motion through v² is nothing.
             most_of_it = problem.hold[i] * abs(press(problem, forces, i))
             most += most_of_it * np.abs(square[np.ix_(held, problem.tangent[i])]).sum(axis=1)
-        consistent = bool((np.abs(matrix @ found - right) <= SLACK * most).all())
+        rounding = problem.rounding(forces)[held]
+        consistent = bool((np.abs(matrix @ found - right) <= SLACK * most + rounding).all())
     rates = free + square @ forces
     terms = problem.terms(forces)
     diagonal = np.abs(np.diag(square))
-    natural = np.divide(terms, diagonal, out=np.zeros_like(terms), where=diagonal > 0.0)
+    rounding = problem.rounding(forces)
+    natural, nothing = (
+        np.divide(part, diagonal, out=np.zeros_like(part), where=diagonal > 0.0)
+        for part in (terms, rounding)
+    )
     sizes = np.zeros(len(modes))
     for i, (normal, tangent) in enumerate(zip(problem.normal, problem.tangent, strict=True)):
         own_rows = [*tangent, *(() if normal is None else (normal,))]
         sizes[i] = np.maximum(np.abs(forces), natural)[own_rows].max(initial=0.0)
         sizes[i] = max(sizes[i], problem.hold[i] * abs(problem.pressed[i]))
 
-    def share(value: float, of: float) -> float:
-        return value / of if of > 0.0 else 0.0
+    def share(value: float, of: float, rounding: float) -> float:
+        return value / of if of > 0.0 and abs(value) > rounding else 0.0
 
     margins = np.full(len(modes), np.inf)
     for i, mode in enumerate(modes):
@@ -199,16 +216,17 @@ def solved(problem: Problem, modes: Sequence[str]) -> Solution:
         own = []
         if mode == OPEN:
             if normal is not None and i in problem.touching:
-                own.append(share(rates[normal], terms[normal]))
+                own.append(share(*(float(part[normal]) for part in (rates, terms, rounding))))
         elif normal is not None:
-            own.append(share(forces[normal], sizes[i]))
+            own.append(share(float(forces[normal]), sizes[i], float(nothing[normal])))
         if mode == STICKS:
             friction = float(np.linalg.norm(forces[tangent]))
             most_of_it = problem.hold[i] * press(problem, forces, i)
-            own.append(share(most_of_it - friction, sizes[i]))
+            own.append(share(most_of_it - friction, sizes[i], float(nothing[tangent].max())))
         if mode in SLIDES and i in problem.resting:
             along = direction(problem, i, mode) @ rates[tangent]
-            own.append(share(float(along), float(np.linalg.norm(terms[tangent]))))
+            norms = [float(np.linalg.norm(part[tangent])) for part in (terms, rounding)]
+            own.append(share(float(along), *norms))
         margins[i] = min(own, default=np.inf)
     return Solution(
         tuple(modes), forces, rates, margins, consistent, sizes, problem.directions,

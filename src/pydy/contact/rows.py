@@ -55,6 +55,10 @@ class Numbers:
         """Whether a gap is zero beside its rounding errors."""
         return bool(self.gap[i] <= WITHIN * ROUNDING * self.near[i])
 
+    def moving(self) -> np.ndarray:
+        """Return the speeds without those that are zero beside their rounding errors."""
+        return np.where(np.abs(self.speed) <= WITHIN * ROUNDING * self.slow, 0.0, self.speed)
+
     def after(self, impulses: np.ndarray) -> Numbers:
         """Return the same after impulses, as to what speeds are the sums of."""
         return replace(self, slow=self.slow + np.abs(self.square) @ np.abs(impulses))

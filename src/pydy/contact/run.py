@@ -309,7 +309,7 @@ class Run:
             touching=frozenset(hit),
         )
         by_phases = self.kept.hypothesis == "poisson"
-        blow = poisson(problem, p.speed, e) if by_phases else None
+        blow = poisson(problem, p.moving(), e) if by_phases else None
         rests: dict[int, float] = {}  # the speeds of rebounds that are left out
         for i in sorted(hit if by_phases else closing):
             normal = normals[i]
@@ -323,9 +323,9 @@ class Run:
         left = e.copy()
         left[list(rests)] = 0.0
         if not by_phases:
-            blow = newton(problem, p.speed, left, closing, state.touching)
+            blow = newton(problem, p.moving(), left, closing, state.touching)
         elif rests:
-            blow = poisson(problem, p.speed, left)
+            blow = poisson(problem, p.moving(), left)
         if blow is None:
             raise self.fail(state.t, state.x, contradiction(self.kept.hypothesis, left))
         after = blow.rates
