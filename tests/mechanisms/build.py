@@ -38,6 +38,7 @@ class Model:
         )
         self.ground, self.origin = me.ReferenceFrame("N"), me.Point("O")
         self.origin.set_vel(self.ground, 0)
+        self._elsewhere()
         self._kinematic()
         self.auxiliary, self.forces = [], []
         if joints:
@@ -50,6 +51,13 @@ class Model:
         for _, force, k, axis in self.forces:
             self.loads.append((self.hinges[k], force * axis))
         self._rows()
+
+    def _elsewhere(self):
+        """Another mechanism on the same origin, as in a notebook: nothing may depend on it."""
+        axes = me.ReferenceFrame("elsewhere")
+        axes.orient_axis(self.ground, self.ground.y, me.dynamicsymbols("turn_elsewhere"))
+        other = self.origin.locatenew("elsewhere", me.dynamicsymbols("way_elsewhere") * axes.x)
+        other.locatenew("far", 1.5e11 * axes.y).locatenew("near", 1e-9 * axes.z)
 
     def name(self, prefix):
         self._names[prefix] = self._names.get(prefix, -1) + 1

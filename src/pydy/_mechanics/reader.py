@@ -225,11 +225,27 @@ def places(point: Any) -> dict[Any, Any]:
 
 
 def numbers_in_places(bodies: Iterable[Any]) -> set[float]:
-    """Return the sizes of the numbers by which bodies are placed: the lengths that have values."""
-    waiting = [body.masscenter for body in bodies]
-    seen, found = set(waiting), set()
+    """Return the sizes of the numbers by which bodies are placed: the lengths that have values.
+
+    Other mechanisms may hang on the same origin: what is placed along axes by which no body is
+    reached is theirs.
+    """
+    bodies = list(bodies)
+    centres = [body.masscenter for body in bodies]
+    axes = {getattr(body, "frame", None) for body in bodies}
+    ways = [way for centre in centres for way in places(centre).values()]
+    reached = distances(centres[0], places) if centres else {}
+    for point in centres:
+        while reached.get(point, 0) > 0:  # towards the first of them
+            before = _nearer(point, places(point), reached)
+            ways.append(places(point)[before])
+            point = before
+    axes |= {frame for way in ways for _, frame in way.args}
+    waiting, seen, found = [*centres], {*centres}, set()
     while waiting:
         for other, way in places(waiting.pop()).items():
+            if not {frame for _, frame in way.args} <= axes:
+                continue
             every = (e for part, _ in way.args for e in part)
             for term in (term for e in every for term in sm.Add.make_args(e)):
                 if not isinstance(term.as_coeff_Mul()[1], AppliedUndef):  # coordinates have factors
