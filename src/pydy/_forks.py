@@ -58,6 +58,7 @@ def once(function: Callable[..., T]) -> Callable[..., T]:
                     known[key] = function(*key)
         return known[key]
 
+    called.cache_clear = known.clear  # type: ignore[attr-defined]
     return called
 
 
