@@ -25,6 +25,13 @@ Rounding leaves 1e-16 times the condition of the rows before: up to a million of
 follow from others are recognised, and independent ones stay so up to 1e10.
 """
 
+SOUND = 1e-2
+"""A row of which this share is left without the directions of those before is sound to solve with.
+
+A ratio of lengths of one row, without a unit: below it two of sixteen digits would be lost, and
+others are taken, or all of them. Either way all rows hold; it decides how well, not which.
+"""
+
 HALF = 2.0**-26
 """Half the digits of a float. Two numbers for the same thing agree in more of them, even if they
 were computed in different ways; numbers for different things agree in fewer."""

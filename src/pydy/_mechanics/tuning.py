@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import sys
 
-from pydy._rank import DEPENDENT
+from pydy._rank import DEPENDENT, SOUND
 
 CANCELLED = 1e-4
 """The share of its row and column below which an entry of a mass matrix may be what is left of
@@ -44,7 +44,7 @@ twice, since at a double root it goes half the way, and twice for the curvature 
 NEARLY_DEPENDENT = (DEPENDENT, 1e-4)
 """Singular values between are neither zero nor sound: such a state is not counted."""
 
-SOUND_PIVOT = 1e-2
+SOUND_PIVOT = SOUND
 """A pivot below this share of its row's size has all rows take part: two digits are lost. A row of
 J with such a pivot is nearly singular: left out where the state does not tell its multiplier."""
 

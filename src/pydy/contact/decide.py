@@ -163,7 +163,7 @@ def solved(problem: Problem, modes: Sequence[str]) -> Solution:
     held = held_rows(problem, modes)
     unknown, forces = directions(problem, modes)
     free, square = problem.free, problem.square
-    consistent = True
+    missed = np.zeros(0)
     null = np.zeros((len(held), 0))
     if held:
         start = np.zeros(len(held)) if problem.bias is None else problem.bias[held]
@@ -191,12 +191,11 @@ def solved(problem: Problem, modes: Sequence[str]) -> Solution:
             # Beside what its friction could do, the rest of a motion through v² is nothing.
             most_of_it = problem.hold[i] * abs(press(problem, forces, i))
             most += most_of_it * np.abs(square[np.ix_(held, problem.tangent[i])]).sum(axis=1)
-        rounding = problem.rounding(forces)[held]
-        consistent = bool((np.abs(matrix @ found - right) <= SLACK * most + rounding).all())
+        missed = np.abs(matrix @ found - right) - SLACK * most
     rates = free + square @ forces
-    terms = problem.terms(forces)
+    terms, rounding = problem.terms(forces), problem.rounding(forces)
+    consistent = bool((missed <= rounding[held]).all()) if held else True
     diagonal = np.abs(np.diag(square))
-    rounding = problem.rounding(forces)
     natural, nothing = (
         np.divide(part, diagonal, out=np.zeros_like(part), where=diagonal > 0.0)
         for part in (terms, rounding)

@@ -22,10 +22,9 @@ DEPENDENT = _rank.DEPENDENT
 Rows that are redundant by the mechanism come out at some 1e-15 of their length.
 """
 
-SOUND = 1e-2
+SOUND = _rank.SOUND
 """A row that is this much shorter without the others' directions makes room for one that was left
-out of the equations as redundant: two digits are lost. `SOUND_PIVOT` is the like for accelerations.
-"""
+out of the equations as redundant."""
 
 STARTING_MOVE = 1e-3
 """How far beside the constraints, in units of 1 + |x|, an initial state is moved onto them unasked:

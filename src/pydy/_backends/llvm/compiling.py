@@ -11,7 +11,6 @@ import sys
 from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
-from functools import cache as once
 from functools import partial
 from mmap import mmap
 from pathlib import Path
@@ -22,6 +21,7 @@ from llvmlite import binding
 
 from pydy._backends.llvm.targets import target
 from pydy._backends.tuning import ROOM, ROOM_PER_LETTER
+from pydy._forks import once
 
 
 def _written_by() -> bytes:

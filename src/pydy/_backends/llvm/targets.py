@@ -10,9 +10,10 @@ from __future__ import annotations
 import os
 from collections.abc import Collection
 from dataclasses import dataclass
-from functools import cache as once
 
 from llvmlite import binding
+
+from pydy._forks import once
 
 
 @dataclass(frozen=True)

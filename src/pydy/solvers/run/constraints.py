@@ -61,11 +61,10 @@ class CompiledConstraints:
         return [self.names[k] for k in told]  # printed if told
 
     def _left_out(self, k: int) -> bool:
-        h, v = (
-            total - out
-            for total, out in zip((self.holonomic, self.velocity), self.left_out, strict=True)
-        )
-        return h <= k < self.holonomic or k >= self.holonomic + v
+        closed, redundant = self.left_out
+        if k < self.holonomic:
+            return k >= self.holonomic - closed
+        return k >= self.holonomic + self.velocity - redundant
 
     def _measured(self, part: Mapping[str, np.ndarray], rows: np.ndarray) -> np.ndarray:
         """Return rows in the norm of corrections, that of the masses where they give one."""
