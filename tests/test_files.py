@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import os
 import stat
 from pathlib import Path
@@ -11,6 +12,7 @@ import pytest
 
 from pydy._files import write_files
 from pydy.models import n_link_pendulum_on_cart
+from pydy.robots import read
 
 resource = pytest.importorskip("resource")
 
@@ -67,6 +69,17 @@ def test_a_full_disk_leaves_the_file_that_was_there(
     with pytest.raises(OSError, match=r"File too large|write"):
         WRITERS[name](trajectory, scene, system, path)
     assert {file: file.read_bytes() for file in tmp_path.iterdir()} == before
+
+
+@pytest.mark.parametrize("name", WRITERS)
+def test_an_open_file_is_no_path(name, system, trajectory, scene):
+    with pytest.raises(TypeError, match=r"`path` must be .*path, got <_io\.StringIO"):
+        WRITERS[name](trajectory, scene, system, io.StringIO("text"))
+
+
+def test_an_open_file_is_no_robot():
+    with pytest.raises(TypeError, match=r"`path` must be a path, got <_io\.StringIO"):
+        read(io.StringIO("<robot/>"))
 
 
 def test_the_header_of_a_model_is_not_replaced_without_its_source(tmp_path, full_disk):

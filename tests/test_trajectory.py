@@ -1,5 +1,6 @@
 """The labelled result of a simulation."""
 
+import io
 import pickle
 import subprocess
 import sys
@@ -383,7 +384,7 @@ def test_a_file_with_a_damaged_name_is_a_named_error(name, tmp_path):
         Trajectory.load(path)
 
 
-@pytest.mark.parametrize("path", [None, 5, ["a.nc"]])
+@pytest.mark.parametrize("path", [None, 5, ["a.nc"], io.StringIO("text"), io.BytesIO(b"CDF")])
 def test_what_is_no_path_is_a_type_error(path):
     pytest.importorskip("xarray")
     _, trajectory = simulated("bare")
@@ -429,6 +430,12 @@ def test_a_missing_package_is_named(monkeypatch):
 def test_tables_of_the_wrong_shape_are_refused():
     with pytest.raises(ValueError, match=r"`outputs` must have the shape \(2, 1\).*got \(1, 1\)"):
         Trajectory([0, 1], [[1], [2]], {"speed": ["u"], "output": ["y"]}, outputs=[[1]])
+
+
+@pytest.mark.parametrize("name", ["model", "dense", "sensitivities", "events"])
+def test_parts_of_another_kind_are_refused_at_once(name):
+    with pytest.raises(TypeError, match=f"`{name}` must .*, got 5"):
+        Trajectory([0, 1], [[1], [2]], {"speed": ["u"]}, **{name: 5})
 
 
 def test_simulate_needs_times():

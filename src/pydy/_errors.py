@@ -32,6 +32,12 @@ def few(texts: Sequence[str]) -> str:
     return "; ".join(texts[:2]) + more
 
 
+def note_finished(error: MemoryError, what: str, **finished: object) -> None:
+    """Let an error hold what was finished before it, as attributes that a note names."""
+    vars(error).update(finished)
+    error.add_note(f"{what} in the attributes of this error: {', '.join(finished)}.")
+
+
 class _Pickled(BaseException):
     """An exception that is pickled as what it was made of: its message, then its attributes."""
 

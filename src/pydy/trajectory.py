@@ -347,6 +347,14 @@ class Trajectory:
         self.statistics = statistics
         if model is not None and not hasattr(model, "derivatives"):
             raise TypeError(f"`model` must be what a System passes, got {shown(model)}.")
+        if dense is not None and not callable(dense):
+            raise TypeError(f"`dense` must be a function of times, got {shown(dense)}.")
+        if sensitivities is not None and not (
+            isinstance(sensitivities, (tuple, list)) and len(sensitivities) == 2
+        ):
+            raise TypeError(
+                f"`sensitivities` must be a pair, (parameters, values), got {shown(sensitivities)}."
+            )
         self._model = model
         self._dense = dense
         self._sensitivity_model = sensitivity_model

@@ -101,6 +101,27 @@ def test_redundant_constraints_do_no_harm():
     close(double.evaluate_ode([0.3, 0.09, 1.0, 0.6]), single.evaluate_ode([0.3, 0.09, 1.0, 0.6]))
 
 
+def test_a_row_without_coordinates_that_is_zero_constrains_nothing():
+    m, w = sm.symbols("m w")
+    rows = [m - m, sm.Float(0.0), sm.sin(w) ** 2 + sm.cos(w) ** 2 - 1, y - x**2]
+    at = {x: 0.3, y: 0.09, vx: 1.0, vy: 0.6}
+    single = System(bead(), initial_conditions=at)
+    for more in ({"holonomic_constraints": rows}, {"nonholonomic_constraints": [0, *rows[:3]]}):
+        made = System(bead(**more), initial_conditions=at, times=[0.0, 0.1])
+        assert made.states == single.states
+        assert made.num_constraints == 1
+        close(made.evaluate_ode(), single.evaluate_ode())
+        made.integrate()
+
+
+def test_a_row_of_constants_that_does_not_hold_is_told():
+    made = System(bead(holonomic_constraints=[y - x**2, sm.Symbol("l") - 2]), times=[0.0, 0.1])
+    with pytest.raises(ValueError, match=r"`l - 2` was left out .* at t = 0\.0 it is -1"):
+        made.integrate()
+    made.constants = {"l": 2.0}
+    made.integrate()
+
+
 @pytest.mark.parametrize("configuration", [{}, {x: 0.3, y: 0.09}])
 def test_a_row_of_roundings_constrains_nothing(configuration):
     # What SymPy leaves of a gap along the axis of a linkage in an oblique plane.
@@ -206,6 +227,15 @@ def test_energy_is_found_and_kept():
 
 
 WRONG = {
+    r"`nonholonomic_constraints\[1\]` must restrict speeds, got t.* by `holonomic_c": {
+        "nonholonomic_constraints": [vx - vy, x**2 - 1 + T]
+    },
+    "contradict each other: .*holonomic constraint 1, `1`, is left at 1": {
+        "holonomic_constraints": [y - x**2, sm.Integer(1)]
+    },
+    "contradict each other: .*velocity constraint 1, `1`, is left at 1": {
+        "nonholonomic_constraints": [sm.Integer(1)]
+    },
     r"`holonomic_constraints`.*got 'y'": {"holonomic_constraints": "y"},
     r"`coordinates` must hold functions of time.*got z": {"coordinates": [x, sm.Symbol("z")]},
     "must differ from each other, got x": {"coordinates": [x, x]},

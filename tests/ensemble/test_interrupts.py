@@ -168,6 +168,36 @@ def test_finished_samples_in_memory_are_handed_over(reduce):
     assert pickle.loads(pickle.dumps(caught.value)).results.identical(results)
 
 
+@pytest.mark.parametrize("workers", [1, 2])
+def test_finished_samples_are_handed_over_where_memory_ends(workers):
+    system = multi_mass_spring_damper(apply_external_forces=True)
+    (force,) = system.specifieds_symbols
+    system.initial_conditions, system.times = {"x0": 1.0}, [0.0, 1.0, 2.0]
+    k0 = np.arange(1.0, 13.0)
+    whole = system.integrate_ensemble(constants={"k0": k0}, specifieds={force: lambda x, t: 0.0})
+
+    def push(x, t):
+        if x[0] > 1.5:  # the last sample alone starts from there
+            raise MemoryError("no more")
+        return 0.0
+
+    x0 = np.array([1.0] * 11 + [2.0])
+    with pytest.raises(MemoryError, match="no more") as caught:
+        system.integrate_ensemble(
+            constants={"k0": k0},
+            initial_conditions={"x0": x0},
+            specifieds={force: push},
+            workers=workers,
+        )
+    assert any("of 12 samples are finished" in note for note in caught.value.__notes__)
+    results = caught.value.results
+    done = results.status.values == 0
+    assert done.sum() >= 8  # the others may be under way
+    assert (results.status.values[~done] == -1).all()
+    np.testing.assert_array_equal(results.x0.values[done], whole.x0.values[done])
+    assert np.isnan(results.x0.values[~done]).all()
+
+
 class _AlarmError(Exception):
     pass
 

@@ -1,11 +1,13 @@
 """radau where a load has an infinite slope: the motion is right, and never stands still."""
 
 import mpmath
+import numpy as np
 import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
 
-from pydy.solvers import radau
+from pydy.errors import IntegrationError
+from pydy.solvers import dop853, radau, rk4
 from pydy.system import System
 
 q, v = me.dynamicsymbols("q v")
@@ -49,3 +51,20 @@ def test_a_spring_with_an_infinite_slope_keeps_the_energy(unit):
     x = x.integrate(rtol=1e-10, atol=unit * 1e-10)[-1] / unit
     assert x[0] > 17.0
     assert abs(x[1] ** 2 / 2 - 10 * x[0] + 2 / 3 * x[0] ** 1.5) < 1e-7
+
+
+@pytest.mark.parametrize("solver", [radau, dop853, rk4])
+@pytest.mark.parametrize("mass", [1e-310, 5e-324])
+def test_a_mass_whose_reciprocal_is_no_number_is_an_error(mass, solver):
+    system = pushed(10 - v, (0.0, 1.0), 2.0)
+    system.constants, system.ode_solver = {"m": mass}, solver
+    options = {"step": 0.1} if solver is rk4 else {}
+    with pytest.raises(IntegrationError, match=r"not finite .*at t = 0\.0 in the state q"):
+        system.integrate(**options)
+
+
+def test_a_tiny_mass_beside_a_load_of_its_size_moves_as_it_must():
+    x = pushed(1e-300 * (10 - v), (0.0, 0.0), 2.0)
+    x.constants = {"m": 1e-300}
+    x = x.integrate(rtol=1e-10, atol=1e-10)
+    np.testing.assert_allclose(x[-1, 1], -10.0 * np.expm1(-2.0), rtol=1e-8)

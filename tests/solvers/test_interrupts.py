@@ -16,6 +16,7 @@ from pydy.solvers.run import integration
 
 ALL = [dop853, tsit5, vern9, rk4, radau]
 HUGE = 1e9  # seconds of simulated time that nobody waits for
+MAX_STEP = {"max_step": 0.25}
 PATIENCE = 60.0  # seconds on a busy machine, where 0.1 are meant; without Ctrl-C it takes hours
 
 
@@ -91,6 +92,25 @@ def test_ctrl_c_ends_compiled_work_with_what_was_computed(solver, monkeypatch):
     np.testing.assert_allclose(error.states, problem.f.exact(times[:3]), atol=1e-6)
     assert 20.0 < error.time < HUGE
     assert error.info["steps"] > 100
+
+
+@pytest.mark.parametrize("solver", ALL)
+def test_where_memory_ends_the_error_holds_what_was_computed(solver):
+    times = np.array([0.0, 0.5, 1.0, 2.0])
+
+    def f(x, t):
+        if t > 1.5:
+            raise MemoryError("no more")
+        return [x[1], -x[0]]
+
+    with pytest.raises(MemoryError, match="no more") as caught:
+        solver(f, [1.0, 0.0], times, **options_of(solver), **({} if solver is rk4 else MAX_STEP))
+    np.testing.assert_array_equal(caught.value.times, times[:3])
+    exact = np.array([np.cos(times[:3]), -np.sin(times[:3])]).T
+    np.testing.assert_allclose(caught.value.states, exact, atol=1e-7)
+    assert caught.value.__notes__ == [
+        "What was computed until then is in the attributes of this error: times, states."
+    ]
 
 
 def test_ctrl_c_ends_work_in_a_python_function():

@@ -139,6 +139,7 @@ class Definition:
             for key, value in check_mapping("values", values).items()
         }
         self._check_names()
+        self._check_motion()
         self.as_method: Callable[[Definition], Any] | None = None
 
     def __repr__(self) -> str:
@@ -214,6 +215,17 @@ class Definition:
                 "`coordinates`, `speeds` and `auxiliary_speeds` must differ from each other, got "
                 f"{describe(twice)} more than once."
             )
+
+    def _check_motion(self) -> None:
+        moving = {*self.speeds, *self.auxiliary_speeds}
+        for k, row in enumerate(self.nonholonomic_constraints):
+            found = find_symbols((row,))
+            still = not any(s in moving or isinstance(s, sm.Derivative) for s in found)
+            if still and not found.keys().isdisjoint(self.coordinates):
+                raise ValueError(
+                    f"`nonholonomic_constraints[{k}]` must restrict speeds, got {shown(row)}, "
+                    "which has none. Coordinates are constrained by `holonomic_constraints`."
+                )
 
     @cached_property
     def multibody(self) -> Multibody:

@@ -14,7 +14,7 @@ from uuid import uuid4
 import numpy as np
 
 from pydy._checks import path_of
-from pydy._errors import EnsembleInterrupted, warn_user
+from pydy._errors import EnsembleInterrupted, note_finished, warn_user
 from pydy._forks import cached_property
 from pydy._optional import require
 from pydy._processes import LOOK
@@ -104,25 +104,29 @@ class Ensemble:
 
         try:
             self._on_threads(tuple(left), do)
-        except KeyboardInterrupt:
+        except (KeyboardInterrupt, MemoryError) as error:
             if not whole:
                 raise
-            raise self._interrupted(whole, left) from None
+            results = self._finished(whole, left)
+            if isinstance(error, MemoryError):
+                note_finished(error, f"{results[0]} are finished,", results=results[1])
+                raise
+            raise EnsembleInterrupted(
+                f"The ensemble was interrupted: {results[0]} are finished. They are in the "
+                f"attribute `results` of this error; `status` is {NOT_COMPUTED} for the others.",
+                results[1],
+            ) from None
         return self._dataset(whole)
 
-    def _interrupted(self, whole: dict[str, Variable], left: Sequence[Block]) -> BaseException:
-        """Return the error with the finished samples."""
+    def _finished(self, whole: dict[str, Variable], left: Sequence[Block]) -> tuple[str, Any]:
+        """Return how many samples are finished, in words, and their Dataset."""
         for block in left:
             for name, v in whole.items():
                 nothing = np.nan if v.values.dtype.kind in "fc" else np.zeros((), v.values.dtype)
                 v.values[block] = NOT_COMPUTED if name == "status" else nothing
         status = whole["status"].values
-        return EnsembleInterrupted(
-            f"The ensemble was interrupted: {np.sum(status != NOT_COMPUTED)} of {status.size} "
-            "samples are finished. They are in the attribute `results` of this error; `status` is "
-            f"{NOT_COMPUTED} for the others.",
-            self._dataset(whole),
-        )
+        number = np.sum(status != NOT_COMPUTED)
+        return f"{number} of {status.size} samples", self._dataset(whole)
 
     def _forms(self, variables: Mapping[str, Variable]) -> dict[str, Form]:
         first = len(self.samples.dims)

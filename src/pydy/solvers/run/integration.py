@@ -22,6 +22,7 @@ from pydy._errors import (
     IntegrationInterrupted,
     MissingDependencyError,
     few,
+    note_finished,
     warn_user,
 )
 from pydy._interrupts import Interrupts
@@ -224,6 +225,11 @@ class Integration:
                 self._fail(code)
         except KeyboardInterrupt:
             self._stop(INTERRUPTED, IntegrationInterrupted)
+        except MemoryError as error:
+            if len(self._rows):  # there was room for the states
+                times, states = self._finished()
+                note_finished(error, "What was computed until then is", times=times, states=states)
+            raise
         self._empty_log()
         reached = self.progress.counts[at.NEXT]
         if reached < self._number:
@@ -562,16 +568,20 @@ class Integration:
         """Raise the error of an outcome."""
         self._empty_log()
         self._end(code, **details)
-        t, reached = float(self.progress.state[at.TIME]), int(self.progress.counts[at.NEXT])
+        t = float(self.progress.state[at.TIME])
         x = self.memory.x[: self.states].copy()
         shown = ", ".join(f"{self._state_name(k)} = {v:.6g}" for k, v in enumerate(x[:12]))
         more = f", and {self.states - 12} more" if self.states > 12 else ""
         remedy = OUTCOMES[code].remedy.format(**details)
         raise kind(
             f"`{self.name}` {self.status} at t = {t!r} in the state {shown}{more}. {remedy}",
-            self.progress.times[:reached].copy(),
-            self._rows[:reached, : self.states].copy(),
+            *self._finished(),
             t,
             x,
             self.info(),
         )
+
+    def _finished(self) -> tuple[np.ndarray, np.ndarray]:
+        """Return the times that were reached, and the states there."""
+        reached = int(self.progress.counts[at.NEXT])
+        return self.progress.times[:reached].copy(), self._rows[:reached, : self.states].copy()
