@@ -68,7 +68,8 @@ class Optimisation(Simulation):
         guess : dict or Trajectory, optional
             Where the search begins: from unknowns to numbers, arrays or SampledInputs, or a motion.
         mesh_tol : float, optional
-            The mesh is refined until the error of each interval is below it.
+            The mesh is refined until the error of each interval is below it, and that of the
+            objective, as a share of it.
         options : dict, optional
             Options of the solver.
         progress : bool, optional

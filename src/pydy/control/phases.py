@@ -15,6 +15,7 @@ from pydy._checks import check_mapping, flag, listed, shown
 from pydy._errors import AnalysisInterrupted, OptimizationError
 from pydy._optional import progress_of
 from pydy.codegen.arguments import checked_expression
+from pydy.control.accuracy import relative_errors
 from pydy.control.guess import mesh_tolerance
 from pydy.control.ipopt import SOLVED, STATUS, Iteration, Solution
 from pydy.control.kernel import Point
@@ -138,15 +139,17 @@ class Phases:
 
             for _ in range(MOST_REFINEMENTS):
                 found = self._solved(meshes, guesses, search, watch)
-                worst = max(float(phase.error.max()) for phase in found)
                 if tolerance is None:
                     warn_where_coarse([phase.error for phase in found])
-                if tolerance is None or worst <= tolerance:
+                    return found
+                errors = [relative_errors(phase, tolerance, found.objective) for phase in found]
+                worst = max(float(error.max()) for error in errors)
+                if worst <= tolerance:
                     return found
                 guesses = list(found)
                 meshes = [
-                    refined(mesh, phase.error, tolerance, problem._scheme.convergence)
-                    for mesh, phase, problem in zip(meshes, found, self._problems, strict=True)
+                    refined(mesh, error, tolerance, problem._scheme.convergence)
+                    for mesh, error, problem in zip(meshes, errors, self._problems, strict=True)
                 ]
         intervals = sum(len(phase.mesh) - 1 for phase in found)
         warn_of_refinements(MOST_REFINEMENTS, intervals, worst, tolerance)
@@ -203,6 +206,7 @@ class Phases:
                 solution, z=z, multipliers=solution.multipliers[rows], below=solution.below[at],
                 above=solution.above[at], objective=program.cost(z / program.sizes),
             )  # fmt: skip
+            program = replace(program, cost_size=nlp.cost_size)
             phases.append(problem._trajectory(one, program, begin, part))
         found = PhasedTrajectory(phases, solution)
         if solution.interrupted:

@@ -27,6 +27,7 @@ from pydy._names import unique_names
 from pydy._optional import progress_of
 from pydy._rank import DIGITS, rank
 from pydy.codegen.arguments import checked_expression
+from pydy.control.accuracy import relative_errors
 from pydy.control.expressions import Reader, bends
 from pydy.control.guess import Guess, follow_constraints, mesh_tolerance, positive_time, shown_pair
 from pydy.control.ipopt import SOLVED, Iteration, Solution
@@ -562,8 +563,9 @@ class OptimalControl:
             straight lines between the ends, dependent coordinates follow from the constraints,
             and controls are zero.
         mesh_tol : float, optional
-            The mesh is refined until the `error` of each interval is below it. By default the mesh
-            stays as it is.
+            The mesh is refined until the `error` of each interval is below it, and that of the
+            objective, as a share of it (but not for 'backward-euler'). By default the mesh stays
+            as it is.
         options : dict, optional
             Options of the solver, such as ``{'max_iter': 500, 'tol': 1e-10}``.
         progress : bool, optional
@@ -592,13 +594,15 @@ class OptimalControl:
         with progress_of(flag(progress, "`progress`"), " iterations") as told:
             for _ in range(MOST_REFINEMENTS):
                 found = self._solved(mesh, guess, search, told)
-                worst = float(found.error.max())
                 if tolerance is None:
                     warn_where_coarse([found.error])
-                if tolerance is None or worst <= tolerance:
+                    return found
+                errors = relative_errors(found, tolerance)
+                worst = float(errors.max())
+                if worst <= tolerance:
                     return found
                 order = self._scheme.convergence
-                mesh, guess = refined(mesh, found.error, tolerance, order), found
+                mesh, guess = refined(mesh, errors, tolerance, order), found
         warn_of_refinements(MOST_REFINEMENTS, len(found.mesh) - 1, worst, tolerance)
         return found
 

@@ -8,9 +8,11 @@ from typing import Any
 
 import numpy as np
 
+from pydy._forks import cached_property
 from pydy._names import unique_names
 from pydy._optional import require
 from pydy.codegen.arguments import OfTime, one_format
+from pydy.control.accuracy import objective_errors
 from pydy.control.ipopt import STATUS, Iteration, Solution
 from pydy.control.nlp import Nlp
 from pydy.control.transcription import Transcription
@@ -40,6 +42,8 @@ class OptimalTrajectory(Trajectory):
     error : ndarray, shape (M,)
         The error of each interval: how far a solver that starts at the interval's first state, with
         these controls, ends from its last one, relative to how large each state becomes.
+    objective_error : ndarray, shape (M,)
+        An estimate of how much each interval adds to the least objective minus this one.
     multipliers : dict of str to ndarray
         The multipliers of each equation, path condition and boundary condition, by the labels that
         messages use: at `collocation_times` or, of boundary conditions, shape (1,). They are the
@@ -100,7 +104,9 @@ class OptimalTrajectory(Trajectory):
         )
 
     def __repr__(self) -> str:
-        return f"Optimal{super().__repr__()}, objective {self.objective:.9g}: {self.message}"
+        error = float(np.abs(self.objective_error).sum())
+        near = f" ± {error:.1g}" if np.isfinite(error) else ""
+        return f"Optimal{super().__repr__()}, objective {self.objective:.9g}{near}: {self.message}"
 
     @property
     def fractions(self) -> np.ndarray:
@@ -113,6 +119,17 @@ class OptimalTrajectory(Trajectory):
         same = own.scheme == made.scheme and np.array_equal(own.mesh, made.mesh)
         labels = [[piece.labels for piece in one.pieces] for one in (own, made)]
         return same and own.sizes == made.sizes and labels[0] == labels[1]
+
+    @cached_property
+    def objective_error(self) -> np.ndarray:
+        """How much each interval adds to the least objective minus this one, shape (M,).
+
+        An estimate of what a finer mesh would gain or lose, to second order: what the equations
+        miss between the collocation points, and what controls within their bounds would gain
+        there, each by the multipliers. NaN for systems with constraints under 'midpoint' and
+        'hermite-simpson'.
+        """
+        return objective_errors(self._transcription, self._nlp, self.solution)
 
     @property
     def costates(self) -> dict[Any, np.ndarray]:

@@ -18,6 +18,14 @@ at each active bound, so that a thousand of them change the objective by 1e-7.""
 SURE = 0.1
 """An interval's error is known when twice as many steps change it by less than this share."""
 
+SECANTS = 8
+"""Steps towards the control that minimises the Hamiltonian, for the estimate of the objective's
+error: one is exact where the control is quadratic in it, as it mostly is."""
+
+STEP = 2.0**-13
+"""The step, as a share of the control's size, that tells how its derivative bends: the root of the
+rounding, about, so that half of the digits are right."""
+
 MOST_STEPS = 64
 """Steps of order 8 in an interval, at most: where these are not enough, as with a jump of a signal
 inside, the error of the interval is large itself."""

@@ -1,0 +1,238 @@
+"""How far the objective of a solution is from the least one, by the Lagrangian between the points.
+
+With the multipliers Λ(t) of the equations r = 0 and ν(t) of the states' bounds b, interpolated,
+
+    least objective − objective  ≈  Σ over intervals of
+                                    ∫ (min over u of L + Λ · r) + ν · (x − b) dt − quadrature of L,
+
+where r and L are those of the polynomials of states and controls. It holds to second order in the
+errors of motion and multipliers, and the minimum is Pontryagin's: it sees controls that would do
+better between the points, such as one that jumps inside an interval, though the polynomials satisfy
+the equations exactly. Where motion and multipliers are exact, it is zero.
+
+References
+----------
+R. Becker and R. Rannacher, An optimal control approach to a posteriori error estimation in finite
+element methods, Acta Numerica 10 (2001) 1–102, §2 (residuals weighted by the adjoint).
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from pydy._rank import or_one
+from pydy.control.ipopt import Solution
+from pydy.control.nlp import Nlp
+from pydy.control.schemes import derivatives, lagrange, radau_points
+from pydy.control.transcription import Transcription
+from pydy.control.tuning import SECANTS, STEP, TOLERANCE
+
+
+def objective_errors(made: Transcription, nlp: Nlp, solution: Solution) -> np.ndarray:
+    """Return each interval's part of the least objective minus that of the solution, shape (M,).
+
+    It is not known (NaN) where constraints hold at other points than the equations of motion.
+    """
+    if len({points.rows for points in made.points}) > 1:
+        return np.full(made.intervals, np.nan)
+    z, M, scheme = solution.z, made.intervals, made.scheme
+    s, w = np.polynomial.legendre.leggauss(scheme.order + 3)
+    s, w, k = np.repeat((1.0 + s) / 2, M), w / 2, np.tile(np.arange(M), len(s))
+    h = np.diff(made.mesh)
+    point = _Between(made, nlp, solution, k, s)
+    density = point.least() + _passed_bounds(made, nlp, solution, k, s)
+    found: np.ndarray = h * (w @ density.reshape(len(w), M)) - _quadrature(made, nlp, z)
+    return found
+
+
+def relative_errors(found: Any, tolerance: float, objective: float = 0.0) -> np.ndarray:
+    """Return the intervals' errors of a solution, or of its objective where that is what is left.
+
+    The objective's are shares of its size, times the number of intervals; they do not count where
+    their sum is within the tolerance, and that of the search. `objective` is that of all phases.
+    """
+    made, nlp, solution = found._transcription, found._nlp, found.solution
+    error: np.ndarray = found.error
+    parts: np.ndarray = np.abs(found.objective_error)
+    if made.scheme.convergence == 1 or not np.isfinite(parts).all():
+        return error
+    z = solution.z
+    # What the barrier leaves: each unknown times the distance from its bound.
+    sides = ((solution.below, z - nlp.lower), (solution.above, nlp.upper - z))
+    left = sum(float(a[np.isfinite(d)] @ np.abs(d[np.isfinite(d)])) for a, d in sides)
+    size = max(abs(found.objective), abs(objective), float(_quadrature(made, nlp, z, True).sum()))
+    if parts.sum() <= tolerance * size + left + TOLERANCE * nlp.cost_size:
+        return error
+    worst: np.ndarray = np.maximum(error, parts * made.intervals / size if size else np.inf)
+    return worst
+
+
+def _quadrature(made: Transcription, nlp: Nlp, z: np.ndarray, absolute: bool = False) -> np.ndarray:
+    """Return each interval's part of the integrals of the objective, or of their absolute value."""
+    M, found = made.intervals, np.zeros(made.intervals)
+    h = np.diff(made.mesh)
+    for piece, points in zip(nlp.pieces, made.points, strict=False):
+        if not piece.functions.outputs[1]:
+            continue
+        out = np.zeros((1, piece.points))
+        piece.functions("cost", z[piece.at], piece.data, piece.constants, out)
+        cost = np.abs(out[0]) if absolute else out[0]
+        if len(cost) == M + 1:  # nodes, which belong to the intervals on both sides
+            cost = cost / points.weights
+            found += h / 6 * (cost[:-1] + cost[1:])
+        else:
+            found += cost.reshape(-1, M).sum(axis=0)
+    return found
+
+
+class _Between:
+    """Equations and objective at fractions s of intervals k, where no collocation point is."""
+
+    def __init__(
+        self, made: Transcription, nlp: Nlp, solution: Solution, k: np.ndarray, s: np.ndarray
+    ) -> None:
+        z, p, scheme = solution.z, made.problem, made.scheme
+        states, controls, _, T = made.split(z)
+        M, length = made.intervals, np.diff(made.mesh)[k]
+        self.fractions, h = made.mesh[k] + s * length, length * T
+        basis, powers = scheme.basis(s)
+        # The derivatives of the basis, from its values at the nodes of polynomials of that degree.
+        nodes = np.append(0.0, radau_points(max(scheme.order, 3)))
+        rates = scheme.basis(nodes)[0] @ derivatives(nodes).T @ lagrange(nodes, s)
+        y = states[:, scheme.interval_slots(M)[:, k]] * h ** powers[:, None]
+        x, dx = (y * basis).sum(axis=1), (y * rates).sum(axis=1)
+        none, one, K = np.zeros(len(s)), np.ones(len(s)), scheme.order
+        if scheme.name == "radau":
+            slots, given = [x, dx, *[0.0 * x] * (K - 1)], [none, one, *[none] * (K - 1)]
+        elif scheme.name == "midpoint":
+            slots, given = [x - dx / 2, x + dx / 2], []
+        else:
+            slots, given = [x, dx / h], []
+        u = controls[:, scheme.control_slots(M)[:, k]] * scheme.control_basis(s)
+        u = u.sum(axis=1)
+        u[: len(p.controls)] = made.controls_in(z, k, s).T
+        self.made, self.piece, self.first = made, nlp.pieces[0], sum(map(len, slots))
+        self.X = np.ascontiguousarray([*np.concatenate(slots), *u, *z[made._numbers_at(len(s))]])
+        times = p.begin + self.fractions * (1.0 if p.duration is None else p.duration)
+        signals = [signal(times) for _, signal in p.signals]
+        self.R = np.ascontiguousarray([self.fractions, length, one, *given, *signals])
+        self.multipliers = self._multipliers(nlp, solution, k, s)
+        self.sizes = or_one(np.abs(controls).max(axis=1, initial=0.0))
+
+    def _multipliers(
+        self, nlp: Nlp, solution: Solution, k: np.ndarray, s: np.ndarray
+    ) -> np.ndarray:
+        """Return the multipliers of rows that are integrated, shape (rows, points)."""
+        made, values, start = self.made, [], 0
+        for piece, points in zip(nlp.pieces, made.points, strict=False):
+            stop = start + piece.rows * piece.points
+            rows = solution.multipliers[start:stop].reshape(piece.rows, -1)
+            values.append(rows / points.weights)
+            start = stop
+        first, M, K = values[0], made.intervals, made.scheme.order
+        if made.scheme.name == "hermite-simpson":
+            nodes, at = np.array([0.0, 0.5, 1.0]), [first[:, k], values[1][:, k], first[:, k + 1]]
+        elif K > 1:
+            nodes, at = radau_points(K), [first[:, j * M + k] for j in range(K)]
+        elif M > 1:  # one point an interval: straight lines from each to the next
+            times = made.points[0].fractions
+            j = np.clip(np.searchsorted(times, self.fractions) - 1, 0, M - 2)
+            s = (self.fractions - times[j]) / (times[j + 1] - times[j])
+            nodes, at = np.array([0.0, 1.0]), [first[:, j], first[:, j + 1]]
+        else:
+            nodes, at = np.zeros(1), [first[:, k]]
+        found: np.ndarray = np.einsum("jm,jrm->rm", lagrange(nodes, s), np.array(at))
+        # Those of inequalities have a sign, which a polynomial need not keep.
+        found[self.piece.high == np.inf] = np.minimum(found[self.piece.high == np.inf], 0.0)
+        found[self.piece.low == -np.inf] = np.maximum(found[self.piece.low == -np.inf], 0.0)
+        return found
+
+    def lagrangian(self) -> np.ndarray:
+        """Return L + Λ · r."""
+        f, count = self.piece.functions, self.X.shape[1]
+        rows, cost = np.zeros((self.piece.rows, count)), np.zeros((1, count))
+        if len(rows):
+            f("rows", self.X, self.R, self.piece.constants, rows)
+        if f.outputs[1]:
+            f("cost", self.X, self.R, self.piece.constants, cost)
+        total: np.ndarray = (self.multipliers * rows).sum(axis=0) + cost[0]
+        return total
+
+    def slope(self, i: int, values: np.ndarray) -> np.ndarray:
+        """Return its derivative by a control, which takes some values."""
+        f, P, own = self.piece.functions, self.piece.constants, self.first + i
+        self.X[own] = values
+        found = np.zeros(len(values))
+        for name, places in (("jacobian", f.jacobian_at), ("gradient", f.gradient_at)):
+            variables = places[:, 1] if name == "jacobian" else places
+            if not (variables == own).any():
+                continue
+            entries = np.zeros((len(places), len(values)))
+            f(name, self.X, self.R, P, entries)
+            for e in np.flatnonzero(variables == own):
+                found += entries[e] * (self.multipliers[places[e, 0]] if places.ndim == 2 else 1.0)
+        return found
+
+    def least(self) -> np.ndarray:
+        """Return the least L + Λ · r that controls within their bounds have."""
+        p, before = self.made.problem, self.lagrangian()
+        own = len(p.controls)
+        for i in list(range(own)) * min(own, 2):  # one after the other; the first ones again
+            low, high = (side(self.fractions) for side in p.control_bounds[i])
+            a = self.X[self.first + i].copy()
+            slope = self.slope(i, a)
+            far = np.where(slope > 0.0, low, high)
+            bounded, size = np.isfinite(far), self.sizes[i]
+            # Twice as far as where a parabola has its minimum, which is then on the way.
+            bend = (self.slope(i, a + STEP * size) - slope) / (STEP * size)
+            with np.errstate(all="ignore"):
+                step = np.where(bend > 0.0, np.clip(2.0 * slope / bend, -size, size), 0.0)
+            b = np.where(bounded, far, a - step)
+            other = self.slope(i, b)
+            # It falls as far as the bound; or its slope changes sign on the way.
+            falls = slope * other > 0.0
+            end = np.where(bounded, b, a)
+            for _ in range(SECANTS):
+                with np.errstate(all="ignore"):
+                    m = a - slope * (b - a) / (other - slope)
+                m = np.where(np.isfinite(m), m, a)
+                between = self.slope(i, m)
+                left = between * slope > 0.0
+                a, slope = np.where(left, m, a), np.where(left, between, slope)
+                b, other = np.where(left, b, m), np.where(left, other, between)
+            flat = np.where(np.abs(slope) < np.abs(other), a, b)
+            self.X[self.first + i] = np.where(falls, end, flat)
+        found: np.ndarray = np.fmin(before, self.lagrangian())
+        return found
+
+
+def _passed_bounds(
+    made: Transcription, nlp: Nlp, solution: Solution, k: np.ndarray, s: np.ndarray
+) -> np.ndarray:
+    """Return ν · (x − b) where states pass their bounds between the points."""
+    scheme, M, h = made.scheme, made.intervals, np.diff(made.mesh)
+    x = made.states_at(solution.z, (made.mesh[k] + s * h[k]) * made.split(solution.z)[3]).T
+    if scheme.name == "radau" and scheme.order > 1:
+        nodes, slots = radau_points(scheme.order), scheme.interval_slots(M)[1:]
+        weights = made.points[0].weights.reshape(scheme.order, M)
+    else:
+        nodes, slots = np.array([0.0, 1.0]), scheme.interval_slots(M)[:2]
+        around = np.append(h, 0.0) + np.append(0.0, h)
+        weights = np.array([around[:-1], around[1:]]) / 2
+    basis = lagrange(nodes, s)
+    found = np.zeros(len(k))
+    for sign, values, side in (
+        (1.0, solution.above, nlp.upper),
+        (-1.0, solution.below, nlp.lower),
+    ):
+        values, bounds = (made.split(v)[0].copy() for v in (values, side))
+        values[:, [0, M]] = 0.0  # `start` and `end` are no bounds of the motion
+        bounds[:, 0], bounds[:, M] = bounds[:, min(1, M - 1)], bounds[:, max(M - 1, 0)]
+        for row, own, bound in zip(x, values, bounds, strict=True):
+            if np.isfinite(bound[slots]).all():
+                nu = ((own[slots] / weights)[:, k] * basis).sum(axis=0)
+                passed = sign * (row - (bound[slots][:, k] * basis).sum(axis=0))
+                found += np.maximum(nu, 0.0) * np.maximum(passed, 0.0)
+    return found

@@ -1,0 +1,109 @@
+"""How far an objective is from the least one, against known optima."""
+
+import numpy as np
+import pytest
+import sympy as sm
+import sympy.physics.mechanics as me
+
+import optima
+from optima import TF, T
+from pydy.control import OptimalControl
+
+
+def energy(**options):
+    system, (x, v, F) = optima.double_integrator()
+    return OptimalControl(system, sm.Integral(F**2, T), 1.0, end={x: 1.0, v: 0.0}, **options)
+
+
+def fuel(scale=1.0, **options):
+    """∫ |F| dt to go 1 m in 3 s: full thrust for τ, then none, with τ (3 − τ) = 1."""
+    x, v, p, n = me.dynamicsymbols("x v p n")
+    system = optima.first_order([x], v, p - n)
+    bounds = {p: (0.0, scale), n: (0.0, scale)}
+    end = {x: scale, v: 0.0}
+    return OptimalControl(system, sm.Integral(p + n, T), 3.0, end=end, bounds=bounds, **options)
+
+
+def speed_limit(**options):
+    """A metre in the least time at ±1 N and 0.6 m/s: 1 / 0.6 + 0.6 s."""
+    system, (x, v, F) = optima.double_integrator()
+    bounds = {F: (-1.0, 1.0), v: (None, 0.6), TF: (0.1, 10.0)}
+    return OptimalControl(system, TF, TF, end={x: 1.0, v: 0.0}, bounds=bounds, **options)
+
+
+def wall(by_path=False, **options):
+    """Bryson and Denham's problem with x ≤ 1/9, whose least ½ ∫ F² dt is 4; Bryson and Ho, 3.11."""
+    system, (x, v, F) = optima.double_integrator()
+    limits = {"path": [x <= 1 / 9]} if by_path else {"bounds": {x: (None, 1 / 9)}}
+    ends = {"start": {v: 1.0}, "end": {x: 0.0, v: -1.0}}
+    return OptimalControl(system, sm.Integral(F**2, T) / 2, 1.0, **ends, **limits, **options)
+
+
+def upstream(**options):
+    """Zermelo's boat in a current −y, from (3.66, −1.86) to (0, 0); Bryson and Ho, 2.7."""
+    x, y, w, a = me.dynamicsymbols("x y w a")
+    system = optima.first_order(
+        [x, y], w, 0 * w, 1, [x.diff() - sm.cos(a) + y, y.diff() - sm.sin(a)]
+    )
+    first, last = np.radians([105.0, 240.0])
+    (s0, t0), (s1, t1) = ((1 / np.cos(angle), np.tan(angle)) for angle in (first, last))
+    x0 = (s1 * (t1 - t0) - t0 * (s1 - s0) + np.log((t1 + s1) / (t0 + s0))) / -2
+    limits = {"bounds": {TF: (4.0, 10.0)}, **options}
+    begin = {x: x0, y: s0 - s1}
+    problem = OptimalControl(system, TF, TF, start=begin, end={x: 0.0, y: 0.0}, **limits)
+    return problem, {a: [1.8, 4.2], TF: 5.0}, t1 - t0
+
+
+@pytest.mark.parametrize(
+    ("make", "options", "least", "share"),
+    [
+        (energy, {"method": "midpoint"}, 12.0, 0.01),
+        (fuel, {"method": "midpoint"}, 3 - 5**0.5, 0.1),
+        (fuel, {"method": "hermite-simpson"}, 3 - 5**0.5, 0.3),
+        (wall, {"method": "midpoint"}, 4.0, 0.1),
+        (wall, {}, 4.0, 0.5),
+        (speed_limit, {"method": "midpoint"}, 1 / 0.6 + 0.6, 0.2),
+    ],
+)
+def test_the_objectives_error_is_estimated(make, options, least, share):
+    found = make(**options).solve()
+    gain = least - found.objective
+    assert abs(gain) > 1e-5 * least  # the mesh is too coarse
+    assert found.objective_error.sum() == pytest.approx(gain, rel=share)
+    assert f"± {np.abs(found.objective_error).sum():.1g}: solved" in repr(found)
+
+
+@pytest.mark.parametrize(
+    ("make", "method", "least"),
+    [
+        (speed_limit, "midpoint", 1 / 0.6 + 0.6),
+        (wall, "hermite-simpson", 4.0),
+        (fuel, "hermite-simpson", 3 - 5**0.5),
+    ],
+)
+def test_a_mesh_is_refined_until_the_objective_is_right(make, method, least):
+    # The motions satisfy the equations to rounding on the first mesh, and are off by up to 0.6 %.
+    found = make(method=method).solve(mesh_tol=1e-5)
+    assert found.objective == pytest.approx(least, rel=1e-5)
+
+
+def test_a_control_without_bounds_and_a_free_duration():
+    problem, guess, least = upstream(method="midpoint")
+    found = problem.solve(guess)
+    assert found.objective_error.sum() == pytest.approx(least - found.objective, rel=0.01)
+    problem, guess, least = upstream(order=5)
+    found = problem.solve(guess)
+    assert found.objective == pytest.approx(least, rel=1e-12)
+    assert np.abs(found.objective_error).sum() < 1e-11
+
+
+def test_the_estimate_has_the_objectives_unit():
+    one, other = fuel(method="midpoint").solve(), fuel(1e-9, method="midpoint").solve()
+    np.testing.assert_allclose(
+        other.objective_error.sum(), 1e-9 * one.objective_error.sum(), rtol=1e-3
+    )
+
+
+def test_a_limit_on_the_path_that_is_passed_between_the_points():
+    found = wall(by_path=True, method="hermite-simpson").solve(mesh_tol=1e-4)
+    assert found.objective == pytest.approx(4.0, rel=1e-4)
