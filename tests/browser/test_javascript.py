@@ -7,6 +7,7 @@ import pytest
 
 from exported_models import TIMES, ball, pendulum, spring_of
 from pydy.examples import whipple_bicycle
+from pydy.solvers import Event
 from pydy.system import System
 
 LOAD = """async (text) => {
@@ -79,6 +80,20 @@ def test_simulate_takes_names_and_returns_rows(tmp_path, loaded):
     assert run["steps"] == info["steps"]
     assert [e["time"] for e in run["events"]] == pytest.approx([e.time for e in info["events"]])
     assert {e["name"] for e in run["events"]} == {"bounce"}
+
+
+def test_an_event_is_found_that_another_sees_before_its_sign_returns(tmp_path, loaded):
+    system, _ = ball()
+    y, v = system.states
+    apex = float(system.initial_conditions[y])
+    system.initial_conditions = {y: 0.0, v: float(np.sqrt(2 * 9.81 * apex))}
+    top = Event(y - apex + 1e-6, direction=1, name="top")
+    page = loaded(system.export(tmp_path / "up.js", events=[top, Event(v, name="turns")]).path)
+    run = page.evaluate("model.simulate({ times: [0, 0.8], rtol: 1e-9, atol: 1e-9 })")
+    before = np.sqrt(2e-6 / 9.81)
+    turns = np.sqrt(2 * apex / 9.81)
+    assert [e["name"] for e in run["events"]] == ["top", "turns"]
+    assert [e["time"] for e in run["events"]] == pytest.approx([turns - before, turns], abs=1e-8)
 
 
 def test_an_unknown_name_is_answered_with_those_there_are(tmp_path, loaded):

@@ -439,3 +439,16 @@ def test_a_gap_that_is_no_number_is_named():
         over_a_bump(1.0, 1.0, sm.sqrt(x - 2) + y)
     with pytest.raises(ContactError, match=r"the event `\d: speed of the gap of bump`, whose"):
         over_a_bump(1.0, 1.0, sm.sqrt(2 - x) + y)
+
+
+@pytest.mark.parametrize("depth", [1e-3, 1e-6])
+def test_a_swing_that_only_just_reaches_a_wall_hits_it(depth):
+    point = O.locatenew("P", x * N.x)
+    swing = Definition(N, [x], [vx], bodies=[me.Particle("P", point, 1)], loads=[(point, -x * N.x)])
+    system = System(swing, initial_conditions={x: 1.0}, times=[0.0, 4.0], ode_solver="dop853")
+    wall = Unilateral(x + 1 - depth, restitution=0.5, name="wall")
+    motion = Contacts(system, [wall]).simulate(rtol=1e-11, atol=1e-11)
+    hit = math.acos(depth - 1)
+    (closes,) = motion.events
+    assert closes.time == pytest.approx(hit, abs=1e-7)
+    assert closes.after[1] == pytest.approx(0.5 * math.sin(hit), rel=1e-4)

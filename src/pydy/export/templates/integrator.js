@@ -2,6 +2,8 @@
 // pydy's native solvers, with the same first step, error norm, controller and interpolant.
 
 const EPS = 2 ** -52, SAFETY = 0.9, SHRINK = 0.2, GROW = 6, SHORTEST = 2 ** -44;
+// An event that was located, though it has the sign again that it began with.
+const BACK = 2;
 
 /** y = x + h · (row · stages). */
 function combine(y, x, h, row, stages) {
@@ -290,9 +292,16 @@ class Integration {
         }
         if (first > 1) break;
         this.probed(t, h, first, probe);
+        for (let k = 0; k < values.length; k++) // by then another may have crossed that is back at `right`
+          if (this.crossed(k, probe[k]) && !this.crossed(k, values[k])) {
+            const theta = this.locate(t, h, left, first, k);
+            if (theta > left) [first, fired[k]] = [theta, BACK];
+            this.probed(t, h, first, probe);
+          }
         for (let k = 0; k < values.length; k++) {
           const here = this.crossed(k, probe[k])
-            || (this.crossed(k, values[k]) && (probe[k] === 0 || fired[k] === 1));
+            || (this.crossed(k, values[k]) && (probe[k] === 0 || fired[k] === 1))
+            || (fired[k] === BACK && probe[k] === 0);
           fired[k] = here ? 1 : 0;
           if (here && events.acting[k]) this.acting = true;
         }

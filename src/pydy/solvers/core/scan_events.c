@@ -5,6 +5,8 @@
 enum { PARTS = 4 }; /* a root and its return within a quarter of a step are missed, where no other
                      event happens between them */
 
+enum { BACK = 2 }; /* located, though it has the sign again that it began with */
+
 /* Evaluate all event expressions at t + theta h into a row of watch.values. */
 INLINE int64_t probe(const Run *run, const Stepper *s, double t, double h, double theta, int64_t row)
 {
@@ -108,16 +110,11 @@ ENTRY int64_t scan_events(const Run *run, double t, double h)
             return called_back(run, logged);
         for (;;) {
             double first = 2.0;
-            int ends = 0; /* whether the first event acts */
             for (int64_t k = 0; k < number; k++) {
                 fired[k] = 0;
                 if (crossed(sides[k], values[k], directions[k]) || lost(sides[k], values[k])) {
                     const double theta = locate(run, s, t, h, left, right, k);
                     fired[k] = theta <= left;
-                    if (theta < first)
-                        ends = 0;
-                    if (theta <= first)
-                        ends = ends || w->acting.at[k] == 1;
                     first = minimum(theta, first);
                 }
             }
@@ -125,13 +122,13 @@ ENTRY int64_t scan_events(const Run *run, double t, double h)
                 break;
             if (probe(run, s, t, h, first, 1) < 0)
                 return called_back(run, logged);
-            /* where one is noted, another may have crossed that is back at `right` */
-            for (int64_t k = 0; k < number && !ends; k++)
+            /* by then another may have crossed that is back at `right` */
+            for (int64_t k = 0; k < number; k++)
                 if (crossed(sides[k], values[number + k], directions[k])
                     && !crossed(sides[k], values[k], directions[k])) {
                     const double theta = locate(run, s, t, h, left, first, k);
                     if (theta > left)
-                        first = theta;
+                        first = theta, fired[k] = BACK;
                     if (probe(run, s, t, h, first, 1) < 0)
                         return called_back(run, logged);
                 }
@@ -143,6 +140,7 @@ ENTRY int64_t scan_events(const Run *run, double t, double h)
                 /* exactly zero at its own root, or handled at `left` and left again */
                 if (!here && crossed(sides[k], values[k], directions[k]))
                     here = now == 0.0 || fired[k] == 1;
+                here = here || (fired[k] == BACK && now == 0.0);
                 if (!here && lost(sides[k], values[k])) {
                     if ((double)sides[k] * now < 0.0) /* first it crosses as nobody asked for */
                         sides[k] = -sides[k];

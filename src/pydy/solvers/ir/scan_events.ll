@@ -1,4 +1,4 @@
-; sources 0bd3f5b1086cbd3eaad5e45f754cf8bf84f59f9e71254ec5b9f5fee3ad96b1a2
+; sources 861d6529beb85fcfbedb51ed0cadf6fe1373e52e1c74d20526935c7ced516c53
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Stepper = type { ptr, ptr, ptr }
@@ -40,670 +40,663 @@ define i64 @scan_events(ptr noundef %0, double noundef %1, double noundef %2) #0
   %34 = getelementptr inbounds i8, ptr %0, i64 192
   %35 = getelementptr inbounds i8, ptr %0, i64 744
   %36 = icmp sgt i64 %12, 0
-  %37 = getelementptr inbounds i8, ptr %0, i64 792
-  %38 = icmp slt i64 %12, 1
-  %39 = getelementptr double, ptr %16, i64 %12
-  %40 = icmp sgt i64 %12, 0
-  %41 = getelementptr double, ptr %16, i64 %12
-  %42 = getelementptr inbounds i8, ptr %0, i64 792
-  %43 = getelementptr inbounds i8, ptr %26, i64 48
-  %44 = icmp sgt i64 %12, 0
-  %45 = getelementptr inbounds i8, ptr %0, i64 912
-  %46 = getelementptr inbounds i8, ptr %0, i64 920
-  %47 = getelementptr inbounds i8, ptr %0, i64 936
-  %48 = getelementptr inbounds i8, ptr %0, i64 960
-  %49 = getelementptr inbounds i8, ptr %0, i64 976
-  %50 = getelementptr inbounds i8, ptr %26, i64 48
-  %51 = icmp sgt i64 %12, 0
-  %52 = getelementptr inbounds i8, ptr %26, i64 48
-  %53 = icmp sgt i64 %12, 0
-  br label %58
+  %37 = icmp sgt i64 %12, 0
+  %38 = getelementptr double, ptr %16, i64 %12
+  %39 = icmp sgt i64 %12, 0
+  %40 = getelementptr double, ptr %16, i64 %12
+  %41 = getelementptr inbounds i8, ptr %0, i64 792
+  %42 = getelementptr inbounds i8, ptr %26, i64 48
+  %43 = icmp sgt i64 %12, 0
+  %44 = getelementptr inbounds i8, ptr %0, i64 912
+  %45 = getelementptr inbounds i8, ptr %0, i64 920
+  %46 = getelementptr inbounds i8, ptr %0, i64 936
+  %47 = getelementptr inbounds i8, ptr %0, i64 960
+  %48 = getelementptr inbounds i8, ptr %0, i64 976
+  %49 = getelementptr inbounds i8, ptr %26, i64 48
+  %50 = icmp sgt i64 %12, 0
+  %51 = getelementptr inbounds i8, ptr %26, i64 48
+  %52 = icmp sgt i64 %12, 0
+  br label %57
 
-54:                                               ; preds = %479
-  %55 = add nuw nsw i32 %62, 1
-  %56 = icmp ugt i32 %62, 3
-  %57 = icmp eq i32 %55, 5
-  br i1 %57, label %484, label %58, !llvm.loop !3
+53:                                               ; preds = %471
+  %54 = add nuw nsw i32 %61, 1
+  %55 = icmp ugt i32 %61, 3
+  %56 = icmp eq i32 %54, 5
+  br i1 %56, label %476, label %57, !llvm.loop !3
 
-58:                                               ; preds = %3, %54
-  %59 = phi i1 [ false, %3 ], [ %56, %54 ]
-  %60 = phi i64 [ undef, %3 ], [ %482, %54 ]
-  %61 = phi double [ 0.000000e+00, %3 ], [ %481, %54 ]
-  %62 = phi i32 [ 1, %3 ], [ %55, %54 ]
-  %63 = uitofp nneg i32 %62 to double
-  %64 = fmul double %63, 2.500000e-01
-  %65 = load ptr, ptr %27, align 8
-  %66 = load ptr, ptr %28, align 8
-  %67 = insertelement <8 x double> poison, double %64, i64 0
-  %68 = shufflevector <8 x double> %67, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %68, ptr %66, align 8
-  %69 = load ptr, ptr %8, align 8
-  %70 = load ptr, ptr %29, align 8
-  %71 = load i64, ptr %30, align 8
-  %72 = load ptr, ptr %0, align 8
-  %73 = getelementptr inbounds i8, ptr %72, i64 24
-  %74 = load i64, ptr %73, align 8
-  %75 = load ptr, ptr %28, align 8
-  %76 = load ptr, ptr %6, align 8
-  %77 = getelementptr inbounds i8, ptr %76, i64 16
-  %78 = load i64, ptr %77, align 8
-  tail call fastcc void @nested(ptr noundef %65, ptr noundef %69, ptr noundef %70, i64 noundef %71, i64 noundef %74, ptr noundef %75, i64 noundef %78) #7
-  %79 = fmul double %64, %2
-  %80 = fadd double %79, %1
-  %81 = load ptr, ptr %31, align 8
-  store double %80, ptr %81, align 8
-  %82 = load i64, ptr %32, align 8
-  %83 = icmp sgt i64 %82, 0
-  br i1 %83, label %84, label %85
+57:                                               ; preds = %3, %53
+  %58 = phi i1 [ false, %3 ], [ %55, %53 ]
+  %59 = phi i64 [ undef, %3 ], [ %474, %53 ]
+  %60 = phi double [ 0.000000e+00, %3 ], [ %473, %53 ]
+  %61 = phi i32 [ 1, %3 ], [ %54, %53 ]
+  %62 = uitofp nneg i32 %61 to double
+  %63 = fmul double %62, 2.500000e-01
+  %64 = load ptr, ptr %27, align 8
+  %65 = load ptr, ptr %28, align 8
+  %66 = insertelement <8 x double> poison, double %63, i64 0
+  %67 = shufflevector <8 x double> %66, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %67, ptr %65, align 8
+  %68 = load ptr, ptr %8, align 8
+  %69 = load ptr, ptr %29, align 8
+  %70 = load i64, ptr %30, align 8
+  %71 = load ptr, ptr %0, align 8
+  %72 = getelementptr inbounds i8, ptr %71, i64 24
+  %73 = load i64, ptr %72, align 8
+  %74 = load ptr, ptr %28, align 8
+  %75 = load ptr, ptr %6, align 8
+  %76 = getelementptr inbounds i8, ptr %75, i64 16
+  %77 = load i64, ptr %76, align 8
+  tail call fastcc void @nested(ptr noundef %64, ptr noundef %68, ptr noundef %69, i64 noundef %70, i64 noundef %73, ptr noundef %74, i64 noundef %77) #7
+  %78 = fmul double %63, %2
+  %79 = fadd double %78, %1
+  %80 = load ptr, ptr %31, align 8
+  store double %79, ptr %80, align 8
+  %81 = load i64, ptr %32, align 8
+  %82 = icmp sgt i64 %81, 0
+  br i1 %82, label %83, label %84
 
-84:                                               ; preds = %58
+83:                                               ; preds = %57
   tail call fastcc void @sample(ptr noundef nonnull %6) #7
-  br label %85
+  br label %84
 
-85:                                               ; preds = %58, %84
-  %86 = load ptr, ptr %9, align 8
-  %87 = load i64, ptr %86, align 8
-  %88 = load ptr, ptr %33, align 8
-  %89 = load ptr, ptr %27, align 8
-  %90 = load ptr, ptr %34, align 8
-  %91 = load ptr, ptr %35, align 8
-  %92 = load ptr, ptr %15, align 8
-  %93 = inttoptr i64 %87 to ptr
-  %94 = tail call i32 %93(ptr noundef %88, ptr noundef %89, ptr noundef %90, ptr noundef %91, ptr noundef %92) #8
-  %95 = icmp slt i32 %94, 0
-  br i1 %95, label %96, label %101
+84:                                               ; preds = %57, %83
+  %85 = load ptr, ptr %9, align 8
+  %86 = load i64, ptr %85, align 8
+  %87 = load ptr, ptr %33, align 8
+  %88 = load ptr, ptr %27, align 8
+  %89 = load ptr, ptr %34, align 8
+  %90 = load ptr, ptr %35, align 8
+  %91 = load ptr, ptr %15, align 8
+  %92 = inttoptr i64 %86 to ptr
+  %93 = tail call i32 %92(ptr noundef %87, ptr noundef %88, ptr noundef %89, ptr noundef %90, ptr noundef %91) #8
+  %94 = icmp slt i32 %93, 0
+  br i1 %94, label %95, label %100
 
-96:                                               ; preds = %85
-  %97 = load ptr, ptr %22, align 8
-  %98 = getelementptr inbounds i8, ptr %97, i64 80
-  store i64 %25, ptr %98, align 8
-  %99 = load ptr, ptr %21, align 8
-  %100 = getelementptr inbounds i8, ptr %99, i64 48
-  store double 1.000000e+00, ptr %100, align 8
-  br label %479
+95:                                               ; preds = %84
+  %96 = load ptr, ptr %22, align 8
+  %97 = getelementptr inbounds i8, ptr %96, i64 80
+  store i64 %25, ptr %97, align 8
+  %98 = load ptr, ptr %21, align 8
+  %99 = getelementptr inbounds i8, ptr %98, i64 48
+  store double 1.000000e+00, ptr %99, align 8
+  br label %471
 
-101:                                              ; preds = %85, %461
-  %102 = phi double [ %463, %461 ], [ %61, %85 ]
-  %103 = phi i64 [ %464, %461 ], [ %60, %85 ]
-  br i1 %36, label %108, label %104
+100:                                              ; preds = %84, %453
+  %101 = phi double [ %455, %453 ], [ %60, %84 ]
+  %102 = phi i64 [ %456, %453 ], [ %59, %84 ]
+  br i1 %36, label %106, label %103
 
-104:                                              ; preds = %158, %101
-  %105 = phi double [ 2.000000e+00, %101 ], [ %159, %158 ]
-  %106 = phi i32 [ 0, %101 ], [ %160, %158 ]
-  %107 = fcmp ogt double %105, 1.000000e+00
-  br i1 %107, label %461, label %163
+103:                                              ; preds = %141, %100
+  %104 = phi double [ 2.000000e+00, %100 ], [ %142, %141 ]
+  %105 = fcmp ogt double %104, 1.000000e+00
+  br i1 %105, label %453, label %145
 
-108:                                              ; preds = %101, %158
-  %109 = phi i64 [ %161, %158 ], [ 0, %101 ]
-  %110 = phi i32 [ %160, %158 ], [ 0, %101 ]
-  %111 = phi double [ %159, %158 ], [ 2.000000e+00, %101 ]
-  %112 = getelementptr inbounds i64, ptr %20, i64 %109
-  store i64 0, ptr %112, align 8
-  %113 = getelementptr inbounds i64, ptr %18, i64 %109
-  %114 = load i64, ptr %113, align 8
-  %115 = getelementptr inbounds double, ptr %16, i64 %109
-  %116 = load double, ptr %115, align 8
-  %117 = getelementptr inbounds i64, ptr %14, i64 %109
-  %118 = load i64, ptr %117, align 8
-  %119 = icmp slt i64 %114, 0
-  %120 = fcmp ogt double %116, 0.000000e+00
-  %121 = and i1 %119, %120
-  %122 = icmp sgt i64 %118, -1
-  %123 = and i1 %121, %122
-  br i1 %123, label %131, label %124
+106:                                              ; preds = %100, %141
+  %107 = phi i64 [ %143, %141 ], [ 0, %100 ]
+  %108 = phi double [ %142, %141 ], [ 2.000000e+00, %100 ]
+  %109 = getelementptr inbounds i64, ptr %20, i64 %107
+  store i64 0, ptr %109, align 8
+  %110 = getelementptr inbounds i64, ptr %18, i64 %107
+  %111 = load i64, ptr %110, align 8
+  %112 = getelementptr inbounds double, ptr %16, i64 %107
+  %113 = load double, ptr %112, align 8
+  %114 = getelementptr inbounds i64, ptr %14, i64 %107
+  %115 = load i64, ptr %114, align 8
+  %116 = icmp slt i64 %111, 0
+  %117 = fcmp ogt double %113, 0.000000e+00
+  %118 = and i1 %116, %117
+  %119 = icmp sgt i64 %115, -1
+  %120 = and i1 %118, %119
+  br i1 %120, label %128, label %121
 
-124:                                              ; preds = %108
-  %125 = icmp sgt i64 %114, 0
-  %126 = fcmp olt double %116, 0.000000e+00
-  %127 = and i1 %125, %126
-  br i1 %127, label %128, label %131
+121:                                              ; preds = %106
+  %122 = icmp sgt i64 %111, 0
+  %123 = fcmp olt double %113, 0.000000e+00
+  %124 = and i1 %122, %123
+  br i1 %124, label %125, label %128
 
-128:                                              ; preds = %124
-  %129 = icmp slt i64 %118, 1
-  %130 = zext i1 %129 to i32
-  br label %131
+125:                                              ; preds = %121
+  %126 = icmp slt i64 %115, 1
+  %127 = zext i1 %126 to i32
+  br label %128
 
-131:                                              ; preds = %108, %124, %128
-  %132 = phi i32 [ 1, %108 ], [ 0, %124 ], [ %130, %128 ]
-  %133 = icmp eq i32 %132, 0
-  br i1 %133, label %134, label %138
+128:                                              ; preds = %106, %121, %125
+  %129 = phi i32 [ 1, %106 ], [ 0, %121 ], [ %127, %125 ]
+  %130 = icmp eq i32 %129, 0
+  br i1 %130, label %131, label %135
 
-134:                                              ; preds = %131
-  %135 = icmp eq i64 %114, 0
-  %136 = fcmp ord double %116, 0.000000e+00
-  %137 = or i1 %135, %136
-  br i1 %137, label %158, label %138
+131:                                              ; preds = %128
+  %132 = icmp eq i64 %111, 0
+  %133 = fcmp ord double %113, 0.000000e+00
+  %134 = or i1 %132, %133
+  br i1 %134, label %141, label %135
 
-138:                                              ; preds = %134, %131
-  %139 = call fastcc double @locate(ptr noundef nonnull %0, ptr noundef nonnull %4, double noundef %1, double noundef %2, double noundef %102, double noundef %64, i64 noundef %109) #7
-  %140 = fcmp ole double %139, %102
-  %141 = zext i1 %140 to i64
-  store i64 %141, ptr %112, align 8
-  %142 = fcmp uge double %139, %111
-  %143 = select i1 %142, i32 %110, i32 0
-  %144 = fcmp ugt double %139, %111
-  br i1 %144, label %155, label %145
+135:                                              ; preds = %131, %128
+  %136 = call fastcc double @locate(ptr noundef nonnull %0, ptr noundef nonnull %4, double noundef %1, double noundef %2, double noundef %101, double noundef %63, i64 noundef %107) #7
+  %137 = fcmp ole double %136, %101
+  %138 = zext i1 %137 to i64
+  store i64 %138, ptr %109, align 8
+  %139 = fcmp olt double %136, %108
+  %140 = select i1 %139, double %136, double %108
+  br label %141
 
-145:                                              ; preds = %138
-  %146 = icmp eq i32 %143, 0
-  br i1 %146, label %147, label %152
+141:                                              ; preds = %131, %135
+  %142 = phi double [ %140, %135 ], [ %108, %131 ]
+  %143 = add nuw nsw i64 %107, 1
+  %144 = icmp eq i64 %143, %12
+  br i1 %144, label %103, label %106, !llvm.loop !6
 
-147:                                              ; preds = %145
-  %148 = load ptr, ptr %37, align 8
-  %149 = getelementptr inbounds i64, ptr %148, i64 %109
-  %150 = load i64, ptr %149, align 8
-  %151 = icmp eq i64 %150, 1
-  br label %152
+145:                                              ; preds = %103
+  %146 = load ptr, ptr %27, align 8
+  %147 = load ptr, ptr %28, align 8
+  %148 = insertelement <8 x double> poison, double %104, i64 0
+  %149 = shufflevector <8 x double> %148, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %149, ptr %147, align 8
+  %150 = load ptr, ptr %8, align 8
+  %151 = load ptr, ptr %29, align 8
+  %152 = load i64, ptr %30, align 8
+  %153 = load ptr, ptr %0, align 8
+  %154 = getelementptr inbounds i8, ptr %153, i64 24
+  %155 = load i64, ptr %154, align 8
+  %156 = load ptr, ptr %28, align 8
+  %157 = load ptr, ptr %6, align 8
+  %158 = getelementptr inbounds i8, ptr %157, i64 16
+  %159 = load i64, ptr %158, align 8
+  tail call fastcc void @nested(ptr noundef %146, ptr noundef %150, ptr noundef %151, i64 noundef %152, i64 noundef %155, ptr noundef %156, i64 noundef %159) #7
+  %160 = fmul double %104, %2
+  %161 = fadd double %160, %1
+  %162 = load ptr, ptr %31, align 8
+  store double %161, ptr %162, align 8
+  %163 = load i64, ptr %32, align 8
+  %164 = icmp sgt i64 %163, 0
+  br i1 %164, label %165, label %166
 
-152:                                              ; preds = %147, %145
-  %153 = phi i1 [ true, %145 ], [ %151, %147 ]
-  %154 = zext i1 %153 to i32
-  br label %155
-
-155:                                              ; preds = %152, %138
-  %156 = phi i32 [ %154, %152 ], [ %143, %138 ]
-  %157 = select i1 %142, double %111, double %139
-  br label %158
-
-158:                                              ; preds = %134, %155
-  %159 = phi double [ %157, %155 ], [ %111, %134 ]
-  %160 = phi i32 [ %156, %155 ], [ %110, %134 ]
-  %161 = add nuw nsw i64 %109, 1
-  %162 = icmp eq i64 %161, %12
-  br i1 %162, label %104, label %108, !llvm.loop !6
-
-163:                                              ; preds = %104
-  %164 = load ptr, ptr %27, align 8
-  %165 = load ptr, ptr %28, align 8
-  %166 = insertelement <8 x double> poison, double %105, i64 0
-  %167 = shufflevector <8 x double> %166, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %167, ptr %165, align 8
-  %168 = load ptr, ptr %8, align 8
-  %169 = load ptr, ptr %29, align 8
-  %170 = load i64, ptr %30, align 8
-  %171 = load ptr, ptr %0, align 8
-  %172 = getelementptr inbounds i8, ptr %171, i64 24
-  %173 = load i64, ptr %172, align 8
-  %174 = load ptr, ptr %28, align 8
-  %175 = load ptr, ptr %6, align 8
-  %176 = getelementptr inbounds i8, ptr %175, i64 16
-  %177 = load i64, ptr %176, align 8
-  tail call fastcc void @nested(ptr noundef %164, ptr noundef %168, ptr noundef %169, i64 noundef %170, i64 noundef %173, ptr noundef %174, i64 noundef %177) #7
-  %178 = fmul double %105, %2
-  %179 = fadd double %178, %1
-  %180 = load ptr, ptr %31, align 8
-  store double %179, ptr %180, align 8
-  %181 = load i64, ptr %32, align 8
-  %182 = icmp sgt i64 %181, 0
-  br i1 %182, label %183, label %184
-
-183:                                              ; preds = %163
+165:                                              ; preds = %145
   tail call fastcc void @sample(ptr noundef nonnull %6) #7
-  br label %184
+  br label %166
 
-184:                                              ; preds = %163, %183
-  %185 = load ptr, ptr %9, align 8
-  %186 = load i64, ptr %185, align 8
-  %187 = load ptr, ptr %33, align 8
-  %188 = load ptr, ptr %27, align 8
-  %189 = load ptr, ptr %34, align 8
-  %190 = load ptr, ptr %35, align 8
-  %191 = load ptr, ptr %15, align 8
-  %192 = getelementptr inbounds i8, ptr %185, i64 8
-  %193 = load i64, ptr %192, align 8
-  %194 = getelementptr inbounds double, ptr %191, i64 %193
-  %195 = inttoptr i64 %186 to ptr
-  %196 = tail call i32 %195(ptr noundef %187, ptr noundef %188, ptr noundef %189, ptr noundef %190, ptr noundef %194) #8
-  %197 = icmp slt i32 %196, 0
-  br i1 %197, label %201, label %198
+166:                                              ; preds = %145, %165
+  %167 = load ptr, ptr %9, align 8
+  %168 = load i64, ptr %167, align 8
+  %169 = load ptr, ptr %33, align 8
+  %170 = load ptr, ptr %27, align 8
+  %171 = load ptr, ptr %34, align 8
+  %172 = load ptr, ptr %35, align 8
+  %173 = load ptr, ptr %15, align 8
+  %174 = getelementptr inbounds i8, ptr %167, i64 8
+  %175 = load i64, ptr %174, align 8
+  %176 = getelementptr inbounds double, ptr %173, i64 %175
+  %177 = inttoptr i64 %168 to ptr
+  %178 = tail call i32 %177(ptr noundef %169, ptr noundef %170, ptr noundef %171, ptr noundef %172, ptr noundef %176) #8
+  %179 = icmp slt i32 %178, 0
+  br i1 %179, label %181, label %180
 
-198:                                              ; preds = %184
-  %199 = icmp ne i32 %106, 0
-  %200 = select i1 %38, i1 true, i1 %199
-  br i1 %200, label %299, label %206
+180:                                              ; preds = %166
+  br i1 %37, label %186, label %282
 
-201:                                              ; preds = %184
-  %202 = load ptr, ptr %22, align 8
-  %203 = getelementptr inbounds i8, ptr %202, i64 80
-  store i64 %25, ptr %203, align 8
-  %204 = load ptr, ptr %21, align 8
-  %205 = getelementptr inbounds i8, ptr %204, i64 48
-  store double 1.000000e+00, ptr %205, align 8
-  br label %461
+181:                                              ; preds = %166
+  %182 = load ptr, ptr %22, align 8
+  %183 = getelementptr inbounds i8, ptr %182, i64 80
+  store i64 %25, ptr %183, align 8
+  %184 = load ptr, ptr %21, align 8
+  %185 = getelementptr inbounds i8, ptr %184, i64 48
+  store double 1.000000e+00, ptr %185, align 8
+  br label %453
 
-206:                                              ; preds = %198, %293
-  %207 = phi i1 [ %298, %293 ], [ %200, %198 ]
-  %208 = phi i64 [ %295, %293 ], [ %103, %198 ]
-  %209 = phi i64 [ %296, %293 ], [ 0, %198 ]
-  %210 = phi double [ %294, %293 ], [ %105, %198 ]
-  %211 = getelementptr inbounds i64, ptr %18, i64 %209
-  %212 = load i64, ptr %211, align 8
-  %213 = getelementptr double, ptr %39, i64 %209
+186:                                              ; preds = %180, %276
+  %187 = phi i1 [ %280, %276 ], [ %37, %180 ]
+  %188 = phi i64 [ %278, %276 ], [ %102, %180 ]
+  %189 = phi i64 [ %279, %276 ], [ 0, %180 ]
+  %190 = phi double [ %277, %276 ], [ %104, %180 ]
+  %191 = getelementptr inbounds i64, ptr %18, i64 %189
+  %192 = load i64, ptr %191, align 8
+  %193 = getelementptr double, ptr %38, i64 %189
+  %194 = load double, ptr %193, align 8
+  %195 = getelementptr inbounds i64, ptr %14, i64 %189
+  %196 = load i64, ptr %195, align 8
+  %197 = icmp slt i64 %192, 0
+  %198 = fcmp ogt double %194, 0.000000e+00
+  %199 = and i1 %197, %198
+  %200 = icmp sgt i64 %196, -1
+  %201 = and i1 %199, %200
+  br i1 %201, label %209, label %202
+
+202:                                              ; preds = %186
+  %203 = icmp sgt i64 %192, 0
+  %204 = fcmp olt double %194, 0.000000e+00
+  %205 = and i1 %203, %204
+  br i1 %205, label %206, label %209
+
+206:                                              ; preds = %202
+  %207 = icmp slt i64 %196, 1
+  %208 = zext i1 %207 to i32
+  br label %209
+
+209:                                              ; preds = %186, %202, %206
+  %210 = phi i32 [ 1, %186 ], [ 0, %202 ], [ %208, %206 ]
+  %211 = icmp eq i32 %210, 0
+  br i1 %211, label %276, label %212
+
+212:                                              ; preds = %209
+  %213 = getelementptr inbounds double, ptr %16, i64 %189
   %214 = load double, ptr %213, align 8
-  %215 = getelementptr inbounds i64, ptr %14, i64 %209
-  %216 = load i64, ptr %215, align 8
-  %217 = icmp slt i64 %212, 0
-  %218 = fcmp ogt double %214, 0.000000e+00
-  %219 = and i1 %217, %218
-  %220 = icmp sgt i64 %216, -1
+  %215 = fcmp ogt double %214, 0.000000e+00
+  %216 = and i1 %197, %215
+  %217 = and i1 %200, %216
+  br i1 %217, label %225, label %218
+
+218:                                              ; preds = %212
+  %219 = icmp sgt i64 %192, 0
+  %220 = fcmp olt double %214, 0.000000e+00
   %221 = and i1 %219, %220
-  br i1 %221, label %229, label %222
+  br i1 %221, label %222, label %225
 
-222:                                              ; preds = %206
-  %223 = icmp sgt i64 %212, 0
-  %224 = fcmp olt double %214, 0.000000e+00
-  %225 = and i1 %223, %224
-  br i1 %225, label %226, label %229
+222:                                              ; preds = %218
+  %223 = icmp slt i64 %196, 1
+  %224 = zext i1 %223 to i32
+  br label %225
 
-226:                                              ; preds = %222
-  %227 = icmp slt i64 %216, 1
-  %228 = zext i1 %227 to i32
-  br label %229
+225:                                              ; preds = %212, %218, %222
+  %226 = phi i32 [ 1, %212 ], [ 0, %218 ], [ %224, %222 ]
+  %227 = icmp eq i32 %226, 0
+  br i1 %227, label %228, label %276
 
-229:                                              ; preds = %206, %222, %226
-  %230 = phi i32 [ 1, %206 ], [ 0, %222 ], [ %228, %226 ]
-  %231 = icmp eq i32 %230, 0
-  br i1 %231, label %293, label %232
+228:                                              ; preds = %225
+  %229 = call fastcc double @locate(ptr noundef nonnull %0, ptr noundef nonnull %4, double noundef %1, double noundef %2, double noundef %101, double noundef %190, i64 noundef %189) #7
+  %230 = fcmp ogt double %229, %101
+  br i1 %230, label %231, label %233
 
-232:                                              ; preds = %229
-  %233 = getelementptr inbounds double, ptr %16, i64 %209
-  %234 = load double, ptr %233, align 8
-  %235 = fcmp ogt double %234, 0.000000e+00
-  %236 = and i1 %217, %235
-  %237 = and i1 %220, %236
-  br i1 %237, label %245, label %238
+231:                                              ; preds = %228
+  %232 = getelementptr inbounds i64, ptr %20, i64 %189
+  store i64 2, ptr %232, align 8
+  br label %233
 
-238:                                              ; preds = %232
-  %239 = icmp sgt i64 %212, 0
-  %240 = fcmp olt double %234, 0.000000e+00
-  %241 = and i1 %239, %240
-  br i1 %241, label %242, label %245
+233:                                              ; preds = %231, %228
+  %234 = phi double [ %229, %231 ], [ %190, %228 ]
+  %235 = load ptr, ptr %27, align 8
+  %236 = load ptr, ptr %28, align 8
+  %237 = insertelement <8 x double> poison, double %234, i64 0
+  %238 = shufflevector <8 x double> %237, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %238, ptr %236, align 8
+  %239 = load ptr, ptr %8, align 8
+  %240 = load ptr, ptr %29, align 8
+  %241 = load i64, ptr %30, align 8
+  %242 = load ptr, ptr %0, align 8
+  %243 = getelementptr inbounds i8, ptr %242, i64 24
+  %244 = load i64, ptr %243, align 8
+  %245 = load ptr, ptr %28, align 8
+  %246 = load ptr, ptr %6, align 8
+  %247 = getelementptr inbounds i8, ptr %246, i64 16
+  %248 = load i64, ptr %247, align 8
+  tail call fastcc void @nested(ptr noundef %235, ptr noundef %239, ptr noundef %240, i64 noundef %241, i64 noundef %244, ptr noundef %245, i64 noundef %248) #7
+  %249 = fmul double %234, %2
+  %250 = fadd double %249, %1
+  %251 = load ptr, ptr %31, align 8
+  store double %250, ptr %251, align 8
+  %252 = load i64, ptr %32, align 8
+  %253 = icmp sgt i64 %252, 0
+  br i1 %253, label %254, label %255
 
-242:                                              ; preds = %238
-  %243 = icmp slt i64 %216, 1
-  %244 = zext i1 %243 to i32
-  br label %245
-
-245:                                              ; preds = %232, %238, %242
-  %246 = phi i32 [ 1, %232 ], [ 0, %238 ], [ %244, %242 ]
-  %247 = icmp eq i32 %246, 0
-  br i1 %247, label %248, label %293
-
-248:                                              ; preds = %245
-  %249 = call fastcc double @locate(ptr noundef nonnull %0, ptr noundef nonnull %4, double noundef %1, double noundef %2, double noundef %102, double noundef %210, i64 noundef %209) #7
-  %250 = fcmp ogt double %249, %102
-  %251 = select i1 %250, double %249, double %210
-  %252 = load ptr, ptr %27, align 8
-  %253 = load ptr, ptr %28, align 8
-  %254 = insertelement <8 x double> poison, double %251, i64 0
-  %255 = shufflevector <8 x double> %254, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %255, ptr %253, align 8
-  %256 = load ptr, ptr %8, align 8
-  %257 = load ptr, ptr %29, align 8
-  %258 = load i64, ptr %30, align 8
-  %259 = load ptr, ptr %0, align 8
-  %260 = getelementptr inbounds i8, ptr %259, i64 24
-  %261 = load i64, ptr %260, align 8
-  %262 = load ptr, ptr %28, align 8
-  %263 = load ptr, ptr %6, align 8
-  %264 = getelementptr inbounds i8, ptr %263, i64 16
-  %265 = load i64, ptr %264, align 8
-  tail call fastcc void @nested(ptr noundef %252, ptr noundef %256, ptr noundef %257, i64 noundef %258, i64 noundef %261, ptr noundef %262, i64 noundef %265) #7
-  %266 = fmul double %251, %2
-  %267 = fadd double %266, %1
-  %268 = load ptr, ptr %31, align 8
-  store double %267, ptr %268, align 8
-  %269 = load i64, ptr %32, align 8
-  %270 = icmp sgt i64 %269, 0
-  br i1 %270, label %271, label %272
-
-271:                                              ; preds = %248
+254:                                              ; preds = %233
   tail call fastcc void @sample(ptr noundef nonnull %6) #7
-  br label %272
+  br label %255
 
-272:                                              ; preds = %248, %271
-  %273 = load ptr, ptr %9, align 8
-  %274 = load i64, ptr %273, align 8
-  %275 = load ptr, ptr %33, align 8
-  %276 = load ptr, ptr %27, align 8
-  %277 = load ptr, ptr %34, align 8
-  %278 = load ptr, ptr %35, align 8
-  %279 = load ptr, ptr %15, align 8
-  %280 = getelementptr inbounds i8, ptr %273, i64 8
-  %281 = load i64, ptr %280, align 8
-  %282 = getelementptr inbounds double, ptr %279, i64 %281
-  %283 = inttoptr i64 %274 to ptr
-  %284 = tail call i32 %283(ptr noundef %275, ptr noundef %276, ptr noundef %277, ptr noundef %278, ptr noundef %282) #8
-  %285 = icmp sgt i32 %284, -1
-  br i1 %285, label %291, label %286
+255:                                              ; preds = %233, %254
+  %256 = load ptr, ptr %9, align 8
+  %257 = load i64, ptr %256, align 8
+  %258 = load ptr, ptr %33, align 8
+  %259 = load ptr, ptr %27, align 8
+  %260 = load ptr, ptr %34, align 8
+  %261 = load ptr, ptr %35, align 8
+  %262 = load ptr, ptr %15, align 8
+  %263 = getelementptr inbounds i8, ptr %256, i64 8
+  %264 = load i64, ptr %263, align 8
+  %265 = getelementptr inbounds double, ptr %262, i64 %264
+  %266 = inttoptr i64 %257 to ptr
+  %267 = tail call i32 %266(ptr noundef %258, ptr noundef %259, ptr noundef %260, ptr noundef %261, ptr noundef %265) #8
+  %268 = icmp sgt i32 %267, -1
+  br i1 %268, label %274, label %269
 
-286:                                              ; preds = %272
-  %287 = load ptr, ptr %22, align 8
-  %288 = getelementptr inbounds i8, ptr %287, i64 80
-  store i64 %25, ptr %288, align 8
-  %289 = load ptr, ptr %21, align 8
-  %290 = getelementptr inbounds i8, ptr %289, i64 48
-  store double 1.000000e+00, ptr %290, align 8
-  br label %291
+269:                                              ; preds = %255
+  %270 = load ptr, ptr %22, align 8
+  %271 = getelementptr inbounds i8, ptr %270, i64 80
+  store i64 %25, ptr %271, align 8
+  %272 = load ptr, ptr %21, align 8
+  %273 = getelementptr inbounds i8, ptr %272, i64 48
+  store double 1.000000e+00, ptr %273, align 8
+  br label %274
 
-291:                                              ; preds = %272, %286
-  %292 = phi i64 [ -4, %286 ], [ %208, %272 ]
-  br i1 %285, label %293, label %299
+274:                                              ; preds = %255, %269
+  %275 = phi i64 [ -4, %269 ], [ %188, %255 ]
+  br i1 %268, label %276, label %282
 
-293:                                              ; preds = %229, %245, %291
-  %294 = phi double [ %210, %245 ], [ %251, %291 ], [ %210, %229 ]
-  %295 = phi i64 [ %208, %245 ], [ %292, %291 ], [ %208, %229 ]
-  %296 = add nuw nsw i64 %209, 1
-  %297 = icmp sge i64 %296, %12
-  %298 = select i1 %297, i1 true, i1 %199
-  br i1 %298, label %299, label %206, !llvm.loop !7
+276:                                              ; preds = %209, %225, %274
+  %277 = phi double [ %190, %225 ], [ %234, %274 ], [ %190, %209 ]
+  %278 = phi i64 [ %188, %225 ], [ %275, %274 ], [ %188, %209 ]
+  %279 = add nuw nsw i64 %189, 1
+  %280 = icmp slt i64 %279, %12
+  %281 = icmp eq i64 %279, %12
+  br i1 %281, label %282, label %186, !llvm.loop !7
 
-299:                                              ; preds = %291, %293, %198
-  %300 = phi i1 [ %200, %198 ], [ %207, %291 ], [ %298, %293 ]
-  %301 = phi i32 [ 10, %198 ], [ 1, %291 ], [ 10, %293 ]
-  %302 = phi double [ %105, %198 ], [ %251, %291 ], [ %294, %293 ]
-  %303 = phi i64 [ %103, %198 ], [ %292, %291 ], [ %295, %293 ]
-  br i1 %300, label %304, label %461
+282:                                              ; preds = %274, %276, %180
+  %283 = phi i1 [ %37, %180 ], [ %187, %274 ], [ %280, %276 ]
+  %284 = phi i32 [ 10, %180 ], [ 1, %274 ], [ 10, %276 ]
+  %285 = phi double [ %104, %180 ], [ %234, %274 ], [ %277, %276 ]
+  %286 = phi i64 [ %102, %180 ], [ %275, %274 ], [ %278, %276 ]
+  br i1 %283, label %453, label %287
 
-304:                                              ; preds = %299
-  br i1 %40, label %315, label %307
+287:                                              ; preds = %282
+  br i1 %39, label %298, label %290
 
-305:                                              ; preds = %393
-  %306 = zext i1 %394 to i32
-  br label %307
+288:                                              ; preds = %385
+  %289 = zext i1 %386 to i32
+  br label %290
 
-307:                                              ; preds = %305, %304
-  %308 = phi i32 [ 0, %304 ], [ %306, %305 ]
-  %309 = phi i64 [ -1, %304 ], [ %384, %305 ]
-  %310 = icmp eq i32 %308, 0
-  br i1 %310, label %311, label %397
+290:                                              ; preds = %288, %287
+  %291 = phi i32 [ 0, %287 ], [ %289, %288 ]
+  %292 = phi i64 [ -1, %287 ], [ %375, %288 ]
+  %293 = icmp eq i32 %291, 0
+  br i1 %293, label %294, label %389
 
-311:                                              ; preds = %307
-  br i1 %44, label %312, label %446
+294:                                              ; preds = %290
+  br i1 %43, label %295, label %438
 
-312:                                              ; preds = %311
-  %313 = fmul double %302, %2
-  %314 = fadd double %313, %1
-  br label %398
+295:                                              ; preds = %294
+  %296 = fmul double %285, %2
+  %297 = fadd double %296, %1
+  br label %390
 
-315:                                              ; preds = %304, %393
-  %316 = phi i64 [ %395, %393 ], [ 0, %304 ]
-  %317 = phi i64 [ %384, %393 ], [ -1, %304 ]
-  %318 = phi i1 [ %394, %393 ], [ false, %304 ]
-  %319 = getelementptr double, ptr %41, i64 %316
-  %320 = load double, ptr %319, align 8
-  %321 = getelementptr inbounds i64, ptr %18, i64 %316
-  %322 = load i64, ptr %321, align 8
-  %323 = getelementptr inbounds i64, ptr %14, i64 %316
-  %324 = load i64, ptr %323, align 8
-  %325 = icmp slt i64 %322, 0
-  %326 = fcmp ogt double %320, 0.000000e+00
-  %327 = and i1 %326, %325
-  %328 = icmp sgt i64 %324, -1
-  %329 = and i1 %327, %328
-  br i1 %329, label %337, label %330
+298:                                              ; preds = %287, %385
+  %299 = phi i64 [ %387, %385 ], [ 0, %287 ]
+  %300 = phi i64 [ %375, %385 ], [ -1, %287 ]
+  %301 = phi i1 [ %386, %385 ], [ false, %287 ]
+  %302 = getelementptr double, ptr %40, i64 %299
+  %303 = load double, ptr %302, align 8
+  %304 = getelementptr inbounds i64, ptr %18, i64 %299
+  %305 = load i64, ptr %304, align 8
+  %306 = getelementptr inbounds i64, ptr %14, i64 %299
+  %307 = load i64, ptr %306, align 8
+  %308 = icmp slt i64 %305, 0
+  %309 = fcmp ogt double %303, 0.000000e+00
+  %310 = and i1 %309, %308
+  %311 = icmp sgt i64 %307, -1
+  %312 = and i1 %310, %311
+  br i1 %312, label %320, label %313
 
-330:                                              ; preds = %315
-  %331 = icmp sgt i64 %322, 0
-  %332 = fcmp olt double %320, 0.000000e+00
-  %333 = and i1 %332, %331
-  br i1 %333, label %334, label %337
+313:                                              ; preds = %298
+  %314 = icmp sgt i64 %305, 0
+  %315 = fcmp olt double %303, 0.000000e+00
+  %316 = and i1 %315, %314
+  br i1 %316, label %317, label %320
 
-334:                                              ; preds = %330
-  %335 = icmp slt i64 %324, 1
-  %336 = zext i1 %335 to i32
-  br label %337
+317:                                              ; preds = %313
+  %318 = icmp slt i64 %307, 1
+  %319 = zext i1 %318 to i32
+  br label %320
 
-337:                                              ; preds = %315, %330, %334
-  %338 = phi i32 [ 1, %315 ], [ 0, %330 ], [ %336, %334 ]
-  %339 = icmp eq i32 %338, 0
-  br i1 %339, label %340, label %365
+320:                                              ; preds = %298, %313, %317
+  %321 = phi i32 [ 1, %298 ], [ 0, %313 ], [ %319, %317 ]
+  %322 = icmp eq i32 %321, 0
+  br i1 %322, label %323, label %348
 
-340:                                              ; preds = %337
-  %341 = getelementptr inbounds double, ptr %16, i64 %316
-  %342 = load double, ptr %341, align 8
-  %343 = fcmp ogt double %342, 0.000000e+00
-  %344 = and i1 %325, %343
-  %345 = and i1 %328, %344
-  br i1 %345, label %353, label %346
+323:                                              ; preds = %320
+  %324 = getelementptr inbounds double, ptr %16, i64 %299
+  %325 = load double, ptr %324, align 8
+  %326 = fcmp ogt double %325, 0.000000e+00
+  %327 = and i1 %308, %326
+  %328 = and i1 %311, %327
+  br i1 %328, label %336, label %329
 
-346:                                              ; preds = %340
-  %347 = icmp sgt i64 %322, 0
-  %348 = fcmp olt double %342, 0.000000e+00
-  %349 = and i1 %347, %348
-  br i1 %349, label %350, label %353
+329:                                              ; preds = %323
+  %330 = icmp sgt i64 %305, 0
+  %331 = fcmp olt double %325, 0.000000e+00
+  %332 = and i1 %330, %331
+  br i1 %332, label %333, label %336
 
-350:                                              ; preds = %346
-  %351 = icmp slt i64 %324, 1
-  %352 = zext i1 %351 to i32
-  br label %353
+333:                                              ; preds = %329
+  %334 = icmp slt i64 %307, 1
+  %335 = zext i1 %334 to i32
+  br label %336
 
-353:                                              ; preds = %340, %346, %350
-  %354 = phi i32 [ 1, %340 ], [ 0, %346 ], [ %352, %350 ]
-  %355 = icmp eq i32 %354, 0
-  br i1 %355, label %365, label %356
+336:                                              ; preds = %323, %329, %333
+  %337 = phi i32 [ 1, %323 ], [ 0, %329 ], [ %335, %333 ]
+  %338 = icmp eq i32 %337, 0
+  br i1 %338, label %348, label %339
 
-356:                                              ; preds = %353
-  %357 = fcmp oeq double %320, 0.000000e+00
-  br i1 %357, label %362, label %358
+339:                                              ; preds = %336
+  %340 = fcmp oeq double %303, 0.000000e+00
+  br i1 %340, label %345, label %341
 
-358:                                              ; preds = %356
-  %359 = getelementptr inbounds i64, ptr %20, i64 %316
-  %360 = load i64, ptr %359, align 8
-  %361 = icmp eq i64 %360, 1
-  br label %362
+341:                                              ; preds = %339
+  %342 = getelementptr inbounds i64, ptr %20, i64 %299
+  %343 = load i64, ptr %342, align 8
+  %344 = icmp eq i64 %343, 1
+  br label %345
 
-362:                                              ; preds = %358, %356
-  %363 = phi i1 [ true, %356 ], [ %361, %358 ]
-  %364 = zext i1 %363 to i32
-  br label %365
+345:                                              ; preds = %341, %339
+  %346 = phi i1 [ true, %339 ], [ %344, %341 ]
+  %347 = zext i1 %346 to i32
+  br label %348
 
-365:                                              ; preds = %362, %353, %337
-  %366 = phi i32 [ 1, %337 ], [ %364, %362 ], [ 0, %353 ]
-  %367 = icmp eq i32 %366, 0
-  br i1 %367, label %368, label %383
+348:                                              ; preds = %345, %336, %320
+  %349 = phi i32 [ 1, %320 ], [ %347, %345 ], [ 0, %336 ]
+  %350 = icmp eq i32 %349, 0
+  br i1 %350, label %351, label %357
 
-368:                                              ; preds = %365
-  %369 = getelementptr inbounds double, ptr %16, i64 %316
-  %370 = load double, ptr %369, align 8
-  %371 = icmp eq i64 %322, 0
-  %372 = fcmp ord double %370, 0.000000e+00
-  %373 = or i1 %371, %372
-  br i1 %373, label %383, label %374
+351:                                              ; preds = %348
+  %352 = getelementptr inbounds i64, ptr %20, i64 %299
+  %353 = load i64, ptr %352, align 8
+  %354 = icmp eq i64 %353, 2
+  %355 = fcmp oeq double %303, 0.000000e+00
+  %356 = and i1 %355, %354
+  br label %357
 
-374:                                              ; preds = %368
-  %375 = sitofp i64 %322 to double
-  %376 = fmul double %320, %375
-  %377 = fcmp olt double %376, 0.000000e+00
-  br i1 %377, label %378, label %380
+357:                                              ; preds = %351, %348
+  %358 = phi i1 [ true, %348 ], [ %356, %351 ]
+  br i1 %358, label %374, label %359
 
-378:                                              ; preds = %374
-  %379 = sub nsw i64 0, %322
-  store i64 %379, ptr %321, align 8
-  br label %383
+359:                                              ; preds = %357
+  %360 = getelementptr inbounds double, ptr %16, i64 %299
+  %361 = load double, ptr %360, align 8
+  %362 = icmp eq i64 %305, 0
+  %363 = fcmp ord double %361, 0.000000e+00
+  %364 = or i1 %362, %363
+  br i1 %364, label %374, label %365
+
+365:                                              ; preds = %359
+  %366 = sitofp i64 %305 to double
+  %367 = fmul double %303, %366
+  %368 = fcmp olt double %367, 0.000000e+00
+  br i1 %368, label %369, label %371
+
+369:                                              ; preds = %365
+  %370 = sub nsw i64 0, %305
+  store i64 %370, ptr %304, align 8
+  br label %374
+
+371:                                              ; preds = %365
+  %372 = fcmp ueq double %303, 0.000000e+00
+  %373 = select i1 %372, i64 %299, i64 %300
+  br label %374
+
+374:                                              ; preds = %371, %369, %359, %357
+  %375 = phi i64 [ %300, %357 ], [ %300, %369 ], [ %300, %359 ], [ %373, %371 ]
+  %376 = zext i1 %358 to i64
+  %377 = getelementptr inbounds i64, ptr %20, i64 %299
+  store i64 %376, ptr %377, align 8
+  %378 = xor i1 %358, true
+  %379 = or i1 %301, %378
+  br i1 %379, label %385, label %380
 
 380:                                              ; preds = %374
-  %381 = fcmp ueq double %320, 0.000000e+00
-  %382 = select i1 %381, i64 %316, i64 %317
-  br label %383
+  %381 = load ptr, ptr %41, align 8
+  %382 = getelementptr inbounds i64, ptr %381, i64 %299
+  %383 = load i64, ptr %382, align 8
+  %384 = icmp eq i64 %383, 1
+  br label %385
 
-383:                                              ; preds = %380, %378, %368, %365
-  %384 = phi i64 [ %317, %365 ], [ %317, %378 ], [ %317, %368 ], [ %382, %380 ]
-  %385 = zext nneg i32 %366 to i64
-  %386 = getelementptr inbounds i64, ptr %20, i64 %316
-  store i64 %385, ptr %386, align 8
-  %387 = or i1 %318, %367
-  br i1 %387, label %393, label %388
+385:                                              ; preds = %374, %380
+  %386 = phi i1 [ %301, %374 ], [ %384, %380 ]
+  %387 = add nuw nsw i64 %299, 1
+  %388 = icmp eq i64 %387, %12
+  br i1 %388, label %288, label %298, !llvm.loop !8
 
-388:                                              ; preds = %383
-  %389 = load ptr, ptr %42, align 8
-  %390 = getelementptr inbounds i64, ptr %389, i64 %316
-  %391 = load i64, ptr %390, align 8
-  %392 = icmp eq i64 %391, 1
-  br label %393
+389:                                              ; preds = %290
+  store double %285, ptr %42, align 8
+  br label %453
 
-393:                                              ; preds = %383, %388
-  %394 = phi i1 [ %318, %383 ], [ %392, %388 ]
-  %395 = add nuw nsw i64 %316, 1
-  %396 = icmp eq i64 %395, %12
-  br i1 %396, label %305, label %315, !llvm.loop !8
+390:                                              ; preds = %295, %434
+  %391 = phi i1 [ %43, %295 ], [ %436, %434 ]
+  %392 = phi i64 [ 0, %295 ], [ %435, %434 ]
+  %393 = getelementptr inbounds i64, ptr %20, i64 %392
+  %394 = load i64, ptr %393, align 8
+  %395 = icmp eq i64 %394, 0
+  br i1 %395, label %434, label %396
 
-397:                                              ; preds = %307
-  store double %302, ptr %43, align 8
-  br label %461
-
-398:                                              ; preds = %312, %442
-  %399 = phi i1 [ %44, %312 ], [ %444, %442 ]
-  %400 = phi i64 [ 0, %312 ], [ %443, %442 ]
-  %401 = getelementptr inbounds i64, ptr %20, i64 %400
+396:                                              ; preds = %390
+  %397 = load ptr, ptr %22, align 8
+  %398 = getelementptr inbounds i8, ptr %397, i64 80
+  %399 = load i64, ptr %398, align 8
+  %400 = load ptr, ptr %6, align 8
+  %401 = getelementptr inbounds i8, ptr %400, i64 8
   %402 = load i64, ptr %401, align 8
-  %403 = icmp eq i64 %402, 0
-  br i1 %403, label %442, label %404
+  %403 = load i64, ptr %45, align 8
+  %404 = icmp eq i64 %403, 0
+  br i1 %404, label %430, label %405
 
-404:                                              ; preds = %398
-  %405 = load ptr, ptr %22, align 8
-  %406 = getelementptr inbounds i8, ptr %405, i64 80
-  %407 = load i64, ptr %406, align 8
-  %408 = load ptr, ptr %6, align 8
-  %409 = getelementptr inbounds i8, ptr %408, i64 8
-  %410 = load i64, ptr %409, align 8
-  %411 = load i64, ptr %46, align 8
-  %412 = icmp eq i64 %411, 0
-  br i1 %412, label %438, label %413
+405:                                              ; preds = %396
+  %406 = icmp eq i64 %399, %403
+  br i1 %406, label %429, label %407
 
-413:                                              ; preds = %404
-  %414 = icmp eq i64 %407, %411
-  br i1 %414, label %437, label %415
+407:                                              ; preds = %405
+  %408 = load ptr, ptr %44, align 8
+  %409 = getelementptr inbounds double, ptr %408, i64 %399
+  store double %297, ptr %409, align 8
+  %410 = load ptr, ptr %46, align 8
+  %411 = getelementptr inbounds i64, ptr %410, i64 %399
+  store i64 %392, ptr %411, align 8
+  %412 = icmp sgt i64 %402, 0
+  br i1 %412, label %417, label %413
 
-415:                                              ; preds = %413
-  %416 = load ptr, ptr %45, align 8
-  %417 = getelementptr inbounds double, ptr %416, i64 %407
-  store double %314, ptr %417, align 8
-  %418 = load ptr, ptr %47, align 8
-  %419 = getelementptr inbounds i64, ptr %418, i64 %407
-  store i64 %400, ptr %419, align 8
-  %420 = icmp sgt i64 %410, 0
-  br i1 %420, label %425, label %421
+413:                                              ; preds = %417, %407
+  %414 = add nsw i64 %399, 1
+  %415 = load ptr, ptr %22, align 8
+  %416 = getelementptr inbounds i8, ptr %415, i64 80
+  store i64 %414, ptr %416, align 8
+  br label %430
 
-421:                                              ; preds = %425, %415
-  %422 = add nsw i64 %407, 1
-  %423 = load ptr, ptr %22, align 8
-  %424 = getelementptr inbounds i8, ptr %423, i64 80
-  store i64 %422, ptr %424, align 8
+417:                                              ; preds = %407, %417
+  %418 = phi i64 [ %427, %417 ], [ 0, %407 ]
+  %419 = load ptr, ptr %27, align 8
+  %420 = getelementptr inbounds double, ptr %419, i64 %418
+  %421 = load double, ptr %420, align 8
+  %422 = load ptr, ptr %47, align 8
+  %423 = load i64, ptr %48, align 8
+  %424 = mul nsw i64 %423, %399
+  %425 = getelementptr double, ptr %422, i64 %424
+  %426 = getelementptr double, ptr %425, i64 %418
+  store double %421, ptr %426, align 8
+  %427 = add nuw nsw i64 %418, 1
+  %428 = icmp eq i64 %427, %402
+  br i1 %428, label %413, label %417, !llvm.loop !9
+
+429:                                              ; preds = %405
+  store double %285, ptr %49, align 8
   br label %438
 
-425:                                              ; preds = %415, %425
-  %426 = phi i64 [ %435, %425 ], [ 0, %415 ]
-  %427 = load ptr, ptr %27, align 8
-  %428 = getelementptr inbounds double, ptr %427, i64 %426
-  %429 = load double, ptr %428, align 8
-  %430 = load ptr, ptr %48, align 8
-  %431 = load i64, ptr %49, align 8
-  %432 = mul nsw i64 %431, %407
-  %433 = getelementptr double, ptr %430, i64 %432
-  %434 = getelementptr double, ptr %433, i64 %426
-  store double %429, ptr %434, align 8
-  %435 = add nuw nsw i64 %426, 1
-  %436 = icmp eq i64 %435, %410
-  br i1 %436, label %421, label %425, !llvm.loop !9
+430:                                              ; preds = %413, %396
+  %431 = getelementptr inbounds i64, ptr %18, i64 %392
+  %432 = load i64, ptr %431, align 8
+  %433 = sub nsw i64 0, %432
+  store i64 %433, ptr %431, align 8
+  br label %434
 
-437:                                              ; preds = %413
-  store double %302, ptr %50, align 8
-  br label %446
+434:                                              ; preds = %390, %430
+  %435 = add nuw nsw i64 %392, 1
+  %436 = icmp slt i64 %435, %12
+  %437 = icmp eq i64 %435, %12
+  br i1 %437, label %438, label %390, !llvm.loop !10
 
-438:                                              ; preds = %421, %404
-  %439 = getelementptr inbounds i64, ptr %18, i64 %400
-  %440 = load i64, ptr %439, align 8
-  %441 = sub nsw i64 0, %440
-  store i64 %441, ptr %439, align 8
-  br label %442
+438:                                              ; preds = %434, %294, %429
+  %439 = phi i1 [ %391, %429 ], [ %43, %294 ], [ %436, %434 ]
+  %440 = phi i32 [ 1, %429 ], [ 16, %294 ], [ 16, %434 ]
+  %441 = phi i64 [ -3, %429 ], [ %286, %294 ], [ %286, %434 ]
+  br i1 %439, label %453, label %442
 
-442:                                              ; preds = %398, %438
-  %443 = add nuw nsw i64 %400, 1
-  %444 = icmp slt i64 %443, %12
-  %445 = icmp eq i64 %443, %12
-  br i1 %445, label %446, label %398, !llvm.loop !10
+442:                                              ; preds = %438
+  %443 = icmp sgt i64 %292, -1
+  br i1 %443, label %444, label %453
 
-446:                                              ; preds = %442, %311, %437
-  %447 = phi i1 [ %399, %437 ], [ %44, %311 ], [ %444, %442 ]
-  %448 = phi i32 [ 1, %437 ], [ 16, %311 ], [ 16, %442 ]
-  %449 = phi i64 [ -3, %437 ], [ %303, %311 ], [ %303, %442 ]
-  br i1 %447, label %461, label %450
+444:                                              ; preds = %442
+  br i1 %50, label %446, label %445
 
-450:                                              ; preds = %446
-  %451 = icmp sgt i64 %309, -1
-  br i1 %451, label %452, label %461
+445:                                              ; preds = %446, %444
+  store double %285, ptr %51, align 8
+  br label %453
 
-452:                                              ; preds = %450
-  br i1 %51, label %454, label %453
+446:                                              ; preds = %444, %446
+  %447 = phi i64 [ %451, %446 ], [ 0, %444 ]
+  %448 = icmp eq i64 %447, %292
+  %449 = zext i1 %448 to i64
+  %450 = getelementptr inbounds i64, ptr %20, i64 %447
+  store i64 %449, ptr %450, align 8
+  %451 = add nuw nsw i64 %447, 1
+  %452 = icmp eq i64 %451, %12
+  br i1 %452, label %445, label %446, !llvm.loop !11
 
-453:                                              ; preds = %454, %452
-  store double %302, ptr %52, align 8
-  br label %461
-
-454:                                              ; preds = %452, %454
-  %455 = phi i64 [ %459, %454 ], [ 0, %452 ]
-  %456 = icmp eq i64 %455, %309
-  %457 = zext i1 %456 to i64
-  %458 = getelementptr inbounds i64, ptr %20, i64 %455
-  store i64 %457, ptr %458, align 8
-  %459 = add nuw nsw i64 %455, 1
-  %460 = icmp eq i64 %459, %12
-  br i1 %460, label %453, label %454, !llvm.loop !11
-
-461:                                              ; preds = %397, %453, %446, %450, %104, %299, %201
-  %462 = phi i32 [ 1, %201 ], [ %301, %299 ], [ 5, %104 ], [ 1, %397 ], [ 1, %453 ], [ %448, %446 ], [ 0, %450 ]
-  %463 = phi double [ %102, %201 ], [ %102, %299 ], [ %102, %104 ], [ %102, %397 ], [ %102, %453 ], [ %102, %446 ], [ %302, %450 ]
-  %464 = phi i64 [ -4, %201 ], [ %303, %299 ], [ %103, %104 ], [ -2, %397 ], [ 21, %453 ], [ %449, %446 ], [ %449, %450 ]
-  switch i32 %462, label %479 [
-    i32 0, label %101
-    i32 5, label %465
+453:                                              ; preds = %389, %445, %438, %442, %103, %282, %181
+  %454 = phi i32 [ 1, %181 ], [ %284, %282 ], [ 5, %103 ], [ 1, %389 ], [ 1, %445 ], [ %440, %438 ], [ 0, %442 ]
+  %455 = phi double [ %101, %181 ], [ %101, %282 ], [ %101, %103 ], [ %101, %389 ], [ %101, %445 ], [ %101, %438 ], [ %285, %442 ]
+  %456 = phi i64 [ -4, %181 ], [ %286, %282 ], [ %102, %103 ], [ -2, %389 ], [ 21, %445 ], [ %441, %438 ], [ %441, %442 ]
+  switch i32 %454, label %471 [
+    i32 0, label %100
+    i32 5, label %457
   ], !llvm.loop !12
 
-465:                                              ; preds = %461
-  br i1 %53, label %466, label %479
+457:                                              ; preds = %453
+  br i1 %52, label %458, label %471
 
-466:                                              ; preds = %465, %476
-  %467 = phi i64 [ %477, %476 ], [ 0, %465 ]
-  %468 = getelementptr inbounds double, ptr %16, i64 %467
-  %469 = load double, ptr %468, align 8
-  %470 = fcmp ogt double %469, 0.000000e+00
-  br i1 %470, label %473, label %471
+458:                                              ; preds = %457, %468
+  %459 = phi i64 [ %469, %468 ], [ 0, %457 ]
+  %460 = getelementptr inbounds double, ptr %16, i64 %459
+  %461 = load double, ptr %460, align 8
+  %462 = fcmp ogt double %461, 0.000000e+00
+  br i1 %462, label %465, label %463
 
-471:                                              ; preds = %466
-  %472 = fcmp olt double %469, 0.000000e+00
-  br i1 %472, label %473, label %476
+463:                                              ; preds = %458
+  %464 = fcmp olt double %461, 0.000000e+00
+  br i1 %464, label %465, label %468
 
-473:                                              ; preds = %471, %466
-  %474 = phi i64 [ 1, %466 ], [ -1, %471 ]
-  %475 = getelementptr inbounds i64, ptr %18, i64 %467
-  store i64 %474, ptr %475, align 8
-  br label %476
+465:                                              ; preds = %463, %458
+  %466 = phi i64 [ 1, %458 ], [ -1, %463 ]
+  %467 = getelementptr inbounds i64, ptr %18, i64 %459
+  store i64 %466, ptr %467, align 8
+  br label %468
 
-476:                                              ; preds = %473, %471
-  %477 = add nuw nsw i64 %467, 1
-  %478 = icmp eq i64 %477, %12
-  br i1 %478, label %479, label %466, !llvm.loop !13
+468:                                              ; preds = %465, %463
+  %469 = add nuw nsw i64 %459, 1
+  %470 = icmp eq i64 %469, %12
+  br i1 %470, label %471, label %458, !llvm.loop !13
 
-479:                                              ; preds = %461, %476, %465, %96
-  %480 = phi i32 [ 1, %96 ], [ 0, %465 ], [ 0, %476 ], [ %462, %461 ]
-  %481 = phi double [ %61, %96 ], [ %64, %465 ], [ %64, %476 ], [ %463, %461 ]
-  %482 = phi i64 [ -4, %96 ], [ %464, %465 ], [ %464, %476 ], [ %464, %461 ]
-  %483 = icmp eq i32 %480, 0
-  br i1 %483, label %54, label %484
+471:                                              ; preds = %453, %468, %457, %95
+  %472 = phi i32 [ 1, %95 ], [ 0, %457 ], [ 0, %468 ], [ %454, %453 ]
+  %473 = phi double [ %60, %95 ], [ %63, %457 ], [ %63, %468 ], [ %455, %453 ]
+  %474 = phi i64 [ -4, %95 ], [ %456, %457 ], [ %456, %468 ], [ %456, %453 ]
+  %475 = icmp eq i32 %472, 0
+  br i1 %475, label %53, label %476
 
-484:                                              ; preds = %54, %479
-  %485 = phi i1 [ %56, %54 ], [ %59, %479 ]
-  br i1 %485, label %486, label %488
+476:                                              ; preds = %53, %471
+  %477 = phi i1 [ %55, %53 ], [ %58, %471 ]
+  br i1 %477, label %478, label %480
 
-486:                                              ; preds = %484
-  %487 = getelementptr inbounds i8, ptr %26, i64 48
-  store double 1.000000e+00, ptr %487, align 8
-  br label %488
+478:                                              ; preds = %476
+  %479 = getelementptr inbounds i8, ptr %26, i64 48
+  store double 1.000000e+00, ptr %479, align 8
+  br label %480
 
-488:                                              ; preds = %484, %486
-  %489 = phi i64 [ 0, %486 ], [ %482, %484 ]
-  ret i64 %489
+480:                                              ; preds = %476, %478
+  %481 = phi i64 [ 0, %478 ], [ %474, %476 ]
+  ret i64 %481
 }
 
 
