@@ -47,11 +47,13 @@ def test_a_system_survives_after_it_has_generated(way, generator):
     assert [str(s) for s in twin.outputs_symbols] == [str(s) for s in system.outputs_symbols]
 
 
-@pytest.mark.parametrize("way", WAYS)
+@pytest.mark.parametrize("way", [*WAYS, "copy"])
 def test_a_copy_is_independent(way):
     model = zoo.timed()
     system = system_of(model, times=[0.0, 0.1])
-    twin = WAYS[way](system)
+    twin = {**WAYS, "copy": copy.copy}[way](system)
+    twin.times[1] = 0.2
+    assert system.times[1] == 0.1
     twin.constants[sm.Symbol("k")] = 9.0
     twin.initial_conditions[system.states[0]] = 0.5
     assert system.constants == model.constants

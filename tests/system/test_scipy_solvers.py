@@ -76,6 +76,34 @@ def test_where_it_fails_the_error_holds_what_was_computed(system):
     assert e.value.states.shape == (2, 2)
 
 
+@pytest.mark.parametrize("solver", ["RK45", "RK23", "DOP853", "Radau", "BDF", "LSODA"])
+@pytest.mark.parametrize("until", [-1.0, 0.0])
+@pytest.mark.filterwarnings("ignore::RuntimeWarning:scipy")
+def test_derivatives_that_are_no_numbers_from_the_start_on_are_told(system, solver, until):
+    system.ode_solver = solver
+    system.specifieds = {"f0": lambda x, t: np.nan if t > until else 0.0}
+    with pytest.raises(IntegrationError, match=r"`solve_ivp` (met derivatives|could not)") as e:
+        system.integrate()
+    assert len(e.value.states) == 1
+    if until < 0.0:
+        assert "not finite at t = 0.0. The specified `f0(t)` is nan there" in str(e.value)
+
+
+@pytest.mark.parametrize("error", [ValueError, IndexError, FloatingPointError])
+def test_what_a_function_raises_after_it_was_undefined_arrives(system, error):
+    calls = []
+
+    def push(x, t):
+        calls.append(t)
+        if len(calls) > 10:
+            raise error("mine")
+        return np.nan if len(calls) > 5 else 0.0
+
+    system.ode_solver, system.specifieds = "RK45", {"f0": push}
+    with pytest.raises(error, match="mine"):
+        system.integrate()
+
+
 def test_where_it_fails_at_once_the_error_holds_the_start(system):
     system.ode_solver, system.times = "RK45", [1e16, 1e16 + 2, 1e16 + 4]  # neighbours
     with pytest.raises(

@@ -171,6 +171,30 @@ def _called(solver: Any) -> Any:
     return solver
 
 
+class _Rates:
+    """Derivatives for SciPy, and where they first were not finite.
+
+    SciPy's explicit methods never end if that is where they begin; its implicit ones raise what
+    their linear algebra does.
+    """
+
+    def __init__(self, f: Callable[[float, np.ndarray], Any]) -> None:
+        self._f, self._first = f, True
+        self.called = False  # whether a call did not come back
+        self.undefined: tuple[float, np.ndarray] | None = None
+
+    def __call__(self, t: float, x: np.ndarray) -> Any:
+        self.called = True
+        found = self._f(t, x)
+        self.called = False
+        if self.undefined is None and not np.isfinite(found).all():
+            self.undefined = float(t), np.array(x, dtype=float)
+            if self._first:
+                raise FloatingPointError("the derivatives are not finite where it begins")
+        self._first = False
+        return found
+
+
 @dataclass(frozen=True)
 class SolveIvp:
     """A method of `scipy.integrate.solve_ivp` with the signature of `odeint`."""
@@ -219,17 +243,29 @@ class SolveIvp:
             states = np.tile(np.asarray(x0, dtype=float), (len(t), 1))
             return (states, info) if full_output else states
         span = (times[0], times[-1])
-        found = solve_ivp(
-            lambda t, x: f(x, t, *args),
-            span,
-            x0,
-            method=method,
-            t_eval=times,
-            **check_scipy_options(options),
-        )
+        rates = _Rates(lambda t, x: f(x, t, *args))
+        try:
+            found = solve_ivp(
+                rates, span, x0, method=method, t_eval=times, **check_scipy_options(options)
+            )
+        except (FloatingPointError, ValueError, IndexError) as error:
+            if rates.undefined is None or rates.called:  # what the user's function raises arrives
+                raise
+            at, x = rates.undefined
+            raise IntegrationError(
+                f"`solve_ivp` met derivatives that are not finite at t = {at!r}. "
+                f"{OUTCOMES[NOT_FINITE].remedy}",
+                times[:1].copy(),
+                np.array(x0, dtype=float)[None],
+                at,
+                x,
+                {"method": method.__name__, "code": NOT_FINITE, "reached": 1},
+            ) from error
         if not len(found.t):  # it failed at once, and left out the start
             found.t, found.y = times[:1], np.array(x0, dtype=float)[:, None]
         states = found.y.T
+        if not np.isfinite(states[0]).all():  # LSODA's interpolant of a step that is NaN
+            states[0] = x0
         # A step, or one that was rejected, takes a whole number of evaluations.
         steps = found.nfev // getattr(method, "n_stages", 1)
         info = {"nfev": found.nfev, "njev": found.njev, "nlu": found.nlu, "steps": steps}

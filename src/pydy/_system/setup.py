@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, MutableMapping, Sequence
+from copy import copy
 from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any, Literal, Self
 
 import numpy as np
 import scipy
@@ -156,6 +157,14 @@ class Setup:
         self.ode_solver = ode_solver
         self.initial_conditions = initial_conditions
         self.times = times
+
+    def __copy__(self) -> Self:
+        twin = object.__new__(type(self))
+        kinds = (dict, list, set, np.ndarray, Definer)  # what may change in place
+        vars(twin).update(
+            (k, copy(v) if isinstance(v, kinds) else v) for k, v in vars(self).items()
+        )
+        return twin
 
     def __repr__(self) -> str:
         lines = self._facts()
