@@ -72,6 +72,9 @@ def test_a_constant_that_cancelled_is_called_that():
     kane, inertia = without_turning()
     with pytest.raises(ValueError, match=r"has the key `I`.*hold `I`, but it cancels"):
         System(kane, constants={inertia: 2.0})
+    with pytest.raises(ValueError, match="or name it in `constants_symbols`, if a reaction"):
+        System(kane, constants={inertia: 2.0})
+    assert System(kane, constants={inertia: 2.0}, constants_symbols=[inertia]).constants
     with pytest.raises(
         ValueError, match=r"has the key `nothing`.*: g, l, m\. If it occurs in events"
     ):

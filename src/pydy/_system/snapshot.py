@@ -49,8 +49,8 @@ def read_numbers(definition: Definition, argument: str, values: dict[Any, Any]) 
         if gone:
             raise ValueError(
                 f"{error} The bodies or loads hold `{gone[0]}`, but it cancels: the motion does "
-                "not depend on it. Leave it out, or check the velocities and angular velocities "
-                "that were given."
+                "not depend on it. Leave it out; or name it in `constants_symbols`, if a reaction "
+                "or energy needs it; or check the velocities and angular velocities given."
             ) from None
         name = name_of(unknown[0]) if unknown else ""
         if what == "constants" and name.isidentifier() and not places.meant(unknown[0]):
