@@ -8,6 +8,7 @@ import sympy.physics.mechanics as me
 import optima
 from optima import TF, T
 from pydy.control import OptimalControl
+from pydy.errors import PyDyUserWarning
 
 
 def energy(**options):
@@ -107,3 +108,27 @@ def test_the_estimate_has_the_objectives_unit():
 def test_a_limit_on_the_path_that_is_passed_between_the_points():
     found = wall(by_path=True, method="hermite-simpson").solve(mesh_tol=1e-4)
     assert found.objective == pytest.approx(4.0, rel=1e-4)
+
+
+def singular(regular=0.0, **options):
+    """A bang, then u = x; the least is 0.37699193. G. M. Aly, Int. J. Control 28 (1978) 681–688."""
+    x, v, u = me.dynamicsymbols("x v u")
+    system = optima.first_order([x], v, u)
+    cost = sm.Integral(x**2 + v**2 + regular * u**2, T) / 2
+    bounds = {u: (-1.0, 1.0)}
+    return OptimalControl(system, cost, 5.0, start={x: 0.0, v: 1.0}, bounds=bounds, **options)
+
+
+def test_a_control_that_chatters_on_a_singular_arc_is_warned_of():
+    with pytest.warns(PyDyUserWarning, match=r"`u\(t\)` enters linearly and chatters from t = 1."):
+        found = singular(method="hermite-simpson").solve()
+    assert found.objective == pytest.approx(0.37699193, rel=1e-3)
+    # What the warning says helps.
+    singular(1e-2, method="hermite-simpson").solve()
+    assert singular().solve().objective == pytest.approx(0.37699193, rel=1e-4)
+
+
+@pytest.mark.parametrize("method", ["radau", "hermite-simpson", "midpoint"])
+def test_controls_that_jump_do_not_chatter(method):
+    speed_limit(method=method).solve()
+    fuel(method=method, mesh=7).solve()

@@ -22,12 +22,13 @@ from typing import Any
 
 import numpy as np
 
+from pydy._errors import warn_user
 from pydy._rank import or_one
 from pydy.control.ipopt import Solution
 from pydy.control.nlp import Nlp
 from pydy.control.schemes import derivatives, lagrange, radau_points
 from pydy.control.transcription import Transcription
-from pydy.control.tuning import SECANTS, STEP, TOLERANCE
+from pydy.control.tuning import JUMPS, SECANTS, STEP, TOLERANCE
 
 
 def objective_errors(made: Transcription, nlp: Nlp, solution: Solution) -> np.ndarray:
@@ -236,3 +237,63 @@ def _passed_bounds(
                 passed = sign * (row - (bound[slots][:, k] * basis).sum(axis=0))
                 found += np.maximum(nu, 0.0) * np.maximum(passed, 0.0)
     return found
+
+
+def warn_of_chatter(found: Any) -> None:
+    """Say where controls that enter linearly go back and forth from point to point.
+
+    Inside its bounds such a control makes its switching function zero; where that is so on a whole
+    arc, the arc is singular, and the equations at the points leave some of the control open. Turns
+    count by how far the control comes back after them: they are large if they add up to its size,
+    and many if more intervals have a share in them, Σ² over the sum of squares, than jumps at the
+    ends of an arc explain.
+    """
+    made, nlp, solution = found._transcription, found._nlp, found.solution
+    own, arcs = len(made.control_places), []
+    order = np.argsort(made.control_places, kind="stable")
+    times = made.control_places[order]
+    for i in _linear_controls(made):
+        at = made.sizes[0] + i * own + order
+        u, size = solution.z[at], nlp.sizes[at]
+        free = np.ones(len(at), dtype=bool)
+        for bound, side in ((nlp.lower, solution.below), (nlp.upper, solution.above)):
+            # Strict complementarity: either the multiplier or the distance is the larger one.
+            free &= np.abs(u - bound[at]) / size > side[at] * size / nlp.cost_size
+        free = np.convolve(free, np.ones(3), "same") > 0.0  # a point at a bound ends no arc
+        edges = np.flatnonzero(np.diff(np.concatenate([[0], free, [0]])))
+        largest = np.abs(u).max(initial=0.0)
+        for first, last in zip(edges[::2], edges[1::2] - 1, strict=True):
+            d = np.diff(u[first : last + 1])
+            back = np.where(d[1:] * d[:-1] < 0.0, np.minimum(abs(d[1:]), abs(d[:-1])), 0.0)
+            k = np.searchsorted(made.mesh, times[first + 1 : last], "left")
+            shares = np.bincount(k, back)
+            total = float(back.sum())
+            if total >= largest and total**2 > JUMPS * float(shares @ shares):
+                turns = f"{int((back > 0.0).sum())} of {len(back)}"
+                arcs.append((total / largest, i, times[[first, last]] * found.duration, turns))
+    if arcs:
+        worst, i, (begin, end), turns = max(arcs, key=lambda arc: arc[0])
+        more = len({arc[1] for arc in arcs}) - 1
+        change = "" if made.scheme.name == "radau" else ", or use the method 'radau'"
+        warn_user(
+            f"The control `{found.controls[i]}`{f' (as {more} more)' if more else ''} enters "
+            f"linearly and chatters from t = {begin:.4g} to {end:.4g}: it turns at {turns} points, "
+            f"back and forth by {worst:.2g} times its size. There the objective hardly depends on "
+            "it: the arc is singular, or another control decides alone. The objective may be right "
+            "even so; for a smooth control, add a small multiple of the integral of its square to "
+            f"the objective{change}."
+        )
+
+
+def _linear_controls(made: Transcription) -> list[int]:
+    """Return the controls of which no second derivative by controls is there."""
+    p = made.problem
+    if p.hessian != "exact":
+        return []
+    curved: set[int] = set()
+    for functions, points in zip((x.functions for x in made.pieces), made.points, strict=False):
+        first = len(points.slots) * p.states
+        pairs = functions.hessian_at - first
+        inside = ((pairs >= 0) & (pairs < len(p.controls))).all(axis=1)
+        curved |= set(pairs[inside].ravel().tolist())
+    return [i for i in range(len(p.controls)) if i not in curved]

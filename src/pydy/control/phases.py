@@ -15,7 +15,7 @@ from pydy._checks import check_mapping, flag, listed, shown
 from pydy._errors import AnalysisInterrupted, OptimizationError
 from pydy._optional import progress_of
 from pydy.codegen.arguments import checked_expression
-from pydy.control.accuracy import relative_errors
+from pydy.control.accuracy import relative_errors, warn_of_chatter
 from pydy.control.guess import mesh_tolerance
 from pydy.control.ipopt import SOLVED, STATUS, Iteration, Solution
 from pydy.control.kernel import Point
@@ -141,18 +141,21 @@ class Phases:
                 found = self._solved(meshes, guesses, search, watch)
                 if tolerance is None:
                     warn_where_coarse([phase.error for phase in found])
-                    return found
+                    break
                 errors = [relative_errors(phase, tolerance, found.objective) for phase in found]
                 worst = max(float(error.max()) for error in errors)
                 if worst <= tolerance:
-                    return found
+                    break
                 guesses = list(found)
                 meshes = [
                     refined(mesh, error, tolerance, problem._scheme.convergence)
                     for mesh, error, problem in zip(meshes, errors, self._problems, strict=True)
                 ]
-        intervals = sum(len(phase.mesh) - 1 for phase in found)
-        warn_of_refinements(MOST_REFINEMENTS, intervals, worst, tolerance)
+            else:
+                intervals = sum(len(phase.mesh) - 1 for phase in found)
+                warn_of_refinements(MOST_REFINEMENTS, intervals, worst, tolerance)
+        for phase in found:
+            warn_of_chatter(phase)
         return found
 
     def _solved(

@@ -27,7 +27,7 @@ from pydy._names import unique_names
 from pydy._optional import progress_of
 from pydy._rank import DIGITS, rank
 from pydy.codegen.arguments import checked_expression
-from pydy.control.accuracy import relative_errors
+from pydy.control.accuracy import relative_errors, warn_of_chatter
 from pydy.control.expressions import Reader, bends
 from pydy.control.guess import Guess, follow_constraints, mesh_tolerance, positive_time, shown_pair
 from pydy.control.ipopt import SOLVED, Iteration, Solution
@@ -596,14 +596,17 @@ class OptimalControl:
                 found = self._solved(mesh, guess, search, told)
                 if tolerance is None:
                     warn_where_coarse([found.error])
-                    return found
+                    break
                 errors = relative_errors(found, tolerance)
                 worst = float(errors.max())
                 if worst <= tolerance:
-                    return found
+                    break
                 order = self._scheme.convergence
                 mesh, guess = refined(mesh, errors, tolerance, order), found
-        warn_of_refinements(MOST_REFINEMENTS, len(found.mesh) - 1, worst, tolerance)
+            else:
+                intervals = len(found.mesh) - 1
+                warn_of_refinements(MOST_REFINEMENTS, intervals, worst, tolerance)
+        warn_of_chatter(found)
         return found
 
     def sweep(

@@ -26,6 +26,10 @@ STEP = 2.0**-13
 """The step, as a share of the control's size, that tells how its derivative bends: the root of the
 rounding, about, so that half of the digits are right."""
 
+JUMPS = 4
+"""Intervals in which a control may go back and forth for another reason than a singular arc: it
+jumps at both ends of an arc, where its polynomials overshoot in an interval and the next one."""
+
 MOST_STEPS = 64
 """Steps of order 8 in an interval, at most: where these are not enough, as with a jump of a signal
 inside, the error of the interval is large itself."""
