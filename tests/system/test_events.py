@@ -371,6 +371,25 @@ def test_the_same_event_may_be_at_its_root_right_after_a_reset(solver):
         np.testing.assert_array_equal(record.after, [0.0, 3.0])
 
 
+@pytest.mark.parametrize("solver", ALL)
+@pytest.mark.parametrize("height", [1e-4, 0.3])
+@pytest.mark.parametrize("direction", [0, -1])
+def test_a_reset_may_take_the_state_back_before_its_own_surface(solver, height, direction):
+    lifted = Event(Z, direction=direction, reset={Z: height, V: -1}, name="lifted")
+    _, info = run(ball(solver, times=[0.0, 0.46]), [lifted])
+    fall = 2 * height / (1 + np.sqrt(1 + 2 * 9.81 * height))  # from the height, at 1 m/s
+    expected = np.sqrt(2 / 9.81) + fall * np.arange(1000)
+    close(moments(info), expected[expected <= 0.46], 1e-9)
+
+
+@pytest.mark.parametrize("rounded", [0.1, 0.3 - 0.2, np.nextafter(0.1, 1.0)])
+def test_a_reset_onto_its_own_surface_but_for_rounding_is_on_it(rounded):
+    place = sm.Float(0.1)
+    _, info = run(ball(times=[0.0, 1.0]), [Event(Z - place, reset={Z: rounded, V: 3}, name="up")])
+    first = np.sqrt(1.8 / 9.81)
+    close(moments(info), [first], 1e-9)
+
+
 def test_a_reset_may_jump_over_another_event():
     events = [
         Event(Z, reset={Z: 5, V: 0}, name="lift"),

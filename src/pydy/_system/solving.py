@@ -14,6 +14,7 @@ from pydy._graph.derivative import dense_jacobian, dense_rows, directional, jaco
 from pydy._graph.lower import lower
 from pydy._graph.node import Graph
 from pydy._graph.program import Program
+from pydy._graph.rounding import rounding_bounds
 from pydy._mechanics.equations import Equations
 from pydy.solvers.events import CompiledEvents, Event
 from pydy.solvers.options import StepOptions
@@ -108,7 +109,7 @@ def compile_events(
         constant=tuple(not moves(node) for node in nodes),
         values=model.compiled_expressions("the events", (len(nodes),), expressions),
         rates=model.compiled_by(
-            ("rates of the events", *expressions),
+            ("rates and bounds of the events", *expressions),
             lambda: event_rates_program(model.assembly, expressions, simplified=False),
         ),
         resetting=resetting,
@@ -122,7 +123,8 @@ def event_rates_program(
 ) -> Program:
     """Return the Program of the events' time derivatives along the motion.
 
-    A simulation wants them at its ends and at events only: to simplify them would take longer.
+    A simulation wants them at its ends and at events only: to simplify them would take longer. It
+    wants bounds on the roundings of the expressions there, too, behind the others.
     """
     own = assembly.fork()
     graph = own.graph
@@ -131,7 +133,10 @@ def event_rates_program(
     rows = directional(graph, nodes, {**along, graph.input("t", 0): {0: graph.one}})
     totals = [row.get(0, graph.zero) for row in rows]
     blocks = [("rates", (len(totals),), totals)]
-    return own.lowered(blocks, graph) if simplified else lower(graph, own.sizes, blocks)
+    if simplified:
+        return own.lowered(blocks, graph)
+    blocks.append(("bounds", (len(nodes),), rounding_bounds(graph, nodes)))
+    return lower(graph, own.sizes, blocks)
 
 
 def compile_constraints(model: CompiledModel, definition: Definition) -> CompiledConstraints:

@@ -132,7 +132,7 @@ class CompiledEvents:
     terminal: tuple[bool, ...]
     constant: tuple[bool, ...]  # whether it depends on neither state nor time nor specifieds
     values: Kernel  # the expressions
-    rates: Kernel  # their time derivatives along the motion
+    rates: Kernel  # their time derivatives along the motion, and bounds on their roundings
     resetting: tuple[bool, ...]  # whether the states change at each
     resets: Kernel | None  # the states after each event, one below the other; None: no event resets
     sources: tuple[Event, ...] = ()  # what they were compiled from

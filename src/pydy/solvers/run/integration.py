@@ -6,7 +6,7 @@ can move; at events that change the state; and when it cannot go on.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import replace
 from time import perf_counter
 from types import MappingProxyType
@@ -361,9 +361,9 @@ class Integration:
     # -- events -----------------------------------------------------------------------------------
 
     def _take_sides(
-        self, fired: tuple[int, ...], forced: Mapping[int, float] = MappingProxyType({})
+        self, zero: Collection[int], forced: Mapping[int, float] = MappingProxyType({})
     ) -> np.ndarray:
-        """Set the sign each event has just after now; where one is zero, its rate tells.
+        """Set the sign each event has just after now; where one is `zero`, its rate tells.
 
         Returns the values now. Those in `forced` changed their sign by a jump at a time.
         """
@@ -371,11 +371,12 @@ class Integration:
         assert wanted is not None
         assert call is not None
         x, t = self.memory.x[: self.n].copy(), float(self.progress.state[at.TIME])
-        values, rates = call.evaluate(wanted.values, x, t), call.evaluate(wanted.rates, x, t)
+        values = call.evaluate(wanted.values, x, t)
+        rates = call.evaluate(wanted.rates, x, t)[: len(values)]
         for k, (value, rate) in enumerate(zip(values, rates, strict=True)):
             if k in forced:
                 value = call.evaluate(wanted.values, x, forced[k])[k]
-            if (k in fired and k not in forced) or value == 0.0:
+            if (k in zero and k not in forced) or value == 0.0:
                 value = rate
             self.watch.sides[k] = int(np.sign(value)) if np.isfinite(value) else 0
         return values
@@ -398,7 +399,8 @@ class Integration:
             return
         self._empty_log()
         x, t = self.memory.x[: self.n].copy(), float(self.progress.state[at.TIME])
-        values, rates = call.evaluate(wanted.values, x, t), call.evaluate(wanted.rates, x, t)
+        values = call.evaluate(wanted.values, x, t)
+        rates = call.evaluate(wanted.rates, x, t)[: len(values)]
         told = {r.index for r in self.records if r.time == t}
         sides, near = self.watch.sides, 2.0 * ROUNDING * abs(t)
         for k, (value, rate) in enumerate(zip(values, rates, strict=True)):
@@ -419,10 +421,15 @@ class Integration:
         fired = tuple(int(k) for k in np.flatnonzero(self.watch.fired))
         before = self.memory.x[: self.n].copy()
         moments = {k: forcing_time(call, wanted, k, before, t) for k in fired}
+        zero = set(fired)
         for k in fired:
             after, n = before, self.states
             if wanted.resetting[k] and wanted.resets is not None:
                 after = call.evaluate(wanted.resets, before, t)[k * n : (k + 1) * n]
+                was, values = (call.evaluate(wanted.values, x, t) for x in (before, after))
+                bounds = call.evaluate(wanted.rates, after, t)[len(values) :]
+                off = (values != was) & (np.abs(values) > 8.0 * ROUNDING * bounds)
+                zero.difference_update(np.flatnonzero(off).tolist())
             if not np.isfinite(after).all():
                 self._stop(RESET_NOT_FINITE, event=wanted.names[k], state=after[:n])
             following = np.concatenate([after[:n], before[n:]])
@@ -439,7 +446,7 @@ class Integration:
             return True
         known = self.watch.sides != 0
         known[list(fired)] = False
-        values = self._take_sides(fired, {k: m for k, m in moments.items() if m is not None})
+        values = self._take_sides(zero, {k: m for k, m in moments.items() if m is not None})
         for lost in np.flatnonzero(known & np.isnan(values)):
             self._stop(EVENT_UNDEFINED, event=wanted.names[lost])
         about = len(wanted.names), t, self.span
