@@ -13,6 +13,7 @@ from sympy.physics.biomechanics.musculotendon import MusculotendonFormulation
 from by_hand import derived
 from cases import close
 from oracle import Oracle
+from pydy._mechanics.reader import read_loads
 from pydy.system import System
 from zoo import Model, T, _numbers
 
@@ -105,3 +106,35 @@ def test_actuators_pull_as_sympys_equations_say(name):
         for seed in (1, 2):
             x = np.random.default_rng(seed).uniform(0.3, 0.9, 2)
             close(system.evaluate_ode(x, 0.4), oracle.xdot(x, 0.4), 1e-11)
+
+
+def test_the_rate_of_a_dampers_length_is_not_differentiated_as_a_root(monkeypatch):
+    """A damper between two arms of three joints each took half a minute; its force is the same."""
+    c, *q = sm.symbols("c"), *me.dynamicsymbols("q:4")
+    frame, origin, hands = me.ReferenceFrame("N"), me.Point("O"), []
+    for first, second in (q[:2], q[2:]):
+        upper, lower = me.ReferenceFrame("A"), me.ReferenceFrame("B")
+        upper.orient_axis(frame, frame.z, first)
+        lower.orient_axis(upper, upper.x, second)
+        hands.append(origin.locatenew("H", upper.x + lower.y / 3 + first * frame.y))
+    damper = me.LinearDamper(c, me.LinearPathway(*hands))
+    speed = damper.pathway.extension_velocity
+    monkeypatch.setattr(me.LinearPathway, "extension_velocity", None)
+    (start, pull), (end, push) = read_loads([damper])
+    assert [start, end] == hands
+    way = hands[1].pos_from(hands[0])
+    values = {s.diff(T): 1.1 - 0.3 * k for k, s in enumerate(q)}
+    numbers = {c: 0.7} | {s: 0.3 + 0.2 * k for k, s in enumerate(q)}
+    along = (pull.dot(way), push.dot(way), c * speed * damper.pathway.length)
+    pulled, pushed, wanted = (float(e.xreplace(values).xreplace(numbers)) for e in along)
+    assert pulled == pytest.approx(wanted, rel=1e-12)
+    assert pushed == -pulled
+
+
+@pytest.mark.parametrize("place", [-0.4, 0.0, 0.4])
+def test_a_damper_along_one_axis_passes_the_length_zero(place):
+    frame, (start, end) = me.ReferenceFrame("N"), (me.Point("P"), me.Point("Q"))
+    q = me.dynamicsymbols("q")
+    end.set_pos(start, q * frame.x)
+    (_, pull), _ = read_loads([me.LinearDamper(3, me.LinearPathway(start, end))])
+    assert pull.dot(frame.x).subs(q.diff(T), 2).subs(q, place) == 6

@@ -533,16 +533,22 @@ def _in_terms_of(expression: Any, square: Any, distance: Any) -> Any:
 
 def _beside_constants(total: Any, square: Any, coordinates: Sequence[Any]) -> Any:
     """Return a and b of ``total = a · square + b`` with constants a and b, or None."""
-    slopes = [(total.diff(q), square.diff(q)) for q in coordinates]
+    if not find_symbols([total]).keys() >= {*coordinates}:
+        return None
+    graph = Graph()
+    read = InputReader(graph, {}, ())
+    by = read.all(coordinates)
     try:
-        values = _numbers([slope for pair in slopes for slope in pair])
-    except UnsupportedFunctionError:  # derivatives of what is no function of the distance
+        slopes = dense_jacobian(graph, read.all([total, square]), by)
+        values = numbers_of(graph, slopes).reshape(-1, 2, len(by))
+    except UnsupportedFunctionError:  # of what is no function of the distance
         return None
     with np.errstate(divide="ignore", invalid="ignore"):
-        shares = values[:, ::2] / values[:, 1::2]
+        shares = values[:, 0] / values[:, 1]
     if not (np.abs(shares - shares[:, :1]) <= ROUNDED * np.abs(shares)).all():
         return None
-    share = sm.cancel(slopes[0][0] / slopes[0][1])
+    q = coordinates[0]
+    share = sm.cancel(total.diff(q) / square.diff(q))
     rest = sm.expand(total - share * square)
     return None if share.has(*coordinates) or rest.has(*coordinates) else (share, rest)
 

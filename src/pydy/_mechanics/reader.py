@@ -12,7 +12,15 @@ from typing import Any
 
 import sympy as sm
 from sympy.core.function import AppliedUndef
-from sympy.physics.mechanics import Particle, Point, ReferenceFrame, RigidBody, Vector
+from sympy.physics.mechanics import (
+    LinearDamper,
+    LinearPathway,
+    Particle,
+    Point,
+    ReferenceFrame,
+    RigidBody,
+    Vector,
+)
 
 from pydy._forks import cached_property
 from pydy._graph.from_sympy import SymPyReader
@@ -105,7 +113,7 @@ def read_loads(loads: Iterable[Any]) -> tuple[tuple[Any, Any], ...]:
     found: list[tuple[Any, Any]] = []
     for load in loads:
         if hasattr(load, "to_loads"):
-            found += read_loads(load.to_loads())
+            found += read_loads(_loads_of(load))
             continue
         if not isinstance(load, tuple) or len(load) != 2:
             raise TypeError(
@@ -134,6 +142,22 @@ def read_loads(loads: Iterable[Any]) -> tuple[tuple[Any, Any], ...]:
             )
         found.append((where, vector))
     return tuple(found)
+
+
+def _loads_of(actuator: Any) -> Any:
+    """Return the loads of an actuator.
+
+    SymPy differentiates a damper's length, the root of all terms of its square. The length times
+    its rate is the way between the points times that way's own rate, which is a velocity.
+    """
+    if type(actuator) is not LinearDamper or type(actuator.pathway) is not LinearPathway:
+        return actuator.to_loads()
+    start, end = actuator.pathway.attachments
+    way = end.pos_from(start)
+    if way == 0:
+        return actuator.to_loads()
+    force = actuator.damping * way.dt(way.args[0][1]).dot(way) / way.dot(way) * way
+    return [(start, force), (end, -force)]
 
 
 def is_rigid(body: Any) -> bool:
