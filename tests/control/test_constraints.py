@@ -203,6 +203,8 @@ def test_the_first_multipliers_of_hermite_simpson_are_determined():
     assert tension == pytest.approx(-9.81 / 2, rel=1e-9)  # of the weight by 2 y
     assert found.multipliers["motion of v"].shape == found.collocation_times.shape == (41,)
     assert found.multipliers["constraint 0 of velocities"].shape == (40,)
+    with pytest.raises(NotImplementedError, match="has no costates of systems with constraints"):
+        found.costates
 
 
 def test_costates_of_the_midpoint_rule_are_slopes_of_the_objective():

@@ -27,19 +27,25 @@ def test_the_least_energy_of_a_double_integrator_is_12(method, order):
         np.testing.assert_allclose(found[F], 6.0 - 12.0 * found.times, atol=1e-6)
 
 
-def test_the_costates_of_a_double_integrator():
+@pytest.mark.parametrize("method", ["radau", "hermite-simpson"])
+def test_the_costates_of_a_double_integrator(method):
     # H = F²/2 + a v + b F: a' = 0, b' = −a and F = −b, so that a = −12 and b = −6 + 12 t (Bryson
     # and Ho, 5.2); a is the derivative of 6 (1 − x₀)² by x₀.
     system, (x, v, F) = optima.double_integrator()
     found = system.optimize_trajectory(
-        sm.Integral(F**2, T) / 2, 1.0, end={x: 1.0, v: 0.0}, mesh=[0.0, 0.2, 0.7, 1.0]
+        sm.Integral(F**2, T) / 2,
+        1.0,
+        end={x: 1.0, v: 0.0},
+        mesh=[0.0, 0.2, 0.7, 1.0],
+        method=method,
     )
     np.testing.assert_allclose(found.costates[x], -12.0, rtol=1e-7)
     np.testing.assert_allclose(found.costates[v], -6.0 + 12.0 * found.mesh, rtol=1e-6)
 
 
 @pytest.mark.parametrize(
-    ("method", "mesh"), [("radau", 12), ("midpoint", 12), ("backward-euler", 24)]
+    ("method", "mesh"),
+    [("radau", 12), ("hermite-simpson", 12), ("midpoint", 12), ("backward-euler", 24)],
 )
 def test_costates_are_derivatives_of_the_objective_by_the_start(method, mesh):
     system, (q1, q2, u1, u2, F) = optima.cart_pole()

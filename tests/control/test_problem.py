@@ -701,9 +701,6 @@ def test_what_the_hessian_of_gauss_and_newton_needs_is_told():
             OptimalControl(system, objective, TF, bounds={TF: (1, 2)}, hessian="gauss-newton")
     with pytest.raises(ValueError, match="`hessian` must be"):
         OptimalControl(system, TF, TF, hessian="newton")
-    problem = OptimalControl(system, sm.Integral(F**2, T), 1.0, method="hermite-simpson")
-    with pytest.raises(NotImplementedError, match="has no costates"):
-        problem.solve().costates
 
 
 def test_bounds_change_over_the_motion():

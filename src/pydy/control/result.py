@@ -142,14 +142,17 @@ class OptimalTrajectory(Trajectory):
         Raises
         ------
         NotImplementedError
-            The method is 'hermite-simpson', whose equations at nodes belong to two intervals.
+            The system has constraints and the method is 'hermite-simpson', whose constraints at
+            nodes belong to two intervals.
         """
         made, nlp, z = self._transcription, self._nlp, self.solution.z
         if made.scheme.name == "hermite-simpson":
-            raise NotImplementedError(
-                "The method 'hermite-simpson' has no costates: its equations at nodes belong to "
-                "the intervals on both sides. Use 'radau'."
-            )
+            if made.problem.equations.constraints:
+                raise NotImplementedError(
+                    "The method 'hermite-simpson' has no costates of systems with constraints: "
+                    "these belong, at nodes, to the intervals on both sides. Use 'radau'."
+                )
+            return dict(zip(self._states, _simpson_costates(made, nlp, self.solution), strict=True))
         slots, M, n = len(made.places[0]), made.intervals, made.problem.states
         found, start = np.zeros((n, M + 1)), 0
         nodes = np.arange(n)[:, None] * slots
@@ -341,6 +344,42 @@ def _multipliers(
         order = np.argsort(np.concatenate(when[name]), kind="stable")
         found[name] = np.concatenate(rows)[order]
     return found, np.sort(np.concatenate(fractions)) * duration
+
+
+def _simpson_costates(made: Transcription, nlp: Nlp, solution: Solution) -> np.ndarray:
+    """Return the derivatives of the objective, from each node on, by the states there, (n, M + 1).
+
+    The equations of a node serve the intervals on both sides, which have a share each in their
+    multipliers: the Lagrangian of either side alone is stationary in the slope at the node.
+    """
+    n, M, start = made.problem.states, made.intervals, 0
+    found = []
+    for piece in nlp.pieces[:2]:  # at nodes, and in the middle of intervals
+        f, stop = piece.functions, start + piece.rows * piece.points
+        multipliers = solution.multipliers[start:stop].reshape(piece.rows, piece.points)
+        slopes = np.zeros((piece.rows + 1, len(piece.at), piece.points))
+        # Rows with their derivatives by the variables, the last one that of the objective.
+        for name, places in (("jacobian", f.jacobian_at), ("gradient", f.gradient_at)):
+            entries = np.zeros((len(places), piece.points))
+            if len(places):
+                f(name, solution.z[piece.at], piece.data, piece.constants, entries)
+            at = places.T if name == "jacobian" else (piece.rows, places)
+            slopes[tuple(at)] = entries
+        found.append((np.vstack([multipliers, np.ones(piece.points)]), slopes))
+        start = stop
+    (own, rows), (middle, inner) = found
+    x0, x1, v0 = np.einsum("rm,rvm->vm", middle, inner)[: 3 * n].reshape(3, n, M)
+    h = np.diff(made.mesh)
+    shares = np.concatenate([[1.0], h[1:] / (h[1:] + h[:-1]), [0.0]])
+    x, v = np.einsum("rm,rvm->vm", own[n:], rows[n:])[: 2 * n].reshape(2, n, M + 1) * shares
+    x[:, :M] += x0
+    v[:, :M] += v0
+    by_slope = rows[:n, n : 2 * n].transpose(2, 1, 0)
+    after = -np.linalg.solve(by_slope, v.T[..., None])[..., 0].T
+    costates: np.ndarray = x + np.einsum("rm,rvm->vm", after, rows[:n, :n])
+    # After the last node there is nothing: the derivative by what is before, its sign changed.
+    costates[:, M] = -x1[:, -1] - np.einsum("r,rv->v", own[:, M], rows[:, :n, M])
+    return costates
 
 
 def worst_rows(nlp: Nlp, solution: Solution, duration: float) -> str:
