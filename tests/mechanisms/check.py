@@ -388,7 +388,7 @@ def python(system, folder, t, x, r, p):
 def c(system, folder, t, x, r, p):
     path = system.export(folder / "mechanism.c").path
     library = folder / "mechanism.so"
-    subprocess.run(["cc", "-O1", "-fPIC", "-shared", "-o", library, path, "-lm"], check=True)
+    subprocess.run(["cc", "-O0", "-fPIC", "-shared", "-o", library, path, "-lm"], check=True)
     library = ctypes.CDLL(str(library))
     prepared, out = np.zeros(10_000), np.zeros(len(x))
     x, r, p, prepared_, out_ = (a.ctypes.data_as(ctypes.c_void_p) for a in (x, r, p, prepared, out))
