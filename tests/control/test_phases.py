@@ -37,6 +37,18 @@ def test_a_mass_that_bounces_off_a_wall(restitution, method):
     assert (len(found), found.duration, found.message) == (2, 2.0, "solved")
 
 
+def test_the_objective_of_phases_is_refined_too():
+    system, (x, v, F) = optima.double_integrator()
+    effort, options = sm.Integral(F**2, T), {"mesh": 10, "method": "midpoint"}
+    there = OptimalControl(system, effort, 1.0, end={x: 1.0}, **options)
+    back = OptimalControl(system, effort, 1.0, end={x: 0.0, v: 0.0}, **options)
+    phases = OptimalControl.phases([there, back], [{v: -v}])
+    least, coarse = 24 - 18, phases.solve()  # see above
+    error = sum(phase.objective_error.sum() for phase in coarse)
+    assert error == pytest.approx(least - coarse.objective, rel=0.1)
+    assert phases.solve(mesh_tol=1e-4).objective == pytest.approx(least, rel=1e-4)
+
+
 def test_phases_have_systems_of_their_own_and_share_free_constants():
     x, v, F = me.dynamicsymbols("x v F")
     m, k = sm.symbols("m k")
@@ -125,6 +137,13 @@ def test_constraints_hold_after_a_link(method):
     assert max(phase.error.max() for phase in (*both, *follows)) < 1e-3
 
 
+def test_the_start_of_the_first_phase_is_checked():
+    system, effort, _ = rod((0.5, -1.0))  # farther from the pivot than the rod is long
+    one = OptimalControl(system, effort, 1.0)
+    with pytest.raises(ValueError, match="The start does not satisfy the constraints"):
+        OptimalControl.phases([one, one]).check()
+
+
 def test_a_phase_begins_where_its_own_constraints_hold():
     """A free flight ends where the rod takes over, without being told so."""
     flying, effort, (x, _, v, _) = rod((0.5, 0.3), constrained=False)
@@ -149,8 +168,20 @@ def test_bad_phases_are_named():
         with pytest.raises(error, match=message):
             OptimalControl.phases(*given)
     phases = OptimalControl.phases([one, one])
-    with pytest.raises(ValueError, match="an entry for each of the 2 phases, got 1"):
-        phases.solve([{}])
+    phases.check()
+    for search in (phases.solve, phases.check):
+        with pytest.raises(ValueError, match="an entry for each of the 2 phases, got 1"):
+            search([{}])
+    still = OptimalControl(system, x.subs(T, 1.0), 1.0, end={x: 0.0, v: 0.0}, bounds={F: (0, 0)})
+    with pytest.raises(ValueError, match="there is nothing left to choose"):
+        OptimalControl.phases([still, still]).check()
+    short, long = (OptimalControl(system, TF, TF, bounds={TF: b}) for b in ((1, 2), (3, 4)))
+    with pytest.raises(ValueError, match=r"of `tf`, .* at least 3 in one phase and at most 2 in"):
+        OptimalControl.phases([short, long]).check()
+    with pytest.raises(ValueError, match=r"`end.x.t..` is 1.0, which the `bounds` .* exclude"):
+        OptimalControl.phases(
+            [OptimalControl(system, TF, TF, end={x: 1.0}, bounds={x: (0, 0.5), TF: (1, 2)}), short]
+        ).check()
     with pytest.raises(OptimizationError, match=r"in 2 phases .*phase \d|link 0 of") as caught:
         phases.solve(options={"max_iter": 0})
     assert len(caught.value.trajectory) == 2

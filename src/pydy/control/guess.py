@@ -9,6 +9,7 @@ import numpy as np
 
 from pydy._checks import Places, check_mapping, number, real_array, shown
 from pydy._rank import DIGITS, least_step
+from pydy.control.nlp import Nlp
 from pydy.control.transcription import Transcription
 from pydy.control.tuning import LEAST_MESH_TOL, MOST_CLOSING_STEPS
 from pydy.inputs import SampledInput
@@ -132,6 +133,18 @@ def positive_time(value: Any, what: str = "`duration`") -> float:
         hint = ", or a Symbol for one that is found" if what == "`duration`" else ""
         raise ValueError(f"{what} must be positive{hint}, got {result!r}.")
     return result
+
+
+def check_freedom(nlp: Nlp) -> None:
+    """Refuse more equations than unknowns."""
+    low, high = nlp.row_bounds
+    equal, unknown = int((low == high).sum()), int((nlp.lower < nlp.upper).sum())
+    if equal > unknown:
+        raise ValueError(
+            f"The problem has {equal} equations for {unknown} unknowns on this mesh: there is "
+            "nothing left to choose. Free some of the `start` or `end`, or leave a specified "
+            "without a value, which makes it a control."
+        )
 
 
 def mesh_tolerance(value: Any) -> float | None:

@@ -16,7 +16,7 @@ from pydy._errors import AnalysisInterrupted, OptimizationError
 from pydy._optional import progress_of
 from pydy.codegen.arguments import checked_expression
 from pydy.control.accuracy import relative_errors, warn_of_chatter
-from pydy.control.guess import mesh_tolerance
+from pydy.control.guess import check_freedom, mesh_tolerance
 from pydy.control.ipopt import SOLVED, STATUS, Iteration, Solution
 from pydy.control.kernel import Point
 from pydy.control.nlp import Nlp, Piece
@@ -94,6 +94,33 @@ class Phases:
             other._problem = replace(problem._problem, constraints=problem._held[follow:])
             self._problems.append(other)
 
+    def check(self, guess: Any = None) -> None:
+        """Raise what is wrong with the phases before they are solved.
+
+        Parameters
+        ----------
+        guess : sequence, optional
+            As for `solve`.
+
+        Raises
+        ------
+        ValueError
+            What `OptimalControl.check` raises, of one phase or of all together.
+        """
+        self._joined([problem._mesh for problem in self._problems], self._guesses(guess))
+
+    def _guesses(self, guess: Any) -> Sequence[Any]:
+        """Return a guess for each phase."""
+        if guess is None:
+            return [None] * len(self._problems)
+        guesses: Sequence[Any] = listed("guess", guess, "a guess for each phase")
+        if len(guesses) != len(self._problems):
+            raise ValueError(
+                f"`guess` must have an entry for each of the {len(self._problems)} phases, got "
+                f"{len(guesses)}."
+            )
+        return guesses
+
     def solve(
         self,
         guess: Any = None,
@@ -123,14 +150,7 @@ class Phases:
         """
         search = solver_of(solver, options)
         tolerance = mesh_tolerance(mesh_tol)
-        guesses: Sequence[Any] = [None] * len(self._problems)
-        if guess is not None:
-            guesses = listed("guess", guess, "a guess for each phase")
-        if len(guesses) != len(self._problems):
-            raise ValueError(
-                f"`guess` must have an entry for each of the {len(self._problems)} phases, got "
-                f"{len(guesses)}."
-            )
+        guesses = self._guesses(guess)
         meshes = [problem._mesh for problem in self._problems]
         with progress_of(flag(progress, "`progress`"), " iterations") as told:
 
@@ -158,9 +178,13 @@ class Phases:
             warn_of_chatter(phase)
         return found
 
-    def _solved(
-        self, meshes: Sequence[np.ndarray], guesses: Sequence[Any], search: Any, watch: Any
-    ) -> PhasedTrajectory:
+    def _joined(
+        self, meshes: Sequence[np.ndarray], guesses: Sequence[Any]
+    ) -> tuple[Nlp, np.ndarray, list[tuple[Transcription, Nlp, np.ndarray, np.ndarray]]]:
+        """Return the program, where to start, and those of the phases with their unknowns' places.
+
+        Each phase has its transcription, program, places in the whole program, and start.
+        """
         made, programs, starts, own = [], [], [], []
         known: dict[Any, int] = {}
         size = 0
@@ -194,15 +218,29 @@ class Phases:
                 replace(p, at=at[p.at], labels=tuple(f"phase {k}: {name}" for name in p.labels))
                 for p in program.pieces
             ]
+        for symbol, place in known.items():
+            low, high = (float(side[np.searchsorted(used, place)]) for side in (lower, upper))
+            if low > high:
+                raise ValueError(
+                    f"The `bounds` of `{symbol}`, which phases share, exclude each other: it is at "
+                    f"least {low:g} in one phase and at most {high:g} in another."
+                )
         for k in range(len(own) - 1):
             pieces.append(self._link(k, made[k : k + 2], own[k : k + 2]))
-        nlp = Nlp(
-            pieces, lower, upper, sizes, estimated=all(p.estimated for p in programs)
-        ).in_own_units(np.clip(start, lower, upper))
-        solution: Solution = search(nlp, np.clip(start, lower, upper), watch=watch)
+        nlp = Nlp(pieces, lower, upper, sizes, estimated=all(p.estimated for p in programs))
+        # Those of the later phases begin where links say.
+        self._problems[0]._check_start(made[0], starts[0])
+        check_freedom(nlp)
+        begin = np.clip(start, lower, upper)
+        return nlp.in_own_units(begin), begin, [*zip(made, programs, own, starts, strict=True)]
+
+    def _solved(
+        self, meshes: Sequence[np.ndarray], guesses: Sequence[Any], search: Any, watch: Any
+    ) -> PhasedTrajectory:
+        nlp, start, parts = self._joined(meshes, guesses)
+        solution: Solution = search(nlp, start, watch=watch)
         phases, first = [], 0
-        parts = zip(self._problems, made, programs, own, starts, strict=True)
-        for problem, one, program, at, begin in parts:
+        for problem, (one, program, at, begin) in zip(self._problems, parts, strict=True):
             z, rows = solution.z[at], slice(first, first + program.rows)
             first += program.rows
             part = replace(

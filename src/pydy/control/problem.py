@@ -29,7 +29,14 @@ from pydy._rank import DIGITS, rank
 from pydy.codegen.arguments import checked_expression
 from pydy.control.accuracy import relative_errors, warn_of_chatter
 from pydy.control.expressions import Reader, bends
-from pydy.control.guess import Guess, follow_constraints, mesh_tolerance, positive_time, shown_pair
+from pydy.control.guess import (
+    Guess,
+    check_freedom,
+    follow_constraints,
+    mesh_tolerance,
+    positive_time,
+    shown_pair,
+)
 from pydy.control.ipopt import SOLVED, Iteration, Solution
 from pydy.control.kernel import Equations
 from pydy.control.limits import Limit, limit
@@ -351,7 +358,8 @@ class OptimalControl:
         -------
         Phases
             Its method `solve` takes a list of guesses, and `mesh_tol`, `options` and `progress`; it
-            returns a `PhasedTrajectory`, the sequence of the phases' motions.
+            returns a `PhasedTrajectory`, the sequence of the phases' motions. `check` takes such a
+            list, and raises what is wrong before that.
 
         Examples
         --------
@@ -410,14 +418,7 @@ class OptimalControl:
         z = self._guess(made, guess, lower, upper)
         nlp = made.nlp(lower, upper, sizes_of(made, z, lower, upper))
         self._check_start(made, z)
-        low, high = nlp.row_bounds
-        equal, unknown = int((low == high).sum()), int((lower < upper).sum())
-        if equal > unknown:
-            raise ValueError(
-                f"The problem has {equal} equations for {unknown} unknowns on this mesh: there is "
-                "nothing left to choose. Free some of the `start` or `end`, or leave a specified "
-                "without a value, which makes it a control."
-            )
+        check_freedom(nlp)
         return nlp.in_own_units(z), z
 
     def _check_start(self, made: Transcription, z: np.ndarray) -> None:
