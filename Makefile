@@ -48,8 +48,7 @@ demo: $(VENV)/.installed-plot
 test: $(VENV)/.installed-test
 	$(PY) -m ruff check
 	$(PY) -m ruff format --check
-	$(PY) -m mypy src tests/typing/usage.py
-	$(PY) -m pytest $(PYTEST_JOBS)
+	$(PY) -m mypy src tests/typing/usage.py & types=$$!; $(PY) -m pytest $(PYTEST_JOBS) && wait $$types
 
 # A folder of its own, so that pytest's default run does not need a browser.
 test-browser: $(VENV)/.installed-test $(VENV)/.installed-browser
