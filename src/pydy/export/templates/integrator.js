@@ -281,18 +281,20 @@ class Integration {
       const right = quarter / 4;
       this.probed(t, h, right, values);
       for (;;) {
-        let first = 2;
+        let first = 2, ends = false; // whether the first event acts
         for (let k = 0; k < values.length; k++) {
           fired[k] = 0;
           if (this.crossed(k, values[k])) {
             const theta = this.locate(t, h, left, right, k);
             fired[k] = theta <= left ? 1 : 0;
+            if (theta < first) ends = false;
+            if (theta <= first) ends = ends || events.acting[k];
             first = Math.min(first, theta);
           }
         }
         if (first > 1) break;
         this.probed(t, h, first, probe);
-        for (let k = 0; k < values.length; k++) // by then another may have crossed that is back at `right`
+        for (let k = 0; k < values.length && !ends; k++) // where one is noted, another may have crossed and be back
           if (this.crossed(k, probe[k]) && !this.crossed(k, values[k])) {
             const theta = this.locate(t, h, left, first, k);
             if (theta > left) [first, fired[k]] = [theta, BACK];

@@ -110,11 +110,16 @@ ENTRY int64_t scan_events(const Run *run, double t, double h)
             return called_back(run, logged);
         for (;;) {
             double first = 2.0;
+            int ends = 0; /* whether the first event acts */
             for (int64_t k = 0; k < number; k++) {
                 fired[k] = 0;
                 if (crossed(sides[k], values[k], directions[k]) || lost(sides[k], values[k])) {
                     const double theta = locate(run, s, t, h, left, right, k);
                     fired[k] = theta <= left;
+                    if (theta < first)
+                        ends = 0;
+                    if (theta <= first)
+                        ends = ends || w->acting.at[k] == 1;
                     first = minimum(theta, first);
                 }
             }
@@ -122,8 +127,8 @@ ENTRY int64_t scan_events(const Run *run, double t, double h)
                 break;
             if (probe(run, s, t, h, first, 1) < 0)
                 return called_back(run, logged);
-            /* by then another may have crossed that is back at `right` */
-            for (int64_t k = 0; k < number; k++)
+            /* where one is noted, another may have crossed that is back at `right` */
+            for (int64_t k = 0; k < number && !ends; k++)
                 if (crossed(sides[k], values[number + k], directions[k])
                     && !crossed(sides[k], values[k], directions[k])) {
                     const double theta = locate(run, s, t, h, left, first, k);

@@ -1,4 +1,4 @@
-; sources 861d6529beb85fcfbedb51ed0cadf6fe1373e52e1c74d20526935c7ced516c53
+; sources 744b944eee4df1039188d3911a00085148c9753e5c2faa6adea9f3245d1c4823
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Stepper = type { ptr, ptr, ptr }
@@ -40,663 +40,691 @@ define i64 @scan_events(ptr noundef %0, double noundef %1, double noundef %2) #0
   %34 = getelementptr inbounds i8, ptr %0, i64 192
   %35 = getelementptr inbounds i8, ptr %0, i64 744
   %36 = icmp sgt i64 %12, 0
-  %37 = icmp sgt i64 %12, 0
-  %38 = getelementptr double, ptr %16, i64 %12
-  %39 = icmp sgt i64 %12, 0
-  %40 = getelementptr double, ptr %16, i64 %12
-  %41 = getelementptr inbounds i8, ptr %0, i64 792
-  %42 = getelementptr inbounds i8, ptr %26, i64 48
-  %43 = icmp sgt i64 %12, 0
-  %44 = getelementptr inbounds i8, ptr %0, i64 912
-  %45 = getelementptr inbounds i8, ptr %0, i64 920
-  %46 = getelementptr inbounds i8, ptr %0, i64 936
-  %47 = getelementptr inbounds i8, ptr %0, i64 960
-  %48 = getelementptr inbounds i8, ptr %0, i64 976
-  %49 = getelementptr inbounds i8, ptr %26, i64 48
-  %50 = icmp sgt i64 %12, 0
-  %51 = getelementptr inbounds i8, ptr %26, i64 48
-  %52 = icmp sgt i64 %12, 0
-  br label %57
+  %37 = getelementptr inbounds i8, ptr %0, i64 792
+  %38 = icmp slt i64 %12, 1
+  %39 = getelementptr double, ptr %16, i64 %12
+  %40 = icmp sgt i64 %12, 0
+  %41 = getelementptr double, ptr %16, i64 %12
+  %42 = getelementptr inbounds i8, ptr %0, i64 792
+  %43 = getelementptr inbounds i8, ptr %26, i64 48
+  %44 = icmp sgt i64 %12, 0
+  %45 = getelementptr inbounds i8, ptr %0, i64 912
+  %46 = getelementptr inbounds i8, ptr %0, i64 920
+  %47 = getelementptr inbounds i8, ptr %0, i64 936
+  %48 = getelementptr inbounds i8, ptr %0, i64 960
+  %49 = getelementptr inbounds i8, ptr %0, i64 976
+  %50 = getelementptr inbounds i8, ptr %26, i64 48
+  %51 = icmp sgt i64 %12, 0
+  %52 = getelementptr inbounds i8, ptr %26, i64 48
+  %53 = icmp sgt i64 %12, 0
+  br label %58
 
-53:                                               ; preds = %471
-  %54 = add nuw nsw i32 %61, 1
-  %55 = icmp ugt i32 %61, 3
-  %56 = icmp eq i32 %54, 5
-  br i1 %56, label %476, label %57, !llvm.loop !3
+54:                                               ; preds = %491
+  %55 = add nuw nsw i32 %62, 1
+  %56 = icmp ugt i32 %62, 3
+  %57 = icmp eq i32 %55, 5
+  br i1 %57, label %496, label %58, !llvm.loop !3
 
-57:                                               ; preds = %3, %53
-  %58 = phi i1 [ false, %3 ], [ %55, %53 ]
-  %59 = phi i64 [ undef, %3 ], [ %474, %53 ]
-  %60 = phi double [ 0.000000e+00, %3 ], [ %473, %53 ]
-  %61 = phi i32 [ 1, %3 ], [ %54, %53 ]
-  %62 = uitofp nneg i32 %61 to double
-  %63 = fmul double %62, 2.500000e-01
-  %64 = load ptr, ptr %27, align 8
-  %65 = load ptr, ptr %28, align 8
-  %66 = insertelement <8 x double> poison, double %63, i64 0
-  %67 = shufflevector <8 x double> %66, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %67, ptr %65, align 8
-  %68 = load ptr, ptr %8, align 8
-  %69 = load ptr, ptr %29, align 8
-  %70 = load i64, ptr %30, align 8
-  %71 = load ptr, ptr %0, align 8
-  %72 = getelementptr inbounds i8, ptr %71, i64 24
-  %73 = load i64, ptr %72, align 8
-  %74 = load ptr, ptr %28, align 8
-  %75 = load ptr, ptr %6, align 8
-  %76 = getelementptr inbounds i8, ptr %75, i64 16
-  %77 = load i64, ptr %76, align 8
-  tail call fastcc void @nested(ptr noundef %64, ptr noundef %68, ptr noundef %69, i64 noundef %70, i64 noundef %73, ptr noundef %74, i64 noundef %77) #7
-  %78 = fmul double %63, %2
-  %79 = fadd double %78, %1
-  %80 = load ptr, ptr %31, align 8
-  store double %79, ptr %80, align 8
-  %81 = load i64, ptr %32, align 8
-  %82 = icmp sgt i64 %81, 0
-  br i1 %82, label %83, label %84
+58:                                               ; preds = %3, %54
+  %59 = phi i1 [ false, %3 ], [ %56, %54 ]
+  %60 = phi i64 [ undef, %3 ], [ %494, %54 ]
+  %61 = phi double [ 0.000000e+00, %3 ], [ %493, %54 ]
+  %62 = phi i32 [ 1, %3 ], [ %55, %54 ]
+  %63 = uitofp nneg i32 %62 to double
+  %64 = fmul double %63, 2.500000e-01
+  %65 = load ptr, ptr %27, align 8
+  %66 = load ptr, ptr %28, align 8
+  %67 = insertelement <8 x double> poison, double %64, i64 0
+  %68 = shufflevector <8 x double> %67, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %68, ptr %66, align 8
+  %69 = load ptr, ptr %8, align 8
+  %70 = load ptr, ptr %29, align 8
+  %71 = load i64, ptr %30, align 8
+  %72 = load ptr, ptr %0, align 8
+  %73 = getelementptr inbounds i8, ptr %72, i64 24
+  %74 = load i64, ptr %73, align 8
+  %75 = load ptr, ptr %28, align 8
+  %76 = load ptr, ptr %6, align 8
+  %77 = getelementptr inbounds i8, ptr %76, i64 16
+  %78 = load i64, ptr %77, align 8
+  tail call fastcc void @nested(ptr noundef %65, ptr noundef %69, ptr noundef %70, i64 noundef %71, i64 noundef %74, ptr noundef %75, i64 noundef %78) #7
+  %79 = fmul double %64, %2
+  %80 = fadd double %79, %1
+  %81 = load ptr, ptr %31, align 8
+  store double %80, ptr %81, align 8
+  %82 = load i64, ptr %32, align 8
+  %83 = icmp sgt i64 %82, 0
+  br i1 %83, label %84, label %85
 
-83:                                               ; preds = %57
+84:                                               ; preds = %58
   tail call fastcc void @sample(ptr noundef nonnull %6) #7
-  br label %84
+  br label %85
 
-84:                                               ; preds = %57, %83
-  %85 = load ptr, ptr %9, align 8
-  %86 = load i64, ptr %85, align 8
-  %87 = load ptr, ptr %33, align 8
-  %88 = load ptr, ptr %27, align 8
-  %89 = load ptr, ptr %34, align 8
-  %90 = load ptr, ptr %35, align 8
-  %91 = load ptr, ptr %15, align 8
-  %92 = inttoptr i64 %86 to ptr
-  %93 = tail call i32 %92(ptr noundef %87, ptr noundef %88, ptr noundef %89, ptr noundef %90, ptr noundef %91) #8
-  %94 = icmp slt i32 %93, 0
-  br i1 %94, label %95, label %100
+85:                                               ; preds = %58, %84
+  %86 = load ptr, ptr %9, align 8
+  %87 = load i64, ptr %86, align 8
+  %88 = load ptr, ptr %33, align 8
+  %89 = load ptr, ptr %27, align 8
+  %90 = load ptr, ptr %34, align 8
+  %91 = load ptr, ptr %35, align 8
+  %92 = load ptr, ptr %15, align 8
+  %93 = inttoptr i64 %87 to ptr
+  %94 = tail call i32 %93(ptr noundef %88, ptr noundef %89, ptr noundef %90, ptr noundef %91, ptr noundef %92) #8
+  %95 = icmp slt i32 %94, 0
+  br i1 %95, label %96, label %101
 
-95:                                               ; preds = %84
-  %96 = load ptr, ptr %22, align 8
-  %97 = getelementptr inbounds i8, ptr %96, i64 80
-  store i64 %25, ptr %97, align 8
-  %98 = load ptr, ptr %21, align 8
-  %99 = getelementptr inbounds i8, ptr %98, i64 48
-  store double 1.000000e+00, ptr %99, align 8
-  br label %471
+96:                                               ; preds = %85
+  %97 = load ptr, ptr %22, align 8
+  %98 = getelementptr inbounds i8, ptr %97, i64 80
+  store i64 %25, ptr %98, align 8
+  %99 = load ptr, ptr %21, align 8
+  %100 = getelementptr inbounds i8, ptr %99, i64 48
+  store double 1.000000e+00, ptr %100, align 8
+  br label %491
 
-100:                                              ; preds = %84, %453
-  %101 = phi double [ %455, %453 ], [ %60, %84 ]
-  %102 = phi i64 [ %456, %453 ], [ %59, %84 ]
-  br i1 %36, label %106, label %103
+101:                                              ; preds = %85, %473
+  %102 = phi double [ %475, %473 ], [ %61, %85 ]
+  %103 = phi i64 [ %476, %473 ], [ %60, %85 ]
+  br i1 %36, label %108, label %104
 
-103:                                              ; preds = %141, %100
-  %104 = phi double [ 2.000000e+00, %100 ], [ %142, %141 ]
-  %105 = fcmp ogt double %104, 1.000000e+00
-  br i1 %105, label %453, label %145
+104:                                              ; preds = %158, %101
+  %105 = phi double [ 2.000000e+00, %101 ], [ %159, %158 ]
+  %106 = phi i32 [ 0, %101 ], [ %160, %158 ]
+  %107 = fcmp ogt double %105, 1.000000e+00
+  br i1 %107, label %473, label %163
 
-106:                                              ; preds = %100, %141
-  %107 = phi i64 [ %143, %141 ], [ 0, %100 ]
-  %108 = phi double [ %142, %141 ], [ 2.000000e+00, %100 ]
-  %109 = getelementptr inbounds i64, ptr %20, i64 %107
-  store i64 0, ptr %109, align 8
-  %110 = getelementptr inbounds i64, ptr %18, i64 %107
-  %111 = load i64, ptr %110, align 8
-  %112 = getelementptr inbounds double, ptr %16, i64 %107
-  %113 = load double, ptr %112, align 8
-  %114 = getelementptr inbounds i64, ptr %14, i64 %107
-  %115 = load i64, ptr %114, align 8
-  %116 = icmp slt i64 %111, 0
-  %117 = fcmp ogt double %113, 0.000000e+00
-  %118 = and i1 %116, %117
-  %119 = icmp sgt i64 %115, -1
-  %120 = and i1 %118, %119
-  br i1 %120, label %128, label %121
+108:                                              ; preds = %101, %158
+  %109 = phi i64 [ %161, %158 ], [ 0, %101 ]
+  %110 = phi i32 [ %160, %158 ], [ 0, %101 ]
+  %111 = phi double [ %159, %158 ], [ 2.000000e+00, %101 ]
+  %112 = getelementptr inbounds i64, ptr %20, i64 %109
+  store i64 0, ptr %112, align 8
+  %113 = getelementptr inbounds i64, ptr %18, i64 %109
+  %114 = load i64, ptr %113, align 8
+  %115 = getelementptr inbounds double, ptr %16, i64 %109
+  %116 = load double, ptr %115, align 8
+  %117 = getelementptr inbounds i64, ptr %14, i64 %109
+  %118 = load i64, ptr %117, align 8
+  %119 = icmp slt i64 %114, 0
+  %120 = fcmp ogt double %116, 0.000000e+00
+  %121 = and i1 %119, %120
+  %122 = icmp sgt i64 %118, -1
+  %123 = and i1 %121, %122
+  br i1 %123, label %131, label %124
 
-121:                                              ; preds = %106
-  %122 = icmp sgt i64 %111, 0
-  %123 = fcmp olt double %113, 0.000000e+00
-  %124 = and i1 %122, %123
-  br i1 %124, label %125, label %128
+124:                                              ; preds = %108
+  %125 = icmp sgt i64 %114, 0
+  %126 = fcmp olt double %116, 0.000000e+00
+  %127 = and i1 %125, %126
+  br i1 %127, label %128, label %131
 
-125:                                              ; preds = %121
-  %126 = icmp slt i64 %115, 1
-  %127 = zext i1 %126 to i32
-  br label %128
+128:                                              ; preds = %124
+  %129 = icmp slt i64 %118, 1
+  %130 = zext i1 %129 to i32
+  br label %131
 
-128:                                              ; preds = %106, %121, %125
-  %129 = phi i32 [ 1, %106 ], [ 0, %121 ], [ %127, %125 ]
-  %130 = icmp eq i32 %129, 0
-  br i1 %130, label %131, label %135
+131:                                              ; preds = %108, %124, %128
+  %132 = phi i32 [ 1, %108 ], [ 0, %124 ], [ %130, %128 ]
+  %133 = icmp eq i32 %132, 0
+  br i1 %133, label %134, label %138
 
-131:                                              ; preds = %128
-  %132 = icmp eq i64 %111, 0
-  %133 = fcmp ord double %113, 0.000000e+00
-  %134 = or i1 %132, %133
-  br i1 %134, label %141, label %135
+134:                                              ; preds = %131
+  %135 = icmp eq i64 %114, 0
+  %136 = fcmp ord double %116, 0.000000e+00
+  %137 = or i1 %135, %136
+  br i1 %137, label %158, label %138
 
-135:                                              ; preds = %131, %128
-  %136 = call fastcc double @locate(ptr noundef nonnull %0, ptr noundef nonnull %4, double noundef %1, double noundef %2, double noundef %101, double noundef %63, i64 noundef %107) #7
-  %137 = fcmp ole double %136, %101
-  %138 = zext i1 %137 to i64
-  store i64 %138, ptr %109, align 8
-  %139 = fcmp olt double %136, %108
-  %140 = select i1 %139, double %136, double %108
-  br label %141
+138:                                              ; preds = %134, %131
+  %139 = call fastcc double @locate(ptr noundef nonnull %0, ptr noundef nonnull %4, double noundef %1, double noundef %2, double noundef %102, double noundef %64, i64 noundef %109) #7
+  %140 = fcmp ole double %139, %102
+  %141 = zext i1 %140 to i64
+  store i64 %141, ptr %112, align 8
+  %142 = fcmp uge double %139, %111
+  %143 = select i1 %142, i32 %110, i32 0
+  %144 = fcmp ugt double %139, %111
+  br i1 %144, label %155, label %145
 
-141:                                              ; preds = %131, %135
-  %142 = phi double [ %140, %135 ], [ %108, %131 ]
-  %143 = add nuw nsw i64 %107, 1
-  %144 = icmp eq i64 %143, %12
-  br i1 %144, label %103, label %106, !llvm.loop !6
+145:                                              ; preds = %138
+  %146 = icmp eq i32 %143, 0
+  br i1 %146, label %147, label %152
 
-145:                                              ; preds = %103
-  %146 = load ptr, ptr %27, align 8
-  %147 = load ptr, ptr %28, align 8
-  %148 = insertelement <8 x double> poison, double %104, i64 0
-  %149 = shufflevector <8 x double> %148, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %149, ptr %147, align 8
-  %150 = load ptr, ptr %8, align 8
-  %151 = load ptr, ptr %29, align 8
-  %152 = load i64, ptr %30, align 8
-  %153 = load ptr, ptr %0, align 8
-  %154 = getelementptr inbounds i8, ptr %153, i64 24
-  %155 = load i64, ptr %154, align 8
-  %156 = load ptr, ptr %28, align 8
-  %157 = load ptr, ptr %6, align 8
-  %158 = getelementptr inbounds i8, ptr %157, i64 16
-  %159 = load i64, ptr %158, align 8
-  tail call fastcc void @nested(ptr noundef %146, ptr noundef %150, ptr noundef %151, i64 noundef %152, i64 noundef %155, ptr noundef %156, i64 noundef %159) #7
-  %160 = fmul double %104, %2
-  %161 = fadd double %160, %1
-  %162 = load ptr, ptr %31, align 8
-  store double %161, ptr %162, align 8
-  %163 = load i64, ptr %32, align 8
-  %164 = icmp sgt i64 %163, 0
-  br i1 %164, label %165, label %166
+147:                                              ; preds = %145
+  %148 = load ptr, ptr %37, align 8
+  %149 = getelementptr inbounds i64, ptr %148, i64 %109
+  %150 = load i64, ptr %149, align 8
+  %151 = icmp eq i64 %150, 1
+  br label %152
 
-165:                                              ; preds = %145
+152:                                              ; preds = %147, %145
+  %153 = phi i1 [ true, %145 ], [ %151, %147 ]
+  %154 = zext i1 %153 to i32
+  br label %155
+
+155:                                              ; preds = %152, %138
+  %156 = phi i32 [ %154, %152 ], [ %143, %138 ]
+  %157 = select i1 %142, double %111, double %139
+  br label %158
+
+158:                                              ; preds = %134, %155
+  %159 = phi double [ %157, %155 ], [ %111, %134 ]
+  %160 = phi i32 [ %156, %155 ], [ %110, %134 ]
+  %161 = add nuw nsw i64 %109, 1
+  %162 = icmp eq i64 %161, %12
+  br i1 %162, label %104, label %108, !llvm.loop !6
+
+163:                                              ; preds = %104
+  %164 = load ptr, ptr %27, align 8
+  %165 = load ptr, ptr %28, align 8
+  %166 = insertelement <8 x double> poison, double %105, i64 0
+  %167 = shufflevector <8 x double> %166, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %167, ptr %165, align 8
+  %168 = load ptr, ptr %8, align 8
+  %169 = load ptr, ptr %29, align 8
+  %170 = load i64, ptr %30, align 8
+  %171 = load ptr, ptr %0, align 8
+  %172 = getelementptr inbounds i8, ptr %171, i64 24
+  %173 = load i64, ptr %172, align 8
+  %174 = load ptr, ptr %28, align 8
+  %175 = load ptr, ptr %6, align 8
+  %176 = getelementptr inbounds i8, ptr %175, i64 16
+  %177 = load i64, ptr %176, align 8
+  tail call fastcc void @nested(ptr noundef %164, ptr noundef %168, ptr noundef %169, i64 noundef %170, i64 noundef %173, ptr noundef %174, i64 noundef %177) #7
+  %178 = fmul double %105, %2
+  %179 = fadd double %178, %1
+  %180 = load ptr, ptr %31, align 8
+  store double %179, ptr %180, align 8
+  %181 = load i64, ptr %32, align 8
+  %182 = icmp sgt i64 %181, 0
+  br i1 %182, label %183, label %184
+
+183:                                              ; preds = %163
   tail call fastcc void @sample(ptr noundef nonnull %6) #7
-  br label %166
+  br label %184
 
-166:                                              ; preds = %145, %165
-  %167 = load ptr, ptr %9, align 8
-  %168 = load i64, ptr %167, align 8
-  %169 = load ptr, ptr %33, align 8
-  %170 = load ptr, ptr %27, align 8
-  %171 = load ptr, ptr %34, align 8
-  %172 = load ptr, ptr %35, align 8
-  %173 = load ptr, ptr %15, align 8
-  %174 = getelementptr inbounds i8, ptr %167, i64 8
-  %175 = load i64, ptr %174, align 8
-  %176 = getelementptr inbounds double, ptr %173, i64 %175
-  %177 = inttoptr i64 %168 to ptr
-  %178 = tail call i32 %177(ptr noundef %169, ptr noundef %170, ptr noundef %171, ptr noundef %172, ptr noundef %176) #8
-  %179 = icmp slt i32 %178, 0
-  br i1 %179, label %181, label %180
+184:                                              ; preds = %163, %183
+  %185 = load ptr, ptr %9, align 8
+  %186 = load i64, ptr %185, align 8
+  %187 = load ptr, ptr %33, align 8
+  %188 = load ptr, ptr %27, align 8
+  %189 = load ptr, ptr %34, align 8
+  %190 = load ptr, ptr %35, align 8
+  %191 = load ptr, ptr %15, align 8
+  %192 = getelementptr inbounds i8, ptr %185, i64 8
+  %193 = load i64, ptr %192, align 8
+  %194 = getelementptr inbounds double, ptr %191, i64 %193
+  %195 = inttoptr i64 %186 to ptr
+  %196 = tail call i32 %195(ptr noundef %187, ptr noundef %188, ptr noundef %189, ptr noundef %190, ptr noundef %194) #8
+  %197 = icmp slt i32 %196, 0
+  br i1 %197, label %201, label %198
 
-180:                                              ; preds = %166
-  br i1 %37, label %186, label %282
+198:                                              ; preds = %184
+  %199 = icmp ne i32 %106, 0
+  %200 = select i1 %38, i1 true, i1 %199
+  br i1 %200, label %302, label %206
 
-181:                                              ; preds = %166
-  %182 = load ptr, ptr %22, align 8
-  %183 = getelementptr inbounds i8, ptr %182, i64 80
-  store i64 %25, ptr %183, align 8
-  %184 = load ptr, ptr %21, align 8
-  %185 = getelementptr inbounds i8, ptr %184, i64 48
-  store double 1.000000e+00, ptr %185, align 8
-  br label %453
+201:                                              ; preds = %184
+  %202 = load ptr, ptr %22, align 8
+  %203 = getelementptr inbounds i8, ptr %202, i64 80
+  store i64 %25, ptr %203, align 8
+  %204 = load ptr, ptr %21, align 8
+  %205 = getelementptr inbounds i8, ptr %204, i64 48
+  store double 1.000000e+00, ptr %205, align 8
+  br label %473
 
-186:                                              ; preds = %180, %276
-  %187 = phi i1 [ %280, %276 ], [ %37, %180 ]
-  %188 = phi i64 [ %278, %276 ], [ %102, %180 ]
-  %189 = phi i64 [ %279, %276 ], [ 0, %180 ]
-  %190 = phi double [ %277, %276 ], [ %104, %180 ]
-  %191 = getelementptr inbounds i64, ptr %18, i64 %189
-  %192 = load i64, ptr %191, align 8
-  %193 = getelementptr double, ptr %38, i64 %189
-  %194 = load double, ptr %193, align 8
-  %195 = getelementptr inbounds i64, ptr %14, i64 %189
-  %196 = load i64, ptr %195, align 8
-  %197 = icmp slt i64 %192, 0
-  %198 = fcmp ogt double %194, 0.000000e+00
-  %199 = and i1 %197, %198
-  %200 = icmp sgt i64 %196, -1
-  %201 = and i1 %199, %200
-  br i1 %201, label %209, label %202
-
-202:                                              ; preds = %186
-  %203 = icmp sgt i64 %192, 0
-  %204 = fcmp olt double %194, 0.000000e+00
-  %205 = and i1 %203, %204
-  br i1 %205, label %206, label %209
-
-206:                                              ; preds = %202
-  %207 = icmp slt i64 %196, 1
-  %208 = zext i1 %207 to i32
-  br label %209
-
-209:                                              ; preds = %186, %202, %206
-  %210 = phi i32 [ 1, %186 ], [ 0, %202 ], [ %208, %206 ]
-  %211 = icmp eq i32 %210, 0
-  br i1 %211, label %276, label %212
-
-212:                                              ; preds = %209
-  %213 = getelementptr inbounds double, ptr %16, i64 %189
+206:                                              ; preds = %198, %296
+  %207 = phi i1 [ %301, %296 ], [ %200, %198 ]
+  %208 = phi i64 [ %298, %296 ], [ %103, %198 ]
+  %209 = phi i64 [ %299, %296 ], [ 0, %198 ]
+  %210 = phi double [ %297, %296 ], [ %105, %198 ]
+  %211 = getelementptr inbounds i64, ptr %18, i64 %209
+  %212 = load i64, ptr %211, align 8
+  %213 = getelementptr double, ptr %39, i64 %209
   %214 = load double, ptr %213, align 8
-  %215 = fcmp ogt double %214, 0.000000e+00
-  %216 = and i1 %197, %215
-  %217 = and i1 %200, %216
-  br i1 %217, label %225, label %218
-
-218:                                              ; preds = %212
-  %219 = icmp sgt i64 %192, 0
-  %220 = fcmp olt double %214, 0.000000e+00
+  %215 = getelementptr inbounds i64, ptr %14, i64 %209
+  %216 = load i64, ptr %215, align 8
+  %217 = icmp slt i64 %212, 0
+  %218 = fcmp ogt double %214, 0.000000e+00
+  %219 = and i1 %217, %218
+  %220 = icmp sgt i64 %216, -1
   %221 = and i1 %219, %220
-  br i1 %221, label %222, label %225
+  br i1 %221, label %229, label %222
 
-222:                                              ; preds = %218
-  %223 = icmp slt i64 %196, 1
-  %224 = zext i1 %223 to i32
-  br label %225
+222:                                              ; preds = %206
+  %223 = icmp sgt i64 %212, 0
+  %224 = fcmp olt double %214, 0.000000e+00
+  %225 = and i1 %223, %224
+  br i1 %225, label %226, label %229
 
-225:                                              ; preds = %212, %218, %222
-  %226 = phi i32 [ 1, %212 ], [ 0, %218 ], [ %224, %222 ]
-  %227 = icmp eq i32 %226, 0
-  br i1 %227, label %228, label %276
+226:                                              ; preds = %222
+  %227 = icmp slt i64 %216, 1
+  %228 = zext i1 %227 to i32
+  br label %229
 
-228:                                              ; preds = %225
-  %229 = call fastcc double @locate(ptr noundef nonnull %0, ptr noundef nonnull %4, double noundef %1, double noundef %2, double noundef %101, double noundef %190, i64 noundef %189) #7
-  %230 = fcmp ogt double %229, %101
-  br i1 %230, label %231, label %233
+229:                                              ; preds = %206, %222, %226
+  %230 = phi i32 [ 1, %206 ], [ 0, %222 ], [ %228, %226 ]
+  %231 = icmp eq i32 %230, 0
+  br i1 %231, label %296, label %232
 
-231:                                              ; preds = %228
-  %232 = getelementptr inbounds i64, ptr %20, i64 %189
-  store i64 2, ptr %232, align 8
-  br label %233
+232:                                              ; preds = %229
+  %233 = getelementptr inbounds double, ptr %16, i64 %209
+  %234 = load double, ptr %233, align 8
+  %235 = fcmp ogt double %234, 0.000000e+00
+  %236 = and i1 %217, %235
+  %237 = and i1 %220, %236
+  br i1 %237, label %245, label %238
 
-233:                                              ; preds = %231, %228
-  %234 = phi double [ %229, %231 ], [ %190, %228 ]
-  %235 = load ptr, ptr %27, align 8
-  %236 = load ptr, ptr %28, align 8
-  %237 = insertelement <8 x double> poison, double %234, i64 0
-  %238 = shufflevector <8 x double> %237, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %238, ptr %236, align 8
-  %239 = load ptr, ptr %8, align 8
-  %240 = load ptr, ptr %29, align 8
-  %241 = load i64, ptr %30, align 8
-  %242 = load ptr, ptr %0, align 8
-  %243 = getelementptr inbounds i8, ptr %242, i64 24
-  %244 = load i64, ptr %243, align 8
-  %245 = load ptr, ptr %28, align 8
-  %246 = load ptr, ptr %6, align 8
-  %247 = getelementptr inbounds i8, ptr %246, i64 16
-  %248 = load i64, ptr %247, align 8
-  tail call fastcc void @nested(ptr noundef %235, ptr noundef %239, ptr noundef %240, i64 noundef %241, i64 noundef %244, ptr noundef %245, i64 noundef %248) #7
-  %249 = fmul double %234, %2
-  %250 = fadd double %249, %1
-  %251 = load ptr, ptr %31, align 8
-  store double %250, ptr %251, align 8
-  %252 = load i64, ptr %32, align 8
-  %253 = icmp sgt i64 %252, 0
-  br i1 %253, label %254, label %255
+238:                                              ; preds = %232
+  %239 = icmp sgt i64 %212, 0
+  %240 = fcmp olt double %234, 0.000000e+00
+  %241 = and i1 %239, %240
+  br i1 %241, label %242, label %245
 
-254:                                              ; preds = %233
-  tail call fastcc void @sample(ptr noundef nonnull %6) #7
-  br label %255
+242:                                              ; preds = %238
+  %243 = icmp slt i64 %216, 1
+  %244 = zext i1 %243 to i32
+  br label %245
 
-255:                                              ; preds = %233, %254
-  %256 = load ptr, ptr %9, align 8
-  %257 = load i64, ptr %256, align 8
-  %258 = load ptr, ptr %33, align 8
-  %259 = load ptr, ptr %27, align 8
-  %260 = load ptr, ptr %34, align 8
-  %261 = load ptr, ptr %35, align 8
-  %262 = load ptr, ptr %15, align 8
-  %263 = getelementptr inbounds i8, ptr %256, i64 8
+245:                                              ; preds = %232, %238, %242
+  %246 = phi i32 [ 1, %232 ], [ 0, %238 ], [ %244, %242 ]
+  %247 = icmp eq i32 %246, 0
+  br i1 %247, label %248, label %296
+
+248:                                              ; preds = %245
+  %249 = call fastcc double @locate(ptr noundef nonnull %0, ptr noundef nonnull %4, double noundef %1, double noundef %2, double noundef %102, double noundef %210, i64 noundef %209) #7
+  %250 = fcmp ogt double %249, %102
+  br i1 %250, label %251, label %253
+
+251:                                              ; preds = %248
+  %252 = getelementptr inbounds i64, ptr %20, i64 %209
+  store i64 2, ptr %252, align 8
+  br label %253
+
+253:                                              ; preds = %251, %248
+  %254 = phi double [ %249, %251 ], [ %210, %248 ]
+  %255 = load ptr, ptr %27, align 8
+  %256 = load ptr, ptr %28, align 8
+  %257 = insertelement <8 x double> poison, double %254, i64 0
+  %258 = shufflevector <8 x double> %257, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %258, ptr %256, align 8
+  %259 = load ptr, ptr %8, align 8
+  %260 = load ptr, ptr %29, align 8
+  %261 = load i64, ptr %30, align 8
+  %262 = load ptr, ptr %0, align 8
+  %263 = getelementptr inbounds i8, ptr %262, i64 24
   %264 = load i64, ptr %263, align 8
-  %265 = getelementptr inbounds double, ptr %262, i64 %264
-  %266 = inttoptr i64 %257 to ptr
-  %267 = tail call i32 %266(ptr noundef %258, ptr noundef %259, ptr noundef %260, ptr noundef %261, ptr noundef %265) #8
-  %268 = icmp sgt i32 %267, -1
-  br i1 %268, label %274, label %269
+  %265 = load ptr, ptr %28, align 8
+  %266 = load ptr, ptr %6, align 8
+  %267 = getelementptr inbounds i8, ptr %266, i64 16
+  %268 = load i64, ptr %267, align 8
+  tail call fastcc void @nested(ptr noundef %255, ptr noundef %259, ptr noundef %260, i64 noundef %261, i64 noundef %264, ptr noundef %265, i64 noundef %268) #7
+  %269 = fmul double %254, %2
+  %270 = fadd double %269, %1
+  %271 = load ptr, ptr %31, align 8
+  store double %270, ptr %271, align 8
+  %272 = load i64, ptr %32, align 8
+  %273 = icmp sgt i64 %272, 0
+  br i1 %273, label %274, label %275
 
-269:                                              ; preds = %255
-  %270 = load ptr, ptr %22, align 8
-  %271 = getelementptr inbounds i8, ptr %270, i64 80
-  store i64 %25, ptr %271, align 8
-  %272 = load ptr, ptr %21, align 8
-  %273 = getelementptr inbounds i8, ptr %272, i64 48
-  store double 1.000000e+00, ptr %273, align 8
-  br label %274
+274:                                              ; preds = %253
+  tail call fastcc void @sample(ptr noundef nonnull %6) #7
+  br label %275
 
-274:                                              ; preds = %255, %269
-  %275 = phi i64 [ -4, %269 ], [ %188, %255 ]
-  br i1 %268, label %276, label %282
+275:                                              ; preds = %253, %274
+  %276 = load ptr, ptr %9, align 8
+  %277 = load i64, ptr %276, align 8
+  %278 = load ptr, ptr %33, align 8
+  %279 = load ptr, ptr %27, align 8
+  %280 = load ptr, ptr %34, align 8
+  %281 = load ptr, ptr %35, align 8
+  %282 = load ptr, ptr %15, align 8
+  %283 = getelementptr inbounds i8, ptr %276, i64 8
+  %284 = load i64, ptr %283, align 8
+  %285 = getelementptr inbounds double, ptr %282, i64 %284
+  %286 = inttoptr i64 %277 to ptr
+  %287 = tail call i32 %286(ptr noundef %278, ptr noundef %279, ptr noundef %280, ptr noundef %281, ptr noundef %285) #8
+  %288 = icmp sgt i32 %287, -1
+  br i1 %288, label %294, label %289
 
-276:                                              ; preds = %209, %225, %274
-  %277 = phi double [ %190, %225 ], [ %234, %274 ], [ %190, %209 ]
-  %278 = phi i64 [ %188, %225 ], [ %275, %274 ], [ %188, %209 ]
-  %279 = add nuw nsw i64 %189, 1
-  %280 = icmp slt i64 %279, %12
-  %281 = icmp eq i64 %279, %12
-  br i1 %281, label %282, label %186, !llvm.loop !7
+289:                                              ; preds = %275
+  %290 = load ptr, ptr %22, align 8
+  %291 = getelementptr inbounds i8, ptr %290, i64 80
+  store i64 %25, ptr %291, align 8
+  %292 = load ptr, ptr %21, align 8
+  %293 = getelementptr inbounds i8, ptr %292, i64 48
+  store double 1.000000e+00, ptr %293, align 8
+  br label %294
 
-282:                                              ; preds = %274, %276, %180
-  %283 = phi i1 [ %37, %180 ], [ %187, %274 ], [ %280, %276 ]
-  %284 = phi i32 [ 10, %180 ], [ 1, %274 ], [ 10, %276 ]
-  %285 = phi double [ %104, %180 ], [ %234, %274 ], [ %277, %276 ]
-  %286 = phi i64 [ %102, %180 ], [ %275, %274 ], [ %278, %276 ]
-  br i1 %283, label %453, label %287
+294:                                              ; preds = %275, %289
+  %295 = phi i64 [ -4, %289 ], [ %208, %275 ]
+  br i1 %288, label %296, label %302
 
-287:                                              ; preds = %282
-  br i1 %39, label %298, label %290
+296:                                              ; preds = %229, %245, %294
+  %297 = phi double [ %210, %245 ], [ %254, %294 ], [ %210, %229 ]
+  %298 = phi i64 [ %208, %245 ], [ %295, %294 ], [ %208, %229 ]
+  %299 = add nuw nsw i64 %209, 1
+  %300 = icmp sge i64 %299, %12
+  %301 = select i1 %300, i1 true, i1 %199
+  br i1 %301, label %302, label %206, !llvm.loop !7
 
-288:                                              ; preds = %385
-  %289 = zext i1 %386 to i32
-  br label %290
+302:                                              ; preds = %294, %296, %198
+  %303 = phi i1 [ %200, %198 ], [ %207, %294 ], [ %301, %296 ]
+  %304 = phi i32 [ 10, %198 ], [ 1, %294 ], [ 10, %296 ]
+  %305 = phi double [ %105, %198 ], [ %254, %294 ], [ %297, %296 ]
+  %306 = phi i64 [ %103, %198 ], [ %295, %294 ], [ %298, %296 ]
+  br i1 %303, label %307, label %473
 
-290:                                              ; preds = %288, %287
-  %291 = phi i32 [ 0, %287 ], [ %289, %288 ]
-  %292 = phi i64 [ -1, %287 ], [ %375, %288 ]
-  %293 = icmp eq i32 %291, 0
-  br i1 %293, label %294, label %389
+307:                                              ; preds = %302
+  br i1 %40, label %318, label %310
 
-294:                                              ; preds = %290
-  br i1 %43, label %295, label %438
+308:                                              ; preds = %405
+  %309 = zext i1 %406 to i32
+  br label %310
 
-295:                                              ; preds = %294
-  %296 = fmul double %285, %2
-  %297 = fadd double %296, %1
-  br label %390
+310:                                              ; preds = %308, %307
+  %311 = phi i32 [ 0, %307 ], [ %309, %308 ]
+  %312 = phi i64 [ -1, %307 ], [ %395, %308 ]
+  %313 = icmp eq i32 %311, 0
+  br i1 %313, label %314, label %409
 
-298:                                              ; preds = %287, %385
-  %299 = phi i64 [ %387, %385 ], [ 0, %287 ]
-  %300 = phi i64 [ %375, %385 ], [ -1, %287 ]
-  %301 = phi i1 [ %386, %385 ], [ false, %287 ]
-  %302 = getelementptr double, ptr %40, i64 %299
-  %303 = load double, ptr %302, align 8
-  %304 = getelementptr inbounds i64, ptr %18, i64 %299
-  %305 = load i64, ptr %304, align 8
-  %306 = getelementptr inbounds i64, ptr %14, i64 %299
-  %307 = load i64, ptr %306, align 8
-  %308 = icmp slt i64 %305, 0
-  %309 = fcmp ogt double %303, 0.000000e+00
-  %310 = and i1 %309, %308
-  %311 = icmp sgt i64 %307, -1
-  %312 = and i1 %310, %311
-  br i1 %312, label %320, label %313
+314:                                              ; preds = %310
+  br i1 %44, label %315, label %458
 
-313:                                              ; preds = %298
-  %314 = icmp sgt i64 %305, 0
-  %315 = fcmp olt double %303, 0.000000e+00
-  %316 = and i1 %315, %314
-  br i1 %316, label %317, label %320
+315:                                              ; preds = %314
+  %316 = fmul double %305, %2
+  %317 = fadd double %316, %1
+  br label %410
 
-317:                                              ; preds = %313
-  %318 = icmp slt i64 %307, 1
-  %319 = zext i1 %318 to i32
-  br label %320
-
-320:                                              ; preds = %298, %313, %317
-  %321 = phi i32 [ 1, %298 ], [ 0, %313 ], [ %319, %317 ]
-  %322 = icmp eq i32 %321, 0
-  br i1 %322, label %323, label %348
-
-323:                                              ; preds = %320
-  %324 = getelementptr inbounds double, ptr %16, i64 %299
-  %325 = load double, ptr %324, align 8
-  %326 = fcmp ogt double %325, 0.000000e+00
-  %327 = and i1 %308, %326
-  %328 = and i1 %311, %327
-  br i1 %328, label %336, label %329
-
-329:                                              ; preds = %323
-  %330 = icmp sgt i64 %305, 0
-  %331 = fcmp olt double %325, 0.000000e+00
+318:                                              ; preds = %307, %405
+  %319 = phi i64 [ %407, %405 ], [ 0, %307 ]
+  %320 = phi i64 [ %395, %405 ], [ -1, %307 ]
+  %321 = phi i1 [ %406, %405 ], [ false, %307 ]
+  %322 = getelementptr double, ptr %41, i64 %319
+  %323 = load double, ptr %322, align 8
+  %324 = getelementptr inbounds i64, ptr %18, i64 %319
+  %325 = load i64, ptr %324, align 8
+  %326 = getelementptr inbounds i64, ptr %14, i64 %319
+  %327 = load i64, ptr %326, align 8
+  %328 = icmp slt i64 %325, 0
+  %329 = fcmp ogt double %323, 0.000000e+00
+  %330 = and i1 %329, %328
+  %331 = icmp sgt i64 %327, -1
   %332 = and i1 %330, %331
-  br i1 %332, label %333, label %336
+  br i1 %332, label %340, label %333
 
-333:                                              ; preds = %329
-  %334 = icmp slt i64 %307, 1
-  %335 = zext i1 %334 to i32
-  br label %336
+333:                                              ; preds = %318
+  %334 = icmp sgt i64 %325, 0
+  %335 = fcmp olt double %323, 0.000000e+00
+  %336 = and i1 %335, %334
+  br i1 %336, label %337, label %340
 
-336:                                              ; preds = %323, %329, %333
-  %337 = phi i32 [ 1, %323 ], [ 0, %329 ], [ %335, %333 ]
-  %338 = icmp eq i32 %337, 0
-  br i1 %338, label %348, label %339
+337:                                              ; preds = %333
+  %338 = icmp slt i64 %327, 1
+  %339 = zext i1 %338 to i32
+  br label %340
 
-339:                                              ; preds = %336
-  %340 = fcmp oeq double %303, 0.000000e+00
-  br i1 %340, label %345, label %341
+340:                                              ; preds = %318, %333, %337
+  %341 = phi i32 [ 1, %318 ], [ 0, %333 ], [ %339, %337 ]
+  %342 = icmp eq i32 %341, 0
+  br i1 %342, label %343, label %368
 
-341:                                              ; preds = %339
-  %342 = getelementptr inbounds i64, ptr %20, i64 %299
-  %343 = load i64, ptr %342, align 8
-  %344 = icmp eq i64 %343, 1
-  br label %345
+343:                                              ; preds = %340
+  %344 = getelementptr inbounds double, ptr %16, i64 %319
+  %345 = load double, ptr %344, align 8
+  %346 = fcmp ogt double %345, 0.000000e+00
+  %347 = and i1 %328, %346
+  %348 = and i1 %331, %347
+  br i1 %348, label %356, label %349
 
-345:                                              ; preds = %341, %339
-  %346 = phi i1 [ true, %339 ], [ %344, %341 ]
-  %347 = zext i1 %346 to i32
-  br label %348
+349:                                              ; preds = %343
+  %350 = icmp sgt i64 %325, 0
+  %351 = fcmp olt double %345, 0.000000e+00
+  %352 = and i1 %350, %351
+  br i1 %352, label %353, label %356
 
-348:                                              ; preds = %345, %336, %320
-  %349 = phi i32 [ 1, %320 ], [ %347, %345 ], [ 0, %336 ]
-  %350 = icmp eq i32 %349, 0
-  br i1 %350, label %351, label %357
+353:                                              ; preds = %349
+  %354 = icmp slt i64 %327, 1
+  %355 = zext i1 %354 to i32
+  br label %356
 
-351:                                              ; preds = %348
-  %352 = getelementptr inbounds i64, ptr %20, i64 %299
-  %353 = load i64, ptr %352, align 8
-  %354 = icmp eq i64 %353, 2
-  %355 = fcmp oeq double %303, 0.000000e+00
-  %356 = and i1 %355, %354
-  br label %357
+356:                                              ; preds = %343, %349, %353
+  %357 = phi i32 [ 1, %343 ], [ 0, %349 ], [ %355, %353 ]
+  %358 = icmp eq i32 %357, 0
+  br i1 %358, label %368, label %359
 
-357:                                              ; preds = %351, %348
-  %358 = phi i1 [ true, %348 ], [ %356, %351 ]
-  br i1 %358, label %374, label %359
+359:                                              ; preds = %356
+  %360 = fcmp oeq double %323, 0.000000e+00
+  br i1 %360, label %365, label %361
 
-359:                                              ; preds = %357
-  %360 = getelementptr inbounds double, ptr %16, i64 %299
-  %361 = load double, ptr %360, align 8
-  %362 = icmp eq i64 %305, 0
-  %363 = fcmp ord double %361, 0.000000e+00
-  %364 = or i1 %362, %363
-  br i1 %364, label %374, label %365
+361:                                              ; preds = %359
+  %362 = getelementptr inbounds i64, ptr %20, i64 %319
+  %363 = load i64, ptr %362, align 8
+  %364 = icmp eq i64 %363, 1
+  br label %365
 
-365:                                              ; preds = %359
-  %366 = sitofp i64 %305 to double
-  %367 = fmul double %303, %366
-  %368 = fcmp olt double %367, 0.000000e+00
-  br i1 %368, label %369, label %371
+365:                                              ; preds = %361, %359
+  %366 = phi i1 [ true, %359 ], [ %364, %361 ]
+  %367 = zext i1 %366 to i32
+  br label %368
 
-369:                                              ; preds = %365
-  %370 = sub nsw i64 0, %305
-  store i64 %370, ptr %304, align 8
-  br label %374
+368:                                              ; preds = %365, %356, %340
+  %369 = phi i32 [ 1, %340 ], [ %367, %365 ], [ 0, %356 ]
+  %370 = icmp eq i32 %369, 0
+  br i1 %370, label %371, label %377
 
-371:                                              ; preds = %365
-  %372 = fcmp ueq double %303, 0.000000e+00
-  %373 = select i1 %372, i64 %299, i64 %300
-  br label %374
+371:                                              ; preds = %368
+  %372 = getelementptr inbounds i64, ptr %20, i64 %319
+  %373 = load i64, ptr %372, align 8
+  %374 = icmp eq i64 %373, 2
+  %375 = fcmp oeq double %323, 0.000000e+00
+  %376 = and i1 %375, %374
+  br label %377
 
-374:                                              ; preds = %371, %369, %359, %357
-  %375 = phi i64 [ %300, %357 ], [ %300, %369 ], [ %300, %359 ], [ %373, %371 ]
-  %376 = zext i1 %358 to i64
-  %377 = getelementptr inbounds i64, ptr %20, i64 %299
-  store i64 %376, ptr %377, align 8
-  %378 = xor i1 %358, true
-  %379 = or i1 %301, %378
-  br i1 %379, label %385, label %380
+377:                                              ; preds = %371, %368
+  %378 = phi i1 [ true, %368 ], [ %376, %371 ]
+  br i1 %378, label %394, label %379
 
-380:                                              ; preds = %374
-  %381 = load ptr, ptr %41, align 8
-  %382 = getelementptr inbounds i64, ptr %381, i64 %299
-  %383 = load i64, ptr %382, align 8
-  %384 = icmp eq i64 %383, 1
-  br label %385
+379:                                              ; preds = %377
+  %380 = getelementptr inbounds double, ptr %16, i64 %319
+  %381 = load double, ptr %380, align 8
+  %382 = icmp eq i64 %325, 0
+  %383 = fcmp ord double %381, 0.000000e+00
+  %384 = or i1 %382, %383
+  br i1 %384, label %394, label %385
 
-385:                                              ; preds = %374, %380
-  %386 = phi i1 [ %301, %374 ], [ %384, %380 ]
-  %387 = add nuw nsw i64 %299, 1
-  %388 = icmp eq i64 %387, %12
-  br i1 %388, label %288, label %298, !llvm.loop !8
+385:                                              ; preds = %379
+  %386 = sitofp i64 %325 to double
+  %387 = fmul double %323, %386
+  %388 = fcmp olt double %387, 0.000000e+00
+  br i1 %388, label %389, label %391
 
-389:                                              ; preds = %290
-  store double %285, ptr %42, align 8
-  br label %453
+389:                                              ; preds = %385
+  %390 = sub nsw i64 0, %325
+  store i64 %390, ptr %324, align 8
+  br label %394
 
-390:                                              ; preds = %295, %434
-  %391 = phi i1 [ %43, %295 ], [ %436, %434 ]
-  %392 = phi i64 [ 0, %295 ], [ %435, %434 ]
-  %393 = getelementptr inbounds i64, ptr %20, i64 %392
-  %394 = load i64, ptr %393, align 8
-  %395 = icmp eq i64 %394, 0
-  br i1 %395, label %434, label %396
+391:                                              ; preds = %385
+  %392 = fcmp ueq double %323, 0.000000e+00
+  %393 = select i1 %392, i64 %319, i64 %320
+  br label %394
 
-396:                                              ; preds = %390
-  %397 = load ptr, ptr %22, align 8
-  %398 = getelementptr inbounds i8, ptr %397, i64 80
-  %399 = load i64, ptr %398, align 8
-  %400 = load ptr, ptr %6, align 8
-  %401 = getelementptr inbounds i8, ptr %400, i64 8
-  %402 = load i64, ptr %401, align 8
-  %403 = load i64, ptr %45, align 8
-  %404 = icmp eq i64 %403, 0
-  br i1 %404, label %430, label %405
+394:                                              ; preds = %391, %389, %379, %377
+  %395 = phi i64 [ %320, %377 ], [ %320, %389 ], [ %320, %379 ], [ %393, %391 ]
+  %396 = zext i1 %378 to i64
+  %397 = getelementptr inbounds i64, ptr %20, i64 %319
+  store i64 %396, ptr %397, align 8
+  %398 = xor i1 %378, true
+  %399 = or i1 %321, %398
+  br i1 %399, label %405, label %400
 
-405:                                              ; preds = %396
-  %406 = icmp eq i64 %399, %403
-  br i1 %406, label %429, label %407
+400:                                              ; preds = %394
+  %401 = load ptr, ptr %42, align 8
+  %402 = getelementptr inbounds i64, ptr %401, i64 %319
+  %403 = load i64, ptr %402, align 8
+  %404 = icmp eq i64 %403, 1
+  br label %405
 
-407:                                              ; preds = %405
-  %408 = load ptr, ptr %44, align 8
-  %409 = getelementptr inbounds double, ptr %408, i64 %399
-  store double %297, ptr %409, align 8
-  %410 = load ptr, ptr %46, align 8
-  %411 = getelementptr inbounds i64, ptr %410, i64 %399
-  store i64 %392, ptr %411, align 8
-  %412 = icmp sgt i64 %402, 0
-  br i1 %412, label %417, label %413
+405:                                              ; preds = %394, %400
+  %406 = phi i1 [ %321, %394 ], [ %404, %400 ]
+  %407 = add nuw nsw i64 %319, 1
+  %408 = icmp eq i64 %407, %12
+  br i1 %408, label %308, label %318, !llvm.loop !8
 
-413:                                              ; preds = %417, %407
-  %414 = add nsw i64 %399, 1
-  %415 = load ptr, ptr %22, align 8
-  %416 = getelementptr inbounds i8, ptr %415, i64 80
-  store i64 %414, ptr %416, align 8
-  br label %430
+409:                                              ; preds = %310
+  store double %305, ptr %43, align 8
+  br label %473
 
-417:                                              ; preds = %407, %417
-  %418 = phi i64 [ %427, %417 ], [ 0, %407 ]
-  %419 = load ptr, ptr %27, align 8
-  %420 = getelementptr inbounds double, ptr %419, i64 %418
-  %421 = load double, ptr %420, align 8
-  %422 = load ptr, ptr %47, align 8
-  %423 = load i64, ptr %48, align 8
-  %424 = mul nsw i64 %423, %399
-  %425 = getelementptr double, ptr %422, i64 %424
-  %426 = getelementptr double, ptr %425, i64 %418
-  store double %421, ptr %426, align 8
-  %427 = add nuw nsw i64 %418, 1
-  %428 = icmp eq i64 %427, %402
-  br i1 %428, label %413, label %417, !llvm.loop !9
+410:                                              ; preds = %315, %454
+  %411 = phi i1 [ %44, %315 ], [ %456, %454 ]
+  %412 = phi i64 [ 0, %315 ], [ %455, %454 ]
+  %413 = getelementptr inbounds i64, ptr %20, i64 %412
+  %414 = load i64, ptr %413, align 8
+  %415 = icmp eq i64 %414, 0
+  br i1 %415, label %454, label %416
 
-429:                                              ; preds = %405
-  store double %285, ptr %49, align 8
-  br label %438
+416:                                              ; preds = %410
+  %417 = load ptr, ptr %22, align 8
+  %418 = getelementptr inbounds i8, ptr %417, i64 80
+  %419 = load i64, ptr %418, align 8
+  %420 = load ptr, ptr %6, align 8
+  %421 = getelementptr inbounds i8, ptr %420, i64 8
+  %422 = load i64, ptr %421, align 8
+  %423 = load i64, ptr %46, align 8
+  %424 = icmp eq i64 %423, 0
+  br i1 %424, label %450, label %425
 
-430:                                              ; preds = %413, %396
-  %431 = getelementptr inbounds i64, ptr %18, i64 %392
-  %432 = load i64, ptr %431, align 8
-  %433 = sub nsw i64 0, %432
-  store i64 %433, ptr %431, align 8
-  br label %434
+425:                                              ; preds = %416
+  %426 = icmp eq i64 %419, %423
+  br i1 %426, label %449, label %427
 
-434:                                              ; preds = %390, %430
-  %435 = add nuw nsw i64 %392, 1
-  %436 = icmp slt i64 %435, %12
-  %437 = icmp eq i64 %435, %12
-  br i1 %437, label %438, label %390, !llvm.loop !10
+427:                                              ; preds = %425
+  %428 = load ptr, ptr %45, align 8
+  %429 = getelementptr inbounds double, ptr %428, i64 %419
+  store double %317, ptr %429, align 8
+  %430 = load ptr, ptr %47, align 8
+  %431 = getelementptr inbounds i64, ptr %430, i64 %419
+  store i64 %412, ptr %431, align 8
+  %432 = icmp sgt i64 %422, 0
+  br i1 %432, label %437, label %433
 
-438:                                              ; preds = %434, %294, %429
-  %439 = phi i1 [ %391, %429 ], [ %43, %294 ], [ %436, %434 ]
-  %440 = phi i32 [ 1, %429 ], [ 16, %294 ], [ 16, %434 ]
-  %441 = phi i64 [ -3, %429 ], [ %286, %294 ], [ %286, %434 ]
-  br i1 %439, label %453, label %442
+433:                                              ; preds = %437, %427
+  %434 = add nsw i64 %419, 1
+  %435 = load ptr, ptr %22, align 8
+  %436 = getelementptr inbounds i8, ptr %435, i64 80
+  store i64 %434, ptr %436, align 8
+  br label %450
 
-442:                                              ; preds = %438
-  %443 = icmp sgt i64 %292, -1
-  br i1 %443, label %444, label %453
+437:                                              ; preds = %427, %437
+  %438 = phi i64 [ %447, %437 ], [ 0, %427 ]
+  %439 = load ptr, ptr %27, align 8
+  %440 = getelementptr inbounds double, ptr %439, i64 %438
+  %441 = load double, ptr %440, align 8
+  %442 = load ptr, ptr %48, align 8
+  %443 = load i64, ptr %49, align 8
+  %444 = mul nsw i64 %443, %419
+  %445 = getelementptr double, ptr %442, i64 %444
+  %446 = getelementptr double, ptr %445, i64 %438
+  store double %441, ptr %446, align 8
+  %447 = add nuw nsw i64 %438, 1
+  %448 = icmp eq i64 %447, %422
+  br i1 %448, label %433, label %437, !llvm.loop !9
 
-444:                                              ; preds = %442
-  br i1 %50, label %446, label %445
+449:                                              ; preds = %425
+  store double %305, ptr %50, align 8
+  br label %458
 
-445:                                              ; preds = %446, %444
-  store double %285, ptr %51, align 8
-  br label %453
+450:                                              ; preds = %433, %416
+  %451 = getelementptr inbounds i64, ptr %18, i64 %412
+  %452 = load i64, ptr %451, align 8
+  %453 = sub nsw i64 0, %452
+  store i64 %453, ptr %451, align 8
+  br label %454
 
-446:                                              ; preds = %444, %446
-  %447 = phi i64 [ %451, %446 ], [ 0, %444 ]
-  %448 = icmp eq i64 %447, %292
-  %449 = zext i1 %448 to i64
-  %450 = getelementptr inbounds i64, ptr %20, i64 %447
-  store i64 %449, ptr %450, align 8
-  %451 = add nuw nsw i64 %447, 1
-  %452 = icmp eq i64 %451, %12
-  br i1 %452, label %445, label %446, !llvm.loop !11
+454:                                              ; preds = %410, %450
+  %455 = add nuw nsw i64 %412, 1
+  %456 = icmp slt i64 %455, %12
+  %457 = icmp eq i64 %455, %12
+  br i1 %457, label %458, label %410, !llvm.loop !10
 
-453:                                              ; preds = %389, %445, %438, %442, %103, %282, %181
-  %454 = phi i32 [ 1, %181 ], [ %284, %282 ], [ 5, %103 ], [ 1, %389 ], [ 1, %445 ], [ %440, %438 ], [ 0, %442 ]
-  %455 = phi double [ %101, %181 ], [ %101, %282 ], [ %101, %103 ], [ %101, %389 ], [ %101, %445 ], [ %101, %438 ], [ %285, %442 ]
-  %456 = phi i64 [ -4, %181 ], [ %286, %282 ], [ %102, %103 ], [ -2, %389 ], [ 21, %445 ], [ %441, %438 ], [ %441, %442 ]
-  switch i32 %454, label %471 [
-    i32 0, label %100
-    i32 5, label %457
+458:                                              ; preds = %454, %314, %449
+  %459 = phi i1 [ %411, %449 ], [ %44, %314 ], [ %456, %454 ]
+  %460 = phi i32 [ 1, %449 ], [ 16, %314 ], [ 16, %454 ]
+  %461 = phi i64 [ -3, %449 ], [ %306, %314 ], [ %306, %454 ]
+  br i1 %459, label %473, label %462
+
+462:                                              ; preds = %458
+  %463 = icmp sgt i64 %312, -1
+  br i1 %463, label %464, label %473
+
+464:                                              ; preds = %462
+  br i1 %51, label %466, label %465
+
+465:                                              ; preds = %466, %464
+  store double %305, ptr %52, align 8
+  br label %473
+
+466:                                              ; preds = %464, %466
+  %467 = phi i64 [ %471, %466 ], [ 0, %464 ]
+  %468 = icmp eq i64 %467, %312
+  %469 = zext i1 %468 to i64
+  %470 = getelementptr inbounds i64, ptr %20, i64 %467
+  store i64 %469, ptr %470, align 8
+  %471 = add nuw nsw i64 %467, 1
+  %472 = icmp eq i64 %471, %12
+  br i1 %472, label %465, label %466, !llvm.loop !11
+
+473:                                              ; preds = %409, %465, %458, %462, %104, %302, %201
+  %474 = phi i32 [ 1, %201 ], [ %304, %302 ], [ 5, %104 ], [ 1, %409 ], [ 1, %465 ], [ %460, %458 ], [ 0, %462 ]
+  %475 = phi double [ %102, %201 ], [ %102, %302 ], [ %102, %104 ], [ %102, %409 ], [ %102, %465 ], [ %102, %458 ], [ %305, %462 ]
+  %476 = phi i64 [ -4, %201 ], [ %306, %302 ], [ %103, %104 ], [ -2, %409 ], [ 21, %465 ], [ %461, %458 ], [ %461, %462 ]
+  switch i32 %474, label %491 [
+    i32 0, label %101
+    i32 5, label %477
   ], !llvm.loop !12
 
-457:                                              ; preds = %453
-  br i1 %52, label %458, label %471
+477:                                              ; preds = %473
+  br i1 %53, label %478, label %491
 
-458:                                              ; preds = %457, %468
-  %459 = phi i64 [ %469, %468 ], [ 0, %457 ]
-  %460 = getelementptr inbounds double, ptr %16, i64 %459
-  %461 = load double, ptr %460, align 8
-  %462 = fcmp ogt double %461, 0.000000e+00
-  br i1 %462, label %465, label %463
+478:                                              ; preds = %477, %488
+  %479 = phi i64 [ %489, %488 ], [ 0, %477 ]
+  %480 = getelementptr inbounds double, ptr %16, i64 %479
+  %481 = load double, ptr %480, align 8
+  %482 = fcmp ogt double %481, 0.000000e+00
+  br i1 %482, label %485, label %483
 
-463:                                              ; preds = %458
-  %464 = fcmp olt double %461, 0.000000e+00
-  br i1 %464, label %465, label %468
+483:                                              ; preds = %478
+  %484 = fcmp olt double %481, 0.000000e+00
+  br i1 %484, label %485, label %488
 
-465:                                              ; preds = %463, %458
-  %466 = phi i64 [ 1, %458 ], [ -1, %463 ]
-  %467 = getelementptr inbounds i64, ptr %18, i64 %459
-  store i64 %466, ptr %467, align 8
-  br label %468
+485:                                              ; preds = %483, %478
+  %486 = phi i64 [ 1, %478 ], [ -1, %483 ]
+  %487 = getelementptr inbounds i64, ptr %18, i64 %479
+  store i64 %486, ptr %487, align 8
+  br label %488
 
-468:                                              ; preds = %465, %463
-  %469 = add nuw nsw i64 %459, 1
-  %470 = icmp eq i64 %469, %12
-  br i1 %470, label %471, label %458, !llvm.loop !13
+488:                                              ; preds = %485, %483
+  %489 = add nuw nsw i64 %479, 1
+  %490 = icmp eq i64 %489, %12
+  br i1 %490, label %491, label %478, !llvm.loop !13
 
-471:                                              ; preds = %453, %468, %457, %95
-  %472 = phi i32 [ 1, %95 ], [ 0, %457 ], [ 0, %468 ], [ %454, %453 ]
-  %473 = phi double [ %60, %95 ], [ %63, %457 ], [ %63, %468 ], [ %455, %453 ]
-  %474 = phi i64 [ -4, %95 ], [ %456, %457 ], [ %456, %468 ], [ %456, %453 ]
-  %475 = icmp eq i32 %472, 0
-  br i1 %475, label %53, label %476
+491:                                              ; preds = %473, %488, %477, %96
+  %492 = phi i32 [ 1, %96 ], [ 0, %477 ], [ 0, %488 ], [ %474, %473 ]
+  %493 = phi double [ %61, %96 ], [ %64, %477 ], [ %64, %488 ], [ %475, %473 ]
+  %494 = phi i64 [ -4, %96 ], [ %476, %477 ], [ %476, %488 ], [ %476, %473 ]
+  %495 = icmp eq i32 %492, 0
+  br i1 %495, label %54, label %496
 
-476:                                              ; preds = %53, %471
-  %477 = phi i1 [ %55, %53 ], [ %58, %471 ]
-  br i1 %477, label %478, label %480
+496:                                              ; preds = %54, %491
+  %497 = phi i1 [ %56, %54 ], [ %59, %491 ]
+  br i1 %497, label %498, label %500
 
-478:                                              ; preds = %476
-  %479 = getelementptr inbounds i8, ptr %26, i64 48
-  store double 1.000000e+00, ptr %479, align 8
-  br label %480
+498:                                              ; preds = %496
+  %499 = getelementptr inbounds i8, ptr %26, i64 48
+  store double 1.000000e+00, ptr %499, align 8
+  br label %500
 
-480:                                              ; preds = %476, %478
-  %481 = phi i64 [ 0, %478 ], [ %474, %476 ]
-  ret i64 %481
+500:                                              ; preds = %496, %498
+  %501 = phi i64 [ 0, %498 ], [ %494, %496 ]
+  ret i64 %501
 }
 
 
