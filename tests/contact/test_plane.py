@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
+from scipy.integrate import solve_ivp
 
 from pydy import System
 from pydy.contact import Contacts, Stick, Unilateral
@@ -195,6 +196,35 @@ def test_how_a_block_begins_to_slide_is_found_to_tolerance(static):
     coarse, fine = pulled(static, 1e-6), pulled(static, 1e-8)
     assert coarse.states[-1] == pytest.approx(fine.states[-1], abs=5e-6)
     assert [event.name for event in fine.events] == ["floor slips"]
+
+
+@pytest.mark.parametrize(("turns", "most"), [(30.0, 1.3), (40.0, 1.5)])
+def test_a_body_that_turns_as_it_begins_to_slide_does_not_stop_there(turns, most):
+    # A pull that turns and dies out. Over 20 s, its speeds are those of a body that only begins.
+    t = me.dynamicsymbols._t
+    pull = most * sm.exp(-((10 * t - 5) ** 2)) * (sm.cos(turns * t) * N.x + sm.sin(turns * t) * N.y)
+    body = me.Particle("body", P, 1)
+    system = System(
+        Definition(N, [x, y, z], [vx, vy, vz], bodies=[body], loads=[(P, pull)]),
+        times=[0.0, 20.0],
+        ode_solver="dop853",
+    )
+    rubs = Stick((vx, vy), mu=1.0, normal=1.0, name="rubs")
+    motion = Contacts(system, [rubs]).simulate(rtol=1e-10, atol=1e-10, max_step=0.02)
+
+    def rates(t, state):
+        speed, force = np.hypot(*state[2:]), most * np.exp(-((10 * t - 5) ** 2))
+        along = np.array([np.cos(turns * t), np.sin(turns * t)])
+        return [*state[2:], *(force * along - state[2:] / speed)]
+
+    begins = 0.5 - np.sqrt(np.log(most)) / 10
+    rest = lambda t, state: np.hypot(*state[2:]) - 1e-9 if t > begins + 0.05 else 1.0  # noqa: E731
+    rest.terminal = True
+    start = [0, 0, 1e-9 * np.cos(turns * begins), 1e-9 * np.sin(turns * begins)]
+    options = {"method": "Radau", "rtol": 1e-9, "atol": 1e-13, "max_step": 2e-3, "events": rest}
+    truth = solve_ivp(rates, (begins, 1.0), start, **options)
+    assert motion.events[-1].time == pytest.approx(truth.t[-1], abs=1e-6)
+    assert motion.states[-1, :2] == pytest.approx(truth.y[:2, -1], abs=1e-7)
 
 
 @pytest.mark.parametrize(

@@ -742,6 +742,8 @@ class Run:
                 slow = np.linalg.norm(solution.rates[rows]) * resolved
                 if turning and np.linalg.norm(p.speed[rows]) <= self._unresolved(i):
                     what.add("stops")  # a body on several feet comes to rest on all of them at once
+                if mode == STARTING and np.linalg.norm(p.speed[rows]) > self._unresolved(i):
+                    what.discard("stops")  # it has turned by a right angle
                 still = p.is_still(rows, p.speed[rows])
                 if "stops" in what or still or np.linalg.norm(p.speed[rows]) <= slow:
                     state.resting.add(i)
