@@ -96,6 +96,18 @@ def test_an_event_is_found_that_another_sees_before_its_sign_returns(tmp_path, l
     assert [e["time"] for e in run["events"]] == pytest.approx([turns - before, turns], abs=1e-8)
 
 
+def test_a_reset_may_take_the_state_back_before_its_own_surface(tmp_path, loaded):
+    system, _ = ball()
+    y, v = system.states
+    lifted = Event(y, reset={y: 0.01, v: -1}, name="lifted")
+    page = loaded(system.export(tmp_path / "lifted.js", events=lifted).path)
+    run = page.evaluate("model.simulate({ times: [0, 0.5], rtol: 1e-9, atol: 1e-9 })")
+    system.times = [0.0, 0.5]
+    found = system.simulate(rtol=1e-9, atol=1e-9, events=lifted).events
+    assert len(found) > 4
+    assert [e["time"] for e in run["events"]] == pytest.approx([e.time for e in found])
+
+
 def test_an_unknown_name_is_answered_with_those_there_are(tmp_path, loaded):
     page = loaded(pendulum().export(tmp_path / "pendulum.js").path)
     with pytest.raises(Exception, match="constants: no l9; there are g, l0"):

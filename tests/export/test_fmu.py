@@ -121,6 +121,19 @@ def test_events_reset_states(units, fmi, kind):
     assert found == pytest.approx(expected, abs=1e-8 if kind == "CoSimulation" else 1e-2)
 
 
+def test_a_reset_may_take_the_state_back_before_its_own_surface(tmp_path, hasty):
+    system, _ = ball()
+    system.times = TIMES[TIMES < 0.53]
+    y, v = system.states
+    lifted = Event(y, reset={y: 1e-3, v: -1}, name="lifted")
+    expected = system.integrate(rtol=1e-12, atol=1e-12, events=lifted)
+    path = system.export(tmp_path / "lifted.fmu", events=lifted).path
+    found = simulate_fmu(str(path), fmi_type="CoSimulation", stop_time=system.times[-1],
+                         output_interval=TIMES[1], output=["y", "v"])  # fmt: skip
+    assert expected[-1, 1] > -1.1
+    np.testing.assert_allclose(found["v"], expected[:, 1], atol=1e-8)
+
+
 def test_a_terminal_event_ends_the_simulation(tmp_path, hasty):
     system, bounce = ball()
     stop = type(bounce)(bounce.expression, direction=-1, terminal=True)

@@ -22,6 +22,7 @@ from pydy._system.dependents import latest_dependents
 from pydy._system.setup import Setup
 from pydy._system.solving import (
     check_events,
+    event_bounds_program,
     event_rates_program,
     projection_program,
     with_all,
@@ -234,6 +235,9 @@ class Exporting(Setup):
             builders["resets"] = formulas("the resets of the events", shape, resets)
             builders["event_rates"] = lambda: with_inputs(
                 event_rates_program(assembly, expressions), places
+            )
+            builders["event_bounds"] = lambda: with_inputs(
+                event_bounds_program(assembly, expressions), places
             )
         r = plan(x0, start) if s else np.zeros(0)
         symbols = [

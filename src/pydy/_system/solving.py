@@ -139,6 +139,13 @@ def event_rates_program(
     return lower(graph, own.sizes, blocks)
 
 
+def event_bounds_program(assembly: Assembly, expressions: Sequence[Any]) -> Program:
+    """Return the Program of bounds on the roundings of the events' expressions."""
+    own = assembly.fork()
+    nodes = own.read(expressions, "the events")
+    return own.lowered([("bounds", (len(nodes),), rounding_bounds(own.graph, nodes))], own.graph)
+
+
 def compile_constraints(model: CompiledModel, definition: Definition) -> CompiledConstraints:
     """Compile what the projection needs."""
     equations = definition.equations

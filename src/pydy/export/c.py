@@ -22,6 +22,7 @@ _DESCRIPTIONS = {
     "jacobian": "the derivatives of rates and outputs by states and inputs, row by row",
     "events": "the expressions whose zero crossings are events",
     "event_rates": "the derivatives of these by time, along the motion",
+    "event_bounds": "what rounding may do to the events' expressions, in units of 2^-52",
     "resets": "for each event the states after it, event by event",
 }
 

@@ -156,7 +156,7 @@ def javascript_object(model: Model, extra: Sequence[str] = ()) -> str:
     """
     names = ["rates", "outputs", *extra]
     if model.events:
-        names += ["events", "event_rates", "resets"]
+        names += ["events", "event_rates", "event_bounds", "resets"]
     if model.constraints:
         names.append("projection")
     programs = {name: model.program(name) for name in names}
@@ -221,6 +221,7 @@ _EVENTS = """{
         count: eventNames.names.length,
         values: (t, x, out) => events(t, x, r, events_c, out),
         rates: (t, x, out) => event_rates(t, x, r, event_rates_c, out),
+        bounds: (t, x, out) => event_bounds(t, x, r, event_bounds_c, out),
         reset(k, t, x) {
           resets(t, x, r, resets_c, allResets);
           x.set(allResets.subarray(k * x.length, (k + 1) * x.length));

@@ -88,9 +88,9 @@ class Model:
         In the order of x, r, p and of the outputs.
     builders : mapping of str to callable
         Return the Programs: 'rates' (n,), 'outputs' (m,), 'jacobian' (n + m, n + s) of both by
-        states and inputs, 'events' (e,), 'event_rates' (e,), 'resets' (e, n) the states after each
-        event, 'projection' (see `pydy.solvers.run.constraints`), and those of `PARTS` that the
-        equations have.
+        states and inputs, 'events', 'event_rates' and 'event_bounds' (e,), 'resets' (e, n) the
+        states after each event, 'projection' (see `pydy.solvers.run.constraints`), and those of
+        `PARTS` that the equations have.
     events : EventData
     start, stop : float
         The default time span for importers.

@@ -25,7 +25,7 @@ typedef struct {
     double t, x[NX + 1], u[NU + 1], p[NP + 1], prepared[NPREPARED];
     double rates[NX + 1], outputs[NY + 1], z[NE + 1], dz[NE + 1];
     int prepared_fresh, rates_fresh, outputs_fresh, running;
-    int64_t sides[NE + 1], fired[NE + 1];
+    int64_t sides[NE + 1], fired[NE + 1], off[NE + 1];
     /* of the integration */
     double rtol, last_event[NE + 1], state[FOUND + 1];
     int64_t counts[PROJECTIONS + 1];
@@ -201,7 +201,8 @@ static int derivative(Model *m, const unsigned *unknowns, size_t rows, const uns
 
 /* -- events ----------------------------------------------------------------------------------- */
 
-/* Set the sign that each event has just after now; where one is zero or fired, its rate tells. */
+/* Set the sign that each event has just after now; where one is zero or fired, its rate tells, unless
+   a reset has led off its surface. */
 static void take_sides(Model *m)
 {
 #if NE > 0
@@ -209,12 +210,33 @@ static void take_sides(Model *m)
     event_values(m, m->t, m->x, m->z);
     MODEL(event_rates)(m->t, m->x, m->u, m->prepared, m->dz);
     for (int k = 0; k < NE; k++) {
-        const double value = m->fired[k] || m->z[k] == 0.0 ? m->dz[k] : m->z[k];
+        const int on = (m->fired[k] && !m->off[k]) || m->z[k] == 0.0;
+        const double value = on ? m->dz[k] : m->z[k];
         m->sides[k] = (value > 0.0) - (value < 0.0);
-        m->fired[k] = 0;
+        m->fired[k] = m->off[k] = 0;
     }
 #else
     (void)m;
+#endif
+}
+
+/* Reset the states for an event, and note the events from whose surfaces that leads, by more than
+   rounding. */
+static void reset_states(Model *m, int64_t event)
+{
+#if NE > 0
+    double was[NE];
+    event_values(m, m->t, m->x, was);
+    MODEL(resets)(m->t, m->x, m->u, m->prepared, m->resets);
+    memcpy(m->x, m->resets + event * NX, NX * sizeof(double));
+    changed(m);
+    event_values(m, m->t, m->x, m->z);
+    MODEL(event_bounds)(m->t, m->x, m->u, m->prepared, m->dz);
+    for (int k = 0; k < NE; k++)
+        if (m->z[k] != was[k] && fabs(m->z[k]) > 8.0 * ROUNDING * m->dz[k])
+            m->off[k] = 1;
+#else
+    (void)m, (void)event;
 #endif
 }
 
@@ -226,12 +248,8 @@ static int act(Model *m)
     for (int k = 0; k < NE; k++) {
         if (!m->fired[k])
             continue;
-        if (EVENT_ACTING[k]) {
-            prepare(m);
-            MODEL(resets)(m->t, m->x, m->u, m->prepared, m->resets);
-            memcpy(m->x, m->resets + k * NX, NX * sizeof(double));
-            changed(m);
-        }
+        if (EVENT_ACTING[k])
+            reset_states(m, k);
         ends = ends || EVENT_TERMINAL[k];
         /* so many so close together that they accumulate, as of a ball that comes to rest */
         if (m->t - m->last_event[k] < 1e-11 * (fabs(m->t) + 1.0))

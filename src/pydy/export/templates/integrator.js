@@ -236,6 +236,15 @@ class Integration {
     }
   }
 
+  /** Note the events from whose surfaces a reset has led, by more than rounding. */
+  leave(was, off) {
+    const { events } = this.system, values = new Float64Array(was.length), bounds = new Float64Array(was.length);
+    events.values(this.t, this.x, values);
+    events.bounds(this.t, this.x, bounds);
+    for (let k = 0; k < was.length; k++)
+      if (values[k] !== was[k] && Math.abs(values[k]) > 8 * EPS * bounds[k]) off.add(k);
+  }
+
   crossed(k, value) {
     const side = this.sides[k], direction = this.system.events.directions[k];
     return (side < 0 && value > 0 && direction >= 0) || (side > 0 && value < 0 && direction <= 0);
@@ -324,9 +333,14 @@ class Integration {
   act() {
     const { events } = this.system, { fired, x, t, records } = this;
     let ends = false, crowded = false;
+    const was = new Float64Array(fired.length), off = new Set();
     for (let k = 0; k < fired.length; k++) if (fired[k]) {
       records.push({ time: t, index: k });
-      events.reset(k, t, x);
+      if (events.acting[k]) {
+        events.values(t, x, was);
+        events.reset(k, t, x);
+        this.leave(was, off);
+      }
       ends = ends || events.terminal[k];
       const same = records.filter((one) => one.index === k).slice(-CROWD), span = this.times[this.times.length - 1] - this.times[0];
       if (same.length >= 2 && t - same[same.length - 2].time <= 16 * EPS * Math.max(Math.abs(t), span)) crowded = true;
@@ -334,7 +348,10 @@ class Integration {
     }
     if (!x.every(Number.isFinite)) return this.fail("a reset gave no finite state");
     if (ends || crowded) this.status = "stopped";
-    else this.takeSides(false);
+    else {
+      for (const k of off) fired[k] = 0;
+      this.takeSides(false);
+    }
     this.started = false;
     return undefined;
   }
