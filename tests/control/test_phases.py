@@ -37,6 +37,30 @@ def test_a_mass_that_bounces_off_a_wall(restitution, method):
     assert (len(found), found.duration, found.message) == (2, 2.0, "solved")
 
 
+def test_phases_are_swept_through_constants():
+    x, v, F = me.dynamicsymbols("x v F")
+    m, e = sm.symbols("m e")
+    system = optima.first_order([x], v, F, m, None, {m: 1.0})
+    other = optima.first_order([x], v, F, 1, None)
+    effort = sm.Integral(F**2, T)
+    there = OptimalControl(system, effort, 1.0, end={x: 1.0}, mesh=3)
+    back = OptimalControl(system, effort, 1.0, end={x: 0.0, v: 0.0}, mesh=3)
+    light = OptimalControl(other, effort, 1.0, end={x: 1.0, v: 0.0}, mesh=3)
+    found = OptimalControl.phases([there, back], [{v: -v}]).sweep({"m": [1.0, 3.0]})
+    for motion, mass in zip(found, (1, 3), strict=True):
+        assert motion.objective == pytest.approx(mass**2 * 6.0, rel=1e-8)  # see above
+        assert motion[1].constants[m] == mass
+    # A second phase without that constant: the mass stops, to stay where it is.
+    stop = OptimalControl(system, effort, 1.0, end={x: 1.0, v: 0.0}, mesh=3)
+    phases = OptimalControl.phases([stop, light])
+    assert phases.sweep({m: [2.0]})[0].objective == pytest.approx(4 * 12.0, rel=1e-8)
+    with pytest.raises(ValueError, match="`values` has the key `e`, which is not one of"):
+        phases.sweep({e: [1.0]})
+    free = OptimalControl(system, effort, 1.0, end={x: 1.0}, free=[m], bounds={m: (1, 2)})
+    with pytest.raises(ValueError, match="`values` has `m`, which is `free`"):
+        OptimalControl.phases([light, free]).sweep({"m": [1.0]})
+
+
 def test_the_objective_of_phases_is_refined_too():
     system, (x, v, F) = optima.double_integrator()
     effort, options = sm.Integral(F**2, T), {"mesh": 10, "method": "midpoint"}

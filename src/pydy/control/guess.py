@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from pydy._checks import Places, check_mapping, number, real_array, shown
+from pydy._errors import OptimizationError
 from pydy._rank import DIGITS, least_step
 from pydy.control.nlp import Nlp
 from pydy.control.transcription import Transcription
@@ -164,3 +165,32 @@ def shown_pair(limits: tuple[float, float]) -> str:
     """Return bounds for a message, as users give them."""
     low, high = (None if np.isinf(value) else value for value in limits)
     return repr(low) if low == high else f"({low!r}, {high!r})"
+
+
+def checked_sweep(values: Any) -> tuple[list[Any], list[np.ndarray]]:
+    """Return what is swept, and as many values for each."""
+    given = check_mapping("values", values)
+    rows = [np.atleast_1d(real_array(v, f"`values[{k}]`")) for k, v in given.items()]
+    for key, row in zip(given, rows, strict=True):
+        if row.ndim != 1 or row.shape != rows[0].shape or not np.isfinite(row).all():
+            raise ValueError(
+                f"`values[{key}]` must be finite numbers, as many as for the others, got the "
+                f"shape {row.shape} after {rows[0].shape}."
+            )
+    if not rows:
+        raise ValueError("`values` must map at least one constant to numbers.")
+    return [*given], rows
+
+
+def swept(rows: Sequence[Any], made: Any, search: Any, guess: Any) -> list[Any]:
+    """Search for one set of values after the other, from the last motion, else from the guess."""
+    found: list[Any] = []
+    for numbers in zip(*rows, strict=True):
+        last = found[-1] if found else None
+        try:
+            found.append(search(made(numbers, last), guess if last is None else last))
+        except OptimizationError:
+            if last is None:
+                raise
+            found.append(search(made(numbers, None), guess))
+    return found

@@ -16,7 +16,7 @@ from pydy._errors import AnalysisInterrupted, OptimizationError
 from pydy._optional import progress_of
 from pydy.codegen.arguments import checked_expression
 from pydy.control.accuracy import relative_errors, warn_of_chatter
-from pydy.control.guess import check_freedom, mesh_tolerance
+from pydy.control.guess import check_freedom, checked_sweep, mesh_tolerance, swept
 from pydy.control.ipopt import SOLVED, STATUS, Iteration, Solution
 from pydy.control.kernel import Point
 from pydy.control.nlp import Nlp, Piece
@@ -177,6 +177,63 @@ class Phases:
         for phase in found:
             warn_of_chatter(phase)
         return found
+
+    def sweep(
+        self,
+        values: Mapping[Any, Any],
+        guess: Any = None,
+        *,
+        mesh_tol: float | None = None,
+        options: Mapping[str, Any] | None = None,
+        progress: bool = False,
+        solver: str = "ipopt",
+    ) -> list[PhasedTrajectory]:
+        """Find the motions for several values of constants; each search begins at the last motion.
+
+        Parameters
+        ----------
+        values : dict
+            From constants, in all phases that have them, to arrays of the same length.
+        guess, mesh_tol, options, progress, solver
+            As for `solve`; the guess is that of the first motion.
+
+        Returns
+        -------
+        list of PhasedTrajectory
+
+        Raises
+        ------
+        OptimizationError
+            A search did not converge, neither from the last motion nor from the guess.
+        """
+        keys, rows = checked_sweep(values)
+        owners: list[dict[int, int]] = []  # of each phase, from places in p to those of `keys`
+        for problem in self._problems:
+            places = problem._now.definition.places["constants"]
+            found = {places.get(key, "values"): k for k, key in enumerate(keys)}
+            found.pop(None, None)
+            problem._refuse_free([keys[k] for k in found.values()], found)
+            owners.append(found)
+        for k, key in enumerate(keys):
+            if not any(k in found.values() for found in owners):
+                self._problems[0]._now.definition.places["constants"].find(key, "values")
+
+        def made(numbers: Any, last: Any) -> Phases:
+            other = copy(self)
+            other._problems = [
+                problem._with([*own], [numbers[k] for k in own.values()])
+                for problem, own in zip(self._problems, owners, strict=True)
+            ]
+            for problem, phase in zip(other._problems, () if last is None else last, strict=False):
+                problem._mesh = phase.fractions
+            return other
+
+        def search(phases: Phases, start: Any) -> PhasedTrajectory:
+            return phases.solve(
+                start, mesh_tol=mesh_tol, options=options, progress=progress, solver=solver
+            )
+
+        return swept(rows, made, search, guess)
 
     def _joined(
         self, meshes: Sequence[np.ndarray], guesses: Sequence[Any]

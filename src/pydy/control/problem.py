@@ -18,7 +18,6 @@ from pydy._checks import (
     flag,
     listed,
     number,
-    real_array,
     shown,
     whole,
 )
@@ -32,10 +31,12 @@ from pydy.control.expressions import Reader, bends
 from pydy.control.guess import (
     Guess,
     check_freedom,
+    checked_sweep,
     follow_constraints,
     mesh_tolerance,
     positive_time,
     shown_pair,
+    swept,
 )
 from pydy.control.ipopt import SOLVED, Iteration, Solution
 from pydy.control.kernel import Equations
@@ -639,35 +640,27 @@ class OptimalControl:
             A search did not converge, neither from the last motion nor from the guess.
         """
         places = self._now.definition.places["constants"]
-        given = check_mapping("values", values)
+        given, rows = checked_sweep(values)
         columns = places.columns(given, "values")
-        rows = [np.atleast_1d(real_array(v, f"`values[{k}]`")) for k, v in given.items()]
-        for key, k, row in zip(given, columns, rows, strict=True):
-            if places.symbols[k] in self._free:
-                raise ValueError(f"`values` has `{key}`, which is `free`: it is found.")
-            if row.ndim != 1 or row.shape != rows[0].shape or not np.isfinite(row).all():
-                raise ValueError(
-                    f"`values[{key}]` must be finite numbers, as many as for the others, got the "
-                    f"shape {row.shape} after {rows[0].shape}."
-                )
-        if not rows:
-            raise ValueError("`values` must map at least one constant to numbers.")
-        found: list[OptimalTrajectory] = []
+        self._refuse_free(given, columns)
+
+        def made(numbers: Any, last: Any) -> OptimalControl:
+            problem = self._with(columns, numbers)
+            problem._mesh = self._mesh if last is None else last.fractions
+            return problem
 
         def search(problem: OptimalControl, start: Any) -> OptimalTrajectory:
             return problem.solve(
                 start, mesh_tol=mesh_tol, options=options, progress=progress, solver=solver
             )
 
-        for numbers in zip(*rows, strict=True):
-            problem = self._with(columns, numbers)
-            try:
-                problem._mesh = self._mesh if not found else found[-1].fractions
-                found.append(search(problem, found[-1] if found else guess))
-            except OptimizationError:
-                problem._mesh = self._mesh
-                found.append(search(problem, guess))
-        return found
+        return swept(rows, made, search, guess)
+
+    def _refuse_free(self, keys: Iterable[Any], columns: Iterable[int]) -> None:
+        """Refuse to sweep a constant that is found."""
+        for key, k in zip(keys, columns, strict=True):
+            if self._now.definition.constants[k] in self._free:
+                raise ValueError(f"`values` has `{key}`, which is `free`: it is found.")
 
     def _with(self, columns: Sequence[int], numbers: Sequence[float]) -> OptimalControl:
         """Return the same problem with other values of constants, and the same machine code."""

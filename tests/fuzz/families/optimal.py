@@ -241,6 +241,17 @@ def _(v):
     return OptimalControl.phases([v, _problem()])
 
 
+@target("OptimalControl.phases.sweep.values", mapping)
+def _(v):
+    return [found.objective for found in OptimalControl.phases([_problem()] * 2).sweep(v)]
+
+
+@target("OptimalControl.phases.sweep.values[key]", key, "`values")
+def _(v):
+    phases = OptimalControl.phases([_problem()] * 2)
+    return [found.objective for found in phases.sweep({hashable(v): [1.0]})]
+
+
 @target(
     "OptimalControl.phases.links",
     nothing("symbols", "texts", "arrays", allowed=_no_links),
