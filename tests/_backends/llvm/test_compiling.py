@@ -147,6 +147,36 @@ print(len(compiling.object_code(large, quick=True)) > 4000)
     assert second == "True"
 
 
+def test_what_an_exception_holds_in_a_cycle_is_freed_once():
+    code = """
+import gc
+from pydy._backends.llvm import compiling
+class Machine:
+    def emit_object(self, module):
+        error = KeyboardInterrupt()
+        error.itself = error  # the frames of its traceback go when the collector finds them
+        raise error
+emitter, compiling._emitter = compiling._emitter, lambda quick: Machine()
+source = compiling.Source("f", lambda brief: "define i64 @f() {\\nret i64 1\\n}\\n", ("f",))
+for _ in range(3):
+    try:
+        compiling.object_code(source)
+    except KeyboardInterrupt:
+        pass
+print(gc.collect() > 0)
+compiling._emitter = emitter
+print(len(compiling.object_code(source)) > 100)
+"""
+    done = subprocess.run(
+        [sys.executable, "-c", code],
+        env={**os.environ, "PYDY_CACHE_DIR": "off", "PYTHONPATH": os.pathsep.join(sys.path)},
+        capture_output=True,
+        text=True,
+        timeout=PATIENCE,
+    )
+    assert done.stdout.split() == ["True", "True"], done.stderr
+
+
 def test_it_ends_with_the_program():
     code = """
 from pydy._backends.llvm import background

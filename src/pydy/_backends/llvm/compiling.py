@@ -113,15 +113,23 @@ def object_code(source: Source, quick: bool = False) -> bytes:
     text = source.text(quick)
     _find_room(ROOM + ROOM_PER_LETTER * len(text))
     # A context of its own lets two threads compile at the same time.
-    module = binding.parse_assembly(text, binding.create_context())
-    machine = _emitter(quick)
-    if source.loops and not quick:
-        tuning = binding.create_pipeline_tuning_options(speed_level=2)
-        tuning.slp_vectorization = True
-        passes = binding.create_pass_builder(machine, tuning)
-        passes.getModulePassManager().run(module, passes)
-    code: bytes = machine.emit_object(module)
+    context = binding.create_context()
+    _CONTEXTS[id(context)] = context
+    with binding.parse_assembly(text, context) as module:
+        machine = _emitter(quick)
+        if source.loops and not quick:
+            tuning = binding.create_pipeline_tuning_options(speed_level=2)
+            tuning.slp_vectorization = True
+            passes = binding.create_pass_builder(machine, tuning)
+            passes.getModulePassManager().run(module, passes)
+        code: bytes = machine.emit_object(module)
+    del _CONTEXTS[id(context)]
     return code
+
+
+# Those in which modules may be. An exception that a signal handler raises may leave a module in a
+# cycle of references, which Python takes apart in any order: without its context it is freed twice.
+_CONTEXTS: dict[int, Any] = {}
 
 
 class Shipped:
