@@ -7,6 +7,7 @@ from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
 from pydy.trajectory import EventRecord, Trajectory
 from pydy.viz import Scene, Sphere, Visual
+from touching import billiard_ball
 from waiting import until
 
 x, theta = dynamicsymbols("x, theta_1")
@@ -41,6 +42,23 @@ def test_events_are_marked_on_the_time_axis(path, open_page):
     marks.nth(0).click(force=True)
     assert page.evaluate("pydy.time") == 0.5
     assert not page.evaluate("pydy.playing")
+
+
+def test_modes_of_contacts_are_strips_on_the_time_axis(tmp_path, open_page, screenshot):
+    contacts = billiard_ball()
+    trajectory = contacts.simulate(rtol=1e-10, atol=1e-10)
+    scene = contacts.system.scene(series=["x"]).animate(trajectory)
+    page = open_page(scene.to_html(tmp_path / "ball.html"))
+    parts = page.locator("#modes button")
+    assert parts.all_inner_texts() == ["table slides +", "table sticks"]
+    boxes = [part.bounding_box() for part in parts.all()]
+    rolls = trajectory.modes[1][0]
+    assert boxes[0]["width"] / (boxes[0]["width"] + boxes[1]["width"]) == pytest.approx(
+        rolls / 0.5, abs=0.01
+    )
+    parts.nth(1).click()
+    assert page.evaluate("pydy.time") == pytest.approx(rolls)
+    screenshot(page, "modes")
 
 
 def test_curves_of_different_size_have_scales_of_their_own(path, open_page, screenshot):

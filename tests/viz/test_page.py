@@ -6,15 +6,19 @@ import re
 from base64 import b64decode, b64encode
 from hashlib import sha256
 from importlib.resources import files
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 import sympy as sm
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
+from pydy.contact import Contacts
 from pydy.trajectory import EventRecord, Trajectory
 from pydy.viz import Arrow, Box, Line, Mesh, Scene, Sphere, Trace, Visual
+from pydy.viz.arguments import modes_of
 from pydy.viz.page import page_data
+from touching import ball, y
 
 q = dynamicsymbols("q")
 N, O = ReferenceFrame("N"), Point("O")
@@ -200,3 +204,27 @@ def test_events_units_and_typeset_labels_are_on_the_page():
     assert (data["series"][0]["parts"], data["series"][0]["unit"]) == (["θ", "1"], "rad")
     with pytest.raises(TypeError, match=r"`units\[q\(t\)\]` must be a string, got 5"):
         Scene(N, O, units={q: 5})
+
+
+def test_modes_of_contacts_are_on_the_page():
+    system, floor = ball(restitution=0.5)
+    system.initial_conditions, system.times = {y: 1.0}, np.linspace(0.0, 2.0, 21)
+    trajectory = Contacts(system, [floor]).simulate(rtol=1e-9, atol=1e-9)
+    assert len(trajectory.modes) > 20  # impacts follow each other ever faster
+    made = system.scene().animate(trajectory, fps=60)
+    assert len(made.times) > len(trajectory.times)
+    (row,) = data_of(made)["modes"]
+    rests = trajectory.modes[-1][0]
+    assert row["name"] == "floor"
+    spans = [(span["from"], span["to"], span["mode"]) for span in row["spans"]]
+    assert spans == [(0.0, pytest.approx(rests), "open"), (pytest.approx(rests), 2.0, "closed")]
+    assert [bool(span["colour"]) for span in row["spans"]] == [False, True]
+    assert data_of(made.animate(TIMES, np.cos(TIMES)[:, None] * [1, 0]))["modes"] == []
+
+
+def test_no_mode_is_narrower_than_a_pixel():
+    times = np.arange(4001.0)
+    modes = [(t, t + 1, {"floor": ["open", "closed"][k % 2]}) for k, t in enumerate(times[:-1])]
+    trajectory = SimpleNamespace(modes=modes)
+    assert [len(spans) for spans in modes_of(trajectory, times).values()] == [1]
+    assert [len(spans) for spans in modes_of(trajectory, times[:1001]).values()] == [1000]

@@ -178,6 +178,12 @@ class ContactTrajectory(Trajectory):
         piece = self._pieces.pieces[last]
         return piece.modes, piece.model.derivatives
 
+    def at(self, times: Any) -> Trajectory:
+        """Return the trajectory at other times, as `Trajectory.at` does; it keeps the modes."""
+        found = super().at(times)
+        vars(found).update(modes=self.modes, impacts=self.impacts)
+        return found
+
     @cached_property
     def contact_work(self) -> np.ndarray:
         """Work that friction and impacts have done since the first time, shape (m,).

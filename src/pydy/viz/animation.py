@@ -204,6 +204,8 @@ class Animation:
     series: dict[str, np.ndarray]  # (m,)
     bounds: np.ndarray  # (m', 2, 3): the box around everything but planes at some of the instants
     events: tuple[tuple[float, str], ...] = ()  # (time, name)
+    # Of each contact: (from, to, mode)
+    modes: Mapping[str, Sequence[tuple[float, float, str]]] = field(default_factory=dict)
 
     @property
     def poses(self) -> np.ndarray:

@@ -14,7 +14,7 @@ from pydy._interpolation import filled
 from pydy._mechanics.symbols import find_symbols
 from pydy._rank import DIGITS, HALF
 from pydy.viz.shapes import Arrow
-from pydy.viz.tuning import FILLED
+from pydy.viz.tuning import FILLED, PIXELS
 from pydy.viz.visuals import Visual
 
 
@@ -149,6 +149,26 @@ def events_of(trajectory: Any, times: np.ndarray) -> tuple[tuple[float, str], ..
     events = [(float(e.time), str(e.name)) for e in getattr(trajectory, "events", ())]
     shown = [event for event in events if times[0] <= event[0] <= times[-1]]
     return tuple(shown[:: max(1, -(-len(shown) // 100))])
+
+
+def modes_of(trajectory: Any, times: np.ndarray) -> dict[str, list[tuple[float, float, str]]]:
+    """Return from when to when each contact is in which mode, during what is shown.
+
+    What is narrower than a pixel of a wide screen is shown as the mode before it.
+    """
+    begin, end = float(times[0]), float(times[-1])
+    found: dict[str, list[tuple[float, float, str]]] = {}
+    for first, last, modes in getattr(trajectory, "modes", ()):
+        first, last = max(float(first), begin), min(float(last), end)
+        if first >= last:
+            continue
+        for name, mode in modes.items():
+            spans = found.setdefault(name, [])
+            if spans and (spans[-1][2] == mode or (last - first) * PIXELS < end - begin):
+                spans[-1] = spans[-1][0], last, spans[-1][2]
+            else:
+                spans.append((first, last, mode))
+    return found
 
 
 def playback(fps: float | None, speed: float | None, duration: float) -> tuple[float, float | None]:

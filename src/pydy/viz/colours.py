@@ -12,6 +12,12 @@ CYCLE = (
 )  # fmt: skip
 """For visuals without a colour of their own: told apart on white and on nearly black."""
 
+MODES = {
+    "closed": CYCLE[2], "sticks": CYCLE[2], "slides": CYCLE[1], "slides +": CYCLE[1],
+    "slides -": CYCLE[4], "begins to slide": CYCLE[7],
+}  # fmt: skip
+"""For the modes of contacts; those that are open have none."""
+
 # The names of CSS Color Module Level 4, each with its value.
 _TABLE = """
 aliceblue f0f8ff antiquewhite faebd7 aqua 00ffff aquamarine 7fffd4 azure f0ffff beige f5f5dc

@@ -33,7 +33,7 @@ from pydy._rank import HALF
 from pydy._version import __version__
 from pydy.viz import shapes
 from pydy.viz.animation import Animation, Item, Look, frame
-from pydy.viz.colours import CYCLE
+from pydy.viz.colours import CYCLE, MODES
 from pydy.viz.live import LivePage, Witness
 from pydy.viz.surfaces import surface
 
@@ -206,6 +206,16 @@ def page_data(
             for k, (label, values) in enumerate(animation.series.items())
         ],
         "events": [{"time": t, "name": name} for t, name in animation.events],
+        "modes": [
+            {
+                "name": name,
+                "spans": [
+                    {"from": first, "to": last, "mode": mode, "colour": MODES.get(mode)}
+                    for first, last, mode in spans
+                ],
+            }
+            for name, spans in animation.modes.items()
+        ],
         "view": {
             "unit": unit,
             "up": seen.up.tolist(),

@@ -22,6 +22,7 @@ from pydy.viz.arguments import (
     filmed,
     ground_height,
     in_notebook,
+    modes_of,
     playback,
     recorded,
     series_of,
@@ -393,6 +394,7 @@ class Scene:
             animation,
             series={label: values[label] for label in order},
             events=events_of(trajectory if states is None else None, motion.times),
+            modes=modes_of(trajectory if states is None else None, motion.times),
         )
         self._motion = motion.taken(rows)
         self._again = again, [v.version for v in self.visuals]

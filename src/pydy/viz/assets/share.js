@@ -147,3 +147,24 @@ function fillEvents() {
   }
 }
 fillEvents();
+
+// -- modes of contacts, from when to when ----------------------------------------------------------------
+
+const modeRows = document.getElementById("modes");
+modeRows.hidden = data.modes.length === 0;
+for (const contact of data.modes) {
+  const row = document.createElement("div");
+  for (const span of contact.spans) {
+    const part = document.createElement("button");
+    part.type = "button";
+    part.classList.toggle("open", span.mode === "open");
+    part.textContent = `${contact.name} ${span.mode}`;
+    part.title = `${part.textContent} from ${written(span.from)} to ${written(span.to)} s`;
+    part.style.left = `${100 * (span.from - start) / duration}%`;
+    part.style.width = `${100 * (span.to - span.from) / duration}%`;
+    if (span.colour) part.style.background = span.colour;
+    part.addEventListener("click", () => { pause(); seek(span.from); });
+    row.append(part);
+  }
+  modeRows.append(row);
+}
