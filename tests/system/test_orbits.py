@@ -108,6 +108,24 @@ def test_a_pendulum_swings_with_the_period_of_the_elliptic_integral():
     assert orbit.period == pytest.approx(expected, rel=1e-9)
 
 
+def test_a_pendulum_that_turns_over_repeats_where_an_event_sets_it_back():
+    q, u = me.dynamicsymbols("q u")
+    N, O = me.ReferenceFrame("N"), me.Point("O")
+    O.set_vel(N, 0)
+    rod = N.orientnew("R", "Axis", (q, N.z))
+    bob = O.locatenew("B", -rod.y / 2)
+    loads = [(bob, -9.81 * N.y), (rod, (5 - 0.4 * u) * N.z)]
+    body = me.Particle("bob", bob, sm.Integer(1))
+    system = System(Definition(N, [q], [u], bodies=[body], loads=loads))
+    system.initial_conditions = {u: 12.0}
+    with pytest.raises(ValueError, match=r"got q, on which u depends: a motion .* does not repeat"):
+        system.find_periodic_orbit(0.5, moving=[q])
+    turned = Event(q - 2 * sm.pi, reset={q: q - 2 * sm.pi})
+    orbit = system.find_periodic_orbit(0.5, moving=[q], until=turned)
+    # Liouville: the angle's damping is 0.4 / (1/4).
+    assert orbit.multipliers == pytest.approx(np.exp(-1.6 * orbit.period), rel=1e-8)
+
+
 def shaken(rate, amplitude=0.01, length=0.2, gravity=9.81):
     m, l, g, a, w = sm.symbols("m l g a w")
     q, u = me.dynamicsymbols("q u")

@@ -66,6 +66,7 @@ class Orbits(Simulation, Evaluation):
             the period.
         moving : iterable of coordinates, optional
             Coordinates that may advance from period to period, such as the position of a vehicle.
+            Without `until`, the motion must not depend on them.
         until : Event, optional
             The period ends when this happens, after its reset: the impact of a walker's foot, say.
         progress : bool, optional
@@ -108,11 +109,11 @@ class Orbits(Simulation, Evaluation):
             raise TypeError(f"`until` must be a pydy.solvers.Event, got {type(until).__name__}.")
         definition = now.definition
         equations, states = definition.equations, definition.places["states"]
-        steady = {states.find(s, "moving") for s in listed("moving", moving)}
+        steady = sorted({states.find(s, "moving") for s in listed("moving", moving)})
         dependent = latest_dependents(definition, self._dependent)
         tied = {definition.states.index(s) for s in dependent}
         count = len(equations.coordinates) + len(equations.speeds)
-        free = [k for k in range(count) if k not in tied | steady]
+        free = [k for k in range(count) if k not in tied.union(steady)]
         if not free:
             raise ValueError(
                 "There is no state to search for: `moving` and the constraints determine all of "
@@ -122,6 +123,8 @@ class Orbits(Simulation, Evaluation):
         names = unique_names(definition.states)
         columns = [kept.index(definition.states[k]) for k in free]
         rows = [definition.states.index(s) for s in kept]
+        advancing = [kept.index(definition.states[k]) for k in steady if k not in tied]
+        pushed = np.zeros(len(free))  # by how much the end changes as those advance that move
         runner = copy(self)
         runner.ode_solver = native_solver(self.ode_solver)
         held = None  # the modes of contacts at the start
@@ -187,6 +190,8 @@ class Orbits(Simulation, Evaluation):
                 end, slopes, instant = ride.states[-1], ride.sensitivity.values[-1], t0 + length
                 start = ride.states[0]
                 rates = rates_of(ride, end, instant)
+                advance = np.abs(end - start)[[rows[k] for k in advancing]]
+                pushed[:] = np.abs(slopes[np.ix_(free, advancing)]) @ advance
             else:
                 first = run([t0, t0 + BEGINNING * guess], held)
                 start, modes = first.states[0], None if contacts is None else first.end()[0]
@@ -272,6 +277,14 @@ class Orbits(Simulation, Evaluation):
                     again = flight.sizes
                     if (again >= 0.5 * sizes).all() or (again <= ORBIT * begun).all():
                         break
+                if (pushed > ORBIT_CLOSED * flight.sizes[free]).any():
+                    on = names[free[int((pushed / flight.sizes[free]).argmax())]]
+                    raise ValueError(
+                        f"`moving` must not have coordinates that the motion depends on, got "
+                        f"{', '.join(names[k] for k in steady)}, on which {on} depends: a motion "
+                        "in which they advance does not repeat. Leave them out, or end the period "
+                        "with an event `until` that sets them back."
+                    )
                 begin(z)
                 initial = dict(runner.initial_conditions)
                 runner.times = np.linspace(t0, t0 + flight.period, num=_SAMPLES)
