@@ -107,6 +107,33 @@ def test_a_coordinate_may_move_steadily():
     assert np.delete(system.evaluate_ode(found.state), 0) == pytest.approx(0.0, abs=1e-14)
 
 
+@pytest.mark.parametrize("metre", [1e-9, 1.0, 1e9])
+@pytest.mark.parametrize("tilt", [0.0, 1e-3, 1.0])
+def test_a_motion_that_depends_on_a_coordinate_is_not_steady_while_it_moves(metre, tilt):
+    """A pendulum that a torque turns round: steadily about a vertical axis, and about no other."""
+    q, u, torque = me.dynamicsymbols("q u T")
+    N, O = me.ReferenceFrame("N"), me.Point("O")
+    O.set_vel(N, 0)
+    rod = N.orientnew("R", "Axis", (q, N.z))
+    bob = O.locatenew("B", -0.5 * metre * rod.y)
+    weight = -9.81 * metre * (np.sin(tilt) * N.y + np.cos(tilt) * N.z)
+    loads = [(bob, weight), (rod, (torque - 0.4 * metre**2 * u) * N.z)]
+    body = me.Particle("bob", bob, sm.Integer(1))
+    system = System(Definition(N, [q], [u], bodies=[body], loads=loads))
+    system.initial_conditions = {q: 0.3, u: 12.0}
+    wanted = {"unknowns": [torque], "moving": [q]}
+    if tilt:
+        message = "depends on, got q: as they advance, the derivative of u.* does not stay zero"
+        with pytest.raises(EquilibriumError, match=message):
+            system.find_equilibrium(given={u: 12.0}, **wanted)
+        with pytest.raises(EquilibriumError, match=message):
+            system.eigenvalues({u: [5.0, 12.0]}, **wanted)
+    else:
+        found = system.find_equilibrium(given={u: 12.0}, **wanted)
+        assert found["T"] == pytest.approx(4.8 * metre**2, rel=1e-12)
+        assert len(system.eigenvalues({u: [5.0, 12.0]}, **wanted).values) == 2
+
+
 def test_a_search_that_starts_in_a_singular_state_names_what_is_left():
     x, y, v, w = me.dynamicsymbols("x y v w")
     ground, point = me.ReferenceFrame("N"), me.Point("P")

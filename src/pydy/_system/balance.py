@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
+from copy import copy
 from dataclasses import dataclass, replace
 from typing import Any, Self
 
@@ -23,7 +24,7 @@ from pydy._system.evaluation import row_names
 from pydy._system.setup import Setup
 from pydy._system.snapshot import At, Snapshot
 from pydy._system.tuning import BESIDE
-from pydy.analysis.equilibria import Equilibrium, Problem, Sizes, solve_equilibrium
+from pydy.analysis.equilibria import Equilibrium, Problem, Sizes, check_steady, solve_equilibrium
 from pydy.analysis.linear import independent_places, tangents
 from pydy.codegen.arguments import SpecifiedsPlan
 
@@ -231,7 +232,7 @@ class Balance:
         equations = definition.equations
         states = definition.places["states"]
         q, n = len(equations.coordinates), len(equations.coordinates) + len(equations.speeds)
-        steady = [states.find(s, "moving") for s in listed("moving", moving)]
+        self.steady = steady = [states.find(s, "moving") for s in listed("moving", moving)]
         if any(place >= q for place in steady):
             names = [str(states.symbols[k]) for k in steady if k >= q]
             raise ValueError(f"`moving` must hold coordinates, got {', '.join(names)}.")
@@ -429,6 +430,24 @@ class Balance:
             terms=lambda z: self.terms(whole(z)),
         )
 
+    def solved(
+        self, z: np.ndarray, bounds: tuple[np.ndarray, np.ndarray], last: float | None = None
+    ) -> tuple[np.ndarray, float, tuple[str, ...]]:
+        """Return what `solve_equilibrium` does from unknowns z; the `last` one may be given."""
+        accepted = solve_equilibrium(self.problem(last), z, bounds)
+        if self.steady:
+            at = self.at(np.append(accepted[0], [] if last is None else [last])[None])
+            rates = at.tried(self.made.compiled("rates"))[0, self.steady]
+            fastest = np.abs(rates / or_one(at.natural["states"][0, self.steady])).max()
+            if fastest > 0.0:  # one of them by its size, such as an angle by a radian
+                ahead = copy(self)
+                ahead.x = self.x.copy()
+                ahead.x[self.steady] += rates / fastest
+                names = unique_names(self.definition.states)
+                moving = ", ".join(names[k] for k in self.steady)
+                check_steady(ahead.problem(last), accepted[0], moving)
+        return accepted
+
     def equilibrium(self, z: np.ndarray, largest: float, free: tuple[str, ...]) -> Equilibrium:
         """Return the result for the unknowns that were found, shape (l,)."""
         wanted = self.wanted
@@ -605,7 +624,7 @@ class Equilibria(Setup):
             value to start from.
         moving : iterable of coordinates, optional
             Coordinates that may change at a constant rate, such as the position of a vehicle along
-            its path.
+            its path. The motion must not depend on them.
         bounds : dict, optional
             Maps unknowns to pairs of the lowest and the highest value.
 
@@ -637,7 +656,5 @@ class Equilibria(Setup):
         balance = Balance(now, unknowns, given, moving)
         wanted = balance.wanted
         return balance.equilibrium(
-            *solve_equilibrium(
-                balance.problem(), balance.start, _bounds(now.definition, wanted, bounds)
-            )
+            *balance.solved(balance.start, _bounds(now.definition, wanted, bounds))
         )

@@ -18,7 +18,7 @@ from pydy._system.evaluation import samples
 from pydy._system.setup import Setup
 from pydy._system.snapshot import Snapshot
 from pydy.analysis.continuation import EquilibriumBranch, trace
-from pydy.analysis.equilibria import solve_equilibrium, solve_many
+from pydy.analysis.equilibria import solve_many
 from pydy.analysis.sweeps import EigenvalueSweep, spectra_of, with_rounding
 from pydy.analysis.tuning import AT_ONCE, CROSSED
 
@@ -101,7 +101,7 @@ class Family:
             return z
         infinite = np.full(len(z) - 1, np.inf)
         try:
-            found = solve_equilibrium(balance.problem(value), z[:-1], (-infinite, infinite))[0]
+            found = balance.solved(z[:-1], (-infinite, infinite), value)[0]
         except EquilibriumError as error:
             error.add_note(f"This was at {self.names[-1]} = {value:.10g}.")
             raise

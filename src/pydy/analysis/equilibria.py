@@ -179,6 +179,23 @@ def solve_equilibrium(
     raise missed
 
 
+def check_steady(ahead: Problem, z: np.ndarray, moving: str) -> None:
+    """Refuse an equilibrium that is none any more `ahead`, where coordinates have moved on."""
+    infinite = np.full(len(z), np.inf)
+    try:
+        _accepted(ahead, z, (-infinite, infinite), "")
+    except EquilibriumError as error:
+        shares = np.abs(error.residuals)
+        row = ahead.rows[int(np.nanargmax(shares))] if np.isfinite(shares).any() else "a residual"
+        raise EquilibriumError(
+            f"`moving` must not have coordinates that the motion depends on, got {moving}: as they "
+            f"advance, {row} does not stay zero, and the motion is not steady. Leave them out, or "
+            "find a periodic orbit.",
+            z,
+            error.residuals,
+        ) from None
+
+
 def _as_begun(
     accepted: tuple[np.ndarray, float, tuple[str, ...]],
     problem: Problem,
