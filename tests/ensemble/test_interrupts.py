@@ -173,7 +173,7 @@ def test_finished_samples_are_handed_over_where_memory_ends(workers):
     system = multi_mass_spring_damper(apply_external_forces=True)
     (force,) = system.specifieds_symbols
     system.initial_conditions, system.times = {"x0": 1.0}, [0.0, 1.0, 2.0]
-    k0 = np.arange(1.0, 13.0)
+    k0 = np.arange(1.0, 18.0)  # three blocks: one has ended when the last begins
     whole = system.integrate_ensemble(constants={"k0": k0}, specifieds={force: lambda x, t: 0.0})
 
     def push(x, t):
@@ -181,7 +181,7 @@ def test_finished_samples_are_handed_over_where_memory_ends(workers):
             raise MemoryError("no more")
         return 0.0
 
-    x0 = np.array([1.0] * 11 + [2.0])
+    x0 = np.array([1.0] * 16 + [2.0])
     with pytest.raises(MemoryError, match="no more") as caught:
         system.integrate_ensemble(
             constants={"k0": k0},
@@ -189,7 +189,7 @@ def test_finished_samples_are_handed_over_where_memory_ends(workers):
             specifieds={force: push},
             workers=workers,
         )
-    assert any("of 12 samples are finished" in note for note in caught.value.__notes__)
+    assert any("of 17 samples are finished" in note for note in caught.value.__notes__)
     results = caught.value.results
     done = results.status.values == 0
     assert done.sum() >= 8  # the others may be under way
