@@ -309,19 +309,20 @@ def test_of_rows_that_contradict_each_other_the_unit_does_not_tell_which_are_nam
 
 
 @pytest.mark.parametrize("other", [1e-9, 1.5e11])
-def test_what_else_hangs_on_the_origin_does_not_matter(other):
+@pytest.mark.parametrize("ground", [False, True], ids=["alone", "and a body that is the ground"])
+def test_what_else_hangs_on_the_origin_does_not_matter(other, ground):
     """Feet of another body were taken for lengths of the mechanism: no state was found."""
     x, y, a = me.dynamicsymbols("x y a")
     frame, turned, origin = me.ReferenceFrame("N"), me.ReferenceFrame("B"), me.Point("O")
     origin.set_vel(frame, 0)
     turned.orient_axis(frame, frame.z, a)
-    elsewhere = origin.locatenew("C", x * frame.x)
+    elsewhere = origin.locatenew("C", x * turned.x)
     elsewhere.locatenew("foot", other * turned.x)
     place = origin.locatenew("P", x * frame.x + y * frame.y)
-    made = Definition(
-        frame, [x, y], bodies=[me.Particle("p", place, 1)],
-        holonomic_constraints=[x**2 + y**2 - 1],
-    )  # fmt: skip
+    bodies = [me.Particle("p", place, 1)]
+    if ground:
+        bodies.append(me.RigidBody("ground", origin, frame, 1, (me.inertia(frame, 1, 1, 1), origin)))
+    made = Definition(frame, [x, y], bodies=bodies, holonomic_constraints=[x**2 + y**2 - 1])
     assert len(made.multibody.dependent_coordinates) == 1
 
 

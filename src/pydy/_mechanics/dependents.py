@@ -22,7 +22,7 @@ from pydy._graph.rounding import rounding_bounds
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.formed import kinematics_of
 from pydy._mechanics.generic import AROUND, Block, GenericStates, openness, units_of
-from pydy._mechanics.reader import Multibody, numbers_in_places
+from pydy._mechanics.reader import Multibody
 from pydy._mechanics.tuning import DIGITS, NEARLY_DEPENDENT, OPEN, ROUNDED
 from pydy._rank import HALF, equilibrated, is_zero, or_one
 
@@ -168,8 +168,7 @@ def _choose(
     """Return the independent constraints, and the coordinates and speeds that follow from them."""
     states = GenericStates(equations, (), "the constraints")
     _check_linear(equations, states)
-    body = equations.mechanism or equations.multibody
-    rows = _of_rounding(states, () if body is None else body.bodies)
+    rows = _of_rounding(states)
     states.leave_out(rows)
     tables, every = _searched(states, near)
     samples = _closed(every)
@@ -221,7 +220,7 @@ def _searched(
     return blocks[:2], every
 
 
-def _of_rounding(states: GenericStates, bodies: Sequence[Any]) -> list[int]:
+def _of_rounding(states: GenericStates) -> list[int]:
     """Return the rows that are zero but for rounding, and those whose terms are roundings already.
 
     In an oblique plane the directions of two hinges are parallel whatever the angles, up to what
@@ -260,7 +259,7 @@ def _of_rounding(states: GenericStates, bodies: Sequence[Any]) -> list[int]:
     found = _constant(states, np.flatnonzero(nothing))
     made_of = np.array([_cancelled(graph, node) for node in every])
     found += [int(k) for k in np.flatnonzero((sizes > 0.0) & (sizes <= ROUNDED * made_of))]
-    lengths = np.array(sorted(numbers_in_places(bodies)))
+    lengths = np.array(states.placed)
     for part in (range(first), [k for k in range(first, len(sizes)) if k not in known]):
         largest = max((sizes[k] for k in part), default=0.0)
         found += [

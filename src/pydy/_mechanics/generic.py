@@ -9,6 +9,7 @@ lengths chosen at random need not close.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -51,7 +52,7 @@ class GenericStates:
         t, q, u = equations.time, equations.coordinates, equations.speeds
         states = [*q, *u]
         made_from = equations.mechanism or equations.multibody
-        self._bodies = () if made_from is None else made_from.bodies
+        self._made_from = made_from
         turns = [] if made_from is None else rotations(made_from.frame)
         # The rates of what residuals with speeds give hold u', which moves no constraint.
         idle = {*equations.speed_rates} & {*find_symbols(equations.coordinate_derivatives)}
@@ -107,6 +108,12 @@ class GenericStates:
                 self.holonomic[k] = graph.sum([(node, 1.0)], -value)
         self.velocity = self.read.all(equations.velocity)
         self._turning = orientation_rows(turns, self.read)
+
+    @cached_property
+    def placed(self) -> list[float]:
+        """The sizes of the numbers by which bodies are placed, ascending."""
+        made = self._made_from
+        return [] if made is None else sorted(numbers_in_places(made.frame, made.bodies))
 
     def leave_out(self, rows: Sequence[int]) -> None:
         """Take constraints, holonomic ones first, as satisfied."""
@@ -237,7 +244,7 @@ class GenericStates:
         The mechanism's lengths are those `near` which it is assembled, or the levers of angles, as
         the `gradient` has them, or the numbers by which bodies are placed.
         """
-        placed = max(numbers_in_places(self._bodies), default=0.0)
+        placed = max(self.placed, default=0.0)
         if row_units(np.full((1, 1, 1), placed)) == 1.0 and (column_units(gradient) == 1.0).all():
             return False
         steep, sizes = self._per_unit(), np.nan_to_num(np.abs(gradient)).max(axis=0, initial=0.0)

@@ -248,27 +248,29 @@ def places(point: Any) -> dict[Any, Any]:
     return found
 
 
-def numbers_in_places(bodies: Iterable[Any]) -> set[float]:
+def numbers_in_places(frame: Any, bodies: Iterable[Any]) -> set[float]:
     """Return the sizes of the numbers by which bodies are placed: the lengths that have values.
 
-    Other mechanisms may hang on the same origin: what is placed along axes by which no body is
-    reached is theirs.
+    Other mechanisms may hang on the same origin: what is placed along axes by which no body that
+    moves in the inertial `frame` is reached is theirs.
     """
     bodies = list(bodies)
     centres = [body.masscenter for body in bodies]
     axes = {getattr(body, "frame", None) for body in bodies}
-    ways = [way for centre in centres for way in places(centre).values()]
+    given = [given_velocity(centre, frame) for centre in centres]
+    moving = [c for c, velocity in zip(centres, given, strict=True) if getattr(velocity, "args", 1)]
+    ways = [way for centre in moving for way in places(centre).values()]
     reached = distances(centres[0], places) if centres else {}
     for point in centres:
         while reached.get(point, 0) > 0:  # towards the first of them
             before = _nearer(point, places(point), reached)
             ways.append(places(point)[before])
             point = before
-    axes |= {frame for way in ways for _, frame in way.args}
+    axes |= {along for way in ways for _, along in way.args}
     waiting, seen, found = [*centres], {*centres}, set()
     while waiting:
         for other, way in places(waiting.pop()).items():
-            if not {frame for _, frame in way.args} <= axes:
+            if not {along for _, along in way.args} <= axes:
                 continue
             every = (e for part, _ in way.args for e in part)
             for term in (term for e in every for term in sm.Add.make_args(e)):
