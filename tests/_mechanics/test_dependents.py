@@ -321,7 +321,8 @@ def test_what_else_hangs_on_the_origin_does_not_matter(other, ground):
     place = origin.locatenew("P", x * frame.x + y * frame.y)
     bodies = [me.Particle("p", place, 1)]
     if ground:
-        bodies.append(me.RigidBody("ground", origin, frame, 1, (me.inertia(frame, 1, 1, 1), origin)))
+        inertia = me.inertia(frame, 1, 1, 1), origin
+        bodies.append(me.RigidBody("ground", origin, frame, 1, inertia))
     made = Definition(frame, [x, y], bodies=bodies, holonomic_constraints=[x**2 + y**2 - 1])
     assert len(made.multibody.dependent_coordinates) == 1
 
