@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -50,12 +50,15 @@ class Instants:
     @classmethod
     def of(cls, now: Snapshot, q: Any, v: Any, a: Any, t: Any) -> Instants:
         """Return the user's coordinates, speeds and accelerations as states and inputs."""
-        equations = now.definition.equations
+        equations, n = now.definition.equations, len(now.definition.states)
         nq, nu = len(equations.coordinates), len(equations.speeds)
-        own = np.split(now.x, [nq, nq + nu])
+        every = n == nq + nu and not any(
+            given is None or isinstance(given, Mapping) for given in (q, v)
+        )
+        own = np.empty(n) if every else now.x  # read only where something is not given
         parts = {
-            "q": _columns("q", q, equations.coordinates, own[0]),
-            "v": _columns("v", v, equations.speeds, own[1]),
+            "q": _columns("q", q, equations.coordinates, own[:nq]),
+            "v": _columns("v", v, equations.speeds, own[nq : nq + nu]),
             "a": a,
             "t": np.array(now.t) if t is None else real_array(t, "`t`"),
         }
@@ -68,11 +71,15 @@ class Instants:
             found = ", ".join(f"`{name}` has {count}" for name, count in rows.items())
             raise ValueError(f"All must have as many rows, or be one for all: {found}.")
         m = next(iter(rows.values()), None)
+        x = np.empty(n if m is None else (m, n))
+        x[..., :nq], x[..., nq : nq + nu], x[..., nq + nu :] = (
+            parts["q"],
+            parts["v"],
+            own[nq + nu :],
+        )
         if m is None:
-            x = np.concatenate([parts["q"], parts["v"], own[2]])
             return cls(x, float(parts["t"]), a[None])
-        every = [np.broadcast_to(c, (m, c.shape[-1])) for c in (parts["q"], parts["v"], own[2])]
-        return cls(np.hstack(every), np.array(np.broadcast_to(parts["t"], m)), np.atleast_2d(a))
+        return cls(x, np.array(np.broadcast_to(parts["t"], m)), np.atleast_2d(a))
 
 
 def _columns(argument: str, value: Any, symbols: Sequence[Any], default: np.ndarray) -> np.ndarray:
@@ -129,7 +136,7 @@ class Quantity:
     key: tuple[Any, ...]  # with the name it says what the expressions are
     shape: tuple[int, ...]
     expressions: Expressions  # gives them, or the name of a block of the Assembly
-    rows: tuple[str, ...]  # for messages
+    rows: Iterable[str]  # for messages; read once, if at all
     accelerations: int = 0  # how many are inputs; those of further speeds are zero
 
     def evaluated(
@@ -147,7 +154,7 @@ class Quantity:
                 (self.name, self.key, self.accelerations, by),
                 lambda: self._program(now.definition, model, by, silent),
             ),
-            lambda: self.rows,
+            lambda: [*self.rows],
             at.x,
             at.t,
             r,
@@ -252,9 +259,9 @@ def _required(
             return ("forces",)
         return inverse_dynamics(bodies_of(equations), known, at, free=free)
 
-    rows = tuple(f"the force at {speed}" for speed in speeds)
+    rows = (f"the force at {speed}" for speed in speeds)
     name = "bias forces" if zero else "inverse dynamics"
-    return Quantity(name, (at, free), (len(rows),), expressions, rows, 0 if zero else count)
+    return Quantity(name, (at, free), (len(speeds),), expressions, rows, 0 if zero else count)
 
 
 def _places_of(equations: Equations, at: Any) -> tuple[int, ...] | None:
@@ -447,7 +454,7 @@ class Dynamics(Setup):
                 return ("matrix",)
             return mass_matrix(bodies_of(equations), known)
 
-        rows = tuple(f"row {k} of the mass matrix" for k in range(n * n))
+        rows = (f"row {k} of the mass matrix" for k in range(n * n))
         made = Quantity("mass matrix", (), (n, n), expressions, rows)
         return self._evaluated(made, (q, None, np.zeros(0), t), r, p, wrt)
 
@@ -541,8 +548,8 @@ class Dynamics(Setup):
             return found
 
         fall = () if acceleration is None else tuple(acceleration.to_matrix(body.frame))
-        rows = tuple(f"the weight at {speed}" for speed in equations.speeds)
-        made = Quantity("gravity", fall, (len(rows),), expressions, rows)
+        rows = (f"the weight at {speed}" for speed in equations.speeds)
+        made = Quantity("gravity", fall, (len(equations.speeds),), expressions, rows)
         return self._evaluated(made, (q, None, np.zeros(0), t), r, p, wrt)
 
     def frame_position(
@@ -588,7 +595,7 @@ class Dynamics(Setup):
         def expressions(equations: Equations, known: Known) -> Any:
             return position(body, known, point, origin)
 
-        rows = tuple(f"the {axis} of {point}" for axis in "xyz")
+        rows = (f"the {axis} of {point}" for axis in "xyz")
         made = Quantity("position", (point,), (3,), expressions, rows)
         return self._evaluated(made, (q, None, np.zeros(0), t), r, p, wrt)
 
@@ -623,7 +630,7 @@ class Dynamics(Setup):
         def expressions(equations: Equations, known: Known) -> Any:
             return rotation(body, known, frame)
 
-        rows = tuple(f"entry {k} of the rotation of {frame}" for k in range(9))
+        rows = (f"entry {k} of the rotation of {frame}" for k in range(9))
         made = Quantity("rotation", (frame,), (3, 3), expressions, rows)
         return self._evaluated(made, (q, None, np.zeros(0), t), r, p, wrt)
 
@@ -674,6 +681,6 @@ class Dynamics(Setup):
             return partial_velocities(body, known, point, frame)
 
         count = 3 * ((point is not None) + (frame is not None))
-        rows = tuple(f"entry {k} of the Jacobian of {where}" for k in range(count * n))
+        rows = (f"entry {k} of the Jacobian of {where}" for k in range(count * n))
         made = Quantity("frame Jacobian", (point, frame), (count, n), expressions, rows)
         return self._evaluated(made, (q, None, np.zeros(0), t), r, p, wrt)

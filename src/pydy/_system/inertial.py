@@ -66,7 +66,7 @@ class InertialParameters(Dynamics):
         def expressions(equations: Equations, known: Known) -> Any:
             return parameters(body, known)
 
-        made = Quantity("inertial parameters", (), (len(names),), expressions, tuple(names))
+        made = Quantity("inertial parameters", (), (len(names),), expressions, names)
         values = self._evaluated(made, (None, None, np.zeros(0), None), None, p, None)
         return dict(zip(names, values.tolist(), strict=True))
 
@@ -123,7 +123,7 @@ class InertialParameters(Dynamics):
                 )
             return found
 
-        rows = tuple(f"entry {k} of the regressor" for k in range(n * len(names)))
+        rows = (f"entry {k} of the regressor" for k in range(n * len(names)))
         made = Quantity("regressor", (), (n, len(names)), expressions, rows, n)
         return self._evaluated(made, (q, v, rates, t), r, p, None)
 

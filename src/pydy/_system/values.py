@@ -33,6 +33,8 @@ from pydy._system.start import warn_of_left_out
 BLOCKS = {"ode": "rates", "outputs": "outputs", "holonomic": "holonomic", "velocity": "velocity"}
 """What the user calls the blocks of an Assembly that can be differentiated."""
 
+_TOGETHER = 1024  # states: their inputs fit in a cache
+
 
 @dataclass(frozen=True)
 class Target:
@@ -161,6 +163,19 @@ def evaluate_product(
     return out[..., 0] if squeeze else out
 
 
+def _beside(at: At, kernel: Kernel, vectors: np.ndarray) -> np.ndarray:
+    """Return what a Kernel gives with further inputs after r, laid beside it as it is needed."""
+    m, split, width = len(at.x), at.r.shape[1], at.r.shape[1] + vectors.shape[1]
+    out = np.empty((m, len(kernel.program.outputs)))
+    for first in range(0, m, _TOGETHER):
+        rows = slice(first, first + _TOGETHER)
+        some = at.some(rows)
+        r = np.empty((len(some.x), width))
+        r[:, :split], r[:, split:] = some.r, vectors[rows] if len(vectors) > 1 else vectors
+        out[rows] = replace(some, r=r).evaluate(kernel)
+    return out
+
+
 def sweep(
     now: Snapshot,
     kernel: Callable[[CompiledModel], Kernel],
@@ -194,12 +209,8 @@ def sweep(
     if look is not None:
         look(at)
     made = kernel(model)
-    if vectors is not None:
-        shapes = [(len(states), part.shape[1]) for part in (rows, vectors)]
-        both = [np.broadcast_to(rows, shapes[0]), np.broadcast_to(vectors, shapes[1])]
-        at = replace(at, r=np.hstack(both))
     try:
-        out = at.evaluate(made)
+        out = at.evaluate(made) if vectors is None else _beside(at, made, vectors)
     except SingularMatrixError as error:
         k = int((states == error.state).all(axis=1).argmax())
         explain(error, lambda t, x: at.some([k]))
