@@ -311,9 +311,11 @@ def test_first_values_and_native_motions_need_none_of_scipys_packages():
         "import pydy.system, pydy.models",
         f"{model} s.evaluate_ode([0.1, 0.2, 0.3, 0.4])",
         f"{model} s.times, s.ode_solver = [0.0, 1.0], 'dop853'; s.integrate(); s.simulate()",
+        "import pydy.robots, pydy.viz",
     ):
         loaded = modules_loaded_by(statement)
-        heavy = {f"scipy.{name}" for name in ("integrate", "linalg", "optimize", "stats")}
+        packages = ("integrate", "linalg", "optimize", "spatial", "stats")
+        heavy = {f"scipy.{name}" for name in packages}
         assert not loaded & heavy, statement
 
 

@@ -8,7 +8,7 @@ from functools import partial
 from typing import Any
 
 import numpy as np
-from scipy.spatial.transform import Rotation
+import scipy
 
 from pydy._errors import RobotFileError
 
@@ -204,7 +204,7 @@ def of_quaternion(quaternion: np.ndarray) -> np.ndarray:
 
 def to_quaternion(turn: np.ndarray) -> np.ndarray:
     """Return the quaternion of a rotation, scalar part first."""
-    x, y, z, w = Rotation.from_matrix(turn).as_quat()
+    x, y, z, w = scipy.spatial.transform.Rotation.from_matrix(turn).as_quat()
     return np.array([w, x, y, z])
 
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
-from scipy.spatial.transform import Rotation
+import scipy
 
 from pydy.viz.arguments import round_number
 from pydy.viz.colours import CYCLE
@@ -250,6 +250,7 @@ class Animation:
             if id(r) not in done:
                 rows = np.array(r[k])
                 if between.size:
+                    Rotation = scipy.spatial.transform.Rotation
                     first = Rotation.from_matrix(rows[between])
                     second = Rotation.from_matrix(np.array(r[after[between]]))
                     way = (first.inv() * second).as_rotvec() * part[between, None]

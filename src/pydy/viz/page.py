@@ -26,7 +26,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from scipy.spatial.transform import Rotation
+import scipy
 
 from pydy._files import write_files
 from pydy._rank import HALF
@@ -276,7 +276,7 @@ class _Tracks:
         self.places.append((frame, point))
         self._bases.append((frame, rotations, positions))
         # A copy: old versions of SciPy refuse what is read-only.
-        quaternions = Rotation.from_matrix(np.array(rotations)).as_quat()
+        quaternions = scipy.spatial.transform.Rotation.from_matrix(np.array(rotations)).as_quat()
         # Neighbours on the same side of the sphere, so that interpolation takes the short way.
         flips = np.sign(np.einsum("mi,mi->m", quaternions[1:], quaternions[:-1]))
         quaternions[1:] *= np.cumprod(np.where(flips == 0, 1.0, flips))[:, None]
