@@ -96,7 +96,7 @@ CONDITIONS = {
     sm.Implies: sm.Implies(x > 0, y > 0, evaluate=False),
     sm.Equivalent: sm.Equivalent(x > 0, y > 0, x < y),
 }
-ELSEWHERE = {sm.Pow, sm.Piecewise, ExprCondPair, sm.re, sm.im, sm.conjugate}
+ELSEWHERE = {sm.Pow, sm.Piecewise, ExprCondPair, sm.re, sm.im, sm.conjugate, sm.UnevaluatedExpr}
 ELSEWHERE |= {NodeExpression, Formula}  # nodes of another graph
 
 
@@ -276,6 +276,10 @@ def test_equal_expressions_that_were_built_apart_are_one_node():
 
 def test_real_and_imaginary_parts_of_what_is_real():
     assert evaluate(2 * sm.re(x) + sm.conjugate(x) + 5 * sm.im(x), 3.0) == 9.0
+
+
+def test_what_sympy_was_told_to_leave_is_what_it_holds():
+    assert evaluate(2 * sm.UnevaluatedExpr(x + 1) + sm.UnevaluatedExpr(sm.Integer(3)), 3.0) == 11.0
 
 
 # -- derivatives that SymPy does not take ---------------------------------------------------------

@@ -14,6 +14,7 @@ from by_hand import derived
 from cases import close
 from oracle import Oracle
 from pydy._mechanics.reader import read_loads
+from pydy.mechanics import Definition
 from pydy.system import System
 from zoo import Model, T, _numbers
 
@@ -106,6 +107,38 @@ def test_actuators_pull_as_sympys_equations_say(name):
         for seed in (1, 2):
             x = np.random.default_rng(seed).uniform(0.3, 0.9, 2)
             close(system.evaluate_ode(x, 0.4), oracle.xdot(x, 0.4), 1e-11)
+
+
+@pytest.mark.parametrize("number", [0, 1, 2])
+def test_states_of_muscles_are_coordinates_whose_rates_muscles_know(number):
+    formulation = MusculotendonFormulation(number)
+    frame, origin, _, q, u = _arm()
+    load = origin.locatenew("P", q * frame.x)
+    muscle = MusculotendonDeGroote2016.with_defaults(
+        "calf",
+        me.LinearPathway(origin, load),
+        FirstOrderActivationDeGroote2016.with_defaults("calf"),
+        musculotendon_dynamics=formulation,
+        tendon_slack_length=sm.Rational(1, 5),
+        peak_isometric_force=sm.Integer(900),
+        optimal_fiber_length=sm.Rational(1, 10),
+    )
+    rates = [*muscle.x.diff(T) - muscle.rhs()]
+    body = me.Particle("load", load, 2)
+    definition = Definition(
+        frame,
+        [q, *muscle.x],
+        [u],
+        bodies=[body],
+        loads=[muscle],
+        kinematic_equations=[q.diff(T) - u, *rates],
+    )
+    system = System(definition, specifieds={muscle.r[0]: 0.7})
+    x = [0.31, *[1.02, 0.4][-len(muscle.x) :], 0.03]
+    values = dict(zip(system.states, x, strict=True)) | {muscle.r[0]: 0.7}
+    known = sm.Matrix([muscle.force / 2, *muscle.rhs()]).subs(q.diff(T), u).doit()
+    pull, *changes = [float(e.subs(values).doit()) for e in known]
+    close(system.evaluate_ode(x, 0.0), [0.03, *changes, pull], 1e-11)
 
 
 def test_the_rate_of_a_dampers_length_is_not_differentiated_as_a_root(monkeypatch):
