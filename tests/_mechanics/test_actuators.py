@@ -13,6 +13,7 @@ from sympy.physics.biomechanics.musculotendon import MusculotendonFormulation
 from by_hand import derived
 from cases import close
 from oracle import Oracle
+from pydy._errors import PyDyUserWarning
 from pydy._mechanics.reader import read_loads
 from pydy.mechanics import Definition
 from pydy.system import System
@@ -71,7 +72,7 @@ def _wrapped():
     end.set_pos(origin, r * sm.cos(q) * frame.x + r * sm.sin(q) * frame.y)
     end.set_vel(frame, r * u * (sm.cos(q) * frame.y - sm.sin(q) * frame.x))
     path = me.WrappingPathway(start, end, me.WrappingCylinder(r, origin, frame.z))
-    spring = me.LinearSpring(k, path, free)
+    spring = me.ForceActuator(k * (path.length - free), path)
     return _model(frame, origin, arm, q, u, spring, _numbers(r, k, free))
 
 
@@ -171,3 +172,32 @@ def test_a_damper_along_one_axis_passes_the_length_zero(place):
     end.set_pos(start, q * frame.x)
     (_, pull), _ = read_loads([me.LinearDamper(3, me.LinearPathway(start, end))])
     assert pull.dot(frame.x).subs(q.diff(T), 2).subs(q, place) == 6
+
+
+@pytest.mark.parametrize("kind", [me.LinearSpring, me.LinearDamper])
+@pytest.mark.parametrize("linear", [True, False])
+def test_springs_and_dampers_that_push_where_they_should_pull_say_so(kind, linear):
+    """SymPy's forces along wrapping pathways have the other sign; the power tells."""
+    frame, origin, arm, q, u = _arm()
+    start, end = origin.locatenew("E", 2 * frame.x), origin.locatenew("F", 2 * arm.x)
+    path = me.LinearPathway(start, end)
+    if not linear:
+        path = me.WrappingPathway(start, end, me.WrappingCylinder(2, origin, frame.z))
+    actuator = kind(3, path)
+    values = {q.diff(T): 0.3, u: 0.3, q: 0.4}
+
+    def power(loads):
+        rate = 2 * q.diff(T) * arm.y  # of F
+        gained = sum(vector.dot(rate) for point, vector in loads if point is end)
+        wanted = actuator.force * path.length.diff(T)
+        return [float(e.doit().subs(values)) for e in (gained, wanted)]
+
+    if linear:
+        gained, wanted = power(read_loads([actuator]))
+    else:
+        with pytest.warns(PyDyUserWarning, match=f"A {kind.__name__} along a WrappingPathway"):
+            gained, wanted = power(read_loads([actuator]))
+        assert gained == pytest.approx(-wanted, rel=1e-12)
+        gained, wanted = power(read_loads([me.ForceActuator(-actuator.force, path)]))
+    assert wanted < 0  # it is stretched
+    assert gained == pytest.approx(wanted, rel=1e-12)

@@ -8,11 +8,13 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Callable, Container, Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cache
 from typing import Any
 
 import sympy as sm
 from sympy.core.function import AppliedUndef
 from sympy.physics.mechanics import (
+    ForceActuator,
     LinearDamper,
     LinearPathway,
     Particle,
@@ -20,8 +22,11 @@ from sympy.physics.mechanics import (
     ReferenceFrame,
     RigidBody,
     Vector,
+    WrappingCylinder,
+    WrappingPathway,
 )
 
+from pydy._errors import warn_user
 from pydy._forks import cached_property
 from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.node import Graph
@@ -150,6 +155,14 @@ def _loads_of(actuator: Any) -> Any:
     SymPy differentiates a damper's length, the root of all terms of its square. The length times
     its rate is the way between the points times that way's own rate, which is a velocity.
     """
+    kind, path = type(actuator), getattr(actuator, "pathway", None)
+    if kind is not ForceActuator and isinstance(path, WrappingPathway) and _wrapped_force_pulls():
+        warn_user(
+            f"A {kind.__name__} along a WrappingPathway pushes where it should pull, and pulls "
+            "where it should push: SymPy applies a positive force inwards there, and outwards "
+            "along other pathways. Pass `ForceActuator(-actuator.force, actuator.pathway)`, a "
+            "force whose sign you choose, in its place."
+        )
     if type(actuator) is not LinearDamper or type(actuator.pathway) is not LinearPathway:
         return actuator.to_loads()
     start, end = actuator.pathway.attachments
@@ -158,6 +171,18 @@ def _loads_of(actuator: Any) -> Any:
         return actuator.to_loads()
     force = actuator.damping * way.dt(way.args[0][1]).dot(way) / way.dot(way) * way
     return [(start, force), (end, -force)]
+
+
+@cache
+def _wrapped_force_pulls() -> bool:
+    """Return whether a positive force along a quarter of a cylinder pulls at its ends.
+
+    Springs, dampers and muscles mean one that pushes; that SymPy's geometry does not may be mended.
+    """
+    frame, centre = ReferenceFrame("N"), Point("O")
+    start, end = centre.locatenew("P", frame.x), centre.locatenew("Q", frame.y)
+    path = WrappingPathway(start, end, WrappingCylinder(1, centre, frame.z))
+    return bool(path.to_loads(sm.Integer(1))[0].force.dot(frame.y) > 0)
 
 
 def is_rigid(body: Any) -> bool:
