@@ -292,6 +292,54 @@ def test_what_cannot_be_formed_is_named():
         System(x)
 
 
+@pytest.mark.parametrize("load", ["torque", "force", "bead"])
+@pytest.mark.parametrize("rate", [True, False])
+def test_loads_that_move_with_speeds_of_kanes_are_not_lost(load, rate):
+    """They do no work in q', so that a damper vanished without a word."""
+    q, u = me.dynamicsymbols("q u")
+    m, l, c = sm.symbols("m l c")
+    if rate:
+        u = q.diff(T)
+    ground, rod, pivot = me.ReferenceFrame("N"), me.ReferenceFrame("A"), me.Point("O")
+    pivot.set_vel(ground, 0)
+    rod.orient_axis(ground, ground.z, q)
+    rod.set_ang_vel(ground, u * ground.z)
+    bob = pivot.locatenew("P", l * rod.x)
+    bob.v2pt_theory(pivot, ground, rod)
+    bead = pivot.locatenew("Q", l * q * ground.x)
+    bead.set_vel(ground, l * u * ground.x)
+    damper = {
+        "torque": (rod, -c * l**2 * q.diff(T) * ground.z),
+        "force": (bob, -c * l * q.diff(T) * rod.y),
+        "bead": (bead, -c * l * q.diff(T) * ground.x),
+    }[load]
+    method = me.LagrangesMethod(
+        m * l**2 * q.diff(T) ** 2 / 2, [q], forcelist=[damper], frame=ground
+    )
+    if rate:
+        system = System(method, {m: 2.0, l: 0.3, c: 0.5})
+        close(system.evaluate_ode([0.3, 1.2]), [1.2, -0.25 * 1.2], 1e-14)
+        return
+    with pytest.raises(ValueError, match=r"`q\(t\)`, but .* moves with `u\(t\)`\."):
+        System(method, {m: 2.0, l: 0.3, c: 0.5})
+
+
+def test_a_force_on_a_base_whose_speed_is_given_does_no_work():
+    q, v, push = me.dynamicsymbols("q v F")
+    ground, rod, base = me.ReferenceFrame("N"), me.ReferenceFrame("A"), me.Point("O")
+    base.set_vel(ground, v * ground.x)
+    rod.orient_axis(ground, ground.z, q)
+    bob = base.locatenew("P", rod.x)
+    bob.v2pt_theory(base, ground, rod)
+    energy = bob.vel(ground).dot(bob.vel(ground)) / 2
+    loads = [(base, push * ground.x), (bob, -3 * ground.y)]
+    system = System(me.LagrangesMethod(energy, [q], loads, frame=ground))
+    system.specifieds = {v: sm.sin(T)}
+    # q'' = v' sin q - 3 cos q
+    expected = [1.2, np.cos(0.4) * np.sin(0.3) - 3 * np.cos(0.3)]
+    close(system.evaluate_ode([0.3, 1.2], 0.4), expected, 1e-14)
+
+
 def two_links(*, lagrangian=None, spring=False):
     """A pendulum of a particle and a rod, with its bodies, and by hand its energies."""
     q = me.dynamicsymbols("q1:3")
