@@ -16,7 +16,7 @@ import pytest
 
 from fuzz.table import FAMILIES
 
-# One of so many inputs is tried, and which of them; .ci/run goes through all from commit to commit.
+# One of so many inputs is tried, and which of them; .ci/run draws another for each commit.
 PARTS = int(os.environ.get("PYDY_FUZZ_PARTS", "4"))
 PART = int(os.environ.get("PYDY_FUZZ_PART", "0")) % PARTS
 
