@@ -37,8 +37,8 @@ def _raise_on_old_names():
 _raise_on_old_names()
 
 # SymPy's expressions, of which tests keep many, hold no cycles: looking for them at the usual
-# threshold took 4 % of the tests' time.
-gc.set_threshold(100_000, 20, 20)
+# thresholds took 15 % of the tests' time. All are looked through whenever two million were made.
+gc.set_threshold(100_000, 10, 2)
 
 ROOT = Path(__file__).parents[1]
 

@@ -40,23 +40,25 @@ def _let_age() -> None:
 
     Else the next allocation would have all that was built walked through at once. It also puts off
     that full collection, for ever in a loop of builds: it is done here whenever half of all objects
-    may have come since the last one.
+    may have come since the last one, but not before the thresholds would have it.
     """
     global _put_aside, _limit
     if gc.get_freeze_count():  # nobody else's are to be thawed
         return
-    often, seldom, _ = gc.get_threshold()
+    often, seldom, rarely = gc.get_threshold()
+    due = False
     if _limit is not None:  # the first time most is needed: what was imported, and a model
         young, middle, old = gc.get_count()  # the last two in collections of those before them
         _put_aside += young + often * (middle + seldom * old)
+        due = _put_aside > max(_limit, often * seldom * rarely)
     gc.freeze()
     try:
-        if _limit is None or _put_aside > _limit:
+        if _limit is None:
             _limit = gc.get_freeze_count() // 2
     finally:
         gc.unfreeze()
-    if often and _put_aside > _limit:  # with a threshold of zero nothing is to be collected
-        _put_aside = _limit = 0
+    if due and often:  # with a threshold of zero nothing is to be collected
+        _put_aside, _limit = 0, None
         gc.collect()
 
 
