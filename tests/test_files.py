@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import io
 import os
+import shutil
 import stat
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-from pydy._files import write_files
+from pydy._files import folder_beside, write_files
 from pydy.models import n_link_pendulum_on_cart
 from pydy.robots import read
 
@@ -139,3 +140,29 @@ def test_the_longest_name_that_a_disk_takes_can_be_replaced(tmp_path):
     path = tmp_path / ("x" * 251 + ".txt")
     write_files({path: "new"})
     assert path.read_text() == "new"
+
+
+def test_a_folder_that_cannot_be_written_is_named_by_the_file_of_the_user(tmp_path, monkeypatch):
+    def refused(folder, *_, **more):
+        raise PermissionError(13, "Permission denied", str(folder))
+
+    monkeypatch.setattr(Path, "mkdir", refused)
+    with pytest.raises(PermissionError, match=r"Permission denied: '.*/page\.html'$"):
+        write_files({tmp_path / "page.html": "text"})
+
+
+@pytest.mark.parametrize("place", ["mkdir", "rmtree"])
+def test_an_interrupt_leaves_no_folder(place, tmp_path, monkeypatch):
+    owner = Path if place == "mkdir" else shutil
+    done = getattr(owner, place)
+
+    def interrupted(*given, **more):
+        monkeypatch.undo()
+        if place == "mkdir":
+            done(*given, **more)
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(owner, place, interrupted)
+    with pytest.raises(KeyboardInterrupt), folder_beside(tmp_path / "page.html"):
+        pass
+    assert list(tmp_path.iterdir()) == []

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import contextlib
 import os
+import secrets
 import shutil
 import stat
-import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -28,8 +28,7 @@ def replacing(*paths: Path) -> Iterator[list[Path]]:
                 places.append(path)
                 continue
             target = Path(os.path.realpath(path))  # a link stays one
-            folder = tempfile.TemporaryDirectory(prefix=".pydy-", dir=target.parent)
-            places.append(Path(folders.enter_context(folder), target.name))
+            places.append(Path(folders.enter_context(folder_beside(target)), target.name))
             moves.append((places[-1], target))
         yield places
         for aside, target in moves:
@@ -39,6 +38,29 @@ def replacing(*paths: Path) -> Iterator[list[Path]]:
                 os.fsync(file.fileno())  # some file systems say only now that they are full
         for aside, target in moves:
             os.replace(aside, target)
+
+
+@contextlib.contextmanager
+def folder_beside(target: Path) -> Iterator[Path]:
+    """Yield a new folder beside a file, of which errors do not speak: they name the file.
+
+    It is removed in the end. Its name is known before it is there, and an interrupt while it is
+    removed is heeded afterwards: `tempfile.TemporaryDirectory` leaves it behind in both cases.
+    """
+    folder = target.parent / f".pydy-{secrets.token_hex(8)}"
+    try:
+        folder.mkdir(mode=0o700)
+        yield folder
+    except OSError as error:
+        if str(folder) in str(error.filename):
+            raise type(error)(error.errno, error.strerror, str(target)) from error
+        raise
+    finally:
+        try:
+            shutil.rmtree(folder, ignore_errors=True)
+        except BaseException:
+            shutil.rmtree(folder, ignore_errors=True)
+            raise
 
 
 def write_files(contents: dict[Path, Any]) -> None:

@@ -61,6 +61,7 @@ class System(
         LagrangesMethod are formed from its Lagrangian and constraints; its speeds are the
         derivatives of the coordinates. A System of SymPy, before or after ``form_eoms()``, is read
         with its joints; `pydy.mechanics.Definition` has the same content without a method object.
+        It is read once: ``kanes_equations()`` with other loads, called later, needs a new System.
     constants : dict, optional
         Maps constants (SymPy symbols) to numbers; those without a value are 1.0.
     specifieds : dict, optional

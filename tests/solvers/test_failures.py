@@ -147,3 +147,12 @@ def test_a_second_integration_after_a_failure_is_undisturbed():
     failure(dop853, lambda x, t: x**2, [1.0], TIMES)
     x = dop853(lambda x, t: -x, [1.0], [0.0, 1.0], rtol=1e-10, atol=1e-10)
     np.testing.assert_allclose(x[1], np.exp(-1.0), atol=1e-9)
+
+
+@pytest.mark.parametrize("solver", ADAPTIVE)
+def test_a_state_that_is_zero_needs_an_atol(solver):
+    error = failure(solver, lambda x, t: [0.0, x[0], 0.0], [1.0, 0.0, 0.0], [0.0, 1.0], atol=0.0)
+    assert "and atol = 0" in str(error)
+    assert str(error).endswith("of x[1], are compared with `atol` alone: pass one above 0.")
+    error = failure(solver, lambda x, t: [np.nan, x[0]], [1.0, 0.0], [0.0, 1.0], atol=0.0)
+    assert "not finite" in str(error)

@@ -46,6 +46,13 @@ def test_exact_data_give_the_parameters_back(oscillator, method):
     assert result.noise < 1e-7
 
 
+@BOTH
+@pytest.mark.parametrize("size", [1e300, -1e160, 1e100])
+def test_samples_whose_powers_are_no_floats_are_refused(oscillator, method, size):
+    with pytest.raises(ValueError, match=r"`measured\[x0\]` of .* at most .* Choose units"):
+        oscillator.fit(["k0"], let_go(np.full(101, size)), method=method)
+
+
 def test_the_truth_lies_within_the_confidence_intervals(oscillator):
     rng = np.random.default_rng(4)
     inside = np.zeros(2)

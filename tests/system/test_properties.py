@@ -1,7 +1,9 @@
 """What a System says about its equations, and what its properties accept."""
 
+import copy
 from collections.abc import Set
 
+import numpy as np
 import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
@@ -157,6 +159,24 @@ def test_eom_method_is_read_only():
     with pytest.raises(AttributeError):
         system.eom_method = zoo.timed().kane
     assert system.eom_method is kane
+
+
+def test_a_method_is_read_once():
+    """What is made of it later comes from the same equations: none is read from it again."""
+    x, v = me.dynamicsymbols("x v")
+    m, k = sm.symbols("m k")
+    N, P = me.ReferenceFrame("N"), me.Point("P")
+    P.set_vel(N, v * N.x)
+    kane, body = me.KanesMethod(N, [x], [v], kd_eqs=[x.diff(T) - v]), me.Particle("p", P, m)
+    kane.kanes_equations([body], [(P, -k * x * N.x)])
+    system = System(kane, {m: 1.0, k: 4.0})
+    kane.kanes_equations([body], [(P, -100 * x * N.x)])
+    np.testing.assert_allclose(system.evaluate_ode([1.0, 0.0]), [0.0, -4.0])
+    system.generate_ode_function(generator="lambdify")
+    np.testing.assert_allclose(system.evaluate_ode([1.0, 0.0]), [0.0, -4.0])
+    assert system.potential_energy == k * x**2 / 2
+    np.testing.assert_allclose(np.abs(system.linearize([0.0, 0.0]).eigenvalues), 2.0)
+    np.testing.assert_allclose(copy.deepcopy(system).evaluate_ode([1.0, 0.0]), [0.0, -4.0])
 
 
 def test_a_method_without_equations_is_refused():

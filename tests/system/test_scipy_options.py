@@ -23,6 +23,15 @@ def test_an_option_that_is_no_number_is_named(solver, option, value):
         system.integrate(**{option: value})
 
 
+@pytest.mark.parametrize("solver", ["odeint", "RK45", "Radau", "LSODA"])
+def test_states_that_are_zero_need_an_atol(solver):
+    system = multi_mass_spring_damper()
+    system.initial_conditions = {"x0": 1.0}
+    system.ode_solver, system.times = solver, np.linspace(0.0, 1.0, num=3)
+    with pytest.raises(ValueError, match=r"`atol` must be above 0 .* got 0 for x\[1\]"):
+        system.integrate(atol=0.0)
+
+
 def test_an_export_onto_a_folder_is_refused(tmp_path):
     (tmp_path / "here.c").mkdir()
     with pytest.raises(IsADirectoryError, match="`path` must be a file, got the folder"):

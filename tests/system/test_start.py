@@ -244,3 +244,44 @@ def test_of_many_rows_that_do_not_hold_two_are_shown():
         system.integrate()
     assert len(told) == 1
     assert str(told[0].message).count("in the holonomic constraint") == 2
+
+
+@pytest.mark.parametrize("kind", ["holonomic_constraints", "velocity_constraints"])
+def test_a_constraint_of_constants_alone_is_refused_unless_it_is_zero(kind):
+    q, u = me.dynamicsymbols("q u")
+    m, k = sm.symbols("m k")
+    N, P = me.ReferenceFrame("N"), me.Point("P")
+    P.set_vel(N, u * N.x)
+    bodies = [me.Particle("p", P, m)]
+    system = System(
+        Definition(N, [q], [u], bodies=bodies, loads=[(P, -k * q * N.x)], **{kind: [m - k]})
+    )
+    system.ode_solver, system.times = "dop853", TIMES
+    system.integrate()
+    system.constants = {m: 1.0, k: 4.0}
+    with pytest.raises(ValueError, match=r"No motion satisfies the .*-k \+ m.* alone: it is -3"):
+        system.integrate()
+
+
+def test_a_constraint_of_constants_alone_of_a_called_method_is_refused():
+    q, p, u, v = me.dynamicsymbols("q p u v")
+    m, k = sm.symbols("m k")
+    N, O, P = me.ReferenceFrame("N"), me.Point("O"), me.Point("P")
+    P.set_pos(O, q * N.x + p * N.y)
+    P.set_vel(N, u * N.x + v * N.y)
+    kane = me.KanesMethod(
+        N,
+        [q],
+        [u],
+        [q.diff() - u, p.diff() - v],
+        q_dependent=[p],
+        configuration_constraints=[m - k],
+        velocity_constraints=[u - v],
+        u_dependent=[v],
+    )
+    kane.kanes_equations([me.Particle("p", P, m)], [(P, -k * q * N.x)])
+    system = System(kane, {m: 1.0, k: 4.0}, times=TIMES)
+    with pytest.raises(
+        ValueError, match=r"No motion satisfies the holonomic constraint 0: -k \+ m"
+    ):
+        system.integrate()

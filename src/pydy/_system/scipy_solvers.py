@@ -82,6 +82,7 @@ def call_odeint(
     """
     refuse_nested("odeint")
     options = check_scipy_options(options)
+    _check_scales(options, x0)
     # The error says more than the warning. Filters are the whole process's: other threads keep it.
     alone = threading.current_thread() is threading.main_thread()
     with warnings.catch_warnings() if alone else nullcontext():
@@ -195,6 +196,20 @@ class _Rates:
         return found
 
 
+def _check_scales(options: dict[str, Any], x0: Any) -> None:
+    """Refuse a zero `atol` for a state that is zero: SciPy's first step would be NaN, for ever."""
+    atol = np.asarray(options.get("atol", 1.0))
+    x0 = np.asarray(x0)
+    if atol.ndim and atol.shape != x0.shape:
+        return  # which SciPy refuses
+    places = np.flatnonzero((atol == 0.0) & (x0 == 0.0))
+    if places.size:
+        raise ValueError(
+            f"`atol` must be above 0 for states that are 0 at the start, got 0 for x[{places[0]}]: "
+            "SciPy divides errors by `atol` + `rtol`·|x|."
+        )
+
+
 @dataclass(frozen=True)
 class SolveIvp:
     """A method of `scipy.integrate.solve_ivp` with the signature of `odeint`."""
@@ -242,6 +257,8 @@ class SolveIvp:
         if len(times) == 1:
             states = np.tile(np.asarray(x0, dtype=float), (len(t), 1))
             return (states, info) if full_output else states
+        if options.get("first_step") is None:
+            _check_scales(options, x0)
         span = (times[0], times[-1])
         rates = _Rates(lambda t, x: f(x, t, *args))
         try:

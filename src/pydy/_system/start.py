@@ -13,6 +13,7 @@ from pydy._errors import few, warn_user
 from pydy._graph.derivative import dense_jacobian
 from pydy._graph.node import Graph
 from pydy._graph.rounding import per_unit, rounding_bounds
+from pydy._mechanics.symbols import find_symbols
 from pydy._mechanics.tuning import ROUNDED
 from pydy._rank import DIGITS, rank
 from pydy._system.snapshot import At
@@ -33,6 +34,8 @@ def check_start(at: At, whose: str = "", mended: bool = False) -> bool:
     held = surely_held(at)[0]
     if held and not any(at.definition.equations.left_out):
         return False
+    if not held:
+        _check_constant(at)
     told = "" if held else violations(at, redundant=False)
     if not told:
         check_redundant(at)
@@ -44,6 +47,22 @@ def check_start(at: At, whose: str = "", mended: bool = False) -> bool:
             "`system.set_dependent_initial_conditions()` first."
         )
     return bool(told)
+
+
+def _check_constant(at: At) -> None:
+    """Refuse a constraint of constants alone that is not zero: no motion can satisfy it."""
+    equations = at.definition.equations
+    parts = zip((equations.holonomic, equations.velocity), equations.left_out, strict=True)
+    rows = [row for kept, more in parts for row in (*kept, *more)]
+    residuals, bounds = (part[0] for part in evaluated_rows(at, "bounds"))
+    constants = set(at.definition.constants)
+    for k in np.flatnonzero(np.abs(residuals) > DIGITS * bounds):
+        if find_symbols([rows[k]]).keys() <= constants:
+            name = constraint_names(equations, redundant=True)[k]
+            raise ValueError(
+                f"No motion satisfies the {name}, which depends on constants alone: it is "
+                f"{residuals[k]:.3g}. Leave it out, or correct it."
+            )
 
 
 def check_resets(

@@ -12,6 +12,7 @@ import sympy.physics.mechanics as me
 from pydy._checks import Places, check_mapping, number, one_or_more, real_array, shown
 from pydy._mechanics.symbols import find_symbols
 from pydy._names import unique_names
+from pydy._system.tuning import LARGEST_SAMPLE
 from pydy.analysis.fit import Trial
 
 
@@ -105,6 +106,13 @@ def checked_trial(
         values.shape,
         label,
     )
+    sizes = np.fmax.reduce(np.abs(values) / noise)
+    if (far := np.flatnonzero(sizes > LARGEST_SAMPLE)).size:
+        raise ValueError(
+            f"`measured[{names[far[0]]}]` of {label} must be at most {LARGEST_SAMPLE:.1e} in units "
+            f"of `noise`, got {sizes[far[0]]:.3g}: powers of such residuals are out of the range "
+            "of floats. Choose units in which they are smaller."
+        )
     return Data(trial, label, times, begin, keys, names, values, noise, unknown)
 
 

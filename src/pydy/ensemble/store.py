@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import os
 import re
-import tempfile
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from threading import Lock
@@ -16,6 +15,7 @@ from typing import Any
 
 import numpy as np
 
+from pydy._files import folder_beside
 from pydy._optional import require
 from pydy._version import __version__
 from pydy.ensemble.identity import fingerprint
@@ -187,8 +187,8 @@ def create(
     dims = tuple(samples.dims)
     target = Path(os.path.realpath(path))
     target.parent.mkdir(parents=True, exist_ok=True)
-    with tempfile.TemporaryDirectory(prefix=".pydy-", dir=target.parent) as folder:
-        aside = Path(folder, target.name)
+    with folder_beside(target) as folder:
+        aside = folder / target.name
         group = zarr.open_group(str(aside), mode="w", attributes=about)
         for name, variable in example.variables.items():
             file, along = files[str(name)], [files[str(d)] for d in variable.dims]

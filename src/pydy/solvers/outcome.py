@@ -82,7 +82,7 @@ OUTCOMES = {
     TOLERANCE_TOO_SMALL: Outcome(
         "tolerance_too_small",
         "cannot start with rtol = {rtol:.3g} and atol = {atol:.3g}",
-        "The precision of floats is about {epsilon:.1e}: use an rtol of at least {least:.1e}.",
+        "{advice}",
     ),
     EVENT_CONSTANT: Outcome(
         "event_constant",

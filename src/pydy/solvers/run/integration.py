@@ -37,6 +37,7 @@ from pydy.solvers.outcome import (
     FINISHED,
     INTERRUPTED,
     NOT_COMPUTED,
+    NOT_FINITE,
     OUTCOMES,
     RESET_NOT_FINITE,
     RESET_OFF_CONSTRAINTS,
@@ -53,7 +54,7 @@ from pydy.solvers.run.layout import Wanted, rows_of, table_of
 from pydy.solvers.run.shipped import function_of, stepper
 from pydy.solvers.run.workspace import Workspace
 from pydy.solvers.tableaus import IMPLICIT, tableau_of
-from pydy.solvers.tuning import BLOCK, NEARLY_SINGULAR, ROUNDING, STARTING_MOVE
+from pydy.solvers.tuning import BLOCK, LEAST_TOLERANCE, NEARLY_SINGULAR, ROUNDING, STARTING_MOVE
 from pydy.trajectory import EventRecord
 
 SLICE = 0.02
@@ -294,7 +295,11 @@ class Integration:
         k, least = int(np.argmin(rtol)), 10.0 * ROUNDING
         if rtol[k] < least and atol[k] < least * max(abs(x[k]), 1.0):
             self._stop(
-                TOLERANCE_TOO_SMALL, rtol=rtol[k], atol=atol[k], epsilon=ROUNDING, least=least
+                TOLERANCE_TOO_SMALL,
+                rtol=rtol[k],
+                atol=atol[k],
+                advice=f"The precision of floats is about {ROUNDING:.1e}: use an rtol of at least "
+                f"{least:.1e}.",
             )
 
     def _start(self) -> None:
@@ -534,6 +539,21 @@ class Integration:
         names = () if self.call is None else self.call.names()
         return names[k] if k < len(names) else f"x[{k}]"
 
+    def _check_scales(self) -> None:
+        """Refuse errors of states that are zero where `atol` is too: nothing is their scale."""
+        memory, n = self.memory, self.n
+        x, atol, slopes = memory.x[:n], memory.atol[:n], memory.stages[:n]
+        places = np.flatnonzero((x == 0.0) & (atol <= LEAST_TOLERANCE) & (slopes != 0.0))
+        if places.size and np.isfinite(slopes).all():
+            names = ", ".join(self._state_name(k) for k in places[: self.states][:4])
+            self._stop(
+                TOLERANCE_TOO_SMALL,
+                rtol=memory.rtol[places[0]],
+                atol=0.0,
+                advice=f"Errors of states that are 0, of {names}, are compared with `atol` alone: "
+                "pass one above 0.",
+            )
+
     def _fail(self, code: int) -> None:
         """Raise the error of a code with which compiled code gave up."""
         if not np.isfinite(self._x0).all():
@@ -543,6 +563,8 @@ class Integration:
         step = float(self.progress.state[at.SIZE])
         if code == STEP_UNDERFLOW:
             code = int(self.progress.counts[at.FAILURE])
+        if code == NOT_FINITE:
+            self._check_scales()
         details: dict[str, Any] = {
             "max_steps": self.options.max_steps,
             "step": step,
