@@ -306,21 +306,22 @@ def test_an_event_that_ends_a_trial_early_is_told():
         system.fit(["g"], Trial(system.times, {"q": np.zeros(9)}), events=ending)
 
 
-def test_ctrl_c_hands_over_the_best_estimates(oscillator, monkeypatch):
+@pytest.mark.parametrize("stop", [KeyboardInterrupt, MemoryError])
+def test_what_stops_a_fit_hands_over_the_best_estimates(oscillator, monkeypatch, stop):
     calls = []
     simulate = type(oscillator).simulate
 
     def interrupted(self, **options):
         calls.append(1)
         if len(calls) > 4:
-            raise KeyboardInterrupt
+            raise stop
         return simulate(self, **options)
 
     monkeypatch.setattr(type(oscillator), "simulate", interrupted)
-    with pytest.raises(FitInterrupted) as caught:
+    with pytest.raises(stop) as caught:
         oscillator.fit(["k0", "c0"], let_go(swing()))
     assert set(caught.value.values) == {"k0", "c0"}
-    assert isinstance(caught.value, KeyboardInterrupt)
+    assert isinstance(caught.value, FitInterrupted) == (stop is KeyboardInterrupt)
 
 
 def test_a_bar_counts_the_evaluations(oscillator, capsys):

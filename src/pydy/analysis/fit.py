@@ -15,7 +15,7 @@ import numpy as np
 import scipy
 
 from pydy._checks import number
-from pydy._errors import FitInterrupted, warn_user
+from pydy._errors import FitInterrupted, note_finished, warn_user
 from pydy._names import place_of
 from pydy._optional import require
 from pydy._rank import HALF
@@ -210,8 +210,11 @@ def estimate(
             xtol=FITTED, ftol=FITTED, gtol=FITTED, max_nfev=most,
         )  # fmt: skip
         residuals, jacobian = at(found.x)
-    except KeyboardInterrupt as stop:
+    except (KeyboardInterrupt, MemoryError) as stop:
         values = dict(zip(names, best[1].tolist(), strict=True))
+        if isinstance(stop, MemoryError):
+            note_finished(stop, "The best estimates so far are", values=values)
+            raise
         raise FitInterrupted(
             "The fit was interrupted. Its best estimates so far are in `values`.", values
         ) from stop
