@@ -22,27 +22,21 @@ class Oracle:
         self.q, self.u = list(kane.q), list(kane.u)
         self.kane = kane
         auxiliary = list(kane._uaux)
-        self._still = {s.diff(T): 0 for s in auxiliary} | dict.fromkeys(auxiliary, 0)
-        self._rates = {k: v.xreplace(self._still) for k, v in kane.kindiffdict().items()}
+        still = {s.diff(T): 0 for s in auxiliary} | dict.fromkeys(auxiliary, 0)
+        self._rates = {k: v.xreplace(still) for k, v in kane.kindiffdict().items()}
         self._a = [sm.Dummy(f"a{i}") for i in range(len(self.u))]
-        self._accelerations = dict(zip([i.diff(T) for i in self.u], self._a, strict=True))
+        accelerations = dict(zip([i.diff(T) for i in self.u], self._a, strict=True))
         self._names = {s: sm.Dummy() for s in [*self.q, *self.u, *self.numbers]}
+        # What is replaced as a whole is not looked into: a derivative goes before its function.
+        known = self._names | accelerations | still
+        self._plain = {k: v.xreplace(known) for k, v in self._rates.items()} | known
         self._cache = {}
-
-    def _plain(self, expression):
-        """Expression in Dummies and t: derivatives first, the highest first."""
-        for old in (self._still, self._accelerations, self._rates, self._accelerations):
-            expression = expression.xreplace(old)
-        order = sorted(self._names, key=lambda s: -getattr(s, "derivative_count", 0))
-        for symbol in order:
-            expression = expression.xreplace({symbol: self._names[symbol]})
-        return expression
 
     def _function(self, key, expressions, extra=()):
         """Compiled list of expressions; `extra` symbols become further arguments."""
         if key not in self._cache:
             names = {s: sm.Dummy() for s in extra}
-            plain = [self._plain(sm.sympify(e).xreplace(names)) for e in expressions]
+            plain = [sm.sympify(e).xreplace(self._plain | names) for e in expressions]
             args = [T, *self._a, *(self._names[s] for s in self._names), *names.values()]
             stray = set().union(*(e.free_symbols for e in plain)) - set(args) if plain else set()
             assert not stray, f"the oracle has no number for {stray}"
