@@ -1,0 +1,126 @@
+"""Whether the kinematic equations give the motion that the velocities say.
+
+Velocities that a user sets need not follow from places: those of a disc that rolls may hold its
+constraint, and a symmetric rotor's orientation may be left out. They are honoured. But where other
+derivatives of the coordinates would make all of them follow, the kinematic equations are wrong.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from typing import Any
+
+import numpy as np
+
+from pydy._checks import describe
+from pydy._errors import warn_user
+from pydy._graph.derivative import dense_jacobian
+from pydy._graph.rounding import rounding_bounds
+from pydy._mechanics.components import numbers_of
+from pydy._mechanics.equations import Equations
+from pydy._mechanics.frames import orientation_rows, rotations
+from pydy._mechanics.kinematics import Kinematics, Vec
+from pydy._mechanics.reader import is_rigid, places
+from pydy._rank import HALF, is_zero, or_one
+
+# What moves; its place, by components in axes; and the derivatives of these, as velocities say.
+Moved = tuple[str, Vec, Vec]
+
+
+def warn_of_kinematics(equations: Equations) -> None:
+    """Warn if other derivatives of the coordinates fit all velocities that were given."""
+    body = equations.multibody
+    if equations.formed is None or body is None or not body.bodies:
+        return
+    kinematics = Kinematics(body, in_bodies=False)
+    every = [*_frames(kinematics), *_points(kinematics)]
+    agree = _agree(kinematics, every)
+    unlike = [what for (what, *_), well in zip(every, agree, strict=True) if not well]
+    if unlike and (wrong := _others(kinematics, every)):
+        warn_user(
+            f"The kinematic equations do not fit the velocities: with the derivatives of "
+            f"{describe(wrong)} that they give, {describe(unlike)} would not be what was set, and "
+            "with others all would. Give those (`kd_eqs` of a KanesMethod, `kinematic_equations` "
+            "of a Definition; without them each coordinate's derivative is the speed at its "
+            "place), or correct the velocities."
+        )
+
+
+def _frames(k: Kinematics) -> Iterator[Moved]:
+    """Yield the frames by which bodies are oriented, beside their parents where that is known."""
+    seen = {k.inertial}
+    for frame in (item.frame for item in k.body.bodies if is_rigid(item)):
+        while frame not in seen and frame in k.tree.oriented:
+            seen.add(frame)
+            parent, g = k.tree.parent(frame), k.graph
+            if k.tree.turns_in(frame) is parent:
+                axes = k.frames.given(frame, parent)
+                w = k.vector(k.tree.relative_spin(frame, parent), parent)
+            else:
+                units = [[g.one if i == j else g.zero for j in range(3)] for i in range(3)]
+                axes = [k.expressed(unit, frame, k.inertial) for unit in units]
+                w = k.spin(frame, k.inertial)[0]
+            turned = [n for axis in axes for n in k.cross(w, axis)]
+            yield f"the angular velocity of {frame}", [n for axis in axes for n in axis], turned
+            frame = parent
+
+
+def _points(k: Kinematics) -> Iterator[Moved]:
+    """Yield the mass centres that are placed along inertial axes from a point at rest.
+
+    Along other axes that point may be where a wheel touches the ground, at rest for an instant.
+    """
+    for point in (item.masscenter for item in k.body.bodies):
+        for origin, way in places(point).items():
+            rests = getattr(k.tree.velocity(origin), "args", None) == []
+            velocity = k.tree.velocity(point)
+            if rests and velocity is not None and {f for _, f in way.args} <= {k.inertial}:
+                given = k.vector(way, k.inertial), k.vector(velocity, k.inertial)
+                yield f"the velocity of {point}", *given
+                break
+
+
+def _values(k: Kinematics, nodes: list[int]) -> np.ndarray:
+    """Return values at random states that keep all constraints; there may be none."""
+    held = orientation_rows(rotations(k.inertial), k.read)
+    held += k.read.all([*k.body.holonomic, *k.body.velocity])
+    bounds, n = rounding_bounds(k.graph, held), len(held)
+    found = numbers_of(k.graph, [*nodes, *held, *bounds], held)
+    split = len(nodes), len(nodes) + n
+    values, left, sizes = np.split(found, split, axis=1)
+    return values[is_zero(left, sizes).all(axis=1)]
+
+
+def _agree(k: Kinematics, every: Iterable[Moved]) -> list[bool]:
+    """Return whether velocities are how places change, at random states."""
+    every = list(every)
+    nodes = [n for _, place, velocity in every for n in (*velocity, *k.dt(place))]
+    values, found, first = _values(k, nodes), [], 0
+    for _, place, _ in every:
+        n = len(place)
+        says, follows = values[:, first : first + n], values[:, first + n : first + 2 * n]
+        size = np.linalg.norm(says, axis=1) + np.linalg.norm(follows, axis=1)
+        found.append(bool((np.linalg.norm(says - follows, axis=1) <= HALF * size).all()))
+        first += 2 * n
+    return found
+
+
+def _others(k: Kinematics, every: Iterable[Moved]) -> list[Any]:
+    """Return the coordinates whose derivatives are others where all velocities fit, if any do."""
+    every = list(every)
+    place = [n for _, own, _ in every for n in own]
+    velocity = [n for _, _, own in every for n in own]
+    slopes = dense_jacobian(k.graph, place, k.coordinates)
+    m, n = len(place), len(k.coordinates)
+    values = _values(k, [*slopes, *velocity, *k.dt(place)])
+    wrong = np.zeros(n, dtype=bool)
+    for row in values:
+        matrix, says, follows = row[: m * n].reshape(m, n), row[m * n : -m], row[-m:]
+        tall = or_one(np.abs(matrix).max(axis=1))[:, None]
+        wide = or_one(np.abs(matrix / tall).max(axis=0))
+        more = np.linalg.lstsq(matrix / tall / wide, (says - follows) / tall[:, 0])[0] / wide
+        bound = np.abs(says) + np.abs(follows) + np.abs(matrix) @ np.abs(more)
+        if not (np.abs(says - follows - matrix @ more) <= HALF * bound).all():
+            return []
+        wrong |= np.abs(matrix * more).max(axis=0) > HALF * bound.max()
+    return [symbol for symbol, other in zip(k.body.coordinates, wrong, strict=True) if other]
