@@ -95,6 +95,15 @@ def test_the_least_recently_used_entry_goes_first(folder, monkeypatch):
     assert cache.read(OTHER) is not None
 
 
+def test_the_folder_is_looked_through_after_a_share_of_the_limit(folder, monkeypatch):
+    looks = []
+    monkeypatch.setattr(cache, "_evict", looks.append)
+    monkeypatch.setattr(cache, "LIMIT_BYTES", 64 * 100)
+    for k in range(30):
+        cache.write(f"{k:064x}", b"x" * 10)
+    assert len(looks) == 1 + 29 * 10 // 110
+
+
 def test_what_a_killed_process_left_behind_is_swept_up(folder):
     folder.mkdir(parents=True)
     left = folder / f"{OTHER}.a_7bcdef.tmp"

@@ -38,6 +38,7 @@ _STALE_SECONDS = 3600.0
 _OURS = re.compile(r"[0-9a-f]{64}\.(code|[a-z0-9_]{8}\.tmp)")
 _OTHERS = stat.S_IWGRP | stat.S_IWOTH
 _warned: set[str] = set()
+_stored: dict[Path, int] = {}  # bytes by this process since it looked for what to remove
 
 
 # -- who can write --------------------------------------------------------------------------------
@@ -217,7 +218,12 @@ def write(key: str, content: bytes) -> None:
         with contextlib.suppress(OSError):
             os.unlink(aside)
         return
-    _evict(place)
+    # A look at a whole folder after each entry would take longer the more there are.
+    stored = _stored.get(place, LIMIT_BYTES) + len(content)
+    if stored > LIMIT_BYTES // 64:
+        stored = 0
+        _evict(place)
+    _stored[place] = stored
 
 
 def _evict(place: Path) -> None:

@@ -101,3 +101,19 @@ def test_a_wheel_that_rolls_along_a_line_needs_no_angle():
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         System(Definition(fixed, [x], [v], bodies=[wheel]))
+
+
+def test_a_frame_that_turns_with_a_speed_of_kanes_has_no_part_in_lagranges_equations():
+    q, u = me.dynamicsymbols("q u")
+    fixed, frame, origin = me.ReferenceFrame("N"), me.ReferenceFrame("A"), me.Point("O")
+    origin.set_vel(fixed, 0)
+    frame.orient_axis(fixed, fixed.z, q)
+    frame.set_ang_vel(fixed, u * fixed.z)
+    centre = origin.locatenew("C", frame.x)
+    centre.set_vel(fixed, q.diff(T) * frame.y)
+    bar = me.RigidBody("bar", centre, frame, 1, (me.inertia(frame, 1, 1, 1), centre))
+    weight = [(centre, -fixed.y)]
+    method = me.LagrangesMethod(me.Lagrangian(fixed, bar), [q], weight, [bar], fixed)
+    for made in (method, Definition(fixed, [q], bodies=[bar], loads=weight)):
+        with pytest.warns(PyDyUserWarning, match="the angular velocity of A would not be"):
+            System(made)

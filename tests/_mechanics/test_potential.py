@@ -294,3 +294,39 @@ def test_weights_ask_for_no_second_point(plane, monkeypatch):
     frame, _, place = plane
     found = potential(plane, [(place, -M * G * frame.y)])
     assert differs_by_a_constant(found.expression, M * G * Q[1])
+
+
+def test_a_spring_between_bodies_with_quaternions_has_that_of_its_length():
+    """Lengths are none where a quaternion's is not one: the spring was not seen to be one."""
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    q, u, rates, bodies, ends, rows = [], [], [], [], [], []
+    for k in range(2):
+        own, e = me.ReferenceFrame(f"B{k}"), me.dynamicsymbols(f"e{k}_0:4")
+        x, v, w = (me.dynamicsymbols(f"{name}{k}_0:3") for name in "xvw")
+        own.orient_quaternion(frame, e)
+        own.set_ang_vel(frame, w[0] * own.x + w[1] * own.y + w[2] * own.z)
+        centre = origin.locatenew(f"C{k}", x[0] * frame.x + x[1] * frame.y + x[2] * frame.z)
+        centre.set_vel(frame, v[0] * frame.x + v[1] * frame.y + v[2] * frame.z)
+        end = centre.locatenew(f"E{k}", 0.7 * own.x - 1.3 * own.y + 0.4 * own.z)
+        end.v2pt_theory(centre, frame, own)
+        inertia = me.inertia(own, 1, 2, 3), centre
+        bodies.append(me.RigidBody(f"body{k}", centre, own, M, inertia))
+        ends.append(end)
+        q, u = [*q, *x, *e], [*u, *v, *w]
+        rates += [a.diff() - b for a, b in zip(x, v, strict=True)]
+        rates += [
+            e[0].diff() + (e[1] * w[0] + e[2] * w[1] + e[3] * w[2]) / 2,
+            e[1].diff() - (e[0] * w[0] + e[2] * w[2] - e[3] * w[1]) / 2,
+            e[2].diff() - (e[0] * w[1] + e[3] * w[0] - e[1] * w[2]) / 2,
+            e[3].diff() - (e[0] * w[2] + e[1] * w[1] - e[2] * w[0]) / 2,
+        ]
+        rows.append(sum(i**2 for i in e) - 1)
+    spring = me.LinearSpring(3.0, me.LinearPathway(*ends), 1.1)
+    definition = Definition(
+        frame, q, u, bodies=bodies, loads=spring.to_loads(),
+        kinematic_equations=rates, holonomic_constraints=rows,
+    )  # fmt: skip
+    found = find_potential(System(definition)._equations)
+    assert not found.unknown
+    assert differs_by_a_constant(found.expression, 1.5 * (spring.pathway.length - 1.1) ** 2)

@@ -8,6 +8,7 @@ derivatives of the coordinates would make all of them follow, the kinematic equa
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -29,10 +30,10 @@ Moved = tuple[str, Vec, Vec]
 
 def warn_of_kinematics(equations: Equations) -> None:
     """Warn if other derivatives of the coordinates fit all velocities that were given."""
-    body = equations.multibody
-    if equations.formed is None or body is None or not body.bodies:
+    body, mechanism = equations.multibody, equations.mechanism
+    if equations.formed is None or body is None or mechanism is None or not mechanism.bodies:
         return
-    kinematics = Kinematics(body, in_bodies=False)
+    kinematics = Kinematics(replace(body, bodies=mechanism.bodies), in_bodies=False)
     every = [*_frames(kinematics), *_points(kinematics)]
     agree = _agree(kinematics, every)
     unlike = [what for (what, *_), well in zip(every, agree, strict=True) if not well]

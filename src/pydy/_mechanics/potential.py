@@ -15,7 +15,7 @@ constraints its rate is minus their power.
 from __future__ import annotations
 
 import warnings
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
 from functools import cache
@@ -31,6 +31,7 @@ from pydy._graph.node import Graph
 from pydy._graph.rounding import rounding_bounds
 from pydy._mechanics.components import numbers_of
 from pydy._mechanics.equations import Equations, Mechanism
+from pydy._mechanics.frames import orientation_rows, rotations
 from pydy._mechanics.generic import GenericStates
 from pydy._mechanics.reader import InputReader, given_velocity, places
 from pydy._mechanics.symbols import find_symbols, replace_symbols
@@ -115,6 +116,8 @@ class _Search:
         self.energies: list[Any] = []
         self.powers: list[Any] = []  # of the loads whose energies these are
         self.fixed = cache(self._fixed)
+        read = InputReader(Graph(), {}, ())
+        self.turns = [m for m in rotations(self.frame) if orientation_rows([m], read)]
 
     def result(self) -> Potential:
         loads = [load for load in self.mechanism.loads if self._moves(load[0])]
@@ -208,7 +211,7 @@ class _Search:
     def _radial(self, loads: Sequence[tuple[Any, Any]]) -> list[tuple[Any, Any]]:
         """Take forces along the line between two points; return the other loads."""
         rest: list[tuple[Any, Any]] = []
-        opposite = _opposite([vector for _, vector in loads])
+        opposite = _opposite([vector for _, vector in loads], self.turns)
         places_in_rest: list[int] = []
         for number, (where, vector) in enumerate(loads):
             partner = next((k for k, j in enumerate(places_in_rest) if opposite(number, j)), None)
@@ -229,14 +232,14 @@ class _Search:
             line = point.pos_from(other)
         except ValueError:  # nobody said where they are
             return False
-        ratio = _ratio(force, line)
+        ratio = _ratio(force, line, self.turns)
         if ratio is None:
             return False
         square = line.dot(line)
         if self._is_constant(square):
             return False
         distance = sm.Dummy("L", positive=True)
-        law = _in_terms_of(ratio, square, distance) * distance
+        law = _in_terms_of(ratio, square, distance, self.turns) * distance
         if not self._is_constant(law):  # a - b beside b - a, say
             law = sm.signsimp(law)
         if not self._is_constant(law):
@@ -320,7 +323,7 @@ class _Search:
         That is a load alone, or opposite torques on two frames, whose power is a force by the
         coordinate's rate: a spring or a stop of a joint.
         """
-        opposite = _opposite([term.vector for term in terms])
+        opposite = _opposite([term.vector for term in terms], self.turns)
         numbers = range(len(terms))
         pairs = [[j, k] for k in numbers for j in range(k) if opposite(k, j)]
         left = set(numbers)
@@ -445,13 +448,18 @@ def _primitive(force: Any, x: Any) -> Any:
     return None if found.has(sm.Integral) else found
 
 
-def _numbers(expressions: Sequence[Any]) -> np.ndarray:
-    """Return the values of expressions at random states and constants, one row for each draw."""
+def _numbers(expressions: Sequence[Any], turns: Iterable[Any]) -> np.ndarray:
+    """Return the values of expressions at random states and constants, one row for each draw.
+
+    There the matrices `turns`, of quaternions, are rotations: lengths are none elsewhere.
+    """
     graph = Graph()
-    return numbers_of(graph, InputReader(graph, {}, ()).all(expressions))
+    read = InputReader(graph, {}, ())
+    nodes = read.all(expressions)
+    return numbers_of(graph, nodes, orientation_rows(turns, read))
 
 
-def _opposite(vectors: Sequence[Vector]) -> Callable[[int, int], bool]:
+def _opposite(vectors: Sequence[Vector], turns: Iterable[Any]) -> Callable[[int, int], bool]:
     """Return what tells whether two of some vectors are opposite, up to the rounding of numbers.
 
     A law times a vector of decimals is rounded in other ways than its opposite.
@@ -462,7 +470,7 @@ def _opposite(vectors: Sequence[Vector]) -> Callable[[int, int], bool]:
     values = np.zeros((1, len(vectors), 1))
     if len(vectors) > 1:
         with suppress(UnsupportedFunctionError):
-            values = _numbers([part for row in rows for part in row])
+            values = _numbers([part for row in rows for part in row], turns)
             values = values.reshape(-1, len(vectors), len(places))
     sizes = np.abs(values).max(axis=2)
 
@@ -475,7 +483,7 @@ def _opposite(vectors: Sequence[Vector]) -> Callable[[int, int], bool]:
     return opposite
 
 
-def _ratio(force: Vector, line: Vector) -> Any:
+def _ratio(force: Vector, line: Vector, turns: Iterable[Any]) -> Any:
     """Return s of ``force = s · line``, or None when it cannot be seen.
 
     Numbers are compared: places given in decimals are rounded, and forces by other ways.
@@ -484,7 +492,7 @@ def _ratio(force: Vector, line: Vector) -> Any:
     pulls = {(f, i): part for parts, f in force.args for i, part in enumerate(parts)}
     places = list(along | pulls)
     pairs = [(pulls.get(p, sm.S.Zero), along.get(p, sm.S.Zero)) for p in places]
-    values = _numbers([part for pair in pairs for part in pair]).reshape(-1, len(pairs), 2)
+    values = _numbers([part for pair in pairs for part in pair], turns).reshape(-1, len(pairs), 2)
     pull, way = values[..., 0], values[..., 1]
     largest = int(np.abs(way[0]).argmax())
     if not (np.isfinite(values).all() and way[:, largest].all()):
@@ -497,12 +505,12 @@ def _ratio(force: Vector, line: Vector) -> Any:
     return f / r
 
 
-def _in_terms_of(expression: Any, square: Any, distance: Any) -> Any:
+def _in_terms_of(expression: Any, square: Any, distance: Any, turns: Iterable[Any]) -> Any:
     """Write an expression in terms of a distance: so many times its square are written by it."""
     moving = find_symbols([square])
     sums = {square, *(p.base for p in expression.atoms(sm.Pow)), *expression.atoms(sm.Add)}
     bases = [e for e in sums if find_symbols([e]) == moving]
-    values = _numbers([square, *bases])
+    values = _numbers([square, *bases], turns)
     shares = values[:, 1:] / values[:, :1]
     alike = np.abs(shares - shares[0]).max(axis=0) <= ROUNDED * np.abs(shares[0])
     named = {
@@ -574,7 +582,7 @@ def _integral(law: Any, distance: Any) -> Any:
     # Of either sign: what is integrated is the logarithm's derivative.
     found = found.replace(sm.log, lambda e: sm.log(e if e.is_positive else sm.Abs(e)))
     try:
-        _numbers([found])
+        _numbers([found], ())
     except UnsupportedFunctionError:  # an exponential integral, say
         return None
     return found
