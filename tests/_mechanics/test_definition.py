@@ -116,7 +116,7 @@ def test_a_row_without_coordinates_that_is_zero_constrains_nothing():
 
 def test_a_row_of_constants_that_does_not_hold_is_told():
     made = System(bead(holonomic_constraints=[y - x**2, sm.Symbol("l") - 2]), times=[0.0, 0.1])
-    with pytest.raises(ValueError, match=r"`l - 2` was left out .* at t = 0\.0 it is -1"):
+    with pytest.raises(ValueError, match="l - 2, which depends on constants alone: it is -1"):
         made.integrate()
     made.constants = {"l": 2.0}
     made.integrate()
