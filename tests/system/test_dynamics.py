@@ -189,6 +189,29 @@ def test_gravity_that_no_load_tells_is_asked_for():
     close(multi_mass_spring_damper().gravity([1.0]), [0.0])
 
 
+@pytest.mark.parametrize("apart", [True, False])
+def test_a_weight_in_numbers_beside_other_forces_in_one_vector_is_not_taken_for_none(apart):
+    x, y, u, v = me.dynamicsymbols("x y u v")
+    c = sm.Symbol("c")
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    bodies, loads = [], []
+    for k, (place, speed, mass) in enumerate([(x, u, 2.0), (y, v, 3.0)]):
+        point = origin.locatenew(f"P{k}", place * frame.y)
+        point.set_vel(frame, speed * frame.y)
+        bodies.append(me.Particle(f"p{k}", point, mass))
+        weight, drag = -9.81 * mass * frame.y, -c * speed * frame.y
+        loads += [(point, weight), (point, drag)] if apart else [(point, weight + drag)]
+    system = System(Definition(frame, [x, y], [u, v], bodies=bodies, loads=loads))
+    if apart:
+        close(system.gravity([0.0, 0.0]), [19.62, 29.43])
+        return
+    for asked in (system.gravity, system.regressor):
+        with pytest.raises(ValueError, match="gravity"):
+            asked()
+    close(system.gravity([0.0, 0.0], acceleration=-9.81 * frame.y), [19.62, 29.43])
+
+
 def test_a_lagrangian_has_inverse_dynamics_too():
     theta, x = me.dynamicsymbols("theta x")
     frame, origin = me.ReferenceFrame("N"), me.Point("O")

@@ -132,3 +132,13 @@ def towed():
     return System(
         Definition(frame, [x, y], bodies=bobs, loads=[(bobs[0].masscenter, 3.0 * frame.x)])
     )
+
+
+@pytest.mark.filterwarnings("ignore")  # of the regressor's rows
+@pytest.mark.parametrize("value", [np.nan, np.inf])
+def test_samples_that_are_no_numbers_are_named_not_left_to_empty_the_answer(value):
+    system = n_link_pendulum_on_cart(2)
+    q, v, a = np.random.default_rng(0).normal(size=(3, 50, 3))
+    q[7, 1] = value
+    with pytest.raises(ValueError, match="for 3 of its rows, the first of them of sample 7"):
+        system.base_parameters(q, v, a)

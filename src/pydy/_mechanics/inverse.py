@@ -20,6 +20,7 @@ from typing import Any
 from pydy._graph.collector import collector_paused
 from pydy._graph.derivative import dense_rows, jacobian
 from pydy._graph.from_sympy import NodeExpression
+from pydy._graph.node import Graph
 from pydy._graph.rewrite import substitute
 from pydy._graph.simplify import operations
 from pydy._mechanics.elimination import composite
@@ -232,7 +233,7 @@ def _common_pull(kinematics: Kinematics) -> Vec | None:
     g, zero = kinematics.graph, kinematics.graph.zero
     found = []
     for body in kinematics.body.bodies:
-        mass, own = kinematics.read(body.mass), []
+        mass, own, hidden = kinematics.read(body.mass), [], False
         if mass == zero:
             continue
         for where, vector in kinematics.body.loads:
@@ -244,11 +245,21 @@ def _common_pull(kinematics: Kinematics) -> Vec | None:
                     fall = [g.div(node, mass) for node in force]
                 if all(g.constant[node] for node in fall):
                     own.append(fall)
-        found.append(own or [[zero] * 3])
+                elif g.ops[mass] != "input" and any(_partly_constant(g, n) for n in fall):
+                    hidden = True  # a number may be a weight, or the rest length of a spring
+        found.append(own or ([] if hidden else [[zero] * 3]))
     for fall in sorted(found[0], key=lambda fall: fall == [zero] * 3) if found else ():
         if all(any(alike(g, fall, other) for other in own) for own in found):
             return fall
     return None
+
+
+def _partly_constant(g: Graph, node: int) -> bool:
+    """Return whether a node is a constant other than zero, or a sum of sums with such a term."""
+    if g.ops[node] != "sum":
+        return g.constant[node] and node != g.zero
+    constant, terms = g.args[node]
+    return constant != 0.0 or any(_partly_constant(g, n) for n, _ in terms)
 
 
 def _pushed(kinematics: Kinematics, loads: list[Load]) -> Vec:

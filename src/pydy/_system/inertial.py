@@ -153,6 +153,13 @@ class InertialParameters(Dynamics):
         """
         columns = self.regressor(q, v, a, t, r=r, p=p)
         columns = columns.reshape(-1, columns.shape[-1])
+        if not (finite := np.isfinite(columns).all(axis=1)).all():
+            sample = int(np.argmin(finite)) // len(self._equations.speeds)
+            raise ValueError(
+                "The regressor must be finite for all samples; it is not for "
+                f"{len(finite) - int(finite.sum())} of its rows, the first of them of sample "
+                f"{sample}. Leave out samples whose `q`, `v` or `a` is NaN or infinite."
+            )
         scaled, _, units = equilibrated(columns)
         places = sorted(independent_columns(scaled))
         matrix = np.linalg.lstsq(scaled[:, places], scaled, rcond=None)[0]
