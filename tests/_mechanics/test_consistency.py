@@ -103,17 +103,71 @@ def test_a_wheel_that_rolls_along_a_line_needs_no_angle():
         System(Definition(fixed, [x], [v], bodies=[wheel]))
 
 
-def test_a_frame_that_turns_with_a_speed_of_kanes_has_no_part_in_lagranges_equations():
-    q, u = me.dynamicsymbols("q u")
-    fixed, frame, origin = me.ReferenceFrame("N"), me.ReferenceFrame("A"), me.Point("O")
+def silent(place, speed):
+    """Make a System of a particle with one coordinate; nothing may be told."""
+    x, u = me.dynamicsymbols("x u")
+    fixed, origin = me.ReferenceFrame("N"), me.Point("O")
     origin.set_vel(fixed, 0)
-    frame.orient_axis(fixed, fixed.z, q)
-    frame.set_ang_vel(fixed, u * fixed.z)
-    centre = origin.locatenew("C", frame.x)
-    centre.set_vel(fixed, q.diff(T) * frame.y)
-    bar = me.RigidBody("bar", centre, frame, 1, (me.inertia(frame, 1, 1, 1), centre))
-    weight = [(centre, -fixed.y)]
-    method = me.LagrangesMethod(me.Lagrangian(fixed, bar), [q], weight, [bar], fixed)
-    for made in (method, Definition(fixed, [q], bodies=[bar], loads=weight)):
-        with pytest.warns(PyDyUserWarning, match="the angular velocity of A would not be"):
-            System(made)
+    point = origin.locatenew("P", place(x) * fixed.x)
+    point.set_vel(fixed, speed(x, u) * fixed.x)
+    bodies = [me.Particle("p", point, 1)]
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        return System(Definition(fixed, [x], [u], bodies=bodies))
+
+
+def test_places_that_are_no_numbers_at_random_states_are_left_alone():
+    """The pin of a slider-crank has a root that is none for most lengths."""
+    r, length = sm.symbols("r l")
+
+    def place(q):
+        return r * sm.cos(q) + sm.sqrt(length**2 - r**2 * sm.sin(q) ** 2)
+
+    system = silent(place, lambda q, u: place(q).diff(q) * u)
+    system.constants = {length: 3.0}
+    assert system.evaluate_ode([0.3, 1.0])[1] == pytest.approx(-3.1654163684)
+    silent(lambda x: sm.exp(2000 * x), lambda x, u: 2000 * sm.exp(2000 * x) * u)
+
+
+def test_velocities_that_depend_on_more_than_places_are_left_alone():
+    way, rate = me.dynamicsymbols("f vf")
+    silent(lambda x: x + way, lambda x, u: u + rate)
+    silent(lambda x: x, lambda x, u: u + sm.Symbol("belt"))
+
+
+def test_typed_digits_are_no_disagreement():
+    silent(lambda x: x / 3, lambda x, u: 0.333333 * u)
+
+
+def test_orientations_by_cosines_are_left_alone():
+    """A random matrix may be a reflection, for which angular velocities have another sign."""
+    c, w = me.dynamicsymbols("c1:10"), me.dynamicsymbols("w1:4")
+    fixed, frame, origin = me.ReferenceFrame("N"), me.ReferenceFrame("B"), me.Point("O")
+    origin.set_vel(fixed, 0)
+    cosines = sm.Matrix(3, 3, c)
+    frame.orient_explicit(fixed, cosines)
+    frame.set_ang_vel(fixed, w[0] * frame.x + w[1] * frame.y + w[2] * frame.z)
+    cross = sm.Matrix([[0, -w[2], w[1]], [w[2], 0, -w[0]], [-w[1], w[0], 0]])
+    rates = [a.diff(T) - b for a, b in zip(c, cosines * cross, strict=True)]
+    rigid = me.RigidBody("body", origin, frame, 1, (me.inertia(frame, 1, 2, 3), origin))
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        System(Definition(fixed, c, w, bodies=[rigid], kinematic_equations=rates))
+
+
+def test_a_velocity_on_one_branch_of_a_constraint_is_left_alone():
+    x, y, u, v = me.dynamicsymbols("x y u v")
+    length = sm.Symbol("l")
+    fixed, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(fixed, 0)
+    bob = origin.locatenew("P", x * fixed.x + y * fixed.y)
+    bob.set_vel(fixed, u * fixed.x + x * u / sm.sqrt(length**2 - x**2) * fixed.y)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        System(
+            Definition(
+                fixed, [x, y], [u, v], bodies=[me.Particle("bob", bob, 1)],
+                holonomic_constraints=[x**2 + y**2 - length**2],
+                configuration={x: 0.5, y: -1.9, length: 2.0},
+            )
+        )  # fmt: skip

@@ -3,6 +3,9 @@
 Velocities that a user sets need not follow from places: those of a disc that rolls may hold its
 constraint, and a symmetric rotor's orientation may be left out. They are honoured. But where other
 derivatives of the coordinates would make all of them follow, the kinematic equations are wrong.
+
+What cannot be told is left alone: mechanisms with constraints, where velocities may hold on one
+branch only, orientations by nine cosines, and velocities that depend on what the places do not.
 """
 
 from __future__ import annotations
@@ -16,16 +19,18 @@ import numpy as np
 from pydy._checks import describe
 from pydy._errors import warn_user
 from pydy._graph.derivative import dense_jacobian
-from pydy._graph.rounding import rounding_bounds
 from pydy._mechanics.components import numbers_of
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.frames import orientation_rows, rotations
 from pydy._mechanics.kinematics import Kinematics, Vec
 from pydy._mechanics.reader import is_rigid, places
-from pydy._rank import HALF, is_zero, or_one
+from pydy._rank import DIGITS, or_one
 
 # What moves; its place, by components in axes; and the derivatives of these, as velocities say.
 Moved = tuple[str, Vec, Vec]
+_LENGTHS = (
+    3  # a quaternion's matrix has columns of one length, orthogonal for any; cosines have not
+)
 
 
 def warn_of_kinematics(equations: Equations) -> None:
@@ -33,8 +38,14 @@ def warn_of_kinematics(equations: Equations) -> None:
     body, mechanism = equations.multibody, equations.mechanism
     if equations.formed is None or body is None or mechanism is None or not mechanism.bodies:
         return
+    if body.velocity:
+        return
     kinematics = Kinematics(replace(body, bodies=mechanism.bodies), in_bodies=False)
+    if any(len(rows) > _LENGTHS for rows in _orientations(kinematics)):
+        return
     every = [*_frames(kinematics), *_points(kinematics)]
+    if not all(_depends_alike(kinematics, place, velocity) for _, place, velocity in every):
+        return
     agree = _agree(kinematics, every)
     unlike = [what for (what, *_), well in zip(every, agree, strict=True) if not well]
     if unlike and (wrong := _others(kinematics, every)):
@@ -81,15 +92,24 @@ def _points(k: Kinematics) -> Iterator[Moved]:
                 break
 
 
+def _orientations(k: Kinematics) -> list[list[int]]:
+    """Return the rows that vanish where each matrix is a rotation."""
+    return [orientation_rows([matrix], k.read) for matrix in rotations(k.inertial)]
+
+
+def _depends_alike(k: Kinematics, place: Vec, velocity: Vec) -> bool:
+    """Return whether a velocity holds no constant or specified that its place and q' have not."""
+    g, known = k.graph, {*k.coordinates, *k.speeds}
+    known |= {*g.reachable([*place, *k.dt(place)])}
+    return all(n in known for n in g.reachable(velocity) if g.ops[n] == "input")
+
+
 def _values(k: Kinematics, nodes: list[int]) -> np.ndarray:
-    """Return values at random states that keep all constraints; there may be none."""
-    held = orientation_rows(rotations(k.inertial), k.read)
-    held += k.read.all([*k.body.holonomic, *k.body.velocity])
-    bounds, n = rounding_bounds(k.graph, held), len(held)
-    found = numbers_of(k.graph, [*nodes, *held, *bounds], held)
-    split = len(nodes), len(nodes) + n
-    values, left, sizes = np.split(found, split, axis=1)
-    return values[is_zero(left, sizes).all(axis=1)]
+    """Return values at random states, those where all are numbers; there may be none."""
+    held = [row for rows in _orientations(k) for row in rows]
+    with np.errstate(all="ignore"):
+        found = numbers_of(k.graph, nodes, held)
+    return found[np.isfinite(found).all(axis=1)]
 
 
 def _agree(k: Kinematics, every: Iterable[Moved]) -> list[bool]:
@@ -101,7 +121,7 @@ def _agree(k: Kinematics, every: Iterable[Moved]) -> list[bool]:
         n = len(place)
         says, follows = values[:, first : first + n], values[:, first + n : first + 2 * n]
         size = np.linalg.norm(says, axis=1) + np.linalg.norm(follows, axis=1)
-        found.append(bool((np.linalg.norm(says - follows, axis=1) <= HALF * size).all()))
+        found.append(bool((np.linalg.norm(says - follows, axis=1) <= DIGITS * size).all()))
         first += 2 * n
     return found
 
@@ -121,7 +141,7 @@ def _others(k: Kinematics, every: Iterable[Moved]) -> list[Any]:
         wide = or_one(np.abs(matrix / tall).max(axis=0))
         more = np.linalg.lstsq(matrix / tall / wide, (says - follows) / tall[:, 0])[0] / wide
         bound = np.abs(says) + np.abs(follows) + np.abs(matrix) @ np.abs(more)
-        if not (np.abs(says - follows - matrix @ more) <= HALF * bound).all():
+        if not (np.abs(says - follows - matrix @ more) <= DIGITS * bound).all():
             return []
-        wrong |= np.abs(matrix * more).max(axis=0) > HALF * bound.max()
+        wrong |= np.abs(matrix * more).max(axis=0) > DIGITS * bound.max()
     return [symbol for symbol, other in zip(k.body.coordinates, wrong, strict=True) if other]
