@@ -109,7 +109,8 @@ def _values(k: Kinematics, nodes: list[int]) -> np.ndarray:
     held = [row for rows in _orientations(k) for row in rows]
     with np.errstate(all="ignore"):
         found = numbers_of(k.graph, nodes, held)
-    return found[np.isfinite(found).all(axis=1)]
+    values: np.ndarray = found[np.isfinite(found).all(axis=1)]
+    return values
 
 
 def _agree(k: Kinematics, every: Iterable[Moved]) -> list[bool]:

@@ -19,6 +19,7 @@ from sympy.physics.mechanics import (
 )
 from sympy.physics.mechanics.jointsmethod import JointsMethod
 
+from pydy._mechanics.consistency import warn_of_kinematics
 from pydy._mechanics.definition import Definition, equations_of_definition
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.implicit import Implicit
@@ -151,11 +152,22 @@ def extract(
     )
 
 
-extract.register(KanesMethod, equations_of_kane)
-extract.register(LagrangesMethod, equations_of_lagrange)
-extract.register(Definition, equations_of_definition)
-extract.register(System, equations_of_system)
-extract.register(JointsMethod, equations_of_joints)
+def _checked(read: Callable[..., Equations]) -> Callable[..., Equations]:
+    """Return the reader of a user's object, which tells what contradicts itself in it."""
+
+    def reader(*args: Any) -> Equations:
+        found = read(*args)
+        warn_of_kinematics(found)
+        return found
+
+    return reader
+
+
+extract.register(KanesMethod, _checked(equations_of_kane))
+extract.register(LagrangesMethod, _checked(equations_of_lagrange))
+extract.register(Definition, _checked(equations_of_definition))
+extract.register(System, _checked(equations_of_system))
+extract.register(JointsMethod, _checked(equations_of_joints))
 
 
 def method_of(eom_method: Any) -> Any:

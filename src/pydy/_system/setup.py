@@ -18,8 +18,6 @@ from pydy._checks import Keyed, check_mapping, flag
 from pydy._errors import warn_user
 from pydy._graph.switches import Passes
 from pydy._html import html_table
-from pydy._mechanics.consistency import warn_of_kinematics
-from pydy._mechanics.equations import Equations
 from pydy._mechanics.extract import extract, method_of, symbolic_matrices
 from pydy._mechanics.implicit import Implicit
 from pydy._names import name_of, unique_names
@@ -140,8 +138,6 @@ class Setup:
                 f"{type(implicit).__name__}."
             )
         self._equations = extract(eom_method, equations, implicit)
-        if not isinstance(eom_method, Equations):  # those were read before
-            warn_of_kinematics(self._equations)
         self._eom_method = eom_method
         self._energies = EnergyModel(self._equations)
         base = base_symbols(self._equations, constants_symbols, specifieds_symbols)
