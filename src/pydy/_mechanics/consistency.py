@@ -10,7 +10,7 @@ branch only, orientations by nine cosines, and velocities that depend on what th
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -28,9 +28,8 @@ from pydy._rank import DIGITS, or_one
 
 # What moves; its place, by components in axes; and the derivatives of these, as velocities say.
 Moved = tuple[str, Vec, Vec]
-_LENGTHS = (
-    3  # a quaternion's matrix has columns of one length, orthogonal for any; cosines have not
-)
+# A quaternion's matrix has three orthogonal columns, whose lengths are one: rows more are cosines'.
+_LENGTHS = 3
 
 
 def warn_of_kinematics(equations: Equations) -> None:
@@ -41,14 +40,17 @@ def warn_of_kinematics(equations: Equations) -> None:
     if body.velocity:
         return
     kinematics = Kinematics(replace(body, bodies=mechanism.bodies), in_bodies=False)
-    if any(len(rows) > _LENGTHS for rows in _orientations(kinematics)):
+    matrices = rotations(body.frame)
+    turns = [orientation_rows([matrix], kinematics.read) for matrix in matrices]
+    if any(len(rows) > _LENGTHS for rows in turns):
         return
+    held = [row for rows in turns for row in rows]
     every = [*_frames(kinematics), *_points(kinematics)]
     if not all(_depends_alike(kinematics, place, velocity) for _, place, velocity in every):
         return
-    agree = _agree(kinematics, every)
+    agree = _agree(kinematics, every, held)
     unlike = [what for (what, *_), well in zip(every, agree, strict=True) if not well]
-    if unlike and (wrong := _others(kinematics, every)):
+    if unlike and (wrong := _others(kinematics, every, held)):
         warn_user(
             f"The kinematic equations do not fit the velocities: with the derivatives of "
             f"{describe(wrong)} that they give, {describe(unlike)} would not be what was set, and "
@@ -92,11 +94,6 @@ def _points(k: Kinematics) -> Iterator[Moved]:
                 break
 
 
-def _orientations(k: Kinematics) -> list[list[int]]:
-    """Return the rows that vanish where each matrix is a rotation."""
-    return [orientation_rows([matrix], k.read) for matrix in rotations(k.inertial)]
-
-
 def _depends_alike(k: Kinematics, place: Vec, velocity: Vec) -> bool:
     """Return whether a velocity holds no constant or specified that its place and q' have not."""
     g, known = k.graph, {*k.coordinates, *k.speeds}
@@ -104,20 +101,18 @@ def _depends_alike(k: Kinematics, place: Vec, velocity: Vec) -> bool:
     return all(n in known for n in g.reachable(velocity) if g.ops[n] == "input")
 
 
-def _values(k: Kinematics, nodes: list[int]) -> np.ndarray:
+def _values(k: Kinematics, nodes: list[int], held: list[int]) -> np.ndarray:
     """Return values at random states, those where all are numbers; there may be none."""
-    held = [row for rows in _orientations(k) for row in rows]
     with np.errstate(all="ignore"):
         found = numbers_of(k.graph, nodes, held)
     values: np.ndarray = found[np.isfinite(found).all(axis=1)]
     return values
 
 
-def _agree(k: Kinematics, every: Iterable[Moved]) -> list[bool]:
+def _agree(k: Kinematics, every: Sequence[Moved], held: list[int]) -> list[bool]:
     """Return whether velocities are how places change, at random states."""
-    every = list(every)
     nodes = [n for _, place, velocity in every for n in (*velocity, *k.dt(place))]
-    values, found, first = _values(k, nodes), [], 0
+    values, found, first = _values(k, nodes, held), [], 0
     for _, place, _ in every:
         n = len(place)
         says, follows = values[:, first : first + n], values[:, first + n : first + 2 * n]
@@ -127,14 +122,13 @@ def _agree(k: Kinematics, every: Iterable[Moved]) -> list[bool]:
     return found
 
 
-def _others(k: Kinematics, every: Iterable[Moved]) -> list[Any]:
+def _others(k: Kinematics, every: Sequence[Moved], held: list[int]) -> list[Any]:
     """Return the coordinates whose derivatives are others where all velocities fit, if any do."""
-    every = list(every)
     place = [n for _, own, _ in every for n in own]
     velocity = [n for _, _, own in every for n in own]
     slopes = dense_jacobian(k.graph, place, k.coordinates)
     m, n = len(place), len(k.coordinates)
-    values = _values(k, [*slopes, *velocity, *k.dt(place)])
+    values = _values(k, [*slopes, *velocity, *k.dt(place)], held)
     wrong = np.zeros(n, dtype=bool)
     for row in values:
         matrix, says, follows = row[: m * n].reshape(m, n), row[m * n : -m], row[-m:]
