@@ -11,7 +11,7 @@ import zoo
 from by_hand import MECHANISMS
 from cases import close, system_of
 from pydy import System
-from pydy.errors import SingularMatrixError
+from pydy.errors import PyDyUserWarning, SingularMatrixError
 from pydy.mechanics import Definition
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 
@@ -100,6 +100,40 @@ def test_the_torque_that_drives_a_loop_is_found_again(torque):
     close(system.inverse_dynamics(q, v, {"u1": a[0]}, at="independent"), [torque], 1e-12)
     power = system.inverse_dynamics(q, v, a, at=["u3"]) * v[2]
     close(power, [torque * v[0]], 1e-12)  # at another pin: the same power
+
+
+def test_accelerations_of_any_speeds_that_leave_nothing_free_bring_the_others_along():
+    system, q, v = four_bar()
+    a = system.evaluate_ode(np.concatenate([q, v]), r={"T": 1.7})[3:]
+    whole = system.inverse_dynamics(q, v, a)
+    for k, speed in enumerate(system.speeds):
+        close(system.inverse_dynamics(q, v, {speed: a[k]}), whole, 1e-11)
+        close(system.inverse_dynamics(q, v, {speed: a[k]}, at=["u1"]), [1.7], 1e-11)
+    slope = system.inverse_dynamics(q, v, {"u2": a[1]}, wrt="accelerations")
+    rise = [system.inverse_dynamics(q, v, {"u2": a[1] + step}) for step in (-1.0, 1.0)]
+    close(slope[:, 0], (rise[1] - rise[0]) / 2, 1e-12)
+
+
+def test_accelerations_that_the_others_do_not_follow_from_are_refused():
+    system, q, v = four_bar()
+    with pytest.raises(ValueError, match=r"of 1 of the 3 speeds.*got 2: u1\(t\), u3\(t\)"):
+        system.inverse_dynamics(q, v, {"u1": 1.0, "u3": 2.0})
+    with pytest.raises(ValueError, match="accelerations of all 3 speeds"):
+        system.regressor(q, v, {"u3": 2.0})
+
+
+def test_states_given_in_part_that_break_the_constraints_are_told(recwarn):
+    system, q, v = four_bar()
+    close(system.inverse_dynamics({"q1": q[0]}, {"u1": v[0]}), system.inverse_dynamics(q, v))
+    system.frame_position("link1", {"q1": 0.3})  # depends on no other
+    system.inverse_dynamics(q + 0.1, v)  # a whole state is what the user says
+    assert not recwarn.list
+    with pytest.warns(PyDyUserWarning, match=r"the initial conditions for .*: q2\(t\), q3\(t\)"):
+        system.gravity({"q1": 0.3})
+    with pytest.warns(PyDyUserWarning, match=r"u2\(t\), u3\(t\)\. The residuals"):
+        system.bias(q, {"u1": 2.0})
+    with pytest.warns(PyDyUserWarning, match="velocity constraint"):
+        system.inverse_dynamics(q, {"u1": [2.0][0]}, at=["u1"])
 
 
 def test_a_loop_that_no_force_at_a_speed_can_drive_is_told():

@@ -70,16 +70,16 @@ class Known:
 
 @collector_paused()
 def inverse_dynamics(
-    body: Multibody, known: Known, at: Sequence[int] | None = None, *, free: bool = False
+    body: Multibody, known: Known, at: Sequence[int] | None = None, *, bound: Sequence[int] = ()
 ) -> Expressions:
     """Return the generalised forces that given accelerations take, in q, u and u'.
 
-    They act at all speeds, or at the places `at`, as many as the constraints leave free. If `free`,
-    the u' of dependent speeds follow from those of the others.
+    They act at all speeds, or at the places `at`, as many as the constraints leave free. The u' of
+    the speeds at the places `bound` follow from those of the others.
     """
     kinematics, forces = _required(body)
     g, n, rates = kinematics.graph, len(kinematics.speeds), kinematics.accelerations
-    rows = kinematics.read.all(body.velocity) if free or at is not None else []
+    rows = kinematics.read.all(body.velocity) if bound or at is not None else []
     slopes = dense_rows(g, jacobian(g, rows, kinematics.speeds), n)
     if at is not None:
         others = [k for k in range(n) if k not in at]
@@ -90,13 +90,13 @@ def inverse_dynamics(
             terms = [(g.mul(row[k], s), -1.0) for row, s in zip(slopes, shares, strict=True)]
             found.append(g.sum([(forces[k], 1.0), *terms]))
         forces = found
-    if free and rows:
-        bound = rates[n - len(rows) :]
+    if bound:
+        unknown = [rates[k] for k in bound]
         residuals = kinematics.read.all(body.acceleration) or kinematics.dt(rows)
-        held = dense_rows(g, jacobian(g, residuals, bound), len(bound))
-        drift = substitute(g, residuals, dict.fromkeys(bound, g.zero))
+        held = dense_rows(g, jacobian(g, residuals, unknown), len(unknown))
+        drift = substitute(g, residuals, dict.fromkeys(unknown, g.zero))
         solved = g.solve(held, [[g.neg(node) for node in drift]], "lu")[0]
-        forces = substitute(g, forces, dict(zip(bound, solved, strict=True)))
+        forces = substitute(g, forces, dict(zip(unknown, solved, strict=True)))
     return known.expressions(kinematics, forces)
 
 

@@ -17,10 +17,9 @@ from pydy._system.balance import GROUPS, Point, located, members
 from pydy._system.evaluation import samples
 from pydy._system.setup import Setup
 from pydy._system.snapshot import At, Snapshot
-from pydy._system.start import surely_held, violations
+from pydy._system.start import first_violation
 from pydy.analysis.equilibria import Equilibrium
 from pydy.analysis.linear import LinearModel
-from pydy.solvers.tuning import TRIED
 
 
 def variables(definition: Definition, wrt: Any) -> str | tuple[tuple[str, int], ...]:
@@ -47,18 +46,14 @@ def _which(k: int, m: int) -> str:
 
 def _warn_of_violations(at: At) -> None:
     """Warn of the first state that is off the constraints, of those that are tried."""
-    m = len(at.x)
-    tried = np.unique(np.linspace(0, m - 1, min(m, TRIED)).astype(int))
-    for k in tried[~surely_held(at.some(tried))]:
-        told = violations(at.some([k]))
-        if told:
-            warn_user(
-                f"The linear model is one of motions that keep the constraints, but "
-                f"{_which(k, m)} does not satisfy them. {told} Call "
-                "`system.set_dependent_initial_conditions()` first, or take states of a motion "
-                "that was integrated with `constraints='project'`."
-            )
-            return
+    if found := first_violation(at):
+        k, told = found
+        warn_user(
+            f"The linear model is one of motions that keep the constraints, but "
+            f"{_which(k, len(at.x))} does not satisfy them. {told} Call "
+            "`system.set_dependent_initial_conditions()` first, or take states of a motion "
+            "that was integrated with `constraints='project'`."
+        )
 
 
 def _outputs(

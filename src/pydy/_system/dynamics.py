@@ -13,12 +13,13 @@ from pydy._assembly.assembly import Assembly
 from pydy._assembly.definition import Definition
 from pydy._assembly.model import CompiledModel
 from pydy._checks import Places, describe, one_or_more, real_array, shown
-from pydy._errors import SingularMatrixError
+from pydy._errors import SingularMatrixError, warn_user
 from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.products import derivative_program
 from pydy._graph.program import Program
 from pydy._graph.rewrite import substitute
 from pydy._graph.simplify import simplify
+from pydy._kernel import Kernel
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.inverse import (
     Known,
@@ -33,7 +34,8 @@ from pydy._mechanics.reader import Multibody, distances, places
 from pydy._names import name_of
 from pydy._system.analysis import variables
 from pydy._system.setup import Setup
-from pydy._system.snapshot import Snapshot
+from pydy._system.snapshot import At, Snapshot
+from pydy._system.start import first_violation
 from pydy._system.values import sweep
 
 Expressions = Callable[[Equations, Known], Any]
@@ -46,6 +48,8 @@ class Instants:
     x: np.ndarray  # (n,) or (m, n)
     t: Any  # a float or (m,)
     a: np.ndarray  # accelerations (1, k) or (m, k); k is zero where nothing depends on them
+    # The places in x of coordinates, and of speeds, that the user gave no values.
+    left: tuple[frozenset[int], frozenset[int]]
 
     @classmethod
     def of(cls, now: Snapshot, q: Any, v: Any, a: Any, t: Any) -> Instants:
@@ -66,6 +70,10 @@ class Instants:
             raise ValueError(
                 f"`t` must be a number or have the shape (m,), got {parts['t'].shape}."
             )
+        left = (
+            frozenset(_not_given("q", q, equations.coordinates)),
+            frozenset(nq + k for k in _not_given("v", v, equations.speeds)),
+        )
         rows = {name: len(p) for name, p in parts.items() if p.ndim == 1 + (name != "t")}
         if len({*rows.values()}) > 1:
             found = ", ".join(f"`{name}` has {count}" for name, count in rows.items())
@@ -78,8 +86,8 @@ class Instants:
             own[nq + nu :],
         )
         if m is None:
-            return cls(x, float(parts["t"]), a[None])
-        return cls(x, np.array(np.broadcast_to(parts["t"], m)), np.atleast_2d(a))
+            return cls(x, float(parts["t"]), a[None], left)
+        return cls(x, np.array(np.broadcast_to(parts["t"], m)), np.atleast_2d(a), left)
 
 
 def _columns(argument: str, value: Any, symbols: Sequence[Any], default: np.ndarray) -> np.ndarray:
@@ -98,17 +106,38 @@ def _columns(argument: str, value: Any, symbols: Sequence[Any], default: np.ndar
     return array
 
 
-def _accelerations(value: Any, equations: Equations) -> np.ndarray:
-    """Return those of all speeds, or of the independent ones alone."""
+def _not_given(argument: str, value: Any, symbols: Sequence[Any]) -> set[int]:
+    """Return the places of symbols whose numbers are those of the initial conditions."""
+    places = range(len(symbols))
+    if isinstance(value, Mapping):
+        return {*places} - {Places(symbols, "").find(key, argument) for key in value}
+    return {*places} if value is None else set()
+
+
+def _accelerations(value: Any, equations: Equations) -> tuple[np.ndarray, Sequence[int]]:
+    """Return accelerations, and of which speeds: of all, or of those that all others follow from.
+
+    Of independent speeds alone a dictionary may name some: no constraint holds the others, and
+    theirs are zero.
+    """
     n = len(equations.speeds)
     free = n - len(equations.dependent_speeds)
     if value is None:
-        return np.zeros(free)
+        return np.zeros(free), range(free)
     if isinstance(value, Mapping):
         speeds = Places(equations.speeds, "speeds of the system")
         found: np.ndarray = speeds.read("a", value, 0.0)
-        named = [speeds.get(key, "a") for key in value]
-        return found if any(k is not None and k >= free for k in named) else found[:free]
+        named = sorted(speeds.find(key, "a") for key in value)
+        if all(k < free for k in named):
+            return found[:free], range(free)
+        if len(named) not in (free, n):
+            raise ValueError(
+                f"`a` must have the accelerations of {free} of the {n} speeds, which those of the "
+                f"others follow from by the constraints, or of all {n}, got {len(named)}: "
+                f"{describe([equations.speeds[k] for k in named])}. Of independent speeds alone, "
+                f"{describe(equations.speeds[:free])}, those that are not given are zero."
+            )
+        return found[named], named
     array = real_array(value, "`a`")
     if array.ndim not in (1, 2) or array.shape[-1] not in (n, free):
         several = f" or, for the independent speeds alone, ({free},) or (m, {free})"
@@ -116,13 +145,13 @@ def _accelerations(value: Any, equations: Equations) -> np.ndarray:
             f"`a` must have the shape ({n},) or (m, {n}){several if free < n else ''}, got "
             f"{array.shape}."
         )
-    return array
+    return array, range(array.shape[-1])
 
 
 def all_accelerations(value: Any, equations: Equations) -> np.ndarray:
     """Return those of all speeds, which must be given; None stands for zeros."""
     n = len(equations.speeds)
-    array = np.zeros(n) if value is None else _accelerations(value, equations)
+    array = np.zeros(n) if value is None else _accelerations(value, equations)[0]
     if array.shape[-1] != n:
         raise ValueError(f"`a` must have the accelerations of all {n} speeds, got {array.shape}.")
     return array
@@ -137,7 +166,7 @@ class Quantity:
     shape: tuple[int, ...]
     expressions: Expressions  # gives them, or the name of a block of the Assembly
     rows: Iterable[str]  # for messages; read once, if at all
-    accelerations: int = 0  # how many are inputs; those of further speeds are zero
+    accelerations: Sequence[int] = ()  # of which speeds they are inputs; those of others are zero
 
     def evaluated(
         self, now: Snapshot, at: Instants, r: Any, p: Any, wrt: Any, silent: Mapping[Any, float]
@@ -148,12 +177,19 @@ class Quantity:
         """
         by = () if wrt is None else self._by(now.definition, wrt)
         shape = (*self.shape, len(by)) if by else self.shape
+
+        def kernel(model: CompiledModel) -> Kernel:
+            return model.compiled_by(
+                (self.name, self.key, tuple(self.accelerations), by),
+                lambda: self._program(now.definition, model, by, silent),
+            )
+
+        def look(state: At) -> None:
+            _warn_of_rest(state, kernel(state.model).program, at.left)
+
         out = sweep(
             now,
-            lambda model: model.compiled_by(
-                (self.name, self.key, self.accelerations, by),
-                lambda: self._program(now.definition, model, by, silent),
-            ),
+            kernel,
             lambda: [*self.rows],
             at.x,
             at.t,
@@ -161,6 +197,7 @@ class Quantity:
             p,
             perturbed=any(group == "r" for group, _ in by),
             vectors=at.a,
+            look=look if now.definition.equations.constrained else None,
         )
         return out.reshape(*at.x.shape[:-1], *shape)
 
@@ -174,7 +211,7 @@ class Quantity:
         }
         if self.accelerations:
             s = len(definition.specifieds)
-            own["accelerations"] = [("r", s + k) for k in range(self.accelerations)]
+            own["accelerations"] = [("r", s + k) for k in range(len(self.accelerations))]
         found: list[tuple[str, int]] = []
         for entry in one_or_more("wrt", wrt):
             if isinstance(entry, str) and entry in own:
@@ -198,9 +235,10 @@ class Quantity:
     ) -> Program:
         equations, assembly = definition.equations, model.assembly.fork()
         g, (n, s, c) = assembly.graph, assembly.sizes
-        atoms, count = dict(assembly.atoms), self.accelerations
-        for k, rate in enumerate(equations.speed_rates):
-            atoms[rate] = g.input("r", s + k) if k < count else g.zero
+        atoms, count = dict(assembly.atoms), len(self.accelerations)
+        atoms.update(dict.fromkeys(equations.speed_rates, g.zero))
+        for k, place in enumerate(self.accelerations):
+            atoms[equations.speed_rates[place]] = g.input("r", s + k)
         found = self.expressions(equations, Known(atoms, definition.forces, silent))
         if isinstance(found, tuple):
             nodes = _of_method(assembly, [atoms[rate] for rate in equations.speed_rates], *found)
@@ -212,6 +250,25 @@ class Quantity:
             return assembly.lowered([(self.name, (len(nodes),), nodes)], g, sizes)
         nodes = simplify(g, nodes, assembly.passes)
         return derivative_program(g, nodes, by, "jacobian", sizes, assembly.passes)
+
+
+def _warn_of_rest(at: At, program: Program, left: tuple[frozenset[int], frozenset[int]]) -> None:
+    """Warn where states that a user gave in part, and the Program reads, break the constraints."""
+    read = {args[1] for op, args in zip(program.ops, program.args, strict=True)
+            if op == "input" and args[0] == "x"}  # fmt: skip
+    q, v = (part & read for part in left)
+    first = len(at.definition.equations.coordinates)
+    moving = any(first <= k < first + len(at.definition.equations.speeds) for k in read)
+    if not q and not v:
+        return
+    found = first_violation(at, (bool(q), moving))
+    if found:
+        states = describe([at.definition.states[k] for k in sorted(q | v)])
+        warn_user(
+            f"The state does not satisfy the constraints, with the initial conditions for what `q` "
+            f"and `v` do not give: {states}. {found[1]} Give these too, or set consistent initial "
+            "conditions: `system.set_dependent_initial_conditions()`."
+        )
 
 
 def _groups(definition: Definition) -> tuple[Sequence[Any], ...]:
@@ -248,20 +305,23 @@ def without_bodies(equations: Equations) -> bool:
 
 
 def _required(
-    equations: Equations, count: int, at: tuple[int, ...] | None, *, zero: bool = False
+    equations: Equations, given: Sequence[int], at: tuple[int, ...] | None, *, zero: bool = False
 ) -> Quantity:
-    """Return the forces that accelerations take, of which `count` are inputs."""
+    """Return the forces that accelerations take, of which those of some speeds are given.
+
+    The others follow from these, or all are zero.
+    """
     speeds = [equations.speeds[k] for k in at] if at is not None else equations.speeds
-    free = count < len(equations.speeds) and not zero
+    bound = () if zero else tuple(k for k in range(len(equations.speeds)) if k not in given)
 
     def expressions(equations: Equations, known: Known) -> Any:
         if without_bodies(equations):
             return ("forces",)
-        return inverse_dynamics(bodies_of(equations), known, at, free=free)
+        return inverse_dynamics(bodies_of(equations), known, at, bound=bound)
 
     rows = (f"the force at {speed}" for speed in speeds)
     name = "bias forces" if zero else "inverse dynamics"
-    return Quantity(name, (at, free), (len(speeds),), expressions, rows, 0 if zero else count)
+    return Quantity(name, (at, bound), (len(speeds),), expressions, rows, given)
 
 
 def _places_of(equations: Equations, at: Any) -> tuple[int, ...] | None:
@@ -368,10 +428,13 @@ class Dynamics(Setup):
         ----------
         q, v : array_like, shape (n,) or (m, n), or dict, optional
             Coordinates, and speeds, in the orders of `coordinates` and `speeds`; by default the
-            initial conditions. A dictionary gives some of these instead, by symbol or name.
+            initial conditions. A dictionary gives some of these instead, by symbol or name; a state
+            that then breaks the constraints is told of.
         a : array_like, shape (n,) or (m, n), or dict, optional
-            Derivatives of the speeds. Those of independent speeds alone, by shape or in a
-            dictionary, bring the others along, as the constraints say. By default these are zero.
+            Derivatives of the speeds. Those of as many speeds as the constraints leave free bring
+            the others along, as the constraints say: of the independent ones, by shape, or of those
+            that a dictionary names. Where it names independent speeds alone, those of other
+            independent speeds are zero, as all are by default.
         t : float or array_like, shape (m,), optional
             Time; by default the first of `times`, or zero.
         at : {'independent'} or list of speeds or names, optional
@@ -408,9 +471,9 @@ class Dynamics(Setup):
         array([0.])
         """
         equations = self._equations
-        rates = _accelerations(a, equations)
+        rates, given = _accelerations(a, equations)
         speeds = _places_of(equations, at)
-        made = _required(equations, rates.shape[-1], speeds)
+        made = _required(equations, given, speeds)
         try:
             return self._evaluated(made, (q, v, rates, t), r, p, wrt)
         except SingularMatrixError as error:
@@ -489,7 +552,7 @@ class Dynamics(Setup):
         array([3.])
         """
         equations = self._equations
-        made = _required(equations, len(equations.speeds), None, zero=True)
+        made = _required(equations, (), None, zero=True)
         return self._evaluated(made, (q, v, np.zeros(0), t), r, p, wrt)
 
     def gravity(

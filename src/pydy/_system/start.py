@@ -90,12 +90,28 @@ def surely_held(at: At) -> np.ndarray:
     return held
 
 
-def violations(at: At, redundant: bool = True, before: At | None = None) -> str:
+def first_violation(at: At, blocks: tuple[bool, bool] = (True, True)) -> tuple[int, str] | None:
+    """Return the first state that has `violations`, of those that are tried, and these."""
+    m = len(at.x)
+    tried = np.unique(np.linspace(0, m - 1, min(m, TRIED)).astype(int))
+    for k in tried[~surely_held(at.some(tried))]:
+        if told := violations(at.some([k]), blocks=blocks):
+            return int(k), told
+    return None
+
+
+def violations(
+    at: At,
+    redundant: bool = True,
+    before: At | None = None,
+    blocks: tuple[bool, bool] = (True, True),
+) -> str:
     """Name the residuals of a state that is farther from the constraints than six digits are.
 
     A residual is compared with the bound on its rounding errors, if six digits were computed with.
     Constraints that were left out as `redundant` are judged too. What there was `before` a reset
-    counts as drift that it has not made. What is returned is a sentence, or nothing.
+    counts as drift that it has not made. The `blocks` say whether holonomic constraints are looked
+    at, and velocity constraints. What is returned is a sentence, or nothing.
     """
     if surely_held(at)[0]:
         return ""
@@ -107,7 +123,8 @@ def violations(at: At, redundant: bool = True, before: At | None = None) -> str:
     equations = at.definition.equations
     parts = zip((equations.holonomic, equations.velocity), equations.left_out, strict=True)
     lengths = [len(rows) for pair in parts for rows in pair]
-    off &= np.repeat([True, redundant] * 2, lengths)
+    wanted = [block and row for block in blocks for row in (True, redundant)]
+    off &= np.repeat(wanted, lengths)
     far = np.flatnonzero(off)
     if not far.size:
         return ""
