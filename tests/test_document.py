@@ -10,6 +10,7 @@ from scipy.integrate import odeint, solve_ivp
 from sympy.physics.mechanics.models import n_link_pendulum_on_cart
 
 import pydy.models
+from pages import ROOT
 from pydy.codegen.ode_function_generators import generate_ode_function
 from pydy.system import System
 
@@ -349,3 +350,17 @@ DOCUMENTED = [
 @pytest.mark.parametrize("name", DOCUMENTED)
 def test_every_documented_name_exists_and_says_what_it_is(name):
     assert getattr(System, name).__doc__.strip()
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        *("CythonODEFunctionGenerator", "LambdifyODEFunctionGenerator", "ODEFunctionGenerator"),
+        *("TheanoODEFunctionGenerator", "pydy.codegen.c_code", ".cython_code", ".octave_code"),
+        *(".matrix_generator", "pydy.utils", "pydy.viz.server", "Scene.create_static_html"),
+    ],
+)
+def test_what_has_no_counterpart_is_told(name):
+    text = (ROOT / "docs" / "howto" / "from-0.9.md").read_text(encoding="utf-8")
+    table = text.split("## Without a counterpart")[1].split("\n## ")[0]
+    assert f"`{name}`" in table

@@ -42,6 +42,8 @@ def test_pages_show_what_their_code_draws_and_animates(generated, monkeypatch):
     assert "```{image} /static/pages/a.svg" in first
     assert 'src="../_static/pages/b.html"' in first
     assert rest == page.split("Text")[1]
+    guides = {"animation", "ensembles", "results", "solvers", "system", "howto/live"}
+    assert guides <= set(illustrate.PAGES)
     for name in illustrate.PAGES:
         text = (ROOT / "docs" / f"{name}.md").read_text(encoding="utf-8")
         assert "animate(" in text or "plot" in text
@@ -113,6 +115,7 @@ def test_what_a_cell_animates_is_shown_below_it(generated, tmp_path, monkeypatch
     picture = matplotlib.image.imread(tmp_path / "animations" / "carts.png")
     assert picture.shape[:2] == (280, 400)
     assert (np.ptp(picture[:, :, :3], axis=2) > 0.3).sum() > 100  # coloured bodies
+    assert not picture[[0, 0, -1, -1], [0, -1, 0, -1], 3].any()  # before any paper
     assert not (tmp_path / "animations" / "carts-2.png").exists()
     thumbs = tmp_path / "gallery" / "images" / "thumb"
     thumbs.mkdir(parents=True)

@@ -144,6 +144,11 @@ def test_a_type_error_inside_a_specified_function_stays_its_own(simple):
         simple[0](np.zeros(2), 0.0, lambda x, t: t + "a", [1.0, 2.0])
 
 
+def test_the_order_of_arguments_is_true_or_false():
+    with pytest.raises(TypeError, match=r"`time_first` must be True or False, got 'no'"):
+        generate_ode_function(sm.Matrix([V, X]), [X], [V], time_first="no")
+
+
 def test_a_function_of_time_first_hears_of_that_order():
     force = me.dynamicsymbols("f")
     rhs = generate_ode_function([V, force], [X], [V], specifieds=[force], time_first=True)

@@ -347,7 +347,7 @@ def test_a_model_may_have_any_name(tmp_path, hasty, name, fmi):
     assert result["x"][-1] == pytest.approx(np.cos(6.0), abs=1e-7)
 
 
-@pytest.mark.parametrize("name", ["all", "config", "fmu_core", "fmi"])
+@pytest.mark.parametrize("name", ["all", "config", "fmu_core", "fmi", "fmi2"])
 def test_the_file_may_be_called_like_one_of_the_sources(tmp_path, hasty, name):
     path = spring_of("k").export(tmp_path / f"{name}.fmu").path
     result = simulate_fmu(str(path), fmi_type="CoSimulation", stop_time=1.0, output=["x"])

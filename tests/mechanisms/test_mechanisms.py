@@ -1,5 +1,7 @@
 """Random mechanisms do by every front end what the oracle says."""
 
+import sys
+
 import numpy as np
 import pytest
 
@@ -65,6 +67,28 @@ def test_the_oracle_takes_as_many_steps_as_a_motion_needs():
     assert back._steps == MOST_STEPS
     still = Check(draw(0), "definition")
     assert still._steps == 1
+
+
+def test_what_fails_is_shrunk_to_what_matters_and_printed_as_a_script(monkeypatch):
+    def wrong(data, *_):
+        masses = [body["mass"] for body in data["bodies"]]
+        if data["loads"] and len(masses) > 1:
+            raise DisagreementError(f"kane: rates[{len(masses)}] is {masses[0]}, not 0")
+
+    seed = next(s for s in range(100) if len(draw(s)["bodies"]) > 3 and len(draw(s)["loads"]) > 1)
+    monkeypatch.setattr("mechanisms.run.check", wrong)
+    monkeypatch.setattr("mechanisms.shrink.check", wrong)
+    _, ratios, text = checked(seed)
+    assert ratios == {}
+    assert text.startswith(f'"""Found by seed {seed}: kane: rates[')
+    found = []
+    monkeypatch.setattr("mechanisms.check.check", lambda data, *_: found.append(data))
+    monkeypatch.setattr(sys, "path", sys.path[:])
+    exec(compile(text, "script", "exec"), {})
+    (least,) = found
+    assert len(least["bodies"]) == 2
+    assert len(least["loads"]) == 1
+    assert least["loops"] == least["auxiliary"] == least["inputs"] == []
 
 
 def test_failures_of_a_kind_differ_in_numbers_and_names_only():

@@ -336,6 +336,29 @@ def test_a_redundant_constraint_is_held_and_named_once():
         system.integrate(constraints="project")
 
 
+def test_of_many_redundant_constraints_two_are_named():
+    q, p, u, v = (me.dynamicsymbols(f"{name}:6") for name in "qpuv")
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    bodies = []
+    for k, (x, y, vx, vy) in enumerate(zip(q, p, u, v, strict=True)):
+        point = origin.locatenew(f"P{k}", x * frame.x + y * frame.y)
+        point.set_vel(frame, vx * frame.x + vy * frame.y)
+        bodies.append(me.Particle(f"P{k}", point, sm.Integer(1)))
+    rows = [x - y for x, y in zip(q[:3], p[:3], strict=True)]
+    kane = me.KanesMethod(
+        frame, q, u,
+        kd_eqs=[x.diff(zoo.T) - vx for x, vx in zip((*q, *p), (*u, *v), strict=True)],
+        q_dependent=p, configuration_constraints=[*rows, *(2 * row for row in rows)],
+        u_dependent=v, velocity_constraints=[vx - vy for vx, vy in zip(u, v, strict=True)],
+    )  # fmt: skip
+    kane.kanes_equations(bodies, [])
+    with pytest.warns(PyDyUserWarning, match="Redundant constraints .*; and 1 more") as caught:
+        sliding(kane).integrate(constraints="project")
+    assert len(caught) == 1
+    assert str(caught[0].message).count("holonomic constraint") == 2
+
+
 def test_constraints_that_are_independent_are_not_warned_of():
     with warnings.catch_warnings():
         warnings.simplefilter("error")

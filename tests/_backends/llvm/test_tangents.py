@@ -70,6 +70,24 @@ def test_columns_side_by_side_are_those_of_the_whole(name, widths):
     assert np.allclose(found, expected, rtol=1e-10, atol=1e-9)
 
 
+def test_ctrl_c_comes_through_between_states_of_a_long_series(monkeypatch):
+    assembly = assembly_of("pendulum")
+    tangent = in_parts(assembly, [(0, 4), (4, assembly.sizes[0])])
+    arguments = sample(assembly, 50)
+    whole, _ = LLVMBackend().compile(tangent).evaluate(*arguments)
+    monkeypatch.setattr("pydy._backends.llvm.native.SWEPT", 1)
+    kernel, looks = LLVMBackend().compile(tangent), []
+    monkeypatch.setattr(
+        "pydy._backends.llvm.native.np.empty",
+        lambda *a, empty=np.empty, **k: looks.append(1) or empty(*a, **k),
+    )
+    parts, failed = kernel.evaluate(*arguments)
+    monkeypatch.undo()
+    assert len(looks) >= 50 // 8  # Python heeds signals wherever it does something
+    assert not failed.any()
+    np.testing.assert_array_equal(parts, whole)
+
+
 def test_columns_of_no_part_are_zero():
     graph = Graph()
     x = [graph.input("x", k) for k in range(7)]
