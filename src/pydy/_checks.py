@@ -303,6 +303,18 @@ def _spellings(key: Any) -> set[str]:
     return {name_of(key), str(key), str(key).removesuffix("(t)")}
 
 
+def refuse_twice(symbols: Sequence[Any], argument: str) -> None:
+    """Refuse symbols, as keys were read, of which one is there twice."""
+    seen: set[Any] = set()
+    for symbol in symbols:
+        if symbol in seen:
+            raise ValueError(
+                f"`{argument}` gives `{symbol}` more than once, by the symbol or by its name. Keep "
+                "one of them."
+            )
+        seen.add(symbol)
+
+
 class Places:
     """Where each of some symbols lies in an array; its name stands for it where no other has it.
 
@@ -395,6 +407,23 @@ class Places:
         self._refuse_twice(columns.tolist(), argument)
         return columns
 
+    def chosen(self, keys: Iterable[Any], argument: str) -> list[Any]:
+        """Return the symbols that keys stand for, none of which may occur twice."""
+        return [self.symbols[k] for k in self.columns(keys, argument)]
+
+    def by_symbol(
+        self, values: Mapping[Any, Any], argument: str, *, others: bool = False
+    ) -> dict[Any, Any]:
+        """Return a dictionary with symbols for keys, none of which may be given twice.
+
+        Unknown keys are refused, unless `others` are kept as they are; then keys may be tuples.
+        """
+        if not others:
+            return dict(zip(self.chosen(values, argument), values.values(), strict=True))
+        keys = [self.meaning(key, argument) for key in values]
+        refuse_twice([s for k in keys for s in (k if isinstance(k, tuple) else (k,))], argument)
+        return dict(zip(keys, values.values(), strict=True))
+
     def check_order(self, table: Any, argument: str) -> None:
         """Refuse a table whose labels are the symbols in another order: it is read by place."""
         if isinstance(table, (np.ndarray, list, tuple)):
@@ -435,11 +464,7 @@ class Places:
 
     def _refuse_twice(self, places: list[int], argument: str) -> None:
         if len(set(places)) < len(places):
-            twice = next(k for k in places if places.count(k) > 1)
-            raise ValueError(
-                f"`{argument}` gives `{self.symbols[twice]}` more than once, by the symbol or by "
-                "its name. Keep one of them."
-            )
+            refuse_twice([self.symbols[k] for k in places], argument)
 
     def read(
         self, argument: str, values: Mapping[Any, Any], base: np.ndarray | float | None = None

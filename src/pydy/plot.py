@@ -16,7 +16,7 @@ from typing import Any
 
 import numpy as np
 
-from pydy._checks import check_mapping, listed, shown, text
+from pydy._checks import check_mapping, listed, refuse_twice, shown, text
 from pydy._dataset import ENERGIES, STATES
 from pydy._interpolation import filled
 from pydy._names import name_of
@@ -82,7 +82,6 @@ def curves_of(
     units: Units,
 ) -> list[Curve]:
     """Return the curves of some kinds, or those that are named."""
-    known = units_of(units)
     if names is not None:
         names = listed("names", [names] if isinstance(names, str) else names, "symbols or names")
         if not names:
@@ -92,6 +91,7 @@ def curves_of(
         chosen = names_in(run, kinds) if names is None else [name_in(run, name) for name in names]
         if not chosen:
             raise nothing_to_plot(what, run)
+        known = units_of(run, units)
         for name in chosen:
             if is_trajectory(run):
                 times, latex, values = run.times, run.latex(name), run[name]
@@ -126,12 +126,19 @@ def is_trajectory(result: Any) -> bool:
     return hasattr(result, "names_of")
 
 
-def units_of(units: Units) -> dict[str, str]:
+def units_of(result: Any, units: Units) -> dict[str, str]:
+    """Return units by the names that a result has; others, such as those of rates, stay."""
     given = check_mapping("units", units)
+    names = []
+    for key in given:
+        try:
+            names.append(name_in(result, key))
+        except KeyError:
+            names.append(name_of(key))
+    refuse_twice(names, "units")
     return {
-        spelled(key): text(unit, f"`units[{key}]`")
-        for key, unit in given.items()
-        for spelled in (str, name_of)
+        name: text(unit, f"`units[{key}]`")
+        for name, (key, unit) in zip(names, given.items(), strict=True)
     }
 
 
@@ -175,7 +182,7 @@ def rate_of(result: Any, curve: Curve, units: Units) -> Curve:
         if curve.name in states:
             values = result.derivatives[:, states.index(curve.name)]
             name = f"{curve.name}'"
-            latex, unit = result.latex_of_rate(curve.name), units_of(units).get(name, "")
+            latex, unit = result.latex_of_rate(curve.name), units_of(result, units).get(name, "")
             return Curve(name, latex, curve.times, values, unit)
     elif f"{curve.name}'" in result.data_vars:
         return curves_of(result, (), "", [f"{curve.name}'"], units)[0]

@@ -36,7 +36,8 @@ def same(one, other):
         ({K: K - X}, None, r"functions of time as keys, .* got k"),
         ({Z: "z"}, None, r"`residuals\[z\(t\)\]` must be an expression that is zero, got 'z'"),
         ({Z: X}, None, r"`residuals\[z\(t\)\]`, `x\(t\)`, holds none of z\(t\)"),
-        ({Z: Z - X}, {Y: 1.0}, r"`start` must give values of z\(t\), got"),
+        ({Z: Z - X}, {Y: 1.0}, r"`start` has the key `y\(t\)`, which is not one of the"),
+        ({Z: Z - X}, {Z: 1.0, "z": 2.0}, r"`start` gives `z\(t\)` more than once"),
         ({Z: Z - X}, {Z: "a"}, r"`start\[z\(t\)\]` must be a real number"),
     ],
 )

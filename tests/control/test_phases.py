@@ -56,6 +56,10 @@ def test_phases_are_swept_through_constants():
     assert phases.sweep({m: [2.0]})[0].objective == pytest.approx(4 * 12.0, rel=1e-8)
     with pytest.raises(ValueError, match="`values` has the key `e`, which is not one of"):
         phases.sweep({e: [1.0]})
+    with pytest.raises(ValueError, match="`values` gives `m` more than once"):
+        phases.sweep({m: [2.0], "m": [3.0]})
+    with pytest.raises(ValueError, match=r"`links\[0\]` gives `v\(t\)` more than once"):
+        OptimalControl.phases([there, back], [{v: -v, "v": v}])
     free = OptimalControl(system, effort, 1.0, end={x: 1.0}, free=[m], bounds={m: (1, 2)})
     with pytest.raises(ValueError, match="`values` has `m`, which is `free`"):
         OptimalControl.phases([light, free]).sweep({"m": [1.0]})

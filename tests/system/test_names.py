@@ -13,10 +13,12 @@ from pydy.analysis import Trial
 from pydy.codegen.ode_function_generators import generate_ode_function
 from pydy.errors import PyDyUserWarning, UnsupportedFunctionError
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
+from pydy.plot import plot_coordinates
 from pydy.solvers import Event
 from pydy.system import System
 
 M, HEAVY = sm.Symbol("m"), sm.Symbol("m", positive=True)
+M0, K0, F0 = sm.Symbol("m0"), sm.Symbol("k0"), me.dynamicsymbols("f0")
 X, V = me.dynamicsymbols("x v")
 
 
@@ -140,6 +142,37 @@ def test_a_fit_takes_symbols_and_names_together(system):
     close(found.estimates, [2.0], 1e-7)
     with pytest.raises(ValueError, match=r"gives `x0\(t\)` more than once, by the symbol"):
         system.fit("k0", Trial(system.times, {"x0": samples, x0: samples}))
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        lambda s, both, trial: s.fit("k0", trial({}), bounds={"k0": (1, 2), K0: (1, 3)}),
+        lambda s, both, trial: s.fit("k0", trial({}), priors={"k0": (1, 2), K0: (1, 3)}),
+        lambda s, both, trial: s.fit("k0", trial({"noise": both})),
+        lambda s, both, trial: s.fit("k0", trial({"unknown": [*both]})),
+        lambda s, both, trial: s.fit("k0", trial({"constants": {"m0": 1.0, M0: 2.0}})),
+        lambda s, both, trial: s.fit("k0", trial({"specifieds": {"f0": 1.0, F0: 2.0}})),
+        lambda s, both, trial: s.fit(["k0", K0], trial({})),
+        lambda s, both, trial: s.find_equilibrium(given=both),
+        lambda s, both, trial: s.find_equilibrium(bounds=dict.fromkeys(both, (-1, 1))),
+        lambda s, both, trial: s.find_equilibrium(moving=[*both]),
+        lambda s, both, trial: s.find_periodic_orbit(1.0, moving=[*both]),
+        lambda s, both, trial: s.linearize(inputs=["f0", F0]),
+        lambda s, both, trial: s.linearize(outputs=[*both]),
+        lambda s, both, trial: plot_coordinates(s.simulate(), units=dict.fromkeys(both, "")),
+    ],
+)
+def test_nothing_takes_a_symbol_and_its_name_together(system, call):
+    x0 = system.coordinates[0]
+    system.ode_solver, system.times = "dop853", np.linspace(0.0, 2.0, 11)
+    with pytest.raises(
+        ValueError, match=r"gives `.*` more than once, by the symbol or by its name"
+    ):
+        call(
+            system, {x0: 1.0, "x0": 2.0},
+            lambda more: Trial(system.times, {"x0": np.cos(system.times)}, **more),
+        )  # fmt: skip
 
 
 def test_outputs_have_names(system):

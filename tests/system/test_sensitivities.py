@@ -267,7 +267,7 @@ def test_a_trajectory_without_sensitivities_says_how_to_get_them():
     ("wanted", "message"),
     [
         (["mass"], "`sensitivities` has the key `mass`, which is not one of the constants, states"),
-        (["m0", sm.Symbol("m0")], "`sensitivities` has `m0` more than once"),
+        (["m0", sm.Symbol("m0")], "`sensitivities` gives `m0` more than once"),
         ([], "`sensitivities` must name at least one"),
     ],
 )

@@ -1,10 +1,13 @@
 """Loads as arrows, and other runs beside the one that is shown."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
 
+from pydy._names import name_of
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from pydy.viz import Arrow, Visual
 from pydy.viz.page import page_data
@@ -120,6 +123,20 @@ def test_other_runs_are_ghosts_under_their_labels(system):
         entry.get("track") for entry in page_data(scene._animation, scene._look, 1)["visuals"]
     }
     assert len(tracks) > 3
+
+
+def test_a_run_from_a_file_has_its_own_constants(system):
+    shown = system.simulate()
+    names = {str(s): v for s, v in shown.constants.items()}
+    other = SimpleNamespace(
+        times=shown.times, states=shown.states, at=lambda t: other,
+        state_symbols=tuple(map(name_of, system.states)),
+        constants={**names, "l0": 2.0 * names["l0"]},
+    )  # fmt: skip
+    expected = system.scene().animate(shown, constants={"l0": other.constants["l0"]})
+    ghosts = system.scene().animate(shown, compare=other)._animation.items[3:]
+    for ghost, item in zip(ghosts, expected._animation.items, strict=True):
+        np.testing.assert_allclose(ghost.positions, item.positions, atol=1e-12)
 
 
 def test_a_shorter_run_rests_at_its_end(system):

@@ -97,6 +97,11 @@ def test_a_slider_of_ones_own_sets_initial_conditions():
         ({sm.Symbol("v"): Slider(0, 1, sets={"u0": 1})}, "symbol of your own, needs a `value`"),
         ({"l0": Slider(0, 1, sets={"u0": 1})}, "`sets` of the slider for `l0` is for symbols"),
         ({sm.Symbol("v"): Slider(0, 1, 0.5, sets={"z": 1})}, "has `z`, which is no state"),
+        ({"l0": (0, 1), sm.Symbol("l0"): (0, 2)}, "`live` gives `l0` more than once"),
+        (
+            {sm.Symbol("v"): Slider(0, 1, 0.5, sets={"u0": 1, me.dynamicsymbols("u0"): 2})},
+            r"`sets` gives `u0\(t\)` more than once",
+        ),
     ],
 )
 def test_what_cannot_have_a_slider_is_named(live, words):

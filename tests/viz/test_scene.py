@@ -112,6 +112,38 @@ def test_constants_may_be_added(trajectory):
     assert scene.poses[0, 0, 1, 3] == -1.0
 
 
+def test_constants_are_those_of_the_trajectory_by_symbol_or_name(trajectory):
+    drawn = sm.Symbol("w")
+    scene = swing(Visual(Sphere(drawn), P))
+    half = scene.animate(trajectory, constants={l: 0.25, drawn: 1.0}).poses
+    np.testing.assert_array_equal(
+        scene.animate(trajectory, constants={"l": 0.25, "w": 1.0}).poses, half
+    )
+    other = sm.Symbol("l", positive=True)
+    for given, message in (
+        ({"length": 1.0}, "`constants` has the key `length`, which is not one of the constants of"),
+        ({other: 1.0}, "Symbols of one name are different symbols"),
+        ({l: 1.0, "l": 2.0}, "`constants` gives `l` more than once"),
+    ):
+        with pytest.raises(ValueError, match=message):
+            scene.animate(trajectory, constants={drawn: 1.0, **given})
+    with pytest.raises(ValueError, match="`specifieds` are those of plain arrays"):
+        swing().animate(trajectory, specifieds={"F": 1.0})
+
+
+def test_plain_arrays_give_nothing_twice():
+    call = {"symbols": [q, u], "constants": {l: 1.0}}
+    for more in (
+        {"symbols": [q, "q"]},
+        {"constants": {l: 1.0, "l": 2.0}},
+        {"specifieds": {dynamicsymbols("F"): 1.0, "F": 2.0}},
+    ):
+        with pytest.raises(ValueError, match="more than once, by the symbol or by its name"):
+            swing().animate(TIMES, STATES, **call | more)
+    with pytest.raises(ValueError, match="`units` gives `q` more than once"):
+        swing(series=[q], units={q: "rad", "q": "deg"})
+
+
 def test_samples_are_dropped_down_to_sixty_a_second_and_never_made_up():
     scene = swing().animate(TIMES, STATES, symbols=[q, u], constants={l: 1})
     assert np.diff(scene.times).min() >= 1 / 60

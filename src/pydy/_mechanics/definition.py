@@ -10,7 +10,7 @@ import sympy as sm
 from sympy.core.function import AppliedUndef
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
-from pydy._checks import check_mapping, describe, listed, number, resolved, shown
+from pydy._checks import Places, check_mapping, describe, listed, number, shown
 from pydy._forks import cached_property
 from pydy._mechanics.dependents import constrained
 from pydy._mechanics.equations import Equations
@@ -190,21 +190,14 @@ class Definition:
         given = check_mapping("configuration", configuration)
         if not given:
             return {}
-        known = {
-            *self.coordinates,
-            *self.speeds,
-            *find_symbols((*self.holonomic_constraints, *self._motion)),
-        }
-        keys = resolved("configuration", given, known, "coordinates and constants")
-        for key in keys:
-            if key not in known:
-                raise ValueError(
-                    "`configuration` must give coordinates, and constants of the constraints, got "
-                    f"{shown(key)}."
-                )
+        inside = find_symbols((*self.holonomic_constraints, *self._motion))
+        known = Places(
+            [*dict.fromkeys((*self.coordinates, *self.speeds, *inside))],
+            "coordinates, and constants of the constraints",
+        )
         return {
             key: number(value, f"`configuration[{key}]`", finite=True)
-            for key, value in zip(keys, given.values(), strict=True)
+            for key, value in known.by_symbol(given, "configuration").items()
         }
 
     def _check_names(self) -> None:

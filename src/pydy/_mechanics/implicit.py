@@ -17,7 +17,7 @@ import sympy as sm
 from sympy.core.function import AppliedUndef
 from sympy.physics.mechanics import dynamicsymbols
 
-from pydy._checks import check_mapping, describe, number, resolved, shown
+from pydy._checks import Places, check_mapping, describe, number, shown
 from pydy._graph.derivative import jacobian
 from pydy._graph.from_sympy import NodeExpression
 from pydy._graph.identities import signatures
@@ -95,15 +95,10 @@ class Implicit:
                     "nothing follows from it. Give an expression that does."
                 )
         given = check_mapping("start", start)
-        keys = resolved("start", given, self.residuals, "keys of `residuals`")
-        for key in keys:
-            if key not in self.residuals:
-                raise ValueError(
-                    f"`start` must give values of {describe([*residuals])}, got {shown(key)}."
-                )
+        own = Places([*self.residuals], "keys of `residuals`")
         self.start = dict.fromkeys(self.residuals, 0.0) | {
             key: number(value, f"`start[{key}]`", finite=True)
-            for key, value in zip(keys, given.values(), strict=True)
+            for key, value in own.by_symbol(given, "start").items()
         }
 
     def __repr__(self) -> str:

@@ -70,7 +70,7 @@ def _outputs(
     m, n, s = len(T), len(definition.states), len(definition.specifieds)
     symbols = definition.states if outputs is None else listed("outputs", outputs)
     known = Places([*definition.states, *definition.outputs_symbols], "states and outputs")
-    places = [known.find(symbol, "outputs") for symbol in symbols]
+    places = known.columns(symbols, "outputs").tolist()
     by_state = np.broadcast_to(np.eye(n), (m, n, n))
     by_input = np.zeros((m, n, s))
     if any(place >= n for place in places):
@@ -159,7 +159,7 @@ class LinearModels(Setup):
             _warn_of_violations(point)
         A = (slopes("rates") @ T)[:, free]
         symbols = definition.specifieds if inputs is None else listed("inputs", inputs)
-        columns = [places["specifieds"].find(symbol, "inputs") for symbol in symbols]
+        columns = places["specifieds"].columns(symbols, "inputs").tolist()
         by_input = np.zeros((len(x), n, s))
         if columns:
             by_input = value(made.compiled_jacobian("rates", "r"), s)

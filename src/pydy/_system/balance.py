@@ -12,7 +12,7 @@ import numpy as np
 from pydy._assembly.assembly import Assembly
 from pydy._assembly.definition import Definition
 from pydy._assembly.specifieds import driven
-from pydy._checks import Places, check_mapping, listed, number, real_array
+from pydy._checks import Places, check_mapping, listed, number, real_array, refuse_twice
 from pydy._forks import cached_property
 from pydy._graph.derivative import dense_jacobian
 from pydy._graph.interpret import run
@@ -44,10 +44,9 @@ class Unknowns:
         self.order: list[tuple[str, int]] = []
         for symbol in symbols:
             kind, place = located(definition, symbol, "unknowns")
-            if (kind, place) in self.order:
-                raise ValueError(f"`unknowns` has `{symbol}` more than once.")
             self.order.append((kind, place))
             self.symbols.append(definition.places[kind].symbols[place])
+        refuse_twice(self.symbols, "unknowns")
         self._found: dict[str, tuple[list[int], list[int]]] = {}
         for kind in GROUPS:
             found = [(k, place) for k, (what, place) in enumerate(self.order) if what == kind]
@@ -232,7 +231,7 @@ class Balance:
         equations = definition.equations
         states = definition.places["states"]
         q, n = len(equations.coordinates), len(equations.coordinates) + len(equations.speeds)
-        self.steady = steady = [states.find(s, "moving") for s in listed("moving", moving)]
+        self.steady = steady = states.columns(listed("moving", moving), "moving").tolist()
         if any(place >= q for place in steady):
             names = [str(states.symbols[k]) for k in steady if k >= q]
             raise ValueError(f"`moving` must hold coordinates, got {', '.join(names)}.")
@@ -240,8 +239,9 @@ class Balance:
         inputs: dict[Any, float] = {}
         self.given: dict[Any, float] = {}
         given = check_mapping("given", given)
-        for key, entry in given.items():
-            kind, place = located(definition, key, "given")
+        places = [located(definition, key, "given") for key in given]
+        refuse_twice([definition.places[kind].symbols[k] for kind, k in places], "given")
+        for (kind, place), (key, entry) in zip(places, given.items(), strict=True):
             amount = number(entry, f"`given[{key}]`", finite=True)
             if kind != "states":
                 self.given[getattr(definition, kind)[place]] = amount
@@ -250,8 +250,7 @@ class Balance:
             else:
                 (self.x if kind == "states" else self.p)[place] = amount
         if unknowns is None:
-            held = {located(definition, key, "given") for key in given}
-            held |= {located(definition, key, "over") for key in varied}
+            held = {*places, *(located(definition, key, "over") for key in varied)}
             unknowns = [
                 s
                 for k, s in enumerate((*equations.coordinates, *equations.speeds))
@@ -584,8 +583,10 @@ def _bounds(
 ) -> tuple[np.ndarray, np.ndarray]:
     low = np.full(len(wanted.symbols), -np.inf)
     high = -low
-    for key, pair in check_mapping("bounds", bounds).items():
-        place = located(definition, key, "bounds")
+    given = check_mapping("bounds", bounds)
+    places = [located(definition, key, "bounds") for key in given]
+    refuse_twice([definition.places[kind].symbols[k] for kind, k in places], "bounds")
+    for place, (key, pair) in zip(places, given.items(), strict=True):
         if place not in wanted.order:
             raise ValueError(f"`bounds` has the key `{key}`, which is not one of `unknowns`.")
         limits = real_array(pair, f"`bounds[{key}]`")

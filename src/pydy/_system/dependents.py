@@ -46,9 +46,7 @@ def check_dependents(
     chosen = listed("dep_vars", dep_vars, "coordinates and speeds")
     allowed = (*equations.coordinates, *equations.speeds)
     places = Places(allowed, "coordinates and speeds of the system")
-    chosen = [allowed[places.find(symbol, "dep_vars")] for symbol in chosen]
-    if len(set(chosen)) != len(chosen):
-        raise ValueError(f"`dep_vars` repeat a variable: {describe(chosen)}.")
+    chosen = places.chosen(chosen, "dep_vars")
     q = [allowed.index(s) for s in chosen if s in equations.coordinates]
     u = [allowed.index(s) for s in chosen if s in equations.speeds]
     if len(q) != holonomic or len(u) != velocity:

@@ -19,6 +19,7 @@ from pydy._checks import (
     number,
     one_or_more,
     real_array,
+    refuse_twice,
     whole,
 )
 from pydy._errors import FitInterrupted, IntegrationError, SingularMatrixError, warn_user
@@ -90,24 +91,20 @@ class _Fit:
         start: list[float] = []
         for key in keys:
             kind, place = located(definition, key, "parameters")
-            symbol = definition.places[kind].symbols[place]
-            if any(symbol == other for _, other in self.shared):
-                raise ValueError(f"`parameters` has `{key}` more than once.")
-            self.shared.append((kind, symbol))
+            self.shared.append((kind, definition.places[kind].symbols[place]))
             start.append(self.now.value(kind, place))
+        refuse_twice([symbol for _, symbol in self.shared], "parameters")
         self.names = list(unique_names([s for _, s in self.shared]))
         self.columns: list[int] = []
         self.initial = [self._initial(d) for d in self.data]
         parameters = {symbol for _, symbol in self.shared}
 
         def others(argument: str, d: Data) -> dict[Any, Any]:
-            places = definition.places[argument]
-            given = (getattr(system, argument), getattr(d.trial, argument))
-            merged = {
-                places.meaning(key, argument): value
-                for one in given
-                for key, value in check_mapping(f"{argument} of {d.label}", one).items()
-            }
+            places, label = definition.places[argument], f"{argument} of {d.label}"
+            merged: dict[Any, Any] = {}
+            for what, owner in ((argument, system), (label, d.trial)):
+                given = check_mapping(what, getattr(owner, argument))
+                merged |= places.by_symbol(given, what, others=True)
             return {key: value for key, value in merged.items() if key not in parameters}
 
         self.constants = [others("constants", d) for d in self.data]
@@ -423,11 +420,13 @@ def _disturbances(work: _Fit, given: Any) -> dict[int, float]:
     """Return the intensities of white noise by places in r."""
     places = work.now.definition.places["specifieds"]
     found: dict[int, float] = {}
-    for key, value in check_mapping("process_noise", given).items():
+    given = check_mapping("process_noise", given)
+    columns = places.columns(given, "process_noise").tolist()
+    for place, (key, value) in zip(columns, given.items(), strict=True):
         intensity = number(value, f"`process_noise[{key}]`", finite=True)
         if not intensity > 0.0:
             raise ValueError(f"`process_noise[{key}]` must be positive, got {intensity!r}.")
-        found[places.find(key, "process_noise")] = intensity
+        found[place] = intensity
     if found and work.own_noise:
         raise ValueError(
             "`process_noise` needs the `noise` of each Trial: what is noise of the samples and "
@@ -491,7 +490,14 @@ def _result(
     )
 
 
-def _places(work: _Fit, key: Any, argument: str) -> list[int]:
+def _places(work: _Fit, given: Mapping[Any, Any], argument: str) -> list[list[int]]:
+    """Return the parameters that each key means, none of them twice."""
+    found = [_meant(work, key, argument) for key in given]
+    refuse_twice([work.names[place] for places in found for place in places], argument)
+    return found
+
+
+def _meant(work: _Fit, key: Any, argument: str) -> list[int]:
     """Return the parameters that a key means; a state means that of each trial."""
     shared = Places([s for _, s in work.shared], "parameters of the fit")
     place = shared.get(key, argument)
@@ -513,20 +519,21 @@ def _places(work: _Fit, key: Any, argument: str) -> list[int]:
 
 def _bounds(work: _Fit, bounds: Any, size: int) -> tuple[np.ndarray, np.ndarray]:
     low, high = np.full(size, -np.inf), np.full(size, np.inf)
-    for key, pair in check_mapping("bounds", bounds).items():
+    given = check_mapping("bounds", bounds)
+    for places, (key, pair) in zip(_places(work, given, "bounds"), given.items(), strict=True):
         limits = real_array(pair, f"`bounds[{key}]`")
         if limits.shape != (2,) or not limits[0] < limits[1]:
             raise ValueError(
                 f"`bounds[{key}]` must be a pair of the lowest and the highest value, got {pair}."
             )
-        for place in _places(work, key, "bounds"):
-            low[place], high[place] = limits
+        low[places], high[places] = limits
     return low, high
 
 
 def _priors(work: _Fit, priors: Any) -> list[tuple[int, float, float]]:
     found = []
-    for key, pair in check_mapping("priors", priors).items():
+    given = check_mapping("priors", priors)
+    for places, (key, pair) in zip(_places(work, given, "priors"), given.items(), strict=True):
         numbers = real_array(pair, f"`priors[{key}]`")
         if numbers.shape != (2,) or not (np.isfinite(numbers).all() and numbers[1] > 0.0):
             raise ValueError(
@@ -534,7 +541,7 @@ def _priors(work: _Fit, priors: Any) -> list[tuple[int, float, float]]:
                 f"got {pair}."
             )
         mean, spread = float(numbers[0]), float(numbers[1])
-        found += [(place, mean, spread) for place in _places(work, key, "priors")]
+        found += [(place, mean, spread) for place in places]
     return found
 
 

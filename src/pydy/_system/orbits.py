@@ -109,7 +109,7 @@ class Orbits(Simulation, Evaluation):
             raise TypeError(f"`until` must be a pydy.solvers.Event, got {type(until).__name__}.")
         definition = now.definition
         equations, states = definition.equations, definition.places["states"]
-        steady = sorted({states.find(s, "moving") for s in listed("moving", moving)})
+        steady = sorted(states.columns(listed("moving", moving), "moving").tolist())
         dependent = latest_dependents(definition, self._dependent)
         tied = {definition.states.index(s) for s in dependent}
         count = len(equations.coordinates) + len(equations.speeds)

@@ -10,7 +10,7 @@ import numpy as np
 import sympy as sm
 
 from pydy._assembly.definition import Definition
-from pydy._checks import one_or_more
+from pydy._checks import one_or_more, refuse_twice
 from pydy._system.balance import located, members
 from pydy.codegen.arguments import SpecifiedsPlan
 from pydy.inputs import SampledInput
@@ -67,16 +67,9 @@ def read_parameters(
             "function, which has none. Give it as a SymPy expression of states, time and "
             "constants, or as samples, pydy.inputs.SampledInput(times, values)."
         )
-    found: dict[tuple[str, int], Parameter] = {}
-    for symbol in symbols:
-        parameter = _parameter(definition, plan, following, symbol, argument)
-        place = (parameter.kind, parameter.place)
-        if place in found:
-            raise ValueError(
-                f"`{argument}` has `{parameter.symbol}` more than once. Keep one of them."
-            )
-        found[place] = parameter
-    return tuple(found.values())
+    found = [_parameter(definition, plan, following, symbol, argument) for symbol in symbols]
+    refuse_twice([parameter.symbol for parameter in found], argument)
+    return tuple(found)
 
 
 def _following(definition: Definition, plan: SpecifiedsPlan) -> list[Any]:

@@ -2,14 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 import sympy.physics.mechanics as me
 
-from pydy._checks import Places, check_mapping, number, one_or_more, real_array, shown
+from pydy._checks import (
+    Places,
+    check_mapping,
+    number,
+    one_or_more,
+    real_array,
+    refuse_twice,
+    shown,
+)
 from pydy._mechanics.symbols import find_symbols
 from pydy._names import unique_names
 from pydy._system.tuning import LARGEST_SAMPLE
@@ -69,11 +77,6 @@ def checked_trial(
     keys, columns = [], []
     for key, samples in measured.items():
         keys.append(_key(key, label, states, outputs, expressions))
-        if keys[-1] in keys[:-1]:
-            raise ValueError(
-                f"`measured` of {label} gives `{keys[-1]}` more than once, by the symbol or by its "
-                "name. Keep one of them."
-            )
         column = real_array(samples, f"`measured[{key}]` of {label}")
         if column.shape != times.shape:
             raise ValueError(
@@ -85,27 +88,23 @@ def checked_trial(
                 f"`measured[{key}]` of {label} must be finite, or NaN where a sample is missing."
             )
         columns.append(column)
+    refuse_twice(keys, f"measured of {label}")
     values = np.stack(columns, axis=1)
     if np.isnan(values).all():
         raise ValueError(
             f"`measured` of {label} must hold at least one sample that is not NaN, but all "
             f"{values.size} are. Leave the trial out."
         )
-    unknown = [
-        states.symbols[states.find(s, f"unknown of {label}")]
-        for s in one_or_more("unknown", trial.unknown)
-    ]
+    unknown = states.chosen(one_or_more("unknown", trial.unknown), f"unknown of {label}")
     names = list(unique_names(list(measured)))
-    known = {**dict(zip(names, keys, strict=True)), **dict(zip(measured, keys, strict=True))}
-    everything = Places([*states.symbols, *outputs.symbols], "states and outputs of the system")
-    noise = _noise(
-        trial.noise,
-        keys,
-        lambda key: known.get(key, everything.meaning(key, "noise")),
-        names,
-        values.shape,
-        label,
-    )
+    given = trial.noise
+    if isinstance(given, Mapping):
+        known = {**dict(zip(names, keys, strict=True)), **dict(zip(measured, keys, strict=True))}
+        everything = Places([*states.symbols, *outputs.symbols], "states and outputs of the system")
+        meant = [known.get(key, everything.meaning(key, "noise")) for key in given]
+        refuse_twice(meant, f"noise of {label}")
+        given = dict(zip(meant, given.values(), strict=True))
+    noise = _noise(given, keys, names, values.shape, label)
     sizes = np.fmax.reduce(np.abs(values) / noise)
     if (far := np.flatnonzero(sizes > LARGEST_SAMPLE)).size:
         raise ValueError(
@@ -132,7 +131,6 @@ def _key(key: Any, label: str, states: Places, outputs: Places, expressions: dic
 def _noise(
     given: Any,
     keys: list[Any],
-    meaning: Callable[[Any], Any],
     names: list[str],
     shape: tuple[int, ...],
     label: str,
@@ -142,14 +140,12 @@ def _noise(
         return noise
     entries = [given] * len(keys)
     if isinstance(given, Mapping):
-        chosen = {meaning(key): value for key, value in given.items()}
-        missing = [n for n, key in zip(names, keys, strict=True) if key not in chosen]
-        if missing or len(chosen) != len(keys):
+        if given.keys() != {*keys}:
             raise ValueError(
                 f"`noise` of {label} must have an entry for each measured quantity, "
                 f"{', '.join(names)}, got {', '.join(map(str, given))}."
             )
-        entries = [chosen[key] for key in keys]
+        entries = [given[key] for key in keys]
     for k, entry in enumerate(entries):
         column = real_array(entry, f"`noise` of {label}")
         sound = ((column > 0.0) & (column < np.inf)).all()

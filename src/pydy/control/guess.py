@@ -28,8 +28,7 @@ class Guess:
             self._motion = given
         else:
             values = check_mapping("guess", given)
-            symbols = [unknown.symbols[k] for k in unknown.columns(values, "guess")]
-            self._values = dict(zip(symbols, values.values(), strict=True))
+            self._values = unknown.by_symbol(values, "guess")
 
     def duration(self, bounds: tuple[float, float]) -> float:
         """Return the duration to begin with."""

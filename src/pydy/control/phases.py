@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 import sympy as sm
 
-from pydy._checks import check_mapping, flag, listed, shown
+from pydy._checks import check_mapping, flag, listed, refuse_twice, shown
 from pydy._errors import AnalysisInterrupted, OptimizationError
 from pydy._optional import progress_of
 from pydy.codegen.arguments import checked_expression
@@ -210,8 +210,10 @@ class Phases:
         owners: list[dict[int, int]] = []  # of each phase, from places in p to those of `keys`
         for problem in self._problems:
             places = problem._now.definition.places["constants"]
-            found = {places.get(key, "values"): k for k, key in enumerate(keys)}
-            found.pop(None, None)
+            known = [(at, k) for k, key in enumerate(keys)
+                     if (at := places.get(key, "values")) is not None]  # fmt: skip
+            refuse_twice([places.symbols[at] for at, _ in known], "values")
+            found = dict(known)
             problem._refuse_free([keys[k] for k in found.values()], found)
             owners.append(found)
         for k, key in enumerate(keys):
@@ -377,8 +379,9 @@ def _checked(what: str, link: Any, before: Any, after: Any) -> dict[Any, Any]:
     definition = before._now.definition
     known = {*definition.states, *definition.constants}
     found: dict[Any, Any] = {s: s for s in states if s in definition.states}
-    for key, value in check_mapping(what, link).items():
-        s = states[after._now.definition.places["states"].find(key, what)]
+    given = check_mapping(what, link)
+    symbols = after._now.definition.places["states"].chosen(given, what)
+    for s, (key, value) in zip(symbols, given.items(), strict=True):
         if value is None:
             found.pop(s, None)
             continue

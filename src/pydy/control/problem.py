@@ -186,9 +186,7 @@ class OptimalControl:
                     "state, or give the first a value."
                 )
         constants = definition.places["constants"]
-        self._free = tuple(
-            constants.symbols[k] for k in constants.columns(listed("free", free), "free")
-        )
+        self._free = tuple(constants.chosen(listed("free", free), "free"))
         self._symbol = duration if isinstance(duration, sm.Symbol) else None
         self._duration = None if self._symbol is not None else positive_time(duration)
         if self._symbol is not None and self._symbol in (*definition.constants, time):
@@ -297,11 +295,11 @@ class OptimalControl:
     def _numbers(self, bounds: Any) -> dict[Any, Any]:
         """Return the bounds that are pairs of numbers; keep the others."""
         given = check_mapping("bounds", bounds)
-        columns = self._unknown.columns(given, "bounds")
+        symbols = self._unknown.chosen(given, "bounds")
         moving = (*self._now.definition.states, *self._controls)
         found = {}
-        for k, (key, pair) in zip(columns, given.items(), strict=True):
-            symbol, what = self._unknown.symbols[k], f"`bounds[{key}]`"
+        for symbol, (key, pair) in zip(symbols, given.items(), strict=True):
+            what = f"`bounds[{key}]`"
             sides = pair if isinstance(pair, (tuple, list)) and len(pair) == 2 else ()
             if all(map(_constant, sides)):
                 found[key] = pair
@@ -330,11 +328,12 @@ class OptimalControl:
         """Return pairs of numbers by symbol."""
         places = Places(tuple(symbols), "unknowns of the problem")
         values = check_mapping(argument, given)
-        columns = places.columns(values, argument)
-        found = {}
-        for k, (key, value) in zip(columns, values.items(), strict=True):
-            found[places.symbols[k]] = _pair(value, f"`{argument}[{key}]`", argument != "bounds")
-        return found
+        return {
+            symbol: _pair(value, f"`{argument}[{key}]`", argument != "bounds")
+            for symbol, (key, value) in zip(
+                places.chosen(values, argument), values.items(), strict=True
+            )
+        }
 
     @staticmethod
     def phases(

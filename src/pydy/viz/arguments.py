@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+import contextlib
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
 import sympy as sm
 from sympy.physics.mechanics import Particle, RigidBody
 
-from pydy._checks import check_mapping, number, real_array, shown, text
+from pydy._checks import Places, check_mapping, number, real_array, refuse_twice, shown, text
 from pydy._interpolation import filled
-from pydy._mechanics.symbols import find_symbols
+from pydy._mechanics.symbols import find_symbols, sort_symbols
+from pydy._names import name_of
 from pydy._rank import DIGITS, HALF
-from pydy.viz.shapes import Arrow
+from pydy.viz.shapes import Arrow, Line
 from pydy.viz.tuning import FILLED, PIXELS
 from pydy.viz.visuals import Visual
 
@@ -136,11 +138,60 @@ def symbols_of(visuals: Iterable[Visual], series: Mapping[str, Any]) -> set[Any]
     return set(find_symbols(expressions))
 
 
+def named_constants(
+    constants: Any, own: Mapping[Any, Any], scene: tuple[Any, Any, Sequence[Visual]], series: Any
+) -> dict[Any, Any]:
+    """Return constants that are given beside a trajectory's own by the keys of these.
+
+    A key that stands for none of them must occur in what the scene, a reference frame, an origin
+    and visuals, draws, or in its series.
+    """
+    given = check_mapping("constants", constants)
+    if not own:  # a trajectory that tells nothing of constants
+        return given
+    # A trajectory from a file has names in the place of symbols.
+    given = {name_of(key) if name_of(key) in own else key: v for key, v in given.items()}
+    places = Places([*own], "constants of the trajectory")
+    if places.unknown(given, "constants"):
+        with contextlib.suppress(ValueError):  # frames and points without a relation are told later
+            places = Places(
+                [*own, *sort_symbols(_drawn(*scene, series) - {*own})],
+                "constants of the trajectory and of the scene",
+            )
+    return places.by_symbol(given, "constants")
+
+
+def _drawn(
+    reference: Any, origin: Any, visuals: Sequence[Visual], series: Mapping[str, Any]
+) -> set[Any]:
+    """Return the symbols in the places of visuals, in their shapes and in their bodies."""
+    frames: set[Any] = set()
+    found: list[Any] = []
+    for visual in visuals:
+        shape, body = visual.shape, visual.body
+        frames |= {visual.frame} - {None}
+        found += [] if shape is None else [getattr(shape, name) for name in shape.lengths]
+        found += [] if body is None else [body.mass]
+        if isinstance(body, RigidBody):
+            found += [*body.central_inertia.to_matrix(body.frame)]
+        for point in (visual.point, *(shape.points if isinstance(shape, Line) else ())):
+            for components, frame in point.pos_from(origin).args:
+                frames.add(frame)
+                found += [*components]
+    for frame in frames:
+        found += [*reference.dcm(frame)]
+    found = [e for e in found if isinstance(e, sm.Expr)]
+    return {s for s in (*find_symbols(found), *symbols_of(visuals, series)) if s.is_Symbol}
+
+
 def units_of(units: Any) -> dict[str, str]:
     """Return units by the label of a series."""
     given = check_mapping("units", units)
+    labels = [str(key).removesuffix("(t)") for key in given]
+    refuse_twice(labels, "units")
     return {
-        str(key).removesuffix("(t)"): text(unit, f"`units[{key}]`") for key, unit in given.items()
+        label: text(unit, f"`units[{key}]`")
+        for label, (key, unit) in zip(labels, given.items(), strict=True)
     }
 
 

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import sympy as sm
 
-from pydy._checks import Places, choice, number, positive, shown, text
+from pydy._checks import Places, choice, number, positive, refuse_twice, shown, text
 from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.interpret import run
 from pydy._graph.lower import lower
@@ -317,6 +317,10 @@ def _sliders(
         ("x", Places(system.states, "states of the system"), system.model.states),
         ("r", Places(system.inputs, "inputs of the system"), system.model.inputs),
     )
+    refuse_twice(
+        [next((s for _, places, _ in groups if (s := places.meaning(key, "live")) != key), key)
+         for key in live.sliders], "live",
+    )  # fmt: skip
     rows: list[dict[str, Any]] = []
     own: list[Any] = []
     for key, given in live.sliders.items():
@@ -388,6 +392,7 @@ def _start(
                     f"system: {', '.join(map(name_of, system.states))}."
                 )
             targets.append(place)
+            refuse_twice([system.states[k] for k in targets], "sets")
             nodes += reader.all([sm.sympify(expression)])
     sizes = (len(system.states), 0, len(constants))
     return lower(graph, sizes, [("start", (len(nodes),), simplify(graph, nodes))]), targets

@@ -13,7 +13,7 @@ from sympy.core.function import AppliedUndef
 from sympy.physics.mechanics import dynamicsymbols
 
 from pydy._backends.registry import compile_program
-from pydy._checks import check_mapping, listed, number, real_array
+from pydy._checks import Places, check_mapping, listed, number, real_array, refuse_twice
 from pydy._graph.collector import collector_paused
 from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.lower import lower
@@ -323,7 +323,7 @@ def motion_of_trajectory(
             f"scene's system has {_listed(model.states)}. Animate a trajectory of this system, or "
             "make the scene from that one."
         )
-    values = {**dict(getattr(trajectory, "constants", None) or {}), **_constants(constants)}
+    values = {**constants_of(trajectory), **_constants(constants)}
     specified = tuple(getattr(trajectory, "specifieds_symbols", None) or ())
     definitions = model.definitions if model is not None else {}
     outputs = tuple(getattr(trajectory, "outputs_symbols", ()))
@@ -351,9 +351,11 @@ def motion_of_arrays(
         )
     symbols = tuple(listed("symbols", symbols, "functions of time", hashable=True))
     symbols = tuple(s.removesuffix("(t)") if isinstance(s, str) else s for s in symbols)
+    refuse_twice(_alike(symbols, "symbols"), "symbols")
     t, x = checked_samples(times, states, len(symbols))
     columns = []
     given = check_mapping("specifieds", specifieds)
+    refuse_twice(_alike(given, "specifieds"), "specifieds")
     for symbol, value in given.items():
         column = real_array(value, f"`specifieds[{symbol}]`")
         if column.shape not in ((), (len(t),)):
@@ -368,9 +370,22 @@ def motion_of_arrays(
     return _motion(names, t, x, rows, values)
 
 
+def constants_of(trajectory: Any) -> dict[Any, Any]:
+    """Return the constants that a trajectory, or anything with its attributes, tells."""
+    return dict(getattr(trajectory, "constants", None) or {})
+
+
 def _constants(constants: Any) -> dict[Any, float]:
     given = check_mapping("constants", constants)
+    refuse_twice(_alike(given, "constants"), "constants")
     return {symbol: number(value, f"`constants[{symbol}]`") for symbol, value in given.items()}
+
+
+def _alike(keys: Iterable[Any], argument: str) -> list[Any]:
+    """Return keys with the symbols among them in place of their names."""
+    keys = [*keys]
+    known = Places([key for key in keys if not isinstance(key, str)], argument)
+    return [known.meaning(key, argument) for key in keys]
 
 
 def _listed(symbols: Sequence[Any]) -> str:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, Literal, Self
 import numpy as np
 from sympy.physics.vector import Point, ReferenceFrame
 
-from pydy._checks import choice, file_of, flag, listed, number, shown, text, vector
+from pydy._checks import Keyed, choice, file_of, flag, listed, number, shown, text, vector
 from pydy._files import write_files
 from pydy._names import nearest
 from pydy.viz.animation import Animation, Item, Look, animate
@@ -23,6 +23,7 @@ from pydy.viz.arguments import (
     ground_height,
     in_notebook,
     modes_of,
+    named_constants,
     playback,
     recorded,
     series_of,
@@ -32,7 +33,15 @@ from pydy.viz.arguments import (
 )
 from pydy.viz.defaults import unit_vector
 from pydy.viz.live import live_page
-from pydy.viz.motion import Model, checked_samples, motion_of_arrays, motion_of_trajectory, sampled
+from pydy.viz.motion import (
+    Model,
+    Motion,
+    checked_samples,
+    constants_of,
+    motion_of_arrays,
+    motion_of_trajectory,
+    sampled,
+)
 from pydy.viz.page import embedded, opened, page
 from pydy.viz.shapes import Arrow, Plane, Trace
 from pydy.viz.views import (
@@ -365,12 +374,7 @@ class Scene:
         own = getattr(trajectory, "times", None)
         if states is None:
             trajectory = filmed(trajectory, fps, speed)
-            motion = motion_of_trajectory(trajectory, model, constants, wanted)
-        elif symbols is None and model is not None and model.trajectory is not None:
-            checked = checked_samples(trajectory, states, len(model.states))
-            motion = motion_of_trajectory(model.trajectory(*checked), model, constants)
-        else:
-            motion = motion_of_arrays(trajectory, states, symbols, constants, specifieds)
+        motion = self._motion_of(trajectory, states, symbols, (constants, specifieds), wanted)
         self._speed, step = playback(fps, speed, float(motion.times[-1] - motion.times[0]))
         rows = sampled(motion.times, step)
         columns = recorded(self.series, trajectory if states is None else None)
@@ -383,7 +387,7 @@ class Scene:
         animation = animate(*scene, formulas, motion.taken(rows))
 
         def moved(run: Any) -> Animation:
-            values = {**motion.values, **dict(run.constants)}
+            values = (Keyed(motion.values) | dict(run.constants)).data
             other = motion_of_trajectory(run, model, values, wanted)
             return animate(*scene, (), other)
 
@@ -399,6 +403,26 @@ class Scene:
         self._motion = motion.taken(rows)
         self._again = again, [v.version for v in self.visuals]
         return self
+
+    def _motion_of(
+        self, trajectory: Any, states: Any, symbols: Any, given: tuple[Any, Any], wanted: set[Any]
+    ) -> Motion:
+        """Return the Motion that `animate` was asked for; given are constants and specifieds."""
+        model, (constants, specifieds) = self._model, given
+        if states is not None:
+            if symbols is not None or model is None or model.trajectory is None:
+                return motion_of_arrays(trajectory, states, symbols, constants, specifieds)
+            checked = checked_samples(trajectory, states, len(model.states))
+            trajectory = model.trajectory(*checked)
+        if specifieds is not None:
+            raise ValueError(
+                "`specifieds` are those of plain arrays, for which `symbols` says what the columns "
+                f"are, got {shown(specifieds)} without `symbols`. A trajectory has its own: leave "
+                "them out, or simulate with others."
+            )
+        scene = (self.reference_frame, self.origin, self.visuals)
+        constants = named_constants(constants, constants_of(trajectory), scene, self.series)
+        return motion_of_trajectory(trajectory, model, constants, wanted)
 
     @property
     def times(self) -> np.ndarray:
