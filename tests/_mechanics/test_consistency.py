@@ -171,3 +171,68 @@ def test_a_velocity_on_one_branch_of_a_constraint_is_left_alone():
                 configuration={x: 0.5, y: -1.9, length: 2.0},
             )
         )  # fmt: skip
+
+
+def arm(speed, second=None, method=Definition, **more):
+    """Two hinges in a row; the outer link's velocities are set in `second`."""
+    q, u = me.dynamicsymbols("q1:3"), [speed(k) for k in range(2)]
+    fixed, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(fixed, 0)
+    bodies, base, frame = [], origin, fixed
+    for k, rate in enumerate([u[0], u[1] if second is None else second]):
+        link = me.ReferenceFrame(f"L{k}")
+        link.orient_axis(frame, frame.z, q[k])
+        link.set_ang_vel(frame, u[k] * frame.z)
+        centre, tip = base.locatenew(f"C{k}", link.x), base.locatenew(f"P{k}", 2 * link.x)
+        centre.v2pt_theory(base, fixed, link)
+        tip.v2pt_theory(base, fixed, link)
+        link.set_ang_vel(frame, rate * frame.z)
+        inertia = me.inertia(link, 0, 0, 1), centre
+        bodies.append(me.RigidBody(f"link {k}", centre, link, 1, inertia))
+        base, frame = tip, link
+    if method is me.LagrangesMethod:
+        return method(me.Lagrangian(fixed, *bodies), q, bodies=bodies, frame=fixed, **more)
+    if method is me.KanesMethod:
+        more["kd_eqs"] = [a.diff(T) - b for a, b in zip(q, u, strict=True)]
+    return method(fixed, q, u, bodies=bodies, **more)
+
+
+def rate(k):
+    return me.dynamicsymbols(f"q{k + 1}", 1)
+
+
+def own(k):
+    return me.dynamicsymbols(f"u{k + 1}")
+
+
+@pytest.mark.parametrize(
+    ("method", "speed"),
+    [(me.LagrangesMethod, rate), (Definition, rate), (Definition, own), (me.KanesMethod, own)],
+)
+def test_inertia_is_not_lost_to_a_function_that_is_no_speed(method, speed):
+    """The outer link turned as `w` said, whatever its angle did: nothing of it resisted q2."""
+    System(arm(speed, method=method))
+    with pytest.raises(ValueError, match=r"with `q2\(t\)`, but .* with `w\(t\)`\. That is no"):
+        System(arm(speed, me.dynamicsymbols("w"), method))
+
+
+def test_a_prescribed_motion_is_no_speed_either():
+    """By its kinematic equation or by a constraint, as the model says."""
+    w = me.dynamicsymbols("w")
+    System(arm(rate, w, nonholonomic_constraints=[rate(1) - w]))
+    q, u = me.dynamicsymbols("q1:3"), own(0)
+    found = arm(own, w)
+    rates = [q[0].diff(T) - u, q[1].diff(T) - w]
+    System(Definition(found.frame, q, [u], bodies=found.bodies, kinematic_equations=rates))
+
+
+def test_a_moving_base_takes_no_speed_from_what_hangs_on_it():
+    v = me.dynamicsymbols("v")
+    q = me.dynamicsymbols("q")
+    fixed, rod, base = me.ReferenceFrame("N"), me.ReferenceFrame("A"), me.Point("O")
+    base.set_vel(fixed, v * fixed.x)
+    rod.orient_axis(fixed, fixed.z, q)
+    bob = base.locatenew("P", rod.x)
+    bob.v2pt_theory(base, fixed, rod)
+    bodies = [me.Particle("base", base, 1), me.Particle("bob", bob, 1)]
+    System(Definition(fixed, [q], bodies=bodies))

@@ -1,5 +1,8 @@
 """Whether the kinematic equations give the motion that the velocities say.
 
+Velocities that hold some function of time where a speed belongs are refused: they move nothing, so
+that inertia and loads would be lost.
+
 Velocities that a user sets need not follow from places: those of a disc that rolls may hold its
 constraint, and a symmetric rotor's orientation may be left out. They are honoured. But where other
 derivatives of the coordinates would make all of them follow, the kinematic equations are wrong.
@@ -15,21 +18,97 @@ from dataclasses import replace
 from typing import Any
 
 import numpy as np
+from sympy.core.function import AppliedUndef
+from sympy.physics.mechanics import ReferenceFrame
 
 from pydy._checks import describe
 from pydy._errors import warn_user
-from pydy._graph.derivative import dense_jacobian
+from pydy._graph.derivative import dense_jacobian, jacobian
+from pydy._graph.rounding import rounding_bounds
 from pydy._mechanics.components import numbers_of
 from pydy._mechanics.equations import Equations
+from pydy._mechanics.form import moving
 from pydy._mechanics.frames import orientation_rows, rotations
+from pydy._mechanics.inertia import points_of
 from pydy._mechanics.kinematics import Kinematics, Vec
 from pydy._mechanics.reader import is_rigid, places
-from pydy._rank import DIGITS, or_one
+from pydy._mechanics.symbols import find_symbols
+from pydy._rank import DIGITS, ROUNDED, or_one
 
 # What moves; its place, by components in axes; and the derivatives of these, as velocities say.
 Moved = tuple[str, Vec, Vec]
 # A quaternion's matrix has three orthogonal columns, whose lengths are one: rows more are cosines'.
 _LENGTHS = 3
+
+
+def check_velocities(equations: Equations) -> None:
+    """Refuse velocities with some function of time in place of a speed: inertia would be lost.
+
+    What they are of moves with a coordinate, but by no speed. Functions that the kinematic
+    equations or constraints hold are prescribed motions, as that coordinate's may be.
+    """
+    body, formed = equations.multibody, equations.formed
+    if body is None or formed is None:
+        return
+    functions = [s for s in formed.specifieds if isinstance(s, AppliedUndef)]
+    if not functions:
+        return
+    said = (*body.coordinate_derivatives, *equations.holonomic, *equations.velocity)
+    given = find_symbols((*said, *(e for part in equations.left_out for e in part)))
+    functions = [s for s in functions if s not in given]
+    if not functions:
+        return
+    bodies = body.bodies if equations.mechanism is None else equations.mechanism.bodies
+    k = moving(replace(body, bodies=bodies), in_bodies=False)
+    strange = {k.read(s): s for s in functions}
+    held = orientation_rows(rotations(body.frame), k.read)
+    frames = [item.frame for item in bodies if is_rigid(item)]
+    for where in dict.fromkeys([*(at for at, _ in k.body.loads), *points_of(k), *frames]):
+        is_frame = isinstance(where, ReferenceFrame)
+        if is_frame and where not in k.tree.oriented:
+            continue
+        velocity = k.spin(where)[0] if is_frame else k.motion(where)[1]
+        found = [strange[n] for n in k.graph.reachable(velocity) if n in strange]
+        if found and (lost := _unmoved(k, velocity, _place_of(k, where), held)):
+            q, speed = lost
+            raise ValueError(
+                f"Inertia and loads of {where} would be lost: {where} moves with `{q}`, but by "
+                f"the velocities that were set it moves with `{found[0]}`. That is no speed: set "
+                f"velocities in the speeds, such as `{speed}`, or, if it is a prescribed motion, "
+                f"constrain `{speed}` to it."
+            )
+
+
+def _unmoved(k: Kinematics, velocity: Vec, place: Vec, held: list[int]) -> tuple[Any, Any] | None:
+    """Return a coordinate that a place moves with, and its speed, by which no velocity does.
+
+    With constraints velocities may be written in some of the speeds: there none must be held.
+    """
+    g = k.graph
+    moved = {j for row in jacobian(g, velocity, k.speeds) for j in row}
+    if k.body.velocity and moved:
+        return None
+    slopes = dense_jacobian(g, place, k.coordinates)
+    sizes = np.abs(_values(k, [*slopes, *rounding_bounds(g, slopes)], held))
+    left, bounds = np.hsplit(sizes, 2)
+    rows = np.reshape(left > ROUNDED * bounds, (-1, len(k.coordinates)))
+    moves = {int(i) for i in np.nonzero(rows)[1]}
+    for i, row in enumerate(jacobian(g, k.rates, k.speeds)):
+        if i in moves and (lost := [j for j in row if j not in moved]):
+            return k.body.coordinates[i], k.body.speeds[lost[0]]
+    return None
+
+
+def _place_of(k: Kinematics, where: Any) -> Vec:
+    """Return components of what turns a frame, or leads to a point from one that may be fixed."""
+    if isinstance(where, ReferenceFrame):
+        return [*k.vector(where.x, k.inertial), *k.vector(where.y, k.inertial)]
+    fixed = (way for p, way in places(where).items() if k.tree.velocity(p) == 0)
+    nodes = [n for way in fixed for n in k.vector(way, k.inertial)]
+    while (base := k.way(where)[0]) is not None:
+        nodes += [n for r, frame in k.parts(where) for n in k.expressed(r, frame, k.inertial)]
+        where = base
+    return nodes
 
 
 def warn_of_kinematics(equations: Equations) -> None:

@@ -19,7 +19,7 @@ from sympy.physics.mechanics import (
 )
 from sympy.physics.mechanics.jointsmethod import JointsMethod
 
-from pydy._mechanics.consistency import warn_of_kinematics
+from pydy._mechanics.consistency import check_velocities, warn_of_kinematics
 from pydy._mechanics.definition import Definition, equations_of_definition
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.implicit import Implicit
@@ -157,6 +157,7 @@ def _checked(read: Callable[..., Equations]) -> Callable[..., Equations]:
 
     def reader(*args: Any) -> Equations:
         found = read(*args)
+        check_velocities(found)
         warn_of_kinematics(found)
         return found
 

@@ -15,7 +15,6 @@ from typing import Any
 import numpy as np
 import sympy as sm
 from sympy.core.function import AppliedUndef
-from sympy.physics.mechanics import ReferenceFrame
 
 from pydy._graph.collector import collector_paused
 from pydy._graph.derivative import jacobian
@@ -31,7 +30,7 @@ from pydy._mechanics.elimination import composite, eliminated
 from pydy._mechanics.implicit import check_forces
 from pydy._mechanics.inertia import Inertia, Load, loads_and_inertias, lumped, points_of
 from pydy._mechanics.kinematics import Kinematics, Vec
-from pydy._mechanics.reader import Multibody, places
+from pydy._mechanics.reader import Multibody
 from pydy._mechanics.reduction import reduced, slopes
 from pydy._mechanics.symbols import find_symbols, replace_symbols
 from pydy._mechanics.tuning import SAME_DIRECTION
@@ -376,7 +375,6 @@ def lagranges_equations(kinematics: Kinematics) -> tuple[list[Vec], Vec]:
     inertias, loads = loads_and_inertias(kinematics)
     g, speeds, n = kinematics.graph, kinematics.speeds, len(body.coordinates)
     _, forces = composite(g, kinematics.rows, kinematics.groups, speeds, inertias, loads)
-    _check_powers(kinematics)
     node = kinematics.read(body.lagrangian)
     if set(kinematics.accelerations) & set(g.reachable([node])):
         raise ValueError(
@@ -400,42 +398,6 @@ def lagranges_equations(kinematics: Kinematics) -> tuple[list[Vec], Vec]:
 
 
 # -- velocities that the user set ------------------------------------------------------------------
-
-
-def _check_powers(k: Kinematics) -> None:
-    """Refuse loads that would be lost: their velocities hold Kane's speeds in place of rates.
-
-    These move with a coordinate, but by no rate of any: what holds is some other function of time.
-    """
-    symbols = k.symbols()
-    for where, _ in k.body.loads:
-        velocity = k.spin(where)[0] if isinstance(where, ReferenceFrame) else k.motion(where)[1]
-        held = {n: symbols[n] for n in k.graph.reachable(velocity) if n in symbols}
-        strange = [s for s in k.read.specifieds if isinstance(s, AppliedUndef)]
-        strange = [s for s in strange if s in held.values()]
-        if not strange or not held.keys().isdisjoint(k.speeds):
-            continue
-        place = set(k.graph.reachable(_place_of(k, where)))
-        for q, node in zip(k.body.coordinates, k.coordinates, strict=True):
-            if node in place:
-                raise ValueError(
-                    f"A load at {where} would do no work: {where} moves with `{q}`, but by the "
-                    f"velocities that were set it moves with `{strange[0]}`. The speeds of a "
-                    "LagrangesMethod are the derivatives of its coordinates: set velocities in "
-                    f"these, such as `{q.diff(k.body.time)}`."
-                )
-
-
-def _place_of(k: Kinematics, where: Any) -> Vec:
-    """Return components of what turns a frame, or leads to a point from one that may be fixed."""
-    if isinstance(where, ReferenceFrame):
-        return [*k.vector(where.x, k.inertial), *k.vector(where.y, k.inertial)]
-    fixed = (way for p, way in places(where).items() if k.tree.velocity(p) == 0)
-    nodes = [n for way in fixed for n in k.vector(way, k.inertial)]
-    while (base := k.way(where)[0]) is not None:
-        nodes += [n for r, frame in k.parts(where) for n in k.expressed(r, frame, k.inertial)]
-        where = base
-    return nodes
 
 
 def disagreeing(kinematics: Kinematics) -> list[Any]:
