@@ -10,6 +10,7 @@ from cases import system_of
 from pydy.errors import IntegrationError, PyDyUserWarning
 from pydy.examples import whipple_bicycle
 from pydy.mechanics import Definition
+from pydy.solvers.outcome import LEFT_CONSTRAINTS
 from pydy.system import System
 
 TIMES = np.linspace(0.0, 0.1, 3)
@@ -285,3 +286,53 @@ def test_a_constraint_of_constants_alone_of_a_called_method_is_refused():
         ValueError, match=r"No motion satisfies the holonomic constraint 0: -k \+ m"
     ):
         system.integrate()
+
+
+def on_a_line(configuration, velocity, w=1.0):
+    """A particle in a plane whose constraints are given as rows of x, y, and of u, v."""
+    x, y, u, v = me.dynamicsymbols("x y u v")
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    point = origin.locatenew("P", x * frame.x + y * frame.y)
+    point.set_vel(frame, u * frame.x + v * frame.y)
+    method = me.KanesMethod(
+        frame, [x], [u], [x.diff() - u, y.diff() - v], q_dependent=[y], u_dependent=[v],
+        configuration_constraints=[configuration(x, y)], velocity_constraints=[velocity(u, v)],
+    )  # fmt: skip
+    method.kanes_equations([me.Particle("P", point, 2)], [(point, -x * frame.x)])
+    system = System(method, {"w": w} if velocity(u, v).has(sm.Symbol("w")) else {})
+    system.initial_conditions, system.ode_solver = {"x": 0.2}, "tsit5"
+    system.times = np.linspace(0.0, 1.0, 11)
+    system.set_dependent_initial_conditions()
+    return system
+
+
+def moving_line(x, y):
+    return x + y - 1 - me.dynamicsymbols._t
+
+
+@pytest.mark.parametrize("options", [{}, {"constraints": "project"}])
+@pytest.mark.parametrize(
+    "velocity", [lambda u, v: u + v - 2, lambda u, v: u + v, lambda u, v: u - v]
+)
+def test_velocity_constraints_that_contradict_a_holonomic_one_are_refused(velocity, options):
+    with pytest.raises(ValueError, match=r"rate of the holonomic constraint 0: .* is -?1\."):
+        on_a_line(moving_line, velocity).integrate(**options)
+
+
+def test_a_motion_that_is_held_by_contradicting_rows_is_refused():
+    system = on_a_line(lambda x, y: x + y - 1, lambda u, v: u - 2 * v)
+    with pytest.raises(IntegrationError, match="cannot keep all constraints") as caught:
+        system.integrate(constraints="project")
+    assert caught.value.info["code"] == LEFT_CONSTRAINTS
+    assert caught.value.time > 0.0
+
+
+@pytest.mark.parametrize("options", [{}, {"constraints": "project"}])
+@pytest.mark.parametrize("unit", [1e-12, 1.0, 1e12])
+def test_velocity_constraints_that_imply_a_holonomic_one_by_numbers_are_right(unit, options):
+    w = sm.Symbol("w")
+    on_a_line(moving_line, lambda u, v: unit * (u + v - w)).integrate(**options)
+    on_a_line(moving_line, lambda u, v: unit * (u + v - 1)).integrate(**options)
+    with pytest.raises(ValueError, match=r" is 0\.001\."):
+        on_a_line(moving_line, lambda u, v: unit * (u + v - w), w=1.001).integrate(**options)

@@ -206,6 +206,15 @@ class Equations:
         ]
 
     @cached_property
+    def unimplied(self) -> tuple[int, ...]:
+        """The places of holonomic constraints whose rates may not follow from velocity constraints.
+
+        It is so at random states and constants; with others they may.
+        """
+        known = {*self.enforced, *self.following[0]}
+        return tuple(k for k, _ in enumerate(self.holonomic) if k not in known)
+
+    @cached_property
     def left_out(self) -> tuple[tuple[Any, ...], tuple[Any, ...]]:
         """The holonomic and the velocity constraints that are redundant, in terms of the states."""
         body = self.multibody

@@ -13,17 +13,16 @@ from pydy import _forks
 from pydy._assembly.assembly import Assembly
 from pydy._assembly.model import CompiledModel
 from pydy._errors import IntegrationError
-from pydy._graph.derivative import dense, dense_jacobian, directional, jacobian
+from pydy._graph.derivative import dense_jacobian, jacobian
 from pydy._graph.lower import lower
-from pydy._graph.node import Graph
 from pydy._graph.program import Program
 from pydy._graph.rewrite import substitute
 from pydy._system.snapshot import Snapshot
 from pydy._system.solving import constraint_names
-from pydy._system.start import Rows, measured
+from pydy._system.start import Rows, contradiction, inputs_of, measured, rates_along
 from pydy.solvers.kept import Ran, judge, looked_at
 from pydy.solvers.options import Options
-from pydy.solvers.outcome import OUTCOMES
+from pydy.solvers.outcome import LEFT_CONSTRAINTS, OUTCOMES
 from pydy.solvers.tuning import NEAR_SINGULAR
 from pydy.trajectory import EventRecord
 
@@ -109,26 +108,42 @@ class Motion:
 
 
 def check_kept(motion: Motion) -> None:
-    """Refuse a motion that left the constraints, redundant ones too, or changed its energy."""
-    held = motion.info["nearness"] >= NEAR_SINGULAR if "constraints" in motion.options else False
-    if held and not any(motion.now.definition.equations.left_out):
+    """Refuse a motion that left the constraints, redundant ones too, or changed its energy.
+
+    Or one that is brought back onto constraints which its velocities do not keep.
+    """
+    equations, projected = motion.now.definition.equations, "constraints" in motion.options
+    if projected and equations.unimplied:
+        ran = motion.ran
+        if found := contradiction(motion.now.at(ran.times, ran.states)):
+            text = f"cannot keep all constraints. {found[1]}"
+            raise _refused(motion, LEFT_CONSTRAINTS, found[0], text)
+    held = motion.info["nearness"] >= NEAR_SINGULAR if projected else False
+    if held and not any(equations.left_out):
         return
-    ran = motion.ran
-    verdict = judge(ran, motion.part)
+    verdict = judge(motion.ran, motion.part)
     if verdict is None:
         return
     details, outcome = verdict.details, OUTCOMES[verdict.code]
     if "row" in details:
-        names = constraint_names(motion.now.definition.equations, redundant=True)
+        names = constraint_names(equations, redundant=True)
         details = {**details, "row": names[details["row"]]}
     status, t = outcome.text.format(**details), float(ran.times[verdict.place])
-    raise IntegrationError(
-        f"`{motion.info.get('method', 'odeint')}` {status} at t = {t!r}. {outcome.remedy}",
+    text = f"{status} at t = {t!r}. {outcome.remedy}"
+    raise _refused(motion, verdict.code, verdict.place, text, status)
+
+
+def _refused(
+    motion: Motion, code: int, place: int, text: str, status: str | None = None
+) -> IntegrationError:
+    ran = motion.ran
+    return IntegrationError(
+        f"`{motion.info.get('method', 'odeint')}` {text}",
         motion.times,
         motion.states,
-        t,
-        ran.states[verdict.place],
-        {**motion.info, "code": verdict.code, "status": status},
+        float(ran.times[place]),
+        ran.states[place],
+        {**motion.info, "code": code, "status": text if status is None else status},
     )
 
 
@@ -219,12 +234,8 @@ class Slopes:
     def __call__(self, assembly: Assembly) -> dict[str, list[int]]:
         graph = assembly.graph
         places, motion = self.read(assembly)
-        rows = [graph.zero if _inputs(graph, [n]) & {"r"} else n for n in (*places, *motion)]
-        first = graph.args[assembly.speeds[0]][1]
-        along = {graph.input("x", k): {0: rate} for k, rate in enumerate(assembly.rates[:first])}
-        along[graph.input("t", 0)] = {0: graph.one}
-        rates = dense(graph, directional(graph, rows[: len(places)], along), 1)
-        rates += [graph.zero] * len(motion)
+        rows = [graph.zero if "r" in inputs_of(graph, [n]) else n for n in (*places, *motion)]
+        rates = rates_along(assembly, rows[: len(places)]) + [graph.zero] * len(motion)
         states = [graph.input("x", k) for k in range(assembly.sizes[0])]
         turns = dense_jacobian(graph, rates, states)
         derived = measured(assembly, rows, len(places))
@@ -256,7 +267,7 @@ class EnergyPart:
         places, motion = Slopes(self.closed, self.redundant).read(assembly)
         first, n = graph.args[speeds[0]][1], len(speeds)
         moves = [*motion, *assembly.rates[:first]]
-        driven = _inputs(graph, [kinetic, potential, *places, *moves]) & {"t", "r"}
+        driven = inputs_of(graph, [kinetic, potential, *places, *moves]) & {"t", "r"}
         momenta = dense_jacobian(graph, [kinetic], speeds)
         rest = substitute(graph, [kinetic, *momenta, *moves], dict.fromkeys(speeds, graph.zero))
         if driven or any(node != graph.zero for node in rest):
@@ -288,9 +299,3 @@ class Moving:
             start = (first + k) * states + first
             hessian[start : start + n] = rows[k * n : (k + 1) * n]
         return {"kinetic": nodes, "hessian": hessian}
-
-
-def _inputs(graph: Graph, nodes: list[int]) -> set[str]:
-    """Return the kinds of inputs that nodes depend on: of 't', 'x', 'r' and 'p'."""
-    found = graph.reachable(nodes)
-    return {str(graph.args[n][0]) for n in found if graph.ops[n] == "input"}

@@ -10,12 +10,12 @@ import numpy as np
 
 from pydy._assembly.assembly import Assembly
 from pydy._errors import few, warn_user
-from pydy._graph.derivative import dense_jacobian
+from pydy._graph.derivative import dense, dense_jacobian, directional
 from pydy._graph.node import Graph
 from pydy._graph.rounding import per_unit, rounding_bounds
 from pydy._mechanics.symbols import find_symbols
 from pydy._mechanics.tuning import ROUNDED
-from pydy._rank import DIGITS, rank
+from pydy._rank import DIGITS, least_step, rank
 from pydy._system.snapshot import At
 from pydy._system.solving import constraint_names
 from pydy._system.tuning import INHERITED
@@ -27,16 +27,18 @@ from pydy.trajectory import EventRecord
 def check_start(at: At, whose: str = "", mended: bool = False) -> bool:
     """Warn where a motion starts off the constraints; return whether it does.
 
-    Where it does not, what was left out as redundant must hold too. The warning says `whose`
-    initial conditions are meant; there is none where the motion is `mended`, that is, brought onto
-    the constraints.
+    Where it does not, what was left out as redundant must hold too, and the velocity constraints
+    must keep the holonomic ones. The warning says `whose` initial conditions are meant; there is
+    none where the motion is `mended`, that is, brought onto the constraints.
     """
     held = surely_held(at)[0]
-    if held and not any(at.definition.equations.left_out):
-        return False
     if not held:
         _check_constant(at)
     told = "" if held else violations(at, redundant=False)
+    if at.definition.equations.unimplied and not told and (found := contradiction(at)):
+        raise ValueError(f"No motion satisfies all constraints. {found[1]}")
+    if held and not any(at.definition.equations.left_out):
+        return False
     if not told:
         check_redundant(at)
         told = violations(at)
@@ -157,6 +159,77 @@ def check_samples(
         whose = f" of sample {', '.join(map(str, place))}" if shape else ""
         if check_start(sample, whose, mended):
             return
+
+
+# -- Velocity constraints that do not keep the holonomic ones --------------------------------------
+
+
+def contradiction(at: At) -> tuple[int, str] | None:
+    """Return the first state that keeps all constraints, but not for long, and why.
+
+    Which velocity constraints imply the rates of the holonomic ones is known at random states and
+    constants; the rates that are not among these are judged by the numbers. What the residuals of
+    velocity constraints make of a rate is not counted.
+    """
+    equations = at.definition.equations
+    places = equations.unimplied
+    if not places:
+        return None
+    found, m = at.values(Rates(places)), len(at.x)
+    left, (rates, sizes) = np.abs(found["left"]), (found[name] for name in ("rates", "sizes"))
+    n = len(equations.speeds)
+    slopes, rows = (found[name].reshape(m, -1, n) for name in ("slopes", "rows"))
+    for k in range(m):
+        allowed = DIGITS * sizes[k]
+        if left.size and np.isfinite(rows[k]).all() and np.isfinite(slopes[k]).all():
+            allowed = allowed + np.abs(least_step(rows[k].T, slopes[k].T)).T @ left[k]
+        if (off := np.abs(rates[k]) > allowed).any():
+            j = int(off.argmax())
+            name = constraint_names(equations)[places[j]]
+            return k, (
+                f"At t = {float(at.t[k])!r} the velocity constraints hold, but with these speeds "
+                f"the rate of the {name}, is {rates[k, j]:.3g}. Correct it, or the velocity "
+                "constraints (`velocity_constraints`): all motions that they allow must keep the "
+                "holonomic ones."
+            )
+    return None
+
+
+def rates_along(assembly: Assembly, rows: Sequence[int]) -> list[int]:
+    """Return the derivatives of rows of coordinates and time, as the kinematic equations say.
+
+    Rows with specifieds of which nothing but values is known have none that could be told: zero.
+    """
+    graph = assembly.graph
+    first = graph.args[assembly.speeds[0]][1]
+    along = {graph.input("x", k): {0: rate} for k, rate in enumerate(assembly.rates[:first])}
+    along[graph.input("t", 0)] = {0: graph.one}
+    known = [graph.zero if "r" in inputs_of(graph, [n]) else n for n in rows]
+    return dense(graph, directional(graph, known, along), 1)
+
+
+def inputs_of(graph: Graph, nodes: Sequence[int]) -> set[str]:
+    """Return the kinds of inputs that nodes depend on: of 't', 'x', 'r' and 'p'."""
+    found = graph.reachable(nodes)
+    return {str(graph.args[n][0]) for n in found if graph.ops[n] == "input"}
+
+
+@dataclass(frozen=True)
+class Rates:
+    """The rates of some holonomic constraints, and the velocity constraints beside them."""
+
+    places: tuple[int, ...]
+
+    def __call__(self, assembly: Assembly) -> dict[str, list[int]]:
+        graph = assembly.graph
+        rates = rates_along(assembly, [assembly.holonomic[k] for k in self.places])
+        return {
+            "rates": rates,
+            "sizes": rounding_bounds(graph, rates, True),
+            "slopes": dense_jacobian(graph, rates, assembly.speeds),
+            "left": assembly.velocity,
+            "rows": dense_jacobian(graph, assembly.velocity, assembly.speeds),
+        }
 
 
 # -- Constraints that were left out as redundant ---------------------------------------------------
