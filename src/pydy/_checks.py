@@ -67,7 +67,7 @@ def shown(value: Any) -> str:
     """Return the repr of a value for a message, cut where it is long."""
     try:
         text = repr(value)
-    except ValueError:  # an integer of more than 4300 digits has none
+    except (TypeError, ValueError):  # an integer of more than 4300 digits, NaN times a vector
         text = f"a {type(value).__name__}"
     return text if len(text) <= 200 else f"{text[:200]} …"
 

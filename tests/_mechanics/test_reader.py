@@ -65,9 +65,7 @@ def test_a_load_on_something_else_than_a_point_or_a_frame_is_refused():
 
 def test_a_force_without_a_direction_is_refused():
     point, k = me.Point("P"), sm.Symbol("k")
-    with pytest.raises(
-        TypeError, match=r"load \(P, -k\) must end with a Vector, such as .* got a Mul"
-    ):
+    with pytest.raises(TypeError, match=r"load at P must be a Vector, such as .* got the Mul -k"):
         read_loads([(point, -k)])
     assert read_loads([(point, 0)]) == ()
 

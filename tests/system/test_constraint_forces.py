@@ -205,7 +205,7 @@ BAD = [
     ({"frame": 1}, TypeError, "`frame` must be a ReferenceFrame, got 1"),
     ({"loads": 1}, TypeError, "`loads` must be a sequence of loads, got 1"),
     ({"loads": [(me.Point("far"), me.ReferenceFrame("N").x)]}, ValueError, "position of far"),
-    ({"loads": [(me.Point("Q"), 3)]}, TypeError, r"The load \(Q, 3\) must end with a Vector"),
+    ({"loads": [(me.Point("Q"), 3)]}, TypeError, r"The load at Q must be a Vector"),
 ]
 
 

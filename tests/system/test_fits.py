@@ -350,6 +350,7 @@ def bad(**more):
     return Trial(**given)
 
 
+K, F = sm.Symbol("k"), me.dynamicsymbols("f")
 COLLOCATED = {"method": "collocation"}
 
 
@@ -366,6 +367,8 @@ COLLOCATED = {"method": "collocation"}
         (["k0"], bad(times=TIMES[::-1]), {}, "must ascend"),
         (["k0"], bad(measured={"x0": [1.0]}), {}, r"must have the shape \(101,\).*got \(1,\)"),
         (["k0"], bad(measured={"bogus": swing()}), {}, "measured of trial 0` has the key `bogus`"),
+        (["k0"], bad(measured={2 * K: swing()}), {}, r"`measured\[2\*k\]` .* holds `k`, but no"),
+        (["k0"], bad(measured={F * K: swing()}), {}, r"holds `(k|f\(t\))`, but no argument"),
         (["k0"], bad(measured={}), {}, "at least one quantity"),
         (["k0"], bad(measured={"x0": swing() + np.inf}), {}, "NaN where a sample is missing"),
         (["k0"], bad(measured={"x0": swing() + np.nan}), {}, "one sample that is not NaN"),

@@ -112,7 +112,7 @@ def test_an_axis_is_one_of_three(kind):
 
 
 def test_an_arrow_needs_a_vector():
-    with pytest.raises(TypeError, match="`vector` of Arrow must be a vector"):
+    with pytest.raises(TypeError, match="`vector` of Arrow must be a Vector"):
         Arrow((1, 0, 0))
     with pytest.raises(ValueError, match="`scale` of Arrow must be a number"):
         Arrow(N.x, scale="big")

@@ -41,9 +41,9 @@ Expressions = list[Any]
 class Known:
     """What expressions may hold (None: anything), and what the rest stands for.
 
-    Constants that are not known affect no motion. Where they cancel they are left out; the place of
-    a base does not: it has one of the `values`, or 1. The `zeros` are noncontributing forces, which
-    stand for what others compute.
+    Symbols that are not known affect no motion. Where they cancel they are left out; the place of a
+    base does not: it has one of the `values`. Others stay, and who reads them names them. The
+    `zeros` are noncontributing forces, which stand for what others compute.
     """
 
     def __init__(
@@ -56,13 +56,13 @@ class Known:
         g, symbols = kinematics.graph, kinematics.symbols()
         known = self.symbols
         unknown = [n for n, s in symbols.items() if known is not None and s not in known]
-        zeros = [n for n in unknown if g.args[n][0] == "r"]
-        zeros += [n for n, s in symbols.items() if s in self.zeros]
+        zeros = [n for n, s in symbols.items() if s in self.zeros]
         nodes = substitute(g, nodes, dict.fromkeys(zeros, g.zero))
         held = set(g.reachable(nodes))
-        strange = [n for n in unknown if n in held and g.args[n][0] == "p"]
+        strange = [n for n in unknown if n in held]
         if strange:
-            given = {n: g.const(self.values.get(symbols[n], 1.0)) for n in strange}
+            own = {n: self.values[s] for n in strange if (s := symbols[n]) in self.values}
+            given = {n: g.const(value) for n, value in own.items()}
             given.update(dict.fromkeys(idle_inputs(g, nodes, strange), g.zero))
             nodes = substitute(g, nodes, given)
         return [NodeExpression.of(g, node, symbols, "…") for node in nodes]

@@ -22,7 +22,7 @@ from pydy._graph.node import Graph, input_nodes, input_symbols
 from pydy._mechanics.components import in_rows, turned, unrounded
 from pydy._mechanics.frames import Frames
 from pydy._mechanics.planes import Detours
-from pydy._mechanics.reader import InputReader, Multibody, Tree
+from pydy._mechanics.reader import InputReader, Multibody, Tree, checked_vector
 
 Vec = list[int]
 # The frame of the components, velocity, acceleration at u' = 0.
@@ -185,7 +185,7 @@ class Kinematics:
     def vector(self, vector: Any, to: Any) -> Vec:
         """Return the components of a SymPy vector in a frame."""
         total = [self.graph.zero] * 3
-        for part, frame in vector.args:
+        for part, frame in checked_vector(vector, "A position, velocity or load").args:
             total = self.plus(
                 total, self.expressed(*self.frames.in_axes(self.read.all(part), frame), to)
             )

@@ -26,6 +26,7 @@ from sympy.physics.mechanics import (
     WrappingPathway,
 )
 
+from pydy._checks import shown
 from pydy._errors import warn_user
 from pydy._forks import cached_property
 from pydy._graph.from_sympy import SymPyReader
@@ -132,21 +133,22 @@ def read_loads(loads: Iterable[Any]) -> tuple[tuple[Any, Any], ...]:
                 f"The load ({where}, {vector}) must begin with the Point that the force acts at, "
                 f"or the ReferenceFrame that the torque acts on, got a {type(where).__name__}."
             )
-        if vector != 0 and not isinstance(vector, Vector):
-            raise TypeError(
-                f"The load ({where}, {vector}) must end with a Vector, such as {vector}*N.x with "
-                f"the axis of a frame N, got a {type(vector).__name__}."
-            )
-        if vector == 0:
-            continue
-        if not all(isinstance(part, sm.MatrixBase) for part, _ in vector.args):
-            # SymPy makes this of a vector that is multiplied by NaN, and cannot print it.
-            raise ValueError(
-                f"The load at {where} is NaN times a vector. Give it a force or torque that is "
-                "defined."
-            )
-        found.append((where, vector))
+        if vector != 0:
+            found.append((where, checked_vector(vector, f"The load at {where}")))
     return tuple(found)
+
+
+def checked_vector(value: Any, what: str) -> Any:
+    """Return a Vector, or say what it was instead."""
+    if not isinstance(value, Vector):
+        raise TypeError(
+            f"{what} must be a Vector, such as {shown(value)}*N.x with the axis of a frame N, got "
+            f"the {type(value).__name__} {shown(value)}."
+        )
+    if not all(isinstance(part, sm.MatrixBase) for part, _ in value.args):
+        # SymPy makes this of a vector that is multiplied by NaN, and cannot print it.
+        raise ValueError(f"{what} is NaN times a vector. Give it one that is defined.")
+    return value
 
 
 def _loads_of(actuator: Any) -> Any:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from sympy.physics.mechanics import Particle, Point, ReferenceFrame, RigidBody, Vector
+from sympy.physics.mechanics import Particle, Point, ReferenceFrame, RigidBody
 
 from pydy._assembly.assembly import Assembly
 from pydy._assembly.definition import Definition
@@ -30,7 +30,7 @@ from pydy._mechanics.inverse import (
     rotation,
     weights,
 )
-from pydy._mechanics.reader import Multibody, distances, places
+from pydy._mechanics.reader import Multibody, checked_vector, distances, places
 from pydy._names import name_of
 from pydy._system.analysis import variables
 from pydy._system.setup import Setup
@@ -596,8 +596,8 @@ class Dynamics(Setup):
         array([0.      , 4.794255])
         """
         equations = self._equations
-        if acceleration is not None and not isinstance(acceleration, Vector):
-            raise TypeError(f"`acceleration` must be a Vector, got {shown(acceleration)}.")
+        if acceleration is not None:
+            checked_vector(acceleration, "`acceleration`")
         body = bodies_of(equations)
 
         def expressions(equations: Equations, known: Known) -> Any:
@@ -610,7 +610,7 @@ class Dynamics(Setup):
                 )
             return found
 
-        fall = () if acceleration is None else tuple(acceleration.to_matrix(body.frame))
+        fall = () if acceleration is None else tuple((*m, f) for m, f in acceleration.args)
         rows = (f"the weight at {speed}" for speed in equations.speeds)
         made = Quantity("gravity", fall, (len(equations.speeds),), expressions, rows)
         return self._evaluated(made, (q, None, np.zeros(0), t), r, p, wrt)

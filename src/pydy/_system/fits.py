@@ -68,12 +68,9 @@ class _Fit:
             given |= check_mapping("constants", getattr(trial, "constants", None))
         self.now = system._now(self.options.get("events"), given)
         definition = self.now.definition
-        states = definition.places["states"]
-        outputs = Places(definition.outputs_symbols, "outputs of the system")
         self.expressions: dict[Any, Any] = {}
         self.data = [
-            checked_trial(k, trial, states, outputs, self.expressions)
-            for k, trial in enumerate(trials)
+            checked_trial(k, trial, definition, self.expressions) for k, trial in enumerate(trials)
         ]
         if len({d.trial.noise is None for d in self.data}) > 1:
             raise ValueError("Give the `noise` of all trials, or of none.")

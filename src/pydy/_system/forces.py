@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import sympy as sm
-from sympy.physics.mechanics import Particle, Point, ReferenceFrame, RigidBody, Vector
+from sympy.physics.mechanics import Particle, Point, ReferenceFrame, RigidBody
 from sympy.physics.mechanics.joint import Joint
 
 from pydy._checks import describe, listed, shown
@@ -264,9 +264,7 @@ class Forces(Setup):
         if not isinstance(frame, ReferenceFrame):
             raise TypeError(f"`frame` must be a ReferenceFrame, got {shown(frame)}.")
         more = read_loads(listed("loads", loads, "loads"))
-        for where, vector in more:
-            if not isinstance(vector, Vector):
-                raise TypeError(f"`loads` must hold pairs with a Vector, got {shown(vector)}.")
+        for where, _ in more:
             if isinstance(where, Point):
                 _check_way(where, point)
         for item in members:

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 import sympy as sm
-from sympy.physics.mechanics import Point, Vector, dynamicsymbols
+from sympy.physics.mechanics import Point, ReferenceFrame, Vector, dynamicsymbols
 
 from pydy._assembly.assembly import Assembly
 from pydy._assembly.definition import Definition
@@ -17,6 +17,7 @@ from pydy._mechanics.equations import Equations, Mechanism
 from pydy._mechanics.reader import given_velocity
 from pydy._mechanics.symbols import find_symbols
 from pydy._rank import HALF
+from pydy.viz.arguments import check_kind
 from pydy.viz.defaults import arms, find_origin, gravities, guess_up, load_arrows, skeleton
 from pydy.viz.motion import Geometry, Model, Names, place
 from pydy.viz.scene import Scene
@@ -59,6 +60,7 @@ def make_scene(
         if mechanism is None:
             raise ValueError("`reference_frame` must be given: the System knows of no frame.")
         reference_frame = mechanism.frame
+    check_kind("reference_frame", reference_frame, ReferenceFrame)
     if origin is None:
         origin = find_origin(reference_frame, [body.masscenter for body in bodies])
         if origin is None:
@@ -67,6 +69,7 @@ def make_scene(
                 f"`{reference_frame}` is connected with the bodies. Pass `origin=O`, or say "
                 f"`O.set_vel({reference_frame}, 0)` when you derive the equations."
             )
+    check_kind("origin", origin, Point)
     if "up" not in options and mechanism is not None:
         up = guess_up(reference_frame, bodies, mechanism.loads, constants)
         if up is None and mechanism.lagrangian is not None and reference_frame is mechanism.frame:

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 import sympy.physics.mechanics as me
 
+from pydy._assembly.definition import Definition
 from pydy._checks import (
     Places,
     check_mapping,
@@ -20,6 +21,7 @@ from pydy._checks import (
 )
 from pydy._mechanics.symbols import find_symbols
 from pydy._names import unique_names
+from pydy._system.inputs import sort_out
 from pydy._system.tuning import LARGEST_SAMPLE
 from pydy.analysis.fit import Trial
 
@@ -39,10 +41,11 @@ class Data:
     unknown: list[Any]  # symbols of states
 
 
-def checked_trial(
-    k: int, trial: Any, states: Places, outputs: Places, expressions: dict[Any, Any]
-) -> Data:
+def checked_trial(k: int, trial: Any, definition: Definition, expressions: dict[Any, Any]) -> Data:
     """Check a trial, the k-th; expressions that it measures get names in `expressions`."""
+    states = definition.places["states"]
+    measurable = Places([*definition.states, *definition.outputs_symbols],
+                        "states and outputs of the system")  # fmt: skip
     label = f"trial {k}"
     if not isinstance(trial, Trial):
         raise TypeError(
@@ -76,7 +79,7 @@ def checked_trial(
         raise ValueError(f"`measured` of {label} must hold at least one quantity.")
     keys, columns = [], []
     for key, samples in measured.items():
-        keys.append(_key(key, label, states, outputs, expressions))
+        keys.append(_key(key, label, definition, measurable, expressions))
         column = real_array(samples, f"`measured[{key}]` of {label}")
         if column.shape != times.shape:
             raise ValueError(
@@ -100,8 +103,7 @@ def checked_trial(
     given = trial.noise
     if isinstance(given, Mapping):
         known = {**dict(zip(names, keys, strict=True)), **dict(zip(measured, keys, strict=True))}
-        everything = Places([*states.symbols, *outputs.symbols], "states and outputs of the system")
-        meant = [known.get(key, everything.meaning(key, "noise")) for key in given]
+        meant = [known.get(key, measurable.meaning(key, "noise")) for key in given]
         refuse_twice(meant, f"noise of {label}")
         given = dict(zip(meant, given.values(), strict=True))
     noise = _noise(given, keys, names, values.shape, label)
@@ -115,14 +117,23 @@ def checked_trial(
     return Data(trial, label, times, begin, keys, names, values, noise, unknown)
 
 
-def _key(key: Any, label: str, states: Places, outputs: Places, expressions: dict[Any, Any]) -> Any:
-    for places in (states, outputs):
-        place = places.get(key, "measured")
-        if place is not None:
-            return places.symbols[place]
-    if isinstance(key, str) or not hasattr(key, "free_symbols") or not find_symbols([key]):
-        places = Places([*states.symbols, *outputs.symbols], "states and outputs of the system")
-        places.find(key, f"measured of {label}")  # raises, with names that are alike
+def _key(
+    key: Any, label: str, definition: Definition, measurable: Places, expressions: dict[Any, Any]
+) -> Any:
+    place = measurable.get(key, "measured")
+    if place is not None:
+        return measurable.symbols[place]
+    inside = find_symbols([key]) if hasattr(key, "free_symbols") else ()
+    if isinstance(key, str) or not inside:
+        measurable.find(key, f"measured of {label}")  # raises, with names that are alike
+    known = (*measurable.symbols, *definition.constants, *definition.specifieds)
+    held = [s for part in sort_out(definition.equations, [key], known) for s in part]
+    if held:
+        raise ValueError(
+            f"`measured[{key}]` of {label} holds `{held[0]}`, but no argument provides it: it is "
+            "not one of the states, constants, specifieds and outputs of the system. Make the "
+            "expression one of the `outputs`, and give the value there."
+        )
     if key not in expressions:
         expressions[key] = me.dynamicsymbols(f"measured_{len(expressions)}")
     return expressions[key]

@@ -9,6 +9,7 @@ import sympy as sm
 from sympy.physics.mechanics import Point, ReferenceFrame, Vector, dynamicsymbols
 
 from pydy._checks import shown
+from pydy._mechanics.reader import checked_vector
 from pydy.contact.laws import _check_units, _expressions
 from pydy.solvers.events import Event
 
@@ -140,4 +141,6 @@ def _directions(along: Any) -> tuple[Any, ...]:
     valid = isinstance(found, (list, tuple)) and len(found) <= 2
     if not valid or not all(isinstance(v, Vector) for v in found):
         raise TypeError(f"`along` must be one Vector or two, got {shown(along)}.")
+    for v in found:
+        checked_vector(v, "`along`")
     return tuple(found)

@@ -11,6 +11,7 @@ import sympy as sm
 from sympy.physics.mechanics import Point, Vector
 
 from pydy._checks import listed, shown
+from pydy._mechanics.reader import checked_vector
 from pydy._rank import ROUNDED
 from pydy.contact.laws import _check_units, _expressions
 from pydy.contact.tuning import CONTACTS
@@ -237,6 +238,8 @@ def _axes(along: Any) -> tuple[Vector, ...]:
     valid = isinstance(found, (list, tuple)) and len(found) <= 2
     if not valid or not all(isinstance(v, Vector) for v in found):
         raise TypeError(f"`along` must be one Vector or two, got {shown(along)}.")
+    for v in found:
+        checked_vector(v, "`along`")
     axes: tuple[Any, ...] = tuple(found)
     if len(axes) == 2:
         product = sm.simplify(axes[0].dot(axes[1]))

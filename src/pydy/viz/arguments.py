@@ -20,6 +20,15 @@ from pydy.viz.tuning import FILLED, PIXELS
 from pydy.viz.visuals import Visual
 
 
+def check_kind(argument: str, value: Any, kind: type) -> None:
+    """Refuse what is no object of a class."""
+    if not isinstance(value, kind):
+        raise TypeError(
+            f"`{argument}` must be a {kind.__name__}, got the {type(value).__name__} "
+            f"{shown(value)}."
+        )
+
+
 def as_visual(thing: Any) -> Visual:
     """Return a Visual; a body gets a default shape."""
     if isinstance(thing, Visual):

@@ -17,6 +17,7 @@ from pydy._names import nearest
 from pydy.viz.animation import Animation, Item, Look, animate
 from pydy.viz.arguments import (
     as_visual,
+    check_kind,
     columns_of,
     events_of,
     filmed,
@@ -261,15 +262,8 @@ class Scene:
         if unknown:
             names = (*_ARGUMENTS, *_MOTION, *_IGNORED)
             raise TypeError(f"Scene has no argument `{unknown[0]}`. {nearest(unknown[0], names)}")
-        for argument, value, kind in (
-            ("reference_frame", reference_frame, ReferenceFrame),
-            ("origin", origin, Point),
-        ):
-            if not isinstance(value, kind):
-                raise TypeError(
-                    f"`{argument}` must be a {kind.__name__}, got the {type(value).__name__} "
-                    f"{value!r}."
-                )
+        check_kind("reference_frame", reference_frame, ReferenceFrame)
+        check_kind("origin", origin, Point)
         self.reference_frame = reference_frame
         self.origin = origin
         self.visuals = tuple(as_visual(v) for v in visuals)

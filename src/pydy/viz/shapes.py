@@ -15,10 +15,11 @@ from typing import TYPE_CHECKING, Any, ClassVar, Self
 
 import numpy as np
 import sympy as sm
-from sympy.physics.vector import Point, Vector
+from sympy.physics.vector import Point
 
 from pydy._checks import choice, number, real_array, shown
 from pydy._errors import warn_user
+from pydy._mechanics.reader import checked_vector
 from pydy._names import nearest
 from pydy._rank import rank_of
 from pydy.viz.colours import hex_colour
@@ -524,11 +525,7 @@ class Arrow(Shape):
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        if not isinstance(self.vector, Vector):
-            raise TypeError(
-                "`vector` of Arrow must be a vector of sympy.physics.mechanics, such as F*N.x, got "
-                f"{self.vector!r}."
-            )
+        checked_vector(self.vector, "`vector` of Arrow")
         if self.scale is None:
             return
         scale = real_number(self.scale)
