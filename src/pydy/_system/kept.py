@@ -121,7 +121,8 @@ def check_kept(motion: Motion) -> None:
     held = motion.info["nearness"] >= NEAR_SINGULAR if projected else False
     if held and not any(equations.left_out):
         return
-    verdict = judge(motion.ran, motion.part)
+    ran = motion.ran
+    verdict = judge(ran, motion.part)
     if verdict is None:
         return
     details, outcome = verdict.details, OUTCOMES[verdict.code]
