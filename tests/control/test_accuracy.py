@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
+from scipy.optimize import brentq
 
 import optima
 from optima import TF, T
@@ -72,6 +73,56 @@ def test_the_objectives_error_is_estimated(make, options, least, share):
     assert abs(gain) > 1e-5 * least  # the mesh is too coarse
     assert found.objective_error.sum() == pytest.approx(gain, rel=share)
     assert f"± {np.abs(found.objective_error).sum():.1g}: solved" in repr(found)
+
+
+def uneven(**options):
+    """A metre in the least time at −0.3 to 1 N: v = √(2 / (1 + 1/0.3)), and v (1 + 1/0.3)."""
+    system, (x, v, F) = optima.double_integrator()
+    limits = {F: (-0.3, 1.0), TF: (0.1, 10.0)}
+    return OptimalControl(system, TF, TF, end={x: 1.0, v: 0.0}, bounds=limits, **options)
+
+
+def hanging_chain(**options):
+    """A chain of 4 m between heights of 1 m and 3 m, a metre apart: the least ∫ y ds; COPS 3.0, 3.
+
+    With tan a = dy/dx and the length z: y' = tan a, z' = 1 / cos a, written by u = tan a.
+    """
+    y, z, w, u = me.dynamicsymbols("y z w u")
+    ds = sm.sqrt(1 + u**2)
+    system = optima.first_order([y, z], w, 0 * w, 1, [y.diff() - u, z.diff() - ds])
+    ends = {"start": {y: 1.0}, "end": {y: 3.0, z: 4.0}}
+    problem = OptimalControl(system, sm.Integral(y * ds, T), 1.0, **ends, **options)
+    return problem, {y: [1.0, 3.0], u: [-4.0, 8.0], z: [0.0, 4.0]}
+
+
+def catenary():
+    """The least objective of `hanging_chain`: y = c cosh((x − d) / c) + e."""
+    c = brentq(lambda c: 2 * c * np.sinh(0.5 / c) - np.sqrt(4.0**2 - 2.0**2), 0.02, 10.0)
+    d = 0.5 - c * np.arctanh(2.0 / 4.0)
+    e = 1.0 - c * np.cosh(d / c)
+    s, w = np.polynomial.legendre.leggauss(60)
+    a = ((1 + s) / 2 - d) / c
+    return float(w / 2 @ ((c * np.cosh(a) + e) * np.cosh(a)))
+
+
+@pytest.mark.parametrize(
+    ("make", "options", "least"),
+    [
+        *((fuel, {"method": "hermite-simpson", "mesh": m}, 3 - 5**0.5) for m in (5, 7, 9)),
+        *((fuel, {"mesh": m, "order": k}, 3 - 5**0.5) for m in (7, 20) for k in (3, 5)),
+        *((uneven, {"mesh": m}, (2 / (1 + 1 / 0.3)) ** 0.5 * (1 + 1 / 0.3)) for m in (7, 20)),
+        (hanging_chain, {"mesh": 20}, catenary()),
+        (hanging_chain, {"mesh": 10, "method": "midpoint"}, catenary()),
+    ],
+)
+def test_the_estimate_is_never_far_too_small(make, options, least):
+    # In an interval with a jump, what is too good and what could be better may cancel exactly; the
+    # chain has a needle between the points, which is longer for the points than it is.
+    made = make(**options)
+    found = made[0].solve(made[1]) if isinstance(made, tuple) else made.solve()
+    gain = abs(least - found.objective)
+    assert gain > 1e-5 * least  # the mesh is too coarse
+    assert 0.5 * gain < np.abs(found.objective_error).sum() < 12.0 * gain
 
 
 @pytest.mark.parametrize(

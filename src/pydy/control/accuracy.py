@@ -10,6 +10,12 @@ errors of motion and multipliers, and the minimum is Pontryagin's: it sees contr
 better between the points, such as one that jumps inside an interval, though the polynomials satisfy
 the equations exactly. Where motion and multipliers are exact, it is zero.
 
+The multipliers are not: where a control jumps inside an interval, they are off by as much as they
+change in it. Its polynomial may leave the bounds between the points, and equations may be missed
+there, with which the objective is too small; elsewhere in the interval other controls would do
+better, and the multipliers let one make up for the other exactly. What counts is the larger of the
+two, with the sign of their sum: their difference is no more certain than that.
+
 References
 ----------
 R. Becker and R. Rannacher, An optimal control approach to a posteriori error estimation in finite
@@ -34,7 +40,9 @@ from pydy.control.tuning import JUMPS, SECANTS, STEP, TOLERANCE
 def objective_errors(made: Transcription, nlp: Nlp, solution: Solution) -> np.ndarray:
     """Return each interval's part of the least objective minus that of the solution, shape (M,).
 
-    It is not known (NaN) where constraints hold at other points than the equations of motion.
+    Of what raises the least objective in an interval, and what lowers it, it is the larger one; see
+    the module. It is not known (NaN) where constraints hold at other points than the equations of
+    motion.
     """
     if len({points.rows for points in made.points}) > 1:
         return np.full(made.intervals, np.nan)
@@ -43,9 +51,18 @@ def objective_errors(made: Transcription, nlp: Nlp, solution: Solution) -> np.nd
     s, w, k = np.repeat((1.0 + s) / 2, M), w / 2, np.tile(np.arange(M), len(s))
     h = np.diff(made.mesh)
     point = _Between(made, nlp, solution, k, s)
-    density = point.least() + _passed_bounds(made, nlp, solution, k, s)
-    found: np.ndarray = h * (w @ density.reshape(len(w), M)) - _quadrature(made, nlp, z)
-    return found
+
+    def integral(density: np.ndarray) -> np.ndarray:
+        found: np.ndarray = h * (w @ density.reshape(len(w), M))
+        return found
+
+    missed = integral(point.given + _passed_bounds(made, nlp, solution, k, s))
+    missed -= _quadrature(made, nlp, z)
+    change = point.least() - point.given
+    raised = np.maximum(missed, 0.0) + integral(np.maximum(change, 0.0))
+    lowered = np.minimum(missed, 0.0) + integral(np.minimum(change, 0.0))
+    larger: np.ndarray = np.where(raised + lowered > 0.0, raised, lowered)
+    return larger
 
 
 def relative_errors(found: Any, tolerance: float, objective: float = 0.0) -> np.ndarray:
@@ -113,7 +130,6 @@ class _Between:
             slots, given = [x, dx / h], []
         u = controls[:, scheme.control_slots(M)[:, k]] * scheme.control_basis(s)
         u = u.sum(axis=1)
-        u[: len(p.controls)] = made.controls_in(z, k, s).T
         self.made, self.piece, self.first = made, nlp.pieces[0], sum(map(len, slots))
         self.X = np.ascontiguousarray([*np.concatenate(slots), *u, *z[made._numbers_at(len(s))]])
         times = p.begin + self.fractions * (1.0 if p.duration is None else p.duration)
@@ -121,6 +137,11 @@ class _Between:
         self.R = np.ascontiguousarray([self.fractions, length, one, *given, *signals])
         self.multipliers = self._multipliers(nlp, solution, k, s)
         self.sizes = or_one(np.abs(controls).max(axis=1, initial=0.0))
+        # With the polynomials, which may leave the bounds; then with controls within them.
+        own, of_polynomials = slice(self.first, self.first + len(p.controls)), self.lagrangian()
+        self.X[own] = made.controls_in(z, k, s).T
+        finite = np.isfinite(of_polynomials)
+        self.given = np.where(finite, of_polynomials, self.lagrangian())
 
     def _multipliers(
         self, nlp: Nlp, solution: Solution, k: np.ndarray, s: np.ndarray

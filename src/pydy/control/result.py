@@ -43,7 +43,9 @@ class OptimalTrajectory(Trajectory):
         The error of each interval: how far a solver that starts at the interval's first state, with
         these controls, ends from its last one, relative to how large each state becomes.
     objective_error : ndarray, shape (M,)
-        An estimate of how much each interval adds to the least objective minus this one.
+        An estimate of how much each interval adds to the least objective minus this one. Of what
+        raises that, such as controls that leave their bounds between the points, and what lowers it
+        it is the larger one, since one need not make up for the other.
     multipliers : dict of str to ndarray
         The multipliers of each equation, path condition and boundary condition, by the labels that
         messages use: at `collocation_times` or, of boundary conditions, shape (1,). They are the
