@@ -236,3 +236,76 @@ def test_a_moving_base_takes_no_speed_from_what_hangs_on_it():
     bob.v2pt_theory(base, fixed, rod)
     bodies = [me.Particle("base", base, 1), me.Particle("bob", bob, 1)]
     System(Definition(fixed, [q], bodies=bodies))
+
+
+def carried(first, second):
+    """Two masses in space, the second placed from the first; their velocities as given."""
+    q, u = me.dynamicsymbols("x1 x2 y2"), me.dynamicsymbols("u1:4")
+    fixed, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(fixed, 0)
+    one = origin.locatenew("P1", q[0] * fixed.x)
+    two = one.locatenew("P2", q[1] * fixed.x + q[2] * fixed.y)
+    one.set_vel(fixed, first(u) * fixed.x)
+    two.set_vel(fixed, sum((a * b for a, b in zip(second(u), fixed, strict=False)), me.Vector(0)))
+    bodies = [me.Particle(str(p), p, 1) for p in (one, two)]
+    return fixed, q, u, bodies
+
+
+def test_a_chain_of_places_is_followed_to_the_point_at_rest():
+    """Speeds that are absolute are no rates of relative places."""
+    fixed, q, u, bodies = carried(lambda u: u[0], lambda u: (u[1], u[2]))
+    with pytest.warns(PyDyUserWarning, match=r"derivatives of x2\(t\) .* the velocity of P2"):
+        System(Definition(fixed, q, u, bodies=bodies))
+    right = [q[0].diff(T) - u[0], q[1].diff(T) - u[1] + u[0], q[2].diff(T) - u[2]]
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        System(Definition(fixed, q, u, bodies=bodies, kinematic_equations=right))
+        fixed, q, u, bodies = carried(lambda u: u[0], lambda u: (u[0] + u[1], u[2]))
+        System(Definition(fixed, q, u, bodies=bodies))
+
+
+def test_a_small_component_is_compared_by_itself():
+    small = sm.Float(1e-7)
+    fixed, q, u, bodies = carried(lambda u: u[0], lambda u: (u[0] + u[1], small * u[2]))
+    bodies[1].masscenter.set_pos(bodies[0].masscenter, q[1] * fixed.x + 2 * small * q[2] * fixed.y)
+    with pytest.warns(PyDyUserWarning, match=r"derivatives of y2\(t\) .* the velocity of P2"):
+        System(Definition(fixed, q, u, bodies=bodies))
+
+
+@pytest.mark.parametrize("beside", ["rotor", "belt"])
+def test_what_cannot_be_told_hides_nothing_that_it_shares_no_coordinate_with(beside):
+    fixed, q, u, bodies, _, _ = body("XYZ")
+    x, v = me.dynamicsymbols("x v")
+    origin, frame = me.Point("A"), me.ReferenceFrame("R")
+    origin.set_vel(fixed, 0)
+    centre = origin.locatenew("D", x * fixed.x)
+    centre.set_vel(fixed, (v if beside == "rotor" else v + sm.Symbol("belt")) * fixed.x)
+    frame.orient_axis(fixed, fixed.z, 0)
+    frame.set_ang_vel(fixed, v * fixed.z)
+    bodies.append(me.RigidBody("rotor", centre, frame, 1, (me.inertia(fixed, 1, 1, 1), centre)))
+    with pytest.warns(PyDyUserWarning, match="the angular velocity of B"):
+        System(Definition(fixed, [*q, x], [*u, v], bodies=bodies))
+
+
+def test_the_equations_of_a_method_have_the_same_kinematics():
+    fixed, q, u, bodies, _, wrong = body("XYZ")
+    method = me.KanesMethod(fixed, q, u, kd_eqs=wrong, bodies=bodies, forcelist=[])
+    method.kanes_equations()
+    with pytest.warns(PyDyUserWarning, match=TOLD):
+        System(method, equations="method")
+
+
+def test_what_moves_along_a_rolling_cart_is_left_alone():
+    """The wheel touches the ground in a point at rest, which no place of the hub follows from."""
+    s, u, w = me.dynamicsymbols("s u w")
+    fixed, contact = me.ReferenceFrame("N"), me.Point("Q")
+    contact.set_vel(fixed, 0)
+    hub = contact.locatenew("C", fixed.y)
+    hub.set_vel(fixed, w * fixed.x)
+    load = hub.locatenew("P", s * fixed.x)
+    load.set_vel(fixed, (w + u) * fixed.x)
+    bodies = [me.Particle(str(p), p, 1) for p in (hub, load)]
+    right = [s.diff(T) - u]
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        System(Definition(fixed, [s], [u, w], bodies=bodies, kinematic_equations=right))

@@ -24,6 +24,7 @@ from sympy.physics.mechanics import ReferenceFrame
 from pydy._checks import describe
 from pydy._errors import warn_user
 from pydy._graph.derivative import dense_jacobian, jacobian
+from pydy._graph.identities import signatures
 from pydy._graph.rounding import rounding_bounds
 from pydy._mechanics.components import numbers_of
 from pydy._mechanics.equations import Equations
@@ -31,12 +32,14 @@ from pydy._mechanics.form import moving
 from pydy._mechanics.frames import orientation_rows, rotations
 from pydy._mechanics.inertia import points_of
 from pydy._mechanics.kinematics import Kinematics, Vec
+from pydy._mechanics.rates import connected
 from pydy._mechanics.reader import is_rigid, places
 from pydy._mechanics.symbols import find_symbols
 from pydy._rank import DIGITS, ROUNDED, or_one
 
-# What moves; its place, by components in axes; and the derivatives of these, as velocities say.
-Moved = tuple[str, Vec, Vec]
+# What moves; its place, by components in axes; the derivatives of these, as velocities say; and
+# points by which it belongs with others.
+Moved = tuple[str, Vec, Vec, tuple[Any, ...]]
 # A quaternion's matrix has three orthogonal columns, whose lengths are one: rows more are cosines'.
 _LENGTHS = 3
 
@@ -112,27 +115,39 @@ def _place_of(k: Kinematics, where: Any) -> Vec:
 
 
 def warn_of_kinematics(equations: Equations) -> None:
-    """Warn if other derivatives of the coordinates fit all velocities that were given."""
+    """Warn if other derivatives of the coordinates fit all velocities that were given.
+
+    Velocities that share no coordinates are looked at apart.
+    """
     body, mechanism = equations.multibody, equations.mechanism
-    if equations.formed is None or body is None or mechanism is None or not mechanism.bodies:
+    if body is None or mechanism is None or not mechanism.bodies or body.velocity:
         return
-    if body.velocity:
-        return
-    kinematics = Kinematics(replace(body, bodies=mechanism.bodies), in_bodies=False)
-    matrices = rotations(body.frame)
-    turns = [orientation_rows([matrix], kinematics.read) for matrix in matrices]
-    if any(len(rows) > _LENGTHS for rows in turns):
-        return
+    try:
+        k = Kinematics(replace(body, bodies=mechanism.bodies), in_bodies=False)
+        turns = [orientation_rows([matrix], k.read) for matrix in rotations(body.frame)]
+        every = [] if any(len(rows) > _LENGTHS for rows in turns) else [*_frames(k), *_points(k)]
+    except (NotImplementedError, TypeError, ValueError):
+        if equations.formed is not None:
+            raise
+        return  # a method's own equations may hold what cannot be formed here
     held = [row for rows in turns for row in rows]
-    every = [*_frames(kinematics), *_points(kinematics)]
-    if not all(_depends_alike(kinematics, place, velocity) for _, place, velocity in every):
+    apart = _apart(k, every, held)
+    if not any(map(np.any, apart)):
         return
-    agree = _agree(kinematics, every, held)
-    unlike = [what for (what, *_), well in zip(every, agree, strict=True) if not well]
-    if unlike and (wrong := _others(kinematics, every, held)):
+    told: list[str] = []
+    wrong: set[int] = set()
+    for group in connected([_holds(k, *item) for item in every]):
+        own, unlike = [every[i] for i in group], [apart[i] for i in group]
+        if any(map(np.any, unlike)) and all(_depends_alike(k, *item) for item in own):
+            others = _others(k, own, np.concatenate(unlike), held)
+            wrong.update(others)
+            if others:
+                told += [what for (what, *_), rows in zip(own, unlike, strict=True) if rows.any()]
+    if told:
+        rates = [body.coordinates[i] for i in sorted(wrong)]
         warn_user(
             f"The kinematic equations do not fit the velocities: with the derivatives of "
-            f"{describe(wrong)} that they give, {describe(unlike)} would not be what was set, and "
+            f"{describe(rates)} that they give, {describe(told)} would not be what was set, and "
             "with others all would. Give those (`kd_eqs` of a KanesMethod, `kinematic_equations` "
             "of a Definition; without them each coordinate's derivative is the speed at its "
             "place), or correct the velocities."
@@ -154,7 +169,7 @@ def _frames(k: Kinematics) -> Iterator[Moved]:
                 axes = [k.expressed(unit, frame, k.inertial) for unit in units]
                 w = k.spin(frame, k.inertial)[0]
             turned = [n for axis in axes for n in k.cross(w, axis)]
-            yield f"the angular velocity of {frame}", [n for axis in axes for n in axis], turned
+            yield f"the angular velocity of {frame}", [n for axis in axes for n in axis], turned, ()
             frame = parent
 
 
@@ -163,17 +178,47 @@ def _points(k: Kinematics) -> Iterator[Moved]:
 
     Along other axes that point may be where a wheel touches the ground, at rest for an instant.
     """
+    found: dict[Any, tuple[Vec, Any]] = {}
     for point in (item.masscenter for item in k.body.bodies):
-        for origin, way in places(point).items():
-            rests = getattr(k.tree.velocity(origin), "args", None) == []
-            velocity = k.tree.velocity(point)
-            if rests and velocity is not None and {f for _, f in way.args} <= {k.inertial}:
-                given = k.vector(way, k.inertial), k.vector(velocity, k.inertial)
-                yield f"the velocity of {point}", *given
-                break
+        found.update(_from_rest(k, point))
+    for point, (place, base) in found.items():
+        velocity = k.vector(k.tree.velocity(point), k.inertial)
+        yield f"the velocity of {point}", place, velocity, (point, *({base} & found.keys()))
 
 
-def _depends_alike(k: Kinematics, place: Vec, velocity: Vec) -> bool:
+def _from_rest(k: Kinematics, point: Any) -> dict[Any, tuple[Vec, Any]]:
+    """Return a point's place along inertial axes from the nearest point at rest, if there is one.
+
+    Beside it is the point before it, which must move as its own place says, as a wheel's hub does
+    not: all on the way are returned. The way ends at the point at rest, which may be at rest there.
+    """
+    before: dict[Any, Any] = {point: None}
+    for other in (todo := [point]):
+        if getattr(k.tree.velocity(other), "args", None) == []:
+            break
+        if k.tree.velocity(other) is not None:
+            ways = places(other).items()
+            near = [p for p, way in ways if {f for _, f in way.args} <= {k.inertial}]
+            todo += [p for p in near if p not in before]
+            before |= {p: other for p in near if p not in before}
+    else:
+        return {}
+    found: dict[Any, tuple[Vec, Any]] = {}
+    place = [k.graph.zero] * 3
+    while (after := before[other]) is not None:
+        place = k.plus(place, k.vector(places(after)[other], k.inertial))
+        found[after] = place, other
+        other = after
+    return found
+
+
+def _holds(k: Kinematics, what: str, place: Vec, velocity: Vec, points: Any) -> list[Any]:
+    """Return the places of coordinates, and the points, by which a velocity belongs with others."""
+    moves = jacobian(k.graph, place, k.coordinates)
+    return [*dict.fromkeys(i for row in moves for i in row), *points]
+
+
+def _depends_alike(k: Kinematics, what: str, place: Vec, velocity: Vec, points: Any) -> bool:
     """Return whether a velocity holds no constant or specified that its place and q' have not."""
     g, known = k.graph, {*k.coordinates, *k.speeds}
     known |= {*g.reachable([*place, *k.dt(place)])}
@@ -188,23 +233,34 @@ def _values(k: Kinematics, nodes: list[int], held: list[int]) -> np.ndarray:
     return values
 
 
-def _agree(k: Kinematics, every: Sequence[Moved], held: list[int]) -> list[bool]:
-    """Return whether velocities are how places change, at random states."""
-    nodes = [n for _, place, velocity in every for n in (*velocity, *k.dt(place))]
-    values, found, first = _values(k, nodes, held), [], 0
-    for _, place, _ in every:
-        n = len(place)
-        says, follows = values[:, first : first + n], values[:, first + n : first + 2 * n]
-        size = np.linalg.norm(says, axis=1) + np.linalg.norm(follows, axis=1)
-        found.append(bool((np.linalg.norm(says - follows, axis=1) <= DIGITS * size).all()))
-        first += 2 * n
-    return found
+def _apart(k: Kinematics, every: Sequence[Moved], held: list[int]) -> list[np.ndarray]:
+    """Return for each velocity which of its components are not how the place changes.
+
+    They differ by more than typed digits of their terms make, at some random state.
+    """
+    pairs = [both for _, place, v, _ in every for both in zip(v, k.dt(place), strict=True)]
+    left = [i for i, (says, follows) in enumerate(pairs) if says != follows]
+    known = signatures(k.graph, [n for i in left for n in pairs[i]])
+    left = [i for j, i in enumerate(left) if known[2 * j] != known[2 * j + 1]]
+    found = np.zeros(len(pairs), dtype=bool)
+    flat = [n for i in left for n in pairs[i]]
+    with np.errstate(all="ignore"):
+        values = numbers_of(k.graph, [*flat, *rounding_bounds(k.graph, flat, constants=True)], held)
+    both, bounds = np.split(values.reshape(len(values), -1, 2), 2, axis=1)
+    more = np.abs(both[..., 0] - both[..., 1]) > DIGITS * bounds.sum(axis=2)
+    found[left] = (more & np.isfinite(bounds).all(axis=2)).any(axis=0)
+    return np.split(found, np.cumsum([len(place) for _, place, *_ in every])[:-1])
 
 
-def _others(k: Kinematics, every: Sequence[Moved], held: list[int]) -> list[Any]:
-    """Return the coordinates whose derivatives are others where all velocities fit, if any do."""
-    place = [n for _, own, _ in every for n in own]
-    velocity = [n for _, _, own in every for n in own]
+def _others(
+    k: Kinematics, every: Sequence[Moved], unlike: np.ndarray, held: list[int]
+) -> list[int]:
+    """Return the coordinates whose derivatives are others where all velocities fit, if any do.
+
+    They are told from the components that are `unlike`.
+    """
+    place = [n for _, own, *_ in every for n in own]
+    velocity = [n for _, _, own, _ in every for n in own]
     slopes = dense_jacobian(k.graph, place, k.coordinates)
     m, n = len(place), len(k.coordinates)
     values = _values(k, [*slopes, *velocity, *k.dt(place)], held)
@@ -217,5 +273,6 @@ def _others(k: Kinematics, every: Sequence[Moved], held: list[int]) -> list[Any]
         bound = np.abs(says) + np.abs(follows) + np.abs(matrix) @ np.abs(more)
         if not (np.abs(says - follows - matrix @ more) <= DIGITS * bound).all():
             return []
-        wrong |= np.abs(matrix * more).max(axis=0) > DIGITS * bound.max()
-    return [symbol for symbol, other in zip(k.body.coordinates, wrong, strict=True) if other]
+        shares = np.abs(matrix * more) > DIGITS * bound[:, None]
+        wrong |= shares[unlike].any(axis=0)
+    return [i for i in range(n) if wrong[i]]

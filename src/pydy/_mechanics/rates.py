@@ -27,7 +27,7 @@ def solve_rates(
     order = {rate: k for k, rate in enumerate(coordinate_rates)}
     unknowns = [[s for s in find_symbols([e]) if s in order] for e in equations]
     found: dict[Any, Any] = {}
-    for group in _connected(unknowns):
+    for group in connected(unknowns):
         own = sorted({s for k in group for s in unknowns[k]}, key=order.__getitem__)
         rows = [equations[k] for k in group]
         if len(own) != len(group):
@@ -46,8 +46,8 @@ def solve_rates(
     return tuple(found[rate] for rate in coordinate_rates)
 
 
-def _connected(unknowns: list[list[Any]]) -> list[list[int]]:
-    """Return the equations in groups that share unknowns, in order."""
+def connected(unknowns: list[list[Any]]) -> list[list[int]]:
+    """Return the places of rows in groups that share unknowns, in order."""
     home: dict[Any, list[int]] = {}
     for k, symbols in enumerate(unknowns):
         merged = [k]
