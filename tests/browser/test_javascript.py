@@ -148,5 +148,40 @@ def test_constants_may_be_called_like_anything_that_objects_have(tmp_path, loade
 def test_a_constant_that_is_no_number_is_named(tmp_path, loaded):
     page = loaded(spring_of("length").export(tmp_path / "spring.js").path)
     said = "(k) => { try { model.bind(k); } catch (error) { return error.message; } }"
-    assert page.evaluate(said, {"length": "2"}) == "constants: length must be a number, got 2"
+    assert (
+        page.evaluate(said, {"length": "2"}) == "constants: length must be a finite number, got 2"
+    )
     assert "constants: no lenght; there are length" in page.evaluate(said, {"lenght": 2})
+
+
+ZERO = "atol must be above 0 where a state begins at 0 or rtol is 0, got rtol {} and atol 0"
+
+
+def test_what_simulate_cannot_use_is_named(tmp_path, loaded):
+    system, bounce = ball()
+    page = loaded(system.export(tmp_path / "ball.js", events=bounce).path)
+    said = """text => {
+        try { return model.simulate(eval(`({ ${text} })`)).status; } catch (e) { return e.message; }
+    }"""
+    for given, message in {
+        "": "times must be an array of at least one number, got undefined",
+        "times: 3": "times must be an array of at least one number, got 3",
+        "times: []": "times must be an array of at least one number, got []",
+        "times: [0, Infinity]": "times must be finite numbers, got Infinity at 1",
+        "times: [0, '1']": "times must be finite numbers, got 1 at 1",
+        "times: [1, 0]": "times must ascend, got 0 after 1 at 1",
+        "times: [0, 1], rtol: -1": "rtol must be finite and not negative, got -1",
+        "times: [0, 1], atol: [1]": "atol must be finite and not negative, got [1]",
+        "times: [0, 1], atol: 0, rtol: 0": ZERO.format("0"),
+        "times: [0, 1], atol: 0, initial: [0, 1]": ZERO.format("1.49012e-8"),
+        "times: [0, 1], maxStep: null": "maxStep must be a positive number, got null",
+        "times: [0, 1], maxSteps: NaN": "maxSteps must be at least 1, got NaN",
+        "times: [0, 1], rtoll: 1": (
+            "there is no option rtoll; there are rtol, atol, maxStep, maxSteps"
+        ),
+        "times: [0, 1], initial: [NaN, 1]": "initial: y must be a finite number, got NaN",
+        "times: [0, 1], initial: 'y'": "initial must be an array or an object, got y",
+        "times: [0, 0, 1], atol: undefined, maxStep: Infinity": "finished",
+        "times: new Float64Array([2]), atol: 0, initial: [1, 1]": "finished",
+    }.items():
+        assert page.evaluate(said, given) == message

@@ -42,6 +42,26 @@ def test_functions_have_the_values_of_the_system(tmp_path):
     np.testing.assert_allclose(of("mass_matrix") @ rates[3:], of("forcing")[:, 0], rtol=1e-12)
 
 
+def test_a_number_for_a_vector_is_refused(tmp_path):
+    names = module(pendulum(), tmp_path)
+    rates, x = names["rates"], np.linspace(0.2, 1.1, 6)
+    r, p = ([*names[key].values()] for key in ("INPUTS", "CONSTANTS"))
+    expected = np.array(rates(0.3, x, r, p))
+    for place in (x[:, None], x[None], x.tolist(), casadi.DM(x)):
+        np.testing.assert_array_equal(rates(0.3, place, r, p), expected)
+    np.testing.assert_array_equal(rates(t=0.3, x=x, r=r, p=p)["rates"], expected)
+    np.testing.assert_array_equal(rates(0.3, np.stack([x, x], 1), r, p), np.hstack([expected] * 2))
+    for given, named, message in (
+        ((0.3, x, r, 2.0), {}, r"rates: p must have \d+ entries, got the shape \(\)"),
+        ((0.3, x, r, p[1:]), {}, "rates: p must have"),
+        ((0.3, 0.0, r, p), {}, "rates: x must have 6 entries"),
+        ((0.3, x, [], p), {}, r"rates: r must have 1 entries, got the shape \(0,\)"),
+        ((), {"x": x, "t": 0.3, "r": r}, r"rates: p must have \d+ entries, got nothing"),
+    ):
+        with pytest.raises(ValueError, match=message):
+            rates(*given, **named)
+
+
 def test_casadi_differentiates_them(tmp_path):
     system = pendulum()
     names = module(system, tmp_path)

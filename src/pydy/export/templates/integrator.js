@@ -15,6 +15,31 @@ function combine(y, x, h, row, stages) {
   }
 }
 
+const above = (least) => (value) => typeof value === "number" && value >= least;
+const tolerance = [(value) => Number.isFinite(value) && value >= 0, "finite and not negative"];
+const OPTIONS = {
+  rtol: tolerance,
+  atol: tolerance,
+  maxStep: [above(Number.MIN_VALUE), "a positive number"],
+  maxSteps: [above(1), "at least 1"],
+};
+
+/** Refuse times and options that no integration ends with, or that it would ignore. */
+function check(times, options) {
+  const shown = (value) => Object.prototype.toString.call(value) === "[object Array]" ? `[${value}]` : String(value);
+  if (!(Array.isArray(times) || ArrayBuffer.isView(times)) || !(times.length > 0))
+    throw new TypeError(`times must be an array of at least one number, got ${shown(times)}`);
+  for (let k = 0; k < times.length; k++) {
+    if (!Number.isFinite(times[k])) throw new RangeError(`times must be finite numbers, got ${shown(times[k])} at ${k}`);
+    if (k > 0 && times[k] < times[k - 1]) throw new RangeError(`times must ascend, got ${times[k]} after ${times[k - 1]} at ${k}`);
+  }
+  for (const [name, value] of Object.entries(options)) {
+    if (!Object.keys(OPTIONS).includes(name)) throw new TypeError(`there is no option ${name}; there are ${Object.keys(OPTIONS).join(", ")}`);
+    const [sound, what] = OPTIONS[name];
+    if (value !== undefined && !sound(value)) throw new RangeError(`${name} must be ${what}, got ${shown(value)}`);
+  }
+}
+
 class Integration {
   /**
    * `system` has `n`, `rates(t, x, out)`, which returns whether it failed, `events` or null and
@@ -22,9 +47,12 @@ class Integration {
    */
   constructor(system, method, times, x0, onRow, options = {}) {
     const { n } = system;
+    check(times, options);
     Object.assign(this, { system, method, times, onRow, n });
     const { rtol = 1.49012e-8, atol = 1.49012e-8, maxStep = Infinity, maxSteps = 1e7 } = options;
     Object.assign(this, { rtol, atol, maxStep, maxSteps });
+    if (atol === 0 && Array.from(x0).some((value) => value * rtol === 0))
+      throw new RangeError(`atol must be above 0 where a state begins at 0 or rtol is 0, got rtol ${rtol} and atol 0`);
     this.count = method.stages.length;
     const vector = () => new Float64Array(n);
     this.x = Float64Array.from(x0);

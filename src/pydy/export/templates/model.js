@@ -11,18 +11,24 @@ const eventNames = /*EVENTS*/;
 const allResets = new Float64Array(eventNames.names.length * info.states.length);
 const defaults = (variables) => Float64Array.from(variables, (one) => one.value);
 
+function numeric(value, key, what) {
+  if (!Number.isFinite(value)) throw new TypeError(`${what}: ${key} must be a finite number, got ${value}`);
+}
+
 /** Take an array, an object of values by identifier or name, or nothing for the defaults. */
 function ordered(given, variables, what) {
   const values = defaults(variables);
   if (given === undefined || given === null) return values;
   if (Array.isArray(given) || ArrayBuffer.isView(given)) { // an object may have a constant `length`
     if (given.length !== values.length) throw new RangeError(`${what}: expected ${values.length} numbers, got ${given.length}`);
+    for (let k = 0; k < given.length; k++) numeric(given[k], variables[k].id, what);
     return Float64Array.from(given);
   }
+  if (typeof given !== "object") throw new TypeError(`${what} must be an array or an object, got ${given}`);
   for (const [key, value] of Object.entries(given)) {
     const k = variables.findIndex((one) => one.id === key || one.name === key);
     if (k < 0) throw new RangeError(`${what}: no ${key}; there are ${variables.map((one) => one.id).join(", ")}`);
-    if (typeof value !== "number") throw new TypeError(`${what}: ${key} must be a number, got ${value}`);
+    numeric(value, key, what);
     values[k] = value;
   }
   return values;
@@ -64,11 +70,12 @@ const self = {
    * default to what they were in Python. Returns `times`, `states` (a row for each time, NaN after a
    * terminal event), `status`, `events` and counts.
    */
-  simulate({ times, initial, inputs, constants, ...options }) {
-    const n = info.states.length, states = Array.from(times, () => new Float64Array(n).fill(NaN));
+  simulate({ times, initial, inputs, constants, ...options } = {}) {
+    const n = info.states.length, states = [];
     bind(constants);
     const x0 = ordered(initial, info.states, "initial"), r = ordered(inputs, info.inputs, "inputs");
     const run = self.integration(times, x0, r, (k, t, x) => states[k].set(x), options);
+    for (let k = 0; k < times.length; k++) states.push(new Float64Array(n).fill(NaN));
     run.advance();
     const { status, steps, rejected, evaluations } = run;
     const events = run.records.map((one) => ({ time: one.time, name: eventNames.names[one.index] }));
