@@ -4,6 +4,7 @@ import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
 
+from pydy._mechanics.definition import equations_of_definition
 from pydy._mechanics.kane import equations_of_kane
 from pydy._mechanics.potential import _Search, find_potential
 from pydy.mechanics import Definition
@@ -330,3 +331,70 @@ def test_a_spring_between_bodies_with_quaternions_has_that_of_its_length():
     found = find_potential(System(definition)._equations)
     assert not found.unknown
     assert differs_by_a_constant(found.expression, 1.5 * (spring.pathway.length - 1.1) ** 2)
+
+
+@pytest.mark.parametrize("power", [1, 3])
+def test_a_spring_around_pegs_has_that_of_its_whole_length(power):
+    """Along two segments that change and two that do not, by a law of all of them."""
+    q, u = me.dynamicsymbols("q1:4"), me.dynamicsymbols("u1:4")
+    fixed, base, bodies, ends = me.ReferenceFrame("N"), me.Point("O"), [], []
+    base.set_vel(fixed, 0)
+    frame = fixed
+    for k, name in enumerate("zzx"):
+        link, axis = me.ReferenceFrame(f"L{k}"), getattr(frame, name)
+        link.orient_axis(frame, axis, q[k])
+        link.set_ang_vel(frame, u[k] * axis)
+        for n, (x, y) in enumerate([(1, 2), (3, 1)]):
+            peg = base.locatenew(f"E{k}{n}", (x * link.x + y * link.y) / 5)
+            peg.v2pt_theory(base, fixed, link)
+            ends.append(peg)
+        tip = base.locatenew(f"P{k}", link.x)
+        tip.v2pt_theory(base, fixed, link)
+        bodies.append(me.RigidBody(f"b{k}", tip, link, M, (me.inertia(link, 1, 2, 3), tip)))
+        base, frame = tip, link
+    path = me.ObstacleSetPathway(*ends)
+    spring = me.ForceActuator(-K * (path.length - L) ** power, path)
+    system = System(Definition(fixed, q, u, bodies=bodies, loads=[spring]), {M: 1.0, K: 3, L: 0.5})
+    states = [[0.3, 0.4, 0.2, 0, 0, 0], [-0.5, 0.7, 1.1, 0, 0, 0]]
+    found = [system.evaluate_energy(x).potential for x in states]
+    lengths = [float(path.length.subs(dict(zip(q, x, strict=False)))) for x in states]
+    a, b = (3 * (length - 0.5) ** (power + 1) / (power + 1) for length in lengths)
+    assert found[0] - found[1] == pytest.approx(a - b, rel=1e-12)
+
+
+def test_rates_are_looked_at_once_for_all_loads(monkeypatch):
+    """Torques that align two bodies have very many terms; each took new derivatives of all q'."""
+    q, u = me.dynamicsymbols("q1:7"), me.dynamicsymbols("u1:7")
+    fixed, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(fixed, 0)
+    frames, rates, bodies = [], [], []
+    for k in (0, 3):
+        frame = me.ReferenceFrame(f"B{k}")
+        frame.orient_body_fixed(fixed, q[k : k + 3], "XYZ")
+        follows = frame.ang_vel_in(fixed)
+        frame.set_ang_vel(
+            fixed, sum((a * b for a, b in zip(u[k:], frame, strict=False)), 0 * frame.x)
+        )
+        rates += [follows.dot(a) - b for a, b in zip(frame, u[k:], strict=False)]
+        inertia = me.inertia(frame, 1, 2, 3), origin
+        bodies.append(me.RigidBody(f"b{k}", origin, frame, 1, inertia))
+        frames.append(frame)
+    torque = K * frames[0].x.cross(frames[1].x)
+    loads = [(frames[0], torque), (frames[1], -torque)]
+    definition = Definition(fixed, q, u, bodies=bodies, loads=loads, kinematic_equations=rates)
+    made = []
+
+    def spied(*args):
+        made.append(args)
+        return sm.Matrix(*args)
+
+    monkeypatch.setattr("pydy._mechanics.potential.sm", _With(sm, Matrix=spied))
+    assert find_potential(equations_of_definition(definition)).unknown
+    assert len(made) == 3
+
+
+class _With:
+    """A module with some names of one's own."""
+
+    def __init__(self, module, **own):
+        self.__dict__.update(vars(module) | own)

@@ -26,6 +26,7 @@ import sympy as sm
 from sympy.physics.mechanics import Point, ReferenceFrame, Vector
 
 from pydy._errors import UnsupportedFunctionError
+from pydy._forks import cached_property
 from pydy._graph.derivative import dense_jacobian
 from pydy._graph.node import Graph
 from pydy._graph.rounding import rounding_bounds
@@ -209,7 +210,7 @@ class _Search:
     # -- forces between two points ----------------------------------------------------------------
 
     def _radial(self, loads: Sequence[tuple[Any, Any]]) -> list[tuple[Any, Any]]:
-        """Take forces along the line between two points; return the other loads."""
+        """Take forces along the lines between two points, or several; return the other loads."""
         rest: list[tuple[Any, Any]] = []
         opposite = _opposite([vector for _, vector in loads], self.turns)
         places_in_rest: list[int] = []
@@ -222,7 +223,50 @@ class _Search:
             elif not any(self._pair(where, other, vector) for other in others):
                 rest.append((where, vector))
                 places_in_rest.append(number)
-        return rest
+        opposites = [[opposite(i, j) for j in places_in_rest] for i in places_in_rest]
+        return self._pathways(rest, opposites)
+
+    def _pathways(
+        self, loads: list[tuple[Any, Any]], opposites: Sequence[Sequence[bool]]
+    ) -> list[tuple[Any, Any]]:
+        """Take what pulls alike in all segments of a pathway, by its length; return the others."""
+        segments: list[tuple[int, int, Any, Any]] = []  # two loads, the force by its line, L²
+        for j in range(len(loads)):
+            used = {i for pair in segments for i in pair[:2]}
+            for i in range(j):
+                (one, _), (two, force) = loads[i], loads[j]
+                points = isinstance(one, Point) and isinstance(two, Point)
+                if points and opposites[j][i] and i not in used and one != two:
+                    line = two.pos_from(one)
+                    if (ratio := _ratio(force, line, self.turns)) is not None:
+                        segments.append((i, j, ratio, line.dot(line)))
+                        break
+        tensions = [ratio * sm.sqrt(square) for _, _, ratio, square in segments]
+        values = _numbers(tensions, self.turns) if tensions else np.zeros((1, 0))
+        taken: set[int] = set()
+        for k in range(len(segments)):
+            alike = np.abs(values - values[:, [k]]) <= ROUNDED * np.abs(values[:, [k]])
+            own = [segments[n] for n in np.flatnonzero(alike.all(axis=0))]
+            if len(own) > 1 and taken.isdisjoint(ends := {i for pair in own for i in pair[:2]}):
+                power = sm.Add(*(self._power(*loads[i]) for i in sorted(ends)))
+                energy = self._of_length([pair[2:] for pair in own])
+                if energy is not None and self._is_sound(energy, [power]):
+                    self._take(energy, power)
+                    taken |= ends
+        return [load for i, load in enumerate(loads) if i not in taken]
+
+    def _of_length(self, segments: Sequence[tuple[Any, Any]]) -> Any:
+        """Return the energy of what pulls in segments, if that depends on their lengths' sum."""
+        lengths = {sm.Dummy("L", positive=True): square for _, square in segments}
+        law, (first, *others) = segments[0][0], lengths
+        for length, square in lengths.items():
+            law = _in_terms_of(law, square, length, self.turns)
+        law = replace_symbols(law * first, dict.fromkeys(others, sm.S.Zero))
+        if not self._is_constant(law):
+            law = sm.signsimp(law)
+        energy = _integral(-law, first) if self._is_constant(law) else None
+        whole = sm.Add(*map(sm.sqrt, lengths.values()))
+        return None if energy is None else replace_symbols(energy, {first: whole})
 
     def _pair(self, point: Any, other: Any, force: Vector) -> bool:
         """Take a force on `point` that pulls to or pushes from `other`, by their distance alone."""
@@ -236,8 +280,9 @@ class _Search:
         if ratio is None:
             return False
         square = line.dot(line)
-        if self._is_constant(square):
-            return False
+        if self._is_constant(square):  # it does no work: both are points of one body, say
+            self._take(sm.S.Zero, self._power(point, force))
+            return True
         distance = sm.Dummy("L", positive=True)
         law = _in_terms_of(ratio, square, distance, self.turns) * distance
         if not self._is_constant(law):  # a - b beside b - a, say
@@ -339,11 +384,8 @@ class _Search:
 
     def _along_rate(self, power: Any) -> Any:
         """Return minus the integral of a force times the rate of one coordinate, or None."""
-        equations = self.equations
-        rates = zip(equations.coordinates, equations.coordinate_derivatives, strict=True)
-        for c, rate in rates:
-            u = next((u for u in equations.speeds if rate.diff(u).is_number and rate.diff(u)), None)
-            force = power.diff(u) / rate.diff(u) if u is not None else sm.S.Zero
+        for c, u, slope in self._single:
+            force = power.diff(u) / slope
             if force == 0 or not self._is_constant(force.xreplace({c: sm.S.One})):
                 continue
             x = sm.Dummy(c.func.__name__, real=True)
@@ -389,24 +431,38 @@ class _Search:
 
         Those are the speeds themselves, or Dummies where rates are constant combinations of them.
         """
-        power, speeds = sm.Add(*powers), self.equations.speeds
-        q_dot = self.equations.coordinate_derivatives
+        in_rates, coordinates = self._in_rates
+        return replace_symbols(sm.Add(*powers), in_rates), coordinates
+
+    @cached_property
+    def _in_rates(self) -> tuple[dict[Any, Any], dict[Any, Any]]:
+        """The speeds in symbols for the rates of coordinates, and the coordinate of each."""
+        speeds, q_dot = self.equations.speeds, self.equations.coordinate_derivatives
         rates = dict(zip(self.equations.coordinates, q_dot, strict=True))
         plain = {rate: c for c, rate in rates.items() if rate in speeds}
         mixed = find_symbols(rate for rate in rates.values() if rate not in speeds)
         own = [u for u in speeds if u in mixed]
         rows = {c: rate for c, rate in rates.items() if rate in own or rate not in speeds}
         if not own or len(own) != len(rows):
-            return power, plain
+            return {}, plain
         slopes = sm.Matrix([[rate.diff(u) for u in own] for rate in rows.values()])
         rest = sm.Matrix(list(rows.values())) - slopes * sm.Matrix(own)
         linear = all(self._is_constant(c) for c in slopes) and not any(map(sm.expand, rest))
         if not linear or slopes.det() == 0:
-            return power, plain
+            return {}, plain
         found = {sm.Dummy(str(c)): c for c in rows}
-        in_rates = zip(own, slopes.LUsolve(sm.Matrix(list(found))), strict=True)
-        power = replace_symbols(power, dict(in_rates))
-        return power, {**{u: c for u, c in plain.items() if u not in own}, **found}
+        in_rates = dict(zip(own, slopes.LUsolve(sm.Matrix(list(found))), strict=True))
+        return in_rates, {**{u: c for u, c in plain.items() if u not in own}, **found}
+
+    @cached_property
+    def _single(self) -> list[tuple[Any, Any, Any]]:
+        """The coordinates with a speed that their rates are a number times, beside what else."""
+        found = []
+        rates = self.equations.coordinate_derivatives
+        for c, rate in zip(self.equations.coordinates, rates, strict=True):
+            slopes = ((u, rate.diff(u)) for u in self.equations.speeds)
+            found += [(c, u, slope) for u, slope in slopes if slope.is_number and slope][:1]
+        return found
 
     def _antiderivative(self, powers: Sequence[Any]) -> Any:
         """Return minus the integral of the work, one coordinate after the other, or None."""
