@@ -452,3 +452,41 @@ def test_a_swing_that_only_just_reaches_a_wall_hits_it(depth):
     (closes,) = motion.events
     assert closes.time == pytest.approx(hit, abs=1e-7)
     assert closes.after[1] == pytest.approx(0.5 * math.sin(hit), rel=1e-4)
+
+
+@pytest.mark.parametrize("solver", ["dop853", "radau"])
+@pytest.mark.parametrize(("rate", "excess"), [(7.0, 1e-2), (33.0, 1e-4), (61.0, 1e-6)])
+def test_a_block_that_a_load_holds_until_it_exceeds_friction(solver, rate, excess):
+    """Its states do not change before: only the load tells how long a step may be."""
+    P = O.locatenew("P", x * N.x)
+    P.set_vel(N, vx * N.x)
+    push = (1 + excess) * sm.sin(rate * me.dynamicsymbols._t)
+    system = System(
+        Definition(N, [x], [vx], bodies=[me.Particle("P", P, 1)], loads=[(P, push * N.x)]),
+        ode_solver=solver, times=[0.0, 1.5],
+    )  # fmt: skip
+    motion = Contacts(system, [Stick(vx, mu=1, normal=1)]).simulate()
+    first = math.asin(1 / (1 + excess)) / rate
+    assert motion.events[0].name == "friction slips"
+    assert abs(motion.events[0].time - first) < 1e-9
+
+
+@pytest.mark.parametrize("rate", [5.0, 14.93, 36.5, 59.0])
+@pytest.mark.parametrize("unit", [1.0, 1e-9, 1e9])
+def test_a_wall_that_moves_by_time_alone_is_hit(rate, unit):
+    """Free flight has no error: the wall alone tells how long a step may be."""
+    P = O.locatenew("P", x * N.x)
+    P.set_vel(N, vx * N.x)
+    wall = sm.Float(0.05 * unit) * sm.sin(rate * me.dynamicsymbols._t)
+    system = System(
+        Definition(N, [x], [vx], bodies=[me.Particle("P", P, 1)]),
+        ode_solver="dop853", times=[0.0, 6.0],
+        initial_conditions={x: 0.4 * unit, vx: -0.3 * unit},
+    )  # fmt: skip
+    tight = {"rtol": 1e-10, "atol": 1e-10 * unit}
+    motion = Contacts(system, [Unilateral(x - wall, restitution=0.5)]).simulate(**tight)
+    # On a grid that is fine enough, the first place where the wall has come past the particle.
+    times = np.linspace(0.0, 6.0, num=600001)
+    passed = times[np.argmax(0.4 - 0.3 * times < 0.05 * np.sin(rate * times))]
+    assert 0 <= passed - motion.events[0].time <= 1e-5
+    assert motion.statistics["steps"] < 300

@@ -177,6 +177,54 @@ def test_an_event_is_found_that_another_sees_before_its_sign_returns(solver):
         close(moments(info), [1.5 * np.pi - np.arccos(1 - depth)], 1e-6)
 
 
+def crossings(level, rate, end, lag=0.0):
+    """When sin(rate t − lag) passes a level between 0 and 1, both ways."""
+    turns = 2 * np.pi * np.arange(rate * end / 6 + 2)
+    found = np.concatenate([np.arcsin(level) + turns, np.pi - np.arcsin(level) + turns]) + lag
+    return np.sort(found[found < rate * end]) / rate
+
+
+@pytest.mark.parametrize("solver", ADAPTIVE)
+@pytest.mark.parametrize("rate", [3.0, 24.92, 58.6])
+def test_what_time_changes_beside_the_states_is_resolved(solver, rate):
+    """Nothing acts on the particle: the error control alone would let its steps be of any size.
+
+    The log of events is full several times, too, between two crossings in one quarter of a step.
+    """
+    at_rest = {"constants": {M: 1.3, G: 0.0}, "times": [0.0, 9.0]}
+    events = [
+        Event(sm.sin(rate * T) - sm.Float("0.9999"), name="high"),
+        Event(Z * sm.sin(rate * T - 1) - sm.Float("0.3"), name="wall"),
+    ]
+    _, info = run(ball(solver, **at_rest), events)
+    close(moments(info, "high"), crossings(0.9999, rate, 9.0), 1e-9)
+    close(moments(info, "wall"), crossings(0.3, rate, 9.0, 1.0), 1e-9)
+    assert info["steps"] + info["rejected"] < 30 * rate
+
+
+@pytest.mark.parametrize("solver", ["dop853", "radau"])
+def test_what_a_function_of_time_changes_is_resolved(solver):
+    held = ball(solver, constants={M: 1.0, G: 1.0}, times=[0.0, 2.0])
+    held.specifieds = {PUSH: lambda x, t: 1.0 + 1e-9 * np.sin(40.0 * t)}
+    _, info = run(held, [Event((PUSH - 1) * 10**9 - sm.Float("0.999"))])
+    close(moments(info), crossings(0.999, 40.0, 2.0), 1e-6)
+
+
+def test_a_jump_that_no_step_resolves_is_passed():
+    times = np.linspace(0.0, 2.0, num=21)
+    values = np.where(np.arange(21) % 2, 1e-3, 1.0)
+    push = SampledInput(times, values, interpolation="previous")
+    _, info = run(ball(specifieds={PUSH: push}), [Event(PUSH - sm.Float("1e-4"))])
+    assert len(info["events"]) == 0
+    assert info["steps"] + info["rejected"] < 2500
+
+
+def test_what_time_changes_beside_the_states_may_be_rounding():
+    flat = Event((T + Z) - (Z + T) + 0 * PUSH + 1e-17 * sm.sin(40 * T) + sm.Float("1e-16"))
+    _, info = run(ball(constants={M: 1.3, G: 0.0}, times=[0.0, 100.0]), [flat])
+    assert info["steps"] + info["rejected"] < 3000
+
+
 @pytest.mark.parametrize("solver", ADAPTIVE)
 def test_events_at_the_same_instant_all_happen(solver):
     events = [Event(Z - 0.5, name="a"), Event(2 * Z - 1, name="b"), Event(0.5 - Z, name="c")]

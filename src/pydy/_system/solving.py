@@ -89,9 +89,12 @@ def compile_events(
     graph = assembly.graph
     nodes = assembly.read(expressions, "the events")
 
-    def moves(node: int) -> bool:
-        inputs = [graph.args[n] for n in graph.reachable([node]) if graph.ops[n] == "input"]
-        return any(group != "p" for group, _ in inputs)
+    groups = [
+        {graph.args[n][0] for n in graph.reachable([node]) if graph.ops[n] == "input"}
+        for node in nodes
+    ]
+    # What time changes beside the states, which are all that the error control sees.
+    driven = tuple(e for e, own in zip(expressions, groups, strict=True) if own & {"t", "r"})
 
     def resets() -> Program:
         own, after = model.assembly.fork(), []
@@ -106,7 +109,7 @@ def compile_events(
         names=tuple(event.name for event in events),
         directions=tuple(event.direction for event in events),
         terminal=tuple(bool(event.terminal) for event in events),
-        constant=tuple(not moves(node) for node in nodes),
+        constant=tuple(not own - {"p"} for own in groups),
         values=model.compiled_expressions("the events", (len(nodes),), expressions),
         rates=model.compiled_by(
             ("rates and bounds of the events", *expressions),
@@ -115,6 +118,11 @@ def compile_events(
         resetting=resetting,
         resets=model.compiled_by(key, resets) if any(resetting) else None,
         sources=events,
+        driven=model.compiled_by(
+            ("events that time changes", *driven), lambda: _bounded_program(model.assembly, driven)
+        )
+        if driven
+        else None,
     )
 
 
@@ -137,6 +145,15 @@ def event_rates_program(
         return own.lowered(blocks, graph)
     blocks.append(("bounds", (len(nodes),), rounding_bounds(graph, nodes)))
     return lower(graph, own.sizes, blocks)
+
+
+def _bounded_program(assembly: Assembly, expressions: Sequence[Any]) -> Program:
+    """Return the Program of events' expressions, and of bounds on their roundings behind them."""
+    own = assembly.fork()
+    nodes = own.read(expressions, "the events")
+    size = (len(nodes),)
+    blocks = [("events", size, nodes), ("bounds", size, rounding_bounds(own.graph, nodes))]
+    return own.lowered(blocks, own.graph)
 
 
 def event_bounds_program(assembly: Assembly, expressions: Sequence[Any]) -> Program:

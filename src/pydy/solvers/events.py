@@ -45,7 +45,9 @@ class Event:
     Notes
     -----
     Signs are compared at the ends of four parts of each step: an expression that only touches zero,
-    or crosses and returns within such a part, is not detected. Where an expression that had a sign
+    or crosses and returns within such a part, is not detected. One that time changes beside the
+    states, by itself or through specifieds, shortens the steps of methods with step-size control
+    where it may do so. Where an expression that had a sign
     becomes NaN, as ``sqrt(q)`` does where q passes zero, the integration ends with an error; one
     that is NaN at first is watched from where it is a number on.
 
@@ -136,6 +138,8 @@ class CompiledEvents:
     resetting: tuple[bool, ...]  # whether the states change at each
     resets: Kernel | None  # the states after each event, one below the other; None: no event resets
     sources: tuple[Event, ...] = ()  # what they were compiled from
+    # the expressions that hold time or specifieds, and bounds on their roundings; None: no event
+    driven: Kernel | None = None
 
 
 def crowd(records: Sequence[EventRecord], event: int, number: int, t: float, span: float) -> bool:

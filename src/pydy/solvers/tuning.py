@@ -13,6 +13,13 @@ LANES = BLOCK
 ROUNDING = _rank.ROUNDING
 """The distance from 1.0 to the next float."""
 
+HALF = _rank.HALF
+"""Half of the digits."""
+
+INSTANT = 64.0
+"""Times that differ by so many roundings are the same instant: no step is shorter for an event that
+jumps there."""
+
 ROUNDINGS = 8.0
 """The largest residual of a constraint that is satisfied, in units of its rounding bound."""
 

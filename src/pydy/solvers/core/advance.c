@@ -130,11 +130,11 @@ ENTRY int64_t advance(const Run *run, double *flat, int64_t fresh)
                 return code < 0 ? CALLBACK : STEP_UNDERFLOW;
             }
             code = finish_step(run, s, t, size, flat);
-            if (code == CONSTRAINTS_NOT_MET && adaptive && !watched) {
+            if (code == UNRESOLVED || (code == CONSTRAINTS_NOT_MET && adaptive && !watched)) {
                 count[STEPS] -= 1;
                 run->steps.words.at[KEPT] -= 1;
                 count[REJECTED] += 1;
-                count[FAILURE] = CONSTRAINTS_NOT_MET, state[GROWTH] = 1.0;
+                count[FAILURE] = code == UNRESOLVED ? STEP_UNDERFLOW : code, state[GROWTH] = 1.0;
                 h = shorter_size(control, size, error, 0);
                 continue;
             }

@@ -194,11 +194,11 @@ int64_t advance_implicit(const Run *run, double *flat, int64_t fresh)
         keep_step(run, run->method.shape.at[DEPTH], t, size, after);
         if (watched || times[count[NEXT]] <= after) {
             code = finish_step(run, s, t, size, flat);
-            if (code == CONSTRAINTS_NOT_MET && !watched) {
+            if (code == UNRESOLVED || (code == CONSTRAINTS_NOT_MET && !watched)) {
                 count[STEPS] -= 1;
                 run->steps.words.at[KEPT] -= 1;
                 count[REJECTED] += 1;
-                count[FAILURE] = CONSTRAINTS_NOT_MET, h = AFTER_FAILURE * size;
+                count[FAILURE] = code == UNRESOLVED ? STEP_UNDERFLOW : code, h = AFTER_FAILURE * size;
                 words[FIRST] = 1, words[WANTED] = 1 - words[FRESH], sizes[PREDICTING] = 0.0;
                 continue;
             }

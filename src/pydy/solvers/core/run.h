@@ -95,7 +95,7 @@ INLINE int64_t interpolate_outputs(const Run *run, const Stepper *s, double t, d
 
 /* Look for events, then write the outputs due, up to the event that ends the step if one does.
 
-   Not zero: why the integration stops here. It is ready to start again, at the event if it was
+   Not zero: why the integration stops here, or the step is too long. It is ready to start again, at the event if it was
    one, where memory.x then is the state. */
 INLINE int64_t finish_step(const Run *run, const Stepper *s, double t, double h, double *flat)
 {
@@ -104,6 +104,10 @@ INLINE int64_t finish_step(const Run *run, const Stepper *s, double t, double h,
     int64_t status = 0;
     if (run->watch.words.at[EVENTS] > 0) {
         status = ((Scan *)run->watch.words.at[SCAN])(run, t, h);
+        if (status == UNRESOLVED) {
+            state[TIME] = t;
+            return status;
+        }
         theta = state[FOUND];
     }
     const double end = theta == 1.0 ? state[TIME] : t + theta * h;

@@ -72,28 +72,117 @@ INLINE int64_t called_back(const Run *run, int64_t logged)
     return CALLBACK;
 }
 
-/* Note an event, where a log is kept; 0 when that is full. */
-INLINE int log_event(const Run *run, double t, int64_t event)
+/* Note an event, where a log is kept. */
+INLINE void log_event(const Run *run, double t, int64_t event)
 {
     const Watch *w = &run->watch;
     const int64_t line = run->progress.counts.at[LOGGED], n = run->problem.words.at[STATES];
     if (w->log_times.size == 0)
-        return 1;
-    if (line == w->log_times.size)
-        return 0;
+        return;
     w->log_times.at[line] = t;
     w->log_events.at[line] = event;
     for (int64_t i = 0; i < n; i++)
         w->log_states.at[line * w->log_states.columns + i] = w->trial.at[i];
     run->progress.counts.at[LOGGED] = line + 1;
-    return 1;
+}
+
+/* Where an expression is fitted, at quarters of a step, and where it is compared with the fit between
+   them: no oscillation looks slow at all of these, whose ratios are irrational. */
+static const double PLACES[SAMPLES] = {0.0, 0.25 * 0.3819660112501051, 0.25, 0.25 * 1.4142135623730951, 0.5,
+    0.25 * 2.4494897427831781, 0.75, 0.25 * 3.6457513110645906, 1.0};
+
+/* Return the polynomial through the samples at quarters. */
+INLINE double fit(const double *samples, int64_t apart, double place)
+{
+    double value = 0.0;
+    for (int k = 0; k < SAMPLES; k += 2) {
+        double weight = 1.0;
+        for (int i = 0; i < SAMPLES; i += 2)
+            if (i != k)
+                weight *= (place - PLACES[i]) / (PLACES[k] - PLACES[i]);
+        value += weight * samples[k * apart];
+    }
+    return value;
+}
+
+/* Tell whether an expression may cross zero and return within a quarter of the step.
+
+   As far as it is known, to `error`, it may between samples that are near zero and near each other,
+   and where it is extreme. It surely does where it has another sign than at the quarters around, or
+   the fit has, beyond `rounding`. */
+INLINE int may_return(const double *samples, int64_t apart, double error, double rounding)
+{
+    for (int j = 1; j < SAMPLES; j++) {
+        const double a = samples[(j - 1) * apart], b = samples[j * apart];
+        const double nearest = minimum(absolute(a), absolute(b));
+        if (a * b >= 0.0 && error > rounding && nearest <= error && absolute(a - b) <= 2.0 * error)
+            return 1;
+        if (j + 1 == SAMPLES)
+            return 0;
+        const double c = samples[(j + 1) * apart], side = a + c < 0.0 ? -1.0 : 1.0;
+        if (a * c < 0.0)
+            continue;
+        if (side * b < 0.0) {
+            if (j % 2 && absolute(b) > rounding)
+                return 1;
+            continue;
+        }
+        const double before = PLACES[j] - PLACES[j - 1], after = PLACES[j + 1] - PLACES[j];
+        const double left = (b - a) / before, right = (c - b) / after, both = before + after;
+        const double slope = (left * after + right * before) / both;
+        const double place = PLACES[j] - 0.5 * slope * both / (right - left);
+        if (!(place >= PLACES[j - 1] && place <= PLACES[j + 1]))
+            continue;
+        const double least = side * fit(samples, apart, place);
+        if (least < -rounding || (error > rounding && least <= error))
+            return 1;
+    }
+    return 0;
+}
+
+/* Tell whether the step is too long for what time changes beside the states: the error control,
+   which sees these alone, lets a step of free flight be as long as one likes above a floor that
+   oscillates.
+
+   A jump is not resolved by any step, and passes once the step is as short as times can be told. */
+APART int64_t unresolved(const Run *run, const Stepper *s, double t, double h)
+{
+    const Watch *w = &run->watch;
+    const Problem *p = &run->problem;
+    const int64_t apart = w->driven.columns, number = apart / 2;
+    const double span = run->progress.times.at[run->progress.times.size - 1] - run->progress.times.at[0];
+    if (h <= INSTANT * ROUNDING * maximum(absolute(t + h), span))
+        return 0;
+    for (int j = 0; j < SAMPLES; j++) {
+        interpolate(s, PLACES[j], w->trial.at);
+        set_inputs(p, t + PLACES[j] * h);
+        if (call_kernel(w->words.at[DRIVER], p->clock.at, w->trial.at, p->r.at, w->driven_c.at,
+                w->driven.at + j * apart)
+            < 0)
+            return CALLBACK;
+    }
+    for (int64_t k = 0; k < number; k++) {
+        const double *samples = w->driven.at + k;
+        double size = 0.0, bound = 0.0, error = 0.0;
+        for (int j = 0; j < SAMPLES; j++) {
+            size = maximum(size, absolute(samples[j * apart]));
+            bound = maximum(bound, samples[j * apart + number]);
+            if (j % 2)
+                error = maximum(error, absolute(samples[j * apart] - fit(samples, apart, PLACES[j])));
+        }
+        const double rounding = ROUNDINGS * ROUNDING * bound;
+        if (may_return(samples, apart, error > HALF * size ? 2.0 * error : 0.0, rounding))
+            return UNRESOLVED;
+    }
+    return 0;
 }
 
 /* Look for events in the step just taken.
 
-   Returns EVENT when an acting event ends it, LOG_FULL when the log has to be emptied first, CALLBACK
+   Returns EVENT when an acting event ends it, LOG_FULL when the log has to be emptied, CALLBACK
    when a Python function raised something, EVENT_UNDEFINED where an expression that had a sign becomes
-   NaN, or 0; state[FOUND] is the theta up to which the step counts. */
+   NaN, UNRESOLVED when the step has to be shorter, or 0; state[FOUND] is the theta up to which the step
+   counts. */
 ENTRY int64_t scan_events(const Run *run, double t, double h)
 {
     const Stepper stepper = STEPPER(run), *s = &stepper;
@@ -104,6 +193,13 @@ ENTRY int64_t scan_events(const Run *run, double t, double h)
     int64_t *sides = w->sides.at, *fired = w->fired.at, *counts = run->progress.counts.at;
     const int64_t logged = counts[LOGGED];
     double left = 0.0, *state = run->progress.state.at;
+    if (w->driven.size > 0) {
+        const int64_t code = unresolved(run, s, t, h);
+        if (code == CALLBACK)
+            return called_back(run, logged);
+        if (code != 0)
+            return code;
+    }
     for (int quarter = 1; quarter <= PARTS; quarter++) {
         const double right = (double)quarter / PARTS;
         if (probe(run, s, t, h, right, 0) < 0)
@@ -162,10 +258,7 @@ ENTRY int64_t scan_events(const Run *run, double t, double h)
             for (int64_t k = 0; k < number; k++) {
                 if (fired[k] == 0)
                     continue;
-                if (!log_event(run, t + first * h, k)) {
-                    state[FOUND] = first;
-                    return LOG_FULL;
-                }
+                log_event(run, t + first * h, k);
                 sides[k] = -sides[k];
             }
             if (undefined >= 0) {
@@ -173,6 +266,10 @@ ENTRY int64_t scan_events(const Run *run, double t, double h)
                     fired[k] = k == undefined;
                 state[FOUND] = first;
                 return EVENT_UNDEFINED;
+            }
+            if (w->log_times.size > 0 && counts[LOGGED] + number > w->log_times.size) {
+                state[FOUND] = first;
+                return LOG_FULL;
             }
             left = first;
         }

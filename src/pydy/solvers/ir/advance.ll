@@ -1,4 +1,4 @@
-; sources e26e749c4934fb3f0970f9bcb360e7366d0c66e5aa8216792a767d87f19453f6
+; sources 903552da59d5513971a3651d30e68bf0a6b355d8f21b1363fb00b6350360a4f1
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
@@ -28,7 +28,7 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
 
 20:                                               ; preds = %16
   %21 = getelementptr inbounds i8, ptr %0, i64 576
-  %22 = getelementptr inbounds i8, ptr %0, i64 984
+  %22 = getelementptr inbounds i8, ptr %0, i64 1032
   br label %41
 
 23:                                               ; preds = %14, %23
@@ -53,7 +53,7 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
 
 38:                                               ; preds = %34
   %39 = getelementptr inbounds i8, ptr %0, i64 600
-  %40 = getelementptr inbounds i8, ptr %0, i64 1008
+  %40 = getelementptr inbounds i8, ptr %0, i64 1056
   br label %51
 
 41:                                               ; preds = %20, %41
@@ -94,7 +94,7 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
   %70 = getelementptr inbounds i8, ptr %69, i64 56
   %71 = load i64, ptr %70, align 8
   %72 = icmp eq i64 %71, 0
-  br i1 %72, label %1489, label %73
+  br i1 %72, label %1495, label %73
 
 73:                                               ; preds = %61
   %74 = getelementptr inbounds i8, ptr %0, i64 624
@@ -173,7 +173,7 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
   store i64 3, ptr %135, align 8
   %136 = icmp slt i32 %132, 0
   %137 = select i1 %136, i64 -4, i64 2
-  br label %1489
+  br label %1495
 
 138:                                              ; preds = %123
   store i64 1, ptr %69, align 8
@@ -237,7 +237,7 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
   %179 = getelementptr inbounds i8, ptr %178, i64 48
   store i64 %177, ptr %179, align 8
   %180 = icmp eq i64 %177, %147
-  br i1 %180, label %1489, label %181
+  br i1 %180, label %1495, label %181
 
 181:                                              ; preds = %176
   %182 = fcmp oeq double %108, 0.000000e+00
@@ -434,7 +434,7 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
   br i1 %337, label %424, label %338
 
 338:                                              ; preds = %334
-  %339 = getelementptr inbounds i8, ptr %0, i64 1032
+  %339 = getelementptr inbounds i8, ptr %0, i64 1080
   %340 = getelementptr inbounds i8, ptr %69, i64 8
   %341 = getelementptr inbounds i8, ptr %69, i64 16
   %342 = getelementptr inbounds i8, ptr %69, i64 64
@@ -480,8 +480,8 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
   %382 = getelementptr inbounds i8, ptr %0, i64 192
   %383 = getelementptr inbounds i8, ptr %0, i64 216
   %384 = getelementptr inbounds i8, ptr %65, i64 32
-  %385 = getelementptr inbounds i8, ptr %0, i64 1056
-  %386 = getelementptr inbounds i8, ptr %0, i64 1072
+  %385 = getelementptr inbounds i8, ptr %0, i64 1104
+  %386 = getelementptr inbounds i8, ptr %0, i64 1120
   %387 = getelementptr inbounds i8, ptr %69, i64 48
   %388 = getelementptr inbounds i8, ptr %0, i64 320
   %389 = getelementptr inbounds i8, ptr %0, i64 480
@@ -504,33 +504,33 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
   %406 = getelementptr inbounds i8, ptr %0, i64 408
   %407 = getelementptr inbounds i8, ptr %0, i64 360
   %408 = getelementptr inbounds i8, ptr %0, i64 408
-  %409 = getelementptr inbounds i8, ptr %69, i64 72
+  %409 = getelementptr inbounds i8, ptr %65, i64 24
   %410 = getelementptr inbounds i8, ptr %65, i64 40
-  %411 = getelementptr inbounds i8, ptr %65, i64 24
-  %412 = getelementptr inbounds i8, ptr %65, i64 40
-  %413 = getelementptr inbounds i8, ptr %77, i64 24
-  %414 = getelementptr inbounds i8, ptr %77, i64 8
-  %415 = getelementptr inbounds i8, ptr %77, i64 16
-  %416 = getelementptr inbounds i8, ptr %77, i64 32
-  %417 = getelementptr inbounds i8, ptr %77, i64 40
-  %418 = icmp sgt i64 %80, 0
-  %419 = getelementptr inbounds i8, ptr %69, i64 48
+  %411 = getelementptr inbounds i8, ptr %77, i64 24
+  %412 = getelementptr inbounds i8, ptr %77, i64 8
+  %413 = getelementptr inbounds i8, ptr %77, i64 16
+  %414 = getelementptr inbounds i8, ptr %77, i64 32
+  %415 = getelementptr inbounds i8, ptr %77, i64 40
+  %416 = icmp sgt i64 %80, 0
+  %417 = getelementptr inbounds i8, ptr %69, i64 48
+  %418 = getelementptr inbounds i8, ptr %69, i64 72
+  %419 = getelementptr inbounds i8, ptr %65, i64 40
   %420 = getelementptr inbounds i8, ptr %69, i64 72
   %421 = getelementptr inbounds i8, ptr %77, i64 24
   %422 = getelementptr inbounds i8, ptr %77, i64 32
   %423 = getelementptr inbounds i8, ptr %65, i64 40
   br label %426
 
-424:                                              ; preds = %1486, %334
-  %425 = phi double [ %335, %334 ], [ %1482, %1486 ]
+424:                                              ; preds = %1492, %334
+  %425 = phi double [ %335, %334 ], [ %1488, %1492 ]
   store double %425, ptr %107, align 8
-  br label %1489
+  br label %1495
 
-426:                                              ; preds = %338, %1486
-  %427 = phi i64 [ %336, %338 ], [ %1487, %1486 ]
-  %428 = phi i64 [ undef, %338 ], [ %1485, %1486 ]
-  %429 = phi double [ %106, %338 ], [ %1483, %1486 ]
-  %430 = phi double [ %335, %338 ], [ %1482, %1486 ]
+426:                                              ; preds = %338, %1492
+  %427 = phi i64 [ %336, %338 ], [ %1493, %1492 ]
+  %428 = phi i64 [ undef, %338 ], [ %1491, %1492 ]
+  %429 = phi double [ %106, %338 ], [ %1489, %1492 ]
+  %430 = phi double [ %335, %338 ], [ %1488, %1492 ]
   %431 = load ptr, ptr %339, align 8
   %432 = getelementptr inbounds i8, ptr %431, i64 8
   %433 = load i64, ptr %432, align 8
@@ -551,7 +551,7 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
 
 443:                                              ; preds = %440
   store double %430, ptr %107, align 8
-  br label %1489
+  br label %1495
 
 444:                                              ; preds = %440
   %445 = add nsw i64 %427, -1
@@ -565,7 +565,7 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
 
 451:                                              ; preds = %444
   store double %430, ptr %107, align 8
-  br label %1489
+  br label %1495
 
 452:                                              ; preds = %444
   br i1 %87, label %453, label %457
@@ -612,7 +612,7 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
 
 483:                                              ; preds = %469
   store double %476, ptr %107, align 8
-  br label %1481
+  br label %1487
 
 484:                                              ; preds = %469
   %485 = load ptr, ptr %0, align 8
@@ -832,7 +832,7 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
 656:                                              ; preds = %647, %636
   %657 = phi i64 [ %655, %647 ], [ %637, %636 ]
   %658 = icmp slt i64 %657, 0
-  br i1 %658, label %1481, label %659
+  br i1 %658, label %1487, label %659
 
 659:                                              ; preds = %656
   %660 = icmp eq i64 %657, 0
@@ -1077,7 +1077,7 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
   %849 = tail call i32 %848(ptr noundef %845, ptr noundef %67, ptr noundef %846, ptr noundef %847, ptr noundef %105) #9
   %850 = sext i32 %849 to i64
   %851 = icmp slt i32 %849, 0
-  br i1 %851, label %1481, label %852
+  br i1 %851, label %1487, label %852
 
 852:                                              ; preds = %821, %842, %833, %659
   %853 = phi i64 [ 0, %833 ], [ %850, %842 ], [ 0, %821 ], [ %657, %659 ]
@@ -1160,11 +1160,11 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
 
 921:                                              ; preds = %867
   store double %476, ptr %107, align 8
-  br label %1481
+  br label %1487
 
 922:                                              ; preds = %867
   store double 1.000000e+00, ptr %423, align 8
-  br label %1481, !llvm.loop !19
+  br label %1487, !llvm.loop !19
 
 923:                                              ; preds = %852
   %924 = load i64, ptr %340, align 8
@@ -1283,7 +1283,7 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
   %1000 = load ptr, ptr %68, align 8
   %1001 = getelementptr inbounds i8, ptr %1000, i64 48
   store i64 %999, ptr %1001, align 8
-  br label %1358
+  br label %1364
 
 1002:                                             ; preds = %960, %959
   %1003 = load ptr, ptr %0, align 8
@@ -1469,7 +1469,7 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
   store double %429, ptr %65, align 8
   %1148 = icmp slt i64 %1145, 0
   %1149 = select i1 %1148, i64 -4, i64 2
-  br label %1481
+  br label %1487
 
 1150:                                             ; preds = %1144
   %1151 = load ptr, ptr %64, align 8
@@ -1477,462 +1477,475 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
   %1153 = getelementptr inbounds i8, ptr %1152, i64 8
   %1154 = load i64, ptr %1153, align 8
   %1155 = icmp sgt i64 %1154, 0
-  br i1 %1155, label %1156, label %1163
+  br i1 %1155, label %1156, label %1166
 
 1156:                                             ; preds = %1150
   %1157 = getelementptr inbounds i8, ptr %1152, i64 16
   %1158 = load i64, ptr %1157, align 8
   %1159 = inttoptr i64 %1158 to ptr
   %1160 = tail call i64 %1159(ptr noundef %0, double noundef %429, double noundef %476) #9
-  %1161 = getelementptr inbounds i8, ptr %1151, i64 48
-  %1162 = load double, ptr %1161, align 8
-  br label %1163
+  %1161 = icmp eq i64 %1160, -6
+  br i1 %1161, label %1162, label %1163
 
-1163:                                             ; preds = %1156, %1150
-  %1164 = phi double [ %1162, %1156 ], [ 1.000000e+00, %1150 ]
-  %1165 = phi i64 [ %1160, %1156 ], [ 0, %1150 ]
-  %1166 = fcmp oeq double %1164, 1.000000e+00
-  br i1 %1166, label %1167, label %1169
-
-1167:                                             ; preds = %1163
-  %1168 = load double, ptr %1151, align 8
-  br label %1172
-
-1169:                                             ; preds = %1163
-  %1170 = fmul double %476, %1164
-  %1171 = fadd double %429, %1170
-  br label %1172
-
-1172:                                             ; preds = %1169, %1167
-  %1173 = phi double [ %1168, %1167 ], [ %1171, %1169 ]
-  %1174 = icmp eq i64 %1165, -4
-  %1175 = select i1 %1174, i64 -4, i64 0
-  br i1 %1174, label %1233, label %1176
-
-1176:                                             ; preds = %1172
-  %1177 = fcmp olt double %1164, 1.000000e+00
-  %1178 = load ptr, ptr %62, align 8
-  %1179 = getelementptr inbounds i8, ptr %1178, i64 8
-  %1180 = load i64, ptr %1179, align 8
-  %1181 = load i64, ptr %96, align 8
-  %1182 = load ptr, ptr %74, align 8
-  %1183 = load ptr, ptr %68, align 8
-  %1184 = getelementptr inbounds i8, ptr %1183, i64 48
-  %1185 = load i64, ptr %1184, align 8
-  %1186 = icmp slt i64 %1185, %1181
-  br i1 %1186, label %1187, label %1229
-
-1187:                                             ; preds = %1176, %1225
-  %1188 = phi i64 [ %1226, %1225 ], [ undef, %1176 ]
-  %1189 = phi i64 [ %1227, %1225 ], [ %1185, %1176 ]
-  %1190 = getelementptr inbounds double, ptr %1182, i64 %1189
-  %1191 = load double, ptr %1190, align 8
-  %1192 = fcmp olt double %1191, %1173
-  %1193 = fcmp oeq double %1191, %1173
-  %1194 = and i1 %1177, %1193
-  %1195 = or i1 %1192, %1194
-  br i1 %1195, label %1196, label %1229
-
-1196:                                             ; preds = %1187
-  %1197 = fsub double %1191, %429
-  %1198 = fdiv double %1197, %476
-  %1199 = mul nsw i64 %1189, %1180
-  %1200 = getelementptr inbounds double, ptr %1, i64 %1199
-  %1201 = load ptr, ptr %406, align 8
-  %1202 = insertelement <8 x double> poison, double %1198, i64 0
-  %1203 = shufflevector <8 x double> %1202, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %1203, ptr %1201, align 8
-  %1204 = load ptr, ptr %63, align 8
-  %1205 = load ptr, ptr %390, align 8
-  %1206 = load i64, ptr %388, align 8
-  %1207 = load ptr, ptr %0, align 8
-  %1208 = getelementptr inbounds i8, ptr %1207, i64 24
-  %1209 = load i64, ptr %1208, align 8
-  %1210 = load ptr, ptr %406, align 8
-  %1211 = load ptr, ptr %62, align 8
-  %1212 = getelementptr inbounds i8, ptr %1211, i64 16
-  %1213 = load i64, ptr %1212, align 8
-  tail call fastcc void @nested(ptr noundef %1200, ptr noundef %1204, ptr noundef %1205, i64 noundef %1206, i64 noundef %1209, ptr noundef %1210, i64 noundef %1213) #8
-  %1214 = load ptr, ptr %81, align 8
-  %1215 = load i64, ptr %1214, align 8
-  %1216 = icmp eq i64 %1215, 1
-  br i1 %1216, label %1217, label %1225
-
-1217:                                             ; preds = %1196
-  %1218 = load double, ptr %1190, align 8
-  %1219 = getelementptr inbounds i8, ptr %1214, i64 56
-  %1220 = load i64, ptr %1219, align 8
-  %1221 = inttoptr i64 %1220 to ptr
-  %1222 = tail call i64 %1221(ptr noundef %0, double noundef %1218, ptr noundef %1200) #9
-  %1223 = icmp eq i64 %1222, 0
-  %1224 = select i1 %1223, i64 %1188, i64 %1222
-  br i1 %1223, label %1225, label %1233
-
-1225:                                             ; preds = %1217, %1196
-  %1226 = phi i64 [ %1224, %1217 ], [ %1188, %1196 ]
-  %1227 = add i64 %1189, 1
-  %1228 = icmp eq i64 %1227, %1181
-  br i1 %1228, label %1229, label %1187, !llvm.loop !24
-
-1229:                                             ; preds = %1225, %1187, %1176
-  %1230 = phi i64 [ %1185, %1176 ], [ %1181, %1225 ], [ %1189, %1187 ]
-  %1231 = load ptr, ptr %68, align 8
-  %1232 = getelementptr inbounds i8, ptr %1231, i64 48
-  store i64 %1230, ptr %1232, align 8
-  br label %1233
-
-1233:                                             ; preds = %1217, %1229, %1172
-  %1234 = phi i64 [ %1175, %1172 ], [ 0, %1229 ], [ %1224, %1217 ]
-  %1235 = icmp eq i64 %1234, 0
-  %1236 = icmp ne i64 %1165, 0
-  %1237 = select i1 %1235, i1 %1236, i1 false
-  %1238 = fcmp olt double %1164, 1.000000e+00
-  %1239 = and i1 %1238, %1237
-  br i1 %1239, label %1240, label %1277
-
-1240:                                             ; preds = %1233
-  %1241 = load ptr, ptr %407, align 8
-  %1242 = load ptr, ptr %408, align 8
-  %1243 = insertelement <8 x double> poison, double %1164, i64 0
-  %1244 = shufflevector <8 x double> %1243, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %1244, ptr %1242, align 8
-  %1245 = load ptr, ptr %63, align 8
-  %1246 = load ptr, ptr %390, align 8
-  %1247 = load i64, ptr %388, align 8
-  %1248 = load ptr, ptr %0, align 8
-  %1249 = getelementptr inbounds i8, ptr %1248, i64 24
-  %1250 = load i64, ptr %1249, align 8
-  %1251 = load ptr, ptr %408, align 8
-  %1252 = load ptr, ptr %62, align 8
-  %1253 = getelementptr inbounds i8, ptr %1252, i64 16
-  %1254 = load i64, ptr %1253, align 8
-  tail call fastcc void @nested(ptr noundef %1241, ptr noundef %1245, ptr noundef %1246, i64 noundef %1247, i64 noundef %1250, ptr noundef %1251, i64 noundef %1254) #8
-  %1255 = load i64, ptr %79, align 8
-  %1256 = icmp sgt i64 %1255, 0
-  br i1 %1256, label %1261, label %1257
-
-1257:                                             ; preds = %1261, %1240
-  %1258 = load ptr, ptr %81, align 8
-  %1259 = load i64, ptr %1258, align 8
-  %1260 = icmp eq i64 %1259, 1
-  br i1 %1260, label %1271, label %1277
-
-1261:                                             ; preds = %1240, %1261
-  %1262 = phi i64 [ %1268, %1261 ], [ 0, %1240 ]
-  %1263 = load ptr, ptr %407, align 8
-  %1264 = getelementptr inbounds double, ptr %1263, i64 %1262
-  %1265 = load double, ptr %1264, align 8
-  %1266 = load ptr, ptr %66, align 8
-  %1267 = getelementptr inbounds double, ptr %1266, i64 %1262
-  store double %1265, ptr %1267, align 8
-  %1268 = add nuw nsw i64 %1262, 1
-  %1269 = load i64, ptr %79, align 8
-  %1270 = icmp slt i64 %1268, %1269
-  br i1 %1270, label %1261, label %1257, !llvm.loop !25
-
-1271:                                             ; preds = %1257
-  %1272 = load ptr, ptr %66, align 8
-  %1273 = getelementptr inbounds i8, ptr %1258, i64 56
-  %1274 = load i64, ptr %1273, align 8
-  %1275 = inttoptr i64 %1274 to ptr
-  %1276 = tail call i64 %1275(ptr noundef %0, double noundef %1173, ptr noundef %1272) #9
-  br label %1277
-
-1277:                                             ; preds = %1271, %1257, %1233
-  %1278 = phi i64 [ %1276, %1271 ], [ 0, %1257 ], [ %1234, %1233 ]
-  %1279 = icmp eq i64 %1278, 0
-  br i1 %1279, label %1282, label %1280
-
-1280:                                             ; preds = %1277
+1162:                                             ; preds = %1156
   store double %429, ptr %1151, align 8
-  %1281 = getelementptr inbounds i8, ptr %1151, i64 8
-  store double %476, ptr %1281, align 8
-  br label %1338
+  br label %1341
 
-1282:                                             ; preds = %1277
-  br i1 %1166, label %1283, label %1321
+1163:                                             ; preds = %1156
+  %1164 = getelementptr inbounds i8, ptr %1151, i64 48
+  %1165 = load double, ptr %1164, align 8
+  br label %1166
 
-1283:                                             ; preds = %1282
-  %1284 = load ptr, ptr %66, align 8
-  %1285 = load ptr, ptr %62, align 8
-  %1286 = getelementptr inbounds i8, ptr %1285, i64 8
-  %1287 = load i64, ptr %1286, align 8
-  %1288 = load i64, ptr %96, align 8
-  %1289 = load ptr, ptr %74, align 8
-  %1290 = load ptr, ptr %68, align 8
-  %1291 = getelementptr inbounds i8, ptr %1290, i64 48
-  %1292 = load i64, ptr %1291, align 8
-  %1293 = icmp slt i64 %1292, %1288
-  br i1 %1293, label %1294, label %1317
+1166:                                             ; preds = %1163, %1150
+  %1167 = phi double [ %1165, %1163 ], [ 1.000000e+00, %1150 ]
+  %1168 = phi i64 [ %1160, %1163 ], [ 0, %1150 ]
+  %1169 = fcmp oeq double %1167, 1.000000e+00
+  br i1 %1169, label %1170, label %1172
 
-1294:                                             ; preds = %1283
-  %1295 = icmp sgt i64 %1287, 0
-  br label %1296
+1170:                                             ; preds = %1166
+  %1171 = load double, ptr %1151, align 8
+  br label %1175
 
-1296:                                             ; preds = %1294, %1307
-  %1297 = phi i64 [ %1292, %1294 ], [ %1308, %1307 ]
-  %1298 = getelementptr inbounds double, ptr %1289, i64 %1297
-  %1299 = load double, ptr %1298, align 8
-  %1300 = load ptr, ptr %64, align 8
-  %1301 = load double, ptr %1300, align 8
-  %1302 = fcmp ugt double %1299, %1301
-  br i1 %1302, label %1317, label %1303
+1172:                                             ; preds = %1166
+  %1173 = fmul double %476, %1167
+  %1174 = fadd double %429, %1173
+  br label %1175
 
-1303:                                             ; preds = %1296
-  br i1 %1295, label %1304, label %1307
+1175:                                             ; preds = %1172, %1170
+  %1176 = phi double [ %1171, %1170 ], [ %1174, %1172 ]
+  %1177 = icmp eq i64 %1168, -4
+  %1178 = select i1 %1177, i64 -4, i64 0
+  br i1 %1177, label %1236, label %1179
 
-1304:                                             ; preds = %1303
-  %1305 = mul nsw i64 %1297, %1287
-  %1306 = getelementptr double, ptr %1, i64 %1305
-  br label %1310
+1179:                                             ; preds = %1175
+  %1180 = fcmp olt double %1167, 1.000000e+00
+  %1181 = load ptr, ptr %62, align 8
+  %1182 = getelementptr inbounds i8, ptr %1181, i64 8
+  %1183 = load i64, ptr %1182, align 8
+  %1184 = load i64, ptr %96, align 8
+  %1185 = load ptr, ptr %74, align 8
+  %1186 = load ptr, ptr %68, align 8
+  %1187 = getelementptr inbounds i8, ptr %1186, i64 48
+  %1188 = load i64, ptr %1187, align 8
+  %1189 = icmp slt i64 %1188, %1184
+  br i1 %1189, label %1190, label %1232
 
-1307:                                             ; preds = %1310, %1303
-  %1308 = add i64 %1297, 1
-  %1309 = icmp eq i64 %1308, %1288
-  br i1 %1309, label %1317, label %1296, !llvm.loop !8
+1190:                                             ; preds = %1179, %1228
+  %1191 = phi i64 [ %1229, %1228 ], [ undef, %1179 ]
+  %1192 = phi i64 [ %1230, %1228 ], [ %1188, %1179 ]
+  %1193 = getelementptr inbounds double, ptr %1185, i64 %1192
+  %1194 = load double, ptr %1193, align 8
+  %1195 = fcmp olt double %1194, %1176
+  %1196 = fcmp oeq double %1194, %1176
+  %1197 = and i1 %1180, %1196
+  %1198 = or i1 %1195, %1197
+  br i1 %1198, label %1199, label %1232
 
-1310:                                             ; preds = %1304, %1310
-  %1311 = phi i64 [ 0, %1304 ], [ %1315, %1310 ]
-  %1312 = getelementptr inbounds double, ptr %1284, i64 %1311
-  %1313 = load double, ptr %1312, align 8
-  %1314 = getelementptr double, ptr %1306, i64 %1311
-  store double %1313, ptr %1314, align 8
-  %1315 = add nuw nsw i64 %1311, 1
-  %1316 = icmp eq i64 %1315, %1287
-  br i1 %1316, label %1307, label %1310, !llvm.loop !9
+1199:                                             ; preds = %1190
+  %1200 = fsub double %1194, %429
+  %1201 = fdiv double %1200, %476
+  %1202 = mul nsw i64 %1192, %1183
+  %1203 = getelementptr inbounds double, ptr %1, i64 %1202
+  %1204 = load ptr, ptr %406, align 8
+  %1205 = insertelement <8 x double> poison, double %1201, i64 0
+  %1206 = shufflevector <8 x double> %1205, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %1206, ptr %1204, align 8
+  %1207 = load ptr, ptr %63, align 8
+  %1208 = load ptr, ptr %390, align 8
+  %1209 = load i64, ptr %388, align 8
+  %1210 = load ptr, ptr %0, align 8
+  %1211 = getelementptr inbounds i8, ptr %1210, i64 24
+  %1212 = load i64, ptr %1211, align 8
+  %1213 = load ptr, ptr %406, align 8
+  %1214 = load ptr, ptr %62, align 8
+  %1215 = getelementptr inbounds i8, ptr %1214, i64 16
+  %1216 = load i64, ptr %1215, align 8
+  tail call fastcc void @nested(ptr noundef %1203, ptr noundef %1207, ptr noundef %1208, i64 noundef %1209, i64 noundef %1212, ptr noundef %1213, i64 noundef %1216) #8
+  %1217 = load ptr, ptr %81, align 8
+  %1218 = load i64, ptr %1217, align 8
+  %1219 = icmp eq i64 %1218, 1
+  br i1 %1219, label %1220, label %1228
 
-1317:                                             ; preds = %1307, %1296, %1283
-  %1318 = phi i64 [ %1292, %1283 ], [ %1288, %1307 ], [ %1297, %1296 ]
-  %1319 = load ptr, ptr %68, align 8
-  %1320 = getelementptr inbounds i8, ptr %1319, i64 48
-  store i64 %1318, ptr %1320, align 8
-  br label %1321
+1220:                                             ; preds = %1199
+  %1221 = load double, ptr %1193, align 8
+  %1222 = getelementptr inbounds i8, ptr %1217, i64 56
+  %1223 = load i64, ptr %1222, align 8
+  %1224 = inttoptr i64 %1223 to ptr
+  %1225 = tail call i64 %1224(ptr noundef %0, double noundef %1221, ptr noundef %1203) #9
+  %1226 = icmp eq i64 %1225, 0
+  %1227 = select i1 %1226, i64 %1191, i64 %1225
+  br i1 %1226, label %1228, label %1236
 
-1321:                                             ; preds = %1317, %1282
-  br i1 %1236, label %1322, label %1338
+1228:                                             ; preds = %1220, %1199
+  %1229 = phi i64 [ %1227, %1220 ], [ %1191, %1199 ]
+  %1230 = add i64 %1192, 1
+  %1231 = icmp eq i64 %1230, %1184
+  br i1 %1231, label %1232, label %1190, !llvm.loop !24
 
-1322:                                             ; preds = %1321
-  %1323 = load i64, ptr %79, align 8
-  %1324 = icmp sgt i64 %1323, 0
-  br i1 %1324, label %1328, label %1325
+1232:                                             ; preds = %1228, %1190, %1179
+  %1233 = phi i64 [ %1188, %1179 ], [ %1184, %1228 ], [ %1192, %1190 ]
+  %1234 = load ptr, ptr %68, align 8
+  %1235 = getelementptr inbounds i8, ptr %1234, i64 48
+  store i64 %1233, ptr %1235, align 8
+  br label %1236
 
-1325:                                             ; preds = %1328, %1322
-  store double %1173, ptr %1151, align 8
-  %1326 = getelementptr inbounds i8, ptr %1151, i64 8
-  store double 0.000000e+00, ptr %1326, align 8
-  %1327 = load ptr, ptr %68, align 8
-  store i64 0, ptr %1327, align 8
-  br label %1338
+1236:                                             ; preds = %1220, %1232, %1175
+  %1237 = phi i64 [ %1178, %1175 ], [ 0, %1232 ], [ %1227, %1220 ]
+  %1238 = icmp eq i64 %1237, 0
+  %1239 = icmp ne i64 %1168, 0
+  %1240 = fcmp olt double %1167, 1.000000e+00
+  %1241 = and i1 %1240, %1238
+  %1242 = and i1 %1239, %1241
+  br i1 %1242, label %1243, label %1280
 
-1328:                                             ; preds = %1322, %1328
-  %1329 = phi i64 [ %1335, %1328 ], [ 0, %1322 ]
-  %1330 = load ptr, ptr %66, align 8
-  %1331 = getelementptr inbounds double, ptr %1330, i64 %1329
-  %1332 = load double, ptr %1331, align 8
-  %1333 = load ptr, ptr %63, align 8
-  %1334 = getelementptr inbounds double, ptr %1333, i64 %1329
-  store double %1332, ptr %1334, align 8
-  %1335 = add nuw nsw i64 %1329, 1
-  %1336 = load i64, ptr %79, align 8
-  %1337 = icmp slt i64 %1335, %1336
-  br i1 %1337, label %1328, label %1325, !llvm.loop !26
+1243:                                             ; preds = %1236
+  %1244 = load ptr, ptr %407, align 8
+  %1245 = load ptr, ptr %408, align 8
+  %1246 = insertelement <8 x double> poison, double %1167, i64 0
+  %1247 = shufflevector <8 x double> %1246, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %1247, ptr %1245, align 8
+  %1248 = load ptr, ptr %63, align 8
+  %1249 = load ptr, ptr %390, align 8
+  %1250 = load i64, ptr %388, align 8
+  %1251 = load ptr, ptr %0, align 8
+  %1252 = getelementptr inbounds i8, ptr %1251, i64 24
+  %1253 = load i64, ptr %1252, align 8
+  %1254 = load ptr, ptr %408, align 8
+  %1255 = load ptr, ptr %62, align 8
+  %1256 = getelementptr inbounds i8, ptr %1255, i64 16
+  %1257 = load i64, ptr %1256, align 8
+  tail call fastcc void @nested(ptr noundef %1244, ptr noundef %1248, ptr noundef %1249, i64 noundef %1250, i64 noundef %1253, ptr noundef %1254, i64 noundef %1257) #8
+  %1258 = load i64, ptr %79, align 8
+  %1259 = icmp sgt i64 %1258, 0
+  br i1 %1259, label %1264, label %1260
 
-1338:                                             ; preds = %1280, %1321, %1325
-  %1339 = phi i64 [ %1278, %1280 ], [ %1165, %1325 ], [ %1165, %1321 ]
-  %1340 = icmp ne i64 %1339, 6
-  %1341 = select i1 %1340, i1 true, i1 %87
-  %1342 = select i1 %1341, i1 true, i1 %95
-  br i1 %1342, label %1352, label %1343
+1260:                                             ; preds = %1264, %1243
+  %1261 = load ptr, ptr %81, align 8
+  %1262 = load i64, ptr %1261, align 8
+  %1263 = icmp eq i64 %1262, 1
+  br i1 %1263, label %1274, label %1280
 
-1343:                                             ; preds = %1338
-  %1344 = load i64, ptr %340, align 8
-  %1345 = add nsw i64 %1344, -1
-  store i64 %1345, ptr %340, align 8
-  %1346 = load ptr, ptr %339, align 8
-  %1347 = load i64, ptr %1346, align 8
-  %1348 = add nsw i64 %1347, -1
-  store i64 %1348, ptr %1346, align 8
-  %1349 = load i64, ptr %341, align 8
-  %1350 = add nsw i64 %1349, 1
-  store i64 %1350, ptr %341, align 8
-  store i64 6, ptr %409, align 8
-  store double 1.000000e+00, ptr %410, align 8
-  %1351 = fmul double %476, 2.500000e-01
-  br label %1481, !llvm.loop !19
+1264:                                             ; preds = %1243, %1264
+  %1265 = phi i64 [ %1271, %1264 ], [ 0, %1243 ]
+  %1266 = load ptr, ptr %407, align 8
+  %1267 = getelementptr inbounds double, ptr %1266, i64 %1265
+  %1268 = load double, ptr %1267, align 8
+  %1269 = load ptr, ptr %66, align 8
+  %1270 = getelementptr inbounds double, ptr %1269, i64 %1265
+  store double %1268, ptr %1270, align 8
+  %1271 = add nuw nsw i64 %1265, 1
+  %1272 = load i64, ptr %79, align 8
+  %1273 = icmp slt i64 %1271, %1272
+  br i1 %1273, label %1264, label %1260, !llvm.loop !25
 
-1352:                                             ; preds = %1338
-  %1353 = icmp eq i64 %1339, 0
-  br i1 %1353, label %1358, label %1354
+1274:                                             ; preds = %1260
+  %1275 = load ptr, ptr %66, align 8
+  %1276 = getelementptr inbounds i8, ptr %1261, i64 56
+  %1277 = load i64, ptr %1276, align 8
+  %1278 = inttoptr i64 %1277 to ptr
+  %1279 = tail call i64 %1278(ptr noundef %0, double noundef %1176, ptr noundef %1275) #9
+  br label %1280
 
-1354:                                             ; preds = %1352
-  %1355 = load ptr, ptr %339, align 8
-  %1356 = load i64, ptr %1355, align 8
-  %1357 = add nsw i64 %1356, 1
-  store i64 %1357, ptr %1355, align 8
-  br label %1481
+1280:                                             ; preds = %1274, %1260, %1236
+  %1281 = phi i64 [ %1279, %1274 ], [ 0, %1260 ], [ %1237, %1236 ]
+  %1282 = icmp eq i64 %1281, 0
+  br i1 %1282, label %1285, label %1283
 
-1358:                                             ; preds = %1352, %998
-  br i1 %87, label %1462, label %1359
+1283:                                             ; preds = %1280
+  store double %429, ptr %1151, align 8
+  %1284 = getelementptr inbounds i8, ptr %1151, i64 8
+  store double %476, ptr %1284, align 8
+  br label %1341
 
-1359:                                             ; preds = %1358
-  %1360 = load double, ptr %412, align 8
-  %1361 = fcmp ogt double %854, 1.000000e-10
-  %1362 = select i1 %1361, double %854, double 1.000000e-10
-  %1363 = load double, ptr %413, align 8
-  %1364 = load double, ptr %414, align 8
-  %1365 = fneg double %1364
-  %1366 = bitcast double %1362 to i64
-  %1367 = add nsw i64 %1366, -4604544271217802189
-  %1368 = ashr i64 %1367, 52
-  %1369 = and i64 %1367, -4503599627370496
-  %1370 = sub nsw i64 %1366, %1369
-  %1371 = bitcast i64 %1370 to double
-  %1372 = fadd double %1371, -1.000000e+00
-  %1373 = fadd double %1371, 1.000000e+00
-  %1374 = fdiv double %1372, %1373
-  %1375 = fmul double %1374, %1374
-  %1376 = tail call double @llvm.fma.f64(double %1375, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
-  %1377 = tail call double @llvm.fma.f64(double %1376, double %1375, double 0x3FE2776C50EF9BFE)
-  %1378 = tail call double @llvm.fma.f64(double %1377, double %1375, double 0x3FEEC709DC3A03FD)
-  %1379 = tail call double @llvm.fma.f64(double %1378, double %1375, double 0x40071547652B82FE)
-  %1380 = trunc nsw i64 %1368 to i32
-  %1381 = sitofp i32 %1380 to double
-  %1382 = fmul double %1374, %1379
-  %1383 = fadd double %1382, %1381
-  %1384 = fmul double %1383, %1365
-  %1385 = fcmp ogt double %1384, -1.000000e+03
-  %1386 = select i1 %1385, double %1384, double -1.000000e+03
-  %1387 = fcmp olt double %1386, 1.000000e+03
-  %1388 = select i1 %1387, double %1386, double 1.000000e+03
-  %1389 = tail call double @llvm.rint.f64(double %1388)
-  %1390 = fsub double %1388, %1389
-  %1391 = tail call double @llvm.fma.f64(double %1390, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
-  %1392 = tail call double @llvm.fma.f64(double %1391, double %1390, double 0x3F55D87FE78A6730)
-  %1393 = tail call double @llvm.fma.f64(double %1392, double %1390, double 0x3F83B2AB6FBA4E77)
-  %1394 = tail call double @llvm.fma.f64(double %1393, double %1390, double 0x3FAC6B08D704A0BF)
-  %1395 = tail call double @llvm.fma.f64(double %1394, double %1390, double 0x3FCEBFBDFF82C58E)
-  %1396 = tail call double @llvm.fma.f64(double %1395, double %1390, double 0x3FE62E42FEFA39EF)
-  %1397 = tail call double @llvm.fma.f64(double %1396, double %1390, double 1.000000e+00)
-  %1398 = bitcast double %1397 to i64
-  %1399 = fptosi double %1389 to i32
-  %1400 = sext i32 %1399 to i64
-  %1401 = shl nsw i64 %1400, 52
-  %1402 = add nsw i64 %1401, %1398
-  %1403 = bitcast i64 %1402 to double
-  %1404 = fmul double %1363, %1403
-  %1405 = load double, ptr %415, align 8
-  %1406 = fcmp une double %1405, 0.000000e+00
-  br i1 %1406, label %1407, label %1447
+1285:                                             ; preds = %1280
+  br i1 %1169, label %1286, label %1324
 
-1407:                                             ; preds = %1359
-  %1408 = load i64, ptr %411, align 8
-  %1409 = add nsw i64 %1408, -4604544271217802189
-  %1410 = ashr i64 %1409, 52
-  %1411 = and i64 %1409, -4503599627370496
-  %1412 = sub nsw i64 %1408, %1411
-  %1413 = bitcast i64 %1412 to double
-  %1414 = fadd double %1413, -1.000000e+00
-  %1415 = fadd double %1413, 1.000000e+00
-  %1416 = fdiv double %1414, %1415
-  %1417 = fmul double %1416, %1416
-  %1418 = tail call double @llvm.fma.f64(double %1417, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
-  %1419 = tail call double @llvm.fma.f64(double %1418, double %1417, double 0x3FE2776C50EF9BFE)
-  %1420 = tail call double @llvm.fma.f64(double %1419, double %1417, double 0x3FEEC709DC3A03FD)
-  %1421 = tail call double @llvm.fma.f64(double %1420, double %1417, double 0x40071547652B82FE)
-  %1422 = trunc nsw i64 %1410 to i32
-  %1423 = sitofp i32 %1422 to double
-  %1424 = fmul double %1416, %1421
-  %1425 = fadd double %1424, %1423
-  %1426 = fmul double %1405, %1425
-  %1427 = fcmp ogt double %1426, -1.000000e+03
-  %1428 = select i1 %1427, double %1426, double -1.000000e+03
-  %1429 = fcmp olt double %1428, 1.000000e+03
-  %1430 = select i1 %1429, double %1428, double 1.000000e+03
-  %1431 = tail call double @llvm.rint.f64(double %1430)
-  %1432 = fsub double %1430, %1431
-  %1433 = tail call double @llvm.fma.f64(double %1432, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
-  %1434 = tail call double @llvm.fma.f64(double %1433, double %1432, double 0x3F55D87FE78A6730)
-  %1435 = tail call double @llvm.fma.f64(double %1434, double %1432, double 0x3F83B2AB6FBA4E77)
-  %1436 = tail call double @llvm.fma.f64(double %1435, double %1432, double 0x3FAC6B08D704A0BF)
-  %1437 = tail call double @llvm.fma.f64(double %1436, double %1432, double 0x3FCEBFBDFF82C58E)
-  %1438 = tail call double @llvm.fma.f64(double %1437, double %1432, double 0x3FE62E42FEFA39EF)
-  %1439 = tail call double @llvm.fma.f64(double %1438, double %1432, double 1.000000e+00)
-  %1440 = bitcast double %1439 to i64
-  %1441 = fptosi double %1431 to i32
-  %1442 = sext i32 %1441 to i64
-  %1443 = shl nsw i64 %1442, 52
-  %1444 = add nsw i64 %1443, %1440
-  %1445 = bitcast i64 %1444 to double
-  %1446 = fmul double %1404, %1445
-  br label %1447
+1286:                                             ; preds = %1285
+  %1287 = load ptr, ptr %66, align 8
+  %1288 = load ptr, ptr %62, align 8
+  %1289 = getelementptr inbounds i8, ptr %1288, i64 8
+  %1290 = load i64, ptr %1289, align 8
+  %1291 = load i64, ptr %96, align 8
+  %1292 = load ptr, ptr %74, align 8
+  %1293 = load ptr, ptr %68, align 8
+  %1294 = getelementptr inbounds i8, ptr %1293, i64 48
+  %1295 = load i64, ptr %1294, align 8
+  %1296 = icmp slt i64 %1295, %1291
+  br i1 %1296, label %1297, label %1320
 
-1447:                                             ; preds = %1359, %1407
-  %1448 = phi double [ %1446, %1407 ], [ %1404, %1359 ]
-  %1449 = load double, ptr %416, align 8
-  %1450 = fcmp ogt double %1448, %1449
-  %1451 = select i1 %1450, double %1448, double %1449
-  %1452 = fcmp olt double %1360, %1451
-  %1453 = select i1 %1452, double %1360, double %1451
-  %1454 = fmul double %476, %1453
-  %1455 = fcmp oeq double %477, %100
-  %1456 = fcmp ogt double %430, %1454
-  %1457 = select i1 %1455, i1 %1456, i1 false
-  %1458 = select i1 %1457, double %430, double %1454
-  %1459 = fcmp ogt double %854, 1.000000e-04
-  %1460 = select i1 %1459, double %854, double 1.000000e-04
-  store double %1460, ptr %411, align 8
-  %1461 = load double, ptr %417, align 8
-  store double %1461, ptr %412, align 8
-  br label %1462
+1297:                                             ; preds = %1286
+  %1298 = icmp sgt i64 %1290, 0
+  br label %1299
 
-1462:                                             ; preds = %1447, %1358
-  %1463 = phi double [ %1458, %1447 ], [ %430, %1358 ]
-  br i1 %418, label %1468, label %1464
+1299:                                             ; preds = %1297, %1310
+  %1300 = phi i64 [ %1295, %1297 ], [ %1311, %1310 ]
+  %1301 = getelementptr inbounds double, ptr %1292, i64 %1300
+  %1302 = load double, ptr %1301, align 8
+  %1303 = load ptr, ptr %64, align 8
+  %1304 = load double, ptr %1303, align 8
+  %1305 = fcmp ugt double %1302, %1304
+  br i1 %1305, label %1320, label %1306
 
-1464:                                             ; preds = %1468, %1462
-  %1465 = load i64, ptr %419, align 8
-  %1466 = load i64, ptr %96, align 8
-  %1467 = icmp eq i64 %1465, %1466
-  br i1 %1467, label %1480, label %1481
+1306:                                             ; preds = %1299
+  br i1 %1298, label %1307, label %1310
 
-1468:                                             ; preds = %1462, %1468
-  %1469 = phi i64 [ %1478, %1468 ], [ 0, %1462 ]
-  %1470 = getelementptr inbounds double, ptr %67, i64 %1469
-  %1471 = load double, ptr %1470, align 8
-  %1472 = load ptr, ptr %63, align 8
-  %1473 = getelementptr inbounds double, ptr %1472, i64 %1469
-  store double %1471, ptr %1473, align 8
-  %1474 = getelementptr inbounds double, ptr %105, i64 %1469
-  %1475 = load double, ptr %1474, align 8
-  %1476 = load ptr, ptr %101, align 8
-  %1477 = getelementptr inbounds double, ptr %1476, i64 %1469
-  store double %1475, ptr %1477, align 8
-  %1478 = add nuw nsw i64 %1469, 1
-  %1479 = icmp eq i64 %1478, %80
-  br i1 %1479, label %1464, label %1468, !llvm.loop !27
+1307:                                             ; preds = %1306
+  %1308 = mul nsw i64 %1300, %1290
+  %1309 = getelementptr double, ptr %1, i64 %1308
+  br label %1313
 
-1480:                                             ; preds = %1464
-  store double %1463, ptr %107, align 8
-  br label %1481
+1310:                                             ; preds = %1313, %1306
+  %1311 = add i64 %1300, 1
+  %1312 = icmp eq i64 %1311, %1291
+  br i1 %1312, label %1320, label %1299, !llvm.loop !8
 
-1481:                                             ; preds = %1147, %1343, %1354, %1480, %842, %922, %921, %1464, %656, %483
-  %1482 = phi double [ %430, %483 ], [ %430, %656 ], [ %430, %1147 ], [ %430, %1354 ], [ %1463, %1480 ], [ %1351, %1343 ], [ %430, %842 ], [ %920, %922 ], [ %920, %921 ], [ %1463, %1464 ]
-  %1483 = phi double [ %429, %483 ], [ %429, %656 ], [ %429, %1147 ], [ %429, %1354 ], [ %477, %1480 ], [ %429, %1343 ], [ %429, %842 ], [ %429, %922 ], [ %429, %921 ], [ %477, %1464 ]
-  %1484 = phi i32 [ 1, %483 ], [ 1, %656 ], [ 1, %1147 ], [ 1, %1354 ], [ 1, %1480 ], [ 3, %1343 ], [ 1, %842 ], [ 3, %922 ], [ 1, %921 ], [ 0, %1464 ]
-  %1485 = phi i64 [ 2, %483 ], [ -4, %656 ], [ %1149, %1147 ], [ %1339, %1354 ], [ 0, %1480 ], [ %428, %1343 ], [ -4, %842 ], [ %428, %922 ], [ 2, %921 ], [ %428, %1464 ]
-  switch i32 %1484, label %1489 [
-    i32 0, label %1486
-    i32 3, label %1486
+1313:                                             ; preds = %1307, %1313
+  %1314 = phi i64 [ 0, %1307 ], [ %1318, %1313 ]
+  %1315 = getelementptr inbounds double, ptr %1287, i64 %1314
+  %1316 = load double, ptr %1315, align 8
+  %1317 = getelementptr double, ptr %1309, i64 %1314
+  store double %1316, ptr %1317, align 8
+  %1318 = add nuw nsw i64 %1314, 1
+  %1319 = icmp eq i64 %1318, %1290
+  br i1 %1319, label %1310, label %1313, !llvm.loop !9
+
+1320:                                             ; preds = %1310, %1299, %1286
+  %1321 = phi i64 [ %1295, %1286 ], [ %1291, %1310 ], [ %1300, %1299 ]
+  %1322 = load ptr, ptr %68, align 8
+  %1323 = getelementptr inbounds i8, ptr %1322, i64 48
+  store i64 %1321, ptr %1323, align 8
+  br label %1324
+
+1324:                                             ; preds = %1320, %1285
+  br i1 %1239, label %1325, label %1341
+
+1325:                                             ; preds = %1324
+  %1326 = load i64, ptr %79, align 8
+  %1327 = icmp sgt i64 %1326, 0
+  br i1 %1327, label %1331, label %1328
+
+1328:                                             ; preds = %1331, %1325
+  store double %1176, ptr %1151, align 8
+  %1329 = getelementptr inbounds i8, ptr %1151, i64 8
+  store double 0.000000e+00, ptr %1329, align 8
+  %1330 = load ptr, ptr %68, align 8
+  store i64 0, ptr %1330, align 8
+  br label %1341
+
+1331:                                             ; preds = %1325, %1331
+  %1332 = phi i64 [ %1338, %1331 ], [ 0, %1325 ]
+  %1333 = load ptr, ptr %66, align 8
+  %1334 = getelementptr inbounds double, ptr %1333, i64 %1332
+  %1335 = load double, ptr %1334, align 8
+  %1336 = load ptr, ptr %63, align 8
+  %1337 = getelementptr inbounds double, ptr %1336, i64 %1332
+  store double %1335, ptr %1337, align 8
+  %1338 = add nuw nsw i64 %1332, 1
+  %1339 = load i64, ptr %79, align 8
+  %1340 = icmp slt i64 %1338, %1339
+  br i1 %1340, label %1331, label %1328, !llvm.loop !26
+
+1341:                                             ; preds = %1162, %1283, %1324, %1328
+  %1342 = phi i64 [ -6, %1162 ], [ %1281, %1283 ], [ %1168, %1328 ], [ %1168, %1324 ]
+  %1343 = icmp eq i64 %1342, -6
+  br i1 %1343, label %1348, label %1344
+
+1344:                                             ; preds = %1341
+  %1345 = icmp ne i64 %1342, 6
+  %1346 = select i1 %1345, i1 true, i1 %87
+  %1347 = select i1 %1346, i1 true, i1 %95
+  br i1 %1347, label %1358, label %1348
+
+1348:                                             ; preds = %1344, %1341
+  %1349 = phi i64 [ %1342, %1344 ], [ 2, %1341 ]
+  %1350 = load i64, ptr %340, align 8
+  %1351 = add nsw i64 %1350, -1
+  store i64 %1351, ptr %340, align 8
+  %1352 = load ptr, ptr %339, align 8
+  %1353 = load i64, ptr %1352, align 8
+  %1354 = add nsw i64 %1353, -1
+  store i64 %1354, ptr %1352, align 8
+  %1355 = load i64, ptr %341, align 8
+  %1356 = add nsw i64 %1355, 1
+  store i64 %1356, ptr %341, align 8
+  store i64 %1349, ptr %418, align 8
+  store double 1.000000e+00, ptr %419, align 8
+  %1357 = fmul double %476, 2.500000e-01
+  br label %1487, !llvm.loop !19
+
+1358:                                             ; preds = %1344
+  %1359 = icmp eq i64 %1342, 0
+  br i1 %1359, label %1364, label %1360
+
+1360:                                             ; preds = %1358
+  %1361 = load ptr, ptr %339, align 8
+  %1362 = load i64, ptr %1361, align 8
+  %1363 = add nsw i64 %1362, 1
+  store i64 %1363, ptr %1361, align 8
+  br label %1487
+
+1364:                                             ; preds = %1358, %998
+  br i1 %87, label %1468, label %1365
+
+1365:                                             ; preds = %1364
+  %1366 = load double, ptr %410, align 8
+  %1367 = fcmp ogt double %854, 1.000000e-10
+  %1368 = select i1 %1367, double %854, double 1.000000e-10
+  %1369 = load double, ptr %411, align 8
+  %1370 = load double, ptr %412, align 8
+  %1371 = fneg double %1370
+  %1372 = bitcast double %1368 to i64
+  %1373 = add nsw i64 %1372, -4604544271217802189
+  %1374 = ashr i64 %1373, 52
+  %1375 = and i64 %1373, -4503599627370496
+  %1376 = sub nsw i64 %1372, %1375
+  %1377 = bitcast i64 %1376 to double
+  %1378 = fadd double %1377, -1.000000e+00
+  %1379 = fadd double %1377, 1.000000e+00
+  %1380 = fdiv double %1378, %1379
+  %1381 = fmul double %1380, %1380
+  %1382 = tail call double @llvm.fma.f64(double %1381, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
+  %1383 = tail call double @llvm.fma.f64(double %1382, double %1381, double 0x3FE2776C50EF9BFE)
+  %1384 = tail call double @llvm.fma.f64(double %1383, double %1381, double 0x3FEEC709DC3A03FD)
+  %1385 = tail call double @llvm.fma.f64(double %1384, double %1381, double 0x40071547652B82FE)
+  %1386 = trunc nsw i64 %1374 to i32
+  %1387 = sitofp i32 %1386 to double
+  %1388 = fmul double %1380, %1385
+  %1389 = fadd double %1388, %1387
+  %1390 = fmul double %1389, %1371
+  %1391 = fcmp ogt double %1390, -1.000000e+03
+  %1392 = select i1 %1391, double %1390, double -1.000000e+03
+  %1393 = fcmp olt double %1392, 1.000000e+03
+  %1394 = select i1 %1393, double %1392, double 1.000000e+03
+  %1395 = tail call double @llvm.rint.f64(double %1394)
+  %1396 = fsub double %1394, %1395
+  %1397 = tail call double @llvm.fma.f64(double %1396, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
+  %1398 = tail call double @llvm.fma.f64(double %1397, double %1396, double 0x3F55D87FE78A6730)
+  %1399 = tail call double @llvm.fma.f64(double %1398, double %1396, double 0x3F83B2AB6FBA4E77)
+  %1400 = tail call double @llvm.fma.f64(double %1399, double %1396, double 0x3FAC6B08D704A0BF)
+  %1401 = tail call double @llvm.fma.f64(double %1400, double %1396, double 0x3FCEBFBDFF82C58E)
+  %1402 = tail call double @llvm.fma.f64(double %1401, double %1396, double 0x3FE62E42FEFA39EF)
+  %1403 = tail call double @llvm.fma.f64(double %1402, double %1396, double 1.000000e+00)
+  %1404 = bitcast double %1403 to i64
+  %1405 = fptosi double %1395 to i32
+  %1406 = sext i32 %1405 to i64
+  %1407 = shl nsw i64 %1406, 52
+  %1408 = add nsw i64 %1407, %1404
+  %1409 = bitcast i64 %1408 to double
+  %1410 = fmul double %1369, %1409
+  %1411 = load double, ptr %413, align 8
+  %1412 = fcmp une double %1411, 0.000000e+00
+  br i1 %1412, label %1413, label %1453
+
+1413:                                             ; preds = %1365
+  %1414 = load i64, ptr %409, align 8
+  %1415 = add nsw i64 %1414, -4604544271217802189
+  %1416 = ashr i64 %1415, 52
+  %1417 = and i64 %1415, -4503599627370496
+  %1418 = sub nsw i64 %1414, %1417
+  %1419 = bitcast i64 %1418 to double
+  %1420 = fadd double %1419, -1.000000e+00
+  %1421 = fadd double %1419, 1.000000e+00
+  %1422 = fdiv double %1420, %1421
+  %1423 = fmul double %1422, %1422
+  %1424 = tail call double @llvm.fma.f64(double %1423, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
+  %1425 = tail call double @llvm.fma.f64(double %1424, double %1423, double 0x3FE2776C50EF9BFE)
+  %1426 = tail call double @llvm.fma.f64(double %1425, double %1423, double 0x3FEEC709DC3A03FD)
+  %1427 = tail call double @llvm.fma.f64(double %1426, double %1423, double 0x40071547652B82FE)
+  %1428 = trunc nsw i64 %1416 to i32
+  %1429 = sitofp i32 %1428 to double
+  %1430 = fmul double %1422, %1427
+  %1431 = fadd double %1430, %1429
+  %1432 = fmul double %1411, %1431
+  %1433 = fcmp ogt double %1432, -1.000000e+03
+  %1434 = select i1 %1433, double %1432, double -1.000000e+03
+  %1435 = fcmp olt double %1434, 1.000000e+03
+  %1436 = select i1 %1435, double %1434, double 1.000000e+03
+  %1437 = tail call double @llvm.rint.f64(double %1436)
+  %1438 = fsub double %1436, %1437
+  %1439 = tail call double @llvm.fma.f64(double %1438, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
+  %1440 = tail call double @llvm.fma.f64(double %1439, double %1438, double 0x3F55D87FE78A6730)
+  %1441 = tail call double @llvm.fma.f64(double %1440, double %1438, double 0x3F83B2AB6FBA4E77)
+  %1442 = tail call double @llvm.fma.f64(double %1441, double %1438, double 0x3FAC6B08D704A0BF)
+  %1443 = tail call double @llvm.fma.f64(double %1442, double %1438, double 0x3FCEBFBDFF82C58E)
+  %1444 = tail call double @llvm.fma.f64(double %1443, double %1438, double 0x3FE62E42FEFA39EF)
+  %1445 = tail call double @llvm.fma.f64(double %1444, double %1438, double 1.000000e+00)
+  %1446 = bitcast double %1445 to i64
+  %1447 = fptosi double %1437 to i32
+  %1448 = sext i32 %1447 to i64
+  %1449 = shl nsw i64 %1448, 52
+  %1450 = add nsw i64 %1449, %1446
+  %1451 = bitcast i64 %1450 to double
+  %1452 = fmul double %1410, %1451
+  br label %1453
+
+1453:                                             ; preds = %1365, %1413
+  %1454 = phi double [ %1452, %1413 ], [ %1410, %1365 ]
+  %1455 = load double, ptr %414, align 8
+  %1456 = fcmp ogt double %1454, %1455
+  %1457 = select i1 %1456, double %1454, double %1455
+  %1458 = fcmp olt double %1366, %1457
+  %1459 = select i1 %1458, double %1366, double %1457
+  %1460 = fmul double %476, %1459
+  %1461 = fcmp oeq double %477, %100
+  %1462 = fcmp ogt double %430, %1460
+  %1463 = select i1 %1461, i1 %1462, i1 false
+  %1464 = select i1 %1463, double %430, double %1460
+  %1465 = fcmp ogt double %854, 1.000000e-04
+  %1466 = select i1 %1465, double %854, double 1.000000e-04
+  store double %1466, ptr %409, align 8
+  %1467 = load double, ptr %415, align 8
+  store double %1467, ptr %410, align 8
+  br label %1468
+
+1468:                                             ; preds = %1453, %1364
+  %1469 = phi double [ %1464, %1453 ], [ %430, %1364 ]
+  br i1 %416, label %1474, label %1470
+
+1470:                                             ; preds = %1474, %1468
+  %1471 = load i64, ptr %417, align 8
+  %1472 = load i64, ptr %96, align 8
+  %1473 = icmp eq i64 %1471, %1472
+  br i1 %1473, label %1486, label %1487
+
+1474:                                             ; preds = %1468, %1474
+  %1475 = phi i64 [ %1484, %1474 ], [ 0, %1468 ]
+  %1476 = getelementptr inbounds double, ptr %67, i64 %1475
+  %1477 = load double, ptr %1476, align 8
+  %1478 = load ptr, ptr %63, align 8
+  %1479 = getelementptr inbounds double, ptr %1478, i64 %1475
+  store double %1477, ptr %1479, align 8
+  %1480 = getelementptr inbounds double, ptr %105, i64 %1475
+  %1481 = load double, ptr %1480, align 8
+  %1482 = load ptr, ptr %101, align 8
+  %1483 = getelementptr inbounds double, ptr %1482, i64 %1475
+  store double %1481, ptr %1483, align 8
+  %1484 = add nuw nsw i64 %1475, 1
+  %1485 = icmp eq i64 %1484, %80
+  br i1 %1485, label %1470, label %1474, !llvm.loop !27
+
+1486:                                             ; preds = %1470
+  store double %1469, ptr %107, align 8
+  br label %1487
+
+1487:                                             ; preds = %1147, %1348, %1360, %1486, %842, %922, %921, %1470, %656, %483
+  %1488 = phi double [ %430, %483 ], [ %430, %656 ], [ %430, %1147 ], [ %1357, %1348 ], [ %430, %1360 ], [ %1469, %1486 ], [ %430, %842 ], [ %920, %922 ], [ %920, %921 ], [ %1469, %1470 ]
+  %1489 = phi double [ %429, %483 ], [ %429, %656 ], [ %429, %1147 ], [ %429, %1348 ], [ %429, %1360 ], [ %477, %1486 ], [ %429, %842 ], [ %429, %922 ], [ %429, %921 ], [ %477, %1470 ]
+  %1490 = phi i32 [ 1, %483 ], [ 1, %656 ], [ 1, %1147 ], [ 3, %1348 ], [ 1, %1360 ], [ 1, %1486 ], [ 1, %842 ], [ 3, %922 ], [ 1, %921 ], [ 0, %1470 ]
+  %1491 = phi i64 [ 2, %483 ], [ -4, %656 ], [ %1149, %1147 ], [ %428, %1348 ], [ %1342, %1360 ], [ 0, %1486 ], [ -4, %842 ], [ %428, %922 ], [ 2, %921 ], [ %428, %1470 ]
+  switch i32 %1490, label %1495 [
+    i32 0, label %1492
+    i32 3, label %1492
   ]
 
-1486:                                             ; preds = %1481, %1481
-  %1487 = load i64, ptr %70, align 8
-  %1488 = icmp eq i64 %1487, 0
-  br i1 %1488, label %424, label %426, !llvm.loop !19
+1492:                                             ; preds = %1487, %1487
+  %1493 = load i64, ptr %70, align 8
+  %1494 = icmp eq i64 %1493, 0
+  br i1 %1494, label %424, label %426, !llvm.loop !19
 
-1489:                                             ; preds = %1481, %134, %424, %443, %451, %176, %61
-  %1490 = phi i64 [ -1, %61 ], [ %137, %134 ], [ -1, %424 ], [ -5, %443 ], [ 1, %451 ], [ 0, %176 ], [ %1485, %1481 ]
-  ret i64 %1490
+1495:                                             ; preds = %1487, %134, %424, %443, %451, %176, %61
+  %1496 = phi i64 [ -1, %61 ], [ %137, %134 ], [ -1, %424 ], [ -5, %443 ], [ 1, %451 ], [ 0, %176 ], [ %1491, %1487 ]
+  ret i64 %1496
 }
 
 

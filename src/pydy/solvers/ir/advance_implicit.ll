@@ -1,4 +1,4 @@
-; sources 531034c9bfbd3f94003c86fb304552fd396293e0a370a9cecbf504597091ad51
+; sources 8757643a19bc2610319eed39097b901a3d4087e38e33a5f62c624b0b2a3e2a89
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 @NODES = internal unnamed_addr constant [3 x double] [double 0x3FC3D8B64657CAEA, double 0x3FE4A36C0803A6DF, double 1.000000e+00], align 16
@@ -36,7 +36,7 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
 
 23:                                               ; preds = %19
   %24 = getelementptr inbounds i8, ptr %0, i64 576
-  %25 = getelementptr inbounds i8, ptr %0, i64 984
+  %25 = getelementptr inbounds i8, ptr %0, i64 1032
   br label %44
 
 26:                                               ; preds = %17, %26
@@ -61,7 +61,7 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
 
 41:                                               ; preds = %37
   %42 = getelementptr inbounds i8, ptr %0, i64 600
-  %43 = getelementptr inbounds i8, ptr %0, i64 1008
+  %43 = getelementptr inbounds i8, ptr %0, i64 1056
   br label %54
 
 44:                                               ; preds = %23, %44
@@ -93,10 +93,10 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
 64:                                               ; preds = %54, %37, %3
   %65 = getelementptr inbounds i8, ptr %0, i64 144
   %66 = getelementptr inbounds i8, ptr %0, i64 312
-  %67 = getelementptr inbounds i8, ptr %0, i64 1080
+  %67 = getelementptr inbounds i8, ptr %0, i64 1128
   %68 = getelementptr inbounds i8, ptr %0, i64 576
   %69 = load ptr, ptr %68, align 8
-  %70 = getelementptr inbounds i8, ptr %0, i64 1104
+  %70 = getelementptr inbounds i8, ptr %0, i64 1152
   %71 = load ptr, ptr %70, align 8
   %72 = getelementptr inbounds i8, ptr %0, i64 600
   %73 = load ptr, ptr %72, align 8
@@ -104,7 +104,7 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   %75 = getelementptr inbounds i8, ptr %73, i64 56
   %76 = load i64, ptr %75, align 8
   %77 = icmp eq i64 %76, 0
-  br i1 %77, label %1765, label %78
+  br i1 %77, label %1771, label %78
 
 78:                                               ; preds = %64
   %79 = load ptr, ptr %65, align 8
@@ -198,7 +198,7 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   store i64 3, ptr %151, align 8
   %152 = icmp slt i32 %148, 0
   %153 = select i1 %152, i64 -4, i64 2
-  br label %1765
+  br label %1771
 
 154:                                              ; preds = %139
   store i64 1, ptr %73, align 8
@@ -264,7 +264,7 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   %195 = getelementptr inbounds i8, ptr %194, i64 48
   store i64 %193, ptr %195, align 8
   %196 = icmp eq i64 %193, %163
-  br i1 %196, label %1765, label %197
+  br i1 %196, label %1771, label %197
 
 197:                                              ; preds = %192
   %198 = fcmp oeq double %114, 0.000000e+00
@@ -309,18 +309,18 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   br i1 %227, label %346, label %228
 
 228:                                              ; preds = %224
-  %229 = getelementptr inbounds i8, ptr %0, i64 1032
+  %229 = getelementptr inbounds i8, ptr %0, i64 1080
   %230 = getelementptr inbounds i8, ptr %73, i64 8
   %231 = getelementptr inbounds i8, ptr %73, i64 16
   %232 = getelementptr inbounds i8, ptr %73, i64 64
   %233 = getelementptr inbounds i8, ptr %69, i64 16
   %234 = getelementptr inbounds i8, ptr %74, i64 8
-  %235 = getelementptr inbounds i8, ptr %0, i64 1152
+  %235 = getelementptr inbounds i8, ptr %0, i64 1200
   %236 = getelementptr inbounds i8, ptr %0, i64 168
   %237 = getelementptr inbounds i8, ptr %0, i64 248
   %238 = getelementptr inbounds i8, ptr %0, i64 168
   %239 = getelementptr inbounds i8, ptr %0, i64 192
-  %240 = getelementptr inbounds i8, ptr %0, i64 1128
+  %240 = getelementptr inbounds i8, ptr %0, i64 1176
   %241 = getelementptr inbounds i8, ptr %0, i64 360
   %242 = getelementptr inbounds i8, ptr %0, i64 360
   %243 = getelementptr inbounds i8, ptr %0, i64 336
@@ -329,25 +329,25 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   %246 = getelementptr inbounds i8, ptr %0, i64 192
   %247 = getelementptr inbounds i8, ptr %0, i64 216
   %248 = getelementptr inbounds i8, ptr %0, i64 480
-  %249 = getelementptr inbounds i8, ptr %0, i64 1160
+  %249 = getelementptr inbounds i8, ptr %0, i64 1208
   %250 = getelementptr inbounds i8, ptr %74, i64 16
   %251 = getelementptr inbounds i8, ptr %74, i64 24
   %252 = getelementptr inbounds i8, ptr %74, i64 24
   %253 = getelementptr inbounds i8, ptr %73, i64 40
-  %254 = getelementptr inbounds i8, ptr %0, i64 1224
-  %255 = getelementptr inbounds i8, ptr %0, i64 1232
-  %256 = getelementptr inbounds i8, ptr %0, i64 1176
-  %257 = getelementptr inbounds i8, ptr %0, i64 1200
-  %258 = getelementptr inbounds i8, ptr %0, i64 1152
-  %259 = getelementptr inbounds i8, ptr %0, i64 1248
+  %254 = getelementptr inbounds i8, ptr %0, i64 1272
+  %255 = getelementptr inbounds i8, ptr %0, i64 1280
+  %256 = getelementptr inbounds i8, ptr %0, i64 1224
+  %257 = getelementptr inbounds i8, ptr %0, i64 1248
+  %258 = getelementptr inbounds i8, ptr %0, i64 1200
+  %259 = getelementptr inbounds i8, ptr %0, i64 1296
   %260 = getelementptr inbounds i8, ptr %71, i64 8
-  %261 = getelementptr inbounds i8, ptr %0, i64 1344
-  %262 = getelementptr inbounds i8, ptr %0, i64 1272
-  %263 = getelementptr inbounds i8, ptr %0, i64 1296
+  %261 = getelementptr inbounds i8, ptr %0, i64 1392
+  %262 = getelementptr inbounds i8, ptr %0, i64 1320
+  %263 = getelementptr inbounds i8, ptr %0, i64 1344
   %264 = fmul double %103, %111
-  %265 = getelementptr inbounds i8, ptr %0, i64 1320
-  %266 = getelementptr inbounds i8, ptr %0, i64 1368
-  %267 = getelementptr inbounds i8, ptr %0, i64 1392
+  %265 = getelementptr inbounds i8, ptr %0, i64 1368
+  %266 = getelementptr inbounds i8, ptr %0, i64 1416
+  %267 = getelementptr inbounds i8, ptr %0, i64 1440
   %268 = getelementptr inbounds i8, ptr %0, i64 360
   %269 = getelementptr inbounds i8, ptr %0, i64 168
   %270 = getelementptr inbounds i8, ptr %0, i64 248
@@ -356,28 +356,28 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   %273 = getelementptr inbounds i8, ptr %0, i64 216
   %274 = getelementptr inbounds i8, ptr %0, i64 552
   %275 = getelementptr inbounds i8, ptr %0, i64 528
-  %276 = getelementptr inbounds i8, ptr %0, i64 1224
-  %277 = getelementptr inbounds i8, ptr %0, i64 1232
-  %278 = getelementptr inbounds i8, ptr %0, i64 1176
-  %279 = getelementptr inbounds i8, ptr %0, i64 1200
-  %280 = getelementptr inbounds i8, ptr %0, i64 1248
+  %276 = getelementptr inbounds i8, ptr %0, i64 1272
+  %277 = getelementptr inbounds i8, ptr %0, i64 1280
+  %278 = getelementptr inbounds i8, ptr %0, i64 1224
+  %279 = getelementptr inbounds i8, ptr %0, i64 1248
+  %280 = getelementptr inbounds i8, ptr %0, i64 1296
   %281 = getelementptr inbounds i8, ptr %0, i64 552
   %282 = getelementptr inbounds i8, ptr %0, i64 528
-  %283 = getelementptr inbounds i8, ptr %0, i64 1232
-  %284 = getelementptr inbounds i8, ptr %0, i64 1296
-  %285 = getelementptr inbounds i8, ptr %0, i64 1312
-  %286 = getelementptr inbounds i8, ptr %0, i64 1368
-  %287 = getelementptr inbounds i8, ptr %0, i64 1392
+  %283 = getelementptr inbounds i8, ptr %0, i64 1280
+  %284 = getelementptr inbounds i8, ptr %0, i64 1344
+  %285 = getelementptr inbounds i8, ptr %0, i64 1360
+  %286 = getelementptr inbounds i8, ptr %0, i64 1416
+  %287 = getelementptr inbounds i8, ptr %0, i64 1440
   %288 = fmul double %264, %264
   %289 = icmp sgt i64 %81, 0
   %290 = shl i64 %81, 4
   %291 = getelementptr inbounds i8, ptr %0, i64 336
   %292 = getelementptr inbounds i8, ptr %74, i64 32
-  %293 = getelementptr inbounds i8, ptr %0, i64 1224
-  %294 = getelementptr inbounds i8, ptr %0, i64 1232
-  %295 = getelementptr inbounds i8, ptr %0, i64 1416
+  %293 = getelementptr inbounds i8, ptr %0, i64 1272
+  %294 = getelementptr inbounds i8, ptr %0, i64 1280
+  %295 = getelementptr inbounds i8, ptr %0, i64 1464
   %296 = getelementptr inbounds i8, ptr %0, i64 480
-  %297 = getelementptr inbounds i8, ptr %0, i64 1176
+  %297 = getelementptr inbounds i8, ptr %0, i64 1224
   %298 = getelementptr inbounds i8, ptr %0, i64 336
   %299 = getelementptr inbounds i8, ptr %0, i64 360
   %300 = getelementptr inbounds i8, ptr %0, i64 360
@@ -398,8 +398,8 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   %315 = getelementptr inbounds i8, ptr %8, i64 16
   %316 = getelementptr inbounds i8, ptr %9, i64 8
   %317 = getelementptr inbounds i8, ptr %9, i64 16
-  %318 = getelementptr inbounds i8, ptr %0, i64 1056
-  %319 = getelementptr inbounds i8, ptr %0, i64 1072
+  %318 = getelementptr inbounds i8, ptr %0, i64 1104
+  %319 = getelementptr inbounds i8, ptr %0, i64 1120
   %320 = getelementptr inbounds i8, ptr %73, i64 48
   %321 = getelementptr inbounds i8, ptr %0, i64 408
   %322 = getelementptr inbounds i8, ptr %0, i64 504
@@ -408,40 +408,40 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   %325 = getelementptr inbounds i8, ptr %0, i64 408
   %326 = getelementptr inbounds i8, ptr %0, i64 504
   %327 = getelementptr inbounds i8, ptr %0, i64 320
-  %328 = getelementptr inbounds i8, ptr %73, i64 72
-  %329 = getelementptr inbounds i8, ptr %74, i64 16
-  %330 = icmp sgt i64 %81, 0
-  %331 = getelementptr inbounds i8, ptr %73, i64 24
-  %332 = getelementptr inbounds i8, ptr %0, i64 480
-  %333 = getelementptr inbounds i8, ptr %0, i64 168
-  %334 = getelementptr inbounds i8, ptr %0, i64 248
-  %335 = getelementptr inbounds i8, ptr %0, i64 192
-  %336 = getelementptr inbounds i8, ptr %0, i64 216
-  %337 = getelementptr inbounds i8, ptr %73, i64 72
-  %338 = getelementptr inbounds i8, ptr %74, i64 16
-  %339 = getelementptr inbounds i8, ptr %73, i64 48
+  %328 = icmp sgt i64 %81, 0
+  %329 = getelementptr inbounds i8, ptr %73, i64 24
+  %330 = getelementptr inbounds i8, ptr %0, i64 480
+  %331 = getelementptr inbounds i8, ptr %0, i64 168
+  %332 = getelementptr inbounds i8, ptr %0, i64 248
+  %333 = getelementptr inbounds i8, ptr %0, i64 192
+  %334 = getelementptr inbounds i8, ptr %0, i64 216
+  %335 = getelementptr inbounds i8, ptr %73, i64 72
+  %336 = getelementptr inbounds i8, ptr %74, i64 16
+  %337 = getelementptr inbounds i8, ptr %73, i64 48
+  %338 = getelementptr inbounds i8, ptr %73, i64 72
+  %339 = getelementptr inbounds i8, ptr %74, i64 16
   %340 = getelementptr inbounds i8, ptr %73, i64 72
   %341 = getelementptr inbounds i8, ptr %74, i64 16
-  %342 = getelementptr inbounds i8, ptr %0, i64 1152
-  %343 = getelementptr inbounds i8, ptr %0, i64 1160
+  %342 = getelementptr inbounds i8, ptr %0, i64 1200
+  %343 = getelementptr inbounds i8, ptr %0, i64 1208
   %344 = getelementptr inbounds i8, ptr %73, i64 72
   %345 = getelementptr inbounds i8, ptr %74, i64 16
   br label %348
 
-346:                                              ; preds = %1762, %224
-  %347 = phi double [ %225, %224 ], [ %1758, %1762 ]
+346:                                              ; preds = %1768, %224
+  %347 = phi double [ %225, %224 ], [ %1764, %1768 ]
   store double %347, ptr %113, align 8
-  br label %1765
+  br label %1771
 
-348:                                              ; preds = %228, %1762
-  %349 = phi i64 [ %226, %228 ], [ %1763, %1762 ]
-  %350 = phi i64 [ undef, %228 ], [ %1761, %1762 ]
-  %351 = phi double [ %112, %228 ], [ %1759, %1762 ]
-  %352 = phi double [ %225, %228 ], [ %1758, %1762 ]
-  %353 = phi i64 [ undef, %228 ], [ %1757, %1762 ]
-  %354 = phi i64 [ undef, %228 ], [ %1756, %1762 ]
-  %355 = phi i32 [ undef, %228 ], [ %1755, %1762 ]
-  %356 = phi double [ undef, %228 ], [ %1754, %1762 ]
+348:                                              ; preds = %228, %1768
+  %349 = phi i64 [ %226, %228 ], [ %1769, %1768 ]
+  %350 = phi i64 [ undef, %228 ], [ %1767, %1768 ]
+  %351 = phi double [ %112, %228 ], [ %1765, %1768 ]
+  %352 = phi double [ %225, %228 ], [ %1764, %1768 ]
+  %353 = phi i64 [ undef, %228 ], [ %1763, %1768 ]
+  %354 = phi i64 [ undef, %228 ], [ %1762, %1768 ]
+  %355 = phi i32 [ undef, %228 ], [ %1761, %1768 ]
+  %356 = phi double [ undef, %228 ], [ %1760, %1768 ]
   %357 = load ptr, ptr %229, align 8
   %358 = getelementptr inbounds i8, ptr %357, i64 8
   %359 = load i64, ptr %358, align 8
@@ -462,7 +462,7 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
 
 369:                                              ; preds = %366
   store double %352, ptr %113, align 8
-  br label %1765
+  br label %1771
 
 370:                                              ; preds = %366
   %371 = add nsw i64 %349, -1
@@ -476,7 +476,7 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
 
 377:                                              ; preds = %370
   store double %352, ptr %113, align 8
-  br label %1765
+  br label %1771
 
 378:                                              ; preds = %370
   %379 = load double, ptr %233, align 8
@@ -498,7 +498,7 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
 
 394:                                              ; preds = %378
   store double %387, ptr %113, align 8
-  br label %1753
+  br label %1759
 
 395:                                              ; preds = %378
   %396 = load i64, ptr %234, align 8
@@ -671,7 +671,7 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
 
 513:                                              ; preds = %509, %497
   %514 = icmp slt i64 %498, 0
-  br i1 %514, label %1753, label %515
+  br i1 %514, label %1759, label %515
 
 515:                                              ; preds = %513
   store i64 0, ptr %234, align 8
@@ -778,7 +778,7 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   %583 = sub nsw i64 1, %582
   store i64 %583, ptr %234, align 8
   store i64 0, ptr %252, align 8
-  br label %1753, !llvm.loop !17
+  br label %1759, !llvm.loop !17
 
 584:                                              ; preds = %575
   store i64 1, ptr %252, align 8
@@ -1469,7 +1469,7 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   %1122 = phi i64 [ %1117, %1115 ], [ %1109, %1106 ]
   %1123 = phi i64 [ 0, %1115 ], [ %1110, %1106 ]
   %1124 = icmp slt i64 %1123, 0
-  br i1 %1124, label %1753, label %1125
+  br i1 %1124, label %1759, label %1125
 
 1125:                                             ; preds = %1119
   %1126 = icmp eq i32 %1121, 0
@@ -1529,7 +1529,7 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
 
 1162:                                             ; preds = %1159
   store i64 0, ptr %252, align 8
-  br label %1753, !llvm.loop !17
+  br label %1759, !llvm.loop !17
 
 1163:                                             ; preds = %1159
   store i64 0, ptr %341, align 8
@@ -1555,7 +1555,7 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   %1176 = load i64, ptr %341, align 8
   %1177 = sub nsw i64 1, %1176
   store i64 %1177, ptr %234, align 8
-  br label %1753, !llvm.loop !17
+  br label %1759, !llvm.loop !17
 
 1178:                                             ; preds = %1279, %1127
   %1179 = load i64, ptr %292, align 8
@@ -1693,7 +1693,7 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   %1276 = phi double [ %1263, %1259 ], [ %1194, %1235 ], [ %1194, %1190 ]
   %1277 = phi i64 [ 0, %1259 ], [ %1243, %1235 ], [ 0, %1190 ]
   %1278 = icmp slt i64 %1277, 0
-  br i1 %1278, label %1753, label %1293
+  br i1 %1278, label %1759, label %1293
 
 1279:                                             ; preds = %1127, %1279
   %1280 = phi i64 [ %1291, %1279 ], [ 0, %1127 ]
@@ -1747,7 +1747,7 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   %1316 = load i64, ptr %306, align 8
   %1317 = sub nsw i64 1, %1316
   store i64 %1317, ptr %234, align 8
-  br label %1753, !llvm.loop !17
+  br label %1759, !llvm.loop !17
 
 1318:                                             ; preds = %1293
   br i1 %92, label %1319, label %1333
@@ -1772,7 +1772,7 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   %1331 = load i64, ptr %308, align 8
   %1332 = sub nsw i64 1, %1331
   store i64 %1332, ptr %234, align 8
-  br label %1753, !llvm.loop !17
+  br label %1759, !llvm.loop !17
 
 1333:                                             ; preds = %1319, %1318
   %1334 = load i64, ptr %230, align 8
@@ -1989,7 +1989,7 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   %1491 = getelementptr inbounds double, ptr %83, i64 %1490
   %1492 = load double, ptr %1491, align 8
   %1493 = fcmp ugt double %1492, %388
-  br i1 %1493, label %1703, label %1494
+  br i1 %1493, label %1709, label %1494
 
 1494:                                             ; preds = %1489, %1488
   %1495 = load ptr, ptr %68, align 8
@@ -1997,405 +1997,418 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   %1497 = getelementptr inbounds i8, ptr %1496, i64 8
   %1498 = load i64, ptr %1497, align 8
   %1499 = icmp sgt i64 %1498, 0
-  br i1 %1499, label %1500, label %1507
+  br i1 %1499, label %1500, label %1510
 
 1500:                                             ; preds = %1494
   %1501 = getelementptr inbounds i8, ptr %1496, i64 16
   %1502 = load i64, ptr %1501, align 8
   %1503 = inttoptr i64 %1502 to ptr
   %1504 = tail call i64 %1503(ptr noundef %0, double noundef %351, double noundef %387) #11
-  %1505 = getelementptr inbounds i8, ptr %1495, i64 48
-  %1506 = load double, ptr %1505, align 8
-  br label %1507
+  %1505 = icmp eq i64 %1504, -6
+  br i1 %1505, label %1506, label %1507
 
-1507:                                             ; preds = %1500, %1494
-  %1508 = phi double [ %1506, %1500 ], [ 1.000000e+00, %1494 ]
-  %1509 = phi i64 [ %1504, %1500 ], [ 0, %1494 ]
-  %1510 = fcmp oeq double %1508, 1.000000e+00
-  br i1 %1510, label %1511, label %1513
-
-1511:                                             ; preds = %1507
-  %1512 = load double, ptr %1495, align 8
-  br label %1516
-
-1513:                                             ; preds = %1507
-  %1514 = fmul double %387, %1508
-  %1515 = fadd double %351, %1514
-  br label %1516
-
-1516:                                             ; preds = %1513, %1511
-  %1517 = phi double [ %1512, %1511 ], [ %1515, %1513 ]
-  %1518 = icmp eq i64 %1509, -4
-  %1519 = select i1 %1518, i64 -4, i64 0
-  br i1 %1518, label %1577, label %1520
-
-1520:                                             ; preds = %1516
-  %1521 = fcmp olt double %1508, 1.000000e+00
-  %1522 = load ptr, ptr %65, align 8
-  %1523 = getelementptr inbounds i8, ptr %1522, i64 8
-  %1524 = load i64, ptr %1523, align 8
-  %1525 = load i64, ptr %84, align 8
-  %1526 = load ptr, ptr %82, align 8
-  %1527 = load ptr, ptr %72, align 8
-  %1528 = getelementptr inbounds i8, ptr %1527, i64 48
-  %1529 = load i64, ptr %1528, align 8
-  %1530 = icmp slt i64 %1529, %1525
-  br i1 %1530, label %1531, label %1573
-
-1531:                                             ; preds = %1520, %1569
-  %1532 = phi i64 [ %1570, %1569 ], [ undef, %1520 ]
-  %1533 = phi i64 [ %1571, %1569 ], [ %1529, %1520 ]
-  %1534 = getelementptr inbounds double, ptr %1526, i64 %1533
-  %1535 = load double, ptr %1534, align 8
-  %1536 = fcmp olt double %1535, %1517
-  %1537 = fcmp oeq double %1535, %1517
-  %1538 = and i1 %1521, %1537
-  %1539 = or i1 %1536, %1538
-  br i1 %1539, label %1540, label %1573
-
-1540:                                             ; preds = %1531
-  %1541 = fsub double %1535, %351
-  %1542 = fdiv double %1541, %387
-  %1543 = mul nsw i64 %1533, %1524
-  %1544 = getelementptr inbounds double, ptr %1, i64 %1543
-  %1545 = load ptr, ptr %321, align 8
-  %1546 = insertelement <8 x double> poison, double %1542, i64 0
-  %1547 = shufflevector <8 x double> %1546, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %1547, ptr %1545, align 8
-  %1548 = load ptr, ptr %66, align 8
-  %1549 = load ptr, ptr %322, align 8
-  %1550 = load i64, ptr %323, align 8
-  %1551 = load ptr, ptr %0, align 8
-  %1552 = getelementptr inbounds i8, ptr %1551, i64 24
-  %1553 = load i64, ptr %1552, align 8
-  %1554 = load ptr, ptr %321, align 8
-  %1555 = load ptr, ptr %65, align 8
-  %1556 = getelementptr inbounds i8, ptr %1555, i64 16
-  %1557 = load i64, ptr %1556, align 8
-  tail call fastcc void @nested(ptr noundef %1544, ptr noundef %1548, ptr noundef %1549, i64 noundef %1550, i64 noundef %1553, ptr noundef %1554, i64 noundef %1557) #10
-  %1558 = load ptr, ptr %89, align 8
-  %1559 = load i64, ptr %1558, align 8
-  %1560 = icmp eq i64 %1559, 1
-  br i1 %1560, label %1561, label %1569
-
-1561:                                             ; preds = %1540
-  %1562 = load double, ptr %1534, align 8
-  %1563 = getelementptr inbounds i8, ptr %1558, i64 56
-  %1564 = load i64, ptr %1563, align 8
-  %1565 = inttoptr i64 %1564 to ptr
-  %1566 = tail call i64 %1565(ptr noundef %0, double noundef %1562, ptr noundef %1544) #11
-  %1567 = icmp eq i64 %1566, 0
-  %1568 = select i1 %1567, i64 %1532, i64 %1566
-  br i1 %1567, label %1569, label %1577
-
-1569:                                             ; preds = %1561, %1540
-  %1570 = phi i64 [ %1568, %1561 ], [ %1532, %1540 ]
-  %1571 = add i64 %1533, 1
-  %1572 = icmp eq i64 %1571, %1525
-  br i1 %1572, label %1573, label %1531, !llvm.loop !44
-
-1573:                                             ; preds = %1569, %1531, %1520
-  %1574 = phi i64 [ %1529, %1520 ], [ %1525, %1569 ], [ %1533, %1531 ]
-  %1575 = load ptr, ptr %72, align 8
-  %1576 = getelementptr inbounds i8, ptr %1575, i64 48
-  store i64 %1574, ptr %1576, align 8
-  br label %1577
-
-1577:                                             ; preds = %1561, %1573, %1516
-  %1578 = phi i64 [ %1519, %1516 ], [ 0, %1573 ], [ %1568, %1561 ]
-  %1579 = icmp eq i64 %1578, 0
-  %1580 = icmp ne i64 %1509, 0
-  %1581 = select i1 %1579, i1 %1580, i1 false
-  %1582 = fcmp olt double %1508, 1.000000e+00
-  %1583 = and i1 %1582, %1581
-  br i1 %1583, label %1584, label %1621
-
-1584:                                             ; preds = %1577
-  %1585 = load ptr, ptr %324, align 8
-  %1586 = load ptr, ptr %325, align 8
-  %1587 = insertelement <8 x double> poison, double %1508, i64 0
-  %1588 = shufflevector <8 x double> %1587, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %1588, ptr %1586, align 8
-  %1589 = load ptr, ptr %66, align 8
-  %1590 = load ptr, ptr %326, align 8
-  %1591 = load i64, ptr %327, align 8
-  %1592 = load ptr, ptr %0, align 8
-  %1593 = getelementptr inbounds i8, ptr %1592, i64 24
-  %1594 = load i64, ptr %1593, align 8
-  %1595 = load ptr, ptr %325, align 8
-  %1596 = load ptr, ptr %65, align 8
-  %1597 = getelementptr inbounds i8, ptr %1596, i64 16
-  %1598 = load i64, ptr %1597, align 8
-  tail call fastcc void @nested(ptr noundef %1585, ptr noundef %1589, ptr noundef %1590, i64 noundef %1591, i64 noundef %1594, ptr noundef %1595, i64 noundef %1598) #10
-  %1599 = load i64, ptr %312, align 8
-  %1600 = icmp sgt i64 %1599, 0
-  br i1 %1600, label %1605, label %1601
-
-1601:                                             ; preds = %1605, %1584
-  %1602 = load ptr, ptr %89, align 8
-  %1603 = load i64, ptr %1602, align 8
-  %1604 = icmp eq i64 %1603, 1
-  br i1 %1604, label %1615, label %1621
-
-1605:                                             ; preds = %1584, %1605
-  %1606 = phi i64 [ %1612, %1605 ], [ 0, %1584 ]
-  %1607 = load ptr, ptr %324, align 8
-  %1608 = getelementptr inbounds double, ptr %1607, i64 %1606
-  %1609 = load double, ptr %1608, align 8
-  %1610 = load ptr, ptr %298, align 8
-  %1611 = getelementptr inbounds double, ptr %1610, i64 %1606
-  store double %1609, ptr %1611, align 8
-  %1612 = add nuw nsw i64 %1606, 1
-  %1613 = load i64, ptr %312, align 8
-  %1614 = icmp slt i64 %1612, %1613
-  br i1 %1614, label %1605, label %1601, !llvm.loop !45
-
-1615:                                             ; preds = %1601
-  %1616 = load ptr, ptr %298, align 8
-  %1617 = getelementptr inbounds i8, ptr %1602, i64 56
-  %1618 = load i64, ptr %1617, align 8
-  %1619 = inttoptr i64 %1618 to ptr
-  %1620 = tail call i64 %1619(ptr noundef %0, double noundef %1517, ptr noundef %1616) #11
-  br label %1621
-
-1621:                                             ; preds = %1615, %1601, %1577
-  %1622 = phi i64 [ %1620, %1615 ], [ 0, %1601 ], [ %1578, %1577 ]
-  %1623 = icmp eq i64 %1622, 0
-  br i1 %1623, label %1626, label %1624
-
-1624:                                             ; preds = %1621
+1506:                                             ; preds = %1500
   store double %351, ptr %1495, align 8
-  %1625 = getelementptr inbounds i8, ptr %1495, i64 8
-  store double %387, ptr %1625, align 8
-  br label %1682
+  br label %1685
 
-1626:                                             ; preds = %1621
-  br i1 %1510, label %1627, label %1665
+1507:                                             ; preds = %1500
+  %1508 = getelementptr inbounds i8, ptr %1495, i64 48
+  %1509 = load double, ptr %1508, align 8
+  br label %1510
 
-1627:                                             ; preds = %1626
-  %1628 = load ptr, ptr %298, align 8
-  %1629 = load ptr, ptr %65, align 8
-  %1630 = getelementptr inbounds i8, ptr %1629, i64 8
-  %1631 = load i64, ptr %1630, align 8
-  %1632 = load i64, ptr %84, align 8
-  %1633 = load ptr, ptr %82, align 8
-  %1634 = load ptr, ptr %72, align 8
-  %1635 = getelementptr inbounds i8, ptr %1634, i64 48
-  %1636 = load i64, ptr %1635, align 8
-  %1637 = icmp slt i64 %1636, %1632
-  br i1 %1637, label %1638, label %1661
+1510:                                             ; preds = %1507, %1494
+  %1511 = phi double [ %1509, %1507 ], [ 1.000000e+00, %1494 ]
+  %1512 = phi i64 [ %1504, %1507 ], [ 0, %1494 ]
+  %1513 = fcmp oeq double %1511, 1.000000e+00
+  br i1 %1513, label %1514, label %1516
 
-1638:                                             ; preds = %1627
-  %1639 = icmp sgt i64 %1631, 0
-  br label %1640
+1514:                                             ; preds = %1510
+  %1515 = load double, ptr %1495, align 8
+  br label %1519
 
-1640:                                             ; preds = %1638, %1651
-  %1641 = phi i64 [ %1636, %1638 ], [ %1652, %1651 ]
-  %1642 = getelementptr inbounds double, ptr %1633, i64 %1641
-  %1643 = load double, ptr %1642, align 8
-  %1644 = load ptr, ptr %68, align 8
-  %1645 = load double, ptr %1644, align 8
-  %1646 = fcmp ugt double %1643, %1645
-  br i1 %1646, label %1661, label %1647
+1516:                                             ; preds = %1510
+  %1517 = fmul double %387, %1511
+  %1518 = fadd double %351, %1517
+  br label %1519
 
-1647:                                             ; preds = %1640
-  br i1 %1639, label %1648, label %1651
+1519:                                             ; preds = %1516, %1514
+  %1520 = phi double [ %1515, %1514 ], [ %1518, %1516 ]
+  %1521 = icmp eq i64 %1512, -4
+  %1522 = select i1 %1521, i64 -4, i64 0
+  br i1 %1521, label %1580, label %1523
 
-1648:                                             ; preds = %1647
-  %1649 = mul nsw i64 %1641, %1631
-  %1650 = getelementptr double, ptr %1, i64 %1649
-  br label %1654
+1523:                                             ; preds = %1519
+  %1524 = fcmp olt double %1511, 1.000000e+00
+  %1525 = load ptr, ptr %65, align 8
+  %1526 = getelementptr inbounds i8, ptr %1525, i64 8
+  %1527 = load i64, ptr %1526, align 8
+  %1528 = load i64, ptr %84, align 8
+  %1529 = load ptr, ptr %82, align 8
+  %1530 = load ptr, ptr %72, align 8
+  %1531 = getelementptr inbounds i8, ptr %1530, i64 48
+  %1532 = load i64, ptr %1531, align 8
+  %1533 = icmp slt i64 %1532, %1528
+  br i1 %1533, label %1534, label %1576
 
-1651:                                             ; preds = %1654, %1647
-  %1652 = add i64 %1641, 1
-  %1653 = icmp eq i64 %1652, %1632
-  br i1 %1653, label %1661, label %1640, !llvm.loop !9
+1534:                                             ; preds = %1523, %1572
+  %1535 = phi i64 [ %1573, %1572 ], [ undef, %1523 ]
+  %1536 = phi i64 [ %1574, %1572 ], [ %1532, %1523 ]
+  %1537 = getelementptr inbounds double, ptr %1529, i64 %1536
+  %1538 = load double, ptr %1537, align 8
+  %1539 = fcmp olt double %1538, %1520
+  %1540 = fcmp oeq double %1538, %1520
+  %1541 = and i1 %1524, %1540
+  %1542 = or i1 %1539, %1541
+  br i1 %1542, label %1543, label %1576
 
-1654:                                             ; preds = %1648, %1654
-  %1655 = phi i64 [ 0, %1648 ], [ %1659, %1654 ]
-  %1656 = getelementptr inbounds double, ptr %1628, i64 %1655
-  %1657 = load double, ptr %1656, align 8
-  %1658 = getelementptr double, ptr %1650, i64 %1655
-  store double %1657, ptr %1658, align 8
-  %1659 = add nuw nsw i64 %1655, 1
-  %1660 = icmp eq i64 %1659, %1631
-  br i1 %1660, label %1651, label %1654, !llvm.loop !10
+1543:                                             ; preds = %1534
+  %1544 = fsub double %1538, %351
+  %1545 = fdiv double %1544, %387
+  %1546 = mul nsw i64 %1536, %1527
+  %1547 = getelementptr inbounds double, ptr %1, i64 %1546
+  %1548 = load ptr, ptr %321, align 8
+  %1549 = insertelement <8 x double> poison, double %1545, i64 0
+  %1550 = shufflevector <8 x double> %1549, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %1550, ptr %1548, align 8
+  %1551 = load ptr, ptr %66, align 8
+  %1552 = load ptr, ptr %322, align 8
+  %1553 = load i64, ptr %323, align 8
+  %1554 = load ptr, ptr %0, align 8
+  %1555 = getelementptr inbounds i8, ptr %1554, i64 24
+  %1556 = load i64, ptr %1555, align 8
+  %1557 = load ptr, ptr %321, align 8
+  %1558 = load ptr, ptr %65, align 8
+  %1559 = getelementptr inbounds i8, ptr %1558, i64 16
+  %1560 = load i64, ptr %1559, align 8
+  tail call fastcc void @nested(ptr noundef %1547, ptr noundef %1551, ptr noundef %1552, i64 noundef %1553, i64 noundef %1556, ptr noundef %1557, i64 noundef %1560) #10
+  %1561 = load ptr, ptr %89, align 8
+  %1562 = load i64, ptr %1561, align 8
+  %1563 = icmp eq i64 %1562, 1
+  br i1 %1563, label %1564, label %1572
 
-1661:                                             ; preds = %1651, %1640, %1627
-  %1662 = phi i64 [ %1636, %1627 ], [ %1632, %1651 ], [ %1641, %1640 ]
-  %1663 = load ptr, ptr %72, align 8
-  %1664 = getelementptr inbounds i8, ptr %1663, i64 48
-  store i64 %1662, ptr %1664, align 8
-  br label %1665
+1564:                                             ; preds = %1543
+  %1565 = load double, ptr %1537, align 8
+  %1566 = getelementptr inbounds i8, ptr %1561, i64 56
+  %1567 = load i64, ptr %1566, align 8
+  %1568 = inttoptr i64 %1567 to ptr
+  %1569 = tail call i64 %1568(ptr noundef %0, double noundef %1565, ptr noundef %1547) #11
+  %1570 = icmp eq i64 %1569, 0
+  %1571 = select i1 %1570, i64 %1535, i64 %1569
+  br i1 %1570, label %1572, label %1580
 
-1665:                                             ; preds = %1661, %1626
-  br i1 %1580, label %1666, label %1682
+1572:                                             ; preds = %1564, %1543
+  %1573 = phi i64 [ %1571, %1564 ], [ %1535, %1543 ]
+  %1574 = add i64 %1536, 1
+  %1575 = icmp eq i64 %1574, %1528
+  br i1 %1575, label %1576, label %1534, !llvm.loop !44
 
-1666:                                             ; preds = %1665
-  %1667 = load i64, ptr %312, align 8
-  %1668 = icmp sgt i64 %1667, 0
-  br i1 %1668, label %1672, label %1669
+1576:                                             ; preds = %1572, %1534, %1523
+  %1577 = phi i64 [ %1532, %1523 ], [ %1528, %1572 ], [ %1536, %1534 ]
+  %1578 = load ptr, ptr %72, align 8
+  %1579 = getelementptr inbounds i8, ptr %1578, i64 48
+  store i64 %1577, ptr %1579, align 8
+  br label %1580
 
-1669:                                             ; preds = %1672, %1666
-  store double %1517, ptr %1495, align 8
-  %1670 = getelementptr inbounds i8, ptr %1495, i64 8
-  store double 0.000000e+00, ptr %1670, align 8
-  %1671 = load ptr, ptr %72, align 8
-  store i64 0, ptr %1671, align 8
-  br label %1682
+1580:                                             ; preds = %1564, %1576, %1519
+  %1581 = phi i64 [ %1522, %1519 ], [ 0, %1576 ], [ %1571, %1564 ]
+  %1582 = icmp eq i64 %1581, 0
+  %1583 = icmp ne i64 %1512, 0
+  %1584 = fcmp olt double %1511, 1.000000e+00
+  %1585 = and i1 %1584, %1582
+  %1586 = and i1 %1583, %1585
+  br i1 %1586, label %1587, label %1624
 
-1672:                                             ; preds = %1666, %1672
-  %1673 = phi i64 [ %1679, %1672 ], [ 0, %1666 ]
-  %1674 = load ptr, ptr %298, align 8
-  %1675 = getelementptr inbounds double, ptr %1674, i64 %1673
-  %1676 = load double, ptr %1675, align 8
-  %1677 = load ptr, ptr %66, align 8
-  %1678 = getelementptr inbounds double, ptr %1677, i64 %1673
-  store double %1676, ptr %1678, align 8
-  %1679 = add nuw nsw i64 %1673, 1
-  %1680 = load i64, ptr %312, align 8
-  %1681 = icmp slt i64 %1679, %1680
-  br i1 %1681, label %1672, label %1669, !llvm.loop !46
+1587:                                             ; preds = %1580
+  %1588 = load ptr, ptr %324, align 8
+  %1589 = load ptr, ptr %325, align 8
+  %1590 = insertelement <8 x double> poison, double %1511, i64 0
+  %1591 = shufflevector <8 x double> %1590, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %1591, ptr %1589, align 8
+  %1592 = load ptr, ptr %66, align 8
+  %1593 = load ptr, ptr %326, align 8
+  %1594 = load i64, ptr %327, align 8
+  %1595 = load ptr, ptr %0, align 8
+  %1596 = getelementptr inbounds i8, ptr %1595, i64 24
+  %1597 = load i64, ptr %1596, align 8
+  %1598 = load ptr, ptr %325, align 8
+  %1599 = load ptr, ptr %65, align 8
+  %1600 = getelementptr inbounds i8, ptr %1599, i64 16
+  %1601 = load i64, ptr %1600, align 8
+  tail call fastcc void @nested(ptr noundef %1588, ptr noundef %1592, ptr noundef %1593, i64 noundef %1594, i64 noundef %1597, ptr noundef %1598, i64 noundef %1601) #10
+  %1602 = load i64, ptr %312, align 8
+  %1603 = icmp sgt i64 %1602, 0
+  br i1 %1603, label %1608, label %1604
 
-1682:                                             ; preds = %1624, %1665, %1669
-  %1683 = phi i64 [ %1622, %1624 ], [ %1509, %1669 ], [ %1509, %1665 ]
-  %1684 = icmp ne i64 %1683, 6
-  %1685 = select i1 %1684, i1 true, i1 %97
-  br i1 %1685, label %1697, label %1686
+1604:                                             ; preds = %1608, %1587
+  %1605 = load ptr, ptr %89, align 8
+  %1606 = load i64, ptr %1605, align 8
+  %1607 = icmp eq i64 %1606, 1
+  br i1 %1607, label %1618, label %1624
 
-1686:                                             ; preds = %1682
-  %1687 = load i64, ptr %230, align 8
-  %1688 = add nsw i64 %1687, -1
-  store i64 %1688, ptr %230, align 8
-  %1689 = load ptr, ptr %229, align 8
-  %1690 = load i64, ptr %1689, align 8
-  %1691 = add nsw i64 %1690, -1
-  store i64 %1691, ptr %1689, align 8
-  %1692 = load i64, ptr %231, align 8
-  %1693 = add nsw i64 %1692, 1
-  store i64 %1693, ptr %231, align 8
-  store i64 6, ptr %328, align 8
-  %1694 = fmul double %387, 2.500000e-01
+1608:                                             ; preds = %1587, %1608
+  %1609 = phi i64 [ %1615, %1608 ], [ 0, %1587 ]
+  %1610 = load ptr, ptr %324, align 8
+  %1611 = getelementptr inbounds double, ptr %1610, i64 %1609
+  %1612 = load double, ptr %1611, align 8
+  %1613 = load ptr, ptr %298, align 8
+  %1614 = getelementptr inbounds double, ptr %1613, i64 %1609
+  store double %1612, ptr %1614, align 8
+  %1615 = add nuw nsw i64 %1609, 1
+  %1616 = load i64, ptr %312, align 8
+  %1617 = icmp slt i64 %1615, %1616
+  br i1 %1617, label %1608, label %1604, !llvm.loop !45
+
+1618:                                             ; preds = %1604
+  %1619 = load ptr, ptr %298, align 8
+  %1620 = getelementptr inbounds i8, ptr %1605, i64 56
+  %1621 = load i64, ptr %1620, align 8
+  %1622 = inttoptr i64 %1621 to ptr
+  %1623 = tail call i64 %1622(ptr noundef %0, double noundef %1520, ptr noundef %1619) #11
+  br label %1624
+
+1624:                                             ; preds = %1618, %1604, %1580
+  %1625 = phi i64 [ %1623, %1618 ], [ 0, %1604 ], [ %1581, %1580 ]
+  %1626 = icmp eq i64 %1625, 0
+  br i1 %1626, label %1629, label %1627
+
+1627:                                             ; preds = %1624
+  store double %351, ptr %1495, align 8
+  %1628 = getelementptr inbounds i8, ptr %1495, i64 8
+  store double %387, ptr %1628, align 8
+  br label %1685
+
+1629:                                             ; preds = %1624
+  br i1 %1513, label %1630, label %1668
+
+1630:                                             ; preds = %1629
+  %1631 = load ptr, ptr %298, align 8
+  %1632 = load ptr, ptr %65, align 8
+  %1633 = getelementptr inbounds i8, ptr %1632, i64 8
+  %1634 = load i64, ptr %1633, align 8
+  %1635 = load i64, ptr %84, align 8
+  %1636 = load ptr, ptr %82, align 8
+  %1637 = load ptr, ptr %72, align 8
+  %1638 = getelementptr inbounds i8, ptr %1637, i64 48
+  %1639 = load i64, ptr %1638, align 8
+  %1640 = icmp slt i64 %1639, %1635
+  br i1 %1640, label %1641, label %1664
+
+1641:                                             ; preds = %1630
+  %1642 = icmp sgt i64 %1634, 0
+  br label %1643
+
+1643:                                             ; preds = %1641, %1654
+  %1644 = phi i64 [ %1639, %1641 ], [ %1655, %1654 ]
+  %1645 = getelementptr inbounds double, ptr %1636, i64 %1644
+  %1646 = load double, ptr %1645, align 8
+  %1647 = load ptr, ptr %68, align 8
+  %1648 = load double, ptr %1647, align 8
+  %1649 = fcmp ugt double %1646, %1648
+  br i1 %1649, label %1664, label %1650
+
+1650:                                             ; preds = %1643
+  br i1 %1642, label %1651, label %1654
+
+1651:                                             ; preds = %1650
+  %1652 = mul nsw i64 %1644, %1634
+  %1653 = getelementptr double, ptr %1, i64 %1652
+  br label %1657
+
+1654:                                             ; preds = %1657, %1650
+  %1655 = add i64 %1644, 1
+  %1656 = icmp eq i64 %1655, %1635
+  br i1 %1656, label %1664, label %1643, !llvm.loop !9
+
+1657:                                             ; preds = %1651, %1657
+  %1658 = phi i64 [ 0, %1651 ], [ %1662, %1657 ]
+  %1659 = getelementptr inbounds double, ptr %1631, i64 %1658
+  %1660 = load double, ptr %1659, align 8
+  %1661 = getelementptr double, ptr %1653, i64 %1658
+  store double %1660, ptr %1661, align 8
+  %1662 = add nuw nsw i64 %1658, 1
+  %1663 = icmp eq i64 %1662, %1634
+  br i1 %1663, label %1654, label %1657, !llvm.loop !10
+
+1664:                                             ; preds = %1654, %1643, %1630
+  %1665 = phi i64 [ %1639, %1630 ], [ %1635, %1654 ], [ %1644, %1643 ]
+  %1666 = load ptr, ptr %72, align 8
+  %1667 = getelementptr inbounds i8, ptr %1666, i64 48
+  store i64 %1665, ptr %1667, align 8
+  br label %1668
+
+1668:                                             ; preds = %1664, %1629
+  br i1 %1583, label %1669, label %1685
+
+1669:                                             ; preds = %1668
+  %1670 = load i64, ptr %312, align 8
+  %1671 = icmp sgt i64 %1670, 0
+  br i1 %1671, label %1675, label %1672
+
+1672:                                             ; preds = %1675, %1669
+  store double %1520, ptr %1495, align 8
+  %1673 = getelementptr inbounds i8, ptr %1495, i64 8
+  store double 0.000000e+00, ptr %1673, align 8
+  %1674 = load ptr, ptr %72, align 8
+  store i64 0, ptr %1674, align 8
+  br label %1685
+
+1675:                                             ; preds = %1669, %1675
+  %1676 = phi i64 [ %1682, %1675 ], [ 0, %1669 ]
+  %1677 = load ptr, ptr %298, align 8
+  %1678 = getelementptr inbounds double, ptr %1677, i64 %1676
+  %1679 = load double, ptr %1678, align 8
+  %1680 = load ptr, ptr %66, align 8
+  %1681 = getelementptr inbounds double, ptr %1680, i64 %1676
+  store double %1679, ptr %1681, align 8
+  %1682 = add nuw nsw i64 %1676, 1
+  %1683 = load i64, ptr %312, align 8
+  %1684 = icmp slt i64 %1682, %1683
+  br i1 %1684, label %1675, label %1672, !llvm.loop !46
+
+1685:                                             ; preds = %1506, %1627, %1668, %1672
+  %1686 = phi i64 [ -6, %1506 ], [ %1625, %1627 ], [ %1512, %1672 ], [ %1512, %1668 ]
+  %1687 = icmp eq i64 %1686, -6
+  br i1 %1687, label %1691, label %1688
+
+1688:                                             ; preds = %1685
+  %1689 = icmp ne i64 %1686, 6
+  %1690 = select i1 %1689, i1 true, i1 %97
+  br i1 %1690, label %1703, label %1691
+
+1691:                                             ; preds = %1688, %1685
+  %1692 = phi i64 [ %1686, %1688 ], [ 2, %1685 ]
+  %1693 = load i64, ptr %230, align 8
+  %1694 = add nsw i64 %1693, -1
+  store i64 %1694, ptr %230, align 8
+  %1695 = load ptr, ptr %229, align 8
+  %1696 = load i64, ptr %1695, align 8
+  %1697 = add nsw i64 %1696, -1
+  store i64 %1697, ptr %1695, align 8
+  %1698 = load i64, ptr %231, align 8
+  %1699 = add nsw i64 %1698, 1
+  store i64 %1699, ptr %231, align 8
+  store i64 %1692, ptr %338, align 8
+  %1700 = fmul double %387, 2.500000e-01
   store i64 1, ptr %292, align 8
-  %1695 = load i64, ptr %329, align 8
-  %1696 = sub nsw i64 1, %1695
-  store i64 %1696, ptr %234, align 8
+  %1701 = load i64, ptr %339, align 8
+  %1702 = sub nsw i64 1, %1701
+  store i64 %1702, ptr %234, align 8
   store double 0.000000e+00, ptr %260, align 8
-  br label %1753, !llvm.loop !17
+  br label %1759, !llvm.loop !17
 
-1697:                                             ; preds = %1682
-  %1698 = icmp eq i64 %1683, 0
-  br i1 %1698, label %1703, label %1699
+1703:                                             ; preds = %1688
+  %1704 = icmp eq i64 %1686, 0
+  br i1 %1704, label %1709, label %1705
 
-1699:                                             ; preds = %1697
-  %1700 = load ptr, ptr %229, align 8
-  %1701 = load i64, ptr %1700, align 8
-  %1702 = add nsw i64 %1701, 1
-  store i64 %1702, ptr %1700, align 8
-  br label %1753
+1705:                                             ; preds = %1703
+  %1706 = load ptr, ptr %229, align 8
+  %1707 = load i64, ptr %1706, align 8
+  %1708 = add nsw i64 %1707, 1
+  store i64 %1708, ptr %1706, align 8
+  br label %1759
 
-1703:                                             ; preds = %1697, %1489
-  br i1 %330, label %1722, label %1704
+1709:                                             ; preds = %1703, %1489
+  br i1 %328, label %1728, label %1710
 
-1704:                                             ; preds = %1722, %1703
-  %1705 = load i64, ptr %331, align 8
-  %1706 = add nsw i64 %1705, 1
-  store i64 %1706, ptr %331, align 8
-  %1707 = load ptr, ptr %66, align 8
-  %1708 = load ptr, ptr %332, align 8
-  %1709 = load ptr, ptr %333, align 8
-  store double %388, ptr %1709, align 8
-  %1710 = load i64, ptr %334, align 8
-  %1711 = icmp sgt i64 %1710, 0
-  br i1 %1711, label %1712, label %1713
+1710:                                             ; preds = %1728, %1709
+  %1711 = load i64, ptr %329, align 8
+  %1712 = add nsw i64 %1711, 1
+  store i64 %1712, ptr %329, align 8
+  %1713 = load ptr, ptr %66, align 8
+  %1714 = load ptr, ptr %330, align 8
+  %1715 = load ptr, ptr %331, align 8
+  store double %388, ptr %1715, align 8
+  %1716 = load i64, ptr %332, align 8
+  %1717 = icmp sgt i64 %1716, 0
+  br i1 %1717, label %1718, label %1719
 
-1712:                                             ; preds = %1704
+1718:                                             ; preds = %1710
   tail call fastcc void @sample(ptr noundef nonnull %65) #10
-  br label %1713
+  br label %1719
 
-1713:                                             ; preds = %1704, %1712
-  %1714 = load ptr, ptr %65, align 8
-  %1715 = load i64, ptr %1714, align 8
-  %1716 = load ptr, ptr %333, align 8
-  %1717 = load ptr, ptr %335, align 8
-  %1718 = load ptr, ptr %336, align 8
-  %1719 = inttoptr i64 %1715 to ptr
-  %1720 = tail call i32 %1719(ptr noundef %1716, ptr noundef %1707, ptr noundef %1717, ptr noundef %1718, ptr noundef %1708) #11
-  %1721 = icmp eq i32 %1720, 0
-  br i1 %1721, label %1734, label %1731
+1719:                                             ; preds = %1710, %1718
+  %1720 = load ptr, ptr %65, align 8
+  %1721 = load i64, ptr %1720, align 8
+  %1722 = load ptr, ptr %331, align 8
+  %1723 = load ptr, ptr %333, align 8
+  %1724 = load ptr, ptr %334, align 8
+  %1725 = inttoptr i64 %1721 to ptr
+  %1726 = tail call i32 %1725(ptr noundef %1722, ptr noundef %1713, ptr noundef %1723, ptr noundef %1724, ptr noundef %1714) #11
+  %1727 = icmp eq i32 %1726, 0
+  br i1 %1727, label %1740, label %1737
 
-1722:                                             ; preds = %1703, %1722
-  %1723 = phi i64 [ %1729, %1722 ], [ 0, %1703 ]
-  %1724 = load ptr, ptr %298, align 8
-  %1725 = getelementptr inbounds double, ptr %1724, i64 %1723
-  %1726 = load double, ptr %1725, align 8
-  %1727 = load ptr, ptr %66, align 8
-  %1728 = getelementptr inbounds double, ptr %1727, i64 %1723
-  store double %1726, ptr %1728, align 8
-  %1729 = add nuw nsw i64 %1723, 1
-  %1730 = icmp eq i64 %1729, %81
-  br i1 %1730, label %1704, label %1722, !llvm.loop !47
+1728:                                             ; preds = %1709, %1728
+  %1729 = phi i64 [ %1735, %1728 ], [ 0, %1709 ]
+  %1730 = load ptr, ptr %298, align 8
+  %1731 = getelementptr inbounds double, ptr %1730, i64 %1729
+  %1732 = load double, ptr %1731, align 8
+  %1733 = load ptr, ptr %66, align 8
+  %1734 = getelementptr inbounds double, ptr %1733, i64 %1729
+  store double %1732, ptr %1734, align 8
+  %1735 = add nuw nsw i64 %1729, 1
+  %1736 = icmp eq i64 %1735, %81
+  br i1 %1736, label %1710, label %1728, !llvm.loop !47
 
-1731:                                             ; preds = %1713
-  store i64 3, ptr %337, align 8
+1737:                                             ; preds = %1719
+  store i64 3, ptr %335, align 8
   store double %387, ptr %113, align 8
-  %1732 = icmp slt i32 %1720, 0
-  %1733 = select i1 %1732, i64 -4, i64 2
-  br label %1753
+  %1738 = icmp slt i32 %1726, 0
+  %1739 = select i1 %1738, i64 -4, i64 2
+  br label %1759
 
-1734:                                             ; preds = %1713
-  %1735 = icmp sgt i64 %1122, 2
-  %1736 = fcmp ogt double %1120, 1.000000e-03
-  %1737 = select i1 %1735, i1 %1736, i1 false
-  %1738 = zext i1 %1737 to i64
-  store i64 %1738, ptr %234, align 8
-  store i64 0, ptr %338, align 8
+1740:                                             ; preds = %1719
+  %1741 = icmp sgt i64 %1122, 2
+  %1742 = fcmp ogt double %1120, 1.000000e-03
+  %1743 = select i1 %1741, i1 %1742, i1 false
+  %1744 = zext i1 %1743 to i64
+  store i64 %1744, ptr %234, align 8
+  store i64 0, ptr %336, align 8
   store i64 0, ptr %292, align 8
-  %1739 = fcmp ule double %1359, 1.000000e+00
-  %1740 = fcmp uge double %1359, 1.200000e+00
-  %1741 = or i1 %1739, %1740
-  %1742 = select i1 %1741, i1 true, i1 %1737
-  br i1 %1742, label %1743, label %1747
+  %1745 = fcmp ule double %1359, 1.000000e+00
+  %1746 = fcmp uge double %1359, 1.200000e+00
+  %1747 = or i1 %1745, %1746
+  %1748 = select i1 %1747, i1 true, i1 %1743
+  br i1 %1748, label %1749, label %1753
 
-1743:                                             ; preds = %1734
-  %1744 = fcmp ogt double %1359, 2.000000e-01
-  %1745 = select i1 %1744, double %1359, double 2.000000e-01
-  %1746 = fmul double %387, %1745
-  br label %1747
-
-1747:                                             ; preds = %1734, %1743
-  %1748 = phi double [ %1746, %1743 ], [ %387, %1734 ]
-  %1749 = load i64, ptr %339, align 8
-  %1750 = load i64, ptr %84, align 8
-  %1751 = icmp eq i64 %1749, %1750
-  br i1 %1751, label %1752, label %1753
-
-1752:                                             ; preds = %1747
-  store double %1748, ptr %113, align 8
+1749:                                             ; preds = %1740
+  %1750 = fcmp ogt double %1359, 2.000000e-01
+  %1751 = select i1 %1750, double %1359, double 2.000000e-01
+  %1752 = fmul double %387, %1751
   br label %1753
 
-1753:                                             ; preds = %1162, %1174, %1119, %1313, %1327, %1686, %1699, %1731, %1747, %1752, %1275, %513, %578, %394
-  %1754 = phi double [ %356, %394 ], [ %356, %513 ], [ %356, %578 ], [ %1120, %1275 ], [ %1120, %1752 ], [ %1120, %1747 ], [ %1120, %1731 ], [ %1120, %1699 ], [ %1120, %1686 ], [ %1120, %1327 ], [ %1120, %1313 ], [ %1120, %1119 ], [ %1120, %1174 ], [ %1120, %1162 ]
-  %1755 = phi i32 [ %355, %394 ], [ %355, %513 ], [ %355, %578 ], [ %1121, %1275 ], [ %1121, %1752 ], [ %1121, %1747 ], [ %1121, %1731 ], [ %1121, %1699 ], [ %1121, %1686 ], [ %1121, %1327 ], [ %1121, %1313 ], [ %1121, %1119 ], [ %1121, %1174 ], [ %1121, %1162 ]
-  %1756 = phi i64 [ %354, %394 ], [ %354, %513 ], [ %354, %578 ], [ %1122, %1275 ], [ %1122, %1752 ], [ %1122, %1747 ], [ %1122, %1731 ], [ %1122, %1699 ], [ %1122, %1686 ], [ %1122, %1327 ], [ %1122, %1313 ], [ %1122, %1119 ], [ %1122, %1174 ], [ %1122, %1162 ]
-  %1757 = phi i64 [ %353, %394 ], [ %353, %513 ], [ %353, %578 ], [ %1123, %1275 ], [ %1123, %1752 ], [ %1123, %1747 ], [ %1123, %1731 ], [ %1123, %1699 ], [ %1123, %1686 ], [ %1123, %1327 ], [ %1123, %1313 ], [ %1123, %1119 ], [ %1123, %1174 ], [ %1123, %1162 ]
-  %1758 = phi double [ %352, %394 ], [ %352, %513 ], [ %581, %578 ], [ %352, %1275 ], [ %1748, %1752 ], [ %1748, %1747 ], [ %352, %1731 ], [ %352, %1699 ], [ %1694, %1686 ], [ %1330, %1327 ], [ %1315, %1313 ], [ %352, %1119 ], [ %1175, %1174 ], [ %352, %1162 ]
-  %1759 = phi double [ %351, %394 ], [ %351, %513 ], [ %351, %578 ], [ %351, %1275 ], [ %388, %1752 ], [ %388, %1747 ], [ %388, %1731 ], [ %351, %1699 ], [ %351, %1686 ], [ %351, %1327 ], [ %351, %1313 ], [ %351, %1119 ], [ %351, %1174 ], [ %351, %1162 ]
-  %1760 = phi i32 [ 1, %394 ], [ 1, %513 ], [ 6, %578 ], [ 1, %1275 ], [ 1, %1752 ], [ 0, %1747 ], [ 1, %1731 ], [ 1, %1699 ], [ 6, %1686 ], [ 6, %1327 ], [ 6, %1313 ], [ 1, %1119 ], [ 6, %1174 ], [ 6, %1162 ]
-  %1761 = phi i64 [ 2, %394 ], [ -4, %513 ], [ %350, %578 ], [ -4, %1275 ], [ 0, %1752 ], [ %350, %1747 ], [ %1733, %1731 ], [ %1683, %1699 ], [ %350, %1686 ], [ %350, %1327 ], [ %350, %1313 ], [ -4, %1119 ], [ %350, %1174 ], [ %350, %1162 ]
-  switch i32 %1760, label %1765 [
-    i32 0, label %1762
-    i32 6, label %1762
+1753:                                             ; preds = %1740, %1749
+  %1754 = phi double [ %1752, %1749 ], [ %387, %1740 ]
+  %1755 = load i64, ptr %337, align 8
+  %1756 = load i64, ptr %84, align 8
+  %1757 = icmp eq i64 %1755, %1756
+  br i1 %1757, label %1758, label %1759
+
+1758:                                             ; preds = %1753
+  store double %1754, ptr %113, align 8
+  br label %1759
+
+1759:                                             ; preds = %1162, %1174, %1119, %1313, %1327, %1691, %1705, %1737, %1753, %1758, %1275, %513, %578, %394
+  %1760 = phi double [ %356, %394 ], [ %356, %513 ], [ %356, %578 ], [ %1120, %1275 ], [ %1120, %1758 ], [ %1120, %1753 ], [ %1120, %1737 ], [ %1120, %1705 ], [ %1120, %1691 ], [ %1120, %1327 ], [ %1120, %1313 ], [ %1120, %1119 ], [ %1120, %1174 ], [ %1120, %1162 ]
+  %1761 = phi i32 [ %355, %394 ], [ %355, %513 ], [ %355, %578 ], [ %1121, %1275 ], [ %1121, %1758 ], [ %1121, %1753 ], [ %1121, %1737 ], [ %1121, %1705 ], [ %1121, %1691 ], [ %1121, %1327 ], [ %1121, %1313 ], [ %1121, %1119 ], [ %1121, %1174 ], [ %1121, %1162 ]
+  %1762 = phi i64 [ %354, %394 ], [ %354, %513 ], [ %354, %578 ], [ %1122, %1275 ], [ %1122, %1758 ], [ %1122, %1753 ], [ %1122, %1737 ], [ %1122, %1705 ], [ %1122, %1691 ], [ %1122, %1327 ], [ %1122, %1313 ], [ %1122, %1119 ], [ %1122, %1174 ], [ %1122, %1162 ]
+  %1763 = phi i64 [ %353, %394 ], [ %353, %513 ], [ %353, %578 ], [ %1123, %1275 ], [ %1123, %1758 ], [ %1123, %1753 ], [ %1123, %1737 ], [ %1123, %1705 ], [ %1123, %1691 ], [ %1123, %1327 ], [ %1123, %1313 ], [ %1123, %1119 ], [ %1123, %1174 ], [ %1123, %1162 ]
+  %1764 = phi double [ %352, %394 ], [ %352, %513 ], [ %581, %578 ], [ %352, %1275 ], [ %1754, %1758 ], [ %1754, %1753 ], [ %352, %1737 ], [ %352, %1705 ], [ %1700, %1691 ], [ %1330, %1327 ], [ %1315, %1313 ], [ %352, %1119 ], [ %1175, %1174 ], [ %352, %1162 ]
+  %1765 = phi double [ %351, %394 ], [ %351, %513 ], [ %351, %578 ], [ %351, %1275 ], [ %388, %1758 ], [ %388, %1753 ], [ %388, %1737 ], [ %351, %1705 ], [ %351, %1691 ], [ %351, %1327 ], [ %351, %1313 ], [ %351, %1119 ], [ %351, %1174 ], [ %351, %1162 ]
+  %1766 = phi i32 [ 1, %394 ], [ 1, %513 ], [ 6, %578 ], [ 1, %1275 ], [ 1, %1758 ], [ 0, %1753 ], [ 1, %1737 ], [ 1, %1705 ], [ 6, %1691 ], [ 6, %1327 ], [ 6, %1313 ], [ 1, %1119 ], [ 6, %1174 ], [ 6, %1162 ]
+  %1767 = phi i64 [ 2, %394 ], [ -4, %513 ], [ %350, %578 ], [ -4, %1275 ], [ 0, %1758 ], [ %350, %1753 ], [ %1739, %1737 ], [ %1686, %1705 ], [ %350, %1691 ], [ %350, %1327 ], [ %350, %1313 ], [ -4, %1119 ], [ %350, %1174 ], [ %350, %1162 ]
+  switch i32 %1766, label %1771 [
+    i32 0, label %1768
+    i32 6, label %1768
   ]
 
-1762:                                             ; preds = %1753, %1753
-  %1763 = load i64, ptr %75, align 8
-  %1764 = icmp eq i64 %1763, 0
-  br i1 %1764, label %346, label %348, !llvm.loop !17
+1768:                                             ; preds = %1759, %1759
+  %1769 = load i64, ptr %75, align 8
+  %1770 = icmp eq i64 %1769, 0
+  br i1 %1770, label %346, label %348, !llvm.loop !17
 
-1765:                                             ; preds = %1753, %150, %346, %369, %377, %192, %64
-  %1766 = phi i64 [ -1, %64 ], [ %153, %150 ], [ -1, %346 ], [ -5, %369 ], [ 1, %377 ], [ 0, %192 ], [ %1761, %1753 ]
-  ret i64 %1766
+1771:                                             ; preds = %1759, %150, %346, %369, %377, %192, %64
+  %1772 = phi i64 [ -1, %64 ], [ %153, %150 ], [ -1, %346 ], [ -5, %369 ], [ 1, %377 ], [ 0, %192 ], [ %1767, %1759 ]
+  ret i64 %1772
 }
 
 

@@ -1,4 +1,4 @@
-; sources 07e638805a90e7e83840bcd5edb07caafcbb25a67a5f8cb0c069d5d24064cf5c
+; sources e3c3d1ccd99bd0450bf9d7b295857d07330ee3346869674b60a07f932dfe9e4a
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define noundef i64 @evaluate_lanes(ptr noundef readonly %0) #0 {

@@ -1,4 +1,4 @@
-; sources 25c0305d612499ae78c31f1d00c9fc379ad88b2680f6b4755d3771591e985371
+; sources 1fa3fe20d9efb3b1d5c2b9d54cc30829cbdbbd01bcaf6bc5880b7a200d4a308d
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @extend(ptr noundef %0, ptr noundef readonly %1) #0 {

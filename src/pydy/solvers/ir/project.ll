@@ -1,4 +1,4 @@
-; sources 919b762cd0d0afa925a3b81369e78415709afbe60e6ccbe372f43945c9332d19
+; sources 7e6367f12353c7b4e8eae26d467c6800438ae2cc612c5839587e76209a46df36
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Held = type { ptr, i64, i64, i64, i64, i64, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr }

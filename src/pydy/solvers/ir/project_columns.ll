@@ -1,4 +1,4 @@
-; sources c503a76e84df8cfd88abaef212bebb322efde2db9792ecc0c195a5c3a211ba23
+; sources e7042a729db28c3afb88a4b22c3c488f640682379e3bbc7ff88b46d60a637518
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Held = type { ptr, i64, i64, i64, i64, i64, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr }

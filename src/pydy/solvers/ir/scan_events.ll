@@ -1,7 +1,9 @@
-; sources 744b944eee4df1039188d3911a00085148c9753e5c2faa6adea9f3245d1c4823
+; sources ae8253d8fe2ee627c30a7c7ff1c27f434c98d75162cd0d27a114c6cf6f3b390f
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Stepper = type { ptr, ptr, ptr }
+
+@PLACES = internal unnamed_addr constant [9 x double] [double 0.000000e+00, double 0x3FB8722191A02D60, double 2.500000e-01, double 0x3FD6A09E667F3BCD, double 5.000000e-01, double 0x3FE3988E1409212E, double 7.500000e-01, double 0x3FED2A7FA9D2F8EA, double 1.000000e+00], align 16
 
 define i64 @scan_events(ptr noundef %0, double noundef %1, double noundef %2) #0 {
   %4 = alloca %struct.Stepper, align 8
@@ -30,701 +32,1092 @@ define i64 @scan_events(ptr noundef %0, double noundef %1, double noundef %2) #0
   %24 = getelementptr inbounds i8, ptr %23, i64 80
   %25 = load i64, ptr %24, align 8
   %26 = load ptr, ptr %21, align 8
-  %27 = getelementptr inbounds i8, ptr %0, i64 888
-  %28 = getelementptr inbounds i8, ptr %0, i64 408
-  %29 = getelementptr inbounds i8, ptr %0, i64 504
-  %30 = getelementptr inbounds i8, ptr %0, i64 320
-  %31 = getelementptr inbounds i8, ptr %0, i64 168
-  %32 = getelementptr inbounds i8, ptr %0, i64 248
-  %33 = getelementptr inbounds i8, ptr %0, i64 168
-  %34 = getelementptr inbounds i8, ptr %0, i64 192
-  %35 = getelementptr inbounds i8, ptr %0, i64 744
-  %36 = icmp sgt i64 %12, 0
-  %37 = getelementptr inbounds i8, ptr %0, i64 792
-  %38 = icmp slt i64 %12, 1
-  %39 = getelementptr double, ptr %16, i64 %12
-  %40 = icmp sgt i64 %12, 0
-  %41 = getelementptr double, ptr %16, i64 %12
-  %42 = getelementptr inbounds i8, ptr %0, i64 792
-  %43 = getelementptr inbounds i8, ptr %26, i64 48
-  %44 = icmp sgt i64 %12, 0
-  %45 = getelementptr inbounds i8, ptr %0, i64 912
-  %46 = getelementptr inbounds i8, ptr %0, i64 920
-  %47 = getelementptr inbounds i8, ptr %0, i64 936
-  %48 = getelementptr inbounds i8, ptr %0, i64 960
-  %49 = getelementptr inbounds i8, ptr %0, i64 976
-  %50 = getelementptr inbounds i8, ptr %26, i64 48
-  %51 = icmp sgt i64 %12, 0
-  %52 = getelementptr inbounds i8, ptr %26, i64 48
-  %53 = icmp sgt i64 %12, 0
-  br label %58
+  %27 = getelementptr inbounds i8, ptr %0, i64 992
+  %28 = load i64, ptr %27, align 8
+  %29 = icmp sgt i64 %28, 0
+  br i1 %29, label %30, label %41
 
-54:                                               ; preds = %491
-  %55 = add nuw nsw i32 %62, 1
-  %56 = icmp ugt i32 %62, 3
-  %57 = icmp eq i32 %55, 5
-  br i1 %57, label %496, label %58, !llvm.loop !3
+30:                                               ; preds = %3
+  %31 = call fastcc i64 @unresolved(ptr noundef %0, ptr noundef nonnull %4, double noundef %1, double noundef %2) #7
+  switch i64 %31, label %38 [
+    i64 -4, label %32
+    i64 0, label %37
+  ]
 
-58:                                               ; preds = %3, %54
-  %59 = phi i1 [ false, %3 ], [ %56, %54 ]
-  %60 = phi i64 [ undef, %3 ], [ %494, %54 ]
-  %61 = phi double [ 0.000000e+00, %3 ], [ %493, %54 ]
-  %62 = phi i32 [ 1, %3 ], [ %55, %54 ]
-  %63 = uitofp nneg i32 %62 to double
-  %64 = fmul double %63, 2.500000e-01
-  %65 = load ptr, ptr %27, align 8
-  %66 = load ptr, ptr %28, align 8
-  %67 = insertelement <8 x double> poison, double %64, i64 0
-  %68 = shufflevector <8 x double> %67, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %68, ptr %66, align 8
-  %69 = load ptr, ptr %8, align 8
-  %70 = load ptr, ptr %29, align 8
-  %71 = load i64, ptr %30, align 8
-  %72 = load ptr, ptr %0, align 8
-  %73 = getelementptr inbounds i8, ptr %72, i64 24
-  %74 = load i64, ptr %73, align 8
-  %75 = load ptr, ptr %28, align 8
-  %76 = load ptr, ptr %6, align 8
-  %77 = getelementptr inbounds i8, ptr %76, i64 16
-  %78 = load i64, ptr %77, align 8
-  tail call fastcc void @nested(ptr noundef %65, ptr noundef %69, ptr noundef %70, i64 noundef %71, i64 noundef %74, ptr noundef %75, i64 noundef %78) #7
-  %79 = fmul double %64, %2
-  %80 = fadd double %79, %1
-  %81 = load ptr, ptr %31, align 8
-  store double %80, ptr %81, align 8
-  %82 = load i64, ptr %32, align 8
-  %83 = icmp sgt i64 %82, 0
-  br i1 %83, label %84, label %85
+32:                                               ; preds = %30
+  %33 = load ptr, ptr %22, align 8
+  %34 = getelementptr inbounds i8, ptr %33, i64 80
+  store i64 %25, ptr %34, align 8
+  %35 = load ptr, ptr %21, align 8
+  %36 = getelementptr inbounds i8, ptr %35, i64 48
+  store double 1.000000e+00, ptr %36, align 8
+  br label %38
 
-84:                                               ; preds = %58
+37:                                               ; preds = %30
+  br label %38
+
+38:                                               ; preds = %30, %37, %32
+  %39 = phi i1 [ false, %32 ], [ true, %37 ], [ false, %30 ]
+  %40 = phi i64 [ -4, %32 ], [ undef, %37 ], [ %31, %30 ]
+  br i1 %39, label %41, label %516
+
+41:                                               ; preds = %38, %3
+  %42 = phi i64 [ %40, %38 ], [ undef, %3 ]
+  %43 = getelementptr inbounds i8, ptr %0, i64 888
+  %44 = getelementptr inbounds i8, ptr %0, i64 408
+  %45 = getelementptr inbounds i8, ptr %0, i64 504
+  %46 = getelementptr inbounds i8, ptr %0, i64 320
+  %47 = getelementptr inbounds i8, ptr %0, i64 168
+  %48 = getelementptr inbounds i8, ptr %0, i64 248
+  %49 = getelementptr inbounds i8, ptr %0, i64 168
+  %50 = getelementptr inbounds i8, ptr %0, i64 192
+  %51 = getelementptr inbounds i8, ptr %0, i64 744
+  %52 = icmp sgt i64 %12, 0
+  %53 = getelementptr inbounds i8, ptr %0, i64 792
+  %54 = icmp slt i64 %12, 1
+  %55 = getelementptr double, ptr %16, i64 %12
+  %56 = icmp sgt i64 %12, 0
+  %57 = getelementptr double, ptr %16, i64 %12
+  %58 = getelementptr inbounds i8, ptr %0, i64 792
+  %59 = getelementptr inbounds i8, ptr %26, i64 48
+  %60 = icmp sgt i64 %12, 0
+  %61 = getelementptr inbounds i8, ptr %0, i64 920
+  %62 = getelementptr inbounds i8, ptr %0, i64 912
+  %63 = getelementptr inbounds i8, ptr %0, i64 936
+  %64 = getelementptr inbounds i8, ptr %0, i64 960
+  %65 = getelementptr inbounds i8, ptr %0, i64 976
+  %66 = getelementptr inbounds i8, ptr %0, i64 920
+  %67 = getelementptr inbounds i8, ptr %26, i64 48
+  %68 = icmp sgt i64 %12, 0
+  %69 = getelementptr inbounds i8, ptr %26, i64 48
+  %70 = icmp sgt i64 %12, 0
+  br label %75
+
+71:                                               ; preds = %507
+  %72 = add nuw nsw i32 %79, 1
+  %73 = icmp ugt i32 %79, 3
+  %74 = icmp eq i32 %72, 5
+  br i1 %74, label %512, label %75, !llvm.loop !3
+
+75:                                               ; preds = %41, %71
+  %76 = phi i1 [ false, %41 ], [ %73, %71 ]
+  %77 = phi i64 [ %42, %41 ], [ %510, %71 ]
+  %78 = phi double [ 0.000000e+00, %41 ], [ %509, %71 ]
+  %79 = phi i32 [ 1, %41 ], [ %72, %71 ]
+  %80 = uitofp nneg i32 %79 to double
+  %81 = fmul double %80, 2.500000e-01
+  %82 = load ptr, ptr %43, align 8
+  %83 = load ptr, ptr %44, align 8
+  %84 = insertelement <8 x double> poison, double %81, i64 0
+  %85 = shufflevector <8 x double> %84, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %85, ptr %83, align 8
+  %86 = load ptr, ptr %8, align 8
+  %87 = load ptr, ptr %45, align 8
+  %88 = load i64, ptr %46, align 8
+  %89 = load ptr, ptr %0, align 8
+  %90 = getelementptr inbounds i8, ptr %89, i64 24
+  %91 = load i64, ptr %90, align 8
+  %92 = load ptr, ptr %44, align 8
+  %93 = load ptr, ptr %6, align 8
+  %94 = getelementptr inbounds i8, ptr %93, i64 16
+  %95 = load i64, ptr %94, align 8
+  tail call fastcc void @nested(ptr noundef %82, ptr noundef %86, ptr noundef %87, i64 noundef %88, i64 noundef %91, ptr noundef %92, i64 noundef %95) #7
+  %96 = fmul double %81, %2
+  %97 = fadd double %96, %1
+  %98 = load ptr, ptr %47, align 8
+  store double %97, ptr %98, align 8
+  %99 = load i64, ptr %48, align 8
+  %100 = icmp sgt i64 %99, 0
+  br i1 %100, label %101, label %102
+
+101:                                              ; preds = %75
   tail call fastcc void @sample(ptr noundef nonnull %6) #7
-  br label %85
+  br label %102
 
-85:                                               ; preds = %58, %84
-  %86 = load ptr, ptr %9, align 8
-  %87 = load i64, ptr %86, align 8
-  %88 = load ptr, ptr %33, align 8
-  %89 = load ptr, ptr %27, align 8
-  %90 = load ptr, ptr %34, align 8
-  %91 = load ptr, ptr %35, align 8
-  %92 = load ptr, ptr %15, align 8
-  %93 = inttoptr i64 %87 to ptr
-  %94 = tail call i32 %93(ptr noundef %88, ptr noundef %89, ptr noundef %90, ptr noundef %91, ptr noundef %92) #8
-  %95 = icmp slt i32 %94, 0
-  br i1 %95, label %96, label %101
+102:                                              ; preds = %75, %101
+  %103 = load ptr, ptr %9, align 8
+  %104 = load i64, ptr %103, align 8
+  %105 = load ptr, ptr %49, align 8
+  %106 = load ptr, ptr %43, align 8
+  %107 = load ptr, ptr %50, align 8
+  %108 = load ptr, ptr %51, align 8
+  %109 = load ptr, ptr %15, align 8
+  %110 = inttoptr i64 %104 to ptr
+  %111 = tail call i32 %110(ptr noundef %105, ptr noundef %106, ptr noundef %107, ptr noundef %108, ptr noundef %109) #8
+  %112 = icmp slt i32 %111, 0
+  br i1 %112, label %113, label %118
 
-96:                                               ; preds = %85
-  %97 = load ptr, ptr %22, align 8
-  %98 = getelementptr inbounds i8, ptr %97, i64 80
-  store i64 %25, ptr %98, align 8
-  %99 = load ptr, ptr %21, align 8
-  %100 = getelementptr inbounds i8, ptr %99, i64 48
-  store double 1.000000e+00, ptr %100, align 8
-  br label %491
+113:                                              ; preds = %102
+  %114 = load ptr, ptr %22, align 8
+  %115 = getelementptr inbounds i8, ptr %114, i64 80
+  store i64 %25, ptr %115, align 8
+  %116 = load ptr, ptr %21, align 8
+  %117 = getelementptr inbounds i8, ptr %116, i64 48
+  store double 1.000000e+00, ptr %117, align 8
+  br label %507
 
-101:                                              ; preds = %85, %473
-  %102 = phi double [ %475, %473 ], [ %61, %85 ]
-  %103 = phi i64 [ %476, %473 ], [ %60, %85 ]
-  br i1 %36, label %108, label %104
+118:                                              ; preds = %102, %489
+  %119 = phi double [ %491, %489 ], [ %78, %102 ]
+  %120 = phi i64 [ %492, %489 ], [ %77, %102 ]
+  br i1 %52, label %125, label %121
 
-104:                                              ; preds = %158, %101
-  %105 = phi double [ 2.000000e+00, %101 ], [ %159, %158 ]
-  %106 = phi i32 [ 0, %101 ], [ %160, %158 ]
-  %107 = fcmp ogt double %105, 1.000000e+00
-  br i1 %107, label %473, label %163
+121:                                              ; preds = %175, %118
+  %122 = phi double [ 2.000000e+00, %118 ], [ %176, %175 ]
+  %123 = phi i32 [ 0, %118 ], [ %177, %175 ]
+  %124 = fcmp ogt double %122, 1.000000e+00
+  br i1 %124, label %489, label %180
 
-108:                                              ; preds = %101, %158
-  %109 = phi i64 [ %161, %158 ], [ 0, %101 ]
-  %110 = phi i32 [ %160, %158 ], [ 0, %101 ]
-  %111 = phi double [ %159, %158 ], [ 2.000000e+00, %101 ]
-  %112 = getelementptr inbounds i64, ptr %20, i64 %109
-  store i64 0, ptr %112, align 8
-  %113 = getelementptr inbounds i64, ptr %18, i64 %109
-  %114 = load i64, ptr %113, align 8
-  %115 = getelementptr inbounds double, ptr %16, i64 %109
-  %116 = load double, ptr %115, align 8
-  %117 = getelementptr inbounds i64, ptr %14, i64 %109
-  %118 = load i64, ptr %117, align 8
-  %119 = icmp slt i64 %114, 0
-  %120 = fcmp ogt double %116, 0.000000e+00
-  %121 = and i1 %119, %120
-  %122 = icmp sgt i64 %118, -1
-  %123 = and i1 %121, %122
-  br i1 %123, label %131, label %124
+125:                                              ; preds = %118, %175
+  %126 = phi i64 [ %178, %175 ], [ 0, %118 ]
+  %127 = phi i32 [ %177, %175 ], [ 0, %118 ]
+  %128 = phi double [ %176, %175 ], [ 2.000000e+00, %118 ]
+  %129 = getelementptr inbounds i64, ptr %20, i64 %126
+  store i64 0, ptr %129, align 8
+  %130 = getelementptr inbounds i64, ptr %18, i64 %126
+  %131 = load i64, ptr %130, align 8
+  %132 = getelementptr inbounds double, ptr %16, i64 %126
+  %133 = load double, ptr %132, align 8
+  %134 = getelementptr inbounds i64, ptr %14, i64 %126
+  %135 = load i64, ptr %134, align 8
+  %136 = icmp slt i64 %131, 0
+  %137 = fcmp ogt double %133, 0.000000e+00
+  %138 = and i1 %136, %137
+  %139 = icmp sgt i64 %135, -1
+  %140 = and i1 %138, %139
+  br i1 %140, label %148, label %141
 
-124:                                              ; preds = %108
-  %125 = icmp sgt i64 %114, 0
-  %126 = fcmp olt double %116, 0.000000e+00
-  %127 = and i1 %125, %126
-  br i1 %127, label %128, label %131
+141:                                              ; preds = %125
+  %142 = icmp sgt i64 %131, 0
+  %143 = fcmp olt double %133, 0.000000e+00
+  %144 = and i1 %142, %143
+  br i1 %144, label %145, label %148
 
-128:                                              ; preds = %124
-  %129 = icmp slt i64 %118, 1
-  %130 = zext i1 %129 to i32
-  br label %131
+145:                                              ; preds = %141
+  %146 = icmp slt i64 %135, 1
+  %147 = zext i1 %146 to i32
+  br label %148
 
-131:                                              ; preds = %108, %124, %128
-  %132 = phi i32 [ 1, %108 ], [ 0, %124 ], [ %130, %128 ]
-  %133 = icmp eq i32 %132, 0
-  br i1 %133, label %134, label %138
+148:                                              ; preds = %125, %141, %145
+  %149 = phi i32 [ 1, %125 ], [ 0, %141 ], [ %147, %145 ]
+  %150 = icmp eq i32 %149, 0
+  br i1 %150, label %151, label %155
 
-134:                                              ; preds = %131
-  %135 = icmp eq i64 %114, 0
-  %136 = fcmp ord double %116, 0.000000e+00
-  %137 = or i1 %135, %136
-  br i1 %137, label %158, label %138
+151:                                              ; preds = %148
+  %152 = icmp eq i64 %131, 0
+  %153 = fcmp ord double %133, 0.000000e+00
+  %154 = or i1 %152, %153
+  br i1 %154, label %175, label %155
 
-138:                                              ; preds = %134, %131
-  %139 = call fastcc double @locate(ptr noundef nonnull %0, ptr noundef nonnull %4, double noundef %1, double noundef %2, double noundef %102, double noundef %64, i64 noundef %109) #7
-  %140 = fcmp ole double %139, %102
-  %141 = zext i1 %140 to i64
-  store i64 %141, ptr %112, align 8
-  %142 = fcmp uge double %139, %111
-  %143 = select i1 %142, i32 %110, i32 0
-  %144 = fcmp ugt double %139, %111
-  br i1 %144, label %155, label %145
+155:                                              ; preds = %151, %148
+  %156 = call fastcc double @locate(ptr noundef nonnull %0, ptr noundef nonnull %4, double noundef %1, double noundef %2, double noundef %119, double noundef %81, i64 noundef %126) #7
+  %157 = fcmp ole double %156, %119
+  %158 = zext i1 %157 to i64
+  store i64 %158, ptr %129, align 8
+  %159 = fcmp uge double %156, %128
+  %160 = select i1 %159, i32 %127, i32 0
+  %161 = fcmp ugt double %156, %128
+  br i1 %161, label %172, label %162
 
-145:                                              ; preds = %138
-  %146 = icmp eq i32 %143, 0
-  br i1 %146, label %147, label %152
+162:                                              ; preds = %155
+  %163 = icmp eq i32 %160, 0
+  br i1 %163, label %164, label %169
 
-147:                                              ; preds = %145
-  %148 = load ptr, ptr %37, align 8
-  %149 = getelementptr inbounds i64, ptr %148, i64 %109
-  %150 = load i64, ptr %149, align 8
-  %151 = icmp eq i64 %150, 1
-  br label %152
+164:                                              ; preds = %162
+  %165 = load ptr, ptr %53, align 8
+  %166 = getelementptr inbounds i64, ptr %165, i64 %126
+  %167 = load i64, ptr %166, align 8
+  %168 = icmp eq i64 %167, 1
+  br label %169
 
-152:                                              ; preds = %147, %145
-  %153 = phi i1 [ true, %145 ], [ %151, %147 ]
-  %154 = zext i1 %153 to i32
-  br label %155
+169:                                              ; preds = %164, %162
+  %170 = phi i1 [ true, %162 ], [ %168, %164 ]
+  %171 = zext i1 %170 to i32
+  br label %172
 
-155:                                              ; preds = %152, %138
-  %156 = phi i32 [ %154, %152 ], [ %143, %138 ]
-  %157 = select i1 %142, double %111, double %139
-  br label %158
+172:                                              ; preds = %169, %155
+  %173 = phi i32 [ %171, %169 ], [ %160, %155 ]
+  %174 = select i1 %159, double %128, double %156
+  br label %175
 
-158:                                              ; preds = %134, %155
-  %159 = phi double [ %157, %155 ], [ %111, %134 ]
-  %160 = phi i32 [ %156, %155 ], [ %110, %134 ]
-  %161 = add nuw nsw i64 %109, 1
-  %162 = icmp eq i64 %161, %12
-  br i1 %162, label %104, label %108, !llvm.loop !6
+175:                                              ; preds = %151, %172
+  %176 = phi double [ %174, %172 ], [ %128, %151 ]
+  %177 = phi i32 [ %173, %172 ], [ %127, %151 ]
+  %178 = add nuw nsw i64 %126, 1
+  %179 = icmp eq i64 %178, %12
+  br i1 %179, label %121, label %125, !llvm.loop !6
 
-163:                                              ; preds = %104
-  %164 = load ptr, ptr %27, align 8
-  %165 = load ptr, ptr %28, align 8
-  %166 = insertelement <8 x double> poison, double %105, i64 0
-  %167 = shufflevector <8 x double> %166, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %167, ptr %165, align 8
-  %168 = load ptr, ptr %8, align 8
-  %169 = load ptr, ptr %29, align 8
-  %170 = load i64, ptr %30, align 8
-  %171 = load ptr, ptr %0, align 8
-  %172 = getelementptr inbounds i8, ptr %171, i64 24
-  %173 = load i64, ptr %172, align 8
-  %174 = load ptr, ptr %28, align 8
-  %175 = load ptr, ptr %6, align 8
-  %176 = getelementptr inbounds i8, ptr %175, i64 16
-  %177 = load i64, ptr %176, align 8
-  tail call fastcc void @nested(ptr noundef %164, ptr noundef %168, ptr noundef %169, i64 noundef %170, i64 noundef %173, ptr noundef %174, i64 noundef %177) #7
-  %178 = fmul double %105, %2
-  %179 = fadd double %178, %1
-  %180 = load ptr, ptr %31, align 8
-  store double %179, ptr %180, align 8
-  %181 = load i64, ptr %32, align 8
-  %182 = icmp sgt i64 %181, 0
-  br i1 %182, label %183, label %184
+180:                                              ; preds = %121
+  %181 = load ptr, ptr %43, align 8
+  %182 = load ptr, ptr %44, align 8
+  %183 = insertelement <8 x double> poison, double %122, i64 0
+  %184 = shufflevector <8 x double> %183, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %184, ptr %182, align 8
+  %185 = load ptr, ptr %8, align 8
+  %186 = load ptr, ptr %45, align 8
+  %187 = load i64, ptr %46, align 8
+  %188 = load ptr, ptr %0, align 8
+  %189 = getelementptr inbounds i8, ptr %188, i64 24
+  %190 = load i64, ptr %189, align 8
+  %191 = load ptr, ptr %44, align 8
+  %192 = load ptr, ptr %6, align 8
+  %193 = getelementptr inbounds i8, ptr %192, i64 16
+  %194 = load i64, ptr %193, align 8
+  tail call fastcc void @nested(ptr noundef %181, ptr noundef %185, ptr noundef %186, i64 noundef %187, i64 noundef %190, ptr noundef %191, i64 noundef %194) #7
+  %195 = fmul double %122, %2
+  %196 = fadd double %195, %1
+  %197 = load ptr, ptr %47, align 8
+  store double %196, ptr %197, align 8
+  %198 = load i64, ptr %48, align 8
+  %199 = icmp sgt i64 %198, 0
+  br i1 %199, label %200, label %201
 
-183:                                              ; preds = %163
+200:                                              ; preds = %180
   tail call fastcc void @sample(ptr noundef nonnull %6) #7
-  br label %184
+  br label %201
 
-184:                                              ; preds = %163, %183
-  %185 = load ptr, ptr %9, align 8
-  %186 = load i64, ptr %185, align 8
-  %187 = load ptr, ptr %33, align 8
-  %188 = load ptr, ptr %27, align 8
-  %189 = load ptr, ptr %34, align 8
-  %190 = load ptr, ptr %35, align 8
-  %191 = load ptr, ptr %15, align 8
-  %192 = getelementptr inbounds i8, ptr %185, i64 8
-  %193 = load i64, ptr %192, align 8
-  %194 = getelementptr inbounds double, ptr %191, i64 %193
-  %195 = inttoptr i64 %186 to ptr
-  %196 = tail call i32 %195(ptr noundef %187, ptr noundef %188, ptr noundef %189, ptr noundef %190, ptr noundef %194) #8
-  %197 = icmp slt i32 %196, 0
-  br i1 %197, label %201, label %198
+201:                                              ; preds = %180, %200
+  %202 = load ptr, ptr %9, align 8
+  %203 = load i64, ptr %202, align 8
+  %204 = load ptr, ptr %49, align 8
+  %205 = load ptr, ptr %43, align 8
+  %206 = load ptr, ptr %50, align 8
+  %207 = load ptr, ptr %51, align 8
+  %208 = load ptr, ptr %15, align 8
+  %209 = getelementptr inbounds i8, ptr %202, i64 8
+  %210 = load i64, ptr %209, align 8
+  %211 = getelementptr inbounds double, ptr %208, i64 %210
+  %212 = inttoptr i64 %203 to ptr
+  %213 = tail call i32 %212(ptr noundef %204, ptr noundef %205, ptr noundef %206, ptr noundef %207, ptr noundef %211) #8
+  %214 = icmp slt i32 %213, 0
+  br i1 %214, label %218, label %215
 
-198:                                              ; preds = %184
-  %199 = icmp ne i32 %106, 0
-  %200 = select i1 %38, i1 true, i1 %199
-  br i1 %200, label %302, label %206
+215:                                              ; preds = %201
+  %216 = icmp ne i32 %123, 0
+  %217 = select i1 %54, i1 true, i1 %216
+  br i1 %217, label %319, label %223
 
-201:                                              ; preds = %184
-  %202 = load ptr, ptr %22, align 8
-  %203 = getelementptr inbounds i8, ptr %202, i64 80
-  store i64 %25, ptr %203, align 8
-  %204 = load ptr, ptr %21, align 8
-  %205 = getelementptr inbounds i8, ptr %204, i64 48
-  store double 1.000000e+00, ptr %205, align 8
-  br label %473
+218:                                              ; preds = %201
+  %219 = load ptr, ptr %22, align 8
+  %220 = getelementptr inbounds i8, ptr %219, i64 80
+  store i64 %25, ptr %220, align 8
+  %221 = load ptr, ptr %21, align 8
+  %222 = getelementptr inbounds i8, ptr %221, i64 48
+  store double 1.000000e+00, ptr %222, align 8
+  br label %489
 
-206:                                              ; preds = %198, %296
-  %207 = phi i1 [ %301, %296 ], [ %200, %198 ]
-  %208 = phi i64 [ %298, %296 ], [ %103, %198 ]
-  %209 = phi i64 [ %299, %296 ], [ 0, %198 ]
-  %210 = phi double [ %297, %296 ], [ %105, %198 ]
-  %211 = getelementptr inbounds i64, ptr %18, i64 %209
-  %212 = load i64, ptr %211, align 8
-  %213 = getelementptr double, ptr %39, i64 %209
-  %214 = load double, ptr %213, align 8
-  %215 = getelementptr inbounds i64, ptr %14, i64 %209
-  %216 = load i64, ptr %215, align 8
-  %217 = icmp slt i64 %212, 0
-  %218 = fcmp ogt double %214, 0.000000e+00
-  %219 = and i1 %217, %218
-  %220 = icmp sgt i64 %216, -1
-  %221 = and i1 %219, %220
-  br i1 %221, label %229, label %222
+223:                                              ; preds = %215, %313
+  %224 = phi i1 [ %318, %313 ], [ %217, %215 ]
+  %225 = phi i64 [ %315, %313 ], [ %120, %215 ]
+  %226 = phi i64 [ %316, %313 ], [ 0, %215 ]
+  %227 = phi double [ %314, %313 ], [ %122, %215 ]
+  %228 = getelementptr inbounds i64, ptr %18, i64 %226
+  %229 = load i64, ptr %228, align 8
+  %230 = getelementptr double, ptr %55, i64 %226
+  %231 = load double, ptr %230, align 8
+  %232 = getelementptr inbounds i64, ptr %14, i64 %226
+  %233 = load i64, ptr %232, align 8
+  %234 = icmp slt i64 %229, 0
+  %235 = fcmp ogt double %231, 0.000000e+00
+  %236 = and i1 %234, %235
+  %237 = icmp sgt i64 %233, -1
+  %238 = and i1 %236, %237
+  br i1 %238, label %246, label %239
 
-222:                                              ; preds = %206
-  %223 = icmp sgt i64 %212, 0
-  %224 = fcmp olt double %214, 0.000000e+00
-  %225 = and i1 %223, %224
-  br i1 %225, label %226, label %229
+239:                                              ; preds = %223
+  %240 = icmp sgt i64 %229, 0
+  %241 = fcmp olt double %231, 0.000000e+00
+  %242 = and i1 %240, %241
+  br i1 %242, label %243, label %246
 
-226:                                              ; preds = %222
-  %227 = icmp slt i64 %216, 1
-  %228 = zext i1 %227 to i32
-  br label %229
+243:                                              ; preds = %239
+  %244 = icmp slt i64 %233, 1
+  %245 = zext i1 %244 to i32
+  br label %246
 
-229:                                              ; preds = %206, %222, %226
-  %230 = phi i32 [ 1, %206 ], [ 0, %222 ], [ %228, %226 ]
-  %231 = icmp eq i32 %230, 0
-  br i1 %231, label %296, label %232
+246:                                              ; preds = %223, %239, %243
+  %247 = phi i32 [ 1, %223 ], [ 0, %239 ], [ %245, %243 ]
+  %248 = icmp eq i32 %247, 0
+  br i1 %248, label %313, label %249
 
-232:                                              ; preds = %229
-  %233 = getelementptr inbounds double, ptr %16, i64 %209
-  %234 = load double, ptr %233, align 8
-  %235 = fcmp ogt double %234, 0.000000e+00
-  %236 = and i1 %217, %235
-  %237 = and i1 %220, %236
-  br i1 %237, label %245, label %238
+249:                                              ; preds = %246
+  %250 = getelementptr inbounds double, ptr %16, i64 %226
+  %251 = load double, ptr %250, align 8
+  %252 = fcmp ogt double %251, 0.000000e+00
+  %253 = and i1 %234, %252
+  %254 = and i1 %237, %253
+  br i1 %254, label %262, label %255
 
-238:                                              ; preds = %232
-  %239 = icmp sgt i64 %212, 0
-  %240 = fcmp olt double %234, 0.000000e+00
-  %241 = and i1 %239, %240
-  br i1 %241, label %242, label %245
+255:                                              ; preds = %249
+  %256 = icmp sgt i64 %229, 0
+  %257 = fcmp olt double %251, 0.000000e+00
+  %258 = and i1 %256, %257
+  br i1 %258, label %259, label %262
 
-242:                                              ; preds = %238
-  %243 = icmp slt i64 %216, 1
-  %244 = zext i1 %243 to i32
-  br label %245
+259:                                              ; preds = %255
+  %260 = icmp slt i64 %233, 1
+  %261 = zext i1 %260 to i32
+  br label %262
 
-245:                                              ; preds = %232, %238, %242
-  %246 = phi i32 [ 1, %232 ], [ 0, %238 ], [ %244, %242 ]
-  %247 = icmp eq i32 %246, 0
-  br i1 %247, label %248, label %296
+262:                                              ; preds = %249, %255, %259
+  %263 = phi i32 [ 1, %249 ], [ 0, %255 ], [ %261, %259 ]
+  %264 = icmp eq i32 %263, 0
+  br i1 %264, label %265, label %313
 
-248:                                              ; preds = %245
-  %249 = call fastcc double @locate(ptr noundef nonnull %0, ptr noundef nonnull %4, double noundef %1, double noundef %2, double noundef %102, double noundef %210, i64 noundef %209) #7
-  %250 = fcmp ogt double %249, %102
-  br i1 %250, label %251, label %253
+265:                                              ; preds = %262
+  %266 = call fastcc double @locate(ptr noundef nonnull %0, ptr noundef nonnull %4, double noundef %1, double noundef %2, double noundef %119, double noundef %227, i64 noundef %226) #7
+  %267 = fcmp ogt double %266, %119
+  br i1 %267, label %268, label %270
 
-251:                                              ; preds = %248
-  %252 = getelementptr inbounds i64, ptr %20, i64 %209
-  store i64 2, ptr %252, align 8
-  br label %253
+268:                                              ; preds = %265
+  %269 = getelementptr inbounds i64, ptr %20, i64 %226
+  store i64 2, ptr %269, align 8
+  br label %270
 
-253:                                              ; preds = %251, %248
-  %254 = phi double [ %249, %251 ], [ %210, %248 ]
-  %255 = load ptr, ptr %27, align 8
-  %256 = load ptr, ptr %28, align 8
-  %257 = insertelement <8 x double> poison, double %254, i64 0
-  %258 = shufflevector <8 x double> %257, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %258, ptr %256, align 8
-  %259 = load ptr, ptr %8, align 8
-  %260 = load ptr, ptr %29, align 8
-  %261 = load i64, ptr %30, align 8
-  %262 = load ptr, ptr %0, align 8
-  %263 = getelementptr inbounds i8, ptr %262, i64 24
-  %264 = load i64, ptr %263, align 8
-  %265 = load ptr, ptr %28, align 8
-  %266 = load ptr, ptr %6, align 8
-  %267 = getelementptr inbounds i8, ptr %266, i64 16
-  %268 = load i64, ptr %267, align 8
-  tail call fastcc void @nested(ptr noundef %255, ptr noundef %259, ptr noundef %260, i64 noundef %261, i64 noundef %264, ptr noundef %265, i64 noundef %268) #7
-  %269 = fmul double %254, %2
-  %270 = fadd double %269, %1
-  %271 = load ptr, ptr %31, align 8
-  store double %270, ptr %271, align 8
-  %272 = load i64, ptr %32, align 8
-  %273 = icmp sgt i64 %272, 0
-  br i1 %273, label %274, label %275
+270:                                              ; preds = %268, %265
+  %271 = phi double [ %266, %268 ], [ %227, %265 ]
+  %272 = load ptr, ptr %43, align 8
+  %273 = load ptr, ptr %44, align 8
+  %274 = insertelement <8 x double> poison, double %271, i64 0
+  %275 = shufflevector <8 x double> %274, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %275, ptr %273, align 8
+  %276 = load ptr, ptr %8, align 8
+  %277 = load ptr, ptr %45, align 8
+  %278 = load i64, ptr %46, align 8
+  %279 = load ptr, ptr %0, align 8
+  %280 = getelementptr inbounds i8, ptr %279, i64 24
+  %281 = load i64, ptr %280, align 8
+  %282 = load ptr, ptr %44, align 8
+  %283 = load ptr, ptr %6, align 8
+  %284 = getelementptr inbounds i8, ptr %283, i64 16
+  %285 = load i64, ptr %284, align 8
+  tail call fastcc void @nested(ptr noundef %272, ptr noundef %276, ptr noundef %277, i64 noundef %278, i64 noundef %281, ptr noundef %282, i64 noundef %285) #7
+  %286 = fmul double %271, %2
+  %287 = fadd double %286, %1
+  %288 = load ptr, ptr %47, align 8
+  store double %287, ptr %288, align 8
+  %289 = load i64, ptr %48, align 8
+  %290 = icmp sgt i64 %289, 0
+  br i1 %290, label %291, label %292
 
-274:                                              ; preds = %253
+291:                                              ; preds = %270
   tail call fastcc void @sample(ptr noundef nonnull %6) #7
-  br label %275
+  br label %292
 
-275:                                              ; preds = %253, %274
-  %276 = load ptr, ptr %9, align 8
-  %277 = load i64, ptr %276, align 8
-  %278 = load ptr, ptr %33, align 8
-  %279 = load ptr, ptr %27, align 8
-  %280 = load ptr, ptr %34, align 8
-  %281 = load ptr, ptr %35, align 8
-  %282 = load ptr, ptr %15, align 8
-  %283 = getelementptr inbounds i8, ptr %276, i64 8
-  %284 = load i64, ptr %283, align 8
-  %285 = getelementptr inbounds double, ptr %282, i64 %284
-  %286 = inttoptr i64 %277 to ptr
-  %287 = tail call i32 %286(ptr noundef %278, ptr noundef %279, ptr noundef %280, ptr noundef %281, ptr noundef %285) #8
-  %288 = icmp sgt i32 %287, -1
-  br i1 %288, label %294, label %289
+292:                                              ; preds = %270, %291
+  %293 = load ptr, ptr %9, align 8
+  %294 = load i64, ptr %293, align 8
+  %295 = load ptr, ptr %49, align 8
+  %296 = load ptr, ptr %43, align 8
+  %297 = load ptr, ptr %50, align 8
+  %298 = load ptr, ptr %51, align 8
+  %299 = load ptr, ptr %15, align 8
+  %300 = getelementptr inbounds i8, ptr %293, i64 8
+  %301 = load i64, ptr %300, align 8
+  %302 = getelementptr inbounds double, ptr %299, i64 %301
+  %303 = inttoptr i64 %294 to ptr
+  %304 = tail call i32 %303(ptr noundef %295, ptr noundef %296, ptr noundef %297, ptr noundef %298, ptr noundef %302) #8
+  %305 = icmp sgt i32 %304, -1
+  br i1 %305, label %311, label %306
 
-289:                                              ; preds = %275
-  %290 = load ptr, ptr %22, align 8
-  %291 = getelementptr inbounds i8, ptr %290, i64 80
-  store i64 %25, ptr %291, align 8
-  %292 = load ptr, ptr %21, align 8
-  %293 = getelementptr inbounds i8, ptr %292, i64 48
-  store double 1.000000e+00, ptr %293, align 8
-  br label %294
+306:                                              ; preds = %292
+  %307 = load ptr, ptr %22, align 8
+  %308 = getelementptr inbounds i8, ptr %307, i64 80
+  store i64 %25, ptr %308, align 8
+  %309 = load ptr, ptr %21, align 8
+  %310 = getelementptr inbounds i8, ptr %309, i64 48
+  store double 1.000000e+00, ptr %310, align 8
+  br label %311
 
-294:                                              ; preds = %275, %289
-  %295 = phi i64 [ -4, %289 ], [ %208, %275 ]
-  br i1 %288, label %296, label %302
+311:                                              ; preds = %292, %306
+  %312 = phi i64 [ -4, %306 ], [ %225, %292 ]
+  br i1 %305, label %313, label %319
 
-296:                                              ; preds = %229, %245, %294
-  %297 = phi double [ %210, %245 ], [ %254, %294 ], [ %210, %229 ]
-  %298 = phi i64 [ %208, %245 ], [ %295, %294 ], [ %208, %229 ]
-  %299 = add nuw nsw i64 %209, 1
-  %300 = icmp sge i64 %299, %12
-  %301 = select i1 %300, i1 true, i1 %199
-  br i1 %301, label %302, label %206, !llvm.loop !7
+313:                                              ; preds = %246, %262, %311
+  %314 = phi double [ %227, %262 ], [ %271, %311 ], [ %227, %246 ]
+  %315 = phi i64 [ %225, %262 ], [ %312, %311 ], [ %225, %246 ]
+  %316 = add nuw nsw i64 %226, 1
+  %317 = icmp sge i64 %316, %12
+  %318 = select i1 %317, i1 true, i1 %216
+  br i1 %318, label %319, label %223, !llvm.loop !7
 
-302:                                              ; preds = %294, %296, %198
-  %303 = phi i1 [ %200, %198 ], [ %207, %294 ], [ %301, %296 ]
-  %304 = phi i32 [ 10, %198 ], [ 1, %294 ], [ 10, %296 ]
-  %305 = phi double [ %105, %198 ], [ %254, %294 ], [ %297, %296 ]
-  %306 = phi i64 [ %103, %198 ], [ %295, %294 ], [ %298, %296 ]
-  br i1 %303, label %307, label %473
+319:                                              ; preds = %311, %313, %215
+  %320 = phi i1 [ %217, %215 ], [ %224, %311 ], [ %318, %313 ]
+  %321 = phi double [ %122, %215 ], [ %271, %311 ], [ %314, %313 ]
+  %322 = phi i32 [ 10, %215 ], [ 1, %311 ], [ 10, %313 ]
+  %323 = phi i64 [ %120, %215 ], [ %312, %311 ], [ %315, %313 ]
+  br i1 %320, label %324, label %489
 
-307:                                              ; preds = %302
-  br i1 %40, label %318, label %310
+324:                                              ; preds = %319
+  br i1 %56, label %335, label %327
 
-308:                                              ; preds = %405
-  %309 = zext i1 %406 to i32
-  br label %310
+325:                                              ; preds = %422
+  %326 = zext i1 %423 to i32
+  br label %327
 
-310:                                              ; preds = %308, %307
-  %311 = phi i32 [ 0, %307 ], [ %309, %308 ]
-  %312 = phi i64 [ -1, %307 ], [ %395, %308 ]
-  %313 = icmp eq i32 %311, 0
-  br i1 %313, label %314, label %409
+327:                                              ; preds = %325, %324
+  %328 = phi i32 [ 0, %324 ], [ %326, %325 ]
+  %329 = phi i64 [ -1, %324 ], [ %412, %325 ]
+  %330 = icmp eq i32 %328, 0
+  br i1 %330, label %331, label %426
 
-314:                                              ; preds = %310
-  br i1 %44, label %315, label %458
+331:                                              ; preds = %327
+  br i1 %60, label %332, label %427
 
-315:                                              ; preds = %314
-  %316 = fmul double %305, %2
-  %317 = fadd double %316, %1
-  br label %410
+332:                                              ; preds = %331
+  %333 = fmul double %321, %2
+  %334 = fadd double %333, %1
+  br label %430
 
-318:                                              ; preds = %307, %405
-  %319 = phi i64 [ %407, %405 ], [ 0, %307 ]
-  %320 = phi i64 [ %395, %405 ], [ -1, %307 ]
-  %321 = phi i1 [ %406, %405 ], [ false, %307 ]
-  %322 = getelementptr double, ptr %41, i64 %319
-  %323 = load double, ptr %322, align 8
-  %324 = getelementptr inbounds i64, ptr %18, i64 %319
-  %325 = load i64, ptr %324, align 8
-  %326 = getelementptr inbounds i64, ptr %14, i64 %319
-  %327 = load i64, ptr %326, align 8
-  %328 = icmp slt i64 %325, 0
-  %329 = fcmp ogt double %323, 0.000000e+00
-  %330 = and i1 %329, %328
-  %331 = icmp sgt i64 %327, -1
-  %332 = and i1 %330, %331
-  br i1 %332, label %340, label %333
+335:                                              ; preds = %324, %422
+  %336 = phi i64 [ %424, %422 ], [ 0, %324 ]
+  %337 = phi i64 [ %412, %422 ], [ -1, %324 ]
+  %338 = phi i1 [ %423, %422 ], [ false, %324 ]
+  %339 = getelementptr double, ptr %57, i64 %336
+  %340 = load double, ptr %339, align 8
+  %341 = getelementptr inbounds i64, ptr %18, i64 %336
+  %342 = load i64, ptr %341, align 8
+  %343 = getelementptr inbounds i64, ptr %14, i64 %336
+  %344 = load i64, ptr %343, align 8
+  %345 = icmp slt i64 %342, 0
+  %346 = fcmp ogt double %340, 0.000000e+00
+  %347 = and i1 %346, %345
+  %348 = icmp sgt i64 %344, -1
+  %349 = and i1 %347, %348
+  br i1 %349, label %357, label %350
 
-333:                                              ; preds = %318
-  %334 = icmp sgt i64 %325, 0
-  %335 = fcmp olt double %323, 0.000000e+00
-  %336 = and i1 %335, %334
-  br i1 %336, label %337, label %340
+350:                                              ; preds = %335
+  %351 = icmp sgt i64 %342, 0
+  %352 = fcmp olt double %340, 0.000000e+00
+  %353 = and i1 %352, %351
+  br i1 %353, label %354, label %357
 
-337:                                              ; preds = %333
-  %338 = icmp slt i64 %327, 1
-  %339 = zext i1 %338 to i32
-  br label %340
+354:                                              ; preds = %350
+  %355 = icmp slt i64 %344, 1
+  %356 = zext i1 %355 to i32
+  br label %357
 
-340:                                              ; preds = %318, %333, %337
-  %341 = phi i32 [ 1, %318 ], [ 0, %333 ], [ %339, %337 ]
-  %342 = icmp eq i32 %341, 0
-  br i1 %342, label %343, label %368
+357:                                              ; preds = %335, %350, %354
+  %358 = phi i32 [ 1, %335 ], [ 0, %350 ], [ %356, %354 ]
+  %359 = icmp eq i32 %358, 0
+  br i1 %359, label %360, label %385
 
-343:                                              ; preds = %340
-  %344 = getelementptr inbounds double, ptr %16, i64 %319
-  %345 = load double, ptr %344, align 8
-  %346 = fcmp ogt double %345, 0.000000e+00
-  %347 = and i1 %328, %346
-  %348 = and i1 %331, %347
-  br i1 %348, label %356, label %349
+360:                                              ; preds = %357
+  %361 = getelementptr inbounds double, ptr %16, i64 %336
+  %362 = load double, ptr %361, align 8
+  %363 = fcmp ogt double %362, 0.000000e+00
+  %364 = and i1 %345, %363
+  %365 = and i1 %348, %364
+  br i1 %365, label %373, label %366
 
-349:                                              ; preds = %343
-  %350 = icmp sgt i64 %325, 0
-  %351 = fcmp olt double %345, 0.000000e+00
-  %352 = and i1 %350, %351
-  br i1 %352, label %353, label %356
+366:                                              ; preds = %360
+  %367 = icmp sgt i64 %342, 0
+  %368 = fcmp olt double %362, 0.000000e+00
+  %369 = and i1 %367, %368
+  br i1 %369, label %370, label %373
 
-353:                                              ; preds = %349
-  %354 = icmp slt i64 %327, 1
-  %355 = zext i1 %354 to i32
-  br label %356
+370:                                              ; preds = %366
+  %371 = icmp slt i64 %344, 1
+  %372 = zext i1 %371 to i32
+  br label %373
 
-356:                                              ; preds = %343, %349, %353
-  %357 = phi i32 [ 1, %343 ], [ 0, %349 ], [ %355, %353 ]
-  %358 = icmp eq i32 %357, 0
-  br i1 %358, label %368, label %359
+373:                                              ; preds = %360, %366, %370
+  %374 = phi i32 [ 1, %360 ], [ 0, %366 ], [ %372, %370 ]
+  %375 = icmp eq i32 %374, 0
+  br i1 %375, label %385, label %376
 
-359:                                              ; preds = %356
-  %360 = fcmp oeq double %323, 0.000000e+00
-  br i1 %360, label %365, label %361
+376:                                              ; preds = %373
+  %377 = fcmp oeq double %340, 0.000000e+00
+  br i1 %377, label %382, label %378
 
-361:                                              ; preds = %359
-  %362 = getelementptr inbounds i64, ptr %20, i64 %319
-  %363 = load i64, ptr %362, align 8
-  %364 = icmp eq i64 %363, 1
-  br label %365
+378:                                              ; preds = %376
+  %379 = getelementptr inbounds i64, ptr %20, i64 %336
+  %380 = load i64, ptr %379, align 8
+  %381 = icmp eq i64 %380, 1
+  br label %382
 
-365:                                              ; preds = %361, %359
-  %366 = phi i1 [ true, %359 ], [ %364, %361 ]
-  %367 = zext i1 %366 to i32
-  br label %368
+382:                                              ; preds = %378, %376
+  %383 = phi i1 [ true, %376 ], [ %381, %378 ]
+  %384 = zext i1 %383 to i32
+  br label %385
 
-368:                                              ; preds = %365, %356, %340
-  %369 = phi i32 [ 1, %340 ], [ %367, %365 ], [ 0, %356 ]
-  %370 = icmp eq i32 %369, 0
-  br i1 %370, label %371, label %377
+385:                                              ; preds = %382, %373, %357
+  %386 = phi i32 [ 1, %357 ], [ %384, %382 ], [ 0, %373 ]
+  %387 = icmp eq i32 %386, 0
+  br i1 %387, label %388, label %394
 
-371:                                              ; preds = %368
-  %372 = getelementptr inbounds i64, ptr %20, i64 %319
-  %373 = load i64, ptr %372, align 8
-  %374 = icmp eq i64 %373, 2
-  %375 = fcmp oeq double %323, 0.000000e+00
-  %376 = and i1 %375, %374
-  br label %377
-
-377:                                              ; preds = %371, %368
-  %378 = phi i1 [ true, %368 ], [ %376, %371 ]
-  br i1 %378, label %394, label %379
-
-379:                                              ; preds = %377
-  %380 = getelementptr inbounds double, ptr %16, i64 %319
-  %381 = load double, ptr %380, align 8
-  %382 = icmp eq i64 %325, 0
-  %383 = fcmp ord double %381, 0.000000e+00
-  %384 = or i1 %382, %383
-  br i1 %384, label %394, label %385
-
-385:                                              ; preds = %379
-  %386 = sitofp i64 %325 to double
-  %387 = fmul double %323, %386
-  %388 = fcmp olt double %387, 0.000000e+00
-  br i1 %388, label %389, label %391
-
-389:                                              ; preds = %385
-  %390 = sub nsw i64 0, %325
-  store i64 %390, ptr %324, align 8
+388:                                              ; preds = %385
+  %389 = getelementptr inbounds i64, ptr %20, i64 %336
+  %390 = load i64, ptr %389, align 8
+  %391 = icmp eq i64 %390, 2
+  %392 = fcmp oeq double %340, 0.000000e+00
+  %393 = and i1 %392, %391
   br label %394
 
-391:                                              ; preds = %385
-  %392 = fcmp ueq double %323, 0.000000e+00
-  %393 = select i1 %392, i64 %319, i64 %320
-  br label %394
+394:                                              ; preds = %388, %385
+  %395 = phi i1 [ true, %385 ], [ %393, %388 ]
+  br i1 %395, label %411, label %396
 
-394:                                              ; preds = %391, %389, %379, %377
-  %395 = phi i64 [ %320, %377 ], [ %320, %389 ], [ %320, %379 ], [ %393, %391 ]
-  %396 = zext i1 %378 to i64
-  %397 = getelementptr inbounds i64, ptr %20, i64 %319
-  store i64 %396, ptr %397, align 8
-  %398 = xor i1 %378, true
-  %399 = or i1 %321, %398
-  br i1 %399, label %405, label %400
+396:                                              ; preds = %394
+  %397 = getelementptr inbounds double, ptr %16, i64 %336
+  %398 = load double, ptr %397, align 8
+  %399 = icmp eq i64 %342, 0
+  %400 = fcmp ord double %398, 0.000000e+00
+  %401 = or i1 %399, %400
+  br i1 %401, label %411, label %402
 
-400:                                              ; preds = %394
-  %401 = load ptr, ptr %42, align 8
-  %402 = getelementptr inbounds i64, ptr %401, i64 %319
-  %403 = load i64, ptr %402, align 8
-  %404 = icmp eq i64 %403, 1
-  br label %405
+402:                                              ; preds = %396
+  %403 = sitofp i64 %342 to double
+  %404 = fmul double %340, %403
+  %405 = fcmp olt double %404, 0.000000e+00
+  br i1 %405, label %406, label %408
 
-405:                                              ; preds = %394, %400
-  %406 = phi i1 [ %321, %394 ], [ %404, %400 ]
-  %407 = add nuw nsw i64 %319, 1
-  %408 = icmp eq i64 %407, %12
-  br i1 %408, label %308, label %318, !llvm.loop !8
+406:                                              ; preds = %402
+  %407 = sub nsw i64 0, %342
+  store i64 %407, ptr %341, align 8
+  br label %411
 
-409:                                              ; preds = %310
-  store double %305, ptr %43, align 8
-  br label %473
+408:                                              ; preds = %402
+  %409 = fcmp ueq double %340, 0.000000e+00
+  %410 = select i1 %409, i64 %336, i64 %337
+  br label %411
 
-410:                                              ; preds = %315, %454
-  %411 = phi i1 [ %44, %315 ], [ %456, %454 ]
-  %412 = phi i64 [ 0, %315 ], [ %455, %454 ]
-  %413 = getelementptr inbounds i64, ptr %20, i64 %412
-  %414 = load i64, ptr %413, align 8
-  %415 = icmp eq i64 %414, 0
-  br i1 %415, label %454, label %416
+411:                                              ; preds = %408, %406, %396, %394
+  %412 = phi i64 [ %337, %394 ], [ %337, %406 ], [ %337, %396 ], [ %410, %408 ]
+  %413 = zext i1 %395 to i64
+  %414 = getelementptr inbounds i64, ptr %20, i64 %336
+  store i64 %413, ptr %414, align 8
+  %415 = xor i1 %395, true
+  %416 = or i1 %338, %415
+  br i1 %416, label %422, label %417
 
-416:                                              ; preds = %410
-  %417 = load ptr, ptr %22, align 8
-  %418 = getelementptr inbounds i8, ptr %417, i64 80
-  %419 = load i64, ptr %418, align 8
-  %420 = load ptr, ptr %6, align 8
-  %421 = getelementptr inbounds i8, ptr %420, i64 8
-  %422 = load i64, ptr %421, align 8
-  %423 = load i64, ptr %46, align 8
-  %424 = icmp eq i64 %423, 0
-  br i1 %424, label %450, label %425
+417:                                              ; preds = %411
+  %418 = load ptr, ptr %58, align 8
+  %419 = getelementptr inbounds i64, ptr %418, i64 %336
+  %420 = load i64, ptr %419, align 8
+  %421 = icmp eq i64 %420, 1
+  br label %422
 
-425:                                              ; preds = %416
-  %426 = icmp eq i64 %419, %423
-  br i1 %426, label %449, label %427
+422:                                              ; preds = %411, %417
+  %423 = phi i1 [ %338, %411 ], [ %421, %417 ]
+  %424 = add nuw nsw i64 %336, 1
+  %425 = icmp eq i64 %424, %12
+  br i1 %425, label %325, label %335, !llvm.loop !8
 
-427:                                              ; preds = %425
-  %428 = load ptr, ptr %45, align 8
-  %429 = getelementptr inbounds double, ptr %428, i64 %419
-  store double %317, ptr %429, align 8
-  %430 = load ptr, ptr %47, align 8
-  %431 = getelementptr inbounds i64, ptr %430, i64 %419
-  store i64 %412, ptr %431, align 8
-  %432 = icmp sgt i64 %422, 0
-  br i1 %432, label %437, label %433
+426:                                              ; preds = %327
+  store double %321, ptr %59, align 8
+  br label %489
 
-433:                                              ; preds = %437, %427
-  %434 = add nsw i64 %419, 1
-  %435 = load ptr, ptr %22, align 8
-  %436 = getelementptr inbounds i8, ptr %435, i64 80
-  store i64 %434, ptr %436, align 8
-  br label %450
+427:                                              ; preds = %470, %331
+  %428 = icmp sgt i64 %329, -1
+  br i1 %428, label %429, label %481
 
-437:                                              ; preds = %427, %437
-  %438 = phi i64 [ %447, %437 ], [ 0, %427 ]
-  %439 = load ptr, ptr %27, align 8
-  %440 = getelementptr inbounds double, ptr %439, i64 %438
-  %441 = load double, ptr %440, align 8
-  %442 = load ptr, ptr %48, align 8
-  %443 = load i64, ptr %49, align 8
-  %444 = mul nsw i64 %443, %419
-  %445 = getelementptr double, ptr %442, i64 %444
-  %446 = getelementptr double, ptr %445, i64 %438
-  store double %441, ptr %446, align 8
-  %447 = add nuw nsw i64 %438, 1
-  %448 = icmp eq i64 %447, %422
-  br i1 %448, label %433, label %437, !llvm.loop !9
+429:                                              ; preds = %427
+  br i1 %68, label %474, label %473
 
-449:                                              ; preds = %425
-  store double %305, ptr %50, align 8
-  br label %458
+430:                                              ; preds = %332, %470
+  %431 = phi i64 [ 0, %332 ], [ %471, %470 ]
+  %432 = getelementptr inbounds i64, ptr %20, i64 %431
+  %433 = load i64, ptr %432, align 8
+  %434 = icmp eq i64 %433, 0
+  br i1 %434, label %470, label %435
 
-450:                                              ; preds = %433, %416
-  %451 = getelementptr inbounds i64, ptr %18, i64 %412
-  %452 = load i64, ptr %451, align 8
-  %453 = sub nsw i64 0, %452
-  store i64 %453, ptr %451, align 8
-  br label %454
+435:                                              ; preds = %430
+  %436 = load ptr, ptr %22, align 8
+  %437 = getelementptr inbounds i8, ptr %436, i64 80
+  %438 = load i64, ptr %437, align 8
+  %439 = load ptr, ptr %6, align 8
+  %440 = getelementptr inbounds i8, ptr %439, i64 8
+  %441 = load i64, ptr %440, align 8
+  %442 = load i64, ptr %61, align 8
+  %443 = icmp eq i64 %442, 0
+  br i1 %443, label %466, label %444
 
-454:                                              ; preds = %410, %450
-  %455 = add nuw nsw i64 %412, 1
-  %456 = icmp slt i64 %455, %12
-  %457 = icmp eq i64 %455, %12
-  br i1 %457, label %458, label %410, !llvm.loop !10
+444:                                              ; preds = %435
+  %445 = load ptr, ptr %62, align 8
+  %446 = getelementptr inbounds double, ptr %445, i64 %438
+  store double %334, ptr %446, align 8
+  %447 = load ptr, ptr %63, align 8
+  %448 = getelementptr inbounds i64, ptr %447, i64 %438
+  store i64 %431, ptr %448, align 8
+  %449 = icmp sgt i64 %441, 0
+  br i1 %449, label %454, label %450
 
-458:                                              ; preds = %454, %314, %449
-  %459 = phi i1 [ %411, %449 ], [ %44, %314 ], [ %456, %454 ]
-  %460 = phi i32 [ 1, %449 ], [ 16, %314 ], [ 16, %454 ]
-  %461 = phi i64 [ -3, %449 ], [ %306, %314 ], [ %306, %454 ]
-  br i1 %459, label %473, label %462
+450:                                              ; preds = %454, %444
+  %451 = add nsw i64 %438, 1
+  %452 = load ptr, ptr %22, align 8
+  %453 = getelementptr inbounds i8, ptr %452, i64 80
+  store i64 %451, ptr %453, align 8
+  br label %466
 
-462:                                              ; preds = %458
-  %463 = icmp sgt i64 %312, -1
-  br i1 %463, label %464, label %473
+454:                                              ; preds = %444, %454
+  %455 = phi i64 [ %464, %454 ], [ 0, %444 ]
+  %456 = load ptr, ptr %43, align 8
+  %457 = getelementptr inbounds double, ptr %456, i64 %455
+  %458 = load double, ptr %457, align 8
+  %459 = load ptr, ptr %64, align 8
+  %460 = load i64, ptr %65, align 8
+  %461 = mul nsw i64 %460, %438
+  %462 = getelementptr double, ptr %459, i64 %461
+  %463 = getelementptr double, ptr %462, i64 %455
+  store double %458, ptr %463, align 8
+  %464 = add nuw nsw i64 %455, 1
+  %465 = icmp eq i64 %464, %441
+  br i1 %465, label %450, label %454, !llvm.loop !9
 
-464:                                              ; preds = %462
-  br i1 %51, label %466, label %465
+466:                                              ; preds = %435, %450
+  %467 = getelementptr inbounds i64, ptr %18, i64 %431
+  %468 = load i64, ptr %467, align 8
+  %469 = sub nsw i64 0, %468
+  store i64 %469, ptr %467, align 8
+  br label %470
 
-465:                                              ; preds = %466, %464
-  store double %305, ptr %52, align 8
-  br label %473
-
-466:                                              ; preds = %464, %466
-  %467 = phi i64 [ %471, %466 ], [ 0, %464 ]
-  %468 = icmp eq i64 %467, %312
-  %469 = zext i1 %468 to i64
-  %470 = getelementptr inbounds i64, ptr %20, i64 %467
-  store i64 %469, ptr %470, align 8
-  %471 = add nuw nsw i64 %467, 1
+470:                                              ; preds = %430, %466
+  %471 = add nuw nsw i64 %431, 1
   %472 = icmp eq i64 %471, %12
-  br i1 %472, label %465, label %466, !llvm.loop !11
+  br i1 %472, label %427, label %430, !llvm.loop !10
 
-473:                                              ; preds = %409, %465, %458, %462, %104, %302, %201
-  %474 = phi i32 [ 1, %201 ], [ %304, %302 ], [ 5, %104 ], [ 1, %409 ], [ 1, %465 ], [ %460, %458 ], [ 0, %462 ]
-  %475 = phi double [ %102, %201 ], [ %102, %302 ], [ %102, %104 ], [ %102, %409 ], [ %102, %465 ], [ %102, %458 ], [ %305, %462 ]
-  %476 = phi i64 [ -4, %201 ], [ %306, %302 ], [ %103, %104 ], [ -2, %409 ], [ 21, %465 ], [ %461, %458 ], [ %461, %462 ]
-  switch i32 %474, label %491 [
-    i32 0, label %101
-    i32 5, label %477
+473:                                              ; preds = %474, %429
+  store double %321, ptr %69, align 8
+  br label %489
+
+474:                                              ; preds = %429, %474
+  %475 = phi i64 [ %479, %474 ], [ 0, %429 ]
+  %476 = icmp eq i64 %475, %329
+  %477 = zext i1 %476 to i64
+  %478 = getelementptr inbounds i64, ptr %20, i64 %475
+  store i64 %477, ptr %478, align 8
+  %479 = add nuw nsw i64 %475, 1
+  %480 = icmp eq i64 %479, %12
+  br i1 %480, label %473, label %474, !llvm.loop !11
+
+481:                                              ; preds = %427
+  %482 = load i64, ptr %66, align 8
+  %483 = icmp sgt i64 %482, 0
+  br i1 %483, label %484, label %489
+
+484:                                              ; preds = %481
+  %485 = load i64, ptr %24, align 8
+  %486 = add nsw i64 %485, %12
+  %487 = icmp sgt i64 %486, %482
+  br i1 %487, label %488, label %489
+
+488:                                              ; preds = %484
+  store double %321, ptr %67, align 8
+  br label %489
+
+489:                                              ; preds = %426, %473, %488, %484, %481, %121, %319, %218
+  %490 = phi i32 [ 1, %218 ], [ %322, %319 ], [ 5, %121 ], [ 1, %426 ], [ 1, %473 ], [ 1, %488 ], [ 0, %484 ], [ 0, %481 ]
+  %491 = phi double [ %119, %218 ], [ %119, %319 ], [ %119, %121 ], [ %119, %426 ], [ %119, %473 ], [ %119, %488 ], [ %321, %484 ], [ %321, %481 ]
+  %492 = phi i64 [ -4, %218 ], [ %323, %319 ], [ %120, %121 ], [ -2, %426 ], [ 21, %473 ], [ -3, %488 ], [ %323, %484 ], [ %323, %481 ]
+  switch i32 %490, label %507 [
+    i32 0, label %118
+    i32 5, label %493
   ], !llvm.loop !12
 
-477:                                              ; preds = %473
-  br i1 %53, label %478, label %491
+493:                                              ; preds = %489
+  br i1 %70, label %494, label %507
 
-478:                                              ; preds = %477, %488
-  %479 = phi i64 [ %489, %488 ], [ 0, %477 ]
-  %480 = getelementptr inbounds double, ptr %16, i64 %479
-  %481 = load double, ptr %480, align 8
-  %482 = fcmp ogt double %481, 0.000000e+00
-  br i1 %482, label %485, label %483
+494:                                              ; preds = %493, %504
+  %495 = phi i64 [ %505, %504 ], [ 0, %493 ]
+  %496 = getelementptr inbounds double, ptr %16, i64 %495
+  %497 = load double, ptr %496, align 8
+  %498 = fcmp ogt double %497, 0.000000e+00
+  br i1 %498, label %501, label %499
 
-483:                                              ; preds = %478
-  %484 = fcmp olt double %481, 0.000000e+00
-  br i1 %484, label %485, label %488
+499:                                              ; preds = %494
+  %500 = fcmp olt double %497, 0.000000e+00
+  br i1 %500, label %501, label %504
 
-485:                                              ; preds = %483, %478
-  %486 = phi i64 [ 1, %478 ], [ -1, %483 ]
-  %487 = getelementptr inbounds i64, ptr %18, i64 %479
-  store i64 %486, ptr %487, align 8
-  br label %488
+501:                                              ; preds = %499, %494
+  %502 = phi i64 [ 1, %494 ], [ -1, %499 ]
+  %503 = getelementptr inbounds i64, ptr %18, i64 %495
+  store i64 %502, ptr %503, align 8
+  br label %504
 
-488:                                              ; preds = %485, %483
-  %489 = add nuw nsw i64 %479, 1
-  %490 = icmp eq i64 %489, %12
-  br i1 %490, label %491, label %478, !llvm.loop !13
+504:                                              ; preds = %501, %499
+  %505 = add nuw nsw i64 %495, 1
+  %506 = icmp eq i64 %505, %12
+  br i1 %506, label %507, label %494, !llvm.loop !13
 
-491:                                              ; preds = %473, %488, %477, %96
-  %492 = phi i32 [ 1, %96 ], [ 0, %477 ], [ 0, %488 ], [ %474, %473 ]
-  %493 = phi double [ %61, %96 ], [ %64, %477 ], [ %64, %488 ], [ %475, %473 ]
-  %494 = phi i64 [ -4, %96 ], [ %476, %477 ], [ %476, %488 ], [ %476, %473 ]
-  %495 = icmp eq i32 %492, 0
-  br i1 %495, label %54, label %496
+507:                                              ; preds = %489, %504, %493, %113
+  %508 = phi i32 [ 1, %113 ], [ 0, %493 ], [ 0, %504 ], [ %490, %489 ]
+  %509 = phi double [ %78, %113 ], [ %81, %493 ], [ %81, %504 ], [ %491, %489 ]
+  %510 = phi i64 [ -4, %113 ], [ %492, %493 ], [ %492, %504 ], [ %492, %489 ]
+  %511 = icmp eq i32 %508, 0
+  br i1 %511, label %71, label %512
 
-496:                                              ; preds = %54, %491
-  %497 = phi i1 [ %56, %54 ], [ %59, %491 ]
-  br i1 %497, label %498, label %500
+512:                                              ; preds = %71, %507
+  %513 = phi i1 [ %73, %71 ], [ %76, %507 ]
+  br i1 %513, label %514, label %516
 
-498:                                              ; preds = %496
-  %499 = getelementptr inbounds i8, ptr %26, i64 48
-  store double 1.000000e+00, ptr %499, align 8
-  br label %500
+514:                                              ; preds = %512
+  %515 = getelementptr inbounds i8, ptr %26, i64 48
+  store double 1.000000e+00, ptr %515, align 8
+  br label %516
 
-500:                                              ; preds = %496, %498
-  %501 = phi i64 [ 0, %498 ], [ %494, %496 ]
-  ret i64 %501
+516:                                              ; preds = %38, %512, %514
+  %517 = phi i64 [ 0, %514 ], [ %510, %512 ], [ %40, %38 ]
+  ret i64 %517
+}
+
+
+define internal fastcc range(i64 -6, 1) i64 @unresolved(ptr noundef readonly %0, ptr noundef readonly %1, double noundef %2, double noundef %3) unnamed_addr #2 {
+  %5 = getelementptr inbounds i8, ptr %0, i64 720
+  %6 = getelementptr inbounds i8, ptr %0, i64 144
+  %7 = getelementptr inbounds i8, ptr %0, i64 984
+  %8 = getelementptr inbounds i8, ptr %0, i64 1000
+  %9 = load i64, ptr %8, align 8
+  %10 = sdiv i64 %9, 2
+  %11 = getelementptr inbounds i8, ptr %0, i64 624
+  %12 = load ptr, ptr %11, align 8
+  %13 = getelementptr inbounds i8, ptr %0, i64 632
+  %14 = load i64, ptr %13, align 8
+  %15 = getelementptr double, ptr %12, i64 %14
+  %16 = getelementptr i8, ptr %15, i64 -8
+  %17 = load double, ptr %16, align 8
+  %18 = load double, ptr %12, align 8
+  %19 = fsub double %17, %18
+  %20 = fadd double %2, %3
+  %21 = tail call double @llvm.fabs.f64(double %20)
+  %22 = fcmp ogt double %21, %19
+  %23 = select i1 %22, double %21, double %19
+  %24 = fmul double %23, 0x3D10000000000000
+  %25 = fcmp ult double %24, %3
+  br i1 %25, label %26, label %277
+
+26:                                               ; preds = %4
+  %27 = getelementptr inbounds i8, ptr %0, i64 888
+  %28 = getelementptr inbounds i8, ptr %1, i64 16
+  %29 = getelementptr inbounds i8, ptr %1, i64 8
+  %30 = getelementptr inbounds i8, ptr %0, i64 168
+  %31 = getelementptr inbounds i8, ptr %0, i64 248
+  %32 = getelementptr inbounds i8, ptr %0, i64 168
+  %33 = getelementptr inbounds i8, ptr %0, i64 192
+  %34 = getelementptr inbounds i8, ptr %0, i64 1008
+  br label %42
+
+35:                                               ; preds = %72
+  %36 = add nuw nsw i64 %43, 1
+  %37 = icmp eq i64 %36, 9
+  br i1 %37, label %38, label %42, !llvm.loop !14
+
+38:                                               ; preds = %35
+  %39 = icmp sgt i64 %9, 1
+  br i1 %39, label %40, label %277
+
+40:                                               ; preds = %38
+  %41 = load ptr, ptr %7, align 8
+  br label %89
+
+42:                                               ; preds = %26, %35
+  %43 = phi i64 [ 0, %26 ], [ %36, %35 ]
+  %44 = getelementptr inbounds [9 x double], ptr @PLACES, i64 0, i64 %43
+  %45 = load double, ptr %44, align 8
+  %46 = load ptr, ptr %27, align 8
+  %47 = load ptr, ptr %28, align 8
+  %48 = getelementptr inbounds i8, ptr %47, i64 96
+  %49 = load ptr, ptr %48, align 8
+  %50 = insertelement <8 x double> poison, double %45, i64 0
+  %51 = shufflevector <8 x double> %50, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %51, ptr %49, align 8
+  %52 = load ptr, ptr %47, align 8
+  %53 = getelementptr inbounds i8, ptr %47, i64 192
+  %54 = load ptr, ptr %53, align 8
+  %55 = getelementptr inbounds i8, ptr %47, i64 8
+  %56 = load i64, ptr %55, align 8
+  %57 = load ptr, ptr %1, align 8
+  %58 = load ptr, ptr %57, align 8
+  %59 = getelementptr inbounds i8, ptr %58, i64 24
+  %60 = load i64, ptr %59, align 8
+  %61 = load ptr, ptr %48, align 8
+  %62 = load ptr, ptr %29, align 8
+  %63 = load ptr, ptr %62, align 8
+  %64 = getelementptr inbounds i8, ptr %63, i64 16
+  %65 = load i64, ptr %64, align 8
+  tail call fastcc void @nested(ptr noundef %46, ptr noundef %52, ptr noundef %54, i64 noundef %56, i64 noundef %60, ptr noundef %61, i64 noundef %65) #7
+  %66 = fmul double %45, %3
+  %67 = fadd double %66, %2
+  %68 = load ptr, ptr %30, align 8
+  store double %67, ptr %68, align 8
+  %69 = load i64, ptr %31, align 8
+  %70 = icmp sgt i64 %69, 0
+  br i1 %70, label %71, label %72
+
+71:                                               ; preds = %42
+  tail call fastcc void @sample(ptr noundef nonnull %6) #7
+  br label %72
+
+72:                                               ; preds = %42, %71
+  %73 = load ptr, ptr %5, align 8
+  %74 = getelementptr inbounds i8, ptr %73, i64 24
+  %75 = load i64, ptr %74, align 8
+  %76 = load ptr, ptr %32, align 8
+  %77 = load ptr, ptr %27, align 8
+  %78 = load ptr, ptr %33, align 8
+  %79 = load ptr, ptr %34, align 8
+  %80 = load ptr, ptr %7, align 8
+  %81 = mul nsw i64 %9, %43
+  %82 = getelementptr inbounds double, ptr %80, i64 %81
+  %83 = inttoptr i64 %75 to ptr
+  %84 = tail call i32 %83(ptr noundef %76, ptr noundef %77, ptr noundef %78, ptr noundef %79, ptr noundef %82) #8
+  %85 = icmp slt i32 %84, 0
+  br i1 %85, label %277, label %35
+
+86:                                               ; preds = %216
+  %87 = add nuw nsw i64 %91, 1
+  %88 = icmp eq i64 %87, %10
+  br i1 %88, label %277, label %89, !llvm.loop !15
+
+89:                                               ; preds = %40, %86
+  %90 = phi i64 [ -4, %40 ], [ %219, %86 ]
+  %91 = phi i64 [ 0, %40 ], [ %87, %86 ]
+  %92 = getelementptr inbounds double, ptr %41, i64 %91
+  br label %220
+
+93:                                               ; preds = %273
+  %94 = fmul double %234, 0x3CE0000000000000
+  %95 = fmul double %230, 0x3E50000000000000
+  %96 = fcmp ogt double %274, %95
+  %97 = fmul double %274, 2.000000e+00
+  %98 = select i1 %96, double %97, double 0.000000e+00
+  %99 = fcmp ule double %98, %94
+  %100 = fmul double %98, 2.000000e+00
+  %101 = fneg double %94
+  %102 = fcmp ogt double %98, %94
+  br label %103
+
+103:                                              ; preds = %93, %213
+  %104 = phi i64 [ 1, %93 ], [ %214, %213 ]
+  %105 = phi i32 [ undef, %93 ], [ %212, %213 ]
+  %106 = add nsw i64 %104, -1
+  %107 = mul nsw i64 %9, %106
+  %108 = getelementptr inbounds double, ptr %92, i64 %107
+  %109 = load double, ptr %108, align 8
+  %110 = mul nuw nsw i64 %9, %104
+  %111 = getelementptr inbounds double, ptr %92, i64 %110
+  %112 = load double, ptr %111, align 8
+  %113 = tail call double @llvm.fabs.f64(double %109)
+  %114 = tail call double @llvm.fabs.f64(double %112)
+  %115 = fcmp olt double %113, %114
+  %116 = select i1 %115, double %113, double %114
+  %117 = fmul double %109, %112
+  %118 = fcmp ult double %117, 0.000000e+00
+  %119 = or i1 %99, %118
+  %120 = fcmp ugt double %116, %98
+  %121 = or i1 %119, %120
+  br i1 %121, label %126, label %122
+
+122:                                              ; preds = %103
+  %123 = fsub double %109, %112
+  %124 = tail call double @llvm.fabs.f64(double %123)
+  %125 = fcmp ugt double %124, %100
+  br i1 %125, label %126, label %210
+
+126:                                              ; preds = %122, %103
+  %127 = add nuw nsw i64 %104, 1
+  %128 = icmp eq i64 %127, 9
+  br i1 %128, label %210, label %129
+
+129:                                              ; preds = %126
+  %130 = mul nuw nsw i64 %9, %127
+  %131 = getelementptr inbounds double, ptr %92, i64 %130
+  %132 = load double, ptr %131, align 8
+  %133 = fadd double %109, %132
+  %134 = fcmp olt double %133, 0.000000e+00
+  %135 = select i1 %134, double -1.000000e+00, double 1.000000e+00
+  %136 = fmul double %109, %132
+  %137 = fcmp olt double %136, 0.000000e+00
+  br i1 %137, label %210, label %138
+
+138:                                              ; preds = %129
+  %139 = fmul double %112, %135
+  %140 = fcmp olt double %139, 0.000000e+00
+  br i1 %140, label %141, label %148
+
+141:                                              ; preds = %138
+  %142 = and i64 %104, 1
+  %143 = icmp ne i64 %142, 0
+  %144 = fcmp ogt double %114, %94
+  %145 = and i1 %143, %144
+  %146 = select i1 %145, i32 1, i32 4
+  %147 = select i1 %145, i32 1, i32 %105
+  br label %210
+
+148:                                              ; preds = %138
+  %149 = getelementptr inbounds [9 x double], ptr @PLACES, i64 0, i64 %104
+  %150 = load double, ptr %149, align 8
+  %151 = getelementptr inbounds [9 x double], ptr @PLACES, i64 0, i64 %106
+  %152 = load double, ptr %151, align 8
+  %153 = fsub double %150, %152
+  %154 = getelementptr inbounds [9 x double], ptr @PLACES, i64 0, i64 %127
+  %155 = load double, ptr %154, align 8
+  %156 = fsub double %155, %150
+  %157 = fsub double %112, %109
+  %158 = fdiv double %157, %153
+  %159 = fsub double %132, %112
+  %160 = fdiv double %159, %156
+  %161 = fadd double %153, %156
+  %162 = fmul double %158, %156
+  %163 = fmul double %153, %160
+  %164 = fadd double %162, %163
+  %165 = fdiv double %164, %161
+  %166 = fmul double %165, 5.000000e-01
+  %167 = fmul double %161, %166
+  %168 = fsub double %160, %158
+  %169 = fdiv double %167, %168
+  %170 = fsub double %150, %169
+  %171 = fcmp ult double %170, %152
+  %172 = fcmp ugt double %170, %155
+  %173 = or i1 %171, %172
+  br i1 %173, label %210, label %174
+
+174:                                              ; preds = %148, %178
+  %175 = phi i64 [ %184, %178 ], [ 0, %148 ]
+  %176 = phi double [ %183, %178 ], [ 0.000000e+00, %148 ]
+  %177 = getelementptr inbounds [9 x double], ptr @PLACES, i64 0, i64 %175
+  br label %186
+
+178:                                              ; preds = %198
+  %179 = mul nuw nsw i64 %9, %175
+  %180 = getelementptr inbounds double, ptr %92, i64 %179
+  %181 = load double, ptr %180, align 8
+  %182 = fmul double %199, %181
+  %183 = fadd double %176, %182
+  %184 = add nuw nsw i64 %175, 2
+  %185 = icmp ult i64 %175, 7
+  br i1 %185, label %174, label %202, !llvm.loop !16
+
+186:                                              ; preds = %174, %198
+  %187 = phi i64 [ 0, %174 ], [ %200, %198 ]
+  %188 = phi double [ 1.000000e+00, %174 ], [ %199, %198 ]
+  %189 = icmp eq i64 %187, %175
+  br i1 %189, label %198, label %190
+
+190:                                              ; preds = %186
+  %191 = getelementptr inbounds [9 x double], ptr @PLACES, i64 0, i64 %187
+  %192 = load double, ptr %191, align 16
+  %193 = fsub double %170, %192
+  %194 = load double, ptr %177, align 16
+  %195 = fsub double %194, %192
+  %196 = fdiv double %193, %195
+  %197 = fmul double %188, %196
+  br label %198
+
+198:                                              ; preds = %190, %186
+  %199 = phi double [ %197, %190 ], [ %188, %186 ]
+  %200 = add nuw nsw i64 %187, 2
+  %201 = icmp ult i64 %187, 7
+  br i1 %201, label %186, label %178, !llvm.loop !17
+
+202:                                              ; preds = %178
+  %203 = fmul double %135, %183
+  %204 = fcmp olt double %203, %101
+  br i1 %204, label %210, label %205
+
+205:                                              ; preds = %202
+  %206 = fcmp ole double %203, %98
+  %207 = and i1 %102, %206
+  %208 = zext i1 %207 to i32
+  %209 = select i1 %207, i32 1, i32 %105
+  br label %210
+
+210:                                              ; preds = %205, %202, %148, %141, %129, %126, %122
+  %211 = phi i32 [ 1, %122 ], [ 1, %126 ], [ 4, %129 ], [ 4, %148 ], [ 1, %202 ], [ %146, %141 ], [ %208, %205 ]
+  %212 = phi i32 [ 1, %122 ], [ 0, %126 ], [ %105, %129 ], [ %105, %148 ], [ 1, %202 ], [ %147, %141 ], [ %209, %205 ]
+  switch i32 %211, label %216 [
+    i32 0, label %213
+    i32 4, label %213
+  ]
+
+213:                                              ; preds = %210, %210
+  %214 = add nuw nsw i64 %104, 1
+  %215 = icmp eq i64 %214, 9
+  br i1 %215, label %216, label %103, !llvm.loop !18
+
+216:                                              ; preds = %213, %210
+  %217 = phi i32 [ %212, %210 ], [ 0, %213 ]
+  %218 = icmp eq i32 %217, 0
+  %219 = select i1 %218, i64 %90, i64 -6
+  br i1 %218, label %86, label %277
+
+220:                                              ; preds = %89, %273
+  %221 = phi i64 [ 0, %89 ], [ %275, %273 ]
+  %222 = phi double [ 0.000000e+00, %89 ], [ %274, %273 ]
+  %223 = phi double [ 0.000000e+00, %89 ], [ %234, %273 ]
+  %224 = phi double [ 0.000000e+00, %89 ], [ %230, %273 ]
+  %225 = mul nuw nsw i64 %9, %221
+  %226 = getelementptr inbounds double, ptr %92, i64 %225
+  %227 = load double, ptr %226, align 8
+  %228 = tail call double @llvm.fabs.f64(double %227)
+  %229 = fcmp ogt double %224, %228
+  %230 = select i1 %229, double %224, double %228
+  %231 = getelementptr double, ptr %226, i64 %10
+  %232 = load double, ptr %231, align 8
+  %233 = fcmp ogt double %223, %232
+  %234 = select i1 %233, double %223, double %232
+  %235 = and i64 %221, 1
+  %236 = icmp eq i64 %235, 0
+  br i1 %236, label %273, label %237
+
+237:                                              ; preds = %220
+  %238 = getelementptr inbounds [9 x double], ptr @PLACES, i64 0, i64 %221
+  %239 = load double, ptr %238, align 8
+  br label %240
+
+240:                                              ; preds = %237, %244
+  %241 = phi i64 [ 0, %237 ], [ %250, %244 ]
+  %242 = phi double [ 0.000000e+00, %237 ], [ %249, %244 ]
+  %243 = getelementptr inbounds [9 x double], ptr @PLACES, i64 0, i64 %241
+  br label %252
+
+244:                                              ; preds = %264
+  %245 = mul nuw nsw i64 %9, %241
+  %246 = getelementptr inbounds double, ptr %92, i64 %245
+  %247 = load double, ptr %246, align 8
+  %248 = fmul double %265, %247
+  %249 = fadd double %242, %248
+  %250 = add nuw nsw i64 %241, 2
+  %251 = icmp ult i64 %241, 7
+  br i1 %251, label %240, label %268, !llvm.loop !16
+
+252:                                              ; preds = %240, %264
+  %253 = phi i64 [ 0, %240 ], [ %266, %264 ]
+  %254 = phi double [ 1.000000e+00, %240 ], [ %265, %264 ]
+  %255 = icmp eq i64 %253, %241
+  br i1 %255, label %264, label %256
+
+256:                                              ; preds = %252
+  %257 = getelementptr inbounds [9 x double], ptr @PLACES, i64 0, i64 %253
+  %258 = load double, ptr %257, align 16
+  %259 = fsub double %239, %258
+  %260 = load double, ptr %243, align 16
+  %261 = fsub double %260, %258
+  %262 = fdiv double %259, %261
+  %263 = fmul double %254, %262
+  br label %264
+
+264:                                              ; preds = %256, %252
+  %265 = phi double [ %263, %256 ], [ %254, %252 ]
+  %266 = add nuw nsw i64 %253, 2
+  %267 = icmp ult i64 %253, 7
+  br i1 %267, label %252, label %244, !llvm.loop !17
+
+268:                                              ; preds = %244
+  %269 = fsub double %227, %249
+  %270 = tail call double @llvm.fabs.f64(double %269)
+  %271 = fcmp ogt double %222, %270
+  %272 = select i1 %271, double %222, double %270
+  br label %273
+
+273:                                              ; preds = %220, %268
+  %274 = phi double [ %272, %268 ], [ %222, %220 ]
+  %275 = add nuw nsw i64 %221, 1
+  %276 = icmp eq i64 %275, 9
+  br i1 %276, label %93, label %220, !llvm.loop !19
+
+277:                                              ; preds = %72, %86, %216, %38, %4
+  %278 = phi i64 [ 0, %4 ], [ 0, %38 ], [ %219, %216 ], [ 0, %86 ], [ -4, %72 ]
+  ret i64 %278
 }
 
 
@@ -870,7 +1263,7 @@ define internal fastcc double @locate(ptr noundef readonly %0, ptr noundef reado
   %126 = load double, ptr %20, align 8
   %127 = fmul double %126, %13
   %128 = fcmp ogt double %127, 0.000000e+00
-  br i1 %128, label %129, label %79, !llvm.loop !14
+  br i1 %128, label %129, label %79, !llvm.loop !20
 
 129:                                              ; preds = %113, %79
   %130 = phi double [ %4, %79 ], [ %83, %113 ]
@@ -961,8 +1354,9 @@ define internal fastcc double @locate(ptr noundef readonly %0, ptr noundef reado
   ret double %194
 }
 
+declare double @llvm.fabs.f64(double) #3
 
-define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readonly %1, ptr noundef readonly %2, i64 noundef %3, i64 noundef %4, ptr noundef readonly %5, i64 noundef %6) unnamed_addr #3 {
+define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readonly %1, ptr noundef readonly %2, i64 noundef %3, i64 noundef %4, ptr noundef readonly %5, i64 noundef %6) unnamed_addr #4 {
   %8 = load <8 x double>, ptr %5, align 8
   %9 = fsub <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %8
   %10 = shl nsw i64 %6, 3
@@ -996,7 +1390,7 @@ define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readon
   store <8 x double> %29, ptr %26, align 8
   %30 = add nuw nsw i64 %21, 8
   %31 = icmp slt i64 %30, %10
-  br i1 %31, label %20, label %19, !llvm.loop !15
+  br i1 %31, label %20, label %19, !llvm.loop !21
 
 32:                                               ; preds = %20, %32
   %33 = phi i64 [ %42, %32 ], [ %16, %20 ]
@@ -1010,10 +1404,10 @@ define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readon
   %41 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %39, <8 x double> %34, <8 x double> %40)
   %42 = add nsw i64 %33, -1
   %43 = icmp sgt i64 %33, 0
-  br i1 %43, label %32, label %24, !llvm.loop !16
+  br i1 %43, label %32, label %24, !llvm.loop !22
 }
 
-declare <8 x double> @llvm.fma.v8f64(<8 x double>, <8 x double>, <8 x double>) #4
+declare <8 x double> @llvm.fma.v8f64(<8 x double>, <8 x double>, <8 x double>) #3
 
 define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #5 {
   %2 = getelementptr inbounds i8, ptr %0, i64 104
@@ -1084,7 +1478,7 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #5 {
   %53 = select i1 %51, i64 %48, i64 %45
   %54 = sub nsw i64 %53, %52
   %55 = icmp sgt i64 %54, 1
-  br i1 %55, label %44, label %56, !llvm.loop !17
+  br i1 %55, label %44, label %56, !llvm.loop !23
 
 56:                                               ; preds = %44, %42, %35, %38
   %57 = phi i64 [ %31, %38 ], [ %31, %35 ], [ 0, %42 ], [ %52, %44 ]
@@ -1116,16 +1510,14 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #5 {
   %81 = add nuw nsw i64 %14, 1
   %82 = load i64, ptr %2, align 8
   %83 = icmp slt i64 %81, %82
-  br i1 %83, label %13, label %12, !llvm.loop !18
+  br i1 %83, label %13, label %12, !llvm.loop !24
 }
-
-declare double @llvm.fabs.f64(double) #4
 
 attributes #0 = { nounwind }
 attributes #1 = { nounwind willreturn }
 attributes #2 = { noinline nounwind }
-attributes #3 = { noinline nounwind }
-attributes #4 = { nounwind willreturn memory(none) }
+attributes #3 = { nounwind willreturn memory(none) }
+attributes #4 = { noinline nounwind }
 attributes #5 = { noinline nounwind }
 attributes #6 = { nounwind }
 attributes #7 = { nounwind }
@@ -1146,8 +1538,14 @@ attributes #8 = { nounwind }
 !11 = distinct !{!11, !4, !5}
 !12 = distinct !{!12, !5}
 !13 = distinct !{!13, !4, !5}
-!14 = distinct !{!14, !5}
+!14 = distinct !{!14, !4, !5}
 !15 = distinct !{!15, !4, !5}
 !16 = distinct !{!16, !4, !5}
 !17 = distinct !{!17, !4, !5}
 !18 = distinct !{!18, !4, !5}
+!19 = distinct !{!19, !4, !5}
+!20 = distinct !{!20, !5}
+!21 = distinct !{!21, !4, !5}
+!22 = distinct !{!22, !4, !5}
+!23 = distinct !{!23, !4, !5}
+!24 = distinct !{!24, !4, !5}

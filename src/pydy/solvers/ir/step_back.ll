@@ -1,4 +1,4 @@
-; sources 5fe067a8de716a7f23385c4c241340de3df985335e9fdb6d74edd8c6d9deb3d2
+; sources 0dc0d046f887c56f919eb8d1a43589279815361b8a1d1700fe7a2a7a79c16422
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @step_back(ptr noundef readonly %0) #0 {

@@ -1,4 +1,4 @@
-; sources 6d71edc5ce060c21c9579657f96ef2dfb5c5be5fa35e87951b700349fed6c1f3
+; sources cef5c58dfb5bd0af46578c221014ca61faf6209b8ecf4775b24831a0cf9d5e69
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Stepper = type { ptr, ptr, ptr }

@@ -323,9 +323,13 @@ class Workspace:
         place, c = self._bind_kernel(wanted.values)
         stops = zip(wanted.terminal, wanted.resetting, strict=True)
         acting = [end or resets for end, resets in stops]
-        rows = _LOG if number else 0
+        rows = _LOG + number if number else 0
         scan = shipped.address_of("scan_events")
-        return watch_arrays((place, scan), c, wanted.directions, acting, self.n, rows)
+        arrays = (place, scan), c, wanted.directions, acting, self.n, rows
+        if wanted.driven is None or self.options.step is not None:  # that is what the user set
+            return watch_arrays(*arrays)
+        size = sum(b.stop - b.start for b in wanted.driven.program.blocks)
+        return watch_arrays(*arrays, driven=(*self._bind_kernel(wanted.driven), size // 2))
 
     def _reserve_newton(self) -> list[int]:
         n, call, beside = self.n, self.call, self.options.sensitivities
