@@ -19,6 +19,7 @@ from typing import Any
 
 import numpy as np
 
+from pydy._errors import some
 from pydy._names import name_of, nearest, told_apart, written_out
 
 _FLOAT = np.dtype(float)
@@ -28,9 +29,7 @@ _HUGE = "a number beyond the range of floats"
 
 def describe(symbols: Sequence[Any]) -> str:
     """Return symbols as a list for a message, shortened when there are many."""
-    names = told_apart(symbols, [str(s) for s in symbols])
-    more = [f"and {len(symbols) - 12} more"] if len(symbols) > 12 else []
-    return ", ".join(names[:12] + more) or "none"
+    return some(told_apart(symbols, [str(s) for s in symbols])) or "none"
 
 
 def listed(

@@ -7,6 +7,8 @@ from collections.abc import Callable, Mapping, Sequence
 from difflib import get_close_matches
 from typing import Any
 
+from pydy._errors import some
+
 
 def name_of(symbol: Any) -> str:
     """Return the short name of a symbol: ``q1`` for ``q1(t)``; a string is its own name."""
@@ -20,7 +22,7 @@ def place_of(key: Any, names: Sequence[str], what: str) -> int:
     """Return the place of a name, or of a symbol's; `what` says what the names are of."""
     name = name_of(key)
     if name not in names:
-        raise KeyError(f"`{key}` is not one of the {what}: {', '.join(names)}.")
+        raise KeyError(f"`{key}` is not one of the {what}: {some(names)}.")
     return list(names).index(name)
 
 

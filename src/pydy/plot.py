@@ -18,6 +18,7 @@ import numpy as np
 
 from pydy._checks import check_mapping, listed, refuse_twice, shown, text
 from pydy._dataset import ENERGIES, STATES
+from pydy._errors import some
 from pydy._interpolation import filled
 from pydy._names import name_of
 from pydy._optional import require
@@ -167,7 +168,7 @@ def name_in(result: Any, key: Any) -> str:
     for name in (key if isinstance(key, str) else str(key), name_of(key)):
         if name in result.data_vars:
             return name
-    raise KeyError(f"`{key}` is not one of the dataset's variables: {', '.join(result.data_vars)}.")
+    raise KeyError(f"`{key}` is not one of the dataset's variables: {some(result.data_vars)}.")
 
 
 def samples_over_time(variable: Any) -> np.ndarray:
@@ -197,7 +198,7 @@ def nothing_to_plot(what: str, result: Any) -> ValueError:
         return ValueError(f"`result` has no {what} to plot: {result!r}.")
     return ValueError(
         f"`result` has no variables whose attribute 'role' says that they are {what}; name what "
-        f"to plot with `names`, of {', '.join(result.data_vars)}."
+        f"to plot with `names`, of {some(result.data_vars)}."
     )
 
 

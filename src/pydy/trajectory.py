@@ -11,6 +11,7 @@ import numpy as np
 
 from pydy._checks import check_mapping, choice, flag, listed, number, real_array, shown
 from pydy._dataset import ENERGIES, KINDS, OUTPUTS, STATES, read_netcdf, to_dataset, write_netcdf
+from pydy._errors import some
 from pydy._html import table_of_columns
 from pydy._interpolation import Model, Samples, SensitivityModel, checked_times
 from pydy._names import (
@@ -90,7 +91,7 @@ class Columns:
                 )
         if k is None:
             raise KeyError(
-                f"`{key}` is not one of the trajectory's quantities: {', '.join(self.names)}. "
+                f"`{key}` is not one of the trajectory's quantities: {some(self.names)}. "
                 f"{nearest(str(key), self.names, or_all=False)}".rstrip()
             )
         return k
@@ -193,9 +194,7 @@ def _place(places: Mapping[Any, Any], key: Any, what: str, names: Sequence[str])
     if place is None:
         place = places.get(name_of(key))
     if place is None:
-        raise KeyError(
-            f"`{key}` is not one of the {what} of the sensitivities: {', '.join(names)}."
-        )
+        raise KeyError(f"`{key}` is not one of the {what} of the sensitivities: {some(names)}.")
     return place
 
 

@@ -8,6 +8,9 @@ import sympy.physics.mechanics as me
 import zoo
 from cases import close, system_of, wide
 from oracle import oracle
+from pydy import System
+from pydy.errors import PyDyUserWarning, SingularMatrixError
+from pydy.mechanics import Definition
 from pydy.models import multi_mass_spring_damper
 
 GENERATORS = ["llvm", "lambdify"]
@@ -305,3 +308,41 @@ def test_a_table_with_its_labels_in_another_order_is_refused():
     p = pandas.Series(1.0, index=[*reversed([*constants])])
     with pytest.raises(ValueError, match="`p` has the labels"):
         system.evaluate_ode(x[0], 0.0, p=p)
+
+
+def cloud(n):
+    """Particles on a line that 1/q pushes away from a wall; each reciprocal is an output."""
+    q, m = me.dynamicsymbols(f"q:{n}"), sm.Symbol("m")
+    N, O = me.ReferenceFrame("N"), me.Point("O")
+    O.set_vel(N, 0)
+    places = [O.locatenew(f"P{k}", s * N.x) for k, s in enumerate(q)]
+    bodies = [me.Particle(f"b{k}", place, m) for k, place in enumerate(places)]
+    loads = [(place, N.x / s) for place, s in zip(places, q, strict=True)]
+    system = System(Definition(N, q, bodies=bodies, loads=loads), constants={m: 1.0})
+    system.outputs = {f"y{k}": 1 / s for k, s in enumerate(q)}
+    return system
+
+
+def test_messages_show_a_few_of_many_states_and_names():
+    system, told = cloud(40), []
+    for values in (
+        system.evaluate_ode,
+        system.evaluate_outputs,
+        system.evaluate_energy,
+        lambda: system.evaluate_jacobian(of="outputs"),
+    ):
+        with pytest.warns(PyDyUserWarning, match="These values are not finite") as warned:
+            values()
+        told += [str(one.message) for one in warned]
+    assert len(told) == 4
+    system.constants, system.initial_conditions = {"m": 0.0}, dict.fromkeys(system.coordinates, 1.0)
+    for values in (system.evaluate_ode, system.linearize):
+        with pytest.raises(SingularMatrixError) as caught:
+            values()
+        told.append(str(caught.value))
+    assert ["q11(t) = " in text and "and 68 more" in text for text in told] == [True] * 6
+    system.constants, system.times = {"m": 1.0}, [0.0, 0.1]
+    motion = system.simulate()
+    with pytest.raises(KeyError, match="and 108 more") as missing:
+        motion["z"]
+    assert max(map(len, [*told, str(missing.value)])) < 600

@@ -21,7 +21,7 @@ from pydy._assembly.tuning import INTERPRETED
 from pydy._backends.base import strict
 from pydy._backends.registry import compile_program, compiled_by
 from pydy._checks import real_array, shown
-from pydy._errors import SingularMatrixError
+from pydy._errors import SingularMatrixError, numbers_of, some
 from pydy._forks import cached_property
 from pydy._graph.interpret import run
 from pydy._graph.lower import lower
@@ -363,7 +363,7 @@ class CompiledModel:
 
     def singular(self, t: float, x: np.ndarray) -> SingularMatrixError:
         """Return the error of a singular mass matrix; x may have more columns after the states."""
-        state = ", ".join(f"{s} = {v:.6g}" for s, v in zip(self.layout.states, x, strict=False))
+        state = numbers_of(self.layout.states, x)
         return SingularMatrixError(
             f"The mass matrix is singular at t = {t!r} with the state {state}. Check that no mass "
             "or inertia is zero, that no constraint is redundant there, and that the "
@@ -397,7 +397,7 @@ class _Evaluated:
 
 
 def _listed(symbols: tuple[Any, ...]) -> str:
-    return ", ".join(unique_names(symbols)) or "none"
+    return some(unique_names(symbols)) or "none"
 
 
 def _title(key: tuple[Any, ...]) -> str:

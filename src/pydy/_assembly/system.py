@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from pydy._assembly.assembly import Assembly, Depending
+from pydy._checks import describe
 from pydy._graph.collector import collector_paused
 from pydy._graph.derivative import dense_rows, jacobian
 from pydy._graph.from_sympy import SymPyReader
@@ -119,7 +120,7 @@ def evaluate_groups(
             if all(values[j] is not None for j in needs):
                 ready.append(k)
         if not ready:
-            names = ", ".join(str(n) for k in waiting for n in groups[k].names)
+            names = describe([n for k in waiting for n in groups[k].names])
             raise ValueError(
                 f"Circular definition in `outputs`: {names} refer to each other. Give them as one "
                 "group, a tuple of names mapped to as many equations."
@@ -138,7 +139,7 @@ def _solve_group(graph: Graph, group: Group, nodes: list[int], own: list[int]) -
         return nodes
     n = len(own)
     rows = jacobian(graph, nodes, own)
-    names = ", ".join(map(str, group.names))
+    names = describe(group.names)
     if set(own) & set(graph.reachable([d for row in rows for d in row.values()])):
         raise ValueError(
             f"`outputs` for {names} are nonlinear in {names}. Equations that contain their own "
@@ -286,7 +287,7 @@ def _collect_accelerations(
     rows = jacobian(graph, forcing, accelerations)
     cells = [d for row in rows for d in row.values()]
     if present & set(graph.reachable([*cells, *matrix])):
-        names = ", ".join(map(str, equations.speed_rates))
+        names = describe(equations.speed_rates)
         raise ValueError(
             f"The equations of motion are nonlinear in the derivatives of the speeds ({names}) in "
             f"the term `{_nonlinear_term(equations)}`. Loads may depend on accelerations linearly "

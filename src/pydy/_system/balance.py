@@ -13,6 +13,7 @@ from pydy._assembly.assembly import Assembly
 from pydy._assembly.definition import Definition
 from pydy._assembly.specifieds import driven
 from pydy._checks import Places, check_mapping, listed, number, real_array, refuse_twice
+from pydy._errors import some
 from pydy._forks import cached_property
 from pydy._graph.derivative import dense_jacobian
 from pydy._graph.interpret import run
@@ -234,7 +235,7 @@ class Balance:
         self.steady = steady = states.columns(listed("moving", moving), "moving").tolist()
         if any(place >= q for place in steady):
             names = [str(states.symbols[k]) for k in steady if k >= q]
-            raise ValueError(f"`moving` must hold coordinates, got {', '.join(names)}.")
+            raise ValueError(f"`moving` must hold coordinates, got {some(names)}.")
         self.x, self.p = now.x.copy(), now.p.copy()
         inputs: dict[Any, float] = {}
         self.given: dict[Any, float] = {}
@@ -443,7 +444,7 @@ class Balance:
                 ahead.x = self.x.copy()
                 ahead.x[self.steady] += rates / fastest
                 names = unique_names(self.definition.states)
-                moving = ", ".join(names[k] for k in self.steady)
+                moving = some(names[k] for k in self.steady)
                 check_steady(ahead.problem(last), accepted[0], moving)
         return accepted
 

@@ -12,6 +12,7 @@ from pydy._assembly.definition import Definition
 from pydy._assembly.specifieds import driven
 from pydy._checks import Places, check_mapping, flag, number, real_array, shown, text, whole
 from pydy._dataset import SENSITIVITY
+from pydy._errors import some
 from pydy._names import column_names, latex_of, name_of, unique_names
 from pydy._system.inputs import check_times
 from pydy._system.kept import kept_programs
@@ -133,7 +134,7 @@ class _Names:
             if name not in result:
                 raise ValueError(
                     f"`units` has the key `{key}`, which is neither a state nor an output: "
-                    f"{', '.join(result)}."
+                    f"{some(result)}."
                 )
             result[name]["units"] = text(unit, f"`units[{key}]`")
         return result

@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 
 from pydy._assembly.definition import Definition
-from pydy._checks import describe, real_array
-from pydy._errors import warn_user
+from pydy._checks import real_array
+from pydy._errors import few, numbers_of, warn_user
 from pydy._system.snapshot import At
 
 
@@ -100,11 +100,10 @@ def warn_not_finite(
         return
     k = int(bad[0])
     rows = [name for name, flag in zip(names, wrong[k], strict=True) if flag]
-    known = zip(at.definition.states, at.x[k], strict=True)
-    state = ", ".join(f"{s} = {v:.6g}" for s, v in known)
+    state = numbers_of(at.definition.states, at.x[k])
     why = cause(at.some([k])) or "Look for a division by zero, or a function outside its domain."
     more = f"; {bad.size - 1} other samples have such values too" if bad.size > 1 else ""
     warn_user(
-        f"These values are not finite: {describe(rows)} at t = {float(at.t[k])!r} in the state "
+        f"These values are not finite: {few(rows, 4, ', ')} at t = {float(at.t[k])!r} in the state "
         f"{state}{more}. {why}"
     )

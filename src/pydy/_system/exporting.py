@@ -15,7 +15,7 @@ from pydy._assembly.assembly import Assembly
 from pydy._assembly.definition import Definition
 from pydy._assembly.model import stored_program
 from pydy._assembly.specifieds import followed
-from pydy._checks import Places, choice, file_of, listed, text
+from pydy._checks import Places, choice, describe, file_of, listed, text
 from pydy._graph.program import Program
 from pydy._names import name_of, unique_names
 from pydy._system.dependents import latest_dependents
@@ -59,7 +59,7 @@ def _input_places(
         if place is None:
             raise ValueError(
                 f"`inputs` has `{key}`, which is not one of the specifieds of the system: "
-                f"{', '.join(map(str, definition.specifieds)) or 'there are none'}."
+                f"{describe(definition.specifieds)}."
             )
         wanted.add(place)
     given = followed(definition, plan)

@@ -22,7 +22,7 @@ from pydy._checks import (
     refuse_twice,
     whole,
 )
-from pydy._errors import FitInterrupted, IntegrationError, SingularMatrixError, warn_user
+from pydy._errors import FitInterrupted, IntegrationError, SingularMatrixError, few, some, warn_user
 from pydy._names import unique_names
 from pydy._optional import progress_of
 from pydy._system.balance import located
@@ -461,11 +461,11 @@ def _result(
     if undetermined:
         warn_user(
             f"The data do not determine these relative changes of parameters: "
-            f"{'; '.join(undetermined)}. Fix one of them, give `priors`, or measure more."
+            f"{few(undetermined)}. Fix one of them, give `priors`, or measure more."
         )
     if held:
         warn_user(
-            f"The fit stopped at a bound of {', '.join(held)}: the estimates there, and all "
+            f"The fit stopped at a bound of {some(held)}: the estimates there, and all "
             "standard errors, are not those of a free fit."
         )
     shared = list(zip(work.shared, z.tolist(), strict=False))

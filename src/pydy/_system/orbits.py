@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from pydy._checks import flag, listed, number, shown
-from pydy._errors import AnalysisInterrupted, PeriodicOrbitError
+from pydy._errors import AnalysisInterrupted, PeriodicOrbitError, some
 from pydy._names import unique_names
 from pydy._optional import progress_of
 from pydy._system.balance import energetic_motions
@@ -281,7 +281,7 @@ class Orbits(Simulation, Evaluation):
                     on = names[free[int((pushed / flight.sizes[free]).argmax())]]
                     raise ValueError(
                         f"`moving` must not have coordinates that the motion depends on, got "
-                        f"{', '.join(names[k] for k in steady)}, on which {on} depends: a motion "
+                        f"{some(names[k] for k in steady)}, on which {on} depends: a motion "
                         "in which they advance does not repeat. Leave them out, or end the period "
                         "with an event `until` that sets them back."
                     )

@@ -15,7 +15,7 @@ import numpy as np
 import scipy
 
 from pydy._checks import shown
-from pydy._errors import IntegrationError
+from pydy._errors import IntegrationError, numbers_of
 from pydy._names import nearest
 from pydy.solvers.options import check_option_names, check_scipy_options
 from pydy.solvers.outcome import NOT_FINITE, OUTCOMES, STEP_UNDERFLOW, TOO_MANY_STEPS
@@ -111,10 +111,8 @@ def call_odeint(
     if not good and t <= left <= times[reached] and np.isfinite(states[reached]).all():
         t, x = left, states[reached].copy()  # the row of the time at which it gave up
     rows = {k: v[:reached] if isinstance(v, np.ndarray) else v for k, v in info.items()}
-    shown = ", ".join(f"{s} = {v:.6g}" for s, v in zip(names[:12], x, strict=False))
-    more = f", and {len(names) - 12} more" if len(names) > 12 else ""
     raise IntegrationError(
-        f"`odeint` {what} at t = {t!r} in the state {shown}{more}. "
+        f"`odeint` {what} at t = {t!r} in the state {numbers_of(names, x)}. "
         f"{_MORE_STEPS if code == TOO_MANY_STEPS else OUTCOMES[code].remedy}",
         times[:reached].copy(),
         states[:reached].copy(),

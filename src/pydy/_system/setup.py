@@ -15,7 +15,7 @@ from pydy._assembly.definition import Definition
 from pydy._assembly.model import CompiledModel, resolve_solver, solve_symbolically
 from pydy._assembly.specifieds import check_expressions
 from pydy._checks import Keyed, check_mapping, flag
-from pydy._errors import warn_user
+from pydy._errors import some, warn_user
 from pydy._graph.switches import Passes
 from pydy._html import html_table
 from pydy._mechanics.extract import extract, method_of, symbolic_matrices
@@ -105,9 +105,6 @@ def generate(definition: Definition, eom_method: Any, options: Mapping[str, Any]
     return Generated(definition, model, arguments)
 
 
-_MOST = 12  # symbols of a kind in a summary
-
-
 class Setup:
     """The state of a System: all that can be set, and the names and symbols that follow.
 
@@ -191,7 +188,7 @@ class Setup:
             ("elsewhere", _values([*more.values()], constants, "1.0")),
             ("specifieds", _values(definition.specifieds, _flat(self._specifieds), "0.0")),
             ("constraints", _counts(equations)),
-            ("outputs", _several([name_of(s) for s in definition.outputs_symbols])),
+            ("outputs", some([name_of(s) for s in definition.outputs_symbols])),
             ("times", _span(self._times)),
             ("solver", str(getattr(solver, "name", getattr(solver, "__name__", solver)))),
         ]  # fmt: skip
@@ -598,7 +595,7 @@ def _values(symbols: Sequence[Any], given: Mapping[Any, Any], default: str) -> s
     for symbol, name in zip(symbols, unique_names(symbols), strict=True):
         value = given.get(symbol, given.get(name_of(symbol), given.get(str(symbol))))
         texts.append(f"{name} = ({default})" if value is None else f"{name} = {_short(value)}")
-    return _several(texts)
+    return some(texts)
 
 
 def _short(value: Any) -> str:
@@ -608,11 +605,6 @@ def _short(value: Any) -> str:
         return f"{float(value):g}"
     text = str(value).replace("\n", " ")
     return text if len(text) <= 40 else text[:37] + "..."
-
-
-def _several(texts: Sequence[str]) -> str:
-    more = [f"and {len(texts) - _MOST} more"] if len(texts) > _MOST else []
-    return ", ".join([*texts[:_MOST], *more])
 
 
 def _counts(equations: Any) -> str:

@@ -13,12 +13,14 @@ from pydy._assembly.definition import Definition
 from pydy._checks import (
     Places,
     check_mapping,
+    describe,
     number,
     one_or_more,
     real_array,
     refuse_twice,
     shown,
 )
+from pydy._errors import some
 from pydy._mechanics.symbols import find_symbols
 from pydy._names import unique_names
 from pydy._system.inputs import sort_out
@@ -154,7 +156,7 @@ def _noise(
         if given.keys() != {*keys}:
             raise ValueError(
                 f"`noise` of {label} must have an entry for each measured quantity, "
-                f"{', '.join(names)}, got {', '.join(map(str, given))}."
+                f"{some(names)}, got {describe([*given])}."
             )
         entries = [given[key] for key in keys]
     for k, entry in enumerate(entries):

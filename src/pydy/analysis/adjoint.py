@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from pydy._errors import some
 from pydy._forks import cached_property
 from pydy._names import column_names, name_of, unique_names
 
@@ -67,14 +68,13 @@ class AdjointGradient:
             start += count
         if parameter in self.names:  # one sample
             return float(self.values[self.names.index(parameter)])
-        raise KeyError(f"`{parameter}` is not one of the parameters: {', '.join(self.names)}.")
+        raise KeyError(f"`{parameter}` is not one of the parameters: {some(self.names)}.")
 
     def __getstate__(self) -> dict[str, Any]:
         return {**vars(self), "trajectory": self.trajectory, "_motion": None}
 
     def __str__(self) -> str:
-        shown = [f"{n} {v:.6g}" for n, v in zip(self.names[:12], self.values, strict=False)]
-        more = f", and {len(self.values) - 12} more" if len(self.values) > 12 else ""
-        return f"Gradient of {self.value:.10g} by {', '.join(shown)}{more}"
+        shown = some(f"{n} {v:.6g}" for n, v in zip(self.names, self.values, strict=True))
+        return f"Gradient of {self.value:.10g} by {shown}"
 
     __repr__ = __str__

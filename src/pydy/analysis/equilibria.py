@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 import scipy
 
-from pydy._errors import EquilibriumError
+from pydy._errors import EquilibriumError, few, numbers_of, some
 from pydy._names import place_of, unique_names
 from pydy._rank import DEPENDENT, DIGITS, HALF, ROUNDED, is_zero, null_space, or_one, rank_of
 from pydy.analysis.directions import direction_text
@@ -68,10 +68,9 @@ class Equilibrium:
 
     def __str__(self) -> str:
         names = unique_names(list(self.values))
-        parts = zip(names, self.values.values(), strict=True)
-        shown = ", ".join(f"{name} = {value:.10g}" for name, value in parts)
+        shown = numbers_of(names, self.values.values(), digits=10)
         text = f"Equilibrium at {shown}; largest residual {self.residual:.2g}"
-        return text + (f"; free: {'; '.join(self.free)}" if self.free else "")
+        return text + (f"; free: {few(self.free)}" if self.free else "")
 
     __repr__ = __str__
 
@@ -309,7 +308,7 @@ def _accepted(
     if not (np.isfinite(values).all() and np.isfinite(slopes).all()):
         raise EquilibriumError(
             "No equilibrium was found: the equations are not finite near "
-            f"{_named(problem.unknowns, z)}. Choose initial conditions closer to one.",
+            f"{numbers_of(problem.unknowns, z)}. Choose initial conditions closer to one.",
             z,
             values,
         )
@@ -327,12 +326,12 @@ def _accepted(
             )
             if min(value - a, b - value) <= HALF * min(b - a, size)
         ]
-        bound = f" At a bound: {', '.join(at_bounds)}." if at_bounds else ""
+        bound = f" At a bound: {some(at_bounds)}." if at_bounds else ""
         why = f" ({' '.join(message.split())})" if message else ""
         raise EquilibriumError(
-            f"No equilibrium was found. Nearest, at {_named(problem.unknowns, z)}: {left}.{bound} "
-            "Start closer to an equilibrium, add unknowns, or list coordinates that keep moving in "
-            f"`moving`.{why}",
+            f"No equilibrium was found. Nearest, at {numbers_of(problem.unknowns, z)}: "
+            f"{left}.{bound} Start closer to an equilibrium, add unknowns, or list coordinates "
+            f"that keep moving in `moving`.{why}",
             z,
             values,
         )
@@ -409,11 +408,6 @@ def _polished(
             break
         z, best = after, values
     return z
-
-
-def _named(names: Sequence[str], values: np.ndarray) -> str:
-    parts = [f"{name} = {value:.6g}" for name, value in zip(names, values, strict=True)][:6]
-    return ", ".join(parts + (["..."] if len(names) > 6 else []))
 
 
 def _undetermined(slopes: np.ndarray, unknowns: Sequence[str]) -> tuple[str, ...]:

@@ -15,7 +15,7 @@ import numpy as np
 import scipy
 
 from pydy._checks import number
-from pydy._errors import FitInterrupted, note_finished, warn_user
+from pydy._errors import FitInterrupted, few, note_finished, some, warn_user
 from pydy._names import place_of
 from pydy._optional import require
 from pydy._rank import HALF
@@ -168,8 +168,8 @@ class FitResult:
                 self.names, self.estimates, self.standard_errors, strict=True
             )
         ]
-        more = f"; undetermined: {'; '.join(self.undetermined)}" if self.undetermined else ""
-        return f"Fit of {', '.join(rows)}; residuals {self.noise:.4g}{more}"
+        more = f"; undetermined: {few(self.undetermined)}" if self.undetermined else ""
+        return f"Fit of {some(rows)}; residuals {self.noise:.4g}{more}"
 
     __repr__ = __str__
 

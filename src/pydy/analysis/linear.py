@@ -17,6 +17,7 @@ from typing import Any
 import numpy as np
 
 from pydy._checks import choice, real_array
+from pydy._errors import some
 from pydy._optional import require
 from pydy._rank import DEPENDENT, independent_columns
 from pydy.analysis.tuning import CROSSED
@@ -69,7 +70,7 @@ class LinearModel:
     def __repr__(self) -> str:
         """Return names and eigenvalues; A, B, C and D are attributes."""
         kinds = (("states", self.states), ("inputs", self.inputs), ("outputs", self.outputs))
-        names = (f"{kind}: {_listed(own) or 'none'}" for kind, own in kinds)
+        names = (f"{kind}: {some(own) or 'none'}" for kind, own in kinds)
         if self.A.ndim == 3:
             values = f"{len(self.A)} models"
         else:
@@ -78,7 +79,7 @@ class LinearModel:
                 for v in self.eigenvalues
                 if v.imag >= 0.0
             ]
-            values = f"eigenvalues (1/s): {_listed(poles)}"
+            values = f"eigenvalues (1/s): {some(poles)}"
         return f"LinearModel with {'; '.join((*names, values))}"
 
     def plot_poles(self, axes: Any = None) -> Any:
@@ -181,11 +182,6 @@ class LinearModel:
                 "state in `at`. Linearize at one state."
             )
         return self.A, self.B, self.C, self.D
-
-
-def _listed(parts: Sequence[str], most: int = 12) -> str:
-    more = f" and {len(parts) - most} more" if len(parts) > most else ""
-    return ", ".join(parts[:most]) + more
 
 
 def independent_places(

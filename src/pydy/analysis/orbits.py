@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from pydy._errors import PeriodicOrbitError
+from pydy._errors import PeriodicOrbitError, numbers_of
 from pydy._rank import ROUNDED, or_one
 from pydy.analysis.tuning import DAMPED, LEAST_SIZE, MARGIN, ORBIT_CLOSED
 
@@ -260,11 +260,10 @@ def _lost(
 ) -> PeriodicOrbitError:
     order = np.argsort(-np.abs(gap))[:3]
     left = ", ".join(f"{names[k]} by {gap[k]:.3g}" for k in order)
-    at = ", ".join(f"{name} = {value:.6g}" for name, value in zip(names, z, strict=True))
     return PeriodicOrbitError(
-        f"No periodic orbit was found. Nearest, at {at} with the period {period:.6g} s, these "
-        f"change over it: {left}. Start closer to an orbit, or list coordinates that advance "
-        "steadily in `moving`.",
+        f"No periodic orbit was found. Nearest, at {numbers_of(names, z)} with the "
+        f"period {period:.6g} s, these change over it: {left}. Start closer to an "
+        "orbit, or list coordinates that advance steadily in `moving`.",
         z,
         gap,
     )

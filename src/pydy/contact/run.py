@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from pydy._checks import real_array
-from pydy._errors import ContactError, IntegrationError
+from pydy._errors import ContactError, IntegrationError, numbers_of
 from pydy._rank import ROUNDED
 from pydy._system.sensitivities import Wanted
 from pydy._system.snapshot import Snapshot
@@ -165,8 +165,7 @@ class Run:
 
     def fail(self, t: float, x: np.ndarray, why: str) -> ContactError:
         """Return an error with the state, the modes and the results so far."""
-        names = [str(s) for s in self.now.definition.states]
-        state = ", ".join(f"{n} = {v:.6g}" for n, v in zip(names, x, strict=True))
+        state = numbers_of(self.now.definition.states, x)
         done = int((self.times < t).sum())
         modes = dict(zip([c.name for c in self.contacts], self.modes, strict=True))
         return ContactError(

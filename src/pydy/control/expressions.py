@@ -14,7 +14,7 @@ import sympy as sm
 from sympy.core.function import AppliedUndef
 from sympy.core.relational import Relational
 
-from pydy._checks import shown
+from pydy._checks import describe, shown
 from pydy.control.transcription import Condition, Instant
 
 
@@ -150,7 +150,7 @@ class Reader:
         strange = sorted(result.free_symbols - instants - self.known, key=sm.default_sort_key)
         if left or strange:
             one = (left or strange)[0]
-            names = ", ".join(map(str, (*self.states, *self.controls)))
+            names = describe((*self.states, *self.controls))
             raise ValueError(
                 f"{what} has `{one}`, which is neither a constant of the system nor a state or "
                 f"control at an instant. Write `q.subs({self.time}, {self.duration})` for the "

@@ -11,17 +11,8 @@ import numpy as np
 import sympy as sm
 
 from pydy._assembly.specifieds import followed
-from pydy._checks import (
-    Places,
-    check_mapping,
-    choice,
-    flag,
-    listed,
-    number,
-    shown,
-    whole,
-)
-from pydy._errors import AnalysisInterrupted, OptimizationError
+from pydy._checks import Places, check_mapping, choice, describe, flag, listed, number, shown, whole
+from pydy._errors import AnalysisInterrupted, OptimizationError, some
 from pydy._names import unique_names
 from pydy._optional import progress_of
 from pydy._rank import DIGITS, rank
@@ -195,7 +186,7 @@ class OptimalControl:
                 "a symbol of its own."
             )
         if self._duration is None and plan.sampled:
-            names = ", ".join(str(definition.specifieds[k]) for k in plan.sampled[0][0])
+            names = describe([definition.specifieds[k] for k in plan.sampled[0][0]])
             raise NotImplementedError(
                 f"`specifieds` gives samples for {names}, and the duration is free: samples are "
                 "taken at known times. Give an expression of time, or a number as `duration`."
@@ -286,7 +277,7 @@ class OptimalControl:
         )
 
     def __repr__(self) -> str:
-        unknown = ", ".join(unique_names(self._controls)) or "none"
+        unknown = some(unique_names(self._controls)) or "none"
         return (
             f"<OptimalControl: {self._problem.states} states, controls {unknown}, "
             f"{self._method} on {len(self._mesh) - 1} intervals>"
@@ -444,7 +435,7 @@ class OptimalControl:
             )
         columns = [k for k, s in enumerate(states) if s in self._following]
         if columns and rank(J[:, columns] * sizes[columns]) < len(columns):
-            names = ", ".join(str(states[k]) for k in columns)
+            names = describe([states[k] for k in columns])
             raise ValueError(
                 f"`start` leaves out {names}, which the constraints do not determine there: the "
                 "configuration is singular for them. Give all states in `start`."

@@ -11,6 +11,7 @@ import numpy as np
 
 from pydy._checks import shown
 from pydy._dataset import SENSITIVITY
+from pydy._errors import some
 from pydy._graph.interpret import run as interpret
 from pydy._kernel import Inputs
 from pydy.ensemble.model import Batch, Model, Programs, Results
@@ -76,7 +77,7 @@ def read_reductions(reduce: Any, model: Model, name: Callable[[Any], str]) -> tu
             if name(rest[0]) not in names:
                 raise ValueError(
                     f"`reduce` asks for the {kind} of `{rest[0]}`, which is neither a state nor an "
-                    f"output: {', '.join(names)}."
+                    f"output: {some(names)}."
                 )
             result.append(Extreme(kind, name(rest[0])))
         elif kind == "events" and len(rest) < 2:

@@ -13,7 +13,7 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from pydy._checks import Places
+from pydy._checks import Places, describe
 
 
 @dataclass(frozen=True)
@@ -99,7 +99,7 @@ class Layer:
         self._functions, self._arrays, self._library = functions, arrays, library
 
     def __repr__(self) -> str:
-        names = ", ".join(map(str, self._functions.places("x").symbols))
+        names = describe(self._functions.places("x").symbols)
         return f"Layer for {self._library} of the states {names}"
 
     def ode(self, x: Any = None, t: Any = None, r: Any = None, p: Any = None) -> Any:
@@ -198,7 +198,7 @@ class Layer:
             if array.ndim == 0 or array.shape[-1] != n:
                 raise ValueError(
                     f"`{group}` must have the shape (…, {n}), one entry for each of "
-                    f"{', '.join(map(str, places.symbols)) or 'none'}, got {tuple(array.shape)}."
+                    f"{describe(places.symbols)}, got {tuple(array.shape)}."
                 )
             return Part(group, (*range(n),), (1,) * n, True), array
         if not value:

@@ -11,6 +11,7 @@ import sympy as sm
 from sympy.physics.mechanics import Particle, RigidBody
 
 from pydy._checks import Places, check_mapping, number, real_array, refuse_twice, shown, text
+from pydy._errors import some
 from pydy._interpolation import filled
 from pydy._mechanics.symbols import find_symbols, sort_symbols
 from pydy._names import name_of
@@ -79,7 +80,7 @@ def unknowns_beside(
             continue
         free = [k for k in span if k not in given]
         if len(free) < (1 if len(places) == len(span) else len(places)):
-            names = ", ".join(f"`{states[k]}`" for k in span if k in given)
+            names = some(f"`{states[k]}`" for k in span if k in given)
             raise ValueError(
                 f"`live` sets the {kind} {names}, but the constraints determine "
                 f"{len(places)} of {len(span)} from the others: leave sliders out."

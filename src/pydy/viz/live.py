@@ -11,6 +11,7 @@ import numpy as np
 import sympy as sm
 
 from pydy._checks import Places, choice, number, positive, refuse_twice, shown, text
+from pydy._errors import some
 from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.interpret import run
 from pydy._graph.lower import lower
@@ -347,7 +348,7 @@ def _sliders(
             every = (*system.constants, *system.states, *system.inputs)
             raise ValueError(
                 f"`live` has `{key}`, which is not one of the system's constants, states and "
-                f"inputs: {', '.join(map(name_of, every))}. A slider of your own needs a Symbol "
+                f"inputs: {some(map(name_of, every))}. A slider of your own needs a Symbol "
                 "that the system does not have, and `sets`, the initial conditions that follow "
                 "from it."
                 if not found
@@ -389,7 +390,7 @@ def _start(
             if place is None:
                 raise ValueError(
                     f"`sets` of the slider for `{key}` has `{state}`, which is no state of the "
-                    f"system: {', '.join(map(name_of, system.states))}."
+                    f"system: {some(map(name_of, system.states))}."
                 )
             targets.append(place)
             refuse_twice([system.states[k] for k in targets], "sets")

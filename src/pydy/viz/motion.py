@@ -13,7 +13,7 @@ from sympy.core.function import AppliedUndef
 from sympy.physics.mechanics import dynamicsymbols
 
 from pydy._backends.registry import compile_program
-from pydy._checks import Places, check_mapping, listed, number, real_array, refuse_twice
+from pydy._checks import Places, check_mapping, describe, listed, number, real_array, refuse_twice
 from pydy._graph.collector import collector_paused
 from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.lower import lower
@@ -319,8 +319,8 @@ def motion_of_trajectory(
     # A trajectory from a file has names in the place of symbols.
     if model is not None and set(map(name_of, model.states)) != set(map(name_of, symbols)):
         raise ValueError(
-            f"The trajectory is one of another system: it has the states {_listed(symbols)}, the "
-            f"scene's system has {_listed(model.states)}. Animate a trajectory of this system, or "
+            f"The trajectory is one of another system: it has the states {describe(symbols)}, the "
+            f"scene's system has {describe(model.states)}. Animate a trajectory of this system, or "
             "make the scene from that one."
         )
     values = {**constants_of(trajectory), **_constants(constants)}
@@ -386,11 +386,6 @@ def _alike(keys: Iterable[Any], argument: str) -> list[Any]:
     keys = [*keys]
     known = Places([key for key in keys if not isinstance(key, str)], argument)
     return [known.meaning(key, argument) for key in keys]
-
-
-def _listed(symbols: Sequence[Any]) -> str:
-    shown = [str(s) for s in symbols[:6]]
-    return ", ".join(shown) + (f" and {len(symbols) - 6} more" if len(symbols) > 6 else "")
 
 
 def sampled(times: np.ndarray, step: float | None) -> np.ndarray:

@@ -23,6 +23,7 @@ from pydy._errors import (
     MissingDependencyError,
     few,
     note_finished,
+    numbers_of,
     warn_user,
 )
 from pydy._interrupts import Interrupts
@@ -599,11 +600,10 @@ class Integration:
         self._end(code, **details)
         t = float(self.progress.state[at.TIME])
         x = self.memory.x[: self.states].copy()
-        shown = ", ".join(f"{self._state_name(k)} = {v:.6g}" for k, v in enumerate(x[:12]))
-        more = f", and {self.states - 12} more" if self.states > 12 else ""
+        state = numbers_of([self._state_name(k) for k in range(self.states)], x)
         remedy = OUTCOMES[code].remedy.format(**details)
         raise kind(
-            f"`{self.name}` {self.status} at t = {t!r} in the state {shown}{more}. {remedy}",
+            f"`{self.name}` {self.status} at t = {t!r} in the state {state}. {remedy}",
             *self._finished(),
             t,
             x,
