@@ -156,10 +156,10 @@ class AnalysisInterrupted(_Interrupted):
     ----------
     results : EquilibriumBranch, EigenvalueSweep, dict or OptimalTrajectory
         Of `follow_equilibria`, the branch up to where it was, with `ended` equal to
-        ``'interrupted'``; of `eigenvalues`, the sweep over the first values; of
-        `find_periodic_orbit`, the ``'period'`` and the ``'initial_conditions'`` of the motion that
-        came nearest to an orbit, to start from again; of `optimize_trajectory`, the
-        OptimalTrajectory of the latest iteration.
+        ``'interrupted'``; of `eigenvalues`, the sweep over the first values, whose eigenvalues are
+        computed when they are first asked for; of `find_periodic_orbit`, the ``'period'`` and the
+        ``'initial_conditions'`` of the motion that came nearest to an orbit, to start from again;
+        of `optimize_trajectory`, the OptimalTrajectory of the latest iteration.
     """
 
 

@@ -1,5 +1,7 @@
 """Eigenvalues along a parameter."""
 
+import pickle
+
 import numpy as np
 import pytest
 import sympy as sm
@@ -299,6 +301,65 @@ def test_ctrl_c_among_the_matrices_at_given_states_hands_over_those_that_are_the
     # m = c = 1: s^2 + s + k = 0.
     expected = -0.5 + 1j * np.sqrt(stiffness[:14] - 0.25)
     assert sweep.eigenvalues.max(axis=1) == pytest.approx(expected, rel=1e-12)
+
+
+def test_ctrl_c_is_not_kept_waiting_by_the_eigenvalues_of_what_is_done(monkeypatch):
+    system, over = hoop_and_rates()
+    whole, spectra_of, calls = system.eigenvalues(over), pydy.analysis.sweeps.spectra_of, []
+
+    def interrupted(A):
+        calls.append(len(A))
+        if len(calls) == 1:
+            raise KeyboardInterrupt
+        return spectra_of(A)
+
+    monkeypatch.setattr(pydy.analysis.sweeps, "spectra_of", interrupted)
+    with pytest.raises(AnalysisInterrupted, match="after 41 of 41 values") as caught:
+        system.eigenvalues(over)  # among the spectra, at the end
+    assert calls == [41]
+    np.testing.assert_array_equal(caught.value.results.eigenvalues, whole.eigenvalues)
+    monkeypatch.setattr(pydy._system.sweeps, "AT_ONCE", 7)
+    matrices = pydy._system.sweeps.Family.matrices
+
+    def stopped(self, z):
+        if z[-1, -1] < 8.0:
+            raise KeyboardInterrupt
+        return matrices(self, z)
+
+    monkeypatch.setattr(pydy._system.sweeps.Family, "matrices", stopped)
+    with pytest.raises(AnalysisInterrupted, match="after 7 of 41 values") as caught:
+        system.eigenvalues(over)
+    assert calls == [41, 41]  # none until they are asked for
+    sweep = pickle.loads(pickle.dumps(caught.value)).results
+    assert str(sweep).startswith("2 eigenvalues at 7 values")
+    np.testing.assert_allclose(sweep.eigenvalues, whole.eigenvalues[:7], atol=1e-9)
+    assert calls == [41, 41, 7]
+
+
+@pytest.mark.parametrize("where", ["_near", "matrices", "spectra_of"])
+def test_values_are_handed_over_where_memory_ends(monkeypatch, where):
+    system, over = hoop_and_rates()
+    whole = system.eigenvalues(over)
+    place = pydy.analysis.sweeps if where == "spectra_of" else pydy._system.sweeps.Family
+    usual, calls = getattr(place, where), []
+
+    def without_memory(*args):
+        calls.append(args)
+        if len(calls) > {"_near": 9, "matrices": 2, "spectra_of": 0}[where]:
+            raise MemoryError("no more")
+        return usual(*args)
+
+    monkeypatch.setattr(pydy._system.sweeps, "AT_ONCE", 7)
+    monkeypatch.setattr(place, where, without_memory)
+    with pytest.raises(MemoryError, match="no more") as caught:
+        system.eigenvalues(over)
+    done = {"_near": 11, "matrices": 14, "spectra_of": 41}[where]
+    told = f"The first {done} of 41 values of Omega are in the attributes of this error: results."
+    assert caught.value.__notes__ == [told]
+    monkeypatch.setattr(place, where, usual)
+    np.testing.assert_allclose(
+        caught.value.results.eigenvalues, whole.eigenvalues[:done], atol=1e-9
+    )
 
 
 @pytest.mark.parametrize("rate", [1.0, 1e-4, 1e10])

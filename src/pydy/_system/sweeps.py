@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
 import numpy as np
 
 from pydy._assembly.definition import Definition
 from pydy._checks import check_mapping, flag, number, real_array, whole
-from pydy._errors import AnalysisInterrupted, EquilibriumError
+from pydy._errors import AnalysisInterrupted, EquilibriumError, note_finished
 from pydy._names import unique_names
 from pydy._optional import progress_of
 from pydy._rank import ROUNDED, equilibrated, least_step
@@ -19,7 +19,7 @@ from pydy._system.setup import Setup
 from pydy._system.snapshot import Snapshot
 from pydy.analysis.continuation import EquilibriumBranch, trace
 from pydy.analysis.equilibria import solve_many
-from pydy.analysis.sweeps import EigenvalueSweep, spectra_of, with_rounding
+from pydy.analysis.sweeps import EigenvalueSweep, Models, spectra_of, with_rounding
 from pydy.analysis.tuning import AT_ONCE, CROSSED
 
 
@@ -59,18 +59,20 @@ class Family:
         self.balance = Balance(now, unknowns, given, moving, [parameter])
         self.names = self.balance.wanted.names
 
-    def equilibria(self, values: np.ndarray, start: np.ndarray | None = None) -> np.ndarray:
+    def equilibria(
+        self, values: np.ndarray, start: np.ndarray | None = None
+    ) -> tuple[np.ndarray, BaseException | None]:
         """Return the unknowns and the parameter in the last column, for each value.
 
         The search starts from the System's numbers, or from an equilibrium of the same columns.
-        Where Ctrl-C stops it on the way from value to value, the first ones are returned.
+        What stops it on the way from value to value is returned with the first ones.
         """
         balance = self.balance
         z = self.alone(np.append((balance.start if start is None else start)[:-1], values[0]))
         guess = np.repeat(z[None], len(values), axis=0)
         guess[:, -1] = values
         if guess.shape[1] == 1:
-            return guess
+            return guess, None
         found, sound = solve_many(balance.residuals, balance.slopes, guess, balance.sizes)
         # What is not found from the first value, or lies on another branch, is found from its
         # neighbour.
@@ -79,9 +81,9 @@ class Family:
             for k in range(1, len(values)):
                 if not (sound[k] and self._near(found[k - 1], found[k])):
                     found[k] = self.alone(np.append(found[k - 1, :-1], values[k]))
-        except KeyboardInterrupt:
-            return found[:k]
-        return found
+        except (KeyboardInterrupt, MemoryError) as stop:
+            return found[:k], stop
+        return found, None
 
     def _near(self, z: np.ndarray, other: np.ndarray) -> bool:
         step = other - z
@@ -139,6 +141,53 @@ class Family:
         return z
 
 
+class _Found:
+    """Equilibria and state matrices along a parameter; what is done stays where work stops."""
+
+    def __init__(
+        self, family: Family, values: np.ndarray, given: np.ndarray | None, models: Models
+    ) -> None:
+        self.parameter = family.names[-1]
+        self._family, self._values, self._given, self._models = family, values, given, models
+        self._z = self._A = self._x = np.empty(0)
+        self.done = 0
+
+    def __iter__(self) -> Iterator[int]:
+        """Go on from part to part; yield how many values each has."""
+        family, m = self._family, len(self._values)
+        while self.done < m:
+            part = slice(self.done, min(self.done + AT_ONCE, m))
+            stop: BaseException | None = None
+            if self._given is not None:
+                z = self._given[part]
+            else:
+                start = self._z[part.start - 1] if self.done else None
+                z, stop = family.equilibria(self._values[part], start)
+            first = self._z[:1] if self.done else z[:1]
+            # The first decides for all which states are independent.
+            A, x, self._free = family.matrices(np.vstack([first, z]))
+            if not self.done:  # memory for all: where that ends, nothing is lost
+                self._z, self._A, self._x = (np.empty((m, *of.shape[1:])) for of in (z, A, x))
+            part = slice(part.start, part.start + len(z))
+            self._z[part], self._A[part], self._x[part] = z, A[1:], x[1:]
+            self.done = part.stop
+            yield len(z)
+            if stop is not None:
+                raise stop
+
+    def sweep(self) -> EigenvalueSweep:
+        """Return the values that are done; their eigenvalues are computed when asked for."""
+        names = unique_names(self._family.balance.definition.states)
+        return EigenvalueSweep(
+            parameter=self.parameter,
+            values=self._values[: self.done],
+            A=self._A[: self.done],
+            states=tuple(names[k] for k in self._free),
+            equilibria=self._x[: self.done],
+            _models=self._models,
+        )
+
+
 class Sweeps(Setup):
     """Eigenvalues and equilibria along a parameter."""
 
@@ -177,7 +226,8 @@ class Sweeps(Setup):
         Raises
         ------
         AnalysisInterrupted
-            The user interrupted it; the error holds the sweep over the first values.
+            The user interrupted it; the error holds the sweep over the first values. So does a
+            MemoryError.
         EquilibriumError
             There is no equilibrium at a value of the parameter.
         ValueError
@@ -215,47 +265,26 @@ class Sweeps(Setup):
             family = Family(now, parameter, unknowns, given, moving)
             given_z = None
             models = family.models
-        z, stopped = np.empty((0, len(family.names))), False
-        parts: list[tuple[np.ndarray, np.ndarray]] = []
-        with progress_of(flag(progress, "`progress`"), " values", len(values)) as told:
-            try:
-                for first in range(0, len(values), AT_ONCE):
-                    part = values[first : first + AT_ONCE]
-                    if given_z is None:
-                        further = family.equilibria(part, z[-1] if len(z) else None)
-                    else:
-                        further = given_z[first : first + AT_ONCE]
-                    whole_z = np.vstack([z, further])
-                    # The first decides for all which states are independent.
-                    A, x, free = family.matrices(np.vstack([whole_z[:1], further]))
-                    parts.append((A[1:], x[1:]))
-                    z = whole_z
-                    told(len(further))
-                    if len(further) < len(part):
-                        raise KeyboardInterrupt
-            except KeyboardInterrupt:
-                if not parts:
-                    raise
-                stopped = True
-        A, x = (np.concatenate(arrays) for arrays in zip(*parts, strict=True))
-        names = unique_names(definition.states)
-        spectra, active = spectra_of(A)
-        sweep = EigenvalueSweep(
-            parameter=family.names[-1],
-            values=values[: len(A)],
-            eigenvalues=spectra,
-            A=A,
-            states=tuple(names[k] for k in free),
-            equilibria=x,
-            _active=active,
-            _models=models,
-        )
-        if stopped:
+        found = _Found(family, values, given_z, models)
+        try:
+            with progress_of(flag(progress, "`progress`"), " values", len(values)) as told:
+                for count in found:
+                    told(count)
+            sweep = found.sweep()
+            _ = sweep.eigenvalues  # computed here, where their interruption loses nothing
+        except KeyboardInterrupt:
+            if not found.done:
+                raise
             raise AnalysisInterrupted(
-                f"The sweep was interrupted after {len(A)} of {len(values)} values of "
-                f"{sweep.parameter}. They are in the attribute `results` of this error.",
-                sweep,
-            )
+                f"The sweep was interrupted after {found.done} of {len(values)} values of "
+                f"{found.parameter}. They are in the attribute `results` of this error.",
+                found.sweep(),
+            ) from None
+        except MemoryError as error:
+            if found.done:
+                first = f"The first {found.done} of {len(values)} values of {found.parameter} are"
+                note_finished(error, first, results=found.sweep())
+            raise
         return sweep
 
     def follow_equilibria(

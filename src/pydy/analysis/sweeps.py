@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -49,9 +50,6 @@ class EigenvalueSweep:
     ----------
     parameter : str
     values : ndarray, shape (m,)
-    eigenvalues : ndarray of complex, shape (m, k)
-        In 1/s. A column is a branch, followed from value to value; at the first value the largest
-        real part comes first. Zeros of `neutral` states come last.
     A : ndarray, shape (m, k, k)
         The state matrices.
     states : tuple of str
@@ -62,16 +60,31 @@ class EigenvalueSweep:
 
     parameter: str
     values: np.ndarray
-    eigenvalues: np.ndarray
     A: np.ndarray
     states: tuple[str, ...]
     equilibria: np.ndarray
-    _active: np.ndarray = field(repr=False)
     _models: Models = field(repr=False)
+
+    @cached_property
+    def _spectra(self) -> tuple[np.ndarray, np.ndarray]:
+        return spectra_of(self.A)
+
+    @property
+    def eigenvalues(self) -> np.ndarray:
+        """Eigenvalues in 1/s, shape (m, k), complex.
+
+        A column is a branch, followed from value to value; at the first value the largest real part
+        comes first. Zeros of `neutral` states come last.
+        """
+        return self._spectra[0]
+
+    @property
+    def _active(self) -> np.ndarray:
+        return self._spectra[1]
 
     def __str__(self) -> str:
         return (
-            f"{self.eigenvalues.shape[1]} eigenvalues at {len(self.values)} values of "
+            f"{len(self.states)} eigenvalues at {len(self.values)} values of "
             f"{self.parameter}, {self.values[0]:g} to {self.values[-1]:g}"
         )
 
@@ -262,13 +275,21 @@ def spectra_of(A: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     would join others to one multiple eigenvalue, of which only half the digits can be had.
     """
     m, k = A.shape[:2]
-    entries = np.abs(A)
+    # Parts of some milliseconds, between which a Ctrl-C is heard; no copy of all.
+    count = max(1, min(AT_ONCE, AT_ONCE * 1000 // max(k, 1) ** 3))
+    parts = [A[first : first + count] for first in range(0, m, count)]
+    largest = np.zeros((k, k))
+    for part in parts:
+        np.maximum(largest, np.abs(part).max(axis=0), out=largest)
     # In units of their own, coordinates and speeds of 1e10 rad/s are alike.
-    units = np.diag(scipy.linalg.matrix_balance(entries.max(axis=0), permute=False)[1])
-    entries *= units / units[:, None]
-    sizes = entries.max(axis=2, keepdims=True, initial=0.0)
-    sizes = np.maximum(sizes, CROSSED * sizes.max(initial=0.0))
-    matters = (entries > ROUNDED * sizes).any(axis=0)  # rows by columns
+    units = np.diag(scipy.linalg.matrix_balance(largest, permute=False)[1])
+    scale = units / units[:, None]
+    least = CROSSED * (largest * scale).max(initial=0.0)
+    matters = np.zeros((k, k), dtype=bool)  # rows by columns
+    for part in parts:
+        entries = np.abs(part) * scale
+        sizes = np.maximum(entries.max(axis=2, keepdims=True, initial=0.0), least)
+        matters |= (entries > ROUNDED * sizes).any(axis=0)
     active = np.arange(k)
     while True:
         left = active[matters[np.ix_(active, active)].any(axis=0)]
@@ -277,9 +298,8 @@ def spectra_of(A: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         active = left
     found = np.zeros((m, k), dtype=complex)
     if active.size:
-        block = A[:, active[:, None], active]
-        parts = [np.linalg.eigvals(block[k : k + AT_ONCE]) for k in range(0, m, AT_ONCE)]
-        found[:, : len(active)] = _followed(np.concatenate(parts).astype(complex))
+        spectra = [np.linalg.eigvals(part[:, active[:, None], active]) for part in parts]
+        found[:, : len(active)] = _followed(np.concatenate(spectra).astype(complex))
     return found, active
 
 
