@@ -9,6 +9,7 @@ import textwrap
 import numpy as np
 import pytest
 import xarray as xr
+import zarr
 
 from ensemble_cases import identical, pendulum, random_values
 from pydy._errors import PyDyUserWarning
@@ -248,6 +249,36 @@ def test_a_chunk_that_is_lost_or_does_not_decode_is_computed_again(store, comput
         (path / name).unlink()
     else:
         (path / name).write_bytes(content)
+    identical(go_on(), whole)
+    assert computed == [25]
+
+
+@pytest.mark.parametrize("name", ["q1/c/1/0", "status/c/1"])
+def test_a_flipped_bit_is_seen_anywhere_in_a_chunk(store, computed, name):
+    path, go_on, whole = store
+    sound = (path / name).read_bytes()
+    for place in (0, len(sound) // 2, len(sound) - 5, len(sound) - 1):
+        computed.clear()
+        flipped = bytearray(sound)
+        flipped[place] ^= 1
+        (path / name).write_bytes(flipped)
+        with pytest.raises(ValueError, match="checksum"):
+            xr.open_zarr(path, consolidated=False).load()
+        identical(go_on(), whole)
+        assert computed == [25]
+
+
+def test_a_store_without_checksums_is_read_and_goes_on(store, computed):
+    path, go_on, whole = store
+    group = zarr.open_group(path, mode="r+")
+    old = group["q1"]
+    with zarr.config.set({"array.write_empty_chunks": True}):
+        group.create_array(
+            "q1", data=old[...], chunks=old.chunks, attributes=dict(old.attrs), overwrite=True,
+            dimension_names=old.metadata.dimension_names, compressors=zarr.codecs.ZstdCodec(),
+        )  # fmt: skip
+    (path / "q1/c/2/0").unlink()
+    computed.clear()
     identical(go_on(), whole)
     assert computed == [25]
 

@@ -359,13 +359,14 @@ class Ensembles(Setup):
             Sizes of blocks of samples. The Dataset is then lazy: it contains Dask arrays, computed
             by the scheduler that you choose. With `store`, this only sets the sizes.
         store : path, optional
-            Path of a Zarr store, to which every finished block is written immediately.
+            Path of a Zarr store, to which every finished block is written immediately, with
+            checksums.
         resume : bool or str, optional
-            Whether `store` may exist; only its missing blocks are then computed. The functions in
-            `reduce` and `specifieds` must be those of the first call: they are compared by their
-            code and everything they use. If `resume` is a string, the strings are compared instead:
-            it is your name for the functions, which you pass from the first call on and change when
-            the functions change.
+            Whether `store` may exist; only its missing or damaged blocks are then computed. The
+            functions in `reduce` and `specifieds` must be those of the first call: they are
+            compared by their code and everything they use. If `resume` is a string, the strings are
+            compared instead: it is your name for the functions, which you pass from the first call
+            on and change when the functions change.
         workers : int, optional
             Number of threads; by default one for each processor.
         progress : bool, optional

@@ -1,7 +1,7 @@
 """The Zarr store of an ensemble: one chunk for each block, so that any process may write its own.
 
 A block is complete if its `status`, which is written last, exists and all its chunks can be
-decoded; anything else may be incomplete or damaged, and is written again.
+decoded and have their checksums; anything else may be incomplete or damaged, and is written again.
 """
 
 from __future__ import annotations
@@ -233,6 +233,8 @@ def _array(
 ) -> Any:
     if fill is None:
         fill = np.nan if np.dtype(dtype).kind == "f" else 0
+    # Whatever is damaged in a chunk, its checksum tells: a flipped bit may decompress to numbers.
+    codecs = require("zarr.codecs", "ensemble", "`store`")
     return group.create_array(
         name,
         shape=shape,
@@ -240,6 +242,7 @@ def _array(
         dtype=dtype,
         dimension_names=tuple(dims),
         attributes=dict(attrs),
+        compressors=(codecs.ZstdCodec(), codecs.Crc32cCodec()),
         fill_value=fill,
     )
 
