@@ -376,3 +376,22 @@ def test_arguments_are_checked():
         read(PENDULUM, floating="base")
     with pytest.raises(ValueError, match=r"`floating` is for URDF files, got 'test_urdf\.py'"):
         read(__file__, floating=True)
+
+
+PLATE = """<robot name="r"><link name="w"/><link name="plate"><inertial><mass value="1"/>
+<inertia ixx="0.0417" iyy="0.0417" izz="{}"/></inertial></link>
+<joint name="j" type="revolute"><parent link="w"/><child link="plate"/><axis xyz="0 0 1"/></joint>
+</robot>"""
+
+
+@pytest.mark.parametrize("izz", ["0.0834", "0.0835", "0.083", "8.34e-2"])
+def test_an_inertia_that_a_body_may_have_to_its_digits_is_no_warning(tmp_path, izz):
+    (tmp_path / "r.urdf").write_text(PLATE.format(izz))
+    read(tmp_path / "r.urdf")
+
+
+def test_an_inertia_that_no_body_has_is_warned_of_once(tmp_path):
+    (tmp_path / "r.urdf").write_text(PLATE.format("0.0900"))
+    with pytest.warns(PyDyUserWarning, match=r"link 'plate' \(.*r.urdf:2; 0.09 > 0.0417") as told:
+        read(tmp_path / "r.urdf")
+    assert len(told) == 1

@@ -8,6 +8,7 @@ meshes), all of which have well-defined equations of motion: these files are rea
 from __future__ import annotations
 
 from collections import Counter
+from decimal import Decimal
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -16,7 +17,8 @@ from xml.parsers import expat
 
 import numpy as np
 
-from pydy._errors import RobotFileError
+from pydy._errors import RobotFileError, warn_user
+from pydy._rank import ROUNDED
 from pydy.robots.tree import (
     Joint,
     Link,
@@ -158,6 +160,7 @@ def read_urdf(path: Path, floating: bool = False) -> Tree:
     found: list[Link] = []
     for name in _in_order(reader, links, above):
         found.append(_link(reader, name, links[name], above.get(name), found, left_out))
+    _warn_of_inertias(reader, links)
     if floating:
         name = another("root", [joint.get("name", "") for joint in joints])
         found[0].joints = [Joint(name, "free", where=found[0].where)]
@@ -295,6 +298,36 @@ def _link(
         if look is not None:
             link.looks.append(look)
     return link
+
+
+def _warn_of_inertias(reader: _Reader, links: dict[str, ElementTree.Element]) -> None:
+    """Warn, once, of inertias that no body has, by more than the digits that are not written.
+
+    Negative principal moments are told elsewhere.
+    """
+    found = []
+    for name, element in links.items():
+        about = element.find("inertial/inertia")
+        if about is None:
+            continue
+        texts = [about.get(f"i{axes}", "0") for axes in ("xx", "xy", "yy", "xz", "yz", "zz")]
+        matrix, unsure = np.zeros((2, 3, 3))
+        for (i, j), text in zip(
+            ((0, 0), (1, 0), (1, 1), (2, 0), (2, 1), (2, 2)), texts, strict=True
+        ):
+            exponent = Decimal(text).as_tuple().exponent
+            matrix[i, j] = matrix[j, i] = float(text)
+            unsure[i, j] = unsure[j, i] = 0.5 * 10.0 ** int(exponent) if float(text) else 0.0
+        a, b, c = np.linalg.eigvalsh(matrix)
+        if a >= 0.0 and c - a - b > 3.0 * np.linalg.norm(unsure) + ROUNDED * c:
+            found.append(f"'{name}' ({reader.where(about)}; {c:.6g} > {a:.6g} + {b:.6g})")
+    if found:
+        warn_user(
+            f"No body has the inertia of the link {found[0]}: a principal moment is larger than "
+            "the other two together"
+            + (f"; nor those of {len(found) - 1} other links of this file" if found[1:] else "")
+            + ". They are taken as they are. Correct them in the file."
+        )
 
 
 def _joints(reader: _Reader, element: ElementTree.Element, left_out: list[str]) -> list[Joint]:
