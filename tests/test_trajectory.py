@@ -384,6 +384,17 @@ def test_a_file_with_a_damaged_name_is_a_named_error(name, tmp_path):
         Trajectory.load(path)
 
 
+def test_a_file_without_times_is_a_named_error(tmp_path):
+    """xarray would count the rows in their place."""
+    xarray = pytest.importorskip("xarray")
+    simulated("bare")[1].save(tmp_path / "run.nc")
+    with xarray.open_dataset(tmp_path / "run.nc", engine="scipy") as dataset:
+        less = dataset.load().drop_vars("time")
+    less.to_netcdf(tmp_path / "less.nc", engine="scipy", format="NETCDF3_64BIT")
+    with pytest.raises(ValueError, match=r"must be a file that .* it holds no 'time'"):
+        Trajectory.load(tmp_path / "less.nc")
+
+
 @pytest.mark.parametrize("path", [None, 5, ["a.nc"], io.StringIO("text"), io.BytesIO(b"CDF")])
 def test_what_is_no_path_is_a_type_error(path):
     pytest.importorskip("xarray")

@@ -83,6 +83,8 @@ def to_dataset(
 
 def from_dataset(dataset: Any) -> Parts:
     """Take a Dataset of `to_dataset` apart; older files have no labels."""
+    if "time" not in dataset.variables:  # xarray would count the rows
+        raise ValueError("it holds no 'time'")
     parts = Parts(np.array(dataset["time"]))
     for name, variable in dataset.variables.items():
         if name in dataset.dims:

@@ -49,6 +49,12 @@ def test_a_picture_at_a_time_shows_every_visual(scene):
     assert len(axes.lines) > 3  # line, trace, trail, and the grid
 
 
+@pytest.mark.parametrize("t", [-0.1, 5.0])
+def test_a_picture_is_of_a_time_of_the_motion(scene, t):
+    with pytest.raises(ValueError, match=r"`t` must be .* 0 .* 1"):
+        scene.to_matplotlib(t)
+
+
 def test_axes_may_be_given_and_must_have_three_dimensions(scene):
     from matplotlib.figure import Figure
 

@@ -11,9 +11,10 @@ from typing import TYPE_CHECKING, Any, Literal, Self
 import numpy as np
 from sympy.physics.vector import Point, ReferenceFrame
 
-from pydy._checks import Keyed, choice, file_of, flag, listed, number, shown, text, vector
+from pydy._checks import Keyed, choice, file_of, flag, listed, shown, text, vector
 from pydy._files import write_files
 from pydy._names import nearest
+from pydy._rank import ROUNDED
 from pydy.viz.animation import Animation, Item, Look, animate
 from pydy.viz.arguments import (
     as_visual,
@@ -571,7 +572,7 @@ class Scene:
         Parameters
         ----------
         t : float, optional
-            By default the first.
+            From the first to the last time of the motion; by default the first.
         axes : mpl_toolkits.mplot3d.Axes3D, optional
             By default those of a new figure.
 
@@ -587,7 +588,9 @@ class Scene:
         from pydy.viz.figure import draw
 
         moving = self._moving()
-        instant = float(moving.times[0]) if t is None else number(t, "`t`", finite=True)
+        first, last = float(moving.times[0]), float(moving.times[-1])
+        slack = ROUNDED * max(abs(first), abs(last))
+        instant = first if t is None else within(t, "`t`", first - slack, last + slack)
         return draw(moving, self._look, instant, axes)
 
     def save(
