@@ -336,6 +336,36 @@ def test_a_simulation_is_a_guess(mass):
 # -- what goes wrong -------------------------------------------------------------------------------
 
 
+@pytest.mark.parametrize("method", ["radau", "hermite-simpson", "midpoint"])
+def test_bounds_are_kept_to_the_last_digit(method):
+    system, (x, v, F) = optima.double_integrator()
+    limits = {F: (-1.0, 1.0), v: (None, 0.6), TF: (2.0, 10.0)}
+    end = {x: 1.0, v: 0.0}
+    found = system.optimize_trajectory(TF, TF, end=end, bounds=limits, method=method, mesh=7)
+    values, controls, _, _ = found._transcription.split(found.solution.z)
+    assert np.abs(controls).max() == 1.0
+    assert values[1, :8].max() == 0.6
+
+
+@pytest.mark.parametrize("method", ["radau", "midpoint"])
+def test_equations_without_accelerations_are_not_solved(method):
+    m = sm.Symbol("m")
+    system, (x, v, F) = optima.double_integrator(m)
+    system.constants = {m: 0.0}
+    with pytest.raises(OptimizationError, match=r"no accelerations .*; zero are: m\."):
+        system.optimize_trajectory(energy(F), 1.0, end={x: 1.0, v: 0.0}, method=method)
+
+
+@pytest.mark.parametrize("force", [lambda u: u**2, lambda u: 1 - sm.cos(u)])
+def test_a_control_that_changes_nothing_at_the_guess_is_the_reason(force):
+    x, v, u = me.dynamicsymbols("x v u")
+    system = optima.first_order([x], v, force(u))
+    with pytest.raises(OptimizationError, match=r"by `u\(t\)` are zero.*Give a `guess`") as e:
+        system.optimize_trajectory(energy(u), 1.0, end={x: 0.5})
+    assert "contradict" not in str(e.value)
+    system.optimize_trajectory(energy(u), 1.0, end={x: 0.5}, guess={u: 0.5})
+
+
 def test_a_search_that_fails_holds_the_iterate_and_names_equations(mass):
     system, (x, v, F) = mass
     with pytest.raises(

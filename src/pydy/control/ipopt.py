@@ -38,8 +38,8 @@ _INFINITE = 2e19  # beyond 1e19 a bound is none, `nlp_upper_bound_inf`
 STATUS = {
     0: "solved",
     1: "solved to the `acceptable_tol` of IPOPT, not to its `tol`",
-    2: "the equations and bounds seem to contradict each other: the search ended at a point where "
-    "the violation is locally smallest",
+    2: "where it ended, the violation of equations and bounds is locally smallest: they contradict "
+    "each other, or no motion is near the guess",
     3: "the steps became too small",
     4: "the iterates diverge: the objective may have no lower bound",
     5: "stopped",
@@ -56,7 +56,7 @@ STATUS = {
     -13: "the equations or their derivatives are not finite",
     -102: "there is not enough memory",
 }
-SOLVED = (0, 1)
+SOLVED, INFEASIBLE = (0, 1), 2
 _WARM = {
     "warm_start_init_point": "yes",
     "mu_init": WARM_BARRIER,
@@ -99,7 +99,8 @@ class Solution:
     ) -> Solution:  # fmt: skip
         """Return the Solution of what a solver tells of the program in units of its own."""
         return cls(
-            z=y * nlp.sizes,
+            # IPOPT widens bounds by 1e-8, without which some searches come to no end.
+            z=np.clip(y * nlp.sizes, nlp.lower, nlp.upper),
             multipliers=multipliers * nlp.cost_size / nlp.row_sizes,
             below=below * nlp.cost_size / nlp.sizes,
             above=above * nlp.cost_size / nlp.sizes,

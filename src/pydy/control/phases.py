@@ -17,11 +17,11 @@ from pydy._optional import progress_of
 from pydy.codegen.arguments import checked_expression
 from pydy.control.accuracy import relative_errors, warn_of_chatter
 from pydy.control.guess import check_freedom, checked_sweep, mesh_tolerance, swept
-from pydy.control.ipopt import SOLVED, STATUS, Iteration, Solution
+from pydy.control.ipopt import SOLVED, Iteration, Solution
 from pydy.control.kernel import Point
 from pydy.control.nlp import Nlp, Piece
 from pydy.control.refine import refined, warn_of_refinements, warn_where_coarse
-from pydy.control.result import OptimalTrajectory, worst_rows
+from pydy.control.result import OptimalTrajectory, why_in_vain, worst_rows
 from pydy.control.sizes import sizes_of
 from pydy.control.solvers import solver_of
 from pydy.control.transcription import Transcription
@@ -48,7 +48,7 @@ class PhasedTrajectory(Sequence[OptimalTrajectory]):
         self.objective = solution.objective
         self.duration = sum(phase.duration for phase in phases)
         self.status = solution.status
-        self.message = STATUS.get(solution.status, f"IPOPT ended with status {solution.status}")
+        self.message = why_in_vain(solution, ())
         self.history: tuple[Iteration, ...] = solution.history
 
     def __len__(self) -> int:
@@ -316,9 +316,14 @@ class Phases:
                 found,
             )
         if solution.status not in SOLVED:
+            begun = [
+                (one, own, z, problem._controls)
+                for problem, (one, own, _, z) in zip(self._problems, parts, strict=True)
+            ]
             raise OptimizationError(
                 f"The search for an optimal trajectory in {len(found)} phases ended after "
-                f"{len(solution.history) - 1} iterations: {found.message}. "
+                f"{len(solution.history) - 1} iterations: "
+                f"{why_in_vain(solution, begun)}. "
                 f"{worst_rows(nlp, solution, np.nan)}"
                 + next((one._bends for one in self._problems if one._bends), ""),
                 found,

@@ -40,10 +40,11 @@ from pydy.control.refine import (
     interval_errors,
     refined,
     refuse_singular,
+    refuse_unsolvable,
     warn_of_refinements,
     warn_where_coarse,
 )
-from pydy.control.result import OptimalTrajectory, worst_rows
+from pydy.control.result import OptimalTrajectory, why_in_vain, worst_rows
 from pydy.control.schemes import METHODS, scheme_of
 from pydy.control.sizes import sizes_of
 from pydy.control.solvers import solver_of
@@ -686,7 +687,8 @@ class OptimalControl:
         if solution.status not in SOLVED:
             raise OptimizationError(
                 "The search for an optimal trajectory ended after "
-                f"{max(len(solution.history) - 1, 0)} iterations: {trajectory.message}. "
+                f"{max(len(solution.history) - 1, 0)} iterations: "
+                f"{why_in_vain(solution, [(made, nlp, z, self._controls)])}. "
                 f"{worst_rows(nlp, solution, trajectory.duration)}{self._bends}",
                 trajectory,
             )
@@ -706,6 +708,8 @@ class OptimalControl:
         moved = Moved(now.driven.compiled("rates"), now.plan)
         limits = {s: self._bounds.get(s, _OPEN) for s in self._free}
         refuse_singular(moved, made, now.x, solution.z, nlp.sizes, limits)
+        if solution.status in SOLVED:
+            refuse_unsolvable(moved, made, solution.z, now.definition.constants)
         open_ = np.full(nlp.size, np.inf)  # bounds do not tell how large a state becomes
         sizes = made.split(sizes_of(made, start, -open_, open_))[0][:, 0]
         error = interval_errors(moved, made, solution.z, sizes)

@@ -134,6 +134,24 @@ def refuse_singular(
                     )
 
 
+def refuse_unsolvable(
+    moved: Moved, made: Transcription, z: np.ndarray, names: Sequence[Any]
+) -> None:
+    """Refuse constants, whose `names` are given, with which no node has accelerations."""
+    states, _, _, duration = made.split(z)
+    x, (p, _) = np.ascontiguousarray(states[:, : made.intervals + 1].T), made.numbers(z)
+    times, r = made.problem.begin + made.mesh * duration, np.ones((1, len(made.problem.specifieds)))
+    rates, failed = moved.kernel.evaluate(times, x, r, p)
+    if (failed | ~np.isfinite(rates).all(axis=1)).all():
+        zeros = [str(name) for name, value in zip(names, p, strict=True) if value == 0.0]
+        raise OptimizationError(
+            "The equations of motion give no accelerations at any node, though what was found "
+            "satisfies them: the mass matrix is singular, and it is no motion. Give everything "
+            f"that moves a mass{'; zero are: ' + ', '.join(zeros) if zeros else ''}.",
+            None,
+        )
+
+
 def checked_mesh(mesh: Any) -> np.ndarray:
     """Return the nodes as fractions."""
     nodes = real_array(mesh, "`mesh`")

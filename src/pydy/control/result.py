@@ -13,13 +13,20 @@ from pydy._names import unique_names
 from pydy._optional import require
 from pydy.codegen.arguments import OfTime, one_format
 from pydy.control.accuracy import objective_errors
-from pydy.control.ipopt import STATUS, Iteration, Solution
+from pydy.control.ipopt import (
+    INFEASIBLE,
+    STATUS,
+    Iteration,
+    Solution,
+)
 from pydy.control.nlp import Nlp
 from pydy.control.transcription import Transcription
 from pydy.control.tuning import INPUT_SAMPLES, JUMP, PLOTTED
 from pydy.inputs import SampledInput
 from pydy.plot import axes_of
 from pydy.trajectory import Columns, Trajectory
+
+_STUCK = (INFEASIBLE, 3, -1, -2, -3)  # the statuses of a search that moved as far as it could
 
 
 class OptimalTrajectory(Trajectory):
@@ -86,7 +93,7 @@ class OptimalTrajectory(Trajectory):
         self.mesh = transcription.mesh * duration
         self.error = error
         self.status = solution.status
-        self.message = STATUS.get(solution.status, f"IPOPT ended with status {solution.status}")
+        self.message = why_in_vain(solution, ())
         self.history: tuple[Iteration, ...] = solution.history
         self.solution = solution
         self._nlp, self._transcription = nlp, transcription
@@ -382,6 +389,38 @@ def _simpson_costates(made: Transcription, nlp: Nlp, solution: Solution) -> np.n
     # After the last node there is nothing: the derivative by what is before, its sign changed.
     costates[:, M] = -x1[:, -1] - np.einsum("r,rv->v", own[:, M], rows[:, :n, M])
     return costates
+
+
+def why_in_vain(
+    solution: Solution, parts: Sequence[tuple[Transcription, Nlp, np.ndarray, Sequence[Any]]]
+) -> str:
+    """Return why a search failed: what IPOPT says, and controls that it could not move.
+
+    To first order it cannot tell where to move those that change no equation where it begins, but
+    would elsewhere, as from u = 0 where u² is a force. That is no contradiction.
+    """
+    told = STATUS.get(solution.status, f"IPOPT ended with status {solution.status}")
+    found = [f"`{symbol}`" for part in parts for symbol in _stationary(*part)]
+    if not found or solution.status not in _STUCK:
+        return told
+    reason = (
+        f"at the guess all derivatives of the equations by {', '.join(found)} are zero, so that "
+        "the search cannot tell which way to change it. Give a `guess` where they are not"
+    )
+    return reason if solution.status == INFEASIBLE else f"{told}; {reason}"
+
+
+def _stationary(
+    made: Transcription, nlp: Nlp, start: np.ndarray, controls: Sequence[Any]
+) -> list[Any]:
+    J, columns = np.empty(len(nlp.jacobian_at[0])), nlp.jacobian_at[1]
+    nlp.jacobian(start / nlp.sizes, J)
+    first, count, found = made.sizes[0], len(made.control_places), []
+    for k, symbol in enumerate(controls):
+        own = (columns >= first + k * count) & (columns < first + (k + 1) * count)
+        if own.any() and not J[own].any():
+            found.append(symbol)
+    return found
 
 
 def worst_rows(nlp: Nlp, solution: Solution, duration: float) -> str:
