@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, Literal, Self
 import numpy as np
 from sympy.physics.vector import Point, ReferenceFrame
 
-from pydy._checks import Keyed, choice, file_of, flag, listed, shown, text, vector
+from pydy._checks import Keyed, choice, file_of, flag, listed, number, shown, text, vector
 from pydy._files import write_files
 from pydy._names import nearest
 from pydy._rank import ROUNDED
@@ -590,7 +590,11 @@ class Scene:
         moving = self._moving()
         first, last = float(moving.times[0]), float(moving.times[-1])
         slack = ROUNDED * max(abs(first), abs(last))
-        instant = first if t is None else within(t, "`t`", first - slack, last + slack)
+        instant = first if t is None else number(t, "`t`")
+        if not first - slack <= instant <= last + slack:
+            raise ValueError(
+                f"`t` must be a time of the motion, from {first:g} to {last:g}, got {instant:g}."
+            )
         return draw(moving, self._look, instant, axes)
 
     def save(
