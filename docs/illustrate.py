@@ -11,6 +11,7 @@ import doctest
 import io
 import json
 import os
+import re
 import subprocess
 import sys
 import tempfile
@@ -20,13 +21,6 @@ from typing import Any
 
 HERE = Path(__file__).parent
 sys.path.insert(0, str(HERE))
-PAGES = (
-    *("animation", "ensembles", "results", "solvers", "system"),
-    *("howto/bodies", "howto/constraint-forces", "howto/constraints", "howto/equilibria"),
-    "howto/events",
-    *("howto/fits", "howto/inputs", "howto/live", "howto/orbits", "howto/prescribed-motion"),
-    "howto/sensitivities",
-)
 
 
 def blocks(text: str) -> list[tuple[int, str]]:
@@ -39,6 +33,19 @@ def blocks(text: str) -> list[tuple[int, str]]:
                 found.append((k, "\n".join(lines[begin:k])))
             begin = None if begin is not None else k + 1
     return found
+
+
+def drawing() -> set[str]:
+    """Return the pages whose code draws or animates, but for the tutorial, which shows its own."""
+    found = set()
+    for path in HERE.rglob("*.md"):
+        code = "\n".join(block for _, block in blocks(path.read_text(encoding="utf-8")))
+        if re.search(r"^(>>>|\.\.\.) .*(\banimate\(|plot)", code, re.MULTILINE):
+            found.add(path.relative_to(HERE).with_suffix("").as_posix())
+    return found - {"tutorial"}
+
+
+PAGES = drawing()
 
 
 def draw(name: str, folder: Path) -> list[tuple[int, str]]:

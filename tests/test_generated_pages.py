@@ -1,5 +1,6 @@
 """What the documentation makes when it is built."""
 
+import doctest
 import json
 import re
 import sys
@@ -42,11 +43,15 @@ def test_pages_show_what_their_code_draws_and_animates(generated, monkeypatch):
     assert "```{image} /static/pages/a.svg" in first
     assert 'src="../_static/pages/b.html"' in first
     assert rest == page.split("Text")[1]
+    drawing = {
+        path.relative_to(ROOT / "docs").with_suffix("").as_posix()
+        for path in (ROOT / "docs").rglob("*.md")
+        for example in doctest.DocTestParser().get_examples(path.read_text(encoding="utf-8"))
+        if "animate(" in example.source or "plot" in example.source
+    }
     guides = {"animation", "ensembles", "results", "solvers", "system", "howto/live"}
-    assert guides <= set(illustrate.PAGES)
-    for name in illustrate.PAGES:
-        text = (ROOT / "docs" / f"{name}.md").read_text(encoding="utf-8")
-        assert "animate(" in text or "plot" in text
+    assert guides | {"howto/robots", "howto/optimal-control"} <= drawing
+    assert drawing - {"tutorial"} == illustrate.PAGES  # that has pictures of its own
     monkeypatch.setattr(illustrate, "HERE", generated.STATIC)
     (generated.STATIC / "a.md").write_text(
         "```python\n>>> import matplotlib.pyplot as plt\n>>> _ = plt.plot([1, 2])\n```\n"
