@@ -242,3 +242,26 @@ def test_what_a_signal_handler_raises_while_a_store_is_made_arrives(tmp_path, mo
         signal.signal(signal.SIGALRM, before)
         written[0].join()
     assert [path.name for path in tmp_path.iterdir()] in ([], ["s.zarr"])
+
+
+def test_memory_that_ends_before_anything_is_finished_is_told_as_that(monkeypatch):
+    """What had room by then was taken for results, of which `status` was looked for."""
+    system = multi_mass_spring_damper(apply_external_forces=True)
+    (force,) = system.specifieds_symbols
+    system.initial_conditions, system.times = {"x0": 1.0}, [0.0, 1.0]
+    numbers = iter(range(100))
+
+    class Full:
+        def __getattr__(self, name):
+            return getattr(np, name)
+
+        def empty(self, *given):
+            if next(numbers) == 2:
+                raise MemoryError("no more")
+            return np.empty(*given)
+
+    monkeypatch.setattr("pydy.ensemble.engine.np", Full())
+    with pytest.raises(MemoryError, match="no more"):
+        system.integrate_ensemble(
+            constants={"k0": np.arange(1.0, 18.0)}, specifieds={force: lambda x, t: 0.0}, workers=1
+        )

@@ -89,12 +89,14 @@ class Ensemble:
                 here = states[:, first : first + part.size]
             found = self.work(part, stop, here)
             with lock:
-                if not whole:
+                if not whole:  # all of them at once: memory may end on the way
+                    every = {}
                     for name, v in found.items():
                         sizes = (*shape, *v.values.shape[len(block) :])
                         known = placed.get(name)
                         values = np.empty(sizes, v.values.dtype) if known is None else known
-                        whole[name] = Variable(v.dims, values.reshape(sizes), v.attrs)
+                        every[name] = Variable(v.dims, values.reshape(sizes), v.attrs)
+                    whole.update(every)
             check_forms(found, self._forms(whole), block)
             for name, v in found.items():
                 if name not in placed:
