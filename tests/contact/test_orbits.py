@@ -127,3 +127,22 @@ def test_contacts_of_another_system_are_named():
     (system, floor), (other, _) = ball(), ball()
     with pytest.raises(TypeError, match="`contacts` must be Contacts of this System, got"):
         other.find_periodic_orbit(1.0, contacts=Contacts(system, [floor]))
+
+
+def test_modes_whose_constraints_name_no_dependents_say_what_to_call():
+    """The message named `sensitivities`, which no argument of the search gives."""
+    x, y, u, v = me.dynamicsymbols("x y u v")
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    place = origin.locatenew("P", x * frame.x + y * frame.y)
+    place.set_vel(frame, u * frame.x + v * frame.y)
+    block = Definition(
+        frame, [x, y], [u, v], bodies=[me.Particle("block", place, 1)],
+        loads=[(place, -9 * frame.y - x * frame.x)],
+    )  # fmt: skip
+    system = System(block, ode_solver="dop853", initial_conditions={u: 1.0})
+    system = Contacts(system, [Unilateral(y, name="floor")]).in_modes({"floor": "closed"})
+    with pytest.raises(ValueError, match=r"Call `set_dependent_initial_conditions\(dep_vars"):
+        system.find_periodic_orbit(6.0)
+    system.set_dependent_initial_conditions(dep_vars=[y, v])
+    assert system.find_periodic_orbit(6.0).period == pytest.approx(2 * np.pi, rel=1e-8)

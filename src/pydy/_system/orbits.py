@@ -111,6 +111,12 @@ class Orbits(Simulation, Evaluation):
         equations, states = definition.equations, definition.places["states"]
         steady = sorted(states.columns(listed("moving", moving), "moving").tolist())
         dependent = latest_dependents(definition, self._dependent)
+        if not dependent and (equations.holonomic or equations.velocity):
+            raise ValueError(
+                "A periodic orbit can be searched for only where it is known which states follow "
+                "from the others by the constraints; none is named as dependent. Call "
+                "`set_dependent_initial_conditions(dep_vars=…)` first, with as many as constraints."
+            )
         tied = {definition.states.index(s) for s in dependent}
         count = len(equations.coordinates) + len(equations.speeds)
         free = [k for k in range(count) if k not in tied.union(steady)]
