@@ -48,6 +48,19 @@ def note_finished(error: MemoryError, what: str, **finished: object) -> None:
     error.add_note(f"{what} in the attributes of this error: {', '.join(finished)}.")
 
 
+def finished_before(
+    stop: BaseException, finished: str, message: str, results: object
+) -> BaseException:
+    """Return what to raise where Ctrl-C or the end of memory stopped an analysis.
+
+    An `AnalysisInterrupted` with its message, or the MemoryError, which notes what is `finished`.
+    """
+    if isinstance(stop, MemoryError):
+        note_finished(stop, finished, results=results)
+        return stop
+    return AnalysisInterrupted(message, results)
+
+
 class _Pickled(BaseException):
     """An exception that is pickled as what it was made of: its message, then its attributes."""
 

@@ -417,8 +417,10 @@ def test_an_error_in_a_callback_is_raised(mass, monkeypatch):
         return Iteration(*iteration)
 
     monkeypatch.setattr(ipopt, "Iteration", broken)
-    with pytest.raises(MemoryError, match="no more"):
+    with pytest.raises(MemoryError, match="no more") as caught:
         problem.solve()
+    assert caught.value.__notes__[0].startswith("The latest iteration of the search")
+    assert len(caught.value.results.history) == 2
 
 
 def test_what_is_raised_on_the_way_into_a_callback_arrives(mass, uncollected, capfd):

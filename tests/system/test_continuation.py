@@ -150,7 +150,8 @@ def test_what_does_not_fit_is_named():
         in_a_potential(lambda x, p: p + x**2 + 1).follow_equilibria({"p": [0.0, 1.0]})
 
 
-def test_ctrl_c_hands_over_the_branch_so_far(monkeypatch):
+@pytest.mark.parametrize("stop", [KeyboardInterrupt, MemoryError])
+def test_what_stops_a_branch_hands_over_what_there_is(monkeypatch, stop):
     system = in_a_potential(lambda x, p: p - x**3 + x)
     system.initial_conditions = {"x": -2.0}
     whole = system.follow_equilibria({"p": [-3.0, 3.0]})
@@ -160,13 +161,15 @@ def test_ctrl_c_hands_over_the_branch_so_far(monkeypatch):
     def interrupted(self, z, before):
         points.append(z)
         if len(points) > 120:  # beyond the first fold, which is bisected
-            raise KeyboardInterrupt
+            raise stop
         return point(self, z, before)
 
     monkeypatch.setattr(pydy.analysis.continuation._Curve, "point", interrupted)
-    with pytest.raises(AnalysisInterrupted, match="equilibria so far") as caught:
+    told = MemoryError if stop is MemoryError else AnalysisInterrupted
+    with pytest.raises(told) as caught:
         system.follow_equilibria({"p": [-3.0, 3.0]})
-    assert not isinstance(caught.value, Exception)
+    assert isinstance(caught.value, Exception) == (stop is MemoryError)
+    assert "equilibria" in str(caught.value) + "".join(getattr(caught.value, "__notes__", []))
     branch = caught.value.results
     assert branch.ended == "interrupted"
     count = len(branch.values)

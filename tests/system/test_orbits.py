@@ -365,7 +365,8 @@ def test_where_constraints_leave_nothing_to_search_for_it_says_so():
         system.find_periodic_orbit(2.0 * np.pi)
 
 
-def test_ctrl_c_hands_over_what_came_nearest(monkeypatch, capsys):
+@pytest.mark.parametrize("stop", [KeyboardInterrupt, MemoryError])
+def test_what_stops_a_search_hands_over_what_came_nearest(monkeypatch, capsys, stop):
     system = on_a_line(lambda x, v, mu: mu * (1 - x**2) * v - x)
     whole = system.find_periodic_orbit(6.5, progress=True)
     shown = capsys.readouterr().err
@@ -376,12 +377,13 @@ def test_ctrl_c_hands_over_what_came_nearest(monkeypatch, capsys):
     def interrupted(self, **options):
         calls.append(1)
         if len(calls) > 3:
-            raise KeyboardInterrupt
+            raise stop
         return simulate(self, **options)
 
     monkeypatch.setattr(System, "simulate", interrupted)
-    with pytest.raises(AnalysisInterrupted, match="came nearest") as caught:
+    with pytest.raises((AnalysisInterrupted, MemoryError)) as caught:
         system.find_periodic_orbit(6.5)
+    assert isinstance(caught.value, MemoryError) == (stop is MemoryError)
     found = caught.value.results
     first = abs(6.5 - whole.period)
     assert 0.0 < abs(found["period"] - whole.period) < 0.2 * first

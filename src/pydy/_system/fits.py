@@ -22,7 +22,15 @@ from pydy._checks import (
     refuse_twice,
     whole,
 )
-from pydy._errors import FitInterrupted, IntegrationError, SingularMatrixError, few, some, warn_user
+from pydy._errors import (
+    FitInterrupted,
+    IntegrationError,
+    SingularMatrixError,
+    few,
+    note_finished,
+    some,
+    warn_user,
+)
 from pydy._names import unique_names
 from pydy._optional import progress_of
 from pydy._system.balance import located
@@ -388,6 +396,9 @@ def _collocated(
         found = fit.solve(z, mesh, search, watch)
     if found.solution.interrupted:
         values = dict(zip(work.names, found.z.tolist(), strict=True))
+        if isinstance(stop := found.solution.interrupted, MemoryError):
+            note_finished(stop, "The latest estimates are", values=values)
+            raise stop
         raise FitInterrupted(
             "The fit was interrupted. Its latest estimates are in `values`.", values
         )

@@ -86,7 +86,8 @@ class Optimisation(Simulation):
         OptimizationError
             The search did not converge; the error holds the motion where it ended.
         AnalysisInterrupted
-            The user interrupted it; the error holds the motion of the latest iteration.
+            The user interrupted it; the error holds the motion of the latest iteration. So does a
+            MemoryError.
         MissingDependencyError
             IPOPT is not installed: ``pip install 'pydy[optimal]'``.
 

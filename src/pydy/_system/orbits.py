@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from pydy._checks import flag, listed, number, shown
-from pydy._errors import AnalysisInterrupted, PeriodicOrbitError, some
+from pydy._errors import PeriodicOrbitError, finished_before, some
 from pydy._names import unique_names
 from pydy._optional import progress_of
 from pydy._system.balance import energetic_motions
@@ -88,7 +88,8 @@ class Orbits(Simulation, Evaluation):
         PeriodicOrbitError
             No periodic orbit was found; the message says how close the search came.
         AnalysisInterrupted
-            The user interrupted it; the error holds the motion that came nearest to an orbit.
+            The user interrupted it; the error holds the motion that came nearest to an orbit. So
+            does a MemoryError.
 
         Examples
         --------
@@ -299,13 +300,15 @@ class Orbits(Simulation, Evaluation):
                 else:  # what contacts hold is projected at the start
                     trajectory = contacts.resumed(held, **options)
                     initial = dict(zip(initial, trajectory.states[0].tolist(), strict=True))
-            except KeyboardInterrupt as stop:
-                raise AnalysisInterrupted(
+            except (KeyboardInterrupt, MemoryError) as stop:
+                raise finished_before(
+                    stop,
+                    "The period and the initial conditions that came nearest to an orbit are",
                     "The search for a periodic orbit was interrupted. The period and the initial "
                     "conditions that came nearest to one are in the attribute `results` of this "
                     "error.",
                     nearest,
-                ) from stop
+                ) from None
         moved = np.ptp(trajectory.states[:, free], axis=0)
         return PeriodicOrbit(
             period=flight.period,

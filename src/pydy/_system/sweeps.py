@@ -9,7 +9,7 @@ import numpy as np
 
 from pydy._assembly.definition import Definition
 from pydy._checks import check_mapping, flag, number, real_array, whole
-from pydy._errors import AnalysisInterrupted, EquilibriumError, note_finished
+from pydy._errors import EquilibriumError, finished_before
 from pydy._names import unique_names
 from pydy._optional import progress_of
 from pydy._rank import ROUNDED, equilibrated, least_step
@@ -272,19 +272,17 @@ class Sweeps(Setup):
                     told(count)
             sweep = found.sweep()
             _ = sweep.eigenvalues  # computed here, where their interruption loses nothing
-        except KeyboardInterrupt:
+        except (KeyboardInterrupt, MemoryError) as stop:
             if not found.done:
                 raise
-            raise AnalysisInterrupted(
-                f"The sweep was interrupted after {found.done} of {len(values)} values of "
-                f"{found.parameter}. They are in the attribute `results` of this error.",
+            of = f"{found.done} of {len(values)} values of {found.parameter}"
+            raise finished_before(
+                stop,
+                f"The first {of} are",
+                f"The sweep was interrupted after {of}. They are in the attribute `results` of "
+                "this error.",
                 found.sweep(),
             ) from None
-        except MemoryError as error:
-            if found.done:
-                first = f"The first {found.done} of {len(values)} values of {found.parameter} are"
-                note_finished(error, first, results=found.sweep())
-            raise
         return sweep
 
     def follow_equilibria(
@@ -322,7 +320,7 @@ class Sweeps(Setup):
         Raises
         ------
         AnalysisInterrupted
-            The user interrupted it; the error holds the branch so far.
+            The user interrupted it; the error holds the branch so far. So does a MemoryError.
         EquilibriumError
             There is no equilibrium at the first value.
         ValueError
@@ -354,7 +352,7 @@ class Sweeps(Setup):
 
         most = whole(most, "`most`", 2)
         with progress_of(flag(progress, "`progress`"), " points") as told:
-            points, spectra, special, ended = trace(
+            points, spectra, special, ended, stop = trace(
                 lambda z: balance.residuals(z[None])[0],
                 lambda z: balance.slopes(z[None])[0],
                 spectrum,
@@ -378,10 +376,12 @@ class Sweeps(Setup):
             special=tuple(special),
             ended=ended,
         )
-        if ended == "interrupted":
-            raise AnalysisInterrupted(
+        if stop is not None:
+            raise finished_before(
+                stop,
+                f"The branch's first {len(z)} equilibria are",
                 f"The branch was interrupted at {branch.parameter} = {z[-1, -1]:.10g}. Its "
                 f"{len(z)} equilibria so far are in the attribute `results` of this error.",
                 branch,
-            )
+            ) from None
         return branch

@@ -239,8 +239,10 @@ def trace(
     most: int,
     names: tuple[str, ...],
     told: Callable[[float], None],
-) -> tuple[list[np.ndarray], list[np.ndarray], list[SpecialPoint], str]:
+) -> tuple[list[np.ndarray], list[np.ndarray], list[SpecialPoint], str, BaseException | None]:
     """Follow F(z) = 0, with the parameter last in z, from a solution; also say how it ended.
+
+    If Ctrl-C or the end of memory stopped it, that is returned last.
 
     The `spectrum` returns the eigenvalues at z and bounds on their rounding. The parameter stays
     within `bounds`, ascending at first if `forward`; a `step` is at most such a share of their
@@ -257,11 +259,12 @@ def trace(
     limit = CROSSED * float(np.abs(point.spectrum).max(initial=0.0))
     points: list[_Point] = [point]
     special: list[SpecialPoint] = []
+    stopped: BaseException | None = None
     try:
         ended = _followed(curve, points, special, bounds, step, most, limit, names, told)
-    except KeyboardInterrupt:
-        ended = "interrupted"
-    return [p.z for p in points], [p.spectrum for p in points], special, ended
+    except (KeyboardInterrupt, MemoryError) as stop:
+        ended, stopped = "interrupted", stop
+    return [p.z for p in points], [p.spectrum for p in points], special, ended, stopped
 
 
 def _followed(

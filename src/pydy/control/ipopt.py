@@ -90,12 +90,13 @@ class Solution:
     objective: float
     status: int  # a key of `STATUS`
     history: tuple[Iteration, ...]
-    interrupted: bool
+    interrupted: BaseException | None  # what stopped it: Ctrl-C, or the end of memory
 
     @classmethod
     def of(
         cls, nlp: Any, y: Any, multipliers: Any, below: Any, above: Any, objective: float,
-        status: int, history: Sequence[Iteration], interrupted: bool,
+        status: int, history: Sequence[Iteration],
+        interrupted: BaseException | None,
     ) -> Solution:  # fmt: skip
         """Return the Solution of what a solver tells of the program in units of its own."""
         return cls(
@@ -336,7 +337,7 @@ def _solve(
         multipliers, below, above = np.zeros(m), np.zeros(n), np.zeros(n)
         if warm is not None:
             multipliers[:], below[:], above[:] = warm.seeds(nlp)
-        interrupted = False
+        status, interrupted = None, None
         try:
             with interrupts, _kept(raised, guarded):
                 status = lib.IpoptSolve(
@@ -346,8 +347,10 @@ def _solve(
                 )
                 if raised:
                     raise raised[0]
-        except KeyboardInterrupt:
-            interrupted = True
+        except (KeyboardInterrupt, MemoryError) as stop:
+            if status is None:
+                raise
+            interrupted = stop
     finally:
         lib.FreeIpoptProblem(problem)
     return Solution.of(
@@ -357,7 +360,7 @@ def _solve(
 
 def _failed(nlp: Any, z: np.ndarray, status: int) -> Solution:
     none = np.zeros(nlp.size)
-    return Solution(z, np.zeros(nlp.rows), none, none, np.nan, status, (), False)
+    return Solution(z, np.zeros(nlp.rows), none, none, np.nan, status, (), None)
 
 
 def _set_option(lib: Any, problem: Any, name: str, value: Any) -> None:

@@ -12,7 +12,7 @@ import numpy as np
 import sympy as sm
 
 from pydy._checks import check_mapping, flag, listed, refuse_twice, shown
-from pydy._errors import AnalysisInterrupted, OptimizationError
+from pydy._errors import OptimizationError, finished_before
 from pydy._optional import progress_of
 from pydy.codegen.arguments import checked_expression
 from pydy.control.accuracy import relative_errors, warn_of_chatter
@@ -309,12 +309,14 @@ class Phases:
             program = replace(program, cost_size=nlp.cost_size)
             phases.append(problem._trajectory(one, program, begin, part))
         found = PhasedTrajectory(phases, solution)
-        if solution.interrupted:
-            raise AnalysisInterrupted(
+        if solution.interrupted is not None:
+            raise finished_before(
+                solution.interrupted,
+                "The latest iteration of the search for an optimal trajectory is",
                 "The search for an optimal trajectory was interrupted. Its latest iteration is in "
                 "the attribute `results` of this error.",
                 found,
-            )
+            ) from None
         if solution.status not in SOLVED:
             begun = [
                 (one, own, z, problem._controls)

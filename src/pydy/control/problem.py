@@ -12,7 +12,7 @@ import sympy as sm
 
 from pydy._assembly.specifieds import followed
 from pydy._checks import Places, check_mapping, choice, describe, flag, listed, number, shown, whole
-from pydy._errors import AnalysisInterrupted, OptimizationError, some
+from pydy._errors import OptimizationError, finished_before, some
 from pydy._names import unique_names
 from pydy._optional import progress_of
 from pydy._rank import DIGITS, rank
@@ -575,7 +575,8 @@ class OptimalControl:
         OptimizationError
             The search did not converge; the error holds the motion where it ended.
         AnalysisInterrupted
-            The user interrupted it; the error holds the motion of the latest iteration.
+            The user interrupted it; the error holds the motion of the latest iteration. So does a
+            MemoryError.
         ValueError
             What `check` raises.
         MissingDependencyError
@@ -678,12 +679,14 @@ class OptimalControl:
             warm = None
         solution: Solution = search(nlp, z, watch=watch, warm=warm)
         trajectory = self._trajectory(made, nlp, z, solution)
-        if solution.interrupted:
-            raise AnalysisInterrupted(
+        if solution.interrupted is not None:
+            raise finished_before(
+                solution.interrupted,
+                "The latest iteration of the search for an optimal trajectory is",
                 "The search for an optimal trajectory was interrupted. Its latest iteration is in "
                 "the attribute `results` of this error.",
                 trajectory,
-            )
+            ) from None
         if solution.status not in SOLVED:
             raise OptimizationError(
                 "The search for an optimal trajectory ended after "

@@ -131,16 +131,16 @@ def _by_package(
         {} if warm is None else dict(zip(("lagrange", "zl", "zu"), warm.seeds(nlp), strict=True))
     )
     told: Any = None
-    interrupted = False
+    interrupted: BaseException | None = None
     try:
         with interrupts:
             y, told = problem.solve(np.array(z / nlp.sizes), **start)
             if program.raised:
                 raise program.raised[0]
-    except KeyboardInterrupt:
+    except (KeyboardInterrupt, MemoryError) as stop:
         if told is None:  # the second in the solver's own code
             raise
-        interrupted = True
+        interrupted = stop
     except RuntimeError as error:  # POUNCE reads options as late as this
         if "OPTION" not in str(error):
             raise
