@@ -138,3 +138,16 @@ def test_a_list_in_itself_is_refused():
     value.append(value)
     with pytest.raises(ValueError, match="`x` must hold real numbers"):
         real_array(value, "`x`")
+
+
+def test_a_path_needs_the_current_folder_and_is_no_url(monkeypatch):
+    with pytest.raises(ValueError, match="`store` must be a path on this computer, got the URL"):
+        path_of("s3://bucket/store", "`store`")
+
+    def removed():
+        raise FileNotFoundError(2, "No such file or directory")
+
+    monkeypatch.setattr("os.getcwd", removed)
+    with pytest.raises(FileNotFoundError, match=r"`path` is 'a.c', relative .* that was removed"):
+        path_of("a.c", "`path`")
+    assert str(path_of("/a.c", "`path`"))

@@ -246,3 +246,12 @@ def test_the_module_runs_as_a_program():
     command = [sys.executable, "-m", "pydy", "demo", "--help"]
     done = subprocess.run(command, capture_output=True, text=True, check=True)
     assert done.stdout.startswith("usage: python -m pydy demo")
+
+
+def test_a_reader_that_goes_away_ends_run_without_a_traceback():
+    command = [sys.executable, "-m", "pydy", "run", "springs", "--points", "100000"]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
+        process.stdout.readline()
+        process.stdout.close()
+        assert process.stderr.read() == b""
+    assert process.returncode == 1

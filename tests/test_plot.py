@@ -93,6 +93,8 @@ def test_states_share_the_time_axis():
     assert axes[2].get_xlim() == (0.2, 0.4)
     with pytest.raises(ValueError, match="`axes` must be 3, one for each of coordinate, speed"):
         plot_states(trajectory, axes=axes[:2])
+    with pytest.raises(TypeError, match="`ax` is for one plot, but without `names`"):
+        trajectory.plot(ax=axes[0])
 
 
 def test_outputs_and_forces_are_drawn_without_residuals():

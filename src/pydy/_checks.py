@@ -234,7 +234,21 @@ def path_of(value: Any, what: str) -> Path:
         raise ValueError(
             f"{what} has a character that no file's name can have, got {value!a}."
         ) from None
-    return Path(os.fsdecode(value))
+    if "://" in os.fsdecode(value):
+        raise ValueError(
+            f"{what} must be a path on this computer, got the URL {value!r}. Copy what is there to "
+            "a file or folder, or a file or folder there afterwards."
+        )
+    path = Path(os.fsdecode(value))
+    if not path.is_absolute():
+        try:
+            os.getcwd()
+        except FileNotFoundError:
+            raise FileNotFoundError(
+                f"{what} is {str(path)!r}, relative to the current folder, but that was removed. "
+                "Give an absolute path, or go to another folder with `os.chdir`."
+            ) from None
+    return path
 
 
 def file_of(value: Any, what: str) -> Path:
@@ -364,7 +378,8 @@ class Places:
         """Return the keys of a dictionary that stand for none of the symbols."""
         if [*values] in (self._known[0], self._some[0]) or values.keys() <= self._place.keys():
             return []
-        return [key for key in values if self.get(key, argument) is None]
+        # A copy: another thread may add to the dictionary.
+        return [key for key in [*values] if self.get(key, argument) is None]
 
     def meaning(self, key: Any, argument: str) -> Any:
         """Return the symbol that a key stands for, or those in a tuple; other keys as they are."""

@@ -52,7 +52,8 @@ def folder_beside(target: Path) -> Iterator[Path]:
         folder.mkdir(mode=0o700)
         yield folder
     except OSError as error:
-        if str(folder) in str(error.filename):
+        # A full disk is told without a name.
+        if error.errno is not None and str(folder) in str(error.filename or folder):
             raise type(error)(error.errno, error.strerror, str(target)) from error
         raise
     finally:

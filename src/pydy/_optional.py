@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from importlib import import_module
@@ -19,6 +20,12 @@ def require(module: str, extra: str, purpose: str) -> Any:
         ) from error
 
 
+def bar_of(*rows: Any, **options: Any) -> Any:
+    """Return a bar of tqdm, which is silent where nothing can be shown, as under pythonw."""
+    made = require("tqdm.auto", "ensemble", "`progress=True`").tqdm
+    return made(*rows, **options, **({"disable": True} if sys.stderr is None else {}))
+
+
 @contextmanager
 def progress_of(wanted: bool, unit: str, total: int | None = None) -> Iterator[Callable[..., None]]:
     """Show a bar of tqdm, if wanted, until the block ends.
@@ -28,7 +35,7 @@ def progress_of(wanted: bool, unit: str, total: int | None = None) -> Iterator[C
     if not wanted:
         yield lambda number, **shown: None
         return
-    with require("tqdm.auto", "ensemble", "`progress=True`").tqdm(total=total, unit=unit) as bar:
+    with bar_of(total=total, unit=unit) as bar:
 
         def told(number: int, **shown: str) -> None:
             if shown:

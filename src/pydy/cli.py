@@ -7,6 +7,7 @@ that ``--help`` and ``--version`` answer at once.
 from __future__ import annotations
 
 import argparse
+import os
 import sys
 from collections.abc import Callable, Sequence
 from pathlib import Path
@@ -40,7 +41,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     Returns
     -------
     int
-        Zero, or 1 when a check of the demo or an integration failed.
+        Zero, or 1 when a check of the demo or an integration failed, or nobody reads the output.
 
     Raises
     ------
@@ -61,7 +62,14 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """
     options = _parser().parse_args(arguments)
     command: Callable[[argparse.Namespace], int] = options.command
-    return command(options)
+    try:
+        result = command(options)
+        sys.stdout.flush()
+    except BrokenPipeError:
+        # Who read the output wants no more of it; Python would flush the rest at exit.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 1
+    return result
 
 
 def _parser() -> argparse.ArgumentParser:

@@ -628,6 +628,11 @@ class Trajectory:
         from pydy.plot import plot_quantities, plot_states
 
         if names is None:
+            if "ax" in options:
+                raise TypeError(
+                    "`ax` is for one plot, but without `names` there is one for each kind of "
+                    "state: give `names`, or `axes`, a sequence of Matplotlib Axes."
+                )
             return plot_states(self, **options)
         return plot_quantities(self, names, **options)
 

@@ -58,6 +58,8 @@ def test_phases_are_swept_through_constants():
         phases.sweep({e: [1.0]})
     with pytest.raises(ValueError, match="`values` gives `m` more than once"):
         phases.sweep({m: [2.0], "m": [3.0]})
+    with pytest.raises(ValueError, match=r"`links\[0\]\[v\(t\)\]` is True, but a link is"):
+        OptimalControl.phases([there, back], [{v: sm.true}])
     with pytest.raises(ValueError, match=r"`links\[0\]` gives `v\(t\)` more than once"):
         OptimalControl.phases([there, back], [{v: -v, "v": v}])
     free = OptimalControl(system, effort, 1.0, end={x: 1.0}, free=[m], bounds={m: (1, 2)})

@@ -220,7 +220,7 @@ def test_a_store_that_another_process_made_meanwhile_stays(system, tmp_path, mon
         (path / "results").write_text("of another process")
 
     monkeypatch.setattr(stores, "write_coordinates", raced)
-    with pytest.raises(OSError, match=r"s\.zarr"):
+    with pytest.raises(ValueError, match=r"another process has made '.*s\.zarr' meanwhile\. Pass"):
         run(system, path)
     assert (path / "results").read_text() == "of another process"
 
@@ -303,3 +303,26 @@ def test_an_array_that_is_lost_is_named(store, name):
     shutil.rmtree(path / name)
     with pytest.raises(ValueError, match=f"has lost its array `{name}`"):
         go_on()
+
+
+# -- what keeps a store from being written --------------------------------------------------------
+
+
+def test_a_full_disk_names_the_store(system, tmp_path, monkeypatch):
+    def full(*_):
+        raise OSError(28, "No space left on device")
+
+    path = tmp_path / "s.zarr"
+    run(system, path)
+    (path / "status/c/1").unlink()
+    monkeypatch.setattr(zarr.Array, "__setitem__", full)
+    with pytest.raises(OSError, match=r"No space left on device: '.*s.zarr'"):
+        run(system, path, resume=True)
+
+
+def test_letters_that_the_locale_lacks_are_told(system, tmp_path, monkeypatch):
+    encode = os.fsencode
+    monkeypatch.setattr("os.fsencode", lambda name: str(encode(name), "utf-8").encode("ascii"))
+    system.outputs = {"θ": system.coordinates[0]}
+    with pytest.raises(ValueError, match=r"a file of the name '\\u03b8', .* PYTHONUTF8=1"):
+        run(system, tmp_path / "s.zarr")

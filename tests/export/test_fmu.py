@@ -287,6 +287,12 @@ def test_a_compiler_is_named_as_the_system_names_programs(platform, named, words
     assert compiler() == words
 
 
+def test_a_quotation_without_an_end_is_told(monkeypatch):
+    monkeypatch.setenv("CC", 'gcc "-O2')
+    with pytest.raises(GeneratorError, match="CC is 'gcc \"-O2', in which a quotation has no end"):
+        compiler()
+
+
 def test_a_compiler_may_lie_in_a_folder_whose_name_has_blanks(tmp_path, monkeypatch):
     folder = tmp_path / "Zoë's tools"
     folder.mkdir()

@@ -309,3 +309,10 @@ def test_without_tqdm_the_bar_says_what_to_install(monkeypatch):
     monkeypatch.setitem(sys.modules, "tqdm.auto", None)
     with pytest.raises(MissingDependencyError, match="pip install tqdm, or pass progress=False"):
         dop853(lambda x, t: -x, [1.0], [0.0, 2.0], progress=True)
+
+
+def test_without_a_terminal_there_is_no_bar(monkeypatch):
+    pytest.importorskip("tqdm")
+    monkeypatch.setattr("sys.stderr", None)
+    states = dop853(lambda x, t: -x, [1.0], [0.0, 2.0], progress=True)
+    assert abs(states[-1, 0] - np.exp(-2.0)) < 1e-6

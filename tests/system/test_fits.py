@@ -350,7 +350,7 @@ def bad(**more):
     return Trial(**given)
 
 
-K, F = sm.Symbol("k"), me.dynamicsymbols("f")
+K, F, X0 = sm.Symbol("k"), me.dynamicsymbols("f"), me.dynamicsymbols("x0")
 COLLOCATED = {"method": "collocation"}
 
 
@@ -369,6 +369,7 @@ COLLOCATED = {"method": "collocation"}
         (["k0"], bad(measured={"bogus": swing()}), {}, "measured of trial 0` has the key `bogus`"),
         (["k0"], bad(measured={2 * K: swing()}), {}, r"`measured\[2\*k\]` .* holds `k`, but no"),
         (["k0"], bad(measured={F * K: swing()}), {}, r"holds `(k|f\(t\))`, but no argument"),
+        (["k0"], bad(measured={sm.sqrt(X0 - 9): swing()}), {}, r"has no finite value .*nan"),
         (["k0"], bad(measured={}), {}, "at least one quantity"),
         (["k0"], bad(measured={"x0": swing() + np.inf}), {}, "NaN where a sample is missing"),
         (["k0"], bad(measured={"x0": swing() + np.nan}), {}, "one sample that is not NaN"),

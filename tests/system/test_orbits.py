@@ -338,6 +338,7 @@ def test_where_there_is_no_orbit_what_is_left_is_told():
     ("call", "message"),
     [
         (lambda s: s.find_periodic_orbit(-1.0), "`period` must be positive"),
+        (lambda s: s.find_periodic_orbit(5e-324), "`period` must be long enough for 201 times"),
         (lambda s: s.find_periodic_orbit("long"), "`period`"),
         (lambda s: s.find_periodic_orbit(1.0, until="strike"), "`until` must be a pydy.solvers.Ev"),
         (lambda s: s.find_periodic_orbit(1.0, moving=["bogus"]), "bogus"),

@@ -246,8 +246,11 @@ class _Fit:
             )
         return ride, columns, skip
 
-    def evaluate(self, z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Return residuals of all trials, then gaps, and their derivatives."""
+    def evaluate(self, z: np.ndarray, *, first: bool = False) -> tuple[np.ndarray, np.ndarray]:
+        """Return residuals of all trials, then gaps, and their derivatives.
+
+        At the `first` place of a search all must be finite.
+        """
         values, slopes, gaps = [], [], []
         for k, d in enumerate(self.data):
             for j, part in enumerate(self.parts[k]):
@@ -260,6 +263,15 @@ class _Fit:
                 J = np.zeros((*model.shape, len(z)))
                 for q, key in enumerate(d.keys):
                     J[:, q, columns] = ride.sensitivity[key][run] / noise[:, q, None]
+                sound = np.isfinite(missed) & np.isfinite(J).all(axis=2)
+                if first and (there & ~sound).any():
+                    at, q = np.argwhere(there & ~sound)[0].tolist()
+                    raise ValueError(
+                        f"`measured[{d.names[q]}]` of {d.label} has no finite value or "
+                        "derivatives in the motion that the search begins with: at t = "
+                        f"{d.times[part.first + at]:g} it is {model[at, q]:g}. Begin with other "
+                        "constants or initial conditions, or measure another expression."
+                    )
                 values.append(missed[there])
                 slopes.append(J[there])
                 gaps.append(np.zeros(len(values[-1]), dtype=bool))
@@ -696,7 +708,7 @@ class Fitting(Setup):
             nonlocal count
             count += 1
             try:
-                values, slopes = work.evaluate(z)
+                values, slopes = work.evaluate(z, first=count == 1)
                 if count == 1 and work.measure():
                     values, slopes = work.evaluate(z)
             except (IntegrationError, SingularMatrixError):

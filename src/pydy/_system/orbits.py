@@ -106,6 +106,11 @@ class Orbits(Simulation, Evaluation):
         guess = number(period, "`period`", finite=True)
         if not guess > 0.0:
             raise ValueError(f"`period` must be positive, got {guess!r}.")
+        if not now.t + guess / _SAMPLES > now.t:
+            raise ValueError(
+                f"`period` must be long enough for {_SAMPLES} times from {now.t:g} on that differ "
+                f"as floats, got {guess!r}."
+            )
         if until is not None and not isinstance(until, Event):
             raise TypeError(f"`until` must be a pydy.solvers.Event, got {type(until).__name__}.")
         definition = now.definition

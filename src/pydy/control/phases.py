@@ -398,7 +398,7 @@ def _checked(what: str, link: Any, before: Any, after: Any) -> dict[Any, Any]:
             if a not in known and (a.is_Symbol or a.is_Derivative or isinstance(
                 a, sm.core.function.AppliedUndef)) and a != definition.equations.time
         ]  # fmt: skip
-        if strange or expression.has(sm.Derivative):
+        if strange or expression.has(sm.Derivative) or not isinstance(expression, sm.Expr):
             raise ValueError(
                 f"`{what}[{key}]` is {shown(value)}, but a link is an expression of the states of "
                 "the phase before, at its end, and of constants."

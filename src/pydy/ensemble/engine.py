@@ -16,7 +16,7 @@ import numpy as np
 from pydy._checks import path_of
 from pydy._errors import EnsembleInterrupted, note_finished, warn_user
 from pydy._forks import cached_property
-from pydy._optional import require
+from pydy._optional import bar_of, require
 from pydy._processes import LOOK
 from pydy.ensemble import store as stores
 from pydy.ensemble.identity import UnidentifiedError
@@ -181,9 +181,8 @@ class Ensemble:
     def _bar(self, blocks: Iterable[Block]) -> Any:
         if not self.progress:
             return None
-        tqdm = require("tqdm.auto", "ensemble", "`progress=True`").tqdm
         total = sum(prod(s.stop - s.start for s in block) for block in blocks)
-        return tqdm(total=total, unit=" samples")
+        return bar_of(total=total, unit=" samples")
 
     # -- lazily -------------------------------------------------------------------------------
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import os
 import re
+import sys
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from threading import Lock
@@ -177,6 +178,15 @@ def create(
     """
     zarr = require("zarr", "ensemble", "`store`")
     files = file_names(map(str, (*example.variables, *example.dims)))
+    for file in files.values():
+        try:
+            os.fsencode(file)
+        except UnicodeEncodeError:
+            raise ValueError(
+                f"`store` needs a file of the name {file!a}, which the encoding "
+                f"{sys.getfilesystemencoding()!r} of this locale has no letters for. Start Python "
+                "with the environment variable PYTHONUTF8=1, or give the output another name."
+            ) from None
     about = {
         _TOKEN: token,
         _VARIABLES: list(map(str, example.data_vars)),
@@ -204,7 +214,15 @@ def create(
         coordinates = " ".join(files[name] for name in samples.coordinates)
         group.attrs.update({**example.attrs, "coordinates": coordinates})
         write_coordinates(str(aside), samples, example.coords.get("time"))
-        os.rename(aside, target)  # refused where another process was first
+        try:
+            os.rename(aside, target)
+        except OSError:
+            if not target.exists():
+                raise
+            raise ValueError(
+                f"`store` must be a new path, but another process has made '{path}' meanwhile. "
+                "Pass resume=True in both, or another path in one of them."
+            ) from None
 
 
 def opened(path: str, chunks: Any) -> Any:
@@ -307,7 +325,11 @@ def write(path: str, block: Block, found: Mapping[str, Variable]) -> None:
 
     forms = {name: form(a) for name, a in arrays.items()}
     check_forms(found, forms, block)
-    for name, variable in found.items():
-        if name != "status":
+    rest = [(name, v) for name, v in found.items() if name != "status"]
+    try:
+        for name, variable in (*rest, ("status", found["status"])):
             arrays[name][block] = variable.values
-    arrays["status"][block] = found["status"].values
+    except OSError as error:
+        if error.filename is None and error.errno is not None:  # a full disk is told without a name
+            raise type(error)(error.errno, error.strerror, path) from error
+        raise

@@ -156,9 +156,15 @@ def _words(command: str) -> list[str]:
     """Split a command, unless it is the path of a program, in whose folders there may be blanks."""
     if shutil.which(command):
         return [command]
-    if sys.platform != "win32":
-        return shlex.split(command)
-    return [word.strip('"') for word in shlex.split(command, posix=False)]  # keeps backslashes
+    posix = sys.platform != "win32"
+    try:
+        words = shlex.split(command, posix=posix)
+    except ValueError:
+        raise GeneratorError(
+            f"The environment variable CC is {command!r}, in which a quotation has no end. Close "
+            "it, or unset CC."
+        ) from None
+    return words if posix else [word.strip('"') for word in words]  # keeps backslashes
 
 
 def _library(sources: dict[str, str], fmi: str, suffix: str) -> bytes:

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from pydy._files import replacing
-from pydy._optional import require
+from pydy._optional import bar_of, require
 from pydy.viz.animation import Animation, Framing, Item, Look, frame
 from pydy.viz.shapes import Circle, Line, Mesh, Plane, Trace
 from pydy.viz.surfaces import Surface, surface
@@ -288,7 +288,7 @@ def save(
     drawing = _Drawing(animation, shown, seen, axes, look.title, make_triangles(axes))
     rows: Iterable[int] = range(count)
     if progress:
-        rows = require("tqdm.auto", "ensemble", "`progress=True`").tqdm(rows)
+        rows = bar_of(rows)
     with replacing(path) as (place,):
         (save_gif if suffix == ".gif" else save_mp4)(drawing, rows, place, fps)
 

@@ -28,6 +28,7 @@ from pydy._errors import (
 )
 from pydy._interrupts import Interrupts
 from pydy._kernel import Kernel, KernelCall
+from pydy._optional import bar_of
 from pydy.solvers.events import CompiledEvents, crowd, forcing_time
 from pydy.solvers.options import Options
 from pydy.solvers.outcome import (
@@ -74,14 +75,13 @@ def first_budget(method: str, call: KernelCall | None, calls_python: bool) -> in
 
 def progress_bar(name: str, span: float, start: float) -> Any:
     """Return a bar of tqdm over the simulated time, from `start` on."""
+    layout = "{l_bar}{bar}| {n:.3g}/{total:.3g} s [{elapsed}<{remaining}]"
     try:
-        from tqdm.auto import tqdm
+        bar = bar_of(total=span, desc=name, bar_format=layout)
     except ImportError:
         raise MissingDependencyError(
             "`progress=True` needs tqdm: pip install tqdm, or pass progress=False."
         ) from None
-    layout = "{l_bar}{bar}| {n:.3g}/{total:.3g} s [{elapsed}<{remaining}]"
-    bar = tqdm(total=span, desc=name, bar_format=layout)
     bar.start = start
     return bar
 
