@@ -66,16 +66,17 @@ def equilibrated(
     and the columns (..., 1, k).
     """
     sizes = np.abs(matrix)
-    rows = or_one(sizes.max(axis=-1, keepdims=True, initial=0.0))
-    sizes = sizes / rows
-    sizes[sizes <= ROUNDED] = 0.0
-    columns = np.ones((*sizes.shape[:-2], 1, sizes.shape[-1]))
-    for _ in range(_EXACT if exact else _SWEEPS):
-        tall = np.sqrt(or_one(sizes.max(axis=-2, keepdims=True, initial=0.0)))
-        wide = np.sqrt(or_one(sizes.max(axis=-1, keepdims=True, initial=0.0)))
-        sizes = sizes / (tall * wide)
-        columns, rows = columns / tall, rows * wide
-    return matrix * columns / rows, rows, columns
+    with np.errstate(invalid="ignore"):  # NaN where entries are not finite
+        rows = or_one(sizes.max(axis=-1, keepdims=True, initial=0.0))
+        sizes = sizes / rows
+        sizes[sizes <= ROUNDED] = 0.0
+        columns = np.ones((*sizes.shape[:-2], 1, sizes.shape[-1]))
+        for _ in range(_EXACT if exact else _SWEEPS):
+            tall = np.sqrt(or_one(sizes.max(axis=-2, keepdims=True, initial=0.0)))
+            wide = np.sqrt(or_one(sizes.max(axis=-1, keepdims=True, initial=0.0)))
+            sizes = sizes / (tall * wide)
+            columns, rows = columns / tall, rows * wide
+        return matrix * columns / rows, rows, columns
 
 
 def rank(matrix: np.ndarray, least: float = DEPENDENT) -> int:

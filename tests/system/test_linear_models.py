@@ -382,3 +382,31 @@ def test_feedback_is_differentiated_where_a_state_is_zero_but_for_rounding(start
     system = multi_mass_spring_damper(apply_external_forces=True)
     system.specifieds = {"f0": lambda x, t: 3.0 - 100.0 * x[0]}
     assert system.linearize({"x0": start}).A[1, 0] == pytest.approx(-101.0, rel=1e-7)
+
+
+@pytest.mark.parametrize(
+    "constraints",
+    [
+        {},
+        {"holonomic_constraints": lambda p, q: p - sm.sqrt(q)},
+        {"velocity_constraints": lambda p, q: p.diff() - q.diff() / p},
+    ],
+)
+@pytest.mark.parametrize("function", [False, True])
+def test_what_is_not_finite_is_an_error_and_no_warning_of_numpy(constraints, function):
+    p, q, force = me.dynamicsymbols("p q F")
+    N, O = me.ReferenceFrame("N"), me.Point("O")
+    O.set_vel(N, 0)
+    P = O.locatenew("P", p * N.x + q * N.y)
+    row = {kind: [of(p, q)] for kind, of in constraints.items()}
+    load = (P, (force + 1 / p) * N.x + N.y / q)
+    system = System(Definition(N, [p, q], bodies=[me.Particle("b", P, 1)], loads=[load], **row))
+    system.outputs = {"y": 1 / p}
+    if function:
+        system.specifieds = {force: lambda x, t: -x[0]}
+    for outputs in (None, ["y"]):
+        with pytest.raises(ValueError, match=r"not finite|cannot be solved"):
+            system.linearize(outputs=outputs)
+    if not function:
+        with pytest.raises(ValueError, match=r"not finite|cannot be solved"):
+            system.eigenvalues({force: [0.0, 1.0]}, at=np.zeros(4))

@@ -78,7 +78,8 @@ def _outputs(
         by_state = np.concatenate([by_state, slopes("outputs")], axis=1)
         inputs = value(made.compiled_jacobian("outputs", "r"), s) if s else np.zeros((m, width, 0))
         by_input = np.concatenate([by_input, inputs], axis=1)
-    C = by_state[:, places] @ T
+    with np.errstate(all="ignore"):  # what is not finite is told
+        C = by_state[:, places] @ T
     D = by_input[:, places][:, :, columns]
     titles = unique_names([*definition.states, *definition.outputs_symbols])
     return C, D, tuple(titles[place] for place in places)
@@ -157,7 +158,7 @@ class LinearModels(Setup):
         T, free = point.tangents()
         if definition.equations.constrained:
             _warn_of_violations(point)
-        A = (slopes("rates") @ T)[:, free]
+        A = point.along("rates", T)[:, free]
         symbols = definition.specifieds if inputs is None else listed("inputs", inputs)
         columns = places["specifieds"].columns(symbols, "inputs").tolist()
         by_input = np.zeros((len(x), n, s))

@@ -155,8 +155,17 @@ class Point(At):
         if not self.through.any():
             return direct
         by_input = self.value(self.model.compiled_jacobian(block, "r"), self.r.shape[1])
-        whole: np.ndarray = direct + by_input @ self.through
+        through = self.through
+        with np.errstate(all="ignore"):
+            whole: np.ndarray = direct + by_input @ through
         return whole
+
+    def along(self, block: str, T: np.ndarray) -> np.ndarray:
+        """Return the derivatives of a block along columns T; who asks tells what is not finite."""
+        slopes = self.slopes(block)
+        with np.errstate(all="ignore"):
+            moved: np.ndarray = slopes @ T
+        return moved
 
     @property
     def blocks(self) -> list[str]:
@@ -179,8 +188,9 @@ class Point(At):
         T = np.broadcast_to(np.eye(n)[:, :moving], (len(self.x), n, moving))
         for block in self.blocks:
             gradient = self.slopes(block)
-            rows, columns = self._units(block, gradient, kinds[block])
-            moved, units = gradient / rows @ T, columns[:, free]
+            with np.errstate(all="ignore"):
+                rows, columns = self._units(block, gradient, kinds[block])
+                moved, units = gradient / rows @ T, columns[:, free]
             own = np.flatnonzero(np.isin(free, kinds[block]))
             named = np.flatnonzero(np.isin(free[own], chosen))
             scaled = moved[0][:, own] * units[0, own]

@@ -114,7 +114,7 @@ class Family:
         balance = self.balance
         point = balance.at(z)
         T, free = point.tangents()
-        A = (point.slopes("rates") @ T)[:, free]
+        A = point.along("rates", T)[:, free]
         sound = np.isfinite(A.reshape(len(A), -1)).all(axis=1)
         if not sound.all():
             raise ValueError(
