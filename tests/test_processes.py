@@ -3,6 +3,7 @@
 import signal
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 
@@ -17,7 +18,7 @@ def pythons_own_handler():
 
 
 @pytest.mark.parametrize("when", ["as it starts", "while it works"])
-def test_a_ctrl_c_ends_the_process(monkeypatch, when):
+def test_a_ctrl_c_ends_the_process(monkeypatch, tmp_path, when):
     known = []
 
     class Popen(subprocess.Popen):
@@ -30,7 +31,7 @@ def test_a_ctrl_c_ends_the_process(monkeypatch, when):
     monkeypatch.setattr(subprocess, "Popen", Popen)
 
     def work():
-        with started([sys.executable, "-c", "import time; time.sleep(600)"]):
+        with started([sys.executable, "-c", "import time; time.sleep(600)"], tmp_path):
             signal.raise_signal(signal.SIGINT)
 
     with pytest.raises(KeyboardInterrupt):
@@ -39,8 +40,15 @@ def test_a_ctrl_c_ends_the_process(monkeypatch, when):
     assert known[0].stdout.closed
 
 
-def test_the_output_of_a_process_that_takes_its_time_is_whole():
+def test_the_output_of_a_process_that_takes_its_time_is_whole(tmp_path):
     code = "import sys, time; print(1); sys.stdout.flush(); time.sleep(0.3); print(2)"
-    with started([sys.executable, "-c", code]) as process:
+    with started([sys.executable, "-c", code], tmp_path) as process:
         assert output_of(process).split() == ["1", "2"]
     assert process.returncode == 0
+
+
+def test_temporary_files_of_a_command_are_in_its_folder(tmp_path):
+    """A compiler that is killed leaves its own behind, which go with the folder."""
+    command = [sys.executable, "-c", "import tempfile; print(tempfile.gettempdir())"]
+    with started(command, tmp_path) as process:
+        assert Path(output_of(process).strip()) == tmp_path

@@ -41,27 +41,36 @@ def replacing(*paths: Path) -> Iterator[list[Path]]:
 
 
 @contextlib.contextmanager
-def folder_beside(target: Path) -> Iterator[Path]:
-    """Yield a new folder beside a file, of which errors do not speak: they name the file.
+def temporary_folder(start: Path) -> Iterator[Path]:
+    """Yield a new folder whose path begins like that; it is removed in the end.
 
-    It is removed in the end. Its name is known before it is there, and an interrupt while it is
-    removed is heeded afterwards: `tempfile.TemporaryDirectory` leaves it behind in both cases.
+    Its name is known before it is there, and an interrupt while it is removed is heeded afterwards:
+    `tempfile.TemporaryDirectory` leaves it behind in both cases.
     """
-    folder = target.parent / f".pydy-{secrets.token_hex(8)}"
+    folder = start.with_name(f"{start.name}{secrets.token_hex(8)}")
     try:
         folder.mkdir(mode=0o700)
         yield folder
-    except OSError as error:
-        # A full disk is told without a name.
-        if error.errno is not None and str(folder) in str(error.filename or folder):
-            raise type(error)(error.errno, error.strerror, str(target)) from error
-        raise
     finally:
         try:
             shutil.rmtree(folder, ignore_errors=True)
         except BaseException:
             shutil.rmtree(folder, ignore_errors=True)
             raise
+
+
+@contextlib.contextmanager
+def folder_beside(target: Path) -> Iterator[Path]:
+    """Yield a temporary folder beside a file, of which errors do not speak: they name the file."""
+    start = target.parent / ".pydy-"
+    try:
+        with temporary_folder(start) as folder:
+            yield folder
+    except OSError as error:
+        # A full disk is told without a name.
+        if error.errno is not None and str(start) in str(error.filename or start):
+            raise type(error)(error.errno, error.strerror, str(target)) from error
+        raise
 
 
 def write_files(contents: dict[Path, Any]) -> None:

@@ -6,8 +6,9 @@ import contextlib
 import os
 import signal
 import subprocess
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from functools import partial
+from pathlib import Path
 from typing import Any
 
 from pydy._interrupts import Interrupts
@@ -17,11 +18,15 @@ LOOK = 0.1
 
 
 @contextlib.contextmanager
-def started(command: list[str], **options: Any) -> Iterator[subprocess.Popen[str]]:
-    """Run a command; what it writes, errors included, is the text of its `stdout`.
+def started(
+    command: list[str], cwd: Path, env: Mapping[str, str] | None = None, **options: Any
+) -> Iterator[subprocess.Popen[str]]:
+    """Run a command in a folder; what it writes, errors included, is the text of its `stdout`.
 
-    It has a group of its own: a compiler's driver that is killed leaves the compiler at work.
+    It has a group of its own: a compiler's driver that is killed leaves the compiler at work. Its
+    temporary files are in the folder, where those of a compiler that was killed go with the rest.
     """
+    temporary = dict.fromkeys(("TMPDIR", "TMP", "TEMP"), str(cwd))
     with contextlib.ExitStack() as stack:
         with Interrupts():  # a Ctrl-C within Popen would leave a process that nobody knows
             process = stack.enter_context(
@@ -32,6 +37,8 @@ def started(command: list[str], **options: Any) -> Iterator[subprocess.Popen[str
                     stderr=subprocess.STDOUT,  # compilers differ in where they write their errors
                     errors="replace",
                     start_new_session=True,
+                    cwd=cwd,
+                    env={**(os.environ if env is None else env), **temporary},
                     **options,
                 )
             )

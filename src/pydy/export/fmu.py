@@ -23,7 +23,7 @@ from xml.sax.saxutils import quoteattr
 
 from pydy._backends.c.source import HELPERS
 from pydy._errors import GeneratorError
-from pydy._files import replacing
+from pydy._files import replacing, temporary_folder
 from pydy._processes import output_of, started
 from pydy._version import __version__
 from pydy.export.c import c_header, c_literal, c_model_source, c_string
@@ -169,9 +169,9 @@ def _words(command: str) -> list[str]:
 
 def _library(sources: dict[str, str], fmi: str, suffix: str) -> bytes:
     command = compiler()
-    with tempfile.TemporaryDirectory(prefix="pydy_fmu_") as folder:
+    with temporary_folder(Path(tempfile.gettempdir(), "pydy_fmu_")) as folder:
         for name, text in sources.items():
-            Path(folder, name).write_text(text, encoding="utf-8")
+            (folder / name).write_text(text, encoding="utf-8")
         result = f"model{suffix}"
         if Path(command[0]).stem.lower() in ("cl", "clang-cl"):
             command += ["/nologo", "/O2", "/LD", "all.c", f"/Fe{result}"]
@@ -189,7 +189,7 @@ def _library(sources: dict[str, str], fmi: str, suffix: str) -> bytes:
         if process.returncode:
             tail = said[-2000:]
             raise GeneratorError(f"The C compiler {command[0]!r} failed on the FMU:\n{tail}")
-        return Path(folder, result).read_bytes()
+        return (folder / result).read_bytes()
 
 
 def _platform(fmi: str) -> tuple[str, str]:

@@ -302,3 +302,15 @@ def test_no_code_is_loaded_from_where_others_can_write(tmp_path):
 def test_the_folder_of_a_build_is_the_users_alone(tmp_path):
     _, directory = CythonBackend(tmp_dir=tmp_path)._reserve("digest")
     assert stat.S_IMODE(directory.stat().st_mode) == 0o700
+
+
+@pytest.mark.parametrize("own", [False, True])
+def test_an_interrupted_build_leaves_no_folder(own, tmp_path, monkeypatch):
+    def pressed(*_):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
+    monkeypatch.setattr("pydy._backends.c.cython_._build", pressed)
+    with pytest.raises(KeyboardInterrupt):
+        CythonBackend(tmp_dir=tmp_path if own else None).compile(everything())
+    assert list(tmp_path.iterdir()) == []

@@ -28,6 +28,7 @@ from pydy._backends.registry import compile_program
 from pydy._cache_folder import unsafe
 from pydy._errors import GeneratorError, MissingDependencyError, PyDyUserWarning
 from pydy._graph.program import Program
+from pydy._interrupts import Interrupts
 from pydy._kernel import Kernel
 from pydy._names import printable
 from pydy._processes import started
@@ -84,16 +85,23 @@ class CythonBackend:
         the compiler's own words.
         """
         _require("Cython", "setuptools")
-        name, directory = self._reserve(program.digest)
-        (directory / f"{name}_equations.c").write_text(
-            c_source(program, static=True), encoding="ascii"
-        )
-        (directory / f"{name}.pyx").write_text(_WRAPPER.format(name=name), encoding="ascii")
-        _build(name, directory, self.options["verbose"])
-        module = _load(name, directory)
-        if self.options["tmp_dir"] is None:
-            # Windows keeps the file of a loaded module; its own cleaning takes what stays.
-            shutil.rmtree(directory, ignore_errors=True)
+        directory = None
+        try:
+            with Interrupts():  # a Ctrl-C within would leave a folder that nobody knows
+                name, directory = self._reserve(program.digest)
+            (directory / f"{name}_equations.c").write_text(
+                c_source(program, static=True), encoding="ascii"
+            )
+            (directory / f"{name}.pyx").write_text(_WRAPPER.format(name=name), encoding="ascii")
+            _build(name, directory, self.options["verbose"])
+            module = _load(name, directory)
+            if self.options["tmp_dir"] is None:
+                # Windows keeps the file of a loaded module; its own cleaning takes what stays.
+                shutil.rmtree(directory, ignore_errors=True)
+        except BaseException as error:
+            if directory is not None and not isinstance(error, GeneratorError):  # they name it
+                shutil.rmtree(directory, ignore_errors=True)
+            raise
         recipe = ("cython", self.options)
         entry = Entry()
         entry.replace(module.addresses(), module)
