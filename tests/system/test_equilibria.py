@@ -340,3 +340,16 @@ def test_carts_hang_and_what_falls_has_no_equilibrium_in_any_units(metre):
     system = System(two, constants={k: 1e6, m: 1e-3, g: 3.0 * metre})
     with pytest.raises(EquilibriumError, match="the derivative of w"):
         system.find_equilibrium()
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        lambda s: s.find_equilibrium(),
+        lambda s: s.eigenvalues({str(min(s.constants_symbols, key=str)): [0.5, 1.0]}),
+        lambda s: s.follow_equilibria({str(min(s.constants_symbols, key=str)): (0.5, 1.0)}),
+    ],
+)
+def test_numpys_error_state_is_the_users_own_affair(call):
+    with np.errstate(all="raise"):
+        assert call(System(zoo.chain().kane))

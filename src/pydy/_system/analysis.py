@@ -88,6 +88,7 @@ def _outputs(
 class LinearModels(Setup):
     """Linear models of small motions."""
 
+    @np.errstate(under="ignore")  # shares of sizes may be zero
     def linearize(
         self,
         at: Any = None,

@@ -613,6 +613,7 @@ def _bounds(
 class Equilibria(Setup):
     """States in which the system remains."""
 
+    @np.errstate(under="ignore")  # shares of sizes may be zero
     def find_equilibrium(
         self,
         unknowns: Iterable[Any] | None = None,

@@ -45,6 +45,7 @@ def _depends_on_time(now: Snapshot) -> bool:
 class Orbits(Simulation, Evaluation):
     """Periodic motions."""
 
+    @np.errstate(under="ignore")  # shares of sizes may be zero
     def find_periodic_orbit(
         self,
         period: float,

@@ -191,6 +191,7 @@ class _Found:
 class Sweeps(Setup):
     """Eigenvalues and equilibria along a parameter."""
 
+    @np.errstate(under="ignore")  # shares of sizes may be zero
     def eigenvalues(
         self,
         over: dict[Any, Any],
@@ -285,6 +286,7 @@ class Sweeps(Setup):
             ) from None
         return sweep
 
+    @np.errstate(under="ignore")  # shares of sizes may be zero
     def follow_equilibria(
         self,
         over: dict[Any, Any],
