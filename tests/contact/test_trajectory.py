@@ -6,10 +6,14 @@ import pickle
 import numpy as np
 import pytest
 import sympy as sm
+import sympy.physics.mechanics as me
 
-from pydy.contact import Contacts, Stick
+from cases import close
+from pydy import System
+from pydy.contact import Contacts, Stick, Unilateral
+from pydy.mechanics import Definition
 from pydy.trajectory import Trajectory
-from touching import N, ball, billiard_ball, m, vy, y
+from touching import N, O, ball, billiard_ball, m, vy, y
 
 TIMES = np.linspace(0.0, 0.9, 40)
 
@@ -71,3 +75,37 @@ def test_constants_do_not_become_quantities_of_contacts(name):
     )
     with pytest.raises(ValueError, match=rf"the name `{name}`, which `contacts` need"):
         Contacts(moved, [floor])
+
+
+@pytest.mark.parametrize("kind", [KeyboardInterrupt, RuntimeError, MemoryError])
+def test_what_stops_a_motion_hands_over_what_was_computed(kind):
+    """In the second flight of a ball that bounces, where a specified raises."""
+    height, speed, push = me.dynamicsymbols("height speed push")
+    P = O.locatenew("P", height * N.y)
+    P.set_vel(N, speed * N.y)
+
+    def raising(state, t):
+        if t > 0.7:
+            raise kind("stop")
+        return 0.0
+
+    system = System(
+        Definition(
+            N, [height], [speed], bodies=[me.Particle("P", P, 1)], loads=[(P, (push - 10) * N.y)]
+        ),
+        ode_solver="dop853", initial_conditions={height: 1.0}, specifieds={push: raising},
+        times=np.linspace(0.0, 2.0, num=41),
+    )  # fmt: skip
+    with pytest.raises(kind) as caught:
+        Contacts(system, [Unilateral(height, restitution=0.8)]).simulate(max_step=0.05)
+    if kind is RuntimeError:  # it arrives as it was raised
+        assert str(caught.value) == "stop"
+        return
+    times, states = caught.value.times, caught.value.states
+    assert 9 <= len(times) <= 14
+    assert times[0] == 0.0
+    assert times[-1] <= 0.7
+    fall, rest = np.sqrt(0.2), times > np.sqrt(0.2)
+    flight = times[rest] - fall
+    close(states[~rest, 0], 1 - 5 * times[~rest] ** 2, 1e-6)
+    close(states[rest, 0], 8 * np.sqrt(0.2) * flight - 5 * flight**2, 1e-6)

@@ -9,7 +9,13 @@ from typing import Any
 import numpy as np
 
 from pydy._checks import real_array
-from pydy._errors import ContactError, IntegrationError, numbers_of
+from pydy._errors import (
+    ContactError,
+    IntegrationError,
+    IntegrationInterrupted,
+    note_finished,
+    numbers_of,
+)
 from pydy._rank import ROUNDED
 from pydy._system.sensitivities import Wanted
 from pydy._system.snapshot import Snapshot
@@ -33,13 +39,13 @@ from pydy.contact.decide import (
     within,
 )
 from pydy.contact.impacts import RISES, contradiction, newton, poisson
-from pydy.contact.modes import Mode, margin_symbol, output_symbols
+from pydy.contact.missed import missed
+from pydy.contact.modes import Mode
 from pydy.contact.rows import Numbers
 from pydy.contact.sensitivities import Carried
 from pydy.contact.trajectory import ContactTrajectory, Piece, Pieces, PieceSensitivities
 from pydy.contact.tuning import (
     BEGUN,
-    CHECKED,
     ERRORS,
     FIRST,
     INSTANT,
@@ -87,7 +93,7 @@ class Run:
         self.begun: tuple[str, ...] | None = None  # the modes at the start, if they are given
         self.kept, self.users, self.now, self.times = kept, users, now, times
         self.user_events, self.options = events, options
-        self._atol = real_array(options.get("atol", Options.atol), "`atol`")
+        self.atol = real_array(options.get("atol", Options.atol), "`atol`")
         self.rows, self.contacts = kept.rows, kept.contacts
         self.span = float(times[-1] - times[0])
         self.n = len(now.definition.states)
@@ -166,16 +172,16 @@ class Run:
     def fail(self, t: float, x: np.ndarray, why: str) -> ContactError:
         """Return an error with the state, the modes and the results so far."""
         state = numbers_of(self.now.definition.states, x)
+        results = self.so_far(t, x)
+        where = f"At t = {t!r} in the state {state}; the modes before were {results[-1]['modes']}."
+        return ContactError(f"{why} {where}", *results)
+
+    def so_far(self, t: float, x: np.ndarray) -> tuple[Any, ...]:
+        """Return the results up to a time and a state, as errors have them."""
         done = int((self.times < t).sum())
         modes = dict(zip([c.name for c in self.contacts], self.modes, strict=True))
-        return ContactError(
-            f"{why} At t = {t!r} in the state {state}; the modes before were {modes}.",
-            self.times[:done].copy(),
-            self.states[:done].copy(),
-            t,
-            x.copy(),
-            {"modes": modes, "events": list(self.records)},
-        )
+        info = {"modes": modes, "events": list(self.records)}
+        return self.times[:done].copy(), self.states[:done].copy(), t, x.copy(), info
 
     # -- the start --------------------------------------------------------------------------------
 
@@ -395,10 +401,10 @@ class Run:
                     state.resting.add(i)
         self.impacts.append((state.t, impulses, work))
 
-    def _unresolved(self, i: int) -> float:
+    def unresolved(self, i: int) -> float:
         """Return the sliding speed that is not told from zero by the tolerances of the solver."""
         rtol = float(np.min(self.options.get("rtol", Options.rtol)))
-        return ERRORS * (float(np.min(self._atol)) + rtol * self.quickest.get(i, 0.0))
+        return ERRORS * (float(np.min(self.atol)) + rtol * self.quickest.get(i, 0.0))
 
     def _is_low(self, i: int, speed: float, acceleration: float, p: Numbers, x: np.ndarray) -> bool:
         """Whether the rebounds that follow are all lower than the tolerance of the solver.
@@ -411,12 +417,12 @@ class Run:
         height = speed**2 / (2.0 * -acceleration)
         first = self.first_height.setdefault(i, height)
         rtol = float(np.min(real_array(self.options.get("rtol", Options.rtol), "`rtol`")))
-        return bool(height <= max(rtol * first, 2.0 * self._unresolved_gap(i, p, x)))
+        return bool(height <= max(rtol * first, 2.0 * self.unresolved_gap(i, p, x)))
 
-    def _unresolved_gap(self, i: int, p: Numbers, x: np.ndarray) -> float:
+    def unresolved_gap(self, i: int, p: Numbers, x: np.ndarray) -> float:
         """Return the gap that is not told from zero by the tolerances of the solver."""
         rtol = float(np.min(real_array(self.options.get("rtol", Options.rtol), "`rtol`")))
-        atol = np.broadcast_to(self._atol, self.n)[: self.first]
+        atol = np.broadcast_to(self.atol, self.n)[: self.first]
         return float(np.abs(p.gradient[i]) @ (atol + rtol * np.abs(x[: self.first])))
 
     # -- from transition to transition ------------------------------------------------------------
@@ -424,6 +430,28 @@ class Run:
     def trajectory(self) -> ContactTrajectory:
         """Simulate over all times."""
         state = self.begin()
+        try:
+            self._go_through(state)
+        except IntegrationInterrupted:
+            raise
+        except KeyboardInterrupt:
+            raise IntegrationInterrupted(
+                f"Contacts.simulate was interrupted at t = {state.t:.6g}. The results so far are "
+                "in the attributes of this error.",
+                *self.so_far(state.t, state.x),
+            ) from None
+        except MemoryError as error:
+            done = int(np.isfinite(self.states).all(axis=1).sum())
+            parts = {"times": self.times[:done].copy(), "states": self.states[:done].copy()}
+            if hasattr(error, "times"):  # of the last part
+                vars(error).update(parts)
+            else:
+                note_finished(error, "What was computed until then is", **parts)
+            raise
+        return self.result()
+
+    def _go_through(self, state: State) -> None:
+        """Go from mode to mode, until the end."""
         fixed: dict[int, str] = {}
         instants, transitions, ended = 0, 0, False
         excluded: set[tuple[str, ...]] = set()  # what is not possible at this instant
@@ -449,7 +477,6 @@ class Run:
                     state.t, state.x,
                     "Chattering: the contacts change their modes again and again without an end.",
                 )  # fmt: skip
-        return self.result()
 
     def run(self, state: State, solution: Solution) -> tuple[bool, list[tuple[str, int]]]:
         """Integrate in one mode; return whether that is the end, and what ended it otherwise."""
@@ -509,7 +536,15 @@ class Run:
             options["sensitivities"] = wanted
         try:
             part = system.simulate(events=[*events, *self.user_events], **options)
-        except IntegrationError as error:
+        except (IntegrationError, IntegrationInterrupted, MemoryError) as error:
+            states = getattr(error, "states", np.empty((0, self.n)))[1:, : self.n]
+            self.states[np.flatnonzero(later)[: len(states)]] = states
+            if isinstance(error, MemoryError):
+                raise
+            if isinstance(error, IntegrationInterrupted):
+                raise IntegrationInterrupted(
+                    str(error), *self.so_far(error.time, error.state[: self.n])
+                ) from None
             raise self.fail(
                 error.time, error.state[: self.n],
                 f"The integration stopped in the modes {', '.join(self.modes)}: {error}",
@@ -542,7 +577,7 @@ class Run:
         found.update(dict.fromkeys(self.rows.rising, 0.0))
         for i in state.rising:  # roundings of their speeds
             found[self.rows.rising[i]] = max(eps * float(p.slow[self.rows.normal[i]]), tiny)
-        atol = float(np.min(self._atol))
+        atol = float(np.min(self.atol))
         for i, symbols in self.rows.references.items():
             rows = self.rows.tangent[i]
             gained = float(np.linalg.norm(p.free[rows])) * self.span
@@ -584,7 +619,7 @@ class Run:
         stopped = told.get("code") == TERMINATED
         end = part.events[-1].time if stopped else float(self.times[-1])
         at_end = [r for r in part.events if stopped and r.time == end]
-        if broken := self.check(part, mode, end, at_end[-1].before if stopped else None):
+        if broken := missed(self, part, mode, end, at_end[-1].before if stopped else None):
             return False, broken
         if self.carried is not None:
             begun = {
@@ -624,62 +659,6 @@ class Run:
             return True, []
         return False, [kinds[r.index] for r in acting]
 
-    def check(
-        self, part: Any, mode: Mode, end: float, last: np.ndarray | None
-    ) -> list[tuple[str, int]]:
-        """Refuse a motion in which a transition was missed: no number that is wrong is returned.
-
-        Return what is violated from the start on: forces at their limits fit several modes there,
-        and only the motion tells which of them hold.
-        """
-        atol = float(np.max(self._atol))
-        symbols = output_symbols(self.contacts)
-        few = np.append(np.linspace(part.times[0], end, CHECKED), end)
-        few = np.unique(np.concatenate([few, part.times[part.times <= end]]))
-        states = part._dense(few)[:, : self.n]
-        if last is not None:  # the state that is kept there is the one after the event
-            states[-1] = last[: self.n]
-        model = part._model
-        table = model.outputs(few, np.ascontiguousarray(states))
-        names = list(model.definition.outputs_symbols)
-        broken = []
-        for i, c in enumerate(self.contacts):
-            looked: list[tuple[Any, float, str, str]] = []  # symbol, slack, kind, in words
-            own = mode.modes[i]
-            if own in SLIDES:
-                slack = self._unresolved(i) * self.sizes[i]
-                looked.append((symbols[i, "power"], slack, "", "power of friction"))
-            if own == STICKS:
-                slack = 2.0 * SLACK * self.sizes[i] ** 2
-                looked.append((margin_symbol(c), slack, "slips", "margin of friction, squared,"))
-            if c.unilateral is not None and own == OPEN:
-                looked.append((symbols[i, "gap"], atol, "", "gap"))
-            elif c.unilateral is not None:
-                slack = SLACK * self.sizes[i]
-                looked.append((symbols[i, "normal"], slack, "opens", "normal force"))
-            for symbol, slack, kind, words in looked:
-                values = table[:, names.index(symbol)] * (-1.0 if words[:5] == "power" else 1.0)
-                allowed = SLACK * np.abs(values).max(initial=0.0) + slack
-                below = values < -allowed
-                if below.any() and symbol is symbols.get((i, "gap")):
-                    # In large units the relative tolerance tells less of a gap than the other.
-                    worst = int(values.argmin())
-                    p = self.numbers(float(few[worst]), states[worst])
-                    below &= values < -self._unresolved_gap(i, p, states[worst])
-                if not below.any():
-                    continue
-                if kind and values[: below.argmax()].max(initial=-np.inf) <= allowed:
-                    broken.append((kind, i))
-                    continue
-                worst = int(values.argmin())
-                raise self.fail(
-                    float(few[worst]), states[worst],
-                    f"The {words} of {c.name!r} became {table[worst, names.index(symbol)]:.3g} "
-                    "between two transitions: the solver stepped over one. Limit the step with "
-                    "`max_step`.",
-                )  # fmt: skip
-        return broken
-
     def goes_on(self, state: State) -> bool:
         """Whether other forces of the same modes are within the cones, with a margin."""
         problem = self.problem(self.numbers(state.t, state.x), state)
@@ -717,7 +696,7 @@ class Run:
                         state.rising.discard(i)
                     if what and p.gap[i] <= near:
                         state.touching.add(i)
-                        if rows and np.linalg.norm(p.speed[rows]) <= self._unresolved(i):
+                        if rows and np.linalg.norm(p.speed[rows]) <= self.unresolved(i):
                             state.resting.add(i)  # not even its direction is known
                 elif what or (speed < 0.0 and p.gap[i] <= near - speed * resolved):
                     closing.add(i)
@@ -739,9 +718,9 @@ class Run:
                     fixed[i] = STARTING if len(rows) == 2 else one
             elif rows:
                 slow = np.linalg.norm(solution.rates[rows]) * resolved
-                if turning and np.linalg.norm(p.speed[rows]) <= self._unresolved(i):
+                if turning and np.linalg.norm(p.speed[rows]) <= self.unresolved(i):
                     what.add("stops")  # a body on several feet comes to rest on all of them at once
-                if mode == STARTING and np.linalg.norm(p.speed[rows]) > self._unresolved(i):
+                if mode == STARTING and np.linalg.norm(p.speed[rows]) > self.unresolved(i):
                     what.discard("stops")  # it has turned by a right angle
                 still = p.is_still(rows, p.speed[rows])
                 if "stops" in what or still or np.linalg.norm(p.speed[rows]) <= slow:

@@ -1,0 +1,70 @@
+"""What a motion with contacts is looked at for again: no number that is wrong is returned."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from pydy.contact.decide import OPEN, SLIDES, STICKS
+from pydy.contact.modes import Mode, margin_symbol, output_symbols
+from pydy.contact.tuning import CHECKED, SLACK
+
+
+def missed(
+    run: Any, part: Any, mode: Mode, end: float, last: np.ndarray | None
+) -> list[tuple[str, int]]:
+    """Refuse a part of a motion in which a transition was missed.
+
+    Return what is violated from the start on: forces at their limits fit several modes there,
+    and only the motion tells which of them hold.
+    """
+    atol = float(np.max(run.atol))
+    symbols = output_symbols(run.contacts)
+    few = np.append(np.linspace(part.times[0], end, CHECKED), end)
+    few = np.unique(np.concatenate([few, part.times[part.times <= end]]))
+    states = part._dense(few)[:, : run.n]
+    if last is not None:  # the state that is kept there is the one after the event
+        states[-1] = last[: run.n]
+    model = part._model
+    table = model.outputs(few, np.ascontiguousarray(states))
+    names = list(model.definition.outputs_symbols)
+    broken = []
+    for i, c in enumerate(run.contacts):
+        looked: list[tuple[Any, float, str, str]] = []  # symbol, slack, kind, in words
+        own = mode.modes[i]
+        if own in SLIDES:
+            slack = run.unresolved(i) * run.sizes[i]
+            looked.append((symbols[i, "power"], slack, "", "power of friction"))
+        if own == STICKS:
+            slack = 2.0 * SLACK * run.sizes[i] ** 2
+            looked.append((margin_symbol(c), slack, "slips", "margin of friction, squared,"))
+        if c.unilateral is not None and own == OPEN:
+            looked.append((symbols[i, "gap"], atol, "", "gap"))
+        elif c.unilateral is not None:
+            slack = SLACK * run.sizes[i]
+            looked.append((symbols[i, "normal"], slack, "opens", "normal force"))
+        for symbol, slack, kind, words in looked:
+            values = table[:, names.index(symbol)] * (-1.0 if words[:5] == "power" else 1.0)
+            allowed = SLACK * np.abs(values).max(initial=0.0) + slack
+            below = values < -allowed
+            if below.any() and symbol is symbols.get((i, "gap")):
+                # What the drift of a gap that was held has left is no motion of this part.
+                below &= values < values[0] - allowed
+                # In large units the relative tolerance tells less of a gap than the other.
+                worst = int(values.argmin())
+                p = run.numbers(float(few[worst]), states[worst])
+                below &= values < -run.unresolved_gap(i, p, states[worst])
+            if not below.any():
+                continue
+            if kind and values[: below.argmax()].max(initial=-np.inf) <= allowed:
+                broken.append((kind, i))
+                continue
+            worst = int(values.argmin())
+            raise run.fail(
+                float(few[worst]), states[worst],
+                f"The {words} of {c.name!r} became {table[worst, names.index(symbol)]:.3g} "
+                "between two transitions: the solver stepped over one. Limit the step with "
+                "`max_step`.",
+            )  # fmt: skip
+    return broken
