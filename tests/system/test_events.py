@@ -667,3 +667,53 @@ def test_a_jump_of_an_input_makes_an_event_happen_once(solver):
     x, info = run(system, [leap], **({"step": 5e-3} if solver == "rk4" else {"max_step": 0.05}))
     assert moments(info) == [0.3]
     close(x[-1, 1], 2.0 - 0.2 * (9.81 - 5.0 / 1.3), 1e-6)
+
+
+PLATEAU = sm.Piecewise((Z - 0.5, Z > 0.5), (0, Z > 0.45), (Z - 0.45, True))
+
+
+@pytest.mark.parametrize("solver", ["dop853", "radau", "rk4"])
+@pytest.mark.parametrize(
+    ("expression", "stretch"),
+    [
+        (sm.Max(0, Z), r"from t = 0\.5 to 2, at least"),  # after 0.4515 s
+        (sm.Max(0, -1e-9 * Z), r"from t = 0 to 0\.45, at least"),
+        (sm.Abs(V) + V, r"from t = 0 to 2, at least"),
+        (PLATEAU, r"at and beside t = 0\.3"),  # between two outputs, from 0.3193 to 0.3349 s
+    ],
+)
+def test_an_event_that_stays_at_zero_is_told(solver, expression, stretch):
+    with pytest.warns(PyDyUserWarning, match=f"the event `rests` is exactly zero {stretch}"):
+        run(ball(solver), [Event(Z - 0.1), Event(expression, name="rests")])
+
+
+def test_a_sampled_signal_that_stays_at_zero_is_told():
+    samples = SampledInput([0.0, 0.5, 1.0, 2.0], [0.0, 0.0, 1.0, -1.0])
+    system = ball(specifieds={PUSH: samples})
+    with pytest.warns(PyDyUserWarning, match=r"`push` is exactly zero from t = 0 to 0\.5"):
+        run(system, Event(PUSH, name="push"))
+    samples = SampledInput([0.0, 1.0, 2.0], [0.0, 1.0, -1.0])
+    run(ball(specifieds={PUSH: samples}), Event(PUSH, name="push"))
+
+
+def test_single_zeros_and_touches_are_no_stretches():
+    system = ball(initial_conditions={Z: 0.0, V: 1.0}, constants={M: 1.0, G: 0.0}, ode_solver="rk4")
+    system.times = np.linspace(0.0, 3.0, 4)  # Z is exactly 0, 1, 2 and 3
+    zeros = sm.Abs(Z * (Z - 1) * (Z - 2) * (Z - 3))
+    kinds = [
+        zeros,
+        sm.Max(zeros, -1),
+        sm.Abs(Z - 1),
+        sm.Min(Z - 1, 7),
+        sm.Max(sm.Min(Z - 2, 1), -1),
+    ]
+    system.integrate(events=[Event(e, name=str(k)) for k, e in enumerate(kinds)], step=0.25)
+    still = ball(constants={M: 1.0, G: 0.0}, initial_conditions={Z: 0.0, V: 0.0})
+    run(still, Event(Z))  # the motion rests, and not the expression
+
+
+def test_what_is_zero_twice_but_not_between_is_no_stretch():
+    # Z = t (1 − t) + t/2 crosses t/2 at 0 and 1: their chords are the same.
+    system = ball(constants={M: 1.0, G: 2.0}, initial_conditions={Z: 0.0, V: 1.5})
+    system.times = np.array([0.0, 1.0, 2.0])
+    run(system, [Event(sm.Max(Z - T / 2, -9), name="line"), Event(sm.Abs(Z - T / 2), name="arc")])

@@ -293,6 +293,11 @@ def _leaf(args: Args, new: Mapping[int, int]) -> Args:
     return args
 
 
+FLAT = frozenset({"abs", "min", "max"}) | {
+    name for name, row in OPERATIONS.items() if row.partials is None and name != "neg"
+}
+"""The operations with which an expression may be constant on a stretch and move elsewhere."""
+
 # For each kind: its operands, in order, and its arguments with other operands.
 _STRUCTURES: dict[str, tuple[Callable[[Args], Nodes], Renamed]] = {
     "const": (lambda a: (), _leaf),

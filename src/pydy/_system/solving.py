@@ -13,6 +13,7 @@ from pydy._checks import Places, describe
 from pydy._graph.derivative import dense_jacobian, dense_rows, directional, jacobian
 from pydy._graph.lower import lower
 from pydy._graph.node import Graph
+from pydy._graph.operations import FLAT
 from pydy._graph.program import Program
 from pydy._graph.rounding import rounding_bounds
 from pydy._mechanics.equations import Equations
@@ -123,6 +124,10 @@ def compile_events(
         )
         if driven
         else None,
+        may_rest=tuple(
+            "r" in own or any(graph.ops[n] in FLAT for n in graph.reachable([node]))
+            for node, own in zip(nodes, groups, strict=True)
+        ),
     )
 
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping
 from dataclasses import replace
+from operator import itemgetter
 from time import perf_counter
 from types import MappingProxyType
 from typing import Any
@@ -29,7 +30,7 @@ from pydy._errors import (
 from pydy._interrupts import Interrupts
 from pydy._kernel import Kernel, KernelCall
 from pydy._optional import bar_of
-from pydy.solvers.events import CompiledEvents, crowd, forcing_time
+from pydy.solvers.events import CompiledEvents, crowd, forcing_time, stretches
 from pydy.solvers.options import Options
 from pydy.solvers.outcome import (
     EVENT_CONSTANT,
@@ -237,6 +238,9 @@ class Integration:
         if reached < self._number:
             rows[reached : self._number] = np.nan
         self._rows = _NO_ROWS
+        wanted = self.options.events
+        if wanted is not None and any(wanted.may_rest):
+            self._tell_stretches(wanted, rows[:reached])
         return rows[: self._number]
 
     # -- running ----------------------------------------------------------------------------------
@@ -461,6 +465,23 @@ class Integration:
             return False
         self._end(EVENTS_ACCUMULATE, event=crowded)
         return True
+
+    def _tell_stretches(self, wanted: CompiledEvents, rows: np.ndarray) -> None:
+        """Warn of events whose expressions stay at zero, where no sign tells the time."""
+        n, call = self.states, self.call
+        assert call is not None
+        points = [(float(t), x[:n], -1) for t, x in zip(self.progress.times, rows, strict=False)]
+        for record in self.records:
+            points += [(record.time, x, record.index) for x in (record.before, record.after)]
+        points.sort(key=itemgetter(0))  # a state at the same time stays where it is
+        for k, (first, last) in stretches(call, wanted, points).items():
+            when = f"at and beside t = {first:.6g}" if first == last else (
+                f"from t = {first:.6g} to {last:.6g}, at least")  # fmt: skip
+            warn_user(
+                f"The expression of the event `{wanted.names[k]}` is exactly zero {when}: there no "
+                "sign tells when the event happens, and its times are arbitrary. Pass an "
+                "expression that passes through zero, such as `x` in place of `Max(0, x)`."
+            )
 
     def _empty_log(self) -> None:
         wanted, count = self.options.events, self.progress.counts
