@@ -285,6 +285,7 @@ def test_a_terminal_event_leaves_nan_and_says_so(oscillator):
         ({"chunks": 0}, ValueError, "positive whole number"),
         ({"chunks": {"row": 3}}, ValueError, "not one of the sample dimensions"),
         ({"units": {"weight": "kg"}}, ValueError, "neither a state nor an output"),
+        ({"units": {"x0": "m", "x0(t)": "cm"}}, ValueError, "`units` gives `x0` more than once"),
         ({"resume": True}, ValueError, "needs `store`"),
         ({"constraints": "project"}, ValueError, "the system has none"),
     ],

@@ -10,7 +10,17 @@ import numpy as np
 
 from pydy._assembly.definition import Definition
 from pydy._assembly.specifieds import driven
-from pydy._checks import Places, check_mapping, flag, number, real_array, shown, text, whole
+from pydy._checks import (
+    Places,
+    check_mapping,
+    flag,
+    number,
+    real_array,
+    refuse_twice,
+    shown,
+    text,
+    whole,
+)
 from pydy._dataset import SENSITIVITY
 from pydy._errors import some
 from pydy._names import column_names, latex_of, name_of, unique_names
@@ -129,8 +139,10 @@ class _Names:
     def described(self, units: Mapping[Any, str]) -> dict[str, dict[str, Any]]:
         """Return the attributes of variables, with their units."""
         result = {name: dict(attributes) for name, attributes in self.attributes.items()}
-        for key, unit in check_mapping("units", units).items():
-            name = self.name(key)
+        given = check_mapping("units", units)
+        names = [self.name(key) for key in given]
+        refuse_twice(names, "units")
+        for name, (key, unit) in zip(names, given.items(), strict=True):
             if name not in result:
                 raise ValueError(
                     f"`units` has the key `{key}`, which is neither a state nor an output: "

@@ -324,7 +324,7 @@ class Scene:
         states : array_like, shape (m, n), optional
         symbols : sequence of functions of time, optional
             Symbols of the columns of `states`; known if the scene was made by ``system.scene()``.
-        constants : mapping of symbols to numbers, optional
+        constants : mapping of symbols or names to numbers, optional
             Values that are missing in, or override, those of the trajectory and the system.
         specifieds : mapping of functions of time to numbers or arrays of shape (m,), optional
             Only together with `symbols`.
