@@ -4,8 +4,12 @@ import math
 
 import numpy as np
 import pytest
+import sympy as sm
+import sympy.physics.mechanics as me
 
+from pydy import System
 from pydy.contact import Contacts, Stick, Unilateral
+from pydy.mechanics import Definition
 from touching import J, N, a, block, falling_body, mu, slope, vx, y
 
 
@@ -58,3 +62,46 @@ def test_a_contact_that_does_not_act_costs_no_step_and_no_evaluation():
         # The dense output that events are looked for along takes three more of 'dop853'.
         more = {"tsit5": 0, "dop853": 3}[solver] * alone.statistics["steps"]
         assert apart.statistics["evaluations"] <= alone.statistics["evaluations"] + more
+
+
+def sliding(gap, along, mu=0.3):
+    """A mass that falls on what a gap is measured from, with friction along some axis."""
+    x, y, z, *u = me.dynamicsymbols("x y z u v w")
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    place = origin.locatenew("P", x * frame.x + y * frame.y + z * frame.z)
+    place.set_vel(frame, u[0] * frame.x + u[1] * frame.y + u[2] * frame.z)
+    body = me.Particle("P", place, 1)
+    block = Definition(frame, [x, y, z], u, bodies=[body], loads=[(place, -9 * frame.z)])
+    system = System(block, ode_solver="dop853", initial_conditions={z: 1.0, u[0]: 1.0})
+    system.times = np.linspace(0.0, 1.0, 5)
+    gap = Unilateral(gap(x, z), name="floor")
+    return Contacts(system, [gap, Stick(place, on=gap, mu=mu, along=along(frame))])
+
+
+@pytest.mark.parametrize(
+    ("gap", "along", "told"),
+    [
+        (lambda x, z: 1000 * z, lambda f: f.x, r"gap of 'floor' must be a length, .* 1000 times"),
+        (
+            lambda x, z: z / 3,
+            lambda f: f.x,
+            r"gap of 'floor' must be a length, .* 0\.333333 times",
+        ),
+        (lambda x, z: z, lambda f: f.z, r"`along` of 'floor' must be tangential .* at 0°"),
+        (lambda x, z: z, lambda f: (f.x + f.z) / sm.sqrt(2), r"`along` of .* at 45° to the gap's"),
+    ],
+)
+def test_friction_needs_a_length_and_a_tangent(gap, along, told):
+    with pytest.raises(ValueError, match=told):
+        sliding(gap, along).simulate()
+
+
+def test_a_gap_is_a_length_where_it_is_closed():
+    """A level of which that is so at the surface alone, and a slope."""
+    sliding(lambda x, z: z**2 - 1 / 4, lambda f: f.x).simulate()
+    tilt = 0.1
+    sliding(
+        lambda x, z: z * sm.cos(tilt) - x * sm.sin(tilt),
+        lambda f: sm.cos(tilt) * f.x + sm.sin(tilt) * f.z,
+    ).simulate()

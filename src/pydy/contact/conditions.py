@@ -66,15 +66,16 @@ class Stick:
         What slides: a point, or a speed that is linear in the speeds of the system, such as the
         relative rate of a joint.
     on : Unilateral, optional
-        The contact whose normal force presses.
+        The contact whose normal force presses. With a point its gap is a length, where it is
+        closed.
     mu : expression
         Coefficient of kinetic friction. It also limits the friction of impacts.
     mu_static : expression, optional
         Coefficient of static friction, not below `mu`, by default equal to it.
     along : Vector or two Vectors, optional
-        Unit vector along which the point slides, or two of the plane in which it slides, orthogonal
-        to each other; needed with a point. In place of a point and these, `point` may be a pair of
-        speeds.
+        Unit vector along which the point slides, tangential to what is touched, or two of the plane
+        in which it slides, orthogonal to each other; needed with a point. In place of a point and
+        these, `point` may be a pair of speeds.
     against : Point, optional
         Point of a body that the point slides on, if that moves; with a point. If the body turns,
         that of its points which is where the body is touched, with its velocity.
@@ -150,10 +151,13 @@ class Stick:
         """Return the sliding speed or speeds; velocities are those in the inertial frame."""
         if not isinstance(self.point, Point):
             return tuple(self.point)
-        velocity = self.point.vel(frame)
-        if self.against is not None:
-            velocity -= self.against.vel(frame)
+        velocity = self.velocity(frame)
         return tuple(velocity.dot(axis) for axis in self.along)
+
+    def velocity(self, frame: Any) -> Vector:
+        """Return the velocity of the point, or that beside what it slides on."""
+        velocity = self.point.vel(frame)
+        return velocity if self.against is None else velocity - self.against.vel(frame)
 
 
 @dataclass(frozen=True, eq=False)

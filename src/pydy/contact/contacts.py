@@ -169,8 +169,8 @@ class Contacts:
         Raises
         ------
         ValueError
-            A gap is negative at the first time, a coefficient is out of range, or the solver is not
-            native.
+            A gap is negative at the first time, a coefficient is out of range, the solver is not
+            native, or friction at a point is on a gap that is no length, or not along it.
         ContactError
             No combination of modes is possible (Painlevé's paradox, jamming), or an impact would
             raise the energy; the message has the state.

@@ -6,7 +6,7 @@ contact forces, the accelerations of the rows are J a + b + J W λ.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -27,7 +27,7 @@ from pydy._graph.switches import Passes
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.form import Formed
 from pydy._mechanics.symbols import find_symbols
-from pydy._rank import ROUNDING
+from pydy._rank import DIGITS, ROUNDING, or_one, rank_of
 from pydy.contact.conditions import Contact
 from pydy.contact.tuning import WITHIN
 
@@ -240,6 +240,39 @@ class ContactRows:
         nodes = [*self.gaps, *near, *self.speeds, *slow, *free, *terms, *square, *moves, *others]
         return evaluator(g, nodes)
 
+    @cached_property
+    def _ways(self) -> dict[int, Any]:
+        """For each friction at a point on a gap, what gives J of the gap and of v, and the axes.
+
+        The velocity has three rows, in the inertial frame.
+        """
+        g, e, found = self.graph, self.equations, {}
+        u = [g.input("x", len(e.coordinates) + k) for k in range(len(e.speeds))]
+        atoms = {symbol: node for node, symbol in self.symbols.items()}
+        read = SymPyReader(g, atoms, "the contacts")
+        for i, (c, normal) in enumerate(zip(self.contacts, self.normal, strict=True)):
+            if normal is not None and c.stick is not None and c.stick.along:
+                assert e.mechanism is not None
+                frame = e.mechanism.frame
+                vectors = [c.stick.velocity(frame), *c.stick.along]
+                nodes = read.all([e.in_states(x) for v in vectors for x in v.to_matrix(frame)])
+                rows = [*self.jacobian[normal], *dense_jacobian(g, nodes[:3], u), *nodes[3:]]
+                found[i] = evaluator(g, rows)
+        return found
+
+    def check_directions(self, closed: Iterable[int], values: dict[Any, float]) -> None:
+        """Refuse friction at a point of a closed gap that is no length, or is not along it.
+
+        The gap's rate is that of the point along a unit normal, whose part in directions in which
+        the point can move follows. Where it is another point's, nothing is told.
+        """
+        inputs = {node: values.get(symbol, 0.0) for node, symbol in self.symbols.items()}
+        for i in sorted(self._ways.keys() & set(closed)):
+            found, n = self._ways[i](inputs, 1)[0], len(self.equations.speeds)
+            if np.isfinite(found).all():
+                moves, axes = found[n : 4 * n].reshape(3, n), found[4 * n :].reshape(-1, 3)
+                _check_direction(self.contacts[i].name, found[:n], moves, axes)
+
     def numbers(self, values: dict[Any, float]) -> Numbers:
         """Return the rows, given a number for each symbol."""
         inputs = {node: values.get(symbol, 0.0) for node, symbol in self.symbols.items()}
@@ -263,6 +296,33 @@ class ContactRows:
     def acceleration(self, g: Graph, row: int, rates: Sequence[int]) -> int:
         """Return J u' + b of a row."""
         return g.add(self.dot(g, self.jacobian[row], rates), self.drift[row])
+
+
+def _check_direction(name: str, gap: np.ndarray, moves: np.ndarray, axes: np.ndarray) -> None:
+    """Refuse a gap (n,) that changes in other units than a point moves (3, n), and slanted axes."""
+    units = or_one(np.abs(moves).max(axis=0))
+    gap, moves = gap / units, moves / units
+    left, sizes, right = np.linalg.svd(moves)
+    r = rank_of(sizes)
+    normal = left[:, :r] @ ((right[:r] @ gap) / sizes[:r])
+    size = float(np.linalg.norm(normal))
+    if not np.linalg.norm(gap - normal @ moves) <= DIGITS * np.linalg.norm(gap):
+        return
+    if size > 1.0 + DIGITS or (r == 3 and size < 1.0 - DIGITS):
+        raise ValueError(
+            f"The gap of {name!r} must be a length, so that friction at a point is `mu` times its "
+            f"force: where it is closed it changes {size:.6g} times as fast as the point moves. "
+            "Divide it by that, or give the Stick a sliding speed in the gap's unit as `point`."
+        )
+    for axis in axes:
+        seen = np.linalg.norm(left[:, r:].T @ axis) <= DIGITS  # all of it is a way that it can move
+        if seen and abs(cosine := float(axis @ normal) / size) > DIGITS:
+            angle = np.degrees(np.arccos(min(abs(cosine), 1.0)))
+            raise ValueError(
+                f"`along` of {name!r} must be tangential to what is touched, got a vector at "
+                f"{angle:.4g}° to the gap's normal. Give the direction in which the point slides "
+                "while the gap stays closed."
+            )
 
 
 def _checked(equations: Equations) -> Formed:

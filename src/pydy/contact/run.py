@@ -115,6 +115,7 @@ class Run:
         self.reached = np.ones(len(times), dtype=bool)
         self.totals = {"steps": 0, "rejected": 0, "evaluations": 0}
         self._latest: tuple[Any, Numbers] | None = None  # a state, and the rows there
+        self._seen: set[int] = set()  # contacts that have closed
         self._numbers_of: dict[Any, float] = dict(
             zip(now.definition.constants, now.p.tolist(), strict=True)
         )
@@ -194,6 +195,8 @@ class Run:
             for gap, e, mu, static in zip(p.gap, p.restitution, p.mu, p.mu_static, strict=True)
         ]
         check_values(self.contacts, named)
+        closed = {i for i, n in enumerate(self.rows.normal) if n is not None and p.is_closed(i)}
+        self.rows.check_directions(closed, self.values(t, x))
         state = State(t, x, set(), set(), set())
         closing = set()
         for i, c in enumerate(self.contacts):
@@ -304,6 +307,8 @@ class Run:
             if normal is not None
             and (i in closing | state.touching or (i in state.rising and p.is_closed(i)))
         }
+        self.rows.check_directions(hit - self._seen, self.values(state.t, state.x))
+        self._seen |= hit
         e = p.restitution.copy()
         rates = solved(self.problem(p, state), self.modes).rates
         problem = replace(
