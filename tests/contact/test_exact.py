@@ -246,6 +246,23 @@ def test_a_contact_in_a_mechanism_with_constraints():
     assert one.outputs_symbols[-1] in one.constraints_symbols
 
 
+def test_constraints_of_the_system_do_not_drift_from_impact_to_impact(recwarn):
+    P = O.locatenew("P", x * N.x + y * N.y)
+    P.set_vel(N, vx * N.x + vy * N.y)
+    bound = System(
+        Definition(
+            N, [x, y], [vx, vy], bodies=[me.Particle("P", P, m)], loads=[(P, -m * g * N.y)],
+            holonomic_constraints=[x**2 + y**2 - 1],
+        ),
+        {g: 9.81}, ode_solver="dop853",
+        initial_conditions={x: -0.6, y: -0.8}, times=np.linspace(0.0, 20.0, 31),
+    )  # fmt: skip
+    motion = Contacts(bound, [Unilateral(0.3 - x, restitution=0.95)]).simulate()
+    assert len(motion.events) > 5
+    assert abs(motion.constraints).max() < 1e-12
+    assert not recwarn.list
+
+
 def test_a_belt_lets_a_block_stick_and_slip():
     P = O.locatenew("P", x * N.x)
     P.set_vel(N, vx * N.x)

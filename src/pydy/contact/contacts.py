@@ -159,8 +159,8 @@ class Contacts:
             As in `System.simulate`: constants, among them those of contacts, initial conditions,
             and specifieds that are numbers. Transitions and impacts are taken into account.
         **solver_kwargs
-            Options of the native solver, such as `rtol` and `atol`. Constraints of closed contacts
-            are held by projection.
+            Options of the native solver, such as `rtol` and `atol`. Constraints, of the System and
+            of closed contacts, are held by projection.
 
         Returns
         -------

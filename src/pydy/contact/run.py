@@ -525,7 +525,7 @@ class Run:
         system.times = np.concatenate([[state.t], self.times[later]])
         system.initial_conditions = dict(zip(now.definition.states, state.x.tolist(), strict=True))
         options = dict(self.options)
-        if held:
+        if held or now.definition.equations.velocity:  # each part would begin with the drift so far
             options["constraints"] = "project"
         if self.leaps(p, solution) and "step" not in options:
             # Where a body begins to slide in a plane, friction turns its velocity ever faster the
