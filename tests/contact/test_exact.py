@@ -9,7 +9,7 @@ import sympy.physics.mechanics as me
 
 from pydy import System, solvers
 from pydy.contact import Contacts, Stick, Unilateral
-from pydy.errors import ContactError
+from pydy.errors import ContactError, PyDyUserWarning
 from pydy.mechanics import Definition
 from touching import (
     TIGHT,
@@ -456,6 +456,19 @@ def test_a_gap_that_is_no_number_is_named():
         over_a_bump(1.0, 1.0, sm.sqrt(x - 2) + y)
     with pytest.raises(ContactError, match=r"the event `\d: speed of the gap of bump`, whose"):
         over_a_bump(1.0, 1.0, sm.sqrt(2 - x) + y)
+
+
+def test_outputs_that_are_not_finite_are_told_once_over_all_modes():
+    system, floor = ball(restitution=0.5)
+    system.outputs = {"pace": 1 / vy}
+    system.initial_conditions, system.times = {y: 1.0}, np.linspace(0.0, 3.0, 31)
+    with pytest.warns(
+        PyDyUserWarning, match="not finite: pace at t = 0.0 .* other samples"
+    ) as told:
+        trajectory = Contacts(system, [floor]).simulate()
+    assert len(told) == 1
+    assert len(trajectory.modes) > 1
+    assert not np.isfinite(trajectory["pace"][-1])
 
 
 @pytest.mark.parametrize("depth", [1e-3, 1e-6])

@@ -8,6 +8,9 @@ import sympy.physics.mechanics as me
 import zoo
 from cases import close, system_of
 from oracle import oracle
+from pydy.analysis import Trial
+from pydy.errors import PyDyUserWarning
+from pydy.models import multi_mass_spring_damper
 
 A, B, K = sm.symbols("a b K")
 T = zoo.T
@@ -208,3 +211,36 @@ def test_a_singular_group_is_a_linear_algebra_error():
     system = chain_system({(A, B): (A + B - 1, A + B - states()[0])})
     with pytest.raises(np.linalg.LinAlgError):
         system.evaluate_outputs(*zoo.chain().sample())
+
+
+@pytest.mark.parametrize("solver", [None, "dop853"])
+def test_a_simulation_warns_once_of_outputs_that_are_not_finite(solver):
+    system = multi_mass_spring_damper()
+    x, v = system.states
+    system.outputs = {"time": 1 / v, "energy": v**2}
+    system.initial_conditions, system.times = {x: 1.0}, np.linspace(0.0, 1.0, num=5)
+    if solver is not None:
+        system.ode_solver = solver
+    with pytest.warns(PyDyUserWarning, match="not finite: time at t = 0.0 in the state") as caught:
+        motion = system.simulate()
+    assert len(caught) == 1
+    assert caught[0].filename == __file__
+    assert np.isinf(motion["time"]).tolist() == [True, False, False, False, False]
+    assert np.isfinite(motion.at([0.5])["time"]).all()
+    system.times = [0.0, 0.5, 1.0]
+    system.initial_conditions = {x: 1.0, v: 1.0}
+    assert np.isfinite(system.simulate()["time"]).all()
+    system.initial_conditions, system.times = {}, [0.0, 0.5]  # at rest, where it stays
+    with pytest.warns(PyDyUserWarning, match="1 other samples") as caught:
+        system.simulate()
+    assert len(caught) == 1
+
+
+def test_a_fit_and_a_search_do_not_warn_of_what_they_try():
+    system = multi_mass_spring_damper()
+    x, v = system.states
+    system.outputs = {"time": 1 / v}
+    system.initial_conditions, system.times = {x: 1.0}, np.linspace(0.0, 2.0, num=9)
+    system.ode_solver = "dop853"
+    measured = Trial(system.times, {x: system.integrate()[:, 0]})
+    assert system.fit(["k0"], measured)["k0"] == pytest.approx(1.0)

@@ -10,7 +10,9 @@ import numpy as np
 from pydy._assembly.definition import Definition
 from pydy._checks import real_array
 from pydy._errors import few, numbers_of, warn_user
-from pydy._system.snapshot import At
+from pydy._names import unique_names
+from pydy._system.snapshot import At, Snapshot
+from pydy.trajectory import Trajectory
 
 
 def samples(
@@ -107,3 +109,12 @@ def warn_not_finite(
         f"These values are not finite: {few(rows, 4, ', ')} at t = {float(at.t[k])!r} in the state "
         f"{state}{more}. {why}"
     )
+
+
+def warn_of_outputs(
+    trajectory: Trajectory, now: Snapshot, cause: Callable[[At], str | None]
+) -> None:
+    """Warn of outputs along a motion that are not finite where its states are."""
+    names = unique_names(trajectory.outputs_symbols)
+    at = now.at(trajectory.times, trajectory.states)
+    warn_not_finite(trajectory.outputs, at, names, cause)

@@ -67,6 +67,7 @@ class _Fit:
     ) -> None:
         self.system = system
         self.runner = copy(system)
+        self.runner._searching = True
         self.runner.ode_solver = native_solver(system.ode_solver)
         self.options = {"rtol": FIT, "atol": FIT, **options}
         self.exact = "atol" in options

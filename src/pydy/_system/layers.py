@@ -196,6 +196,7 @@ class _Motion:
         n = len(definition.states)
         self.shape: tuple[int, ...] = (n,) if final else (len(self._times), n)
         self._twin = system = copy(system)  # what is set on it does not reach the user's
+        system._searching = True
         system.ode_solver = native_solver(system.ode_solver)
         system.initial_conditions = dict(zip(definition.states, now.x.tolist(), strict=True))
         system.constants = now.constants

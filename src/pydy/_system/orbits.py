@@ -139,6 +139,7 @@ class Orbits(Simulation, Evaluation):
         advancing = [kept.index(definition.states[k]) for k in steady if k not in tied]
         pushed = np.zeros(len(free))  # by how much the end changes as those advance that move
         runner = copy(self)
+        runner._searching = True
         runner.ode_solver = native_solver(self.ode_solver)
         held = None  # the modes of contacts at the start
         if contacts is not None:
@@ -301,6 +302,7 @@ class Orbits(Simulation, Evaluation):
                 begin(z)
                 initial = dict(runner.initial_conditions)
                 runner.times = np.linspace(t0, t0 + flight.period, num=_SAMPLES)
+                runner._searching = False
                 if contacts is None:
                     trajectory = runner.simulate(**options)
                 else:  # what contacts hold is projected at the start

@@ -15,13 +15,14 @@ from pydy._assembly.model import CompiledModel
 from pydy._assembly.specifieds import driven
 from pydy._checks import choice, flag, number, real_array
 from pydy._errors import IntegrationError, IntegrationInterrupted, SingularMatrixError
-from pydy._system.causes import explain
+from pydy._system.causes import cause_of, explain
 from pydy._system.dependents import (
     check_dependents,
     default_dependents,
     given_values,
     solve_dependents,
 )
+from pydy._system.evaluation import warn_of_outputs
 from pydy._system.kept import Motion, check_kept
 from pydy._system.scipy_solvers import (
     SolveIvp,
@@ -285,6 +286,9 @@ def _motion(
 class Simulation(Setup):
     """Integration, and the initial conditions that it begins with."""
 
+    # Whether motions are tried, as in a fit, whose outputs need not be sound.
+    _searching = False
+
     def set_dependent_initial_conditions(
         self, dep_vars: Iterable[Any] | None = None, use_jac: bool = False, **root_kwargs: Any
     ) -> None:
@@ -429,6 +433,11 @@ class Simulation(Setup):
         ValueError, SingularMatrixError, IntegrationError
             As in `integrate`; IntegrationError is raised even with ``full_output=True``.
 
+        Warns
+        -----
+        PyDyUserWarning
+            As in `integrate`; or outputs are not finite.
+
         Examples
         --------
         >>> from pydy.models import multi_mass_spring_damper
@@ -475,6 +484,9 @@ class Simulation(Setup):
             reached = len(times) - np.isnan(states).all(axis=1)[::-1].argmin()
             times, states = times[:reached], states[:reached]
         states, found = (states, {}) if wanted is None else wanted.results(states)
-        return now.trajectory(
+        trajectory = now.trajectory(
             times, states, events=events, statistics=statistics or None, dense=dense, **found
         )
+        if not (self._searching or np.isfinite(trajectory.outputs).all()):
+            warn_of_outputs(trajectory, now, cause_of)
+        return trajectory

@@ -11,6 +11,8 @@ import numpy as np
 
 from pydy._checks import check_mapping, choice, flag, shown
 from pydy._errors import ContactError
+from pydy._system.causes import cause_of
+from pydy._system.evaluation import warn_of_outputs
 from pydy._system.snapshot import Snapshot
 from pydy._system.solving import check_events
 from pydy.contact.compiled import Compiled
@@ -178,8 +180,17 @@ class Contacts:
             Events with resets, sensitivities by samples, and those with Poisson's hypothesis.
         IntegrationError
             As in `System.simulate`.
+
+        Warns
+        -----
+        PyDyUserWarning
+            Outputs are not finite.
         """
-        return self._run(events, sensitivities, control_sensitivities, solver_kwargs).trajectory()
+        run = self._run(events, sensitivities, control_sensitivities, solver_kwargs)
+        trajectory = run.trajectory()
+        if not np.isfinite(trajectory.outputs).all():
+            warn_of_outputs(trajectory, run.now, cause_of)
+        return trajectory
 
     def in_modes(self, modes: Mapping[str, str]) -> System:
         """Return the System that moves in some modes, for what knows no transitions.

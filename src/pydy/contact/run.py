@@ -539,6 +539,7 @@ class Run:
             self.columns[here] = given
             wanted = Wanted(self.carried.symbols, self.carried.controlled, None, given)
             options["sensitivities"] = wanted
+        system._searching = True  # outputs are looked at over the whole motion
         try:
             part = system.simulate(events=[*events, *self.user_events], **options)
         except (IntegrationError, IntegrationInterrupted, MemoryError) as error:
