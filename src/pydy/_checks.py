@@ -19,8 +19,7 @@ from typing import Any
 
 import numpy as np
 
-from pydy._errors import some
-from pydy._names import name_of, nearest, told_apart, written_out
+from pydy._names import name_of, nearest, some, told_apart, written_out
 
 _FLOAT = np.dtype(float)
 _PLAIN = frozenset((float, int, np.float64))

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import sys
 import warnings
-from collections.abc import Iterable, Sequence
 from inspect import signature
 
 import numpy as np
@@ -24,22 +23,6 @@ def warn_user(message: str) -> None:
     while frame.f_back is not None and frame.f_globals.get("__name__", "").startswith("pydy."):
         level, frame = level + 1, frame.f_back
     warnings.warn(message, PyDyUserWarning, stacklevel=level)
-
-
-def few(texts: Sequence[str], most: int = 2, between: str = "; ") -> str:
-    """Return the first texts, and how many more there are."""
-    more = [f"and {len(texts) - most} more"] if len(texts) > most else []
-    return between.join([*texts[:most], *more])
-
-
-def some(names: Iterable[str]) -> str:
-    """Return a list of names for a message, shortened when there are many."""
-    return few([*names], 12, ", ")
-
-
-def numbers_of(names: Iterable[str], values: Iterable[float], digits: int = 6) -> str:
-    """Return names with values, such as a state, for a message; there may be more values."""
-    return some(f"{n} = {v:.{digits}g}" for n, v in zip(names, values, strict=False))
 
 
 def note_finished(error: MemoryError, what: str, **finished: object) -> None:

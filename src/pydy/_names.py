@@ -1,13 +1,11 @@
-"""Names and LaTeX of symbols, for tables, files and labels."""
+"""Names and LaTeX of symbols, for tables, files, labels and messages."""
 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from difflib import get_close_matches
 from typing import Any
-
-from pydy._errors import some
 
 
 def name_of(symbol: Any) -> str:
@@ -130,3 +128,19 @@ def printable(text: str, stream: Any) -> str:
     """Return a text as a stream can print it: letters that its encoding lacks become escapes."""
     encoding = getattr(stream, "encoding", None) or "utf-8"
     return text.encode(encoding, "backslashreplace").decode(encoding)
+
+
+def few(texts: Sequence[str], most: int = 2, between: str = "; ") -> str:
+    """Return the first texts, and how many more there are."""
+    more = [f"and {len(texts) - most} more"] if len(texts) > most else []
+    return between.join([*texts[:most], *more])
+
+
+def some(names: Iterable[str]) -> str:
+    """Return a list of names for a message, shortened when there are many."""
+    return few([*names], 12, ", ")
+
+
+def numbers_of(names: Iterable[str], values: Iterable[float], digits: int = 6) -> str:
+    """Return names with values, such as a state, for a message; there may be more values."""
+    return some(f"{n} = {v:.{digits}g}" for n, v in zip(names, values, strict=False))

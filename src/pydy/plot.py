@@ -18,9 +18,8 @@ import numpy as np
 
 from pydy._checks import check_mapping, listed, refuse_twice, shown, text
 from pydy._dataset import ENERGIES, STATES
-from pydy._errors import some
 from pydy._interpolation import filled
-from pydy._names import name_of
+from pydy._names import name_of, some
 from pydy._optional import require
 
 __all__ = [

@@ -11,7 +11,6 @@ import numpy as np
 
 from pydy._checks import check_mapping, choice, flag, listed, number, real_array, shown
 from pydy._dataset import ENERGIES, KINDS, OUTPUTS, STATES, read_netcdf, to_dataset, write_netcdf
-from pydy._errors import some
 from pydy._html import table_of_columns
 from pydy._interpolation import Model, Samples, SensitivityModel, checked_times
 from pydy._names import (
@@ -20,6 +19,7 @@ from pydy._names import (
     latex_of_rate,
     name_of,
     nearest,
+    some,
     unique_names,
     written_out,
 )

@@ -21,7 +21,7 @@ from pydy._assembly.tuning import INTERPRETED
 from pydy._backends.base import strict
 from pydy._backends.registry import compile_program, compiled_by
 from pydy._checks import real_array, shown
-from pydy._errors import SingularMatrixError, numbers_of, some
+from pydy._errors import SingularMatrixError
 from pydy._forks import cached_property
 from pydy._graph.interpret import run
 from pydy._graph.lower import lower
@@ -31,7 +31,7 @@ from pydy._graph.program import Program
 from pydy._graph.solve.choose import FACTORISATIONS, UNKNOWNS
 from pydy._graph.tangent import Tangent, program_from_bytes
 from pydy._kernel import Kernel
-from pydy._names import unique_names
+from pydy._names import numbers_of, some, unique_names
 
 # Small systems are simplified sooner than a file is read.
 _WORTH_STORING = 300

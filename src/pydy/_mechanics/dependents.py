@@ -15,7 +15,6 @@ from typing import Any
 import numpy as np
 
 from pydy._checks import describe
-from pydy._errors import few
 from pydy._graph.identities import signatures
 from pydy._graph.node import Graph
 from pydy._graph.rounding import rounding_bounds
@@ -24,6 +23,7 @@ from pydy._mechanics.formed import kinematics_of
 from pydy._mechanics.generic import AROUND, Block, GenericStates, openness, units_of
 from pydy._mechanics.reader import Multibody
 from pydy._mechanics.tuning import DIGITS, NEARLY_DEPENDENT, OPEN, ROUNDED
+from pydy._names import few
 from pydy._rank import HALF, equilibrated, is_zero, or_one
 
 _TRIALS = 12

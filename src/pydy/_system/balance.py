@@ -13,13 +13,12 @@ from pydy._assembly.assembly import Assembly
 from pydy._assembly.definition import Definition
 from pydy._assembly.specifieds import driven
 from pydy._checks import Places, check_mapping, listed, number, real_array, refuse_twice
-from pydy._errors import some
 from pydy._forks import cached_property
 from pydy._graph.derivative import dense_jacobian
 from pydy._graph.interpret import run
 from pydy._graph.program import Program
 from pydy._kernel import Kernel
-from pydy._names import unique_names
+from pydy._names import some, unique_names
 from pydy._rank import HALF, ROUNDING, equilibrated, is_zero, or_one
 from pydy._system.evaluation import row_names
 from pydy._system.setup import Setup

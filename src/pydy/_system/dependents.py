@@ -12,7 +12,8 @@ import scipy
 
 from pydy._assembly.definition import Definition
 from pydy._checks import Places, describe, listed
-from pydy._errors import PyDyUserWarning, SingularMatrixError, few, warn_user
+from pydy._errors import PyDyUserWarning, SingularMatrixError, warn_user
+from pydy._names import few
 from pydy._rank import (
     DIGITS,
     HALF,

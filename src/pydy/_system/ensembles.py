@@ -22,8 +22,7 @@ from pydy._checks import (
     whole,
 )
 from pydy._dataset import SENSITIVITY
-from pydy._errors import some
-from pydy._names import column_names, latex_of, name_of, unique_names
+from pydy._names import column_names, latex_of, name_of, some, unique_names
 from pydy._system.inputs import check_times
 from pydy._system.kept import kept_programs
 from pydy._system.sensitivities import Sensitive, changed_by, program_of_event

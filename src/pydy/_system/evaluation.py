@@ -9,8 +9,8 @@ import numpy as np
 
 from pydy._assembly.definition import Definition
 from pydy._checks import real_array
-from pydy._errors import few, numbers_of, warn_user
-from pydy._names import unique_names
+from pydy._errors import warn_user
+from pydy._names import few, numbers_of, unique_names
 from pydy._system.snapshot import At, Snapshot
 from pydy.trajectory import Trajectory
 

@@ -26,12 +26,10 @@ from pydy._errors import (
     FitInterrupted,
     IntegrationError,
     SingularMatrixError,
-    few,
     note_finished,
-    some,
     warn_user,
 )
-from pydy._names import unique_names
+from pydy._names import few, some, unique_names
 from pydy._optional import progress_of
 from pydy._system.balance import located
 from pydy._system.dependents import latest_dependents

@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 
 from pydy._checks import flag, listed, number, shown
-from pydy._errors import PeriodicOrbitError, finished_before, some
-from pydy._names import unique_names
+from pydy._errors import PeriodicOrbitError, finished_before
+from pydy._names import some, unique_names
 from pydy._optional import progress_of
 from pydy._system.balance import energetic_motions
 from pydy._system.dependents import latest_dependents

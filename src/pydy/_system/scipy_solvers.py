@@ -15,8 +15,8 @@ import numpy as np
 import scipy
 
 from pydy._checks import shown
-from pydy._errors import IntegrationError, numbers_of
-from pydy._names import nearest
+from pydy._errors import IntegrationError
+from pydy._names import nearest, numbers_of
 from pydy.solvers.options import check_option_names, check_scipy_options
 from pydy.solvers.outcome import NOT_FINITE, OUTCOMES, STEP_UNDERFLOW, TOO_MANY_STEPS
 from pydy.solvers.solver import SOLVERS, Solver

@@ -15,12 +15,12 @@ from pydy._assembly.definition import Definition
 from pydy._assembly.model import CompiledModel, resolve_solver, solve_symbolically
 from pydy._assembly.specifieds import check_expressions
 from pydy._checks import Keyed, check_mapping, flag
-from pydy._errors import some, warn_user
+from pydy._errors import warn_user
 from pydy._graph.switches import Passes
 from pydy._html import html_table
 from pydy._mechanics.extract import extract, method_of, symbolic_matrices
 from pydy._mechanics.implicit import Implicit
-from pydy._names import name_of, unique_names
+from pydy._names import name_of, some, unique_names
 from pydy._system.definition import Definer
 from pydy._system.energy import EnergyModel, check_potential
 from pydy._system.inputs import SymbolSet, base_symbols, check_forces, check_times, named_forces

@@ -9,12 +9,13 @@ from typing import Any, Literal
 import numpy as np
 
 from pydy._assembly.assembly import Assembly
-from pydy._errors import few, warn_user
+from pydy._errors import warn_user
 from pydy._graph.derivative import dense, dense_jacobian, directional
 from pydy._graph.node import Graph
 from pydy._graph.rounding import per_unit, rounding_bounds
 from pydy._mechanics.symbols import find_symbols
 from pydy._mechanics.tuning import ROUNDED
+from pydy._names import few
 from pydy._rank import DIGITS, least_step, rank
 from pydy._system.snapshot import At
 from pydy._system.solving import constraint_names

@@ -20,9 +20,8 @@ from pydy._checks import (
     refuse_twice,
     shown,
 )
-from pydy._errors import some
 from pydy._mechanics.symbols import find_symbols
-from pydy._names import unique_names
+from pydy._names import some, unique_names
 from pydy._system.inputs import sort_out
 from pydy._system.tuning import LARGEST_SAMPLE
 from pydy.analysis.fit import Trial

@@ -11,9 +11,8 @@ from typing import Any
 
 import numpy as np
 
-from pydy._errors import some
 from pydy._forks import cached_property
-from pydy._names import column_names, name_of, unique_names
+from pydy._names import column_names, name_of, some, unique_names
 
 
 @dataclass(frozen=True, eq=False)

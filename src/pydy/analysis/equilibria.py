@@ -17,8 +17,8 @@ from typing import Any
 import numpy as np
 import scipy
 
-from pydy._errors import EquilibriumError, few, numbers_of, some
-from pydy._names import place_of, unique_names
+from pydy._errors import EquilibriumError
+from pydy._names import few, numbers_of, place_of, some, unique_names
 from pydy._rank import DEPENDENT, DIGITS, HALF, ROUNDED, is_zero, null_space, or_one, rank_of
 from pydy.analysis.directions import direction_text
 from pydy.analysis.tuning import BENT, NEARLY_STRAIGHT, SETTLED

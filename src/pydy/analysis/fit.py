@@ -15,8 +15,8 @@ import numpy as np
 import scipy
 
 from pydy._checks import number
-from pydy._errors import FitInterrupted, few, note_finished, some, warn_user
-from pydy._names import place_of
+from pydy._errors import FitInterrupted, note_finished, warn_user
+from pydy._names import few, place_of, some
 from pydy._optional import require
 from pydy._rank import HALF
 from pydy.analysis.directions import direction_text

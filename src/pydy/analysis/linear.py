@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 
 from pydy._checks import choice, real_array
-from pydy._errors import some
+from pydy._names import some
 from pydy._optional import require
 from pydy._rank import DEPENDENT, independent_columns
 from pydy.analysis.tuning import CROSSED

@@ -14,7 +14,8 @@ from typing import Any
 
 import numpy as np
 
-from pydy._errors import PeriodicOrbitError, numbers_of
+from pydy._errors import PeriodicOrbitError
+from pydy._names import numbers_of
 from pydy._rank import ROUNDED, or_one
 from pydy.analysis.tuning import DAMPED, LEAST_SIZE, MARGIN, ORBIT_CLOSED
 

@@ -9,13 +9,8 @@ from typing import Any
 import numpy as np
 
 from pydy._checks import real_array
-from pydy._errors import (
-    ContactError,
-    IntegrationError,
-    IntegrationInterrupted,
-    note_finished,
-    numbers_of,
-)
+from pydy._errors import ContactError, IntegrationError, IntegrationInterrupted, note_finished
+from pydy._names import numbers_of
 from pydy._rank import ROUNDED
 from pydy._system.sensitivities import Wanted
 from pydy._system.snapshot import Snapshot

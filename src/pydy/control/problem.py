@@ -12,8 +12,8 @@ import sympy as sm
 
 from pydy._assembly.specifieds import followed
 from pydy._checks import Places, check_mapping, choice, describe, flag, listed, number, shown, whole
-from pydy._errors import OptimizationError, finished_before, some
-from pydy._names import unique_names
+from pydy._errors import OptimizationError, finished_before
+from pydy._names import some, unique_names
 from pydy._optional import progress_of
 from pydy._rank import DIGITS, rank
 from pydy.codegen.arguments import checked_expression

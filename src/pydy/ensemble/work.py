@@ -11,9 +11,9 @@ import numpy as np
 
 from pydy._checks import shown
 from pydy._dataset import SENSITIVITY
-from pydy._errors import some
 from pydy._graph.interpret import run as interpret
 from pydy._kernel import Inputs
+from pydy._names import some
 from pydy.ensemble.model import Batch, Model, Programs, Results
 from pydy.ensemble.samples import PARAMETER, QUANTITY, Samples, Variable, to_dataset
 from pydy.ensemble.tuning import SMALLEST_BLOCK

@@ -7,7 +7,8 @@ from os import PathLike
 from typing import TYPE_CHECKING, Any
 
 from pydy._checks import check_mapping, choice, flag, number, path_of
-from pydy._errors import RobotFileError, few
+from pydy._errors import RobotFileError
+from pydy._names import few
 from pydy.mechanics import Definition
 from pydy.robots.assemble import Assembly, JointSymbols, Place
 from pydy.robots.mjcf import read_mjcf

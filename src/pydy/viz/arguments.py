@@ -11,10 +11,9 @@ import sympy as sm
 from sympy.physics.mechanics import Particle, RigidBody
 
 from pydy._checks import Places, check_mapping, number, real_array, refuse_twice, shown, text
-from pydy._errors import some
 from pydy._interpolation import filled
 from pydy._mechanics.symbols import find_symbols, sort_symbols
-from pydy._names import name_of
+from pydy._names import name_of, some
 from pydy._rank import DIGITS, HALF
 from pydy.viz.shapes import Arrow, Line
 from pydy.viz.tuning import FILLED, PIXELS

@@ -11,14 +11,13 @@ import numpy as np
 import sympy as sm
 
 from pydy._checks import Places, choice, number, positive, refuse_twice, shown, text
-from pydy._errors import some
 from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.interpret import run
 from pydy._graph.lower import lower
 from pydy._graph.node import Graph, input_nodes
 from pydy._graph.program import Program
 from pydy._graph.simplify import simplify
-from pydy._names import name_of
+from pydy._names import name_of, some
 from pydy._rank import HALF
 from pydy.export.javascript import javascript_object
 from pydy.export.model import Model, Variable

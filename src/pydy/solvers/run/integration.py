@@ -22,13 +22,12 @@ from pydy._errors import (
     IntegrationError,
     IntegrationInterrupted,
     MissingDependencyError,
-    few,
     note_finished,
-    numbers_of,
     warn_user,
 )
 from pydy._interrupts import Interrupts
 from pydy._kernel import Kernel, KernelCall
+from pydy._names import few, numbers_of
 from pydy._optional import bar_of
 from pydy.solvers.events import CompiledEvents, crowd, forcing_time, stretches
 from pydy.solvers.options import Options
