@@ -177,6 +177,35 @@ def test_an_event_is_found_that_another_sees_before_its_sign_returns(solver):
         close(moments(info), [1.5 * np.pi - np.arccos(1 - depth)], 1e-6)
 
 
+@pytest.mark.parametrize("solver", ADAPTIVE)
+@pytest.mark.parametrize("depth", [1e-2, 1e-4, 1e-6, 1e-8, 1e-10])
+def test_an_event_that_crosses_and_returns_between_quarters_is_seen(solver, depth):
+    for phase in (0.3, 2.0, 5.5):
+        start = {Z: np.cos(phase), V: -np.sin(phase)}
+        system = oscillator(solver, end=40.0, initial_conditions=start)
+        _, info = run(system, [Event(Z - 1 + sm.Float(depth))], rtol=1e-13, atol=1e-13)
+        half, tops = np.arccos(1 - depth), 2 * np.pi * np.arange(1, 8)
+        turns = np.sort(np.concatenate([tops - half, tops + half])) - phase
+        assert len(info["events"]) == np.sum(turns < 40)
+        assert [r.after[1] > 0 for r in info["events"]] == [True, False] * (
+            len(info["events"]) // 2
+        )
+
+
+@pytest.mark.parametrize("solver", ADAPTIVE)
+def test_of_several_that_return_within_a_quarter_each_acts_in_its_turn(solver):
+    events = [
+        Event(Z - 1 + sm.Float(1e-7), direction=-1, name="falls"),
+        Event(Z - 1 + sm.Float(1e-6), direction=1, name="rises"),
+        Event(1 - sm.Float(1e-8) - Z, direction=-1, name="stops", terminal=True),
+    ]
+    for order in (events, events[::-1]):
+        _, info = run(oscillator(solver), order, rtol=1e-13, atol=1e-13)
+        assert [r.name for r in info["events"]] == ["rises", "stops"]
+        close(moments(info, "rises"), [np.pi / 2 - np.arccos(1 - 1e-6)], 1e-6)
+        close(moments(info, "stops"), [np.pi / 2 - np.arccos(1 - 1e-8)], 1e-5)
+
+
 def crossings(level, rate, end, lag=0.0):
     """When sin(rate t − lag) passes a level between 0 and 1, both ways."""
     turns = 2 * np.pi * np.arange(rate * end / 6 + 2)

@@ -158,7 +158,10 @@ def test_long_rows_hold_up_to_their_rounding():
     [
         ([0.6], "`configuration` must be a dictionary, got list"),
         ({"nothing": 1.0}, "nothing"),
-        ({sm.Symbol("other"): 1.0}, "key `other`, which is not one of the coordinates, and constants"),
+        (
+            {sm.Symbol("other"): 1.0},
+            "key `other`, which is not one of the coordinates, and constants",
+        ),
         ({"x": "far"}, r"`configuration\[x\(t\)\]` must be"),
         ({"x": np.inf}, r"`configuration\[x\(t\)\]`"),
     ],

@@ -44,8 +44,9 @@ class Event:
 
     Notes
     -----
-    Signs are compared at the ends of four parts of each step: an expression that only touches zero,
-    or crosses and returns within such a part, is not detected. One that time changes beside the
+    Signs are compared at the ends of four parts of each step, and where an expression is least
+    between them. One that only touches zero is not detected, nor may be one that crosses and
+    returns within such a part and is not smooth there. One that time changes beside the
     states, by itself or through specifieds, shortens the steps of methods with step-size control
     where it may do so. Where an expression that had a sign
     becomes NaN, as ``sqrt(q)`` does where q passes zero, the integration ends with an error; one

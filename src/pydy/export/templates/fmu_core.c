@@ -31,7 +31,7 @@ typedef struct {
     int64_t counts[PROJECTIONS + 1];
     int crowd[NE + 1];
     double stages[NVECTORS * NX + 1], fresh[NX + 1], trial[NX + 1], errors[2 * NX + 1];
-    double interpolant[NPARTS * NX + 1], probes[2 * NE + 1], probe[NX + 1];
+    double interpolant[NPARTS * NX + 1], probes[PROBES * NE + 1], probe[NX + 1];
     double resets[NE * NX + 1], derivatives[(NX + NY) * (NX + NU) + 1];
 } Model;
 

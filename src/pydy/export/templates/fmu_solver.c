@@ -49,6 +49,7 @@ static int integrate(Model *m, double goal)
     for (int i = 0; i < NX; i++)
         tolerance[i] = m->rtol;
     prepare(m);
+    m->probes[PROBES * NE] = UNKNOWN;
     while (m->t < goal) {
         m->state[TIME] = m->t, m->state[LARGEST] = goal - m->t;
         m->counts[STEPS] = m->counts[REJECTED] = m->counts[NEXT] = 0;

@@ -10,6 +10,7 @@
 #define ENTRY /* what is called from outside */
 #endif
 
+#define UNKNOWN (0.0 / 0.0)
 #define STEPPER(run) {&(run)->method, &(run)->problem, &(run)->memory}
 
 /* Parts that are compiled apart, and called by their addresses. */
@@ -30,6 +31,8 @@ INLINE void begin(const Run *run, const double *flat)
         run->progress.state.at[i] = run->beginning.state.at[i];
     for (int64_t i = 0; i < run->progress.counts.size; i++)
         run->progress.counts.at[i] = run->beginning.counts.at[i];
+    if (run->watch.words.at[EVENTS] > 0)
+        run->watch.values.at[PROBES * run->watch.words.at[EVENTS]] = UNKNOWN;
 }
 
 /* -- the steps that are kept ------------------------------------------------------------------- */

@@ -2,10 +2,15 @@
 
 #include "run.h"
 
-enum { PARTS = 4 }; /* a root and its return within a quarter of a step are missed, where no other
-                     event happens between them */
+enum { PARTS = 4 };
 
 enum { BACK = 2 }; /* located, though it has the sign again that it began with */
+
+/* The rows of watch.values: the end of a part that a dip divides, a located event, and the ends of the
+   parts of the step, from its start on. Behind them is the time at which the start is known. */
+enum { DIVIDED, LOCATED, QUARTERS };
+
+enum { TRIES = 20 }; /* parabolas for a least value: a few lead to it where it is smooth */
 
 /* Evaluate all event expressions at t + theta h into a row of watch.values. */
 INLINE int64_t probe(const Run *run, const Stepper *s, double t, double h, double theta, int64_t row)
@@ -35,16 +40,16 @@ APART double locate(const Run *run, const Stepper *s, double t, double h, double
     int64_t event)
 {
     const double side = (double)run->watch.sides.at[event];
-    const double *value = run->watch.values.at + run->watch.words.at[EVENTS] + event;
+    const double *value = run->watch.values.at + LOCATED * run->watch.words.at[EVENTS] + event;
     const double resolution = ROUNDING * maximum(absolute(t + h), absolute(t)) / h;
-    probe(run, s, t, h, low, 1);
+    probe(run, s, t, h, low, LOCATED);
     if (*value * side <= 0.0) {
         const double start = low;
         for (double middle = high;;) {
             middle = start + 0.5 * (middle - start);
             if (middle - start < resolution)
                 return start;
-            probe(run, s, t, h, middle, 1);
+            probe(run, s, t, h, middle, LOCATED);
             if (*value * side > 0.0) {
                 low = middle;
                 break;
@@ -56,7 +61,7 @@ APART double locate(const Run *run, const Stepper *s, double t, double h, double
         const double middle = low + 0.5 * (high - low);
         if (middle == low || middle == high)
             break;
-        probe(run, s, t, h, middle, 1);
+        probe(run, s, t, h, middle, LOCATED);
         if (*value * side > 0.0)
             low = middle;
         else
@@ -107,9 +112,8 @@ INLINE double fit(const double *samples, int64_t apart, double place)
 
 /* Tell whether an expression may cross zero and return within a quarter of the step.
 
-   As far as it is known, to `error`, it may between samples that are near zero and near each other,
-   and where it is extreme. It surely does where it has another sign than at the quarters around, or
-   the fit has, beyond `rounding`. */
+   As far as it is known, to `error`, it may between samples that are near zero and near each other. It
+   does where it has another sign than at the quarters around, beyond `rounding`. */
 INLINE int may_return(const double *samples, int64_t apart, double error, double rounding)
 {
     for (int j = 1; j < SAMPLES; j++) {
@@ -120,21 +124,7 @@ INLINE int may_return(const double *samples, int64_t apart, double error, double
         if (j + 1 == SAMPLES)
             return 0;
         const double c = samples[(j + 1) * apart], side = a + c < 0.0 ? -1.0 : 1.0;
-        if (a * c < 0.0)
-            continue;
-        if (side * b < 0.0) {
-            if (j % 2 && absolute(b) > rounding)
-                return 1;
-            continue;
-        }
-        const double before = PLACES[j] - PLACES[j - 1], after = PLACES[j + 1] - PLACES[j];
-        const double left = (b - a) / before, right = (c - b) / after, both = before + after;
-        const double slope = (left * after + right * before) / both;
-        const double place = PLACES[j] - 0.5 * slope * both / (right - left);
-        if (!(place >= PLACES[j - 1] && place <= PLACES[j + 1]))
-            continue;
-        const double least = side * fit(samples, apart, place);
-        if (least < -rounding || (error > rounding && least <= error))
+        if (j % 2 && a * c >= 0.0 && side * b < -rounding)
             return 1;
     }
     return 0;
@@ -177,6 +167,85 @@ APART int64_t unresolved(const Run *run, const Stepper *s, double t, double h)
     return 0;
 }
 
+/* Return a place between three, at which an event is positive times `side`, where it is not, or 2, or
+   CALLBACK: its least value is sought by parabolas, until it is surely positive. Where that is
+   negative by a rounding of the three, it only touches zero.
+
+   References: R. P. Brent, Algorithms for minimization without derivatives, 1973, chapter 5. */
+APART double least_place(const Run *run, const Stepper *s, double t, double h, int64_t event, double side,
+    double a, const double *values)
+{
+    const double *value = run->watch.values.at + DIVIDED * run->watch.words.at[EVENTS] + event;
+    double b = a + 1.0 / PARTS, c = b + 1.0 / PARTS, za = values[0], zb = values[1], zc = values[2];
+    double error = 1.0 / 0.0;
+    const double rounding = ROUNDINGS * ROUNDING * maximum(za, maximum(zb, zc));
+    for (int tries = 0; tries < TRIES; tries++) {
+        const double left = (zb - za) / (b - a), right = (zc - zb) / (c - b);
+        const double bend = (right - left) / (c - a), slope = left + bend * (b - a);
+        double place = b - 0.5 * slope / bend;
+        if (!(bend > 0.0 && zb + 0.5 * slope * (place - b) <= 2.0 * error))
+            return 2.0;
+        if (place <= a || place >= c) /* near an end of the step, as far as is known */
+            place = 0.5 * (b + (place <= a ? a : c));
+        const double guess = zb + (slope + bend * (place - b)) * (place - b);
+        if (!(place > a && place < c) || place == b)
+            return 2.0;
+        if (probe(run, s, t, h, place, DIVIDED) < 0)
+            return CALLBACK;
+        const double z = side * *value;
+        if (z < 0.0)
+            return z < -rounding ? place : 2.0;
+        error = absolute(z - guess);
+        if (place < b && z <= zb)
+            c = b, zc = zb, b = place, zb = z;
+        else if (place < b)
+            a = place, za = z;
+        else if (z <= zb)
+            a = b, za = zb, b = place, zb = z;
+        else
+            c = place, zc = z;
+    }
+    return 2.0;
+}
+
+/* Return the first place beyond `left` in a part of the step where an event has another sign than at
+   both ends of it, or 2, or CALLBACK: but not where it has that sign still when one happens that acts, as the
+   direction of a velocity changes when this passes zero. */
+INLINE double find_dip(const Run *run, const Stepper *s, double t, double h, double left, int part)
+{
+    const Watch *w = &run->watch;
+    const int64_t number = w->words.at[EVENTS];
+    const double *divided = w->values.at + DIVIDED * number, *ends = divided + (QUARTERS + part) * number;
+    double first = 2.0, acts = 2.0;
+    for (int64_t k = 0; k < number; k++) {
+        const double *values = w->values.at + QUARTERS * number + k, side = (double)w->sides.at[k];
+        for (int i = part < 2 ? 1 : part - 1; i <= part && i < PARTS; i++) {
+            double z[3], middle = (double)i / PARTS;
+            for (int j = 0; j < 3; j++)
+                z[j] = side * values[(i - 1 + j) * number];
+            if (!(z[0] > 0.0 && z[1] > 0.0 && z[2] > 0.0))
+                continue;
+            const double slope = 0.5 * (z[2] - z[0]), bend = z[2] - 2.0 * z[1] + z[0];
+            const double place = PARTS * middle - slope / bend; /* in parts; beyond an end it may err */
+            if (!(bend > 0.0 && place >= part - 1 - (part == 1) && place <= part + (part == PARTS)))
+                continue;
+            const double found = least_place(run, s, t, h, k, side, middle - 1.0 / PARTS, z);
+            if (found == CALLBACK)
+                return CALLBACK;
+            if (!(found > left && found < minimum(first, (double)part / PARTS)))
+                continue;
+            for (int64_t l = 0; l < number; l++)
+                if (w->acting.at[l] == 1 && crossed(w->sides.at[l], ends[l], w->directions.at[l]))
+                    acts = minimum(acts, locate(run, s, t, h, left, (double)part / PARTS, l));
+            if (acts <= 1.0 && probe(run, s, t, h, acts, DIVIDED) < 0)
+                return CALLBACK;
+            if (acts > 1.0 || side * divided[k] > 0.0)
+                first = found;
+        }
+    }
+    return first;
+}
+
 /* Look for events in the step just taken.
 
    Returns EVENT when an acting event ends it, LOG_FULL when the log has to be emptied, CALLBACK
@@ -189,10 +258,11 @@ ENTRY int64_t scan_events(const Run *run, double t, double h)
     const Watch *w = &run->watch;
     const int64_t number = w->words.at[EVENTS];
     const int64_t *directions = w->directions.at;
-    const double *values = w->values.at;
     int64_t *sides = w->sides.at, *fired = w->fired.at, *counts = run->progress.counts.at;
     const int64_t logged = counts[LOGGED];
     double left = 0.0, *state = run->progress.state.at;
+    double *quarters = w->values.at + QUARTERS * number, *known = w->values.at + PROBES * number;
+    const double *located = w->values.at + LOCATED * number;
     if (w->driven.size > 0) {
         const int64_t code = unresolved(run, s, t, h);
         if (code == CALLBACK)
@@ -200,10 +270,20 @@ ENTRY int64_t scan_events(const Run *run, double t, double h)
         if (code != 0)
             return code;
     }
-    for (int quarter = 1; quarter <= PARTS; quarter++) {
-        const double right = (double)quarter / PARTS;
-        if (probe(run, s, t, h, right, 0) < 0)
+    for (int part = *known == t; part <= PARTS; part++)
+        if (probe(run, s, t, h, (double)part / PARTS, QUARTERS + part) < 0)
             return called_back(run, logged);
+    *known = UNKNOWN;
+    for (int part = 1; part <= PARTS; part += left == (double)part / PARTS) {
+        double right = (double)part / PARTS;
+        const double *values = quarters + part * number, dip = find_dip(run, s, t, h, left, part);
+        if (dip < 0.0)
+            return called_back(run, logged);
+        if (dip < right) {
+            right = dip, values = w->values.at + DIVIDED * number;
+            if (probe(run, s, t, h, right, DIVIDED) < 0)
+                return called_back(run, logged);
+        }
         for (;;) {
             double first = 2.0;
             int ends = 0; /* whether the first event acts */
@@ -221,22 +301,22 @@ ENTRY int64_t scan_events(const Run *run, double t, double h)
             }
             if (first > 1.0)
                 break;
-            if (probe(run, s, t, h, first, 1) < 0)
+            if (probe(run, s, t, h, first, LOCATED) < 0)
                 return called_back(run, logged);
             /* where one is noted, another may have crossed that is back at `right` */
             for (int64_t k = 0; k < number && !ends; k++)
-                if (crossed(sides[k], values[number + k], directions[k])
+                if (crossed(sides[k], located[k], directions[k])
                     && !crossed(sides[k], values[k], directions[k])) {
                     const double theta = locate(run, s, t, h, left, first, k);
                     if (theta > left)
                         first = theta, fired[k] = BACK;
-                    if (probe(run, s, t, h, first, 1) < 0)
+                    if (probe(run, s, t, h, first, LOCATED) < 0)
                         return called_back(run, logged);
                 }
             int acting = 0;
             int64_t undefined = -1;
             for (int64_t k = 0; k < number; k++) {
-                const double now = values[number + k];
+                const double now = located[k];
                 int here = crossed(sides[k], now, directions[k]);
                 /* exactly zero at its own root, or handled at `left` and left again */
                 if (!here && crossed(sides[k], values[k], directions[k]))
@@ -281,6 +361,9 @@ ENTRY int64_t scan_events(const Run *run, double t, double h)
         }
         left = right;
     }
+    for (int64_t k = 0; k < number; k++)
+        quarters[k] = quarters[PARTS * number + k];
+    *known = state[TIME];
     state[FOUND] = 1.0;
     return 0;
 }

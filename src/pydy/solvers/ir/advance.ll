@@ -1,4 +1,4 @@
-; sources 903552da59d5513971a3651d30e68bf0a6b355d8f21b1363fb00b6350360a4f1
+; sources 0696e5a82e3f28e49fcbd98b8092155f40ecebf6deb30d314d7db53bfdcf7442
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
@@ -6,7 +6,7 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
   %5 = alloca [1 x double], align 8
   %6 = alloca [1 x double], align 8
   %7 = icmp eq i64 %2, 1
-  br i1 %7, label %8, label %61
+  br i1 %7, label %8, label %72
 
 8:                                                ; preds = %3
   %9 = getelementptr inbounds i8, ptr %0, i64 144
@@ -49,12 +49,12 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
   %35 = getelementptr inbounds i8, ptr %0, i64 608
   %36 = load i64, ptr %35, align 8
   %37 = icmp sgt i64 %36, 0
-  br i1 %37, label %38, label %61
+  br i1 %37, label %38, label %51
 
 38:                                               ; preds = %34
   %39 = getelementptr inbounds i8, ptr %0, i64 600
   %40 = getelementptr inbounds i8, ptr %0, i64 1056
-  br label %51
+  br label %57
 
 41:                                               ; preds = %20, %41
   %42 = phi i64 [ 0, %20 ], [ %48, %41 ]
@@ -69,1883 +69,1899 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
   %50 = icmp slt i64 %48, %49
   br i1 %50, label %41, label %34, !llvm.loop !6
 
-51:                                               ; preds = %38, %51
-  %52 = phi i64 [ 0, %38 ], [ %58, %51 ]
-  %53 = load ptr, ptr %40, align 8
-  %54 = getelementptr inbounds i64, ptr %53, i64 %52
+51:                                               ; preds = %57, %34
+  %52 = getelementptr inbounds i8, ptr %0, i64 720
+  %53 = load ptr, ptr %52, align 8
+  %54 = getelementptr inbounds i8, ptr %53, i64 8
   %55 = load i64, ptr %54, align 8
-  %56 = load ptr, ptr %39, align 8
-  %57 = getelementptr inbounds i64, ptr %56, i64 %52
-  store i64 %55, ptr %57, align 8
-  %58 = add nuw nsw i64 %52, 1
-  %59 = load i64, ptr %35, align 8
-  %60 = icmp slt i64 %58, %59
-  br i1 %60, label %51, label %61, !llvm.loop !7
+  %56 = icmp sgt i64 %55, 0
+  br i1 %56, label %67, label %72
 
-61:                                               ; preds = %51, %34, %3
-  %62 = getelementptr inbounds i8, ptr %0, i64 144
-  %63 = getelementptr inbounds i8, ptr %0, i64 312
-  %64 = getelementptr inbounds i8, ptr %0, i64 576
-  %65 = load ptr, ptr %64, align 8
-  %66 = getelementptr inbounds i8, ptr %0, i64 336
-  %67 = load ptr, ptr %66, align 8
-  %68 = getelementptr inbounds i8, ptr %0, i64 600
+57:                                               ; preds = %38, %57
+  %58 = phi i64 [ 0, %38 ], [ %64, %57 ]
+  %59 = load ptr, ptr %40, align 8
+  %60 = getelementptr inbounds i64, ptr %59, i64 %58
+  %61 = load i64, ptr %60, align 8
+  %62 = load ptr, ptr %39, align 8
+  %63 = getelementptr inbounds i64, ptr %62, i64 %58
+  store i64 %61, ptr %63, align 8
+  %64 = add nuw nsw i64 %58, 1
+  %65 = load i64, ptr %35, align 8
+  %66 = icmp slt i64 %64, %65
+  br i1 %66, label %57, label %51, !llvm.loop !7
+
+67:                                               ; preds = %51
+  %68 = getelementptr inbounds i8, ptr %0, i64 864
   %69 = load ptr, ptr %68, align 8
-  %70 = getelementptr inbounds i8, ptr %69, i64 56
-  %71 = load i64, ptr %70, align 8
-  %72 = icmp eq i64 %71, 0
-  br i1 %72, label %1495, label %73
+  %70 = mul i64 %55, 56
+  %71 = getelementptr inbounds i8, ptr %69, i64 %70
+  store double 0x7FF8000000000000, ptr %71, align 8
+  br label %72
 
-73:                                               ; preds = %61
-  %74 = getelementptr inbounds i8, ptr %0, i64 624
-  %75 = load ptr, ptr %74, align 8
-  %76 = getelementptr inbounds i8, ptr %0, i64 120
-  %77 = load ptr, ptr %76, align 8
-  %78 = load ptr, ptr %0, align 8
-  %79 = getelementptr inbounds i8, ptr %0, i64 320
-  %80 = load i64, ptr %79, align 8
-  %81 = getelementptr inbounds i8, ptr %0, i64 648
-  %82 = load ptr, ptr %81, align 8
-  %83 = load i64, ptr %82, align 8
-  %84 = icmp ne i64 %83, 1
-  %85 = getelementptr inbounds i8, ptr %78, i64 8
-  %86 = load i64, ptr %85, align 8
-  %87 = icmp slt i64 %86, 1
-  %88 = getelementptr inbounds i8, ptr %78, i64 32
-  %89 = load i64, ptr %88, align 8
-  %90 = icmp eq i64 %89, 1
-  %91 = getelementptr inbounds i8, ptr %0, i64 720
-  %92 = load ptr, ptr %91, align 8
-  %93 = getelementptr inbounds i8, ptr %92, i64 8
+72:                                               ; preds = %67, %51, %3
+  %73 = getelementptr inbounds i8, ptr %0, i64 144
+  %74 = getelementptr inbounds i8, ptr %0, i64 312
+  %75 = getelementptr inbounds i8, ptr %0, i64 576
+  %76 = load ptr, ptr %75, align 8
+  %77 = getelementptr inbounds i8, ptr %0, i64 336
+  %78 = load ptr, ptr %77, align 8
+  %79 = getelementptr inbounds i8, ptr %0, i64 600
+  %80 = load ptr, ptr %79, align 8
+  %81 = getelementptr inbounds i8, ptr %80, i64 56
+  %82 = load i64, ptr %81, align 8
+  %83 = icmp eq i64 %82, 0
+  br i1 %83, label %1506, label %84
+
+84:                                               ; preds = %72
+  %85 = getelementptr inbounds i8, ptr %0, i64 624
+  %86 = load ptr, ptr %85, align 8
+  %87 = getelementptr inbounds i8, ptr %0, i64 120
+  %88 = load ptr, ptr %87, align 8
+  %89 = load ptr, ptr %0, align 8
+  %90 = getelementptr inbounds i8, ptr %0, i64 320
+  %91 = load i64, ptr %90, align 8
+  %92 = getelementptr inbounds i8, ptr %0, i64 648
+  %93 = load ptr, ptr %92, align 8
   %94 = load i64, ptr %93, align 8
-  %95 = icmp sgt i64 %94, 0
-  %96 = getelementptr inbounds i8, ptr %0, i64 632
+  %95 = icmp ne i64 %94, 1
+  %96 = getelementptr inbounds i8, ptr %89, i64 8
   %97 = load i64, ptr %96, align 8
-  %98 = getelementptr double, ptr %75, i64 %97
-  %99 = getelementptr i8, ptr %98, i64 -8
-  %100 = load double, ptr %99, align 8
-  %101 = getelementptr inbounds i8, ptr %0, i64 480
-  %102 = load ptr, ptr %101, align 8
-  %103 = load i64, ptr %78, align 8
-  %104 = mul nsw i64 %103, %80
-  %105 = getelementptr inbounds double, ptr %102, i64 %104
-  %106 = load double, ptr %65, align 8
-  %107 = getelementptr inbounds i8, ptr %65, i64 8
-  %108 = load double, ptr %107, align 8
-  %109 = load i64, ptr %69, align 8
-  %110 = icmp eq i64 %109, 0
-  br i1 %110, label %111, label %334
+  %98 = icmp slt i64 %97, 1
+  %99 = getelementptr inbounds i8, ptr %89, i64 32
+  %100 = load i64, ptr %99, align 8
+  %101 = icmp eq i64 %100, 1
+  %102 = getelementptr inbounds i8, ptr %0, i64 720
+  %103 = load ptr, ptr %102, align 8
+  %104 = getelementptr inbounds i8, ptr %103, i64 8
+  %105 = load i64, ptr %104, align 8
+  %106 = icmp sgt i64 %105, 0
+  %107 = getelementptr inbounds i8, ptr %0, i64 632
+  %108 = load i64, ptr %107, align 8
+  %109 = getelementptr double, ptr %86, i64 %108
+  %110 = getelementptr i8, ptr %109, i64 -8
+  %111 = load double, ptr %110, align 8
+  %112 = getelementptr inbounds i8, ptr %0, i64 480
+  %113 = load ptr, ptr %112, align 8
+  %114 = load i64, ptr %89, align 8
+  %115 = mul nsw i64 %114, %91
+  %116 = getelementptr inbounds double, ptr %113, i64 %115
+  %117 = load double, ptr %76, align 8
+  %118 = getelementptr inbounds i8, ptr %76, i64 8
+  %119 = load double, ptr %118, align 8
+  %120 = load i64, ptr %80, align 8
+  %121 = icmp eq i64 %120, 0
+  br i1 %121, label %122, label %345
 
-111:                                              ; preds = %73
-  %112 = getelementptr inbounds i8, ptr %69, i64 24
-  %113 = load i64, ptr %112, align 8
-  %114 = add nsw i64 %113, 1
-  store i64 %114, ptr %112, align 8
-  %115 = load ptr, ptr %63, align 8
-  %116 = load ptr, ptr %101, align 8
-  %117 = getelementptr inbounds i8, ptr %0, i64 168
-  %118 = load ptr, ptr %117, align 8
-  store double %106, ptr %118, align 8
-  %119 = getelementptr inbounds i8, ptr %0, i64 248
-  %120 = load i64, ptr %119, align 8
-  %121 = icmp sgt i64 %120, 0
-  br i1 %121, label %122, label %123
+122:                                              ; preds = %84
+  %123 = getelementptr inbounds i8, ptr %80, i64 24
+  %124 = load i64, ptr %123, align 8
+  %125 = add nsw i64 %124, 1
+  store i64 %125, ptr %123, align 8
+  %126 = load ptr, ptr %74, align 8
+  %127 = load ptr, ptr %112, align 8
+  %128 = getelementptr inbounds i8, ptr %0, i64 168
+  %129 = load ptr, ptr %128, align 8
+  store double %117, ptr %129, align 8
+  %130 = getelementptr inbounds i8, ptr %0, i64 248
+  %131 = load i64, ptr %130, align 8
+  %132 = icmp sgt i64 %131, 0
+  br i1 %132, label %133, label %134
 
-122:                                              ; preds = %111
-  tail call fastcc void @sample(ptr noundef nonnull %62) #8
-  br label %123
+133:                                              ; preds = %122
+  tail call fastcc void @sample(ptr noundef nonnull %73) #8
+  br label %134
 
-123:                                              ; preds = %111, %122
-  %124 = load ptr, ptr %62, align 8
-  %125 = load i64, ptr %124, align 8
-  %126 = load ptr, ptr %117, align 8
-  %127 = getelementptr inbounds i8, ptr %0, i64 192
-  %128 = load ptr, ptr %127, align 8
-  %129 = getelementptr inbounds i8, ptr %0, i64 216
-  %130 = load ptr, ptr %129, align 8
-  %131 = inttoptr i64 %125 to ptr
-  %132 = tail call i32 %131(ptr noundef %126, ptr noundef %115, ptr noundef %128, ptr noundef %130, ptr noundef %116) #9
-  %133 = icmp eq i32 %132, 0
-  br i1 %133, label %138, label %134
+134:                                              ; preds = %122, %133
+  %135 = load ptr, ptr %73, align 8
+  %136 = load i64, ptr %135, align 8
+  %137 = load ptr, ptr %128, align 8
+  %138 = getelementptr inbounds i8, ptr %0, i64 192
+  %139 = load ptr, ptr %138, align 8
+  %140 = getelementptr inbounds i8, ptr %0, i64 216
+  %141 = load ptr, ptr %140, align 8
+  %142 = inttoptr i64 %136 to ptr
+  %143 = tail call i32 %142(ptr noundef %137, ptr noundef %126, ptr noundef %139, ptr noundef %141, ptr noundef %127) #9
+  %144 = icmp eq i32 %143, 0
+  br i1 %144, label %149, label %145
 
-134:                                              ; preds = %123
-  %135 = getelementptr inbounds i8, ptr %69, i64 72
-  store i64 3, ptr %135, align 8
-  %136 = icmp slt i32 %132, 0
-  %137 = select i1 %136, i64 -4, i64 2
-  br label %1495
+145:                                              ; preds = %134
+  %146 = getelementptr inbounds i8, ptr %80, i64 72
+  store i64 3, ptr %146, align 8
+  %147 = icmp slt i32 %143, 0
+  %148 = select i1 %147, i64 -4, i64 2
+  br label %1506
 
-138:                                              ; preds = %123
-  store i64 1, ptr %69, align 8
-  %139 = getelementptr inbounds i8, ptr %65, i64 24
-  store double 1.000000e-04, ptr %139, align 8
-  %140 = getelementptr inbounds i8, ptr %77, i64 40
-  %141 = load double, ptr %140, align 8
-  %142 = getelementptr inbounds i8, ptr %65, i64 40
-  store double %141, ptr %142, align 8
-  %143 = load ptr, ptr %63, align 8
-  %144 = load ptr, ptr %62, align 8
-  %145 = getelementptr inbounds i8, ptr %144, i64 8
-  %146 = load i64, ptr %145, align 8
-  %147 = load i64, ptr %96, align 8
-  %148 = load ptr, ptr %74, align 8
-  %149 = load ptr, ptr %68, align 8
-  %150 = getelementptr inbounds i8, ptr %149, i64 48
-  %151 = load i64, ptr %150, align 8
-  %152 = icmp slt i64 %151, %147
-  br i1 %152, label %153, label %176
+149:                                              ; preds = %134
+  store i64 1, ptr %80, align 8
+  %150 = getelementptr inbounds i8, ptr %76, i64 24
+  store double 1.000000e-04, ptr %150, align 8
+  %151 = getelementptr inbounds i8, ptr %88, i64 40
+  %152 = load double, ptr %151, align 8
+  %153 = getelementptr inbounds i8, ptr %76, i64 40
+  store double %152, ptr %153, align 8
+  %154 = load ptr, ptr %74, align 8
+  %155 = load ptr, ptr %73, align 8
+  %156 = getelementptr inbounds i8, ptr %155, i64 8
+  %157 = load i64, ptr %156, align 8
+  %158 = load i64, ptr %107, align 8
+  %159 = load ptr, ptr %85, align 8
+  %160 = load ptr, ptr %79, align 8
+  %161 = getelementptr inbounds i8, ptr %160, i64 48
+  %162 = load i64, ptr %161, align 8
+  %163 = icmp slt i64 %162, %158
+  br i1 %163, label %164, label %187
 
-153:                                              ; preds = %138
-  %154 = icmp sgt i64 %146, 0
-  br label %155
+164:                                              ; preds = %149
+  %165 = icmp sgt i64 %157, 0
+  br label %166
 
-155:                                              ; preds = %153, %166
-  %156 = phi i64 [ %151, %153 ], [ %167, %166 ]
-  %157 = getelementptr inbounds double, ptr %148, i64 %156
-  %158 = load double, ptr %157, align 8
-  %159 = load ptr, ptr %64, align 8
-  %160 = load double, ptr %159, align 8
-  %161 = fcmp ugt double %158, %160
-  br i1 %161, label %176, label %162
+166:                                              ; preds = %164, %177
+  %167 = phi i64 [ %162, %164 ], [ %178, %177 ]
+  %168 = getelementptr inbounds double, ptr %159, i64 %167
+  %169 = load double, ptr %168, align 8
+  %170 = load ptr, ptr %75, align 8
+  %171 = load double, ptr %170, align 8
+  %172 = fcmp ugt double %169, %171
+  br i1 %172, label %187, label %173
 
-162:                                              ; preds = %155
-  br i1 %154, label %163, label %166
+173:                                              ; preds = %166
+  br i1 %165, label %174, label %177
 
-163:                                              ; preds = %162
-  %164 = mul nsw i64 %156, %146
-  %165 = getelementptr double, ptr %1, i64 %164
-  br label %169
+174:                                              ; preds = %173
+  %175 = mul nsw i64 %167, %157
+  %176 = getelementptr double, ptr %1, i64 %175
+  br label %180
 
-166:                                              ; preds = %169, %162
-  %167 = add i64 %156, 1
-  %168 = icmp eq i64 %167, %147
-  br i1 %168, label %176, label %155, !llvm.loop !8
+177:                                              ; preds = %180, %173
+  %178 = add i64 %167, 1
+  %179 = icmp eq i64 %178, %158
+  br i1 %179, label %187, label %166, !llvm.loop !8
 
-169:                                              ; preds = %163, %169
-  %170 = phi i64 [ 0, %163 ], [ %174, %169 ]
-  %171 = getelementptr inbounds double, ptr %143, i64 %170
-  %172 = load double, ptr %171, align 8
-  %173 = getelementptr double, ptr %165, i64 %170
-  store double %172, ptr %173, align 8
-  %174 = add nuw nsw i64 %170, 1
-  %175 = icmp eq i64 %174, %146
-  br i1 %175, label %166, label %169, !llvm.loop !9
+180:                                              ; preds = %174, %180
+  %181 = phi i64 [ 0, %174 ], [ %185, %180 ]
+  %182 = getelementptr inbounds double, ptr %154, i64 %181
+  %183 = load double, ptr %182, align 8
+  %184 = getelementptr double, ptr %176, i64 %181
+  store double %183, ptr %184, align 8
+  %185 = add nuw nsw i64 %181, 1
+  %186 = icmp eq i64 %185, %157
+  br i1 %186, label %177, label %180, !llvm.loop !9
 
-176:                                              ; preds = %155, %166, %138
-  %177 = phi i64 [ %151, %138 ], [ %156, %155 ], [ %147, %166 ]
-  %178 = load ptr, ptr %68, align 8
-  %179 = getelementptr inbounds i8, ptr %178, i64 48
-  store i64 %177, ptr %179, align 8
-  %180 = icmp eq i64 %177, %147
-  br i1 %180, label %1495, label %181
+187:                                              ; preds = %166, %177, %149
+  %188 = phi i64 [ %162, %149 ], [ %167, %166 ], [ %158, %177 ]
+  %189 = load ptr, ptr %79, align 8
+  %190 = getelementptr inbounds i8, ptr %189, i64 48
+  store i64 %188, ptr %190, align 8
+  %191 = icmp eq i64 %188, %158
+  br i1 %191, label %1506, label %192
 
-181:                                              ; preds = %176
-  %182 = fcmp oeq double %108, 0.000000e+00
-  br i1 %182, label %183, label %334
+192:                                              ; preds = %187
+  %193 = fcmp oeq double %119, 0.000000e+00
+  br i1 %193, label %194, label %345
 
-183:                                              ; preds = %181
-  %184 = load ptr, ptr %62, align 8
-  %185 = getelementptr inbounds i8, ptr %184, i64 24
-  %186 = load i64, ptr %185, align 8
-  %187 = load ptr, ptr %64, align 8
-  %188 = getelementptr inbounds i8, ptr %187, i64 16
-  %189 = load double, ptr %188, align 8
-  %190 = load ptr, ptr %63, align 8
-  call fastcc void @norm_to(ptr noundef nonnull %4, ptr noundef %190, ptr noundef %190, ptr noundef nonnull %63, i64 noundef %186) #8
-  %191 = load double, ptr %4, align 8
-  %192 = getelementptr inbounds i8, ptr %0, i64 480
-  %193 = load ptr, ptr %192, align 8
-  call fastcc void @norm_to(ptr noundef nonnull %5, ptr noundef %193, ptr noundef %190, ptr noundef nonnull %63, i64 noundef %186) #8
-  %194 = load double, ptr %5, align 8
-  %195 = fcmp uge double %191, 1.000000e-05
-  %196 = fcmp uge double %194, 1.000000e-05
-  %197 = and i1 %195, %196
-  %198 = fmul double %191, 1.000000e-02
-  %199 = fdiv double %198, %194
-  %200 = select i1 %197, double %199, double 0x3EB0C6F7A0B5ED8D
-  %201 = fcmp olt double %189, %200
-  %202 = select i1 %201, double %189, double %200
-  %203 = load ptr, ptr %62, align 8
-  %204 = getelementptr inbounds i8, ptr %203, i64 8
-  %205 = load i64, ptr %204, align 8
-  %206 = icmp sgt i64 %205, 0
-  br i1 %206, label %207, label %209
+194:                                              ; preds = %192
+  %195 = load ptr, ptr %73, align 8
+  %196 = getelementptr inbounds i8, ptr %195, i64 24
+  %197 = load i64, ptr %196, align 8
+  %198 = load ptr, ptr %75, align 8
+  %199 = getelementptr inbounds i8, ptr %198, i64 16
+  %200 = load double, ptr %199, align 8
+  %201 = load ptr, ptr %74, align 8
+  call fastcc void @norm_to(ptr noundef nonnull %4, ptr noundef %201, ptr noundef %201, ptr noundef nonnull %74, i64 noundef %197) #8
+  %202 = load double, ptr %4, align 8
+  %203 = getelementptr inbounds i8, ptr %0, i64 480
+  %204 = load ptr, ptr %203, align 8
+  call fastcc void @norm_to(ptr noundef nonnull %5, ptr noundef %204, ptr noundef %201, ptr noundef nonnull %74, i64 noundef %197) #8
+  %205 = load double, ptr %5, align 8
+  %206 = fcmp uge double %202, 1.000000e-05
+  %207 = fcmp uge double %205, 1.000000e-05
+  %208 = and i1 %206, %207
+  %209 = fmul double %202, 1.000000e-02
+  %210 = fdiv double %209, %205
+  %211 = select i1 %208, double %210, double 0x3EB0C6F7A0B5ED8D
+  %212 = fcmp olt double %200, %211
+  %213 = select i1 %212, double %200, double %211
+  %214 = load ptr, ptr %73, align 8
+  %215 = getelementptr inbounds i8, ptr %214, i64 8
+  %216 = load i64, ptr %215, align 8
+  %217 = icmp sgt i64 %216, 0
+  br i1 %217, label %218, label %220
 
-207:                                              ; preds = %183
-  %208 = getelementptr inbounds i8, ptr %0, i64 360
-  br label %233
+218:                                              ; preds = %194
+  %219 = getelementptr inbounds i8, ptr %0, i64 360
+  br label %244
 
-209:                                              ; preds = %233, %183
-  %210 = load ptr, ptr %68, align 8
-  %211 = getelementptr inbounds i8, ptr %210, i64 24
-  %212 = load i64, ptr %211, align 8
-  %213 = add nsw i64 %212, 1
-  store i64 %213, ptr %211, align 8
-  %214 = fadd double %106, %202
-  %215 = getelementptr inbounds i8, ptr %0, i64 360
-  %216 = load ptr, ptr %215, align 8
-  %217 = load ptr, ptr %101, align 8
-  %218 = load i64, ptr %79, align 8
-  %219 = getelementptr inbounds double, ptr %217, i64 %218
-  %220 = load ptr, ptr %117, align 8
-  store double %214, ptr %220, align 8
-  %221 = load i64, ptr %119, align 8
-  %222 = icmp sgt i64 %221, 0
-  br i1 %222, label %223, label %224
+220:                                              ; preds = %244, %194
+  %221 = load ptr, ptr %79, align 8
+  %222 = getelementptr inbounds i8, ptr %221, i64 24
+  %223 = load i64, ptr %222, align 8
+  %224 = add nsw i64 %223, 1
+  store i64 %224, ptr %222, align 8
+  %225 = fadd double %117, %213
+  %226 = getelementptr inbounds i8, ptr %0, i64 360
+  %227 = load ptr, ptr %226, align 8
+  %228 = load ptr, ptr %112, align 8
+  %229 = load i64, ptr %90, align 8
+  %230 = getelementptr inbounds double, ptr %228, i64 %229
+  %231 = load ptr, ptr %128, align 8
+  store double %225, ptr %231, align 8
+  %232 = load i64, ptr %130, align 8
+  %233 = icmp sgt i64 %232, 0
+  br i1 %233, label %234, label %235
 
-223:                                              ; preds = %209
-  tail call fastcc void @sample(ptr noundef nonnull %62) #8
-  br label %224
+234:                                              ; preds = %220
+  tail call fastcc void @sample(ptr noundef nonnull %73) #8
+  br label %235
 
-224:                                              ; preds = %209, %223
-  %225 = load ptr, ptr %62, align 8
-  %226 = load i64, ptr %225, align 8
-  %227 = load ptr, ptr %117, align 8
-  %228 = load ptr, ptr %127, align 8
-  %229 = load ptr, ptr %129, align 8
-  %230 = inttoptr i64 %226 to ptr
-  %231 = tail call i32 %230(ptr noundef %227, ptr noundef %216, ptr noundef %228, ptr noundef %229, ptr noundef %219) #9
-  %232 = icmp eq i32 %231, 0
-  br i1 %232, label %252, label %250
+235:                                              ; preds = %220, %234
+  %236 = load ptr, ptr %73, align 8
+  %237 = load i64, ptr %236, align 8
+  %238 = load ptr, ptr %128, align 8
+  %239 = load ptr, ptr %138, align 8
+  %240 = load ptr, ptr %140, align 8
+  %241 = inttoptr i64 %237 to ptr
+  %242 = tail call i32 %241(ptr noundef %238, ptr noundef %227, ptr noundef %239, ptr noundef %240, ptr noundef %230) #9
+  %243 = icmp eq i32 %242, 0
+  br i1 %243, label %263, label %261
 
-233:                                              ; preds = %207, %233
-  %234 = phi i64 [ 0, %207 ], [ %245, %233 ]
-  %235 = load ptr, ptr %63, align 8
-  %236 = getelementptr inbounds double, ptr %235, i64 %234
-  %237 = load double, ptr %236, align 8
-  %238 = load ptr, ptr %101, align 8
-  %239 = getelementptr inbounds double, ptr %238, i64 %234
-  %240 = load double, ptr %239, align 8
-  %241 = fmul double %202, %240
-  %242 = fadd double %237, %241
-  %243 = load ptr, ptr %208, align 8
-  %244 = getelementptr inbounds double, ptr %243, i64 %234
-  store double %242, ptr %244, align 8
-  %245 = add nuw nsw i64 %234, 1
-  %246 = load ptr, ptr %62, align 8
-  %247 = getelementptr inbounds i8, ptr %246, i64 8
-  %248 = load i64, ptr %247, align 8
-  %249 = icmp slt i64 %245, %248
-  br i1 %249, label %233, label %209, !llvm.loop !10
+244:                                              ; preds = %218, %244
+  %245 = phi i64 [ 0, %218 ], [ %256, %244 ]
+  %246 = load ptr, ptr %74, align 8
+  %247 = getelementptr inbounds double, ptr %246, i64 %245
+  %248 = load double, ptr %247, align 8
+  %249 = load ptr, ptr %112, align 8
+  %250 = getelementptr inbounds double, ptr %249, i64 %245
+  %251 = load double, ptr %250, align 8
+  %252 = fmul double %213, %251
+  %253 = fadd double %248, %252
+  %254 = load ptr, ptr %219, align 8
+  %255 = getelementptr inbounds double, ptr %254, i64 %245
+  store double %253, ptr %255, align 8
+  %256 = add nuw nsw i64 %245, 1
+  %257 = load ptr, ptr %73, align 8
+  %258 = getelementptr inbounds i8, ptr %257, i64 8
+  %259 = load i64, ptr %258, align 8
+  %260 = icmp slt i64 %256, %259
+  br i1 %260, label %244, label %220, !llvm.loop !10
 
-250:                                              ; preds = %224
-  %251 = fmul double %202, 1.000000e-03
-  br label %329
+261:                                              ; preds = %235
+  %262 = fmul double %213, 1.000000e-03
+  br label %340
 
-252:                                              ; preds = %224
-  %253 = load ptr, ptr %76, align 8
-  %254 = load double, ptr %253, align 8
-  %255 = load ptr, ptr %192, align 8
-  %256 = getelementptr inbounds i8, ptr %0, i64 320
-  %257 = load i64, ptr %256, align 8
-  %258 = getelementptr inbounds double, ptr %255, i64 %257
-  %259 = icmp sgt i64 %186, 0
-  br i1 %259, label %260, label %269
-
-260:                                              ; preds = %252, %260
-  %261 = phi i64 [ %267, %260 ], [ 0, %252 ]
-  %262 = getelementptr inbounds double, ptr %258, i64 %261
-  %263 = load double, ptr %262, align 8
-  %264 = getelementptr inbounds double, ptr %255, i64 %261
+263:                                              ; preds = %235
+  %264 = load ptr, ptr %87, align 8
   %265 = load double, ptr %264, align 8
-  %266 = fsub double %263, %265
-  store double %266, ptr %262, align 8
-  %267 = add nuw nsw i64 %261, 1
-  %268 = icmp eq i64 %267, %186
-  br i1 %268, label %269, label %260, !llvm.loop !11
+  %266 = load ptr, ptr %203, align 8
+  %267 = getelementptr inbounds i8, ptr %0, i64 320
+  %268 = load i64, ptr %267, align 8
+  %269 = getelementptr inbounds double, ptr %266, i64 %268
+  %270 = icmp sgt i64 %197, 0
+  br i1 %270, label %271, label %280
 
-269:                                              ; preds = %260, %252
-  %270 = load ptr, ptr %63, align 8
-  call fastcc void @norm_to(ptr noundef nonnull %6, ptr noundef %258, ptr noundef %270, ptr noundef nonnull %63, i64 noundef %186) #8
-  %271 = load double, ptr %6, align 8
-  %272 = fdiv double %271, %202
-  %273 = fcmp ogt double %194, %272
-  %274 = select i1 %273, double %194, double %272
-  %275 = fcmp ule double %274, 1.000000e-15
-  %276 = fdiv double 1.000000e-02, %274
-  %277 = select i1 %275, double 1.000000e+13, double %276
-  %278 = bitcast double %277 to i64
-  %279 = add nsw i64 %278, -4604544271217802189
-  %280 = ashr i64 %279, 52
-  %281 = and i64 %279, -4503599627370496
-  %282 = sub nsw i64 %278, %281
-  %283 = bitcast i64 %282 to double
-  %284 = fadd double %283, -1.000000e+00
-  %285 = fadd double %283, 1.000000e+00
-  %286 = fdiv double %284, %285
-  %287 = fmul double %286, %286
-  %288 = tail call double @llvm.fma.f64(double %287, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
-  %289 = tail call double @llvm.fma.f64(double %288, double %287, double 0x3FE2776C50EF9BFE)
-  %290 = tail call double @llvm.fma.f64(double %289, double %287, double 0x3FEEC709DC3A03FD)
-  %291 = tail call double @llvm.fma.f64(double %290, double %287, double 0x40071547652B82FE)
-  %292 = trunc nsw i64 %280 to i32
-  %293 = sitofp i32 %292 to double
-  %294 = fmul double %286, %291
-  %295 = fadd double %294, %293
-  %296 = fmul double %254, %295
-  %297 = fcmp ogt double %296, -1.000000e+03
-  %298 = select i1 %297, double %296, double -1.000000e+03
-  %299 = fcmp olt double %298, 1.000000e+03
-  %300 = select i1 %299, double %298, double 1.000000e+03
-  %301 = tail call double @llvm.rint.f64(double %300)
-  %302 = fsub double %300, %301
-  %303 = tail call double @llvm.fma.f64(double %302, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
-  %304 = tail call double @llvm.fma.f64(double %303, double %302, double 0x3F55D87FE78A6730)
-  %305 = tail call double @llvm.fma.f64(double %304, double %302, double 0x3F83B2AB6FBA4E77)
-  %306 = tail call double @llvm.fma.f64(double %305, double %302, double 0x3FAC6B08D704A0BF)
-  %307 = tail call double @llvm.fma.f64(double %306, double %302, double 0x3FCEBFBDFF82C58E)
-  %308 = tail call double @llvm.fma.f64(double %307, double %302, double 0x3FE62E42FEFA39EF)
-  %309 = tail call double @llvm.fma.f64(double %308, double %302, double 1.000000e+00)
-  %310 = bitcast double %309 to i64
-  %311 = fptosi double %301 to i32
-  %312 = sext i32 %311 to i64
-  %313 = shl nsw i64 %312, 52
-  %314 = add nsw i64 %313, %310
-  %315 = bitcast i64 %314 to double
-  %316 = fmul double %202, 1.000000e-03
-  %317 = fcmp olt double %316, 0x3EB0C6F7A0B5ED8D
-  %318 = select i1 %317, double 0x3EB0C6F7A0B5ED8D, double %316
-  %319 = fmul double %202, 1.000000e+02
-  %320 = select i1 %275, double %318, double %315
-  %321 = fcmp olt double %319, %320
-  %322 = select i1 %321, double %319, double %320
-  %323 = tail call double @llvm.fabs.f64(double %106)
-  %324 = fmul double %323, 0x3D30000000000000
-  %325 = fcmp ogt double %324, %322
-  %326 = select i1 %325, double %324, double %322
-  %327 = fcmp olt double %189, %326
-  %328 = select i1 %327, double %189, double %326
-  br label %329
+271:                                              ; preds = %263, %271
+  %272 = phi i64 [ %278, %271 ], [ 0, %263 ]
+  %273 = getelementptr inbounds double, ptr %269, i64 %272
+  %274 = load double, ptr %273, align 8
+  %275 = getelementptr inbounds double, ptr %266, i64 %272
+  %276 = load double, ptr %275, align 8
+  %277 = fsub double %274, %276
+  store double %277, ptr %273, align 8
+  %278 = add nuw nsw i64 %272, 1
+  %279 = icmp eq i64 %278, %197
+  br i1 %279, label %280, label %271, !llvm.loop !11
 
-329:                                              ; preds = %250, %269
-  %330 = phi double [ %251, %250 ], [ %328, %269 ]
-  %331 = tail call i1 @llvm.is.fpclass.f64(double %330, i32 639)
-  br i1 %331, label %332, label %334
+280:                                              ; preds = %271, %263
+  %281 = load ptr, ptr %74, align 8
+  call fastcc void @norm_to(ptr noundef nonnull %6, ptr noundef %269, ptr noundef %281, ptr noundef nonnull %74, i64 noundef %197) #8
+  %282 = load double, ptr %6, align 8
+  %283 = fdiv double %282, %213
+  %284 = fcmp ogt double %205, %283
+  %285 = select i1 %284, double %205, double %283
+  %286 = fcmp ule double %285, 1.000000e-15
+  %287 = fdiv double 1.000000e-02, %285
+  %288 = select i1 %286, double 1.000000e+13, double %287
+  %289 = bitcast double %288 to i64
+  %290 = add nsw i64 %289, -4604544271217802189
+  %291 = ashr i64 %290, 52
+  %292 = and i64 %290, -4503599627370496
+  %293 = sub nsw i64 %289, %292
+  %294 = bitcast i64 %293 to double
+  %295 = fadd double %294, -1.000000e+00
+  %296 = fadd double %294, 1.000000e+00
+  %297 = fdiv double %295, %296
+  %298 = fmul double %297, %297
+  %299 = tail call double @llvm.fma.f64(double %298, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
+  %300 = tail call double @llvm.fma.f64(double %299, double %298, double 0x3FE2776C50EF9BFE)
+  %301 = tail call double @llvm.fma.f64(double %300, double %298, double 0x3FEEC709DC3A03FD)
+  %302 = tail call double @llvm.fma.f64(double %301, double %298, double 0x40071547652B82FE)
+  %303 = trunc nsw i64 %291 to i32
+  %304 = sitofp i32 %303 to double
+  %305 = fmul double %297, %302
+  %306 = fadd double %305, %304
+  %307 = fmul double %265, %306
+  %308 = fcmp ogt double %307, -1.000000e+03
+  %309 = select i1 %308, double %307, double -1.000000e+03
+  %310 = fcmp olt double %309, 1.000000e+03
+  %311 = select i1 %310, double %309, double 1.000000e+03
+  %312 = tail call double @llvm.rint.f64(double %311)
+  %313 = fsub double %311, %312
+  %314 = tail call double @llvm.fma.f64(double %313, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
+  %315 = tail call double @llvm.fma.f64(double %314, double %313, double 0x3F55D87FE78A6730)
+  %316 = tail call double @llvm.fma.f64(double %315, double %313, double 0x3F83B2AB6FBA4E77)
+  %317 = tail call double @llvm.fma.f64(double %316, double %313, double 0x3FAC6B08D704A0BF)
+  %318 = tail call double @llvm.fma.f64(double %317, double %313, double 0x3FCEBFBDFF82C58E)
+  %319 = tail call double @llvm.fma.f64(double %318, double %313, double 0x3FE62E42FEFA39EF)
+  %320 = tail call double @llvm.fma.f64(double %319, double %313, double 1.000000e+00)
+  %321 = bitcast double %320 to i64
+  %322 = fptosi double %312 to i32
+  %323 = sext i32 %322 to i64
+  %324 = shl nsw i64 %323, 52
+  %325 = add nsw i64 %324, %321
+  %326 = bitcast i64 %325 to double
+  %327 = fmul double %213, 1.000000e-03
+  %328 = fcmp olt double %327, 0x3EB0C6F7A0B5ED8D
+  %329 = select i1 %328, double 0x3EB0C6F7A0B5ED8D, double %327
+  %330 = fmul double %213, 1.000000e+02
+  %331 = select i1 %286, double %329, double %326
+  %332 = fcmp olt double %330, %331
+  %333 = select i1 %332, double %330, double %331
+  %334 = tail call double @llvm.fabs.f64(double %117)
+  %335 = fmul double %334, 0x3D30000000000000
+  %336 = fcmp ogt double %335, %333
+  %337 = select i1 %336, double %335, double %333
+  %338 = fcmp olt double %200, %337
+  %339 = select i1 %338, double %200, double %337
+  br label %340
 
-332:                                              ; preds = %329
-  %333 = getelementptr inbounds i8, ptr %69, i64 72
-  store i64 4, ptr %333, align 8
-  br label %334
+340:                                              ; preds = %261, %280
+  %341 = phi double [ %262, %261 ], [ %339, %280 ]
+  %342 = tail call i1 @llvm.is.fpclass.f64(double %341, i32 639)
+  br i1 %342, label %343, label %345
 
-334:                                              ; preds = %181, %332, %329, %73
-  %335 = phi double [ %330, %329 ], [ %330, %332 ], [ %108, %181 ], [ %108, %73 ]
-  %336 = load i64, ptr %70, align 8
-  %337 = icmp eq i64 %336, 0
-  br i1 %337, label %424, label %338
+343:                                              ; preds = %340
+  %344 = getelementptr inbounds i8, ptr %80, i64 72
+  store i64 4, ptr %344, align 8
+  br label %345
 
-338:                                              ; preds = %334
-  %339 = getelementptr inbounds i8, ptr %0, i64 1080
-  %340 = getelementptr inbounds i8, ptr %69, i64 8
-  %341 = getelementptr inbounds i8, ptr %69, i64 16
-  %342 = getelementptr inbounds i8, ptr %69, i64 64
-  %343 = getelementptr inbounds i8, ptr %69, i64 48
-  %344 = getelementptr inbounds i8, ptr %65, i64 16
-  %345 = getelementptr inbounds i8, ptr %69, i64 24
-  %346 = getelementptr inbounds i8, ptr %0, i64 384
-  %347 = getelementptr inbounds i8, ptr %0, i64 360
-  %348 = getelementptr inbounds i8, ptr %0, i64 24
-  %349 = getelementptr inbounds i8, ptr %0, i64 480
-  %350 = getelementptr inbounds i8, ptr %0, i64 48
-  %351 = getelementptr inbounds i8, ptr %0, i64 72
-  %352 = getelementptr inbounds i8, ptr %0, i64 320
-  %353 = getelementptr inbounds i8, ptr %0, i64 96
-  %354 = getelementptr inbounds i8, ptr %0, i64 168
-  %355 = getelementptr inbounds i8, ptr %0, i64 248
-  %356 = getelementptr inbounds i8, ptr %0, i64 192
-  %357 = getelementptr inbounds i8, ptr %0, i64 216
-  %358 = getelementptr inbounds i8, ptr %0, i64 336
+345:                                              ; preds = %192, %343, %340, %84
+  %346 = phi double [ %341, %340 ], [ %341, %343 ], [ %119, %192 ], [ %119, %84 ]
+  %347 = load i64, ptr %81, align 8
+  %348 = icmp eq i64 %347, 0
+  br i1 %348, label %435, label %349
+
+349:                                              ; preds = %345
+  %350 = getelementptr inbounds i8, ptr %0, i64 1080
+  %351 = getelementptr inbounds i8, ptr %80, i64 8
+  %352 = getelementptr inbounds i8, ptr %80, i64 16
+  %353 = getelementptr inbounds i8, ptr %80, i64 64
+  %354 = getelementptr inbounds i8, ptr %80, i64 48
+  %355 = getelementptr inbounds i8, ptr %76, i64 16
+  %356 = getelementptr inbounds i8, ptr %80, i64 24
+  %357 = getelementptr inbounds i8, ptr %0, i64 384
+  %358 = getelementptr inbounds i8, ptr %0, i64 360
   %359 = getelementptr inbounds i8, ptr %0, i64 24
   %360 = getelementptr inbounds i8, ptr %0, i64 480
   %361 = getelementptr inbounds i8, ptr %0, i64 48
   %362 = getelementptr inbounds i8, ptr %0, i64 72
-  %363 = getelementptr inbounds i8, ptr %0, i64 168
-  %364 = getelementptr inbounds i8, ptr %0, i64 248
-  %365 = getelementptr inbounds i8, ptr %0, i64 192
-  %366 = getelementptr inbounds i8, ptr %0, i64 216
-  %367 = getelementptr inbounds i8, ptr %0, i64 456
-  %368 = getelementptr inbounds i8, ptr %0, i64 320
-  %369 = getelementptr inbounds i8, ptr %0, i64 432
+  %363 = getelementptr inbounds i8, ptr %0, i64 320
+  %364 = getelementptr inbounds i8, ptr %0, i64 96
+  %365 = getelementptr inbounds i8, ptr %0, i64 168
+  %366 = getelementptr inbounds i8, ptr %0, i64 248
+  %367 = getelementptr inbounds i8, ptr %0, i64 192
+  %368 = getelementptr inbounds i8, ptr %0, i64 216
+  %369 = getelementptr inbounds i8, ptr %0, i64 336
   %370 = getelementptr inbounds i8, ptr %0, i64 24
   %371 = getelementptr inbounds i8, ptr %0, i64 480
   %372 = getelementptr inbounds i8, ptr %0, i64 48
   %373 = getelementptr inbounds i8, ptr %0, i64 72
-  %374 = getelementptr inbounds i8, ptr %0, i64 336
-  %375 = getelementptr inbounds i8, ptr %0, i64 552
-  %376 = getelementptr inbounds i8, ptr %0, i64 528
-  %377 = getelementptr inbounds i8, ptr %0, i64 336
-  %378 = icmp sgt i64 %80, 0
-  %379 = select i1 %84, i1 %90, i1 false
-  %380 = getelementptr inbounds i8, ptr %0, i64 168
-  %381 = getelementptr inbounds i8, ptr %0, i64 248
-  %382 = getelementptr inbounds i8, ptr %0, i64 192
-  %383 = getelementptr inbounds i8, ptr %0, i64 216
-  %384 = getelementptr inbounds i8, ptr %65, i64 32
-  %385 = getelementptr inbounds i8, ptr %0, i64 1104
-  %386 = getelementptr inbounds i8, ptr %0, i64 1120
-  %387 = getelementptr inbounds i8, ptr %69, i64 48
-  %388 = getelementptr inbounds i8, ptr %0, i64 320
-  %389 = getelementptr inbounds i8, ptr %0, i64 480
-  %390 = getelementptr inbounds i8, ptr %0, i64 504
-  %391 = getelementptr inbounds i8, ptr %0, i64 360
-  %392 = getelementptr inbounds i8, ptr %0, i64 24
-  %393 = getelementptr inbounds i8, ptr %0, i64 48
-  %394 = getelementptr inbounds i8, ptr %0, i64 72
-  %395 = getelementptr inbounds i8, ptr %0, i64 96
-  %396 = getelementptr inbounds i8, ptr %0, i64 168
-  %397 = getelementptr inbounds i8, ptr %0, i64 248
-  %398 = getelementptr inbounds i8, ptr %0, i64 192
-  %399 = getelementptr inbounds i8, ptr %0, i64 216
-  %400 = getelementptr inbounds i8, ptr %0, i64 336
-  %401 = getelementptr inbounds i8, ptr %0, i64 432
-  %402 = getelementptr inbounds i8, ptr %0, i64 24
-  %403 = getelementptr inbounds i8, ptr %0, i64 48
-  %404 = getelementptr inbounds i8, ptr %0, i64 72
-  %405 = getelementptr inbounds i8, ptr %69, i64 72
-  %406 = getelementptr inbounds i8, ptr %0, i64 408
-  %407 = getelementptr inbounds i8, ptr %0, i64 360
-  %408 = getelementptr inbounds i8, ptr %0, i64 408
-  %409 = getelementptr inbounds i8, ptr %65, i64 24
-  %410 = getelementptr inbounds i8, ptr %65, i64 40
-  %411 = getelementptr inbounds i8, ptr %77, i64 24
-  %412 = getelementptr inbounds i8, ptr %77, i64 8
-  %413 = getelementptr inbounds i8, ptr %77, i64 16
-  %414 = getelementptr inbounds i8, ptr %77, i64 32
-  %415 = getelementptr inbounds i8, ptr %77, i64 40
-  %416 = icmp sgt i64 %80, 0
-  %417 = getelementptr inbounds i8, ptr %69, i64 48
-  %418 = getelementptr inbounds i8, ptr %69, i64 72
-  %419 = getelementptr inbounds i8, ptr %65, i64 40
-  %420 = getelementptr inbounds i8, ptr %69, i64 72
-  %421 = getelementptr inbounds i8, ptr %77, i64 24
-  %422 = getelementptr inbounds i8, ptr %77, i64 32
-  %423 = getelementptr inbounds i8, ptr %65, i64 40
-  br label %426
+  %374 = getelementptr inbounds i8, ptr %0, i64 168
+  %375 = getelementptr inbounds i8, ptr %0, i64 248
+  %376 = getelementptr inbounds i8, ptr %0, i64 192
+  %377 = getelementptr inbounds i8, ptr %0, i64 216
+  %378 = getelementptr inbounds i8, ptr %0, i64 456
+  %379 = getelementptr inbounds i8, ptr %0, i64 320
+  %380 = getelementptr inbounds i8, ptr %0, i64 432
+  %381 = getelementptr inbounds i8, ptr %0, i64 24
+  %382 = getelementptr inbounds i8, ptr %0, i64 480
+  %383 = getelementptr inbounds i8, ptr %0, i64 48
+  %384 = getelementptr inbounds i8, ptr %0, i64 72
+  %385 = getelementptr inbounds i8, ptr %0, i64 336
+  %386 = getelementptr inbounds i8, ptr %0, i64 552
+  %387 = getelementptr inbounds i8, ptr %0, i64 528
+  %388 = getelementptr inbounds i8, ptr %0, i64 336
+  %389 = icmp sgt i64 %91, 0
+  %390 = select i1 %95, i1 %101, i1 false
+  %391 = getelementptr inbounds i8, ptr %0, i64 168
+  %392 = getelementptr inbounds i8, ptr %0, i64 248
+  %393 = getelementptr inbounds i8, ptr %0, i64 192
+  %394 = getelementptr inbounds i8, ptr %0, i64 216
+  %395 = getelementptr inbounds i8, ptr %76, i64 32
+  %396 = getelementptr inbounds i8, ptr %0, i64 1104
+  %397 = getelementptr inbounds i8, ptr %0, i64 1120
+  %398 = getelementptr inbounds i8, ptr %80, i64 48
+  %399 = getelementptr inbounds i8, ptr %0, i64 320
+  %400 = getelementptr inbounds i8, ptr %0, i64 480
+  %401 = getelementptr inbounds i8, ptr %0, i64 504
+  %402 = getelementptr inbounds i8, ptr %0, i64 360
+  %403 = getelementptr inbounds i8, ptr %0, i64 24
+  %404 = getelementptr inbounds i8, ptr %0, i64 48
+  %405 = getelementptr inbounds i8, ptr %0, i64 72
+  %406 = getelementptr inbounds i8, ptr %0, i64 96
+  %407 = getelementptr inbounds i8, ptr %0, i64 168
+  %408 = getelementptr inbounds i8, ptr %0, i64 248
+  %409 = getelementptr inbounds i8, ptr %0, i64 192
+  %410 = getelementptr inbounds i8, ptr %0, i64 216
+  %411 = getelementptr inbounds i8, ptr %0, i64 336
+  %412 = getelementptr inbounds i8, ptr %0, i64 432
+  %413 = getelementptr inbounds i8, ptr %0, i64 24
+  %414 = getelementptr inbounds i8, ptr %0, i64 48
+  %415 = getelementptr inbounds i8, ptr %0, i64 72
+  %416 = getelementptr inbounds i8, ptr %80, i64 72
+  %417 = getelementptr inbounds i8, ptr %0, i64 408
+  %418 = getelementptr inbounds i8, ptr %0, i64 360
+  %419 = getelementptr inbounds i8, ptr %0, i64 408
+  %420 = getelementptr inbounds i8, ptr %76, i64 24
+  %421 = getelementptr inbounds i8, ptr %76, i64 40
+  %422 = getelementptr inbounds i8, ptr %88, i64 24
+  %423 = getelementptr inbounds i8, ptr %88, i64 8
+  %424 = getelementptr inbounds i8, ptr %88, i64 16
+  %425 = getelementptr inbounds i8, ptr %88, i64 32
+  %426 = getelementptr inbounds i8, ptr %88, i64 40
+  %427 = icmp sgt i64 %91, 0
+  %428 = getelementptr inbounds i8, ptr %80, i64 48
+  %429 = getelementptr inbounds i8, ptr %80, i64 72
+  %430 = getelementptr inbounds i8, ptr %76, i64 40
+  %431 = getelementptr inbounds i8, ptr %80, i64 72
+  %432 = getelementptr inbounds i8, ptr %88, i64 24
+  %433 = getelementptr inbounds i8, ptr %88, i64 32
+  %434 = getelementptr inbounds i8, ptr %76, i64 40
+  br label %437
 
-424:                                              ; preds = %1492, %334
-  %425 = phi double [ %335, %334 ], [ %1488, %1492 ]
-  store double %425, ptr %107, align 8
-  br label %1495
+435:                                              ; preds = %1503, %345
+  %436 = phi double [ %346, %345 ], [ %1499, %1503 ]
+  store double %436, ptr %118, align 8
+  br label %1506
 
-426:                                              ; preds = %338, %1492
-  %427 = phi i64 [ %336, %338 ], [ %1493, %1492 ]
-  %428 = phi i64 [ undef, %338 ], [ %1491, %1492 ]
-  %429 = phi double [ %106, %338 ], [ %1489, %1492 ]
-  %430 = phi double [ %335, %338 ], [ %1488, %1492 ]
-  %431 = load ptr, ptr %339, align 8
-  %432 = getelementptr inbounds i8, ptr %431, i64 8
-  %433 = load i64, ptr %432, align 8
-  %434 = icmp sgt i64 %433, 0
-  br i1 %434, label %435, label %440
+437:                                              ; preds = %349, %1503
+  %438 = phi i64 [ %347, %349 ], [ %1504, %1503 ]
+  %439 = phi i64 [ undef, %349 ], [ %1502, %1503 ]
+  %440 = phi double [ %117, %349 ], [ %1500, %1503 ]
+  %441 = phi double [ %346, %349 ], [ %1499, %1503 ]
+  %442 = load ptr, ptr %350, align 8
+  %443 = getelementptr inbounds i8, ptr %442, i64 8
+  %444 = load i64, ptr %443, align 8
+  %445 = icmp sgt i64 %444, 0
+  br i1 %445, label %446, label %451
 
-435:                                              ; preds = %426
-  %436 = load i64, ptr %431, align 8
-  %437 = add nsw i64 %436, 3
-  %438 = icmp slt i64 %433, %437
-  %439 = zext i1 %438 to i32
-  br label %440
+446:                                              ; preds = %437
+  %447 = load i64, ptr %442, align 8
+  %448 = add nsw i64 %447, 3
+  %449 = icmp slt i64 %444, %448
+  %450 = zext i1 %449 to i32
+  br label %451
 
-440:                                              ; preds = %426, %435
-  %441 = phi i32 [ 0, %426 ], [ %439, %435 ]
-  %442 = icmp eq i32 %441, 0
-  br i1 %442, label %444, label %443
+451:                                              ; preds = %437, %446
+  %452 = phi i32 [ 0, %437 ], [ %450, %446 ]
+  %453 = icmp eq i32 %452, 0
+  br i1 %453, label %455, label %454
 
-443:                                              ; preds = %440
-  store double %430, ptr %107, align 8
-  br label %1495
+454:                                              ; preds = %451
+  store double %441, ptr %118, align 8
+  br label %1506
 
-444:                                              ; preds = %440
-  %445 = add nsw i64 %427, -1
-  store i64 %445, ptr %70, align 8
-  %446 = load i64, ptr %340, align 8
-  %447 = load i64, ptr %341, align 8
-  %448 = add nsw i64 %447, %446
-  %449 = load i64, ptr %342, align 8
-  %450 = icmp slt i64 %448, %449
-  br i1 %450, label %452, label %451
+455:                                              ; preds = %451
+  %456 = add nsw i64 %438, -1
+  store i64 %456, ptr %81, align 8
+  %457 = load i64, ptr %351, align 8
+  %458 = load i64, ptr %352, align 8
+  %459 = add nsw i64 %458, %457
+  %460 = load i64, ptr %353, align 8
+  %461 = icmp slt i64 %459, %460
+  br i1 %461, label %463, label %462
 
-451:                                              ; preds = %444
-  store double %430, ptr %107, align 8
-  br label %1495
+462:                                              ; preds = %455
+  store double %441, ptr %118, align 8
+  br label %1506
 
-452:                                              ; preds = %444
-  br i1 %87, label %453, label %457
+463:                                              ; preds = %455
+  br i1 %98, label %464, label %468
 
-453:                                              ; preds = %452
-  %454 = load i64, ptr %343, align 8
-  %455 = getelementptr inbounds double, ptr %75, i64 %454
-  %456 = load double, ptr %455, align 8
-  br label %457
+464:                                              ; preds = %463
+  %465 = load i64, ptr %354, align 8
+  %466 = getelementptr inbounds double, ptr %86, i64 %465
+  %467 = load double, ptr %466, align 8
+  br label %468
 
-457:                                              ; preds = %452, %453
-  %458 = phi double [ %456, %453 ], [ %100, %452 ]
-  br i1 %87, label %463, label %459
+468:                                              ; preds = %463, %464
+  %469 = phi double [ %467, %464 ], [ %111, %463 ]
+  br i1 %98, label %474, label %470
 
-459:                                              ; preds = %457
-  %460 = load double, ptr %344, align 8
-  %461 = fcmp olt double %430, %460
-  %462 = select i1 %461, double %430, double %460
-  br label %469
+470:                                              ; preds = %468
+  %471 = load double, ptr %355, align 8
+  %472 = fcmp olt double %441, %471
+  %473 = select i1 %472, double %441, double %471
+  br label %480
 
-463:                                              ; preds = %457
-  %464 = fsub double %458, %429
-  %465 = fdiv double %464, %430
-  %466 = fmul double %465, 0x3FEFFFFFFFFFDCD1
-  %467 = tail call double @llvm.ceil.f64(double %466)
-  %468 = fdiv double %464, %467
-  br label %469
+474:                                              ; preds = %468
+  %475 = fsub double %469, %440
+  %476 = fdiv double %475, %441
+  %477 = fmul double %476, 0x3FEFFFFFFFFFDCD1
+  %478 = tail call double @llvm.ceil.f64(double %477)
+  %479 = fdiv double %475, %478
+  br label %480
 
-469:                                              ; preds = %463, %459
-  %470 = phi double [ %462, %459 ], [ %468, %463 ]
-  %471 = fadd double %429, %470
-  %472 = fmul double %470, 1.000000e-03
-  %473 = fsub double %458, %472
-  %474 = fcmp ule double %471, %473
-  %475 = fsub double %458, %429
-  %476 = select i1 %474, double %470, double %475
-  %477 = select i1 %474, double %471, double %458
-  %478 = fmul double %476, 6.250000e-02
-  %479 = fadd double %429, %478
-  %480 = fcmp ule double %479, %429
-  %481 = fcmp une double %477, %458
-  %482 = and i1 %481, %480
-  br i1 %482, label %483, label %484
+480:                                              ; preds = %474, %470
+  %481 = phi double [ %473, %470 ], [ %479, %474 ]
+  %482 = fadd double %440, %481
+  %483 = fmul double %481, 1.000000e-03
+  %484 = fsub double %469, %483
+  %485 = fcmp ule double %482, %484
+  %486 = fsub double %469, %440
+  %487 = select i1 %485, double %481, double %486
+  %488 = select i1 %485, double %482, double %469
+  %489 = fmul double %487, 6.250000e-02
+  %490 = fadd double %440, %489
+  %491 = fcmp ule double %490, %440
+  %492 = fcmp une double %488, %469
+  %493 = and i1 %492, %491
+  br i1 %493, label %494, label %495
 
-483:                                              ; preds = %469
-  store double %476, ptr %107, align 8
-  br label %1487
+494:                                              ; preds = %480
+  store double %487, ptr %118, align 8
+  br label %1498
 
-484:                                              ; preds = %469
-  %485 = load ptr, ptr %0, align 8
-  %486 = load i64, ptr %485, align 8
-  %487 = load ptr, ptr %346, align 8
-  %488 = insertelement <8 x double> poison, double %476, i64 0
-  %489 = shufflevector <8 x double> %488, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %489, ptr %487, align 8
-  %490 = icmp sgt i64 %486, 1
-  br i1 %490, label %495, label %579
+495:                                              ; preds = %480
+  %496 = load ptr, ptr %0, align 8
+  %497 = load i64, ptr %496, align 8
+  %498 = load ptr, ptr %357, align 8
+  %499 = insertelement <8 x double> poison, double %487, i64 0
+  %500 = shufflevector <8 x double> %499, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %500, ptr %498, align 8
+  %501 = icmp sgt i64 %497, 1
+  br i1 %501, label %506, label %590
 
-491:                                              ; preds = %568
-  %492 = add nuw nsw i64 %498, 1
-  %493 = icmp slt i64 %492, %486
-  %494 = icmp eq i64 %492, %486
-  br i1 %494, label %579, label %495, !llvm.loop !12
+502:                                              ; preds = %579
+  %503 = add nuw nsw i64 %509, 1
+  %504 = icmp slt i64 %503, %497
+  %505 = icmp eq i64 %503, %497
+  br i1 %505, label %590, label %506, !llvm.loop !12
 
-495:                                              ; preds = %484, %491
-  %496 = phi i1 [ %493, %491 ], [ %490, %484 ]
-  %497 = phi i64 [ %578, %491 ], [ undef, %484 ]
-  %498 = phi i64 [ %492, %491 ], [ 1, %484 ]
-  %499 = load ptr, ptr %347, align 8
-  %500 = load ptr, ptr %63, align 8
-  %501 = load ptr, ptr %62, align 8
-  %502 = getelementptr inbounds i8, ptr %501, i64 16
-  %503 = load i64, ptr %502, align 8
-  %504 = icmp sgt i64 %503, 1
-  %505 = zext i1 %504 to i64
-  %506 = load ptr, ptr %348, align 8
-  %507 = getelementptr inbounds i64, ptr %506, i64 %498
-  %508 = load i64, ptr %507, align 8
-  %509 = getelementptr i8, ptr %507, i64 8
-  %510 = load i64, ptr %509, align 8
-  %511 = xor i64 %508, -1
-  %512 = add i64 %510, %511
-  %513 = load ptr, ptr %346, align 8
-  %514 = load ptr, ptr %349, align 8
-  %515 = load ptr, ptr %350, align 8
-  %516 = getelementptr inbounds i64, ptr %515, i64 %508
-  %517 = load ptr, ptr %351, align 8
-  %518 = getelementptr inbounds double, ptr %517, i64 %508
-  tail call fastcc void @combine(ptr noundef %499, ptr noundef %500, ptr noundef %513, ptr noundef %514, ptr noundef %516, ptr noundef %518, i64 noundef %512, i64 noundef %505, i64 noundef %503) #8
-  %519 = icmp eq i64 %503, 1
-  br i1 %519, label %520, label %551
+506:                                              ; preds = %495, %502
+  %507 = phi i1 [ %504, %502 ], [ %501, %495 ]
+  %508 = phi i64 [ %589, %502 ], [ undef, %495 ]
+  %509 = phi i64 [ %503, %502 ], [ 1, %495 ]
+  %510 = load ptr, ptr %358, align 8
+  %511 = load ptr, ptr %74, align 8
+  %512 = load ptr, ptr %73, align 8
+  %513 = getelementptr inbounds i8, ptr %512, i64 16
+  %514 = load i64, ptr %513, align 8
+  %515 = icmp sgt i64 %514, 1
+  %516 = zext i1 %515 to i64
+  %517 = load ptr, ptr %359, align 8
+  %518 = getelementptr inbounds i64, ptr %517, i64 %509
+  %519 = load i64, ptr %518, align 8
+  %520 = getelementptr i8, ptr %518, i64 8
+  %521 = load i64, ptr %520, align 8
+  %522 = xor i64 %519, -1
+  %523 = add i64 %521, %522
+  %524 = load ptr, ptr %357, align 8
+  %525 = load ptr, ptr %360, align 8
+  %526 = load ptr, ptr %361, align 8
+  %527 = getelementptr inbounds i64, ptr %526, i64 %519
+  %528 = load ptr, ptr %362, align 8
+  %529 = getelementptr inbounds double, ptr %528, i64 %519
+  tail call fastcc void @combine(ptr noundef %510, ptr noundef %511, ptr noundef %524, ptr noundef %525, ptr noundef %527, ptr noundef %529, i64 noundef %523, i64 noundef %516, i64 noundef %514) #8
+  %530 = icmp eq i64 %514, 1
+  br i1 %530, label %531, label %562
 
-520:                                              ; preds = %495
-  %521 = load ptr, ptr %348, align 8
-  %522 = getelementptr i64, ptr %521, i64 %498
-  %523 = getelementptr i8, ptr %522, i64 8
-  %524 = load i64, ptr %523, align 8
-  %525 = add nsw i64 %524, -1
-  %526 = load ptr, ptr %351, align 8
-  %527 = getelementptr inbounds double, ptr %526, i64 %525
-  %528 = load double, ptr %527, align 8
-  %529 = fmul double %476, %528
-  %530 = load ptr, ptr %349, align 8
-  %531 = load ptr, ptr %350, align 8
-  %532 = getelementptr inbounds i64, ptr %531, i64 %525
-  %533 = load i64, ptr %532, align 8
-  %534 = getelementptr inbounds double, ptr %530, i64 %533
-  %535 = load ptr, ptr %62, align 8
-  %536 = getelementptr inbounds i8, ptr %535, i64 8
-  %537 = load i64, ptr %536, align 8
-  %538 = icmp sgt i64 %537, 0
-  br i1 %538, label %539, label %551
+531:                                              ; preds = %506
+  %532 = load ptr, ptr %359, align 8
+  %533 = getelementptr i64, ptr %532, i64 %509
+  %534 = getelementptr i8, ptr %533, i64 8
+  %535 = load i64, ptr %534, align 8
+  %536 = add nsw i64 %535, -1
+  %537 = load ptr, ptr %362, align 8
+  %538 = getelementptr inbounds double, ptr %537, i64 %536
+  %539 = load double, ptr %538, align 8
+  %540 = fmul double %487, %539
+  %541 = load ptr, ptr %360, align 8
+  %542 = load ptr, ptr %361, align 8
+  %543 = getelementptr inbounds i64, ptr %542, i64 %536
+  %544 = load i64, ptr %543, align 8
+  %545 = getelementptr inbounds double, ptr %541, i64 %544
+  %546 = load ptr, ptr %73, align 8
+  %547 = getelementptr inbounds i8, ptr %546, i64 8
+  %548 = load i64, ptr %547, align 8
+  %549 = icmp sgt i64 %548, 0
+  br i1 %549, label %550, label %562
 
-539:                                              ; preds = %520, %539
-  %540 = phi i64 [ %546, %539 ], [ 0, %520 ]
-  %541 = getelementptr inbounds double, ptr %534, i64 %540
-  %542 = load double, ptr %541, align 8
-  %543 = getelementptr inbounds double, ptr %499, i64 %540
-  %544 = load double, ptr %543, align 8
-  %545 = tail call double @llvm.fma.f64(double %529, double %542, double %544)
-  store double %545, ptr %543, align 8
-  %546 = add nuw nsw i64 %540, 1
-  %547 = load ptr, ptr %62, align 8
-  %548 = getelementptr inbounds i8, ptr %547, i64 8
-  %549 = load i64, ptr %548, align 8
-  %550 = icmp slt i64 %546, %549
-  br i1 %550, label %539, label %551, !llvm.loop !13
+550:                                              ; preds = %531, %550
+  %551 = phi i64 [ %557, %550 ], [ 0, %531 ]
+  %552 = getelementptr inbounds double, ptr %545, i64 %551
+  %553 = load double, ptr %552, align 8
+  %554 = getelementptr inbounds double, ptr %510, i64 %551
+  %555 = load double, ptr %554, align 8
+  %556 = tail call double @llvm.fma.f64(double %540, double %553, double %555)
+  store double %556, ptr %554, align 8
+  %557 = add nuw nsw i64 %551, 1
+  %558 = load ptr, ptr %73, align 8
+  %559 = getelementptr inbounds i8, ptr %558, i64 8
+  %560 = load i64, ptr %559, align 8
+  %561 = icmp slt i64 %557, %560
+  br i1 %561, label %550, label %562, !llvm.loop !13
 
-551:                                              ; preds = %539, %520, %495
-  %552 = load ptr, ptr %349, align 8
-  %553 = load i64, ptr %352, align 8
-  %554 = mul nsw i64 %553, %498
-  %555 = getelementptr inbounds double, ptr %552, i64 %554
-  %556 = load i64, ptr %345, align 8
-  %557 = add nsw i64 %556, 1
-  store i64 %557, ptr %345, align 8
-  %558 = load ptr, ptr %353, align 8
-  %559 = getelementptr inbounds double, ptr %558, i64 %498
-  %560 = load double, ptr %559, align 8
-  %561 = fmul double %476, %560
-  %562 = fadd double %429, %561
-  %563 = load ptr, ptr %347, align 8
-  %564 = load ptr, ptr %354, align 8
-  store double %562, ptr %564, align 8
-  %565 = load i64, ptr %355, align 8
-  %566 = icmp sgt i64 %565, 0
-  br i1 %566, label %567, label %568
+562:                                              ; preds = %550, %531, %506
+  %563 = load ptr, ptr %360, align 8
+  %564 = load i64, ptr %363, align 8
+  %565 = mul nsw i64 %564, %509
+  %566 = getelementptr inbounds double, ptr %563, i64 %565
+  %567 = load i64, ptr %356, align 8
+  %568 = add nsw i64 %567, 1
+  store i64 %568, ptr %356, align 8
+  %569 = load ptr, ptr %364, align 8
+  %570 = getelementptr inbounds double, ptr %569, i64 %509
+  %571 = load double, ptr %570, align 8
+  %572 = fmul double %487, %571
+  %573 = fadd double %440, %572
+  %574 = load ptr, ptr %358, align 8
+  %575 = load ptr, ptr %365, align 8
+  store double %573, ptr %575, align 8
+  %576 = load i64, ptr %366, align 8
+  %577 = icmp sgt i64 %576, 0
+  br i1 %577, label %578, label %579
 
-567:                                              ; preds = %551
-  tail call fastcc void @sample(ptr noundef nonnull %62) #8
-  br label %568
+578:                                              ; preds = %562
+  tail call fastcc void @sample(ptr noundef nonnull %73) #8
+  br label %579
 
-568:                                              ; preds = %551, %567
-  %569 = load ptr, ptr %62, align 8
-  %570 = load i64, ptr %569, align 8
-  %571 = load ptr, ptr %354, align 8
-  %572 = load ptr, ptr %356, align 8
-  %573 = load ptr, ptr %357, align 8
-  %574 = inttoptr i64 %570 to ptr
-  %575 = tail call i32 %574(ptr noundef %571, ptr noundef %563, ptr noundef %572, ptr noundef %573, ptr noundef %555) #9
-  %576 = sext i32 %575 to i64
-  %577 = icmp eq i32 %575, 0
-  %578 = select i1 %577, i64 %497, i64 %576
-  br i1 %577, label %491, label %579
+579:                                              ; preds = %562, %578
+  %580 = load ptr, ptr %73, align 8
+  %581 = load i64, ptr %580, align 8
+  %582 = load ptr, ptr %365, align 8
+  %583 = load ptr, ptr %367, align 8
+  %584 = load ptr, ptr %368, align 8
+  %585 = inttoptr i64 %581 to ptr
+  %586 = tail call i32 %585(ptr noundef %582, ptr noundef %574, ptr noundef %583, ptr noundef %584, ptr noundef %566) #9
+  %587 = sext i32 %586 to i64
+  %588 = icmp eq i32 %586, 0
+  %589 = select i1 %588, i64 %508, i64 %587
+  br i1 %588, label %502, label %590
 
-579:                                              ; preds = %491, %568, %484
-  %580 = phi i1 [ %490, %484 ], [ %493, %491 ], [ %496, %568 ]
-  %581 = phi i64 [ 0, %484 ], [ %576, %568 ], [ %576, %491 ]
-  %582 = phi i64 [ undef, %484 ], [ %578, %568 ], [ %578, %491 ]
-  br i1 %580, label %636, label %583
+590:                                              ; preds = %502, %579, %495
+  %591 = phi i1 [ %501, %495 ], [ %504, %502 ], [ %507, %579 ]
+  %592 = phi i64 [ 0, %495 ], [ %587, %579 ], [ %587, %502 ]
+  %593 = phi i64 [ undef, %495 ], [ %589, %579 ], [ %589, %502 ]
+  br i1 %591, label %647, label %594
 
-583:                                              ; preds = %579
-  %584 = load ptr, ptr %358, align 8
-  %585 = load ptr, ptr %63, align 8
-  %586 = load ptr, ptr %62, align 8
-  %587 = getelementptr inbounds i8, ptr %586, i64 16
-  %588 = load i64, ptr %587, align 8
-  %589 = icmp sgt i64 %588, 1
-  %590 = zext i1 %589 to i64
-  %591 = load ptr, ptr %359, align 8
-  %592 = getelementptr inbounds i64, ptr %591, i64 %486
-  %593 = load i64, ptr %592, align 8
-  %594 = getelementptr i8, ptr %592, i64 8
-  %595 = load i64, ptr %594, align 8
-  %596 = xor i64 %593, -1
-  %597 = add i64 %595, %596
-  %598 = load ptr, ptr %346, align 8
-  %599 = load ptr, ptr %360, align 8
-  %600 = load ptr, ptr %361, align 8
-  %601 = getelementptr inbounds i64, ptr %600, i64 %593
-  %602 = load ptr, ptr %362, align 8
-  %603 = getelementptr inbounds double, ptr %602, i64 %593
-  tail call fastcc void @combine(ptr noundef %584, ptr noundef %585, ptr noundef %598, ptr noundef %599, ptr noundef %601, ptr noundef %603, i64 noundef %597, i64 noundef %590, i64 noundef %588) #8
-  %604 = icmp eq i64 %588, 1
-  br i1 %604, label %605, label %636
+594:                                              ; preds = %590
+  %595 = load ptr, ptr %369, align 8
+  %596 = load ptr, ptr %74, align 8
+  %597 = load ptr, ptr %73, align 8
+  %598 = getelementptr inbounds i8, ptr %597, i64 16
+  %599 = load i64, ptr %598, align 8
+  %600 = icmp sgt i64 %599, 1
+  %601 = zext i1 %600 to i64
+  %602 = load ptr, ptr %370, align 8
+  %603 = getelementptr inbounds i64, ptr %602, i64 %497
+  %604 = load i64, ptr %603, align 8
+  %605 = getelementptr i8, ptr %603, i64 8
+  %606 = load i64, ptr %605, align 8
+  %607 = xor i64 %604, -1
+  %608 = add i64 %606, %607
+  %609 = load ptr, ptr %357, align 8
+  %610 = load ptr, ptr %371, align 8
+  %611 = load ptr, ptr %372, align 8
+  %612 = getelementptr inbounds i64, ptr %611, i64 %604
+  %613 = load ptr, ptr %373, align 8
+  %614 = getelementptr inbounds double, ptr %613, i64 %604
+  tail call fastcc void @combine(ptr noundef %595, ptr noundef %596, ptr noundef %609, ptr noundef %610, ptr noundef %612, ptr noundef %614, i64 noundef %608, i64 noundef %601, i64 noundef %599) #8
+  %615 = icmp eq i64 %599, 1
+  br i1 %615, label %616, label %647
 
-605:                                              ; preds = %583
-  %606 = load ptr, ptr %359, align 8
-  %607 = getelementptr i64, ptr %606, i64 %486
-  %608 = getelementptr i8, ptr %607, i64 8
-  %609 = load i64, ptr %608, align 8
-  %610 = add nsw i64 %609, -1
-  %611 = load ptr, ptr %362, align 8
-  %612 = getelementptr inbounds double, ptr %611, i64 %610
-  %613 = load double, ptr %612, align 8
-  %614 = fmul double %476, %613
-  %615 = load ptr, ptr %360, align 8
-  %616 = load ptr, ptr %361, align 8
-  %617 = getelementptr inbounds i64, ptr %616, i64 %610
-  %618 = load i64, ptr %617, align 8
-  %619 = getelementptr inbounds double, ptr %615, i64 %618
-  %620 = load ptr, ptr %62, align 8
-  %621 = getelementptr inbounds i8, ptr %620, i64 8
-  %622 = load i64, ptr %621, align 8
-  %623 = icmp sgt i64 %622, 0
-  br i1 %623, label %624, label %636
+616:                                              ; preds = %594
+  %617 = load ptr, ptr %370, align 8
+  %618 = getelementptr i64, ptr %617, i64 %497
+  %619 = getelementptr i8, ptr %618, i64 8
+  %620 = load i64, ptr %619, align 8
+  %621 = add nsw i64 %620, -1
+  %622 = load ptr, ptr %373, align 8
+  %623 = getelementptr inbounds double, ptr %622, i64 %621
+  %624 = load double, ptr %623, align 8
+  %625 = fmul double %487, %624
+  %626 = load ptr, ptr %371, align 8
+  %627 = load ptr, ptr %372, align 8
+  %628 = getelementptr inbounds i64, ptr %627, i64 %621
+  %629 = load i64, ptr %628, align 8
+  %630 = getelementptr inbounds double, ptr %626, i64 %629
+  %631 = load ptr, ptr %73, align 8
+  %632 = getelementptr inbounds i8, ptr %631, i64 8
+  %633 = load i64, ptr %632, align 8
+  %634 = icmp sgt i64 %633, 0
+  br i1 %634, label %635, label %647
 
-624:                                              ; preds = %605, %624
-  %625 = phi i64 [ %631, %624 ], [ 0, %605 ]
-  %626 = getelementptr inbounds double, ptr %619, i64 %625
-  %627 = load double, ptr %626, align 8
-  %628 = getelementptr inbounds double, ptr %584, i64 %625
-  %629 = load double, ptr %628, align 8
-  %630 = tail call double @llvm.fma.f64(double %614, double %627, double %629)
-  store double %630, ptr %628, align 8
-  %631 = add nuw nsw i64 %625, 1
-  %632 = load ptr, ptr %62, align 8
-  %633 = getelementptr inbounds i8, ptr %632, i64 8
-  %634 = load i64, ptr %633, align 8
-  %635 = icmp slt i64 %631, %634
-  br i1 %635, label %624, label %636, !llvm.loop !13
+635:                                              ; preds = %616, %635
+  %636 = phi i64 [ %642, %635 ], [ 0, %616 ]
+  %637 = getelementptr inbounds double, ptr %630, i64 %636
+  %638 = load double, ptr %637, align 8
+  %639 = getelementptr inbounds double, ptr %595, i64 %636
+  %640 = load double, ptr %639, align 8
+  %641 = tail call double @llvm.fma.f64(double %625, double %638, double %640)
+  store double %641, ptr %639, align 8
+  %642 = add nuw nsw i64 %636, 1
+  %643 = load ptr, ptr %73, align 8
+  %644 = getelementptr inbounds i8, ptr %643, i64 8
+  %645 = load i64, ptr %644, align 8
+  %646 = icmp slt i64 %642, %645
+  br i1 %646, label %635, label %647, !llvm.loop !13
 
-636:                                              ; preds = %624, %605, %583, %579
-  %637 = phi i64 [ %582, %579 ], [ %581, %583 ], [ %581, %605 ], [ %581, %624 ]
-  %638 = icmp eq i64 %637, 0
-  %639 = select i1 %638, i1 %90, i1 false
-  br i1 %639, label %640, label %656
+647:                                              ; preds = %635, %616, %594, %590
+  %648 = phi i64 [ %593, %590 ], [ %592, %594 ], [ %592, %616 ], [ %592, %635 ]
+  %649 = icmp eq i64 %648, 0
+  %650 = select i1 %649, i1 %101, i1 false
+  br i1 %650, label %651, label %667
 
-640:                                              ; preds = %636
-  %641 = load i64, ptr %345, align 8
-  %642 = add nsw i64 %641, 1
-  store i64 %642, ptr %345, align 8
-  %643 = load ptr, ptr %363, align 8
-  store double %477, ptr %643, align 8
-  %644 = load i64, ptr %364, align 8
-  %645 = icmp sgt i64 %644, 0
-  br i1 %645, label %646, label %647
+651:                                              ; preds = %647
+  %652 = load i64, ptr %356, align 8
+  %653 = add nsw i64 %652, 1
+  store i64 %653, ptr %356, align 8
+  %654 = load ptr, ptr %374, align 8
+  store double %488, ptr %654, align 8
+  %655 = load i64, ptr %375, align 8
+  %656 = icmp sgt i64 %655, 0
+  br i1 %656, label %657, label %658
 
-646:                                              ; preds = %640
-  tail call fastcc void @sample(ptr noundef nonnull %62) #8
-  br label %647
+657:                                              ; preds = %651
+  tail call fastcc void @sample(ptr noundef nonnull %73) #8
+  br label %658
 
-647:                                              ; preds = %640, %646
-  %648 = load ptr, ptr %62, align 8
-  %649 = load i64, ptr %648, align 8
-  %650 = load ptr, ptr %363, align 8
-  %651 = load ptr, ptr %365, align 8
-  %652 = load ptr, ptr %366, align 8
-  %653 = inttoptr i64 %649 to ptr
-  %654 = tail call i32 %653(ptr noundef %650, ptr noundef %67, ptr noundef %651, ptr noundef %652, ptr noundef %105) #9
-  %655 = sext i32 %654 to i64
-  br label %656
+658:                                              ; preds = %651, %657
+  %659 = load ptr, ptr %73, align 8
+  %660 = load i64, ptr %659, align 8
+  %661 = load ptr, ptr %374, align 8
+  %662 = load ptr, ptr %376, align 8
+  %663 = load ptr, ptr %377, align 8
+  %664 = inttoptr i64 %660 to ptr
+  %665 = tail call i32 %664(ptr noundef %661, ptr noundef %78, ptr noundef %662, ptr noundef %663, ptr noundef %116) #9
+  %666 = sext i32 %665 to i64
+  br label %667
 
-656:                                              ; preds = %647, %636
-  %657 = phi i64 [ %655, %647 ], [ %637, %636 ]
-  %658 = icmp slt i64 %657, 0
-  br i1 %658, label %1487, label %659
+667:                                              ; preds = %658, %647
+  %668 = phi i64 [ %666, %658 ], [ %648, %647 ]
+  %669 = icmp slt i64 %668, 0
+  br i1 %669, label %1498, label %670
 
-659:                                              ; preds = %656
-  %660 = icmp eq i64 %657, 0
-  br i1 %660, label %661, label %852
+670:                                              ; preds = %667
+  %671 = icmp eq i64 %668, 0
+  br i1 %671, label %672, label %863
 
-661:                                              ; preds = %659
-  br i1 %87, label %662, label %663
+672:                                              ; preds = %670
+  br i1 %98, label %673, label %674
 
-662:                                              ; preds = %661
-  br i1 %378, label %812, label %821
+673:                                              ; preds = %672
+  br i1 %389, label %823, label %832
 
-663:                                              ; preds = %661
-  %664 = load ptr, ptr %62, align 8
-  %665 = load ptr, ptr %0, align 8
-  %666 = getelementptr inbounds i8, ptr %664, i64 24
-  %667 = load i64, ptr %666, align 8
-  %668 = getelementptr inbounds i8, ptr %665, i64 8
-  %669 = load i64, ptr %668, align 8
-  %670 = load ptr, ptr %367, align 8
-  %671 = load i64, ptr %368, align 8
-  %672 = getelementptr inbounds double, ptr %670, i64 %671
-  %673 = icmp sgt i64 %669, 0
-  br i1 %673, label %674, label %676
+674:                                              ; preds = %672
+  %675 = load ptr, ptr %73, align 8
+  %676 = load ptr, ptr %0, align 8
+  %677 = getelementptr inbounds i8, ptr %675, i64 24
+  %678 = load i64, ptr %677, align 8
+  %679 = getelementptr inbounds i8, ptr %676, i64 8
+  %680 = load i64, ptr %679, align 8
+  %681 = load ptr, ptr %378, align 8
+  %682 = load i64, ptr %379, align 8
+  %683 = getelementptr inbounds double, ptr %681, i64 %682
+  %684 = icmp sgt i64 %680, 0
+  br i1 %684, label %685, label %687
 
-674:                                              ; preds = %663
-  %675 = getelementptr inbounds i8, ptr %664, i64 32
-  br label %684
+685:                                              ; preds = %674
+  %686 = getelementptr inbounds i8, ptr %675, i64 32
+  br label %695
 
-676:                                              ; preds = %684, %663
-  %677 = icmp sgt i64 %667, 0
-  br i1 %677, label %678, label %710
+687:                                              ; preds = %695, %674
+  %688 = icmp sgt i64 %678, 0
+  br i1 %688, label %689, label %721
 
-678:                                              ; preds = %676
-  %679 = load ptr, ptr %63, align 8
-  %680 = load ptr, ptr %374, align 8
-  %681 = load ptr, ptr %375, align 8
-  %682 = load ptr, ptr %376, align 8
-  %683 = load ptr, ptr %367, align 8
-  br label %768
+689:                                              ; preds = %687
+  %690 = load ptr, ptr %74, align 8
+  %691 = load ptr, ptr %385, align 8
+  %692 = load ptr, ptr %386, align 8
+  %693 = load ptr, ptr %387, align 8
+  %694 = load ptr, ptr %378, align 8
+  br label %779
 
-684:                                              ; preds = %674, %684
-  %685 = phi i64 [ 0, %674 ], [ %708, %684 ]
-  %686 = load i64, ptr %665, align 8
-  %687 = load i64, ptr %675, align 8
-  %688 = load ptr, ptr %367, align 8
-  %689 = load i64, ptr %368, align 8
-  %690 = mul nsw i64 %689, %685
-  %691 = getelementptr inbounds double, ptr %688, i64 %690
-  %692 = load ptr, ptr %369, align 8
-  %693 = load ptr, ptr %370, align 8
-  %694 = getelementptr i64, ptr %693, i64 %686
-  %695 = getelementptr i8, ptr %694, i64 8
-  %696 = getelementptr i64, ptr %695, i64 %685
-  %697 = load i64, ptr %696, align 8
-  %698 = getelementptr i8, ptr %696, i64 8
-  %699 = load i64, ptr %698, align 8
-  %700 = xor i64 %697, -1
-  %701 = add i64 %699, %700
-  %702 = load ptr, ptr %346, align 8
-  %703 = load ptr, ptr %371, align 8
-  %704 = load ptr, ptr %372, align 8
-  %705 = getelementptr inbounds i64, ptr %704, i64 %697
-  %706 = load ptr, ptr %373, align 8
-  %707 = getelementptr inbounds double, ptr %706, i64 %697
-  tail call fastcc void @combine(ptr noundef %691, ptr noundef %692, ptr noundef %702, ptr noundef %703, ptr noundef %705, ptr noundef %707, i64 noundef %701, i64 noundef 1, i64 noundef %687) #8
-  %708 = add nuw nsw i64 %685, 1
-  %709 = icmp eq i64 %708, %669
-  br i1 %709, label %676, label %684, !llvm.loop !14
+695:                                              ; preds = %685, %695
+  %696 = phi i64 [ 0, %685 ], [ %719, %695 ]
+  %697 = load i64, ptr %676, align 8
+  %698 = load i64, ptr %686, align 8
+  %699 = load ptr, ptr %378, align 8
+  %700 = load i64, ptr %379, align 8
+  %701 = mul nsw i64 %700, %696
+  %702 = getelementptr inbounds double, ptr %699, i64 %701
+  %703 = load ptr, ptr %380, align 8
+  %704 = load ptr, ptr %381, align 8
+  %705 = getelementptr i64, ptr %704, i64 %697
+  %706 = getelementptr i8, ptr %705, i64 8
+  %707 = getelementptr i64, ptr %706, i64 %696
+  %708 = load i64, ptr %707, align 8
+  %709 = getelementptr i8, ptr %707, i64 8
+  %710 = load i64, ptr %709, align 8
+  %711 = xor i64 %708, -1
+  %712 = add i64 %710, %711
+  %713 = load ptr, ptr %357, align 8
+  %714 = load ptr, ptr %382, align 8
+  %715 = load ptr, ptr %383, align 8
+  %716 = getelementptr inbounds i64, ptr %715, i64 %708
+  %717 = load ptr, ptr %384, align 8
+  %718 = getelementptr inbounds double, ptr %717, i64 %708
+  tail call fastcc void @combine(ptr noundef %702, ptr noundef %703, ptr noundef %713, ptr noundef %714, ptr noundef %716, ptr noundef %718, i64 noundef %712, i64 noundef 1, i64 noundef %698) #8
+  %719 = add nuw nsw i64 %696, 1
+  %720 = icmp eq i64 %719, %680
+  br i1 %720, label %687, label %695, !llvm.loop !14
 
-710:                                              ; preds = %768, %676
-  %711 = phi double [ 0.000000e+00, %676 ], [ %796, %768 ]
-  %712 = phi double [ 0.000000e+00, %676 ], [ %794, %768 ]
-  %713 = load ptr, ptr %377, align 8
-  %714 = getelementptr inbounds i8, ptr %664, i64 8
-  %715 = load i64, ptr %714, align 8
-  %716 = add nsw i64 %715, -3
-  %717 = getelementptr i8, ptr %713, i64 8
-  %718 = getelementptr i8, ptr %713, i64 16
-  %719 = getelementptr i8, ptr %713, i64 24
-  %720 = icmp slt i64 %667, %716
-  br i1 %720, label %728, label %721
+721:                                              ; preds = %779, %687
+  %722 = phi double [ 0.000000e+00, %687 ], [ %807, %779 ]
+  %723 = phi double [ 0.000000e+00, %687 ], [ %805, %779 ]
+  %724 = load ptr, ptr %388, align 8
+  %725 = getelementptr inbounds i8, ptr %675, i64 8
+  %726 = load i64, ptr %725, align 8
+  %727 = add nsw i64 %726, -3
+  %728 = getelementptr i8, ptr %724, i64 8
+  %729 = getelementptr i8, ptr %724, i64 16
+  %730 = getelementptr i8, ptr %724, i64 24
+  %731 = icmp slt i64 %678, %727
+  br i1 %731, label %739, label %732
 
-721:                                              ; preds = %728, %710
-  %722 = phi double [ 0.000000e+00, %710 ], [ %737, %728 ]
-  %723 = phi double [ 0.000000e+00, %710 ], [ %741, %728 ]
-  %724 = phi double [ 0.000000e+00, %710 ], [ %745, %728 ]
-  %725 = phi double [ 0.000000e+00, %710 ], [ %749, %728 ]
-  %726 = phi i64 [ %667, %710 ], [ %750, %728 ]
-  %727 = icmp slt i64 %726, %715
-  br i1 %727, label %752, label %761
+732:                                              ; preds = %739, %721
+  %733 = phi double [ 0.000000e+00, %721 ], [ %748, %739 ]
+  %734 = phi double [ 0.000000e+00, %721 ], [ %752, %739 ]
+  %735 = phi double [ 0.000000e+00, %721 ], [ %756, %739 ]
+  %736 = phi double [ 0.000000e+00, %721 ], [ %760, %739 ]
+  %737 = phi i64 [ %678, %721 ], [ %761, %739 ]
+  %738 = icmp slt i64 %737, %726
+  br i1 %738, label %763, label %772
 
-728:                                              ; preds = %710, %728
-  %729 = phi i64 [ %750, %728 ], [ %667, %710 ]
-  %730 = phi double [ %749, %728 ], [ 0.000000e+00, %710 ]
-  %731 = phi double [ %745, %728 ], [ 0.000000e+00, %710 ]
-  %732 = phi double [ %741, %728 ], [ 0.000000e+00, %710 ]
-  %733 = phi double [ %737, %728 ], [ 0.000000e+00, %710 ]
-  %734 = getelementptr inbounds double, ptr %713, i64 %729
-  %735 = load double, ptr %734, align 8
-  %736 = fmul double %735, 0.000000e+00
-  %737 = fadd double %733, %736
-  %738 = getelementptr double, ptr %717, i64 %729
-  %739 = load double, ptr %738, align 8
-  %740 = fmul double %739, 0.000000e+00
-  %741 = fadd double %732, %740
-  %742 = getelementptr double, ptr %718, i64 %729
-  %743 = load double, ptr %742, align 8
-  %744 = fmul double %743, 0.000000e+00
-  %745 = fadd double %731, %744
-  %746 = getelementptr double, ptr %719, i64 %729
-  %747 = load double, ptr %746, align 8
-  %748 = fmul double %747, 0.000000e+00
-  %749 = fadd double %730, %748
-  %750 = add nsw i64 %729, 4
-  %751 = icmp slt i64 %750, %716
-  br i1 %751, label %728, label %721, !llvm.loop !15
+739:                                              ; preds = %721, %739
+  %740 = phi i64 [ %761, %739 ], [ %678, %721 ]
+  %741 = phi double [ %760, %739 ], [ 0.000000e+00, %721 ]
+  %742 = phi double [ %756, %739 ], [ 0.000000e+00, %721 ]
+  %743 = phi double [ %752, %739 ], [ 0.000000e+00, %721 ]
+  %744 = phi double [ %748, %739 ], [ 0.000000e+00, %721 ]
+  %745 = getelementptr inbounds double, ptr %724, i64 %740
+  %746 = load double, ptr %745, align 8
+  %747 = fmul double %746, 0.000000e+00
+  %748 = fadd double %744, %747
+  %749 = getelementptr double, ptr %728, i64 %740
+  %750 = load double, ptr %749, align 8
+  %751 = fmul double %750, 0.000000e+00
+  %752 = fadd double %743, %751
+  %753 = getelementptr double, ptr %729, i64 %740
+  %754 = load double, ptr %753, align 8
+  %755 = fmul double %754, 0.000000e+00
+  %756 = fadd double %742, %755
+  %757 = getelementptr double, ptr %730, i64 %740
+  %758 = load double, ptr %757, align 8
+  %759 = fmul double %758, 0.000000e+00
+  %760 = fadd double %741, %759
+  %761 = add nsw i64 %740, 4
+  %762 = icmp slt i64 %761, %727
+  br i1 %762, label %739, label %732, !llvm.loop !15
 
-752:                                              ; preds = %721, %752
-  %753 = phi i64 [ %759, %752 ], [ %726, %721 ]
-  %754 = phi double [ %758, %752 ], [ %722, %721 ]
-  %755 = getelementptr inbounds double, ptr %713, i64 %753
-  %756 = load double, ptr %755, align 8
-  %757 = fmul double %756, 0.000000e+00
-  %758 = fadd double %754, %757
-  %759 = add nsw i64 %753, 1
-  %760 = icmp eq i64 %759, %715
-  br i1 %760, label %761, label %752, !llvm.loop !16
+763:                                              ; preds = %732, %763
+  %764 = phi i64 [ %770, %763 ], [ %737, %732 ]
+  %765 = phi double [ %769, %763 ], [ %733, %732 ]
+  %766 = getelementptr inbounds double, ptr %724, i64 %764
+  %767 = load double, ptr %766, align 8
+  %768 = fmul double %767, 0.000000e+00
+  %769 = fadd double %765, %768
+  %770 = add nsw i64 %764, 1
+  %771 = icmp eq i64 %770, %726
+  br i1 %771, label %772, label %763, !llvm.loop !16
 
-761:                                              ; preds = %752, %721
-  %762 = phi double [ %722, %721 ], [ %758, %752 ]
-  %763 = fadd double %723, %762
-  %764 = fadd double %724, %725
-  %765 = fadd double %764, %763
-  %766 = fadd double %712, %765
-  %767 = icmp eq i64 %669, 2
-  br i1 %767, label %799, label %808
+772:                                              ; preds = %763, %732
+  %773 = phi double [ %733, %732 ], [ %769, %763 ]
+  %774 = fadd double %734, %773
+  %775 = fadd double %735, %736
+  %776 = fadd double %775, %774
+  %777 = fadd double %723, %776
+  %778 = icmp eq i64 %680, 2
+  br i1 %778, label %810, label %819
 
-768:                                              ; preds = %678, %768
-  %769 = phi double [ 0.000000e+00, %678 ], [ %794, %768 ]
-  %770 = phi double [ 0.000000e+00, %678 ], [ %796, %768 ]
-  %771 = phi i64 [ 0, %678 ], [ %797, %768 ]
-  %772 = getelementptr inbounds double, ptr %679, i64 %771
-  %773 = load double, ptr %772, align 8
-  %774 = getelementptr inbounds double, ptr %680, i64 %771
-  %775 = load double, ptr %774, align 8
-  %776 = getelementptr inbounds double, ptr %681, i64 %771
-  %777 = load double, ptr %776, align 8
-  %778 = getelementptr inbounds double, ptr %682, i64 %771
-  %779 = load double, ptr %778, align 8
-  %780 = tail call double @llvm.fabs.f64(double %773)
-  %781 = tail call double @llvm.fabs.f64(double %775)
-  %782 = fcmp ogt double %780, %781
-  %783 = select i1 %782, double %780, double %781
-  %784 = fmul double %783, %779
-  %785 = fadd double %777, %784
-  %786 = fdiv double 1.000000e+00, %785
-  %787 = getelementptr inbounds double, ptr %683, i64 %771
+779:                                              ; preds = %689, %779
+  %780 = phi double [ 0.000000e+00, %689 ], [ %805, %779 ]
+  %781 = phi double [ 0.000000e+00, %689 ], [ %807, %779 ]
+  %782 = phi i64 [ 0, %689 ], [ %808, %779 ]
+  %783 = getelementptr inbounds double, ptr %690, i64 %782
+  %784 = load double, ptr %783, align 8
+  %785 = getelementptr inbounds double, ptr %691, i64 %782
+  %786 = load double, ptr %785, align 8
+  %787 = getelementptr inbounds double, ptr %692, i64 %782
   %788 = load double, ptr %787, align 8
-  %789 = fmul double %788, %786
-  %790 = getelementptr inbounds double, ptr %672, i64 %771
-  %791 = load double, ptr %790, align 8
-  %792 = fmul double %791, %786
-  %793 = fmul double %789, %789
-  %794 = fadd double %769, %793
-  %795 = fmul double %792, %792
-  %796 = fadd double %770, %795
-  %797 = add nuw nsw i64 %771, 1
-  %798 = icmp eq i64 %797, %667
-  br i1 %798, label %710, label %768, !llvm.loop !17
+  %789 = getelementptr inbounds double, ptr %693, i64 %782
+  %790 = load double, ptr %789, align 8
+  %791 = tail call double @llvm.fabs.f64(double %784)
+  %792 = tail call double @llvm.fabs.f64(double %786)
+  %793 = fcmp ogt double %791, %792
+  %794 = select i1 %793, double %791, double %792
+  %795 = fmul double %794, %790
+  %796 = fadd double %788, %795
+  %797 = fdiv double 1.000000e+00, %796
+  %798 = getelementptr inbounds double, ptr %694, i64 %782
+  %799 = load double, ptr %798, align 8
+  %800 = fmul double %799, %797
+  %801 = getelementptr inbounds double, ptr %683, i64 %782
+  %802 = load double, ptr %801, align 8
+  %803 = fmul double %802, %797
+  %804 = fmul double %800, %800
+  %805 = fadd double %780, %804
+  %806 = fmul double %803, %803
+  %807 = fadd double %781, %806
+  %808 = add nuw nsw i64 %782, 1
+  %809 = icmp eq i64 %808, %678
+  br i1 %809, label %721, label %779, !llvm.loop !17
 
-799:                                              ; preds = %761
-  %800 = fmul double %711, 1.000000e-02
-  %801 = fadd double %800, %766
-  %802 = sitofp i64 %667 to double
-  %803 = fmul double %801, %802
-  %804 = tail call double @llvm.sqrt.f64(double %803)
-  %805 = fdiv double %766, %804
-  %806 = fcmp une double %766, 0.000000e+00
-  %807 = select i1 %806, double %805, double 0.000000e+00
-  br label %821
+810:                                              ; preds = %772
+  %811 = fmul double %722, 1.000000e-02
+  %812 = fadd double %811, %777
+  %813 = sitofp i64 %678 to double
+  %814 = fmul double %812, %813
+  %815 = tail call double @llvm.sqrt.f64(double %814)
+  %816 = fdiv double %777, %815
+  %817 = fcmp une double %777, 0.000000e+00
+  %818 = select i1 %817, double %816, double 0.000000e+00
+  br label %832
 
-808:                                              ; preds = %761
-  %809 = sitofp i64 %667 to double
-  %810 = fdiv double %766, %809
-  %811 = tail call double @llvm.sqrt.f64(double %810)
-  br label %821
+819:                                              ; preds = %772
+  %820 = sitofp i64 %678 to double
+  %821 = fdiv double %777, %820
+  %822 = tail call double @llvm.sqrt.f64(double %821)
+  br label %832
 
-812:                                              ; preds = %662, %812
-  %813 = phi i64 [ %819, %812 ], [ 0, %662 ]
-  %814 = phi double [ %818, %812 ], [ 0.000000e+00, %662 ]
-  %815 = getelementptr inbounds double, ptr %67, i64 %813
-  %816 = load double, ptr %815, align 8
-  %817 = fmul double %816, 0.000000e+00
-  %818 = fadd double %814, %817
-  %819 = add nuw nsw i64 %813, 1
-  %820 = icmp eq i64 %819, %80
-  br i1 %820, label %821, label %812, !llvm.loop !18
+823:                                              ; preds = %673, %823
+  %824 = phi i64 [ %830, %823 ], [ 0, %673 ]
+  %825 = phi double [ %829, %823 ], [ 0.000000e+00, %673 ]
+  %826 = getelementptr inbounds double, ptr %78, i64 %824
+  %827 = load double, ptr %826, align 8
+  %828 = fmul double %827, 0.000000e+00
+  %829 = fadd double %825, %828
+  %830 = add nuw nsw i64 %824, 1
+  %831 = icmp eq i64 %830, %91
+  br i1 %831, label %832, label %823, !llvm.loop !18
 
-821:                                              ; preds = %812, %662, %808, %799
-  %822 = phi double [ %807, %799 ], [ %811, %808 ], [ 0.000000e+00, %662 ], [ %818, %812 ]
-  %823 = fcmp uge double %822, 1.000000e+00
-  %824 = select i1 %823, i1 true, i1 %379
-  br i1 %824, label %852, label %825
+832:                                              ; preds = %823, %673, %819, %810
+  %833 = phi double [ %818, %810 ], [ %822, %819 ], [ 0.000000e+00, %673 ], [ %829, %823 ]
+  %834 = fcmp uge double %833, 1.000000e+00
+  %835 = select i1 %834, i1 true, i1 %390
+  br i1 %835, label %863, label %836
 
-825:                                              ; preds = %821
-  br i1 %84, label %833, label %826
+836:                                              ; preds = %832
+  br i1 %95, label %844, label %837
 
-826:                                              ; preds = %825
-  %827 = load ptr, ptr %81, align 8
-  %828 = getelementptr inbounds i8, ptr %827, i64 56
-  %829 = load i64, ptr %828, align 8
-  %830 = inttoptr i64 %829 to ptr
-  %831 = tail call i64 %830(ptr noundef %0, double noundef %477, ptr noundef %67) #9
-  %832 = icmp ne i64 %831, 0
-  br label %833
+837:                                              ; preds = %836
+  %838 = load ptr, ptr %92, align 8
+  %839 = getelementptr inbounds i8, ptr %838, i64 56
+  %840 = load i64, ptr %839, align 8
+  %841 = inttoptr i64 %840 to ptr
+  %842 = tail call i64 %841(ptr noundef %0, double noundef %488, ptr noundef %78) #9
+  %843 = icmp ne i64 %842, 0
+  br label %844
 
-833:                                              ; preds = %826, %825
-  %834 = phi i1 [ false, %825 ], [ %832, %826 ]
-  br i1 %834, label %852, label %835
+844:                                              ; preds = %837, %836
+  %845 = phi i1 [ false, %836 ], [ %843, %837 ]
+  br i1 %845, label %863, label %846
 
-835:                                              ; preds = %833
-  %836 = load i64, ptr %345, align 8
-  %837 = add nsw i64 %836, 1
-  store i64 %837, ptr %345, align 8
-  %838 = load ptr, ptr %380, align 8
-  store double %477, ptr %838, align 8
-  %839 = load i64, ptr %381, align 8
-  %840 = icmp sgt i64 %839, 0
-  br i1 %840, label %841, label %842
+846:                                              ; preds = %844
+  %847 = load i64, ptr %356, align 8
+  %848 = add nsw i64 %847, 1
+  store i64 %848, ptr %356, align 8
+  %849 = load ptr, ptr %391, align 8
+  store double %488, ptr %849, align 8
+  %850 = load i64, ptr %392, align 8
+  %851 = icmp sgt i64 %850, 0
+  br i1 %851, label %852, label %853
 
-841:                                              ; preds = %835
-  tail call fastcc void @sample(ptr noundef nonnull %62) #8
-  br label %842
+852:                                              ; preds = %846
+  tail call fastcc void @sample(ptr noundef nonnull %73) #8
+  br label %853
 
-842:                                              ; preds = %835, %841
-  %843 = load ptr, ptr %62, align 8
-  %844 = load i64, ptr %843, align 8
-  %845 = load ptr, ptr %380, align 8
-  %846 = load ptr, ptr %382, align 8
-  %847 = load ptr, ptr %383, align 8
-  %848 = inttoptr i64 %844 to ptr
-  %849 = tail call i32 %848(ptr noundef %845, ptr noundef %67, ptr noundef %846, ptr noundef %847, ptr noundef %105) #9
-  %850 = sext i32 %849 to i64
-  %851 = icmp slt i32 %849, 0
-  br i1 %851, label %1487, label %852
+853:                                              ; preds = %846, %852
+  %854 = load ptr, ptr %73, align 8
+  %855 = load i64, ptr %854, align 8
+  %856 = load ptr, ptr %391, align 8
+  %857 = load ptr, ptr %393, align 8
+  %858 = load ptr, ptr %394, align 8
+  %859 = inttoptr i64 %855 to ptr
+  %860 = tail call i32 %859(ptr noundef %856, ptr noundef %78, ptr noundef %857, ptr noundef %858, ptr noundef %116) #9
+  %861 = sext i32 %860 to i64
+  %862 = icmp slt i32 %860, 0
+  br i1 %862, label %1498, label %863
 
-852:                                              ; preds = %821, %842, %833, %659
-  %853 = phi i64 [ 0, %833 ], [ %850, %842 ], [ 0, %821 ], [ %657, %659 ]
-  %854 = phi double [ %822, %833 ], [ %822, %842 ], [ %822, %821 ], [ 0.000000e+00, %659 ]
-  %855 = phi i1 [ %834, %833 ], [ %834, %842 ], [ false, %821 ], [ false, %659 ]
-  %856 = icmp ne i64 %853, 0
-  %857 = fcmp uge double %854, 1.000000e+00
-  %858 = or i1 %856, %857
-  %859 = or i1 %855, %858
-  br i1 %859, label %860, label %923
+863:                                              ; preds = %832, %853, %844, %670
+  %864 = phi i64 [ 0, %844 ], [ %861, %853 ], [ 0, %832 ], [ %668, %670 ]
+  %865 = phi double [ %833, %844 ], [ %833, %853 ], [ %833, %832 ], [ 0.000000e+00, %670 ]
+  %866 = phi i1 [ %845, %844 ], [ %845, %853 ], [ false, %832 ], [ false, %670 ]
+  %867 = icmp ne i64 %864, 0
+  %868 = fcmp uge double %865, 1.000000e+00
+  %869 = or i1 %867, %868
+  %870 = or i1 %866, %869
+  br i1 %870, label %871, label %934
 
-860:                                              ; preds = %852
-  %861 = load i64, ptr %341, align 8
-  %862 = add nsw i64 %861, 1
-  store i64 %862, ptr %341, align 8
-  %863 = or i1 %856, %855
-  br i1 %863, label %867, label %864
+871:                                              ; preds = %863
+  %872 = load i64, ptr %352, align 8
+  %873 = add nsw i64 %872, 1
+  store i64 %873, ptr %352, align 8
+  %874 = or i1 %867, %866
+  br i1 %874, label %878, label %875
 
-864:                                              ; preds = %860
-  %865 = tail call double @llvm.fabs.f64(double %854)
-  %866 = fcmp one double %865, 0x7FF0000000000000
-  br label %867
+875:                                              ; preds = %871
+  %876 = tail call double @llvm.fabs.f64(double %865)
+  %877 = fcmp one double %876, 0x7FF0000000000000
+  br label %878
 
-867:                                              ; preds = %864, %860
-  %868 = phi i1 [ false, %860 ], [ %866, %864 ]
-  %869 = select i1 %868, i64 2, i64 4
-  %870 = select i1 %855, i64 6, i64 %869
-  %871 = select i1 %856, i64 3, i64 %870
-  store i64 %871, ptr %420, align 8
-  %872 = fcmp ogt double %854, 1.000000e-10
-  %873 = select i1 %872, double %854, double 1.000000e-10
-  %874 = load double, ptr %421, align 8
-  %875 = load double, ptr %77, align 8
-  %876 = fneg double %875
-  %877 = bitcast double %873 to i64
-  %878 = add nsw i64 %877, -4604544271217802189
-  %879 = ashr i64 %878, 52
-  %880 = and i64 %878, -4503599627370496
-  %881 = sub nsw i64 %877, %880
-  %882 = bitcast i64 %881 to double
-  %883 = fadd double %882, -1.000000e+00
-  %884 = fadd double %882, 1.000000e+00
-  %885 = fdiv double %883, %884
-  %886 = fmul double %885, %885
-  %887 = tail call double @llvm.fma.f64(double %886, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
-  %888 = tail call double @llvm.fma.f64(double %887, double %886, double 0x3FE2776C50EF9BFE)
-  %889 = tail call double @llvm.fma.f64(double %888, double %886, double 0x3FEEC709DC3A03FD)
-  %890 = tail call double @llvm.fma.f64(double %889, double %886, double 0x40071547652B82FE)
-  %891 = trunc nsw i64 %879 to i32
-  %892 = sitofp i32 %891 to double
-  %893 = fmul double %885, %890
-  %894 = fadd double %893, %892
-  %895 = fmul double %894, %876
-  %896 = fcmp ogt double %895, -1.000000e+03
-  %897 = select i1 %896, double %895, double -1.000000e+03
-  %898 = fcmp olt double %897, 1.000000e+03
-  %899 = select i1 %898, double %897, double 1.000000e+03
-  %900 = tail call double @llvm.rint.f64(double %899)
-  %901 = fsub double %899, %900
-  %902 = tail call double @llvm.fma.f64(double %901, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
-  %903 = tail call double @llvm.fma.f64(double %902, double %901, double 0x3F55D87FE78A6730)
-  %904 = tail call double @llvm.fma.f64(double %903, double %901, double 0x3F83B2AB6FBA4E77)
-  %905 = tail call double @llvm.fma.f64(double %904, double %901, double 0x3FAC6B08D704A0BF)
-  %906 = tail call double @llvm.fma.f64(double %905, double %901, double 0x3FCEBFBDFF82C58E)
-  %907 = tail call double @llvm.fma.f64(double %906, double %901, double 0x3FE62E42FEFA39EF)
-  %908 = tail call double @llvm.fma.f64(double %907, double %901, double 1.000000e+00)
-  %909 = bitcast double %908 to i64
-  %910 = fptosi double %900 to i32
-  %911 = sext i32 %910 to i64
-  %912 = shl nsw i64 %911, 52
-  %913 = add nsw i64 %912, %909
-  %914 = bitcast i64 %913 to double
-  %915 = fmul double %874, %914
-  %916 = load double, ptr %422, align 8
-  %917 = fcmp ogt double %915, %916
-  %918 = select i1 %917, double %915, double %916
-  %919 = select i1 %868, double %918, double 2.500000e-01
-  %920 = fmul double %476, %919
-  br i1 %87, label %921, label %922
+878:                                              ; preds = %875, %871
+  %879 = phi i1 [ false, %871 ], [ %877, %875 ]
+  %880 = select i1 %879, i64 2, i64 4
+  %881 = select i1 %866, i64 6, i64 %880
+  %882 = select i1 %867, i64 3, i64 %881
+  store i64 %882, ptr %431, align 8
+  %883 = fcmp ogt double %865, 1.000000e-10
+  %884 = select i1 %883, double %865, double 1.000000e-10
+  %885 = load double, ptr %432, align 8
+  %886 = load double, ptr %88, align 8
+  %887 = fneg double %886
+  %888 = bitcast double %884 to i64
+  %889 = add nsw i64 %888, -4604544271217802189
+  %890 = ashr i64 %889, 52
+  %891 = and i64 %889, -4503599627370496
+  %892 = sub nsw i64 %888, %891
+  %893 = bitcast i64 %892 to double
+  %894 = fadd double %893, -1.000000e+00
+  %895 = fadd double %893, 1.000000e+00
+  %896 = fdiv double %894, %895
+  %897 = fmul double %896, %896
+  %898 = tail call double @llvm.fma.f64(double %897, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
+  %899 = tail call double @llvm.fma.f64(double %898, double %897, double 0x3FE2776C50EF9BFE)
+  %900 = tail call double @llvm.fma.f64(double %899, double %897, double 0x3FEEC709DC3A03FD)
+  %901 = tail call double @llvm.fma.f64(double %900, double %897, double 0x40071547652B82FE)
+  %902 = trunc nsw i64 %890 to i32
+  %903 = sitofp i32 %902 to double
+  %904 = fmul double %896, %901
+  %905 = fadd double %904, %903
+  %906 = fmul double %905, %887
+  %907 = fcmp ogt double %906, -1.000000e+03
+  %908 = select i1 %907, double %906, double -1.000000e+03
+  %909 = fcmp olt double %908, 1.000000e+03
+  %910 = select i1 %909, double %908, double 1.000000e+03
+  %911 = tail call double @llvm.rint.f64(double %910)
+  %912 = fsub double %910, %911
+  %913 = tail call double @llvm.fma.f64(double %912, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
+  %914 = tail call double @llvm.fma.f64(double %913, double %912, double 0x3F55D87FE78A6730)
+  %915 = tail call double @llvm.fma.f64(double %914, double %912, double 0x3F83B2AB6FBA4E77)
+  %916 = tail call double @llvm.fma.f64(double %915, double %912, double 0x3FAC6B08D704A0BF)
+  %917 = tail call double @llvm.fma.f64(double %916, double %912, double 0x3FCEBFBDFF82C58E)
+  %918 = tail call double @llvm.fma.f64(double %917, double %912, double 0x3FE62E42FEFA39EF)
+  %919 = tail call double @llvm.fma.f64(double %918, double %912, double 1.000000e+00)
+  %920 = bitcast double %919 to i64
+  %921 = fptosi double %911 to i32
+  %922 = sext i32 %921 to i64
+  %923 = shl nsw i64 %922, 52
+  %924 = add nsw i64 %923, %920
+  %925 = bitcast i64 %924 to double
+  %926 = fmul double %885, %925
+  %927 = load double, ptr %433, align 8
+  %928 = fcmp ogt double %926, %927
+  %929 = select i1 %928, double %926, double %927
+  %930 = select i1 %879, double %929, double 2.500000e-01
+  %931 = fmul double %487, %930
+  br i1 %98, label %932, label %933
 
-921:                                              ; preds = %867
-  store double %476, ptr %107, align 8
-  br label %1487
+932:                                              ; preds = %878
+  store double %487, ptr %118, align 8
+  br label %1498
 
-922:                                              ; preds = %867
-  store double 1.000000e+00, ptr %423, align 8
-  br label %1487, !llvm.loop !19
+933:                                              ; preds = %878
+  store double 1.000000e+00, ptr %434, align 8
+  br label %1498, !llvm.loop !19
 
-923:                                              ; preds = %852
-  %924 = load i64, ptr %340, align 8
-  %925 = add nsw i64 %924, 1
-  store i64 %925, ptr %340, align 8
-  store double %477, ptr %65, align 8
-  store double %476, ptr %384, align 8
-  %926 = load ptr, ptr %339, align 8
-  %927 = getelementptr inbounds i8, ptr %926, i64 8
-  %928 = load i64, ptr %927, align 8
-  %929 = icmp eq i64 %928, 0
-  br i1 %929, label %959, label %930
+934:                                              ; preds = %863
+  %935 = load i64, ptr %351, align 8
+  %936 = add nsw i64 %935, 1
+  store i64 %936, ptr %351, align 8
+  store double %488, ptr %76, align 8
+  store double %487, ptr %395, align 8
+  %937 = load ptr, ptr %350, align 8
+  %938 = getelementptr inbounds i8, ptr %937, i64 8
+  %939 = load i64, ptr %938, align 8
+  %940 = icmp eq i64 %939, 0
+  br i1 %940, label %970, label %941
 
-930:                                              ; preds = %923
-  %931 = load i64, ptr %926, align 8
-  %932 = load ptr, ptr %62, align 8
-  %933 = getelementptr inbounds i8, ptr %932, i64 8
-  %934 = load i64, ptr %933, align 8
-  %935 = load ptr, ptr %385, align 8
-  %936 = load i64, ptr %386, align 8
-  %937 = mul nsw i64 %936, %931
-  %938 = getelementptr inbounds double, ptr %935, i64 %937
-  %939 = getelementptr inbounds double, ptr %938, i64 %936
-  store double %429, ptr %938, align 8
-  %940 = getelementptr inbounds i8, ptr %938, i64 8
-  store double %476, ptr %940, align 8
-  store double %477, ptr %939, align 8
-  %941 = getelementptr inbounds i8, ptr %939, i64 8
-  store double 0.000000e+00, ptr %941, align 8
-  %942 = icmp sgt i64 %934, 0
-  br i1 %942, label %946, label %943
+941:                                              ; preds = %934
+  %942 = load i64, ptr %937, align 8
+  %943 = load ptr, ptr %73, align 8
+  %944 = getelementptr inbounds i8, ptr %943, i64 8
+  %945 = load i64, ptr %944, align 8
+  %946 = load ptr, ptr %396, align 8
+  %947 = load i64, ptr %397, align 8
+  %948 = mul nsw i64 %947, %942
+  %949 = getelementptr inbounds double, ptr %946, i64 %948
+  %950 = getelementptr inbounds double, ptr %949, i64 %947
+  store double %440, ptr %949, align 8
+  %951 = getelementptr inbounds i8, ptr %949, i64 8
+  store double %487, ptr %951, align 8
+  store double %488, ptr %950, align 8
+  %952 = getelementptr inbounds i8, ptr %950, i64 8
+  store double 0.000000e+00, ptr %952, align 8
+  %953 = icmp sgt i64 %945, 0
+  br i1 %953, label %957, label %954
 
-943:                                              ; preds = %946, %930
-  %944 = add nsw i64 %931, 1
-  %945 = load ptr, ptr %339, align 8
-  store i64 %944, ptr %945, align 8
-  br label %959
+954:                                              ; preds = %957, %941
+  %955 = add nsw i64 %942, 1
+  %956 = load ptr, ptr %350, align 8
+  store i64 %955, ptr %956, align 8
+  br label %970
 
-946:                                              ; preds = %930, %946
-  %947 = phi i64 [ %957, %946 ], [ 0, %930 ]
-  %948 = load ptr, ptr %63, align 8
-  %949 = getelementptr inbounds double, ptr %948, i64 %947
-  %950 = load double, ptr %949, align 8
-  %951 = add nuw nsw i64 %947, 2
-  %952 = getelementptr inbounds double, ptr %938, i64 %951
-  store double %950, ptr %952, align 8
-  %953 = load ptr, ptr %66, align 8
-  %954 = getelementptr inbounds double, ptr %953, i64 %947
-  %955 = load double, ptr %954, align 8
-  %956 = getelementptr inbounds double, ptr %939, i64 %951
-  store double %955, ptr %956, align 8
-  %957 = add nuw nsw i64 %947, 1
-  %958 = icmp eq i64 %957, %934
-  br i1 %958, label %943, label %946, !llvm.loop !20
+957:                                              ; preds = %941, %957
+  %958 = phi i64 [ %968, %957 ], [ 0, %941 ]
+  %959 = load ptr, ptr %74, align 8
+  %960 = getelementptr inbounds double, ptr %959, i64 %958
+  %961 = load double, ptr %960, align 8
+  %962 = add nuw nsw i64 %958, 2
+  %963 = getelementptr inbounds double, ptr %949, i64 %962
+  store double %961, ptr %963, align 8
+  %964 = load ptr, ptr %77, align 8
+  %965 = getelementptr inbounds double, ptr %964, i64 %958
+  %966 = load double, ptr %965, align 8
+  %967 = getelementptr inbounds double, ptr %950, i64 %962
+  store double %966, ptr %967, align 8
+  %968 = add nuw nsw i64 %958, 1
+  %969 = icmp eq i64 %968, %945
+  br i1 %969, label %954, label %957, !llvm.loop !20
 
-959:                                              ; preds = %923, %943
-  br i1 %95, label %1002, label %960
+970:                                              ; preds = %934, %954
+  br i1 %106, label %1013, label %971
 
-960:                                              ; preds = %959
-  %961 = load i64, ptr %387, align 8
-  %962 = getelementptr inbounds double, ptr %75, i64 %961
-  %963 = load double, ptr %962, align 8
-  %964 = fcmp ult double %963, %477
-  br i1 %964, label %1002, label %965
+971:                                              ; preds = %970
+  %972 = load i64, ptr %398, align 8
+  %973 = getelementptr inbounds double, ptr %86, i64 %972
+  %974 = load double, ptr %973, align 8
+  %975 = fcmp ult double %974, %488
+  br i1 %975, label %1013, label %976
 
-965:                                              ; preds = %960
-  %966 = load ptr, ptr %62, align 8
-  %967 = getelementptr inbounds i8, ptr %966, i64 8
-  %968 = load i64, ptr %967, align 8
-  %969 = load i64, ptr %96, align 8
-  %970 = load ptr, ptr %74, align 8
-  %971 = load ptr, ptr %68, align 8
-  %972 = getelementptr inbounds i8, ptr %971, i64 48
-  %973 = load i64, ptr %972, align 8
-  %974 = icmp slt i64 %973, %969
-  br i1 %974, label %975, label %998
+976:                                              ; preds = %971
+  %977 = load ptr, ptr %73, align 8
+  %978 = getelementptr inbounds i8, ptr %977, i64 8
+  %979 = load i64, ptr %978, align 8
+  %980 = load i64, ptr %107, align 8
+  %981 = load ptr, ptr %85, align 8
+  %982 = load ptr, ptr %79, align 8
+  %983 = getelementptr inbounds i8, ptr %982, i64 48
+  %984 = load i64, ptr %983, align 8
+  %985 = icmp slt i64 %984, %980
+  br i1 %985, label %986, label %1009
 
-975:                                              ; preds = %965
-  %976 = icmp sgt i64 %968, 0
-  br label %977
+986:                                              ; preds = %976
+  %987 = icmp sgt i64 %979, 0
+  br label %988
 
-977:                                              ; preds = %975, %988
-  %978 = phi i64 [ %973, %975 ], [ %989, %988 ]
-  %979 = getelementptr inbounds double, ptr %970, i64 %978
-  %980 = load double, ptr %979, align 8
-  %981 = load ptr, ptr %64, align 8
-  %982 = load double, ptr %981, align 8
-  %983 = fcmp ugt double %980, %982
-  br i1 %983, label %998, label %984
+988:                                              ; preds = %986, %999
+  %989 = phi i64 [ %984, %986 ], [ %1000, %999 ]
+  %990 = getelementptr inbounds double, ptr %981, i64 %989
+  %991 = load double, ptr %990, align 8
+  %992 = load ptr, ptr %75, align 8
+  %993 = load double, ptr %992, align 8
+  %994 = fcmp ugt double %991, %993
+  br i1 %994, label %1009, label %995
 
-984:                                              ; preds = %977
-  br i1 %976, label %985, label %988
+995:                                              ; preds = %988
+  br i1 %987, label %996, label %999
 
-985:                                              ; preds = %984
-  %986 = mul nsw i64 %978, %968
-  %987 = getelementptr double, ptr %1, i64 %986
-  br label %991
+996:                                              ; preds = %995
+  %997 = mul nsw i64 %989, %979
+  %998 = getelementptr double, ptr %1, i64 %997
+  br label %1002
 
-988:                                              ; preds = %991, %984
-  %989 = add i64 %978, 1
-  %990 = icmp eq i64 %989, %969
-  br i1 %990, label %998, label %977, !llvm.loop !8
+999:                                              ; preds = %1002, %995
+  %1000 = add i64 %989, 1
+  %1001 = icmp eq i64 %1000, %980
+  br i1 %1001, label %1009, label %988, !llvm.loop !8
 
-991:                                              ; preds = %985, %991
-  %992 = phi i64 [ 0, %985 ], [ %996, %991 ]
-  %993 = getelementptr inbounds double, ptr %67, i64 %992
-  %994 = load double, ptr %993, align 8
-  %995 = getelementptr double, ptr %987, i64 %992
-  store double %994, ptr %995, align 8
-  %996 = add nuw nsw i64 %992, 1
-  %997 = icmp eq i64 %996, %968
-  br i1 %997, label %988, label %991, !llvm.loop !9
+1002:                                             ; preds = %996, %1002
+  %1003 = phi i64 [ 0, %996 ], [ %1007, %1002 ]
+  %1004 = getelementptr inbounds double, ptr %78, i64 %1003
+  %1005 = load double, ptr %1004, align 8
+  %1006 = getelementptr double, ptr %998, i64 %1003
+  store double %1005, ptr %1006, align 8
+  %1007 = add nuw nsw i64 %1003, 1
+  %1008 = icmp eq i64 %1007, %979
+  br i1 %1008, label %999, label %1002, !llvm.loop !9
 
-998:                                              ; preds = %977, %988, %965
-  %999 = phi i64 [ %973, %965 ], [ %978, %977 ], [ %969, %988 ]
-  %1000 = load ptr, ptr %68, align 8
-  %1001 = getelementptr inbounds i8, ptr %1000, i64 48
-  store i64 %999, ptr %1001, align 8
-  br label %1364
+1009:                                             ; preds = %988, %999, %976
+  %1010 = phi i64 [ %984, %976 ], [ %989, %988 ], [ %980, %999 ]
+  %1011 = load ptr, ptr %79, align 8
+  %1012 = getelementptr inbounds i8, ptr %1011, i64 48
+  store i64 %1010, ptr %1012, align 8
+  br label %1375
 
-1002:                                             ; preds = %960, %959
-  %1003 = load ptr, ptr %0, align 8
-  %1004 = load ptr, ptr %62, align 8
-  %1005 = getelementptr inbounds i8, ptr %1004, i64 16
-  %1006 = load i64, ptr %1005, align 8
-  %1007 = load i64, ptr %1003, align 8
-  %1008 = load i64, ptr %388, align 8
-  %1009 = load ptr, ptr %389, align 8
-  %1010 = mul nsw i64 %1008, %1007
-  %1011 = getelementptr inbounds double, ptr %1009, i64 %1010
-  %1012 = load ptr, ptr %390, align 8
-  %1013 = add nsw i64 %1007, 1
-  %1014 = getelementptr inbounds i8, ptr %1003, i64 16
-  %1015 = load i64, ptr %1014, align 8
-  %1016 = icmp sgt i64 %1015, 0
-  br i1 %1016, label %1017, label %1071
+1013:                                             ; preds = %971, %970
+  %1014 = load ptr, ptr %0, align 8
+  %1015 = load ptr, ptr %73, align 8
+  %1016 = getelementptr inbounds i8, ptr %1015, i64 16
+  %1017 = load i64, ptr %1016, align 8
+  %1018 = load i64, ptr %1014, align 8
+  %1019 = load i64, ptr %399, align 8
+  %1020 = load ptr, ptr %400, align 8
+  %1021 = mul nsw i64 %1019, %1018
+  %1022 = getelementptr inbounds double, ptr %1020, i64 %1021
+  %1023 = load ptr, ptr %401, align 8
+  %1024 = add nsw i64 %1018, 1
+  %1025 = getelementptr inbounds i8, ptr %1014, i64 16
+  %1026 = load i64, ptr %1025, align 8
+  %1027 = icmp sgt i64 %1026, 0
+  br i1 %1027, label %1028, label %1082
 
-1017:                                             ; preds = %1002
-  %1018 = getelementptr inbounds i8, ptr %1003, i64 8
-  br label %1024
+1028:                                             ; preds = %1013
+  %1029 = getelementptr inbounds i8, ptr %1014, i64 8
+  br label %1035
 
-1019:                                             ; preds = %1060
-  %1020 = add nsw i64 %1027, 1
-  %1021 = load i64, ptr %1014, align 8
-  %1022 = add nsw i64 %1021, %1013
-  %1023 = icmp slt i64 %1020, %1022
-  br i1 %1023, label %1024, label %1071, !llvm.loop !21
+1030:                                             ; preds = %1071
+  %1031 = add nsw i64 %1038, 1
+  %1032 = load i64, ptr %1025, align 8
+  %1033 = add nsw i64 %1032, %1024
+  %1034 = icmp slt i64 %1031, %1033
+  br i1 %1034, label %1035, label %1082, !llvm.loop !21
 
-1024:                                             ; preds = %1017, %1019
-  %1025 = phi i1 [ %1016, %1017 ], [ %1023, %1019 ]
-  %1026 = phi i64 [ undef, %1017 ], [ %1070, %1019 ]
-  %1027 = phi i64 [ %1013, %1017 ], [ %1020, %1019 ]
-  %1028 = load i64, ptr %1018, align 8
-  %1029 = load ptr, ptr %391, align 8
-  %1030 = load ptr, ptr %63, align 8
-  %1031 = load ptr, ptr %392, align 8
-  %1032 = getelementptr i64, ptr %1031, i64 %1027
-  %1033 = getelementptr i64, ptr %1032, i64 %1028
-  %1034 = load i64, ptr %1033, align 8
-  %1035 = getelementptr i8, ptr %1033, i64 8
-  %1036 = load i64, ptr %1035, align 8
-  %1037 = xor i64 %1034, -1
-  %1038 = add i64 %1036, %1037
-  %1039 = load ptr, ptr %346, align 8
-  %1040 = load ptr, ptr %389, align 8
-  %1041 = load ptr, ptr %393, align 8
-  %1042 = getelementptr inbounds i64, ptr %1041, i64 %1034
-  %1043 = load ptr, ptr %394, align 8
-  %1044 = getelementptr inbounds double, ptr %1043, i64 %1034
-  tail call fastcc void @combine(ptr noundef %1029, ptr noundef %1030, ptr noundef %1039, ptr noundef %1040, ptr noundef %1042, ptr noundef %1044, i64 noundef %1038, i64 noundef 1, i64 noundef %1006) #8
-  %1045 = load ptr, ptr %389, align 8
-  %1046 = mul nsw i64 %1027, %1008
-  %1047 = getelementptr inbounds double, ptr %1045, i64 %1046
-  %1048 = load i64, ptr %345, align 8
-  %1049 = add nsw i64 %1048, 1
-  store i64 %1049, ptr %345, align 8
-  %1050 = load ptr, ptr %395, align 8
-  %1051 = getelementptr inbounds double, ptr %1050, i64 %1027
-  %1052 = load double, ptr %1051, align 8
-  %1053 = fmul double %476, %1052
-  %1054 = fadd double %429, %1053
-  %1055 = load ptr, ptr %391, align 8
-  %1056 = load ptr, ptr %396, align 8
-  store double %1054, ptr %1056, align 8
-  %1057 = load i64, ptr %397, align 8
-  %1058 = icmp sgt i64 %1057, 0
-  br i1 %1058, label %1059, label %1060
+1035:                                             ; preds = %1028, %1030
+  %1036 = phi i1 [ %1027, %1028 ], [ %1034, %1030 ]
+  %1037 = phi i64 [ undef, %1028 ], [ %1081, %1030 ]
+  %1038 = phi i64 [ %1024, %1028 ], [ %1031, %1030 ]
+  %1039 = load i64, ptr %1029, align 8
+  %1040 = load ptr, ptr %402, align 8
+  %1041 = load ptr, ptr %74, align 8
+  %1042 = load ptr, ptr %403, align 8
+  %1043 = getelementptr i64, ptr %1042, i64 %1038
+  %1044 = getelementptr i64, ptr %1043, i64 %1039
+  %1045 = load i64, ptr %1044, align 8
+  %1046 = getelementptr i8, ptr %1044, i64 8
+  %1047 = load i64, ptr %1046, align 8
+  %1048 = xor i64 %1045, -1
+  %1049 = add i64 %1047, %1048
+  %1050 = load ptr, ptr %357, align 8
+  %1051 = load ptr, ptr %400, align 8
+  %1052 = load ptr, ptr %404, align 8
+  %1053 = getelementptr inbounds i64, ptr %1052, i64 %1045
+  %1054 = load ptr, ptr %405, align 8
+  %1055 = getelementptr inbounds double, ptr %1054, i64 %1045
+  tail call fastcc void @combine(ptr noundef %1040, ptr noundef %1041, ptr noundef %1050, ptr noundef %1051, ptr noundef %1053, ptr noundef %1055, i64 noundef %1049, i64 noundef 1, i64 noundef %1017) #8
+  %1056 = load ptr, ptr %400, align 8
+  %1057 = mul nsw i64 %1038, %1019
+  %1058 = getelementptr inbounds double, ptr %1056, i64 %1057
+  %1059 = load i64, ptr %356, align 8
+  %1060 = add nsw i64 %1059, 1
+  store i64 %1060, ptr %356, align 8
+  %1061 = load ptr, ptr %406, align 8
+  %1062 = getelementptr inbounds double, ptr %1061, i64 %1038
+  %1063 = load double, ptr %1062, align 8
+  %1064 = fmul double %487, %1063
+  %1065 = fadd double %440, %1064
+  %1066 = load ptr, ptr %402, align 8
+  %1067 = load ptr, ptr %407, align 8
+  store double %1065, ptr %1067, align 8
+  %1068 = load i64, ptr %408, align 8
+  %1069 = icmp sgt i64 %1068, 0
+  br i1 %1069, label %1070, label %1071
 
-1059:                                             ; preds = %1024
-  tail call fastcc void @sample(ptr noundef nonnull %62) #8
-  br label %1060
+1070:                                             ; preds = %1035
+  tail call fastcc void @sample(ptr noundef nonnull %73) #8
+  br label %1071
 
-1060:                                             ; preds = %1024, %1059
-  %1061 = load ptr, ptr %62, align 8
-  %1062 = load i64, ptr %1061, align 8
-  %1063 = load ptr, ptr %396, align 8
-  %1064 = load ptr, ptr %398, align 8
-  %1065 = load ptr, ptr %399, align 8
-  %1066 = inttoptr i64 %1062 to ptr
-  %1067 = tail call i32 %1066(ptr noundef %1063, ptr noundef %1055, ptr noundef %1064, ptr noundef %1065, ptr noundef %1047) #9
-  %1068 = sext i32 %1067 to i64
-  %1069 = icmp eq i32 %1067, 0
-  %1070 = select i1 %1069, i64 %1026, i64 %1068
-  br i1 %1069, label %1019, label %1071
+1071:                                             ; preds = %1035, %1070
+  %1072 = load ptr, ptr %73, align 8
+  %1073 = load i64, ptr %1072, align 8
+  %1074 = load ptr, ptr %407, align 8
+  %1075 = load ptr, ptr %409, align 8
+  %1076 = load ptr, ptr %410, align 8
+  %1077 = inttoptr i64 %1073 to ptr
+  %1078 = tail call i32 %1077(ptr noundef %1074, ptr noundef %1066, ptr noundef %1075, ptr noundef %1076, ptr noundef %1058) #9
+  %1079 = sext i32 %1078 to i64
+  %1080 = icmp eq i32 %1078, 0
+  %1081 = select i1 %1080, i64 %1037, i64 %1079
+  br i1 %1080, label %1030, label %1082
 
-1071:                                             ; preds = %1019, %1060, %1002
-  %1072 = phi i1 [ %1016, %1002 ], [ %1023, %1019 ], [ %1025, %1060 ]
-  %1073 = phi i64 [ 0, %1002 ], [ %1068, %1060 ], [ %1068, %1019 ]
-  %1074 = phi i64 [ undef, %1002 ], [ %1070, %1060 ], [ %1070, %1019 ]
-  %1075 = getelementptr inbounds i8, ptr %1003, i64 16
-  br i1 %1072, label %1144, label %1076
+1082:                                             ; preds = %1030, %1071, %1013
+  %1083 = phi i1 [ %1027, %1013 ], [ %1034, %1030 ], [ %1036, %1071 ]
+  %1084 = phi i64 [ 0, %1013 ], [ %1079, %1071 ], [ %1079, %1030 ]
+  %1085 = phi i64 [ undef, %1013 ], [ %1081, %1071 ], [ %1081, %1030 ]
+  %1086 = getelementptr inbounds i8, ptr %1014, i64 16
+  br i1 %1083, label %1155, label %1087
 
-1076:                                             ; preds = %1071
-  %1077 = load ptr, ptr %62, align 8
-  %1078 = getelementptr inbounds i8, ptr %1077, i64 8
-  %1079 = load i64, ptr %1078, align 8
-  %1080 = icmp sgt i64 %1079, 0
-  br i1 %1080, label %1081, label %1085
-
-1081:                                             ; preds = %1076
-  %1082 = getelementptr inbounds double, ptr %1012, i64 %1008
-  %1083 = shl nsw i64 %1008, 4
-  %1084 = getelementptr inbounds i8, ptr %1012, i64 %1083
-  br label %1092
-
-1085:                                             ; preds = %1092, %1076
-  %1086 = getelementptr inbounds i8, ptr %1003, i64 8
-  %1087 = load i64, ptr %1086, align 8
-  %1088 = load i64, ptr %1075, align 8
-  %1089 = getelementptr inbounds i8, ptr %1003, i64 24
+1087:                                             ; preds = %1082
+  %1088 = load ptr, ptr %73, align 8
+  %1089 = getelementptr inbounds i8, ptr %1088, i64 8
   %1090 = load i64, ptr %1089, align 8
-  %1091 = icmp sgt i64 %1090, 3
-  br i1 %1091, label %1119, label %1144
+  %1091 = icmp sgt i64 %1090, 0
+  br i1 %1091, label %1092, label %1096
 
-1092:                                             ; preds = %1081, %1092
-  %1093 = phi i64 [ 0, %1081 ], [ %1114, %1092 ]
-  %1094 = load ptr, ptr %400, align 8
-  %1095 = getelementptr inbounds double, ptr %1094, i64 %1093
-  %1096 = load double, ptr %1095, align 8
-  %1097 = load ptr, ptr %63, align 8
-  %1098 = getelementptr inbounds double, ptr %1097, i64 %1093
-  %1099 = load double, ptr %1098, align 8
-  %1100 = fsub double %1096, %1099
-  %1101 = load ptr, ptr %389, align 8
-  %1102 = getelementptr inbounds double, ptr %1101, i64 %1093
-  %1103 = load double, ptr %1102, align 8
-  %1104 = fmul double %476, %1103
-  %1105 = fsub double %1104, %1100
-  %1106 = getelementptr inbounds double, ptr %1012, i64 %1093
-  store double %1100, ptr %1106, align 8
-  %1107 = getelementptr inbounds double, ptr %1082, i64 %1093
-  store double %1105, ptr %1107, align 8
-  %1108 = fsub double %1100, %1105
-  %1109 = getelementptr inbounds double, ptr %1011, i64 %1093
+1092:                                             ; preds = %1087
+  %1093 = getelementptr inbounds double, ptr %1023, i64 %1019
+  %1094 = shl nsw i64 %1019, 4
+  %1095 = getelementptr inbounds i8, ptr %1023, i64 %1094
+  br label %1103
+
+1096:                                             ; preds = %1103, %1087
+  %1097 = getelementptr inbounds i8, ptr %1014, i64 8
+  %1098 = load i64, ptr %1097, align 8
+  %1099 = load i64, ptr %1086, align 8
+  %1100 = getelementptr inbounds i8, ptr %1014, i64 24
+  %1101 = load i64, ptr %1100, align 8
+  %1102 = icmp sgt i64 %1101, 3
+  br i1 %1102, label %1130, label %1155
+
+1103:                                             ; preds = %1092, %1103
+  %1104 = phi i64 [ 0, %1092 ], [ %1125, %1103 ]
+  %1105 = load ptr, ptr %411, align 8
+  %1106 = getelementptr inbounds double, ptr %1105, i64 %1104
+  %1107 = load double, ptr %1106, align 8
+  %1108 = load ptr, ptr %74, align 8
+  %1109 = getelementptr inbounds double, ptr %1108, i64 %1104
   %1110 = load double, ptr %1109, align 8
-  %1111 = fmul double %476, %1110
-  %1112 = fsub double %1108, %1111
-  %1113 = getelementptr inbounds double, ptr %1084, i64 %1093
-  store double %1112, ptr %1113, align 8
-  %1114 = add nuw nsw i64 %1093, 1
-  %1115 = load ptr, ptr %62, align 8
-  %1116 = getelementptr inbounds i8, ptr %1115, i64 8
-  %1117 = load i64, ptr %1116, align 8
-  %1118 = icmp slt i64 %1114, %1117
-  br i1 %1118, label %1092, label %1085, !llvm.loop !22
+  %1111 = fsub double %1107, %1110
+  %1112 = load ptr, ptr %400, align 8
+  %1113 = getelementptr inbounds double, ptr %1112, i64 %1104
+  %1114 = load double, ptr %1113, align 8
+  %1115 = fmul double %487, %1114
+  %1116 = fsub double %1115, %1111
+  %1117 = getelementptr inbounds double, ptr %1023, i64 %1104
+  store double %1111, ptr %1117, align 8
+  %1118 = getelementptr inbounds double, ptr %1093, i64 %1104
+  store double %1116, ptr %1118, align 8
+  %1119 = fsub double %1111, %1116
+  %1120 = getelementptr inbounds double, ptr %1022, i64 %1104
+  %1121 = load double, ptr %1120, align 8
+  %1122 = fmul double %487, %1121
+  %1123 = fsub double %1119, %1122
+  %1124 = getelementptr inbounds double, ptr %1095, i64 %1104
+  store double %1123, ptr %1124, align 8
+  %1125 = add nuw nsw i64 %1104, 1
+  %1126 = load ptr, ptr %73, align 8
+  %1127 = getelementptr inbounds i8, ptr %1126, i64 8
+  %1128 = load i64, ptr %1127, align 8
+  %1129 = icmp slt i64 %1125, %1128
+  br i1 %1129, label %1103, label %1096, !llvm.loop !22
 
-1119:                                             ; preds = %1085, %1119
-  %1120 = phi i64 [ %1141, %1119 ], [ 3, %1085 ]
-  %1121 = mul nsw i64 %1120, %1008
-  %1122 = getelementptr inbounds double, ptr %1012, i64 %1121
-  %1123 = load ptr, ptr %401, align 8
-  %1124 = load ptr, ptr %402, align 8
-  %1125 = getelementptr i64, ptr %1124, i64 %1013
-  %1126 = getelementptr i64, ptr %1125, i64 %1087
-  %1127 = getelementptr i64, ptr %1126, i64 %1088
-  %1128 = getelementptr i64, ptr %1127, i64 %1120
-  %1129 = getelementptr i8, ptr %1128, i64 -24
-  %1130 = load i64, ptr %1129, align 8
-  %1131 = getelementptr i8, ptr %1128, i64 -16
-  %1132 = load i64, ptr %1131, align 8
-  %1133 = xor i64 %1130, -1
-  %1134 = add i64 %1132, %1133
-  %1135 = load ptr, ptr %346, align 8
-  %1136 = load ptr, ptr %389, align 8
-  %1137 = load ptr, ptr %403, align 8
-  %1138 = getelementptr inbounds i64, ptr %1137, i64 %1130
-  %1139 = load ptr, ptr %404, align 8
-  %1140 = getelementptr inbounds double, ptr %1139, i64 %1130
-  tail call fastcc void @combine(ptr noundef %1122, ptr noundef %1123, ptr noundef %1135, ptr noundef %1136, ptr noundef %1138, ptr noundef %1140, i64 noundef %1134, i64 noundef 1, i64 noundef %1006) #8
-  %1141 = add nuw nsw i64 %1120, 1
-  %1142 = load i64, ptr %1089, align 8
-  %1143 = icmp slt i64 %1141, %1142
-  br i1 %1143, label %1119, label %1144, !llvm.loop !23
+1130:                                             ; preds = %1096, %1130
+  %1131 = phi i64 [ %1152, %1130 ], [ 3, %1096 ]
+  %1132 = mul nsw i64 %1131, %1019
+  %1133 = getelementptr inbounds double, ptr %1023, i64 %1132
+  %1134 = load ptr, ptr %412, align 8
+  %1135 = load ptr, ptr %413, align 8
+  %1136 = getelementptr i64, ptr %1135, i64 %1024
+  %1137 = getelementptr i64, ptr %1136, i64 %1098
+  %1138 = getelementptr i64, ptr %1137, i64 %1099
+  %1139 = getelementptr i64, ptr %1138, i64 %1131
+  %1140 = getelementptr i8, ptr %1139, i64 -24
+  %1141 = load i64, ptr %1140, align 8
+  %1142 = getelementptr i8, ptr %1139, i64 -16
+  %1143 = load i64, ptr %1142, align 8
+  %1144 = xor i64 %1141, -1
+  %1145 = add i64 %1143, %1144
+  %1146 = load ptr, ptr %357, align 8
+  %1147 = load ptr, ptr %400, align 8
+  %1148 = load ptr, ptr %414, align 8
+  %1149 = getelementptr inbounds i64, ptr %1148, i64 %1141
+  %1150 = load ptr, ptr %415, align 8
+  %1151 = getelementptr inbounds double, ptr %1150, i64 %1141
+  tail call fastcc void @combine(ptr noundef %1133, ptr noundef %1134, ptr noundef %1146, ptr noundef %1147, ptr noundef %1149, ptr noundef %1151, i64 noundef %1145, i64 noundef 1, i64 noundef %1017) #8
+  %1152 = add nuw nsw i64 %1131, 1
+  %1153 = load i64, ptr %1100, align 8
+  %1154 = icmp slt i64 %1152, %1153
+  br i1 %1154, label %1130, label %1155, !llvm.loop !23
 
-1144:                                             ; preds = %1119, %1085, %1071
-  %1145 = phi i64 [ %1074, %1071 ], [ %1073, %1085 ], [ %1073, %1119 ]
-  %1146 = icmp eq i64 %1145, 0
-  br i1 %1146, label %1150, label %1147
+1155:                                             ; preds = %1130, %1096, %1082
+  %1156 = phi i64 [ %1085, %1082 ], [ %1084, %1096 ], [ %1084, %1130 ]
+  %1157 = icmp eq i64 %1156, 0
+  br i1 %1157, label %1161, label %1158
 
-1147:                                             ; preds = %1144
-  store i64 3, ptr %405, align 8
-  store double %429, ptr %65, align 8
-  %1148 = icmp slt i64 %1145, 0
-  %1149 = select i1 %1148, i64 -4, i64 2
-  br label %1487
+1158:                                             ; preds = %1155
+  store i64 3, ptr %416, align 8
+  store double %440, ptr %76, align 8
+  %1159 = icmp slt i64 %1156, 0
+  %1160 = select i1 %1159, i64 -4, i64 2
+  br label %1498
 
-1150:                                             ; preds = %1144
-  %1151 = load ptr, ptr %64, align 8
-  %1152 = load ptr, ptr %91, align 8
-  %1153 = getelementptr inbounds i8, ptr %1152, i64 8
-  %1154 = load i64, ptr %1153, align 8
-  %1155 = icmp sgt i64 %1154, 0
-  br i1 %1155, label %1156, label %1166
+1161:                                             ; preds = %1155
+  %1162 = load ptr, ptr %75, align 8
+  %1163 = load ptr, ptr %102, align 8
+  %1164 = getelementptr inbounds i8, ptr %1163, i64 8
+  %1165 = load i64, ptr %1164, align 8
+  %1166 = icmp sgt i64 %1165, 0
+  br i1 %1166, label %1167, label %1177
 
-1156:                                             ; preds = %1150
-  %1157 = getelementptr inbounds i8, ptr %1152, i64 16
-  %1158 = load i64, ptr %1157, align 8
-  %1159 = inttoptr i64 %1158 to ptr
-  %1160 = tail call i64 %1159(ptr noundef %0, double noundef %429, double noundef %476) #9
-  %1161 = icmp eq i64 %1160, -6
-  br i1 %1161, label %1162, label %1163
+1167:                                             ; preds = %1161
+  %1168 = getelementptr inbounds i8, ptr %1163, i64 16
+  %1169 = load i64, ptr %1168, align 8
+  %1170 = inttoptr i64 %1169 to ptr
+  %1171 = tail call i64 %1170(ptr noundef %0, double noundef %440, double noundef %487) #9
+  %1172 = icmp eq i64 %1171, -6
+  br i1 %1172, label %1173, label %1174
 
-1162:                                             ; preds = %1156
-  store double %429, ptr %1151, align 8
-  br label %1341
+1173:                                             ; preds = %1167
+  store double %440, ptr %1162, align 8
+  br label %1352
 
-1163:                                             ; preds = %1156
-  %1164 = getelementptr inbounds i8, ptr %1151, i64 48
-  %1165 = load double, ptr %1164, align 8
-  br label %1166
+1174:                                             ; preds = %1167
+  %1175 = getelementptr inbounds i8, ptr %1162, i64 48
+  %1176 = load double, ptr %1175, align 8
+  br label %1177
 
-1166:                                             ; preds = %1163, %1150
-  %1167 = phi double [ %1165, %1163 ], [ 1.000000e+00, %1150 ]
-  %1168 = phi i64 [ %1160, %1163 ], [ 0, %1150 ]
-  %1169 = fcmp oeq double %1167, 1.000000e+00
-  br i1 %1169, label %1170, label %1172
+1177:                                             ; preds = %1174, %1161
+  %1178 = phi double [ %1176, %1174 ], [ 1.000000e+00, %1161 ]
+  %1179 = phi i64 [ %1171, %1174 ], [ 0, %1161 ]
+  %1180 = fcmp oeq double %1178, 1.000000e+00
+  br i1 %1180, label %1181, label %1183
 
-1170:                                             ; preds = %1166
-  %1171 = load double, ptr %1151, align 8
-  br label %1175
+1181:                                             ; preds = %1177
+  %1182 = load double, ptr %1162, align 8
+  br label %1186
 
-1172:                                             ; preds = %1166
-  %1173 = fmul double %476, %1167
-  %1174 = fadd double %429, %1173
-  br label %1175
+1183:                                             ; preds = %1177
+  %1184 = fmul double %487, %1178
+  %1185 = fadd double %440, %1184
+  br label %1186
 
-1175:                                             ; preds = %1172, %1170
-  %1176 = phi double [ %1171, %1170 ], [ %1174, %1172 ]
-  %1177 = icmp eq i64 %1168, -4
-  %1178 = select i1 %1177, i64 -4, i64 0
-  br i1 %1177, label %1236, label %1179
+1186:                                             ; preds = %1183, %1181
+  %1187 = phi double [ %1182, %1181 ], [ %1185, %1183 ]
+  %1188 = icmp eq i64 %1179, -4
+  %1189 = select i1 %1188, i64 -4, i64 0
+  br i1 %1188, label %1247, label %1190
 
-1179:                                             ; preds = %1175
-  %1180 = fcmp olt double %1167, 1.000000e+00
-  %1181 = load ptr, ptr %62, align 8
-  %1182 = getelementptr inbounds i8, ptr %1181, i64 8
-  %1183 = load i64, ptr %1182, align 8
-  %1184 = load i64, ptr %96, align 8
-  %1185 = load ptr, ptr %74, align 8
-  %1186 = load ptr, ptr %68, align 8
-  %1187 = getelementptr inbounds i8, ptr %1186, i64 48
-  %1188 = load i64, ptr %1187, align 8
-  %1189 = icmp slt i64 %1188, %1184
-  br i1 %1189, label %1190, label %1232
+1190:                                             ; preds = %1186
+  %1191 = fcmp olt double %1178, 1.000000e+00
+  %1192 = load ptr, ptr %73, align 8
+  %1193 = getelementptr inbounds i8, ptr %1192, i64 8
+  %1194 = load i64, ptr %1193, align 8
+  %1195 = load i64, ptr %107, align 8
+  %1196 = load ptr, ptr %85, align 8
+  %1197 = load ptr, ptr %79, align 8
+  %1198 = getelementptr inbounds i8, ptr %1197, i64 48
+  %1199 = load i64, ptr %1198, align 8
+  %1200 = icmp slt i64 %1199, %1195
+  br i1 %1200, label %1201, label %1243
 
-1190:                                             ; preds = %1179, %1228
-  %1191 = phi i64 [ %1229, %1228 ], [ undef, %1179 ]
-  %1192 = phi i64 [ %1230, %1228 ], [ %1188, %1179 ]
-  %1193 = getelementptr inbounds double, ptr %1185, i64 %1192
-  %1194 = load double, ptr %1193, align 8
-  %1195 = fcmp olt double %1194, %1176
-  %1196 = fcmp oeq double %1194, %1176
-  %1197 = and i1 %1180, %1196
-  %1198 = or i1 %1195, %1197
-  br i1 %1198, label %1199, label %1232
+1201:                                             ; preds = %1190, %1239
+  %1202 = phi i64 [ %1240, %1239 ], [ undef, %1190 ]
+  %1203 = phi i64 [ %1241, %1239 ], [ %1199, %1190 ]
+  %1204 = getelementptr inbounds double, ptr %1196, i64 %1203
+  %1205 = load double, ptr %1204, align 8
+  %1206 = fcmp olt double %1205, %1187
+  %1207 = fcmp oeq double %1205, %1187
+  %1208 = and i1 %1191, %1207
+  %1209 = or i1 %1206, %1208
+  br i1 %1209, label %1210, label %1243
 
-1199:                                             ; preds = %1190
-  %1200 = fsub double %1194, %429
-  %1201 = fdiv double %1200, %476
-  %1202 = mul nsw i64 %1192, %1183
-  %1203 = getelementptr inbounds double, ptr %1, i64 %1202
-  %1204 = load ptr, ptr %406, align 8
-  %1205 = insertelement <8 x double> poison, double %1201, i64 0
-  %1206 = shufflevector <8 x double> %1205, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %1206, ptr %1204, align 8
-  %1207 = load ptr, ptr %63, align 8
-  %1208 = load ptr, ptr %390, align 8
-  %1209 = load i64, ptr %388, align 8
-  %1210 = load ptr, ptr %0, align 8
-  %1211 = getelementptr inbounds i8, ptr %1210, i64 24
-  %1212 = load i64, ptr %1211, align 8
-  %1213 = load ptr, ptr %406, align 8
-  %1214 = load ptr, ptr %62, align 8
-  %1215 = getelementptr inbounds i8, ptr %1214, i64 16
-  %1216 = load i64, ptr %1215, align 8
-  tail call fastcc void @nested(ptr noundef %1203, ptr noundef %1207, ptr noundef %1208, i64 noundef %1209, i64 noundef %1212, ptr noundef %1213, i64 noundef %1216) #8
-  %1217 = load ptr, ptr %81, align 8
-  %1218 = load i64, ptr %1217, align 8
-  %1219 = icmp eq i64 %1218, 1
-  br i1 %1219, label %1220, label %1228
-
-1220:                                             ; preds = %1199
-  %1221 = load double, ptr %1193, align 8
-  %1222 = getelementptr inbounds i8, ptr %1217, i64 56
+1210:                                             ; preds = %1201
+  %1211 = fsub double %1205, %440
+  %1212 = fdiv double %1211, %487
+  %1213 = mul nsw i64 %1203, %1194
+  %1214 = getelementptr inbounds double, ptr %1, i64 %1213
+  %1215 = load ptr, ptr %417, align 8
+  %1216 = insertelement <8 x double> poison, double %1212, i64 0
+  %1217 = shufflevector <8 x double> %1216, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %1217, ptr %1215, align 8
+  %1218 = load ptr, ptr %74, align 8
+  %1219 = load ptr, ptr %401, align 8
+  %1220 = load i64, ptr %399, align 8
+  %1221 = load ptr, ptr %0, align 8
+  %1222 = getelementptr inbounds i8, ptr %1221, i64 24
   %1223 = load i64, ptr %1222, align 8
-  %1224 = inttoptr i64 %1223 to ptr
-  %1225 = tail call i64 %1224(ptr noundef %0, double noundef %1221, ptr noundef %1203) #9
-  %1226 = icmp eq i64 %1225, 0
-  %1227 = select i1 %1226, i64 %1191, i64 %1225
-  br i1 %1226, label %1228, label %1236
+  %1224 = load ptr, ptr %417, align 8
+  %1225 = load ptr, ptr %73, align 8
+  %1226 = getelementptr inbounds i8, ptr %1225, i64 16
+  %1227 = load i64, ptr %1226, align 8
+  tail call fastcc void @nested(ptr noundef %1214, ptr noundef %1218, ptr noundef %1219, i64 noundef %1220, i64 noundef %1223, ptr noundef %1224, i64 noundef %1227) #8
+  %1228 = load ptr, ptr %92, align 8
+  %1229 = load i64, ptr %1228, align 8
+  %1230 = icmp eq i64 %1229, 1
+  br i1 %1230, label %1231, label %1239
 
-1228:                                             ; preds = %1220, %1199
-  %1229 = phi i64 [ %1227, %1220 ], [ %1191, %1199 ]
-  %1230 = add i64 %1192, 1
-  %1231 = icmp eq i64 %1230, %1184
-  br i1 %1231, label %1232, label %1190, !llvm.loop !24
+1231:                                             ; preds = %1210
+  %1232 = load double, ptr %1204, align 8
+  %1233 = getelementptr inbounds i8, ptr %1228, i64 56
+  %1234 = load i64, ptr %1233, align 8
+  %1235 = inttoptr i64 %1234 to ptr
+  %1236 = tail call i64 %1235(ptr noundef %0, double noundef %1232, ptr noundef %1214) #9
+  %1237 = icmp eq i64 %1236, 0
+  %1238 = select i1 %1237, i64 %1202, i64 %1236
+  br i1 %1237, label %1239, label %1247
 
-1232:                                             ; preds = %1228, %1190, %1179
-  %1233 = phi i64 [ %1188, %1179 ], [ %1184, %1228 ], [ %1192, %1190 ]
-  %1234 = load ptr, ptr %68, align 8
-  %1235 = getelementptr inbounds i8, ptr %1234, i64 48
-  store i64 %1233, ptr %1235, align 8
-  br label %1236
+1239:                                             ; preds = %1231, %1210
+  %1240 = phi i64 [ %1238, %1231 ], [ %1202, %1210 ]
+  %1241 = add i64 %1203, 1
+  %1242 = icmp eq i64 %1241, %1195
+  br i1 %1242, label %1243, label %1201, !llvm.loop !24
 
-1236:                                             ; preds = %1220, %1232, %1175
-  %1237 = phi i64 [ %1178, %1175 ], [ 0, %1232 ], [ %1227, %1220 ]
-  %1238 = icmp eq i64 %1237, 0
-  %1239 = icmp ne i64 %1168, 0
-  %1240 = fcmp olt double %1167, 1.000000e+00
-  %1241 = and i1 %1240, %1238
-  %1242 = and i1 %1239, %1241
-  br i1 %1242, label %1243, label %1280
+1243:                                             ; preds = %1239, %1201, %1190
+  %1244 = phi i64 [ %1199, %1190 ], [ %1195, %1239 ], [ %1203, %1201 ]
+  %1245 = load ptr, ptr %79, align 8
+  %1246 = getelementptr inbounds i8, ptr %1245, i64 48
+  store i64 %1244, ptr %1246, align 8
+  br label %1247
 
-1243:                                             ; preds = %1236
-  %1244 = load ptr, ptr %407, align 8
-  %1245 = load ptr, ptr %408, align 8
-  %1246 = insertelement <8 x double> poison, double %1167, i64 0
-  %1247 = shufflevector <8 x double> %1246, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %1247, ptr %1245, align 8
-  %1248 = load ptr, ptr %63, align 8
-  %1249 = load ptr, ptr %390, align 8
-  %1250 = load i64, ptr %388, align 8
-  %1251 = load ptr, ptr %0, align 8
-  %1252 = getelementptr inbounds i8, ptr %1251, i64 24
-  %1253 = load i64, ptr %1252, align 8
-  %1254 = load ptr, ptr %408, align 8
-  %1255 = load ptr, ptr %62, align 8
-  %1256 = getelementptr inbounds i8, ptr %1255, i64 16
-  %1257 = load i64, ptr %1256, align 8
-  tail call fastcc void @nested(ptr noundef %1244, ptr noundef %1248, ptr noundef %1249, i64 noundef %1250, i64 noundef %1253, ptr noundef %1254, i64 noundef %1257) #8
-  %1258 = load i64, ptr %79, align 8
-  %1259 = icmp sgt i64 %1258, 0
-  br i1 %1259, label %1264, label %1260
+1247:                                             ; preds = %1231, %1243, %1186
+  %1248 = phi i64 [ %1189, %1186 ], [ 0, %1243 ], [ %1238, %1231 ]
+  %1249 = icmp eq i64 %1248, 0
+  %1250 = icmp ne i64 %1179, 0
+  %1251 = fcmp olt double %1178, 1.000000e+00
+  %1252 = and i1 %1251, %1249
+  %1253 = and i1 %1250, %1252
+  br i1 %1253, label %1254, label %1291
 
-1260:                                             ; preds = %1264, %1243
-  %1261 = load ptr, ptr %81, align 8
-  %1262 = load i64, ptr %1261, align 8
-  %1263 = icmp eq i64 %1262, 1
-  br i1 %1263, label %1274, label %1280
+1254:                                             ; preds = %1247
+  %1255 = load ptr, ptr %418, align 8
+  %1256 = load ptr, ptr %419, align 8
+  %1257 = insertelement <8 x double> poison, double %1178, i64 0
+  %1258 = shufflevector <8 x double> %1257, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %1258, ptr %1256, align 8
+  %1259 = load ptr, ptr %74, align 8
+  %1260 = load ptr, ptr %401, align 8
+  %1261 = load i64, ptr %399, align 8
+  %1262 = load ptr, ptr %0, align 8
+  %1263 = getelementptr inbounds i8, ptr %1262, i64 24
+  %1264 = load i64, ptr %1263, align 8
+  %1265 = load ptr, ptr %419, align 8
+  %1266 = load ptr, ptr %73, align 8
+  %1267 = getelementptr inbounds i8, ptr %1266, i64 16
+  %1268 = load i64, ptr %1267, align 8
+  tail call fastcc void @nested(ptr noundef %1255, ptr noundef %1259, ptr noundef %1260, i64 noundef %1261, i64 noundef %1264, ptr noundef %1265, i64 noundef %1268) #8
+  %1269 = load i64, ptr %90, align 8
+  %1270 = icmp sgt i64 %1269, 0
+  br i1 %1270, label %1275, label %1271
 
-1264:                                             ; preds = %1243, %1264
-  %1265 = phi i64 [ %1271, %1264 ], [ 0, %1243 ]
-  %1266 = load ptr, ptr %407, align 8
-  %1267 = getelementptr inbounds double, ptr %1266, i64 %1265
-  %1268 = load double, ptr %1267, align 8
-  %1269 = load ptr, ptr %66, align 8
-  %1270 = getelementptr inbounds double, ptr %1269, i64 %1265
-  store double %1268, ptr %1270, align 8
-  %1271 = add nuw nsw i64 %1265, 1
-  %1272 = load i64, ptr %79, align 8
-  %1273 = icmp slt i64 %1271, %1272
-  br i1 %1273, label %1264, label %1260, !llvm.loop !25
+1271:                                             ; preds = %1275, %1254
+  %1272 = load ptr, ptr %92, align 8
+  %1273 = load i64, ptr %1272, align 8
+  %1274 = icmp eq i64 %1273, 1
+  br i1 %1274, label %1285, label %1291
 
-1274:                                             ; preds = %1260
-  %1275 = load ptr, ptr %66, align 8
-  %1276 = getelementptr inbounds i8, ptr %1261, i64 56
-  %1277 = load i64, ptr %1276, align 8
-  %1278 = inttoptr i64 %1277 to ptr
-  %1279 = tail call i64 %1278(ptr noundef %0, double noundef %1176, ptr noundef %1275) #9
-  br label %1280
+1275:                                             ; preds = %1254, %1275
+  %1276 = phi i64 [ %1282, %1275 ], [ 0, %1254 ]
+  %1277 = load ptr, ptr %418, align 8
+  %1278 = getelementptr inbounds double, ptr %1277, i64 %1276
+  %1279 = load double, ptr %1278, align 8
+  %1280 = load ptr, ptr %77, align 8
+  %1281 = getelementptr inbounds double, ptr %1280, i64 %1276
+  store double %1279, ptr %1281, align 8
+  %1282 = add nuw nsw i64 %1276, 1
+  %1283 = load i64, ptr %90, align 8
+  %1284 = icmp slt i64 %1282, %1283
+  br i1 %1284, label %1275, label %1271, !llvm.loop !25
 
-1280:                                             ; preds = %1274, %1260, %1236
-  %1281 = phi i64 [ %1279, %1274 ], [ 0, %1260 ], [ %1237, %1236 ]
-  %1282 = icmp eq i64 %1281, 0
-  br i1 %1282, label %1285, label %1283
+1285:                                             ; preds = %1271
+  %1286 = load ptr, ptr %77, align 8
+  %1287 = getelementptr inbounds i8, ptr %1272, i64 56
+  %1288 = load i64, ptr %1287, align 8
+  %1289 = inttoptr i64 %1288 to ptr
+  %1290 = tail call i64 %1289(ptr noundef %0, double noundef %1187, ptr noundef %1286) #9
+  br label %1291
 
-1283:                                             ; preds = %1280
-  store double %429, ptr %1151, align 8
-  %1284 = getelementptr inbounds i8, ptr %1151, i64 8
-  store double %476, ptr %1284, align 8
-  br label %1341
+1291:                                             ; preds = %1285, %1271, %1247
+  %1292 = phi i64 [ %1290, %1285 ], [ 0, %1271 ], [ %1248, %1247 ]
+  %1293 = icmp eq i64 %1292, 0
+  br i1 %1293, label %1296, label %1294
 
-1285:                                             ; preds = %1280
-  br i1 %1169, label %1286, label %1324
+1294:                                             ; preds = %1291
+  store double %440, ptr %1162, align 8
+  %1295 = getelementptr inbounds i8, ptr %1162, i64 8
+  store double %487, ptr %1295, align 8
+  br label %1352
 
-1286:                                             ; preds = %1285
-  %1287 = load ptr, ptr %66, align 8
-  %1288 = load ptr, ptr %62, align 8
-  %1289 = getelementptr inbounds i8, ptr %1288, i64 8
-  %1290 = load i64, ptr %1289, align 8
-  %1291 = load i64, ptr %96, align 8
-  %1292 = load ptr, ptr %74, align 8
-  %1293 = load ptr, ptr %68, align 8
-  %1294 = getelementptr inbounds i8, ptr %1293, i64 48
-  %1295 = load i64, ptr %1294, align 8
-  %1296 = icmp slt i64 %1295, %1291
-  br i1 %1296, label %1297, label %1320
+1296:                                             ; preds = %1291
+  br i1 %1180, label %1297, label %1335
 
-1297:                                             ; preds = %1286
-  %1298 = icmp sgt i64 %1290, 0
-  br label %1299
+1297:                                             ; preds = %1296
+  %1298 = load ptr, ptr %77, align 8
+  %1299 = load ptr, ptr %73, align 8
+  %1300 = getelementptr inbounds i8, ptr %1299, i64 8
+  %1301 = load i64, ptr %1300, align 8
+  %1302 = load i64, ptr %107, align 8
+  %1303 = load ptr, ptr %85, align 8
+  %1304 = load ptr, ptr %79, align 8
+  %1305 = getelementptr inbounds i8, ptr %1304, i64 48
+  %1306 = load i64, ptr %1305, align 8
+  %1307 = icmp slt i64 %1306, %1302
+  br i1 %1307, label %1308, label %1331
 
-1299:                                             ; preds = %1297, %1310
-  %1300 = phi i64 [ %1295, %1297 ], [ %1311, %1310 ]
-  %1301 = getelementptr inbounds double, ptr %1292, i64 %1300
-  %1302 = load double, ptr %1301, align 8
-  %1303 = load ptr, ptr %64, align 8
-  %1304 = load double, ptr %1303, align 8
-  %1305 = fcmp ugt double %1302, %1304
-  br i1 %1305, label %1320, label %1306
+1308:                                             ; preds = %1297
+  %1309 = icmp sgt i64 %1301, 0
+  br label %1310
 
-1306:                                             ; preds = %1299
-  br i1 %1298, label %1307, label %1310
+1310:                                             ; preds = %1308, %1321
+  %1311 = phi i64 [ %1306, %1308 ], [ %1322, %1321 ]
+  %1312 = getelementptr inbounds double, ptr %1303, i64 %1311
+  %1313 = load double, ptr %1312, align 8
+  %1314 = load ptr, ptr %75, align 8
+  %1315 = load double, ptr %1314, align 8
+  %1316 = fcmp ugt double %1313, %1315
+  br i1 %1316, label %1331, label %1317
 
-1307:                                             ; preds = %1306
-  %1308 = mul nsw i64 %1300, %1290
-  %1309 = getelementptr double, ptr %1, i64 %1308
-  br label %1313
+1317:                                             ; preds = %1310
+  br i1 %1309, label %1318, label %1321
 
-1310:                                             ; preds = %1313, %1306
-  %1311 = add i64 %1300, 1
-  %1312 = icmp eq i64 %1311, %1291
-  br i1 %1312, label %1320, label %1299, !llvm.loop !8
-
-1313:                                             ; preds = %1307, %1313
-  %1314 = phi i64 [ 0, %1307 ], [ %1318, %1313 ]
-  %1315 = getelementptr inbounds double, ptr %1287, i64 %1314
-  %1316 = load double, ptr %1315, align 8
-  %1317 = getelementptr double, ptr %1309, i64 %1314
-  store double %1316, ptr %1317, align 8
-  %1318 = add nuw nsw i64 %1314, 1
-  %1319 = icmp eq i64 %1318, %1290
-  br i1 %1319, label %1310, label %1313, !llvm.loop !9
-
-1320:                                             ; preds = %1310, %1299, %1286
-  %1321 = phi i64 [ %1295, %1286 ], [ %1291, %1310 ], [ %1300, %1299 ]
-  %1322 = load ptr, ptr %68, align 8
-  %1323 = getelementptr inbounds i8, ptr %1322, i64 48
-  store i64 %1321, ptr %1323, align 8
+1318:                                             ; preds = %1317
+  %1319 = mul nsw i64 %1311, %1301
+  %1320 = getelementptr double, ptr %1, i64 %1319
   br label %1324
 
-1324:                                             ; preds = %1320, %1285
-  br i1 %1239, label %1325, label %1341
+1321:                                             ; preds = %1324, %1317
+  %1322 = add i64 %1311, 1
+  %1323 = icmp eq i64 %1322, %1302
+  br i1 %1323, label %1331, label %1310, !llvm.loop !8
 
-1325:                                             ; preds = %1324
-  %1326 = load i64, ptr %79, align 8
-  %1327 = icmp sgt i64 %1326, 0
-  br i1 %1327, label %1331, label %1328
+1324:                                             ; preds = %1318, %1324
+  %1325 = phi i64 [ 0, %1318 ], [ %1329, %1324 ]
+  %1326 = getelementptr inbounds double, ptr %1298, i64 %1325
+  %1327 = load double, ptr %1326, align 8
+  %1328 = getelementptr double, ptr %1320, i64 %1325
+  store double %1327, ptr %1328, align 8
+  %1329 = add nuw nsw i64 %1325, 1
+  %1330 = icmp eq i64 %1329, %1301
+  br i1 %1330, label %1321, label %1324, !llvm.loop !9
 
-1328:                                             ; preds = %1331, %1325
-  store double %1176, ptr %1151, align 8
-  %1329 = getelementptr inbounds i8, ptr %1151, i64 8
-  store double 0.000000e+00, ptr %1329, align 8
-  %1330 = load ptr, ptr %68, align 8
-  store i64 0, ptr %1330, align 8
-  br label %1341
+1331:                                             ; preds = %1321, %1310, %1297
+  %1332 = phi i64 [ %1306, %1297 ], [ %1302, %1321 ], [ %1311, %1310 ]
+  %1333 = load ptr, ptr %79, align 8
+  %1334 = getelementptr inbounds i8, ptr %1333, i64 48
+  store i64 %1332, ptr %1334, align 8
+  br label %1335
 
-1331:                                             ; preds = %1325, %1331
-  %1332 = phi i64 [ %1338, %1331 ], [ 0, %1325 ]
-  %1333 = load ptr, ptr %66, align 8
-  %1334 = getelementptr inbounds double, ptr %1333, i64 %1332
-  %1335 = load double, ptr %1334, align 8
-  %1336 = load ptr, ptr %63, align 8
-  %1337 = getelementptr inbounds double, ptr %1336, i64 %1332
-  store double %1335, ptr %1337, align 8
-  %1338 = add nuw nsw i64 %1332, 1
-  %1339 = load i64, ptr %79, align 8
-  %1340 = icmp slt i64 %1338, %1339
-  br i1 %1340, label %1331, label %1328, !llvm.loop !26
+1335:                                             ; preds = %1331, %1296
+  br i1 %1250, label %1336, label %1352
 
-1341:                                             ; preds = %1162, %1283, %1324, %1328
-  %1342 = phi i64 [ -6, %1162 ], [ %1281, %1283 ], [ %1168, %1328 ], [ %1168, %1324 ]
-  %1343 = icmp eq i64 %1342, -6
-  br i1 %1343, label %1348, label %1344
+1336:                                             ; preds = %1335
+  %1337 = load i64, ptr %90, align 8
+  %1338 = icmp sgt i64 %1337, 0
+  br i1 %1338, label %1342, label %1339
 
-1344:                                             ; preds = %1341
-  %1345 = icmp ne i64 %1342, 6
-  %1346 = select i1 %1345, i1 true, i1 %87
-  %1347 = select i1 %1346, i1 true, i1 %95
-  br i1 %1347, label %1358, label %1348
+1339:                                             ; preds = %1342, %1336
+  store double %1187, ptr %1162, align 8
+  %1340 = getelementptr inbounds i8, ptr %1162, i64 8
+  store double 0.000000e+00, ptr %1340, align 8
+  %1341 = load ptr, ptr %79, align 8
+  store i64 0, ptr %1341, align 8
+  br label %1352
 
-1348:                                             ; preds = %1344, %1341
-  %1349 = phi i64 [ %1342, %1344 ], [ 2, %1341 ]
-  %1350 = load i64, ptr %340, align 8
-  %1351 = add nsw i64 %1350, -1
-  store i64 %1351, ptr %340, align 8
-  %1352 = load ptr, ptr %339, align 8
-  %1353 = load i64, ptr %1352, align 8
-  %1354 = add nsw i64 %1353, -1
-  store i64 %1354, ptr %1352, align 8
-  %1355 = load i64, ptr %341, align 8
-  %1356 = add nsw i64 %1355, 1
-  store i64 %1356, ptr %341, align 8
-  store i64 %1349, ptr %418, align 8
-  store double 1.000000e+00, ptr %419, align 8
-  %1357 = fmul double %476, 2.500000e-01
-  br label %1487, !llvm.loop !19
+1342:                                             ; preds = %1336, %1342
+  %1343 = phi i64 [ %1349, %1342 ], [ 0, %1336 ]
+  %1344 = load ptr, ptr %77, align 8
+  %1345 = getelementptr inbounds double, ptr %1344, i64 %1343
+  %1346 = load double, ptr %1345, align 8
+  %1347 = load ptr, ptr %74, align 8
+  %1348 = getelementptr inbounds double, ptr %1347, i64 %1343
+  store double %1346, ptr %1348, align 8
+  %1349 = add nuw nsw i64 %1343, 1
+  %1350 = load i64, ptr %90, align 8
+  %1351 = icmp slt i64 %1349, %1350
+  br i1 %1351, label %1342, label %1339, !llvm.loop !26
 
-1358:                                             ; preds = %1344
-  %1359 = icmp eq i64 %1342, 0
-  br i1 %1359, label %1364, label %1360
+1352:                                             ; preds = %1173, %1294, %1335, %1339
+  %1353 = phi i64 [ -6, %1173 ], [ %1292, %1294 ], [ %1179, %1339 ], [ %1179, %1335 ]
+  %1354 = icmp eq i64 %1353, -6
+  br i1 %1354, label %1359, label %1355
 
-1360:                                             ; preds = %1358
-  %1361 = load ptr, ptr %339, align 8
-  %1362 = load i64, ptr %1361, align 8
-  %1363 = add nsw i64 %1362, 1
-  store i64 %1363, ptr %1361, align 8
-  br label %1487
+1355:                                             ; preds = %1352
+  %1356 = icmp ne i64 %1353, 6
+  %1357 = select i1 %1356, i1 true, i1 %98
+  %1358 = select i1 %1357, i1 true, i1 %106
+  br i1 %1358, label %1369, label %1359
 
-1364:                                             ; preds = %1358, %998
-  br i1 %87, label %1468, label %1365
+1359:                                             ; preds = %1355, %1352
+  %1360 = phi i64 [ %1353, %1355 ], [ 2, %1352 ]
+  %1361 = load i64, ptr %351, align 8
+  %1362 = add nsw i64 %1361, -1
+  store i64 %1362, ptr %351, align 8
+  %1363 = load ptr, ptr %350, align 8
+  %1364 = load i64, ptr %1363, align 8
+  %1365 = add nsw i64 %1364, -1
+  store i64 %1365, ptr %1363, align 8
+  %1366 = load i64, ptr %352, align 8
+  %1367 = add nsw i64 %1366, 1
+  store i64 %1367, ptr %352, align 8
+  store i64 %1360, ptr %429, align 8
+  store double 1.000000e+00, ptr %430, align 8
+  %1368 = fmul double %487, 2.500000e-01
+  br label %1498, !llvm.loop !19
 
-1365:                                             ; preds = %1364
-  %1366 = load double, ptr %410, align 8
-  %1367 = fcmp ogt double %854, 1.000000e-10
-  %1368 = select i1 %1367, double %854, double 1.000000e-10
-  %1369 = load double, ptr %411, align 8
-  %1370 = load double, ptr %412, align 8
-  %1371 = fneg double %1370
-  %1372 = bitcast double %1368 to i64
-  %1373 = add nsw i64 %1372, -4604544271217802189
-  %1374 = ashr i64 %1373, 52
-  %1375 = and i64 %1373, -4503599627370496
-  %1376 = sub nsw i64 %1372, %1375
-  %1377 = bitcast i64 %1376 to double
-  %1378 = fadd double %1377, -1.000000e+00
-  %1379 = fadd double %1377, 1.000000e+00
-  %1380 = fdiv double %1378, %1379
-  %1381 = fmul double %1380, %1380
-  %1382 = tail call double @llvm.fma.f64(double %1381, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
-  %1383 = tail call double @llvm.fma.f64(double %1382, double %1381, double 0x3FE2776C50EF9BFE)
-  %1384 = tail call double @llvm.fma.f64(double %1383, double %1381, double 0x3FEEC709DC3A03FD)
-  %1385 = tail call double @llvm.fma.f64(double %1384, double %1381, double 0x40071547652B82FE)
-  %1386 = trunc nsw i64 %1374 to i32
-  %1387 = sitofp i32 %1386 to double
-  %1388 = fmul double %1380, %1385
-  %1389 = fadd double %1388, %1387
-  %1390 = fmul double %1389, %1371
-  %1391 = fcmp ogt double %1390, -1.000000e+03
-  %1392 = select i1 %1391, double %1390, double -1.000000e+03
-  %1393 = fcmp olt double %1392, 1.000000e+03
-  %1394 = select i1 %1393, double %1392, double 1.000000e+03
-  %1395 = tail call double @llvm.rint.f64(double %1394)
-  %1396 = fsub double %1394, %1395
-  %1397 = tail call double @llvm.fma.f64(double %1396, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
-  %1398 = tail call double @llvm.fma.f64(double %1397, double %1396, double 0x3F55D87FE78A6730)
-  %1399 = tail call double @llvm.fma.f64(double %1398, double %1396, double 0x3F83B2AB6FBA4E77)
-  %1400 = tail call double @llvm.fma.f64(double %1399, double %1396, double 0x3FAC6B08D704A0BF)
-  %1401 = tail call double @llvm.fma.f64(double %1400, double %1396, double 0x3FCEBFBDFF82C58E)
-  %1402 = tail call double @llvm.fma.f64(double %1401, double %1396, double 0x3FE62E42FEFA39EF)
-  %1403 = tail call double @llvm.fma.f64(double %1402, double %1396, double 1.000000e+00)
-  %1404 = bitcast double %1403 to i64
-  %1405 = fptosi double %1395 to i32
-  %1406 = sext i32 %1405 to i64
-  %1407 = shl nsw i64 %1406, 52
-  %1408 = add nsw i64 %1407, %1404
-  %1409 = bitcast i64 %1408 to double
-  %1410 = fmul double %1369, %1409
-  %1411 = load double, ptr %413, align 8
-  %1412 = fcmp une double %1411, 0.000000e+00
-  br i1 %1412, label %1413, label %1453
+1369:                                             ; preds = %1355
+  %1370 = icmp eq i64 %1353, 0
+  br i1 %1370, label %1375, label %1371
 
-1413:                                             ; preds = %1365
-  %1414 = load i64, ptr %409, align 8
-  %1415 = add nsw i64 %1414, -4604544271217802189
-  %1416 = ashr i64 %1415, 52
-  %1417 = and i64 %1415, -4503599627370496
-  %1418 = sub nsw i64 %1414, %1417
-  %1419 = bitcast i64 %1418 to double
-  %1420 = fadd double %1419, -1.000000e+00
-  %1421 = fadd double %1419, 1.000000e+00
-  %1422 = fdiv double %1420, %1421
-  %1423 = fmul double %1422, %1422
-  %1424 = tail call double @llvm.fma.f64(double %1423, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
-  %1425 = tail call double @llvm.fma.f64(double %1424, double %1423, double 0x3FE2776C50EF9BFE)
-  %1426 = tail call double @llvm.fma.f64(double %1425, double %1423, double 0x3FEEC709DC3A03FD)
-  %1427 = tail call double @llvm.fma.f64(double %1426, double %1423, double 0x40071547652B82FE)
-  %1428 = trunc nsw i64 %1416 to i32
-  %1429 = sitofp i32 %1428 to double
-  %1430 = fmul double %1422, %1427
-  %1431 = fadd double %1430, %1429
-  %1432 = fmul double %1411, %1431
-  %1433 = fcmp ogt double %1432, -1.000000e+03
-  %1434 = select i1 %1433, double %1432, double -1.000000e+03
-  %1435 = fcmp olt double %1434, 1.000000e+03
-  %1436 = select i1 %1435, double %1434, double 1.000000e+03
-  %1437 = tail call double @llvm.rint.f64(double %1436)
-  %1438 = fsub double %1436, %1437
-  %1439 = tail call double @llvm.fma.f64(double %1438, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
-  %1440 = tail call double @llvm.fma.f64(double %1439, double %1438, double 0x3F55D87FE78A6730)
-  %1441 = tail call double @llvm.fma.f64(double %1440, double %1438, double 0x3F83B2AB6FBA4E77)
-  %1442 = tail call double @llvm.fma.f64(double %1441, double %1438, double 0x3FAC6B08D704A0BF)
-  %1443 = tail call double @llvm.fma.f64(double %1442, double %1438, double 0x3FCEBFBDFF82C58E)
-  %1444 = tail call double @llvm.fma.f64(double %1443, double %1438, double 0x3FE62E42FEFA39EF)
-  %1445 = tail call double @llvm.fma.f64(double %1444, double %1438, double 1.000000e+00)
-  %1446 = bitcast double %1445 to i64
-  %1447 = fptosi double %1437 to i32
-  %1448 = sext i32 %1447 to i64
-  %1449 = shl nsw i64 %1448, 52
-  %1450 = add nsw i64 %1449, %1446
-  %1451 = bitcast i64 %1450 to double
-  %1452 = fmul double %1410, %1451
-  br label %1453
+1371:                                             ; preds = %1369
+  %1372 = load ptr, ptr %350, align 8
+  %1373 = load i64, ptr %1372, align 8
+  %1374 = add nsw i64 %1373, 1
+  store i64 %1374, ptr %1372, align 8
+  br label %1498
 
-1453:                                             ; preds = %1365, %1413
-  %1454 = phi double [ %1452, %1413 ], [ %1410, %1365 ]
-  %1455 = load double, ptr %414, align 8
-  %1456 = fcmp ogt double %1454, %1455
-  %1457 = select i1 %1456, double %1454, double %1455
-  %1458 = fcmp olt double %1366, %1457
-  %1459 = select i1 %1458, double %1366, double %1457
-  %1460 = fmul double %476, %1459
-  %1461 = fcmp oeq double %477, %100
-  %1462 = fcmp ogt double %430, %1460
-  %1463 = select i1 %1461, i1 %1462, i1 false
-  %1464 = select i1 %1463, double %430, double %1460
-  %1465 = fcmp ogt double %854, 1.000000e-04
-  %1466 = select i1 %1465, double %854, double 1.000000e-04
-  store double %1466, ptr %409, align 8
-  %1467 = load double, ptr %415, align 8
-  store double %1467, ptr %410, align 8
-  br label %1468
+1375:                                             ; preds = %1369, %1009
+  br i1 %98, label %1479, label %1376
 
-1468:                                             ; preds = %1453, %1364
-  %1469 = phi double [ %1464, %1453 ], [ %430, %1364 ]
-  br i1 %416, label %1474, label %1470
+1376:                                             ; preds = %1375
+  %1377 = load double, ptr %421, align 8
+  %1378 = fcmp ogt double %865, 1.000000e-10
+  %1379 = select i1 %1378, double %865, double 1.000000e-10
+  %1380 = load double, ptr %422, align 8
+  %1381 = load double, ptr %423, align 8
+  %1382 = fneg double %1381
+  %1383 = bitcast double %1379 to i64
+  %1384 = add nsw i64 %1383, -4604544271217802189
+  %1385 = ashr i64 %1384, 52
+  %1386 = and i64 %1384, -4503599627370496
+  %1387 = sub nsw i64 %1383, %1386
+  %1388 = bitcast i64 %1387 to double
+  %1389 = fadd double %1388, -1.000000e+00
+  %1390 = fadd double %1388, 1.000000e+00
+  %1391 = fdiv double %1389, %1390
+  %1392 = fmul double %1391, %1391
+  %1393 = tail call double @llvm.fma.f64(double %1392, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
+  %1394 = tail call double @llvm.fma.f64(double %1393, double %1392, double 0x3FE2776C50EF9BFE)
+  %1395 = tail call double @llvm.fma.f64(double %1394, double %1392, double 0x3FEEC709DC3A03FD)
+  %1396 = tail call double @llvm.fma.f64(double %1395, double %1392, double 0x40071547652B82FE)
+  %1397 = trunc nsw i64 %1385 to i32
+  %1398 = sitofp i32 %1397 to double
+  %1399 = fmul double %1391, %1396
+  %1400 = fadd double %1399, %1398
+  %1401 = fmul double %1400, %1382
+  %1402 = fcmp ogt double %1401, -1.000000e+03
+  %1403 = select i1 %1402, double %1401, double -1.000000e+03
+  %1404 = fcmp olt double %1403, 1.000000e+03
+  %1405 = select i1 %1404, double %1403, double 1.000000e+03
+  %1406 = tail call double @llvm.rint.f64(double %1405)
+  %1407 = fsub double %1405, %1406
+  %1408 = tail call double @llvm.fma.f64(double %1407, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
+  %1409 = tail call double @llvm.fma.f64(double %1408, double %1407, double 0x3F55D87FE78A6730)
+  %1410 = tail call double @llvm.fma.f64(double %1409, double %1407, double 0x3F83B2AB6FBA4E77)
+  %1411 = tail call double @llvm.fma.f64(double %1410, double %1407, double 0x3FAC6B08D704A0BF)
+  %1412 = tail call double @llvm.fma.f64(double %1411, double %1407, double 0x3FCEBFBDFF82C58E)
+  %1413 = tail call double @llvm.fma.f64(double %1412, double %1407, double 0x3FE62E42FEFA39EF)
+  %1414 = tail call double @llvm.fma.f64(double %1413, double %1407, double 1.000000e+00)
+  %1415 = bitcast double %1414 to i64
+  %1416 = fptosi double %1406 to i32
+  %1417 = sext i32 %1416 to i64
+  %1418 = shl nsw i64 %1417, 52
+  %1419 = add nsw i64 %1418, %1415
+  %1420 = bitcast i64 %1419 to double
+  %1421 = fmul double %1380, %1420
+  %1422 = load double, ptr %424, align 8
+  %1423 = fcmp une double %1422, 0.000000e+00
+  br i1 %1423, label %1424, label %1464
 
-1470:                                             ; preds = %1474, %1468
-  %1471 = load i64, ptr %417, align 8
-  %1472 = load i64, ptr %96, align 8
-  %1473 = icmp eq i64 %1471, %1472
-  br i1 %1473, label %1486, label %1487
+1424:                                             ; preds = %1376
+  %1425 = load i64, ptr %420, align 8
+  %1426 = add nsw i64 %1425, -4604544271217802189
+  %1427 = ashr i64 %1426, 52
+  %1428 = and i64 %1426, -4503599627370496
+  %1429 = sub nsw i64 %1425, %1428
+  %1430 = bitcast i64 %1429 to double
+  %1431 = fadd double %1430, -1.000000e+00
+  %1432 = fadd double %1430, 1.000000e+00
+  %1433 = fdiv double %1431, %1432
+  %1434 = fmul double %1433, %1433
+  %1435 = tail call double @llvm.fma.f64(double %1434, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
+  %1436 = tail call double @llvm.fma.f64(double %1435, double %1434, double 0x3FE2776C50EF9BFE)
+  %1437 = tail call double @llvm.fma.f64(double %1436, double %1434, double 0x3FEEC709DC3A03FD)
+  %1438 = tail call double @llvm.fma.f64(double %1437, double %1434, double 0x40071547652B82FE)
+  %1439 = trunc nsw i64 %1427 to i32
+  %1440 = sitofp i32 %1439 to double
+  %1441 = fmul double %1433, %1438
+  %1442 = fadd double %1441, %1440
+  %1443 = fmul double %1422, %1442
+  %1444 = fcmp ogt double %1443, -1.000000e+03
+  %1445 = select i1 %1444, double %1443, double -1.000000e+03
+  %1446 = fcmp olt double %1445, 1.000000e+03
+  %1447 = select i1 %1446, double %1445, double 1.000000e+03
+  %1448 = tail call double @llvm.rint.f64(double %1447)
+  %1449 = fsub double %1447, %1448
+  %1450 = tail call double @llvm.fma.f64(double %1449, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
+  %1451 = tail call double @llvm.fma.f64(double %1450, double %1449, double 0x3F55D87FE78A6730)
+  %1452 = tail call double @llvm.fma.f64(double %1451, double %1449, double 0x3F83B2AB6FBA4E77)
+  %1453 = tail call double @llvm.fma.f64(double %1452, double %1449, double 0x3FAC6B08D704A0BF)
+  %1454 = tail call double @llvm.fma.f64(double %1453, double %1449, double 0x3FCEBFBDFF82C58E)
+  %1455 = tail call double @llvm.fma.f64(double %1454, double %1449, double 0x3FE62E42FEFA39EF)
+  %1456 = tail call double @llvm.fma.f64(double %1455, double %1449, double 1.000000e+00)
+  %1457 = bitcast double %1456 to i64
+  %1458 = fptosi double %1448 to i32
+  %1459 = sext i32 %1458 to i64
+  %1460 = shl nsw i64 %1459, 52
+  %1461 = add nsw i64 %1460, %1457
+  %1462 = bitcast i64 %1461 to double
+  %1463 = fmul double %1421, %1462
+  br label %1464
 
-1474:                                             ; preds = %1468, %1474
-  %1475 = phi i64 [ %1484, %1474 ], [ 0, %1468 ]
-  %1476 = getelementptr inbounds double, ptr %67, i64 %1475
-  %1477 = load double, ptr %1476, align 8
-  %1478 = load ptr, ptr %63, align 8
-  %1479 = getelementptr inbounds double, ptr %1478, i64 %1475
-  store double %1477, ptr %1479, align 8
-  %1480 = getelementptr inbounds double, ptr %105, i64 %1475
-  %1481 = load double, ptr %1480, align 8
-  %1482 = load ptr, ptr %101, align 8
-  %1483 = getelementptr inbounds double, ptr %1482, i64 %1475
-  store double %1481, ptr %1483, align 8
-  %1484 = add nuw nsw i64 %1475, 1
-  %1485 = icmp eq i64 %1484, %80
-  br i1 %1485, label %1470, label %1474, !llvm.loop !27
+1464:                                             ; preds = %1376, %1424
+  %1465 = phi double [ %1463, %1424 ], [ %1421, %1376 ]
+  %1466 = load double, ptr %425, align 8
+  %1467 = fcmp ogt double %1465, %1466
+  %1468 = select i1 %1467, double %1465, double %1466
+  %1469 = fcmp olt double %1377, %1468
+  %1470 = select i1 %1469, double %1377, double %1468
+  %1471 = fmul double %487, %1470
+  %1472 = fcmp oeq double %488, %111
+  %1473 = fcmp ogt double %441, %1471
+  %1474 = select i1 %1472, i1 %1473, i1 false
+  %1475 = select i1 %1474, double %441, double %1471
+  %1476 = fcmp ogt double %865, 1.000000e-04
+  %1477 = select i1 %1476, double %865, double 1.000000e-04
+  store double %1477, ptr %420, align 8
+  %1478 = load double, ptr %426, align 8
+  store double %1478, ptr %421, align 8
+  br label %1479
 
-1486:                                             ; preds = %1470
-  store double %1469, ptr %107, align 8
-  br label %1487
+1479:                                             ; preds = %1464, %1375
+  %1480 = phi double [ %1475, %1464 ], [ %441, %1375 ]
+  br i1 %427, label %1485, label %1481
 
-1487:                                             ; preds = %1147, %1348, %1360, %1486, %842, %922, %921, %1470, %656, %483
-  %1488 = phi double [ %430, %483 ], [ %430, %656 ], [ %430, %1147 ], [ %1357, %1348 ], [ %430, %1360 ], [ %1469, %1486 ], [ %430, %842 ], [ %920, %922 ], [ %920, %921 ], [ %1469, %1470 ]
-  %1489 = phi double [ %429, %483 ], [ %429, %656 ], [ %429, %1147 ], [ %429, %1348 ], [ %429, %1360 ], [ %477, %1486 ], [ %429, %842 ], [ %429, %922 ], [ %429, %921 ], [ %477, %1470 ]
-  %1490 = phi i32 [ 1, %483 ], [ 1, %656 ], [ 1, %1147 ], [ 3, %1348 ], [ 1, %1360 ], [ 1, %1486 ], [ 1, %842 ], [ 3, %922 ], [ 1, %921 ], [ 0, %1470 ]
-  %1491 = phi i64 [ 2, %483 ], [ -4, %656 ], [ %1149, %1147 ], [ %428, %1348 ], [ %1342, %1360 ], [ 0, %1486 ], [ -4, %842 ], [ %428, %922 ], [ 2, %921 ], [ %428, %1470 ]
-  switch i32 %1490, label %1495 [
-    i32 0, label %1492
-    i32 3, label %1492
+1481:                                             ; preds = %1485, %1479
+  %1482 = load i64, ptr %428, align 8
+  %1483 = load i64, ptr %107, align 8
+  %1484 = icmp eq i64 %1482, %1483
+  br i1 %1484, label %1497, label %1498
+
+1485:                                             ; preds = %1479, %1485
+  %1486 = phi i64 [ %1495, %1485 ], [ 0, %1479 ]
+  %1487 = getelementptr inbounds double, ptr %78, i64 %1486
+  %1488 = load double, ptr %1487, align 8
+  %1489 = load ptr, ptr %74, align 8
+  %1490 = getelementptr inbounds double, ptr %1489, i64 %1486
+  store double %1488, ptr %1490, align 8
+  %1491 = getelementptr inbounds double, ptr %116, i64 %1486
+  %1492 = load double, ptr %1491, align 8
+  %1493 = load ptr, ptr %112, align 8
+  %1494 = getelementptr inbounds double, ptr %1493, i64 %1486
+  store double %1492, ptr %1494, align 8
+  %1495 = add nuw nsw i64 %1486, 1
+  %1496 = icmp eq i64 %1495, %91
+  br i1 %1496, label %1481, label %1485, !llvm.loop !27
+
+1497:                                             ; preds = %1481
+  store double %1480, ptr %118, align 8
+  br label %1498
+
+1498:                                             ; preds = %1158, %1359, %1371, %1497, %853, %933, %932, %1481, %667, %494
+  %1499 = phi double [ %441, %494 ], [ %441, %667 ], [ %441, %1158 ], [ %1368, %1359 ], [ %441, %1371 ], [ %1480, %1497 ], [ %441, %853 ], [ %931, %933 ], [ %931, %932 ], [ %1480, %1481 ]
+  %1500 = phi double [ %440, %494 ], [ %440, %667 ], [ %440, %1158 ], [ %440, %1359 ], [ %440, %1371 ], [ %488, %1497 ], [ %440, %853 ], [ %440, %933 ], [ %440, %932 ], [ %488, %1481 ]
+  %1501 = phi i32 [ 1, %494 ], [ 1, %667 ], [ 1, %1158 ], [ 3, %1359 ], [ 1, %1371 ], [ 1, %1497 ], [ 1, %853 ], [ 3, %933 ], [ 1, %932 ], [ 0, %1481 ]
+  %1502 = phi i64 [ 2, %494 ], [ -4, %667 ], [ %1160, %1158 ], [ %439, %1359 ], [ %1353, %1371 ], [ 0, %1497 ], [ -4, %853 ], [ %439, %933 ], [ 2, %932 ], [ %439, %1481 ]
+  switch i32 %1501, label %1506 [
+    i32 0, label %1503
+    i32 3, label %1503
   ]
 
-1492:                                             ; preds = %1487, %1487
-  %1493 = load i64, ptr %70, align 8
-  %1494 = icmp eq i64 %1493, 0
-  br i1 %1494, label %424, label %426, !llvm.loop !19
+1503:                                             ; preds = %1498, %1498
+  %1504 = load i64, ptr %81, align 8
+  %1505 = icmp eq i64 %1504, 0
+  br i1 %1505, label %435, label %437, !llvm.loop !19
 
-1495:                                             ; preds = %1487, %134, %424, %443, %451, %176, %61
-  %1496 = phi i64 [ -1, %61 ], [ %137, %134 ], [ -1, %424 ], [ -5, %443 ], [ 1, %451 ], [ 0, %176 ], [ %1491, %1487 ]
-  ret i64 %1496
+1506:                                             ; preds = %1498, %145, %435, %454, %462, %187, %72
+  %1507 = phi i64 [ -1, %72 ], [ %148, %145 ], [ -1, %435 ], [ -5, %454 ], [ 1, %462 ], [ 0, %187 ], [ %1502, %1498 ]
+  ret i64 %1507
 }
 
 

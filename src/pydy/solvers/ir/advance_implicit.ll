@@ -1,4 +1,4 @@
-; sources 8757643a19bc2610319eed39097b901a3d4087e38e33a5f62c624b0b2a3e2a89
+; sources cf5f71e837b48229d5d518b118517894c7a347d8f6ec84736acbba76db8d9a28
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 @NODES = internal unnamed_addr constant [3 x double] [double 0x3FC3D8B64657CAEA, double 0x3FE4A36C0803A6DF, double 1.000000e+00], align 16
@@ -14,7 +14,7 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   %8 = alloca [3 x double], align 16
   %9 = alloca [3 x double], align 16
   %10 = icmp eq i64 %2, 1
-  br i1 %10, label %11, label %64
+  br i1 %10, label %11, label %75
 
 11:                                               ; preds = %3
   %12 = getelementptr inbounds i8, ptr %0, i64 144
@@ -57,12 +57,12 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   %38 = getelementptr inbounds i8, ptr %0, i64 608
   %39 = load i64, ptr %38, align 8
   %40 = icmp sgt i64 %39, 0
-  br i1 %40, label %41, label %64
+  br i1 %40, label %41, label %54
 
 41:                                               ; preds = %37
   %42 = getelementptr inbounds i8, ptr %0, i64 600
   %43 = getelementptr inbounds i8, ptr %0, i64 1056
-  br label %54
+  br label %60
 
 44:                                               ; preds = %23, %44
   %45 = phi i64 [ 0, %23 ], [ %51, %44 ]
@@ -77,2338 +77,2354 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   %53 = icmp slt i64 %51, %52
   br i1 %53, label %44, label %37, !llvm.loop !6
 
-54:                                               ; preds = %41, %54
-  %55 = phi i64 [ 0, %41 ], [ %61, %54 ]
-  %56 = load ptr, ptr %43, align 8
-  %57 = getelementptr inbounds i64, ptr %56, i64 %55
+54:                                               ; preds = %60, %37
+  %55 = getelementptr inbounds i8, ptr %0, i64 720
+  %56 = load ptr, ptr %55, align 8
+  %57 = getelementptr inbounds i8, ptr %56, i64 8
   %58 = load i64, ptr %57, align 8
-  %59 = load ptr, ptr %42, align 8
-  %60 = getelementptr inbounds i64, ptr %59, i64 %55
-  store i64 %58, ptr %60, align 8
-  %61 = add nuw nsw i64 %55, 1
-  %62 = load i64, ptr %38, align 8
-  %63 = icmp slt i64 %61, %62
-  br i1 %63, label %54, label %64, !llvm.loop !7
+  %59 = icmp sgt i64 %58, 0
+  br i1 %59, label %70, label %75
 
-64:                                               ; preds = %54, %37, %3
-  %65 = getelementptr inbounds i8, ptr %0, i64 144
-  %66 = getelementptr inbounds i8, ptr %0, i64 312
-  %67 = getelementptr inbounds i8, ptr %0, i64 1128
-  %68 = getelementptr inbounds i8, ptr %0, i64 576
-  %69 = load ptr, ptr %68, align 8
-  %70 = getelementptr inbounds i8, ptr %0, i64 1152
-  %71 = load ptr, ptr %70, align 8
-  %72 = getelementptr inbounds i8, ptr %0, i64 600
-  %73 = load ptr, ptr %72, align 8
-  %74 = load ptr, ptr %67, align 8
-  %75 = getelementptr inbounds i8, ptr %73, i64 56
-  %76 = load i64, ptr %75, align 8
-  %77 = icmp eq i64 %76, 0
-  br i1 %77, label %1771, label %78
+60:                                               ; preds = %41, %60
+  %61 = phi i64 [ 0, %41 ], [ %67, %60 ]
+  %62 = load ptr, ptr %43, align 8
+  %63 = getelementptr inbounds i64, ptr %62, i64 %61
+  %64 = load i64, ptr %63, align 8
+  %65 = load ptr, ptr %42, align 8
+  %66 = getelementptr inbounds i64, ptr %65, i64 %61
+  store i64 %64, ptr %66, align 8
+  %67 = add nuw nsw i64 %61, 1
+  %68 = load i64, ptr %38, align 8
+  %69 = icmp slt i64 %67, %68
+  br i1 %69, label %60, label %54, !llvm.loop !7
 
-78:                                               ; preds = %64
-  %79 = load ptr, ptr %65, align 8
-  %80 = getelementptr inbounds i8, ptr %79, i64 8
-  %81 = load i64, ptr %80, align 8
-  %82 = getelementptr inbounds i8, ptr %0, i64 624
-  %83 = load ptr, ptr %82, align 8
-  %84 = getelementptr inbounds i8, ptr %0, i64 632
-  %85 = load i64, ptr %84, align 8
-  %86 = getelementptr double, ptr %83, i64 %85
-  %87 = getelementptr i8, ptr %86, i64 -8
-  %88 = load double, ptr %87, align 8
-  %89 = getelementptr inbounds i8, ptr %0, i64 648
-  %90 = load ptr, ptr %89, align 8
-  %91 = load i64, ptr %90, align 8
-  %92 = icmp eq i64 %91, 1
-  %93 = getelementptr inbounds i8, ptr %0, i64 720
+70:                                               ; preds = %54
+  %71 = getelementptr inbounds i8, ptr %0, i64 864
+  %72 = load ptr, ptr %71, align 8
+  %73 = mul i64 %58, 56
+  %74 = getelementptr inbounds i8, ptr %72, i64 %73
+  store double 0x7FF8000000000000, ptr %74, align 8
+  br label %75
+
+75:                                               ; preds = %70, %54, %3
+  %76 = getelementptr inbounds i8, ptr %0, i64 144
+  %77 = getelementptr inbounds i8, ptr %0, i64 312
+  %78 = getelementptr inbounds i8, ptr %0, i64 1128
+  %79 = getelementptr inbounds i8, ptr %0, i64 576
+  %80 = load ptr, ptr %79, align 8
+  %81 = getelementptr inbounds i8, ptr %0, i64 1152
+  %82 = load ptr, ptr %81, align 8
+  %83 = getelementptr inbounds i8, ptr %0, i64 600
+  %84 = load ptr, ptr %83, align 8
+  %85 = load ptr, ptr %78, align 8
+  %86 = getelementptr inbounds i8, ptr %84, i64 56
+  %87 = load i64, ptr %86, align 8
+  %88 = icmp eq i64 %87, 0
+  br i1 %88, label %1782, label %89
+
+89:                                               ; preds = %75
+  %90 = load ptr, ptr %76, align 8
+  %91 = getelementptr inbounds i8, ptr %90, i64 8
+  %92 = load i64, ptr %91, align 8
+  %93 = getelementptr inbounds i8, ptr %0, i64 624
   %94 = load ptr, ptr %93, align 8
-  %95 = getelementptr inbounds i8, ptr %94, i64 8
+  %95 = getelementptr inbounds i8, ptr %0, i64 632
   %96 = load i64, ptr %95, align 8
-  %97 = icmp sgt i64 %96, 0
-  %98 = getelementptr inbounds i8, ptr %0, i64 528
-  %99 = load ptr, ptr %98, align 8
-  %100 = load double, ptr %99, align 8
-  %101 = icmp sgt i64 %81, 0
-  br i1 %101, label %117, label %102
+  %97 = getelementptr double, ptr %94, i64 %96
+  %98 = getelementptr i8, ptr %97, i64 -8
+  %99 = load double, ptr %98, align 8
+  %100 = getelementptr inbounds i8, ptr %0, i64 648
+  %101 = load ptr, ptr %100, align 8
+  %102 = load i64, ptr %101, align 8
+  %103 = icmp eq i64 %102, 1
+  %104 = getelementptr inbounds i8, ptr %0, i64 720
+  %105 = load ptr, ptr %104, align 8
+  %106 = getelementptr inbounds i8, ptr %105, i64 8
+  %107 = load i64, ptr %106, align 8
+  %108 = icmp sgt i64 %107, 0
+  %109 = getelementptr inbounds i8, ptr %0, i64 528
+  %110 = load ptr, ptr %109, align 8
+  %111 = load double, ptr %110, align 8
+  %112 = icmp sgt i64 %92, 0
+  br i1 %112, label %128, label %113
 
-102:                                              ; preds = %117, %78
-  %103 = phi double [ %100, %78 ], [ %123, %117 ]
-  %104 = tail call double @llvm.sqrt.f64(double %103)
-  %105 = fcmp olt double %104, 3.000000e-02
-  %106 = select i1 %105, double %104, double 3.000000e-02
-  %107 = fcmp olt double %103, 0x3CB0000000000000
-  %108 = select i1 %107, double 0x3CB0000000000000, double %103
-  %109 = fdiv double 0x3CE4000000000000, %108
-  %110 = fcmp ogt double %106, %109
-  %111 = select i1 %110, double %106, double %109
-  %112 = load double, ptr %69, align 8
-  %113 = getelementptr inbounds i8, ptr %69, i64 8
-  %114 = load double, ptr %113, align 8
-  %115 = load i64, ptr %73, align 8
-  %116 = icmp eq i64 %115, 0
-  br i1 %116, label %126, label %224
+113:                                              ; preds = %128, %89
+  %114 = phi double [ %111, %89 ], [ %134, %128 ]
+  %115 = tail call double @llvm.sqrt.f64(double %114)
+  %116 = fcmp olt double %115, 3.000000e-02
+  %117 = select i1 %116, double %115, double 3.000000e-02
+  %118 = fcmp olt double %114, 0x3CB0000000000000
+  %119 = select i1 %118, double 0x3CB0000000000000, double %114
+  %120 = fdiv double 0x3CE4000000000000, %119
+  %121 = fcmp ogt double %117, %120
+  %122 = select i1 %121, double %117, double %120
+  %123 = load double, ptr %80, align 8
+  %124 = getelementptr inbounds i8, ptr %80, i64 8
+  %125 = load double, ptr %124, align 8
+  %126 = load i64, ptr %84, align 8
+  %127 = icmp eq i64 %126, 0
+  br i1 %127, label %137, label %235
 
-117:                                              ; preds = %78, %117
-  %118 = phi double [ %123, %117 ], [ %100, %78 ]
-  %119 = phi i64 [ %124, %117 ], [ 0, %78 ]
-  %120 = getelementptr inbounds double, ptr %99, i64 %119
-  %121 = load double, ptr %120, align 8
-  %122 = fcmp olt double %121, %118
-  %123 = select i1 %122, double %121, double %118
-  %124 = add nuw nsw i64 %119, 1
-  %125 = icmp eq i64 %124, %81
-  br i1 %125, label %102, label %117, !llvm.loop !8
+128:                                              ; preds = %89, %128
+  %129 = phi double [ %134, %128 ], [ %111, %89 ]
+  %130 = phi i64 [ %135, %128 ], [ 0, %89 ]
+  %131 = getelementptr inbounds double, ptr %110, i64 %130
+  %132 = load double, ptr %131, align 8
+  %133 = fcmp olt double %132, %129
+  %134 = select i1 %133, double %132, double %129
+  %135 = add nuw nsw i64 %130, 1
+  %136 = icmp eq i64 %135, %92
+  br i1 %136, label %113, label %128, !llvm.loop !8
 
-126:                                              ; preds = %102
-  %127 = getelementptr inbounds i8, ptr %73, i64 24
-  %128 = load i64, ptr %127, align 8
-  %129 = add nsw i64 %128, 1
-  store i64 %129, ptr %127, align 8
-  %130 = load ptr, ptr %66, align 8
-  %131 = getelementptr inbounds i8, ptr %0, i64 480
-  %132 = load ptr, ptr %131, align 8
-  %133 = getelementptr inbounds i8, ptr %0, i64 168
-  %134 = load ptr, ptr %133, align 8
-  store double %112, ptr %134, align 8
-  %135 = getelementptr inbounds i8, ptr %0, i64 248
-  %136 = load i64, ptr %135, align 8
-  %137 = icmp sgt i64 %136, 0
-  br i1 %137, label %138, label %139
+137:                                              ; preds = %113
+  %138 = getelementptr inbounds i8, ptr %84, i64 24
+  %139 = load i64, ptr %138, align 8
+  %140 = add nsw i64 %139, 1
+  store i64 %140, ptr %138, align 8
+  %141 = load ptr, ptr %77, align 8
+  %142 = getelementptr inbounds i8, ptr %0, i64 480
+  %143 = load ptr, ptr %142, align 8
+  %144 = getelementptr inbounds i8, ptr %0, i64 168
+  %145 = load ptr, ptr %144, align 8
+  store double %123, ptr %145, align 8
+  %146 = getelementptr inbounds i8, ptr %0, i64 248
+  %147 = load i64, ptr %146, align 8
+  %148 = icmp sgt i64 %147, 0
+  br i1 %148, label %149, label %150
 
-138:                                              ; preds = %126
-  tail call fastcc void @sample(ptr noundef nonnull %65) #10
-  br label %139
+149:                                              ; preds = %137
+  tail call fastcc void @sample(ptr noundef nonnull %76) #10
+  br label %150
 
-139:                                              ; preds = %126, %138
-  %140 = load ptr, ptr %65, align 8
-  %141 = load i64, ptr %140, align 8
-  %142 = load ptr, ptr %133, align 8
-  %143 = getelementptr inbounds i8, ptr %0, i64 192
-  %144 = load ptr, ptr %143, align 8
-  %145 = getelementptr inbounds i8, ptr %0, i64 216
-  %146 = load ptr, ptr %145, align 8
-  %147 = inttoptr i64 %141 to ptr
-  %148 = tail call i32 %147(ptr noundef %142, ptr noundef %130, ptr noundef %144, ptr noundef %146, ptr noundef %132) #11
-  %149 = icmp eq i32 %148, 0
-  br i1 %149, label %154, label %150
+150:                                              ; preds = %137, %149
+  %151 = load ptr, ptr %76, align 8
+  %152 = load i64, ptr %151, align 8
+  %153 = load ptr, ptr %144, align 8
+  %154 = getelementptr inbounds i8, ptr %0, i64 192
+  %155 = load ptr, ptr %154, align 8
+  %156 = getelementptr inbounds i8, ptr %0, i64 216
+  %157 = load ptr, ptr %156, align 8
+  %158 = inttoptr i64 %152 to ptr
+  %159 = tail call i32 %158(ptr noundef %153, ptr noundef %141, ptr noundef %155, ptr noundef %157, ptr noundef %143) #11
+  %160 = icmp eq i32 %159, 0
+  br i1 %160, label %165, label %161
 
-150:                                              ; preds = %139
-  %151 = getelementptr inbounds i8, ptr %73, i64 72
-  store i64 3, ptr %151, align 8
-  %152 = icmp slt i32 %148, 0
-  %153 = select i1 %152, i64 -4, i64 2
-  br label %1771
+161:                                              ; preds = %150
+  %162 = getelementptr inbounds i8, ptr %84, i64 72
+  store i64 3, ptr %162, align 8
+  %163 = icmp slt i32 %159, 0
+  %164 = select i1 %163, i64 -4, i64 2
+  br label %1782
 
-154:                                              ; preds = %139
-  store i64 1, ptr %73, align 8
-  %155 = getelementptr inbounds i8, ptr %69, i64 24
-  store double 0.000000e+00, ptr %155, align 8
-  %156 = getelementptr inbounds i8, ptr %74, i64 32
-  store i64 1, ptr %156, align 8
-  %157 = getelementptr inbounds i8, ptr %74, i64 8
-  store i64 1, ptr %157, align 8
-  %158 = getelementptr inbounds i8, ptr %71, i64 8
-  store double 0.000000e+00, ptr %158, align 8
-  %159 = load ptr, ptr %66, align 8
-  %160 = load ptr, ptr %65, align 8
-  %161 = getelementptr inbounds i8, ptr %160, i64 8
-  %162 = load i64, ptr %161, align 8
-  %163 = load i64, ptr %84, align 8
-  %164 = load ptr, ptr %82, align 8
-  %165 = load ptr, ptr %72, align 8
-  %166 = getelementptr inbounds i8, ptr %165, i64 48
-  %167 = load i64, ptr %166, align 8
-  %168 = icmp slt i64 %167, %163
-  br i1 %168, label %169, label %192
+165:                                              ; preds = %150
+  store i64 1, ptr %84, align 8
+  %166 = getelementptr inbounds i8, ptr %80, i64 24
+  store double 0.000000e+00, ptr %166, align 8
+  %167 = getelementptr inbounds i8, ptr %85, i64 32
+  store i64 1, ptr %167, align 8
+  %168 = getelementptr inbounds i8, ptr %85, i64 8
+  store i64 1, ptr %168, align 8
+  %169 = getelementptr inbounds i8, ptr %82, i64 8
+  store double 0.000000e+00, ptr %169, align 8
+  %170 = load ptr, ptr %77, align 8
+  %171 = load ptr, ptr %76, align 8
+  %172 = getelementptr inbounds i8, ptr %171, i64 8
+  %173 = load i64, ptr %172, align 8
+  %174 = load i64, ptr %95, align 8
+  %175 = load ptr, ptr %93, align 8
+  %176 = load ptr, ptr %83, align 8
+  %177 = getelementptr inbounds i8, ptr %176, i64 48
+  %178 = load i64, ptr %177, align 8
+  %179 = icmp slt i64 %178, %174
+  br i1 %179, label %180, label %203
 
-169:                                              ; preds = %154
-  %170 = icmp sgt i64 %162, 0
-  br label %171
+180:                                              ; preds = %165
+  %181 = icmp sgt i64 %173, 0
+  br label %182
 
-171:                                              ; preds = %169, %182
-  %172 = phi i64 [ %167, %169 ], [ %183, %182 ]
-  %173 = getelementptr inbounds double, ptr %164, i64 %172
-  %174 = load double, ptr %173, align 8
-  %175 = load ptr, ptr %68, align 8
-  %176 = load double, ptr %175, align 8
-  %177 = fcmp ugt double %174, %176
-  br i1 %177, label %192, label %178
+182:                                              ; preds = %180, %193
+  %183 = phi i64 [ %178, %180 ], [ %194, %193 ]
+  %184 = getelementptr inbounds double, ptr %175, i64 %183
+  %185 = load double, ptr %184, align 8
+  %186 = load ptr, ptr %79, align 8
+  %187 = load double, ptr %186, align 8
+  %188 = fcmp ugt double %185, %187
+  br i1 %188, label %203, label %189
 
-178:                                              ; preds = %171
-  br i1 %170, label %179, label %182
+189:                                              ; preds = %182
+  br i1 %181, label %190, label %193
 
-179:                                              ; preds = %178
-  %180 = mul nsw i64 %172, %162
-  %181 = getelementptr double, ptr %1, i64 %180
-  br label %185
+190:                                              ; preds = %189
+  %191 = mul nsw i64 %183, %173
+  %192 = getelementptr double, ptr %1, i64 %191
+  br label %196
 
-182:                                              ; preds = %185, %178
-  %183 = add i64 %172, 1
-  %184 = icmp eq i64 %183, %163
-  br i1 %184, label %192, label %171, !llvm.loop !9
+193:                                              ; preds = %196, %189
+  %194 = add i64 %183, 1
+  %195 = icmp eq i64 %194, %174
+  br i1 %195, label %203, label %182, !llvm.loop !9
 
-185:                                              ; preds = %179, %185
-  %186 = phi i64 [ 0, %179 ], [ %190, %185 ]
-  %187 = getelementptr inbounds double, ptr %159, i64 %186
-  %188 = load double, ptr %187, align 8
-  %189 = getelementptr double, ptr %181, i64 %186
-  store double %188, ptr %189, align 8
-  %190 = add nuw nsw i64 %186, 1
-  %191 = icmp eq i64 %190, %162
-  br i1 %191, label %182, label %185, !llvm.loop !10
+196:                                              ; preds = %190, %196
+  %197 = phi i64 [ 0, %190 ], [ %201, %196 ]
+  %198 = getelementptr inbounds double, ptr %170, i64 %197
+  %199 = load double, ptr %198, align 8
+  %200 = getelementptr double, ptr %192, i64 %197
+  store double %199, ptr %200, align 8
+  %201 = add nuw nsw i64 %197, 1
+  %202 = icmp eq i64 %201, %173
+  br i1 %202, label %193, label %196, !llvm.loop !10
 
-192:                                              ; preds = %171, %182, %154
-  %193 = phi i64 [ %167, %154 ], [ %172, %171 ], [ %163, %182 ]
-  %194 = load ptr, ptr %72, align 8
-  %195 = getelementptr inbounds i8, ptr %194, i64 48
-  store i64 %193, ptr %195, align 8
-  %196 = icmp eq i64 %193, %163
-  br i1 %196, label %1771, label %197
+203:                                              ; preds = %182, %193, %165
+  %204 = phi i64 [ %178, %165 ], [ %183, %182 ], [ %174, %193 ]
+  %205 = load ptr, ptr %83, align 8
+  %206 = getelementptr inbounds i8, ptr %205, i64 48
+  store i64 %204, ptr %206, align 8
+  %207 = icmp eq i64 %204, %174
+  br i1 %207, label %1782, label %208
 
-197:                                              ; preds = %192
-  %198 = fcmp oeq double %114, 0.000000e+00
-  br i1 %198, label %199, label %224
+208:                                              ; preds = %203
+  %209 = fcmp oeq double %125, 0.000000e+00
+  br i1 %209, label %210, label %235
 
-199:                                              ; preds = %197
-  %200 = getelementptr inbounds i8, ptr %69, i64 16
-  %201 = load double, ptr %200, align 8
-  %202 = load ptr, ptr %66, align 8
-  call fastcc void @norm_to(ptr noundef nonnull %4, ptr noundef %202, ptr noundef %202, ptr noundef nonnull %66, i64 noundef %81) #10
-  %203 = load double, ptr %4, align 8
-  %204 = getelementptr inbounds i8, ptr %0, i64 480
-  %205 = load ptr, ptr %204, align 8
-  call fastcc void @norm_to(ptr noundef nonnull %5, ptr noundef %205, ptr noundef %202, ptr noundef nonnull %66, i64 noundef %81) #10
-  %206 = load double, ptr %5, align 8
-  %207 = fcmp uge double %203, 1.000000e-05
-  %208 = fcmp uge double %206, 1.000000e-05
-  %209 = and i1 %207, %208
-  %210 = fmul double %203, 1.000000e-02
-  %211 = fdiv double %210, %206
-  %212 = select i1 %209, double %211, double 0x3EB0C6F7A0B5ED8D
-  %213 = fcmp olt double %201, %212
-  %214 = select i1 %213, double %201, double %212
-  %215 = tail call double @llvm.fabs.f64(double %112)
-  %216 = fmul double %215, 0x3D30000000000000
-  %217 = fcmp ogt double %216, %214
-  %218 = select i1 %217, double %216, double %214
-  %219 = fcmp olt double %201, %218
-  %220 = select i1 %219, double %201, double %218
-  %221 = tail call i1 @llvm.is.fpclass.f64(double %220, i32 639)
-  br i1 %221, label %222, label %224
+210:                                              ; preds = %208
+  %211 = getelementptr inbounds i8, ptr %80, i64 16
+  %212 = load double, ptr %211, align 8
+  %213 = load ptr, ptr %77, align 8
+  call fastcc void @norm_to(ptr noundef nonnull %4, ptr noundef %213, ptr noundef %213, ptr noundef nonnull %77, i64 noundef %92) #10
+  %214 = load double, ptr %4, align 8
+  %215 = getelementptr inbounds i8, ptr %0, i64 480
+  %216 = load ptr, ptr %215, align 8
+  call fastcc void @norm_to(ptr noundef nonnull %5, ptr noundef %216, ptr noundef %213, ptr noundef nonnull %77, i64 noundef %92) #10
+  %217 = load double, ptr %5, align 8
+  %218 = fcmp uge double %214, 1.000000e-05
+  %219 = fcmp uge double %217, 1.000000e-05
+  %220 = and i1 %218, %219
+  %221 = fmul double %214, 1.000000e-02
+  %222 = fdiv double %221, %217
+  %223 = select i1 %220, double %222, double 0x3EB0C6F7A0B5ED8D
+  %224 = fcmp olt double %212, %223
+  %225 = select i1 %224, double %212, double %223
+  %226 = tail call double @llvm.fabs.f64(double %123)
+  %227 = fmul double %226, 0x3D30000000000000
+  %228 = fcmp ogt double %227, %225
+  %229 = select i1 %228, double %227, double %225
+  %230 = fcmp olt double %212, %229
+  %231 = select i1 %230, double %212, double %229
+  %232 = tail call i1 @llvm.is.fpclass.f64(double %231, i32 639)
+  br i1 %232, label %233, label %235
 
-222:                                              ; preds = %199
-  %223 = getelementptr inbounds i8, ptr %73, i64 72
-  store i64 4, ptr %223, align 8
-  br label %224
+233:                                              ; preds = %210
+  %234 = getelementptr inbounds i8, ptr %84, i64 72
+  store i64 4, ptr %234, align 8
+  br label %235
 
-224:                                              ; preds = %199, %222, %197, %102
-  %225 = phi double [ %114, %197 ], [ %114, %102 ], [ %220, %222 ], [ %220, %199 ]
-  %226 = load i64, ptr %75, align 8
-  %227 = icmp eq i64 %226, 0
-  br i1 %227, label %346, label %228
+235:                                              ; preds = %210, %233, %208, %113
+  %236 = phi double [ %125, %208 ], [ %125, %113 ], [ %231, %233 ], [ %231, %210 ]
+  %237 = load i64, ptr %86, align 8
+  %238 = icmp eq i64 %237, 0
+  br i1 %238, label %357, label %239
 
-228:                                              ; preds = %224
-  %229 = getelementptr inbounds i8, ptr %0, i64 1080
-  %230 = getelementptr inbounds i8, ptr %73, i64 8
-  %231 = getelementptr inbounds i8, ptr %73, i64 16
-  %232 = getelementptr inbounds i8, ptr %73, i64 64
-  %233 = getelementptr inbounds i8, ptr %69, i64 16
-  %234 = getelementptr inbounds i8, ptr %74, i64 8
-  %235 = getelementptr inbounds i8, ptr %0, i64 1200
-  %236 = getelementptr inbounds i8, ptr %0, i64 168
-  %237 = getelementptr inbounds i8, ptr %0, i64 248
-  %238 = getelementptr inbounds i8, ptr %0, i64 168
-  %239 = getelementptr inbounds i8, ptr %0, i64 192
-  %240 = getelementptr inbounds i8, ptr %0, i64 1176
-  %241 = getelementptr inbounds i8, ptr %0, i64 360
-  %242 = getelementptr inbounds i8, ptr %0, i64 360
-  %243 = getelementptr inbounds i8, ptr %0, i64 336
-  %244 = getelementptr inbounds i8, ptr %0, i64 168
-  %245 = getelementptr inbounds i8, ptr %0, i64 248
-  %246 = getelementptr inbounds i8, ptr %0, i64 192
-  %247 = getelementptr inbounds i8, ptr %0, i64 216
-  %248 = getelementptr inbounds i8, ptr %0, i64 480
-  %249 = getelementptr inbounds i8, ptr %0, i64 1208
-  %250 = getelementptr inbounds i8, ptr %74, i64 16
-  %251 = getelementptr inbounds i8, ptr %74, i64 24
-  %252 = getelementptr inbounds i8, ptr %74, i64 24
-  %253 = getelementptr inbounds i8, ptr %73, i64 40
-  %254 = getelementptr inbounds i8, ptr %0, i64 1272
-  %255 = getelementptr inbounds i8, ptr %0, i64 1280
-  %256 = getelementptr inbounds i8, ptr %0, i64 1224
-  %257 = getelementptr inbounds i8, ptr %0, i64 1248
-  %258 = getelementptr inbounds i8, ptr %0, i64 1200
-  %259 = getelementptr inbounds i8, ptr %0, i64 1296
-  %260 = getelementptr inbounds i8, ptr %71, i64 8
-  %261 = getelementptr inbounds i8, ptr %0, i64 1392
-  %262 = getelementptr inbounds i8, ptr %0, i64 1320
-  %263 = getelementptr inbounds i8, ptr %0, i64 1344
-  %264 = fmul double %103, %111
-  %265 = getelementptr inbounds i8, ptr %0, i64 1368
-  %266 = getelementptr inbounds i8, ptr %0, i64 1416
-  %267 = getelementptr inbounds i8, ptr %0, i64 1440
-  %268 = getelementptr inbounds i8, ptr %0, i64 360
-  %269 = getelementptr inbounds i8, ptr %0, i64 168
-  %270 = getelementptr inbounds i8, ptr %0, i64 248
-  %271 = getelementptr inbounds i8, ptr %0, i64 360
-  %272 = getelementptr inbounds i8, ptr %0, i64 192
-  %273 = getelementptr inbounds i8, ptr %0, i64 216
-  %274 = getelementptr inbounds i8, ptr %0, i64 552
-  %275 = getelementptr inbounds i8, ptr %0, i64 528
-  %276 = getelementptr inbounds i8, ptr %0, i64 1272
-  %277 = getelementptr inbounds i8, ptr %0, i64 1280
-  %278 = getelementptr inbounds i8, ptr %0, i64 1224
-  %279 = getelementptr inbounds i8, ptr %0, i64 1248
-  %280 = getelementptr inbounds i8, ptr %0, i64 1296
-  %281 = getelementptr inbounds i8, ptr %0, i64 552
-  %282 = getelementptr inbounds i8, ptr %0, i64 528
-  %283 = getelementptr inbounds i8, ptr %0, i64 1280
-  %284 = getelementptr inbounds i8, ptr %0, i64 1344
-  %285 = getelementptr inbounds i8, ptr %0, i64 1360
-  %286 = getelementptr inbounds i8, ptr %0, i64 1416
-  %287 = getelementptr inbounds i8, ptr %0, i64 1440
-  %288 = fmul double %264, %264
-  %289 = icmp sgt i64 %81, 0
-  %290 = shl i64 %81, 4
-  %291 = getelementptr inbounds i8, ptr %0, i64 336
-  %292 = getelementptr inbounds i8, ptr %74, i64 32
-  %293 = getelementptr inbounds i8, ptr %0, i64 1272
+239:                                              ; preds = %235
+  %240 = getelementptr inbounds i8, ptr %0, i64 1080
+  %241 = getelementptr inbounds i8, ptr %84, i64 8
+  %242 = getelementptr inbounds i8, ptr %84, i64 16
+  %243 = getelementptr inbounds i8, ptr %84, i64 64
+  %244 = getelementptr inbounds i8, ptr %80, i64 16
+  %245 = getelementptr inbounds i8, ptr %85, i64 8
+  %246 = getelementptr inbounds i8, ptr %0, i64 1200
+  %247 = getelementptr inbounds i8, ptr %0, i64 168
+  %248 = getelementptr inbounds i8, ptr %0, i64 248
+  %249 = getelementptr inbounds i8, ptr %0, i64 168
+  %250 = getelementptr inbounds i8, ptr %0, i64 192
+  %251 = getelementptr inbounds i8, ptr %0, i64 1176
+  %252 = getelementptr inbounds i8, ptr %0, i64 360
+  %253 = getelementptr inbounds i8, ptr %0, i64 360
+  %254 = getelementptr inbounds i8, ptr %0, i64 336
+  %255 = getelementptr inbounds i8, ptr %0, i64 168
+  %256 = getelementptr inbounds i8, ptr %0, i64 248
+  %257 = getelementptr inbounds i8, ptr %0, i64 192
+  %258 = getelementptr inbounds i8, ptr %0, i64 216
+  %259 = getelementptr inbounds i8, ptr %0, i64 480
+  %260 = getelementptr inbounds i8, ptr %0, i64 1208
+  %261 = getelementptr inbounds i8, ptr %85, i64 16
+  %262 = getelementptr inbounds i8, ptr %85, i64 24
+  %263 = getelementptr inbounds i8, ptr %85, i64 24
+  %264 = getelementptr inbounds i8, ptr %84, i64 40
+  %265 = getelementptr inbounds i8, ptr %0, i64 1272
+  %266 = getelementptr inbounds i8, ptr %0, i64 1280
+  %267 = getelementptr inbounds i8, ptr %0, i64 1224
+  %268 = getelementptr inbounds i8, ptr %0, i64 1248
+  %269 = getelementptr inbounds i8, ptr %0, i64 1200
+  %270 = getelementptr inbounds i8, ptr %0, i64 1296
+  %271 = getelementptr inbounds i8, ptr %82, i64 8
+  %272 = getelementptr inbounds i8, ptr %0, i64 1392
+  %273 = getelementptr inbounds i8, ptr %0, i64 1320
+  %274 = getelementptr inbounds i8, ptr %0, i64 1344
+  %275 = fmul double %114, %122
+  %276 = getelementptr inbounds i8, ptr %0, i64 1368
+  %277 = getelementptr inbounds i8, ptr %0, i64 1416
+  %278 = getelementptr inbounds i8, ptr %0, i64 1440
+  %279 = getelementptr inbounds i8, ptr %0, i64 360
+  %280 = getelementptr inbounds i8, ptr %0, i64 168
+  %281 = getelementptr inbounds i8, ptr %0, i64 248
+  %282 = getelementptr inbounds i8, ptr %0, i64 360
+  %283 = getelementptr inbounds i8, ptr %0, i64 192
+  %284 = getelementptr inbounds i8, ptr %0, i64 216
+  %285 = getelementptr inbounds i8, ptr %0, i64 552
+  %286 = getelementptr inbounds i8, ptr %0, i64 528
+  %287 = getelementptr inbounds i8, ptr %0, i64 1272
+  %288 = getelementptr inbounds i8, ptr %0, i64 1280
+  %289 = getelementptr inbounds i8, ptr %0, i64 1224
+  %290 = getelementptr inbounds i8, ptr %0, i64 1248
+  %291 = getelementptr inbounds i8, ptr %0, i64 1296
+  %292 = getelementptr inbounds i8, ptr %0, i64 552
+  %293 = getelementptr inbounds i8, ptr %0, i64 528
   %294 = getelementptr inbounds i8, ptr %0, i64 1280
-  %295 = getelementptr inbounds i8, ptr %0, i64 1464
-  %296 = getelementptr inbounds i8, ptr %0, i64 480
-  %297 = getelementptr inbounds i8, ptr %0, i64 1224
-  %298 = getelementptr inbounds i8, ptr %0, i64 336
-  %299 = getelementptr inbounds i8, ptr %0, i64 360
-  %300 = getelementptr inbounds i8, ptr %0, i64 360
-  %301 = getelementptr inbounds i8, ptr %0, i64 168
-  %302 = getelementptr inbounds i8, ptr %0, i64 248
-  %303 = getelementptr inbounds i8, ptr %0, i64 192
-  %304 = getelementptr inbounds i8, ptr %0, i64 216
-  %305 = getelementptr inbounds i8, ptr %73, i64 72
-  %306 = getelementptr inbounds i8, ptr %74, i64 16
-  %307 = getelementptr inbounds i8, ptr %73, i64 72
-  %308 = getelementptr inbounds i8, ptr %74, i64 16
-  %309 = getelementptr inbounds i8, ptr %69, i64 24
-  %310 = getelementptr inbounds i8, ptr %69, i64 32
-  %311 = getelementptr inbounds i8, ptr %69, i64 32
-  %312 = getelementptr inbounds i8, ptr %0, i64 320
-  %313 = getelementptr inbounds i8, ptr %0, i64 504
-  %314 = getelementptr inbounds i8, ptr %8, i64 8
-  %315 = getelementptr inbounds i8, ptr %8, i64 16
-  %316 = getelementptr inbounds i8, ptr %9, i64 8
-  %317 = getelementptr inbounds i8, ptr %9, i64 16
-  %318 = getelementptr inbounds i8, ptr %0, i64 1104
-  %319 = getelementptr inbounds i8, ptr %0, i64 1120
-  %320 = getelementptr inbounds i8, ptr %73, i64 48
-  %321 = getelementptr inbounds i8, ptr %0, i64 408
-  %322 = getelementptr inbounds i8, ptr %0, i64 504
+  %295 = getelementptr inbounds i8, ptr %0, i64 1344
+  %296 = getelementptr inbounds i8, ptr %0, i64 1360
+  %297 = getelementptr inbounds i8, ptr %0, i64 1416
+  %298 = getelementptr inbounds i8, ptr %0, i64 1440
+  %299 = fmul double %275, %275
+  %300 = icmp sgt i64 %92, 0
+  %301 = shl i64 %92, 4
+  %302 = getelementptr inbounds i8, ptr %0, i64 336
+  %303 = getelementptr inbounds i8, ptr %85, i64 32
+  %304 = getelementptr inbounds i8, ptr %0, i64 1272
+  %305 = getelementptr inbounds i8, ptr %0, i64 1280
+  %306 = getelementptr inbounds i8, ptr %0, i64 1464
+  %307 = getelementptr inbounds i8, ptr %0, i64 480
+  %308 = getelementptr inbounds i8, ptr %0, i64 1224
+  %309 = getelementptr inbounds i8, ptr %0, i64 336
+  %310 = getelementptr inbounds i8, ptr %0, i64 360
+  %311 = getelementptr inbounds i8, ptr %0, i64 360
+  %312 = getelementptr inbounds i8, ptr %0, i64 168
+  %313 = getelementptr inbounds i8, ptr %0, i64 248
+  %314 = getelementptr inbounds i8, ptr %0, i64 192
+  %315 = getelementptr inbounds i8, ptr %0, i64 216
+  %316 = getelementptr inbounds i8, ptr %84, i64 72
+  %317 = getelementptr inbounds i8, ptr %85, i64 16
+  %318 = getelementptr inbounds i8, ptr %84, i64 72
+  %319 = getelementptr inbounds i8, ptr %85, i64 16
+  %320 = getelementptr inbounds i8, ptr %80, i64 24
+  %321 = getelementptr inbounds i8, ptr %80, i64 32
+  %322 = getelementptr inbounds i8, ptr %80, i64 32
   %323 = getelementptr inbounds i8, ptr %0, i64 320
-  %324 = getelementptr inbounds i8, ptr %0, i64 360
-  %325 = getelementptr inbounds i8, ptr %0, i64 408
-  %326 = getelementptr inbounds i8, ptr %0, i64 504
-  %327 = getelementptr inbounds i8, ptr %0, i64 320
-  %328 = icmp sgt i64 %81, 0
-  %329 = getelementptr inbounds i8, ptr %73, i64 24
-  %330 = getelementptr inbounds i8, ptr %0, i64 480
-  %331 = getelementptr inbounds i8, ptr %0, i64 168
-  %332 = getelementptr inbounds i8, ptr %0, i64 248
-  %333 = getelementptr inbounds i8, ptr %0, i64 192
-  %334 = getelementptr inbounds i8, ptr %0, i64 216
-  %335 = getelementptr inbounds i8, ptr %73, i64 72
-  %336 = getelementptr inbounds i8, ptr %74, i64 16
-  %337 = getelementptr inbounds i8, ptr %73, i64 48
-  %338 = getelementptr inbounds i8, ptr %73, i64 72
-  %339 = getelementptr inbounds i8, ptr %74, i64 16
-  %340 = getelementptr inbounds i8, ptr %73, i64 72
-  %341 = getelementptr inbounds i8, ptr %74, i64 16
-  %342 = getelementptr inbounds i8, ptr %0, i64 1200
-  %343 = getelementptr inbounds i8, ptr %0, i64 1208
-  %344 = getelementptr inbounds i8, ptr %73, i64 72
-  %345 = getelementptr inbounds i8, ptr %74, i64 16
-  br label %348
+  %324 = getelementptr inbounds i8, ptr %0, i64 504
+  %325 = getelementptr inbounds i8, ptr %8, i64 8
+  %326 = getelementptr inbounds i8, ptr %8, i64 16
+  %327 = getelementptr inbounds i8, ptr %9, i64 8
+  %328 = getelementptr inbounds i8, ptr %9, i64 16
+  %329 = getelementptr inbounds i8, ptr %0, i64 1104
+  %330 = getelementptr inbounds i8, ptr %0, i64 1120
+  %331 = getelementptr inbounds i8, ptr %84, i64 48
+  %332 = getelementptr inbounds i8, ptr %0, i64 408
+  %333 = getelementptr inbounds i8, ptr %0, i64 504
+  %334 = getelementptr inbounds i8, ptr %0, i64 320
+  %335 = getelementptr inbounds i8, ptr %0, i64 360
+  %336 = getelementptr inbounds i8, ptr %0, i64 408
+  %337 = getelementptr inbounds i8, ptr %0, i64 504
+  %338 = getelementptr inbounds i8, ptr %0, i64 320
+  %339 = icmp sgt i64 %92, 0
+  %340 = getelementptr inbounds i8, ptr %84, i64 24
+  %341 = getelementptr inbounds i8, ptr %0, i64 480
+  %342 = getelementptr inbounds i8, ptr %0, i64 168
+  %343 = getelementptr inbounds i8, ptr %0, i64 248
+  %344 = getelementptr inbounds i8, ptr %0, i64 192
+  %345 = getelementptr inbounds i8, ptr %0, i64 216
+  %346 = getelementptr inbounds i8, ptr %84, i64 72
+  %347 = getelementptr inbounds i8, ptr %85, i64 16
+  %348 = getelementptr inbounds i8, ptr %84, i64 48
+  %349 = getelementptr inbounds i8, ptr %84, i64 72
+  %350 = getelementptr inbounds i8, ptr %85, i64 16
+  %351 = getelementptr inbounds i8, ptr %84, i64 72
+  %352 = getelementptr inbounds i8, ptr %85, i64 16
+  %353 = getelementptr inbounds i8, ptr %0, i64 1200
+  %354 = getelementptr inbounds i8, ptr %0, i64 1208
+  %355 = getelementptr inbounds i8, ptr %84, i64 72
+  %356 = getelementptr inbounds i8, ptr %85, i64 16
+  br label %359
 
-346:                                              ; preds = %1768, %224
-  %347 = phi double [ %225, %224 ], [ %1764, %1768 ]
-  store double %347, ptr %113, align 8
-  br label %1771
+357:                                              ; preds = %1779, %235
+  %358 = phi double [ %236, %235 ], [ %1775, %1779 ]
+  store double %358, ptr %124, align 8
+  br label %1782
 
-348:                                              ; preds = %228, %1768
-  %349 = phi i64 [ %226, %228 ], [ %1769, %1768 ]
-  %350 = phi i64 [ undef, %228 ], [ %1767, %1768 ]
-  %351 = phi double [ %112, %228 ], [ %1765, %1768 ]
-  %352 = phi double [ %225, %228 ], [ %1764, %1768 ]
-  %353 = phi i64 [ undef, %228 ], [ %1763, %1768 ]
-  %354 = phi i64 [ undef, %228 ], [ %1762, %1768 ]
-  %355 = phi i32 [ undef, %228 ], [ %1761, %1768 ]
-  %356 = phi double [ undef, %228 ], [ %1760, %1768 ]
-  %357 = load ptr, ptr %229, align 8
-  %358 = getelementptr inbounds i8, ptr %357, i64 8
-  %359 = load i64, ptr %358, align 8
-  %360 = icmp sgt i64 %359, 0
-  br i1 %360, label %361, label %366
+359:                                              ; preds = %239, %1779
+  %360 = phi i64 [ %237, %239 ], [ %1780, %1779 ]
+  %361 = phi i64 [ undef, %239 ], [ %1778, %1779 ]
+  %362 = phi double [ %123, %239 ], [ %1776, %1779 ]
+  %363 = phi double [ %236, %239 ], [ %1775, %1779 ]
+  %364 = phi i64 [ undef, %239 ], [ %1774, %1779 ]
+  %365 = phi i64 [ undef, %239 ], [ %1773, %1779 ]
+  %366 = phi i32 [ undef, %239 ], [ %1772, %1779 ]
+  %367 = phi double [ undef, %239 ], [ %1771, %1779 ]
+  %368 = load ptr, ptr %240, align 8
+  %369 = getelementptr inbounds i8, ptr %368, i64 8
+  %370 = load i64, ptr %369, align 8
+  %371 = icmp sgt i64 %370, 0
+  br i1 %371, label %372, label %377
 
-361:                                              ; preds = %348
-  %362 = load i64, ptr %357, align 8
-  %363 = add nsw i64 %362, 3
-  %364 = icmp slt i64 %359, %363
-  %365 = zext i1 %364 to i32
-  br label %366
+372:                                              ; preds = %359
+  %373 = load i64, ptr %368, align 8
+  %374 = add nsw i64 %373, 3
+  %375 = icmp slt i64 %370, %374
+  %376 = zext i1 %375 to i32
+  br label %377
 
-366:                                              ; preds = %348, %361
-  %367 = phi i32 [ 0, %348 ], [ %365, %361 ]
-  %368 = icmp eq i32 %367, 0
-  br i1 %368, label %370, label %369
+377:                                              ; preds = %359, %372
+  %378 = phi i32 [ 0, %359 ], [ %376, %372 ]
+  %379 = icmp eq i32 %378, 0
+  br i1 %379, label %381, label %380
 
-369:                                              ; preds = %366
-  store double %352, ptr %113, align 8
-  br label %1771
+380:                                              ; preds = %377
+  store double %363, ptr %124, align 8
+  br label %1782
 
-370:                                              ; preds = %366
-  %371 = add nsw i64 %349, -1
-  store i64 %371, ptr %75, align 8
-  %372 = load i64, ptr %230, align 8
-  %373 = load i64, ptr %231, align 8
-  %374 = add nsw i64 %373, %372
-  %375 = load i64, ptr %232, align 8
-  %376 = icmp slt i64 %374, %375
-  br i1 %376, label %378, label %377
+381:                                              ; preds = %377
+  %382 = add nsw i64 %360, -1
+  store i64 %382, ptr %86, align 8
+  %383 = load i64, ptr %241, align 8
+  %384 = load i64, ptr %242, align 8
+  %385 = add nsw i64 %384, %383
+  %386 = load i64, ptr %243, align 8
+  %387 = icmp slt i64 %385, %386
+  br i1 %387, label %389, label %388
 
-377:                                              ; preds = %370
-  store double %352, ptr %113, align 8
-  br label %1771
+388:                                              ; preds = %381
+  store double %363, ptr %124, align 8
+  br label %1782
 
-378:                                              ; preds = %370
-  %379 = load double, ptr %233, align 8
-  %380 = fcmp olt double %352, %379
-  %381 = select i1 %380, double %352, double %379
-  %382 = fadd double %351, %381
-  %383 = fmul double %381, 1.000000e-03
-  %384 = fsub double %88, %383
-  %385 = fcmp ule double %382, %384
-  %386 = fsub double %88, %351
-  %387 = select i1 %385, double %381, double %386
-  %388 = select i1 %385, double %382, double %88
-  %389 = fmul double %387, 6.250000e-02
-  %390 = fadd double %351, %389
-  %391 = fcmp ule double %390, %351
-  %392 = fcmp une double %388, %88
-  %393 = and i1 %392, %391
-  br i1 %393, label %394, label %395
+389:                                              ; preds = %381
+  %390 = load double, ptr %244, align 8
+  %391 = fcmp olt double %363, %390
+  %392 = select i1 %391, double %363, double %390
+  %393 = fadd double %362, %392
+  %394 = fmul double %392, 1.000000e-03
+  %395 = fsub double %99, %394
+  %396 = fcmp ule double %393, %395
+  %397 = fsub double %99, %362
+  %398 = select i1 %396, double %392, double %397
+  %399 = select i1 %396, double %393, double %99
+  %400 = fmul double %398, 6.250000e-02
+  %401 = fadd double %362, %400
+  %402 = fcmp ule double %401, %362
+  %403 = fcmp une double %399, %99
+  %404 = and i1 %403, %402
+  br i1 %404, label %405, label %406
 
-394:                                              ; preds = %378
-  store double %387, ptr %113, align 8
-  br label %1759
+405:                                              ; preds = %389
+  store double %398, ptr %124, align 8
+  br label %1770
 
-395:                                              ; preds = %378
-  %396 = load i64, ptr %234, align 8
-  %397 = icmp eq i64 %396, 1
-  br i1 %397, label %398, label %516
+406:                                              ; preds = %389
+  %407 = load i64, ptr %245, align 8
+  %408 = icmp eq i64 %407, 1
+  br i1 %408, label %409, label %527
 
-398:                                              ; preds = %395
-  %399 = load ptr, ptr %72, align 8
-  %400 = getelementptr inbounds i8, ptr %399, i64 32
-  %401 = load i64, ptr %400, align 8
-  %402 = add nsw i64 %401, 1
-  store i64 %402, ptr %400, align 8
-  %403 = load ptr, ptr %65, align 8
-  %404 = getelementptr inbounds i8, ptr %403, i64 8
-  %405 = load i64, ptr %404, align 8
-  %406 = load ptr, ptr %67, align 8
-  %407 = load i64, ptr %406, align 8
-  %408 = icmp eq i64 %407, 0
-  br i1 %408, label %409, label %411
-
-409:                                              ; preds = %398
-  %410 = icmp sgt i64 %405, 0
-  br i1 %410, label %429, label %427
-
-411:                                              ; preds = %398
-  %412 = load ptr, ptr %236, align 8
-  store double %351, ptr %412, align 8
-  %413 = load i64, ptr %237, align 8
-  %414 = icmp sgt i64 %413, 0
-  br i1 %414, label %415, label %416
-
-415:                                              ; preds = %411
-  tail call fastcc void @sample(ptr noundef nonnull %65) #10
-  br label %416
-
-416:                                              ; preds = %415, %411
-  %417 = load ptr, ptr %67, align 8
+409:                                              ; preds = %406
+  %410 = load ptr, ptr %83, align 8
+  %411 = getelementptr inbounds i8, ptr %410, i64 32
+  %412 = load i64, ptr %411, align 8
+  %413 = add nsw i64 %412, 1
+  store i64 %413, ptr %411, align 8
+  %414 = load ptr, ptr %76, align 8
+  %415 = getelementptr inbounds i8, ptr %414, i64 8
+  %416 = load i64, ptr %415, align 8
+  %417 = load ptr, ptr %78, align 8
   %418 = load i64, ptr %417, align 8
-  %419 = load ptr, ptr %238, align 8
-  %420 = load ptr, ptr %66, align 8
-  %421 = load ptr, ptr %239, align 8
-  %422 = load ptr, ptr %240, align 8
-  %423 = load ptr, ptr %235, align 8
-  %424 = inttoptr i64 %418 to ptr
-  %425 = tail call i32 %424(ptr noundef %419, ptr noundef %420, ptr noundef %421, ptr noundef %422, ptr noundef %423) #11
-  %426 = sext i32 %425 to i64
-  br label %497
+  %419 = icmp eq i64 %418, 0
+  br i1 %419, label %420, label %422
 
-427:                                              ; preds = %429, %409
-  %428 = icmp sgt i64 %405, 0
-  br i1 %428, label %441, label %497
+420:                                              ; preds = %409
+  %421 = icmp sgt i64 %416, 0
+  br i1 %421, label %440, label %438
 
-429:                                              ; preds = %409, %429
-  %430 = phi i64 [ %436, %429 ], [ 0, %409 ]
-  %431 = load ptr, ptr %66, align 8
-  %432 = getelementptr inbounds double, ptr %431, i64 %430
-  %433 = load double, ptr %432, align 8
-  %434 = load ptr, ptr %241, align 8
-  %435 = getelementptr inbounds double, ptr %434, i64 %430
-  store double %433, ptr %435, align 8
-  %436 = add nuw nsw i64 %430, 1
-  %437 = icmp eq i64 %436, %405
-  br i1 %437, label %427, label %429, !llvm.loop !11
+422:                                              ; preds = %409
+  %423 = load ptr, ptr %247, align 8
+  store double %362, ptr %423, align 8
+  %424 = load i64, ptr %248, align 8
+  %425 = icmp sgt i64 %424, 0
+  br i1 %425, label %426, label %427
 
-438:                                              ; preds = %495
-  %439 = add nuw nsw i64 %443, 1
-  %440 = icmp eq i64 %439, %405
-  br i1 %440, label %497, label %441, !llvm.loop !12
+426:                                              ; preds = %422
+  tail call fastcc void @sample(ptr noundef nonnull %76) #10
+  br label %427
 
-441:                                              ; preds = %427, %438
-  %442 = phi i64 [ %496, %438 ], [ undef, %427 ]
-  %443 = phi i64 [ %439, %438 ], [ 0, %427 ]
-  %444 = load ptr, ptr %66, align 8
-  %445 = getelementptr inbounds double, ptr %444, i64 %443
-  %446 = load double, ptr %445, align 8
-  %447 = tail call double @llvm.fabs.f64(double %446)
-  %448 = fcmp olt double %447, 1.000000e-05
-  %449 = select i1 %448, double 1.000000e-05, double %447
-  %450 = fmul double %449, 1.500000e-08
-  %451 = fadd double %446, %450
-  %452 = load ptr, ptr %242, align 8
-  %453 = getelementptr inbounds double, ptr %452, i64 %443
-  store double %451, ptr %453, align 8
-  %454 = load ptr, ptr %72, align 8
-  %455 = getelementptr inbounds i8, ptr %454, i64 24
-  %456 = load i64, ptr %455, align 8
-  %457 = add nsw i64 %456, 1
-  store i64 %457, ptr %455, align 8
-  %458 = load ptr, ptr %242, align 8
-  %459 = load ptr, ptr %243, align 8
-  %460 = load ptr, ptr %244, align 8
-  store double %351, ptr %460, align 8
-  %461 = load i64, ptr %245, align 8
-  %462 = icmp sgt i64 %461, 0
-  br i1 %462, label %463, label %464
+427:                                              ; preds = %426, %422
+  %428 = load ptr, ptr %78, align 8
+  %429 = load i64, ptr %428, align 8
+  %430 = load ptr, ptr %249, align 8
+  %431 = load ptr, ptr %77, align 8
+  %432 = load ptr, ptr %250, align 8
+  %433 = load ptr, ptr %251, align 8
+  %434 = load ptr, ptr %246, align 8
+  %435 = inttoptr i64 %429 to ptr
+  %436 = tail call i32 %435(ptr noundef %430, ptr noundef %431, ptr noundef %432, ptr noundef %433, ptr noundef %434) #11
+  %437 = sext i32 %436 to i64
+  br label %508
 
-463:                                              ; preds = %441
-  tail call fastcc void @sample(ptr noundef nonnull %65) #10
-  br label %464
+438:                                              ; preds = %440, %420
+  %439 = icmp sgt i64 %416, 0
+  br i1 %439, label %452, label %508
 
-464:                                              ; preds = %463, %441
-  %465 = load ptr, ptr %65, align 8
-  %466 = load i64, ptr %465, align 8
-  %467 = load ptr, ptr %244, align 8
-  %468 = load ptr, ptr %246, align 8
-  %469 = load ptr, ptr %247, align 8
-  %470 = inttoptr i64 %466 to ptr
-  %471 = tail call i32 %470(ptr noundef %467, ptr noundef %458, ptr noundef %468, ptr noundef %469, ptr noundef %459) #11
-  %472 = sext i32 %471 to i64
-  %473 = icmp eq i32 %471, 0
-  br i1 %473, label %474, label %495
+440:                                              ; preds = %420, %440
+  %441 = phi i64 [ %447, %440 ], [ 0, %420 ]
+  %442 = load ptr, ptr %77, align 8
+  %443 = getelementptr inbounds double, ptr %442, i64 %441
+  %444 = load double, ptr %443, align 8
+  %445 = load ptr, ptr %252, align 8
+  %446 = getelementptr inbounds double, ptr %445, i64 %441
+  store double %444, ptr %446, align 8
+  %447 = add nuw nsw i64 %441, 1
+  %448 = icmp eq i64 %447, %416
+  br i1 %448, label %438, label %440, !llvm.loop !11
 
-474:                                              ; preds = %464
-  %475 = fsub double %451, %446
-  br label %479
+449:                                              ; preds = %506
+  %450 = add nuw nsw i64 %454, 1
+  %451 = icmp eq i64 %450, %416
+  br i1 %451, label %508, label %452, !llvm.loop !12
 
-476:                                              ; preds = %479
-  %477 = load ptr, ptr %242, align 8
-  %478 = getelementptr inbounds double, ptr %477, i64 %443
-  store double %446, ptr %478, align 8
-  br label %495
+452:                                              ; preds = %438, %449
+  %453 = phi i64 [ %507, %449 ], [ undef, %438 ]
+  %454 = phi i64 [ %450, %449 ], [ 0, %438 ]
+  %455 = load ptr, ptr %77, align 8
+  %456 = getelementptr inbounds double, ptr %455, i64 %454
+  %457 = load double, ptr %456, align 8
+  %458 = tail call double @llvm.fabs.f64(double %457)
+  %459 = fcmp olt double %458, 1.000000e-05
+  %460 = select i1 %459, double 1.000000e-05, double %458
+  %461 = fmul double %460, 1.500000e-08
+  %462 = fadd double %457, %461
+  %463 = load ptr, ptr %253, align 8
+  %464 = getelementptr inbounds double, ptr %463, i64 %454
+  store double %462, ptr %464, align 8
+  %465 = load ptr, ptr %83, align 8
+  %466 = getelementptr inbounds i8, ptr %465, i64 24
+  %467 = load i64, ptr %466, align 8
+  %468 = add nsw i64 %467, 1
+  store i64 %468, ptr %466, align 8
+  %469 = load ptr, ptr %253, align 8
+  %470 = load ptr, ptr %254, align 8
+  %471 = load ptr, ptr %255, align 8
+  store double %362, ptr %471, align 8
+  %472 = load i64, ptr %256, align 8
+  %473 = icmp sgt i64 %472, 0
+  br i1 %473, label %474, label %475
 
-479:                                              ; preds = %474, %479
-  %480 = phi i64 [ 0, %474 ], [ %493, %479 ]
-  %481 = load ptr, ptr %243, align 8
-  %482 = getelementptr inbounds double, ptr %481, i64 %480
-  %483 = load double, ptr %482, align 8
-  %484 = load ptr, ptr %248, align 8
-  %485 = getelementptr inbounds double, ptr %484, i64 %480
-  %486 = load double, ptr %485, align 8
-  %487 = fsub double %483, %486
-  %488 = fdiv double %487, %475
-  %489 = load ptr, ptr %235, align 8
-  %490 = mul nuw nsw i64 %480, %405
-  %491 = getelementptr double, ptr %489, i64 %490
-  %492 = getelementptr double, ptr %491, i64 %443
-  store double %488, ptr %492, align 8
-  %493 = add nuw nsw i64 %480, 1
-  %494 = icmp eq i64 %493, %405
-  br i1 %494, label %476, label %479, !llvm.loop !13
+474:                                              ; preds = %452
+  tail call fastcc void @sample(ptr noundef nonnull %76) #10
+  br label %475
 
-495:                                              ; preds = %476, %464
-  %496 = phi i64 [ %442, %476 ], [ %472, %464 ]
-  br i1 %473, label %438, label %497
+475:                                              ; preds = %474, %452
+  %476 = load ptr, ptr %76, align 8
+  %477 = load i64, ptr %476, align 8
+  %478 = load ptr, ptr %255, align 8
+  %479 = load ptr, ptr %257, align 8
+  %480 = load ptr, ptr %258, align 8
+  %481 = inttoptr i64 %477 to ptr
+  %482 = tail call i32 %481(ptr noundef %478, ptr noundef %469, ptr noundef %479, ptr noundef %480, ptr noundef %470) #11
+  %483 = sext i32 %482 to i64
+  %484 = icmp eq i32 %482, 0
+  br i1 %484, label %485, label %506
 
-497:                                              ; preds = %495, %438, %427, %416
-  %498 = phi i64 [ %426, %416 ], [ 0, %427 ], [ 0, %438 ], [ %496, %495 ]
-  %499 = load i64, ptr %249, align 8
-  %500 = icmp sgt i64 %499, 0
-  br i1 %500, label %501, label %513
+485:                                              ; preds = %475
+  %486 = fsub double %462, %457
+  br label %490
 
-501:                                              ; preds = %497, %509
-  %502 = phi i64 [ %510, %509 ], [ 0, %497 ]
-  %503 = load ptr, ptr %235, align 8
-  %504 = getelementptr inbounds double, ptr %503, i64 %502
-  %505 = load double, ptr %504, align 8
-  %506 = tail call double @llvm.fabs.f64(double %505)
-  %507 = fcmp ueq double %506, 0x7FF0000000000000
-  br i1 %507, label %508, label %509
+487:                                              ; preds = %490
+  %488 = load ptr, ptr %253, align 8
+  %489 = getelementptr inbounds double, ptr %488, i64 %454
+  store double %457, ptr %489, align 8
+  br label %506
 
-508:                                              ; preds = %501
-  store double 0.000000e+00, ptr %504, align 8
-  br label %509
+490:                                              ; preds = %485, %490
+  %491 = phi i64 [ 0, %485 ], [ %504, %490 ]
+  %492 = load ptr, ptr %254, align 8
+  %493 = getelementptr inbounds double, ptr %492, i64 %491
+  %494 = load double, ptr %493, align 8
+  %495 = load ptr, ptr %259, align 8
+  %496 = getelementptr inbounds double, ptr %495, i64 %491
+  %497 = load double, ptr %496, align 8
+  %498 = fsub double %494, %497
+  %499 = fdiv double %498, %486
+  %500 = load ptr, ptr %246, align 8
+  %501 = mul nuw nsw i64 %491, %416
+  %502 = getelementptr double, ptr %500, i64 %501
+  %503 = getelementptr double, ptr %502, i64 %454
+  store double %499, ptr %503, align 8
+  %504 = add nuw nsw i64 %491, 1
+  %505 = icmp eq i64 %504, %416
+  br i1 %505, label %487, label %490, !llvm.loop !13
 
-509:                                              ; preds = %508, %501
-  %510 = add nuw nsw i64 %502, 1
-  %511 = load i64, ptr %249, align 8
-  %512 = icmp slt i64 %510, %511
-  br i1 %512, label %501, label %513, !llvm.loop !14
+506:                                              ; preds = %487, %475
+  %507 = phi i64 [ %453, %487 ], [ %483, %475 ]
+  br i1 %484, label %449, label %508
 
-513:                                              ; preds = %509, %497
-  %514 = icmp slt i64 %498, 0
-  br i1 %514, label %1759, label %515
+508:                                              ; preds = %506, %449, %438, %427
+  %509 = phi i64 [ %437, %427 ], [ 0, %438 ], [ 0, %449 ], [ %507, %506 ]
+  %510 = load i64, ptr %260, align 8
+  %511 = icmp sgt i64 %510, 0
+  br i1 %511, label %512, label %524
 
-515:                                              ; preds = %513
-  store i64 0, ptr %234, align 8
-  store i64 1, ptr %250, align 8
-  store i64 0, ptr %251, align 8
-  br label %516
+512:                                              ; preds = %508, %520
+  %513 = phi i64 [ %521, %520 ], [ 0, %508 ]
+  %514 = load ptr, ptr %246, align 8
+  %515 = getelementptr inbounds double, ptr %514, i64 %513
+  %516 = load double, ptr %515, align 8
+  %517 = tail call double @llvm.fabs.f64(double %516)
+  %518 = fcmp ueq double %517, 0x7FF0000000000000
+  br i1 %518, label %519, label %520
 
-516:                                              ; preds = %515, %395
-  %517 = load i64, ptr %252, align 8
-  %518 = icmp eq i64 %517, 0
-  br i1 %518, label %522, label %519
+519:                                              ; preds = %512
+  store double 0.000000e+00, ptr %515, align 8
+  br label %520
 
-519:                                              ; preds = %516
-  %520 = load double, ptr %71, align 8
-  %521 = fcmp une double %387, %520
-  br i1 %521, label %522, label %585
+520:                                              ; preds = %519, %512
+  %521 = add nuw nsw i64 %513, 1
+  %522 = load i64, ptr %260, align 8
+  %523 = icmp slt i64 %521, %522
+  br i1 %523, label %512, label %524, !llvm.loop !14
 
-522:                                              ; preds = %519, %516
-  %523 = load i64, ptr %253, align 8
-  %524 = add nsw i64 %523, 1
-  store i64 %524, ptr %253, align 8
-  %525 = load i64, ptr %255, align 8
-  %526 = load ptr, ptr %256, align 8
-  %527 = load ptr, ptr %257, align 8
-  %528 = icmp sgt i64 %525, 0
-  br i1 %528, label %529, label %537
+524:                                              ; preds = %520, %508
+  %525 = icmp slt i64 %509, 0
+  br i1 %525, label %1770, label %526
 
-529:                                              ; preds = %522
-  %530 = fdiv double 0x400D1A48D83E731D, %387
-  %531 = add nuw i64 %525, 1
-  %532 = fdiv double 0x400572DB93E0C672, %387
-  %533 = fdiv double 0x40086747F2C3FCB6, %387
-  br label %534
+526:                                              ; preds = %524
+  store i64 0, ptr %245, align 8
+  store i64 1, ptr %261, align 8
+  store i64 0, ptr %262, align 8
+  br label %527
 
-534:                                              ; preds = %529, %541
-  %535 = phi i64 [ 0, %529 ], [ %552, %541 ]
-  %536 = mul nuw nsw i64 %535, %525
-  br label %554
+527:                                              ; preds = %526, %406
+  %528 = load i64, ptr %263, align 8
+  %529 = icmp eq i64 %528, 0
+  br i1 %529, label %533, label %530
 
-537:                                              ; preds = %541, %522
-  %538 = load ptr, ptr %254, align 8
-  %539 = tail call fastcc i32 @real_factorise(ptr noundef %526, i64 noundef %525, ptr noundef %538) #10
-  %540 = icmp eq i32 %539, 0
-  br i1 %540, label %575, label %570
+530:                                              ; preds = %527
+  %531 = load double, ptr %82, align 8
+  %532 = fcmp une double %398, %531
+  br i1 %532, label %533, label %596
 
-541:                                              ; preds = %554
-  %542 = mul i64 %535, %531
-  %543 = getelementptr inbounds double, ptr %526, i64 %542
-  %544 = load double, ptr %543, align 8
-  %545 = fadd double %530, %544
-  store double %545, ptr %543, align 8
-  %546 = getelementptr inbounds { double, double }, ptr %527, i64 %542
-  %547 = load double, ptr %546, align 8
-  %548 = getelementptr inbounds i8, ptr %546, i64 8
-  %549 = load double, ptr %548, align 8
-  %550 = fadd double %532, %547
-  %551 = fsub double %549, %533
-  store double %550, ptr %546, align 8
-  store double %551, ptr %548, align 8
-  %552 = add nuw nsw i64 %535, 1
-  %553 = icmp eq i64 %552, %525
-  br i1 %553, label %537, label %534, !llvm.loop !15
+533:                                              ; preds = %530, %527
+  %534 = load i64, ptr %264, align 8
+  %535 = add nsw i64 %534, 1
+  store i64 %535, ptr %264, align 8
+  %536 = load i64, ptr %266, align 8
+  %537 = load ptr, ptr %267, align 8
+  %538 = load ptr, ptr %268, align 8
+  %539 = icmp sgt i64 %536, 0
+  br i1 %539, label %540, label %548
 
-554:                                              ; preds = %534, %554
-  %555 = phi i64 [ 0, %534 ], [ %568, %554 ]
-  %556 = load ptr, ptr %258, align 8
-  %557 = add nuw nsw i64 %555, %536
-  %558 = getelementptr inbounds double, ptr %556, i64 %557
-  %559 = load double, ptr %558, align 8
-  %560 = fneg double %559
-  %561 = getelementptr inbounds double, ptr %526, i64 %557
-  store double %560, ptr %561, align 8
-  %562 = load ptr, ptr %258, align 8
-  %563 = getelementptr inbounds double, ptr %562, i64 %557
-  %564 = load double, ptr %563, align 8
-  %565 = fneg double %564
-  %566 = getelementptr inbounds { double, double }, ptr %527, i64 %557
-  %567 = getelementptr inbounds i8, ptr %566, i64 8
-  store double %565, ptr %566, align 8
-  store double 0.000000e+00, ptr %567, align 8
-  %568 = add nuw nsw i64 %555, 1
-  %569 = icmp eq i64 %568, %525
-  br i1 %569, label %541, label %554, !llvm.loop !16
+540:                                              ; preds = %533
+  %541 = fdiv double 0x400D1A48D83E731D, %398
+  %542 = add nuw i64 %536, 1
+  %543 = fdiv double 0x400572DB93E0C672, %398
+  %544 = fdiv double 0x40086747F2C3FCB6, %398
+  br label %545
 
-570:                                              ; preds = %537
-  %571 = load ptr, ptr %259, align 8
-  %572 = tail call fastcc i32 @pair_factorise(ptr noundef %527, i64 noundef %525, ptr noundef %571) #10
-  %573 = icmp ne i32 %572, 0
-  %574 = zext i1 %573 to i32
-  br label %575
+545:                                              ; preds = %540, %552
+  %546 = phi i64 [ 0, %540 ], [ %563, %552 ]
+  %547 = mul nuw nsw i64 %546, %536
+  br label %565
 
-575:                                              ; preds = %537, %570
-  %576 = phi i32 [ 0, %537 ], [ %574, %570 ]
-  %577 = icmp eq i32 %576, 0
-  br i1 %577, label %578, label %584
+548:                                              ; preds = %552, %533
+  %549 = load ptr, ptr %265, align 8
+  %550 = tail call fastcc i32 @real_factorise(ptr noundef %537, i64 noundef %536, ptr noundef %549) #10
+  %551 = icmp eq i32 %550, 0
+  br i1 %551, label %586, label %581
 
-578:                                              ; preds = %575
-  store i64 4, ptr %344, align 8
-  %579 = load i64, ptr %231, align 8
-  %580 = add nsw i64 %579, 1
-  store i64 %580, ptr %231, align 8
-  %581 = fmul double %387, 5.000000e-01
-  %582 = load i64, ptr %345, align 8
-  %583 = sub nsw i64 1, %582
-  store i64 %583, ptr %234, align 8
-  store i64 0, ptr %252, align 8
-  br label %1759, !llvm.loop !17
+552:                                              ; preds = %565
+  %553 = mul i64 %546, %542
+  %554 = getelementptr inbounds double, ptr %537, i64 %553
+  %555 = load double, ptr %554, align 8
+  %556 = fadd double %541, %555
+  store double %556, ptr %554, align 8
+  %557 = getelementptr inbounds { double, double }, ptr %538, i64 %553
+  %558 = load double, ptr %557, align 8
+  %559 = getelementptr inbounds i8, ptr %557, i64 8
+  %560 = load double, ptr %559, align 8
+  %561 = fadd double %543, %558
+  %562 = fsub double %560, %544
+  store double %561, ptr %557, align 8
+  store double %562, ptr %559, align 8
+  %563 = add nuw nsw i64 %546, 1
+  %564 = icmp eq i64 %563, %536
+  br i1 %564, label %548, label %545, !llvm.loop !15
 
-584:                                              ; preds = %575
-  store i64 1, ptr %252, align 8
-  store double %387, ptr %71, align 8
-  br label %585
+565:                                              ; preds = %545, %565
+  %566 = phi i64 [ 0, %545 ], [ %579, %565 ]
+  %567 = load ptr, ptr %269, align 8
+  %568 = add nuw nsw i64 %566, %547
+  %569 = getelementptr inbounds double, ptr %567, i64 %568
+  %570 = load double, ptr %569, align 8
+  %571 = fneg double %570
+  %572 = getelementptr inbounds double, ptr %537, i64 %568
+  store double %571, ptr %572, align 8
+  %573 = load ptr, ptr %269, align 8
+  %574 = getelementptr inbounds double, ptr %573, i64 %568
+  %575 = load double, ptr %574, align 8
+  %576 = fneg double %575
+  %577 = getelementptr inbounds { double, double }, ptr %538, i64 %568
+  %578 = getelementptr inbounds i8, ptr %577, i64 8
+  store double %576, ptr %577, align 8
+  store double 0.000000e+00, ptr %578, align 8
+  %579 = add nuw nsw i64 %566, 1
+  %580 = icmp eq i64 %579, %536
+  br i1 %580, label %552, label %565, !llvm.loop !16
 
-585:                                              ; preds = %584, %519
-  %586 = load double, ptr %260, align 8
-  %587 = load ptr, ptr %65, align 8
-  %588 = getelementptr inbounds i8, ptr %587, i64 8
-  %589 = load i64, ptr %588, align 8
-  %590 = load ptr, ptr %261, align 8
-  %591 = load ptr, ptr %66, align 8
-  %592 = load ptr, ptr %262, align 8
-  %593 = load ptr, ptr %263, align 8
-  %594 = fcmp ogt double %586, 0.000000e+00
-  %595 = icmp sgt i64 %589, 0
-  %596 = shl i64 %589, 4
-  %597 = getelementptr i8, ptr %590, i64 %596
-  %598 = mul i64 %589, 24
-  %599 = getelementptr i8, ptr %590, i64 %598
-  %600 = getelementptr double, ptr %590, i64 %589
-  br label %606
+581:                                              ; preds = %548
+  %582 = load ptr, ptr %270, align 8
+  %583 = tail call fastcc i32 @pair_factorise(ptr noundef %538, i64 noundef %536, ptr noundef %582) #10
+  %584 = icmp ne i32 %583, 0
+  %585 = zext i1 %584 to i32
+  br label %586
 
-601:                                              ; preds = %620
-  %602 = icmp sgt i64 %589, 0
-  %603 = getelementptr double, ptr %592, i64 %589
-  %604 = shl i64 %589, 4
-  %605 = getelementptr i8, ptr %592, i64 %604
-  br label %647
+586:                                              ; preds = %548, %581
+  %587 = phi i32 [ 0, %548 ], [ %585, %581 ]
+  %588 = icmp eq i32 %587, 0
+  br i1 %588, label %589, label %595
 
-606:                                              ; preds = %585, %620
-  %607 = phi i64 [ 0, %585 ], [ %621, %620 ]
-  br i1 %594, label %608, label %614
+589:                                              ; preds = %586
+  store i64 4, ptr %355, align 8
+  %590 = load i64, ptr %242, align 8
+  %591 = add nsw i64 %590, 1
+  store i64 %591, ptr %242, align 8
+  %592 = fmul double %398, 5.000000e-01
+  %593 = load i64, ptr %356, align 8
+  %594 = sub nsw i64 1, %593
+  store i64 %594, ptr %245, align 8
+  store i64 0, ptr %263, align 8
+  br label %1770, !llvm.loop !17
 
-608:                                              ; preds = %606
-  %609 = getelementptr inbounds [3 x double], ptr @NODES, i64 0, i64 %607
-  %610 = load double, ptr %609, align 8
-  %611 = fmul double %387, %610
-  %612 = fdiv double %611, %586
-  %613 = fadd double %612, 1.000000e+00
-  br label %614
+595:                                              ; preds = %586
+  store i64 1, ptr %263, align 8
+  store double %398, ptr %82, align 8
+  br label %596
 
-614:                                              ; preds = %608, %606
-  %615 = phi double [ %613, %608 ], [ 0.000000e+00, %606 ]
-  br i1 %595, label %616, label %620
+596:                                              ; preds = %595, %530
+  %597 = load double, ptr %271, align 8
+  %598 = load ptr, ptr %76, align 8
+  %599 = getelementptr inbounds i8, ptr %598, i64 8
+  %600 = load i64, ptr %599, align 8
+  %601 = load ptr, ptr %272, align 8
+  %602 = load ptr, ptr %77, align 8
+  %603 = load ptr, ptr %273, align 8
+  %604 = load ptr, ptr %274, align 8
+  %605 = fcmp ogt double %597, 0.000000e+00
+  %606 = icmp sgt i64 %600, 0
+  %607 = shl i64 %600, 4
+  %608 = getelementptr i8, ptr %601, i64 %607
+  %609 = mul i64 %600, 24
+  %610 = getelementptr i8, ptr %601, i64 %609
+  %611 = getelementptr double, ptr %601, i64 %600
+  br label %617
 
-616:                                              ; preds = %614
-  %617 = mul nuw nsw i64 %589, %607
-  %618 = getelementptr double, ptr %592, i64 %617
-  %619 = fsub double 1.000000e+00, %615
-  br label %623
+612:                                              ; preds = %631
+  %613 = icmp sgt i64 %600, 0
+  %614 = getelementptr double, ptr %603, i64 %600
+  %615 = shl i64 %600, 4
+  %616 = getelementptr i8, ptr %603, i64 %615
+  br label %658
 
-620:                                              ; preds = %644, %614
-  %621 = add nuw nsw i64 %607, 1
-  %622 = icmp eq i64 %621, 3
-  br i1 %622, label %601, label %606, !llvm.loop !18
+617:                                              ; preds = %596, %631
+  %618 = phi i64 [ 0, %596 ], [ %632, %631 ]
+  br i1 %605, label %619, label %625
 
-623:                                              ; preds = %616, %644
-  %624 = phi i64 [ 0, %616 ], [ %645, %644 ]
-  %625 = getelementptr double, ptr %618, i64 %624
-  store double 0.000000e+00, ptr %625, align 8
-  br i1 %594, label %626, label %644
+619:                                              ; preds = %617
+  %620 = getelementptr inbounds [3 x double], ptr @NODES, i64 0, i64 %618
+  %621 = load double, ptr %620, align 8
+  %622 = fmul double %398, %621
+  %623 = fdiv double %622, %597
+  %624 = fadd double %623, 1.000000e+00
+  br label %625
 
-626:                                              ; preds = %623
-  %627 = getelementptr double, ptr %597, i64 %624
-  %628 = load double, ptr %627, align 8
-  %629 = getelementptr double, ptr %599, i64 %624
-  %630 = load double, ptr %629, align 8
-  %631 = fmul double %615, %630
-  %632 = fadd double %628, %631
-  %633 = fmul double %619, %632
-  %634 = getelementptr inbounds double, ptr %590, i64 %624
-  %635 = load double, ptr %634, align 8
-  %636 = getelementptr double, ptr %600, i64 %624
-  %637 = load double, ptr %636, align 8
-  %638 = fadd double %637, %633
-  %639 = fmul double %615, %638
-  %640 = fadd double %635, %639
-  %641 = getelementptr inbounds double, ptr %591, i64 %624
-  %642 = load double, ptr %641, align 8
-  %643 = fsub double %640, %642
-  store double %643, ptr %625, align 8
-  br label %644
+625:                                              ; preds = %619, %617
+  %626 = phi double [ %624, %619 ], [ 0.000000e+00, %617 ]
+  br i1 %606, label %627, label %631
 
-644:                                              ; preds = %626, %623
-  %645 = add nuw nsw i64 %624, 1
-  %646 = icmp eq i64 %645, %589
-  br i1 %646, label %620, label %623, !llvm.loop !19
+627:                                              ; preds = %625
+  %628 = mul nuw nsw i64 %600, %618
+  %629 = getelementptr double, ptr %603, i64 %628
+  %630 = fsub double 1.000000e+00, %626
+  br label %634
 
-647:                                              ; preds = %601, %658
-  %648 = phi i64 [ 0, %601 ], [ %659, %658 ]
-  br i1 %602, label %649, label %658
+631:                                              ; preds = %655, %625
+  %632 = add nuw nsw i64 %618, 1
+  %633 = icmp eq i64 %632, 3
+  br i1 %633, label %612, label %617, !llvm.loop !18
 
-649:                                              ; preds = %647
-  %650 = getelementptr inbounds [3 x [3 x double]], ptr @TO_WAVES, i64 0, i64 %648
-  %651 = load double, ptr %650, align 8
-  %652 = getelementptr inbounds i8, ptr %650, i64 8
+634:                                              ; preds = %627, %655
+  %635 = phi i64 [ 0, %627 ], [ %656, %655 ]
+  %636 = getelementptr double, ptr %629, i64 %635
+  store double 0.000000e+00, ptr %636, align 8
+  br i1 %605, label %637, label %655
+
+637:                                              ; preds = %634
+  %638 = getelementptr double, ptr %608, i64 %635
+  %639 = load double, ptr %638, align 8
+  %640 = getelementptr double, ptr %610, i64 %635
+  %641 = load double, ptr %640, align 8
+  %642 = fmul double %626, %641
+  %643 = fadd double %639, %642
+  %644 = fmul double %630, %643
+  %645 = getelementptr inbounds double, ptr %601, i64 %635
+  %646 = load double, ptr %645, align 8
+  %647 = getelementptr double, ptr %611, i64 %635
+  %648 = load double, ptr %647, align 8
+  %649 = fadd double %648, %644
+  %650 = fmul double %626, %649
+  %651 = fadd double %646, %650
+  %652 = getelementptr inbounds double, ptr %602, i64 %635
   %653 = load double, ptr %652, align 8
-  %654 = getelementptr inbounds i8, ptr %650, i64 16
-  %655 = load double, ptr %654, align 8
-  %656 = mul nuw nsw i64 %589, %648
-  %657 = getelementptr double, ptr %593, i64 %656
-  br label %661
+  %654 = fsub double %651, %653
+  store double %654, ptr %636, align 8
+  br label %655
 
-658:                                              ; preds = %661, %647
-  %659 = add nuw nsw i64 %648, 1
-  %660 = icmp eq i64 %659, 3
-  br i1 %660, label %677, label %647, !llvm.loop !20
+655:                                              ; preds = %637, %634
+  %656 = add nuw nsw i64 %635, 1
+  %657 = icmp eq i64 %656, %600
+  br i1 %657, label %631, label %634, !llvm.loop !19
 
-661:                                              ; preds = %649, %661
-  %662 = phi i64 [ 0, %649 ], [ %675, %661 ]
-  %663 = getelementptr inbounds double, ptr %592, i64 %662
+658:                                              ; preds = %612, %669
+  %659 = phi i64 [ 0, %612 ], [ %670, %669 ]
+  br i1 %613, label %660, label %669
+
+660:                                              ; preds = %658
+  %661 = getelementptr inbounds [3 x [3 x double]], ptr @TO_WAVES, i64 0, i64 %659
+  %662 = load double, ptr %661, align 8
+  %663 = getelementptr inbounds i8, ptr %661, i64 8
   %664 = load double, ptr %663, align 8
-  %665 = fmul double %651, %664
-  %666 = getelementptr double, ptr %603, i64 %662
-  %667 = load double, ptr %666, align 8
-  %668 = fmul double %653, %667
-  %669 = fadd double %665, %668
-  %670 = getelementptr double, ptr %605, i64 %662
-  %671 = load double, ptr %670, align 8
-  %672 = fmul double %655, %671
-  %673 = fadd double %669, %672
-  %674 = getelementptr double, ptr %657, i64 %662
-  store double %673, ptr %674, align 8
-  %675 = add nuw nsw i64 %662, 1
-  %676 = icmp eq i64 %675, %589
-  br i1 %676, label %658, label %661, !llvm.loop !21
+  %665 = getelementptr inbounds i8, ptr %661, i64 16
+  %666 = load double, ptr %665, align 8
+  %667 = mul nuw nsw i64 %600, %659
+  %668 = getelementptr double, ptr %604, i64 %667
+  br label %672
 
-677:                                              ; preds = %658
-  %678 = load ptr, ptr %65, align 8, !noalias !22
-  %679 = getelementptr inbounds i8, ptr %678, i64 8
-  %680 = load i64, ptr %679, align 8, !noalias !22
-  %681 = load ptr, ptr %67, align 8, !noalias !22
-  %682 = getelementptr inbounds i8, ptr %681, i64 40
-  %683 = load i64, ptr %682, align 8, !noalias !22
-  %684 = load ptr, ptr %262, align 8, !noalias !22
-  %685 = load ptr, ptr %263, align 8, !noalias !22
-  %686 = load ptr, ptr %265, align 8, !noalias !22
-  %687 = load ptr, ptr %266, align 8, !noalias !22
-  %688 = load ptr, ptr %267, align 8, !noalias !22
-  %689 = icmp sgt i64 %683, 0
-  %690 = select i1 %689, i64 10, i64 6
-  %691 = icmp sgt i64 %680, 0
-  %692 = fdiv double 0x400D1A48D83E731D, %387
-  %693 = fdiv double 0x400572DB93E0C672, %387
-  %694 = fdiv double 0xC0086747F2C3FCB6, %387
-  %695 = icmp sgt i64 %680, 0
-  %696 = getelementptr double, ptr %685, i64 %680
-  %697 = shl i64 %680, 4
-  %698 = getelementptr i8, ptr %685, i64 %697
-  %699 = icmp eq i64 %683, 0
-  br label %700
+669:                                              ; preds = %672, %658
+  %670 = add nuw nsw i64 %659, 1
+  %671 = icmp eq i64 %670, 3
+  br i1 %671, label %688, label %658, !llvm.loop !20
 
-700:                                              ; preds = %677, %1103
-  %701 = phi double [ -1.000000e+00, %677 ], [ %1102, %1103 ]
-  %702 = phi double [ 0.000000e+00, %677 ], [ %1101, %1103 ]
-  %703 = phi i64 [ 0, %677 ], [ %1100, %1103 ]
-  %704 = phi i64 [ 0, %677 ], [ %1104, %1103 ]
-  %705 = phi i64 [ %353, %677 ], [ %1097, %1103 ]
-  %706 = phi i64 [ %354, %677 ], [ %1096, %1103 ]
-  %707 = phi i32 [ %355, %677 ], [ %1095, %1103 ]
-  %708 = phi double [ %356, %677 ], [ %1094, %1103 ]
-  %709 = icmp ugt i64 %704, 5
-  %710 = icmp eq i64 %703, 0
-  %711 = select i1 %709, i1 %710, i1 false
-  br i1 %711, label %1106, label %716
+672:                                              ; preds = %660, %672
+  %673 = phi i64 [ 0, %660 ], [ %686, %672 ]
+  %674 = getelementptr inbounds double, ptr %603, i64 %673
+  %675 = load double, ptr %674, align 8
+  %676 = fmul double %662, %675
+  %677 = getelementptr double, ptr %614, i64 %673
+  %678 = load double, ptr %677, align 8
+  %679 = fmul double %664, %678
+  %680 = fadd double %676, %679
+  %681 = getelementptr double, ptr %616, i64 %673
+  %682 = load double, ptr %681, align 8
+  %683 = fmul double %666, %682
+  %684 = fadd double %680, %683
+  %685 = getelementptr double, ptr %668, i64 %673
+  store double %684, ptr %685, align 8
+  %686 = add nuw nsw i64 %673, 1
+  %687 = icmp eq i64 %686, %600
+  br i1 %687, label %669, label %672, !llvm.loop !21
 
-712:                                              ; preds = %738
-  %713 = add nuw nsw i64 %717, 1
-  %714 = icmp ugt i64 %717, 1
-  %715 = icmp eq i64 %713, 3
-  br i1 %715, label %761, label %716, !llvm.loop !25
+688:                                              ; preds = %669
+  %689 = load ptr, ptr %76, align 8, !noalias !22
+  %690 = getelementptr inbounds i8, ptr %689, i64 8
+  %691 = load i64, ptr %690, align 8, !noalias !22
+  %692 = load ptr, ptr %78, align 8, !noalias !22
+  %693 = getelementptr inbounds i8, ptr %692, i64 40
+  %694 = load i64, ptr %693, align 8, !noalias !22
+  %695 = load ptr, ptr %273, align 8, !noalias !22
+  %696 = load ptr, ptr %274, align 8, !noalias !22
+  %697 = load ptr, ptr %276, align 8, !noalias !22
+  %698 = load ptr, ptr %277, align 8, !noalias !22
+  %699 = load ptr, ptr %278, align 8, !noalias !22
+  %700 = icmp sgt i64 %694, 0
+  %701 = select i1 %700, i64 10, i64 6
+  %702 = icmp sgt i64 %691, 0
+  %703 = fdiv double 0x400D1A48D83E731D, %398
+  %704 = fdiv double 0x400572DB93E0C672, %398
+  %705 = fdiv double 0xC0086747F2C3FCB6, %398
+  %706 = icmp sgt i64 %691, 0
+  %707 = getelementptr double, ptr %696, i64 %691
+  %708 = shl i64 %691, 4
+  %709 = getelementptr i8, ptr %696, i64 %708
+  %710 = icmp eq i64 %694, 0
+  br label %711
 
-716:                                              ; preds = %700, %712
-  %717 = phi i64 [ %713, %712 ], [ 0, %700 ]
-  %718 = phi i1 [ %714, %712 ], [ false, %700 ]
-  br i1 %691, label %719, label %722
+711:                                              ; preds = %688, %1114
+  %712 = phi double [ -1.000000e+00, %688 ], [ %1113, %1114 ]
+  %713 = phi double [ 0.000000e+00, %688 ], [ %1112, %1114 ]
+  %714 = phi i64 [ 0, %688 ], [ %1111, %1114 ]
+  %715 = phi i64 [ 0, %688 ], [ %1115, %1114 ]
+  %716 = phi i64 [ %364, %688 ], [ %1108, %1114 ]
+  %717 = phi i64 [ %365, %688 ], [ %1107, %1114 ]
+  %718 = phi i32 [ %366, %688 ], [ %1106, %1114 ]
+  %719 = phi double [ %367, %688 ], [ %1105, %1114 ]
+  %720 = icmp ugt i64 %715, 5
+  %721 = icmp eq i64 %714, 0
+  %722 = select i1 %720, i1 %721, i1 false
+  br i1 %722, label %1117, label %727
 
-719:                                              ; preds = %716
-  %720 = mul nuw nsw i64 %680, %717
-  %721 = getelementptr double, ptr %684, i64 %720
-  br label %747
+723:                                              ; preds = %749
+  %724 = add nuw nsw i64 %728, 1
+  %725 = icmp ugt i64 %728, 1
+  %726 = icmp eq i64 %724, 3
+  br i1 %726, label %772, label %727, !llvm.loop !25
 
-722:                                              ; preds = %747, %716
-  %723 = load ptr, ptr %72, align 8, !noalias !22
-  %724 = getelementptr inbounds i8, ptr %723, i64 24
-  %725 = load i64, ptr %724, align 8, !noalias !22
-  %726 = add nsw i64 %725, 1
-  store i64 %726, ptr %724, align 8, !noalias !22
-  %727 = getelementptr inbounds [3 x double], ptr @NODES, i64 0, i64 %717
-  %728 = load double, ptr %727, align 8, !noalias !22
-  %729 = fmul double %387, %728
-  %730 = fadd double %351, %729
-  %731 = load ptr, ptr %268, align 8, !noalias !22
-  %732 = mul nsw i64 %680, %717
-  %733 = getelementptr inbounds double, ptr %686, i64 %732
-  %734 = load ptr, ptr %269, align 8, !noalias !22
-  store double %730, ptr %734, align 8, !noalias !22
-  %735 = load i64, ptr %270, align 8, !noalias !22
-  %736 = icmp sgt i64 %735, 0
-  br i1 %736, label %737, label %738
+727:                                              ; preds = %711, %723
+  %728 = phi i64 [ %724, %723 ], [ 0, %711 ]
+  %729 = phi i1 [ %725, %723 ], [ false, %711 ]
+  br i1 %702, label %730, label %733
 
-737:                                              ; preds = %722
-  tail call fastcc void @sample(ptr noundef nonnull %65) #10, !noalias !22
-  br label %738
+730:                                              ; preds = %727
+  %731 = mul nuw nsw i64 %691, %728
+  %732 = getelementptr double, ptr %695, i64 %731
+  br label %758
 
-738:                                              ; preds = %722, %737
-  %739 = load ptr, ptr %65, align 8, !noalias !22
-  %740 = load i64, ptr %739, align 8, !noalias !22
-  %741 = load ptr, ptr %269, align 8, !noalias !22
-  %742 = load ptr, ptr %272, align 8, !noalias !22
-  %743 = load ptr, ptr %273, align 8, !noalias !22
-  %744 = inttoptr i64 %740 to ptr
-  %745 = tail call i32 %744(ptr noundef %741, ptr noundef %731, ptr noundef %742, ptr noundef %743, ptr noundef %733) #11, !noalias !22
-  %746 = icmp eq i32 %745, 0
-  br i1 %746, label %712, label %759
+733:                                              ; preds = %758, %727
+  %734 = load ptr, ptr %83, align 8, !noalias !22
+  %735 = getelementptr inbounds i8, ptr %734, i64 24
+  %736 = load i64, ptr %735, align 8, !noalias !22
+  %737 = add nsw i64 %736, 1
+  store i64 %737, ptr %735, align 8, !noalias !22
+  %738 = getelementptr inbounds [3 x double], ptr @NODES, i64 0, i64 %728
+  %739 = load double, ptr %738, align 8, !noalias !22
+  %740 = fmul double %398, %739
+  %741 = fadd double %362, %740
+  %742 = load ptr, ptr %279, align 8, !noalias !22
+  %743 = mul nsw i64 %691, %728
+  %744 = getelementptr inbounds double, ptr %697, i64 %743
+  %745 = load ptr, ptr %280, align 8, !noalias !22
+  store double %741, ptr %745, align 8, !noalias !22
+  %746 = load i64, ptr %281, align 8, !noalias !22
+  %747 = icmp sgt i64 %746, 0
+  br i1 %747, label %748, label %749
 
-747:                                              ; preds = %719, %747
-  %748 = phi i64 [ 0, %719 ], [ %757, %747 ]
-  %749 = load ptr, ptr %66, align 8, !noalias !22
-  %750 = getelementptr inbounds double, ptr %749, i64 %748
-  %751 = load double, ptr %750, align 8, !noalias !22
-  %752 = getelementptr double, ptr %721, i64 %748
-  %753 = load double, ptr %752, align 8, !noalias !22
-  %754 = fadd double %751, %753
-  %755 = load ptr, ptr %271, align 8, !noalias !22
-  %756 = getelementptr inbounds double, ptr %755, i64 %748
-  store double %754, ptr %756, align 8, !noalias !22
-  %757 = add nuw nsw i64 %748, 1
-  %758 = icmp eq i64 %757, %680
-  br i1 %758, label %722, label %747, !llvm.loop !26
+748:                                              ; preds = %733
+  tail call fastcc void @sample(ptr noundef nonnull %76) #10, !noalias !22
+  br label %749
 
-759:                                              ; preds = %738
-  %760 = sext i32 %745 to i64
-  br label %761
+749:                                              ; preds = %733, %748
+  %750 = load ptr, ptr %76, align 8, !noalias !22
+  %751 = load i64, ptr %750, align 8, !noalias !22
+  %752 = load ptr, ptr %280, align 8, !noalias !22
+  %753 = load ptr, ptr %283, align 8, !noalias !22
+  %754 = load ptr, ptr %284, align 8, !noalias !22
+  %755 = inttoptr i64 %751 to ptr
+  %756 = tail call i32 %755(ptr noundef %752, ptr noundef %742, ptr noundef %753, ptr noundef %754, ptr noundef %744) #11, !noalias !22
+  %757 = icmp eq i32 %756, 0
+  br i1 %757, label %723, label %770
 
-761:                                              ; preds = %712, %759
-  %762 = phi i1 [ %718, %759 ], [ %714, %712 ]
-  %763 = phi double [ 0.000000e+00, %759 ], [ %708, %712 ]
-  %764 = phi i32 [ 0, %759 ], [ %707, %712 ]
-  %765 = phi i64 [ %704, %759 ], [ %706, %712 ]
-  %766 = phi i64 [ %760, %759 ], [ %705, %712 ]
-  %767 = phi i32 [ 1, %759 ], [ 5, %712 ]
-  br i1 %762, label %768, label %1106
+758:                                              ; preds = %730, %758
+  %759 = phi i64 [ 0, %730 ], [ %768, %758 ]
+  %760 = load ptr, ptr %77, align 8, !noalias !22
+  %761 = getelementptr inbounds double, ptr %760, i64 %759
+  %762 = load double, ptr %761, align 8, !noalias !22
+  %763 = getelementptr double, ptr %732, i64 %759
+  %764 = load double, ptr %763, align 8, !noalias !22
+  %765 = fadd double %762, %764
+  %766 = load ptr, ptr %282, align 8, !noalias !22
+  %767 = getelementptr inbounds double, ptr %766, i64 %759
+  store double %765, ptr %767, align 8, !noalias !22
+  %768 = add nuw nsw i64 %759, 1
+  %769 = icmp eq i64 %768, %691
+  br i1 %769, label %733, label %758, !llvm.loop !26
 
-768:                                              ; preds = %761
-  %769 = load ptr, ptr %65, align 8, !noalias !22
-  %770 = getelementptr inbounds i8, ptr %769, i64 8
-  %771 = load i64, ptr %770, align 8, !noalias !22
-  %772 = load ptr, ptr %265, align 8, !noalias !22
-  %773 = load ptr, ptr %263, align 8, !noalias !22
-  %774 = load ptr, ptr %266, align 8, !noalias !22
-  %775 = load ptr, ptr %267, align 8, !noalias !22
-  %776 = icmp sgt i64 %771, 0
-  br i1 %776, label %777, label %882
+770:                                              ; preds = %749
+  %771 = sext i32 %756 to i64
+  br label %772
 
-777:                                              ; preds = %768
-  %778 = shl nuw nsw i64 %771, 1
-  %779 = getelementptr double, ptr %772, i64 %771
-  %780 = shl i64 %771, 4
-  %781 = getelementptr i8, ptr %772, i64 %780
-  %782 = load double, ptr %772, align 8, !noalias !22
-  %783 = getelementptr inbounds double, ptr %772, i64 %771
-  %784 = load double, ptr %783, align 8, !noalias !22
-  %785 = fadd double %782, %784
-  %786 = getelementptr inbounds double, ptr %772, i64 %778
-  %787 = load double, ptr %786, align 8, !noalias !22
-  %788 = fadd double %785, %787
-  %789 = tail call double @llvm.fabs.f64(double %788)
-  %790 = fcmp ueq double %789, 0x7FF0000000000000
-  br i1 %790, label %879, label %791
+772:                                              ; preds = %723, %770
+  %773 = phi i1 [ %729, %770 ], [ %725, %723 ]
+  %774 = phi double [ 0.000000e+00, %770 ], [ %719, %723 ]
+  %775 = phi i32 [ 0, %770 ], [ %718, %723 ]
+  %776 = phi i64 [ %715, %770 ], [ %717, %723 ]
+  %777 = phi i64 [ %771, %770 ], [ %716, %723 ]
+  %778 = phi i32 [ 1, %770 ], [ 5, %723 ]
+  br i1 %773, label %779, label %1117
 
-791:                                              ; preds = %777
-  %792 = getelementptr double, ptr %773, i64 %771
-  %793 = getelementptr inbounds double, ptr %773, i64 %778
-  %794 = getelementptr double, ptr %772, i64 %771
-  %795 = getelementptr inbounds double, ptr %772, i64 %778
-  br label %807
+779:                                              ; preds = %772
+  %780 = load ptr, ptr %76, align 8, !noalias !22
+  %781 = getelementptr inbounds i8, ptr %780, i64 8
+  %782 = load i64, ptr %781, align 8, !noalias !22
+  %783 = load ptr, ptr %276, align 8, !noalias !22
+  %784 = load ptr, ptr %274, align 8, !noalias !22
+  %785 = load ptr, ptr %277, align 8, !noalias !22
+  %786 = load ptr, ptr %278, align 8, !noalias !22
+  %787 = icmp sgt i64 %782, 0
+  br i1 %787, label %788, label %893
 
-796:                                              ; preds = %807
-  %797 = getelementptr inbounds double, ptr %772, i64 %875
+788:                                              ; preds = %779
+  %789 = shl nuw nsw i64 %782, 1
+  %790 = getelementptr double, ptr %783, i64 %782
+  %791 = shl i64 %782, 4
+  %792 = getelementptr i8, ptr %783, i64 %791
+  %793 = load double, ptr %783, align 8, !noalias !22
+  %794 = getelementptr inbounds double, ptr %783, i64 %782
+  %795 = load double, ptr %794, align 8, !noalias !22
+  %796 = fadd double %793, %795
+  %797 = getelementptr inbounds double, ptr %783, i64 %789
   %798 = load double, ptr %797, align 8, !noalias !22
-  %799 = getelementptr double, ptr %794, i64 %875
-  %800 = load double, ptr %799, align 8, !noalias !22
-  %801 = fadd double %798, %800
-  %802 = getelementptr inbounds double, ptr %795, i64 %875
-  %803 = load double, ptr %802, align 8, !noalias !22
-  %804 = fadd double %801, %803
-  %805 = tail call double @llvm.fabs.f64(double %804)
-  %806 = fcmp ueq double %805, 0x7FF0000000000000
-  br i1 %806, label %877, label %807, !llvm.loop !27
+  %799 = fadd double %796, %798
+  %800 = tail call double @llvm.fabs.f64(double %799)
+  %801 = fcmp ueq double %800, 0x7FF0000000000000
+  br i1 %801, label %890, label %802
 
-807:                                              ; preds = %791, %796
-  %808 = phi double [ %798, %796 ], [ %782, %791 ]
-  %809 = phi double [ %874, %796 ], [ 0.000000e+00, %791 ]
-  %810 = phi i64 [ %875, %796 ], [ 0, %791 ]
-  %811 = getelementptr inbounds double, ptr %772, i64 %810
-  %812 = fmul double %808, 0x4010B70201A79C46
-  %813 = getelementptr double, ptr %779, i64 %810
+802:                                              ; preds = %788
+  %803 = getelementptr double, ptr %784, i64 %782
+  %804 = getelementptr inbounds double, ptr %784, i64 %789
+  %805 = getelementptr double, ptr %783, i64 %782
+  %806 = getelementptr inbounds double, ptr %783, i64 %789
+  br label %818
+
+807:                                              ; preds = %818
+  %808 = getelementptr inbounds double, ptr %783, i64 %886
+  %809 = load double, ptr %808, align 8, !noalias !22
+  %810 = getelementptr double, ptr %805, i64 %886
+  %811 = load double, ptr %810, align 8, !noalias !22
+  %812 = fadd double %809, %811
+  %813 = getelementptr inbounds double, ptr %806, i64 %886
   %814 = load double, ptr %813, align 8, !noalias !22
-  %815 = fmul double %814, 0x3FD4F8C15DA84E86
-  %816 = fadd double %812, %815
-  %817 = getelementptr double, ptr %781, i64 %810
-  %818 = load double, ptr %817, align 8, !noalias !22
-  %819 = fmul double %818, 0x3FE0BF7FF59D56EF
-  %820 = fadd double %816, %819
-  %821 = getelementptr inbounds double, ptr %773, i64 %810
-  %822 = load double, ptr %821, align 8, !noalias !22
-  %823 = fmul double %692, %822
-  %824 = fsub double %820, %823
-  %825 = getelementptr inbounds double, ptr %774, i64 %810
-  store double %824, ptr %825, align 8, !noalias !22
-  %826 = load double, ptr %811, align 8, !noalias !22
-  %827 = fmul double %826, 0xC010B70201A79C46
-  %828 = load double, ptr %813, align 8, !noalias !22
-  %829 = fmul double %828, 0x3FD4F8C15DA84E86
-  %830 = fsub double %827, %829
-  %831 = load double, ptr %817, align 8, !noalias !22
-  %832 = fmul double %831, 0x3FDE810014C55221
-  %833 = fadd double %830, %832
-  %834 = fmul double %826, 0x3FE017885A24A7F2
-  %835 = fmul double %828, 0x4004934E6FCAA598
-  %836 = fsub double %834, %835
-  %837 = fmul double %831, 0x3FE312C0CF7BDFD1
-  %838 = fadd double %836, %837
-  %839 = getelementptr double, ptr %792, i64 %810
-  %840 = load double, ptr %839, align 8, !noalias !22
-  %841 = getelementptr inbounds double, ptr %793, i64 %810
-  %842 = load double, ptr %841, align 8, !noalias !22
-  %843 = fmul double %693, %840
-  %844 = fmul double %694, %842
-  %845 = fmul double %693, %842
-  %846 = fmul double %694, %840
-  %847 = fsub double %843, %844
-  %848 = fadd double %846, %845
-  %849 = fsub double %833, %847
-  %850 = fsub double %838, %848
-  %851 = getelementptr inbounds { double, double }, ptr %775, i64 %810
-  %852 = getelementptr inbounds i8, ptr %851, i64 8
-  store double %849, ptr %851, align 8, !noalias !22
-  store double %850, ptr %852, align 8, !noalias !22
-  %853 = load double, ptr %825, align 8, !noalias !22
-  %854 = tail call double @llvm.fabs.f64(double %853)
-  %855 = tail call double @llvm.fabs.f64(double %849)
-  %856 = fadd double %854, %855
-  %857 = tail call double @llvm.fabs.f64(double %850)
-  %858 = fadd double %857, %856
-  %859 = fmul double %387, %858
-  %860 = load ptr, ptr %66, align 8, !noalias !22
-  %861 = getelementptr inbounds double, ptr %860, i64 %810
-  %862 = load double, ptr %861, align 8, !noalias !22
-  %863 = load ptr, ptr %274, align 8, !noalias !22
-  %864 = getelementptr inbounds double, ptr %863, i64 %810
-  %865 = load double, ptr %864, align 8, !noalias !22
-  %866 = load ptr, ptr %275, align 8, !noalias !22
-  %867 = getelementptr inbounds double, ptr %866, i64 %810
-  %868 = load double, ptr %867, align 8, !noalias !22
-  %869 = tail call double @llvm.fabs.f64(double %862)
-  %870 = fmul double %869, %868
-  %871 = fadd double %865, %870
-  %872 = fdiv double %859, %871
-  %873 = fmul double %872, %872
-  %874 = fadd double %809, %873
-  %875 = add nuw nsw i64 %810, 1
-  %876 = icmp eq i64 %875, %771
-  br i1 %876, label %882, label %796, !llvm.loop !27
+  %815 = fadd double %812, %814
+  %816 = tail call double @llvm.fabs.f64(double %815)
+  %817 = fcmp ueq double %816, 0x7FF0000000000000
+  br i1 %817, label %888, label %818, !llvm.loop !27
 
-877:                                              ; preds = %796
-  %878 = icmp slt i64 %875, %771
-  br label %879
+818:                                              ; preds = %802, %807
+  %819 = phi double [ %809, %807 ], [ %793, %802 ]
+  %820 = phi double [ %885, %807 ], [ 0.000000e+00, %802 ]
+  %821 = phi i64 [ %886, %807 ], [ 0, %802 ]
+  %822 = getelementptr inbounds double, ptr %783, i64 %821
+  %823 = fmul double %819, 0x4010B70201A79C46
+  %824 = getelementptr double, ptr %790, i64 %821
+  %825 = load double, ptr %824, align 8, !noalias !22
+  %826 = fmul double %825, 0x3FD4F8C15DA84E86
+  %827 = fadd double %823, %826
+  %828 = getelementptr double, ptr %792, i64 %821
+  %829 = load double, ptr %828, align 8, !noalias !22
+  %830 = fmul double %829, 0x3FE0BF7FF59D56EF
+  %831 = fadd double %827, %830
+  %832 = getelementptr inbounds double, ptr %784, i64 %821
+  %833 = load double, ptr %832, align 8, !noalias !22
+  %834 = fmul double %703, %833
+  %835 = fsub double %831, %834
+  %836 = getelementptr inbounds double, ptr %785, i64 %821
+  store double %835, ptr %836, align 8, !noalias !22
+  %837 = load double, ptr %822, align 8, !noalias !22
+  %838 = fmul double %837, 0xC010B70201A79C46
+  %839 = load double, ptr %824, align 8, !noalias !22
+  %840 = fmul double %839, 0x3FD4F8C15DA84E86
+  %841 = fsub double %838, %840
+  %842 = load double, ptr %828, align 8, !noalias !22
+  %843 = fmul double %842, 0x3FDE810014C55221
+  %844 = fadd double %841, %843
+  %845 = fmul double %837, 0x3FE017885A24A7F2
+  %846 = fmul double %839, 0x4004934E6FCAA598
+  %847 = fsub double %845, %846
+  %848 = fmul double %842, 0x3FE312C0CF7BDFD1
+  %849 = fadd double %847, %848
+  %850 = getelementptr double, ptr %803, i64 %821
+  %851 = load double, ptr %850, align 8, !noalias !22
+  %852 = getelementptr inbounds double, ptr %804, i64 %821
+  %853 = load double, ptr %852, align 8, !noalias !22
+  %854 = fmul double %704, %851
+  %855 = fmul double %705, %853
+  %856 = fmul double %704, %853
+  %857 = fmul double %705, %851
+  %858 = fsub double %854, %855
+  %859 = fadd double %857, %856
+  %860 = fsub double %844, %858
+  %861 = fsub double %849, %859
+  %862 = getelementptr inbounds { double, double }, ptr %786, i64 %821
+  %863 = getelementptr inbounds i8, ptr %862, i64 8
+  store double %860, ptr %862, align 8, !noalias !22
+  store double %861, ptr %863, align 8, !noalias !22
+  %864 = load double, ptr %836, align 8, !noalias !22
+  %865 = tail call double @llvm.fabs.f64(double %864)
+  %866 = tail call double @llvm.fabs.f64(double %860)
+  %867 = fadd double %865, %866
+  %868 = tail call double @llvm.fabs.f64(double %861)
+  %869 = fadd double %868, %867
+  %870 = fmul double %398, %869
+  %871 = load ptr, ptr %77, align 8, !noalias !22
+  %872 = getelementptr inbounds double, ptr %871, i64 %821
+  %873 = load double, ptr %872, align 8, !noalias !22
+  %874 = load ptr, ptr %285, align 8, !noalias !22
+  %875 = getelementptr inbounds double, ptr %874, i64 %821
+  %876 = load double, ptr %875, align 8, !noalias !22
+  %877 = load ptr, ptr %286, align 8, !noalias !22
+  %878 = getelementptr inbounds double, ptr %877, i64 %821
+  %879 = load double, ptr %878, align 8, !noalias !22
+  %880 = tail call double @llvm.fabs.f64(double %873)
+  %881 = fmul double %880, %879
+  %882 = fadd double %876, %881
+  %883 = fdiv double %870, %882
+  %884 = fmul double %883, %883
+  %885 = fadd double %820, %884
+  %886 = add nuw nsw i64 %821, 1
+  %887 = icmp eq i64 %886, %782
+  br i1 %887, label %893, label %807, !llvm.loop !27
 
-879:                                              ; preds = %877, %777
-  %880 = phi i1 [ %878, %877 ], [ %776, %777 ]
-  %881 = phi double [ %874, %877 ], [ 0.000000e+00, %777 ]
-  br i1 %880, label %1106, label %882
+888:                                              ; preds = %807
+  %889 = icmp slt i64 %886, %782
+  br label %890
 
-882:                                              ; preds = %807, %768, %879
-  %883 = phi double [ %881, %879 ], [ 0.000000e+00, %768 ], [ %874, %807 ]
-  %884 = load ptr, ptr %65, align 8, !noalias !22
-  %885 = getelementptr inbounds i8, ptr %884, i64 8
-  %886 = load i64, ptr %885, align 8, !noalias !22
-  %887 = load i64, ptr %277, align 8, !noalias !22
-  %888 = load ptr, ptr %67, align 8, !noalias !22
-  %889 = getelementptr inbounds i8, ptr %888, i64 40
-  %890 = load i64, ptr %889, align 8, !noalias !22
-  %891 = load ptr, ptr %266, align 8, !noalias !22
-  %892 = load ptr, ptr %267, align 8, !noalias !22
-  %893 = load ptr, ptr %278, align 8, !noalias !22
-  %894 = load ptr, ptr %276, align 8, !noalias !22
-  tail call fastcc void @real_solve(ptr noundef %893, i64 noundef %887, ptr noundef %894, ptr noundef %891) #10, !noalias !22
-  %895 = load ptr, ptr %279, align 8, !noalias !22
-  %896 = load ptr, ptr %280, align 8, !noalias !22
-  tail call fastcc void @pair_solve(ptr noundef %895, i64 noundef %887, ptr noundef %896, ptr noundef %892) #10, !noalias !22
-  %897 = icmp sgt i64 %890, 0
-  br i1 %897, label %898, label %903
+890:                                              ; preds = %888, %788
+  %891 = phi i1 [ %889, %888 ], [ %787, %788 ]
+  %892 = phi double [ %885, %888 ], [ 0.000000e+00, %788 ]
+  br i1 %891, label %1117, label %893
 
-898:                                              ; preds = %882
-  %899 = load ptr, ptr %278, align 8, !noalias !22
-  %900 = load ptr, ptr %276, align 8, !noalias !22
-  tail call fastcc void @real_solve_columns(ptr noundef %899, i64 noundef %887, ptr noundef %900, ptr noundef %891, i64 noundef %890) #10, !noalias !22
-  %901 = load ptr, ptr %279, align 8, !noalias !22
-  %902 = load ptr, ptr %280, align 8, !noalias !22
-  tail call fastcc void @pair_solve_columns(ptr noundef %901, i64 noundef %887, ptr noundef %902, ptr noundef %892, i64 noundef %890) #10, !noalias !22
-  br label %903
+893:                                              ; preds = %818, %779, %890
+  %894 = phi double [ %892, %890 ], [ 0.000000e+00, %779 ], [ %885, %818 ]
+  %895 = load ptr, ptr %76, align 8, !noalias !22
+  %896 = getelementptr inbounds i8, ptr %895, i64 8
+  %897 = load i64, ptr %896, align 8, !noalias !22
+  %898 = load i64, ptr %288, align 8, !noalias !22
+  %899 = load ptr, ptr %78, align 8, !noalias !22
+  %900 = getelementptr inbounds i8, ptr %899, i64 40
+  %901 = load i64, ptr %900, align 8, !noalias !22
+  %902 = load ptr, ptr %277, align 8, !noalias !22
+  %903 = load ptr, ptr %278, align 8, !noalias !22
+  %904 = load ptr, ptr %289, align 8, !noalias !22
+  %905 = load ptr, ptr %287, align 8, !noalias !22
+  tail call fastcc void @real_solve(ptr noundef %904, i64 noundef %898, ptr noundef %905, ptr noundef %902) #10, !noalias !22
+  %906 = load ptr, ptr %290, align 8, !noalias !22
+  %907 = load ptr, ptr %291, align 8, !noalias !22
+  tail call fastcc void @pair_solve(ptr noundef %906, i64 noundef %898, ptr noundef %907, ptr noundef %903) #10, !noalias !22
+  %908 = icmp sgt i64 %901, 0
+  br i1 %908, label %909, label %914
 
-903:                                              ; preds = %898, %882
-  %904 = icmp sgt i64 %886, 0
-  br i1 %904, label %905, label %938
+909:                                              ; preds = %893
+  %910 = load ptr, ptr %289, align 8, !noalias !22
+  %911 = load ptr, ptr %287, align 8, !noalias !22
+  tail call fastcc void @real_solve_columns(ptr noundef %910, i64 noundef %898, ptr noundef %911, ptr noundef %902, i64 noundef %901) #10, !noalias !22
+  %912 = load ptr, ptr %290, align 8, !noalias !22
+  %913 = load ptr, ptr %291, align 8, !noalias !22
+  tail call fastcc void @pair_solve_columns(ptr noundef %912, i64 noundef %898, ptr noundef %913, ptr noundef %903, i64 noundef %901) #10, !noalias !22
+  br label %914
 
-905:                                              ; preds = %903
-  %906 = load ptr, ptr %66, align 8, !noalias !22
-  %907 = load ptr, ptr %281, align 8, !noalias !22
-  %908 = load ptr, ptr %282, align 8, !noalias !22
-  br label %909
+914:                                              ; preds = %909, %893
+  %915 = icmp sgt i64 %897, 0
+  br i1 %915, label %916, label %949
 
-909:                                              ; preds = %905, %909
-  %910 = phi double [ 0.000000e+00, %905 ], [ %935, %909 ]
-  %911 = phi i64 [ 0, %905 ], [ %936, %909 ]
-  %912 = getelementptr inbounds double, ptr %906, i64 %911
-  %913 = load double, ptr %912, align 8, !noalias !22
-  %914 = getelementptr inbounds double, ptr %907, i64 %911
-  %915 = load double, ptr %914, align 8, !noalias !22
-  %916 = getelementptr inbounds double, ptr %908, i64 %911
-  %917 = load double, ptr %916, align 8, !noalias !22
-  %918 = tail call double @llvm.fabs.f64(double %913)
-  %919 = fmul double %918, %917
-  %920 = fadd double %915, %919
-  %921 = getelementptr inbounds double, ptr %891, i64 %911
-  %922 = load double, ptr %921, align 8, !noalias !22
-  %923 = fdiv double %922, %920
-  %924 = getelementptr inbounds { double, double }, ptr %892, i64 %911
-  %925 = load double, ptr %924, align 8, !noalias !22
-  %926 = getelementptr inbounds i8, ptr %924, i64 8
-  %927 = fdiv double %925, %920
-  %928 = load double, ptr %926, align 8, !noalias !22
-  %929 = fdiv double %928, %920
-  %930 = fmul double %923, %923
-  %931 = fmul double %927, %927
-  %932 = fadd double %930, %931
-  %933 = fmul double %929, %929
-  %934 = fadd double %932, %933
-  %935 = fadd double %910, %934
-  %936 = add nuw nsw i64 %911, 1
-  %937 = icmp eq i64 %936, %886
-  br i1 %937, label %938, label %909, !llvm.loop !28
+916:                                              ; preds = %914
+  %917 = load ptr, ptr %77, align 8, !noalias !22
+  %918 = load ptr, ptr %292, align 8, !noalias !22
+  %919 = load ptr, ptr %293, align 8, !noalias !22
+  br label %920
 
-938:                                              ; preds = %909, %903
-  %939 = phi double [ 0.000000e+00, %903 ], [ %935, %909 ]
-  %940 = mul nsw i64 %886, 3
-  %941 = sitofp i64 %940 to double
-  %942 = fdiv double %939, %941
-  %943 = tail call double @llvm.sqrt.f64(double %942)
-  %944 = fcmp oeq double %943, 0.000000e+00
-  %945 = fcmp ogt double %883, 0.000000e+00
-  %946 = select i1 %944, i1 %945, i1 false
-  br i1 %946, label %947, label %949
+920:                                              ; preds = %916, %920
+  %921 = phi double [ 0.000000e+00, %916 ], [ %946, %920 ]
+  %922 = phi i64 [ 0, %916 ], [ %947, %920 ]
+  %923 = getelementptr inbounds double, ptr %917, i64 %922
+  %924 = load double, ptr %923, align 8, !noalias !22
+  %925 = getelementptr inbounds double, ptr %918, i64 %922
+  %926 = load double, ptr %925, align 8, !noalias !22
+  %927 = getelementptr inbounds double, ptr %919, i64 %922
+  %928 = load double, ptr %927, align 8, !noalias !22
+  %929 = tail call double @llvm.fabs.f64(double %924)
+  %930 = fmul double %929, %928
+  %931 = fadd double %926, %930
+  %932 = getelementptr inbounds double, ptr %902, i64 %922
+  %933 = load double, ptr %932, align 8, !noalias !22
+  %934 = fdiv double %933, %931
+  %935 = getelementptr inbounds { double, double }, ptr %903, i64 %922
+  %936 = load double, ptr %935, align 8, !noalias !22
+  %937 = getelementptr inbounds i8, ptr %935, i64 8
+  %938 = fdiv double %936, %931
+  %939 = load double, ptr %937, align 8, !noalias !22
+  %940 = fdiv double %939, %931
+  %941 = fmul double %934, %934
+  %942 = fmul double %938, %938
+  %943 = fadd double %941, %942
+  %944 = fmul double %940, %940
+  %945 = fadd double %943, %944
+  %946 = fadd double %921, %945
+  %947 = add nuw nsw i64 %922, 1
+  %948 = icmp eq i64 %947, %897
+  br i1 %948, label %949, label %920, !llvm.loop !28
 
-947:                                              ; preds = %938
-  %948 = add nuw nsw i64 %704, 1
-  br label %1093
+949:                                              ; preds = %920, %914
+  %950 = phi double [ 0.000000e+00, %914 ], [ %946, %920 ]
+  %951 = mul nsw i64 %897, 3
+  %952 = sitofp i64 %951 to double
+  %953 = fdiv double %950, %952
+  %954 = tail call double @llvm.sqrt.f64(double %953)
+  %955 = fcmp oeq double %954, 0.000000e+00
+  %956 = fcmp ogt double %894, 0.000000e+00
+  %957 = select i1 %955, i1 %956, i1 false
+  br i1 %957, label %958, label %960
 
-949:                                              ; preds = %938
-  %950 = fcmp ogt double %701, 0.000000e+00
-  %951 = select i1 %950, i1 %710, i1 false
-  br i1 %951, label %952, label %965
+958:                                              ; preds = %949
+  %959 = add nuw nsw i64 %715, 1
+  br label %1104
 
-952:                                              ; preds = %949
-  %953 = fdiv double %943, %701
-  %954 = fcmp ult double %953, 1.000000e+00
-  br i1 %954, label %955, label %963
+960:                                              ; preds = %949
+  %961 = fcmp ogt double %712, 0.000000e+00
+  %962 = select i1 %961, i1 %721, i1 false
+  br i1 %962, label %963, label %976
 
-955:                                              ; preds = %952
-  %956 = sub nsw i64 5, %704
-  %957 = sitofp i64 %956 to double
-  %958 = tail call double @llvm.pow.f64(double %953, double %957)
-  %959 = fsub double 1.000000e+00, %953
-  %960 = fdiv double %958, %959
-  %961 = fmul double %943, %960
-  %962 = fcmp ogt double %961, %111
-  br i1 %962, label %963, label %965
+963:                                              ; preds = %960
+  %964 = fdiv double %954, %712
+  %965 = fcmp ult double %964, 1.000000e+00
+  br i1 %965, label %966, label %974
 
-963:                                              ; preds = %955, %952
-  %964 = add nuw nsw i64 %704, 1
-  br label %1093
+966:                                              ; preds = %963
+  %967 = sub nsw i64 5, %715
+  %968 = sitofp i64 %967 to double
+  %969 = tail call double @llvm.pow.f64(double %964, double %968)
+  %970 = fsub double 1.000000e+00, %964
+  %971 = fdiv double %969, %970
+  %972 = fmul double %954, %971
+  %973 = fcmp ogt double %972, %122
+  br i1 %973, label %974, label %976
 
-965:                                              ; preds = %955, %949
-  %966 = phi double [ %702, %949 ], [ %953, %955 ]
-  br i1 %695, label %978, label %967
+974:                                              ; preds = %966, %963
+  %975 = add nuw nsw i64 %715, 1
+  br label %1104
 
-967:                                              ; preds = %996, %965
-  %968 = fsub double 1.000000e+00, %966
-  %969 = fdiv double %966, %968
-  %970 = fmul double %943, %969
-  %971 = fcmp olt double %970, %111
-  %972 = select i1 %950, i1 %971, i1 false
-  %973 = select i1 %944, i1 true, i1 %972
-  %974 = add nuw nsw i64 %704, 1
-  %975 = select i1 %973, i64 %974, i64 0
-  %976 = select i1 %710, i64 %975, i64 %703
-  %977 = icmp sgt i64 %976, 0
-  br i1 %977, label %1019, label %1092
+976:                                              ; preds = %966, %960
+  %977 = phi double [ %713, %960 ], [ %964, %966 ]
+  br i1 %706, label %989, label %978
 
-978:                                              ; preds = %965, %996
-  %979 = phi i64 [ %997, %996 ], [ 0, %965 ]
-  %980 = getelementptr inbounds double, ptr %687, i64 %979
-  %981 = load double, ptr %980, align 8, !noalias !22
-  %982 = getelementptr inbounds double, ptr %685, i64 %979
-  %983 = load double, ptr %982, align 8, !noalias !22
-  %984 = fadd double %981, %983
-  store double %984, ptr %982, align 8, !noalias !22
-  %985 = getelementptr inbounds { double, double }, ptr %688, i64 %979
-  %986 = load double, ptr %985, align 8, !noalias !22
-  %987 = getelementptr inbounds i8, ptr %985, i64 8
-  %988 = getelementptr double, ptr %696, i64 %979
-  %989 = load double, ptr %988, align 8, !noalias !22
-  %990 = fadd double %986, %989
-  store double %990, ptr %988, align 8, !noalias !22
-  %991 = load double, ptr %987, align 8, !noalias !22
-  %992 = getelementptr double, ptr %698, i64 %979
-  %993 = load double, ptr %992, align 8, !noalias !22
-  %994 = fadd double %991, %993
-  store double %994, ptr %992, align 8, !noalias !22
-  %995 = getelementptr double, ptr %684, i64 %979
-  br label %999
+978:                                              ; preds = %1007, %976
+  %979 = fsub double 1.000000e+00, %977
+  %980 = fdiv double %977, %979
+  %981 = fmul double %954, %980
+  %982 = fcmp olt double %981, %122
+  %983 = select i1 %961, i1 %982, i1 false
+  %984 = select i1 %955, i1 true, i1 %983
+  %985 = add nuw nsw i64 %715, 1
+  %986 = select i1 %984, i64 %985, i64 0
+  %987 = select i1 %721, i64 %986, i64 %714
+  %988 = icmp sgt i64 %987, 0
+  br i1 %988, label %1030, label %1103
 
-996:                                              ; preds = %999
-  %997 = add nuw nsw i64 %979, 1
-  %998 = icmp eq i64 %997, %680
-  br i1 %998, label %967, label %978, !llvm.loop !29
+989:                                              ; preds = %976, %1007
+  %990 = phi i64 [ %1008, %1007 ], [ 0, %976 ]
+  %991 = getelementptr inbounds double, ptr %698, i64 %990
+  %992 = load double, ptr %991, align 8, !noalias !22
+  %993 = getelementptr inbounds double, ptr %696, i64 %990
+  %994 = load double, ptr %993, align 8, !noalias !22
+  %995 = fadd double %992, %994
+  store double %995, ptr %993, align 8, !noalias !22
+  %996 = getelementptr inbounds { double, double }, ptr %699, i64 %990
+  %997 = load double, ptr %996, align 8, !noalias !22
+  %998 = getelementptr inbounds i8, ptr %996, i64 8
+  %999 = getelementptr double, ptr %707, i64 %990
+  %1000 = load double, ptr %999, align 8, !noalias !22
+  %1001 = fadd double %997, %1000
+  store double %1001, ptr %999, align 8, !noalias !22
+  %1002 = load double, ptr %998, align 8, !noalias !22
+  %1003 = getelementptr double, ptr %709, i64 %990
+  %1004 = load double, ptr %1003, align 8, !noalias !22
+  %1005 = fadd double %1002, %1004
+  store double %1005, ptr %1003, align 8, !noalias !22
+  %1006 = getelementptr double, ptr %695, i64 %990
+  br label %1010
 
-999:                                              ; preds = %978, %999
-  %1000 = phi i64 [ 0, %978 ], [ %1017, %999 ]
-  %1001 = getelementptr inbounds [3 x [3 x double]], ptr @FROM_WAVES, i64 0, i64 %1000
-  %1002 = load double, ptr %1001, align 8, !noalias !22
-  %1003 = load double, ptr %982, align 8, !noalias !22
-  %1004 = fmul double %1002, %1003
-  %1005 = getelementptr inbounds i8, ptr %1001, i64 8
-  %1006 = load double, ptr %1005, align 8, !noalias !22
-  %1007 = load double, ptr %988, align 8, !noalias !22
-  %1008 = fmul double %1006, %1007
-  %1009 = fadd double %1004, %1008
-  %1010 = getelementptr inbounds i8, ptr %1001, i64 16
-  %1011 = load double, ptr %1010, align 8, !noalias !22
-  %1012 = load double, ptr %992, align 8, !noalias !22
-  %1013 = fmul double %1011, %1012
-  %1014 = fadd double %1009, %1013
-  %1015 = mul nuw nsw i64 %680, %1000
-  %1016 = getelementptr double, ptr %995, i64 %1015
-  store double %1014, ptr %1016, align 8, !noalias !22
-  %1017 = add nuw nsw i64 %1000, 1
-  %1018 = icmp eq i64 %1017, 3
-  br i1 %1018, label %996, label %999, !llvm.loop !30
+1007:                                             ; preds = %1010
+  %1008 = add nuw nsw i64 %990, 1
+  %1009 = icmp eq i64 %1008, %691
+  br i1 %1009, label %978, label %989, !llvm.loop !29
 
-1019:                                             ; preds = %967
-  br i1 %699, label %1093, label %1020
+1010:                                             ; preds = %989, %1010
+  %1011 = phi i64 [ 0, %989 ], [ %1028, %1010 ]
+  %1012 = getelementptr inbounds [3 x [3 x double]], ptr @FROM_WAVES, i64 0, i64 %1011
+  %1013 = load double, ptr %1012, align 8, !noalias !22
+  %1014 = load double, ptr %993, align 8, !noalias !22
+  %1015 = fmul double %1013, %1014
+  %1016 = getelementptr inbounds i8, ptr %1012, i64 8
+  %1017 = load double, ptr %1016, align 8, !noalias !22
+  %1018 = load double, ptr %999, align 8, !noalias !22
+  %1019 = fmul double %1017, %1018
+  %1020 = fadd double %1015, %1019
+  %1021 = getelementptr inbounds i8, ptr %1012, i64 16
+  %1022 = load double, ptr %1021, align 8, !noalias !22
+  %1023 = load double, ptr %1003, align 8, !noalias !22
+  %1024 = fmul double %1022, %1023
+  %1025 = fadd double %1020, %1024
+  %1026 = mul nuw nsw i64 %691, %1011
+  %1027 = getelementptr double, ptr %1006, i64 %1026
+  store double %1025, ptr %1027, align 8, !noalias !22
+  %1028 = add nuw nsw i64 %1011, 1
+  %1029 = icmp eq i64 %1028, 3
+  br i1 %1029, label %1007, label %1010, !llvm.loop !30
 
-1020:                                             ; preds = %1019
-  %1021 = load i64, ptr %283, align 8, !noalias !22
-  %1022 = load ptr, ptr %67, align 8, !noalias !22
-  %1023 = getelementptr inbounds i8, ptr %1022, i64 40
-  %1024 = load i64, ptr %1023, align 8, !noalias !22
-  %1025 = load ptr, ptr %286, align 8, !noalias !22
-  %1026 = load ptr, ptr %284, align 8, !noalias !22
-  %1027 = load ptr, ptr %287, align 8, !noalias !22
-  %1028 = icmp sgt i64 %1024, 0
-  br i1 %1028, label %1029, label %1089
+1030:                                             ; preds = %978
+  br i1 %710, label %1104, label %1031
 
-1029:                                             ; preds = %1020
-  %1030 = load i64, ptr %285, align 8, !noalias !22
-  %1031 = icmp sgt i64 %1021, 0
-  %1032 = getelementptr double, ptr %1026, i64 %1030
-  %1033 = shl i64 %1030, 4
-  %1034 = getelementptr i8, ptr %1026, i64 %1033
-  br label %1035
+1031:                                             ; preds = %1030
+  %1032 = load i64, ptr %294, align 8, !noalias !22
+  %1033 = load ptr, ptr %78, align 8, !noalias !22
+  %1034 = getelementptr inbounds i8, ptr %1033, i64 40
+  %1035 = load i64, ptr %1034, align 8, !noalias !22
+  %1036 = load ptr, ptr %297, align 8, !noalias !22
+  %1037 = load ptr, ptr %295, align 8, !noalias !22
+  %1038 = load ptr, ptr %298, align 8, !noalias !22
+  %1039 = icmp sgt i64 %1035, 0
+  br i1 %1039, label %1040, label %1100
 
-1035:                                             ; preds = %1029, %1085
-  %1036 = phi double [ 0.000000e+00, %1029 ], [ %1086, %1085 ]
-  %1037 = phi i64 [ 0, %1029 ], [ %1087, %1085 ]
-  br i1 %1031, label %1038, label %1041
-
-1038:                                             ; preds = %1035
-  %1039 = add nuw i64 %1037, %1021
-  %1040 = load ptr, ptr %66, align 8, !noalias !22
+1040:                                             ; preds = %1031
+  %1041 = load i64, ptr %296, align 8, !noalias !22
+  %1042 = icmp sgt i64 %1032, 0
+  %1043 = getelementptr double, ptr %1037, i64 %1041
+  %1044 = shl i64 %1041, 4
+  %1045 = getelementptr i8, ptr %1037, i64 %1044
   br label %1046
 
-1041:                                             ; preds = %1046, %1035
-  %1042 = phi double [ 0.000000e+00, %1035 ], [ %1078, %1046 ]
-  %1043 = phi double [ 0.000000e+00, %1035 ], [ %1062, %1046 ]
-  %1044 = fmul double %1036, %1042
-  %1045 = fcmp ogt double %1043, %1044
-  br i1 %1045, label %1081, label %1085
+1046:                                             ; preds = %1040, %1096
+  %1047 = phi double [ 0.000000e+00, %1040 ], [ %1097, %1096 ]
+  %1048 = phi i64 [ 0, %1040 ], [ %1098, %1096 ]
+  br i1 %1042, label %1049, label %1052
 
-1046:                                             ; preds = %1038, %1046
-  %1047 = phi double [ 0.000000e+00, %1038 ], [ %1062, %1046 ]
-  %1048 = phi double [ 0.000000e+00, %1038 ], [ %1078, %1046 ]
-  %1049 = phi i64 [ 0, %1038 ], [ %1079, %1046 ]
-  %1050 = mul nuw nsw i64 %1049, %1024
-  %1051 = add i64 %1039, %1050
-  %1052 = getelementptr inbounds double, ptr %1025, i64 %1051
-  %1053 = load double, ptr %1052, align 8, !noalias !22
-  %1054 = fmul double %1053, %1053
-  %1055 = getelementptr inbounds { double, double }, ptr %1027, i64 %1051
-  %1056 = load double, ptr %1055, align 8, !noalias !22
-  %1057 = getelementptr inbounds i8, ptr %1055, i64 8
-  %1058 = load double, ptr %1057, align 8, !noalias !22
-  %1059 = tail call double @hypot(double noundef %1056, double noundef %1058) #13
-  %1060 = fmul double %1059, %1059
-  %1061 = fadd double %1054, %1060
-  %1062 = fadd double %1047, %1061
-  %1063 = getelementptr inbounds double, ptr %1040, i64 %1051
+1049:                                             ; preds = %1046
+  %1050 = add nuw i64 %1048, %1032
+  %1051 = load ptr, ptr %77, align 8, !noalias !22
+  br label %1057
+
+1052:                                             ; preds = %1057, %1046
+  %1053 = phi double [ 0.000000e+00, %1046 ], [ %1089, %1057 ]
+  %1054 = phi double [ 0.000000e+00, %1046 ], [ %1073, %1057 ]
+  %1055 = fmul double %1047, %1053
+  %1056 = fcmp ogt double %1054, %1055
+  br i1 %1056, label %1092, label %1096
+
+1057:                                             ; preds = %1049, %1057
+  %1058 = phi double [ 0.000000e+00, %1049 ], [ %1073, %1057 ]
+  %1059 = phi double [ 0.000000e+00, %1049 ], [ %1089, %1057 ]
+  %1060 = phi i64 [ 0, %1049 ], [ %1090, %1057 ]
+  %1061 = mul nuw nsw i64 %1060, %1035
+  %1062 = add i64 %1050, %1061
+  %1063 = getelementptr inbounds double, ptr %1036, i64 %1062
   %1064 = load double, ptr %1063, align 8, !noalias !22
   %1065 = fmul double %1064, %1064
-  %1066 = fadd double %1048, %1065
-  %1067 = getelementptr inbounds double, ptr %1026, i64 %1051
-  %1068 = load double, ptr %1067, align 8, !noalias !22
-  %1069 = fmul double %1068, %1068
-  %1070 = getelementptr double, ptr %1032, i64 %1051
-  %1071 = load double, ptr %1070, align 8, !noalias !22
-  %1072 = fmul double %1071, %1071
-  %1073 = fadd double %1069, %1072
-  %1074 = getelementptr double, ptr %1034, i64 %1051
+  %1066 = getelementptr inbounds { double, double }, ptr %1038, i64 %1062
+  %1067 = load double, ptr %1066, align 8, !noalias !22
+  %1068 = getelementptr inbounds i8, ptr %1066, i64 8
+  %1069 = load double, ptr %1068, align 8, !noalias !22
+  %1070 = tail call double @hypot(double noundef %1067, double noundef %1069) #13
+  %1071 = fmul double %1070, %1070
+  %1072 = fadd double %1065, %1071
+  %1073 = fadd double %1058, %1072
+  %1074 = getelementptr inbounds double, ptr %1051, i64 %1062
   %1075 = load double, ptr %1074, align 8, !noalias !22
   %1076 = fmul double %1075, %1075
-  %1077 = fadd double %1073, %1076
-  %1078 = fadd double %1066, %1077
-  %1079 = add nuw nsw i64 %1049, 1
-  %1080 = icmp eq i64 %1079, %1021
-  br i1 %1080, label %1041, label %1046, !llvm.loop !31
+  %1077 = fadd double %1059, %1076
+  %1078 = getelementptr inbounds double, ptr %1037, i64 %1062
+  %1079 = load double, ptr %1078, align 8, !noalias !22
+  %1080 = fmul double %1079, %1079
+  %1081 = getelementptr double, ptr %1043, i64 %1062
+  %1082 = load double, ptr %1081, align 8, !noalias !22
+  %1083 = fmul double %1082, %1082
+  %1084 = fadd double %1080, %1083
+  %1085 = getelementptr double, ptr %1045, i64 %1062
+  %1086 = load double, ptr %1085, align 8, !noalias !22
+  %1087 = fmul double %1086, %1086
+  %1088 = fadd double %1084, %1087
+  %1089 = fadd double %1077, %1088
+  %1090 = add nuw nsw i64 %1060, 1
+  %1091 = icmp eq i64 %1090, %1032
+  br i1 %1091, label %1052, label %1057, !llvm.loop !31
 
-1081:                                             ; preds = %1041
-  %1082 = fcmp ogt double %1042, 0.000000e+00
-  %1083 = fdiv double %1043, %1042
-  %1084 = select i1 %1082, double %1083, double 1.000000e+00
-  br label %1085
+1092:                                             ; preds = %1052
+  %1093 = fcmp ogt double %1053, 0.000000e+00
+  %1094 = fdiv double %1054, %1053
+  %1095 = select i1 %1093, double %1094, double 1.000000e+00
+  br label %1096
 
-1085:                                             ; preds = %1081, %1041
-  %1086 = phi double [ %1084, %1081 ], [ %1036, %1041 ]
-  %1087 = add nuw nsw i64 %1037, 1
-  %1088 = icmp eq i64 %1087, %1024
-  br i1 %1088, label %1089, label %1035, !llvm.loop !32
+1096:                                             ; preds = %1092, %1052
+  %1097 = phi double [ %1095, %1092 ], [ %1047, %1052 ]
+  %1098 = add nuw nsw i64 %1048, 1
+  %1099 = icmp eq i64 %1098, %1035
+  br i1 %1099, label %1100, label %1046, !llvm.loop !32
 
-1089:                                             ; preds = %1085, %1020
-  %1090 = phi double [ 0.000000e+00, %1020 ], [ %1086, %1085 ]
-  %1091 = fcmp ugt double %1090, %288
-  br i1 %1091, label %1092, label %1093
+1100:                                             ; preds = %1096, %1031
+  %1101 = phi double [ 0.000000e+00, %1031 ], [ %1097, %1096 ]
+  %1102 = fcmp ugt double %1101, %299
+  br i1 %1102, label %1103, label %1104
 
-1092:                                             ; preds = %1089, %967
-  br label %1093
+1103:                                             ; preds = %1100, %978
+  br label %1104
 
-1093:                                             ; preds = %1092, %1089, %1019, %963, %947
-  %1094 = phi double [ %702, %947 ], [ %953, %963 ], [ %763, %1019 ], [ %763, %1092 ], [ %763, %1089 ]
-  %1095 = phi i32 [ 0, %947 ], [ 0, %963 ], [ %764, %1019 ], [ %764, %1092 ], [ %764, %1089 ]
-  %1096 = phi i64 [ %948, %947 ], [ %964, %963 ], [ %765, %1019 ], [ %765, %1092 ], [ %765, %1089 ]
-  %1097 = phi i64 [ 0, %947 ], [ 0, %963 ], [ %766, %1019 ], [ %766, %1092 ], [ %766, %1089 ]
-  %1098 = phi i1 [ false, %947 ], [ false, %963 ], [ false, %1019 ], [ true, %1092 ], [ false, %1089 ]
-  %1099 = phi i32 [ 1, %947 ], [ 1, %963 ], [ 2, %1019 ], [ 0, %1092 ], [ 2, %1089 ]
-  %1100 = phi i64 [ %703, %947 ], [ 0, %963 ], [ %976, %1019 ], [ %976, %1092 ], [ %976, %1089 ]
-  %1101 = phi double [ %702, %947 ], [ %953, %963 ], [ %966, %1019 ], [ %966, %1092 ], [ %966, %1089 ]
-  %1102 = phi double [ %701, %947 ], [ %701, %963 ], [ %701, %1019 ], [ %943, %1092 ], [ %701, %1089 ]
-  br i1 %1098, label %1103, label %1106
+1104:                                             ; preds = %1103, %1100, %1030, %974, %958
+  %1105 = phi double [ %713, %958 ], [ %964, %974 ], [ %774, %1030 ], [ %774, %1103 ], [ %774, %1100 ]
+  %1106 = phi i32 [ 0, %958 ], [ 0, %974 ], [ %775, %1030 ], [ %775, %1103 ], [ %775, %1100 ]
+  %1107 = phi i64 [ %959, %958 ], [ %975, %974 ], [ %776, %1030 ], [ %776, %1103 ], [ %776, %1100 ]
+  %1108 = phi i64 [ 0, %958 ], [ 0, %974 ], [ %777, %1030 ], [ %777, %1103 ], [ %777, %1100 ]
+  %1109 = phi i1 [ false, %958 ], [ false, %974 ], [ false, %1030 ], [ true, %1103 ], [ false, %1100 ]
+  %1110 = phi i32 [ 1, %958 ], [ 1, %974 ], [ 2, %1030 ], [ 0, %1103 ], [ 2, %1100 ]
+  %1111 = phi i64 [ %714, %958 ], [ 0, %974 ], [ %987, %1030 ], [ %987, %1103 ], [ %987, %1100 ]
+  %1112 = phi double [ %713, %958 ], [ %964, %974 ], [ %977, %1030 ], [ %977, %1103 ], [ %977, %1100 ]
+  %1113 = phi double [ %712, %958 ], [ %712, %974 ], [ %712, %1030 ], [ %954, %1103 ], [ %712, %1100 ]
+  br i1 %1109, label %1114, label %1117
 
-1103:                                             ; preds = %1093
-  %1104 = add nuw nsw i64 %704, 1
-  %1105 = icmp eq i64 %1104, %690
-  br i1 %1105, label %1106, label %700, !llvm.loop !33
+1114:                                             ; preds = %1104
+  %1115 = add nuw nsw i64 %715, 1
+  %1116 = icmp eq i64 %1115, %701
+  br i1 %1116, label %1117, label %711, !llvm.loop !33
 
-1106:                                             ; preds = %879, %1093, %761, %700, %1103
-  %1107 = phi double [ %708, %700 ], [ %1094, %1093 ], [ %763, %761 ], [ %1094, %1103 ], [ 0x7FF0000000000000, %879 ]
-  %1108 = phi i32 [ %707, %700 ], [ %1095, %1093 ], [ %764, %761 ], [ %1095, %1103 ], [ 0, %879 ]
-  %1109 = phi i64 [ %706, %700 ], [ %1096, %1093 ], [ %765, %761 ], [ %1096, %1103 ], [ %704, %879 ]
-  %1110 = phi i64 [ %705, %700 ], [ %1097, %1093 ], [ %766, %761 ], [ %1097, %1103 ], [ 0, %879 ]
-  %1111 = phi i32 [ 2, %700 ], [ %1099, %1093 ], [ %767, %761 ], [ 2, %1103 ], [ 1, %879 ]
-  %1112 = phi i64 [ 0, %700 ], [ %1100, %1093 ], [ %703, %761 ], [ %1100, %1103 ], [ %703, %879 ]
-  %1113 = phi double [ %702, %700 ], [ %1101, %1093 ], [ %702, %761 ], [ %1101, %1103 ], [ %702, %879 ]
-  %1114 = icmp eq i32 %1111, 2
-  br i1 %1114, label %1115, label %1119
+1117:                                             ; preds = %890, %1104, %772, %711, %1114
+  %1118 = phi double [ %719, %711 ], [ %1105, %1104 ], [ %774, %772 ], [ %1105, %1114 ], [ 0x7FF0000000000000, %890 ]
+  %1119 = phi i32 [ %718, %711 ], [ %1106, %1104 ], [ %775, %772 ], [ %1106, %1114 ], [ 0, %890 ]
+  %1120 = phi i64 [ %717, %711 ], [ %1107, %1104 ], [ %776, %772 ], [ %1107, %1114 ], [ %715, %890 ]
+  %1121 = phi i64 [ %716, %711 ], [ %1108, %1104 ], [ %777, %772 ], [ %1108, %1114 ], [ 0, %890 ]
+  %1122 = phi i32 [ 2, %711 ], [ %1110, %1104 ], [ %778, %772 ], [ 2, %1114 ], [ 1, %890 ]
+  %1123 = phi i64 [ 0, %711 ], [ %1111, %1104 ], [ %714, %772 ], [ %1111, %1114 ], [ %714, %890 ]
+  %1124 = phi double [ %713, %711 ], [ %1112, %1104 ], [ %713, %772 ], [ %1112, %1114 ], [ %713, %890 ]
+  %1125 = icmp eq i32 %1122, 2
+  br i1 %1125, label %1126, label %1130
 
-1115:                                             ; preds = %1106
-  %1116 = icmp sgt i64 %1112, 0
-  %1117 = select i1 %1116, i64 %1112, i64 6
-  %1118 = zext i1 %1116 to i32
-  br label %1119
+1126:                                             ; preds = %1117
+  %1127 = icmp sgt i64 %1123, 0
+  %1128 = select i1 %1127, i64 %1123, i64 6
+  %1129 = zext i1 %1127 to i32
+  br label %1130
 
-1119:                                             ; preds = %1106, %1115
-  %1120 = phi double [ %1113, %1115 ], [ %1107, %1106 ]
-  %1121 = phi i32 [ %1118, %1115 ], [ %1108, %1106 ]
-  %1122 = phi i64 [ %1117, %1115 ], [ %1109, %1106 ]
-  %1123 = phi i64 [ 0, %1115 ], [ %1110, %1106 ]
-  %1124 = icmp slt i64 %1123, 0
-  br i1 %1124, label %1759, label %1125
+1130:                                             ; preds = %1117, %1126
+  %1131 = phi double [ %1124, %1126 ], [ %1118, %1117 ]
+  %1132 = phi i32 [ %1129, %1126 ], [ %1119, %1117 ]
+  %1133 = phi i64 [ %1128, %1126 ], [ %1120, %1117 ]
+  %1134 = phi i64 [ 0, %1126 ], [ %1121, %1117 ]
+  %1135 = icmp slt i64 %1134, 0
+  br i1 %1135, label %1770, label %1136
 
-1125:                                             ; preds = %1119
-  %1126 = icmp eq i32 %1121, 0
-  br i1 %1126, label %1128, label %1127
+1136:                                             ; preds = %1130
+  %1137 = icmp eq i32 %1132, 0
+  br i1 %1137, label %1139, label %1138
 
-1127:                                             ; preds = %1125
-  br i1 %289, label %1279, label %1178
+1138:                                             ; preds = %1136
+  br i1 %300, label %1290, label %1189
 
-1128:                                             ; preds = %1125
-  %1129 = load i64, ptr %231, align 8
-  %1130 = add nsw i64 %1129, 1
-  store i64 %1130, ptr %231, align 8
-  %1131 = tail call double @llvm.fabs.f64(double %1120)
-  %1132 = fcmp ueq double %1131, 0x7FF0000000000000
-  %1133 = select i1 %1132, i64 4, i64 7
-  %1134 = icmp eq i64 %1123, 0
-  %1135 = select i1 %1134, i64 %1133, i64 3
-  store i64 %1135, ptr %340, align 8
-  %1136 = load i64, ptr %341, align 8
-  %1137 = icmp eq i64 %1136, 1
-  %1138 = and i1 %1134, %1137
-  br i1 %1138, label %1139, label %1165
+1139:                                             ; preds = %1136
+  %1140 = load i64, ptr %242, align 8
+  %1141 = add nsw i64 %1140, 1
+  store i64 %1141, ptr %242, align 8
+  %1142 = tail call double @llvm.fabs.f64(double %1131)
+  %1143 = fcmp ueq double %1142, 0x7FF0000000000000
+  %1144 = select i1 %1143, i64 4, i64 7
+  %1145 = icmp eq i64 %1134, 0
+  %1146 = select i1 %1145, i64 %1144, i64 3
+  store i64 %1146, ptr %351, align 8
+  %1147 = load i64, ptr %352, align 8
+  %1148 = icmp eq i64 %1147, 1
+  %1149 = and i1 %1145, %1148
+  br i1 %1149, label %1150, label %1176
 
-1139:                                             ; preds = %1128
-  %1140 = load i64, ptr %343, align 8
-  %1141 = icmp sgt i64 %1140, 0
-  br i1 %1141, label %1142, label %1159
+1150:                                             ; preds = %1139
+  %1151 = load i64, ptr %354, align 8
+  %1152 = icmp sgt i64 %1151, 0
+  br i1 %1152, label %1153, label %1170
 
-1142:                                             ; preds = %1139, %1151
-  %1143 = phi i64 [ %1156, %1151 ], [ 0, %1139 ]
-  %1144 = phi i32 [ %1153, %1151 ], [ 0, %1139 ]
-  %1145 = icmp eq i32 %1144, 0
-  br i1 %1145, label %1146, label %1151
+1153:                                             ; preds = %1150, %1162
+  %1154 = phi i64 [ %1167, %1162 ], [ 0, %1150 ]
+  %1155 = phi i32 [ %1164, %1162 ], [ 0, %1150 ]
+  %1156 = icmp eq i32 %1155, 0
+  br i1 %1156, label %1157, label %1162
 
-1146:                                             ; preds = %1142
-  %1147 = load ptr, ptr %342, align 8
-  %1148 = getelementptr inbounds double, ptr %1147, i64 %1143
-  %1149 = load double, ptr %1148, align 8
-  %1150 = fcmp une double %1149, 0.000000e+00
-  br label %1151
+1157:                                             ; preds = %1153
+  %1158 = load ptr, ptr %353, align 8
+  %1159 = getelementptr inbounds double, ptr %1158, i64 %1154
+  %1160 = load double, ptr %1159, align 8
+  %1161 = fcmp une double %1160, 0.000000e+00
+  br label %1162
 
-1151:                                             ; preds = %1146, %1142
-  %1152 = phi i1 [ true, %1142 ], [ %1150, %1146 ]
-  %1153 = zext i1 %1152 to i32
-  %1154 = load ptr, ptr %342, align 8
-  %1155 = getelementptr inbounds double, ptr %1154, i64 %1143
-  store double 0.000000e+00, ptr %1155, align 8
-  %1156 = add nuw nsw i64 %1143, 1
-  %1157 = load i64, ptr %343, align 8
-  %1158 = icmp slt i64 %1156, %1157
-  br i1 %1158, label %1142, label %1159, !llvm.loop !34
+1162:                                             ; preds = %1157, %1153
+  %1163 = phi i1 [ true, %1153 ], [ %1161, %1157 ]
+  %1164 = zext i1 %1163 to i32
+  %1165 = load ptr, ptr %353, align 8
+  %1166 = getelementptr inbounds double, ptr %1165, i64 %1154
+  store double 0.000000e+00, ptr %1166, align 8
+  %1167 = add nuw nsw i64 %1154, 1
+  %1168 = load i64, ptr %354, align 8
+  %1169 = icmp slt i64 %1167, %1168
+  br i1 %1169, label %1153, label %1170, !llvm.loop !34
 
-1159:                                             ; preds = %1151, %1139
-  %1160 = phi i32 [ 0, %1139 ], [ %1153, %1151 ]
-  %1161 = icmp eq i32 %1160, 0
-  br i1 %1161, label %1163, label %1162
+1170:                                             ; preds = %1162, %1150
+  %1171 = phi i32 [ 0, %1150 ], [ %1164, %1162 ]
+  %1172 = icmp eq i32 %1171, 0
+  br i1 %1172, label %1174, label %1173
 
-1162:                                             ; preds = %1159
-  store i64 0, ptr %252, align 8
-  br label %1759, !llvm.loop !17
+1173:                                             ; preds = %1170
+  store i64 0, ptr %263, align 8
+  br label %1770, !llvm.loop !17
 
-1163:                                             ; preds = %1159
-  store i64 0, ptr %341, align 8
-  %1164 = fmul double %387, 5.000000e-01
-  br label %1165
+1174:                                             ; preds = %1170
+  store i64 0, ptr %352, align 8
+  %1175 = fmul double %398, 5.000000e-01
+  br label %1176
 
-1165:                                             ; preds = %1163, %1128
-  %1166 = phi double [ %1164, %1163 ], [ %352, %1128 ]
-  %1167 = load i64, ptr %341, align 8
-  %1168 = icmp eq i64 %1167, 1
-  %1169 = icmp ne i64 %1123, 0
-  %1170 = or i1 %1169, %1168
-  br i1 %1170, label %1171, label %1174
+1176:                                             ; preds = %1174, %1139
+  %1177 = phi double [ %1175, %1174 ], [ %363, %1139 ]
+  %1178 = load i64, ptr %352, align 8
+  %1179 = icmp eq i64 %1178, 1
+  %1180 = icmp ne i64 %1134, 0
+  %1181 = or i1 %1180, %1179
+  br i1 %1181, label %1182, label %1185
 
-1171:                                             ; preds = %1165
-  %1172 = select i1 %1134, double 5.000000e-01, double 2.500000e-01
-  %1173 = fmul double %387, %1172
-  store double 0.000000e+00, ptr %260, align 8
-  br label %1174
+1182:                                             ; preds = %1176
+  %1183 = select i1 %1145, double 5.000000e-01, double 2.500000e-01
+  %1184 = fmul double %398, %1183
+  store double 0.000000e+00, ptr %271, align 8
+  br label %1185
 
-1174:                                             ; preds = %1165, %1171
-  %1175 = phi double [ %1173, %1171 ], [ %1166, %1165 ]
-  %1176 = load i64, ptr %341, align 8
-  %1177 = sub nsw i64 1, %1176
-  store i64 %1177, ptr %234, align 8
-  br label %1759, !llvm.loop !17
+1185:                                             ; preds = %1176, %1182
+  %1186 = phi double [ %1184, %1182 ], [ %1177, %1176 ]
+  %1187 = load i64, ptr %352, align 8
+  %1188 = sub nsw i64 1, %1187
+  store i64 %1188, ptr %245, align 8
+  br label %1770, !llvm.loop !17
 
-1178:                                             ; preds = %1279, %1127
-  %1179 = load i64, ptr %292, align 8
-  %1180 = icmp eq i64 %1179, 1
-  %1181 = load ptr, ptr %65, align 8
-  %1182 = getelementptr inbounds i8, ptr %1181, i64 8
-  %1183 = load i64, ptr %1182, align 8
-  %1184 = load i64, ptr %294, align 8
-  %1185 = load ptr, ptr %295, align 8
-  %1186 = load ptr, ptr %266, align 8
-  %1187 = icmp sgt i64 %1183, 0
-  br i1 %1187, label %1188, label %1190
+1189:                                             ; preds = %1290, %1138
+  %1190 = load i64, ptr %303, align 8
+  %1191 = icmp eq i64 %1190, 1
+  %1192 = load ptr, ptr %76, align 8
+  %1193 = getelementptr inbounds i8, ptr %1192, i64 8
+  %1194 = load i64, ptr %1193, align 8
+  %1195 = load i64, ptr %305, align 8
+  %1196 = load ptr, ptr %306, align 8
+  %1197 = load ptr, ptr %277, align 8
+  %1198 = icmp sgt i64 %1194, 0
+  br i1 %1198, label %1199, label %1201
 
-1188:                                             ; preds = %1178
-  %1189 = shl i64 %1183, 4
-  br label %1199
+1199:                                             ; preds = %1189
+  %1200 = shl i64 %1194, 4
+  br label %1210
 
-1190:                                             ; preds = %1199, %1178
-  %1191 = load ptr, ptr %297, align 8
-  %1192 = load ptr, ptr %293, align 8
-  tail call fastcc void @real_solve(ptr noundef %1191, i64 noundef %1184, ptr noundef %1192, ptr noundef %1186) #10
-  %1193 = load ptr, ptr %298, align 8
-  call fastcc void @norm_to(ptr noundef nonnull %6, ptr noundef %1186, ptr noundef %1193, ptr noundef nonnull %66, i64 noundef %1183) #10
-  %1194 = load double, ptr %6, align 8
-  %1195 = fcmp uge double %1194, 1.000000e+00
-  %1196 = and i1 %1180, %1195
-  br i1 %1196, label %1197, label %1275
+1201:                                             ; preds = %1210, %1189
+  %1202 = load ptr, ptr %308, align 8
+  %1203 = load ptr, ptr %304, align 8
+  tail call fastcc void @real_solve(ptr noundef %1202, i64 noundef %1195, ptr noundef %1203, ptr noundef %1197) #10
+  %1204 = load ptr, ptr %309, align 8
+  call fastcc void @norm_to(ptr noundef nonnull %6, ptr noundef %1197, ptr noundef %1204, ptr noundef nonnull %77, i64 noundef %1194) #10
+  %1205 = load double, ptr %6, align 8
+  %1206 = fcmp uge double %1205, 1.000000e+00
+  %1207 = and i1 %1191, %1206
+  br i1 %1207, label %1208, label %1286
 
-1197:                                             ; preds = %1190
-  %1198 = icmp sgt i64 %1183, 0
-  br i1 %1198, label %1247, label %1224
+1208:                                             ; preds = %1201
+  %1209 = icmp sgt i64 %1194, 0
+  br i1 %1209, label %1258, label %1235
 
-1199:                                             ; preds = %1188, %1199
-  %1200 = phi i64 [ 0, %1188 ], [ %1222, %1199 ]
-  %1201 = load ptr, ptr %262, align 8
-  %1202 = getelementptr inbounds double, ptr %1201, i64 %1200
-  %1203 = load double, ptr %1202, align 8
-  %1204 = fmul double %1203, 0x402418FD8BAFFE05
-  %1205 = getelementptr double, ptr %1201, i64 %1183
-  %1206 = getelementptr double, ptr %1205, i64 %1200
-  %1207 = load double, ptr %1206, align 8
-  %1208 = fmul double %1207, 0x3FF61D41B2D54580
-  %1209 = fsub double %1208, %1204
-  %1210 = getelementptr i8, ptr %1201, i64 %1189
-  %1211 = getelementptr double, ptr %1210, i64 %1200
-  %1212 = load double, ptr %1211, align 8
-  %1213 = fmul double %1212, 0x3FD5555555555555
-  %1214 = fsub double %1209, %1213
-  %1215 = fdiv double %1214, %387
-  %1216 = getelementptr inbounds double, ptr %1185, i64 %1200
-  store double %1215, ptr %1216, align 8
-  %1217 = load ptr, ptr %296, align 8
-  %1218 = getelementptr inbounds double, ptr %1217, i64 %1200
-  %1219 = load double, ptr %1218, align 8
-  %1220 = fadd double %1219, %1215
-  %1221 = getelementptr inbounds double, ptr %1186, i64 %1200
-  store double %1220, ptr %1221, align 8
-  %1222 = add nuw nsw i64 %1200, 1
-  %1223 = icmp eq i64 %1222, %1183
-  br i1 %1223, label %1190, label %1199, !llvm.loop !35
+1210:                                             ; preds = %1199, %1210
+  %1211 = phi i64 [ 0, %1199 ], [ %1233, %1210 ]
+  %1212 = load ptr, ptr %273, align 8
+  %1213 = getelementptr inbounds double, ptr %1212, i64 %1211
+  %1214 = load double, ptr %1213, align 8
+  %1215 = fmul double %1214, 0x402418FD8BAFFE05
+  %1216 = getelementptr double, ptr %1212, i64 %1194
+  %1217 = getelementptr double, ptr %1216, i64 %1211
+  %1218 = load double, ptr %1217, align 8
+  %1219 = fmul double %1218, 0x3FF61D41B2D54580
+  %1220 = fsub double %1219, %1215
+  %1221 = getelementptr i8, ptr %1212, i64 %1200
+  %1222 = getelementptr double, ptr %1221, i64 %1211
+  %1223 = load double, ptr %1222, align 8
+  %1224 = fmul double %1223, 0x3FD5555555555555
+  %1225 = fsub double %1220, %1224
+  %1226 = fdiv double %1225, %398
+  %1227 = getelementptr inbounds double, ptr %1196, i64 %1211
+  store double %1226, ptr %1227, align 8
+  %1228 = load ptr, ptr %307, align 8
+  %1229 = getelementptr inbounds double, ptr %1228, i64 %1211
+  %1230 = load double, ptr %1229, align 8
+  %1231 = fadd double %1230, %1226
+  %1232 = getelementptr inbounds double, ptr %1197, i64 %1211
+  store double %1231, ptr %1232, align 8
+  %1233 = add nuw nsw i64 %1211, 1
+  %1234 = icmp eq i64 %1233, %1194
+  br i1 %1234, label %1201, label %1210, !llvm.loop !35
 
-1224:                                             ; preds = %1247, %1197
-  %1225 = load ptr, ptr %72, align 8
-  %1226 = getelementptr inbounds i8, ptr %1225, i64 24
-  %1227 = load i64, ptr %1226, align 8
-  %1228 = add nsw i64 %1227, 1
-  store i64 %1228, ptr %1226, align 8
-  %1229 = load ptr, ptr %300, align 8
-  %1230 = load ptr, ptr %265, align 8
-  %1231 = load ptr, ptr %301, align 8
-  store double %351, ptr %1231, align 8
-  %1232 = load i64, ptr %302, align 8
-  %1233 = icmp sgt i64 %1232, 0
-  br i1 %1233, label %1234, label %1235
-
-1234:                                             ; preds = %1224
-  tail call fastcc void @sample(ptr noundef nonnull %65) #10
-  br label %1235
-
-1235:                                             ; preds = %1224, %1234
-  %1236 = load ptr, ptr %65, align 8
-  %1237 = load i64, ptr %1236, align 8
-  %1238 = load ptr, ptr %301, align 8
-  %1239 = load ptr, ptr %303, align 8
-  %1240 = load ptr, ptr %304, align 8
-  %1241 = inttoptr i64 %1237 to ptr
-  %1242 = tail call i32 %1241(ptr noundef %1238, ptr noundef %1229, ptr noundef %1239, ptr noundef %1240, ptr noundef %1230) #11
-  %1243 = sext i32 %1242 to i64
-  %1244 = icmp eq i32 %1242, 0
-  br i1 %1244, label %1245, label %1275
+1235:                                             ; preds = %1258, %1208
+  %1236 = load ptr, ptr %83, align 8
+  %1237 = getelementptr inbounds i8, ptr %1236, i64 24
+  %1238 = load i64, ptr %1237, align 8
+  %1239 = add nsw i64 %1238, 1
+  store i64 %1239, ptr %1237, align 8
+  %1240 = load ptr, ptr %311, align 8
+  %1241 = load ptr, ptr %276, align 8
+  %1242 = load ptr, ptr %312, align 8
+  store double %362, ptr %1242, align 8
+  %1243 = load i64, ptr %313, align 8
+  %1244 = icmp sgt i64 %1243, 0
+  br i1 %1244, label %1245, label %1246
 
 1245:                                             ; preds = %1235
-  %1246 = icmp sgt i64 %1183, 0
-  br i1 %1246, label %1264, label %1259
+  tail call fastcc void @sample(ptr noundef nonnull %76) #10
+  br label %1246
 
-1247:                                             ; preds = %1197, %1247
-  %1248 = phi i64 [ %1257, %1247 ], [ 0, %1197 ]
-  %1249 = load ptr, ptr %66, align 8
-  %1250 = getelementptr inbounds double, ptr %1249, i64 %1248
-  %1251 = load double, ptr %1250, align 8
-  %1252 = getelementptr inbounds double, ptr %1186, i64 %1248
-  %1253 = load double, ptr %1252, align 8
-  %1254 = fadd double %1251, %1253
-  %1255 = load ptr, ptr %299, align 8
-  %1256 = getelementptr inbounds double, ptr %1255, i64 %1248
-  store double %1254, ptr %1256, align 8
-  %1257 = add nuw nsw i64 %1248, 1
-  %1258 = icmp eq i64 %1257, %1183
-  br i1 %1258, label %1224, label %1247, !llvm.loop !36
+1246:                                             ; preds = %1235, %1245
+  %1247 = load ptr, ptr %76, align 8
+  %1248 = load i64, ptr %1247, align 8
+  %1249 = load ptr, ptr %312, align 8
+  %1250 = load ptr, ptr %314, align 8
+  %1251 = load ptr, ptr %315, align 8
+  %1252 = inttoptr i64 %1248 to ptr
+  %1253 = tail call i32 %1252(ptr noundef %1249, ptr noundef %1240, ptr noundef %1250, ptr noundef %1251, ptr noundef %1241) #11
+  %1254 = sext i32 %1253 to i64
+  %1255 = icmp eq i32 %1253, 0
+  br i1 %1255, label %1256, label %1286
 
-1259:                                             ; preds = %1264, %1245
-  %1260 = load ptr, ptr %297, align 8
-  %1261 = load ptr, ptr %293, align 8
-  tail call fastcc void @real_solve(ptr noundef %1260, i64 noundef %1184, ptr noundef %1261, ptr noundef %1186) #10
-  %1262 = load ptr, ptr %298, align 8
-  call fastcc void @norm_to(ptr noundef nonnull %7, ptr noundef %1186, ptr noundef %1262, ptr noundef nonnull %66, i64 noundef %1183) #10
-  %1263 = load double, ptr %7, align 8
-  br label %1275
+1256:                                             ; preds = %1246
+  %1257 = icmp sgt i64 %1194, 0
+  br i1 %1257, label %1275, label %1270
 
-1264:                                             ; preds = %1245, %1264
-  %1265 = phi i64 [ %1273, %1264 ], [ 0, %1245 ]
-  %1266 = load ptr, ptr %265, align 8
-  %1267 = getelementptr inbounds double, ptr %1266, i64 %1265
-  %1268 = load double, ptr %1267, align 8
-  %1269 = getelementptr inbounds double, ptr %1185, i64 %1265
-  %1270 = load double, ptr %1269, align 8
-  %1271 = fadd double %1268, %1270
-  %1272 = getelementptr inbounds double, ptr %1186, i64 %1265
-  store double %1271, ptr %1272, align 8
-  %1273 = add nuw nsw i64 %1265, 1
-  %1274 = icmp eq i64 %1273, %1183
-  br i1 %1274, label %1259, label %1264, !llvm.loop !37
+1258:                                             ; preds = %1208, %1258
+  %1259 = phi i64 [ %1268, %1258 ], [ 0, %1208 ]
+  %1260 = load ptr, ptr %77, align 8
+  %1261 = getelementptr inbounds double, ptr %1260, i64 %1259
+  %1262 = load double, ptr %1261, align 8
+  %1263 = getelementptr inbounds double, ptr %1197, i64 %1259
+  %1264 = load double, ptr %1263, align 8
+  %1265 = fadd double %1262, %1264
+  %1266 = load ptr, ptr %310, align 8
+  %1267 = getelementptr inbounds double, ptr %1266, i64 %1259
+  store double %1265, ptr %1267, align 8
+  %1268 = add nuw nsw i64 %1259, 1
+  %1269 = icmp eq i64 %1268, %1194
+  br i1 %1269, label %1235, label %1258, !llvm.loop !36
 
-1275:                                             ; preds = %1190, %1235, %1259
-  %1276 = phi double [ %1263, %1259 ], [ %1194, %1235 ], [ %1194, %1190 ]
-  %1277 = phi i64 [ 0, %1259 ], [ %1243, %1235 ], [ 0, %1190 ]
-  %1278 = icmp slt i64 %1277, 0
-  br i1 %1278, label %1759, label %1293
+1270:                                             ; preds = %1275, %1256
+  %1271 = load ptr, ptr %308, align 8
+  %1272 = load ptr, ptr %304, align 8
+  tail call fastcc void @real_solve(ptr noundef %1271, i64 noundef %1195, ptr noundef %1272, ptr noundef %1197) #10
+  %1273 = load ptr, ptr %309, align 8
+  call fastcc void @norm_to(ptr noundef nonnull %7, ptr noundef %1197, ptr noundef %1273, ptr noundef nonnull %77, i64 noundef %1194) #10
+  %1274 = load double, ptr %7, align 8
+  br label %1286
 
-1279:                                             ; preds = %1127, %1279
-  %1280 = phi i64 [ %1291, %1279 ], [ 0, %1127 ]
-  %1281 = load ptr, ptr %66, align 8
-  %1282 = getelementptr inbounds double, ptr %1281, i64 %1280
-  %1283 = load double, ptr %1282, align 8
-  %1284 = load ptr, ptr %262, align 8
-  %1285 = getelementptr i8, ptr %1284, i64 %290
-  %1286 = getelementptr double, ptr %1285, i64 %1280
-  %1287 = load double, ptr %1286, align 8
-  %1288 = fadd double %1283, %1287
-  %1289 = load ptr, ptr %291, align 8
-  %1290 = getelementptr inbounds double, ptr %1289, i64 %1280
-  store double %1288, ptr %1290, align 8
-  %1291 = add nuw nsw i64 %1280, 1
-  %1292 = icmp eq i64 %1291, %81
-  br i1 %1292, label %1178, label %1279, !llvm.loop !38
+1275:                                             ; preds = %1256, %1275
+  %1276 = phi i64 [ %1284, %1275 ], [ 0, %1256 ]
+  %1277 = load ptr, ptr %276, align 8
+  %1278 = getelementptr inbounds double, ptr %1277, i64 %1276
+  %1279 = load double, ptr %1278, align 8
+  %1280 = getelementptr inbounds double, ptr %1196, i64 %1276
+  %1281 = load double, ptr %1280, align 8
+  %1282 = fadd double %1279, %1281
+  %1283 = getelementptr inbounds double, ptr %1197, i64 %1276
+  store double %1282, ptr %1283, align 8
+  %1284 = add nuw nsw i64 %1276, 1
+  %1285 = icmp eq i64 %1284, %1194
+  br i1 %1285, label %1270, label %1275, !llvm.loop !37
 
-1293:                                             ; preds = %1275
-  %1294 = add nsw i64 %1122, 12
-  %1295 = sitofp i64 %1294 to double
-  %1296 = fdiv double 0x4027666666666667, %1295
-  %1297 = fcmp olt double %1276, 1.000000e-10
-  %1298 = select i1 %1297, double 1.000000e-10, double %1276
-  %1299 = tail call double @llvm.pow.f64(double %1298, double -2.500000e-01)
-  %1300 = icmp eq i64 %1277, 0
-  %1301 = fcmp olt double %1276, 1.000000e+00
-  %1302 = select i1 %1300, i1 %1301, i1 false
-  br i1 %1302, label %1318, label %1303
+1286:                                             ; preds = %1201, %1246, %1270
+  %1287 = phi double [ %1274, %1270 ], [ %1205, %1246 ], [ %1205, %1201 ]
+  %1288 = phi i64 [ 0, %1270 ], [ %1254, %1246 ], [ 0, %1201 ]
+  %1289 = icmp slt i64 %1288, 0
+  br i1 %1289, label %1770, label %1304
 
-1303:                                             ; preds = %1293
-  %1304 = load i64, ptr %231, align 8
-  %1305 = add nsw i64 %1304, 1
-  store i64 %1305, ptr %231, align 8
-  %1306 = select i1 %1300, i64 2, i64 3
-  store i64 %1306, ptr %305, align 8
-  %1307 = tail call double @llvm.fabs.f64(double %1276)
-  %1308 = fcmp ueq double %1307, 0x7FF0000000000000
-  br i1 %1308, label %1313, label %1309
+1290:                                             ; preds = %1138, %1290
+  %1291 = phi i64 [ %1302, %1290 ], [ 0, %1138 ]
+  %1292 = load ptr, ptr %77, align 8
+  %1293 = getelementptr inbounds double, ptr %1292, i64 %1291
+  %1294 = load double, ptr %1293, align 8
+  %1295 = load ptr, ptr %273, align 8
+  %1296 = getelementptr i8, ptr %1295, i64 %301
+  %1297 = getelementptr double, ptr %1296, i64 %1291
+  %1298 = load double, ptr %1297, align 8
+  %1299 = fadd double %1294, %1298
+  %1300 = load ptr, ptr %302, align 8
+  %1301 = getelementptr inbounds double, ptr %1300, i64 %1291
+  store double %1299, ptr %1301, align 8
+  %1302 = add nuw nsw i64 %1291, 1
+  %1303 = icmp eq i64 %1302, %92
+  br i1 %1303, label %1189, label %1290, !llvm.loop !38
 
-1309:                                             ; preds = %1303
-  %1310 = fmul double %1296, %1299
-  %1311 = fcmp ogt double %1310, 2.000000e-01
-  %1312 = select i1 %1311, double %1310, double 2.000000e-01
-  br label %1313
+1304:                                             ; preds = %1286
+  %1305 = add nsw i64 %1133, 12
+  %1306 = sitofp i64 %1305 to double
+  %1307 = fdiv double 0x4027666666666667, %1306
+  %1308 = fcmp olt double %1287, 1.000000e-10
+  %1309 = select i1 %1308, double 1.000000e-10, double %1287
+  %1310 = tail call double @llvm.pow.f64(double %1309, double -2.500000e-01)
+  %1311 = icmp eq i64 %1288, 0
+  %1312 = fcmp olt double %1287, 1.000000e+00
+  %1313 = select i1 %1311, i1 %1312, i1 false
+  br i1 %1313, label %1329, label %1314
 
-1313:                                             ; preds = %1303, %1309
-  %1314 = phi double [ %1312, %1309 ], [ 2.500000e-01, %1303 ]
-  %1315 = fmul double %387, %1314
-  store i64 1, ptr %292, align 8
-  %1316 = load i64, ptr %306, align 8
-  %1317 = sub nsw i64 1, %1316
-  store i64 %1317, ptr %234, align 8
-  br label %1759, !llvm.loop !17
+1314:                                             ; preds = %1304
+  %1315 = load i64, ptr %242, align 8
+  %1316 = add nsw i64 %1315, 1
+  store i64 %1316, ptr %242, align 8
+  %1317 = select i1 %1311, i64 2, i64 3
+  store i64 %1317, ptr %316, align 8
+  %1318 = tail call double @llvm.fabs.f64(double %1287)
+  %1319 = fcmp ueq double %1318, 0x7FF0000000000000
+  br i1 %1319, label %1324, label %1320
 
-1318:                                             ; preds = %1293
-  br i1 %92, label %1319, label %1333
+1320:                                             ; preds = %1314
+  %1321 = fmul double %1307, %1310
+  %1322 = fcmp ogt double %1321, 2.000000e-01
+  %1323 = select i1 %1322, double %1321, double 2.000000e-01
+  br label %1324
 
-1319:                                             ; preds = %1318
-  %1320 = load ptr, ptr %298, align 8
-  %1321 = load ptr, ptr %89, align 8
-  %1322 = getelementptr inbounds i8, ptr %1321, i64 56
-  %1323 = load i64, ptr %1322, align 8
-  %1324 = inttoptr i64 %1323 to ptr
-  %1325 = tail call i64 %1324(ptr noundef %0, double noundef %388, ptr noundef %1320) #11
-  %1326 = icmp eq i64 %1325, 0
-  br i1 %1326, label %1333, label %1327
+1324:                                             ; preds = %1314, %1320
+  %1325 = phi double [ %1323, %1320 ], [ 2.500000e-01, %1314 ]
+  %1326 = fmul double %398, %1325
+  store i64 1, ptr %303, align 8
+  %1327 = load i64, ptr %317, align 8
+  %1328 = sub nsw i64 1, %1327
+  store i64 %1328, ptr %245, align 8
+  br label %1770, !llvm.loop !17
 
-1327:                                             ; preds = %1319
-  %1328 = load i64, ptr %231, align 8
-  %1329 = add nsw i64 %1328, 1
-  store i64 %1329, ptr %231, align 8
-  store i64 6, ptr %307, align 8
-  %1330 = fmul double %387, 2.500000e-01
-  store i64 1, ptr %292, align 8
-  %1331 = load i64, ptr %308, align 8
-  %1332 = sub nsw i64 1, %1331
-  store i64 %1332, ptr %234, align 8
-  br label %1759, !llvm.loop !17
+1329:                                             ; preds = %1304
+  br i1 %103, label %1330, label %1344
 
-1333:                                             ; preds = %1319, %1318
-  %1334 = load i64, ptr %230, align 8
-  %1335 = add nsw i64 %1334, 1
-  store i64 %1335, ptr %230, align 8
-  %1336 = load double, ptr %309, align 8
-  %1337 = fcmp ogt double %1336, 0.000000e+00
-  br i1 %1337, label %1338, label %1347
+1330:                                             ; preds = %1329
+  %1331 = load ptr, ptr %309, align 8
+  %1332 = load ptr, ptr %100, align 8
+  %1333 = getelementptr inbounds i8, ptr %1332, i64 56
+  %1334 = load i64, ptr %1333, align 8
+  %1335 = inttoptr i64 %1334 to ptr
+  %1336 = tail call i64 %1335(ptr noundef %0, double noundef %399, ptr noundef %1331) #11
+  %1337 = icmp eq i64 %1336, 0
+  br i1 %1337, label %1344, label %1338
 
-1338:                                             ; preds = %1333
-  %1339 = fdiv double %1336, %1298
-  %1340 = tail call double @llvm.pow.f64(double %1339, double 2.500000e-01)
-  %1341 = load double, ptr %310, align 8
-  %1342 = fdiv double %387, %1341
-  %1343 = fmul double %1340, %1342
-  %1344 = fcmp olt double %1343, 1.000000e+00
-  %1345 = select i1 %1344, double %1343, double 1.000000e+00
-  %1346 = fmul double %1299, %1345
-  br label %1347
+1338:                                             ; preds = %1330
+  %1339 = load i64, ptr %242, align 8
+  %1340 = add nsw i64 %1339, 1
+  store i64 %1340, ptr %242, align 8
+  store i64 6, ptr %318, align 8
+  %1341 = fmul double %398, 2.500000e-01
+  store i64 1, ptr %303, align 8
+  %1342 = load i64, ptr %319, align 8
+  %1343 = sub nsw i64 1, %1342
+  store i64 %1343, ptr %245, align 8
+  br label %1770, !llvm.loop !17
 
-1347:                                             ; preds = %1338, %1333
-  %1348 = phi double [ %1346, %1338 ], [ %1299, %1333 ]
-  %1349 = fmul double %1296, %1348
-  %1350 = fcmp olt double %1349, 1.000000e+01
-  store double %388, ptr %69, align 8
-  store double %387, ptr %311, align 8
-  store double %1298, ptr %309, align 8
-  %1351 = load ptr, ptr %65, align 8
-  %1352 = getelementptr inbounds i8, ptr %1351, i64 8
-  %1353 = load i64, ptr %1352, align 8
-  %1354 = load i64, ptr %312, align 8
-  %1355 = load ptr, ptr %262, align 8
-  %1356 = load ptr, ptr %313, align 8
-  %1357 = load ptr, ptr %261, align 8
-  br label %1374
+1344:                                             ; preds = %1330, %1329
+  %1345 = load i64, ptr %241, align 8
+  %1346 = add nsw i64 %1345, 1
+  store i64 %1346, ptr %241, align 8
+  %1347 = load double, ptr %320, align 8
+  %1348 = fcmp ogt double %1347, 0.000000e+00
+  br i1 %1348, label %1349, label %1358
 
-1358:                                             ; preds = %1374
-  %1359 = select i1 %1350, double %1349, double 1.000000e+01
-  %1360 = icmp sgt i64 %1353, 0
-  br i1 %1360, label %1361, label %1434
+1349:                                             ; preds = %1344
+  %1350 = fdiv double %1347, %1309
+  %1351 = tail call double @llvm.pow.f64(double %1350, double 2.500000e-01)
+  %1352 = load double, ptr %321, align 8
+  %1353 = fdiv double %398, %1352
+  %1354 = fmul double %1351, %1353
+  %1355 = fcmp olt double %1354, 1.000000e+00
+  %1356 = select i1 %1355, double %1354, double 1.000000e+00
+  %1357 = fmul double %1310, %1356
+  br label %1358
 
-1361:                                             ; preds = %1358
-  %1362 = load double, ptr %8, align 16
-  %1363 = load double, ptr %314, align 8
-  %1364 = getelementptr double, ptr %1355, i64 %1353
-  %1365 = load double, ptr %315, align 16
-  %1366 = shl i64 %1353, 4
-  %1367 = getelementptr i8, ptr %1355, i64 %1366
-  %1368 = load double, ptr %9, align 16
-  %1369 = load double, ptr %316, align 8
-  %1370 = load double, ptr %317, align 16
-  %1371 = getelementptr double, ptr %1356, i64 %1354
-  %1372 = shl i64 %1354, 4
-  %1373 = getelementptr i8, ptr %1356, i64 %1372
+1358:                                             ; preds = %1349, %1344
+  %1359 = phi double [ %1357, %1349 ], [ %1310, %1344 ]
+  %1360 = fmul double %1307, %1359
+  %1361 = fcmp olt double %1360, 1.000000e+01
+  store double %399, ptr %80, align 8
+  store double %398, ptr %322, align 8
+  store double %1309, ptr %320, align 8
+  %1362 = load ptr, ptr %76, align 8
+  %1363 = getelementptr inbounds i8, ptr %1362, i64 8
+  %1364 = load i64, ptr %1363, align 8
+  %1365 = load i64, ptr %323, align 8
+  %1366 = load ptr, ptr %273, align 8
+  %1367 = load ptr, ptr %324, align 8
+  %1368 = load ptr, ptr %272, align 8
   br label %1385
 
-1374:                                             ; preds = %1347, %1374
-  %1375 = phi i64 [ 0, %1347 ], [ %1383, %1374 ]
-  %1376 = getelementptr inbounds [3 x [3 x double]], ptr @POLYNOMIAL, i64 0, i64 %1375
-  %1377 = getelementptr inbounds i8, ptr %1376, i64 8
-  %1378 = load double, ptr %1377, align 8
-  %1379 = getelementptr inbounds [3 x double], ptr %8, i64 0, i64 %1375
-  store double %1378, ptr %1379, align 8
-  %1380 = getelementptr inbounds i8, ptr %1376, i64 16
-  %1381 = load double, ptr %1380, align 8
-  %1382 = getelementptr inbounds [3 x double], ptr %9, i64 0, i64 %1375
-  store double %1381, ptr %1382, align 8
-  %1383 = add nuw nsw i64 %1375, 1
-  %1384 = icmp eq i64 %1383, 3
-  br i1 %1384, label %1358, label %1374, !llvm.loop !39
+1369:                                             ; preds = %1385
+  %1370 = select i1 %1361, double %1360, double 1.000000e+01
+  %1371 = icmp sgt i64 %1364, 0
+  br i1 %1371, label %1372, label %1445
 
-1385:                                             ; preds = %1361, %1422
-  %1386 = phi i64 [ 0, %1361 ], [ %1423, %1422 ]
-  %1387 = getelementptr inbounds double, ptr %1355, i64 %1386
-  %1388 = load double, ptr %1387, align 8
-  %1389 = fmul double %1362, %1388
-  %1390 = getelementptr double, ptr %1364, i64 %1386
-  %1391 = load double, ptr %1390, align 8
-  %1392 = fmul double %1363, %1391
-  %1393 = fadd double %1389, %1392
-  %1394 = getelementptr double, ptr %1367, i64 %1386
-  %1395 = load double, ptr %1394, align 8
-  %1396 = fmul double %1365, %1395
-  %1397 = fadd double %1393, %1396
-  %1398 = fmul double %1388, %1368
-  %1399 = fmul double %1391, %1369
-  %1400 = fadd double %1398, %1399
-  %1401 = fmul double %1395, %1370
-  %1402 = fadd double %1400, %1401
-  %1403 = load ptr, ptr %298, align 8
-  %1404 = getelementptr inbounds double, ptr %1403, i64 %1386
-  %1405 = load double, ptr %1404, align 8
-  %1406 = load ptr, ptr %66, align 8
-  %1407 = getelementptr inbounds double, ptr %1406, i64 %1386
-  %1408 = load double, ptr %1407, align 8
-  %1409 = fsub double %1405, %1408
-  %1410 = getelementptr inbounds double, ptr %1356, i64 %1386
-  store double %1409, ptr %1410, align 8
-  %1411 = fneg double %1397
-  %1412 = fsub double %1411, %1402
-  %1413 = getelementptr double, ptr %1371, i64 %1386
-  store double %1412, ptr %1413, align 8
-  %1414 = fneg double %1402
-  %1415 = getelementptr double, ptr %1373, i64 %1386
-  store double %1414, ptr %1415, align 8
-  %1416 = load ptr, ptr %66, align 8
-  %1417 = getelementptr inbounds double, ptr %1416, i64 %1386
-  %1418 = load double, ptr %1417, align 8
-  %1419 = getelementptr inbounds double, ptr %1357, i64 %1386
-  store double %1418, ptr %1419, align 8
-  %1420 = getelementptr double, ptr %1356, i64 %1386
-  %1421 = getelementptr double, ptr %1357, i64 %1386
-  br label %1425
+1372:                                             ; preds = %1369
+  %1373 = load double, ptr %8, align 16
+  %1374 = load double, ptr %325, align 8
+  %1375 = getelementptr double, ptr %1366, i64 %1364
+  %1376 = load double, ptr %326, align 16
+  %1377 = shl i64 %1364, 4
+  %1378 = getelementptr i8, ptr %1366, i64 %1377
+  %1379 = load double, ptr %9, align 16
+  %1380 = load double, ptr %327, align 8
+  %1381 = load double, ptr %328, align 16
+  %1382 = getelementptr double, ptr %1367, i64 %1365
+  %1383 = shl i64 %1365, 4
+  %1384 = getelementptr i8, ptr %1367, i64 %1383
+  br label %1396
 
-1422:                                             ; preds = %1425
-  %1423 = add nuw nsw i64 %1386, 1
-  %1424 = icmp eq i64 %1423, %1353
-  br i1 %1424, label %1434, label %1385, !llvm.loop !40
+1385:                                             ; preds = %1358, %1385
+  %1386 = phi i64 [ 0, %1358 ], [ %1394, %1385 ]
+  %1387 = getelementptr inbounds [3 x [3 x double]], ptr @POLYNOMIAL, i64 0, i64 %1386
+  %1388 = getelementptr inbounds i8, ptr %1387, i64 8
+  %1389 = load double, ptr %1388, align 8
+  %1390 = getelementptr inbounds [3 x double], ptr %8, i64 0, i64 %1386
+  store double %1389, ptr %1390, align 8
+  %1391 = getelementptr inbounds i8, ptr %1387, i64 16
+  %1392 = load double, ptr %1391, align 8
+  %1393 = getelementptr inbounds [3 x double], ptr %9, i64 0, i64 %1386
+  store double %1392, ptr %1393, align 8
+  %1394 = add nuw nsw i64 %1386, 1
+  %1395 = icmp eq i64 %1394, 3
+  br i1 %1395, label %1369, label %1385, !llvm.loop !39
 
-1425:                                             ; preds = %1385, %1425
-  %1426 = phi i64 [ 0, %1385 ], [ %1430, %1425 ]
-  %1427 = mul nsw i64 %1354, %1426
-  %1428 = getelementptr double, ptr %1420, i64 %1427
+1396:                                             ; preds = %1372, %1433
+  %1397 = phi i64 [ 0, %1372 ], [ %1434, %1433 ]
+  %1398 = getelementptr inbounds double, ptr %1366, i64 %1397
+  %1399 = load double, ptr %1398, align 8
+  %1400 = fmul double %1373, %1399
+  %1401 = getelementptr double, ptr %1375, i64 %1397
+  %1402 = load double, ptr %1401, align 8
+  %1403 = fmul double %1374, %1402
+  %1404 = fadd double %1400, %1403
+  %1405 = getelementptr double, ptr %1378, i64 %1397
+  %1406 = load double, ptr %1405, align 8
+  %1407 = fmul double %1376, %1406
+  %1408 = fadd double %1404, %1407
+  %1409 = fmul double %1399, %1379
+  %1410 = fmul double %1402, %1380
+  %1411 = fadd double %1409, %1410
+  %1412 = fmul double %1406, %1381
+  %1413 = fadd double %1411, %1412
+  %1414 = load ptr, ptr %309, align 8
+  %1415 = getelementptr inbounds double, ptr %1414, i64 %1397
+  %1416 = load double, ptr %1415, align 8
+  %1417 = load ptr, ptr %77, align 8
+  %1418 = getelementptr inbounds double, ptr %1417, i64 %1397
+  %1419 = load double, ptr %1418, align 8
+  %1420 = fsub double %1416, %1419
+  %1421 = getelementptr inbounds double, ptr %1367, i64 %1397
+  store double %1420, ptr %1421, align 8
+  %1422 = fneg double %1408
+  %1423 = fsub double %1422, %1413
+  %1424 = getelementptr double, ptr %1382, i64 %1397
+  store double %1423, ptr %1424, align 8
+  %1425 = fneg double %1413
+  %1426 = getelementptr double, ptr %1384, i64 %1397
+  store double %1425, ptr %1426, align 8
+  %1427 = load ptr, ptr %77, align 8
+  %1428 = getelementptr inbounds double, ptr %1427, i64 %1397
   %1429 = load double, ptr %1428, align 8
-  %1430 = add nuw nsw i64 %1426, 1
-  %1431 = mul nuw nsw i64 %1353, %1430
-  %1432 = getelementptr double, ptr %1421, i64 %1431
-  store double %1429, ptr %1432, align 8
-  %1433 = icmp eq i64 %1430, 3
-  br i1 %1433, label %1422, label %1425, !llvm.loop !41
+  %1430 = getelementptr inbounds double, ptr %1368, i64 %1397
+  store double %1429, ptr %1430, align 8
+  %1431 = getelementptr double, ptr %1367, i64 %1397
+  %1432 = getelementptr double, ptr %1368, i64 %1397
+  br label %1436
 
-1434:                                             ; preds = %1422, %1358
-  store double %387, ptr %260, align 8
-  %1435 = load ptr, ptr %0, align 8
-  %1436 = getelementptr inbounds i8, ptr %1435, i64 24
-  %1437 = load i64, ptr %1436, align 8
-  %1438 = load ptr, ptr %229, align 8
-  %1439 = getelementptr inbounds i8, ptr %1438, i64 8
-  %1440 = load i64, ptr %1439, align 8
-  %1441 = icmp eq i64 %1440, 0
-  br i1 %1441, label %1488, label %1442
+1433:                                             ; preds = %1436
+  %1434 = add nuw nsw i64 %1397, 1
+  %1435 = icmp eq i64 %1434, %1364
+  br i1 %1435, label %1445, label %1396, !llvm.loop !40
 
-1442:                                             ; preds = %1434
-  %1443 = load i64, ptr %1438, align 8
-  %1444 = load ptr, ptr %65, align 8
-  %1445 = getelementptr inbounds i8, ptr %1444, i64 8
-  %1446 = load i64, ptr %1445, align 8
-  %1447 = load ptr, ptr %318, align 8
-  %1448 = load i64, ptr %319, align 8
-  %1449 = mul nsw i64 %1448, %1443
-  %1450 = getelementptr inbounds double, ptr %1447, i64 %1449
-  %1451 = getelementptr inbounds double, ptr %1450, i64 %1448
-  store double %351, ptr %1450, align 8
-  %1452 = getelementptr inbounds i8, ptr %1450, i64 8
-  store double %387, ptr %1452, align 8
-  store double %388, ptr %1451, align 8
-  %1453 = getelementptr inbounds i8, ptr %1451, i64 8
-  store double 0.000000e+00, ptr %1453, align 8
-  %1454 = icmp sgt i64 %1446, 0
-  br i1 %1454, label %1455, label %1458
+1436:                                             ; preds = %1396, %1436
+  %1437 = phi i64 [ 0, %1396 ], [ %1441, %1436 ]
+  %1438 = mul nsw i64 %1365, %1437
+  %1439 = getelementptr double, ptr %1431, i64 %1438
+  %1440 = load double, ptr %1439, align 8
+  %1441 = add nuw nsw i64 %1437, 1
+  %1442 = mul nuw nsw i64 %1364, %1441
+  %1443 = getelementptr double, ptr %1432, i64 %1442
+  store double %1440, ptr %1443, align 8
+  %1444 = icmp eq i64 %1441, 3
+  br i1 %1444, label %1433, label %1436, !llvm.loop !41
 
-1455:                                             ; preds = %1442
-  %1456 = getelementptr i8, ptr %1450, i64 16
-  %1457 = icmp sgt i64 %1437, 0
-  br label %1461
+1445:                                             ; preds = %1433, %1369
+  store double %398, ptr %271, align 8
+  %1446 = load ptr, ptr %0, align 8
+  %1447 = getelementptr inbounds i8, ptr %1446, i64 24
+  %1448 = load i64, ptr %1447, align 8
+  %1449 = load ptr, ptr %240, align 8
+  %1450 = getelementptr inbounds i8, ptr %1449, i64 8
+  %1451 = load i64, ptr %1450, align 8
+  %1452 = icmp eq i64 %1451, 0
+  br i1 %1452, label %1499, label %1453
 
-1458:                                             ; preds = %1473, %1442
-  %1459 = add nsw i64 %1443, 1
-  %1460 = load ptr, ptr %229, align 8
-  store i64 %1459, ptr %1460, align 8
-  br label %1488
+1453:                                             ; preds = %1445
+  %1454 = load i64, ptr %1449, align 8
+  %1455 = load ptr, ptr %76, align 8
+  %1456 = getelementptr inbounds i8, ptr %1455, i64 8
+  %1457 = load i64, ptr %1456, align 8
+  %1458 = load ptr, ptr %329, align 8
+  %1459 = load i64, ptr %330, align 8
+  %1460 = mul nsw i64 %1459, %1454
+  %1461 = getelementptr inbounds double, ptr %1458, i64 %1460
+  %1462 = getelementptr inbounds double, ptr %1461, i64 %1459
+  store double %362, ptr %1461, align 8
+  %1463 = getelementptr inbounds i8, ptr %1461, i64 8
+  store double %398, ptr %1463, align 8
+  store double %399, ptr %1462, align 8
+  %1464 = getelementptr inbounds i8, ptr %1462, i64 8
+  store double 0.000000e+00, ptr %1464, align 8
+  %1465 = icmp sgt i64 %1457, 0
+  br i1 %1465, label %1466, label %1469
 
-1461:                                             ; preds = %1455, %1473
-  %1462 = phi i64 [ 0, %1455 ], [ %1474, %1473 ]
-  %1463 = load ptr, ptr %66, align 8
-  %1464 = getelementptr inbounds double, ptr %1463, i64 %1462
-  %1465 = load double, ptr %1464, align 8
-  %1466 = add nuw nsw i64 %1462, 2
-  %1467 = getelementptr inbounds double, ptr %1450, i64 %1466
-  store double %1465, ptr %1467, align 8
-  %1468 = load ptr, ptr %298, align 8
-  %1469 = getelementptr inbounds double, ptr %1468, i64 %1462
-  %1470 = load double, ptr %1469, align 8
-  %1471 = getelementptr inbounds double, ptr %1451, i64 %1466
-  store double %1470, ptr %1471, align 8
-  %1472 = getelementptr double, ptr %1456, i64 %1462
-  br i1 %1457, label %1476, label %1473
+1466:                                             ; preds = %1453
+  %1467 = getelementptr i8, ptr %1461, i64 16
+  %1468 = icmp sgt i64 %1448, 0
+  br label %1472
 
-1473:                                             ; preds = %1476, %1461
-  %1474 = add nuw nsw i64 %1462, 1
-  %1475 = icmp eq i64 %1474, %1446
-  br i1 %1475, label %1458, label %1461, !llvm.loop !42
+1469:                                             ; preds = %1484, %1453
+  %1470 = add nsw i64 %1454, 1
+  %1471 = load ptr, ptr %240, align 8
+  store i64 %1470, ptr %1471, align 8
+  br label %1499
 
-1476:                                             ; preds = %1461, %1476
-  %1477 = phi i64 [ %1484, %1476 ], [ 0, %1461 ]
-  %1478 = load ptr, ptr %313, align 8
-  %1479 = load i64, ptr %312, align 8
-  %1480 = mul nsw i64 %1479, %1477
-  %1481 = getelementptr double, ptr %1478, i64 %1480
-  %1482 = getelementptr double, ptr %1481, i64 %1462
-  %1483 = load double, ptr %1482, align 8
-  %1484 = add nuw nsw i64 %1477, 1
-  %1485 = mul nuw nsw i64 %1484, %1446
-  %1486 = getelementptr double, ptr %1472, i64 %1485
-  store double %1483, ptr %1486, align 8
-  %1487 = icmp eq i64 %1484, %1437
-  br i1 %1487, label %1473, label %1476, !llvm.loop !43
+1472:                                             ; preds = %1466, %1484
+  %1473 = phi i64 [ 0, %1466 ], [ %1485, %1484 ]
+  %1474 = load ptr, ptr %77, align 8
+  %1475 = getelementptr inbounds double, ptr %1474, i64 %1473
+  %1476 = load double, ptr %1475, align 8
+  %1477 = add nuw nsw i64 %1473, 2
+  %1478 = getelementptr inbounds double, ptr %1461, i64 %1477
+  store double %1476, ptr %1478, align 8
+  %1479 = load ptr, ptr %309, align 8
+  %1480 = getelementptr inbounds double, ptr %1479, i64 %1473
+  %1481 = load double, ptr %1480, align 8
+  %1482 = getelementptr inbounds double, ptr %1462, i64 %1477
+  store double %1481, ptr %1482, align 8
+  %1483 = getelementptr double, ptr %1467, i64 %1473
+  br i1 %1468, label %1487, label %1484
 
-1488:                                             ; preds = %1434, %1458
-  br i1 %97, label %1494, label %1489
+1484:                                             ; preds = %1487, %1472
+  %1485 = add nuw nsw i64 %1473, 1
+  %1486 = icmp eq i64 %1485, %1457
+  br i1 %1486, label %1469, label %1472, !llvm.loop !42
 
-1489:                                             ; preds = %1488
-  %1490 = load i64, ptr %320, align 8
-  %1491 = getelementptr inbounds double, ptr %83, i64 %1490
-  %1492 = load double, ptr %1491, align 8
-  %1493 = fcmp ugt double %1492, %388
-  br i1 %1493, label %1709, label %1494
+1487:                                             ; preds = %1472, %1487
+  %1488 = phi i64 [ %1495, %1487 ], [ 0, %1472 ]
+  %1489 = load ptr, ptr %324, align 8
+  %1490 = load i64, ptr %323, align 8
+  %1491 = mul nsw i64 %1490, %1488
+  %1492 = getelementptr double, ptr %1489, i64 %1491
+  %1493 = getelementptr double, ptr %1492, i64 %1473
+  %1494 = load double, ptr %1493, align 8
+  %1495 = add nuw nsw i64 %1488, 1
+  %1496 = mul nuw nsw i64 %1495, %1457
+  %1497 = getelementptr double, ptr %1483, i64 %1496
+  store double %1494, ptr %1497, align 8
+  %1498 = icmp eq i64 %1495, %1448
+  br i1 %1498, label %1484, label %1487, !llvm.loop !43
 
-1494:                                             ; preds = %1489, %1488
-  %1495 = load ptr, ptr %68, align 8
-  %1496 = load ptr, ptr %93, align 8
-  %1497 = getelementptr inbounds i8, ptr %1496, i64 8
-  %1498 = load i64, ptr %1497, align 8
-  %1499 = icmp sgt i64 %1498, 0
-  br i1 %1499, label %1500, label %1510
+1499:                                             ; preds = %1445, %1469
+  br i1 %108, label %1505, label %1500
 
-1500:                                             ; preds = %1494
-  %1501 = getelementptr inbounds i8, ptr %1496, i64 16
-  %1502 = load i64, ptr %1501, align 8
-  %1503 = inttoptr i64 %1502 to ptr
-  %1504 = tail call i64 %1503(ptr noundef %0, double noundef %351, double noundef %387) #11
-  %1505 = icmp eq i64 %1504, -6
-  br i1 %1505, label %1506, label %1507
+1500:                                             ; preds = %1499
+  %1501 = load i64, ptr %331, align 8
+  %1502 = getelementptr inbounds double, ptr %94, i64 %1501
+  %1503 = load double, ptr %1502, align 8
+  %1504 = fcmp ugt double %1503, %399
+  br i1 %1504, label %1720, label %1505
 
-1506:                                             ; preds = %1500
-  store double %351, ptr %1495, align 8
-  br label %1685
+1505:                                             ; preds = %1500, %1499
+  %1506 = load ptr, ptr %79, align 8
+  %1507 = load ptr, ptr %104, align 8
+  %1508 = getelementptr inbounds i8, ptr %1507, i64 8
+  %1509 = load i64, ptr %1508, align 8
+  %1510 = icmp sgt i64 %1509, 0
+  br i1 %1510, label %1511, label %1521
 
-1507:                                             ; preds = %1500
-  %1508 = getelementptr inbounds i8, ptr %1495, i64 48
-  %1509 = load double, ptr %1508, align 8
-  br label %1510
+1511:                                             ; preds = %1505
+  %1512 = getelementptr inbounds i8, ptr %1507, i64 16
+  %1513 = load i64, ptr %1512, align 8
+  %1514 = inttoptr i64 %1513 to ptr
+  %1515 = tail call i64 %1514(ptr noundef %0, double noundef %362, double noundef %398) #11
+  %1516 = icmp eq i64 %1515, -6
+  br i1 %1516, label %1517, label %1518
 
-1510:                                             ; preds = %1507, %1494
-  %1511 = phi double [ %1509, %1507 ], [ 1.000000e+00, %1494 ]
-  %1512 = phi i64 [ %1504, %1507 ], [ 0, %1494 ]
-  %1513 = fcmp oeq double %1511, 1.000000e+00
-  br i1 %1513, label %1514, label %1516
+1517:                                             ; preds = %1511
+  store double %362, ptr %1506, align 8
+  br label %1696
 
-1514:                                             ; preds = %1510
-  %1515 = load double, ptr %1495, align 8
-  br label %1519
+1518:                                             ; preds = %1511
+  %1519 = getelementptr inbounds i8, ptr %1506, i64 48
+  %1520 = load double, ptr %1519, align 8
+  br label %1521
 
-1516:                                             ; preds = %1510
-  %1517 = fmul double %387, %1511
-  %1518 = fadd double %351, %1517
-  br label %1519
+1521:                                             ; preds = %1518, %1505
+  %1522 = phi double [ %1520, %1518 ], [ 1.000000e+00, %1505 ]
+  %1523 = phi i64 [ %1515, %1518 ], [ 0, %1505 ]
+  %1524 = fcmp oeq double %1522, 1.000000e+00
+  br i1 %1524, label %1525, label %1527
 
-1519:                                             ; preds = %1516, %1514
-  %1520 = phi double [ %1515, %1514 ], [ %1518, %1516 ]
-  %1521 = icmp eq i64 %1512, -4
-  %1522 = select i1 %1521, i64 -4, i64 0
-  br i1 %1521, label %1580, label %1523
+1525:                                             ; preds = %1521
+  %1526 = load double, ptr %1506, align 8
+  br label %1530
 
-1523:                                             ; preds = %1519
-  %1524 = fcmp olt double %1511, 1.000000e+00
-  %1525 = load ptr, ptr %65, align 8
-  %1526 = getelementptr inbounds i8, ptr %1525, i64 8
-  %1527 = load i64, ptr %1526, align 8
-  %1528 = load i64, ptr %84, align 8
-  %1529 = load ptr, ptr %82, align 8
-  %1530 = load ptr, ptr %72, align 8
-  %1531 = getelementptr inbounds i8, ptr %1530, i64 48
-  %1532 = load i64, ptr %1531, align 8
-  %1533 = icmp slt i64 %1532, %1528
-  br i1 %1533, label %1534, label %1576
+1527:                                             ; preds = %1521
+  %1528 = fmul double %398, %1522
+  %1529 = fadd double %362, %1528
+  br label %1530
 
-1534:                                             ; preds = %1523, %1572
-  %1535 = phi i64 [ %1573, %1572 ], [ undef, %1523 ]
-  %1536 = phi i64 [ %1574, %1572 ], [ %1532, %1523 ]
-  %1537 = getelementptr inbounds double, ptr %1529, i64 %1536
-  %1538 = load double, ptr %1537, align 8
-  %1539 = fcmp olt double %1538, %1520
-  %1540 = fcmp oeq double %1538, %1520
-  %1541 = and i1 %1524, %1540
-  %1542 = or i1 %1539, %1541
-  br i1 %1542, label %1543, label %1576
+1530:                                             ; preds = %1527, %1525
+  %1531 = phi double [ %1526, %1525 ], [ %1529, %1527 ]
+  %1532 = icmp eq i64 %1523, -4
+  %1533 = select i1 %1532, i64 -4, i64 0
+  br i1 %1532, label %1591, label %1534
 
-1543:                                             ; preds = %1534
-  %1544 = fsub double %1538, %351
-  %1545 = fdiv double %1544, %387
-  %1546 = mul nsw i64 %1536, %1527
-  %1547 = getelementptr inbounds double, ptr %1, i64 %1546
-  %1548 = load ptr, ptr %321, align 8
-  %1549 = insertelement <8 x double> poison, double %1545, i64 0
-  %1550 = shufflevector <8 x double> %1549, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %1550, ptr %1548, align 8
-  %1551 = load ptr, ptr %66, align 8
-  %1552 = load ptr, ptr %322, align 8
-  %1553 = load i64, ptr %323, align 8
-  %1554 = load ptr, ptr %0, align 8
-  %1555 = getelementptr inbounds i8, ptr %1554, i64 24
-  %1556 = load i64, ptr %1555, align 8
-  %1557 = load ptr, ptr %321, align 8
-  %1558 = load ptr, ptr %65, align 8
-  %1559 = getelementptr inbounds i8, ptr %1558, i64 16
-  %1560 = load i64, ptr %1559, align 8
-  tail call fastcc void @nested(ptr noundef %1547, ptr noundef %1551, ptr noundef %1552, i64 noundef %1553, i64 noundef %1556, ptr noundef %1557, i64 noundef %1560) #10
-  %1561 = load ptr, ptr %89, align 8
-  %1562 = load i64, ptr %1561, align 8
-  %1563 = icmp eq i64 %1562, 1
-  br i1 %1563, label %1564, label %1572
+1534:                                             ; preds = %1530
+  %1535 = fcmp olt double %1522, 1.000000e+00
+  %1536 = load ptr, ptr %76, align 8
+  %1537 = getelementptr inbounds i8, ptr %1536, i64 8
+  %1538 = load i64, ptr %1537, align 8
+  %1539 = load i64, ptr %95, align 8
+  %1540 = load ptr, ptr %93, align 8
+  %1541 = load ptr, ptr %83, align 8
+  %1542 = getelementptr inbounds i8, ptr %1541, i64 48
+  %1543 = load i64, ptr %1542, align 8
+  %1544 = icmp slt i64 %1543, %1539
+  br i1 %1544, label %1545, label %1587
 
-1564:                                             ; preds = %1543
-  %1565 = load double, ptr %1537, align 8
-  %1566 = getelementptr inbounds i8, ptr %1561, i64 56
+1545:                                             ; preds = %1534, %1583
+  %1546 = phi i64 [ %1584, %1583 ], [ undef, %1534 ]
+  %1547 = phi i64 [ %1585, %1583 ], [ %1543, %1534 ]
+  %1548 = getelementptr inbounds double, ptr %1540, i64 %1547
+  %1549 = load double, ptr %1548, align 8
+  %1550 = fcmp olt double %1549, %1531
+  %1551 = fcmp oeq double %1549, %1531
+  %1552 = and i1 %1535, %1551
+  %1553 = or i1 %1550, %1552
+  br i1 %1553, label %1554, label %1587
+
+1554:                                             ; preds = %1545
+  %1555 = fsub double %1549, %362
+  %1556 = fdiv double %1555, %398
+  %1557 = mul nsw i64 %1547, %1538
+  %1558 = getelementptr inbounds double, ptr %1, i64 %1557
+  %1559 = load ptr, ptr %332, align 8
+  %1560 = insertelement <8 x double> poison, double %1556, i64 0
+  %1561 = shufflevector <8 x double> %1560, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %1561, ptr %1559, align 8
+  %1562 = load ptr, ptr %77, align 8
+  %1563 = load ptr, ptr %333, align 8
+  %1564 = load i64, ptr %334, align 8
+  %1565 = load ptr, ptr %0, align 8
+  %1566 = getelementptr inbounds i8, ptr %1565, i64 24
   %1567 = load i64, ptr %1566, align 8
-  %1568 = inttoptr i64 %1567 to ptr
-  %1569 = tail call i64 %1568(ptr noundef %0, double noundef %1565, ptr noundef %1547) #11
-  %1570 = icmp eq i64 %1569, 0
-  %1571 = select i1 %1570, i64 %1535, i64 %1569
-  br i1 %1570, label %1572, label %1580
+  %1568 = load ptr, ptr %332, align 8
+  %1569 = load ptr, ptr %76, align 8
+  %1570 = getelementptr inbounds i8, ptr %1569, i64 16
+  %1571 = load i64, ptr %1570, align 8
+  tail call fastcc void @nested(ptr noundef %1558, ptr noundef %1562, ptr noundef %1563, i64 noundef %1564, i64 noundef %1567, ptr noundef %1568, i64 noundef %1571) #10
+  %1572 = load ptr, ptr %100, align 8
+  %1573 = load i64, ptr %1572, align 8
+  %1574 = icmp eq i64 %1573, 1
+  br i1 %1574, label %1575, label %1583
 
-1572:                                             ; preds = %1564, %1543
-  %1573 = phi i64 [ %1571, %1564 ], [ %1535, %1543 ]
-  %1574 = add i64 %1536, 1
-  %1575 = icmp eq i64 %1574, %1528
-  br i1 %1575, label %1576, label %1534, !llvm.loop !44
+1575:                                             ; preds = %1554
+  %1576 = load double, ptr %1548, align 8
+  %1577 = getelementptr inbounds i8, ptr %1572, i64 56
+  %1578 = load i64, ptr %1577, align 8
+  %1579 = inttoptr i64 %1578 to ptr
+  %1580 = tail call i64 %1579(ptr noundef %0, double noundef %1576, ptr noundef %1558) #11
+  %1581 = icmp eq i64 %1580, 0
+  %1582 = select i1 %1581, i64 %1546, i64 %1580
+  br i1 %1581, label %1583, label %1591
 
-1576:                                             ; preds = %1572, %1534, %1523
-  %1577 = phi i64 [ %1532, %1523 ], [ %1528, %1572 ], [ %1536, %1534 ]
-  %1578 = load ptr, ptr %72, align 8
-  %1579 = getelementptr inbounds i8, ptr %1578, i64 48
-  store i64 %1577, ptr %1579, align 8
-  br label %1580
+1583:                                             ; preds = %1575, %1554
+  %1584 = phi i64 [ %1582, %1575 ], [ %1546, %1554 ]
+  %1585 = add i64 %1547, 1
+  %1586 = icmp eq i64 %1585, %1539
+  br i1 %1586, label %1587, label %1545, !llvm.loop !44
 
-1580:                                             ; preds = %1564, %1576, %1519
-  %1581 = phi i64 [ %1522, %1519 ], [ 0, %1576 ], [ %1571, %1564 ]
-  %1582 = icmp eq i64 %1581, 0
-  %1583 = icmp ne i64 %1512, 0
-  %1584 = fcmp olt double %1511, 1.000000e+00
-  %1585 = and i1 %1584, %1582
-  %1586 = and i1 %1583, %1585
-  br i1 %1586, label %1587, label %1624
+1587:                                             ; preds = %1583, %1545, %1534
+  %1588 = phi i64 [ %1543, %1534 ], [ %1539, %1583 ], [ %1547, %1545 ]
+  %1589 = load ptr, ptr %83, align 8
+  %1590 = getelementptr inbounds i8, ptr %1589, i64 48
+  store i64 %1588, ptr %1590, align 8
+  br label %1591
 
-1587:                                             ; preds = %1580
-  %1588 = load ptr, ptr %324, align 8
-  %1589 = load ptr, ptr %325, align 8
-  %1590 = insertelement <8 x double> poison, double %1511, i64 0
-  %1591 = shufflevector <8 x double> %1590, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %1591, ptr %1589, align 8
-  %1592 = load ptr, ptr %66, align 8
-  %1593 = load ptr, ptr %326, align 8
-  %1594 = load i64, ptr %327, align 8
-  %1595 = load ptr, ptr %0, align 8
-  %1596 = getelementptr inbounds i8, ptr %1595, i64 24
-  %1597 = load i64, ptr %1596, align 8
-  %1598 = load ptr, ptr %325, align 8
-  %1599 = load ptr, ptr %65, align 8
-  %1600 = getelementptr inbounds i8, ptr %1599, i64 16
-  %1601 = load i64, ptr %1600, align 8
-  tail call fastcc void @nested(ptr noundef %1588, ptr noundef %1592, ptr noundef %1593, i64 noundef %1594, i64 noundef %1597, ptr noundef %1598, i64 noundef %1601) #10
-  %1602 = load i64, ptr %312, align 8
-  %1603 = icmp sgt i64 %1602, 0
-  br i1 %1603, label %1608, label %1604
+1591:                                             ; preds = %1575, %1587, %1530
+  %1592 = phi i64 [ %1533, %1530 ], [ 0, %1587 ], [ %1582, %1575 ]
+  %1593 = icmp eq i64 %1592, 0
+  %1594 = icmp ne i64 %1523, 0
+  %1595 = fcmp olt double %1522, 1.000000e+00
+  %1596 = and i1 %1595, %1593
+  %1597 = and i1 %1594, %1596
+  br i1 %1597, label %1598, label %1635
 
-1604:                                             ; preds = %1608, %1587
-  %1605 = load ptr, ptr %89, align 8
-  %1606 = load i64, ptr %1605, align 8
-  %1607 = icmp eq i64 %1606, 1
-  br i1 %1607, label %1618, label %1624
+1598:                                             ; preds = %1591
+  %1599 = load ptr, ptr %335, align 8
+  %1600 = load ptr, ptr %336, align 8
+  %1601 = insertelement <8 x double> poison, double %1522, i64 0
+  %1602 = shufflevector <8 x double> %1601, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %1602, ptr %1600, align 8
+  %1603 = load ptr, ptr %77, align 8
+  %1604 = load ptr, ptr %337, align 8
+  %1605 = load i64, ptr %338, align 8
+  %1606 = load ptr, ptr %0, align 8
+  %1607 = getelementptr inbounds i8, ptr %1606, i64 24
+  %1608 = load i64, ptr %1607, align 8
+  %1609 = load ptr, ptr %336, align 8
+  %1610 = load ptr, ptr %76, align 8
+  %1611 = getelementptr inbounds i8, ptr %1610, i64 16
+  %1612 = load i64, ptr %1611, align 8
+  tail call fastcc void @nested(ptr noundef %1599, ptr noundef %1603, ptr noundef %1604, i64 noundef %1605, i64 noundef %1608, ptr noundef %1609, i64 noundef %1612) #10
+  %1613 = load i64, ptr %323, align 8
+  %1614 = icmp sgt i64 %1613, 0
+  br i1 %1614, label %1619, label %1615
 
-1608:                                             ; preds = %1587, %1608
-  %1609 = phi i64 [ %1615, %1608 ], [ 0, %1587 ]
-  %1610 = load ptr, ptr %324, align 8
-  %1611 = getelementptr inbounds double, ptr %1610, i64 %1609
-  %1612 = load double, ptr %1611, align 8
-  %1613 = load ptr, ptr %298, align 8
-  %1614 = getelementptr inbounds double, ptr %1613, i64 %1609
-  store double %1612, ptr %1614, align 8
-  %1615 = add nuw nsw i64 %1609, 1
-  %1616 = load i64, ptr %312, align 8
-  %1617 = icmp slt i64 %1615, %1616
-  br i1 %1617, label %1608, label %1604, !llvm.loop !45
+1615:                                             ; preds = %1619, %1598
+  %1616 = load ptr, ptr %100, align 8
+  %1617 = load i64, ptr %1616, align 8
+  %1618 = icmp eq i64 %1617, 1
+  br i1 %1618, label %1629, label %1635
 
-1618:                                             ; preds = %1604
-  %1619 = load ptr, ptr %298, align 8
-  %1620 = getelementptr inbounds i8, ptr %1605, i64 56
-  %1621 = load i64, ptr %1620, align 8
-  %1622 = inttoptr i64 %1621 to ptr
-  %1623 = tail call i64 %1622(ptr noundef %0, double noundef %1520, ptr noundef %1619) #11
-  br label %1624
+1619:                                             ; preds = %1598, %1619
+  %1620 = phi i64 [ %1626, %1619 ], [ 0, %1598 ]
+  %1621 = load ptr, ptr %335, align 8
+  %1622 = getelementptr inbounds double, ptr %1621, i64 %1620
+  %1623 = load double, ptr %1622, align 8
+  %1624 = load ptr, ptr %309, align 8
+  %1625 = getelementptr inbounds double, ptr %1624, i64 %1620
+  store double %1623, ptr %1625, align 8
+  %1626 = add nuw nsw i64 %1620, 1
+  %1627 = load i64, ptr %323, align 8
+  %1628 = icmp slt i64 %1626, %1627
+  br i1 %1628, label %1619, label %1615, !llvm.loop !45
 
-1624:                                             ; preds = %1618, %1604, %1580
-  %1625 = phi i64 [ %1623, %1618 ], [ 0, %1604 ], [ %1581, %1580 ]
-  %1626 = icmp eq i64 %1625, 0
-  br i1 %1626, label %1629, label %1627
+1629:                                             ; preds = %1615
+  %1630 = load ptr, ptr %309, align 8
+  %1631 = getelementptr inbounds i8, ptr %1616, i64 56
+  %1632 = load i64, ptr %1631, align 8
+  %1633 = inttoptr i64 %1632 to ptr
+  %1634 = tail call i64 %1633(ptr noundef %0, double noundef %1531, ptr noundef %1630) #11
+  br label %1635
 
-1627:                                             ; preds = %1624
-  store double %351, ptr %1495, align 8
-  %1628 = getelementptr inbounds i8, ptr %1495, i64 8
-  store double %387, ptr %1628, align 8
-  br label %1685
+1635:                                             ; preds = %1629, %1615, %1591
+  %1636 = phi i64 [ %1634, %1629 ], [ 0, %1615 ], [ %1592, %1591 ]
+  %1637 = icmp eq i64 %1636, 0
+  br i1 %1637, label %1640, label %1638
 
-1629:                                             ; preds = %1624
-  br i1 %1513, label %1630, label %1668
+1638:                                             ; preds = %1635
+  store double %362, ptr %1506, align 8
+  %1639 = getelementptr inbounds i8, ptr %1506, i64 8
+  store double %398, ptr %1639, align 8
+  br label %1696
 
-1630:                                             ; preds = %1629
-  %1631 = load ptr, ptr %298, align 8
-  %1632 = load ptr, ptr %65, align 8
-  %1633 = getelementptr inbounds i8, ptr %1632, i64 8
-  %1634 = load i64, ptr %1633, align 8
-  %1635 = load i64, ptr %84, align 8
-  %1636 = load ptr, ptr %82, align 8
-  %1637 = load ptr, ptr %72, align 8
-  %1638 = getelementptr inbounds i8, ptr %1637, i64 48
-  %1639 = load i64, ptr %1638, align 8
-  %1640 = icmp slt i64 %1639, %1635
-  br i1 %1640, label %1641, label %1664
+1640:                                             ; preds = %1635
+  br i1 %1524, label %1641, label %1679
 
-1641:                                             ; preds = %1630
-  %1642 = icmp sgt i64 %1634, 0
-  br label %1643
+1641:                                             ; preds = %1640
+  %1642 = load ptr, ptr %309, align 8
+  %1643 = load ptr, ptr %76, align 8
+  %1644 = getelementptr inbounds i8, ptr %1643, i64 8
+  %1645 = load i64, ptr %1644, align 8
+  %1646 = load i64, ptr %95, align 8
+  %1647 = load ptr, ptr %93, align 8
+  %1648 = load ptr, ptr %83, align 8
+  %1649 = getelementptr inbounds i8, ptr %1648, i64 48
+  %1650 = load i64, ptr %1649, align 8
+  %1651 = icmp slt i64 %1650, %1646
+  br i1 %1651, label %1652, label %1675
 
-1643:                                             ; preds = %1641, %1654
-  %1644 = phi i64 [ %1639, %1641 ], [ %1655, %1654 ]
-  %1645 = getelementptr inbounds double, ptr %1636, i64 %1644
-  %1646 = load double, ptr %1645, align 8
-  %1647 = load ptr, ptr %68, align 8
-  %1648 = load double, ptr %1647, align 8
-  %1649 = fcmp ugt double %1646, %1648
-  br i1 %1649, label %1664, label %1650
+1652:                                             ; preds = %1641
+  %1653 = icmp sgt i64 %1645, 0
+  br label %1654
 
-1650:                                             ; preds = %1643
-  br i1 %1642, label %1651, label %1654
+1654:                                             ; preds = %1652, %1665
+  %1655 = phi i64 [ %1650, %1652 ], [ %1666, %1665 ]
+  %1656 = getelementptr inbounds double, ptr %1647, i64 %1655
+  %1657 = load double, ptr %1656, align 8
+  %1658 = load ptr, ptr %79, align 8
+  %1659 = load double, ptr %1658, align 8
+  %1660 = fcmp ugt double %1657, %1659
+  br i1 %1660, label %1675, label %1661
 
-1651:                                             ; preds = %1650
-  %1652 = mul nsw i64 %1644, %1634
-  %1653 = getelementptr double, ptr %1, i64 %1652
-  br label %1657
+1661:                                             ; preds = %1654
+  br i1 %1653, label %1662, label %1665
 
-1654:                                             ; preds = %1657, %1650
-  %1655 = add i64 %1644, 1
-  %1656 = icmp eq i64 %1655, %1635
-  br i1 %1656, label %1664, label %1643, !llvm.loop !9
-
-1657:                                             ; preds = %1651, %1657
-  %1658 = phi i64 [ 0, %1651 ], [ %1662, %1657 ]
-  %1659 = getelementptr inbounds double, ptr %1631, i64 %1658
-  %1660 = load double, ptr %1659, align 8
-  %1661 = getelementptr double, ptr %1653, i64 %1658
-  store double %1660, ptr %1661, align 8
-  %1662 = add nuw nsw i64 %1658, 1
-  %1663 = icmp eq i64 %1662, %1634
-  br i1 %1663, label %1654, label %1657, !llvm.loop !10
-
-1664:                                             ; preds = %1654, %1643, %1630
-  %1665 = phi i64 [ %1639, %1630 ], [ %1635, %1654 ], [ %1644, %1643 ]
-  %1666 = load ptr, ptr %72, align 8
-  %1667 = getelementptr inbounds i8, ptr %1666, i64 48
-  store i64 %1665, ptr %1667, align 8
+1662:                                             ; preds = %1661
+  %1663 = mul nsw i64 %1655, %1645
+  %1664 = getelementptr double, ptr %1, i64 %1663
   br label %1668
 
-1668:                                             ; preds = %1664, %1629
-  br i1 %1583, label %1669, label %1685
+1665:                                             ; preds = %1668, %1661
+  %1666 = add i64 %1655, 1
+  %1667 = icmp eq i64 %1666, %1646
+  br i1 %1667, label %1675, label %1654, !llvm.loop !9
 
-1669:                                             ; preds = %1668
-  %1670 = load i64, ptr %312, align 8
-  %1671 = icmp sgt i64 %1670, 0
-  br i1 %1671, label %1675, label %1672
+1668:                                             ; preds = %1662, %1668
+  %1669 = phi i64 [ 0, %1662 ], [ %1673, %1668 ]
+  %1670 = getelementptr inbounds double, ptr %1642, i64 %1669
+  %1671 = load double, ptr %1670, align 8
+  %1672 = getelementptr double, ptr %1664, i64 %1669
+  store double %1671, ptr %1672, align 8
+  %1673 = add nuw nsw i64 %1669, 1
+  %1674 = icmp eq i64 %1673, %1645
+  br i1 %1674, label %1665, label %1668, !llvm.loop !10
 
-1672:                                             ; preds = %1675, %1669
-  store double %1520, ptr %1495, align 8
-  %1673 = getelementptr inbounds i8, ptr %1495, i64 8
-  store double 0.000000e+00, ptr %1673, align 8
-  %1674 = load ptr, ptr %72, align 8
-  store i64 0, ptr %1674, align 8
-  br label %1685
+1675:                                             ; preds = %1665, %1654, %1641
+  %1676 = phi i64 [ %1650, %1641 ], [ %1646, %1665 ], [ %1655, %1654 ]
+  %1677 = load ptr, ptr %83, align 8
+  %1678 = getelementptr inbounds i8, ptr %1677, i64 48
+  store i64 %1676, ptr %1678, align 8
+  br label %1679
 
-1675:                                             ; preds = %1669, %1675
-  %1676 = phi i64 [ %1682, %1675 ], [ 0, %1669 ]
-  %1677 = load ptr, ptr %298, align 8
-  %1678 = getelementptr inbounds double, ptr %1677, i64 %1676
-  %1679 = load double, ptr %1678, align 8
-  %1680 = load ptr, ptr %66, align 8
-  %1681 = getelementptr inbounds double, ptr %1680, i64 %1676
-  store double %1679, ptr %1681, align 8
-  %1682 = add nuw nsw i64 %1676, 1
-  %1683 = load i64, ptr %312, align 8
-  %1684 = icmp slt i64 %1682, %1683
-  br i1 %1684, label %1675, label %1672, !llvm.loop !46
+1679:                                             ; preds = %1675, %1640
+  br i1 %1594, label %1680, label %1696
 
-1685:                                             ; preds = %1506, %1627, %1668, %1672
-  %1686 = phi i64 [ -6, %1506 ], [ %1625, %1627 ], [ %1512, %1672 ], [ %1512, %1668 ]
-  %1687 = icmp eq i64 %1686, -6
-  br i1 %1687, label %1691, label %1688
+1680:                                             ; preds = %1679
+  %1681 = load i64, ptr %323, align 8
+  %1682 = icmp sgt i64 %1681, 0
+  br i1 %1682, label %1686, label %1683
 
-1688:                                             ; preds = %1685
-  %1689 = icmp ne i64 %1686, 6
-  %1690 = select i1 %1689, i1 true, i1 %97
-  br i1 %1690, label %1703, label %1691
+1683:                                             ; preds = %1686, %1680
+  store double %1531, ptr %1506, align 8
+  %1684 = getelementptr inbounds i8, ptr %1506, i64 8
+  store double 0.000000e+00, ptr %1684, align 8
+  %1685 = load ptr, ptr %83, align 8
+  store i64 0, ptr %1685, align 8
+  br label %1696
 
-1691:                                             ; preds = %1688, %1685
-  %1692 = phi i64 [ %1686, %1688 ], [ 2, %1685 ]
-  %1693 = load i64, ptr %230, align 8
-  %1694 = add nsw i64 %1693, -1
-  store i64 %1694, ptr %230, align 8
-  %1695 = load ptr, ptr %229, align 8
-  %1696 = load i64, ptr %1695, align 8
-  %1697 = add nsw i64 %1696, -1
-  store i64 %1697, ptr %1695, align 8
-  %1698 = load i64, ptr %231, align 8
-  %1699 = add nsw i64 %1698, 1
-  store i64 %1699, ptr %231, align 8
-  store i64 %1692, ptr %338, align 8
-  %1700 = fmul double %387, 2.500000e-01
-  store i64 1, ptr %292, align 8
-  %1701 = load i64, ptr %339, align 8
-  %1702 = sub nsw i64 1, %1701
-  store i64 %1702, ptr %234, align 8
-  store double 0.000000e+00, ptr %260, align 8
-  br label %1759, !llvm.loop !17
+1686:                                             ; preds = %1680, %1686
+  %1687 = phi i64 [ %1693, %1686 ], [ 0, %1680 ]
+  %1688 = load ptr, ptr %309, align 8
+  %1689 = getelementptr inbounds double, ptr %1688, i64 %1687
+  %1690 = load double, ptr %1689, align 8
+  %1691 = load ptr, ptr %77, align 8
+  %1692 = getelementptr inbounds double, ptr %1691, i64 %1687
+  store double %1690, ptr %1692, align 8
+  %1693 = add nuw nsw i64 %1687, 1
+  %1694 = load i64, ptr %323, align 8
+  %1695 = icmp slt i64 %1693, %1694
+  br i1 %1695, label %1686, label %1683, !llvm.loop !46
 
-1703:                                             ; preds = %1688
-  %1704 = icmp eq i64 %1686, 0
-  br i1 %1704, label %1709, label %1705
+1696:                                             ; preds = %1517, %1638, %1679, %1683
+  %1697 = phi i64 [ -6, %1517 ], [ %1636, %1638 ], [ %1523, %1683 ], [ %1523, %1679 ]
+  %1698 = icmp eq i64 %1697, -6
+  br i1 %1698, label %1702, label %1699
 
-1705:                                             ; preds = %1703
-  %1706 = load ptr, ptr %229, align 8
+1699:                                             ; preds = %1696
+  %1700 = icmp ne i64 %1697, 6
+  %1701 = select i1 %1700, i1 true, i1 %108
+  br i1 %1701, label %1714, label %1702
+
+1702:                                             ; preds = %1699, %1696
+  %1703 = phi i64 [ %1697, %1699 ], [ 2, %1696 ]
+  %1704 = load i64, ptr %241, align 8
+  %1705 = add nsw i64 %1704, -1
+  store i64 %1705, ptr %241, align 8
+  %1706 = load ptr, ptr %240, align 8
   %1707 = load i64, ptr %1706, align 8
-  %1708 = add nsw i64 %1707, 1
+  %1708 = add nsw i64 %1707, -1
   store i64 %1708, ptr %1706, align 8
-  br label %1759
+  %1709 = load i64, ptr %242, align 8
+  %1710 = add nsw i64 %1709, 1
+  store i64 %1710, ptr %242, align 8
+  store i64 %1703, ptr %349, align 8
+  %1711 = fmul double %398, 2.500000e-01
+  store i64 1, ptr %303, align 8
+  %1712 = load i64, ptr %350, align 8
+  %1713 = sub nsw i64 1, %1712
+  store i64 %1713, ptr %245, align 8
+  store double 0.000000e+00, ptr %271, align 8
+  br label %1770, !llvm.loop !17
 
-1709:                                             ; preds = %1703, %1489
-  br i1 %328, label %1728, label %1710
+1714:                                             ; preds = %1699
+  %1715 = icmp eq i64 %1697, 0
+  br i1 %1715, label %1720, label %1716
 
-1710:                                             ; preds = %1728, %1709
-  %1711 = load i64, ptr %329, align 8
-  %1712 = add nsw i64 %1711, 1
-  store i64 %1712, ptr %329, align 8
-  %1713 = load ptr, ptr %66, align 8
-  %1714 = load ptr, ptr %330, align 8
-  %1715 = load ptr, ptr %331, align 8
-  store double %388, ptr %1715, align 8
-  %1716 = load i64, ptr %332, align 8
-  %1717 = icmp sgt i64 %1716, 0
-  br i1 %1717, label %1718, label %1719
+1716:                                             ; preds = %1714
+  %1717 = load ptr, ptr %240, align 8
+  %1718 = load i64, ptr %1717, align 8
+  %1719 = add nsw i64 %1718, 1
+  store i64 %1719, ptr %1717, align 8
+  br label %1770
 
-1718:                                             ; preds = %1710
-  tail call fastcc void @sample(ptr noundef nonnull %65) #10
-  br label %1719
+1720:                                             ; preds = %1714, %1500
+  br i1 %339, label %1739, label %1721
 
-1719:                                             ; preds = %1710, %1718
-  %1720 = load ptr, ptr %65, align 8
-  %1721 = load i64, ptr %1720, align 8
-  %1722 = load ptr, ptr %331, align 8
-  %1723 = load ptr, ptr %333, align 8
-  %1724 = load ptr, ptr %334, align 8
-  %1725 = inttoptr i64 %1721 to ptr
-  %1726 = tail call i32 %1725(ptr noundef %1722, ptr noundef %1713, ptr noundef %1723, ptr noundef %1724, ptr noundef %1714) #11
-  %1727 = icmp eq i32 %1726, 0
-  br i1 %1727, label %1740, label %1737
+1721:                                             ; preds = %1739, %1720
+  %1722 = load i64, ptr %340, align 8
+  %1723 = add nsw i64 %1722, 1
+  store i64 %1723, ptr %340, align 8
+  %1724 = load ptr, ptr %77, align 8
+  %1725 = load ptr, ptr %341, align 8
+  %1726 = load ptr, ptr %342, align 8
+  store double %399, ptr %1726, align 8
+  %1727 = load i64, ptr %343, align 8
+  %1728 = icmp sgt i64 %1727, 0
+  br i1 %1728, label %1729, label %1730
 
-1728:                                             ; preds = %1709, %1728
-  %1729 = phi i64 [ %1735, %1728 ], [ 0, %1709 ]
-  %1730 = load ptr, ptr %298, align 8
-  %1731 = getelementptr inbounds double, ptr %1730, i64 %1729
-  %1732 = load double, ptr %1731, align 8
-  %1733 = load ptr, ptr %66, align 8
-  %1734 = getelementptr inbounds double, ptr %1733, i64 %1729
-  store double %1732, ptr %1734, align 8
-  %1735 = add nuw nsw i64 %1729, 1
-  %1736 = icmp eq i64 %1735, %81
-  br i1 %1736, label %1710, label %1728, !llvm.loop !47
+1729:                                             ; preds = %1721
+  tail call fastcc void @sample(ptr noundef nonnull %76) #10
+  br label %1730
 
-1737:                                             ; preds = %1719
-  store i64 3, ptr %335, align 8
-  store double %387, ptr %113, align 8
-  %1738 = icmp slt i32 %1726, 0
-  %1739 = select i1 %1738, i64 -4, i64 2
-  br label %1759
+1730:                                             ; preds = %1721, %1729
+  %1731 = load ptr, ptr %76, align 8
+  %1732 = load i64, ptr %1731, align 8
+  %1733 = load ptr, ptr %342, align 8
+  %1734 = load ptr, ptr %344, align 8
+  %1735 = load ptr, ptr %345, align 8
+  %1736 = inttoptr i64 %1732 to ptr
+  %1737 = tail call i32 %1736(ptr noundef %1733, ptr noundef %1724, ptr noundef %1734, ptr noundef %1735, ptr noundef %1725) #11
+  %1738 = icmp eq i32 %1737, 0
+  br i1 %1738, label %1751, label %1748
 
-1740:                                             ; preds = %1719
-  %1741 = icmp sgt i64 %1122, 2
-  %1742 = fcmp ogt double %1120, 1.000000e-03
-  %1743 = select i1 %1741, i1 %1742, i1 false
-  %1744 = zext i1 %1743 to i64
-  store i64 %1744, ptr %234, align 8
-  store i64 0, ptr %336, align 8
-  store i64 0, ptr %292, align 8
-  %1745 = fcmp ule double %1359, 1.000000e+00
-  %1746 = fcmp uge double %1359, 1.200000e+00
-  %1747 = or i1 %1745, %1746
-  %1748 = select i1 %1747, i1 true, i1 %1743
-  br i1 %1748, label %1749, label %1753
+1739:                                             ; preds = %1720, %1739
+  %1740 = phi i64 [ %1746, %1739 ], [ 0, %1720 ]
+  %1741 = load ptr, ptr %309, align 8
+  %1742 = getelementptr inbounds double, ptr %1741, i64 %1740
+  %1743 = load double, ptr %1742, align 8
+  %1744 = load ptr, ptr %77, align 8
+  %1745 = getelementptr inbounds double, ptr %1744, i64 %1740
+  store double %1743, ptr %1745, align 8
+  %1746 = add nuw nsw i64 %1740, 1
+  %1747 = icmp eq i64 %1746, %92
+  br i1 %1747, label %1721, label %1739, !llvm.loop !47
 
-1749:                                             ; preds = %1740
-  %1750 = fcmp ogt double %1359, 2.000000e-01
-  %1751 = select i1 %1750, double %1359, double 2.000000e-01
-  %1752 = fmul double %387, %1751
-  br label %1753
+1748:                                             ; preds = %1730
+  store i64 3, ptr %346, align 8
+  store double %398, ptr %124, align 8
+  %1749 = icmp slt i32 %1737, 0
+  %1750 = select i1 %1749, i64 -4, i64 2
+  br label %1770
 
-1753:                                             ; preds = %1740, %1749
-  %1754 = phi double [ %1752, %1749 ], [ %387, %1740 ]
-  %1755 = load i64, ptr %337, align 8
-  %1756 = load i64, ptr %84, align 8
-  %1757 = icmp eq i64 %1755, %1756
-  br i1 %1757, label %1758, label %1759
+1751:                                             ; preds = %1730
+  %1752 = icmp sgt i64 %1133, 2
+  %1753 = fcmp ogt double %1131, 1.000000e-03
+  %1754 = select i1 %1752, i1 %1753, i1 false
+  %1755 = zext i1 %1754 to i64
+  store i64 %1755, ptr %245, align 8
+  store i64 0, ptr %347, align 8
+  store i64 0, ptr %303, align 8
+  %1756 = fcmp ule double %1370, 1.000000e+00
+  %1757 = fcmp uge double %1370, 1.200000e+00
+  %1758 = or i1 %1756, %1757
+  %1759 = select i1 %1758, i1 true, i1 %1754
+  br i1 %1759, label %1760, label %1764
 
-1758:                                             ; preds = %1753
-  store double %1754, ptr %113, align 8
-  br label %1759
+1760:                                             ; preds = %1751
+  %1761 = fcmp ogt double %1370, 2.000000e-01
+  %1762 = select i1 %1761, double %1370, double 2.000000e-01
+  %1763 = fmul double %398, %1762
+  br label %1764
 
-1759:                                             ; preds = %1162, %1174, %1119, %1313, %1327, %1691, %1705, %1737, %1753, %1758, %1275, %513, %578, %394
-  %1760 = phi double [ %356, %394 ], [ %356, %513 ], [ %356, %578 ], [ %1120, %1275 ], [ %1120, %1758 ], [ %1120, %1753 ], [ %1120, %1737 ], [ %1120, %1705 ], [ %1120, %1691 ], [ %1120, %1327 ], [ %1120, %1313 ], [ %1120, %1119 ], [ %1120, %1174 ], [ %1120, %1162 ]
-  %1761 = phi i32 [ %355, %394 ], [ %355, %513 ], [ %355, %578 ], [ %1121, %1275 ], [ %1121, %1758 ], [ %1121, %1753 ], [ %1121, %1737 ], [ %1121, %1705 ], [ %1121, %1691 ], [ %1121, %1327 ], [ %1121, %1313 ], [ %1121, %1119 ], [ %1121, %1174 ], [ %1121, %1162 ]
-  %1762 = phi i64 [ %354, %394 ], [ %354, %513 ], [ %354, %578 ], [ %1122, %1275 ], [ %1122, %1758 ], [ %1122, %1753 ], [ %1122, %1737 ], [ %1122, %1705 ], [ %1122, %1691 ], [ %1122, %1327 ], [ %1122, %1313 ], [ %1122, %1119 ], [ %1122, %1174 ], [ %1122, %1162 ]
-  %1763 = phi i64 [ %353, %394 ], [ %353, %513 ], [ %353, %578 ], [ %1123, %1275 ], [ %1123, %1758 ], [ %1123, %1753 ], [ %1123, %1737 ], [ %1123, %1705 ], [ %1123, %1691 ], [ %1123, %1327 ], [ %1123, %1313 ], [ %1123, %1119 ], [ %1123, %1174 ], [ %1123, %1162 ]
-  %1764 = phi double [ %352, %394 ], [ %352, %513 ], [ %581, %578 ], [ %352, %1275 ], [ %1754, %1758 ], [ %1754, %1753 ], [ %352, %1737 ], [ %352, %1705 ], [ %1700, %1691 ], [ %1330, %1327 ], [ %1315, %1313 ], [ %352, %1119 ], [ %1175, %1174 ], [ %352, %1162 ]
-  %1765 = phi double [ %351, %394 ], [ %351, %513 ], [ %351, %578 ], [ %351, %1275 ], [ %388, %1758 ], [ %388, %1753 ], [ %388, %1737 ], [ %351, %1705 ], [ %351, %1691 ], [ %351, %1327 ], [ %351, %1313 ], [ %351, %1119 ], [ %351, %1174 ], [ %351, %1162 ]
-  %1766 = phi i32 [ 1, %394 ], [ 1, %513 ], [ 6, %578 ], [ 1, %1275 ], [ 1, %1758 ], [ 0, %1753 ], [ 1, %1737 ], [ 1, %1705 ], [ 6, %1691 ], [ 6, %1327 ], [ 6, %1313 ], [ 1, %1119 ], [ 6, %1174 ], [ 6, %1162 ]
-  %1767 = phi i64 [ 2, %394 ], [ -4, %513 ], [ %350, %578 ], [ -4, %1275 ], [ 0, %1758 ], [ %350, %1753 ], [ %1739, %1737 ], [ %1686, %1705 ], [ %350, %1691 ], [ %350, %1327 ], [ %350, %1313 ], [ -4, %1119 ], [ %350, %1174 ], [ %350, %1162 ]
-  switch i32 %1766, label %1771 [
-    i32 0, label %1768
-    i32 6, label %1768
+1764:                                             ; preds = %1751, %1760
+  %1765 = phi double [ %1763, %1760 ], [ %398, %1751 ]
+  %1766 = load i64, ptr %348, align 8
+  %1767 = load i64, ptr %95, align 8
+  %1768 = icmp eq i64 %1766, %1767
+  br i1 %1768, label %1769, label %1770
+
+1769:                                             ; preds = %1764
+  store double %1765, ptr %124, align 8
+  br label %1770
+
+1770:                                             ; preds = %1173, %1185, %1130, %1324, %1338, %1702, %1716, %1748, %1764, %1769, %1286, %524, %589, %405
+  %1771 = phi double [ %367, %405 ], [ %367, %524 ], [ %367, %589 ], [ %1131, %1286 ], [ %1131, %1769 ], [ %1131, %1764 ], [ %1131, %1748 ], [ %1131, %1716 ], [ %1131, %1702 ], [ %1131, %1338 ], [ %1131, %1324 ], [ %1131, %1130 ], [ %1131, %1185 ], [ %1131, %1173 ]
+  %1772 = phi i32 [ %366, %405 ], [ %366, %524 ], [ %366, %589 ], [ %1132, %1286 ], [ %1132, %1769 ], [ %1132, %1764 ], [ %1132, %1748 ], [ %1132, %1716 ], [ %1132, %1702 ], [ %1132, %1338 ], [ %1132, %1324 ], [ %1132, %1130 ], [ %1132, %1185 ], [ %1132, %1173 ]
+  %1773 = phi i64 [ %365, %405 ], [ %365, %524 ], [ %365, %589 ], [ %1133, %1286 ], [ %1133, %1769 ], [ %1133, %1764 ], [ %1133, %1748 ], [ %1133, %1716 ], [ %1133, %1702 ], [ %1133, %1338 ], [ %1133, %1324 ], [ %1133, %1130 ], [ %1133, %1185 ], [ %1133, %1173 ]
+  %1774 = phi i64 [ %364, %405 ], [ %364, %524 ], [ %364, %589 ], [ %1134, %1286 ], [ %1134, %1769 ], [ %1134, %1764 ], [ %1134, %1748 ], [ %1134, %1716 ], [ %1134, %1702 ], [ %1134, %1338 ], [ %1134, %1324 ], [ %1134, %1130 ], [ %1134, %1185 ], [ %1134, %1173 ]
+  %1775 = phi double [ %363, %405 ], [ %363, %524 ], [ %592, %589 ], [ %363, %1286 ], [ %1765, %1769 ], [ %1765, %1764 ], [ %363, %1748 ], [ %363, %1716 ], [ %1711, %1702 ], [ %1341, %1338 ], [ %1326, %1324 ], [ %363, %1130 ], [ %1186, %1185 ], [ %363, %1173 ]
+  %1776 = phi double [ %362, %405 ], [ %362, %524 ], [ %362, %589 ], [ %362, %1286 ], [ %399, %1769 ], [ %399, %1764 ], [ %399, %1748 ], [ %362, %1716 ], [ %362, %1702 ], [ %362, %1338 ], [ %362, %1324 ], [ %362, %1130 ], [ %362, %1185 ], [ %362, %1173 ]
+  %1777 = phi i32 [ 1, %405 ], [ 1, %524 ], [ 6, %589 ], [ 1, %1286 ], [ 1, %1769 ], [ 0, %1764 ], [ 1, %1748 ], [ 1, %1716 ], [ 6, %1702 ], [ 6, %1338 ], [ 6, %1324 ], [ 1, %1130 ], [ 6, %1185 ], [ 6, %1173 ]
+  %1778 = phi i64 [ 2, %405 ], [ -4, %524 ], [ %361, %589 ], [ -4, %1286 ], [ 0, %1769 ], [ %361, %1764 ], [ %1750, %1748 ], [ %1697, %1716 ], [ %361, %1702 ], [ %361, %1338 ], [ %361, %1324 ], [ -4, %1130 ], [ %361, %1185 ], [ %361, %1173 ]
+  switch i32 %1777, label %1782 [
+    i32 0, label %1779
+    i32 6, label %1779
   ]
 
-1768:                                             ; preds = %1759, %1759
-  %1769 = load i64, ptr %75, align 8
-  %1770 = icmp eq i64 %1769, 0
-  br i1 %1770, label %346, label %348, !llvm.loop !17
+1779:                                             ; preds = %1770, %1770
+  %1780 = load i64, ptr %86, align 8
+  %1781 = icmp eq i64 %1780, 0
+  br i1 %1781, label %357, label %359, !llvm.loop !17
 
-1771:                                             ; preds = %1759, %150, %346, %369, %377, %192, %64
-  %1772 = phi i64 [ -1, %64 ], [ %153, %150 ], [ -1, %346 ], [ -5, %369 ], [ 1, %377 ], [ 0, %192 ], [ %1767, %1759 ]
-  ret i64 %1772
+1782:                                             ; preds = %1770, %161, %357, %380, %388, %203, %75
+  %1783 = phi i64 [ -1, %75 ], [ %164, %161 ], [ -1, %357 ], [ -5, %380 ], [ 1, %388 ], [ 0, %203 ], [ %1778, %1770 ]
+  ret i64 %1783
 }
 
 

@@ -1,4 +1,4 @@
-; sources 1fa3fe20d9efb3b1d5c2b9d54cc30829cbdbbd01bcaf6bc5880b7a200d4a308d
+; sources fb88eae84cd374e7e33acf692f73a614ec619141c1fba03bbe5a2cd48c3c6978
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @extend(ptr noundef %0, ptr noundef readonly %1) #0 {

@@ -1,4 +1,4 @@
-; sources 7e6367f12353c7b4e8eae26d467c6800438ae2cc612c5839587e76209a46df36
+; sources 0790fc10694059ae10bdc1bfa3cb6122e9a3d2837a96d5685c2cb93680c81786
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Held = type { ptr, i64, i64, i64, i64, i64, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr }

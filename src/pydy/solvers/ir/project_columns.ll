@@ -1,4 +1,4 @@
-; sources e7042a729db28c3afb88a4b22c3c488f640682379e3bbc7ff88b46d60a637518
+; sources 3c347795437f938e63ca5864e3a3e8720cfbc090babeb510e868e025c5a5d0ed
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Held = type { ptr, i64, i64, i64, i64, i64, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr }

@@ -1,4 +1,4 @@
-; sources ae8253d8fe2ee627c30a7c7ff1c27f434c98d75162cd0d27a114c6cf6f3b390f
+; sources 9b48017d6fef7dd800f00cc92caee81ae76d0bc6cc4d4e0fc3da945ca0a1c2ea
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Stepper = type { ptr, ptr, ptr }
@@ -6,758 +6,1168 @@
 @PLACES = internal unnamed_addr constant [9 x double] [double 0.000000e+00, double 0x3FB8722191A02D60, double 2.500000e-01, double 0x3FD6A09E667F3BCD, double 5.000000e-01, double 0x3FE3988E1409212E, double 7.500000e-01, double 0x3FED2A7FA9D2F8EA, double 1.000000e+00], align 16
 
 define i64 @scan_events(ptr noundef %0, double noundef %1, double noundef %2) #0 {
-  %4 = alloca %struct.Stepper, align 8
-  store ptr %0, ptr %4, align 8
-  %5 = getelementptr inbounds i8, ptr %4, i64 8
-  %6 = getelementptr inbounds i8, ptr %0, i64 144
-  store ptr %6, ptr %5, align 8
-  %7 = getelementptr inbounds i8, ptr %4, i64 16
-  %8 = getelementptr inbounds i8, ptr %0, i64 312
-  store ptr %8, ptr %7, align 8
-  %9 = getelementptr inbounds i8, ptr %0, i64 720
-  %10 = load ptr, ptr %9, align 8
-  %11 = getelementptr inbounds i8, ptr %10, i64 8
-  %12 = load i64, ptr %11, align 8
-  %13 = getelementptr inbounds i8, ptr %0, i64 768
-  %14 = load ptr, ptr %13, align 8
-  %15 = getelementptr inbounds i8, ptr %0, i64 864
-  %16 = load ptr, ptr %15, align 8
-  %17 = getelementptr inbounds i8, ptr %0, i64 816
-  %18 = load ptr, ptr %17, align 8
-  %19 = getelementptr inbounds i8, ptr %0, i64 840
-  %20 = load ptr, ptr %19, align 8
-  %21 = getelementptr inbounds i8, ptr %0, i64 576
-  %22 = getelementptr inbounds i8, ptr %0, i64 600
-  %23 = load ptr, ptr %22, align 8
-  %24 = getelementptr inbounds i8, ptr %23, i64 80
-  %25 = load i64, ptr %24, align 8
-  %26 = load ptr, ptr %21, align 8
-  %27 = getelementptr inbounds i8, ptr %0, i64 992
-  %28 = load i64, ptr %27, align 8
-  %29 = icmp sgt i64 %28, 0
-  br i1 %29, label %30, label %41
+  %4 = alloca [3 x double], align 16
+  %5 = alloca %struct.Stepper, align 8
+  store ptr %0, ptr %5, align 8
+  %6 = getelementptr inbounds i8, ptr %5, i64 8
+  %7 = getelementptr inbounds i8, ptr %0, i64 144
+  store ptr %7, ptr %6, align 8
+  %8 = getelementptr inbounds i8, ptr %5, i64 16
+  %9 = getelementptr inbounds i8, ptr %0, i64 312
+  store ptr %9, ptr %8, align 8
+  %10 = getelementptr inbounds i8, ptr %0, i64 720
+  %11 = load ptr, ptr %10, align 8
+  %12 = getelementptr inbounds i8, ptr %11, i64 8
+  %13 = load i64, ptr %12, align 8
+  %14 = getelementptr inbounds i8, ptr %0, i64 768
+  %15 = load ptr, ptr %14, align 8
+  %16 = getelementptr inbounds i8, ptr %0, i64 816
+  %17 = load ptr, ptr %16, align 8
+  %18 = getelementptr inbounds i8, ptr %0, i64 840
+  %19 = load ptr, ptr %18, align 8
+  %20 = getelementptr inbounds i8, ptr %0, i64 576
+  %21 = getelementptr inbounds i8, ptr %0, i64 600
+  %22 = load ptr, ptr %21, align 8
+  %23 = getelementptr inbounds i8, ptr %22, i64 80
+  %24 = load i64, ptr %23, align 8
+  %25 = load ptr, ptr %20, align 8
+  %26 = getelementptr inbounds i8, ptr %0, i64 864
+  %27 = load ptr, ptr %26, align 8
+  %28 = shl nsw i64 %13, 4
+  %29 = getelementptr inbounds i8, ptr %27, i64 %28
+  %30 = mul i64 %13, 56
+  %31 = getelementptr inbounds i8, ptr %27, i64 %30
+  %32 = getelementptr inbounds double, ptr %27, i64 %13
+  %33 = getelementptr inbounds i8, ptr %0, i64 992
+  %34 = load i64, ptr %33, align 8
+  %35 = icmp sgt i64 %34, 0
+  br i1 %35, label %36, label %47
 
-30:                                               ; preds = %3
-  %31 = call fastcc i64 @unresolved(ptr noundef %0, ptr noundef nonnull %4, double noundef %1, double noundef %2) #7
-  switch i64 %31, label %38 [
-    i64 -4, label %32
-    i64 0, label %37
+36:                                               ; preds = %3
+  %37 = call fastcc i64 @unresolved(ptr noundef %0, ptr noundef nonnull %5, double noundef %1, double noundef %2) #8
+  switch i64 %37, label %44 [
+    i64 -4, label %38
+    i64 0, label %43
   ]
 
-32:                                               ; preds = %30
-  %33 = load ptr, ptr %22, align 8
-  %34 = getelementptr inbounds i8, ptr %33, i64 80
-  store i64 %25, ptr %34, align 8
-  %35 = load ptr, ptr %21, align 8
-  %36 = getelementptr inbounds i8, ptr %35, i64 48
-  store double 1.000000e+00, ptr %36, align 8
-  br label %38
+38:                                               ; preds = %36
+  %39 = load ptr, ptr %21, align 8
+  %40 = getelementptr inbounds i8, ptr %39, i64 80
+  store i64 %24, ptr %40, align 8
+  %41 = load ptr, ptr %20, align 8
+  %42 = getelementptr inbounds i8, ptr %41, i64 48
+  store double 1.000000e+00, ptr %42, align 8
+  br label %44
 
-37:                                               ; preds = %30
-  br label %38
+43:                                               ; preds = %36
+  br label %44
 
-38:                                               ; preds = %30, %37, %32
-  %39 = phi i1 [ false, %32 ], [ true, %37 ], [ false, %30 ]
-  %40 = phi i64 [ -4, %32 ], [ undef, %37 ], [ %31, %30 ]
-  br i1 %39, label %41, label %516
+44:                                               ; preds = %36, %43, %38
+  %45 = phi i1 [ false, %38 ], [ true, %43 ], [ false, %36 ]
+  %46 = phi i64 [ -4, %38 ], [ undef, %43 ], [ %37, %36 ]
+  br i1 %45, label %47, label %822
 
-41:                                               ; preds = %38, %3
-  %42 = phi i64 [ %40, %38 ], [ undef, %3 ]
-  %43 = getelementptr inbounds i8, ptr %0, i64 888
-  %44 = getelementptr inbounds i8, ptr %0, i64 408
-  %45 = getelementptr inbounds i8, ptr %0, i64 504
-  %46 = getelementptr inbounds i8, ptr %0, i64 320
-  %47 = getelementptr inbounds i8, ptr %0, i64 168
-  %48 = getelementptr inbounds i8, ptr %0, i64 248
-  %49 = getelementptr inbounds i8, ptr %0, i64 168
-  %50 = getelementptr inbounds i8, ptr %0, i64 192
-  %51 = getelementptr inbounds i8, ptr %0, i64 744
-  %52 = icmp sgt i64 %12, 0
-  %53 = getelementptr inbounds i8, ptr %0, i64 792
-  %54 = icmp slt i64 %12, 1
-  %55 = getelementptr double, ptr %16, i64 %12
-  %56 = icmp sgt i64 %12, 0
-  %57 = getelementptr double, ptr %16, i64 %12
-  %58 = getelementptr inbounds i8, ptr %0, i64 792
-  %59 = getelementptr inbounds i8, ptr %26, i64 48
-  %60 = icmp sgt i64 %12, 0
-  %61 = getelementptr inbounds i8, ptr %0, i64 920
-  %62 = getelementptr inbounds i8, ptr %0, i64 912
-  %63 = getelementptr inbounds i8, ptr %0, i64 936
-  %64 = getelementptr inbounds i8, ptr %0, i64 960
-  %65 = getelementptr inbounds i8, ptr %0, i64 976
-  %66 = getelementptr inbounds i8, ptr %0, i64 920
-  %67 = getelementptr inbounds i8, ptr %26, i64 48
-  %68 = icmp sgt i64 %12, 0
-  %69 = getelementptr inbounds i8, ptr %26, i64 48
-  %70 = icmp sgt i64 %12, 0
-  br label %75
+47:                                               ; preds = %44, %3
+  %48 = phi i64 [ %46, %44 ], [ undef, %3 ]
+  %49 = load double, ptr %31, align 8
+  %50 = fcmp oeq double %49, %1
+  %51 = getelementptr inbounds i8, ptr %0, i64 888
+  %52 = getelementptr inbounds i8, ptr %0, i64 408
+  %53 = getelementptr inbounds i8, ptr %0, i64 504
+  %54 = getelementptr inbounds i8, ptr %0, i64 320
+  %55 = getelementptr inbounds i8, ptr %0, i64 168
+  %56 = getelementptr inbounds i8, ptr %0, i64 248
+  %57 = getelementptr inbounds i8, ptr %0, i64 168
+  %58 = getelementptr inbounds i8, ptr %0, i64 192
+  %59 = getelementptr inbounds i8, ptr %0, i64 744
+  %60 = zext i1 %50 to i64
+  br label %65
 
-71:                                               ; preds = %507
-  %72 = add nuw nsw i32 %79, 1
-  %73 = icmp ugt i32 %79, 3
-  %74 = icmp eq i32 %72, 5
-  br i1 %74, label %512, label %75, !llvm.loop !3
+61:                                               ; preds = %92
+  %62 = add nuw nsw i64 %66, 1
+  %63 = icmp ugt i64 %66, 3
+  %64 = icmp eq i64 %62, 5
+  br i1 %64, label %112, label %65, !llvm.loop !3
 
-75:                                               ; preds = %41, %71
-  %76 = phi i1 [ false, %41 ], [ %73, %71 ]
-  %77 = phi i64 [ %42, %41 ], [ %510, %71 ]
-  %78 = phi double [ 0.000000e+00, %41 ], [ %509, %71 ]
-  %79 = phi i32 [ 1, %41 ], [ %72, %71 ]
-  %80 = uitofp nneg i32 %79 to double
-  %81 = fmul double %80, 2.500000e-01
-  %82 = load ptr, ptr %43, align 8
-  %83 = load ptr, ptr %44, align 8
-  %84 = insertelement <8 x double> poison, double %81, i64 0
-  %85 = shufflevector <8 x double> %84, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %85, ptr %83, align 8
-  %86 = load ptr, ptr %8, align 8
-  %87 = load ptr, ptr %45, align 8
-  %88 = load i64, ptr %46, align 8
-  %89 = load ptr, ptr %0, align 8
-  %90 = getelementptr inbounds i8, ptr %89, i64 24
-  %91 = load i64, ptr %90, align 8
-  %92 = load ptr, ptr %44, align 8
-  %93 = load ptr, ptr %6, align 8
-  %94 = getelementptr inbounds i8, ptr %93, i64 16
-  %95 = load i64, ptr %94, align 8
-  tail call fastcc void @nested(ptr noundef %82, ptr noundef %86, ptr noundef %87, i64 noundef %88, i64 noundef %91, ptr noundef %92, i64 noundef %95) #7
-  %96 = fmul double %81, %2
-  %97 = fadd double %96, %1
-  %98 = load ptr, ptr %47, align 8
-  store double %97, ptr %98, align 8
-  %99 = load i64, ptr %48, align 8
-  %100 = icmp sgt i64 %99, 0
-  br i1 %100, label %101, label %102
+65:                                               ; preds = %47, %61
+  %66 = phi i64 [ %60, %47 ], [ %62, %61 ]
+  %67 = phi i1 [ false, %47 ], [ %63, %61 ]
+  %68 = trunc nuw nsw i64 %66 to i32
+  %69 = uitofp nneg i32 %68 to double
+  %70 = fmul double %69, 2.500000e-01
+  %71 = add nuw nsw i64 %66, 2
+  %72 = load ptr, ptr %51, align 8
+  %73 = load ptr, ptr %52, align 8
+  %74 = insertelement <8 x double> poison, double %70, i64 0
+  %75 = shufflevector <8 x double> %74, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %75, ptr %73, align 8
+  %76 = load ptr, ptr %9, align 8
+  %77 = load ptr, ptr %53, align 8
+  %78 = load i64, ptr %54, align 8
+  %79 = load ptr, ptr %0, align 8
+  %80 = getelementptr inbounds i8, ptr %79, i64 24
+  %81 = load i64, ptr %80, align 8
+  %82 = load ptr, ptr %52, align 8
+  %83 = load ptr, ptr %7, align 8
+  %84 = getelementptr inbounds i8, ptr %83, i64 16
+  %85 = load i64, ptr %84, align 8
+  tail call fastcc void @nested(ptr noundef %72, ptr noundef %76, ptr noundef %77, i64 noundef %78, i64 noundef %81, ptr noundef %82, i64 noundef %85) #8
+  %86 = fmul double %70, %2
+  %87 = fadd double %86, %1
+  %88 = load ptr, ptr %55, align 8
+  store double %87, ptr %88, align 8
+  %89 = load i64, ptr %56, align 8
+  %90 = icmp sgt i64 %89, 0
+  br i1 %90, label %91, label %92
 
-101:                                              ; preds = %75
-  tail call fastcc void @sample(ptr noundef nonnull %6) #7
-  br label %102
+91:                                               ; preds = %65
+  tail call fastcc void @sample(ptr noundef nonnull %7) #8
+  br label %92
 
-102:                                              ; preds = %75, %101
-  %103 = load ptr, ptr %9, align 8
-  %104 = load i64, ptr %103, align 8
-  %105 = load ptr, ptr %49, align 8
-  %106 = load ptr, ptr %43, align 8
-  %107 = load ptr, ptr %50, align 8
-  %108 = load ptr, ptr %51, align 8
-  %109 = load ptr, ptr %15, align 8
-  %110 = inttoptr i64 %104 to ptr
-  %111 = tail call i32 %110(ptr noundef %105, ptr noundef %106, ptr noundef %107, ptr noundef %108, ptr noundef %109) #8
-  %112 = icmp slt i32 %111, 0
-  br i1 %112, label %113, label %118
+92:                                               ; preds = %65, %91
+  %93 = load ptr, ptr %10, align 8
+  %94 = load i64, ptr %93, align 8
+  %95 = load ptr, ptr %57, align 8
+  %96 = load ptr, ptr %51, align 8
+  %97 = load ptr, ptr %58, align 8
+  %98 = load ptr, ptr %59, align 8
+  %99 = load ptr, ptr %26, align 8
+  %100 = getelementptr inbounds i8, ptr %93, i64 8
+  %101 = load i64, ptr %100, align 8
+  %102 = mul nsw i64 %101, %71
+  %103 = getelementptr inbounds double, ptr %99, i64 %102
+  %104 = inttoptr i64 %94 to ptr
+  %105 = tail call i32 %104(ptr noundef %95, ptr noundef %96, ptr noundef %97, ptr noundef %98, ptr noundef %103) #9
+  %106 = icmp slt i32 %105, 0
+  br i1 %106, label %107, label %61
 
-113:                                              ; preds = %102
-  %114 = load ptr, ptr %22, align 8
-  %115 = getelementptr inbounds i8, ptr %114, i64 80
-  store i64 %25, ptr %115, align 8
-  %116 = load ptr, ptr %21, align 8
-  %117 = getelementptr inbounds i8, ptr %116, i64 48
-  store double 1.000000e+00, ptr %117, align 8
-  br label %507
+107:                                              ; preds = %92
+  %108 = load ptr, ptr %21, align 8
+  %109 = getelementptr inbounds i8, ptr %108, i64 80
+  store i64 %24, ptr %109, align 8
+  %110 = load ptr, ptr %20, align 8
+  %111 = getelementptr inbounds i8, ptr %110, i64 48
+  store double 1.000000e+00, ptr %111, align 8
+  br label %112
 
-118:                                              ; preds = %102, %489
-  %119 = phi double [ %491, %489 ], [ %78, %102 ]
-  %120 = phi i64 [ %492, %489 ], [ %77, %102 ]
-  br i1 %52, label %125, label %121
+112:                                              ; preds = %61, %107
+  %113 = phi i1 [ %67, %107 ], [ %63, %61 ]
+  %114 = phi i64 [ -4, %107 ], [ %48, %61 ]
+  br i1 %113, label %115, label %822
 
-121:                                              ; preds = %175, %118
-  %122 = phi double [ 2.000000e+00, %118 ], [ %176, %175 ]
-  %123 = phi i32 [ 0, %118 ], [ %177, %175 ]
-  %124 = fcmp ogt double %122, 1.000000e+00
-  br i1 %124, label %489, label %180
+115:                                              ; preds = %112
+  store double 0x7FF8000000000000, ptr %31, align 8
+  %116 = getelementptr inbounds i8, ptr %4, i64 8
+  %117 = getelementptr inbounds i8, ptr %4, i64 16
+  %118 = getelementptr inbounds i8, ptr %0, i64 792
+  %119 = getelementptr inbounds i8, ptr %0, i64 888
+  %120 = getelementptr inbounds i8, ptr %0, i64 408
+  %121 = getelementptr inbounds i8, ptr %0, i64 504
+  %122 = getelementptr inbounds i8, ptr %0, i64 320
+  %123 = getelementptr inbounds i8, ptr %0, i64 168
+  %124 = getelementptr inbounds i8, ptr %0, i64 248
+  %125 = getelementptr inbounds i8, ptr %0, i64 168
+  %126 = getelementptr inbounds i8, ptr %0, i64 192
+  %127 = getelementptr inbounds i8, ptr %0, i64 744
+  %128 = getelementptr inbounds i8, ptr %0, i64 888
+  %129 = getelementptr inbounds i8, ptr %0, i64 408
+  %130 = getelementptr inbounds i8, ptr %0, i64 504
+  %131 = getelementptr inbounds i8, ptr %0, i64 320
+  %132 = getelementptr inbounds i8, ptr %0, i64 168
+  %133 = getelementptr inbounds i8, ptr %0, i64 248
+  %134 = getelementptr inbounds i8, ptr %0, i64 168
+  %135 = getelementptr inbounds i8, ptr %0, i64 192
+  %136 = getelementptr inbounds i8, ptr %0, i64 744
+  %137 = icmp sgt i64 %13, 0
+  %138 = getelementptr inbounds i8, ptr %0, i64 792
+  %139 = getelementptr inbounds i8, ptr %0, i64 888
+  %140 = getelementptr inbounds i8, ptr %0, i64 408
+  %141 = getelementptr inbounds i8, ptr %0, i64 504
+  %142 = getelementptr inbounds i8, ptr %0, i64 320
+  %143 = getelementptr inbounds i8, ptr %0, i64 168
+  %144 = getelementptr inbounds i8, ptr %0, i64 248
+  %145 = getelementptr inbounds i8, ptr %0, i64 168
+  %146 = getelementptr inbounds i8, ptr %0, i64 192
+  %147 = getelementptr inbounds i8, ptr %0, i64 744
+  %148 = icmp slt i64 %13, 1
+  %149 = icmp sgt i64 %13, 0
+  %150 = getelementptr inbounds i8, ptr %0, i64 792
+  %151 = getelementptr inbounds i8, ptr %25, i64 48
+  %152 = icmp sgt i64 %13, 0
+  %153 = getelementptr inbounds i8, ptr %0, i64 920
+  %154 = getelementptr inbounds i8, ptr %0, i64 912
+  %155 = getelementptr inbounds i8, ptr %0, i64 936
+  %156 = getelementptr inbounds i8, ptr %0, i64 960
+  %157 = getelementptr inbounds i8, ptr %0, i64 976
+  %158 = getelementptr inbounds i8, ptr %0, i64 920
+  %159 = getelementptr inbounds i8, ptr %25, i64 48
+  %160 = icmp sgt i64 %13, 0
+  %161 = getelementptr inbounds i8, ptr %25, i64 48
+  %162 = icmp sgt i64 %13, 0
+  br label %163
 
-125:                                              ; preds = %118, %175
-  %126 = phi i64 [ %178, %175 ], [ 0, %118 ]
-  %127 = phi i32 [ %177, %175 ], [ 0, %118 ]
-  %128 = phi double [ %176, %175 ], [ 2.000000e+00, %118 ]
-  %129 = getelementptr inbounds i64, ptr %20, i64 %126
-  store i64 0, ptr %129, align 8
-  %130 = getelementptr inbounds i64, ptr %18, i64 %126
-  %131 = load i64, ptr %130, align 8
-  %132 = getelementptr inbounds double, ptr %16, i64 %126
-  %133 = load double, ptr %132, align 8
-  %134 = getelementptr inbounds i64, ptr %14, i64 %126
-  %135 = load i64, ptr %134, align 8
-  %136 = icmp slt i64 %131, 0
-  %137 = fcmp ogt double %133, 0.000000e+00
-  %138 = and i1 %136, %137
-  %139 = icmp sgt i64 %135, -1
-  %140 = and i1 %138, %139
-  br i1 %140, label %148, label %141
+163:                                              ; preds = %115, %800
+  %164 = phi i1 [ false, %115 ], [ %804, %800 ]
+  %165 = phi i64 [ %114, %115 ], [ %798, %800 ]
+  %166 = phi double [ 0.000000e+00, %115 ], [ %797, %800 ]
+  %167 = phi i32 [ 1, %115 ], [ %803, %800 ]
+  %168 = uitofp nneg i32 %167 to double
+  %169 = fmul double %168, 2.500000e-01
+  %170 = load ptr, ptr %10, align 8
+  %171 = getelementptr inbounds i8, ptr %170, i64 8
+  %172 = load i64, ptr %171, align 8
+  %173 = load ptr, ptr %26, align 8
+  %174 = add nuw nsw i32 %167, 2
+  %175 = zext nneg i32 %174 to i64
+  %176 = mul nsw i64 %172, %175
+  %177 = getelementptr inbounds double, ptr %173, i64 %176
+  %178 = icmp sgt i64 %172, 0
+  br i1 %178, label %179, label %357
 
-141:                                              ; preds = %125
-  %142 = icmp sgt i64 %131, 0
-  %143 = fcmp olt double %133, 0.000000e+00
-  %144 = and i1 %142, %143
-  br i1 %144, label %145, label %148
+179:                                              ; preds = %163
+  %180 = shl nsw i64 %172, 4
+  %181 = add nsw i32 %167, -1
+  %182 = icmp ugt i32 %167, 1
+  %183 = select i1 %182, i32 %181, i32 1
+  %184 = icmp sle i32 %183, %167
+  %185 = icmp slt i32 %183, 4
+  %186 = and i1 %184, %185
+  %187 = icmp eq i32 %167, 1
+  %188 = sext i1 %187 to i32
+  %189 = add nsw i32 %181, %188
+  %190 = sitofp i32 %189 to double
+  %191 = icmp eq i32 %167, 4
+  %192 = select i1 %191, i32 5, i32 %167
+  %193 = uitofp nneg i32 %192 to double
+  %194 = uitofp nneg i32 %167 to double
+  %195 = fmul double %194, 2.500000e-01
+  %196 = sext i32 %183 to i64
+  %197 = zext nneg i32 %167 to i64
+  %198 = tail call i64 @llvm.smin.i64(i64 %197, i64 3)
+  br label %199
 
-145:                                              ; preds = %141
-  %146 = icmp slt i64 %135, 1
-  %147 = zext i1 %146 to i32
-  br label %148
+199:                                              ; preds = %179, %354
+  %200 = phi double [ 2.000000e+00, %179 ], [ %353, %354 ]
+  %201 = phi double [ 2.000000e+00, %179 ], [ %352, %354 ]
+  %202 = phi i64 [ 0, %179 ], [ %355, %354 ]
+  %203 = load ptr, ptr %26, align 8
+  %204 = getelementptr inbounds i8, ptr %203, i64 %180
+  %205 = getelementptr inbounds double, ptr %204, i64 %202
+  %206 = load ptr, ptr %16, align 8
+  %207 = getelementptr inbounds i64, ptr %206, i64 %202
+  %208 = load i64, ptr %207, align 8
+  %209 = sitofp i64 %208 to double
+  br i1 %186, label %210, label %350
 
-148:                                              ; preds = %125, %141, %145
-  %149 = phi i32 [ 1, %125 ], [ 0, %141 ], [ %147, %145 ]
-  %150 = icmp eq i32 %149, 0
-  br i1 %150, label %151, label %155
+210:                                              ; preds = %199
+  %211 = getelementptr inbounds double, ptr %173, i64 %202
+  br label %212
 
-151:                                              ; preds = %148
-  %152 = icmp eq i64 %131, 0
-  %153 = fcmp ord double %133, 0.000000e+00
-  %154 = or i1 %152, %153
-  br i1 %154, label %175, label %155
+212:                                              ; preds = %210, %347
+  %213 = phi i64 [ %196, %210 ], [ %348, %347 ]
+  %214 = phi double [ %200, %210 ], [ %346, %347 ]
+  %215 = phi double [ %201, %210 ], [ %345, %347 ]
+  %216 = trunc nsw i64 %213 to i32
+  %217 = sitofp i32 %216 to double
+  %218 = add nsw i64 %213, -1
+  br label %229
 
-155:                                              ; preds = %151, %148
-  %156 = call fastcc double @locate(ptr noundef nonnull %0, ptr noundef nonnull %4, double noundef %1, double noundef %2, double noundef %119, double noundef %81, i64 noundef %126) #7
-  %157 = fcmp ole double %156, %119
-  %158 = zext i1 %157 to i64
-  store i64 %158, ptr %129, align 8
-  %159 = fcmp uge double %156, %128
-  %160 = select i1 %159, i32 %127, i32 0
-  %161 = fcmp ugt double %156, %128
-  br i1 %161, label %172, label %162
+219:                                              ; preds = %229
+  %220 = fmul double %217, 2.500000e-01
+  %221 = load double, ptr %4, align 16
+  %222 = fcmp ogt double %221, 0.000000e+00
+  %223 = load double, ptr %116, align 8
+  %224 = fcmp ogt double %223, 0.000000e+00
+  %225 = select i1 %222, i1 %224, i1 false
+  %226 = load double, ptr %117, align 16
+  %227 = fcmp ogt double %226, 0.000000e+00
+  %228 = select i1 %225, i1 %227, i1 false
+  br i1 %228, label %239, label %343
 
-162:                                              ; preds = %155
-  %163 = icmp eq i32 %160, 0
-  br i1 %163, label %164, label %169
+229:                                              ; preds = %212, %229
+  %230 = phi i64 [ 0, %212 ], [ %237, %229 ]
+  %231 = add nsw i64 %218, %230
+  %232 = mul nsw i64 %172, %231
+  %233 = getelementptr inbounds double, ptr %205, i64 %232
+  %234 = load double, ptr %233, align 8
+  %235 = fmul double %234, %209
+  %236 = getelementptr inbounds [3 x double], ptr %4, i64 0, i64 %230
+  store double %235, ptr %236, align 8
+  %237 = add nuw nsw i64 %230, 1
+  %238 = icmp eq i64 %237, 3
+  br i1 %238, label %219, label %229, !llvm.loop !6
 
-164:                                              ; preds = %162
-  %165 = load ptr, ptr %53, align 8
-  %166 = getelementptr inbounds i64, ptr %165, i64 %126
-  %167 = load i64, ptr %166, align 8
-  %168 = icmp eq i64 %167, 1
-  br label %169
+239:                                              ; preds = %219
+  %240 = fsub double %226, %221
+  %241 = fmul double %240, 5.000000e-01
+  %242 = fmul double %223, 2.000000e+00
+  %243 = fsub double %226, %242
+  %244 = fadd double %221, %243
+  %245 = fmul double %220, 4.000000e+00
+  %246 = fdiv double %241, %244
+  %247 = fsub double %245, %246
+  %248 = fcmp ule double %244, 0.000000e+00
+  %249 = fcmp ult double %247, %190
+  %250 = select i1 %248, i1 true, i1 %249
+  %251 = fcmp ugt double %247, %193
+  %252 = select i1 %250, i1 true, i1 %251
+  br i1 %252, label %343, label %253
 
-169:                                              ; preds = %164, %162
-  %170 = phi i1 [ true, %162 ], [ %168, %164 ]
-  %171 = zext i1 %170 to i32
-  br label %172
+253:                                              ; preds = %239
+  %254 = fadd double %220, -2.500000e-01
+  %255 = call fastcc double @least_place(ptr noundef %0, ptr noundef nonnull %5, double noundef %1, double noundef %2, i64 noundef %202, double noundef %209, double noundef %254, ptr noundef nonnull %4) #8
+  %256 = fcmp oeq double %255, -4.000000e+00
+  br i1 %256, label %343, label %257
 
-172:                                              ; preds = %169, %155
-  %173 = phi i32 [ %171, %169 ], [ %160, %155 ]
-  %174 = select i1 %159, double %128, double %156
-  br label %175
+257:                                              ; preds = %253
+  %258 = fcmp ogt double %255, %166
+  br i1 %258, label %259, label %343
 
-175:                                              ; preds = %151, %172
-  %176 = phi double [ %174, %172 ], [ %128, %151 ]
-  %177 = phi i32 [ %173, %172 ], [ %127, %151 ]
-  %178 = add nuw nsw i64 %126, 1
-  %179 = icmp eq i64 %178, %12
-  br i1 %179, label %121, label %125, !llvm.loop !6
+259:                                              ; preds = %257
+  %260 = fcmp olt double %214, %195
+  %261 = select i1 %260, double %214, double %195
+  %262 = fcmp olt double %255, %261
+  br i1 %262, label %265, label %343
 
-180:                                              ; preds = %121
-  %181 = load ptr, ptr %43, align 8
-  %182 = load ptr, ptr %44, align 8
-  %183 = insertelement <8 x double> poison, double %122, i64 0
-  %184 = shufflevector <8 x double> %183, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %184, ptr %182, align 8
-  %185 = load ptr, ptr %8, align 8
-  %186 = load ptr, ptr %45, align 8
-  %187 = load i64, ptr %46, align 8
-  %188 = load ptr, ptr %0, align 8
-  %189 = getelementptr inbounds i8, ptr %188, i64 24
-  %190 = load i64, ptr %189, align 8
-  %191 = load ptr, ptr %44, align 8
-  %192 = load ptr, ptr %6, align 8
-  %193 = getelementptr inbounds i8, ptr %192, i64 16
-  %194 = load i64, ptr %193, align 8
-  tail call fastcc void @nested(ptr noundef %181, ptr noundef %185, ptr noundef %186, i64 noundef %187, i64 noundef %190, ptr noundef %191, i64 noundef %194) #7
-  %195 = fmul double %122, %2
-  %196 = fadd double %195, %1
-  %197 = load ptr, ptr %47, align 8
-  store double %196, ptr %197, align 8
-  %198 = load i64, ptr %48, align 8
-  %199 = icmp sgt i64 %198, 0
-  br i1 %199, label %200, label %201
+263:                                              ; preds = %300
+  %264 = fcmp ugt double %301, 1.000000e+00
+  br i1 %264, label %336, label %304
 
-200:                                              ; preds = %180
-  tail call fastcc void @sample(ptr noundef nonnull %6) #7
-  br label %201
+265:                                              ; preds = %259, %300
+  %266 = phi i64 [ %302, %300 ], [ 0, %259 ]
+  %267 = phi double [ %301, %300 ], [ %215, %259 ]
+  %268 = load ptr, ptr %118, align 8
+  %269 = getelementptr inbounds i64, ptr %268, i64 %266
+  %270 = load i64, ptr %269, align 8
+  %271 = icmp eq i64 %270, 1
+  br i1 %271, label %272, label %300
 
-201:                                              ; preds = %180, %200
-  %202 = load ptr, ptr %9, align 8
-  %203 = load i64, ptr %202, align 8
-  %204 = load ptr, ptr %49, align 8
-  %205 = load ptr, ptr %43, align 8
-  %206 = load ptr, ptr %50, align 8
-  %207 = load ptr, ptr %51, align 8
-  %208 = load ptr, ptr %15, align 8
-  %209 = getelementptr inbounds i8, ptr %202, i64 8
-  %210 = load i64, ptr %209, align 8
-  %211 = getelementptr inbounds double, ptr %208, i64 %210
-  %212 = inttoptr i64 %203 to ptr
-  %213 = tail call i32 %212(ptr noundef %204, ptr noundef %205, ptr noundef %206, ptr noundef %207, ptr noundef %211) #8
-  %214 = icmp slt i32 %213, 0
-  br i1 %214, label %218, label %215
+272:                                              ; preds = %265
+  %273 = load ptr, ptr %16, align 8
+  %274 = getelementptr inbounds i64, ptr %273, i64 %266
+  %275 = load i64, ptr %274, align 8
+  %276 = getelementptr inbounds double, ptr %177, i64 %266
+  %277 = load double, ptr %276, align 8
+  %278 = load ptr, ptr %14, align 8
+  %279 = getelementptr inbounds i64, ptr %278, i64 %266
+  %280 = load i64, ptr %279, align 8
+  %281 = icmp slt i64 %275, 0
+  %282 = fcmp ogt double %277, 0.000000e+00
+  %283 = and i1 %281, %282
+  %284 = icmp sgt i64 %280, -1
+  %285 = and i1 %283, %284
+  br i1 %285, label %293, label %286
 
-215:                                              ; preds = %201
-  %216 = icmp ne i32 %123, 0
-  %217 = select i1 %54, i1 true, i1 %216
-  br i1 %217, label %319, label %223
+286:                                              ; preds = %272
+  %287 = icmp sgt i64 %275, 0
+  %288 = fcmp olt double %277, 0.000000e+00
+  %289 = and i1 %287, %288
+  br i1 %289, label %290, label %293
 
-218:                                              ; preds = %201
-  %219 = load ptr, ptr %22, align 8
-  %220 = getelementptr inbounds i8, ptr %219, i64 80
-  store i64 %25, ptr %220, align 8
-  %221 = load ptr, ptr %21, align 8
-  %222 = getelementptr inbounds i8, ptr %221, i64 48
-  store double 1.000000e+00, ptr %222, align 8
-  br label %489
+290:                                              ; preds = %286
+  %291 = icmp slt i64 %280, 1
+  %292 = zext i1 %291 to i32
+  br label %293
 
-223:                                              ; preds = %215, %313
-  %224 = phi i1 [ %318, %313 ], [ %217, %215 ]
-  %225 = phi i64 [ %315, %313 ], [ %120, %215 ]
-  %226 = phi i64 [ %316, %313 ], [ 0, %215 ]
-  %227 = phi double [ %314, %313 ], [ %122, %215 ]
-  %228 = getelementptr inbounds i64, ptr %18, i64 %226
-  %229 = load i64, ptr %228, align 8
-  %230 = getelementptr double, ptr %55, i64 %226
-  %231 = load double, ptr %230, align 8
-  %232 = getelementptr inbounds i64, ptr %14, i64 %226
-  %233 = load i64, ptr %232, align 8
-  %234 = icmp slt i64 %229, 0
-  %235 = fcmp ogt double %231, 0.000000e+00
-  %236 = and i1 %234, %235
-  %237 = icmp sgt i64 %233, -1
-  %238 = and i1 %236, %237
-  br i1 %238, label %246, label %239
+293:                                              ; preds = %272, %286, %290
+  %294 = phi i32 [ 1, %272 ], [ 0, %286 ], [ %292, %290 ]
+  %295 = icmp eq i32 %294, 0
+  br i1 %295, label %300, label %296
 
-239:                                              ; preds = %223
-  %240 = icmp sgt i64 %229, 0
-  %241 = fcmp olt double %231, 0.000000e+00
-  %242 = and i1 %240, %241
-  br i1 %242, label %243, label %246
+296:                                              ; preds = %293
+  %297 = call fastcc double @locate(ptr noundef %0, ptr noundef nonnull %5, double noundef %1, double noundef %2, double noundef %166, double noundef %195, i64 noundef %266) #8
+  %298 = fcmp olt double %267, %297
+  %299 = select i1 %298, double %267, double %297
+  br label %300
 
-243:                                              ; preds = %239
-  %244 = icmp slt i64 %233, 1
-  %245 = zext i1 %244 to i32
-  br label %246
+300:                                              ; preds = %296, %293, %265
+  %301 = phi double [ %299, %296 ], [ %267, %293 ], [ %267, %265 ]
+  %302 = add nuw nsw i64 %266, 1
+  %303 = icmp eq i64 %302, %172
+  br i1 %303, label %263, label %265, !llvm.loop !7
 
-246:                                              ; preds = %223, %239, %243
-  %247 = phi i32 [ 1, %223 ], [ 0, %239 ], [ %245, %243 ]
-  %248 = icmp eq i32 %247, 0
-  br i1 %248, label %313, label %249
+304:                                              ; preds = %263
+  %305 = load ptr, ptr %119, align 8
+  %306 = load ptr, ptr %120, align 8
+  %307 = insertelement <8 x double> poison, double %301, i64 0
+  %308 = shufflevector <8 x double> %307, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %308, ptr %306, align 8
+  %309 = load ptr, ptr %9, align 8
+  %310 = load ptr, ptr %121, align 8
+  %311 = load i64, ptr %122, align 8
+  %312 = load ptr, ptr %0, align 8
+  %313 = getelementptr inbounds i8, ptr %312, i64 24
+  %314 = load i64, ptr %313, align 8
+  %315 = load ptr, ptr %120, align 8
+  %316 = load ptr, ptr %7, align 8
+  %317 = getelementptr inbounds i8, ptr %316, i64 16
+  %318 = load i64, ptr %317, align 8
+  tail call fastcc void @nested(ptr noundef %305, ptr noundef %309, ptr noundef %310, i64 noundef %311, i64 noundef %314, ptr noundef %315, i64 noundef %318) #8
+  %319 = fmul double %301, %2
+  %320 = fadd double %319, %1
+  %321 = load ptr, ptr %123, align 8
+  store double %320, ptr %321, align 8
+  %322 = load i64, ptr %124, align 8
+  %323 = icmp sgt i64 %322, 0
+  br i1 %323, label %324, label %325
 
-249:                                              ; preds = %246
-  %250 = getelementptr inbounds double, ptr %16, i64 %226
-  %251 = load double, ptr %250, align 8
-  %252 = fcmp ogt double %251, 0.000000e+00
-  %253 = and i1 %234, %252
-  %254 = and i1 %237, %253
-  br i1 %254, label %262, label %255
+324:                                              ; preds = %304
+  tail call fastcc void @sample(ptr noundef nonnull %7) #8
+  br label %325
 
-255:                                              ; preds = %249
-  %256 = icmp sgt i64 %229, 0
-  %257 = fcmp olt double %251, 0.000000e+00
-  %258 = and i1 %256, %257
-  br i1 %258, label %259, label %262
+325:                                              ; preds = %304, %324
+  %326 = load ptr, ptr %10, align 8
+  %327 = load i64, ptr %326, align 8
+  %328 = load ptr, ptr %125, align 8
+  %329 = load ptr, ptr %119, align 8
+  %330 = load ptr, ptr %126, align 8
+  %331 = load ptr, ptr %127, align 8
+  %332 = load ptr, ptr %26, align 8
+  %333 = inttoptr i64 %327 to ptr
+  %334 = tail call i32 %333(ptr noundef %328, ptr noundef %329, ptr noundef %330, ptr noundef %331, ptr noundef %332) #9
+  %335 = icmp slt i32 %334, 0
+  br i1 %335, label %343, label %336
 
-259:                                              ; preds = %255
-  %260 = icmp slt i64 %233, 1
-  %261 = zext i1 %260 to i32
-  br label %262
+336:                                              ; preds = %325, %263
+  %337 = fcmp ogt double %301, 1.000000e+00
+  br i1 %337, label %342, label %338
 
-262:                                              ; preds = %249, %255, %259
-  %263 = phi i32 [ 1, %249 ], [ 0, %255 ], [ %261, %259 ]
-  %264 = icmp eq i32 %263, 0
-  br i1 %264, label %265, label %313
+338:                                              ; preds = %336
+  %339 = load double, ptr %211, align 8
+  %340 = fmul double %339, %209
+  %341 = fcmp ogt double %340, 0.000000e+00
+  br i1 %341, label %342, label %343
 
-265:                                              ; preds = %262
-  %266 = call fastcc double @locate(ptr noundef nonnull %0, ptr noundef nonnull %4, double noundef %1, double noundef %2, double noundef %119, double noundef %227, i64 noundef %226) #7
-  %267 = fcmp ogt double %266, %119
-  br i1 %267, label %268, label %270
+342:                                              ; preds = %338, %336
+  br label %343
 
-268:                                              ; preds = %265
-  %269 = getelementptr inbounds i64, ptr %20, i64 %226
-  store i64 2, ptr %269, align 8
-  br label %270
+343:                                              ; preds = %342, %338, %325, %259, %257, %253, %239, %219
+  %344 = phi i32 [ 7, %219 ], [ 7, %239 ], [ 1, %253 ], [ 7, %259 ], [ 7, %257 ], [ 1, %325 ], [ 0, %342 ], [ 0, %338 ]
+  %345 = phi double [ %215, %219 ], [ %215, %239 ], [ %215, %253 ], [ %215, %259 ], [ %215, %257 ], [ %301, %325 ], [ %301, %342 ], [ %301, %338 ]
+  %346 = phi double [ %214, %219 ], [ %214, %239 ], [ %214, %253 ], [ %214, %259 ], [ %214, %257 ], [ %214, %325 ], [ %255, %342 ], [ %214, %338 ]
+  switch i32 %344, label %350 [
+    i32 0, label %347
+    i32 7, label %347
+  ]
 
-270:                                              ; preds = %268, %265
-  %271 = phi double [ %266, %268 ], [ %227, %265 ]
-  %272 = load ptr, ptr %43, align 8
-  %273 = load ptr, ptr %44, align 8
-  %274 = insertelement <8 x double> poison, double %271, i64 0
-  %275 = shufflevector <8 x double> %274, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %275, ptr %273, align 8
-  %276 = load ptr, ptr %8, align 8
-  %277 = load ptr, ptr %45, align 8
-  %278 = load i64, ptr %46, align 8
-  %279 = load ptr, ptr %0, align 8
-  %280 = getelementptr inbounds i8, ptr %279, i64 24
-  %281 = load i64, ptr %280, align 8
-  %282 = load ptr, ptr %44, align 8
-  %283 = load ptr, ptr %6, align 8
-  %284 = getelementptr inbounds i8, ptr %283, i64 16
-  %285 = load i64, ptr %284, align 8
-  tail call fastcc void @nested(ptr noundef %272, ptr noundef %276, ptr noundef %277, i64 noundef %278, i64 noundef %281, ptr noundef %282, i64 noundef %285) #7
-  %286 = fmul double %271, %2
-  %287 = fadd double %286, %1
-  %288 = load ptr, ptr %47, align 8
-  store double %287, ptr %288, align 8
-  %289 = load i64, ptr %48, align 8
-  %290 = icmp sgt i64 %289, 0
-  br i1 %290, label %291, label %292
+347:                                              ; preds = %343, %343
+  %348 = add nsw i64 %213, 1
+  %349 = icmp slt i64 %213, %198
+  br i1 %349, label %212, label %350, !llvm.loop !8
 
-291:                                              ; preds = %270
-  tail call fastcc void @sample(ptr noundef nonnull %6) #7
-  br label %292
+350:                                              ; preds = %347, %343, %199
+  %351 = phi i32 [ 5, %199 ], [ 5, %347 ], [ %344, %343 ]
+  %352 = phi double [ %201, %199 ], [ %345, %343 ], [ %345, %347 ]
+  %353 = phi double [ %200, %199 ], [ %346, %343 ], [ %346, %347 ]
+  switch i32 %351, label %357 [
+    i32 5, label %354
+    i32 0, label %354
+  ]
 
-292:                                              ; preds = %270, %291
-  %293 = load ptr, ptr %9, align 8
-  %294 = load i64, ptr %293, align 8
-  %295 = load ptr, ptr %49, align 8
-  %296 = load ptr, ptr %43, align 8
-  %297 = load ptr, ptr %50, align 8
-  %298 = load ptr, ptr %51, align 8
-  %299 = load ptr, ptr %15, align 8
-  %300 = getelementptr inbounds i8, ptr %293, i64 8
-  %301 = load i64, ptr %300, align 8
-  %302 = getelementptr inbounds double, ptr %299, i64 %301
-  %303 = inttoptr i64 %294 to ptr
-  %304 = tail call i32 %303(ptr noundef %295, ptr noundef %296, ptr noundef %297, ptr noundef %298, ptr noundef %302) #8
-  %305 = icmp sgt i32 %304, -1
-  br i1 %305, label %311, label %306
+354:                                              ; preds = %350, %350
+  %355 = add nuw nsw i64 %202, 1
+  %356 = icmp eq i64 %355, %172
+  br i1 %356, label %357, label %199, !llvm.loop !9
 
-306:                                              ; preds = %292
-  %307 = load ptr, ptr %22, align 8
-  %308 = getelementptr inbounds i8, ptr %307, i64 80
-  store i64 %25, ptr %308, align 8
-  %309 = load ptr, ptr %21, align 8
-  %310 = getelementptr inbounds i8, ptr %309, i64 48
-  store double 1.000000e+00, ptr %310, align 8
-  br label %311
-
-311:                                              ; preds = %292, %306
-  %312 = phi i64 [ -4, %306 ], [ %225, %292 ]
-  br i1 %305, label %313, label %319
-
-313:                                              ; preds = %246, %262, %311
-  %314 = phi double [ %227, %262 ], [ %271, %311 ], [ %227, %246 ]
-  %315 = phi i64 [ %225, %262 ], [ %312, %311 ], [ %225, %246 ]
-  %316 = add nuw nsw i64 %226, 1
-  %317 = icmp sge i64 %316, %12
-  %318 = select i1 %317, i1 true, i1 %216
-  br i1 %318, label %319, label %223, !llvm.loop !7
-
-319:                                              ; preds = %311, %313, %215
-  %320 = phi i1 [ %217, %215 ], [ %224, %311 ], [ %318, %313 ]
-  %321 = phi double [ %122, %215 ], [ %271, %311 ], [ %314, %313 ]
-  %322 = phi i32 [ 10, %215 ], [ 1, %311 ], [ 10, %313 ]
-  %323 = phi i64 [ %120, %215 ], [ %312, %311 ], [ %315, %313 ]
-  br i1 %320, label %324, label %489
-
-324:                                              ; preds = %319
-  br i1 %56, label %335, label %327
-
-325:                                              ; preds = %422
-  %326 = zext i1 %423 to i32
-  br label %327
-
-327:                                              ; preds = %325, %324
-  %328 = phi i32 [ 0, %324 ], [ %326, %325 ]
-  %329 = phi i64 [ -1, %324 ], [ %412, %325 ]
-  %330 = icmp eq i32 %328, 0
-  br i1 %330, label %331, label %426
-
-331:                                              ; preds = %327
-  br i1 %60, label %332, label %427
-
-332:                                              ; preds = %331
-  %333 = fmul double %321, %2
-  %334 = fadd double %333, %1
-  br label %430
-
-335:                                              ; preds = %324, %422
-  %336 = phi i64 [ %424, %422 ], [ 0, %324 ]
-  %337 = phi i64 [ %412, %422 ], [ -1, %324 ]
-  %338 = phi i1 [ %423, %422 ], [ false, %324 ]
-  %339 = getelementptr double, ptr %57, i64 %336
-  %340 = load double, ptr %339, align 8
-  %341 = getelementptr inbounds i64, ptr %18, i64 %336
-  %342 = load i64, ptr %341, align 8
-  %343 = getelementptr inbounds i64, ptr %14, i64 %336
-  %344 = load i64, ptr %343, align 8
-  %345 = icmp slt i64 %342, 0
-  %346 = fcmp ogt double %340, 0.000000e+00
-  %347 = and i1 %346, %345
-  %348 = icmp sgt i64 %344, -1
-  %349 = and i1 %347, %348
-  br i1 %349, label %357, label %350
-
-350:                                              ; preds = %335
-  %351 = icmp sgt i64 %342, 0
-  %352 = fcmp olt double %340, 0.000000e+00
-  %353 = and i1 %352, %351
-  br i1 %353, label %354, label %357
-
-354:                                              ; preds = %350
-  %355 = icmp slt i64 %344, 1
-  %356 = zext i1 %355 to i32
-  br label %357
-
-357:                                              ; preds = %335, %350, %354
-  %358 = phi i32 [ 1, %335 ], [ 0, %350 ], [ %356, %354 ]
-  %359 = icmp eq i32 %358, 0
-  br i1 %359, label %360, label %385
+357:                                              ; preds = %354, %350, %163
+  %358 = phi double [ 2.000000e+00, %163 ], [ %353, %354 ], [ -4.000000e+00, %350 ]
+  %359 = fcmp olt double %358, 0.000000e+00
+  br i1 %359, label %790, label %360
 
 360:                                              ; preds = %357
-  %361 = getelementptr inbounds double, ptr %16, i64 %336
-  %362 = load double, ptr %361, align 8
-  %363 = fcmp ogt double %362, 0.000000e+00
-  %364 = and i1 %345, %363
-  %365 = and i1 %348, %364
-  br i1 %365, label %373, label %366
+  %361 = zext nneg i32 %167 to i64
+  %362 = mul nsw i64 %13, %361
+  %363 = getelementptr inbounds double, ptr %29, i64 %362
+  %364 = fcmp olt double %358, %169
+  br i1 %364, label %365, label %398
 
-366:                                              ; preds = %360
-  %367 = icmp sgt i64 %342, 0
-  %368 = fcmp olt double %362, 0.000000e+00
-  %369 = and i1 %367, %368
-  br i1 %369, label %370, label %373
-
-370:                                              ; preds = %366
-  %371 = icmp slt i64 %344, 1
-  %372 = zext i1 %371 to i32
-  br label %373
-
-373:                                              ; preds = %360, %366, %370
-  %374 = phi i32 [ 1, %360 ], [ 0, %366 ], [ %372, %370 ]
-  %375 = icmp eq i32 %374, 0
-  br i1 %375, label %385, label %376
-
-376:                                              ; preds = %373
-  %377 = fcmp oeq double %340, 0.000000e+00
-  br i1 %377, label %382, label %378
-
-378:                                              ; preds = %376
-  %379 = getelementptr inbounds i64, ptr %20, i64 %336
+365:                                              ; preds = %360
+  %366 = load ptr, ptr %26, align 8
+  %367 = load ptr, ptr %128, align 8
+  %368 = load ptr, ptr %129, align 8
+  %369 = insertelement <8 x double> poison, double %358, i64 0
+  %370 = shufflevector <8 x double> %369, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %370, ptr %368, align 8
+  %371 = load ptr, ptr %9, align 8
+  %372 = load ptr, ptr %130, align 8
+  %373 = load i64, ptr %131, align 8
+  %374 = load ptr, ptr %0, align 8
+  %375 = getelementptr inbounds i8, ptr %374, i64 24
+  %376 = load i64, ptr %375, align 8
+  %377 = load ptr, ptr %129, align 8
+  %378 = load ptr, ptr %7, align 8
+  %379 = getelementptr inbounds i8, ptr %378, i64 16
   %380 = load i64, ptr %379, align 8
-  %381 = icmp eq i64 %380, 1
-  br label %382
+  tail call fastcc void @nested(ptr noundef %367, ptr noundef %371, ptr noundef %372, i64 noundef %373, i64 noundef %376, ptr noundef %377, i64 noundef %380) #8
+  %381 = fmul double %358, %2
+  %382 = fadd double %381, %1
+  %383 = load ptr, ptr %132, align 8
+  store double %382, ptr %383, align 8
+  %384 = load i64, ptr %133, align 8
+  %385 = icmp sgt i64 %384, 0
+  br i1 %385, label %386, label %387
 
-382:                                              ; preds = %378, %376
-  %383 = phi i1 [ true, %376 ], [ %381, %378 ]
-  %384 = zext i1 %383 to i32
-  br label %385
+386:                                              ; preds = %365
+  tail call fastcc void @sample(ptr noundef nonnull %7) #8
+  br label %387
 
-385:                                              ; preds = %382, %373, %357
-  %386 = phi i32 [ 1, %357 ], [ %384, %382 ], [ 0, %373 ]
-  %387 = icmp eq i32 %386, 0
-  br i1 %387, label %388, label %394
+387:                                              ; preds = %365, %386
+  %388 = load ptr, ptr %10, align 8
+  %389 = load i64, ptr %388, align 8
+  %390 = load ptr, ptr %134, align 8
+  %391 = load ptr, ptr %128, align 8
+  %392 = load ptr, ptr %135, align 8
+  %393 = load ptr, ptr %136, align 8
+  %394 = load ptr, ptr %26, align 8
+  %395 = inttoptr i64 %389 to ptr
+  %396 = tail call i32 %395(ptr noundef %390, ptr noundef %391, ptr noundef %392, ptr noundef %393, ptr noundef %394) #9
+  %397 = icmp slt i32 %396, 0
+  br i1 %397, label %790, label %398
 
-388:                                              ; preds = %385
-  %389 = getelementptr inbounds i64, ptr %20, i64 %336
-  %390 = load i64, ptr %389, align 8
-  %391 = icmp eq i64 %390, 2
-  %392 = fcmp oeq double %340, 0.000000e+00
-  %393 = and i1 %392, %391
-  br label %394
+398:                                              ; preds = %387, %360
+  %399 = phi double [ %358, %387 ], [ %169, %360 ]
+  %400 = phi ptr [ %366, %387 ], [ %363, %360 ]
+  br label %401
 
-394:                                              ; preds = %388, %385
-  %395 = phi i1 [ true, %385 ], [ %393, %388 ]
-  br i1 %395, label %411, label %396
+401:                                              ; preds = %772, %398
+  %402 = phi double [ %166, %398 ], [ %774, %772 ]
+  %403 = phi i64 [ %165, %398 ], [ %775, %772 ]
+  br i1 %137, label %408, label %404
 
-396:                                              ; preds = %394
-  %397 = getelementptr inbounds double, ptr %16, i64 %336
-  %398 = load double, ptr %397, align 8
-  %399 = icmp eq i64 %342, 0
-  %400 = fcmp ord double %398, 0.000000e+00
-  %401 = or i1 %399, %400
-  br i1 %401, label %411, label %402
+404:                                              ; preds = %458, %401
+  %405 = phi double [ 2.000000e+00, %401 ], [ %459, %458 ]
+  %406 = phi i32 [ 0, %401 ], [ %460, %458 ]
+  %407 = fcmp ogt double %405, 1.000000e+00
+  br i1 %407, label %772, label %463
 
-402:                                              ; preds = %396
-  %403 = sitofp i64 %342 to double
-  %404 = fmul double %340, %403
-  %405 = fcmp olt double %404, 0.000000e+00
-  br i1 %405, label %406, label %408
+408:                                              ; preds = %401, %458
+  %409 = phi i64 [ %461, %458 ], [ 0, %401 ]
+  %410 = phi i32 [ %460, %458 ], [ 0, %401 ]
+  %411 = phi double [ %459, %458 ], [ 2.000000e+00, %401 ]
+  %412 = getelementptr inbounds i64, ptr %19, i64 %409
+  store i64 0, ptr %412, align 8
+  %413 = getelementptr inbounds i64, ptr %17, i64 %409
+  %414 = load i64, ptr %413, align 8
+  %415 = getelementptr inbounds double, ptr %400, i64 %409
+  %416 = load double, ptr %415, align 8
+  %417 = getelementptr inbounds i64, ptr %15, i64 %409
+  %418 = load i64, ptr %417, align 8
+  %419 = icmp slt i64 %414, 0
+  %420 = fcmp ogt double %416, 0.000000e+00
+  %421 = and i1 %419, %420
+  %422 = icmp sgt i64 %418, -1
+  %423 = and i1 %421, %422
+  br i1 %423, label %431, label %424
 
-406:                                              ; preds = %402
-  %407 = sub nsw i64 0, %342
-  store i64 %407, ptr %341, align 8
-  br label %411
+424:                                              ; preds = %408
+  %425 = icmp sgt i64 %414, 0
+  %426 = fcmp olt double %416, 0.000000e+00
+  %427 = and i1 %425, %426
+  br i1 %427, label %428, label %431
 
-408:                                              ; preds = %402
-  %409 = fcmp ueq double %340, 0.000000e+00
-  %410 = select i1 %409, i64 %336, i64 %337
-  br label %411
+428:                                              ; preds = %424
+  %429 = icmp slt i64 %418, 1
+  %430 = zext i1 %429 to i32
+  br label %431
 
-411:                                              ; preds = %408, %406, %396, %394
-  %412 = phi i64 [ %337, %394 ], [ %337, %406 ], [ %337, %396 ], [ %410, %408 ]
-  %413 = zext i1 %395 to i64
-  %414 = getelementptr inbounds i64, ptr %20, i64 %336
-  store i64 %413, ptr %414, align 8
-  %415 = xor i1 %395, true
-  %416 = or i1 %338, %415
-  br i1 %416, label %422, label %417
+431:                                              ; preds = %408, %424, %428
+  %432 = phi i32 [ 1, %408 ], [ 0, %424 ], [ %430, %428 ]
+  %433 = icmp eq i32 %432, 0
+  br i1 %433, label %434, label %438
 
-417:                                              ; preds = %411
-  %418 = load ptr, ptr %58, align 8
-  %419 = getelementptr inbounds i64, ptr %418, i64 %336
-  %420 = load i64, ptr %419, align 8
-  %421 = icmp eq i64 %420, 1
-  br label %422
+434:                                              ; preds = %431
+  %435 = icmp eq i64 %414, 0
+  %436 = fcmp ord double %416, 0.000000e+00
+  %437 = or i1 %435, %436
+  br i1 %437, label %458, label %438
 
-422:                                              ; preds = %411, %417
-  %423 = phi i1 [ %338, %411 ], [ %421, %417 ]
-  %424 = add nuw nsw i64 %336, 1
-  %425 = icmp eq i64 %424, %12
-  br i1 %425, label %325, label %335, !llvm.loop !8
+438:                                              ; preds = %434, %431
+  %439 = call fastcc double @locate(ptr noundef %0, ptr noundef nonnull %5, double noundef %1, double noundef %2, double noundef %402, double noundef %399, i64 noundef %409) #8
+  %440 = fcmp ole double %439, %402
+  %441 = zext i1 %440 to i64
+  store i64 %441, ptr %412, align 8
+  %442 = fcmp uge double %439, %411
+  %443 = select i1 %442, i32 %410, i32 0
+  %444 = fcmp ugt double %439, %411
+  br i1 %444, label %455, label %445
 
-426:                                              ; preds = %327
-  store double %321, ptr %59, align 8
-  br label %489
+445:                                              ; preds = %438
+  %446 = icmp eq i32 %443, 0
+  br i1 %446, label %447, label %452
 
-427:                                              ; preds = %470, %331
-  %428 = icmp sgt i64 %329, -1
-  br i1 %428, label %429, label %481
+447:                                              ; preds = %445
+  %448 = load ptr, ptr %138, align 8
+  %449 = getelementptr inbounds i64, ptr %448, i64 %409
+  %450 = load i64, ptr %449, align 8
+  %451 = icmp eq i64 %450, 1
+  br label %452
 
-429:                                              ; preds = %427
-  br i1 %68, label %474, label %473
+452:                                              ; preds = %447, %445
+  %453 = phi i1 [ true, %445 ], [ %451, %447 ]
+  %454 = zext i1 %453 to i32
+  br label %455
 
-430:                                              ; preds = %332, %470
-  %431 = phi i64 [ 0, %332 ], [ %471, %470 ]
-  %432 = getelementptr inbounds i64, ptr %20, i64 %431
-  %433 = load i64, ptr %432, align 8
-  %434 = icmp eq i64 %433, 0
-  br i1 %434, label %470, label %435
+455:                                              ; preds = %452, %438
+  %456 = phi i32 [ %454, %452 ], [ %443, %438 ]
+  %457 = select i1 %442, double %411, double %439
+  br label %458
 
-435:                                              ; preds = %430
-  %436 = load ptr, ptr %22, align 8
-  %437 = getelementptr inbounds i8, ptr %436, i64 80
-  %438 = load i64, ptr %437, align 8
-  %439 = load ptr, ptr %6, align 8
-  %440 = getelementptr inbounds i8, ptr %439, i64 8
-  %441 = load i64, ptr %440, align 8
-  %442 = load i64, ptr %61, align 8
-  %443 = icmp eq i64 %442, 0
-  br i1 %443, label %466, label %444
+458:                                              ; preds = %434, %455
+  %459 = phi double [ %457, %455 ], [ %411, %434 ]
+  %460 = phi i32 [ %456, %455 ], [ %410, %434 ]
+  %461 = add nuw nsw i64 %409, 1
+  %462 = icmp eq i64 %461, %13
+  br i1 %462, label %404, label %408, !llvm.loop !10
 
-444:                                              ; preds = %435
-  %445 = load ptr, ptr %62, align 8
-  %446 = getelementptr inbounds double, ptr %445, i64 %438
-  store double %334, ptr %446, align 8
-  %447 = load ptr, ptr %63, align 8
-  %448 = getelementptr inbounds i64, ptr %447, i64 %438
-  store i64 %431, ptr %448, align 8
-  %449 = icmp sgt i64 %441, 0
-  br i1 %449, label %454, label %450
+463:                                              ; preds = %404
+  %464 = load ptr, ptr %139, align 8
+  %465 = load ptr, ptr %140, align 8
+  %466 = insertelement <8 x double> poison, double %405, i64 0
+  %467 = shufflevector <8 x double> %466, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %467, ptr %465, align 8
+  %468 = load ptr, ptr %9, align 8
+  %469 = load ptr, ptr %141, align 8
+  %470 = load i64, ptr %142, align 8
+  %471 = load ptr, ptr %0, align 8
+  %472 = getelementptr inbounds i8, ptr %471, i64 24
+  %473 = load i64, ptr %472, align 8
+  %474 = load ptr, ptr %140, align 8
+  %475 = load ptr, ptr %7, align 8
+  %476 = getelementptr inbounds i8, ptr %475, i64 16
+  %477 = load i64, ptr %476, align 8
+  tail call fastcc void @nested(ptr noundef %464, ptr noundef %468, ptr noundef %469, i64 noundef %470, i64 noundef %473, ptr noundef %474, i64 noundef %477) #8
+  %478 = fmul double %405, %2
+  %479 = fadd double %478, %1
+  %480 = load ptr, ptr %143, align 8
+  store double %479, ptr %480, align 8
+  %481 = load i64, ptr %144, align 8
+  %482 = icmp sgt i64 %481, 0
+  br i1 %482, label %483, label %484
 
-450:                                              ; preds = %454, %444
-  %451 = add nsw i64 %438, 1
-  %452 = load ptr, ptr %22, align 8
-  %453 = getelementptr inbounds i8, ptr %452, i64 80
-  store i64 %451, ptr %453, align 8
-  br label %466
+483:                                              ; preds = %463
+  tail call fastcc void @sample(ptr noundef nonnull %7) #8
+  br label %484
 
-454:                                              ; preds = %444, %454
-  %455 = phi i64 [ %464, %454 ], [ 0, %444 ]
-  %456 = load ptr, ptr %43, align 8
-  %457 = getelementptr inbounds double, ptr %456, i64 %455
-  %458 = load double, ptr %457, align 8
-  %459 = load ptr, ptr %64, align 8
-  %460 = load i64, ptr %65, align 8
-  %461 = mul nsw i64 %460, %438
-  %462 = getelementptr double, ptr %459, i64 %461
-  %463 = getelementptr double, ptr %462, i64 %455
-  store double %458, ptr %463, align 8
-  %464 = add nuw nsw i64 %455, 1
-  %465 = icmp eq i64 %464, %441
-  br i1 %465, label %450, label %454, !llvm.loop !9
+484:                                              ; preds = %463, %483
+  %485 = load ptr, ptr %10, align 8
+  %486 = load i64, ptr %485, align 8
+  %487 = load ptr, ptr %145, align 8
+  %488 = load ptr, ptr %139, align 8
+  %489 = load ptr, ptr %146, align 8
+  %490 = load ptr, ptr %147, align 8
+  %491 = load ptr, ptr %26, align 8
+  %492 = getelementptr inbounds i8, ptr %485, i64 8
+  %493 = load i64, ptr %492, align 8
+  %494 = getelementptr inbounds double, ptr %491, i64 %493
+  %495 = inttoptr i64 %486 to ptr
+  %496 = tail call i32 %495(ptr noundef %487, ptr noundef %488, ptr noundef %489, ptr noundef %490, ptr noundef %494) #9
+  %497 = icmp slt i32 %496, 0
+  br i1 %497, label %501, label %498
 
-466:                                              ; preds = %435, %450
-  %467 = getelementptr inbounds i64, ptr %18, i64 %431
-  %468 = load i64, ptr %467, align 8
-  %469 = sub nsw i64 0, %468
-  store i64 %469, ptr %467, align 8
-  br label %470
+498:                                              ; preds = %484
+  %499 = icmp ne i32 %406, 0
+  %500 = select i1 %148, i1 true, i1 %499
+  br i1 %500, label %602, label %506
 
-470:                                              ; preds = %430, %466
-  %471 = add nuw nsw i64 %431, 1
-  %472 = icmp eq i64 %471, %12
-  br i1 %472, label %427, label %430, !llvm.loop !10
+501:                                              ; preds = %484
+  %502 = load ptr, ptr %21, align 8
+  %503 = getelementptr inbounds i8, ptr %502, i64 80
+  store i64 %24, ptr %503, align 8
+  %504 = load ptr, ptr %20, align 8
+  %505 = getelementptr inbounds i8, ptr %504, i64 48
+  store double 1.000000e+00, ptr %505, align 8
+  br label %772
 
-473:                                              ; preds = %474, %429
-  store double %321, ptr %69, align 8
-  br label %489
+506:                                              ; preds = %498, %596
+  %507 = phi i1 [ %601, %596 ], [ %500, %498 ]
+  %508 = phi i64 [ %598, %596 ], [ %403, %498 ]
+  %509 = phi i64 [ %599, %596 ], [ 0, %498 ]
+  %510 = phi double [ %597, %596 ], [ %405, %498 ]
+  %511 = getelementptr inbounds i64, ptr %17, i64 %509
+  %512 = load i64, ptr %511, align 8
+  %513 = getelementptr inbounds double, ptr %32, i64 %509
+  %514 = load double, ptr %513, align 8
+  %515 = getelementptr inbounds i64, ptr %15, i64 %509
+  %516 = load i64, ptr %515, align 8
+  %517 = icmp slt i64 %512, 0
+  %518 = fcmp ogt double %514, 0.000000e+00
+  %519 = and i1 %517, %518
+  %520 = icmp sgt i64 %516, -1
+  %521 = and i1 %519, %520
+  br i1 %521, label %529, label %522
 
-474:                                              ; preds = %429, %474
-  %475 = phi i64 [ %479, %474 ], [ 0, %429 ]
-  %476 = icmp eq i64 %475, %329
-  %477 = zext i1 %476 to i64
-  %478 = getelementptr inbounds i64, ptr %20, i64 %475
-  store i64 %477, ptr %478, align 8
-  %479 = add nuw nsw i64 %475, 1
-  %480 = icmp eq i64 %479, %12
-  br i1 %480, label %473, label %474, !llvm.loop !11
+522:                                              ; preds = %506
+  %523 = icmp sgt i64 %512, 0
+  %524 = fcmp olt double %514, 0.000000e+00
+  %525 = and i1 %523, %524
+  br i1 %525, label %526, label %529
 
-481:                                              ; preds = %427
-  %482 = load i64, ptr %66, align 8
-  %483 = icmp sgt i64 %482, 0
-  br i1 %483, label %484, label %489
+526:                                              ; preds = %522
+  %527 = icmp slt i64 %516, 1
+  %528 = zext i1 %527 to i32
+  br label %529
 
-484:                                              ; preds = %481
-  %485 = load i64, ptr %24, align 8
-  %486 = add nsw i64 %485, %12
-  %487 = icmp sgt i64 %486, %482
-  br i1 %487, label %488, label %489
+529:                                              ; preds = %506, %522, %526
+  %530 = phi i32 [ 1, %506 ], [ 0, %522 ], [ %528, %526 ]
+  %531 = icmp eq i32 %530, 0
+  br i1 %531, label %596, label %532
 
-488:                                              ; preds = %484
-  store double %321, ptr %67, align 8
-  br label %489
+532:                                              ; preds = %529
+  %533 = getelementptr inbounds double, ptr %400, i64 %509
+  %534 = load double, ptr %533, align 8
+  %535 = fcmp ogt double %534, 0.000000e+00
+  %536 = and i1 %517, %535
+  %537 = and i1 %520, %536
+  br i1 %537, label %545, label %538
 
-489:                                              ; preds = %426, %473, %488, %484, %481, %121, %319, %218
-  %490 = phi i32 [ 1, %218 ], [ %322, %319 ], [ 5, %121 ], [ 1, %426 ], [ 1, %473 ], [ 1, %488 ], [ 0, %484 ], [ 0, %481 ]
-  %491 = phi double [ %119, %218 ], [ %119, %319 ], [ %119, %121 ], [ %119, %426 ], [ %119, %473 ], [ %119, %488 ], [ %321, %484 ], [ %321, %481 ]
-  %492 = phi i64 [ -4, %218 ], [ %323, %319 ], [ %120, %121 ], [ -2, %426 ], [ 21, %473 ], [ -3, %488 ], [ %323, %484 ], [ %323, %481 ]
-  switch i32 %490, label %507 [
-    i32 0, label %118
-    i32 5, label %493
-  ], !llvm.loop !12
+538:                                              ; preds = %532
+  %539 = icmp sgt i64 %512, 0
+  %540 = fcmp olt double %534, 0.000000e+00
+  %541 = and i1 %539, %540
+  br i1 %541, label %542, label %545
 
-493:                                              ; preds = %489
-  br i1 %70, label %494, label %507
+542:                                              ; preds = %538
+  %543 = icmp slt i64 %516, 1
+  %544 = zext i1 %543 to i32
+  br label %545
 
-494:                                              ; preds = %493, %504
-  %495 = phi i64 [ %505, %504 ], [ 0, %493 ]
-  %496 = getelementptr inbounds double, ptr %16, i64 %495
-  %497 = load double, ptr %496, align 8
-  %498 = fcmp ogt double %497, 0.000000e+00
-  br i1 %498, label %501, label %499
+545:                                              ; preds = %532, %538, %542
+  %546 = phi i32 [ 1, %532 ], [ 0, %538 ], [ %544, %542 ]
+  %547 = icmp eq i32 %546, 0
+  br i1 %547, label %548, label %596
 
-499:                                              ; preds = %494
-  %500 = fcmp olt double %497, 0.000000e+00
-  br i1 %500, label %501, label %504
+548:                                              ; preds = %545
+  %549 = call fastcc double @locate(ptr noundef %0, ptr noundef nonnull %5, double noundef %1, double noundef %2, double noundef %402, double noundef %510, i64 noundef %509) #8
+  %550 = fcmp ogt double %549, %402
+  br i1 %550, label %551, label %553
 
-501:                                              ; preds = %499, %494
-  %502 = phi i64 [ 1, %494 ], [ -1, %499 ]
-  %503 = getelementptr inbounds i64, ptr %18, i64 %495
-  store i64 %502, ptr %503, align 8
-  br label %504
+551:                                              ; preds = %548
+  %552 = getelementptr inbounds i64, ptr %19, i64 %509
+  store i64 2, ptr %552, align 8
+  br label %553
 
-504:                                              ; preds = %501, %499
-  %505 = add nuw nsw i64 %495, 1
-  %506 = icmp eq i64 %505, %12
-  br i1 %506, label %507, label %494, !llvm.loop !13
+553:                                              ; preds = %551, %548
+  %554 = phi double [ %549, %551 ], [ %510, %548 ]
+  %555 = load ptr, ptr %139, align 8
+  %556 = load ptr, ptr %140, align 8
+  %557 = insertelement <8 x double> poison, double %554, i64 0
+  %558 = shufflevector <8 x double> %557, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %558, ptr %556, align 8
+  %559 = load ptr, ptr %9, align 8
+  %560 = load ptr, ptr %141, align 8
+  %561 = load i64, ptr %142, align 8
+  %562 = load ptr, ptr %0, align 8
+  %563 = getelementptr inbounds i8, ptr %562, i64 24
+  %564 = load i64, ptr %563, align 8
+  %565 = load ptr, ptr %140, align 8
+  %566 = load ptr, ptr %7, align 8
+  %567 = getelementptr inbounds i8, ptr %566, i64 16
+  %568 = load i64, ptr %567, align 8
+  tail call fastcc void @nested(ptr noundef %555, ptr noundef %559, ptr noundef %560, i64 noundef %561, i64 noundef %564, ptr noundef %565, i64 noundef %568) #8
+  %569 = fmul double %554, %2
+  %570 = fadd double %569, %1
+  %571 = load ptr, ptr %143, align 8
+  store double %570, ptr %571, align 8
+  %572 = load i64, ptr %144, align 8
+  %573 = icmp sgt i64 %572, 0
+  br i1 %573, label %574, label %575
 
-507:                                              ; preds = %489, %504, %493, %113
-  %508 = phi i32 [ 1, %113 ], [ 0, %493 ], [ 0, %504 ], [ %490, %489 ]
-  %509 = phi double [ %78, %113 ], [ %81, %493 ], [ %81, %504 ], [ %491, %489 ]
-  %510 = phi i64 [ -4, %113 ], [ %492, %493 ], [ %492, %504 ], [ %492, %489 ]
-  %511 = icmp eq i32 %508, 0
-  br i1 %511, label %71, label %512
+574:                                              ; preds = %553
+  tail call fastcc void @sample(ptr noundef nonnull %7) #8
+  br label %575
 
-512:                                              ; preds = %71, %507
-  %513 = phi i1 [ %73, %71 ], [ %76, %507 ]
-  br i1 %513, label %514, label %516
+575:                                              ; preds = %553, %574
+  %576 = load ptr, ptr %10, align 8
+  %577 = load i64, ptr %576, align 8
+  %578 = load ptr, ptr %145, align 8
+  %579 = load ptr, ptr %139, align 8
+  %580 = load ptr, ptr %146, align 8
+  %581 = load ptr, ptr %147, align 8
+  %582 = load ptr, ptr %26, align 8
+  %583 = getelementptr inbounds i8, ptr %576, i64 8
+  %584 = load i64, ptr %583, align 8
+  %585 = getelementptr inbounds double, ptr %582, i64 %584
+  %586 = inttoptr i64 %577 to ptr
+  %587 = tail call i32 %586(ptr noundef %578, ptr noundef %579, ptr noundef %580, ptr noundef %581, ptr noundef %585) #9
+  %588 = icmp sgt i32 %587, -1
+  br i1 %588, label %594, label %589
 
-514:                                              ; preds = %512
-  %515 = getelementptr inbounds i8, ptr %26, i64 48
-  store double 1.000000e+00, ptr %515, align 8
-  br label %516
+589:                                              ; preds = %575
+  %590 = load ptr, ptr %21, align 8
+  %591 = getelementptr inbounds i8, ptr %590, i64 80
+  store i64 %24, ptr %591, align 8
+  %592 = load ptr, ptr %20, align 8
+  %593 = getelementptr inbounds i8, ptr %592, i64 48
+  store double 1.000000e+00, ptr %593, align 8
+  br label %594
 
-516:                                              ; preds = %38, %512, %514
-  %517 = phi i64 [ 0, %514 ], [ %510, %512 ], [ %40, %38 ]
-  ret i64 %517
+594:                                              ; preds = %575, %589
+  %595 = phi i64 [ -4, %589 ], [ %508, %575 ]
+  br i1 %588, label %596, label %602
+
+596:                                              ; preds = %529, %545, %594
+  %597 = phi double [ %510, %545 ], [ %554, %594 ], [ %510, %529 ]
+  %598 = phi i64 [ %508, %545 ], [ %595, %594 ], [ %508, %529 ]
+  %599 = add nuw nsw i64 %509, 1
+  %600 = icmp sge i64 %599, %13
+  %601 = select i1 %600, i1 true, i1 %499
+  br i1 %601, label %602, label %506, !llvm.loop !11
+
+602:                                              ; preds = %594, %596, %498
+  %603 = phi i1 [ %500, %498 ], [ %507, %594 ], [ %601, %596 ]
+  %604 = phi double [ %405, %498 ], [ %554, %594 ], [ %597, %596 ]
+  %605 = phi i32 [ 13, %498 ], [ 1, %594 ], [ 13, %596 ]
+  %606 = phi i64 [ %403, %498 ], [ %595, %594 ], [ %598, %596 ]
+  br i1 %603, label %607, label %772
+
+607:                                              ; preds = %602
+  br i1 %149, label %618, label %610
+
+608:                                              ; preds = %705
+  %609 = zext i1 %706 to i32
+  br label %610
+
+610:                                              ; preds = %608, %607
+  %611 = phi i32 [ 0, %607 ], [ %609, %608 ]
+  %612 = phi i64 [ -1, %607 ], [ %695, %608 ]
+  %613 = icmp eq i32 %611, 0
+  br i1 %613, label %614, label %709
+
+614:                                              ; preds = %610
+  br i1 %152, label %615, label %710
+
+615:                                              ; preds = %614
+  %616 = fmul double %604, %2
+  %617 = fadd double %616, %1
+  br label %713
+
+618:                                              ; preds = %607, %705
+  %619 = phi i64 [ %707, %705 ], [ 0, %607 ]
+  %620 = phi i64 [ %695, %705 ], [ -1, %607 ]
+  %621 = phi i1 [ %706, %705 ], [ false, %607 ]
+  %622 = getelementptr inbounds double, ptr %32, i64 %619
+  %623 = load double, ptr %622, align 8
+  %624 = getelementptr inbounds i64, ptr %17, i64 %619
+  %625 = load i64, ptr %624, align 8
+  %626 = getelementptr inbounds i64, ptr %15, i64 %619
+  %627 = load i64, ptr %626, align 8
+  %628 = icmp slt i64 %625, 0
+  %629 = fcmp ogt double %623, 0.000000e+00
+  %630 = and i1 %629, %628
+  %631 = icmp sgt i64 %627, -1
+  %632 = and i1 %630, %631
+  br i1 %632, label %640, label %633
+
+633:                                              ; preds = %618
+  %634 = icmp sgt i64 %625, 0
+  %635 = fcmp olt double %623, 0.000000e+00
+  %636 = and i1 %635, %634
+  br i1 %636, label %637, label %640
+
+637:                                              ; preds = %633
+  %638 = icmp slt i64 %627, 1
+  %639 = zext i1 %638 to i32
+  br label %640
+
+640:                                              ; preds = %618, %633, %637
+  %641 = phi i32 [ 1, %618 ], [ 0, %633 ], [ %639, %637 ]
+  %642 = icmp eq i32 %641, 0
+  br i1 %642, label %643, label %668
+
+643:                                              ; preds = %640
+  %644 = getelementptr inbounds double, ptr %400, i64 %619
+  %645 = load double, ptr %644, align 8
+  %646 = fcmp ogt double %645, 0.000000e+00
+  %647 = and i1 %628, %646
+  %648 = and i1 %631, %647
+  br i1 %648, label %656, label %649
+
+649:                                              ; preds = %643
+  %650 = icmp sgt i64 %625, 0
+  %651 = fcmp olt double %645, 0.000000e+00
+  %652 = and i1 %650, %651
+  br i1 %652, label %653, label %656
+
+653:                                              ; preds = %649
+  %654 = icmp slt i64 %627, 1
+  %655 = zext i1 %654 to i32
+  br label %656
+
+656:                                              ; preds = %643, %649, %653
+  %657 = phi i32 [ 1, %643 ], [ 0, %649 ], [ %655, %653 ]
+  %658 = icmp eq i32 %657, 0
+  br i1 %658, label %668, label %659
+
+659:                                              ; preds = %656
+  %660 = fcmp oeq double %623, 0.000000e+00
+  br i1 %660, label %665, label %661
+
+661:                                              ; preds = %659
+  %662 = getelementptr inbounds i64, ptr %19, i64 %619
+  %663 = load i64, ptr %662, align 8
+  %664 = icmp eq i64 %663, 1
+  br label %665
+
+665:                                              ; preds = %661, %659
+  %666 = phi i1 [ true, %659 ], [ %664, %661 ]
+  %667 = zext i1 %666 to i32
+  br label %668
+
+668:                                              ; preds = %665, %656, %640
+  %669 = phi i32 [ 1, %640 ], [ %667, %665 ], [ 0, %656 ]
+  %670 = icmp eq i32 %669, 0
+  br i1 %670, label %671, label %677
+
+671:                                              ; preds = %668
+  %672 = getelementptr inbounds i64, ptr %19, i64 %619
+  %673 = load i64, ptr %672, align 8
+  %674 = icmp eq i64 %673, 2
+  %675 = fcmp oeq double %623, 0.000000e+00
+  %676 = and i1 %675, %674
+  br label %677
+
+677:                                              ; preds = %671, %668
+  %678 = phi i1 [ true, %668 ], [ %676, %671 ]
+  br i1 %678, label %694, label %679
+
+679:                                              ; preds = %677
+  %680 = getelementptr inbounds double, ptr %400, i64 %619
+  %681 = load double, ptr %680, align 8
+  %682 = icmp eq i64 %625, 0
+  %683 = fcmp ord double %681, 0.000000e+00
+  %684 = or i1 %682, %683
+  br i1 %684, label %694, label %685
+
+685:                                              ; preds = %679
+  %686 = sitofp i64 %625 to double
+  %687 = fmul double %623, %686
+  %688 = fcmp olt double %687, 0.000000e+00
+  br i1 %688, label %689, label %691
+
+689:                                              ; preds = %685
+  %690 = sub nsw i64 0, %625
+  store i64 %690, ptr %624, align 8
+  br label %694
+
+691:                                              ; preds = %685
+  %692 = fcmp ueq double %623, 0.000000e+00
+  %693 = select i1 %692, i64 %619, i64 %620
+  br label %694
+
+694:                                              ; preds = %691, %689, %679, %677
+  %695 = phi i64 [ %620, %677 ], [ %620, %689 ], [ %620, %679 ], [ %693, %691 ]
+  %696 = zext i1 %678 to i64
+  %697 = getelementptr inbounds i64, ptr %19, i64 %619
+  store i64 %696, ptr %697, align 8
+  %698 = xor i1 %678, true
+  %699 = or i1 %621, %698
+  br i1 %699, label %705, label %700
+
+700:                                              ; preds = %694
+  %701 = load ptr, ptr %150, align 8
+  %702 = getelementptr inbounds i64, ptr %701, i64 %619
+  %703 = load i64, ptr %702, align 8
+  %704 = icmp eq i64 %703, 1
+  br label %705
+
+705:                                              ; preds = %694, %700
+  %706 = phi i1 [ %621, %694 ], [ %704, %700 ]
+  %707 = add nuw nsw i64 %619, 1
+  %708 = icmp eq i64 %707, %13
+  br i1 %708, label %608, label %618, !llvm.loop !12
+
+709:                                              ; preds = %610
+  store double %604, ptr %151, align 8
+  br label %772
+
+710:                                              ; preds = %753, %614
+  %711 = icmp sgt i64 %612, -1
+  br i1 %711, label %712, label %764
+
+712:                                              ; preds = %710
+  br i1 %160, label %757, label %756
+
+713:                                              ; preds = %615, %753
+  %714 = phi i64 [ 0, %615 ], [ %754, %753 ]
+  %715 = getelementptr inbounds i64, ptr %19, i64 %714
+  %716 = load i64, ptr %715, align 8
+  %717 = icmp eq i64 %716, 0
+  br i1 %717, label %753, label %718
+
+718:                                              ; preds = %713
+  %719 = load ptr, ptr %21, align 8
+  %720 = getelementptr inbounds i8, ptr %719, i64 80
+  %721 = load i64, ptr %720, align 8
+  %722 = load ptr, ptr %7, align 8
+  %723 = getelementptr inbounds i8, ptr %722, i64 8
+  %724 = load i64, ptr %723, align 8
+  %725 = load i64, ptr %153, align 8
+  %726 = icmp eq i64 %725, 0
+  br i1 %726, label %749, label %727
+
+727:                                              ; preds = %718
+  %728 = load ptr, ptr %154, align 8
+  %729 = getelementptr inbounds double, ptr %728, i64 %721
+  store double %617, ptr %729, align 8
+  %730 = load ptr, ptr %155, align 8
+  %731 = getelementptr inbounds i64, ptr %730, i64 %721
+  store i64 %714, ptr %731, align 8
+  %732 = icmp sgt i64 %724, 0
+  br i1 %732, label %737, label %733
+
+733:                                              ; preds = %737, %727
+  %734 = add nsw i64 %721, 1
+  %735 = load ptr, ptr %21, align 8
+  %736 = getelementptr inbounds i8, ptr %735, i64 80
+  store i64 %734, ptr %736, align 8
+  br label %749
+
+737:                                              ; preds = %727, %737
+  %738 = phi i64 [ %747, %737 ], [ 0, %727 ]
+  %739 = load ptr, ptr %139, align 8
+  %740 = getelementptr inbounds double, ptr %739, i64 %738
+  %741 = load double, ptr %740, align 8
+  %742 = load ptr, ptr %156, align 8
+  %743 = load i64, ptr %157, align 8
+  %744 = mul nsw i64 %743, %721
+  %745 = getelementptr double, ptr %742, i64 %744
+  %746 = getelementptr double, ptr %745, i64 %738
+  store double %741, ptr %746, align 8
+  %747 = add nuw nsw i64 %738, 1
+  %748 = icmp eq i64 %747, %724
+  br i1 %748, label %733, label %737, !llvm.loop !13
+
+749:                                              ; preds = %718, %733
+  %750 = getelementptr inbounds i64, ptr %17, i64 %714
+  %751 = load i64, ptr %750, align 8
+  %752 = sub nsw i64 0, %751
+  store i64 %752, ptr %750, align 8
+  br label %753
+
+753:                                              ; preds = %713, %749
+  %754 = add nuw nsw i64 %714, 1
+  %755 = icmp eq i64 %754, %13
+  br i1 %755, label %710, label %713, !llvm.loop !14
+
+756:                                              ; preds = %757, %712
+  store double %604, ptr %161, align 8
+  br label %772
+
+757:                                              ; preds = %712, %757
+  %758 = phi i64 [ %762, %757 ], [ 0, %712 ]
+  %759 = icmp eq i64 %758, %612
+  %760 = zext i1 %759 to i64
+  %761 = getelementptr inbounds i64, ptr %19, i64 %758
+  store i64 %760, ptr %761, align 8
+  %762 = add nuw nsw i64 %758, 1
+  %763 = icmp eq i64 %762, %13
+  br i1 %763, label %756, label %757, !llvm.loop !15
+
+764:                                              ; preds = %710
+  %765 = load i64, ptr %158, align 8
+  %766 = icmp sgt i64 %765, 0
+  br i1 %766, label %767, label %772
+
+767:                                              ; preds = %764
+  %768 = load i64, ptr %23, align 8
+  %769 = add nsw i64 %768, %13
+  %770 = icmp sgt i64 %769, %765
+  br i1 %770, label %771, label %772
+
+771:                                              ; preds = %767
+  store double %604, ptr %159, align 8
+  br label %772
+
+772:                                              ; preds = %709, %756, %771, %767, %764, %404, %602, %501
+  %773 = phi i32 [ 1, %501 ], [ %605, %602 ], [ 8, %404 ], [ 1, %709 ], [ 1, %756 ], [ 1, %771 ], [ 0, %767 ], [ 0, %764 ]
+  %774 = phi double [ %402, %501 ], [ %402, %602 ], [ %402, %404 ], [ %402, %709 ], [ %402, %756 ], [ %402, %771 ], [ %604, %767 ], [ %604, %764 ]
+  %775 = phi i64 [ -4, %501 ], [ %606, %602 ], [ %403, %404 ], [ -2, %709 ], [ 21, %756 ], [ -3, %771 ], [ %606, %767 ], [ %606, %764 ]
+  switch i32 %773, label %795 [
+    i32 0, label %401
+    i32 8, label %776
+  ], !llvm.loop !16
+
+776:                                              ; preds = %772
+  br i1 %162, label %777, label %795
+
+777:                                              ; preds = %776, %787
+  %778 = phi i64 [ %788, %787 ], [ 0, %776 ]
+  %779 = getelementptr inbounds double, ptr %400, i64 %778
+  %780 = load double, ptr %779, align 8
+  %781 = fcmp ogt double %780, 0.000000e+00
+  br i1 %781, label %784, label %782
+
+782:                                              ; preds = %777
+  %783 = fcmp olt double %780, 0.000000e+00
+  br i1 %783, label %784, label %787
+
+784:                                              ; preds = %782, %777
+  %785 = phi i64 [ 1, %777 ], [ -1, %782 ]
+  %786 = getelementptr inbounds i64, ptr %17, i64 %778
+  store i64 %785, ptr %786, align 8
+  br label %787
+
+787:                                              ; preds = %784, %782
+  %788 = add nuw nsw i64 %778, 1
+  %789 = icmp eq i64 %788, %13
+  br i1 %789, label %795, label %777, !llvm.loop !17
+
+790:                                              ; preds = %387, %357
+  %791 = load ptr, ptr %21, align 8
+  %792 = getelementptr inbounds i8, ptr %791, i64 80
+  store i64 %24, ptr %792, align 8
+  %793 = load ptr, ptr %20, align 8
+  %794 = getelementptr inbounds i8, ptr %793, i64 48
+  store double 1.000000e+00, ptr %794, align 8
+  br label %795
+
+795:                                              ; preds = %772, %787, %790, %776
+  %796 = phi i32 [ 0, %776 ], [ 1, %790 ], [ 0, %787 ], [ %773, %772 ]
+  %797 = phi double [ %399, %776 ], [ %166, %790 ], [ %399, %787 ], [ %774, %772 ]
+  %798 = phi i64 [ %775, %776 ], [ -4, %790 ], [ %775, %787 ], [ %775, %772 ]
+  %799 = icmp eq i32 %796, 0
+  br i1 %799, label %800, label %805
+
+800:                                              ; preds = %795
+  %801 = fcmp oeq double %797, %169
+  %802 = zext i1 %801 to i32
+  %803 = add nuw nsw i32 %167, %802
+  %804 = icmp ugt i32 %803, 4
+  br i1 %804, label %805, label %163, !llvm.loop !18
+
+805:                                              ; preds = %800, %795
+  %806 = phi i1 [ %804, %800 ], [ %164, %795 ]
+  br i1 %806, label %807, label %822
+
+807:                                              ; preds = %805
+  %808 = icmp sgt i64 %13, 0
+  br i1 %808, label %809, label %812
+
+809:                                              ; preds = %807
+  %810 = shl i64 %13, 5
+  %811 = getelementptr i8, ptr %29, i64 %810
+  br label %815
+
+812:                                              ; preds = %815, %807
+  %813 = load double, ptr %25, align 8
+  store double %813, ptr %31, align 8
+  %814 = getelementptr inbounds i8, ptr %25, i64 48
+  store double 1.000000e+00, ptr %814, align 8
+  br label %822
+
+815:                                              ; preds = %809, %815
+  %816 = phi i64 [ 0, %809 ], [ %820, %815 ]
+  %817 = getelementptr double, ptr %811, i64 %816
+  %818 = load double, ptr %817, align 8
+  %819 = getelementptr inbounds double, ptr %29, i64 %816
+  store double %818, ptr %819, align 8
+  %820 = add nuw nsw i64 %816, 1
+  %821 = icmp eq i64 %820, %13
+  br i1 %821, label %812, label %815, !llvm.loop !19
+
+822:                                              ; preds = %44, %805, %112, %812
+  %823 = phi i64 [ 0, %812 ], [ %798, %805 ], [ %114, %112 ], [ %46, %44 ]
+  ret i64 %823
 }
 
 
@@ -783,7 +1193,7 @@ define internal fastcc range(i64 -6, 1) i64 @unresolved(ptr noundef readonly %0,
   %23 = select i1 %22, double %21, double %19
   %24 = fmul double %23, 0x3D10000000000000
   %25 = fcmp ult double %24, %3
-  br i1 %25, label %26, label %277
+  br i1 %25, label %26, label %211
 
 26:                                               ; preds = %4
   %27 = getelementptr inbounds i8, ptr %0, i64 888
@@ -799,11 +1209,11 @@ define internal fastcc range(i64 -6, 1) i64 @unresolved(ptr noundef readonly %0,
 35:                                               ; preds = %72
   %36 = add nuw nsw i64 %43, 1
   %37 = icmp eq i64 %36, 9
-  br i1 %37, label %38, label %42, !llvm.loop !14
+  br i1 %37, label %38, label %42, !llvm.loop !20
 
 38:                                               ; preds = %35
   %39 = icmp sgt i64 %9, 1
-  br i1 %39, label %40, label %277
+  br i1 %39, label %40, label %211
 
 40:                                               ; preds = %38
   %41 = load ptr, ptr %7, align 8
@@ -834,7 +1244,7 @@ define internal fastcc range(i64 -6, 1) i64 @unresolved(ptr noundef readonly %0,
   %63 = load ptr, ptr %62, align 8
   %64 = getelementptr inbounds i8, ptr %63, i64 16
   %65 = load i64, ptr %64, align 8
-  tail call fastcc void @nested(ptr noundef %46, ptr noundef %52, ptr noundef %54, i64 noundef %56, i64 noundef %60, ptr noundef %61, i64 noundef %65) #7
+  tail call fastcc void @nested(ptr noundef %46, ptr noundef %52, ptr noundef %54, i64 noundef %56, i64 noundef %60, ptr noundef %61, i64 noundef %65) #8
   %66 = fmul double %45, %3
   %67 = fadd double %66, %2
   %68 = load ptr, ptr %30, align 8
@@ -844,7 +1254,7 @@ define internal fastcc range(i64 -6, 1) i64 @unresolved(ptr noundef readonly %0,
   br i1 %70, label %71, label %72
 
 71:                                               ; preds = %42
-  tail call fastcc void @sample(ptr noundef nonnull %6) #7
+  tail call fastcc void @sample(ptr noundef nonnull %6) #8
   br label %72
 
 72:                                               ; preds = %42, %71
@@ -859,121 +1269,129 @@ define internal fastcc range(i64 -6, 1) i64 @unresolved(ptr noundef readonly %0,
   %81 = mul nsw i64 %9, %43
   %82 = getelementptr inbounds double, ptr %80, i64 %81
   %83 = inttoptr i64 %75 to ptr
-  %84 = tail call i32 %83(ptr noundef %76, ptr noundef %77, ptr noundef %78, ptr noundef %79, ptr noundef %82) #8
+  %84 = tail call i32 %83(ptr noundef %76, ptr noundef %77, ptr noundef %78, ptr noundef %79, ptr noundef %82) #9
   %85 = icmp slt i32 %84, 0
-  br i1 %85, label %277, label %35
+  br i1 %85, label %211, label %35
 
-86:                                               ; preds = %216
+86:                                               ; preds = %150
   %87 = add nuw nsw i64 %91, 1
   %88 = icmp eq i64 %87, %10
-  br i1 %88, label %277, label %89, !llvm.loop !15
+  br i1 %88, label %211, label %89, !llvm.loop !21
 
 89:                                               ; preds = %40, %86
-  %90 = phi i64 [ -4, %40 ], [ %219, %86 ]
+  %90 = phi i64 [ -4, %40 ], [ %153, %86 ]
   %91 = phi i64 [ 0, %40 ], [ %87, %86 ]
   %92 = getelementptr inbounds double, ptr %41, i64 %91
-  br label %220
+  br label %154
 
-93:                                               ; preds = %273
-  %94 = fmul double %234, 0x3CE0000000000000
-  %95 = fmul double %230, 0x3E50000000000000
-  %96 = fcmp ogt double %274, %95
-  %97 = fmul double %274, 2.000000e+00
+93:                                               ; preds = %207
+  %94 = fmul double %168, 0x3CE0000000000000
+  %95 = fmul double %164, 0x3E50000000000000
+  %96 = fcmp ogt double %208, %95
+  %97 = fmul double %208, 2.000000e+00
   %98 = select i1 %96, double %97, double 0.000000e+00
   %99 = fcmp ule double %98, %94
   %100 = fmul double %98, 2.000000e+00
   %101 = fneg double %94
-  %102 = fcmp ogt double %98, %94
-  br label %103
+  br label %105
 
-103:                                              ; preds = %93, %213
-  %104 = phi i64 [ 1, %93 ], [ %214, %213 ]
-  %105 = phi i32 [ undef, %93 ], [ %212, %213 ]
-  %106 = add nsw i64 %104, -1
-  %107 = mul nsw i64 %9, %106
-  %108 = getelementptr inbounds double, ptr %92, i64 %107
-  %109 = load double, ptr %108, align 8
-  %110 = mul nuw nsw i64 %9, %104
-  %111 = getelementptr inbounds double, ptr %92, i64 %110
-  %112 = load double, ptr %111, align 8
-  %113 = tail call double @llvm.fabs.f64(double %109)
-  %114 = tail call double @llvm.fabs.f64(double %112)
-  %115 = fcmp olt double %113, %114
-  %116 = select i1 %115, double %113, double %114
-  %117 = fmul double %109, %112
-  %118 = fcmp ult double %117, 0.000000e+00
-  %119 = or i1 %99, %118
-  %120 = fcmp ugt double %116, %98
-  %121 = or i1 %119, %120
-  br i1 %121, label %126, label %122
+102:                                              ; preds = %147
+  %103 = add nuw nsw i64 %106, 1
+  %104 = icmp eq i64 %103, 9
+  br i1 %104, label %150, label %105, !llvm.loop !22
 
-122:                                              ; preds = %103
-  %123 = fsub double %109, %112
-  %124 = tail call double @llvm.fabs.f64(double %123)
-  %125 = fcmp ugt double %124, %100
-  br i1 %125, label %126, label %210
+105:                                              ; preds = %93, %102
+  %106 = phi i64 [ 1, %93 ], [ %103, %102 ]
+  %107 = phi i32 [ undef, %93 ], [ %149, %102 ]
+  %108 = add nsw i64 %106, -1
+  %109 = mul nsw i64 %9, %108
+  %110 = getelementptr inbounds double, ptr %92, i64 %109
+  %111 = load double, ptr %110, align 8
+  %112 = mul nuw nsw i64 %9, %106
+  %113 = getelementptr inbounds double, ptr %92, i64 %112
+  %114 = load double, ptr %113, align 8
+  %115 = tail call double @llvm.fabs.f64(double %111)
+  %116 = tail call double @llvm.fabs.f64(double %114)
+  %117 = fcmp olt double %115, %116
+  %118 = select i1 %117, double %115, double %116
+  %119 = fmul double %111, %114
+  %120 = fcmp ult double %119, 0.000000e+00
+  %121 = or i1 %99, %120
+  %122 = fcmp ugt double %118, %98
+  %123 = or i1 %121, %122
+  br i1 %123, label %128, label %124
 
-126:                                              ; preds = %122, %103
-  %127 = add nuw nsw i64 %104, 1
-  %128 = icmp eq i64 %127, 9
-  br i1 %128, label %210, label %129
+124:                                              ; preds = %105
+  %125 = fsub double %111, %114
+  %126 = tail call double @llvm.fabs.f64(double %125)
+  %127 = fcmp ugt double %126, %100
+  br i1 %127, label %128, label %147
 
-129:                                              ; preds = %126
-  %130 = mul nuw nsw i64 %9, %127
-  %131 = getelementptr inbounds double, ptr %92, i64 %130
-  %132 = load double, ptr %131, align 8
-  %133 = fadd double %109, %132
-  %134 = fcmp olt double %133, 0.000000e+00
-  %135 = select i1 %134, double -1.000000e+00, double 1.000000e+00
-  %136 = fmul double %109, %132
-  %137 = fcmp olt double %136, 0.000000e+00
-  br i1 %137, label %210, label %138
+128:                                              ; preds = %124, %105
+  %129 = add nuw nsw i64 %106, 1
+  %130 = icmp eq i64 %129, 9
+  br i1 %130, label %147, label %131
 
-138:                                              ; preds = %129
-  %139 = fmul double %112, %135
-  %140 = fcmp olt double %139, 0.000000e+00
-  br i1 %140, label %141, label %148
+131:                                              ; preds = %128
+  %132 = mul nuw nsw i64 %9, %129
+  %133 = getelementptr inbounds double, ptr %92, i64 %132
+  %134 = load double, ptr %133, align 8
+  %135 = and i64 %106, 1
+  %136 = icmp eq i64 %135, 0
+  %137 = fmul double %111, %134
+  %138 = fcmp ult double %137, 0.000000e+00
+  %139 = select i1 %136, i1 true, i1 %138
+  br i1 %139, label %146, label %140
 
-141:                                              ; preds = %138
-  %142 = and i64 %104, 1
-  %143 = icmp ne i64 %142, 0
-  %144 = fcmp ogt double %114, %94
-  %145 = and i1 %143, %144
-  %146 = select i1 %145, i32 1, i32 4
-  %147 = select i1 %145, i32 1, i32 %105
-  br label %210
+140:                                              ; preds = %131
+  %141 = fadd double %111, %134
+  %142 = fcmp olt double %141, 0.000000e+00
+  %143 = fneg double %114
+  %144 = select i1 %142, double %143, double %114
+  %145 = fcmp olt double %144, %101
+  br i1 %145, label %147, label %146
 
-148:                                              ; preds = %138
-  %149 = getelementptr inbounds [9 x double], ptr @PLACES, i64 0, i64 %104
-  %150 = load double, ptr %149, align 8
-  %151 = getelementptr inbounds [9 x double], ptr @PLACES, i64 0, i64 %106
-  %152 = load double, ptr %151, align 8
-  %153 = fsub double %150, %152
-  %154 = getelementptr inbounds [9 x double], ptr @PLACES, i64 0, i64 %127
-  %155 = load double, ptr %154, align 8
-  %156 = fsub double %155, %150
-  %157 = fsub double %112, %109
-  %158 = fdiv double %157, %153
-  %159 = fsub double %132, %112
-  %160 = fdiv double %159, %156
-  %161 = fadd double %153, %156
-  %162 = fmul double %158, %156
-  %163 = fmul double %153, %160
-  %164 = fadd double %162, %163
-  %165 = fdiv double %164, %161
-  %166 = fmul double %165, 5.000000e-01
-  %167 = fmul double %161, %166
-  %168 = fsub double %160, %158
-  %169 = fdiv double %167, %168
-  %170 = fsub double %150, %169
-  %171 = fcmp ult double %170, %152
-  %172 = fcmp ugt double %170, %155
-  %173 = or i1 %171, %172
-  br i1 %173, label %210, label %174
+146:                                              ; preds = %140, %131
+  br label %147
 
-174:                                              ; preds = %148, %178
-  %175 = phi i64 [ %184, %178 ], [ 0, %148 ]
-  %176 = phi double [ %183, %178 ], [ 0.000000e+00, %148 ]
+147:                                              ; preds = %146, %140, %128, %124
+  %148 = phi i1 [ false, %124 ], [ false, %128 ], [ true, %146 ], [ false, %140 ]
+  %149 = phi i32 [ 1, %124 ], [ 0, %128 ], [ %107, %146 ], [ 1, %140 ]
+  br i1 %148, label %102, label %150
+
+150:                                              ; preds = %102, %147
+  %151 = phi i32 [ %149, %147 ], [ 0, %102 ]
+  %152 = icmp eq i32 %151, 0
+  %153 = select i1 %152, i64 %90, i64 -6
+  br i1 %152, label %86, label %211
+
+154:                                              ; preds = %89, %207
+  %155 = phi i64 [ 0, %89 ], [ %209, %207 ]
+  %156 = phi double [ 0.000000e+00, %89 ], [ %208, %207 ]
+  %157 = phi double [ 0.000000e+00, %89 ], [ %168, %207 ]
+  %158 = phi double [ 0.000000e+00, %89 ], [ %164, %207 ]
+  %159 = mul nuw nsw i64 %9, %155
+  %160 = getelementptr inbounds double, ptr %92, i64 %159
+  %161 = load double, ptr %160, align 8
+  %162 = tail call double @llvm.fabs.f64(double %161)
+  %163 = fcmp ogt double %158, %162
+  %164 = select i1 %163, double %158, double %162
+  %165 = getelementptr double, ptr %160, i64 %10
+  %166 = load double, ptr %165, align 8
+  %167 = fcmp ogt double %157, %166
+  %168 = select i1 %167, double %157, double %166
+  %169 = and i64 %155, 1
+  %170 = icmp eq i64 %169, 0
+  br i1 %170, label %207, label %171
+
+171:                                              ; preds = %154
+  %172 = getelementptr inbounds [9 x double], ptr @PLACES, i64 0, i64 %155
+  %173 = load double, ptr %172, align 8
+  br label %174
+
+174:                                              ; preds = %171, %178
+  %175 = phi i64 [ 0, %171 ], [ %184, %178 ]
+  %176 = phi double [ 0.000000e+00, %171 ], [ %183, %178 ]
   %177 = getelementptr inbounds [9 x double], ptr @PLACES, i64 0, i64 %175
   br label %186
 
@@ -985,7 +1403,7 @@ define internal fastcc range(i64 -6, 1) i64 @unresolved(ptr noundef readonly %0,
   %183 = fadd double %176, %182
   %184 = add nuw nsw i64 %175, 2
   %185 = icmp ult i64 %175, 7
-  br i1 %185, label %174, label %202, !llvm.loop !16
+  br i1 %185, label %174, label %202, !llvm.loop !23
 
 186:                                              ; preds = %174, %198
   %187 = phi i64 [ 0, %174 ], [ %200, %198 ]
@@ -996,7 +1414,7 @@ define internal fastcc range(i64 -6, 1) i64 @unresolved(ptr noundef readonly %0,
 190:                                              ; preds = %186
   %191 = getelementptr inbounds [9 x double], ptr @PLACES, i64 0, i64 %187
   %192 = load double, ptr %191, align 16
-  %193 = fsub double %170, %192
+  %193 = fsub double %173, %192
   %194 = load double, ptr %177, align 16
   %195 = fsub double %194, %192
   %196 = fdiv double %193, %195
@@ -1007,117 +1425,24 @@ define internal fastcc range(i64 -6, 1) i64 @unresolved(ptr noundef readonly %0,
   %199 = phi double [ %197, %190 ], [ %188, %186 ]
   %200 = add nuw nsw i64 %187, 2
   %201 = icmp ult i64 %187, 7
-  br i1 %201, label %186, label %178, !llvm.loop !17
+  br i1 %201, label %186, label %178, !llvm.loop !24
 
 202:                                              ; preds = %178
-  %203 = fmul double %135, %183
-  %204 = fcmp olt double %203, %101
-  br i1 %204, label %210, label %205
+  %203 = fsub double %161, %183
+  %204 = tail call double @llvm.fabs.f64(double %203)
+  %205 = fcmp ogt double %156, %204
+  %206 = select i1 %205, double %156, double %204
+  br label %207
 
-205:                                              ; preds = %202
-  %206 = fcmp ole double %203, %98
-  %207 = and i1 %102, %206
-  %208 = zext i1 %207 to i32
-  %209 = select i1 %207, i32 1, i32 %105
-  br label %210
+207:                                              ; preds = %154, %202
+  %208 = phi double [ %206, %202 ], [ %156, %154 ]
+  %209 = add nuw nsw i64 %155, 1
+  %210 = icmp eq i64 %209, 9
+  br i1 %210, label %93, label %154, !llvm.loop !25
 
-210:                                              ; preds = %205, %202, %148, %141, %129, %126, %122
-  %211 = phi i32 [ 1, %122 ], [ 1, %126 ], [ 4, %129 ], [ 4, %148 ], [ 1, %202 ], [ %146, %141 ], [ %208, %205 ]
-  %212 = phi i32 [ 1, %122 ], [ 0, %126 ], [ %105, %129 ], [ %105, %148 ], [ 1, %202 ], [ %147, %141 ], [ %209, %205 ]
-  switch i32 %211, label %216 [
-    i32 0, label %213
-    i32 4, label %213
-  ]
-
-213:                                              ; preds = %210, %210
-  %214 = add nuw nsw i64 %104, 1
-  %215 = icmp eq i64 %214, 9
-  br i1 %215, label %216, label %103, !llvm.loop !18
-
-216:                                              ; preds = %213, %210
-  %217 = phi i32 [ %212, %210 ], [ 0, %213 ]
-  %218 = icmp eq i32 %217, 0
-  %219 = select i1 %218, i64 %90, i64 -6
-  br i1 %218, label %86, label %277
-
-220:                                              ; preds = %89, %273
-  %221 = phi i64 [ 0, %89 ], [ %275, %273 ]
-  %222 = phi double [ 0.000000e+00, %89 ], [ %274, %273 ]
-  %223 = phi double [ 0.000000e+00, %89 ], [ %234, %273 ]
-  %224 = phi double [ 0.000000e+00, %89 ], [ %230, %273 ]
-  %225 = mul nuw nsw i64 %9, %221
-  %226 = getelementptr inbounds double, ptr %92, i64 %225
-  %227 = load double, ptr %226, align 8
-  %228 = tail call double @llvm.fabs.f64(double %227)
-  %229 = fcmp ogt double %224, %228
-  %230 = select i1 %229, double %224, double %228
-  %231 = getelementptr double, ptr %226, i64 %10
-  %232 = load double, ptr %231, align 8
-  %233 = fcmp ogt double %223, %232
-  %234 = select i1 %233, double %223, double %232
-  %235 = and i64 %221, 1
-  %236 = icmp eq i64 %235, 0
-  br i1 %236, label %273, label %237
-
-237:                                              ; preds = %220
-  %238 = getelementptr inbounds [9 x double], ptr @PLACES, i64 0, i64 %221
-  %239 = load double, ptr %238, align 8
-  br label %240
-
-240:                                              ; preds = %237, %244
-  %241 = phi i64 [ 0, %237 ], [ %250, %244 ]
-  %242 = phi double [ 0.000000e+00, %237 ], [ %249, %244 ]
-  %243 = getelementptr inbounds [9 x double], ptr @PLACES, i64 0, i64 %241
-  br label %252
-
-244:                                              ; preds = %264
-  %245 = mul nuw nsw i64 %9, %241
-  %246 = getelementptr inbounds double, ptr %92, i64 %245
-  %247 = load double, ptr %246, align 8
-  %248 = fmul double %265, %247
-  %249 = fadd double %242, %248
-  %250 = add nuw nsw i64 %241, 2
-  %251 = icmp ult i64 %241, 7
-  br i1 %251, label %240, label %268, !llvm.loop !16
-
-252:                                              ; preds = %240, %264
-  %253 = phi i64 [ 0, %240 ], [ %266, %264 ]
-  %254 = phi double [ 1.000000e+00, %240 ], [ %265, %264 ]
-  %255 = icmp eq i64 %253, %241
-  br i1 %255, label %264, label %256
-
-256:                                              ; preds = %252
-  %257 = getelementptr inbounds [9 x double], ptr @PLACES, i64 0, i64 %253
-  %258 = load double, ptr %257, align 16
-  %259 = fsub double %239, %258
-  %260 = load double, ptr %243, align 16
-  %261 = fsub double %260, %258
-  %262 = fdiv double %259, %261
-  %263 = fmul double %254, %262
-  br label %264
-
-264:                                              ; preds = %256, %252
-  %265 = phi double [ %263, %256 ], [ %254, %252 ]
-  %266 = add nuw nsw i64 %253, 2
-  %267 = icmp ult i64 %253, 7
-  br i1 %267, label %252, label %244, !llvm.loop !17
-
-268:                                              ; preds = %244
-  %269 = fsub double %227, %249
-  %270 = tail call double @llvm.fabs.f64(double %269)
-  %271 = fcmp ogt double %222, %270
-  %272 = select i1 %271, double %222, double %270
-  br label %273
-
-273:                                              ; preds = %220, %268
-  %274 = phi double [ %272, %268 ], [ %222, %220 ]
-  %275 = add nuw nsw i64 %221, 1
-  %276 = icmp eq i64 %275, 9
-  br i1 %276, label %93, label %220, !llvm.loop !19
-
-277:                                              ; preds = %72, %86, %216, %38, %4
-  %278 = phi i64 [ 0, %4 ], [ 0, %38 ], [ %219, %216 ], [ 0, %86 ], [ -4, %72 ]
-  ret i64 %278
+211:                                              ; preds = %72, %86, %150, %38, %4
+  %212 = phi i64 [ 0, %4 ], [ 0, %38 ], [ %153, %150 ], [ 0, %86 ], [ -4, %72 ]
+  ret i64 %212
 }
 
 
@@ -1167,7 +1492,7 @@ define internal fastcc double @locate(ptr noundef readonly %0, ptr noundef reado
   %49 = load ptr, ptr %48, align 8
   %50 = getelementptr inbounds i8, ptr %49, i64 16
   %51 = load i64, ptr %50, align 8
-  tail call fastcc void @nested(ptr noundef %30, ptr noundef %37, ptr noundef %39, i64 noundef %41, i64 noundef %45, ptr noundef %46, i64 noundef %51) #7
+  tail call fastcc void @nested(ptr noundef %30, ptr noundef %37, ptr noundef %39, i64 noundef %41, i64 noundef %45, ptr noundef %46, i64 noundef %51) #8
   %52 = fmul double %3, %4
   %53 = fadd double %52, %2
   %54 = getelementptr inbounds i8, ptr %0, i64 168
@@ -1179,7 +1504,7 @@ define internal fastcc double @locate(ptr noundef readonly %0, ptr noundef reado
   br i1 %58, label %59, label %60
 
 59:                                               ; preds = %7
-  tail call fastcc void @sample(ptr noundef nonnull %28) #7
+  tail call fastcc void @sample(ptr noundef nonnull %28) #8
   br label %60
 
 60:                                               ; preds = %7, %59
@@ -1197,7 +1522,7 @@ define internal fastcc double @locate(ptr noundef readonly %0, ptr noundef reado
   %72 = load i64, ptr %71, align 8
   %73 = getelementptr inbounds double, ptr %70, i64 %72
   %74 = inttoptr i64 %62 to ptr
-  %75 = tail call i32 %74(ptr noundef %64, ptr noundef %65, ptr noundef %67, ptr noundef %69, ptr noundef %73) #8
+  %75 = tail call i32 %74(ptr noundef %64, ptr noundef %65, ptr noundef %67, ptr noundef %69, ptr noundef %73) #9
   %76 = load double, ptr %20, align 8
   %77 = fmul double %76, %13
   %78 = fcmp ugt double %77, 0.000000e+00
@@ -1234,7 +1559,7 @@ define internal fastcc double @locate(ptr noundef readonly %0, ptr noundef reado
   %104 = load ptr, ptr %103, align 8
   %105 = getelementptr inbounds i8, ptr %104, i64 16
   %106 = load i64, ptr %105, align 8
-  tail call fastcc void @nested(ptr noundef %87, ptr noundef %93, ptr noundef %95, i64 noundef %97, i64 noundef %101, ptr noundef %102, i64 noundef %106) #7
+  tail call fastcc void @nested(ptr noundef %87, ptr noundef %93, ptr noundef %95, i64 noundef %97, i64 noundef %101, ptr noundef %102, i64 noundef %106) #8
   %107 = fmul double %83, %3
   %108 = fadd double %107, %2
   %109 = load ptr, ptr %54, align 8
@@ -1244,7 +1569,7 @@ define internal fastcc double @locate(ptr noundef readonly %0, ptr noundef reado
   br i1 %111, label %112, label %113
 
 112:                                              ; preds = %86
-  tail call fastcc void @sample(ptr noundef nonnull %28) #7
+  tail call fastcc void @sample(ptr noundef nonnull %28) #8
   br label %113
 
 113:                                              ; preds = %86, %112
@@ -1259,11 +1584,11 @@ define internal fastcc double @locate(ptr noundef readonly %0, ptr noundef reado
   %122 = load i64, ptr %121, align 8
   %123 = getelementptr inbounds double, ptr %120, i64 %122
   %124 = inttoptr i64 %115 to ptr
-  %125 = tail call i32 %124(ptr noundef %116, ptr noundef %117, ptr noundef %118, ptr noundef %119, ptr noundef %123) #8
+  %125 = tail call i32 %124(ptr noundef %116, ptr noundef %117, ptr noundef %118, ptr noundef %119, ptr noundef %123) #9
   %126 = load double, ptr %20, align 8
   %127 = fmul double %126, %13
   %128 = fcmp ogt double %127, 0.000000e+00
-  br i1 %128, label %129, label %79, !llvm.loop !20
+  br i1 %128, label %129, label %79, !llvm.loop !26
 
 129:                                              ; preds = %113, %79
   %130 = phi double [ %4, %79 ], [ %83, %113 ]
@@ -1311,7 +1636,7 @@ define internal fastcc double @locate(ptr noundef readonly %0, ptr noundef reado
   %163 = load ptr, ptr %162, align 8
   %164 = getelementptr inbounds i8, ptr %163, i64 16
   %165 = load i64, ptr %164, align 8
-  tail call fastcc void @nested(ptr noundef %146, ptr noundef %152, ptr noundef %154, i64 noundef %156, i64 noundef %160, ptr noundef %161, i64 noundef %165) #7
+  tail call fastcc void @nested(ptr noundef %146, ptr noundef %152, ptr noundef %154, i64 noundef %156, i64 noundef %160, ptr noundef %161, i64 noundef %165) #8
   %166 = fmul double %141, %3
   %167 = fadd double %166, %2
   %168 = load ptr, ptr %54, align 8
@@ -1321,7 +1646,7 @@ define internal fastcc double @locate(ptr noundef readonly %0, ptr noundef reado
   br i1 %170, label %171, label %172
 
 171:                                              ; preds = %145
-  tail call fastcc void @sample(ptr noundef nonnull %28) #7
+  tail call fastcc void @sample(ptr noundef nonnull %28) #8
   br label %172
 
 172:                                              ; preds = %145, %171
@@ -1336,7 +1661,7 @@ define internal fastcc double @locate(ptr noundef readonly %0, ptr noundef reado
   %181 = load i64, ptr %180, align 8
   %182 = getelementptr inbounds double, ptr %179, i64 %181
   %183 = inttoptr i64 %174 to ptr
-  %184 = tail call i32 %183(ptr noundef %175, ptr noundef %176, ptr noundef %177, ptr noundef %178, ptr noundef %182) #8
+  %184 = tail call i32 %183(ptr noundef %175, ptr noundef %176, ptr noundef %177, ptr noundef %178, ptr noundef %182) #9
   %185 = load double, ptr %20, align 8
   %186 = fmul double %185, %13
   %187 = fcmp ogt double %186, 0.000000e+00
@@ -1390,7 +1715,7 @@ define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readon
   store <8 x double> %29, ptr %26, align 8
   %30 = add nuw nsw i64 %21, 8
   %31 = icmp slt i64 %30, %10
-  br i1 %31, label %20, label %19, !llvm.loop !21
+  br i1 %31, label %20, label %19, !llvm.loop !27
 
 32:                                               ; preds = %20, %32
   %33 = phi i64 [ %42, %32 ], [ %16, %20 ]
@@ -1404,7 +1729,7 @@ define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readon
   %41 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %39, <8 x double> %34, <8 x double> %40)
   %42 = add nsw i64 %33, -1
   %43 = icmp sgt i64 %33, 0
-  br i1 %43, label %32, label %24, !llvm.loop !22
+  br i1 %43, label %32, label %24, !llvm.loop !28
 }
 
 declare <8 x double> @llvm.fma.v8f64(<8 x double>, <8 x double>, <8 x double>) #3
@@ -1478,7 +1803,7 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #5 {
   %53 = select i1 %51, i64 %48, i64 %45
   %54 = sub nsw i64 %53, %52
   %55 = icmp sgt i64 %54, 1
-  br i1 %55, label %44, label %56, !llvm.loop !23
+  br i1 %55, label %44, label %56, !llvm.loop !29
 
 56:                                               ; preds = %44, %42, %35, %38
   %57 = phi i64 [ %31, %38 ], [ %31, %35 ], [ 0, %42 ], [ %52, %44 ]
@@ -1510,8 +1835,202 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #5 {
   %81 = add nuw nsw i64 %14, 1
   %82 = load i64, ptr %2, align 8
   %83 = icmp slt i64 %81, %82
-  br i1 %83, label %13, label %12, !llvm.loop !24
+  br i1 %83, label %13, label %12, !llvm.loop !30
 }
+
+define internal fastcc double @least_place(ptr noundef readonly %0, ptr noundef readonly %1, double noundef %2, double noundef %3, i64 noundef %4, double noundef %5, double noundef %6, ptr noundef readonly %7) unnamed_addr #2 {
+  %9 = getelementptr inbounds i8, ptr %0, i64 864
+  %10 = load ptr, ptr %9, align 8
+  %11 = getelementptr inbounds double, ptr %10, i64 %4
+  %12 = fadd double %6, 2.500000e-01
+  %13 = fadd double %12, 2.500000e-01
+  %14 = load double, ptr %7, align 8
+  %15 = getelementptr inbounds i8, ptr %7, i64 8
+  %16 = load double, ptr %15, align 8
+  %17 = getelementptr inbounds i8, ptr %7, i64 16
+  %18 = load double, ptr %17, align 8
+  %19 = fcmp ogt double %16, %18
+  %20 = select i1 %19, double %16, double %18
+  %21 = fcmp ogt double %14, %20
+  %22 = select i1 %21, double %14, double %20
+  %23 = getelementptr inbounds i8, ptr %0, i64 720
+  %24 = getelementptr inbounds i8, ptr %0, i64 888
+  %25 = getelementptr inbounds i8, ptr %1, i64 16
+  %26 = getelementptr inbounds i8, ptr %1, i64 8
+  %27 = getelementptr inbounds i8, ptr %0, i64 168
+  %28 = getelementptr inbounds i8, ptr %0, i64 248
+  %29 = getelementptr inbounds i8, ptr %0, i64 144
+  %30 = getelementptr inbounds i8, ptr %0, i64 168
+  %31 = getelementptr inbounds i8, ptr %0, i64 192
+  %32 = getelementptr inbounds i8, ptr %0, i64 744
+  %33 = fmul double %22, 0xBCE0000000000000
+  br label %37
+
+34:                                               ; preds = %147
+  %35 = add nuw nsw i32 %44, 1
+  %36 = icmp eq i32 %35, 20
+  br i1 %36, label %157, label %37, !llvm.loop !31
+
+37:                                               ; preds = %8, %34
+  %38 = phi double [ undef, %8 ], [ %156, %34 ]
+  %39 = phi double [ %6, %8 ], [ %155, %34 ]
+  %40 = phi double [ %12, %8 ], [ %154, %34 ]
+  %41 = phi double [ %13, %8 ], [ %153, %34 ]
+  %42 = phi double [ %14, %8 ], [ %152, %34 ]
+  %43 = phi double [ %16, %8 ], [ %151, %34 ]
+  %44 = phi i32 [ 0, %8 ], [ %35, %34 ]
+  %45 = phi double [ %18, %8 ], [ %149, %34 ]
+  %46 = phi double [ 0x7FF0000000000000, %8 ], [ %148, %34 ]
+  %47 = fsub double %43, %42
+  %48 = fsub double %40, %39
+  %49 = fdiv double %47, %48
+  %50 = fsub double %45, %43
+  %51 = fsub double %41, %40
+  %52 = fdiv double %50, %51
+  %53 = fsub double %52, %49
+  %54 = fsub double %41, %39
+  %55 = fdiv double %53, %54
+  %56 = fmul double %48, %55
+  %57 = fadd double %49, %56
+  %58 = fmul double %57, 5.000000e-01
+  %59 = fdiv double %58, %55
+  %60 = fsub double %40, %59
+  %61 = fcmp ogt double %55, 0.000000e+00
+  br i1 %61, label %62, label %147
+
+62:                                               ; preds = %37
+  %63 = fsub double %60, %40
+  %64 = fmul double %58, %63
+  %65 = fadd double %43, %64
+  %66 = fmul double %46, 2.000000e+00
+  %67 = fcmp ugt double %65, %66
+  br i1 %67, label %147, label %68
+
+68:                                               ; preds = %62
+  %69 = fcmp ugt double %60, %39
+  br i1 %69, label %70, label %72
+
+70:                                               ; preds = %68
+  %71 = fcmp ult double %60, %41
+  br i1 %71, label %76, label %72
+
+72:                                               ; preds = %70, %68
+  %73 = phi double [ %41, %70 ], [ %39, %68 ]
+  %74 = fadd double %40, %73
+  %75 = fmul double %74, 5.000000e-01
+  br label %76
+
+76:                                               ; preds = %72, %70
+  %77 = phi double [ %75, %72 ], [ %60, %70 ]
+  %78 = fsub double %77, %40
+  %79 = fmul double %55, %78
+  %80 = fadd double %57, %79
+  %81 = fmul double %78, %80
+  %82 = fadd double %43, %81
+  %83 = fcmp ule double %77, %39
+  %84 = fcmp uge double %77, %41
+  %85 = or i1 %83, %84
+  %86 = fcmp oeq double %77, %40
+  %87 = or i1 %85, %86
+  br i1 %87, label %147, label %88
+
+88:                                               ; preds = %76
+  %89 = load ptr, ptr %24, align 8
+  %90 = load ptr, ptr %25, align 8
+  %91 = getelementptr inbounds i8, ptr %90, i64 96
+  %92 = load ptr, ptr %91, align 8
+  %93 = insertelement <8 x double> poison, double %77, i64 0
+  %94 = shufflevector <8 x double> %93, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %94, ptr %92, align 8
+  %95 = load ptr, ptr %90, align 8
+  %96 = getelementptr inbounds i8, ptr %90, i64 192
+  %97 = load ptr, ptr %96, align 8
+  %98 = getelementptr inbounds i8, ptr %90, i64 8
+  %99 = load i64, ptr %98, align 8
+  %100 = load ptr, ptr %1, align 8
+  %101 = load ptr, ptr %100, align 8
+  %102 = getelementptr inbounds i8, ptr %101, i64 24
+  %103 = load i64, ptr %102, align 8
+  %104 = load ptr, ptr %91, align 8
+  %105 = load ptr, ptr %26, align 8
+  %106 = load ptr, ptr %105, align 8
+  %107 = getelementptr inbounds i8, ptr %106, i64 16
+  %108 = load i64, ptr %107, align 8
+  tail call fastcc void @nested(ptr noundef %89, ptr noundef %95, ptr noundef %97, i64 noundef %99, i64 noundef %103, ptr noundef %104, i64 noundef %108) #8
+  %109 = fmul double %77, %3
+  %110 = fadd double %109, %2
+  %111 = load ptr, ptr %27, align 8
+  store double %110, ptr %111, align 8
+  %112 = load i64, ptr %28, align 8
+  %113 = icmp sgt i64 %112, 0
+  br i1 %113, label %114, label %115
+
+114:                                              ; preds = %88
+  tail call fastcc void @sample(ptr noundef nonnull %29) #8
+  br label %115
+
+115:                                              ; preds = %88, %114
+  %116 = load ptr, ptr %23, align 8
+  %117 = load i64, ptr %116, align 8
+  %118 = load ptr, ptr %30, align 8
+  %119 = load ptr, ptr %24, align 8
+  %120 = load ptr, ptr %31, align 8
+  %121 = load ptr, ptr %32, align 8
+  %122 = load ptr, ptr %9, align 8
+  %123 = inttoptr i64 %117 to ptr
+  %124 = tail call i32 %123(ptr noundef %118, ptr noundef %119, ptr noundef %120, ptr noundef %121, ptr noundef %122) #9
+  %125 = icmp slt i32 %124, 0
+  br i1 %125, label %147, label %126
+
+126:                                              ; preds = %115
+  %127 = load double, ptr %11, align 8
+  %128 = fmul double %127, %5
+  %129 = fcmp olt double %128, 0.000000e+00
+  br i1 %129, label %130, label %133
+
+130:                                              ; preds = %126
+  %131 = fcmp olt double %128, %33
+  %132 = select i1 %131, double %77, double 2.000000e+00
+  br label %147
+
+133:                                              ; preds = %126
+  %134 = fsub double %128, %82
+  %135 = tail call double @llvm.fabs.f64(double %134)
+  %136 = fcmp uge double %77, %40
+  %137 = fcmp ugt double %128, %43
+  %138 = or i1 %136, %137
+  br i1 %138, label %139, label %147
+
+139:                                              ; preds = %133
+  br i1 %136, label %140, label %147
+
+140:                                              ; preds = %139
+  %141 = select i1 %137, double %128, double %45
+  %142 = select i1 %137, double %43, double %128
+  %143 = select i1 %137, double %42, double %43
+  %144 = select i1 %137, double %77, double %41
+  %145 = select i1 %137, double %40, double %77
+  %146 = select i1 %137, double %39, double %40
+  br label %147
+
+147:                                              ; preds = %76, %115, %133, %139, %140, %130, %37, %62
+  %148 = phi double [ %46, %62 ], [ %46, %37 ], [ %46, %76 ], [ %46, %115 ], [ %46, %130 ], [ %135, %140 ], [ %135, %139 ], [ %135, %133 ]
+  %149 = phi double [ %45, %62 ], [ %45, %37 ], [ %45, %76 ], [ %45, %115 ], [ %45, %130 ], [ %141, %140 ], [ %45, %139 ], [ %43, %133 ]
+  %150 = phi i1 [ false, %62 ], [ false, %37 ], [ false, %76 ], [ false, %115 ], [ false, %130 ], [ true, %140 ], [ true, %139 ], [ true, %133 ]
+  %151 = phi double [ %43, %62 ], [ %43, %37 ], [ %43, %76 ], [ %43, %115 ], [ %43, %130 ], [ %142, %140 ], [ %43, %139 ], [ %128, %133 ]
+  %152 = phi double [ %42, %62 ], [ %42, %37 ], [ %42, %76 ], [ %42, %115 ], [ %42, %130 ], [ %143, %140 ], [ %128, %139 ], [ %42, %133 ]
+  %153 = phi double [ %41, %62 ], [ %41, %37 ], [ %41, %76 ], [ %41, %115 ], [ %41, %130 ], [ %144, %140 ], [ %41, %139 ], [ %40, %133 ]
+  %154 = phi double [ %40, %62 ], [ %40, %37 ], [ %40, %76 ], [ %40, %115 ], [ %40, %130 ], [ %145, %140 ], [ %40, %139 ], [ %77, %133 ]
+  %155 = phi double [ %39, %62 ], [ %39, %37 ], [ %39, %76 ], [ %39, %115 ], [ %39, %130 ], [ %146, %140 ], [ %77, %139 ], [ %39, %133 ]
+  %156 = phi double [ 2.000000e+00, %62 ], [ 2.000000e+00, %37 ], [ 2.000000e+00, %76 ], [ -4.000000e+00, %115 ], [ %132, %130 ], [ %38, %140 ], [ %38, %139 ], [ %38, %133 ]
+  br i1 %150, label %34, label %157
+
+157:                                              ; preds = %34, %147
+  %158 = phi double [ %156, %147 ], [ 2.000000e+00, %34 ]
+  ret double %158
+}
+
+declare i64 @llvm.smin.i64(i64, i64) #6
 
 attributes #0 = { nounwind }
 attributes #1 = { nounwind willreturn }
@@ -1519,9 +2038,10 @@ attributes #2 = { noinline nounwind }
 attributes #3 = { nounwind willreturn memory(none) }
 attributes #4 = { noinline nounwind }
 attributes #5 = { noinline nounwind }
-attributes #6 = { nounwind }
+attributes #6 = { nounwind willreturn memory(none) }
 attributes #7 = { nounwind }
 attributes #8 = { nounwind }
+attributes #9 = { nounwind }
 
 
 !0 = !{i32 1, !"wchar_size", i32 4}
@@ -1536,16 +2056,23 @@ attributes #8 = { nounwind }
 !9 = distinct !{!9, !4, !5}
 !10 = distinct !{!10, !4, !5}
 !11 = distinct !{!11, !4, !5}
-!12 = distinct !{!12, !5}
+!12 = distinct !{!12, !4, !5}
 !13 = distinct !{!13, !4, !5}
 !14 = distinct !{!14, !4, !5}
 !15 = distinct !{!15, !4, !5}
-!16 = distinct !{!16, !4, !5}
+!16 = distinct !{!16, !5}
 !17 = distinct !{!17, !4, !5}
 !18 = distinct !{!18, !4, !5}
 !19 = distinct !{!19, !4, !5}
-!20 = distinct !{!20, !5}
+!20 = distinct !{!20, !4, !5}
 !21 = distinct !{!21, !4, !5}
 !22 = distinct !{!22, !4, !5}
 !23 = distinct !{!23, !4, !5}
 !24 = distinct !{!24, !4, !5}
+!25 = distinct !{!25, !4, !5}
+!26 = distinct !{!26, !5}
+!27 = distinct !{!27, !4, !5}
+!28 = distinct !{!28, !4, !5}
+!29 = distinct !{!29, !4, !5}
+!30 = distinct !{!30, !4, !5}
+!31 = distinct !{!31, !4, !5}

@@ -47,7 +47,7 @@ RANK, NEARNESS, WHEN, WHERE = range(4)
 OF_STATE, DIRECTIONS, COUNT = range(3)
 # Watch.words; the last is the address of the kernel of `Watch.driven`
 WATCHER, EVENTS, SCAN, DRIVER = range(4)
-SAMPLES = 9  # the rows of `Watch.driven`
+PROBES, SAMPLES = 7, 9  # the rows of `Watch.values` and of `Watch.driven`
 # Steps.words: the number of steps that are kept, and for how many rows there is room, 0 for none
 KEPT, ROOM = range(2)
 # Newton.words: the address of the Jacobian's kernel, or 0 for differences; whether a new Jacobian
@@ -159,7 +159,7 @@ class Watch(NamedTuple):
     acting: Words  # whether the integration stops there
     sides: Words  # the sign last seen, 0 before there was one
     fired: Words
-    values: Numbers  # (2, events)
+    values: Numbers  # (PROBES, events), then the time that the last step's end is known at
     trial: Numbers  # a state
     log_times: Numbers
     log_events: Words

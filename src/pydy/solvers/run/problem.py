@@ -14,7 +14,7 @@ from pydy._array_layout import address
 from pydy._checks import vector
 from pydy._interrupts import Interrupts
 from pydy._kernel import Kernel, KernelCall
-from pydy.solvers.run.layout import SAMPLES, Problem, Watch
+from pydy.solvers.run.layout import PROBES, SAMPLES, Problem, Watch
 from pydy.solvers.run.shipped import callback_address
 from pydy.solvers.tuning import BLOCK
 
@@ -173,7 +173,7 @@ def watch_arrays(
         acting=np.array(acting, dtype=np.int64),
         sides=np.zeros(number, dtype=np.int64),
         fired=np.zeros(number, dtype=np.int64),
-        values=np.zeros(2 * number),
+        values=np.zeros(PROBES * number + 1),
         trial=np.zeros(BLOCK * blocks(n)),
         log_times=np.zeros(rows),
         log_events=np.zeros(rows, dtype=np.int64),
