@@ -196,6 +196,20 @@ def test_a_prior_determines_what_the_data_do_not(oscillator, method):
 
 
 @BOTH
+def test_priors_need_the_noise_of_the_samples(oscillator, method):
+    """Samples of noise 1e-3 outweigh the prior, in any unit; without noise no weight is right."""
+    rng = np.random.default_rng(0)
+    samples, prior = swing() + rng.normal(0.0, 1e-3, len(TIMES)), {"c0": (0.3, 0.02)}
+    with pytest.raises(ValueError, match=r"`priors` need the `noise` .* fit without `priors`"):
+        oscillator.fit(["k0", "c0"], let_go(samples), priors=prior, method=method)
+    alone = oscillator.fit(["k0", "c0"], let_go(samples), priors={}, method=method)
+    measured = let_go(samples, noise=alone.noise)
+    both = oscillator.fit(["k0", "c0"], measured, priors=prior, method=method)
+    np.testing.assert_allclose(both.estimates, alone.estimates, atol=0.1 * alone.standard_errors[1])
+    np.testing.assert_allclose(both.standard_errors, alone.standard_errors, rtol=0.01)
+
+
+@BOTH
 def test_a_fit_that_stops_at_a_bound_says_so(oscillator, method):
     with pytest.warns(PyDyUserWarning, match="stopped at a bound of k0"):
         result = oscillator.fit(

@@ -618,7 +618,8 @@ class Fitting(Setup):
         bounds : dict, optional
             Maps parameters to pairs of the lowest and the highest value.
         priors : dict, optional
-            Maps parameters to pairs of the mean and the standard deviation of prior knowledge.
+            Maps parameters to pairs of the mean and the standard deviation of prior knowledge,
+            which the samples outweigh as their `Trial.noise` tells: it must be given.
         segments : int, optional
             Number of segments into which each trial is divided. Each has its own initial state, and
             all must meet in the end: multiple shooting, for long or unstable motions.
@@ -693,6 +694,13 @@ class Fitting(Setup):
         if not ((limits[0] <= z) & (z <= limits[1])).all():
             z = np.clip(z, *limits)
         known = _priors(work, priors)
+        if known and work.own_noise:
+            # Without it a residual would count as one in its unit, metre or millimetre, does.
+            raise ValueError(
+                "`priors` need the `noise` of each Trial: how much the samples count beside the "
+                "priors follows from it. If it is not known, fit without `priors` first: "
+                "`result.noise` of that fit estimates it."
+            )
         progress = flag(progress, "`progress`")
         if collocated:
             disturbed = _disturbances(work, process_noise)

@@ -43,7 +43,8 @@ class Trial:
         `initial_conditions`.
     noise : float, array_like or dict, optional
         The standard deviation of the noise: of all quantities, or of each measured quantity, as a
-        number or a value for each sample. By default it is estimated from the residuals.
+        number or a value for each sample. By default it is estimated from the residuals; `priors`
+        and `process_noise` need it.
     start : float, optional
         The time of the initial conditions; the first of the times by default.
     name : str, optional
