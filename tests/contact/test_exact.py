@@ -10,6 +10,7 @@ import sympy.physics.mechanics as me
 from pydy import System, solvers
 from pydy.contact import Contacts, Stick, Unilateral
 from pydy.errors import ContactError, PyDyUserWarning
+from pydy.inputs import SampledInput
 from pydy.mechanics import Definition
 from touching import (
     TIGHT,
@@ -520,3 +521,38 @@ def test_a_wall_that_moves_by_time_alone_is_hit(rate, unit):
     passed = times[np.argmax(0.4 - 0.3 * times < 0.05 * np.sin(rate * times))]
     assert 0 <= passed - motion.events[0].time <= 1e-5
     assert motion.statistics["steps"] < 300
+
+
+@pytest.mark.parametrize("solver", ["dop853", "radau"])
+@pytest.mark.parametrize("rate", [7.0, 23.0, 57.0])
+def test_a_floor_with_bumps_is_hit_where_a_flight_first_meets_it(solver, rate):
+    """Its height over the floor changes where the states are polynomials."""
+    system, P = block()
+    del P
+    system.ode_solver, system.times = solver, [0.0, 4.0]
+    system.initial_conditions = {y: 0.7, vx: 1.3, vy: 0.4}
+    floor = Unilateral(y - sm.Float(0.05) * sm.sin(rate * x), restitution=0.5)
+    motion = Contacts(system, [floor], {g: 1.0}).simulate(rtol=1e-10, atol=1e-10)
+    times = np.linspace(0.0, 4.0, num=400001)
+    height = 0.7 + 0.4 * times - times**2 / 2 - 0.05 * np.sin(rate * 1.3 * times)
+    assert abs(motion.events[0].time - times[np.argmax(height < 0)]) <= 1e-5
+
+
+@pytest.mark.parametrize("solver", ["dop853", "radau"])
+@pytest.mark.parametrize("kind", ["Piecewise", "samples"])
+@pytest.mark.parametrize("options", [{}, {"max_step": 1e-2}])
+def test_a_load_that_jumps_beyond_friction_sets_a_block_going(solver, kind, options):
+    push, t = me.dynamicsymbols("push"), me.dynamicsymbols._t
+    P = O.locatenew("P", x * N.x)
+    P.set_vel(N, vx * N.x)
+    system = System(
+        Definition(N, [x], [vx], bodies=[me.Particle("P", P, 1)], loads=[(P, push * N.x)]),
+        ode_solver=solver, times=np.linspace(0.0, 4.0, 81),
+    )  # fmt: skip
+    samples = SampledInput([0.0, 1.013, 5.0], [0.0, 4.0, 4.0], interpolation="previous")
+    jumps = sm.Piecewise((0, t < 1.013), (4, True))
+    system.specifieds = {push: jumps if kind == "Piecewise" else samples}
+    motion = Contacts(system, [Stick(vx, mu=0.3, normal=10)]).simulate(**options)
+    assert [event.name for event in motion.events] == ["friction slips"]
+    assert motion.events[0].time == pytest.approx(1.013, abs=1e-12)
+    assert motion["v_x"][-1] == pytest.approx(4.0 - 1.013, abs=1e-9)

@@ -90,12 +90,13 @@ def compile_events(
     graph = assembly.graph
     nodes = assembly.read(expressions, "the events")
 
-    groups = [
-        {graph.args[n][0] for n in graph.reachable([node]) if graph.ops[n] == "input"}
-        for node in nodes
-    ]
-    # What time changes beside the states, which are all that the error control sees.
-    driven = tuple(e for e, own in zip(expressions, groups, strict=True) if own & {"t", "r"})
+    def inputs(parts: Iterable[int]) -> set[str]:
+        """Return the groups of the inputs that nodes depend on."""
+        reached = graph.reachable(parts)
+        return {graph.args[n][0] for n in reached if graph.ops[n] == "input"}
+
+    moving = [*(graph.input("x", k) for k in range(len(states))), graph.input("t", 0)]
+    slopes = jacobian(graph, nodes, moving)
 
     def resets() -> Program:
         own, after = model.assembly.fork(), []
@@ -110,7 +111,11 @@ def compile_events(
         names=tuple(event.name for event in events),
         directions=tuple(event.direction for event in events),
         terminal=tuple(bool(event.terminal) for event in events),
-        constant=tuple(not own - {"p"} for own in groups),
+        constant=tuple(inputs([node]) <= {"p"} for node in nodes),
+        linear=tuple(
+            "r" not in inputs([node]) and inputs(row.values()) <= {"p"}
+            for node, row in zip(nodes, slopes, strict=True)
+        ),
         values=model.compiled_expressions("the events", (len(nodes),), expressions),
         rates=model.compiled_by(
             ("rates and bounds of the events", *expressions),
@@ -119,14 +124,9 @@ def compile_events(
         resetting=resetting,
         resets=model.compiled_by(key, resets) if any(resetting) else None,
         sources=events,
-        driven=model.compiled_by(
-            ("events that time changes", *driven), lambda: _bounded_program(model.assembly, driven)
-        )
-        if driven
-        else None,
         may_rest=tuple(
-            "r" in own or any(graph.ops[n] in FLAT for n in graph.reachable([node]))
-            for node, own in zip(nodes, groups, strict=True)
+            "r" in inputs([node]) or any(graph.ops[n] in FLAT for n in graph.reachable([node]))
+            for node in nodes
         ),
     )
 
@@ -150,15 +150,6 @@ def event_rates_program(
         return own.lowered(blocks, graph)
     blocks.append(("bounds", (len(nodes),), rounding_bounds(graph, nodes)))
     return lower(graph, own.sizes, blocks)
-
-
-def _bounded_program(assembly: Assembly, expressions: Sequence[Any]) -> Program:
-    """Return the Program of events' expressions, and of bounds on their roundings behind them."""
-    own = assembly.fork()
-    nodes = own.read(expressions, "the events")
-    size = (len(nodes),)
-    blocks = [("events", size, nodes), ("bounds", size, rounding_bounds(own.graph, nodes))]
-    return own.lowered(blocks, own.graph)
 
 
 def event_bounds_program(assembly: Assembly, expressions: Sequence[Any]) -> Program:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from typing import Any
 
 import numpy as np
@@ -12,12 +13,18 @@ from pydy.contact.tuning import CHECKED, SLACK
 
 
 def missed(
-    run: Any, part: Any, mode: Mode, end: float, last: np.ndarray | None
+    run: Any,
+    part: Any,
+    mode: Mode,
+    end: float,
+    last: np.ndarray | None,
+    told: Collection[tuple[str, int]],
 ) -> list[tuple[str, int]]:
     """Refuse a part of a motion in which a transition was missed.
 
     Return what is violated from the start on: forces at their limits fit several modes there,
-    and only the motion tells which of them hold.
+    and only the motion tells which of them hold. What is `told` by the events at the end, where a
+    load may jump, is not missed there.
     """
     atol = float(np.max(run.atol))
     symbols = output_symbols(run.contacts)
@@ -48,6 +55,7 @@ def missed(
             values = table[:, names.index(symbol)] * (-1.0 if words[:5] == "power" else 1.0)
             allowed = SLACK * np.abs(values).max(initial=0.0) + slack
             below = values < -allowed
+            below[-1:] &= (kind, i) not in told
             if below.any() and symbol is symbols.get((i, "gap")):
                 # What the drift of a gap that was held has left is no motion of this part.
                 below &= values < values[0] - allowed

@@ -620,7 +620,9 @@ class Run:
         stopped = told.get("code") == TERMINATED
         end = part.events[-1].time if stopped else float(self.times[-1])
         at_end = [r for r in part.events if stopped and r.time == end]
-        if broken := missed(self, part, mode, end, at_end[-1].before if stopped else None):
+        acting = [r for r in at_end if r.index < own and kinds[r.index][0] != "nears"]
+        told_of = {kinds[r.index] for r in acting}
+        if broken := missed(self, part, mode, end, at_end[-1].before if stopped else None, told_of):
             return False, broken
         if self.carried is not None:
             begun = {
@@ -635,7 +637,6 @@ class Run:
         for record in part.events:
             if record.index >= own and (record.time > state.t or not self.pieces):
                 self.records.append(replace(record, index=record.index + len(self.contacts) - own))
-        acting = [r for r in at_end if r.index < own and kinds[r.index][0] != "nears"]
         rows = (self.times > state.t) & (self.times <= end)
         self.states[rows] = part.states[1 : 1 + int(rows.sum())]
         if self.carried is not None:
@@ -685,10 +686,14 @@ class Run:
         closing: set[int] = set()
         fixed: dict[int, str] = {}
         turning = any(kind in ("stops", "bends") for kind, _ in fired)
-        self.sure = {i for kind, i in fired if kind in ("opens", "slips")}
+        self.sure = {i for kind, i in fired if kind == "opens" or (kind == "slips" and not turning)}
         for i, mode in enumerate(self.modes):
             normal, rows = self.rows.normal[i], self.rows.tangent[i]
             what = {kind for kind, k in fired if k == i}
+            if (
+                turning
+            ):  # friction that turns where a body stops leaves the cone of others in passing
+                what.discard("slips")
             if mode == OPEN:
                 assert normal is not None
                 near, speed = WITHIN * eps * p.near[i], p.speed[normal]

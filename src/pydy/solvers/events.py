@@ -46,9 +46,9 @@ class Event:
     -----
     Signs are compared at the ends of four parts of each step, and where an expression is least
     between them. One that only touches zero is not detected, nor may be one that crosses and
-    returns within such a part and is not smooth there. One that time changes beside the
-    states, by itself or through specifieds, shortens the steps of methods with step-size control
-    where it may do so. Where an expression that had a sign
+    returns within such a part and is not smooth there. One that is
+    not linear, or holds specifieds, shortens the steps of methods with step-size control where it
+    may do so. Where an expression that had a sign
     becomes NaN, as ``sqrt(q)`` does where q passes zero, the integration ends with an error; one
     that is NaN at first is watched from where it is a number on.
 
@@ -137,13 +137,12 @@ class CompiledEvents:
     directions: tuple[int, ...]
     terminal: tuple[bool, ...]
     constant: tuple[bool, ...]  # whether it depends on neither state nor time nor specifieds
+    linear: tuple[bool, ...]  # whether it is linear in states and time, and holds no specifieds
     values: Kernel  # the expressions
     rates: Kernel  # their time derivatives along the motion, and bounds on their roundings
     resetting: tuple[bool, ...]  # whether the states change at each
     resets: Kernel | None  # the states after each event, one below the other; None: no event resets
     sources: tuple[Event, ...] = ()  # what they were compiled from
-    # the expressions that hold time or specifieds, and bounds on their roundings; None: no event
-    driven: Kernel | None = None
     # Whether an expression may be zero all along a stretch, as Max(0, x) is; if any may.
     may_rest: tuple[bool, ...] = ()
 

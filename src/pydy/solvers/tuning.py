@@ -20,6 +20,9 @@ INSTANT = 64.0
 """Times that differ by so many roundings are the same instant: no step is shorter for an event that
 jumps there."""
 
+CLEAR = 8.0
+"""An event crosses zero but once between samples where it changes by so many times its error."""
+
 ROUNDINGS = 8.0
 """The largest residual of a constraint that is satisfied, in units of its rounding bound."""
 

@@ -197,9 +197,9 @@ int64_t advance_implicit(const Run *run, double *flat, int64_t fresh)
             if (code == UNRESOLVED || (code == CONSTRAINTS_NOT_MET && !watched)) {
                 count[STEPS] -= 1;
                 run->steps.words.at[KEPT] -= 1;
+                words[FIRST] = 1, words[WANTED] = 1 - words[FRESH], sizes[PREDICTING] = 0.0;
                 count[REJECTED] += 1;
                 count[FAILURE] = code == UNRESOLVED ? STEP_UNDERFLOW : code, h = AFTER_FAILURE * size;
-                words[FIRST] = 1, words[WANTED] = 1 - words[FRESH], sizes[PREDICTING] = 0.0;
                 continue;
             }
             if (code != 0) {

@@ -2,13 +2,16 @@
 
 #include "run.h"
 
+/* A step is looked at in parts. Their ends have irrational ratios: no oscillation looks slow at all. */
 enum { PARTS = 4 };
+static const double PLACES[PARTS + 1] = {0.0, 0.2360679774997897, 0.4494897427831781, 0.7320508075688772, 1.0};
 
 enum { BACK = 2 }; /* located, though it has the sign again that it began with */
 
 /* The rows of watch.values: the end of a part that a dip divides, a located event, and the ends of the
-   parts of the step, from its start on. Behind them is the time at which the start is known. */
-enum { DIVIDED, LOCATED, QUARTERS };
+   parts of the step, from its start on, and their middles. Behind them is the time at which the start is
+   known. */
+enum { DIVIDED, LOCATED, ENDS, MIDDLES = ENDS + PARTS + 1 };
 
 enum { TRIES = 20 }; /* parabolas for a least value: a few lead to it where it is smooth */
 
@@ -91,101 +94,129 @@ INLINE void log_event(const Run *run, double t, int64_t event)
     run->progress.counts.at[LOGGED] = line + 1;
 }
 
-/* Where an expression is fitted, at quarters of a step, and where it is compared with the fit between
-   them: no oscillation looks slow at all of these, whose ratios are irrational. */
-static const double PLACES[SAMPLES] = {0.0, 0.25 * 0.3819660112501051, 0.25, 0.25 * 1.4142135623730951, 0.5,
-    0.25 * 2.4494897427831781, 0.75, 0.25 * 3.6457513110645906, 1.0};
-
-/* Return the polynomial through the samples at quarters. */
+/* Return the polynomial through the samples of an event at the ends of the parts. */
 INLINE double fit(const double *samples, int64_t apart, double place)
 {
     double value = 0.0;
-    for (int k = 0; k < SAMPLES; k += 2) {
+    for (int k = 0; k <= PARTS; k++) {
         double weight = 1.0;
-        for (int i = 0; i < SAMPLES; i += 2)
-            if (i != k)
-                weight *= (place - PLACES[i]) / (PLACES[k] - PLACES[i]);
+        for (int i = 0; i <= PARTS; i++)
+            weight *= i == k ? 1.0 : (place - PLACES[i]) / (PLACES[k] - PLACES[i]);
         value += weight * samples[k * apart];
     }
     return value;
 }
 
-/* Tell whether an expression may cross zero and return within a quarter of the step.
-
-   As far as it is known, to `error`, it may between samples that are near zero and near each other. It
-   does where it has another sign than at the quarters around, beyond `rounding`. */
-INLINE int may_return(const double *samples, int64_t apart, double error, double rounding)
+/* Tell whether an event is so near to zero that what it changes by within the step matters. */
+INLINE int is_near(const double *samples, int64_t apart)
 {
-    for (int j = 1; j < SAMPLES; j++) {
-        const double a = samples[(j - 1) * apart], b = samples[j * apart];
+    double least = samples[0], most = samples[0];
+    for (int j = 1; j <= PARTS; j++) {
+        least = minimum(least, samples[j * apart]);
+        most = maximum(most, samples[j * apart]);
+    }
+    return least * most <= 0.0 || minimum(absolute(least), absolute(most)) <= PARTS * (most - least);
+}
+
+/* Tell whether samples hide a crossing of zero: as far as an event is known, to `error`, it may have one
+   between samples near zero and near each other, and a further one beside one that is seen. */
+INLINE int may_hide(const double *samples, double error)
+{
+    for (int j = 1; j <= 2 * PARTS; j++) {
+        const double a = samples[j - 1], b = samples[j], change = absolute(a - b);
         const double nearest = minimum(absolute(a), absolute(b));
-        if (a * b >= 0.0 && error > rounding && nearest <= error && absolute(a - b) <= 2.0 * error)
-            return 1;
-        if (j + 1 == SAMPLES)
-            return 0;
-        const double c = samples[(j + 1) * apart], side = a + c < 0.0 ? -1.0 : 1.0;
-        if (j % 2 && a * c >= 0.0 && side * b < -rounding)
+        if (a * b < 0.0 ? change < CLEAR * error : nearest <= error && change <= 2.0 * error)
             return 1;
     }
     return 0;
 }
 
-/* Tell whether the step is too long for what time changes beside the states: the error control,
-   which sees these alone, lets a step of free flight be as long as one likes above a floor that
-   oscillates.
-
-   A jump is not resolved by any step, and passes once the step is as short as times can be told. */
-APART int64_t unresolved(const Run *run, const Stepper *s, double t, double h)
+/* Evaluate all event expressions at the end of the step, beside the state by what the solver tells of it:
+   by shares that no expression is likely to cancel. */
+INLINE int64_t probe_shifted(const Run *run, const Stepper *s, double t, double h)
 {
     const Watch *w = &run->watch;
     const Problem *p = &run->problem;
-    const int64_t apart = w->driven.columns, number = apart / 2;
-    const double span = run->progress.times.at[run->progress.times.size - 1] - run->progress.times.at[0];
+    const Memory *m = &run->memory;
+    interpolate(s, 1.0, w->trial.at);
+    for (int64_t i = 0; i < p->words.at[STATES]; i++) {
+        const double size = m->atol.at[i] + m->rtol.at[i] * absolute(w->trial.at[i]);
+        w->trial.at[i] += (i % 2 ? -1.0 : 1.0) * (1.0 + 0.6180339887498949 * (double)(i % 3)) * size;
+    }
+    set_inputs(p, t + h);
+    return call_kernel(w->words.at[WATCHER], p->clock.at, w->trial.at, p->r.at, w->c.at,
+        w->values.at + LOCATED * w->words.at[EVENTS]);
+}
+
+/* Tell whether the step is too long to see the crossings of all events: UNRESOLVED, or CALLBACK, or 0.
+
+   The error control sees the states alone. It lets a step of free flight be as long as one likes above
+   a floor that oscillates. How well a step resolves an event that is not linear is told by samples in
+   the middle of the parts, beside what the tolerance of the states makes of it. A jump is not resolved
+   by any step, and passes once the step is as short as times can be told. */
+APART int64_t resolve(const Run *run, const Stepper *s, double t, double h)
+{
+    const Watch *w = &run->watch;
+    const int64_t number = w->words.at[EVENTS];
+    const double *times = run->progress.times.at, span = times[run->progress.times.size - 1] - times[0];
+    int sampled = 0, shifted = 0;
     if (h <= INSTANT * ROUNDING * maximum(absolute(t + h), span))
         return 0;
-    for (int j = 0; j < SAMPLES; j++) {
-        interpolate(s, PLACES[j], w->trial.at);
-        set_inputs(p, t + PLACES[j] * h);
-        if (call_kernel(w->words.at[DRIVER], p->clock.at, w->trial.at, p->r.at, w->driven_c.at,
-                w->driven.at + j * apart)
-            < 0)
-            return CALLBACK;
-    }
     for (int64_t k = 0; k < number; k++) {
-        const double *samples = w->driven.at + k;
-        double size = 0.0, bound = 0.0, error = 0.0;
-        for (int j = 0; j < SAMPLES; j++) {
-            size = maximum(size, absolute(samples[j * apart]));
-            bound = maximum(bound, samples[j * apart + number]);
-            if (j % 2)
-                error = maximum(error, absolute(samples[j * apart] - fit(samples, apart, PLACES[j])));
+        const double *ends = w->values.at + ENDS * number + k, *middles = ends + (PARTS + 1) * number;
+        if (w->linear.at[k] == 1 || !is_near(ends, number))
+            continue;
+        for (; sampled < PARTS; sampled++)
+            if (probe(run, s, t, h, 0.5 * (PLACES[sampled] + PLACES[sampled + 1]), MIDDLES + sampled) < 0)
+                return CALLBACK;
+        double samples[2 * PARTS + 1], size = absolute(ends[0]), error = 0.0;
+        samples[0] = ends[0];
+        for (int j = 0; j < PARTS; j++) {
+            samples[2 * j + 1] = middles[j * number], samples[2 * j + 2] = ends[(j + 1) * number];
+            const double guess = fit(ends, number, 0.5 * (PLACES[j] + PLACES[j + 1]));
+            error = maximum(error, 2.0 * absolute(samples[2 * j + 1] - guess));
+            size = maximum(size, maximum(absolute(samples[2 * j + 1]), absolute(samples[2 * j + 2])));
         }
-        const double rounding = ROUNDINGS * ROUNDING * bound;
-        if (may_return(samples, apart, error > HALF * size ? 2.0 * error : 0.0, rounding))
+        if (!(error > HALF * size && may_hide(samples, error)))
+            continue;
+        for (; !shifted; shifted = 1)
+            if (probe_shifted(run, s, t, h) < 0)
+                return CALLBACK;
+        if (error > absolute(w->values.at[LOCATED * number + k] - ends[PARTS * number]))
             return UNRESOLVED;
     }
     return 0;
 }
 
-/* Return a place between three, at which an event is positive times `side`, where it is not, or 2, or
-   CALLBACK: its least value is sought by parabolas, until it is surely positive. Where that is
-   negative by a rounding of the three, it only touches zero.
+/* Return a place between ends of parts, around that of the number `i`, at which an event is positive
+   times `side`, where it is not, or 2, or CALLBACK: its least value is sought by parabolas, until it is
+   surely positive. Where that is negative by a rounding of the samples, it only touches zero. The least
+   value must be in the part that ends at the number `part`, as far as the samples tell.
 
    References: R. P. Brent, Algorithms for minimization without derivatives, 1973, chapter 5. */
 APART double least_place(const Run *run, const Stepper *s, double t, double h, int64_t event, double side,
-    double a, const double *values)
+    int i, int part)
 {
-    const double *value = run->watch.values.at + DIVIDED * run->watch.words.at[EVENTS] + event;
-    double b = a + 1.0 / PARTS, c = b + 1.0 / PARTS, za = values[0], zb = values[1], zc = values[2];
-    double error = 1.0 / 0.0;
+    const int64_t number = run->watch.words.at[EVENTS];
+    const double *value = run->watch.values.at + DIVIDED * number + event;
+    const double *samples = run->watch.values.at + (ENDS + i) * number + event;
+    double a = PLACES[i - 1], b = PLACES[i], c = PLACES[i + 1], error = 1.0 / 0.0;
+    double za = side * samples[-number], zb = side * samples[0], zc = side * samples[number];
     const double rounding = ROUNDINGS * ROUNDING * maximum(za, maximum(zb, zc));
+    if (!(za > 0.0 && zb > 0.0 && zc > 0.0))
+        return 2.0;
     for (int tries = 0; tries < TRIES; tries++) {
         const double left = (zb - za) / (b - a), right = (zc - zb) / (c - b);
         const double bend = (right - left) / (c - a), slope = left + bend * (b - a);
         double place = b - 0.5 * slope / bend;
         if (!(bend > 0.0 && zb + 0.5 * slope * (place - b) <= 2.0 * error))
             return 2.0;
-        if (place <= a || place >= c) /* near an end of the step, as far as is known */
+        /* beyond an end of the step it may err by a part */
+        const double first = part > 1 ? PLACES[part - 1] : -PLACES[1];
+        const double last = part < PARTS ? PLACES[part] : 2.0 - PLACES[PARTS - 1];
+        if (tries == 0 && !(place >= first && place <= last))
+            return 2.0;
+        if (place <= a || place >= c)
             place = 0.5 * (b + (place <= a ? a : c));
         const double guess = zb + (slope + bend * (place - b)) * (place - b);
         if (!(place > a && place < c) || place == b)
@@ -209,34 +240,25 @@ APART double least_place(const Run *run, const Stepper *s, double t, double h, i
 }
 
 /* Return the first place beyond `left` in a part of the step where an event has another sign than at
-   both ends of it, or 2, or CALLBACK: but not where it has that sign still when one happens that acts, as the
-   direction of a velocity changes when this passes zero. */
+   both ends of it, or 2, or CALLBACK: but not where it has that sign still when one happens that acts,
+   as the direction of a velocity changes when this passes zero. */
 INLINE double find_dip(const Run *run, const Stepper *s, double t, double h, double left, int part)
 {
     const Watch *w = &run->watch;
     const int64_t number = w->words.at[EVENTS];
-    const double *divided = w->values.at + DIVIDED * number, *ends = divided + (QUARTERS + part) * number;
+    const double *divided = w->values.at + DIVIDED * number, *ends = w->values.at + (ENDS + part) * number;
     double first = 2.0, acts = 2.0;
     for (int64_t k = 0; k < number; k++) {
-        const double *values = w->values.at + QUARTERS * number + k, side = (double)w->sides.at[k];
+        const double side = (double)w->sides.at[k];
         for (int i = part < 2 ? 1 : part - 1; i <= part && i < PARTS; i++) {
-            double z[3], middle = (double)i / PARTS;
-            for (int j = 0; j < 3; j++)
-                z[j] = side * values[(i - 1 + j) * number];
-            if (!(z[0] > 0.0 && z[1] > 0.0 && z[2] > 0.0))
-                continue;
-            const double slope = 0.5 * (z[2] - z[0]), bend = z[2] - 2.0 * z[1] + z[0];
-            const double place = PARTS * middle - slope / bend; /* in parts; beyond an end it may err */
-            if (!(bend > 0.0 && place >= part - 1 - (part == 1) && place <= part + (part == PARTS)))
-                continue;
-            const double found = least_place(run, s, t, h, k, side, middle - 1.0 / PARTS, z);
+            const double found = least_place(run, s, t, h, k, side, i, part);
             if (found == CALLBACK)
                 return CALLBACK;
-            if (!(found > left && found < minimum(first, (double)part / PARTS)))
+            if (!(found > left && found < minimum(first, PLACES[part])))
                 continue;
             for (int64_t l = 0; l < number; l++)
                 if (w->acting.at[l] == 1 && crossed(w->sides.at[l], ends[l], w->directions.at[l]))
-                    acts = minimum(acts, locate(run, s, t, h, left, (double)part / PARTS, l));
+                    acts = minimum(acts, locate(run, s, t, h, left, PLACES[part], l));
             if (acts <= 1.0 && probe(run, s, t, h, acts, DIVIDED) < 0)
                 return CALLBACK;
             if (acts > 1.0 || side * divided[k] > 0.0)
@@ -261,22 +283,18 @@ ENTRY int64_t scan_events(const Run *run, double t, double h)
     int64_t *sides = w->sides.at, *fired = w->fired.at, *counts = run->progress.counts.at;
     const int64_t logged = counts[LOGGED];
     double left = 0.0, *state = run->progress.state.at;
-    double *quarters = w->values.at + QUARTERS * number, *known = w->values.at + PROBES * number;
+    double *ends = w->values.at + ENDS * number, *known = w->values.at + PROBES * number;
     const double *located = w->values.at + LOCATED * number;
-    if (w->driven.size > 0) {
-        const int64_t code = unresolved(run, s, t, h);
-        if (code == CALLBACK)
-            return called_back(run, logged);
-        if (code != 0)
-            return code;
-    }
     for (int part = *known == t; part <= PARTS; part++)
-        if (probe(run, s, t, h, (double)part / PARTS, QUARTERS + part) < 0)
+        if (probe(run, s, t, h, PLACES[part], ENDS + part) < 0)
             return called_back(run, logged);
+    const int64_t code = resolve(run, s, t, h);
+    if (code != 0)
+        return code == CALLBACK ? called_back(run, logged) : code;
     *known = UNKNOWN;
-    for (int part = 1; part <= PARTS; part += left == (double)part / PARTS) {
-        double right = (double)part / PARTS;
-        const double *values = quarters + part * number, dip = find_dip(run, s, t, h, left, part);
+    for (int part = 1; part <= PARTS; part += left == PLACES[part]) {
+        double right = PLACES[part];
+        const double *values = ends + part * number, dip = find_dip(run, s, t, h, left, part);
         if (dip < 0.0)
             return called_back(run, logged);
         if (dip < right) {
@@ -286,16 +304,16 @@ ENTRY int64_t scan_events(const Run *run, double t, double h)
         }
         for (;;) {
             double first = 2.0;
-            int ends = 0; /* whether the first event acts */
+            int acts = 0; /* whether the first event does */
             for (int64_t k = 0; k < number; k++) {
                 fired[k] = 0;
                 if (crossed(sides[k], values[k], directions[k]) || lost(sides[k], values[k])) {
                     const double theta = locate(run, s, t, h, left, right, k);
                     fired[k] = theta <= left;
                     if (theta < first)
-                        ends = 0;
+                        acts = 0;
                     if (theta <= first)
-                        ends = ends || w->acting.at[k] == 1;
+                        acts = acts || w->acting.at[k] == 1;
                     first = minimum(theta, first);
                 }
             }
@@ -304,7 +322,7 @@ ENTRY int64_t scan_events(const Run *run, double t, double h)
             if (probe(run, s, t, h, first, LOCATED) < 0)
                 return called_back(run, logged);
             /* where one is noted, another may have crossed that is back at `right` */
-            for (int64_t k = 0; k < number && !ends; k++)
+            for (int64_t k = 0; k < number && !acts; k++)
                 if (crossed(sides[k], located[k], directions[k])
                     && !crossed(sides[k], values[k], directions[k])) {
                     const double theta = locate(run, s, t, h, left, first, k);
@@ -362,7 +380,7 @@ ENTRY int64_t scan_events(const Run *run, double t, double h)
         left = right;
     }
     for (int64_t k = 0; k < number; k++)
-        quarters[k] = quarters[PARTS * number + k];
+        ends[k] = ends[PARTS * number + k];
     *known = state[TIME];
     state[FOUND] = 1.0;
     return 0;

@@ -1,4 +1,4 @@
-; sources 0696e5a82e3f28e49fcbd98b8092155f40ecebf6deb30d314d7db53bfdcf7442
+; sources 25da0c1e77ba01d61a4d0543a2eb45c76405b05c3cdff58201d0ca4a24106eed
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
@@ -28,7 +28,7 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
 
 20:                                               ; preds = %16
   %21 = getelementptr inbounds i8, ptr %0, i64 576
-  %22 = getelementptr inbounds i8, ptr %0, i64 1032
+  %22 = getelementptr inbounds i8, ptr %0, i64 1008
   br label %41
 
 23:                                               ; preds = %14, %23
@@ -53,7 +53,7 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
 
 38:                                               ; preds = %34
   %39 = getelementptr inbounds i8, ptr %0, i64 600
-  %40 = getelementptr inbounds i8, ptr %0, i64 1056
+  %40 = getelementptr inbounds i8, ptr %0, i64 1032
   br label %57
 
 41:                                               ; preds = %20, %41
@@ -91,9 +91,9 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
   br i1 %66, label %57, label %51, !llvm.loop !7
 
 67:                                               ; preds = %51
-  %68 = getelementptr inbounds i8, ptr %0, i64 864
+  %68 = getelementptr inbounds i8, ptr %0, i64 888
   %69 = load ptr, ptr %68, align 8
-  %70 = mul i64 %55, 56
+  %70 = mul i64 %55, 88
   %71 = getelementptr inbounds i8, ptr %69, i64 %70
   store double 0x7FF8000000000000, ptr %71, align 8
   br label %72
@@ -450,7 +450,7 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
   br i1 %348, label %435, label %349
 
 349:                                              ; preds = %345
-  %350 = getelementptr inbounds i8, ptr %0, i64 1080
+  %350 = getelementptr inbounds i8, ptr %0, i64 1056
   %351 = getelementptr inbounds i8, ptr %80, i64 8
   %352 = getelementptr inbounds i8, ptr %80, i64 16
   %353 = getelementptr inbounds i8, ptr %80, i64 64
@@ -496,8 +496,8 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
   %393 = getelementptr inbounds i8, ptr %0, i64 192
   %394 = getelementptr inbounds i8, ptr %0, i64 216
   %395 = getelementptr inbounds i8, ptr %76, i64 32
-  %396 = getelementptr inbounds i8, ptr %0, i64 1104
-  %397 = getelementptr inbounds i8, ptr %0, i64 1120
+  %396 = getelementptr inbounds i8, ptr %0, i64 1080
+  %397 = getelementptr inbounds i8, ptr %0, i64 1096
   %398 = getelementptr inbounds i8, ptr %80, i64 48
   %399 = getelementptr inbounds i8, ptr %0, i64 320
   %400 = getelementptr inbounds i8, ptr %0, i64 480

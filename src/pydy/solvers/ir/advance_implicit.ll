@@ -1,4 +1,4 @@
-; sources cf5f71e837b48229d5d518b118517894c7a347d8f6ec84736acbba76db8d9a28
+; sources ecafc7c4b0b238c0857fcc2802124ef7b97d57bb8cf59e78ae0d19dc66d2f0cf
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 @NODES = internal unnamed_addr constant [3 x double] [double 0x3FC3D8B64657CAEA, double 0x3FE4A36C0803A6DF, double 1.000000e+00], align 16
@@ -36,7 +36,7 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
 
 23:                                               ; preds = %19
   %24 = getelementptr inbounds i8, ptr %0, i64 576
-  %25 = getelementptr inbounds i8, ptr %0, i64 1032
+  %25 = getelementptr inbounds i8, ptr %0, i64 1008
   br label %44
 
 26:                                               ; preds = %17, %26
@@ -61,7 +61,7 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
 
 41:                                               ; preds = %37
   %42 = getelementptr inbounds i8, ptr %0, i64 600
-  %43 = getelementptr inbounds i8, ptr %0, i64 1056
+  %43 = getelementptr inbounds i8, ptr %0, i64 1032
   br label %60
 
 44:                                               ; preds = %23, %44
@@ -99,9 +99,9 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   br i1 %69, label %60, label %54, !llvm.loop !7
 
 70:                                               ; preds = %54
-  %71 = getelementptr inbounds i8, ptr %0, i64 864
+  %71 = getelementptr inbounds i8, ptr %0, i64 888
   %72 = load ptr, ptr %71, align 8
-  %73 = mul i64 %58, 56
+  %73 = mul i64 %58, 88
   %74 = getelementptr inbounds i8, ptr %72, i64 %73
   store double 0x7FF8000000000000, ptr %74, align 8
   br label %75
@@ -109,10 +109,10 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
 75:                                               ; preds = %70, %54, %3
   %76 = getelementptr inbounds i8, ptr %0, i64 144
   %77 = getelementptr inbounds i8, ptr %0, i64 312
-  %78 = getelementptr inbounds i8, ptr %0, i64 1128
+  %78 = getelementptr inbounds i8, ptr %0, i64 1104
   %79 = getelementptr inbounds i8, ptr %0, i64 576
   %80 = load ptr, ptr %79, align 8
-  %81 = getelementptr inbounds i8, ptr %0, i64 1152
+  %81 = getelementptr inbounds i8, ptr %0, i64 1128
   %82 = load ptr, ptr %81, align 8
   %83 = getelementptr inbounds i8, ptr %0, i64 600
   %84 = load ptr, ptr %83, align 8
@@ -325,18 +325,18 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   br i1 %238, label %357, label %239
 
 239:                                              ; preds = %235
-  %240 = getelementptr inbounds i8, ptr %0, i64 1080
+  %240 = getelementptr inbounds i8, ptr %0, i64 1056
   %241 = getelementptr inbounds i8, ptr %84, i64 8
   %242 = getelementptr inbounds i8, ptr %84, i64 16
   %243 = getelementptr inbounds i8, ptr %84, i64 64
   %244 = getelementptr inbounds i8, ptr %80, i64 16
   %245 = getelementptr inbounds i8, ptr %85, i64 8
-  %246 = getelementptr inbounds i8, ptr %0, i64 1200
+  %246 = getelementptr inbounds i8, ptr %0, i64 1176
   %247 = getelementptr inbounds i8, ptr %0, i64 168
   %248 = getelementptr inbounds i8, ptr %0, i64 248
   %249 = getelementptr inbounds i8, ptr %0, i64 168
   %250 = getelementptr inbounds i8, ptr %0, i64 192
-  %251 = getelementptr inbounds i8, ptr %0, i64 1176
+  %251 = getelementptr inbounds i8, ptr %0, i64 1152
   %252 = getelementptr inbounds i8, ptr %0, i64 360
   %253 = getelementptr inbounds i8, ptr %0, i64 360
   %254 = getelementptr inbounds i8, ptr %0, i64 336
@@ -345,25 +345,25 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   %257 = getelementptr inbounds i8, ptr %0, i64 192
   %258 = getelementptr inbounds i8, ptr %0, i64 216
   %259 = getelementptr inbounds i8, ptr %0, i64 480
-  %260 = getelementptr inbounds i8, ptr %0, i64 1208
+  %260 = getelementptr inbounds i8, ptr %0, i64 1184
   %261 = getelementptr inbounds i8, ptr %85, i64 16
   %262 = getelementptr inbounds i8, ptr %85, i64 24
   %263 = getelementptr inbounds i8, ptr %85, i64 24
   %264 = getelementptr inbounds i8, ptr %84, i64 40
-  %265 = getelementptr inbounds i8, ptr %0, i64 1272
-  %266 = getelementptr inbounds i8, ptr %0, i64 1280
-  %267 = getelementptr inbounds i8, ptr %0, i64 1224
-  %268 = getelementptr inbounds i8, ptr %0, i64 1248
-  %269 = getelementptr inbounds i8, ptr %0, i64 1200
-  %270 = getelementptr inbounds i8, ptr %0, i64 1296
+  %265 = getelementptr inbounds i8, ptr %0, i64 1248
+  %266 = getelementptr inbounds i8, ptr %0, i64 1256
+  %267 = getelementptr inbounds i8, ptr %0, i64 1200
+  %268 = getelementptr inbounds i8, ptr %0, i64 1224
+  %269 = getelementptr inbounds i8, ptr %0, i64 1176
+  %270 = getelementptr inbounds i8, ptr %0, i64 1272
   %271 = getelementptr inbounds i8, ptr %82, i64 8
-  %272 = getelementptr inbounds i8, ptr %0, i64 1392
-  %273 = getelementptr inbounds i8, ptr %0, i64 1320
-  %274 = getelementptr inbounds i8, ptr %0, i64 1344
+  %272 = getelementptr inbounds i8, ptr %0, i64 1368
+  %273 = getelementptr inbounds i8, ptr %0, i64 1296
+  %274 = getelementptr inbounds i8, ptr %0, i64 1320
   %275 = fmul double %114, %122
-  %276 = getelementptr inbounds i8, ptr %0, i64 1368
-  %277 = getelementptr inbounds i8, ptr %0, i64 1416
-  %278 = getelementptr inbounds i8, ptr %0, i64 1440
+  %276 = getelementptr inbounds i8, ptr %0, i64 1344
+  %277 = getelementptr inbounds i8, ptr %0, i64 1392
+  %278 = getelementptr inbounds i8, ptr %0, i64 1416
   %279 = getelementptr inbounds i8, ptr %0, i64 360
   %280 = getelementptr inbounds i8, ptr %0, i64 168
   %281 = getelementptr inbounds i8, ptr %0, i64 248
@@ -372,28 +372,28 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   %284 = getelementptr inbounds i8, ptr %0, i64 216
   %285 = getelementptr inbounds i8, ptr %0, i64 552
   %286 = getelementptr inbounds i8, ptr %0, i64 528
-  %287 = getelementptr inbounds i8, ptr %0, i64 1272
-  %288 = getelementptr inbounds i8, ptr %0, i64 1280
-  %289 = getelementptr inbounds i8, ptr %0, i64 1224
-  %290 = getelementptr inbounds i8, ptr %0, i64 1248
-  %291 = getelementptr inbounds i8, ptr %0, i64 1296
+  %287 = getelementptr inbounds i8, ptr %0, i64 1248
+  %288 = getelementptr inbounds i8, ptr %0, i64 1256
+  %289 = getelementptr inbounds i8, ptr %0, i64 1200
+  %290 = getelementptr inbounds i8, ptr %0, i64 1224
+  %291 = getelementptr inbounds i8, ptr %0, i64 1272
   %292 = getelementptr inbounds i8, ptr %0, i64 552
   %293 = getelementptr inbounds i8, ptr %0, i64 528
-  %294 = getelementptr inbounds i8, ptr %0, i64 1280
-  %295 = getelementptr inbounds i8, ptr %0, i64 1344
-  %296 = getelementptr inbounds i8, ptr %0, i64 1360
-  %297 = getelementptr inbounds i8, ptr %0, i64 1416
-  %298 = getelementptr inbounds i8, ptr %0, i64 1440
+  %294 = getelementptr inbounds i8, ptr %0, i64 1256
+  %295 = getelementptr inbounds i8, ptr %0, i64 1320
+  %296 = getelementptr inbounds i8, ptr %0, i64 1336
+  %297 = getelementptr inbounds i8, ptr %0, i64 1392
+  %298 = getelementptr inbounds i8, ptr %0, i64 1416
   %299 = fmul double %275, %275
   %300 = icmp sgt i64 %92, 0
   %301 = shl i64 %92, 4
   %302 = getelementptr inbounds i8, ptr %0, i64 336
   %303 = getelementptr inbounds i8, ptr %85, i64 32
-  %304 = getelementptr inbounds i8, ptr %0, i64 1272
-  %305 = getelementptr inbounds i8, ptr %0, i64 1280
-  %306 = getelementptr inbounds i8, ptr %0, i64 1464
+  %304 = getelementptr inbounds i8, ptr %0, i64 1248
+  %305 = getelementptr inbounds i8, ptr %0, i64 1256
+  %306 = getelementptr inbounds i8, ptr %0, i64 1440
   %307 = getelementptr inbounds i8, ptr %0, i64 480
-  %308 = getelementptr inbounds i8, ptr %0, i64 1224
+  %308 = getelementptr inbounds i8, ptr %0, i64 1200
   %309 = getelementptr inbounds i8, ptr %0, i64 336
   %310 = getelementptr inbounds i8, ptr %0, i64 360
   %311 = getelementptr inbounds i8, ptr %0, i64 360
@@ -414,8 +414,8 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   %326 = getelementptr inbounds i8, ptr %8, i64 16
   %327 = getelementptr inbounds i8, ptr %9, i64 8
   %328 = getelementptr inbounds i8, ptr %9, i64 16
-  %329 = getelementptr inbounds i8, ptr %0, i64 1104
-  %330 = getelementptr inbounds i8, ptr %0, i64 1120
+  %329 = getelementptr inbounds i8, ptr %0, i64 1080
+  %330 = getelementptr inbounds i8, ptr %0, i64 1096
   %331 = getelementptr inbounds i8, ptr %84, i64 48
   %332 = getelementptr inbounds i8, ptr %0, i64 408
   %333 = getelementptr inbounds i8, ptr %0, i64 504
@@ -434,12 +434,12 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   %346 = getelementptr inbounds i8, ptr %84, i64 72
   %347 = getelementptr inbounds i8, ptr %85, i64 16
   %348 = getelementptr inbounds i8, ptr %84, i64 48
-  %349 = getelementptr inbounds i8, ptr %84, i64 72
-  %350 = getelementptr inbounds i8, ptr %85, i64 16
+  %349 = getelementptr inbounds i8, ptr %85, i64 16
+  %350 = getelementptr inbounds i8, ptr %84, i64 72
   %351 = getelementptr inbounds i8, ptr %84, i64 72
   %352 = getelementptr inbounds i8, ptr %85, i64 16
-  %353 = getelementptr inbounds i8, ptr %0, i64 1200
-  %354 = getelementptr inbounds i8, ptr %0, i64 1208
+  %353 = getelementptr inbounds i8, ptr %0, i64 1176
+  %354 = getelementptr inbounds i8, ptr %0, i64 1184
   %355 = getelementptr inbounds i8, ptr %84, i64 72
   %356 = getelementptr inbounds i8, ptr %85, i64 16
   br label %359
@@ -2300,16 +2300,16 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   %1707 = load i64, ptr %1706, align 8
   %1708 = add nsw i64 %1707, -1
   store i64 %1708, ptr %1706, align 8
-  %1709 = load i64, ptr %242, align 8
-  %1710 = add nsw i64 %1709, 1
-  store i64 %1710, ptr %242, align 8
-  store i64 %1703, ptr %349, align 8
-  %1711 = fmul double %398, 2.500000e-01
   store i64 1, ptr %303, align 8
-  %1712 = load i64, ptr %350, align 8
-  %1713 = sub nsw i64 1, %1712
-  store i64 %1713, ptr %245, align 8
+  %1709 = load i64, ptr %349, align 8
+  %1710 = sub nsw i64 1, %1709
+  store i64 %1710, ptr %245, align 8
   store double 0.000000e+00, ptr %271, align 8
+  %1711 = load i64, ptr %242, align 8
+  %1712 = add nsw i64 %1711, 1
+  store i64 %1712, ptr %242, align 8
+  store i64 %1703, ptr %350, align 8
+  %1713 = fmul double %398, 2.500000e-01
   br label %1770, !llvm.loop !17
 
 1714:                                             ; preds = %1699
@@ -2408,7 +2408,7 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   %1772 = phi i32 [ %366, %405 ], [ %366, %524 ], [ %366, %589 ], [ %1132, %1286 ], [ %1132, %1769 ], [ %1132, %1764 ], [ %1132, %1748 ], [ %1132, %1716 ], [ %1132, %1702 ], [ %1132, %1338 ], [ %1132, %1324 ], [ %1132, %1130 ], [ %1132, %1185 ], [ %1132, %1173 ]
   %1773 = phi i64 [ %365, %405 ], [ %365, %524 ], [ %365, %589 ], [ %1133, %1286 ], [ %1133, %1769 ], [ %1133, %1764 ], [ %1133, %1748 ], [ %1133, %1716 ], [ %1133, %1702 ], [ %1133, %1338 ], [ %1133, %1324 ], [ %1133, %1130 ], [ %1133, %1185 ], [ %1133, %1173 ]
   %1774 = phi i64 [ %364, %405 ], [ %364, %524 ], [ %364, %589 ], [ %1134, %1286 ], [ %1134, %1769 ], [ %1134, %1764 ], [ %1134, %1748 ], [ %1134, %1716 ], [ %1134, %1702 ], [ %1134, %1338 ], [ %1134, %1324 ], [ %1134, %1130 ], [ %1134, %1185 ], [ %1134, %1173 ]
-  %1775 = phi double [ %363, %405 ], [ %363, %524 ], [ %592, %589 ], [ %363, %1286 ], [ %1765, %1769 ], [ %1765, %1764 ], [ %363, %1748 ], [ %363, %1716 ], [ %1711, %1702 ], [ %1341, %1338 ], [ %1326, %1324 ], [ %363, %1130 ], [ %1186, %1185 ], [ %363, %1173 ]
+  %1775 = phi double [ %363, %405 ], [ %363, %524 ], [ %592, %589 ], [ %363, %1286 ], [ %1765, %1769 ], [ %1765, %1764 ], [ %363, %1748 ], [ %363, %1716 ], [ %1713, %1702 ], [ %1341, %1338 ], [ %1326, %1324 ], [ %363, %1130 ], [ %1186, %1185 ], [ %363, %1173 ]
   %1776 = phi double [ %362, %405 ], [ %362, %524 ], [ %362, %589 ], [ %362, %1286 ], [ %399, %1769 ], [ %399, %1764 ], [ %399, %1748 ], [ %362, %1716 ], [ %362, %1702 ], [ %362, %1338 ], [ %362, %1324 ], [ %362, %1130 ], [ %362, %1185 ], [ %362, %1173 ]
   %1777 = phi i32 [ 1, %405 ], [ 1, %524 ], [ 6, %589 ], [ 1, %1286 ], [ 1, %1769 ], [ 0, %1764 ], [ 1, %1748 ], [ 1, %1716 ], [ 6, %1702 ], [ 6, %1338 ], [ 6, %1324 ], [ 1, %1130 ], [ 6, %1185 ], [ 6, %1173 ]
   %1778 = phi i64 [ 2, %405 ], [ -4, %524 ], [ %361, %589 ], [ -4, %1286 ], [ 0, %1769 ], [ %361, %1764 ], [ %1750, %1748 ], [ %1697, %1716 ], [ %361, %1702 ], [ %361, %1338 ], [ %361, %1324 ], [ -4, %1130 ], [ %361, %1185 ], [ %361, %1173 ]

@@ -1,4 +1,4 @@
-; sources e3c3d1ccd99bd0450bf9d7b295857d07330ee3346869674b60a07f932dfe9e4a
+; sources aa3be4ef1c424a244109ba42c92b905073f23082e9a5925afe3bb35195af065b
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define noundef i64 @evaluate_lanes(ptr noundef readonly %0) #0 {

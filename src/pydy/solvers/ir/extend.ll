@@ -1,4 +1,4 @@
-; sources fb88eae84cd374e7e33acf692f73a614ec619141c1fba03bbe5a2cd48c3c6978
+; sources dcfa866b1e1d506d09e186af0defa586e84995f16e271801cb0d2bde0e7b6841
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @extend(ptr noundef %0, ptr noundef readonly %1) #0 {

@@ -1,4 +1,4 @@
-; sources 0790fc10694059ae10bdc1bfa3cb6122e9a3d2837a96d5685c2cb93680c81786
+; sources 446d8bd2bc3542c0d4064b9033c282abd8de93658c41e30c77da6fffc379176a
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Held = type { ptr, i64, i64, i64, i64, i64, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr }

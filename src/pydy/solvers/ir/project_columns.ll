@@ -1,4 +1,4 @@
-; sources 3c347795437f938e63ca5864e3a3e8720cfbc090babeb510e868e025c5a5d0ed
+; sources fd7147ec86b241b7bbac2bf184687cd7ed7454fb4a93e0e5c8da774551877f6f
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Held = type { ptr, i64, i64, i64, i64, i64, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr }

@@ -1,166 +1,156 @@
-; sources 9b48017d6fef7dd800f00cc92caee81ae76d0bc6cc4d4e0fc3da945ca0a1c2ea
+; sources 9f2e2cd19511248c82c0e59ed0ac14987d6ea9fbd1855faf9bf7f96cd118dafc
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Stepper = type { ptr, ptr, ptr }
 
-@PLACES = internal unnamed_addr constant [9 x double] [double 0.000000e+00, double 0x3FB8722191A02D60, double 2.500000e-01, double 0x3FD6A09E667F3BCD, double 5.000000e-01, double 0x3FE3988E1409212E, double 7.500000e-01, double 0x3FED2A7FA9D2F8EA, double 1.000000e+00], align 16
+@PLACES = internal unnamed_addr constant [5 x double] [double 0.000000e+00, double 0x3FCE3779B97F4A7C, double 0x3FDCC470A0490974, double 0x3FE76CF5D0B09954, double 1.000000e+00], align 16
 
 define i64 @scan_events(ptr noundef %0, double noundef %1, double noundef %2) #0 {
-  %4 = alloca [3 x double], align 16
-  %5 = alloca %struct.Stepper, align 8
-  store ptr %0, ptr %5, align 8
-  %6 = getelementptr inbounds i8, ptr %5, i64 8
-  %7 = getelementptr inbounds i8, ptr %0, i64 144
-  store ptr %7, ptr %6, align 8
-  %8 = getelementptr inbounds i8, ptr %5, i64 16
-  %9 = getelementptr inbounds i8, ptr %0, i64 312
-  store ptr %9, ptr %8, align 8
-  %10 = getelementptr inbounds i8, ptr %0, i64 720
-  %11 = load ptr, ptr %10, align 8
-  %12 = getelementptr inbounds i8, ptr %11, i64 8
-  %13 = load i64, ptr %12, align 8
-  %14 = getelementptr inbounds i8, ptr %0, i64 768
-  %15 = load ptr, ptr %14, align 8
-  %16 = getelementptr inbounds i8, ptr %0, i64 816
-  %17 = load ptr, ptr %16, align 8
-  %18 = getelementptr inbounds i8, ptr %0, i64 840
-  %19 = load ptr, ptr %18, align 8
-  %20 = getelementptr inbounds i8, ptr %0, i64 576
-  %21 = getelementptr inbounds i8, ptr %0, i64 600
-  %22 = load ptr, ptr %21, align 8
-  %23 = getelementptr inbounds i8, ptr %22, i64 80
-  %24 = load i64, ptr %23, align 8
-  %25 = load ptr, ptr %20, align 8
-  %26 = getelementptr inbounds i8, ptr %0, i64 864
-  %27 = load ptr, ptr %26, align 8
-  %28 = shl nsw i64 %13, 4
-  %29 = getelementptr inbounds i8, ptr %27, i64 %28
-  %30 = mul i64 %13, 56
-  %31 = getelementptr inbounds i8, ptr %27, i64 %30
-  %32 = getelementptr inbounds double, ptr %27, i64 %13
-  %33 = getelementptr inbounds i8, ptr %0, i64 992
-  %34 = load i64, ptr %33, align 8
-  %35 = icmp sgt i64 %34, 0
-  br i1 %35, label %36, label %47
+  %4 = alloca %struct.Stepper, align 8
+  store ptr %0, ptr %4, align 8
+  %5 = getelementptr inbounds i8, ptr %4, i64 8
+  %6 = getelementptr inbounds i8, ptr %0, i64 144
+  store ptr %6, ptr %5, align 8
+  %7 = getelementptr inbounds i8, ptr %4, i64 16
+  %8 = getelementptr inbounds i8, ptr %0, i64 312
+  store ptr %8, ptr %7, align 8
+  %9 = getelementptr inbounds i8, ptr %0, i64 720
+  %10 = load ptr, ptr %9, align 8
+  %11 = getelementptr inbounds i8, ptr %10, i64 8
+  %12 = load i64, ptr %11, align 8
+  %13 = getelementptr inbounds i8, ptr %0, i64 768
+  %14 = load ptr, ptr %13, align 8
+  %15 = getelementptr inbounds i8, ptr %0, i64 840
+  %16 = load ptr, ptr %15, align 8
+  %17 = getelementptr inbounds i8, ptr %0, i64 864
+  %18 = load ptr, ptr %17, align 8
+  %19 = getelementptr inbounds i8, ptr %0, i64 576
+  %20 = getelementptr inbounds i8, ptr %0, i64 600
+  %21 = load ptr, ptr %20, align 8
+  %22 = getelementptr inbounds i8, ptr %21, i64 80
+  %23 = load i64, ptr %22, align 8
+  %24 = load ptr, ptr %19, align 8
+  %25 = getelementptr inbounds i8, ptr %0, i64 888
+  %26 = load ptr, ptr %25, align 8
+  %27 = shl nsw i64 %12, 4
+  %28 = getelementptr inbounds i8, ptr %26, i64 %27
+  %29 = mul i64 %12, 88
+  %30 = getelementptr inbounds i8, ptr %26, i64 %29
+  %31 = getelementptr inbounds double, ptr %26, i64 %12
+  %32 = load double, ptr %30, align 8
+  %33 = fcmp oeq double %32, %1
+  %34 = getelementptr inbounds i8, ptr %0, i64 912
+  %35 = getelementptr inbounds i8, ptr %0, i64 408
+  %36 = getelementptr inbounds i8, ptr %0, i64 504
+  %37 = getelementptr inbounds i8, ptr %0, i64 320
+  %38 = getelementptr inbounds i8, ptr %0, i64 168
+  %39 = getelementptr inbounds i8, ptr %0, i64 248
+  %40 = getelementptr inbounds i8, ptr %0, i64 168
+  %41 = getelementptr inbounds i8, ptr %0, i64 192
+  %42 = getelementptr inbounds i8, ptr %0, i64 744
+  %43 = zext i1 %33 to i64
+  br label %47
 
-36:                                               ; preds = %3
-  %37 = call fastcc i64 @unresolved(ptr noundef %0, ptr noundef nonnull %5, double noundef %1, double noundef %2) #8
-  switch i64 %37, label %44 [
-    i64 -4, label %38
-    i64 0, label %43
+44:                                               ; preds = %72
+  %45 = add nuw nsw i64 %48, 1
+  %46 = icmp eq i64 %45, 5
+  br i1 %46, label %91, label %47, !llvm.loop !3
+
+47:                                               ; preds = %3, %44
+  %48 = phi i64 [ %43, %3 ], [ %45, %44 ]
+  %49 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %48
+  %50 = load double, ptr %49, align 8
+  %51 = add nuw nsw i64 %48, 2
+  %52 = load ptr, ptr %34, align 8
+  %53 = load ptr, ptr %35, align 8
+  %54 = insertelement <8 x double> poison, double %50, i64 0
+  %55 = shufflevector <8 x double> %54, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %55, ptr %53, align 8
+  %56 = load ptr, ptr %8, align 8
+  %57 = load ptr, ptr %36, align 8
+  %58 = load i64, ptr %37, align 8
+  %59 = load ptr, ptr %0, align 8
+  %60 = getelementptr inbounds i8, ptr %59, i64 24
+  %61 = load i64, ptr %60, align 8
+  %62 = load ptr, ptr %35, align 8
+  %63 = load ptr, ptr %6, align 8
+  %64 = getelementptr inbounds i8, ptr %63, i64 16
+  %65 = load i64, ptr %64, align 8
+  tail call fastcc void @nested(ptr noundef %52, ptr noundef %56, ptr noundef %57, i64 noundef %58, i64 noundef %61, ptr noundef %62, i64 noundef %65) #8
+  %66 = fmul double %50, %2
+  %67 = fadd double %66, %1
+  %68 = load ptr, ptr %38, align 8
+  store double %67, ptr %68, align 8
+  %69 = load i64, ptr %39, align 8
+  %70 = icmp sgt i64 %69, 0
+  br i1 %70, label %71, label %72
+
+71:                                               ; preds = %47
+  tail call fastcc void @sample(ptr noundef nonnull %6) #8
+  br label %72
+
+72:                                               ; preds = %47, %71
+  %73 = load ptr, ptr %9, align 8
+  %74 = load i64, ptr %73, align 8
+  %75 = load ptr, ptr %40, align 8
+  %76 = load ptr, ptr %34, align 8
+  %77 = load ptr, ptr %41, align 8
+  %78 = load ptr, ptr %42, align 8
+  %79 = load ptr, ptr %25, align 8
+  %80 = getelementptr inbounds i8, ptr %73, i64 8
+  %81 = load i64, ptr %80, align 8
+  %82 = mul nsw i64 %81, %51
+  %83 = getelementptr inbounds double, ptr %79, i64 %82
+  %84 = inttoptr i64 %74 to ptr
+  %85 = tail call i32 %84(ptr noundef %75, ptr noundef %76, ptr noundef %77, ptr noundef %78, ptr noundef %83) #9
+  %86 = icmp slt i32 %85, 0
+  br i1 %86, label %87, label %44
+
+87:                                               ; preds = %72
+  %88 = load ptr, ptr %20, align 8
+  %89 = getelementptr inbounds i8, ptr %88, i64 80
+  store i64 %23, ptr %89, align 8
+  %90 = load ptr, ptr %19, align 8
+  br label %750
+
+91:                                               ; preds = %44
+  %92 = call fastcc i64 @resolve(ptr noundef %0, ptr noundef nonnull %4, double noundef %1, double noundef %2) #8
+  switch i64 %92, label %754 [
+    i64 0, label %97
+    i64 -4, label %93
   ]
 
-38:                                               ; preds = %36
-  %39 = load ptr, ptr %21, align 8
-  %40 = getelementptr inbounds i8, ptr %39, i64 80
-  store i64 %24, ptr %40, align 8
-  %41 = load ptr, ptr %20, align 8
-  %42 = getelementptr inbounds i8, ptr %41, i64 48
-  store double 1.000000e+00, ptr %42, align 8
-  br label %44
+93:                                               ; preds = %91
+  %94 = load ptr, ptr %20, align 8
+  %95 = getelementptr inbounds i8, ptr %94, i64 80
+  store i64 %23, ptr %95, align 8
+  %96 = load ptr, ptr %19, align 8
+  br label %750
 
-43:                                               ; preds = %36
-  br label %44
-
-44:                                               ; preds = %36, %43, %38
-  %45 = phi i1 [ false, %38 ], [ true, %43 ], [ false, %36 ]
-  %46 = phi i64 [ -4, %38 ], [ undef, %43 ], [ %37, %36 ]
-  br i1 %45, label %47, label %822
-
-47:                                               ; preds = %44, %3
-  %48 = phi i64 [ %46, %44 ], [ undef, %3 ]
-  %49 = load double, ptr %31, align 8
-  %50 = fcmp oeq double %49, %1
-  %51 = getelementptr inbounds i8, ptr %0, i64 888
-  %52 = getelementptr inbounds i8, ptr %0, i64 408
-  %53 = getelementptr inbounds i8, ptr %0, i64 504
-  %54 = getelementptr inbounds i8, ptr %0, i64 320
-  %55 = getelementptr inbounds i8, ptr %0, i64 168
-  %56 = getelementptr inbounds i8, ptr %0, i64 248
-  %57 = getelementptr inbounds i8, ptr %0, i64 168
-  %58 = getelementptr inbounds i8, ptr %0, i64 192
-  %59 = getelementptr inbounds i8, ptr %0, i64 744
-  %60 = zext i1 %50 to i64
-  br label %65
-
-61:                                               ; preds = %92
-  %62 = add nuw nsw i64 %66, 1
-  %63 = icmp ugt i64 %66, 3
-  %64 = icmp eq i64 %62, 5
-  br i1 %64, label %112, label %65, !llvm.loop !3
-
-65:                                               ; preds = %47, %61
-  %66 = phi i64 [ %60, %47 ], [ %62, %61 ]
-  %67 = phi i1 [ false, %47 ], [ %63, %61 ]
-  %68 = trunc nuw nsw i64 %66 to i32
-  %69 = uitofp nneg i32 %68 to double
-  %70 = fmul double %69, 2.500000e-01
-  %71 = add nuw nsw i64 %66, 2
-  %72 = load ptr, ptr %51, align 8
-  %73 = load ptr, ptr %52, align 8
-  %74 = insertelement <8 x double> poison, double %70, i64 0
-  %75 = shufflevector <8 x double> %74, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %75, ptr %73, align 8
-  %76 = load ptr, ptr %9, align 8
-  %77 = load ptr, ptr %53, align 8
-  %78 = load i64, ptr %54, align 8
-  %79 = load ptr, ptr %0, align 8
-  %80 = getelementptr inbounds i8, ptr %79, i64 24
-  %81 = load i64, ptr %80, align 8
-  %82 = load ptr, ptr %52, align 8
-  %83 = load ptr, ptr %7, align 8
-  %84 = getelementptr inbounds i8, ptr %83, i64 16
-  %85 = load i64, ptr %84, align 8
-  tail call fastcc void @nested(ptr noundef %72, ptr noundef %76, ptr noundef %77, i64 noundef %78, i64 noundef %81, ptr noundef %82, i64 noundef %85) #8
-  %86 = fmul double %70, %2
-  %87 = fadd double %86, %1
-  %88 = load ptr, ptr %55, align 8
-  store double %87, ptr %88, align 8
-  %89 = load i64, ptr %56, align 8
-  %90 = icmp sgt i64 %89, 0
-  br i1 %90, label %91, label %92
-
-91:                                               ; preds = %65
-  tail call fastcc void @sample(ptr noundef nonnull %7) #8
-  br label %92
-
-92:                                               ; preds = %65, %91
-  %93 = load ptr, ptr %10, align 8
-  %94 = load i64, ptr %93, align 8
-  %95 = load ptr, ptr %57, align 8
-  %96 = load ptr, ptr %51, align 8
-  %97 = load ptr, ptr %58, align 8
-  %98 = load ptr, ptr %59, align 8
-  %99 = load ptr, ptr %26, align 8
-  %100 = getelementptr inbounds i8, ptr %93, i64 8
-  %101 = load i64, ptr %100, align 8
-  %102 = mul nsw i64 %101, %71
-  %103 = getelementptr inbounds double, ptr %99, i64 %102
-  %104 = inttoptr i64 %94 to ptr
-  %105 = tail call i32 %104(ptr noundef %95, ptr noundef %96, ptr noundef %97, ptr noundef %98, ptr noundef %103) #9
-  %106 = icmp slt i32 %105, 0
-  br i1 %106, label %107, label %61
-
-107:                                              ; preds = %92
-  %108 = load ptr, ptr %21, align 8
-  %109 = getelementptr inbounds i8, ptr %108, i64 80
-  store i64 %24, ptr %109, align 8
-  %110 = load ptr, ptr %20, align 8
-  %111 = getelementptr inbounds i8, ptr %110, i64 48
-  store double 1.000000e+00, ptr %111, align 8
-  br label %112
-
-112:                                              ; preds = %61, %107
-  %113 = phi i1 [ %67, %107 ], [ %63, %61 ]
-  %114 = phi i64 [ -4, %107 ], [ %48, %61 ]
-  br i1 %113, label %115, label %822
-
-115:                                              ; preds = %112
-  store double 0x7FF8000000000000, ptr %31, align 8
-  %116 = getelementptr inbounds i8, ptr %4, i64 8
-  %117 = getelementptr inbounds i8, ptr %4, i64 16
+97:                                               ; preds = %91
+  store double 0x7FF8000000000000, ptr %30, align 8
+  %98 = getelementptr inbounds i8, ptr %0, i64 792
+  %99 = getelementptr inbounds i8, ptr %0, i64 912
+  %100 = getelementptr inbounds i8, ptr %0, i64 408
+  %101 = getelementptr inbounds i8, ptr %0, i64 504
+  %102 = getelementptr inbounds i8, ptr %0, i64 320
+  %103 = getelementptr inbounds i8, ptr %0, i64 168
+  %104 = getelementptr inbounds i8, ptr %0, i64 248
+  %105 = getelementptr inbounds i8, ptr %0, i64 168
+  %106 = getelementptr inbounds i8, ptr %0, i64 192
+  %107 = getelementptr inbounds i8, ptr %0, i64 744
+  %108 = getelementptr inbounds i8, ptr %0, i64 912
+  %109 = getelementptr inbounds i8, ptr %0, i64 408
+  %110 = getelementptr inbounds i8, ptr %0, i64 504
+  %111 = getelementptr inbounds i8, ptr %0, i64 320
+  %112 = getelementptr inbounds i8, ptr %0, i64 168
+  %113 = getelementptr inbounds i8, ptr %0, i64 248
+  %114 = getelementptr inbounds i8, ptr %0, i64 168
+  %115 = getelementptr inbounds i8, ptr %0, i64 192
+  %116 = getelementptr inbounds i8, ptr %0, i64 744
+  %117 = icmp sgt i64 %12, 0
   %118 = getelementptr inbounds i8, ptr %0, i64 792
-  %119 = getelementptr inbounds i8, ptr %0, i64 888
+  %119 = getelementptr inbounds i8, ptr %0, i64 912
   %120 = getelementptr inbounds i8, ptr %0, i64 408
   %121 = getelementptr inbounds i8, ptr %0, i64 504
   %122 = getelementptr inbounds i8, ptr %0, i64 320
@@ -169,1291 +159,1386 @@ define i64 @scan_events(ptr noundef %0, double noundef %1, double noundef %2) #0
   %125 = getelementptr inbounds i8, ptr %0, i64 168
   %126 = getelementptr inbounds i8, ptr %0, i64 192
   %127 = getelementptr inbounds i8, ptr %0, i64 744
-  %128 = getelementptr inbounds i8, ptr %0, i64 888
-  %129 = getelementptr inbounds i8, ptr %0, i64 408
-  %130 = getelementptr inbounds i8, ptr %0, i64 504
-  %131 = getelementptr inbounds i8, ptr %0, i64 320
-  %132 = getelementptr inbounds i8, ptr %0, i64 168
-  %133 = getelementptr inbounds i8, ptr %0, i64 248
-  %134 = getelementptr inbounds i8, ptr %0, i64 168
-  %135 = getelementptr inbounds i8, ptr %0, i64 192
-  %136 = getelementptr inbounds i8, ptr %0, i64 744
-  %137 = icmp sgt i64 %13, 0
-  %138 = getelementptr inbounds i8, ptr %0, i64 792
-  %139 = getelementptr inbounds i8, ptr %0, i64 888
-  %140 = getelementptr inbounds i8, ptr %0, i64 408
-  %141 = getelementptr inbounds i8, ptr %0, i64 504
-  %142 = getelementptr inbounds i8, ptr %0, i64 320
-  %143 = getelementptr inbounds i8, ptr %0, i64 168
-  %144 = getelementptr inbounds i8, ptr %0, i64 248
-  %145 = getelementptr inbounds i8, ptr %0, i64 168
-  %146 = getelementptr inbounds i8, ptr %0, i64 192
-  %147 = getelementptr inbounds i8, ptr %0, i64 744
-  %148 = icmp slt i64 %13, 1
-  %149 = icmp sgt i64 %13, 0
-  %150 = getelementptr inbounds i8, ptr %0, i64 792
-  %151 = getelementptr inbounds i8, ptr %25, i64 48
-  %152 = icmp sgt i64 %13, 0
-  %153 = getelementptr inbounds i8, ptr %0, i64 920
-  %154 = getelementptr inbounds i8, ptr %0, i64 912
-  %155 = getelementptr inbounds i8, ptr %0, i64 936
-  %156 = getelementptr inbounds i8, ptr %0, i64 960
-  %157 = getelementptr inbounds i8, ptr %0, i64 976
-  %158 = getelementptr inbounds i8, ptr %0, i64 920
-  %159 = getelementptr inbounds i8, ptr %25, i64 48
-  %160 = icmp sgt i64 %13, 0
-  %161 = getelementptr inbounds i8, ptr %25, i64 48
-  %162 = icmp sgt i64 %13, 0
-  br label %163
+  %128 = icmp slt i64 %12, 1
+  %129 = icmp sgt i64 %12, 0
+  %130 = getelementptr inbounds i8, ptr %0, i64 792
+  %131 = getelementptr inbounds i8, ptr %24, i64 48
+  %132 = icmp sgt i64 %12, 0
+  %133 = getelementptr inbounds i8, ptr %0, i64 944
+  %134 = getelementptr inbounds i8, ptr %0, i64 936
+  %135 = getelementptr inbounds i8, ptr %0, i64 960
+  %136 = getelementptr inbounds i8, ptr %0, i64 984
+  %137 = getelementptr inbounds i8, ptr %0, i64 1000
+  %138 = getelementptr inbounds i8, ptr %0, i64 944
+  %139 = getelementptr inbounds i8, ptr %24, i64 48
+  %140 = icmp sgt i64 %12, 0
+  %141 = getelementptr inbounds i8, ptr %24, i64 48
+  %142 = icmp sgt i64 %12, 0
+  br label %143
 
-163:                                              ; preds = %115, %800
-  %164 = phi i1 [ false, %115 ], [ %804, %800 ]
-  %165 = phi i64 [ %114, %115 ], [ %798, %800 ]
-  %166 = phi double [ 0.000000e+00, %115 ], [ %797, %800 ]
-  %167 = phi i32 [ 1, %115 ], [ %803, %800 ]
-  %168 = uitofp nneg i32 %167 to double
-  %169 = fmul double %168, 2.500000e-01
-  %170 = load ptr, ptr %10, align 8
-  %171 = getelementptr inbounds i8, ptr %170, i64 8
-  %172 = load i64, ptr %171, align 8
-  %173 = load ptr, ptr %26, align 8
-  %174 = add nuw nsw i32 %167, 2
-  %175 = zext nneg i32 %174 to i64
-  %176 = mul nsw i64 %172, %175
-  %177 = getelementptr inbounds double, ptr %173, i64 %176
-  %178 = icmp sgt i64 %172, 0
-  br i1 %178, label %179, label %357
+143:                                              ; preds = %97, %729
+  %144 = phi i1 [ false, %97 ], [ %733, %729 ]
+  %145 = phi i64 [ -4, %97 ], [ %727, %729 ]
+  %146 = phi double [ 0.000000e+00, %97 ], [ %726, %729 ]
+  %147 = phi i32 [ 1, %97 ], [ %732, %729 ]
+  %148 = zext nneg i32 %147 to i64
+  %149 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %148
+  %150 = load double, ptr %149, align 8
+  %151 = load ptr, ptr %9, align 8
+  %152 = getelementptr inbounds i8, ptr %151, i64 8
+  %153 = load i64, ptr %152, align 8
+  %154 = load ptr, ptr %25, align 8
+  %155 = add nuw nsw i32 %147, 2
+  %156 = zext nneg i32 %155 to i64
+  %157 = mul nsw i64 %153, %156
+  %158 = getelementptr inbounds double, ptr %154, i64 %157
+  %159 = icmp sgt i64 %153, 0
+  br i1 %159, label %160, label %287
 
-179:                                              ; preds = %163
-  %180 = shl nsw i64 %172, 4
-  %181 = add nsw i32 %167, -1
-  %182 = icmp ugt i32 %167, 1
-  %183 = select i1 %182, i32 %181, i32 1
-  %184 = icmp sle i32 %183, %167
-  %185 = icmp slt i32 %183, 4
-  %186 = and i1 %184, %185
-  %187 = icmp eq i32 %167, 1
-  %188 = sext i1 %187 to i32
-  %189 = add nsw i32 %181, %188
-  %190 = sitofp i32 %189 to double
-  %191 = icmp eq i32 %167, 4
-  %192 = select i1 %191, i32 5, i32 %167
-  %193 = uitofp nneg i32 %192 to double
-  %194 = uitofp nneg i32 %167 to double
-  %195 = fmul double %194, 2.500000e-01
-  %196 = sext i32 %183 to i64
-  %197 = zext nneg i32 %167 to i64
-  %198 = tail call i64 @llvm.smin.i64(i64 %197, i64 3)
-  br label %199
+160:                                              ; preds = %143
+  %161 = add nsw i32 %147, -1
+  %162 = icmp ugt i32 %147, 1
+  %163 = select i1 %162, i32 %161, i32 1
+  %164 = icmp sle i32 %163, %147
+  %165 = icmp slt i32 %163, 4
+  %166 = and i1 %164, %165
+  %167 = zext nneg i32 %147 to i64
+  %168 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %167
+  %169 = tail call i32 @llvm.smin.i32(i32 %147, i32 3)
+  br label %170
 
-199:                                              ; preds = %179, %354
-  %200 = phi double [ 2.000000e+00, %179 ], [ %353, %354 ]
-  %201 = phi double [ 2.000000e+00, %179 ], [ %352, %354 ]
-  %202 = phi i64 [ 0, %179 ], [ %355, %354 ]
-  %203 = load ptr, ptr %26, align 8
-  %204 = getelementptr inbounds i8, ptr %203, i64 %180
-  %205 = getelementptr inbounds double, ptr %204, i64 %202
-  %206 = load ptr, ptr %16, align 8
-  %207 = getelementptr inbounds i64, ptr %206, i64 %202
-  %208 = load i64, ptr %207, align 8
-  %209 = sitofp i64 %208 to double
-  br i1 %186, label %210, label %350
+170:                                              ; preds = %160, %284
+  %171 = phi double [ 2.000000e+00, %160 ], [ %283, %284 ]
+  %172 = phi i64 [ 0, %160 ], [ %285, %284 ]
+  %173 = phi double [ 2.000000e+00, %160 ], [ %281, %284 ]
+  %174 = load ptr, ptr %15, align 8
+  %175 = getelementptr inbounds i64, ptr %174, i64 %172
+  %176 = load i64, ptr %175, align 8
+  %177 = sitofp i64 %176 to double
+  br i1 %166, label %178, label %280
 
-210:                                              ; preds = %199
-  %211 = getelementptr inbounds double, ptr %173, i64 %202
-  br label %212
+178:                                              ; preds = %170
+  %179 = getelementptr inbounds double, ptr %154, i64 %172
+  br label %180
 
-212:                                              ; preds = %210, %347
-  %213 = phi i64 [ %196, %210 ], [ %348, %347 ]
-  %214 = phi double [ %200, %210 ], [ %346, %347 ]
-  %215 = phi double [ %201, %210 ], [ %345, %347 ]
-  %216 = trunc nsw i64 %213 to i32
-  %217 = sitofp i32 %216 to double
-  %218 = add nsw i64 %213, -1
-  br label %229
+180:                                              ; preds = %178, %277
+  %181 = phi i32 [ %163, %178 ], [ %278, %277 ]
+  %182 = phi double [ %171, %178 ], [ %276, %277 ]
+  %183 = phi double [ %173, %178 ], [ %274, %277 ]
+  %184 = call fastcc double @least_place(ptr noundef %0, ptr noundef nonnull %4, double noundef %1, double noundef %2, i64 noundef %172, double noundef %177, i32 noundef %181, i32 noundef %147) #8
+  %185 = fcmp oeq double %184, -4.000000e+00
+  br i1 %185, label %273, label %186
 
-219:                                              ; preds = %229
-  %220 = fmul double %217, 2.500000e-01
-  %221 = load double, ptr %4, align 16
-  %222 = fcmp ogt double %221, 0.000000e+00
-  %223 = load double, ptr %116, align 8
-  %224 = fcmp ogt double %223, 0.000000e+00
-  %225 = select i1 %222, i1 %224, i1 false
-  %226 = load double, ptr %117, align 16
-  %227 = fcmp ogt double %226, 0.000000e+00
-  %228 = select i1 %225, i1 %227, i1 false
-  br i1 %228, label %239, label %343
+186:                                              ; preds = %180
+  %187 = fcmp ogt double %184, %146
+  br i1 %187, label %188, label %273
 
-229:                                              ; preds = %212, %229
-  %230 = phi i64 [ 0, %212 ], [ %237, %229 ]
-  %231 = add nsw i64 %218, %230
-  %232 = mul nsw i64 %172, %231
-  %233 = getelementptr inbounds double, ptr %205, i64 %232
-  %234 = load double, ptr %233, align 8
-  %235 = fmul double %234, %209
-  %236 = getelementptr inbounds [3 x double], ptr %4, i64 0, i64 %230
-  store double %235, ptr %236, align 8
-  %237 = add nuw nsw i64 %230, 1
-  %238 = icmp eq i64 %237, 3
-  br i1 %238, label %219, label %229, !llvm.loop !6
+188:                                              ; preds = %186
+  %189 = load double, ptr %168, align 8
+  %190 = fcmp olt double %182, %189
+  %191 = select i1 %190, double %182, double %189
+  %192 = fcmp olt double %184, %191
+  br i1 %192, label %195, label %273
 
-239:                                              ; preds = %219
-  %240 = fsub double %226, %221
-  %241 = fmul double %240, 5.000000e-01
-  %242 = fmul double %223, 2.000000e+00
-  %243 = fsub double %226, %242
-  %244 = fadd double %221, %243
-  %245 = fmul double %220, 4.000000e+00
-  %246 = fdiv double %241, %244
-  %247 = fsub double %245, %246
-  %248 = fcmp ule double %244, 0.000000e+00
-  %249 = fcmp ult double %247, %190
-  %250 = select i1 %248, i1 true, i1 %249
-  %251 = fcmp ugt double %247, %193
-  %252 = select i1 %250, i1 true, i1 %251
-  br i1 %252, label %343, label %253
+193:                                              ; preds = %230
+  %194 = fcmp ugt double %231, 1.000000e+00
+  br i1 %194, label %266, label %234
 
-253:                                              ; preds = %239
-  %254 = fadd double %220, -2.500000e-01
-  %255 = call fastcc double @least_place(ptr noundef %0, ptr noundef nonnull %5, double noundef %1, double noundef %2, i64 noundef %202, double noundef %209, double noundef %254, ptr noundef nonnull %4) #8
-  %256 = fcmp oeq double %255, -4.000000e+00
-  br i1 %256, label %343, label %257
+195:                                              ; preds = %188, %230
+  %196 = phi i64 [ %232, %230 ], [ 0, %188 ]
+  %197 = phi double [ %231, %230 ], [ %183, %188 ]
+  %198 = load ptr, ptr %98, align 8
+  %199 = getelementptr inbounds i64, ptr %198, i64 %196
+  %200 = load i64, ptr %199, align 8
+  %201 = icmp eq i64 %200, 1
+  br i1 %201, label %202, label %230
 
-257:                                              ; preds = %253
-  %258 = fcmp ogt double %255, %166
-  br i1 %258, label %259, label %343
+202:                                              ; preds = %195
+  %203 = load ptr, ptr %15, align 8
+  %204 = getelementptr inbounds i64, ptr %203, i64 %196
+  %205 = load i64, ptr %204, align 8
+  %206 = getelementptr inbounds double, ptr %158, i64 %196
+  %207 = load double, ptr %206, align 8
+  %208 = load ptr, ptr %13, align 8
+  %209 = getelementptr inbounds i64, ptr %208, i64 %196
+  %210 = load i64, ptr %209, align 8
+  %211 = icmp slt i64 %205, 0
+  %212 = fcmp ogt double %207, 0.000000e+00
+  %213 = and i1 %211, %212
+  %214 = icmp sgt i64 %210, -1
+  %215 = and i1 %213, %214
+  br i1 %215, label %223, label %216
 
-259:                                              ; preds = %257
-  %260 = fcmp olt double %214, %195
-  %261 = select i1 %260, double %214, double %195
-  %262 = fcmp olt double %255, %261
-  br i1 %262, label %265, label %343
+216:                                              ; preds = %202
+  %217 = icmp sgt i64 %205, 0
+  %218 = fcmp olt double %207, 0.000000e+00
+  %219 = and i1 %217, %218
+  br i1 %219, label %220, label %223
 
-263:                                              ; preds = %300
-  %264 = fcmp ugt double %301, 1.000000e+00
-  br i1 %264, label %336, label %304
+220:                                              ; preds = %216
+  %221 = icmp slt i64 %210, 1
+  %222 = zext i1 %221 to i32
+  br label %223
 
-265:                                              ; preds = %259, %300
-  %266 = phi i64 [ %302, %300 ], [ 0, %259 ]
-  %267 = phi double [ %301, %300 ], [ %215, %259 ]
-  %268 = load ptr, ptr %118, align 8
-  %269 = getelementptr inbounds i64, ptr %268, i64 %266
-  %270 = load i64, ptr %269, align 8
-  %271 = icmp eq i64 %270, 1
-  br i1 %271, label %272, label %300
+223:                                              ; preds = %202, %216, %220
+  %224 = phi i32 [ 1, %202 ], [ 0, %216 ], [ %222, %220 ]
+  %225 = icmp eq i32 %224, 0
+  br i1 %225, label %230, label %226
 
-272:                                              ; preds = %265
-  %273 = load ptr, ptr %16, align 8
-  %274 = getelementptr inbounds i64, ptr %273, i64 %266
-  %275 = load i64, ptr %274, align 8
-  %276 = getelementptr inbounds double, ptr %177, i64 %266
-  %277 = load double, ptr %276, align 8
-  %278 = load ptr, ptr %14, align 8
-  %279 = getelementptr inbounds i64, ptr %278, i64 %266
-  %280 = load i64, ptr %279, align 8
-  %281 = icmp slt i64 %275, 0
-  %282 = fcmp ogt double %277, 0.000000e+00
-  %283 = and i1 %281, %282
-  %284 = icmp sgt i64 %280, -1
-  %285 = and i1 %283, %284
-  br i1 %285, label %293, label %286
+226:                                              ; preds = %223
+  %227 = call fastcc double @locate(ptr noundef %0, ptr noundef nonnull %4, double noundef %1, double noundef %2, double noundef %146, double noundef %189, i64 noundef %196) #8
+  %228 = fcmp olt double %197, %227
+  %229 = select i1 %228, double %197, double %227
+  br label %230
 
-286:                                              ; preds = %272
-  %287 = icmp sgt i64 %275, 0
-  %288 = fcmp olt double %277, 0.000000e+00
-  %289 = and i1 %287, %288
-  br i1 %289, label %290, label %293
+230:                                              ; preds = %226, %223, %195
+  %231 = phi double [ %229, %226 ], [ %197, %223 ], [ %197, %195 ]
+  %232 = add nuw nsw i64 %196, 1
+  %233 = icmp eq i64 %232, %153
+  br i1 %233, label %193, label %195, !llvm.loop !6
 
-290:                                              ; preds = %286
-  %291 = icmp slt i64 %280, 1
-  %292 = zext i1 %291 to i32
-  br label %293
+234:                                              ; preds = %193
+  %235 = load ptr, ptr %99, align 8
+  %236 = load ptr, ptr %100, align 8
+  %237 = insertelement <8 x double> poison, double %231, i64 0
+  %238 = shufflevector <8 x double> %237, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %238, ptr %236, align 8
+  %239 = load ptr, ptr %8, align 8
+  %240 = load ptr, ptr %101, align 8
+  %241 = load i64, ptr %102, align 8
+  %242 = load ptr, ptr %0, align 8
+  %243 = getelementptr inbounds i8, ptr %242, i64 24
+  %244 = load i64, ptr %243, align 8
+  %245 = load ptr, ptr %100, align 8
+  %246 = load ptr, ptr %6, align 8
+  %247 = getelementptr inbounds i8, ptr %246, i64 16
+  %248 = load i64, ptr %247, align 8
+  tail call fastcc void @nested(ptr noundef %235, ptr noundef %239, ptr noundef %240, i64 noundef %241, i64 noundef %244, ptr noundef %245, i64 noundef %248) #8
+  %249 = fmul double %231, %2
+  %250 = fadd double %249, %1
+  %251 = load ptr, ptr %103, align 8
+  store double %250, ptr %251, align 8
+  %252 = load i64, ptr %104, align 8
+  %253 = icmp sgt i64 %252, 0
+  br i1 %253, label %254, label %255
 
-293:                                              ; preds = %272, %286, %290
-  %294 = phi i32 [ 1, %272 ], [ 0, %286 ], [ %292, %290 ]
-  %295 = icmp eq i32 %294, 0
-  br i1 %295, label %300, label %296
+254:                                              ; preds = %234
+  tail call fastcc void @sample(ptr noundef nonnull %6) #8
+  br label %255
 
-296:                                              ; preds = %293
-  %297 = call fastcc double @locate(ptr noundef %0, ptr noundef nonnull %5, double noundef %1, double noundef %2, double noundef %166, double noundef %195, i64 noundef %266) #8
-  %298 = fcmp olt double %267, %297
-  %299 = select i1 %298, double %267, double %297
-  br label %300
+255:                                              ; preds = %234, %254
+  %256 = load ptr, ptr %9, align 8
+  %257 = load i64, ptr %256, align 8
+  %258 = load ptr, ptr %105, align 8
+  %259 = load ptr, ptr %99, align 8
+  %260 = load ptr, ptr %106, align 8
+  %261 = load ptr, ptr %107, align 8
+  %262 = load ptr, ptr %25, align 8
+  %263 = inttoptr i64 %257 to ptr
+  %264 = tail call i32 %263(ptr noundef %258, ptr noundef %259, ptr noundef %260, ptr noundef %261, ptr noundef %262) #9
+  %265 = icmp slt i32 %264, 0
+  br i1 %265, label %273, label %266
 
-300:                                              ; preds = %296, %293, %265
-  %301 = phi double [ %299, %296 ], [ %267, %293 ], [ %267, %265 ]
-  %302 = add nuw nsw i64 %266, 1
-  %303 = icmp eq i64 %302, %172
-  br i1 %303, label %263, label %265, !llvm.loop !7
+266:                                              ; preds = %255, %193
+  %267 = fcmp ogt double %231, 1.000000e+00
+  br i1 %267, label %272, label %268
 
-304:                                              ; preds = %263
-  %305 = load ptr, ptr %119, align 8
-  %306 = load ptr, ptr %120, align 8
-  %307 = insertelement <8 x double> poison, double %301, i64 0
-  %308 = shufflevector <8 x double> %307, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %308, ptr %306, align 8
-  %309 = load ptr, ptr %9, align 8
-  %310 = load ptr, ptr %121, align 8
-  %311 = load i64, ptr %122, align 8
-  %312 = load ptr, ptr %0, align 8
-  %313 = getelementptr inbounds i8, ptr %312, i64 24
-  %314 = load i64, ptr %313, align 8
-  %315 = load ptr, ptr %120, align 8
-  %316 = load ptr, ptr %7, align 8
-  %317 = getelementptr inbounds i8, ptr %316, i64 16
+268:                                              ; preds = %266
+  %269 = load double, ptr %179, align 8
+  %270 = fmul double %269, %177
+  %271 = fcmp ogt double %270, 0.000000e+00
+  br i1 %271, label %272, label %273
+
+272:                                              ; preds = %268, %266
+  br label %273
+
+273:                                              ; preds = %272, %268, %255, %188, %186, %180
+  %274 = phi double [ %183, %180 ], [ %183, %188 ], [ %183, %186 ], [ %231, %255 ], [ %231, %272 ], [ %231, %268 ]
+  %275 = phi i32 [ 1, %180 ], [ 7, %188 ], [ 7, %186 ], [ 1, %255 ], [ 0, %272 ], [ 0, %268 ]
+  %276 = phi double [ %182, %180 ], [ %182, %188 ], [ %182, %186 ], [ %182, %255 ], [ %184, %272 ], [ %182, %268 ]
+  switch i32 %275, label %280 [
+    i32 0, label %277
+    i32 7, label %277
+  ]
+
+277:                                              ; preds = %273, %273
+  %278 = add nsw i32 %181, 1
+  %279 = icmp slt i32 %181, %169
+  br i1 %279, label %180, label %280, !llvm.loop !7
+
+280:                                              ; preds = %277, %273, %170
+  %281 = phi double [ %173, %170 ], [ %274, %273 ], [ %274, %277 ]
+  %282 = phi i32 [ 5, %170 ], [ 5, %277 ], [ %275, %273 ]
+  %283 = phi double [ %171, %170 ], [ %276, %273 ], [ %276, %277 ]
+  switch i32 %282, label %287 [
+    i32 5, label %284
+    i32 0, label %284
+  ]
+
+284:                                              ; preds = %280, %280
+  %285 = add nuw nsw i64 %172, 1
+  %286 = icmp eq i64 %285, %153
+  br i1 %286, label %287, label %170, !llvm.loop !8
+
+287:                                              ; preds = %280, %284, %143
+  %288 = phi double [ 2.000000e+00, %143 ], [ -4.000000e+00, %280 ], [ %283, %284 ]
+  %289 = fcmp olt double %288, 0.000000e+00
+  br i1 %289, label %719, label %290
+
+290:                                              ; preds = %287
+  %291 = mul nsw i64 %12, %148
+  %292 = getelementptr inbounds double, ptr %28, i64 %291
+  %293 = fcmp olt double %288, %150
+  br i1 %293, label %294, label %327
+
+294:                                              ; preds = %290
+  %295 = load ptr, ptr %25, align 8
+  %296 = load ptr, ptr %108, align 8
+  %297 = load ptr, ptr %109, align 8
+  %298 = insertelement <8 x double> poison, double %288, i64 0
+  %299 = shufflevector <8 x double> %298, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %299, ptr %297, align 8
+  %300 = load ptr, ptr %8, align 8
+  %301 = load ptr, ptr %110, align 8
+  %302 = load i64, ptr %111, align 8
+  %303 = load ptr, ptr %0, align 8
+  %304 = getelementptr inbounds i8, ptr %303, i64 24
+  %305 = load i64, ptr %304, align 8
+  %306 = load ptr, ptr %109, align 8
+  %307 = load ptr, ptr %6, align 8
+  %308 = getelementptr inbounds i8, ptr %307, i64 16
+  %309 = load i64, ptr %308, align 8
+  tail call fastcc void @nested(ptr noundef %296, ptr noundef %300, ptr noundef %301, i64 noundef %302, i64 noundef %305, ptr noundef %306, i64 noundef %309) #8
+  %310 = fmul double %288, %2
+  %311 = fadd double %310, %1
+  %312 = load ptr, ptr %112, align 8
+  store double %311, ptr %312, align 8
+  %313 = load i64, ptr %113, align 8
+  %314 = icmp sgt i64 %313, 0
+  br i1 %314, label %315, label %316
+
+315:                                              ; preds = %294
+  tail call fastcc void @sample(ptr noundef nonnull %6) #8
+  br label %316
+
+316:                                              ; preds = %294, %315
+  %317 = load ptr, ptr %9, align 8
   %318 = load i64, ptr %317, align 8
-  tail call fastcc void @nested(ptr noundef %305, ptr noundef %309, ptr noundef %310, i64 noundef %311, i64 noundef %314, ptr noundef %315, i64 noundef %318) #8
-  %319 = fmul double %301, %2
-  %320 = fadd double %319, %1
-  %321 = load ptr, ptr %123, align 8
-  store double %320, ptr %321, align 8
-  %322 = load i64, ptr %124, align 8
-  %323 = icmp sgt i64 %322, 0
-  br i1 %323, label %324, label %325
+  %319 = load ptr, ptr %114, align 8
+  %320 = load ptr, ptr %108, align 8
+  %321 = load ptr, ptr %115, align 8
+  %322 = load ptr, ptr %116, align 8
+  %323 = load ptr, ptr %25, align 8
+  %324 = inttoptr i64 %318 to ptr
+  %325 = tail call i32 %324(ptr noundef %319, ptr noundef %320, ptr noundef %321, ptr noundef %322, ptr noundef %323) #9
+  %326 = icmp slt i32 %325, 0
+  br i1 %326, label %719, label %327
 
-324:                                              ; preds = %304
-  tail call fastcc void @sample(ptr noundef nonnull %7) #8
-  br label %325
+327:                                              ; preds = %316, %290
+  %328 = phi double [ %288, %316 ], [ %150, %290 ]
+  %329 = phi ptr [ %295, %316 ], [ %292, %290 ]
+  br label %330
 
-325:                                              ; preds = %304, %324
-  %326 = load ptr, ptr %10, align 8
-  %327 = load i64, ptr %326, align 8
-  %328 = load ptr, ptr %125, align 8
-  %329 = load ptr, ptr %119, align 8
-  %330 = load ptr, ptr %126, align 8
-  %331 = load ptr, ptr %127, align 8
-  %332 = load ptr, ptr %26, align 8
-  %333 = inttoptr i64 %327 to ptr
-  %334 = tail call i32 %333(ptr noundef %328, ptr noundef %329, ptr noundef %330, ptr noundef %331, ptr noundef %332) #9
-  %335 = icmp slt i32 %334, 0
-  br i1 %335, label %343, label %336
+330:                                              ; preds = %701, %327
+  %331 = phi double [ %146, %327 ], [ %703, %701 ]
+  %332 = phi i64 [ %145, %327 ], [ %704, %701 ]
+  br i1 %117, label %337, label %333
 
-336:                                              ; preds = %325, %263
-  %337 = fcmp ogt double %301, 1.000000e+00
-  br i1 %337, label %342, label %338
+333:                                              ; preds = %387, %330
+  %334 = phi double [ 2.000000e+00, %330 ], [ %388, %387 ]
+  %335 = phi i32 [ 0, %330 ], [ %389, %387 ]
+  %336 = fcmp ogt double %334, 1.000000e+00
+  br i1 %336, label %701, label %392
 
-338:                                              ; preds = %336
-  %339 = load double, ptr %211, align 8
-  %340 = fmul double %339, %209
-  %341 = fcmp ogt double %340, 0.000000e+00
-  br i1 %341, label %342, label %343
+337:                                              ; preds = %330, %387
+  %338 = phi i64 [ %390, %387 ], [ 0, %330 ]
+  %339 = phi i32 [ %389, %387 ], [ 0, %330 ]
+  %340 = phi double [ %388, %387 ], [ 2.000000e+00, %330 ]
+  %341 = getelementptr inbounds i64, ptr %18, i64 %338
+  store i64 0, ptr %341, align 8
+  %342 = getelementptr inbounds i64, ptr %16, i64 %338
+  %343 = load i64, ptr %342, align 8
+  %344 = getelementptr inbounds double, ptr %329, i64 %338
+  %345 = load double, ptr %344, align 8
+  %346 = getelementptr inbounds i64, ptr %14, i64 %338
+  %347 = load i64, ptr %346, align 8
+  %348 = icmp slt i64 %343, 0
+  %349 = fcmp ogt double %345, 0.000000e+00
+  %350 = and i1 %348, %349
+  %351 = icmp sgt i64 %347, -1
+  %352 = and i1 %350, %351
+  br i1 %352, label %360, label %353
 
-342:                                              ; preds = %338, %336
-  br label %343
+353:                                              ; preds = %337
+  %354 = icmp sgt i64 %343, 0
+  %355 = fcmp olt double %345, 0.000000e+00
+  %356 = and i1 %354, %355
+  br i1 %356, label %357, label %360
 
-343:                                              ; preds = %342, %338, %325, %259, %257, %253, %239, %219
-  %344 = phi i32 [ 7, %219 ], [ 7, %239 ], [ 1, %253 ], [ 7, %259 ], [ 7, %257 ], [ 1, %325 ], [ 0, %342 ], [ 0, %338 ]
-  %345 = phi double [ %215, %219 ], [ %215, %239 ], [ %215, %253 ], [ %215, %259 ], [ %215, %257 ], [ %301, %325 ], [ %301, %342 ], [ %301, %338 ]
-  %346 = phi double [ %214, %219 ], [ %214, %239 ], [ %214, %253 ], [ %214, %259 ], [ %214, %257 ], [ %214, %325 ], [ %255, %342 ], [ %214, %338 ]
-  switch i32 %344, label %350 [
-    i32 0, label %347
-    i32 7, label %347
-  ]
+357:                                              ; preds = %353
+  %358 = icmp slt i64 %347, 1
+  %359 = zext i1 %358 to i32
+  br label %360
 
-347:                                              ; preds = %343, %343
-  %348 = add nsw i64 %213, 1
-  %349 = icmp slt i64 %213, %198
-  br i1 %349, label %212, label %350, !llvm.loop !8
+360:                                              ; preds = %337, %353, %357
+  %361 = phi i32 [ 1, %337 ], [ 0, %353 ], [ %359, %357 ]
+  %362 = icmp eq i32 %361, 0
+  br i1 %362, label %363, label %367
 
-350:                                              ; preds = %347, %343, %199
-  %351 = phi i32 [ 5, %199 ], [ 5, %347 ], [ %344, %343 ]
-  %352 = phi double [ %201, %199 ], [ %345, %343 ], [ %345, %347 ]
-  %353 = phi double [ %200, %199 ], [ %346, %343 ], [ %346, %347 ]
-  switch i32 %351, label %357 [
-    i32 5, label %354
-    i32 0, label %354
-  ]
+363:                                              ; preds = %360
+  %364 = icmp eq i64 %343, 0
+  %365 = fcmp ord double %345, 0.000000e+00
+  %366 = or i1 %364, %365
+  br i1 %366, label %387, label %367
 
-354:                                              ; preds = %350, %350
-  %355 = add nuw nsw i64 %202, 1
-  %356 = icmp eq i64 %355, %172
-  br i1 %356, label %357, label %199, !llvm.loop !9
+367:                                              ; preds = %363, %360
+  %368 = call fastcc double @locate(ptr noundef %0, ptr noundef nonnull %4, double noundef %1, double noundef %2, double noundef %331, double noundef %328, i64 noundef %338) #8
+  %369 = fcmp ole double %368, %331
+  %370 = zext i1 %369 to i64
+  store i64 %370, ptr %341, align 8
+  %371 = fcmp uge double %368, %340
+  %372 = select i1 %371, i32 %339, i32 0
+  %373 = fcmp ugt double %368, %340
+  br i1 %373, label %384, label %374
 
-357:                                              ; preds = %354, %350, %163
-  %358 = phi double [ 2.000000e+00, %163 ], [ %353, %354 ], [ -4.000000e+00, %350 ]
-  %359 = fcmp olt double %358, 0.000000e+00
-  br i1 %359, label %790, label %360
+374:                                              ; preds = %367
+  %375 = icmp eq i32 %372, 0
+  br i1 %375, label %376, label %381
 
-360:                                              ; preds = %357
-  %361 = zext nneg i32 %167 to i64
-  %362 = mul nsw i64 %13, %361
-  %363 = getelementptr inbounds double, ptr %29, i64 %362
-  %364 = fcmp olt double %358, %169
-  br i1 %364, label %365, label %398
+376:                                              ; preds = %374
+  %377 = load ptr, ptr %118, align 8
+  %378 = getelementptr inbounds i64, ptr %377, i64 %338
+  %379 = load i64, ptr %378, align 8
+  %380 = icmp eq i64 %379, 1
+  br label %381
 
-365:                                              ; preds = %360
-  %366 = load ptr, ptr %26, align 8
-  %367 = load ptr, ptr %128, align 8
-  %368 = load ptr, ptr %129, align 8
-  %369 = insertelement <8 x double> poison, double %358, i64 0
-  %370 = shufflevector <8 x double> %369, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %370, ptr %368, align 8
-  %371 = load ptr, ptr %9, align 8
-  %372 = load ptr, ptr %130, align 8
-  %373 = load i64, ptr %131, align 8
-  %374 = load ptr, ptr %0, align 8
-  %375 = getelementptr inbounds i8, ptr %374, i64 24
-  %376 = load i64, ptr %375, align 8
-  %377 = load ptr, ptr %129, align 8
-  %378 = load ptr, ptr %7, align 8
-  %379 = getelementptr inbounds i8, ptr %378, i64 16
-  %380 = load i64, ptr %379, align 8
-  tail call fastcc void @nested(ptr noundef %367, ptr noundef %371, ptr noundef %372, i64 noundef %373, i64 noundef %376, ptr noundef %377, i64 noundef %380) #8
-  %381 = fmul double %358, %2
-  %382 = fadd double %381, %1
-  %383 = load ptr, ptr %132, align 8
-  store double %382, ptr %383, align 8
-  %384 = load i64, ptr %133, align 8
-  %385 = icmp sgt i64 %384, 0
-  br i1 %385, label %386, label %387
+381:                                              ; preds = %376, %374
+  %382 = phi i1 [ true, %374 ], [ %380, %376 ]
+  %383 = zext i1 %382 to i32
+  br label %384
 
-386:                                              ; preds = %365
-  tail call fastcc void @sample(ptr noundef nonnull %7) #8
+384:                                              ; preds = %381, %367
+  %385 = phi i32 [ %383, %381 ], [ %372, %367 ]
+  %386 = select i1 %371, double %340, double %368
   br label %387
 
-387:                                              ; preds = %365, %386
-  %388 = load ptr, ptr %10, align 8
-  %389 = load i64, ptr %388, align 8
-  %390 = load ptr, ptr %134, align 8
-  %391 = load ptr, ptr %128, align 8
-  %392 = load ptr, ptr %135, align 8
-  %393 = load ptr, ptr %136, align 8
-  %394 = load ptr, ptr %26, align 8
-  %395 = inttoptr i64 %389 to ptr
-  %396 = tail call i32 %395(ptr noundef %390, ptr noundef %391, ptr noundef %392, ptr noundef %393, ptr noundef %394) #9
-  %397 = icmp slt i32 %396, 0
-  br i1 %397, label %790, label %398
+387:                                              ; preds = %363, %384
+  %388 = phi double [ %386, %384 ], [ %340, %363 ]
+  %389 = phi i32 [ %385, %384 ], [ %339, %363 ]
+  %390 = add nuw nsw i64 %338, 1
+  %391 = icmp eq i64 %390, %12
+  br i1 %391, label %333, label %337, !llvm.loop !9
 
-398:                                              ; preds = %387, %360
-  %399 = phi double [ %358, %387 ], [ %169, %360 ]
-  %400 = phi ptr [ %366, %387 ], [ %363, %360 ]
-  br label %401
+392:                                              ; preds = %333
+  %393 = load ptr, ptr %119, align 8
+  %394 = load ptr, ptr %120, align 8
+  %395 = insertelement <8 x double> poison, double %334, i64 0
+  %396 = shufflevector <8 x double> %395, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %396, ptr %394, align 8
+  %397 = load ptr, ptr %8, align 8
+  %398 = load ptr, ptr %121, align 8
+  %399 = load i64, ptr %122, align 8
+  %400 = load ptr, ptr %0, align 8
+  %401 = getelementptr inbounds i8, ptr %400, i64 24
+  %402 = load i64, ptr %401, align 8
+  %403 = load ptr, ptr %120, align 8
+  %404 = load ptr, ptr %6, align 8
+  %405 = getelementptr inbounds i8, ptr %404, i64 16
+  %406 = load i64, ptr %405, align 8
+  tail call fastcc void @nested(ptr noundef %393, ptr noundef %397, ptr noundef %398, i64 noundef %399, i64 noundef %402, ptr noundef %403, i64 noundef %406) #8
+  %407 = fmul double %334, %2
+  %408 = fadd double %407, %1
+  %409 = load ptr, ptr %123, align 8
+  store double %408, ptr %409, align 8
+  %410 = load i64, ptr %124, align 8
+  %411 = icmp sgt i64 %410, 0
+  br i1 %411, label %412, label %413
 
-401:                                              ; preds = %772, %398
-  %402 = phi double [ %166, %398 ], [ %774, %772 ]
-  %403 = phi i64 [ %165, %398 ], [ %775, %772 ]
-  br i1 %137, label %408, label %404
+412:                                              ; preds = %392
+  tail call fastcc void @sample(ptr noundef nonnull %6) #8
+  br label %413
 
-404:                                              ; preds = %458, %401
-  %405 = phi double [ 2.000000e+00, %401 ], [ %459, %458 ]
-  %406 = phi i32 [ 0, %401 ], [ %460, %458 ]
-  %407 = fcmp ogt double %405, 1.000000e+00
-  br i1 %407, label %772, label %463
+413:                                              ; preds = %392, %412
+  %414 = load ptr, ptr %9, align 8
+  %415 = load i64, ptr %414, align 8
+  %416 = load ptr, ptr %125, align 8
+  %417 = load ptr, ptr %119, align 8
+  %418 = load ptr, ptr %126, align 8
+  %419 = load ptr, ptr %127, align 8
+  %420 = load ptr, ptr %25, align 8
+  %421 = getelementptr inbounds i8, ptr %414, i64 8
+  %422 = load i64, ptr %421, align 8
+  %423 = getelementptr inbounds double, ptr %420, i64 %422
+  %424 = inttoptr i64 %415 to ptr
+  %425 = tail call i32 %424(ptr noundef %416, ptr noundef %417, ptr noundef %418, ptr noundef %419, ptr noundef %423) #9
+  %426 = icmp slt i32 %425, 0
+  br i1 %426, label %430, label %427
 
-408:                                              ; preds = %401, %458
-  %409 = phi i64 [ %461, %458 ], [ 0, %401 ]
-  %410 = phi i32 [ %460, %458 ], [ 0, %401 ]
-  %411 = phi double [ %459, %458 ], [ 2.000000e+00, %401 ]
-  %412 = getelementptr inbounds i64, ptr %19, i64 %409
-  store i64 0, ptr %412, align 8
-  %413 = getelementptr inbounds i64, ptr %17, i64 %409
-  %414 = load i64, ptr %413, align 8
-  %415 = getelementptr inbounds double, ptr %400, i64 %409
-  %416 = load double, ptr %415, align 8
-  %417 = getelementptr inbounds i64, ptr %15, i64 %409
-  %418 = load i64, ptr %417, align 8
-  %419 = icmp slt i64 %414, 0
-  %420 = fcmp ogt double %416, 0.000000e+00
-  %421 = and i1 %419, %420
-  %422 = icmp sgt i64 %418, -1
-  %423 = and i1 %421, %422
-  br i1 %423, label %431, label %424
+427:                                              ; preds = %413
+  %428 = icmp ne i32 %335, 0
+  %429 = select i1 %128, i1 true, i1 %428
+  br i1 %429, label %531, label %435
 
-424:                                              ; preds = %408
-  %425 = icmp sgt i64 %414, 0
-  %426 = fcmp olt double %416, 0.000000e+00
-  %427 = and i1 %425, %426
-  br i1 %427, label %428, label %431
+430:                                              ; preds = %413
+  %431 = load ptr, ptr %20, align 8
+  %432 = getelementptr inbounds i8, ptr %431, i64 80
+  store i64 %23, ptr %432, align 8
+  %433 = load ptr, ptr %19, align 8
+  %434 = getelementptr inbounds i8, ptr %433, i64 48
+  store double 1.000000e+00, ptr %434, align 8
+  br label %701
 
-428:                                              ; preds = %424
-  %429 = icmp slt i64 %418, 1
-  %430 = zext i1 %429 to i32
-  br label %431
+435:                                              ; preds = %427, %525
+  %436 = phi i1 [ %530, %525 ], [ %429, %427 ]
+  %437 = phi i64 [ %527, %525 ], [ %332, %427 ]
+  %438 = phi i64 [ %528, %525 ], [ 0, %427 ]
+  %439 = phi double [ %526, %525 ], [ %334, %427 ]
+  %440 = getelementptr inbounds i64, ptr %16, i64 %438
+  %441 = load i64, ptr %440, align 8
+  %442 = getelementptr inbounds double, ptr %31, i64 %438
+  %443 = load double, ptr %442, align 8
+  %444 = getelementptr inbounds i64, ptr %14, i64 %438
+  %445 = load i64, ptr %444, align 8
+  %446 = icmp slt i64 %441, 0
+  %447 = fcmp ogt double %443, 0.000000e+00
+  %448 = and i1 %446, %447
+  %449 = icmp sgt i64 %445, -1
+  %450 = and i1 %448, %449
+  br i1 %450, label %458, label %451
 
-431:                                              ; preds = %408, %424, %428
-  %432 = phi i32 [ 1, %408 ], [ 0, %424 ], [ %430, %428 ]
-  %433 = icmp eq i32 %432, 0
-  br i1 %433, label %434, label %438
+451:                                              ; preds = %435
+  %452 = icmp sgt i64 %441, 0
+  %453 = fcmp olt double %443, 0.000000e+00
+  %454 = and i1 %452, %453
+  br i1 %454, label %455, label %458
 
-434:                                              ; preds = %431
-  %435 = icmp eq i64 %414, 0
-  %436 = fcmp ord double %416, 0.000000e+00
-  %437 = or i1 %435, %436
-  br i1 %437, label %458, label %438
-
-438:                                              ; preds = %434, %431
-  %439 = call fastcc double @locate(ptr noundef %0, ptr noundef nonnull %5, double noundef %1, double noundef %2, double noundef %402, double noundef %399, i64 noundef %409) #8
-  %440 = fcmp ole double %439, %402
-  %441 = zext i1 %440 to i64
-  store i64 %441, ptr %412, align 8
-  %442 = fcmp uge double %439, %411
-  %443 = select i1 %442, i32 %410, i32 0
-  %444 = fcmp ugt double %439, %411
-  br i1 %444, label %455, label %445
-
-445:                                              ; preds = %438
-  %446 = icmp eq i32 %443, 0
-  br i1 %446, label %447, label %452
-
-447:                                              ; preds = %445
-  %448 = load ptr, ptr %138, align 8
-  %449 = getelementptr inbounds i64, ptr %448, i64 %409
-  %450 = load i64, ptr %449, align 8
-  %451 = icmp eq i64 %450, 1
-  br label %452
-
-452:                                              ; preds = %447, %445
-  %453 = phi i1 [ true, %445 ], [ %451, %447 ]
-  %454 = zext i1 %453 to i32
-  br label %455
-
-455:                                              ; preds = %452, %438
-  %456 = phi i32 [ %454, %452 ], [ %443, %438 ]
-  %457 = select i1 %442, double %411, double %439
+455:                                              ; preds = %451
+  %456 = icmp slt i64 %445, 1
+  %457 = zext i1 %456 to i32
   br label %458
 
-458:                                              ; preds = %434, %455
-  %459 = phi double [ %457, %455 ], [ %411, %434 ]
-  %460 = phi i32 [ %456, %455 ], [ %410, %434 ]
-  %461 = add nuw nsw i64 %409, 1
-  %462 = icmp eq i64 %461, %13
-  br i1 %462, label %404, label %408, !llvm.loop !10
+458:                                              ; preds = %435, %451, %455
+  %459 = phi i32 [ 1, %435 ], [ 0, %451 ], [ %457, %455 ]
+  %460 = icmp eq i32 %459, 0
+  br i1 %460, label %525, label %461
 
-463:                                              ; preds = %404
-  %464 = load ptr, ptr %139, align 8
-  %465 = load ptr, ptr %140, align 8
-  %466 = insertelement <8 x double> poison, double %405, i64 0
-  %467 = shufflevector <8 x double> %466, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %467, ptr %465, align 8
-  %468 = load ptr, ptr %9, align 8
-  %469 = load ptr, ptr %141, align 8
-  %470 = load i64, ptr %142, align 8
-  %471 = load ptr, ptr %0, align 8
-  %472 = getelementptr inbounds i8, ptr %471, i64 24
-  %473 = load i64, ptr %472, align 8
-  %474 = load ptr, ptr %140, align 8
-  %475 = load ptr, ptr %7, align 8
-  %476 = getelementptr inbounds i8, ptr %475, i64 16
-  %477 = load i64, ptr %476, align 8
-  tail call fastcc void @nested(ptr noundef %464, ptr noundef %468, ptr noundef %469, i64 noundef %470, i64 noundef %473, ptr noundef %474, i64 noundef %477) #8
-  %478 = fmul double %405, %2
-  %479 = fadd double %478, %1
-  %480 = load ptr, ptr %143, align 8
-  store double %479, ptr %480, align 8
-  %481 = load i64, ptr %144, align 8
-  %482 = icmp sgt i64 %481, 0
-  br i1 %482, label %483, label %484
+461:                                              ; preds = %458
+  %462 = getelementptr inbounds double, ptr %329, i64 %438
+  %463 = load double, ptr %462, align 8
+  %464 = fcmp ogt double %463, 0.000000e+00
+  %465 = and i1 %446, %464
+  %466 = and i1 %449, %465
+  br i1 %466, label %474, label %467
 
-483:                                              ; preds = %463
-  tail call fastcc void @sample(ptr noundef nonnull %7) #8
-  br label %484
+467:                                              ; preds = %461
+  %468 = icmp sgt i64 %441, 0
+  %469 = fcmp olt double %463, 0.000000e+00
+  %470 = and i1 %468, %469
+  br i1 %470, label %471, label %474
 
-484:                                              ; preds = %463, %483
-  %485 = load ptr, ptr %10, align 8
-  %486 = load i64, ptr %485, align 8
-  %487 = load ptr, ptr %145, align 8
-  %488 = load ptr, ptr %139, align 8
-  %489 = load ptr, ptr %146, align 8
-  %490 = load ptr, ptr %147, align 8
-  %491 = load ptr, ptr %26, align 8
-  %492 = getelementptr inbounds i8, ptr %485, i64 8
+471:                                              ; preds = %467
+  %472 = icmp slt i64 %445, 1
+  %473 = zext i1 %472 to i32
+  br label %474
+
+474:                                              ; preds = %461, %467, %471
+  %475 = phi i32 [ 1, %461 ], [ 0, %467 ], [ %473, %471 ]
+  %476 = icmp eq i32 %475, 0
+  br i1 %476, label %477, label %525
+
+477:                                              ; preds = %474
+  %478 = call fastcc double @locate(ptr noundef %0, ptr noundef nonnull %4, double noundef %1, double noundef %2, double noundef %331, double noundef %439, i64 noundef %438) #8
+  %479 = fcmp ogt double %478, %331
+  br i1 %479, label %480, label %482
+
+480:                                              ; preds = %477
+  %481 = getelementptr inbounds i64, ptr %18, i64 %438
+  store i64 2, ptr %481, align 8
+  br label %482
+
+482:                                              ; preds = %480, %477
+  %483 = phi double [ %478, %480 ], [ %439, %477 ]
+  %484 = load ptr, ptr %119, align 8
+  %485 = load ptr, ptr %120, align 8
+  %486 = insertelement <8 x double> poison, double %483, i64 0
+  %487 = shufflevector <8 x double> %486, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %487, ptr %485, align 8
+  %488 = load ptr, ptr %8, align 8
+  %489 = load ptr, ptr %121, align 8
+  %490 = load i64, ptr %122, align 8
+  %491 = load ptr, ptr %0, align 8
+  %492 = getelementptr inbounds i8, ptr %491, i64 24
   %493 = load i64, ptr %492, align 8
-  %494 = getelementptr inbounds double, ptr %491, i64 %493
-  %495 = inttoptr i64 %486 to ptr
-  %496 = tail call i32 %495(ptr noundef %487, ptr noundef %488, ptr noundef %489, ptr noundef %490, ptr noundef %494) #9
-  %497 = icmp slt i32 %496, 0
-  br i1 %497, label %501, label %498
+  %494 = load ptr, ptr %120, align 8
+  %495 = load ptr, ptr %6, align 8
+  %496 = getelementptr inbounds i8, ptr %495, i64 16
+  %497 = load i64, ptr %496, align 8
+  tail call fastcc void @nested(ptr noundef %484, ptr noundef %488, ptr noundef %489, i64 noundef %490, i64 noundef %493, ptr noundef %494, i64 noundef %497) #8
+  %498 = fmul double %483, %2
+  %499 = fadd double %498, %1
+  %500 = load ptr, ptr %123, align 8
+  store double %499, ptr %500, align 8
+  %501 = load i64, ptr %124, align 8
+  %502 = icmp sgt i64 %501, 0
+  br i1 %502, label %503, label %504
 
-498:                                              ; preds = %484
-  %499 = icmp ne i32 %406, 0
-  %500 = select i1 %148, i1 true, i1 %499
-  br i1 %500, label %602, label %506
+503:                                              ; preds = %482
+  tail call fastcc void @sample(ptr noundef nonnull %6) #8
+  br label %504
 
-501:                                              ; preds = %484
-  %502 = load ptr, ptr %21, align 8
-  %503 = getelementptr inbounds i8, ptr %502, i64 80
-  store i64 %24, ptr %503, align 8
-  %504 = load ptr, ptr %20, align 8
-  %505 = getelementptr inbounds i8, ptr %504, i64 48
-  store double 1.000000e+00, ptr %505, align 8
-  br label %772
+504:                                              ; preds = %482, %503
+  %505 = load ptr, ptr %9, align 8
+  %506 = load i64, ptr %505, align 8
+  %507 = load ptr, ptr %125, align 8
+  %508 = load ptr, ptr %119, align 8
+  %509 = load ptr, ptr %126, align 8
+  %510 = load ptr, ptr %127, align 8
+  %511 = load ptr, ptr %25, align 8
+  %512 = getelementptr inbounds i8, ptr %505, i64 8
+  %513 = load i64, ptr %512, align 8
+  %514 = getelementptr inbounds double, ptr %511, i64 %513
+  %515 = inttoptr i64 %506 to ptr
+  %516 = tail call i32 %515(ptr noundef %507, ptr noundef %508, ptr noundef %509, ptr noundef %510, ptr noundef %514) #9
+  %517 = icmp sgt i32 %516, -1
+  br i1 %517, label %523, label %518
 
-506:                                              ; preds = %498, %596
-  %507 = phi i1 [ %601, %596 ], [ %500, %498 ]
-  %508 = phi i64 [ %598, %596 ], [ %403, %498 ]
-  %509 = phi i64 [ %599, %596 ], [ 0, %498 ]
-  %510 = phi double [ %597, %596 ], [ %405, %498 ]
-  %511 = getelementptr inbounds i64, ptr %17, i64 %509
-  %512 = load i64, ptr %511, align 8
-  %513 = getelementptr inbounds double, ptr %32, i64 %509
-  %514 = load double, ptr %513, align 8
-  %515 = getelementptr inbounds i64, ptr %15, i64 %509
-  %516 = load i64, ptr %515, align 8
-  %517 = icmp slt i64 %512, 0
-  %518 = fcmp ogt double %514, 0.000000e+00
-  %519 = and i1 %517, %518
-  %520 = icmp sgt i64 %516, -1
-  %521 = and i1 %519, %520
-  br i1 %521, label %529, label %522
+518:                                              ; preds = %504
+  %519 = load ptr, ptr %20, align 8
+  %520 = getelementptr inbounds i8, ptr %519, i64 80
+  store i64 %23, ptr %520, align 8
+  %521 = load ptr, ptr %19, align 8
+  %522 = getelementptr inbounds i8, ptr %521, i64 48
+  store double 1.000000e+00, ptr %522, align 8
+  br label %523
 
-522:                                              ; preds = %506
-  %523 = icmp sgt i64 %512, 0
-  %524 = fcmp olt double %514, 0.000000e+00
-  %525 = and i1 %523, %524
-  br i1 %525, label %526, label %529
+523:                                              ; preds = %504, %518
+  %524 = phi i64 [ -4, %518 ], [ %437, %504 ]
+  br i1 %517, label %525, label %531
 
-526:                                              ; preds = %522
-  %527 = icmp slt i64 %516, 1
-  %528 = zext i1 %527 to i32
-  br label %529
+525:                                              ; preds = %458, %474, %523
+  %526 = phi double [ %439, %474 ], [ %483, %523 ], [ %439, %458 ]
+  %527 = phi i64 [ %437, %474 ], [ %524, %523 ], [ %437, %458 ]
+  %528 = add nuw nsw i64 %438, 1
+  %529 = icmp sge i64 %528, %12
+  %530 = select i1 %529, i1 true, i1 %428
+  br i1 %530, label %531, label %435, !llvm.loop !10
 
-529:                                              ; preds = %506, %522, %526
-  %530 = phi i32 [ 1, %506 ], [ 0, %522 ], [ %528, %526 ]
-  %531 = icmp eq i32 %530, 0
-  br i1 %531, label %596, label %532
+531:                                              ; preds = %523, %525, %427
+  %532 = phi i1 [ %429, %427 ], [ %436, %523 ], [ %530, %525 ]
+  %533 = phi i32 [ 13, %427 ], [ 1, %523 ], [ 13, %525 ]
+  %534 = phi double [ %334, %427 ], [ %483, %523 ], [ %526, %525 ]
+  %535 = phi i64 [ %332, %427 ], [ %524, %523 ], [ %527, %525 ]
+  br i1 %532, label %536, label %701
 
-532:                                              ; preds = %529
-  %533 = getelementptr inbounds double, ptr %400, i64 %509
-  %534 = load double, ptr %533, align 8
-  %535 = fcmp ogt double %534, 0.000000e+00
-  %536 = and i1 %517, %535
-  %537 = and i1 %520, %536
-  br i1 %537, label %545, label %538
+536:                                              ; preds = %531
+  br i1 %129, label %547, label %539
 
-538:                                              ; preds = %532
-  %539 = icmp sgt i64 %512, 0
-  %540 = fcmp olt double %534, 0.000000e+00
-  %541 = and i1 %539, %540
-  br i1 %541, label %542, label %545
+537:                                              ; preds = %634
+  %538 = zext i1 %635 to i32
+  br label %539
 
-542:                                              ; preds = %538
-  %543 = icmp slt i64 %516, 1
-  %544 = zext i1 %543 to i32
-  br label %545
+539:                                              ; preds = %537, %536
+  %540 = phi i32 [ 0, %536 ], [ %538, %537 ]
+  %541 = phi i64 [ -1, %536 ], [ %624, %537 ]
+  %542 = icmp eq i32 %540, 0
+  br i1 %542, label %543, label %638
 
-545:                                              ; preds = %532, %538, %542
-  %546 = phi i32 [ 1, %532 ], [ 0, %538 ], [ %544, %542 ]
-  %547 = icmp eq i32 %546, 0
-  br i1 %547, label %548, label %596
+543:                                              ; preds = %539
+  br i1 %132, label %544, label %639
 
-548:                                              ; preds = %545
-  %549 = call fastcc double @locate(ptr noundef %0, ptr noundef nonnull %5, double noundef %1, double noundef %2, double noundef %402, double noundef %510, i64 noundef %509) #8
-  %550 = fcmp ogt double %549, %402
-  br i1 %550, label %551, label %553
+544:                                              ; preds = %543
+  %545 = fmul double %534, %2
+  %546 = fadd double %545, %1
+  br label %642
 
-551:                                              ; preds = %548
-  %552 = getelementptr inbounds i64, ptr %19, i64 %509
-  store i64 2, ptr %552, align 8
-  br label %553
+547:                                              ; preds = %536, %634
+  %548 = phi i64 [ %636, %634 ], [ 0, %536 ]
+  %549 = phi i64 [ %624, %634 ], [ -1, %536 ]
+  %550 = phi i1 [ %635, %634 ], [ false, %536 ]
+  %551 = getelementptr inbounds double, ptr %31, i64 %548
+  %552 = load double, ptr %551, align 8
+  %553 = getelementptr inbounds i64, ptr %16, i64 %548
+  %554 = load i64, ptr %553, align 8
+  %555 = getelementptr inbounds i64, ptr %14, i64 %548
+  %556 = load i64, ptr %555, align 8
+  %557 = icmp slt i64 %554, 0
+  %558 = fcmp ogt double %552, 0.000000e+00
+  %559 = and i1 %558, %557
+  %560 = icmp sgt i64 %556, -1
+  %561 = and i1 %559, %560
+  br i1 %561, label %569, label %562
 
-553:                                              ; preds = %551, %548
-  %554 = phi double [ %549, %551 ], [ %510, %548 ]
-  %555 = load ptr, ptr %139, align 8
-  %556 = load ptr, ptr %140, align 8
-  %557 = insertelement <8 x double> poison, double %554, i64 0
-  %558 = shufflevector <8 x double> %557, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %558, ptr %556, align 8
-  %559 = load ptr, ptr %9, align 8
-  %560 = load ptr, ptr %141, align 8
-  %561 = load i64, ptr %142, align 8
-  %562 = load ptr, ptr %0, align 8
-  %563 = getelementptr inbounds i8, ptr %562, i64 24
-  %564 = load i64, ptr %563, align 8
-  %565 = load ptr, ptr %140, align 8
-  %566 = load ptr, ptr %7, align 8
-  %567 = getelementptr inbounds i8, ptr %566, i64 16
-  %568 = load i64, ptr %567, align 8
-  tail call fastcc void @nested(ptr noundef %555, ptr noundef %559, ptr noundef %560, i64 noundef %561, i64 noundef %564, ptr noundef %565, i64 noundef %568) #8
-  %569 = fmul double %554, %2
-  %570 = fadd double %569, %1
-  %571 = load ptr, ptr %143, align 8
-  store double %570, ptr %571, align 8
-  %572 = load i64, ptr %144, align 8
-  %573 = icmp sgt i64 %572, 0
-  br i1 %573, label %574, label %575
+562:                                              ; preds = %547
+  %563 = icmp sgt i64 %554, 0
+  %564 = fcmp olt double %552, 0.000000e+00
+  %565 = and i1 %564, %563
+  br i1 %565, label %566, label %569
 
-574:                                              ; preds = %553
-  tail call fastcc void @sample(ptr noundef nonnull %7) #8
-  br label %575
+566:                                              ; preds = %562
+  %567 = icmp slt i64 %556, 1
+  %568 = zext i1 %567 to i32
+  br label %569
 
-575:                                              ; preds = %553, %574
-  %576 = load ptr, ptr %10, align 8
-  %577 = load i64, ptr %576, align 8
-  %578 = load ptr, ptr %145, align 8
-  %579 = load ptr, ptr %139, align 8
-  %580 = load ptr, ptr %146, align 8
-  %581 = load ptr, ptr %147, align 8
-  %582 = load ptr, ptr %26, align 8
-  %583 = getelementptr inbounds i8, ptr %576, i64 8
-  %584 = load i64, ptr %583, align 8
-  %585 = getelementptr inbounds double, ptr %582, i64 %584
-  %586 = inttoptr i64 %577 to ptr
-  %587 = tail call i32 %586(ptr noundef %578, ptr noundef %579, ptr noundef %580, ptr noundef %581, ptr noundef %585) #9
-  %588 = icmp sgt i32 %587, -1
-  br i1 %588, label %594, label %589
+569:                                              ; preds = %547, %562, %566
+  %570 = phi i32 [ 1, %547 ], [ 0, %562 ], [ %568, %566 ]
+  %571 = icmp eq i32 %570, 0
+  br i1 %571, label %572, label %597
 
-589:                                              ; preds = %575
-  %590 = load ptr, ptr %21, align 8
-  %591 = getelementptr inbounds i8, ptr %590, i64 80
-  store i64 %24, ptr %591, align 8
-  %592 = load ptr, ptr %20, align 8
-  %593 = getelementptr inbounds i8, ptr %592, i64 48
-  store double 1.000000e+00, ptr %593, align 8
+572:                                              ; preds = %569
+  %573 = getelementptr inbounds double, ptr %329, i64 %548
+  %574 = load double, ptr %573, align 8
+  %575 = fcmp ogt double %574, 0.000000e+00
+  %576 = and i1 %557, %575
+  %577 = and i1 %560, %576
+  br i1 %577, label %585, label %578
+
+578:                                              ; preds = %572
+  %579 = icmp sgt i64 %554, 0
+  %580 = fcmp olt double %574, 0.000000e+00
+  %581 = and i1 %579, %580
+  br i1 %581, label %582, label %585
+
+582:                                              ; preds = %578
+  %583 = icmp slt i64 %556, 1
+  %584 = zext i1 %583 to i32
+  br label %585
+
+585:                                              ; preds = %572, %578, %582
+  %586 = phi i32 [ 1, %572 ], [ 0, %578 ], [ %584, %582 ]
+  %587 = icmp eq i32 %586, 0
+  br i1 %587, label %597, label %588
+
+588:                                              ; preds = %585
+  %589 = fcmp oeq double %552, 0.000000e+00
+  br i1 %589, label %594, label %590
+
+590:                                              ; preds = %588
+  %591 = getelementptr inbounds i64, ptr %18, i64 %548
+  %592 = load i64, ptr %591, align 8
+  %593 = icmp eq i64 %592, 1
   br label %594
 
-594:                                              ; preds = %575, %589
-  %595 = phi i64 [ -4, %589 ], [ %508, %575 ]
-  br i1 %588, label %596, label %602
+594:                                              ; preds = %590, %588
+  %595 = phi i1 [ true, %588 ], [ %593, %590 ]
+  %596 = zext i1 %595 to i32
+  br label %597
 
-596:                                              ; preds = %529, %545, %594
-  %597 = phi double [ %510, %545 ], [ %554, %594 ], [ %510, %529 ]
-  %598 = phi i64 [ %508, %545 ], [ %595, %594 ], [ %508, %529 ]
-  %599 = add nuw nsw i64 %509, 1
-  %600 = icmp sge i64 %599, %13
-  %601 = select i1 %600, i1 true, i1 %499
-  br i1 %601, label %602, label %506, !llvm.loop !11
+597:                                              ; preds = %594, %585, %569
+  %598 = phi i32 [ 1, %569 ], [ %596, %594 ], [ 0, %585 ]
+  %599 = icmp eq i32 %598, 0
+  br i1 %599, label %600, label %606
 
-602:                                              ; preds = %594, %596, %498
-  %603 = phi i1 [ %500, %498 ], [ %507, %594 ], [ %601, %596 ]
-  %604 = phi double [ %405, %498 ], [ %554, %594 ], [ %597, %596 ]
-  %605 = phi i32 [ 13, %498 ], [ 1, %594 ], [ 13, %596 ]
-  %606 = phi i64 [ %403, %498 ], [ %595, %594 ], [ %598, %596 ]
-  br i1 %603, label %607, label %772
+600:                                              ; preds = %597
+  %601 = getelementptr inbounds i64, ptr %18, i64 %548
+  %602 = load i64, ptr %601, align 8
+  %603 = icmp eq i64 %602, 2
+  %604 = fcmp oeq double %552, 0.000000e+00
+  %605 = and i1 %604, %603
+  br label %606
 
-607:                                              ; preds = %602
-  br i1 %149, label %618, label %610
+606:                                              ; preds = %600, %597
+  %607 = phi i1 [ true, %597 ], [ %605, %600 ]
+  br i1 %607, label %623, label %608
 
-608:                                              ; preds = %705
-  %609 = zext i1 %706 to i32
-  br label %610
+608:                                              ; preds = %606
+  %609 = getelementptr inbounds double, ptr %329, i64 %548
+  %610 = load double, ptr %609, align 8
+  %611 = icmp eq i64 %554, 0
+  %612 = fcmp ord double %610, 0.000000e+00
+  %613 = or i1 %611, %612
+  br i1 %613, label %623, label %614
 
-610:                                              ; preds = %608, %607
-  %611 = phi i32 [ 0, %607 ], [ %609, %608 ]
-  %612 = phi i64 [ -1, %607 ], [ %695, %608 ]
-  %613 = icmp eq i32 %611, 0
-  br i1 %613, label %614, label %709
+614:                                              ; preds = %608
+  %615 = sitofp i64 %554 to double
+  %616 = fmul double %552, %615
+  %617 = fcmp olt double %616, 0.000000e+00
+  br i1 %617, label %618, label %620
 
-614:                                              ; preds = %610
-  br i1 %152, label %615, label %710
+618:                                              ; preds = %614
+  %619 = sub nsw i64 0, %554
+  store i64 %619, ptr %553, align 8
+  br label %623
 
-615:                                              ; preds = %614
-  %616 = fmul double %604, %2
-  %617 = fadd double %616, %1
-  br label %713
+620:                                              ; preds = %614
+  %621 = fcmp ueq double %552, 0.000000e+00
+  %622 = select i1 %621, i64 %548, i64 %549
+  br label %623
 
-618:                                              ; preds = %607, %705
-  %619 = phi i64 [ %707, %705 ], [ 0, %607 ]
-  %620 = phi i64 [ %695, %705 ], [ -1, %607 ]
-  %621 = phi i1 [ %706, %705 ], [ false, %607 ]
-  %622 = getelementptr inbounds double, ptr %32, i64 %619
-  %623 = load double, ptr %622, align 8
-  %624 = getelementptr inbounds i64, ptr %17, i64 %619
-  %625 = load i64, ptr %624, align 8
-  %626 = getelementptr inbounds i64, ptr %15, i64 %619
-  %627 = load i64, ptr %626, align 8
-  %628 = icmp slt i64 %625, 0
-  %629 = fcmp ogt double %623, 0.000000e+00
-  %630 = and i1 %629, %628
-  %631 = icmp sgt i64 %627, -1
-  %632 = and i1 %630, %631
-  br i1 %632, label %640, label %633
+623:                                              ; preds = %620, %618, %608, %606
+  %624 = phi i64 [ %549, %606 ], [ %549, %618 ], [ %549, %608 ], [ %622, %620 ]
+  %625 = zext i1 %607 to i64
+  %626 = getelementptr inbounds i64, ptr %18, i64 %548
+  store i64 %625, ptr %626, align 8
+  %627 = xor i1 %607, true
+  %628 = or i1 %550, %627
+  br i1 %628, label %634, label %629
 
-633:                                              ; preds = %618
-  %634 = icmp sgt i64 %625, 0
-  %635 = fcmp olt double %623, 0.000000e+00
-  %636 = and i1 %635, %634
-  br i1 %636, label %637, label %640
+629:                                              ; preds = %623
+  %630 = load ptr, ptr %130, align 8
+  %631 = getelementptr inbounds i64, ptr %630, i64 %548
+  %632 = load i64, ptr %631, align 8
+  %633 = icmp eq i64 %632, 1
+  br label %634
 
-637:                                              ; preds = %633
-  %638 = icmp slt i64 %627, 1
-  %639 = zext i1 %638 to i32
-  br label %640
+634:                                              ; preds = %623, %629
+  %635 = phi i1 [ %550, %623 ], [ %633, %629 ]
+  %636 = add nuw nsw i64 %548, 1
+  %637 = icmp eq i64 %636, %12
+  br i1 %637, label %537, label %547, !llvm.loop !11
 
-640:                                              ; preds = %618, %633, %637
-  %641 = phi i32 [ 1, %618 ], [ 0, %633 ], [ %639, %637 ]
-  %642 = icmp eq i32 %641, 0
-  br i1 %642, label %643, label %668
+638:                                              ; preds = %539
+  store double %534, ptr %131, align 8
+  br label %701
 
-643:                                              ; preds = %640
-  %644 = getelementptr inbounds double, ptr %400, i64 %619
-  %645 = load double, ptr %644, align 8
-  %646 = fcmp ogt double %645, 0.000000e+00
-  %647 = and i1 %628, %646
-  %648 = and i1 %631, %647
-  br i1 %648, label %656, label %649
+639:                                              ; preds = %682, %543
+  %640 = icmp sgt i64 %541, -1
+  br i1 %640, label %641, label %693
 
-649:                                              ; preds = %643
-  %650 = icmp sgt i64 %625, 0
-  %651 = fcmp olt double %645, 0.000000e+00
-  %652 = and i1 %650, %651
-  br i1 %652, label %653, label %656
+641:                                              ; preds = %639
+  br i1 %140, label %686, label %685
 
-653:                                              ; preds = %649
-  %654 = icmp slt i64 %627, 1
-  %655 = zext i1 %654 to i32
-  br label %656
+642:                                              ; preds = %544, %682
+  %643 = phi i64 [ 0, %544 ], [ %683, %682 ]
+  %644 = getelementptr inbounds i64, ptr %18, i64 %643
+  %645 = load i64, ptr %644, align 8
+  %646 = icmp eq i64 %645, 0
+  br i1 %646, label %682, label %647
 
-656:                                              ; preds = %643, %649, %653
-  %657 = phi i32 [ 1, %643 ], [ 0, %649 ], [ %655, %653 ]
-  %658 = icmp eq i32 %657, 0
-  br i1 %658, label %668, label %659
+647:                                              ; preds = %642
+  %648 = load ptr, ptr %20, align 8
+  %649 = getelementptr inbounds i8, ptr %648, i64 80
+  %650 = load i64, ptr %649, align 8
+  %651 = load ptr, ptr %6, align 8
+  %652 = getelementptr inbounds i8, ptr %651, i64 8
+  %653 = load i64, ptr %652, align 8
+  %654 = load i64, ptr %133, align 8
+  %655 = icmp eq i64 %654, 0
+  br i1 %655, label %678, label %656
 
-659:                                              ; preds = %656
-  %660 = fcmp oeq double %623, 0.000000e+00
-  br i1 %660, label %665, label %661
+656:                                              ; preds = %647
+  %657 = load ptr, ptr %134, align 8
+  %658 = getelementptr inbounds double, ptr %657, i64 %650
+  store double %546, ptr %658, align 8
+  %659 = load ptr, ptr %135, align 8
+  %660 = getelementptr inbounds i64, ptr %659, i64 %650
+  store i64 %643, ptr %660, align 8
+  %661 = icmp sgt i64 %653, 0
+  br i1 %661, label %666, label %662
 
-661:                                              ; preds = %659
-  %662 = getelementptr inbounds i64, ptr %19, i64 %619
-  %663 = load i64, ptr %662, align 8
-  %664 = icmp eq i64 %663, 1
-  br label %665
+662:                                              ; preds = %666, %656
+  %663 = add nsw i64 %650, 1
+  %664 = load ptr, ptr %20, align 8
+  %665 = getelementptr inbounds i8, ptr %664, i64 80
+  store i64 %663, ptr %665, align 8
+  br label %678
 
-665:                                              ; preds = %661, %659
-  %666 = phi i1 [ true, %659 ], [ %664, %661 ]
-  %667 = zext i1 %666 to i32
-  br label %668
+666:                                              ; preds = %656, %666
+  %667 = phi i64 [ %676, %666 ], [ 0, %656 ]
+  %668 = load ptr, ptr %119, align 8
+  %669 = getelementptr inbounds double, ptr %668, i64 %667
+  %670 = load double, ptr %669, align 8
+  %671 = load ptr, ptr %136, align 8
+  %672 = load i64, ptr %137, align 8
+  %673 = mul nsw i64 %672, %650
+  %674 = getelementptr double, ptr %671, i64 %673
+  %675 = getelementptr double, ptr %674, i64 %667
+  store double %670, ptr %675, align 8
+  %676 = add nuw nsw i64 %667, 1
+  %677 = icmp eq i64 %676, %653
+  br i1 %677, label %662, label %666, !llvm.loop !12
 
-668:                                              ; preds = %665, %656, %640
-  %669 = phi i32 [ 1, %640 ], [ %667, %665 ], [ 0, %656 ]
-  %670 = icmp eq i32 %669, 0
-  br i1 %670, label %671, label %677
+678:                                              ; preds = %647, %662
+  %679 = getelementptr inbounds i64, ptr %16, i64 %643
+  %680 = load i64, ptr %679, align 8
+  %681 = sub nsw i64 0, %680
+  store i64 %681, ptr %679, align 8
+  br label %682
 
-671:                                              ; preds = %668
-  %672 = getelementptr inbounds i64, ptr %19, i64 %619
-  %673 = load i64, ptr %672, align 8
-  %674 = icmp eq i64 %673, 2
-  %675 = fcmp oeq double %623, 0.000000e+00
-  %676 = and i1 %675, %674
-  br label %677
+682:                                              ; preds = %642, %678
+  %683 = add nuw nsw i64 %643, 1
+  %684 = icmp eq i64 %683, %12
+  br i1 %684, label %639, label %642, !llvm.loop !13
 
-677:                                              ; preds = %671, %668
-  %678 = phi i1 [ true, %668 ], [ %676, %671 ]
-  br i1 %678, label %694, label %679
+685:                                              ; preds = %686, %641
+  store double %534, ptr %141, align 8
+  br label %701
 
-679:                                              ; preds = %677
-  %680 = getelementptr inbounds double, ptr %400, i64 %619
-  %681 = load double, ptr %680, align 8
-  %682 = icmp eq i64 %625, 0
-  %683 = fcmp ord double %681, 0.000000e+00
-  %684 = or i1 %682, %683
-  br i1 %684, label %694, label %685
+686:                                              ; preds = %641, %686
+  %687 = phi i64 [ %691, %686 ], [ 0, %641 ]
+  %688 = icmp eq i64 %687, %541
+  %689 = zext i1 %688 to i64
+  %690 = getelementptr inbounds i64, ptr %18, i64 %687
+  store i64 %689, ptr %690, align 8
+  %691 = add nuw nsw i64 %687, 1
+  %692 = icmp eq i64 %691, %12
+  br i1 %692, label %685, label %686, !llvm.loop !14
 
-685:                                              ; preds = %679
-  %686 = sitofp i64 %625 to double
-  %687 = fmul double %623, %686
-  %688 = fcmp olt double %687, 0.000000e+00
-  br i1 %688, label %689, label %691
+693:                                              ; preds = %639
+  %694 = load i64, ptr %138, align 8
+  %695 = icmp sgt i64 %694, 0
+  br i1 %695, label %696, label %701
 
-689:                                              ; preds = %685
-  %690 = sub nsw i64 0, %625
-  store i64 %690, ptr %624, align 8
-  br label %694
+696:                                              ; preds = %693
+  %697 = load i64, ptr %22, align 8
+  %698 = add nsw i64 %697, %12
+  %699 = icmp sgt i64 %698, %694
+  br i1 %699, label %700, label %701
 
-691:                                              ; preds = %685
-  %692 = fcmp ueq double %623, 0.000000e+00
-  %693 = select i1 %692, i64 %619, i64 %620
-  br label %694
+700:                                              ; preds = %696
+  store double %534, ptr %139, align 8
+  br label %701
 
-694:                                              ; preds = %691, %689, %679, %677
-  %695 = phi i64 [ %620, %677 ], [ %620, %689 ], [ %620, %679 ], [ %693, %691 ]
-  %696 = zext i1 %678 to i64
-  %697 = getelementptr inbounds i64, ptr %19, i64 %619
-  store i64 %696, ptr %697, align 8
-  %698 = xor i1 %678, true
-  %699 = or i1 %621, %698
-  br i1 %699, label %705, label %700
+701:                                              ; preds = %638, %685, %700, %696, %693, %333, %531, %430
+  %702 = phi i32 [ 1, %430 ], [ %533, %531 ], [ 8, %333 ], [ 1, %638 ], [ 1, %685 ], [ 1, %700 ], [ 0, %696 ], [ 0, %693 ]
+  %703 = phi double [ %331, %430 ], [ %331, %531 ], [ %331, %333 ], [ %331, %638 ], [ %331, %685 ], [ %331, %700 ], [ %534, %696 ], [ %534, %693 ]
+  %704 = phi i64 [ -4, %430 ], [ %535, %531 ], [ %332, %333 ], [ -2, %638 ], [ 21, %685 ], [ -3, %700 ], [ %535, %696 ], [ %535, %693 ]
+  switch i32 %702, label %724 [
+    i32 0, label %330
+    i32 8, label %705
+  ], !llvm.loop !15
 
-700:                                              ; preds = %694
-  %701 = load ptr, ptr %150, align 8
-  %702 = getelementptr inbounds i64, ptr %701, i64 %619
-  %703 = load i64, ptr %702, align 8
-  %704 = icmp eq i64 %703, 1
-  br label %705
+705:                                              ; preds = %701
+  br i1 %142, label %706, label %724
 
-705:                                              ; preds = %694, %700
-  %706 = phi i1 [ %621, %694 ], [ %704, %700 ]
-  %707 = add nuw nsw i64 %619, 1
-  %708 = icmp eq i64 %707, %13
-  br i1 %708, label %608, label %618, !llvm.loop !12
+706:                                              ; preds = %705, %716
+  %707 = phi i64 [ %717, %716 ], [ 0, %705 ]
+  %708 = getelementptr inbounds double, ptr %329, i64 %707
+  %709 = load double, ptr %708, align 8
+  %710 = fcmp ogt double %709, 0.000000e+00
+  br i1 %710, label %713, label %711
 
-709:                                              ; preds = %610
-  store double %604, ptr %151, align 8
-  br label %772
+711:                                              ; preds = %706
+  %712 = fcmp olt double %709, 0.000000e+00
+  br i1 %712, label %713, label %716
 
-710:                                              ; preds = %753, %614
-  %711 = icmp sgt i64 %612, -1
-  br i1 %711, label %712, label %764
+713:                                              ; preds = %711, %706
+  %714 = phi i64 [ 1, %706 ], [ -1, %711 ]
+  %715 = getelementptr inbounds i64, ptr %16, i64 %707
+  store i64 %714, ptr %715, align 8
+  br label %716
 
-712:                                              ; preds = %710
-  br i1 %160, label %757, label %756
+716:                                              ; preds = %713, %711
+  %717 = add nuw nsw i64 %707, 1
+  %718 = icmp eq i64 %717, %12
+  br i1 %718, label %724, label %706, !llvm.loop !16
 
-713:                                              ; preds = %615, %753
-  %714 = phi i64 [ 0, %615 ], [ %754, %753 ]
-  %715 = getelementptr inbounds i64, ptr %19, i64 %714
-  %716 = load i64, ptr %715, align 8
-  %717 = icmp eq i64 %716, 0
-  br i1 %717, label %753, label %718
+719:                                              ; preds = %316, %287
+  %720 = load ptr, ptr %20, align 8
+  %721 = getelementptr inbounds i8, ptr %720, i64 80
+  store i64 %23, ptr %721, align 8
+  %722 = load ptr, ptr %19, align 8
+  %723 = getelementptr inbounds i8, ptr %722, i64 48
+  store double 1.000000e+00, ptr %723, align 8
+  br label %724
 
-718:                                              ; preds = %713
-  %719 = load ptr, ptr %21, align 8
-  %720 = getelementptr inbounds i8, ptr %719, i64 80
-  %721 = load i64, ptr %720, align 8
-  %722 = load ptr, ptr %7, align 8
-  %723 = getelementptr inbounds i8, ptr %722, i64 8
-  %724 = load i64, ptr %723, align 8
-  %725 = load i64, ptr %153, align 8
-  %726 = icmp eq i64 %725, 0
-  br i1 %726, label %749, label %727
+724:                                              ; preds = %701, %716, %719, %705
+  %725 = phi i32 [ 0, %705 ], [ 1, %719 ], [ 0, %716 ], [ %702, %701 ]
+  %726 = phi double [ %328, %705 ], [ %146, %719 ], [ %328, %716 ], [ %703, %701 ]
+  %727 = phi i64 [ %704, %705 ], [ -4, %719 ], [ %704, %716 ], [ %704, %701 ]
+  %728 = icmp eq i32 %725, 0
+  br i1 %728, label %729, label %734
 
-727:                                              ; preds = %718
-  %728 = load ptr, ptr %154, align 8
-  %729 = getelementptr inbounds double, ptr %728, i64 %721
-  store double %617, ptr %729, align 8
-  %730 = load ptr, ptr %155, align 8
-  %731 = getelementptr inbounds i64, ptr %730, i64 %721
-  store i64 %714, ptr %731, align 8
-  %732 = icmp sgt i64 %724, 0
-  br i1 %732, label %737, label %733
+729:                                              ; preds = %724
+  %730 = fcmp oeq double %726, %150
+  %731 = zext i1 %730 to i32
+  %732 = add nuw nsw i32 %147, %731
+  %733 = icmp ugt i32 %732, 4
+  br i1 %733, label %734, label %143, !llvm.loop !17
 
-733:                                              ; preds = %737, %727
-  %734 = add nsw i64 %721, 1
-  %735 = load ptr, ptr %21, align 8
-  %736 = getelementptr inbounds i8, ptr %735, i64 80
-  store i64 %734, ptr %736, align 8
-  br label %749
+734:                                              ; preds = %729, %724
+  %735 = phi i1 [ %733, %729 ], [ %144, %724 ]
+  br i1 %735, label %736, label %754
 
-737:                                              ; preds = %727, %737
-  %738 = phi i64 [ %747, %737 ], [ 0, %727 ]
-  %739 = load ptr, ptr %139, align 8
-  %740 = getelementptr inbounds double, ptr %739, i64 %738
-  %741 = load double, ptr %740, align 8
-  %742 = load ptr, ptr %156, align 8
-  %743 = load i64, ptr %157, align 8
-  %744 = mul nsw i64 %743, %721
-  %745 = getelementptr double, ptr %742, i64 %744
-  %746 = getelementptr double, ptr %745, i64 %738
-  store double %741, ptr %746, align 8
-  %747 = add nuw nsw i64 %738, 1
-  %748 = icmp eq i64 %747, %724
-  br i1 %748, label %733, label %737, !llvm.loop !13
+736:                                              ; preds = %734
+  %737 = icmp sgt i64 %12, 0
+  br i1 %737, label %738, label %741
 
-749:                                              ; preds = %718, %733
-  %750 = getelementptr inbounds i64, ptr %17, i64 %714
-  %751 = load i64, ptr %750, align 8
-  %752 = sub nsw i64 0, %751
-  store i64 %752, ptr %750, align 8
-  br label %753
+738:                                              ; preds = %736
+  %739 = shl i64 %12, 5
+  %740 = getelementptr i8, ptr %28, i64 %739
+  br label %743
 
-753:                                              ; preds = %713, %749
-  %754 = add nuw nsw i64 %714, 1
-  %755 = icmp eq i64 %754, %13
-  br i1 %755, label %710, label %713, !llvm.loop !14
+741:                                              ; preds = %743, %736
+  %742 = load double, ptr %24, align 8
+  store double %742, ptr %30, align 8
+  br label %750
 
-756:                                              ; preds = %757, %712
-  store double %604, ptr %161, align 8
-  br label %772
+743:                                              ; preds = %738, %743
+  %744 = phi i64 [ 0, %738 ], [ %748, %743 ]
+  %745 = getelementptr double, ptr %740, i64 %744
+  %746 = load double, ptr %745, align 8
+  %747 = getelementptr inbounds double, ptr %28, i64 %744
+  store double %746, ptr %747, align 8
+  %748 = add nuw nsw i64 %744, 1
+  %749 = icmp eq i64 %748, %12
+  br i1 %749, label %741, label %743, !llvm.loop !18
 
-757:                                              ; preds = %712, %757
-  %758 = phi i64 [ %762, %757 ], [ 0, %712 ]
-  %759 = icmp eq i64 %758, %612
-  %760 = zext i1 %759 to i64
-  %761 = getelementptr inbounds i64, ptr %19, i64 %758
-  store i64 %760, ptr %761, align 8
-  %762 = add nuw nsw i64 %758, 1
-  %763 = icmp eq i64 %762, %13
-  br i1 %763, label %756, label %757, !llvm.loop !15
+750:                                              ; preds = %93, %741, %87
+  %751 = phi ptr [ %90, %87 ], [ %24, %741 ], [ %96, %93 ]
+  %752 = phi i64 [ -4, %87 ], [ 0, %741 ], [ -4, %93 ]
+  %753 = getelementptr inbounds i8, ptr %751, i64 48
+  store double 1.000000e+00, ptr %753, align 8
+  br label %754
 
-764:                                              ; preds = %710
-  %765 = load i64, ptr %158, align 8
-  %766 = icmp sgt i64 %765, 0
-  br i1 %766, label %767, label %772
-
-767:                                              ; preds = %764
-  %768 = load i64, ptr %23, align 8
-  %769 = add nsw i64 %768, %13
-  %770 = icmp sgt i64 %769, %765
-  br i1 %770, label %771, label %772
-
-771:                                              ; preds = %767
-  store double %604, ptr %159, align 8
-  br label %772
-
-772:                                              ; preds = %709, %756, %771, %767, %764, %404, %602, %501
-  %773 = phi i32 [ 1, %501 ], [ %605, %602 ], [ 8, %404 ], [ 1, %709 ], [ 1, %756 ], [ 1, %771 ], [ 0, %767 ], [ 0, %764 ]
-  %774 = phi double [ %402, %501 ], [ %402, %602 ], [ %402, %404 ], [ %402, %709 ], [ %402, %756 ], [ %402, %771 ], [ %604, %767 ], [ %604, %764 ]
-  %775 = phi i64 [ -4, %501 ], [ %606, %602 ], [ %403, %404 ], [ -2, %709 ], [ 21, %756 ], [ -3, %771 ], [ %606, %767 ], [ %606, %764 ]
-  switch i32 %773, label %795 [
-    i32 0, label %401
-    i32 8, label %776
-  ], !llvm.loop !16
-
-776:                                              ; preds = %772
-  br i1 %162, label %777, label %795
-
-777:                                              ; preds = %776, %787
-  %778 = phi i64 [ %788, %787 ], [ 0, %776 ]
-  %779 = getelementptr inbounds double, ptr %400, i64 %778
-  %780 = load double, ptr %779, align 8
-  %781 = fcmp ogt double %780, 0.000000e+00
-  br i1 %781, label %784, label %782
-
-782:                                              ; preds = %777
-  %783 = fcmp olt double %780, 0.000000e+00
-  br i1 %783, label %784, label %787
-
-784:                                              ; preds = %782, %777
-  %785 = phi i64 [ 1, %777 ], [ -1, %782 ]
-  %786 = getelementptr inbounds i64, ptr %17, i64 %778
-  store i64 %785, ptr %786, align 8
-  br label %787
-
-787:                                              ; preds = %784, %782
-  %788 = add nuw nsw i64 %778, 1
-  %789 = icmp eq i64 %788, %13
-  br i1 %789, label %795, label %777, !llvm.loop !17
-
-790:                                              ; preds = %387, %357
-  %791 = load ptr, ptr %21, align 8
-  %792 = getelementptr inbounds i8, ptr %791, i64 80
-  store i64 %24, ptr %792, align 8
-  %793 = load ptr, ptr %20, align 8
-  %794 = getelementptr inbounds i8, ptr %793, i64 48
-  store double 1.000000e+00, ptr %794, align 8
-  br label %795
-
-795:                                              ; preds = %772, %787, %790, %776
-  %796 = phi i32 [ 0, %776 ], [ 1, %790 ], [ 0, %787 ], [ %773, %772 ]
-  %797 = phi double [ %399, %776 ], [ %166, %790 ], [ %399, %787 ], [ %774, %772 ]
-  %798 = phi i64 [ %775, %776 ], [ -4, %790 ], [ %775, %787 ], [ %775, %772 ]
-  %799 = icmp eq i32 %796, 0
-  br i1 %799, label %800, label %805
-
-800:                                              ; preds = %795
-  %801 = fcmp oeq double %797, %169
-  %802 = zext i1 %801 to i32
-  %803 = add nuw nsw i32 %167, %802
-  %804 = icmp ugt i32 %803, 4
-  br i1 %804, label %805, label %163, !llvm.loop !18
-
-805:                                              ; preds = %800, %795
-  %806 = phi i1 [ %804, %800 ], [ %164, %795 ]
-  br i1 %806, label %807, label %822
-
-807:                                              ; preds = %805
-  %808 = icmp sgt i64 %13, 0
-  br i1 %808, label %809, label %812
-
-809:                                              ; preds = %807
-  %810 = shl i64 %13, 5
-  %811 = getelementptr i8, ptr %29, i64 %810
-  br label %815
-
-812:                                              ; preds = %815, %807
-  %813 = load double, ptr %25, align 8
-  store double %813, ptr %31, align 8
-  %814 = getelementptr inbounds i8, ptr %25, i64 48
-  store double 1.000000e+00, ptr %814, align 8
-  br label %822
-
-815:                                              ; preds = %809, %815
-  %816 = phi i64 [ 0, %809 ], [ %820, %815 ]
-  %817 = getelementptr double, ptr %811, i64 %816
-  %818 = load double, ptr %817, align 8
-  %819 = getelementptr inbounds double, ptr %29, i64 %816
-  store double %818, ptr %819, align 8
-  %820 = add nuw nsw i64 %816, 1
-  %821 = icmp eq i64 %820, %13
-  br i1 %821, label %812, label %815, !llvm.loop !19
-
-822:                                              ; preds = %44, %805, %112, %812
-  %823 = phi i64 [ 0, %812 ], [ %798, %805 ], [ %114, %112 ], [ %46, %44 ]
-  ret i64 %823
+754:                                              ; preds = %750, %734, %91
+  %755 = phi i64 [ %727, %734 ], [ %92, %91 ], [ %752, %750 ]
+  ret i64 %755
 }
 
 
-define internal fastcc range(i64 -6, 1) i64 @unresolved(ptr noundef readonly %0, ptr noundef readonly %1, double noundef %2, double noundef %3) unnamed_addr #2 {
-  %5 = getelementptr inbounds i8, ptr %0, i64 720
-  %6 = getelementptr inbounds i8, ptr %0, i64 144
-  %7 = getelementptr inbounds i8, ptr %0, i64 984
-  %8 = getelementptr inbounds i8, ptr %0, i64 1000
+
+define internal fastcc i64 @resolve(ptr noundef readonly %0, ptr noundef readonly %1, double noundef %2, double noundef %3) unnamed_addr #2 {
+  %5 = alloca [9 x double], align 16
+  %6 = getelementptr inbounds i8, ptr %0, i64 720
+  %7 = load ptr, ptr %6, align 8
+  %8 = getelementptr inbounds i8, ptr %7, i64 8
   %9 = load i64, ptr %8, align 8
-  %10 = sdiv i64 %9, 2
-  %11 = getelementptr inbounds i8, ptr %0, i64 624
-  %12 = load ptr, ptr %11, align 8
-  %13 = getelementptr inbounds i8, ptr %0, i64 632
-  %14 = load i64, ptr %13, align 8
-  %15 = getelementptr double, ptr %12, i64 %14
-  %16 = getelementptr i8, ptr %15, i64 -8
-  %17 = load double, ptr %16, align 8
-  %18 = load double, ptr %12, align 8
-  %19 = fsub double %17, %18
-  %20 = fadd double %2, %3
-  %21 = tail call double @llvm.fabs.f64(double %20)
-  %22 = fcmp ogt double %21, %19
-  %23 = select i1 %22, double %21, double %19
-  %24 = fmul double %23, 0x3D10000000000000
-  %25 = fcmp ult double %24, %3
-  br i1 %25, label %26, label %211
+  %10 = getelementptr inbounds i8, ptr %0, i64 624
+  %11 = load ptr, ptr %10, align 8
+  %12 = getelementptr inbounds i8, ptr %0, i64 632
+  %13 = load i64, ptr %12, align 8
+  %14 = getelementptr double, ptr %11, i64 %13
+  %15 = getelementptr i8, ptr %14, i64 -8
+  %16 = load double, ptr %15, align 8
+  %17 = load double, ptr %11, align 8
+  %18 = fsub double %16, %17
+  %19 = fadd double %2, %3
+  %20 = tail call double @llvm.fabs.f64(double %19)
+  %21 = fcmp ogt double %20, %18
+  %22 = select i1 %21, double %20, double %18
+  %23 = fmul double %22, 0x3D10000000000000
+  %24 = fcmp ult double %23, %3
+  %25 = icmp sgt i64 %9, 0
+  %26 = select i1 %24, i1 %25, i1 false
+  br i1 %26, label %27, label %350
 
-26:                                               ; preds = %4
-  %27 = getelementptr inbounds i8, ptr %0, i64 888
-  %28 = getelementptr inbounds i8, ptr %1, i64 16
-  %29 = getelementptr inbounds i8, ptr %1, i64 8
-  %30 = getelementptr inbounds i8, ptr %0, i64 168
-  %31 = getelementptr inbounds i8, ptr %0, i64 248
-  %32 = getelementptr inbounds i8, ptr %0, i64 168
-  %33 = getelementptr inbounds i8, ptr %0, i64 192
-  %34 = getelementptr inbounds i8, ptr %0, i64 1008
-  br label %42
+27:                                               ; preds = %4
+  %28 = getelementptr inbounds i8, ptr %0, i64 888
+  %29 = shl nsw i64 %9, 4
+  %30 = mul i64 %9, 40
+  %31 = getelementptr inbounds i8, ptr %0, i64 816
+  %32 = getelementptr inbounds i8, ptr %0, i64 912
+  %33 = getelementptr inbounds i8, ptr %1, i64 16
+  %34 = getelementptr inbounds i8, ptr %1, i64 8
+  %35 = getelementptr inbounds i8, ptr %0, i64 168
+  %36 = getelementptr inbounds i8, ptr %0, i64 248
+  %37 = getelementptr inbounds i8, ptr %0, i64 144
+  %38 = getelementptr inbounds i8, ptr %0, i64 168
+  %39 = getelementptr inbounds i8, ptr %0, i64 192
+  %40 = getelementptr inbounds i8, ptr %0, i64 744
+  %41 = getelementptr inbounds i8, ptr %0, i64 144
+  %42 = getelementptr inbounds i8, ptr %0, i64 912
+  %43 = getelementptr inbounds i8, ptr %1, i64 16
+  %44 = getelementptr inbounds i8, ptr %1, i64 8
+  %45 = getelementptr inbounds i8, ptr %0, i64 552
+  %46 = getelementptr inbounds i8, ptr %0, i64 528
+  %47 = getelementptr inbounds i8, ptr %0, i64 168
+  %48 = getelementptr inbounds i8, ptr %0, i64 248
+  %49 = getelementptr inbounds i8, ptr %0, i64 168
+  %50 = getelementptr inbounds i8, ptr %0, i64 192
+  %51 = getelementptr inbounds i8, ptr %0, i64 744
+  %52 = shl nsw i64 %9, 5
+  br label %53
 
-35:                                               ; preds = %72
-  %36 = add nuw nsw i64 %43, 1
-  %37 = icmp eq i64 %36, 9
-  br i1 %37, label %38, label %42, !llvm.loop !20
+53:                                               ; preds = %27, %347
+  %54 = phi i64 [ undef, %27 ], [ %346, %347 ]
+  %55 = phi i32 [ 0, %27 ], [ %345, %347 ]
+  %56 = phi i32 [ 0, %27 ], [ %344, %347 ]
+  %57 = phi i64 [ 0, %27 ], [ %348, %347 ]
+  %58 = load ptr, ptr %28, align 8
+  %59 = getelementptr inbounds i8, ptr %58, i64 %29
+  %60 = getelementptr inbounds double, ptr %59, i64 %57
+  %61 = getelementptr inbounds i8, ptr %60, i64 %30
+  %62 = load ptr, ptr %31, align 8
+  %63 = getelementptr inbounds i64, ptr %62, i64 %57
+  %64 = load i64, ptr %63, align 8
+  %65 = icmp eq i64 %64, 1
+  br i1 %65, label %342, label %66
 
-38:                                               ; preds = %35
-  %39 = icmp sgt i64 %9, 1
-  br i1 %39, label %40, label %211
+66:                                               ; preds = %53
+  %67 = load double, ptr %60, align 8
+  br label %71
 
-40:                                               ; preds = %38
-  %41 = load ptr, ptr %7, align 8
-  br label %89
+68:                                               ; preds = %71
+  %69 = fmul double %79, %81
+  %70 = fcmp ugt double %69, 0.000000e+00
+  br i1 %70, label %84, label %93
 
-42:                                               ; preds = %26, %35
-  %43 = phi i64 [ 0, %26 ], [ %36, %35 ]
-  %44 = getelementptr inbounds [9 x double], ptr @PLACES, i64 0, i64 %43
-  %45 = load double, ptr %44, align 8
-  %46 = load ptr, ptr %27, align 8
-  %47 = load ptr, ptr %28, align 8
-  %48 = getelementptr inbounds i8, ptr %47, i64 96
-  %49 = load ptr, ptr %48, align 8
-  %50 = insertelement <8 x double> poison, double %45, i64 0
-  %51 = shufflevector <8 x double> %50, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %51, ptr %49, align 8
-  %52 = load ptr, ptr %47, align 8
-  %53 = getelementptr inbounds i8, ptr %47, i64 192
-  %54 = load ptr, ptr %53, align 8
-  %55 = getelementptr inbounds i8, ptr %47, i64 8
-  %56 = load i64, ptr %55, align 8
-  %57 = load ptr, ptr %1, align 8
-  %58 = load ptr, ptr %57, align 8
-  %59 = getelementptr inbounds i8, ptr %58, i64 24
-  %60 = load i64, ptr %59, align 8
-  %61 = load ptr, ptr %48, align 8
-  %62 = load ptr, ptr %29, align 8
-  %63 = load ptr, ptr %62, align 8
-  %64 = getelementptr inbounds i8, ptr %63, i64 16
-  %65 = load i64, ptr %64, align 8
-  tail call fastcc void @nested(ptr noundef %46, ptr noundef %52, ptr noundef %54, i64 noundef %56, i64 noundef %60, ptr noundef %61, i64 noundef %65) #8
-  %66 = fmul double %45, %3
-  %67 = fadd double %66, %2
-  %68 = load ptr, ptr %30, align 8
-  store double %67, ptr %68, align 8
-  %69 = load i64, ptr %31, align 8
-  %70 = icmp sgt i64 %69, 0
-  br i1 %70, label %71, label %72
+71:                                               ; preds = %66, %71
+  %72 = phi i64 [ 1, %66 ], [ %82, %71 ]
+  %73 = phi double [ %67, %66 ], [ %81, %71 ]
+  %74 = phi double [ %67, %66 ], [ %79, %71 ]
+  %75 = mul nuw nsw i64 %9, %72
+  %76 = getelementptr inbounds double, ptr %60, i64 %75
+  %77 = load double, ptr %76, align 8
+  %78 = fcmp olt double %74, %77
+  %79 = select i1 %78, double %74, double %77
+  %80 = fcmp ogt double %73, %77
+  %81 = select i1 %80, double %73, double %77
+  %82 = add nuw nsw i64 %72, 1
+  %83 = icmp eq i64 %82, 5
+  br i1 %83, label %68, label %71, !llvm.loop !19
 
-71:                                               ; preds = %42
-  tail call fastcc void @sample(ptr noundef nonnull %6) #8
-  br label %72
+84:                                               ; preds = %68
+  %85 = tail call double @llvm.fabs.f64(double %79)
+  %86 = tail call double @llvm.fabs.f64(double %81)
+  %87 = fcmp olt double %85, %86
+  %88 = select i1 %87, double %85, double %86
+  %89 = fsub double %81, %79
+  %90 = fmul double %89, 4.000000e+00
+  %91 = fcmp ole double %88, %90
+  %92 = zext i1 %91 to i32
+  br label %93
 
-72:                                               ; preds = %42, %71
-  %73 = load ptr, ptr %5, align 8
-  %74 = getelementptr inbounds i8, ptr %73, i64 24
-  %75 = load i64, ptr %74, align 8
-  %76 = load ptr, ptr %32, align 8
-  %77 = load ptr, ptr %27, align 8
-  %78 = load ptr, ptr %33, align 8
-  %79 = load ptr, ptr %34, align 8
-  %80 = load ptr, ptr %7, align 8
-  %81 = mul nsw i64 %9, %43
-  %82 = getelementptr inbounds double, ptr %80, i64 %81
-  %83 = inttoptr i64 %75 to ptr
-  %84 = tail call i32 %83(ptr noundef %76, ptr noundef %77, ptr noundef %78, ptr noundef %79, ptr noundef %82) #9
-  %85 = icmp slt i32 %84, 0
-  br i1 %85, label %211, label %35
+93:                                               ; preds = %68, %84
+  %94 = phi i32 [ 1, %68 ], [ %92, %84 ]
+  %95 = icmp eq i32 %94, 0
+  br i1 %95, label %342, label %96
 
-86:                                               ; preds = %150
-  %87 = add nuw nsw i64 %91, 1
-  %88 = icmp eq i64 %87, %10
-  br i1 %88, label %211, label %89, !llvm.loop !21
+96:                                               ; preds = %93
+  %97 = sext i32 %55 to i64
+  br label %98
 
-89:                                               ; preds = %40, %86
-  %90 = phi i64 [ -4, %40 ], [ %153, %86 ]
-  %91 = phi i64 [ 0, %40 ], [ %87, %86 ]
-  %92 = getelementptr inbounds double, ptr %41, i64 %91
-  br label %154
+98:                                               ; preds = %96, %136
+  %99 = phi i64 [ %97, %96 ], [ %104, %136 ]
+  %100 = icmp slt i64 %99, 4
+  br i1 %100, label %101, label %151
 
-93:                                               ; preds = %207
-  %94 = fmul double %168, 0x3CE0000000000000
-  %95 = fmul double %164, 0x3E50000000000000
-  %96 = fcmp ogt double %208, %95
-  %97 = fmul double %208, 2.000000e+00
-  %98 = select i1 %96, double %97, double 0.000000e+00
-  %99 = fcmp ule double %98, %94
-  %100 = fmul double %98, 2.000000e+00
-  %101 = fneg double %94
-  br label %105
+101:                                              ; preds = %98
+  %102 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %99
+  %103 = load double, ptr %102, align 8
+  %104 = add nsw i64 %99, 1
+  %105 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %104
+  %106 = load double, ptr %105, align 8
+  %107 = fadd double %103, %106
+  %108 = fmul double %107, 5.000000e-01
+  %109 = add nsw i64 %99, 7
+  %110 = load ptr, ptr %32, align 8
+  %111 = load ptr, ptr %33, align 8
+  %112 = getelementptr inbounds i8, ptr %111, i64 96
+  %113 = load ptr, ptr %112, align 8
+  %114 = insertelement <8 x double> poison, double %108, i64 0
+  %115 = shufflevector <8 x double> %114, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %115, ptr %113, align 8
+  %116 = load ptr, ptr %111, align 8
+  %117 = getelementptr inbounds i8, ptr %111, i64 192
+  %118 = load ptr, ptr %117, align 8
+  %119 = getelementptr inbounds i8, ptr %111, i64 8
+  %120 = load i64, ptr %119, align 8
+  %121 = load ptr, ptr %1, align 8
+  %122 = load ptr, ptr %121, align 8
+  %123 = getelementptr inbounds i8, ptr %122, i64 24
+  %124 = load i64, ptr %123, align 8
+  %125 = load ptr, ptr %112, align 8
+  %126 = load ptr, ptr %34, align 8
+  %127 = load ptr, ptr %126, align 8
+  %128 = getelementptr inbounds i8, ptr %127, i64 16
+  %129 = load i64, ptr %128, align 8
+  tail call fastcc void @nested(ptr noundef %110, ptr noundef %116, ptr noundef %118, i64 noundef %120, i64 noundef %124, ptr noundef %125, i64 noundef %129) #8
+  %130 = fmul double %108, %3
+  %131 = fadd double %130, %2
+  %132 = load ptr, ptr %35, align 8
+  store double %131, ptr %132, align 8
+  %133 = load i64, ptr %36, align 8
+  %134 = icmp sgt i64 %133, 0
+  br i1 %134, label %135, label %136
 
-102:                                              ; preds = %147
-  %103 = add nuw nsw i64 %106, 1
-  %104 = icmp eq i64 %103, 9
-  br i1 %104, label %150, label %105, !llvm.loop !22
+135:                                              ; preds = %101
+  tail call fastcc void @sample(ptr noundef nonnull %37) #8
+  br label %136
 
-105:                                              ; preds = %93, %102
-  %106 = phi i64 [ 1, %93 ], [ %103, %102 ]
-  %107 = phi i32 [ undef, %93 ], [ %149, %102 ]
-  %108 = add nsw i64 %106, -1
-  %109 = mul nsw i64 %9, %108
-  %110 = getelementptr inbounds double, ptr %92, i64 %109
-  %111 = load double, ptr %110, align 8
-  %112 = mul nuw nsw i64 %9, %106
-  %113 = getelementptr inbounds double, ptr %92, i64 %112
-  %114 = load double, ptr %113, align 8
-  %115 = tail call double @llvm.fabs.f64(double %111)
-  %116 = tail call double @llvm.fabs.f64(double %114)
-  %117 = fcmp olt double %115, %116
-  %118 = select i1 %117, double %115, double %116
-  %119 = fmul double %111, %114
-  %120 = fcmp ult double %119, 0.000000e+00
-  %121 = or i1 %99, %120
-  %122 = fcmp ugt double %118, %98
-  %123 = or i1 %121, %122
-  br i1 %123, label %128, label %124
+136:                                              ; preds = %101, %135
+  %137 = load ptr, ptr %6, align 8
+  %138 = load i64, ptr %137, align 8
+  %139 = load ptr, ptr %38, align 8
+  %140 = load ptr, ptr %32, align 8
+  %141 = load ptr, ptr %39, align 8
+  %142 = load ptr, ptr %40, align 8
+  %143 = load ptr, ptr %28, align 8
+  %144 = getelementptr inbounds i8, ptr %137, i64 8
+  %145 = load i64, ptr %144, align 8
+  %146 = mul nsw i64 %145, %109
+  %147 = getelementptr inbounds double, ptr %143, i64 %146
+  %148 = inttoptr i64 %138 to ptr
+  %149 = tail call i32 %148(ptr noundef %139, ptr noundef %140, ptr noundef %141, ptr noundef %142, ptr noundef %147) #9
+  %150 = icmp slt i32 %149, 0
+  br i1 %150, label %340, label %98, !llvm.loop !20
 
-124:                                              ; preds = %105
-  %125 = fsub double %111, %114
-  %126 = tail call double @llvm.fabs.f64(double %125)
-  %127 = fcmp ugt double %126, %100
-  br i1 %127, label %128, label %147
+151:                                              ; preds = %98
+  %152 = load double, ptr %60, align 8
+  %153 = tail call double @llvm.fabs.f64(double %152)
+  store double %152, ptr %5, align 16
+  br label %161
 
-128:                                              ; preds = %124, %105
-  %129 = add nuw nsw i64 %106, 1
-  %130 = icmp eq i64 %129, 9
-  br i1 %130, label %147, label %131
+154:                                              ; preds = %211
+  %155 = trunc nsw i64 %99 to i32
+  %156 = fmul double %222, 0x3E50000000000000
+  %157 = fcmp ogt double %216, %156
+  br i1 %157, label %158, label %336
 
-131:                                              ; preds = %128
-  %132 = mul nuw nsw i64 %9, %129
-  %133 = getelementptr inbounds double, ptr %92, i64 %132
-  %134 = load double, ptr %133, align 8
-  %135 = and i64 %106, 1
-  %136 = icmp eq i64 %135, 0
-  %137 = fmul double %111, %134
-  %138 = fcmp ult double %137, 0.000000e+00
-  %139 = select i1 %136, i1 true, i1 %138
-  br i1 %139, label %146, label %140
+158:                                              ; preds = %154
+  %159 = fmul double %216, 2.000000e+00
+  %160 = fmul double %216, 8.000000e+00
+  br label %224
 
-140:                                              ; preds = %131
-  %141 = fadd double %111, %134
-  %142 = fcmp olt double %141, 0.000000e+00
-  %143 = fneg double %114
-  %144 = select i1 %142, double %143, double %114
-  %145 = fcmp olt double %144, %101
-  br i1 %145, label %147, label %146
+161:                                              ; preds = %151, %211
+  %162 = phi i64 [ 0, %151 ], [ %171, %211 ]
+  %163 = phi double [ 0.000000e+00, %151 ], [ %216, %211 ]
+  %164 = phi double [ %153, %151 ], [ %222, %211 ]
+  %165 = mul nuw nsw i64 %9, %162
+  %166 = getelementptr inbounds double, ptr %61, i64 %165
+  %167 = load double, ptr %166, align 8
+  %168 = shl nuw nsw i64 %162, 1
+  %169 = or disjoint i64 %168, 1
+  %170 = getelementptr inbounds [9 x double], ptr %5, i64 0, i64 %169
+  store double %167, ptr %170, align 8
+  %171 = add nuw nsw i64 %162, 1
+  %172 = mul nuw nsw i64 %9, %171
+  %173 = getelementptr inbounds double, ptr %60, i64 %172
+  %174 = load double, ptr %173, align 8
+  %175 = add nuw nsw i64 %168, 2
+  %176 = getelementptr inbounds [9 x double], ptr %5, i64 0, i64 %175
+  store double %174, ptr %176, align 16
+  %177 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %162
+  %178 = load double, ptr %177, align 8
+  %179 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %171
+  %180 = load double, ptr %179, align 8
+  %181 = fadd double %178, %180
+  %182 = fmul double %181, 5.000000e-01
+  br label %183
 
-146:                                              ; preds = %140, %131
-  br label %147
+183:                                              ; preds = %161, %187
+  %184 = phi i64 [ 0, %161 ], [ %193, %187 ]
+  %185 = phi double [ 0.000000e+00, %161 ], [ %192, %187 ]
+  %186 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %184
+  br label %195
 
-147:                                              ; preds = %146, %140, %128, %124
-  %148 = phi i1 [ false, %124 ], [ false, %128 ], [ true, %146 ], [ false, %140 ]
-  %149 = phi i32 [ 1, %124 ], [ 0, %128 ], [ %107, %146 ], [ 1, %140 ]
-  br i1 %148, label %102, label %150
+187:                                              ; preds = %206
+  %188 = mul nuw nsw i64 %9, %184
+  %189 = getelementptr inbounds double, ptr %60, i64 %188
+  %190 = load double, ptr %189, align 8
+  %191 = fmul double %208, %190
+  %192 = fadd double %185, %191
+  %193 = add nuw nsw i64 %184, 1
+  %194 = icmp eq i64 %193, 5
+  br i1 %194, label %211, label %183, !llvm.loop !21
 
-150:                                              ; preds = %102, %147
-  %151 = phi i32 [ %149, %147 ], [ 0, %102 ]
-  %152 = icmp eq i32 %151, 0
-  %153 = select i1 %152, i64 %90, i64 -6
-  br i1 %152, label %86, label %211
+195:                                              ; preds = %183, %206
+  %196 = phi i64 [ 0, %183 ], [ %209, %206 ]
+  %197 = phi double [ 1.000000e+00, %183 ], [ %208, %206 ]
+  %198 = icmp eq i64 %196, %184
+  br i1 %198, label %206, label %199
 
-154:                                              ; preds = %89, %207
-  %155 = phi i64 [ 0, %89 ], [ %209, %207 ]
-  %156 = phi double [ 0.000000e+00, %89 ], [ %208, %207 ]
-  %157 = phi double [ 0.000000e+00, %89 ], [ %168, %207 ]
-  %158 = phi double [ 0.000000e+00, %89 ], [ %164, %207 ]
-  %159 = mul nuw nsw i64 %9, %155
-  %160 = getelementptr inbounds double, ptr %92, i64 %159
-  %161 = load double, ptr %160, align 8
-  %162 = tail call double @llvm.fabs.f64(double %161)
-  %163 = fcmp ogt double %158, %162
-  %164 = select i1 %163, double %158, double %162
-  %165 = getelementptr double, ptr %160, i64 %10
-  %166 = load double, ptr %165, align 8
-  %167 = fcmp ogt double %157, %166
-  %168 = select i1 %167, double %157, double %166
-  %169 = and i64 %155, 1
-  %170 = icmp eq i64 %169, 0
-  br i1 %170, label %207, label %171
+199:                                              ; preds = %195
+  %200 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %196
+  %201 = load double, ptr %200, align 8
+  %202 = fsub double %182, %201
+  %203 = load double, ptr %186, align 8
+  %204 = fsub double %203, %201
+  %205 = fdiv double %202, %204
+  br label %206
 
-171:                                              ; preds = %154
-  %172 = getelementptr inbounds [9 x double], ptr @PLACES, i64 0, i64 %155
-  %173 = load double, ptr %172, align 8
-  br label %174
+206:                                              ; preds = %199, %195
+  %207 = phi double [ %205, %199 ], [ 1.000000e+00, %195 ]
+  %208 = fmul double %197, %207
+  %209 = add nuw nsw i64 %196, 1
+  %210 = icmp eq i64 %209, 5
+  br i1 %210, label %187, label %195, !llvm.loop !22
 
-174:                                              ; preds = %171, %178
-  %175 = phi i64 [ 0, %171 ], [ %184, %178 ]
-  %176 = phi double [ 0.000000e+00, %171 ], [ %183, %178 ]
-  %177 = getelementptr inbounds [9 x double], ptr @PLACES, i64 0, i64 %175
-  br label %186
+211:                                              ; preds = %187
+  %212 = fsub double %167, %192
+  %213 = tail call double @llvm.fabs.f64(double %212)
+  %214 = fmul double %213, 2.000000e+00
+  %215 = fcmp ogt double %163, %214
+  %216 = select i1 %215, double %163, double %214
+  %217 = tail call double @llvm.fabs.f64(double %167)
+  %218 = tail call double @llvm.fabs.f64(double %174)
+  %219 = fcmp ogt double %217, %218
+  %220 = select i1 %219, double %217, double %218
+  %221 = fcmp ogt double %164, %220
+  %222 = select i1 %221, double %164, double %220
+  %223 = icmp eq i64 %171, 4
+  br i1 %223, label %154, label %161, !llvm.loop !23
 
-178:                                              ; preds = %198
-  %179 = mul nuw nsw i64 %9, %175
-  %180 = getelementptr inbounds double, ptr %92, i64 %179
-  %181 = load double, ptr %180, align 8
-  %182 = fmul double %199, %181
-  %183 = fadd double %176, %182
-  %184 = add nuw nsw i64 %175, 2
-  %185 = icmp ult i64 %175, 7
-  br i1 %185, label %174, label %202, !llvm.loop !23
+224:                                              ; preds = %158, %245
+  %225 = phi i64 [ 1, %158 ], [ %246, %245 ]
+  %226 = phi i1 [ false, %158 ], [ %247, %245 ]
+  %227 = getelementptr double, ptr %5, i64 %225
+  %228 = getelementptr i8, ptr %227, i64 -8
+  %229 = load double, ptr %228, align 8
+  %230 = load double, ptr %227, align 8
+  %231 = fsub double %229, %230
+  %232 = tail call double @llvm.fabs.f64(double %231)
+  %233 = fmul double %229, %230
+  %234 = fcmp olt double %233, 0.000000e+00
+  br i1 %234, label %235, label %237
 
-186:                                              ; preds = %174, %198
-  %187 = phi i64 [ 0, %174 ], [ %200, %198 ]
-  %188 = phi double [ 1.000000e+00, %174 ], [ %199, %198 ]
-  %189 = icmp eq i64 %187, %175
-  br i1 %189, label %198, label %190
+235:                                              ; preds = %224
+  %236 = fcmp olt double %232, %160
+  br i1 %236, label %249, label %245
 
-190:                                              ; preds = %186
-  %191 = getelementptr inbounds [9 x double], ptr @PLACES, i64 0, i64 %187
-  %192 = load double, ptr %191, align 16
-  %193 = fsub double %173, %192
-  %194 = load double, ptr %177, align 16
-  %195 = fsub double %194, %192
-  %196 = fdiv double %193, %195
-  %197 = fmul double %188, %196
-  br label %198
+237:                                              ; preds = %224
+  %238 = tail call double @llvm.fabs.f64(double %230)
+  %239 = tail call double @llvm.fabs.f64(double %229)
+  %240 = fcmp olt double %239, %238
+  %241 = select i1 %240, double %239, double %238
+  %242 = fcmp ugt double %241, %216
+  %243 = fcmp ugt double %232, %159
+  %244 = or i1 %243, %242
+  br i1 %244, label %245, label %249
 
-198:                                              ; preds = %190, %186
-  %199 = phi double [ %197, %190 ], [ %188, %186 ]
-  %200 = add nuw nsw i64 %187, 2
-  %201 = icmp ult i64 %187, 7
-  br i1 %201, label %186, label %178, !llvm.loop !24
+245:                                              ; preds = %237, %235
+  %246 = add nuw nsw i64 %225, 1
+  %247 = icmp ugt i64 %225, 7
+  %248 = icmp eq i64 %246, 9
+  br i1 %248, label %336, label %224, !llvm.loop !24
 
-202:                                              ; preds = %178
-  %203 = fsub double %161, %183
-  %204 = tail call double @llvm.fabs.f64(double %203)
-  %205 = fcmp ogt double %156, %204
-  %206 = select i1 %205, double %156, double %204
-  br label %207
+249:                                              ; preds = %235, %237
+  br i1 %226, label %336, label %250
 
-207:                                              ; preds = %154, %202
-  %208 = phi double [ %206, %202 ], [ %156, %154 ]
-  %209 = add nuw nsw i64 %155, 1
-  %210 = icmp eq i64 %209, 9
-  br i1 %210, label %93, label %154, !llvm.loop !25
+250:                                              ; preds = %249, %310
+  %251 = phi i32 [ 1, %310 ], [ %56, %249 ]
+  %252 = icmp eq i32 %251, 0
+  br i1 %252, label %253, label %324
 
-211:                                              ; preds = %72, %86, %150, %38, %4
-  %212 = phi i64 [ 0, %4 ], [ 0, %38 ], [ %153, %150 ], [ 0, %86 ], [ -4, %72 ]
-  ret i64 %212
+253:                                              ; preds = %250
+  %254 = load ptr, ptr %42, align 8
+  %255 = load ptr, ptr %43, align 8
+  %256 = getelementptr inbounds i8, ptr %255, i64 96
+  %257 = load ptr, ptr %256, align 8
+  store <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, ptr %257, align 8
+  %258 = load ptr, ptr %255, align 8
+  %259 = getelementptr inbounds i8, ptr %255, i64 192
+  %260 = load ptr, ptr %259, align 8
+  %261 = getelementptr inbounds i8, ptr %255, i64 8
+  %262 = load i64, ptr %261, align 8
+  %263 = load ptr, ptr %1, align 8
+  %264 = load ptr, ptr %263, align 8
+  %265 = getelementptr inbounds i8, ptr %264, i64 24
+  %266 = load i64, ptr %265, align 8
+  %267 = load ptr, ptr %256, align 8
+  %268 = load ptr, ptr %44, align 8
+  %269 = load ptr, ptr %268, align 8
+  %270 = getelementptr inbounds i8, ptr %269, i64 16
+  %271 = load i64, ptr %270, align 8
+  tail call fastcc void @nested(ptr noundef %254, ptr noundef %258, ptr noundef %260, i64 noundef %262, i64 noundef %266, ptr noundef %267, i64 noundef %271) #8
+  %272 = load ptr, ptr %41, align 8
+  %273 = getelementptr inbounds i8, ptr %272, i64 8
+  %274 = load i64, ptr %273, align 8
+  %275 = icmp sgt i64 %274, 0
+  br i1 %275, label %281, label %276
+
+276:                                              ; preds = %281, %253
+  %277 = load ptr, ptr %47, align 8
+  store double %19, ptr %277, align 8
+  %278 = load i64, ptr %48, align 8
+  %279 = icmp sgt i64 %278, 0
+  br i1 %279, label %280, label %310
+
+280:                                              ; preds = %276
+  tail call fastcc void @sample(ptr noundef nonnull %41) #8
+  br label %310
+
+281:                                              ; preds = %253, %281
+  %282 = phi i64 [ %305, %281 ], [ 0, %253 ]
+  %283 = load ptr, ptr %45, align 8
+  %284 = getelementptr inbounds double, ptr %283, i64 %282
+  %285 = load double, ptr %284, align 8
+  %286 = load ptr, ptr %46, align 8
+  %287 = getelementptr inbounds double, ptr %286, i64 %282
+  %288 = load double, ptr %287, align 8
+  %289 = load ptr, ptr %42, align 8
+  %290 = getelementptr inbounds double, ptr %289, i64 %282
+  %291 = load double, ptr %290, align 8
+  %292 = tail call double @llvm.fabs.f64(double %291)
+  %293 = fmul double %288, %292
+  %294 = fadd double %285, %293
+  %295 = and i64 %282, 1
+  %296 = icmp eq i64 %295, 0
+  %297 = urem i64 %282, 3
+  %298 = uitofp nneg i64 %297 to double
+  %299 = fmul double %298, 0x3FE3C6EF372FE950
+  %300 = fadd double %299, 1.000000e+00
+  %301 = fneg double %300
+  %302 = select i1 %296, double %300, double %301
+  %303 = fmul double %302, %294
+  %304 = fadd double %291, %303
+  store double %304, ptr %290, align 8
+  %305 = add nuw nsw i64 %282, 1
+  %306 = load ptr, ptr %41, align 8
+  %307 = getelementptr inbounds i8, ptr %306, i64 8
+  %308 = load i64, ptr %307, align 8
+  %309 = icmp slt i64 %305, %308
+  br i1 %309, label %281, label %276, !llvm.loop !25
+
+310:                                              ; preds = %276, %280
+  %311 = load ptr, ptr %6, align 8
+  %312 = load i64, ptr %311, align 8
+  %313 = load ptr, ptr %49, align 8
+  %314 = load ptr, ptr %42, align 8
+  %315 = load ptr, ptr %50, align 8
+  %316 = load ptr, ptr %51, align 8
+  %317 = load ptr, ptr %28, align 8
+  %318 = getelementptr inbounds i8, ptr %311, i64 8
+  %319 = load i64, ptr %318, align 8
+  %320 = getelementptr inbounds double, ptr %317, i64 %319
+  %321 = inttoptr i64 %312 to ptr
+  %322 = tail call i32 %321(ptr noundef %313, ptr noundef %314, ptr noundef %315, ptr noundef %316, ptr noundef %320) #9
+  %323 = icmp slt i32 %322, 0
+  br i1 %323, label %336, label %250, !llvm.loop !26
+
+324:                                              ; preds = %250
+  %325 = load ptr, ptr %28, align 8
+  %326 = getelementptr double, ptr %325, i64 %9
+  %327 = getelementptr double, ptr %326, i64 %57
+  %328 = load double, ptr %327, align 8
+  %329 = getelementptr inbounds i8, ptr %60, i64 %52
+  %330 = load double, ptr %329, align 8
+  %331 = fsub double %328, %330
+  %332 = tail call double @llvm.fabs.f64(double %331)
+  %333 = fcmp ogt double %216, %332
+  %334 = zext i1 %333 to i32
+  %335 = select i1 %333, i64 -6, i64 %54
+  br label %336
+
+336:                                              ; preds = %245, %310, %324, %154, %249
+  %337 = phi i32 [ 4, %249 ], [ 4, %154 ], [ %334, %324 ], [ 1, %310 ], [ 4, %245 ]
+  %338 = phi i32 [ %56, %249 ], [ %56, %154 ], [ %251, %324 ], [ %251, %310 ], [ %56, %245 ]
+  %339 = phi i64 [ %54, %249 ], [ %54, %154 ], [ %335, %324 ], [ -4, %310 ], [ %54, %245 ]
+  br label %342
+
+340:                                              ; preds = %136
+  %341 = trunc nsw i64 %99 to i32
+  br label %342
+
+342:                                              ; preds = %340, %53, %93, %336
+  %343 = phi i32 [ %337, %336 ], [ 4, %93 ], [ 4, %53 ], [ 1, %340 ]
+  %344 = phi i32 [ %338, %336 ], [ %56, %93 ], [ %56, %53 ], [ %56, %340 ]
+  %345 = phi i32 [ %155, %336 ], [ %55, %93 ], [ %55, %53 ], [ %341, %340 ]
+  %346 = phi i64 [ %339, %336 ], [ %54, %93 ], [ %54, %53 ], [ -4, %340 ]
+  switch i32 %343, label %350 [
+    i32 0, label %347
+    i32 4, label %347
+  ]
+
+347:                                              ; preds = %342, %342
+  %348 = add nuw nsw i64 %57, 1
+  %349 = icmp eq i64 %348, %9
+  br i1 %349, label %350, label %53, !llvm.loop !27
+
+350:                                              ; preds = %347, %342, %4
+  %351 = phi i64 [ 0, %4 ], [ %346, %342 ], [ 0, %347 ]
+  ret i64 %351
 }
-
 
 define internal fastcc double @locate(ptr noundef readonly %0, ptr noundef readonly %1, double noundef %2, double noundef %3, double noundef %4, double noundef %5, i64 noundef %6) unnamed_addr #2 {
   %8 = getelementptr inbounds i8, ptr %0, i64 720
-  %9 = getelementptr inbounds i8, ptr %0, i64 816
+  %9 = getelementptr inbounds i8, ptr %0, i64 840
   %10 = load ptr, ptr %9, align 8
   %11 = getelementptr inbounds i64, ptr %10, i64 %6
   %12 = load i64, ptr %11, align 8
   %13 = sitofp i64 %12 to double
-  %14 = getelementptr inbounds i8, ptr %0, i64 864
+  %14 = getelementptr inbounds i8, ptr %0, i64 888
   %15 = load ptr, ptr %14, align 8
   %16 = load ptr, ptr %8, align 8
   %17 = getelementptr inbounds i8, ptr %16, i64 8
@@ -1468,7 +1553,7 @@ define internal fastcc double @locate(ptr noundef readonly %0, ptr noundef reado
   %26 = fmul double %25, 0x3CB0000000000000
   %27 = fdiv double %26, %3
   %28 = getelementptr inbounds i8, ptr %0, i64 144
-  %29 = getelementptr inbounds i8, ptr %0, i64 888
+  %29 = getelementptr inbounds i8, ptr %0, i64 912
   %30 = load ptr, ptr %29, align 8
   %31 = getelementptr inbounds i8, ptr %1, i64 16
   %32 = load ptr, ptr %31, align 8
@@ -1588,7 +1673,7 @@ define internal fastcc double @locate(ptr noundef readonly %0, ptr noundef reado
   %126 = load double, ptr %20, align 8
   %127 = fmul double %126, %13
   %128 = fcmp ogt double %127, 0.000000e+00
-  br i1 %128, label %129, label %79, !llvm.loop !26
+  br i1 %128, label %129, label %79, !llvm.loop !28
 
 129:                                              ; preds = %113, %79
   %130 = phi double [ %4, %79 ], [ %83, %113 ]
@@ -1679,9 +1764,7 @@ define internal fastcc double @locate(ptr noundef readonly %0, ptr noundef reado
   ret double %194
 }
 
-declare double @llvm.fabs.f64(double) #3
-
-define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readonly %1, ptr noundef readonly %2, i64 noundef %3, i64 noundef %4, ptr noundef readonly %5, i64 noundef %6) unnamed_addr #4 {
+define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readonly %1, ptr noundef readonly %2, i64 noundef %3, i64 noundef %4, ptr noundef readonly %5, i64 noundef %6) unnamed_addr #3 {
   %8 = load <8 x double>, ptr %5, align 8
   %9 = fsub <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %8
   %10 = shl nsw i64 %6, 3
@@ -1715,7 +1798,7 @@ define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readon
   store <8 x double> %29, ptr %26, align 8
   %30 = add nuw nsw i64 %21, 8
   %31 = icmp slt i64 %30, %10
-  br i1 %31, label %20, label %19, !llvm.loop !27
+  br i1 %31, label %20, label %19, !llvm.loop !29
 
 32:                                               ; preds = %20, %32
   %33 = phi i64 [ %42, %32 ], [ %16, %20 ]
@@ -1729,10 +1812,10 @@ define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readon
   %41 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %39, <8 x double> %34, <8 x double> %40)
   %42 = add nsw i64 %33, -1
   %43 = icmp sgt i64 %33, 0
-  br i1 %43, label %32, label %24, !llvm.loop !28
+  br i1 %43, label %32, label %24, !llvm.loop !30
 }
 
-declare <8 x double> @llvm.fma.v8f64(<8 x double>, <8 x double>, <8 x double>) #3
+declare <8 x double> @llvm.fma.v8f64(<8 x double>, <8 x double>, <8 x double>) #4
 
 define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #5 {
   %2 = getelementptr inbounds i8, ptr %0, i64 104
@@ -1803,7 +1886,7 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #5 {
   %53 = select i1 %51, i64 %48, i64 %45
   %54 = sub nsw i64 %53, %52
   %55 = icmp sgt i64 %54, 1
-  br i1 %55, label %44, label %56, !llvm.loop !29
+  br i1 %55, label %44, label %56, !llvm.loop !31
 
 56:                                               ; preds = %44, %42, %35, %38
   %57 = phi i64 [ %31, %38 ], [ %31, %35 ], [ 0, %42 ], [ %52, %44 ]
@@ -1835,208 +1918,281 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #5 {
   %81 = add nuw nsw i64 %14, 1
   %82 = load i64, ptr %2, align 8
   %83 = icmp slt i64 %81, %82
-  br i1 %83, label %13, label %12, !llvm.loop !30
+  br i1 %83, label %13, label %12, !llvm.loop !32
 }
 
-define internal fastcc double @least_place(ptr noundef readonly %0, ptr noundef readonly %1, double noundef %2, double noundef %3, i64 noundef %4, double noundef %5, double noundef %6, ptr noundef readonly %7) unnamed_addr #2 {
-  %9 = getelementptr inbounds i8, ptr %0, i64 864
+declare double @llvm.fabs.f64(double) #4
+
+define internal fastcc double @least_place(ptr noundef readonly %0, ptr noundef readonly %1, double noundef %2, double noundef %3, i64 noundef %4, double noundef %5, i32 noundef %6, i32 noundef %7) unnamed_addr #2 {
+  %9 = getelementptr inbounds i8, ptr %0, i64 720
   %10 = load ptr, ptr %9, align 8
-  %11 = getelementptr inbounds double, ptr %10, i64 %4
-  %12 = fadd double %6, 2.500000e-01
-  %13 = fadd double %12, 2.500000e-01
-  %14 = load double, ptr %7, align 8
-  %15 = getelementptr inbounds i8, ptr %7, i64 8
-  %16 = load double, ptr %15, align 8
-  %17 = getelementptr inbounds i8, ptr %7, i64 16
-  %18 = load double, ptr %17, align 8
-  %19 = fcmp ogt double %16, %18
-  %20 = select i1 %19, double %16, double %18
-  %21 = fcmp ogt double %14, %20
-  %22 = select i1 %21, double %14, double %20
-  %23 = getelementptr inbounds i8, ptr %0, i64 720
-  %24 = getelementptr inbounds i8, ptr %0, i64 888
-  %25 = getelementptr inbounds i8, ptr %1, i64 16
-  %26 = getelementptr inbounds i8, ptr %1, i64 8
-  %27 = getelementptr inbounds i8, ptr %0, i64 168
-  %28 = getelementptr inbounds i8, ptr %0, i64 248
-  %29 = getelementptr inbounds i8, ptr %0, i64 144
-  %30 = getelementptr inbounds i8, ptr %0, i64 168
-  %31 = getelementptr inbounds i8, ptr %0, i64 192
-  %32 = getelementptr inbounds i8, ptr %0, i64 744
-  %33 = fmul double %22, 0xBCE0000000000000
-  br label %37
+  %11 = getelementptr inbounds i8, ptr %10, i64 8
+  %12 = load i64, ptr %11, align 8
+  %13 = getelementptr inbounds i8, ptr %0, i64 888
+  %14 = load ptr, ptr %13, align 8
+  %15 = getelementptr inbounds double, ptr %14, i64 %4
+  %16 = add nsw i32 %6, 2
+  %17 = sext i32 %16 to i64
+  %18 = mul nsw i64 %12, %17
+  %19 = getelementptr inbounds double, ptr %14, i64 %18
+  %20 = getelementptr inbounds double, ptr %19, i64 %4
+  %21 = sub nsw i64 0, %12
+  %22 = getelementptr inbounds double, ptr %20, i64 %21
+  %23 = load double, ptr %22, align 8
+  %24 = fmul double %23, %5
+  %25 = load double, ptr %20, align 8
+  %26 = fmul double %25, %5
+  %27 = getelementptr inbounds double, ptr %20, i64 %12
+  %28 = load double, ptr %27, align 8
+  %29 = fmul double %28, %5
+  %30 = fcmp ogt double %24, 0.000000e+00
+  %31 = fcmp ogt double %26, 0.000000e+00
+  %32 = and i1 %30, %31
+  %33 = fcmp ogt double %29, 0.000000e+00
+  %34 = and i1 %32, %33
+  br i1 %34, label %35, label %210
 
-34:                                               ; preds = %147
-  %35 = add nuw nsw i32 %44, 1
-  %36 = icmp eq i32 %35, 20
-  br i1 %36, label %157, label %37, !llvm.loop !31
+35:                                               ; preds = %8
+  %36 = fcmp ogt double %26, %29
+  %37 = select i1 %36, double %26, double %29
+  %38 = fcmp ogt double %24, %37
+  %39 = select i1 %38, double %24, double %37
+  %40 = add nsw i32 %6, 1
+  %41 = sext i32 %40 to i64
+  %42 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %41
+  %43 = load double, ptr %42, align 8
+  %44 = sext i32 %6 to i64
+  %45 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %44
+  %46 = load double, ptr %45, align 8
+  %47 = add nsw i32 %6, -1
+  %48 = sext i32 %47 to i64
+  %49 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %48
+  %50 = load double, ptr %49, align 8
+  %51 = icmp sgt i32 %7, 1
+  %52 = add nsw i32 %7, -1
+  %53 = zext nneg i32 %52 to i64
+  %54 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %53
+  %55 = icmp slt i32 %7, 4
+  %56 = sext i32 %7 to i64
+  %57 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %56
+  %58 = getelementptr inbounds i8, ptr %0, i64 912
+  %59 = getelementptr inbounds i8, ptr %1, i64 16
+  %60 = getelementptr inbounds i8, ptr %1, i64 8
+  %61 = getelementptr inbounds i8, ptr %0, i64 168
+  %62 = getelementptr inbounds i8, ptr %0, i64 248
+  %63 = getelementptr inbounds i8, ptr %0, i64 144
+  %64 = getelementptr inbounds i8, ptr %0, i64 168
+  %65 = getelementptr inbounds i8, ptr %0, i64 192
+  %66 = getelementptr inbounds i8, ptr %0, i64 744
+  %67 = fmul double %39, 0xBCE0000000000000
+  br label %72
 
-37:                                               ; preds = %8, %34
-  %38 = phi double [ undef, %8 ], [ %156, %34 ]
-  %39 = phi double [ %6, %8 ], [ %155, %34 ]
-  %40 = phi double [ %12, %8 ], [ %154, %34 ]
-  %41 = phi double [ %13, %8 ], [ %153, %34 ]
-  %42 = phi double [ %14, %8 ], [ %152, %34 ]
-  %43 = phi double [ %16, %8 ], [ %151, %34 ]
-  %44 = phi i32 [ 0, %8 ], [ %35, %34 ]
-  %45 = phi double [ %18, %8 ], [ %149, %34 ]
-  %46 = phi double [ 0x7FF0000000000000, %8 ], [ %148, %34 ]
-  %47 = fsub double %43, %42
-  %48 = fsub double %40, %39
-  %49 = fdiv double %47, %48
-  %50 = fsub double %45, %43
-  %51 = fsub double %41, %40
-  %52 = fdiv double %50, %51
-  %53 = fsub double %52, %49
-  %54 = fsub double %41, %39
-  %55 = fdiv double %53, %54
-  %56 = fmul double %48, %55
-  %57 = fadd double %49, %56
-  %58 = fmul double %57, 5.000000e-01
-  %59 = fdiv double %58, %55
-  %60 = fsub double %40, %59
-  %61 = fcmp ogt double %55, 0.000000e+00
-  br i1 %61, label %62, label %147
+68:                                               ; preds = %197
+  %69 = add nuw nsw i32 %82, 1
+  %70 = icmp ugt i32 %82, 18
+  %71 = icmp eq i32 %69, 20
+  br i1 %71, label %207, label %72, !llvm.loop !33
 
-62:                                               ; preds = %37
-  %63 = fsub double %60, %40
-  %64 = fmul double %58, %63
-  %65 = fadd double %43, %64
-  %66 = fmul double %46, 2.000000e+00
-  %67 = fcmp ugt double %65, %66
-  br i1 %67, label %147, label %68
+72:                                               ; preds = %35, %68
+  %73 = phi i1 [ false, %35 ], [ %70, %68 ]
+  %74 = phi double [ undef, %35 ], [ %206, %68 ]
+  %75 = phi double [ %50, %35 ], [ %205, %68 ]
+  %76 = phi double [ %46, %35 ], [ %204, %68 ]
+  %77 = phi double [ %43, %35 ], [ %203, %68 ]
+  %78 = phi double [ 0x7FF0000000000000, %35 ], [ %202, %68 ]
+  %79 = phi double [ %24, %35 ], [ %201, %68 ]
+  %80 = phi double [ %26, %35 ], [ %200, %68 ]
+  %81 = phi double [ %29, %35 ], [ %199, %68 ]
+  %82 = phi i32 [ 0, %35 ], [ %69, %68 ]
+  %83 = fsub double %80, %79
+  %84 = fsub double %76, %75
+  %85 = fdiv double %83, %84
+  %86 = fsub double %81, %80
+  %87 = fsub double %77, %76
+  %88 = fdiv double %86, %87
+  %89 = fsub double %88, %85
+  %90 = fsub double %77, %75
+  %91 = fdiv double %89, %90
+  %92 = fmul double %84, %91
+  %93 = fadd double %85, %92
+  %94 = fmul double %93, 5.000000e-01
+  %95 = fdiv double %94, %91
+  %96 = fsub double %76, %95
+  %97 = fcmp ogt double %91, 0.000000e+00
+  br i1 %97, label %98, label %197
 
-68:                                               ; preds = %62
-  %69 = fcmp ugt double %60, %39
-  br i1 %69, label %70, label %72
+98:                                               ; preds = %72
+  %99 = fsub double %96, %76
+  %100 = fmul double %94, %99
+  %101 = fadd double %80, %100
+  %102 = fmul double %78, 2.000000e+00
+  %103 = fcmp ugt double %101, %102
+  br i1 %103, label %197, label %104
 
-70:                                               ; preds = %68
-  %71 = fcmp ult double %60, %41
-  br i1 %71, label %76, label %72
+104:                                              ; preds = %98
+  br i1 %51, label %105, label %107
 
-72:                                               ; preds = %70, %68
-  %73 = phi double [ %41, %70 ], [ %39, %68 ]
-  %74 = fadd double %40, %73
-  %75 = fmul double %74, 5.000000e-01
-  br label %76
+105:                                              ; preds = %104
+  %106 = load double, ptr %54, align 8
+  br label %107
 
-76:                                               ; preds = %72, %70
-  %77 = phi double [ %75, %72 ], [ %60, %70 ]
-  %78 = fsub double %77, %40
-  %79 = fmul double %55, %78
-  %80 = fadd double %57, %79
-  %81 = fmul double %78, %80
-  %82 = fadd double %43, %81
-  %83 = fcmp ule double %77, %39
-  %84 = fcmp uge double %77, %41
-  %85 = or i1 %83, %84
-  %86 = fcmp oeq double %77, %40
-  %87 = or i1 %85, %86
-  br i1 %87, label %147, label %88
+107:                                              ; preds = %104, %105
+  %108 = phi double [ %106, %105 ], [ 0xBFCE3779B97F4A7C, %104 ]
+  br i1 %55, label %109, label %111
 
-88:                                               ; preds = %76
-  %89 = load ptr, ptr %24, align 8
-  %90 = load ptr, ptr %25, align 8
-  %91 = getelementptr inbounds i8, ptr %90, i64 96
-  %92 = load ptr, ptr %91, align 8
-  %93 = insertelement <8 x double> poison, double %77, i64 0
-  %94 = shufflevector <8 x double> %93, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %94, ptr %92, align 8
-  %95 = load ptr, ptr %90, align 8
-  %96 = getelementptr inbounds i8, ptr %90, i64 192
-  %97 = load ptr, ptr %96, align 8
-  %98 = getelementptr inbounds i8, ptr %90, i64 8
-  %99 = load i64, ptr %98, align 8
-  %100 = load ptr, ptr %1, align 8
-  %101 = load ptr, ptr %100, align 8
-  %102 = getelementptr inbounds i8, ptr %101, i64 24
-  %103 = load i64, ptr %102, align 8
-  %104 = load ptr, ptr %91, align 8
-  %105 = load ptr, ptr %26, align 8
-  %106 = load ptr, ptr %105, align 8
-  %107 = getelementptr inbounds i8, ptr %106, i64 16
-  %108 = load i64, ptr %107, align 8
-  tail call fastcc void @nested(ptr noundef %89, ptr noundef %95, ptr noundef %97, i64 noundef %99, i64 noundef %103, ptr noundef %104, i64 noundef %108) #8
-  %109 = fmul double %77, %3
-  %110 = fadd double %109, %2
-  %111 = load ptr, ptr %27, align 8
-  store double %110, ptr %111, align 8
-  %112 = load i64, ptr %28, align 8
-  %113 = icmp sgt i64 %112, 0
-  br i1 %113, label %114, label %115
+109:                                              ; preds = %107
+  %110 = load double, ptr %57, align 8
+  br label %111
 
-114:                                              ; preds = %88
-  tail call fastcc void @sample(ptr noundef nonnull %29) #8
-  br label %115
+111:                                              ; preds = %107, %109
+  %112 = phi double [ %110, %109 ], [ 0x3FF4498517A7B356, %107 ]
+  %113 = icmp eq i32 %82, 0
+  br i1 %113, label %114, label %118
 
-115:                                              ; preds = %88, %114
-  %116 = load ptr, ptr %23, align 8
-  %117 = load i64, ptr %116, align 8
-  %118 = load ptr, ptr %30, align 8
-  %119 = load ptr, ptr %24, align 8
-  %120 = load ptr, ptr %31, align 8
-  %121 = load ptr, ptr %32, align 8
-  %122 = load ptr, ptr %9, align 8
-  %123 = inttoptr i64 %117 to ptr
-  %124 = tail call i32 %123(ptr noundef %118, ptr noundef %119, ptr noundef %120, ptr noundef %121, ptr noundef %122) #9
-  %125 = icmp slt i32 %124, 0
-  br i1 %125, label %147, label %126
+114:                                              ; preds = %111
+  %115 = fcmp ult double %96, %108
+  %116 = fcmp ugt double %96, %112
+  %117 = select i1 %115, i1 true, i1 %116
+  br i1 %117, label %197, label %118
 
-126:                                              ; preds = %115
-  %127 = load double, ptr %11, align 8
-  %128 = fmul double %127, %5
-  %129 = fcmp olt double %128, 0.000000e+00
-  br i1 %129, label %130, label %133
+118:                                              ; preds = %114, %111
+  %119 = fcmp ugt double %96, %75
+  br i1 %119, label %120, label %122
 
-130:                                              ; preds = %126
-  %131 = fcmp olt double %128, %33
-  %132 = select i1 %131, double %77, double 2.000000e+00
-  br label %147
+120:                                              ; preds = %118
+  %121 = fcmp ult double %96, %77
+  br i1 %121, label %126, label %122
 
-133:                                              ; preds = %126
-  %134 = fsub double %128, %82
-  %135 = tail call double @llvm.fabs.f64(double %134)
-  %136 = fcmp uge double %77, %40
-  %137 = fcmp ugt double %128, %43
-  %138 = or i1 %136, %137
-  br i1 %138, label %139, label %147
+122:                                              ; preds = %120, %118
+  %123 = phi double [ %77, %120 ], [ %75, %118 ]
+  %124 = fadd double %76, %123
+  %125 = fmul double %124, 5.000000e-01
+  br label %126
 
-139:                                              ; preds = %133
-  br i1 %136, label %140, label %147
+126:                                              ; preds = %122, %120
+  %127 = phi double [ %125, %122 ], [ %96, %120 ]
+  %128 = fsub double %127, %76
+  %129 = fmul double %91, %128
+  %130 = fadd double %93, %129
+  %131 = fmul double %128, %130
+  %132 = fadd double %80, %131
+  %133 = fcmp ule double %127, %75
+  %134 = fcmp uge double %127, %77
+  %135 = or i1 %133, %134
+  %136 = fcmp oeq double %127, %76
+  %137 = or i1 %135, %136
+  br i1 %137, label %197, label %138
 
-140:                                              ; preds = %139
-  %141 = select i1 %137, double %128, double %45
-  %142 = select i1 %137, double %43, double %128
-  %143 = select i1 %137, double %42, double %43
-  %144 = select i1 %137, double %77, double %41
-  %145 = select i1 %137, double %40, double %77
-  %146 = select i1 %137, double %39, double %40
-  br label %147
+138:                                              ; preds = %126
+  %139 = load ptr, ptr %58, align 8
+  %140 = load ptr, ptr %59, align 8
+  %141 = getelementptr inbounds i8, ptr %140, i64 96
+  %142 = load ptr, ptr %141, align 8
+  %143 = insertelement <8 x double> poison, double %127, i64 0
+  %144 = shufflevector <8 x double> %143, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %144, ptr %142, align 8
+  %145 = load ptr, ptr %140, align 8
+  %146 = getelementptr inbounds i8, ptr %140, i64 192
+  %147 = load ptr, ptr %146, align 8
+  %148 = getelementptr inbounds i8, ptr %140, i64 8
+  %149 = load i64, ptr %148, align 8
+  %150 = load ptr, ptr %1, align 8
+  %151 = load ptr, ptr %150, align 8
+  %152 = getelementptr inbounds i8, ptr %151, i64 24
+  %153 = load i64, ptr %152, align 8
+  %154 = load ptr, ptr %141, align 8
+  %155 = load ptr, ptr %60, align 8
+  %156 = load ptr, ptr %155, align 8
+  %157 = getelementptr inbounds i8, ptr %156, i64 16
+  %158 = load i64, ptr %157, align 8
+  tail call fastcc void @nested(ptr noundef %139, ptr noundef %145, ptr noundef %147, i64 noundef %149, i64 noundef %153, ptr noundef %154, i64 noundef %158) #8
+  %159 = fmul double %127, %3
+  %160 = fadd double %159, %2
+  %161 = load ptr, ptr %61, align 8
+  store double %160, ptr %161, align 8
+  %162 = load i64, ptr %62, align 8
+  %163 = icmp sgt i64 %162, 0
+  br i1 %163, label %164, label %165
 
-147:                                              ; preds = %76, %115, %133, %139, %140, %130, %37, %62
-  %148 = phi double [ %46, %62 ], [ %46, %37 ], [ %46, %76 ], [ %46, %115 ], [ %46, %130 ], [ %135, %140 ], [ %135, %139 ], [ %135, %133 ]
-  %149 = phi double [ %45, %62 ], [ %45, %37 ], [ %45, %76 ], [ %45, %115 ], [ %45, %130 ], [ %141, %140 ], [ %45, %139 ], [ %43, %133 ]
-  %150 = phi i1 [ false, %62 ], [ false, %37 ], [ false, %76 ], [ false, %115 ], [ false, %130 ], [ true, %140 ], [ true, %139 ], [ true, %133 ]
-  %151 = phi double [ %43, %62 ], [ %43, %37 ], [ %43, %76 ], [ %43, %115 ], [ %43, %130 ], [ %142, %140 ], [ %43, %139 ], [ %128, %133 ]
-  %152 = phi double [ %42, %62 ], [ %42, %37 ], [ %42, %76 ], [ %42, %115 ], [ %42, %130 ], [ %143, %140 ], [ %128, %139 ], [ %42, %133 ]
-  %153 = phi double [ %41, %62 ], [ %41, %37 ], [ %41, %76 ], [ %41, %115 ], [ %41, %130 ], [ %144, %140 ], [ %41, %139 ], [ %40, %133 ]
-  %154 = phi double [ %40, %62 ], [ %40, %37 ], [ %40, %76 ], [ %40, %115 ], [ %40, %130 ], [ %145, %140 ], [ %40, %139 ], [ %77, %133 ]
-  %155 = phi double [ %39, %62 ], [ %39, %37 ], [ %39, %76 ], [ %39, %115 ], [ %39, %130 ], [ %146, %140 ], [ %77, %139 ], [ %39, %133 ]
-  %156 = phi double [ 2.000000e+00, %62 ], [ 2.000000e+00, %37 ], [ 2.000000e+00, %76 ], [ -4.000000e+00, %115 ], [ %132, %130 ], [ %38, %140 ], [ %38, %139 ], [ %38, %133 ]
-  br i1 %150, label %34, label %157
+164:                                              ; preds = %138
+  tail call fastcc void @sample(ptr noundef nonnull %63) #8
+  br label %165
 
-157:                                              ; preds = %34, %147
-  %158 = phi double [ %156, %147 ], [ 2.000000e+00, %34 ]
-  ret double %158
+165:                                              ; preds = %138, %164
+  %166 = load ptr, ptr %9, align 8
+  %167 = load i64, ptr %166, align 8
+  %168 = load ptr, ptr %64, align 8
+  %169 = load ptr, ptr %58, align 8
+  %170 = load ptr, ptr %65, align 8
+  %171 = load ptr, ptr %66, align 8
+  %172 = load ptr, ptr %13, align 8
+  %173 = inttoptr i64 %167 to ptr
+  %174 = tail call i32 %173(ptr noundef %168, ptr noundef %169, ptr noundef %170, ptr noundef %171, ptr noundef %172) #9
+  %175 = icmp slt i32 %174, 0
+  br i1 %175, label %197, label %176
+
+176:                                              ; preds = %165
+  %177 = load double, ptr %15, align 8
+  %178 = fmul double %177, %5
+  %179 = fcmp olt double %178, 0.000000e+00
+  br i1 %179, label %180, label %183
+
+180:                                              ; preds = %176
+  %181 = fcmp olt double %178, %67
+  %182 = select i1 %181, double %127, double 2.000000e+00
+  br label %197
+
+183:                                              ; preds = %176
+  %184 = fsub double %178, %132
+  %185 = tail call double @llvm.fabs.f64(double %184)
+  %186 = fcmp uge double %127, %76
+  %187 = fcmp ugt double %178, %80
+  %188 = or i1 %186, %187
+  br i1 %188, label %189, label %197
+
+189:                                              ; preds = %183
+  br i1 %186, label %190, label %197
+
+190:                                              ; preds = %189
+  %191 = select i1 %187, double %178, double %81
+  %192 = select i1 %187, double %80, double %178
+  %193 = select i1 %187, double %79, double %80
+  %194 = select i1 %187, double %127, double %77
+  %195 = select i1 %187, double %76, double %127
+  %196 = select i1 %187, double %75, double %76
+  br label %197
+
+197:                                              ; preds = %114, %180, %190, %189, %183, %165, %126, %72, %98
+  %198 = phi i1 [ false, %98 ], [ false, %72 ], [ false, %114 ], [ false, %126 ], [ false, %165 ], [ false, %180 ], [ true, %190 ], [ true, %189 ], [ true, %183 ]
+  %199 = phi double [ %81, %98 ], [ %81, %72 ], [ %81, %114 ], [ %81, %126 ], [ %81, %165 ], [ %81, %180 ], [ %191, %190 ], [ %81, %189 ], [ %80, %183 ]
+  %200 = phi double [ %80, %98 ], [ %80, %72 ], [ %80, %114 ], [ %80, %126 ], [ %80, %165 ], [ %80, %180 ], [ %192, %190 ], [ %80, %189 ], [ %178, %183 ]
+  %201 = phi double [ %79, %98 ], [ %79, %72 ], [ %79, %114 ], [ %79, %126 ], [ %79, %165 ], [ %79, %180 ], [ %193, %190 ], [ %178, %189 ], [ %79, %183 ]
+  %202 = phi double [ %78, %98 ], [ %78, %72 ], [ %78, %114 ], [ %78, %126 ], [ %78, %165 ], [ %78, %180 ], [ %185, %190 ], [ %185, %189 ], [ %185, %183 ]
+  %203 = phi double [ %77, %98 ], [ %77, %72 ], [ %77, %114 ], [ %77, %126 ], [ %77, %165 ], [ %77, %180 ], [ %194, %190 ], [ %77, %189 ], [ %76, %183 ]
+  %204 = phi double [ %76, %98 ], [ %76, %72 ], [ %76, %114 ], [ %76, %126 ], [ %76, %165 ], [ %76, %180 ], [ %195, %190 ], [ %76, %189 ], [ %127, %183 ]
+  %205 = phi double [ %75, %98 ], [ %75, %72 ], [ %75, %114 ], [ %75, %126 ], [ %75, %165 ], [ %75, %180 ], [ %196, %190 ], [ %127, %189 ], [ %75, %183 ]
+  %206 = phi double [ 2.000000e+00, %98 ], [ 2.000000e+00, %72 ], [ 2.000000e+00, %114 ], [ 2.000000e+00, %126 ], [ -4.000000e+00, %165 ], [ %182, %180 ], [ %74, %190 ], [ %74, %189 ], [ %74, %183 ]
+  br i1 %198, label %68, label %207
+
+207:                                              ; preds = %68, %197
+  %208 = phi i1 [ %70, %68 ], [ %73, %197 ]
+  br i1 %208, label %209, label %210
+
+209:                                              ; preds = %207
+  br label %210
+
+210:                                              ; preds = %8, %207, %209
+  %211 = phi double [ 2.000000e+00, %209 ], [ %206, %207 ], [ 2.000000e+00, %8 ]
+  ret double %211
 }
 
-declare i64 @llvm.smin.i64(i64, i64) #6
+declare i32 @llvm.smin.i32(i32, i32) #6
 
 attributes #0 = { nounwind }
 attributes #1 = { nounwind willreturn }
 attributes #2 = { noinline nounwind }
-attributes #3 = { nounwind willreturn memory(none) }
-attributes #4 = { noinline nounwind }
+attributes #3 = { noinline nounwind }
+attributes #4 = { nounwind willreturn memory(none) }
 attributes #5 = { noinline nounwind }
 attributes #6 = { nounwind willreturn memory(none) }
 attributes #7 = { nounwind }
@@ -2059,8 +2215,8 @@ attributes #9 = { nounwind }
 !12 = distinct !{!12, !4, !5}
 !13 = distinct !{!13, !4, !5}
 !14 = distinct !{!14, !4, !5}
-!15 = distinct !{!15, !4, !5}
-!16 = distinct !{!16, !5}
+!15 = distinct !{!15, !5}
+!16 = distinct !{!16, !4, !5}
 !17 = distinct !{!17, !4, !5}
 !18 = distinct !{!18, !4, !5}
 !19 = distinct !{!19, !4, !5}
@@ -2070,9 +2226,11 @@ attributes #9 = { nounwind }
 !23 = distinct !{!23, !4, !5}
 !24 = distinct !{!24, !4, !5}
 !25 = distinct !{!25, !4, !5}
-!26 = distinct !{!26, !5}
+!26 = distinct !{!26, !4, !5}
 !27 = distinct !{!27, !4, !5}
-!28 = distinct !{!28, !4, !5}
+!28 = distinct !{!28, !5}
 !29 = distinct !{!29, !4, !5}
 !30 = distinct !{!30, !4, !5}
 !31 = distinct !{!31, !4, !5}
+!32 = distinct !{!32, !4, !5}
+!33 = distinct !{!33, !4, !5}

@@ -1,4 +1,4 @@
-; sources 0dc0d046f887c56f919eb8d1a43589279815361b8a1d1700fe7a2a7a79c16422
+; sources 7f07faadc468de380fa527caa1679b620192a75f1351d4f1ee5cec88819add24
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @step_back(ptr noundef readonly %0) #0 {

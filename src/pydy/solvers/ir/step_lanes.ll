@@ -1,4 +1,4 @@
-; sources cef5c58dfb5bd0af46578c221014ca61faf6209b8ecf4775b24831a0cf9d5e69
+; sources 6160ab5d6d78e9354bfa83c4f12fa65c51c152fbce8d2a46432d62c9191674c5
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Stepper = type { ptr, ptr, ptr }

@@ -45,9 +45,9 @@ RANK, NEARNESS, WHEN, WHERE = range(4)
 # Tangents.words: the addresses of the projection of the state and of the kernel, and the number of
 # columns.
 OF_STATE, DIRECTIONS, COUNT = range(3)
-# Watch.words; the last is the address of the kernel of `Watch.driven`
-WATCHER, EVENTS, SCAN, DRIVER = range(4)
-PROBES, SAMPLES = 7, 9  # the rows of `Watch.values` and of `Watch.driven`
+# Watch.words
+WATCHER, EVENTS, SCAN = range(3)
+PROBES = 11  # the rows of `Watch.values`
 # Steps.words: the number of steps that are kept, and for how many rows there is room, 0 for none
 KEPT, ROOM = range(2)
 # Newton.words: the address of the Jacobian's kernel, or 0 for differences; whether a new Jacobian
@@ -58,7 +58,7 @@ GRADIENT, WANTED, FRESH, FACTORISED, FIRST, COUNTED = range(6)
 FACTORED, PREDICTING = range(2)
 
 # What `advance` returns while it has not ended; a code of `outcome` when it has.
-PAUSED, EVENT, LOG_FULL, CALLBACK, STEPS_FULL, UNRESOLVED = -1, -2, -3, -4, -5, -6
+PAUSED, EVENT, LOG_FULL, CALLBACK, STEPS_FULL, UNRESOLVED = range(-1, -7, -1)
 # Progress.counts[FAILURE] is the code of what the last rejected step met.
 
 
@@ -157,6 +157,7 @@ class Watch(NamedTuple):
     c: Numbers
     directions: Words  # −1, 1, or 0 for both
     acting: Words  # whether the integration stops there
+    linear: Words  # whether the expression is, in states and time
     sides: Words  # the sign last seen, 0 before there was one
     fired: Words
     values: Numbers  # (PROBES, events), then the time that the last step's end is known at
@@ -164,10 +165,6 @@ class Watch(NamedTuple):
     log_times: Numbers
     log_events: Words
     log_states: NumberRows  # (·, states)
-    # (SAMPLES, 2 driven): along a step, the expressions that time changes beside the states, then
-    # their rounding bounds; nothing where there are none, or steps are of fixed size
-    driven: NumberRows
-    driven_c: Numbers
 
 
 class Beginning(NamedTuple):

@@ -14,7 +14,7 @@ from pydy._array_layout import address
 from pydy._checks import vector
 from pydy._interrupts import Interrupts
 from pydy._kernel import Kernel, KernelCall
-from pydy.solvers.run.layout import PROBES, SAMPLES, Problem, Watch
+from pydy.solvers.run.layout import PROBES, Problem, Watch
 from pydy.solvers.run.shipped import callback_address
 from pydy.solvers.tuning import BLOCK
 
@@ -156,21 +156,21 @@ def watch_arrays(
     c: np.ndarray,
     directions: Sequence[int],
     acting: Sequence[bool],
+    linear: Sequence[bool],
     n: int,
     rows: int,
-    driven: tuple[int, np.ndarray, int] = (0, np.zeros(1), 0),
 ) -> Watch:
     """Return the arrays for events, with the addresses of their kernel and of the scan for them.
 
-    There are `rows` places in the log. Of those that are `driven` by time: the address and the
-    constants of their kernel, and their number.
+    There are `rows` places in the log.
     """
     number = len(directions)
     return Watch(
-        words=np.array([addresses[0], number, addresses[1], driven[0]]),
+        words=np.array([addresses[0], number, addresses[1]]),
         c=c,
         directions=np.array(directions, dtype=np.int64),
         acting=np.array(acting, dtype=np.int64),
+        linear=np.array(linear, dtype=np.int64),
         sides=np.zeros(number, dtype=np.int64),
         fired=np.zeros(number, dtype=np.int64),
         values=np.zeros(PROBES * number + 1),
@@ -178,6 +178,4 @@ def watch_arrays(
         log_times=np.zeros(rows),
         log_events=np.zeros(rows, dtype=np.int64),
         log_states=np.zeros((rows, n)),
-        driven=np.zeros((SAMPLES if driven[2] else 0, 2 * driven[2])),
-        driven_c=driven[1],
     )

@@ -49,7 +49,7 @@ _STEPS = 2**13  # numbers of kept steps, likewise
 
 # Compiled code neither reads nor writes these any further.
 _NO_CONSTRAINTS = Constraints(np.zeros(12, dtype=np.int64), np.zeros(1), np.zeros(1))
-_NO_EVENTS = watch_arrays((0, 0), np.zeros(1), (), (), 1, 0)
+_NO_EVENTS = watch_arrays((0, 0), np.zeros(1), (), (), (), 1, 0)
 _NO_STEPS = Steps(np.zeros(2, dtype=np.int64), np.zeros((1, 1)))
 _NO_CONSTRAINTS_ROWS, _NO_EVENTS_ROWS = rows_of(_NO_CONSTRAINTS), rows_of(_NO_EVENTS)
 _NO_STEPS_ROWS = rows_of(_NO_STEPS)
@@ -325,11 +325,9 @@ class Workspace:
         acting = [end or resets for end, resets in stops]
         rows = _LOG + number if number else 0
         scan = shipped.address_of("scan_events")
-        arrays = (place, scan), c, wanted.directions, acting, self.n, rows
-        if wanted.driven is None or self.options.step is not None:  # that is what the user set
-            return watch_arrays(*arrays)
-        size = sum(b.stop - b.start for b in wanted.driven.program.blocks)
-        return watch_arrays(*arrays, driven=(*self._bind_kernel(wanted.driven), size // 2))
+        # Steps of fixed size are as the user set them.
+        linear = [known or self.options.step is not None for known in wanted.linear]
+        return watch_arrays((place, scan), c, wanted.directions, acting, linear, self.n, rows)
 
     def _reserve_newton(self) -> list[int]:
         n, call, beside = self.n, self.call, self.options.sensitivities
