@@ -116,8 +116,10 @@ class Contacts:
             parts += [] if c.stick is None else c.stick.speeds(frame)
         self.symbols = [Event(part) for part in parts]  # what needs numbers
         self._kept: Compiled | None = None
-        for key, value in check_mapping("constants", constants).items():
-            system.constants[key] = value
+        if given := check_mapping("constants", constants):
+            # The System's dictionary may be the user's, who makes other Systems of it: it stays.
+            system._constants = dict(system._constants)
+            system.constants.update(given)
         self._now()  # names what is wrong at once
 
     def __repr__(self) -> str:
