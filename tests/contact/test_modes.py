@@ -9,8 +9,9 @@ import sympy.physics.mechanics as me
 
 from pydy import System
 from pydy.contact import Contacts, Stick, Unilateral
+from pydy.errors import ContactError
 from pydy.mechanics import Definition
-from touching import J, N, a, block, falling_body, mu, slope, vx, y
+from touching import J, N, a, block, falling_body, m, mu, slope, vx, y
 
 
 def test_a_linear_model_of_one_mode():
@@ -46,6 +47,27 @@ def test_modes_that_a_contact_does_not_have_are_named():
         contacts.hop()
     with pytest.raises(AttributeError, match="constants"):
         contacts.constants = {mu: 0.3}  # those of the System are meant
+
+
+def test_constants_of_contacts_do_not_change_the_dictionary_of_the_user():
+    values = {m: 2.0}
+    system, _ = block(slope)
+    system.constants = values
+    Contacts(system, [Stick(vx, mu=mu, normal=1.0)], {"mu": 0.4})
+    assert values == {m: 2.0}
+    assert system.constants == {m: 2.0, "mu": 0.4}
+
+
+@pytest.mark.parametrize("speed", [4.0, 0.0])
+def test_a_known_normal_force_that_becomes_negative_is_named(speed):
+    """Friction that drives the body, or holds it by the square of that force, is none."""
+    system, _ = block(0)
+    system.initial_conditions, system.times = {vx: speed}, np.linspace(0.0, 6.0, 13)
+    force = 5 * sm.sin(me.dynamicsymbols._t)
+    with pytest.raises(ContactError, match=r"`normal` of 'brake' became -.* must not be negative"):
+        Contacts(system, [Stick(vx, mu=0.3, normal=force, name="brake")]).simulate()
+    positive = Stick(vx, mu=0.3, normal=force + 5, name="brake")  # it touches zero
+    assert Contacts(system, [positive]).simulate().times[-1] == 6.0
 
 
 def test_a_contact_that_does_not_act_costs_no_step_and_no_evaluation():

@@ -40,6 +40,8 @@ def missed(
     for i, c in enumerate(run.contacts):
         looked: list[tuple[Any, float, str, str]] = []  # symbol, slack, kind, in words
         own = mode.modes[i]
+        if c.unilateral is None:
+            looked.append((symbols[i, "normal"], SLACK * run.sizes[i], "", "`normal`"))
         if own in SLIDES:
             slack = run.unresolved(i) * run.sizes[i]
             looked.append((symbols[i, "power"], slack, "", "power of friction"))
@@ -69,10 +71,16 @@ def missed(
                 broken.append((kind, i))
                 continue
             worst = int(values.argmin())
+            remedy = (
+                "between two transitions: the solver stepped over one. Limit the step with "
+                "`max_step`."
+                if words != "`normal`"  # which is given: it has no transitions
+                else "during the motion, but must not be negative. Give an expression that is "
+                "never negative, such as Max(0, ...), or a Unilateral as `on`, which opens."
+            )
             raise run.fail(
                 float(few[worst]), states[worst],
                 f"The {words} of {c.name!r} became {table[worst, names.index(symbol)]:.3g} "
-                "between two transitions: the solver stepped over one. Limit the step with "
-                "`max_step`.",
+                + remedy,
             )  # fmt: skip
     return broken
