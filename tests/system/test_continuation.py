@@ -1,5 +1,7 @@
 """Branches of equilibria, against closed forms."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 import sympy as sm
@@ -217,3 +219,58 @@ def test_rounding_across_a_plane_of_symmetry_does_not_end_a_branch(metre, second
     assert [point.kind for point in branch.special] == ["fold", "fold"]
     found = [point.value / unit for point in branch.special]
     assert found == pytest.approx([most, -most], rel=1e-9)
+
+
+@pytest.mark.parametrize("metre", [1.0, 1e-6, 1e3])
+@pytest.mark.parametrize("distance", [False, True])
+def test_accelerations_that_follow_from_constraints_tell_no_size(metre, distance):
+    """A bead at the bottom of a tilted circle: a spring across it moves it nowhere.
+
+    What rounding left of the accelerations along the two constraints made steps along the branch
+    of 1e12 m, and points that were on neither.
+    """
+    N, O = me.ReferenceFrame("N"), me.Point("O")
+    O.set_vel(N, 0)
+    m, R, l, g, k = sm.symbols("m R l g k")
+    x, y, z, ux, uy, uz = me.dynamicsymbols("x y z ux uy uz")
+    P = O.locatenew("P", x * N.x + y * N.y + z * N.z)
+    square = x**2 + y**2 + z**2
+    sphere = sm.sqrt(square) - l if distance else square - l**2
+    system = System(
+        Definition(
+            N,
+            [x, y, z],
+            [ux, uy, uz],
+            bodies=[me.Particle("p", P, m)],
+            loads=[(P, -m * g * N.z - k * y * N.y)],
+            holonomic_constraints=[sphere, z - x - R],
+        ),
+        {l: metre, R: 0.3 * metre, g: 9.81 * metre, k: 2.0},
+        initial_conditions={x: -0.841 * metre, z: -0.541 * metre},
+    )
+    branch = system.follow_equilibria({"k": [0.0, 30.0]})
+    assert (branch.special, branch.ended) == ((), "bounds")
+    half = np.sqrt(0.5 - 0.15**2)
+    right = [[-0.15 - half, 0.0, 0.15 - half]] * len(branch.values)
+    found = np.transpose([branch[name] for name in "xyz"]) / metre
+    np.testing.assert_allclose(found, right, rtol=0.0, atol=1e-10)
+
+
+def test_a_branch_ends_where_its_equations_contradict_each_other():
+    """The unknown is p and 2 p: the least square is neither."""
+    slopes = np.array([[1.0, -1.0], [1.0, -2.0]])
+    points, _, _, ended, _ = pydy.analysis.continuation.trace(
+        lambda z: slopes @ z,
+        lambda z: slopes,
+        lambda z: (np.array([-1.0]), np.array([0.0])),
+        lambda slopes, z: SimpleNamespace(terms=np.ones(2), limit=np.zeros(2)),
+        np.zeros(2),
+        (0.0, 1.0),
+        True,
+        0.02,
+        100,
+        ("x", "p"),
+        lambda value: None,
+    )
+    assert ended == "lost"
+    assert all(np.abs(slopes @ z).max() <= 1e-9 for z in points)

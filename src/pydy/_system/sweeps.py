@@ -358,6 +358,7 @@ class Sweeps(Setup):
                 lambda z: balance.residuals(z[None])[0],
                 lambda z: balance.slopes(z[None])[0],
                 spectrum,
+                lambda slopes, z: balance.sizes(slopes[None], z[None])[0],
                 start,
                 (float(values.min()), float(values.max())),
                 bool(values[-1] > values[0]),

@@ -19,6 +19,7 @@ import numpy as np
 from pydy._names import place_of
 from pydy._optional import require
 from pydy._rank import DEPENDENT, HALF, ROUNDED, is_zero, or_one, rank_of
+from pydy.analysis.equilibria import Sizes
 from pydy.analysis.tuning import (
     CROSSED,
     ON_BRANCH,
@@ -28,6 +29,7 @@ from pydy.plot import axes_of
 
 Function = Callable[[np.ndarray], np.ndarray]
 Spectrum = Callable[[np.ndarray], tuple[np.ndarray, np.ndarray]]
+Measured = Callable[[np.ndarray, np.ndarray], Sizes]
 
 _ITERATIONS = 8
 # Points, and how far they are changed, that tell of the rounding of residuals.
@@ -150,13 +152,25 @@ class _Point:
 class _Curve:
     """F(z) = 0 with equations and unknowns in units of their own, and what is free held."""
 
-    def __init__(self, F: Function, J: Function, spectrum: Spectrum, z: np.ndarray, span: float):
+    def __init__(
+        self,
+        F: Function,
+        J: Function,
+        spectrum: Spectrum,
+        measured: Measured,
+        z: np.ndarray,
+        span: float,
+    ):
         self._F, self._J, self.spectrum = F, J, spectrum
         first = J(z)
-        self.scale = sizes_along(first, z, span)
+        # Rows that follow from the others, as accelerations do from constraints, have slopes of
+        # rounding errors: these tell no size, and the row is as large as the largest.
+        known = measured(first[:, :-1], z)
+        noise = known.terms + np.abs(first[:, -1]) * span <= known.limit
+        self._least = np.where(noise, known.limit / ROUNDED, 0.0)
+        self.scale = sizes_along(np.where(noise[:, None], 0.0, first), z, span)
         self.scale[:-1] *= self._above_rounding(first, z)[:-1]
-        sizes = np.abs(first * self.scale).max(axis=1, initial=0.0)
-        self.sizes = or_one(sizes)
+        self.sizes = self._rows(first)
         slopes = self.J(z)[:, :-1] * self.scale[:-1]
         _, singular, right = np.linalg.svd(slopes)
         rank = rank_of(singular)
@@ -166,6 +180,11 @@ class _Curve:
         self.origin = z
         left = np.linalg.svd(self._whole(z), full_matrices=False)[0]
         self.rows = left[:, : len(z) - 1].T
+
+    def _rows(self, slopes: np.ndarray) -> np.ndarray:
+        """Return how large rows with such slopes are."""
+        sizes = np.abs(slopes * self.scale).max(axis=1, initial=0.0)
+        return or_one(np.maximum(sizes, self._least))
 
     def _above_rounding(self, slopes: np.ndarray, z: np.ndarray) -> np.ndarray:
         """Return factors of the scale with which rounding is no step of Newton's method.
@@ -177,7 +196,7 @@ class _Curve:
         moved = z * (1.0 + _LAST_DIGITS * np.finfo(float).eps * signs)
         left = [self._F(at) - self._F(z) - slopes @ (at - z) for at in moved]
         rounding = np.abs(left).max(axis=0)
-        sizes = or_one(np.abs(slopes * self.scale).max(axis=1, initial=0.0))
+        sizes = self._rows(slopes)
         inverse = np.linalg.pinv(slopes * self.scale / sizes[:, None], rcond=DEPENDENT)
         steps = np.abs(inverse) @ (rounding / sizes)
         factors: np.ndarray = np.where(steps > 0.1 * ON_BRANCH, 100.0 * steps / ON_BRANCH, 1.0)
@@ -211,7 +230,10 @@ class _Curve:
             step = np.linalg.lstsq(slopes, values, rcond=None)[0]
             z = z - self.scale * step
             if np.abs(step).max() <= ON_BRANCH:
-                return z, count
+                # Rows that contradict each other have a least square, too: it solves none of them.
+                moved = np.maximum(1.0, np.abs(slopes[:-1]).max(axis=1, initial=0.0))
+                solved = (np.abs(self.residual(z)) <= ON_BRANCH * moved).all()
+                return (z, count) if solved else None
         return None
 
     def along(self, a: _Point, arc: float) -> _Point | None:
@@ -232,6 +254,7 @@ def trace(
     F: Function,
     J: Function,
     spectrum: Spectrum,
+    measured: Measured,
     start: np.ndarray,
     bounds: tuple[float, float],
     forward: bool,
@@ -244,13 +267,13 @@ def trace(
 
     If Ctrl-C or the end of memory stopped it, that is returned last.
 
-    The `spectrum` returns the eigenvalues at z and bounds on their rounding. The parameter stays
-    within `bounds`, ascending at first if `forward`; a `step` is at most such a share of their
-    distance, and there are at `most` so many points. `told` is called with the parameter at each
-    further one.
+    The `spectrum` returns the eigenvalues at z and bounds on their rounding. Sizes are `measured`
+    of slopes by the unknowns without the parameter, and z with it. The parameter stays within
+    `bounds`, ascending at first if `forward`; a `step` is at most such a share of their distance,
+    and there are at `most` so many points. `told` is called with the parameter at each further one.
     """
     low, high = bounds
-    curve = _Curve(F, J, spectrum, start, high - low)
+    curve = _Curve(F, J, spectrum, measured, start, high - low)
     towards = np.zeros(len(start))
     towards[-1] = 1.0 if forward else -1.0
     point = curve.point(start, towards)
