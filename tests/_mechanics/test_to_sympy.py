@@ -32,6 +32,8 @@ EXPRESSIONS = [
     sm.Piecewise((A, (A < B) & (C > 0)), (B**C, True)),
     sm.cos(A + B) * sm.cos(A - B) + sm.sin(A) ** 3 / (1 + sm.cos(B) ** 2),
     (sm.sin(2 * A - B) + sm.tan(C)) ** 2 * sm.sin(0.5 * A),
+    sm.cos(A) * (sm.sin(B) / sm.cos(A) + C) ** 2 + 1 / (3 + (2 * sm.cos(A) + B) / sm.cos(A)),
+    B / (2 * sm.Mul(sm.cos(A), 1 / (sm.cos(A) + 0 * B), evaluate=False)),
 ]
 
 
@@ -74,6 +76,7 @@ def test_every_operation_with_a_name_in_sympy_is_written():
         (C * sm.sin(A) ** 2, "c*sin_a**2"),
         (C * B - C * B * sm.cos(A) ** 2 + C, "c*(b*sin_a**2 + 1)"),
         (2 * C * sm.sin(A) * sm.cos(A), "c*sin_2*a"),
+        (B * sm.cos(A) * (C / sm.cos(A) + C), "b*c*(cos_a + 1)"),
         (A * C + B * C - C**2, "a*c + b*c - c**2"),
     ],
 )

@@ -135,8 +135,9 @@ class Textbook:
         ]
 
     def _factor(self, expression: Any, exponent: int = 1) -> Polynomial:
-        if expression.is_Number:
-            return {((), ()): (float(expression), abs(float(expression)))}
+        if expression.is_Number and (expression or exponent > 0):
+            value = float(expression) ** exponent
+            return {((), ()): (value, abs(value))}
         if expression not in self._factors:
             self._factors.append(expression)
         return {((), ((self._factors.index(expression), exponent),)): (1.0, 1.0)}
@@ -190,13 +191,13 @@ class Textbook:
 
     def _as_harmonics(self, polynomial: Polynomial) -> Iterator[tuple[float, dict[Any, int]]]:
         for (harmonic, powers), (c, _) in polynomial.items():
-            factors = {self._factors[k]: n for k, n in powers}
+            factors = [(self._factors[k], n) for k, n in powers]
             if not harmonic:
-                yield complex(c).real, factors
+                yield complex(c).real, _joined(factors)
             elif harmonic[0][1] > 0:
                 for op, value in (("cos", 2.0 * complex(c).real), ("sin", -2.0 * complex(c).imag)):
                     if value:
-                        yield value, {self._trigonometric(op, harmonic): 1, **factors}
+                        yield value, _joined([(self._trigonometric(op, harmonic), 1), *factors])
 
     def _trigonometric(self, op: str, harmonic: Powers) -> Any:
         angle = sm.Add(*(n * self._angles[k] for k, n in harmonic))
@@ -240,11 +241,11 @@ class Textbook:
         }
         found = []
         for (_, powers), (c, _) in _added(total).items():
-            factors = {}
-            for k, n in powers:
-                factor = self._trigonometric(*both[k]) if k in both else self._factors[k]
-                factors[factor] = n
-            found.append((complex(c).real, factors))
+            factors = [
+                (self._trigonometric(*both[k]) if k in both else self._factors[k], n)
+                for k, n in powers
+            ]
+            found.append((complex(c).real, _joined(factors)))
         return found
 
     def _nested(self, terms: list[tuple[float, dict[Any, int]]]) -> Any:
@@ -276,6 +277,14 @@ class Textbook:
         within = self._nested([(c / number, powers) for c, powers in inner])
         found = sm.Mul(exact(number), factor**least, within, evaluate=True)
         return found + self._nested(rest) if rest else found
+
+
+def _joined(factors: Sequence[tuple[Any, int]]) -> dict[Any, int]:
+    """Return powers of factors; 1/cos θ, which stands for itself, may be beside a cos θ."""
+    powers: dict[Any, int] = {}
+    for factor, n in factors:
+        powers[factor] = powers.get(factor, 0) + n
+    return {factor: n for factor, n in powers.items() if n}
 
 
 def _product(c: float, powers: Mapping[Any, int]) -> Any:

@@ -6,7 +6,7 @@ import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from html import escape
-from itertools import count
+from itertools import chain, count
 from typing import Any
 
 import sympy as sm
@@ -208,8 +208,10 @@ def _namer(coordinates: tuple[Any, ...], taken: set[str]) -> Callable[[str, Any]
                     break
                 sign = "m" if number < 0 else between if text else ""
                 text += sign + between.join([label] * abs(int(number)))
-            short = f"{op[0]}{text}"
-            known[op, angle] = sm.Symbol(short if short not in taken else f"{op}_{text}")
+            others = (f"{op}_{text}{'_' * k}" for k in count())
+            text = next(s for s in chain([f"{op[0]}{text}"], others) if s not in taken)
+            taken.add(text)
+            known[op, angle] = sm.Symbol(text)
         return known[op, angle]
 
     return name
