@@ -448,6 +448,41 @@ def test_estimates_do_not_depend_on_units(oscillator, metre, second, options):
     np.testing.assert_allclose(result.estimates, expected, rtol=1e-7)
 
 
+def fitted_in_units_of_mass(oscillator, mass, guess, **more):
+    """The estimates of k and c, in units of this mass, and the result."""
+    oscillator.constants = {"m0": mass, "k0": guess[0] * mass, "c0": guess[1] * mass}
+    result = oscillator.fit(["k0", "c0"], let_go(swing()), **more)
+    return result.estimates / mass, result
+
+
+@pytest.mark.parametrize("guess", [(3.0, 0.3), (3.0, 0.0), (3.0, 1e-17), (4.0, 1e3), (-16.0, 0.2)])
+def test_estimates_are_the_same_in_any_unit_of_mass(oscillator, guess):
+    """Also from where one parameter has little effect, or the motion grows to 1e17 metres."""
+    expected, first = fitted_in_units_of_mass(oscillator, 1.0, guess)
+    np.testing.assert_allclose(expected, [4.0, 0.2], rtol=1e-7)
+    for mass in (2.0**47, 2.0**-90):
+        estimates, result = fitted_in_units_of_mass(oscillator, mass, guess)
+        np.testing.assert_array_equal(estimates, expected)
+        assert result.evaluations == first.evaluations
+    for mass in (1e12, 1.67e-27):
+        estimates, result = fitted_in_units_of_mass(oscillator, mass, guess)
+        np.testing.assert_allclose(estimates, [4.0, 0.2], rtol=1e-7)
+        assert result.success
+
+
+@pytest.mark.parametrize("mass", [2.0**47, 2.0**-90])
+def test_bounds_are_the_same_in_any_unit_of_mass(oscillator, mass):
+    low, high = 3.1, 3.9
+    found = []
+    for unit in (1.0, mass):
+        bounds = {"k0": (low * unit, high * unit), "c0": (0.0, np.inf)}
+        with pytest.warns(PyDyUserWarning, match="stopped at a bound of k0"):
+            found.append(
+                fitted_in_units_of_mass(oscillator, unit, (3.5, 0.3), bounds=bounds, most=1000)[0]
+            )
+    np.testing.assert_array_equal(found[1], found[0])
+
+
 @BOTH
 def test_an_initial_speed_of_zero_is_determined(oscillator, method):
     x = swing(c=0.0)

@@ -188,31 +188,38 @@ def estimate(
     `evaluate` returns residuals (m,) and their Jacobian (m, k); NaN where the motion cannot be
     computed. Return the estimates, both of these there, and what SciPy found. Ctrl-C is a
     FitInterrupted that hands over the best estimates so far.
+
+    SciPy compares the gradient, and a step with the parameters, as they are: in kg/s² a spring of
+    atoms or of planets would end at once. So they are searched for in units of their sizes at the
+    start, and again where these have become others, by more than half of FITTED's digits.
     """
-    best: list[Any] = [np.inf, start]
     known: dict[bytes, tuple[np.ndarray, np.ndarray]] = {}
+    least, best = np.inf, start
 
     def at(z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        nonlocal least, best
         key = z.tobytes()
         if key not in known:
-            known.clear()
+            for old in known.keys() - {best.tobytes()}:
+                del known[old]
             known[key] = evaluate(z)
             cost = float(known[key][0] @ known[key][0])
-            if cost < best[0]:
-                best[:] = [cost, z.copy()]
+            if cost < least:
+                least, best = cost, z.copy()
         return known[key]
 
+    z, left, again = start, most, True
     try:
-        # The gradient is compared with `gtol` as it is: residuals of nanometres would end at once.
-        first = float(np.linalg.norm(at(start)[0]))
-        unit = min(first, 1.0) if first > 0.0 else 1.0
-        found = scipy.optimize.least_squares(
-            lambda z: at(z)[0] / unit, start, lambda z: at(z)[1] / unit, bounds, x_scale="jac",
-            xtol=FITTED, ftol=FITTED, gtol=FITTED, max_nfev=most,
-        )  # fmt: skip
-        residuals, jacobian = at(found.x)
+        size, units = _sizes(*at(z), z)
+        while again:
+            found = _search(at, z, bounds, size, units, left)
+            z, left, before = found.x * units, left - found.nfev, np.append(units, size)
+            size, units = _sizes(*at(z), z)
+            change = np.abs(np.log2(before / np.append(units, size))).max()
+            again = found.status in (1, 3) and left > 0 and change > -0.5 * np.log2(FITTED)
+        residuals, jacobian = at(z)
     except (KeyboardInterrupt, MemoryError) as stop:
-        values = dict(zip(names, best[1].tolist(), strict=True))
+        values = dict(zip(names, best.tolist(), strict=True))
         if isinstance(stop, MemoryError):
             note_finished(stop, "The best estimates so far are", values=values)
             raise
@@ -225,7 +232,40 @@ def estimate(
             "Start closer to the solution, set `bounds`, or use `segments` for long or unstable "
             "motions."
         )
-    return found.x, residuals, jacobian, found
+    return z, residuals, jacobian, found
+
+
+def _sizes(
+    residuals: np.ndarray, jacobian: np.ndarray, z: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return the size of residuals, and changes of parameters that change them as much."""
+    size = _power_of_two(np.linalg.norm(residuals), np.ones(()))
+    with np.errstate(all="ignore"):  # parameters without an effect; residuals that are not finite
+        return size, _power_of_two(size / np.linalg.norm(jacobian, axis=0), np.abs(z))
+
+
+def _search(
+    at: Callable[[np.ndarray], tuple[np.ndarray, np.ndarray]],
+    z: np.ndarray,
+    bounds: tuple[np.ndarray, np.ndarray],
+    size: np.ndarray,
+    units: np.ndarray,
+    most: int,
+) -> Any:
+    """Return what SciPy finds with residuals and parameters in units of their sizes."""
+    return scipy.optimize.least_squares(
+        lambda w: at(w * units)[0] / size, z / units, lambda w: at(w * units)[1] * (units / size),
+        (bounds[0] / units, bounds[1] / units), x_scale="jac",
+        xtol=FITTED, ftol=FITTED, gtol=FITTED, max_nfev=most,
+    )  # fmt: skip
+
+
+def _power_of_two(sizes: Any, otherwise: np.ndarray) -> np.ndarray:
+    """Return powers of two that are near sizes, or near others where these are none; else 1."""
+    for given in (otherwise, np.ones(())):
+        sizes = np.where(np.isfinite(sizes) & (sizes > 0.0), sizes, given)
+    powers: np.ndarray = np.ldexp(1.0, np.frexp(sizes)[1])
+    return powers
 
 
 def covariance_of(
