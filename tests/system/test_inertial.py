@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+import sympy as sm
 import sympy.physics.mechanics as me
 
 import zoo
@@ -97,6 +98,45 @@ def test_a_pendulum_tells_three_parameters():
     motions = np.random.default_rng(0).normal(size=(3, 20, 1))
     assert len(system.base_parameters(*motions).places) == 3
     assert len(system.base_parameters(motions[0], 0 * motions[1], 0 * motions[2]).places) == 2
+
+
+@pytest.mark.parametrize("second", [1.0, 1e6])
+def test_base_parameters_are_the_same_in_any_unit_of_length(second):
+    """A hand on a slider: forces in its direction, and torques."""
+    l, g, ma, mb, i = sm.symbols("l g m_a m_b i")
+    q, u = me.dynamicsymbols("q1:4"), me.dynamicsymbols("u1:4")
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    slider = origin.locatenew("S", q[2] * frame.x)
+    one = frame.orientnew("A", "Axis", (q[0], frame.z))
+    two = one.orientnew("B", "Axis", (q[1], one.x))
+    first = slider.locatenew("C1", l * one.x)
+    second_center = slider.locatenew("E", 2 * l * one.x).locatenew("C2", -l * two.z)
+    arm = me.RigidBody("arm", first, one, ma, (me.inertia(one, i, i, i), first))
+    hand = me.RigidBody("hand", second_center, two, mb)
+    hand.inertia = me.inertia(two, i, 2 * i, i), second_center
+    loads = [(b.masscenter, -b.mass * g * frame.z) for b in (arm, hand)]
+    definition = Definition(frame, q, u, bodies=[arm, hand], loads=loads)
+    motions = np.random.default_rng(0).normal(size=(3, 40, 3))
+
+    def found(metre):
+        system = System(
+            definition,
+            constants={l: 0.35 * metre, g: 9.81 * metre / second**2, ma: 1.0, mb: 2.0,
+                       i: 0.1 * metre**2},
+        )  # fmt: skip
+        by = np.array([1.0, 1.0, metre])
+        rates = [m * by / second**k for k, m in enumerate(motions)]
+        base = system.base_parameters(*rates)
+        tau = system.regressor(*rates) @ (pi := np.array([*system.inertial_parameters().values()]))
+        return base, tau, system.regressor(*rates)[..., base.places] @ (base.matrix @ pi)
+
+    expected = found(1.0)[0].places
+    for exponent in (-12, -9, -6, -3, 0, 3, 6, 9, 12):
+        base, tau, forces = found(10.0**exponent)
+        assert base.places == expected
+        sizes = np.abs(tau).max(axis=0)
+        np.testing.assert_allclose(forces / sizes, tau / sizes, atol=1e-11)
 
 
 @pytest.mark.parametrize("name", ["free_body", "disc", "gyro", "fourbar", "free_pendulum"])

@@ -15,6 +15,7 @@ from pydy._rank import ROUNDED, equilibrated, independent_columns
 from pydy._system.dynamics import Dynamics, Quantity, all_accelerations, bodies_of
 
 _COMPONENTS = ("m", "mx", "my", "mz", "Ixx", "Iyy", "Izz", "Ixy", "Iyz", "Ixz")
+_POWERS = np.array([0, 1, 1, 1, 2, 2, 2, 2, 2, 2])  # of length, in their units
 
 
 def _parameter_names(body: Multibody) -> list[str]:
@@ -23,6 +24,22 @@ def _parameter_names(body: Multibody) -> list[str]:
         for name, item in zip(unique_names(body.bodies), body.bodies, strict=True)
         for component in (_COMPONENTS if isinstance(item, RigidBody) else _COMPONENTS[:1])
     ]
+
+
+def _per_length(columns: np.ndarray, powers: np.ndarray) -> float:
+    """Return how much larger entries are of parameters with one more power of length.
+
+    This is one number for all rows, whatever their units: a median, which rounding errors among the
+    entries do not move. Without it inertias in metres would be taken for rounding beside masses in
+    nanometres.
+    """
+    sizes = [np.abs(columns[:, powers == k]).max(axis=1, initial=0.0) for k in range(3)]
+    found = []
+    for i, j in ((0, 1), (1, 2), (0, 2)):
+        both = (sizes[i] > 0.0) & (sizes[j] > 0.0)
+        found.append((sizes[j][both] / sizes[i][both]) ** (1.0 / (j - i)))
+    ratios = np.concatenate(found)
+    return float(np.median(ratios)) if len(ratios) else 1.0
 
 
 class BaseParameters(NamedTuple):
@@ -160,7 +177,11 @@ class InertialParameters(Dynamics):
                 f"{len(finite) - int(finite.sum())} of its rows, the first of them of sample "
                 f"{sample}. Leave out samples whose `q`, `v` or `a` is NaN or infinite."
             )
-        scaled, _, units = equilibrated(columns)
+        powers = np.concatenate([_POWERS[: 10 if isinstance(item, RigidBody) else 1]
+                                 for item in bodies_of(self._equations).bodies])  # fmt: skip
+        lengths = _per_length(columns, powers) ** powers
+        scaled, _, units = equilibrated(columns / lengths, exact=True)
+        units = units / lengths
         places = sorted(independent_columns(scaled))
         matrix = np.linalg.lstsq(scaled[:, places], scaled, rcond=None)[0]
         matrix[np.abs(matrix) <= ROUNDED] = 0.0
