@@ -273,3 +273,33 @@ def test_a_speed_that_the_user_gave_is_kept(unit):
     system.initial_conditions = {"u_x": 5.0 * unit, "omega_R": -10.0}
     dependent = [model["theta"], *model.definition.dependent_speeds]
     system.set_dependent_initial_conditions(dep_vars=dependent)
+
+
+@pytest.mark.parametrize(
+    "how",
+    [{}, {"use_jac": True}, {"jac": lambda z: [[2.0 * z[0], 2.0 * z[1]], [0.0, 1.0]]}],
+    ids=["differences", "exact", "own"],
+)
+@pytest.mark.parametrize("metre", [1.0, 1e-3, 1e-6, 1e-9, 1e9])
+def test_an_area_and_a_length_are_solved_in_any_unit(metre, how):
+    """A bead on a sphere and a plane: in nanometres the sphere was missed by a thousandth."""
+    N, O = me.ReferenceFrame("N"), me.Point("O")
+    O.set_vel(N, 0)
+    R, l = sm.symbols("R l")
+    x, y, z, ux, uy, uz = me.dynamicsymbols("x y z ux uy uz")
+    bead = me.Particle("p", O.locatenew("P", x * N.x + y * N.y + z * N.z), sm.Integer(1))
+    system = System(
+        Definition(
+            N,
+            [x, y, z],
+            [ux, uy, uz],
+            bodies=[bead],
+            holonomic_constraints=[x**2 + y**2 + z**2 - l**2, z - x - R],
+        ),
+        {l: metre, R: 0.3 * metre},
+        initial_conditions={x: 0.3 * metre, y: 0.5 * metre, z: 0.5 * metre, ux: metre},
+    )
+    system.set_dependent_initial_conditions([y, z, uy, uz], **how)
+    found = [system.initial_conditions[s] / metre for s in (y, z, uy, uz)]
+    root = np.sqrt(0.55)
+    np.testing.assert_allclose(found, [root, 0.6, -0.9 / root, 1.0], rtol=1e-14)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import partial
 from typing import Any
 
@@ -21,10 +21,13 @@ from pydy._rank import (
     equilibrated,
     independent_columns,
     least_step,
+    or_one,
     rank,
 )
 from pydy._system.snapshot import Snapshot
 from pydy.solvers.run.constraints import satisfied
+
+_REFINED = 20  # steps of Newton's method from where a root finder ended
 
 
 def latest_dependents(definition: Definition, solved: Iterable[Any] | None) -> tuple[Any, ...]:
@@ -137,6 +140,79 @@ def _at(now: Snapshot, kernel: Any, state: np.ndarray) -> np.ndarray:
     return np.asarray(now.at(np.array([now.t]), state[None]).evaluate(kernel)[0])
 
 
+def _refined(
+    bounded: Callable[[np.ndarray], np.ndarray],
+    slopes: Callable[[np.ndarray], np.ndarray],
+    z: np.ndarray,
+) -> np.ndarray:
+    """Go on by Newton's method as long as residuals fall, in units of their rounding bounds.
+
+    Root finders stop at a precision that is for rows and unknowns of one size.
+    """
+    left, rounding = np.split(bounded(z), 2)
+    for _ in range(_REFINED):
+        gradient = slopes(z)
+        if satisfied(left, rounding) or not np.isfinite(gradient).all():
+            break
+        after = z - least_step(gradient, left)
+        values, bounds = np.split(bounded(after), 2)
+        if not np.abs(values / or_one(bounds)).max() < np.abs(left / or_one(rounding)).max():
+            break
+        z, left, rounding = after, values, bounds
+    return z
+
+
+def _solve_coordinates(
+    now: Snapshot,
+    coordinates: list[int],
+    x: np.ndarray,
+    use_jac: bool,
+    root_kwargs: dict[str, Any],
+) -> bool:
+    """Solve the holonomic constraints for `coordinates` in place; return whether they are met."""
+    model, definition, value = now.driven, now.definition, partial(_at, now)
+    bounded, size = model.compiled_bounded("holonomic"), len(coordinates)
+
+    def placed(z: np.ndarray) -> np.ndarray:
+        state = x.copy()
+        state[coordinates] = z
+        return state
+
+    def slopes_at(z: np.ndarray) -> np.ndarray:
+        gradient = value(model.compiled_jacobian("holonomic", "x"), placed(z))
+        chosen: np.ndarray = gradient.reshape(size, len(x))[:, coordinates]
+        return chosen
+
+    # An area and a length in nanometres are to weigh the same: rows in units of their terms.
+    first = value(bounded, x)[size:]
+    terms = np.where(np.isfinite(first), or_one(first), 1.0)
+    if use_jac:
+        root_kwargs = {"jac": slopes_at, **root_kwargs}
+    if callable(given_jac := root_kwargs.get("jac")):
+        root_kwargs["jac"] = lambda z: np.asarray(given_jac(z)) / terms[:, None]
+    solution = scipy.optimize.root(
+        lambda z: value(bounded, placed(z))[:size] / terms, x[coordinates], **root_kwargs
+    )
+    left, rounding = np.split(value(bounded, placed(solution.x)), 2)
+    met = satisfied(left, rounding)
+    if solution.success and not met:
+        solution.x = _refined(lambda z: value(bounded, placed(z)), slopes_at, solution.x)
+        left, rounding = np.split(value(bounded, placed(solution.x)), 2)
+        # Bounds do not know how exact functions in Python are.
+        met = bool((np.abs(left) <= HALF * rounding).all())
+    x[coordinates] = solution.x
+    if not met:
+        names = [definition.states[k] for k in coordinates]
+        warnings.warn(
+            f"The holonomic constraints did not converge for {describe(names)}: the largest "
+            f"residual is {np.abs(left).max():.3g} ({' '.join(str(solution.message).split())}) "
+            "Give initial conditions nearer to a solution, or another `method`.",
+            PyDyUserWarning,
+            stacklevel=4,
+        )
+    return met
+
+
 def solve_dependents(
     now: Snapshot,
     places: tuple[list[int], list[int]],
@@ -157,36 +233,7 @@ def solve_dependents(
     value = partial(_at, now)
 
     if coordinates:
-        bounded, size = model.compiled_bounded("holonomic"), len(coordinates)
-
-        def placed(z: np.ndarray) -> np.ndarray:
-            state = x.copy()
-            state[coordinates] = z
-            return state
-
-        if use_jac:
-            gradient = model.compiled_jacobian("holonomic", "x")
-            shape = (len(coordinates), len(x))
-            root_kwargs = {
-                "jac": lambda z: value(gradient, placed(z)).reshape(shape)[:, coordinates],
-                **root_kwargs,
-            }
-        solution = scipy.optimize.root(
-            lambda z: value(bounded, placed(z))[:size], x[coordinates], **root_kwargs
-        )
-        x[coordinates] = solution.x
-        left, rounding = np.split(value(bounded, x), 2)
-        # hybr can stop short of its step criterion with nothing left to improve.
-        met = satisfied(left, rounding) or (solution.success and bool(np.isfinite(left).all()))
-        if not met:
-            names = [definition.states[k] for k in coordinates]
-            warnings.warn(
-                f"The holonomic constraints did not converge for {describe(names)}: the largest "
-                f"residual is {np.abs(left).max():.3g} ({' '.join(str(solution.message).split())}) "
-                "Give initial conditions nearer to a solution, or another `method`.",
-                PyDyUserWarning,
-                stacklevel=3,
-            )
+        met = _solve_coordinates(now, coordinates, x, use_jac, root_kwargs)
     if speeds:
         kernel = model.compiled_jacobian("velocity", "x")
         slopes = value(kernel, x).reshape(len(speeds), len(x))
