@@ -56,6 +56,18 @@ def test_a_velocity_that_was_simplified_with_the_constraint_counts_as_it_is_ther
     assert not is_potential_of(free, M * G * q[1], [-M * G * along])
 
 
+@pytest.mark.parametrize("depth", [0, L, 100])
+@pytest.mark.parametrize("holonomic", [False, True])
+def test_both_sides_of_a_switch_count(depth, holonomic):
+    equations, q, u = bead(holonomic)
+    depth = depth if not holonomic else L / 2
+    push = G * sm.Max(0, -depth - q[1])
+    assert not is_potential_of(equations, sm.S.Zero, [push * u[1]])
+    energy = G * sm.Max(0, -depth - q[1]) ** 2 / 2
+    assert is_potential_of(equations, energy, [push * u[1]])
+    assert not is_potential_of(equations, 2 * energy, [push * u[1]])
+
+
 @pytest.mark.parametrize("size", [1e-9, 1.0, 1e24])
 def test_a_small_load_is_told_beside_large_ones(size):
     equations, q, u = bead()

@@ -1,5 +1,6 @@
 """Potential energies of loads, against closed forms."""
 
+import numpy as np
 import pytest
 import sympy as sm
 import sympy.physics.mechanics as me
@@ -67,6 +68,84 @@ def test_a_load_with_an_integral_has_that(plane, force, energy):
     found = potential(plane, [(place, force * frame.x + other * frame.y)])
     assert differs_by_a_constant(found.expression, energy)
     assert not found.unknown
+
+
+ONE_SIDED = {
+    "power": K * sm.Max(0, -Q[1]) ** sm.Rational(3, 2),
+    "linear": K * sm.Max(0, -Q[1]),
+    "deep": K * sm.Max(0, -100 - Q[1]),
+    "by a constant": K * sm.Max(0, -L - Q[1]),
+    "piecewise": sm.Piecewise((-K * Q[1], Q[1] < 0), (0, True)),
+    "step": -K * Q[1] * sm.Heaviside(-Q[1]),
+    "size": K * (sm.Abs(Q[1]) - Q[1]),
+    "sign": K * (1 - sm.sign(Q[1])),
+    "root": K * (sm.sqrt(Q[1] ** 2) - Q[1]),
+}
+
+
+@pytest.mark.parametrize("push", ONE_SIDED.values(), ids=ONE_SIDED)
+def test_a_force_on_one_side_alone_has_that_of_its_depth(plane, push):
+    frame, _, place = plane
+    weight = (place, -M * G * frame.y)
+    found = potential(plane, [weight, (place, push * frame.y)])
+    assert not found.unknown
+    force = sm.lambdify((M, K, L, G, Q[1]), M * G - push)
+    energy = sm.lambdify((M, K, L, G, Q[1]), found.expression)
+    for y in (-103.0, -3.0, 2.0):
+        at, h = (2.0, 3.0, 1.5, 9.0), 1e-4
+        rise = (energy(*at, y + h) - energy(*at, y - h)) / (2 * h)
+        assert rise == pytest.approx(force(*at, y), rel=1e-5, abs=1e-6)
+
+
+@pytest.mark.parametrize(
+    "size",
+    [
+        sm.Max(0, -Q[1]) * Q[0],
+        sm.Max(0, -100 - Q[1]) * Q[0],
+    ],
+)
+def test_a_force_on_one_side_alone_whose_work_depends_on_the_path_is_named(plane, size):
+    frame, _, place = plane
+    found = potential(plane, [(place, -M * G * frame.y), (place, K * size * frame.y)])
+    assert found.unknown
+
+
+def test_a_floor_below_a_limb_has_the_energy_of_its_depth():
+    (q, p), (u, v) = Q, U
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    one = frame.orientnew("A", "Axis", (q, frame.z))
+    two = frame.orientnew("B", "Axis", (p, frame.z))
+    foot = origin.locatenew("K", one.x).locatenew("F", two.x)
+    height = sm.sin(q) + sm.sin(p)
+    loads = [(foot, -M * G * frame.y), (foot, K * sm.Max(0, -1.7 - height) * frame.y)]
+    body = me.Particle("foot", foot, M)
+    definition = Definition(frame, [q, p], [u, v], bodies=[body], loads=loads)
+    found = find_potential(equations_of_definition(definition))
+    assert not found.unknown
+    energy = sm.lambdify((M, G, K, q, p), found.expression)
+    for a, b in ((1.0, 0.5), (-1.5, -1.3)):
+        height = np.sin(a) + np.sin(b)
+        apart = energy(2.0, 9.0, 3.0, a, b) - energy(2.0, 9.0, 3.0, 0.0, 0.0)
+        assert apart == pytest.approx(18.0 * height + 1.5 * max(0.0, -1.7 - height) ** 2)
+
+
+@pytest.mark.parametrize(
+    ("force", "known"),
+    [
+        (K / Q[0], True),
+        (-K * sm.tanh(Q[0]) ** 3, True),
+        (-K * sm.sqrt(sm.Symbol("a") ** 2 - Q[0] ** 2), False),
+    ],
+)
+def test_an_energy_is_real_on_both_sides_or_its_load_is_named(plane, force, known):
+    frame, _, place = plane
+    found = potential(plane, [(place, force * frame.x + Q[1] * frame.y)])
+    assert bool(found.unknown) != known
+    assert not found.expression.has(sm.I)
+    if known:
+        energy = sm.lambdify((K, *Q), found.expression)
+        assert np.isfinite([energy(2.0, x, 0.5) for x in (-0.7, 0.7)]).all()
 
 
 def test_a_force_whose_work_depends_on_the_path_is_named(plane):

@@ -1,15 +1,16 @@
 """The potential energy of loads that can be recognised as conservative.
 
 Only what follows from the form of a load is taken: a force that is constant in the inertial frame,
-equal and opposite forces between two points that depend on their distance alone, and loads whose
-work is a closed form: with polynomial coefficients, such as those of linear springs along a
-coordinate, or with others that SymPy integrates, such as -K sin 2q or a Piecewise force of a
-contact; all together, one by one, or as opposite torques on two frames. What depends on speeds,
-time or specifieds has no potential. What depends on the configuration in another way may have one
-or not: it is named rather than left out.
+equal and opposite forces between two points that depend on their distance alone, forces of floors
+by the height of a point, and loads whose work is a closed form: with polynomial coefficients, such
+as those of linear springs along a coordinate, or with others that SymPy integrates, such as
+-K sin 2q or a Piecewise force of a contact; all together, one by one, or as opposite torques on
+two frames. What depends on speeds, time or specifieds has no potential. What depends on the
+configuration in another way may have one or not: it is named rather than left out.
 
 Whether an energy is that of some loads is decided by numbers: at generic states that keep the
-constraints its rate is minus their power.
+constraints its rate is minus their power. A force that acts on one side only, as that of a floor,
+is zero at most of them: what an expression switches at is looked for, and both its sides count.
 """
 
 from __future__ import annotations
@@ -33,12 +34,16 @@ from pydy._graph.rounding import rounding_bounds
 from pydy._mechanics.components import numbers_of
 from pydy._mechanics.equations import Equations, Mechanism
 from pydy._mechanics.frames import orientation_rows, rotations
-from pydy._mechanics.generic import GenericStates
+from pydy._mechanics.generic import Block, GenericStates, openness
 from pydy._mechanics.reader import InputReader, given_velocity, places
 from pydy._mechanics.symbols import find_symbols, replace_symbols
+from pydy._mechanics.tuning import OPEN
 from pydy._rank import ROUNDED
 
 _TRIALS = 3
+_SWITCHED = sm.Max, sm.Min, sm.Abs, sm.sign, sm.Heaviside, sm.Piecewise
+# How far beyond a switch states are looked for, of their distance before: limbs reach no further.
+_BEYOND = (-1.0, -0.1, -0.01)
 
 
 @dataclass
@@ -127,6 +132,7 @@ class _Search:
             term for where, vector in self._radial(loads) for term in self._terms(where, vector)
         ]
         terms = [term for term in terms if not self._constant_force(term)]
+        terms = [term for term in terms if not self._by_height(term)]
         taken = len(self.energies), len(self.powers)
         lost, unknown = self._closed(terms)
         if unknown:  # a part of a load may have been taken without the opposite part
@@ -308,17 +314,42 @@ class _Search:
         del self.energies[taken[0] :], self.powers[taken[1] :]
         return False
 
-    def _constant_force(self, term: _Term) -> bool:
-        if not (isinstance(term.where, Point) and self._is_constant(term.size)):
-            return False
+    def _height(self, term: _Term) -> Any:
+        """Return how far the point of a force is along its line, if that keeps its direction."""
+        origins = self.fixed(term.where) if isinstance(term.where, Point) else []
+        if not origins:
+            return None
         direction = self.mechanism.components(
             (term.frame.x, term.frame.y, term.frame.z)[term.axis], self.frame
         )
-        origins = self.fixed(term.where)
-        if not origins or not all(self._is_constant(part) for part in direction):
-            return False
+        if not all(self._is_constant(part) for part in direction):
+            return None
         place = self.mechanism.components(term.where.pos_from(origins[0]), self.frame)
-        self._take(-term.size * (direction.T * place)[0], self._power(term.where, term.vector))
+        return (direction.T * place)[0]
+
+    def _constant_force(self, term: _Term) -> bool:
+        height = self._height(term) if self._is_constant(term.size) else None
+        if height is None:
+            return False
+        self._take(-term.size * height, self._power(term.where, term.vector))
+        return True
+
+    def _by_height(self, term: _Term) -> bool:
+        """Take a force as of a floor: along a line, with a switch, by the height there alone."""
+        height = self._height(term) if term.size.has(*_SWITCHED) else None
+        if height is None:
+            return False
+        h = sm.Dummy("h", real=True)
+        coordinates = [s for s in find_symbols([height]) if not s.is_Symbol]
+        sums = {height, *term.size.atoms(sm.Add)} if coordinates else set()
+        shares = {e: _beside_constants(e, height, coordinates) for e in sums}
+        named = {e: share[0] * h + share[1] for e, share in shares.items() if share is not None}
+        law = term.size.xreplace(named)
+        part = _primitive(law, h) if self._is_constant(law) else None
+        if part is None:
+            return False
+        energy = replace_symbols(-part, {h: height})
+        self._take(energy, self._power(term.where, term.vector))
         return True
 
     # -- closed forms -----------------------------------------------------------------------------
@@ -495,24 +526,57 @@ class _Search:
 
 def _primitive(force: Any, x: Any) -> Any:
     """Return a continuous integral over x, or None where SymPy finds none."""
-    if force.has(sm.Max, sm.Min, sm.Abs, sm.sign, sm.Heaviside):
+    if force.has(*_SWITCHED):
         force = sm.piecewise_fold(force.rewrite(sm.Piecewise))
     try:
         found = sm.integrate(force, x, manual=True)
     except (NotImplementedError, ValueError, TypeError, AttributeError, RecursionError):
         return None  # what SymPy raises for intervals that it cannot sort
-    return None if found.has(sm.Integral) else found
+    if found.has(sm.Integral, sm.I, sm.S.NaN):
+        return None
+    return _of_either_sign(found)
+
+
+def _of_either_sign(energy: Any) -> Any:
+    """Return an integral with logarithms of either sign: what was integrated is a derivative."""
+    return energy.replace(sm.log, lambda e: sm.log(e if e.is_positive else sm.Abs(e)))
 
 
 def _numbers(expressions: Sequence[Any], turns: Iterable[Any]) -> np.ndarray:
     """Return the values of expressions at random states and constants, one row for each draw.
 
-    There the matrices `turns`, of quaternions, are rotations: lengths are none elsewhere.
+    There the matrices `turns`, of quaternions, are rotations: lengths are none elsewhere. States
+    beyond what the expressions switch at follow.
     """
     graph = Graph()
     read = InputReader(graph, {}, ())
-    nodes = read.all(expressions)
-    return numbers_of(graph, nodes, orientation_rows(turns, read))
+    nodes, held = read.all(expressions), orientation_rows(turns, read)
+    rows = [numbers_of(graph, nodes, held)]
+    for switch in _switches(graph, nodes):
+        before = numbers_of(graph, [switch], held)[0, 0]
+        for share in _BEYOND:
+            row = graph.sum([(switch, 1.0)], -share * before)
+            found = numbers_of(graph, [*nodes, switch], [*held, row])
+            beyond = np.isfinite(found).all(axis=1) & (found[:, -1] * before < 0.0)
+            rows.append(found[beyond, :-1])
+    return np.vstack(rows)
+
+
+def _switches(graph: Graph, nodes: Sequence[int]) -> list[int]:
+    """Return the nodes by whose sign others take one branch or the other."""
+    found: set[int] = set()
+    reached = graph.reachable(nodes)
+    # Of either sign, log|a| is the integral of a'/a: it has one branch.
+    others = {m for n in reached if graph.ops[n] != "log" for m in graph.operands(n)}
+    for n in others.union(nodes):
+        args = graph.args[n]
+        if graph.ops[n] in ("max", "min", "lt", "le"):
+            found.add(graph.scaled(graph.sub(*args))[1])
+        elif graph.ops[n] in ("abs", "sign"):
+            found.add(graph.scaled(args[0])[1])
+        elif graph.ops[n] == "pow" and graph.ops[args[0]] == "prod":
+            found.update(m for m, e in graph.args[args[0]] if e % 2 == 0)
+    return sorted({min(n, graph.neg(n)) for n in found if not graph.constant[n]})
 
 
 def _opposite(vectors: Sequence[Vector], turns: Iterable[Any]) -> Callable[[int, int], bool]:
@@ -531,7 +595,7 @@ def _opposite(vectors: Sequence[Vector], turns: Iterable[Any]) -> Callable[[int,
     sizes = np.abs(values).max(axis=2)
 
     def opposite(i: int, j: int) -> bool:
-        if not sizes[:, i].all():  # what is zero there may be so elsewhere only
+        if not sizes[:, i].any():  # what is zero there may be so there only
             return bool(vectors[i] != 0 and vectors[i] + vectors[j] == 0)
         left = np.abs(values[:, i] + values[:, j]).max(axis=1)
         return bool((left <= ROUNDED * sizes[:, i]).all())
@@ -551,8 +615,8 @@ def _ratio(force: Vector, line: Vector, turns: Iterable[Any]) -> Any:
     values = _numbers([part for pair in pairs for part in pair], turns).reshape(-1, len(pairs), 2)
     pull, way = values[..., 0], values[..., 1]
     largest = int(np.abs(way[0]).argmax())
-    if not (np.isfinite(values).all() and way[:, largest].all()):
-        return None
+    if not (np.isfinite(values).all() and way[:, largest].all() and pull.any()):
+        return None  # what is zero there may be so there only
     found = pull[:, [largest]] / way[:, [largest]]
     # The potential as a whole is compared with the loads' power in the end.
     if (np.abs(pull - found * way) > ROUNDED * np.abs(pull).max(axis=1, keepdims=True)).any():
@@ -623,7 +687,7 @@ def _integral(law: Any, distance: Any) -> Any:
     if powers is not None:
         return powers
     found = sm.S.NaN
-    if not law.has(sm.Max, sm.Min, sm.Abs, sm.sign, sm.Heaviside, sm.Piecewise):
+    if not law.has(*_SWITCHED):
         with suppress(NotImplementedError, ValueError, TypeError, AttributeError, RecursionError):
             found = sm.integrate(law, distance, risch=True)
     if found.has(sm.Integral, sm.S.NaN):
@@ -635,8 +699,7 @@ def _integral(law: Any, distance: Any) -> Any:
         found = None if found is None else replace_symbols(found, {square: distance**2})
     if found is None:
         return None
-    # Of either sign: what is integrated is the logarithm's derivative.
-    found = found.replace(sm.log, lambda e: sm.log(e if e.is_positive else sm.Abs(e)))
+    found = _of_either_sign(found)
     try:
         _numbers([found], ())
     except UnsupportedFunctionError:  # an exponential integral, say
@@ -663,10 +726,22 @@ def _integral_of_powers(law: Any, distance: Any) -> Any:
 
 
 def is_potential_of(equations: Equations, potential: Any, powers: Sequence[Any]) -> bool:
-    """Return whether ``d potential/dt = -sum(powers)``."""
+    """Return whether ``d potential/dt = -sum(powers)``, on both sides of what they switch at."""
     states = GenericStates(equations, (potential, *powers), "the energy")
-    gained = states.rates([states.read(potential)])
-    return _vanish(states, [[*gained, *states.read.all(powers)]])
+    energy, lost = states.read(potential), states.read.all(powers)
+    sums = [[*states.rates([energy]), *lost]]
+    blocks = [_with_bounds(states, sums), ("lost", (len(lost),), lost)]
+    # The rate may be finite where the energy is not: that of atan(x/√-l) holds no root.
+    generic = list(states.samples([*blocks, ("energy", (), [energy])], _TRIALS))
+    samples = [*generic]
+    for switch in _switches(states.graph, [energy, *lost]):
+        samples += _beyond(states, switch, blocks)
+    if not (generic and all(_small(sample["pairs"], sums) for sample in samples)):
+        return False
+    # What acts on one side only, and at none of the states, has an energy that tells of sides.
+    acting = np.any([sample["lost"] for sample in samples], axis=0).tolist()
+    idle = [n for n, acts in zip(lost, acting, strict=True) if not acts]
+    return not _switches(states.graph, idle) or bool(_switches(states.graph, [energy]))
 
 
 def has_momenta_of(equations: Equations, lagrangian: Any, kinetic: Any) -> bool:
@@ -679,14 +754,38 @@ def has_momenta_of(equations: Equations, lagrangian: Any, kinetic: Any) -> bool:
 
 
 def _vanish(states: GenericStates, sums: Sequence[Sequence[int]]) -> bool:
-    """Return whether sums are no more than what rounding leaves of their terms.
+    """Return whether sums are no more than what rounding leaves of their terms."""
+    samples = list(states.samples([_with_bounds(states, sums)], _TRIALS))
+    return bool(samples) and all(_small(sample["pairs"], sums) for sample in samples)
 
-    They are added up here, since the graph joins numbers: what it leaves of √2 less √2 is a term
+
+def _with_bounds(states: GenericStates, sums: Sequence[Sequence[int]]) -> Block:
+    """Return the block of the terms of sums, with their bounds of rounding below.
+
+    They are added up later, since the graph joins numbers: what it leaves of √2 less √2 is a term
     of its own, of which nothing tells that it was rounding.
     """
     terms = [node for own in sums for node in own]
-    pairs = [*terms, *rounding_bounds(states.graph, terms)]
-    samples = states.samples([("pairs", (2, len(terms)), pairs)], _TRIALS)
+    return "pairs", (2, len(terms)), [*terms, *rounding_bounds(states.graph, terms)]
+
+
+def _small(pairs: np.ndarray, sums: Sequence[Sequence[int]]) -> bool:
     starts = np.cumsum([0, *map(len, sums[:-1])])
-    found = [np.add.reduceat(sample["pairs"], starts, axis=1) for sample in samples]
-    return bool(found) and all((np.abs(left) <= ROUNDED * bound).all() for left, bound in found)
+    left, bound = np.add.reduceat(pairs, starts, axis=1)
+    return bool((np.abs(left) <= ROUNDED * bound).all())
+
+
+def _beyond(
+    states: GenericStates, switch: int, blocks: Sequence[Block]
+) -> Iterator[dict[str, np.ndarray]]:
+    """Yield values at states that keep the constraints, beyond a switch of generic ones."""
+    own, graph = states.holonomic, states.graph
+    if set(states.coordinates).isdisjoint(graph.reachable([switch])):
+        return
+    sizes = [float(s["switch"][0]) for s in states.samples([("switch", (1,), [switch])], 1)]
+    for target in (size * share for size in sizes for share in _BEYOND):
+        states.holonomic = [*own, graph.sum([(switch, 1.0)], -target)]
+        samples = list(states.samples([*blocks, *states.closing()], _TRIALS, around=True))
+        apart = openness(samples) if samples else []
+        yield from (s for s, left in zip(samples, apart, strict=True) if left < OPEN)
+    states.holonomic = own

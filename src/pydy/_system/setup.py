@@ -329,8 +329,9 @@ class Setup:
 
         It is derived from the loads: forces that are constant in the inertial frame, such as
         gravity; equal and opposite forces along the line between two points that depend on their
-        distance alone; and loads whose work is a closed form that SymPy integrates along the
-        coordinates, such as those of springs, -K sin 2q, or a Piecewise contact. Parts of loads
+        distance alone; forces of floors, by the height of a point above them; and loads whose work
+        is a closed form that SymPy integrates along the coordinates, such as those of springs,
+        -K sin 2q, or a Piecewise contact. Parts of loads
         that depend on speeds, time or specifieds (dampers, motors) have no potential energy: their
         work changes the total energy. If a load depends on the configuration in another way, the
         bodies' own `potential_energy` is used if the power of the loads agrees with it.
