@@ -556,3 +556,31 @@ def test_a_load_that_jumps_beyond_friction_sets_a_block_going(solver, kind, opti
     assert [event.name for event in motion.events] == ["friction slips"]
     assert motion.events[0].time == pytest.approx(1.013, abs=1e-12)
     assert motion["v_x"][-1] == pytest.approx(4.0 - 1.013, abs=1e-9)
+
+
+@pytest.mark.parametrize(("number", "height"), [(2, 0.1), (2, 0.3), (3, 0.01), (3, 0.1)])
+def test_feet_in_a_row_hold_together_until_all_slip(number, height):
+    """The forces that the feet share are not determined: the least ones leave a cone before."""
+    B, t = me.ReferenceFrame("B"), me.dynamicsymbols._t
+    B.orient_axis(N, N.z, a)
+    B.set_ang_vel(N, w * N.z)
+    G = O.locatenew("G", x * N.x + y * N.y)
+    G.set_vel(N, vx * N.x + vy * N.y)
+    H = G.locatenew("H", sm.Float(height - 0.2) * B.y)
+    H.v2pt_theory(G, N, B)
+    feet = []
+    for i, place in enumerate(np.linspace(-0.2, 0.2, number)):
+        P = G.locatenew(f"P{i}", sm.Float(place) * B.x - sm.Float(0.2) * B.y)
+        P.v2pt_theory(G, N, B)
+        floor = Unilateral(P.pos_from(O).dot(N.y), name=f"foot{i}")
+        feet.append(Stick(P, on=floor, mu=0.3, along=N.x))
+    box = me.RigidBody("box", G, B, 2, (me.inertia(B, 0, 0, sm.Float(0.1)), G))
+    loads = [(G, -2 * sm.Float(9.81) * N.y), (H, 4 * t * N.x)]
+    system = System(
+        Definition(N, [x, y, a], [vx, vy, w], bodies=[box], loads=loads),
+        ode_solver="dop853", initial_conditions={y: 0.2}, times=np.linspace(0.0, 3.0, 31),
+    )  # fmt: skip
+    motion = Contacts(system, feet).simulate()
+    slips = 0.3 * 9.81 / 2  # 4 t = mu m g; then x'' = 2 (t - slips)
+    assert motion.modes[-1][0] == pytest.approx(slips, abs=1e-9)
+    assert motion["x"][-1] == pytest.approx((3.0 - slips) ** 3 / 3, abs=1e-9)

@@ -319,7 +319,7 @@ def _good(problem: Problem, found: Solution | None) -> Solution | None:
     """Return a solution within its cones, if there is one; None if its equations have none."""
     if found is None or not found.consistent or not np.isfinite(found.forces).all():
         return None
-    return found if found.margins.min(initial=np.inf) >= 0.0 else within(problem, found)
+    return found if found.margins.min(initial=np.inf) > SLACK else within(problem, found)
 
 
 def _relaxed(

@@ -278,7 +278,7 @@ class Run:
             tied = self.sure & fixed.keys()
             wanted = [[fixed[i]] if i in tied else own for i, own in enumerate(every)]
             found = chosen(problem, wanted)
-        found = found or (chosen(problem, every) if fixed else None)
+        found = found or (chosen(problem, every) if fixed or excluded else None)
         if found is None:
             raise self.fail(
                 state.t, state.x,
@@ -469,7 +469,11 @@ class Run:
             if self.redundant and {what for what, _ in fired} <= {"slips", "opens"}:
                 fixed, excluded = {}, set() if self.goes_on(state) else {*excluded, self.modes}
             else:
-                fixed, excluded = self.after(state, fired), set()
+                impacts = len(self.impacts)
+                fixed = self.after(state, fired)
+                # What ended as it began is no mode at this instant, unless velocities have changed.
+                again = here and len(self.impacts) == impacts
+                excluded = {*excluded, self.modes} if again else set()
             transitions += 1
             instants = instants + 1 if here else 0
             if instants > INSTANT or transitions > STALLED:
@@ -633,7 +637,8 @@ class Run:
             for k, record in enumerate(self.records):
                 if record.time == state.t and record.time_sensitivity is None:
                     self.records[k] = replace(record, **begun)
-        state.resting -= {i for i, what in enumerate(mode.modes) if what in SLIDES}
+        if end - state.t > self.resolution(end):  # nothing has moved at the same instant
+            state.resting -= {i for i, what in enumerate(mode.modes) if what in SLIDES}
         for record in part.events:
             if record.index >= own and (record.time > state.t or not self.pieces):
                 self.records.append(replace(record, index=record.index + len(self.contacts) - own))
