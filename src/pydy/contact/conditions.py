@@ -28,8 +28,9 @@ class Unilateral:
     Parameters
     ----------
     gap : expression
-        Of the coordinates and time; positive while open. The normal force has the unit in which its
-        power is force times rate of the gap: N for a gap in m, N m for an angle.
+        Of the coordinates and time, without jumps and kinks; positive while open. The normal force
+        has the unit in which its power is force times rate of the gap: N for a gap in m, N m for an
+        angle.
     restitution : expression, optional
         Coefficient of restitution e, between 0 and 1.
     name : str, optional
@@ -64,7 +65,7 @@ class Stick:
     ----------
     point : Point or expression
         What slides: a point, or a speed that is linear in the speeds of the system, such as the
-        relative rate of a joint.
+        relative rate of a joint. It does not jump; a belt that starts does so in a ramp.
     on : Unilateral, optional
         The contact whose normal force presses. With a point its gap is a length, where it is
         closed.

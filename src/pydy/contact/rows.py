@@ -29,6 +29,7 @@ from pydy._mechanics.form import Formed
 from pydy._mechanics.symbols import find_symbols
 from pydy._rank import DIGITS, ROUNDING, or_one, rank_of
 from pydy.contact.conditions import Contact
+from pydy.contact.smooth import Switched, switched
 from pydy.contact.tuning import WITHIN
 
 
@@ -127,20 +128,23 @@ class ContactRows:
         read = SymPyReader(g, atoms, "the contacts")
         self.normal: list[int | None] = []
         self.tangent: list[list[int]] = []
+        self.switched: list[Switched] = []  # gaps and sliding speeds that are written in pieces
         speeds: list[Any] = []
         gaps: list[int] = []
         for c in self.contacts:
             self.normal.append(None if c.unilateral is None else len(speeds))
             if c.unilateral is not None:
                 read.what = f"the gap of {c.name!r}"
-                speeds.append(_rate(e, c.unilateral.gap, c.name))
-                gaps.append(read(c.unilateral.gap))
+                gap = self._smooth(f"The gap of {c.name!r}", c.unilateral.gap, slopes=True)
+                speeds.append(_rate(e, gap, c.name))
+                gaps.append(read(gap))
             else:
                 gaps.append(g.zero)
             self.tangent.append([])
             frame = getattr(e.mechanism, "frame", None)
             for part in () if c.stick is None else c.stick.speeds(frame):
                 speed = e.in_states(sm.sympify(part))
+                speed = self._smooth(f"The sliding speed of {c.name!r}", speed, slopes=False)
                 _check_linear(e, speed, c.name)
                 self.tangent[-1].append(len(speeds))
                 speeds.append(speed)
@@ -165,6 +169,15 @@ class ContactRows:
             zero if c.stick is None or c.stick.normal is None else read(c.stick.normal)
             for c in self.contacts
         ]
+
+    def _smooth(self, what: str, expression: Any, slopes: bool) -> Any:
+        """Return an expression as it may be differentiated, or say what jumps in it."""
+        moving = (self.equations.time, *self.equations.coordinates, *self.equations.speeds)
+        found = switched(what, expression, moving, slopes)
+        if found is None:
+            return expression
+        self.switched.append(found)
+        return found.expression
 
     def _owners(self) -> list[Contact]:
         found = []

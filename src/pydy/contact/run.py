@@ -190,6 +190,8 @@ class Run:
             for gap, e, mu, static in zip(p.gap, p.restitution, p.mu, p.mu_static, strict=True)
         ]
         check_values(self.contacts, named)
+        for expression in self.rows.switched:
+            expression.check(self.values(t, x))
         closed = {i for i, n in enumerate(self.rows.normal) if n is not None and p.is_closed(i)}
         self.rows.check_directions(closed, self.values(t, x))
         state = State(t, x, set(), set(), set())

@@ -75,3 +75,7 @@ SWEEPS = 4096
 """Sweeps over the contacts until their modes are told from their forces. Errors fall as
 exp(−sweeps/κ) with the condition number κ of J M⁻¹ Jᵀ: half the digits take 18 κ, so that this is
 enough for κ = 200. Beyond that all combinations are tried."""
+
+DRAWS = 32
+"""Values of the constants, and of the states for each of them, at which the pieces of a gap are
+compared: five times in a row occur in any order, as far as two that follow each other tell."""
