@@ -24,6 +24,7 @@ from touching import (
     k,
     m,
     mu,
+    r,
     vx,
     vy,
     x,
@@ -174,6 +175,54 @@ def test_a_particle_that_is_thrown_on_the_ice_and_slides_to_a_stop():
     contacts = Contacts(system, [Stick(P, on=ice, mu=mu, along=(N.x, N.y))], {mu: 0.25})
     exact = compared(contacts, [mu, g, z, vx, vy], ["x", "y", "v_x"], **TIGHT)
     assert [event.name for event in exact.events] == ["ice closes", "ice stops"]
+
+
+def pulled(pull, start, constants, value=0.3, **friction):
+    """A particle on a floor in space, under a pull along it."""
+    z, vz = me.dynamicsymbols("z v_z")
+    P = O.locatenew("P", x * N.x + y * N.y + z * N.z)
+    P.set_vel(N, vx * N.x + vy * N.y + vz * N.z)
+    load = pull[0] * N.x + pull[1] * N.y - m * g * N.z
+    system = System(
+        Definition(N, [x, y, z], [vx, vy, vz], bodies=[me.Particle("b", P, m)], loads=[(P, load)]),
+        {g: 10.0, **constants}, {}, "dop853", start, [0.0, 3.0],
+    )  # fmt: skip
+    stick = Stick(P, on=Unilateral(z, name="floor"), along=(N.x, N.y), mu=mu, **friction)
+    return Contacts(system, [stick], {mu: value})
+
+
+@pytest.mark.parametrize("solver", ["dop853", "radau"])
+@pytest.mark.parametrize("tolerance", [1e-6, 1e-9, 1e-12])
+def test_a_block_that_begins_to_slide_in_a_plane(tolerance, solver):
+    contacts = pulled((k, r), {}, {k: 3.0, r: -4.0})
+    contacts.system.ode_solver = solver
+    motion = contacts.simulate(sensitivities=[k, r, mu], rtol=tolerance, atol=tolerance)
+    # x = F/|F| (|F| − μ m g) t²/2
+    along = np.array([0.6, -0.8])
+    wanted = 4.5 * (np.outer(along, along) * 3.0 / 5.0 + np.eye(2) * 2.0 / 5.0)
+    found = motion.sensitivity.values[-1][:2]
+    assert found[:, :2] == pytest.approx(wanted, abs=1e-6)
+    assert found[:, 2] == pytest.approx(-45.0 * along, abs=1e-6)
+
+
+def test_a_block_slips_at_a_time_that_moves_and_its_pull_turns():
+    t = me.dynamicsymbols._t
+    contacts = pulled((k * t, r), {}, {k: 3.0, r: -0.9}, mu_static=0.5)
+    compared(contacts, [k, r], ["x", "y", "v_x", "v_y"], 1e-4, rtol=1e-9, atol=1e-9)
+    contacts = pulled((k * t, r), {}, {k: 3.0, r: -0.9})
+    with pytest.raises(NotImplementedError, match="begins to slide in a plane without an accel"):
+        contacts.simulate(sensitivities=[k])
+
+
+def test_the_time_of_a_stop_in_a_plane_is_right_or_not_known():
+    straight = pulled((0, 0), {vx: 0.7, vy: 0.7}, {})
+    (stops,) = straight.simulate(sensitivities=[mu]).events
+    assert stops.time_sensitivity == pytest.approx(-0.7 * math.sqrt(2) / 0.9, rel=1e-7)
+    curved = pulled((0, 0.8), {vx: 1.2, vy: 0.9}, {}, 0.2)
+    motion = curved.simulate(sensitivities=[mu], rtol=1e-9, atol=1e-9)
+    assert motion.events[-1].name == "floor stops"
+    assert np.isnan(motion.events[-1].time_sensitivity).all()
+    assert np.isfinite(motion.sensitivity.values).all()
 
 
 def test_samples_as_parameters_are_named():

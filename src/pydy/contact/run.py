@@ -528,17 +528,13 @@ class Run:
         options = dict(self.options)
         if held or now.definition.equations.velocity:  # each part would begin with the drift so far
             options["constraints"] = "project"
-        if self.leaps(p, solution) and "step" not in options:
-            # Where a body begins to slide in a plane, friction turns its velocity ever faster the
-            # slower it is: explicit methods would need steps in proportion to the speed, and the
-            # error of a long first step is hidden by the slopes at rest. Where it begins without an
-            # acceleration, μ being μ_static, these hide more: explicit methods have to do it.
-            system.ode_solver = "radau"
-            options["first_step"] = FIRST * self.resolution(state.t)
+        self.shorten(p, state, solution, system, options)
         if self.carried is not None:
             given = self.carried.starts(system.evaluate_ode(state.x, state.t))
             self.columns[here] = given
-            wanted = Wanted(self.carried.symbols, self.carried.controlled, None, given)
+            turning = {STARTING, *((SLIDING,) if system.ode_solver.name == "radau" else ())}
+            controlled = self.carried.controlled or not turning.isdisjoint(solution.modes)
+            wanted = Wanted(self.carried.symbols, controlled, None, given)
             options["sensitivities"] = wanted
         system._searching = True  # outputs are looked at over the whole motion
         try:
@@ -557,6 +553,30 @@ class Run:
                 f"The integration stopped in the modes {', '.join(self.modes)}: {error}",
             ) from error  # fmt: skip
         return self.take(state, part, mode, kinds, system)
+
+    def shorten(
+        self, p: Numbers, state: State, solution: Solution, system: System, options: dict[str, Any]
+    ) -> None:
+        """Choose the solver, and begin with short steps, where sliding in a plane begins.
+
+        Friction turns a velocity in a plane ever faster the slower it is: explicit methods need
+        steps in proportion to the speed, and the error of a long first step is hidden by the slopes
+        at rest. Where it begins without an acceleration, as with μ = μ_static, these hide more:
+        explicit methods have to do it. They do it for sensitivities too: `radau` iterates until the
+        states converge. There the direction of the least speed has to be resolved.
+        """
+        if self.leaps(p, solution) and "step" not in options:
+            options["first_step"] = FIRST * self.resolution(state.t)
+            system.ode_solver = "radau" if self.carried is None else "dop853"
+            if self.carried is not None:
+                options["atol"] = RESOLVED**2 * self.atol
+        elif self.carried is not None and STARTING in solution.modes:
+            raise NotImplementedError(
+                "`sensitivities` where a body begins to slide in a plane without an acceleration, "
+                "as under a pull that grows until `mu` = `mu_static` is reached, or in steps of a "
+                "fixed size, are not known. Pass a larger `mu_static` and an adaptive solver, or "
+                "simulate without `sensitivities`."
+            )
 
     def leaps(self, p: Numbers, solution: Solution) -> bool:
         """Whether contacts begin to slide in a plane, and at once with an acceleration.
@@ -632,7 +652,7 @@ class Run:
             return False, broken
         if self.carried is not None:
             begun = {
-                "time_sensitivity": self.carried.time,
+                "time_sensitivity": np.where(self.carried.doubtful, np.nan, self.carried.time),
                 "sensitivity_before": self.arriving,
                 "sensitivity_after": part.sensitivity.values[0],
             }
@@ -661,6 +681,10 @@ class Run:
             last = next((r for r in acting if kinds[r.index][0] not in _NOTED), acting[-1])
             rates = system.evaluate_ode(last.before[: self.n], end)
             self.carried.ends(last, rates)
+            what, i = kinds[last.index]
+            if what in ("stops", "bends") and len(self.rows.tangent[i]) == 2:
+                values = self.values(end, last.before[: self.n])
+                self.carried.doubt(values, self.rows.tangent[i], last.sensitivity_before)
             self.arriving = last.sensitivity_before
         state.t, state.x = end, at_end[-1].after[: self.n].copy()
         if any(r.index >= own and self.user_events[r.index - own].terminal for r in at_end):

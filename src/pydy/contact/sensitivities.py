@@ -30,6 +30,7 @@ from pydy._system.snapshot import Snapshot
 from pydy.contact.decide import CLOSED, OPEN, SLIDES, STARTING, STICKS
 from pydy.contact.impacts import Blow
 from pydy.contact.rows import ContactRows, Numbers
+from pydy.contact.tuning import SLACK
 
 
 @dataclass(frozen=True)
@@ -68,6 +69,7 @@ class Carried:
         self._constants = [p.symbol if p.kind == "constants" else None for p in parameters]
         self.total = sensitive.start(now.x, float(now.times[0]))
         self.time = np.zeros(len(self.symbols))
+        self.doubtful = np.zeros(len(self.symbols), dtype=bool)  # whose time is not known
 
     @cached_property
     def _slopes(self) -> Any:
@@ -123,6 +125,21 @@ class Carried:
         """Take the derivatives at the event that ends a mode."""
         self.time = record.time_sensitivity
         self.total = record.sensitivity_before + np.outer(rates, self.time)
+        self.doubtful = np.zeros(len(self.time), dtype=bool)
+
+    def doubt(self, values: Mapping[Any, float], rows: Sequence[int], before: np.ndarray) -> None:
+        """Tell of which parameters the time of a stop in a plane is not known.
+
+        Both sliding speeds are zero there, for all parameters. One of them gives the time; where
+        the other contradicts it, friction turned the velocity too quickly at the end. What follows
+        does not depend on it: the rows that are held take out what it adds.
+        """
+        rest = self.slopes(values).speed[rows]
+        total, time = self.total, self.time
+        self.total, self.time = before, np.zeros(len(time))
+        size = np.linalg.norm(self.slopes(values).speed[rows], axis=0)
+        self.total, self.time = total, time
+        self.doubtful = ~(np.linalg.norm(rest, axis=0) <= SLACK * size)
 
     def starts(self, rates: np.ndarray) -> np.ndarray:
         """Return S⁺ of the mode that begins."""
