@@ -22,7 +22,7 @@ import numpy as np
 
 from pydy._rank import DEPENDENT, HALF, ROUNDED, ROUNDING
 from pydy.contact.cones import Cone, innermost, relaxed
-from pydy.contact.tuning import SLACK, TURNED, TURNS, WITHIN
+from pydy.contact.tuning import BEGUN, SLACK, TURNED, TURNS, WITHIN
 
 OPEN, CLOSED, STICKS, FORWARD, BACKWARD = "open", "closed", "sticks", "slides +", "slides -"
 SLIDING, STARTING = "slides", "begins to slide"  # in a plane, in some direction
@@ -313,6 +313,20 @@ def within(problem: Problem, found: Solution) -> Solution:
     bias[held] = innermost(found.forces[held], found.null, cones, found.sizes.max())
     better = solved(replace(problem, directions=found.directions, bias=bias), found.modes)
     return better if better.margins.min() > found.margins.min() else found
+
+
+def leaps(solution: Solution, free: np.ndarray, tangents: Sequence[Sequence[int]]) -> bool:
+    """Whether contacts begin to slide in a plane, and at once with an acceleration.
+
+    For several of them friction that turns is stiff whether or not there is one.
+    """
+    found = [i for i, mode in enumerate(solution.modes) if mode == STARTING]
+    for i in found if len(found) == 1 else ():
+        rows = list(tangents[i])
+        rate, alone = (np.linalg.norm(part[rows]) for part in (solution.rates, free))
+        if rate <= BEGUN * alone:
+            return False
+    return bool(found)
 
 
 def _good(problem: Problem, found: Solution | None) -> Solution | None:

@@ -30,6 +30,7 @@ from pydy.contact.decide import (
     chosen,
     held_rows,
     independent,
+    leaps,
     solved,
     within,
 )
@@ -565,7 +566,7 @@ class Run:
         explicit methods have to do it. They do it for sensitivities too: `radau` iterates until the
         states converge. There the direction of the least speed has to be resolved.
         """
-        if self.leaps(p, solution) and "step" not in options:
+        if leaps(solution, p.free, self.rows.tangent) and "step" not in options:
             options["first_step"] = FIRST * self.resolution(state.t)
             system.ode_solver = "radau" if self.carried is None else "dop853"
             if self.carried is not None:
@@ -577,19 +578,6 @@ class Run:
                 "fixed size, are not known. Pass a larger `mu_static` and an adaptive solver, or "
                 "simulate without `sensitivities`."
             )
-
-    def leaps(self, p: Numbers, solution: Solution) -> bool:
-        """Whether contacts begin to slide in a plane, and at once with an acceleration.
-
-        For several of them friction that turns is stiff whether or not there is one.
-        """
-        found = [i for i, mode in enumerate(solution.modes) if mode == STARTING]
-        for i in found if len(found) == 1 else ():
-            rows = self.rows.tangent[i]
-            rate, free = (np.linalg.norm(part[rows]) for part in (solution.rates, p.free))
-            if rate <= BEGUN * free:
-                return False
-        return bool(found)
 
     def references(self, p: Numbers, state: State, solution: Solution) -> dict[Any, float]:
         """Return the biases, what rises, and in which directions contacts slide in a plane.
