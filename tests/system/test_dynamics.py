@@ -248,6 +248,69 @@ def test_a_weight_in_numbers_beside_other_forces_in_one_vector_is_not_taken_for_
     close(system.gravity([0.0, 0.0], acceleration=-9.81 * frame.y), [19.62, 29.43])
 
 
+X, Y = me.dynamicsymbols("x y")
+M, G, K, RHO, L, M0, M1 = sm.symbols("m g k rho L m0 m1")
+
+
+def falling(mass, forces, beside=False):
+    """A particle with forces, each a pair of components, at its place or at one that coincides."""
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    point = origin.locatenew("P", X * frame.x + Y * frame.y)
+    where = point.locatenew("Q", 0) if beside else point
+    loads = [(where, a * frame.x + b * frame.y) for a, b in forces]
+    system = System(Definition(frame, [X, Y], bodies=[me.Particle("b", point, mass)], loads=loads))
+    values = {M: 2.0, G: 10.0, K: 3.0, RHO: 4.0, L: 0.5, M0: 0.5, M1: 1.5}
+    system.constants = {s: values[s] for s in system.constants_symbols}
+    return system
+
+
+@pytest.mark.parametrize(
+    ("mass", "forces"),
+    [
+        (M, [(0, -M * G)]),
+        (M, [(0, -M * G), (-K * M * G * sm.sign(X.diff(T)), 0)]),
+        (M, [(0, -K * Y - M * G)]),
+        (2 * M0 + M0 + M1 - M0, [(0, -(2 * M0 + M1) * G)]),
+        (4 * M0, [(0, -4 * M0 * G - K * Y)]),
+        (RHO * L, [(0, -RHO * L * G - K * Y)]),
+        (RHO * L, [(0, -RHO * L * G), (0, -K * (Y - L))]),
+        (M0 + M1, [(0, -(M0 + M1) * G)]),
+        (M0 + M1, [(0, -M0 * G), (0, -M1 * G)]),
+        (M, [(-M * G * sm.cos(K), 0), (0, -M * G * sm.sin(K))]),
+    ],
+)
+@pytest.mark.parametrize("beside", [False, True])
+def test_what_is_a_weight_for_certain_is_gravity(mass, forces, beside):
+    system = falling(mass, forces, beside)
+    rest = {X: 0, Y: 0, X.diff(T): 0, **system.constants}
+    weight = [float(sum(sm.sympify(f[k]).subs(rest) for f in forces)) for k in range(2)]
+    if len(forces) == 2 and forces[1][1] == -K * (Y - L):
+        weight[1] -= 1.5  # the spring's
+    close(system.gravity([0.0, 0.0]), -np.array(weight))
+    forces = system.regressor([0.0, 0.0], [0.0, 0.0], [0.0, 0.0])
+    close(forces @ [*system.inertial_parameters().values()], -np.array(weight))
+
+
+@pytest.mark.parametrize(
+    ("mass", "forces"),
+    [
+        (M, [(-K * M * G * sm.sign(X.diff(T)), -M * G)]),
+        (M, [(0, M * (me.dynamicsymbols("f") - G))]),
+        (M, [(M * K**2 * X, -M * G)]),
+        (M0 + M1, [(0, -M0 * G)]),
+        (RHO * L, [(0, -RHO * L * G - K * (Y - L))]),
+        (2, [(0, -2 * G), (3, 0)]),
+    ],
+)
+def test_what_may_be_a_weight_or_another_load_is_asked_for(mass, forces):
+    system = falling(mass, forces)
+    state = np.zeros((3, 4, 2))
+    for ask in (system.gravity, system.regressor, lambda: system.base_parameters(*state)):
+        with pytest.raises(ValueError, match="which way gravity pulls"):
+            ask()
+
+
 def test_a_lagrangian_has_inverse_dynamics_too():
     theta, x = me.dynamicsymbols("theta x")
     frame, origin = me.ReferenceFrame("N"), me.Point("O")

@@ -229,29 +229,87 @@ def parameters(body: Multibody, known: Known) -> Expressions:
 
 
 def _common_pull(kinematics: Kinematics) -> Vec | None:
-    """Return the acceleration that the loads give all mass centres alike."""
-    g, zero = kinematics.graph, kinematics.graph.zero
-    found = []
+    """Return the acceleration that the loads give all mass centres alike, None if that is unclear.
+
+    Loads proportional to a mass of symbols are its weight together. Of those at masses that are
+    numbers each may be a weight, which is what all bodies have in common.
+    """
+    g = kinematics.graph
+    nothing = [g.zero] * 3
+    found: list[list[Vec]] = []
     for body in kinematics.body.bodies:
-        mass, own, hidden = kinematics.read(body.mass), [], False
-        if mass == zero:
+        mass = kinematics.read(body.mass)
+        if mass == g.zero:
             continue
-        for where, vector in kinematics.body.loads:
-            if where is body.masscenter:
-                force = kinematics.vector(vector, kinematics.inertial)
-                if g.ops[mass] == "input":  # whatever else is in the same vector
-                    fall = [row.get(0, zero) for row in jacobian(g, force, [mass])]
-                else:
-                    fall = [g.div(node, mass) for node in force]
-                if all(g.constant[node] for node in fall):
-                    own.append(fall)
-                elif g.ops[mass] != "input" and any(_partly_constant(g, n) for n in fall):
-                    hidden = True  # a number may be a weight, or the rest length of a spring
-        found.append(own or ([] if hidden else [[zero] * 3]))
-    for fall in sorted(found[0], key=lambda fall: fall == [zero] * 3) if found else ():
-        if all(any(alike(g, fall, other) for other in own) for own in found):
-            return fall
-    return None
+        inputs = [n for n in g.reachable([mass]) if g.ops[n] == "input"]
+        by = [n for n in inputs if g.constant[n]] or inputs
+        own = _pulls(kinematics, body.masscenter, mass, by)
+        if own is None:
+            return None
+        if by:
+            total = [g.sum([(n, 1.0) for n in parts]) for parts in zip(*own, strict=True)]
+            own = [total] if own and total != nothing else []
+        found.append(own)
+    if not any(found):
+        return nothing
+    if len(found) == 1 and len(found[0]) > 1:
+        return None
+    common = nothing
+    for fall in found[0]:
+        like = [[k for k, other in enumerate(own) if alike(g, fall, other)] for own in found[1:]]
+        if all(like):
+            common = kinematics.plus(common, fall)
+            for own, places_ in zip(found[1:], like, strict=True):
+                own.pop(places_[0])
+    return None if common == nothing else common
+
+
+def _pulls(kinematics: Kinematics, centre: Any, mass: int, by: Sequence[int]) -> list[Vec] | None:
+    """Return constant accelerations that loads at a mass centre are proportional to the mass with.
+
+    `by` are the symbols in the mass. None where a load may hold a weight beside others.
+    """
+    g, zero = kinematics.graph, kinematics.graph.zero
+    here = distances(centre, lambda point: [p for p, way in places(point).items() if not way.args])
+    forces = [
+        kinematics.vector(v, kinematics.inertial)
+        for where, v in kinematics.body.loads
+        if where in here
+    ]
+    slopes = [row.get(k, zero) for row in jacobian(g, [mass], by) for k in range(len(by))]
+    own: list[Vec] = []
+    left: list[Vec] = []
+    unclear = False
+    for last in (False, True):  # parts of a mass may have a load each: what is left is added up
+        if last:
+            forces = [[g.sum([(n, 1.0) for n in x]) for x in zip(*left, strict=True)]] * bool(left)
+        for force in forces:
+            if by:
+                rows = dense_rows(g, jacobian(g, force, by), len(by))
+                falls = [
+                    [g.div(row[k], slope) for row in rows]
+                    for k, slope in enumerate(slopes)
+                    if slope != zero
+                ]
+            else:
+                falls = [[g.div(node, mass) for node in force]]
+            falls = falls or [[zero] * 3]
+            held = [any(n != zero for n in fall) for fall in falls]
+            if not any(held):
+                continue
+            if all(g.constant[n] for fall in falls for n in fall) and all(
+                alike(g, falls[0], fall) for fall in falls
+            ):
+                own.append(falls[0])
+            elif by and not last:
+                left.append(force)
+            elif any(_partly_constant(g, n) for fall in falls for n in fall):
+                if by and all(held):
+                    return None
+                unclear = True  # a number may be a weight, or the rest length of a spring
+            elif by:
+                unclear = True
+    return None if unclear and not own else own
 
 
 def _partly_constant(g: Graph, node: int) -> bool:

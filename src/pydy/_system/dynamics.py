@@ -567,8 +567,8 @@ class Dynamics(Setup):
     ) -> np.ndarray:
         """Return the generalised forces that hold all masses against gravity.
 
-        Gravity is what the loads at all mass centres have in common: a force for each body with a
-        mass, this mass times one acceleration.
+        Gravity is what the loads at all mass centres have in common: forces for each body with a
+        mass, this mass times one constant acceleration. In one vector with others it is not known.
 
         Parameters
         ----------
@@ -584,8 +584,8 @@ class Dynamics(Setup):
         Raises
         ------
         ValueError
-            The loads at mass centres have no acceleration in common, or gravity is in a
-            Lagrangian; give `acceleration`.
+            The loads at mass centres have no acceleration in common, one of them may hold a
+            weight beside others, or gravity is in a Lagrangian; give `acceleration`.
 
         Examples
         --------
