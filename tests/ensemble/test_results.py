@@ -351,3 +351,17 @@ def test_reductions_that_would_overwrite_each_other_are_refused(oscillator):
         oscillator.integrate_ensemble(
             constants={"k0": [1.0]}, reduce=["events", "final"], events=[Event(v, name="stop")]
         )
+
+
+def test_series_of_another_order_are_refused_as_arrays_are():
+    pandas = pytest.importorskip("pandas")
+    system = multi_mass_spring_damper()
+    system.times = [0.0, 1.0]
+    one = pandas.Series([1.0, 2.0, 3.0], index=[0, 1, 2])
+    other = pandas.Series([3.0, 2.0, 1.0], index=[2, 1, 0])
+    with pytest.raises(ValueError, match=r"k0.* another index than .*m0.* `.to_numpy\(\)`"):
+        system.integrate_ensemble(constants={"m0": one, "k0": other}, reduce="final")
+    system.integrate_ensemble(constants={"m0": one, "k0": other.sort_index()}, reduce="final")
+    system.integrate_ensemble(constants={"m0": one, "k0": other.to_numpy()}, reduce="final")
+    grid = {"m0": one, "k0": other}
+    system.integrate_ensemble(constants=grid, reduce="final", product=True)

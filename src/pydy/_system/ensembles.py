@@ -159,6 +159,7 @@ class _Axes:
         self.dims: dict[str, int] = {}
         self.coordinates: dict[str, Variable] = {}
         self._from: dict[str, str] = {}
+        self._index: dict[str, tuple[str, np.ndarray]] = {}
 
     def add(self, what: str, value: Any, name: str, attrs: dict[str, Any]) -> tuple[Any, Any]:
         """Return one value, called `what` in messages, as (dims, float array)."""
@@ -178,6 +179,9 @@ class _Axes:
                     f"that names its dimensions, got the shape {array.shape}."
                 )
             dims = (name if self.product else "sample",) * array.ndim
+            index = getattr(value, "index", None)  # of a pandas.Series; a list has a method
+            if array.ndim and index is not None and not callable(index):
+                self._match(what, dims[0], np.asarray(index))
         if not np.isfinite(array).all():
             where = tuple(int(k) for k in np.argwhere(~np.isfinite(array))[0])
             raise ValueError(f"{what} must be finite, got {array[where]} at index {where}.")
@@ -212,6 +216,14 @@ class _Axes:
             )
         if known is None or "role" in coordinate.attrs:
             self.coordinates[name] = coordinate
+
+    def _match(self, what: str, dim: str, index: np.ndarray) -> None:
+        other, known = self._index.setdefault(dim, (what, index))
+        if len(known) == len(index) and not np.array_equal(known, index):
+            raise ValueError(
+                f"{what} has another index than {other}: values are matched by position, so "
+                "indices must agree. Align the Series, or pass their `.to_numpy()`."
+            )
 
     def check_names(self) -> None:
         """Raise if a dimension is called like a quantity that is not given along it."""
