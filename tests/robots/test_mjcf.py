@@ -243,3 +243,120 @@ def test_what_has_no_counterpart_is_listed_and_nothing_is_written(tmp_path, monk
     assert [file.name for file in tmp_path.iterdir()] == ["robot.xml"]
     assert "left out: " in repr(robot)
     assert " more" in repr(robot)
+
+
+BARE = """<mujoco>{option}<worldbody>
+<body name="b" pos="0.1 0 1" {body}><joint name="j" type="{kind}" axis="0 1 0" {joint}/>
+  <geom type="box" size=".1 .07 .05" pos=".05 .02 .01" mass="1.2" contype="0" conaffinity="0"/>
+  <body name="c" pos="0.3 0 0"><joint name="k" type="slide" axis="1 0 0"/>
+    <geom type="box" size=".05 .04 .03" mass=".7" contype="0" conaffinity="0"/></body></body>
+</worldbody><actuator>{motor}</actuator>{equality}</mujoco>"""
+TIED = '<equality><joint joint1="k" joint2="j" polycoef="0 1 0 0 0"/></equality>'
+
+
+def bare(tmp_path, option="", body="", kind="hinge", joint="", motor="", equality="", **options):
+    """Return a robot with its accelerations and MuJoCo's, in motion away from its start."""
+    text = BARE.format(
+        option=option, body=body, kind=kind, joint=joint, motor=motor, equality=equality
+    )
+    path = written(tmp_path, text)
+    model = mujoco.MjModel.from_xml_path(str(path))
+    data = mujoco.MjData(model)
+    data.qvel[:] = np.linspace(0.3, -0.4, model.nv)
+    data.ctrl[:] = 0.7
+    mujoco.mj_forward(model, data)
+    robot = read(path, **options)
+    system = robot.system(specifieds=dict.fromkeys(robot.actuators.values(), 0.7))
+    coordinates, speeds = order_of(robot, model)
+    values = dict(zip([*coordinates, *speeds], [*data.qpos, *data.qvel], strict=True))
+    rates = system.evaluate_ode([values[s] for s in system.states])
+    found = dict(zip(system.states, rates, strict=True))
+    return robot, [found[s] for s in speeds], data.qacc
+
+
+def flag(*what):
+    return "<option><flag " + " ".join(f'{w}="disable"' for w in what) + "/></option>"
+
+
+MOTOR = '<motor name="m" joint="j" gear="2" group="1"/><motor name="n" joint="k" group="2"/>'
+
+
+@pytest.mark.parametrize(
+    "case",
+    [
+        {"option": '<option actuatorgroupdisable="1"/>', "motor": MOTOR},
+        {"option": flag("actuation"), "motor": MOTOR},
+        {"option": flag("constraint"), "equality": TIED, "joint": 'frictionloss="0.3"'},
+        {"option": flag("limit"), "joint": 'range="0.1 1"'},
+        {"option": flag("constraint"), "joint": 'range="0.1 1"'},
+        {"option": flag("spring", "damper"), "body": 'gravcomp="0.5"'},
+        {"option": flag("spring"), "joint": 'stiffness="0 3"', "body": 'gravcomp="0.5"'},
+        {"option": flag("damper"), "joint": 'damping="0 3"'},
+        {
+            "option": flag("clampctrl"),
+            "motor": '<motor name="m" joint="j" ctrlrange="-.1 .1" ctrllimited="true"/>',
+        },
+    ],
+)
+def test_what_a_file_turns_off_is_off(tmp_path, case):
+    robot, found, expected = bare(tmp_path, **case, friction_speed=1e-3)
+    assert found == pytest.approx(expected, rel=1e-10)
+    assert robot.limits == []
+    assert robot.input_ranges == {}
+    assert all("turns off" in line or "not active" in line for line in robot.left_out)
+
+
+@pytest.mark.parametrize("kind", ["ball", "free"])
+def test_dry_friction_of_joints_with_several_axes(tmp_path, kind):
+    rubs = 'frictionloss="0.3"'
+    robot, *_ = bare(tmp_path, kind=kind, joint=rubs)
+    assert robot.left_out == (
+        "the dry friction of the joint 'j' (give `friction_speed` to have it)",
+    )
+    robot, found, _ = bare(tmp_path, kind=kind, joint=rubs, friction_speed=1e-3)
+    assert robot.left_out == ()
+    # The same as forces of that size against the motion, which MuJoCo has as applied ones.
+    path = tmp_path / "robot.xml"
+    model = mujoco.MjModel.from_xml_path(str(path))
+    model.opt.disableflags |= mujoco.mjtDisableBit.mjDSBL_FRICTIONLOSS
+    data = mujoco.MjData(model)
+    data.qvel[:] = np.linspace(0.3, -0.4, model.nv)
+    data.qfrc_applied[:] = -0.3 * np.tanh(data.qvel / 1e-3)
+    data.qfrc_applied[-1] = 0.0  # the slide has none
+    mujoco.mj_forward(model, data)
+    assert found == pytest.approx(data.qacc, rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("case", "said"),
+    [
+        (
+            {"motor": '<motor name="m" joint="j" damping="0 0.4"/>'},
+            "the actuator 'm', which has a damping or an armature of its own",
+        ),
+        (
+            {"option": flag("actuation"), "motor": '<motor name="m" joint="j" armature="0.4"/>'},
+            "the actuator 'm', which has a damping or an armature of its own",
+        ),
+        (
+            {"motor": '<motor name="m" joint="j" delay="0.1" nsample="5"/>'},
+            "the actuator 'm', which acts with a delay",
+        ),
+        (
+            {"joint": 'stiffness="30" springref="0.3" springyield="0.02"'},
+            "the yield of the spring of the joint 'j'",
+        ),
+        (
+            {"joint": 'actuatorfrcrange="-.2 .2"', "motor": MOTOR},
+            "the limits of the actuators' force on the joint 'j'",
+        ),
+        ({"kind": "ball", "joint": 'range="0 0.5"'}, "the range of the ball joint 'j'"),
+        (
+            {"body": 'gravcomp="0.5"', "joint": 'actuatorgravcomp="true"'},
+            "that no actuator compensates the weight at the joint 'j': it is compensated",
+        ),
+    ],
+)
+def test_what_a_joint_or_actuator_has_beyond_is_listed(tmp_path, case, said):
+    robot, *_ = bare(tmp_path, **case)
+    assert robot.left_out == (said,)

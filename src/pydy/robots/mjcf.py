@@ -52,6 +52,8 @@ _NUMBERS = [
     "actuator_gainprm",
     "actuator_biasprm",
 ]
+_CONSTRAINTS = {"CONTACT", "EQUALITY", "FRICTIONLOSS", "LIMIT"}
+"""What MuJoCo counts as constraints, which a file may turn off all at once."""
 _SHOWN_GROUPS = 3  # as in MuJoCo's own viewer: the others are for contacts
 
 
@@ -106,7 +108,12 @@ class _Model:
     def name(self, kind: str, k: int) -> str:
         """Return the name of the k-th thing of a kind, or one of its own that nothing else has."""
         if kind not in self._names:
-            count = {"BODY": "nbody", "JOINT": "njnt", "ACTUATOR": "nu", "EQUALITY": "neq"}[kind]
+            count = {
+                "BODY": "nbody",
+                "JOINT": "njnt",
+                "ACTUATOR": "nactuator",
+                "EQUALITY": "neq",
+            }[kind]
             of_kind = getattr(self.mujoco.mjtObj, f"mjOBJ_{kind}")
             indices = range(getattr(self.model, count))
             names = [self.mujoco.mj_id2name(self.model, of_kind, i) for i in indices]
@@ -116,6 +123,8 @@ class _Model:
         return self._names[kind][k]
 
     def disabled(self, what: str) -> bool:
+        if what in _CONSTRAINTS and self.disabled("CONSTRAINT"):
+            return True
         return bool(self.off & getattr(self.mujoco.mjtDisableBit, f"mjDSBL_{what}"))
 
     def tree(self) -> Tree:
@@ -123,7 +132,7 @@ class _Model:
         links = [self.link(k) for k in range(1, model.nbody)]
         joints = {joint.name: joint for link in links for joint in link.joints}
         tree = Tree(self.path.stem, links, gravity=np.array(model.opt.gravity))
-        tree.motors = [m for k in range(model.nu) if (m := self.motor(k)) is not None]
+        tree.motors = [m for k in range(model.nactuator) if (m := self.motor(k)) is not None]
         tree.ties = [tie for k in range(model.neq) if (tie := self.tie(k)) is not None]
         tree.start = {
             self.joint_name(j): self.start(j)
@@ -153,7 +162,10 @@ class _Model:
             mass=float(model.body_mass[k]),
             centre=np.array(model.body_ipos[k]),
             inertia=turned(np.diag(model.body_inertia[k]), turn),
-            lightened=float(model.body_gravcomp[k]),
+            # Without springs and dampers, MuJoCo leaves out this passive force, too.
+            lightened=float(model.body_gravcomp[k])
+            if not (self.disabled("SPRING") and self.disabled("DAMPER"))
+            else 0.0,
             looks=list(self.looks(k)),
             where=where,
         )
@@ -200,15 +212,35 @@ class _Model:
         if kind in ("hinge", "slide"):
             joint.reference = float(model.qpos0[place])
             joint.relaxed = float(model.qpos_spring[place])
-            if model.jnt_limited[j]:
+            if model.jnt_limited[j] and not self.disabled("LIMIT"):
                 low, high = model.jnt_range[j]
                 joint.limits = (float(low), float(high))
-        elif joint.stiffness:
+        self.note_of_joint(j, joint, own)
+        return joint
+
+    def note_of_joint(self, j: int, joint: Joint, own: slice) -> None:
+        """List what a joint has that has no counterpart here."""
+        model, name, kind = self.model, joint.name, joint.kind
+        sprung = not self.disabled("SPRING")
+        damped = not self.disabled("DAMPER")
+        driven = not self.disabled("ACTUATION") and model.nactuator > 0
+        if joint.stiffness and kind not in ("hinge", "slide"):
             self.left_out.append(f"the spring of the {kind} joint '{name}'")
             joint.stiffness = 0.0
-        if model.jnt_stiffnesspoly[j].any() or model.dof_dampingpoly[own].any():
+        elif sprung and model.jnt_stiffness[j] and model.jnt_springyield[j]:
+            self.left_out.append(f"the yield of the spring of the joint '{name}'")
+        if (sprung and model.jnt_stiffnesspoly[j].any()) or (
+            damped and model.dof_dampingpoly[own].any()
+        ):
             self.left_out.append(f"the polynomial stiffness or damping of the joint '{name}'")
-        return joint
+        if kind == "ball" and model.jnt_limited[j] and not self.disabled("LIMIT"):
+            self.left_out.append(f"the range of the ball joint '{name}'")
+        if driven and model.jnt_actfrclimited[j]:
+            self.left_out.append(f"the limits of the actuators' force on the joint '{name}'")
+        if not driven and model.jnt_actgravcomp[j] and model.ngravcomp:
+            self.left_out.append(
+                f"that no actuator compensates the weight at the joint '{name}': it is compensated"
+            )
 
     def same(self, values: np.ndarray, joint: str, what: str) -> float:
         """Return the one value that all axes of a joint have in a file."""
@@ -219,7 +251,18 @@ class _Model:
     def not_taken(self, k: int, kinds: tuple[str, ...]) -> str | None:
         """Return why an actuator has no counterpart here, None if it has one."""
         model, mujoco = self.model, self.mujoco
-        if self.disabled("ACTUATION"):
+        # These act at its joint even where the actuator is turned off.
+        if (
+            model.actuator_damping[k]
+            or model.actuator_dampingpoly[k].any()
+            or model.actuator_armature[k]
+        ):
+            return "which has a damping or an armature of its own"
+        group = int(model.actuator_group[k])
+        # MuJoCo's bits are those of the groups 0 to 30; others cannot be turned off.
+        if self.disabled("ACTUATION") or (
+            0 <= group <= 30 and model.opt.disableactuator & (1 << group)
+        ):
             return "which the file turns off"
         way = mujoco.mjtTrn(model.actuator_trntype[k]).name.removeprefix("mjTRN_").lower()
         if way not in ("joint", "jointinparent"):
@@ -229,8 +272,8 @@ class _Model:
             return "which acts on a joint of several axes"
         if kinds[:2] != ("none", "fixed") or kinds[2] not in ("none", "affine"):
             return f"whose dynamics are {', '.join(kinds)}"
-        if model.actuator_damping[k] or model.actuator_armature[k]:
-            return "which has a damping or an armature of its own"
+        if model.actuator_delay[k]:
+            return "which acts with a delay"
         return None
 
     def motor(self, k: int) -> Motor | None:
@@ -247,11 +290,14 @@ class _Model:
             return None
         if model.actuator_forcelimited[k]:
             self.left_out.append(f"the limits of the force of the actuator '{name}'")
-        gear = float(model.actuator_gear[k][0])
+        # Actuators of other kinds may have several inputs and forces.
+        gear = float(model.actuator_gear[model.actuator_outadr[k]][0])
+        signal = int(model.actuator_ctrladr[k])
+        bounded = model.actuator_ctrllimited[signal] and not self.disabled("CLAMPCTRL")
         constant, length, rate = (
             model.actuator_biasprm[k][:3] if kinds[2] == "affine" else (0.0, 0.0, 0.0)
         )
-        low, high = model.actuator_ctrlrange[k]
+        low, high = model.actuator_ctrlrange[signal]
         return Motor(
             name,
             self.joint_name(int(model.actuator_trnid[k][0])),
@@ -259,7 +305,7 @@ class _Model:
             constant=gear * float(constant),
             stiffness=-gear * gear * float(length),
             damping=-gear * gear * float(rate),
-            input_range=(float(low), float(high)) if model.actuator_ctrllimited[k] else None,
+            input_range=(float(low), float(high)) if bounded else None,
         )
 
     def tie(self, k: int) -> Tie | None:
@@ -327,7 +373,7 @@ class _Model:
 
     def note_the_rest(self) -> None:
         model = self.model
-        if model.ngeom and not self.disabled("CONTACT") and not self.disabled("CONSTRAINT"):
+        if model.ngeom and not self.disabled("CONTACT"):
             touching = np.flatnonzero(model.geom_contype | model.geom_conaffinity)
             if len(touching) > 1 or model.npair:
                 self.left_out.append("contacts")
