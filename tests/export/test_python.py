@@ -6,9 +6,12 @@ import sys
 
 import numpy as np
 import pytest
+import sympy as sm
+import sympy.physics.mechanics as me
 
 from _mechanics.test_nearly_singular import truss
 from exported_models import ball, hostile, pendulum
+from pydy import System
 
 ALONE = """
 import json, sys
@@ -104,6 +107,40 @@ def test_events_and_resets_are_functions_too(tmp_path):
     exec((tmp_path / "ball.py").read_text(), names)
     assert names["events"](0.0, [0.3, -2.0]).tolist() == [0.3]
     assert names["resets"](0.0, [0.3, -2.0]) == pytest.approx(np.array([[0.3, 1.6]]))
+
+
+SWITCHED = {
+    "k (-q)^1.5": lambda q: sm.Piecewise((3 * (-q) ** sm.Rational(3, 2), q < 0), (0, True)),
+    "(-q)^1.3": lambda q: sm.Piecewise(((-q) ** sm.Rational(13, 10), q < 0), (0, True)),
+    "sin(q)/q": lambda q: sm.Piecewise((sm.sin(q) / q, sm.Ne(q, 0)), (1, True)),
+    "sinc": sm.sinc,
+    "two roots": lambda q: sm.Piecewise((sm.sqrt(q), q > 0), (q / sm.sqrt(-q), q < 0), (2, True)),
+    "nested": lambda q: sm.Piecewise(
+        (sm.Piecewise((sm.log(q), q > sm.Rational(1, 4)), (sm.acos(q), True)), q > 0), (1, True)
+    ),
+    "large": lambda q: sm.Piecewise((sm.exp(-2e3 * q), q > 0), (q**2, True)),
+}
+
+
+@pytest.mark.parametrize("expression", SWITCHED)
+def test_branches_that_are_not_taken_have_no_part_in_derivatives_by_jax(tmp_path, expression):
+    jax = pytest.importorskip("jax", reason="needs pydy[jax]")
+    jax.config.update("jax_enable_x64", True)
+    q, u = me.dynamicsymbols("q u")
+    frame, point = me.ReferenceFrame("N"), me.Point("P")
+    point.set_vel(frame, u * frame.x)
+    kane = me.KanesMethod(frame, [q], [u], kd_eqs=[q.diff() - u])
+    force = SWITCHED[expression](q) - u
+    kane.kanes_equations([me.Particle("b", point, 1)], [(point, force * frame.x)])
+    system = System(kane)
+    names = {}
+    exec(system.export(tmp_path / "m.py", target="jax").path.read_text(), names)
+    for x in ([0.5, 0.1], [0.1, 0.1], [-0.5, 0.1], [0.0, 0.1]):
+        expected = system.evaluate_jacobian(np.array(x), 0.0)
+        assert np.isfinite(expected).all()
+        for way in (jax.jacrev, jax.jacfwd):
+            found = way(lambda x: names["rates"](0.0, x))(np.array(x))
+            np.testing.assert_allclose(found, expected, rtol=1e-9, atol=1e-12)
 
 
 def test_jax_source_is_python(tmp_path):

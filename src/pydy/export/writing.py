@@ -14,8 +14,8 @@ from pydy._backends.writer import Dialect, Template, Writer, stages
 from pydy._checks import Check, checked, flag, one_of
 from pydy._files import write_files
 from pydy._graph.interpret import constrained_sample
-from pydy._graph.operations import Operation
-from pydy._graph.program import Program
+from pydy._graph.operations import Operation, operands, with_operands
+from pydy._graph.program import Program, Tape
 from pydy._graph.tuning import numbered
 from pydy._names import nearest
 from pydy._version import __version__
@@ -125,7 +125,14 @@ def python_source(model: Model, target: str, head: Sequence[str]) -> str:
         "OUTPUTS": repr(tuple(v.identifier for v in model.outputs)),
         "NAMES": repr(model.renamed),
         "CONSTRAINED": numbered(getsource(constrained_sample)),
-        "FUNCTIONS": "\n\n".join(python_function(model.program(n), n, target) for n in names),
+        "FUNCTIONS": "\n\n".join(
+            python_function(
+                with_safe_branches(model.program(n)) if target == "jax" else model.program(n),
+                n,
+                target,
+            )
+            for n in names
+        ),
     }
     text = numbered(resource(f"{target}_module.py.txt"))
     if "_guarded(_constrained" not in parts["FUNCTIONS"]:
@@ -140,6 +147,56 @@ def _harmless(text: str) -> str:
 def _dictionary(variables: Sequence[Variable]) -> str:
     entries = "".join(f"    {v.identifier!r}: {float(v.value)!r},\n" for v in variables)
     return f"{{\n{entries}}}" if entries else "{}"
+
+
+_SAFE: dict[str, dict[int, float]] = {
+    **{name: {0: 1.0} for name in ("sqrt", "log")},
+    **{name: {0: 0.0} for name in ("asin", "acos", "atanh", "exp", "sinh", "cosh")},
+    **{"acosh": {0: 2.0}, "div": {1: 1.0}, "pow": {0: 1.0, 1: 1.0}, "atan2": {1: 1.0}},
+}
+"""Operands, by place, with which an operation and its derivatives are finite that may not be so."""
+
+
+def with_safe_branches(program: Program) -> Program:
+    """Return a Program with the same values whose branches that are not taken are finite.
+
+    Reverse accumulation hands zero to a branch that is not taken, and zero times the infinite
+    derivative there is NaN. So what only branches need gets a harmless operand while they are not
+    taken. Their conditions do not depend on it, or more than the branches would need it.
+    """
+    if "select" not in program.ops:
+        return program
+    under: dict[int, frozenset[tuple[int, bool]]] = dict.fromkeys(program.outputs, frozenset())
+    for node in reversed(range(len(program.ops))):
+        op, args, own = program.ops[node], program.args[node], under[node]
+        for place, k in enumerate(operands(op, args)):
+            way = own | {(args[0], place == 1)} if op == "select" and place else own
+            under[k] = under[k] & way if k in under else way
+    tape, new = Tape(), dict[int, int]()
+    stack = list(program.outputs[::-1])
+    while stack:
+        node = stack[-1]
+        op, args = program.ops[node], program.args[node]
+        safe = _SAFE.get(op, {}) if under[node] else {}
+        needs = [*operands(op, args), *(which for which, _ in sorted(under[node]) if safe)]
+        if node in new or new.keys() >= set(needs):
+            stack.pop()
+            if node in new:
+                continue
+            ends = list(with_operands(op, args, new))
+            for place, value in safe.items():
+                for which, taken in sorted(under[node]):
+                    ways = (ends[place], tape.const(value))
+                    ends[place] = tape.make("select", new[which], *(ways if taken else ways[::-1]))
+            new[node] = tape.make(op, *ends)
+        else:
+            stack += [k for k in needs if k not in new]
+    sizes = program.num_states, program.num_specifieds, program.num_constants
+    blocks = [
+        (b.name, b.shape, [new[n] for n in program.outputs[b.start : b.stop]])
+        for b in program.blocks
+    ]
+    return Program.from_tape(tape, sizes, blocks)
 
 
 def python_function(program: Program, name: str, target: str) -> str:
