@@ -352,7 +352,7 @@ def two_cranks(**more):
         {"ode_solver": "radau"},
         {"reduce": "final"},
         {"reduce": [("max", "q1"), "final"]},
-        {"events": [Event(me.dynamicsymbols._t - 2.9, terminal=True)]},
+        {"events": [Event(me.dynamicsymbols._t - 2.88, terminal=True)]},
     ],
 )
 def test_a_sample_that_leaves_its_constraints_is_lost_alone(options):
