@@ -95,6 +95,7 @@ def compile_events(
         reached = graph.reachable(parts)
         return {graph.args[n][0] for n in reached if graph.ops[n] == "input"}
 
+    groups = [inputs([node]) for node in nodes]
     moving = [*(graph.input("x", k) for k in range(len(states))), graph.input("t", 0)]
     slopes = jacobian(graph, nodes, moving)
 
@@ -111,10 +112,10 @@ def compile_events(
         names=tuple(event.name for event in events),
         directions=tuple(event.direction for event in events),
         terminal=tuple(bool(event.terminal) for event in events),
-        constant=tuple(inputs([node]) <= {"p"} for node in nodes),
+        constant=tuple(own <= {"p"} for own in groups),
         linear=tuple(
-            "r" not in inputs([node]) and inputs(row.values()) <= {"p"}
-            for node, row in zip(nodes, slopes, strict=True)
+            "r" not in own and inputs(row.values()) <= {"p"}
+            for own, row in zip(groups, slopes, strict=True)
         ),
         values=model.compiled_expressions("the events", (len(nodes),), expressions),
         rates=model.compiled_by(
@@ -125,8 +126,8 @@ def compile_events(
         resets=model.compiled_by(key, resets) if any(resetting) else None,
         sources=events,
         may_rest=tuple(
-            "r" in inputs([node]) or any(graph.ops[n] in FLAT for n in graph.reachable([node]))
-            for node in nodes
+            "r" in own or any(graph.ops[n] in FLAT for n in graph.reachable([node]))
+            for node, own in zip(nodes, groups, strict=True)
         ),
     )
 

@@ -46,11 +46,10 @@ class Event:
     -----
     Signs are compared at the ends of four parts of each step, and where an expression is least
     between them. One that only touches zero is not detected, nor may be one that crosses and
-    returns within such a part and is not smooth there. One that is
-    not linear, or holds specifieds, shortens the steps of methods with step-size control where it
-    may do so. Where an expression that had a sign
-    becomes NaN, as ``sqrt(q)`` does where q passes zero, the integration ends with an error; one
-    that is NaN at first is watched from where it is a number on.
+    returns within such a part and is not smooth there. One that is not linear, or holds specifieds,
+    shortens the steps of methods with step-size control where it may do so. Where an expression
+    that had a sign becomes NaN, as ``sqrt(q)`` does where q passes zero, the integration ends with
+    an error; one that is NaN at first is watched from where it is a number on.
 
     An expression that stays at zero for a stretch, as ``Max(0, x)`` does, tells no time there: a
     simulation warns of what it sees of that at its times and events. Pass ``x``.

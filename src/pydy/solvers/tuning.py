@@ -16,13 +16,6 @@ ROUNDING = _rank.ROUNDING
 HALF = _rank.HALF
 """Half of the digits."""
 
-INSTANT = 64.0
-"""Times that differ by so many roundings are the same instant: no step is shorter for an event that
-jumps there."""
-
-CLEAR = 8.0
-"""An event crosses zero but once between samples where it changes by so many times its error."""
-
 ROUNDINGS = 8.0
 """The largest residual of a constraint that is satisfied, in units of its rounding bound."""
 
@@ -85,6 +78,14 @@ RESOLVED = 0.0625
 
 WHOLE = 1.0 - 1e-12
 """What rounding may add to a whole number of steps, up to 10 000 roundings."""
+
+INSTANT = 1.0 / (RESOLVED * AFTER_FAILURE)
+"""The shortest step that is made shorter for an event, in roundings of the time: the next one still
+changes the time."""
+
+CLEAR = 8.0
+"""An event crosses zero but once between samples where it changes by so many times its error. What
+oscillates by that once in between changes by up to 2π of it on the way."""
 
 STEPS_MEMORY = 2**27
 """Bytes of kept steps above which a run keeps none: 400 000 steps of a model with 20 states."""

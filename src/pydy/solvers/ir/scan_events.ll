@@ -1,4 +1,4 @@
-; sources 9f2e2cd19511248c82c0e59ed0ac14987d6ea9fbd1855faf9bf7f96cd118dafc
+; sources 023a0f60e003a8412089f2bd279e864d53264488c9d84c007fb8677bd6c1f9a5
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Stepper = type { ptr, ptr, ptr }

@@ -47,7 +47,10 @@ RANK, NEARNESS, WHEN, WHERE = range(4)
 OF_STATE, DIRECTIONS, COUNT = range(3)
 # Watch.words
 WATCHER, EVENTS, SCAN = range(3)
-PROBES = 11  # the rows of `Watch.values`
+# The parts in which a step is looked at, and the rows of `Watch.values`: their ends and middles,
+# and two more
+PARTS = 4
+PROBES = 2 * PARTS + 3
 # Steps.words: the number of steps that are kept, and for how many rows there is room, 0 for none
 KEPT, ROOM = range(2)
 # Newton.words: the address of the Jacobian's kernel, or 0 for differences; whether a new Jacobian
