@@ -358,6 +358,10 @@ class Graph(Nodes):
         order.reverse()
         return order
 
+    def inputs_of(self, roots: Iterable[int]) -> set[str]:
+        """Return the groups of the inputs that the roots depend on, such as 't', 'x' and 'p'."""
+        return {str(self.args[n][0]) for n in self.reachable(roots) if self.ops[n] == "input"}
+
 
 def _is_counted(op: str, args: tuple[Any, ...]) -> bool:
     """Return whether a factor stays what it is in a product."""

@@ -149,8 +149,7 @@ def check_forces(body: Multibody, graph: Graph, kinetic: int) -> None:
     if not found:
         return
     held = find_symbols([*body.places, *body.velocity])
-    groups = {graph.args[n][0] for n in graph.reachable([kinetic]) if graph.ops[n] == "input"}
-    if "a" in groups or not held.keys().isdisjoint(found):
+    if "a" in graph.inputs_of([kinetic]) or not held.keys().isdisjoint(found):
         raise ValueError(
             f"A position, velocity or constraint holds {describe(found)}, whose residuals hold "
             "speeds. What depends on speeds may stand in loads and outputs only."

@@ -19,7 +19,7 @@ from pydy._graph.program import Program
 from pydy._graph.rewrite import substitute
 from pydy._system.snapshot import Snapshot
 from pydy._system.solving import constraint_names
-from pydy._system.start import Rows, contradiction, inputs_of, measured, rates_along
+from pydy._system.start import Rows, contradiction, measured, rates_along
 from pydy.solvers.kept import Ran, judge, looked_at
 from pydy.solvers.options import Options
 from pydy.solvers.outcome import LEFT_CONSTRAINTS, OUTCOMES
@@ -235,7 +235,7 @@ class Slopes:
     def __call__(self, assembly: Assembly) -> dict[str, list[int]]:
         graph = assembly.graph
         places, motion = self.read(assembly)
-        rows = [graph.zero if "r" in inputs_of(graph, [n]) else n for n in (*places, *motion)]
+        rows = [graph.zero if "r" in graph.inputs_of([n]) else n for n in (*places, *motion)]
         rates = rates_along(assembly, rows[: len(places)]) + [graph.zero] * len(motion)
         states = [graph.input("x", k) for k in range(assembly.sizes[0])]
         turns = dense_jacobian(graph, rates, states)
@@ -268,7 +268,7 @@ class EnergyPart:
         places, motion = Slopes(self.closed, self.redundant).read(assembly)
         first, n = graph.args[speeds[0]][1], len(speeds)
         moves = [*motion, *assembly.rates[:first]]
-        driven = inputs_of(graph, [kinetic, potential, *places, *moves]) & {"t", "r"}
+        driven = graph.inputs_of([kinetic, potential, *places, *moves]) & {"t", "r"}
         momenta = dense_jacobian(graph, [kinetic], speeds)
         rest = substitute(graph, [kinetic, *momenta, *moves], dict.fromkeys(speeds, graph.zero))
         if driven or any(node != graph.zero for node in rest):

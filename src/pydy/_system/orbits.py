@@ -36,10 +36,7 @@ def _depends_on_time(now: Snapshot) -> bool:
     if plan.functions or plan.sampled:
         return True
     assembly = now.driven.assembly
-    graph = assembly.graph
-    return any(
-        graph.ops[n] == "input" and graph.args[n][0] == "t" for n in graph.reachable(assembly.rates)
-    )
+    return "t" in assembly.graph.inputs_of(assembly.rates)
 
 
 class Orbits(Simulation, Evaluation):

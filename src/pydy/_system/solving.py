@@ -90,12 +90,7 @@ def compile_events(
     graph = assembly.graph
     nodes = assembly.read(expressions, "the events")
 
-    def inputs(parts: Iterable[int]) -> set[str]:
-        """Return the groups of the inputs that nodes depend on."""
-        reached = graph.reachable(parts)
-        return {graph.args[n][0] for n in reached if graph.ops[n] == "input"}
-
-    groups = [inputs([node]) for node in nodes]
+    groups = [graph.inputs_of([node]) for node in nodes]
     moving = [*(graph.input("x", k) for k in range(len(states))), graph.input("t", 0)]
     slopes = jacobian(graph, nodes, moving)
 
@@ -114,7 +109,7 @@ def compile_events(
         terminal=tuple(bool(event.terminal) for event in events),
         constant=tuple(own <= {"p"} for own in groups),
         linear=tuple(
-            "r" not in own and inputs(row.values()) <= {"p"}
+            "r" not in own and graph.inputs_of(row.values()) <= {"p"}
             for own, row in zip(groups, slopes, strict=True)
         ),
         values=model.compiled_expressions("the events", (len(nodes),), expressions),

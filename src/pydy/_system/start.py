@@ -205,14 +205,8 @@ def rates_along(assembly: Assembly, rows: Sequence[int]) -> list[int]:
     first = graph.args[assembly.speeds[0]][1]
     along = {graph.input("x", k): {0: rate} for k, rate in enumerate(assembly.rates[:first])}
     along[graph.input("t", 0)] = {0: graph.one}
-    known = [graph.zero if "r" in inputs_of(graph, [n]) else n for n in rows]
+    known = [graph.zero if "r" in graph.inputs_of([n]) else n for n in rows]
     return dense(graph, directional(graph, known, along), 1)
-
-
-def inputs_of(graph: Graph, nodes: Sequence[int]) -> set[str]:
-    """Return the kinds of inputs that nodes depend on: of 't', 'x', 'r' and 'p'."""
-    found = graph.reachable(nodes)
-    return {str(graph.args[n][0]) for n in found if graph.ops[n] == "input"}
 
 
 @dataclass(frozen=True)

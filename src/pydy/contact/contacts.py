@@ -136,8 +136,7 @@ class Contacts:
         """Whether gaps, sliding speeds or coefficients do, beside the states."""
         rows = self._now()[1].rows
         nodes = [*rows.gaps, *rows.speeds, *rows.pressed, *rows.mu, *rows.static, *rows.restitution]
-        g = rows.graph
-        return any(g.ops[n] == "input" and g.args[n][0] == "t" for n in g.reachable(nodes))
+        return "t" in rows.graph.inputs_of(nodes)
 
     def _now(self) -> tuple[Snapshot, Compiled]:
         now = self.system._now(self.symbols)

@@ -82,7 +82,7 @@ class Carried:
         square = [rows.dot(g, row, moved) for row in rows.jacobian for moved in rows.moves]
         moves = [node for moved in rows.moves for node in moved]
         nodes = [*rows.gaps, *rows.speeds, *square, *moves, *rows.restitution, *rows.mu]
-        if any(g.ops[n] == "input" and g.args[n][0] == "r" for n in g.reachable(nodes)):
+        if "r" in g.inputs_of(nodes):
             raise NotImplementedError(
                 "`sensitivities` of contacts that depend on specifieds are not supported yet. "
                 "Write a prescribed motion as an expression of time."
