@@ -4,6 +4,7 @@ import json
 
 import numpy as np
 import pytest
+import sympy as sm
 
 from exported_models import TIMES, ball, pendulum, spring_of
 from pydy.examples import whipple_bicycle
@@ -108,6 +109,33 @@ def test_a_reset_may_take_the_state_back_before_its_own_surface(tmp_path, loaded
     assert [e["time"] for e in run["events"]] == pytest.approx([e.time for e in found])
 
 
+def test_an_event_that_crosses_and_returns_within_a_part_of_a_step_is_found(tmp_path, loaded):
+    system, _ = ball()
+    y, v = system.states
+    level = 0.9999 * 3.0**2 / (2 * 9.81)  # just below the apex: a step of free flight is very long
+    system.initial_conditions, system.times = {y: 0.0, v: 3.0}, [0.0, 1.0]
+    events = [Event(y - level, name="level")]
+    page = loaded(system.export(tmp_path / "dip.js", events=events).path)
+    run = page.evaluate("model.simulate({ times: [0, 1], rtol: 1e-9, atol: 1e-9 })")
+    found = system.simulate(rtol=1e-9, atol=1e-9, events=events).events
+    assert len(found) == 2
+    assert [e["time"] for e in run["events"]] == pytest.approx([e.time for e in found])
+
+
+def test_an_event_that_becomes_nan_ends_the_motion(tmp_path, loaded):
+    system, _ = ball()
+    root = Event(sm.sqrt(system.states[0]), terminal=True, name="root")
+    page = loaded(system.export(tmp_path / "root.js", events=root).path)
+    run = page.evaluate("model.simulate({ times: [0, 1] })")
+    assert run["status"] == "the event root is NaN"
+
+
+def test_constants_may_be_given_in_a_map(tmp_path, loaded):
+    page = loaded(spring_of("length").export(tmp_path / "spring.js").path)
+    call = "(given) => Array.from(model.bind(new Map(given)))"
+    assert page.evaluate(call, [["length", 2.5]]) == [2.5]
+
+
 def test_an_unknown_name_is_answered_with_those_there_are(tmp_path, loaded):
     page = loaded(pendulum().export(tmp_path / "pendulum.js").path)
     with pytest.raises(Exception, match="constants: no l9; there are g, l0"):
@@ -180,7 +208,11 @@ def test_what_simulate_cannot_use_is_named(tmp_path, loaded):
             "there is no option rtoll; there are rtol, atol, maxStep, maxSteps"
         ),
         "times: [0, 1], initial: [NaN, 1]": "initial: y must be a finite number, got NaN",
-        "times: [0, 1], initial: 'y'": "initial must be an array or an object, got y",
+        "times: [0, 1], initial: 'y'": "initial must be an array, an object or a Map, got y",
+        "times: [0, 1], constants: new Set(['g'])": (
+            "constants must be an array, an object or a Map, got [object Set]"
+        ),
+        "times: [0, 1], constants: new Map([['G', 9.8]])": "constants: no G; there are g, m",
         "times: [0, 0, 1], atol: undefined, maxStep: Infinity": "finished",
         "times: new Float64Array([2]), atol: 0, initial: [1, 1]": "finished",
     }.items():

@@ -159,6 +159,35 @@ def test_an_event_that_depends_on_constants_is_found_or_told_to_be_nan(tmp_path,
 
 
 @pytest.mark.parametrize("fmi", VERSIONS)
+def test_a_step_that_leads_nowhere_is_an_error(units, fmi):
+    path = units["pendulum", fmi]
+    told, description = [], read_model_description(path)
+    unit = instantiate_fmu(fmpy.extract(path), description, "CoSimulation",
+                           logger=lambda *words: told.append(words[-1]))  # fmt: skip
+    if fmi == "2.0":
+        unit.setupExperiment(startTime=0.0)
+    unit.enterInitializationMode()
+    unit.exitInitializationMode()
+    unit.doStep(0.0, 0.1)
+    unit.doStep(0.1 + 2**-54, 0.1)
+    unit.doStep(0.2, 0.0)
+    for point, step in (
+        (0.2, -0.1),
+        (0.2, np.nan),
+        (0.2, np.inf),
+        (0.05, 0.05),
+        (0.4, 0.1),
+        (np.nan, 0.1),
+    ):
+        with pytest.raises(FMICallException, match="DoStep failed") as caught:
+            unit.doStep(point, step)
+        assert caught.value.status == 3
+        assert b"the step must be finite" in told[-1]
+    unit.terminate()
+    unit.freeInstance()
+
+
+@pytest.mark.parametrize("fmi", VERSIONS)
 def test_an_event_indicator_that_is_nan_is_told_to_the_importer(tmp_path, hasty, fmi):
     system, bounce = bouncing_ball()
     system.initial_conditions = {"q": 1.0, "u": 0.0}

@@ -176,10 +176,8 @@ def javascript_object(model: Model, extra: Sequence[str] = ()) -> str:
         "CODE": code,
         "KEPT": kept,
         "BOUND": bound,
-        "INTEGRATOR": resource("integrator.js"),
-        "PROJECTION": resource("projection.js")
-        .replace("{{ROUNDINGS}}", repr(ROUNDINGS))
-        .replace("{{SOUND}}", repr(SOUND))
+        "INTEGRATOR": resource("integrator.js").replace("{{ROUNDINGS}}", repr(ROUNDINGS)),
+        "PROJECTION": resource("projection.js").replace("{{SOUND}}", repr(SOUND))
         if model.constraints
         else "",
         "METHOD": literal(_method()),

@@ -477,12 +477,15 @@ STATUS NAME(GetNominalsOfContinuousStates)(void *instance, double *nominals, siz
 
 /* -- Co-Simulation -------------------------------------------------------------------------------- */
 
-/* Integrate to the time `goal`, unless an event has ended the motion before. */
-static int stepped(Instance *self, double goal)
+/* Integrate over a step, unless an event has ended the motion before. A point is told with roundings. */
+static Status stepped(Instance *self, double point, double step)
 {
+    const double goal = point + step, apart = fabs(point - self->model.t);
+    if (!(step >= 0.0 && isfinite(goal) && (step == 0.0 || apart <= step || self->stopped)))
+        return told(self, 1, "the step must be finite, not negative, and begin at the present time");
     const int outcome = self->stopped ? ENDED : integrate(&self->model, goal);
     self->stopped = outcome == ENDED;
-    return outcome;
+    return told(self, outcome == FAILED, GAVE_UP);
 }
 
 #if FMI == 3
@@ -495,11 +498,11 @@ STATUS fmi3DoStep(void *instance, double point, double step, bool no_set_state,
     bool *event_needed, bool *terminate, bool *early, double *last)
 {
     SELF;
-    const int outcome = stepped(self, point + step);
+    const Status status = stepped(self, point, step);
     *event_needed = *early = false;
-    *terminate = outcome == ENDED;
+    *terminate = self->stopped;
     *last = m->t;
-    return told(self, outcome == FAILED, GAVE_UP);
+    return status;
 }
 
 #else
@@ -513,8 +516,9 @@ ABSENT(CancelStep, void *instance)
 /* A step that an event ended is discarded, as FMI 2.0 has it: fmi2Terminated tells why. */
 STATUS fmi2DoStep(void *instance, double point, double step, int no_set_state)
 {
-    const int outcome = stepped(instance, point + step);
-    return outcome == ENDED ? DISCARD : told(instance, outcome == FAILED, GAVE_UP);
+    Instance *self = instance;
+    const Status status = stepped(self, point, step);
+    return status == OK && self->stopped ? DISCARD : status;
 }
 
 enum { DO_STEP_STATUS, PENDING_STATUS, LAST_SUCCESSFUL_TIME, TERMINATED };

@@ -4,6 +4,9 @@
 const EPS = 2 ** -52, SAFETY = 0.9, SHRINK = 0.2, GROW = 6, SHORTEST = 2 ** -44;
 // An event that was located, though it has the sign again that it began with.
 const BACK = 2;
+// A step is looked at in parts, with ends in irrational ratios, as in scan_events.c.
+const PLACES = [0, 0.2360679774997897, 0.4494897427831781, 0.7320508075688772, 1], PARTS = PLACES.length - 1;
+const ROUNDINGS = {{ROUNDINGS}}; // residuals of so many roundings are those of a state on the constraints
 
 /** y = x + h · (row · stages). */
 function combine(y, x, h, row, stages) {
@@ -72,8 +75,7 @@ class Integration {
     if (system.projection && !system.projection(this.t, this.x)) this.status = "the constraints could not be met";
     if (system.events) {
       this.sides = new Int8Array(system.events.count);
-      this.values = new Float64Array(system.events.count);
-      this.probe = new Float64Array(system.events.count);
+      [this.values, this.probe, this.divided, ...this.ends] = Array.from({ length: PARTS + 4 }, () => new Float64Array(system.events.count));
       this.fired = new Uint8Array(system.events.count);
       this.takeSides(true);
     }
@@ -214,6 +216,7 @@ class Integration {
     } else if (system.events || times[this.next] <= after) {
       if (this.prepareInterpolant()) return this.fail("the mass matrix is singular");
       const theta = system.events ? this.scan(t, size) : 1, end = theta === 1 ? after : t + theta * size;
+      if (this.status !== "running") return;
       while (this.next < times.length && times[this.next] <= end) {
         this.interpolate((times[this.next] - t) / size, trial);
         if (system.projection) system.projection(times[this.next], trial);
@@ -309,13 +312,62 @@ class Integration {
     return high;
   }
 
+  /**
+   * Return a place around the i-th, in a part or beside it, at which an event has another sign than at the
+   * ends of parts there, or 2: its least value is sought by parabolas, as `least_place` of scan_events.c does.
+   */
+  leastPlace(t, h, k, i, part) {
+    const side = this.sides[k], { divided } = this;
+    let [a, b, c] = PLACES.slice(i - 1, i + 2), [za, zb, zc] = this.ends.slice(i - 1, i + 2).map((z) => side * z[k]), error = Infinity;
+    const rounding = ROUNDINGS * EPS * Math.max(za, zb, zc);
+    if (!(za > 0 && zb > 0 && zc > 0)) return 2;
+    for (let tries = 0; tries < 20; tries++) {
+      const low = (zb - za) / (b - a), bend = ((zc - zb) / (c - b) - low) / (c - a), slope = low + bend * (b - a);
+      let place = b - 0.5 * slope / bend;
+      if (!(bend > 0 && zb + 0.5 * slope * (place - b) <= 2 * error)) return 2;
+      const first = part > 1 ? PLACES[part - 1] : -PLACES[1], last = part < PARTS ? PLACES[part] : 2 - PLACES[PARTS - 1];
+      if (tries === 0 && !(place >= first && place <= last)) return 2;
+      if (place <= a || place >= c) place = 0.5 * (b + (place <= a ? a : c));
+      if (!(place > a && place < c) || place === b) return 2;
+      this.probed(t, h, place, divided);
+      const z = side * divided[k];
+      if (z < 0) return z < -rounding ? place : 2;
+      error = Math.abs(z - zb - (slope + bend * (place - b)) * (place - b));
+      if (z <= zb) {
+        if (place < b) [c, zc] = [b, zb]; else [a, za] = [b, zb];
+        [b, zb] = [place, z];
+      } else if (place < b) [a, za] = [place, z];
+      else [c, zc] = [place, z];
+    }
+    return 2;
+  }
+
+  /**
+   * Return the first place beyond `left` in a part where an event has another sign than at both ends, or 2:
+   * but not where it has that sign still when one happens that acts.
+   */
+  findDip(t, h, left, part) {
+    const { ends, sides, divided } = this, { acting, count } = this.system.events;
+    let first = 2, acts = 2;
+    for (let k = 0; k < count; k++) for (let i = Math.max(1, part - 1); i <= part && i < PARTS; i++) {
+      const found = this.leastPlace(t, h, k, i, part);
+      if (!(found > left && found < Math.min(first, PLACES[part]))) continue;
+      for (let l = 0; l < count; l++)
+        if (acting[l] && this.crossed(l, ends[part][l])) acts = Math.min(acts, this.locate(t, h, left, PLACES[part], l));
+      if (acts <= 1) this.probed(t, h, acts, divided);
+      if (acts > 1 || sides[k] * divided[k] > 0) first = found;
+    }
+    return first;
+  }
+
   /** Look for events in the step just taken; return the θ up to which it counts. */
   scan(t, h) {
     const { events } = this.system, { values, probe, fired, sides } = this;
     this.acting = false;
+    PLACES.forEach((place, k) => this.probed(t, h, place, this.ends[k]));
     let left = 0;
-    for (let quarter = 1; quarter <= 4; quarter++) {
-      const right = quarter / 4;
+    for (let part = 1; part <= PARTS; part += left === PLACES[part] ? 1 : 0) {
+      const right = Math.min(PLACES[part], this.findDip(t, h, left, part));
       this.probed(t, h, right, values);
       for (;;) {
         let first = 2, ends = false; // whether the first event acts
@@ -351,7 +403,10 @@ class Integration {
         }
         left = first;
       }
-      for (let k = 0; k < values.length; k++) if (values[k] !== 0) sides[k] = values[k] > 0 ? 1 : -1;
+      for (let k = 0; k < values.length; k++) {
+        if (sides[k] && Number.isNaN(values[k])) return this.fail(`the event ${events.names[k]} is NaN`);
+        if (values[k]) sides[k] = Math.sign(values[k]);
+      }
       left = right;
     }
     return 1;

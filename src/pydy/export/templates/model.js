@@ -15,7 +15,7 @@ function numeric(value, key, what) {
   if (!Number.isFinite(value)) throw new TypeError(`${what}: ${key} must be a finite number, got ${value}`);
 }
 
-/** Take an array, an object of values by identifier or name, or nothing for the defaults. */
+/** Take an array, an object or Map of values by identifier or name, or nothing for the defaults. */
 function ordered(given, variables, what) {
   const values = defaults(variables);
   if (given === undefined || given === null) return values;
@@ -24,8 +24,9 @@ function ordered(given, variables, what) {
     for (let k = 0; k < given.length; k++) numeric(given[k], variables[k].id, what);
     return Float64Array.from(given);
   }
-  if (typeof given !== "object") throw new TypeError(`${what} must be an array or an object, got ${given}`);
-  for (const [key, value] of Object.entries(given)) {
+  const kind = Object.prototype.toString.call(given).slice(8, -1); // others would show no entries
+  if (!["Object", "Map"].includes(kind)) throw new TypeError(`${what} must be an array, an object or a Map, got ${String(given)}`);
+  for (const [key, value] of kind === "Map" ? given : Object.entries(given)) {
     const k = variables.findIndex((one) => one.id === key || one.name === key);
     if (k < 0) throw new RangeError(`${what}: no ${key}; there are ${variables.map((one) => one.id).join(", ")}`);
     numeric(value, key, what);

@@ -180,4 +180,3 @@ function projector(sizes, evaluate) {
   return project;
 }
 const SOUND = {{SOUND}}; // rows that are this much shorter without others make room for redundant ones
-const ROUNDINGS = {{ROUNDINGS}}; // residuals of so many roundings are those of a state on the constraints
