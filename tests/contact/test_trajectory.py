@@ -13,6 +13,7 @@ from pydy import System
 from pydy.contact import Contacts, Stick, Unilateral
 from pydy.mechanics import Definition
 from pydy.trajectory import Trajectory
+from pydy.viz import Arrow, Scene, Visual
 from touching import N, O, ball, billiard_ball, m, vy, y
 
 TIMES = np.linspace(0.0, 0.9, 40)
@@ -109,3 +110,15 @@ def test_what_stops_a_motion_hands_over_what_was_computed(kind):
     flight = times[rest] - fall
     close(states[~rest, 0], 1 - 5 * times[~rest] ** 2, 1e-6)
     close(states[rest, 0], 8 * np.sqrt(0.2) * flight - 5 * flight**2, 1e-6)
+
+
+def test_arrows_show_contact_forces_where_the_motion_has_them():
+    motion = billiard_ball().simulate(rtol=1e-10, atol=1e-10)
+    name = next(str(s)[: -len("_normal")] for s in motion.outputs_symbols if "_normal" in str(s))
+    normal, friction = sm.symbols(f"{name}_normal {name}_friction")
+    arrow = Visual(Arrow(normal * N.y + friction * N.x), O)
+    scene = Scene(N, O, arrow).animate(motion)
+    drawn = scene._animation.items[0].vectors
+    shown = motion.at(scene.times)
+    close(drawn[:, :2], np.stack([shown[friction], shown[normal]], axis=1), 1e-12)
+    assert drawn[0, 0] != 0.0 == drawn[-1, 0]  # it slides, then it rolls
