@@ -154,3 +154,14 @@ def test_what_makes_no_sense_is_refused(name):
 def test_slopes_beyond_the_range_of_floats_are_refused(interpolation):
     with pytest.raises(ValueError, match=r"slope of a SampledInput between times 0\.0 and 1e-320"):
         SampledInput([0.0, 1e-320, 3.0], [1.0, 2.0, 3.0], interpolation)
+
+
+@pytest.mark.parametrize("values", [[-1e308, 1e308], [3.5e307, -8.9e307, 1.6e308, -1.2e308]])
+def test_curves_beyond_the_range_of_floats_are_refused(values):
+    """The slopes between the samples are finite, but not what the cubics add up."""
+    times = 3.0 * np.arange(len(values))
+    with pytest.raises(ValueError, match="beyond the range of floats"):
+        SampledInput(times, values, "pchip")
+    assert np.isfinite(
+        SampledInput(times, np.divide(values, 100.0), "pchip")(np.linspace(0, 3))
+    ).all()

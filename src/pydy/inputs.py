@@ -251,21 +251,25 @@ def _refuse_not_finite(name: str, array: np.ndarray) -> None:
 def _coefficients(breaks: np.ndarray, values: np.ndarray, interpolation: str) -> np.ndarray:
     """Return piecewise cubics, shape (m − 1, 4, k), highest power first."""
     steps = np.diff(breaks)[:, None]
-    with np.errstate(over="ignore"):
-        slopes = np.diff(values, axis=0) / steps
-    if interpolation != "previous" and not np.isfinite(slopes).all():
-        k = int(np.argwhere(~np.isfinite(slopes))[0][0])
+    cubics = np.zeros((len(steps), 4, values.shape[1]))
+    cubics[:, 3] = values[:-1]
+    with np.errstate(over="ignore", invalid="ignore"):
+        if interpolation != "previous":
+            cubics[:, 2] = np.diff(values, axis=0) / steps
+        if interpolation == "pchip" and np.isfinite(cubics).all():
+            from scipy.interpolate import PchipInterpolator  # a tenth of a second to import
+
+            # SciPy adds up a few slopes, which may be near the end of the range.
+            curves = PchipInterpolator(breaks, values / 16.0, axis=0).c
+            cubics[:, :3] = 16.0 * np.moveaxis(curves, 0, 1)[:, :3]
+        a, b, c, _ = np.moveaxis(np.abs(cubics), 1, 0)
+        slopes = (3.0 * a * steps + 2.0 * b) * steps + c  # no sum on the way is larger
+        sound = np.isfinite(slopes * np.maximum(steps, 1.0)).all(axis=1)
+    if not sound.all():
+        k = int(sound.argmin())
         raise ValueError(
             f"The slope of a SampledInput between times {float(breaks[k])!r} and "
             f"{float(breaks[k + 1])!r} is beyond the range of floats. Drop one of the samples, or "
             "use interpolation='previous'."
         )
-    cubics = np.zeros((len(steps), 4, values.shape[1]))
-    cubics[:, 3] = values[:-1]
-    if interpolation == "linear":
-        cubics[:, 2] = slopes
-    elif interpolation == "pchip":
-        from scipy.interpolate import PchipInterpolator  # a tenth of a second to import
-
-        cubics[:] = np.moveaxis(PchipInterpolator(breaks, values, axis=0).c, 0, 1)
     return cubics
