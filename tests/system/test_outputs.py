@@ -208,9 +208,12 @@ def test_an_unknown_function_in_an_output_is_named():
 
 
 def test_a_singular_group_is_a_linear_algebra_error():
-    system = chain_system({(A, B): (A + B - 1, A + B - states()[0])})
-    with pytest.raises(np.linalg.LinAlgError):
-        system.evaluate_outputs(*zoo.chain().sample())
+    x, c = states()[0], sm.Symbol("c")
+    for group in ((A + B - 1, A + B - x), (A * c + B * x, A * c + 2 * B * x)):
+        system = chain_system({(A, B): group})
+        system.constants |= dict.fromkeys({*system.constants_symbols} & {c}, 0.0)
+        with pytest.raises(np.linalg.LinAlgError):
+            system.evaluate_outputs(*zoo.chain().sample())
 
 
 @pytest.mark.parametrize("solver", [None, "dop853"])

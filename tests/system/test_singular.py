@@ -54,6 +54,23 @@ def test_a_singular_mass_matrix_comes_out_of_integrate():
         system.integrate()
 
 
+@pytest.mark.parametrize("generator", GENERATORS)
+def test_a_body_without_mass_is_singular_whether_or_not_anything_pulls_it(generator):
+    (q, u), mass = me.dynamicsymbols("q u"), sm.Symbol("m")
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    place = origin.locatenew("P", q * frame.x)
+    place.set_vel(frame, u * frame.x)
+    bodies = [me.Particle("p", place, mass)]
+    system = System(me.KanesMethod(frame, [q], [u], [q.diff() - u], bodies=bodies))
+    system.constants = {mass: 0.0}
+    system.generate_ode_function(generator=generator)
+    with pytest.raises(np.linalg.LinAlgError, match="singular"):
+        system.evaluate_ode([0.5, 1.0])
+    system.constants = {mass: 2.0}
+    np.testing.assert_array_equal(system.evaluate_ode([0.5, 1.0]), [1.0, 0.0])
+
+
 def without_turning():
     """A rigid body whose frame was never told to turn: its inertia cancels, and w has no row."""
     q, x, u, w = me.dynamicsymbols("q x u w")

@@ -56,7 +56,7 @@ def assemble_form(
         read.what = "`mass_matrix`"
         matrix = read.all(mass_matrix)
         rows = [matrix[i * n : (i + 1) * n] for i in range(n)]
-        rates = [*first, *graph.solve(rows, [forcing], "lu")[0]]
+        rates = [*first, *graph.solve(rows, [forcing], "lu", judged=True)[0]]
         opened = [*first, *(graph.input("a", k) for k in range(n))]
     read.what = "`outputs`"
 
@@ -158,7 +158,7 @@ def _solve_group(graph: Graph, group: Group, nodes: list[int], own: list[int]) -
         places = {next(iter(row)): i for i, row in enumerate(rows)}
         if len(places) == n:
             return [graph.div(right[places[k]], rows[places[k]][k]) for k in range(n)]
-    return graph.solve(dense_rows(graph, rows, n), [right], "lu")[0]
+    return graph.solve(dense_rows(graph, rows, n), [right], "lu", judged=True)[0]
 
 
 @collector_paused()

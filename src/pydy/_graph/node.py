@@ -294,21 +294,22 @@ class Graph(Nodes):
     # -- linear systems -------------------------------------------------------------------------
 
     def solve(
-        self, matrix: list[list[int]], columns: list[list[int]], kind: str
+        self, matrix: list[list[int]], columns: list[list[int]], kind: str, *, judged: bool = False
     ) -> list[list[int]]:
         """Return the solutions of ``matrix · x = column`` for each column.
 
         The kind 'ldl' promises a symmetric positive definite matrix: only the lower triangle is
         used, and the solution falls back to LU where the promise does not hold. The other kind is
-        'lu'.
+        'lu'. Of a column of zeros the solution is zero, unless the matrix must be `judged`: where
+        it is singular, nothing determines the solution.
         """
         n = len(matrix)
         factor = self.make("factor", (kind, n, tuple(e for row in matrix for e in row)))
-        return [self.solve_factored(factor, column) for column in columns]
+        return [self.solve_factored(factor, column, judged=judged) for column in columns]
 
-    def solve_factored(self, factor: int, column: list[int]) -> list[int]:
+    def solve_factored(self, factor: int, column: list[int], *, judged: bool = False) -> list[int]:
         """Return the solution for one more right-hand side of a ``factor`` node."""
-        if all(self.ops[e] == "const" and self.args[e][0] == 0.0 for e in column):
+        if not judged and all(self.ops[e] == "const" and self.args[e][0] == 0.0 for e in column):
             return [self.zero] * len(column)
         vector = self.make("solve", (factor, tuple(column)))
         return [self.make("item", (vector, k)) for k in range(len(column))]

@@ -57,10 +57,10 @@ def solve_accelerations(
     """Return the solution of the equations of motion ``M u' = F``."""
     for name, change in UNKNOWNS if kind == "ldl" else ():
         if name in passes and (found := change(graph, rows, forcing)) is not None:
-            solution = graph.solve(found.matrix, [found.column], kind)[0]
+            solution = graph.solve(found.matrix, [found.column], kind, judged=True)[0]
             unknowns: list[int] = found.given_unknowns(solution)
             return unknowns
-    return graph.solve(rows, [forcing], kind)[0]
+    return graph.solve(rows, [forcing], kind, judged=True)[0]
 
 
 def factorised(matrix: Matrix, passes: Container[str]) -> Factor:
