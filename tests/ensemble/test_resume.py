@@ -5,6 +5,7 @@ import shutil
 import subprocess
 import sys
 import textwrap
+import warnings
 
 import numpy as np
 import pytest
@@ -268,19 +269,30 @@ def test_a_flipped_bit_is_seen_anywhere_in_a_chunk(store, computed, name):
         assert computed == [25]
 
 
-def test_a_store_without_checksums_is_read_and_goes_on(store, computed):
+@pytest.mark.parametrize("name", ["q1", "status", "time", "initial_q1", ""])
+def test_a_flipped_bit_is_seen_anywhere_in_what_describes_the_arrays(store, computed, name):
     path, go_on, whole = store
-    group = zarr.open_group(path, mode="r+")
-    old = group["q1"]
-    with zarr.config.set({"array.write_empty_chunks": True}):
-        group.create_array(
-            "q1", data=old[...], chunks=old.chunks, attributes=dict(old.attrs), overwrite=True,
-            dimension_names=old.metadata.dimension_names, compressors=zarr.codecs.ZstdCodec(),
-        )  # fmt: skip
-    (path / "q1/c/2/0").unlink()
+    sound = (path / name / "zarr.json").read_bytes()
     computed.clear()
+    for place in range(0, len(sound), max(1, len(sound) // 7)):
+        flipped = bytearray(sound)
+        flipped[place] ^= 1
+        (path / name / "zarr.json").write_bytes(flipped)
+        with pytest.raises(ValueError, match=r"zarr\.json"):
+            go_on()
+    (path / name / "zarr.json").write_bytes(sound)
     identical(go_on(), whole)
-    assert computed == [25]
+    assert computed == []
+
+
+def test_a_store_whose_metadata_were_consolidated_goes_on(store, computed):
+    path, go_on, whole = store
+    computed.clear()
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # of Zarr's, that this is no part of its standard
+        zarr.consolidate_metadata(path)
+    identical(go_on(), whole)
+    assert computed == []
 
 
 def test_a_store_that_is_whole_computes_nothing(store, computed):

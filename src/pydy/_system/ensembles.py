@@ -383,7 +383,7 @@ class Ensembles(Setup):
             by the scheduler that you choose. With `store`, this only sets the sizes.
         store : path, optional
             Path of a Zarr store, to which every finished block is written immediately, with
-            checksums.
+            checksums; so has what describes its arrays.
         resume : bool or str, optional
             Whether `store` may exist; only its missing or damaged blocks are then computed. The
             functions in `reduce` and `specifieds` must be those of the first call: they are

@@ -2,13 +2,16 @@
 
 A block is complete if its `status`, which is written last, exists and all its chunks can be
 decoded and have their checksums; anything else may be incomplete or damaged, and is written again.
+What describes the arrays has checksums too, in the attributes of the store.
 """
 
 from __future__ import annotations
 
+import json
 import os
 import re
 import sys
+import zlib
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from threading import Lock
@@ -82,6 +85,7 @@ _TOKEN = "pydy_ensemble"
 _VARIABLES, _COORDINATES = "pydy_variables", "pydy_coordinates"
 _FILES = "pydy_names"  # in the store, of those variables and dimensions that have another one there
 _LABELS = "pydy_labels"
+_CHECKSUMS = "pydy_checksums"  # of what describes each array, by its name in the store
 _SETTING = Lock()  # zarr's configuration belongs to all threads
 
 
@@ -140,25 +144,23 @@ def check(path: str, token: str, resume: bool) -> bool:
         )
     zarr = require("zarr", "ensemble", "`store`")
     try:
-        group = zarr.open_group(path, mode="r")
-        attrs = dict(group.attrs)
+        attrs = dict(zarr.open_group(path, mode="r").attrs)
     except Exception:  # noqa: BLE001 - whatever is there, it cannot be read
         attrs = {}
     if attrs.get(_TOKEN) != token:
         raise ValueError(
             f"`store` '{path}' was written by another ensemble: its equations, numbers, options, "
-            "`reduce`, `chunks` or functions differ, or it is not the store of an ensemble. Pass "
-            "another path. If only the code of functions differs, but not their results, name them "
-            "yourself in both calls, resume='name', instead of True."
+            "`reduce`, `chunks` or functions differ, or it is not the store of an ensemble, or its "
+            "`zarr.json` is damaged. Pass another path. If only the code of functions differs, but "
+            "not their results, name them yourself in both calls, resume='name', instead of True."
         )
-    for name in (*attrs[_VARIABLES], *attrs[_COORDINATES]):
-        try:
-            _stored(group, name)
-        except Exception as error:
-            raise ValueError(
-                f"`store` '{path}' has lost its array `{name}`, or it cannot be read. Restore it, "
-                "or remove the store to compute everything again."
-            ) from error
+    kept, found = attrs.get(_CHECKSUMS, {}), _checksums(path)
+    if wrong := [name for name in (*kept, *found) if kept.get(name) != found.get(name)]:
+        what = f"has lost its array `{wrong[0]}`, or " if wrong[0] else ""
+        raise ValueError(
+            f"`store` '{path}' {what}has another `{Path(wrong[0], _OF_ZARR)}` than was written: it "
+            "is damaged, or was edited. Restore it, or remove the store and compute all again."
+        )
     return True
 
 
@@ -214,6 +216,7 @@ def create(
         coordinates = " ".join(files[name] for name in samples.coordinates)
         group.attrs.update({**example.attrs, "coordinates": coordinates})
         write_coordinates(str(aside), samples, example.coords.get("time"))
+        group.attrs[_CHECKSUMS] = _checksums(str(aside))
         try:
             os.rename(aside, target)
         except OSError:
@@ -223,6 +226,15 @@ def create(
                 f"`store` must be a new path, but another process has made '{path}' meanwhile. "
                 "Pass resume=True in both, or another path in one of them."
             ) from None
+
+
+def _checksums(path: str) -> dict[str, int]:
+    """Return the checksums of what describes the arrays of a store, and of its other attributes."""
+    about = json.loads(Path(path, _OF_ZARR).read_bytes())["attributes"]
+    about.pop(_CHECKSUMS, None)
+    parts = {"": json.dumps(about, sort_keys=True).encode()}
+    parts |= {file.parent.name: file.read_bytes() for file in Path(path).glob(f"*/{_OF_ZARR}")}
+    return {name: zlib.crc32(part) for name, part in sorted(parts.items())}
 
 
 def opened(path: str, chunks: Any) -> Any:
