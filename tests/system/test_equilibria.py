@@ -342,6 +342,31 @@ def test_carts_hang_and_what_falls_has_no_equilibrium_in_any_units(metre):
         system.find_equilibrium()
 
 
+@pytest.mark.parametrize("metre", [1e-9, 1.0, 1e9])
+@pytest.mark.parametrize("lagrangian", [False, True])
+def test_what_rods_carry_is_at_rest_in_any_units(metre, lagrangian):
+    """All weight is the constraints': of the accelerations nothing but rounding is left."""
+    x, y = me.dynamicsymbols("x y")
+    mass, g, rod, half = sm.symbols("m g l d")
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    point = origin.locatenew("P", x * frame.x + y * frame.y)
+    point.set_vel(frame, x.diff() * frame.x + y.diff() * frame.y)
+    bob, loads = me.Particle("bob", point, mass), [(point, -mass * g * frame.y)]
+    rods = [(x - half) ** 2 + y**2 - rod**2, (x + half) ** 2 + y**2 - rod**2]
+    if lagrangian:
+        method = me.LagrangesMethod(
+            me.Lagrangian(frame, bob), [x, y], hol_coneqs=rods, forcelist=loads, frame=frame
+        )
+    else:
+        method = Definition(frame, [x, y], bodies=[bob], loads=loads, holonomic_constraints=rods)
+    numbers = {mass: 1.0, g: 9.81 * metre, rod: metre, half: 0.6 * metre}
+    system = System(method, numbers, initial_conditions={x: 0.1 * metre, y: -0.9 * metre})
+    found = system.find_equilibrium()
+    assert found.state == pytest.approx([0.0, -0.8 * metre, 0.0, 0.0], abs=1e-9 * metre)
+    assert found.free == ()
+
+
 @pytest.mark.parametrize(
     "call",
     [

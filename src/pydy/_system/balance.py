@@ -17,7 +17,9 @@ from pydy._forks import cached_property
 from pydy._graph.derivative import dense_jacobian
 from pydy._graph.interpret import run
 from pydy._graph.program import Program
+from pydy._graph.rounding import sizes_of_terms
 from pydy._kernel import Kernel
+from pydy._mechanics.inverse import Known, inverse_dynamics, mass_matrix
 from pydy._names import some, unique_names
 from pydy._rank import HALF, ROUNDING, equilibrated, is_zero, or_one
 from pydy._system.evaluation import row_names
@@ -145,8 +147,11 @@ class Point(At):
 
     def inertias(self, n: int) -> np.ndarray:
         """Return the diagonal of the mass matrix of n speeds, shape (m, n)."""
-        found = self.values(_masses)["masses"]
-        return np.abs(found[:, :: n + 1]) if found.size else np.ones((len(self.x), n))
+        found: np.ndarray = self.values(_masses)["masses"][:, :: n + 1]
+        if not found.size:
+            found = self.values(_Free(self.definition))["masses"]
+        sizes: np.ndarray = np.abs(found)
+        return sizes
 
     def slopes(self, block: str) -> np.ndarray:
         """Return the derivatives of a block by the states, with all feedback."""
@@ -398,8 +403,11 @@ class Balance:
         return np.concatenate(parts, axis=1)
 
     def terms(self, z: np.ndarray) -> np.ndarray:
-        """Return how large the terms of the residuals are that constants and specifieds make."""
-        at = self.at(z[None])
+        """Return how large the terms of the residuals are that constants, specifieds, loads make.
+
+        What constraints carry is in no acceleration, but its rounding is.
+        """
+        at = self.at(z[None]).alone()[0]
         numbers = {"r": at.r[0], "p": np.atleast_2d(at.p)[0]}
         arrays = at.t, at.x, at.r, numbers["p"]
         parts = []
@@ -410,6 +418,10 @@ class Balance:
                     slopes = run(self._by(block, group), *arrays)[0].reshape(len(part), -1)
                     part += np.abs(np.nan_to_num(slopes)) @ np.abs(values)
             parts.append(part)
+        first, n = len(self.definition.equations.coordinates), len(self.made.assembly.speeds)
+        free = at.values(_Free(self.definition))
+        speeds = 1.0 / np.sqrt(or_one(np.abs(free["masses"][0])))
+        parts[0][first : first + n] += np.max(free["forces"][0] * speeds, initial=0.0) * speeds
         return np.concatenate([parts[0][self.rows], *parts[1:]])
 
     def _by(self, block: str, group: str) -> Program:
@@ -524,9 +536,27 @@ def _kinematics(assembly: Assembly) -> dict[str, list[int]]:
 
 
 def _masses(assembly: Assembly) -> dict[str, list[int]]:
-    """Return the mass matrix of all speeds, or nothing where none is known."""
-    cells = assembly.kinetic_hessian or assembly.mass_matrix
-    return {"masses": cells if len(cells) == len(assembly.speeds) ** 2 else []}
+    """Return the mass matrix of all speeds, or nothing where none is known yet."""
+    return {"masses": assembly.kinetic_hessian}
+
+
+@dataclass(frozen=True)
+class _Free:
+    """The masses and forces at all speeds as if no constraint held them."""
+
+    definition: Definition
+
+    def __call__(self, assembly: Assembly) -> dict[str, list[int]]:
+        """Return the diagonal of the mass matrix, and how large the terms of forces are."""
+        g, n = assembly.graph, len(assembly.speeds)
+        body = self.definition.equations.multibody
+        if body is None:
+            masses = assembly.mass_matrix[:: n + 1] or [g.one] * n
+            return {"masses": masses, "forces": sizes_of_terms(g, assembly.forcing)}
+        known = Known(None, self.definition.forces, {})
+        forces = assembly.read(inverse_dynamics(body, known), "the forces")
+        masses = assembly.read(mass_matrix(body, known)[:: n + 1], "the mass matrix")
+        return {"masses": masses, "forces": sizes_of_terms(g, forces)}
 
 
 def feedback(plan: SpecifiedsPlan, x: np.ndarray, t: np.ndarray) -> np.ndarray:

@@ -86,7 +86,7 @@ class Problem:
     rates: Mapping[int, int]  # the rows that are rates of an unknown, and its place
     held: int  # how many of the rows, the last ones, are constraints
     sizes: Callable[[np.ndarray, np.ndarray], Sizes]  # of the Jacobian and z
-    # of z: the sizes of what constants and specifieds make of the rows
+    # of z: the sizes of what constants, specifieds and loads make of the rows
     terms: Callable[[np.ndarray], np.ndarray]
 
 
@@ -161,11 +161,14 @@ def solve_equilibrium(
             slopes = problem.jacobian(begin)
             found, message = begin, ""
             if np.isfinite(slopes).all():
-                sizes = problem.sizes(slopes, begin)
+                sizes, more = problem.sizes(slopes, begin), np.zeros(1)
+                if attempt != "near":
+                    sizes, _, more = _beyond_noise(problem, slopes, sizes, begin)
                 # Terms at the start mislead where wheels do not turn yet: units do not.
                 # A row of rounding errors is no equation: it weighs what the largest row does.
-                noise = sizes.terms <= sizes.limit
-                terms = or_one(np.where(noise, sizes.limit / ROUNDED, sizes.terms))
+                limit = sizes.rounding(sizes.terms + more)
+                noise = sizes.terms <= limit
+                terms = or_one(np.where(noise, limit / ROUNDED, sizes.terms))
                 rows = sizes.rows if attempt == "units" else terms
                 found, message = _search(problem, begin, bounds, rows, sizes.units)
         try:
@@ -176,6 +179,19 @@ def solve_equilibrium(
         return _as_begun(accepted, problem, z, bounds)
     assert missed is not None
     raise missed
+
+
+def _beyond_noise(
+    problem: Problem, slopes: np.ndarray, sizes: Sizes, z: np.ndarray
+) -> tuple[Sizes, np.ndarray, np.ndarray]:
+    """Return sizes and slopes without rows that are rounding errors of loads, and of these terms.
+
+    Where constraints carry all weight, nothing but rounding is left of accelerations.
+    """
+    more = problem.terms(z)
+    noise = sizes.terms <= sizes.rounding(sizes.terms + more)
+    slopes = np.where(noise[:, None], 0.0, slopes)
+    return problem.sizes(slopes, z), slopes, more
 
 
 def check_steady(ahead: Problem, z: np.ndarray, moving: str) -> None:
@@ -313,9 +329,11 @@ def _accepted(
             values,
         )
     sizes = problem.sizes(slopes, z)
-    off = np.abs(values) > sizes.limit
-    if off.any():
-        off = np.abs(values) > sizes.rounding(sizes.terms + problem.terms(z))
+    limit = sizes.limit
+    if (np.abs(values) > limit).any():
+        sizes, slopes, more = _beyond_noise(problem, slopes, sizes, z)
+        limit = sizes.rounding(sizes.terms + more)
+    off = np.abs(values) > limit
     if off.any():
         order = [k for k in np.argsort(-np.abs(values)) if off[k]][:3]
         left = ", ".join(f"{problem.rows[k]} = {values[k]:.3g}" for k in order)
@@ -339,7 +357,7 @@ def _accepted(
     still = np.clip(np.where(np.abs(z) <= ROUNDED * sizes.unknowns, 0.0, z), low, high)
     if (still != z).any():
         there = problem.residual(still)
-        if (np.abs(there) <= np.maximum(sizes.limit, np.abs(values))).all():
+        if (np.abs(there) <= np.maximum(limit, np.abs(values))).all():
             z, values = still, there
     return z, float(np.abs(values).max(initial=0.0)), _undetermined(slopes, problem.unknowns)
 
