@@ -102,6 +102,13 @@ def test_a_force_on_one_side_alone_has_that_of_its_depth(plane, push):
     [
         sm.Max(0, -Q[1]) * Q[0],
         sm.Max(0, -100 - Q[1]) * Q[0],
+        # Beside the edge of a table its work is another on every path.
+        sm.sign(Q[0]),
+        Q[0] / sm.sqrt(Q[0] ** 2),
+        sm.Heaviside(-Q[0]) * sm.Heaviside(-Q[1]),
+        sm.Heaviside(-Q[0]) * sm.Max(0, -Q[1]),
+        sm.Piecewise((-Q[1], (Q[0] < 0) & (Q[1] < 0)), (0, True)),
+        sm.Piecewise((-Q[1], (Q[0] < 2) & (Q[1] < Q[0])), (0, True)),
     ],
 )
 def test_a_force_on_one_side_alone_whose_work_depends_on_the_path_is_named(plane, size):

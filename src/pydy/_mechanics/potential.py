@@ -28,6 +28,7 @@ from sympy.physics.mechanics import Point, ReferenceFrame, Vector
 
 from pydy._errors import UnsupportedFunctionError
 from pydy._forks import cached_property
+from pydy._graph.branches import sides, switches
 from pydy._graph.derivative import dense_jacobian
 from pydy._graph.node import Graph
 from pydy._graph.rounding import rounding_bounds
@@ -356,7 +357,7 @@ class _Search:
 
     def _closed(self, terms: list[_Term]) -> tuple[list[_Term], list[_Term]]:
         """Take what can be integrated; return what lacks a place, and all that is unknown."""
-        rest = self._polynomial(terms)
+        rest = self._integrable(terms, self._integrate)
         lost = [term for term in rest if self._is_lost(term)]
         others = [term for term in rest if term not in lost]
         return lost, [*lost, *self._integrable(others, self._antiderivative)]
@@ -365,10 +366,6 @@ class _Search:
         """Whether a constant force lacks a place that would tell its potential."""
         constant = isinstance(term.where, Point) and self._is_constant(term.size)
         return constant and not self.fixed(term.where)
-
-    def _polynomial(self, terms: list[_Term]) -> list[_Term]:
-        """Take loads whose work is a closed polynomial form; return the others."""
-        return self._integrable(terms, self._integrate)
 
     def _integrable(
         self, terms: list[_Term], integrate: Callable[[Sequence[Any]], Any]
@@ -552,7 +549,7 @@ def _numbers(expressions: Sequence[Any], turns: Iterable[Any]) -> np.ndarray:
     read = InputReader(graph, {}, ())
     nodes, held = read.all(expressions), orientation_rows(turns, read)
     rows = [numbers_of(graph, nodes, held)]
-    for switch in _switches(graph, nodes):
+    for switch in switches(graph, nodes):
         before = numbers_of(graph, [switch], held)[0, 0]
         for share in _BEYOND:
             row = graph.sum([(switch, 1.0)], -share * before)
@@ -560,23 +557,6 @@ def _numbers(expressions: Sequence[Any], turns: Iterable[Any]) -> np.ndarray:
             beyond = np.isfinite(found).all(axis=1) & (found[:, -1] * before < 0.0)
             rows.append(found[beyond, :-1])
     return np.vstack(rows)
-
-
-def _switches(graph: Graph, nodes: Sequence[int]) -> list[int]:
-    """Return the nodes by whose sign others take one branch or the other."""
-    found: set[int] = set()
-    reached = graph.reachable(nodes)
-    # Of either sign, log|a| is the integral of a'/a: it has one branch.
-    others = {m for n in reached if graph.ops[n] != "log" for m in graph.operands(n)}
-    for n in others.union(nodes):
-        args = graph.args[n]
-        if graph.ops[n] in ("max", "min", "lt", "le"):
-            found.add(graph.scaled(graph.sub(*args))[1])
-        elif graph.ops[n] in ("abs", "sign"):
-            found.add(graph.scaled(args[0])[1])
-        elif graph.ops[n] == "pow" and graph.ops[args[0]] == "prod":
-            found.update(m for m, e in graph.args[args[0]] if e % 2 == 0)
-    return sorted({min(n, graph.neg(n)) for n in found if not graph.constant[n]})
 
 
 def _opposite(vectors: Sequence[Vector], turns: Iterable[Any]) -> Callable[[int, int], bool]:
@@ -734,14 +714,17 @@ def is_potential_of(equations: Equations, potential: Any, powers: Sequence[Any])
     # The rate may be finite where the energy is not: that of atan(x/√-l) holds no root.
     generic = list(states.samples([*blocks, ("energy", (), [energy])], _TRIALS))
     samples = [*generic]
-    for switch in _switches(states.graph, [energy, *lost]):
-        samples += _beyond(states, switch, blocks)
+    for switch in switches(states.graph, [energy, *lost]):
+        beyond = list(_beyond(states, switch, blocks))
+        if beyond and _jumps(states, switch, energy):
+            return False
+        samples += beyond
     if not (generic and all(_small(sample["pairs"], sums) for sample in samples)):
         return False
     # What acts on one side only, and at none of the states, has an energy that tells of sides.
     acting = np.any([sample["lost"] for sample in samples], axis=0).tolist()
     idle = [n for n, acts in zip(lost, acting, strict=True) if not acts]
-    return not _switches(states.graph, idle) or bool(_switches(states.graph, [energy]))
+    return not switches(states.graph, idle) or bool(switches(states.graph, [energy]))
 
 
 def has_momenta_of(equations: Equations, lagrangian: Any, kinetic: Any) -> bool:
@@ -775,17 +758,36 @@ def _small(pairs: np.ndarray, sums: Sequence[Sequence[int]]) -> bool:
     return bool((np.abs(left) <= ROUNDED * bound).all())
 
 
+def _jumps(states: GenericStates, switch: int, energy: int) -> bool:
+    """Return whether an energy is another on the two sides of a switch, right beside it."""
+    above, below = sides(states.graph, [energy], switch)
+    step = states.graph.sub(*above, *below)
+    samples = list(_where(states, switch, [("step", (1,), [step])]))
+    if not samples:
+        return False
+    steps = np.array([sample["step"] for sample in samples])
+    return bool((np.abs(steps) > states.uncertain(samples, [step])).any())
+
+
 def _beyond(
     states: GenericStates, switch: int, blocks: Sequence[Block]
 ) -> Iterator[dict[str, np.ndarray]]:
     """Yield values at states that keep the constraints, beyond a switch of generic ones."""
-    own, graph = states.holonomic, states.graph
+    graph = states.graph
     if set(states.coordinates).isdisjoint(graph.reachable([switch])):
         return
     sizes = [float(s["switch"][0]) for s in states.samples([("switch", (1,), [switch])], 1)]
     for target in (size * share for size in sizes for share in _BEYOND):
-        states.holonomic = [*own, graph.sum([(switch, 1.0)], -target)]
-        samples = list(states.samples([*blocks, *states.closing()], _TRIALS, around=True))
-        apart = openness(samples) if samples else []
-        yield from (s for s, left in zip(samples, apart, strict=True) if left < OPEN)
+        yield from _where(states, graph.sum([(switch, 1.0)], -target), blocks)
+
+
+def _where(
+    states: GenericStates, node: int, blocks: Sequence[Block]
+) -> Iterator[dict[str, np.ndarray]]:
+    """Yield values at states that keep the constraints, and at which a node is zero."""
+    own = states.holonomic
+    states.holonomic = [*own, node]
+    samples = list(states.samples([*blocks, *states.closing()], _TRIALS, around=True))
+    apart = openness(samples) if samples else []
+    yield from (s for s, left in zip(samples, apart, strict=True) if left < OPEN)
     states.holonomic = own

@@ -1,0 +1,49 @@
+"""What nodes switch at: where others take one branch or the other."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from pydy._graph.node import Graph
+from pydy._graph.rewrite import substitute
+
+_COMPARED = ("lt", "le", "eq", "ne")
+
+
+def switches(graph: Graph, nodes: Sequence[int]) -> list[int]:
+    """Return the nodes by whose sign others take one branch or the other."""
+    found: set[int] = set()
+    reached = graph.reachable(nodes)
+    # Of either sign, log|a| is the integral of a'/a: it has one branch.
+    others = {m for n in reached if graph.ops[n] != "log" for m in graph.operands(n)}
+    for n in others.union(nodes):
+        args = graph.args[n]
+        if graph.ops[n] in ("max", "min", "lt", "le"):
+            found.add(graph.scaled(graph.sub(*args))[1])
+        elif graph.ops[n] in ("abs", "sign"):
+            found.add(graph.scaled(args[0])[1])
+        elif graph.ops[n] == "pow" and graph.ops[args[0]] == "prod":
+            found.update(m for m, e in graph.args[args[0]] if e % 2 == 0)
+    return sorted({min(n, graph.neg(n)) for n in found if not graph.constant[n]})
+
+
+def sides(graph: Graph, nodes: Sequence[int], switch: int) -> tuple[list[int], list[int]]:
+    """Return what nodes are above and below one of their switches, each continued beyond it."""
+    above: dict[int, int] = {}
+    below: dict[int, int] = {}
+    for node in graph.reachable(nodes):
+        op, args = graph.ops[node], graph.args[node]
+        if op not in (*_COMPARED, "abs", "sign"):
+            continue
+        own = graph.sub(*args) if op in _COMPARED else args[0]
+        size, core = graph.scaled(own)
+        if switch not in (core, graph.neg(core)):
+            continue
+        for side, made in ((1.0, above), (-1.0, below)):
+            positive = side * size * (1.0 if switch == core else -1.0) > 0.0
+            if op in _COMPARED:
+                made[node] = graph.boolean(op == "ne" or (op != "eq" and not positive))
+            else:
+                one = own if op == "abs" else graph.one
+                made[node] = one if positive else graph.neg(one)
+    return substitute(graph, nodes, above), substitute(graph, nodes, below)
