@@ -217,6 +217,33 @@ def test_gravity_is_the_slope_of_the_potential_energy():
     close(sideways[0], -2.0 * 4)  # four unit masses
 
 
+@pytest.mark.parametrize("mass", [2, sm.Symbol("m")])
+def test_a_weight_along_turning_axes_is_gravity(mass):
+    q, u = me.dynamicsymbols("q:2"), me.dynamicsymbols("u:2")
+    frame, origin, g = me.ReferenceFrame("N"), me.Point("O"), sm.Symbol("g")
+    origin.set_vel(frame, 0)
+    arm = frame.orientnew("B", "Body", (*q, 0), "zxz")
+    arm.set_ang_vel(frame, u[0] * frame.z + u[1] * arm.x)
+    tip = origin.locatenew("P", arm.x + arm.y)
+    tip.v2pt_theory(origin, frame, arm)
+    body = me.RigidBody("arm", tip, arm, mass, (me.inertia(arm, 1, 2, 3), tip))
+    weight = (-mass * g * frame.y).express(arm)
+    rates = [a.diff() - b for a, b in zip(q, u, strict=True)]
+    system = System(me.KanesMethod(frame, q, u, rates, bodies=[body], forcelist=[(tip, weight)]))
+    state = [0.3, 0.4], [0.0, 0.0]
+    held = system.inverse_dynamics(*state, [0.0, 0.0])
+    assert held.all()
+    close(system.gravity(state[0]), held)
+    parameters = [*system.inertial_parameters().values()]
+    close(system.regressor(*state, [0.0, 0.0]) @ parameters, held)
+    if mass == 2:  # in one vector with a drag it may be another force
+        drag = -sm.Symbol("c") * tip.vel(frame)
+        loads = [(tip, weight + drag)]
+        system = System(me.KanesMethod(frame, q, u, rates, bodies=[body], forcelist=loads))
+        with pytest.raises(ValueError, match="which way gravity pulls"):
+            system.gravity(state[0])
+
+
 def test_gravity_that_no_load_tells_is_asked_for():
     with pytest.raises(ValueError, match="Give it: `acceleration=-g"):
         consistent("towed_sledge")[0].gravity()

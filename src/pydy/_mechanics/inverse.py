@@ -276,6 +276,7 @@ def _pulls(kinematics: Kinematics, centre: Any, mass: int, by: Sequence[int]) ->
         for where, v in kinematics.body.loads
         if where in here
     ]
+    forces = [_steady(kinematics, force) for force in forces]
     slopes = [row.get(k, zero) for row in jacobian(g, [mass], by) for k in range(len(by))]
     own: list[Vec] = []
     left: list[Vec] = []
@@ -310,6 +311,20 @@ def _pulls(kinematics: Kinematics, centre: Any, mass: int, by: Sequence[int]) ->
             elif by:
                 unclear = True
     return None if unclear and not own else own
+
+
+def _steady(kinematics: Kinematics, force: Vec) -> Vec:
+    """Return a force whose part at rest is a constant, if that is the same everywhere.
+
+    Written along turning axes, a weight holds their angles all the same.
+    """
+    g = kinematics.graph
+    rest = substitute(g, force, dict.fromkeys(kinematics.speeds, g.zero))
+    moved = [n for n in g.reachable(rest) if g.ops[n] == "input" and not g.constant[n]]
+    still = substitute(g, rest, dict.fromkeys(moved, g.zero))
+    if not moved or not kinematics.equal(still, rest):
+        return force
+    return kinematics.plus(still, [g.sub(a, b) for a, b in zip(force, rest, strict=True)])
 
 
 def _partly_constant(g: Graph, node: int) -> bool:
