@@ -49,6 +49,20 @@ def test_a_column_of_rounding_errors_is_no_direction():
     assert rank(np.delete(rows, [0], axis=1)) == 2
 
 
+@pytest.mark.parametrize("length", [1e-18, 1e-13, 1e13, 1e18])
+def test_what_is_small_in_the_users_units_is_no_rounding(length):
+    """x = l sin θ and y = −l cos θ, with θ = 1e-17 for a zero in the second."""
+    rows = np.array([[1.0, 0.0, -length], [0.0, 1.0, -1e-17 * length]])
+    units = np.array([1.0, 1.0, 1.0 / length])
+    assert rank(rows, units=units) == 2
+    free, columns = null_space(rows, units)
+    moved = (free * columns)[0]
+    np.testing.assert_allclose(moved / moved[0] / units, [1.0, 0.0, 1.0], atol=1e-16)
+    rows[1, 2] = -length
+    step = least_step(rows[:, 1:], length * np.array([2.0, 3.0]), units[1:])
+    np.testing.assert_allclose(step, [length, -2.0], rtol=1e-12)
+
+
 @pytest.mark.parametrize("unit", UNITS)
 def test_steps_follow_the_units_of_unknowns(unit):
     rows, values = RNG.uniform(-1.0, 1.0, (2, 4)), RNG.uniform(-1.0, 1.0, 2)

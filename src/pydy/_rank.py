@@ -54,23 +54,38 @@ def or_one(sizes: np.ndarray) -> np.ndarray:
     return known
 
 
+def unrounded(sizes: np.ndarray, units: np.ndarray | None = None) -> np.ndarray:
+    """Return sizes of entries (..., m, k) with zeros for what rounding leaves of zeros in a row.
+
+    Otherwise a column of rounding errors would be as large as the others. The numbers alone do not
+    tell these from what is small in the user's units, as lengths of planets are beside angles:
+    where `units` (..., k) of the columns are known, it is what is small in both.
+    """
+    small = sizes <= ROUNDED * sizes.max(axis=-1, keepdims=True, initial=0.0)
+    if units is not None:
+        told = sizes * units[..., None, :]
+        small &= told <= ROUNDED * told.max(axis=-1, keepdims=True, initial=0.0)
+    known: np.ndarray = np.where(small, 0.0, sizes)
+    return known
+
+
 def equilibrated(
-    matrix: np.ndarray, exact: bool = False
+    matrix: np.ndarray, exact: bool = False, units: np.ndarray | None = None
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Scale matrices (..., m, k) so that the largest entry of each row and column is near 1.
 
     After D. Ruiz, "A scaling algorithm to equilibrate both rows and columns norms in matrices",
-    RAL-TR-2001-034. What rounding leaves of zeros does not count: otherwise a column of rounding
-    errors would be as large as the others. `exact` is for choices that no unit may decide: then it
-    matters which entries are equal. Returned are ``matrix * columns / rows``, the rows (..., m, 1)
-    and the columns (..., 1, k).
+    RAL-TR-2001-034. It begins with the columns in their `units`, where these are known; entries of
+    rounding errors do not count, see `unrounded`.
+    `exact` is for choices that no unit may decide: then it matters which entries are equal.
+    Returned are ``matrix * columns / rows``, the rows (..., m, 1) and the columns (..., 1, k).
     """
-    sizes = np.abs(matrix)
     with np.errstate(invalid="ignore"):  # NaN where entries are not finite
+        columns = np.ones((*matrix.shape[:-2], 1, matrix.shape[-1]))
+        columns = columns if units is None else columns * units[..., None, :]
+        sizes = unrounded(np.abs(matrix), units) * columns
         rows = or_one(sizes.max(axis=-1, keepdims=True, initial=0.0))
         sizes = sizes / rows
-        sizes[sizes <= ROUNDED] = 0.0
-        columns = np.ones((*sizes.shape[:-2], 1, sizes.shape[-1]))
         for _ in range(_EXACT if exact else _SWEEPS):
             tall = np.sqrt(or_one(sizes.max(axis=-2, keepdims=True, initial=0.0)))
             wide = np.sqrt(or_one(sizes.max(axis=-1, keepdims=True, initial=0.0)))
@@ -79,33 +94,39 @@ def equilibrated(
         return matrix * columns / rows, rows, columns
 
 
-def rank(matrix: np.ndarray, least: float = DEPENDENT) -> int:
+def rank(matrix: np.ndarray, least: float = DEPENDENT, units: np.ndarray | None = None) -> int:
     """Return how many rows of a matrix (m, k) are independent, in whatever units.
 
-    Singular values below the share `least` of the largest are zero.
+    Singular values below the share `least` of the largest are zero. For `units` see `unrounded`.
     """
-    return rank_of(np.linalg.svd(equilibrated(matrix)[0], compute_uv=False), least)
+    scaled = equilibrated(matrix, units=units)[0]
+    return rank_of(np.linalg.svd(scaled, compute_uv=False), least)
 
 
-def null_space(matrix: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def null_space(
+    matrix: np.ndarray, units: np.ndarray | None = None
+) -> tuple[np.ndarray, np.ndarray]:
     """Return directions (k − rank, k) in which no row changes, and the units (k,) of columns.
 
     The directions are orthonormal in these units: ``directions * columns`` solves the homogeneous
-    equations of the matrix (m, k).
+    equations of the matrix (m, k). For `units` see `unrounded`.
     """
-    scaled, _, columns = equilibrated(matrix)
+    scaled, _, columns = equilibrated(matrix, units=units)
     _, sizes, right = np.linalg.svd(scaled)
     return right[rank_of(sizes) :], columns[0]
 
 
-def least_step(matrix: np.ndarray, values: np.ndarray) -> np.ndarray:
+def least_step(
+    matrix: np.ndarray, values: np.ndarray, units: np.ndarray | None = None
+) -> np.ndarray:
     """Return the least z with ``matrix @ z = values``, in units of the columns.
 
+    For `units` see `unrounded`.
     Matrices (..., m, k) have values (..., m); a single one may have several right-hand sides (m,
     n). Where rows contradict each other, z solves them as nearly as they allow, in units of the
     rows.
     """
-    scaled, rows, columns = equilibrated(matrix)
+    scaled, rows, columns = equilibrated(matrix, units=units)
     inverse = np.linalg.pinv(scaled, rcond=DEPENDENT)
     if matrix.ndim == 2 and values.ndim == 2:
         found: np.ndarray = columns[0, :, None] * (inverse @ (values / rows))

@@ -263,7 +263,7 @@ def test_a_branch_ends_where_its_equations_contradict_each_other():
         lambda z: slopes @ z,
         lambda z: slopes,
         lambda z: (np.array([-1.0]), np.array([0.0])),
-        lambda slopes, z: SimpleNamespace(terms=np.ones(2), limit=np.zeros(2)),
+        lambda slopes, z: SimpleNamespace(terms=np.ones(2), limit=np.zeros(2), units=np.ones(1)),
         np.zeros(2),
         (0.0, 1.0),
         True,

@@ -367,6 +367,37 @@ def test_what_rods_carry_is_at_rest_in_any_units(metre, lagrangian):
     assert found.free == ()
 
 
+@pytest.mark.parametrize("metre", [1e-18, 1e-13, 1.0, 1e13, 1e18])
+def test_an_angle_without_inertia_is_judged_in_no_unit(metre):
+    """Below 1e-10 any height was an equilibrium; beyond 1e13 the deflection x seemed to be free."""
+    x, y, angle = me.dynamicsymbols("x y theta")
+    m, g, k, length = sm.symbols("m g k l")
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    bob = origin.locatenew("P", x * frame.x + y * frame.y)
+    bob.set_vel(frame, x.diff() * frame.x + y.diff() * frame.y)
+    held = [x - length * sm.sin(angle), y + length * sm.cos(angle)]
+    made = Definition(
+        frame, [x, y, angle], bodies=[me.Particle("b", bob, m)], holonomic_constraints=held,
+        loads=[(bob, -m * g * frame.y - k * x * frame.x)], dependent_coordinates=[x, y],
+    )  # fmt: skip
+    system = System(made, constants={m: 1.0, g: 9.0 * metre, k: 7.0, length: metre})
+    system.initial_conditions = {x: 0.3 * metre, x.diff(): 0.6 * metre, y: -0.9 * metre, angle: 0.2}
+    system.set_dependent_initial_conditions([y, angle, y.diff(), angle.diff()])
+    assert system.initial_conditions[angle] == pytest.approx(np.arcsin(0.3), rel=1e-12)
+    speed = 0.6 / np.cos(np.arcsin(0.3))
+    assert system.initial_conditions[angle.diff()] == pytest.approx(speed, rel=1e-12)
+    found = system.find_equilibrium()
+    assert found.free == ()
+    assert found[y] == pytest.approx(-metre, rel=1e-12)
+    system.initial_conditions = found.initial_conditions
+    eigenvalues = system.linearize().eigenvalues
+    assert np.sort(eigenvalues.imag) == pytest.approx([-4.0, 4.0], rel=1e-9)
+    branch = system.follow_equilibria({k: [7.0, -12.0]}, step=0.2)
+    assert [p.kind for p in branch.special] == ["branch point"]
+    assert branch.special[0].value == pytest.approx(-9.0, rel=1e-6)
+
+
 @pytest.mark.parametrize(
     "call",
     [

@@ -153,6 +153,33 @@ class Point(At):
         sizes: np.ndarray = np.abs(found)
         return sizes
 
+    def steepness(self, block: str) -> np.ndarray:
+        """Return the sizes of a block's derivatives by the states, without feedback."""
+        slopes = self.tried(self.model.compiled_jacobian(block, "x"))
+        sizes: np.ndarray = np.abs(np.nan_to_num(slopes)).reshape(len(self.x), -1, self.x.shape[1])
+        return sizes
+
+    @cached_property
+    def motions(self) -> np.ndarray:
+        """How fast coordinates and speeds change in motions of one energy, shape (m, n).
+
+        What has no mass is as fast as constraints let the others move it, else 1.
+        """
+        first, n = (len(getattr(self.definition.equations, s)) for s in ("coordinates", "speeds"))
+        masses, moving = self.inertias(n), slice(first, first + n)
+        speeds = np.where(masses > 0.0, 1.0 / np.sqrt(or_one(masses)), 0.0)
+        if "velocity" in self.blocks and not speeds.all():
+            slopes = self.steepness("velocity")[:, :, moving]
+            for _ in range(n):  # along chains
+                rows = (slopes * speeds[:, None]).max(axis=2, initial=0.0)
+                with np.errstate(over="ignore"):  # by what is left of zeros
+                    shares = rows[:, :, None] / or_one(slopes)
+                driven = _least(shares * (slopes > 0.0), 1)
+                speeds = np.where(speeds > 0.0, speeds, driven)
+        speeds = or_one(speeds)
+        rates = self.steepness("rates")[:, :first, moving] @ speeds[:, :, None]
+        return np.concatenate([rates[:, :, 0], speeds], axis=1)
+
     def slopes(self, block: str) -> np.ndarray:
         """Return the derivatives of a block by the states, with all feedback."""
         direct = self.value(self.model.compiled_jacobian(block, "x"), self.x.shape[1])
@@ -212,7 +239,8 @@ class Point(At):
         """
         n, places = gradient.shape[2], len(self.definition.equations.coordinates)
         large = np.maximum(np.abs(self.x), self.natural["states"])
-        columns = equilibrated(gradient[:, :, :places])[2][:, 0]
+        motions = np.concatenate([at.motions for at in self.alone()])
+        columns = equilibrated(gradient[:, :, :places], units=motions[:, :places])[2][:, 0]
         shares = large[:, :places] / columns
         share = shares.max(axis=1, keepdims=True, initial=0.0)
         usual = or_one(share) * columns
@@ -222,7 +250,7 @@ class Point(At):
         moved = beside.value(self.model.compiled_jacobian(block, "x"), n)
         both = np.maximum(np.abs(gradient), np.nan_to_num(np.abs(moved), posinf=0.0))
         units = np.ones((len(self.x), n))
-        _, rows, columns = equilibrated(both[..., own], exact=True)
+        _, rows, columns = equilibrated(both[..., own], True, motions[:, own])
         units[:, own] = columns[:, 0]
         return rows, units
 
@@ -385,21 +413,17 @@ class Balance:
     def _inertia(self, at: Point) -> np.ndarray:
         """Return how large rows are for motions of one energy, shape (m, rows); see `Sizes`."""
         equations = self.definition.equations
-        first, n, m = len(equations.coordinates), len(equations.speeds), len(at.x)
-        speeds = 1.0 / np.sqrt(or_one(at.inertias(n)))
-        moving = slice(first, first + n)
+        first, n = len(equations.coordinates), len(equations.speeds)
+        rates = at.motions
 
-        def moved(block: str, by: slice, motion: np.ndarray) -> np.ndarray:
-            slopes = at.tried(self.made.compiled_jacobian(block, "x"))
-            table = np.abs(np.nan_to_num(slopes.reshape(m, -1, self.x.size)[:, :, by]))
-            return np.asarray((table @ motion[:, :, None])[:, :, 0])
+        def moved(block: str, by: slice) -> np.ndarray:
+            return np.asarray((at.steepness(block)[:, :, by] @ rates[:, by, None])[:, :, 0])
 
-        rates = np.concatenate([moved("rates", moving, speeds)[:, :first], speeds], axis=1)
         parts = [rates[:, self.rows]]
         if "holonomic" in self.blocks:
-            parts.append(moved("holonomic", slice(first), rates[:, :first]))
+            parts.append(moved("holonomic", slice(first)))
         if "velocity" in self.blocks:
-            parts.append(moved("velocity", moving, speeds))
+            parts.append(moved("velocity", slice(first, first + n)))
         return np.concatenate(parts, axis=1)
 
     def terms(self, z: np.ndarray) -> np.ndarray:
@@ -419,9 +443,9 @@ class Balance:
                     part += np.abs(np.nan_to_num(slopes)) @ np.abs(values)
             parts.append(part)
         first, n = len(self.definition.equations.coordinates), len(self.made.assembly.speeds)
-        free = at.values(_Free(self.definition))
-        speeds = 1.0 / np.sqrt(or_one(np.abs(free["masses"][0])))
-        parts[0][first : first + n] += np.max(free["forces"][0] * speeds, initial=0.0) * speeds
+        forces = at.values(_Free(self.definition))["forces"][0]
+        speeds = at.motions[0, first : first + n]
+        parts[0][first : first + n] += np.max(forces * speeds, initial=0.0) * speeds
         return np.concatenate([parts[0][self.rows], *parts[1:]])
 
     def _by(self, block: str, group: str) -> Program:
@@ -499,6 +523,13 @@ def _arguments(assembly: Assembly) -> dict[str, list[int]]:
     return {"slopes": dense_jacobian(g, inner, inputs)}
 
 
+def point_at(now: Snapshot, times: np.ndarray, states: np.ndarray) -> Point:
+    """Return the states (m, n) of a System at its numbers."""
+    x = np.ascontiguousarray(states)
+    r = np.broadcast_to(now.plan.rows(x, times), (len(x), len(now.plan.symbols)))
+    return Point(now.definition, now.driven, times, x, r, now.p, now.plan)
+
+
 def energetic_motions(
     now: Snapshot, times: np.ndarray, states: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
@@ -508,10 +539,8 @@ def energetic_motions(
     which may change several; the second, how large speeds and rates of the coordinates are in
     motions of one energy. Both are 0 where nothing tells.
     """
-    states = np.ascontiguousarray(states)
     m, q = len(states), len(now.definition.equations.coordinates)
-    r = np.broadcast_to(now.plan.rows(states, times), (m, len(now.plan.symbols)))
-    at = Point(now.definition, now.driven, times, states, r, now.p, now.plan)
+    at = point_at(now, times, states)
     masses = at.inertias(states.shape[1] - q)
     known = masses > 0.0
     speeds = np.where(known, 1.0 / np.sqrt(np.where(known, masses, 1.0)), 0.0)

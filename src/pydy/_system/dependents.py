@@ -24,6 +24,7 @@ from pydy._rank import (
     or_one,
     rank,
 )
+from pydy._system.balance import point_at
 from pydy._system.snapshot import Snapshot
 from pydy.solvers.run.constraints import satisfied
 
@@ -96,9 +97,10 @@ def default_dependents(now: Snapshot, given: Iterable[Any]) -> list[Any]:
             places = [definition.states.index(s) for s in symbols]
             matrix = gradient.reshape(len(own), -1)[:, places]
             free = [k for k, symbol in enumerate(symbols) if symbol not in kept]
-            columns = _determined(matrix, free)
+            units = _motions(now, now.x)[places]
+            columns = _determined(matrix, free, units)
             for k in sorted({symbols.index(s) for s in own} - set(columns)):  # cannot be kept
-                more = _determined(matrix, [*columns, k])
+                more = _determined(matrix, [*columns, k], units)
                 columns = more if len(more) > len(columns) else columns
             if len(columns) == len(own):
                 own = tuple(symbols[k] for k in columns)
@@ -106,10 +108,16 @@ def default_dependents(now: Snapshot, given: Iterable[Any]) -> list[Any]:
     return found
 
 
-def _determined(matrix: np.ndarray, columns: Sequence[int]) -> list[int]:
+def _determined(matrix: np.ndarray, columns: Sequence[int], units: np.ndarray) -> list[int]:
     """Return columns that can be solved for, whatever the units of rows and columns."""
-    scaled = equilibrated(matrix[:, columns], exact=True)[0]
+    scaled = equilibrated(matrix[:, columns], True, units[columns])[0]
     return sorted(columns[k] for k in independent_columns(scaled))
+
+
+def _motions(now: Snapshot, x: np.ndarray) -> np.ndarray:
+    """Return how fast states change in motions of one energy: units in which they compare."""
+    known: np.ndarray = point_at(now, np.array([now.t]), x[None]).motions[0]
+    return known
 
 
 def _guessed(definition: Definition) -> set[Any]:
@@ -242,13 +250,14 @@ def solve_dependents(
         start = x.copy()
         start[speeds] = 0.0
         right = -value(residual, start)
-        if rank(matrix) == len(speeds):
+        units = None if rank(matrix) == len(speeds) else _motions(now, x)[speeds]
+        if units is None or rank(matrix, units=units) == len(speeds):
             # Pivots are compared between rows of the same size: constraints may be of any.
             rows = np.abs(matrix).max(axis=1)
             x[speeds] = np.linalg.solve(matrix / rows[:, None], right / rows)
         else:  # what the constraints leave undetermined here stays
             change = right - matrix @ x[speeds]
-            x[speeds] += least_step(matrix, change)
+            x[speeds] += least_step(matrix, change, units)
             size = np.abs(matrix) @ np.abs(x[speeds]) + np.abs(right)
             if not (np.abs(right - matrix @ x[speeds]) <= HALF * size).all():
                 names = [definition.states[k] for k in speeds]

@@ -90,10 +90,12 @@ class Family:
         size = np.maximum(np.abs(z), np.abs(other))
         if (np.abs(step) <= 0.02 * size + ROUNDED)[:-1].all():
             return True
-        slopes = self.balance.slopes(z[None])[0]
-        columns = equilibrated(slopes[:, :-1])[2][0]
+        slopes = self.balance.slopes(z[None])
+        units = self.balance.sizes(slopes[:, :, :-1], z[None])[0].units
+        columns = equilibrated(slopes[0, :, :-1], units=units)[2][0]
         moved = step[:-1] / columns
-        expected = -least_step(slopes[:, :-1], slopes[:, -1] * step[-1]) / columns
+        left = slopes[0, :, -1] * step[-1]
+        expected = -least_step(slopes[0, :, :-1], left, units) / columns
         return float(np.linalg.norm(moved - expected)) <= 0.5 * float(np.linalg.norm(moved))
 
     def alone(self, z: np.ndarray) -> np.ndarray:

@@ -18,7 +18,7 @@ import numpy as np
 
 from pydy._names import place_of
 from pydy._optional import require
-from pydy._rank import DEPENDENT, HALF, ROUNDED, is_zero, or_one, rank_of
+from pydy._rank import DEPENDENT, HALF, ROUNDED, or_one, rank_of, unrounded
 from pydy.analysis.equilibria import Sizes
 from pydy.analysis.tuning import (
     CROSSED,
@@ -168,7 +168,8 @@ class _Curve:
         known = measured(first[:, :-1], z)
         noise = known.terms + np.abs(first[:, -1]) * span <= known.limit
         self._least = np.where(noise, known.limit / ROUNDED, 0.0)
-        self.scale = sizes_along(np.where(noise[:, None], 0.0, first), z, span)
+        units = np.append(known.units, span)
+        self.scale = sizes_along(np.where(noise[:, None], 0.0, first), z, units)
         self.scale[:-1] *= self._above_rounding(first, z)[:-1]
         self.sizes = self._rows(first)
         slopes = self.J(z)[:, :-1] * self.scale[:-1]
@@ -421,8 +422,8 @@ def _bisected(
     return low, high
 
 
-def sizes_along(slopes: np.ndarray, z: np.ndarray, span: float) -> np.ndarray:
-    """Return sizes of the unknowns; of the parameter, which is the last, its span.
+def sizes_along(slopes: np.ndarray, z: np.ndarray, units: np.ndarray) -> np.ndarray:
+    """Return sizes of the unknowns; of the parameter, the last one, its span: that of the units.
 
     Unknowns that the parameter moves are as large as what it moves them by, or as they are: with
     each entry of the Jacobian times the size of its column as large as its row, as far as least
@@ -431,9 +432,9 @@ def sizes_along(slopes: np.ndarray, z: np.ndarray, span: float) -> np.ndarray:
     """
     m, k = slopes.shape
     sizes = np.abs(slopes)
-    sizes[:, -1] *= span
-    row, column = np.nonzero(~is_zero(sizes, sizes.max(axis=1, initial=0.0, keepdims=True)))
+    sizes[:, -1] *= units[-1]
+    row, column = np.nonzero(unrounded(sizes, np.append(units[:-1], 1.0)))
     table = np.zeros((len(row), m + k))
     table[np.arange(len(row)), row] = table[np.arange(len(row)), m + column] = 1.0
     logs = np.linalg.lstsq(table[:, :-1], -np.log(sizes[row, column]), rcond=None)[0]
-    return np.append(np.maximum(np.abs(z[:-1]), np.exp(logs[m:])), span)
+    return np.append(np.maximum(np.abs(z[:-1]), np.exp(logs[m:])), units[-1])

@@ -19,7 +19,7 @@ import scipy
 
 from pydy._errors import EquilibriumError
 from pydy._names import few, numbers_of, place_of, some, unique_names
-from pydy._rank import DEPENDENT, DIGITS, HALF, ROUNDED, is_zero, null_space, or_one, rank_of
+from pydy._rank import DEPENDENT, DIGITS, HALF, ROUNDED, null_space, or_one, rank_of, unrounded
 from pydy.analysis.directions import direction_text
 from pydy.analysis.tuning import BENT, NEARLY_STRAIGHT, SETTLED
 
@@ -222,7 +222,8 @@ def _as_begun(
     The search moves what no equation tells of as well: a sleigh comes to rest anywhere.
     """
     found = accepted[0]
-    free, columns = null_space(problem.jacobian(found))
+    slopes = problem.jacobian(found)
+    free, columns = null_space(slopes, problem.sizes(slopes, found).units)
     back = free.T @ (free @ ((start - found) / columns)) * columns
     if not np.abs(back).max(initial=0.0) > 0.0:
         return accepted
@@ -231,8 +232,8 @@ def _as_begun(
         slopes = problem.jacobian(begin)
         if not np.isfinite(slopes).all():
             return accepted
-        rows = problem.sizes(slopes, begin).rows
-        there = _polished(*_scaled(problem, rows), begin, *bounds)
+        sizes = problem.sizes(slopes, begin)
+        there = _polished(*_scaled(problem, sizes.rows), begin, *bounds, sizes.units)
         try:
             again = _accepted(problem, there, bounds, "")
         except EquilibriumError:
@@ -267,7 +268,7 @@ def _search(
     """Return what is found with rows and unknowns in such units, and why it is no better."""
     low, high = bounds
     share, slopes = _scaled(problem, rows)
-    near = _quickly(problem, share, slopes, z, low, high)
+    near = _quickly(problem, share, slopes, z, low, high, units)
     if near is not None:
         return near, ""
     try:
@@ -279,7 +280,7 @@ def _search(
     except ValueError as error:  # residuals that are not finite at the start
         return z, str(error)
     found_z = np.clip(found.x * units, low, high)
-    return _polished(share, slopes, found_z, low, high), found.message
+    return _polished(share, slopes, found_z, low, high, units), found.message
 
 
 def _quickly(
@@ -289,6 +290,7 @@ def _quickly(
     z: np.ndarray,
     low: np.ndarray,
     high: np.ndarray,
+    units: np.ndarray,
 ) -> np.ndarray | None:
     """Return what Newton's method finds if it converges from the start, at least tenfold a step.
 
@@ -301,11 +303,11 @@ def _quickly(
         slopes = jacobian(z)
         if not (np.isfinite(size) and np.isfinite(slopes).all()):
             return None
-        step = scaled_step(slopes, values)
+        step = scaled_step(slopes, values, units)
         largest = np.maximum(largest, np.abs(step))
         unknowns = problem.sizes(problem.jacobian(z), z).unknowns
         if (np.abs(step) <= HALF * np.maximum(unknowns, largest)).all():
-            return _polished(residual, jacobian, z, low, high)
+            return _polished(residual, jacobian, z, low, high, units)
         z = z - step
         if (z < low).any() or (z > high).any():
             return None
@@ -359,7 +361,8 @@ def _accepted(
         there = problem.residual(still)
         if (np.abs(there) <= np.maximum(limit, np.abs(values))).all():
             z, values = still, there
-    return z, float(np.abs(values).max(initial=0.0)), _undetermined(slopes, problem.unknowns)
+    free = _undetermined(slopes, sizes.units, problem.unknowns)
+    return z, float(np.abs(values).max(initial=0.0)), free
 
 
 def solve_many(
@@ -412,6 +415,7 @@ def _polished(
     z: np.ndarray,
     low: np.ndarray,
     high: np.ndarray,
+    units: np.ndarray,
 ) -> np.ndarray:
     """Go on by Newton's method as long as the residual falls."""
     best = residual(z)
@@ -419,7 +423,7 @@ def _polished(
         slopes = jacobian(z)
         if not (np.isfinite(slopes).all() and np.isfinite(best).all()) or not best.any():
             break
-        step = scaled_step(slopes, best)
+        step = scaled_step(slopes, best, units)
         after = np.clip(z - step, low, high)
         values = residual(after)
         if not np.abs(values).max() < np.abs(best).max():
@@ -428,11 +432,13 @@ def _polished(
     return z
 
 
-def _undetermined(slopes: np.ndarray, unknowns: Sequence[str]) -> tuple[str, ...]:
+def _undetermined(
+    slopes: np.ndarray, units: np.ndarray, unknowns: Sequence[str]
+) -> tuple[str, ...]:
     """Return the directions in which no equation changes, as sums of unknowns."""
     if not slopes.size:
         return tuple(unknowns)
-    free, columns = null_space(slopes)
+    free, columns = null_space(slopes, units)
     free = _reduced(free)
     # What takes part is told in units of the columns, and how far it moves in the user's.
     free = np.where(np.abs(free) >= DIGITS * np.abs(free).max(axis=1, keepdims=True), free, 0.0)
@@ -455,15 +461,13 @@ def _reduced(rows: np.ndarray) -> np.ndarray:
     return rows[np.argsort(pivots)]
 
 
-def scaled_step(slopes: np.ndarray, values: np.ndarray) -> np.ndarray:
+def scaled_step(slopes: np.ndarray, values: np.ndarray, units: np.ndarray) -> np.ndarray:
     """Return the least z with ``slopes @ z = values``, in units of the columns.
 
-    Rows weigh what they do: a row of rounding errors, as next to a singular configuration, would
-    otherwise count like the rest.
+    For `units` see `unrounded`. Rows weigh what they do: a row of rounding errors, as next to a
+    singular configuration, would otherwise count like the rest.
     """
-    sizes = np.abs(slopes)
-    sizes[is_zero(sizes, sizes.max(axis=1, keepdims=True, initial=0.0))] = 0.0
-    columns = 1.0 / or_one(sizes.max(axis=0, initial=0.0))
+    columns = 1.0 / or_one(unrounded(np.abs(slopes), units).max(axis=0, initial=0.0))
     step: np.ndarray = columns * np.linalg.lstsq(slopes * columns, values, rcond=DEPENDENT)[0]
     return step
 
