@@ -8,23 +8,23 @@ from typing import Any
 import numpy as np
 
 from pydy.contact.decide import OPEN, SLIDES, STICKS
-from pydy.contact.modes import Mode, margin_symbol, output_symbols
+from pydy.contact.modes import margin_symbol, output_symbols
 from pydy.contact.tuning import CHECKED, SLACK
 
 
 def missed(
     run: Any,
     part: Any,
-    mode: Mode,
+    resting: Collection[int],
     end: float,
     last: np.ndarray | None,
     told: Collection[tuple[str, int]],
 ) -> list[tuple[str, int]]:
     """Refuse a part of a motion in which a transition was missed.
 
-    Return what is violated from the start on: forces at their limits fit several modes there,
-    and only the motion tells which of them hold. What is `told` by the events at the end, where a
-    load may jump, is not missed there.
+    Return what is violated from the start on: forces at their limits fit several modes there, and
+    so do directions of what is `resting`, and only the motion tells which of them hold. What is
+    `told` by the events at the end, where a load may jump, is not missed there.
     """
     atol = float(np.max(run.atol))
     symbols = output_symbols(run.contacts)
@@ -39,12 +39,13 @@ def missed(
     broken = []
     for i, c in enumerate(run.contacts):
         looked: list[tuple[Any, float, str, str]] = []  # symbol, slack, kind, in words
-        own = mode.modes[i]
+        own = run.modes[i]
         if c.unilateral is None:
             looked.append((symbols[i, "normal"], SLACK * run.sizes[i], "", "`normal`"))
         if own in SLIDES:
             slack = run.unresolved(i) * run.sizes[i]
-            looked.append((symbols[i, "power"], slack, "", "power of friction"))
+            kind = "turns" if i in resting else ""
+            looked.append((symbols[i, "power"], slack, kind, "power of friction"))
         if own == STICKS:
             slack = 2.0 * SLACK * run.sizes[i] ** 2
             looked.append((margin_symbol(c), slack, "slips", "margin of friction, squared,"))

@@ -90,6 +90,7 @@ class Run:
         self.kept, self.users, self.now, self.times = kept, users, now, times
         self.user_events, self.options = events, options
         self.atol = real_array(options.get("atol", Options.atol), "`atol`")
+        self.rtol = float(np.min(real_array(options.get("rtol", Options.rtol), "`rtol`")))
         self.rows, self.contacts = kept.rows, kept.contacts
         self.span = float(times[-1] - times[0])
         self.n = len(now.definition.states)
@@ -196,7 +197,7 @@ class Run:
         closed = {i for i, n in enumerate(self.rows.normal) if n is not None and p.is_closed(i)}
         self.rows.check_directions(closed, self.values(t, x))
         state = State(t, x, set(), set(), set())
-        closing = set()
+        closing, moving = set[int](), p.moving()
         for i, c in enumerate(self.contacts):
             normal = self.rows.normal[i]
             if normal is None or (self.begun is not None and self.begun[i] != OPEN):
@@ -213,19 +214,13 @@ class Run:
                 )
                 raise ValueError(why) if self.begun is None else self.fail(t, x, why)
             if p.gap[i] <= nothing:
-                speed = p.speed[normal]
-                slow = WITHIN * np.finfo(float).eps * p.slow[normal]
-                if speed > slow:
-                    state.rising.add(i)
-                elif speed < -slow:
-                    closing.add(i)
-                else:
-                    state.touching.add(i)
+                speed = moving[normal]
+                (state.rising if speed > 0 else closing if speed < 0 else state.touching).add(i)
         for i, rows in enumerate(self.rows.tangent):
             if rows and i in state.touching:
                 # What is left of gaps and speeds that given modes hold is projected away.
-                still = None if self.begun is None else self.begun[i] == STICKS
-                if p.is_still(rows, p.speed[rows]) if still is None else still:
+                begun = self.begun
+                if p.is_still(rows, p.speed[rows]) if begun is None else begun[i] == STICKS:
                     state.resting.add(i)
         self.modes = tuple(
             OPEN if i not in state.touching else self.options_of(state, p, i)[0]
@@ -376,9 +371,7 @@ class Run:
                 if rows and (mode == STICKS or q.is_still(rows, after[rows])):
                     state.resting.add(i)
             if i in closing:
-                self.records.append(
-                    EventRecord(state.t, f"{name} closes", i, before, state.x.copy())
-                )
+                self.note(state, i, "closes", before)
             if i in rests and i in closing:
                 v, a = rests[i], abs(rates[normal])
                 ratio = v / abs(p.speed[normal]) if by_phases else e[i]
@@ -406,8 +399,7 @@ class Run:
 
     def unresolved(self, i: int) -> float:
         """Return the sliding speed that is not told from zero by the tolerances of the solver."""
-        rtol = float(np.min(self.options.get("rtol", Options.rtol)))
-        return ERRORS * (float(np.min(self.atol)) + rtol * self.quickest.get(i, 0.0))
+        return ERRORS * (float(np.min(self.atol)) + self.rtol * self.quickest.get(i, 0.0))
 
     def _is_low(self, i: int, speed: float, acceleration: float, p: Numbers, x: np.ndarray) -> bool:
         """Whether the rebounds that follow are all lower than the tolerance of the solver.
@@ -419,14 +411,12 @@ class Run:
             return False
         height = speed**2 / (2.0 * -acceleration)
         first = self.first_height.setdefault(i, height)
-        rtol = float(np.min(real_array(self.options.get("rtol", Options.rtol), "`rtol`")))
-        return bool(height <= max(rtol * first, 2.0 * self.unresolved_gap(i, p, x)))
+        return bool(height <= max(self.rtol * first, 2.0 * self.unresolved_gap(i, p, x)))
 
     def unresolved_gap(self, i: int, p: Numbers, x: np.ndarray) -> float:
         """Return the gap that is not told from zero by the tolerances of the solver."""
-        rtol = float(np.min(real_array(self.options.get("rtol", Options.rtol), "`rtol`")))
         atol = np.broadcast_to(self.atol, self.n)[: self.first]
-        return float(np.abs(p.gradient[i]) @ (atol + rtol * np.abs(x[: self.first])))
+        return float(np.abs(p.gradient[i]) @ (atol + self.rtol * np.abs(x[: self.first])))
 
     # -- from transition to transition ------------------------------------------------------------
 
@@ -456,27 +446,30 @@ class Run:
     def _go_through(self, state: State) -> None:
         """Go from mode to mode, until the end."""
         fixed: dict[int, str] = {}
-        instants, transitions, ended = 0, 0, False
+        instants, transitions = 0, 0
         excluded: set[tuple[str, ...]] = set()  # what is not possible at this instant
-        while not ended:
-            before = state.t
+        while True:
+            before, touching, resting = state.t, set(state.touching), set(state.resting)
             found = self.decide(state, fixed, excluded)
             if self.redundant and excluded:
                 self.note_changes(state, found)
             self.modes = found.modes
             ended, fired = self.run(state, found)
             if ended:
-                break
+                return
             here = state.t - before <= self.resolution(state.t)
             excluded = excluded if here else set()
-            if self.redundant and {what for what, _ in fired} <= {"slips", "opens"}:
-                fixed, excluded = {}, set() if self.goes_on(state) else {*excluded, self.modes}
-            else:
-                impacts = len(self.impacts)
-                fixed = self.after(state, fired)
-                # What ended as it began is no mode at this instant, unless velocities have changed.
-                again = here and len(self.impacts) == impacts
-                excluded = {*excluded, self.modes} if again else set()
+            impacts = len(self.impacts)
+            shared = self.redundant and {what for what, _ in fired} <= {"slips", "opens"}
+            fixed = {} if shared else self.after(state, fired)
+            # What ended as it began is no mode at this instant, unless velocities have changed.
+            still = here and len(self.impacts) == impacts
+            again = not self.goes_on(state) if shared else still
+            excluded = {*excluded, self.modes} if again else set()
+            if again and still:  # nor has anything opened
+                state.touching |= touching
+                state.resting |= resting
+                state.rising -= touching
             transitions += 1
             instants = instants + 1 if here else 0
             if instants > INSTANT or transitions > STALLED:
@@ -636,7 +629,8 @@ class Run:
         at_end = [r for r in part.events if stopped and r.time == end]
         acting = [r for r in at_end if r.index < own and kinds[r.index][0] != "nears"]
         told_of = {kinds[r.index] for r in acting}
-        if broken := missed(self, part, mode, end, at_end[-1].before if stopped else None, told_of):
+        last = at_end[-1].before if stopped else None
+        if broken := missed(self, part, state.resting, end, last, told_of):
             return False, broken
         if self.carried is not None:
             begun = {
@@ -647,8 +641,6 @@ class Run:
             for k, record in enumerate(self.records):
                 if record.time == state.t and record.time_sensitivity is None:
                     self.records[k] = replace(record, **begun)
-        if end - state.t > self.resolution(end):  # nothing has moved at the same instant
-            state.resting -= {i for i, what in enumerate(mode.modes) if what in SLIDES}
         for record in part.events:
             if record.index >= own and (record.time > state.t or not self.pieces):
                 self.records.append(replace(record, index=record.index + len(self.contacts) - own))
@@ -666,15 +658,22 @@ class Run:
         if not stopped:
             return True, []
         if self.carried is not None and acting:
-            last = next((r for r in acting if kinds[r.index][0] not in _NOTED), acting[-1])
-            rates = system.evaluate_ode(last.before[: self.n], end)
-            self.carried.ends(last, rates)
-            what, i = kinds[last.index]
+            one = next((r for r in acting if kinds[r.index][0] not in _NOTED), acting[-1])
+            rates = system.evaluate_ode(one.before[: self.n], end)
+            self.carried.ends(one, rates)
+            what, i = kinds[one.index]
             if what in ("stops", "bends") and len(self.rows.tangent[i]) == 2:
-                values = self.values(end, last.before[: self.n])
-                self.carried.doubt(values, self.rows.tangent[i], last.sensitivity_before)
-            self.arriving = last.sensitivity_before
-        state.t, state.x = end, at_end[-1].after[: self.n].copy()
+                values = self.values(end, one.before[: self.n])
+                self.carried.doubt(values, self.rows.tangent[i], one.sensitivity_before)
+            self.arriving = one.sensitivity_before
+        after = at_end[-1].after[: self.n].copy()
+        p, lasted = self.numbers(end, after), end - state.t
+        for i in [i for i in state.resting if mode.modes[i] in SLIDES]:
+            tangent = self.rows.tangent[i]  # what rounding of forces alone has moved still rests
+            rate = SLACK * self.sizes[i] * np.linalg.norm(p.square.diagonal()[tangent])
+            if np.linalg.norm(p.speed[tangent]) > rate * lasted:
+                state.resting.discard(i)
+        state.t, state.x = end, after
         if any(r.index >= own and self.user_events[r.index - own].terminal for r in at_end):
             self.reached = self.times <= end
             return True, []
@@ -691,8 +690,12 @@ class Run:
         for i, (old, new) in enumerate(zip(self.modes, found.modes, strict=True)):
             kind = "opens" if new == OPEN != old else "slips" if old == STICKS != new else ""
             if kind:
-                name = f"{self.contacts[i].name} {kind}"
-                self.records.append(EventRecord(state.t, name, i, state.x.copy(), state.x.copy()))
+                self.note(state, i, kind, state.x)
+
+    def note(self, state: State, i: int, kind: str, before: np.ndarray) -> None:
+        """Note what has happened to a contact."""
+        name = f"{self.contacts[i].name} {kind}"
+        self.records.append(EventRecord(state.t, name, i, before.copy(), state.x.copy()))
 
     def after(self, state: State, fired: list[tuple[str, int]]) -> dict[int, str]:
         """Note what happened; return the modes that follow from it.
@@ -709,9 +712,7 @@ class Run:
         for i, mode in enumerate(self.modes):
             normal, rows = self.rows.normal[i], self.rows.tangent[i]
             what = {kind for kind, k in fired if k == i}
-            if (
-                turning
-            ):  # friction that turns where a body stops leaves the cone of others in passing
+            if turning:  # friction that turns where a body stops leaves the cones of others
                 what.discard("slips")
             if mode == OPEN:
                 assert normal is not None
@@ -734,25 +735,24 @@ class Run:
                     "slides, has no bound, because its friction presses the bodies together.",
                 )  # fmt: skip
             little = SLACK * solution.sizes[i]
-            if normal is not None and ("opens" in what or press <= little):
+            if normal is not None and ("opens" in what or press < little):
                 fixed[i] = OPEN
             elif mode == STICKS:
                 force = solution.forces[rows]
-                if "slips" in what or p.mu_static[i] * press - np.linalg.norm(force) <= little:
+                if "slips" in what or p.mu_static[i] * press - np.linalg.norm(force) < little:
                     one = FORWARD if force[0] < 0.0 else BACKWARD
                     fixed[i] = STARTING if len(rows) == 2 else one
             elif rows:
-                slow = np.linalg.norm(solution.rates[rows]) * resolved
-                if turning and np.linalg.norm(p.speed[rows]) <= self.unresolved(i):
+                speed = np.linalg.norm(p.speed[rows])
+                if turning and speed <= self.unresolved(i):
                     what.add("stops")  # a body on several feet comes to rest on all of them at once
-                if mode == STARTING and np.linalg.norm(p.speed[rows]) > self.unresolved(i):
+                if mode == STARTING and speed > self.unresolved(i):
                     what.discard("stops")  # it has turned by a right angle
-                still = p.is_still(rows, p.speed[rows])
-                if "stops" in what or still or np.linalg.norm(p.speed[rows]) <= slow:
+                slow = np.linalg.norm(solution.rates[rows]) * resolved
+                if "stops" in what or p.is_still(rows, p.speed[rows]) or speed <= slow:
                     state.resting.add(i)
             for kind in what & {"opens", "slips", "stops"}:
-                name = f"{self.contacts[i].name} {kind}"
-                self.records.append(EventRecord(state.t, name, i, state.x.copy(), state.x.copy()))
+                self.note(state, i, kind, state.x)
         if closing:
             self.impact(state, closing)
             return {}
