@@ -8,9 +8,12 @@ from __future__ import annotations
 
 import sys
 import warnings
+from collections.abc import Callable, Sequence
 from inspect import signature
 
 import numpy as np
+
+from pydy._names import few
 
 
 class PyDyUserWarning(UserWarning):
@@ -23,6 +26,22 @@ def warn_user(message: str) -> None:
     while frame.f_back is not None and frame.f_globals.get("__name__", "").startswith("pydy."):
         level, frame = level + 1, frame.f_back
     warnings.warn(message, PyDyUserWarning, stacklevel=level)
+
+
+def warn_not_finite(
+    wrong: np.ndarray, names: Sequence[str], place: Callable[[int], tuple[str, str | None]]
+) -> None:
+    """Warn of values with `names` that are `wrong`, (m, o), though what they follow from is not.
+
+    The `place` of a sample is where it is, in words, and what is singular there, if that is known.
+    """
+    bad = np.flatnonzero(wrong.any(axis=1))
+    if bad.size:
+        rows = [name for name, flag in zip(names, wrong[bad[0]], strict=True) if flag]
+        more = f"; {bad.size - 1} other samples have such values too" if bad.size > 1 else ""
+        where, why = place(int(bad[0]))
+        why = why or "Look for a division by zero, or a function outside its domain."
+        warn_user(f"These values are not finite: {few(rows, 4, ', ')} at {where}{more}. {why}")
 
 
 def note_finished(error: MemoryError, what: str, **finished: object) -> None:

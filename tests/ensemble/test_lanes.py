@@ -7,7 +7,7 @@ import sympy.physics.mechanics as me
 
 import loops
 from ensemble_cases import identical, pendulum, random_values, runaway, same_bits
-from pydy._errors import IntegrationError
+from pydy._errors import IntegrationError, PyDyUserWarning
 from pydy._graph.interpret import run as interpret
 from pydy.inputs import SampledInput
 from pydy.mechanics import Definition
@@ -258,9 +258,10 @@ def test_lanes_on_constraints_have_the_bits_of_the_solver_for_one(method, option
 def test_samples_beside_their_constraints_are_told_and_alone():
     system = bead()
     heights = np.array([-0.8, -0.7, -0.8, -0.8 - 1e-9])
-    many = system.integrate_ensemble(
-        initial_conditions={"y": heights}, ode_solver="dop853", constraints="project"
-    )
+    with pytest.warns(PyDyUserWarning, match="1 of 4 samples, and maybe others"):
+        many = system.integrate_ensemble(
+            initial_conditions={"y": heights}, ode_solver="dop853", constraints="project"
+        )
     assert many.attrs["lanes"] == 8
     assert many.status.values.tolist() == [0, START_OFF_CONSTRAINTS, 0, 0]
     assert np.isnan(many["x"].values[1]).all()

@@ -6,6 +6,7 @@ import sympy as sm
 import xarray as xr
 
 from ensemble_cases import constant, pendulum, random_values, same_bits
+from pydy.errors import PyDyUserWarning
 from pydy.models import multi_mass_spring_damper
 from pydy.solvers import Event
 
@@ -157,6 +158,20 @@ def test_extremes_are_those_at_the_times():
     assert same_bits(reduced.height_max, whole.height.max("time"))
     assert same_bits(reduced.q1_min, whole.q1.min("time"))
     assert same_bits(reduced.height, whole.height.isel(time=-1))
+
+
+@pytest.mark.parametrize(
+    ("reduce", "t"), [(None, r"0\.0"), ("final", r"2\.0"), (("max", "inverse"), r"0\.0")]
+)
+def test_outputs_that_are_not_finite_are_told_once(oscillator, reduce, t):
+    x = oscillator.coordinates[0]
+    oscillator.outputs = {sm.Symbol("inverse"): 1 / x}
+    told = rf"not finite: inverse at t = {t} in the state x0 = 0, v0 = 0; \d+ other"
+    with pytest.warns(PyDyUserWarning, match=told) as caught:
+        oscillator.integrate_ensemble(initial_conditions={x: [1.0] + 99 * [0.0]}, reduce=reduce)
+    assert len(caught) == 1
+    with pytest.warns(PyDyUserWarning, match="not finite: inverse"):
+        oscillator.simulate()
 
 
 def test_a_function_reduces_the_dataset_of_a_block():

@@ -9,6 +9,7 @@ import sympy as sm
 import zoo
 from cases import system_of
 from ensemble_cases import constant, runaway
+from pydy.errors import PyDyUserWarning
 from pydy.models import multi_mass_spring_damper
 from pydy.solvers import Event
 from pydy.solvers.outcome import OUTCOMES
@@ -52,7 +53,8 @@ def test_constraints_not_met_at_the_start_have_their_own_status():
     good = dict(system.initial_conditions)
     angle = system.coordinates[0]
     start = {**good, angle: [good.get(angle, 0.0), good.get(angle, 0.0) + 0.2]}
-    results = system.integrate_ensemble(initial_conditions=start, constraints="project")
+    with pytest.warns(PyDyUserWarning, match="1 of 2 samples, .* each sample in `initial_cond"):
+        results = system.integrate_ensemble(initial_conditions=start, constraints="project")
     assert names(results) == ["finished", "start_off_constraints"]
     np.testing.assert_array_equal(results.end_time, [0.1, 0.0])
 

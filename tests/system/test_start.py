@@ -328,6 +328,15 @@ def test_a_motion_that_is_held_by_contradicting_rows_is_refused():
     assert caught.value.time > 0.0
 
 
+def test_samples_that_are_held_by_contradicting_rows_are_lost():
+    system = on_a_line(lambda x, y: x + y - 1, lambda u, v: u - 2 * v)
+    start = {"x": [0.2, 0.0], "y": [0.8, 1.0]}  # without a force the second is at rest
+    results = system.integrate_ensemble(initial_conditions=start, constraints="project")
+    assert results.status.values.tolist() == [LEFT_CONSTRAINTS, 0]
+    assert np.isnan(results.x[0, -1])
+    assert np.isfinite(results.x[1]).all()
+
+
 @pytest.mark.parametrize("options", [{}, {"constraints": "project"}])
 @pytest.mark.parametrize("unit", [1e-12, 1.0, 1e12])
 def test_velocity_constraints_that_imply_a_holonomic_one_by_numbers_are_right(unit, options):

@@ -222,6 +222,11 @@ class Equations:
             return (), ()
         return body.closed, tuple(map(self.in_states, body.redundant))
 
+    @cached_property
+    def beyond_projection(self) -> bool:
+        """Whether there is more to keep than the rows that projection holds."""
+        return any(self.left_out) or bool(self.unimplied)
+
     @property
     def constrained(self) -> bool:
         """Whether there are constraints, those that were left out as redundant included."""

@@ -420,6 +420,12 @@ class Ensembles(Setup):
             The user interrupted the computation; without a store, the exception contains the
             finished samples.
 
+        Warns
+        -----
+        PyDyUserWarning
+            Outputs are not finite, or samples do not begin on the constraints: dependent initial
+            conditions are not solved for again where others vary.
+
         Notes
         -----
         Trajectories are integrated one by one, by the same solvers, if specifieds are Python
@@ -507,7 +513,7 @@ class Ensembles(Setup):
                 return At(definition, moved, t, x, plan.rows(x, t), now.p)
 
             check_samples(at, start, columns, shape, mended)
-            kept = Kept(kept_programs(now, moved), any(definition.equations.left_out), mended)
+            kept = Kept(kept_programs(now, moved), definition.equations.beyond_projection, mended)
         ready: Ready | None = now.model.latest.get("ensemble")
         if motions is not None:  # it has the events, and holds the constraints
             given, kept = {k: v for k, v in given.items() if k not in _ABOUT_MODES}, None

@@ -7,10 +7,10 @@ from typing import Any
 
 import numpy as np
 
+from pydy import _errors
 from pydy._assembly.definition import Definition
 from pydy._checks import real_array
-from pydy._errors import warn_user
-from pydy._names import few, numbers_of, unique_names
+from pydy._names import numbers_of, unique_names
 from pydy._system.snapshot import At, Snapshot
 from pydy.trajectory import Trajectory
 
@@ -97,18 +97,13 @@ def warn_not_finite(
     """
     sound = np.isfinite(at.t) & np.isfinite(at.x).all(axis=1) & np.isfinite(at.r).all(axis=1)
     wrong = ~np.isfinite(out.reshape(*out.shape[:2], -1)).all(axis=2)
-    bad = np.flatnonzero(wrong.any(axis=1) & sound & np.isfinite(at.p).all())
-    if not bad.size:
-        return
-    k = int(bad[0])
-    rows = [name for name, flag in zip(names, wrong[k], strict=True) if flag]
-    state = numbers_of(at.definition.states, at.x[k])
-    why = cause(at.some([k])) or "Look for a division by zero, or a function outside its domain."
-    more = f"; {bad.size - 1} other samples have such values too" if bad.size > 1 else ""
-    warn_user(
-        f"These values are not finite: {few(rows, 4, ', ')} at t = {float(at.t[k])!r} in the state "
-        f"{state}{more}. {why}"
-    )
+    wrong &= (sound & np.isfinite(at.p).all())[:, None]
+
+    def place(k: int) -> tuple[str, str | None]:
+        state = numbers_of(at.definition.states, at.x[k])
+        return f"t = {float(at.t[k])!r} in the state {state}", cause(at.some([k]))
+
+    _errors.warn_not_finite(wrong, names, place)
 
 
 def warn_of_outputs(

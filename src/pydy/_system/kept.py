@@ -19,10 +19,10 @@ from pydy._graph.program import Program
 from pydy._graph.rewrite import substitute
 from pydy._system.snapshot import Snapshot
 from pydy._system.solving import constraint_names
-from pydy._system.start import Rows, contradiction, measured, rates_along
+from pydy._system.start import Rates, Rows, contradiction, measured, rates_along
 from pydy.solvers.kept import Ran, judge, looked_at
 from pydy.solvers.options import Options
-from pydy.solvers.outcome import LEFT_CONSTRAINTS, OUTCOMES
+from pydy.solvers.outcome import OUTCOMES
 from pydy.solvers.tuning import NEAR_SINGULAR
 from pydy.trajectory import EventRecord
 
@@ -34,6 +34,9 @@ def part_of(now: Snapshot, name: str) -> Callable[[Assembly], dict[str, list[int
         return Rows(*left_out, "sizes")
     if name == "products":
         return Products()
+    if name == "contradictions":
+        unimplied = now.definition.equations.unimplied
+        return Rates(unimplied) if unimplied else None
     if name == "slopes":
         return Slopes(*left_out)
     return _energy(now) if name == "energy" else _moving(now)
@@ -103,7 +106,6 @@ class Motion:
             self.info["nearness"] if projected else None,
             self.mended,
             [(e.time, e.after) for e in records if (e.after != e.before).any()],
-            any(self.now.definition.equations.left_out),
         )
 
 
@@ -113,18 +115,18 @@ def check_kept(motion: Motion) -> None:
     Or one that is brought back onto constraints which its velocities do not keep.
     """
     equations, projected = motion.now.definition.equations, "constraints" in motion.options
-    if projected and equations.unimplied:
-        ran = motion.ran
-        if found := contradiction(motion.now.at(ran.times, ran.states)):
-            text = f"cannot keep all constraints. {found[1]}"
-            raise _refused(motion, LEFT_CONSTRAINTS, found[0], text)
     held = motion.info["nearness"] >= NEAR_SINGULAR if projected else False
-    if held and not any(equations.left_out):
+    if held and not equations.beyond_projection:
         return
     ran = motion.ran
     verdict = judge(ran, motion.part)
     if verdict is None:
         return
+    if "unimplied" in verdict.details:
+        t = float(ran.times[verdict.place])
+        why = contradiction(equations, t, **verdict.details)
+        text = f"cannot keep all constraints. {why}"
+        raise _refused(motion, verdict.code, verdict.place, text)
     details, outcome = verdict.details, OUTCOMES[verdict.code]
     if "row" in details:
         names = constraint_names(equations, redundant=True)
@@ -193,7 +195,7 @@ class KeptPrograms:
         return lower(own.graph, own.sizes, blocks)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        names = ("screen", "rows", "products", "slopes", "moving", "energy")
+        names = ("screen", "rows", "products", "contradictions", "slopes", "moving", "energy")
         return dict, ({name: self[name] for name in names},)
 
 

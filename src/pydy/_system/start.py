@@ -13,14 +13,15 @@ from pydy._errors import warn_user
 from pydy._graph.derivative import dense, dense_jacobian, directional
 from pydy._graph.node import Graph
 from pydy._graph.rounding import per_unit, rounding_bounds
+from pydy._mechanics.equations import Equations
 from pydy._mechanics.symbols import find_symbols
 from pydy._mechanics.tuning import ROUNDED
 from pydy._names import few
-from pydy._rank import DIGITS, least_step, rank
+from pydy._rank import DIGITS, rank
 from pydy._system.snapshot import At
 from pydy._system.solving import constraint_names
 from pydy._system.tuning import INHERITED
-from pydy.solvers.kept import left_by_rounding
+from pydy.solvers.kept import contradicted, left_by_rounding
 from pydy.solvers.tuning import TRIED
 from pydy.trajectory import EventRecord
 
@@ -36,9 +37,12 @@ def check_start(at: At, whose: str = "", mended: bool = False) -> bool:
     if not held:
         _check_constant(at)
     told = "" if held else violations(at, redundant=False)
-    if at.definition.equations.unimplied and not told and (found := contradiction(at)):
-        raise ValueError(f"No motion satisfies all constraints. {found[1]}")
-    if held and not any(at.definition.equations.left_out):
+    equations = at.definition.equations
+    unimplied = () if told else equations.unimplied
+    if unimplied and (found := contradicted(at.values(Rates(unimplied)))):
+        why = contradiction(equations, float(at.t[0]), *found[1:])
+        raise ValueError(f"No motion satisfies all constraints. {why}")
+    if held and not any(equations.left_out):
         return False
     if not told:
         check_redundant(at)
@@ -165,35 +169,18 @@ def check_samples(
 # -- Velocity constraints that do not keep the holonomic ones --------------------------------------
 
 
-def contradiction(at: At) -> tuple[int, str] | None:
-    """Return the first state that keeps all constraints, but not for long, and why.
+def contradiction(equations: Equations, t: float, unimplied: int, rate: float) -> str:
+    """Say that velocity constraints hold, but do not keep one of the `unimplied` holonomic ones.
 
-    Which velocity constraints imply the rates of the holonomic ones is known at random states and
-    constants; the rates that are not among these are judged by the numbers. What the residuals of
-    velocity constraints make of a rate is not counted.
+    Which of them imply the rates of those is known at random states and constants; the rates that
+    are not among these are judged by the numbers.
     """
-    equations = at.definition.equations
-    places = equations.unimplied
-    if not places:
-        return None
-    found, m = at.values(Rates(places)), len(at.x)
-    left, (rates, sizes) = np.abs(found["left"]), (found[name] for name in ("rates", "sizes"))
-    n = len(equations.speeds)
-    slopes, rows = (found[name].reshape(m, -1, n) for name in ("slopes", "rows"))
-    for k in range(m):
-        allowed = DIGITS * sizes[k]
-        if left.size and np.isfinite(rows[k]).all() and np.isfinite(slopes[k]).all():
-            allowed = allowed + np.abs(least_step(rows[k].T, slopes[k].T)).T @ left[k]
-        if (off := np.abs(rates[k]) > allowed).any():
-            j = int(off.argmax())
-            name = constraint_names(equations)[places[j]]
-            return k, (
-                f"At t = {float(at.t[k])!r} the velocity constraints hold, but with these speeds "
-                f"the rate of the {name}, is {rates[k, j]:.3g}. Correct it, or the velocity "
-                "constraints (`velocity_constraints`): all motions that they allow must keep the "
-                "holonomic ones."
-            )
-    return None
+    name = constraint_names(equations)[equations.unimplied[unimplied]]
+    return (
+        f"At t = {t!r} the velocity constraints hold, but with these speeds the rate of the "
+        f"{name}, is {rate:.3g}. Correct it, or the velocity constraints "
+        "(`velocity_constraints`): all motions that they allow must keep the holonomic ones."
+    )
 
 
 def rates_along(assembly: Assembly, rows: Sequence[int]) -> list[int]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import partial
 from typing import Any
 
@@ -11,14 +11,15 @@ import numpy as np
 
 from pydy._checks import shown
 from pydy._dataset import SENSITIVITY
+from pydy._errors import warn_not_finite, warn_user
 from pydy._graph.interpret import run as interpret
 from pydy._kernel import Inputs
-from pydy._names import some
+from pydy._names import numbers_of, some
 from pydy.ensemble.model import Batch, Model, Programs, Results
 from pydy.ensemble.samples import PARAMETER, QUANTITY, Samples, Variable, to_dataset
 from pydy.ensemble.tuning import SMALLEST_BLOCK
 from pydy.solvers.kept import Part, Ran, beyond_digits, is_near, judge, looked_at
-from pydy.solvers.outcome import FINISHED, OUTCOMES, TERMINATED
+from pydy.solvers.outcome import FINISHED, OUTCOMES, START_OFF_CONSTRAINTS, TERMINATED
 from pydy.solvers.tuning import NEAR_SINGULAR
 
 COUNTS = ("steps", "rejected", "evaluations", "status", "end_time")
@@ -127,6 +128,7 @@ class Work:
     model: Model
     reductions: tuple[Reduction, ...]  # none: all times are kept
     attrs: dict[str, dict[str, Any]]  # attributes of variables, by name
+    told: dict[str, object] = field(default_factory=dict)  # what was warned of
 
     @property
     def function(self) -> Callable[[Any], Any] | None:
@@ -155,6 +157,8 @@ class Work:
         results = batch.run(times, states)
         if model.kept is not None:
             refuse(batch, results, times)
+        if number := int((results.status == START_OFF_CONSTRAINTS).sum()):
+            self._tell_start(number, batch)
         outputs: _Outputs = partial(batch.evaluate, model.outputs)
         if (known := results.outputs) is not None:
             outputs = lambda some, _: known[:, :, np.searchsorted(times, some)]  # noqa: E731
@@ -173,6 +177,35 @@ class Work:
         variables = self._described(variables)
         return self._by_function(variables, samples) if self.function else variables
 
+    def _first(self, what: str) -> bool:
+        """Return whether nothing was warned of it yet: once for all blocks is enough."""
+        mine = object()
+        return self.told.setdefault(what, mine) is mine
+
+    def _tell_start(self, number: int, batch: Batch) -> None:
+        """Warn of samples that did not start."""
+        if self._first("start"):
+            warn_user(
+                f"{number} of {len(batch.x)} samples, and maybe others, do not begin on the "
+                "constraints, nor so near that they are projected onto them: they are NaN, of the "
+                f"`status` {START_OFF_CONSTRAINTS}. Dependent initial conditions are those of the "
+                "System unless they are passed, also where constants or other initial conditions "
+                "vary: pass those of each sample in `initial_conditions`."
+            )
+
+    def _tell_outputs(self, outputs: np.ndarray, times: np.ndarray, states: np.ndarray) -> None:
+        """Warn of outputs (o, m, times) that are not finite where states (n, m, times) are."""
+        wrong = ~np.isfinite(outputs) & np.isfinite(states).all(axis=0)
+        if not wrong.any() or not self._first("outputs"):
+            return
+
+        def place(k: int) -> tuple[str, None]:
+            sample, time = divmod(k, len(times))
+            state = numbers_of(self.model.states, states[:, sample, time])
+            return f"t = {float(times[time])!r} in the state {state}", None
+
+        warn_not_finite(wrong.reshape(len(outputs), -1).T, self.model.output_names, place)
+
     def _described(self, variables: dict[str, Variable]) -> dict[str, Variable]:
         own = {**self.attrs, "status": _STATUS_ATTRS, **_STATISTICS}
         return {
@@ -186,7 +219,10 @@ class Work:
         """Return states and outputs by name, each of the shape (m, times)."""
         values = dict(zip(self.model.states, states, strict=True))
         if not set(names) <= set(values):
-            values |= dict(zip(self.model.output_names, outputs(times, states), strict=True))
+            found = outputs(times, states)
+            if not np.isfinite(found).all():
+                self._tell_outputs(found, times, states)
+            values |= dict(zip(self.model.output_names, found, strict=True))
         return values
 
     def _reduced(
@@ -359,7 +395,7 @@ def refuse(batch: Batch, results: Results, times: np.ndarray) -> None:
     ended = np.isin(results.status, (FINISHED, TERMINATED))
     if projected:
         assert results.nearness is not None
-        ended &= kept.redundant | (results.nearness < NEAR_SINGULAR)
+        ended &= kept.every | (results.nearness < NEAR_SINGULAR)
     suspects = np.flatnonzero(ended)
     if not projected:
         suspects = _suspects(batch, kept.programs, suspects, results.states, times)
@@ -385,7 +421,6 @@ def refuse(batch: Batch, results: Results, times: np.ndarray) -> None:
                     else None,
                     projected or kept.mended,
                     results.resets[k] if results.resets else [],
-                    kept.redundant,
                 )
                 verdict = judge(ran, together.part_of(j))
                 if verdict is not None:

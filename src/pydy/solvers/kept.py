@@ -25,7 +25,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from pydy._rank import DIGITS, or_one, roundings
+from pydy._rank import DIGITS, least_step, or_one, roundings
 from pydy.solvers.outcome import ENERGY_CHANGED, LEFT_CONSTRAINTS
 from pydy.solvers.tuning import EXCESS, FEW_STEPS, LEFT, LOST, NEAR_SINGULAR, TRIED
 
@@ -36,6 +36,10 @@ Part = Callable[[str, np.ndarray, np.ndarray], dict[str, np.ndarray]]
     ``rows``, all constraints, and ``sizes``, what rounding is in proportion to.
 'products'
     ``products`` of the rows of the velocity constraints that were kept, as linear in the speeds.
+'contradictions'
+    ``rates`` of holonomic constraints that velocity constraints may not keep, ``sizes`` of their
+    terms, and their derivatives ``slopes`` by the speeds; the velocity constraints ``left`` and
+    their ``rows`` of derivatives. Nothing where there are none.
 'slopes'
     ``rows``, ``rates`` of the holonomic ones, and derivatives of both by the states, ``slopes`` and
     ``turns``; ``solved``, the derivatives by what is solved for; ``per_unit``, the inverses of
@@ -71,7 +75,6 @@ class Ran:
     nearness: float | None = None
     mended: bool = False  # whether the motion is brought back onto the constraints
     resets: list[tuple[float, np.ndarray]] = field(default_factory=list)  # where events put it
-    redundant: bool = False  # whether constraints were left out
 
     def errors(self, steps: float) -> np.ndarray:
         """Return how large the errors of so many steps are together, if each is what is allowed."""
@@ -136,6 +139,8 @@ def judge(ran: Ran, part: Part) -> Verdict | None:
     t, x = ran.times, ran.states
     if not len(t):
         return None
+    if ran.nearness is not None and (wrong := contradicted(part("contradictions", t, x))):
+        return Verdict(LEFT_CONSTRAINTS, wrong[0], {"unimplied": wrong[1], "rate": wrong[2]})
     near = ran.nearness is not None and ran.nearness < NEAR_SINGULAR
     found = part("rows", t, x)
     limits, beyond = DIGITS * found["sizes"].max(axis=0), False
@@ -165,6 +170,28 @@ def judge(ran: Ran, part: Part) -> Verdict | None:
         details = {"row": row, "residual": found["rows"][k, row], "explained": allowed[k, row]}
         return Verdict(LEFT_CONSTRAINTS, k, details)
     return _energy(ran, part) if sound else None
+
+
+def contradicted(found: Mapping[str, np.ndarray]) -> tuple[int, int, float] | None:
+    """Return the first state that keeps velocity constraints, but not all holonomic ones for long.
+
+    With it, which one, and its rate. What the residuals of velocity constraints make of a rate is
+    not counted.
+    """
+    if not found:
+        return None
+    left, rates, sizes = np.abs(found["left"]), found["rates"], found["sizes"]
+    m, count = rates.shape
+    slopes = found["slopes"].reshape(m, count, -1)
+    rows = found["rows"].reshape(m, -1, slopes.shape[2])
+    for k in range(m):
+        allowed = DIGITS * sizes[k]
+        if left.size and np.isfinite(rows[k]).all() and np.isfinite(slopes[k]).all():
+            allowed = allowed + np.abs(least_step(rows[k].T, slopes[k].T)).T @ left[k]
+        if (off := np.abs(rates[k]) > allowed).any():
+            j = int(off.argmax())
+            return k, j, float(rates[k, j])
+    return None
 
 
 def _energy(ran: Ran, part: Part) -> Verdict | None:
