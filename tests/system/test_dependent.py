@@ -10,7 +10,7 @@ import sympy.physics.mechanics as me
 import loops
 import zoo
 from cases import close, system_of
-from pydy._errors import PyDyUserWarning
+from pydy._errors import PyDyUserWarning, SingularMatrixError
 from pydy._names import name_of
 from pydy.examples import whipple_bicycle
 from pydy.mechanics import Definition
@@ -303,3 +303,39 @@ def test_an_area_and_a_length_are_solved_in_any_unit(metre, how):
     found = [system.initial_conditions[s] / metre for s in (y, z, uy, uz)]
     root = np.sqrt(0.55)
     np.testing.assert_allclose(found, [root, 0.6, -0.9 / root, 1.0], rtol=1e-14)
+
+
+@pytest.mark.parametrize("metre", [1e-18, 1.0, 1e9, 1e13])
+def test_searches_begin_at_zero_in_any_unit(metre):
+    """SciPy steps by 1e-8 from zero: beside 1e9 metres this was rounding."""
+    x, y, angle = me.dynamicsymbols("x y theta")
+    m, a, b = sm.symbols("m a b")
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    point = origin.locatenew("P", x * frame.x + y * frame.y)
+    point.set_vel(frame, x.diff() * frame.x + y.diff() * frame.y)
+    made = Definition(
+        frame, [angle, x, y], bodies=[me.Particle("b", point, m)], dependent_coordinates=[x, y],
+        holonomic_constraints=[x - a * sm.sin(angle), y + y**3 / b**2 - a * sm.cos(angle)],
+    )  # fmt: skip
+    system = System(made, constants={m: 1.0, a: 0.6 * metre, b: 0.5 * metre})
+    system.initial_conditions = {angle: 0.7}
+    system.set_dependent_initial_conditions()
+    height = np.roots([4.0, 0.0, 1.0, -0.6 * np.cos(0.7)])
+    found = [system.initial_conditions[s] / metre for s in (x, y)]
+    assert found == pytest.approx([0.6 * np.sin(0.7), height[height.imag == 0.0].real[0]], rel=1e-9)
+
+
+def test_constraints_whose_derivatives_are_not_finite_are_named():
+    x, y = me.dynamicsymbols("x y")
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    point = origin.locatenew("P", x * frame.x + y * frame.y)
+    point.set_vel(frame, x.diff() * frame.x + y.diff() * frame.y)
+    made = Definition(
+        frame, [x, y], bodies=[me.Particle("b", point, sm.Symbol("m"))],
+        nonholonomic_constraints=[x.diff() - y.diff() / x], dependent_speeds=[y.diff()],
+    )  # fmt: skip
+    system = System(made, initial_conditions={x.diff(): 1.0})
+    with pytest.raises(SingularMatrixError, match="cannot be solved for Derivative"):
+        system.set_dependent_initial_conditions()

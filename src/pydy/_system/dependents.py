@@ -23,6 +23,7 @@ from pydy._rank import (
     least_step,
     or_one,
     rank,
+    unrounded,
 )
 from pydy._system.balance import point_at
 from pydy._system.snapshot import Snapshot
@@ -194,13 +195,19 @@ def _solve_coordinates(
     # An area and a length in nanometres are to weigh the same: rows in units of their terms.
     first = value(bounded, x)[size:]
     terms = np.where(np.isfinite(first), or_one(first), 1.0)
+    # And SciPy's differences step by 1e-8 from zero: unknowns in units that move rows by as much.
+    steep = np.abs(np.nan_to_num(slopes_at(x[coordinates]))) / terms[:, None]
+    units = 1.0 / or_one(unrounded(steep).max(axis=0, initial=0.0))
     if use_jac:
         root_kwargs = {"jac": slopes_at, **root_kwargs}
     if callable(given_jac := root_kwargs.get("jac")):
-        root_kwargs["jac"] = lambda z: np.asarray(given_jac(z)) / terms[:, None]
+        root_kwargs["jac"] = lambda w: np.asarray(given_jac(w * units)) * units / terms[:, None]
     solution = scipy.optimize.root(
-        lambda z: value(bounded, placed(z))[:size] / terms, x[coordinates], **root_kwargs
+        lambda w: value(bounded, placed(w * units))[:size] / terms,
+        x[coordinates] / units,
+        **root_kwargs,
     )
+    solution.x = solution.x * units
     left, rounding = np.split(value(bounded, placed(solution.x)), 2)
     met = satisfied(left, rounding)
     if solution.success and not met:
@@ -250,24 +257,28 @@ def solve_dependents(
         start = x.copy()
         start[speeds] = 0.0
         right = -value(residual, start)
-        units = None if rank(matrix) == len(speeds) else _motions(now, x)[speeds]
-        if units is None or rank(matrix, units=units) == len(speeds):
+        sound = bool(np.isfinite(matrix).all())
+        units = None
+        if sound and rank(matrix) < len(speeds):
+            units = _motions(now, x)[speeds]
+        if sound and rank(matrix, units=units) == len(speeds):
             # Pivots are compared between rows of the same size: constraints may be of any.
             rows = np.abs(matrix).max(axis=1)
             x[speeds] = np.linalg.solve(matrix / rows[:, None], right / rows)
-        else:  # what the constraints leave undetermined here stays
+        elif sound:  # what the constraints leave undetermined here stays
             change = right - matrix @ x[speeds]
             x[speeds] += least_step(matrix, change, units)
             size = np.abs(matrix) @ np.abs(x[speeds]) + np.abs(right)
-            if not (np.abs(right - matrix @ x[speeds]) <= HALF * size).all():
-                names = [definition.states[k] for k in speeds]
-                raise SingularMatrixError(
-                    f"The velocity constraints cannot be solved for {describe(names)} at t = "
-                    f"{t!r}: their matrix is singular in this configuration. Choose other "
-                    "`dep_vars`.",
-                    t,
-                    x,
-                )
+            sound = bool((np.abs(right - matrix @ x[speeds]) <= HALF * size).all())
+        if not sound:
+            names = [definition.states[k] for k in speeds]
+            raise SingularMatrixError(
+                f"The velocity constraints cannot be solved for {describe(names)} at t = "
+                f"{t!r}: their matrix is singular in this configuration. Choose other "
+                "`dep_vars`.",
+                t,
+                x,
+            )
         left = np.abs(value(residual, x))
         # Coefficients that cancel leave their rounding, in units of the row and of each speed.
         first = len(definition.equations.coordinates)
