@@ -52,7 +52,8 @@ class OptimalTrajectory(Trajectory):
     objective_error : ndarray, shape (M,)
         An estimate of how much each interval adds to the least objective minus this one. Of what
         raises that, such as controls that leave their bounds between the points, and what lowers it
-        it is the larger one, since one need not make up for the other.
+        it is the larger one, since one need not make up for the other: where controls jump inside
+        intervals, as they do at the ends of singular arcs, it is a bound rather than an estimate.
     multipliers : dict of str to ndarray
         The multipliers of each equation, path condition and boundary condition, by the labels that
         messages use: at `collocation_times` or, of boundary conditions, shape (1,). They are the
