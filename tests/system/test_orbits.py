@@ -9,7 +9,7 @@ from scipy.special import ellipk
 
 from gallery import definitions
 from pydy import System
-from pydy.errors import AnalysisInterrupted, PeriodicOrbitError
+from pydy.errors import AnalysisInterrupted, PeriodicOrbitError, PyDyUserWarning
 from pydy.mechanics import Definition
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from pydy.solvers import Event
@@ -406,3 +406,10 @@ def test_an_early_ctrl_c_hands_over_where_it_began(monkeypatch):
         system.find_periodic_orbit(6.5)
     given = dict(system.initial_conditions)
     assert caught.value.results == {"period": 6.5, "initial_conditions": given}
+
+
+def test_an_orbit_across_a_jump_of_the_load_warns_of_its_multipliers():
+    system = on_a_line(lambda x, v, mu: -x - mu * sm.sign(x) - v / 10 + 2 * sm.cos(1.3 * t))
+    system.constants = {"mu": 0.3}
+    with pytest.warns(PyDyUserWarning, match="load on v.* jumps by 0.6, and the derivatives"):
+        assert system.find_periodic_orbit(2 * np.pi / 1.3).residual < 1e-8

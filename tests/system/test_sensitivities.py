@@ -13,8 +13,9 @@ from ball import bouncing_ball
 from cases import system_of
 from circle import on_a_circle
 from pydy import System
-from pydy.errors import IntegrationError, IntegrationInterrupted
+from pydy.errors import IntegrationError, IntegrationInterrupted, PyDyUserWarning
 from pydy.inputs import SampledInput
+from pydy.mechanics import Definition
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from pydy.solvers import Event
 from pydy.solvers.run.integration import Integration
@@ -580,3 +581,60 @@ def test_ctrl_c_hands_over_the_states_alone(solver, monkeypatch):
     assert 0 < len(stop.times) < len(system.times)
     assert stop.state.shape == (2,)
     np.testing.assert_allclose(stop.states, expected[: len(stop.times)], atol=1e-6)
+
+
+X, K, L, T = me.dynamicsymbols("x"), *sm.symbols("K L"), me.dynamicsymbols._t
+SLIDING = me.dynamicsymbols("x", 1)
+
+
+def pushed(force):
+    """A unit mass that is thrown against a force, which turns it back at 1.5 s or so."""
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    place = origin.locatenew("P", X * frame.x)
+    bodies, loads = [me.Particle("b", place, 1)], [(place, force * frame.x)]
+    system = System(Definition(frame, [X], bodies=bodies, loads=loads), ode_solver="dop853")
+    system.constants = {s: 1.0 if s == K else 0.3 for s in system.constants_symbols}
+    system.initial_conditions = {X: 1.0, system.speeds[0]: 0.5}
+    system.times = np.linspace(0.0, 3.5, 36)
+    return system
+
+
+@pytest.mark.parametrize(
+    "force",
+    [-K * sm.sign(X), -1 - K * sm.Heaviside(X - L), sm.Piecewise((-K, T < 5 * L), (K, True))],
+)
+def test_a_motion_that_passes_a_jump_of_a_load_warns_of_its_derivatives(force):
+    system = pushed(force)
+    wanted = system.constants_symbols
+    with pytest.warns(
+        PyDyUserWarning, match=r"At t = [12]\S* the load on .* jumps by [12],"
+    ) as told:
+        system.simulate(sensitivities=wanted)
+    assert len(told) == 1
+    if force.has(X):
+        with pytest.warns(PyDyUserWarning, match="jumps by"):
+            system.adjoint_gradient(wanted, final=X)
+
+
+@pytest.mark.parametrize(
+    "force",
+    [
+        -K * X * sm.Abs(X),
+        -K * sm.Max(0, X),
+        sm.Piecewise((-3 * K * X, X < 0), (-K * X, True)),
+        -X - K * SLIDING * sm.Abs(SLIDING),
+        -X + sm.Piecewise((-K, T < 1), (0, True)),
+        -K * sm.sign(X + 99),
+    ],
+)
+def test_a_motion_without_a_jump_does_not(force):
+    system = pushed(force)
+    system.simulate(sensitivities=[K])  # a warning would be an error
+    system.adjoint_gradient([K], final=X)
+
+
+def test_a_jump_that_an_event_makes_is_known():
+    system = pushed(-K * sm.sign(X))
+    speed = system.speeds[0]
+    system.simulate(sensitivities=[K], events=[Event(X, reset={speed: 0.5 * speed})])

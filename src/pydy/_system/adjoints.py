@@ -25,7 +25,7 @@ from pydy._optional import progress_of
 from pydy._rank import DEPENDENT, or_one
 from pydy._system.causes import explain
 from pydy._system.parameters import Parameter, by_samples, marker
-from pydy._system.sensitivities import Sensitive, compiled_event
+from pydy._system.sensitivities import Sensitive, compiled_event, warn_of_jumps
 from pydy._system.setup import Setup
 from pydy._system.simulation import begin
 from pydy._system.snapshot import Snapshot
@@ -527,6 +527,11 @@ class Gradients(Setup):
             The user interrupted it; the error holds the motion so far, or all of it if it was
             interrupted on the way back.
 
+        Warns
+        -----
+        PyDyUserWarning
+            A load jumps on the way, of which the derivatives know nothing.
+
         Examples
         --------
         How far a mass on a spring moves in a second:
@@ -560,6 +565,7 @@ class Gradients(Setup):
             times = run.times[:reached].copy()
             return now.trajectory(times, states, events=run.records, statistics=run.info)
 
+        warn_of_jumps(now, motion(), sensitive)
         counts = {p.symbol: p.count for p in sensitive.parameters}
         statistics = {k: v for k, v in run.info.items() if k not in ("events", "reached")}
         return AdjointGradient(run.value, values, counts, by_state, run.end, statistics, motion)

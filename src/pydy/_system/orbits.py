@@ -15,6 +15,7 @@ from pydy._names import some, unique_names
 from pydy._optional import progress_of
 from pydy._system.balance import energetic_motions
 from pydy._system.dependents import latest_dependents
+from pydy._system.sensitivities import warn_of_jumps
 from pydy._system.simulation import Simulation
 from pydy._system.snapshot import Snapshot
 from pydy._system.solving import native_solver
@@ -88,6 +89,11 @@ class Orbits(Simulation, Evaluation):
         AnalysisInterrupted
             The user interrupted it; the error holds the motion that came nearest to an orbit. So
             does a MemoryError.
+
+        Warns
+        -----
+        PyDyUserWarning
+            A load jumps on the way, of which the multipliers know nothing.
 
         Examples
         --------
@@ -302,6 +308,7 @@ class Orbits(Simulation, Evaluation):
                 runner._searching = False
                 if contacts is None:
                     trajectory = runner.simulate(**options)
+                    warn_of_jumps(now, trajectory)
                 else:  # what contacts hold is projected at the start
                     trajectory = contacts.resumed(held, **options)
                     initial = dict(zip(initial, trajectory.states[0].tolist(), strict=True))

@@ -13,14 +13,19 @@ from typing import Any
 
 import numpy as np
 
+from pydy._assembly.assembly import Assembly
 from pydy._assembly.definition import Definition
 from pydy._assembly.model import CompiledModel, stored_program
 from pydy._checks import describe
+from pydy._errors import warn_user
+from pydy._graph.branches import sides, switches
 from pydy._graph.columns import Columns, event_program
+from pydy._graph.derivative import dense_jacobian
 from pydy._graph.program import Program
 from pydy._graph.simplify import simplify
 from pydy._graph.tangent import Tangent
 from pydy._kernel import Inputs, Kernel, KernelCall
+from pydy._rank import HALF, or_one
 from pydy._system.dependents import latest_dependents
 from pydy._system.parameters import Parameter, by_samples, mean_spacing, read_parameters
 from pydy._system.snapshot import Snapshot
@@ -360,3 +365,103 @@ class Wanted:
         if getattr(error, "states", None) is not None:
             error.states = error.states[:, :n]
         error.state = error.state[:n]
+
+
+# -- loads that jump -------------------------------------------------------------------------------
+
+_FINER, _REFINED = 65, 8  # times between two that a jump is between, and how often they are taken
+
+
+@dataclass(frozen=True)
+class Jumps:
+    """What loads switch at, its derivatives by states and constants, and the loads' steps there."""
+
+    def __call__(self, assembly: Assembly) -> dict[str, list[int]]:
+        graph, loads = assembly.graph, assembly.forcing
+        found: list[int] = []
+        steps: list[int] = []
+        for switch in switches(graph, loads):
+            above, below = sides(graph, loads, switch)
+            if above != below and graph.inputs_of([switch]) & {"x", "p"}:
+                found.append(switch)
+                steps += map(graph.sub, above, below)
+        states, _, constants = assembly.sizes
+        by = [graph.input("x", k) for k in range(states)]
+        by += [graph.input("p", k) for k in range(constants)]
+        slopes = dense_jacobian(graph, found, by)
+        loads = loads if found else []
+        return {"loads": loads, "switches": found, "steps": steps, "slopes": slopes}
+
+
+@dataclass(frozen=True, eq=False)
+class _Switched:
+    """What loads switch at along a motion, as `Jumps` has it."""
+
+    now: Snapshot
+    motion: Any
+
+    def __call__(self, times: np.ndarray) -> dict[str, np.ndarray]:
+        """Return the values, shape (m, k, …), for k switches."""
+        states = self.motion.states
+        if times is not self.motion.times:
+            states = self.motion.at(times).states
+        found = self.now.at(times, states).values(Jumps())
+        found["steps"] = np.abs(found["steps"])
+        m, k = found["switches"].shape
+        widths = {"steps": found["loads"].shape[1], "slopes": len(self.now.x) + len(self.now.p)}
+        return found | {name: found[name].reshape(m, k, width) for name, width in widths.items()}
+
+    def passage(self, value: np.ndarray, steps: np.ndarray) -> np.ndarray | None:
+        """Return two times right beside the passage of a switch at which loads differ most.
+
+        Where an event changes the state it is none: that is known to the derivatives.
+        """
+        times, places = self.motion.times, np.flatnonzero(value)
+        turns = np.flatnonzero(np.diff(np.sign(value[places])))
+        resets = [e.time for e in self.motion.events if not np.array_equal(e.after, e.before)]
+        pairs = [
+            pair for pair in zip(places[turns], places[turns + 1], strict=True)
+            if not any(times[pair[0]] < reset <= times[pair[1]] for reset in resets)
+        ]  # fmt: skip
+        if not pairs:
+            return None
+        best = max(pairs, key=lambda pair: float(steps[[*pair]].min(axis=0).max()))
+        found: np.ndarray = times[[*best]]
+        return found
+
+
+def warn_of_jumps(now: Snapshot, motion: Any, sensitive: Sensitive | None = None) -> None:
+    """Warn where a motion passes a jump of the loads, of which derivatives along it know nothing.
+
+    These are by the initial state, or by the parameters of `sensitive`. Loads that meet at a switch
+    differ by nothing there, up to half of the digits.
+    """
+    switched, n = _Switched(now, motion), len(now.definition.states)
+    along = switched(motion.times)
+    sizes = np.abs(along["loads"]).max(axis=0, initial=0.0)
+    for k in range(along["switches"].shape[1]):
+        beside = switched.passage(along["switches"][:, k], along["steps"][:, k])
+        if beside is None:
+            continue
+        for _ in range(_REFINED):
+            finer = np.linspace(beside[0], beside[1], num=_FINER)
+            if not (np.diff(finer) > 0.0).all():
+                break
+            value = switched(finer)["switches"][:, k]
+            turn = int(np.argmax(np.sign(value) != np.sign(value[0])))
+            beside = finer[turn - 1 : turn + 1]
+        found = switched(beside)
+        step, slopes = found["steps"][:, k].min(axis=0), found["slopes"][0, k]
+        moved, explicit = slopes[:n], np.zeros(1)
+        if sensitive is not None:
+            explicit = slopes[[n + p.place for p in sensitive.parameters if p.kind == "constants"]]
+            known = motion.at(beside)._sensitivity  # an adjoint has none
+            moved = moved if known is None else moved @ known.values[0]
+        if (step > HALF * sizes).any() and (moved.any() or explicit.any()):
+            row = int(np.argmax(step / or_one(sizes)))
+            warn_user(
+                f"At t = {beside[0]:.6g} the load on {now.definition.equations.speeds[row]} jumps "
+                f"by {step[row]:.3g}, and the derivatives of the motion miss what this changes. "
+                "Give a smooth load, such as tanh(u/v) for sign(u), or an event with a reset there."
+            )
+            return

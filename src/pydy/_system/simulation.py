@@ -31,7 +31,7 @@ from pydy._system.scipy_solvers import (
     is_odeint,
     odeint_options,
 )
-from pydy._system.sensitivities import Wanted
+from pydy._system.sensitivities import Wanted, warn_of_jumps
 from pydy._system.setup import Setup
 from pydy._system.snapshot import Snapshot
 from pydy._system.solving import (
@@ -436,7 +436,8 @@ class Simulation(Setup):
         Warns
         -----
         PyDyUserWarning
-            As in `integrate`; or outputs are not finite.
+            As in `integrate`; or outputs are not finite; or a load jumps on the way, which
+            `sensitivities` do not know.
 
         Examples
         --------
@@ -489,4 +490,6 @@ class Simulation(Setup):
         )
         if not (self._searching or np.isfinite(trajectory.outputs).all()):
             warn_of_outputs(trajectory, now, cause_of)
+        if wanted is not None and not self._searching:
+            warn_of_jumps(now, trajectory, wanted.sensitive)
         return trajectory
