@@ -56,6 +56,9 @@ SMOOTH = [
     y - sm.Max(0, sm.sin(x) - 0.5) ** 2,
     y - sm.interpolating_spline(2, x, [0, 1, 2, 3], [0, 1, 0, 0.3]),
     y - sm.Piecewise((0, x**2 > r**2), ((r**2 - x**2) ** 2, True)),
+    y - sm.Abs(2 + sm.sin(t)),
+    y + sm.Max(0, sm.cos(x) / 2 - sm.sin(t) - 2),
+    y - sm.Min(3, 1 + sm.tanh(x)),
 ]  # fmt: skip
 
 

@@ -28,6 +28,7 @@ from pydy.contact.tuning import DRAWS, WITHIN
 
 _STEPS = (sm.floor, sm.ceiling, sm.frac, sm.Mod)
 _KINDS = (sm.Piecewise, sm.Abs, sm.Min, sm.Max, sm.sign, sm.Heaviside, sm.DiracDelta, *_STEPS)
+_BOUNDED = {sm.sin: "asin", sm.cos: "asin", sm.tanh: "atanh"}  # what is NaN beyond their bounds
 
 
 def switched(what: str, expression: Any, moving: Iterable[Any], slopes: bool) -> Switched | None:
@@ -157,6 +158,9 @@ class Switched:
             for place in _places(left, right, self.moving):
                 where = [self._known(v) if v.is_number else read(v) for v in place.values()]
                 onto = dict(zip(read.all(place), where, strict=True))
+                for f, node in zip(place, list(where), strict=True):
+                    if f.func in _BOUNDED:  # beyond their bounds there is no such surface
+                        where.append(g.call(_BOUNDED[f.func], node))
                 there = substitute(g, nodes, onto)
                 every = [*there, *rounding_bounds(g, there), *where]
                 self.kept.append((switch, len(nodes), evaluator(g, every)))
