@@ -36,6 +36,8 @@ from touching import (
     y,
 )
 
+T = me.dynamicsymbols._t
+
 
 def balance(trajectory):
     """The change of energy beyond the work of contacts, and whether energy falls all the time."""
@@ -605,3 +607,33 @@ def test_a_block_whose_forces_all_begin_with_zero_goes_where_the_load_pulls(load
     motion = Contacts(system, contacts).simulate()
     assert [event.time for event in motion.events] == [0.0]
     assert motion["v_x"] == pytest.approx(np.sign(load) * 3.5 * motion.times**2 / 2, abs=1e-9)
+
+
+@pytest.mark.parametrize(("press", "load", "slips"), [
+    (sm.Max(0, T - 1), 4 * sm.Max(0, T - sm.Rational(3, 2)), 11 / 7), (sm.Max(0, T - 1), 0, None),
+    (5 * T, 2 * T, None),
+])  # fmt: skip
+def test_forces_that_are_zero_for_a_while_tell_nothing(press, load, slips):
+    """Margins of friction that rest at zero are no events that are missed: nothing warns."""
+    P = O.locatenew("P", x * N.x)
+    P.set_vel(N, vx * N.x)
+    system = System(
+        Definition(N, [x], [vx], bodies=[me.Particle("P", P, 1)], loads=[(P, load * N.x)]),
+        ode_solver="dop853", times=np.linspace(0.0, 2.0, 9),
+    )  # fmt: skip
+    motion = Contacts(system, [Stick(vx, mu=0.5, normal=press)]).simulate()
+    found = [event.time for event in motion.events]
+    assert found == ([] if slips is None else pytest.approx([slips], abs=1e-9))
+
+
+@pytest.mark.parametrize("speed", [0.0, 1.0])
+def test_a_gap_of_rounding_at_the_start_is_closed(speed):
+    system, floor = ball()
+    system.initial_conditions, system.times = {y: -2.8e-17, vy: speed}, [0.0, 1.0]
+    motion = Contacts(system, [floor]).simulate()
+    assert motion["y"][-1] == pytest.approx(0.0, abs=1e-15)
+    assert motion.modes[-1][2] == {"floor": "closed"}
+    assert motion.modes[-1][0] == pytest.approx(2.0 * speed / 9.81)
+    system.initial_conditions = {y: -1e-3}
+    with pytest.raises(ValueError, match=r"must not be negative at the first time, got -0\.001"):
+        Contacts(system, [floor]).simulate()

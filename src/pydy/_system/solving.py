@@ -11,6 +11,7 @@ from pydy._assembly.definition import Definition
 from pydy._assembly.model import CompiledModel
 from pydy._checks import Places, describe
 from pydy._graph.derivative import dense_jacobian, dense_rows, directional, jacobian
+from pydy._graph.from_sympy import NodeExpression
 from pydy._graph.lower import lower
 from pydy._graph.node import Graph
 from pydy._graph.operations import FLAT
@@ -121,8 +122,9 @@ def compile_events(
         resets=model.compiled_by(key, resets) if any(resetting) else None,
         sources=events,
         may_rest=tuple(
-            "r" in own or any(graph.ops[n] in FLAT for n in graph.reachable([node]))
-            for node, own in zip(nodes, groups, strict=True)
+            not isinstance(event.expression, NodeExpression)  # contacts look at their own again
+            and ("r" in own or any(graph.ops[n] in FLAT for n in graph.reachable([node])))
+            for event, node, own in zip(events, nodes, groups, strict=True)
         ),
     )
 

@@ -172,8 +172,9 @@ class Contacts:
         Raises
         ------
         ValueError
-            A gap is negative at the first time, a coefficient is out of range, the solver is not
-            native, or friction at a point is on a gap that is no length, or not along it.
+            A gap is negative at the first time by more than the tolerances tell, a coefficient is
+            out of range, the solver is not native, or friction at a point is on a gap that is no
+            length, or not along it.
         ContactError
             No combination of modes is possible (Painlevé's paradox, jamming), or an impact would
             raise the energy; the message has the state.

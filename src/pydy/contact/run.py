@@ -207,7 +207,7 @@ class Run:
             moved = p.square[normal, normal]
             if not (moved > 0.0 or (moved == 0.0 and p.gap[i] > nothing)):  # open, it may be widest
                 raise self.fail(t, x, f"No speed can change the gap of {c.name!r} here.")
-            if p.gap[i] < -nothing:
+            if -p.gap[i] > max(nothing, self.unresolved_gap(i, p, x)):
                 why = (
                     f"The gap of {c.name!r} must not be negative at the first time, got "
                     f"{p.gap[i]:.6g}. Change the initial conditions, or the sign of the gap."
