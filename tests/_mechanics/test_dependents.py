@@ -332,3 +332,28 @@ def test_a_chain_of_loops_is_not_closed_by_links_that_vanish():
     body = defined_windows(15).multibody
     assert len(body.holonomic) == 30 == len(body.dependent_coordinates)
     assert not body.redundant
+
+
+def test_a_constraint_that_holds_for_positive_values_only_is_not_lost():
+    """√(x²) = x is nothing on one side; on the other the point stands still."""
+    x, y = me.dynamicsymbols("x y")
+    m, g = sm.symbols("m g")
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    point = origin.locatenew("P", x * frame.x + y * frame.y)
+    point.set_vel(frame, x.diff() * frame.x + y.diff() * frame.y)
+    row = (sm.sqrt(x**2) - x) * y.diff()
+
+    def fallen(start, **options):
+        made = Definition(
+            frame, [x, y], bodies=[me.Particle("b", point, m)], loads=[(point, -m * g * frame.y)],
+            nonholonomic_constraints=[row], **options,
+        )  # fmt: skip
+        system = System(made, constants={m: 1.0, g: 2.0}, initial_conditions={x: start})
+        system.times = [0.0, 1.0]
+        return system.simulate()[y][-1]
+
+    assert fallen(1.0) == pytest.approx(-1.0, rel=1e-6)
+    with pytest.raises(ValueError, match="1 independent velocity constraints, but only 0"):
+        fallen(-1.0)
+    assert fallen(-1.0, configuration={x: -1.0}) == 0.0

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -169,7 +169,10 @@ def _choose(
     states = GenericStates(equations, (), "the constraints")
     _check_linear(equations, states)
     rows = _of_rounding(states)
-    states.leave_out(rows)
+    # √(x²) - x is nothing where x is positive, as all was. Where it is not tells a configuration.
+    one_sided = {*_constant(states, rows)}.difference(_constant(states, rows, sign=-1.0))
+    rows = [k for k in rows if k not in one_sided]
+    states.leave_out(rows if near else [*rows, *one_sided])
     tables, every = _searched(states, near)
     samples = _closed(every)
     if not every:
@@ -323,8 +326,8 @@ def _nothing(values: np.ndarray, bounds: np.ndarray) -> np.ndarray:
     return left
 
 
-def _constant(states: GenericStates, rows: np.ndarray) -> list[int]:
-    """Return those rows that no input changes by more than rounding does.
+def _constant(states: GenericStates, rows: Iterable[int], sign: float = 1.0) -> list[int]:
+    """Return those rows that no input changes by more than rounding does, if all have a `sign`.
 
     A row of large terms may be no more than their rounding, but changes with what they hold.
     """
@@ -333,9 +336,10 @@ def _constant(states: GenericStates, rows: np.ndarray) -> list[int]:
     for k in map(int, rows):
         name, shape, cells = states.table("slopes", [every[k]], states.inputs)
         bounds = rounding_bounds(states.graph, cells)
-        at = states.anywhere([(name, shape, cells), ("bounds", shape, bounds)])
+        at = states.anywhere([(name, shape, cells), ("bounds", shape, bounds)], sign)
         slopes, terms = at[name], at["bounds"]
-        if (np.abs(slopes) <= ROUNDED * terms).all():
+        small = np.abs(slopes) <= ROUNDED * terms
+        if (small | (np.isnan(slopes) & (sign < 0.0))).all():  # no value, as of √x, tells nothing
             found.append(k)
     return found
 

@@ -209,9 +209,13 @@ class GenericStates:
         found = among & (np.array(openness(every)) < OPEN)
         return found if found.any() else among
 
-    def anywhere(self, blocks: Sequence[Block]) -> dict[str, np.ndarray]:
-        """Return the values of blocks at generic states that need not keep the constraints."""
-        return evaluator_of(self.graph, blocks)(*generic_inputs(self._sizes, _ANYWHERE))
+    def anywhere(self, blocks: Sequence[Block], sign: float = 1.0) -> dict[str, np.ndarray]:
+        """Return the values of blocks at generic states that need not keep the constraints.
+
+        All numbers but time have the same `sign`.
+        """
+        t, x, r, p = generic_inputs(self._sizes, _ANYWHERE)
+        return evaluator_of(self.graph, blocks)(t, sign * x, sign * r, sign * p)
 
     def _held(self) -> list[int]:
         """Return the rows that a state keeps, whatever the speeds.
