@@ -473,3 +473,24 @@ def test_a_body_that_only_gains_neighbours_has_not_changed():
     bob.masscenter.locatenew("P", bob.frame.y)
     me.ReferenceFrame("B").orient_axis(bob.frame, 1, frame.z)
     close(system.evaluate_energy().total, 0.0)
+
+
+TIME = me.dynamicsymbols._t
+
+
+@pytest.mark.parametrize("g", [sm.Symbol("g"), 9.81])
+@pytest.mark.parametrize(
+    "mass", [2 - TIME / 4, me.dynamicsymbols("m"), 3 + 2 * me.dynamicsymbols("m")]
+)
+def test_the_weight_of_a_mass_that_changes_has_the_potential_of_that_mass(mass, g):
+    x, u = me.dynamicsymbols("x u")
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    place = origin.locatenew("P", x * frame.x)
+    place.set_vel(frame, u * frame.x)
+    bodies, loads = [me.Particle("b", place, mass)], [(place, -mass * g * frame.x)]
+    system = System(me.KanesMethod(frame, [x], [u], [x.diff() - u], bodies=bodies, forcelist=loads))
+    assert sm.simplify(system.potential_energy - mass * g * x) == 0
+    loads += [(place, -K * x * frame.x)]
+    system = System(me.KanesMethod(frame, [x], [u], [x.diff() - u], bodies=bodies, forcelist=loads))
+    assert sm.simplify(system.potential_energy - mass * g * x - K * x**2 / 2) == 0

@@ -305,15 +305,24 @@ class _Search:
     # -- constant forces --------------------------------------------------------------------------
 
     def _constant_load(self, where: Any, vector: Vector) -> bool:
-        """Take a load all of whose terms are constant forces, as weights are."""
+        """Take a load all of whose terms are constant forces, by the mass there if that changes."""
+        if (mass := self._changing_mass(where)) != 1:
+            vector = vector.applyfunc(lambda part: sm.cancel(part / mass))
         whole = [part for parts, _ in vector.args for part in parts if part != 0]
         if not all(map(self._is_constant, whole)):
             return False
         taken = len(self.energies), len(self.powers)
-        if all(map(self._constant_force, self._terms(where, vector))):
+        if all(self._constant_force(term, mass) for term in self._terms(where, vector)):
             return True
         del self.energies[taken[0] :], self.powers[taken[1] :]
         return False
+
+    def _changing_mass(self, where: Any) -> Any:
+        """Return the mass of a body there that depends on time or specifieds, else 1."""
+        for mass in (sm.sympify(b.mass) for b in self.mechanism.bodies if b.masscenter is where):
+            if not (self._is_constant(mass) or self.coordinates & {*find_symbols([mass])}):
+                return mass
+        return sm.S.One
 
     def _height(self, term: _Term) -> Any:
         """Return how far the point of a force is along its line, if that keeps its direction."""
@@ -328,11 +337,13 @@ class _Search:
         place = self.mechanism.components(term.where.pos_from(origins[0]), self.frame)
         return (direction.T * place)[0]
 
-    def _constant_force(self, term: _Term) -> bool:
+    def _constant_force(self, term: _Term, mass: Any = sm.S.One) -> bool:
         height = self._height(term) if self._is_constant(term.size) else None
         if height is None:
             return False
-        self._take(-term.size * height, self._power(term.where, term.vector))
+        power = mass * self._power(term.where, term.vector)
+        brought = term.size * height * mass.diff(self.equations.time)  # by what is added to a mass
+        self._take(-term.size * height * mass, power + brought)
         return True
 
     def _by_height(self, term: _Term) -> bool:
@@ -733,11 +744,7 @@ def has_momenta_of(equations: Equations, lagrangian: Any, kinetic: Any) -> bool:
     nodes = states.read.all((lagrangian, kinetic))
     shape = 2, len(states.speeds)
     momenta = np.reshape(dense_jacobian(states.graph, nodes, states.speeds), shape).tolist()
-    return _vanish(states, [[a, states.graph.neg(b)] for a, b in zip(*momenta, strict=True)])
-
-
-def _vanish(states: GenericStates, sums: Sequence[Sequence[int]]) -> bool:
-    """Return whether sums are no more than what rounding leaves of their terms."""
+    sums = [[a, states.graph.neg(b)] for a, b in zip(*momenta, strict=True)]
     samples = list(states.samples([_with_bounds(states, sums)], _TRIALS))
     return bool(samples) and all(_small(sample["pairs"], sums) for sample in samples)
 
