@@ -180,6 +180,16 @@ def test_a_solver_that_stops_early_without_its_times_is_refused():
         system.simulate()
 
 
+@pytest.mark.parametrize("returned", [lambda X: (X, {}, 0), lambda X: None])
+def test_what_a_solver_may_return_is_named(returned):
+    def solver(f, x0, t, args=()):
+        return returned(np.tile(x0, (len(t), 1)))
+
+    system = system_of(zoo.bare(), times=TIMES, ode_solver=solver)
+    with pytest.raises(ValueError, match=r"`ode_solver` returns, states or \(states, info\), must"):
+        system.simulate()
+
+
 def test_a_reset_is_a_node_on_both_sides():
     """A ball that falls and bounces once, between the given times."""
     y, v = me.dynamicsymbols("y v")

@@ -1,5 +1,7 @@
 """Functions of a system in JAX and PyTorch: values, derivatives both ways, and many at a time."""
 
+import pickle
+
 import numpy as np
 import pytest
 import sympy as sm
@@ -48,6 +50,15 @@ def test_values_are_those_of_the_system(library):
         system.evaluate_ode(x, p={"m1": m}) for x, m in zip(many, (0.5, 0.6, 0.7), strict=True)
     ]
     close(found, expected)
+
+
+def test_a_layer_comes_back_from_a_pickle_before_and_after_it_is_called(library):
+    layer = library.layer(pendulum())
+    again = pickle.loads(pickle.dumps(layer))
+    found = np.asarray(layer.final(p={"m1": 0.7}))
+    later = pickle.loads(pickle.dumps(layer))
+    for other in (again, later):
+        assert (np.asarray(other.final(p={"m1": 0.7})) == found).all()
 
 
 def test_derivatives_of_the_equations_are_the_compiled_ones(library):

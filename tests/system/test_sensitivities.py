@@ -638,3 +638,20 @@ def test_a_jump_that_an_event_makes_is_known():
     system = pushed(-K * sm.sign(X))
     speed = system.speeds[0]
     system.simulate(sensitivities=[K], events=[Event(X, reset={speed: 0.5 * speed})])
+
+
+@pytest.mark.filterwarnings("ignore::RuntimeWarning")
+@pytest.mark.parametrize("solver", ["RK45", "DOP853"])
+def test_what_grows_beyond_floats_is_named_and_no_load_is_blamed(solver):
+    """Where an unstable rest is kept, the derivatives by its start grow alone."""
+    x = me.dynamicsymbols("x")
+    frame, point = me.ReferenceFrame("N"), me.Point("P")
+    point.set_vel(frame, x.diff() * frame.x)
+    push = [(point, 1e4 * x * frame.x)]
+    mass = me.Particle("P", point, 1)
+    method = me.LagrangesMethod(me.Lagrangian(frame, mass), [x], forcelist=push, frame=frame)
+    system = System(method, times=np.linspace(0.0, 7.5, num=11), ode_solver=solver)
+    with pytest.raises(IntegrationError, match=r"The sensitivities grow to .*e\+") as error:
+        system.simulate(sensitivities=[x])
+    assert "loads" not in str(error.value)
+    assert error.value.state == pytest.approx([0.0, 0.0])

@@ -41,6 +41,17 @@ def explain(
             error.args = (str(error).removesuffix(OUTCOMES[code].remedy) + cause,)
 
 
+def explain_columns(error: Any, columns: np.ndarray) -> None:
+    """Put into the message of an error that sensitivities left the range of floats, if they did."""
+    largest = np.abs(columns).max(initial=0.0)
+    if not largest <= _LARGEST and (code := getattr(error, "info", {}).get("code")) in OUTCOMES:
+        error.args = (
+            f"{str(error).removesuffix(OUTCOMES[code].remedy)}The sensitivities grow to "
+            f"{largest:.3g} there, whose squares are out of the range of floats: the motion is "
+            "unstable. Let `times` end earlier, or simulate without `sensitivities`.",
+        )
+
+
 def cause_of(at: At) -> str | None:
     """Return what is singular at one state, in words, or None if it is not one of the usual."""
     definition, model, p = at.definition, at.model, at.p

@@ -397,6 +397,9 @@ class _Frozen:
         self._system, self._options = copy(system), options
         self._made: dict[Any, Function] = {}
 
+    def __getstate__(self) -> dict[str, Any]:
+        return {**self.__dict__, "_made": {}}  # which hold locks, and are made again
+
     def places(self, group: str) -> Places:
         places: Places = self._now.definition.places[_KINDS[group]]
         return places

@@ -26,6 +26,7 @@ from pydy._graph.simplify import simplify
 from pydy._graph.tangent import Tangent
 from pydy._kernel import Inputs, Kernel, KernelCall
 from pydy._rank import HALF, or_one
+from pydy._system.causes import explain_columns
 from pydy._system.dependents import latest_dependents
 from pydy._system.parameters import Parameter, by_samples, mean_spacing, read_parameters
 from pydy._system.snapshot import Snapshot
@@ -364,6 +365,7 @@ class Wanted:
         n = self.sensitive.columns.states
         if getattr(error, "states", None) is not None:
             error.states = error.states[:, :n]
+        explain_columns(error, error.state[n:])
         error.state = error.state[:n]
 
 

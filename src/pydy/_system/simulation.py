@@ -463,7 +463,8 @@ class Simulation(Setup):
             control = flag(control_sensitivities, "`control_sensitivities`")
             wanted = Wanted(sensitivities, control, self._dependent)
         result = _solve(now, solver, options, checked=True, wanted=wanted)
-        states, info = result if isinstance(result, tuple) else (result, None)
+        pair = isinstance(result, tuple) and len(result) == 2
+        states, info = result if pair else (result, None)
         statistics = dict(info) if isinstance(info, dict) else {}
         times = statistics.pop("times", now.times)
         reached = statistics.pop("reached", None)  # an event may have ended it
@@ -474,7 +475,8 @@ class Simulation(Setup):
         if wanted is not None and not isinstance(solver, Solver):
             dense = None
         times = np.array(times, dtype=float)
-        states = np.array(real_array(states, "What the `ode_solver` returns"))
+        own = "What the `ode_solver` returns, states or (states, info),"
+        states = np.array(real_array(states, own))
         width = n if wanted is None else wanted.sensitive.columns.size
         if states.shape != (len(times), width):
             raise ValueError(

@@ -24,6 +24,9 @@ class JaxArrays:
         _primitives()
         self._check()
 
+    def __reduce__(self) -> Any:
+        return JaxArrays, ()  # a module does not pickle
+
     def _check(self) -> None:
         if not self.jax.config.jax_enable_x64:
             raise TypeError(

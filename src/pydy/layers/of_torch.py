@@ -17,6 +17,9 @@ class TorchArrays:
     def __init__(self) -> None:
         self.torch = require("torch", "torch", "`as_torch`")
 
+    def __reduce__(self) -> Any:
+        return TorchArrays, ()  # a module does not pickle
+
     def array(self, value: Any, argument: str) -> Any:
         """Return a tensor of float64; numbers and what is not a tensor are converted."""
         torch = self.torch
