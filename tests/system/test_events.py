@@ -746,3 +746,32 @@ def test_what_is_zero_twice_but_not_between_is_no_stretch():
     system = ball(constants={M: 1.0, G: 2.0}, initial_conditions={Z: 0.0, V: 1.5})
     system.times = np.array([0.0, 1.0, 2.0])
     run(system, [Event(sm.Max(Z - T / 2, -9), name="line"), Event(sm.Abs(Z - T / 2), name="arc")])
+
+
+@pytest.mark.parametrize("solver", ["dop853", "vern9", "tsit5"])
+def test_a_linear_event_that_is_far_costs_no_evaluation(solver):
+    system = System(oscillating(), ode_solver=solver, times=[0.0, 100.0])
+    system.initial_conditions = {Z: 0.0, V: 1.0}
+    far, none = (
+        system.simulate(events=events, rtol=1e-8, atol=1e-8).statistics
+        for events in ([Event(Z + V / 2 - T / 50 - 2000)], ())
+    )
+    # The first step has no values at its start, and is looked at as any other.
+    assert 0 <= far["evaluations"] - none["evaluations"] <= 10
+    assert far["steps"] == none["steps"] > 20
+
+
+@pytest.mark.parametrize("solver", ADAPTIVE)
+@pytest.mark.parametrize("level", [0.1, 0.9, 0.999, 1.0 - 1e-6])
+@pytest.mark.parametrize("unit", [1e-9, 1.0, 1e9])
+def test_linear_events_are_seen_however_far_they_were(solver, level, unit):
+    """z = sin t at a level, from afar and near, in any unit and beside one that stays away."""
+    system = System(oscillating(), ode_solver=solver, times=[0.0, 40.0])
+    system.initial_conditions = {Z: 0.0, V: unit}
+    events = [Event(Z - level * unit), Event(3 * V + Z / 7 - 1e3 * unit)]
+    found = [e.time for e in system.simulate(events=events, rtol=1e-10, atol=1e-10 * unit).events]
+    rise, turn = np.arcsin(level), 2 * np.pi * np.arange(7)
+    expected = np.sort(np.concatenate([rise + turn, np.pi - rise + turn]))
+    expected = expected[expected < 40.0]
+    assert len(found) == len(expected)
+    close(found, expected, 1e-5 if level > 0.9999 else 1e-7)

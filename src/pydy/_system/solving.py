@@ -92,8 +92,10 @@ def compile_events(
     nodes = assembly.read(expressions, "the events")
 
     groups = [graph.inputs_of([node]) for node in nodes]
-    moving = [*(graph.input("x", k) for k in range(len(states))), graph.input("t", 0)]
-    slopes = jacobian(graph, nodes, moving)
+    linear = [
+        "r" not in own and graph.inputs_of(row.values()) <= {"p"}
+        for own, row in zip(groups, _slopes(assembly, graph, nodes), strict=True)
+    ]
 
     def resets() -> Program:
         own, after = model.assembly.fork(), []
@@ -109,14 +111,11 @@ def compile_events(
         directions=tuple(event.direction for event in events),
         terminal=tuple(bool(event.terminal) for event in events),
         constant=tuple(own <= {"p"} for own in groups),
-        linear=tuple(
-            "r" not in own and graph.inputs_of(row.values()) <= {"p"}
-            for own, row in zip(groups, slopes, strict=True)
-        ),
+        linear=tuple(linear),
         values=model.compiled_expressions("the events", (len(nodes),), expressions),
         rates=model.compiled_by(
             ("rates and bounds of the events", *expressions),
-            lambda: event_rates_program(model.assembly, expressions, simplified=False),
+            lambda: event_rates_program(model.assembly, expressions, all(linear)),
         ),
         resetting=resetting,
         resets=model.compiled_by(key, resets) if any(resetting) else None,
@@ -129,13 +128,20 @@ def compile_events(
     )
 
 
+def _slopes(assembly: Assembly, graph: Graph, nodes: Sequence[int]) -> list[dict[int, int]]:
+    """Return the derivatives of events by the states and, last, the time."""
+    moving = [graph.input("x", k) for k in range(assembly.sizes[0])]
+    return jacobian(graph, nodes, [*moving, graph.input("t", 0)])
+
+
 def event_rates_program(
-    assembly: Assembly, expressions: Sequence[Any], *, simplified: bool = True
+    assembly: Assembly, expressions: Sequence[Any], linear: bool | None = None
 ) -> Program:
     """Return the Program of the events' time derivatives along the motion.
 
-    A simulation wants them at its ends and at events only: to simplify them would take longer. It
-    wants bounds on the roundings of the expressions there, too, behind the others.
+    A simulation, which knows whether all are linear, wants them at its ends and at events only: to
+    simplify them would take longer. It wants bounds on the roundings of the expressions there, too,
+    behind the others, and the slopes of linear ones.
     """
     own = assembly.fork()
     graph = own.graph
@@ -143,10 +149,14 @@ def event_rates_program(
     along = {graph.input("x", k): {0: rate} for k, rate in enumerate(own.rates)}
     rows = directional(graph, nodes, {**along, graph.input("t", 0): {0: graph.one}})
     totals = [row.get(0, graph.zero) for row in rows]
-    blocks = [("rates", (len(totals),), totals)]
-    if simplified:
+    blocks: list[tuple[str, tuple[int, ...], list[int]]] = [("rates", (len(totals),), totals)]
+    if linear is None:
         return own.lowered(blocks, graph)
     blocks.append(("bounds", (len(nodes),), rounding_bounds(graph, nodes)))
+    if linear:
+        width = own.sizes[0] + 1
+        cells = [row.get(k, graph.zero) for row in _slopes(own, graph, nodes) for k in range(width)]
+        blocks.append(("slopes", (len(nodes), width), cells))
     return lower(graph, own.sizes, blocks)
 
 

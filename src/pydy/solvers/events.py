@@ -138,7 +138,9 @@ class CompiledEvents:
     constant: tuple[bool, ...]  # whether it depends on neither state nor time nor specifieds
     linear: tuple[bool, ...]  # whether it is linear in states and time, and holds no specifieds
     values: Kernel  # the expressions
-    rates: Kernel  # their time derivatives along the motion, and bounds on their roundings
+    # Their time derivatives along the motion, bounds on their roundings, and, if all are linear,
+    # their slopes by states and time.
+    rates: Kernel
     resetting: tuple[bool, ...]  # whether the states change at each
     resets: Kernel | None  # the states after each event, one below the other; None: no event resets
     sources: tuple[Event, ...] = ()  # what they were compiled from

@@ -85,7 +85,8 @@ changes the time."""
 
 CLEAR = 8.0
 """An event crosses zero but once between samples where it changes by so many times its error. What
-oscillates by that once in between changes by up to 2π of it on the way."""
+oscillates by that once in between changes by up to 2π of it on the way. Nor does a state move so
+many times as fast between the stages of a step as at the fastest of them."""
 
 STEPS_MEMORY = 2**27
 """Bytes of kept steps above which a run keeps none: 400 000 steps of a model with 20 states."""

@@ -193,7 +193,7 @@ int64_t advance_implicit(const Run *run, double *flat, int64_t fresh)
         sizes[PREDICTING] = size;
         keep_step(run, run->method.shape.at[DEPTH], t, size, after);
         if (watched || times[count[NEXT]] <= after) {
-            code = finish_step(run, s, t, size, flat);
+            code = finish_step(run, s, t, size, watched, flat);
             if (code == UNRESOLVED || (code == CONSTRAINTS_NOT_MET && !watched)) {
                 count[STEPS] -= 1;
                 run->steps.words.at[KEPT] -= 1;

@@ -13,6 +13,11 @@
 #define UNKNOWN (0.0 / 0.0)
 #define STEPPER(run) {&(run)->method, &(run)->problem, &(run)->memory}
 
+/* The rows of watch.values: the end of a part that a dip divides, a located event, and the ends of the
+   parts of the step, from its start on, and their middles. Behind them is the time at which the start is
+   known. */
+enum { DIVIDED, LOCATED, ENDS, MIDDLES = ENDS + PARTS + 1 };
+
 /* Parts that are compiled apart, and called by their addresses. */
 typedef int64_t Project(const Run *run, double t, double *x);
 typedef int64_t Scan(const Run *run, double t, double h);
@@ -96,16 +101,16 @@ INLINE int64_t interpolate_outputs(const Run *run, const Stepper *s, double t, d
     return 0;
 }
 
-/* Look for events, then write the outputs due, up to the event that ends the step if one does.
+/* `Look` for events, then write the outputs due, up to the event that ends the step if one does.
 
    Not zero: why the integration stops here, or the step is too long. It is ready to start again, at the event if it was
    one, where memory.x then is the state. */
-INLINE int64_t finish_step(const Run *run, const Stepper *s, double t, double h, double *flat)
+INLINE int64_t finish_step(const Run *run, const Stepper *s, double t, double h, int look, double *flat)
 {
     const Memory *m = &run->memory;
     double *state = run->progress.state.at, theta = 1.0;
     int64_t status = 0;
-    if (run->watch.words.at[EVENTS] > 0) {
+    if (look) {
         status = ((Scan *)run->watch.words.at[SCAN])(run, t, h);
         if (status == UNRESOLVED) {
             state[TIME] = t;

@@ -7,11 +7,6 @@ static const double PLACES[PARTS + 1] = {0.0, 0.2360679774997897, 0.449489742783
 
 enum { BACK = 2 }; /* located, though it has the sign again that it began with */
 
-/* The rows of watch.values: the end of a part that a dip divides, a located event, and the ends of the
-   parts of the step, from its start on, and their middles. Behind them is the time at which the start is
-   known. */
-enum { DIVIDED, LOCATED, ENDS, MIDDLES = ENDS + PARTS + 1 };
-
 enum { TRIES = 20 }; /* parabolas for a least value: a few lead to it where it is smooth */
 
 /* Evaluate all event expressions at t + theta h into a row of watch.values. */

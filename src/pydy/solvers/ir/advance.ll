@@ -1,4 +1,4 @@
-; sources 25da0c1e77ba01d61a4d0543a2eb45c76405b05c3cdff58201d0ca4a24106eed
+; sources f6440252fcdebf5195485e198d22c3411a5d7eb97d09444342c9217639aecabf
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
@@ -28,7 +28,7 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
 
 20:                                               ; preds = %16
   %21 = getelementptr inbounds i8, ptr %0, i64 576
-  %22 = getelementptr inbounds i8, ptr %0, i64 1008
+  %22 = getelementptr inbounds i8, ptr %0, i64 1032
   br label %41
 
 23:                                               ; preds = %14, %23
@@ -53,7 +53,7 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
 
 38:                                               ; preds = %34
   %39 = getelementptr inbounds i8, ptr %0, i64 600
-  %40 = getelementptr inbounds i8, ptr %0, i64 1032
+  %40 = getelementptr inbounds i8, ptr %0, i64 1056
   br label %57
 
 41:                                               ; preds = %20, %41
@@ -91,7 +91,7 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
   br i1 %66, label %57, label %51, !llvm.loop !7
 
 67:                                               ; preds = %51
-  %68 = getelementptr inbounds i8, ptr %0, i64 888
+  %68 = getelementptr inbounds i8, ptr %0, i64 912
   %69 = load ptr, ptr %68, align 8
   %70 = mul i64 %55, 88
   %71 = getelementptr inbounds i8, ptr %69, i64 %70
@@ -110,7 +110,7 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
   %81 = getelementptr inbounds i8, ptr %80, i64 56
   %82 = load i64, ptr %81, align 8
   %83 = icmp eq i64 %82, 0
-  br i1 %83, label %1506, label %84
+  br i1 %83, label %1632, label %84
 
 84:                                               ; preds = %72
   %85 = getelementptr inbounds i8, ptr %0, i64 624
@@ -189,7 +189,7 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
   store i64 3, ptr %146, align 8
   %147 = icmp slt i32 %143, 0
   %148 = select i1 %147, i64 -4, i64 2
-  br label %1506
+  br label %1632
 
 149:                                              ; preds = %134
   store i64 1, ptr %80, align 8
@@ -253,7 +253,7 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
   %190 = getelementptr inbounds i8, ptr %189, i64 48
   store i64 %188, ptr %190, align 8
   %191 = icmp eq i64 %188, %158
-  br i1 %191, label %1506, label %192
+  br i1 %191, label %1632, label %192
 
 192:                                              ; preds = %187
   %193 = fcmp oeq double %119, 0.000000e+00
@@ -447,10 +447,10 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
   %346 = phi double [ %341, %340 ], [ %341, %343 ], [ %119, %192 ], [ %119, %84 ]
   %347 = load i64, ptr %81, align 8
   %348 = icmp eq i64 %347, 0
-  br i1 %348, label %435, label %349
+  br i1 %348, label %445, label %349
 
 349:                                              ; preds = %345
-  %350 = getelementptr inbounds i8, ptr %0, i64 1056
+  %350 = getelementptr inbounds i8, ptr %0, i64 1080
   %351 = getelementptr inbounds i8, ptr %80, i64 8
   %352 = getelementptr inbounds i8, ptr %80, i64 16
   %353 = getelementptr inbounds i8, ptr %80, i64 64
@@ -496,1472 +496,1650 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
   %393 = getelementptr inbounds i8, ptr %0, i64 192
   %394 = getelementptr inbounds i8, ptr %0, i64 216
   %395 = getelementptr inbounds i8, ptr %76, i64 32
-  %396 = getelementptr inbounds i8, ptr %0, i64 1080
-  %397 = getelementptr inbounds i8, ptr %0, i64 1096
-  %398 = getelementptr inbounds i8, ptr %80, i64 48
-  %399 = getelementptr inbounds i8, ptr %0, i64 320
-  %400 = getelementptr inbounds i8, ptr %0, i64 480
-  %401 = getelementptr inbounds i8, ptr %0, i64 504
-  %402 = getelementptr inbounds i8, ptr %0, i64 360
-  %403 = getelementptr inbounds i8, ptr %0, i64 24
-  %404 = getelementptr inbounds i8, ptr %0, i64 48
-  %405 = getelementptr inbounds i8, ptr %0, i64 72
-  %406 = getelementptr inbounds i8, ptr %0, i64 96
-  %407 = getelementptr inbounds i8, ptr %0, i64 168
-  %408 = getelementptr inbounds i8, ptr %0, i64 248
-  %409 = getelementptr inbounds i8, ptr %0, i64 192
-  %410 = getelementptr inbounds i8, ptr %0, i64 216
-  %411 = getelementptr inbounds i8, ptr %0, i64 336
-  %412 = getelementptr inbounds i8, ptr %0, i64 432
+  %396 = getelementptr inbounds i8, ptr %0, i64 1104
+  %397 = getelementptr inbounds i8, ptr %0, i64 1120
+  %398 = getelementptr inbounds i8, ptr %0, i64 840
+  %399 = getelementptr inbounds i8, ptr %0, i64 856
+  %400 = getelementptr inbounds i8, ptr %0, i64 912
+  %401 = getelementptr inbounds i8, ptr %0, i64 848
+  %402 = getelementptr inbounds i8, ptr %0, i64 168
+  %403 = getelementptr inbounds i8, ptr %0, i64 248
+  %404 = getelementptr inbounds i8, ptr %0, i64 168
+  %405 = getelementptr inbounds i8, ptr %0, i64 192
+  %406 = getelementptr inbounds i8, ptr %0, i64 744
+  %407 = getelementptr inbounds i8, ptr %0, i64 864
+  %408 = getelementptr inbounds i8, ptr %80, i64 48
+  %409 = getelementptr inbounds i8, ptr %0, i64 320
+  %410 = getelementptr inbounds i8, ptr %0, i64 480
+  %411 = getelementptr inbounds i8, ptr %0, i64 504
+  %412 = getelementptr inbounds i8, ptr %0, i64 360
   %413 = getelementptr inbounds i8, ptr %0, i64 24
   %414 = getelementptr inbounds i8, ptr %0, i64 48
   %415 = getelementptr inbounds i8, ptr %0, i64 72
-  %416 = getelementptr inbounds i8, ptr %80, i64 72
-  %417 = getelementptr inbounds i8, ptr %0, i64 408
-  %418 = getelementptr inbounds i8, ptr %0, i64 360
-  %419 = getelementptr inbounds i8, ptr %0, i64 408
-  %420 = getelementptr inbounds i8, ptr %76, i64 24
-  %421 = getelementptr inbounds i8, ptr %76, i64 40
-  %422 = getelementptr inbounds i8, ptr %88, i64 24
-  %423 = getelementptr inbounds i8, ptr %88, i64 8
-  %424 = getelementptr inbounds i8, ptr %88, i64 16
-  %425 = getelementptr inbounds i8, ptr %88, i64 32
-  %426 = getelementptr inbounds i8, ptr %88, i64 40
-  %427 = icmp sgt i64 %91, 0
-  %428 = getelementptr inbounds i8, ptr %80, i64 48
-  %429 = getelementptr inbounds i8, ptr %80, i64 72
-  %430 = getelementptr inbounds i8, ptr %76, i64 40
-  %431 = getelementptr inbounds i8, ptr %80, i64 72
+  %416 = getelementptr inbounds i8, ptr %0, i64 96
+  %417 = getelementptr inbounds i8, ptr %0, i64 168
+  %418 = getelementptr inbounds i8, ptr %0, i64 248
+  %419 = getelementptr inbounds i8, ptr %0, i64 192
+  %420 = getelementptr inbounds i8, ptr %0, i64 216
+  %421 = getelementptr inbounds i8, ptr %0, i64 336
+  %422 = getelementptr inbounds i8, ptr %0, i64 432
+  %423 = getelementptr inbounds i8, ptr %0, i64 24
+  %424 = getelementptr inbounds i8, ptr %0, i64 48
+  %425 = getelementptr inbounds i8, ptr %0, i64 72
+  %426 = getelementptr inbounds i8, ptr %80, i64 72
+  %427 = getelementptr inbounds i8, ptr %0, i64 408
+  %428 = getelementptr inbounds i8, ptr %0, i64 360
+  %429 = getelementptr inbounds i8, ptr %0, i64 408
+  %430 = getelementptr inbounds i8, ptr %76, i64 24
+  %431 = getelementptr inbounds i8, ptr %76, i64 40
   %432 = getelementptr inbounds i8, ptr %88, i64 24
-  %433 = getelementptr inbounds i8, ptr %88, i64 32
-  %434 = getelementptr inbounds i8, ptr %76, i64 40
-  br label %437
+  %433 = getelementptr inbounds i8, ptr %88, i64 8
+  %434 = getelementptr inbounds i8, ptr %88, i64 16
+  %435 = getelementptr inbounds i8, ptr %88, i64 32
+  %436 = getelementptr inbounds i8, ptr %88, i64 40
+  %437 = icmp sgt i64 %91, 0
+  %438 = getelementptr inbounds i8, ptr %80, i64 48
+  %439 = getelementptr inbounds i8, ptr %80, i64 72
+  %440 = getelementptr inbounds i8, ptr %76, i64 40
+  %441 = getelementptr inbounds i8, ptr %80, i64 72
+  %442 = getelementptr inbounds i8, ptr %88, i64 24
+  %443 = getelementptr inbounds i8, ptr %88, i64 32
+  %444 = getelementptr inbounds i8, ptr %76, i64 40
+  br label %447
 
-435:                                              ; preds = %1503, %345
-  %436 = phi double [ %346, %345 ], [ %1499, %1503 ]
-  store double %436, ptr %118, align 8
-  br label %1506
+445:                                              ; preds = %1629, %345
+  %446 = phi double [ %346, %345 ], [ %1625, %1629 ]
+  store double %446, ptr %118, align 8
+  br label %1632
 
-437:                                              ; preds = %349, %1503
-  %438 = phi i64 [ %347, %349 ], [ %1504, %1503 ]
-  %439 = phi i64 [ undef, %349 ], [ %1502, %1503 ]
-  %440 = phi double [ %117, %349 ], [ %1500, %1503 ]
-  %441 = phi double [ %346, %349 ], [ %1499, %1503 ]
-  %442 = load ptr, ptr %350, align 8
-  %443 = getelementptr inbounds i8, ptr %442, i64 8
-  %444 = load i64, ptr %443, align 8
-  %445 = icmp sgt i64 %444, 0
-  br i1 %445, label %446, label %451
+447:                                              ; preds = %349, %1629
+  %448 = phi i64 [ %347, %349 ], [ %1630, %1629 ]
+  %449 = phi i64 [ undef, %349 ], [ %1628, %1629 ]
+  %450 = phi double [ %117, %349 ], [ %1626, %1629 ]
+  %451 = phi double [ %346, %349 ], [ %1625, %1629 ]
+  %452 = load ptr, ptr %350, align 8
+  %453 = getelementptr inbounds i8, ptr %452, i64 8
+  %454 = load i64, ptr %453, align 8
+  %455 = icmp sgt i64 %454, 0
+  br i1 %455, label %456, label %461
 
-446:                                              ; preds = %437
-  %447 = load i64, ptr %442, align 8
-  %448 = add nsw i64 %447, 3
-  %449 = icmp slt i64 %444, %448
-  %450 = zext i1 %449 to i32
-  br label %451
+456:                                              ; preds = %447
+  %457 = load i64, ptr %452, align 8
+  %458 = add nsw i64 %457, 3
+  %459 = icmp slt i64 %454, %458
+  %460 = zext i1 %459 to i32
+  br label %461
 
-451:                                              ; preds = %437, %446
-  %452 = phi i32 [ 0, %437 ], [ %450, %446 ]
-  %453 = icmp eq i32 %452, 0
-  br i1 %453, label %455, label %454
+461:                                              ; preds = %447, %456
+  %462 = phi i32 [ 0, %447 ], [ %460, %456 ]
+  %463 = icmp eq i32 %462, 0
+  br i1 %463, label %465, label %464
 
-454:                                              ; preds = %451
-  store double %441, ptr %118, align 8
-  br label %1506
+464:                                              ; preds = %461
+  store double %451, ptr %118, align 8
+  br label %1632
 
-455:                                              ; preds = %451
-  %456 = add nsw i64 %438, -1
-  store i64 %456, ptr %81, align 8
-  %457 = load i64, ptr %351, align 8
-  %458 = load i64, ptr %352, align 8
-  %459 = add nsw i64 %458, %457
-  %460 = load i64, ptr %353, align 8
-  %461 = icmp slt i64 %459, %460
-  br i1 %461, label %463, label %462
+465:                                              ; preds = %461
+  %466 = add nsw i64 %448, -1
+  store i64 %466, ptr %81, align 8
+  %467 = load i64, ptr %351, align 8
+  %468 = load i64, ptr %352, align 8
+  %469 = add nsw i64 %468, %467
+  %470 = load i64, ptr %353, align 8
+  %471 = icmp slt i64 %469, %470
+  br i1 %471, label %473, label %472
 
-462:                                              ; preds = %455
-  store double %441, ptr %118, align 8
-  br label %1506
+472:                                              ; preds = %465
+  store double %451, ptr %118, align 8
+  br label %1632
 
-463:                                              ; preds = %455
-  br i1 %98, label %464, label %468
+473:                                              ; preds = %465
+  br i1 %98, label %474, label %478
 
-464:                                              ; preds = %463
-  %465 = load i64, ptr %354, align 8
-  %466 = getelementptr inbounds double, ptr %86, i64 %465
-  %467 = load double, ptr %466, align 8
-  br label %468
+474:                                              ; preds = %473
+  %475 = load i64, ptr %354, align 8
+  %476 = getelementptr inbounds double, ptr %86, i64 %475
+  %477 = load double, ptr %476, align 8
+  br label %478
 
-468:                                              ; preds = %463, %464
-  %469 = phi double [ %467, %464 ], [ %111, %463 ]
-  br i1 %98, label %474, label %470
+478:                                              ; preds = %473, %474
+  %479 = phi double [ %477, %474 ], [ %111, %473 ]
+  br i1 %98, label %484, label %480
 
-470:                                              ; preds = %468
-  %471 = load double, ptr %355, align 8
-  %472 = fcmp olt double %441, %471
-  %473 = select i1 %472, double %441, double %471
-  br label %480
+480:                                              ; preds = %478
+  %481 = load double, ptr %355, align 8
+  %482 = fcmp olt double %451, %481
+  %483 = select i1 %482, double %451, double %481
+  br label %490
 
-474:                                              ; preds = %468
-  %475 = fsub double %469, %440
-  %476 = fdiv double %475, %441
-  %477 = fmul double %476, 0x3FEFFFFFFFFFDCD1
-  %478 = tail call double @llvm.ceil.f64(double %477)
-  %479 = fdiv double %475, %478
-  br label %480
+484:                                              ; preds = %478
+  %485 = fsub double %479, %450
+  %486 = fdiv double %485, %451
+  %487 = fmul double %486, 0x3FEFFFFFFFFFDCD1
+  %488 = tail call double @llvm.ceil.f64(double %487)
+  %489 = fdiv double %485, %488
+  br label %490
 
-480:                                              ; preds = %474, %470
-  %481 = phi double [ %473, %470 ], [ %479, %474 ]
-  %482 = fadd double %440, %481
-  %483 = fmul double %481, 1.000000e-03
-  %484 = fsub double %469, %483
-  %485 = fcmp ule double %482, %484
-  %486 = fsub double %469, %440
-  %487 = select i1 %485, double %481, double %486
-  %488 = select i1 %485, double %482, double %469
-  %489 = fmul double %487, 6.250000e-02
-  %490 = fadd double %440, %489
-  %491 = fcmp ule double %490, %440
-  %492 = fcmp une double %488, %469
-  %493 = and i1 %492, %491
-  br i1 %493, label %494, label %495
+490:                                              ; preds = %484, %480
+  %491 = phi double [ %483, %480 ], [ %489, %484 ]
+  %492 = fadd double %450, %491
+  %493 = fmul double %491, 1.000000e-03
+  %494 = fsub double %479, %493
+  %495 = fcmp ule double %492, %494
+  %496 = fsub double %479, %450
+  %497 = select i1 %495, double %491, double %496
+  %498 = select i1 %495, double %492, double %479
+  %499 = fmul double %497, 6.250000e-02
+  %500 = fadd double %450, %499
+  %501 = fcmp ule double %500, %450
+  %502 = fcmp une double %498, %479
+  %503 = and i1 %502, %501
+  br i1 %503, label %504, label %505
 
-494:                                              ; preds = %480
-  store double %487, ptr %118, align 8
-  br label %1498
+504:                                              ; preds = %490
+  store double %497, ptr %118, align 8
+  br label %1624
 
-495:                                              ; preds = %480
-  %496 = load ptr, ptr %0, align 8
-  %497 = load i64, ptr %496, align 8
-  %498 = load ptr, ptr %357, align 8
-  %499 = insertelement <8 x double> poison, double %487, i64 0
-  %500 = shufflevector <8 x double> %499, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %500, ptr %498, align 8
-  %501 = icmp sgt i64 %497, 1
-  br i1 %501, label %506, label %590
+505:                                              ; preds = %490
+  %506 = load ptr, ptr %0, align 8
+  %507 = load i64, ptr %506, align 8
+  %508 = load ptr, ptr %357, align 8
+  %509 = insertelement <8 x double> poison, double %497, i64 0
+  %510 = shufflevector <8 x double> %509, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %510, ptr %508, align 8
+  %511 = icmp sgt i64 %507, 1
+  br i1 %511, label %516, label %600
 
-502:                                              ; preds = %579
-  %503 = add nuw nsw i64 %509, 1
-  %504 = icmp slt i64 %503, %497
-  %505 = icmp eq i64 %503, %497
-  br i1 %505, label %590, label %506, !llvm.loop !12
+512:                                              ; preds = %589
+  %513 = add nuw nsw i64 %519, 1
+  %514 = icmp slt i64 %513, %507
+  %515 = icmp eq i64 %513, %507
+  br i1 %515, label %600, label %516, !llvm.loop !12
 
-506:                                              ; preds = %495, %502
-  %507 = phi i1 [ %504, %502 ], [ %501, %495 ]
-  %508 = phi i64 [ %589, %502 ], [ undef, %495 ]
-  %509 = phi i64 [ %503, %502 ], [ 1, %495 ]
-  %510 = load ptr, ptr %358, align 8
-  %511 = load ptr, ptr %74, align 8
-  %512 = load ptr, ptr %73, align 8
-  %513 = getelementptr inbounds i8, ptr %512, i64 16
-  %514 = load i64, ptr %513, align 8
-  %515 = icmp sgt i64 %514, 1
-  %516 = zext i1 %515 to i64
-  %517 = load ptr, ptr %359, align 8
-  %518 = getelementptr inbounds i64, ptr %517, i64 %509
-  %519 = load i64, ptr %518, align 8
-  %520 = getelementptr i8, ptr %518, i64 8
-  %521 = load i64, ptr %520, align 8
-  %522 = xor i64 %519, -1
-  %523 = add i64 %521, %522
-  %524 = load ptr, ptr %357, align 8
-  %525 = load ptr, ptr %360, align 8
-  %526 = load ptr, ptr %361, align 8
-  %527 = getelementptr inbounds i64, ptr %526, i64 %519
-  %528 = load ptr, ptr %362, align 8
-  %529 = getelementptr inbounds double, ptr %528, i64 %519
-  tail call fastcc void @combine(ptr noundef %510, ptr noundef %511, ptr noundef %524, ptr noundef %525, ptr noundef %527, ptr noundef %529, i64 noundef %523, i64 noundef %516, i64 noundef %514) #8
-  %530 = icmp eq i64 %514, 1
-  br i1 %530, label %531, label %562
+516:                                              ; preds = %505, %512
+  %517 = phi i1 [ %514, %512 ], [ %511, %505 ]
+  %518 = phi i64 [ %599, %512 ], [ undef, %505 ]
+  %519 = phi i64 [ %513, %512 ], [ 1, %505 ]
+  %520 = load ptr, ptr %358, align 8
+  %521 = load ptr, ptr %74, align 8
+  %522 = load ptr, ptr %73, align 8
+  %523 = getelementptr inbounds i8, ptr %522, i64 16
+  %524 = load i64, ptr %523, align 8
+  %525 = icmp sgt i64 %524, 1
+  %526 = zext i1 %525 to i64
+  %527 = load ptr, ptr %359, align 8
+  %528 = getelementptr inbounds i64, ptr %527, i64 %519
+  %529 = load i64, ptr %528, align 8
+  %530 = getelementptr i8, ptr %528, i64 8
+  %531 = load i64, ptr %530, align 8
+  %532 = xor i64 %529, -1
+  %533 = add i64 %531, %532
+  %534 = load ptr, ptr %357, align 8
+  %535 = load ptr, ptr %360, align 8
+  %536 = load ptr, ptr %361, align 8
+  %537 = getelementptr inbounds i64, ptr %536, i64 %529
+  %538 = load ptr, ptr %362, align 8
+  %539 = getelementptr inbounds double, ptr %538, i64 %529
+  tail call fastcc void @combine(ptr noundef %520, ptr noundef %521, ptr noundef %534, ptr noundef %535, ptr noundef %537, ptr noundef %539, i64 noundef %533, i64 noundef %526, i64 noundef %524) #8
+  %540 = icmp eq i64 %524, 1
+  br i1 %540, label %541, label %572
 
-531:                                              ; preds = %506
-  %532 = load ptr, ptr %359, align 8
-  %533 = getelementptr i64, ptr %532, i64 %509
-  %534 = getelementptr i8, ptr %533, i64 8
-  %535 = load i64, ptr %534, align 8
-  %536 = add nsw i64 %535, -1
-  %537 = load ptr, ptr %362, align 8
-  %538 = getelementptr inbounds double, ptr %537, i64 %536
-  %539 = load double, ptr %538, align 8
-  %540 = fmul double %487, %539
-  %541 = load ptr, ptr %360, align 8
-  %542 = load ptr, ptr %361, align 8
-  %543 = getelementptr inbounds i64, ptr %542, i64 %536
-  %544 = load i64, ptr %543, align 8
-  %545 = getelementptr inbounds double, ptr %541, i64 %544
-  %546 = load ptr, ptr %73, align 8
-  %547 = getelementptr inbounds i8, ptr %546, i64 8
-  %548 = load i64, ptr %547, align 8
-  %549 = icmp sgt i64 %548, 0
-  br i1 %549, label %550, label %562
+541:                                              ; preds = %516
+  %542 = load ptr, ptr %359, align 8
+  %543 = getelementptr i64, ptr %542, i64 %519
+  %544 = getelementptr i8, ptr %543, i64 8
+  %545 = load i64, ptr %544, align 8
+  %546 = add nsw i64 %545, -1
+  %547 = load ptr, ptr %362, align 8
+  %548 = getelementptr inbounds double, ptr %547, i64 %546
+  %549 = load double, ptr %548, align 8
+  %550 = fmul double %497, %549
+  %551 = load ptr, ptr %360, align 8
+  %552 = load ptr, ptr %361, align 8
+  %553 = getelementptr inbounds i64, ptr %552, i64 %546
+  %554 = load i64, ptr %553, align 8
+  %555 = getelementptr inbounds double, ptr %551, i64 %554
+  %556 = load ptr, ptr %73, align 8
+  %557 = getelementptr inbounds i8, ptr %556, i64 8
+  %558 = load i64, ptr %557, align 8
+  %559 = icmp sgt i64 %558, 0
+  br i1 %559, label %560, label %572
 
-550:                                              ; preds = %531, %550
-  %551 = phi i64 [ %557, %550 ], [ 0, %531 ]
-  %552 = getelementptr inbounds double, ptr %545, i64 %551
-  %553 = load double, ptr %552, align 8
-  %554 = getelementptr inbounds double, ptr %510, i64 %551
-  %555 = load double, ptr %554, align 8
-  %556 = tail call double @llvm.fma.f64(double %540, double %553, double %555)
-  store double %556, ptr %554, align 8
-  %557 = add nuw nsw i64 %551, 1
-  %558 = load ptr, ptr %73, align 8
-  %559 = getelementptr inbounds i8, ptr %558, i64 8
-  %560 = load i64, ptr %559, align 8
-  %561 = icmp slt i64 %557, %560
-  br i1 %561, label %550, label %562, !llvm.loop !13
+560:                                              ; preds = %541, %560
+  %561 = phi i64 [ %567, %560 ], [ 0, %541 ]
+  %562 = getelementptr inbounds double, ptr %555, i64 %561
+  %563 = load double, ptr %562, align 8
+  %564 = getelementptr inbounds double, ptr %520, i64 %561
+  %565 = load double, ptr %564, align 8
+  %566 = tail call double @llvm.fma.f64(double %550, double %563, double %565)
+  store double %566, ptr %564, align 8
+  %567 = add nuw nsw i64 %561, 1
+  %568 = load ptr, ptr %73, align 8
+  %569 = getelementptr inbounds i8, ptr %568, i64 8
+  %570 = load i64, ptr %569, align 8
+  %571 = icmp slt i64 %567, %570
+  br i1 %571, label %560, label %572, !llvm.loop !13
 
-562:                                              ; preds = %550, %531, %506
-  %563 = load ptr, ptr %360, align 8
-  %564 = load i64, ptr %363, align 8
-  %565 = mul nsw i64 %564, %509
-  %566 = getelementptr inbounds double, ptr %563, i64 %565
-  %567 = load i64, ptr %356, align 8
-  %568 = add nsw i64 %567, 1
-  store i64 %568, ptr %356, align 8
-  %569 = load ptr, ptr %364, align 8
-  %570 = getelementptr inbounds double, ptr %569, i64 %509
-  %571 = load double, ptr %570, align 8
-  %572 = fmul double %487, %571
-  %573 = fadd double %440, %572
-  %574 = load ptr, ptr %358, align 8
-  %575 = load ptr, ptr %365, align 8
-  store double %573, ptr %575, align 8
-  %576 = load i64, ptr %366, align 8
-  %577 = icmp sgt i64 %576, 0
-  br i1 %577, label %578, label %579
+572:                                              ; preds = %560, %541, %516
+  %573 = load ptr, ptr %360, align 8
+  %574 = load i64, ptr %363, align 8
+  %575 = mul nsw i64 %574, %519
+  %576 = getelementptr inbounds double, ptr %573, i64 %575
+  %577 = load i64, ptr %356, align 8
+  %578 = add nsw i64 %577, 1
+  store i64 %578, ptr %356, align 8
+  %579 = load ptr, ptr %364, align 8
+  %580 = getelementptr inbounds double, ptr %579, i64 %519
+  %581 = load double, ptr %580, align 8
+  %582 = fmul double %497, %581
+  %583 = fadd double %450, %582
+  %584 = load ptr, ptr %358, align 8
+  %585 = load ptr, ptr %365, align 8
+  store double %583, ptr %585, align 8
+  %586 = load i64, ptr %366, align 8
+  %587 = icmp sgt i64 %586, 0
+  br i1 %587, label %588, label %589
 
-578:                                              ; preds = %562
+588:                                              ; preds = %572
   tail call fastcc void @sample(ptr noundef nonnull %73) #8
-  br label %579
+  br label %589
 
-579:                                              ; preds = %562, %578
-  %580 = load ptr, ptr %73, align 8
-  %581 = load i64, ptr %580, align 8
-  %582 = load ptr, ptr %365, align 8
-  %583 = load ptr, ptr %367, align 8
-  %584 = load ptr, ptr %368, align 8
-  %585 = inttoptr i64 %581 to ptr
-  %586 = tail call i32 %585(ptr noundef %582, ptr noundef %574, ptr noundef %583, ptr noundef %584, ptr noundef %566) #9
-  %587 = sext i32 %586 to i64
-  %588 = icmp eq i32 %586, 0
-  %589 = select i1 %588, i64 %508, i64 %587
-  br i1 %588, label %502, label %590
+589:                                              ; preds = %572, %588
+  %590 = load ptr, ptr %73, align 8
+  %591 = load i64, ptr %590, align 8
+  %592 = load ptr, ptr %365, align 8
+  %593 = load ptr, ptr %367, align 8
+  %594 = load ptr, ptr %368, align 8
+  %595 = inttoptr i64 %591 to ptr
+  %596 = tail call i32 %595(ptr noundef %592, ptr noundef %584, ptr noundef %593, ptr noundef %594, ptr noundef %576) #9
+  %597 = sext i32 %596 to i64
+  %598 = icmp eq i32 %596, 0
+  %599 = select i1 %598, i64 %518, i64 %597
+  br i1 %598, label %512, label %600
 
-590:                                              ; preds = %502, %579, %495
-  %591 = phi i1 [ %501, %495 ], [ %504, %502 ], [ %507, %579 ]
-  %592 = phi i64 [ 0, %495 ], [ %587, %579 ], [ %587, %502 ]
-  %593 = phi i64 [ undef, %495 ], [ %589, %579 ], [ %589, %502 ]
-  br i1 %591, label %647, label %594
+600:                                              ; preds = %512, %589, %505
+  %601 = phi i1 [ %511, %505 ], [ %514, %512 ], [ %517, %589 ]
+  %602 = phi i64 [ 0, %505 ], [ %597, %589 ], [ %597, %512 ]
+  %603 = phi i64 [ undef, %505 ], [ %599, %589 ], [ %599, %512 ]
+  br i1 %601, label %657, label %604
 
-594:                                              ; preds = %590
-  %595 = load ptr, ptr %369, align 8
-  %596 = load ptr, ptr %74, align 8
-  %597 = load ptr, ptr %73, align 8
-  %598 = getelementptr inbounds i8, ptr %597, i64 16
-  %599 = load i64, ptr %598, align 8
-  %600 = icmp sgt i64 %599, 1
-  %601 = zext i1 %600 to i64
-  %602 = load ptr, ptr %370, align 8
-  %603 = getelementptr inbounds i64, ptr %602, i64 %497
-  %604 = load i64, ptr %603, align 8
-  %605 = getelementptr i8, ptr %603, i64 8
-  %606 = load i64, ptr %605, align 8
-  %607 = xor i64 %604, -1
-  %608 = add i64 %606, %607
-  %609 = load ptr, ptr %357, align 8
-  %610 = load ptr, ptr %371, align 8
-  %611 = load ptr, ptr %372, align 8
-  %612 = getelementptr inbounds i64, ptr %611, i64 %604
-  %613 = load ptr, ptr %373, align 8
-  %614 = getelementptr inbounds double, ptr %613, i64 %604
-  tail call fastcc void @combine(ptr noundef %595, ptr noundef %596, ptr noundef %609, ptr noundef %610, ptr noundef %612, ptr noundef %614, i64 noundef %608, i64 noundef %601, i64 noundef %599) #8
-  %615 = icmp eq i64 %599, 1
-  br i1 %615, label %616, label %647
+604:                                              ; preds = %600
+  %605 = load ptr, ptr %369, align 8
+  %606 = load ptr, ptr %74, align 8
+  %607 = load ptr, ptr %73, align 8
+  %608 = getelementptr inbounds i8, ptr %607, i64 16
+  %609 = load i64, ptr %608, align 8
+  %610 = icmp sgt i64 %609, 1
+  %611 = zext i1 %610 to i64
+  %612 = load ptr, ptr %370, align 8
+  %613 = getelementptr inbounds i64, ptr %612, i64 %507
+  %614 = load i64, ptr %613, align 8
+  %615 = getelementptr i8, ptr %613, i64 8
+  %616 = load i64, ptr %615, align 8
+  %617 = xor i64 %614, -1
+  %618 = add i64 %616, %617
+  %619 = load ptr, ptr %357, align 8
+  %620 = load ptr, ptr %371, align 8
+  %621 = load ptr, ptr %372, align 8
+  %622 = getelementptr inbounds i64, ptr %621, i64 %614
+  %623 = load ptr, ptr %373, align 8
+  %624 = getelementptr inbounds double, ptr %623, i64 %614
+  tail call fastcc void @combine(ptr noundef %605, ptr noundef %606, ptr noundef %619, ptr noundef %620, ptr noundef %622, ptr noundef %624, i64 noundef %618, i64 noundef %611, i64 noundef %609) #8
+  %625 = icmp eq i64 %609, 1
+  br i1 %625, label %626, label %657
 
-616:                                              ; preds = %594
-  %617 = load ptr, ptr %370, align 8
-  %618 = getelementptr i64, ptr %617, i64 %497
-  %619 = getelementptr i8, ptr %618, i64 8
-  %620 = load i64, ptr %619, align 8
-  %621 = add nsw i64 %620, -1
-  %622 = load ptr, ptr %373, align 8
-  %623 = getelementptr inbounds double, ptr %622, i64 %621
-  %624 = load double, ptr %623, align 8
-  %625 = fmul double %487, %624
-  %626 = load ptr, ptr %371, align 8
-  %627 = load ptr, ptr %372, align 8
-  %628 = getelementptr inbounds i64, ptr %627, i64 %621
-  %629 = load i64, ptr %628, align 8
-  %630 = getelementptr inbounds double, ptr %626, i64 %629
-  %631 = load ptr, ptr %73, align 8
-  %632 = getelementptr inbounds i8, ptr %631, i64 8
-  %633 = load i64, ptr %632, align 8
-  %634 = icmp sgt i64 %633, 0
-  br i1 %634, label %635, label %647
+626:                                              ; preds = %604
+  %627 = load ptr, ptr %370, align 8
+  %628 = getelementptr i64, ptr %627, i64 %507
+  %629 = getelementptr i8, ptr %628, i64 8
+  %630 = load i64, ptr %629, align 8
+  %631 = add nsw i64 %630, -1
+  %632 = load ptr, ptr %373, align 8
+  %633 = getelementptr inbounds double, ptr %632, i64 %631
+  %634 = load double, ptr %633, align 8
+  %635 = fmul double %497, %634
+  %636 = load ptr, ptr %371, align 8
+  %637 = load ptr, ptr %372, align 8
+  %638 = getelementptr inbounds i64, ptr %637, i64 %631
+  %639 = load i64, ptr %638, align 8
+  %640 = getelementptr inbounds double, ptr %636, i64 %639
+  %641 = load ptr, ptr %73, align 8
+  %642 = getelementptr inbounds i8, ptr %641, i64 8
+  %643 = load i64, ptr %642, align 8
+  %644 = icmp sgt i64 %643, 0
+  br i1 %644, label %645, label %657
 
-635:                                              ; preds = %616, %635
-  %636 = phi i64 [ %642, %635 ], [ 0, %616 ]
-  %637 = getelementptr inbounds double, ptr %630, i64 %636
-  %638 = load double, ptr %637, align 8
-  %639 = getelementptr inbounds double, ptr %595, i64 %636
-  %640 = load double, ptr %639, align 8
-  %641 = tail call double @llvm.fma.f64(double %625, double %638, double %640)
-  store double %641, ptr %639, align 8
-  %642 = add nuw nsw i64 %636, 1
-  %643 = load ptr, ptr %73, align 8
-  %644 = getelementptr inbounds i8, ptr %643, i64 8
-  %645 = load i64, ptr %644, align 8
-  %646 = icmp slt i64 %642, %645
-  br i1 %646, label %635, label %647, !llvm.loop !13
+645:                                              ; preds = %626, %645
+  %646 = phi i64 [ %652, %645 ], [ 0, %626 ]
+  %647 = getelementptr inbounds double, ptr %640, i64 %646
+  %648 = load double, ptr %647, align 8
+  %649 = getelementptr inbounds double, ptr %605, i64 %646
+  %650 = load double, ptr %649, align 8
+  %651 = tail call double @llvm.fma.f64(double %635, double %648, double %650)
+  store double %651, ptr %649, align 8
+  %652 = add nuw nsw i64 %646, 1
+  %653 = load ptr, ptr %73, align 8
+  %654 = getelementptr inbounds i8, ptr %653, i64 8
+  %655 = load i64, ptr %654, align 8
+  %656 = icmp slt i64 %652, %655
+  br i1 %656, label %645, label %657, !llvm.loop !13
 
-647:                                              ; preds = %635, %616, %594, %590
-  %648 = phi i64 [ %593, %590 ], [ %592, %594 ], [ %592, %616 ], [ %592, %635 ]
-  %649 = icmp eq i64 %648, 0
-  %650 = select i1 %649, i1 %101, i1 false
-  br i1 %650, label %651, label %667
+657:                                              ; preds = %645, %626, %604, %600
+  %658 = phi i64 [ %603, %600 ], [ %602, %604 ], [ %602, %626 ], [ %602, %645 ]
+  %659 = icmp eq i64 %658, 0
+  %660 = select i1 %659, i1 %101, i1 false
+  br i1 %660, label %661, label %677
 
-651:                                              ; preds = %647
-  %652 = load i64, ptr %356, align 8
-  %653 = add nsw i64 %652, 1
-  store i64 %653, ptr %356, align 8
-  %654 = load ptr, ptr %374, align 8
-  store double %488, ptr %654, align 8
-  %655 = load i64, ptr %375, align 8
-  %656 = icmp sgt i64 %655, 0
-  br i1 %656, label %657, label %658
+661:                                              ; preds = %657
+  %662 = load i64, ptr %356, align 8
+  %663 = add nsw i64 %662, 1
+  store i64 %663, ptr %356, align 8
+  %664 = load ptr, ptr %374, align 8
+  store double %498, ptr %664, align 8
+  %665 = load i64, ptr %375, align 8
+  %666 = icmp sgt i64 %665, 0
+  br i1 %666, label %667, label %668
 
-657:                                              ; preds = %651
+667:                                              ; preds = %661
   tail call fastcc void @sample(ptr noundef nonnull %73) #8
-  br label %658
+  br label %668
 
-658:                                              ; preds = %651, %657
-  %659 = load ptr, ptr %73, align 8
-  %660 = load i64, ptr %659, align 8
-  %661 = load ptr, ptr %374, align 8
-  %662 = load ptr, ptr %376, align 8
-  %663 = load ptr, ptr %377, align 8
-  %664 = inttoptr i64 %660 to ptr
-  %665 = tail call i32 %664(ptr noundef %661, ptr noundef %78, ptr noundef %662, ptr noundef %663, ptr noundef %116) #9
-  %666 = sext i32 %665 to i64
-  br label %667
+668:                                              ; preds = %661, %667
+  %669 = load ptr, ptr %73, align 8
+  %670 = load i64, ptr %669, align 8
+  %671 = load ptr, ptr %374, align 8
+  %672 = load ptr, ptr %376, align 8
+  %673 = load ptr, ptr %377, align 8
+  %674 = inttoptr i64 %670 to ptr
+  %675 = tail call i32 %674(ptr noundef %671, ptr noundef %78, ptr noundef %672, ptr noundef %673, ptr noundef %116) #9
+  %676 = sext i32 %675 to i64
+  br label %677
 
-667:                                              ; preds = %658, %647
-  %668 = phi i64 [ %666, %658 ], [ %648, %647 ]
-  %669 = icmp slt i64 %668, 0
-  br i1 %669, label %1498, label %670
+677:                                              ; preds = %668, %657
+  %678 = phi i64 [ %676, %668 ], [ %658, %657 ]
+  %679 = icmp slt i64 %678, 0
+  br i1 %679, label %1624, label %680
 
-670:                                              ; preds = %667
-  %671 = icmp eq i64 %668, 0
-  br i1 %671, label %672, label %863
+680:                                              ; preds = %677
+  %681 = icmp eq i64 %678, 0
+  br i1 %681, label %682, label %873
 
-672:                                              ; preds = %670
-  br i1 %98, label %673, label %674
+682:                                              ; preds = %680
+  br i1 %98, label %683, label %684
 
-673:                                              ; preds = %672
-  br i1 %389, label %823, label %832
+683:                                              ; preds = %682
+  br i1 %389, label %833, label %842
 
-674:                                              ; preds = %672
-  %675 = load ptr, ptr %73, align 8
-  %676 = load ptr, ptr %0, align 8
-  %677 = getelementptr inbounds i8, ptr %675, i64 24
-  %678 = load i64, ptr %677, align 8
-  %679 = getelementptr inbounds i8, ptr %676, i64 8
-  %680 = load i64, ptr %679, align 8
-  %681 = load ptr, ptr %378, align 8
-  %682 = load i64, ptr %379, align 8
-  %683 = getelementptr inbounds double, ptr %681, i64 %682
-  %684 = icmp sgt i64 %680, 0
-  br i1 %684, label %685, label %687
+684:                                              ; preds = %682
+  %685 = load ptr, ptr %73, align 8
+  %686 = load ptr, ptr %0, align 8
+  %687 = getelementptr inbounds i8, ptr %685, i64 24
+  %688 = load i64, ptr %687, align 8
+  %689 = getelementptr inbounds i8, ptr %686, i64 8
+  %690 = load i64, ptr %689, align 8
+  %691 = load ptr, ptr %378, align 8
+  %692 = load i64, ptr %379, align 8
+  %693 = getelementptr inbounds double, ptr %691, i64 %692
+  %694 = icmp sgt i64 %690, 0
+  br i1 %694, label %695, label %697
 
-685:                                              ; preds = %674
-  %686 = getelementptr inbounds i8, ptr %675, i64 32
-  br label %695
+695:                                              ; preds = %684
+  %696 = getelementptr inbounds i8, ptr %685, i64 32
+  br label %705
 
-687:                                              ; preds = %695, %674
-  %688 = icmp sgt i64 %678, 0
-  br i1 %688, label %689, label %721
+697:                                              ; preds = %705, %684
+  %698 = icmp sgt i64 %688, 0
+  br i1 %698, label %699, label %731
 
-689:                                              ; preds = %687
-  %690 = load ptr, ptr %74, align 8
-  %691 = load ptr, ptr %385, align 8
-  %692 = load ptr, ptr %386, align 8
-  %693 = load ptr, ptr %387, align 8
-  %694 = load ptr, ptr %378, align 8
-  br label %779
+699:                                              ; preds = %697
+  %700 = load ptr, ptr %74, align 8
+  %701 = load ptr, ptr %385, align 8
+  %702 = load ptr, ptr %386, align 8
+  %703 = load ptr, ptr %387, align 8
+  %704 = load ptr, ptr %378, align 8
+  br label %789
 
-695:                                              ; preds = %685, %695
-  %696 = phi i64 [ 0, %685 ], [ %719, %695 ]
-  %697 = load i64, ptr %676, align 8
-  %698 = load i64, ptr %686, align 8
-  %699 = load ptr, ptr %378, align 8
-  %700 = load i64, ptr %379, align 8
-  %701 = mul nsw i64 %700, %696
-  %702 = getelementptr inbounds double, ptr %699, i64 %701
-  %703 = load ptr, ptr %380, align 8
-  %704 = load ptr, ptr %381, align 8
-  %705 = getelementptr i64, ptr %704, i64 %697
-  %706 = getelementptr i8, ptr %705, i64 8
-  %707 = getelementptr i64, ptr %706, i64 %696
-  %708 = load i64, ptr %707, align 8
-  %709 = getelementptr i8, ptr %707, i64 8
-  %710 = load i64, ptr %709, align 8
-  %711 = xor i64 %708, -1
-  %712 = add i64 %710, %711
-  %713 = load ptr, ptr %357, align 8
-  %714 = load ptr, ptr %382, align 8
-  %715 = load ptr, ptr %383, align 8
-  %716 = getelementptr inbounds i64, ptr %715, i64 %708
-  %717 = load ptr, ptr %384, align 8
-  %718 = getelementptr inbounds double, ptr %717, i64 %708
-  tail call fastcc void @combine(ptr noundef %702, ptr noundef %703, ptr noundef %713, ptr noundef %714, ptr noundef %716, ptr noundef %718, i64 noundef %712, i64 noundef 1, i64 noundef %698) #8
-  %719 = add nuw nsw i64 %696, 1
-  %720 = icmp eq i64 %719, %680
-  br i1 %720, label %687, label %695, !llvm.loop !14
+705:                                              ; preds = %695, %705
+  %706 = phi i64 [ 0, %695 ], [ %729, %705 ]
+  %707 = load i64, ptr %686, align 8
+  %708 = load i64, ptr %696, align 8
+  %709 = load ptr, ptr %378, align 8
+  %710 = load i64, ptr %379, align 8
+  %711 = mul nsw i64 %710, %706
+  %712 = getelementptr inbounds double, ptr %709, i64 %711
+  %713 = load ptr, ptr %380, align 8
+  %714 = load ptr, ptr %381, align 8
+  %715 = getelementptr i64, ptr %714, i64 %707
+  %716 = getelementptr i8, ptr %715, i64 8
+  %717 = getelementptr i64, ptr %716, i64 %706
+  %718 = load i64, ptr %717, align 8
+  %719 = getelementptr i8, ptr %717, i64 8
+  %720 = load i64, ptr %719, align 8
+  %721 = xor i64 %718, -1
+  %722 = add i64 %720, %721
+  %723 = load ptr, ptr %357, align 8
+  %724 = load ptr, ptr %382, align 8
+  %725 = load ptr, ptr %383, align 8
+  %726 = getelementptr inbounds i64, ptr %725, i64 %718
+  %727 = load ptr, ptr %384, align 8
+  %728 = getelementptr inbounds double, ptr %727, i64 %718
+  tail call fastcc void @combine(ptr noundef %712, ptr noundef %713, ptr noundef %723, ptr noundef %724, ptr noundef %726, ptr noundef %728, i64 noundef %722, i64 noundef 1, i64 noundef %708) #8
+  %729 = add nuw nsw i64 %706, 1
+  %730 = icmp eq i64 %729, %690
+  br i1 %730, label %697, label %705, !llvm.loop !14
 
-721:                                              ; preds = %779, %687
-  %722 = phi double [ 0.000000e+00, %687 ], [ %807, %779 ]
-  %723 = phi double [ 0.000000e+00, %687 ], [ %805, %779 ]
-  %724 = load ptr, ptr %388, align 8
-  %725 = getelementptr inbounds i8, ptr %675, i64 8
-  %726 = load i64, ptr %725, align 8
-  %727 = add nsw i64 %726, -3
-  %728 = getelementptr i8, ptr %724, i64 8
-  %729 = getelementptr i8, ptr %724, i64 16
-  %730 = getelementptr i8, ptr %724, i64 24
-  %731 = icmp slt i64 %678, %727
-  br i1 %731, label %739, label %732
+731:                                              ; preds = %789, %697
+  %732 = phi double [ 0.000000e+00, %697 ], [ %817, %789 ]
+  %733 = phi double [ 0.000000e+00, %697 ], [ %815, %789 ]
+  %734 = load ptr, ptr %388, align 8
+  %735 = getelementptr inbounds i8, ptr %685, i64 8
+  %736 = load i64, ptr %735, align 8
+  %737 = add nsw i64 %736, -3
+  %738 = getelementptr i8, ptr %734, i64 8
+  %739 = getelementptr i8, ptr %734, i64 16
+  %740 = getelementptr i8, ptr %734, i64 24
+  %741 = icmp slt i64 %688, %737
+  br i1 %741, label %749, label %742
 
-732:                                              ; preds = %739, %721
-  %733 = phi double [ 0.000000e+00, %721 ], [ %748, %739 ]
-  %734 = phi double [ 0.000000e+00, %721 ], [ %752, %739 ]
-  %735 = phi double [ 0.000000e+00, %721 ], [ %756, %739 ]
-  %736 = phi double [ 0.000000e+00, %721 ], [ %760, %739 ]
-  %737 = phi i64 [ %678, %721 ], [ %761, %739 ]
-  %738 = icmp slt i64 %737, %726
-  br i1 %738, label %763, label %772
+742:                                              ; preds = %749, %731
+  %743 = phi double [ 0.000000e+00, %731 ], [ %758, %749 ]
+  %744 = phi double [ 0.000000e+00, %731 ], [ %762, %749 ]
+  %745 = phi double [ 0.000000e+00, %731 ], [ %766, %749 ]
+  %746 = phi double [ 0.000000e+00, %731 ], [ %770, %749 ]
+  %747 = phi i64 [ %688, %731 ], [ %771, %749 ]
+  %748 = icmp slt i64 %747, %736
+  br i1 %748, label %773, label %782
 
-739:                                              ; preds = %721, %739
-  %740 = phi i64 [ %761, %739 ], [ %678, %721 ]
-  %741 = phi double [ %760, %739 ], [ 0.000000e+00, %721 ]
-  %742 = phi double [ %756, %739 ], [ 0.000000e+00, %721 ]
-  %743 = phi double [ %752, %739 ], [ 0.000000e+00, %721 ]
-  %744 = phi double [ %748, %739 ], [ 0.000000e+00, %721 ]
-  %745 = getelementptr inbounds double, ptr %724, i64 %740
-  %746 = load double, ptr %745, align 8
-  %747 = fmul double %746, 0.000000e+00
-  %748 = fadd double %744, %747
-  %749 = getelementptr double, ptr %728, i64 %740
-  %750 = load double, ptr %749, align 8
-  %751 = fmul double %750, 0.000000e+00
-  %752 = fadd double %743, %751
-  %753 = getelementptr double, ptr %729, i64 %740
-  %754 = load double, ptr %753, align 8
-  %755 = fmul double %754, 0.000000e+00
-  %756 = fadd double %742, %755
-  %757 = getelementptr double, ptr %730, i64 %740
-  %758 = load double, ptr %757, align 8
-  %759 = fmul double %758, 0.000000e+00
-  %760 = fadd double %741, %759
-  %761 = add nsw i64 %740, 4
-  %762 = icmp slt i64 %761, %727
-  br i1 %762, label %739, label %732, !llvm.loop !15
+749:                                              ; preds = %731, %749
+  %750 = phi i64 [ %771, %749 ], [ %688, %731 ]
+  %751 = phi double [ %770, %749 ], [ 0.000000e+00, %731 ]
+  %752 = phi double [ %766, %749 ], [ 0.000000e+00, %731 ]
+  %753 = phi double [ %762, %749 ], [ 0.000000e+00, %731 ]
+  %754 = phi double [ %758, %749 ], [ 0.000000e+00, %731 ]
+  %755 = getelementptr inbounds double, ptr %734, i64 %750
+  %756 = load double, ptr %755, align 8
+  %757 = fmul double %756, 0.000000e+00
+  %758 = fadd double %754, %757
+  %759 = getelementptr double, ptr %738, i64 %750
+  %760 = load double, ptr %759, align 8
+  %761 = fmul double %760, 0.000000e+00
+  %762 = fadd double %753, %761
+  %763 = getelementptr double, ptr %739, i64 %750
+  %764 = load double, ptr %763, align 8
+  %765 = fmul double %764, 0.000000e+00
+  %766 = fadd double %752, %765
+  %767 = getelementptr double, ptr %740, i64 %750
+  %768 = load double, ptr %767, align 8
+  %769 = fmul double %768, 0.000000e+00
+  %770 = fadd double %751, %769
+  %771 = add nsw i64 %750, 4
+  %772 = icmp slt i64 %771, %737
+  br i1 %772, label %749, label %742, !llvm.loop !15
 
-763:                                              ; preds = %732, %763
-  %764 = phi i64 [ %770, %763 ], [ %737, %732 ]
-  %765 = phi double [ %769, %763 ], [ %733, %732 ]
-  %766 = getelementptr inbounds double, ptr %724, i64 %764
-  %767 = load double, ptr %766, align 8
-  %768 = fmul double %767, 0.000000e+00
-  %769 = fadd double %765, %768
-  %770 = add nsw i64 %764, 1
-  %771 = icmp eq i64 %770, %726
-  br i1 %771, label %772, label %763, !llvm.loop !16
+773:                                              ; preds = %742, %773
+  %774 = phi i64 [ %780, %773 ], [ %747, %742 ]
+  %775 = phi double [ %779, %773 ], [ %743, %742 ]
+  %776 = getelementptr inbounds double, ptr %734, i64 %774
+  %777 = load double, ptr %776, align 8
+  %778 = fmul double %777, 0.000000e+00
+  %779 = fadd double %775, %778
+  %780 = add nsw i64 %774, 1
+  %781 = icmp eq i64 %780, %736
+  br i1 %781, label %782, label %773, !llvm.loop !16
 
-772:                                              ; preds = %763, %732
-  %773 = phi double [ %733, %732 ], [ %769, %763 ]
-  %774 = fadd double %734, %773
-  %775 = fadd double %735, %736
-  %776 = fadd double %775, %774
-  %777 = fadd double %723, %776
-  %778 = icmp eq i64 %680, 2
-  br i1 %778, label %810, label %819
+782:                                              ; preds = %773, %742
+  %783 = phi double [ %743, %742 ], [ %779, %773 ]
+  %784 = fadd double %744, %783
+  %785 = fadd double %745, %746
+  %786 = fadd double %785, %784
+  %787 = fadd double %733, %786
+  %788 = icmp eq i64 %690, 2
+  br i1 %788, label %820, label %829
 
-779:                                              ; preds = %689, %779
-  %780 = phi double [ 0.000000e+00, %689 ], [ %805, %779 ]
-  %781 = phi double [ 0.000000e+00, %689 ], [ %807, %779 ]
-  %782 = phi i64 [ 0, %689 ], [ %808, %779 ]
-  %783 = getelementptr inbounds double, ptr %690, i64 %782
-  %784 = load double, ptr %783, align 8
-  %785 = getelementptr inbounds double, ptr %691, i64 %782
-  %786 = load double, ptr %785, align 8
-  %787 = getelementptr inbounds double, ptr %692, i64 %782
-  %788 = load double, ptr %787, align 8
-  %789 = getelementptr inbounds double, ptr %693, i64 %782
-  %790 = load double, ptr %789, align 8
-  %791 = tail call double @llvm.fabs.f64(double %784)
-  %792 = tail call double @llvm.fabs.f64(double %786)
-  %793 = fcmp ogt double %791, %792
-  %794 = select i1 %793, double %791, double %792
-  %795 = fmul double %794, %790
-  %796 = fadd double %788, %795
-  %797 = fdiv double 1.000000e+00, %796
-  %798 = getelementptr inbounds double, ptr %694, i64 %782
-  %799 = load double, ptr %798, align 8
-  %800 = fmul double %799, %797
-  %801 = getelementptr inbounds double, ptr %683, i64 %782
-  %802 = load double, ptr %801, align 8
-  %803 = fmul double %802, %797
-  %804 = fmul double %800, %800
-  %805 = fadd double %780, %804
-  %806 = fmul double %803, %803
-  %807 = fadd double %781, %806
-  %808 = add nuw nsw i64 %782, 1
-  %809 = icmp eq i64 %808, %678
-  br i1 %809, label %721, label %779, !llvm.loop !17
+789:                                              ; preds = %699, %789
+  %790 = phi double [ 0.000000e+00, %699 ], [ %815, %789 ]
+  %791 = phi double [ 0.000000e+00, %699 ], [ %817, %789 ]
+  %792 = phi i64 [ 0, %699 ], [ %818, %789 ]
+  %793 = getelementptr inbounds double, ptr %700, i64 %792
+  %794 = load double, ptr %793, align 8
+  %795 = getelementptr inbounds double, ptr %701, i64 %792
+  %796 = load double, ptr %795, align 8
+  %797 = getelementptr inbounds double, ptr %702, i64 %792
+  %798 = load double, ptr %797, align 8
+  %799 = getelementptr inbounds double, ptr %703, i64 %792
+  %800 = load double, ptr %799, align 8
+  %801 = tail call double @llvm.fabs.f64(double %794)
+  %802 = tail call double @llvm.fabs.f64(double %796)
+  %803 = fcmp ogt double %801, %802
+  %804 = select i1 %803, double %801, double %802
+  %805 = fmul double %804, %800
+  %806 = fadd double %798, %805
+  %807 = fdiv double 1.000000e+00, %806
+  %808 = getelementptr inbounds double, ptr %704, i64 %792
+  %809 = load double, ptr %808, align 8
+  %810 = fmul double %809, %807
+  %811 = getelementptr inbounds double, ptr %693, i64 %792
+  %812 = load double, ptr %811, align 8
+  %813 = fmul double %812, %807
+  %814 = fmul double %810, %810
+  %815 = fadd double %790, %814
+  %816 = fmul double %813, %813
+  %817 = fadd double %791, %816
+  %818 = add nuw nsw i64 %792, 1
+  %819 = icmp eq i64 %818, %688
+  br i1 %819, label %731, label %789, !llvm.loop !17
 
-810:                                              ; preds = %772
-  %811 = fmul double %722, 1.000000e-02
-  %812 = fadd double %811, %777
-  %813 = sitofp i64 %678 to double
-  %814 = fmul double %812, %813
-  %815 = tail call double @llvm.sqrt.f64(double %814)
-  %816 = fdiv double %777, %815
-  %817 = fcmp une double %777, 0.000000e+00
-  %818 = select i1 %817, double %816, double 0.000000e+00
-  br label %832
+820:                                              ; preds = %782
+  %821 = fmul double %732, 1.000000e-02
+  %822 = fadd double %821, %787
+  %823 = sitofp i64 %688 to double
+  %824 = fmul double %822, %823
+  %825 = tail call double @llvm.sqrt.f64(double %824)
+  %826 = fdiv double %787, %825
+  %827 = fcmp une double %787, 0.000000e+00
+  %828 = select i1 %827, double %826, double 0.000000e+00
+  br label %842
 
-819:                                              ; preds = %772
-  %820 = sitofp i64 %678 to double
-  %821 = fdiv double %777, %820
-  %822 = tail call double @llvm.sqrt.f64(double %821)
-  br label %832
+829:                                              ; preds = %782
+  %830 = sitofp i64 %688 to double
+  %831 = fdiv double %787, %830
+  %832 = tail call double @llvm.sqrt.f64(double %831)
+  br label %842
 
-823:                                              ; preds = %673, %823
-  %824 = phi i64 [ %830, %823 ], [ 0, %673 ]
-  %825 = phi double [ %829, %823 ], [ 0.000000e+00, %673 ]
-  %826 = getelementptr inbounds double, ptr %78, i64 %824
-  %827 = load double, ptr %826, align 8
-  %828 = fmul double %827, 0.000000e+00
-  %829 = fadd double %825, %828
-  %830 = add nuw nsw i64 %824, 1
-  %831 = icmp eq i64 %830, %91
-  br i1 %831, label %832, label %823, !llvm.loop !18
+833:                                              ; preds = %683, %833
+  %834 = phi i64 [ %840, %833 ], [ 0, %683 ]
+  %835 = phi double [ %839, %833 ], [ 0.000000e+00, %683 ]
+  %836 = getelementptr inbounds double, ptr %78, i64 %834
+  %837 = load double, ptr %836, align 8
+  %838 = fmul double %837, 0.000000e+00
+  %839 = fadd double %835, %838
+  %840 = add nuw nsw i64 %834, 1
+  %841 = icmp eq i64 %840, %91
+  br i1 %841, label %842, label %833, !llvm.loop !18
 
-832:                                              ; preds = %823, %673, %819, %810
-  %833 = phi double [ %818, %810 ], [ %822, %819 ], [ 0.000000e+00, %673 ], [ %829, %823 ]
-  %834 = fcmp uge double %833, 1.000000e+00
-  %835 = select i1 %834, i1 true, i1 %390
-  br i1 %835, label %863, label %836
+842:                                              ; preds = %833, %683, %829, %820
+  %843 = phi double [ %828, %820 ], [ %832, %829 ], [ 0.000000e+00, %683 ], [ %839, %833 ]
+  %844 = fcmp uge double %843, 1.000000e+00
+  %845 = select i1 %844, i1 true, i1 %390
+  br i1 %845, label %873, label %846
 
-836:                                              ; preds = %832
-  br i1 %95, label %844, label %837
+846:                                              ; preds = %842
+  br i1 %95, label %854, label %847
 
-837:                                              ; preds = %836
-  %838 = load ptr, ptr %92, align 8
-  %839 = getelementptr inbounds i8, ptr %838, i64 56
-  %840 = load i64, ptr %839, align 8
-  %841 = inttoptr i64 %840 to ptr
-  %842 = tail call i64 %841(ptr noundef %0, double noundef %488, ptr noundef %78) #9
-  %843 = icmp ne i64 %842, 0
-  br label %844
+847:                                              ; preds = %846
+  %848 = load ptr, ptr %92, align 8
+  %849 = getelementptr inbounds i8, ptr %848, i64 56
+  %850 = load i64, ptr %849, align 8
+  %851 = inttoptr i64 %850 to ptr
+  %852 = tail call i64 %851(ptr noundef %0, double noundef %498, ptr noundef %78) #9
+  %853 = icmp ne i64 %852, 0
+  br label %854
 
-844:                                              ; preds = %837, %836
-  %845 = phi i1 [ false, %836 ], [ %843, %837 ]
-  br i1 %845, label %863, label %846
+854:                                              ; preds = %847, %846
+  %855 = phi i1 [ false, %846 ], [ %853, %847 ]
+  br i1 %855, label %873, label %856
 
-846:                                              ; preds = %844
-  %847 = load i64, ptr %356, align 8
-  %848 = add nsw i64 %847, 1
-  store i64 %848, ptr %356, align 8
-  %849 = load ptr, ptr %391, align 8
-  store double %488, ptr %849, align 8
-  %850 = load i64, ptr %392, align 8
-  %851 = icmp sgt i64 %850, 0
-  br i1 %851, label %852, label %853
+856:                                              ; preds = %854
+  %857 = load i64, ptr %356, align 8
+  %858 = add nsw i64 %857, 1
+  store i64 %858, ptr %356, align 8
+  %859 = load ptr, ptr %391, align 8
+  store double %498, ptr %859, align 8
+  %860 = load i64, ptr %392, align 8
+  %861 = icmp sgt i64 %860, 0
+  br i1 %861, label %862, label %863
 
-852:                                              ; preds = %846
+862:                                              ; preds = %856
   tail call fastcc void @sample(ptr noundef nonnull %73) #8
-  br label %853
+  br label %863
 
-853:                                              ; preds = %846, %852
-  %854 = load ptr, ptr %73, align 8
-  %855 = load i64, ptr %854, align 8
-  %856 = load ptr, ptr %391, align 8
-  %857 = load ptr, ptr %393, align 8
-  %858 = load ptr, ptr %394, align 8
-  %859 = inttoptr i64 %855 to ptr
-  %860 = tail call i32 %859(ptr noundef %856, ptr noundef %78, ptr noundef %857, ptr noundef %858, ptr noundef %116) #9
-  %861 = sext i32 %860 to i64
-  %862 = icmp slt i32 %860, 0
-  br i1 %862, label %1498, label %863
+863:                                              ; preds = %856, %862
+  %864 = load ptr, ptr %73, align 8
+  %865 = load i64, ptr %864, align 8
+  %866 = load ptr, ptr %391, align 8
+  %867 = load ptr, ptr %393, align 8
+  %868 = load ptr, ptr %394, align 8
+  %869 = inttoptr i64 %865 to ptr
+  %870 = tail call i32 %869(ptr noundef %866, ptr noundef %78, ptr noundef %867, ptr noundef %868, ptr noundef %116) #9
+  %871 = sext i32 %870 to i64
+  %872 = icmp slt i32 %870, 0
+  br i1 %872, label %1624, label %873
 
-863:                                              ; preds = %832, %853, %844, %670
-  %864 = phi i64 [ 0, %844 ], [ %861, %853 ], [ 0, %832 ], [ %668, %670 ]
-  %865 = phi double [ %833, %844 ], [ %833, %853 ], [ %833, %832 ], [ 0.000000e+00, %670 ]
-  %866 = phi i1 [ %845, %844 ], [ %845, %853 ], [ false, %832 ], [ false, %670 ]
-  %867 = icmp ne i64 %864, 0
-  %868 = fcmp uge double %865, 1.000000e+00
-  %869 = or i1 %867, %868
-  %870 = or i1 %866, %869
-  br i1 %870, label %871, label %934
+873:                                              ; preds = %842, %863, %854, %680
+  %874 = phi i64 [ 0, %854 ], [ %871, %863 ], [ 0, %842 ], [ %678, %680 ]
+  %875 = phi double [ %843, %854 ], [ %843, %863 ], [ %843, %842 ], [ 0.000000e+00, %680 ]
+  %876 = phi i1 [ %855, %854 ], [ %855, %863 ], [ false, %842 ], [ false, %680 ]
+  %877 = icmp ne i64 %874, 0
+  %878 = fcmp uge double %875, 1.000000e+00
+  %879 = or i1 %877, %878
+  %880 = or i1 %876, %879
+  br i1 %880, label %881, label %944
 
-871:                                              ; preds = %863
-  %872 = load i64, ptr %352, align 8
-  %873 = add nsw i64 %872, 1
-  store i64 %873, ptr %352, align 8
-  %874 = or i1 %867, %866
-  br i1 %874, label %878, label %875
+881:                                              ; preds = %873
+  %882 = load i64, ptr %352, align 8
+  %883 = add nsw i64 %882, 1
+  store i64 %883, ptr %352, align 8
+  %884 = or i1 %877, %876
+  br i1 %884, label %888, label %885
 
-875:                                              ; preds = %871
-  %876 = tail call double @llvm.fabs.f64(double %865)
-  %877 = fcmp one double %876, 0x7FF0000000000000
-  br label %878
+885:                                              ; preds = %881
+  %886 = tail call double @llvm.fabs.f64(double %875)
+  %887 = fcmp one double %886, 0x7FF0000000000000
+  br label %888
 
-878:                                              ; preds = %875, %871
-  %879 = phi i1 [ false, %871 ], [ %877, %875 ]
-  %880 = select i1 %879, i64 2, i64 4
-  %881 = select i1 %866, i64 6, i64 %880
-  %882 = select i1 %867, i64 3, i64 %881
-  store i64 %882, ptr %431, align 8
-  %883 = fcmp ogt double %865, 1.000000e-10
-  %884 = select i1 %883, double %865, double 1.000000e-10
-  %885 = load double, ptr %432, align 8
-  %886 = load double, ptr %88, align 8
-  %887 = fneg double %886
-  %888 = bitcast double %884 to i64
-  %889 = add nsw i64 %888, -4604544271217802189
-  %890 = ashr i64 %889, 52
-  %891 = and i64 %889, -4503599627370496
-  %892 = sub nsw i64 %888, %891
-  %893 = bitcast i64 %892 to double
-  %894 = fadd double %893, -1.000000e+00
-  %895 = fadd double %893, 1.000000e+00
-  %896 = fdiv double %894, %895
-  %897 = fmul double %896, %896
-  %898 = tail call double @llvm.fma.f64(double %897, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
-  %899 = tail call double @llvm.fma.f64(double %898, double %897, double 0x3FE2776C50EF9BFE)
-  %900 = tail call double @llvm.fma.f64(double %899, double %897, double 0x3FEEC709DC3A03FD)
-  %901 = tail call double @llvm.fma.f64(double %900, double %897, double 0x40071547652B82FE)
-  %902 = trunc nsw i64 %890 to i32
-  %903 = sitofp i32 %902 to double
-  %904 = fmul double %896, %901
-  %905 = fadd double %904, %903
-  %906 = fmul double %905, %887
-  %907 = fcmp ogt double %906, -1.000000e+03
-  %908 = select i1 %907, double %906, double -1.000000e+03
-  %909 = fcmp olt double %908, 1.000000e+03
-  %910 = select i1 %909, double %908, double 1.000000e+03
-  %911 = tail call double @llvm.rint.f64(double %910)
-  %912 = fsub double %910, %911
-  %913 = tail call double @llvm.fma.f64(double %912, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
-  %914 = tail call double @llvm.fma.f64(double %913, double %912, double 0x3F55D87FE78A6730)
-  %915 = tail call double @llvm.fma.f64(double %914, double %912, double 0x3F83B2AB6FBA4E77)
-  %916 = tail call double @llvm.fma.f64(double %915, double %912, double 0x3FAC6B08D704A0BF)
-  %917 = tail call double @llvm.fma.f64(double %916, double %912, double 0x3FCEBFBDFF82C58E)
-  %918 = tail call double @llvm.fma.f64(double %917, double %912, double 0x3FE62E42FEFA39EF)
-  %919 = tail call double @llvm.fma.f64(double %918, double %912, double 1.000000e+00)
-  %920 = bitcast double %919 to i64
-  %921 = fptosi double %911 to i32
-  %922 = sext i32 %921 to i64
-  %923 = shl nsw i64 %922, 52
-  %924 = add nsw i64 %923, %920
-  %925 = bitcast i64 %924 to double
-  %926 = fmul double %885, %925
-  %927 = load double, ptr %433, align 8
-  %928 = fcmp ogt double %926, %927
-  %929 = select i1 %928, double %926, double %927
-  %930 = select i1 %879, double %929, double 2.500000e-01
-  %931 = fmul double %487, %930
-  br i1 %98, label %932, label %933
+888:                                              ; preds = %885, %881
+  %889 = phi i1 [ false, %881 ], [ %887, %885 ]
+  %890 = select i1 %889, i64 2, i64 4
+  %891 = select i1 %876, i64 6, i64 %890
+  %892 = select i1 %877, i64 3, i64 %891
+  store i64 %892, ptr %441, align 8
+  %893 = fcmp ogt double %875, 1.000000e-10
+  %894 = select i1 %893, double %875, double 1.000000e-10
+  %895 = load double, ptr %442, align 8
+  %896 = load double, ptr %88, align 8
+  %897 = fneg double %896
+  %898 = bitcast double %894 to i64
+  %899 = add nsw i64 %898, -4604544271217802189
+  %900 = ashr i64 %899, 52
+  %901 = and i64 %899, -4503599627370496
+  %902 = sub nsw i64 %898, %901
+  %903 = bitcast i64 %902 to double
+  %904 = fadd double %903, -1.000000e+00
+  %905 = fadd double %903, 1.000000e+00
+  %906 = fdiv double %904, %905
+  %907 = fmul double %906, %906
+  %908 = tail call double @llvm.fma.f64(double %907, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
+  %909 = tail call double @llvm.fma.f64(double %908, double %907, double 0x3FE2776C50EF9BFE)
+  %910 = tail call double @llvm.fma.f64(double %909, double %907, double 0x3FEEC709DC3A03FD)
+  %911 = tail call double @llvm.fma.f64(double %910, double %907, double 0x40071547652B82FE)
+  %912 = trunc nsw i64 %900 to i32
+  %913 = sitofp i32 %912 to double
+  %914 = fmul double %906, %911
+  %915 = fadd double %914, %913
+  %916 = fmul double %915, %897
+  %917 = fcmp ogt double %916, -1.000000e+03
+  %918 = select i1 %917, double %916, double -1.000000e+03
+  %919 = fcmp olt double %918, 1.000000e+03
+  %920 = select i1 %919, double %918, double 1.000000e+03
+  %921 = tail call double @llvm.rint.f64(double %920)
+  %922 = fsub double %920, %921
+  %923 = tail call double @llvm.fma.f64(double %922, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
+  %924 = tail call double @llvm.fma.f64(double %923, double %922, double 0x3F55D87FE78A6730)
+  %925 = tail call double @llvm.fma.f64(double %924, double %922, double 0x3F83B2AB6FBA4E77)
+  %926 = tail call double @llvm.fma.f64(double %925, double %922, double 0x3FAC6B08D704A0BF)
+  %927 = tail call double @llvm.fma.f64(double %926, double %922, double 0x3FCEBFBDFF82C58E)
+  %928 = tail call double @llvm.fma.f64(double %927, double %922, double 0x3FE62E42FEFA39EF)
+  %929 = tail call double @llvm.fma.f64(double %928, double %922, double 1.000000e+00)
+  %930 = bitcast double %929 to i64
+  %931 = fptosi double %921 to i32
+  %932 = sext i32 %931 to i64
+  %933 = shl nsw i64 %932, 52
+  %934 = add nsw i64 %933, %930
+  %935 = bitcast i64 %934 to double
+  %936 = fmul double %895, %935
+  %937 = load double, ptr %443, align 8
+  %938 = fcmp ogt double %936, %937
+  %939 = select i1 %938, double %936, double %937
+  %940 = select i1 %889, double %939, double 2.500000e-01
+  %941 = fmul double %497, %940
+  br i1 %98, label %942, label %943
 
-932:                                              ; preds = %878
-  store double %487, ptr %118, align 8
-  br label %1498
+942:                                              ; preds = %888
+  store double %497, ptr %118, align 8
+  br label %1624
 
-933:                                              ; preds = %878
-  store double 1.000000e+00, ptr %434, align 8
-  br label %1498, !llvm.loop !19
+943:                                              ; preds = %888
+  store double 1.000000e+00, ptr %444, align 8
+  br label %1624, !llvm.loop !19
 
-934:                                              ; preds = %863
-  %935 = load i64, ptr %351, align 8
-  %936 = add nsw i64 %935, 1
-  store i64 %936, ptr %351, align 8
-  store double %488, ptr %76, align 8
-  store double %487, ptr %395, align 8
-  %937 = load ptr, ptr %350, align 8
-  %938 = getelementptr inbounds i8, ptr %937, i64 8
-  %939 = load i64, ptr %938, align 8
-  %940 = icmp eq i64 %939, 0
-  br i1 %940, label %970, label %941
+944:                                              ; preds = %873
+  %945 = load i64, ptr %351, align 8
+  %946 = add nsw i64 %945, 1
+  store i64 %946, ptr %351, align 8
+  store double %498, ptr %76, align 8
+  store double %497, ptr %395, align 8
+  %947 = load ptr, ptr %350, align 8
+  %948 = getelementptr inbounds i8, ptr %947, i64 8
+  %949 = load i64, ptr %948, align 8
+  %950 = icmp eq i64 %949, 0
+  br i1 %950, label %980, label %951
 
-941:                                              ; preds = %934
-  %942 = load i64, ptr %937, align 8
-  %943 = load ptr, ptr %73, align 8
-  %944 = getelementptr inbounds i8, ptr %943, i64 8
-  %945 = load i64, ptr %944, align 8
-  %946 = load ptr, ptr %396, align 8
-  %947 = load i64, ptr %397, align 8
-  %948 = mul nsw i64 %947, %942
-  %949 = getelementptr inbounds double, ptr %946, i64 %948
-  %950 = getelementptr inbounds double, ptr %949, i64 %947
-  store double %440, ptr %949, align 8
-  %951 = getelementptr inbounds i8, ptr %949, i64 8
-  store double %487, ptr %951, align 8
-  store double %488, ptr %950, align 8
-  %952 = getelementptr inbounds i8, ptr %950, i64 8
-  store double 0.000000e+00, ptr %952, align 8
-  %953 = icmp sgt i64 %945, 0
-  br i1 %953, label %957, label %954
+951:                                              ; preds = %944
+  %952 = load i64, ptr %947, align 8
+  %953 = load ptr, ptr %73, align 8
+  %954 = getelementptr inbounds i8, ptr %953, i64 8
+  %955 = load i64, ptr %954, align 8
+  %956 = load ptr, ptr %396, align 8
+  %957 = load i64, ptr %397, align 8
+  %958 = mul nsw i64 %957, %952
+  %959 = getelementptr inbounds double, ptr %956, i64 %958
+  %960 = getelementptr inbounds double, ptr %959, i64 %957
+  store double %450, ptr %959, align 8
+  %961 = getelementptr inbounds i8, ptr %959, i64 8
+  store double %497, ptr %961, align 8
+  store double %498, ptr %960, align 8
+  %962 = getelementptr inbounds i8, ptr %960, i64 8
+  store double 0.000000e+00, ptr %962, align 8
+  %963 = icmp sgt i64 %955, 0
+  br i1 %963, label %967, label %964
 
-954:                                              ; preds = %957, %941
-  %955 = add nsw i64 %942, 1
-  %956 = load ptr, ptr %350, align 8
-  store i64 %955, ptr %956, align 8
-  br label %970
+964:                                              ; preds = %967, %951
+  %965 = add nsw i64 %952, 1
+  %966 = load ptr, ptr %350, align 8
+  store i64 %965, ptr %966, align 8
+  br label %980
 
-957:                                              ; preds = %941, %957
-  %958 = phi i64 [ %968, %957 ], [ 0, %941 ]
-  %959 = load ptr, ptr %74, align 8
-  %960 = getelementptr inbounds double, ptr %959, i64 %958
-  %961 = load double, ptr %960, align 8
-  %962 = add nuw nsw i64 %958, 2
-  %963 = getelementptr inbounds double, ptr %949, i64 %962
-  store double %961, ptr %963, align 8
-  %964 = load ptr, ptr %77, align 8
-  %965 = getelementptr inbounds double, ptr %964, i64 %958
-  %966 = load double, ptr %965, align 8
-  %967 = getelementptr inbounds double, ptr %950, i64 %962
-  store double %966, ptr %967, align 8
-  %968 = add nuw nsw i64 %958, 1
-  %969 = icmp eq i64 %968, %945
-  br i1 %969, label %954, label %957, !llvm.loop !20
+967:                                              ; preds = %951, %967
+  %968 = phi i64 [ %978, %967 ], [ 0, %951 ]
+  %969 = load ptr, ptr %74, align 8
+  %970 = getelementptr inbounds double, ptr %969, i64 %968
+  %971 = load double, ptr %970, align 8
+  %972 = add nuw nsw i64 %968, 2
+  %973 = getelementptr inbounds double, ptr %959, i64 %972
+  store double %971, ptr %973, align 8
+  %974 = load ptr, ptr %77, align 8
+  %975 = getelementptr inbounds double, ptr %974, i64 %968
+  %976 = load double, ptr %975, align 8
+  %977 = getelementptr inbounds double, ptr %960, i64 %972
+  store double %976, ptr %977, align 8
+  %978 = add nuw nsw i64 %968, 1
+  %979 = icmp eq i64 %978, %955
+  br i1 %979, label %964, label %967, !llvm.loop !20
 
-970:                                              ; preds = %934, %954
-  br i1 %106, label %1013, label %971
+980:                                              ; preds = %944, %964
+  br i1 %106, label %981, label %1098
 
-971:                                              ; preds = %970
-  %972 = load i64, ptr %398, align 8
-  %973 = getelementptr inbounds double, ptr %86, i64 %972
-  %974 = load double, ptr %973, align 8
-  %975 = fcmp ult double %974, %488
-  br i1 %975, label %1013, label %976
-
-976:                                              ; preds = %971
-  %977 = load ptr, ptr %73, align 8
-  %978 = getelementptr inbounds i8, ptr %977, i64 8
-  %979 = load i64, ptr %978, align 8
-  %980 = load i64, ptr %107, align 8
-  %981 = load ptr, ptr %85, align 8
-  %982 = load ptr, ptr %79, align 8
-  %983 = getelementptr inbounds i8, ptr %982, i64 48
+981:                                              ; preds = %980
+  %982 = load ptr, ptr %102, align 8
+  %983 = getelementptr inbounds i8, ptr %982, i64 8
   %984 = load i64, ptr %983, align 8
-  %985 = icmp slt i64 %984, %980
-  br i1 %985, label %986, label %1009
+  %985 = load i64, ptr %399, align 8
+  %986 = add i64 %985, -1
+  %987 = load ptr, ptr %400, align 8
+  %988 = shl nsw i64 %984, 4
+  %989 = getelementptr inbounds i8, ptr %987, i64 %988
+  %990 = mul i64 %984, 88
+  %991 = getelementptr inbounds i8, ptr %987, i64 %990
+  %992 = getelementptr inbounds double, ptr %987, i64 %984
+  %993 = load i64, ptr %401, align 8
+  %994 = icmp eq i64 %993, 0
+  br i1 %994, label %1098, label %995
 
-986:                                              ; preds = %976
-  %987 = icmp sgt i64 %979, 0
-  br label %988
+995:                                              ; preds = %981
+  %996 = load double, ptr %991, align 8
+  %997 = fcmp une double %996, %450
+  br i1 %997, label %1098, label %998
 
-988:                                              ; preds = %986, %999
-  %989 = phi i64 [ %984, %986 ], [ %1000, %999 ]
-  %990 = getelementptr inbounds double, ptr %981, i64 %989
-  %991 = load double, ptr %990, align 8
-  %992 = load ptr, ptr %75, align 8
-  %993 = load double, ptr %992, align 8
-  %994 = fcmp ugt double %991, %993
-  br i1 %994, label %1009, label %995
+998:                                              ; preds = %995
+  %999 = icmp sgt i64 %984, 0
+  br i1 %999, label %1000, label %1055
 
-995:                                              ; preds = %988
-  br i1 %987, label %996, label %999
+1000:                                             ; preds = %998
+  %1001 = load ptr, ptr %398, align 8
+  %1002 = icmp sgt i64 %985, 1
+  br label %1006
 
-996:                                              ; preds = %995
-  %997 = mul nsw i64 %989, %979
-  %998 = getelementptr double, ptr %1, i64 %997
-  br label %1002
+1003:                                             ; preds = %1013
+  %1004 = add nuw nsw i64 %1007, 1
+  %1005 = icmp eq i64 %1004, %984
+  br i1 %1005, label %1055, label %1006, !llvm.loop !21
 
-999:                                              ; preds = %1002, %995
-  %1000 = add i64 %989, 1
-  %1001 = icmp eq i64 %1000, %980
-  br i1 %1001, label %1009, label %988, !llvm.loop !8
+1006:                                             ; preds = %1000, %1003
+  %1007 = phi i64 [ 0, %1000 ], [ %1004, %1003 ]
+  %1008 = mul nsw i64 %1007, %985
+  %1009 = getelementptr inbounds double, ptr %1001, i64 %1008
+  %1010 = getelementptr inbounds double, ptr %1009, i64 %986
+  %1011 = load double, ptr %1010, align 8
+  %1012 = tail call double @llvm.fabs.f64(double %1011)
+  br i1 %1002, label %1021, label %1013
 
-1002:                                             ; preds = %996, %1002
-  %1003 = phi i64 [ 0, %996 ], [ %1007, %1002 ]
-  %1004 = getelementptr inbounds double, ptr %78, i64 %1003
-  %1005 = load double, ptr %1004, align 8
-  %1006 = getelementptr double, ptr %998, i64 %1003
-  store double %1005, ptr %1006, align 8
-  %1007 = add nuw nsw i64 %1003, 1
-  %1008 = icmp eq i64 %1007, %979
-  br i1 %1008, label %999, label %1002, !llvm.loop !9
+1013:                                             ; preds = %1051, %1006
+  %1014 = phi double [ %1012, %1006 ], [ %1052, %1051 ]
+  %1015 = getelementptr inbounds double, ptr %989, i64 %1007
+  %1016 = load double, ptr %1015, align 8
+  %1017 = tail call double @llvm.fabs.f64(double %1016)
+  %1018 = fmul double %1014, 8.000000e+00
+  %1019 = fmul double %497, %1018
+  %1020 = fcmp ogt double %1017, %1019
+  br i1 %1020, label %1003, label %1098
 
-1009:                                             ; preds = %988, %999, %976
-  %1010 = phi i64 [ %984, %976 ], [ %989, %988 ], [ %980, %999 ]
-  %1011 = load ptr, ptr %79, align 8
-  %1012 = getelementptr inbounds i8, ptr %1011, i64 48
-  store i64 %1010, ptr %1012, align 8
-  br label %1375
+1021:                                             ; preds = %1006, %1051
+  %1022 = phi i64 [ %1053, %1051 ], [ 0, %1006 ]
+  %1023 = phi double [ %1052, %1051 ], [ %1012, %1006 ]
+  %1024 = getelementptr inbounds double, ptr %1009, i64 %1022
+  %1025 = load double, ptr %1024, align 8
+  %1026 = fcmp oeq double %1025, 0.000000e+00
+  br i1 %1026, label %1051, label %1027
 
-1013:                                             ; preds = %971, %970
-  %1014 = load ptr, ptr %0, align 8
-  %1015 = load ptr, ptr %73, align 8
-  %1016 = getelementptr inbounds i8, ptr %1015, i64 16
-  %1017 = load i64, ptr %1016, align 8
-  %1018 = load i64, ptr %1014, align 8
-  %1019 = load i64, ptr %399, align 8
-  %1020 = load ptr, ptr %400, align 8
-  %1021 = mul nsw i64 %1019, %1018
-  %1022 = getelementptr inbounds double, ptr %1020, i64 %1021
-  %1023 = load ptr, ptr %401, align 8
-  %1024 = add nsw i64 %1018, 1
-  %1025 = getelementptr inbounds i8, ptr %1014, i64 16
-  %1026 = load i64, ptr %1025, align 8
-  %1027 = icmp sgt i64 %1026, 0
-  br i1 %1027, label %1028, label %1082
+1027:                                             ; preds = %1021
+  %1028 = load ptr, ptr %0, align 8
+  %1029 = load i64, ptr %1028, align 8
+  %1030 = icmp slt i64 %1029, 0
+  br i1 %1030, label %1035, label %1031
 
-1028:                                             ; preds = %1013
-  %1029 = getelementptr inbounds i8, ptr %1014, i64 8
-  br label %1035
+1031:                                             ; preds = %1027
+  %1032 = load ptr, ptr %112, align 8
+  %1033 = load i64, ptr %90, align 8
+  %1034 = getelementptr double, ptr %1032, i64 %1022
+  br label %1040
 
-1030:                                             ; preds = %1071
-  %1031 = add nsw i64 %1038, 1
-  %1032 = load i64, ptr %1025, align 8
-  %1033 = add nsw i64 %1032, %1024
-  %1034 = icmp slt i64 %1031, %1033
-  br i1 %1034, label %1035, label %1082, !llvm.loop !21
+1035:                                             ; preds = %1040, %1027
+  %1036 = phi double [ 0.000000e+00, %1027 ], [ %1048, %1040 ]
+  %1037 = tail call double @llvm.fabs.f64(double %1025)
+  %1038 = fmul double %1037, %1036
+  %1039 = fadd double %1023, %1038
+  br label %1051
 
-1035:                                             ; preds = %1028, %1030
-  %1036 = phi i1 [ %1027, %1028 ], [ %1034, %1030 ]
-  %1037 = phi i64 [ undef, %1028 ], [ %1081, %1030 ]
-  %1038 = phi i64 [ %1024, %1028 ], [ %1031, %1030 ]
-  %1039 = load i64, ptr %1029, align 8
-  %1040 = load ptr, ptr %402, align 8
-  %1041 = load ptr, ptr %74, align 8
-  %1042 = load ptr, ptr %403, align 8
-  %1043 = getelementptr i64, ptr %1042, i64 %1038
-  %1044 = getelementptr i64, ptr %1043, i64 %1039
-  %1045 = load i64, ptr %1044, align 8
-  %1046 = getelementptr i8, ptr %1044, i64 8
-  %1047 = load i64, ptr %1046, align 8
-  %1048 = xor i64 %1045, -1
-  %1049 = add i64 %1047, %1048
-  %1050 = load ptr, ptr %357, align 8
-  %1051 = load ptr, ptr %400, align 8
-  %1052 = load ptr, ptr %404, align 8
-  %1053 = getelementptr inbounds i64, ptr %1052, i64 %1045
-  %1054 = load ptr, ptr %405, align 8
-  %1055 = getelementptr inbounds double, ptr %1054, i64 %1045
-  tail call fastcc void @combine(ptr noundef %1040, ptr noundef %1041, ptr noundef %1050, ptr noundef %1051, ptr noundef %1053, ptr noundef %1055, i64 noundef %1049, i64 noundef 1, i64 noundef %1017) #8
-  %1056 = load ptr, ptr %400, align 8
-  %1057 = mul nsw i64 %1038, %1019
-  %1058 = getelementptr inbounds double, ptr %1056, i64 %1057
-  %1059 = load i64, ptr %356, align 8
-  %1060 = add nsw i64 %1059, 1
-  store i64 %1060, ptr %356, align 8
-  %1061 = load ptr, ptr %406, align 8
-  %1062 = getelementptr inbounds double, ptr %1061, i64 %1038
-  %1063 = load double, ptr %1062, align 8
-  %1064 = fmul double %487, %1063
-  %1065 = fadd double %440, %1064
-  %1066 = load ptr, ptr %402, align 8
-  %1067 = load ptr, ptr %407, align 8
-  store double %1065, ptr %1067, align 8
-  %1068 = load i64, ptr %408, align 8
-  %1069 = icmp sgt i64 %1068, 0
-  br i1 %1069, label %1070, label %1071
+1040:                                             ; preds = %1031, %1040
+  %1041 = phi i64 [ 0, %1031 ], [ %1049, %1040 ]
+  %1042 = phi double [ 0.000000e+00, %1031 ], [ %1048, %1040 ]
+  %1043 = mul nsw i64 %1033, %1041
+  %1044 = getelementptr double, ptr %1034, i64 %1043
+  %1045 = load double, ptr %1044, align 8
+  %1046 = tail call double @llvm.fabs.f64(double %1045)
+  %1047 = fcmp ogt double %1042, %1046
+  %1048 = select i1 %1047, double %1042, double %1046
+  %1049 = add nuw i64 %1041, 1
+  %1050 = icmp eq i64 %1041, %1029
+  br i1 %1050, label %1035, label %1040, !llvm.loop !22
 
-1070:                                             ; preds = %1035
+1051:                                             ; preds = %1035, %1021
+  %1052 = phi double [ %1023, %1021 ], [ %1039, %1035 ]
+  %1053 = add nuw nsw i64 %1022, 1
+  %1054 = icmp eq i64 %1053, %986
+  br i1 %1054, label %1013, label %1021, !llvm.loop !23
+
+1055:                                             ; preds = %1003, %998
+  %1056 = load ptr, ptr %402, align 8
+  store double %498, ptr %1056, align 8
+  %1057 = load i64, ptr %403, align 8
+  %1058 = icmp sgt i64 %1057, 0
+  br i1 %1058, label %1059, label %1060
+
+1059:                                             ; preds = %1055
   tail call fastcc void @sample(ptr noundef nonnull %73) #8
-  br label %1071
+  br label %1060
 
-1071:                                             ; preds = %1035, %1070
-  %1072 = load ptr, ptr %73, align 8
-  %1073 = load i64, ptr %1072, align 8
-  %1074 = load ptr, ptr %407, align 8
-  %1075 = load ptr, ptr %409, align 8
-  %1076 = load ptr, ptr %410, align 8
-  %1077 = inttoptr i64 %1073 to ptr
-  %1078 = tail call i32 %1077(ptr noundef %1074, ptr noundef %1066, ptr noundef %1075, ptr noundef %1076, ptr noundef %1058) #9
-  %1079 = sext i32 %1078 to i64
-  %1080 = icmp eq i32 %1078, 0
-  %1081 = select i1 %1080, i64 %1037, i64 %1079
-  br i1 %1080, label %1030, label %1082
+1060:                                             ; preds = %1055, %1059
+  %1061 = load ptr, ptr %102, align 8
+  %1062 = load i64, ptr %1061, align 8
+  %1063 = load ptr, ptr %404, align 8
+  %1064 = load ptr, ptr %77, align 8
+  %1065 = load ptr, ptr %405, align 8
+  %1066 = load ptr, ptr %406, align 8
+  %1067 = load ptr, ptr %400, align 8
+  %1068 = getelementptr inbounds double, ptr %1067, i64 %984
+  %1069 = inttoptr i64 %1062 to ptr
+  %1070 = tail call i32 %1069(ptr noundef %1063, ptr noundef %1064, ptr noundef %1065, ptr noundef %1066, ptr noundef %1068) #9
+  %1071 = icmp slt i32 %1070, 0
+  br i1 %1071, label %1098, label %1072
 
-1082:                                             ; preds = %1030, %1071, %1013
-  %1083 = phi i1 [ %1027, %1013 ], [ %1034, %1030 ], [ %1036, %1071 ]
-  %1084 = phi i64 [ 0, %1013 ], [ %1079, %1071 ], [ %1079, %1030 ]
-  %1085 = phi i64 [ undef, %1013 ], [ %1081, %1071 ], [ %1081, %1030 ]
-  %1086 = getelementptr inbounds i8, ptr %1014, i64 16
-  br i1 %1083, label %1155, label %1087
+1072:                                             ; preds = %1060
+  %1073 = icmp sgt i64 %984, 0
+  br i1 %1073, label %1074, label %1079
 
-1087:                                             ; preds = %1082
-  %1088 = load ptr, ptr %73, align 8
-  %1089 = getelementptr inbounds i8, ptr %1088, i64 8
-  %1090 = load i64, ptr %1089, align 8
-  %1091 = icmp sgt i64 %1090, 0
-  br i1 %1091, label %1092, label %1096
+1074:                                             ; preds = %1072
+  %1075 = load ptr, ptr %407, align 8
+  br label %1081
 
-1092:                                             ; preds = %1087
-  %1093 = getelementptr inbounds double, ptr %1023, i64 %1019
-  %1094 = shl nsw i64 %1019, 4
-  %1095 = getelementptr inbounds i8, ptr %1023, i64 %1094
-  br label %1103
+1076:                                             ; preds = %1081
+  %1077 = add nuw nsw i64 %1082, 1
+  %1078 = icmp eq i64 %1077, %984
+  br i1 %1078, label %1079, label %1081, !llvm.loop !24
 
-1096:                                             ; preds = %1103, %1087
-  %1097 = getelementptr inbounds i8, ptr %1014, i64 8
-  %1098 = load i64, ptr %1097, align 8
-  %1099 = load i64, ptr %1086, align 8
-  %1100 = getelementptr inbounds i8, ptr %1014, i64 24
-  %1101 = load i64, ptr %1100, align 8
-  %1102 = icmp sgt i64 %1101, 3
-  br i1 %1102, label %1130, label %1155
+1079:                                             ; preds = %1076, %1072
+  %1080 = icmp sgt i64 %984, 0
+  br i1 %1080, label %1091, label %1090
 
-1103:                                             ; preds = %1092, %1103
-  %1104 = phi i64 [ 0, %1092 ], [ %1125, %1103 ]
-  %1105 = load ptr, ptr %411, align 8
-  %1106 = getelementptr inbounds double, ptr %1105, i64 %1104
-  %1107 = load double, ptr %1106, align 8
-  %1108 = load ptr, ptr %74, align 8
-  %1109 = getelementptr inbounds double, ptr %1108, i64 %1104
-  %1110 = load double, ptr %1109, align 8
-  %1111 = fsub double %1107, %1110
-  %1112 = load ptr, ptr %400, align 8
-  %1113 = getelementptr inbounds double, ptr %1112, i64 %1104
-  %1114 = load double, ptr %1113, align 8
-  %1115 = fmul double %487, %1114
-  %1116 = fsub double %1115, %1111
-  %1117 = getelementptr inbounds double, ptr %1023, i64 %1104
-  store double %1111, ptr %1117, align 8
-  %1118 = getelementptr inbounds double, ptr %1093, i64 %1104
-  store double %1116, ptr %1118, align 8
-  %1119 = fsub double %1111, %1116
-  %1120 = getelementptr inbounds double, ptr %1022, i64 %1104
-  %1121 = load double, ptr %1120, align 8
-  %1122 = fmul double %487, %1121
-  %1123 = fsub double %1119, %1122
-  %1124 = getelementptr inbounds double, ptr %1095, i64 %1104
-  store double %1123, ptr %1124, align 8
-  %1125 = add nuw nsw i64 %1104, 1
-  %1126 = load ptr, ptr %73, align 8
-  %1127 = getelementptr inbounds i8, ptr %1126, i64 8
-  %1128 = load i64, ptr %1127, align 8
-  %1129 = icmp slt i64 %1125, %1128
-  br i1 %1129, label %1103, label %1096, !llvm.loop !22
+1081:                                             ; preds = %1074, %1076
+  %1082 = phi i64 [ 0, %1074 ], [ %1077, %1076 ]
+  %1083 = getelementptr inbounds double, ptr %992, i64 %1082
+  %1084 = load double, ptr %1083, align 8
+  %1085 = getelementptr inbounds i64, ptr %1075, i64 %1082
+  %1086 = load i64, ptr %1085, align 8
+  %1087 = sitofp i64 %1086 to double
+  %1088 = fmul double %1084, %1087
+  %1089 = fcmp ogt double %1088, 0.000000e+00
+  br i1 %1089, label %1076, label %1098
 
-1130:                                             ; preds = %1096, %1130
-  %1131 = phi i64 [ %1152, %1130 ], [ 3, %1096 ]
-  %1132 = mul nsw i64 %1131, %1019
-  %1133 = getelementptr inbounds double, ptr %1023, i64 %1132
-  %1134 = load ptr, ptr %412, align 8
-  %1135 = load ptr, ptr %413, align 8
-  %1136 = getelementptr i64, ptr %1135, i64 %1024
-  %1137 = getelementptr i64, ptr %1136, i64 %1098
-  %1138 = getelementptr i64, ptr %1137, i64 %1099
-  %1139 = getelementptr i64, ptr %1138, i64 %1131
-  %1140 = getelementptr i8, ptr %1139, i64 -24
-  %1141 = load i64, ptr %1140, align 8
-  %1142 = getelementptr i8, ptr %1139, i64 -16
-  %1143 = load i64, ptr %1142, align 8
-  %1144 = xor i64 %1141, -1
-  %1145 = add i64 %1143, %1144
-  %1146 = load ptr, ptr %357, align 8
-  %1147 = load ptr, ptr %400, align 8
-  %1148 = load ptr, ptr %414, align 8
-  %1149 = getelementptr inbounds i64, ptr %1148, i64 %1141
-  %1150 = load ptr, ptr %415, align 8
-  %1151 = getelementptr inbounds double, ptr %1150, i64 %1141
-  tail call fastcc void @combine(ptr noundef %1133, ptr noundef %1134, ptr noundef %1146, ptr noundef %1147, ptr noundef %1149, ptr noundef %1151, i64 noundef %1145, i64 noundef 1, i64 noundef %1017) #8
-  %1152 = add nuw nsw i64 %1131, 1
-  %1153 = load i64, ptr %1100, align 8
-  %1154 = icmp slt i64 %1152, %1153
-  br i1 %1154, label %1130, label %1155, !llvm.loop !23
+1090:                                             ; preds = %1091, %1079
+  store double %498, ptr %991, align 8
+  br label %1098
 
-1155:                                             ; preds = %1130, %1096, %1082
-  %1156 = phi i64 [ %1085, %1082 ], [ %1084, %1096 ], [ %1084, %1130 ]
-  %1157 = icmp eq i64 %1156, 0
-  br i1 %1157, label %1161, label %1158
+1091:                                             ; preds = %1079, %1091
+  %1092 = phi i64 [ %1096, %1091 ], [ 0, %1079 ]
+  %1093 = getelementptr inbounds double, ptr %992, i64 %1092
+  %1094 = load double, ptr %1093, align 8
+  %1095 = getelementptr inbounds double, ptr %989, i64 %1092
+  store double %1094, ptr %1095, align 8
+  %1096 = add nuw nsw i64 %1092, 1
+  %1097 = icmp eq i64 %1096, %984
+  br i1 %1097, label %1090, label %1091, !llvm.loop !25
 
-1158:                                             ; preds = %1155
-  store i64 3, ptr %416, align 8
-  store double %440, ptr %76, align 8
-  %1159 = icmp slt i64 %1156, 0
-  %1160 = select i1 %1159, i64 -4, i64 2
-  br label %1498
+1098:                                             ; preds = %1013, %1081, %1090, %1060, %995, %981, %980
+  %1099 = phi i1 [ false, %980 ], [ false, %1090 ], [ true, %995 ], [ true, %981 ], [ true, %1060 ], [ true, %1081 ], [ true, %1013 ]
+  br i1 %1099, label %1142, label %1100
 
-1161:                                             ; preds = %1155
-  %1162 = load ptr, ptr %75, align 8
-  %1163 = load ptr, ptr %102, align 8
-  %1164 = getelementptr inbounds i8, ptr %1163, i64 8
-  %1165 = load i64, ptr %1164, align 8
-  %1166 = icmp sgt i64 %1165, 0
-  br i1 %1166, label %1167, label %1177
+1100:                                             ; preds = %1098
+  %1101 = load i64, ptr %408, align 8
+  %1102 = getelementptr inbounds double, ptr %86, i64 %1101
+  %1103 = load double, ptr %1102, align 8
+  %1104 = fcmp ult double %1103, %498
+  br i1 %1104, label %1142, label %1105
 
-1167:                                             ; preds = %1161
-  %1168 = getelementptr inbounds i8, ptr %1163, i64 16
-  %1169 = load i64, ptr %1168, align 8
-  %1170 = inttoptr i64 %1169 to ptr
-  %1171 = tail call i64 %1170(ptr noundef %0, double noundef %440, double noundef %487) #9
-  %1172 = icmp eq i64 %1171, -6
-  br i1 %1172, label %1173, label %1174
+1105:                                             ; preds = %1100
+  %1106 = load ptr, ptr %73, align 8
+  %1107 = getelementptr inbounds i8, ptr %1106, i64 8
+  %1108 = load i64, ptr %1107, align 8
+  %1109 = load i64, ptr %107, align 8
+  %1110 = load ptr, ptr %85, align 8
+  %1111 = load ptr, ptr %79, align 8
+  %1112 = getelementptr inbounds i8, ptr %1111, i64 48
+  %1113 = load i64, ptr %1112, align 8
+  %1114 = icmp slt i64 %1113, %1109
+  br i1 %1114, label %1115, label %1138
 
-1173:                                             ; preds = %1167
-  store double %440, ptr %1162, align 8
-  br label %1352
+1115:                                             ; preds = %1105
+  %1116 = icmp sgt i64 %1108, 0
+  br label %1117
 
-1174:                                             ; preds = %1167
-  %1175 = getelementptr inbounds i8, ptr %1162, i64 48
-  %1176 = load double, ptr %1175, align 8
-  br label %1177
+1117:                                             ; preds = %1115, %1128
+  %1118 = phi i64 [ %1113, %1115 ], [ %1129, %1128 ]
+  %1119 = getelementptr inbounds double, ptr %1110, i64 %1118
+  %1120 = load double, ptr %1119, align 8
+  %1121 = load ptr, ptr %75, align 8
+  %1122 = load double, ptr %1121, align 8
+  %1123 = fcmp ugt double %1120, %1122
+  br i1 %1123, label %1138, label %1124
 
-1177:                                             ; preds = %1174, %1161
-  %1178 = phi double [ %1176, %1174 ], [ 1.000000e+00, %1161 ]
-  %1179 = phi i64 [ %1171, %1174 ], [ 0, %1161 ]
-  %1180 = fcmp oeq double %1178, 1.000000e+00
-  br i1 %1180, label %1181, label %1183
+1124:                                             ; preds = %1117
+  br i1 %1116, label %1125, label %1128
 
-1181:                                             ; preds = %1177
-  %1182 = load double, ptr %1162, align 8
-  br label %1186
+1125:                                             ; preds = %1124
+  %1126 = mul nsw i64 %1118, %1108
+  %1127 = getelementptr double, ptr %1, i64 %1126
+  br label %1131
 
-1183:                                             ; preds = %1177
-  %1184 = fmul double %487, %1178
-  %1185 = fadd double %440, %1184
-  br label %1186
+1128:                                             ; preds = %1131, %1124
+  %1129 = add i64 %1118, 1
+  %1130 = icmp eq i64 %1129, %1109
+  br i1 %1130, label %1138, label %1117, !llvm.loop !8
 
-1186:                                             ; preds = %1183, %1181
-  %1187 = phi double [ %1182, %1181 ], [ %1185, %1183 ]
-  %1188 = icmp eq i64 %1179, -4
-  %1189 = select i1 %1188, i64 -4, i64 0
-  br i1 %1188, label %1247, label %1190
+1131:                                             ; preds = %1125, %1131
+  %1132 = phi i64 [ 0, %1125 ], [ %1136, %1131 ]
+  %1133 = getelementptr inbounds double, ptr %78, i64 %1132
+  %1134 = load double, ptr %1133, align 8
+  %1135 = getelementptr double, ptr %1127, i64 %1132
+  store double %1134, ptr %1135, align 8
+  %1136 = add nuw nsw i64 %1132, 1
+  %1137 = icmp eq i64 %1136, %1108
+  br i1 %1137, label %1128, label %1131, !llvm.loop !9
 
-1190:                                             ; preds = %1186
-  %1191 = fcmp olt double %1178, 1.000000e+00
-  %1192 = load ptr, ptr %73, align 8
-  %1193 = getelementptr inbounds i8, ptr %1192, i64 8
-  %1194 = load i64, ptr %1193, align 8
-  %1195 = load i64, ptr %107, align 8
-  %1196 = load ptr, ptr %85, align 8
-  %1197 = load ptr, ptr %79, align 8
-  %1198 = getelementptr inbounds i8, ptr %1197, i64 48
-  %1199 = load i64, ptr %1198, align 8
-  %1200 = icmp slt i64 %1199, %1195
-  br i1 %1200, label %1201, label %1243
+1138:                                             ; preds = %1117, %1128, %1105
+  %1139 = phi i64 [ %1113, %1105 ], [ %1118, %1117 ], [ %1109, %1128 ]
+  %1140 = load ptr, ptr %79, align 8
+  %1141 = getelementptr inbounds i8, ptr %1140, i64 48
+  store i64 %1139, ptr %1141, align 8
+  br label %1501
 
-1201:                                             ; preds = %1190, %1239
-  %1202 = phi i64 [ %1240, %1239 ], [ undef, %1190 ]
-  %1203 = phi i64 [ %1241, %1239 ], [ %1199, %1190 ]
-  %1204 = getelementptr inbounds double, ptr %1196, i64 %1203
-  %1205 = load double, ptr %1204, align 8
-  %1206 = fcmp olt double %1205, %1187
-  %1207 = fcmp oeq double %1205, %1187
-  %1208 = and i1 %1191, %1207
-  %1209 = or i1 %1206, %1208
-  br i1 %1209, label %1210, label %1243
+1142:                                             ; preds = %1100, %1098
+  %1143 = load ptr, ptr %0, align 8
+  %1144 = load ptr, ptr %73, align 8
+  %1145 = getelementptr inbounds i8, ptr %1144, i64 16
+  %1146 = load i64, ptr %1145, align 8
+  %1147 = load i64, ptr %1143, align 8
+  %1148 = load i64, ptr %409, align 8
+  %1149 = load ptr, ptr %410, align 8
+  %1150 = mul nsw i64 %1148, %1147
+  %1151 = getelementptr inbounds double, ptr %1149, i64 %1150
+  %1152 = load ptr, ptr %411, align 8
+  %1153 = add nsw i64 %1147, 1
+  %1154 = getelementptr inbounds i8, ptr %1143, i64 16
+  %1155 = load i64, ptr %1154, align 8
+  %1156 = icmp sgt i64 %1155, 0
+  br i1 %1156, label %1157, label %1211
 
-1210:                                             ; preds = %1201
-  %1211 = fsub double %1205, %440
-  %1212 = fdiv double %1211, %487
-  %1213 = mul nsw i64 %1203, %1194
-  %1214 = getelementptr inbounds double, ptr %1, i64 %1213
-  %1215 = load ptr, ptr %417, align 8
-  %1216 = insertelement <8 x double> poison, double %1212, i64 0
-  %1217 = shufflevector <8 x double> %1216, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %1217, ptr %1215, align 8
-  %1218 = load ptr, ptr %74, align 8
-  %1219 = load ptr, ptr %401, align 8
-  %1220 = load i64, ptr %399, align 8
-  %1221 = load ptr, ptr %0, align 8
-  %1222 = getelementptr inbounds i8, ptr %1221, i64 24
-  %1223 = load i64, ptr %1222, align 8
-  %1224 = load ptr, ptr %417, align 8
-  %1225 = load ptr, ptr %73, align 8
-  %1226 = getelementptr inbounds i8, ptr %1225, i64 16
+1157:                                             ; preds = %1142
+  %1158 = getelementptr inbounds i8, ptr %1143, i64 8
+  br label %1164
+
+1159:                                             ; preds = %1200
+  %1160 = add nsw i64 %1167, 1
+  %1161 = load i64, ptr %1154, align 8
+  %1162 = add nsw i64 %1161, %1153
+  %1163 = icmp slt i64 %1160, %1162
+  br i1 %1163, label %1164, label %1211, !llvm.loop !26
+
+1164:                                             ; preds = %1157, %1159
+  %1165 = phi i1 [ %1156, %1157 ], [ %1163, %1159 ]
+  %1166 = phi i64 [ undef, %1157 ], [ %1210, %1159 ]
+  %1167 = phi i64 [ %1153, %1157 ], [ %1160, %1159 ]
+  %1168 = load i64, ptr %1158, align 8
+  %1169 = load ptr, ptr %412, align 8
+  %1170 = load ptr, ptr %74, align 8
+  %1171 = load ptr, ptr %413, align 8
+  %1172 = getelementptr i64, ptr %1171, i64 %1167
+  %1173 = getelementptr i64, ptr %1172, i64 %1168
+  %1174 = load i64, ptr %1173, align 8
+  %1175 = getelementptr i8, ptr %1173, i64 8
+  %1176 = load i64, ptr %1175, align 8
+  %1177 = xor i64 %1174, -1
+  %1178 = add i64 %1176, %1177
+  %1179 = load ptr, ptr %357, align 8
+  %1180 = load ptr, ptr %410, align 8
+  %1181 = load ptr, ptr %414, align 8
+  %1182 = getelementptr inbounds i64, ptr %1181, i64 %1174
+  %1183 = load ptr, ptr %415, align 8
+  %1184 = getelementptr inbounds double, ptr %1183, i64 %1174
+  tail call fastcc void @combine(ptr noundef %1169, ptr noundef %1170, ptr noundef %1179, ptr noundef %1180, ptr noundef %1182, ptr noundef %1184, i64 noundef %1178, i64 noundef 1, i64 noundef %1146) #8
+  %1185 = load ptr, ptr %410, align 8
+  %1186 = mul nsw i64 %1167, %1148
+  %1187 = getelementptr inbounds double, ptr %1185, i64 %1186
+  %1188 = load i64, ptr %356, align 8
+  %1189 = add nsw i64 %1188, 1
+  store i64 %1189, ptr %356, align 8
+  %1190 = load ptr, ptr %416, align 8
+  %1191 = getelementptr inbounds double, ptr %1190, i64 %1167
+  %1192 = load double, ptr %1191, align 8
+  %1193 = fmul double %497, %1192
+  %1194 = fadd double %450, %1193
+  %1195 = load ptr, ptr %412, align 8
+  %1196 = load ptr, ptr %417, align 8
+  store double %1194, ptr %1196, align 8
+  %1197 = load i64, ptr %418, align 8
+  %1198 = icmp sgt i64 %1197, 0
+  br i1 %1198, label %1199, label %1200
+
+1199:                                             ; preds = %1164
+  tail call fastcc void @sample(ptr noundef nonnull %73) #8
+  br label %1200
+
+1200:                                             ; preds = %1164, %1199
+  %1201 = load ptr, ptr %73, align 8
+  %1202 = load i64, ptr %1201, align 8
+  %1203 = load ptr, ptr %417, align 8
+  %1204 = load ptr, ptr %419, align 8
+  %1205 = load ptr, ptr %420, align 8
+  %1206 = inttoptr i64 %1202 to ptr
+  %1207 = tail call i32 %1206(ptr noundef %1203, ptr noundef %1195, ptr noundef %1204, ptr noundef %1205, ptr noundef %1187) #9
+  %1208 = sext i32 %1207 to i64
+  %1209 = icmp eq i32 %1207, 0
+  %1210 = select i1 %1209, i64 %1166, i64 %1208
+  br i1 %1209, label %1159, label %1211
+
+1211:                                             ; preds = %1159, %1200, %1142
+  %1212 = phi i1 [ %1156, %1142 ], [ %1163, %1159 ], [ %1165, %1200 ]
+  %1213 = phi i64 [ 0, %1142 ], [ %1208, %1200 ], [ %1208, %1159 ]
+  %1214 = phi i64 [ undef, %1142 ], [ %1210, %1200 ], [ %1210, %1159 ]
+  %1215 = getelementptr inbounds i8, ptr %1143, i64 16
+  br i1 %1212, label %1284, label %1216
+
+1216:                                             ; preds = %1211
+  %1217 = load ptr, ptr %73, align 8
+  %1218 = getelementptr inbounds i8, ptr %1217, i64 8
+  %1219 = load i64, ptr %1218, align 8
+  %1220 = icmp sgt i64 %1219, 0
+  br i1 %1220, label %1221, label %1225
+
+1221:                                             ; preds = %1216
+  %1222 = getelementptr inbounds double, ptr %1152, i64 %1148
+  %1223 = shl nsw i64 %1148, 4
+  %1224 = getelementptr inbounds i8, ptr %1152, i64 %1223
+  br label %1232
+
+1225:                                             ; preds = %1232, %1216
+  %1226 = getelementptr inbounds i8, ptr %1143, i64 8
   %1227 = load i64, ptr %1226, align 8
-  tail call fastcc void @nested(ptr noundef %1214, ptr noundef %1218, ptr noundef %1219, i64 noundef %1220, i64 noundef %1223, ptr noundef %1224, i64 noundef %1227) #8
-  %1228 = load ptr, ptr %92, align 8
-  %1229 = load i64, ptr %1228, align 8
-  %1230 = icmp eq i64 %1229, 1
-  br i1 %1230, label %1231, label %1239
+  %1228 = load i64, ptr %1215, align 8
+  %1229 = getelementptr inbounds i8, ptr %1143, i64 24
+  %1230 = load i64, ptr %1229, align 8
+  %1231 = icmp sgt i64 %1230, 3
+  br i1 %1231, label %1259, label %1284
 
-1231:                                             ; preds = %1210
-  %1232 = load double, ptr %1204, align 8
-  %1233 = getelementptr inbounds i8, ptr %1228, i64 56
-  %1234 = load i64, ptr %1233, align 8
-  %1235 = inttoptr i64 %1234 to ptr
-  %1236 = tail call i64 %1235(ptr noundef %0, double noundef %1232, ptr noundef %1214) #9
-  %1237 = icmp eq i64 %1236, 0
-  %1238 = select i1 %1237, i64 %1202, i64 %1236
-  br i1 %1237, label %1239, label %1247
+1232:                                             ; preds = %1221, %1232
+  %1233 = phi i64 [ 0, %1221 ], [ %1254, %1232 ]
+  %1234 = load ptr, ptr %421, align 8
+  %1235 = getelementptr inbounds double, ptr %1234, i64 %1233
+  %1236 = load double, ptr %1235, align 8
+  %1237 = load ptr, ptr %74, align 8
+  %1238 = getelementptr inbounds double, ptr %1237, i64 %1233
+  %1239 = load double, ptr %1238, align 8
+  %1240 = fsub double %1236, %1239
+  %1241 = load ptr, ptr %410, align 8
+  %1242 = getelementptr inbounds double, ptr %1241, i64 %1233
+  %1243 = load double, ptr %1242, align 8
+  %1244 = fmul double %497, %1243
+  %1245 = fsub double %1244, %1240
+  %1246 = getelementptr inbounds double, ptr %1152, i64 %1233
+  store double %1240, ptr %1246, align 8
+  %1247 = getelementptr inbounds double, ptr %1222, i64 %1233
+  store double %1245, ptr %1247, align 8
+  %1248 = fsub double %1240, %1245
+  %1249 = getelementptr inbounds double, ptr %1151, i64 %1233
+  %1250 = load double, ptr %1249, align 8
+  %1251 = fmul double %497, %1250
+  %1252 = fsub double %1248, %1251
+  %1253 = getelementptr inbounds double, ptr %1224, i64 %1233
+  store double %1252, ptr %1253, align 8
+  %1254 = add nuw nsw i64 %1233, 1
+  %1255 = load ptr, ptr %73, align 8
+  %1256 = getelementptr inbounds i8, ptr %1255, i64 8
+  %1257 = load i64, ptr %1256, align 8
+  %1258 = icmp slt i64 %1254, %1257
+  br i1 %1258, label %1232, label %1225, !llvm.loop !27
 
-1239:                                             ; preds = %1231, %1210
-  %1240 = phi i64 [ %1238, %1231 ], [ %1202, %1210 ]
-  %1241 = add i64 %1203, 1
-  %1242 = icmp eq i64 %1241, %1195
-  br i1 %1242, label %1243, label %1201, !llvm.loop !24
+1259:                                             ; preds = %1225, %1259
+  %1260 = phi i64 [ %1281, %1259 ], [ 3, %1225 ]
+  %1261 = mul nsw i64 %1260, %1148
+  %1262 = getelementptr inbounds double, ptr %1152, i64 %1261
+  %1263 = load ptr, ptr %422, align 8
+  %1264 = load ptr, ptr %423, align 8
+  %1265 = getelementptr i64, ptr %1264, i64 %1153
+  %1266 = getelementptr i64, ptr %1265, i64 %1227
+  %1267 = getelementptr i64, ptr %1266, i64 %1228
+  %1268 = getelementptr i64, ptr %1267, i64 %1260
+  %1269 = getelementptr i8, ptr %1268, i64 -24
+  %1270 = load i64, ptr %1269, align 8
+  %1271 = getelementptr i8, ptr %1268, i64 -16
+  %1272 = load i64, ptr %1271, align 8
+  %1273 = xor i64 %1270, -1
+  %1274 = add i64 %1272, %1273
+  %1275 = load ptr, ptr %357, align 8
+  %1276 = load ptr, ptr %410, align 8
+  %1277 = load ptr, ptr %424, align 8
+  %1278 = getelementptr inbounds i64, ptr %1277, i64 %1270
+  %1279 = load ptr, ptr %425, align 8
+  %1280 = getelementptr inbounds double, ptr %1279, i64 %1270
+  tail call fastcc void @combine(ptr noundef %1262, ptr noundef %1263, ptr noundef %1275, ptr noundef %1276, ptr noundef %1278, ptr noundef %1280, i64 noundef %1274, i64 noundef 1, i64 noundef %1146) #8
+  %1281 = add nuw nsw i64 %1260, 1
+  %1282 = load i64, ptr %1229, align 8
+  %1283 = icmp slt i64 %1281, %1282
+  br i1 %1283, label %1259, label %1284, !llvm.loop !28
 
-1243:                                             ; preds = %1239, %1201, %1190
-  %1244 = phi i64 [ %1199, %1190 ], [ %1195, %1239 ], [ %1203, %1201 ]
-  %1245 = load ptr, ptr %79, align 8
-  %1246 = getelementptr inbounds i8, ptr %1245, i64 48
-  store i64 %1244, ptr %1246, align 8
-  br label %1247
+1284:                                             ; preds = %1259, %1225, %1211
+  %1285 = phi i64 [ %1214, %1211 ], [ %1213, %1225 ], [ %1213, %1259 ]
+  %1286 = icmp eq i64 %1285, 0
+  br i1 %1286, label %1290, label %1287
 
-1247:                                             ; preds = %1231, %1243, %1186
-  %1248 = phi i64 [ %1189, %1186 ], [ 0, %1243 ], [ %1238, %1231 ]
-  %1249 = icmp eq i64 %1248, 0
-  %1250 = icmp ne i64 %1179, 0
-  %1251 = fcmp olt double %1178, 1.000000e+00
-  %1252 = and i1 %1251, %1249
-  %1253 = and i1 %1250, %1252
-  br i1 %1253, label %1254, label %1291
+1287:                                             ; preds = %1284
+  store i64 3, ptr %426, align 8
+  store double %450, ptr %76, align 8
+  %1288 = icmp slt i64 %1285, 0
+  %1289 = select i1 %1288, i64 -4, i64 2
+  br label %1624
 
-1254:                                             ; preds = %1247
-  %1255 = load ptr, ptr %418, align 8
-  %1256 = load ptr, ptr %419, align 8
-  %1257 = insertelement <8 x double> poison, double %1178, i64 0
-  %1258 = shufflevector <8 x double> %1257, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %1258, ptr %1256, align 8
-  %1259 = load ptr, ptr %74, align 8
-  %1260 = load ptr, ptr %401, align 8
-  %1261 = load i64, ptr %399, align 8
-  %1262 = load ptr, ptr %0, align 8
-  %1263 = getelementptr inbounds i8, ptr %1262, i64 24
-  %1264 = load i64, ptr %1263, align 8
-  %1265 = load ptr, ptr %419, align 8
-  %1266 = load ptr, ptr %73, align 8
-  %1267 = getelementptr inbounds i8, ptr %1266, i64 16
-  %1268 = load i64, ptr %1267, align 8
-  tail call fastcc void @nested(ptr noundef %1255, ptr noundef %1259, ptr noundef %1260, i64 noundef %1261, i64 noundef %1264, ptr noundef %1265, i64 noundef %1268) #8
-  %1269 = load i64, ptr %90, align 8
-  %1270 = icmp sgt i64 %1269, 0
-  br i1 %1270, label %1275, label %1271
+1290:                                             ; preds = %1284
+  %1291 = load ptr, ptr %75, align 8
+  br i1 %1099, label %1292, label %1303
 
-1271:                                             ; preds = %1275, %1254
-  %1272 = load ptr, ptr %92, align 8
-  %1273 = load i64, ptr %1272, align 8
-  %1274 = icmp eq i64 %1273, 1
-  br i1 %1274, label %1285, label %1291
+1292:                                             ; preds = %1290
+  %1293 = load ptr, ptr %102, align 8
+  %1294 = getelementptr inbounds i8, ptr %1293, i64 16
+  %1295 = load i64, ptr %1294, align 8
+  %1296 = inttoptr i64 %1295 to ptr
+  %1297 = tail call i64 %1296(ptr noundef %0, double noundef %450, double noundef %497) #9
+  %1298 = icmp eq i64 %1297, -6
+  br i1 %1298, label %1299, label %1300
 
-1275:                                             ; preds = %1254, %1275
-  %1276 = phi i64 [ %1282, %1275 ], [ 0, %1254 ]
-  %1277 = load ptr, ptr %418, align 8
-  %1278 = getelementptr inbounds double, ptr %1277, i64 %1276
-  %1279 = load double, ptr %1278, align 8
-  %1280 = load ptr, ptr %77, align 8
-  %1281 = getelementptr inbounds double, ptr %1280, i64 %1276
-  store double %1279, ptr %1281, align 8
-  %1282 = add nuw nsw i64 %1276, 1
-  %1283 = load i64, ptr %90, align 8
-  %1284 = icmp slt i64 %1282, %1283
-  br i1 %1284, label %1275, label %1271, !llvm.loop !25
+1299:                                             ; preds = %1292
+  store double %450, ptr %1291, align 8
+  br label %1478
 
-1285:                                             ; preds = %1271
-  %1286 = load ptr, ptr %77, align 8
-  %1287 = getelementptr inbounds i8, ptr %1272, i64 56
-  %1288 = load i64, ptr %1287, align 8
-  %1289 = inttoptr i64 %1288 to ptr
-  %1290 = tail call i64 %1289(ptr noundef %0, double noundef %1187, ptr noundef %1286) #9
-  br label %1291
+1300:                                             ; preds = %1292
+  %1301 = getelementptr inbounds i8, ptr %1291, i64 48
+  %1302 = load double, ptr %1301, align 8
+  br label %1303
 
-1291:                                             ; preds = %1285, %1271, %1247
-  %1292 = phi i64 [ %1290, %1285 ], [ 0, %1271 ], [ %1248, %1247 ]
-  %1293 = icmp eq i64 %1292, 0
-  br i1 %1293, label %1296, label %1294
+1303:                                             ; preds = %1300, %1290
+  %1304 = phi double [ %1302, %1300 ], [ 1.000000e+00, %1290 ]
+  %1305 = phi i64 [ %1297, %1300 ], [ 0, %1290 ]
+  %1306 = fcmp oeq double %1304, 1.000000e+00
+  br i1 %1306, label %1307, label %1309
 
-1294:                                             ; preds = %1291
-  store double %440, ptr %1162, align 8
-  %1295 = getelementptr inbounds i8, ptr %1162, i64 8
-  store double %487, ptr %1295, align 8
-  br label %1352
+1307:                                             ; preds = %1303
+  %1308 = load double, ptr %1291, align 8
+  br label %1312
 
-1296:                                             ; preds = %1291
-  br i1 %1180, label %1297, label %1335
+1309:                                             ; preds = %1303
+  %1310 = fmul double %497, %1304
+  %1311 = fadd double %450, %1310
+  br label %1312
 
-1297:                                             ; preds = %1296
-  %1298 = load ptr, ptr %77, align 8
-  %1299 = load ptr, ptr %73, align 8
-  %1300 = getelementptr inbounds i8, ptr %1299, i64 8
-  %1301 = load i64, ptr %1300, align 8
-  %1302 = load i64, ptr %107, align 8
-  %1303 = load ptr, ptr %85, align 8
-  %1304 = load ptr, ptr %79, align 8
-  %1305 = getelementptr inbounds i8, ptr %1304, i64 48
-  %1306 = load i64, ptr %1305, align 8
-  %1307 = icmp slt i64 %1306, %1302
-  br i1 %1307, label %1308, label %1331
+1312:                                             ; preds = %1309, %1307
+  %1313 = phi double [ %1308, %1307 ], [ %1311, %1309 ]
+  %1314 = icmp eq i64 %1305, -4
+  %1315 = select i1 %1314, i64 -4, i64 0
+  br i1 %1314, label %1373, label %1316
 
-1308:                                             ; preds = %1297
-  %1309 = icmp sgt i64 %1301, 0
-  br label %1310
+1316:                                             ; preds = %1312
+  %1317 = fcmp olt double %1304, 1.000000e+00
+  %1318 = load ptr, ptr %73, align 8
+  %1319 = getelementptr inbounds i8, ptr %1318, i64 8
+  %1320 = load i64, ptr %1319, align 8
+  %1321 = load i64, ptr %107, align 8
+  %1322 = load ptr, ptr %85, align 8
+  %1323 = load ptr, ptr %79, align 8
+  %1324 = getelementptr inbounds i8, ptr %1323, i64 48
+  %1325 = load i64, ptr %1324, align 8
+  %1326 = icmp slt i64 %1325, %1321
+  br i1 %1326, label %1327, label %1369
 
-1310:                                             ; preds = %1308, %1321
-  %1311 = phi i64 [ %1306, %1308 ], [ %1322, %1321 ]
-  %1312 = getelementptr inbounds double, ptr %1303, i64 %1311
-  %1313 = load double, ptr %1312, align 8
-  %1314 = load ptr, ptr %75, align 8
-  %1315 = load double, ptr %1314, align 8
-  %1316 = fcmp ugt double %1313, %1315
-  br i1 %1316, label %1331, label %1317
+1327:                                             ; preds = %1316, %1365
+  %1328 = phi i64 [ %1366, %1365 ], [ undef, %1316 ]
+  %1329 = phi i64 [ %1367, %1365 ], [ %1325, %1316 ]
+  %1330 = getelementptr inbounds double, ptr %1322, i64 %1329
+  %1331 = load double, ptr %1330, align 8
+  %1332 = fcmp olt double %1331, %1313
+  %1333 = fcmp oeq double %1331, %1313
+  %1334 = and i1 %1317, %1333
+  %1335 = or i1 %1332, %1334
+  br i1 %1335, label %1336, label %1369
 
-1317:                                             ; preds = %1310
-  br i1 %1309, label %1318, label %1321
+1336:                                             ; preds = %1327
+  %1337 = fsub double %1331, %450
+  %1338 = fdiv double %1337, %497
+  %1339 = mul nsw i64 %1329, %1320
+  %1340 = getelementptr inbounds double, ptr %1, i64 %1339
+  %1341 = load ptr, ptr %427, align 8
+  %1342 = insertelement <8 x double> poison, double %1338, i64 0
+  %1343 = shufflevector <8 x double> %1342, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %1343, ptr %1341, align 8
+  %1344 = load ptr, ptr %74, align 8
+  %1345 = load ptr, ptr %411, align 8
+  %1346 = load i64, ptr %409, align 8
+  %1347 = load ptr, ptr %0, align 8
+  %1348 = getelementptr inbounds i8, ptr %1347, i64 24
+  %1349 = load i64, ptr %1348, align 8
+  %1350 = load ptr, ptr %427, align 8
+  %1351 = load ptr, ptr %73, align 8
+  %1352 = getelementptr inbounds i8, ptr %1351, i64 16
+  %1353 = load i64, ptr %1352, align 8
+  tail call fastcc void @nested(ptr noundef %1340, ptr noundef %1344, ptr noundef %1345, i64 noundef %1346, i64 noundef %1349, ptr noundef %1350, i64 noundef %1353) #8
+  %1354 = load ptr, ptr %92, align 8
+  %1355 = load i64, ptr %1354, align 8
+  %1356 = icmp eq i64 %1355, 1
+  br i1 %1356, label %1357, label %1365
 
-1318:                                             ; preds = %1317
-  %1319 = mul nsw i64 %1311, %1301
-  %1320 = getelementptr double, ptr %1, i64 %1319
-  br label %1324
+1357:                                             ; preds = %1336
+  %1358 = load double, ptr %1330, align 8
+  %1359 = getelementptr inbounds i8, ptr %1354, i64 56
+  %1360 = load i64, ptr %1359, align 8
+  %1361 = inttoptr i64 %1360 to ptr
+  %1362 = tail call i64 %1361(ptr noundef %0, double noundef %1358, ptr noundef %1340) #9
+  %1363 = icmp eq i64 %1362, 0
+  %1364 = select i1 %1363, i64 %1328, i64 %1362
+  br i1 %1363, label %1365, label %1373
 
-1321:                                             ; preds = %1324, %1317
-  %1322 = add i64 %1311, 1
-  %1323 = icmp eq i64 %1322, %1302
-  br i1 %1323, label %1331, label %1310, !llvm.loop !8
+1365:                                             ; preds = %1357, %1336
+  %1366 = phi i64 [ %1364, %1357 ], [ %1328, %1336 ]
+  %1367 = add i64 %1329, 1
+  %1368 = icmp eq i64 %1367, %1321
+  br i1 %1368, label %1369, label %1327, !llvm.loop !29
 
-1324:                                             ; preds = %1318, %1324
-  %1325 = phi i64 [ 0, %1318 ], [ %1329, %1324 ]
-  %1326 = getelementptr inbounds double, ptr %1298, i64 %1325
-  %1327 = load double, ptr %1326, align 8
-  %1328 = getelementptr double, ptr %1320, i64 %1325
-  store double %1327, ptr %1328, align 8
-  %1329 = add nuw nsw i64 %1325, 1
-  %1330 = icmp eq i64 %1329, %1301
-  br i1 %1330, label %1321, label %1324, !llvm.loop !9
+1369:                                             ; preds = %1365, %1327, %1316
+  %1370 = phi i64 [ %1325, %1316 ], [ %1321, %1365 ], [ %1329, %1327 ]
+  %1371 = load ptr, ptr %79, align 8
+  %1372 = getelementptr inbounds i8, ptr %1371, i64 48
+  store i64 %1370, ptr %1372, align 8
+  br label %1373
 
-1331:                                             ; preds = %1321, %1310, %1297
-  %1332 = phi i64 [ %1306, %1297 ], [ %1302, %1321 ], [ %1311, %1310 ]
-  %1333 = load ptr, ptr %79, align 8
-  %1334 = getelementptr inbounds i8, ptr %1333, i64 48
-  store i64 %1332, ptr %1334, align 8
-  br label %1335
+1373:                                             ; preds = %1357, %1369, %1312
+  %1374 = phi i64 [ %1315, %1312 ], [ 0, %1369 ], [ %1364, %1357 ]
+  %1375 = icmp eq i64 %1374, 0
+  %1376 = icmp ne i64 %1305, 0
+  %1377 = fcmp olt double %1304, 1.000000e+00
+  %1378 = and i1 %1377, %1375
+  %1379 = and i1 %1376, %1378
+  br i1 %1379, label %1380, label %1417
 
-1335:                                             ; preds = %1331, %1296
-  br i1 %1250, label %1336, label %1352
+1380:                                             ; preds = %1373
+  %1381 = load ptr, ptr %428, align 8
+  %1382 = load ptr, ptr %429, align 8
+  %1383 = insertelement <8 x double> poison, double %1304, i64 0
+  %1384 = shufflevector <8 x double> %1383, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %1384, ptr %1382, align 8
+  %1385 = load ptr, ptr %74, align 8
+  %1386 = load ptr, ptr %411, align 8
+  %1387 = load i64, ptr %409, align 8
+  %1388 = load ptr, ptr %0, align 8
+  %1389 = getelementptr inbounds i8, ptr %1388, i64 24
+  %1390 = load i64, ptr %1389, align 8
+  %1391 = load ptr, ptr %429, align 8
+  %1392 = load ptr, ptr %73, align 8
+  %1393 = getelementptr inbounds i8, ptr %1392, i64 16
+  %1394 = load i64, ptr %1393, align 8
+  tail call fastcc void @nested(ptr noundef %1381, ptr noundef %1385, ptr noundef %1386, i64 noundef %1387, i64 noundef %1390, ptr noundef %1391, i64 noundef %1394) #8
+  %1395 = load i64, ptr %90, align 8
+  %1396 = icmp sgt i64 %1395, 0
+  br i1 %1396, label %1401, label %1397
 
-1336:                                             ; preds = %1335
-  %1337 = load i64, ptr %90, align 8
-  %1338 = icmp sgt i64 %1337, 0
-  br i1 %1338, label %1342, label %1339
+1397:                                             ; preds = %1401, %1380
+  %1398 = load ptr, ptr %92, align 8
+  %1399 = load i64, ptr %1398, align 8
+  %1400 = icmp eq i64 %1399, 1
+  br i1 %1400, label %1411, label %1417
 
-1339:                                             ; preds = %1342, %1336
-  store double %1187, ptr %1162, align 8
-  %1340 = getelementptr inbounds i8, ptr %1162, i64 8
-  store double 0.000000e+00, ptr %1340, align 8
-  %1341 = load ptr, ptr %79, align 8
-  store i64 0, ptr %1341, align 8
-  br label %1352
+1401:                                             ; preds = %1380, %1401
+  %1402 = phi i64 [ %1408, %1401 ], [ 0, %1380 ]
+  %1403 = load ptr, ptr %428, align 8
+  %1404 = getelementptr inbounds double, ptr %1403, i64 %1402
+  %1405 = load double, ptr %1404, align 8
+  %1406 = load ptr, ptr %77, align 8
+  %1407 = getelementptr inbounds double, ptr %1406, i64 %1402
+  store double %1405, ptr %1407, align 8
+  %1408 = add nuw nsw i64 %1402, 1
+  %1409 = load i64, ptr %90, align 8
+  %1410 = icmp slt i64 %1408, %1409
+  br i1 %1410, label %1401, label %1397, !llvm.loop !30
 
-1342:                                             ; preds = %1336, %1342
-  %1343 = phi i64 [ %1349, %1342 ], [ 0, %1336 ]
-  %1344 = load ptr, ptr %77, align 8
-  %1345 = getelementptr inbounds double, ptr %1344, i64 %1343
-  %1346 = load double, ptr %1345, align 8
-  %1347 = load ptr, ptr %74, align 8
-  %1348 = getelementptr inbounds double, ptr %1347, i64 %1343
-  store double %1346, ptr %1348, align 8
-  %1349 = add nuw nsw i64 %1343, 1
-  %1350 = load i64, ptr %90, align 8
-  %1351 = icmp slt i64 %1349, %1350
-  br i1 %1351, label %1342, label %1339, !llvm.loop !26
+1411:                                             ; preds = %1397
+  %1412 = load ptr, ptr %77, align 8
+  %1413 = getelementptr inbounds i8, ptr %1398, i64 56
+  %1414 = load i64, ptr %1413, align 8
+  %1415 = inttoptr i64 %1414 to ptr
+  %1416 = tail call i64 %1415(ptr noundef %0, double noundef %1313, ptr noundef %1412) #9
+  br label %1417
 
-1352:                                             ; preds = %1173, %1294, %1335, %1339
-  %1353 = phi i64 [ -6, %1173 ], [ %1292, %1294 ], [ %1179, %1339 ], [ %1179, %1335 ]
-  %1354 = icmp eq i64 %1353, -6
-  br i1 %1354, label %1359, label %1355
+1417:                                             ; preds = %1411, %1397, %1373
+  %1418 = phi i64 [ %1416, %1411 ], [ 0, %1397 ], [ %1374, %1373 ]
+  %1419 = icmp eq i64 %1418, 0
+  br i1 %1419, label %1422, label %1420
 
-1355:                                             ; preds = %1352
-  %1356 = icmp ne i64 %1353, 6
-  %1357 = select i1 %1356, i1 true, i1 %98
-  %1358 = select i1 %1357, i1 true, i1 %106
-  br i1 %1358, label %1369, label %1359
+1420:                                             ; preds = %1417
+  store double %450, ptr %1291, align 8
+  %1421 = getelementptr inbounds i8, ptr %1291, i64 8
+  store double %497, ptr %1421, align 8
+  br label %1478
 
-1359:                                             ; preds = %1355, %1352
-  %1360 = phi i64 [ %1353, %1355 ], [ 2, %1352 ]
-  %1361 = load i64, ptr %351, align 8
-  %1362 = add nsw i64 %1361, -1
-  store i64 %1362, ptr %351, align 8
-  %1363 = load ptr, ptr %350, align 8
-  %1364 = load i64, ptr %1363, align 8
-  %1365 = add nsw i64 %1364, -1
-  store i64 %1365, ptr %1363, align 8
-  %1366 = load i64, ptr %352, align 8
-  %1367 = add nsw i64 %1366, 1
-  store i64 %1367, ptr %352, align 8
-  store i64 %1360, ptr %429, align 8
-  store double 1.000000e+00, ptr %430, align 8
-  %1368 = fmul double %487, 2.500000e-01
-  br label %1498, !llvm.loop !19
+1422:                                             ; preds = %1417
+  br i1 %1306, label %1423, label %1461
 
-1369:                                             ; preds = %1355
-  %1370 = icmp eq i64 %1353, 0
-  br i1 %1370, label %1375, label %1371
+1423:                                             ; preds = %1422
+  %1424 = load ptr, ptr %77, align 8
+  %1425 = load ptr, ptr %73, align 8
+  %1426 = getelementptr inbounds i8, ptr %1425, i64 8
+  %1427 = load i64, ptr %1426, align 8
+  %1428 = load i64, ptr %107, align 8
+  %1429 = load ptr, ptr %85, align 8
+  %1430 = load ptr, ptr %79, align 8
+  %1431 = getelementptr inbounds i8, ptr %1430, i64 48
+  %1432 = load i64, ptr %1431, align 8
+  %1433 = icmp slt i64 %1432, %1428
+  br i1 %1433, label %1434, label %1457
 
-1371:                                             ; preds = %1369
-  %1372 = load ptr, ptr %350, align 8
-  %1373 = load i64, ptr %1372, align 8
-  %1374 = add nsw i64 %1373, 1
-  store i64 %1374, ptr %1372, align 8
-  br label %1498
+1434:                                             ; preds = %1423
+  %1435 = icmp sgt i64 %1427, 0
+  br label %1436
 
-1375:                                             ; preds = %1369, %1009
-  br i1 %98, label %1479, label %1376
+1436:                                             ; preds = %1434, %1447
+  %1437 = phi i64 [ %1432, %1434 ], [ %1448, %1447 ]
+  %1438 = getelementptr inbounds double, ptr %1429, i64 %1437
+  %1439 = load double, ptr %1438, align 8
+  %1440 = load ptr, ptr %75, align 8
+  %1441 = load double, ptr %1440, align 8
+  %1442 = fcmp ugt double %1439, %1441
+  br i1 %1442, label %1457, label %1443
 
-1376:                                             ; preds = %1375
-  %1377 = load double, ptr %421, align 8
-  %1378 = fcmp ogt double %865, 1.000000e-10
-  %1379 = select i1 %1378, double %865, double 1.000000e-10
-  %1380 = load double, ptr %422, align 8
-  %1381 = load double, ptr %423, align 8
-  %1382 = fneg double %1381
-  %1383 = bitcast double %1379 to i64
-  %1384 = add nsw i64 %1383, -4604544271217802189
-  %1385 = ashr i64 %1384, 52
-  %1386 = and i64 %1384, -4503599627370496
-  %1387 = sub nsw i64 %1383, %1386
-  %1388 = bitcast i64 %1387 to double
-  %1389 = fadd double %1388, -1.000000e+00
-  %1390 = fadd double %1388, 1.000000e+00
-  %1391 = fdiv double %1389, %1390
-  %1392 = fmul double %1391, %1391
-  %1393 = tail call double @llvm.fma.f64(double %1392, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
-  %1394 = tail call double @llvm.fma.f64(double %1393, double %1392, double 0x3FE2776C50EF9BFE)
-  %1395 = tail call double @llvm.fma.f64(double %1394, double %1392, double 0x3FEEC709DC3A03FD)
-  %1396 = tail call double @llvm.fma.f64(double %1395, double %1392, double 0x40071547652B82FE)
-  %1397 = trunc nsw i64 %1385 to i32
-  %1398 = sitofp i32 %1397 to double
-  %1399 = fmul double %1391, %1396
-  %1400 = fadd double %1399, %1398
-  %1401 = fmul double %1400, %1382
-  %1402 = fcmp ogt double %1401, -1.000000e+03
-  %1403 = select i1 %1402, double %1401, double -1.000000e+03
-  %1404 = fcmp olt double %1403, 1.000000e+03
-  %1405 = select i1 %1404, double %1403, double 1.000000e+03
-  %1406 = tail call double @llvm.rint.f64(double %1405)
-  %1407 = fsub double %1405, %1406
-  %1408 = tail call double @llvm.fma.f64(double %1407, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
-  %1409 = tail call double @llvm.fma.f64(double %1408, double %1407, double 0x3F55D87FE78A6730)
-  %1410 = tail call double @llvm.fma.f64(double %1409, double %1407, double 0x3F83B2AB6FBA4E77)
-  %1411 = tail call double @llvm.fma.f64(double %1410, double %1407, double 0x3FAC6B08D704A0BF)
-  %1412 = tail call double @llvm.fma.f64(double %1411, double %1407, double 0x3FCEBFBDFF82C58E)
-  %1413 = tail call double @llvm.fma.f64(double %1412, double %1407, double 0x3FE62E42FEFA39EF)
-  %1414 = tail call double @llvm.fma.f64(double %1413, double %1407, double 1.000000e+00)
-  %1415 = bitcast double %1414 to i64
-  %1416 = fptosi double %1406 to i32
-  %1417 = sext i32 %1416 to i64
-  %1418 = shl nsw i64 %1417, 52
-  %1419 = add nsw i64 %1418, %1415
-  %1420 = bitcast i64 %1419 to double
-  %1421 = fmul double %1380, %1420
-  %1422 = load double, ptr %424, align 8
-  %1423 = fcmp une double %1422, 0.000000e+00
-  br i1 %1423, label %1424, label %1464
+1443:                                             ; preds = %1436
+  br i1 %1435, label %1444, label %1447
 
-1424:                                             ; preds = %1376
-  %1425 = load i64, ptr %420, align 8
-  %1426 = add nsw i64 %1425, -4604544271217802189
-  %1427 = ashr i64 %1426, 52
-  %1428 = and i64 %1426, -4503599627370496
-  %1429 = sub nsw i64 %1425, %1428
-  %1430 = bitcast i64 %1429 to double
-  %1431 = fadd double %1430, -1.000000e+00
-  %1432 = fadd double %1430, 1.000000e+00
-  %1433 = fdiv double %1431, %1432
-  %1434 = fmul double %1433, %1433
-  %1435 = tail call double @llvm.fma.f64(double %1434, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
-  %1436 = tail call double @llvm.fma.f64(double %1435, double %1434, double 0x3FE2776C50EF9BFE)
-  %1437 = tail call double @llvm.fma.f64(double %1436, double %1434, double 0x3FEEC709DC3A03FD)
-  %1438 = tail call double @llvm.fma.f64(double %1437, double %1434, double 0x40071547652B82FE)
-  %1439 = trunc nsw i64 %1427 to i32
-  %1440 = sitofp i32 %1439 to double
-  %1441 = fmul double %1433, %1438
-  %1442 = fadd double %1441, %1440
-  %1443 = fmul double %1422, %1442
-  %1444 = fcmp ogt double %1443, -1.000000e+03
-  %1445 = select i1 %1444, double %1443, double -1.000000e+03
-  %1446 = fcmp olt double %1445, 1.000000e+03
-  %1447 = select i1 %1446, double %1445, double 1.000000e+03
-  %1448 = tail call double @llvm.rint.f64(double %1447)
-  %1449 = fsub double %1447, %1448
-  %1450 = tail call double @llvm.fma.f64(double %1449, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
-  %1451 = tail call double @llvm.fma.f64(double %1450, double %1449, double 0x3F55D87FE78A6730)
-  %1452 = tail call double @llvm.fma.f64(double %1451, double %1449, double 0x3F83B2AB6FBA4E77)
-  %1453 = tail call double @llvm.fma.f64(double %1452, double %1449, double 0x3FAC6B08D704A0BF)
-  %1454 = tail call double @llvm.fma.f64(double %1453, double %1449, double 0x3FCEBFBDFF82C58E)
-  %1455 = tail call double @llvm.fma.f64(double %1454, double %1449, double 0x3FE62E42FEFA39EF)
-  %1456 = tail call double @llvm.fma.f64(double %1455, double %1449, double 1.000000e+00)
-  %1457 = bitcast double %1456 to i64
-  %1458 = fptosi double %1448 to i32
-  %1459 = sext i32 %1458 to i64
-  %1460 = shl nsw i64 %1459, 52
-  %1461 = add nsw i64 %1460, %1457
-  %1462 = bitcast i64 %1461 to double
-  %1463 = fmul double %1421, %1462
-  br label %1464
+1444:                                             ; preds = %1443
+  %1445 = mul nsw i64 %1437, %1427
+  %1446 = getelementptr double, ptr %1, i64 %1445
+  br label %1450
 
-1464:                                             ; preds = %1376, %1424
-  %1465 = phi double [ %1463, %1424 ], [ %1421, %1376 ]
-  %1466 = load double, ptr %425, align 8
-  %1467 = fcmp ogt double %1465, %1466
-  %1468 = select i1 %1467, double %1465, double %1466
-  %1469 = fcmp olt double %1377, %1468
-  %1470 = select i1 %1469, double %1377, double %1468
-  %1471 = fmul double %487, %1470
-  %1472 = fcmp oeq double %488, %111
-  %1473 = fcmp ogt double %441, %1471
-  %1474 = select i1 %1472, i1 %1473, i1 false
-  %1475 = select i1 %1474, double %441, double %1471
-  %1476 = fcmp ogt double %865, 1.000000e-04
-  %1477 = select i1 %1476, double %865, double 1.000000e-04
-  store double %1477, ptr %420, align 8
-  %1478 = load double, ptr %426, align 8
-  store double %1478, ptr %421, align 8
-  br label %1479
+1447:                                             ; preds = %1450, %1443
+  %1448 = add i64 %1437, 1
+  %1449 = icmp eq i64 %1448, %1428
+  br i1 %1449, label %1457, label %1436, !llvm.loop !8
 
-1479:                                             ; preds = %1464, %1375
-  %1480 = phi double [ %1475, %1464 ], [ %441, %1375 ]
-  br i1 %427, label %1485, label %1481
+1450:                                             ; preds = %1444, %1450
+  %1451 = phi i64 [ 0, %1444 ], [ %1455, %1450 ]
+  %1452 = getelementptr inbounds double, ptr %1424, i64 %1451
+  %1453 = load double, ptr %1452, align 8
+  %1454 = getelementptr double, ptr %1446, i64 %1451
+  store double %1453, ptr %1454, align 8
+  %1455 = add nuw nsw i64 %1451, 1
+  %1456 = icmp eq i64 %1455, %1427
+  br i1 %1456, label %1447, label %1450, !llvm.loop !9
 
-1481:                                             ; preds = %1485, %1479
-  %1482 = load i64, ptr %428, align 8
-  %1483 = load i64, ptr %107, align 8
-  %1484 = icmp eq i64 %1482, %1483
-  br i1 %1484, label %1497, label %1498
+1457:                                             ; preds = %1447, %1436, %1423
+  %1458 = phi i64 [ %1432, %1423 ], [ %1428, %1447 ], [ %1437, %1436 ]
+  %1459 = load ptr, ptr %79, align 8
+  %1460 = getelementptr inbounds i8, ptr %1459, i64 48
+  store i64 %1458, ptr %1460, align 8
+  br label %1461
 
-1485:                                             ; preds = %1479, %1485
-  %1486 = phi i64 [ %1495, %1485 ], [ 0, %1479 ]
-  %1487 = getelementptr inbounds double, ptr %78, i64 %1486
-  %1488 = load double, ptr %1487, align 8
-  %1489 = load ptr, ptr %74, align 8
-  %1490 = getelementptr inbounds double, ptr %1489, i64 %1486
-  store double %1488, ptr %1490, align 8
-  %1491 = getelementptr inbounds double, ptr %116, i64 %1486
-  %1492 = load double, ptr %1491, align 8
-  %1493 = load ptr, ptr %112, align 8
-  %1494 = getelementptr inbounds double, ptr %1493, i64 %1486
-  store double %1492, ptr %1494, align 8
-  %1495 = add nuw nsw i64 %1486, 1
-  %1496 = icmp eq i64 %1495, %91
-  br i1 %1496, label %1481, label %1485, !llvm.loop !27
+1461:                                             ; preds = %1457, %1422
+  br i1 %1376, label %1462, label %1478
 
-1497:                                             ; preds = %1481
-  store double %1480, ptr %118, align 8
-  br label %1498
+1462:                                             ; preds = %1461
+  %1463 = load i64, ptr %90, align 8
+  %1464 = icmp sgt i64 %1463, 0
+  br i1 %1464, label %1468, label %1465
 
-1498:                                             ; preds = %1158, %1359, %1371, %1497, %853, %933, %932, %1481, %667, %494
-  %1499 = phi double [ %441, %494 ], [ %441, %667 ], [ %441, %1158 ], [ %1368, %1359 ], [ %441, %1371 ], [ %1480, %1497 ], [ %441, %853 ], [ %931, %933 ], [ %931, %932 ], [ %1480, %1481 ]
-  %1500 = phi double [ %440, %494 ], [ %440, %667 ], [ %440, %1158 ], [ %440, %1359 ], [ %440, %1371 ], [ %488, %1497 ], [ %440, %853 ], [ %440, %933 ], [ %440, %932 ], [ %488, %1481 ]
-  %1501 = phi i32 [ 1, %494 ], [ 1, %667 ], [ 1, %1158 ], [ 3, %1359 ], [ 1, %1371 ], [ 1, %1497 ], [ 1, %853 ], [ 3, %933 ], [ 1, %932 ], [ 0, %1481 ]
-  %1502 = phi i64 [ 2, %494 ], [ -4, %667 ], [ %1160, %1158 ], [ %439, %1359 ], [ %1353, %1371 ], [ 0, %1497 ], [ -4, %853 ], [ %439, %933 ], [ 2, %932 ], [ %439, %1481 ]
-  switch i32 %1501, label %1506 [
-    i32 0, label %1503
-    i32 3, label %1503
+1465:                                             ; preds = %1468, %1462
+  store double %1313, ptr %1291, align 8
+  %1466 = getelementptr inbounds i8, ptr %1291, i64 8
+  store double 0.000000e+00, ptr %1466, align 8
+  %1467 = load ptr, ptr %79, align 8
+  store i64 0, ptr %1467, align 8
+  br label %1478
+
+1468:                                             ; preds = %1462, %1468
+  %1469 = phi i64 [ %1475, %1468 ], [ 0, %1462 ]
+  %1470 = load ptr, ptr %77, align 8
+  %1471 = getelementptr inbounds double, ptr %1470, i64 %1469
+  %1472 = load double, ptr %1471, align 8
+  %1473 = load ptr, ptr %74, align 8
+  %1474 = getelementptr inbounds double, ptr %1473, i64 %1469
+  store double %1472, ptr %1474, align 8
+  %1475 = add nuw nsw i64 %1469, 1
+  %1476 = load i64, ptr %90, align 8
+  %1477 = icmp slt i64 %1475, %1476
+  br i1 %1477, label %1468, label %1465, !llvm.loop !31
+
+1478:                                             ; preds = %1299, %1420, %1461, %1465
+  %1479 = phi i64 [ -6, %1299 ], [ %1418, %1420 ], [ %1305, %1465 ], [ %1305, %1461 ]
+  %1480 = icmp eq i64 %1479, -6
+  br i1 %1480, label %1485, label %1481
+
+1481:                                             ; preds = %1478
+  %1482 = icmp ne i64 %1479, 6
+  %1483 = select i1 %1482, i1 true, i1 %98
+  %1484 = select i1 %1483, i1 true, i1 %106
+  br i1 %1484, label %1495, label %1485
+
+1485:                                             ; preds = %1481, %1478
+  %1486 = phi i64 [ %1479, %1481 ], [ 2, %1478 ]
+  %1487 = load i64, ptr %351, align 8
+  %1488 = add nsw i64 %1487, -1
+  store i64 %1488, ptr %351, align 8
+  %1489 = load ptr, ptr %350, align 8
+  %1490 = load i64, ptr %1489, align 8
+  %1491 = add nsw i64 %1490, -1
+  store i64 %1491, ptr %1489, align 8
+  %1492 = load i64, ptr %352, align 8
+  %1493 = add nsw i64 %1492, 1
+  store i64 %1493, ptr %352, align 8
+  store i64 %1486, ptr %439, align 8
+  store double 1.000000e+00, ptr %440, align 8
+  %1494 = fmul double %497, 2.500000e-01
+  br label %1624, !llvm.loop !19
+
+1495:                                             ; preds = %1481
+  %1496 = icmp eq i64 %1479, 0
+  br i1 %1496, label %1501, label %1497
+
+1497:                                             ; preds = %1495
+  %1498 = load ptr, ptr %350, align 8
+  %1499 = load i64, ptr %1498, align 8
+  %1500 = add nsw i64 %1499, 1
+  store i64 %1500, ptr %1498, align 8
+  br label %1624
+
+1501:                                             ; preds = %1495, %1138
+  br i1 %98, label %1605, label %1502
+
+1502:                                             ; preds = %1501
+  %1503 = load double, ptr %431, align 8
+  %1504 = fcmp ogt double %875, 1.000000e-10
+  %1505 = select i1 %1504, double %875, double 1.000000e-10
+  %1506 = load double, ptr %432, align 8
+  %1507 = load double, ptr %433, align 8
+  %1508 = fneg double %1507
+  %1509 = bitcast double %1505 to i64
+  %1510 = add nsw i64 %1509, -4604544271217802189
+  %1511 = ashr i64 %1510, 52
+  %1512 = and i64 %1510, -4503599627370496
+  %1513 = sub nsw i64 %1509, %1512
+  %1514 = bitcast i64 %1513 to double
+  %1515 = fadd double %1514, -1.000000e+00
+  %1516 = fadd double %1514, 1.000000e+00
+  %1517 = fdiv double %1515, %1516
+  %1518 = fmul double %1517, %1517
+  %1519 = tail call double @llvm.fma.f64(double %1518, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
+  %1520 = tail call double @llvm.fma.f64(double %1519, double %1518, double 0x3FE2776C50EF9BFE)
+  %1521 = tail call double @llvm.fma.f64(double %1520, double %1518, double 0x3FEEC709DC3A03FD)
+  %1522 = tail call double @llvm.fma.f64(double %1521, double %1518, double 0x40071547652B82FE)
+  %1523 = trunc nsw i64 %1511 to i32
+  %1524 = sitofp i32 %1523 to double
+  %1525 = fmul double %1517, %1522
+  %1526 = fadd double %1525, %1524
+  %1527 = fmul double %1526, %1508
+  %1528 = fcmp ogt double %1527, -1.000000e+03
+  %1529 = select i1 %1528, double %1527, double -1.000000e+03
+  %1530 = fcmp olt double %1529, 1.000000e+03
+  %1531 = select i1 %1530, double %1529, double 1.000000e+03
+  %1532 = tail call double @llvm.rint.f64(double %1531)
+  %1533 = fsub double %1531, %1532
+  %1534 = tail call double @llvm.fma.f64(double %1533, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
+  %1535 = tail call double @llvm.fma.f64(double %1534, double %1533, double 0x3F55D87FE78A6730)
+  %1536 = tail call double @llvm.fma.f64(double %1535, double %1533, double 0x3F83B2AB6FBA4E77)
+  %1537 = tail call double @llvm.fma.f64(double %1536, double %1533, double 0x3FAC6B08D704A0BF)
+  %1538 = tail call double @llvm.fma.f64(double %1537, double %1533, double 0x3FCEBFBDFF82C58E)
+  %1539 = tail call double @llvm.fma.f64(double %1538, double %1533, double 0x3FE62E42FEFA39EF)
+  %1540 = tail call double @llvm.fma.f64(double %1539, double %1533, double 1.000000e+00)
+  %1541 = bitcast double %1540 to i64
+  %1542 = fptosi double %1532 to i32
+  %1543 = sext i32 %1542 to i64
+  %1544 = shl nsw i64 %1543, 52
+  %1545 = add nsw i64 %1544, %1541
+  %1546 = bitcast i64 %1545 to double
+  %1547 = fmul double %1506, %1546
+  %1548 = load double, ptr %434, align 8
+  %1549 = fcmp une double %1548, 0.000000e+00
+  br i1 %1549, label %1550, label %1590
+
+1550:                                             ; preds = %1502
+  %1551 = load i64, ptr %430, align 8
+  %1552 = add nsw i64 %1551, -4604544271217802189
+  %1553 = ashr i64 %1552, 52
+  %1554 = and i64 %1552, -4503599627370496
+  %1555 = sub nsw i64 %1551, %1554
+  %1556 = bitcast i64 %1555 to double
+  %1557 = fadd double %1556, -1.000000e+00
+  %1558 = fadd double %1556, 1.000000e+00
+  %1559 = fdiv double %1557, %1558
+  %1560 = fmul double %1559, %1559
+  %1561 = tail call double @llvm.fma.f64(double %1560, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
+  %1562 = tail call double @llvm.fma.f64(double %1561, double %1560, double 0x3FE2776C50EF9BFE)
+  %1563 = tail call double @llvm.fma.f64(double %1562, double %1560, double 0x3FEEC709DC3A03FD)
+  %1564 = tail call double @llvm.fma.f64(double %1563, double %1560, double 0x40071547652B82FE)
+  %1565 = trunc nsw i64 %1553 to i32
+  %1566 = sitofp i32 %1565 to double
+  %1567 = fmul double %1559, %1564
+  %1568 = fadd double %1567, %1566
+  %1569 = fmul double %1548, %1568
+  %1570 = fcmp ogt double %1569, -1.000000e+03
+  %1571 = select i1 %1570, double %1569, double -1.000000e+03
+  %1572 = fcmp olt double %1571, 1.000000e+03
+  %1573 = select i1 %1572, double %1571, double 1.000000e+03
+  %1574 = tail call double @llvm.rint.f64(double %1573)
+  %1575 = fsub double %1573, %1574
+  %1576 = tail call double @llvm.fma.f64(double %1575, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
+  %1577 = tail call double @llvm.fma.f64(double %1576, double %1575, double 0x3F55D87FE78A6730)
+  %1578 = tail call double @llvm.fma.f64(double %1577, double %1575, double 0x3F83B2AB6FBA4E77)
+  %1579 = tail call double @llvm.fma.f64(double %1578, double %1575, double 0x3FAC6B08D704A0BF)
+  %1580 = tail call double @llvm.fma.f64(double %1579, double %1575, double 0x3FCEBFBDFF82C58E)
+  %1581 = tail call double @llvm.fma.f64(double %1580, double %1575, double 0x3FE62E42FEFA39EF)
+  %1582 = tail call double @llvm.fma.f64(double %1581, double %1575, double 1.000000e+00)
+  %1583 = bitcast double %1582 to i64
+  %1584 = fptosi double %1574 to i32
+  %1585 = sext i32 %1584 to i64
+  %1586 = shl nsw i64 %1585, 52
+  %1587 = add nsw i64 %1586, %1583
+  %1588 = bitcast i64 %1587 to double
+  %1589 = fmul double %1547, %1588
+  br label %1590
+
+1590:                                             ; preds = %1502, %1550
+  %1591 = phi double [ %1589, %1550 ], [ %1547, %1502 ]
+  %1592 = load double, ptr %435, align 8
+  %1593 = fcmp ogt double %1591, %1592
+  %1594 = select i1 %1593, double %1591, double %1592
+  %1595 = fcmp olt double %1503, %1594
+  %1596 = select i1 %1595, double %1503, double %1594
+  %1597 = fmul double %497, %1596
+  %1598 = fcmp oeq double %498, %111
+  %1599 = fcmp ogt double %451, %1597
+  %1600 = select i1 %1598, i1 %1599, i1 false
+  %1601 = select i1 %1600, double %451, double %1597
+  %1602 = fcmp ogt double %875, 1.000000e-04
+  %1603 = select i1 %1602, double %875, double 1.000000e-04
+  store double %1603, ptr %430, align 8
+  %1604 = load double, ptr %436, align 8
+  store double %1604, ptr %431, align 8
+  br label %1605
+
+1605:                                             ; preds = %1590, %1501
+  %1606 = phi double [ %1601, %1590 ], [ %451, %1501 ]
+  br i1 %437, label %1611, label %1607
+
+1607:                                             ; preds = %1611, %1605
+  %1608 = load i64, ptr %438, align 8
+  %1609 = load i64, ptr %107, align 8
+  %1610 = icmp eq i64 %1608, %1609
+  br i1 %1610, label %1623, label %1624
+
+1611:                                             ; preds = %1605, %1611
+  %1612 = phi i64 [ %1621, %1611 ], [ 0, %1605 ]
+  %1613 = getelementptr inbounds double, ptr %78, i64 %1612
+  %1614 = load double, ptr %1613, align 8
+  %1615 = load ptr, ptr %74, align 8
+  %1616 = getelementptr inbounds double, ptr %1615, i64 %1612
+  store double %1614, ptr %1616, align 8
+  %1617 = getelementptr inbounds double, ptr %116, i64 %1612
+  %1618 = load double, ptr %1617, align 8
+  %1619 = load ptr, ptr %112, align 8
+  %1620 = getelementptr inbounds double, ptr %1619, i64 %1612
+  store double %1618, ptr %1620, align 8
+  %1621 = add nuw nsw i64 %1612, 1
+  %1622 = icmp eq i64 %1621, %91
+  br i1 %1622, label %1607, label %1611, !llvm.loop !32
+
+1623:                                             ; preds = %1607
+  store double %1606, ptr %118, align 8
+  br label %1624
+
+1624:                                             ; preds = %863, %943, %942, %1607, %1623, %1497, %1485, %1287, %677, %504
+  %1625 = phi double [ %451, %504 ], [ %451, %677 ], [ %451, %863 ], [ %941, %943 ], [ %941, %942 ], [ %451, %1287 ], [ %1494, %1485 ], [ %451, %1497 ], [ %1606, %1623 ], [ %1606, %1607 ]
+  %1626 = phi double [ %450, %504 ], [ %450, %677 ], [ %450, %863 ], [ %450, %943 ], [ %450, %942 ], [ %450, %1287 ], [ %450, %1485 ], [ %450, %1497 ], [ %498, %1623 ], [ %498, %1607 ]
+  %1627 = phi i32 [ 1, %504 ], [ 1, %677 ], [ 1, %863 ], [ 3, %943 ], [ 1, %942 ], [ 1, %1287 ], [ 3, %1485 ], [ 1, %1497 ], [ 1, %1623 ], [ 0, %1607 ]
+  %1628 = phi i64 [ 2, %504 ], [ -4, %677 ], [ -4, %863 ], [ %449, %943 ], [ 2, %942 ], [ %1289, %1287 ], [ %449, %1485 ], [ %1479, %1497 ], [ 0, %1623 ], [ %449, %1607 ]
+  switch i32 %1627, label %1632 [
+    i32 0, label %1629
+    i32 3, label %1629
   ]
 
-1503:                                             ; preds = %1498, %1498
-  %1504 = load i64, ptr %81, align 8
-  %1505 = icmp eq i64 %1504, 0
-  br i1 %1505, label %435, label %437, !llvm.loop !19
+1629:                                             ; preds = %1624, %1624
+  %1630 = load i64, ptr %81, align 8
+  %1631 = icmp eq i64 %1630, 0
+  br i1 %1631, label %445, label %447, !llvm.loop !19
 
-1506:                                             ; preds = %1498, %145, %435, %454, %462, %187, %72
-  %1507 = phi i64 [ -1, %72 ], [ %148, %145 ], [ -1, %435 ], [ -5, %454 ], [ 1, %462 ], [ 0, %187 ], [ %1502, %1498 ]
-  ret i64 %1507
+1632:                                             ; preds = %1624, %145, %445, %464, %472, %187, %72
+  %1633 = phi i64 [ -1, %72 ], [ %148, %145 ], [ -1, %445 ], [ -5, %464 ], [ 1, %472 ], [ 0, %187 ], [ %1628, %1624 ]
+  ret i64 %1633
 }
 
 
@@ -2035,7 +2213,7 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #2 {
   %53 = select i1 %51, i64 %48, i64 %45
   %54 = sub nsw i64 %53, %52
   %55 = icmp sgt i64 %54, 1
-  br i1 %55, label %44, label %56, !llvm.loop !28
+  br i1 %55, label %44, label %56, !llvm.loop !33
 
 56:                                               ; preds = %44, %42, %35, %38
   %57 = phi i64 [ %31, %38 ], [ %31, %35 ], [ 0, %42 ], [ %52, %44 ]
@@ -2067,7 +2245,7 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #2 {
   %81 = add nuw nsw i64 %14, 1
   %82 = load i64, ptr %2, align 8
   %83 = icmp slt i64 %81, %82
-  br i1 %83, label %13, label %12, !llvm.loop !29
+  br i1 %83, label %13, label %12, !llvm.loop !34
 }
 
 define internal fastcc void @norm_to(ptr noundef writeonly %0, ptr noundef readonly %1, ptr noundef readonly %2, ptr noundef readonly %3, i64 noundef %4) unnamed_addr #3 {
@@ -2114,7 +2292,7 @@ define internal fastcc void @norm_to(ptr noundef writeonly %0, ptr noundef reado
   %39 = fadd double %19, %38
   %40 = add nuw nsw i64 %20, 1
   %41 = icmp eq i64 %40, %4
-  br i1 %41, label %13, label %18, !llvm.loop !30
+  br i1 %41, label %13, label %18, !llvm.loop !35
 }
 
 declare double @llvm.sqrt.f64(double) #4
@@ -2182,7 +2360,7 @@ define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef reado
   %51 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %40, <8 x double> %50, <8 x double> %32)
   %52 = add nuw nsw i64 %33, 1
   %53 = icmp eq i64 %52, %6
-  br i1 %53, label %54, label %28, !llvm.loop !31
+  br i1 %53, label %54, label %28, !llvm.loop !36
 
 54:                                               ; preds = %28, %22
   %55 = phi <8 x double> [ zeroinitializer, %22 ], [ %48, %28 ]
@@ -2231,7 +2409,7 @@ define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef reado
   %96 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %85, <8 x double> %95, <8 x double> %76)
   %97 = add nuw nsw i64 %77, 1
   %98 = icmp slt i64 %97, %15
-  br i1 %98, label %72, label %99, !llvm.loop !32
+  br i1 %98, label %72, label %99, !llvm.loop !37
 
 99:                                               ; preds = %72, %54
   %100 = phi <8 x double> [ %67, %54 ], [ %93, %72 ]
@@ -2247,7 +2425,7 @@ define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef reado
   store <8 x double> %103, ptr %106, align 8
   %107 = add nuw nsw i64 %23, 32
   %108 = icmp sgt i64 %107, %11
-  br i1 %108, label %16, label %22, !llvm.loop !33
+  br i1 %108, label %16, label %22, !llvm.loop !38
 
 109:                                              ; preds = %19, %149
   %110 = phi i64 [ %17, %19 ], [ %151, %149 ]
@@ -2278,7 +2456,7 @@ define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef reado
   %131 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %126, <8 x double> %130, <8 x double> %121)
   %132 = add nuw nsw i64 %122, 1
   %133 = icmp eq i64 %132, %6
-  br i1 %133, label %114, label %120, !llvm.loop !31
+  br i1 %133, label %114, label %120, !llvm.loop !36
 
 134:                                              ; preds = %114, %134
   %135 = phi <8 x double> [ %146, %134 ], [ %118, %114 ]
@@ -2295,14 +2473,14 @@ define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef reado
   %146 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %141, <8 x double> %145, <8 x double> %135)
   %147 = add nuw nsw i64 %136, 1
   %148 = icmp slt i64 %147, %21
-  br i1 %148, label %134, label %149, !llvm.loop !32
+  br i1 %148, label %134, label %149, !llvm.loop !37
 
 149:                                              ; preds = %134, %114
   %150 = phi <8 x double> [ %118, %114 ], [ %146, %134 ]
   store <8 x double> %150, ptr %111, align 8
   %151 = add nuw nsw i64 %110, 8
   %152 = icmp slt i64 %151, %11
-  br i1 %152, label %109, label %153, !llvm.loop !34
+  br i1 %152, label %109, label %153, !llvm.loop !39
 
 153:                                              ; preds = %149, %16
   ret void
@@ -2344,7 +2522,7 @@ define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readon
   store <8 x double> %29, ptr %26, align 8
   %30 = add nuw nsw i64 %21, 8
   %31 = icmp slt i64 %30, %10
-  br i1 %31, label %20, label %19, !llvm.loop !35
+  br i1 %31, label %20, label %19, !llvm.loop !40
 
 32:                                               ; preds = %20, %32
   %33 = phi i64 [ %42, %32 ], [ %16, %20 ]
@@ -2358,7 +2536,7 @@ define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readon
   %41 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %39, <8 x double> %34, <8 x double> %40)
   %42 = add nsw i64 %33, -1
   %43 = icmp sgt i64 %33, 0
-  br i1 %43, label %32, label %24, !llvm.loop !36
+  br i1 %43, label %32, label %24, !llvm.loop !41
 }
 
 declare i1 @llvm.is.fpclass.f64(double, i32 immarg) #7
@@ -2413,3 +2591,8 @@ attributes #10 = { nounwind }
 !34 = distinct !{!34, !4, !5}
 !35 = distinct !{!35, !4, !5}
 !36 = distinct !{!36, !4, !5}
+!37 = distinct !{!37, !4, !5}
+!38 = distinct !{!38, !4, !5}
+!39 = distinct !{!39, !4, !5}
+!40 = distinct !{!40, !4, !5}
+!41 = distinct !{!41, !4, !5}

@@ -1,4 +1,4 @@
-; sources ecafc7c4b0b238c0857fcc2802124ef7b97d57bb8cf59e78ae0d19dc66d2f0cf
+; sources 6401892f79525d6993fe1fc4648ecf7608eca4897a906a7e8dee2ba386378de0
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 @NODES = internal unnamed_addr constant [3 x double] [double 0x3FC3D8B64657CAEA, double 0x3FE4A36C0803A6DF, double 1.000000e+00], align 16
@@ -36,7 +36,7 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
 
 23:                                               ; preds = %19
   %24 = getelementptr inbounds i8, ptr %0, i64 576
-  %25 = getelementptr inbounds i8, ptr %0, i64 1008
+  %25 = getelementptr inbounds i8, ptr %0, i64 1032
   br label %44
 
 26:                                               ; preds = %17, %26
@@ -61,7 +61,7 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
 
 41:                                               ; preds = %37
   %42 = getelementptr inbounds i8, ptr %0, i64 600
-  %43 = getelementptr inbounds i8, ptr %0, i64 1032
+  %43 = getelementptr inbounds i8, ptr %0, i64 1056
   br label %60
 
 44:                                               ; preds = %23, %44
@@ -99,7 +99,7 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   br i1 %69, label %60, label %54, !llvm.loop !7
 
 70:                                               ; preds = %54
-  %71 = getelementptr inbounds i8, ptr %0, i64 888
+  %71 = getelementptr inbounds i8, ptr %0, i64 912
   %72 = load ptr, ptr %71, align 8
   %73 = mul i64 %58, 88
   %74 = getelementptr inbounds i8, ptr %72, i64 %73
@@ -109,10 +109,10 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
 75:                                               ; preds = %70, %54, %3
   %76 = getelementptr inbounds i8, ptr %0, i64 144
   %77 = getelementptr inbounds i8, ptr %0, i64 312
-  %78 = getelementptr inbounds i8, ptr %0, i64 1104
+  %78 = getelementptr inbounds i8, ptr %0, i64 1128
   %79 = getelementptr inbounds i8, ptr %0, i64 576
   %80 = load ptr, ptr %79, align 8
-  %81 = getelementptr inbounds i8, ptr %0, i64 1128
+  %81 = getelementptr inbounds i8, ptr %0, i64 1152
   %82 = load ptr, ptr %81, align 8
   %83 = getelementptr inbounds i8, ptr %0, i64 600
   %84 = load ptr, ptr %83, align 8
@@ -120,7 +120,7 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   %86 = getelementptr inbounds i8, ptr %84, i64 56
   %87 = load i64, ptr %86, align 8
   %88 = icmp eq i64 %87, 0
-  br i1 %88, label %1782, label %89
+  br i1 %88, label %1779, label %89
 
 89:                                               ; preds = %75
   %90 = load ptr, ptr %76, align 8
@@ -214,7 +214,7 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   store i64 3, ptr %162, align 8
   %163 = icmp slt i32 %159, 0
   %164 = select i1 %163, i64 -4, i64 2
-  br label %1782
+  br label %1779
 
 165:                                              ; preds = %150
   store i64 1, ptr %84, align 8
@@ -280,7 +280,7 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   %206 = getelementptr inbounds i8, ptr %205, i64 48
   store i64 %204, ptr %206, align 8
   %207 = icmp eq i64 %204, %174
-  br i1 %207, label %1782, label %208
+  br i1 %207, label %1779, label %208
 
 208:                                              ; preds = %203
   %209 = fcmp oeq double %125, 0.000000e+00
@@ -325,18 +325,18 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   br i1 %238, label %357, label %239
 
 239:                                              ; preds = %235
-  %240 = getelementptr inbounds i8, ptr %0, i64 1056
+  %240 = getelementptr inbounds i8, ptr %0, i64 1080
   %241 = getelementptr inbounds i8, ptr %84, i64 8
   %242 = getelementptr inbounds i8, ptr %84, i64 16
   %243 = getelementptr inbounds i8, ptr %84, i64 64
   %244 = getelementptr inbounds i8, ptr %80, i64 16
   %245 = getelementptr inbounds i8, ptr %85, i64 8
-  %246 = getelementptr inbounds i8, ptr %0, i64 1176
+  %246 = getelementptr inbounds i8, ptr %0, i64 1200
   %247 = getelementptr inbounds i8, ptr %0, i64 168
   %248 = getelementptr inbounds i8, ptr %0, i64 248
   %249 = getelementptr inbounds i8, ptr %0, i64 168
   %250 = getelementptr inbounds i8, ptr %0, i64 192
-  %251 = getelementptr inbounds i8, ptr %0, i64 1152
+  %251 = getelementptr inbounds i8, ptr %0, i64 1176
   %252 = getelementptr inbounds i8, ptr %0, i64 360
   %253 = getelementptr inbounds i8, ptr %0, i64 360
   %254 = getelementptr inbounds i8, ptr %0, i64 336
@@ -345,25 +345,25 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   %257 = getelementptr inbounds i8, ptr %0, i64 192
   %258 = getelementptr inbounds i8, ptr %0, i64 216
   %259 = getelementptr inbounds i8, ptr %0, i64 480
-  %260 = getelementptr inbounds i8, ptr %0, i64 1184
+  %260 = getelementptr inbounds i8, ptr %0, i64 1208
   %261 = getelementptr inbounds i8, ptr %85, i64 16
   %262 = getelementptr inbounds i8, ptr %85, i64 24
   %263 = getelementptr inbounds i8, ptr %85, i64 24
   %264 = getelementptr inbounds i8, ptr %84, i64 40
-  %265 = getelementptr inbounds i8, ptr %0, i64 1248
-  %266 = getelementptr inbounds i8, ptr %0, i64 1256
-  %267 = getelementptr inbounds i8, ptr %0, i64 1200
-  %268 = getelementptr inbounds i8, ptr %0, i64 1224
-  %269 = getelementptr inbounds i8, ptr %0, i64 1176
-  %270 = getelementptr inbounds i8, ptr %0, i64 1272
+  %265 = getelementptr inbounds i8, ptr %0, i64 1272
+  %266 = getelementptr inbounds i8, ptr %0, i64 1280
+  %267 = getelementptr inbounds i8, ptr %0, i64 1224
+  %268 = getelementptr inbounds i8, ptr %0, i64 1248
+  %269 = getelementptr inbounds i8, ptr %0, i64 1200
+  %270 = getelementptr inbounds i8, ptr %0, i64 1296
   %271 = getelementptr inbounds i8, ptr %82, i64 8
-  %272 = getelementptr inbounds i8, ptr %0, i64 1368
-  %273 = getelementptr inbounds i8, ptr %0, i64 1296
-  %274 = getelementptr inbounds i8, ptr %0, i64 1320
+  %272 = getelementptr inbounds i8, ptr %0, i64 1392
+  %273 = getelementptr inbounds i8, ptr %0, i64 1320
+  %274 = getelementptr inbounds i8, ptr %0, i64 1344
   %275 = fmul double %114, %122
-  %276 = getelementptr inbounds i8, ptr %0, i64 1344
-  %277 = getelementptr inbounds i8, ptr %0, i64 1392
-  %278 = getelementptr inbounds i8, ptr %0, i64 1416
+  %276 = getelementptr inbounds i8, ptr %0, i64 1368
+  %277 = getelementptr inbounds i8, ptr %0, i64 1416
+  %278 = getelementptr inbounds i8, ptr %0, i64 1440
   %279 = getelementptr inbounds i8, ptr %0, i64 360
   %280 = getelementptr inbounds i8, ptr %0, i64 168
   %281 = getelementptr inbounds i8, ptr %0, i64 248
@@ -372,28 +372,28 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   %284 = getelementptr inbounds i8, ptr %0, i64 216
   %285 = getelementptr inbounds i8, ptr %0, i64 552
   %286 = getelementptr inbounds i8, ptr %0, i64 528
-  %287 = getelementptr inbounds i8, ptr %0, i64 1248
-  %288 = getelementptr inbounds i8, ptr %0, i64 1256
-  %289 = getelementptr inbounds i8, ptr %0, i64 1200
-  %290 = getelementptr inbounds i8, ptr %0, i64 1224
-  %291 = getelementptr inbounds i8, ptr %0, i64 1272
+  %287 = getelementptr inbounds i8, ptr %0, i64 1272
+  %288 = getelementptr inbounds i8, ptr %0, i64 1280
+  %289 = getelementptr inbounds i8, ptr %0, i64 1224
+  %290 = getelementptr inbounds i8, ptr %0, i64 1248
+  %291 = getelementptr inbounds i8, ptr %0, i64 1296
   %292 = getelementptr inbounds i8, ptr %0, i64 552
   %293 = getelementptr inbounds i8, ptr %0, i64 528
-  %294 = getelementptr inbounds i8, ptr %0, i64 1256
-  %295 = getelementptr inbounds i8, ptr %0, i64 1320
-  %296 = getelementptr inbounds i8, ptr %0, i64 1336
-  %297 = getelementptr inbounds i8, ptr %0, i64 1392
-  %298 = getelementptr inbounds i8, ptr %0, i64 1416
+  %294 = getelementptr inbounds i8, ptr %0, i64 1280
+  %295 = getelementptr inbounds i8, ptr %0, i64 1344
+  %296 = getelementptr inbounds i8, ptr %0, i64 1360
+  %297 = getelementptr inbounds i8, ptr %0, i64 1416
+  %298 = getelementptr inbounds i8, ptr %0, i64 1440
   %299 = fmul double %275, %275
   %300 = icmp sgt i64 %92, 0
   %301 = shl i64 %92, 4
   %302 = getelementptr inbounds i8, ptr %0, i64 336
   %303 = getelementptr inbounds i8, ptr %85, i64 32
-  %304 = getelementptr inbounds i8, ptr %0, i64 1248
-  %305 = getelementptr inbounds i8, ptr %0, i64 1256
-  %306 = getelementptr inbounds i8, ptr %0, i64 1440
+  %304 = getelementptr inbounds i8, ptr %0, i64 1272
+  %305 = getelementptr inbounds i8, ptr %0, i64 1280
+  %306 = getelementptr inbounds i8, ptr %0, i64 1464
   %307 = getelementptr inbounds i8, ptr %0, i64 480
-  %308 = getelementptr inbounds i8, ptr %0, i64 1200
+  %308 = getelementptr inbounds i8, ptr %0, i64 1224
   %309 = getelementptr inbounds i8, ptr %0, i64 336
   %310 = getelementptr inbounds i8, ptr %0, i64 360
   %311 = getelementptr inbounds i8, ptr %0, i64 360
@@ -414,8 +414,8 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   %326 = getelementptr inbounds i8, ptr %8, i64 16
   %327 = getelementptr inbounds i8, ptr %9, i64 8
   %328 = getelementptr inbounds i8, ptr %9, i64 16
-  %329 = getelementptr inbounds i8, ptr %0, i64 1080
-  %330 = getelementptr inbounds i8, ptr %0, i64 1096
+  %329 = getelementptr inbounds i8, ptr %0, i64 1104
+  %330 = getelementptr inbounds i8, ptr %0, i64 1120
   %331 = getelementptr inbounds i8, ptr %84, i64 48
   %332 = getelementptr inbounds i8, ptr %0, i64 408
   %333 = getelementptr inbounds i8, ptr %0, i64 504
@@ -438,26 +438,26 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   %350 = getelementptr inbounds i8, ptr %84, i64 72
   %351 = getelementptr inbounds i8, ptr %84, i64 72
   %352 = getelementptr inbounds i8, ptr %85, i64 16
-  %353 = getelementptr inbounds i8, ptr %0, i64 1176
-  %354 = getelementptr inbounds i8, ptr %0, i64 1184
+  %353 = getelementptr inbounds i8, ptr %0, i64 1200
+  %354 = getelementptr inbounds i8, ptr %0, i64 1208
   %355 = getelementptr inbounds i8, ptr %84, i64 72
   %356 = getelementptr inbounds i8, ptr %85, i64 16
   br label %359
 
-357:                                              ; preds = %1779, %235
-  %358 = phi double [ %236, %235 ], [ %1775, %1779 ]
+357:                                              ; preds = %1776, %235
+  %358 = phi double [ %236, %235 ], [ %1772, %1776 ]
   store double %358, ptr %124, align 8
-  br label %1782
+  br label %1779
 
-359:                                              ; preds = %239, %1779
-  %360 = phi i64 [ %237, %239 ], [ %1780, %1779 ]
-  %361 = phi i64 [ undef, %239 ], [ %1778, %1779 ]
-  %362 = phi double [ %123, %239 ], [ %1776, %1779 ]
-  %363 = phi double [ %236, %239 ], [ %1775, %1779 ]
-  %364 = phi i64 [ undef, %239 ], [ %1774, %1779 ]
-  %365 = phi i64 [ undef, %239 ], [ %1773, %1779 ]
-  %366 = phi i32 [ undef, %239 ], [ %1772, %1779 ]
-  %367 = phi double [ undef, %239 ], [ %1771, %1779 ]
+359:                                              ; preds = %239, %1776
+  %360 = phi i64 [ %237, %239 ], [ %1777, %1776 ]
+  %361 = phi i64 [ undef, %239 ], [ %1775, %1776 ]
+  %362 = phi double [ %123, %239 ], [ %1773, %1776 ]
+  %363 = phi double [ %236, %239 ], [ %1772, %1776 ]
+  %364 = phi i64 [ undef, %239 ], [ %1771, %1776 ]
+  %365 = phi i64 [ undef, %239 ], [ %1770, %1776 ]
+  %366 = phi i32 [ undef, %239 ], [ %1769, %1776 ]
+  %367 = phi double [ undef, %239 ], [ %1768, %1776 ]
   %368 = load ptr, ptr %240, align 8
   %369 = getelementptr inbounds i8, ptr %368, i64 8
   %370 = load i64, ptr %369, align 8
@@ -478,7 +478,7 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
 
 380:                                              ; preds = %377
   store double %363, ptr %124, align 8
-  br label %1782
+  br label %1779
 
 381:                                              ; preds = %377
   %382 = add nsw i64 %360, -1
@@ -492,7 +492,7 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
 
 388:                                              ; preds = %381
   store double %363, ptr %124, align 8
-  br label %1782
+  br label %1779
 
 389:                                              ; preds = %381
   %390 = load double, ptr %244, align 8
@@ -514,7 +514,7 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
 
 405:                                              ; preds = %389
   store double %398, ptr %124, align 8
-  br label %1770
+  br label %1767
 
 406:                                              ; preds = %389
   %407 = load i64, ptr %245, align 8
@@ -687,7 +687,7 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
 
 524:                                              ; preds = %520, %508
   %525 = icmp slt i64 %509, 0
-  br i1 %525, label %1770, label %526
+  br i1 %525, label %1767, label %526
 
 526:                                              ; preds = %524
   store i64 0, ptr %245, align 8
@@ -794,7 +794,7 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   %594 = sub nsw i64 1, %593
   store i64 %594, ptr %245, align 8
   store i64 0, ptr %263, align 8
-  br label %1770, !llvm.loop !17
+  br label %1767, !llvm.loop !17
 
 595:                                              ; preds = %586
   store i64 1, ptr %263, align 8
@@ -1485,7 +1485,7 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   %1133 = phi i64 [ %1128, %1126 ], [ %1120, %1117 ]
   %1134 = phi i64 [ 0, %1126 ], [ %1121, %1117 ]
   %1135 = icmp slt i64 %1134, 0
-  br i1 %1135, label %1770, label %1136
+  br i1 %1135, label %1767, label %1136
 
 1136:                                             ; preds = %1130
   %1137 = icmp eq i32 %1132, 0
@@ -1545,7 +1545,7 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
 
 1173:                                             ; preds = %1170
   store i64 0, ptr %263, align 8
-  br label %1770, !llvm.loop !17
+  br label %1767, !llvm.loop !17
 
 1174:                                             ; preds = %1170
   store i64 0, ptr %352, align 8
@@ -1571,7 +1571,7 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   %1187 = load i64, ptr %352, align 8
   %1188 = sub nsw i64 1, %1187
   store i64 %1188, ptr %245, align 8
-  br label %1770, !llvm.loop !17
+  br label %1767, !llvm.loop !17
 
 1189:                                             ; preds = %1290, %1138
   %1190 = load i64, ptr %303, align 8
@@ -1709,7 +1709,7 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   %1287 = phi double [ %1274, %1270 ], [ %1205, %1246 ], [ %1205, %1201 ]
   %1288 = phi i64 [ 0, %1270 ], [ %1254, %1246 ], [ 0, %1201 ]
   %1289 = icmp slt i64 %1288, 0
-  br i1 %1289, label %1770, label %1304
+  br i1 %1289, label %1767, label %1304
 
 1290:                                             ; preds = %1138, %1290
   %1291 = phi i64 [ %1302, %1290 ], [ 0, %1138 ]
@@ -1763,7 +1763,7 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   %1327 = load i64, ptr %317, align 8
   %1328 = sub nsw i64 1, %1327
   store i64 %1328, ptr %245, align 8
-  br label %1770, !llvm.loop !17
+  br label %1767, !llvm.loop !17
 
 1329:                                             ; preds = %1304
   br i1 %103, label %1330, label %1344
@@ -1788,7 +1788,7 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   %1342 = load i64, ptr %319, align 8
   %1343 = sub nsw i64 1, %1342
   store i64 %1343, ptr %245, align 8
-  br label %1770, !llvm.loop !17
+  br label %1767, !llvm.loop !17
 
 1344:                                             ; preds = %1330, %1329
   %1345 = load i64, ptr %241, align 8
@@ -2005,426 +2005,423 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   %1502 = getelementptr inbounds double, ptr %94, i64 %1501
   %1503 = load double, ptr %1502, align 8
   %1504 = fcmp ugt double %1503, %399
-  br i1 %1504, label %1720, label %1505
+  br i1 %1504, label %1717, label %1505
 
 1505:                                             ; preds = %1500, %1499
   %1506 = load ptr, ptr %79, align 8
-  %1507 = load ptr, ptr %104, align 8
-  %1508 = getelementptr inbounds i8, ptr %1507, i64 8
-  %1509 = load i64, ptr %1508, align 8
-  %1510 = icmp sgt i64 %1509, 0
-  br i1 %1510, label %1511, label %1521
+  br i1 %108, label %1507, label %1518
 
-1511:                                             ; preds = %1505
-  %1512 = getelementptr inbounds i8, ptr %1507, i64 16
-  %1513 = load i64, ptr %1512, align 8
-  %1514 = inttoptr i64 %1513 to ptr
-  %1515 = tail call i64 %1514(ptr noundef %0, double noundef %362, double noundef %398) #11
-  %1516 = icmp eq i64 %1515, -6
-  br i1 %1516, label %1517, label %1518
+1507:                                             ; preds = %1505
+  %1508 = load ptr, ptr %104, align 8
+  %1509 = getelementptr inbounds i8, ptr %1508, i64 16
+  %1510 = load i64, ptr %1509, align 8
+  %1511 = inttoptr i64 %1510 to ptr
+  %1512 = tail call i64 %1511(ptr noundef %0, double noundef %362, double noundef %398) #11
+  %1513 = icmp eq i64 %1512, -6
+  br i1 %1513, label %1514, label %1515
 
-1517:                                             ; preds = %1511
+1514:                                             ; preds = %1507
   store double %362, ptr %1506, align 8
-  br label %1696
+  br label %1693
 
-1518:                                             ; preds = %1511
-  %1519 = getelementptr inbounds i8, ptr %1506, i64 48
-  %1520 = load double, ptr %1519, align 8
-  br label %1521
+1515:                                             ; preds = %1507
+  %1516 = getelementptr inbounds i8, ptr %1506, i64 48
+  %1517 = load double, ptr %1516, align 8
+  br label %1518
 
-1521:                                             ; preds = %1518, %1505
-  %1522 = phi double [ %1520, %1518 ], [ 1.000000e+00, %1505 ]
-  %1523 = phi i64 [ %1515, %1518 ], [ 0, %1505 ]
-  %1524 = fcmp oeq double %1522, 1.000000e+00
-  br i1 %1524, label %1525, label %1527
+1518:                                             ; preds = %1515, %1505
+  %1519 = phi double [ %1517, %1515 ], [ 1.000000e+00, %1505 ]
+  %1520 = phi i64 [ %1512, %1515 ], [ 0, %1505 ]
+  %1521 = fcmp oeq double %1519, 1.000000e+00
+  br i1 %1521, label %1522, label %1524
 
-1525:                                             ; preds = %1521
-  %1526 = load double, ptr %1506, align 8
-  br label %1530
+1522:                                             ; preds = %1518
+  %1523 = load double, ptr %1506, align 8
+  br label %1527
 
-1527:                                             ; preds = %1521
-  %1528 = fmul double %398, %1522
-  %1529 = fadd double %362, %1528
-  br label %1530
+1524:                                             ; preds = %1518
+  %1525 = fmul double %398, %1519
+  %1526 = fadd double %362, %1525
+  br label %1527
 
-1530:                                             ; preds = %1527, %1525
-  %1531 = phi double [ %1526, %1525 ], [ %1529, %1527 ]
-  %1532 = icmp eq i64 %1523, -4
-  %1533 = select i1 %1532, i64 -4, i64 0
-  br i1 %1532, label %1591, label %1534
+1527:                                             ; preds = %1524, %1522
+  %1528 = phi double [ %1523, %1522 ], [ %1526, %1524 ]
+  %1529 = icmp eq i64 %1520, -4
+  %1530 = select i1 %1529, i64 -4, i64 0
+  br i1 %1529, label %1588, label %1531
 
-1534:                                             ; preds = %1530
-  %1535 = fcmp olt double %1522, 1.000000e+00
-  %1536 = load ptr, ptr %76, align 8
-  %1537 = getelementptr inbounds i8, ptr %1536, i64 8
-  %1538 = load i64, ptr %1537, align 8
-  %1539 = load i64, ptr %95, align 8
-  %1540 = load ptr, ptr %93, align 8
-  %1541 = load ptr, ptr %83, align 8
-  %1542 = getelementptr inbounds i8, ptr %1541, i64 48
-  %1543 = load i64, ptr %1542, align 8
-  %1544 = icmp slt i64 %1543, %1539
-  br i1 %1544, label %1545, label %1587
+1531:                                             ; preds = %1527
+  %1532 = fcmp olt double %1519, 1.000000e+00
+  %1533 = load ptr, ptr %76, align 8
+  %1534 = getelementptr inbounds i8, ptr %1533, i64 8
+  %1535 = load i64, ptr %1534, align 8
+  %1536 = load i64, ptr %95, align 8
+  %1537 = load ptr, ptr %93, align 8
+  %1538 = load ptr, ptr %83, align 8
+  %1539 = getelementptr inbounds i8, ptr %1538, i64 48
+  %1540 = load i64, ptr %1539, align 8
+  %1541 = icmp slt i64 %1540, %1536
+  br i1 %1541, label %1542, label %1584
 
-1545:                                             ; preds = %1534, %1583
-  %1546 = phi i64 [ %1584, %1583 ], [ undef, %1534 ]
-  %1547 = phi i64 [ %1585, %1583 ], [ %1543, %1534 ]
-  %1548 = getelementptr inbounds double, ptr %1540, i64 %1547
-  %1549 = load double, ptr %1548, align 8
-  %1550 = fcmp olt double %1549, %1531
-  %1551 = fcmp oeq double %1549, %1531
-  %1552 = and i1 %1535, %1551
-  %1553 = or i1 %1550, %1552
-  br i1 %1553, label %1554, label %1587
+1542:                                             ; preds = %1531, %1580
+  %1543 = phi i64 [ %1581, %1580 ], [ undef, %1531 ]
+  %1544 = phi i64 [ %1582, %1580 ], [ %1540, %1531 ]
+  %1545 = getelementptr inbounds double, ptr %1537, i64 %1544
+  %1546 = load double, ptr %1545, align 8
+  %1547 = fcmp olt double %1546, %1528
+  %1548 = fcmp oeq double %1546, %1528
+  %1549 = and i1 %1532, %1548
+  %1550 = or i1 %1547, %1549
+  br i1 %1550, label %1551, label %1584
 
-1554:                                             ; preds = %1545
-  %1555 = fsub double %1549, %362
-  %1556 = fdiv double %1555, %398
-  %1557 = mul nsw i64 %1547, %1538
-  %1558 = getelementptr inbounds double, ptr %1, i64 %1557
-  %1559 = load ptr, ptr %332, align 8
-  %1560 = insertelement <8 x double> poison, double %1556, i64 0
-  %1561 = shufflevector <8 x double> %1560, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %1561, ptr %1559, align 8
-  %1562 = load ptr, ptr %77, align 8
-  %1563 = load ptr, ptr %333, align 8
-  %1564 = load i64, ptr %334, align 8
-  %1565 = load ptr, ptr %0, align 8
-  %1566 = getelementptr inbounds i8, ptr %1565, i64 24
-  %1567 = load i64, ptr %1566, align 8
-  %1568 = load ptr, ptr %332, align 8
-  %1569 = load ptr, ptr %76, align 8
-  %1570 = getelementptr inbounds i8, ptr %1569, i64 16
-  %1571 = load i64, ptr %1570, align 8
-  tail call fastcc void @nested(ptr noundef %1558, ptr noundef %1562, ptr noundef %1563, i64 noundef %1564, i64 noundef %1567, ptr noundef %1568, i64 noundef %1571) #10
-  %1572 = load ptr, ptr %100, align 8
-  %1573 = load i64, ptr %1572, align 8
-  %1574 = icmp eq i64 %1573, 1
-  br i1 %1574, label %1575, label %1583
+1551:                                             ; preds = %1542
+  %1552 = fsub double %1546, %362
+  %1553 = fdiv double %1552, %398
+  %1554 = mul nsw i64 %1544, %1535
+  %1555 = getelementptr inbounds double, ptr %1, i64 %1554
+  %1556 = load ptr, ptr %332, align 8
+  %1557 = insertelement <8 x double> poison, double %1553, i64 0
+  %1558 = shufflevector <8 x double> %1557, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %1558, ptr %1556, align 8
+  %1559 = load ptr, ptr %77, align 8
+  %1560 = load ptr, ptr %333, align 8
+  %1561 = load i64, ptr %334, align 8
+  %1562 = load ptr, ptr %0, align 8
+  %1563 = getelementptr inbounds i8, ptr %1562, i64 24
+  %1564 = load i64, ptr %1563, align 8
+  %1565 = load ptr, ptr %332, align 8
+  %1566 = load ptr, ptr %76, align 8
+  %1567 = getelementptr inbounds i8, ptr %1566, i64 16
+  %1568 = load i64, ptr %1567, align 8
+  tail call fastcc void @nested(ptr noundef %1555, ptr noundef %1559, ptr noundef %1560, i64 noundef %1561, i64 noundef %1564, ptr noundef %1565, i64 noundef %1568) #10
+  %1569 = load ptr, ptr %100, align 8
+  %1570 = load i64, ptr %1569, align 8
+  %1571 = icmp eq i64 %1570, 1
+  br i1 %1571, label %1572, label %1580
 
-1575:                                             ; preds = %1554
-  %1576 = load double, ptr %1548, align 8
-  %1577 = getelementptr inbounds i8, ptr %1572, i64 56
-  %1578 = load i64, ptr %1577, align 8
-  %1579 = inttoptr i64 %1578 to ptr
-  %1580 = tail call i64 %1579(ptr noundef %0, double noundef %1576, ptr noundef %1558) #11
-  %1581 = icmp eq i64 %1580, 0
-  %1582 = select i1 %1581, i64 %1546, i64 %1580
-  br i1 %1581, label %1583, label %1591
+1572:                                             ; preds = %1551
+  %1573 = load double, ptr %1545, align 8
+  %1574 = getelementptr inbounds i8, ptr %1569, i64 56
+  %1575 = load i64, ptr %1574, align 8
+  %1576 = inttoptr i64 %1575 to ptr
+  %1577 = tail call i64 %1576(ptr noundef %0, double noundef %1573, ptr noundef %1555) #11
+  %1578 = icmp eq i64 %1577, 0
+  %1579 = select i1 %1578, i64 %1543, i64 %1577
+  br i1 %1578, label %1580, label %1588
 
-1583:                                             ; preds = %1575, %1554
-  %1584 = phi i64 [ %1582, %1575 ], [ %1546, %1554 ]
-  %1585 = add i64 %1547, 1
-  %1586 = icmp eq i64 %1585, %1539
-  br i1 %1586, label %1587, label %1545, !llvm.loop !44
+1580:                                             ; preds = %1572, %1551
+  %1581 = phi i64 [ %1579, %1572 ], [ %1543, %1551 ]
+  %1582 = add i64 %1544, 1
+  %1583 = icmp eq i64 %1582, %1536
+  br i1 %1583, label %1584, label %1542, !llvm.loop !44
 
-1587:                                             ; preds = %1583, %1545, %1534
-  %1588 = phi i64 [ %1543, %1534 ], [ %1539, %1583 ], [ %1547, %1545 ]
-  %1589 = load ptr, ptr %83, align 8
-  %1590 = getelementptr inbounds i8, ptr %1589, i64 48
-  store i64 %1588, ptr %1590, align 8
-  br label %1591
+1584:                                             ; preds = %1580, %1542, %1531
+  %1585 = phi i64 [ %1540, %1531 ], [ %1536, %1580 ], [ %1544, %1542 ]
+  %1586 = load ptr, ptr %83, align 8
+  %1587 = getelementptr inbounds i8, ptr %1586, i64 48
+  store i64 %1585, ptr %1587, align 8
+  br label %1588
 
-1591:                                             ; preds = %1575, %1587, %1530
-  %1592 = phi i64 [ %1533, %1530 ], [ 0, %1587 ], [ %1582, %1575 ]
-  %1593 = icmp eq i64 %1592, 0
-  %1594 = icmp ne i64 %1523, 0
-  %1595 = fcmp olt double %1522, 1.000000e+00
-  %1596 = and i1 %1595, %1593
-  %1597 = and i1 %1594, %1596
-  br i1 %1597, label %1598, label %1635
+1588:                                             ; preds = %1572, %1584, %1527
+  %1589 = phi i64 [ %1530, %1527 ], [ 0, %1584 ], [ %1579, %1572 ]
+  %1590 = icmp eq i64 %1589, 0
+  %1591 = icmp ne i64 %1520, 0
+  %1592 = fcmp olt double %1519, 1.000000e+00
+  %1593 = and i1 %1592, %1590
+  %1594 = and i1 %1591, %1593
+  br i1 %1594, label %1595, label %1632
 
-1598:                                             ; preds = %1591
-  %1599 = load ptr, ptr %335, align 8
-  %1600 = load ptr, ptr %336, align 8
-  %1601 = insertelement <8 x double> poison, double %1522, i64 0
-  %1602 = shufflevector <8 x double> %1601, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %1602, ptr %1600, align 8
-  %1603 = load ptr, ptr %77, align 8
-  %1604 = load ptr, ptr %337, align 8
-  %1605 = load i64, ptr %338, align 8
-  %1606 = load ptr, ptr %0, align 8
-  %1607 = getelementptr inbounds i8, ptr %1606, i64 24
-  %1608 = load i64, ptr %1607, align 8
-  %1609 = load ptr, ptr %336, align 8
-  %1610 = load ptr, ptr %76, align 8
-  %1611 = getelementptr inbounds i8, ptr %1610, i64 16
-  %1612 = load i64, ptr %1611, align 8
-  tail call fastcc void @nested(ptr noundef %1599, ptr noundef %1603, ptr noundef %1604, i64 noundef %1605, i64 noundef %1608, ptr noundef %1609, i64 noundef %1612) #10
-  %1613 = load i64, ptr %323, align 8
-  %1614 = icmp sgt i64 %1613, 0
-  br i1 %1614, label %1619, label %1615
+1595:                                             ; preds = %1588
+  %1596 = load ptr, ptr %335, align 8
+  %1597 = load ptr, ptr %336, align 8
+  %1598 = insertelement <8 x double> poison, double %1519, i64 0
+  %1599 = shufflevector <8 x double> %1598, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %1599, ptr %1597, align 8
+  %1600 = load ptr, ptr %77, align 8
+  %1601 = load ptr, ptr %337, align 8
+  %1602 = load i64, ptr %338, align 8
+  %1603 = load ptr, ptr %0, align 8
+  %1604 = getelementptr inbounds i8, ptr %1603, i64 24
+  %1605 = load i64, ptr %1604, align 8
+  %1606 = load ptr, ptr %336, align 8
+  %1607 = load ptr, ptr %76, align 8
+  %1608 = getelementptr inbounds i8, ptr %1607, i64 16
+  %1609 = load i64, ptr %1608, align 8
+  tail call fastcc void @nested(ptr noundef %1596, ptr noundef %1600, ptr noundef %1601, i64 noundef %1602, i64 noundef %1605, ptr noundef %1606, i64 noundef %1609) #10
+  %1610 = load i64, ptr %323, align 8
+  %1611 = icmp sgt i64 %1610, 0
+  br i1 %1611, label %1616, label %1612
 
-1615:                                             ; preds = %1619, %1598
-  %1616 = load ptr, ptr %100, align 8
-  %1617 = load i64, ptr %1616, align 8
-  %1618 = icmp eq i64 %1617, 1
-  br i1 %1618, label %1629, label %1635
+1612:                                             ; preds = %1616, %1595
+  %1613 = load ptr, ptr %100, align 8
+  %1614 = load i64, ptr %1613, align 8
+  %1615 = icmp eq i64 %1614, 1
+  br i1 %1615, label %1626, label %1632
 
-1619:                                             ; preds = %1598, %1619
-  %1620 = phi i64 [ %1626, %1619 ], [ 0, %1598 ]
-  %1621 = load ptr, ptr %335, align 8
-  %1622 = getelementptr inbounds double, ptr %1621, i64 %1620
-  %1623 = load double, ptr %1622, align 8
-  %1624 = load ptr, ptr %309, align 8
-  %1625 = getelementptr inbounds double, ptr %1624, i64 %1620
-  store double %1623, ptr %1625, align 8
-  %1626 = add nuw nsw i64 %1620, 1
-  %1627 = load i64, ptr %323, align 8
-  %1628 = icmp slt i64 %1626, %1627
-  br i1 %1628, label %1619, label %1615, !llvm.loop !45
+1616:                                             ; preds = %1595, %1616
+  %1617 = phi i64 [ %1623, %1616 ], [ 0, %1595 ]
+  %1618 = load ptr, ptr %335, align 8
+  %1619 = getelementptr inbounds double, ptr %1618, i64 %1617
+  %1620 = load double, ptr %1619, align 8
+  %1621 = load ptr, ptr %309, align 8
+  %1622 = getelementptr inbounds double, ptr %1621, i64 %1617
+  store double %1620, ptr %1622, align 8
+  %1623 = add nuw nsw i64 %1617, 1
+  %1624 = load i64, ptr %323, align 8
+  %1625 = icmp slt i64 %1623, %1624
+  br i1 %1625, label %1616, label %1612, !llvm.loop !45
 
-1629:                                             ; preds = %1615
-  %1630 = load ptr, ptr %309, align 8
-  %1631 = getelementptr inbounds i8, ptr %1616, i64 56
-  %1632 = load i64, ptr %1631, align 8
-  %1633 = inttoptr i64 %1632 to ptr
-  %1634 = tail call i64 %1633(ptr noundef %0, double noundef %1531, ptr noundef %1630) #11
-  br label %1635
+1626:                                             ; preds = %1612
+  %1627 = load ptr, ptr %309, align 8
+  %1628 = getelementptr inbounds i8, ptr %1613, i64 56
+  %1629 = load i64, ptr %1628, align 8
+  %1630 = inttoptr i64 %1629 to ptr
+  %1631 = tail call i64 %1630(ptr noundef %0, double noundef %1528, ptr noundef %1627) #11
+  br label %1632
 
-1635:                                             ; preds = %1629, %1615, %1591
-  %1636 = phi i64 [ %1634, %1629 ], [ 0, %1615 ], [ %1592, %1591 ]
-  %1637 = icmp eq i64 %1636, 0
-  br i1 %1637, label %1640, label %1638
+1632:                                             ; preds = %1626, %1612, %1588
+  %1633 = phi i64 [ %1631, %1626 ], [ 0, %1612 ], [ %1589, %1588 ]
+  %1634 = icmp eq i64 %1633, 0
+  br i1 %1634, label %1637, label %1635
 
-1638:                                             ; preds = %1635
+1635:                                             ; preds = %1632
   store double %362, ptr %1506, align 8
-  %1639 = getelementptr inbounds i8, ptr %1506, i64 8
-  store double %398, ptr %1639, align 8
-  br label %1696
+  %1636 = getelementptr inbounds i8, ptr %1506, i64 8
+  store double %398, ptr %1636, align 8
+  br label %1693
 
-1640:                                             ; preds = %1635
-  br i1 %1524, label %1641, label %1679
+1637:                                             ; preds = %1632
+  br i1 %1521, label %1638, label %1676
 
-1641:                                             ; preds = %1640
-  %1642 = load ptr, ptr %309, align 8
-  %1643 = load ptr, ptr %76, align 8
-  %1644 = getelementptr inbounds i8, ptr %1643, i64 8
-  %1645 = load i64, ptr %1644, align 8
-  %1646 = load i64, ptr %95, align 8
-  %1647 = load ptr, ptr %93, align 8
-  %1648 = load ptr, ptr %83, align 8
-  %1649 = getelementptr inbounds i8, ptr %1648, i64 48
-  %1650 = load i64, ptr %1649, align 8
-  %1651 = icmp slt i64 %1650, %1646
-  br i1 %1651, label %1652, label %1675
+1638:                                             ; preds = %1637
+  %1639 = load ptr, ptr %309, align 8
+  %1640 = load ptr, ptr %76, align 8
+  %1641 = getelementptr inbounds i8, ptr %1640, i64 8
+  %1642 = load i64, ptr %1641, align 8
+  %1643 = load i64, ptr %95, align 8
+  %1644 = load ptr, ptr %93, align 8
+  %1645 = load ptr, ptr %83, align 8
+  %1646 = getelementptr inbounds i8, ptr %1645, i64 48
+  %1647 = load i64, ptr %1646, align 8
+  %1648 = icmp slt i64 %1647, %1643
+  br i1 %1648, label %1649, label %1672
 
-1652:                                             ; preds = %1641
-  %1653 = icmp sgt i64 %1645, 0
-  br label %1654
+1649:                                             ; preds = %1638
+  %1650 = icmp sgt i64 %1642, 0
+  br label %1651
 
-1654:                                             ; preds = %1652, %1665
-  %1655 = phi i64 [ %1650, %1652 ], [ %1666, %1665 ]
-  %1656 = getelementptr inbounds double, ptr %1647, i64 %1655
-  %1657 = load double, ptr %1656, align 8
-  %1658 = load ptr, ptr %79, align 8
-  %1659 = load double, ptr %1658, align 8
-  %1660 = fcmp ugt double %1657, %1659
-  br i1 %1660, label %1675, label %1661
+1651:                                             ; preds = %1649, %1662
+  %1652 = phi i64 [ %1647, %1649 ], [ %1663, %1662 ]
+  %1653 = getelementptr inbounds double, ptr %1644, i64 %1652
+  %1654 = load double, ptr %1653, align 8
+  %1655 = load ptr, ptr %79, align 8
+  %1656 = load double, ptr %1655, align 8
+  %1657 = fcmp ugt double %1654, %1656
+  br i1 %1657, label %1672, label %1658
 
-1661:                                             ; preds = %1654
-  br i1 %1653, label %1662, label %1665
+1658:                                             ; preds = %1651
+  br i1 %1650, label %1659, label %1662
 
-1662:                                             ; preds = %1661
-  %1663 = mul nsw i64 %1655, %1645
-  %1664 = getelementptr double, ptr %1, i64 %1663
-  br label %1668
+1659:                                             ; preds = %1658
+  %1660 = mul nsw i64 %1652, %1642
+  %1661 = getelementptr double, ptr %1, i64 %1660
+  br label %1665
 
-1665:                                             ; preds = %1668, %1661
-  %1666 = add i64 %1655, 1
-  %1667 = icmp eq i64 %1666, %1646
-  br i1 %1667, label %1675, label %1654, !llvm.loop !9
+1662:                                             ; preds = %1665, %1658
+  %1663 = add i64 %1652, 1
+  %1664 = icmp eq i64 %1663, %1643
+  br i1 %1664, label %1672, label %1651, !llvm.loop !9
 
-1668:                                             ; preds = %1662, %1668
-  %1669 = phi i64 [ 0, %1662 ], [ %1673, %1668 ]
-  %1670 = getelementptr inbounds double, ptr %1642, i64 %1669
-  %1671 = load double, ptr %1670, align 8
-  %1672 = getelementptr double, ptr %1664, i64 %1669
-  store double %1671, ptr %1672, align 8
-  %1673 = add nuw nsw i64 %1669, 1
-  %1674 = icmp eq i64 %1673, %1645
-  br i1 %1674, label %1665, label %1668, !llvm.loop !10
+1665:                                             ; preds = %1659, %1665
+  %1666 = phi i64 [ 0, %1659 ], [ %1670, %1665 ]
+  %1667 = getelementptr inbounds double, ptr %1639, i64 %1666
+  %1668 = load double, ptr %1667, align 8
+  %1669 = getelementptr double, ptr %1661, i64 %1666
+  store double %1668, ptr %1669, align 8
+  %1670 = add nuw nsw i64 %1666, 1
+  %1671 = icmp eq i64 %1670, %1642
+  br i1 %1671, label %1662, label %1665, !llvm.loop !10
 
-1675:                                             ; preds = %1665, %1654, %1641
-  %1676 = phi i64 [ %1650, %1641 ], [ %1646, %1665 ], [ %1655, %1654 ]
-  %1677 = load ptr, ptr %83, align 8
-  %1678 = getelementptr inbounds i8, ptr %1677, i64 48
-  store i64 %1676, ptr %1678, align 8
-  br label %1679
+1672:                                             ; preds = %1662, %1651, %1638
+  %1673 = phi i64 [ %1647, %1638 ], [ %1643, %1662 ], [ %1652, %1651 ]
+  %1674 = load ptr, ptr %83, align 8
+  %1675 = getelementptr inbounds i8, ptr %1674, i64 48
+  store i64 %1673, ptr %1675, align 8
+  br label %1676
 
-1679:                                             ; preds = %1675, %1640
-  br i1 %1594, label %1680, label %1696
+1676:                                             ; preds = %1672, %1637
+  br i1 %1591, label %1677, label %1693
 
-1680:                                             ; preds = %1679
-  %1681 = load i64, ptr %323, align 8
-  %1682 = icmp sgt i64 %1681, 0
-  br i1 %1682, label %1686, label %1683
+1677:                                             ; preds = %1676
+  %1678 = load i64, ptr %323, align 8
+  %1679 = icmp sgt i64 %1678, 0
+  br i1 %1679, label %1683, label %1680
 
-1683:                                             ; preds = %1686, %1680
-  store double %1531, ptr %1506, align 8
-  %1684 = getelementptr inbounds i8, ptr %1506, i64 8
-  store double 0.000000e+00, ptr %1684, align 8
-  %1685 = load ptr, ptr %83, align 8
-  store i64 0, ptr %1685, align 8
-  br label %1696
+1680:                                             ; preds = %1683, %1677
+  store double %1528, ptr %1506, align 8
+  %1681 = getelementptr inbounds i8, ptr %1506, i64 8
+  store double 0.000000e+00, ptr %1681, align 8
+  %1682 = load ptr, ptr %83, align 8
+  store i64 0, ptr %1682, align 8
+  br label %1693
 
-1686:                                             ; preds = %1680, %1686
-  %1687 = phi i64 [ %1693, %1686 ], [ 0, %1680 ]
-  %1688 = load ptr, ptr %309, align 8
-  %1689 = getelementptr inbounds double, ptr %1688, i64 %1687
-  %1690 = load double, ptr %1689, align 8
-  %1691 = load ptr, ptr %77, align 8
-  %1692 = getelementptr inbounds double, ptr %1691, i64 %1687
-  store double %1690, ptr %1692, align 8
-  %1693 = add nuw nsw i64 %1687, 1
-  %1694 = load i64, ptr %323, align 8
-  %1695 = icmp slt i64 %1693, %1694
-  br i1 %1695, label %1686, label %1683, !llvm.loop !46
+1683:                                             ; preds = %1677, %1683
+  %1684 = phi i64 [ %1690, %1683 ], [ 0, %1677 ]
+  %1685 = load ptr, ptr %309, align 8
+  %1686 = getelementptr inbounds double, ptr %1685, i64 %1684
+  %1687 = load double, ptr %1686, align 8
+  %1688 = load ptr, ptr %77, align 8
+  %1689 = getelementptr inbounds double, ptr %1688, i64 %1684
+  store double %1687, ptr %1689, align 8
+  %1690 = add nuw nsw i64 %1684, 1
+  %1691 = load i64, ptr %323, align 8
+  %1692 = icmp slt i64 %1690, %1691
+  br i1 %1692, label %1683, label %1680, !llvm.loop !46
 
-1696:                                             ; preds = %1517, %1638, %1679, %1683
-  %1697 = phi i64 [ -6, %1517 ], [ %1636, %1638 ], [ %1523, %1683 ], [ %1523, %1679 ]
-  %1698 = icmp eq i64 %1697, -6
-  br i1 %1698, label %1702, label %1699
+1693:                                             ; preds = %1514, %1635, %1676, %1680
+  %1694 = phi i64 [ -6, %1514 ], [ %1633, %1635 ], [ %1520, %1680 ], [ %1520, %1676 ]
+  %1695 = icmp eq i64 %1694, -6
+  br i1 %1695, label %1699, label %1696
 
-1699:                                             ; preds = %1696
-  %1700 = icmp ne i64 %1697, 6
-  %1701 = select i1 %1700, i1 true, i1 %108
-  br i1 %1701, label %1714, label %1702
+1696:                                             ; preds = %1693
+  %1697 = icmp ne i64 %1694, 6
+  %1698 = select i1 %1697, i1 true, i1 %108
+  br i1 %1698, label %1711, label %1699
 
-1702:                                             ; preds = %1699, %1696
-  %1703 = phi i64 [ %1697, %1699 ], [ 2, %1696 ]
-  %1704 = load i64, ptr %241, align 8
+1699:                                             ; preds = %1696, %1693
+  %1700 = phi i64 [ %1694, %1696 ], [ 2, %1693 ]
+  %1701 = load i64, ptr %241, align 8
+  %1702 = add nsw i64 %1701, -1
+  store i64 %1702, ptr %241, align 8
+  %1703 = load ptr, ptr %240, align 8
+  %1704 = load i64, ptr %1703, align 8
   %1705 = add nsw i64 %1704, -1
-  store i64 %1705, ptr %241, align 8
-  %1706 = load ptr, ptr %240, align 8
-  %1707 = load i64, ptr %1706, align 8
-  %1708 = add nsw i64 %1707, -1
-  store i64 %1708, ptr %1706, align 8
+  store i64 %1705, ptr %1703, align 8
   store i64 1, ptr %303, align 8
-  %1709 = load i64, ptr %349, align 8
-  %1710 = sub nsw i64 1, %1709
-  store i64 %1710, ptr %245, align 8
+  %1706 = load i64, ptr %349, align 8
+  %1707 = sub nsw i64 1, %1706
+  store i64 %1707, ptr %245, align 8
   store double 0.000000e+00, ptr %271, align 8
-  %1711 = load i64, ptr %242, align 8
-  %1712 = add nsw i64 %1711, 1
-  store i64 %1712, ptr %242, align 8
-  store i64 %1703, ptr %350, align 8
-  %1713 = fmul double %398, 2.500000e-01
-  br label %1770, !llvm.loop !17
+  %1708 = load i64, ptr %242, align 8
+  %1709 = add nsw i64 %1708, 1
+  store i64 %1709, ptr %242, align 8
+  store i64 %1700, ptr %350, align 8
+  %1710 = fmul double %398, 2.500000e-01
+  br label %1767, !llvm.loop !17
 
-1714:                                             ; preds = %1699
-  %1715 = icmp eq i64 %1697, 0
-  br i1 %1715, label %1720, label %1716
+1711:                                             ; preds = %1696
+  %1712 = icmp eq i64 %1694, 0
+  br i1 %1712, label %1717, label %1713
 
-1716:                                             ; preds = %1714
-  %1717 = load ptr, ptr %240, align 8
-  %1718 = load i64, ptr %1717, align 8
-  %1719 = add nsw i64 %1718, 1
-  store i64 %1719, ptr %1717, align 8
-  br label %1770
+1713:                                             ; preds = %1711
+  %1714 = load ptr, ptr %240, align 8
+  %1715 = load i64, ptr %1714, align 8
+  %1716 = add nsw i64 %1715, 1
+  store i64 %1716, ptr %1714, align 8
+  br label %1767
 
-1720:                                             ; preds = %1714, %1500
-  br i1 %339, label %1739, label %1721
+1717:                                             ; preds = %1711, %1500
+  br i1 %339, label %1736, label %1718
 
-1721:                                             ; preds = %1739, %1720
-  %1722 = load i64, ptr %340, align 8
-  %1723 = add nsw i64 %1722, 1
-  store i64 %1723, ptr %340, align 8
-  %1724 = load ptr, ptr %77, align 8
-  %1725 = load ptr, ptr %341, align 8
-  %1726 = load ptr, ptr %342, align 8
-  store double %399, ptr %1726, align 8
-  %1727 = load i64, ptr %343, align 8
-  %1728 = icmp sgt i64 %1727, 0
-  br i1 %1728, label %1729, label %1730
+1718:                                             ; preds = %1736, %1717
+  %1719 = load i64, ptr %340, align 8
+  %1720 = add nsw i64 %1719, 1
+  store i64 %1720, ptr %340, align 8
+  %1721 = load ptr, ptr %77, align 8
+  %1722 = load ptr, ptr %341, align 8
+  %1723 = load ptr, ptr %342, align 8
+  store double %399, ptr %1723, align 8
+  %1724 = load i64, ptr %343, align 8
+  %1725 = icmp sgt i64 %1724, 0
+  br i1 %1725, label %1726, label %1727
 
-1729:                                             ; preds = %1721
+1726:                                             ; preds = %1718
   tail call fastcc void @sample(ptr noundef nonnull %76) #10
-  br label %1730
+  br label %1727
 
-1730:                                             ; preds = %1721, %1729
-  %1731 = load ptr, ptr %76, align 8
-  %1732 = load i64, ptr %1731, align 8
-  %1733 = load ptr, ptr %342, align 8
-  %1734 = load ptr, ptr %344, align 8
-  %1735 = load ptr, ptr %345, align 8
-  %1736 = inttoptr i64 %1732 to ptr
-  %1737 = tail call i32 %1736(ptr noundef %1733, ptr noundef %1724, ptr noundef %1734, ptr noundef %1735, ptr noundef %1725) #11
-  %1738 = icmp eq i32 %1737, 0
-  br i1 %1738, label %1751, label %1748
+1727:                                             ; preds = %1718, %1726
+  %1728 = load ptr, ptr %76, align 8
+  %1729 = load i64, ptr %1728, align 8
+  %1730 = load ptr, ptr %342, align 8
+  %1731 = load ptr, ptr %344, align 8
+  %1732 = load ptr, ptr %345, align 8
+  %1733 = inttoptr i64 %1729 to ptr
+  %1734 = tail call i32 %1733(ptr noundef %1730, ptr noundef %1721, ptr noundef %1731, ptr noundef %1732, ptr noundef %1722) #11
+  %1735 = icmp eq i32 %1734, 0
+  br i1 %1735, label %1748, label %1745
 
-1739:                                             ; preds = %1720, %1739
-  %1740 = phi i64 [ %1746, %1739 ], [ 0, %1720 ]
-  %1741 = load ptr, ptr %309, align 8
-  %1742 = getelementptr inbounds double, ptr %1741, i64 %1740
-  %1743 = load double, ptr %1742, align 8
-  %1744 = load ptr, ptr %77, align 8
-  %1745 = getelementptr inbounds double, ptr %1744, i64 %1740
-  store double %1743, ptr %1745, align 8
-  %1746 = add nuw nsw i64 %1740, 1
-  %1747 = icmp eq i64 %1746, %92
-  br i1 %1747, label %1721, label %1739, !llvm.loop !47
+1736:                                             ; preds = %1717, %1736
+  %1737 = phi i64 [ %1743, %1736 ], [ 0, %1717 ]
+  %1738 = load ptr, ptr %309, align 8
+  %1739 = getelementptr inbounds double, ptr %1738, i64 %1737
+  %1740 = load double, ptr %1739, align 8
+  %1741 = load ptr, ptr %77, align 8
+  %1742 = getelementptr inbounds double, ptr %1741, i64 %1737
+  store double %1740, ptr %1742, align 8
+  %1743 = add nuw nsw i64 %1737, 1
+  %1744 = icmp eq i64 %1743, %92
+  br i1 %1744, label %1718, label %1736, !llvm.loop !47
 
-1748:                                             ; preds = %1730
+1745:                                             ; preds = %1727
   store i64 3, ptr %346, align 8
   store double %398, ptr %124, align 8
-  %1749 = icmp slt i32 %1737, 0
-  %1750 = select i1 %1749, i64 -4, i64 2
-  br label %1770
+  %1746 = icmp slt i32 %1734, 0
+  %1747 = select i1 %1746, i64 -4, i64 2
+  br label %1767
 
-1751:                                             ; preds = %1730
-  %1752 = icmp sgt i64 %1133, 2
-  %1753 = fcmp ogt double %1131, 1.000000e-03
-  %1754 = select i1 %1752, i1 %1753, i1 false
-  %1755 = zext i1 %1754 to i64
-  store i64 %1755, ptr %245, align 8
+1748:                                             ; preds = %1727
+  %1749 = icmp sgt i64 %1133, 2
+  %1750 = fcmp ogt double %1131, 1.000000e-03
+  %1751 = select i1 %1749, i1 %1750, i1 false
+  %1752 = zext i1 %1751 to i64
+  store i64 %1752, ptr %245, align 8
   store i64 0, ptr %347, align 8
   store i64 0, ptr %303, align 8
-  %1756 = fcmp ule double %1370, 1.000000e+00
-  %1757 = fcmp uge double %1370, 1.200000e+00
-  %1758 = or i1 %1756, %1757
-  %1759 = select i1 %1758, i1 true, i1 %1754
-  br i1 %1759, label %1760, label %1764
+  %1753 = fcmp ule double %1370, 1.000000e+00
+  %1754 = fcmp uge double %1370, 1.200000e+00
+  %1755 = or i1 %1753, %1754
+  %1756 = select i1 %1755, i1 true, i1 %1751
+  br i1 %1756, label %1757, label %1761
 
-1760:                                             ; preds = %1751
-  %1761 = fcmp ogt double %1370, 2.000000e-01
-  %1762 = select i1 %1761, double %1370, double 2.000000e-01
-  %1763 = fmul double %398, %1762
-  br label %1764
+1757:                                             ; preds = %1748
+  %1758 = fcmp ogt double %1370, 2.000000e-01
+  %1759 = select i1 %1758, double %1370, double 2.000000e-01
+  %1760 = fmul double %398, %1759
+  br label %1761
 
-1764:                                             ; preds = %1751, %1760
-  %1765 = phi double [ %1763, %1760 ], [ %398, %1751 ]
-  %1766 = load i64, ptr %348, align 8
-  %1767 = load i64, ptr %95, align 8
-  %1768 = icmp eq i64 %1766, %1767
-  br i1 %1768, label %1769, label %1770
+1761:                                             ; preds = %1748, %1757
+  %1762 = phi double [ %1760, %1757 ], [ %398, %1748 ]
+  %1763 = load i64, ptr %348, align 8
+  %1764 = load i64, ptr %95, align 8
+  %1765 = icmp eq i64 %1763, %1764
+  br i1 %1765, label %1766, label %1767
 
-1769:                                             ; preds = %1764
-  store double %1765, ptr %124, align 8
-  br label %1770
+1766:                                             ; preds = %1761
+  store double %1762, ptr %124, align 8
+  br label %1767
 
-1770:                                             ; preds = %1173, %1185, %1130, %1324, %1338, %1702, %1716, %1748, %1764, %1769, %1286, %524, %589, %405
-  %1771 = phi double [ %367, %405 ], [ %367, %524 ], [ %367, %589 ], [ %1131, %1286 ], [ %1131, %1769 ], [ %1131, %1764 ], [ %1131, %1748 ], [ %1131, %1716 ], [ %1131, %1702 ], [ %1131, %1338 ], [ %1131, %1324 ], [ %1131, %1130 ], [ %1131, %1185 ], [ %1131, %1173 ]
-  %1772 = phi i32 [ %366, %405 ], [ %366, %524 ], [ %366, %589 ], [ %1132, %1286 ], [ %1132, %1769 ], [ %1132, %1764 ], [ %1132, %1748 ], [ %1132, %1716 ], [ %1132, %1702 ], [ %1132, %1338 ], [ %1132, %1324 ], [ %1132, %1130 ], [ %1132, %1185 ], [ %1132, %1173 ]
-  %1773 = phi i64 [ %365, %405 ], [ %365, %524 ], [ %365, %589 ], [ %1133, %1286 ], [ %1133, %1769 ], [ %1133, %1764 ], [ %1133, %1748 ], [ %1133, %1716 ], [ %1133, %1702 ], [ %1133, %1338 ], [ %1133, %1324 ], [ %1133, %1130 ], [ %1133, %1185 ], [ %1133, %1173 ]
-  %1774 = phi i64 [ %364, %405 ], [ %364, %524 ], [ %364, %589 ], [ %1134, %1286 ], [ %1134, %1769 ], [ %1134, %1764 ], [ %1134, %1748 ], [ %1134, %1716 ], [ %1134, %1702 ], [ %1134, %1338 ], [ %1134, %1324 ], [ %1134, %1130 ], [ %1134, %1185 ], [ %1134, %1173 ]
-  %1775 = phi double [ %363, %405 ], [ %363, %524 ], [ %592, %589 ], [ %363, %1286 ], [ %1765, %1769 ], [ %1765, %1764 ], [ %363, %1748 ], [ %363, %1716 ], [ %1713, %1702 ], [ %1341, %1338 ], [ %1326, %1324 ], [ %363, %1130 ], [ %1186, %1185 ], [ %363, %1173 ]
-  %1776 = phi double [ %362, %405 ], [ %362, %524 ], [ %362, %589 ], [ %362, %1286 ], [ %399, %1769 ], [ %399, %1764 ], [ %399, %1748 ], [ %362, %1716 ], [ %362, %1702 ], [ %362, %1338 ], [ %362, %1324 ], [ %362, %1130 ], [ %362, %1185 ], [ %362, %1173 ]
-  %1777 = phi i32 [ 1, %405 ], [ 1, %524 ], [ 6, %589 ], [ 1, %1286 ], [ 1, %1769 ], [ 0, %1764 ], [ 1, %1748 ], [ 1, %1716 ], [ 6, %1702 ], [ 6, %1338 ], [ 6, %1324 ], [ 1, %1130 ], [ 6, %1185 ], [ 6, %1173 ]
-  %1778 = phi i64 [ 2, %405 ], [ -4, %524 ], [ %361, %589 ], [ -4, %1286 ], [ 0, %1769 ], [ %361, %1764 ], [ %1750, %1748 ], [ %1697, %1716 ], [ %361, %1702 ], [ %361, %1338 ], [ %361, %1324 ], [ -4, %1130 ], [ %361, %1185 ], [ %361, %1173 ]
-  switch i32 %1777, label %1782 [
-    i32 0, label %1779
-    i32 6, label %1779
+1767:                                             ; preds = %1173, %1185, %1130, %1324, %1338, %1699, %1713, %1745, %1761, %1766, %1286, %524, %589, %405
+  %1768 = phi double [ %367, %405 ], [ %367, %524 ], [ %367, %589 ], [ %1131, %1286 ], [ %1131, %1766 ], [ %1131, %1761 ], [ %1131, %1745 ], [ %1131, %1713 ], [ %1131, %1699 ], [ %1131, %1338 ], [ %1131, %1324 ], [ %1131, %1130 ], [ %1131, %1185 ], [ %1131, %1173 ]
+  %1769 = phi i32 [ %366, %405 ], [ %366, %524 ], [ %366, %589 ], [ %1132, %1286 ], [ %1132, %1766 ], [ %1132, %1761 ], [ %1132, %1745 ], [ %1132, %1713 ], [ %1132, %1699 ], [ %1132, %1338 ], [ %1132, %1324 ], [ %1132, %1130 ], [ %1132, %1185 ], [ %1132, %1173 ]
+  %1770 = phi i64 [ %365, %405 ], [ %365, %524 ], [ %365, %589 ], [ %1133, %1286 ], [ %1133, %1766 ], [ %1133, %1761 ], [ %1133, %1745 ], [ %1133, %1713 ], [ %1133, %1699 ], [ %1133, %1338 ], [ %1133, %1324 ], [ %1133, %1130 ], [ %1133, %1185 ], [ %1133, %1173 ]
+  %1771 = phi i64 [ %364, %405 ], [ %364, %524 ], [ %364, %589 ], [ %1134, %1286 ], [ %1134, %1766 ], [ %1134, %1761 ], [ %1134, %1745 ], [ %1134, %1713 ], [ %1134, %1699 ], [ %1134, %1338 ], [ %1134, %1324 ], [ %1134, %1130 ], [ %1134, %1185 ], [ %1134, %1173 ]
+  %1772 = phi double [ %363, %405 ], [ %363, %524 ], [ %592, %589 ], [ %363, %1286 ], [ %1762, %1766 ], [ %1762, %1761 ], [ %363, %1745 ], [ %363, %1713 ], [ %1710, %1699 ], [ %1341, %1338 ], [ %1326, %1324 ], [ %363, %1130 ], [ %1186, %1185 ], [ %363, %1173 ]
+  %1773 = phi double [ %362, %405 ], [ %362, %524 ], [ %362, %589 ], [ %362, %1286 ], [ %399, %1766 ], [ %399, %1761 ], [ %399, %1745 ], [ %362, %1713 ], [ %362, %1699 ], [ %362, %1338 ], [ %362, %1324 ], [ %362, %1130 ], [ %362, %1185 ], [ %362, %1173 ]
+  %1774 = phi i32 [ 1, %405 ], [ 1, %524 ], [ 6, %589 ], [ 1, %1286 ], [ 1, %1766 ], [ 0, %1761 ], [ 1, %1745 ], [ 1, %1713 ], [ 6, %1699 ], [ 6, %1338 ], [ 6, %1324 ], [ 1, %1130 ], [ 6, %1185 ], [ 6, %1173 ]
+  %1775 = phi i64 [ 2, %405 ], [ -4, %524 ], [ %361, %589 ], [ -4, %1286 ], [ 0, %1766 ], [ %361, %1761 ], [ %1747, %1745 ], [ %1694, %1713 ], [ %361, %1699 ], [ %361, %1338 ], [ %361, %1324 ], [ -4, %1130 ], [ %361, %1185 ], [ %361, %1173 ]
+  switch i32 %1774, label %1779 [
+    i32 0, label %1776
+    i32 6, label %1776
   ]
 
-1779:                                             ; preds = %1770, %1770
-  %1780 = load i64, ptr %86, align 8
-  %1781 = icmp eq i64 %1780, 0
-  br i1 %1781, label %357, label %359, !llvm.loop !17
+1776:                                             ; preds = %1767, %1767
+  %1777 = load i64, ptr %86, align 8
+  %1778 = icmp eq i64 %1777, 0
+  br i1 %1778, label %357, label %359, !llvm.loop !17
 
-1782:                                             ; preds = %1770, %161, %357, %380, %388, %203, %75
-  %1783 = phi i64 [ -1, %75 ], [ %164, %161 ], [ -1, %357 ], [ -5, %380 ], [ 1, %388 ], [ 0, %203 ], [ %1778, %1770 ]
-  ret i64 %1783
+1779:                                             ; preds = %1767, %161, %357, %380, %388, %203, %75
+  %1780 = phi i64 [ -1, %75 ], [ %164, %161 ], [ -1, %357 ], [ -5, %380 ], [ 1, %388 ], [ 0, %203 ], [ %1775, %1767 ]
+  ret i64 %1780
 }
 
 

@@ -1,4 +1,4 @@
-; sources aa3be4ef1c424a244109ba42c92b905073f23082e9a5925afe3bb35195af065b
+; sources 0baa97db7dda315c85987b10c198c7defd0ac109b7f008240a5b873f46862592
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define noundef i64 @evaluate_lanes(ptr noundef readonly %0) #0 {

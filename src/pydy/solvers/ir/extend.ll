@@ -1,4 +1,4 @@
-; sources dcfa866b1e1d506d09e186af0defa586e84995f16e271801cb0d2bde0e7b6841
+; sources d8f78da6ff5b4966430de127468c8e5587935217ed50faa7decdc739b17dabbd
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @extend(ptr noundef %0, ptr noundef readonly %1) #0 {

@@ -1,4 +1,4 @@
-; sources 446d8bd2bc3542c0d4064b9033c282abd8de93658c41e30c77da6fffc379176a
+; sources 002fea61f5639e0a1dba580e9db963ac5bb2dccea17408ac3aacfe1d2a35896b
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Held = type { ptr, i64, i64, i64, i64, i64, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr }

@@ -1,4 +1,4 @@
-; sources fd7147ec86b241b7bbac2bf184687cd7ed7454fb4a93e0e5c8da774551877f6f
+; sources 75d8d217e72e4590943287b7ca437c431a42e733cddbcd3f18cfb11c65a179e0
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Held = type { ptr, i64, i64, i64, i64, i64, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr }

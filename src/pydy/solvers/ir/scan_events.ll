@@ -1,4 +1,4 @@
-; sources 023a0f60e003a8412089f2bd279e864d53264488c9d84c007fb8677bd6c1f9a5
+; sources 8813d0fd2a18f8de47435bb98b91689035cdbe23e34ba1e6a92bb255bdc455a0
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Stepper = type { ptr, ptr, ptr }
@@ -20,9 +20,9 @@ define i64 @scan_events(ptr noundef %0, double noundef %1, double noundef %2) #0
   %12 = load i64, ptr %11, align 8
   %13 = getelementptr inbounds i8, ptr %0, i64 768
   %14 = load ptr, ptr %13, align 8
-  %15 = getelementptr inbounds i8, ptr %0, i64 840
+  %15 = getelementptr inbounds i8, ptr %0, i64 864
   %16 = load ptr, ptr %15, align 8
-  %17 = getelementptr inbounds i8, ptr %0, i64 864
+  %17 = getelementptr inbounds i8, ptr %0, i64 888
   %18 = load ptr, ptr %17, align 8
   %19 = getelementptr inbounds i8, ptr %0, i64 576
   %20 = getelementptr inbounds i8, ptr %0, i64 600
@@ -30,7 +30,7 @@ define i64 @scan_events(ptr noundef %0, double noundef %1, double noundef %2) #0
   %22 = getelementptr inbounds i8, ptr %21, i64 80
   %23 = load i64, ptr %22, align 8
   %24 = load ptr, ptr %19, align 8
-  %25 = getelementptr inbounds i8, ptr %0, i64 888
+  %25 = getelementptr inbounds i8, ptr %0, i64 912
   %26 = load ptr, ptr %25, align 8
   %27 = shl nsw i64 %12, 4
   %28 = getelementptr inbounds i8, ptr %26, i64 %27
@@ -39,7 +39,7 @@ define i64 @scan_events(ptr noundef %0, double noundef %1, double noundef %2) #0
   %31 = getelementptr inbounds double, ptr %26, i64 %12
   %32 = load double, ptr %30, align 8
   %33 = fcmp oeq double %32, %1
-  %34 = getelementptr inbounds i8, ptr %0, i64 912
+  %34 = getelementptr inbounds i8, ptr %0, i64 936
   %35 = getelementptr inbounds i8, ptr %0, i64 408
   %36 = getelementptr inbounds i8, ptr %0, i64 504
   %37 = getelementptr inbounds i8, ptr %0, i64 320
@@ -130,7 +130,7 @@ define i64 @scan_events(ptr noundef %0, double noundef %1, double noundef %2) #0
 97:                                               ; preds = %91
   store double 0x7FF8000000000000, ptr %30, align 8
   %98 = getelementptr inbounds i8, ptr %0, i64 792
-  %99 = getelementptr inbounds i8, ptr %0, i64 912
+  %99 = getelementptr inbounds i8, ptr %0, i64 936
   %100 = getelementptr inbounds i8, ptr %0, i64 408
   %101 = getelementptr inbounds i8, ptr %0, i64 504
   %102 = getelementptr inbounds i8, ptr %0, i64 320
@@ -139,7 +139,7 @@ define i64 @scan_events(ptr noundef %0, double noundef %1, double noundef %2) #0
   %105 = getelementptr inbounds i8, ptr %0, i64 168
   %106 = getelementptr inbounds i8, ptr %0, i64 192
   %107 = getelementptr inbounds i8, ptr %0, i64 744
-  %108 = getelementptr inbounds i8, ptr %0, i64 912
+  %108 = getelementptr inbounds i8, ptr %0, i64 936
   %109 = getelementptr inbounds i8, ptr %0, i64 408
   %110 = getelementptr inbounds i8, ptr %0, i64 504
   %111 = getelementptr inbounds i8, ptr %0, i64 320
@@ -150,7 +150,7 @@ define i64 @scan_events(ptr noundef %0, double noundef %1, double noundef %2) #0
   %116 = getelementptr inbounds i8, ptr %0, i64 744
   %117 = icmp sgt i64 %12, 0
   %118 = getelementptr inbounds i8, ptr %0, i64 792
-  %119 = getelementptr inbounds i8, ptr %0, i64 912
+  %119 = getelementptr inbounds i8, ptr %0, i64 936
   %120 = getelementptr inbounds i8, ptr %0, i64 408
   %121 = getelementptr inbounds i8, ptr %0, i64 504
   %122 = getelementptr inbounds i8, ptr %0, i64 320
@@ -164,12 +164,12 @@ define i64 @scan_events(ptr noundef %0, double noundef %1, double noundef %2) #0
   %130 = getelementptr inbounds i8, ptr %0, i64 792
   %131 = getelementptr inbounds i8, ptr %24, i64 48
   %132 = icmp sgt i64 %12, 0
-  %133 = getelementptr inbounds i8, ptr %0, i64 944
-  %134 = getelementptr inbounds i8, ptr %0, i64 936
-  %135 = getelementptr inbounds i8, ptr %0, i64 960
-  %136 = getelementptr inbounds i8, ptr %0, i64 984
-  %137 = getelementptr inbounds i8, ptr %0, i64 1000
-  %138 = getelementptr inbounds i8, ptr %0, i64 944
+  %133 = getelementptr inbounds i8, ptr %0, i64 968
+  %134 = getelementptr inbounds i8, ptr %0, i64 960
+  %135 = getelementptr inbounds i8, ptr %0, i64 984
+  %136 = getelementptr inbounds i8, ptr %0, i64 1008
+  %137 = getelementptr inbounds i8, ptr %0, i64 1024
+  %138 = getelementptr inbounds i8, ptr %0, i64 968
   %139 = getelementptr inbounds i8, ptr %24, i64 48
   %140 = icmp sgt i64 %12, 0
   %141 = getelementptr inbounds i8, ptr %24, i64 48
@@ -1113,11 +1113,11 @@ define internal fastcc i64 @resolve(ptr noundef readonly %0, ptr noundef readonl
   br i1 %26, label %27, label %350
 
 27:                                               ; preds = %4
-  %28 = getelementptr inbounds i8, ptr %0, i64 888
+  %28 = getelementptr inbounds i8, ptr %0, i64 912
   %29 = shl nsw i64 %9, 4
   %30 = mul i64 %9, 40
   %31 = getelementptr inbounds i8, ptr %0, i64 816
-  %32 = getelementptr inbounds i8, ptr %0, i64 912
+  %32 = getelementptr inbounds i8, ptr %0, i64 936
   %33 = getelementptr inbounds i8, ptr %1, i64 16
   %34 = getelementptr inbounds i8, ptr %1, i64 8
   %35 = getelementptr inbounds i8, ptr %0, i64 168
@@ -1127,7 +1127,7 @@ define internal fastcc i64 @resolve(ptr noundef readonly %0, ptr noundef readonl
   %39 = getelementptr inbounds i8, ptr %0, i64 192
   %40 = getelementptr inbounds i8, ptr %0, i64 744
   %41 = getelementptr inbounds i8, ptr %0, i64 144
-  %42 = getelementptr inbounds i8, ptr %0, i64 912
+  %42 = getelementptr inbounds i8, ptr %0, i64 936
   %43 = getelementptr inbounds i8, ptr %1, i64 16
   %44 = getelementptr inbounds i8, ptr %1, i64 8
   %45 = getelementptr inbounds i8, ptr %0, i64 552
@@ -1533,12 +1533,12 @@ define internal fastcc i64 @resolve(ptr noundef readonly %0, ptr noundef readonl
 
 define internal fastcc double @locate(ptr noundef readonly %0, ptr noundef readonly %1, double noundef %2, double noundef %3, double noundef %4, double noundef %5, i64 noundef %6) unnamed_addr #2 {
   %8 = getelementptr inbounds i8, ptr %0, i64 720
-  %9 = getelementptr inbounds i8, ptr %0, i64 840
+  %9 = getelementptr inbounds i8, ptr %0, i64 864
   %10 = load ptr, ptr %9, align 8
   %11 = getelementptr inbounds i64, ptr %10, i64 %6
   %12 = load i64, ptr %11, align 8
   %13 = sitofp i64 %12 to double
-  %14 = getelementptr inbounds i8, ptr %0, i64 888
+  %14 = getelementptr inbounds i8, ptr %0, i64 912
   %15 = load ptr, ptr %14, align 8
   %16 = load ptr, ptr %8, align 8
   %17 = getelementptr inbounds i8, ptr %16, i64 8
@@ -1553,7 +1553,7 @@ define internal fastcc double @locate(ptr noundef readonly %0, ptr noundef reado
   %26 = fmul double %25, 0x3CB0000000000000
   %27 = fdiv double %26, %3
   %28 = getelementptr inbounds i8, ptr %0, i64 144
-  %29 = getelementptr inbounds i8, ptr %0, i64 912
+  %29 = getelementptr inbounds i8, ptr %0, i64 936
   %30 = load ptr, ptr %29, align 8
   %31 = getelementptr inbounds i8, ptr %1, i64 16
   %32 = load ptr, ptr %31, align 8
@@ -1928,7 +1928,7 @@ define internal fastcc double @least_place(ptr noundef readonly %0, ptr noundef 
   %10 = load ptr, ptr %9, align 8
   %11 = getelementptr inbounds i8, ptr %10, i64 8
   %12 = load i64, ptr %11, align 8
-  %13 = getelementptr inbounds i8, ptr %0, i64 888
+  %13 = getelementptr inbounds i8, ptr %0, i64 912
   %14 = load ptr, ptr %13, align 8
   %15 = getelementptr inbounds double, ptr %14, i64 %4
   %16 = add nsw i32 %6, 2
@@ -1975,7 +1975,7 @@ define internal fastcc double @least_place(ptr noundef readonly %0, ptr noundef 
   %55 = icmp slt i32 %7, 4
   %56 = sext i32 %7 to i64
   %57 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %56
-  %58 = getelementptr inbounds i8, ptr %0, i64 912
+  %58 = getelementptr inbounds i8, ptr %0, i64 936
   %59 = getelementptr inbounds i8, ptr %1, i64 16
   %60 = getelementptr inbounds i8, ptr %1, i64 8
   %61 = getelementptr inbounds i8, ptr %0, i64 168

@@ -1,4 +1,4 @@
-; sources 7f07faadc468de380fa527caa1679b620192a75f1351d4f1ee5cec88819add24
+; sources 346aefd245e1bf198803158f12ff736a4e268d4324f77a8f3342e07464daedce
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @step_back(ptr noundef readonly %0) #0 {

@@ -1,4 +1,4 @@
-; sources 6160ab5d6d78e9354bfa83c4f12fa65c51c152fbce8d2a46432d62c9191674c5
+; sources 188ae71ca00a642bb07ce28f14c48168e1f1fccacfdb58c96d56a1081e43035b
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Stepper = type { ptr, ptr, ptr }

@@ -381,7 +381,8 @@ class Integration:
         assert call is not None
         x, t = self.memory.x[: self.n].copy(), float(self.progress.state[at.TIME])
         values = call.evaluate(wanted.values, x, t)
-        rates = call.evaluate(wanted.rates, x, t)[: len(values)]
+        n, told = len(values), call.evaluate(wanted.rates, x, t)
+        rates, self.watch.slopes[:] = told[:n], told[2 * n :].reshape(self.watch.slopes.shape)
         for k, (value, rate) in enumerate(zip(values, rates, strict=True)):
             if k in forced:
                 value = call.evaluate(wanted.values, x, forced[k])[k]
@@ -436,7 +437,7 @@ class Integration:
             if wanted.resetting[k] and wanted.resets is not None:
                 after = call.evaluate(wanted.resets, before, t)[k * n : (k + 1) * n]
                 was, values = (call.evaluate(wanted.values, x, t) for x in (before, after))
-                bounds = call.evaluate(wanted.rates, after, t)[len(values) :]
+                bounds = call.evaluate(wanted.rates, after, t)[len(values) : 2 * len(values)]
                 off = (values != was) & (np.abs(values) > 8.0 * ROUNDING * bounds)
                 zero.difference_update(np.flatnonzero(off).tolist())
             if not np.isfinite(after).all():

@@ -161,6 +161,7 @@ class Watch(NamedTuple):
     directions: Words  # −1, 1, or 0 for both
     acting: Words  # whether the integration stops there
     linear: Words  # whether the expression is, in states and time
+    slopes: NumberRows  # (events, states + 1): by states and time, if all are linear
     sides: Words  # the sign last seen, 0 before there was one
     fired: Words
     values: Numbers  # (PROBES, events), then the time that the last step's end is known at

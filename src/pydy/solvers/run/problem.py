@@ -157,12 +157,13 @@ def watch_arrays(
     directions: Sequence[int],
     acting: Sequence[bool],
     linear: Sequence[bool],
+    slopes: tuple[int, ...],
     n: int,
     rows: int,
 ) -> Watch:
     """Return the arrays for events, with the addresses of their kernel and of the scan for them.
 
-    There are `rows` places in the log.
+    There are `rows` places in the log, and as many for slopes as their shape tells.
     """
     number = len(directions)
     return Watch(
@@ -171,6 +172,7 @@ def watch_arrays(
         directions=np.array(directions, dtype=np.int64),
         acting=np.array(acting, dtype=np.int64),
         linear=np.array(linear, dtype=np.int64),
+        slopes=np.full(slopes, np.inf),
         sides=np.zeros(number, dtype=np.int64),
         fired=np.zeros(number, dtype=np.int64),
         values=np.zeros(PROBES * number + 1),

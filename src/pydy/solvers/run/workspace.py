@@ -49,7 +49,7 @@ _STEPS = 2**13  # numbers of kept steps, likewise
 
 # Compiled code neither reads nor writes these any further.
 _NO_CONSTRAINTS = Constraints(np.zeros(12, dtype=np.int64), np.zeros(1), np.zeros(1))
-_NO_EVENTS = watch_arrays((0, 0), np.zeros(1), (), (), (), 1, 0)
+_NO_EVENTS = watch_arrays((0, 0), np.zeros(1), (), (), (), (0, 1), 1, 0)
 _NO_STEPS = Steps(np.zeros(2, dtype=np.int64), np.zeros((1, 1)))
 _NO_CONSTRAINTS_ROWS, _NO_EVENTS_ROWS = rows_of(_NO_CONSTRAINTS), rows_of(_NO_EVENTS)
 _NO_STEPS_ROWS = rows_of(_NO_STEPS)
@@ -327,7 +327,9 @@ class Workspace:
         scan = shipped.address_of("scan_events")
         # Steps of fixed size are as the user set them.
         linear = [known or self.options.step is not None for known in wanted.linear]
-        return watch_arrays((place, scan), c, wanted.directions, acting, linear, self.n, rows)
+        shape = wanted.rates.program.blocks[-1].shape if all(wanted.linear) else (0, 1)
+        directions = wanted.directions
+        return watch_arrays((place, scan), c, directions, acting, linear, shape, self.n, rows)
 
     def _reserve_newton(self) -> list[int]:
         n, call, beside = self.n, self.call, self.options.sensitivities
