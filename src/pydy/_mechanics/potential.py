@@ -41,7 +41,7 @@ from pydy._mechanics.symbols import find_symbols, replace_symbols
 from pydy._mechanics.tuning import OPEN
 from pydy._rank import ROUNDED
 
-_TRIALS = 3
+_TRIALS, _MASS = 3, sm.Rational(7, 11)  # a number that no formula holds
 _SWITCHED = sm.Max, sm.Min, sm.Abs, sm.sign, sm.Heaviside, sm.Piecewise
 # How far beyond a switch states are looked for, of their distance before: limbs reach no further.
 _BEYOND = (-1.0, -0.1, -0.01)
@@ -158,8 +158,6 @@ class _Search:
             )
         advice = [_NO_PLACE] * bool(lost) + [_NO_INTEGRAL] * (len(unknown) > len(lost))
         return Potential(found, [str(term) for term in unknown], " ".join(advice))
-
-    # -- what there is ----------------------------------------------------------------------------
 
     def _velocity(self, where: Any) -> Vector:
         return where.vel(self.frame) if isinstance(where, Point) else where.ang_vel_in(self.frame)
@@ -302,12 +300,16 @@ class _Search:
         self._take(replace_symbols(energy, {distance: sm.sqrt(square)}), self._power(point, force))
         return True
 
-    # -- constant forces --------------------------------------------------------------------------
-
     def _constant_load(self, where: Any, vector: Vector) -> bool:
         """Take a load all of whose terms are constant forces, by the mass there if that changes."""
-        if (mass := self._changing_mass(where)) != 1:
-            vector = vector.applyfunc(lambda part: sm.cancel(part / mass))
+        if (mass := self._changing_mass(where)) != 1 and vector.args:
+            # Numbers that were multiplied are rounded: the share at one mass is that at others.
+            at = dict.fromkeys((s for s in find_symbols([mass]) if not self._is_constant(s)), _MASS)
+            share = replace_symbols(mass, at)
+            own = vector.applyfunc(lambda e: sm.cancel(replace_symbols(e, at) / share))
+            if not _opposite([vector, -mass * own], self.turns)(0, 1):
+                return False
+            vector = own
         whole = [part for parts, _ in vector.args for part in parts if part != 0]
         if not all(map(self._is_constant, whole)):
             return False
@@ -369,14 +371,11 @@ class _Search:
     def _closed(self, terms: list[_Term]) -> tuple[list[_Term], list[_Term]]:
         """Take what can be integrated; return what lacks a place, and all that is unknown."""
         rest = self._integrable(terms, self._integrate)
-        lost = [term for term in rest if self._is_lost(term)]
+        # A constant force may lack a place that would tell its potential.
+        constant = [t for t in rest if isinstance(t.where, Point) and self._is_constant(t.size)]
+        lost = [term for term in constant if not self.fixed(term.where)]
         others = [term for term in rest if term not in lost]
         return lost, [*lost, *self._integrable(others, self._antiderivative)]
-
-    def _is_lost(self, term: _Term) -> bool:
-        """Whether a constant force lacks a place that would tell its potential."""
-        constant = isinstance(term.where, Point) and self._is_constant(term.size)
-        return constant and not self.fixed(term.where)
 
     def _integrable(
         self, terms: list[_Term], integrate: Callable[[Sequence[Any]], Any]
