@@ -213,3 +213,28 @@ def test_both_give_the_same_accelerations(name):
             [expected[s] for s in kane.outputs_symbols if s.name.startswith("a_")],
             1e-12,
         )
+
+
+@pytest.mark.parametrize("order", ["XYZ", "ZYX", "ZXZ"])
+@pytest.mark.parametrize("fixed", ["body", "space"])
+def test_kinematic_equations_are_solved_where_sympys_pivots_are_zero(order, fixed):
+    """For speeds along axes at rest, SymPy divides by sums that it cannot see to be zero."""
+    q, u = me.dynamicsymbols("q1:4"), me.dynamicsymbols("u1:4")
+    frame = me.ReferenceFrame("N")
+    turned = frame.orientnew("A", "Body", q, order)
+    axes = turned if fixed == "body" else frame
+    rate = turned.ang_vel_in(frame)
+    kinematic = [rate.dot(axis) - speed for axis, speed in zip(axes, u, strict=True)]
+    turned.set_ang_vel(frame, sum((s * a for s, a in zip(u, axes, strict=True)), me.Vector(0)))
+    centre = me.Point("C")
+    centre.set_vel(frame, 0)
+    inertia = me.inertia(turned, 1, 2, 3)
+    body = me.RigidBody("body", centre, turned, 1, (inertia, centre))
+    kane = me.KanesMethod(frame, q, u, kd_eqs=kinematic)
+    kane.kanes_equations([body], [])
+    state = np.array([0.3, 0.4, 0.5, 0.1, 0.2, 0.3])
+    rates = System(kane).evaluate_ode(state)
+    known = dict(zip([*(s.diff() for s in q), *u], [*rates[:3], *state[3:]], strict=True))
+    for row in kinematic:
+        left = row.subs(known).subs(dict(zip(q, state[:3], strict=True)))
+        assert float(left) == pytest.approx(0.0, abs=1e-14)

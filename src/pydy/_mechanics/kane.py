@@ -13,6 +13,7 @@ from pydy._mechanics.equations import Equations, Mechanism
 from pydy._mechanics.form import Formed, without_idle
 from pydy._mechanics.formed import classify, equations_of, formed_alike, kinematics_of
 from pydy._mechanics.implicit import Implicit
+from pydy._mechanics.rates import divide_alike, solve_rates
 from pydy._mechanics.reader import Multibody, check_bodies, read_loads
 
 
@@ -21,7 +22,7 @@ def multibody_of_kane(kane: KanesMethod) -> Multibody:
 
     ``kanes_equations()`` need not have been called.
     """
-    rates = kane.kindiffdict()
+    rates = _rates(kane)
     velocity: tuple[Any, ...] = ()
     acceleration: tuple[Any, ...] = ()
     if kane._k_nh:
@@ -45,6 +46,19 @@ def multibody_of_kane(kane: KanesMethod) -> Multibody:
         dependent_coordinates=tuple(kane._qdep),
         dependent_speeds=tuple(kane._udep),
     )
+
+
+def _rates(kane: KanesMethod) -> dict[Any, Any]:
+    """Return q' in terms of the states.
+
+    SymPy divides by pivots that are zero in some states, or in all that it could not simplify.
+    """
+    found, matrix = dict(kane.kindiffdict()), kane._k_kqdot_implicit
+    if matrix.is_diagonal():
+        return found
+    rows = matrix * kane._qdot + kane._k_ku_implicit * kane.u + kane._f_k_implicit
+    own = dict(zip(kane._qdot, solve_rates(list(rows), list(kane._qdot), "kd_eqs"), strict=True))
+    return found if divide_alike(list(found.values()), list(own.values())) else own
 
 
 def equations_of_kane(

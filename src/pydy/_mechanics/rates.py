@@ -78,6 +78,19 @@ def _solved(rows: list[Any], own: list[Any], argument: str) -> list[Any]:
     return [-part / size for part in matrix.adjugate() * rest]
 
 
+def divide_alike(values: Sequence[Any], others: Sequence[Any]) -> bool:
+    """Return whether all that is divided by in values is so in others, but for its sign."""
+    divisors = [
+        [p.base for e in part for p in sm.sympify(e).atoms(sm.Pow) if p.exp.is_negative]
+        for part in (values, others)
+    ]
+    graph, symbols = Graph(), sort_symbols(find_symbols([*divisors[0], *divisors[1]]))
+    read = SymPyReader(graph, input_nodes(graph, p=symbols), "`kd_eqs`")
+    mine, theirs = map(read.all, divisors)
+    found = signatures(graph, [*mine, *theirs, *map(graph.neg, theirs)])
+    return set(found[: len(mine)]) <= set(found[len(mine) :])
+
+
 def _check_regular(determinant: Any, own: list[Any], argument: str) -> None:
     symbols = sort_symbols(find_symbols([determinant]))
     graph = Graph()
