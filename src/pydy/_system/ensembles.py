@@ -513,7 +513,9 @@ class Ensembles(Setup):
                 return At(definition, moved, t, x, plan.rows(x, t), now.p)
 
             check_samples(at, start, columns, shape, mended)
-            kept = Kept(kept_programs(now, moved), definition.equations.beyond_projection, mended)
+            equations = definition.equations
+            left_out, every = any(equations.left_out), equations.beyond_projection
+            kept = Kept(kept_programs(now, moved), left_out, every, mended)
         ready: Ready | None = now.model.latest.get("ensemble")
         if motions is not None:  # it has the events, and holds the constraints
             given, kept = {k: v for k, v in given.items() if k not in _ABOUT_MODES}, None

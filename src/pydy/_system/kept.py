@@ -106,6 +106,7 @@ class Motion:
             self.info["nearness"] if projected else None,
             self.mended,
             [(e.time, e.after) for e in records if (e.after != e.before).any()],
+            any(self.now.definition.equations.left_out),
         )
 
 

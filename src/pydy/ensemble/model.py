@@ -130,6 +130,7 @@ class Kept:
     """What tells whether motions kept their constraints and energy."""
 
     programs: Programs  # also 'screen', which is both rows and products
+    redundant: bool  # whether constraints were left out
     every: bool  # whether rows that projection does not hold are looked at: see `check_kept`
     mended: bool  # whether motions are brought back onto the constraints
 

@@ -421,6 +421,7 @@ def refuse(batch: Batch, results: Results, times: np.ndarray) -> None:
                     else None,
                     projected or kept.mended,
                     results.resets[k] if results.resets else [],
+                    kept.redundant,
                 )
                 verdict = judge(ran, together.part_of(j))
                 if verdict is not None:

@@ -75,6 +75,7 @@ class Ran:
     nearness: float | None = None
     mended: bool = False  # whether the motion is brought back onto the constraints
     resets: list[tuple[float, np.ndarray]] = field(default_factory=list)  # where events put it
+    redundant: bool = False  # whether constraints were left out
 
     def errors(self, steps: float) -> np.ndarray:
         """Return how large the errors of so many steps are together, if each is what is allowed."""
@@ -139,9 +140,12 @@ def judge(ran: Ran, part: Part) -> Verdict | None:
     t, x = ran.times, ran.states
     if not len(t):
         return None
-    if ran.nearness is not None and (wrong := contradicted(part("contradictions", t, x))):
-        return Verdict(LEFT_CONSTRAINTS, wrong[0], {"unimplied": wrong[1], "rate": wrong[2]})
     near = ran.nearness is not None and ran.nearness < NEAR_SINGULAR
+    if ran.nearness is not None:
+        if wrong := contradicted(part("contradictions", t, x)):
+            return Verdict(LEFT_CONSTRAINTS, wrong[0], {"unimplied": wrong[1], "rate": wrong[2]})
+        if not (near or ran.redundant):  # projection holds the rows
+            return None
     found = part("rows", t, x)
     limits, beyond = DIGITS * found["sizes"].max(axis=0), False
     if beyond_digits(found["rows"], found["sizes"]):
