@@ -347,12 +347,14 @@ def test_a_derivative_that_cannot_be_taken_is_named(expression):
 
 @pytest.mark.parametrize("number", [sm.I, sm.I * x + 1, sm.sqrt(-2), sm.zoo, sm.nan], ids=str)
 def test_a_number_that_is_not_real_is_refused(number):
-    with pytest.raises(ValueError, match=r"hold `(I|zoo|nan)`, which is not a real number"):
+    with pytest.raises(ValueError, match=r"hold `(I|zoo|nan)`, which is not a real number.* `oo`"):
         nodes_of([sm.sympify(number)])
 
 
 def test_a_symbol_that_nothing_provides_is_named():
-    with pytest.raises(ValueError, match=r"`stray` occurs in the expressions, but no argument"):
+    with pytest.raises(
+        ValueError, match=r"`stray` occurs in the expressions, .*`constants_symbols`"
+    ):
         nodes_of([sm.sin(sm.Symbol("stray")) + x])
 
 

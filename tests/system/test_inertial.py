@@ -182,3 +182,21 @@ def test_samples_that_are_no_numbers_are_named_not_left_to_empty_the_answer(valu
     q[7, 1] = value
     with pytest.raises(ValueError, match="for 3 of its rows, the first of them of sample 7"):
         system.base_parameters(q, v, a)
+
+
+def test_an_inertia_that_no_motion_depends_on_is_named_with_its_remedy():
+    """A body in a plane turns about one axis: the inertia about the others cancels."""
+    q, u = me.dynamicsymbols("q u")
+    about, across = sm.symbols("I J")
+    frame, centre = me.ReferenceFrame("N"), me.Point("C")
+    turned = frame.orientnew("A", "Axis", (q, frame.z))
+    turned.set_ang_vel(frame, u * frame.z)
+    centre.set_vel(frame, 0)
+    inertia = me.inertia(turned, across, across, about)
+    body = me.RigidBody("disc", centre, turned, 1, (inertia, centre))
+    kane = me.KanesMethod(frame, [q], [u], kd_eqs=[u - q.diff()])
+    kane.kanes_equations([body], [])
+    with pytest.raises(ValueError, match=r"`J` occurs in .* in its `constants_symbols`"):
+        System(kane).inertial_parameters()
+    system = System(kane, {across: 2.0}, constants_symbols=[about, across])
+    assert system.inertial_parameters()["Ixx of disc"] == 2.0

@@ -312,12 +312,14 @@ class SymPyReader:
         if isinstance(expr, (sm.Symbol, AppliedUndef, sm.Derivative)):
             raise ValueError(
                 f"`{expr}` occurs in {self.what}, but no argument provides it: it is not one of "
-                "the coordinates, speeds, constants or specifieds. Add it to one of them."
+                "the coordinates, speeds, constants or specifieds. Add it to one of them: where a "
+                "System's motion does not depend on it, by name in its `constants_symbols`."
             )
         if expr.is_number:
             raise ValueError(
                 f"{self.what} hold `{expr}`, which is not a real number. Simplify the expression "
-                "or restrict its symbols so that it cannot arise."
+                "or restrict its symbols so that it cannot arise, and look for infinite numbers: "
+                "SymPy makes `nan` of `oo` times what may be zero."
             )
         raise UnsupportedFunctionError(self._unsupported(expr))
 
