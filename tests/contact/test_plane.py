@@ -198,6 +198,22 @@ def test_how_a_block_begins_to_slide_is_found_to_tolerance(static):
     assert [event.name for event in fine.events] == ["floor slips"]
 
 
+@pytest.mark.parametrize("tolerance", [1e-6, 1e-9, 1e-12])
+@pytest.mark.parametrize("solver", ["dop853", "radau"])
+def test_a_block_that_is_pulled_from_rest_goes_along_the_pull(tolerance, solver):
+    # Errors of the direction at the least speeds are kept: they were 1e-5 at 1e-12.
+    body = me.Particle("body", P, 1)
+    system = System(
+        Definition(N, [x, y, z], [vx, vy, vz], bodies=[body], loads=[(P, 10 * N.x + N.y / 10)]),
+        times=[0.0, 3.0], ode_solver=solver,
+    )  # fmt: skip
+    rubs = Stick((vx, vy), mu=0.3, normal=10.0, name="rubs")
+    motion = Contacts(system, [rubs]).simulate(rtol=tolerance, atol=tolerance)
+    pull = np.array([10.0, 0.1])
+    wanted = pull * (1.0 - 3.0 / np.linalg.norm(pull)) * 4.5
+    assert motion.states[-1, :2] == pytest.approx(wanted, abs=1e-9)
+
+
 @pytest.mark.parametrize(("turns", "most"), [(30.0, 1.3), (40.0, 1.5)])
 def test_a_body_that_turns_as_it_begins_to_slide_does_not_stop_there(turns, most):
     # A pull that turns and dies out. Over 20 s, its speeds are those of a body that only begins.

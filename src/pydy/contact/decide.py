@@ -316,17 +316,10 @@ def within(problem: Problem, found: Solution) -> Solution:
 
 
 def leaps(solution: Solution, free: np.ndarray, tangents: Sequence[Sequence[int]]) -> bool:
-    """Whether contacts begin to slide in a plane, and at once with an acceleration.
-
-    For several of them friction that turns is stiff whether or not there is one.
-    """
-    found = [i for i, mode in enumerate(solution.modes) if mode == STARTING]
-    for i in found if len(found) == 1 else ():
-        rows = list(tangents[i])
-        rate, alone = (np.linalg.norm(part[rows]) for part in (solution.rates, free))
-        if rate <= BEGUN * alone:
-            return False
-    return bool(found)
+    """Whether all contacts that begin to slide in a plane do so at once with an acceleration."""
+    starting = [list(tangents[i]) for i, mode in enumerate(solution.modes) if mode == STARTING]
+    sizes = [[np.linalg.norm(part[r]) for part in (solution.rates, free)] for r in starting]
+    return bool(sizes) and all(rate > BEGUN * alone for rate, alone in sizes)
 
 
 def _good(problem: Problem, found: Solution | None) -> Solution | None:

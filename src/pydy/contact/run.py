@@ -553,17 +553,19 @@ class Run:
     ) -> None:
         """Choose the solver, and begin with short steps, where sliding in a plane begins.
 
-        Friction turns a velocity in a plane ever faster the slower it is: explicit methods need
-        steps in proportion to the speed, and the error of a long first step is hidden by the slopes
-        at rest. Where it begins without an acceleration, as with μ = μ_static, these hide more:
-        explicit methods have to do it. They do it for sensitivities too: `radau` iterates until the
-        states converge. There the direction of the least speed has to be resolved.
+        Friction turns a velocity in a plane ever faster the slower it is: steps are in proportion
+        to the speed, slopes at rest hide the error of a long first step, and the direction of the
+        least speed has to be resolved. Implicit methods take longer steps, in which they see no
+        turns. Where sliding begins without an acceleration, as with μ = μ_static, slopes hide more:
+        explicit methods have to do it; but several contacts that turn each other are stiff then.
         """
-        if leaps(solution, p.free, self.rows.tangent) and "step" not in options:
+        at_once = leaps(solution, p.free, self.rows.tangent)
+        several = solution.modes.count(STARTING) > 1
+        if (at_once or several) and "step" not in options:
             options["first_step"] = FIRST * self.resolution(state.t)
-            system.ode_solver = "radau" if self.carried is None else "dop853"
-            if self.carried is not None:
-                options["atol"] = RESOLVED**2 * self.atol
+            system.ode_solver = "radau"
+            if at_once or self.carried is not None:
+                system.ode_solver, options["atol"] = "dop853", RESOLVED**2 * self.atol
         elif self.carried is not None and STARTING in solution.modes:
             raise NotImplementedError(
                 "`sensitivities` where a body begins to slide in a plane without an acceleration, "
