@@ -362,6 +362,7 @@ def test_what_rods_carry_is_at_rest_in_any_units(metre, lagrangian):
         method = Definition(frame, [x, y], bodies=[bob], loads=loads, holonomic_constraints=rods)
     numbers = {mass: 1.0, g: 9.81 * metre, rod: metre, half: 0.6 * metre}
     system = System(method, numbers, initial_conditions={x: 0.1 * metre, y: -0.9 * metre})
+    assert "1 loads" in repr(system._equations)  # which failed where a Lagrangian has no bodies
     found = system.find_equilibrium()
     assert found.state == pytest.approx([0.0, -0.8 * metre, 0.0, 0.0], abs=1e-9 * metre)
     assert found.free == ()

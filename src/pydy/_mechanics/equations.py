@@ -134,9 +134,10 @@ class Equations:
     def __repr__(self) -> str:
         q, u = (", ".join(map(name_of, part)) for part in (self.coordinates, self.speeds))
         lines = [f"Equations: {q}; speeds {u}"]
-        if self.formed is not None and self.mechanism is not None:
-            bodies, loads = len(self.mechanism.bodies), len(self.mechanism.loads)
-            lines.append(f"formed on the graph from {bodies} bodies and {loads} loads")
+        if self.formed is not None:
+            made_from = self.mechanism or self.multibody  # a Lagrangian may come without bodies
+            counts = [len(made_from.bodies), len(made_from.loads)] if made_from else [0, 0]
+            lines.append("formed on the graph from {} bodies and {} loads".format(*counts))
         else:
             lines.append(f"a mass matrix {self.mass_matrix.shape} and {len(self.forcing)} forces")
         for kind in ("holonomic", "velocity", "nonholonomic", "auxiliary_equations"):
