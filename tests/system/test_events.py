@@ -1,5 +1,6 @@
 """Events of System.integrate and simulate."""
 
+import re
 import warnings
 from functools import cache
 
@@ -701,19 +702,39 @@ def test_a_jump_of_an_input_makes_an_event_happen_once(solver):
 PLATEAU = sm.Piecewise((Z - 0.5, Z > 0.5), (0, Z > 0.45), (Z - 0.45, True))
 
 
+GROUND = 0.45152364098573097  # when it is reached
+
+
 @pytest.mark.parametrize("solver", ["dop853", "radau", "rk4"])
+@pytest.mark.parametrize("times", [np.linspace(0.0, 2.0, 41), [0.0, 2.0]])
 @pytest.mark.parametrize(
-    ("expression", "stretch"),
+    ("expression", "first", "last"),
     [
-        (sm.Max(0, Z), r"from t = 0\.5 to 2, at least"),  # after 0.4515 s
-        (sm.Max(0, -1e-9 * Z), r"from t = 0 to 0\.45, at least"),
-        (sm.Abs(V) + V, r"from t = 0 to 2, at least"),
-        (PLATEAU, r"at and beside t = 0\.3"),  # between two outputs, from 0.3193 to 0.3349 s
+        (sm.Max(0, Z), GROUND, 2.0),
+        (sm.Max(0, -1e-9 * Z), 0.0, GROUND),
+        (sm.Abs(V) + V, 0.0, 2.0),
+        (PLATEAU, 0.31928, 0.33487),  # while Z is between 0.5 and 0.45
     ],
 )
-def test_an_event_that_stays_at_zero_is_told(solver, expression, stretch):
-    with pytest.warns(PyDyUserWarning, match=f"the event `rests` is exactly zero {stretch}"):
-        run(ball(solver), [Event(Z - 0.1), Event(expression, name="rests")])
+def test_an_event_that_stays_at_zero_is_told(solver, times, expression, first, last):
+    events = [Event(Z - 0.1), Event(expression, name="rests")]
+    with pytest.warns(PyDyUserWarning, match="the event `rests` is exactly zero") as caught:
+        run(ball(solver, times=times), events, **({"step": 0.05} if solver == "rk4" else {}))
+    [told] = [str(w.message) for w in caught]
+    found = [float(n) for n in re.findall(r"(?:t =|to) (\d+(?:\.\d+)?)", told)]
+    assert first - 1e-5 <= found[0] <= found[-1] <= last + 1e-5
+    if expression is not PLATEAU:
+        assert found[-1] - found[0] > 0.7 * (last - first)
+
+
+def test_samples_of_an_ensemble_with_an_event_that_stays_at_zero_are_told_once():
+    rests = Event(sm.Max(0, Z), name="rests")
+    for reduce in (None, "final", "events"):
+        with pytest.warns(PyDyUserWarning, match="`rests` is exactly zero from t = ") as caught:
+            ball().integrate_ensemble(
+                initial_conditions={Z: np.linspace(1.0, 2.0, 20)}, events=rests, reduce=reduce
+            )
+        assert len(caught) == 1
 
 
 def test_a_sampled_signal_that_stays_at_zero_is_told():

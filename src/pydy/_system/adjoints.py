@@ -15,7 +15,12 @@ from pydy._assembly.assembly import Assembly
 from pydy._assembly.definition import Definition
 from pydy._assembly.model import CompiledModel
 from pydy._checks import shown
-from pydy._errors import IntegrationError, IntegrationInterrupted, SingularMatrixError
+from pydy._errors import (
+    IntegrationError,
+    IntegrationInterrupted,
+    SingularMatrixError,
+    warn_user,
+)
 from pydy._forks import cached_property
 from pydy._graph.products import derivative_program
 from pydy._graph.program import Program
@@ -307,6 +312,8 @@ class _Run:
         self.task, self.times, self.n = task, times, n
         self.options: Any = read
         self.states = states = integration.run(whole)
+        for told in integration.stretches():
+            warn_user(told)
         self.info = info = integration.info()
         self.records: list[EventRecord] = info["events"]
         self.end: float = info["time"]

@@ -208,6 +208,7 @@ class Results:
     # (m,): how near constraints that projection holds came to losing rank
     nearness: np.ndarray | None = None
     outputs: np.ndarray | None = None  # (o, m, times), of `Motions`
+    stretches: list[str] = field(default_factory=list)  # what is to be told of events at zero
 
     def take(self, places: np.ndarray, others: Results) -> None:
         """Take the results of some samples without events from others."""
@@ -415,6 +416,7 @@ class Batch:
             try:
                 found = one.run(np.ascontiguousarray(x))
                 info = one.info()
+                results.stretches += one.stretches()
             except IntegrationError as error:
                 found, info = one.reached(), error.info
             results.states[:, k, : len(found)] = found.T
@@ -475,6 +477,7 @@ def _among(found: Results, started: np.ndarray, codes: np.ndarray, t: float) -> 
         events=[next(events, []) if one else [] for one in started],
         moments=[next(moments, []) if one else [] for one in started],
         resets=[next(resets, []) if one else [] for one in started],
+        stretches=found.stretches,
         nearness=None if found.nearness is None else placed(found.nearness, 1.0),
     )
 

@@ -159,6 +159,8 @@ class Work:
             refuse(batch, results, times)
         if number := int((results.status == START_OFF_CONSTRAINTS).sum()):
             self._tell_start(number, batch)
+        if results.stretches and self._first("stretches"):
+            warn_user(results.stretches[0])
         outputs: _Outputs = partial(batch.evaluate, model.outputs)
         if (known := results.outputs) is not None:
             outputs = lambda some, _: known[:, :, np.searchsorted(times, some)]  # noqa: E731

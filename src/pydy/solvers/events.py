@@ -11,7 +11,7 @@ import numpy as np
 
 from pydy._checks import shown
 from pydy._kernel import Kernel, KernelCall
-from pydy.solvers.tuning import BETWEEN, CLOSE, CROWD, CROWDED, ROUNDING, ROUNDINGS
+from pydy.solvers.tuning import CROWD, CROWDED, ROUNDING, ROUNDINGS
 from pydy.trajectory import EventRecord
 
 
@@ -52,7 +52,7 @@ class Event:
     an error; one that is NaN at first is watched from where it is a number on.
 
     An expression that stays at zero for a stretch, as ``Max(0, x)`` does, tells no time there: a
-    simulation warns of what it sees of that at its times and events. Pass ``x``.
+    simulation warns of what it sees of that in its steps. Pass ``x``.
 
     An expression that is exactly zero at the first or the last time is an event there. At the first
     time it is only recorded, regardless of `reset` and `terminal`: the initial conditions are the
@@ -154,57 +154,6 @@ def crowd(records: Sequence[EventRecord], event: int, number: int, t: float, spa
     if len(same) >= 2 and t - same[-2] <= 16.0 * ROUNDING * max(abs(t), span):
         return True
     return len(same) == CROWD and t - same[0] < CROWDED * span
-
-
-def stretches(
-    call: KernelCall, events: CompiledEvents, points: Sequence[tuple[float, np.ndarray, int]]
-) -> dict[int, tuple[float, float]]:
-    """Return the first stretch in which events are exactly zero, by their places.
-
-    A point is a time, a state, and the event that happened there or −1; they ascend. A single zero
-    is none: expressions are zero at both ends and between them, or at an event and close to it.
-    States between them are beside the chord, on which more vanishes than on the motion.
-    """
-
-    def zero(t: np.ndarray, x: np.ndarray) -> np.ndarray:
-        program, kernel = events.values.program, events.values
-        x = np.ascontiguousarray(x[:, : program.num_states])
-        r = call.r[None]
-        if call.inputs is not None or call.sampled:
-            r = np.array([call.inputs_at(*at) for at in zip(x, t.tolist(), strict=True)])
-        r = np.ascontiguousarray(r[:, : program.num_specifieds])
-        found: np.ndarray = kernel.evaluate(t, x, r, call.p)[0] == 0.0
-        found &= np.array(events.may_rest)
-        return found
-
-    times, states = np.array([p[0] for p in points]), np.array([p[1] for p in points])
-    own = np.array([p[2] for p in points])[:, None] == np.arange(len(events.names))
-    at = zero(times, states)
-    lengths, ways = np.diff(times), np.diff(states, axis=0)
-    apart = BETWEEN[0] * np.arange(1, states.shape[1] + 1) % 1.0
-
-    def between(share: float) -> np.ndarray:
-        shares = share * (1.0 + apart * (1.0 - share))
-        return zero(times[:-1] + share * lengths, states[:-1] + shares * ways)
-
-    whole = at[:-1] & at[1:]
-    for share in BETWEEN:
-        whole &= between(share)
-    beside = (at & own)[:-1] & between(CLOSE) | (at & own)[1:] & between(1.0 - CLOSE)
-    # On shorter ways rounding is what is seen.
-    span = np.fmax(np.abs(times), times[-1] - times[0])[1:]
-    beside &= (lengths > CLOSE * span)[:, None]
-    found = {}
-    for k in range(len(events.names)):
-        edges = np.flatnonzero(np.diff(np.concatenate([[0], whole[:, k], [0]])))
-        pairs = [(float(times[i]), float(times[j])) for i, j in edges.reshape(-1, 2)]
-        long = [(a, b) for a, b in pairs if b - a > CLOSE**2 * max(abs(b), span[-1])]
-        for i in np.flatnonzero(beside[:, k])[:1]:
-            moment = float(times[i] if (at & own)[i, k] else times[i + 1])
-            long.append((moment, moment))
-        if long:
-            found[k] = long[0]
-    return found
 
 
 def forcing_time(

@@ -318,6 +318,10 @@ class Prepared:
             if x0.shape != self._shape:
                 raise ValueError(f"`x0` must have the shape {self._shape}, got {x0.shape}.")
         states = self._run(x0)
+        events = self._integration.options.events
+        if events is not None and any(events.may_rest):
+            for told in self._integration.stretches():
+                warn_user(told)
         if self._integration.code == EVENTS_ACCUMULATE:
             info, event = self.info, self._integration.details["event"]
             warn_user(

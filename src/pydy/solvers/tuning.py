@@ -128,10 +128,6 @@ NEAR_SINGULAR = 0.05
 """How near constraints come to losing rank that the energy is looked at: steps that are far from
 singular positions, beside which they are small, do not change it."""
 
-BETWEEN = (0.381966, 0.854102)
-"""Where an expression that is zero at two points is looked at between them: at the golden section,
-where none that is zero at places as even as steps are is zero again."""
-
 CLOSE = 2.0**-10
 """The share of the way to the next point that is close to an event; and of the time, which is the
 least way that is looked at. What passes through zero is then beside it by a billion roundings."""

@@ -88,6 +88,39 @@ INLINE void log_event(const Run *run, double t, int64_t event)
     run->progress.counts.at[LOGGED] = line + 1;
 }
 
+/* Note a stretch in which an event is zero, where it goes on from the one that is known, or is longer. */
+INLINE void note_rest(const Watch *w, int64_t event, double from, double to)
+{
+    if (w->rests.size == 0)
+        return;
+    double *known = w->rests.at + 2 * event;
+    if (known[1] == from)
+        known[1] = to;
+    else if (!(known[1] - known[0] >= to - from))
+        known[0] = from, known[1] = to;
+}
+
+/* Note which events that happen at `first` are zero close to it too, unlike a crossing; or CALLBACK. */
+INLINE int64_t note_rests(const Run *run, const Stepper *s, double t, double h, double first, double right)
+{
+    const Watch *w = &run->watch;
+    const int64_t number = w->words.at[EVENTS];
+    const double *located = w->values.at + LOCATED * number, *beside = w->values.at + MIDDLES * number;
+    const double *times = run->progress.times.at, span = times[run->progress.times.size - 1] - times[0];
+    int zero = 0;
+    for (int64_t k = 0; k < number; k++)
+        zero = zero || (w->fired.at[k] != 0 && located[k] == 0.0);
+    /* on shorter ways rounding is what is seen */
+    if (!zero || (right - first) * h <= CLOSE * maximum(absolute(t + h), span))
+        return 0;
+    if (probe(run, s, t, h, first + CLOSE * (right - first), MIDDLES) < 0)
+        return CALLBACK;
+    for (int64_t k = 0; k < number; k++)
+        if (w->fired.at[k] != 0 && located[k] == 0.0 && beside[k] == 0.0)
+            note_rest(w, k, t + first * h, t + first * h);
+    return 0;
+}
+
 /* Return the polynomial through the samples of an event at the ends of the parts. */
 INLINE double fit(const double *samples, int64_t apart, double place)
 {
@@ -345,7 +378,7 @@ ENTRY int64_t scan_events(const Run *run, double t, double h)
             }
             if (acting) {
                 state[FOUND] = first;
-                return EVENT;
+                return note_rests(run, s, t, h, first, right) == CALLBACK ? called_back(run, logged) : EVENT;
             }
             for (int64_t k = 0; k < number; k++) {
                 if (fired[k] == 0)
@@ -353,6 +386,8 @@ ENTRY int64_t scan_events(const Run *run, double t, double h)
                 log_event(run, t + first * h, k);
                 sides[k] = -sides[k];
             }
+            if (note_rests(run, s, t, h, first, right) == CALLBACK)
+                return called_back(run, logged);
             if (undefined >= 0) {
                 for (int64_t k = 0; k < number; k++)
                     fired[k] = k == undefined;
@@ -370,6 +405,8 @@ ENTRY int64_t scan_events(const Run *run, double t, double h)
                 sides[k] = 1;
             else if (values[k] < 0.0)
                 sides[k] = -1;
+            if (right == PLACES[part] && ends[(part - 1) * number + k] == 0.0 && ends[part * number + k] == 0.0)
+                note_rest(w, k, t + PLACES[part - 1] * h, t + right * h);
         }
         left = right;
     }

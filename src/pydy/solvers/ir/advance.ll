@@ -1,4 +1,4 @@
-; sources f6440252fcdebf5195485e198d22c3411a5d7eb97d09444342c9217639aecabf
+; sources 8f5a7ea5f7fa35f12fda413bef2b5bd9a6c860f0d991cebdf9c307a03e85f70b
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
@@ -28,7 +28,7 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
 
 20:                                               ; preds = %16
   %21 = getelementptr inbounds i8, ptr %0, i64 576
-  %22 = getelementptr inbounds i8, ptr %0, i64 1032
+  %22 = getelementptr inbounds i8, ptr %0, i64 1056
   br label %41
 
 23:                                               ; preds = %14, %23
@@ -53,7 +53,7 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
 
 38:                                               ; preds = %34
   %39 = getelementptr inbounds i8, ptr %0, i64 600
-  %40 = getelementptr inbounds i8, ptr %0, i64 1056
+  %40 = getelementptr inbounds i8, ptr %0, i64 1080
   br label %57
 
 41:                                               ; preds = %20, %41
@@ -450,7 +450,7 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
   br i1 %348, label %445, label %349
 
 349:                                              ; preds = %345
-  %350 = getelementptr inbounds i8, ptr %0, i64 1080
+  %350 = getelementptr inbounds i8, ptr %0, i64 1104
   %351 = getelementptr inbounds i8, ptr %80, i64 8
   %352 = getelementptr inbounds i8, ptr %80, i64 16
   %353 = getelementptr inbounds i8, ptr %80, i64 64
@@ -496,8 +496,8 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
   %393 = getelementptr inbounds i8, ptr %0, i64 192
   %394 = getelementptr inbounds i8, ptr %0, i64 216
   %395 = getelementptr inbounds i8, ptr %76, i64 32
-  %396 = getelementptr inbounds i8, ptr %0, i64 1104
-  %397 = getelementptr inbounds i8, ptr %0, i64 1120
+  %396 = getelementptr inbounds i8, ptr %0, i64 1128
+  %397 = getelementptr inbounds i8, ptr %0, i64 1144
   %398 = getelementptr inbounds i8, ptr %0, i64 840
   %399 = getelementptr inbounds i8, ptr %0, i64 856
   %400 = getelementptr inbounds i8, ptr %0, i64 912

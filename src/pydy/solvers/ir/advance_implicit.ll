@@ -1,4 +1,4 @@
-; sources 6401892f79525d6993fe1fc4648ecf7608eca4897a906a7e8dee2ba386378de0
+; sources 27b573c5e75c1974c0d020434071dd519b768c8db87fcab593229fbe7b449fe6
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 @NODES = internal unnamed_addr constant [3 x double] [double 0x3FC3D8B64657CAEA, double 0x3FE4A36C0803A6DF, double 1.000000e+00], align 16
@@ -36,7 +36,7 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
 
 23:                                               ; preds = %19
   %24 = getelementptr inbounds i8, ptr %0, i64 576
-  %25 = getelementptr inbounds i8, ptr %0, i64 1032
+  %25 = getelementptr inbounds i8, ptr %0, i64 1056
   br label %44
 
 26:                                               ; preds = %17, %26
@@ -61,7 +61,7 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
 
 41:                                               ; preds = %37
   %42 = getelementptr inbounds i8, ptr %0, i64 600
-  %43 = getelementptr inbounds i8, ptr %0, i64 1056
+  %43 = getelementptr inbounds i8, ptr %0, i64 1080
   br label %60
 
 44:                                               ; preds = %23, %44
@@ -109,10 +109,10 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
 75:                                               ; preds = %70, %54, %3
   %76 = getelementptr inbounds i8, ptr %0, i64 144
   %77 = getelementptr inbounds i8, ptr %0, i64 312
-  %78 = getelementptr inbounds i8, ptr %0, i64 1128
+  %78 = getelementptr inbounds i8, ptr %0, i64 1152
   %79 = getelementptr inbounds i8, ptr %0, i64 576
   %80 = load ptr, ptr %79, align 8
-  %81 = getelementptr inbounds i8, ptr %0, i64 1152
+  %81 = getelementptr inbounds i8, ptr %0, i64 1176
   %82 = load ptr, ptr %81, align 8
   %83 = getelementptr inbounds i8, ptr %0, i64 600
   %84 = load ptr, ptr %83, align 8
@@ -325,18 +325,18 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   br i1 %238, label %357, label %239
 
 239:                                              ; preds = %235
-  %240 = getelementptr inbounds i8, ptr %0, i64 1080
+  %240 = getelementptr inbounds i8, ptr %0, i64 1104
   %241 = getelementptr inbounds i8, ptr %84, i64 8
   %242 = getelementptr inbounds i8, ptr %84, i64 16
   %243 = getelementptr inbounds i8, ptr %84, i64 64
   %244 = getelementptr inbounds i8, ptr %80, i64 16
   %245 = getelementptr inbounds i8, ptr %85, i64 8
-  %246 = getelementptr inbounds i8, ptr %0, i64 1200
+  %246 = getelementptr inbounds i8, ptr %0, i64 1224
   %247 = getelementptr inbounds i8, ptr %0, i64 168
   %248 = getelementptr inbounds i8, ptr %0, i64 248
   %249 = getelementptr inbounds i8, ptr %0, i64 168
   %250 = getelementptr inbounds i8, ptr %0, i64 192
-  %251 = getelementptr inbounds i8, ptr %0, i64 1176
+  %251 = getelementptr inbounds i8, ptr %0, i64 1200
   %252 = getelementptr inbounds i8, ptr %0, i64 360
   %253 = getelementptr inbounds i8, ptr %0, i64 360
   %254 = getelementptr inbounds i8, ptr %0, i64 336
@@ -345,25 +345,25 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   %257 = getelementptr inbounds i8, ptr %0, i64 192
   %258 = getelementptr inbounds i8, ptr %0, i64 216
   %259 = getelementptr inbounds i8, ptr %0, i64 480
-  %260 = getelementptr inbounds i8, ptr %0, i64 1208
+  %260 = getelementptr inbounds i8, ptr %0, i64 1232
   %261 = getelementptr inbounds i8, ptr %85, i64 16
   %262 = getelementptr inbounds i8, ptr %85, i64 24
   %263 = getelementptr inbounds i8, ptr %85, i64 24
   %264 = getelementptr inbounds i8, ptr %84, i64 40
-  %265 = getelementptr inbounds i8, ptr %0, i64 1272
-  %266 = getelementptr inbounds i8, ptr %0, i64 1280
-  %267 = getelementptr inbounds i8, ptr %0, i64 1224
-  %268 = getelementptr inbounds i8, ptr %0, i64 1248
-  %269 = getelementptr inbounds i8, ptr %0, i64 1200
-  %270 = getelementptr inbounds i8, ptr %0, i64 1296
+  %265 = getelementptr inbounds i8, ptr %0, i64 1296
+  %266 = getelementptr inbounds i8, ptr %0, i64 1304
+  %267 = getelementptr inbounds i8, ptr %0, i64 1248
+  %268 = getelementptr inbounds i8, ptr %0, i64 1272
+  %269 = getelementptr inbounds i8, ptr %0, i64 1224
+  %270 = getelementptr inbounds i8, ptr %0, i64 1320
   %271 = getelementptr inbounds i8, ptr %82, i64 8
-  %272 = getelementptr inbounds i8, ptr %0, i64 1392
-  %273 = getelementptr inbounds i8, ptr %0, i64 1320
-  %274 = getelementptr inbounds i8, ptr %0, i64 1344
+  %272 = getelementptr inbounds i8, ptr %0, i64 1416
+  %273 = getelementptr inbounds i8, ptr %0, i64 1344
+  %274 = getelementptr inbounds i8, ptr %0, i64 1368
   %275 = fmul double %114, %122
-  %276 = getelementptr inbounds i8, ptr %0, i64 1368
-  %277 = getelementptr inbounds i8, ptr %0, i64 1416
-  %278 = getelementptr inbounds i8, ptr %0, i64 1440
+  %276 = getelementptr inbounds i8, ptr %0, i64 1392
+  %277 = getelementptr inbounds i8, ptr %0, i64 1440
+  %278 = getelementptr inbounds i8, ptr %0, i64 1464
   %279 = getelementptr inbounds i8, ptr %0, i64 360
   %280 = getelementptr inbounds i8, ptr %0, i64 168
   %281 = getelementptr inbounds i8, ptr %0, i64 248
@@ -372,28 +372,28 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   %284 = getelementptr inbounds i8, ptr %0, i64 216
   %285 = getelementptr inbounds i8, ptr %0, i64 552
   %286 = getelementptr inbounds i8, ptr %0, i64 528
-  %287 = getelementptr inbounds i8, ptr %0, i64 1272
-  %288 = getelementptr inbounds i8, ptr %0, i64 1280
-  %289 = getelementptr inbounds i8, ptr %0, i64 1224
-  %290 = getelementptr inbounds i8, ptr %0, i64 1248
-  %291 = getelementptr inbounds i8, ptr %0, i64 1296
+  %287 = getelementptr inbounds i8, ptr %0, i64 1296
+  %288 = getelementptr inbounds i8, ptr %0, i64 1304
+  %289 = getelementptr inbounds i8, ptr %0, i64 1248
+  %290 = getelementptr inbounds i8, ptr %0, i64 1272
+  %291 = getelementptr inbounds i8, ptr %0, i64 1320
   %292 = getelementptr inbounds i8, ptr %0, i64 552
   %293 = getelementptr inbounds i8, ptr %0, i64 528
-  %294 = getelementptr inbounds i8, ptr %0, i64 1280
-  %295 = getelementptr inbounds i8, ptr %0, i64 1344
-  %296 = getelementptr inbounds i8, ptr %0, i64 1360
-  %297 = getelementptr inbounds i8, ptr %0, i64 1416
-  %298 = getelementptr inbounds i8, ptr %0, i64 1440
+  %294 = getelementptr inbounds i8, ptr %0, i64 1304
+  %295 = getelementptr inbounds i8, ptr %0, i64 1368
+  %296 = getelementptr inbounds i8, ptr %0, i64 1384
+  %297 = getelementptr inbounds i8, ptr %0, i64 1440
+  %298 = getelementptr inbounds i8, ptr %0, i64 1464
   %299 = fmul double %275, %275
   %300 = icmp sgt i64 %92, 0
   %301 = shl i64 %92, 4
   %302 = getelementptr inbounds i8, ptr %0, i64 336
   %303 = getelementptr inbounds i8, ptr %85, i64 32
-  %304 = getelementptr inbounds i8, ptr %0, i64 1272
-  %305 = getelementptr inbounds i8, ptr %0, i64 1280
-  %306 = getelementptr inbounds i8, ptr %0, i64 1464
+  %304 = getelementptr inbounds i8, ptr %0, i64 1296
+  %305 = getelementptr inbounds i8, ptr %0, i64 1304
+  %306 = getelementptr inbounds i8, ptr %0, i64 1488
   %307 = getelementptr inbounds i8, ptr %0, i64 480
-  %308 = getelementptr inbounds i8, ptr %0, i64 1224
+  %308 = getelementptr inbounds i8, ptr %0, i64 1248
   %309 = getelementptr inbounds i8, ptr %0, i64 336
   %310 = getelementptr inbounds i8, ptr %0, i64 360
   %311 = getelementptr inbounds i8, ptr %0, i64 360
@@ -414,8 +414,8 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   %326 = getelementptr inbounds i8, ptr %8, i64 16
   %327 = getelementptr inbounds i8, ptr %9, i64 8
   %328 = getelementptr inbounds i8, ptr %9, i64 16
-  %329 = getelementptr inbounds i8, ptr %0, i64 1104
-  %330 = getelementptr inbounds i8, ptr %0, i64 1120
+  %329 = getelementptr inbounds i8, ptr %0, i64 1128
+  %330 = getelementptr inbounds i8, ptr %0, i64 1144
   %331 = getelementptr inbounds i8, ptr %84, i64 48
   %332 = getelementptr inbounds i8, ptr %0, i64 408
   %333 = getelementptr inbounds i8, ptr %0, i64 504
@@ -438,8 +438,8 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   %350 = getelementptr inbounds i8, ptr %84, i64 72
   %351 = getelementptr inbounds i8, ptr %84, i64 72
   %352 = getelementptr inbounds i8, ptr %85, i64 16
-  %353 = getelementptr inbounds i8, ptr %0, i64 1200
-  %354 = getelementptr inbounds i8, ptr %0, i64 1208
+  %353 = getelementptr inbounds i8, ptr %0, i64 1224
+  %354 = getelementptr inbounds i8, ptr %0, i64 1232
   %355 = getelementptr inbounds i8, ptr %84, i64 72
   %356 = getelementptr inbounds i8, ptr %85, i64 16
   br label %359

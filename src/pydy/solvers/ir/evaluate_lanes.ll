@@ -1,4 +1,4 @@
-; sources 0baa97db7dda315c85987b10c198c7defd0ac109b7f008240a5b873f46862592
+; sources 8d14c74640c5c4ea21ddcc1eb6b843771a91668889ce031989205c9836e6d1d5
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define noundef i64 @evaluate_lanes(ptr noundef readonly %0) #0 {

@@ -1,4 +1,4 @@
-; sources d8f78da6ff5b4966430de127468c8e5587935217ed50faa7decdc739b17dabbd
+; sources 2afd0beddb387df76734485f888f1f30cf8cb7044f2fb0ed46d79be9315dc45b
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @extend(ptr noundef %0, ptr noundef readonly %1) #0 {

@@ -1,4 +1,4 @@
-; sources 002fea61f5639e0a1dba580e9db963ac5bb2dccea17408ac3aacfe1d2a35896b
+; sources 7f13ad689253e0d1fe6d7402cb3695b3566b930bd8af117befc90c83c26ceacc
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Held = type { ptr, i64, i64, i64, i64, i64, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr }

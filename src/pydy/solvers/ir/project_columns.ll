@@ -1,4 +1,4 @@
-; sources 75d8d217e72e4590943287b7ca437c431a42e733cddbcd3f18cfb11c65a179e0
+; sources 8974839e7a1409208b994bec065f0d564a2c06ce371ed599e8316b942b521a0b
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Held = type { ptr, i64, i64, i64, i64, i64, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr }

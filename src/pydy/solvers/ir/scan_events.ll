@@ -1,4 +1,4 @@
-; sources 8813d0fd2a18f8de47435bb98b91689035cdbe23e34ba1e6a92bb255bdc455a0
+; sources 7fcff398ff6b7e1d9d6a1d7fd6e531a42053e5a6565b6a72b25b1bda2c022529
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Stepper = type { ptr, ptr, ptr }
@@ -39,7 +39,7 @@ define i64 @scan_events(ptr noundef %0, double noundef %1, double noundef %2) #0
   %31 = getelementptr inbounds double, ptr %26, i64 %12
   %32 = load double, ptr %30, align 8
   %33 = fcmp oeq double %32, %1
-  %34 = getelementptr inbounds i8, ptr %0, i64 936
+  %34 = getelementptr inbounds i8, ptr %0, i64 960
   %35 = getelementptr inbounds i8, ptr %0, i64 408
   %36 = getelementptr inbounds i8, ptr %0, i64 504
   %37 = getelementptr inbounds i8, ptr %0, i64 320
@@ -111,11 +111,11 @@ define i64 @scan_events(ptr noundef %0, double noundef %1, double noundef %2) #0
   %89 = getelementptr inbounds i8, ptr %88, i64 80
   store i64 %23, ptr %89, align 8
   %90 = load ptr, ptr %19, align 8
-  br label %750
+  br label %1062
 
 91:                                               ; preds = %44
-  %92 = call fastcc i64 @resolve(ptr noundef %0, ptr noundef nonnull %4, double noundef %1, double noundef %2) #8
-  switch i64 %92, label %754 [
+  %92 = call fastcc i64 @resolve(ptr noundef nonnull %0, ptr noundef nonnull %4, double noundef %1, double noundef %2) #8
+  switch i64 %92, label %1066 [
     i64 0, label %97
     i64 -4, label %93
   ]
@@ -125,964 +125,1398 @@ define i64 @scan_events(ptr noundef %0, double noundef %1, double noundef %2) #0
   %95 = getelementptr inbounds i8, ptr %94, i64 80
   store i64 %23, ptr %95, align 8
   %96 = load ptr, ptr %19, align 8
-  br label %750
+  br label %1062
 
 97:                                               ; preds = %91
   store double 0x7FF8000000000000, ptr %30, align 8
   %98 = getelementptr inbounds i8, ptr %0, i64 792
-  %99 = getelementptr inbounds i8, ptr %0, i64 936
-  %100 = getelementptr inbounds i8, ptr %0, i64 408
-  %101 = getelementptr inbounds i8, ptr %0, i64 504
-  %102 = getelementptr inbounds i8, ptr %0, i64 320
-  %103 = getelementptr inbounds i8, ptr %0, i64 168
-  %104 = getelementptr inbounds i8, ptr %0, i64 248
-  %105 = getelementptr inbounds i8, ptr %0, i64 168
-  %106 = getelementptr inbounds i8, ptr %0, i64 192
-  %107 = getelementptr inbounds i8, ptr %0, i64 744
-  %108 = getelementptr inbounds i8, ptr %0, i64 936
-  %109 = getelementptr inbounds i8, ptr %0, i64 408
-  %110 = getelementptr inbounds i8, ptr %0, i64 504
-  %111 = getelementptr inbounds i8, ptr %0, i64 320
-  %112 = getelementptr inbounds i8, ptr %0, i64 168
-  %113 = getelementptr inbounds i8, ptr %0, i64 248
-  %114 = getelementptr inbounds i8, ptr %0, i64 168
-  %115 = getelementptr inbounds i8, ptr %0, i64 192
-  %116 = getelementptr inbounds i8, ptr %0, i64 744
-  %117 = icmp sgt i64 %12, 0
-  %118 = getelementptr inbounds i8, ptr %0, i64 792
-  %119 = getelementptr inbounds i8, ptr %0, i64 936
-  %120 = getelementptr inbounds i8, ptr %0, i64 408
-  %121 = getelementptr inbounds i8, ptr %0, i64 504
-  %122 = getelementptr inbounds i8, ptr %0, i64 320
-  %123 = getelementptr inbounds i8, ptr %0, i64 168
-  %124 = getelementptr inbounds i8, ptr %0, i64 248
-  %125 = getelementptr inbounds i8, ptr %0, i64 168
-  %126 = getelementptr inbounds i8, ptr %0, i64 192
-  %127 = getelementptr inbounds i8, ptr %0, i64 744
-  %128 = icmp slt i64 %12, 1
-  %129 = icmp sgt i64 %12, 0
-  %130 = getelementptr inbounds i8, ptr %0, i64 792
-  %131 = getelementptr inbounds i8, ptr %24, i64 48
-  %132 = icmp sgt i64 %12, 0
-  %133 = getelementptr inbounds i8, ptr %0, i64 968
-  %134 = getelementptr inbounds i8, ptr %0, i64 960
-  %135 = getelementptr inbounds i8, ptr %0, i64 984
-  %136 = getelementptr inbounds i8, ptr %0, i64 1008
-  %137 = getelementptr inbounds i8, ptr %0, i64 1024
-  %138 = getelementptr inbounds i8, ptr %0, i64 968
-  %139 = getelementptr inbounds i8, ptr %24, i64 48
-  %140 = icmp sgt i64 %12, 0
-  %141 = getelementptr inbounds i8, ptr %24, i64 48
-  %142 = icmp sgt i64 %12, 0
-  br label %143
+  %99 = getelementptr inbounds i8, ptr %0, i64 960
+  %100 = load ptr, ptr %7, align 8
+  %101 = getelementptr inbounds i8, ptr %100, i64 96
+  %102 = getelementptr inbounds i8, ptr %100, i64 192
+  %103 = getelementptr inbounds i8, ptr %100, i64 8
+  %104 = load ptr, ptr %4, align 8
+  %105 = load ptr, ptr %5, align 8
+  %106 = getelementptr inbounds i8, ptr %0, i64 168
+  %107 = getelementptr inbounds i8, ptr %0, i64 248
+  %108 = getelementptr inbounds i8, ptr %0, i64 168
+  %109 = getelementptr inbounds i8, ptr %0, i64 192
+  %110 = getelementptr inbounds i8, ptr %0, i64 744
+  %111 = getelementptr inbounds i8, ptr %0, i64 960
+  %112 = load ptr, ptr %7, align 8
+  %113 = getelementptr inbounds i8, ptr %112, i64 96
+  %114 = getelementptr inbounds i8, ptr %112, i64 192
+  %115 = getelementptr inbounds i8, ptr %112, i64 8
+  %116 = load ptr, ptr %4, align 8
+  %117 = load ptr, ptr %5, align 8
+  %118 = getelementptr inbounds i8, ptr %0, i64 168
+  %119 = getelementptr inbounds i8, ptr %0, i64 248
+  %120 = getelementptr inbounds i8, ptr %0, i64 168
+  %121 = getelementptr inbounds i8, ptr %0, i64 192
+  %122 = getelementptr inbounds i8, ptr %0, i64 744
+  %123 = icmp sgt i64 %12, 0
+  %124 = getelementptr inbounds i8, ptr %0, i64 792
+  %125 = getelementptr inbounds i8, ptr %0, i64 960
+  %126 = load ptr, ptr %7, align 8
+  %127 = getelementptr inbounds i8, ptr %126, i64 96
+  %128 = getelementptr inbounds i8, ptr %126, i64 192
+  %129 = getelementptr inbounds i8, ptr %126, i64 8
+  %130 = load ptr, ptr %4, align 8
+  %131 = load ptr, ptr %5, align 8
+  %132 = getelementptr inbounds i8, ptr %0, i64 168
+  %133 = getelementptr inbounds i8, ptr %0, i64 248
+  %134 = getelementptr inbounds i8, ptr %0, i64 168
+  %135 = getelementptr inbounds i8, ptr %0, i64 192
+  %136 = getelementptr inbounds i8, ptr %0, i64 744
+  %137 = icmp slt i64 %12, 1
+  %138 = icmp sgt i64 %12, 0
+  %139 = getelementptr inbounds i8, ptr %0, i64 792
+  %140 = getelementptr inbounds i8, ptr %24, i64 48
+  %141 = getelementptr inbounds i8, ptr %0, i64 624
+  %142 = getelementptr inbounds i8, ptr %0, i64 632
+  %143 = fadd double %1, %2
+  %144 = tail call double @llvm.fabs.f64(double %143)
+  %145 = getelementptr inbounds i8, ptr %0, i64 944
+  %146 = getelementptr inbounds i8, ptr %0, i64 936
+  %147 = icmp sgt i64 %12, 0
+  %148 = getelementptr inbounds i8, ptr %0, i64 992
+  %149 = getelementptr inbounds i8, ptr %0, i64 984
+  %150 = getelementptr inbounds i8, ptr %0, i64 1008
+  %151 = getelementptr inbounds i8, ptr %0, i64 1032
+  %152 = getelementptr inbounds i8, ptr %0, i64 1048
+  %153 = getelementptr inbounds i8, ptr %0, i64 624
+  %154 = getelementptr inbounds i8, ptr %0, i64 632
+  %155 = fadd double %1, %2
+  %156 = tail call double @llvm.fabs.f64(double %155)
+  %157 = getelementptr inbounds i8, ptr %0, i64 944
+  %158 = getelementptr inbounds i8, ptr %0, i64 936
+  %159 = getelementptr inbounds i8, ptr %0, i64 992
+  %160 = getelementptr inbounds i8, ptr %24, i64 48
+  %161 = icmp sgt i64 %12, 0
+  %162 = getelementptr inbounds i8, ptr %24, i64 48
+  %163 = icmp sgt i64 %12, 0
+  %164 = getelementptr inbounds i8, ptr %0, i64 944
+  %165 = getelementptr inbounds i8, ptr %0, i64 936
+  br label %166
 
-143:                                              ; preds = %97, %729
-  %144 = phi i1 [ false, %97 ], [ %733, %729 ]
-  %145 = phi i64 [ -4, %97 ], [ %727, %729 ]
-  %146 = phi double [ 0.000000e+00, %97 ], [ %726, %729 ]
-  %147 = phi i32 [ 1, %97 ], [ %732, %729 ]
-  %148 = zext nneg i32 %147 to i64
-  %149 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %148
-  %150 = load double, ptr %149, align 8
-  %151 = load ptr, ptr %9, align 8
-  %152 = getelementptr inbounds i8, ptr %151, i64 8
-  %153 = load i64, ptr %152, align 8
-  %154 = load ptr, ptr %25, align 8
-  %155 = add nuw nsw i32 %147, 2
-  %156 = zext nneg i32 %155 to i64
-  %157 = mul nsw i64 %153, %156
-  %158 = getelementptr inbounds double, ptr %154, i64 %157
-  %159 = icmp sgt i64 %153, 0
-  br i1 %159, label %160, label %287
+166:                                              ; preds = %97, %1041
+  %167 = phi i1 [ false, %97 ], [ %1045, %1041 ]
+  %168 = phi i64 [ -4, %97 ], [ %1039, %1041 ]
+  %169 = phi double [ 0.000000e+00, %97 ], [ %1038, %1041 ]
+  %170 = phi i32 [ 1, %97 ], [ %1044, %1041 ]
+  %171 = zext nneg i32 %170 to i64
+  %172 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %171
+  %173 = load double, ptr %172, align 8
+  %174 = mul nsw i64 %12, %171
+  %175 = load ptr, ptr %9, align 8
+  %176 = getelementptr inbounds i8, ptr %175, i64 8
+  %177 = load i64, ptr %176, align 8
+  %178 = load ptr, ptr %25, align 8
+  %179 = add nuw nsw i32 %170, 2
+  %180 = zext nneg i32 %179 to i64
+  %181 = mul nsw i64 %177, %180
+  %182 = getelementptr inbounds double, ptr %178, i64 %181
+  %183 = icmp sgt i64 %177, 0
+  br i1 %183, label %184, label %311
 
-160:                                              ; preds = %143
-  %161 = add nsw i32 %147, -1
-  %162 = icmp ugt i32 %147, 1
-  %163 = select i1 %162, i32 %161, i32 1
-  %164 = icmp sle i32 %163, %147
-  %165 = icmp slt i32 %163, 4
-  %166 = and i1 %164, %165
-  %167 = zext nneg i32 %147 to i64
-  %168 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %167
-  %169 = tail call i32 @llvm.smin.i32(i32 %147, i32 3)
-  br label %170
+184:                                              ; preds = %166
+  %185 = add nsw i32 %170, -1
+  %186 = icmp ugt i32 %170, 1
+  %187 = select i1 %186, i32 %185, i32 1
+  %188 = icmp sle i32 %187, %170
+  %189 = icmp slt i32 %187, 4
+  %190 = and i1 %188, %189
+  %191 = zext nneg i32 %170 to i64
+  %192 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %191
+  %193 = tail call i32 @llvm.smin.i32(i32 %170, i32 3)
+  br label %194
 
-170:                                              ; preds = %160, %284
-  %171 = phi double [ 2.000000e+00, %160 ], [ %283, %284 ]
-  %172 = phi i64 [ 0, %160 ], [ %285, %284 ]
-  %173 = phi double [ 2.000000e+00, %160 ], [ %281, %284 ]
-  %174 = load ptr, ptr %15, align 8
-  %175 = getelementptr inbounds i64, ptr %174, i64 %172
-  %176 = load i64, ptr %175, align 8
-  %177 = sitofp i64 %176 to double
-  br i1 %166, label %178, label %280
-
-178:                                              ; preds = %170
-  %179 = getelementptr inbounds double, ptr %154, i64 %172
-  br label %180
-
-180:                                              ; preds = %178, %277
-  %181 = phi i32 [ %163, %178 ], [ %278, %277 ]
-  %182 = phi double [ %171, %178 ], [ %276, %277 ]
-  %183 = phi double [ %173, %178 ], [ %274, %277 ]
-  %184 = call fastcc double @least_place(ptr noundef %0, ptr noundef nonnull %4, double noundef %1, double noundef %2, i64 noundef %172, double noundef %177, i32 noundef %181, i32 noundef %147) #8
-  %185 = fcmp oeq double %184, -4.000000e+00
-  br i1 %185, label %273, label %186
-
-186:                                              ; preds = %180
-  %187 = fcmp ogt double %184, %146
-  br i1 %187, label %188, label %273
-
-188:                                              ; preds = %186
-  %189 = load double, ptr %168, align 8
-  %190 = fcmp olt double %182, %189
-  %191 = select i1 %190, double %182, double %189
-  %192 = fcmp olt double %184, %191
-  br i1 %192, label %195, label %273
-
-193:                                              ; preds = %230
-  %194 = fcmp ugt double %231, 1.000000e+00
-  br i1 %194, label %266, label %234
-
-195:                                              ; preds = %188, %230
-  %196 = phi i64 [ %232, %230 ], [ 0, %188 ]
-  %197 = phi double [ %231, %230 ], [ %183, %188 ]
-  %198 = load ptr, ptr %98, align 8
+194:                                              ; preds = %184, %308
+  %195 = phi double [ 2.000000e+00, %184 ], [ %307, %308 ]
+  %196 = phi i64 [ 0, %184 ], [ %309, %308 ]
+  %197 = phi double [ 2.000000e+00, %184 ], [ %305, %308 ]
+  %198 = load ptr, ptr %15, align 8
   %199 = getelementptr inbounds i64, ptr %198, i64 %196
   %200 = load i64, ptr %199, align 8
-  %201 = icmp eq i64 %200, 1
-  br i1 %201, label %202, label %230
+  %201 = sitofp i64 %200 to double
+  br i1 %190, label %202, label %304
 
-202:                                              ; preds = %195
-  %203 = load ptr, ptr %15, align 8
-  %204 = getelementptr inbounds i64, ptr %203, i64 %196
-  %205 = load i64, ptr %204, align 8
-  %206 = getelementptr inbounds double, ptr %158, i64 %196
-  %207 = load double, ptr %206, align 8
-  %208 = load ptr, ptr %13, align 8
-  %209 = getelementptr inbounds i64, ptr %208, i64 %196
-  %210 = load i64, ptr %209, align 8
-  %211 = icmp slt i64 %205, 0
-  %212 = fcmp ogt double %207, 0.000000e+00
-  %213 = and i1 %211, %212
-  %214 = icmp sgt i64 %210, -1
-  %215 = and i1 %213, %214
-  br i1 %215, label %223, label %216
+202:                                              ; preds = %194
+  %203 = getelementptr inbounds double, ptr %178, i64 %196
+  br label %204
 
-216:                                              ; preds = %202
-  %217 = icmp sgt i64 %205, 0
-  %218 = fcmp olt double %207, 0.000000e+00
-  %219 = and i1 %217, %218
-  br i1 %219, label %220, label %223
+204:                                              ; preds = %202, %301
+  %205 = phi i32 [ %187, %202 ], [ %302, %301 ]
+  %206 = phi double [ %195, %202 ], [ %300, %301 ]
+  %207 = phi double [ %197, %202 ], [ %298, %301 ]
+  %208 = call fastcc double @least_place(ptr noundef nonnull %0, ptr noundef nonnull %4, double noundef %1, double noundef %2, i64 noundef %196, double noundef %201, i32 noundef %205, i32 noundef %170) #8
+  %209 = fcmp oeq double %208, -4.000000e+00
+  br i1 %209, label %297, label %210
 
-220:                                              ; preds = %216
-  %221 = icmp slt i64 %210, 1
-  %222 = zext i1 %221 to i32
-  br label %223
+210:                                              ; preds = %204
+  %211 = fcmp ogt double %208, %169
+  br i1 %211, label %212, label %297
 
-223:                                              ; preds = %202, %216, %220
-  %224 = phi i32 [ 1, %202 ], [ 0, %216 ], [ %222, %220 ]
-  %225 = icmp eq i32 %224, 0
-  br i1 %225, label %230, label %226
+212:                                              ; preds = %210
+  %213 = load double, ptr %192, align 8
+  %214 = fcmp olt double %206, %213
+  %215 = select i1 %214, double %206, double %213
+  %216 = fcmp olt double %208, %215
+  br i1 %216, label %219, label %297
 
-226:                                              ; preds = %223
-  %227 = call fastcc double @locate(ptr noundef %0, ptr noundef nonnull %4, double noundef %1, double noundef %2, double noundef %146, double noundef %189, i64 noundef %196) #8
-  %228 = fcmp olt double %197, %227
-  %229 = select i1 %228, double %197, double %227
-  br label %230
+217:                                              ; preds = %254
+  %218 = fcmp ugt double %255, 1.000000e+00
+  br i1 %218, label %290, label %258
 
-230:                                              ; preds = %226, %223, %195
-  %231 = phi double [ %229, %226 ], [ %197, %223 ], [ %197, %195 ]
-  %232 = add nuw nsw i64 %196, 1
-  %233 = icmp eq i64 %232, %153
-  br i1 %233, label %193, label %195, !llvm.loop !6
+219:                                              ; preds = %212, %254
+  %220 = phi i64 [ %256, %254 ], [ 0, %212 ]
+  %221 = phi double [ %255, %254 ], [ %207, %212 ]
+  %222 = load ptr, ptr %98, align 8
+  %223 = getelementptr inbounds i64, ptr %222, i64 %220
+  %224 = load i64, ptr %223, align 8
+  %225 = icmp eq i64 %224, 1
+  br i1 %225, label %226, label %254
 
-234:                                              ; preds = %193
-  %235 = load ptr, ptr %99, align 8
-  %236 = load ptr, ptr %100, align 8
-  %237 = insertelement <8 x double> poison, double %231, i64 0
-  %238 = shufflevector <8 x double> %237, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %238, ptr %236, align 8
-  %239 = load ptr, ptr %8, align 8
-  %240 = load ptr, ptr %101, align 8
-  %241 = load i64, ptr %102, align 8
-  %242 = load ptr, ptr %0, align 8
-  %243 = getelementptr inbounds i8, ptr %242, i64 24
-  %244 = load i64, ptr %243, align 8
-  %245 = load ptr, ptr %100, align 8
-  %246 = load ptr, ptr %6, align 8
-  %247 = getelementptr inbounds i8, ptr %246, i64 16
-  %248 = load i64, ptr %247, align 8
-  tail call fastcc void @nested(ptr noundef %235, ptr noundef %239, ptr noundef %240, i64 noundef %241, i64 noundef %244, ptr noundef %245, i64 noundef %248) #8
-  %249 = fmul double %231, %2
-  %250 = fadd double %249, %1
-  %251 = load ptr, ptr %103, align 8
-  store double %250, ptr %251, align 8
-  %252 = load i64, ptr %104, align 8
-  %253 = icmp sgt i64 %252, 0
-  br i1 %253, label %254, label %255
+226:                                              ; preds = %219
+  %227 = load ptr, ptr %15, align 8
+  %228 = getelementptr inbounds i64, ptr %227, i64 %220
+  %229 = load i64, ptr %228, align 8
+  %230 = getelementptr inbounds double, ptr %182, i64 %220
+  %231 = load double, ptr %230, align 8
+  %232 = load ptr, ptr %13, align 8
+  %233 = getelementptr inbounds i64, ptr %232, i64 %220
+  %234 = load i64, ptr %233, align 8
+  %235 = icmp slt i64 %229, 0
+  %236 = fcmp ogt double %231, 0.000000e+00
+  %237 = and i1 %235, %236
+  %238 = icmp sgt i64 %234, -1
+  %239 = and i1 %237, %238
+  br i1 %239, label %247, label %240
 
-254:                                              ; preds = %234
-  tail call fastcc void @sample(ptr noundef nonnull %6) #8
-  br label %255
+240:                                              ; preds = %226
+  %241 = icmp sgt i64 %229, 0
+  %242 = fcmp olt double %231, 0.000000e+00
+  %243 = and i1 %241, %242
+  br i1 %243, label %244, label %247
 
-255:                                              ; preds = %234, %254
-  %256 = load ptr, ptr %9, align 8
-  %257 = load i64, ptr %256, align 8
-  %258 = load ptr, ptr %105, align 8
+244:                                              ; preds = %240
+  %245 = icmp slt i64 %234, 1
+  %246 = zext i1 %245 to i32
+  br label %247
+
+247:                                              ; preds = %226, %240, %244
+  %248 = phi i32 [ 1, %226 ], [ 0, %240 ], [ %246, %244 ]
+  %249 = icmp eq i32 %248, 0
+  br i1 %249, label %254, label %250
+
+250:                                              ; preds = %247
+  %251 = call fastcc double @locate(ptr noundef nonnull %0, ptr noundef nonnull %4, double noundef %1, double noundef %2, double noundef %169, double noundef %213, i64 noundef %220) #8
+  %252 = fcmp olt double %221, %251
+  %253 = select i1 %252, double %221, double %251
+  br label %254
+
+254:                                              ; preds = %250, %247, %219
+  %255 = phi double [ %253, %250 ], [ %221, %247 ], [ %221, %219 ]
+  %256 = add nuw nsw i64 %220, 1
+  %257 = icmp eq i64 %256, %177
+  br i1 %257, label %217, label %219, !llvm.loop !6
+
+258:                                              ; preds = %217
   %259 = load ptr, ptr %99, align 8
-  %260 = load ptr, ptr %106, align 8
-  %261 = load ptr, ptr %107, align 8
-  %262 = load ptr, ptr %25, align 8
-  %263 = inttoptr i64 %257 to ptr
-  %264 = tail call i32 %263(ptr noundef %258, ptr noundef %259, ptr noundef %260, ptr noundef %261, ptr noundef %262) #9
-  %265 = icmp slt i32 %264, 0
-  br i1 %265, label %273, label %266
+  %260 = load ptr, ptr %101, align 8
+  %261 = insertelement <8 x double> poison, double %255, i64 0
+  %262 = shufflevector <8 x double> %261, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %262, ptr %260, align 8
+  %263 = load ptr, ptr %100, align 8
+  %264 = load ptr, ptr %102, align 8
+  %265 = load i64, ptr %103, align 8
+  %266 = load ptr, ptr %104, align 8
+  %267 = getelementptr inbounds i8, ptr %266, i64 24
+  %268 = load i64, ptr %267, align 8
+  %269 = load ptr, ptr %101, align 8
+  %270 = load ptr, ptr %105, align 8
+  %271 = getelementptr inbounds i8, ptr %270, i64 16
+  %272 = load i64, ptr %271, align 8
+  tail call fastcc void @nested(ptr noundef %259, ptr noundef %263, ptr noundef %264, i64 noundef %265, i64 noundef %268, ptr noundef %269, i64 noundef %272) #8
+  %273 = fmul double %255, %2
+  %274 = fadd double %273, %1
+  %275 = load ptr, ptr %106, align 8
+  store double %274, ptr %275, align 8
+  %276 = load i64, ptr %107, align 8
+  %277 = icmp sgt i64 %276, 0
+  br i1 %277, label %278, label %279
 
-266:                                              ; preds = %255, %193
-  %267 = fcmp ogt double %231, 1.000000e+00
-  br i1 %267, label %272, label %268
-
-268:                                              ; preds = %266
-  %269 = load double, ptr %179, align 8
-  %270 = fmul double %269, %177
-  %271 = fcmp ogt double %270, 0.000000e+00
-  br i1 %271, label %272, label %273
-
-272:                                              ; preds = %268, %266
-  br label %273
-
-273:                                              ; preds = %272, %268, %255, %188, %186, %180
-  %274 = phi double [ %183, %180 ], [ %183, %188 ], [ %183, %186 ], [ %231, %255 ], [ %231, %272 ], [ %231, %268 ]
-  %275 = phi i32 [ 1, %180 ], [ 7, %188 ], [ 7, %186 ], [ 1, %255 ], [ 0, %272 ], [ 0, %268 ]
-  %276 = phi double [ %182, %180 ], [ %182, %188 ], [ %182, %186 ], [ %182, %255 ], [ %184, %272 ], [ %182, %268 ]
-  switch i32 %275, label %280 [
-    i32 0, label %277
-    i32 7, label %277
-  ]
-
-277:                                              ; preds = %273, %273
-  %278 = add nsw i32 %181, 1
-  %279 = icmp slt i32 %181, %169
-  br i1 %279, label %180, label %280, !llvm.loop !7
-
-280:                                              ; preds = %277, %273, %170
-  %281 = phi double [ %173, %170 ], [ %274, %273 ], [ %274, %277 ]
-  %282 = phi i32 [ 5, %170 ], [ 5, %277 ], [ %275, %273 ]
-  %283 = phi double [ %171, %170 ], [ %276, %273 ], [ %276, %277 ]
-  switch i32 %282, label %287 [
-    i32 5, label %284
-    i32 0, label %284
-  ]
-
-284:                                              ; preds = %280, %280
-  %285 = add nuw nsw i64 %172, 1
-  %286 = icmp eq i64 %285, %153
-  br i1 %286, label %287, label %170, !llvm.loop !8
-
-287:                                              ; preds = %280, %284, %143
-  %288 = phi double [ 2.000000e+00, %143 ], [ -4.000000e+00, %280 ], [ %283, %284 ]
-  %289 = fcmp olt double %288, 0.000000e+00
-  br i1 %289, label %719, label %290
-
-290:                                              ; preds = %287
-  %291 = mul nsw i64 %12, %148
-  %292 = getelementptr inbounds double, ptr %28, i64 %291
-  %293 = fcmp olt double %288, %150
-  br i1 %293, label %294, label %327
-
-294:                                              ; preds = %290
-  %295 = load ptr, ptr %25, align 8
-  %296 = load ptr, ptr %108, align 8
-  %297 = load ptr, ptr %109, align 8
-  %298 = insertelement <8 x double> poison, double %288, i64 0
-  %299 = shufflevector <8 x double> %298, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %299, ptr %297, align 8
-  %300 = load ptr, ptr %8, align 8
-  %301 = load ptr, ptr %110, align 8
-  %302 = load i64, ptr %111, align 8
-  %303 = load ptr, ptr %0, align 8
-  %304 = getelementptr inbounds i8, ptr %303, i64 24
-  %305 = load i64, ptr %304, align 8
-  %306 = load ptr, ptr %109, align 8
-  %307 = load ptr, ptr %6, align 8
-  %308 = getelementptr inbounds i8, ptr %307, i64 16
-  %309 = load i64, ptr %308, align 8
-  tail call fastcc void @nested(ptr noundef %296, ptr noundef %300, ptr noundef %301, i64 noundef %302, i64 noundef %305, ptr noundef %306, i64 noundef %309) #8
-  %310 = fmul double %288, %2
-  %311 = fadd double %310, %1
-  %312 = load ptr, ptr %112, align 8
-  store double %311, ptr %312, align 8
-  %313 = load i64, ptr %113, align 8
-  %314 = icmp sgt i64 %313, 0
-  br i1 %314, label %315, label %316
-
-315:                                              ; preds = %294
+278:                                              ; preds = %258
   tail call fastcc void @sample(ptr noundef nonnull %6) #8
-  br label %316
+  br label %279
 
-316:                                              ; preds = %294, %315
-  %317 = load ptr, ptr %9, align 8
-  %318 = load i64, ptr %317, align 8
-  %319 = load ptr, ptr %114, align 8
-  %320 = load ptr, ptr %108, align 8
-  %321 = load ptr, ptr %115, align 8
-  %322 = load ptr, ptr %116, align 8
-  %323 = load ptr, ptr %25, align 8
-  %324 = inttoptr i64 %318 to ptr
-  %325 = tail call i32 %324(ptr noundef %319, ptr noundef %320, ptr noundef %321, ptr noundef %322, ptr noundef %323) #9
-  %326 = icmp slt i32 %325, 0
-  br i1 %326, label %719, label %327
+279:                                              ; preds = %258, %278
+  %280 = load ptr, ptr %9, align 8
+  %281 = load i64, ptr %280, align 8
+  %282 = load ptr, ptr %108, align 8
+  %283 = load ptr, ptr %99, align 8
+  %284 = load ptr, ptr %109, align 8
+  %285 = load ptr, ptr %110, align 8
+  %286 = load ptr, ptr %25, align 8
+  %287 = inttoptr i64 %281 to ptr
+  %288 = tail call i32 %287(ptr noundef %282, ptr noundef %283, ptr noundef %284, ptr noundef %285, ptr noundef %286) #9
+  %289 = icmp slt i32 %288, 0
+  br i1 %289, label %297, label %290
 
-327:                                              ; preds = %316, %290
-  %328 = phi double [ %288, %316 ], [ %150, %290 ]
-  %329 = phi ptr [ %295, %316 ], [ %292, %290 ]
-  br label %330
+290:                                              ; preds = %279, %217
+  %291 = fcmp ogt double %255, 1.000000e+00
+  br i1 %291, label %296, label %292
 
-330:                                              ; preds = %701, %327
-  %331 = phi double [ %146, %327 ], [ %703, %701 ]
-  %332 = phi i64 [ %145, %327 ], [ %704, %701 ]
-  br i1 %117, label %337, label %333
+292:                                              ; preds = %290
+  %293 = load double, ptr %203, align 8
+  %294 = fmul double %293, %201
+  %295 = fcmp ogt double %294, 0.000000e+00
+  br i1 %295, label %296, label %297
 
-333:                                              ; preds = %387, %330
-  %334 = phi double [ 2.000000e+00, %330 ], [ %388, %387 ]
-  %335 = phi i32 [ 0, %330 ], [ %389, %387 ]
-  %336 = fcmp ogt double %334, 1.000000e+00
-  br i1 %336, label %701, label %392
+296:                                              ; preds = %292, %290
+  br label %297
 
-337:                                              ; preds = %330, %387
-  %338 = phi i64 [ %390, %387 ], [ 0, %330 ]
-  %339 = phi i32 [ %389, %387 ], [ 0, %330 ]
-  %340 = phi double [ %388, %387 ], [ 2.000000e+00, %330 ]
-  %341 = getelementptr inbounds i64, ptr %18, i64 %338
-  store i64 0, ptr %341, align 8
-  %342 = getelementptr inbounds i64, ptr %16, i64 %338
-  %343 = load i64, ptr %342, align 8
-  %344 = getelementptr inbounds double, ptr %329, i64 %338
-  %345 = load double, ptr %344, align 8
-  %346 = getelementptr inbounds i64, ptr %14, i64 %338
-  %347 = load i64, ptr %346, align 8
-  %348 = icmp slt i64 %343, 0
-  %349 = fcmp ogt double %345, 0.000000e+00
-  %350 = and i1 %348, %349
-  %351 = icmp sgt i64 %347, -1
-  %352 = and i1 %350, %351
-  br i1 %352, label %360, label %353
+297:                                              ; preds = %296, %292, %279, %212, %210, %204
+  %298 = phi double [ %207, %204 ], [ %207, %212 ], [ %207, %210 ], [ %255, %279 ], [ %255, %296 ], [ %255, %292 ]
+  %299 = phi i32 [ 1, %204 ], [ 7, %212 ], [ 7, %210 ], [ 1, %279 ], [ 0, %296 ], [ 0, %292 ]
+  %300 = phi double [ %206, %204 ], [ %206, %212 ], [ %206, %210 ], [ %206, %279 ], [ %208, %296 ], [ %206, %292 ]
+  switch i32 %299, label %304 [
+    i32 0, label %301
+    i32 7, label %301
+  ]
 
-353:                                              ; preds = %337
-  %354 = icmp sgt i64 %343, 0
-  %355 = fcmp olt double %345, 0.000000e+00
-  %356 = and i1 %354, %355
-  br i1 %356, label %357, label %360
+301:                                              ; preds = %297, %297
+  %302 = add nsw i32 %205, 1
+  %303 = icmp slt i32 %205, %193
+  br i1 %303, label %204, label %304, !llvm.loop !7
 
-357:                                              ; preds = %353
-  %358 = icmp slt i64 %347, 1
-  %359 = zext i1 %358 to i32
-  br label %360
+304:                                              ; preds = %301, %297, %194
+  %305 = phi double [ %197, %194 ], [ %298, %297 ], [ %298, %301 ]
+  %306 = phi i32 [ 5, %194 ], [ 5, %301 ], [ %299, %297 ]
+  %307 = phi double [ %195, %194 ], [ %300, %297 ], [ %300, %301 ]
+  switch i32 %306, label %311 [
+    i32 5, label %308
+    i32 0, label %308
+  ]
 
-360:                                              ; preds = %337, %353, %357
-  %361 = phi i32 [ 1, %337 ], [ 0, %353 ], [ %359, %357 ]
-  %362 = icmp eq i32 %361, 0
-  br i1 %362, label %363, label %367
+308:                                              ; preds = %304, %304
+  %309 = add nuw nsw i64 %196, 1
+  %310 = icmp eq i64 %309, %177
+  br i1 %310, label %311, label %194, !llvm.loop !8
 
-363:                                              ; preds = %360
-  %364 = icmp eq i64 %343, 0
-  %365 = fcmp ord double %345, 0.000000e+00
-  %366 = or i1 %364, %365
-  br i1 %366, label %387, label %367
+311:                                              ; preds = %304, %308, %166
+  %312 = phi double [ 2.000000e+00, %166 ], [ -4.000000e+00, %304 ], [ %307, %308 ]
+  %313 = fcmp olt double %312, 0.000000e+00
+  br i1 %313, label %1031, label %314
 
-367:                                              ; preds = %363, %360
-  %368 = call fastcc double @locate(ptr noundef %0, ptr noundef nonnull %4, double noundef %1, double noundef %2, double noundef %331, double noundef %328, i64 noundef %338) #8
-  %369 = fcmp ole double %368, %331
-  %370 = zext i1 %369 to i64
-  store i64 %370, ptr %341, align 8
-  %371 = fcmp uge double %368, %340
-  %372 = select i1 %371, i32 %339, i32 0
-  %373 = fcmp ugt double %368, %340
-  br i1 %373, label %384, label %374
+314:                                              ; preds = %311
+  %315 = getelementptr double, ptr %28, i64 %174
+  %316 = fcmp olt double %312, %173
+  br i1 %316, label %317, label %350
 
-374:                                              ; preds = %367
-  %375 = icmp eq i32 %372, 0
-  br i1 %375, label %376, label %381
+317:                                              ; preds = %314
+  %318 = load ptr, ptr %25, align 8
+  %319 = load ptr, ptr %111, align 8
+  %320 = load ptr, ptr %113, align 8
+  %321 = insertelement <8 x double> poison, double %312, i64 0
+  %322 = shufflevector <8 x double> %321, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %322, ptr %320, align 8
+  %323 = load ptr, ptr %112, align 8
+  %324 = load ptr, ptr %114, align 8
+  %325 = load i64, ptr %115, align 8
+  %326 = load ptr, ptr %116, align 8
+  %327 = getelementptr inbounds i8, ptr %326, i64 24
+  %328 = load i64, ptr %327, align 8
+  %329 = load ptr, ptr %113, align 8
+  %330 = load ptr, ptr %117, align 8
+  %331 = getelementptr inbounds i8, ptr %330, i64 16
+  %332 = load i64, ptr %331, align 8
+  tail call fastcc void @nested(ptr noundef %319, ptr noundef %323, ptr noundef %324, i64 noundef %325, i64 noundef %328, ptr noundef %329, i64 noundef %332) #8
+  %333 = fmul double %312, %2
+  %334 = fadd double %333, %1
+  %335 = load ptr, ptr %118, align 8
+  store double %334, ptr %335, align 8
+  %336 = load i64, ptr %119, align 8
+  %337 = icmp sgt i64 %336, 0
+  br i1 %337, label %338, label %339
 
-376:                                              ; preds = %374
-  %377 = load ptr, ptr %118, align 8
-  %378 = getelementptr inbounds i64, ptr %377, i64 %338
-  %379 = load i64, ptr %378, align 8
-  %380 = icmp eq i64 %379, 1
-  br label %381
+338:                                              ; preds = %317
+  tail call fastcc void @sample(ptr noundef nonnull %6) #8
+  br label %339
 
-381:                                              ; preds = %376, %374
-  %382 = phi i1 [ true, %374 ], [ %380, %376 ]
-  %383 = zext i1 %382 to i32
-  br label %384
+339:                                              ; preds = %317, %338
+  %340 = load ptr, ptr %9, align 8
+  %341 = load i64, ptr %340, align 8
+  %342 = load ptr, ptr %120, align 8
+  %343 = load ptr, ptr %111, align 8
+  %344 = load ptr, ptr %121, align 8
+  %345 = load ptr, ptr %122, align 8
+  %346 = load ptr, ptr %25, align 8
+  %347 = inttoptr i64 %341 to ptr
+  %348 = tail call i32 %347(ptr noundef %342, ptr noundef %343, ptr noundef %344, ptr noundef %345, ptr noundef %346) #9
+  %349 = icmp slt i32 %348, 0
+  br i1 %349, label %1031, label %350
 
-384:                                              ; preds = %381, %367
-  %385 = phi i32 [ %383, %381 ], [ %372, %367 ]
-  %386 = select i1 %371, double %340, double %368
-  br label %387
+350:                                              ; preds = %339, %314
+  %351 = phi double [ %312, %339 ], [ %173, %314 ]
+  %352 = phi ptr [ %318, %339 ], [ %315, %314 ]
+  br label %353
 
-387:                                              ; preds = %363, %384
-  %388 = phi double [ %386, %384 ], [ %340, %363 ]
-  %389 = phi i32 [ %385, %384 ], [ %339, %363 ]
-  %390 = add nuw nsw i64 %338, 1
-  %391 = icmp eq i64 %390, %12
-  br i1 %391, label %333, label %337, !llvm.loop !9
+353:                                              ; preds = %975, %350
+  %354 = phi double [ %169, %350 ], [ %977, %975 ]
+  %355 = phi i64 [ %168, %350 ], [ %978, %975 ]
+  br i1 %123, label %360, label %356
 
-392:                                              ; preds = %333
-  %393 = load ptr, ptr %119, align 8
-  %394 = load ptr, ptr %120, align 8
-  %395 = insertelement <8 x double> poison, double %334, i64 0
-  %396 = shufflevector <8 x double> %395, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %396, ptr %394, align 8
-  %397 = load ptr, ptr %8, align 8
-  %398 = load ptr, ptr %121, align 8
-  %399 = load i64, ptr %122, align 8
-  %400 = load ptr, ptr %0, align 8
-  %401 = getelementptr inbounds i8, ptr %400, i64 24
+356:                                              ; preds = %410, %353
+  %357 = phi double [ 2.000000e+00, %353 ], [ %411, %410 ]
+  %358 = phi i32 [ 0, %353 ], [ %412, %410 ]
+  %359 = fcmp ogt double %357, 1.000000e+00
+  br i1 %359, label %975, label %415
+
+360:                                              ; preds = %353, %410
+  %361 = phi i64 [ %413, %410 ], [ 0, %353 ]
+  %362 = phi i32 [ %412, %410 ], [ 0, %353 ]
+  %363 = phi double [ %411, %410 ], [ 2.000000e+00, %353 ]
+  %364 = getelementptr inbounds i64, ptr %18, i64 %361
+  store i64 0, ptr %364, align 8
+  %365 = getelementptr inbounds i64, ptr %16, i64 %361
+  %366 = load i64, ptr %365, align 8
+  %367 = getelementptr inbounds double, ptr %352, i64 %361
+  %368 = load double, ptr %367, align 8
+  %369 = getelementptr inbounds i64, ptr %14, i64 %361
+  %370 = load i64, ptr %369, align 8
+  %371 = icmp slt i64 %366, 0
+  %372 = fcmp ogt double %368, 0.000000e+00
+  %373 = and i1 %371, %372
+  %374 = icmp sgt i64 %370, -1
+  %375 = and i1 %373, %374
+  br i1 %375, label %383, label %376
+
+376:                                              ; preds = %360
+  %377 = icmp sgt i64 %366, 0
+  %378 = fcmp olt double %368, 0.000000e+00
+  %379 = and i1 %377, %378
+  br i1 %379, label %380, label %383
+
+380:                                              ; preds = %376
+  %381 = icmp slt i64 %370, 1
+  %382 = zext i1 %381 to i32
+  br label %383
+
+383:                                              ; preds = %360, %376, %380
+  %384 = phi i32 [ 1, %360 ], [ 0, %376 ], [ %382, %380 ]
+  %385 = icmp eq i32 %384, 0
+  br i1 %385, label %386, label %390
+
+386:                                              ; preds = %383
+  %387 = icmp eq i64 %366, 0
+  %388 = fcmp ord double %368, 0.000000e+00
+  %389 = or i1 %387, %388
+  br i1 %389, label %410, label %390
+
+390:                                              ; preds = %386, %383
+  %391 = call fastcc double @locate(ptr noundef nonnull %0, ptr noundef nonnull %4, double noundef %1, double noundef %2, double noundef %354, double noundef %351, i64 noundef %361) #8
+  %392 = fcmp ole double %391, %354
+  %393 = zext i1 %392 to i64
+  store i64 %393, ptr %364, align 8
+  %394 = fcmp uge double %391, %363
+  %395 = select i1 %394, i32 %362, i32 0
+  %396 = fcmp ugt double %391, %363
+  br i1 %396, label %407, label %397
+
+397:                                              ; preds = %390
+  %398 = icmp eq i32 %395, 0
+  br i1 %398, label %399, label %404
+
+399:                                              ; preds = %397
+  %400 = load ptr, ptr %124, align 8
+  %401 = getelementptr inbounds i64, ptr %400, i64 %361
   %402 = load i64, ptr %401, align 8
-  %403 = load ptr, ptr %120, align 8
-  %404 = load ptr, ptr %6, align 8
-  %405 = getelementptr inbounds i8, ptr %404, i64 16
-  %406 = load i64, ptr %405, align 8
-  tail call fastcc void @nested(ptr noundef %393, ptr noundef %397, ptr noundef %398, i64 noundef %399, i64 noundef %402, ptr noundef %403, i64 noundef %406) #8
-  %407 = fmul double %334, %2
-  %408 = fadd double %407, %1
-  %409 = load ptr, ptr %123, align 8
-  store double %408, ptr %409, align 8
-  %410 = load i64, ptr %124, align 8
-  %411 = icmp sgt i64 %410, 0
-  br i1 %411, label %412, label %413
+  %403 = icmp eq i64 %402, 1
+  br label %404
 
-412:                                              ; preds = %392
-  tail call fastcc void @sample(ptr noundef nonnull %6) #8
-  br label %413
+404:                                              ; preds = %399, %397
+  %405 = phi i1 [ true, %397 ], [ %403, %399 ]
+  %406 = zext i1 %405 to i32
+  br label %407
 
-413:                                              ; preds = %392, %412
-  %414 = load ptr, ptr %9, align 8
-  %415 = load i64, ptr %414, align 8
+407:                                              ; preds = %404, %390
+  %408 = phi i32 [ %406, %404 ], [ %395, %390 ]
+  %409 = select i1 %394, double %363, double %391
+  br label %410
+
+410:                                              ; preds = %386, %407
+  %411 = phi double [ %409, %407 ], [ %363, %386 ]
+  %412 = phi i32 [ %408, %407 ], [ %362, %386 ]
+  %413 = add nuw nsw i64 %361, 1
+  %414 = icmp eq i64 %413, %12
+  br i1 %414, label %356, label %360, !llvm.loop !9
+
+415:                                              ; preds = %356
   %416 = load ptr, ptr %125, align 8
-  %417 = load ptr, ptr %119, align 8
-  %418 = load ptr, ptr %126, align 8
-  %419 = load ptr, ptr %127, align 8
-  %420 = load ptr, ptr %25, align 8
-  %421 = getelementptr inbounds i8, ptr %414, i64 8
-  %422 = load i64, ptr %421, align 8
-  %423 = getelementptr inbounds double, ptr %420, i64 %422
-  %424 = inttoptr i64 %415 to ptr
-  %425 = tail call i32 %424(ptr noundef %416, ptr noundef %417, ptr noundef %418, ptr noundef %419, ptr noundef %423) #9
-  %426 = icmp slt i32 %425, 0
-  br i1 %426, label %430, label %427
+  %417 = load ptr, ptr %127, align 8
+  %418 = insertelement <8 x double> poison, double %357, i64 0
+  %419 = shufflevector <8 x double> %418, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %419, ptr %417, align 8
+  %420 = load ptr, ptr %126, align 8
+  %421 = load ptr, ptr %128, align 8
+  %422 = load i64, ptr %129, align 8
+  %423 = load ptr, ptr %130, align 8
+  %424 = getelementptr inbounds i8, ptr %423, i64 24
+  %425 = load i64, ptr %424, align 8
+  %426 = load ptr, ptr %127, align 8
+  %427 = load ptr, ptr %131, align 8
+  %428 = getelementptr inbounds i8, ptr %427, i64 16
+  %429 = load i64, ptr %428, align 8
+  tail call fastcc void @nested(ptr noundef %416, ptr noundef %420, ptr noundef %421, i64 noundef %422, i64 noundef %425, ptr noundef %426, i64 noundef %429) #8
+  %430 = fmul double %357, %2
+  %431 = fadd double %430, %1
+  %432 = load ptr, ptr %132, align 8
+  store double %431, ptr %432, align 8
+  %433 = load i64, ptr %133, align 8
+  %434 = icmp sgt i64 %433, 0
+  br i1 %434, label %435, label %436
 
-427:                                              ; preds = %413
-  %428 = icmp ne i32 %335, 0
-  %429 = select i1 %128, i1 true, i1 %428
-  br i1 %429, label %531, label %435
-
-430:                                              ; preds = %413
-  %431 = load ptr, ptr %20, align 8
-  %432 = getelementptr inbounds i8, ptr %431, i64 80
-  store i64 %23, ptr %432, align 8
-  %433 = load ptr, ptr %19, align 8
-  %434 = getelementptr inbounds i8, ptr %433, i64 48
-  store double 1.000000e+00, ptr %434, align 8
-  br label %701
-
-435:                                              ; preds = %427, %525
-  %436 = phi i1 [ %530, %525 ], [ %429, %427 ]
-  %437 = phi i64 [ %527, %525 ], [ %332, %427 ]
-  %438 = phi i64 [ %528, %525 ], [ 0, %427 ]
-  %439 = phi double [ %526, %525 ], [ %334, %427 ]
-  %440 = getelementptr inbounds i64, ptr %16, i64 %438
-  %441 = load i64, ptr %440, align 8
-  %442 = getelementptr inbounds double, ptr %31, i64 %438
-  %443 = load double, ptr %442, align 8
-  %444 = getelementptr inbounds i64, ptr %14, i64 %438
-  %445 = load i64, ptr %444, align 8
-  %446 = icmp slt i64 %441, 0
-  %447 = fcmp ogt double %443, 0.000000e+00
-  %448 = and i1 %446, %447
-  %449 = icmp sgt i64 %445, -1
-  %450 = and i1 %448, %449
-  br i1 %450, label %458, label %451
-
-451:                                              ; preds = %435
-  %452 = icmp sgt i64 %441, 0
-  %453 = fcmp olt double %443, 0.000000e+00
-  %454 = and i1 %452, %453
-  br i1 %454, label %455, label %458
-
-455:                                              ; preds = %451
-  %456 = icmp slt i64 %445, 1
-  %457 = zext i1 %456 to i32
-  br label %458
-
-458:                                              ; preds = %435, %451, %455
-  %459 = phi i32 [ 1, %435 ], [ 0, %451 ], [ %457, %455 ]
-  %460 = icmp eq i32 %459, 0
-  br i1 %460, label %525, label %461
-
-461:                                              ; preds = %458
-  %462 = getelementptr inbounds double, ptr %329, i64 %438
-  %463 = load double, ptr %462, align 8
-  %464 = fcmp ogt double %463, 0.000000e+00
-  %465 = and i1 %446, %464
-  %466 = and i1 %449, %465
-  br i1 %466, label %474, label %467
-
-467:                                              ; preds = %461
-  %468 = icmp sgt i64 %441, 0
-  %469 = fcmp olt double %463, 0.000000e+00
-  %470 = and i1 %468, %469
-  br i1 %470, label %471, label %474
-
-471:                                              ; preds = %467
-  %472 = icmp slt i64 %445, 1
-  %473 = zext i1 %472 to i32
-  br label %474
-
-474:                                              ; preds = %461, %467, %471
-  %475 = phi i32 [ 1, %461 ], [ 0, %467 ], [ %473, %471 ]
-  %476 = icmp eq i32 %475, 0
-  br i1 %476, label %477, label %525
-
-477:                                              ; preds = %474
-  %478 = call fastcc double @locate(ptr noundef %0, ptr noundef nonnull %4, double noundef %1, double noundef %2, double noundef %331, double noundef %439, i64 noundef %438) #8
-  %479 = fcmp ogt double %478, %331
-  br i1 %479, label %480, label %482
-
-480:                                              ; preds = %477
-  %481 = getelementptr inbounds i64, ptr %18, i64 %438
-  store i64 2, ptr %481, align 8
-  br label %482
-
-482:                                              ; preds = %480, %477
-  %483 = phi double [ %478, %480 ], [ %439, %477 ]
-  %484 = load ptr, ptr %119, align 8
-  %485 = load ptr, ptr %120, align 8
-  %486 = insertelement <8 x double> poison, double %483, i64 0
-  %487 = shufflevector <8 x double> %486, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %487, ptr %485, align 8
-  %488 = load ptr, ptr %8, align 8
-  %489 = load ptr, ptr %121, align 8
-  %490 = load i64, ptr %122, align 8
-  %491 = load ptr, ptr %0, align 8
-  %492 = getelementptr inbounds i8, ptr %491, i64 24
-  %493 = load i64, ptr %492, align 8
-  %494 = load ptr, ptr %120, align 8
-  %495 = load ptr, ptr %6, align 8
-  %496 = getelementptr inbounds i8, ptr %495, i64 16
-  %497 = load i64, ptr %496, align 8
-  tail call fastcc void @nested(ptr noundef %484, ptr noundef %488, ptr noundef %489, i64 noundef %490, i64 noundef %493, ptr noundef %494, i64 noundef %497) #8
-  %498 = fmul double %483, %2
-  %499 = fadd double %498, %1
-  %500 = load ptr, ptr %123, align 8
-  store double %499, ptr %500, align 8
-  %501 = load i64, ptr %124, align 8
-  %502 = icmp sgt i64 %501, 0
-  br i1 %502, label %503, label %504
-
-503:                                              ; preds = %482
+435:                                              ; preds = %415
   tail call fastcc void @sample(ptr noundef nonnull %6) #8
-  br label %504
+  br label %436
 
-504:                                              ; preds = %482, %503
-  %505 = load ptr, ptr %9, align 8
-  %506 = load i64, ptr %505, align 8
+436:                                              ; preds = %415, %435
+  %437 = load ptr, ptr %9, align 8
+  %438 = load i64, ptr %437, align 8
+  %439 = load ptr, ptr %134, align 8
+  %440 = load ptr, ptr %125, align 8
+  %441 = load ptr, ptr %135, align 8
+  %442 = load ptr, ptr %136, align 8
+  %443 = load ptr, ptr %25, align 8
+  %444 = getelementptr inbounds i8, ptr %437, i64 8
+  %445 = load i64, ptr %444, align 8
+  %446 = getelementptr inbounds double, ptr %443, i64 %445
+  %447 = inttoptr i64 %438 to ptr
+  %448 = tail call i32 %447(ptr noundef %439, ptr noundef %440, ptr noundef %441, ptr noundef %442, ptr noundef %446) #9
+  %449 = icmp slt i32 %448, 0
+  br i1 %449, label %453, label %450
+
+450:                                              ; preds = %436
+  %451 = icmp ne i32 %358, 0
+  %452 = select i1 %137, i1 true, i1 %451
+  br i1 %452, label %554, label %458
+
+453:                                              ; preds = %436
+  %454 = load ptr, ptr %20, align 8
+  %455 = getelementptr inbounds i8, ptr %454, i64 80
+  store i64 %23, ptr %455, align 8
+  %456 = load ptr, ptr %19, align 8
+  %457 = getelementptr inbounds i8, ptr %456, i64 48
+  store double 1.000000e+00, ptr %457, align 8
+  br label %975
+
+458:                                              ; preds = %450, %548
+  %459 = phi i1 [ %553, %548 ], [ %452, %450 ]
+  %460 = phi i64 [ %550, %548 ], [ %355, %450 ]
+  %461 = phi i64 [ %551, %548 ], [ 0, %450 ]
+  %462 = phi double [ %549, %548 ], [ %357, %450 ]
+  %463 = getelementptr inbounds i64, ptr %16, i64 %461
+  %464 = load i64, ptr %463, align 8
+  %465 = getelementptr inbounds double, ptr %31, i64 %461
+  %466 = load double, ptr %465, align 8
+  %467 = getelementptr inbounds i64, ptr %14, i64 %461
+  %468 = load i64, ptr %467, align 8
+  %469 = icmp slt i64 %464, 0
+  %470 = fcmp ogt double %466, 0.000000e+00
+  %471 = and i1 %469, %470
+  %472 = icmp sgt i64 %468, -1
+  %473 = and i1 %471, %472
+  br i1 %473, label %481, label %474
+
+474:                                              ; preds = %458
+  %475 = icmp sgt i64 %464, 0
+  %476 = fcmp olt double %466, 0.000000e+00
+  %477 = and i1 %475, %476
+  br i1 %477, label %478, label %481
+
+478:                                              ; preds = %474
+  %479 = icmp slt i64 %468, 1
+  %480 = zext i1 %479 to i32
+  br label %481
+
+481:                                              ; preds = %458, %474, %478
+  %482 = phi i32 [ 1, %458 ], [ 0, %474 ], [ %480, %478 ]
+  %483 = icmp eq i32 %482, 0
+  br i1 %483, label %548, label %484
+
+484:                                              ; preds = %481
+  %485 = getelementptr inbounds double, ptr %352, i64 %461
+  %486 = load double, ptr %485, align 8
+  %487 = fcmp ogt double %486, 0.000000e+00
+  %488 = and i1 %469, %487
+  %489 = and i1 %472, %488
+  br i1 %489, label %497, label %490
+
+490:                                              ; preds = %484
+  %491 = icmp sgt i64 %464, 0
+  %492 = fcmp olt double %486, 0.000000e+00
+  %493 = and i1 %491, %492
+  br i1 %493, label %494, label %497
+
+494:                                              ; preds = %490
+  %495 = icmp slt i64 %468, 1
+  %496 = zext i1 %495 to i32
+  br label %497
+
+497:                                              ; preds = %484, %490, %494
+  %498 = phi i32 [ 1, %484 ], [ 0, %490 ], [ %496, %494 ]
+  %499 = icmp eq i32 %498, 0
+  br i1 %499, label %500, label %548
+
+500:                                              ; preds = %497
+  %501 = call fastcc double @locate(ptr noundef nonnull %0, ptr noundef nonnull %4, double noundef %1, double noundef %2, double noundef %354, double noundef %462, i64 noundef %461) #8
+  %502 = fcmp ogt double %501, %354
+  br i1 %502, label %503, label %505
+
+503:                                              ; preds = %500
+  %504 = getelementptr inbounds i64, ptr %18, i64 %461
+  store i64 2, ptr %504, align 8
+  br label %505
+
+505:                                              ; preds = %503, %500
+  %506 = phi double [ %501, %503 ], [ %462, %500 ]
   %507 = load ptr, ptr %125, align 8
-  %508 = load ptr, ptr %119, align 8
-  %509 = load ptr, ptr %126, align 8
-  %510 = load ptr, ptr %127, align 8
-  %511 = load ptr, ptr %25, align 8
-  %512 = getelementptr inbounds i8, ptr %505, i64 8
-  %513 = load i64, ptr %512, align 8
-  %514 = getelementptr inbounds double, ptr %511, i64 %513
-  %515 = inttoptr i64 %506 to ptr
-  %516 = tail call i32 %515(ptr noundef %507, ptr noundef %508, ptr noundef %509, ptr noundef %510, ptr noundef %514) #9
-  %517 = icmp sgt i32 %516, -1
-  br i1 %517, label %523, label %518
+  %508 = load ptr, ptr %127, align 8
+  %509 = insertelement <8 x double> poison, double %506, i64 0
+  %510 = shufflevector <8 x double> %509, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %510, ptr %508, align 8
+  %511 = load ptr, ptr %126, align 8
+  %512 = load ptr, ptr %128, align 8
+  %513 = load i64, ptr %129, align 8
+  %514 = load ptr, ptr %130, align 8
+  %515 = getelementptr inbounds i8, ptr %514, i64 24
+  %516 = load i64, ptr %515, align 8
+  %517 = load ptr, ptr %127, align 8
+  %518 = load ptr, ptr %131, align 8
+  %519 = getelementptr inbounds i8, ptr %518, i64 16
+  %520 = load i64, ptr %519, align 8
+  tail call fastcc void @nested(ptr noundef %507, ptr noundef %511, ptr noundef %512, i64 noundef %513, i64 noundef %516, ptr noundef %517, i64 noundef %520) #8
+  %521 = fmul double %506, %2
+  %522 = fadd double %521, %1
+  %523 = load ptr, ptr %132, align 8
+  store double %522, ptr %523, align 8
+  %524 = load i64, ptr %133, align 8
+  %525 = icmp sgt i64 %524, 0
+  br i1 %525, label %526, label %527
 
-518:                                              ; preds = %504
-  %519 = load ptr, ptr %20, align 8
-  %520 = getelementptr inbounds i8, ptr %519, i64 80
-  store i64 %23, ptr %520, align 8
-  %521 = load ptr, ptr %19, align 8
-  %522 = getelementptr inbounds i8, ptr %521, i64 48
-  store double 1.000000e+00, ptr %522, align 8
-  br label %523
+526:                                              ; preds = %505
+  tail call fastcc void @sample(ptr noundef nonnull %6) #8
+  br label %527
 
-523:                                              ; preds = %504, %518
-  %524 = phi i64 [ -4, %518 ], [ %437, %504 ]
-  br i1 %517, label %525, label %531
+527:                                              ; preds = %505, %526
+  %528 = load ptr, ptr %9, align 8
+  %529 = load i64, ptr %528, align 8
+  %530 = load ptr, ptr %134, align 8
+  %531 = load ptr, ptr %125, align 8
+  %532 = load ptr, ptr %135, align 8
+  %533 = load ptr, ptr %136, align 8
+  %534 = load ptr, ptr %25, align 8
+  %535 = getelementptr inbounds i8, ptr %528, i64 8
+  %536 = load i64, ptr %535, align 8
+  %537 = getelementptr inbounds double, ptr %534, i64 %536
+  %538 = inttoptr i64 %529 to ptr
+  %539 = tail call i32 %538(ptr noundef %530, ptr noundef %531, ptr noundef %532, ptr noundef %533, ptr noundef %537) #9
+  %540 = icmp sgt i32 %539, -1
+  br i1 %540, label %546, label %541
 
-525:                                              ; preds = %458, %474, %523
-  %526 = phi double [ %439, %474 ], [ %483, %523 ], [ %439, %458 ]
-  %527 = phi i64 [ %437, %474 ], [ %524, %523 ], [ %437, %458 ]
-  %528 = add nuw nsw i64 %438, 1
-  %529 = icmp sge i64 %528, %12
-  %530 = select i1 %529, i1 true, i1 %428
-  br i1 %530, label %531, label %435, !llvm.loop !10
+541:                                              ; preds = %527
+  %542 = load ptr, ptr %20, align 8
+  %543 = getelementptr inbounds i8, ptr %542, i64 80
+  store i64 %23, ptr %543, align 8
+  %544 = load ptr, ptr %19, align 8
+  %545 = getelementptr inbounds i8, ptr %544, i64 48
+  store double 1.000000e+00, ptr %545, align 8
+  br label %546
 
-531:                                              ; preds = %523, %525, %427
-  %532 = phi i1 [ %429, %427 ], [ %436, %523 ], [ %530, %525 ]
-  %533 = phi i32 [ 13, %427 ], [ 1, %523 ], [ 13, %525 ]
-  %534 = phi double [ %334, %427 ], [ %483, %523 ], [ %526, %525 ]
-  %535 = phi i64 [ %332, %427 ], [ %524, %523 ], [ %527, %525 ]
-  br i1 %532, label %536, label %701
+546:                                              ; preds = %527, %541
+  %547 = phi i64 [ -4, %541 ], [ %460, %527 ]
+  br i1 %540, label %548, label %554
 
-536:                                              ; preds = %531
-  br i1 %129, label %547, label %539
+548:                                              ; preds = %481, %497, %546
+  %549 = phi double [ %462, %497 ], [ %506, %546 ], [ %462, %481 ]
+  %550 = phi i64 [ %460, %497 ], [ %547, %546 ], [ %460, %481 ]
+  %551 = add nuw nsw i64 %461, 1
+  %552 = icmp sge i64 %551, %12
+  %553 = select i1 %552, i1 true, i1 %451
+  br i1 %553, label %554, label %458, !llvm.loop !10
 
-537:                                              ; preds = %634
-  %538 = zext i1 %635 to i32
-  br label %539
+554:                                              ; preds = %546, %548, %450
+  %555 = phi i1 [ %452, %450 ], [ %459, %546 ], [ %553, %548 ]
+  %556 = phi i32 [ 13, %450 ], [ 1, %546 ], [ 13, %548 ]
+  %557 = phi double [ %357, %450 ], [ %506, %546 ], [ %549, %548 ]
+  %558 = phi i64 [ %355, %450 ], [ %547, %546 ], [ %550, %548 ]
+  br i1 %555, label %559, label %975
 
-539:                                              ; preds = %537, %536
-  %540 = phi i32 [ 0, %536 ], [ %538, %537 ]
-  %541 = phi i64 [ -1, %536 ], [ %624, %537 ]
-  %542 = icmp eq i32 %540, 0
-  br i1 %542, label %543, label %638
+559:                                              ; preds = %554
+  br i1 %138, label %570, label %562
 
-543:                                              ; preds = %539
-  br i1 %132, label %544, label %639
+560:                                              ; preds = %657
+  %561 = zext i1 %658 to i32
+  br label %562
 
-544:                                              ; preds = %543
-  %545 = fmul double %534, %2
-  %546 = fadd double %545, %1
-  br label %642
-
-547:                                              ; preds = %536, %634
-  %548 = phi i64 [ %636, %634 ], [ 0, %536 ]
-  %549 = phi i64 [ %624, %634 ], [ -1, %536 ]
-  %550 = phi i1 [ %635, %634 ], [ false, %536 ]
-  %551 = getelementptr inbounds double, ptr %31, i64 %548
-  %552 = load double, ptr %551, align 8
-  %553 = getelementptr inbounds i64, ptr %16, i64 %548
-  %554 = load i64, ptr %553, align 8
-  %555 = getelementptr inbounds i64, ptr %14, i64 %548
-  %556 = load i64, ptr %555, align 8
-  %557 = icmp slt i64 %554, 0
-  %558 = fcmp ogt double %552, 0.000000e+00
-  %559 = and i1 %558, %557
-  %560 = icmp sgt i64 %556, -1
-  %561 = and i1 %559, %560
-  br i1 %561, label %569, label %562
-
-562:                                              ; preds = %547
-  %563 = icmp sgt i64 %554, 0
-  %564 = fcmp olt double %552, 0.000000e+00
-  %565 = and i1 %564, %563
-  br i1 %565, label %566, label %569
+562:                                              ; preds = %560, %559
+  %563 = phi i32 [ 0, %559 ], [ %561, %560 ]
+  %564 = phi i64 [ -1, %559 ], [ %647, %560 ]
+  %565 = icmp eq i32 %563, 0
+  br i1 %565, label %566, label %661
 
 566:                                              ; preds = %562
-  %567 = icmp slt i64 %556, 1
-  %568 = zext i1 %567 to i32
-  br label %569
+  br i1 %147, label %567, label %787
 
-569:                                              ; preds = %547, %562, %566
-  %570 = phi i32 [ 1, %547 ], [ 0, %562 ], [ %568, %566 ]
-  %571 = icmp eq i32 %570, 0
-  br i1 %571, label %572, label %597
+567:                                              ; preds = %566
+  %568 = fmul double %557, %2
+  %569 = fadd double %568, %1
+  br label %908
 
-572:                                              ; preds = %569
-  %573 = getelementptr inbounds double, ptr %329, i64 %548
-  %574 = load double, ptr %573, align 8
-  %575 = fcmp ogt double %574, 0.000000e+00
-  %576 = and i1 %557, %575
-  %577 = and i1 %560, %576
-  br i1 %577, label %585, label %578
+570:                                              ; preds = %559, %657
+  %571 = phi i64 [ %659, %657 ], [ 0, %559 ]
+  %572 = phi i64 [ %647, %657 ], [ -1, %559 ]
+  %573 = phi i1 [ %658, %657 ], [ false, %559 ]
+  %574 = getelementptr inbounds double, ptr %31, i64 %571
+  %575 = load double, ptr %574, align 8
+  %576 = getelementptr inbounds i64, ptr %16, i64 %571
+  %577 = load i64, ptr %576, align 8
+  %578 = getelementptr inbounds i64, ptr %14, i64 %571
+  %579 = load i64, ptr %578, align 8
+  %580 = icmp slt i64 %577, 0
+  %581 = fcmp ogt double %575, 0.000000e+00
+  %582 = and i1 %581, %580
+  %583 = icmp sgt i64 %579, -1
+  %584 = and i1 %582, %583
+  br i1 %584, label %592, label %585
 
-578:                                              ; preds = %572
-  %579 = icmp sgt i64 %554, 0
-  %580 = fcmp olt double %574, 0.000000e+00
-  %581 = and i1 %579, %580
-  br i1 %581, label %582, label %585
+585:                                              ; preds = %570
+  %586 = icmp sgt i64 %577, 0
+  %587 = fcmp olt double %575, 0.000000e+00
+  %588 = and i1 %587, %586
+  br i1 %588, label %589, label %592
 
-582:                                              ; preds = %578
-  %583 = icmp slt i64 %556, 1
-  %584 = zext i1 %583 to i32
-  br label %585
+589:                                              ; preds = %585
+  %590 = icmp slt i64 %579, 1
+  %591 = zext i1 %590 to i32
+  br label %592
 
-585:                                              ; preds = %572, %578, %582
-  %586 = phi i32 [ 1, %572 ], [ 0, %578 ], [ %584, %582 ]
-  %587 = icmp eq i32 %586, 0
-  br i1 %587, label %597, label %588
+592:                                              ; preds = %570, %585, %589
+  %593 = phi i32 [ 1, %570 ], [ 0, %585 ], [ %591, %589 ]
+  %594 = icmp eq i32 %593, 0
+  br i1 %594, label %595, label %620
 
-588:                                              ; preds = %585
-  %589 = fcmp oeq double %552, 0.000000e+00
-  br i1 %589, label %594, label %590
+595:                                              ; preds = %592
+  %596 = getelementptr inbounds double, ptr %352, i64 %571
+  %597 = load double, ptr %596, align 8
+  %598 = fcmp ogt double %597, 0.000000e+00
+  %599 = and i1 %580, %598
+  %600 = and i1 %583, %599
+  br i1 %600, label %608, label %601
 
-590:                                              ; preds = %588
-  %591 = getelementptr inbounds i64, ptr %18, i64 %548
-  %592 = load i64, ptr %591, align 8
-  %593 = icmp eq i64 %592, 1
-  br label %594
+601:                                              ; preds = %595
+  %602 = icmp sgt i64 %577, 0
+  %603 = fcmp olt double %597, 0.000000e+00
+  %604 = and i1 %602, %603
+  br i1 %604, label %605, label %608
 
-594:                                              ; preds = %590, %588
-  %595 = phi i1 [ true, %588 ], [ %593, %590 ]
-  %596 = zext i1 %595 to i32
-  br label %597
+605:                                              ; preds = %601
+  %606 = icmp slt i64 %579, 1
+  %607 = zext i1 %606 to i32
+  br label %608
 
-597:                                              ; preds = %594, %585, %569
-  %598 = phi i32 [ 1, %569 ], [ %596, %594 ], [ 0, %585 ]
-  %599 = icmp eq i32 %598, 0
-  br i1 %599, label %600, label %606
+608:                                              ; preds = %595, %601, %605
+  %609 = phi i32 [ 1, %595 ], [ 0, %601 ], [ %607, %605 ]
+  %610 = icmp eq i32 %609, 0
+  br i1 %610, label %620, label %611
 
-600:                                              ; preds = %597
-  %601 = getelementptr inbounds i64, ptr %18, i64 %548
-  %602 = load i64, ptr %601, align 8
-  %603 = icmp eq i64 %602, 2
-  %604 = fcmp oeq double %552, 0.000000e+00
-  %605 = and i1 %604, %603
-  br label %606
+611:                                              ; preds = %608
+  %612 = fcmp oeq double %575, 0.000000e+00
+  br i1 %612, label %617, label %613
 
-606:                                              ; preds = %600, %597
-  %607 = phi i1 [ true, %597 ], [ %605, %600 ]
-  br i1 %607, label %623, label %608
+613:                                              ; preds = %611
+  %614 = getelementptr inbounds i64, ptr %18, i64 %571
+  %615 = load i64, ptr %614, align 8
+  %616 = icmp eq i64 %615, 1
+  br label %617
 
-608:                                              ; preds = %606
-  %609 = getelementptr inbounds double, ptr %329, i64 %548
-  %610 = load double, ptr %609, align 8
-  %611 = icmp eq i64 %554, 0
-  %612 = fcmp ord double %610, 0.000000e+00
-  %613 = or i1 %611, %612
-  br i1 %613, label %623, label %614
+617:                                              ; preds = %613, %611
+  %618 = phi i1 [ true, %611 ], [ %616, %613 ]
+  %619 = zext i1 %618 to i32
+  br label %620
 
-614:                                              ; preds = %608
-  %615 = sitofp i64 %554 to double
-  %616 = fmul double %552, %615
-  %617 = fcmp olt double %616, 0.000000e+00
-  br i1 %617, label %618, label %620
+620:                                              ; preds = %617, %608, %592
+  %621 = phi i32 [ 1, %592 ], [ %619, %617 ], [ 0, %608 ]
+  %622 = icmp eq i32 %621, 0
+  br i1 %622, label %623, label %629
 
-618:                                              ; preds = %614
-  %619 = sub nsw i64 0, %554
-  store i64 %619, ptr %553, align 8
-  br label %623
+623:                                              ; preds = %620
+  %624 = getelementptr inbounds i64, ptr %18, i64 %571
+  %625 = load i64, ptr %624, align 8
+  %626 = icmp eq i64 %625, 2
+  %627 = fcmp oeq double %575, 0.000000e+00
+  %628 = and i1 %627, %626
+  br label %629
 
-620:                                              ; preds = %614
-  %621 = fcmp ueq double %552, 0.000000e+00
-  %622 = select i1 %621, i64 %548, i64 %549
-  br label %623
+629:                                              ; preds = %623, %620
+  %630 = phi i1 [ true, %620 ], [ %628, %623 ]
+  br i1 %630, label %646, label %631
 
-623:                                              ; preds = %620, %618, %608, %606
-  %624 = phi i64 [ %549, %606 ], [ %549, %618 ], [ %549, %608 ], [ %622, %620 ]
-  %625 = zext i1 %607 to i64
-  %626 = getelementptr inbounds i64, ptr %18, i64 %548
-  store i64 %625, ptr %626, align 8
-  %627 = xor i1 %607, true
-  %628 = or i1 %550, %627
-  br i1 %628, label %634, label %629
+631:                                              ; preds = %629
+  %632 = getelementptr inbounds double, ptr %352, i64 %571
+  %633 = load double, ptr %632, align 8
+  %634 = icmp eq i64 %577, 0
+  %635 = fcmp ord double %633, 0.000000e+00
+  %636 = or i1 %634, %635
+  br i1 %636, label %646, label %637
 
-629:                                              ; preds = %623
-  %630 = load ptr, ptr %130, align 8
-  %631 = getelementptr inbounds i64, ptr %630, i64 %548
-  %632 = load i64, ptr %631, align 8
-  %633 = icmp eq i64 %632, 1
-  br label %634
+637:                                              ; preds = %631
+  %638 = sitofp i64 %577 to double
+  %639 = fmul double %575, %638
+  %640 = fcmp olt double %639, 0.000000e+00
+  br i1 %640, label %641, label %643
 
-634:                                              ; preds = %623, %629
-  %635 = phi i1 [ %550, %623 ], [ %633, %629 ]
-  %636 = add nuw nsw i64 %548, 1
-  %637 = icmp eq i64 %636, %12
-  br i1 %637, label %537, label %547, !llvm.loop !11
+641:                                              ; preds = %637
+  %642 = sub nsw i64 0, %577
+  store i64 %642, ptr %576, align 8
+  br label %646
 
-638:                                              ; preds = %539
-  store double %534, ptr %131, align 8
-  br label %701
+643:                                              ; preds = %637
+  %644 = fcmp ueq double %575, 0.000000e+00
+  %645 = select i1 %644, i64 %571, i64 %572
+  br label %646
 
-639:                                              ; preds = %682, %543
-  %640 = icmp sgt i64 %541, -1
-  br i1 %640, label %641, label %693
+646:                                              ; preds = %643, %641, %631, %629
+  %647 = phi i64 [ %572, %629 ], [ %572, %641 ], [ %572, %631 ], [ %645, %643 ]
+  %648 = zext i1 %630 to i64
+  %649 = getelementptr inbounds i64, ptr %18, i64 %571
+  store i64 %648, ptr %649, align 8
+  %650 = xor i1 %630, true
+  %651 = or i1 %573, %650
+  br i1 %651, label %657, label %652
 
-641:                                              ; preds = %639
-  br i1 %140, label %686, label %685
+652:                                              ; preds = %646
+  %653 = load ptr, ptr %139, align 8
+  %654 = getelementptr inbounds i64, ptr %653, i64 %571
+  %655 = load i64, ptr %654, align 8
+  %656 = icmp eq i64 %655, 1
+  br label %657
 
-642:                                              ; preds = %544, %682
-  %643 = phi i64 [ 0, %544 ], [ %683, %682 ]
-  %644 = getelementptr inbounds i64, ptr %18, i64 %643
-  %645 = load i64, ptr %644, align 8
-  %646 = icmp eq i64 %645, 0
-  br i1 %646, label %682, label %647
+657:                                              ; preds = %646, %652
+  %658 = phi i1 [ %573, %646 ], [ %656, %652 ]
+  %659 = add nuw nsw i64 %571, 1
+  %660 = icmp eq i64 %659, %12
+  br i1 %660, label %560, label %570, !llvm.loop !11
 
-647:                                              ; preds = %642
-  %648 = load ptr, ptr %20, align 8
-  %649 = getelementptr inbounds i8, ptr %648, i64 80
-  %650 = load i64, ptr %649, align 8
-  %651 = load ptr, ptr %6, align 8
-  %652 = getelementptr inbounds i8, ptr %651, i64 8
-  %653 = load i64, ptr %652, align 8
-  %654 = load i64, ptr %133, align 8
-  %655 = icmp eq i64 %654, 0
-  br i1 %655, label %678, label %656
+661:                                              ; preds = %562
+  store double %557, ptr %140, align 8
+  %662 = load ptr, ptr %9, align 8
+  %663 = getelementptr inbounds i8, ptr %662, i64 8
+  %664 = load i64, ptr %663, align 8
+  %665 = load ptr, ptr %25, align 8
+  %666 = getelementptr inbounds double, ptr %665, i64 %664
+  %667 = mul i64 %664, 56
+  %668 = getelementptr inbounds i8, ptr %665, i64 %667
+  %669 = load ptr, ptr %141, align 8
+  %670 = load i64, ptr %142, align 8
+  %671 = getelementptr double, ptr %669, i64 %670
+  %672 = getelementptr i8, ptr %671, i64 -8
+  %673 = load double, ptr %672, align 8
+  %674 = load double, ptr %669, align 8
+  %675 = fsub double %673, %674
+  %676 = icmp sgt i64 %664, 0
+  br i1 %676, label %680, label %677
 
-656:                                              ; preds = %647
-  %657 = load ptr, ptr %134, align 8
-  %658 = getelementptr inbounds double, ptr %657, i64 %650
-  store double %546, ptr %658, align 8
-  %659 = load ptr, ptr %135, align 8
-  %660 = getelementptr inbounds i64, ptr %659, i64 %650
-  store i64 %643, ptr %660, align 8
-  %661 = icmp sgt i64 %653, 0
-  br i1 %661, label %666, label %662
+677:                                              ; preds = %693, %661
+  %678 = phi i32 [ 0, %661 ], [ %695, %693 ]
+  %679 = icmp eq i32 %678, 0
+  br i1 %679, label %975, label %698
 
-662:                                              ; preds = %666, %656
-  %663 = add nsw i64 %650, 1
-  %664 = load ptr, ptr %20, align 8
-  %665 = getelementptr inbounds i8, ptr %664, i64 80
-  store i64 %663, ptr %665, align 8
-  br label %678
+680:                                              ; preds = %661, %693
+  %681 = phi i64 [ %696, %693 ], [ 0, %661 ]
+  %682 = phi i32 [ %695, %693 ], [ 0, %661 ]
+  %683 = icmp eq i32 %682, 0
+  br i1 %683, label %684, label %693
 
-666:                                              ; preds = %656, %666
-  %667 = phi i64 [ %676, %666 ], [ 0, %656 ]
-  %668 = load ptr, ptr %119, align 8
-  %669 = getelementptr inbounds double, ptr %668, i64 %667
-  %670 = load double, ptr %669, align 8
-  %671 = load ptr, ptr %136, align 8
-  %672 = load i64, ptr %137, align 8
-  %673 = mul nsw i64 %672, %650
-  %674 = getelementptr double, ptr %671, i64 %673
-  %675 = getelementptr double, ptr %674, i64 %667
-  store double %670, ptr %675, align 8
-  %676 = add nuw nsw i64 %667, 1
-  %677 = icmp eq i64 %676, %653
-  br i1 %677, label %662, label %666, !llvm.loop !12
+684:                                              ; preds = %680
+  %685 = load ptr, ptr %17, align 8
+  %686 = getelementptr inbounds i64, ptr %685, i64 %681
+  %687 = load i64, ptr %686, align 8
+  %688 = icmp eq i64 %687, 0
+  br i1 %688, label %693, label %689
 
-678:                                              ; preds = %647, %662
-  %679 = getelementptr inbounds i64, ptr %16, i64 %643
-  %680 = load i64, ptr %679, align 8
-  %681 = sub nsw i64 0, %680
-  store i64 %681, ptr %679, align 8
-  br label %682
+689:                                              ; preds = %684
+  %690 = getelementptr inbounds double, ptr %666, i64 %681
+  %691 = load double, ptr %690, align 8
+  %692 = fcmp oeq double %691, 0.000000e+00
+  br label %693
 
-682:                                              ; preds = %642, %678
-  %683 = add nuw nsw i64 %643, 1
-  %684 = icmp eq i64 %683, %12
-  br i1 %684, label %639, label %642, !llvm.loop !13
+693:                                              ; preds = %689, %684, %680
+  %694 = phi i1 [ true, %680 ], [ false, %684 ], [ %692, %689 ]
+  %695 = zext i1 %694 to i32
+  %696 = add nuw nsw i64 %681, 1
+  %697 = icmp eq i64 %696, %664
+  br i1 %697, label %677, label %680, !llvm.loop !12
 
-685:                                              ; preds = %686, %641
-  store double %534, ptr %141, align 8
-  br label %701
+698:                                              ; preds = %677
+  %699 = fsub double %351, %557
+  %700 = fmul double %699, %2
+  %701 = fcmp ogt double %144, %675
+  %702 = select i1 %701, double %144, double %675
+  %703 = fmul double %702, 0x3F50000000000000
+  %704 = fcmp ugt double %700, %703
+  br i1 %704, label %705, label %975
 
-686:                                              ; preds = %641, %686
-  %687 = phi i64 [ %691, %686 ], [ 0, %641 ]
-  %688 = icmp eq i64 %687, %541
-  %689 = zext i1 %688 to i64
-  %690 = getelementptr inbounds i64, ptr %18, i64 %687
-  store i64 %689, ptr %690, align 8
-  %691 = add nuw nsw i64 %687, 1
-  %692 = icmp eq i64 %691, %12
-  br i1 %692, label %685, label %686, !llvm.loop !14
+705:                                              ; preds = %698
+  %706 = fmul double %699, 0x3F50000000000000
+  %707 = fadd double %557, %706
+  %708 = load ptr, ptr %125, align 8
+  %709 = load ptr, ptr %127, align 8
+  %710 = insertelement <8 x double> poison, double %707, i64 0
+  %711 = shufflevector <8 x double> %710, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %711, ptr %709, align 8
+  %712 = load ptr, ptr %126, align 8
+  %713 = load ptr, ptr %128, align 8
+  %714 = load i64, ptr %129, align 8
+  %715 = load ptr, ptr %130, align 8
+  %716 = getelementptr inbounds i8, ptr %715, i64 24
+  %717 = load i64, ptr %716, align 8
+  %718 = load ptr, ptr %127, align 8
+  %719 = load ptr, ptr %131, align 8
+  %720 = getelementptr inbounds i8, ptr %719, i64 16
+  %721 = load i64, ptr %720, align 8
+  tail call fastcc void @nested(ptr noundef %708, ptr noundef %712, ptr noundef %713, i64 noundef %714, i64 noundef %717, ptr noundef %718, i64 noundef %721) #8
+  %722 = fmul double %707, %2
+  %723 = fadd double %722, %1
+  %724 = load ptr, ptr %132, align 8
+  store double %723, ptr %724, align 8
+  %725 = load i64, ptr %133, align 8
+  %726 = icmp sgt i64 %725, 0
+  br i1 %726, label %727, label %728
 
-693:                                              ; preds = %639
-  %694 = load i64, ptr %138, align 8
-  %695 = icmp sgt i64 %694, 0
-  br i1 %695, label %696, label %701
+727:                                              ; preds = %705
+  tail call fastcc void @sample(ptr noundef nonnull %6) #8
+  br label %728
 
-696:                                              ; preds = %693
-  %697 = load i64, ptr %22, align 8
-  %698 = add nsw i64 %697, %12
-  %699 = icmp sgt i64 %698, %694
-  br i1 %699, label %700, label %701
+728:                                              ; preds = %705, %727
+  %729 = load ptr, ptr %9, align 8
+  %730 = load i64, ptr %729, align 8
+  %731 = load ptr, ptr %134, align 8
+  %732 = load ptr, ptr %125, align 8
+  %733 = load ptr, ptr %135, align 8
+  %734 = load ptr, ptr %136, align 8
+  %735 = load ptr, ptr %25, align 8
+  %736 = getelementptr inbounds i8, ptr %729, i64 8
+  %737 = load i64, ptr %736, align 8
+  %738 = mul i64 %737, 56
+  %739 = getelementptr inbounds i8, ptr %735, i64 %738
+  %740 = inttoptr i64 %730 to ptr
+  %741 = tail call i32 %740(ptr noundef %731, ptr noundef %732, ptr noundef %733, ptr noundef %734, ptr noundef %739) #9
+  %742 = icmp slt i32 %741, 0
+  br i1 %742, label %782, label %743
 
-700:                                              ; preds = %696
-  store double %534, ptr %139, align 8
-  br label %701
+743:                                              ; preds = %728
+  %744 = icmp sgt i64 %664, 0
+  br i1 %744, label %745, label %975
 
-701:                                              ; preds = %638, %685, %700, %696, %693, %333, %531, %430
-  %702 = phi i32 [ 1, %430 ], [ %533, %531 ], [ 8, %333 ], [ 1, %638 ], [ 1, %685 ], [ 1, %700 ], [ 0, %696 ], [ 0, %693 ]
-  %703 = phi double [ %331, %430 ], [ %331, %531 ], [ %331, %333 ], [ %331, %638 ], [ %331, %685 ], [ %331, %700 ], [ %534, %696 ], [ %534, %693 ]
-  %704 = phi i64 [ -4, %430 ], [ %535, %531 ], [ %332, %333 ], [ -2, %638 ], [ 21, %685 ], [ -3, %700 ], [ %535, %696 ], [ %535, %693 ]
-  switch i32 %702, label %724 [
-    i32 0, label %330
-    i32 8, label %705
-  ], !llvm.loop !15
+745:                                              ; preds = %743
+  %746 = fmul double %557, %2
+  %747 = fadd double %746, %1
+  %748 = fsub double %747, %747
+  br label %749
 
-705:                                              ; preds = %701
-  br i1 %142, label %706, label %724
+749:                                              ; preds = %745, %779
+  %750 = phi i64 [ 0, %745 ], [ %780, %779 ]
+  %751 = load ptr, ptr %17, align 8
+  %752 = getelementptr inbounds i64, ptr %751, i64 %750
+  %753 = load i64, ptr %752, align 8
+  %754 = icmp eq i64 %753, 0
+  br i1 %754, label %779, label %755
 
-706:                                              ; preds = %705, %716
-  %707 = phi i64 [ %717, %716 ], [ 0, %705 ]
-  %708 = getelementptr inbounds double, ptr %329, i64 %707
-  %709 = load double, ptr %708, align 8
-  %710 = fcmp ogt double %709, 0.000000e+00
-  br i1 %710, label %713, label %711
+755:                                              ; preds = %749
+  %756 = getelementptr inbounds double, ptr %666, i64 %750
+  %757 = load double, ptr %756, align 8
+  %758 = fcmp oeq double %757, 0.000000e+00
+  br i1 %758, label %759, label %779
 
-711:                                              ; preds = %706
-  %712 = fcmp olt double %709, 0.000000e+00
-  br i1 %712, label %713, label %716
+759:                                              ; preds = %755
+  %760 = getelementptr inbounds double, ptr %668, i64 %750
+  %761 = load double, ptr %760, align 8
+  %762 = fcmp oeq double %761, 0.000000e+00
+  br i1 %762, label %763, label %779
 
-713:                                              ; preds = %711, %706
-  %714 = phi i64 [ 1, %706 ], [ -1, %711 ]
-  %715 = getelementptr inbounds i64, ptr %16, i64 %707
-  store i64 %714, ptr %715, align 8
-  br label %716
+763:                                              ; preds = %759
+  %764 = load i64, ptr %145, align 8
+  %765 = icmp eq i64 %764, 0
+  br i1 %765, label %779, label %766
 
-716:                                              ; preds = %713, %711
-  %717 = add nuw nsw i64 %707, 1
-  %718 = icmp eq i64 %717, %12
-  br i1 %718, label %724, label %706, !llvm.loop !16
+766:                                              ; preds = %763
+  %767 = load ptr, ptr %146, align 8
+  %768 = shl nsw i64 %750, 4
+  %769 = getelementptr inbounds i8, ptr %767, i64 %768
+  %770 = getelementptr inbounds i8, ptr %769, i64 8
+  %771 = load double, ptr %770, align 8
+  %772 = fcmp oeq double %771, %747
+  br i1 %772, label %778, label %773
 
-719:                                              ; preds = %316, %287
-  %720 = load ptr, ptr %20, align 8
-  %721 = getelementptr inbounds i8, ptr %720, i64 80
-  store i64 %23, ptr %721, align 8
-  %722 = load ptr, ptr %19, align 8
-  %723 = getelementptr inbounds i8, ptr %722, i64 48
-  store double 1.000000e+00, ptr %723, align 8
-  br label %724
+773:                                              ; preds = %766
+  %774 = load double, ptr %769, align 8
+  %775 = fsub double %771, %774
+  %776 = fcmp ult double %775, %748
+  br i1 %776, label %777, label %779
 
-724:                                              ; preds = %701, %716, %719, %705
-  %725 = phi i32 [ 0, %705 ], [ 1, %719 ], [ 0, %716 ], [ %702, %701 ]
-  %726 = phi double [ %328, %705 ], [ %146, %719 ], [ %328, %716 ], [ %703, %701 ]
-  %727 = phi i64 [ %704, %705 ], [ -4, %719 ], [ %704, %716 ], [ %704, %701 ]
-  %728 = icmp eq i32 %725, 0
-  br i1 %728, label %729, label %734
+777:                                              ; preds = %773
+  store double %747, ptr %769, align 8
+  br label %778
 
-729:                                              ; preds = %724
-  %730 = fcmp oeq double %726, %150
-  %731 = zext i1 %730 to i32
-  %732 = add nuw nsw i32 %147, %731
-  %733 = icmp ugt i32 %732, 4
-  br i1 %733, label %734, label %143, !llvm.loop !17
+778:                                              ; preds = %766, %777
+  store double %747, ptr %770, align 8
+  br label %779
 
-734:                                              ; preds = %729, %724
-  %735 = phi i1 [ %733, %729 ], [ %144, %724 ]
-  br i1 %735, label %736, label %754
+779:                                              ; preds = %778, %773, %763, %759, %755, %749
+  %780 = add nuw nsw i64 %750, 1
+  %781 = icmp eq i64 %780, %664
+  br i1 %781, label %975, label %749, !llvm.loop !13
 
-736:                                              ; preds = %734
-  %737 = icmp sgt i64 %12, 0
-  br i1 %737, label %738, label %741
+782:                                              ; preds = %728
+  %783 = load ptr, ptr %20, align 8
+  %784 = getelementptr inbounds i8, ptr %783, i64 80
+  store i64 %23, ptr %784, align 8
+  %785 = load ptr, ptr %19, align 8
+  %786 = getelementptr inbounds i8, ptr %785, i64 48
+  store double 1.000000e+00, ptr %786, align 8
+  br label %975
 
-738:                                              ; preds = %736
-  %739 = shl i64 %12, 5
-  %740 = getelementptr i8, ptr %28, i64 %739
-  br label %743
+787:                                              ; preds = %948, %566
+  %788 = load ptr, ptr %9, align 8
+  %789 = getelementptr inbounds i8, ptr %788, i64 8
+  %790 = load i64, ptr %789, align 8
+  %791 = load ptr, ptr %25, align 8
+  %792 = getelementptr inbounds double, ptr %791, i64 %790
+  %793 = mul i64 %790, 56
+  %794 = getelementptr inbounds i8, ptr %791, i64 %793
+  %795 = load ptr, ptr %153, align 8
+  %796 = load i64, ptr %154, align 8
+  %797 = getelementptr double, ptr %795, i64 %796
+  %798 = getelementptr i8, ptr %797, i64 -8
+  %799 = load double, ptr %798, align 8
+  %800 = load double, ptr %795, align 8
+  %801 = fsub double %799, %800
+  %802 = icmp sgt i64 %790, 0
+  br i1 %802, label %806, label %803
 
-741:                                              ; preds = %743, %736
-  %742 = load double, ptr %24, align 8
-  store double %742, ptr %30, align 8
-  br label %750
+803:                                              ; preds = %819, %787
+  %804 = phi i32 [ 0, %787 ], [ %821, %819 ]
+  %805 = icmp eq i32 %804, 0
+  br i1 %805, label %956, label %824
 
-743:                                              ; preds = %738, %743
-  %744 = phi i64 [ 0, %738 ], [ %748, %743 ]
-  %745 = getelementptr double, ptr %740, i64 %744
-  %746 = load double, ptr %745, align 8
-  %747 = getelementptr inbounds double, ptr %28, i64 %744
-  store double %746, ptr %747, align 8
-  %748 = add nuw nsw i64 %744, 1
-  %749 = icmp eq i64 %748, %12
-  br i1 %749, label %741, label %743, !llvm.loop !18
+806:                                              ; preds = %787, %819
+  %807 = phi i64 [ %822, %819 ], [ 0, %787 ]
+  %808 = phi i32 [ %821, %819 ], [ 0, %787 ]
+  %809 = icmp eq i32 %808, 0
+  br i1 %809, label %810, label %819
 
-750:                                              ; preds = %93, %741, %87
-  %751 = phi ptr [ %90, %87 ], [ %24, %741 ], [ %96, %93 ]
-  %752 = phi i64 [ -4, %87 ], [ 0, %741 ], [ -4, %93 ]
-  %753 = getelementptr inbounds i8, ptr %751, i64 48
-  store double 1.000000e+00, ptr %753, align 8
-  br label %754
+810:                                              ; preds = %806
+  %811 = load ptr, ptr %17, align 8
+  %812 = getelementptr inbounds i64, ptr %811, i64 %807
+  %813 = load i64, ptr %812, align 8
+  %814 = icmp eq i64 %813, 0
+  br i1 %814, label %819, label %815
 
-754:                                              ; preds = %750, %734, %91
-  %755 = phi i64 [ %727, %734 ], [ %92, %91 ], [ %752, %750 ]
-  ret i64 %755
+815:                                              ; preds = %810
+  %816 = getelementptr inbounds double, ptr %792, i64 %807
+  %817 = load double, ptr %816, align 8
+  %818 = fcmp oeq double %817, 0.000000e+00
+  br label %819
+
+819:                                              ; preds = %815, %810, %806
+  %820 = phi i1 [ true, %806 ], [ false, %810 ], [ %818, %815 ]
+  %821 = zext i1 %820 to i32
+  %822 = add nuw nsw i64 %807, 1
+  %823 = icmp eq i64 %822, %790
+  br i1 %823, label %803, label %806, !llvm.loop !12
+
+824:                                              ; preds = %803
+  %825 = fsub double %351, %557
+  %826 = fmul double %825, %2
+  %827 = fcmp ogt double %156, %801
+  %828 = select i1 %827, double %156, double %801
+  %829 = fmul double %828, 0x3F50000000000000
+  %830 = fcmp ugt double %826, %829
+  br i1 %830, label %831, label %956
+
+831:                                              ; preds = %824
+  %832 = fmul double %825, 0x3F50000000000000
+  %833 = fadd double %557, %832
+  %834 = load ptr, ptr %125, align 8
+  %835 = load ptr, ptr %127, align 8
+  %836 = insertelement <8 x double> poison, double %833, i64 0
+  %837 = shufflevector <8 x double> %836, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %837, ptr %835, align 8
+  %838 = load ptr, ptr %126, align 8
+  %839 = load ptr, ptr %128, align 8
+  %840 = load i64, ptr %129, align 8
+  %841 = load ptr, ptr %130, align 8
+  %842 = getelementptr inbounds i8, ptr %841, i64 24
+  %843 = load i64, ptr %842, align 8
+  %844 = load ptr, ptr %127, align 8
+  %845 = load ptr, ptr %131, align 8
+  %846 = getelementptr inbounds i8, ptr %845, i64 16
+  %847 = load i64, ptr %846, align 8
+  tail call fastcc void @nested(ptr noundef %834, ptr noundef %838, ptr noundef %839, i64 noundef %840, i64 noundef %843, ptr noundef %844, i64 noundef %847) #8
+  %848 = fmul double %833, %2
+  %849 = fadd double %848, %1
+  %850 = load ptr, ptr %132, align 8
+  store double %849, ptr %850, align 8
+  %851 = load i64, ptr %133, align 8
+  %852 = icmp sgt i64 %851, 0
+  br i1 %852, label %853, label %854
+
+853:                                              ; preds = %831
+  tail call fastcc void @sample(ptr noundef nonnull %6) #8
+  br label %854
+
+854:                                              ; preds = %831, %853
+  %855 = load ptr, ptr %9, align 8
+  %856 = load i64, ptr %855, align 8
+  %857 = load ptr, ptr %134, align 8
+  %858 = load ptr, ptr %125, align 8
+  %859 = load ptr, ptr %135, align 8
+  %860 = load ptr, ptr %136, align 8
+  %861 = load ptr, ptr %25, align 8
+  %862 = getelementptr inbounds i8, ptr %855, i64 8
+  %863 = load i64, ptr %862, align 8
+  %864 = mul i64 %863, 56
+  %865 = getelementptr inbounds i8, ptr %861, i64 %864
+  %866 = inttoptr i64 %856 to ptr
+  %867 = tail call i32 %866(ptr noundef %857, ptr noundef %858, ptr noundef %859, ptr noundef %860, ptr noundef %865) #9
+  %868 = icmp slt i32 %867, 0
+  br i1 %868, label %951, label %869
+
+869:                                              ; preds = %854
+  %870 = icmp sgt i64 %790, 0
+  br i1 %870, label %871, label %956
+
+871:                                              ; preds = %869
+  %872 = fmul double %557, %2
+  %873 = fadd double %872, %1
+  %874 = fsub double %873, %873
+  br label %875
+
+875:                                              ; preds = %871, %905
+  %876 = phi i64 [ 0, %871 ], [ %906, %905 ]
+  %877 = load ptr, ptr %17, align 8
+  %878 = getelementptr inbounds i64, ptr %877, i64 %876
+  %879 = load i64, ptr %878, align 8
+  %880 = icmp eq i64 %879, 0
+  br i1 %880, label %905, label %881
+
+881:                                              ; preds = %875
+  %882 = getelementptr inbounds double, ptr %792, i64 %876
+  %883 = load double, ptr %882, align 8
+  %884 = fcmp oeq double %883, 0.000000e+00
+  br i1 %884, label %885, label %905
+
+885:                                              ; preds = %881
+  %886 = getelementptr inbounds double, ptr %794, i64 %876
+  %887 = load double, ptr %886, align 8
+  %888 = fcmp oeq double %887, 0.000000e+00
+  br i1 %888, label %889, label %905
+
+889:                                              ; preds = %885
+  %890 = load i64, ptr %157, align 8
+  %891 = icmp eq i64 %890, 0
+  br i1 %891, label %905, label %892
+
+892:                                              ; preds = %889
+  %893 = load ptr, ptr %158, align 8
+  %894 = shl nsw i64 %876, 4
+  %895 = getelementptr inbounds i8, ptr %893, i64 %894
+  %896 = getelementptr inbounds i8, ptr %895, i64 8
+  %897 = load double, ptr %896, align 8
+  %898 = fcmp oeq double %897, %873
+  br i1 %898, label %904, label %899
+
+899:                                              ; preds = %892
+  %900 = load double, ptr %895, align 8
+  %901 = fsub double %897, %900
+  %902 = fcmp ult double %901, %874
+  br i1 %902, label %903, label %905
+
+903:                                              ; preds = %899
+  store double %873, ptr %895, align 8
+  br label %904
+
+904:                                              ; preds = %892, %903
+  store double %873, ptr %896, align 8
+  br label %905
+
+905:                                              ; preds = %904, %899, %889, %885, %881, %875
+  %906 = add nuw nsw i64 %876, 1
+  %907 = icmp eq i64 %906, %790
+  br i1 %907, label %956, label %875, !llvm.loop !13
+
+908:                                              ; preds = %567, %948
+  %909 = phi i64 [ 0, %567 ], [ %949, %948 ]
+  %910 = getelementptr inbounds i64, ptr %18, i64 %909
+  %911 = load i64, ptr %910, align 8
+  %912 = icmp eq i64 %911, 0
+  br i1 %912, label %948, label %913
+
+913:                                              ; preds = %908
+  %914 = load ptr, ptr %20, align 8
+  %915 = getelementptr inbounds i8, ptr %914, i64 80
+  %916 = load i64, ptr %915, align 8
+  %917 = load ptr, ptr %6, align 8
+  %918 = getelementptr inbounds i8, ptr %917, i64 8
+  %919 = load i64, ptr %918, align 8
+  %920 = load i64, ptr %148, align 8
+  %921 = icmp eq i64 %920, 0
+  br i1 %921, label %944, label %922
+
+922:                                              ; preds = %913
+  %923 = load ptr, ptr %149, align 8
+  %924 = getelementptr inbounds double, ptr %923, i64 %916
+  store double %569, ptr %924, align 8
+  %925 = load ptr, ptr %150, align 8
+  %926 = getelementptr inbounds i64, ptr %925, i64 %916
+  store i64 %909, ptr %926, align 8
+  %927 = icmp sgt i64 %919, 0
+  br i1 %927, label %932, label %928
+
+928:                                              ; preds = %932, %922
+  %929 = add nsw i64 %916, 1
+  %930 = load ptr, ptr %20, align 8
+  %931 = getelementptr inbounds i8, ptr %930, i64 80
+  store i64 %929, ptr %931, align 8
+  br label %944
+
+932:                                              ; preds = %922, %932
+  %933 = phi i64 [ %942, %932 ], [ 0, %922 ]
+  %934 = load ptr, ptr %125, align 8
+  %935 = getelementptr inbounds double, ptr %934, i64 %933
+  %936 = load double, ptr %935, align 8
+  %937 = load ptr, ptr %151, align 8
+  %938 = load i64, ptr %152, align 8
+  %939 = mul nsw i64 %938, %916
+  %940 = getelementptr double, ptr %937, i64 %939
+  %941 = getelementptr double, ptr %940, i64 %933
+  store double %936, ptr %941, align 8
+  %942 = add nuw nsw i64 %933, 1
+  %943 = icmp eq i64 %942, %919
+  br i1 %943, label %928, label %932, !llvm.loop !14
+
+944:                                              ; preds = %913, %928
+  %945 = getelementptr inbounds i64, ptr %16, i64 %909
+  %946 = load i64, ptr %945, align 8
+  %947 = sub nsw i64 0, %946
+  store i64 %947, ptr %945, align 8
+  br label %948
+
+948:                                              ; preds = %908, %944
+  %949 = add nuw nsw i64 %909, 1
+  %950 = icmp eq i64 %949, %12
+  br i1 %950, label %787, label %908, !llvm.loop !15
+
+951:                                              ; preds = %854
+  %952 = load ptr, ptr %20, align 8
+  %953 = getelementptr inbounds i8, ptr %952, i64 80
+  store i64 %23, ptr %953, align 8
+  %954 = load ptr, ptr %19, align 8
+  %955 = getelementptr inbounds i8, ptr %954, i64 48
+  store double 1.000000e+00, ptr %955, align 8
+  br label %975
+
+956:                                              ; preds = %905, %869, %824, %803
+  %957 = icmp sgt i64 %564, -1
+  br i1 %957, label %958, label %967
+
+958:                                              ; preds = %956
+  br i1 %161, label %960, label %959
+
+959:                                              ; preds = %960, %958
+  store double %557, ptr %162, align 8
+  br label %975
+
+960:                                              ; preds = %958, %960
+  %961 = phi i64 [ %965, %960 ], [ 0, %958 ]
+  %962 = icmp eq i64 %961, %564
+  %963 = zext i1 %962 to i64
+  %964 = getelementptr inbounds i64, ptr %18, i64 %961
+  store i64 %963, ptr %964, align 8
+  %965 = add nuw nsw i64 %961, 1
+  %966 = icmp eq i64 %965, %12
+  br i1 %966, label %959, label %960, !llvm.loop !16
+
+967:                                              ; preds = %956
+  %968 = load i64, ptr %159, align 8
+  %969 = icmp sgt i64 %968, 0
+  br i1 %969, label %970, label %975
+
+970:                                              ; preds = %967
+  %971 = load i64, ptr %22, align 8
+  %972 = add nsw i64 %971, %12
+  %973 = icmp sgt i64 %972, %968
+  br i1 %973, label %974, label %975
+
+974:                                              ; preds = %970
+  store double %557, ptr %160, align 8
+  br label %975
+
+975:                                              ; preds = %779, %743, %698, %677, %951, %959, %974, %782, %970, %967, %356, %554, %453
+  %976 = phi i32 [ 1, %453 ], [ %556, %554 ], [ 8, %356 ], [ 1, %951 ], [ 1, %959 ], [ 1, %974 ], [ 1, %782 ], [ 0, %970 ], [ 0, %967 ], [ 1, %677 ], [ 1, %698 ], [ 1, %743 ], [ 1, %779 ]
+  %977 = phi double [ %354, %453 ], [ %354, %554 ], [ %354, %356 ], [ %354, %951 ], [ %354, %959 ], [ %354, %974 ], [ %354, %782 ], [ %557, %970 ], [ %557, %967 ], [ %354, %677 ], [ %354, %698 ], [ %354, %743 ], [ %354, %779 ]
+  %978 = phi i64 [ -4, %453 ], [ %558, %554 ], [ %355, %356 ], [ -4, %951 ], [ 21, %959 ], [ -3, %974 ], [ -4, %782 ], [ %558, %970 ], [ %558, %967 ], [ -2, %677 ], [ -2, %698 ], [ -2, %743 ], [ -2, %779 ]
+  switch i32 %976, label %1036 [
+    i32 0, label %353
+    i32 8, label %979
+  ], !llvm.loop !17
+
+979:                                              ; preds = %975
+  br i1 %163, label %980, label %1036
+
+980:                                              ; preds = %979
+  %981 = fcmp oeq double %351, %173
+  %982 = add nsw i32 %170, -1
+  %983 = sext i32 %982 to i64
+  %984 = mul nsw i64 %12, %983
+  %985 = getelementptr double, ptr %28, i64 %984
+  %986 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %983
+  %987 = fmul double %351, %2
+  %988 = fadd double %987, %1
+  br label %989
+
+989:                                              ; preds = %980, %1028
+  %990 = phi i64 [ 0, %980 ], [ %1029, %1028 ]
+  %991 = getelementptr inbounds double, ptr %352, i64 %990
+  %992 = load double, ptr %991, align 8
+  %993 = fcmp ogt double %992, 0.000000e+00
+  br i1 %993, label %996, label %994
+
+994:                                              ; preds = %989
+  %995 = fcmp olt double %992, 0.000000e+00
+  br i1 %995, label %996, label %999
+
+996:                                              ; preds = %994, %989
+  %997 = phi i64 [ 1, %989 ], [ -1, %994 ]
+  %998 = getelementptr inbounds i64, ptr %16, i64 %990
+  store i64 %997, ptr %998, align 8
+  br label %999
+
+999:                                              ; preds = %996, %994
+  br i1 %981, label %1000, label %1028
+
+1000:                                             ; preds = %999
+  %1001 = getelementptr double, ptr %985, i64 %990
+  %1002 = load double, ptr %1001, align 8
+  %1003 = fcmp oeq double %1002, 0.000000e+00
+  br i1 %1003, label %1004, label %1028
+
+1004:                                             ; preds = %1000
+  %1005 = getelementptr double, ptr %315, i64 %990
+  %1006 = load double, ptr %1005, align 8
+  %1007 = fcmp oeq double %1006, 0.000000e+00
+  br i1 %1007, label %1008, label %1028
+
+1008:                                             ; preds = %1004
+  %1009 = load double, ptr %986, align 8
+  %1010 = fmul double %1009, %2
+  %1011 = fadd double %1010, %1
+  %1012 = load i64, ptr %164, align 8
+  %1013 = icmp eq i64 %1012, 0
+  br i1 %1013, label %1028, label %1014
+
+1014:                                             ; preds = %1008
+  %1015 = load ptr, ptr %165, align 8
+  %1016 = shl nsw i64 %990, 4
+  %1017 = getelementptr inbounds i8, ptr %1015, i64 %1016
+  %1018 = getelementptr inbounds i8, ptr %1017, i64 8
+  %1019 = load double, ptr %1018, align 8
+  %1020 = fcmp oeq double %1019, %1011
+  br i1 %1020, label %1027, label %1021
+
+1021:                                             ; preds = %1014
+  %1022 = load double, ptr %1017, align 8
+  %1023 = fsub double %1019, %1022
+  %1024 = fsub double %988, %1011
+  %1025 = fcmp ult double %1023, %1024
+  br i1 %1025, label %1026, label %1028
+
+1026:                                             ; preds = %1021
+  store double %1011, ptr %1017, align 8
+  br label %1027
+
+1027:                                             ; preds = %1014, %1026
+  store double %988, ptr %1018, align 8
+  br label %1028
+
+1028:                                             ; preds = %1027, %1021, %1008, %999, %1000, %1004
+  %1029 = add nuw nsw i64 %990, 1
+  %1030 = icmp eq i64 %1029, %12
+  br i1 %1030, label %1036, label %989, !llvm.loop !18
+
+1031:                                             ; preds = %339, %311
+  %1032 = load ptr, ptr %20, align 8
+  %1033 = getelementptr inbounds i8, ptr %1032, i64 80
+  store i64 %23, ptr %1033, align 8
+  %1034 = load ptr, ptr %19, align 8
+  %1035 = getelementptr inbounds i8, ptr %1034, i64 48
+  store double 1.000000e+00, ptr %1035, align 8
+  br label %1036
+
+1036:                                             ; preds = %975, %1028, %1031, %979
+  %1037 = phi i32 [ 0, %979 ], [ 1, %1031 ], [ 0, %1028 ], [ %976, %975 ]
+  %1038 = phi double [ %351, %979 ], [ %169, %1031 ], [ %351, %1028 ], [ %977, %975 ]
+  %1039 = phi i64 [ %978, %979 ], [ -4, %1031 ], [ %978, %1028 ], [ %978, %975 ]
+  %1040 = icmp eq i32 %1037, 0
+  br i1 %1040, label %1041, label %1046
+
+1041:                                             ; preds = %1036
+  %1042 = fcmp oeq double %1038, %173
+  %1043 = zext i1 %1042 to i32
+  %1044 = add nuw nsw i32 %170, %1043
+  %1045 = icmp ugt i32 %1044, 4
+  br i1 %1045, label %1046, label %166, !llvm.loop !19
+
+1046:                                             ; preds = %1041, %1036
+  %1047 = phi i1 [ %1045, %1041 ], [ %167, %1036 ]
+  br i1 %1047, label %1048, label %1066
+
+1048:                                             ; preds = %1046
+  %1049 = icmp sgt i64 %12, 0
+  br i1 %1049, label %1050, label %1053
+
+1050:                                             ; preds = %1048
+  %1051 = shl i64 %12, 5
+  %1052 = getelementptr i8, ptr %28, i64 %1051
+  br label %1055
+
+1053:                                             ; preds = %1055, %1048
+  %1054 = load double, ptr %24, align 8
+  store double %1054, ptr %30, align 8
+  br label %1062
+
+1055:                                             ; preds = %1050, %1055
+  %1056 = phi i64 [ 0, %1050 ], [ %1060, %1055 ]
+  %1057 = getelementptr double, ptr %1052, i64 %1056
+  %1058 = load double, ptr %1057, align 8
+  %1059 = getelementptr inbounds double, ptr %28, i64 %1056
+  store double %1058, ptr %1059, align 8
+  %1060 = add nuw nsw i64 %1056, 1
+  %1061 = icmp eq i64 %1060, %12
+  br i1 %1061, label %1053, label %1055, !llvm.loop !20
+
+1062:                                             ; preds = %93, %1053, %87
+  %1063 = phi ptr [ %90, %87 ], [ %24, %1053 ], [ %96, %93 ]
+  %1064 = phi i64 [ -4, %87 ], [ 0, %1053 ], [ -4, %93 ]
+  %1065 = getelementptr inbounds i8, ptr %1063, i64 48
+  store double 1.000000e+00, ptr %1065, align 8
+  br label %1066
+
+1066:                                             ; preds = %1062, %1046, %91
+  %1067 = phi i64 [ %1039, %1046 ], [ %92, %91 ], [ %1064, %1062 ]
+  ret i64 %1067
 }
 
 
@@ -1117,7 +1551,7 @@ define internal fastcc i64 @resolve(ptr noundef readonly %0, ptr noundef readonl
   %29 = shl nsw i64 %9, 4
   %30 = mul i64 %9, 40
   %31 = getelementptr inbounds i8, ptr %0, i64 816
-  %32 = getelementptr inbounds i8, ptr %0, i64 936
+  %32 = getelementptr inbounds i8, ptr %0, i64 960
   %33 = getelementptr inbounds i8, ptr %1, i64 16
   %34 = getelementptr inbounds i8, ptr %1, i64 8
   %35 = getelementptr inbounds i8, ptr %0, i64 168
@@ -1127,7 +1561,7 @@ define internal fastcc i64 @resolve(ptr noundef readonly %0, ptr noundef readonl
   %39 = getelementptr inbounds i8, ptr %0, i64 192
   %40 = getelementptr inbounds i8, ptr %0, i64 744
   %41 = getelementptr inbounds i8, ptr %0, i64 144
-  %42 = getelementptr inbounds i8, ptr %0, i64 936
+  %42 = getelementptr inbounds i8, ptr %0, i64 960
   %43 = getelementptr inbounds i8, ptr %1, i64 16
   %44 = getelementptr inbounds i8, ptr %1, i64 8
   %45 = getelementptr inbounds i8, ptr %0, i64 552
@@ -1177,7 +1611,7 @@ define internal fastcc i64 @resolve(ptr noundef readonly %0, ptr noundef readonl
   %81 = select i1 %80, double %73, double %77
   %82 = add nuw nsw i64 %72, 1
   %83 = icmp eq i64 %82, 5
-  br i1 %83, label %68, label %71, !llvm.loop !19
+  br i1 %83, label %68, label %71, !llvm.loop !21
 
 84:                                               ; preds = %68
   %85 = tail call double @llvm.fabs.f64(double %79)
@@ -1262,7 +1696,7 @@ define internal fastcc i64 @resolve(ptr noundef readonly %0, ptr noundef readonl
   %148 = inttoptr i64 %138 to ptr
   %149 = tail call i32 %148(ptr noundef %139, ptr noundef %140, ptr noundef %141, ptr noundef %142, ptr noundef %147) #9
   %150 = icmp slt i32 %149, 0
-  br i1 %150, label %340, label %98, !llvm.loop !20
+  br i1 %150, label %340, label %98, !llvm.loop !22
 
 151:                                              ; preds = %98
   %152 = load double, ptr %60, align 8
@@ -1321,7 +1755,7 @@ define internal fastcc i64 @resolve(ptr noundef readonly %0, ptr noundef readonl
   %192 = fadd double %185, %191
   %193 = add nuw nsw i64 %184, 1
   %194 = icmp eq i64 %193, 5
-  br i1 %194, label %211, label %183, !llvm.loop !21
+  br i1 %194, label %211, label %183, !llvm.loop !23
 
 195:                                              ; preds = %183, %206
   %196 = phi i64 [ 0, %183 ], [ %209, %206 ]
@@ -1343,7 +1777,7 @@ define internal fastcc i64 @resolve(ptr noundef readonly %0, ptr noundef readonl
   %208 = fmul double %197, %207
   %209 = add nuw nsw i64 %196, 1
   %210 = icmp eq i64 %209, 5
-  br i1 %210, label %187, label %195, !llvm.loop !22
+  br i1 %210, label %187, label %195, !llvm.loop !24
 
 211:                                              ; preds = %187
   %212 = fsub double %167, %192
@@ -1358,7 +1792,7 @@ define internal fastcc i64 @resolve(ptr noundef readonly %0, ptr noundef readonl
   %221 = fcmp ogt double %164, %220
   %222 = select i1 %221, double %164, double %220
   %223 = icmp eq i64 %171, 4
-  br i1 %223, label %154, label %161, !llvm.loop !23
+  br i1 %223, label %154, label %161, !llvm.loop !25
 
 224:                                              ; preds = %158, %245
   %225 = phi i64 [ 1, %158 ], [ %246, %245 ]
@@ -1391,7 +1825,7 @@ define internal fastcc i64 @resolve(ptr noundef readonly %0, ptr noundef readonl
   %246 = add nuw nsw i64 %225, 1
   %247 = icmp ugt i64 %225, 7
   %248 = icmp eq i64 %246, 9
-  br i1 %248, label %336, label %224, !llvm.loop !24
+  br i1 %248, label %336, label %224, !llvm.loop !26
 
 249:                                              ; preds = %235, %237
   br i1 %226, label %336, label %250
@@ -1469,7 +1903,7 @@ define internal fastcc i64 @resolve(ptr noundef readonly %0, ptr noundef readonl
   %307 = getelementptr inbounds i8, ptr %306, i64 8
   %308 = load i64, ptr %307, align 8
   %309 = icmp slt i64 %305, %308
-  br i1 %309, label %281, label %276, !llvm.loop !25
+  br i1 %309, label %281, label %276, !llvm.loop !27
 
 310:                                              ; preds = %276, %280
   %311 = load ptr, ptr %6, align 8
@@ -1485,7 +1919,7 @@ define internal fastcc i64 @resolve(ptr noundef readonly %0, ptr noundef readonl
   %321 = inttoptr i64 %312 to ptr
   %322 = tail call i32 %321(ptr noundef %313, ptr noundef %314, ptr noundef %315, ptr noundef %316, ptr noundef %320) #9
   %323 = icmp slt i32 %322, 0
-  br i1 %323, label %336, label %250, !llvm.loop !26
+  br i1 %323, label %336, label %250, !llvm.loop !28
 
 324:                                              ; preds = %250
   %325 = load ptr, ptr %28, align 8
@@ -1524,7 +1958,7 @@ define internal fastcc i64 @resolve(ptr noundef readonly %0, ptr noundef readonl
 347:                                              ; preds = %342, %342
   %348 = add nuw nsw i64 %57, 1
   %349 = icmp eq i64 %348, %9
-  br i1 %349, label %350, label %53, !llvm.loop !27
+  br i1 %349, label %350, label %53, !llvm.loop !29
 
 350:                                              ; preds = %347, %342, %4
   %351 = phi i64 [ 0, %4 ], [ %346, %342 ], [ 0, %347 ]
@@ -1553,7 +1987,7 @@ define internal fastcc double @locate(ptr noundef readonly %0, ptr noundef reado
   %26 = fmul double %25, 0x3CB0000000000000
   %27 = fdiv double %26, %3
   %28 = getelementptr inbounds i8, ptr %0, i64 144
-  %29 = getelementptr inbounds i8, ptr %0, i64 936
+  %29 = getelementptr inbounds i8, ptr %0, i64 960
   %30 = load ptr, ptr %29, align 8
   %31 = getelementptr inbounds i8, ptr %1, i64 16
   %32 = load ptr, ptr %31, align 8
@@ -1673,7 +2107,7 @@ define internal fastcc double @locate(ptr noundef readonly %0, ptr noundef reado
   %126 = load double, ptr %20, align 8
   %127 = fmul double %126, %13
   %128 = fcmp ogt double %127, 0.000000e+00
-  br i1 %128, label %129, label %79, !llvm.loop !28
+  br i1 %128, label %129, label %79, !llvm.loop !30
 
 129:                                              ; preds = %113, %79
   %130 = phi double [ %4, %79 ], [ %83, %113 ]
@@ -1798,7 +2232,7 @@ define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readon
   store <8 x double> %29, ptr %26, align 8
   %30 = add nuw nsw i64 %21, 8
   %31 = icmp slt i64 %30, %10
-  br i1 %31, label %20, label %19, !llvm.loop !29
+  br i1 %31, label %20, label %19, !llvm.loop !31
 
 32:                                               ; preds = %20, %32
   %33 = phi i64 [ %42, %32 ], [ %16, %20 ]
@@ -1812,7 +2246,7 @@ define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readon
   %41 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %39, <8 x double> %34, <8 x double> %40)
   %42 = add nsw i64 %33, -1
   %43 = icmp sgt i64 %33, 0
-  br i1 %43, label %32, label %24, !llvm.loop !30
+  br i1 %43, label %32, label %24, !llvm.loop !32
 }
 
 declare <8 x double> @llvm.fma.v8f64(<8 x double>, <8 x double>, <8 x double>) #4
@@ -1886,7 +2320,7 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #5 {
   %53 = select i1 %51, i64 %48, i64 %45
   %54 = sub nsw i64 %53, %52
   %55 = icmp sgt i64 %54, 1
-  br i1 %55, label %44, label %56, !llvm.loop !31
+  br i1 %55, label %44, label %56, !llvm.loop !33
 
 56:                                               ; preds = %44, %42, %35, %38
   %57 = phi i64 [ %31, %38 ], [ %31, %35 ], [ 0, %42 ], [ %52, %44 ]
@@ -1918,7 +2352,7 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #5 {
   %81 = add nuw nsw i64 %14, 1
   %82 = load i64, ptr %2, align 8
   %83 = icmp slt i64 %81, %82
-  br i1 %83, label %13, label %12, !llvm.loop !32
+  br i1 %83, label %13, label %12, !llvm.loop !34
 }
 
 declare double @llvm.fabs.f64(double) #4
@@ -1975,7 +2409,7 @@ define internal fastcc double @least_place(ptr noundef readonly %0, ptr noundef 
   %55 = icmp slt i32 %7, 4
   %56 = sext i32 %7 to i64
   %57 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %56
-  %58 = getelementptr inbounds i8, ptr %0, i64 936
+  %58 = getelementptr inbounds i8, ptr %0, i64 960
   %59 = getelementptr inbounds i8, ptr %1, i64 16
   %60 = getelementptr inbounds i8, ptr %1, i64 8
   %61 = getelementptr inbounds i8, ptr %0, i64 168
@@ -1991,7 +2425,7 @@ define internal fastcc double @least_place(ptr noundef readonly %0, ptr noundef 
   %69 = add nuw nsw i32 %82, 1
   %70 = icmp ugt i32 %82, 18
   %71 = icmp eq i32 %69, 20
-  br i1 %71, label %207, label %72, !llvm.loop !33
+  br i1 %71, label %207, label %72, !llvm.loop !35
 
 72:                                               ; preds = %35, %68
   %73 = phi i1 [ false, %35 ], [ %70, %68 ]
@@ -2215,9 +2649,9 @@ attributes #9 = { nounwind }
 !12 = distinct !{!12, !4, !5}
 !13 = distinct !{!13, !4, !5}
 !14 = distinct !{!14, !4, !5}
-!15 = distinct !{!15, !5}
+!15 = distinct !{!15, !4, !5}
 !16 = distinct !{!16, !4, !5}
-!17 = distinct !{!17, !4, !5}
+!17 = distinct !{!17, !5}
 !18 = distinct !{!18, !4, !5}
 !19 = distinct !{!19, !4, !5}
 !20 = distinct !{!20, !4, !5}
@@ -2228,9 +2662,11 @@ attributes #9 = { nounwind }
 !25 = distinct !{!25, !4, !5}
 !26 = distinct !{!26, !4, !5}
 !27 = distinct !{!27, !4, !5}
-!28 = distinct !{!28, !5}
+!28 = distinct !{!28, !4, !5}
 !29 = distinct !{!29, !4, !5}
-!30 = distinct !{!30, !4, !5}
+!30 = distinct !{!30, !5}
 !31 = distinct !{!31, !4, !5}
 !32 = distinct !{!32, !4, !5}
 !33 = distinct !{!33, !4, !5}
+!34 = distinct !{!34, !4, !5}
+!35 = distinct !{!35, !4, !5}

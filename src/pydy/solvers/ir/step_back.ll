@@ -1,4 +1,4 @@
-; sources 346aefd245e1bf198803158f12ff736a4e268d4324f77a8f3342e07464daedce
+; sources bbf0573482163939235699f6f7ecfbff44d7d95e2577ac7250daf56005cccde6
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @step_back(ptr noundef readonly %0) #0 {

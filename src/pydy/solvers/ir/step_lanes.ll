@@ -1,4 +1,4 @@
-; sources 188ae71ca00a642bb07ce28f14c48168e1f1fccacfdb58c96d56a1081e43035b
+; sources 53fdd933c2c55184d96d53da0a6ce67c58b6d6fbe5ac4a146f8180a4b4b5c139
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Stepper = type { ptr, ptr, ptr }

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping
 from dataclasses import replace
-from operator import itemgetter
 from time import perf_counter
 from types import MappingProxyType
 from typing import Any
@@ -29,7 +28,7 @@ from pydy._interrupts import Interrupts
 from pydy._kernel import Kernel, KernelCall
 from pydy._names import few, numbers_of
 from pydy._optional import bar_of
-from pydy.solvers.events import CompiledEvents, crowd, forcing_time, stretches
+from pydy.solvers.events import CompiledEvents, crowd, forcing_time
 from pydy.solvers.options import Options
 from pydy.solvers.outcome import (
     EVENT_CONSTANT,
@@ -56,7 +55,14 @@ from pydy.solvers.run.layout import Wanted, rows_of, table_of
 from pydy.solvers.run.shipped import function_of, stepper
 from pydy.solvers.run.workspace import Workspace
 from pydy.solvers.tableaus import IMPLICIT, tableau_of
-from pydy.solvers.tuning import BLOCK, LEAST_TOLERANCE, NEARLY_SINGULAR, ROUNDING, STARTING_MOVE
+from pydy.solvers.tuning import (
+    BLOCK,
+    CLOSE,
+    LEAST_TOLERANCE,
+    NEARLY_SINGULAR,
+    ROUNDING,
+    STARTING_MOVE,
+)
 from pydy.trajectory import EventRecord
 
 SLICE = 0.02
@@ -208,6 +214,8 @@ class Integration:
         self.records = []
         if self.options.dense_output:
             self.arrays.forget_steps()
+        if self.options.events is not None:
+            self.watch.rests[:] = np.nan
         return self._advance(self._rows, True)
 
     def run(self, x0: np.ndarray) -> np.ndarray:
@@ -237,9 +245,6 @@ class Integration:
         if reached < self._number:
             rows[reached : self._number] = np.nan
         self._rows = _NO_ROWS
-        wanted = self.options.events
-        if wanted is not None and any(wanted.may_rest):
-            self._tell_stretches(wanted, rows[:reached])
         return rows[: self._number]
 
     # -- running ----------------------------------------------------------------------------------
@@ -466,22 +471,25 @@ class Integration:
         self._end(EVENTS_ACCUMULATE, event=crowded)
         return True
 
-    def _tell_stretches(self, wanted: CompiledEvents, rows: np.ndarray) -> None:
-        """Warn of events whose expressions stay at zero, where no sign tells the time."""
-        n, call = self.states, self.call
-        assert call is not None
-        points = [(float(t), x[:n], -1) for t, x in zip(self.progress.times, rows, strict=False)]
-        for record in self.records:
-            points += [(record.time, x, record.index) for x in (record.before, record.after)]
-        points.sort(key=itemgetter(0))  # a state at the same time stays where it is
-        for k, (first, last) in stretches(call, wanted, points).items():
-            when = f"at and beside t = {first:.6g}" if first == last else (
-                f"from t = {first:.6g} to {last:.6g}, at least")  # fmt: skip
-            warn_user(
-                f"The expression of the event `{wanted.names[k]}` is exactly zero {when}: there no "
-                "sign tells when the event happens, and its times are arbitrary. Pass an "
-                "expression that passes through zero, such as `x` in place of `Max(0, x)`."
-            )
+    def stretches(self) -> list[str]:
+        """Tell the events whose expressions stayed at zero, where no sign tells the time."""
+        told, wanted = [], self.options.events
+        if wanted is not None:
+            for k in np.flatnonzero(wanted.may_rest):
+                first, last = self.watch.rests[2 * k : 2 * k + 2].tolist()
+                # What is shorter may be rounding.
+                if first < last and last - first <= CLOSE**2 * max(abs(last), self.span):
+                    continue
+                if first <= last:  # neither is NaN
+                    when = f"from t = {first:.6g} to {last:.6g}, at least"
+                    when = f"at and beside t = {first:.6g}" if first == last else when
+                    told.append(
+                        f"The expression of the event `{wanted.names[k]}` is exactly zero {when}: "
+                        "there no sign tells when the event happens, and its times are arbitrary. "
+                        "Pass an expression that passes through zero, such as `x` in place of "
+                        "`Max(0, x)`."
+                    )
+        return told
 
     def _empty_log(self) -> None:
         wanted, count = self.options.events, self.progress.counts

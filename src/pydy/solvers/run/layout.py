@@ -165,6 +165,7 @@ class Watch(NamedTuple):
     sides: Words  # the sign last seen, 0 before there was one
     fired: Words
     values: Numbers  # (PROBES, events), then the time that the last step's end is known at
+    rests: Numbers  # (events, 2): from when to when each was seen to be zero; NaN at first
     trial: Numbers  # a state
     log_times: Numbers
     log_events: Words

@@ -176,6 +176,7 @@ def watch_arrays(
         sides=np.zeros(number, dtype=np.int64),
         fired=np.zeros(number, dtype=np.int64),
         values=np.zeros(PROBES * number + 1),
+        rests=np.full(2 * number, np.nan),
         trial=np.zeros(BLOCK * blocks(n)),
         log_times=np.zeros(rows),
         log_events=np.zeros(rows, dtype=np.int64),
