@@ -9,6 +9,7 @@ from typing import Any
 import sympy as sm
 
 from pydy._forks import cached_property
+from pydy._graph.derivative import jacobian
 from pydy._graph.from_sympy import NodeExpression
 from pydy._graph.node import Graph
 from pydy._mechanics.equations import Equations
@@ -266,12 +267,20 @@ class Mode:
                 found[margin_symbol(rows.contacts[i])] = self._expression(margin, "margin")
         return found
 
+    def _is_linear(self, node: int) -> bool:
+        """Whether a quantity is linear in what changes along a motion."""
+        g = self.graph
+        moving = [n for n in g.reachable([node]) if g.ops[n] == "input" and not g.constant[n]]
+        (slopes,) = jacobian(g, [node], moving)
+        return all(g.constant[n] for n in slopes.values())
+
     @cached_property
     def events(self) -> tuple[list[Event], list[tuple[str, int]]]:
         """What ends the mode, and what each event is: what happens, to which contact.
 
         A gap on the way up may be zero by rounding: until its speed turns, that is watched. On the
-        way down, so is where its speed turns: there it is lowest, and may have been closed.
+        way down, so is where its speed turns, unless it is as simple as the states: there it is
+        lowest, and may have been closed.
         """
         rows, g = self.rows, self.graph
         nodes_of = {symbol: node for node, symbol in rows.symbols.items()}
@@ -290,7 +299,8 @@ class Mode:
                 # The speed may begin as a rounding of either sign.
                 speed, bound = rows.speeds[normal], nodes_of[rows.rising[i]]
                 watch(g.call("select", up, g.add(speed, bound), rows.gaps[i]), "closes", i)
-                watch(g.neg(speed), "nears", i)
+                if not self._is_linear(rows.gaps[i]):
+                    watch(g.neg(speed), "nears", i)
                 continue
             press = rows.pressed[i] if normal is None else self.forces[normal]
             if normal is not None:
