@@ -59,11 +59,11 @@ def unrounded(sizes: np.ndarray, units: np.ndarray | None = None) -> np.ndarray:
 
     Otherwise a column of rounding errors would be as large as the others. The numbers alone do not
     tell these from what is small in the user's units, as lengths of planets are beside angles:
-    where `units` (..., k) of the columns are known, it is what is small in both.
+    where `units` (..., k) of the columns are known, 0 being none, it is what is small in both.
     """
     small = sizes <= ROUNDED * sizes.max(axis=-1, keepdims=True, initial=0.0)
     if units is not None:
-        told = sizes * units[..., None, :]
+        told = sizes * or_one(units)[..., None, :]
         small &= told <= ROUNDED * told.max(axis=-1, keepdims=True, initial=0.0)
     known: np.ndarray = np.where(small, 0.0, sizes)
     return known
@@ -82,7 +82,7 @@ def equilibrated(
     """
     with np.errstate(invalid="ignore"):  # NaN where entries are not finite
         columns = np.ones((*matrix.shape[:-2], 1, matrix.shape[-1]))
-        columns = columns if units is None else columns * units[..., None, :]
+        columns = columns if units is None else columns * or_one(units)[..., None, :]
         sizes = unrounded(np.abs(matrix), units) * columns
         rows = or_one(sizes.max(axis=-1, keepdims=True, initial=0.0))
         sizes = sizes / rows

@@ -196,8 +196,10 @@ def _solve_coordinates(
     first = value(bounded, x)[size:]
     terms = np.where(np.isfinite(first), or_one(first), 1.0)
     # And SciPy's differences step by 1e-8 from zero: unknowns in units that move rows by as much.
-    steep = np.abs(np.nan_to_num(slopes_at(x[coordinates]))) / terms[:, None]
-    units = 1.0 / or_one(unrounded(steep).max(axis=0, initial=0.0))
+    units = np.ones(size)
+    if use_jac or not x[coordinates].all():
+        steep = np.abs(np.nan_to_num(slopes_at(x[coordinates]))) / terms[:, None]
+        units = 1.0 / or_one(unrounded(steep).max(axis=0, initial=0.0))
     if use_jac:
         root_kwargs = {"jac": slopes_at, **root_kwargs}
     if callable(given_jac := root_kwargs.get("jac")):
