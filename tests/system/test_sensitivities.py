@@ -602,7 +602,14 @@ def pushed(force):
 
 @pytest.mark.parametrize(
     "force",
-    [-K * sm.sign(X), -1 - K * sm.Heaviside(X - L), sm.Piecewise((-K, T < 5 * L), (K, True))],
+    [
+        -K * sm.sign(X),
+        -1 - K * sm.Heaviside(X - L),
+        sm.Piecewise((-K, T < 5 * L), (K, True)),
+        -K * (2 + sm.floor(X)),
+        -K * (1 + sm.ceiling(X)),
+        -K * (2 - sm.Mod(X, 1)),
+    ],
 )
 def test_a_motion_that_passes_a_jump_of_a_load_warns_of_its_derivatives(force):
     system = pushed(force)
@@ -626,12 +633,49 @@ def test_a_motion_that_passes_a_jump_of_a_load_warns_of_its_derivatives(force):
         -X - K * SLIDING * sm.Abs(SLIDING),
         -X + sm.Piecewise((-K, T < 1), (0, True)),
         -K * sm.sign(X + 99),
+        -K * (1 + sm.frac(X) * (1 - sm.frac(X))),
+        -K * sm.floor(X / 99 + 1.5),
     ],
 )
 def test_a_motion_without_a_jump_does_not(force):
     system = pushed(force)
     system.simulate(sensitivities=[K])  # a warning would be an error
     system.adjoint_gradient([K], final=X)
+
+
+def test_jumps_of_all_that_is_integrated_are_told():
+    lag, press, start = me.dynamicsymbols("z F t_0")
+    for force, equations, inputs, what in [
+        (-X - lag, [lag.diff(T) - K * sm.sign(X)], {}, "the rate of z"),
+        (-X - press * sm.Heaviside(T - start), [], {start: 1.0, press: K}, "the load on"),
+    ]:
+        system = pushed(force)
+        if equations:
+            definition = system.eom_method
+            kinematic = [X.diff(T) - system.speeds[0], *equations]
+            definition = Definition(
+                definition.frame, [X, lag], system.speeds, bodies=definition.bodies,
+                loads=definition.loads, kinematic_equations=kinematic,
+            )  # fmt: skip
+            system = System(
+                definition, {K: 1.0}, initial_conditions={X: 1.0}, ode_solver="dop853",
+                times=system.times,
+            )  # fmt: skip
+        system.specifieds = inputs
+        with pytest.warns(PyDyUserWarning, match=what):
+            system.simulate(sensitivities=[start] if inputs else [K])
+    with pytest.warns(PyDyUserWarning, match="what is integrated jumps by 1,"):
+        pushed(-K * X).adjoint_gradient([K], integral=sm.Heaviside(X))
+
+
+def test_jumps_between_the_outputs_are_told():
+    """There and back between two outputs; the solver's steps tell."""
+    system = pushed(-K * X - sm.sign(X) / 9)
+    system.times = [0.0, 5.0]
+    with pytest.warns(PyDyUserWarning, match="jumps by 0.222,"):
+        system.simulate(sensitivities=[K])
+    with pytest.warns(PyDyUserWarning, match="jumps by 0.222,"):
+        system.adjoint_gradient([K], final=X)
 
 
 def test_a_jump_that_an_event_makes_is_known():

@@ -2,16 +2,21 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 
 from pydy._graph.node import Graph
 from pydy._graph.rewrite import substitute
 
 _COMPARED = ("lt", "le", "eq", "ne")
+_WHOLE = ("floor", "ceil")
 
 
-def switches(graph: Graph, nodes: Sequence[int]) -> list[int]:
-    """Return the nodes by whose sign others take one branch or the other."""
+def switches(graph: Graph, nodes: Sequence[int], whole: bool = False) -> list[int]:
+    """Return the nodes by whose sign others take one branch or the other.
+
+    Also those by which floors, if they are wanted too, go to the next `whole` number.
+    """
     found: set[int] = set()
     reached = graph.reachable(nodes)
     # Of either sign, log|a| is the integral of a'/a: it has one branch.
@@ -22,9 +27,16 @@ def switches(graph: Graph, nodes: Sequence[int]) -> list[int]:
             found.add(graph.scaled(graph.sub(*args))[1])
         elif graph.ops[n] in ("abs", "sign"):
             found.add(graph.scaled(args[0])[1])
+        elif whole and graph.ops[n] in _WHOLE:
+            found.add(_turning(graph, args[0]))
         elif graph.ops[n] == "pow" and graph.ops[args[0]] == "prod":
             found.update(m for m, e in graph.args[args[0]] if e % 2 == 0)
     return sorted({min(n, graph.neg(n)) for n in found if not graph.constant[n]})
+
+
+def _turning(graph: Graph, node: int) -> int:
+    """Return what changes its sign where a node is a whole number."""
+    return graph.call("sin", graph.mul(graph.const(math.pi), node))
 
 
 def sides(graph: Graph, nodes: Sequence[int], switch: int) -> tuple[list[int], list[int]]:
@@ -33,6 +45,9 @@ def sides(graph: Graph, nodes: Sequence[int], switch: int) -> tuple[list[int], l
     below: dict[int, int] = {}
     for node in graph.reachable(nodes):
         op, args = graph.ops[node], graph.args[node]
+        if op in _WHOLE and switch in (turn := _turning(graph, args[0]), graph.neg(turn)):
+            near = graph.call("floor", graph.add(args[0], graph.const(0.5)))
+            above[node], below[node] = near, graph.sub(near, graph.one)
         if op not in (*_COMPARED, "abs", "sign"):
             continue
         own = graph.sub(*args) if op in _COMPARED else args[0]

@@ -30,7 +30,7 @@ from pydy._optional import progress_of
 from pydy._rank import DEPENDENT, or_one
 from pydy._system.causes import explain
 from pydy._system.parameters import Parameter, by_samples, marker
-from pydy._system.sensitivities import Sensitive, compiled_event, warn_of_jumps
+from pydy._system.sensitivities import Sensitive, compiled_event, node_of, warn_of_jumps
 from pydy._system.setup import Setup
 from pydy._system.simulation import begin
 from pydy._system.snapshot import Snapshot
@@ -64,11 +64,6 @@ def read_term(definition: Definition, term: Any, argument: str) -> Any:
             f"its states, specifieds, constants and time, got {shown(term)}."
         )
     return term
-
-
-def node_of(assembly: Assembly, term: Any, argument: str) -> int:
-    """Return an output's node or an expression's, in a graph that may grow."""
-    return assembly.outputs[term] if isinstance(term, int) else assembly.read([term], argument)[0]
 
 
 def extended(term: Any, marked: bool, assembly: Assembly) -> Assembly:
@@ -353,6 +348,13 @@ class _Run:
         if self._kept:
             self._seen.append((np.array([t]), part[None, len(part) - self._kept :]))
 
+    def passed(self, now: Snapshot) -> Any:
+        """Return the motion as a Trajectory at the solver's own steps."""
+        states = [x[: self.n] for x in (*self.recording.before, self.last)]
+        times = np.append(self.recording.starts, self.end)
+        kept = np.append(np.diff(times) > 0.0, True)
+        return now.trajectory(times[kept], np.array(states)[kept], events=self.records)
+
     def gradient(self, start: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Go back to the beginning; return the derivatives by parameters and by the first state.
 
@@ -537,7 +539,8 @@ class Gradients(Setup):
         Warns
         -----
         PyDyUserWarning
-            A load jumps on the way, of which the derivatives know nothing.
+            A load, another rate or what is integrated jumps on the way: the derivatives know
+            nothing of it.
 
         Examples
         --------
@@ -572,7 +575,7 @@ class Gradients(Setup):
             times = run.times[:reached].copy()
             return now.trajectory(times, states, events=run.records, statistics=run.info)
 
-        warn_of_jumps(now, motion(), sensitive)
+        warn_of_jumps(now, run.passed(now), sensitive, integral)
         counts = {p.symbol: p.count for p in sensitive.parameters}
         statistics = {k: v for k, v in run.info.items() if k not in ("events", "reached")}
         return AdjointGradient(run.value, values, counts, by_state, run.end, statistics, motion)

@@ -93,7 +93,7 @@ class Orbits(Simulation, Evaluation):
         Warns
         -----
         PyDyUserWarning
-            A load jumps on the way, of which the multipliers know nothing.
+            A load, or another rate, jumps on the way: the multipliers know nothing of it.
 
         Examples
         --------
