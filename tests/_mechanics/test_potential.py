@@ -484,3 +484,17 @@ class _With:
 
     def __init__(self, module, **own):
         self.__dict__.update(vars(module) | own)
+
+
+@pytest.mark.parametrize(
+    ("force", "known"),
+    [
+        (-K * (Q[0] - 1) / sm.Abs(Q[0] - 1), False),  # SymPy's integral jumps, and is NaN there
+        (-K * Q[0] / sm.Abs(Q[0]), True),
+        (-K * sm.sign(Q[0]) / Q[0] ** 2, True),  # infinite there, on both sides
+        (-K * Q[0] / sm.Abs(Q[0] - 1), True),
+    ],
+)
+def test_an_energy_may_be_infinite_at_a_switch_but_not_jump_there(plane, force, known):
+    frame, _, place = plane
+    assert bool(potential(plane, [(place, force * frame.x)]).unknown) != known

@@ -48,6 +48,8 @@ def sides(graph: Graph, nodes: Sequence[int], switch: int) -> tuple[list[int], l
         if op in _WHOLE and switch in (turn := _turning(graph, args[0]), graph.neg(turn)):
             near = graph.call("floor", graph.add(args[0], graph.const(0.5)))
             above[node], below[node] = near, graph.sub(near, graph.one)
+        if op == "log" and graph.ops[args[0]] == "abs":
+            above[node] = below[node] = node
         if op not in (*_COMPARED, "abs", "sign"):
             continue
         own = graph.sub(*args) if op in _COMPARED else args[0]

@@ -163,6 +163,17 @@ class GenericStates:
         for k in np.flatnonzero(finite if left_open else self.closed(inputs, finite)):
             yield {name: block[k] for name, block in values.items()}
 
+    def where(
+        self, node: int, blocks: Sequence[Block], trials: int
+    ) -> Iterator[dict[str, np.ndarray]]:
+        """Yield the same at states at which a node is zero, too."""
+        own = self.holonomic
+        self.holonomic = [*own, node]
+        found = list(self.samples([*blocks, *self.closing()], trials, around=True))
+        apart = openness(found) if found else []
+        yield from (s for s, left in zip(found, apart, strict=True) if left < OPEN)
+        self.holonomic = own
+
     def uncertain(self, samples: Sequence[dict[str, np.ndarray]], cells: Sequence[int]) -> Any:
         """Return how far values of nodes may be from those where the constraints hold exactly.
 

@@ -35,16 +35,16 @@ from pydy._graph.rounding import rounding_bounds
 from pydy._mechanics.components import numbers_of
 from pydy._mechanics.equations import Equations, Mechanism
 from pydy._mechanics.frames import orientation_rows, rotations
-from pydy._mechanics.generic import Block, GenericStates, openness
+from pydy._mechanics.generic import Block, GenericStates
 from pydy._mechanics.reader import InputReader, given_velocity, places
 from pydy._mechanics.symbols import find_symbols, replace_symbols
-from pydy._mechanics.tuning import OPEN
 from pydy._rank import ROUNDED
 
 _TRIALS, _MASS = 3, sm.Rational(7, 11)  # a number that no formula holds
 _SWITCHED = sm.Max, sm.Min, sm.Abs, sm.sign, sm.Heaviside, sm.Piecewise
 # How far beyond a switch states are looked for, of their distance before: limbs reach no further.
 _BEYOND = (-1.0, -0.1, -0.01)
+_NEAR = (2.0**-20, 2.0**-30)  # so near to a switch that only a jump is as large at both
 
 
 @dataclass
@@ -768,32 +768,23 @@ def _jumps(states: GenericStates, switch: int, energy: int) -> bool:
     """Return whether an energy is another on the two sides of a switch, right beside it."""
     above, below = sides(states.graph, [energy], switch)
     step = states.graph.sub(*above, *below)
-    samples = list(_where(states, switch, [("step", (1,), [step])]))
-    if not samples:
-        return False
+    block = [("step", (1,), [step])]
+    samples = list(states.where(switch, block, _TRIALS))
+    if not samples:  # it has no value there, but may tend to one
+        near = [list(_beyond(states, switch, block, (share,))) for share in _NEAR]
+        one, other = (np.median([abs(s["step"][0]) for s in some] or [0.0]) for some in near)
+        return bool(abs(other - one) < _NEAR[0] ** 0.5 * one)
     steps = np.array([sample["step"] for sample in samples])
     return bool((np.abs(steps) > states.uncertain(samples, [step])).any())
 
 
 def _beyond(
-    states: GenericStates, switch: int, blocks: Sequence[Block]
+    states: GenericStates, switch: int, blocks: Sequence[Block], shares: Sequence[float] = _BEYOND
 ) -> Iterator[dict[str, np.ndarray]]:
     """Yield values at states that keep the constraints, beyond a switch of generic ones."""
     graph = states.graph
     if set(states.coordinates).isdisjoint(graph.reachable([switch])):
         return
     sizes = [float(s["switch"][0]) for s in states.samples([("switch", (1,), [switch])], 1)]
-    for target in (size * share for size in sizes for share in _BEYOND):
-        yield from _where(states, graph.sum([(switch, 1.0)], -target), blocks)
-
-
-def _where(
-    states: GenericStates, node: int, blocks: Sequence[Block]
-) -> Iterator[dict[str, np.ndarray]]:
-    """Yield values at states that keep the constraints, and at which a node is zero."""
-    own = states.holonomic
-    states.holonomic = [*own, node]
-    samples = list(states.samples([*blocks, *states.closing()], _TRIALS, around=True))
-    apart = openness(samples) if samples else []
-    yield from (s for s, left in zip(samples, apart, strict=True) if left < OPEN)
-    states.holonomic = own
+    for target in (size * share for size in sizes for share in shares):
+        yield from states.where(graph.sum([(switch, 1.0)], -target), blocks, _TRIALS)
