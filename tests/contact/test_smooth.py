@@ -33,6 +33,12 @@ KINKS = [
     y - sm.sqrt(sm.Abs(x)),
     y - sm.Max(0, sm.sin(x) - sm.Rational(1, 2)),
     y - sm.interpolating_spline(1, x, [0, 1, 2], [0, 1, 0]),
+    y - k * sm.sqrt(x**2),
+    y - x / sm.sqrt(x**2 * r**2),
+    y - sm.acos(sm.cos(x)),
+    y - k * sm.asin(sm.cos(x + r)),
+    y - sm.atan(sm.tan(t)),
+    y - sm.acot(x),
 ]
 
 SMOOTH = [
@@ -59,6 +65,10 @@ SMOOTH = [
     y - sm.Abs(2 + sm.sin(t)),
     y + sm.Max(0, sm.cos(x) / 2 - sm.sin(t) - 2),
     y - sm.Min(3, 1 + sm.tanh(x)),
+    y - x * sm.sqrt(x**2),
+    y - sm.asin(sm.cos(x) / 2),
+    y - sm.acos(sm.cos(x)) ** 2 * sm.sin(x) ** 2,
+    y - sm.atan(x) - sm.acot(2 + sm.sin(x)),
 ]  # fmt: skip
 
 

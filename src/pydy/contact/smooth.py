@@ -28,6 +28,9 @@ from pydy.contact.tuning import DRAWS, WITHIN
 
 _STEPS = (sm.floor, sm.ceiling, sm.frac, sm.Mod)
 _KINDS = (sm.Piecewise, sm.Abs, sm.Min, sm.Max, sm.sign, sm.Heaviside, sm.DiracDelta, *_STEPS)
+_INVERSES: dict[Any, Any] = {
+    sm.asin: (sm.sin, sm.cos), sm.acos: (sm.sin, sm.cos), sm.atan: sm.tan
+}  # fmt: skip
 _BOUNDED = {sm.sin: "asin", sm.cos: "asin", sm.tanh: "atanh"}  # what is NaN beyond their bounds
 
 
@@ -37,7 +40,7 @@ def switched(what: str, expression: Any, moving: Iterable[Any], slopes: bool) ->
     stack = [expression]
     while stack:
         e = stack.pop()
-        if isinstance(e, _KINDS):
+        if isinstance(e, _KINDS) or _is_folded(e):
             found = Switched(what, expression, moving, slopes)
             found.check()
             return found
@@ -59,7 +62,8 @@ class Switched:
         self.symbols = {s: sm.Dummy(str(s), real=True) for s in find_symbols([expression])}
         self.moving = [self.symbols[s] for s in moving if s in self.symbols]
         self.steps: dict[Any, Any] = {}  # whole numbers, by what they are the floors of
-        real = replace_symbols(expression, self.symbols)
+        # SymPy writes roots of squares of these as Abs.
+        real = replace_symbols(expression, self.symbols).replace(_is_folded, _unfolded)
         # SymPy would add them up, and what remains of 0.1 + 0.2 - 0.3 would be a jump.
         self.floats = {
             f: sm.Integer(int(f)) if f == int(f) else sm.Dummy(str(f), real=True)
@@ -228,6 +232,31 @@ class Switched:
             f"{self.what} {must}, got `{shown(got)}` in it. Give one contact for each smooth part, "
             f"or a smooth transition: {part}."
         )
+
+
+def _is_folded(e: Any) -> bool:
+    """Whether an expression is a root of a square, an angle of its own sine, say, or an acot."""
+    if e.is_Pow:
+        powers = (f for f in sm.Mul.make_args(e.base) if f.is_Pow)
+        return e.exp.is_integer is False and any(f.exp.is_even for f in powers)
+    return isinstance(e, sm.acot) or (
+        bool(e.args) and isinstance(e.args[0], _INVERSES.get(e.func, ()))
+    )
+
+
+def _unfolded(e: Any) -> Any:
+    """Return the same with functions that switch."""
+    half = sm.pi / 2
+    if e.is_Pow:
+        return e
+    if isinstance(e, sm.acot):  # as SymPy has it, it jumps at zero
+        return half - sm.atan(e.args[0]) - sm.pi * sm.Heaviside(-e.args[0])
+    s = e.args[0].args[0]
+    if isinstance(e, sm.atan):
+        return sm.Mod(s + half, sm.pi) - half
+    s = s - half if isinstance(e.args[0], sm.sin) else s
+    turned = sm.Abs(sm.Mod(s + sm.pi, 2 * sm.pi) - sm.pi)  # the angle of the cosine of s
+    return half - turned if isinstance(e, sm.asin) else turned
 
 
 def _places(left: Any, right: Any, moving: Sequence[Any]) -> list[dict[Any, Any]]:
