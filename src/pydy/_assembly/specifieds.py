@@ -71,6 +71,20 @@ def followed(definition: Definition, plan: Plan) -> set[Any]:
     return {formula.symbol for formula in _formulas(definition, plan)}
 
 
+def differentiated(assembly: Assembly, definition: Definition, plan: Plan) -> dict[int, Any]:
+    """Return what is differentiated by time: nodes of `assembly`, and whose derivative is taken."""
+    formulas, graph = _formulas(definition, plan), assembly.graph
+    kinematics = assembly.rates[: len(definition.equations.coordinates)]
+    given = _resolve(graph, definition, formulas, kinematics, False)
+    found: dict[int, Any] = {}
+    for f in (f for f in formulas if f.order):
+        node = given[graph.input("r", definition.layout.specifieds.index(f.source))]
+        for _ in range(f.order):
+            found[node] = f.source
+            node = jacobian(graph, [node], [graph.input("t", 0)])[0].get(0, graph.zero)
+    return found
+
+
 def check_expressions(definition: Definition, plan: Plan) -> None:
     """Raise what `driven` would, without the equations."""
     formulas = _formulas(definition, plan)

@@ -29,8 +29,9 @@ from pydy._kernel import Inputs, Kernel, KernelCall
 from pydy._optional import progress_of
 from pydy._rank import DEPENDENT, or_one
 from pydy._system.causes import explain
+from pydy._system.jumps import node_of, warn_of_jumps
 from pydy._system.parameters import Parameter, by_samples, marker
-from pydy._system.sensitivities import Sensitive, compiled_event, node_of, warn_of_jumps
+from pydy._system.sensitivities import Sensitive, compiled_event
 from pydy._system.setup import Setup
 from pydy._system.simulation import begin
 from pydy._system.snapshot import Snapshot

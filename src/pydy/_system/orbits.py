@@ -15,7 +15,7 @@ from pydy._names import some, unique_names
 from pydy._optional import progress_of
 from pydy._system.balance import energetic_motions
 from pydy._system.dependents import latest_dependents
-from pydy._system.sensitivities import warn_of_jumps
+from pydy._system.jumps import warn_of_jumps
 from pydy._system.simulation import Simulation
 from pydy._system.snapshot import Snapshot
 from pydy._system.solving import native_solver

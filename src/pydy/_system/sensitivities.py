@@ -13,19 +13,14 @@ from typing import Any
 
 import numpy as np
 
-from pydy._assembly.assembly import Assembly
 from pydy._assembly.definition import Definition
 from pydy._assembly.model import CompiledModel, stored_program
 from pydy._checks import describe
-from pydy._errors import warn_user
-from pydy._graph.branches import sides, switches
 from pydy._graph.columns import Columns, event_program
-from pydy._graph.derivative import dense_jacobian
 from pydy._graph.program import Program
 from pydy._graph.simplify import simplify
 from pydy._graph.tangent import Tangent
 from pydy._kernel import Inputs, Kernel, KernelCall
-from pydy._rank import HALF, or_one
 from pydy._system.causes import explain_columns
 from pydy._system.dependents import latest_dependents
 from pydy._system.parameters import Parameter, by_samples, mean_spacing, read_parameters
@@ -367,142 +362,3 @@ class Wanted:
             error.states = error.states[:, :n]
         explain_columns(error, error.state[n:])
         error.state = error.state[:n]
-
-
-# -- loads that jump -------------------------------------------------------------------------------
-
-_FINER, _REFINED = 65, 8  # times between two that a jump is between, and how often they are taken
-_IN_STEP = 4  # places in a step that are looked at, beside outputs
-
-
-@dataclass(frozen=True)
-class Jumps:
-    """What rates switch at, its derivatives by states, specifieds and constants, and their steps.
-
-    They are the rates of the states, of which the speeds' are the loads, and, last, what is
-    integrated: an expression, or the place of an output.
-    """
-
-    coordinates: int
-    integral: Any = None
-
-    def __call__(self, assembly: Assembly) -> dict[str, list[int]]:
-        graph, rates = assembly.graph, [*assembly.rates]
-        if len(assembly.forcing) == len(assembly.speeds):
-            rates[self.coordinates : self.coordinates + len(assembly.speeds)] = assembly.forcing
-        if self.integral is not None:
-            rates.append(node_of(assembly, self.integral, "`integral`"))
-        found: list[int] = []
-        steps: list[int] = []
-        for switch in switches(graph, rates, whole=True):
-            above, below = sides(graph, rates, switch)
-            if above != below and graph.inputs_of([switch]) & {"x", "r", "p"}:
-                found.append(switch)
-                steps += map(graph.sub, above, below)
-        groups = zip("xrp", assembly.sizes, strict=True)
-        by = [graph.input(group, k) for group, size in groups for k in range(size)]
-        slopes = dense_jacobian(graph, found, by)
-        rates = rates if found else []
-        return {"rates": rates, "switches": found, "steps": steps, "slopes": slopes}
-
-
-def node_of(assembly: Assembly, term: Any, argument: str) -> int:
-    """Return an output's node or an expression's, in a graph that may grow."""
-    return assembly.outputs[term] if isinstance(term, int) else assembly.read([term], argument)[0]
-
-
-@dataclass(frozen=True, eq=False)
-class _Switched:
-    """What rates switch at along a motion."""
-
-    now: Snapshot
-    motion: Any
-    parts: Jumps
-
-    def __call__(self, times: np.ndarray) -> dict[str, np.ndarray]:
-        """Return the values, shape (m, k, …), for k switches."""
-        found = self.now.at(times, self.motion.at(times).states).values(self.parts)
-        found["steps"] = np.abs(found["steps"])
-        m, k = found["switches"].shape
-        for name in ("steps", "slopes"):
-            found[name] = found[name].reshape(m, k, -1 if k else 0)
-        return found
-
-    @property
-    def times(self) -> np.ndarray:
-        """Times at which it is looked at: those of the motion, and places in the solver's steps."""
-        times = self.motion.times
-        ends = np.append(getattr(self.motion._dense, "starts", ()), times[-1])
-        shares = np.arange(_IN_STEP)[:, None] / _IN_STEP
-        within = ends[:-1] + shares * np.diff(ends)
-        every = np.unique(np.concatenate([times, within.ravel()]))
-        found: np.ndarray = every[(every >= times[0]) & (every <= times[-1])]
-        return found
-
-    def passage(self, times: np.ndarray, value: np.ndarray, steps: np.ndarray) -> np.ndarray | None:
-        """Return two times right beside the passage of a switch at which rates differ most.
-
-        Where an event changes the state it is none: that is known to the derivatives.
-        """
-        places = np.flatnonzero(value)
-        turns = np.flatnonzero(np.diff(np.sign(value[places])))
-        resets = [e.time for e in self.motion.events if not np.array_equal(e.after, e.before)]
-        pairs = [
-            pair for pair in zip(places[turns], places[turns + 1], strict=True)
-            if not any(times[pair[0]] < reset <= times[pair[1]] for reset in resets)
-        ]  # fmt: skip
-        if not pairs:
-            return None
-        best = max(pairs, key=lambda pair: float(steps[[*pair]].min(axis=0).max()))
-        found: np.ndarray = times[[*best]]
-        return found
-
-
-def warn_of_jumps(
-    now: Snapshot, motion: Any, sensitive: Sensitive | None = None, integral: Any = None
-) -> None:
-    """Warn where a motion passes a jump of the rates, of which derivatives along it know nothing.
-
-    These are by the initial state, or by the parameters of `sensitive`. Rates that meet at a switch
-    differ by nothing there, up to half of the digits.
-    """
-    equations, states = now.definition.equations, now.definition.states
-    n, r = len(states), len(now.definition.specifieds)
-    switched = _Switched(now, motion, Jumps(len(equations.coordinates), integral))
-    if not switched(motion.times[:1])["switches"].size:
-        return
-    times = switched.times
-    along = switched(times)
-    sizes = np.abs(along["rates"]).max(axis=0, initial=0.0)
-    for k in range(along["switches"].shape[1]):
-        beside = switched.passage(times, along["switches"][:, k], along["steps"][:, k])
-        if beside is None:
-            continue
-        for _ in range(_REFINED):
-            finer = np.linspace(beside[0], beside[1], num=_FINER)
-            if not (np.diff(finer) > 0.0).all():
-                break
-            value = switched(finer)["switches"][:, k]
-            turn = int(np.argmax(np.sign(value) != np.sign(value[0])))
-            beside = finer[turn - 1 : turn + 1]
-        found = switched(beside)
-        step, slopes = found["steps"][:, k].min(axis=0), found["slopes"][0, k]
-        moved, explicit = slopes[:n], np.zeros(1)
-        if sensitive is not None:
-            first = {"specifieds": n, "constants": n + r}
-            given = [first[p.kind] + p.place for p in sensitive.parameters if p.kind in first]
-            explicit = slopes[given]
-            known = motion.at(beside)._sensitivity  # an adjoint has none
-            moved = moved if known is None else moved @ known.values[0]
-        if (step > HALF * sizes).any() and (moved.any() or explicit.any()):
-            row = int(np.argmax(step / or_one(sizes)))
-            what = "what is integrated"
-            if row < n:
-                speed = states[row] in equations.speeds
-                what = f"the {'load on' if speed else 'rate of'} {states[row]}"
-            warn_user(
-                f"At t = {beside[0]:.6g} {what} jumps by {step[row]:.3g}, and the derivatives of "
-                "the motion miss what this changes. Give a smooth one, such as with tanh(u/v) for "
-                "sign(u), or an event with a reset there."
-            )
-            return

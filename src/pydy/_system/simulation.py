@@ -23,6 +23,7 @@ from pydy._system.dependents import (
     solve_dependents,
 )
 from pydy._system.evaluation import warn_of_outputs
+from pydy._system.jumps import warn_of_impulses, warn_of_jumps
 from pydy._system.kept import Motion, check_kept
 from pydy._system.scipy_solvers import (
     SolveIvp,
@@ -31,7 +32,7 @@ from pydy._system.scipy_solvers import (
     is_odeint,
     odeint_options,
 )
-from pydy._system.sensitivities import Wanted, warn_of_jumps
+from pydy._system.sensitivities import Wanted
 from pydy._system.setup import Setup
 from pydy._system.snapshot import Snapshot
 from pydy._system.solving import (
@@ -172,6 +173,8 @@ def begin(now: Snapshot, solver: SolverFunction, given: dict[str, Any]) -> tuple
         if is_odeint(solver):
             check_option_names("odeint", odeint_options(), ready.options)
         latest["simulation"] = ready
+        if plan.expressions:
+            warn_of_impulses(now, times)
     return ready, times
 
 

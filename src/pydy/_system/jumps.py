@@ -1,0 +1,193 @@
+"""Where rates and prescribed motions jump: derivatives of a motion, and the motion, miss that."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from pydy._assembly.assembly import Assembly
+from pydy._assembly.definition import Definition
+from pydy._assembly.specifieds import Plan, differentiated
+from pydy._errors import warn_user
+from pydy._graph.branches import sides, switches
+from pydy._graph.derivative import dense_jacobian
+from pydy._rank import HALF, or_one
+from pydy._system.snapshot import Snapshot
+
+_FINER, _REFINED = 65, 8  # times between two that a jump is between, and how often they are taken
+_IN_STEP = 4  # places in a solver's step that are looked at, beside outputs
+_IN_TIME = 4096  # times that functions of time alone are looked at
+
+_Values = dict[str, np.ndarray]
+
+
+def _switched(
+    assembly: Assembly, nodes: Sequence[int], inputs: str
+) -> tuple[list[int], dict[str, list[int]]]:
+    """Return what nodes switch at that depends on some groups of inputs, and blocks of values."""
+    graph = assembly.graph
+    found: list[int] = []
+    steps: list[int] = []
+    for switch in switches(graph, nodes, whole=True):
+        above, below = sides(graph, nodes, switch)
+        if above != below and graph.inputs_of([switch]) & {*inputs}:
+            found.append(switch)
+            steps += map(graph.sub, above, below)
+    return found, {"nodes": [*nodes] if found else [], "switches": found, "steps": steps}
+
+
+@dataclass(frozen=True)
+class Jumps:
+    """What rates switch at, its derivatives by states, specifieds and constants, and their steps.
+
+    They are the rates of the states, of which the speeds' are the loads, and, last, what is
+    integrated: an expression, or the place of an output.
+    """
+
+    coordinates: int
+    integral: Any = None
+
+    def __call__(self, assembly: Assembly) -> dict[str, list[int]]:
+        graph, rates = assembly.graph, [*assembly.rates]
+        if len(assembly.forcing) == len(assembly.speeds):
+            rates[self.coordinates : self.coordinates + len(assembly.speeds)] = assembly.forcing
+        if self.integral is not None:
+            rates.append(node_of(assembly, self.integral, "`integral`"))
+        found, blocks = _switched(assembly, rates, "xrp")
+        groups = zip("xrp", assembly.sizes, strict=True)
+        by = [graph.input(group, k) for group, size in groups for k in range(size)]
+        return {**blocks, "slopes": dense_jacobian(graph, found, by)}
+
+
+def node_of(assembly: Assembly, term: Any, argument: str) -> int:
+    """Return an output's node or an expression's, in a graph that may grow."""
+    return assembly.outputs[term] if isinstance(term, int) else assembly.read([term], argument)[0]
+
+
+@dataclass(frozen=True, eq=False)
+class Impulses:
+    """What prescribed motions switch at whose derivatives follow from them, and their steps."""
+
+    definition: Definition
+    plan: Plan
+
+    def __call__(self, assembly: Assembly) -> dict[str, list[int]]:
+        return _switched(assembly, [*self.nodes(assembly)], "t")[1]
+
+    def nodes(self, assembly: Assembly) -> dict[int, Any]:
+        """Return what is differentiated, and what it is a derivative of."""
+        return differentiated(assembly, self.definition, self.plan)
+
+
+def _passages(
+    evaluate: Callable[[np.ndarray], _Values], times: np.ndarray, resets: Sequence[float] = ()
+) -> Iterator[tuple[int, np.ndarray, _Values, np.ndarray]]:
+    """Yield switches that a motion passes, with two times right beside the largest step there.
+
+    After them come the values there, with `steps` of shape (2, k, nodes), and the sizes of nodes.
+    Where an event resets the state it is no passage: derivatives know that.
+    """
+    along = evaluate(times)
+    sizes = np.abs(along["nodes"]).max(axis=0, initial=0.0)
+    for k, value in enumerate(along["switches"].T):
+        places = np.flatnonzero(value)
+        turns = np.flatnonzero(np.diff(np.sign(value[places])))
+        pairs = [
+            [a, b] for a, b in zip(places[turns], places[turns + 1], strict=True)
+            if not any(times[a] < reset <= times[b] for reset in resets)
+        ]  # fmt: skip
+        if not pairs:
+            continue
+        steps = along["steps"][:, k]
+        beside = times[max(pairs, key=lambda pair: float(steps[pair].min(axis=0).max()))]
+        for _ in range(_REFINED):
+            finer = np.linspace(beside[0], beside[1], num=_FINER)
+            if not (np.diff(finer) > 0.0).all():
+                break
+            value = evaluate(finer)["switches"][:, k]
+            turn = int(np.argmax(np.sign(value) != np.sign(value[0])))
+            beside = finer[turn - 1 : turn + 1]
+        yield k, beside, evaluate(beside), sizes
+
+
+def _shaped(found: _Values) -> _Values:
+    m, k = found["switches"].shape
+    found["steps"] = np.abs(found["steps"])
+    return {n: v.reshape(m, k, -1 if k else 0) if n in ("steps", "slopes") else v
+            for n, v in found.items()}  # fmt: skip
+
+
+def _looked_at(motion: Any) -> np.ndarray:
+    """Return times of a motion, and places in the solver's steps."""
+    times = motion.times
+    ends = np.append(getattr(motion._dense, "starts", ()), times[-1])
+    within = ends[:-1] + np.arange(_IN_STEP)[:, None] / _IN_STEP * np.diff(ends)
+    every = np.unique(np.concatenate([times, within.ravel()]))
+    found: np.ndarray = every[(every >= times[0]) & (every <= times[-1])]
+    return found
+
+
+def warn_of_jumps(now: Snapshot, motion: Any, sensitive: Any = None, integral: Any = None) -> None:
+    """Warn where a motion passes a jump of the rates, of which derivatives along it know nothing.
+
+    These are by the initial state, or by the parameters of `sensitive`. Rates that meet at a switch
+    differ by nothing there, up to half of the digits.
+    """
+    equations, states = now.definition.equations, now.definition.states
+    n, r = len(states), len(now.definition.specifieds)
+    parts = Jumps(len(equations.coordinates), integral)
+
+    def evaluate(times: np.ndarray) -> _Values:
+        return _shaped(now.at(times, motion.at(times).states).values(parts))
+
+    if not evaluate(motion.times[:1])["switches"].size:
+        return
+    resets = [e.time for e in motion.events if not np.array_equal(e.after, e.before)]
+    for k, beside, found, sizes in _passages(evaluate, _looked_at(motion), resets):
+        step, slopes = found["steps"][:, k].min(axis=0), found["slopes"][0, k]
+        moved, explicit = slopes[:n], np.zeros(1)
+        if sensitive is not None:
+            first = {"specifieds": n, "constants": n + r}
+            given = [first[p.kind] + p.place for p in sensitive.parameters if p.kind in first]
+            explicit = slopes[given]
+            known = motion.at(beside)._sensitivity  # an adjoint has none
+            moved = moved if known is None else moved @ known.values[0]
+        if (step > HALF * sizes).any() and (moved.any() or explicit.any()):
+            row = int(np.argmax(step / or_one(sizes)))
+            what = "what is integrated"
+            if row < n:
+                speed = states[row] in equations.speeds
+                what = f"the {'load on' if speed else 'rate of'} {states[row]}"
+            warn_user(
+                f"At t = {beside[0]:.6g} {what} jumps by {step[row]:.3g}, and the derivatives of "
+                "the motion miss what this changes. Give a smooth one, such as with tanh(u/v) for "
+                "sign(u), or an event with a reset there."
+            )
+            return
+
+
+def warn_of_impulses(now: Snapshot, times: np.ndarray) -> None:
+    """Warn where a prescribed motion jumps, of which the derivatives are taken in the equations."""
+    parts = Impulses(now.definition, now.plan)
+    nodes = parts.nodes(now.model.assembly.fork())
+
+    def evaluate(times: np.ndarray) -> _Values:
+        return _shaped(now.at(times, np.tile(now.x, (len(times), 1))).values(parts))
+
+    if not nodes or not evaluate(times[:1])["switches"].size:
+        return
+    every = np.unique(np.append(times, np.linspace(times[0], times[-1], num=_IN_TIME)))
+    for k, beside, found, sizes in _passages(evaluate, every):
+        step = found["steps"][:, k].min(axis=0)
+        for (node, source), one, size in zip(nodes.items(), step, sizes, strict=True):
+            if one > HALF * size:
+                whose = "it" if node == next(iter(nodes)) else "a derivative of it"
+                warn_user(
+                    f"`specifieds` gives an expression for `{source}`, and at t = {beside[0]:.6g} "
+                    f"{whose} jumps by {one:.3g}. The equations hold its derivative, in which that "
+                    "is an impulse, which the motion misses. Give a smooth expression."
+                )
+                return

@@ -1,0 +1,69 @@
+"""Prescribed motions that jump, or their derivatives: the equations lose the impulse."""
+
+import numpy as np
+import pytest
+import sympy as sm
+import sympy.physics.mechanics as me
+
+from pydy import System
+from pydy.errors import PyDyUserWarning
+from pydy.mechanics import Definition
+
+T = me.dynamicsymbols._t
+X, V, Z = me.dynamicsymbols("x v z")
+K, A, B = sm.symbols("K a b")
+
+
+def carried(motion, damper=False):
+    """A mass on a spring to the ground, at x in a frame that moves by z: (x + z)" = -(x + z)."""
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    place = origin.locatenew("P", (X if damper else X + Z) * frame.x)
+    place.set_vel(frame, (V if damper else V + Z.diff(T)) * frame.x)
+    force = -K * (V - Z.diff(T)) if damper else -K * (X + Z)
+    loads, bodies = [(place, force * frame.x)], [me.Particle("b", place, 1)]
+    system = System(Definition(frame, [X], [V], bodies=bodies, loads=loads), ode_solver="dop853")
+    system.times = [0.0, 1.0]
+    system.specifieds = {Z: motion}
+    system.constants = dict.fromkeys(system.constants_symbols, 1.0)
+    return system
+
+
+KINKS = [
+    (sm.Max(0, T - A / 2), "a derivative of it jumps by 1"),
+    (sm.Abs(2 * T - A), "a derivative of it jumps by 4"),
+    (sm.Piecewise((0, T < A / 2), (T - B / 2, True)), "a derivative of it jumps by 1"),
+    (sm.Heaviside(T - A / 2), "it jumps by 1"),
+    (sm.floor(2 * T) / 3, "it jumps by 0.333"),
+]
+
+
+@pytest.mark.parametrize(("motion", "what"), KINKS)
+def test_an_impulse_that_is_lost_is_told(motion, what):
+    system = carried(motion)
+    with pytest.warns(PyDyUserWarning, match=rf"at t = 0.\S* {what}\. The equations") as told:
+        system.integrate()
+    assert len(told) == 1
+
+
+@pytest.mark.parametrize(
+    ("motion", "damper"),
+    [
+        (sm.Max(0, T - A / 2) ** 2, False),
+        (T**3 * sm.Piecewise((1, T < 2), (0, True)), False),
+        (sm.Piecewise((0, T < A / 2), ((T - B / 2) ** 2, True)), False),
+        (sm.sin(3 * T) * sm.Abs(K), False),
+        (sm.Max(0, T - A / 2), True),  # its rate alone is in the equations
+    ],
+)
+def test_what_is_lost_nowhere_is_not(motion, damper):
+    system = carried(motion, damper)
+    states = system.integrate()  # a warning would be an error
+    if not damper:  # x + z oscillates as if nothing moved
+        z, rate = (
+            sm.lambdify(T, e.subs({A: 1, B: 1, K: 1}).doit(), "numpy")
+            for e in (motion, motion.diff(T))
+        )
+        start, slope = float(z(0.0)), float(rate(1e-12))
+        expected = start * np.cos(1.0) + slope * np.sin(1.0)
+        assert states[-1, 0] + float(z(1.0)) == pytest.approx(expected, abs=1e-6)
