@@ -493,6 +493,9 @@ class _With:
         (-K * Q[0] / sm.Abs(Q[0]), True),
         (-K * sm.sign(Q[0]) / Q[0] ** 2, True),  # infinite there, on both sides
         (-K * Q[0] / sm.Abs(Q[0] - 1), True),
+        (-K * sm.Abs(sm.sin(Q[0])), False),  # SymPy's integral holds for one turn
+        (-K * sm.Piecewise((sm.sin(Q[0]), sm.sin(Q[0]) > 0), (0, True)), False),
+        (-K * sm.Max(0, Q[0] - 9), True),
     ],
 )
 def test_an_energy_may_be_infinite_at_a_switch_but_not_jump_there(plane, force, known):

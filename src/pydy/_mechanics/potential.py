@@ -44,6 +44,7 @@ _TRIALS, _MASS = 3, sm.Rational(7, 11)  # a number that no formula holds
 _SWITCHED = sm.Max, sm.Min, sm.Abs, sm.sign, sm.Heaviside, sm.Piecewise
 # How far beyond a switch states are looked for, of their distance before: limbs reach no further.
 _BEYOND = (-1.0, -0.1, -0.01)
+_FAR = (-41.0, 41.0)  # six turns from there, or as many units
 _NEAR = (2.0**-20, 2.0**-30)  # so near to a switch that only a jump is as large at both
 
 
@@ -729,6 +730,10 @@ def is_potential_of(equations: Equations, potential: Any, powers: Sequence[Any])
         if beyond and _jumps(states, switch, energy):
             return False
         samples += beyond
+        # An integral of |sin(q)|, say, may hold for some turns alone.
+        for far in _FAR:
+            near = dict.fromkeys(equations.coordinates, far)
+            samples += states.samples(blocks, _TRIALS, near=near)
     if not (generic and all(_small(sample["pairs"], sums) for sample in samples)):
         return False
     # What acts on one side only, and at none of the states, has an energy that tells of sides.

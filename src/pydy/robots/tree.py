@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import scipy
 
-from pydy._errors import RobotFileError
+from pydy._errors import RobotFileError, warn_user
 
 # A file's rotation is normalised before it becomes a matrix of cosines, each of which is then off
 # by a few units in the last place: an entry so close to 0 or ±1 was meant to be that.
@@ -121,6 +121,7 @@ class Tree:
 
     def check(self) -> None:
         """Refuse what cannot move: negative numbers, and joints that nothing with mass follows."""
+        negative: list[str] = []
         heavy = [link.mass > 0.0 or bool(link.inertia.any()) for link in self.links]
         for k in range(len(self.links) - 1, -1, -1):
             link = self.links[k]
@@ -137,7 +138,7 @@ class Tree:
                 )
             least = float(np.linalg.eigvalsh(link.inertia)[0])
             if least < -_COSINE * np.abs(link.inertia).max():  # as in files that are in use
-                self.left_out.append(
+                negative.append(
                     f"the inertia of the link '{link.name}' has a negative principal moment, "
                     f"{least:.3g}: no body has it; it is taken as it is ({link.where})"
                 )
@@ -159,6 +160,10 @@ class Tree:
                 )
             if link.parent >= 0:
                 heavy[link.parent] |= heavy[k]
+        self.left_out += negative
+        if negative:
+            more = f" So are {len(negative) - 1} others." if negative[1:] else ""
+            warn_user(f"{negative[0][0].upper()}{negative[0][1:]}.{more} Correct the file.")
 
 
 def _drop_rounding(link: Link) -> None:
