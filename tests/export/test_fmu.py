@@ -176,6 +176,9 @@ def test_a_step_that_leads_nowhere_is_an_error(units, fmi):
         (0.2, np.nan),
         (0.2, np.inf),
         (0.05, 0.05),
+        (0.1, 0.1),
+        (0.25, 0.1),
+        (5.0, 0.0),
         (0.4, 0.1),
         (np.nan, 0.1),
     ):

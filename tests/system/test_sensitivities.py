@@ -699,3 +699,23 @@ def test_what_grows_beyond_floats_is_named_and_no_load_is_blamed(solver):
         system.simulate(sensitivities=[x])
     assert "loads" not in str(error.value)
     assert error.value.state == pytest.approx([0.0, 0.0])
+
+
+@pytest.mark.parametrize(
+    "expression", [sm.Piecewise((X, X > L), (X - 2, True)), X - 1 + sm.Heaviside(X - L)], ids=str
+)
+def test_the_time_of_an_event_whose_expression_jumps_has_no_derivative(expression):
+    system = pushed(-K * X)
+    speed = system.speeds[0]
+    for acts, events in [(True, [Event(expression, reset={speed: 2 * speed}, name="e")]),
+                         (False, [Event(expression, name="e")])]:  # fmt: skip
+        system.constants = {K: 1.0}
+        system.constants[L] = 0.3
+        if acts:
+            with pytest.raises(IntegrationError, match="event `e`, whose expression jumps there, to"):
+                system.simulate(events=events, sensitivities=[K])
+            with pytest.raises(IntegrationError, match="event `e`, whose expression jumps there, to"):
+                system.adjoint_gradient([K], final=X, events=events)
+            continue
+        (told, *_) = system.simulate(events=events, sensitivities=[K]).events
+        assert np.isnan(told.time_sensitivity).all()

@@ -91,7 +91,12 @@ def _mod(graph: Graph, expr: Any, args: list[int]) -> int:
 def _sinc(graph: Graph, expr: Any, args: list[int]) -> int:
     x = args[0]
     ratio = graph.div(graph.call("sin", x), x)
-    return graph.call("select", graph.call("eq", x, graph.zero), graph.one, ratio)
+    # Below 1 a series, to rounding with its second derivative: those of the ratio cancel there.
+    square, series = graph.powi(x, 2), graph.zero
+    for k in range(9, -1, -1):
+        coefficient = (-1) ** k / math.factorial(2 * k + 1)
+        series = graph.sum([(graph.mul(square, series), 1.0)], coefficient)
+    return graph.call("select", graph.call("lt", square, graph.one), series, ratio)
 
 
 def _acot(graph: Graph, expr: Any, args: list[int]) -> int:

@@ -6,7 +6,7 @@ from bisect import bisect_right
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import partial
-from typing import Any
+from typing import Any, NoReturn
 
 import numpy as np
 import sympy as sm
@@ -38,9 +38,9 @@ from pydy._system.snapshot import Snapshot
 from pydy._system.solving import native_solver, with_residuals_held
 from pydy.analysis.adjoint import AdjointGradient
 from pydy.inputs import SampledInput
-from pydy.solvers.events import Event, forcing_time
+from pydy.solvers.events import Event, forcing_time, jumped_to
 from pydy.solvers.options import read_options
-from pydy.solvers.outcome import EVENT_GRAZES, OUTCOMES, TERMINATED
+from pydy.solvers.outcome import EVENT_GRAZES, EVENT_JUMPS, OUTCOMES, TERMINATED
 from pydy.solvers.run.constraints import CompiledConstraints
 from pydy.solvers.run.recording import Recording
 from pydy.solvers.solver import Solver
@@ -444,7 +444,14 @@ class _Run:
         assert events is not None
         share = 0.0  # where an input that jumps makes it happen, its time is given
         if forcing_time(call, events, record.index, x, t) is None:
-            self._check_crossing(record, rate, curvature, part["crossing"][:n])
+            sizes = self.options.atol + self.options.rtol * np.abs(x)
+            error = float(np.abs(part["crossing"][:n]) @ sizes[:n])
+            value = jumped_to(call, events, record.index, x, t, error)
+            if value is not None:
+                self._refuse(EVENT_JUMPS, record, value=value)
+            depth = rate * rate / (2.0 * abs(curvature)) if curvature else abs(rate) * np.inf
+            if not depth > error:  # it only grazes: its time has no derivative
+                self._refuse(EVENT_GRAZES, record, depth=depth)
             before, after = self._rates(x, t), self._rates(record.after, t)
             moved = float(adjoint @ (part["after_rates"] - after[:n]))
             moved += float(self._adjoint[n:] @ (before - after)[n:])
@@ -454,16 +461,9 @@ class _Run:
         self._adjoint[:n] = adjoint + turned[:n]
         self._add(turned[n:], t)
 
-    def _check_crossing(
-        self, record: EventRecord, rate: float, curvature: float, gradient: np.ndarray
-    ) -> None:
-        """Refuse an event that the motion only grazes: its time has no derivative."""
-        depth = rate * rate / (2.0 * abs(curvature)) if curvature else abs(rate) * np.inf
-        sizes = self.options.atol + self.options.rtol * np.abs(record.before)
-        if depth > float(np.abs(gradient) @ sizes[: self.n]):
-            return
-        outcome = OUTCOMES[EVENT_GRAZES]
-        text = outcome.text.format(event=record.name, depth=depth)
+    def _refuse(self, code: int, record: EventRecord, **details: float) -> NoReturn:
+        outcome = OUTCOMES[code]
+        text = outcome.text.format(event=record.name, **details)
         k = int(np.searchsorted(self.times, record.time))
         raise IntegrationError(
             f"The motion {text} at t = {record.time!r}. {outcome.remedy}",

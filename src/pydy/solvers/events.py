@@ -11,7 +11,7 @@ import numpy as np
 
 from pydy._checks import shown
 from pydy._kernel import Kernel, KernelCall
-from pydy.solvers.tuning import CROWD, CROWDED, ROUNDING, ROUNDINGS
+from pydy.solvers.tuning import CLOSE, CROWD, CROWDED, ROUNDING, ROUNDINGS
 from pydy.trajectory import EventRecord
 
 
@@ -182,3 +182,19 @@ def forcing_time(
         if found[0] * found[1] < 0.0:
             return moment
     return None
+
+
+def jumped_to(
+    call: KernelCall, events: CompiledEvents, event: int, x: np.ndarray, t: float, error: float
+) -> float | None:
+    """Return the value of an event's expression where it happens, unless that is zero.
+
+    It is as far as times, and the expression, are told, and beside the `error` that the tolerances
+    of the states allow; else the expression has jumped.
+    """
+    k = len(events.names)
+    told = call.evaluate(events.rates, x, t)
+    value = float(call.evaluate(events.values, x, t)[event])
+    time = ROUNDINGS * ROUNDING * abs(t) * abs(float(told[event]))
+    rounding = ROUNDINGS * ROUNDING * float(told[k + event])
+    return value if CLOSE * abs(value) > time + rounding + error else None

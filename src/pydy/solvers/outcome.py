@@ -15,7 +15,7 @@ CONSTRAINTS_NOT_MET, NO_CONVERGENCE, EVENTS_ACCUMULATE, START_OFF_CONSTRAINTS = 
 INTERRUPTED, TOLERANCE_TOO_SMALL, EVENT_CONSTANT, RESET_NOT_FINITE = range(10, 14)
 SINGULAR_CONFIGURATION, EVENT_GRAZES, SPEEDS_NOT_GIVEN, DEPENDENTS_NOT_GIVEN = range(14, 18)
 RESET_OFF_CONSTRAINTS, LEFT_CONSTRAINTS, ENERGY_CHANGED, EVENT_UNDEFINED = range(18, 22)
-CONTACTS_IMPOSSIBLE = 22
+CONTACTS_IMPOSSIBLE, EVENT_JUMPS = 22, 23
 
 
 class Outcome(NamedTuple):
@@ -152,5 +152,11 @@ OUTCOMES = {
         "contacts_impossible",
         "found no modes of the contacts that satisfy the equations",
         "Simulate that sample alone: the error tells whether it is Painlevé's paradox or jamming.",
+    ),
+    EVENT_JUMPS: Outcome(
+        "event_jumps",
+        "met the event `{event}`, whose expression jumps there, to {value:.3g},",
+        "The time of such an event has no derivatives that are known. Pass an expression that "
+        "passes through zero where that jumps, or simulate without `sensitivities`.",
     ),
 }

@@ -481,7 +481,8 @@ STATUS NAME(GetNominalsOfContinuousStates)(void *instance, double *nominals, siz
 static Status stepped(Instance *self, double point, double step)
 {
     const double goal = point + step, apart = fabs(point - self->model.t);
-    if (!(step >= 0.0 && isfinite(goal) && (step == 0.0 || apart <= step || self->stopped)))
+    const double told_to = CLOSE * step + ROUNDINGS * ROUNDING * fabs(self->model.t);
+    if (!(step >= 0.0 && isfinite(goal) && (apart <= told_to || self->stopped)))
         return told(self, 1, "the step must be finite, not negative, and begin at the present time");
     const int outcome = self->stopped ? ENDED : integrate(&self->model, goal);
     self->stopped = outcome == ENDED;

@@ -251,13 +251,12 @@ static int act(Model *m)
         if (EVENT_ACTING[k])
             reset_states(m, k);
         ends = ends || EVENT_TERMINAL[k];
-        /* so many so close together that they accumulate, as of a ball that comes to rest */
-        if (m->t - m->last_event[k] < 1e-11 * (fabs(m->t) + 1.0))
-            m->crowd[k]++;
-        else
-            m->crowd[k] = 0;
+        /* so many so close together that they accumulate, as of a ball that comes to rest, or as
+           close as times are told */
+        const double since = m->t - m->last_event[k];
+        m->crowd[k] = since < 1e-11 * (fabs(m->t) + 1.0) ? m->crowd[k] + 1 : 0;
         m->last_event[k] = m->t;
-        ends = ends || m->crowd[k] > 100;
+        ends = ends || m->crowd[k] > 100 || (m->crowd[k] > 1 && since <= 16.0 * ROUNDING * fabs(m->t));
     }
 #endif
     take_sides(m);

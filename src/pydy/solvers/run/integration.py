@@ -28,11 +28,12 @@ from pydy._interrupts import Interrupts
 from pydy._kernel import Kernel, KernelCall
 from pydy._names import few, numbers_of
 from pydy._optional import bar_of
-from pydy.solvers.events import CompiledEvents, crowd, forcing_time
+from pydy.solvers.events import CompiledEvents, crowd, forcing_time, jumped_to
 from pydy.solvers.options import Options
 from pydy.solvers.outcome import (
     EVENT_CONSTANT,
     EVENT_GRAZES,
+    EVENT_JUMPS,
     EVENT_UNDEFINED,
     EVENTS_ACCUMULATE,
     FINISHED,
@@ -515,7 +516,10 @@ class Integration:
         rtol, atol = (np.broadcast_to(a, n) for a in (self.options.rtol, self.options.atol))
         forced = forcing_time(self.call, wanted, event, before, t) is not None
         jump = beside.jump(self.call, event, t, before, after[:n], (rtol, atol), forced)
-        if not jump.depth > jump.error:
+        value = None if forced else jumped_to(self.call, wanted, event, before, t, jump.error)
+        if value is not None or not jump.depth > jump.error:
+            if acting and value is not None:
+                self._stop(EVENT_JUMPS, event=wanted.names[event], value=value)
             if acting:
                 self._stop(EVENT_GRAZES, event=wanted.names[event], depth=jump.depth)
             jump = jump._replace(time=np.full(beside.columns, np.nan))
