@@ -447,3 +447,27 @@ def test_the_model_and_its_solver_may_need_functions_of_the_same_name(tmp_path, 
     system.export(path)
     expected = system.simulate(rtol=1e-11, atol=1e-11)["x"]
     assert simulated(str(path), "CoSimulation", ["x"])[:, 0] == pytest.approx(expected, abs=1e-7)
+
+
+@pytest.mark.parametrize("fmi", VERSIONS)
+def test_bounces_that_accumulate_end_the_motion(units, fmi):
+    """As in Python, where the ball would fall through the floor otherwise."""
+    path = units["ball", fmi]
+    unit = instantiate_fmu(fmpy.extract(path), read_model_description(path), "CoSimulation")
+    if fmi == "2.0":
+        unit.setupExperiment(startTime=0.0)
+    unit.enterInitializationMode()
+    unit.exitInitializationMode()
+    place = next(
+        v.valueReference for v in read_model_description(path).modelVariables if v.name == "y"
+    )
+    get = unit.getReal if fmi == "2.0" else unit.getFloat64
+    for k in range(40):
+        try:
+            unit.doStep(float(k), 1.0)
+        except FMICallException as error:  # FMI 2.0 discards the step
+            assert error.status == 2
+            break
+    assert abs(get([place])[0]) < 1e-9
+    unit.terminate()
+    unit.freeInstance()

@@ -6,7 +6,7 @@ import sympy as sm
 import sympy.physics.mechanics as me
 
 from pydy import System
-from pydy.errors import PyDyUserWarning
+from pydy.errors import IntegrationError, PyDyUserWarning
 from pydy.mechanics import Definition
 
 T = me.dynamicsymbols._t
@@ -30,18 +30,21 @@ def carried(motion, damper=False):
 
 
 KINKS = [
-    (sm.Max(0, T - A / 2), "a derivative of it jumps by 1"),
-    (sm.Abs(2 * T - A), "a derivative of it jumps by 4"),
-    (sm.Piecewise((0, T < A / 2), (T - B / 2, True)), "a derivative of it jumps by 1"),
-    (sm.Heaviside(T - A / 2), "it jumps by 1"),
-    (sm.floor(2 * T) / 3, "it jumps by 0.333"),
+    (sm.Max(0, T - A / 2), r"a derivative of `specifieds\[z\(t\)\]` jumps by 1"),
+    (sm.Abs(2 * T - A), r"a derivative of `specifieds\[z\(t\)\]` jumps by 4"),
+    (
+        sm.Piecewise((0, T < A / 2), (T - B / 2, True)),
+        r"a derivative of `specifieds\[z\(t\)\]` jumps by 1",
+    ),
+    (sm.Heaviside(T - A / 2), r"`specifieds\[z\(t\)\]` jumps by 1"),
+    (sm.floor(2 * T) / 3, r"`specifieds\[z\(t\)\]` jumps by 0.333"),
 ]
 
 
 @pytest.mark.parametrize(("motion", "what"), KINKS)
 def test_an_impulse_that_is_lost_is_told(motion, what):
     system = carried(motion)
-    with pytest.warns(PyDyUserWarning, match=rf"at t = 0.\S* {what}\. The equations") as told:
+    with pytest.warns(PyDyUserWarning, match=rf"At t = 0.\S* {what}\. The equations") as told:
         system.integrate()
     assert len(told) == 1
 
@@ -67,3 +70,32 @@ def test_what_is_lost_nowhere_is_not(motion, damper):
         start, slope = float(z(0.0)), float(rate(1e-12))
         expected = start * np.cos(1.0) + slope * np.sin(1.0)
         assert states[-1, 0] + float(z(1.0)) == pytest.approx(expected, abs=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("row", "what"),
+    [
+        (V - sm.Heaviside(T - A / 2), "the velocity constraint 0 jumps by 1"),
+        (X - 1 - sm.floor(2 * T), "the holonomic constraint 0 jumps by 1"),
+        (V - sm.Max(0, T - A / 2), None),
+        (V - sm.Piecewise((0, X < 3), (1, True)), None),
+    ],
+)
+def test_constraints_that_jump_in_time_are_told(row, what):
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    y, w = me.dynamicsymbols("y w")
+    origin.set_vel(frame, 0)
+    place = origin.locatenew("P", X * frame.x + y * frame.y)
+    kind = "nonholonomic_constraints" if row.has(V) else "holonomic_constraints"
+    system = System(
+        Definition(frame, [X, y], [V, w], bodies=[me.Particle("b", place, 1)], **{kind: [row]}),
+        initial_conditions={X: 1.0}, ode_solver="dop853", times=[0.0, 0.9],
+    )  # fmt: skip
+    if what is None:
+        system.simulate(constraints="project")  # a warning would be an error
+        return
+    with pytest.warns(PyDyUserWarning, match=what):
+        try:
+            system.simulate(constraints="project")
+        except IntegrationError:
+            assert row.has(sm.floor)

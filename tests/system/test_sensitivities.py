@@ -712,9 +712,9 @@ def test_the_time_of_an_event_whose_expression_jumps_has_no_derivative(expressio
         system.constants = {K: 1.0}
         system.constants[L] = 0.3
         if acts:
-            with pytest.raises(IntegrationError, match="event `e`, whose expression jumps there, to"):
+            with pytest.raises(IntegrationError, match="whose expression jumps there, to"):
                 system.simulate(events=events, sensitivities=[K])
-            with pytest.raises(IntegrationError, match="event `e`, whose expression jumps there, to"):
+            with pytest.raises(IntegrationError, match="whose expression jumps there, to"):
                 system.adjoint_gradient([K], final=X, events=events)
             continue
         (told, *_) = system.simulate(events=events, sensitivities=[K]).events

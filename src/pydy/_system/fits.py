@@ -14,6 +14,7 @@ from pydy._checks import (
     Places,
     check_mapping,
     choice,
+    describe,
     flag,
     listed,
     number,
@@ -108,7 +109,13 @@ class _Fit:
             merged: dict[Any, Any] = {}
             for what, owner in ((argument, system), (label, d.trial)):
                 given = check_mapping(what, getattr(owner, argument))
-                merged |= places.by_symbol(given, what, others=True)
+                own = places.by_symbol(given, what, others=True)
+                if owner is d.trial and (both := parameters.intersection(own)):
+                    raise ValueError(
+                        f"`{what}` gives {describe([*both])} a value of its own, but `parameters` "
+                        "names it, for all trials. Leave one of them out."
+                    )
+                merged |= own
             return {key: value for key, value in merged.items() if key not in parameters}
 
         self.constants = [others("constants", d) for d in self.data]

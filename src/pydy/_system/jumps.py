@@ -25,15 +25,19 @@ _Values = dict[str, np.ndarray]
 
 
 def _switched(
-    assembly: Assembly, nodes: Sequence[int], inputs: str
+    assembly: Assembly, nodes: Sequence[int], inputs: str, others: str = "xrpt"
 ) -> tuple[list[int], dict[str, list[int]]]:
-    """Return what nodes switch at that depends on some groups of inputs, and blocks of values."""
+    """Return what nodes switch at that depends on groups of inputs, and blocks of values.
+
+    It depends on one of the `inputs` at least, and on none but these and the `others`.
+    """
     graph = assembly.graph
     found: list[int] = []
     steps: list[int] = []
     for switch in switches(graph, nodes, whole=True):
         above, below = sides(graph, nodes, switch)
-        if above != below and graph.inputs_of([switch]) & {*inputs}:
+        held = graph.inputs_of([switch])
+        if above != below and held & {*inputs} and held <= {*inputs, *others}:
             found.append(switch)
             steps += map(graph.sub, above, below)
     return found, {"nodes": [*nodes] if found else [], "switches": found, "steps": steps}
@@ -69,17 +73,27 @@ def node_of(assembly: Assembly, term: Any, argument: str) -> int:
 
 @dataclass(frozen=True, eq=False)
 class Impulses:
-    """What prescribed motions switch at whose derivatives follow from them, and their steps."""
+    """At which times what equations hold derivatives of switches, and its steps.
+
+    These are prescribed motions whose derivatives follow from them, and constraints.
+    """
 
     definition: Definition
     plan: Plan
 
     def __call__(self, assembly: Assembly) -> dict[str, list[int]]:
-        return _switched(assembly, [*self.nodes(assembly)], "t")[1]
+        return _switched(assembly, [*self.nodes(assembly)], "t", "p")[1]
 
-    def nodes(self, assembly: Assembly) -> dict[int, Any]:
-        """Return what is differentiated, and what it is a derivative of."""
-        return differentiated(assembly, self.definition, self.plan)
+    def nodes(self, assembly: Assembly) -> dict[int, str]:
+        """Return what is differentiated, and what to call it."""
+        found: dict[int, str] = {}
+        for node, source in differentiated(assembly, self.definition, self.plan).items():
+            derivative = "a derivative of " if str(source) in "".join(found.values()) else ""
+            found[node] = f"{derivative}`specifieds[{source}]`"
+        for kind, rows in (("holonomic", assembly.holonomic), ("velocity", assembly.velocity)):
+            for k, node in enumerate(rows):
+                found.setdefault(node, f"the {kind} constraint {k}")
+        return found
 
 
 def _passages(
@@ -170,9 +184,9 @@ def warn_of_jumps(now: Snapshot, motion: Any, sensitive: Any = None, integral: A
 
 
 def warn_of_impulses(now: Snapshot, times: np.ndarray) -> None:
-    """Warn where a prescribed motion jumps, of which the derivatives are taken in the equations."""
+    """Warn where a prescribed motion, or a constraint, jumps of which derivatives are taken."""
     parts = Impulses(now.definition, now.plan)
-    nodes = parts.nodes(now.model.assembly.fork())
+    nodes = parts.nodes(now.driven.assembly.fork())
 
     def evaluate(times: np.ndarray) -> _Values:
         return _shaped(now.at(times, np.tile(now.x, (len(times), 1))).values(parts))
@@ -182,12 +196,11 @@ def warn_of_impulses(now: Snapshot, times: np.ndarray) -> None:
     every = np.unique(np.append(times, np.linspace(times[0], times[-1], num=_IN_TIME)))
     for k, beside, found, sizes in _passages(evaluate, every):
         step = found["steps"][:, k].min(axis=0)
-        for (node, source), one, size in zip(nodes.items(), step, sizes, strict=True):
+        for what, one, size in zip(nodes.values(), step, sizes, strict=True):
             if one > HALF * size:
-                whose = "it" if node == next(iter(nodes)) else "a derivative of it"
                 warn_user(
-                    f"`specifieds` gives an expression for `{source}`, and at t = {beside[0]:.6g} "
-                    f"{whose} jumps by {one:.3g}. The equations hold its derivative, in which that "
-                    "is an impulse, which the motion misses. Give a smooth expression."
+                    f"At t = {beside[0]:.6g} {what} jumps by {one:.3g}. The equations hold its "
+                    "derivative, in which that is an impulse, which the motion misses. Give a "
+                    "smooth expression."
                 )
                 return

@@ -173,7 +173,7 @@ def begin(now: Snapshot, solver: SolverFunction, given: dict[str, Any]) -> tuple
         if is_odeint(solver):
             check_option_names("odeint", odeint_options(), ready.options)
         latest["simulation"] = ready
-        if plan.expressions:
+        if plan.expressions or ready.constrained:
             warn_of_impulses(now, times)
     return ready, times
 

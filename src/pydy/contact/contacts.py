@@ -19,11 +19,12 @@ from pydy.contact.compiled import Compiled
 from pydy.contact.conditions import paired, symbols_of
 from pydy.contact.decide import OPEN, SLIDING
 from pydy.contact.modes import modes_of
+from pydy.contact.rows import StartError
 from pydy.contact.run import Run
 from pydy.contact.sensitivities import Carried
 from pydy.contact.trajectory import ContactTrajectory
 from pydy.solvers.events import Event
-from pydy.solvers.outcome import CONTACTS_IMPOSSIBLE, FINISHED, TERMINATED
+from pydy.solvers.outcome import CONTACTS_IMPOSSIBLE, FINISHED, START_OFF_CONSTRAINTS, TERMINATED
 from pydy.solvers.solver import Solver
 from pydy.system import System
 
@@ -370,6 +371,8 @@ class Motions:
             motion = run.trajectory()
             end = run.pieces[-1].end
             code = FINISHED if run.reached.all() else TERMINATED
+        except StartError:
+            code, end = START_OFF_CONSTRAINTS, float(times[0])
         except ContactError as error:
             motion, end = run.partial(), error.time
             known = getattr(error.__cause__, "info", None) or {}

@@ -33,6 +33,10 @@ from pydy.contact.smooth import Switched, switched
 from pydy.contact.tuning import WITHIN
 
 
+class StartError(ValueError):
+    """A gap is negative at the first time."""
+
+
 @dataclass(frozen=True)
 class Numbers:
     """The rows at one state."""

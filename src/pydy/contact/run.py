@@ -37,7 +37,7 @@ from pydy.contact.decide import (
 from pydy.contact.impacts import RISES, contradiction, newton, poisson
 from pydy.contact.missed import missed
 from pydy.contact.modes import Mode
-from pydy.contact.rows import Numbers
+from pydy.contact.rows import Numbers, StartError
 from pydy.contact.sensitivities import Carried
 from pydy.contact.trajectory import ContactTrajectory, Piece, Pieces, PieceSensitivities
 from pydy.contact.tuning import (
@@ -212,7 +212,7 @@ class Run:
                     f"The gap of {c.name!r} must not be negative at the first time, got "
                     f"{p.gap[i]:.6g}. Change the initial conditions, or the sign of the gap."
                 )
-                raise ValueError(why) if self.begun is None else self.fail(t, x, why)
+                raise StartError(why) if self.begun is None else self.fail(t, x, why)
             if p.gap[i] <= nothing:
                 speed = moving[normal]
                 (state.rising if speed > 0 else closing if speed < 0 else state.touching).add(i)
