@@ -490,3 +490,12 @@ def test_an_initial_speed_of_zero_is_determined(oscillator, method):
     result = oscillator.fit(["k0", "v0"], Trial(TIMES, {"x0": x}, {"x0": 1.0}), method=method)
     assert result["v0"] == pytest.approx(0.0, abs=1e-8)
     assert result.undetermined == ()
+
+
+def test_a_trial_may_not_have_its_own_value_of_what_all_trials_share():
+    system = multi_mass_spring_damper()
+    system.times = np.linspace(0.0, 1.0, 11)
+    samples = {"x0": system.simulate()["x0"]}
+    trials = [Trial(system.times, samples), Trial(system.times, samples, constants={"k0": 9.0})]
+    with pytest.raises(ValueError, match=r"`constants of trial 1` gives k0 a value of its own, but"):
+        system.fit(["k0"], trials)

@@ -25,6 +25,7 @@ from pydy._graph.simplify import simplify
 from pydy._graph.switches import Passes
 from pydy._graph.tangent import Tangent, jacobian_tangent, worthwhile_parts
 from pydy._mechanics.equations import Mechanism
+from pydy._mechanics.symbols import find_symbols
 
 _BLOCKS = (
     "rates", "ordinary", "outputs", "holonomic", "velocity", "nonholonomic", "mass_matrix",
@@ -105,7 +106,7 @@ class Assembly:
         This is the mass matrix before any constraint reduces it, row by row. Specifieds are held,
         those that are given as expressions too.
         """
-        energy = self._kinetic_energy()
+        energy = self._kinetic_energy(sizes=True)
         if not energy:
             return []
         g, n = self.graph, len(self.speeds)
@@ -115,21 +116,29 @@ class Assembly:
         cells = [rows[max(i, j)].get(min(i, j), g.zero) for i in range(n) for j in range(n)]
         return substitute(g, cells, self.given)
 
-    def _kinetic_energy(self) -> list[int]:
+    def _kinetic_energy(self, sizes: bool = False) -> list[int]:
         if self.mechanism is None or not self.mechanism.bodies:
             return []
-        return self._reader("the kinetic energy").all([self.mechanism.energy])
+        energy = [self.mechanism.energy]
+        return self._reader("the kinetic energy", energy if sizes else ()).all(energy)
 
     def fork(self) -> Assembly:
         """Return the same with a graph of its own: what is read into it leaves this one alone."""
         return replace(self, graph=self.graph.copy())
 
-    def read(self, expressions: Iterable[Any], what: str) -> list[int]:
-        """Return further expressions in the states and symbols as nodes; `what` is for messages."""
-        return substitute(self.graph, self._reader(what).all(expressions), self.given)
+    def read(self, expressions: Iterable[Any], what: str, *, sizes: bool = False) -> list[int]:
+        """Return further expressions in the states and symbols as nodes; `what` is for messages.
 
-    def _reader(self, what: str) -> SymPyReader:
-        return SymPyReader(self.graph, self.atoms, what)
+        Where their `sizes` are wanted, symbols that cancel from the equations count as zero.
+        """
+        expressions = [*expressions]
+        reader = self._reader(what, expressions if sizes else ())
+        return substitute(self.graph, reader.all(expressions), self.given)
+
+    def _reader(self, what: str, sized: Sequence[Any] = ()) -> SymPyReader:
+        absent = (s for s in (find_symbols(sized) if sized else ()) if s not in self.atoms)
+        more = dict.fromkeys(absent, self.graph.zero)
+        return SymPyReader(self.graph, {**self.atoms, **more} if more else self.atoms, what)
 
     def program(self, *names: str) -> Program:
         """Return the Program of the named blocks."""

@@ -110,7 +110,7 @@ class _Fit:
             for what, owner in ((argument, system), (label, d.trial)):
                 given = check_mapping(what, getattr(owner, argument))
                 own = places.by_symbol(given, what, others=True)
-                if owner is d.trial and (both := parameters.intersection(own)):
+                if len(self.data) > 1 and owner is d.trial and (both := parameters & own.keys()):
                     raise ValueError(
                         f"`{what}` gives {describe([*both])} a value of its own, but `parameters` "
                         "names it, for all trials. Leave one of them out."
