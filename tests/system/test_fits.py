@@ -497,5 +497,5 @@ def test_a_trial_may_not_have_its_own_value_of_what_all_trials_share():
     system.times = np.linspace(0.0, 1.0, 11)
     samples = {"x0": system.simulate()["x0"]}
     trials = [Trial(system.times, samples), Trial(system.times, samples, constants={"k0": 9.0})]
-    with pytest.raises(ValueError, match=r"`constants of trial 1` gives k0 a value of its own, but"):
+    with pytest.raises(ValueError, match=r"`constants of trial 1` gives k0 a value of its own"):
         system.fit(["k0"], trials)

@@ -413,3 +413,17 @@ def test_an_orbit_across_a_jump_of_the_load_warns_of_its_multipliers():
     system.constants = {"mu": 0.3}
     with pytest.warns(PyDyUserWarning, match="load on v.* jumps by 0.6, and the derivatives"):
         assert system.find_periodic_orbit(2 * np.pi / 1.3).residual < 1e-8
+
+
+def test_a_period_that_the_forcing_does_not_have_is_named():
+    x, v = me.dynamicsymbols("x v")
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    place = origin.locatenew("P", x * frame.x)
+    force = -x - x**3 - v / 10 + sm.cos(me.dynamicsymbols._t)
+    bodies, loads = [me.Particle("b", place, 1)], [(place, force * frame.x)]
+    system = System(Definition(frame, [x], [v], bodies=bodies, loads=loads), ode_solver="dop853")
+    system.initial_conditions = {x: 1.0}
+    with pytest.raises(PeriodicOrbitError, match="The equations do not have the `period` 6 s"):
+        system.find_periodic_orbit(6.0)
+    assert system.find_periodic_orbit(2 * np.pi).period == pytest.approx(2 * np.pi)

@@ -46,6 +46,12 @@ def solve_rates(
     return tuple(found[rate] for rate in coordinate_rates)
 
 
+def by_minors(equations: Sequence[Any], coordinate_rates: Sequence[Any]) -> bool:
+    """Return whether `solve_rates` divides by determinants alone."""
+    unknowns = [[s for s in find_symbols([e]) if s in coordinate_rates] for e in equations]
+    return all(len(group) <= _BY_MINORS for group in connected(unknowns))
+
+
 def connected(unknowns: list[list[Any]]) -> list[list[int]]:
     """Return the places of rows in groups that share unknowns, in order."""
     home: dict[Any, list[int]] = {}

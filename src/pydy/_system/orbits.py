@@ -13,6 +13,7 @@ from pydy._checks import flag, listed, number, shown
 from pydy._errors import PeriodicOrbitError, finished_before
 from pydy._names import some, unique_names
 from pydy._optional import progress_of
+from pydy._rank import HALF, or_one
 from pydy._system.balance import energetic_motions
 from pydy._system.dependents import latest_dependents
 from pydy._system.jumps import warn_of_jumps
@@ -309,6 +310,8 @@ class Orbits(Simulation, Evaluation):
                 if contacts is None:
                     trajectory = runner.simulate(**options)
                     warn_of_jumps(now, trajectory)
+                    if until is None and not autonomous:
+                        _check_period(runner, trajectory, flight.period)
                 else:  # what contacts hold is projected at the start
                     trajectory = contacts.resumed(held, **options)
                     initial = dict(zip(initial, trajectory.states[0].tolist(), strict=True))
@@ -331,4 +334,23 @@ class Orbits(Simulation, Evaluation):
             autonomous=autonomous,
             equilibrium=bool((moved <= ORBIT * begun[free]).all()),
             trajectory=trajectory,
+        )
+
+
+def _check_period(system: Any, motion: Any, period: float) -> None:
+    """Refuse a motion that ends as it began where the equations do not: it would not repeat."""
+    if system._now().plan.sampled:  # whose times end
+        return
+    times, states = motion.times[:: _SAMPLES // 16], motion.states[:: _SAMPLES // 16]
+    now, later = (system.evaluate_ode(states, times + late) for late in (0.0, period))
+    off = np.abs(later - now) / or_one(np.maximum(np.abs(now), np.abs(later)).max(axis=0))
+    k, j = np.unravel_index(int(np.nan_to_num(off).argmax()), off.shape)
+    if off[k, j] > HALF:
+        raise PeriodicOrbitError(
+            f"The equations do not have the `period` {period:.6g} s, after which the motion is as "
+            f"at its start: at t = {times[k]:.6g} the derivative of {motion.state_symbols[j]} is "
+            f"{now[k, j]:.6g}, that time later {later[k, j]:.6g} in the same state. Give a period "
+            "of all that depends on time.",
+            states[0],
+            (later - now)[k],
         )
