@@ -32,7 +32,9 @@ def jacobian(
     ``floor``, Piecewise) the derivative is that of the branch that is taken; steps have derivative
     zero.
     """
-    given = {node: {k: graph.one} for k, node in enumerate(variables)}
+    given: dict[int, dict[int, int]] = {}
+    for k, node in enumerate(variables):  # of which one may be there several times
+        given.setdefault(node, {})[k] = graph.one
     return directional(graph, outputs, given)
 
 

@@ -10,7 +10,7 @@ import numpy as np
 from pydy._assembly.definition import Definition
 from pydy._assembly.model import CompiledModel
 from pydy._assembly.specifieds import driven
-from pydy._checks import Places, listed, one_or_more, refuse_twice
+from pydy._checks import Places, listed, one_or_more
 from pydy._errors import warn_user
 from pydy._names import unique_names
 from pydy._system.balance import GROUPS, Point, located, members
@@ -34,7 +34,6 @@ def variables(definition: Definition, wrt: Any) -> str | tuple[tuple[str, int], 
                 f"got {wrt!r}."
             )
     symbols = members(definition, one_or_more("wrt", wrt))
-    refuse_twice(symbols, "wrt")
     if not symbols:
         raise ValueError("`wrt` must name at least one state, constant or specified.")
     found = (located(definition, symbol, "wrt") for symbol in symbols)

@@ -19,6 +19,7 @@ from pydy._system.snapshot import Snapshot
 
 _FINER, _REFINED = 65, 8  # times between two that a jump is between, and how often they are taken
 _IN_STEP = 4  # places in a solver's step that are looked at, beside outputs
+_PASSAGES = 16  # of a switch that are looked at closer, those with the largest steps
 _IN_TIME = 4096  # times that functions of time alone are looked at
 
 _Values = dict[str, np.ndarray]
@@ -99,7 +100,7 @@ class Impulses:
 def _passages(
     evaluate: Callable[[np.ndarray], _Values], times: np.ndarray, resets: Sequence[float] = ()
 ) -> Iterator[tuple[int, np.ndarray, _Values, np.ndarray]]:
-    """Yield switches that a motion passes, with two times right beside the largest step there.
+    """Yield switches that a motion passes, with two times right beside, the largest steps first.
 
     After them come the values there, with `steps` of shape (2, k, nodes), and the sizes of nodes.
     Where an event resets the state it is no passage: derivatives know that.
@@ -113,18 +114,17 @@ def _passages(
             [a, b] for a, b in zip(places[turns], places[turns + 1], strict=True)
             if not any(times[a] < reset <= times[b] for reset in resets)
         ]  # fmt: skip
-        if not pairs:
-            continue
         steps = along["steps"][:, k]
-        beside = times[max(pairs, key=lambda pair: float(steps[pair].min(axis=0).max()))]
-        for _ in range(_REFINED):
-            finer = np.linspace(beside[0], beside[1], num=_FINER)
-            if not (np.diff(finer) > 0.0).all():
-                break
-            value = evaluate(finer)["switches"][:, k]
-            turn = int(np.argmax(np.sign(value) != np.sign(value[0])))
-            beside = finer[turn - 1 : turn + 1]
-        yield k, beside, evaluate(beside), sizes
+        pairs.sort(key=lambda pair: -float(steps[pair].min(axis=0).max()))
+        for beside in times[np.array(pairs[:_PASSAGES], dtype=int).reshape(-1, 2)]:
+            for _ in range(_REFINED):
+                finer = np.linspace(beside[0], beside[1], num=_FINER)
+                if not (np.diff(finer) > 0.0).all():
+                    break
+                value = evaluate(finer)["switches"][:, k]
+                turn = int(np.argmax(np.sign(value) != np.sign(value[0])))
+                beside = finer[turn - 1 : turn + 1]
+            yield k, beside, evaluate(beside), sizes
 
 
 def _shaped(found: _Values) -> _Values:
@@ -167,8 +167,10 @@ def warn_of_jumps(now: Snapshot, motion: Any, sensitive: Any = None, integral: A
             first = {"specifieds": n, "constants": n + r}
             given = [first[p.kind] + p.place for p in sensitive.parameters if p.kind in first]
             explicit = slopes[given]
-            known = motion.at(beside)._sensitivity  # an adjoint has none
-            moved = moved if known is None else moved @ known.values[0]
+            if (known := motion.at(beside)._sensitivity) is not None:  # an adjoint has none
+                large = np.abs(slopes[:n]) @ np.abs(motion._sensitivity.values).max(axis=0)
+                moved = moved @ known.values[0]
+                moved[np.abs(moved) <= HALF * large] = 0.0  # it passes there at any parameters
         if (step > HALF * sizes).any() and (moved.any() or explicit.any()):
             row = int(np.argmax(step / or_one(sizes)))
             what = "what is integrated"
