@@ -38,6 +38,7 @@ from pydy._mechanics.frames import orientation_rows, rotations
 from pydy._mechanics.generic import Block, GenericStates
 from pydy._mechanics.reader import InputReader, given_velocity, places
 from pydy._mechanics.symbols import find_symbols, replace_symbols
+from pydy._mechanics.tuning import NEAR
 from pydy._rank import ROUNDED
 
 _TRIALS, _MASS = 3, sm.Rational(7, 11)  # a number that no formula holds
@@ -45,7 +46,6 @@ _SWITCHED = sm.Max, sm.Min, sm.Abs, sm.sign, sm.Heaviside, sm.Piecewise
 # How far beyond a switch states are looked for, of their distance before: limbs reach no further.
 _BEYOND = (-1.0, -0.1, -0.01)
 _FAR = (-41.0, 41.0)  # six turns from there, or as many units
-_NEAR = (2.0**-20, 2.0**-30)  # so near to a switch that only a jump is as large at both
 
 
 @dataclass
@@ -776,9 +776,9 @@ def _jumps(states: GenericStates, switch: int, energy: int) -> bool:
     block = [("step", (1,), [step])]
     samples = list(states.where(switch, block, _TRIALS))
     if not samples:  # it has no value there, but may tend to one
-        near = [list(_beyond(states, switch, block, (share,))) for share in _NEAR]
+        near = [list(_beyond(states, switch, block, (share,))) for share in NEAR]
         one, other = (np.median([abs(s["step"][0]) for s in some] or [0.0]) for some in near)
-        return bool(abs(other - one) < _NEAR[0] ** 0.5 * one)
+        return bool(abs(other - one) < NEAR[0] ** 0.5 * one)
     steps = np.array([sample["step"] for sample in samples])
     return bool((np.abs(steps) > states.uncertain(samples, [step])).any())
 

@@ -83,3 +83,7 @@ three joints in space, with all moments and products of inertia, are some hundre
 DIGITS = sys.float_info.dig
 """Decimals that every float keeps as they were typed: what has few bits, but more decimals, is left
 of others."""
+
+NEAR = (2.0**-20, 2.0**-30)
+"""So near to a switch, in sizes of what switches, that a jump alone is as large at both: what tends
+to zero has become a thousandth of itself, and what has no bound has grown."""
