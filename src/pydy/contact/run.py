@@ -8,7 +8,6 @@ from typing import Any
 
 import numpy as np
 
-from pydy._checks import real_array
 from pydy._errors import ContactError, IntegrationError, IntegrationInterrupted, note_finished
 from pydy._names import numbers_of
 from pydy._rank import ROUNDED
@@ -52,7 +51,7 @@ from pydy.contact.tuning import (
     STALLED,
     WITHIN,
 )
-from pydy.solvers.options import Options
+from pydy.solvers.options import read_options
 from pydy.solvers.outcome import TERMINATED
 from pydy.system import System
 from pydy.trajectory import EventRecord
@@ -89,8 +88,10 @@ class Run:
         self.begun: tuple[str, ...] | None = None  # the modes at the start, if they are given
         self.kept, self.users, self.now, self.times = kept, users, now, times
         self.user_events, self.options = events, options
-        self.atol = real_array(options.get("atol", Options.atol), "`atol`")
-        self.rtol = float(np.min(real_array(options.get("rtol", Options.rtol), "`rtol`")))
+        given = {name: value for name, value in options.items() if name in ("rtol", "atol")}
+        told = read_options("dop853", True, given)
+        # Of another shape than the states have, it is refused where they are integrated.
+        self.atol, self.rtol = np.asarray(told.atol), float(np.min(told.rtol, initial=1.0))
         self.rows, self.contacts = kept.rows, kept.contacts
         self.span = float(times[-1] - times[0])
         self.n = len(now.definition.states)
