@@ -695,7 +695,7 @@ def test_what_grows_beyond_floats_is_named_and_no_load_is_blamed(solver):
     mass = me.Particle("P", point, 1)
     method = me.LagrangesMethod(me.Lagrangian(frame, mass), [x], forcelist=push, frame=frame)
     system = System(method, times=np.linspace(0.0, 7.5, num=11), ode_solver=solver)
-    with pytest.raises(IntegrationError, match=r"The sensitivities grow to .*e\+") as error:
+    with pytest.raises(IntegrationError, match=r"The sensitivities grow to .*(e\+|inf)") as error:
         system.simulate(sensitivities=[x])
     assert "loads" not in str(error.value)
     assert error.value.state == pytest.approx([0.0, 0.0])
