@@ -608,6 +608,7 @@ def pushed(force):
         sm.Piecewise((-K, T < 5 * L), (K, True)),
         -K * (2 + sm.floor(X)),
         -K * (1 + sm.ceiling(X)),
+        -K * (sm.ceiling(X) + 1) * sm.ceiling(X) / 2,  # 1 above zero, nothing below
         -K * (2 - sm.Mod(X, 1)),
     ],
 )

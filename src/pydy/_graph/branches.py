@@ -47,7 +47,8 @@ def sides(graph: Graph, nodes: Sequence[int], switch: int) -> tuple[list[int], l
         op, args = graph.ops[node], graph.args[node]
         if op in _WHOLE and switch in (turn := _turning(graph, args[0]), graph.neg(turn)):
             near = graph.call("floor", graph.add(args[0], graph.const(0.5)))
-            above[node], below[node] = near, graph.sub(near, graph.one)
+            floor = near if op == "floor" else graph.add(near, graph.one)
+            above[node], below[node] = floor, graph.sub(floor, graph.one)
         if op == "log" and graph.ops[args[0]] == "abs":
             above[node] = below[node] = node
         if op not in (*_COMPARED, "abs", "sign"):

@@ -725,15 +725,17 @@ def is_potential_of(equations: Equations, potential: Any, powers: Sequence[Any])
     # The rate may be finite where the energy is not: that of atan(x/√-l) holds no root.
     generic = list(states.samples([*blocks, ("energy", (), [energy])], _TRIALS))
     samples = [*generic]
-    for switch in switches(states.graph, [energy, *lost]):
+    turned = switches(states.graph, [energy, *lost])
+    for far in (
+        _FAR if turned else ()
+    ):  # an integral of |sin(q)|, say, may hold for some turns alone
+        near = dict.fromkeys(equations.coordinates, far)
+        samples += states.samples(blocks, _TRIALS, near=near)
+    for switch in turned:
         beyond = list(_beyond(states, switch, blocks))
         if beyond and _jumps(states, switch, energy):
             return False
         samples += beyond
-        # An integral of |sin(q)|, say, may hold for some turns alone.
-        for far in _FAR:
-            near = dict.fromkeys(equations.coordinates, far)
-            samples += states.samples(blocks, _TRIALS, near=near)
     if not (generic and all(_small(sample["pairs"], sums) for sample in samples)):
         return False
     # What acts on one side only, and at none of the states, has an energy that tells of sides.

@@ -576,7 +576,7 @@ class Gradients(Setup):
             times = run.times[:reached].copy()
             return now.trajectory(times, states, events=run.records, statistics=run.info)
 
-        warn_of_jumps(now, run.passed(now), sensitive, integral)
+        warn_of_jumps(now, partial(run.passed, now), sensitive, integral)
         counts = {p.symbol: p.count for p in sensitive.parameters}
         statistics = {k: v for k, v in run.info.items() if k not in ("events", "reached")}
         return AdjointGradient(run.value, values, counts, by_state, run.end, statistics, motion)

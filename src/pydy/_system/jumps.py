@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -17,11 +17,13 @@ from pydy._graph.derivative import dense_jacobian
 from pydy._rank import HALF, or_one
 from pydy._system.snapshot import Snapshot
 
-_FINER, _REFINED = 65, 8  # times between two that a jump is between, and how often they are taken
+# Times between two that a jump is between, and how often they are taken: to 2⁻⁴⁸ of the way.
+_FINER, _REFINED = 65, 8
 _IN_STEP = 4  # places in a solver's step that are looked at, beside outputs
 _PASSAGES = 16  # of a switch that are looked at closer, those with the largest steps
 _IN_TIME = 4096  # times that functions of time alone are looked at
 
+_BY_SWITCH = {"steps", "slopes"}  # blocks that have a row for each switch
 _Values = dict[str, np.ndarray]
 
 
@@ -72,15 +74,16 @@ def node_of(assembly: Assembly, term: Any, argument: str) -> int:
     return assembly.outputs[term] if isinstance(term, int) else assembly.read([term], argument)[0]
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True)
 class Impulses:
     """At which times what equations hold derivatives of switches, and its steps.
 
-    These are prescribed motions whose derivatives follow from them, and constraints.
+    These are prescribed motions whose derivatives follow from them, and constraints: what they are
+    is a property of the model that has the expressions of the `plan` compiled in.
     """
 
-    definition: Definition
-    plan: Plan
+    definition: Definition = field(compare=False)
+    plan: Plan = field(compare=False)
 
     def __call__(self, assembly: Assembly) -> dict[str, list[int]]:
         return _switched(assembly, [*self.nodes(assembly)], "t", "p")[1]
@@ -88,9 +91,11 @@ class Impulses:
     def nodes(self, assembly: Assembly) -> dict[int, str]:
         """Return what is differentiated, and what to call it."""
         found: dict[int, str] = {}
+        sources: set[Any] = set()
         for node, source in differentiated(assembly, self.definition, self.plan).items():
-            derivative = "a derivative of " if str(source) in "".join(found.values()) else ""
-            found[node] = f"{derivative}`specifieds[{source}]`"
+            of = "a derivative of " if source in sources else ""
+            found[node] = f"{of}`specifieds[{source}]`"
+            sources.add(source)
         for kind, rows in (("holonomic", assembly.holonomic), ("velocity", assembly.velocity)):
             for k, node in enumerate(rows):
                 found.setdefault(node, f"the {kind} constraint {k}")
@@ -107,16 +112,14 @@ def _passages(
     """
     along = evaluate(times)
     sizes = np.abs(along["nodes"]).max(axis=0, initial=0.0)
+    before = np.searchsorted(resets, times, side="right")
     for k, value in enumerate(along["switches"].T):
         places = np.flatnonzero(value)
         turns = np.flatnonzero(np.diff(np.sign(value[places])))
-        pairs = [
-            [a, b] for a, b in zip(places[turns], places[turns + 1], strict=True)
-            if not any(times[a] < reset <= times[b] for reset in resets)
-        ]  # fmt: skip
-        steps = along["steps"][:, k]
-        pairs.sort(key=lambda pair: -float(steps[pair].min(axis=0).max()))
-        for beside in times[np.array(pairs[:_PASSAGES], dtype=int).reshape(-1, 2)]:
+        pairs = np.stack([places[turns], places[turns + 1]], axis=1)
+        pairs = pairs[before[pairs[:, 0]] == before[pairs[:, 1]]]
+        largest = along["steps"][:, k][pairs].min(axis=1).max(axis=1, initial=0.0)
+        for beside in times[pairs[np.argsort(-largest, kind="stable")[:_PASSAGES]]]:
             for _ in range(_REFINED):
                 finer = np.linspace(beside[0], beside[1], num=_FINER)
                 if not (np.diff(finer) > 0.0).all():
@@ -130,8 +133,7 @@ def _passages(
 def _shaped(found: _Values) -> _Values:
     m, k = found["switches"].shape
     found["steps"] = np.abs(found["steps"])
-    return {n: v.reshape(m, k, -1 if k else 0) if n in ("steps", "slopes") else v
-            for n, v in found.items()}  # fmt: skip
+    return found | {name: found[name].reshape(m, k, -1) for name in found.keys() & _BY_SWITCH}
 
 
 def _looked_at(motion: Any) -> np.ndarray:
@@ -144,7 +146,18 @@ def _looked_at(motion: Any) -> np.ndarray:
     return found
 
 
-def warn_of_jumps(now: Snapshot, motion: Any, sensitive: Any = None, integral: Any = None) -> None:
+def _switches(now: Snapshot, parts: Any) -> bool:
+    """Return whether anything switches at all; the model keeps that, which is asked at each run."""
+    known = now.driven.latest
+    if parts not in known:
+        found = now.at(np.array([now.t]), now.x[None]).values(parts)
+        known[parts] = bool(found["switches"].size)
+    return bool(known[parts])
+
+
+def warn_of_jumps(
+    now: Snapshot, motion_of: Callable[[], Any], sensitive: Any = None, integral: Any = None
+) -> None:
     """Warn where a motion passes a jump of the rates, of which derivatives along it know nothing.
 
     These are by the initial state, or by the parameters of `sensitive`. Rates that meet at a switch
@@ -153,12 +166,13 @@ def warn_of_jumps(now: Snapshot, motion: Any, sensitive: Any = None, integral: A
     equations, states = now.definition.equations, now.definition.states
     n, r = len(states), len(now.definition.specifieds)
     parts = Jumps(len(equations.coordinates), integral)
+    if not _switches(now, parts):
+        return
+    motion = motion_of()
 
     def evaluate(times: np.ndarray) -> _Values:
         return _shaped(now.at(times, motion.at(times).states).values(parts))
 
-    if not evaluate(motion.times[:1])["switches"].size:
-        return
     resets = [e.time for e in motion.events if not np.array_equal(e.after, e.before)]
     for k, beside, found, sizes in _passages(evaluate, _looked_at(motion), resets):
         step, slopes = found["steps"][:, k].min(axis=0), found["slopes"][0, k]
@@ -188,17 +202,17 @@ def warn_of_jumps(now: Snapshot, motion: Any, sensitive: Any = None, integral: A
 def warn_of_impulses(now: Snapshot, times: np.ndarray) -> None:
     """Warn where a prescribed motion, or a constraint, jumps of which derivatives are taken."""
     parts = Impulses(now.definition, now.plan)
-    nodes = parts.nodes(now.driven.assembly.fork())
+    if not _switches(now, parts):
+        return
+    names = [*parts.nodes(now.driven.assembly.fork()).values()]
 
     def evaluate(times: np.ndarray) -> _Values:
         return _shaped(now.at(times, np.tile(now.x, (len(times), 1))).values(parts))
 
-    if not nodes or not evaluate(times[:1])["switches"].size:
-        return
     every = np.unique(np.append(times, np.linspace(times[0], times[-1], num=_IN_TIME)))
     for k, beside, found, sizes in _passages(evaluate, every):
         step = found["steps"][:, k].min(axis=0)
-        for what, one, size in zip(nodes.values(), step, sizes, strict=True):
+        for what, one, size in zip(names, step, sizes, strict=True):
             if one > HALF * size:
                 warn_user(
                     f"At t = {beside[0]:.6g} {what} jumps by {one:.3g}. The equations hold its "

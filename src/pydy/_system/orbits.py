@@ -309,7 +309,7 @@ class Orbits(Simulation, Evaluation):
                 runner._searching = False
                 if contacts is None:
                     trajectory = runner.simulate(**options)
-                    warn_of_jumps(now, trajectory)
+                    warn_of_jumps(now, lambda: trajectory)
                     if until is None and not autonomous:
                         _check_period(runner, trajectory, flight.period)
                 else:  # what contacts hold is projected at the start

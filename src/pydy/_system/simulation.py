@@ -496,5 +496,5 @@ class Simulation(Setup):
         if not (self._searching or np.isfinite(trajectory.outputs).all()):
             warn_of_outputs(trajectory, now, cause_of)
         if wanted is not None and not self._searching:
-            warn_of_jumps(now, trajectory, wanted.sensitive)
+            warn_of_jumps(now, lambda: trajectory, wanted.sensitive)
         return trajectory

@@ -189,7 +189,8 @@ class Work:
         if self._first("start"):
             warn_user(
                 f"{number} of {len(batch.x)} samples, and maybe others, do not begin on the "
-                "constraints, nor so near that they are projected onto them: they are NaN, of the "
+                "constraints, nor so near that they are projected onto them, or with a contact's "
+                "gap that is negative: they are NaN, of the "
                 f"`status` {START_OFF_CONSTRAINTS}. Dependent initial conditions are those of the "
                 "System unless they are passed, also where constants or other initial conditions "
                 "vary: pass those of each sample in `initial_conditions`."
