@@ -27,7 +27,7 @@ NAMES = [
     "a.",
     "__a",
 ]
-NAMES += ["∫ y dt", "zarr.json", "é", "É", "Q_2", "q_2", "", " ", "\n", "c", "x y"]
+NAMES += ["∫ y dt", "zarr.json", "é", "É", "Q_2", "q_2", "", " ", "\n", "c", "x y", "pydy_chunks"]
 
 
 def folders_serve(names):

@@ -269,6 +269,39 @@ def test_a_flipped_bit_is_seen_anywhere_in_a_chunk(store, computed, name):
         assert computed == [25]
 
 
+def test_chunks_of_other_places_are_computed_again(store, computed):
+    path, go_on, whole = store
+
+    def swap(a, b):
+        for old, new in ((a, "aside"), (b, a), ("aside", b)):
+            (path / old).rename(path / new)
+
+    computed.clear()
+    swap("q1/c/0", "q1/c/1")
+    identical(go_on(), whole)
+    assert computed == [25, 25]
+    swap("q1/c", "u1/c")
+    identical(go_on(), whole)
+    assert computed == [25] * 6
+    for name in whole.data_vars:  # whole blocks, each with its own checksums
+        swap(f"{name}/c/2", f"{name}/c/3")
+    swap("pydy_chunks/checksums/c/2", "pydy_chunks/checksums/c/3")
+    identical(go_on(), whole)
+    assert computed == [25] * 8
+
+
+def test_chunks_of_another_ensemble_are_computed_again(store, computed, tmp_path):
+    path, go_on, whole = store
+    other = tmp_path / "other.zarr"
+    pendulum().integrate_ensemble(**random_values(pendulum(), 100, seed=1), store=other, chunks=25)
+    computed.clear()
+    for name in whole.data_vars:
+        chunk = next(p for p in (f"{name}/c/1/0", f"{name}/c/1") if (path / p).is_file())
+        shutil.copy(other / chunk, path / chunk)
+    identical(go_on(), whole)
+    assert computed == [25]
+
+
 @pytest.mark.parametrize("name", ["q1", "status", "time", "initial_q1", ""])
 def test_a_flipped_bit_is_seen_anywhere_in_what_describes_the_arrays(store, computed, name):
     path, go_on, whole = store

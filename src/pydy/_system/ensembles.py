@@ -385,11 +385,11 @@ class Ensembles(Setup):
             Path of a Zarr store, to which every finished block is written immediately, with
             checksums; so has what describes its arrays.
         resume : bool or str, optional
-            Whether `store` may exist; only its missing or damaged blocks are then computed. The
-            functions in `reduce` and `specifieds` must be those of the first call: they are
-            compared by their code and everything they use. If `resume` is a string, the strings are
-            compared instead: it is your name for the functions, which you pass from the first call
-            on and change when the functions change.
+            Whether `store` may exist; only its missing, damaged or misplaced blocks are then
+            computed. The functions in `reduce` and `specifieds` must be those of the first call:
+            they are compared by their code and everything they use. If `resume` is a string, the
+            strings are compared instead: it is your name for the functions, which you pass from the
+            first call on and change when the functions change.
         workers : int, optional
             Number of threads; by default one for each processor.
         progress : bool, optional

@@ -1,8 +1,9 @@
 """The Zarr store of an ensemble: one chunk for each block, so that any process may write its own.
 
-A block is complete if its `status`, which is written last, exists and all its chunks can be
-decoded and have their checksums; anything else may be incomplete or damaged, and is written again.
-What describes the arrays has checksums too, in the attributes of the store.
+A block is complete if all its chunks are there with the checksums that are written last. These say
+to which ensemble, variable and block a chunk belongs, too: one that was put in the place of another
+is as good as damaged. What is not complete is written again. What describes the arrays has
+checksums as well, in the attributes of the store.
 """
 
 from __future__ import annotations
@@ -72,7 +73,7 @@ def _serves(name: str) -> bool:
         _REFUSED.search(name)
         or name.endswith(".")
         or name.startswith((".", "__"))
-        or folded == _OF_ZARR
+        or folded in (_OF_ZARR, _CHUNKS[0])
         or _DEVICE.fullmatch(folded)
         or not name
     )
@@ -85,7 +86,8 @@ _TOKEN = "pydy_ensemble"
 _VARIABLES, _COORDINATES = "pydy_variables", "pydy_coordinates"
 _FILES = "pydy_names"  # in the store, of those variables and dimensions that have another one there
 _LABELS = "pydy_labels"
-_CHECKSUMS = "pydy_checksums"  # of what describes each array, by its name in the store
+_CHECKSUMS = "pydy_checksums"  # of what describes each array, by its place in the store
+_CHUNKS = "pydy_chunks", "checksums"  # of chunks: a group and its array, for each block a row
 _SETTING = Lock()  # zarr's configuration belongs to all threads
 
 
@@ -110,6 +112,7 @@ def token_of(work: Work, samples: Samples, sizes: Sequence[int], name: str = "")
     return fingerprint(
         (
             __version__,
+            _CHUNKS,
             [None if program is None else program.digest for program in programs],
             (model.states, model.output_names, model.method, about_events),
             [
@@ -213,6 +216,12 @@ def create(
             shape, chunks = (*samples.shape, *rest), (*sizes, *rest)
             fill = NOT_COMPUTED if name == "status" else None
             _array(group, file, shape, chunks, variable.dtype, along, attrs, fill)
+        blocks = [
+            -(-whole // max(1, size)) for whole, size in zip(samples.shape, sizes, strict=True)
+        ]
+        row, inner = len(about[_VARIABLES]), group.create_group(_CHUNKS[0])
+        shape, chunks = (*blocks, row), (*(1 for _ in blocks), row)
+        _array(inner, _CHUNKS[1], shape, chunks, np.uint32, [*map(files.get, dims), "variable"], {})
         coordinates = " ".join(files[name] for name in samples.coordinates)
         group.attrs.update({**example.attrs, "coordinates": coordinates})
         write_coordinates(str(aside), samples, example.coords.get("time"))
@@ -233,7 +242,9 @@ def _checksums(path: str) -> dict[str, int]:
     about = json.loads(Path(path, _OF_ZARR).read_bytes())["attributes"]
     about.pop(_CHECKSUMS, None)
     parts = {"": json.dumps(about, sort_keys=True).encode()}
-    parts |= {file.parent.name: file.read_bytes() for file in Path(path).glob(f"*/{_OF_ZARR}")}
+    for depth in ("*", "*/*"):
+        for file in Path(path).glob(f"{depth}/{_OF_ZARR}"):
+            parts[file.parent.relative_to(path).as_posix()] = file.read_bytes()
     return {name: zlib.crc32(part) for name, part in sorted(parts.items())}
 
 
@@ -296,30 +307,36 @@ def missing(path: str, blocks: Sequence[Block]) -> list[Block]:
     """Return the blocks that are missing from the store or damaged."""
     zarr = require("zarr", "ensemble", "`store`")
     group = zarr.open_group(path, mode="r")
-    status = group["status"]
-    arrays = [_stored(group, name) for name in group.attrs[_VARIABLES]]
-    return [
-        block
-        for block in blocks
-        if not (
-            _has(path, status, block)
-            and not (np.asarray(status[block]) == NOT_COMPUTED).any()
-            and all(_has(path, array, block) for array in arrays)
-        )
-    ]
+    arrays, known = _arrays(group), group["/".join(_CHUNKS)]
+
+    def complete(block: Block) -> bool:
+        try:
+            place, found = _checksums_of(path, group, arrays, block)
+            return np.array_equal(np.asarray(known[place]), found)
+        except Exception:  # noqa: BLE001 - no such chunk, or half of one, which no decoder takes
+            return False
+
+    return [block for block in blocks if not complete(block)]
 
 
-def _has(path: str, array: Any, block: Block) -> bool:
-    """Return whether a chunk is there and decodes."""
-    place = [s.start // size for s, size in zip(block, array.chunks, strict=False)]
-    place += [0] * (len(array.chunks) - len(place))
-    if not Path(path, array.basename, array.metadata.encode_chunk_key(tuple(place))).exists():
-        return False
-    try:
-        array[block]
-    except Exception:  # noqa: BLE001 - whatever half a chunk makes a decoder say
-        return False
-    return True
+def _arrays(group: Any) -> dict[str, Any]:
+    """Return the arrays of the results by the names of their variables."""
+    return {name: _stored(group, name) for name in group.attrs[_VARIABLES]}
+
+
+def _checksums_of(
+    path: str, group: Any, arrays: Mapping[str, Any], block: Block
+) -> tuple[tuple[int, ...], np.ndarray]:
+    """Return the place of a block, and the checksums of its chunks with where they belong."""
+    sizes = arrays["status"].chunks
+    place = tuple(s.start // size for s, size in zip(block, sizes, strict=True))
+    found = []
+    for name, array in arrays.items():
+        cell = *place, *(0 for _ in array.chunks[len(place) :])
+        file = Path(path, array.basename, array.metadata.encode_chunk_key(cell))
+        belongs = zlib.crc32(repr((group.attrs[_TOKEN], name, place)).encode())
+        found.append(zlib.crc32(file.read_bytes(), belongs))
+    return place, np.array(found, dtype=np.uint32)
 
 
 def write(path: str, block: Block, found: Mapping[str, Variable]) -> None:
@@ -328,7 +345,7 @@ def write(path: str, block: Block, found: Mapping[str, Variable]) -> None:
     # Otherwise a chunk of nothing but fill values would not be there, like one that was lost.
     with _SETTING, zarr.config.set({"array.write_empty_chunks": True}):
         group = zarr.open_group(path, mode="r+")
-        arrays = {name: _stored(group, name) for name in group.attrs[_VARIABLES]}
+        arrays, checksums = _arrays(group), group["/".join(_CHUNKS)]
     names = {file: name for name, file in group.attrs.get(_FILES, {}).items()}
 
     def form(a: Any) -> Form:
@@ -341,6 +358,8 @@ def write(path: str, block: Block, found: Mapping[str, Variable]) -> None:
     try:
         for name, variable in (*rest, ("status", found["status"])):
             arrays[name][block] = variable.values
+        place, known = _checksums_of(path, group, arrays, block)
+        checksums[place] = known
     except OSError as error:
         if error.filename is None and error.errno is not None:  # a full disk is told without a name
             raise type(error)(error.errno, error.strerror, path) from error
