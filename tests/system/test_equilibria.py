@@ -11,7 +11,8 @@ import loops
 import zoo
 from cases import system_of
 from hoop import bead_on_a_hoop
-from pydy.errors import EquilibriumError
+from pydy.errors import EquilibriumError, PyDyUserWarning
+from pydy.inputs import SampledInput
 from pydy.mechanics import Definition
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from pydy.system import System
@@ -132,6 +133,68 @@ def test_a_motion_that_depends_on_a_coordinate_is_not_steady_while_it_moves(metr
         found = system.find_equilibrium(given={u: 12.0}, **wanted)
         assert found["T"] == pytest.approx(4.8 * metre**2, rel=1e-12)
         assert len(system.eigenvalues({u: [5.0, 12.0]}, **wanted).values) == 2
+
+
+TIME = me.dynamicsymbols._t
+
+
+def pushed(load=0, **more):
+    """A mass on a spring, x'' = F + load - 3 x."""
+    x, v, force = me.dynamicsymbols("x v F")
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    place = origin.locatenew("P", x * frame.x)
+    loads = [(place, (force + load - 3 * x) * frame.x)]
+    bodies = [me.Particle("b", place, 1)]
+    return System(Definition(frame, [x], [v], bodies=bodies, loads=loads), **more)
+
+
+@pytest.mark.parametrize("times", [[], [0.0, 2.0]])
+@pytest.mark.parametrize(
+    ("given", "load", "what"),
+    [
+        (sm.cos(TIME), 0, r"F\(t\)"),
+        (SampledInput([0.0, 1.0, 3.0], [1.0, 2.0, 1.0]), 0, r"F\(t\)"),
+        (lambda x, t: np.cos(t), 0, r"F\(t\)"),
+        (0.0, sm.exp(-TIME), "the loads"),
+    ],
+)
+def test_what_is_an_equilibrium_at_one_time_alone_is_told(times, given, load, what):
+    system = pushed(load, specifieds={"F": given}, times=times)
+    if not times and not isinstance(given, float | sm.Basic):
+        system.find_equilibrium()  # where it may be asked is not known
+        return
+    message = rf"one for {what} at t = 0 alone: at t = \S+ the derivative of v\S* is \S*\d"
+    with pytest.warns(PyDyUserWarning, match=message) as told:
+        found = system.find_equilibrium()
+    assert found["x"] == pytest.approx(1.0 / 3.0)
+    assert len(told) == 1
+
+
+def test_a_sweep_is_told_once_and_a_number_in_place_of_an_input_is_not():
+    k = sm.Symbol("k")
+    system = pushed(k, specifieds={"F": sm.cos(TIME)})
+    with pytest.warns(PyDyUserWarning, match="one for F") as told:
+        system.eigenvalues({k: [1.0, 2.0, 9.0]})
+    assert len(told) == 1
+    system.find_equilibrium(given={"F": 1.0})
+    system.find_equilibrium(["F"])
+    system.eigenvalues({"F": [1.0, 2.0]})
+
+
+@pytest.mark.parametrize(
+    ("given", "load"),
+    [
+        (sm.cos(TIME) ** 2 + sm.sin(TIME) ** 2, 0),
+        (0.0, sm.cos(TIME) * me.dynamicsymbols("x")),
+        (sm.Heaviside(TIME - 3), 0),  # after the System's times
+        (lambda x, t: 1.0 - x[0], 0),
+        (SampledInput([0.0, 2.0], [1.0, 1.0]), 0),
+    ],
+)
+def test_what_remains_an_equilibrium_is_not(given, load):
+    system = pushed(load, specifieds={"F": given}, times=[0.0, 2.0])
+    system.find_equilibrium()  # a warning would be an error
 
 
 def test_a_search_that_starts_in_a_singular_state_names_what_is_left():

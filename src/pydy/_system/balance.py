@@ -12,7 +12,8 @@ import numpy as np
 from pydy._assembly.assembly import Assembly
 from pydy._assembly.definition import Definition
 from pydy._assembly.specifieds import driven
-from pydy._checks import Places, check_mapping, listed, number, real_array, refuse_twice
+from pydy._checks import Places, check_mapping, describe, listed, number, real_array, refuse_twice
+from pydy._errors import EquilibriumError, warn_user
 from pydy._forks import cached_property
 from pydy._graph.derivative import dense_jacobian
 from pydy._graph.interpret import run
@@ -26,7 +27,7 @@ from pydy._system.evaluation import row_names
 from pydy._system.setup import Setup
 from pydy._system.snapshot import At, Snapshot
 from pydy._system.tuning import BESIDE
-from pydy.analysis.equilibria import Equilibrium, Problem, Sizes, check_steady, solve_equilibrium
+from pydy.analysis.equilibria import Equilibrium, Problem, Sizes, left_ahead, solve_equilibrium
 from pydy.analysis.linear import independent_places, tangents
 from pydy.codegen.arguments import SpecifiedsPlan
 
@@ -34,6 +35,7 @@ GROUPS = {"states": "x", "specifieds": "r", "constants": "p"}
 """The kinds of symbols, and the arrays that hold their numbers."""
 # Decades of steps of differences that are tried, and the rounding errors of a function.
 _DECADES, _ROUNDED = 10, 100.0
+_TIMES = 64  # at which an equilibrium is tried again; powers of two where none are given
 _OF_NUMBERS = {"sin", "cos", "tan", "exp", "sinh", "cosh", "tanh"}  # functions of what has no unit
 
 
@@ -318,7 +320,7 @@ class Balance:
             perturbed=bool(own or self.plan.functions),
         )  # fmt: skip
         self.blocks = ["rates", *(b for b in ("holonomic", "velocity") if getattr(equations, b))]
-        self.t = now.t
+        self.t, self.within, self.told = now.t, float(np.ptp(np.append(now.times, now.t))), False
         self.start = np.empty(len(wanted.symbols))
         self.start[wanted.of("states")[0]] = self.x[wanted.of("states")[1]]
         self.start[wanted.of("constants")[0]] = self.p[wanted.of("constants")[1]]
@@ -480,18 +482,71 @@ class Balance:
     ) -> tuple[np.ndarray, float, tuple[str, ...]]:
         """Return what `solve_equilibrium` does from unknowns z; the `last` one may be given."""
         accepted = solve_equilibrium(self.problem(last), z, bounds)
+        found = np.append(accepted[0], [] if last is None else [last])
+        rates = np.zeros(0)
         if self.steady:
-            at = self.at(np.append(accepted[0], [] if last is None else [last])[None])
+            at = self.at(found[None])
             rates = at.tried(self.made.compiled("rates"))[0, self.steady]
             fastest = np.abs(rates / or_one(at.natural["states"][0, self.steady])).max()
             if fastest > 0.0:  # one of them by its size, such as an angle by a radian
-                ahead = copy(self)
-                ahead.x = self.x.copy()
-                ahead.x[self.steady] += rates / fastest
-                names = unique_names(self.definition.states)
-                moving = some(names[k] for k in self.steady)
-                check_steady(ahead.problem(last), accepted[0], moving)
+                ahead = self._ahead(rates / fastest)
+                if left := left_ahead(ahead.problem(last), accepted[0]):
+                    names = unique_names(self.definition.states)
+                    raise EquilibriumError(
+                        "`moving` must not have coordinates that the motion depends on, got "
+                        f"{some(names[k] for k in self.steady)}: as they advance, {left[0]} does "
+                        "not stay zero, and the motion is not steady. Leave them out, or find a "
+                        "periodic orbit.",
+                        accepted[0],
+                        left[2],
+                    )
+        if not self.told:
+            self._warn_of_time(found, rates)
         return accepted
+
+    def _ahead(self, moved: np.ndarray, t: float | None = None) -> Balance:
+        """Return the same where steady coordinates have moved, or at another time."""
+        ahead = copy(self)
+        ahead.x, ahead.t = self.x.copy(), self.t if t is None else t
+        ahead.x[self.steady] += moved
+        return ahead
+
+    def _warn_of_time(self, z: np.ndarray, rates: np.ndarray) -> None:
+        """Warn once if what was found at all unknowns z is none at other times.
+
+        Functions of users, and samples, are asked within the System's times alone.
+        """
+        graph, assembly, plan = self.made.assembly.graph, self.made.assembly, self.plan
+        nodes = [node for block in self.blocks for node in getattr(assembly, block)]
+        if plan.constant and "t" not in graph.inputs_of(nodes):
+            return
+        times = self.t + 2.0 ** np.array(sorted(range(-_TIMES // 2, _TIMES // 2), key=abs))
+        if self.within > 0.0:
+            times = self.t + self.within * np.arange(1, _TIMES + 1) / _TIMES
+        elif not plan.constant:
+            return
+        own = self.residuals(z[None])[0]
+        for t in times[[all(s.covers(times[[k]]) for _, s in plan.sampled) for k in range(_TIMES)]]:
+            ahead = self._ahead(rates * (t - self.t), float(t))
+            values = ahead.residuals(z[None])[0]
+            if (values == own).all() or not np.isfinite(values).all():
+                continue
+            if left := left_ahead(ahead.problem(), z):
+                changed = (ahead.at(z[None]).r != self.at(z[None]).r)[0]
+                moved, time = plan.expressions, self.definition.equations.time
+                inputs = [
+                    symbol
+                    for symbol, other in zip(plan.symbols, changed, strict=True)
+                    if other or (symbol in moved and moved[symbol].has(time))
+                ]
+                what = describe(inputs) if inputs else "the loads"
+                warn_user(
+                    f"The equilibrium is one for {what} at t = {self.t:.6g} alone: at t = {t:.6g} "
+                    f"{left[0]} is {left[1]:.3g}. Give constant values, as in `given`, or find a "
+                    "periodic orbit."
+                )
+                self.told = True
+                return
 
     def equilibrium(self, z: np.ndarray, largest: float, free: tuple[str, ...]) -> Equilibrium:
         """Return the result for the unknowns that were found, shape (l,)."""
@@ -713,6 +768,12 @@ class Equilibria(Setup):
             not satisfied.
         ValueError
             A name is not one of the system's.
+
+        Warns
+        -----
+        PyDyUserWarning
+            The state is an equilibrium at the first of the times alone: specifieds, or loads, that
+            change with time put it off it at others.
 
         Examples
         --------

@@ -194,21 +194,19 @@ def _beyond_noise(
     return problem.sizes(slopes, z), slopes, more
 
 
-def check_steady(ahead: Problem, z: np.ndarray, moving: str) -> None:
-    """Refuse an equilibrium that is none any more `ahead`, where coordinates have moved on."""
+def left_ahead(ahead: Problem, z: np.ndarray) -> tuple[str, float, np.ndarray] | None:
+    """Return a row that is not zero `ahead`, with its value and all, where coordinates moved on.
+
+    None where the equilibrium is one there, too.
+    """
     infinite = np.full(len(z), np.inf)
     try:
         _accepted(ahead, z, (-infinite, infinite), "")
     except EquilibriumError as error:
-        shares = np.abs(error.residuals)
-        row = ahead.rows[int(np.nanargmax(shares))] if np.isfinite(shares).any() else "a residual"
-        raise EquilibriumError(
-            f"`moving` must not have coordinates that the motion depends on, got {moving}: as they "
-            f"advance, {row} does not stay zero, and the motion is not steady. Leave them out, or "
-            "find a periodic orbit.",
-            z,
-            error.residuals,
-        ) from None
+        values = error.residuals
+        k = int(np.argmax(np.where(np.isfinite(values), np.abs(values), -1.0)))
+        return ahead.rows[k], float(values[k]), values
+    return None
 
 
 def _as_begun(
