@@ -13,7 +13,7 @@ from pydy._mechanics.equations import Equations, Mechanism
 from pydy._mechanics.form import Formed, without_idle
 from pydy._mechanics.formed import classify, equations_of, formed_alike, kinematics_of
 from pydy._mechanics.implicit import Implicit
-from pydy._mechanics.rates import by_minors, divide_alike, solve_rates
+from pydy._mechanics.rates import divide_alike, solve_rates
 from pydy._mechanics.reader import Multibody, check_bodies, read_loads
 
 
@@ -57,8 +57,6 @@ def _rates(kane: KanesMethod) -> dict[Any, Any]:
     if matrix.is_diagonal():
         return found
     rows = matrix * kane._qdot + kane._k_ku_implicit * kane.u + kane._f_k_implicit
-    if not by_minors(list(rows), list(kane._qdot)):
-        return found
     own = dict(zip(kane._qdot, solve_rates(list(rows), list(kane._qdot), "kd_eqs"), strict=True))
     return found if divide_alike(list(found.values()), list(own.values())) else own
 

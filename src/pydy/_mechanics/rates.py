@@ -1,7 +1,8 @@
 """q' from equations that are zero and linear in it.
 
-Equations that share no q' are solved apart: in most models each holds one, and in the others a few,
-such as the three of a body-fixed sequence of angles.
+Equations that share no q' are solved apart, and those that follow from others after these: in most
+models each holds one, and in the others a few, such as the three of a body-fixed sequence of
+angles. No expression is a pivot: it may vanish where the equations are sound.
 """
 
 from __future__ import annotations
@@ -12,12 +13,14 @@ from typing import Any
 import sympy as sm
 
 from pydy._checks import describe
-from pydy._graph.from_sympy import SymPyReader
+from pydy._graph.from_sympy import NodeExpression, SymPyReader
 from pydy._graph.identities import signatures
+from pydy._graph.modular import PRIME, inverse
 from pydy._graph.node import Graph, input_nodes
+from pydy._mechanics.implicit import blocks_of
 from pydy._mechanics.symbols import find_symbols, replace_symbols, sort_symbols
 
-_BY_MINORS = 3  # unknowns; Cramer's rule divides by nothing but the determinant
+_BY_MINORS = 3  # unknowns; more than that are solved where numbers are known
 
 
 def solve_rates(
@@ -36,7 +39,10 @@ def solve_rates(
                 f"hold {describe(own)}. Each equation must be zero, and contain derivatives of "
                 "coordinates."
             )
-        found.update(zip(own, _solved(rows, own, argument), strict=True))
+        for places, columns in blocks_of(rows, own):
+            block = [own[k] for k in columns]
+            parts = [replace_symbols(rows[k], found) for k in places]
+            found.update(zip(block, _solved(parts, block, argument), strict=True))
     missing = [rate for rate in coordinate_rates if rate not in found]
     if missing:
         raise ValueError(
@@ -44,12 +50,6 @@ def solve_rates(
             f"`{missing[0]} - u` with one of the speeds as u."
         )
     return tuple(found[rate] for rate in coordinate_rates)
-
-
-def by_minors(equations: Sequence[Any], coordinate_rates: Sequence[Any]) -> bool:
-    """Return whether `solve_rates` divides by determinants alone."""
-    unknowns = [[s for s in find_symbols([e]) if s in coordinate_rates] for e in equations]
-    return all(len(group) <= _BY_MINORS for group in connected(unknowns))
 
 
 def connected(unknowns: list[list[Any]]) -> list[list[int]]:
@@ -70,18 +70,53 @@ def _solved(rows: list[Any], own: list[Any], argument: str) -> list[Any]:
         for trial in (own[0] - rows[0], own[0] + rows[0]):
             if own[0] not in find_symbols([trial]):
                 return [trial]
-    matrix = sm.Matrix([[row.diff(rate) for rate in own] for row in rows])
-    if any(rate in find_symbols(matrix) for rate in own):
+    matrix = [[row.diff(rate) for rate in own] for row in rows]
+    entries = [entry for row in matrix for entry in row]
+    if any(rate in find_symbols(entries) for rate in own):
         raise ValueError(f"`{argument}` must be linear in {describe(own)}, got {describe(rows)}.")
-    rest = sm.Matrix([replace_symbols(row, dict.fromkeys(own, sm.S.Zero)) for row in rows])
-    if len(own) > _BY_MINORS:
-        _check_regular(matrix.det(method="berkowitz"), own, argument)
-        return list(matrix.LUsolve(-rest))
-    size = matrix.det()
-    _check_regular(size, own, argument)
-    if size in (1, -1):
-        return list(-size * (matrix.adjugate() * rest))
-    return [-part / size for part in matrix.adjugate() * rest]
+    rest = [-replace_symbols(row, dict.fromkeys(own, sm.S.Zero)) for row in rows]
+    n, graph = len(own), Graph()
+    atoms = input_nodes(graph, p=sort_symbols(find_symbols([*entries, *rest])))
+    read = SymPyReader(graph, atoms, f"`{argument}`")
+    nodes = read.all(entries)
+    cells, values = (
+        [found[k : k + n] for k in range(0, n * n, n)]
+        for found in (nodes, signatures(graph, nodes))
+    )
+    if inverse(values) is None:
+        raise ValueError(
+            f"`{argument}` cannot be solved for {describe(own)}: their equations depend on each "
+            "other. Give as many independent equations as coordinates."
+        )
+    if n <= _BY_MINORS:
+        cofactors = _cofactors(matrix)
+        size = sm.Add(*(e * c for e, c in zip(matrix[0], cofactors[0], strict=True)))
+        sign = {1: 1, PRIME - 1: -1}.get(signatures(graph, [read(size)])[0], size)
+        columns = zip(*cofactors, strict=True)
+        return [sm.Add(*map(sm.Mul, rest, column)) / sign for column in columns]
+    if all(entry.is_number for entry in entries):
+        return list(sm.Matrix(matrix).LUsolve(sm.Matrix(rest)))
+    symbols = {node: symbol for symbol, node in atoms.items()}
+    solution = graph.solve(cells, [read.all(rest)], "lu")[0]
+    return [
+        NodeExpression.of(graph, node, symbols, rate)
+        for node, rate in zip(solution, own, strict=True)
+    ]
+
+
+def _cofactors(matrix: list[list[Any]]) -> list[list[Any]]:
+    """Return the cofactors of a small matrix, of which nothing is multiplied out."""
+    if len(matrix) == 1:
+        return [[sm.S.One]]
+    found = []
+    for i in range(len(matrix)):
+        row = []
+        for j in range(len(matrix)):
+            minor = [[*r[:j], *r[j + 1 :]] for k, r in enumerate(matrix) if k != i]
+            size = sm.Add(*map(sm.Mul, minor[0], _cofactors(minor)[0]))
+            row.append(-size if (i + j) % 2 else size)
+        found.append(row)
+    return found
 
 
 def divide_alike(values: Sequence[Any], others: Sequence[Any]) -> bool:
@@ -95,14 +130,3 @@ def divide_alike(values: Sequence[Any], others: Sequence[Any]) -> bool:
     mine, theirs = map(read.all, divisors)
     found = signatures(graph, [*mine, *theirs, *map(graph.neg, theirs)])
     return set(found[: len(mine)]) <= set(found[len(mine) :])
-
-
-def _check_regular(determinant: Any, own: list[Any], argument: str) -> None:
-    symbols = sort_symbols(find_symbols([determinant]))
-    graph = Graph()
-    node = SymPyReader(graph, input_nodes(graph, p=symbols), f"`{argument}`")(determinant)
-    if not signatures(graph, [node])[0]:
-        raise ValueError(
-            f"`{argument}` cannot be solved for {describe(own)}: their equations depend on each "
-            "other. Give as many independent equations as coordinates."
-        )
