@@ -220,6 +220,11 @@ def test_the_time_of_a_stop_in_a_plane_is_right_or_not_known():
     straight = pulled((0, 0), {vx: 0.7, vy: 0.7}, {})
     (stops,) = straight.simulate(sensitivities=[mu]).events
     assert stops.time_sensitivity == pytest.approx(-0.7 * math.sqrt(2) / 0.9, rel=1e-7)
+    # A pull across it bends the slide ever faster, which the motion itself does not show.
+    across = pulled((k, r), {vx: 1.0, vy: 0.5}, {k: 0.0, r: 0.0})
+    compared(across, [k, r, mu], ["x", "y"], rtol=1e-10, atol=1e-10)
+    contacts = pulled((k, r), {vx: 0.3, vy: 0.4}, {k: 0.3, r: 0.4})  # a pull along the slide
+    compared(contacts, [mu, k, vx], ["x", "y"], rtol=1e-10, atol=1e-10)
     curved = pulled((0, 0.8), {vx: 1.2, vy: 0.9}, {}, 0.2)
     # An error says where it stops that its speed along the reference has no slope there.
     with suppress(ContactError):
@@ -227,6 +232,30 @@ def test_the_time_of_a_stop_in_a_plane_is_right_or_not_known():
         assert motion.events[-1].name == "floor stops"
         assert np.isnan(motion.events[-1].time_sensitivity).all()
         assert np.isfinite(motion.sensitivity.values).all()
+
+
+@pytest.mark.parametrize(("angle", "value"), [(1.3, 0.25), (1.45, 0.1), (1.5, 0.2)])
+def test_the_foot_of_a_rod_that_falls_slips_where_friction_reaches_its_limit(angle, value):
+    # Its acceleration grows from zero, or from a rounding of either sign.
+    q, u = me.dynamicsymbols("q u")
+    A = me.ReferenceFrame("A")
+    A.orient_axis(N, N.z, q)
+    A.set_ang_vel(N, u * N.z)
+    G = O.locatenew("G", x * N.x + y * N.y)
+    G.set_vel(N, vx * N.x + vy * N.y)
+    rod = me.RigidBody("rod", G, A, 1.0, (me.inertia(A, 0, 0, sm.Rational(1, 3)), G))
+    foot = G.locatenew("foot", -A.x)
+    foot.v2pt_theory(G, N, A)
+    system = System(
+        Definition(N, [x, y, q], [vx, vy, u], bodies=[rod], loads=[(G, -g * N.y)]),
+        {g: 9.81}, {}, "dop853", {q: angle, x: math.cos(angle), y: math.sin(angle)}, [0.0, 1.0],
+    )  # fmt: skip
+    floor = Unilateral(y - sm.sin(q), name="floor")
+    contacts = Contacts(system, [Stick(foot, on=floor, mu=mu, along=N.x)], {mu: value})
+    exact = compared(contacts, [g, mu], ["x", "q", "u"], 2e-5, rtol=1e-12, atol=1e-12)
+    names = [event.name for event in exact.events]
+    assert names[0] == "floor slips"
+    assert names.count("floor slips") == 1
 
 
 def test_samples_as_parameters_are_named():

@@ -317,6 +317,7 @@ class Wanted:
     controlled: bool  # whether the step control of a native solver looks at the sensitivities too
     solved: Iterable[Any] | None  # see `Sensitive.of`
     given: np.ndarray | None = None  # those of the initial state, shape (n, k); else they follow
+    untimed: frozenset[int] = frozenset()  # see `CompiledSensitivities`
     sensitive: Sensitive = field(init=False)  # from the call of `problem` on
 
     def problem(
@@ -338,6 +339,7 @@ class Wanted:
                 scales = scales_of(sized, now.x, now.plan.values, now.p, columns.count)
             events = options.get("events")
             compiled = sensitive.compiled(scales, () if events is None else events.sources)
+            compiled = replace(compiled, untimed=self.untimed)
             options = {**options, "sensitivities": compiled}
         else:
             for name in options.keys() & {"rtol", "atol"}:

@@ -17,10 +17,10 @@ from pydy._system.snapshot import Snapshot
 from pydy._system.solving import check_events
 from pydy.contact.compiled import Compiled
 from pydy.contact.conditions import paired, symbols_of
-from pydy.contact.decide import OPEN, SLIDING
+from pydy.contact.decide import OPEN, SLIDING, held_rows, independent
 from pydy.contact.modes import modes_of
 from pydy.contact.rows import StartError
-from pydy.contact.run import Run
+from pydy.contact.run import Run, State
 from pydy.contact.sensitivities import Carried
 from pydy.contact.trajectory import ContactTrajectory
 from pydy.solvers.events import Event
@@ -240,7 +240,9 @@ class Contacts:
             found.append(mode)
         now, kept = self._now()
         run = Run(kept, self.system, now, np.array([now.t]), [], {})
-        held, every = run.held(found)
+        p = run.numbers(now.t, now.x)
+        every = held_rows(run.problem(p, State(now.t, now.x, set(), set(), set())), found)
+        held = tuple(independent(p.square, every))
         system: System = kept.mode(tuple(found), held, every)[1]
         system.constants = {**now.constants, **dict.fromkeys(kept.rows.hidden, 0.0)}
         system.specifieds = dict(self.system.specifieds)

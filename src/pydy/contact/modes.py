@@ -321,7 +321,8 @@ class Mode:
                 else:
                     watch(g.sum([(g.powi(ahead, 2), 1.0), (square, -(TURNED**2))]), "bends", i)
             elif mode in SLIDES:
-                watch(g.sum([(speeds[0], SLIDES[mode])]), "stops", i)
+                bound = nodes_of[rows.rising[i]]
+                watch(g.sum([(speeds[0], SLIDES[mode]), (bound, 1.0)]), "stops", i)
             if mode in SLIDES and i in self.pivots:
                 watch(self.pivots[i], "jams", i)
         found = [
@@ -334,6 +335,17 @@ class Mode:
             for k, (node, (what, i)) in enumerate(zip(nodes, kinds, strict=True))
         ]
         return found, kinds
+
+    @property
+    def untimed(self) -> frozenset[int]:
+        """Events of sliding in a plane, whose times do not matter where nothing slides on.
+
+        Friction turns velocities ever faster before a stop: expressions have no slopes there.
+        """
+        kinds, own = self.events[1], ("stops", "bends", "clears")
+        return frozenset(
+            k for k, (what, i) in enumerate(kinds) if what in own and i in self.rows.references
+        )
 
 
 def _names(what: str, number: int) -> list[str]:

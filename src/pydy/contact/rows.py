@@ -100,7 +100,8 @@ class ContactRows:
                 (c.unilateral is not None) + (0 if c.stick is None else 2 if c.stick.plane else 1)
             )
         ]
-        # Of each contact: whether its gap is on the way up; then its speed is watched, not the gap.
+        # Of each contact: what rounding leaves of its speed where that begins; or zero. While
+        # a gap is on the way up, its speed is watched, not the gap.
         self.rising = [sm.Symbol(f"{c.name}_rising") for c in contacts]
         self.hidden = [
             *(s for own in self.references.values() for s in own), *self.biases, *self.rising

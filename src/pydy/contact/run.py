@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -130,8 +130,7 @@ class Run:
     def values(self, t: float, x: np.ndarray) -> dict[Any, float]:
         """Return a number for each symbol."""
         definition = self.now.definition
-        values = dict(self._numbers_of)
-        values[definition.equations.time] = t
+        values = {**self._numbers_of, definition.equations.time: t}
         values.update(zip(definition.states, x.tolist(), strict=True))
         if definition.specifieds:
             r = self.now.specifieds(np.array([t]), x[None])[0]
@@ -156,13 +155,6 @@ class Run:
                     state.directions[i] = speed / np.linalg.norm(speed)
                 elif i not in state.directions:  # an impact has left it nothing but rounding
                     state.resting.add(i)
-
-    def held(self, modes: Sequence[str]) -> tuple[tuple[int, ...], list[int]]:
-        """Return the rows that modes hold at the start: independent ones, and all."""
-        x = self.now.x
-        p = self.numbers(self.now.t, x)
-        every = held_rows(self.problem(p, State(self.now.t, x, set(), set(), set())), modes)
-        return tuple(independent(p.square, every)), every
 
     def resolution(self, t: float) -> float:
         """Return the time within which events happen at the same instant."""
@@ -525,11 +517,13 @@ class Run:
             options["constraints"] = "project"
         self.shorten(p, state, solution, system, options)
         if self.carried is not None:
-            given = self.carried.starts(system.evaluate_ode(state.x, state.t))
+            slides = any(solution.modes[i] in SLIDES for i in state.resting)
+            given = self.carried.starts(system.evaluate_ode(state.x, state.t), slides)
             self.columns[here] = given
-            turning = {STARTING, *((SLIDING,) if system.ode_solver.name == "radau" else ())}
-            controlled = self.carried.controlled or not turning.isdisjoint(solution.modes)
-            wanted = Wanted(self.carried.symbols, controlled, None, given)
+            # Friction turns the columns quickly where it stops a slide that is straight, too.
+            turning = not {STARTING, SLIDING}.isdisjoint(solution.modes)
+            controlled = self.carried.controlled or turning
+            wanted = Wanted(self.carried.symbols, controlled, None, given, mode.untimed)
             options["sensitivities"] = wanted
         system._searching = True  # outputs are looked at over the whole motion
         try:
@@ -589,6 +583,13 @@ class Run:
         for i in state.rising:  # roundings of their speeds
             found[self.rows.rising[i]] = max(eps * float(p.slow[self.rows.normal[i]]), tiny)
         atol = float(np.min(self.atol))
+        for i in state.resting:
+            # Friction has just reached its limit: the acceleration grows from zero, of which √ε of
+            # its terms may be missing. Until it has made up for that, speeds are ε of theirs.
+            if solution.modes[i] in (FORWARD, BACKWARD) and solution.margins[i] <= SLACK:
+                (row,) = self.rows.tangent[i]
+                terms = max(float(p.slow[row]), float(p.terms[row]) * self.span)
+                found[self.rows.rising[i]] = WITHIN * eps * terms
         for i, symbols in self.rows.references.items():
             rows = self.rows.tangent[i]
             gained = float(np.linalg.norm(p.free[rows])) * self.span
@@ -773,11 +774,9 @@ class Run:
     def result(self) -> ContactTrajectory:
         """Return the parts of the motion as one."""
         times, states = self.times[self.reached], self.states[self.reached]
-        base = self.now.definition
-        kinds = dict(base.symbols_by_kind)
+        kinds = dict(self.now.definition.symbols_by_kind)
         kinds["output"] = (*kinds["output"], *self.kept.stated)
-        model = Pieces(self.pieces, self.now)
-        last = self.pieces[-1].end
+        model, last = Pieces(self.pieces, self.now), self.pieces[-1].end
         records = sorted((r for r in self.records if r.time <= last), key=lambda r: r.time)
         sensitive: dict[str, Any] = {}
         if self.carried is not None:

@@ -123,9 +123,9 @@ class Carried:
 
     def ends(self, record: Any, rates: np.ndarray) -> None:
         """Take the derivatives at the event that ends a mode."""
-        self.time = record.time_sensitivity
+        self.doubtful = np.isnan(record.time_sensitivity)
+        self.time = np.where(self.doubtful, 0.0, record.time_sensitivity)
         self.total = record.sensitivity_before + np.outer(rates, self.time)
-        self.doubtful = np.zeros(len(self.time), dtype=bool)
 
     def doubt(self, values: Mapping[Any, float], rows: Sequence[int], before: np.ndarray) -> None:
         """Tell of which parameters the time of a stop in a plane is not known.
@@ -139,10 +139,18 @@ class Carried:
         self.total, self.time = before, np.zeros(len(time))
         size = np.linalg.norm(self.slopes(values).speed[rows], axis=0)
         self.total, self.time = total, time
-        self.doubtful = ~(np.linalg.norm(rest, axis=0) <= SLACK * size)
+        self.doubtful |= ~(np.linalg.norm(rest, axis=0) <= SLACK * size)
 
-    def starts(self, rates: np.ndarray) -> np.ndarray:
-        """Return S⁺ of the mode that begins."""
+    def starts(self, rates: np.ndarray, slides: bool) -> np.ndarray:
+        """Return S⁺ of the mode that begins, in which something that was at rest `slides` or not.
+
+        Where it is held, what follows from the time of a stop is taken out.
+        """
+        if slides and self.doubtful.any():
+            raise NotImplementedError(
+                "`sensitivities` where a body comes to rest in a plane after a slide that curves, "
+                "and slides on, are not known. Simulate without `sensitivities`."
+            )
         found: np.ndarray = self.total - np.outer(rates, self.time)
         return found
 

@@ -47,6 +47,8 @@ class CompiledSensitivities:
     # The Kernel of the derivatives of the holonomic, then of the velocity residuals, shapes (h, k)
     # and (v, k).
     constraints: Callable[[], Kernel]
+    # Events whose times may be unknown, NaN: what follows does not depend on them.
+    untimed: frozenset[int] = frozenset()
 
     @property
     def columns(self) -> int:

@@ -518,6 +518,7 @@ class Integration:
         jump = beside.jump(self.call, event, t, before, after[:n], (rtol, atol), forced)
         value = None if forced else jumped_to(self.call, wanted, event, before, t, jump.error)
         if value is not None or not jump.depth > jump.error:
+            acting = acting and event not in beside.untimed
             if acting and value is not None:
                 self._stop(EVENT_JUMPS, event=wanted.names[event], value=value)
             if acting:
