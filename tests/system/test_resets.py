@@ -57,6 +57,19 @@ def test_a_reset_that_leaves_the_constraints_warns_with_residual_and_remedy(meth
         assert result.shape == (9, 4)
 
 
+@pytest.mark.parametrize("more", [{}, {"sensitivities": "l"}, {"reduce": "final"}])
+def test_an_ensemble_tells_it_once(more):
+    system, (x, _, vx, vy) = bob()
+    system.times = system.times[:9]
+    starts = {"initial_conditions": {"y": np.zeros(40)}, **more}
+    message = r"In one sample or more, the reset of the event `wall` leaves .* velocity .* 0"
+    with pytest.warns(PyDyUserWarning, match=message) as told:
+        system.integrate_ensemble(events=[wall(x, {vx: -vx})], **starts)
+    assert len(told) == 1
+    system.integrate_ensemble(events=[wall(x, {vx: -vx, vy: -vy})], **starts)  # nothing is told
+    system.integrate_ensemble(events=[wall(x, {vx: -vx})], constraints="baumgarte", gain=5.0)
+
+
 def test_drift_that_a_reset_passes_on_is_not_its_own(recwarn):
     # At the bottom y' is drift alone, as is all of the residual x x' + y y'.
     system, (x, _, vx, vy) = bob()

@@ -29,7 +29,7 @@ from pydy._system.sensitivities import Sensitive, changed_by, program_of_event
 from pydy._system.setup import Setup
 from pydy._system.simulation import Ready
 from pydy._system.snapshot import At, Snapshot
-from pydy._system.solving import native_solver, with_residuals_held
+from pydy._system.solving import ConstraintNames, native_solver, with_residuals_held
 from pydy._system.start import check_samples
 from pydy._version import __version__
 from pydy.codegen.arguments import SpecifiedsPlan, symbolic_entries
@@ -424,7 +424,7 @@ class Ensembles(Setup):
         -----
         PyDyUserWarning
             Outputs are not finite, or samples do not begin on the constraints: dependent initial
-            conditions are not solved for again where others vary.
+            conditions are not solved for again where others vary. Or a reset leaves them.
 
         Notes
         -----
@@ -515,7 +515,8 @@ class Ensembles(Setup):
             check_samples(at, start, columns, shape, mended)
             equations = definition.equations
             left_out, every = any(equations.left_out), equations.beyond_projection
-            kept = Kept(kept_programs(now, moved), left_out, every, mended)
+            names_of = ConstraintNames(equations) if "events" in given else ()
+            kept = Kept(kept_programs(now, moved), left_out, every, mended, names_of)
         ready: Ready | None = now.model.latest.get("ensemble")
         if motions is not None:  # it has the events, and holds the constraints
             given, kept = {k: v for k, v in given.items() if k not in _ABOUT_MODES}, None

@@ -30,8 +30,8 @@ from pydy.trajectory import EventRecord
 def part_of(now: Snapshot, name: str) -> Callable[[Assembly], dict[str, list[int]]] | None:
     """Return what makes a part of `kept.Part` of an Assembly, or None where it is not known."""
     left_out = now.definition.equations.left_out
-    if name == "rows":
-        return Rows(*left_out, "sizes")
+    if name in ("rows", "bounds"):
+        return Rows(*left_out, "sizes" if name == "rows" else name)
     if name == "products":
         return Products()
     if name == "contradictions":
@@ -196,8 +196,8 @@ class KeptPrograms:
         return lower(own.graph, own.sizes, blocks)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        names = ("screen", "rows", "products", "contradictions", "slopes", "moving", "energy")
-        return dict, ({name: self[name] for name in names},)
+        names = "screen rows bounds products contradictions slopes moving energy"
+        return dict, ({name: self[name] for name in names.split()},)
 
 
 # -- the parts, as nodes of an Assembly ------------------------------------------------------------

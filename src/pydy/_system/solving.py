@@ -183,7 +183,7 @@ def compile_constraints(model: CompiledModel, definition: Definition) -> Compile
         dependent_speeds=len(equations.dependent_speeds),
         weighted=weighted,
         following=equations.following[1],
-        names=_Names(equations),
+        names=ConstraintNames(equations),
         left_out=(len(closed), len(redundant)),
     )
 
@@ -201,7 +201,7 @@ def constraint_names(equations: Equations, redundant: bool = False) -> tuple[str
     return tuple(names)
 
 
-class _Names(Sequence[str]):
+class ConstraintNames(Sequence[str]):
     """The names of constraints, made when one is needed.
 
     To print those of a Stewart platform takes longer than to compile them.

@@ -16,12 +16,16 @@ from pydy._graph.rounding import per_unit, rounding_bounds
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.symbols import find_symbols
 from pydy._mechanics.tuning import ROUNDED
-from pydy._names import few
 from pydy._rank import DIGITS, rank
 from pydy._system.snapshot import At
-from pydy._system.solving import constraint_names
-from pydy._system.tuning import INHERITED
-from pydy.solvers.kept import contradicted, left_by_rounding
+from pydy._system.solving import ConstraintNames, constraint_names
+from pydy.solvers.kept import (
+    allowed_after,
+    contradicted,
+    described,
+    left_by_rounding,
+    warn_of_reset,
+)
 from pydy.solvers.tuning import TRIED
 from pydy.trajectory import EventRecord
 
@@ -83,11 +87,7 @@ def check_resets(
         time = np.array([record.time])
         if off := violations(at(time, record.after[None]), before=at(time, record.before[None])):
             told.add(record.name)
-            warn_user(
-                f"The reset of the event `{record.name}` leaves the constraints, and nothing will "
-                f"bring the motion back onto them. {off} Let the reset give all states that "
-                "change, the dependent ones too."
-            )
+            warn_of_reset(record.name, off)
 
 
 def surely_held(at: At) -> np.ndarray:
@@ -123,23 +123,14 @@ def violations(
     if surely_held(at)[0]:
         return ""
     residuals, bounds = (part[0] for part in evaluated_rows(at, "bounds"))
-    allowed = DIGITS * bounds
-    if before is not None:
-        allowed = np.maximum(allowed, INHERITED * np.abs(evaluated_rows(before, "bounds")[0][0]))
-    off = ~(np.abs(residuals) <= allowed)
+    inherited = None if before is None else evaluated_rows(before, "bounds")[0][0]
     equations = at.definition.equations
     parts = zip((equations.holonomic, equations.velocity), equations.left_out, strict=True)
     lengths = [len(rows) for pair in parts for rows in pair]
     wanted = [block and row for block in blocks for row in (True, redundant)]
-    off &= np.repeat(wanted, lengths)
-    far = np.flatnonzero(off)
-    if not far.size:
-        return ""
-    shares = np.abs(residuals[far]) / np.where(allowed[far] > 0.0, allowed[far], 1.0)
-    worst = far[np.argsort(-shares, kind="stable")]
-    names = constraint_names(equations, redundant=True)
-    told = few([f"{residuals[k]:.3g} in the {names[k]}" for k in worst])
-    return f"The residuals at t = {float(at.t[0])!r} are {told}."
+    residuals = np.where(np.repeat(wanted, lengths), residuals, 0.0)
+    allowed = allowed_after(DIGITS * bounds, inherited)
+    return described(float(at.t[0]), residuals, allowed, ConstraintNames(equations))
 
 
 def check_samples(

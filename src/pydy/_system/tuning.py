@@ -25,9 +25,5 @@ TEXTBOOK_UP_TO = 3
 The terms of an arm in space grow tenfold with each joint: beyond three nobody prints them.
 """
 
-INHERITED = 16.0
-"""A reset that leaves residuals up to so many times as large as before has not left the
-constraints: it has passed on what the motion has drifted by, as it does with speeds."""
-
 LARGEST_SAMPLE = 2.0**255
 """The largest sample of a fit: SciPy's search forms the third power of residuals, and sums."""

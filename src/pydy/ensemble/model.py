@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any, Protocol
@@ -19,6 +19,7 @@ from pydy.solvers.options import Options
 from pydy.solvers.outcome import DEPENDENTS_NOT_GIVEN, FINISHED
 from pydy.solvers.sensitivities import CompiledSensitivities, Sized, scales_of
 from pydy.solvers.tuning import LANES
+from pydy.trajectory import EventRecord
 
 if TYPE_CHECKING:
     from pydy.solvers.run.integration import Integration
@@ -133,6 +134,7 @@ class Kept:
     redundant: bool  # whether constraints were left out
     every: bool  # whether rows that projection does not hold are looked at: see `check_kept`
     mended: bool  # whether motions are brought back onto the constraints
+    names: Sequence[str]  # of the rows
 
 
 class Motions(Protocol):
@@ -203,8 +205,8 @@ class Results:
     columns: np.ndarray | None = None  # (n, k, m, times): sensitivities of the states
     # for each sample, the derivatives (k,) of the times of its events
     moments: list[list[np.ndarray]] = field(default_factory=list)
-    # for each sample, the times and states of events that changed its state
-    resets: list[list[tuple[float, np.ndarray]]] = field(default_factory=list)
+    # for each sample, the records of events that changed its state
+    resets: list[list[EventRecord]] = field(default_factory=list)
     # (m,): how near constraints that projection holds came to losing rank
     nearness: np.ndarray | None = None
     outputs: np.ndarray | None = None  # (o, m, times), of `Motions`
@@ -489,6 +491,6 @@ def _take(results: Results, k: int, info: Mapping[str, Any]) -> None:
     records = info["events"]
     results.events.append([(record.index, record.time) for record in records])
     results.moments.append([record.time_sensitivity for record in records])
-    results.resets.append([(e.time, e.after) for e in records if (e.after != e.before).any()])
+    results.resets.append([e for e in records if (e.after != e.before).any()])
     if results.nearness is not None:
         results.nearness[k] = info["nearness"]

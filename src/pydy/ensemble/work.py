@@ -15,10 +15,22 @@ from pydy._errors import warn_not_finite, warn_user
 from pydy._graph.interpret import run as interpret
 from pydy._kernel import Inputs
 from pydy._names import numbers_of, some
-from pydy.ensemble.model import Batch, Model, Programs, Results
+from pydy._rank import DIGITS
+from pydy.ensemble.model import Batch, Kept, Model, Programs, Results
 from pydy.ensemble.samples import PARAMETER, QUANTITY, Samples, Variable, to_dataset
 from pydy.ensemble.tuning import SMALLEST_BLOCK
-from pydy.solvers.kept import Part, Ran, beyond_digits, is_near, judge, looked_at
+from pydy.solvers.kept import (
+    Part,
+    Ran,
+    allowed_after,
+    beyond_digits,
+    described,
+    is_near,
+    judge,
+    left_by_rounding,
+    looked_at,
+    warn_of_reset,
+)
 from pydy.solvers.outcome import FINISHED, OUTCOMES, START_OFF_CONSTRAINTS, TERMINATED
 from pydy.solvers.tuning import NEAR_SINGULAR
 
@@ -156,6 +168,8 @@ class Work:
         batch = Batch(model, *samples.rows(), stopped)
         results = batch.run(times, states)
         if model.kept is not None:
+            if not (model.kept.mended or model.options.constraints is not None):
+                self._tell_resets(batch, results, model.kept)
             refuse(batch, results, times)
         if number := int((results.status == START_OFF_CONSTRAINTS).sum()):
             self._tell_start(number, batch)
@@ -195,6 +209,24 @@ class Work:
                 "System unless they are passed, also where constants or other initial conditions "
                 "vary: pass those of each sample in `initial_conditions`."
             )
+
+    def _tell_resets(self, batch: Batch, results: Results, kept: Kept) -> None:
+        """Warn of the first reset of each event that leaves the constraints."""
+        records = [(k, e) for k, some in enumerate(results.resets) for e in some]
+        if not records:
+            return
+        samples, t = [k for k, _ in records], np.array([[e.time] for _, e in records])
+        before, after = (
+            _values(batch, kept.programs, "bounds", samples, t, np.array(states)[:, None])
+            for states in zip(*((e.before, e.after) for _, e in records), strict=True)
+        )
+        for k, (_, record) in enumerate(records):
+            own = {name: values[k] for name, values in after.items()}
+            left = left_by_rounding(own, own["sizes"], record.after[None])
+            allowed = allowed_after(DIGITS * own["sizes"] + left, before["rows"][k])[0]
+            off = described(record.time, own["rows"][0], allowed, kept.names)
+            if off and self._first(f"reset of {record.name}"):
+                warn_of_reset(record.name, off, "In one sample or more, the")
 
     def _tell_outputs(self, outputs: np.ndarray, times: np.ndarray, states: np.ndarray) -> None:
         """Warn of outputs (o, m, times) that are not finite where states (n, m, times) are."""
@@ -423,7 +455,7 @@ def refuse(batch: Batch, results: Results, times: np.ndarray) -> None:
                     if projected and results.nearness is not None
                     else None,
                     projected or kept.mended,
-                    results.resets[k] if results.resets else [],
+                    [(e.time, e.after) for e in results.resets[k]] if results.resets else [],
                     kept.redundant,
                 )
                 verdict = judge(ran, together.part_of(j))
@@ -446,30 +478,36 @@ class _Together:
 
         def part(name: str, t: np.ndarray, x: np.ndarray) -> dict[str, np.ndarray]:
             if t is not self.times:
-                found, place = self._values(name, [j], t, x[None]), 0
+                found, place = _values(self._batch, self._programs, name, [j], t, x[None]), 0
             else:
-                every = range(len(self.states))
+                every, x = range(len(self.states)), self.states
                 if name not in self._found:
-                    self._found[name] = self._values(name, every, t, self.states)
+                    self._found[name] = _values(self._batch, self._programs, name, every, t, x)
                 found, place = self._found[name], j
             return {name: values[place] for name, values in found.items()}
 
         return part
 
-    def _values(
-        self, name: str, places: Sequence[int], t: np.ndarray, x: np.ndarray
-    ) -> dict[str, np.ndarray]:
-        """Return the values (m, f, ·) of a Program along m of the samples."""
-        program, batch = self._programs[name], self._batch
-        if program is None:
-            return {}
-        (m, f, n), rows = x.shape, []
-        for j, states in zip(places, x, strict=True):
-            inputs = Inputs(batch.r[j], batch.model.sampled, batch.model.functions)
-            rows.append(np.broadcast_to(inputs.rows(states, t), (f, batch.r.shape[1])))
-        p = np.repeat(batch.p[list(places)], f, axis=0)
-        flat, _ = interpret(program, np.tile(t, m), x.reshape(m * f, n), np.concatenate(rows), p)
-        return program.by_block(flat.reshape(m, f, -1))
+
+def _values(
+    batch: Batch,
+    programs: Programs,
+    name: str,
+    places: Sequence[int],
+    t: np.ndarray,
+    x: np.ndarray,
+) -> dict[str, np.ndarray]:
+    """Return the values (m, f, ·) of a Program along m of the samples; times are (f,) or (m, f)."""
+    program = programs[name]
+    if program is None:
+        return {}
+    (m, f, n), rows, t = x.shape, [], np.broadcast_to(t, x.shape[:2])
+    for j, states, times in zip(places, x, t, strict=True):
+        inputs = Inputs(batch.r[j], batch.model.sampled, batch.model.functions)
+        rows.append(np.broadcast_to(inputs.rows(states, times), (f, batch.r.shape[1])))
+    p = np.repeat(batch.p[list(places)], f, axis=0)
+    flat, _ = interpret(program, t.ravel(), x.reshape(m * f, n), np.concatenate(rows), p)
+    return program.by_block(flat.reshape(m, f, -1))
 
 
 def _suspects(

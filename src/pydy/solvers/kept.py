@@ -18,22 +18,26 @@ and the units; a mechanism that left its constraints, or a branch of its motion,
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from math import isqrt
 from typing import Any, NamedTuple
 
 import numpy as np
 
+from pydy._errors import warn_user
+from pydy._names import few
 from pydy._rank import DIGITS, least_step, or_one, roundings
 from pydy.solvers.outcome import ENERGY_CHANGED, LEFT_CONSTRAINTS
-from pydy.solvers.tuning import EXCESS, FEW_STEPS, LEFT, LOST, NEAR_SINGULAR, TRIED
+from pydy.solvers.tuning import EXCESS, FEW_STEPS, INHERITED, LEFT, LOST, NEAR_SINGULAR, TRIED
 
 Part = Callable[[str, np.ndarray, np.ndarray], dict[str, np.ndarray]]
 """Gives values at times (m,) and states (m, n), by name, each of the shape (m, values):
 
 'rows'
     ``rows``, all constraints, and ``sizes``, what rounding is in proportion to.
+'bounds'
+    The same with bounds on rounding errors as sizes, and what 'slopes' has of the rows.
 'products'
     ``products`` of the rows of the velocity constraints that were kept, as linear in the speeds.
 'contradictions'
@@ -109,6 +113,31 @@ def beyond_digits(rows: np.ndarray, sizes: np.ndarray) -> np.ndarray:
     limits = DIGITS * sizes.max(axis=-2, keepdims=True)
     beyond: np.ndarray = (np.abs(rows) > limits).any(axis=(-2, -1))
     return beyond
+
+
+def allowed_after(allowed: np.ndarray, before: np.ndarray | None) -> np.ndarray:
+    """Return what is allowed of residuals after a reset: drift passed on is not its own."""
+    return allowed if before is None else np.maximum(allowed, INHERITED * np.abs(before))
+
+
+def described(t: float, rows: np.ndarray, allowed: np.ndarray, names: Sequence[str]) -> str:
+    """Return a sentence on the residuals that are larger than allowed, or nothing."""
+    far = np.flatnonzero(~(np.abs(rows) <= allowed))  # NaN is
+    if not far.size:
+        return ""
+    shares = np.abs(rows[far]) / np.where(allowed[far] > 0.0, allowed[far], 1.0)
+    worst = far[np.argsort(-shares, kind="stable")]
+    told = few([f"{rows[k]:.3g} in the {names[k]}" for k in worst])
+    return f"The residuals at t = {t!r} are {told}."
+
+
+def warn_of_reset(event: str, residuals: str, where: str = "The") -> None:
+    """Warn of a reset after which a motion is off the constraints."""
+    warn_user(
+        f"{where} reset of the event `{event}` leaves the constraints, and nothing will bring the "
+        f"motion back onto them. {residuals} Let the reset give all states that change, the "
+        "dependent ones too."
+    )
 
 
 def is_near(products: np.ndarray) -> np.ndarray:

@@ -131,3 +131,7 @@ singular positions, beside which they are small, do not change it."""
 CLOSE = 2.0**-10
 """The share of the way to the next point that is close to an event; and of the time, which is the
 least way that is looked at. What passes through zero is then beside it by a billion roundings."""
+
+INHERITED = 16.0
+"""A reset that leaves residuals up to so many times as large as before has not left the
+constraints: it has passed on what the motion has drifted by, as it does with speeds."""
