@@ -109,16 +109,18 @@ def test_a_reset_may_take_the_state_back_before_its_own_surface(tmp_path, loaded
     assert [e["time"] for e in run["events"]] == pytest.approx([e.time for e in found])
 
 
-def test_an_event_that_crosses_and_returns_within_a_part_of_a_step_is_found(tmp_path, loaded):
+@pytest.mark.parametrize("acts", [False, True])
+def test_an_event_that_crosses_and_returns_within_a_part_of_a_step_is_found(tmp_path, loaded, acts):
     system, _ = ball()
     y, v = system.states
     level = 0.9999 * 3.0**2 / (2 * 9.81)  # just below the apex: a step of free flight is very long
     system.initial_conditions, system.times = {y: 0.0, v: 3.0}, [0.0, 1.0]
-    events = [Event(y - level, name="level")]
+    turns = Event(v, reset={v: v}, name="turns") if acts else Event(v, name="turns")
+    events = [Event(y - level, name="level"), turns]
     page = loaded(system.export(tmp_path / "dip.js", events=events).path)
     run = page.evaluate("model.simulate({ times: [0, 1], rtol: 1e-9, atol: 1e-9 })")
     found = system.simulate(rtol=1e-9, atol=1e-9, events=events).events
-    assert len(found) == 2
+    assert [e.name for e in found] == ["level", "turns", "level"]
     assert [e["time"] for e in run["events"]] == pytest.approx([e.time for e in found])
 
 

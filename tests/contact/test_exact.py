@@ -487,6 +487,17 @@ def test_a_swing_that_only_just_reaches_a_wall_hits_it(depth):
     assert closes.after[1] == pytest.approx(0.5 * math.sin(hit), rel=1e-4)
 
 
+@pytest.mark.parametrize("tolerance", [1e-6, 1e-8, 1e-10])
+def test_a_swing_that_only_just_reaches_two_walls_hits_both(tolerance):
+    point = O.locatenew("P", x * N.x)
+    swing = Definition(N, [x], [vx], bodies=[me.Particle("P", point, 1)], loads=[(point, -x * N.x)])
+    system = System(swing, initial_conditions={vx: 1.001}, times=[0.0, 20.0], ode_solver="dop853")
+    walls = [Unilateral(1 + way * x, restitution=1, name=str(way)) for way in (-1, 1)]
+    motion = Contacts(system, walls).simulate(rtol=tolerance, atol=tolerance)
+    expected = math.asin(1 / 1.001) * np.arange(1, 14, 2)
+    assert [event.time for event in motion.events] == pytest.approx(expected, abs=1e4 * tolerance)
+
+
 @pytest.mark.parametrize("solver", ["dop853", "radau"])
 @pytest.mark.parametrize(("rate", "excess"), [(7.0, 1e-2), (33.0, 1e-4), (61.0, 1e-6)])
 def test_a_block_that_a_load_holds_until_it_exceeds_friction(solver, rate, excess):

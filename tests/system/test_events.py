@@ -167,11 +167,12 @@ def test_one_event_twice_in_one_step_is_found_where_signs_differ_between_quarter
 
 
 @pytest.mark.parametrize("solver", ADAPTIVE)
-def test_an_event_is_found_that_another_sees_before_its_sign_returns(solver):
+@pytest.mark.parametrize("ends", [False, True])
+def test_an_event_is_found_that_another_sees_before_its_sign_returns(solver, ends):
     # Lowest where the speed turns; below −1 + depth for so short a time that no quarter ends there.
     depth = 1e-6
     low = Event(Z + 1 - depth, direction=-1, reset={V: 0.5}, name="low")
-    turns = Event(V, direction=1, name="turns")
+    turns = Event(V, direction=1, terminal=ends, name="turns")
     for events in ([low, turns], [turns, low]):
         _, info = run(oscillator(solver, end=6.0), events)
         assert [r.name for r in info["events"]] == ["low"]
@@ -191,6 +192,20 @@ def test_an_event_that_crosses_and_returns_between_quarters_is_seen(solver, dept
         assert [r.after[1] > 0 for r in info["events"]] == [True, False] * (
             len(info["events"]) // 2
         )
+
+
+@pytest.mark.parametrize("solver", ADAPTIVE)
+@pytest.mark.parametrize("depth", [1e-2, 1e-3, 1e-4])
+def test_an_event_that_returns_is_not_late_where_another_one_acts_meanwhile(solver, depth):
+    half = float(np.arccos(1 - depth))
+    stops = Event(Z - 1 + sm.Float(depth), direction=1, terminal=True, name="stops")
+    for share in (-0.9, 0.0, 0.9):
+        ticks = Event(T - np.pi / 2 - sm.Float(share * half), reset={V: 3}, name="ticks")
+        for tolerance in (1e-7, 1e-9, 1e-11):
+            system = oscillator(solver, end=3.0)
+            _, info = run(system, [ticks, stops], rtol=tolerance, atol=tolerance)
+            assert [r.name for r in info["events"]] == ["stops"]
+            close(moments(info), [np.pi / 2 - half], 1e-4)
 
 
 @pytest.mark.parametrize("solver", ADAPTIVE)

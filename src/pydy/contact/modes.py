@@ -319,7 +319,8 @@ class Mode:
                 if mode == STARTING:
                     watch(g.sub(g.powi(clear, 2), square), "clears", i)
                 else:
-                    watch(g.sum([(g.powi(ahead, 2), 1.0), (square, -(TURNED**2))]), "bends", i)
+                    slow, along = g.powi(clear, 2), g.powi(ahead, 2)
+                    watch(g.sum([(slow, 1.0), (along, 1.0), (square, -(TURNED**2))]), "bends", i)
             elif mode in SLIDES:
                 bound = nodes_of[rows.rising[i]]
                 watch(g.sum([(speeds[0], SLIDES[mode]), (bound, 1.0)]), "stops", i)

@@ -597,7 +597,8 @@ class Run:
             if solution.modes[i] == STARTING:
                 least = max(least, RESOLVED * atol)
             along = solution.directions.get(i, np.array([1.0, 0.0]))
-            values = [*map(float, along), least or 1.0, BEGUN * gained]
+            clear = BEGUN * gained if solution.modes[i] == STARTING else self.unresolved(i)
+            values = [*map(float, along), least or 1.0, clear]
             found.update(zip(symbols, values, strict=True))
         return found
 

@@ -342,20 +342,13 @@ class Integration {
     return 2;
   }
 
-  /**
-   * Return the first place beyond `left` in a part where an event has another sign than at both ends, or 2:
-   * but not where it has that sign still when one happens that acts.
-   */
+  /** Return the first place beyond `left` in a part where an event has another sign than at both ends, or 2. */
   findDip(t, h, left, part) {
-    const { ends, sides, divided } = this, { acting, count } = this.system.events;
-    let first = 2, acts = 2;
+    const { count } = this.system.events;
+    let first = 2;
     for (let k = 0; k < count; k++) for (let i = Math.max(1, part - 1); i <= part && i < PARTS; i++) {
       const found = this.leastPlace(t, h, k, i, part);
-      if (!(found > left && found < Math.min(first, PLACES[part]))) continue;
-      for (let l = 0; l < count; l++)
-        if (acting[l] && this.crossed(l, ends[part][l])) acts = Math.min(acts, this.locate(t, h, left, PLACES[part], l));
-      if (acts <= 1) this.probed(t, h, acts, divided);
-      if (acts > 1 || sides[k] * divided[k] > 0) first = found;
+      if (found > left && found < Math.min(first, PLACES[part])) first = found;
     }
     return first;
   }
@@ -370,20 +363,18 @@ class Integration {
       const right = Math.min(PLACES[part], this.findDip(t, h, left, part));
       this.probed(t, h, right, values);
       for (;;) {
-        let first = 2, ends = false; // whether the first event acts
+        let first = 2;
         for (let k = 0; k < values.length; k++) {
           fired[k] = 0;
           if (this.crossed(k, values[k])) {
             const theta = this.locate(t, h, left, right, k);
             fired[k] = theta <= left ? 1 : 0;
-            if (theta < first) ends = false;
-            if (theta <= first) ends = ends || events.acting[k];
             first = Math.min(first, theta);
           }
         }
         if (first > 1) break;
         this.probed(t, h, first, probe);
-        for (let k = 0; k < values.length && !ends; k++) // where one is noted, another may have crossed and be back
+        for (let k = 0; k < values.length; k++) // by then another may have crossed and be back
           if (this.crossed(k, probe[k]) && !this.crossed(k, values[k])) {
             const theta = this.locate(t, h, left, first, k);
             if (theta > left) [first, fired[k]] = [theta, BACK];

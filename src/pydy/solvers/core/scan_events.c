@@ -267,28 +267,19 @@ APART double least_place(const Run *run, const Stepper *s, double t, double h, i
 }
 
 /* Return the first place beyond `left` in a part of the step where an event has another sign than at
-   both ends of it, or 2, or CALLBACK: but not where it has that sign still when one happens that acts,
-   as the direction of a velocity changes when this passes zero. */
+   both ends of it, or 2, or CALLBACK. */
 INLINE double find_dip(const Run *run, const Stepper *s, double t, double h, double left, int part)
 {
     const Watch *w = &run->watch;
     const int64_t number = w->words.at[EVENTS];
-    const double *divided = w->values.at + DIVIDED * number, *ends = w->values.at + (ENDS + part) * number;
-    double first = 2.0, acts = 2.0;
+    double first = 2.0;
     for (int64_t k = 0; k < number; k++) {
         const double side = (double)w->sides.at[k];
         for (int i = part < 2 ? 1 : part - 1; i <= part && i < PARTS; i++) {
             const double found = least_place(run, s, t, h, k, side, i, part);
             if (found == CALLBACK)
                 return CALLBACK;
-            if (!(found > left && found < minimum(first, PLACES[part])))
-                continue;
-            for (int64_t l = 0; l < number; l++)
-                if (w->acting.at[l] == 1 && crossed(w->sides.at[l], ends[l], w->directions.at[l]))
-                    acts = minimum(acts, locate(run, s, t, h, left, PLACES[part], l));
-            if (acts <= 1.0 && probe(run, s, t, h, acts, DIVIDED) < 0)
-                return CALLBACK;
-            if (acts > 1.0 || side * divided[k] > 0.0)
+            if (found > left && found < minimum(first, PLACES[part]))
                 first = found;
         }
     }
@@ -331,16 +322,11 @@ ENTRY int64_t scan_events(const Run *run, double t, double h)
         }
         for (;;) {
             double first = 2.0;
-            int acts = 0; /* whether the first event does */
             for (int64_t k = 0; k < number; k++) {
                 fired[k] = 0;
                 if (crossed(sides[k], values[k], directions[k]) || lost(sides[k], values[k])) {
                     const double theta = locate(run, s, t, h, left, right, k);
                     fired[k] = theta <= left;
-                    if (theta < first)
-                        acts = 0;
-                    if (theta <= first)
-                        acts = acts || w->acting.at[k] == 1;
                     first = minimum(theta, first);
                 }
             }
@@ -348,8 +334,8 @@ ENTRY int64_t scan_events(const Run *run, double t, double h)
                 break;
             if (probe(run, s, t, h, first, LOCATED) < 0)
                 return called_back(run, logged);
-            /* where one is noted, another may have crossed that is back at `right` */
-            for (int64_t k = 0; k < number && !acts; k++)
+            /* by then another may have crossed that is back at `right` */
+            for (int64_t k = 0; k < number; k++)
                 if (crossed(sides[k], located[k], directions[k])
                     && !crossed(sides[k], values[k], directions[k])) {
                     const double theta = locate(run, s, t, h, left, first, k);

@@ -1,4 +1,4 @@
-; sources 7fcff398ff6b7e1d9d6a1d7fd6e531a42053e5a6565b6a72b25b1bda2c022529
+; sources fad207a081d89ccf6b8333261ae735b664f2b535ca92237f9eb5cbca6002030a
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Stepper = type { ptr, ptr, ptr }
@@ -111,11 +111,11 @@ define i64 @scan_events(ptr noundef %0, double noundef %1, double noundef %2) #0
   %89 = getelementptr inbounds i8, ptr %88, i64 80
   store i64 %23, ptr %89, align 8
   %90 = load ptr, ptr %19, align 8
-  br label %1062
+  br label %938
 
 91:                                               ; preds = %44
   %92 = call fastcc i64 @resolve(ptr noundef nonnull %0, ptr noundef nonnull %4, double noundef %1, double noundef %2) #8
-  switch i64 %92, label %1066 [
+  switch i64 %92, label %942 [
     i64 0, label %97
     i64 -4, label %93
   ]
@@ -125,23 +125,23 @@ define i64 @scan_events(ptr noundef %0, double noundef %1, double noundef %2) #0
   %95 = getelementptr inbounds i8, ptr %94, i64 80
   store i64 %23, ptr %95, align 8
   %96 = load ptr, ptr %19, align 8
-  br label %1062
+  br label %938
 
 97:                                               ; preds = %91
   store double 0x7FF8000000000000, ptr %30, align 8
-  %98 = getelementptr inbounds i8, ptr %0, i64 792
-  %99 = getelementptr inbounds i8, ptr %0, i64 960
-  %100 = load ptr, ptr %7, align 8
-  %101 = getelementptr inbounds i8, ptr %100, i64 96
-  %102 = getelementptr inbounds i8, ptr %100, i64 192
-  %103 = getelementptr inbounds i8, ptr %100, i64 8
-  %104 = load ptr, ptr %4, align 8
-  %105 = load ptr, ptr %5, align 8
-  %106 = getelementptr inbounds i8, ptr %0, i64 168
-  %107 = getelementptr inbounds i8, ptr %0, i64 248
-  %108 = getelementptr inbounds i8, ptr %0, i64 168
-  %109 = getelementptr inbounds i8, ptr %0, i64 192
-  %110 = getelementptr inbounds i8, ptr %0, i64 744
+  %98 = getelementptr inbounds i8, ptr %0, i64 960
+  %99 = load ptr, ptr %7, align 8
+  %100 = getelementptr inbounds i8, ptr %99, i64 96
+  %101 = getelementptr inbounds i8, ptr %99, i64 192
+  %102 = getelementptr inbounds i8, ptr %99, i64 8
+  %103 = load ptr, ptr %4, align 8
+  %104 = load ptr, ptr %5, align 8
+  %105 = getelementptr inbounds i8, ptr %0, i64 168
+  %106 = getelementptr inbounds i8, ptr %0, i64 248
+  %107 = getelementptr inbounds i8, ptr %0, i64 168
+  %108 = getelementptr inbounds i8, ptr %0, i64 192
+  %109 = getelementptr inbounds i8, ptr %0, i64 744
+  %110 = icmp sgt i64 %12, 0
   %111 = getelementptr inbounds i8, ptr %0, i64 960
   %112 = load ptr, ptr %7, align 8
   %113 = getelementptr inbounds i8, ptr %112, i64 96
@@ -155,1368 +155,1196 @@ define i64 @scan_events(ptr noundef %0, double noundef %1, double noundef %2) #0
   %121 = getelementptr inbounds i8, ptr %0, i64 192
   %122 = getelementptr inbounds i8, ptr %0, i64 744
   %123 = icmp sgt i64 %12, 0
-  %124 = getelementptr inbounds i8, ptr %0, i64 792
-  %125 = getelementptr inbounds i8, ptr %0, i64 960
-  %126 = load ptr, ptr %7, align 8
-  %127 = getelementptr inbounds i8, ptr %126, i64 96
-  %128 = getelementptr inbounds i8, ptr %126, i64 192
-  %129 = getelementptr inbounds i8, ptr %126, i64 8
-  %130 = load ptr, ptr %4, align 8
-  %131 = load ptr, ptr %5, align 8
-  %132 = getelementptr inbounds i8, ptr %0, i64 168
-  %133 = getelementptr inbounds i8, ptr %0, i64 248
-  %134 = getelementptr inbounds i8, ptr %0, i64 168
-  %135 = getelementptr inbounds i8, ptr %0, i64 192
-  %136 = getelementptr inbounds i8, ptr %0, i64 744
-  %137 = icmp slt i64 %12, 1
-  %138 = icmp sgt i64 %12, 0
-  %139 = getelementptr inbounds i8, ptr %0, i64 792
-  %140 = getelementptr inbounds i8, ptr %24, i64 48
-  %141 = getelementptr inbounds i8, ptr %0, i64 624
-  %142 = getelementptr inbounds i8, ptr %0, i64 632
-  %143 = fadd double %1, %2
-  %144 = tail call double @llvm.fabs.f64(double %143)
-  %145 = getelementptr inbounds i8, ptr %0, i64 944
-  %146 = getelementptr inbounds i8, ptr %0, i64 936
+  %124 = icmp sgt i64 %12, 0
+  %125 = getelementptr inbounds i8, ptr %0, i64 792
+  %126 = getelementptr inbounds i8, ptr %24, i64 48
+  %127 = getelementptr inbounds i8, ptr %0, i64 624
+  %128 = getelementptr inbounds i8, ptr %0, i64 632
+  %129 = fadd double %1, %2
+  %130 = tail call double @llvm.fabs.f64(double %129)
+  %131 = getelementptr inbounds i8, ptr %0, i64 944
+  %132 = getelementptr inbounds i8, ptr %0, i64 936
+  %133 = icmp sgt i64 %12, 0
+  %134 = getelementptr inbounds i8, ptr %0, i64 992
+  %135 = getelementptr inbounds i8, ptr %0, i64 984
+  %136 = getelementptr inbounds i8, ptr %0, i64 1008
+  %137 = getelementptr inbounds i8, ptr %0, i64 1032
+  %138 = getelementptr inbounds i8, ptr %0, i64 1048
+  %139 = getelementptr inbounds i8, ptr %0, i64 624
+  %140 = getelementptr inbounds i8, ptr %0, i64 632
+  %141 = fadd double %1, %2
+  %142 = tail call double @llvm.fabs.f64(double %141)
+  %143 = getelementptr inbounds i8, ptr %0, i64 944
+  %144 = getelementptr inbounds i8, ptr %0, i64 936
+  %145 = getelementptr inbounds i8, ptr %0, i64 992
+  %146 = getelementptr inbounds i8, ptr %24, i64 48
   %147 = icmp sgt i64 %12, 0
-  %148 = getelementptr inbounds i8, ptr %0, i64 992
-  %149 = getelementptr inbounds i8, ptr %0, i64 984
-  %150 = getelementptr inbounds i8, ptr %0, i64 1008
-  %151 = getelementptr inbounds i8, ptr %0, i64 1032
-  %152 = getelementptr inbounds i8, ptr %0, i64 1048
-  %153 = getelementptr inbounds i8, ptr %0, i64 624
-  %154 = getelementptr inbounds i8, ptr %0, i64 632
-  %155 = fadd double %1, %2
-  %156 = tail call double @llvm.fabs.f64(double %155)
-  %157 = getelementptr inbounds i8, ptr %0, i64 944
-  %158 = getelementptr inbounds i8, ptr %0, i64 936
-  %159 = getelementptr inbounds i8, ptr %0, i64 992
-  %160 = getelementptr inbounds i8, ptr %24, i64 48
-  %161 = icmp sgt i64 %12, 0
-  %162 = getelementptr inbounds i8, ptr %24, i64 48
-  %163 = icmp sgt i64 %12, 0
-  %164 = getelementptr inbounds i8, ptr %0, i64 944
-  %165 = getelementptr inbounds i8, ptr %0, i64 936
-  br label %166
+  %148 = getelementptr inbounds i8, ptr %24, i64 48
+  %149 = icmp sgt i64 %12, 0
+  %150 = getelementptr inbounds i8, ptr %0, i64 944
+  %151 = getelementptr inbounds i8, ptr %0, i64 936
+  br label %152
 
-166:                                              ; preds = %97, %1041
-  %167 = phi i1 [ false, %97 ], [ %1045, %1041 ]
-  %168 = phi i64 [ -4, %97 ], [ %1039, %1041 ]
-  %169 = phi double [ 0.000000e+00, %97 ], [ %1038, %1041 ]
-  %170 = phi i32 [ 1, %97 ], [ %1044, %1041 ]
-  %171 = zext nneg i32 %170 to i64
+152:                                              ; preds = %97, %917
+  %153 = phi i1 [ false, %97 ], [ %921, %917 ]
+  %154 = phi i64 [ -4, %97 ], [ %915, %917 ]
+  %155 = phi double [ 0.000000e+00, %97 ], [ %914, %917 ]
+  %156 = phi i32 [ 1, %97 ], [ %920, %917 ]
+  %157 = zext nneg i32 %156 to i64
+  %158 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %157
+  %159 = load double, ptr %158, align 8
+  %160 = mul nsw i64 %12, %157
+  %161 = load ptr, ptr %9, align 8
+  %162 = getelementptr inbounds i8, ptr %161, i64 8
+  %163 = load i64, ptr %162, align 8
+  %164 = icmp sgt i64 %163, 0
+  br i1 %164, label %165, label %206
+
+165:                                              ; preds = %152
+  %166 = add nsw i32 %156, -1
+  %167 = icmp ugt i32 %156, 1
+  %168 = select i1 %167, i32 %166, i32 1
+  %169 = tail call i32 @llvm.smin.i32(i32 %156, i32 3)
+  %170 = icmp sgt i32 %168, %169
+  %171 = zext nneg i32 %156 to i64
   %172 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %171
-  %173 = load double, ptr %172, align 8
-  %174 = mul nsw i64 %12, %171
-  %175 = load ptr, ptr %9, align 8
-  %176 = getelementptr inbounds i8, ptr %175, i64 8
-  %177 = load i64, ptr %176, align 8
-  %178 = load ptr, ptr %25, align 8
-  %179 = add nuw nsw i32 %170, 2
-  %180 = zext nneg i32 %179 to i64
-  %181 = mul nsw i64 %177, %180
-  %182 = getelementptr inbounds double, ptr %178, i64 %181
-  %183 = icmp sgt i64 %177, 0
-  br i1 %183, label %184, label %311
+  br label %176
 
-184:                                              ; preds = %166
-  %185 = add nsw i32 %170, -1
-  %186 = icmp ugt i32 %170, 1
-  %187 = select i1 %186, i32 %185, i32 1
-  %188 = icmp sle i32 %187, %170
-  %189 = icmp slt i32 %187, 4
-  %190 = and i1 %188, %189
-  %191 = zext nneg i32 %170 to i64
-  %192 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %191
-  %193 = tail call i32 @llvm.smin.i32(i32 %170, i32 3)
-  br label %194
+173:                                              ; preds = %203
+  %174 = add nuw nsw i64 %178, 1
+  %175 = icmp eq i64 %174, %163
+  br i1 %175, label %206, label %176, !llvm.loop !6
 
-194:                                              ; preds = %184, %308
-  %195 = phi double [ 2.000000e+00, %184 ], [ %307, %308 ]
-  %196 = phi i64 [ 0, %184 ], [ %309, %308 ]
-  %197 = phi double [ 2.000000e+00, %184 ], [ %305, %308 ]
-  %198 = load ptr, ptr %15, align 8
-  %199 = getelementptr inbounds i64, ptr %198, i64 %196
-  %200 = load i64, ptr %199, align 8
-  %201 = sitofp i64 %200 to double
-  br i1 %190, label %202, label %304
+176:                                              ; preds = %165, %173
+  %177 = phi double [ 2.000000e+00, %165 ], [ %205, %173 ]
+  %178 = phi i64 [ 0, %165 ], [ %174, %173 ]
+  %179 = load ptr, ptr %15, align 8
+  %180 = getelementptr inbounds i64, ptr %179, i64 %178
+  %181 = load i64, ptr %180, align 8
+  %182 = sitofp i64 %181 to double
+  br i1 %170, label %203, label %187
 
-202:                                              ; preds = %194
-  %203 = getelementptr inbounds double, ptr %178, i64 %196
-  br label %204
+183:                                              ; preds = %201
+  %184 = add i32 %189, 1
+  %185 = icmp sge i32 %189, %169
+  %186 = icmp eq i32 %189, %169
+  br i1 %186, label %203, label %187, !llvm.loop !7
 
-204:                                              ; preds = %202, %301
-  %205 = phi i32 [ %187, %202 ], [ %302, %301 ]
-  %206 = phi double [ %195, %202 ], [ %300, %301 ]
-  %207 = phi double [ %197, %202 ], [ %298, %301 ]
-  %208 = call fastcc double @least_place(ptr noundef nonnull %0, ptr noundef nonnull %4, double noundef %1, double noundef %2, i64 noundef %196, double noundef %201, i32 noundef %205, i32 noundef %170) #8
-  %209 = fcmp oeq double %208, -4.000000e+00
-  br i1 %209, label %297, label %210
+187:                                              ; preds = %176, %183
+  %188 = phi i1 [ %185, %183 ], [ %170, %176 ]
+  %189 = phi i32 [ %184, %183 ], [ %168, %176 ]
+  %190 = phi double [ %202, %183 ], [ %177, %176 ]
+  %191 = call fastcc double @least_place(ptr noundef nonnull %0, ptr noundef nonnull %4, double noundef %1, double noundef %2, i64 noundef %178, double noundef %182, i32 noundef %189, i32 noundef %156) #8
+  %192 = fcmp une double %191, -4.000000e+00
+  %193 = fcmp ogt double %191, %155
+  %194 = and i1 %192, %193
+  br i1 %194, label %195, label %201
 
-210:                                              ; preds = %204
-  %211 = fcmp ogt double %208, %169
-  br i1 %211, label %212, label %297
+195:                                              ; preds = %187
+  %196 = load double, ptr %172, align 8
+  %197 = fcmp olt double %190, %196
+  %198 = select i1 %197, double %190, double %196
+  %199 = fcmp olt double %191, %198
+  br i1 %199, label %200, label %201
 
-212:                                              ; preds = %210
-  %213 = load double, ptr %192, align 8
-  %214 = fcmp olt double %206, %213
-  %215 = select i1 %214, double %206, double %213
-  %216 = fcmp olt double %208, %215
-  br i1 %216, label %219, label %297
+200:                                              ; preds = %195
+  br label %201
 
-217:                                              ; preds = %254
-  %218 = fcmp ugt double %255, 1.000000e+00
-  br i1 %218, label %290, label %258
+201:                                              ; preds = %200, %195, %187
+  %202 = phi double [ %190, %187 ], [ %191, %200 ], [ %190, %195 ]
+  br i1 %192, label %183, label %203
 
-219:                                              ; preds = %212, %254
-  %220 = phi i64 [ %256, %254 ], [ 0, %212 ]
-  %221 = phi double [ %255, %254 ], [ %207, %212 ]
-  %222 = load ptr, ptr %98, align 8
-  %223 = getelementptr inbounds i64, ptr %222, i64 %220
-  %224 = load i64, ptr %223, align 8
-  %225 = icmp eq i64 %224, 1
-  br i1 %225, label %226, label %254
+203:                                              ; preds = %183, %201, %176
+  %204 = phi i1 [ %170, %176 ], [ %185, %183 ], [ %188, %201 ]
+  %205 = phi double [ %177, %176 ], [ %202, %201 ], [ %202, %183 ]
+  br i1 %204, label %173, label %206
 
-226:                                              ; preds = %219
-  %227 = load ptr, ptr %15, align 8
-  %228 = getelementptr inbounds i64, ptr %227, i64 %220
-  %229 = load i64, ptr %228, align 8
-  %230 = getelementptr inbounds double, ptr %182, i64 %220
-  %231 = load double, ptr %230, align 8
-  %232 = load ptr, ptr %13, align 8
-  %233 = getelementptr inbounds i64, ptr %232, i64 %220
-  %234 = load i64, ptr %233, align 8
-  %235 = icmp slt i64 %229, 0
-  %236 = fcmp ogt double %231, 0.000000e+00
-  %237 = and i1 %235, %236
-  %238 = icmp sgt i64 %234, -1
-  %239 = and i1 %237, %238
-  br i1 %239, label %247, label %240
+206:                                              ; preds = %203, %173, %152
+  %207 = phi double [ 2.000000e+00, %152 ], [ -4.000000e+00, %203 ], [ %205, %173 ]
+  %208 = fcmp olt double %207, 0.000000e+00
+  br i1 %208, label %907, label %209
 
-240:                                              ; preds = %226
-  %241 = icmp sgt i64 %229, 0
-  %242 = fcmp olt double %231, 0.000000e+00
-  %243 = and i1 %241, %242
-  br i1 %243, label %244, label %247
+209:                                              ; preds = %206
+  %210 = getelementptr double, ptr %28, i64 %160
+  %211 = fcmp olt double %207, %159
+  br i1 %211, label %212, label %245
 
-244:                                              ; preds = %240
-  %245 = icmp slt i64 %234, 1
-  %246 = zext i1 %245 to i32
-  br label %247
+212:                                              ; preds = %209
+  %213 = load ptr, ptr %25, align 8
+  %214 = load ptr, ptr %98, align 8
+  %215 = load ptr, ptr %100, align 8
+  %216 = insertelement <8 x double> poison, double %207, i64 0
+  %217 = shufflevector <8 x double> %216, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %217, ptr %215, align 8
+  %218 = load ptr, ptr %99, align 8
+  %219 = load ptr, ptr %101, align 8
+  %220 = load i64, ptr %102, align 8
+  %221 = load ptr, ptr %103, align 8
+  %222 = getelementptr inbounds i8, ptr %221, i64 24
+  %223 = load i64, ptr %222, align 8
+  %224 = load ptr, ptr %100, align 8
+  %225 = load ptr, ptr %104, align 8
+  %226 = getelementptr inbounds i8, ptr %225, i64 16
+  %227 = load i64, ptr %226, align 8
+  tail call fastcc void @nested(ptr noundef %214, ptr noundef %218, ptr noundef %219, i64 noundef %220, i64 noundef %223, ptr noundef %224, i64 noundef %227) #8
+  %228 = fmul double %207, %2
+  %229 = fadd double %228, %1
+  %230 = load ptr, ptr %105, align 8
+  store double %229, ptr %230, align 8
+  %231 = load i64, ptr %106, align 8
+  %232 = icmp sgt i64 %231, 0
+  br i1 %232, label %233, label %234
 
-247:                                              ; preds = %226, %240, %244
-  %248 = phi i32 [ 1, %226 ], [ 0, %240 ], [ %246, %244 ]
-  %249 = icmp eq i32 %248, 0
-  br i1 %249, label %254, label %250
-
-250:                                              ; preds = %247
-  %251 = call fastcc double @locate(ptr noundef nonnull %0, ptr noundef nonnull %4, double noundef %1, double noundef %2, double noundef %169, double noundef %213, i64 noundef %220) #8
-  %252 = fcmp olt double %221, %251
-  %253 = select i1 %252, double %221, double %251
-  br label %254
-
-254:                                              ; preds = %250, %247, %219
-  %255 = phi double [ %253, %250 ], [ %221, %247 ], [ %221, %219 ]
-  %256 = add nuw nsw i64 %220, 1
-  %257 = icmp eq i64 %256, %177
-  br i1 %257, label %217, label %219, !llvm.loop !6
-
-258:                                              ; preds = %217
-  %259 = load ptr, ptr %99, align 8
-  %260 = load ptr, ptr %101, align 8
-  %261 = insertelement <8 x double> poison, double %255, i64 0
-  %262 = shufflevector <8 x double> %261, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %262, ptr %260, align 8
-  %263 = load ptr, ptr %100, align 8
-  %264 = load ptr, ptr %102, align 8
-  %265 = load i64, ptr %103, align 8
-  %266 = load ptr, ptr %104, align 8
-  %267 = getelementptr inbounds i8, ptr %266, i64 24
-  %268 = load i64, ptr %267, align 8
-  %269 = load ptr, ptr %101, align 8
-  %270 = load ptr, ptr %105, align 8
-  %271 = getelementptr inbounds i8, ptr %270, i64 16
-  %272 = load i64, ptr %271, align 8
-  tail call fastcc void @nested(ptr noundef %259, ptr noundef %263, ptr noundef %264, i64 noundef %265, i64 noundef %268, ptr noundef %269, i64 noundef %272) #8
-  %273 = fmul double %255, %2
-  %274 = fadd double %273, %1
-  %275 = load ptr, ptr %106, align 8
-  store double %274, ptr %275, align 8
-  %276 = load i64, ptr %107, align 8
-  %277 = icmp sgt i64 %276, 0
-  br i1 %277, label %278, label %279
-
-278:                                              ; preds = %258
+233:                                              ; preds = %212
   tail call fastcc void @sample(ptr noundef nonnull %6) #8
-  br label %279
+  br label %234
 
-279:                                              ; preds = %258, %278
-  %280 = load ptr, ptr %9, align 8
-  %281 = load i64, ptr %280, align 8
-  %282 = load ptr, ptr %108, align 8
-  %283 = load ptr, ptr %99, align 8
-  %284 = load ptr, ptr %109, align 8
-  %285 = load ptr, ptr %110, align 8
-  %286 = load ptr, ptr %25, align 8
-  %287 = inttoptr i64 %281 to ptr
-  %288 = tail call i32 %287(ptr noundef %282, ptr noundef %283, ptr noundef %284, ptr noundef %285, ptr noundef %286) #9
-  %289 = icmp slt i32 %288, 0
-  br i1 %289, label %297, label %290
+234:                                              ; preds = %212, %233
+  %235 = load ptr, ptr %9, align 8
+  %236 = load i64, ptr %235, align 8
+  %237 = load ptr, ptr %107, align 8
+  %238 = load ptr, ptr %98, align 8
+  %239 = load ptr, ptr %108, align 8
+  %240 = load ptr, ptr %109, align 8
+  %241 = load ptr, ptr %25, align 8
+  %242 = inttoptr i64 %236 to ptr
+  %243 = tail call i32 %242(ptr noundef %237, ptr noundef %238, ptr noundef %239, ptr noundef %240, ptr noundef %241) #9
+  %244 = icmp slt i32 %243, 0
+  br i1 %244, label %907, label %245
 
-290:                                              ; preds = %279, %217
-  %291 = fcmp ogt double %255, 1.000000e+00
-  br i1 %291, label %296, label %292
+245:                                              ; preds = %234, %209
+  %246 = phi double [ %207, %234 ], [ %159, %209 ]
+  %247 = phi ptr [ %213, %234 ], [ %210, %209 ]
+  br label %248
 
-292:                                              ; preds = %290
-  %293 = load double, ptr %203, align 8
-  %294 = fmul double %293, %201
-  %295 = fcmp ogt double %294, 0.000000e+00
-  br i1 %295, label %296, label %297
+248:                                              ; preds = %851, %245
+  %249 = phi double [ %155, %245 ], [ %853, %851 ]
+  %250 = phi i64 [ %154, %245 ], [ %854, %851 ]
+  br i1 %110, label %254, label %251
 
-296:                                              ; preds = %292, %290
-  br label %297
+251:                                              ; preds = %289, %248
+  %252 = phi double [ 2.000000e+00, %248 ], [ %290, %289 ]
+  %253 = fcmp ogt double %252, 1.000000e+00
+  br i1 %253, label %851, label %293
 
-297:                                              ; preds = %296, %292, %279, %212, %210, %204
-  %298 = phi double [ %207, %204 ], [ %207, %212 ], [ %207, %210 ], [ %255, %279 ], [ %255, %296 ], [ %255, %292 ]
-  %299 = phi i32 [ 1, %204 ], [ 7, %212 ], [ 7, %210 ], [ 1, %279 ], [ 0, %296 ], [ 0, %292 ]
-  %300 = phi double [ %206, %204 ], [ %206, %212 ], [ %206, %210 ], [ %206, %279 ], [ %208, %296 ], [ %206, %292 ]
-  switch i32 %299, label %304 [
-    i32 0, label %301
-    i32 7, label %301
-  ]
+254:                                              ; preds = %248, %289
+  %255 = phi i64 [ %291, %289 ], [ 0, %248 ]
+  %256 = phi double [ %290, %289 ], [ 2.000000e+00, %248 ]
+  %257 = getelementptr inbounds i64, ptr %18, i64 %255
+  store i64 0, ptr %257, align 8
+  %258 = getelementptr inbounds i64, ptr %16, i64 %255
+  %259 = load i64, ptr %258, align 8
+  %260 = getelementptr inbounds double, ptr %247, i64 %255
+  %261 = load double, ptr %260, align 8
+  %262 = getelementptr inbounds i64, ptr %14, i64 %255
+  %263 = load i64, ptr %262, align 8
+  %264 = icmp slt i64 %259, 0
+  %265 = fcmp ogt double %261, 0.000000e+00
+  %266 = and i1 %264, %265
+  %267 = icmp sgt i64 %263, -1
+  %268 = and i1 %266, %267
+  br i1 %268, label %276, label %269
 
-301:                                              ; preds = %297, %297
-  %302 = add nsw i32 %205, 1
-  %303 = icmp slt i32 %205, %193
-  br i1 %303, label %204, label %304, !llvm.loop !7
+269:                                              ; preds = %254
+  %270 = icmp sgt i64 %259, 0
+  %271 = fcmp olt double %261, 0.000000e+00
+  %272 = and i1 %270, %271
+  br i1 %272, label %273, label %276
 
-304:                                              ; preds = %301, %297, %194
-  %305 = phi double [ %197, %194 ], [ %298, %297 ], [ %298, %301 ]
-  %306 = phi i32 [ 5, %194 ], [ 5, %301 ], [ %299, %297 ]
-  %307 = phi double [ %195, %194 ], [ %300, %297 ], [ %300, %301 ]
-  switch i32 %306, label %311 [
-    i32 5, label %308
-    i32 0, label %308
-  ]
+273:                                              ; preds = %269
+  %274 = icmp slt i64 %263, 1
+  %275 = zext i1 %274 to i32
+  br label %276
 
-308:                                              ; preds = %304, %304
-  %309 = add nuw nsw i64 %196, 1
-  %310 = icmp eq i64 %309, %177
-  br i1 %310, label %311, label %194, !llvm.loop !8
+276:                                              ; preds = %254, %269, %273
+  %277 = phi i32 [ 1, %254 ], [ 0, %269 ], [ %275, %273 ]
+  %278 = icmp eq i32 %277, 0
+  br i1 %278, label %279, label %283
 
-311:                                              ; preds = %304, %308, %166
-  %312 = phi double [ 2.000000e+00, %166 ], [ -4.000000e+00, %304 ], [ %307, %308 ]
-  %313 = fcmp olt double %312, 0.000000e+00
-  br i1 %313, label %1031, label %314
+279:                                              ; preds = %276
+  %280 = icmp eq i64 %259, 0
+  %281 = fcmp ord double %261, 0.000000e+00
+  %282 = or i1 %280, %281
+  br i1 %282, label %289, label %283
 
-314:                                              ; preds = %311
-  %315 = getelementptr double, ptr %28, i64 %174
-  %316 = fcmp olt double %312, %173
-  br i1 %316, label %317, label %350
+283:                                              ; preds = %279, %276
+  %284 = call fastcc double @locate(ptr noundef nonnull %0, ptr noundef nonnull %4, double noundef %1, double noundef %2, double noundef %249, double noundef %246, i64 noundef %255) #8
+  %285 = fcmp ole double %284, %249
+  %286 = zext i1 %285 to i64
+  store i64 %286, ptr %257, align 8
+  %287 = fcmp olt double %284, %256
+  %288 = select i1 %287, double %284, double %256
+  br label %289
 
-317:                                              ; preds = %314
-  %318 = load ptr, ptr %25, align 8
-  %319 = load ptr, ptr %111, align 8
-  %320 = load ptr, ptr %113, align 8
-  %321 = insertelement <8 x double> poison, double %312, i64 0
-  %322 = shufflevector <8 x double> %321, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %322, ptr %320, align 8
-  %323 = load ptr, ptr %112, align 8
-  %324 = load ptr, ptr %114, align 8
-  %325 = load i64, ptr %115, align 8
-  %326 = load ptr, ptr %116, align 8
-  %327 = getelementptr inbounds i8, ptr %326, i64 24
-  %328 = load i64, ptr %327, align 8
-  %329 = load ptr, ptr %113, align 8
-  %330 = load ptr, ptr %117, align 8
-  %331 = getelementptr inbounds i8, ptr %330, i64 16
-  %332 = load i64, ptr %331, align 8
-  tail call fastcc void @nested(ptr noundef %319, ptr noundef %323, ptr noundef %324, i64 noundef %325, i64 noundef %328, ptr noundef %329, i64 noundef %332) #8
-  %333 = fmul double %312, %2
-  %334 = fadd double %333, %1
-  %335 = load ptr, ptr %118, align 8
-  store double %334, ptr %335, align 8
-  %336 = load i64, ptr %119, align 8
-  %337 = icmp sgt i64 %336, 0
-  br i1 %337, label %338, label %339
+289:                                              ; preds = %279, %283
+  %290 = phi double [ %288, %283 ], [ %256, %279 ]
+  %291 = add nuw nsw i64 %255, 1
+  %292 = icmp eq i64 %291, %12
+  br i1 %292, label %251, label %254, !llvm.loop !8
 
-338:                                              ; preds = %317
+293:                                              ; preds = %251
+  %294 = load ptr, ptr %111, align 8
+  %295 = load ptr, ptr %113, align 8
+  %296 = insertelement <8 x double> poison, double %252, i64 0
+  %297 = shufflevector <8 x double> %296, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %297, ptr %295, align 8
+  %298 = load ptr, ptr %112, align 8
+  %299 = load ptr, ptr %114, align 8
+  %300 = load i64, ptr %115, align 8
+  %301 = load ptr, ptr %116, align 8
+  %302 = getelementptr inbounds i8, ptr %301, i64 24
+  %303 = load i64, ptr %302, align 8
+  %304 = load ptr, ptr %113, align 8
+  %305 = load ptr, ptr %117, align 8
+  %306 = getelementptr inbounds i8, ptr %305, i64 16
+  %307 = load i64, ptr %306, align 8
+  tail call fastcc void @nested(ptr noundef %294, ptr noundef %298, ptr noundef %299, i64 noundef %300, i64 noundef %303, ptr noundef %304, i64 noundef %307) #8
+  %308 = fmul double %252, %2
+  %309 = fadd double %308, %1
+  %310 = load ptr, ptr %118, align 8
+  store double %309, ptr %310, align 8
+  %311 = load i64, ptr %119, align 8
+  %312 = icmp sgt i64 %311, 0
+  br i1 %312, label %313, label %314
+
+313:                                              ; preds = %293
   tail call fastcc void @sample(ptr noundef nonnull %6) #8
-  br label %339
+  br label %314
 
-339:                                              ; preds = %317, %338
-  %340 = load ptr, ptr %9, align 8
-  %341 = load i64, ptr %340, align 8
-  %342 = load ptr, ptr %120, align 8
-  %343 = load ptr, ptr %111, align 8
-  %344 = load ptr, ptr %121, align 8
-  %345 = load ptr, ptr %122, align 8
-  %346 = load ptr, ptr %25, align 8
-  %347 = inttoptr i64 %341 to ptr
-  %348 = tail call i32 %347(ptr noundef %342, ptr noundef %343, ptr noundef %344, ptr noundef %345, ptr noundef %346) #9
-  %349 = icmp slt i32 %348, 0
-  br i1 %349, label %1031, label %350
+314:                                              ; preds = %293, %313
+  %315 = load ptr, ptr %9, align 8
+  %316 = load i64, ptr %315, align 8
+  %317 = load ptr, ptr %120, align 8
+  %318 = load ptr, ptr %111, align 8
+  %319 = load ptr, ptr %121, align 8
+  %320 = load ptr, ptr %122, align 8
+  %321 = load ptr, ptr %25, align 8
+  %322 = getelementptr inbounds i8, ptr %315, i64 8
+  %323 = load i64, ptr %322, align 8
+  %324 = getelementptr inbounds double, ptr %321, i64 %323
+  %325 = inttoptr i64 %316 to ptr
+  %326 = tail call i32 %325(ptr noundef %317, ptr noundef %318, ptr noundef %319, ptr noundef %320, ptr noundef %324) #9
+  %327 = icmp slt i32 %326, 0
+  br i1 %327, label %329, label %328
 
-350:                                              ; preds = %339, %314
-  %351 = phi double [ %312, %339 ], [ %173, %314 ]
-  %352 = phi ptr [ %318, %339 ], [ %315, %314 ]
-  br label %353
+328:                                              ; preds = %314
+  br i1 %123, label %334, label %430
 
-353:                                              ; preds = %975, %350
-  %354 = phi double [ %169, %350 ], [ %977, %975 ]
-  %355 = phi i64 [ %168, %350 ], [ %978, %975 ]
-  br i1 %123, label %360, label %356
+329:                                              ; preds = %314
+  %330 = load ptr, ptr %20, align 8
+  %331 = getelementptr inbounds i8, ptr %330, i64 80
+  store i64 %23, ptr %331, align 8
+  %332 = load ptr, ptr %19, align 8
+  %333 = getelementptr inbounds i8, ptr %332, i64 48
+  store double 1.000000e+00, ptr %333, align 8
+  br label %851
 
-356:                                              ; preds = %410, %353
-  %357 = phi double [ 2.000000e+00, %353 ], [ %411, %410 ]
-  %358 = phi i32 [ 0, %353 ], [ %412, %410 ]
-  %359 = fcmp ogt double %357, 1.000000e+00
-  br i1 %359, label %975, label %415
+334:                                              ; preds = %328, %424
+  %335 = phi i1 [ %428, %424 ], [ %123, %328 ]
+  %336 = phi i64 [ %426, %424 ], [ %250, %328 ]
+  %337 = phi i64 [ %427, %424 ], [ 0, %328 ]
+  %338 = phi double [ %425, %424 ], [ %252, %328 ]
+  %339 = getelementptr inbounds i64, ptr %16, i64 %337
+  %340 = load i64, ptr %339, align 8
+  %341 = getelementptr inbounds double, ptr %31, i64 %337
+  %342 = load double, ptr %341, align 8
+  %343 = getelementptr inbounds i64, ptr %14, i64 %337
+  %344 = load i64, ptr %343, align 8
+  %345 = icmp slt i64 %340, 0
+  %346 = fcmp ogt double %342, 0.000000e+00
+  %347 = and i1 %345, %346
+  %348 = icmp sgt i64 %344, -1
+  %349 = and i1 %347, %348
+  br i1 %349, label %357, label %350
 
-360:                                              ; preds = %353, %410
-  %361 = phi i64 [ %413, %410 ], [ 0, %353 ]
-  %362 = phi i32 [ %412, %410 ], [ 0, %353 ]
-  %363 = phi double [ %411, %410 ], [ 2.000000e+00, %353 ]
-  %364 = getelementptr inbounds i64, ptr %18, i64 %361
-  store i64 0, ptr %364, align 8
-  %365 = getelementptr inbounds i64, ptr %16, i64 %361
-  %366 = load i64, ptr %365, align 8
-  %367 = getelementptr inbounds double, ptr %352, i64 %361
-  %368 = load double, ptr %367, align 8
-  %369 = getelementptr inbounds i64, ptr %14, i64 %361
-  %370 = load i64, ptr %369, align 8
-  %371 = icmp slt i64 %366, 0
-  %372 = fcmp ogt double %368, 0.000000e+00
-  %373 = and i1 %371, %372
-  %374 = icmp sgt i64 %370, -1
-  %375 = and i1 %373, %374
-  br i1 %375, label %383, label %376
+350:                                              ; preds = %334
+  %351 = icmp sgt i64 %340, 0
+  %352 = fcmp olt double %342, 0.000000e+00
+  %353 = and i1 %351, %352
+  br i1 %353, label %354, label %357
 
-376:                                              ; preds = %360
-  %377 = icmp sgt i64 %366, 0
-  %378 = fcmp olt double %368, 0.000000e+00
-  %379 = and i1 %377, %378
-  br i1 %379, label %380, label %383
+354:                                              ; preds = %350
+  %355 = icmp slt i64 %344, 1
+  %356 = zext i1 %355 to i32
+  br label %357
 
-380:                                              ; preds = %376
-  %381 = icmp slt i64 %370, 1
-  %382 = zext i1 %381 to i32
-  br label %383
+357:                                              ; preds = %334, %350, %354
+  %358 = phi i32 [ 1, %334 ], [ 0, %350 ], [ %356, %354 ]
+  %359 = icmp eq i32 %358, 0
+  br i1 %359, label %424, label %360
 
-383:                                              ; preds = %360, %376, %380
-  %384 = phi i32 [ 1, %360 ], [ 0, %376 ], [ %382, %380 ]
-  %385 = icmp eq i32 %384, 0
-  br i1 %385, label %386, label %390
+360:                                              ; preds = %357
+  %361 = getelementptr inbounds double, ptr %247, i64 %337
+  %362 = load double, ptr %361, align 8
+  %363 = fcmp ogt double %362, 0.000000e+00
+  %364 = and i1 %345, %363
+  %365 = and i1 %348, %364
+  br i1 %365, label %373, label %366
 
-386:                                              ; preds = %383
-  %387 = icmp eq i64 %366, 0
-  %388 = fcmp ord double %368, 0.000000e+00
-  %389 = or i1 %387, %388
-  br i1 %389, label %410, label %390
+366:                                              ; preds = %360
+  %367 = icmp sgt i64 %340, 0
+  %368 = fcmp olt double %362, 0.000000e+00
+  %369 = and i1 %367, %368
+  br i1 %369, label %370, label %373
 
-390:                                              ; preds = %386, %383
-  %391 = call fastcc double @locate(ptr noundef nonnull %0, ptr noundef nonnull %4, double noundef %1, double noundef %2, double noundef %354, double noundef %351, i64 noundef %361) #8
-  %392 = fcmp ole double %391, %354
-  %393 = zext i1 %392 to i64
-  store i64 %393, ptr %364, align 8
-  %394 = fcmp uge double %391, %363
-  %395 = select i1 %394, i32 %362, i32 0
-  %396 = fcmp ugt double %391, %363
-  br i1 %396, label %407, label %397
+370:                                              ; preds = %366
+  %371 = icmp slt i64 %344, 1
+  %372 = zext i1 %371 to i32
+  br label %373
 
-397:                                              ; preds = %390
-  %398 = icmp eq i32 %395, 0
-  br i1 %398, label %399, label %404
+373:                                              ; preds = %360, %366, %370
+  %374 = phi i32 [ 1, %360 ], [ 0, %366 ], [ %372, %370 ]
+  %375 = icmp eq i32 %374, 0
+  br i1 %375, label %376, label %424
 
-399:                                              ; preds = %397
-  %400 = load ptr, ptr %124, align 8
-  %401 = getelementptr inbounds i64, ptr %400, i64 %361
-  %402 = load i64, ptr %401, align 8
-  %403 = icmp eq i64 %402, 1
-  br label %404
+376:                                              ; preds = %373
+  %377 = call fastcc double @locate(ptr noundef nonnull %0, ptr noundef nonnull %4, double noundef %1, double noundef %2, double noundef %249, double noundef %338, i64 noundef %337) #8
+  %378 = fcmp ogt double %377, %249
+  br i1 %378, label %379, label %381
 
-404:                                              ; preds = %399, %397
-  %405 = phi i1 [ true, %397 ], [ %403, %399 ]
-  %406 = zext i1 %405 to i32
-  br label %407
+379:                                              ; preds = %376
+  %380 = getelementptr inbounds i64, ptr %18, i64 %337
+  store i64 2, ptr %380, align 8
+  br label %381
 
-407:                                              ; preds = %404, %390
-  %408 = phi i32 [ %406, %404 ], [ %395, %390 ]
-  %409 = select i1 %394, double %363, double %391
-  br label %410
+381:                                              ; preds = %379, %376
+  %382 = phi double [ %377, %379 ], [ %338, %376 ]
+  %383 = load ptr, ptr %111, align 8
+  %384 = load ptr, ptr %113, align 8
+  %385 = insertelement <8 x double> poison, double %382, i64 0
+  %386 = shufflevector <8 x double> %385, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %386, ptr %384, align 8
+  %387 = load ptr, ptr %112, align 8
+  %388 = load ptr, ptr %114, align 8
+  %389 = load i64, ptr %115, align 8
+  %390 = load ptr, ptr %116, align 8
+  %391 = getelementptr inbounds i8, ptr %390, i64 24
+  %392 = load i64, ptr %391, align 8
+  %393 = load ptr, ptr %113, align 8
+  %394 = load ptr, ptr %117, align 8
+  %395 = getelementptr inbounds i8, ptr %394, i64 16
+  %396 = load i64, ptr %395, align 8
+  tail call fastcc void @nested(ptr noundef %383, ptr noundef %387, ptr noundef %388, i64 noundef %389, i64 noundef %392, ptr noundef %393, i64 noundef %396) #8
+  %397 = fmul double %382, %2
+  %398 = fadd double %397, %1
+  %399 = load ptr, ptr %118, align 8
+  store double %398, ptr %399, align 8
+  %400 = load i64, ptr %119, align 8
+  %401 = icmp sgt i64 %400, 0
+  br i1 %401, label %402, label %403
 
-410:                                              ; preds = %386, %407
-  %411 = phi double [ %409, %407 ], [ %363, %386 ]
-  %412 = phi i32 [ %408, %407 ], [ %362, %386 ]
-  %413 = add nuw nsw i64 %361, 1
-  %414 = icmp eq i64 %413, %12
-  br i1 %414, label %356, label %360, !llvm.loop !9
-
-415:                                              ; preds = %356
-  %416 = load ptr, ptr %125, align 8
-  %417 = load ptr, ptr %127, align 8
-  %418 = insertelement <8 x double> poison, double %357, i64 0
-  %419 = shufflevector <8 x double> %418, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %419, ptr %417, align 8
-  %420 = load ptr, ptr %126, align 8
-  %421 = load ptr, ptr %128, align 8
-  %422 = load i64, ptr %129, align 8
-  %423 = load ptr, ptr %130, align 8
-  %424 = getelementptr inbounds i8, ptr %423, i64 24
-  %425 = load i64, ptr %424, align 8
-  %426 = load ptr, ptr %127, align 8
-  %427 = load ptr, ptr %131, align 8
-  %428 = getelementptr inbounds i8, ptr %427, i64 16
-  %429 = load i64, ptr %428, align 8
-  tail call fastcc void @nested(ptr noundef %416, ptr noundef %420, ptr noundef %421, i64 noundef %422, i64 noundef %425, ptr noundef %426, i64 noundef %429) #8
-  %430 = fmul double %357, %2
-  %431 = fadd double %430, %1
-  %432 = load ptr, ptr %132, align 8
-  store double %431, ptr %432, align 8
-  %433 = load i64, ptr %133, align 8
-  %434 = icmp sgt i64 %433, 0
-  br i1 %434, label %435, label %436
-
-435:                                              ; preds = %415
+402:                                              ; preds = %381
   tail call fastcc void @sample(ptr noundef nonnull %6) #8
-  br label %436
+  br label %403
 
-436:                                              ; preds = %415, %435
-  %437 = load ptr, ptr %9, align 8
-  %438 = load i64, ptr %437, align 8
-  %439 = load ptr, ptr %134, align 8
-  %440 = load ptr, ptr %125, align 8
-  %441 = load ptr, ptr %135, align 8
-  %442 = load ptr, ptr %136, align 8
-  %443 = load ptr, ptr %25, align 8
-  %444 = getelementptr inbounds i8, ptr %437, i64 8
-  %445 = load i64, ptr %444, align 8
-  %446 = getelementptr inbounds double, ptr %443, i64 %445
-  %447 = inttoptr i64 %438 to ptr
-  %448 = tail call i32 %447(ptr noundef %439, ptr noundef %440, ptr noundef %441, ptr noundef %442, ptr noundef %446) #9
-  %449 = icmp slt i32 %448, 0
-  br i1 %449, label %453, label %450
+403:                                              ; preds = %381, %402
+  %404 = load ptr, ptr %9, align 8
+  %405 = load i64, ptr %404, align 8
+  %406 = load ptr, ptr %120, align 8
+  %407 = load ptr, ptr %111, align 8
+  %408 = load ptr, ptr %121, align 8
+  %409 = load ptr, ptr %122, align 8
+  %410 = load ptr, ptr %25, align 8
+  %411 = getelementptr inbounds i8, ptr %404, i64 8
+  %412 = load i64, ptr %411, align 8
+  %413 = getelementptr inbounds double, ptr %410, i64 %412
+  %414 = inttoptr i64 %405 to ptr
+  %415 = tail call i32 %414(ptr noundef %406, ptr noundef %407, ptr noundef %408, ptr noundef %409, ptr noundef %413) #9
+  %416 = icmp sgt i32 %415, -1
+  br i1 %416, label %422, label %417
 
-450:                                              ; preds = %436
-  %451 = icmp ne i32 %358, 0
-  %452 = select i1 %137, i1 true, i1 %451
-  br i1 %452, label %554, label %458
+417:                                              ; preds = %403
+  %418 = load ptr, ptr %20, align 8
+  %419 = getelementptr inbounds i8, ptr %418, i64 80
+  store i64 %23, ptr %419, align 8
+  %420 = load ptr, ptr %19, align 8
+  %421 = getelementptr inbounds i8, ptr %420, i64 48
+  store double 1.000000e+00, ptr %421, align 8
+  br label %422
 
-453:                                              ; preds = %436
-  %454 = load ptr, ptr %20, align 8
-  %455 = getelementptr inbounds i8, ptr %454, i64 80
-  store i64 %23, ptr %455, align 8
-  %456 = load ptr, ptr %19, align 8
-  %457 = getelementptr inbounds i8, ptr %456, i64 48
-  store double 1.000000e+00, ptr %457, align 8
-  br label %975
+422:                                              ; preds = %403, %417
+  %423 = phi i64 [ -4, %417 ], [ %336, %403 ]
+  br i1 %416, label %424, label %430
 
-458:                                              ; preds = %450, %548
-  %459 = phi i1 [ %553, %548 ], [ %452, %450 ]
-  %460 = phi i64 [ %550, %548 ], [ %355, %450 ]
-  %461 = phi i64 [ %551, %548 ], [ 0, %450 ]
-  %462 = phi double [ %549, %548 ], [ %357, %450 ]
-  %463 = getelementptr inbounds i64, ptr %16, i64 %461
-  %464 = load i64, ptr %463, align 8
-  %465 = getelementptr inbounds double, ptr %31, i64 %461
-  %466 = load double, ptr %465, align 8
-  %467 = getelementptr inbounds i64, ptr %14, i64 %461
-  %468 = load i64, ptr %467, align 8
-  %469 = icmp slt i64 %464, 0
-  %470 = fcmp ogt double %466, 0.000000e+00
-  %471 = and i1 %469, %470
-  %472 = icmp sgt i64 %468, -1
-  %473 = and i1 %471, %472
-  br i1 %473, label %481, label %474
+424:                                              ; preds = %357, %373, %422
+  %425 = phi double [ %338, %373 ], [ %382, %422 ], [ %338, %357 ]
+  %426 = phi i64 [ %336, %373 ], [ %423, %422 ], [ %336, %357 ]
+  %427 = add nuw nsw i64 %337, 1
+  %428 = icmp slt i64 %427, %12
+  %429 = icmp eq i64 %427, %12
+  br i1 %429, label %430, label %334, !llvm.loop !9
 
-474:                                              ; preds = %458
-  %475 = icmp sgt i64 %464, 0
-  %476 = fcmp olt double %466, 0.000000e+00
-  %477 = and i1 %475, %476
-  br i1 %477, label %478, label %481
+430:                                              ; preds = %422, %424, %328
+  %431 = phi i1 [ %123, %328 ], [ %335, %422 ], [ %428, %424 ]
+  %432 = phi i32 [ 13, %328 ], [ 1, %422 ], [ 13, %424 ]
+  %433 = phi double [ %252, %328 ], [ %382, %422 ], [ %425, %424 ]
+  %434 = phi i64 [ %250, %328 ], [ %423, %422 ], [ %426, %424 ]
+  br i1 %431, label %851, label %435
 
-478:                                              ; preds = %474
-  %479 = icmp slt i64 %468, 1
-  %480 = zext i1 %479 to i32
-  br label %481
+435:                                              ; preds = %430
+  br i1 %124, label %446, label %438
 
-481:                                              ; preds = %458, %474, %478
-  %482 = phi i32 [ 1, %458 ], [ 0, %474 ], [ %480, %478 ]
-  %483 = icmp eq i32 %482, 0
-  br i1 %483, label %548, label %484
+436:                                              ; preds = %533
+  %437 = zext i1 %534 to i32
+  br label %438
 
-484:                                              ; preds = %481
-  %485 = getelementptr inbounds double, ptr %352, i64 %461
-  %486 = load double, ptr %485, align 8
-  %487 = fcmp ogt double %486, 0.000000e+00
-  %488 = and i1 %469, %487
-  %489 = and i1 %472, %488
-  br i1 %489, label %497, label %490
+438:                                              ; preds = %436, %435
+  %439 = phi i32 [ 0, %435 ], [ %437, %436 ]
+  %440 = phi i64 [ -1, %435 ], [ %523, %436 ]
+  %441 = icmp eq i32 %439, 0
+  br i1 %441, label %442, label %537
 
-490:                                              ; preds = %484
-  %491 = icmp sgt i64 %464, 0
-  %492 = fcmp olt double %486, 0.000000e+00
-  %493 = and i1 %491, %492
-  br i1 %493, label %494, label %497
+442:                                              ; preds = %438
+  br i1 %133, label %443, label %663
 
-494:                                              ; preds = %490
-  %495 = icmp slt i64 %468, 1
-  %496 = zext i1 %495 to i32
-  br label %497
+443:                                              ; preds = %442
+  %444 = fmul double %433, %2
+  %445 = fadd double %444, %1
+  br label %784
 
-497:                                              ; preds = %484, %490, %494
-  %498 = phi i32 [ 1, %484 ], [ 0, %490 ], [ %496, %494 ]
-  %499 = icmp eq i32 %498, 0
-  br i1 %499, label %500, label %548
+446:                                              ; preds = %435, %533
+  %447 = phi i64 [ %535, %533 ], [ 0, %435 ]
+  %448 = phi i64 [ %523, %533 ], [ -1, %435 ]
+  %449 = phi i1 [ %534, %533 ], [ false, %435 ]
+  %450 = getelementptr inbounds double, ptr %31, i64 %447
+  %451 = load double, ptr %450, align 8
+  %452 = getelementptr inbounds i64, ptr %16, i64 %447
+  %453 = load i64, ptr %452, align 8
+  %454 = getelementptr inbounds i64, ptr %14, i64 %447
+  %455 = load i64, ptr %454, align 8
+  %456 = icmp slt i64 %453, 0
+  %457 = fcmp ogt double %451, 0.000000e+00
+  %458 = and i1 %457, %456
+  %459 = icmp sgt i64 %455, -1
+  %460 = and i1 %458, %459
+  br i1 %460, label %468, label %461
 
-500:                                              ; preds = %497
-  %501 = call fastcc double @locate(ptr noundef nonnull %0, ptr noundef nonnull %4, double noundef %1, double noundef %2, double noundef %354, double noundef %462, i64 noundef %461) #8
-  %502 = fcmp ogt double %501, %354
-  br i1 %502, label %503, label %505
+461:                                              ; preds = %446
+  %462 = icmp sgt i64 %453, 0
+  %463 = fcmp olt double %451, 0.000000e+00
+  %464 = and i1 %463, %462
+  br i1 %464, label %465, label %468
 
-503:                                              ; preds = %500
-  %504 = getelementptr inbounds i64, ptr %18, i64 %461
-  store i64 2, ptr %504, align 8
+465:                                              ; preds = %461
+  %466 = icmp slt i64 %455, 1
+  %467 = zext i1 %466 to i32
+  br label %468
+
+468:                                              ; preds = %446, %461, %465
+  %469 = phi i32 [ 1, %446 ], [ 0, %461 ], [ %467, %465 ]
+  %470 = icmp eq i32 %469, 0
+  br i1 %470, label %471, label %496
+
+471:                                              ; preds = %468
+  %472 = getelementptr inbounds double, ptr %247, i64 %447
+  %473 = load double, ptr %472, align 8
+  %474 = fcmp ogt double %473, 0.000000e+00
+  %475 = and i1 %456, %474
+  %476 = and i1 %459, %475
+  br i1 %476, label %484, label %477
+
+477:                                              ; preds = %471
+  %478 = icmp sgt i64 %453, 0
+  %479 = fcmp olt double %473, 0.000000e+00
+  %480 = and i1 %478, %479
+  br i1 %480, label %481, label %484
+
+481:                                              ; preds = %477
+  %482 = icmp slt i64 %455, 1
+  %483 = zext i1 %482 to i32
+  br label %484
+
+484:                                              ; preds = %471, %477, %481
+  %485 = phi i32 [ 1, %471 ], [ 0, %477 ], [ %483, %481 ]
+  %486 = icmp eq i32 %485, 0
+  br i1 %486, label %496, label %487
+
+487:                                              ; preds = %484
+  %488 = fcmp oeq double %451, 0.000000e+00
+  br i1 %488, label %493, label %489
+
+489:                                              ; preds = %487
+  %490 = getelementptr inbounds i64, ptr %18, i64 %447
+  %491 = load i64, ptr %490, align 8
+  %492 = icmp eq i64 %491, 1
+  br label %493
+
+493:                                              ; preds = %489, %487
+  %494 = phi i1 [ true, %487 ], [ %492, %489 ]
+  %495 = zext i1 %494 to i32
+  br label %496
+
+496:                                              ; preds = %493, %484, %468
+  %497 = phi i32 [ 1, %468 ], [ %495, %493 ], [ 0, %484 ]
+  %498 = icmp eq i32 %497, 0
+  br i1 %498, label %499, label %505
+
+499:                                              ; preds = %496
+  %500 = getelementptr inbounds i64, ptr %18, i64 %447
+  %501 = load i64, ptr %500, align 8
+  %502 = icmp eq i64 %501, 2
+  %503 = fcmp oeq double %451, 0.000000e+00
+  %504 = and i1 %503, %502
   br label %505
 
-505:                                              ; preds = %503, %500
-  %506 = phi double [ %501, %503 ], [ %462, %500 ]
-  %507 = load ptr, ptr %125, align 8
-  %508 = load ptr, ptr %127, align 8
-  %509 = insertelement <8 x double> poison, double %506, i64 0
-  %510 = shufflevector <8 x double> %509, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %510, ptr %508, align 8
-  %511 = load ptr, ptr %126, align 8
-  %512 = load ptr, ptr %128, align 8
-  %513 = load i64, ptr %129, align 8
-  %514 = load ptr, ptr %130, align 8
-  %515 = getelementptr inbounds i8, ptr %514, i64 24
-  %516 = load i64, ptr %515, align 8
-  %517 = load ptr, ptr %127, align 8
-  %518 = load ptr, ptr %131, align 8
-  %519 = getelementptr inbounds i8, ptr %518, i64 16
-  %520 = load i64, ptr %519, align 8
-  tail call fastcc void @nested(ptr noundef %507, ptr noundef %511, ptr noundef %512, i64 noundef %513, i64 noundef %516, ptr noundef %517, i64 noundef %520) #8
-  %521 = fmul double %506, %2
-  %522 = fadd double %521, %1
-  %523 = load ptr, ptr %132, align 8
-  store double %522, ptr %523, align 8
-  %524 = load i64, ptr %133, align 8
-  %525 = icmp sgt i64 %524, 0
-  br i1 %525, label %526, label %527
+505:                                              ; preds = %499, %496
+  %506 = phi i1 [ true, %496 ], [ %504, %499 ]
+  br i1 %506, label %522, label %507
 
-526:                                              ; preds = %505
+507:                                              ; preds = %505
+  %508 = getelementptr inbounds double, ptr %247, i64 %447
+  %509 = load double, ptr %508, align 8
+  %510 = icmp eq i64 %453, 0
+  %511 = fcmp ord double %509, 0.000000e+00
+  %512 = or i1 %510, %511
+  br i1 %512, label %522, label %513
+
+513:                                              ; preds = %507
+  %514 = sitofp i64 %453 to double
+  %515 = fmul double %451, %514
+  %516 = fcmp olt double %515, 0.000000e+00
+  br i1 %516, label %517, label %519
+
+517:                                              ; preds = %513
+  %518 = sub nsw i64 0, %453
+  store i64 %518, ptr %452, align 8
+  br label %522
+
+519:                                              ; preds = %513
+  %520 = fcmp ueq double %451, 0.000000e+00
+  %521 = select i1 %520, i64 %447, i64 %448
+  br label %522
+
+522:                                              ; preds = %519, %517, %507, %505
+  %523 = phi i64 [ %448, %505 ], [ %448, %517 ], [ %448, %507 ], [ %521, %519 ]
+  %524 = zext i1 %506 to i64
+  %525 = getelementptr inbounds i64, ptr %18, i64 %447
+  store i64 %524, ptr %525, align 8
+  %526 = xor i1 %506, true
+  %527 = or i1 %449, %526
+  br i1 %527, label %533, label %528
+
+528:                                              ; preds = %522
+  %529 = load ptr, ptr %125, align 8
+  %530 = getelementptr inbounds i64, ptr %529, i64 %447
+  %531 = load i64, ptr %530, align 8
+  %532 = icmp eq i64 %531, 1
+  br label %533
+
+533:                                              ; preds = %522, %528
+  %534 = phi i1 [ %449, %522 ], [ %532, %528 ]
+  %535 = add nuw nsw i64 %447, 1
+  %536 = icmp eq i64 %535, %12
+  br i1 %536, label %436, label %446, !llvm.loop !10
+
+537:                                              ; preds = %438
+  store double %433, ptr %126, align 8
+  %538 = load ptr, ptr %9, align 8
+  %539 = getelementptr inbounds i8, ptr %538, i64 8
+  %540 = load i64, ptr %539, align 8
+  %541 = load ptr, ptr %25, align 8
+  %542 = getelementptr inbounds double, ptr %541, i64 %540
+  %543 = mul i64 %540, 56
+  %544 = getelementptr inbounds i8, ptr %541, i64 %543
+  %545 = load ptr, ptr %127, align 8
+  %546 = load i64, ptr %128, align 8
+  %547 = getelementptr double, ptr %545, i64 %546
+  %548 = getelementptr i8, ptr %547, i64 -8
+  %549 = load double, ptr %548, align 8
+  %550 = load double, ptr %545, align 8
+  %551 = fsub double %549, %550
+  %552 = icmp sgt i64 %540, 0
+  br i1 %552, label %556, label %553
+
+553:                                              ; preds = %569, %537
+  %554 = phi i32 [ 0, %537 ], [ %571, %569 ]
+  %555 = icmp eq i32 %554, 0
+  br i1 %555, label %851, label %574
+
+556:                                              ; preds = %537, %569
+  %557 = phi i64 [ %572, %569 ], [ 0, %537 ]
+  %558 = phi i32 [ %571, %569 ], [ 0, %537 ]
+  %559 = icmp eq i32 %558, 0
+  br i1 %559, label %560, label %569
+
+560:                                              ; preds = %556
+  %561 = load ptr, ptr %17, align 8
+  %562 = getelementptr inbounds i64, ptr %561, i64 %557
+  %563 = load i64, ptr %562, align 8
+  %564 = icmp eq i64 %563, 0
+  br i1 %564, label %569, label %565
+
+565:                                              ; preds = %560
+  %566 = getelementptr inbounds double, ptr %542, i64 %557
+  %567 = load double, ptr %566, align 8
+  %568 = fcmp oeq double %567, 0.000000e+00
+  br label %569
+
+569:                                              ; preds = %565, %560, %556
+  %570 = phi i1 [ true, %556 ], [ false, %560 ], [ %568, %565 ]
+  %571 = zext i1 %570 to i32
+  %572 = add nuw nsw i64 %557, 1
+  %573 = icmp eq i64 %572, %540
+  br i1 %573, label %553, label %556, !llvm.loop !11
+
+574:                                              ; preds = %553
+  %575 = fsub double %246, %433
+  %576 = fmul double %575, %2
+  %577 = fcmp ogt double %130, %551
+  %578 = select i1 %577, double %130, double %551
+  %579 = fmul double %578, 0x3F50000000000000
+  %580 = fcmp ugt double %576, %579
+  br i1 %580, label %581, label %851
+
+581:                                              ; preds = %574
+  %582 = fmul double %575, 0x3F50000000000000
+  %583 = fadd double %433, %582
+  %584 = load ptr, ptr %111, align 8
+  %585 = load ptr, ptr %113, align 8
+  %586 = insertelement <8 x double> poison, double %583, i64 0
+  %587 = shufflevector <8 x double> %586, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %587, ptr %585, align 8
+  %588 = load ptr, ptr %112, align 8
+  %589 = load ptr, ptr %114, align 8
+  %590 = load i64, ptr %115, align 8
+  %591 = load ptr, ptr %116, align 8
+  %592 = getelementptr inbounds i8, ptr %591, i64 24
+  %593 = load i64, ptr %592, align 8
+  %594 = load ptr, ptr %113, align 8
+  %595 = load ptr, ptr %117, align 8
+  %596 = getelementptr inbounds i8, ptr %595, i64 16
+  %597 = load i64, ptr %596, align 8
+  tail call fastcc void @nested(ptr noundef %584, ptr noundef %588, ptr noundef %589, i64 noundef %590, i64 noundef %593, ptr noundef %594, i64 noundef %597) #8
+  %598 = fmul double %583, %2
+  %599 = fadd double %598, %1
+  %600 = load ptr, ptr %118, align 8
+  store double %599, ptr %600, align 8
+  %601 = load i64, ptr %119, align 8
+  %602 = icmp sgt i64 %601, 0
+  br i1 %602, label %603, label %604
+
+603:                                              ; preds = %581
   tail call fastcc void @sample(ptr noundef nonnull %6) #8
-  br label %527
+  br label %604
 
-527:                                              ; preds = %505, %526
-  %528 = load ptr, ptr %9, align 8
-  %529 = load i64, ptr %528, align 8
-  %530 = load ptr, ptr %134, align 8
-  %531 = load ptr, ptr %125, align 8
-  %532 = load ptr, ptr %135, align 8
-  %533 = load ptr, ptr %136, align 8
-  %534 = load ptr, ptr %25, align 8
-  %535 = getelementptr inbounds i8, ptr %528, i64 8
-  %536 = load i64, ptr %535, align 8
-  %537 = getelementptr inbounds double, ptr %534, i64 %536
-  %538 = inttoptr i64 %529 to ptr
-  %539 = tail call i32 %538(ptr noundef %530, ptr noundef %531, ptr noundef %532, ptr noundef %533, ptr noundef %537) #9
-  %540 = icmp sgt i32 %539, -1
-  br i1 %540, label %546, label %541
+604:                                              ; preds = %581, %603
+  %605 = load ptr, ptr %9, align 8
+  %606 = load i64, ptr %605, align 8
+  %607 = load ptr, ptr %120, align 8
+  %608 = load ptr, ptr %111, align 8
+  %609 = load ptr, ptr %121, align 8
+  %610 = load ptr, ptr %122, align 8
+  %611 = load ptr, ptr %25, align 8
+  %612 = getelementptr inbounds i8, ptr %605, i64 8
+  %613 = load i64, ptr %612, align 8
+  %614 = mul i64 %613, 56
+  %615 = getelementptr inbounds i8, ptr %611, i64 %614
+  %616 = inttoptr i64 %606 to ptr
+  %617 = tail call i32 %616(ptr noundef %607, ptr noundef %608, ptr noundef %609, ptr noundef %610, ptr noundef %615) #9
+  %618 = icmp slt i32 %617, 0
+  br i1 %618, label %658, label %619
 
-541:                                              ; preds = %527
-  %542 = load ptr, ptr %20, align 8
-  %543 = getelementptr inbounds i8, ptr %542, i64 80
-  store i64 %23, ptr %543, align 8
-  %544 = load ptr, ptr %19, align 8
-  %545 = getelementptr inbounds i8, ptr %544, i64 48
-  store double 1.000000e+00, ptr %545, align 8
-  br label %546
+619:                                              ; preds = %604
+  %620 = icmp sgt i64 %540, 0
+  br i1 %620, label %621, label %851
 
-546:                                              ; preds = %527, %541
-  %547 = phi i64 [ -4, %541 ], [ %460, %527 ]
-  br i1 %540, label %548, label %554
+621:                                              ; preds = %619
+  %622 = fmul double %433, %2
+  %623 = fadd double %622, %1
+  %624 = fsub double %623, %623
+  br label %625
 
-548:                                              ; preds = %481, %497, %546
-  %549 = phi double [ %462, %497 ], [ %506, %546 ], [ %462, %481 ]
-  %550 = phi i64 [ %460, %497 ], [ %547, %546 ], [ %460, %481 ]
-  %551 = add nuw nsw i64 %461, 1
-  %552 = icmp sge i64 %551, %12
-  %553 = select i1 %552, i1 true, i1 %451
-  br i1 %553, label %554, label %458, !llvm.loop !10
+625:                                              ; preds = %621, %655
+  %626 = phi i64 [ 0, %621 ], [ %656, %655 ]
+  %627 = load ptr, ptr %17, align 8
+  %628 = getelementptr inbounds i64, ptr %627, i64 %626
+  %629 = load i64, ptr %628, align 8
+  %630 = icmp eq i64 %629, 0
+  br i1 %630, label %655, label %631
 
-554:                                              ; preds = %546, %548, %450
-  %555 = phi i1 [ %452, %450 ], [ %459, %546 ], [ %553, %548 ]
-  %556 = phi i32 [ 13, %450 ], [ 1, %546 ], [ 13, %548 ]
-  %557 = phi double [ %357, %450 ], [ %506, %546 ], [ %549, %548 ]
-  %558 = phi i64 [ %355, %450 ], [ %547, %546 ], [ %550, %548 ]
-  br i1 %555, label %559, label %975
-
-559:                                              ; preds = %554
-  br i1 %138, label %570, label %562
-
-560:                                              ; preds = %657
-  %561 = zext i1 %658 to i32
-  br label %562
-
-562:                                              ; preds = %560, %559
-  %563 = phi i32 [ 0, %559 ], [ %561, %560 ]
-  %564 = phi i64 [ -1, %559 ], [ %647, %560 ]
-  %565 = icmp eq i32 %563, 0
-  br i1 %565, label %566, label %661
-
-566:                                              ; preds = %562
-  br i1 %147, label %567, label %787
-
-567:                                              ; preds = %566
-  %568 = fmul double %557, %2
-  %569 = fadd double %568, %1
-  br label %908
-
-570:                                              ; preds = %559, %657
-  %571 = phi i64 [ %659, %657 ], [ 0, %559 ]
-  %572 = phi i64 [ %647, %657 ], [ -1, %559 ]
-  %573 = phi i1 [ %658, %657 ], [ false, %559 ]
-  %574 = getelementptr inbounds double, ptr %31, i64 %571
-  %575 = load double, ptr %574, align 8
-  %576 = getelementptr inbounds i64, ptr %16, i64 %571
-  %577 = load i64, ptr %576, align 8
-  %578 = getelementptr inbounds i64, ptr %14, i64 %571
-  %579 = load i64, ptr %578, align 8
-  %580 = icmp slt i64 %577, 0
-  %581 = fcmp ogt double %575, 0.000000e+00
-  %582 = and i1 %581, %580
-  %583 = icmp sgt i64 %579, -1
-  %584 = and i1 %582, %583
-  br i1 %584, label %592, label %585
-
-585:                                              ; preds = %570
-  %586 = icmp sgt i64 %577, 0
-  %587 = fcmp olt double %575, 0.000000e+00
-  %588 = and i1 %587, %586
-  br i1 %588, label %589, label %592
-
-589:                                              ; preds = %585
-  %590 = icmp slt i64 %579, 1
-  %591 = zext i1 %590 to i32
-  br label %592
-
-592:                                              ; preds = %570, %585, %589
-  %593 = phi i32 [ 1, %570 ], [ 0, %585 ], [ %591, %589 ]
-  %594 = icmp eq i32 %593, 0
-  br i1 %594, label %595, label %620
-
-595:                                              ; preds = %592
-  %596 = getelementptr inbounds double, ptr %352, i64 %571
-  %597 = load double, ptr %596, align 8
-  %598 = fcmp ogt double %597, 0.000000e+00
-  %599 = and i1 %580, %598
-  %600 = and i1 %583, %599
-  br i1 %600, label %608, label %601
-
-601:                                              ; preds = %595
-  %602 = icmp sgt i64 %577, 0
-  %603 = fcmp olt double %597, 0.000000e+00
-  %604 = and i1 %602, %603
-  br i1 %604, label %605, label %608
-
-605:                                              ; preds = %601
-  %606 = icmp slt i64 %579, 1
-  %607 = zext i1 %606 to i32
-  br label %608
-
-608:                                              ; preds = %595, %601, %605
-  %609 = phi i32 [ 1, %595 ], [ 0, %601 ], [ %607, %605 ]
-  %610 = icmp eq i32 %609, 0
-  br i1 %610, label %620, label %611
-
-611:                                              ; preds = %608
-  %612 = fcmp oeq double %575, 0.000000e+00
-  br i1 %612, label %617, label %613
-
-613:                                              ; preds = %611
-  %614 = getelementptr inbounds i64, ptr %18, i64 %571
-  %615 = load i64, ptr %614, align 8
-  %616 = icmp eq i64 %615, 1
-  br label %617
-
-617:                                              ; preds = %613, %611
-  %618 = phi i1 [ true, %611 ], [ %616, %613 ]
-  %619 = zext i1 %618 to i32
-  br label %620
-
-620:                                              ; preds = %617, %608, %592
-  %621 = phi i32 [ 1, %592 ], [ %619, %617 ], [ 0, %608 ]
-  %622 = icmp eq i32 %621, 0
-  br i1 %622, label %623, label %629
-
-623:                                              ; preds = %620
-  %624 = getelementptr inbounds i64, ptr %18, i64 %571
-  %625 = load i64, ptr %624, align 8
-  %626 = icmp eq i64 %625, 2
-  %627 = fcmp oeq double %575, 0.000000e+00
-  %628 = and i1 %627, %626
-  br label %629
-
-629:                                              ; preds = %623, %620
-  %630 = phi i1 [ true, %620 ], [ %628, %623 ]
-  br i1 %630, label %646, label %631
-
-631:                                              ; preds = %629
-  %632 = getelementptr inbounds double, ptr %352, i64 %571
+631:                                              ; preds = %625
+  %632 = getelementptr inbounds double, ptr %542, i64 %626
   %633 = load double, ptr %632, align 8
-  %634 = icmp eq i64 %577, 0
-  %635 = fcmp ord double %633, 0.000000e+00
-  %636 = or i1 %634, %635
-  br i1 %636, label %646, label %637
+  %634 = fcmp oeq double %633, 0.000000e+00
+  br i1 %634, label %635, label %655
 
-637:                                              ; preds = %631
-  %638 = sitofp i64 %577 to double
-  %639 = fmul double %575, %638
-  %640 = fcmp olt double %639, 0.000000e+00
-  br i1 %640, label %641, label %643
+635:                                              ; preds = %631
+  %636 = getelementptr inbounds double, ptr %544, i64 %626
+  %637 = load double, ptr %636, align 8
+  %638 = fcmp oeq double %637, 0.000000e+00
+  br i1 %638, label %639, label %655
 
-641:                                              ; preds = %637
-  %642 = sub nsw i64 0, %577
-  store i64 %642, ptr %576, align 8
-  br label %646
+639:                                              ; preds = %635
+  %640 = load i64, ptr %131, align 8
+  %641 = icmp eq i64 %640, 0
+  br i1 %641, label %655, label %642
 
-643:                                              ; preds = %637
-  %644 = fcmp ueq double %575, 0.000000e+00
-  %645 = select i1 %644, i64 %571, i64 %572
-  br label %646
+642:                                              ; preds = %639
+  %643 = load ptr, ptr %132, align 8
+  %644 = shl nsw i64 %626, 4
+  %645 = getelementptr inbounds i8, ptr %643, i64 %644
+  %646 = getelementptr inbounds i8, ptr %645, i64 8
+  %647 = load double, ptr %646, align 8
+  %648 = fcmp oeq double %647, %623
+  br i1 %648, label %654, label %649
 
-646:                                              ; preds = %643, %641, %631, %629
-  %647 = phi i64 [ %572, %629 ], [ %572, %641 ], [ %572, %631 ], [ %645, %643 ]
-  %648 = zext i1 %630 to i64
-  %649 = getelementptr inbounds i64, ptr %18, i64 %571
-  store i64 %648, ptr %649, align 8
-  %650 = xor i1 %630, true
-  %651 = or i1 %573, %650
-  br i1 %651, label %657, label %652
+649:                                              ; preds = %642
+  %650 = load double, ptr %645, align 8
+  %651 = fsub double %647, %650
+  %652 = fcmp ult double %651, %624
+  br i1 %652, label %653, label %655
 
-652:                                              ; preds = %646
-  %653 = load ptr, ptr %139, align 8
-  %654 = getelementptr inbounds i64, ptr %653, i64 %571
-  %655 = load i64, ptr %654, align 8
-  %656 = icmp eq i64 %655, 1
-  br label %657
+653:                                              ; preds = %649
+  store double %623, ptr %645, align 8
+  br label %654
 
-657:                                              ; preds = %646, %652
-  %658 = phi i1 [ %573, %646 ], [ %656, %652 ]
-  %659 = add nuw nsw i64 %571, 1
-  %660 = icmp eq i64 %659, %12
-  br i1 %660, label %560, label %570, !llvm.loop !11
+654:                                              ; preds = %642, %653
+  store double %623, ptr %646, align 8
+  br label %655
 
-661:                                              ; preds = %562
-  store double %557, ptr %140, align 8
-  %662 = load ptr, ptr %9, align 8
-  %663 = getelementptr inbounds i8, ptr %662, i64 8
-  %664 = load i64, ptr %663, align 8
-  %665 = load ptr, ptr %25, align 8
-  %666 = getelementptr inbounds double, ptr %665, i64 %664
-  %667 = mul i64 %664, 56
-  %668 = getelementptr inbounds i8, ptr %665, i64 %667
-  %669 = load ptr, ptr %141, align 8
-  %670 = load i64, ptr %142, align 8
-  %671 = getelementptr double, ptr %669, i64 %670
-  %672 = getelementptr i8, ptr %671, i64 -8
-  %673 = load double, ptr %672, align 8
-  %674 = load double, ptr %669, align 8
-  %675 = fsub double %673, %674
-  %676 = icmp sgt i64 %664, 0
-  br i1 %676, label %680, label %677
+655:                                              ; preds = %654, %649, %639, %635, %631, %625
+  %656 = add nuw nsw i64 %626, 1
+  %657 = icmp eq i64 %656, %540
+  br i1 %657, label %851, label %625, !llvm.loop !12
 
-677:                                              ; preds = %693, %661
-  %678 = phi i32 [ 0, %661 ], [ %695, %693 ]
-  %679 = icmp eq i32 %678, 0
-  br i1 %679, label %975, label %698
+658:                                              ; preds = %604
+  %659 = load ptr, ptr %20, align 8
+  %660 = getelementptr inbounds i8, ptr %659, i64 80
+  store i64 %23, ptr %660, align 8
+  %661 = load ptr, ptr %19, align 8
+  %662 = getelementptr inbounds i8, ptr %661, i64 48
+  store double 1.000000e+00, ptr %662, align 8
+  br label %851
 
-680:                                              ; preds = %661, %693
-  %681 = phi i64 [ %696, %693 ], [ 0, %661 ]
-  %682 = phi i32 [ %695, %693 ], [ 0, %661 ]
-  %683 = icmp eq i32 %682, 0
-  br i1 %683, label %684, label %693
+663:                                              ; preds = %824, %442
+  %664 = load ptr, ptr %9, align 8
+  %665 = getelementptr inbounds i8, ptr %664, i64 8
+  %666 = load i64, ptr %665, align 8
+  %667 = load ptr, ptr %25, align 8
+  %668 = getelementptr inbounds double, ptr %667, i64 %666
+  %669 = mul i64 %666, 56
+  %670 = getelementptr inbounds i8, ptr %667, i64 %669
+  %671 = load ptr, ptr %139, align 8
+  %672 = load i64, ptr %140, align 8
+  %673 = getelementptr double, ptr %671, i64 %672
+  %674 = getelementptr i8, ptr %673, i64 -8
+  %675 = load double, ptr %674, align 8
+  %676 = load double, ptr %671, align 8
+  %677 = fsub double %675, %676
+  %678 = icmp sgt i64 %666, 0
+  br i1 %678, label %682, label %679
 
-684:                                              ; preds = %680
-  %685 = load ptr, ptr %17, align 8
-  %686 = getelementptr inbounds i64, ptr %685, i64 %681
-  %687 = load i64, ptr %686, align 8
-  %688 = icmp eq i64 %687, 0
-  br i1 %688, label %693, label %689
+679:                                              ; preds = %695, %663
+  %680 = phi i32 [ 0, %663 ], [ %697, %695 ]
+  %681 = icmp eq i32 %680, 0
+  br i1 %681, label %832, label %700
 
-689:                                              ; preds = %684
-  %690 = getelementptr inbounds double, ptr %666, i64 %681
-  %691 = load double, ptr %690, align 8
-  %692 = fcmp oeq double %691, 0.000000e+00
-  br label %693
+682:                                              ; preds = %663, %695
+  %683 = phi i64 [ %698, %695 ], [ 0, %663 ]
+  %684 = phi i32 [ %697, %695 ], [ 0, %663 ]
+  %685 = icmp eq i32 %684, 0
+  br i1 %685, label %686, label %695
 
-693:                                              ; preds = %689, %684, %680
-  %694 = phi i1 [ true, %680 ], [ false, %684 ], [ %692, %689 ]
-  %695 = zext i1 %694 to i32
-  %696 = add nuw nsw i64 %681, 1
-  %697 = icmp eq i64 %696, %664
-  br i1 %697, label %677, label %680, !llvm.loop !12
+686:                                              ; preds = %682
+  %687 = load ptr, ptr %17, align 8
+  %688 = getelementptr inbounds i64, ptr %687, i64 %683
+  %689 = load i64, ptr %688, align 8
+  %690 = icmp eq i64 %689, 0
+  br i1 %690, label %695, label %691
 
-698:                                              ; preds = %677
-  %699 = fsub double %351, %557
-  %700 = fmul double %699, %2
-  %701 = fcmp ogt double %144, %675
-  %702 = select i1 %701, double %144, double %675
-  %703 = fmul double %702, 0x3F50000000000000
-  %704 = fcmp ugt double %700, %703
-  br i1 %704, label %705, label %975
+691:                                              ; preds = %686
+  %692 = getelementptr inbounds double, ptr %668, i64 %683
+  %693 = load double, ptr %692, align 8
+  %694 = fcmp oeq double %693, 0.000000e+00
+  br label %695
 
-705:                                              ; preds = %698
-  %706 = fmul double %699, 0x3F50000000000000
-  %707 = fadd double %557, %706
-  %708 = load ptr, ptr %125, align 8
-  %709 = load ptr, ptr %127, align 8
-  %710 = insertelement <8 x double> poison, double %707, i64 0
-  %711 = shufflevector <8 x double> %710, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %711, ptr %709, align 8
-  %712 = load ptr, ptr %126, align 8
-  %713 = load ptr, ptr %128, align 8
-  %714 = load i64, ptr %129, align 8
-  %715 = load ptr, ptr %130, align 8
-  %716 = getelementptr inbounds i8, ptr %715, i64 24
-  %717 = load i64, ptr %716, align 8
-  %718 = load ptr, ptr %127, align 8
-  %719 = load ptr, ptr %131, align 8
-  %720 = getelementptr inbounds i8, ptr %719, i64 16
-  %721 = load i64, ptr %720, align 8
-  tail call fastcc void @nested(ptr noundef %708, ptr noundef %712, ptr noundef %713, i64 noundef %714, i64 noundef %717, ptr noundef %718, i64 noundef %721) #8
-  %722 = fmul double %707, %2
-  %723 = fadd double %722, %1
-  %724 = load ptr, ptr %132, align 8
-  store double %723, ptr %724, align 8
-  %725 = load i64, ptr %133, align 8
-  %726 = icmp sgt i64 %725, 0
-  br i1 %726, label %727, label %728
+695:                                              ; preds = %691, %686, %682
+  %696 = phi i1 [ true, %682 ], [ false, %686 ], [ %694, %691 ]
+  %697 = zext i1 %696 to i32
+  %698 = add nuw nsw i64 %683, 1
+  %699 = icmp eq i64 %698, %666
+  br i1 %699, label %679, label %682, !llvm.loop !11
 
-727:                                              ; preds = %705
+700:                                              ; preds = %679
+  %701 = fsub double %246, %433
+  %702 = fmul double %701, %2
+  %703 = fcmp ogt double %142, %677
+  %704 = select i1 %703, double %142, double %677
+  %705 = fmul double %704, 0x3F50000000000000
+  %706 = fcmp ugt double %702, %705
+  br i1 %706, label %707, label %832
+
+707:                                              ; preds = %700
+  %708 = fmul double %701, 0x3F50000000000000
+  %709 = fadd double %433, %708
+  %710 = load ptr, ptr %111, align 8
+  %711 = load ptr, ptr %113, align 8
+  %712 = insertelement <8 x double> poison, double %709, i64 0
+  %713 = shufflevector <8 x double> %712, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %713, ptr %711, align 8
+  %714 = load ptr, ptr %112, align 8
+  %715 = load ptr, ptr %114, align 8
+  %716 = load i64, ptr %115, align 8
+  %717 = load ptr, ptr %116, align 8
+  %718 = getelementptr inbounds i8, ptr %717, i64 24
+  %719 = load i64, ptr %718, align 8
+  %720 = load ptr, ptr %113, align 8
+  %721 = load ptr, ptr %117, align 8
+  %722 = getelementptr inbounds i8, ptr %721, i64 16
+  %723 = load i64, ptr %722, align 8
+  tail call fastcc void @nested(ptr noundef %710, ptr noundef %714, ptr noundef %715, i64 noundef %716, i64 noundef %719, ptr noundef %720, i64 noundef %723) #8
+  %724 = fmul double %709, %2
+  %725 = fadd double %724, %1
+  %726 = load ptr, ptr %118, align 8
+  store double %725, ptr %726, align 8
+  %727 = load i64, ptr %119, align 8
+  %728 = icmp sgt i64 %727, 0
+  br i1 %728, label %729, label %730
+
+729:                                              ; preds = %707
   tail call fastcc void @sample(ptr noundef nonnull %6) #8
-  br label %728
+  br label %730
 
-728:                                              ; preds = %705, %727
-  %729 = load ptr, ptr %9, align 8
-  %730 = load i64, ptr %729, align 8
-  %731 = load ptr, ptr %134, align 8
-  %732 = load ptr, ptr %125, align 8
-  %733 = load ptr, ptr %135, align 8
-  %734 = load ptr, ptr %136, align 8
-  %735 = load ptr, ptr %25, align 8
-  %736 = getelementptr inbounds i8, ptr %729, i64 8
-  %737 = load i64, ptr %736, align 8
-  %738 = mul i64 %737, 56
-  %739 = getelementptr inbounds i8, ptr %735, i64 %738
-  %740 = inttoptr i64 %730 to ptr
-  %741 = tail call i32 %740(ptr noundef %731, ptr noundef %732, ptr noundef %733, ptr noundef %734, ptr noundef %739) #9
-  %742 = icmp slt i32 %741, 0
-  br i1 %742, label %782, label %743
+730:                                              ; preds = %707, %729
+  %731 = load ptr, ptr %9, align 8
+  %732 = load i64, ptr %731, align 8
+  %733 = load ptr, ptr %120, align 8
+  %734 = load ptr, ptr %111, align 8
+  %735 = load ptr, ptr %121, align 8
+  %736 = load ptr, ptr %122, align 8
+  %737 = load ptr, ptr %25, align 8
+  %738 = getelementptr inbounds i8, ptr %731, i64 8
+  %739 = load i64, ptr %738, align 8
+  %740 = mul i64 %739, 56
+  %741 = getelementptr inbounds i8, ptr %737, i64 %740
+  %742 = inttoptr i64 %732 to ptr
+  %743 = tail call i32 %742(ptr noundef %733, ptr noundef %734, ptr noundef %735, ptr noundef %736, ptr noundef %741) #9
+  %744 = icmp slt i32 %743, 0
+  br i1 %744, label %827, label %745
 
-743:                                              ; preds = %728
-  %744 = icmp sgt i64 %664, 0
-  br i1 %744, label %745, label %975
+745:                                              ; preds = %730
+  %746 = icmp sgt i64 %666, 0
+  br i1 %746, label %747, label %832
 
-745:                                              ; preds = %743
-  %746 = fmul double %557, %2
-  %747 = fadd double %746, %1
-  %748 = fsub double %747, %747
-  br label %749
+747:                                              ; preds = %745
+  %748 = fmul double %433, %2
+  %749 = fadd double %748, %1
+  %750 = fsub double %749, %749
+  br label %751
 
-749:                                              ; preds = %745, %779
-  %750 = phi i64 [ 0, %745 ], [ %780, %779 ]
-  %751 = load ptr, ptr %17, align 8
-  %752 = getelementptr inbounds i64, ptr %751, i64 %750
-  %753 = load i64, ptr %752, align 8
-  %754 = icmp eq i64 %753, 0
-  br i1 %754, label %779, label %755
+751:                                              ; preds = %747, %781
+  %752 = phi i64 [ 0, %747 ], [ %782, %781 ]
+  %753 = load ptr, ptr %17, align 8
+  %754 = getelementptr inbounds i64, ptr %753, i64 %752
+  %755 = load i64, ptr %754, align 8
+  %756 = icmp eq i64 %755, 0
+  br i1 %756, label %781, label %757
 
-755:                                              ; preds = %749
-  %756 = getelementptr inbounds double, ptr %666, i64 %750
-  %757 = load double, ptr %756, align 8
-  %758 = fcmp oeq double %757, 0.000000e+00
-  br i1 %758, label %759, label %779
+757:                                              ; preds = %751
+  %758 = getelementptr inbounds double, ptr %668, i64 %752
+  %759 = load double, ptr %758, align 8
+  %760 = fcmp oeq double %759, 0.000000e+00
+  br i1 %760, label %761, label %781
 
-759:                                              ; preds = %755
-  %760 = getelementptr inbounds double, ptr %668, i64 %750
-  %761 = load double, ptr %760, align 8
-  %762 = fcmp oeq double %761, 0.000000e+00
-  br i1 %762, label %763, label %779
+761:                                              ; preds = %757
+  %762 = getelementptr inbounds double, ptr %670, i64 %752
+  %763 = load double, ptr %762, align 8
+  %764 = fcmp oeq double %763, 0.000000e+00
+  br i1 %764, label %765, label %781
 
-763:                                              ; preds = %759
-  %764 = load i64, ptr %145, align 8
-  %765 = icmp eq i64 %764, 0
-  br i1 %765, label %779, label %766
+765:                                              ; preds = %761
+  %766 = load i64, ptr %143, align 8
+  %767 = icmp eq i64 %766, 0
+  br i1 %767, label %781, label %768
 
-766:                                              ; preds = %763
-  %767 = load ptr, ptr %146, align 8
-  %768 = shl nsw i64 %750, 4
-  %769 = getelementptr inbounds i8, ptr %767, i64 %768
-  %770 = getelementptr inbounds i8, ptr %769, i64 8
-  %771 = load double, ptr %770, align 8
-  %772 = fcmp oeq double %771, %747
-  br i1 %772, label %778, label %773
+768:                                              ; preds = %765
+  %769 = load ptr, ptr %144, align 8
+  %770 = shl nsw i64 %752, 4
+  %771 = getelementptr inbounds i8, ptr %769, i64 %770
+  %772 = getelementptr inbounds i8, ptr %771, i64 8
+  %773 = load double, ptr %772, align 8
+  %774 = fcmp oeq double %773, %749
+  br i1 %774, label %780, label %775
 
-773:                                              ; preds = %766
-  %774 = load double, ptr %769, align 8
-  %775 = fsub double %771, %774
-  %776 = fcmp ult double %775, %748
-  br i1 %776, label %777, label %779
+775:                                              ; preds = %768
+  %776 = load double, ptr %771, align 8
+  %777 = fsub double %773, %776
+  %778 = fcmp ult double %777, %750
+  br i1 %778, label %779, label %781
 
-777:                                              ; preds = %773
-  store double %747, ptr %769, align 8
-  br label %778
+779:                                              ; preds = %775
+  store double %749, ptr %771, align 8
+  br label %780
 
-778:                                              ; preds = %766, %777
-  store double %747, ptr %770, align 8
-  br label %779
+780:                                              ; preds = %768, %779
+  store double %749, ptr %772, align 8
+  br label %781
 
-779:                                              ; preds = %778, %773, %763, %759, %755, %749
-  %780 = add nuw nsw i64 %750, 1
-  %781 = icmp eq i64 %780, %664
-  br i1 %781, label %975, label %749, !llvm.loop !13
+781:                                              ; preds = %780, %775, %765, %761, %757, %751
+  %782 = add nuw nsw i64 %752, 1
+  %783 = icmp eq i64 %782, %666
+  br i1 %783, label %832, label %751, !llvm.loop !12
 
-782:                                              ; preds = %728
-  %783 = load ptr, ptr %20, align 8
-  %784 = getelementptr inbounds i8, ptr %783, i64 80
-  store i64 %23, ptr %784, align 8
-  %785 = load ptr, ptr %19, align 8
-  %786 = getelementptr inbounds i8, ptr %785, i64 48
-  store double 1.000000e+00, ptr %786, align 8
-  br label %975
+784:                                              ; preds = %443, %824
+  %785 = phi i64 [ 0, %443 ], [ %825, %824 ]
+  %786 = getelementptr inbounds i64, ptr %18, i64 %785
+  %787 = load i64, ptr %786, align 8
+  %788 = icmp eq i64 %787, 0
+  br i1 %788, label %824, label %789
 
-787:                                              ; preds = %948, %566
-  %788 = load ptr, ptr %9, align 8
-  %789 = getelementptr inbounds i8, ptr %788, i64 8
-  %790 = load i64, ptr %789, align 8
-  %791 = load ptr, ptr %25, align 8
-  %792 = getelementptr inbounds double, ptr %791, i64 %790
-  %793 = mul i64 %790, 56
-  %794 = getelementptr inbounds i8, ptr %791, i64 %793
-  %795 = load ptr, ptr %153, align 8
-  %796 = load i64, ptr %154, align 8
-  %797 = getelementptr double, ptr %795, i64 %796
-  %798 = getelementptr i8, ptr %797, i64 -8
-  %799 = load double, ptr %798, align 8
-  %800 = load double, ptr %795, align 8
-  %801 = fsub double %799, %800
-  %802 = icmp sgt i64 %790, 0
-  br i1 %802, label %806, label %803
+789:                                              ; preds = %784
+  %790 = load ptr, ptr %20, align 8
+  %791 = getelementptr inbounds i8, ptr %790, i64 80
+  %792 = load i64, ptr %791, align 8
+  %793 = load ptr, ptr %6, align 8
+  %794 = getelementptr inbounds i8, ptr %793, i64 8
+  %795 = load i64, ptr %794, align 8
+  %796 = load i64, ptr %134, align 8
+  %797 = icmp eq i64 %796, 0
+  br i1 %797, label %820, label %798
 
-803:                                              ; preds = %819, %787
-  %804 = phi i32 [ 0, %787 ], [ %821, %819 ]
-  %805 = icmp eq i32 %804, 0
-  br i1 %805, label %956, label %824
+798:                                              ; preds = %789
+  %799 = load ptr, ptr %135, align 8
+  %800 = getelementptr inbounds double, ptr %799, i64 %792
+  store double %445, ptr %800, align 8
+  %801 = load ptr, ptr %136, align 8
+  %802 = getelementptr inbounds i64, ptr %801, i64 %792
+  store i64 %785, ptr %802, align 8
+  %803 = icmp sgt i64 %795, 0
+  br i1 %803, label %808, label %804
 
-806:                                              ; preds = %787, %819
-  %807 = phi i64 [ %822, %819 ], [ 0, %787 ]
-  %808 = phi i32 [ %821, %819 ], [ 0, %787 ]
-  %809 = icmp eq i32 %808, 0
-  br i1 %809, label %810, label %819
+804:                                              ; preds = %808, %798
+  %805 = add nsw i64 %792, 1
+  %806 = load ptr, ptr %20, align 8
+  %807 = getelementptr inbounds i8, ptr %806, i64 80
+  store i64 %805, ptr %807, align 8
+  br label %820
 
-810:                                              ; preds = %806
-  %811 = load ptr, ptr %17, align 8
-  %812 = getelementptr inbounds i64, ptr %811, i64 %807
-  %813 = load i64, ptr %812, align 8
-  %814 = icmp eq i64 %813, 0
-  br i1 %814, label %819, label %815
+808:                                              ; preds = %798, %808
+  %809 = phi i64 [ %818, %808 ], [ 0, %798 ]
+  %810 = load ptr, ptr %111, align 8
+  %811 = getelementptr inbounds double, ptr %810, i64 %809
+  %812 = load double, ptr %811, align 8
+  %813 = load ptr, ptr %137, align 8
+  %814 = load i64, ptr %138, align 8
+  %815 = mul nsw i64 %814, %792
+  %816 = getelementptr double, ptr %813, i64 %815
+  %817 = getelementptr double, ptr %816, i64 %809
+  store double %812, ptr %817, align 8
+  %818 = add nuw nsw i64 %809, 1
+  %819 = icmp eq i64 %818, %795
+  br i1 %819, label %804, label %808, !llvm.loop !13
 
-815:                                              ; preds = %810
-  %816 = getelementptr inbounds double, ptr %792, i64 %807
-  %817 = load double, ptr %816, align 8
-  %818 = fcmp oeq double %817, 0.000000e+00
-  br label %819
+820:                                              ; preds = %789, %804
+  %821 = getelementptr inbounds i64, ptr %16, i64 %785
+  %822 = load i64, ptr %821, align 8
+  %823 = sub nsw i64 0, %822
+  store i64 %823, ptr %821, align 8
+  br label %824
 
-819:                                              ; preds = %815, %810, %806
-  %820 = phi i1 [ true, %806 ], [ false, %810 ], [ %818, %815 ]
-  %821 = zext i1 %820 to i32
-  %822 = add nuw nsw i64 %807, 1
-  %823 = icmp eq i64 %822, %790
-  br i1 %823, label %803, label %806, !llvm.loop !12
+824:                                              ; preds = %784, %820
+  %825 = add nuw nsw i64 %785, 1
+  %826 = icmp eq i64 %825, %12
+  br i1 %826, label %663, label %784, !llvm.loop !14
 
-824:                                              ; preds = %803
-  %825 = fsub double %351, %557
-  %826 = fmul double %825, %2
-  %827 = fcmp ogt double %156, %801
-  %828 = select i1 %827, double %156, double %801
-  %829 = fmul double %828, 0x3F50000000000000
-  %830 = fcmp ugt double %826, %829
-  br i1 %830, label %831, label %956
+827:                                              ; preds = %730
+  %828 = load ptr, ptr %20, align 8
+  %829 = getelementptr inbounds i8, ptr %828, i64 80
+  store i64 %23, ptr %829, align 8
+  %830 = load ptr, ptr %19, align 8
+  %831 = getelementptr inbounds i8, ptr %830, i64 48
+  store double 1.000000e+00, ptr %831, align 8
+  br label %851
 
-831:                                              ; preds = %824
-  %832 = fmul double %825, 0x3F50000000000000
-  %833 = fadd double %557, %832
-  %834 = load ptr, ptr %125, align 8
-  %835 = load ptr, ptr %127, align 8
-  %836 = insertelement <8 x double> poison, double %833, i64 0
-  %837 = shufflevector <8 x double> %836, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %837, ptr %835, align 8
-  %838 = load ptr, ptr %126, align 8
-  %839 = load ptr, ptr %128, align 8
-  %840 = load i64, ptr %129, align 8
-  %841 = load ptr, ptr %130, align 8
-  %842 = getelementptr inbounds i8, ptr %841, i64 24
-  %843 = load i64, ptr %842, align 8
-  %844 = load ptr, ptr %127, align 8
-  %845 = load ptr, ptr %131, align 8
-  %846 = getelementptr inbounds i8, ptr %845, i64 16
-  %847 = load i64, ptr %846, align 8
-  tail call fastcc void @nested(ptr noundef %834, ptr noundef %838, ptr noundef %839, i64 noundef %840, i64 noundef %843, ptr noundef %844, i64 noundef %847) #8
-  %848 = fmul double %833, %2
-  %849 = fadd double %848, %1
-  %850 = load ptr, ptr %132, align 8
-  store double %849, ptr %850, align 8
-  %851 = load i64, ptr %133, align 8
-  %852 = icmp sgt i64 %851, 0
-  br i1 %852, label %853, label %854
+832:                                              ; preds = %781, %745, %700, %679
+  %833 = icmp sgt i64 %440, -1
+  br i1 %833, label %834, label %843
 
-853:                                              ; preds = %831
-  tail call fastcc void @sample(ptr noundef nonnull %6) #8
-  br label %854
+834:                                              ; preds = %832
+  br i1 %147, label %836, label %835
 
-854:                                              ; preds = %831, %853
-  %855 = load ptr, ptr %9, align 8
-  %856 = load i64, ptr %855, align 8
-  %857 = load ptr, ptr %134, align 8
-  %858 = load ptr, ptr %125, align 8
-  %859 = load ptr, ptr %135, align 8
-  %860 = load ptr, ptr %136, align 8
-  %861 = load ptr, ptr %25, align 8
-  %862 = getelementptr inbounds i8, ptr %855, i64 8
-  %863 = load i64, ptr %862, align 8
-  %864 = mul i64 %863, 56
-  %865 = getelementptr inbounds i8, ptr %861, i64 %864
-  %866 = inttoptr i64 %856 to ptr
-  %867 = tail call i32 %866(ptr noundef %857, ptr noundef %858, ptr noundef %859, ptr noundef %860, ptr noundef %865) #9
-  %868 = icmp slt i32 %867, 0
-  br i1 %868, label %951, label %869
+835:                                              ; preds = %836, %834
+  store double %433, ptr %148, align 8
+  br label %851
 
-869:                                              ; preds = %854
-  %870 = icmp sgt i64 %790, 0
-  br i1 %870, label %871, label %956
+836:                                              ; preds = %834, %836
+  %837 = phi i64 [ %841, %836 ], [ 0, %834 ]
+  %838 = icmp eq i64 %837, %440
+  %839 = zext i1 %838 to i64
+  %840 = getelementptr inbounds i64, ptr %18, i64 %837
+  store i64 %839, ptr %840, align 8
+  %841 = add nuw nsw i64 %837, 1
+  %842 = icmp eq i64 %841, %12
+  br i1 %842, label %835, label %836, !llvm.loop !15
 
-871:                                              ; preds = %869
-  %872 = fmul double %557, %2
-  %873 = fadd double %872, %1
-  %874 = fsub double %873, %873
+843:                                              ; preds = %832
+  %844 = load i64, ptr %145, align 8
+  %845 = icmp sgt i64 %844, 0
+  br i1 %845, label %846, label %851
+
+846:                                              ; preds = %843
+  %847 = load i64, ptr %22, align 8
+  %848 = add nsw i64 %847, %12
+  %849 = icmp sgt i64 %848, %844
+  br i1 %849, label %850, label %851
+
+850:                                              ; preds = %846
+  store double %433, ptr %146, align 8
+  br label %851
+
+851:                                              ; preds = %655, %619, %574, %553, %827, %835, %850, %658, %846, %843, %251, %430, %329
+  %852 = phi i32 [ 1, %329 ], [ %432, %430 ], [ 8, %251 ], [ 1, %827 ], [ 1, %835 ], [ 1, %850 ], [ 1, %658 ], [ 0, %846 ], [ 0, %843 ], [ 1, %553 ], [ 1, %574 ], [ 1, %619 ], [ 1, %655 ]
+  %853 = phi double [ %249, %329 ], [ %249, %430 ], [ %249, %251 ], [ %249, %827 ], [ %249, %835 ], [ %249, %850 ], [ %249, %658 ], [ %433, %846 ], [ %433, %843 ], [ %249, %553 ], [ %249, %574 ], [ %249, %619 ], [ %249, %655 ]
+  %854 = phi i64 [ -4, %329 ], [ %434, %430 ], [ %250, %251 ], [ -4, %827 ], [ 21, %835 ], [ -3, %850 ], [ -4, %658 ], [ %434, %846 ], [ %434, %843 ], [ -2, %553 ], [ -2, %574 ], [ -2, %619 ], [ -2, %655 ]
+  switch i32 %852, label %912 [
+    i32 0, label %248
+    i32 8, label %855
+  ], !llvm.loop !16
+
+855:                                              ; preds = %851
+  br i1 %149, label %856, label %912
+
+856:                                              ; preds = %855
+  %857 = fcmp oeq double %246, %159
+  %858 = add nsw i32 %156, -1
+  %859 = sext i32 %858 to i64
+  %860 = mul nsw i64 %12, %859
+  %861 = getelementptr double, ptr %28, i64 %860
+  %862 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %859
+  %863 = fmul double %246, %2
+  %864 = fadd double %863, %1
+  br label %865
+
+865:                                              ; preds = %856, %904
+  %866 = phi i64 [ 0, %856 ], [ %905, %904 ]
+  %867 = getelementptr inbounds double, ptr %247, i64 %866
+  %868 = load double, ptr %867, align 8
+  %869 = fcmp ogt double %868, 0.000000e+00
+  br i1 %869, label %872, label %870
+
+870:                                              ; preds = %865
+  %871 = fcmp olt double %868, 0.000000e+00
+  br i1 %871, label %872, label %875
+
+872:                                              ; preds = %870, %865
+  %873 = phi i64 [ 1, %865 ], [ -1, %870 ]
+  %874 = getelementptr inbounds i64, ptr %16, i64 %866
+  store i64 %873, ptr %874, align 8
   br label %875
 
-875:                                              ; preds = %871, %905
-  %876 = phi i64 [ 0, %871 ], [ %906, %905 ]
-  %877 = load ptr, ptr %17, align 8
-  %878 = getelementptr inbounds i64, ptr %877, i64 %876
-  %879 = load i64, ptr %878, align 8
-  %880 = icmp eq i64 %879, 0
-  br i1 %880, label %905, label %881
+875:                                              ; preds = %872, %870
+  br i1 %857, label %876, label %904
 
-881:                                              ; preds = %875
-  %882 = getelementptr inbounds double, ptr %792, i64 %876
-  %883 = load double, ptr %882, align 8
-  %884 = fcmp oeq double %883, 0.000000e+00
-  br i1 %884, label %885, label %905
+876:                                              ; preds = %875
+  %877 = getelementptr double, ptr %861, i64 %866
+  %878 = load double, ptr %877, align 8
+  %879 = fcmp oeq double %878, 0.000000e+00
+  br i1 %879, label %880, label %904
 
-885:                                              ; preds = %881
-  %886 = getelementptr inbounds double, ptr %794, i64 %876
-  %887 = load double, ptr %886, align 8
-  %888 = fcmp oeq double %887, 0.000000e+00
-  br i1 %888, label %889, label %905
+880:                                              ; preds = %876
+  %881 = getelementptr double, ptr %210, i64 %866
+  %882 = load double, ptr %881, align 8
+  %883 = fcmp oeq double %882, 0.000000e+00
+  br i1 %883, label %884, label %904
 
-889:                                              ; preds = %885
-  %890 = load i64, ptr %157, align 8
-  %891 = icmp eq i64 %890, 0
-  br i1 %891, label %905, label %892
+884:                                              ; preds = %880
+  %885 = load double, ptr %862, align 8
+  %886 = fmul double %885, %2
+  %887 = fadd double %886, %1
+  %888 = load i64, ptr %150, align 8
+  %889 = icmp eq i64 %888, 0
+  br i1 %889, label %904, label %890
 
-892:                                              ; preds = %889
-  %893 = load ptr, ptr %158, align 8
-  %894 = shl nsw i64 %876, 4
-  %895 = getelementptr inbounds i8, ptr %893, i64 %894
-  %896 = getelementptr inbounds i8, ptr %895, i64 8
-  %897 = load double, ptr %896, align 8
-  %898 = fcmp oeq double %897, %873
-  br i1 %898, label %904, label %899
+890:                                              ; preds = %884
+  %891 = load ptr, ptr %151, align 8
+  %892 = shl nsw i64 %866, 4
+  %893 = getelementptr inbounds i8, ptr %891, i64 %892
+  %894 = getelementptr inbounds i8, ptr %893, i64 8
+  %895 = load double, ptr %894, align 8
+  %896 = fcmp oeq double %895, %887
+  br i1 %896, label %903, label %897
 
-899:                                              ; preds = %892
-  %900 = load double, ptr %895, align 8
-  %901 = fsub double %897, %900
-  %902 = fcmp ult double %901, %874
-  br i1 %902, label %903, label %905
+897:                                              ; preds = %890
+  %898 = load double, ptr %893, align 8
+  %899 = fsub double %895, %898
+  %900 = fsub double %864, %887
+  %901 = fcmp ult double %899, %900
+  br i1 %901, label %902, label %904
 
-903:                                              ; preds = %899
-  store double %873, ptr %895, align 8
+902:                                              ; preds = %897
+  store double %887, ptr %893, align 8
+  br label %903
+
+903:                                              ; preds = %890, %902
+  store double %864, ptr %894, align 8
   br label %904
 
-904:                                              ; preds = %892, %903
-  store double %873, ptr %896, align 8
-  br label %905
+904:                                              ; preds = %903, %897, %884, %875, %876, %880
+  %905 = add nuw nsw i64 %866, 1
+  %906 = icmp eq i64 %905, %12
+  br i1 %906, label %912, label %865, !llvm.loop !17
 
-905:                                              ; preds = %904, %899, %889, %885, %881, %875
-  %906 = add nuw nsw i64 %876, 1
-  %907 = icmp eq i64 %906, %790
-  br i1 %907, label %956, label %875, !llvm.loop !13
+907:                                              ; preds = %234, %206
+  %908 = load ptr, ptr %20, align 8
+  %909 = getelementptr inbounds i8, ptr %908, i64 80
+  store i64 %23, ptr %909, align 8
+  %910 = load ptr, ptr %19, align 8
+  %911 = getelementptr inbounds i8, ptr %910, i64 48
+  store double 1.000000e+00, ptr %911, align 8
+  br label %912
 
-908:                                              ; preds = %567, %948
-  %909 = phi i64 [ 0, %567 ], [ %949, %948 ]
-  %910 = getelementptr inbounds i64, ptr %18, i64 %909
-  %911 = load i64, ptr %910, align 8
-  %912 = icmp eq i64 %911, 0
-  br i1 %912, label %948, label %913
+912:                                              ; preds = %851, %904, %907, %855
+  %913 = phi i32 [ 0, %855 ], [ 1, %907 ], [ 0, %904 ], [ %852, %851 ]
+  %914 = phi double [ %246, %855 ], [ %155, %907 ], [ %246, %904 ], [ %853, %851 ]
+  %915 = phi i64 [ %854, %855 ], [ -4, %907 ], [ %854, %904 ], [ %854, %851 ]
+  %916 = icmp eq i32 %913, 0
+  br i1 %916, label %917, label %922
 
-913:                                              ; preds = %908
-  %914 = load ptr, ptr %20, align 8
-  %915 = getelementptr inbounds i8, ptr %914, i64 80
-  %916 = load i64, ptr %915, align 8
-  %917 = load ptr, ptr %6, align 8
-  %918 = getelementptr inbounds i8, ptr %917, i64 8
-  %919 = load i64, ptr %918, align 8
-  %920 = load i64, ptr %148, align 8
-  %921 = icmp eq i64 %920, 0
-  br i1 %921, label %944, label %922
+917:                                              ; preds = %912
+  %918 = fcmp oeq double %914, %159
+  %919 = zext i1 %918 to i32
+  %920 = add nuw nsw i32 %156, %919
+  %921 = icmp ugt i32 %920, 4
+  br i1 %921, label %922, label %152, !llvm.loop !18
 
-922:                                              ; preds = %913
-  %923 = load ptr, ptr %149, align 8
-  %924 = getelementptr inbounds double, ptr %923, i64 %916
-  store double %569, ptr %924, align 8
-  %925 = load ptr, ptr %150, align 8
-  %926 = getelementptr inbounds i64, ptr %925, i64 %916
-  store i64 %909, ptr %926, align 8
-  %927 = icmp sgt i64 %919, 0
-  br i1 %927, label %932, label %928
+922:                                              ; preds = %917, %912
+  %923 = phi i1 [ %921, %917 ], [ %153, %912 ]
+  br i1 %923, label %924, label %942
 
-928:                                              ; preds = %932, %922
-  %929 = add nsw i64 %916, 1
-  %930 = load ptr, ptr %20, align 8
-  %931 = getelementptr inbounds i8, ptr %930, i64 80
-  store i64 %929, ptr %931, align 8
-  br label %944
+924:                                              ; preds = %922
+  %925 = icmp sgt i64 %12, 0
+  br i1 %925, label %926, label %929
 
-932:                                              ; preds = %922, %932
-  %933 = phi i64 [ %942, %932 ], [ 0, %922 ]
-  %934 = load ptr, ptr %125, align 8
-  %935 = getelementptr inbounds double, ptr %934, i64 %933
-  %936 = load double, ptr %935, align 8
-  %937 = load ptr, ptr %151, align 8
-  %938 = load i64, ptr %152, align 8
-  %939 = mul nsw i64 %938, %916
-  %940 = getelementptr double, ptr %937, i64 %939
-  %941 = getelementptr double, ptr %940, i64 %933
-  store double %936, ptr %941, align 8
-  %942 = add nuw nsw i64 %933, 1
-  %943 = icmp eq i64 %942, %919
-  br i1 %943, label %928, label %932, !llvm.loop !14
+926:                                              ; preds = %924
+  %927 = shl i64 %12, 5
+  %928 = getelementptr i8, ptr %28, i64 %927
+  br label %931
 
-944:                                              ; preds = %913, %928
-  %945 = getelementptr inbounds i64, ptr %16, i64 %909
-  %946 = load i64, ptr %945, align 8
-  %947 = sub nsw i64 0, %946
-  store i64 %947, ptr %945, align 8
-  br label %948
+929:                                              ; preds = %931, %924
+  %930 = load double, ptr %24, align 8
+  store double %930, ptr %30, align 8
+  br label %938
 
-948:                                              ; preds = %908, %944
-  %949 = add nuw nsw i64 %909, 1
-  %950 = icmp eq i64 %949, %12
-  br i1 %950, label %787, label %908, !llvm.loop !15
+931:                                              ; preds = %926, %931
+  %932 = phi i64 [ 0, %926 ], [ %936, %931 ]
+  %933 = getelementptr double, ptr %928, i64 %932
+  %934 = load double, ptr %933, align 8
+  %935 = getelementptr inbounds double, ptr %28, i64 %932
+  store double %934, ptr %935, align 8
+  %936 = add nuw nsw i64 %932, 1
+  %937 = icmp eq i64 %936, %12
+  br i1 %937, label %929, label %931, !llvm.loop !19
 
-951:                                              ; preds = %854
-  %952 = load ptr, ptr %20, align 8
-  %953 = getelementptr inbounds i8, ptr %952, i64 80
-  store i64 %23, ptr %953, align 8
-  %954 = load ptr, ptr %19, align 8
-  %955 = getelementptr inbounds i8, ptr %954, i64 48
-  store double 1.000000e+00, ptr %955, align 8
-  br label %975
+938:                                              ; preds = %93, %929, %87
+  %939 = phi ptr [ %90, %87 ], [ %24, %929 ], [ %96, %93 ]
+  %940 = phi i64 [ -4, %87 ], [ 0, %929 ], [ -4, %93 ]
+  %941 = getelementptr inbounds i8, ptr %939, i64 48
+  store double 1.000000e+00, ptr %941, align 8
+  br label %942
 
-956:                                              ; preds = %905, %869, %824, %803
-  %957 = icmp sgt i64 %564, -1
-  br i1 %957, label %958, label %967
-
-958:                                              ; preds = %956
-  br i1 %161, label %960, label %959
-
-959:                                              ; preds = %960, %958
-  store double %557, ptr %162, align 8
-  br label %975
-
-960:                                              ; preds = %958, %960
-  %961 = phi i64 [ %965, %960 ], [ 0, %958 ]
-  %962 = icmp eq i64 %961, %564
-  %963 = zext i1 %962 to i64
-  %964 = getelementptr inbounds i64, ptr %18, i64 %961
-  store i64 %963, ptr %964, align 8
-  %965 = add nuw nsw i64 %961, 1
-  %966 = icmp eq i64 %965, %12
-  br i1 %966, label %959, label %960, !llvm.loop !16
-
-967:                                              ; preds = %956
-  %968 = load i64, ptr %159, align 8
-  %969 = icmp sgt i64 %968, 0
-  br i1 %969, label %970, label %975
-
-970:                                              ; preds = %967
-  %971 = load i64, ptr %22, align 8
-  %972 = add nsw i64 %971, %12
-  %973 = icmp sgt i64 %972, %968
-  br i1 %973, label %974, label %975
-
-974:                                              ; preds = %970
-  store double %557, ptr %160, align 8
-  br label %975
-
-975:                                              ; preds = %779, %743, %698, %677, %951, %959, %974, %782, %970, %967, %356, %554, %453
-  %976 = phi i32 [ 1, %453 ], [ %556, %554 ], [ 8, %356 ], [ 1, %951 ], [ 1, %959 ], [ 1, %974 ], [ 1, %782 ], [ 0, %970 ], [ 0, %967 ], [ 1, %677 ], [ 1, %698 ], [ 1, %743 ], [ 1, %779 ]
-  %977 = phi double [ %354, %453 ], [ %354, %554 ], [ %354, %356 ], [ %354, %951 ], [ %354, %959 ], [ %354, %974 ], [ %354, %782 ], [ %557, %970 ], [ %557, %967 ], [ %354, %677 ], [ %354, %698 ], [ %354, %743 ], [ %354, %779 ]
-  %978 = phi i64 [ -4, %453 ], [ %558, %554 ], [ %355, %356 ], [ -4, %951 ], [ 21, %959 ], [ -3, %974 ], [ -4, %782 ], [ %558, %970 ], [ %558, %967 ], [ -2, %677 ], [ -2, %698 ], [ -2, %743 ], [ -2, %779 ]
-  switch i32 %976, label %1036 [
-    i32 0, label %353
-    i32 8, label %979
-  ], !llvm.loop !17
-
-979:                                              ; preds = %975
-  br i1 %163, label %980, label %1036
-
-980:                                              ; preds = %979
-  %981 = fcmp oeq double %351, %173
-  %982 = add nsw i32 %170, -1
-  %983 = sext i32 %982 to i64
-  %984 = mul nsw i64 %12, %983
-  %985 = getelementptr double, ptr %28, i64 %984
-  %986 = getelementptr inbounds [5 x double], ptr @PLACES, i64 0, i64 %983
-  %987 = fmul double %351, %2
-  %988 = fadd double %987, %1
-  br label %989
-
-989:                                              ; preds = %980, %1028
-  %990 = phi i64 [ 0, %980 ], [ %1029, %1028 ]
-  %991 = getelementptr inbounds double, ptr %352, i64 %990
-  %992 = load double, ptr %991, align 8
-  %993 = fcmp ogt double %992, 0.000000e+00
-  br i1 %993, label %996, label %994
-
-994:                                              ; preds = %989
-  %995 = fcmp olt double %992, 0.000000e+00
-  br i1 %995, label %996, label %999
-
-996:                                              ; preds = %994, %989
-  %997 = phi i64 [ 1, %989 ], [ -1, %994 ]
-  %998 = getelementptr inbounds i64, ptr %16, i64 %990
-  store i64 %997, ptr %998, align 8
-  br label %999
-
-999:                                              ; preds = %996, %994
-  br i1 %981, label %1000, label %1028
-
-1000:                                             ; preds = %999
-  %1001 = getelementptr double, ptr %985, i64 %990
-  %1002 = load double, ptr %1001, align 8
-  %1003 = fcmp oeq double %1002, 0.000000e+00
-  br i1 %1003, label %1004, label %1028
-
-1004:                                             ; preds = %1000
-  %1005 = getelementptr double, ptr %315, i64 %990
-  %1006 = load double, ptr %1005, align 8
-  %1007 = fcmp oeq double %1006, 0.000000e+00
-  br i1 %1007, label %1008, label %1028
-
-1008:                                             ; preds = %1004
-  %1009 = load double, ptr %986, align 8
-  %1010 = fmul double %1009, %2
-  %1011 = fadd double %1010, %1
-  %1012 = load i64, ptr %164, align 8
-  %1013 = icmp eq i64 %1012, 0
-  br i1 %1013, label %1028, label %1014
-
-1014:                                             ; preds = %1008
-  %1015 = load ptr, ptr %165, align 8
-  %1016 = shl nsw i64 %990, 4
-  %1017 = getelementptr inbounds i8, ptr %1015, i64 %1016
-  %1018 = getelementptr inbounds i8, ptr %1017, i64 8
-  %1019 = load double, ptr %1018, align 8
-  %1020 = fcmp oeq double %1019, %1011
-  br i1 %1020, label %1027, label %1021
-
-1021:                                             ; preds = %1014
-  %1022 = load double, ptr %1017, align 8
-  %1023 = fsub double %1019, %1022
-  %1024 = fsub double %988, %1011
-  %1025 = fcmp ult double %1023, %1024
-  br i1 %1025, label %1026, label %1028
-
-1026:                                             ; preds = %1021
-  store double %1011, ptr %1017, align 8
-  br label %1027
-
-1027:                                             ; preds = %1014, %1026
-  store double %988, ptr %1018, align 8
-  br label %1028
-
-1028:                                             ; preds = %1027, %1021, %1008, %999, %1000, %1004
-  %1029 = add nuw nsw i64 %990, 1
-  %1030 = icmp eq i64 %1029, %12
-  br i1 %1030, label %1036, label %989, !llvm.loop !18
-
-1031:                                             ; preds = %339, %311
-  %1032 = load ptr, ptr %20, align 8
-  %1033 = getelementptr inbounds i8, ptr %1032, i64 80
-  store i64 %23, ptr %1033, align 8
-  %1034 = load ptr, ptr %19, align 8
-  %1035 = getelementptr inbounds i8, ptr %1034, i64 48
-  store double 1.000000e+00, ptr %1035, align 8
-  br label %1036
-
-1036:                                             ; preds = %975, %1028, %1031, %979
-  %1037 = phi i32 [ 0, %979 ], [ 1, %1031 ], [ 0, %1028 ], [ %976, %975 ]
-  %1038 = phi double [ %351, %979 ], [ %169, %1031 ], [ %351, %1028 ], [ %977, %975 ]
-  %1039 = phi i64 [ %978, %979 ], [ -4, %1031 ], [ %978, %1028 ], [ %978, %975 ]
-  %1040 = icmp eq i32 %1037, 0
-  br i1 %1040, label %1041, label %1046
-
-1041:                                             ; preds = %1036
-  %1042 = fcmp oeq double %1038, %173
-  %1043 = zext i1 %1042 to i32
-  %1044 = add nuw nsw i32 %170, %1043
-  %1045 = icmp ugt i32 %1044, 4
-  br i1 %1045, label %1046, label %166, !llvm.loop !19
-
-1046:                                             ; preds = %1041, %1036
-  %1047 = phi i1 [ %1045, %1041 ], [ %167, %1036 ]
-  br i1 %1047, label %1048, label %1066
-
-1048:                                             ; preds = %1046
-  %1049 = icmp sgt i64 %12, 0
-  br i1 %1049, label %1050, label %1053
-
-1050:                                             ; preds = %1048
-  %1051 = shl i64 %12, 5
-  %1052 = getelementptr i8, ptr %28, i64 %1051
-  br label %1055
-
-1053:                                             ; preds = %1055, %1048
-  %1054 = load double, ptr %24, align 8
-  store double %1054, ptr %30, align 8
-  br label %1062
-
-1055:                                             ; preds = %1050, %1055
-  %1056 = phi i64 [ 0, %1050 ], [ %1060, %1055 ]
-  %1057 = getelementptr double, ptr %1052, i64 %1056
-  %1058 = load double, ptr %1057, align 8
-  %1059 = getelementptr inbounds double, ptr %28, i64 %1056
-  store double %1058, ptr %1059, align 8
-  %1060 = add nuw nsw i64 %1056, 1
-  %1061 = icmp eq i64 %1060, %12
-  br i1 %1061, label %1053, label %1055, !llvm.loop !20
-
-1062:                                             ; preds = %93, %1053, %87
-  %1063 = phi ptr [ %90, %87 ], [ %24, %1053 ], [ %96, %93 ]
-  %1064 = phi i64 [ -4, %87 ], [ 0, %1053 ], [ -4, %93 ]
-  %1065 = getelementptr inbounds i8, ptr %1063, i64 48
-  store double 1.000000e+00, ptr %1065, align 8
-  br label %1066
-
-1066:                                             ; preds = %1062, %1046, %91
-  %1067 = phi i64 [ %1039, %1046 ], [ %92, %91 ], [ %1064, %1062 ]
-  ret i64 %1067
+942:                                              ; preds = %938, %922, %91
+  %943 = phi i64 [ %915, %922 ], [ %92, %91 ], [ %940, %938 ]
+  ret i64 %943
 }
 
 
@@ -1611,7 +1439,7 @@ define internal fastcc i64 @resolve(ptr noundef readonly %0, ptr noundef readonl
   %81 = select i1 %80, double %73, double %77
   %82 = add nuw nsw i64 %72, 1
   %83 = icmp eq i64 %82, 5
-  br i1 %83, label %68, label %71, !llvm.loop !21
+  br i1 %83, label %68, label %71, !llvm.loop !20
 
 84:                                               ; preds = %68
   %85 = tail call double @llvm.fabs.f64(double %79)
@@ -1696,7 +1524,7 @@ define internal fastcc i64 @resolve(ptr noundef readonly %0, ptr noundef readonl
   %148 = inttoptr i64 %138 to ptr
   %149 = tail call i32 %148(ptr noundef %139, ptr noundef %140, ptr noundef %141, ptr noundef %142, ptr noundef %147) #9
   %150 = icmp slt i32 %149, 0
-  br i1 %150, label %340, label %98, !llvm.loop !22
+  br i1 %150, label %340, label %98, !llvm.loop !21
 
 151:                                              ; preds = %98
   %152 = load double, ptr %60, align 8
@@ -1755,7 +1583,7 @@ define internal fastcc i64 @resolve(ptr noundef readonly %0, ptr noundef readonl
   %192 = fadd double %185, %191
   %193 = add nuw nsw i64 %184, 1
   %194 = icmp eq i64 %193, 5
-  br i1 %194, label %211, label %183, !llvm.loop !23
+  br i1 %194, label %211, label %183, !llvm.loop !22
 
 195:                                              ; preds = %183, %206
   %196 = phi i64 [ 0, %183 ], [ %209, %206 ]
@@ -1777,7 +1605,7 @@ define internal fastcc i64 @resolve(ptr noundef readonly %0, ptr noundef readonl
   %208 = fmul double %197, %207
   %209 = add nuw nsw i64 %196, 1
   %210 = icmp eq i64 %209, 5
-  br i1 %210, label %187, label %195, !llvm.loop !24
+  br i1 %210, label %187, label %195, !llvm.loop !23
 
 211:                                              ; preds = %187
   %212 = fsub double %167, %192
@@ -1792,7 +1620,7 @@ define internal fastcc i64 @resolve(ptr noundef readonly %0, ptr noundef readonl
   %221 = fcmp ogt double %164, %220
   %222 = select i1 %221, double %164, double %220
   %223 = icmp eq i64 %171, 4
-  br i1 %223, label %154, label %161, !llvm.loop !25
+  br i1 %223, label %154, label %161, !llvm.loop !24
 
 224:                                              ; preds = %158, %245
   %225 = phi i64 [ 1, %158 ], [ %246, %245 ]
@@ -1825,7 +1653,7 @@ define internal fastcc i64 @resolve(ptr noundef readonly %0, ptr noundef readonl
   %246 = add nuw nsw i64 %225, 1
   %247 = icmp ugt i64 %225, 7
   %248 = icmp eq i64 %246, 9
-  br i1 %248, label %336, label %224, !llvm.loop !26
+  br i1 %248, label %336, label %224, !llvm.loop !25
 
 249:                                              ; preds = %235, %237
   br i1 %226, label %336, label %250
@@ -1903,7 +1731,7 @@ define internal fastcc i64 @resolve(ptr noundef readonly %0, ptr noundef readonl
   %307 = getelementptr inbounds i8, ptr %306, i64 8
   %308 = load i64, ptr %307, align 8
   %309 = icmp slt i64 %305, %308
-  br i1 %309, label %281, label %276, !llvm.loop !27
+  br i1 %309, label %281, label %276, !llvm.loop !26
 
 310:                                              ; preds = %276, %280
   %311 = load ptr, ptr %6, align 8
@@ -1919,7 +1747,7 @@ define internal fastcc i64 @resolve(ptr noundef readonly %0, ptr noundef readonl
   %321 = inttoptr i64 %312 to ptr
   %322 = tail call i32 %321(ptr noundef %313, ptr noundef %314, ptr noundef %315, ptr noundef %316, ptr noundef %320) #9
   %323 = icmp slt i32 %322, 0
-  br i1 %323, label %336, label %250, !llvm.loop !28
+  br i1 %323, label %336, label %250, !llvm.loop !27
 
 324:                                              ; preds = %250
   %325 = load ptr, ptr %28, align 8
@@ -1958,7 +1786,7 @@ define internal fastcc i64 @resolve(ptr noundef readonly %0, ptr noundef readonl
 347:                                              ; preds = %342, %342
   %348 = add nuw nsw i64 %57, 1
   %349 = icmp eq i64 %348, %9
-  br i1 %349, label %350, label %53, !llvm.loop !29
+  br i1 %349, label %350, label %53, !llvm.loop !28
 
 350:                                              ; preds = %347, %342, %4
   %351 = phi i64 [ 0, %4 ], [ %346, %342 ], [ 0, %347 ]
@@ -2107,7 +1935,7 @@ define internal fastcc double @locate(ptr noundef readonly %0, ptr noundef reado
   %126 = load double, ptr %20, align 8
   %127 = fmul double %126, %13
   %128 = fcmp ogt double %127, 0.000000e+00
-  br i1 %128, label %129, label %79, !llvm.loop !30
+  br i1 %128, label %129, label %79, !llvm.loop !29
 
 129:                                              ; preds = %113, %79
   %130 = phi double [ %4, %79 ], [ %83, %113 ]
@@ -2232,7 +2060,7 @@ define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readon
   store <8 x double> %29, ptr %26, align 8
   %30 = add nuw nsw i64 %21, 8
   %31 = icmp slt i64 %30, %10
-  br i1 %31, label %20, label %19, !llvm.loop !31
+  br i1 %31, label %20, label %19, !llvm.loop !30
 
 32:                                               ; preds = %20, %32
   %33 = phi i64 [ %42, %32 ], [ %16, %20 ]
@@ -2246,7 +2074,7 @@ define internal fastcc void @nested(ptr noundef writeonly %0, ptr noundef readon
   %41 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %39, <8 x double> %34, <8 x double> %40)
   %42 = add nsw i64 %33, -1
   %43 = icmp sgt i64 %33, 0
-  br i1 %43, label %32, label %24, !llvm.loop !32
+  br i1 %43, label %32, label %24, !llvm.loop !31
 }
 
 declare <8 x double> @llvm.fma.v8f64(<8 x double>, <8 x double>, <8 x double>) #4
@@ -2320,7 +2148,7 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #5 {
   %53 = select i1 %51, i64 %48, i64 %45
   %54 = sub nsw i64 %53, %52
   %55 = icmp sgt i64 %54, 1
-  br i1 %55, label %44, label %56, !llvm.loop !33
+  br i1 %55, label %44, label %56, !llvm.loop !32
 
 56:                                               ; preds = %44, %42, %35, %38
   %57 = phi i64 [ %31, %38 ], [ %31, %35 ], [ 0, %42 ], [ %52, %44 ]
@@ -2352,7 +2180,7 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #5 {
   %81 = add nuw nsw i64 %14, 1
   %82 = load i64, ptr %2, align 8
   %83 = icmp slt i64 %81, %82
-  br i1 %83, label %13, label %12, !llvm.loop !34
+  br i1 %83, label %13, label %12, !llvm.loop !33
 }
 
 declare double @llvm.fabs.f64(double) #4
@@ -2425,7 +2253,7 @@ define internal fastcc double @least_place(ptr noundef readonly %0, ptr noundef 
   %69 = add nuw nsw i32 %82, 1
   %70 = icmp ugt i32 %82, 18
   %71 = icmp eq i32 %69, 20
-  br i1 %71, label %207, label %72, !llvm.loop !35
+  br i1 %71, label %207, label %72, !llvm.loop !34
 
 72:                                               ; preds = %35, %68
   %73 = phi i1 [ false, %35 ], [ %70, %68 ]
@@ -2650,8 +2478,8 @@ attributes #9 = { nounwind }
 !13 = distinct !{!13, !4, !5}
 !14 = distinct !{!14, !4, !5}
 !15 = distinct !{!15, !4, !5}
-!16 = distinct !{!16, !4, !5}
-!17 = distinct !{!17, !5}
+!16 = distinct !{!16, !5}
+!17 = distinct !{!17, !4, !5}
 !18 = distinct !{!18, !4, !5}
 !19 = distinct !{!19, !4, !5}
 !20 = distinct !{!20, !4, !5}
@@ -2663,10 +2491,9 @@ attributes #9 = { nounwind }
 !26 = distinct !{!26, !4, !5}
 !27 = distinct !{!27, !4, !5}
 !28 = distinct !{!28, !4, !5}
-!29 = distinct !{!29, !4, !5}
-!30 = distinct !{!30, !5}
+!29 = distinct !{!29, !5}
+!30 = distinct !{!30, !4, !5}
 !31 = distinct !{!31, !4, !5}
 !32 = distinct !{!32, !4, !5}
 !33 = distinct !{!33, !4, !5}
 !34 = distinct !{!34, !4, !5}
-!35 = distinct !{!35, !4, !5}
