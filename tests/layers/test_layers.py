@@ -5,9 +5,11 @@ import pickle
 import numpy as np
 import pytest
 import sympy as sm
+import sympy.physics.mechanics as me
 
 from layers.libraries import Jax, Torch
 from pydy.inputs import SampledInput
+from pydy.mechanics import Definition
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from pydy.solvers import Event
 from pydy.system import System
@@ -257,6 +259,47 @@ def test_a_sample_that_fails_is_nan_among_others(library):
     found = np.asarray(layer.final(p={"k0": library.array([1e-4, 1e8])}))
     assert np.isfinite(found[0]).all()
     assert np.isnan(found[1]).all()
+
+
+@pytest.mark.filterwarnings("ignore:The holonomic constraints did not converge")
+def test_a_sample_whose_dependent_conditions_fail_is_nan_among_others(library):
+    x, y, v, w = me.dynamicsymbols("x y v w")
+    g, length = sm.symbols("g l")
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    bob = origin.locatenew("P", x * frame.x + y * frame.y)
+    definition = Definition(
+        frame, [x, y], [v, w], bodies=[me.Particle("b", bob, 1)], loads=[(bob, -g * frame.y)],
+        holonomic_constraints=[x**2 + y**2 - length**2],
+    )  # fmt: skip
+    system = System(definition, times=[0.0, 0.2], ode_solver="dop853")
+    system.initial_conditions = {x: 0.6, y: -0.8}
+    system.set_dependent_initial_conditions([x, v])
+    layer, lengths = library.layer(system, constraints="project"), library.array([1.0, 0.1])
+
+    def last(size):
+        return layer.final(p={"l": size})[0]
+
+    found, slopes = library.vmap(last)(lengths), library.vmapped_grad(last)(lengths)
+    for values in (found, slopes, library.vmap(lambda s: layer.simulate(p={"l": s}))(lengths)):
+        finite = np.isfinite(np.asarray(values).reshape(2, -1))
+        assert finite[0].all()
+        assert not finite[1].any()
+    with pytest.raises(Exception, match="do not satisfy the constraints"):
+        np.asarray(last(0.1))
+
+
+def test_an_input_that_was_a_function_may_be_given(library):
+    system = multi_mass_spring_damper(2, apply_external_forces=True)
+    system.times = [0.0, 0.5]
+    first, second = system.specifieds_symbols
+    system.specifieds = {(first, second): lambda x, t: np.array([t, 3.0])}
+    layer = library.layer(system)
+    system.specifieds = {first: 2.0, second: 3.0}
+    expected = system.simulate().states
+    close(layer.final(r={first: 2.0}), expected[-1], 1e-6)
+    close(layer.simulate(r={first: 2.0}), expected, 1e-6)
+    close(layer.final(r=library.array([2.0, 3.0])), expected[-1], 1e-6)
 
 
 def test_bad_arguments_are_named(library):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from copy import copy
 from itertools import accumulate
 from typing import Any
@@ -11,6 +11,7 @@ import numpy as np
 
 from pydy._assembly.specifieds import driven
 from pydy._checks import Places
+from pydy._errors import IntegrationError, SingularMatrixError
 from pydy._forks import Lock
 from pydy._graph.products import derivative_program
 from pydy._graph.program import Program
@@ -209,7 +210,8 @@ class _Motion:
         for columns, samples in plan.sampled:
             for j, k in enumerate(columns):
                 kept[plan.symbols[k]] = self._samples[plan.symbols[k]] = samples.of([j])
-        for columns, function, _ in plan.functions:
+        own = next((part for part in parts if part.group == "r"), None)
+        for columns, function, _ in _plan(now, own).functions:  # of what `r` does not give
             names = tuple(plan.symbols[k] for k in columns)
             kept = {s: v for s, v in kept.items() if s not in names} | {names: function}
         system.specifieds = kept
@@ -282,8 +284,17 @@ class _Motion:
             else:
                 values, rest = np.empty((m, *self.shape)), [*range(m)]
             for k in rest:
-                values[k] = self._state([one[k] for one in flat])
+                values[k] = self._or_nan(lead, self._state, [one[k] for one in flat])
         return values.reshape(*lead, *self.shape)
+
+    def _or_nan(self, lead: tuple[int, ...], of: Callable[..., Any], *given: Any) -> Any:
+        """Return a function of one sample; NaN where that fails and is one of several."""
+        try:
+            return of(*given)
+        except (IntegrationError, SingularMatrixError):
+            if not lead:
+                raise
+            return np.nan
 
     def _state(self, row: list[np.ndarray]) -> np.ndarray:
         trajectory = self._one(row)
@@ -309,7 +320,9 @@ class _Motion:
             places.append(np.concatenate(mine) if mine else np.zeros(0, dtype=int))
         return by, places
 
-    def _jacobian(self, by: list[Any], flat: list[np.ndarray]) -> np.ndarray:
+    def _jacobian(
+        self, by: list[Any], flat: list[np.ndarray], lead: tuple[int, ...], columns: int
+    ) -> np.ndarray:
         """Return the sensitivities of the states, (m, times, n, k)."""
         m, n = len(flat[0]), len(self._names)
         if not by:
@@ -319,17 +332,21 @@ class _Motion:
             states = whole.sel(quantity=list(self._names))
             found: np.ndarray = states.transpose("sample", "time", "quantity", "parameter").values
             return found
-        result = []
-        for k in range(m):
-            values = self._one([one[k] for one in flat], by).sensitivity.values[:, :n]
+
+        def slopes(row: list[np.ndarray]) -> np.ndarray:
+            values = self._one(row, by).sensitivity.values[:, :n]
             missing = len(self._times) - len(values)
             if missing and self._final:
                 raise ValueError(
                     "`final` goes forward to times that are given, but a terminal event ended the "
                     "motion. Use reverse derivatives: jax.grad or jax.vjp, backward() of PyTorch."
                 )
-            result.append(np.pad(values, ((0, missing), (0, 0), (0, 0))))
-        return np.stack(result)
+            return np.pad(values, ((0, missing), (0, 0), (0, 0)))
+
+        result = np.empty((m, len(self._times), n, columns))
+        for k in range(m):
+            result[k] = self._or_nan(lead, slopes, [one[k] for one in flat])
+        return result
 
     def forward(
         self, wanted: tuple[int, ...], given: tuple[np.ndarray, ...], along: tuple[np.ndarray, ...]
@@ -338,7 +355,7 @@ class _Motion:
         lead = given[0].shape[:-1]
         distinct, back = _distinct(self._flat(given))
         with self._lock:
-            slopes = self._jacobian(by, distinct)
+            slopes = self._jacobian(by, distinct, lead, sum(map(len, places)))
         slopes = slopes[:, -1] if self._final else slopes
         directions = [d.reshape(-1, d.shape[-1])[:, k] for d, k in zip(along, places, strict=True)]
         product = np.einsum("m...k,mk->m...", slopes[back], np.concatenate(directions, axis=-1))
@@ -349,16 +366,16 @@ class _Motion:
         self, wanted: tuple[int, ...], given: tuple[np.ndarray, ...], weights: np.ndarray
     ) -> tuple[np.ndarray, ...]:
         by, places = self._columns(wanted)
-        flat = self._flat(given)
+        flat, lead = self._flat(given), given[0].shape[:-1]
         weights = weights.reshape(len(flat[0]), *self.shape)
         with self._lock:
             if self._final:
-                found = np.stack([
-                    self._back(by, [one[k] for one in flat], w) for k, w in enumerate(weights)
-                ])  # fmt: skip
+                found = np.empty((len(weights), sum(map(len, places))))
+                for k, w in enumerate(weights):
+                    found[k] = self._or_nan(lead, self._back, by, [one[k] for one in flat], w)
             else:
                 distinct, back = _distinct(flat)
-                slopes = self._jacobian(by, distinct)
+                slopes = self._jacobian(by, distinct, lead, sum(map(len, places)))
                 found = np.einsum("mtnk,mtn->mk", slopes[back], weights)
         ends = np.cumsum([len(k) for k in places])[:-1]
         result = []
