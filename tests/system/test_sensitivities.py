@@ -625,10 +625,28 @@ def test_a_motion_that_passes_a_jump_of_a_load_warns_of_its_derivatives(force):
             system.adjoint_gradient(wanted, final=X)
 
 
+def test_jumps_of_angles_and_masses_are_told():
+    system = pushed(-K * sm.atan2(X, -2) / sm.pi)
+    with pytest.warns(PyDyUserWarning, match="jumps by 2,"):
+        system.simulate(sensitivities=[K])
+    frame = me.ReferenceFrame("N")
+    speed = X.diff(T)
+    place = me.Point("P")
+    place.set_vel(frame, speed * frame.x)
+    body = me.Particle("b", place, K * (2 + sm.sign(X)))
+    definition = Definition(frame, [X], bodies=[body], loads=[(place, -3 * frame.x)])
+    system = System(definition, {K: 1.0}, ode_solver="dop853", times=system.times)
+    system.initial_conditions = {X: 1.0}
+    with pytest.warns(PyDyUserWarning, match="jumps by 2,"):
+        system.simulate(sensitivities=[K])
+
+
 @pytest.mark.parametrize(
     "force",
     [
         -K * X * sm.Abs(X),
+        -K * sm.atan2(X, 2),
+        -K * sm.sin(sm.atan2(X, -2)) - X,
         -K * sm.Max(0, X),
         sm.Piecewise((-3 * K * X, X < 0), (-K * X, True)),
         -X - K * SLIDING * sm.Abs(SLIDING),

@@ -15,7 +15,8 @@ _WHOLE = ("floor", "ceil")
 def switches(graph: Graph, nodes: Sequence[int], whole: bool = False) -> list[int]:
     """Return the nodes by whose sign others take one branch or the other.
 
-    Also those by which floors, if they are wanted too, go to the next `whole` number.
+    Also those by which floors, if they are wanted too, go to the next `whole` number, and those by
+    which angles go to the next turn.
     """
     found: set[int] = set()
     reached = graph.reachable(nodes)
@@ -29,6 +30,8 @@ def switches(graph: Graph, nodes: Sequence[int], whole: bool = False) -> list[in
             found.add(graph.scaled(args[0])[1])
         elif whole and graph.ops[n] in _WHOLE:
             found.add(_turning(graph, args[0]))
+        elif whole and graph.ops[n] == "atan2":
+            found.add(graph.scaled(args[0])[1])
         elif graph.ops[n] == "pow" and graph.ops[args[0]] == "prod":
             found.update(m for m, e in graph.args[args[0]] if e % 2 == 0)
     return sorted({min(n, graph.neg(n)) for n in found if not graph.constant[n]})
@@ -51,7 +54,7 @@ def sides(graph: Graph, nodes: Sequence[int], switch: int) -> tuple[list[int], l
             above[node], below[node] = floor, graph.sub(floor, graph.one)
         if op == "log" and graph.ops[args[0]] == "abs":
             above[node] = below[node] = node
-        if op not in (*_COMPARED, "abs", "sign"):
+        if op not in (*_COMPARED, "abs", "sign", "atan2"):
             continue
         own = graph.sub(*args) if op in _COMPARED else args[0]
         size, core = graph.scaled(own)
@@ -59,7 +62,12 @@ def sides(graph: Graph, nodes: Sequence[int], switch: int) -> tuple[list[int], l
             continue
         for side, made in ((1.0, above), (-1.0, below)):
             positive = side * size * (1.0 if switch == core else -1.0) > 0.0
-            if op in _COMPARED:
+            if op == "atan2":  # behind, where it has its cut
+                turn = graph.const(math.pi if positive else -math.pi)
+                ahead = graph.call("atan", graph.mul(args[0], graph.powi(args[1], -1)))
+                behind = graph.call("lt", args[1], graph.zero)
+                made[node] = graph.call("select", behind, graph.add(ahead, turn), node)
+            elif op in _COMPARED:
                 made[node] = graph.boolean(op == "ne" or (op != "eq" and not positive))
             else:
                 one = own if op == "abs" else graph.one

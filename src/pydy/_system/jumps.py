@@ -50,8 +50,8 @@ def _switched(
 class Jumps:
     """What rates switch at, its derivatives by states, specifieds and constants, and their steps.
 
-    They are the rates of the states, of which the speeds' are the loads, and, last, what is
-    integrated: an expression, or the place of an output.
+    They are the rates of the states, of which the speeds' are the loads unless masses switch, too,
+    and, last, what is integrated: an expression, or the place of an output.
     """
 
     coordinates: int
@@ -59,7 +59,8 @@ class Jumps:
 
     def __call__(self, assembly: Assembly) -> dict[str, list[int]]:
         graph, rates = assembly.graph, [*assembly.rates]
-        if len(assembly.forcing) == len(assembly.speeds):
+        masses = switches(graph, assembly.mass_matrix, whole=True)
+        if len(assembly.forcing) == len(assembly.speeds) and not masses:
             rates[self.coordinates : self.coordinates + len(assembly.speeds)] = assembly.forcing
         if self.integral is not None:
             rates.append(node_of(assembly, self.integral, "`integral`"))
