@@ -117,6 +117,14 @@ def test_other_times_are_interpolated_with_fourth_order():
     assert (rates > 3.6).all()
 
 
+def test_no_times_give_no_rows():
+    system = system_of(zoo.free_pendulum(), times=TIMES)
+    parameter = min(system.constants_symbols, key=str)
+    none = system.simulate(sensitivities=[parameter]).at([])
+    assert none.states.shape == (0, len(system.states))
+    assert none.sensitivity.values.shape[::2] == (0, 1)
+
+
 def test_outputs_and_specifieds_at_other_times_are_evaluated_anew():
     model = zoo.chain()
     f0 = me.dynamicsymbols("f0")

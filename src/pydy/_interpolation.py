@@ -97,7 +97,7 @@ class Samples:
         if whole.shape[1] == n:  # no derivatives by time: straight lines
             columns = [np.interp(times, self.times, v) for v in values.reshape(m, -1).T]
             whole = np.column_stack([whole, *columns])
-        return whole[:, :n].copy(), whole[:, n:].reshape(len(times), n, -1)
+        return whole[:, :n].copy(), whole[:, n:].reshape(len(times), n, values.shape[2])
 
     def _hermite(self, times: np.ndarray) -> np.ndarray:
         """Return the states, and after them the sensitivities if their derivatives are known."""

@@ -648,3 +648,11 @@ def test_a_gap_of_rounding_at_the_start_is_closed(speed):
     system.initial_conditions = {y: -1e-3}
     with pytest.raises(ValueError, match=r"must not be negative at the first time, got -0\.001"):
         Contacts(system, [floor]).simulate()
+
+
+def test_times_that_are_all_equal_are_refused():
+    system, floor = ball()
+    system.times = [0.5, 0.5]
+    contacts = Contacts(system, [floor])
+    with pytest.raises(ValueError, match=r"two values that differ, got \[0\.5, 0\.5\]"):
+        contacts.simulate()

@@ -309,9 +309,10 @@ class Contacts:
         if any(e.reset for e in given):
             raise NotImplementedError("`events` with resets are not supported with contacts yet.")
         times = now.checked_times()
-        if len(times) < 2:
+        if len(times) < 2 or times[0] == times[-1]:
             raise ValueError(
-                f"`times` must have at least two values, got {len(times)}. Set `system.times`."
+                "`times` must have at least two values that differ, got "
+                f"{shown(times.tolist())}. Set `system.times`."
             )
         carried = None
         if sensitivities is not None:
