@@ -469,6 +469,16 @@ def test_positions_and_constraints_hold_no_force():
 # -- errors ---------------------------------------------------------------------------------------
 
 
+@pytest.mark.parametrize("solver", ["dop853", "tsit5", "vern9", "radau"])
+def test_a_force_that_changes_within_a_part_of_a_step_acts_in_time(solver):
+    system = System(
+        definition([(-E, 0)]), {M: 1.0}, times=[0.0, 2.0], initial_conditions={},
+        ode_solver=solver, implicit=Implicit({E: E - sm.tanh(1000 * (T - 1))}, start={E: -1.0}),
+    )  # fmt: skip
+    # Of a jump: forward and back by the same impulse.
+    assert system.integrate(rtol=1e-9, atol=1e-9)[-1, 0] == pytest.approx(1.0, abs=3e-6)
+
+
 def test_a_singular_residual_is_named():
     """On the way through the centre of curvature two nearest points meet."""
     with pytest.raises(

@@ -396,6 +396,46 @@ def test_constraints_that_can_no_longer_be_met_stop_the_integration():
     assert np.isfinite(caught.value.states).all()
 
 
+def towed(row):
+    """Two points on a line, one drawn to the other, which a row moves."""
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    x, y, v, w = me.dynamicsymbols("x, y, v, w")
+    origin.set_vel(frame, 0)
+    first, second = (origin.locatenew(n, q * frame.x) for n, q in (("P", x), ("Q", y)))
+    bodies = [me.Particle("p", first, 1), me.Particle("q", second, 1)]
+    kind = "nonholonomic_constraints" if row.has(v) else "holonomic_constraints"
+    loads = [(second, (x - y) * frame.x)]
+    definition = Definition(frame, [x, y], [v, w], bodies=bodies, loads=loads, **{kind: [row]})
+    return System(definition, times=[0.0, 2.0], initial_conditions={})
+
+
+@pytest.mark.parametrize("solver", ADAPTIVE)
+def test_motions_that_constraints_make_within_a_part_of_a_step_are_not_passed_over(solver):
+    # Right to 3e-6, as of jumps: x = H(t − 1), y'' = x − y, and v = H(t − 1).
+    start = (1 + sm.tanh(1000 * (zoo.T - 1))) / 2
+    x, v = me.dynamicsymbols("x, v")
+    for row, right in ((x - start, [1, 1 - np.cos(1)]), (v - start, [1, 1 - np.sin(1)])):
+        system = towed(row)
+        system.ode_solver = solver
+        motion = system.simulate(constraints="project", rtol=1e-9, atol=1e-9)
+        found = [motion[name][-1] for name in "xy"]
+        np.testing.assert_allclose(found, right, atol=3e-6)
+        if solver != "radau":
+            many = system.integrate_ensemble(
+                initial_conditions={"y": [0.0]}, constraints="project", rtol=1e-9, atol=1e-9
+            )
+            assert np.array_equal([many[name].values[0, -1] for name in "xy"], found)
+
+
+@pytest.mark.filterwarnings("ignore:.*jumps by")
+def test_constraints_that_jump_end_a_projected_motion():
+    system = towed(me.dynamicsymbols("v") - sm.Heaviside(zoo.T - 1))
+    system.ode_solver = "dop853"
+    with pytest.raises(IntegrationError, match="satisfied there and do not jump") as caught:
+        system.integrate(constraints="project")
+    assert caught.value.time == pytest.approx(1.0)
+
+
 @pytest.mark.parametrize("angle", [0.3, 0.5])
 @pytest.mark.parametrize("mass", [1.7, 2.0, 3.0])
 def test_coordinates_that_are_held_at_zero_need_not_be_zero_to_the_last_bit(angle, mass):

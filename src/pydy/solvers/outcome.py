@@ -57,7 +57,8 @@ OUTCOMES = {
     CONSTRAINTS_NOT_MET: Outcome(
         "constraints_not_met",
         "could not bring the state back onto the constraints after a step of {step:.3g}",
-        "Check that all constraints can be satisfied there, or limit `max_step`.",
+        "Check that all constraints can be satisfied there and do not jump, nor does a solution of "
+        "`Implicit`, or limit `max_step`.",
     ),
     NO_CONVERGENCE: Outcome(
         "no_convergence",

@@ -16,6 +16,9 @@ ROUNDING = _rank.ROUNDING
 HALF = _rank.HALF
 """Half of the digits."""
 
+DIGITS = _rank.DIGITS
+"""What constraints that others imply hold to, in units of their sizes."""
+
 ROUNDINGS = 8.0
 """The largest residual of a constraint that is satisfied, in units of its rounding bound."""
 
@@ -111,7 +114,8 @@ One is enough to warn; 64 take milliseconds, and are spread over all.
 
 EXCESS = 3.0
 """What errors of long steps, and of states between them, make of residuals, in units of the
-tolerances. Stabilised residuals come up to half of it, energies to a third: see FEW_STEPS."""
+tolerances. Stabilised residuals come up to half of it, energies to a third: see FEW_STEPS.
+Projection moves accepted steps by less, most by a tenth of one."""
 
 FEW_STEPS = 10.0
 """How many more steps explain a change of the energy than were taken: long steps, and states

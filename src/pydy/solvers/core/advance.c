@@ -133,7 +133,7 @@ ENTRY int64_t advance(const Run *run, double *flat, int64_t fresh)
                 for (int64_t i = 0; i < length; i++)
                     error += 0.0 * new[i]; /* NaN where the state is not finite */
             if (error < 1.0 && (held || !reuse)) {
-                missed = held && hold(run, after, new) != 0;
+                missed = held && hold(run, after, new, adaptive ? m->x.at : 0) != 0;
                 if (!missed) {
                     count[EVALUATIONS] += 1;
                     code = rates(&run->problem, after, new, end);

@@ -176,7 +176,7 @@ int64_t advance_implicit(const Run *run, double *flat, int64_t fresh)
             words[FIRST] = 1, words[WANTED] = 1 - words[FRESH];
             continue;
         }
-        if (held && hold(run, after, m->new.at) != 0) {
+        if (held && hold(run, after, m->new.at, m->x.at) != 0) {
             count[REJECTED] += 1;
             count[FAILURE] = CONSTRAINTS_NOT_MET, h = AFTER_FAILURE * size;
             words[FIRST] = 1, words[WANTED] = 1 - words[FRESH];

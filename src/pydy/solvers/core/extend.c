@@ -55,7 +55,7 @@ int64_t extend(const Run *run, const Wanted *wanted)
         const double theta = (t - row[0]) / row[1];
         interpolate(s, theta, out);
         if (run->constraints.words.at[ACTIVE] == 1 && theta > 0.0)
-            hold(run, t, out);
+            hold(run, t, out, 0);
     }
     return 0;
 }

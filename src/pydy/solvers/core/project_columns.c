@@ -14,10 +14,10 @@ APART int64_t move(const Run *run, const Tangents *tangents, const double *x)
 
    With c(x, p) = 0 the sensitivities S of motions that keep the constraints satisfy c_x S + c_p = 0.
    They are corrected by the least change in the norm that corrects the state. */
-int64_t project_columns(const Run *run, double t, double *x)
+int64_t project_columns(const Run *run, double t, double *x, const double *from)
 {
     const Tangents *tangents = (const Tangents *)run->constraints.words.at[TANGENTS];
-    const int64_t code = ((Project *)tangents->words.at[OF_STATE])(run, t, x);
+    const int64_t code = ((Project *)tangents->words.at[OF_STATE])(run, t, x, from);
     if (code != 0)
         return code;
     const Held held = held_by(run), *s = &held;

@@ -19,12 +19,12 @@
 enum { DIVIDED, LOCATED, ENDS, MIDDLES = ENDS + PARTS + 1 };
 
 /* Parts that are compiled apart, and called by their addresses. */
-typedef int64_t Project(const Run *run, double t, double *x);
+typedef int64_t Project(const Run *run, double t, double *x, const double *from);
 typedef int64_t Scan(const Run *run, double t, double h);
 
-INLINE int64_t hold(const Run *run, double t, double *x)
+INLINE int64_t hold(const Run *run, double t, double *x, const double *from)
 {
-    return ((Project *)run->constraints.words.at[PROJECT])(run, t, x);
+    return ((Project *)run->constraints.words.at[PROJECT])(run, t, x, from);
 }
 
 /* Begin an integration, from the state in the first row of the results. */
@@ -92,7 +92,7 @@ INLINE int64_t interpolate_outputs(const Run *run, const Stepper *s, double t, d
     for (; k < count && (times[k] < end || (times[k] == end && inside)); k++) {
         interpolate(s, (times[k] - t) / h, flat + k * n);
         if (run->constraints.words.at[ACTIVE] == 1) {
-            const int64_t code = hold(run, times[k], flat + k * n);
+            const int64_t code = hold(run, times[k], flat + k * n, 0);
             if (code != 0)
                 return code;
         }
@@ -127,7 +127,7 @@ INLINE int64_t finish_step(const Run *run, const Stepper *s, double t, double h,
         for (int64_t i = 0; i < m->x.size; i++)
             m->new.at[i] = m->trial.at[i];
         if (run->constraints.words.at[ACTIVE] == 1)
-            code = hold(run, end, m->new.at);
+            code = hold(run, end, m->new.at, 0);
     }
     if (code != 0) {
         state[TIME] = t, state[SIZE] = h;

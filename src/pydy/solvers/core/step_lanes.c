@@ -21,7 +21,7 @@
 
 /* -- constraints ------------------------------------------------------------------------------ */
 
-typedef int64_t Project(const Run *run, double t, double *x);
+typedef int64_t Project(const Run *run, double t, double *x, const double *from);
 
 INLINE const Run *held_in(const LaneRun *run, int64_t lane)
 {
@@ -48,18 +48,20 @@ INLINE void take_constraints(const LaneRun *run, int64_t sample, int64_t lane)
         seen_in(run, lane)[i] = g->seen.at[sample * g->seen.columns + i];
 }
 
-/* Move the states of some lanes onto their constraints; return the bits of those that missed. */
-APART int64_t hold_lanes(const LaneRun *run, const double *times, double *x, int64_t which)
+/* Move the states of some lanes onto their constraints; return the bits of those that missed. `ends`
+   tells whether steps end there. */
+APART int64_t hold_lanes(const LaneRun *run, const double *times, double *x, int64_t which, int ends)
 {
     double *state = run->holding.state.at;
     const int64_t n = run->lane_problem.words.at[STATES];
     int64_t missed = 0;
     FOR_LANES(which) {
         const Run *own = held_in(run, lane);
+        double *from = own->memory.x.at;
         SERIAL
         for (int64_t i = 0; i < n; i++)
-            state[i] = x[i * W + lane];
-        if (((Project *)own->constraints.words.at[PROJECT])(own, times[lane], state) != 0)
+            state[i] = x[i * W + lane], from[i] = run->memory.x.at[i * W + lane];
+        if (((Project *)own->constraints.words.at[PROJECT])(own, times[lane], state, ends ? from : 0) != 0)
             missed |= (int64_t)1 << lane;
         SERIAL
         for (int64_t i = 0; i < n; i++)
@@ -231,7 +233,7 @@ INLINE int64_t write_within(const LaneRun *run, const Stepper *s, int64_t within
     for (int64_t left = within; left != 0; left &= bits(OF(due) < after) & ~missed) {
         interpolate(s, (OF(due) - t) / size, trial);
         if (run->holding.runs.size > 0)
-            missed |= hold_lanes(run, l->due.at, trial, left);
+            missed |= hold_lanes(run, l->due.at, trial, left, 0);
         write_outputs(run, trial, left & ~missed);
     }
     FOR_LANES(missed) {
@@ -302,7 +304,7 @@ int64_t step_lanes(const LaneRun *run)
         int64_t missed = 0;
         if (held && bits(good) != 0) {
             put(reached, 0, after);
-            missed = hold_lanes(run, reached, m->new.at, bits(good));
+            missed = hold_lanes(run, reached, m->new.at, bits(good), adaptive);
             good = good & ~flags(missed);
         }
         const Flags tried = good;

@@ -1,4 +1,4 @@
-; sources 8f5a7ea5f7fa35f12fda413bef2b5bd9a6c860f0d991cebdf9c307a03e85f70b
+; sources abcf39c54194b49dd755bf7edc82231e6808b6a09b8e40aad81adcf4568ed49d
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
@@ -110,7 +110,7 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
   %81 = getelementptr inbounds i8, ptr %80, i64 56
   %82 = load i64, ptr %81, align 8
   %83 = icmp eq i64 %82, 0
-  br i1 %83, label %1632, label %84
+  br i1 %83, label %1636, label %84
 
 84:                                               ; preds = %72
   %85 = getelementptr inbounds i8, ptr %0, i64 624
@@ -189,7 +189,7 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
   store i64 3, ptr %146, align 8
   %147 = icmp slt i32 %143, 0
   %148 = select i1 %147, i64 -4, i64 2
-  br label %1632
+  br label %1636
 
 149:                                              ; preds = %134
   store i64 1, ptr %80, align 8
@@ -253,7 +253,7 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
   %190 = getelementptr inbounds i8, ptr %189, i64 48
   store i64 %188, ptr %190, align 8
   %191 = icmp eq i64 %188, %158
-  br i1 %191, label %1632, label %192
+  br i1 %191, label %1636, label %192
 
 192:                                              ; preds = %187
   %193 = fcmp oeq double %119, 0.000000e+00
@@ -547,16 +547,16 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
   %444 = getelementptr inbounds i8, ptr %76, i64 40
   br label %447
 
-445:                                              ; preds = %1629, %345
-  %446 = phi double [ %346, %345 ], [ %1625, %1629 ]
+445:                                              ; preds = %1633, %345
+  %446 = phi double [ %346, %345 ], [ %1629, %1633 ]
   store double %446, ptr %118, align 8
-  br label %1632
+  br label %1636
 
-447:                                              ; preds = %349, %1629
-  %448 = phi i64 [ %347, %349 ], [ %1630, %1629 ]
-  %449 = phi i64 [ undef, %349 ], [ %1628, %1629 ]
-  %450 = phi double [ %117, %349 ], [ %1626, %1629 ]
-  %451 = phi double [ %346, %349 ], [ %1625, %1629 ]
+447:                                              ; preds = %349, %1633
+  %448 = phi i64 [ %347, %349 ], [ %1634, %1633 ]
+  %449 = phi i64 [ undef, %349 ], [ %1632, %1633 ]
+  %450 = phi double [ %117, %349 ], [ %1630, %1633 ]
+  %451 = phi double [ %346, %349 ], [ %1629, %1633 ]
   %452 = load ptr, ptr %350, align 8
   %453 = getelementptr inbounds i8, ptr %452, i64 8
   %454 = load i64, ptr %453, align 8
@@ -577,7 +577,7 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
 
 464:                                              ; preds = %461
   store double %451, ptr %118, align 8
-  br label %1632
+  br label %1636
 
 465:                                              ; preds = %461
   %466 = add nsw i64 %448, -1
@@ -591,7 +591,7 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
 
 472:                                              ; preds = %465
   store double %451, ptr %118, align 8
-  br label %1632
+  br label %1636
 
 473:                                              ; preds = %465
   br i1 %98, label %474, label %478
@@ -638,7 +638,7 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
 
 504:                                              ; preds = %490
   store double %497, ptr %118, align 8
-  br label %1624
+  br label %1628
 
 505:                                              ; preds = %490
   %506 = load ptr, ptr %0, align 8
@@ -858,11 +858,11 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
 677:                                              ; preds = %668, %657
   %678 = phi i64 [ %676, %668 ], [ %658, %657 ]
   %679 = icmp slt i64 %678, 0
-  br i1 %679, label %1624, label %680
+  br i1 %679, label %1628, label %680
 
 680:                                              ; preds = %677
   %681 = icmp eq i64 %678, 0
-  br i1 %681, label %682, label %873
+  br i1 %681, label %682, label %877
 
 682:                                              ; preds = %680
   br i1 %98, label %683, label %684
@@ -1061,1085 +1061,1093 @@ define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {
   %843 = phi double [ %828, %820 ], [ %832, %829 ], [ 0.000000e+00, %683 ], [ %839, %833 ]
   %844 = fcmp uge double %843, 1.000000e+00
   %845 = select i1 %844, i1 true, i1 %390
-  br i1 %845, label %873, label %846
+  br i1 %845, label %877, label %846
 
 846:                                              ; preds = %842
-  br i1 %95, label %854, label %847
+  br i1 %95, label %858, label %847
 
 847:                                              ; preds = %846
-  %848 = load ptr, ptr %92, align 8
-  %849 = getelementptr inbounds i8, ptr %848, i64 56
-  %850 = load i64, ptr %849, align 8
-  %851 = inttoptr i64 %850 to ptr
-  %852 = tail call i64 %851(ptr noundef %0, double noundef %498, ptr noundef %78) #9
-  %853 = icmp ne i64 %852, 0
-  br label %854
+  br i1 %98, label %850, label %848
 
-854:                                              ; preds = %847, %846
-  %855 = phi i1 [ false, %846 ], [ %853, %847 ]
-  br i1 %855, label %873, label %856
+848:                                              ; preds = %847
+  %849 = load ptr, ptr %74, align 8
+  br label %850
 
-856:                                              ; preds = %854
-  %857 = load i64, ptr %356, align 8
-  %858 = add nsw i64 %857, 1
-  store i64 %858, ptr %356, align 8
-  %859 = load ptr, ptr %391, align 8
-  store double %498, ptr %859, align 8
-  %860 = load i64, ptr %392, align 8
-  %861 = icmp sgt i64 %860, 0
-  br i1 %861, label %862, label %863
+850:                                              ; preds = %847, %848
+  %851 = phi ptr [ %849, %848 ], [ null, %847 ]
+  %852 = load ptr, ptr %92, align 8
+  %853 = getelementptr inbounds i8, ptr %852, i64 56
+  %854 = load i64, ptr %853, align 8
+  %855 = inttoptr i64 %854 to ptr
+  %856 = tail call i64 %855(ptr noundef %0, double noundef %498, ptr noundef %78, ptr noundef %851) #9
+  %857 = icmp ne i64 %856, 0
+  br label %858
 
-862:                                              ; preds = %856
+858:                                              ; preds = %850, %846
+  %859 = phi i1 [ false, %846 ], [ %857, %850 ]
+  br i1 %859, label %877, label %860
+
+860:                                              ; preds = %858
+  %861 = load i64, ptr %356, align 8
+  %862 = add nsw i64 %861, 1
+  store i64 %862, ptr %356, align 8
+  %863 = load ptr, ptr %391, align 8
+  store double %498, ptr %863, align 8
+  %864 = load i64, ptr %392, align 8
+  %865 = icmp sgt i64 %864, 0
+  br i1 %865, label %866, label %867
+
+866:                                              ; preds = %860
   tail call fastcc void @sample(ptr noundef nonnull %73) #8
-  br label %863
+  br label %867
 
-863:                                              ; preds = %856, %862
-  %864 = load ptr, ptr %73, align 8
-  %865 = load i64, ptr %864, align 8
-  %866 = load ptr, ptr %391, align 8
-  %867 = load ptr, ptr %393, align 8
-  %868 = load ptr, ptr %394, align 8
-  %869 = inttoptr i64 %865 to ptr
-  %870 = tail call i32 %869(ptr noundef %866, ptr noundef %78, ptr noundef %867, ptr noundef %868, ptr noundef %116) #9
-  %871 = sext i32 %870 to i64
-  %872 = icmp slt i32 %870, 0
-  br i1 %872, label %1624, label %873
+867:                                              ; preds = %860, %866
+  %868 = load ptr, ptr %73, align 8
+  %869 = load i64, ptr %868, align 8
+  %870 = load ptr, ptr %391, align 8
+  %871 = load ptr, ptr %393, align 8
+  %872 = load ptr, ptr %394, align 8
+  %873 = inttoptr i64 %869 to ptr
+  %874 = tail call i32 %873(ptr noundef %870, ptr noundef %78, ptr noundef %871, ptr noundef %872, ptr noundef %116) #9
+  %875 = sext i32 %874 to i64
+  %876 = icmp slt i32 %874, 0
+  br i1 %876, label %1628, label %877
 
-873:                                              ; preds = %842, %863, %854, %680
-  %874 = phi i64 [ 0, %854 ], [ %871, %863 ], [ 0, %842 ], [ %678, %680 ]
-  %875 = phi double [ %843, %854 ], [ %843, %863 ], [ %843, %842 ], [ 0.000000e+00, %680 ]
-  %876 = phi i1 [ %855, %854 ], [ %855, %863 ], [ false, %842 ], [ false, %680 ]
-  %877 = icmp ne i64 %874, 0
-  %878 = fcmp uge double %875, 1.000000e+00
-  %879 = or i1 %877, %878
-  %880 = or i1 %876, %879
-  br i1 %880, label %881, label %944
+877:                                              ; preds = %842, %867, %858, %680
+  %878 = phi i64 [ 0, %858 ], [ %875, %867 ], [ 0, %842 ], [ %678, %680 ]
+  %879 = phi double [ %843, %858 ], [ %843, %867 ], [ %843, %842 ], [ 0.000000e+00, %680 ]
+  %880 = phi i1 [ %859, %858 ], [ %859, %867 ], [ false, %842 ], [ false, %680 ]
+  %881 = icmp ne i64 %878, 0
+  %882 = fcmp uge double %879, 1.000000e+00
+  %883 = or i1 %881, %882
+  %884 = or i1 %880, %883
+  br i1 %884, label %885, label %948
 
-881:                                              ; preds = %873
-  %882 = load i64, ptr %352, align 8
-  %883 = add nsw i64 %882, 1
-  store i64 %883, ptr %352, align 8
-  %884 = or i1 %877, %876
-  br i1 %884, label %888, label %885
+885:                                              ; preds = %877
+  %886 = load i64, ptr %352, align 8
+  %887 = add nsw i64 %886, 1
+  store i64 %887, ptr %352, align 8
+  %888 = or i1 %881, %880
+  br i1 %888, label %892, label %889
 
-885:                                              ; preds = %881
-  %886 = tail call double @llvm.fabs.f64(double %875)
-  %887 = fcmp one double %886, 0x7FF0000000000000
-  br label %888
+889:                                              ; preds = %885
+  %890 = tail call double @llvm.fabs.f64(double %879)
+  %891 = fcmp one double %890, 0x7FF0000000000000
+  br label %892
 
-888:                                              ; preds = %885, %881
-  %889 = phi i1 [ false, %881 ], [ %887, %885 ]
-  %890 = select i1 %889, i64 2, i64 4
-  %891 = select i1 %876, i64 6, i64 %890
-  %892 = select i1 %877, i64 3, i64 %891
-  store i64 %892, ptr %441, align 8
-  %893 = fcmp ogt double %875, 1.000000e-10
-  %894 = select i1 %893, double %875, double 1.000000e-10
-  %895 = load double, ptr %442, align 8
-  %896 = load double, ptr %88, align 8
-  %897 = fneg double %896
-  %898 = bitcast double %894 to i64
-  %899 = add nsw i64 %898, -4604544271217802189
-  %900 = ashr i64 %899, 52
-  %901 = and i64 %899, -4503599627370496
-  %902 = sub nsw i64 %898, %901
-  %903 = bitcast i64 %902 to double
-  %904 = fadd double %903, -1.000000e+00
-  %905 = fadd double %903, 1.000000e+00
-  %906 = fdiv double %904, %905
-  %907 = fmul double %906, %906
-  %908 = tail call double @llvm.fma.f64(double %907, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
-  %909 = tail call double @llvm.fma.f64(double %908, double %907, double 0x3FE2776C50EF9BFE)
-  %910 = tail call double @llvm.fma.f64(double %909, double %907, double 0x3FEEC709DC3A03FD)
-  %911 = tail call double @llvm.fma.f64(double %910, double %907, double 0x40071547652B82FE)
-  %912 = trunc nsw i64 %900 to i32
-  %913 = sitofp i32 %912 to double
-  %914 = fmul double %906, %911
-  %915 = fadd double %914, %913
-  %916 = fmul double %915, %897
-  %917 = fcmp ogt double %916, -1.000000e+03
-  %918 = select i1 %917, double %916, double -1.000000e+03
-  %919 = fcmp olt double %918, 1.000000e+03
-  %920 = select i1 %919, double %918, double 1.000000e+03
-  %921 = tail call double @llvm.rint.f64(double %920)
-  %922 = fsub double %920, %921
-  %923 = tail call double @llvm.fma.f64(double %922, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
-  %924 = tail call double @llvm.fma.f64(double %923, double %922, double 0x3F55D87FE78A6730)
-  %925 = tail call double @llvm.fma.f64(double %924, double %922, double 0x3F83B2AB6FBA4E77)
-  %926 = tail call double @llvm.fma.f64(double %925, double %922, double 0x3FAC6B08D704A0BF)
-  %927 = tail call double @llvm.fma.f64(double %926, double %922, double 0x3FCEBFBDFF82C58E)
-  %928 = tail call double @llvm.fma.f64(double %927, double %922, double 0x3FE62E42FEFA39EF)
-  %929 = tail call double @llvm.fma.f64(double %928, double %922, double 1.000000e+00)
-  %930 = bitcast double %929 to i64
-  %931 = fptosi double %921 to i32
-  %932 = sext i32 %931 to i64
-  %933 = shl nsw i64 %932, 52
-  %934 = add nsw i64 %933, %930
-  %935 = bitcast i64 %934 to double
-  %936 = fmul double %895, %935
-  %937 = load double, ptr %443, align 8
-  %938 = fcmp ogt double %936, %937
-  %939 = select i1 %938, double %936, double %937
-  %940 = select i1 %889, double %939, double 2.500000e-01
-  %941 = fmul double %497, %940
-  br i1 %98, label %942, label %943
+892:                                              ; preds = %889, %885
+  %893 = phi i1 [ false, %885 ], [ %891, %889 ]
+  %894 = select i1 %893, i64 2, i64 4
+  %895 = select i1 %880, i64 6, i64 %894
+  %896 = select i1 %881, i64 3, i64 %895
+  store i64 %896, ptr %441, align 8
+  %897 = fcmp ogt double %879, 1.000000e-10
+  %898 = select i1 %897, double %879, double 1.000000e-10
+  %899 = load double, ptr %442, align 8
+  %900 = load double, ptr %88, align 8
+  %901 = fneg double %900
+  %902 = bitcast double %898 to i64
+  %903 = add nsw i64 %902, -4604544271217802189
+  %904 = ashr i64 %903, 52
+  %905 = and i64 %903, -4503599627370496
+  %906 = sub nsw i64 %902, %905
+  %907 = bitcast i64 %906 to double
+  %908 = fadd double %907, -1.000000e+00
+  %909 = fadd double %907, 1.000000e+00
+  %910 = fdiv double %908, %909
+  %911 = fmul double %910, %910
+  %912 = tail call double @llvm.fma.f64(double %911, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
+  %913 = tail call double @llvm.fma.f64(double %912, double %911, double 0x3FE2776C50EF9BFE)
+  %914 = tail call double @llvm.fma.f64(double %913, double %911, double 0x3FEEC709DC3A03FD)
+  %915 = tail call double @llvm.fma.f64(double %914, double %911, double 0x40071547652B82FE)
+  %916 = trunc nsw i64 %904 to i32
+  %917 = sitofp i32 %916 to double
+  %918 = fmul double %910, %915
+  %919 = fadd double %918, %917
+  %920 = fmul double %919, %901
+  %921 = fcmp ogt double %920, -1.000000e+03
+  %922 = select i1 %921, double %920, double -1.000000e+03
+  %923 = fcmp olt double %922, 1.000000e+03
+  %924 = select i1 %923, double %922, double 1.000000e+03
+  %925 = tail call double @llvm.rint.f64(double %924)
+  %926 = fsub double %924, %925
+  %927 = tail call double @llvm.fma.f64(double %926, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
+  %928 = tail call double @llvm.fma.f64(double %927, double %926, double 0x3F55D87FE78A6730)
+  %929 = tail call double @llvm.fma.f64(double %928, double %926, double 0x3F83B2AB6FBA4E77)
+  %930 = tail call double @llvm.fma.f64(double %929, double %926, double 0x3FAC6B08D704A0BF)
+  %931 = tail call double @llvm.fma.f64(double %930, double %926, double 0x3FCEBFBDFF82C58E)
+  %932 = tail call double @llvm.fma.f64(double %931, double %926, double 0x3FE62E42FEFA39EF)
+  %933 = tail call double @llvm.fma.f64(double %932, double %926, double 1.000000e+00)
+  %934 = bitcast double %933 to i64
+  %935 = fptosi double %925 to i32
+  %936 = sext i32 %935 to i64
+  %937 = shl nsw i64 %936, 52
+  %938 = add nsw i64 %937, %934
+  %939 = bitcast i64 %938 to double
+  %940 = fmul double %899, %939
+  %941 = load double, ptr %443, align 8
+  %942 = fcmp ogt double %940, %941
+  %943 = select i1 %942, double %940, double %941
+  %944 = select i1 %893, double %943, double 2.500000e-01
+  %945 = fmul double %497, %944
+  br i1 %98, label %946, label %947
 
-942:                                              ; preds = %888
+946:                                              ; preds = %892
   store double %497, ptr %118, align 8
-  br label %1624
+  br label %1628
 
-943:                                              ; preds = %888
+947:                                              ; preds = %892
   store double 1.000000e+00, ptr %444, align 8
-  br label %1624, !llvm.loop !19
+  br label %1628, !llvm.loop !19
 
-944:                                              ; preds = %873
-  %945 = load i64, ptr %351, align 8
-  %946 = add nsw i64 %945, 1
-  store i64 %946, ptr %351, align 8
+948:                                              ; preds = %877
+  %949 = load i64, ptr %351, align 8
+  %950 = add nsw i64 %949, 1
+  store i64 %950, ptr %351, align 8
   store double %498, ptr %76, align 8
   store double %497, ptr %395, align 8
-  %947 = load ptr, ptr %350, align 8
-  %948 = getelementptr inbounds i8, ptr %947, i64 8
-  %949 = load i64, ptr %948, align 8
-  %950 = icmp eq i64 %949, 0
-  br i1 %950, label %980, label %951
+  %951 = load ptr, ptr %350, align 8
+  %952 = getelementptr inbounds i8, ptr %951, i64 8
+  %953 = load i64, ptr %952, align 8
+  %954 = icmp eq i64 %953, 0
+  br i1 %954, label %984, label %955
 
-951:                                              ; preds = %944
-  %952 = load i64, ptr %947, align 8
-  %953 = load ptr, ptr %73, align 8
-  %954 = getelementptr inbounds i8, ptr %953, i64 8
-  %955 = load i64, ptr %954, align 8
-  %956 = load ptr, ptr %396, align 8
-  %957 = load i64, ptr %397, align 8
-  %958 = mul nsw i64 %957, %952
-  %959 = getelementptr inbounds double, ptr %956, i64 %958
-  %960 = getelementptr inbounds double, ptr %959, i64 %957
-  store double %450, ptr %959, align 8
-  %961 = getelementptr inbounds i8, ptr %959, i64 8
-  store double %497, ptr %961, align 8
-  store double %498, ptr %960, align 8
-  %962 = getelementptr inbounds i8, ptr %960, i64 8
-  store double 0.000000e+00, ptr %962, align 8
-  %963 = icmp sgt i64 %955, 0
-  br i1 %963, label %967, label %964
+955:                                              ; preds = %948
+  %956 = load i64, ptr %951, align 8
+  %957 = load ptr, ptr %73, align 8
+  %958 = getelementptr inbounds i8, ptr %957, i64 8
+  %959 = load i64, ptr %958, align 8
+  %960 = load ptr, ptr %396, align 8
+  %961 = load i64, ptr %397, align 8
+  %962 = mul nsw i64 %961, %956
+  %963 = getelementptr inbounds double, ptr %960, i64 %962
+  %964 = getelementptr inbounds double, ptr %963, i64 %961
+  store double %450, ptr %963, align 8
+  %965 = getelementptr inbounds i8, ptr %963, i64 8
+  store double %497, ptr %965, align 8
+  store double %498, ptr %964, align 8
+  %966 = getelementptr inbounds i8, ptr %964, i64 8
+  store double 0.000000e+00, ptr %966, align 8
+  %967 = icmp sgt i64 %959, 0
+  br i1 %967, label %971, label %968
 
-964:                                              ; preds = %967, %951
-  %965 = add nsw i64 %952, 1
-  %966 = load ptr, ptr %350, align 8
-  store i64 %965, ptr %966, align 8
-  br label %980
+968:                                              ; preds = %971, %955
+  %969 = add nsw i64 %956, 1
+  %970 = load ptr, ptr %350, align 8
+  store i64 %969, ptr %970, align 8
+  br label %984
 
-967:                                              ; preds = %951, %967
-  %968 = phi i64 [ %978, %967 ], [ 0, %951 ]
-  %969 = load ptr, ptr %74, align 8
-  %970 = getelementptr inbounds double, ptr %969, i64 %968
-  %971 = load double, ptr %970, align 8
-  %972 = add nuw nsw i64 %968, 2
-  %973 = getelementptr inbounds double, ptr %959, i64 %972
-  store double %971, ptr %973, align 8
-  %974 = load ptr, ptr %77, align 8
-  %975 = getelementptr inbounds double, ptr %974, i64 %968
-  %976 = load double, ptr %975, align 8
-  %977 = getelementptr inbounds double, ptr %960, i64 %972
-  store double %976, ptr %977, align 8
-  %978 = add nuw nsw i64 %968, 1
-  %979 = icmp eq i64 %978, %955
-  br i1 %979, label %964, label %967, !llvm.loop !20
+971:                                              ; preds = %955, %971
+  %972 = phi i64 [ %982, %971 ], [ 0, %955 ]
+  %973 = load ptr, ptr %74, align 8
+  %974 = getelementptr inbounds double, ptr %973, i64 %972
+  %975 = load double, ptr %974, align 8
+  %976 = add nuw nsw i64 %972, 2
+  %977 = getelementptr inbounds double, ptr %963, i64 %976
+  store double %975, ptr %977, align 8
+  %978 = load ptr, ptr %77, align 8
+  %979 = getelementptr inbounds double, ptr %978, i64 %972
+  %980 = load double, ptr %979, align 8
+  %981 = getelementptr inbounds double, ptr %964, i64 %976
+  store double %980, ptr %981, align 8
+  %982 = add nuw nsw i64 %972, 1
+  %983 = icmp eq i64 %982, %959
+  br i1 %983, label %968, label %971, !llvm.loop !20
 
-980:                                              ; preds = %944, %964
-  br i1 %106, label %981, label %1098
+984:                                              ; preds = %948, %968
+  br i1 %106, label %985, label %1102
 
-981:                                              ; preds = %980
-  %982 = load ptr, ptr %102, align 8
-  %983 = getelementptr inbounds i8, ptr %982, i64 8
-  %984 = load i64, ptr %983, align 8
-  %985 = load i64, ptr %399, align 8
-  %986 = add i64 %985, -1
-  %987 = load ptr, ptr %400, align 8
-  %988 = shl nsw i64 %984, 4
-  %989 = getelementptr inbounds i8, ptr %987, i64 %988
-  %990 = mul i64 %984, 88
-  %991 = getelementptr inbounds i8, ptr %987, i64 %990
-  %992 = getelementptr inbounds double, ptr %987, i64 %984
-  %993 = load i64, ptr %401, align 8
-  %994 = icmp eq i64 %993, 0
-  br i1 %994, label %1098, label %995
+985:                                              ; preds = %984
+  %986 = load ptr, ptr %102, align 8
+  %987 = getelementptr inbounds i8, ptr %986, i64 8
+  %988 = load i64, ptr %987, align 8
+  %989 = load i64, ptr %399, align 8
+  %990 = add i64 %989, -1
+  %991 = load ptr, ptr %400, align 8
+  %992 = shl nsw i64 %988, 4
+  %993 = getelementptr inbounds i8, ptr %991, i64 %992
+  %994 = mul i64 %988, 88
+  %995 = getelementptr inbounds i8, ptr %991, i64 %994
+  %996 = getelementptr inbounds double, ptr %991, i64 %988
+  %997 = load i64, ptr %401, align 8
+  %998 = icmp eq i64 %997, 0
+  br i1 %998, label %1102, label %999
 
-995:                                              ; preds = %981
-  %996 = load double, ptr %991, align 8
-  %997 = fcmp une double %996, %450
-  br i1 %997, label %1098, label %998
+999:                                              ; preds = %985
+  %1000 = load double, ptr %995, align 8
+  %1001 = fcmp une double %1000, %450
+  br i1 %1001, label %1102, label %1002
 
-998:                                              ; preds = %995
-  %999 = icmp sgt i64 %984, 0
-  br i1 %999, label %1000, label %1055
+1002:                                             ; preds = %999
+  %1003 = icmp sgt i64 %988, 0
+  br i1 %1003, label %1004, label %1059
 
-1000:                                             ; preds = %998
-  %1001 = load ptr, ptr %398, align 8
-  %1002 = icmp sgt i64 %985, 1
-  br label %1006
+1004:                                             ; preds = %1002
+  %1005 = load ptr, ptr %398, align 8
+  %1006 = icmp sgt i64 %989, 1
+  br label %1010
 
-1003:                                             ; preds = %1013
-  %1004 = add nuw nsw i64 %1007, 1
-  %1005 = icmp eq i64 %1004, %984
-  br i1 %1005, label %1055, label %1006, !llvm.loop !21
+1007:                                             ; preds = %1017
+  %1008 = add nuw nsw i64 %1011, 1
+  %1009 = icmp eq i64 %1008, %988
+  br i1 %1009, label %1059, label %1010, !llvm.loop !21
 
-1006:                                             ; preds = %1000, %1003
-  %1007 = phi i64 [ 0, %1000 ], [ %1004, %1003 ]
-  %1008 = mul nsw i64 %1007, %985
-  %1009 = getelementptr inbounds double, ptr %1001, i64 %1008
-  %1010 = getelementptr inbounds double, ptr %1009, i64 %986
-  %1011 = load double, ptr %1010, align 8
-  %1012 = tail call double @llvm.fabs.f64(double %1011)
-  br i1 %1002, label %1021, label %1013
+1010:                                             ; preds = %1004, %1007
+  %1011 = phi i64 [ 0, %1004 ], [ %1008, %1007 ]
+  %1012 = mul nsw i64 %1011, %989
+  %1013 = getelementptr inbounds double, ptr %1005, i64 %1012
+  %1014 = getelementptr inbounds double, ptr %1013, i64 %990
+  %1015 = load double, ptr %1014, align 8
+  %1016 = tail call double @llvm.fabs.f64(double %1015)
+  br i1 %1006, label %1025, label %1017
 
-1013:                                             ; preds = %1051, %1006
-  %1014 = phi double [ %1012, %1006 ], [ %1052, %1051 ]
-  %1015 = getelementptr inbounds double, ptr %989, i64 %1007
-  %1016 = load double, ptr %1015, align 8
-  %1017 = tail call double @llvm.fabs.f64(double %1016)
-  %1018 = fmul double %1014, 8.000000e+00
-  %1019 = fmul double %497, %1018
-  %1020 = fcmp ogt double %1017, %1019
-  br i1 %1020, label %1003, label %1098
+1017:                                             ; preds = %1055, %1010
+  %1018 = phi double [ %1016, %1010 ], [ %1056, %1055 ]
+  %1019 = getelementptr inbounds double, ptr %993, i64 %1011
+  %1020 = load double, ptr %1019, align 8
+  %1021 = tail call double @llvm.fabs.f64(double %1020)
+  %1022 = fmul double %1018, 8.000000e+00
+  %1023 = fmul double %497, %1022
+  %1024 = fcmp ogt double %1021, %1023
+  br i1 %1024, label %1007, label %1102
 
-1021:                                             ; preds = %1006, %1051
-  %1022 = phi i64 [ %1053, %1051 ], [ 0, %1006 ]
-  %1023 = phi double [ %1052, %1051 ], [ %1012, %1006 ]
-  %1024 = getelementptr inbounds double, ptr %1009, i64 %1022
-  %1025 = load double, ptr %1024, align 8
-  %1026 = fcmp oeq double %1025, 0.000000e+00
-  br i1 %1026, label %1051, label %1027
+1025:                                             ; preds = %1010, %1055
+  %1026 = phi i64 [ %1057, %1055 ], [ 0, %1010 ]
+  %1027 = phi double [ %1056, %1055 ], [ %1016, %1010 ]
+  %1028 = getelementptr inbounds double, ptr %1013, i64 %1026
+  %1029 = load double, ptr %1028, align 8
+  %1030 = fcmp oeq double %1029, 0.000000e+00
+  br i1 %1030, label %1055, label %1031
 
-1027:                                             ; preds = %1021
-  %1028 = load ptr, ptr %0, align 8
-  %1029 = load i64, ptr %1028, align 8
-  %1030 = icmp slt i64 %1029, 0
-  br i1 %1030, label %1035, label %1031
+1031:                                             ; preds = %1025
+  %1032 = load ptr, ptr %0, align 8
+  %1033 = load i64, ptr %1032, align 8
+  %1034 = icmp slt i64 %1033, 0
+  br i1 %1034, label %1039, label %1035
 
-1031:                                             ; preds = %1027
-  %1032 = load ptr, ptr %112, align 8
-  %1033 = load i64, ptr %90, align 8
-  %1034 = getelementptr double, ptr %1032, i64 %1022
-  br label %1040
+1035:                                             ; preds = %1031
+  %1036 = load ptr, ptr %112, align 8
+  %1037 = load i64, ptr %90, align 8
+  %1038 = getelementptr double, ptr %1036, i64 %1026
+  br label %1044
 
-1035:                                             ; preds = %1040, %1027
-  %1036 = phi double [ 0.000000e+00, %1027 ], [ %1048, %1040 ]
-  %1037 = tail call double @llvm.fabs.f64(double %1025)
-  %1038 = fmul double %1037, %1036
-  %1039 = fadd double %1023, %1038
-  br label %1051
+1039:                                             ; preds = %1044, %1031
+  %1040 = phi double [ 0.000000e+00, %1031 ], [ %1052, %1044 ]
+  %1041 = tail call double @llvm.fabs.f64(double %1029)
+  %1042 = fmul double %1041, %1040
+  %1043 = fadd double %1027, %1042
+  br label %1055
 
-1040:                                             ; preds = %1031, %1040
-  %1041 = phi i64 [ 0, %1031 ], [ %1049, %1040 ]
-  %1042 = phi double [ 0.000000e+00, %1031 ], [ %1048, %1040 ]
-  %1043 = mul nsw i64 %1033, %1041
-  %1044 = getelementptr double, ptr %1034, i64 %1043
-  %1045 = load double, ptr %1044, align 8
-  %1046 = tail call double @llvm.fabs.f64(double %1045)
-  %1047 = fcmp ogt double %1042, %1046
-  %1048 = select i1 %1047, double %1042, double %1046
-  %1049 = add nuw i64 %1041, 1
-  %1050 = icmp eq i64 %1041, %1029
-  br i1 %1050, label %1035, label %1040, !llvm.loop !22
+1044:                                             ; preds = %1035, %1044
+  %1045 = phi i64 [ 0, %1035 ], [ %1053, %1044 ]
+  %1046 = phi double [ 0.000000e+00, %1035 ], [ %1052, %1044 ]
+  %1047 = mul nsw i64 %1037, %1045
+  %1048 = getelementptr double, ptr %1038, i64 %1047
+  %1049 = load double, ptr %1048, align 8
+  %1050 = tail call double @llvm.fabs.f64(double %1049)
+  %1051 = fcmp ogt double %1046, %1050
+  %1052 = select i1 %1051, double %1046, double %1050
+  %1053 = add nuw i64 %1045, 1
+  %1054 = icmp eq i64 %1045, %1033
+  br i1 %1054, label %1039, label %1044, !llvm.loop !22
 
-1051:                                             ; preds = %1035, %1021
-  %1052 = phi double [ %1023, %1021 ], [ %1039, %1035 ]
-  %1053 = add nuw nsw i64 %1022, 1
-  %1054 = icmp eq i64 %1053, %986
-  br i1 %1054, label %1013, label %1021, !llvm.loop !23
+1055:                                             ; preds = %1039, %1025
+  %1056 = phi double [ %1027, %1025 ], [ %1043, %1039 ]
+  %1057 = add nuw nsw i64 %1026, 1
+  %1058 = icmp eq i64 %1057, %990
+  br i1 %1058, label %1017, label %1025, !llvm.loop !23
 
-1055:                                             ; preds = %1003, %998
-  %1056 = load ptr, ptr %402, align 8
-  store double %498, ptr %1056, align 8
-  %1057 = load i64, ptr %403, align 8
-  %1058 = icmp sgt i64 %1057, 0
-  br i1 %1058, label %1059, label %1060
+1059:                                             ; preds = %1007, %1002
+  %1060 = load ptr, ptr %402, align 8
+  store double %498, ptr %1060, align 8
+  %1061 = load i64, ptr %403, align 8
+  %1062 = icmp sgt i64 %1061, 0
+  br i1 %1062, label %1063, label %1064
 
-1059:                                             ; preds = %1055
+1063:                                             ; preds = %1059
   tail call fastcc void @sample(ptr noundef nonnull %73) #8
-  br label %1060
+  br label %1064
 
-1060:                                             ; preds = %1055, %1059
-  %1061 = load ptr, ptr %102, align 8
-  %1062 = load i64, ptr %1061, align 8
-  %1063 = load ptr, ptr %404, align 8
-  %1064 = load ptr, ptr %77, align 8
-  %1065 = load ptr, ptr %405, align 8
-  %1066 = load ptr, ptr %406, align 8
-  %1067 = load ptr, ptr %400, align 8
-  %1068 = getelementptr inbounds double, ptr %1067, i64 %984
-  %1069 = inttoptr i64 %1062 to ptr
-  %1070 = tail call i32 %1069(ptr noundef %1063, ptr noundef %1064, ptr noundef %1065, ptr noundef %1066, ptr noundef %1068) #9
-  %1071 = icmp slt i32 %1070, 0
-  br i1 %1071, label %1098, label %1072
+1064:                                             ; preds = %1059, %1063
+  %1065 = load ptr, ptr %102, align 8
+  %1066 = load i64, ptr %1065, align 8
+  %1067 = load ptr, ptr %404, align 8
+  %1068 = load ptr, ptr %77, align 8
+  %1069 = load ptr, ptr %405, align 8
+  %1070 = load ptr, ptr %406, align 8
+  %1071 = load ptr, ptr %400, align 8
+  %1072 = getelementptr inbounds double, ptr %1071, i64 %988
+  %1073 = inttoptr i64 %1066 to ptr
+  %1074 = tail call i32 %1073(ptr noundef %1067, ptr noundef %1068, ptr noundef %1069, ptr noundef %1070, ptr noundef %1072) #9
+  %1075 = icmp slt i32 %1074, 0
+  br i1 %1075, label %1102, label %1076
 
-1072:                                             ; preds = %1060
-  %1073 = icmp sgt i64 %984, 0
-  br i1 %1073, label %1074, label %1079
+1076:                                             ; preds = %1064
+  %1077 = icmp sgt i64 %988, 0
+  br i1 %1077, label %1078, label %1083
 
-1074:                                             ; preds = %1072
-  %1075 = load ptr, ptr %407, align 8
-  br label %1081
+1078:                                             ; preds = %1076
+  %1079 = load ptr, ptr %407, align 8
+  br label %1085
 
-1076:                                             ; preds = %1081
-  %1077 = add nuw nsw i64 %1082, 1
-  %1078 = icmp eq i64 %1077, %984
-  br i1 %1078, label %1079, label %1081, !llvm.loop !24
+1080:                                             ; preds = %1085
+  %1081 = add nuw nsw i64 %1086, 1
+  %1082 = icmp eq i64 %1081, %988
+  br i1 %1082, label %1083, label %1085, !llvm.loop !24
 
-1079:                                             ; preds = %1076, %1072
-  %1080 = icmp sgt i64 %984, 0
-  br i1 %1080, label %1091, label %1090
+1083:                                             ; preds = %1080, %1076
+  %1084 = icmp sgt i64 %988, 0
+  br i1 %1084, label %1095, label %1094
 
-1081:                                             ; preds = %1074, %1076
-  %1082 = phi i64 [ 0, %1074 ], [ %1077, %1076 ]
-  %1083 = getelementptr inbounds double, ptr %992, i64 %1082
-  %1084 = load double, ptr %1083, align 8
-  %1085 = getelementptr inbounds i64, ptr %1075, i64 %1082
-  %1086 = load i64, ptr %1085, align 8
-  %1087 = sitofp i64 %1086 to double
-  %1088 = fmul double %1084, %1087
-  %1089 = fcmp ogt double %1088, 0.000000e+00
-  br i1 %1089, label %1076, label %1098
+1085:                                             ; preds = %1078, %1080
+  %1086 = phi i64 [ 0, %1078 ], [ %1081, %1080 ]
+  %1087 = getelementptr inbounds double, ptr %996, i64 %1086
+  %1088 = load double, ptr %1087, align 8
+  %1089 = getelementptr inbounds i64, ptr %1079, i64 %1086
+  %1090 = load i64, ptr %1089, align 8
+  %1091 = sitofp i64 %1090 to double
+  %1092 = fmul double %1088, %1091
+  %1093 = fcmp ogt double %1092, 0.000000e+00
+  br i1 %1093, label %1080, label %1102
 
-1090:                                             ; preds = %1091, %1079
-  store double %498, ptr %991, align 8
-  br label %1098
+1094:                                             ; preds = %1095, %1083
+  store double %498, ptr %995, align 8
+  br label %1102
 
-1091:                                             ; preds = %1079, %1091
-  %1092 = phi i64 [ %1096, %1091 ], [ 0, %1079 ]
-  %1093 = getelementptr inbounds double, ptr %992, i64 %1092
-  %1094 = load double, ptr %1093, align 8
-  %1095 = getelementptr inbounds double, ptr %989, i64 %1092
-  store double %1094, ptr %1095, align 8
-  %1096 = add nuw nsw i64 %1092, 1
-  %1097 = icmp eq i64 %1096, %984
-  br i1 %1097, label %1090, label %1091, !llvm.loop !25
+1095:                                             ; preds = %1083, %1095
+  %1096 = phi i64 [ %1100, %1095 ], [ 0, %1083 ]
+  %1097 = getelementptr inbounds double, ptr %996, i64 %1096
+  %1098 = load double, ptr %1097, align 8
+  %1099 = getelementptr inbounds double, ptr %993, i64 %1096
+  store double %1098, ptr %1099, align 8
+  %1100 = add nuw nsw i64 %1096, 1
+  %1101 = icmp eq i64 %1100, %988
+  br i1 %1101, label %1094, label %1095, !llvm.loop !25
 
-1098:                                             ; preds = %1013, %1081, %1090, %1060, %995, %981, %980
-  %1099 = phi i1 [ false, %980 ], [ false, %1090 ], [ true, %995 ], [ true, %981 ], [ true, %1060 ], [ true, %1081 ], [ true, %1013 ]
-  br i1 %1099, label %1142, label %1100
+1102:                                             ; preds = %1017, %1085, %1094, %1064, %999, %985, %984
+  %1103 = phi i1 [ false, %984 ], [ false, %1094 ], [ true, %999 ], [ true, %985 ], [ true, %1064 ], [ true, %1085 ], [ true, %1017 ]
+  br i1 %1103, label %1146, label %1104
 
-1100:                                             ; preds = %1098
-  %1101 = load i64, ptr %408, align 8
-  %1102 = getelementptr inbounds double, ptr %86, i64 %1101
-  %1103 = load double, ptr %1102, align 8
-  %1104 = fcmp ult double %1103, %498
-  br i1 %1104, label %1142, label %1105
+1104:                                             ; preds = %1102
+  %1105 = load i64, ptr %408, align 8
+  %1106 = getelementptr inbounds double, ptr %86, i64 %1105
+  %1107 = load double, ptr %1106, align 8
+  %1108 = fcmp ult double %1107, %498
+  br i1 %1108, label %1146, label %1109
 
-1105:                                             ; preds = %1100
-  %1106 = load ptr, ptr %73, align 8
-  %1107 = getelementptr inbounds i8, ptr %1106, i64 8
-  %1108 = load i64, ptr %1107, align 8
-  %1109 = load i64, ptr %107, align 8
-  %1110 = load ptr, ptr %85, align 8
-  %1111 = load ptr, ptr %79, align 8
-  %1112 = getelementptr inbounds i8, ptr %1111, i64 48
-  %1113 = load i64, ptr %1112, align 8
-  %1114 = icmp slt i64 %1113, %1109
-  br i1 %1114, label %1115, label %1138
+1109:                                             ; preds = %1104
+  %1110 = load ptr, ptr %73, align 8
+  %1111 = getelementptr inbounds i8, ptr %1110, i64 8
+  %1112 = load i64, ptr %1111, align 8
+  %1113 = load i64, ptr %107, align 8
+  %1114 = load ptr, ptr %85, align 8
+  %1115 = load ptr, ptr %79, align 8
+  %1116 = getelementptr inbounds i8, ptr %1115, i64 48
+  %1117 = load i64, ptr %1116, align 8
+  %1118 = icmp slt i64 %1117, %1113
+  br i1 %1118, label %1119, label %1142
 
-1115:                                             ; preds = %1105
-  %1116 = icmp sgt i64 %1108, 0
-  br label %1117
+1119:                                             ; preds = %1109
+  %1120 = icmp sgt i64 %1112, 0
+  br label %1121
 
-1117:                                             ; preds = %1115, %1128
-  %1118 = phi i64 [ %1113, %1115 ], [ %1129, %1128 ]
-  %1119 = getelementptr inbounds double, ptr %1110, i64 %1118
-  %1120 = load double, ptr %1119, align 8
-  %1121 = load ptr, ptr %75, align 8
-  %1122 = load double, ptr %1121, align 8
-  %1123 = fcmp ugt double %1120, %1122
-  br i1 %1123, label %1138, label %1124
+1121:                                             ; preds = %1119, %1132
+  %1122 = phi i64 [ %1117, %1119 ], [ %1133, %1132 ]
+  %1123 = getelementptr inbounds double, ptr %1114, i64 %1122
+  %1124 = load double, ptr %1123, align 8
+  %1125 = load ptr, ptr %75, align 8
+  %1126 = load double, ptr %1125, align 8
+  %1127 = fcmp ugt double %1124, %1126
+  br i1 %1127, label %1142, label %1128
 
-1124:                                             ; preds = %1117
-  br i1 %1116, label %1125, label %1128
+1128:                                             ; preds = %1121
+  br i1 %1120, label %1129, label %1132
 
-1125:                                             ; preds = %1124
-  %1126 = mul nsw i64 %1118, %1108
-  %1127 = getelementptr double, ptr %1, i64 %1126
-  br label %1131
+1129:                                             ; preds = %1128
+  %1130 = mul nsw i64 %1122, %1112
+  %1131 = getelementptr double, ptr %1, i64 %1130
+  br label %1135
 
-1128:                                             ; preds = %1131, %1124
-  %1129 = add i64 %1118, 1
-  %1130 = icmp eq i64 %1129, %1109
-  br i1 %1130, label %1138, label %1117, !llvm.loop !8
+1132:                                             ; preds = %1135, %1128
+  %1133 = add i64 %1122, 1
+  %1134 = icmp eq i64 %1133, %1113
+  br i1 %1134, label %1142, label %1121, !llvm.loop !8
 
-1131:                                             ; preds = %1125, %1131
-  %1132 = phi i64 [ 0, %1125 ], [ %1136, %1131 ]
-  %1133 = getelementptr inbounds double, ptr %78, i64 %1132
-  %1134 = load double, ptr %1133, align 8
-  %1135 = getelementptr double, ptr %1127, i64 %1132
-  store double %1134, ptr %1135, align 8
-  %1136 = add nuw nsw i64 %1132, 1
-  %1137 = icmp eq i64 %1136, %1108
-  br i1 %1137, label %1128, label %1131, !llvm.loop !9
+1135:                                             ; preds = %1129, %1135
+  %1136 = phi i64 [ 0, %1129 ], [ %1140, %1135 ]
+  %1137 = getelementptr inbounds double, ptr %78, i64 %1136
+  %1138 = load double, ptr %1137, align 8
+  %1139 = getelementptr double, ptr %1131, i64 %1136
+  store double %1138, ptr %1139, align 8
+  %1140 = add nuw nsw i64 %1136, 1
+  %1141 = icmp eq i64 %1140, %1112
+  br i1 %1141, label %1132, label %1135, !llvm.loop !9
 
-1138:                                             ; preds = %1117, %1128, %1105
-  %1139 = phi i64 [ %1113, %1105 ], [ %1118, %1117 ], [ %1109, %1128 ]
-  %1140 = load ptr, ptr %79, align 8
-  %1141 = getelementptr inbounds i8, ptr %1140, i64 48
-  store i64 %1139, ptr %1141, align 8
-  br label %1501
+1142:                                             ; preds = %1121, %1132, %1109
+  %1143 = phi i64 [ %1117, %1109 ], [ %1122, %1121 ], [ %1113, %1132 ]
+  %1144 = load ptr, ptr %79, align 8
+  %1145 = getelementptr inbounds i8, ptr %1144, i64 48
+  store i64 %1143, ptr %1145, align 8
+  br label %1505
 
-1142:                                             ; preds = %1100, %1098
-  %1143 = load ptr, ptr %0, align 8
-  %1144 = load ptr, ptr %73, align 8
-  %1145 = getelementptr inbounds i8, ptr %1144, i64 16
-  %1146 = load i64, ptr %1145, align 8
-  %1147 = load i64, ptr %1143, align 8
-  %1148 = load i64, ptr %409, align 8
-  %1149 = load ptr, ptr %410, align 8
-  %1150 = mul nsw i64 %1148, %1147
-  %1151 = getelementptr inbounds double, ptr %1149, i64 %1150
-  %1152 = load ptr, ptr %411, align 8
-  %1153 = add nsw i64 %1147, 1
-  %1154 = getelementptr inbounds i8, ptr %1143, i64 16
-  %1155 = load i64, ptr %1154, align 8
-  %1156 = icmp sgt i64 %1155, 0
-  br i1 %1156, label %1157, label %1211
+1146:                                             ; preds = %1104, %1102
+  %1147 = load ptr, ptr %0, align 8
+  %1148 = load ptr, ptr %73, align 8
+  %1149 = getelementptr inbounds i8, ptr %1148, i64 16
+  %1150 = load i64, ptr %1149, align 8
+  %1151 = load i64, ptr %1147, align 8
+  %1152 = load i64, ptr %409, align 8
+  %1153 = load ptr, ptr %410, align 8
+  %1154 = mul nsw i64 %1152, %1151
+  %1155 = getelementptr inbounds double, ptr %1153, i64 %1154
+  %1156 = load ptr, ptr %411, align 8
+  %1157 = add nsw i64 %1151, 1
+  %1158 = getelementptr inbounds i8, ptr %1147, i64 16
+  %1159 = load i64, ptr %1158, align 8
+  %1160 = icmp sgt i64 %1159, 0
+  br i1 %1160, label %1161, label %1215
 
-1157:                                             ; preds = %1142
-  %1158 = getelementptr inbounds i8, ptr %1143, i64 8
-  br label %1164
+1161:                                             ; preds = %1146
+  %1162 = getelementptr inbounds i8, ptr %1147, i64 8
+  br label %1168
 
-1159:                                             ; preds = %1200
-  %1160 = add nsw i64 %1167, 1
-  %1161 = load i64, ptr %1154, align 8
-  %1162 = add nsw i64 %1161, %1153
-  %1163 = icmp slt i64 %1160, %1162
-  br i1 %1163, label %1164, label %1211, !llvm.loop !26
+1163:                                             ; preds = %1204
+  %1164 = add nsw i64 %1171, 1
+  %1165 = load i64, ptr %1158, align 8
+  %1166 = add nsw i64 %1165, %1157
+  %1167 = icmp slt i64 %1164, %1166
+  br i1 %1167, label %1168, label %1215, !llvm.loop !26
 
-1164:                                             ; preds = %1157, %1159
-  %1165 = phi i1 [ %1156, %1157 ], [ %1163, %1159 ]
-  %1166 = phi i64 [ undef, %1157 ], [ %1210, %1159 ]
-  %1167 = phi i64 [ %1153, %1157 ], [ %1160, %1159 ]
-  %1168 = load i64, ptr %1158, align 8
-  %1169 = load ptr, ptr %412, align 8
-  %1170 = load ptr, ptr %74, align 8
-  %1171 = load ptr, ptr %413, align 8
-  %1172 = getelementptr i64, ptr %1171, i64 %1167
-  %1173 = getelementptr i64, ptr %1172, i64 %1168
-  %1174 = load i64, ptr %1173, align 8
-  %1175 = getelementptr i8, ptr %1173, i64 8
-  %1176 = load i64, ptr %1175, align 8
-  %1177 = xor i64 %1174, -1
-  %1178 = add i64 %1176, %1177
-  %1179 = load ptr, ptr %357, align 8
-  %1180 = load ptr, ptr %410, align 8
-  %1181 = load ptr, ptr %414, align 8
-  %1182 = getelementptr inbounds i64, ptr %1181, i64 %1174
-  %1183 = load ptr, ptr %415, align 8
-  %1184 = getelementptr inbounds double, ptr %1183, i64 %1174
-  tail call fastcc void @combine(ptr noundef %1169, ptr noundef %1170, ptr noundef %1179, ptr noundef %1180, ptr noundef %1182, ptr noundef %1184, i64 noundef %1178, i64 noundef 1, i64 noundef %1146) #8
-  %1185 = load ptr, ptr %410, align 8
-  %1186 = mul nsw i64 %1167, %1148
-  %1187 = getelementptr inbounds double, ptr %1185, i64 %1186
-  %1188 = load i64, ptr %356, align 8
-  %1189 = add nsw i64 %1188, 1
-  store i64 %1189, ptr %356, align 8
-  %1190 = load ptr, ptr %416, align 8
-  %1191 = getelementptr inbounds double, ptr %1190, i64 %1167
-  %1192 = load double, ptr %1191, align 8
-  %1193 = fmul double %497, %1192
-  %1194 = fadd double %450, %1193
-  %1195 = load ptr, ptr %412, align 8
-  %1196 = load ptr, ptr %417, align 8
-  store double %1194, ptr %1196, align 8
-  %1197 = load i64, ptr %418, align 8
-  %1198 = icmp sgt i64 %1197, 0
-  br i1 %1198, label %1199, label %1200
+1168:                                             ; preds = %1161, %1163
+  %1169 = phi i1 [ %1160, %1161 ], [ %1167, %1163 ]
+  %1170 = phi i64 [ undef, %1161 ], [ %1214, %1163 ]
+  %1171 = phi i64 [ %1157, %1161 ], [ %1164, %1163 ]
+  %1172 = load i64, ptr %1162, align 8
+  %1173 = load ptr, ptr %412, align 8
+  %1174 = load ptr, ptr %74, align 8
+  %1175 = load ptr, ptr %413, align 8
+  %1176 = getelementptr i64, ptr %1175, i64 %1171
+  %1177 = getelementptr i64, ptr %1176, i64 %1172
+  %1178 = load i64, ptr %1177, align 8
+  %1179 = getelementptr i8, ptr %1177, i64 8
+  %1180 = load i64, ptr %1179, align 8
+  %1181 = xor i64 %1178, -1
+  %1182 = add i64 %1180, %1181
+  %1183 = load ptr, ptr %357, align 8
+  %1184 = load ptr, ptr %410, align 8
+  %1185 = load ptr, ptr %414, align 8
+  %1186 = getelementptr inbounds i64, ptr %1185, i64 %1178
+  %1187 = load ptr, ptr %415, align 8
+  %1188 = getelementptr inbounds double, ptr %1187, i64 %1178
+  tail call fastcc void @combine(ptr noundef %1173, ptr noundef %1174, ptr noundef %1183, ptr noundef %1184, ptr noundef %1186, ptr noundef %1188, i64 noundef %1182, i64 noundef 1, i64 noundef %1150) #8
+  %1189 = load ptr, ptr %410, align 8
+  %1190 = mul nsw i64 %1171, %1152
+  %1191 = getelementptr inbounds double, ptr %1189, i64 %1190
+  %1192 = load i64, ptr %356, align 8
+  %1193 = add nsw i64 %1192, 1
+  store i64 %1193, ptr %356, align 8
+  %1194 = load ptr, ptr %416, align 8
+  %1195 = getelementptr inbounds double, ptr %1194, i64 %1171
+  %1196 = load double, ptr %1195, align 8
+  %1197 = fmul double %497, %1196
+  %1198 = fadd double %450, %1197
+  %1199 = load ptr, ptr %412, align 8
+  %1200 = load ptr, ptr %417, align 8
+  store double %1198, ptr %1200, align 8
+  %1201 = load i64, ptr %418, align 8
+  %1202 = icmp sgt i64 %1201, 0
+  br i1 %1202, label %1203, label %1204
 
-1199:                                             ; preds = %1164
+1203:                                             ; preds = %1168
   tail call fastcc void @sample(ptr noundef nonnull %73) #8
-  br label %1200
+  br label %1204
 
-1200:                                             ; preds = %1164, %1199
-  %1201 = load ptr, ptr %73, align 8
-  %1202 = load i64, ptr %1201, align 8
-  %1203 = load ptr, ptr %417, align 8
-  %1204 = load ptr, ptr %419, align 8
-  %1205 = load ptr, ptr %420, align 8
-  %1206 = inttoptr i64 %1202 to ptr
-  %1207 = tail call i32 %1206(ptr noundef %1203, ptr noundef %1195, ptr noundef %1204, ptr noundef %1205, ptr noundef %1187) #9
-  %1208 = sext i32 %1207 to i64
-  %1209 = icmp eq i32 %1207, 0
-  %1210 = select i1 %1209, i64 %1166, i64 %1208
-  br i1 %1209, label %1159, label %1211
+1204:                                             ; preds = %1168, %1203
+  %1205 = load ptr, ptr %73, align 8
+  %1206 = load i64, ptr %1205, align 8
+  %1207 = load ptr, ptr %417, align 8
+  %1208 = load ptr, ptr %419, align 8
+  %1209 = load ptr, ptr %420, align 8
+  %1210 = inttoptr i64 %1206 to ptr
+  %1211 = tail call i32 %1210(ptr noundef %1207, ptr noundef %1199, ptr noundef %1208, ptr noundef %1209, ptr noundef %1191) #9
+  %1212 = sext i32 %1211 to i64
+  %1213 = icmp eq i32 %1211, 0
+  %1214 = select i1 %1213, i64 %1170, i64 %1212
+  br i1 %1213, label %1163, label %1215
 
-1211:                                             ; preds = %1159, %1200, %1142
-  %1212 = phi i1 [ %1156, %1142 ], [ %1163, %1159 ], [ %1165, %1200 ]
-  %1213 = phi i64 [ 0, %1142 ], [ %1208, %1200 ], [ %1208, %1159 ]
-  %1214 = phi i64 [ undef, %1142 ], [ %1210, %1200 ], [ %1210, %1159 ]
-  %1215 = getelementptr inbounds i8, ptr %1143, i64 16
-  br i1 %1212, label %1284, label %1216
+1215:                                             ; preds = %1163, %1204, %1146
+  %1216 = phi i1 [ %1160, %1146 ], [ %1167, %1163 ], [ %1169, %1204 ]
+  %1217 = phi i64 [ 0, %1146 ], [ %1212, %1204 ], [ %1212, %1163 ]
+  %1218 = phi i64 [ undef, %1146 ], [ %1214, %1204 ], [ %1214, %1163 ]
+  %1219 = getelementptr inbounds i8, ptr %1147, i64 16
+  br i1 %1216, label %1288, label %1220
 
-1216:                                             ; preds = %1211
-  %1217 = load ptr, ptr %73, align 8
-  %1218 = getelementptr inbounds i8, ptr %1217, i64 8
-  %1219 = load i64, ptr %1218, align 8
-  %1220 = icmp sgt i64 %1219, 0
-  br i1 %1220, label %1221, label %1225
+1220:                                             ; preds = %1215
+  %1221 = load ptr, ptr %73, align 8
+  %1222 = getelementptr inbounds i8, ptr %1221, i64 8
+  %1223 = load i64, ptr %1222, align 8
+  %1224 = icmp sgt i64 %1223, 0
+  br i1 %1224, label %1225, label %1229
 
-1221:                                             ; preds = %1216
-  %1222 = getelementptr inbounds double, ptr %1152, i64 %1148
-  %1223 = shl nsw i64 %1148, 4
-  %1224 = getelementptr inbounds i8, ptr %1152, i64 %1223
-  br label %1232
+1225:                                             ; preds = %1220
+  %1226 = getelementptr inbounds double, ptr %1156, i64 %1152
+  %1227 = shl nsw i64 %1152, 4
+  %1228 = getelementptr inbounds i8, ptr %1156, i64 %1227
+  br label %1236
 
-1225:                                             ; preds = %1232, %1216
-  %1226 = getelementptr inbounds i8, ptr %1143, i64 8
-  %1227 = load i64, ptr %1226, align 8
-  %1228 = load i64, ptr %1215, align 8
-  %1229 = getelementptr inbounds i8, ptr %1143, i64 24
-  %1230 = load i64, ptr %1229, align 8
-  %1231 = icmp sgt i64 %1230, 3
-  br i1 %1231, label %1259, label %1284
+1229:                                             ; preds = %1236, %1220
+  %1230 = getelementptr inbounds i8, ptr %1147, i64 8
+  %1231 = load i64, ptr %1230, align 8
+  %1232 = load i64, ptr %1219, align 8
+  %1233 = getelementptr inbounds i8, ptr %1147, i64 24
+  %1234 = load i64, ptr %1233, align 8
+  %1235 = icmp sgt i64 %1234, 3
+  br i1 %1235, label %1263, label %1288
 
-1232:                                             ; preds = %1221, %1232
-  %1233 = phi i64 [ 0, %1221 ], [ %1254, %1232 ]
-  %1234 = load ptr, ptr %421, align 8
-  %1235 = getelementptr inbounds double, ptr %1234, i64 %1233
-  %1236 = load double, ptr %1235, align 8
-  %1237 = load ptr, ptr %74, align 8
-  %1238 = getelementptr inbounds double, ptr %1237, i64 %1233
-  %1239 = load double, ptr %1238, align 8
-  %1240 = fsub double %1236, %1239
-  %1241 = load ptr, ptr %410, align 8
-  %1242 = getelementptr inbounds double, ptr %1241, i64 %1233
+1236:                                             ; preds = %1225, %1236
+  %1237 = phi i64 [ 0, %1225 ], [ %1258, %1236 ]
+  %1238 = load ptr, ptr %421, align 8
+  %1239 = getelementptr inbounds double, ptr %1238, i64 %1237
+  %1240 = load double, ptr %1239, align 8
+  %1241 = load ptr, ptr %74, align 8
+  %1242 = getelementptr inbounds double, ptr %1241, i64 %1237
   %1243 = load double, ptr %1242, align 8
-  %1244 = fmul double %497, %1243
-  %1245 = fsub double %1244, %1240
-  %1246 = getelementptr inbounds double, ptr %1152, i64 %1233
-  store double %1240, ptr %1246, align 8
-  %1247 = getelementptr inbounds double, ptr %1222, i64 %1233
-  store double %1245, ptr %1247, align 8
-  %1248 = fsub double %1240, %1245
-  %1249 = getelementptr inbounds double, ptr %1151, i64 %1233
-  %1250 = load double, ptr %1249, align 8
-  %1251 = fmul double %497, %1250
-  %1252 = fsub double %1248, %1251
-  %1253 = getelementptr inbounds double, ptr %1224, i64 %1233
-  store double %1252, ptr %1253, align 8
-  %1254 = add nuw nsw i64 %1233, 1
-  %1255 = load ptr, ptr %73, align 8
-  %1256 = getelementptr inbounds i8, ptr %1255, i64 8
-  %1257 = load i64, ptr %1256, align 8
-  %1258 = icmp slt i64 %1254, %1257
-  br i1 %1258, label %1232, label %1225, !llvm.loop !27
+  %1244 = fsub double %1240, %1243
+  %1245 = load ptr, ptr %410, align 8
+  %1246 = getelementptr inbounds double, ptr %1245, i64 %1237
+  %1247 = load double, ptr %1246, align 8
+  %1248 = fmul double %497, %1247
+  %1249 = fsub double %1248, %1244
+  %1250 = getelementptr inbounds double, ptr %1156, i64 %1237
+  store double %1244, ptr %1250, align 8
+  %1251 = getelementptr inbounds double, ptr %1226, i64 %1237
+  store double %1249, ptr %1251, align 8
+  %1252 = fsub double %1244, %1249
+  %1253 = getelementptr inbounds double, ptr %1155, i64 %1237
+  %1254 = load double, ptr %1253, align 8
+  %1255 = fmul double %497, %1254
+  %1256 = fsub double %1252, %1255
+  %1257 = getelementptr inbounds double, ptr %1228, i64 %1237
+  store double %1256, ptr %1257, align 8
+  %1258 = add nuw nsw i64 %1237, 1
+  %1259 = load ptr, ptr %73, align 8
+  %1260 = getelementptr inbounds i8, ptr %1259, i64 8
+  %1261 = load i64, ptr %1260, align 8
+  %1262 = icmp slt i64 %1258, %1261
+  br i1 %1262, label %1236, label %1229, !llvm.loop !27
 
-1259:                                             ; preds = %1225, %1259
-  %1260 = phi i64 [ %1281, %1259 ], [ 3, %1225 ]
-  %1261 = mul nsw i64 %1260, %1148
-  %1262 = getelementptr inbounds double, ptr %1152, i64 %1261
-  %1263 = load ptr, ptr %422, align 8
-  %1264 = load ptr, ptr %423, align 8
-  %1265 = getelementptr i64, ptr %1264, i64 %1153
-  %1266 = getelementptr i64, ptr %1265, i64 %1227
-  %1267 = getelementptr i64, ptr %1266, i64 %1228
-  %1268 = getelementptr i64, ptr %1267, i64 %1260
-  %1269 = getelementptr i8, ptr %1268, i64 -24
-  %1270 = load i64, ptr %1269, align 8
-  %1271 = getelementptr i8, ptr %1268, i64 -16
-  %1272 = load i64, ptr %1271, align 8
-  %1273 = xor i64 %1270, -1
-  %1274 = add i64 %1272, %1273
-  %1275 = load ptr, ptr %357, align 8
-  %1276 = load ptr, ptr %410, align 8
-  %1277 = load ptr, ptr %424, align 8
-  %1278 = getelementptr inbounds i64, ptr %1277, i64 %1270
-  %1279 = load ptr, ptr %425, align 8
-  %1280 = getelementptr inbounds double, ptr %1279, i64 %1270
-  tail call fastcc void @combine(ptr noundef %1262, ptr noundef %1263, ptr noundef %1275, ptr noundef %1276, ptr noundef %1278, ptr noundef %1280, i64 noundef %1274, i64 noundef 1, i64 noundef %1146) #8
-  %1281 = add nuw nsw i64 %1260, 1
-  %1282 = load i64, ptr %1229, align 8
-  %1283 = icmp slt i64 %1281, %1282
-  br i1 %1283, label %1259, label %1284, !llvm.loop !28
+1263:                                             ; preds = %1229, %1263
+  %1264 = phi i64 [ %1285, %1263 ], [ 3, %1229 ]
+  %1265 = mul nsw i64 %1264, %1152
+  %1266 = getelementptr inbounds double, ptr %1156, i64 %1265
+  %1267 = load ptr, ptr %422, align 8
+  %1268 = load ptr, ptr %423, align 8
+  %1269 = getelementptr i64, ptr %1268, i64 %1157
+  %1270 = getelementptr i64, ptr %1269, i64 %1231
+  %1271 = getelementptr i64, ptr %1270, i64 %1232
+  %1272 = getelementptr i64, ptr %1271, i64 %1264
+  %1273 = getelementptr i8, ptr %1272, i64 -24
+  %1274 = load i64, ptr %1273, align 8
+  %1275 = getelementptr i8, ptr %1272, i64 -16
+  %1276 = load i64, ptr %1275, align 8
+  %1277 = xor i64 %1274, -1
+  %1278 = add i64 %1276, %1277
+  %1279 = load ptr, ptr %357, align 8
+  %1280 = load ptr, ptr %410, align 8
+  %1281 = load ptr, ptr %424, align 8
+  %1282 = getelementptr inbounds i64, ptr %1281, i64 %1274
+  %1283 = load ptr, ptr %425, align 8
+  %1284 = getelementptr inbounds double, ptr %1283, i64 %1274
+  tail call fastcc void @combine(ptr noundef %1266, ptr noundef %1267, ptr noundef %1279, ptr noundef %1280, ptr noundef %1282, ptr noundef %1284, i64 noundef %1278, i64 noundef 1, i64 noundef %1150) #8
+  %1285 = add nuw nsw i64 %1264, 1
+  %1286 = load i64, ptr %1233, align 8
+  %1287 = icmp slt i64 %1285, %1286
+  br i1 %1287, label %1263, label %1288, !llvm.loop !28
 
-1284:                                             ; preds = %1259, %1225, %1211
-  %1285 = phi i64 [ %1214, %1211 ], [ %1213, %1225 ], [ %1213, %1259 ]
-  %1286 = icmp eq i64 %1285, 0
-  br i1 %1286, label %1290, label %1287
+1288:                                             ; preds = %1263, %1229, %1215
+  %1289 = phi i64 [ %1218, %1215 ], [ %1217, %1229 ], [ %1217, %1263 ]
+  %1290 = icmp eq i64 %1289, 0
+  br i1 %1290, label %1294, label %1291
 
-1287:                                             ; preds = %1284
+1291:                                             ; preds = %1288
   store i64 3, ptr %426, align 8
   store double %450, ptr %76, align 8
-  %1288 = icmp slt i64 %1285, 0
-  %1289 = select i1 %1288, i64 -4, i64 2
-  br label %1624
+  %1292 = icmp slt i64 %1289, 0
+  %1293 = select i1 %1292, i64 -4, i64 2
+  br label %1628
 
-1290:                                             ; preds = %1284
-  %1291 = load ptr, ptr %75, align 8
-  br i1 %1099, label %1292, label %1303
+1294:                                             ; preds = %1288
+  %1295 = load ptr, ptr %75, align 8
+  br i1 %1103, label %1296, label %1307
 
-1292:                                             ; preds = %1290
-  %1293 = load ptr, ptr %102, align 8
-  %1294 = getelementptr inbounds i8, ptr %1293, i64 16
-  %1295 = load i64, ptr %1294, align 8
-  %1296 = inttoptr i64 %1295 to ptr
-  %1297 = tail call i64 %1296(ptr noundef %0, double noundef %450, double noundef %497) #9
-  %1298 = icmp eq i64 %1297, -6
-  br i1 %1298, label %1299, label %1300
+1296:                                             ; preds = %1294
+  %1297 = load ptr, ptr %102, align 8
+  %1298 = getelementptr inbounds i8, ptr %1297, i64 16
+  %1299 = load i64, ptr %1298, align 8
+  %1300 = inttoptr i64 %1299 to ptr
+  %1301 = tail call i64 %1300(ptr noundef %0, double noundef %450, double noundef %497) #9
+  %1302 = icmp eq i64 %1301, -6
+  br i1 %1302, label %1303, label %1304
 
-1299:                                             ; preds = %1292
-  store double %450, ptr %1291, align 8
-  br label %1478
+1303:                                             ; preds = %1296
+  store double %450, ptr %1295, align 8
+  br label %1482
 
-1300:                                             ; preds = %1292
-  %1301 = getelementptr inbounds i8, ptr %1291, i64 48
-  %1302 = load double, ptr %1301, align 8
-  br label %1303
+1304:                                             ; preds = %1296
+  %1305 = getelementptr inbounds i8, ptr %1295, i64 48
+  %1306 = load double, ptr %1305, align 8
+  br label %1307
 
-1303:                                             ; preds = %1300, %1290
-  %1304 = phi double [ %1302, %1300 ], [ 1.000000e+00, %1290 ]
-  %1305 = phi i64 [ %1297, %1300 ], [ 0, %1290 ]
-  %1306 = fcmp oeq double %1304, 1.000000e+00
-  br i1 %1306, label %1307, label %1309
+1307:                                             ; preds = %1304, %1294
+  %1308 = phi double [ %1306, %1304 ], [ 1.000000e+00, %1294 ]
+  %1309 = phi i64 [ %1301, %1304 ], [ 0, %1294 ]
+  %1310 = fcmp oeq double %1308, 1.000000e+00
+  br i1 %1310, label %1311, label %1313
 
-1307:                                             ; preds = %1303
-  %1308 = load double, ptr %1291, align 8
-  br label %1312
+1311:                                             ; preds = %1307
+  %1312 = load double, ptr %1295, align 8
+  br label %1316
 
-1309:                                             ; preds = %1303
-  %1310 = fmul double %497, %1304
-  %1311 = fadd double %450, %1310
-  br label %1312
+1313:                                             ; preds = %1307
+  %1314 = fmul double %497, %1308
+  %1315 = fadd double %450, %1314
+  br label %1316
 
-1312:                                             ; preds = %1309, %1307
-  %1313 = phi double [ %1308, %1307 ], [ %1311, %1309 ]
-  %1314 = icmp eq i64 %1305, -4
-  %1315 = select i1 %1314, i64 -4, i64 0
-  br i1 %1314, label %1373, label %1316
+1316:                                             ; preds = %1313, %1311
+  %1317 = phi double [ %1312, %1311 ], [ %1315, %1313 ]
+  %1318 = icmp eq i64 %1309, -4
+  %1319 = select i1 %1318, i64 -4, i64 0
+  br i1 %1318, label %1377, label %1320
 
-1316:                                             ; preds = %1312
-  %1317 = fcmp olt double %1304, 1.000000e+00
-  %1318 = load ptr, ptr %73, align 8
-  %1319 = getelementptr inbounds i8, ptr %1318, i64 8
-  %1320 = load i64, ptr %1319, align 8
-  %1321 = load i64, ptr %107, align 8
-  %1322 = load ptr, ptr %85, align 8
-  %1323 = load ptr, ptr %79, align 8
-  %1324 = getelementptr inbounds i8, ptr %1323, i64 48
-  %1325 = load i64, ptr %1324, align 8
-  %1326 = icmp slt i64 %1325, %1321
-  br i1 %1326, label %1327, label %1369
+1320:                                             ; preds = %1316
+  %1321 = fcmp olt double %1308, 1.000000e+00
+  %1322 = load ptr, ptr %73, align 8
+  %1323 = getelementptr inbounds i8, ptr %1322, i64 8
+  %1324 = load i64, ptr %1323, align 8
+  %1325 = load i64, ptr %107, align 8
+  %1326 = load ptr, ptr %85, align 8
+  %1327 = load ptr, ptr %79, align 8
+  %1328 = getelementptr inbounds i8, ptr %1327, i64 48
+  %1329 = load i64, ptr %1328, align 8
+  %1330 = icmp slt i64 %1329, %1325
+  br i1 %1330, label %1331, label %1373
 
-1327:                                             ; preds = %1316, %1365
-  %1328 = phi i64 [ %1366, %1365 ], [ undef, %1316 ]
-  %1329 = phi i64 [ %1367, %1365 ], [ %1325, %1316 ]
-  %1330 = getelementptr inbounds double, ptr %1322, i64 %1329
-  %1331 = load double, ptr %1330, align 8
-  %1332 = fcmp olt double %1331, %1313
-  %1333 = fcmp oeq double %1331, %1313
-  %1334 = and i1 %1317, %1333
-  %1335 = or i1 %1332, %1334
-  br i1 %1335, label %1336, label %1369
+1331:                                             ; preds = %1320, %1369
+  %1332 = phi i64 [ %1370, %1369 ], [ undef, %1320 ]
+  %1333 = phi i64 [ %1371, %1369 ], [ %1329, %1320 ]
+  %1334 = getelementptr inbounds double, ptr %1326, i64 %1333
+  %1335 = load double, ptr %1334, align 8
+  %1336 = fcmp olt double %1335, %1317
+  %1337 = fcmp oeq double %1335, %1317
+  %1338 = and i1 %1321, %1337
+  %1339 = or i1 %1336, %1338
+  br i1 %1339, label %1340, label %1373
 
-1336:                                             ; preds = %1327
-  %1337 = fsub double %1331, %450
-  %1338 = fdiv double %1337, %497
-  %1339 = mul nsw i64 %1329, %1320
-  %1340 = getelementptr inbounds double, ptr %1, i64 %1339
-  %1341 = load ptr, ptr %427, align 8
-  %1342 = insertelement <8 x double> poison, double %1338, i64 0
-  %1343 = shufflevector <8 x double> %1342, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %1343, ptr %1341, align 8
-  %1344 = load ptr, ptr %74, align 8
-  %1345 = load ptr, ptr %411, align 8
-  %1346 = load i64, ptr %409, align 8
-  %1347 = load ptr, ptr %0, align 8
-  %1348 = getelementptr inbounds i8, ptr %1347, i64 24
-  %1349 = load i64, ptr %1348, align 8
-  %1350 = load ptr, ptr %427, align 8
-  %1351 = load ptr, ptr %73, align 8
-  %1352 = getelementptr inbounds i8, ptr %1351, i64 16
+1340:                                             ; preds = %1331
+  %1341 = fsub double %1335, %450
+  %1342 = fdiv double %1341, %497
+  %1343 = mul nsw i64 %1333, %1324
+  %1344 = getelementptr inbounds double, ptr %1, i64 %1343
+  %1345 = load ptr, ptr %427, align 8
+  %1346 = insertelement <8 x double> poison, double %1342, i64 0
+  %1347 = shufflevector <8 x double> %1346, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %1347, ptr %1345, align 8
+  %1348 = load ptr, ptr %74, align 8
+  %1349 = load ptr, ptr %411, align 8
+  %1350 = load i64, ptr %409, align 8
+  %1351 = load ptr, ptr %0, align 8
+  %1352 = getelementptr inbounds i8, ptr %1351, i64 24
   %1353 = load i64, ptr %1352, align 8
-  tail call fastcc void @nested(ptr noundef %1340, ptr noundef %1344, ptr noundef %1345, i64 noundef %1346, i64 noundef %1349, ptr noundef %1350, i64 noundef %1353) #8
-  %1354 = load ptr, ptr %92, align 8
-  %1355 = load i64, ptr %1354, align 8
-  %1356 = icmp eq i64 %1355, 1
-  br i1 %1356, label %1357, label %1365
+  %1354 = load ptr, ptr %427, align 8
+  %1355 = load ptr, ptr %73, align 8
+  %1356 = getelementptr inbounds i8, ptr %1355, i64 16
+  %1357 = load i64, ptr %1356, align 8
+  tail call fastcc void @nested(ptr noundef %1344, ptr noundef %1348, ptr noundef %1349, i64 noundef %1350, i64 noundef %1353, ptr noundef %1354, i64 noundef %1357) #8
+  %1358 = load ptr, ptr %92, align 8
+  %1359 = load i64, ptr %1358, align 8
+  %1360 = icmp eq i64 %1359, 1
+  br i1 %1360, label %1361, label %1369
 
-1357:                                             ; preds = %1336
-  %1358 = load double, ptr %1330, align 8
-  %1359 = getelementptr inbounds i8, ptr %1354, i64 56
-  %1360 = load i64, ptr %1359, align 8
-  %1361 = inttoptr i64 %1360 to ptr
-  %1362 = tail call i64 %1361(ptr noundef %0, double noundef %1358, ptr noundef %1340) #9
-  %1363 = icmp eq i64 %1362, 0
-  %1364 = select i1 %1363, i64 %1328, i64 %1362
-  br i1 %1363, label %1365, label %1373
+1361:                                             ; preds = %1340
+  %1362 = load double, ptr %1334, align 8
+  %1363 = getelementptr inbounds i8, ptr %1358, i64 56
+  %1364 = load i64, ptr %1363, align 8
+  %1365 = inttoptr i64 %1364 to ptr
+  %1366 = tail call i64 %1365(ptr noundef %0, double noundef %1362, ptr noundef %1344, ptr noundef null) #9
+  %1367 = icmp eq i64 %1366, 0
+  %1368 = select i1 %1367, i64 %1332, i64 %1366
+  br i1 %1367, label %1369, label %1377
 
-1365:                                             ; preds = %1357, %1336
-  %1366 = phi i64 [ %1364, %1357 ], [ %1328, %1336 ]
-  %1367 = add i64 %1329, 1
-  %1368 = icmp eq i64 %1367, %1321
-  br i1 %1368, label %1369, label %1327, !llvm.loop !29
+1369:                                             ; preds = %1361, %1340
+  %1370 = phi i64 [ %1368, %1361 ], [ %1332, %1340 ]
+  %1371 = add i64 %1333, 1
+  %1372 = icmp eq i64 %1371, %1325
+  br i1 %1372, label %1373, label %1331, !llvm.loop !29
 
-1369:                                             ; preds = %1365, %1327, %1316
-  %1370 = phi i64 [ %1325, %1316 ], [ %1321, %1365 ], [ %1329, %1327 ]
-  %1371 = load ptr, ptr %79, align 8
-  %1372 = getelementptr inbounds i8, ptr %1371, i64 48
-  store i64 %1370, ptr %1372, align 8
-  br label %1373
+1373:                                             ; preds = %1369, %1331, %1320
+  %1374 = phi i64 [ %1329, %1320 ], [ %1325, %1369 ], [ %1333, %1331 ]
+  %1375 = load ptr, ptr %79, align 8
+  %1376 = getelementptr inbounds i8, ptr %1375, i64 48
+  store i64 %1374, ptr %1376, align 8
+  br label %1377
 
-1373:                                             ; preds = %1357, %1369, %1312
-  %1374 = phi i64 [ %1315, %1312 ], [ 0, %1369 ], [ %1364, %1357 ]
-  %1375 = icmp eq i64 %1374, 0
-  %1376 = icmp ne i64 %1305, 0
-  %1377 = fcmp olt double %1304, 1.000000e+00
-  %1378 = and i1 %1377, %1375
-  %1379 = and i1 %1376, %1378
-  br i1 %1379, label %1380, label %1417
+1377:                                             ; preds = %1361, %1373, %1316
+  %1378 = phi i64 [ %1319, %1316 ], [ 0, %1373 ], [ %1368, %1361 ]
+  %1379 = icmp eq i64 %1378, 0
+  %1380 = icmp ne i64 %1309, 0
+  %1381 = fcmp olt double %1308, 1.000000e+00
+  %1382 = and i1 %1381, %1379
+  %1383 = and i1 %1380, %1382
+  br i1 %1383, label %1384, label %1421
 
-1380:                                             ; preds = %1373
-  %1381 = load ptr, ptr %428, align 8
-  %1382 = load ptr, ptr %429, align 8
-  %1383 = insertelement <8 x double> poison, double %1304, i64 0
-  %1384 = shufflevector <8 x double> %1383, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %1384, ptr %1382, align 8
-  %1385 = load ptr, ptr %74, align 8
-  %1386 = load ptr, ptr %411, align 8
-  %1387 = load i64, ptr %409, align 8
-  %1388 = load ptr, ptr %0, align 8
-  %1389 = getelementptr inbounds i8, ptr %1388, i64 24
-  %1390 = load i64, ptr %1389, align 8
-  %1391 = load ptr, ptr %429, align 8
-  %1392 = load ptr, ptr %73, align 8
-  %1393 = getelementptr inbounds i8, ptr %1392, i64 16
+1384:                                             ; preds = %1377
+  %1385 = load ptr, ptr %428, align 8
+  %1386 = load ptr, ptr %429, align 8
+  %1387 = insertelement <8 x double> poison, double %1308, i64 0
+  %1388 = shufflevector <8 x double> %1387, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %1388, ptr %1386, align 8
+  %1389 = load ptr, ptr %74, align 8
+  %1390 = load ptr, ptr %411, align 8
+  %1391 = load i64, ptr %409, align 8
+  %1392 = load ptr, ptr %0, align 8
+  %1393 = getelementptr inbounds i8, ptr %1392, i64 24
   %1394 = load i64, ptr %1393, align 8
-  tail call fastcc void @nested(ptr noundef %1381, ptr noundef %1385, ptr noundef %1386, i64 noundef %1387, i64 noundef %1390, ptr noundef %1391, i64 noundef %1394) #8
-  %1395 = load i64, ptr %90, align 8
-  %1396 = icmp sgt i64 %1395, 0
-  br i1 %1396, label %1401, label %1397
+  %1395 = load ptr, ptr %429, align 8
+  %1396 = load ptr, ptr %73, align 8
+  %1397 = getelementptr inbounds i8, ptr %1396, i64 16
+  %1398 = load i64, ptr %1397, align 8
+  tail call fastcc void @nested(ptr noundef %1385, ptr noundef %1389, ptr noundef %1390, i64 noundef %1391, i64 noundef %1394, ptr noundef %1395, i64 noundef %1398) #8
+  %1399 = load i64, ptr %90, align 8
+  %1400 = icmp sgt i64 %1399, 0
+  br i1 %1400, label %1405, label %1401
 
-1397:                                             ; preds = %1401, %1380
-  %1398 = load ptr, ptr %92, align 8
-  %1399 = load i64, ptr %1398, align 8
-  %1400 = icmp eq i64 %1399, 1
-  br i1 %1400, label %1411, label %1417
+1401:                                             ; preds = %1405, %1384
+  %1402 = load ptr, ptr %92, align 8
+  %1403 = load i64, ptr %1402, align 8
+  %1404 = icmp eq i64 %1403, 1
+  br i1 %1404, label %1415, label %1421
 
-1401:                                             ; preds = %1380, %1401
-  %1402 = phi i64 [ %1408, %1401 ], [ 0, %1380 ]
-  %1403 = load ptr, ptr %428, align 8
-  %1404 = getelementptr inbounds double, ptr %1403, i64 %1402
-  %1405 = load double, ptr %1404, align 8
-  %1406 = load ptr, ptr %77, align 8
-  %1407 = getelementptr inbounds double, ptr %1406, i64 %1402
-  store double %1405, ptr %1407, align 8
-  %1408 = add nuw nsw i64 %1402, 1
-  %1409 = load i64, ptr %90, align 8
-  %1410 = icmp slt i64 %1408, %1409
-  br i1 %1410, label %1401, label %1397, !llvm.loop !30
+1405:                                             ; preds = %1384, %1405
+  %1406 = phi i64 [ %1412, %1405 ], [ 0, %1384 ]
+  %1407 = load ptr, ptr %428, align 8
+  %1408 = getelementptr inbounds double, ptr %1407, i64 %1406
+  %1409 = load double, ptr %1408, align 8
+  %1410 = load ptr, ptr %77, align 8
+  %1411 = getelementptr inbounds double, ptr %1410, i64 %1406
+  store double %1409, ptr %1411, align 8
+  %1412 = add nuw nsw i64 %1406, 1
+  %1413 = load i64, ptr %90, align 8
+  %1414 = icmp slt i64 %1412, %1413
+  br i1 %1414, label %1405, label %1401, !llvm.loop !30
 
-1411:                                             ; preds = %1397
-  %1412 = load ptr, ptr %77, align 8
-  %1413 = getelementptr inbounds i8, ptr %1398, i64 56
-  %1414 = load i64, ptr %1413, align 8
-  %1415 = inttoptr i64 %1414 to ptr
-  %1416 = tail call i64 %1415(ptr noundef %0, double noundef %1313, ptr noundef %1412) #9
-  br label %1417
+1415:                                             ; preds = %1401
+  %1416 = load ptr, ptr %77, align 8
+  %1417 = getelementptr inbounds i8, ptr %1402, i64 56
+  %1418 = load i64, ptr %1417, align 8
+  %1419 = inttoptr i64 %1418 to ptr
+  %1420 = tail call i64 %1419(ptr noundef %0, double noundef %1317, ptr noundef %1416, ptr noundef null) #9
+  br label %1421
 
-1417:                                             ; preds = %1411, %1397, %1373
-  %1418 = phi i64 [ %1416, %1411 ], [ 0, %1397 ], [ %1374, %1373 ]
-  %1419 = icmp eq i64 %1418, 0
-  br i1 %1419, label %1422, label %1420
+1421:                                             ; preds = %1415, %1401, %1377
+  %1422 = phi i64 [ %1420, %1415 ], [ 0, %1401 ], [ %1378, %1377 ]
+  %1423 = icmp eq i64 %1422, 0
+  br i1 %1423, label %1426, label %1424
 
-1420:                                             ; preds = %1417
-  store double %450, ptr %1291, align 8
-  %1421 = getelementptr inbounds i8, ptr %1291, i64 8
-  store double %497, ptr %1421, align 8
-  br label %1478
+1424:                                             ; preds = %1421
+  store double %450, ptr %1295, align 8
+  %1425 = getelementptr inbounds i8, ptr %1295, i64 8
+  store double %497, ptr %1425, align 8
+  br label %1482
 
-1422:                                             ; preds = %1417
-  br i1 %1306, label %1423, label %1461
+1426:                                             ; preds = %1421
+  br i1 %1310, label %1427, label %1465
 
-1423:                                             ; preds = %1422
-  %1424 = load ptr, ptr %77, align 8
-  %1425 = load ptr, ptr %73, align 8
-  %1426 = getelementptr inbounds i8, ptr %1425, i64 8
-  %1427 = load i64, ptr %1426, align 8
-  %1428 = load i64, ptr %107, align 8
-  %1429 = load ptr, ptr %85, align 8
-  %1430 = load ptr, ptr %79, align 8
-  %1431 = getelementptr inbounds i8, ptr %1430, i64 48
-  %1432 = load i64, ptr %1431, align 8
-  %1433 = icmp slt i64 %1432, %1428
-  br i1 %1433, label %1434, label %1457
+1427:                                             ; preds = %1426
+  %1428 = load ptr, ptr %77, align 8
+  %1429 = load ptr, ptr %73, align 8
+  %1430 = getelementptr inbounds i8, ptr %1429, i64 8
+  %1431 = load i64, ptr %1430, align 8
+  %1432 = load i64, ptr %107, align 8
+  %1433 = load ptr, ptr %85, align 8
+  %1434 = load ptr, ptr %79, align 8
+  %1435 = getelementptr inbounds i8, ptr %1434, i64 48
+  %1436 = load i64, ptr %1435, align 8
+  %1437 = icmp slt i64 %1436, %1432
+  br i1 %1437, label %1438, label %1461
 
-1434:                                             ; preds = %1423
-  %1435 = icmp sgt i64 %1427, 0
-  br label %1436
+1438:                                             ; preds = %1427
+  %1439 = icmp sgt i64 %1431, 0
+  br label %1440
 
-1436:                                             ; preds = %1434, %1447
-  %1437 = phi i64 [ %1432, %1434 ], [ %1448, %1447 ]
-  %1438 = getelementptr inbounds double, ptr %1429, i64 %1437
-  %1439 = load double, ptr %1438, align 8
-  %1440 = load ptr, ptr %75, align 8
-  %1441 = load double, ptr %1440, align 8
-  %1442 = fcmp ugt double %1439, %1441
-  br i1 %1442, label %1457, label %1443
+1440:                                             ; preds = %1438, %1451
+  %1441 = phi i64 [ %1436, %1438 ], [ %1452, %1451 ]
+  %1442 = getelementptr inbounds double, ptr %1433, i64 %1441
+  %1443 = load double, ptr %1442, align 8
+  %1444 = load ptr, ptr %75, align 8
+  %1445 = load double, ptr %1444, align 8
+  %1446 = fcmp ugt double %1443, %1445
+  br i1 %1446, label %1461, label %1447
 
-1443:                                             ; preds = %1436
-  br i1 %1435, label %1444, label %1447
+1447:                                             ; preds = %1440
+  br i1 %1439, label %1448, label %1451
 
-1444:                                             ; preds = %1443
-  %1445 = mul nsw i64 %1437, %1427
-  %1446 = getelementptr double, ptr %1, i64 %1445
-  br label %1450
+1448:                                             ; preds = %1447
+  %1449 = mul nsw i64 %1441, %1431
+  %1450 = getelementptr double, ptr %1, i64 %1449
+  br label %1454
 
-1447:                                             ; preds = %1450, %1443
-  %1448 = add i64 %1437, 1
-  %1449 = icmp eq i64 %1448, %1428
-  br i1 %1449, label %1457, label %1436, !llvm.loop !8
+1451:                                             ; preds = %1454, %1447
+  %1452 = add i64 %1441, 1
+  %1453 = icmp eq i64 %1452, %1432
+  br i1 %1453, label %1461, label %1440, !llvm.loop !8
 
-1450:                                             ; preds = %1444, %1450
-  %1451 = phi i64 [ 0, %1444 ], [ %1455, %1450 ]
-  %1452 = getelementptr inbounds double, ptr %1424, i64 %1451
-  %1453 = load double, ptr %1452, align 8
-  %1454 = getelementptr double, ptr %1446, i64 %1451
-  store double %1453, ptr %1454, align 8
-  %1455 = add nuw nsw i64 %1451, 1
-  %1456 = icmp eq i64 %1455, %1427
-  br i1 %1456, label %1447, label %1450, !llvm.loop !9
+1454:                                             ; preds = %1448, %1454
+  %1455 = phi i64 [ 0, %1448 ], [ %1459, %1454 ]
+  %1456 = getelementptr inbounds double, ptr %1428, i64 %1455
+  %1457 = load double, ptr %1456, align 8
+  %1458 = getelementptr double, ptr %1450, i64 %1455
+  store double %1457, ptr %1458, align 8
+  %1459 = add nuw nsw i64 %1455, 1
+  %1460 = icmp eq i64 %1459, %1431
+  br i1 %1460, label %1451, label %1454, !llvm.loop !9
 
-1457:                                             ; preds = %1447, %1436, %1423
-  %1458 = phi i64 [ %1432, %1423 ], [ %1428, %1447 ], [ %1437, %1436 ]
-  %1459 = load ptr, ptr %79, align 8
-  %1460 = getelementptr inbounds i8, ptr %1459, i64 48
-  store i64 %1458, ptr %1460, align 8
-  br label %1461
+1461:                                             ; preds = %1451, %1440, %1427
+  %1462 = phi i64 [ %1436, %1427 ], [ %1432, %1451 ], [ %1441, %1440 ]
+  %1463 = load ptr, ptr %79, align 8
+  %1464 = getelementptr inbounds i8, ptr %1463, i64 48
+  store i64 %1462, ptr %1464, align 8
+  br label %1465
 
-1461:                                             ; preds = %1457, %1422
-  br i1 %1376, label %1462, label %1478
+1465:                                             ; preds = %1461, %1426
+  br i1 %1380, label %1466, label %1482
 
-1462:                                             ; preds = %1461
-  %1463 = load i64, ptr %90, align 8
-  %1464 = icmp sgt i64 %1463, 0
-  br i1 %1464, label %1468, label %1465
+1466:                                             ; preds = %1465
+  %1467 = load i64, ptr %90, align 8
+  %1468 = icmp sgt i64 %1467, 0
+  br i1 %1468, label %1472, label %1469
 
-1465:                                             ; preds = %1468, %1462
-  store double %1313, ptr %1291, align 8
-  %1466 = getelementptr inbounds i8, ptr %1291, i64 8
-  store double 0.000000e+00, ptr %1466, align 8
-  %1467 = load ptr, ptr %79, align 8
-  store i64 0, ptr %1467, align 8
-  br label %1478
+1469:                                             ; preds = %1472, %1466
+  store double %1317, ptr %1295, align 8
+  %1470 = getelementptr inbounds i8, ptr %1295, i64 8
+  store double 0.000000e+00, ptr %1470, align 8
+  %1471 = load ptr, ptr %79, align 8
+  store i64 0, ptr %1471, align 8
+  br label %1482
 
-1468:                                             ; preds = %1462, %1468
-  %1469 = phi i64 [ %1475, %1468 ], [ 0, %1462 ]
-  %1470 = load ptr, ptr %77, align 8
-  %1471 = getelementptr inbounds double, ptr %1470, i64 %1469
-  %1472 = load double, ptr %1471, align 8
-  %1473 = load ptr, ptr %74, align 8
-  %1474 = getelementptr inbounds double, ptr %1473, i64 %1469
-  store double %1472, ptr %1474, align 8
-  %1475 = add nuw nsw i64 %1469, 1
-  %1476 = load i64, ptr %90, align 8
-  %1477 = icmp slt i64 %1475, %1476
-  br i1 %1477, label %1468, label %1465, !llvm.loop !31
+1472:                                             ; preds = %1466, %1472
+  %1473 = phi i64 [ %1479, %1472 ], [ 0, %1466 ]
+  %1474 = load ptr, ptr %77, align 8
+  %1475 = getelementptr inbounds double, ptr %1474, i64 %1473
+  %1476 = load double, ptr %1475, align 8
+  %1477 = load ptr, ptr %74, align 8
+  %1478 = getelementptr inbounds double, ptr %1477, i64 %1473
+  store double %1476, ptr %1478, align 8
+  %1479 = add nuw nsw i64 %1473, 1
+  %1480 = load i64, ptr %90, align 8
+  %1481 = icmp slt i64 %1479, %1480
+  br i1 %1481, label %1472, label %1469, !llvm.loop !31
 
-1478:                                             ; preds = %1299, %1420, %1461, %1465
-  %1479 = phi i64 [ -6, %1299 ], [ %1418, %1420 ], [ %1305, %1465 ], [ %1305, %1461 ]
-  %1480 = icmp eq i64 %1479, -6
-  br i1 %1480, label %1485, label %1481
+1482:                                             ; preds = %1303, %1424, %1465, %1469
+  %1483 = phi i64 [ -6, %1303 ], [ %1422, %1424 ], [ %1309, %1469 ], [ %1309, %1465 ]
+  %1484 = icmp eq i64 %1483, -6
+  br i1 %1484, label %1489, label %1485
 
-1481:                                             ; preds = %1478
-  %1482 = icmp ne i64 %1479, 6
-  %1483 = select i1 %1482, i1 true, i1 %98
-  %1484 = select i1 %1483, i1 true, i1 %106
-  br i1 %1484, label %1495, label %1485
+1485:                                             ; preds = %1482
+  %1486 = icmp ne i64 %1483, 6
+  %1487 = select i1 %1486, i1 true, i1 %98
+  %1488 = select i1 %1487, i1 true, i1 %106
+  br i1 %1488, label %1499, label %1489
 
-1485:                                             ; preds = %1481, %1478
-  %1486 = phi i64 [ %1479, %1481 ], [ 2, %1478 ]
-  %1487 = load i64, ptr %351, align 8
-  %1488 = add nsw i64 %1487, -1
-  store i64 %1488, ptr %351, align 8
-  %1489 = load ptr, ptr %350, align 8
-  %1490 = load i64, ptr %1489, align 8
-  %1491 = add nsw i64 %1490, -1
-  store i64 %1491, ptr %1489, align 8
-  %1492 = load i64, ptr %352, align 8
-  %1493 = add nsw i64 %1492, 1
-  store i64 %1493, ptr %352, align 8
-  store i64 %1486, ptr %439, align 8
+1489:                                             ; preds = %1485, %1482
+  %1490 = phi i64 [ %1483, %1485 ], [ 2, %1482 ]
+  %1491 = load i64, ptr %351, align 8
+  %1492 = add nsw i64 %1491, -1
+  store i64 %1492, ptr %351, align 8
+  %1493 = load ptr, ptr %350, align 8
+  %1494 = load i64, ptr %1493, align 8
+  %1495 = add nsw i64 %1494, -1
+  store i64 %1495, ptr %1493, align 8
+  %1496 = load i64, ptr %352, align 8
+  %1497 = add nsw i64 %1496, 1
+  store i64 %1497, ptr %352, align 8
+  store i64 %1490, ptr %439, align 8
   store double 1.000000e+00, ptr %440, align 8
-  %1494 = fmul double %497, 2.500000e-01
-  br label %1624, !llvm.loop !19
+  %1498 = fmul double %497, 2.500000e-01
+  br label %1628, !llvm.loop !19
 
-1495:                                             ; preds = %1481
-  %1496 = icmp eq i64 %1479, 0
-  br i1 %1496, label %1501, label %1497
+1499:                                             ; preds = %1485
+  %1500 = icmp eq i64 %1483, 0
+  br i1 %1500, label %1505, label %1501
 
-1497:                                             ; preds = %1495
-  %1498 = load ptr, ptr %350, align 8
-  %1499 = load i64, ptr %1498, align 8
-  %1500 = add nsw i64 %1499, 1
-  store i64 %1500, ptr %1498, align 8
-  br label %1624
+1501:                                             ; preds = %1499
+  %1502 = load ptr, ptr %350, align 8
+  %1503 = load i64, ptr %1502, align 8
+  %1504 = add nsw i64 %1503, 1
+  store i64 %1504, ptr %1502, align 8
+  br label %1628
 
-1501:                                             ; preds = %1495, %1138
-  br i1 %98, label %1605, label %1502
+1505:                                             ; preds = %1499, %1142
+  br i1 %98, label %1609, label %1506
 
-1502:                                             ; preds = %1501
-  %1503 = load double, ptr %431, align 8
-  %1504 = fcmp ogt double %875, 1.000000e-10
-  %1505 = select i1 %1504, double %875, double 1.000000e-10
-  %1506 = load double, ptr %432, align 8
-  %1507 = load double, ptr %433, align 8
-  %1508 = fneg double %1507
-  %1509 = bitcast double %1505 to i64
-  %1510 = add nsw i64 %1509, -4604544271217802189
-  %1511 = ashr i64 %1510, 52
-  %1512 = and i64 %1510, -4503599627370496
-  %1513 = sub nsw i64 %1509, %1512
-  %1514 = bitcast i64 %1513 to double
-  %1515 = fadd double %1514, -1.000000e+00
-  %1516 = fadd double %1514, 1.000000e+00
-  %1517 = fdiv double %1515, %1516
-  %1518 = fmul double %1517, %1517
-  %1519 = tail call double @llvm.fma.f64(double %1518, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
-  %1520 = tail call double @llvm.fma.f64(double %1519, double %1518, double 0x3FE2776C50EF9BFE)
-  %1521 = tail call double @llvm.fma.f64(double %1520, double %1518, double 0x3FEEC709DC3A03FD)
-  %1522 = tail call double @llvm.fma.f64(double %1521, double %1518, double 0x40071547652B82FE)
-  %1523 = trunc nsw i64 %1511 to i32
-  %1524 = sitofp i32 %1523 to double
-  %1525 = fmul double %1517, %1522
-  %1526 = fadd double %1525, %1524
-  %1527 = fmul double %1526, %1508
-  %1528 = fcmp ogt double %1527, -1.000000e+03
-  %1529 = select i1 %1528, double %1527, double -1.000000e+03
-  %1530 = fcmp olt double %1529, 1.000000e+03
-  %1531 = select i1 %1530, double %1529, double 1.000000e+03
-  %1532 = tail call double @llvm.rint.f64(double %1531)
-  %1533 = fsub double %1531, %1532
-  %1534 = tail call double @llvm.fma.f64(double %1533, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
-  %1535 = tail call double @llvm.fma.f64(double %1534, double %1533, double 0x3F55D87FE78A6730)
-  %1536 = tail call double @llvm.fma.f64(double %1535, double %1533, double 0x3F83B2AB6FBA4E77)
-  %1537 = tail call double @llvm.fma.f64(double %1536, double %1533, double 0x3FAC6B08D704A0BF)
-  %1538 = tail call double @llvm.fma.f64(double %1537, double %1533, double 0x3FCEBFBDFF82C58E)
-  %1539 = tail call double @llvm.fma.f64(double %1538, double %1533, double 0x3FE62E42FEFA39EF)
-  %1540 = tail call double @llvm.fma.f64(double %1539, double %1533, double 1.000000e+00)
-  %1541 = bitcast double %1540 to i64
-  %1542 = fptosi double %1532 to i32
-  %1543 = sext i32 %1542 to i64
-  %1544 = shl nsw i64 %1543, 52
-  %1545 = add nsw i64 %1544, %1541
-  %1546 = bitcast i64 %1545 to double
-  %1547 = fmul double %1506, %1546
-  %1548 = load double, ptr %434, align 8
-  %1549 = fcmp une double %1548, 0.000000e+00
-  br i1 %1549, label %1550, label %1590
+1506:                                             ; preds = %1505
+  %1507 = load double, ptr %431, align 8
+  %1508 = fcmp ogt double %879, 1.000000e-10
+  %1509 = select i1 %1508, double %879, double 1.000000e-10
+  %1510 = load double, ptr %432, align 8
+  %1511 = load double, ptr %433, align 8
+  %1512 = fneg double %1511
+  %1513 = bitcast double %1509 to i64
+  %1514 = add nsw i64 %1513, -4604544271217802189
+  %1515 = ashr i64 %1514, 52
+  %1516 = and i64 %1514, -4503599627370496
+  %1517 = sub nsw i64 %1513, %1516
+  %1518 = bitcast i64 %1517 to double
+  %1519 = fadd double %1518, -1.000000e+00
+  %1520 = fadd double %1518, 1.000000e+00
+  %1521 = fdiv double %1519, %1520
+  %1522 = fmul double %1521, %1521
+  %1523 = tail call double @llvm.fma.f64(double %1522, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
+  %1524 = tail call double @llvm.fma.f64(double %1523, double %1522, double 0x3FE2776C50EF9BFE)
+  %1525 = tail call double @llvm.fma.f64(double %1524, double %1522, double 0x3FEEC709DC3A03FD)
+  %1526 = tail call double @llvm.fma.f64(double %1525, double %1522, double 0x40071547652B82FE)
+  %1527 = trunc nsw i64 %1515 to i32
+  %1528 = sitofp i32 %1527 to double
+  %1529 = fmul double %1521, %1526
+  %1530 = fadd double %1529, %1528
+  %1531 = fmul double %1530, %1512
+  %1532 = fcmp ogt double %1531, -1.000000e+03
+  %1533 = select i1 %1532, double %1531, double -1.000000e+03
+  %1534 = fcmp olt double %1533, 1.000000e+03
+  %1535 = select i1 %1534, double %1533, double 1.000000e+03
+  %1536 = tail call double @llvm.rint.f64(double %1535)
+  %1537 = fsub double %1535, %1536
+  %1538 = tail call double @llvm.fma.f64(double %1537, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
+  %1539 = tail call double @llvm.fma.f64(double %1538, double %1537, double 0x3F55D87FE78A6730)
+  %1540 = tail call double @llvm.fma.f64(double %1539, double %1537, double 0x3F83B2AB6FBA4E77)
+  %1541 = tail call double @llvm.fma.f64(double %1540, double %1537, double 0x3FAC6B08D704A0BF)
+  %1542 = tail call double @llvm.fma.f64(double %1541, double %1537, double 0x3FCEBFBDFF82C58E)
+  %1543 = tail call double @llvm.fma.f64(double %1542, double %1537, double 0x3FE62E42FEFA39EF)
+  %1544 = tail call double @llvm.fma.f64(double %1543, double %1537, double 1.000000e+00)
+  %1545 = bitcast double %1544 to i64
+  %1546 = fptosi double %1536 to i32
+  %1547 = sext i32 %1546 to i64
+  %1548 = shl nsw i64 %1547, 52
+  %1549 = add nsw i64 %1548, %1545
+  %1550 = bitcast i64 %1549 to double
+  %1551 = fmul double %1510, %1550
+  %1552 = load double, ptr %434, align 8
+  %1553 = fcmp une double %1552, 0.000000e+00
+  br i1 %1553, label %1554, label %1594
 
-1550:                                             ; preds = %1502
-  %1551 = load i64, ptr %430, align 8
-  %1552 = add nsw i64 %1551, -4604544271217802189
-  %1553 = ashr i64 %1552, 52
-  %1554 = and i64 %1552, -4503599627370496
-  %1555 = sub nsw i64 %1551, %1554
-  %1556 = bitcast i64 %1555 to double
-  %1557 = fadd double %1556, -1.000000e+00
-  %1558 = fadd double %1556, 1.000000e+00
-  %1559 = fdiv double %1557, %1558
-  %1560 = fmul double %1559, %1559
-  %1561 = tail call double @llvm.fma.f64(double %1560, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
-  %1562 = tail call double @llvm.fma.f64(double %1561, double %1560, double 0x3FE2776C50EF9BFE)
-  %1563 = tail call double @llvm.fma.f64(double %1562, double %1560, double 0x3FEEC709DC3A03FD)
-  %1564 = tail call double @llvm.fma.f64(double %1563, double %1560, double 0x40071547652B82FE)
-  %1565 = trunc nsw i64 %1553 to i32
-  %1566 = sitofp i32 %1565 to double
-  %1567 = fmul double %1559, %1564
-  %1568 = fadd double %1567, %1566
-  %1569 = fmul double %1548, %1568
-  %1570 = fcmp ogt double %1569, -1.000000e+03
-  %1571 = select i1 %1570, double %1569, double -1.000000e+03
-  %1572 = fcmp olt double %1571, 1.000000e+03
-  %1573 = select i1 %1572, double %1571, double 1.000000e+03
-  %1574 = tail call double @llvm.rint.f64(double %1573)
-  %1575 = fsub double %1573, %1574
-  %1576 = tail call double @llvm.fma.f64(double %1575, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
-  %1577 = tail call double @llvm.fma.f64(double %1576, double %1575, double 0x3F55D87FE78A6730)
-  %1578 = tail call double @llvm.fma.f64(double %1577, double %1575, double 0x3F83B2AB6FBA4E77)
-  %1579 = tail call double @llvm.fma.f64(double %1578, double %1575, double 0x3FAC6B08D704A0BF)
-  %1580 = tail call double @llvm.fma.f64(double %1579, double %1575, double 0x3FCEBFBDFF82C58E)
-  %1581 = tail call double @llvm.fma.f64(double %1580, double %1575, double 0x3FE62E42FEFA39EF)
-  %1582 = tail call double @llvm.fma.f64(double %1581, double %1575, double 1.000000e+00)
-  %1583 = bitcast double %1582 to i64
-  %1584 = fptosi double %1574 to i32
-  %1585 = sext i32 %1584 to i64
-  %1586 = shl nsw i64 %1585, 52
-  %1587 = add nsw i64 %1586, %1583
-  %1588 = bitcast i64 %1587 to double
-  %1589 = fmul double %1547, %1588
-  br label %1590
+1554:                                             ; preds = %1506
+  %1555 = load i64, ptr %430, align 8
+  %1556 = add nsw i64 %1555, -4604544271217802189
+  %1557 = ashr i64 %1556, 52
+  %1558 = and i64 %1556, -4503599627370496
+  %1559 = sub nsw i64 %1555, %1558
+  %1560 = bitcast i64 %1559 to double
+  %1561 = fadd double %1560, -1.000000e+00
+  %1562 = fadd double %1560, 1.000000e+00
+  %1563 = fdiv double %1561, %1562
+  %1564 = fmul double %1563, %1563
+  %1565 = tail call double @llvm.fma.f64(double %1564, double 0x3FD484B13D7C02A9, double 0x3FDA61762A7ADED9)
+  %1566 = tail call double @llvm.fma.f64(double %1565, double %1564, double 0x3FE2776C50EF9BFE)
+  %1567 = tail call double @llvm.fma.f64(double %1566, double %1564, double 0x3FEEC709DC3A03FD)
+  %1568 = tail call double @llvm.fma.f64(double %1567, double %1564, double 0x40071547652B82FE)
+  %1569 = trunc nsw i64 %1557 to i32
+  %1570 = sitofp i32 %1569 to double
+  %1571 = fmul double %1563, %1568
+  %1572 = fadd double %1571, %1570
+  %1573 = fmul double %1552, %1572
+  %1574 = fcmp ogt double %1573, -1.000000e+03
+  %1575 = select i1 %1574, double %1573, double -1.000000e+03
+  %1576 = fcmp olt double %1575, 1.000000e+03
+  %1577 = select i1 %1576, double %1575, double 1.000000e+03
+  %1578 = tail call double @llvm.rint.f64(double %1577)
+  %1579 = fsub double %1577, %1578
+  %1580 = tail call double @llvm.fma.f64(double %1579, double 0x3EEFFCBFC588B0C5, double 0x3F2430912F86C786)
+  %1581 = tail call double @llvm.fma.f64(double %1580, double %1579, double 0x3F55D87FE78A6730)
+  %1582 = tail call double @llvm.fma.f64(double %1581, double %1579, double 0x3F83B2AB6FBA4E77)
+  %1583 = tail call double @llvm.fma.f64(double %1582, double %1579, double 0x3FAC6B08D704A0BF)
+  %1584 = tail call double @llvm.fma.f64(double %1583, double %1579, double 0x3FCEBFBDFF82C58E)
+  %1585 = tail call double @llvm.fma.f64(double %1584, double %1579, double 0x3FE62E42FEFA39EF)
+  %1586 = tail call double @llvm.fma.f64(double %1585, double %1579, double 1.000000e+00)
+  %1587 = bitcast double %1586 to i64
+  %1588 = fptosi double %1578 to i32
+  %1589 = sext i32 %1588 to i64
+  %1590 = shl nsw i64 %1589, 52
+  %1591 = add nsw i64 %1590, %1587
+  %1592 = bitcast i64 %1591 to double
+  %1593 = fmul double %1551, %1592
+  br label %1594
 
-1590:                                             ; preds = %1502, %1550
-  %1591 = phi double [ %1589, %1550 ], [ %1547, %1502 ]
-  %1592 = load double, ptr %435, align 8
-  %1593 = fcmp ogt double %1591, %1592
-  %1594 = select i1 %1593, double %1591, double %1592
-  %1595 = fcmp olt double %1503, %1594
-  %1596 = select i1 %1595, double %1503, double %1594
-  %1597 = fmul double %497, %1596
-  %1598 = fcmp oeq double %498, %111
-  %1599 = fcmp ogt double %451, %1597
-  %1600 = select i1 %1598, i1 %1599, i1 false
-  %1601 = select i1 %1600, double %451, double %1597
-  %1602 = fcmp ogt double %875, 1.000000e-04
-  %1603 = select i1 %1602, double %875, double 1.000000e-04
-  store double %1603, ptr %430, align 8
-  %1604 = load double, ptr %436, align 8
-  store double %1604, ptr %431, align 8
-  br label %1605
+1594:                                             ; preds = %1506, %1554
+  %1595 = phi double [ %1593, %1554 ], [ %1551, %1506 ]
+  %1596 = load double, ptr %435, align 8
+  %1597 = fcmp ogt double %1595, %1596
+  %1598 = select i1 %1597, double %1595, double %1596
+  %1599 = fcmp olt double %1507, %1598
+  %1600 = select i1 %1599, double %1507, double %1598
+  %1601 = fmul double %497, %1600
+  %1602 = fcmp oeq double %498, %111
+  %1603 = fcmp ogt double %451, %1601
+  %1604 = select i1 %1602, i1 %1603, i1 false
+  %1605 = select i1 %1604, double %451, double %1601
+  %1606 = fcmp ogt double %879, 1.000000e-04
+  %1607 = select i1 %1606, double %879, double 1.000000e-04
+  store double %1607, ptr %430, align 8
+  %1608 = load double, ptr %436, align 8
+  store double %1608, ptr %431, align 8
+  br label %1609
 
-1605:                                             ; preds = %1590, %1501
-  %1606 = phi double [ %1601, %1590 ], [ %451, %1501 ]
-  br i1 %437, label %1611, label %1607
+1609:                                             ; preds = %1594, %1505
+  %1610 = phi double [ %1605, %1594 ], [ %451, %1505 ]
+  br i1 %437, label %1615, label %1611
 
-1607:                                             ; preds = %1611, %1605
-  %1608 = load i64, ptr %438, align 8
-  %1609 = load i64, ptr %107, align 8
-  %1610 = icmp eq i64 %1608, %1609
-  br i1 %1610, label %1623, label %1624
+1611:                                             ; preds = %1615, %1609
+  %1612 = load i64, ptr %438, align 8
+  %1613 = load i64, ptr %107, align 8
+  %1614 = icmp eq i64 %1612, %1613
+  br i1 %1614, label %1627, label %1628
 
-1611:                                             ; preds = %1605, %1611
-  %1612 = phi i64 [ %1621, %1611 ], [ 0, %1605 ]
-  %1613 = getelementptr inbounds double, ptr %78, i64 %1612
-  %1614 = load double, ptr %1613, align 8
-  %1615 = load ptr, ptr %74, align 8
-  %1616 = getelementptr inbounds double, ptr %1615, i64 %1612
-  store double %1614, ptr %1616, align 8
-  %1617 = getelementptr inbounds double, ptr %116, i64 %1612
+1615:                                             ; preds = %1609, %1615
+  %1616 = phi i64 [ %1625, %1615 ], [ 0, %1609 ]
+  %1617 = getelementptr inbounds double, ptr %78, i64 %1616
   %1618 = load double, ptr %1617, align 8
-  %1619 = load ptr, ptr %112, align 8
-  %1620 = getelementptr inbounds double, ptr %1619, i64 %1612
+  %1619 = load ptr, ptr %74, align 8
+  %1620 = getelementptr inbounds double, ptr %1619, i64 %1616
   store double %1618, ptr %1620, align 8
-  %1621 = add nuw nsw i64 %1612, 1
-  %1622 = icmp eq i64 %1621, %91
-  br i1 %1622, label %1607, label %1611, !llvm.loop !32
+  %1621 = getelementptr inbounds double, ptr %116, i64 %1616
+  %1622 = load double, ptr %1621, align 8
+  %1623 = load ptr, ptr %112, align 8
+  %1624 = getelementptr inbounds double, ptr %1623, i64 %1616
+  store double %1622, ptr %1624, align 8
+  %1625 = add nuw nsw i64 %1616, 1
+  %1626 = icmp eq i64 %1625, %91
+  br i1 %1626, label %1611, label %1615, !llvm.loop !32
 
-1623:                                             ; preds = %1607
-  store double %1606, ptr %118, align 8
-  br label %1624
+1627:                                             ; preds = %1611
+  store double %1610, ptr %118, align 8
+  br label %1628
 
-1624:                                             ; preds = %863, %943, %942, %1607, %1623, %1497, %1485, %1287, %677, %504
-  %1625 = phi double [ %451, %504 ], [ %451, %677 ], [ %451, %863 ], [ %941, %943 ], [ %941, %942 ], [ %451, %1287 ], [ %1494, %1485 ], [ %451, %1497 ], [ %1606, %1623 ], [ %1606, %1607 ]
-  %1626 = phi double [ %450, %504 ], [ %450, %677 ], [ %450, %863 ], [ %450, %943 ], [ %450, %942 ], [ %450, %1287 ], [ %450, %1485 ], [ %450, %1497 ], [ %498, %1623 ], [ %498, %1607 ]
-  %1627 = phi i32 [ 1, %504 ], [ 1, %677 ], [ 1, %863 ], [ 3, %943 ], [ 1, %942 ], [ 1, %1287 ], [ 3, %1485 ], [ 1, %1497 ], [ 1, %1623 ], [ 0, %1607 ]
-  %1628 = phi i64 [ 2, %504 ], [ -4, %677 ], [ -4, %863 ], [ %449, %943 ], [ 2, %942 ], [ %1289, %1287 ], [ %449, %1485 ], [ %1479, %1497 ], [ 0, %1623 ], [ %449, %1607 ]
-  switch i32 %1627, label %1632 [
-    i32 0, label %1629
-    i32 3, label %1629
+1628:                                             ; preds = %867, %947, %946, %1611, %1627, %1501, %1489, %1291, %677, %504
+  %1629 = phi double [ %451, %504 ], [ %451, %677 ], [ %451, %867 ], [ %945, %947 ], [ %945, %946 ], [ %451, %1291 ], [ %1498, %1489 ], [ %451, %1501 ], [ %1610, %1627 ], [ %1610, %1611 ]
+  %1630 = phi double [ %450, %504 ], [ %450, %677 ], [ %450, %867 ], [ %450, %947 ], [ %450, %946 ], [ %450, %1291 ], [ %450, %1489 ], [ %450, %1501 ], [ %498, %1627 ], [ %498, %1611 ]
+  %1631 = phi i32 [ 1, %504 ], [ 1, %677 ], [ 1, %867 ], [ 3, %947 ], [ 1, %946 ], [ 1, %1291 ], [ 3, %1489 ], [ 1, %1501 ], [ 1, %1627 ], [ 0, %1611 ]
+  %1632 = phi i64 [ 2, %504 ], [ -4, %677 ], [ -4, %867 ], [ %449, %947 ], [ 2, %946 ], [ %1293, %1291 ], [ %449, %1489 ], [ %1483, %1501 ], [ 0, %1627 ], [ %449, %1611 ]
+  switch i32 %1631, label %1636 [
+    i32 0, label %1633
+    i32 3, label %1633
   ]
 
-1629:                                             ; preds = %1624, %1624
-  %1630 = load i64, ptr %81, align 8
-  %1631 = icmp eq i64 %1630, 0
-  br i1 %1631, label %445, label %447, !llvm.loop !19
+1633:                                             ; preds = %1628, %1628
+  %1634 = load i64, ptr %81, align 8
+  %1635 = icmp eq i64 %1634, 0
+  br i1 %1635, label %445, label %447, !llvm.loop !19
 
-1632:                                             ; preds = %1624, %145, %445, %464, %472, %187, %72
-  %1633 = phi i64 [ -1, %72 ], [ %148, %145 ], [ -1, %445 ], [ -5, %464 ], [ 1, %472 ], [ 0, %187 ], [ %1628, %1624 ]
-  ret i64 %1633
+1636:                                             ; preds = %1628, %145, %445, %464, %472, %187, %72
+  %1637 = phi i64 [ -1, %72 ], [ %148, %145 ], [ -1, %445 ], [ -5, %464 ], [ 1, %472 ], [ 0, %187 ], [ %1632, %1628 ]
+  ret i64 %1637
 }
 
 

@@ -1,4 +1,4 @@
-; sources 27b573c5e75c1974c0d020434071dd519b768c8db87fcab593229fbe7b449fe6
+; sources 46f54f239da12bb8b2b4836d1395768c5ddf71179370d65e9f296963ef6f92cf
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 @NODES = internal unnamed_addr constant [3 x double] [double 0x3FC3D8B64657CAEA, double 0x3FE4A36C0803A6DF, double 1.000000e+00], align 16
@@ -120,7 +120,7 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   %86 = getelementptr inbounds i8, ptr %84, i64 56
   %87 = load i64, ptr %86, align 8
   %88 = icmp eq i64 %87, 0
-  br i1 %88, label %1779, label %89
+  br i1 %88, label %1780, label %89
 
 89:                                               ; preds = %75
   %90 = load ptr, ptr %76, align 8
@@ -214,7 +214,7 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   store i64 3, ptr %162, align 8
   %163 = icmp slt i32 %159, 0
   %164 = select i1 %163, i64 -4, i64 2
-  br label %1779
+  br label %1780
 
 165:                                              ; preds = %150
   store i64 1, ptr %84, align 8
@@ -280,7 +280,7 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   %206 = getelementptr inbounds i8, ptr %205, i64 48
   store i64 %204, ptr %206, align 8
   %207 = icmp eq i64 %204, %174
-  br i1 %207, label %1779, label %208
+  br i1 %207, label %1780, label %208
 
 208:                                              ; preds = %203
   %209 = fcmp oeq double %125, 0.000000e+00
@@ -444,20 +444,20 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   %356 = getelementptr inbounds i8, ptr %85, i64 16
   br label %359
 
-357:                                              ; preds = %1776, %235
-  %358 = phi double [ %236, %235 ], [ %1772, %1776 ]
+357:                                              ; preds = %1777, %235
+  %358 = phi double [ %236, %235 ], [ %1773, %1777 ]
   store double %358, ptr %124, align 8
-  br label %1779
+  br label %1780
 
-359:                                              ; preds = %239, %1776
-  %360 = phi i64 [ %237, %239 ], [ %1777, %1776 ]
-  %361 = phi i64 [ undef, %239 ], [ %1775, %1776 ]
-  %362 = phi double [ %123, %239 ], [ %1773, %1776 ]
-  %363 = phi double [ %236, %239 ], [ %1772, %1776 ]
-  %364 = phi i64 [ undef, %239 ], [ %1771, %1776 ]
-  %365 = phi i64 [ undef, %239 ], [ %1770, %1776 ]
-  %366 = phi i32 [ undef, %239 ], [ %1769, %1776 ]
-  %367 = phi double [ undef, %239 ], [ %1768, %1776 ]
+359:                                              ; preds = %239, %1777
+  %360 = phi i64 [ %237, %239 ], [ %1778, %1777 ]
+  %361 = phi i64 [ undef, %239 ], [ %1776, %1777 ]
+  %362 = phi double [ %123, %239 ], [ %1774, %1777 ]
+  %363 = phi double [ %236, %239 ], [ %1773, %1777 ]
+  %364 = phi i64 [ undef, %239 ], [ %1772, %1777 ]
+  %365 = phi i64 [ undef, %239 ], [ %1771, %1777 ]
+  %366 = phi i32 [ undef, %239 ], [ %1770, %1777 ]
+  %367 = phi double [ undef, %239 ], [ %1769, %1777 ]
   %368 = load ptr, ptr %240, align 8
   %369 = getelementptr inbounds i8, ptr %368, i64 8
   %370 = load i64, ptr %369, align 8
@@ -478,7 +478,7 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
 
 380:                                              ; preds = %377
   store double %363, ptr %124, align 8
-  br label %1779
+  br label %1780
 
 381:                                              ; preds = %377
   %382 = add nsw i64 %360, -1
@@ -492,7 +492,7 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
 
 388:                                              ; preds = %381
   store double %363, ptr %124, align 8
-  br label %1779
+  br label %1780
 
 389:                                              ; preds = %381
   %390 = load double, ptr %244, align 8
@@ -514,7 +514,7 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
 
 405:                                              ; preds = %389
   store double %398, ptr %124, align 8
-  br label %1767
+  br label %1768
 
 406:                                              ; preds = %389
   %407 = load i64, ptr %245, align 8
@@ -687,7 +687,7 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
 
 524:                                              ; preds = %520, %508
   %525 = icmp slt i64 %509, 0
-  br i1 %525, label %1767, label %526
+  br i1 %525, label %1768, label %526
 
 526:                                              ; preds = %524
   store i64 0, ptr %245, align 8
@@ -794,7 +794,7 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   %594 = sub nsw i64 1, %593
   store i64 %594, ptr %245, align 8
   store i64 0, ptr %263, align 8
-  br label %1767, !llvm.loop !17
+  br label %1768, !llvm.loop !17
 
 595:                                              ; preds = %586
   store i64 1, ptr %263, align 8
@@ -1485,7 +1485,7 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   %1133 = phi i64 [ %1128, %1126 ], [ %1120, %1117 ]
   %1134 = phi i64 [ 0, %1126 ], [ %1121, %1117 ]
   %1135 = icmp slt i64 %1134, 0
-  br i1 %1135, label %1767, label %1136
+  br i1 %1135, label %1768, label %1136
 
 1136:                                             ; preds = %1130
   %1137 = icmp eq i32 %1132, 0
@@ -1545,7 +1545,7 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
 
 1173:                                             ; preds = %1170
   store i64 0, ptr %263, align 8
-  br label %1767, !llvm.loop !17
+  br label %1768, !llvm.loop !17
 
 1174:                                             ; preds = %1170
   store i64 0, ptr %352, align 8
@@ -1571,7 +1571,7 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   %1187 = load i64, ptr %352, align 8
   %1188 = sub nsw i64 1, %1187
   store i64 %1188, ptr %245, align 8
-  br label %1767, !llvm.loop !17
+  br label %1768, !llvm.loop !17
 
 1189:                                             ; preds = %1290, %1138
   %1190 = load i64, ptr %303, align 8
@@ -1709,7 +1709,7 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   %1287 = phi double [ %1274, %1270 ], [ %1205, %1246 ], [ %1205, %1201 ]
   %1288 = phi i64 [ 0, %1270 ], [ %1254, %1246 ], [ 0, %1201 ]
   %1289 = icmp slt i64 %1288, 0
-  br i1 %1289, label %1767, label %1304
+  br i1 %1289, label %1768, label %1304
 
 1290:                                             ; preds = %1138, %1290
   %1291 = phi i64 [ %1302, %1290 ], [ 0, %1138 ]
@@ -1763,665 +1763,666 @@ define i64 @advance_implicit(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 
   %1327 = load i64, ptr %317, align 8
   %1328 = sub nsw i64 1, %1327
   store i64 %1328, ptr %245, align 8
-  br label %1767, !llvm.loop !17
+  br label %1768, !llvm.loop !17
 
 1329:                                             ; preds = %1304
-  br i1 %103, label %1330, label %1344
+  br i1 %103, label %1330, label %1345
 
 1330:                                             ; preds = %1329
   %1331 = load ptr, ptr %309, align 8
-  %1332 = load ptr, ptr %100, align 8
-  %1333 = getelementptr inbounds i8, ptr %1332, i64 56
-  %1334 = load i64, ptr %1333, align 8
-  %1335 = inttoptr i64 %1334 to ptr
-  %1336 = tail call i64 %1335(ptr noundef %0, double noundef %399, ptr noundef %1331) #11
-  %1337 = icmp eq i64 %1336, 0
-  br i1 %1337, label %1344, label %1338
+  %1332 = load ptr, ptr %77, align 8
+  %1333 = load ptr, ptr %100, align 8
+  %1334 = getelementptr inbounds i8, ptr %1333, i64 56
+  %1335 = load i64, ptr %1334, align 8
+  %1336 = inttoptr i64 %1335 to ptr
+  %1337 = tail call i64 %1336(ptr noundef %0, double noundef %399, ptr noundef %1331, ptr noundef %1332) #11
+  %1338 = icmp eq i64 %1337, 0
+  br i1 %1338, label %1345, label %1339
 
-1338:                                             ; preds = %1330
-  %1339 = load i64, ptr %242, align 8
-  %1340 = add nsw i64 %1339, 1
-  store i64 %1340, ptr %242, align 8
+1339:                                             ; preds = %1330
+  %1340 = load i64, ptr %242, align 8
+  %1341 = add nsw i64 %1340, 1
+  store i64 %1341, ptr %242, align 8
   store i64 6, ptr %318, align 8
-  %1341 = fmul double %398, 2.500000e-01
+  %1342 = fmul double %398, 2.500000e-01
   store i64 1, ptr %303, align 8
-  %1342 = load i64, ptr %319, align 8
-  %1343 = sub nsw i64 1, %1342
-  store i64 %1343, ptr %245, align 8
-  br label %1767, !llvm.loop !17
+  %1343 = load i64, ptr %319, align 8
+  %1344 = sub nsw i64 1, %1343
+  store i64 %1344, ptr %245, align 8
+  br label %1768, !llvm.loop !17
 
-1344:                                             ; preds = %1330, %1329
-  %1345 = load i64, ptr %241, align 8
-  %1346 = add nsw i64 %1345, 1
-  store i64 %1346, ptr %241, align 8
-  %1347 = load double, ptr %320, align 8
-  %1348 = fcmp ogt double %1347, 0.000000e+00
-  br i1 %1348, label %1349, label %1358
+1345:                                             ; preds = %1330, %1329
+  %1346 = load i64, ptr %241, align 8
+  %1347 = add nsw i64 %1346, 1
+  store i64 %1347, ptr %241, align 8
+  %1348 = load double, ptr %320, align 8
+  %1349 = fcmp ogt double %1348, 0.000000e+00
+  br i1 %1349, label %1350, label %1359
 
-1349:                                             ; preds = %1344
-  %1350 = fdiv double %1347, %1309
-  %1351 = tail call double @llvm.pow.f64(double %1350, double 2.500000e-01)
-  %1352 = load double, ptr %321, align 8
-  %1353 = fdiv double %398, %1352
-  %1354 = fmul double %1351, %1353
-  %1355 = fcmp olt double %1354, 1.000000e+00
-  %1356 = select i1 %1355, double %1354, double 1.000000e+00
-  %1357 = fmul double %1310, %1356
-  br label %1358
+1350:                                             ; preds = %1345
+  %1351 = fdiv double %1348, %1309
+  %1352 = tail call double @llvm.pow.f64(double %1351, double 2.500000e-01)
+  %1353 = load double, ptr %321, align 8
+  %1354 = fdiv double %398, %1353
+  %1355 = fmul double %1352, %1354
+  %1356 = fcmp olt double %1355, 1.000000e+00
+  %1357 = select i1 %1356, double %1355, double 1.000000e+00
+  %1358 = fmul double %1310, %1357
+  br label %1359
 
-1358:                                             ; preds = %1349, %1344
-  %1359 = phi double [ %1357, %1349 ], [ %1310, %1344 ]
-  %1360 = fmul double %1307, %1359
-  %1361 = fcmp olt double %1360, 1.000000e+01
+1359:                                             ; preds = %1350, %1345
+  %1360 = phi double [ %1358, %1350 ], [ %1310, %1345 ]
+  %1361 = fmul double %1307, %1360
+  %1362 = fcmp olt double %1361, 1.000000e+01
   store double %399, ptr %80, align 8
   store double %398, ptr %322, align 8
   store double %1309, ptr %320, align 8
-  %1362 = load ptr, ptr %76, align 8
-  %1363 = getelementptr inbounds i8, ptr %1362, i64 8
-  %1364 = load i64, ptr %1363, align 8
-  %1365 = load i64, ptr %323, align 8
-  %1366 = load ptr, ptr %273, align 8
-  %1367 = load ptr, ptr %324, align 8
-  %1368 = load ptr, ptr %272, align 8
-  br label %1385
+  %1363 = load ptr, ptr %76, align 8
+  %1364 = getelementptr inbounds i8, ptr %1363, i64 8
+  %1365 = load i64, ptr %1364, align 8
+  %1366 = load i64, ptr %323, align 8
+  %1367 = load ptr, ptr %273, align 8
+  %1368 = load ptr, ptr %324, align 8
+  %1369 = load ptr, ptr %272, align 8
+  br label %1386
 
-1369:                                             ; preds = %1385
-  %1370 = select i1 %1361, double %1360, double 1.000000e+01
-  %1371 = icmp sgt i64 %1364, 0
-  br i1 %1371, label %1372, label %1445
+1370:                                             ; preds = %1386
+  %1371 = select i1 %1362, double %1361, double 1.000000e+01
+  %1372 = icmp sgt i64 %1365, 0
+  br i1 %1372, label %1373, label %1446
 
-1372:                                             ; preds = %1369
-  %1373 = load double, ptr %8, align 16
-  %1374 = load double, ptr %325, align 8
-  %1375 = getelementptr double, ptr %1366, i64 %1364
-  %1376 = load double, ptr %326, align 16
-  %1377 = shl i64 %1364, 4
-  %1378 = getelementptr i8, ptr %1366, i64 %1377
-  %1379 = load double, ptr %9, align 16
-  %1380 = load double, ptr %327, align 8
-  %1381 = load double, ptr %328, align 16
-  %1382 = getelementptr double, ptr %1367, i64 %1365
-  %1383 = shl i64 %1365, 4
-  %1384 = getelementptr i8, ptr %1367, i64 %1383
-  br label %1396
+1373:                                             ; preds = %1370
+  %1374 = load double, ptr %8, align 16
+  %1375 = load double, ptr %325, align 8
+  %1376 = getelementptr double, ptr %1367, i64 %1365
+  %1377 = load double, ptr %326, align 16
+  %1378 = shl i64 %1365, 4
+  %1379 = getelementptr i8, ptr %1367, i64 %1378
+  %1380 = load double, ptr %9, align 16
+  %1381 = load double, ptr %327, align 8
+  %1382 = load double, ptr %328, align 16
+  %1383 = getelementptr double, ptr %1368, i64 %1366
+  %1384 = shl i64 %1366, 4
+  %1385 = getelementptr i8, ptr %1368, i64 %1384
+  br label %1397
 
-1385:                                             ; preds = %1358, %1385
-  %1386 = phi i64 [ 0, %1358 ], [ %1394, %1385 ]
-  %1387 = getelementptr inbounds [3 x [3 x double]], ptr @POLYNOMIAL, i64 0, i64 %1386
-  %1388 = getelementptr inbounds i8, ptr %1387, i64 8
-  %1389 = load double, ptr %1388, align 8
-  %1390 = getelementptr inbounds [3 x double], ptr %8, i64 0, i64 %1386
-  store double %1389, ptr %1390, align 8
-  %1391 = getelementptr inbounds i8, ptr %1387, i64 16
-  %1392 = load double, ptr %1391, align 8
-  %1393 = getelementptr inbounds [3 x double], ptr %9, i64 0, i64 %1386
-  store double %1392, ptr %1393, align 8
-  %1394 = add nuw nsw i64 %1386, 1
-  %1395 = icmp eq i64 %1394, 3
-  br i1 %1395, label %1369, label %1385, !llvm.loop !39
+1386:                                             ; preds = %1359, %1386
+  %1387 = phi i64 [ 0, %1359 ], [ %1395, %1386 ]
+  %1388 = getelementptr inbounds [3 x [3 x double]], ptr @POLYNOMIAL, i64 0, i64 %1387
+  %1389 = getelementptr inbounds i8, ptr %1388, i64 8
+  %1390 = load double, ptr %1389, align 8
+  %1391 = getelementptr inbounds [3 x double], ptr %8, i64 0, i64 %1387
+  store double %1390, ptr %1391, align 8
+  %1392 = getelementptr inbounds i8, ptr %1388, i64 16
+  %1393 = load double, ptr %1392, align 8
+  %1394 = getelementptr inbounds [3 x double], ptr %9, i64 0, i64 %1387
+  store double %1393, ptr %1394, align 8
+  %1395 = add nuw nsw i64 %1387, 1
+  %1396 = icmp eq i64 %1395, 3
+  br i1 %1396, label %1370, label %1386, !llvm.loop !39
 
-1396:                                             ; preds = %1372, %1433
-  %1397 = phi i64 [ 0, %1372 ], [ %1434, %1433 ]
-  %1398 = getelementptr inbounds double, ptr %1366, i64 %1397
-  %1399 = load double, ptr %1398, align 8
-  %1400 = fmul double %1373, %1399
-  %1401 = getelementptr double, ptr %1375, i64 %1397
-  %1402 = load double, ptr %1401, align 8
-  %1403 = fmul double %1374, %1402
-  %1404 = fadd double %1400, %1403
-  %1405 = getelementptr double, ptr %1378, i64 %1397
-  %1406 = load double, ptr %1405, align 8
-  %1407 = fmul double %1376, %1406
-  %1408 = fadd double %1404, %1407
-  %1409 = fmul double %1399, %1379
-  %1410 = fmul double %1402, %1380
-  %1411 = fadd double %1409, %1410
-  %1412 = fmul double %1406, %1381
-  %1413 = fadd double %1411, %1412
-  %1414 = load ptr, ptr %309, align 8
-  %1415 = getelementptr inbounds double, ptr %1414, i64 %1397
-  %1416 = load double, ptr %1415, align 8
-  %1417 = load ptr, ptr %77, align 8
-  %1418 = getelementptr inbounds double, ptr %1417, i64 %1397
-  %1419 = load double, ptr %1418, align 8
-  %1420 = fsub double %1416, %1419
-  %1421 = getelementptr inbounds double, ptr %1367, i64 %1397
-  store double %1420, ptr %1421, align 8
-  %1422 = fneg double %1408
-  %1423 = fsub double %1422, %1413
-  %1424 = getelementptr double, ptr %1382, i64 %1397
-  store double %1423, ptr %1424, align 8
-  %1425 = fneg double %1413
-  %1426 = getelementptr double, ptr %1384, i64 %1397
-  store double %1425, ptr %1426, align 8
-  %1427 = load ptr, ptr %77, align 8
-  %1428 = getelementptr inbounds double, ptr %1427, i64 %1397
-  %1429 = load double, ptr %1428, align 8
-  %1430 = getelementptr inbounds double, ptr %1368, i64 %1397
-  store double %1429, ptr %1430, align 8
-  %1431 = getelementptr double, ptr %1367, i64 %1397
-  %1432 = getelementptr double, ptr %1368, i64 %1397
-  br label %1436
+1397:                                             ; preds = %1373, %1434
+  %1398 = phi i64 [ 0, %1373 ], [ %1435, %1434 ]
+  %1399 = getelementptr inbounds double, ptr %1367, i64 %1398
+  %1400 = load double, ptr %1399, align 8
+  %1401 = fmul double %1374, %1400
+  %1402 = getelementptr double, ptr %1376, i64 %1398
+  %1403 = load double, ptr %1402, align 8
+  %1404 = fmul double %1375, %1403
+  %1405 = fadd double %1401, %1404
+  %1406 = getelementptr double, ptr %1379, i64 %1398
+  %1407 = load double, ptr %1406, align 8
+  %1408 = fmul double %1377, %1407
+  %1409 = fadd double %1405, %1408
+  %1410 = fmul double %1400, %1380
+  %1411 = fmul double %1403, %1381
+  %1412 = fadd double %1410, %1411
+  %1413 = fmul double %1407, %1382
+  %1414 = fadd double %1412, %1413
+  %1415 = load ptr, ptr %309, align 8
+  %1416 = getelementptr inbounds double, ptr %1415, i64 %1398
+  %1417 = load double, ptr %1416, align 8
+  %1418 = load ptr, ptr %77, align 8
+  %1419 = getelementptr inbounds double, ptr %1418, i64 %1398
+  %1420 = load double, ptr %1419, align 8
+  %1421 = fsub double %1417, %1420
+  %1422 = getelementptr inbounds double, ptr %1368, i64 %1398
+  store double %1421, ptr %1422, align 8
+  %1423 = fneg double %1409
+  %1424 = fsub double %1423, %1414
+  %1425 = getelementptr double, ptr %1383, i64 %1398
+  store double %1424, ptr %1425, align 8
+  %1426 = fneg double %1414
+  %1427 = getelementptr double, ptr %1385, i64 %1398
+  store double %1426, ptr %1427, align 8
+  %1428 = load ptr, ptr %77, align 8
+  %1429 = getelementptr inbounds double, ptr %1428, i64 %1398
+  %1430 = load double, ptr %1429, align 8
+  %1431 = getelementptr inbounds double, ptr %1369, i64 %1398
+  store double %1430, ptr %1431, align 8
+  %1432 = getelementptr double, ptr %1368, i64 %1398
+  %1433 = getelementptr double, ptr %1369, i64 %1398
+  br label %1437
 
-1433:                                             ; preds = %1436
-  %1434 = add nuw nsw i64 %1397, 1
-  %1435 = icmp eq i64 %1434, %1364
-  br i1 %1435, label %1445, label %1396, !llvm.loop !40
+1434:                                             ; preds = %1437
+  %1435 = add nuw nsw i64 %1398, 1
+  %1436 = icmp eq i64 %1435, %1365
+  br i1 %1436, label %1446, label %1397, !llvm.loop !40
 
-1436:                                             ; preds = %1396, %1436
-  %1437 = phi i64 [ 0, %1396 ], [ %1441, %1436 ]
-  %1438 = mul nsw i64 %1365, %1437
-  %1439 = getelementptr double, ptr %1431, i64 %1438
-  %1440 = load double, ptr %1439, align 8
-  %1441 = add nuw nsw i64 %1437, 1
-  %1442 = mul nuw nsw i64 %1364, %1441
-  %1443 = getelementptr double, ptr %1432, i64 %1442
-  store double %1440, ptr %1443, align 8
-  %1444 = icmp eq i64 %1441, 3
-  br i1 %1444, label %1433, label %1436, !llvm.loop !41
+1437:                                             ; preds = %1397, %1437
+  %1438 = phi i64 [ 0, %1397 ], [ %1442, %1437 ]
+  %1439 = mul nsw i64 %1366, %1438
+  %1440 = getelementptr double, ptr %1432, i64 %1439
+  %1441 = load double, ptr %1440, align 8
+  %1442 = add nuw nsw i64 %1438, 1
+  %1443 = mul nuw nsw i64 %1365, %1442
+  %1444 = getelementptr double, ptr %1433, i64 %1443
+  store double %1441, ptr %1444, align 8
+  %1445 = icmp eq i64 %1442, 3
+  br i1 %1445, label %1434, label %1437, !llvm.loop !41
 
-1445:                                             ; preds = %1433, %1369
+1446:                                             ; preds = %1434, %1370
   store double %398, ptr %271, align 8
-  %1446 = load ptr, ptr %0, align 8
-  %1447 = getelementptr inbounds i8, ptr %1446, i64 24
-  %1448 = load i64, ptr %1447, align 8
-  %1449 = load ptr, ptr %240, align 8
-  %1450 = getelementptr inbounds i8, ptr %1449, i64 8
-  %1451 = load i64, ptr %1450, align 8
-  %1452 = icmp eq i64 %1451, 0
-  br i1 %1452, label %1499, label %1453
+  %1447 = load ptr, ptr %0, align 8
+  %1448 = getelementptr inbounds i8, ptr %1447, i64 24
+  %1449 = load i64, ptr %1448, align 8
+  %1450 = load ptr, ptr %240, align 8
+  %1451 = getelementptr inbounds i8, ptr %1450, i64 8
+  %1452 = load i64, ptr %1451, align 8
+  %1453 = icmp eq i64 %1452, 0
+  br i1 %1453, label %1500, label %1454
 
-1453:                                             ; preds = %1445
-  %1454 = load i64, ptr %1449, align 8
-  %1455 = load ptr, ptr %76, align 8
-  %1456 = getelementptr inbounds i8, ptr %1455, i64 8
-  %1457 = load i64, ptr %1456, align 8
-  %1458 = load ptr, ptr %329, align 8
-  %1459 = load i64, ptr %330, align 8
-  %1460 = mul nsw i64 %1459, %1454
-  %1461 = getelementptr inbounds double, ptr %1458, i64 %1460
-  %1462 = getelementptr inbounds double, ptr %1461, i64 %1459
-  store double %362, ptr %1461, align 8
-  %1463 = getelementptr inbounds i8, ptr %1461, i64 8
-  store double %398, ptr %1463, align 8
-  store double %399, ptr %1462, align 8
+1454:                                             ; preds = %1446
+  %1455 = load i64, ptr %1450, align 8
+  %1456 = load ptr, ptr %76, align 8
+  %1457 = getelementptr inbounds i8, ptr %1456, i64 8
+  %1458 = load i64, ptr %1457, align 8
+  %1459 = load ptr, ptr %329, align 8
+  %1460 = load i64, ptr %330, align 8
+  %1461 = mul nsw i64 %1460, %1455
+  %1462 = getelementptr inbounds double, ptr %1459, i64 %1461
+  %1463 = getelementptr inbounds double, ptr %1462, i64 %1460
+  store double %362, ptr %1462, align 8
   %1464 = getelementptr inbounds i8, ptr %1462, i64 8
-  store double 0.000000e+00, ptr %1464, align 8
-  %1465 = icmp sgt i64 %1457, 0
-  br i1 %1465, label %1466, label %1469
+  store double %398, ptr %1464, align 8
+  store double %399, ptr %1463, align 8
+  %1465 = getelementptr inbounds i8, ptr %1463, i64 8
+  store double 0.000000e+00, ptr %1465, align 8
+  %1466 = icmp sgt i64 %1458, 0
+  br i1 %1466, label %1467, label %1470
 
-1466:                                             ; preds = %1453
-  %1467 = getelementptr i8, ptr %1461, i64 16
-  %1468 = icmp sgt i64 %1448, 0
-  br label %1472
+1467:                                             ; preds = %1454
+  %1468 = getelementptr i8, ptr %1462, i64 16
+  %1469 = icmp sgt i64 %1449, 0
+  br label %1473
 
-1469:                                             ; preds = %1484, %1453
-  %1470 = add nsw i64 %1454, 1
-  %1471 = load ptr, ptr %240, align 8
-  store i64 %1470, ptr %1471, align 8
-  br label %1499
+1470:                                             ; preds = %1485, %1454
+  %1471 = add nsw i64 %1455, 1
+  %1472 = load ptr, ptr %240, align 8
+  store i64 %1471, ptr %1472, align 8
+  br label %1500
 
-1472:                                             ; preds = %1466, %1484
-  %1473 = phi i64 [ 0, %1466 ], [ %1485, %1484 ]
-  %1474 = load ptr, ptr %77, align 8
-  %1475 = getelementptr inbounds double, ptr %1474, i64 %1473
-  %1476 = load double, ptr %1475, align 8
-  %1477 = add nuw nsw i64 %1473, 2
-  %1478 = getelementptr inbounds double, ptr %1461, i64 %1477
-  store double %1476, ptr %1478, align 8
-  %1479 = load ptr, ptr %309, align 8
-  %1480 = getelementptr inbounds double, ptr %1479, i64 %1473
-  %1481 = load double, ptr %1480, align 8
-  %1482 = getelementptr inbounds double, ptr %1462, i64 %1477
-  store double %1481, ptr %1482, align 8
-  %1483 = getelementptr double, ptr %1467, i64 %1473
-  br i1 %1468, label %1487, label %1484
+1473:                                             ; preds = %1467, %1485
+  %1474 = phi i64 [ 0, %1467 ], [ %1486, %1485 ]
+  %1475 = load ptr, ptr %77, align 8
+  %1476 = getelementptr inbounds double, ptr %1475, i64 %1474
+  %1477 = load double, ptr %1476, align 8
+  %1478 = add nuw nsw i64 %1474, 2
+  %1479 = getelementptr inbounds double, ptr %1462, i64 %1478
+  store double %1477, ptr %1479, align 8
+  %1480 = load ptr, ptr %309, align 8
+  %1481 = getelementptr inbounds double, ptr %1480, i64 %1474
+  %1482 = load double, ptr %1481, align 8
+  %1483 = getelementptr inbounds double, ptr %1463, i64 %1478
+  store double %1482, ptr %1483, align 8
+  %1484 = getelementptr double, ptr %1468, i64 %1474
+  br i1 %1469, label %1488, label %1485
 
-1484:                                             ; preds = %1487, %1472
-  %1485 = add nuw nsw i64 %1473, 1
-  %1486 = icmp eq i64 %1485, %1457
-  br i1 %1486, label %1469, label %1472, !llvm.loop !42
+1485:                                             ; preds = %1488, %1473
+  %1486 = add nuw nsw i64 %1474, 1
+  %1487 = icmp eq i64 %1486, %1458
+  br i1 %1487, label %1470, label %1473, !llvm.loop !42
 
-1487:                                             ; preds = %1472, %1487
-  %1488 = phi i64 [ %1495, %1487 ], [ 0, %1472 ]
-  %1489 = load ptr, ptr %324, align 8
-  %1490 = load i64, ptr %323, align 8
-  %1491 = mul nsw i64 %1490, %1488
-  %1492 = getelementptr double, ptr %1489, i64 %1491
-  %1493 = getelementptr double, ptr %1492, i64 %1473
-  %1494 = load double, ptr %1493, align 8
-  %1495 = add nuw nsw i64 %1488, 1
-  %1496 = mul nuw nsw i64 %1495, %1457
-  %1497 = getelementptr double, ptr %1483, i64 %1496
-  store double %1494, ptr %1497, align 8
-  %1498 = icmp eq i64 %1495, %1448
-  br i1 %1498, label %1484, label %1487, !llvm.loop !43
+1488:                                             ; preds = %1473, %1488
+  %1489 = phi i64 [ %1496, %1488 ], [ 0, %1473 ]
+  %1490 = load ptr, ptr %324, align 8
+  %1491 = load i64, ptr %323, align 8
+  %1492 = mul nsw i64 %1491, %1489
+  %1493 = getelementptr double, ptr %1490, i64 %1492
+  %1494 = getelementptr double, ptr %1493, i64 %1474
+  %1495 = load double, ptr %1494, align 8
+  %1496 = add nuw nsw i64 %1489, 1
+  %1497 = mul nuw nsw i64 %1496, %1458
+  %1498 = getelementptr double, ptr %1484, i64 %1497
+  store double %1495, ptr %1498, align 8
+  %1499 = icmp eq i64 %1496, %1449
+  br i1 %1499, label %1485, label %1488, !llvm.loop !43
 
-1499:                                             ; preds = %1445, %1469
-  br i1 %108, label %1505, label %1500
+1500:                                             ; preds = %1446, %1470
+  br i1 %108, label %1506, label %1501
 
-1500:                                             ; preds = %1499
-  %1501 = load i64, ptr %331, align 8
-  %1502 = getelementptr inbounds double, ptr %94, i64 %1501
-  %1503 = load double, ptr %1502, align 8
-  %1504 = fcmp ugt double %1503, %399
-  br i1 %1504, label %1717, label %1505
+1501:                                             ; preds = %1500
+  %1502 = load i64, ptr %331, align 8
+  %1503 = getelementptr inbounds double, ptr %94, i64 %1502
+  %1504 = load double, ptr %1503, align 8
+  %1505 = fcmp ugt double %1504, %399
+  br i1 %1505, label %1718, label %1506
 
-1505:                                             ; preds = %1500, %1499
-  %1506 = load ptr, ptr %79, align 8
-  br i1 %108, label %1507, label %1518
+1506:                                             ; preds = %1501, %1500
+  %1507 = load ptr, ptr %79, align 8
+  br i1 %108, label %1508, label %1519
 
-1507:                                             ; preds = %1505
-  %1508 = load ptr, ptr %104, align 8
-  %1509 = getelementptr inbounds i8, ptr %1508, i64 16
-  %1510 = load i64, ptr %1509, align 8
-  %1511 = inttoptr i64 %1510 to ptr
-  %1512 = tail call i64 %1511(ptr noundef %0, double noundef %362, double noundef %398) #11
-  %1513 = icmp eq i64 %1512, -6
-  br i1 %1513, label %1514, label %1515
+1508:                                             ; preds = %1506
+  %1509 = load ptr, ptr %104, align 8
+  %1510 = getelementptr inbounds i8, ptr %1509, i64 16
+  %1511 = load i64, ptr %1510, align 8
+  %1512 = inttoptr i64 %1511 to ptr
+  %1513 = tail call i64 %1512(ptr noundef %0, double noundef %362, double noundef %398) #11
+  %1514 = icmp eq i64 %1513, -6
+  br i1 %1514, label %1515, label %1516
 
-1514:                                             ; preds = %1507
-  store double %362, ptr %1506, align 8
-  br label %1693
+1515:                                             ; preds = %1508
+  store double %362, ptr %1507, align 8
+  br label %1694
 
-1515:                                             ; preds = %1507
-  %1516 = getelementptr inbounds i8, ptr %1506, i64 48
-  %1517 = load double, ptr %1516, align 8
-  br label %1518
+1516:                                             ; preds = %1508
+  %1517 = getelementptr inbounds i8, ptr %1507, i64 48
+  %1518 = load double, ptr %1517, align 8
+  br label %1519
 
-1518:                                             ; preds = %1515, %1505
-  %1519 = phi double [ %1517, %1515 ], [ 1.000000e+00, %1505 ]
-  %1520 = phi i64 [ %1512, %1515 ], [ 0, %1505 ]
-  %1521 = fcmp oeq double %1519, 1.000000e+00
-  br i1 %1521, label %1522, label %1524
+1519:                                             ; preds = %1516, %1506
+  %1520 = phi double [ %1518, %1516 ], [ 1.000000e+00, %1506 ]
+  %1521 = phi i64 [ %1513, %1516 ], [ 0, %1506 ]
+  %1522 = fcmp oeq double %1520, 1.000000e+00
+  br i1 %1522, label %1523, label %1525
 
-1522:                                             ; preds = %1518
-  %1523 = load double, ptr %1506, align 8
-  br label %1527
+1523:                                             ; preds = %1519
+  %1524 = load double, ptr %1507, align 8
+  br label %1528
 
-1524:                                             ; preds = %1518
-  %1525 = fmul double %398, %1519
-  %1526 = fadd double %362, %1525
-  br label %1527
+1525:                                             ; preds = %1519
+  %1526 = fmul double %398, %1520
+  %1527 = fadd double %362, %1526
+  br label %1528
 
-1527:                                             ; preds = %1524, %1522
-  %1528 = phi double [ %1523, %1522 ], [ %1526, %1524 ]
-  %1529 = icmp eq i64 %1520, -4
-  %1530 = select i1 %1529, i64 -4, i64 0
-  br i1 %1529, label %1588, label %1531
+1528:                                             ; preds = %1525, %1523
+  %1529 = phi double [ %1524, %1523 ], [ %1527, %1525 ]
+  %1530 = icmp eq i64 %1521, -4
+  %1531 = select i1 %1530, i64 -4, i64 0
+  br i1 %1530, label %1589, label %1532
 
-1531:                                             ; preds = %1527
-  %1532 = fcmp olt double %1519, 1.000000e+00
-  %1533 = load ptr, ptr %76, align 8
-  %1534 = getelementptr inbounds i8, ptr %1533, i64 8
-  %1535 = load i64, ptr %1534, align 8
-  %1536 = load i64, ptr %95, align 8
-  %1537 = load ptr, ptr %93, align 8
-  %1538 = load ptr, ptr %83, align 8
-  %1539 = getelementptr inbounds i8, ptr %1538, i64 48
-  %1540 = load i64, ptr %1539, align 8
-  %1541 = icmp slt i64 %1540, %1536
-  br i1 %1541, label %1542, label %1584
+1532:                                             ; preds = %1528
+  %1533 = fcmp olt double %1520, 1.000000e+00
+  %1534 = load ptr, ptr %76, align 8
+  %1535 = getelementptr inbounds i8, ptr %1534, i64 8
+  %1536 = load i64, ptr %1535, align 8
+  %1537 = load i64, ptr %95, align 8
+  %1538 = load ptr, ptr %93, align 8
+  %1539 = load ptr, ptr %83, align 8
+  %1540 = getelementptr inbounds i8, ptr %1539, i64 48
+  %1541 = load i64, ptr %1540, align 8
+  %1542 = icmp slt i64 %1541, %1537
+  br i1 %1542, label %1543, label %1585
 
-1542:                                             ; preds = %1531, %1580
-  %1543 = phi i64 [ %1581, %1580 ], [ undef, %1531 ]
-  %1544 = phi i64 [ %1582, %1580 ], [ %1540, %1531 ]
-  %1545 = getelementptr inbounds double, ptr %1537, i64 %1544
-  %1546 = load double, ptr %1545, align 8
-  %1547 = fcmp olt double %1546, %1528
-  %1548 = fcmp oeq double %1546, %1528
-  %1549 = and i1 %1532, %1548
-  %1550 = or i1 %1547, %1549
-  br i1 %1550, label %1551, label %1584
+1543:                                             ; preds = %1532, %1581
+  %1544 = phi i64 [ %1582, %1581 ], [ undef, %1532 ]
+  %1545 = phi i64 [ %1583, %1581 ], [ %1541, %1532 ]
+  %1546 = getelementptr inbounds double, ptr %1538, i64 %1545
+  %1547 = load double, ptr %1546, align 8
+  %1548 = fcmp olt double %1547, %1529
+  %1549 = fcmp oeq double %1547, %1529
+  %1550 = and i1 %1533, %1549
+  %1551 = or i1 %1548, %1550
+  br i1 %1551, label %1552, label %1585
 
-1551:                                             ; preds = %1542
-  %1552 = fsub double %1546, %362
-  %1553 = fdiv double %1552, %398
-  %1554 = mul nsw i64 %1544, %1535
-  %1555 = getelementptr inbounds double, ptr %1, i64 %1554
-  %1556 = load ptr, ptr %332, align 8
-  %1557 = insertelement <8 x double> poison, double %1553, i64 0
-  %1558 = shufflevector <8 x double> %1557, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %1558, ptr %1556, align 8
-  %1559 = load ptr, ptr %77, align 8
-  %1560 = load ptr, ptr %333, align 8
-  %1561 = load i64, ptr %334, align 8
-  %1562 = load ptr, ptr %0, align 8
-  %1563 = getelementptr inbounds i8, ptr %1562, i64 24
-  %1564 = load i64, ptr %1563, align 8
-  %1565 = load ptr, ptr %332, align 8
-  %1566 = load ptr, ptr %76, align 8
-  %1567 = getelementptr inbounds i8, ptr %1566, i64 16
-  %1568 = load i64, ptr %1567, align 8
-  tail call fastcc void @nested(ptr noundef %1555, ptr noundef %1559, ptr noundef %1560, i64 noundef %1561, i64 noundef %1564, ptr noundef %1565, i64 noundef %1568) #10
-  %1569 = load ptr, ptr %100, align 8
-  %1570 = load i64, ptr %1569, align 8
-  %1571 = icmp eq i64 %1570, 1
-  br i1 %1571, label %1572, label %1580
+1552:                                             ; preds = %1543
+  %1553 = fsub double %1547, %362
+  %1554 = fdiv double %1553, %398
+  %1555 = mul nsw i64 %1545, %1536
+  %1556 = getelementptr inbounds double, ptr %1, i64 %1555
+  %1557 = load ptr, ptr %332, align 8
+  %1558 = insertelement <8 x double> poison, double %1554, i64 0
+  %1559 = shufflevector <8 x double> %1558, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %1559, ptr %1557, align 8
+  %1560 = load ptr, ptr %77, align 8
+  %1561 = load ptr, ptr %333, align 8
+  %1562 = load i64, ptr %334, align 8
+  %1563 = load ptr, ptr %0, align 8
+  %1564 = getelementptr inbounds i8, ptr %1563, i64 24
+  %1565 = load i64, ptr %1564, align 8
+  %1566 = load ptr, ptr %332, align 8
+  %1567 = load ptr, ptr %76, align 8
+  %1568 = getelementptr inbounds i8, ptr %1567, i64 16
+  %1569 = load i64, ptr %1568, align 8
+  tail call fastcc void @nested(ptr noundef %1556, ptr noundef %1560, ptr noundef %1561, i64 noundef %1562, i64 noundef %1565, ptr noundef %1566, i64 noundef %1569) #10
+  %1570 = load ptr, ptr %100, align 8
+  %1571 = load i64, ptr %1570, align 8
+  %1572 = icmp eq i64 %1571, 1
+  br i1 %1572, label %1573, label %1581
 
-1572:                                             ; preds = %1551
-  %1573 = load double, ptr %1545, align 8
-  %1574 = getelementptr inbounds i8, ptr %1569, i64 56
-  %1575 = load i64, ptr %1574, align 8
-  %1576 = inttoptr i64 %1575 to ptr
-  %1577 = tail call i64 %1576(ptr noundef %0, double noundef %1573, ptr noundef %1555) #11
-  %1578 = icmp eq i64 %1577, 0
-  %1579 = select i1 %1578, i64 %1543, i64 %1577
-  br i1 %1578, label %1580, label %1588
+1573:                                             ; preds = %1552
+  %1574 = load double, ptr %1546, align 8
+  %1575 = getelementptr inbounds i8, ptr %1570, i64 56
+  %1576 = load i64, ptr %1575, align 8
+  %1577 = inttoptr i64 %1576 to ptr
+  %1578 = tail call i64 %1577(ptr noundef %0, double noundef %1574, ptr noundef %1556, ptr noundef null) #11
+  %1579 = icmp eq i64 %1578, 0
+  %1580 = select i1 %1579, i64 %1544, i64 %1578
+  br i1 %1579, label %1581, label %1589
 
-1580:                                             ; preds = %1572, %1551
-  %1581 = phi i64 [ %1579, %1572 ], [ %1543, %1551 ]
-  %1582 = add i64 %1544, 1
-  %1583 = icmp eq i64 %1582, %1536
-  br i1 %1583, label %1584, label %1542, !llvm.loop !44
+1581:                                             ; preds = %1573, %1552
+  %1582 = phi i64 [ %1580, %1573 ], [ %1544, %1552 ]
+  %1583 = add i64 %1545, 1
+  %1584 = icmp eq i64 %1583, %1537
+  br i1 %1584, label %1585, label %1543, !llvm.loop !44
 
-1584:                                             ; preds = %1580, %1542, %1531
-  %1585 = phi i64 [ %1540, %1531 ], [ %1536, %1580 ], [ %1544, %1542 ]
-  %1586 = load ptr, ptr %83, align 8
-  %1587 = getelementptr inbounds i8, ptr %1586, i64 48
-  store i64 %1585, ptr %1587, align 8
-  br label %1588
+1585:                                             ; preds = %1581, %1543, %1532
+  %1586 = phi i64 [ %1541, %1532 ], [ %1537, %1581 ], [ %1545, %1543 ]
+  %1587 = load ptr, ptr %83, align 8
+  %1588 = getelementptr inbounds i8, ptr %1587, i64 48
+  store i64 %1586, ptr %1588, align 8
+  br label %1589
 
-1588:                                             ; preds = %1572, %1584, %1527
-  %1589 = phi i64 [ %1530, %1527 ], [ 0, %1584 ], [ %1579, %1572 ]
-  %1590 = icmp eq i64 %1589, 0
-  %1591 = icmp ne i64 %1520, 0
-  %1592 = fcmp olt double %1519, 1.000000e+00
-  %1593 = and i1 %1592, %1590
-  %1594 = and i1 %1591, %1593
-  br i1 %1594, label %1595, label %1632
+1589:                                             ; preds = %1573, %1585, %1528
+  %1590 = phi i64 [ %1531, %1528 ], [ 0, %1585 ], [ %1580, %1573 ]
+  %1591 = icmp eq i64 %1590, 0
+  %1592 = icmp ne i64 %1521, 0
+  %1593 = fcmp olt double %1520, 1.000000e+00
+  %1594 = and i1 %1593, %1591
+  %1595 = and i1 %1592, %1594
+  br i1 %1595, label %1596, label %1633
 
-1595:                                             ; preds = %1588
-  %1596 = load ptr, ptr %335, align 8
-  %1597 = load ptr, ptr %336, align 8
-  %1598 = insertelement <8 x double> poison, double %1519, i64 0
-  %1599 = shufflevector <8 x double> %1598, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %1599, ptr %1597, align 8
-  %1600 = load ptr, ptr %77, align 8
-  %1601 = load ptr, ptr %337, align 8
-  %1602 = load i64, ptr %338, align 8
-  %1603 = load ptr, ptr %0, align 8
-  %1604 = getelementptr inbounds i8, ptr %1603, i64 24
-  %1605 = load i64, ptr %1604, align 8
-  %1606 = load ptr, ptr %336, align 8
-  %1607 = load ptr, ptr %76, align 8
-  %1608 = getelementptr inbounds i8, ptr %1607, i64 16
-  %1609 = load i64, ptr %1608, align 8
-  tail call fastcc void @nested(ptr noundef %1596, ptr noundef %1600, ptr noundef %1601, i64 noundef %1602, i64 noundef %1605, ptr noundef %1606, i64 noundef %1609) #10
-  %1610 = load i64, ptr %323, align 8
-  %1611 = icmp sgt i64 %1610, 0
-  br i1 %1611, label %1616, label %1612
+1596:                                             ; preds = %1589
+  %1597 = load ptr, ptr %335, align 8
+  %1598 = load ptr, ptr %336, align 8
+  %1599 = insertelement <8 x double> poison, double %1520, i64 0
+  %1600 = shufflevector <8 x double> %1599, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %1600, ptr %1598, align 8
+  %1601 = load ptr, ptr %77, align 8
+  %1602 = load ptr, ptr %337, align 8
+  %1603 = load i64, ptr %338, align 8
+  %1604 = load ptr, ptr %0, align 8
+  %1605 = getelementptr inbounds i8, ptr %1604, i64 24
+  %1606 = load i64, ptr %1605, align 8
+  %1607 = load ptr, ptr %336, align 8
+  %1608 = load ptr, ptr %76, align 8
+  %1609 = getelementptr inbounds i8, ptr %1608, i64 16
+  %1610 = load i64, ptr %1609, align 8
+  tail call fastcc void @nested(ptr noundef %1597, ptr noundef %1601, ptr noundef %1602, i64 noundef %1603, i64 noundef %1606, ptr noundef %1607, i64 noundef %1610) #10
+  %1611 = load i64, ptr %323, align 8
+  %1612 = icmp sgt i64 %1611, 0
+  br i1 %1612, label %1617, label %1613
 
-1612:                                             ; preds = %1616, %1595
-  %1613 = load ptr, ptr %100, align 8
-  %1614 = load i64, ptr %1613, align 8
-  %1615 = icmp eq i64 %1614, 1
-  br i1 %1615, label %1626, label %1632
+1613:                                             ; preds = %1617, %1596
+  %1614 = load ptr, ptr %100, align 8
+  %1615 = load i64, ptr %1614, align 8
+  %1616 = icmp eq i64 %1615, 1
+  br i1 %1616, label %1627, label %1633
 
-1616:                                             ; preds = %1595, %1616
-  %1617 = phi i64 [ %1623, %1616 ], [ 0, %1595 ]
-  %1618 = load ptr, ptr %335, align 8
-  %1619 = getelementptr inbounds double, ptr %1618, i64 %1617
-  %1620 = load double, ptr %1619, align 8
-  %1621 = load ptr, ptr %309, align 8
-  %1622 = getelementptr inbounds double, ptr %1621, i64 %1617
-  store double %1620, ptr %1622, align 8
-  %1623 = add nuw nsw i64 %1617, 1
-  %1624 = load i64, ptr %323, align 8
-  %1625 = icmp slt i64 %1623, %1624
-  br i1 %1625, label %1616, label %1612, !llvm.loop !45
+1617:                                             ; preds = %1596, %1617
+  %1618 = phi i64 [ %1624, %1617 ], [ 0, %1596 ]
+  %1619 = load ptr, ptr %335, align 8
+  %1620 = getelementptr inbounds double, ptr %1619, i64 %1618
+  %1621 = load double, ptr %1620, align 8
+  %1622 = load ptr, ptr %309, align 8
+  %1623 = getelementptr inbounds double, ptr %1622, i64 %1618
+  store double %1621, ptr %1623, align 8
+  %1624 = add nuw nsw i64 %1618, 1
+  %1625 = load i64, ptr %323, align 8
+  %1626 = icmp slt i64 %1624, %1625
+  br i1 %1626, label %1617, label %1613, !llvm.loop !45
 
-1626:                                             ; preds = %1612
-  %1627 = load ptr, ptr %309, align 8
-  %1628 = getelementptr inbounds i8, ptr %1613, i64 56
-  %1629 = load i64, ptr %1628, align 8
-  %1630 = inttoptr i64 %1629 to ptr
-  %1631 = tail call i64 %1630(ptr noundef %0, double noundef %1528, ptr noundef %1627) #11
-  br label %1632
+1627:                                             ; preds = %1613
+  %1628 = load ptr, ptr %309, align 8
+  %1629 = getelementptr inbounds i8, ptr %1614, i64 56
+  %1630 = load i64, ptr %1629, align 8
+  %1631 = inttoptr i64 %1630 to ptr
+  %1632 = tail call i64 %1631(ptr noundef %0, double noundef %1529, ptr noundef %1628, ptr noundef null) #11
+  br label %1633
 
-1632:                                             ; preds = %1626, %1612, %1588
-  %1633 = phi i64 [ %1631, %1626 ], [ 0, %1612 ], [ %1589, %1588 ]
-  %1634 = icmp eq i64 %1633, 0
-  br i1 %1634, label %1637, label %1635
+1633:                                             ; preds = %1627, %1613, %1589
+  %1634 = phi i64 [ %1632, %1627 ], [ 0, %1613 ], [ %1590, %1589 ]
+  %1635 = icmp eq i64 %1634, 0
+  br i1 %1635, label %1638, label %1636
 
-1635:                                             ; preds = %1632
-  store double %362, ptr %1506, align 8
-  %1636 = getelementptr inbounds i8, ptr %1506, i64 8
-  store double %398, ptr %1636, align 8
-  br label %1693
+1636:                                             ; preds = %1633
+  store double %362, ptr %1507, align 8
+  %1637 = getelementptr inbounds i8, ptr %1507, i64 8
+  store double %398, ptr %1637, align 8
+  br label %1694
 
-1637:                                             ; preds = %1632
-  br i1 %1521, label %1638, label %1676
+1638:                                             ; preds = %1633
+  br i1 %1522, label %1639, label %1677
 
-1638:                                             ; preds = %1637
-  %1639 = load ptr, ptr %309, align 8
-  %1640 = load ptr, ptr %76, align 8
-  %1641 = getelementptr inbounds i8, ptr %1640, i64 8
-  %1642 = load i64, ptr %1641, align 8
-  %1643 = load i64, ptr %95, align 8
-  %1644 = load ptr, ptr %93, align 8
-  %1645 = load ptr, ptr %83, align 8
-  %1646 = getelementptr inbounds i8, ptr %1645, i64 48
-  %1647 = load i64, ptr %1646, align 8
-  %1648 = icmp slt i64 %1647, %1643
-  br i1 %1648, label %1649, label %1672
+1639:                                             ; preds = %1638
+  %1640 = load ptr, ptr %309, align 8
+  %1641 = load ptr, ptr %76, align 8
+  %1642 = getelementptr inbounds i8, ptr %1641, i64 8
+  %1643 = load i64, ptr %1642, align 8
+  %1644 = load i64, ptr %95, align 8
+  %1645 = load ptr, ptr %93, align 8
+  %1646 = load ptr, ptr %83, align 8
+  %1647 = getelementptr inbounds i8, ptr %1646, i64 48
+  %1648 = load i64, ptr %1647, align 8
+  %1649 = icmp slt i64 %1648, %1644
+  br i1 %1649, label %1650, label %1673
 
-1649:                                             ; preds = %1638
-  %1650 = icmp sgt i64 %1642, 0
-  br label %1651
+1650:                                             ; preds = %1639
+  %1651 = icmp sgt i64 %1643, 0
+  br label %1652
 
-1651:                                             ; preds = %1649, %1662
-  %1652 = phi i64 [ %1647, %1649 ], [ %1663, %1662 ]
-  %1653 = getelementptr inbounds double, ptr %1644, i64 %1652
-  %1654 = load double, ptr %1653, align 8
-  %1655 = load ptr, ptr %79, align 8
-  %1656 = load double, ptr %1655, align 8
-  %1657 = fcmp ugt double %1654, %1656
-  br i1 %1657, label %1672, label %1658
+1652:                                             ; preds = %1650, %1663
+  %1653 = phi i64 [ %1648, %1650 ], [ %1664, %1663 ]
+  %1654 = getelementptr inbounds double, ptr %1645, i64 %1653
+  %1655 = load double, ptr %1654, align 8
+  %1656 = load ptr, ptr %79, align 8
+  %1657 = load double, ptr %1656, align 8
+  %1658 = fcmp ugt double %1655, %1657
+  br i1 %1658, label %1673, label %1659
 
-1658:                                             ; preds = %1651
-  br i1 %1650, label %1659, label %1662
+1659:                                             ; preds = %1652
+  br i1 %1651, label %1660, label %1663
 
-1659:                                             ; preds = %1658
-  %1660 = mul nsw i64 %1652, %1642
-  %1661 = getelementptr double, ptr %1, i64 %1660
-  br label %1665
+1660:                                             ; preds = %1659
+  %1661 = mul nsw i64 %1653, %1643
+  %1662 = getelementptr double, ptr %1, i64 %1661
+  br label %1666
 
-1662:                                             ; preds = %1665, %1658
-  %1663 = add i64 %1652, 1
-  %1664 = icmp eq i64 %1663, %1643
-  br i1 %1664, label %1672, label %1651, !llvm.loop !9
+1663:                                             ; preds = %1666, %1659
+  %1664 = add i64 %1653, 1
+  %1665 = icmp eq i64 %1664, %1644
+  br i1 %1665, label %1673, label %1652, !llvm.loop !9
 
-1665:                                             ; preds = %1659, %1665
-  %1666 = phi i64 [ 0, %1659 ], [ %1670, %1665 ]
-  %1667 = getelementptr inbounds double, ptr %1639, i64 %1666
-  %1668 = load double, ptr %1667, align 8
-  %1669 = getelementptr double, ptr %1661, i64 %1666
-  store double %1668, ptr %1669, align 8
-  %1670 = add nuw nsw i64 %1666, 1
-  %1671 = icmp eq i64 %1670, %1642
-  br i1 %1671, label %1662, label %1665, !llvm.loop !10
+1666:                                             ; preds = %1660, %1666
+  %1667 = phi i64 [ 0, %1660 ], [ %1671, %1666 ]
+  %1668 = getelementptr inbounds double, ptr %1640, i64 %1667
+  %1669 = load double, ptr %1668, align 8
+  %1670 = getelementptr double, ptr %1662, i64 %1667
+  store double %1669, ptr %1670, align 8
+  %1671 = add nuw nsw i64 %1667, 1
+  %1672 = icmp eq i64 %1671, %1643
+  br i1 %1672, label %1663, label %1666, !llvm.loop !10
 
-1672:                                             ; preds = %1662, %1651, %1638
-  %1673 = phi i64 [ %1647, %1638 ], [ %1643, %1662 ], [ %1652, %1651 ]
-  %1674 = load ptr, ptr %83, align 8
-  %1675 = getelementptr inbounds i8, ptr %1674, i64 48
-  store i64 %1673, ptr %1675, align 8
-  br label %1676
+1673:                                             ; preds = %1663, %1652, %1639
+  %1674 = phi i64 [ %1648, %1639 ], [ %1644, %1663 ], [ %1653, %1652 ]
+  %1675 = load ptr, ptr %83, align 8
+  %1676 = getelementptr inbounds i8, ptr %1675, i64 48
+  store i64 %1674, ptr %1676, align 8
+  br label %1677
 
-1676:                                             ; preds = %1672, %1637
-  br i1 %1591, label %1677, label %1693
+1677:                                             ; preds = %1673, %1638
+  br i1 %1592, label %1678, label %1694
 
-1677:                                             ; preds = %1676
-  %1678 = load i64, ptr %323, align 8
-  %1679 = icmp sgt i64 %1678, 0
-  br i1 %1679, label %1683, label %1680
+1678:                                             ; preds = %1677
+  %1679 = load i64, ptr %323, align 8
+  %1680 = icmp sgt i64 %1679, 0
+  br i1 %1680, label %1684, label %1681
 
-1680:                                             ; preds = %1683, %1677
-  store double %1528, ptr %1506, align 8
-  %1681 = getelementptr inbounds i8, ptr %1506, i64 8
-  store double 0.000000e+00, ptr %1681, align 8
-  %1682 = load ptr, ptr %83, align 8
-  store i64 0, ptr %1682, align 8
-  br label %1693
+1681:                                             ; preds = %1684, %1678
+  store double %1529, ptr %1507, align 8
+  %1682 = getelementptr inbounds i8, ptr %1507, i64 8
+  store double 0.000000e+00, ptr %1682, align 8
+  %1683 = load ptr, ptr %83, align 8
+  store i64 0, ptr %1683, align 8
+  br label %1694
 
-1683:                                             ; preds = %1677, %1683
-  %1684 = phi i64 [ %1690, %1683 ], [ 0, %1677 ]
-  %1685 = load ptr, ptr %309, align 8
-  %1686 = getelementptr inbounds double, ptr %1685, i64 %1684
-  %1687 = load double, ptr %1686, align 8
-  %1688 = load ptr, ptr %77, align 8
-  %1689 = getelementptr inbounds double, ptr %1688, i64 %1684
-  store double %1687, ptr %1689, align 8
-  %1690 = add nuw nsw i64 %1684, 1
-  %1691 = load i64, ptr %323, align 8
-  %1692 = icmp slt i64 %1690, %1691
-  br i1 %1692, label %1683, label %1680, !llvm.loop !46
+1684:                                             ; preds = %1678, %1684
+  %1685 = phi i64 [ %1691, %1684 ], [ 0, %1678 ]
+  %1686 = load ptr, ptr %309, align 8
+  %1687 = getelementptr inbounds double, ptr %1686, i64 %1685
+  %1688 = load double, ptr %1687, align 8
+  %1689 = load ptr, ptr %77, align 8
+  %1690 = getelementptr inbounds double, ptr %1689, i64 %1685
+  store double %1688, ptr %1690, align 8
+  %1691 = add nuw nsw i64 %1685, 1
+  %1692 = load i64, ptr %323, align 8
+  %1693 = icmp slt i64 %1691, %1692
+  br i1 %1693, label %1684, label %1681, !llvm.loop !46
 
-1693:                                             ; preds = %1514, %1635, %1676, %1680
-  %1694 = phi i64 [ -6, %1514 ], [ %1633, %1635 ], [ %1520, %1680 ], [ %1520, %1676 ]
-  %1695 = icmp eq i64 %1694, -6
-  br i1 %1695, label %1699, label %1696
+1694:                                             ; preds = %1515, %1636, %1677, %1681
+  %1695 = phi i64 [ -6, %1515 ], [ %1634, %1636 ], [ %1521, %1681 ], [ %1521, %1677 ]
+  %1696 = icmp eq i64 %1695, -6
+  br i1 %1696, label %1700, label %1697
 
-1696:                                             ; preds = %1693
-  %1697 = icmp ne i64 %1694, 6
-  %1698 = select i1 %1697, i1 true, i1 %108
-  br i1 %1698, label %1711, label %1699
+1697:                                             ; preds = %1694
+  %1698 = icmp ne i64 %1695, 6
+  %1699 = select i1 %1698, i1 true, i1 %108
+  br i1 %1699, label %1712, label %1700
 
-1699:                                             ; preds = %1696, %1693
-  %1700 = phi i64 [ %1694, %1696 ], [ 2, %1693 ]
-  %1701 = load i64, ptr %241, align 8
-  %1702 = add nsw i64 %1701, -1
-  store i64 %1702, ptr %241, align 8
-  %1703 = load ptr, ptr %240, align 8
-  %1704 = load i64, ptr %1703, align 8
-  %1705 = add nsw i64 %1704, -1
-  store i64 %1705, ptr %1703, align 8
+1700:                                             ; preds = %1697, %1694
+  %1701 = phi i64 [ %1695, %1697 ], [ 2, %1694 ]
+  %1702 = load i64, ptr %241, align 8
+  %1703 = add nsw i64 %1702, -1
+  store i64 %1703, ptr %241, align 8
+  %1704 = load ptr, ptr %240, align 8
+  %1705 = load i64, ptr %1704, align 8
+  %1706 = add nsw i64 %1705, -1
+  store i64 %1706, ptr %1704, align 8
   store i64 1, ptr %303, align 8
-  %1706 = load i64, ptr %349, align 8
-  %1707 = sub nsw i64 1, %1706
-  store i64 %1707, ptr %245, align 8
+  %1707 = load i64, ptr %349, align 8
+  %1708 = sub nsw i64 1, %1707
+  store i64 %1708, ptr %245, align 8
   store double 0.000000e+00, ptr %271, align 8
-  %1708 = load i64, ptr %242, align 8
-  %1709 = add nsw i64 %1708, 1
-  store i64 %1709, ptr %242, align 8
-  store i64 %1700, ptr %350, align 8
-  %1710 = fmul double %398, 2.500000e-01
-  br label %1767, !llvm.loop !17
+  %1709 = load i64, ptr %242, align 8
+  %1710 = add nsw i64 %1709, 1
+  store i64 %1710, ptr %242, align 8
+  store i64 %1701, ptr %350, align 8
+  %1711 = fmul double %398, 2.500000e-01
+  br label %1768, !llvm.loop !17
 
-1711:                                             ; preds = %1696
-  %1712 = icmp eq i64 %1694, 0
-  br i1 %1712, label %1717, label %1713
+1712:                                             ; preds = %1697
+  %1713 = icmp eq i64 %1695, 0
+  br i1 %1713, label %1718, label %1714
 
-1713:                                             ; preds = %1711
-  %1714 = load ptr, ptr %240, align 8
-  %1715 = load i64, ptr %1714, align 8
-  %1716 = add nsw i64 %1715, 1
-  store i64 %1716, ptr %1714, align 8
-  br label %1767
+1714:                                             ; preds = %1712
+  %1715 = load ptr, ptr %240, align 8
+  %1716 = load i64, ptr %1715, align 8
+  %1717 = add nsw i64 %1716, 1
+  store i64 %1717, ptr %1715, align 8
+  br label %1768
 
-1717:                                             ; preds = %1711, %1500
-  br i1 %339, label %1736, label %1718
+1718:                                             ; preds = %1712, %1501
+  br i1 %339, label %1737, label %1719
 
-1718:                                             ; preds = %1736, %1717
-  %1719 = load i64, ptr %340, align 8
-  %1720 = add nsw i64 %1719, 1
-  store i64 %1720, ptr %340, align 8
-  %1721 = load ptr, ptr %77, align 8
-  %1722 = load ptr, ptr %341, align 8
-  %1723 = load ptr, ptr %342, align 8
-  store double %399, ptr %1723, align 8
-  %1724 = load i64, ptr %343, align 8
-  %1725 = icmp sgt i64 %1724, 0
-  br i1 %1725, label %1726, label %1727
+1719:                                             ; preds = %1737, %1718
+  %1720 = load i64, ptr %340, align 8
+  %1721 = add nsw i64 %1720, 1
+  store i64 %1721, ptr %340, align 8
+  %1722 = load ptr, ptr %77, align 8
+  %1723 = load ptr, ptr %341, align 8
+  %1724 = load ptr, ptr %342, align 8
+  store double %399, ptr %1724, align 8
+  %1725 = load i64, ptr %343, align 8
+  %1726 = icmp sgt i64 %1725, 0
+  br i1 %1726, label %1727, label %1728
 
-1726:                                             ; preds = %1718
+1727:                                             ; preds = %1719
   tail call fastcc void @sample(ptr noundef nonnull %76) #10
-  br label %1727
+  br label %1728
 
-1727:                                             ; preds = %1718, %1726
-  %1728 = load ptr, ptr %76, align 8
-  %1729 = load i64, ptr %1728, align 8
-  %1730 = load ptr, ptr %342, align 8
-  %1731 = load ptr, ptr %344, align 8
-  %1732 = load ptr, ptr %345, align 8
-  %1733 = inttoptr i64 %1729 to ptr
-  %1734 = tail call i32 %1733(ptr noundef %1730, ptr noundef %1721, ptr noundef %1731, ptr noundef %1732, ptr noundef %1722) #11
-  %1735 = icmp eq i32 %1734, 0
-  br i1 %1735, label %1748, label %1745
+1728:                                             ; preds = %1719, %1727
+  %1729 = load ptr, ptr %76, align 8
+  %1730 = load i64, ptr %1729, align 8
+  %1731 = load ptr, ptr %342, align 8
+  %1732 = load ptr, ptr %344, align 8
+  %1733 = load ptr, ptr %345, align 8
+  %1734 = inttoptr i64 %1730 to ptr
+  %1735 = tail call i32 %1734(ptr noundef %1731, ptr noundef %1722, ptr noundef %1732, ptr noundef %1733, ptr noundef %1723) #11
+  %1736 = icmp eq i32 %1735, 0
+  br i1 %1736, label %1749, label %1746
 
-1736:                                             ; preds = %1717, %1736
-  %1737 = phi i64 [ %1743, %1736 ], [ 0, %1717 ]
-  %1738 = load ptr, ptr %309, align 8
-  %1739 = getelementptr inbounds double, ptr %1738, i64 %1737
-  %1740 = load double, ptr %1739, align 8
-  %1741 = load ptr, ptr %77, align 8
-  %1742 = getelementptr inbounds double, ptr %1741, i64 %1737
-  store double %1740, ptr %1742, align 8
-  %1743 = add nuw nsw i64 %1737, 1
-  %1744 = icmp eq i64 %1743, %92
-  br i1 %1744, label %1718, label %1736, !llvm.loop !47
+1737:                                             ; preds = %1718, %1737
+  %1738 = phi i64 [ %1744, %1737 ], [ 0, %1718 ]
+  %1739 = load ptr, ptr %309, align 8
+  %1740 = getelementptr inbounds double, ptr %1739, i64 %1738
+  %1741 = load double, ptr %1740, align 8
+  %1742 = load ptr, ptr %77, align 8
+  %1743 = getelementptr inbounds double, ptr %1742, i64 %1738
+  store double %1741, ptr %1743, align 8
+  %1744 = add nuw nsw i64 %1738, 1
+  %1745 = icmp eq i64 %1744, %92
+  br i1 %1745, label %1719, label %1737, !llvm.loop !47
 
-1745:                                             ; preds = %1727
+1746:                                             ; preds = %1728
   store i64 3, ptr %346, align 8
   store double %398, ptr %124, align 8
-  %1746 = icmp slt i32 %1734, 0
-  %1747 = select i1 %1746, i64 -4, i64 2
-  br label %1767
+  %1747 = icmp slt i32 %1735, 0
+  %1748 = select i1 %1747, i64 -4, i64 2
+  br label %1768
 
-1748:                                             ; preds = %1727
-  %1749 = icmp sgt i64 %1133, 2
-  %1750 = fcmp ogt double %1131, 1.000000e-03
-  %1751 = select i1 %1749, i1 %1750, i1 false
-  %1752 = zext i1 %1751 to i64
-  store i64 %1752, ptr %245, align 8
+1749:                                             ; preds = %1728
+  %1750 = icmp sgt i64 %1133, 2
+  %1751 = fcmp ogt double %1131, 1.000000e-03
+  %1752 = select i1 %1750, i1 %1751, i1 false
+  %1753 = zext i1 %1752 to i64
+  store i64 %1753, ptr %245, align 8
   store i64 0, ptr %347, align 8
   store i64 0, ptr %303, align 8
-  %1753 = fcmp ule double %1370, 1.000000e+00
-  %1754 = fcmp uge double %1370, 1.200000e+00
-  %1755 = or i1 %1753, %1754
-  %1756 = select i1 %1755, i1 true, i1 %1751
-  br i1 %1756, label %1757, label %1761
+  %1754 = fcmp ule double %1371, 1.000000e+00
+  %1755 = fcmp uge double %1371, 1.200000e+00
+  %1756 = or i1 %1754, %1755
+  %1757 = select i1 %1756, i1 true, i1 %1752
+  br i1 %1757, label %1758, label %1762
 
-1757:                                             ; preds = %1748
-  %1758 = fcmp ogt double %1370, 2.000000e-01
-  %1759 = select i1 %1758, double %1370, double 2.000000e-01
-  %1760 = fmul double %398, %1759
-  br label %1761
+1758:                                             ; preds = %1749
+  %1759 = fcmp ogt double %1371, 2.000000e-01
+  %1760 = select i1 %1759, double %1371, double 2.000000e-01
+  %1761 = fmul double %398, %1760
+  br label %1762
 
-1761:                                             ; preds = %1748, %1757
-  %1762 = phi double [ %1760, %1757 ], [ %398, %1748 ]
-  %1763 = load i64, ptr %348, align 8
-  %1764 = load i64, ptr %95, align 8
-  %1765 = icmp eq i64 %1763, %1764
-  br i1 %1765, label %1766, label %1767
+1762:                                             ; preds = %1749, %1758
+  %1763 = phi double [ %1761, %1758 ], [ %398, %1749 ]
+  %1764 = load i64, ptr %348, align 8
+  %1765 = load i64, ptr %95, align 8
+  %1766 = icmp eq i64 %1764, %1765
+  br i1 %1766, label %1767, label %1768
 
-1766:                                             ; preds = %1761
-  store double %1762, ptr %124, align 8
-  br label %1767
+1767:                                             ; preds = %1762
+  store double %1763, ptr %124, align 8
+  br label %1768
 
-1767:                                             ; preds = %1173, %1185, %1130, %1324, %1338, %1699, %1713, %1745, %1761, %1766, %1286, %524, %589, %405
-  %1768 = phi double [ %367, %405 ], [ %367, %524 ], [ %367, %589 ], [ %1131, %1286 ], [ %1131, %1766 ], [ %1131, %1761 ], [ %1131, %1745 ], [ %1131, %1713 ], [ %1131, %1699 ], [ %1131, %1338 ], [ %1131, %1324 ], [ %1131, %1130 ], [ %1131, %1185 ], [ %1131, %1173 ]
-  %1769 = phi i32 [ %366, %405 ], [ %366, %524 ], [ %366, %589 ], [ %1132, %1286 ], [ %1132, %1766 ], [ %1132, %1761 ], [ %1132, %1745 ], [ %1132, %1713 ], [ %1132, %1699 ], [ %1132, %1338 ], [ %1132, %1324 ], [ %1132, %1130 ], [ %1132, %1185 ], [ %1132, %1173 ]
-  %1770 = phi i64 [ %365, %405 ], [ %365, %524 ], [ %365, %589 ], [ %1133, %1286 ], [ %1133, %1766 ], [ %1133, %1761 ], [ %1133, %1745 ], [ %1133, %1713 ], [ %1133, %1699 ], [ %1133, %1338 ], [ %1133, %1324 ], [ %1133, %1130 ], [ %1133, %1185 ], [ %1133, %1173 ]
-  %1771 = phi i64 [ %364, %405 ], [ %364, %524 ], [ %364, %589 ], [ %1134, %1286 ], [ %1134, %1766 ], [ %1134, %1761 ], [ %1134, %1745 ], [ %1134, %1713 ], [ %1134, %1699 ], [ %1134, %1338 ], [ %1134, %1324 ], [ %1134, %1130 ], [ %1134, %1185 ], [ %1134, %1173 ]
-  %1772 = phi double [ %363, %405 ], [ %363, %524 ], [ %592, %589 ], [ %363, %1286 ], [ %1762, %1766 ], [ %1762, %1761 ], [ %363, %1745 ], [ %363, %1713 ], [ %1710, %1699 ], [ %1341, %1338 ], [ %1326, %1324 ], [ %363, %1130 ], [ %1186, %1185 ], [ %363, %1173 ]
-  %1773 = phi double [ %362, %405 ], [ %362, %524 ], [ %362, %589 ], [ %362, %1286 ], [ %399, %1766 ], [ %399, %1761 ], [ %399, %1745 ], [ %362, %1713 ], [ %362, %1699 ], [ %362, %1338 ], [ %362, %1324 ], [ %362, %1130 ], [ %362, %1185 ], [ %362, %1173 ]
-  %1774 = phi i32 [ 1, %405 ], [ 1, %524 ], [ 6, %589 ], [ 1, %1286 ], [ 1, %1766 ], [ 0, %1761 ], [ 1, %1745 ], [ 1, %1713 ], [ 6, %1699 ], [ 6, %1338 ], [ 6, %1324 ], [ 1, %1130 ], [ 6, %1185 ], [ 6, %1173 ]
-  %1775 = phi i64 [ 2, %405 ], [ -4, %524 ], [ %361, %589 ], [ -4, %1286 ], [ 0, %1766 ], [ %361, %1761 ], [ %1747, %1745 ], [ %1694, %1713 ], [ %361, %1699 ], [ %361, %1338 ], [ %361, %1324 ], [ -4, %1130 ], [ %361, %1185 ], [ %361, %1173 ]
-  switch i32 %1774, label %1779 [
-    i32 0, label %1776
-    i32 6, label %1776
+1768:                                             ; preds = %1173, %1185, %1130, %1324, %1339, %1700, %1714, %1746, %1762, %1767, %1286, %524, %589, %405
+  %1769 = phi double [ %367, %405 ], [ %367, %524 ], [ %367, %589 ], [ %1131, %1286 ], [ %1131, %1767 ], [ %1131, %1762 ], [ %1131, %1746 ], [ %1131, %1714 ], [ %1131, %1700 ], [ %1131, %1339 ], [ %1131, %1324 ], [ %1131, %1130 ], [ %1131, %1185 ], [ %1131, %1173 ]
+  %1770 = phi i32 [ %366, %405 ], [ %366, %524 ], [ %366, %589 ], [ %1132, %1286 ], [ %1132, %1767 ], [ %1132, %1762 ], [ %1132, %1746 ], [ %1132, %1714 ], [ %1132, %1700 ], [ %1132, %1339 ], [ %1132, %1324 ], [ %1132, %1130 ], [ %1132, %1185 ], [ %1132, %1173 ]
+  %1771 = phi i64 [ %365, %405 ], [ %365, %524 ], [ %365, %589 ], [ %1133, %1286 ], [ %1133, %1767 ], [ %1133, %1762 ], [ %1133, %1746 ], [ %1133, %1714 ], [ %1133, %1700 ], [ %1133, %1339 ], [ %1133, %1324 ], [ %1133, %1130 ], [ %1133, %1185 ], [ %1133, %1173 ]
+  %1772 = phi i64 [ %364, %405 ], [ %364, %524 ], [ %364, %589 ], [ %1134, %1286 ], [ %1134, %1767 ], [ %1134, %1762 ], [ %1134, %1746 ], [ %1134, %1714 ], [ %1134, %1700 ], [ %1134, %1339 ], [ %1134, %1324 ], [ %1134, %1130 ], [ %1134, %1185 ], [ %1134, %1173 ]
+  %1773 = phi double [ %363, %405 ], [ %363, %524 ], [ %592, %589 ], [ %363, %1286 ], [ %1763, %1767 ], [ %1763, %1762 ], [ %363, %1746 ], [ %363, %1714 ], [ %1711, %1700 ], [ %1342, %1339 ], [ %1326, %1324 ], [ %363, %1130 ], [ %1186, %1185 ], [ %363, %1173 ]
+  %1774 = phi double [ %362, %405 ], [ %362, %524 ], [ %362, %589 ], [ %362, %1286 ], [ %399, %1767 ], [ %399, %1762 ], [ %399, %1746 ], [ %362, %1714 ], [ %362, %1700 ], [ %362, %1339 ], [ %362, %1324 ], [ %362, %1130 ], [ %362, %1185 ], [ %362, %1173 ]
+  %1775 = phi i32 [ 1, %405 ], [ 1, %524 ], [ 6, %589 ], [ 1, %1286 ], [ 1, %1767 ], [ 0, %1762 ], [ 1, %1746 ], [ 1, %1714 ], [ 6, %1700 ], [ 6, %1339 ], [ 6, %1324 ], [ 1, %1130 ], [ 6, %1185 ], [ 6, %1173 ]
+  %1776 = phi i64 [ 2, %405 ], [ -4, %524 ], [ %361, %589 ], [ -4, %1286 ], [ 0, %1767 ], [ %361, %1762 ], [ %1748, %1746 ], [ %1695, %1714 ], [ %361, %1700 ], [ %361, %1339 ], [ %361, %1324 ], [ -4, %1130 ], [ %361, %1185 ], [ %361, %1173 ]
+  switch i32 %1775, label %1780 [
+    i32 0, label %1777
+    i32 6, label %1777
   ]
 
-1776:                                             ; preds = %1767, %1767
-  %1777 = load i64, ptr %86, align 8
-  %1778 = icmp eq i64 %1777, 0
-  br i1 %1778, label %357, label %359, !llvm.loop !17
+1777:                                             ; preds = %1768, %1768
+  %1778 = load i64, ptr %86, align 8
+  %1779 = icmp eq i64 %1778, 0
+  br i1 %1779, label %357, label %359, !llvm.loop !17
 
-1779:                                             ; preds = %1767, %161, %357, %380, %388, %203, %75
-  %1780 = phi i64 [ -1, %75 ], [ %164, %161 ], [ -1, %357 ], [ -5, %380 ], [ 1, %388 ], [ 0, %203 ], [ %1775, %1767 ]
-  ret i64 %1780
+1780:                                             ; preds = %1768, %161, %357, %380, %388, %203, %75
+  %1781 = phi i64 [ -1, %75 ], [ %164, %161 ], [ -1, %357 ], [ -5, %380 ], [ 1, %388 ], [ 0, %203 ], [ %1776, %1768 ]
+  ret i64 %1781
 }
 
 

@@ -1,4 +1,4 @@
-; sources 2afd0beddb387df76734485f888f1f30cf8cb7044f2fb0ed46d79be9315dc45b
+; sources 232b4a5e4f6ef84845dbaa1073f492d218770939d1b34d611f2f95a54fe53255
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @extend(ptr noundef %0, ptr noundef readonly %1) #0 {
@@ -646,7 +646,7 @@ define i64 @extend(ptr noundef %0, ptr noundef readonly %1) #0 {
   %518 = getelementptr inbounds i8, ptr %512, i64 56
   %519 = load i64, ptr %518, align 8
   %520 = inttoptr i64 %519 to ptr
-  %521 = tail call i64 %520(ptr noundef %0, double noundef %72, ptr noundef %75) #6
+  %521 = tail call i64 %520(ptr noundef %0, double noundef %72, ptr noundef %75, ptr noundef null) #6
   br label %522
 
 522:                                              ; preds = %81, %79, %492, %517, %488

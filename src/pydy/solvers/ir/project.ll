@@ -1,523 +1,770 @@
-; sources 7f13ad689253e0d1fe6d7402cb3695b3566b930bd8af117befc90c83c26ceacc
+; sources 17b627542c831f91887b5fcdba2fff84dc114757e42bfb97ea777d667485f82e
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Held = type { ptr, i64, i64, i64, i64, i64, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr }
 
-define i64 @project(ptr noundef readonly %0, double noundef %1, ptr noundef %2) #0 {
-  %4 = alloca %struct.Held, align 8
+define i64 @project(ptr noundef readonly %0, double noundef %1, ptr noundef %2, ptr noundef readonly %3) #0 {
+  %5 = alloca %struct.Held, align 8
   tail call void @llvm.experimental.noalias.scope.decl(metadata !3)
-  %5 = getelementptr inbounds i8, ptr %0, i64 648
-  %6 = load ptr, ptr %5, align 8, !noalias !3
-  %7 = getelementptr inbounds i8, ptr %6, i64 64
-  %8 = load i64, ptr %7, align 8, !noalias !3
-  %9 = inttoptr i64 %8 to ptr
-  store ptr %9, ptr %4, align 8, !alias.scope !3
-  %10 = getelementptr inbounds i8, ptr %4, i64 8
-  %11 = getelementptr inbounds i8, ptr %6, i64 16
-  %12 = load i64, ptr %11, align 8, !noalias !3
-  store i64 %12, ptr %10, align 8, !alias.scope !3
-  %13 = getelementptr inbounds i8, ptr %4, i64 16
-  %14 = getelementptr inbounds i8, ptr %6, i64 24
-  %15 = load i64, ptr %14, align 8, !noalias !3
-  store i64 %15, ptr %13, align 8, !alias.scope !3
-  %16 = getelementptr inbounds i8, ptr %4, i64 24
-  %17 = getelementptr inbounds i8, ptr %6, i64 32
-  %18 = load i64, ptr %17, align 8, !noalias !3
-  store i64 %18, ptr %16, align 8, !alias.scope !3
-  %19 = getelementptr inbounds i8, ptr %4, i64 32
-  %20 = getelementptr inbounds i8, ptr %6, i64 40
-  %21 = load i64, ptr %20, align 8, !noalias !3
-  store i64 %21, ptr %19, align 8, !alias.scope !3
-  %22 = getelementptr inbounds i8, ptr %4, i64 40
-  %23 = getelementptr inbounds i8, ptr %6, i64 48
-  %24 = load i64, ptr %23, align 8, !noalias !3
-  store i64 %24, ptr %22, align 8, !alias.scope !3
-  %25 = getelementptr inbounds i8, ptr %4, i64 48
-  %26 = getelementptr inbounds i8, ptr %6, i64 80
-  %27 = load i64, ptr %26, align 8, !noalias !3
-  store i64 %27, ptr %25, align 8, !alias.scope !3
-  %28 = getelementptr inbounds i8, ptr %4, i64 56
-  %29 = getelementptr inbounds i8, ptr %6, i64 88
-  %30 = load i64, ptr %29, align 8, !noalias !3
-  store i64 %30, ptr %28, align 8, !alias.scope !3
-  %31 = getelementptr inbounds i8, ptr %4, i64 64
-  %32 = getelementptr inbounds i8, ptr %0, i64 696
-  %33 = load ptr, ptr %32, align 8, !noalias !3
-  store ptr %33, ptr %31, align 8, !alias.scope !3
-  %34 = getelementptr inbounds i8, ptr %4, i64 72
-  store ptr null, ptr %34, align 8, !alias.scope !3
-  %35 = getelementptr inbounds i8, ptr %4, i64 80
+  %6 = getelementptr inbounds i8, ptr %0, i64 648
+  %7 = load ptr, ptr %6, align 8, !noalias !3
+  %8 = getelementptr inbounds i8, ptr %7, i64 64
+  %9 = load i64, ptr %8, align 8, !noalias !3
+  %10 = inttoptr i64 %9 to ptr
+  store ptr %10, ptr %5, align 8, !alias.scope !3
+  %11 = getelementptr inbounds i8, ptr %5, i64 8
+  %12 = getelementptr inbounds i8, ptr %7, i64 16
+  %13 = load i64, ptr %12, align 8, !noalias !3
+  store i64 %13, ptr %11, align 8, !alias.scope !3
+  %14 = getelementptr inbounds i8, ptr %5, i64 16
+  %15 = getelementptr inbounds i8, ptr %7, i64 24
+  %16 = load i64, ptr %15, align 8, !noalias !3
+  store i64 %16, ptr %14, align 8, !alias.scope !3
+  %17 = getelementptr inbounds i8, ptr %5, i64 24
+  %18 = getelementptr inbounds i8, ptr %7, i64 32
+  %19 = load i64, ptr %18, align 8, !noalias !3
+  store i64 %19, ptr %17, align 8, !alias.scope !3
+  %20 = getelementptr inbounds i8, ptr %5, i64 32
+  %21 = getelementptr inbounds i8, ptr %7, i64 40
+  %22 = load i64, ptr %21, align 8, !noalias !3
+  store i64 %22, ptr %20, align 8, !alias.scope !3
+  %23 = getelementptr inbounds i8, ptr %5, i64 40
+  %24 = getelementptr inbounds i8, ptr %7, i64 48
+  %25 = load i64, ptr %24, align 8, !noalias !3
+  store i64 %25, ptr %23, align 8, !alias.scope !3
+  %26 = getelementptr inbounds i8, ptr %5, i64 48
+  %27 = getelementptr inbounds i8, ptr %7, i64 80
+  %28 = load i64, ptr %27, align 8, !noalias !3
+  store i64 %28, ptr %26, align 8, !alias.scope !3
+  %29 = getelementptr inbounds i8, ptr %5, i64 56
+  %30 = getelementptr inbounds i8, ptr %7, i64 88
+  %31 = load i64, ptr %30, align 8, !noalias !3
+  store i64 %31, ptr %29, align 8, !alias.scope !3
+  %32 = getelementptr inbounds i8, ptr %5, i64 64
+  %33 = getelementptr inbounds i8, ptr %0, i64 696
+  %34 = load ptr, ptr %33, align 8, !noalias !3
+  store ptr %34, ptr %32, align 8, !alias.scope !3
+  %35 = getelementptr inbounds i8, ptr %5, i64 72
   store ptr null, ptr %35, align 8, !alias.scope !3
-  %36 = getelementptr inbounds i8, ptr %4, i64 88
+  %36 = getelementptr inbounds i8, ptr %5, i64 80
   store ptr null, ptr %36, align 8, !alias.scope !3
-  %37 = getelementptr inbounds i8, ptr %4, i64 96
+  %37 = getelementptr inbounds i8, ptr %5, i64 88
   store ptr null, ptr %37, align 8, !alias.scope !3
-  %38 = getelementptr inbounds i8, ptr %4, i64 104
+  %38 = getelementptr inbounds i8, ptr %5, i64 96
   store ptr null, ptr %38, align 8, !alias.scope !3
-  %39 = getelementptr inbounds i8, ptr %4, i64 112
+  %39 = getelementptr inbounds i8, ptr %5, i64 104
   store ptr null, ptr %39, align 8, !alias.scope !3
-  %40 = getelementptr double, ptr %33, i64 %12
-  %41 = getelementptr inbounds double, ptr %40, i64 %15
-  store ptr %41, ptr %34, align 8, !alias.scope !3
-  %42 = mul nsw i64 %18, %12
-  %43 = getelementptr inbounds double, ptr %41, i64 %42
-  store ptr %43, ptr %35, align 8, !alias.scope !3
-  %44 = mul nsw i64 %21, %18
-  %45 = getelementptr inbounds double, ptr %43, i64 %44
-  store ptr %45, ptr %36, align 8, !alias.scope !3
-  %46 = mul i64 %21, %15
-  %47 = getelementptr inbounds double, ptr %45, i64 %46
-  store ptr %47, ptr %37, align 8, !alias.scope !3
-  %48 = mul i64 %21, %21
-  %49 = mul i64 %48, %24
-  %50 = getelementptr inbounds double, ptr %47, i64 %49
-  store ptr %50, ptr %38, align 8, !alias.scope !3
-  %51 = getelementptr inbounds double, ptr %50, i64 %12
+  %40 = getelementptr inbounds i8, ptr %5, i64 112
+  store ptr null, ptr %40, align 8, !alias.scope !3
+  %41 = getelementptr inbounds double, ptr %34, i64 %13
+  %42 = getelementptr inbounds double, ptr %41, i64 %16
+  store ptr %42, ptr %35, align 8, !alias.scope !3
+  %43 = mul nsw i64 %19, %13
+  %44 = getelementptr inbounds double, ptr %42, i64 %43
+  store ptr %44, ptr %36, align 8, !alias.scope !3
+  %45 = mul nsw i64 %22, %19
+  %46 = getelementptr inbounds double, ptr %44, i64 %45
+  store ptr %46, ptr %37, align 8, !alias.scope !3
+  %47 = mul nsw i64 %22, %16
+  %48 = getelementptr inbounds double, ptr %46, i64 %47
+  store ptr %48, ptr %38, align 8, !alias.scope !3
+  %49 = mul i64 %22, %22
+  %50 = mul i64 %49, %25
+  %51 = getelementptr inbounds double, ptr %48, i64 %50
   store ptr %51, ptr %39, align 8, !alias.scope !3
-  %52 = getelementptr inbounds i8, ptr %0, i64 144
-  %53 = getelementptr inbounds i8, ptr %0, i64 168
-  %54 = load ptr, ptr %53, align 8
-  store double %1, ptr %54, align 8
-  %55 = getelementptr inbounds i8, ptr %0, i64 248
-  %56 = load i64, ptr %55, align 8
-  %57 = icmp sgt i64 %56, 0
-  br i1 %57, label %58, label %59
+  %52 = getelementptr inbounds double, ptr %51, i64 %13
+  store ptr %52, ptr %40, align 8, !alias.scope !3
+  %53 = getelementptr inbounds i8, ptr %0, i64 144
+  %54 = getelementptr inbounds i8, ptr %0, i64 168
+  %55 = load ptr, ptr %54, align 8
+  store double %1, ptr %55, align 8
+  %56 = getelementptr inbounds i8, ptr %0, i64 248
+  %57 = load i64, ptr %56, align 8
+  %58 = icmp sgt i64 %57, 0
+  br i1 %58, label %59, label %60
 
-58:                                               ; preds = %3
-  tail call fastcc void @sample(ptr noundef nonnull %52) #7
-  br label %59
+59:                                               ; preds = %4
+  tail call fastcc void @sample(ptr noundef nonnull %53) #7
+  br label %60
 
-59:                                               ; preds = %3, %58
-  %60 = getelementptr inbounds i8, ptr %0, i64 600
-  %61 = load ptr, ptr %60, align 8
-  %62 = getelementptr inbounds i8, ptr %61, i64 88
-  %63 = load i64, ptr %62, align 8
-  %64 = add nsw i64 %63, 1
-  store i64 %64, ptr %62, align 8
-  %65 = load ptr, ptr %9, align 8
-  %66 = icmp sgt i64 %21, 0
-  br i1 %66, label %67, label %81
+60:                                               ; preds = %4, %59
+  %61 = getelementptr inbounds i8, ptr %0, i64 600
+  %62 = load ptr, ptr %61, align 8
+  %63 = getelementptr inbounds i8, ptr %62, i64 88
+  %64 = load i64, ptr %63, align 8
+  %65 = add nsw i64 %64, 1
+  store i64 %65, ptr %63, align 8
+  %66 = load ptr, ptr %5, align 8
+  %67 = load ptr, ptr %66, align 8
+  %68 = load i64, ptr %20, align 8
+  %69 = icmp sgt i64 %68, 0
+  br i1 %69, label %70, label %84
 
-67:                                               ; preds = %59, %71
-  %68 = phi i64 [ %72, %71 ], [ 0, %59 ]
-  %69 = mul nuw nsw i64 %68, %21
-  %70 = getelementptr double, ptr %65, i64 %69
-  br label %74
+70:                                               ; preds = %60, %74
+  %71 = phi i64 [ %75, %74 ], [ 0, %60 ]
+  %72 = mul nuw nsw i64 %71, %68
+  %73 = getelementptr double, ptr %67, i64 %72
+  br label %77
 
-71:                                               ; preds = %74
-  %72 = add nuw nsw i64 %68, 1
-  %73 = icmp eq i64 %72, %21
-  br i1 %73, label %81, label %67, !llvm.loop !6
+74:                                               ; preds = %77
+  %75 = add nuw nsw i64 %71, 1
+  %76 = icmp eq i64 %75, %68
+  br i1 %76, label %84, label %70, !llvm.loop !6
 
-74:                                               ; preds = %67, %74
-  %75 = phi i64 [ 0, %67 ], [ %79, %74 ]
-  %76 = icmp eq i64 %68, %75
-  %77 = select i1 %76, double 1.000000e+00, double 0.000000e+00
-  %78 = getelementptr double, ptr %70, i64 %75
-  store double %77, ptr %78, align 8
-  %79 = add nuw nsw i64 %75, 1
-  %80 = icmp eq i64 %79, %21
-  br i1 %80, label %71, label %74, !llvm.loop !9
+77:                                               ; preds = %70, %77
+  %78 = phi i64 [ 0, %70 ], [ %82, %77 ]
+  %79 = icmp eq i64 %71, %78
+  %80 = select i1 %79, double 1.000000e+00, double 0.000000e+00
+  %81 = getelementptr double, ptr %73, i64 %78
+  store double %80, ptr %81, align 8
+  %82 = add nuw nsw i64 %78, 1
+  %83 = icmp eq i64 %82, %68
+  br i1 %83, label %74, label %77, !llvm.loop !9
 
-81:                                               ; preds = %71, %59
-  %82 = getelementptr inbounds i8, ptr %9, i64 264
-  %83 = load ptr, ptr %82, align 8
-  %84 = icmp sgt i64 %12, 0
-  br i1 %84, label %110, label %85
+84:                                               ; preds = %74, %60
+  %85 = load ptr, ptr %5, align 8
+  %86 = getelementptr inbounds i8, ptr %85, i64 264
+  %87 = load ptr, ptr %86, align 8
+  %88 = load i64, ptr %11, align 8
+  %89 = icmp sgt i64 %88, 0
+  br i1 %89, label %130, label %90
 
-85:                                               ; preds = %110, %81
-  %86 = getelementptr inbounds i8, ptr %0, i64 168
-  %87 = getelementptr inbounds i8, ptr %0, i64 192
-  %88 = getelementptr inbounds i8, ptr %0, i64 672
-  %89 = load ptr, ptr %5, align 8
-  %90 = getelementptr inbounds i8, ptr %89, i64 8
-  %91 = load i64, ptr %90, align 8
-  %92 = load ptr, ptr %86, align 8
-  %93 = load ptr, ptr %87, align 8
-  %94 = load ptr, ptr %88, align 8
-  %95 = inttoptr i64 %91 to ptr
-  %96 = tail call i32 %95(ptr noundef %92, ptr noundef %2, ptr noundef %93, ptr noundef %94, ptr noundef %33) #8
-  %97 = icmp slt i32 %96, 0
-  br i1 %97, label %230, label %98
+90:                                               ; preds = %130, %84
+  %91 = getelementptr inbounds i8, ptr %0, i64 168
+  %92 = getelementptr inbounds i8, ptr %0, i64 192
+  %93 = getelementptr inbounds i8, ptr %0, i64 672
+  %94 = load ptr, ptr %32, align 8
+  %95 = load ptr, ptr %6, align 8
+  %96 = getelementptr inbounds i8, ptr %95, i64 8
+  %97 = load i64, ptr %96, align 8
+  %98 = load ptr, ptr %91, align 8
+  %99 = load ptr, ptr %92, align 8
+  %100 = load ptr, ptr %93, align 8
+  %101 = inttoptr i64 %97 to ptr
+  %102 = tail call i32 %101(ptr noundef %98, ptr noundef %2, ptr noundef %99, ptr noundef %100, ptr noundef %94) #8
+  %103 = icmp slt i32 %102, 0
+  br i1 %103, label %311, label %104
 
-98:                                               ; preds = %85
-  %99 = icmp sgt i64 %12, 0
-  %100 = icmp eq i64 %27, %12
-  %101 = getelementptr inbounds i8, ptr %9, i64 240
-  %102 = icmp eq i64 %24, 1
-  %103 = getelementptr inbounds i8, ptr %9, i64 8
-  %104 = getelementptr inbounds i8, ptr %9, i64 16
-  %105 = getelementptr inbounds i8, ptr %9, i64 24
-  %106 = getelementptr inbounds i8, ptr %9, i64 32
-  %107 = getelementptr inbounds i8, ptr %9, i64 40
-  %108 = getelementptr inbounds i8, ptr %9, i64 144
-  %109 = icmp sgt i64 %12, 0
-  br label %126
+104:                                              ; preds = %90
+  %105 = load i64, ptr %11, align 8
+  %106 = icmp sgt i64 %105, 0
+  %107 = load ptr, ptr %32, align 8
+  %108 = load i64, ptr %26, align 8
+  %109 = icmp eq i64 %108, %105
+  %110 = load ptr, ptr %5, align 8
+  %111 = getelementptr inbounds i8, ptr %110, i64 240
+  %112 = load ptr, ptr %39, align 8
+  %113 = icmp eq ptr %3, null
+  %114 = icmp slt i64 %28, %105
+  %115 = icmp slt i64 %105, 1
+  %116 = icmp sgt i64 %19, 0
+  %117 = getelementptr inbounds i8, ptr %0, i64 552
+  %118 = getelementptr inbounds i8, ptr %0, i64 528
+  %119 = select i1 %114, double 1.000000e-05, double 0x3CE0000000000000
+  %120 = add nsw i64 %68, %19
+  %121 = sitofp i64 %120 to double
+  %122 = icmp eq i64 %25, 1
+  %123 = getelementptr inbounds i8, ptr %85, i64 8
+  %124 = getelementptr inbounds i8, ptr %85, i64 16
+  %125 = getelementptr inbounds i8, ptr %85, i64 24
+  %126 = getelementptr inbounds i8, ptr %85, i64 32
+  %127 = getelementptr inbounds i8, ptr %85, i64 40
+  %128 = getelementptr inbounds i8, ptr %85, i64 144
+  %129 = icmp sgt i64 %105, 0
+  br label %146
 
-110:                                              ; preds = %81, %110
-  %111 = phi i64 [ %113, %110 ], [ 0, %81 ]
-  %112 = getelementptr inbounds double, ptr %83, i64 %111
-  store double 0.000000e+00, ptr %112, align 8
-  %113 = add nuw nsw i64 %111, 1
-  %114 = icmp eq i64 %113, %12
-  br i1 %114, label %85, label %110, !llvm.loop !10
+130:                                              ; preds = %84, %130
+  %131 = phi i64 [ %133, %130 ], [ 0, %84 ]
+  %132 = getelementptr inbounds double, ptr %87, i64 %131
+  store double 0.000000e+00, ptr %132, align 8
+  %133 = add nuw nsw i64 %131, 1
+  %134 = icmp eq i64 %133, %88
+  br i1 %134, label %90, label %130, !llvm.loop !10
 
-115:                                              ; preds = %226
-  %116 = add nuw nsw i32 %129, 1
-  %117 = load ptr, ptr %5, align 8
-  %118 = getelementptr inbounds i8, ptr %117, i64 8
-  %119 = load i64, ptr %118, align 8
-  %120 = load ptr, ptr %86, align 8
-  %121 = load ptr, ptr %87, align 8
-  %122 = load ptr, ptr %88, align 8
-  %123 = inttoptr i64 %119 to ptr
-  %124 = tail call i32 %123(ptr noundef %120, ptr noundef %2, ptr noundef %121, ptr noundef %122, ptr noundef %33) #8
-  %125 = icmp slt i32 %124, 0
-  br i1 %125, label %230, label %126, !llvm.loop !11
+135:                                              ; preds = %306
+  %136 = add nuw nsw i32 %149, 1
+  %137 = load ptr, ptr %6, align 8
+  %138 = getelementptr inbounds i8, ptr %137, i64 8
+  %139 = load i64, ptr %138, align 8
+  %140 = load ptr, ptr %91, align 8
+  %141 = load ptr, ptr %92, align 8
+  %142 = load ptr, ptr %93, align 8
+  %143 = inttoptr i64 %139 to ptr
+  %144 = tail call i32 %143(ptr noundef %140, ptr noundef %2, ptr noundef %141, ptr noundef %142, ptr noundef %94) #8
+  %145 = icmp slt i32 %144, 0
+  br i1 %145, label %311, label %146, !llvm.loop !11
 
-126:                                              ; preds = %98, %115
-  %127 = phi i64 [ undef, %98 ], [ %229, %115 ]
-  %128 = phi double [ 0x7FF0000000000000, %98 ], [ %228, %115 ]
-  %129 = phi i32 [ 0, %98 ], [ %116, %115 ]
-  br i1 %99, label %130, label %167
+146:                                              ; preds = %104, %135
+  %147 = phi i64 [ undef, %104 ], [ %310, %135 ]
+  %148 = phi double [ 0x7FF0000000000000, %104 ], [ %309, %135 ]
+  %149 = phi i32 [ 0, %104 ], [ %136, %135 ]
+  %150 = phi double [ 0.000000e+00, %104 ], [ %307, %135 ]
+  br i1 %106, label %151, label %188
 
-130:                                              ; preds = %126
-  %131 = icmp eq i32 %129, 0
-  %132 = select i1 %131, i1 true, i1 %100
-  br label %137
+151:                                              ; preds = %146
+  %152 = icmp eq i32 %149, 0
+  %153 = select i1 %152, i1 true, i1 %109
+  br label %158
 
-133:                                              ; preds = %163
-  %134 = add nuw nsw i64 %140, 1
-  %135 = icmp slt i64 %134, %12
-  %136 = icmp eq i64 %134, %12
-  br i1 %136, label %167, label %137, !llvm.loop !12
+154:                                              ; preds = %184
+  %155 = add nuw nsw i64 %161, 1
+  %156 = icmp slt i64 %155, %105
+  %157 = icmp eq i64 %155, %105
+  br i1 %157, label %188, label %158, !llvm.loop !12
 
-137:                                              ; preds = %130, %133
-  %138 = phi i1 [ %99, %130 ], [ %135, %133 ]
-  %139 = phi i64 [ %127, %130 ], [ %166, %133 ]
-  %140 = phi i64 [ 0, %130 ], [ %134, %133 ]
-  %141 = phi double [ 0.000000e+00, %130 ], [ %164, %133 ]
-  %142 = getelementptr inbounds double, ptr %33, i64 %140
-  %143 = load double, ptr %142, align 8
-  %144 = tail call double @llvm.fabs.f64(double %143)
-  %145 = fcmp une double %143, 0.000000e+00
-  br i1 %145, label %146, label %163
+158:                                              ; preds = %151, %154
+  %159 = phi i1 [ %106, %151 ], [ %156, %154 ]
+  %160 = phi i64 [ %147, %151 ], [ %187, %154 ]
+  %161 = phi i64 [ 0, %151 ], [ %155, %154 ]
+  %162 = phi double [ 0.000000e+00, %151 ], [ %185, %154 ]
+  %163 = getelementptr inbounds double, ptr %107, i64 %161
+  %164 = load double, ptr %163, align 8
+  %165 = tail call double @llvm.fabs.f64(double %164)
+  %166 = fcmp une double %164, 0.000000e+00
+  br i1 %166, label %167, label %184
 
-146:                                              ; preds = %137
-  br i1 %132, label %152, label %147
+167:                                              ; preds = %158
+  br i1 %153, label %173, label %168
 
-147:                                              ; preds = %146
-  %148 = load ptr, ptr %101, align 8
-  %149 = getelementptr inbounds double, ptr %148, i64 %140
-  %150 = load double, ptr %149, align 8
-  %151 = fcmp ogt double %150, 0.000000e+00
-  br i1 %151, label %152, label %163
+168:                                              ; preds = %167
+  %169 = load ptr, ptr %111, align 8
+  %170 = getelementptr inbounds double, ptr %169, i64 %161
+  %171 = load double, ptr %170, align 8
+  %172 = fcmp ogt double %171, 0.000000e+00
+  br i1 %172, label %173, label %184
 
-152:                                              ; preds = %147, %146
-  %153 = getelementptr inbounds double, ptr %50, i64 %140
-  %154 = load double, ptr %153, align 8
-  %155 = getelementptr inbounds double, ptr %83, i64 %140
-  %156 = load double, ptr %155, align 8
-  %157 = fcmp ogt double %154, %156
-  %158 = select i1 %157, double %154, double %156
-  %159 = fmul double %158, 0x3CB0000000000000
-  %160 = fdiv double %144, %159
-  %161 = fcmp ogt double %160, %141
-  %162 = select i1 %161, double %160, double %141
-  br label %163
+173:                                              ; preds = %168, %167
+  %174 = getelementptr inbounds double, ptr %112, i64 %161
+  %175 = load double, ptr %174, align 8
+  %176 = getelementptr inbounds double, ptr %87, i64 %161
+  %177 = load double, ptr %176, align 8
+  %178 = fcmp ogt double %175, %177
+  %179 = select i1 %178, double %175, double %177
+  %180 = fmul double %179, 0x3CB0000000000000
+  %181 = fdiv double %165, %180
+  %182 = fcmp ogt double %181, %162
+  %183 = select i1 %182, double %181, double %162
+  br label %184
 
-163:                                              ; preds = %152, %147, %137
-  %164 = phi double [ %162, %152 ], [ %141, %147 ], [ %141, %137 ]
-  %165 = fcmp ueq double %144, 0x7FF0000000000000
-  %166 = select i1 %165, i64 6, i64 %139
-  br i1 %165, label %167, label %133
+184:                                              ; preds = %173, %168, %158
+  %185 = phi double [ %183, %173 ], [ %162, %168 ], [ %162, %158 ]
+  %186 = fcmp ueq double %165, 0x7FF0000000000000
+  %187 = select i1 %186, i64 6, i64 %160
+  br i1 %186, label %188, label %154
 
-167:                                              ; preds = %133, %163, %126
-  %168 = phi i1 [ %99, %126 ], [ %135, %133 ], [ %138, %163 ]
-  %169 = phi double [ 0.000000e+00, %126 ], [ %164, %163 ], [ %164, %133 ]
-  %170 = phi i64 [ %127, %126 ], [ %166, %163 ], [ %166, %133 ]
-  br i1 %168, label %226, label %171
+188:                                              ; preds = %154, %184, %146
+  %189 = phi i1 [ %106, %146 ], [ %156, %154 ], [ %159, %184 ]
+  %190 = phi double [ 0.000000e+00, %146 ], [ %185, %184 ], [ %185, %154 ]
+  %191 = phi i64 [ %147, %146 ], [ %187, %184 ], [ %187, %154 ]
+  br i1 %189, label %306, label %192
 
-171:                                              ; preds = %167
-  %172 = fcmp ugt double %169, 1.000000e+00
-  br i1 %172, label %173, label %226
+192:                                              ; preds = %188
+  %193 = icmp ne i32 %149, 0
+  %194 = or i1 %113, %193
+  %195 = or i1 %194, %115
+  %196 = select i1 %194, double %150, double 0.000000e+00
+  br i1 %195, label %250, label %197
 
-173:                                              ; preds = %171
-  %174 = fmul double %128, 5.000000e-01
-  %175 = fcmp oge double %169, %174
-  %176 = fcmp ole double %169, 8.000000e+00
-  %177 = and i1 %175, %176
-  br i1 %177, label %226, label %178
+197:                                              ; preds = %192, %245
+  %198 = phi ptr [ %248, %245 ], [ %42, %192 ]
+  %199 = phi double [ %246, %245 ], [ 0.000000e+00, %192 ]
+  %200 = phi i64 [ %247, %245 ], [ 0, %192 ]
+  br i1 %116, label %201, label %204
 
-178:                                              ; preds = %173
-  %179 = icmp eq i32 %129, 9
-  br i1 %179, label %226, label %180
+201:                                              ; preds = %197
+  %202 = load ptr, ptr %117, align 8
+  %203 = load ptr, ptr %118, align 8
+  br label %207
 
-180:                                              ; preds = %178
-  br i1 %102, label %181, label %199
+204:                                              ; preds = %207, %197
+  %205 = phi double [ 0.000000e+00, %197 ], [ %228, %207 ]
+  %206 = fcmp ogt double %205, 0.000000e+00
+  br i1 %206, label %231, label %245
 
-181:                                              ; preds = %180
-  %182 = load i64, ptr %103, align 8
-  %183 = load i64, ptr %104, align 8
-  %184 = mul nsw i64 %183, %182
-  %185 = icmp sgt i64 %184, 0
-  br i1 %185, label %186, label %197
+207:                                              ; preds = %201, %207
+  %208 = phi i64 [ 0, %201 ], [ %229, %207 ]
+  %209 = phi double [ 0.000000e+00, %201 ], [ %228, %207 ]
+  %210 = getelementptr inbounds double, ptr %198, i64 %208
+  %211 = load double, ptr %210, align 8
+  %212 = getelementptr inbounds double, ptr %3, i64 %208
+  %213 = load double, ptr %212, align 8
+  %214 = getelementptr inbounds double, ptr %2, i64 %208
+  %215 = load double, ptr %214, align 8
+  %216 = getelementptr inbounds double, ptr %202, i64 %208
+  %217 = load double, ptr %216, align 8
+  %218 = getelementptr inbounds double, ptr %203, i64 %208
+  %219 = load double, ptr %218, align 8
+  %220 = tail call double @llvm.fabs.f64(double %213)
+  %221 = tail call double @llvm.fabs.f64(double %215)
+  %222 = fcmp ogt double %220, %221
+  %223 = select i1 %222, double %220, double %221
+  %224 = fmul double %223, %219
+  %225 = fadd double %217, %224
+  %226 = fmul double %211, %225
+  %227 = fmul double %226, %226
+  %228 = fadd double %209, %227
+  %229 = add nuw nsw i64 %208, 1
+  %230 = icmp eq i64 %229, %19
+  br i1 %230, label %204, label %207, !llvm.loop !13
 
-186:                                              ; preds = %181, %186
-  %187 = phi i64 [ %192, %186 ], [ 0, %181 ]
-  %188 = getelementptr inbounds double, ptr %47, i64 %187
-  %189 = load double, ptr %188, align 8
-  %190 = load ptr, ptr %9, align 8
-  %191 = getelementptr inbounds double, ptr %190, i64 %187
-  store double %189, ptr %191, align 8
-  %192 = add nuw nsw i64 %187, 1
-  %193 = load i64, ptr %103, align 8
-  %194 = load i64, ptr %104, align 8
-  %195 = mul nsw i64 %194, %193
-  %196 = icmp slt i64 %192, %195
-  br i1 %196, label %186, label %197, !llvm.loop !13
+231:                                              ; preds = %204
+  %232 = getelementptr inbounds double, ptr %51, i64 %200
+  %233 = load double, ptr %232, align 8
+  %234 = fmul double %205, %121
+  %235 = tail call double @llvm.sqrt.f64(double %234)
+  %236 = fmul double %235, 3.000000e+00
+  %237 = fmul double %119, %233
+  %238 = fadd double %236, %237
+  %239 = getelementptr inbounds double, ptr %94, i64 %200
+  %240 = load double, ptr %239, align 8
+  %241 = tail call double @llvm.fabs.f64(double %240)
+  %242 = fdiv double %241, %238
+  %243 = fcmp ogt double %242, %199
+  %244 = select i1 %243, double %242, double %199
+  br label %245
 
-197:                                              ; preds = %186, %181
-  %198 = load ptr, ptr %9, align 8
-  tail call fastcc void @factorise(ptr noundef %198, i64 noundef %21) #7
-  br label %199
+245:                                              ; preds = %231, %204
+  %246 = phi double [ %244, %231 ], [ %199, %204 ]
+  %247 = add nuw nsw i64 %200, 1
+  %248 = getelementptr inbounds double, ptr %198, i64 %19
+  %249 = icmp eq i64 %247, %105
+  br i1 %249, label %250, label %197, !llvm.loop !14
 
-199:                                              ; preds = %180, %197
-  %200 = load i64, ptr %106, align 8
-  %201 = load i64, ptr %107, align 8
-  %202 = mul nsw i64 %201, %200
-  %203 = icmp sgt i64 %202, 0
-  br i1 %203, label %204, label %215
+250:                                              ; preds = %245, %192
+  %251 = phi double [ %196, %192 ], [ %246, %245 ]
+  %252 = fcmp ugt double %190, 1.000000e+00
+  br i1 %252, label %253, label %306
 
-204:                                              ; preds = %199, %204
-  %205 = phi i64 [ %210, %204 ], [ 0, %199 ]
-  %206 = getelementptr inbounds double, ptr %43, i64 %205
-  %207 = load double, ptr %206, align 8
-  %208 = load ptr, ptr %105, align 8
-  %209 = getelementptr inbounds double, ptr %208, i64 %205
-  store double %207, ptr %209, align 8
-  %210 = add nuw nsw i64 %205, 1
-  %211 = load i64, ptr %106, align 8
-  %212 = load i64, ptr %107, align 8
-  %213 = mul nsw i64 %212, %211
-  %214 = icmp slt i64 %210, %213
-  br i1 %214, label %204, label %215, !llvm.loop !13
+253:                                              ; preds = %250
+  %254 = fmul double %148, 5.000000e-01
+  %255 = fcmp oge double %190, %254
+  %256 = fcmp ole double %190, 8.000000e+00
+  %257 = and i1 %255, %256
+  br i1 %257, label %306, label %258
 
-215:                                              ; preds = %204, %199
-  %216 = load ptr, ptr %108, align 8
-  br i1 %109, label %217, label %225
+258:                                              ; preds = %253
+  %259 = icmp eq i32 %149, 9
+  br i1 %259, label %306, label %260
 
-217:                                              ; preds = %215, %217
-  %218 = phi i64 [ %223, %217 ], [ 0, %215 ]
-  %219 = getelementptr inbounds double, ptr %33, i64 %218
-  %220 = load double, ptr %219, align 8
-  %221 = fneg double %220
-  %222 = getelementptr inbounds double, ptr %216, i64 %218
-  store double %221, ptr %222, align 8
-  %223 = add nuw nsw i64 %218, 1
-  %224 = icmp eq i64 %223, %12
-  br i1 %224, label %225, label %217, !llvm.loop !14
+260:                                              ; preds = %258
+  br i1 %122, label %261, label %279
 
-225:                                              ; preds = %217, %215
-  call fastcc void @move_positions(ptr noundef nonnull %4, ptr noundef %2) #7
-  br label %226
+261:                                              ; preds = %260
+  %262 = load i64, ptr %123, align 8
+  %263 = load i64, ptr %124, align 8
+  %264 = mul nsw i64 %263, %262
+  %265 = icmp sgt i64 %264, 0
+  br i1 %265, label %266, label %277
 
-226:                                              ; preds = %225, %178, %173, %171, %167
-  %227 = phi i1 [ true, %225 ], [ false, %167 ], [ false, %173 ], [ false, %171 ], [ false, %178 ]
-  %228 = phi double [ %169, %225 ], [ %128, %167 ], [ %128, %173 ], [ %128, %171 ], [ %128, %178 ]
-  %229 = phi i64 [ %170, %225 ], [ %170, %167 ], [ 0, %173 ], [ 0, %171 ], [ 6, %178 ]
-  br i1 %227, label %115, label %230
+266:                                              ; preds = %261, %266
+  %267 = phi i64 [ %272, %266 ], [ 0, %261 ]
+  %268 = getelementptr inbounds double, ptr %48, i64 %267
+  %269 = load double, ptr %268, align 8
+  %270 = load ptr, ptr %85, align 8
+  %271 = getelementptr inbounds double, ptr %270, i64 %267
+  store double %269, ptr %271, align 8
+  %272 = add nuw nsw i64 %267, 1
+  %273 = load i64, ptr %123, align 8
+  %274 = load i64, ptr %124, align 8
+  %275 = mul nsw i64 %274, %273
+  %276 = icmp slt i64 %272, %275
+  br i1 %276, label %266, label %277, !llvm.loop !15
 
-230:                                              ; preds = %226, %115, %85
-  %231 = phi i64 [ 6, %85 ], [ %229, %226 ], [ 6, %115 ]
-  %232 = icmp ne i64 %231, 0
-  %233 = icmp eq i64 %15, 0
-  %234 = select i1 %232, i1 true, i1 %233
-  br i1 %234, label %359, label %235
+277:                                              ; preds = %266, %261
+  %278 = load ptr, ptr %85, align 8
+  tail call fastcc void @factorise(ptr noundef %278, i64 noundef %68) #7
+  br label %279
 
-235:                                              ; preds = %230
-  %236 = icmp sgt i64 %15, 0
-  br i1 %236, label %240, label %237
+279:                                              ; preds = %260, %277
+  %280 = load i64, ptr %126, align 8
+  %281 = load i64, ptr %127, align 8
+  %282 = mul nsw i64 %281, %280
+  %283 = icmp sgt i64 %282, 0
+  br i1 %283, label %284, label %295
 
-237:                                              ; preds = %240, %235
-  %238 = phi double [ 0.000000e+00, %235 ], [ %246, %240 ]
-  %239 = icmp sgt i64 %46, 0
-  br i1 %239, label %252, label %249
+284:                                              ; preds = %279, %284
+  %285 = phi i64 [ %290, %284 ], [ 0, %279 ]
+  %286 = getelementptr inbounds double, ptr %44, i64 %285
+  %287 = load double, ptr %286, align 8
+  %288 = load ptr, ptr %125, align 8
+  %289 = getelementptr inbounds double, ptr %288, i64 %285
+  store double %287, ptr %289, align 8
+  %290 = add nuw nsw i64 %285, 1
+  %291 = load i64, ptr %126, align 8
+  %292 = load i64, ptr %127, align 8
+  %293 = mul nsw i64 %292, %291
+  %294 = icmp slt i64 %290, %293
+  br i1 %294, label %284, label %295, !llvm.loop !15
 
-240:                                              ; preds = %235, %240
-  %241 = phi i64 [ %247, %240 ], [ 0, %235 ]
-  %242 = phi double [ %246, %240 ], [ 0.000000e+00, %235 ]
-  %243 = getelementptr double, ptr %40, i64 %241
-  %244 = load double, ptr %243, align 8
-  %245 = fmul double %244, 0.000000e+00
-  %246 = fadd double %242, %245
-  %247 = add nuw nsw i64 %241, 1
-  %248 = icmp eq i64 %247, %15
-  br i1 %248, label %237, label %240, !llvm.loop !15
+295:                                              ; preds = %284, %279
+  %296 = load ptr, ptr %128, align 8
+  br i1 %129, label %297, label %305
 
-249:                                              ; preds = %252, %237
-  %250 = phi double [ %238, %237 ], [ %258, %252 ]
-  %251 = fcmp une double %250, 0.000000e+00
-  br i1 %251, label %359, label %261
+297:                                              ; preds = %295, %297
+  %298 = phi i64 [ %303, %297 ], [ 0, %295 ]
+  %299 = getelementptr inbounds double, ptr %94, i64 %298
+  %300 = load double, ptr %299, align 8
+  %301 = fneg double %300
+  %302 = getelementptr inbounds double, ptr %296, i64 %298
+  store double %301, ptr %302, align 8
+  %303 = add nuw nsw i64 %298, 1
+  %304 = icmp eq i64 %303, %105
+  br i1 %304, label %305, label %297, !llvm.loop !16
 
-252:                                              ; preds = %237, %252
-  %253 = phi i64 [ %259, %252 ], [ 0, %237 ]
-  %254 = phi double [ %258, %252 ], [ %238, %237 ]
-  %255 = getelementptr inbounds double, ptr %45, i64 %253
-  %256 = load double, ptr %255, align 8
-  %257 = fmul double %256, 0.000000e+00
-  %258 = fadd double %254, %257
-  %259 = add nuw nsw i64 %253, 1
-  %260 = icmp eq i64 %259, %46
-  br i1 %260, label %249, label %252, !llvm.loop !16
+305:                                              ; preds = %297, %295
+  call fastcc void @move_positions(ptr noundef nonnull %5, ptr noundef %2) #7
+  br label %306
 
-261:                                              ; preds = %249
-  %262 = icmp eq i64 %24, 1
-  br i1 %262, label %263, label %283
+306:                                              ; preds = %305, %258, %253, %250, %188
+  %307 = phi double [ %150, %188 ], [ %251, %253 ], [ %251, %258 ], [ %251, %305 ], [ %251, %250 ]
+  %308 = phi i1 [ false, %188 ], [ false, %253 ], [ false, %258 ], [ true, %305 ], [ false, %250 ]
+  %309 = phi double [ %148, %188 ], [ %148, %253 ], [ %148, %258 ], [ %190, %305 ], [ %148, %250 ]
+  %310 = phi i64 [ %191, %188 ], [ 0, %253 ], [ 6, %258 ], [ %191, %305 ], [ 0, %250 ]
+  br i1 %308, label %135, label %311
 
-263:                                              ; preds = %261
-  %264 = getelementptr inbounds i8, ptr %9, i64 8
-  %265 = getelementptr inbounds i8, ptr %9, i64 16
-  %266 = load i64, ptr %264, align 8
-  %267 = load i64, ptr %265, align 8
-  %268 = mul nsw i64 %267, %266
-  %269 = icmp sgt i64 %268, 0
-  br i1 %269, label %270, label %281
+311:                                              ; preds = %306, %135, %90
+  %312 = phi double [ 0.000000e+00, %90 ], [ %307, %135 ], [ %307, %306 ]
+  %313 = phi i64 [ 6, %90 ], [ %310, %306 ], [ 6, %135 ]
+  %314 = icmp eq i64 %313, 0
+  br i1 %314, label %315, label %324
 
-270:                                              ; preds = %263, %270
-  %271 = phi i64 [ %276, %270 ], [ 0, %263 ]
-  %272 = getelementptr inbounds double, ptr %47, i64 %271
-  %273 = load double, ptr %272, align 8
-  %274 = load ptr, ptr %9, align 8
-  %275 = getelementptr inbounds double, ptr %274, i64 %271
-  store double %273, ptr %275, align 8
-  %276 = add nuw nsw i64 %271, 1
-  %277 = load i64, ptr %264, align 8
-  %278 = load i64, ptr %265, align 8
-  %279 = mul nsw i64 %278, %277
-  %280 = icmp slt i64 %276, %279
-  br i1 %280, label %270, label %281, !llvm.loop !13
+315:                                              ; preds = %311
+  %316 = load i64, ptr %14, align 8
+  %317 = icmp eq i64 %316, 0
+  br i1 %317, label %324, label %318
 
-281:                                              ; preds = %270, %263
-  %282 = load ptr, ptr %9, align 8
-  tail call fastcc void @factorise(ptr noundef %282, i64 noundef %21) #7
-  br label %283
+318:                                              ; preds = %315
+  %319 = icmp sgt i64 %316, 0
+  br i1 %319, label %320, label %327
 
-283:                                              ; preds = %261, %281
-  %284 = getelementptr inbounds i8, ptr %9, i64 144
-  %285 = load ptr, ptr %284, align 8
-  %286 = icmp sgt i64 %15, 0
-  br i1 %286, label %287, label %295
+320:                                              ; preds = %318
+  %321 = load ptr, ptr %32, align 8
+  %322 = load i64, ptr %11, align 8
+  %323 = getelementptr double, ptr %321, i64 %322
+  br label %334
 
-287:                                              ; preds = %283, %287
-  %288 = phi i64 [ %293, %287 ], [ 0, %283 ]
-  %289 = getelementptr inbounds double, ptr %40, i64 %288
-  %290 = load double, ptr %289, align 8
-  %291 = fneg double %290
-  %292 = getelementptr inbounds double, ptr %285, i64 %288
-  store double %291, ptr %292, align 8
-  %293 = add nuw nsw i64 %288, 1
-  %294 = icmp eq i64 %293, %15
-  br i1 %294, label %295, label %287, !llvm.loop !14
+324:                                              ; preds = %315, %311
+  %325 = fcmp ogt double %312, 1.000000e+00
+  %326 = select i1 %325, i64 6, i64 %313
+  br label %558
 
-295:                                              ; preds = %287, %283
-  call fastcc void @move_speeds(ptr noundef nonnull %4, ptr noundef %2) #7
-  %296 = load ptr, ptr %52, align 8
-  %297 = getelementptr inbounds i8, ptr %296, i64 8
-  %298 = load i64, ptr %297, align 8
-  %299 = getelementptr inbounds i8, ptr %9, i64 216
-  %300 = load ptr, ptr %299, align 8
-  %301 = getelementptr inbounds i8, ptr %9, i64 240
-  %302 = load ptr, ptr %301, align 8
-  %303 = getelementptr inbounds i8, ptr %51, i64 24
-  %304 = getelementptr inbounds double, ptr %303, i64 %298
-  %305 = icmp sgt i64 %15, 0
-  br i1 %305, label %313, label %308
+327:                                              ; preds = %334, %318
+  %328 = phi double [ 0.000000e+00, %318 ], [ %340, %334 ]
+  %329 = load i64, ptr %20, align 8
+  %330 = mul nsw i64 %329, %316
+  %331 = icmp sgt i64 %330, 0
+  br i1 %331, label %332, label %343
 
-306:                                              ; preds = %331
-  %307 = sitofp i64 %333 to double
-  br label %308
+332:                                              ; preds = %327
+  %333 = load ptr, ptr %37, align 8
+  br label %346
 
-308:                                              ; preds = %306, %295
-  %309 = phi double [ 1.000000e+00, %295 ], [ %332, %306 ]
-  %310 = phi double [ 0.000000e+00, %295 ], [ %307, %306 ]
-  %311 = load double, ptr %51, align 8
-  %312 = fcmp olt double %311, %310
-  br i1 %312, label %336, label %338
+334:                                              ; preds = %320, %334
+  %335 = phi i64 [ 0, %320 ], [ %341, %334 ]
+  %336 = phi double [ 0.000000e+00, %320 ], [ %340, %334 ]
+  %337 = getelementptr double, ptr %323, i64 %335
+  %338 = load double, ptr %337, align 8
+  %339 = fmul double %338, 0.000000e+00
+  %340 = fadd double %336, %339
+  %341 = add nuw nsw i64 %335, 1
+  %342 = icmp eq i64 %341, %316
+  br i1 %342, label %327, label %334, !llvm.loop !17
 
-313:                                              ; preds = %295, %331
-  %314 = phi i64 [ %334, %331 ], [ 0, %295 ]
-  %315 = phi i64 [ %333, %331 ], [ 0, %295 ]
-  %316 = phi double [ %332, %331 ], [ 1.000000e+00, %295 ]
-  %317 = getelementptr inbounds double, ptr %300, i64 %314
-  %318 = load double, ptr %317, align 8
-  %319 = getelementptr inbounds double, ptr %304, i64 %314
-  %320 = load double, ptr %319, align 8
-  %321 = fcmp ogt double %318, %320
-  %322 = select i1 %321, double %318, double %320
-  store double %322, ptr %319, align 8
-  %323 = getelementptr inbounds double, ptr %302, i64 %314
-  %324 = load double, ptr %323, align 8
-  %325 = fcmp ogt double %324, 0.000000e+00
-  br i1 %325, label %326, label %331
+343:                                              ; preds = %346, %327
+  %344 = phi double [ %328, %327 ], [ %352, %346 ]
+  %345 = fcmp une double %344, 0.000000e+00
+  br i1 %345, label %558, label %355
 
-326:                                              ; preds = %313
-  %327 = add nsw i64 %315, 1
-  %328 = fdiv double %324, %322
-  %329 = fcmp olt double %328, %316
-  %330 = select i1 %329, double %328, double %316
-  br label %331
+346:                                              ; preds = %332, %346
+  %347 = phi i64 [ 0, %332 ], [ %353, %346 ]
+  %348 = phi double [ %328, %332 ], [ %352, %346 ]
+  %349 = getelementptr inbounds double, ptr %333, i64 %347
+  %350 = load double, ptr %349, align 8
+  %351 = fmul double %350, 0.000000e+00
+  %352 = fadd double %348, %351
+  %353 = add nuw nsw i64 %347, 1
+  %354 = icmp eq i64 %353, %330
+  br i1 %354, label %343, label %346, !llvm.loop !18
 
-331:                                              ; preds = %326, %313
-  %332 = phi double [ %330, %326 ], [ %316, %313 ]
-  %333 = phi i64 [ %327, %326 ], [ %315, %313 ]
-  %334 = add nuw nsw i64 %314, 1
-  %335 = icmp eq i64 %334, %15
-  br i1 %335, label %306, label %313, !llvm.loop !17
+355:                                              ; preds = %343
+  %356 = icmp eq ptr %3, null
+  br i1 %356, label %434, label %357
 
-336:                                              ; preds = %308
-  store double %310, ptr %51, align 8
-  %337 = getelementptr inbounds i8, ptr %51, i64 8
-  store double 1.000000e+00, ptr %337, align 8
-  br label %341
+357:                                              ; preds = %355
+  %358 = load i64, ptr %17, align 8
+  %359 = load ptr, ptr %32, align 8
+  %360 = load i64, ptr %11, align 8
+  %361 = getelementptr inbounds double, ptr %359, i64 %360
+  %362 = icmp sgt i64 %316, 0
+  br i1 %362, label %363, label %430
 
-338:                                              ; preds = %308
-  %339 = fcmp ogt double %311, %310
-  br i1 %339, label %340, label %341
+363:                                              ; preds = %357
+  %364 = load i64, ptr %29, align 8
+  %365 = icmp slt i64 %364, %316
+  %366 = load ptr, ptr %37, align 8
+  %367 = icmp sgt i64 %329, 0
+  %368 = getelementptr inbounds i8, ptr %0, i64 552
+  %369 = getelementptr inbounds i8, ptr %0, i64 528
+  %370 = select i1 %365, double 1.000000e-05, double 0x3CE0000000000000
+  %371 = add nsw i64 %358, %329
+  %372 = sitofp i64 %371 to double
+  br label %373
 
-340:                                              ; preds = %338
-  br label %341
+373:                                              ; preds = %363, %425
+  %374 = phi ptr [ %366, %363 ], [ %428, %425 ]
+  %375 = phi double [ 0.000000e+00, %363 ], [ %426, %425 ]
+  %376 = phi i64 [ 0, %363 ], [ %427, %425 ]
+  br i1 %367, label %377, label %380
 
-341:                                              ; preds = %340, %338, %336
-  %342 = phi double [ %309, %336 ], [ 0.000000e+00, %340 ], [ %309, %338 ]
-  %343 = getelementptr inbounds i8, ptr %51, i64 8
-  %344 = load double, ptr %343, align 8
-  %345 = fcmp olt double %342, %344
-  %346 = fcmp ogt double %344, 1.000000e-05
-  %347 = and i1 %345, %346
-  br i1 %347, label %348, label %359
+377:                                              ; preds = %373
+  %378 = load ptr, ptr %368, align 8
+  %379 = load ptr, ptr %369, align 8
+  br label %384
 
-348:                                              ; preds = %341
-  store double %342, ptr %343, align 8
-  %349 = getelementptr inbounds i8, ptr %51, i64 16
-  store double %1, ptr %349, align 8
-  %350 = getelementptr inbounds i8, ptr %51, i64 24
-  %351 = icmp sgt i64 %298, 0
-  br i1 %351, label %352, label %359
+380:                                              ; preds = %384, %373
+  %381 = phi double [ 0.000000e+00, %373 ], [ %407, %384 ]
+  %382 = phi double [ 0.000000e+00, %373 ], [ %410, %384 ]
+  %383 = fcmp ogt double %381, 0.000000e+00
+  br i1 %383, label %413, label %425
 
-352:                                              ; preds = %348, %352
-  %353 = phi i64 [ %357, %352 ], [ 0, %348 ]
-  %354 = getelementptr inbounds double, ptr %2, i64 %353
-  %355 = load double, ptr %354, align 8
-  %356 = getelementptr inbounds double, ptr %350, i64 %353
-  store double %355, ptr %356, align 8
-  %357 = add nuw nsw i64 %353, 1
-  %358 = icmp eq i64 %357, %298
-  br i1 %358, label %359, label %352, !llvm.loop !18
+384:                                              ; preds = %377, %384
+  %385 = phi i64 [ 0, %377 ], [ %411, %384 ]
+  %386 = phi double [ 0.000000e+00, %377 ], [ %410, %384 ]
+  %387 = phi double [ 0.000000e+00, %377 ], [ %407, %384 ]
+  %388 = getelementptr inbounds double, ptr %374, i64 %385
+  %389 = load double, ptr %388, align 8
+  %390 = add nsw i64 %385, %358
+  %391 = getelementptr inbounds double, ptr %3, i64 %390
+  %392 = load double, ptr %391, align 8
+  %393 = getelementptr inbounds double, ptr %2, i64 %390
+  %394 = load double, ptr %393, align 8
+  %395 = getelementptr inbounds double, ptr %378, i64 %390
+  %396 = load double, ptr %395, align 8
+  %397 = getelementptr inbounds double, ptr %379, i64 %390
+  %398 = load double, ptr %397, align 8
+  %399 = tail call double @llvm.fabs.f64(double %392)
+  %400 = tail call double @llvm.fabs.f64(double %394)
+  %401 = fcmp ogt double %399, %400
+  %402 = select i1 %401, double %399, double %400
+  %403 = fmul double %402, %398
+  %404 = fadd double %396, %403
+  %405 = fmul double %389, %404
+  %406 = fmul double %405, %405
+  %407 = fadd double %387, %406
+  %408 = fmul double %389, %394
+  %409 = tail call double @llvm.fabs.f64(double %408)
+  %410 = fadd double %386, %409
+  %411 = add nuw nsw i64 %385, 1
+  %412 = icmp eq i64 %411, %329
+  br i1 %412, label %380, label %384, !llvm.loop !13
 
-359:                                              ; preds = %352, %348, %341, %249, %230
-  %360 = phi i64 [ %231, %230 ], [ 6, %249 ], [ 0, %341 ], [ 0, %348 ], [ 0, %352 ]
-  ret i64 %360
+413:                                              ; preds = %380
+  %414 = fmul double %381, %372
+  %415 = tail call double @llvm.sqrt.f64(double %414)
+  %416 = fmul double %415, 3.000000e+00
+  %417 = fmul double %370, %382
+  %418 = fadd double %417, %416
+  %419 = getelementptr inbounds double, ptr %361, i64 %376
+  %420 = load double, ptr %419, align 8
+  %421 = tail call double @llvm.fabs.f64(double %420)
+  %422 = fdiv double %421, %418
+  %423 = fcmp ogt double %422, %375
+  %424 = select i1 %423, double %422, double %375
+  br label %425
+
+425:                                              ; preds = %413, %380
+  %426 = phi double [ %424, %413 ], [ %375, %380 ]
+  %427 = add nuw nsw i64 %376, 1
+  %428 = getelementptr inbounds double, ptr %374, i64 %329
+  %429 = icmp eq i64 %427, %316
+  br i1 %429, label %430, label %373, !llvm.loop !14
+
+430:                                              ; preds = %425, %357
+  %431 = phi double [ 0.000000e+00, %357 ], [ %426, %425 ]
+  %432 = fcmp ogt double %431, %312
+  %433 = select i1 %432, double %431, double %312
+  br label %434
+
+434:                                              ; preds = %430, %355
+  %435 = phi double [ %312, %355 ], [ %433, %430 ]
+  %436 = load i64, ptr %23, align 8
+  %437 = icmp eq i64 %436, 1
+  br i1 %437, label %438, label %462
+
+438:                                              ; preds = %434
+  %439 = load ptr, ptr %38, align 8
+  %440 = load ptr, ptr %5, align 8
+  %441 = getelementptr inbounds i8, ptr %440, i64 8
+  %442 = getelementptr inbounds i8, ptr %440, i64 16
+  %443 = load i64, ptr %441, align 8
+  %444 = load i64, ptr %442, align 8
+  %445 = mul nsw i64 %444, %443
+  %446 = icmp sgt i64 %445, 0
+  br i1 %446, label %447, label %458
+
+447:                                              ; preds = %438, %447
+  %448 = phi i64 [ %453, %447 ], [ 0, %438 ]
+  %449 = getelementptr inbounds double, ptr %439, i64 %448
+  %450 = load double, ptr %449, align 8
+  %451 = load ptr, ptr %440, align 8
+  %452 = getelementptr inbounds double, ptr %451, i64 %448
+  store double %450, ptr %452, align 8
+  %453 = add nuw nsw i64 %448, 1
+  %454 = load i64, ptr %441, align 8
+  %455 = load i64, ptr %442, align 8
+  %456 = mul nsw i64 %455, %454
+  %457 = icmp slt i64 %453, %456
+  br i1 %457, label %447, label %458, !llvm.loop !15
+
+458:                                              ; preds = %447, %438
+  %459 = load ptr, ptr %5, align 8
+  %460 = load ptr, ptr %459, align 8
+  %461 = load i64, ptr %20, align 8
+  tail call fastcc void @factorise(ptr noundef %460, i64 noundef %461) #7
+  br label %462
+
+462:                                              ; preds = %434, %458
+  %463 = load ptr, ptr %32, align 8
+  %464 = load i64, ptr %11, align 8
+  %465 = getelementptr inbounds double, ptr %463, i64 %464
+  %466 = load i64, ptr %14, align 8
+  %467 = load ptr, ptr %5, align 8
+  %468 = getelementptr inbounds i8, ptr %467, i64 144
+  %469 = load ptr, ptr %468, align 8
+  %470 = icmp sgt i64 %466, 0
+  br i1 %470, label %471, label %479
+
+471:                                              ; preds = %462, %471
+  %472 = phi i64 [ %477, %471 ], [ 0, %462 ]
+  %473 = getelementptr inbounds double, ptr %465, i64 %472
+  %474 = load double, ptr %473, align 8
+  %475 = fneg double %474
+  %476 = getelementptr inbounds double, ptr %469, i64 %472
+  store double %475, ptr %476, align 8
+  %477 = add nuw nsw i64 %472, 1
+  %478 = icmp eq i64 %477, %466
+  br i1 %478, label %479, label %471, !llvm.loop !16
+
+479:                                              ; preds = %471, %462
+  call fastcc void @move_speeds(ptr noundef nonnull %5, ptr noundef %2) #7
+  %480 = load ptr, ptr %53, align 8
+  %481 = getelementptr inbounds i8, ptr %480, i64 8
+  %482 = load i64, ptr %481, align 8
+  %483 = load ptr, ptr %5, align 8
+  %484 = getelementptr inbounds i8, ptr %483, i64 216
+  %485 = load ptr, ptr %484, align 8
+  %486 = getelementptr inbounds i8, ptr %483, i64 240
+  %487 = load ptr, ptr %486, align 8
+  %488 = load ptr, ptr %40, align 8
+  %489 = getelementptr inbounds i8, ptr %488, i64 32
+  %490 = getelementptr inbounds double, ptr %489, i64 %482
+  %491 = load i64, ptr %14, align 8
+  %492 = icmp sgt i64 %491, 0
+  br i1 %492, label %500, label %495
+
+493:                                              ; preds = %518
+  %494 = sitofp i64 %520 to double
+  br label %495
+
+495:                                              ; preds = %493, %479
+  %496 = phi double [ 1.000000e+00, %479 ], [ %519, %493 ]
+  %497 = phi double [ 0.000000e+00, %479 ], [ %494, %493 ]
+  %498 = load double, ptr %488, align 8
+  %499 = fcmp olt double %498, %497
+  br i1 %499, label %523, label %525
+
+500:                                              ; preds = %479, %518
+  %501 = phi i64 [ %521, %518 ], [ 0, %479 ]
+  %502 = phi i64 [ %520, %518 ], [ 0, %479 ]
+  %503 = phi double [ %519, %518 ], [ 1.000000e+00, %479 ]
+  %504 = getelementptr inbounds double, ptr %485, i64 %501
+  %505 = load double, ptr %504, align 8
+  %506 = getelementptr inbounds double, ptr %490, i64 %501
+  %507 = load double, ptr %506, align 8
+  %508 = fcmp ogt double %505, %507
+  %509 = select i1 %508, double %505, double %507
+  store double %509, ptr %506, align 8
+  %510 = getelementptr inbounds double, ptr %487, i64 %501
+  %511 = load double, ptr %510, align 8
+  %512 = fcmp ogt double %511, 0.000000e+00
+  br i1 %512, label %513, label %518
+
+513:                                              ; preds = %500
+  %514 = add nsw i64 %502, 1
+  %515 = fdiv double %511, %509
+  %516 = fcmp olt double %515, %503
+  %517 = select i1 %516, double %515, double %503
+  br label %518
+
+518:                                              ; preds = %513, %500
+  %519 = phi double [ %517, %513 ], [ %503, %500 ]
+  %520 = phi i64 [ %514, %513 ], [ %502, %500 ]
+  %521 = add nuw nsw i64 %501, 1
+  %522 = icmp eq i64 %521, %491
+  br i1 %522, label %493, label %500, !llvm.loop !19
+
+523:                                              ; preds = %495
+  store double %497, ptr %488, align 8
+  %524 = getelementptr inbounds i8, ptr %488, i64 8
+  store double 1.000000e+00, ptr %524, align 8
+  br label %528
+
+525:                                              ; preds = %495
+  %526 = fcmp ogt double %498, %497
+  br i1 %526, label %527, label %528
+
+527:                                              ; preds = %525
+  br label %528
+
+528:                                              ; preds = %527, %525, %523
+  %529 = phi double [ %496, %523 ], [ 0.000000e+00, %527 ], [ %496, %525 ]
+  %530 = getelementptr inbounds i8, ptr %488, i64 16
+  %531 = load double, ptr %530, align 8
+  %532 = fcmp olt double %529, %531
+  %533 = select i1 %532, double %529, double %531
+  store double %529, ptr %530, align 8
+  %534 = fcmp ogt double %435, 1.000000e+00
+  br i1 %534, label %535, label %541
+
+535:                                              ; preds = %528
+  %536 = fcmp ult double %533, 5.000000e-02
+  br i1 %536, label %537, label %558
+
+537:                                              ; preds = %535
+  %538 = fmul double %435, %533
+  %539 = fmul double %538, 5.000000e-02
+  %540 = fcmp ogt double %539, 1.000000e+00
+  br i1 %540, label %558, label %541
+
+541:                                              ; preds = %537, %528
+  %542 = getelementptr inbounds i8, ptr %488, i64 8
+  %543 = load double, ptr %542, align 8
+  %544 = fcmp olt double %529, %543
+  %545 = fcmp ogt double %543, 1.000000e-05
+  %546 = and i1 %544, %545
+  br i1 %546, label %547, label %558
+
+547:                                              ; preds = %541
+  store double %529, ptr %542, align 8
+  %548 = getelementptr inbounds i8, ptr %488, i64 24
+  store double %1, ptr %548, align 8
+  %549 = getelementptr inbounds i8, ptr %488, i64 32
+  %550 = icmp sgt i64 %482, 0
+  br i1 %550, label %551, label %558
+
+551:                                              ; preds = %547, %551
+  %552 = phi i64 [ %556, %551 ], [ 0, %547 ]
+  %553 = getelementptr inbounds double, ptr %2, i64 %552
+  %554 = load double, ptr %553, align 8
+  %555 = getelementptr inbounds double, ptr %549, i64 %552
+  store double %554, ptr %555, align 8
+  %556 = add nuw nsw i64 %552, 1
+  %557 = icmp eq i64 %556, %482
+  br i1 %557, label %558, label %551, !llvm.loop !20
+
+558:                                              ; preds = %551, %547, %541, %537, %535, %343, %324
+  %559 = phi i64 [ %326, %324 ], [ 6, %343 ], [ 6, %537 ], [ 6, %535 ], [ 0, %541 ], [ 0, %547 ], [ 0, %551 ]
+  ret i64 %559
 }
 
 
@@ -547,7 +794,7 @@ define internal fastcc void @move_speeds(ptr noundef readonly %0, ptr noundef %1
   %21 = load i64, ptr %8, align 8
   %22 = mul nsw i64 %21, %20
   %23 = icmp slt i64 %19, %22
-  br i1 %23, label %13, label %24, !llvm.loop !13
+  br i1 %23, label %13, label %24, !llvm.loop !15
 
 24:                                               ; preds = %13, %2
   %25 = load ptr, ptr %6, align 8
@@ -590,7 +837,7 @@ define internal fastcc void @move_speeds(ptr noundef readonly %0, ptr noundef %1
   %52 = add nuw nsw i64 %43, 1
   %53 = load i64, ptr %29, align 8
   %54 = icmp slt i64 %52, %53
-  br i1 %54, label %42, label %41, !llvm.loop !19
+  br i1 %54, label %42, label %41, !llvm.loop !21
 }
 
 define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #2 {
@@ -662,7 +909,7 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #2 {
   %53 = select i1 %51, i64 %48, i64 %45
   %54 = sub nsw i64 %53, %52
   %55 = icmp sgt i64 %54, 1
-  br i1 %55, label %44, label %56, !llvm.loop !20
+  br i1 %55, label %44, label %56, !llvm.loop !22
 
 56:                                               ; preds = %44, %42, %35, %38
   %57 = phi i64 [ %31, %38 ], [ %31, %35 ], [ 0, %42 ], [ %52, %44 ]
@@ -694,7 +941,7 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #2 {
   %81 = add nuw nsw i64 %14, 1
   %82 = load i64, ptr %2, align 8
   %83 = icmp slt i64 %81, %82
-  br i1 %83, label %13, label %12, !llvm.loop !21
+  br i1 %83, label %13, label %12, !llvm.loop !23
 }
 
 declare double @llvm.fabs.f64(double) #3
@@ -724,7 +971,7 @@ define internal fastcc void @move_positions(ptr noundef readonly %0, ptr noundef
   %21 = load i64, ptr %8, align 8
   %22 = mul nsw i64 %21, %20
   %23 = icmp slt i64 %19, %22
-  br i1 %23, label %13, label %24, !llvm.loop !13
+  br i1 %23, label %13, label %24, !llvm.loop !15
 
 24:                                               ; preds = %13, %2
   %25 = getelementptr inbounds i8, ptr %3, i64 24
@@ -756,7 +1003,7 @@ define internal fastcc void @move_positions(ptr noundef readonly %0, ptr noundef
   %46 = fadd double %42, %45
   %47 = add nuw nsw i64 %41, 1
   %48 = icmp eq i64 %47, %38
-  br i1 %48, label %49, label %40, !llvm.loop !22
+  br i1 %48, label %49, label %40, !llvm.loop !24
 
 49:                                               ; preds = %40, %24
   %50 = phi double [ 0.000000e+00, %24 ], [ %46, %40 ]
@@ -800,7 +1047,7 @@ define internal fastcc void @move_positions(ptr noundef readonly %0, ptr noundef
   %76 = add nuw nsw i64 %65, 1
   %77 = load i64, ptr %29, align 8
   %78 = icmp slt i64 %76, %77
-  br i1 %78, label %64, label %57, !llvm.loop !23
+  br i1 %78, label %64, label %57, !llvm.loop !25
 
 79:                                               ; preds = %57, %92
   %80 = phi i64 [ %93, %92 ], [ 0, %57 ]
@@ -827,7 +1074,7 @@ define internal fastcc void @move_positions(ptr noundef readonly %0, ptr noundef
   %93 = add nuw nsw i64 %80, 1
   %94 = load i64, ptr %61, align 8
   %95 = icmp slt i64 %93, %94
-  br i1 %95, label %79, label %85, !llvm.loop !24
+  br i1 %95, label %79, label %85, !llvm.loop !26
 
 96:                                               ; preds = %83, %96
   %97 = phi i64 [ %81, %83 ], [ %111, %96 ]
@@ -847,7 +1094,7 @@ define internal fastcc void @move_positions(ptr noundef readonly %0, ptr noundef
   %110 = add nuw nsw i64 %98, 1
   %111 = load i64, ptr %32, align 8
   %112 = icmp slt i64 %110, %111
-  br i1 %112, label %96, label %92, !llvm.loop !25
+  br i1 %112, label %96, label %92, !llvm.loop !27
 
 113:                                              ; preds = %115
   %114 = fcmp ogt double %122, 0.000000e+00
@@ -863,7 +1110,7 @@ define internal fastcc void @move_positions(ptr noundef readonly %0, ptr noundef
   %122 = select i1 %121, double %120, double %117
   %123 = add nuw nsw i64 %116, 1
   %124 = icmp eq i64 %123, %87
-  br i1 %124, label %113, label %115, !llvm.loop !26
+  br i1 %124, label %113, label %115, !llvm.loop !28
 
 125:                                              ; preds = %113
   %126 = load i64, ptr %34, align 8
@@ -884,7 +1131,7 @@ define internal fastcc void @move_positions(ptr noundef readonly %0, ptr noundef
   %137 = add nuw nsw i64 %130, 1
   %138 = load i64, ptr %86, align 8
   %139 = icmp slt i64 %137, %138
-  br i1 %139, label %129, label %140, !llvm.loop !27
+  br i1 %139, label %129, label %140, !llvm.loop !29
 
 140:                                              ; preds = %129, %85, %125, %113
   ret void
@@ -934,7 +1181,7 @@ define internal fastcc void @set_rows(ptr noundef readonly %0, ptr noundef reado
   %30 = add nuw nsw i64 %18, 1
   %31 = load i64, ptr %8, align 8
   %32 = icmp slt i64 %30, %31
-  br i1 %32, label %17, label %23, !llvm.loop !28
+  br i1 %32, label %17, label %23, !llvm.loop !30
 
 33:                                               ; preds = %45, %24
   %34 = phi double [ 0.000000e+00, %24 ], [ %55, %45 ]
@@ -949,7 +1196,7 @@ define internal fastcc void @set_rows(ptr noundef readonly %0, ptr noundef reado
   store double %39, ptr %42, align 8
   %43 = add nuw nsw i64 %25, 1
   %44 = icmp eq i64 %43, %7
-  br i1 %44, label %29, label %24, !llvm.loop !29
+  br i1 %44, label %29, label %24, !llvm.loop !31
 
 45:                                               ; preds = %26, %45
   %46 = phi i64 [ 0, %26 ], [ %58, %45 ]
@@ -966,7 +1213,7 @@ define internal fastcc void @set_rows(ptr noundef readonly %0, ptr noundef reado
   %57 = fadd double %47, %56
   %58 = add nuw nsw i64 %46, 1
   %59 = icmp eq i64 %58, %5
-  br i1 %59, label %33, label %45, !llvm.loop !30
+  br i1 %59, label %33, label %45, !llvm.loop !32
 }
 
 define internal fastcc void @divide_rows(ptr noundef %0, i64 noundef %1, ptr noundef readonly %2, i64 noundef %3) unnamed_addr #4 {
@@ -993,7 +1240,7 @@ define internal fastcc void @divide_rows(ptr noundef %0, i64 noundef %1, ptr nou
 15:                                               ; preds = %26, %9
   %16 = add nuw nsw i64 %10, 1
   %17 = icmp eq i64 %16, %1
-  br i1 %17, label %14, label %9, !llvm.loop !31
+  br i1 %17, label %14, label %9, !llvm.loop !33
 
 18:                                               ; preds = %11, %26
   %19 = phi i64 [ 0, %11 ], [ %32, %26 ]
@@ -1016,7 +1263,7 @@ define internal fastcc void @divide_rows(ptr noundef %0, i64 noundef %1, ptr nou
   store double %31, ptr %20, align 8
   %32 = add nuw nsw i64 %19, 1
   %33 = icmp eq i64 %32, %3
-  br i1 %33, label %15, label %18, !llvm.loop !32
+  br i1 %33, label %15, label %18, !llvm.loop !34
 
 34:                                               ; preds = %23, %34
   %35 = phi i64 [ 0, %23 ], [ %43, %34 ]
@@ -1029,7 +1276,7 @@ define internal fastcc void @divide_rows(ptr noundef %0, i64 noundef %1, ptr nou
   %42 = fsub double %36, %41
   %43 = add nuw nsw i64 %35, 1
   %44 = icmp eq i64 %43, %19
-  br i1 %44, label %26, label %34, !llvm.loop !33
+  br i1 %44, label %26, label %34, !llvm.loop !35
 }
 
 define internal fastcc void @minimum_norm(ptr noundef readonly %0, ptr noundef readonly %1, i64 noundef %2) unnamed_addr #2 {
@@ -1068,7 +1315,7 @@ define internal fastcc void @minimum_norm(ptr noundef readonly %0, ptr noundef r
   store double 0.000000e+00, ptr %29, align 8
   %30 = add nuw nsw i64 %28, 1
   %31 = icmp eq i64 %30, %7
-  br i1 %31, label %22, label %27, !llvm.loop !34
+  br i1 %31, label %22, label %27, !llvm.loop !36
 
 32:                                               ; preds = %75, %22
   %33 = icmp sgt i64 %2, 0
@@ -1098,7 +1345,7 @@ define internal fastcc void @minimum_norm(ptr noundef readonly %0, ptr noundef r
   %51 = fadd double %47, %50
   %52 = add nuw nsw i64 %46, 1
   %53 = icmp eq i64 %52, %7
-  br i1 %53, label %54, label %45, !llvm.loop !22
+  br i1 %53, label %54, label %45, !llvm.loop !24
 
 54:                                               ; preds = %45, %41
   %55 = phi double [ 0.000000e+00, %41 ], [ %51, %45 ]
@@ -1133,12 +1380,12 @@ define internal fastcc void @minimum_norm(ptr noundef readonly %0, ptr noundef r
   store double %72, ptr %70, align 8
   %73 = add nuw nsw i64 %68, 1
   %74 = icmp eq i64 %73, %7
-  br i1 %74, label %75, label %67, !llvm.loop !35
+  br i1 %74, label %75, label %67, !llvm.loop !37
 
 75:                                               ; preds = %67, %61, %54
   %76 = add nuw nsw i64 %42, 1
   %77 = icmp eq i64 %76, %5
-  br i1 %77, label %32, label %41, !llvm.loop !36
+  br i1 %77, label %32, label %41, !llvm.loop !38
 
 78:                                               ; preds = %34, %180
   %79 = phi i64 [ 0, %34 ], [ %181, %180 ]
@@ -1173,7 +1420,7 @@ define internal fastcc void @minimum_norm(ptr noundef readonly %0, ptr noundef r
   %100 = fadd double %96, %99
   %101 = add nuw nsw i64 %95, 1
   %102 = icmp eq i64 %101, %7
-  br i1 %102, label %103, label %94, !llvm.loop !22
+  br i1 %102, label %103, label %94, !llvm.loop !24
 
 103:                                              ; preds = %94, %91
   %104 = phi double [ 0.000000e+00, %91 ], [ %100, %94 ]
@@ -1187,7 +1434,7 @@ define internal fastcc void @minimum_norm(ptr noundef readonly %0, ptr noundef r
   %110 = phi double [ %107, %103 ], [ %82, %87 ]
   %111 = add nuw nsw i64 %81, 1
   %112 = icmp eq i64 %111, %5
-  br i1 %112, label %113, label %80, !llvm.loop !37
+  br i1 %112, label %113, label %80, !llvm.loop !39
 
 113:                                              ; preds = %108, %80, %78
   %114 = phi i64 [ -1, %78 ], [ %109, %108 ], [ %83, %80 ]
@@ -1228,7 +1475,7 @@ define internal fastcc void @minimum_norm(ptr noundef readonly %0, ptr noundef r
   store double %138, ptr %136, align 8
   %139 = add nuw nsw i64 %131, 1
   %140 = icmp eq i64 %139, %7
-  br i1 %140, label %129, label %130, !llvm.loop !38
+  br i1 %140, label %129, label %130, !llvm.loop !40
 
 141:                                              ; preds = %129, %176
   %142 = phi i64 [ %177, %176 ], [ 0, %129 ]
@@ -1253,7 +1500,7 @@ define internal fastcc void @minimum_norm(ptr noundef readonly %0, ptr noundef r
   %157 = fadd double %151, %156
   %158 = add nuw nsw i64 %150, 1
   %159 = icmp eq i64 %158, %7
-  br i1 %159, label %160, label %149, !llvm.loop !22
+  br i1 %159, label %160, label %149, !llvm.loop !24
 
 160:                                              ; preds = %149, %146
   %161 = phi double [ 0.000000e+00, %146 ], [ %157, %149 ]
@@ -1275,12 +1522,12 @@ define internal fastcc void @minimum_norm(ptr noundef readonly %0, ptr noundef r
   store double %173, ptr %171, align 8
   %174 = add nuw nsw i64 %167, 1
   %175 = icmp eq i64 %174, %7
-  br i1 %175, label %176, label %166, !llvm.loop !39
+  br i1 %175, label %176, label %166, !llvm.loop !41
 
 176:                                              ; preds = %166, %160, %141
   %177 = add nuw nsw i64 %142, 1
   %178 = icmp eq i64 %177, %5
-  br i1 %178, label %179, label %141, !llvm.loop !40
+  br i1 %178, label %179, label %141, !llvm.loop !42
 
 179:                                              ; preds = %176, %129
   br i1 %116, label %180, label %183
@@ -1288,7 +1535,7 @@ define internal fastcc void @minimum_norm(ptr noundef readonly %0, ptr noundef r
 180:                                              ; preds = %179
   %181 = add nuw nsw i64 %79, 1
   %182 = icmp eq i64 %181, %2
-  br i1 %182, label %183, label %78, !llvm.loop !41
+  br i1 %182, label %183, label %78, !llvm.loop !43
 
 183:                                              ; preds = %180, %179, %113, %32
   %184 = phi i64 [ 0, %32 ], [ %2, %180 ], [ %79, %179 ], [ %79, %113 ]
@@ -1322,7 +1569,7 @@ define internal fastcc void @minimum_norm(ptr noundef readonly %0, ptr noundef r
   store double %200, ptr %201, align 8
   %202 = add nuw nsw i64 %192, 1
   %203 = icmp eq i64 %202, %5
-  br i1 %203, label %190, label %191, !llvm.loop !42
+  br i1 %203, label %190, label %191, !llvm.loop !44
 }
 
 declare double @llvm.sqrt.f64(double) #3
@@ -1355,7 +1602,7 @@ define internal fastcc void @divide_transposed(ptr noundef readonly %0, i64 noun
   %20 = fdiv double %16, %19
   store double %20, ptr %11, align 8
   %21 = icmp sgt i64 %9, 1
-  br i1 %21, label %8, label %7, !llvm.loop !43
+  br i1 %21, label %8, label %7, !llvm.loop !45
 
 22:                                               ; preds = %8, %22
   %23 = phi i64 [ %32, %22 ], [ %9, %8 ]
@@ -1369,7 +1616,7 @@ define internal fastcc void @divide_transposed(ptr noundef readonly %0, i64 noun
   %31 = fsub double %24, %30
   %32 = add nuw nsw i64 %23, 1
   %33 = icmp eq i64 %32, %1
-  br i1 %33, label %15, label %22, !llvm.loop !44
+  br i1 %33, label %15, label %22, !llvm.loop !46
 }
 
 define internal fastcc void @factorise(ptr noundef %0, i64 noundef %1) unnamed_addr #4 {
@@ -1406,7 +1653,7 @@ define internal fastcc void @factorise(ptr noundef %0, i64 noundef %1) unnamed_a
   %25 = fsub double %21, %24
   %26 = add nuw nsw i64 %20, 1
   %27 = icmp eq i64 %26, %9
-  br i1 %27, label %15, label %19, !llvm.loop !45
+  br i1 %27, label %15, label %19, !llvm.loop !47
 
 28:                                               ; preds = %15, %32
   %29 = phi i64 [ %33, %32 ], [ 0, %15 ]
@@ -1455,7 +1702,7 @@ define internal fastcc void @factorise(ptr noundef %0, i64 noundef %1) unnamed_a
   store double %57, ptr %52, align 8
   %58 = add nuw nsw i64 %49, 1
   %59 = icmp slt i64 %58, %1
-  br i1 %59, label %48, label %71, !llvm.loop !46
+  br i1 %59, label %48, label %71, !llvm.loop !48
 
 60:                                               ; preds = %48, %60
   %61 = phi i64 [ %69, %60 ], [ 0, %48 ]
@@ -1468,13 +1715,13 @@ define internal fastcc void @factorise(ptr noundef %0, i64 noundef %1) unnamed_a
   %68 = fsub double %62, %67
   %69 = add nuw nsw i64 %61, 1
   %70 = icmp eq i64 %69, %9
-  br i1 %70, label %54, label %60, !llvm.loop !47
+  br i1 %70, label %54, label %60, !llvm.loop !49
 
 71:                                               ; preds = %54, %32, %42
   %72 = add nuw nsw i64 %9, 1
   %73 = icmp eq i64 %72, %1
   %74 = select i1 %18, i1 true, i1 %73
-  br i1 %74, label %75, label %8, !llvm.loop !48
+  br i1 %74, label %75, label %8, !llvm.loop !50
 
 75:                                               ; preds = %71, %2
   ret void
@@ -1542,3 +1789,5 @@ attributes #8 = { nounwind }
 !46 = distinct !{!46, !7, !8}
 !47 = distinct !{!47, !7, !8}
 !48 = distinct !{!48, !7, !8}
+!49 = distinct !{!49, !7, !8}
+!50 = distinct !{!50, !7, !8}

@@ -1,278 +1,278 @@
-; sources 8974839e7a1409208b994bec065f0d564a2c06ce371ed599e8316b942b521a0b
+; sources 1d0068bf0dc198dac8d20db943e76da127c6b97ca8a5f719e52d33153cee8fd3
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Held = type { ptr, i64, i64, i64, i64, i64, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr }
 
-define i64 @project_columns(ptr noundef %0, double noundef %1, ptr noundef %2) #0 {
-  %4 = alloca %struct.Held, align 8
-  %5 = getelementptr inbounds i8, ptr %0, i64 648
-  %6 = load ptr, ptr %5, align 8
-  %7 = getelementptr inbounds i8, ptr %6, i64 72
-  %8 = load i64, ptr %7, align 8
-  %9 = inttoptr i64 %8 to ptr
-  %10 = load ptr, ptr %9, align 8
-  %11 = load i64, ptr %10, align 8
-  %12 = inttoptr i64 %11 to ptr
-  %13 = tail call i64 %12(ptr noundef %0, double noundef %1, ptr noundef %2) #8
-  %14 = icmp eq i64 %13, 0
-  br i1 %14, label %15, label %188
+define i64 @project_columns(ptr noundef %0, double noundef %1, ptr noundef %2, ptr noundef %3) #0 {
+  %5 = alloca %struct.Held, align 8
+  %6 = getelementptr inbounds i8, ptr %0, i64 648
+  %7 = load ptr, ptr %6, align 8
+  %8 = getelementptr inbounds i8, ptr %7, i64 72
+  %9 = load i64, ptr %8, align 8
+  %10 = inttoptr i64 %9 to ptr
+  %11 = load ptr, ptr %10, align 8
+  %12 = load i64, ptr %11, align 8
+  %13 = inttoptr i64 %12 to ptr
+  %14 = tail call i64 %13(ptr noundef %0, double noundef %1, ptr noundef %2, ptr noundef %3) #8
+  %15 = icmp eq i64 %14, 0
+  br i1 %15, label %16, label %189
 
-15:                                               ; preds = %3
+16:                                               ; preds = %4
   tail call void @llvm.experimental.noalias.scope.decl(metadata !3)
-  %16 = load ptr, ptr %5, align 8, !noalias !3
-  %17 = getelementptr inbounds i8, ptr %16, i64 64
-  %18 = load i64, ptr %17, align 8, !noalias !3
-  %19 = inttoptr i64 %18 to ptr
-  store ptr %19, ptr %4, align 8, !alias.scope !3
-  %20 = getelementptr inbounds i8, ptr %4, i64 8
-  %21 = getelementptr inbounds i8, ptr %16, i64 16
-  %22 = load i64, ptr %21, align 8, !noalias !3
-  store i64 %22, ptr %20, align 8, !alias.scope !3
-  %23 = getelementptr inbounds i8, ptr %4, i64 16
-  %24 = getelementptr inbounds i8, ptr %16, i64 24
-  %25 = load i64, ptr %24, align 8, !noalias !3
-  store i64 %25, ptr %23, align 8, !alias.scope !3
-  %26 = getelementptr inbounds i8, ptr %4, i64 24
-  %27 = getelementptr inbounds i8, ptr %16, i64 32
-  %28 = load i64, ptr %27, align 8, !noalias !3
-  store i64 %28, ptr %26, align 8, !alias.scope !3
-  %29 = getelementptr inbounds i8, ptr %4, i64 32
-  %30 = getelementptr inbounds i8, ptr %16, i64 40
-  %31 = load i64, ptr %30, align 8, !noalias !3
-  store i64 %31, ptr %29, align 8, !alias.scope !3
-  %32 = getelementptr inbounds i8, ptr %4, i64 40
-  %33 = getelementptr inbounds i8, ptr %16, i64 48
-  %34 = load i64, ptr %33, align 8, !noalias !3
-  store i64 %34, ptr %32, align 8, !alias.scope !3
-  %35 = getelementptr inbounds i8, ptr %4, i64 48
-  %36 = getelementptr inbounds i8, ptr %16, i64 80
-  %37 = load i64, ptr %36, align 8, !noalias !3
-  store i64 %37, ptr %35, align 8, !alias.scope !3
-  %38 = getelementptr inbounds i8, ptr %4, i64 56
-  %39 = getelementptr inbounds i8, ptr %16, i64 88
-  %40 = load i64, ptr %39, align 8, !noalias !3
-  store i64 %40, ptr %38, align 8, !alias.scope !3
-  %41 = getelementptr inbounds i8, ptr %4, i64 64
-  %42 = getelementptr inbounds i8, ptr %0, i64 696
-  %43 = load ptr, ptr %42, align 8, !noalias !3
-  store ptr %43, ptr %41, align 8, !alias.scope !3
-  %44 = getelementptr inbounds i8, ptr %4, i64 72
-  store ptr null, ptr %44, align 8, !alias.scope !3
-  %45 = getelementptr inbounds i8, ptr %4, i64 80
+  %17 = load ptr, ptr %6, align 8, !noalias !3
+  %18 = getelementptr inbounds i8, ptr %17, i64 64
+  %19 = load i64, ptr %18, align 8, !noalias !3
+  %20 = inttoptr i64 %19 to ptr
+  store ptr %20, ptr %5, align 8, !alias.scope !3
+  %21 = getelementptr inbounds i8, ptr %5, i64 8
+  %22 = getelementptr inbounds i8, ptr %17, i64 16
+  %23 = load i64, ptr %22, align 8, !noalias !3
+  store i64 %23, ptr %21, align 8, !alias.scope !3
+  %24 = getelementptr inbounds i8, ptr %5, i64 16
+  %25 = getelementptr inbounds i8, ptr %17, i64 24
+  %26 = load i64, ptr %25, align 8, !noalias !3
+  store i64 %26, ptr %24, align 8, !alias.scope !3
+  %27 = getelementptr inbounds i8, ptr %5, i64 24
+  %28 = getelementptr inbounds i8, ptr %17, i64 32
+  %29 = load i64, ptr %28, align 8, !noalias !3
+  store i64 %29, ptr %27, align 8, !alias.scope !3
+  %30 = getelementptr inbounds i8, ptr %5, i64 32
+  %31 = getelementptr inbounds i8, ptr %17, i64 40
+  %32 = load i64, ptr %31, align 8, !noalias !3
+  store i64 %32, ptr %30, align 8, !alias.scope !3
+  %33 = getelementptr inbounds i8, ptr %5, i64 40
+  %34 = getelementptr inbounds i8, ptr %17, i64 48
+  %35 = load i64, ptr %34, align 8, !noalias !3
+  store i64 %35, ptr %33, align 8, !alias.scope !3
+  %36 = getelementptr inbounds i8, ptr %5, i64 48
+  %37 = getelementptr inbounds i8, ptr %17, i64 80
+  %38 = load i64, ptr %37, align 8, !noalias !3
+  store i64 %38, ptr %36, align 8, !alias.scope !3
+  %39 = getelementptr inbounds i8, ptr %5, i64 56
+  %40 = getelementptr inbounds i8, ptr %17, i64 88
+  %41 = load i64, ptr %40, align 8, !noalias !3
+  store i64 %41, ptr %39, align 8, !alias.scope !3
+  %42 = getelementptr inbounds i8, ptr %5, i64 64
+  %43 = getelementptr inbounds i8, ptr %0, i64 696
+  %44 = load ptr, ptr %43, align 8, !noalias !3
+  store ptr %44, ptr %42, align 8, !alias.scope !3
+  %45 = getelementptr inbounds i8, ptr %5, i64 72
   store ptr null, ptr %45, align 8, !alias.scope !3
-  %46 = getelementptr inbounds i8, ptr %4, i64 88
+  %46 = getelementptr inbounds i8, ptr %5, i64 80
   store ptr null, ptr %46, align 8, !alias.scope !3
-  %47 = getelementptr inbounds i8, ptr %4, i64 96
+  %47 = getelementptr inbounds i8, ptr %5, i64 88
   store ptr null, ptr %47, align 8, !alias.scope !3
-  %48 = getelementptr inbounds i8, ptr %4, i64 104
+  %48 = getelementptr inbounds i8, ptr %5, i64 96
   store ptr null, ptr %48, align 8, !alias.scope !3
-  %49 = getelementptr inbounds i8, ptr %4, i64 112
+  %49 = getelementptr inbounds i8, ptr %5, i64 104
   store ptr null, ptr %49, align 8, !alias.scope !3
-  %50 = getelementptr inbounds double, ptr %43, i64 %22
-  %51 = getelementptr inbounds double, ptr %50, i64 %25
-  store ptr %51, ptr %44, align 8, !alias.scope !3
-  %52 = mul nsw i64 %28, %22
-  %53 = getelementptr inbounds double, ptr %51, i64 %52
-  store ptr %53, ptr %45, align 8, !alias.scope !3
-  %54 = mul nsw i64 %31, %28
-  %55 = getelementptr inbounds double, ptr %53, i64 %54
-  store ptr %55, ptr %46, align 8, !alias.scope !3
-  %56 = mul nsw i64 %31, %25
-  %57 = getelementptr inbounds double, ptr %55, i64 %56
-  store ptr %57, ptr %47, align 8, !alias.scope !3
-  %58 = mul i64 %31, %31
-  %59 = mul i64 %58, %34
-  %60 = getelementptr inbounds double, ptr %57, i64 %59
-  store ptr %60, ptr %48, align 8, !alias.scope !3
-  %61 = getelementptr inbounds double, ptr %60, i64 %22
+  %50 = getelementptr inbounds i8, ptr %5, i64 112
+  store ptr null, ptr %50, align 8, !alias.scope !3
+  %51 = getelementptr inbounds double, ptr %44, i64 %23
+  %52 = getelementptr inbounds double, ptr %51, i64 %26
+  store ptr %52, ptr %45, align 8, !alias.scope !3
+  %53 = mul nsw i64 %29, %23
+  %54 = getelementptr inbounds double, ptr %52, i64 %53
+  store ptr %54, ptr %46, align 8, !alias.scope !3
+  %55 = mul nsw i64 %32, %29
+  %56 = getelementptr inbounds double, ptr %54, i64 %55
+  store ptr %56, ptr %47, align 8, !alias.scope !3
+  %57 = mul nsw i64 %32, %26
+  %58 = getelementptr inbounds double, ptr %56, i64 %57
+  store ptr %58, ptr %48, align 8, !alias.scope !3
+  %59 = mul i64 %32, %32
+  %60 = mul i64 %59, %35
+  %61 = getelementptr inbounds double, ptr %58, i64 %60
   store ptr %61, ptr %49, align 8, !alias.scope !3
-  %62 = load ptr, ptr %9, align 8
-  %63 = getelementptr inbounds i8, ptr %62, i64 16
-  %64 = load i64, ptr %63, align 8
-  %65 = getelementptr inbounds i8, ptr %9, i64 48
-  %66 = load ptr, ptr %65, align 8
-  %67 = getelementptr inbounds i8, ptr %0, i64 144
-  %68 = load ptr, ptr %67, align 8
-  %69 = getelementptr inbounds i8, ptr %68, i64 8
-  %70 = load i64, ptr %69, align 8
-  %71 = add nsw i64 %64, 1
-  %72 = sdiv i64 %70, %71
-  %73 = getelementptr inbounds double, ptr %2, i64 %72
-  %74 = load ptr, ptr %19, align 8
-  %75 = icmp sgt i64 %31, 0
-  br i1 %75, label %76, label %90
+  %62 = getelementptr inbounds double, ptr %61, i64 %23
+  store ptr %62, ptr %50, align 8, !alias.scope !3
+  %63 = load ptr, ptr %10, align 8
+  %64 = getelementptr inbounds i8, ptr %63, i64 16
+  %65 = load i64, ptr %64, align 8
+  %66 = getelementptr inbounds i8, ptr %10, i64 48
+  %67 = load ptr, ptr %66, align 8
+  %68 = getelementptr inbounds i8, ptr %0, i64 144
+  %69 = load ptr, ptr %68, align 8
+  %70 = getelementptr inbounds i8, ptr %69, i64 8
+  %71 = load i64, ptr %70, align 8
+  %72 = add nsw i64 %65, 1
+  %73 = sdiv i64 %71, %72
+  %74 = getelementptr inbounds double, ptr %2, i64 %73
+  %75 = load ptr, ptr %20, align 8
+  %76 = icmp sgt i64 %32, 0
+  br i1 %76, label %77, label %91
 
-76:                                               ; preds = %15, %80
-  %77 = phi i64 [ %81, %80 ], [ 0, %15 ]
-  %78 = mul nuw nsw i64 %77, %31
-  %79 = getelementptr double, ptr %74, i64 %78
-  br label %83
+77:                                               ; preds = %16, %81
+  %78 = phi i64 [ %82, %81 ], [ 0, %16 ]
+  %79 = mul nuw nsw i64 %78, %32
+  %80 = getelementptr double, ptr %75, i64 %79
+  br label %84
 
-80:                                               ; preds = %83
-  %81 = add nuw nsw i64 %77, 1
-  %82 = icmp eq i64 %81, %31
-  br i1 %82, label %90, label %76, !llvm.loop !6
+81:                                               ; preds = %84
+  %82 = add nuw nsw i64 %78, 1
+  %83 = icmp eq i64 %82, %32
+  br i1 %83, label %91, label %77, !llvm.loop !6
 
-83:                                               ; preds = %76, %83
-  %84 = phi i64 [ 0, %76 ], [ %88, %83 ]
-  %85 = icmp eq i64 %77, %84
-  %86 = select i1 %85, double 1.000000e+00, double 0.000000e+00
-  %87 = getelementptr double, ptr %79, i64 %84
-  store double %86, ptr %87, align 8
-  %88 = add nuw nsw i64 %84, 1
-  %89 = icmp eq i64 %88, %31
-  br i1 %89, label %80, label %83, !llvm.loop !9
+84:                                               ; preds = %77, %84
+  %85 = phi i64 [ 0, %77 ], [ %89, %84 ]
+  %86 = icmp eq i64 %78, %85
+  %87 = select i1 %86, double 1.000000e+00, double 0.000000e+00
+  %88 = getelementptr double, ptr %80, i64 %85
+  store double %87, ptr %88, align 8
+  %89 = add nuw nsw i64 %85, 1
+  %90 = icmp eq i64 %89, %32
+  br i1 %90, label %81, label %84, !llvm.loop !9
 
-90:                                               ; preds = %80, %15
-  %91 = icmp eq i64 %34, 1
-  br i1 %91, label %92, label %112
+91:                                               ; preds = %81, %16
+  %92 = icmp eq i64 %35, 1
+  br i1 %92, label %93, label %113
 
-92:                                               ; preds = %90
-  %93 = getelementptr inbounds i8, ptr %19, i64 8
-  %94 = getelementptr inbounds i8, ptr %19, i64 16
-  %95 = load i64, ptr %93, align 8
+93:                                               ; preds = %91
+  %94 = getelementptr inbounds i8, ptr %20, i64 8
+  %95 = getelementptr inbounds i8, ptr %20, i64 16
   %96 = load i64, ptr %94, align 8
-  %97 = mul nsw i64 %96, %95
-  %98 = icmp sgt i64 %97, 0
-  br i1 %98, label %99, label %110
+  %97 = load i64, ptr %95, align 8
+  %98 = mul nsw i64 %97, %96
+  %99 = icmp sgt i64 %98, 0
+  br i1 %99, label %100, label %111
 
-99:                                               ; preds = %92, %99
-  %100 = phi i64 [ %105, %99 ], [ 0, %92 ]
-  %101 = getelementptr inbounds double, ptr %57, i64 %100
-  %102 = load double, ptr %101, align 8
-  %103 = load ptr, ptr %19, align 8
-  %104 = getelementptr inbounds double, ptr %103, i64 %100
-  store double %102, ptr %104, align 8
-  %105 = add nuw nsw i64 %100, 1
-  %106 = load i64, ptr %93, align 8
+100:                                              ; preds = %93, %100
+  %101 = phi i64 [ %106, %100 ], [ 0, %93 ]
+  %102 = getelementptr inbounds double, ptr %58, i64 %101
+  %103 = load double, ptr %102, align 8
+  %104 = load ptr, ptr %20, align 8
+  %105 = getelementptr inbounds double, ptr %104, i64 %101
+  store double %103, ptr %105, align 8
+  %106 = add nuw nsw i64 %101, 1
   %107 = load i64, ptr %94, align 8
-  %108 = mul nsw i64 %107, %106
-  %109 = icmp slt i64 %105, %108
-  br i1 %109, label %99, label %110, !llvm.loop !10
+  %108 = load i64, ptr %95, align 8
+  %109 = mul nsw i64 %108, %107
+  %110 = icmp slt i64 %106, %109
+  br i1 %110, label %100, label %111, !llvm.loop !10
 
-110:                                              ; preds = %99, %92
-  %111 = load ptr, ptr %19, align 8
-  tail call fastcc void @factorise(ptr noundef %111, i64 noundef %31) #10
-  br label %112
+111:                                              ; preds = %100, %93
+  %112 = load ptr, ptr %20, align 8
+  tail call fastcc void @factorise(ptr noundef %112, i64 noundef %32) #10
+  br label %113
 
-112:                                              ; preds = %90, %110
-  %113 = icmp sgt i64 %22, 0
-  br i1 %113, label %114, label %158
+113:                                              ; preds = %91, %111
+  %114 = icmp sgt i64 %23, 0
+  br i1 %114, label %115, label %159
 
-114:                                              ; preds = %112
-  %115 = tail call fastcc i64 @move(ptr noundef %0, ptr noundef nonnull %9, ptr noundef %2) #10
-  %116 = icmp slt i64 %115, 0
-  br i1 %116, label %186, label %117
+115:                                              ; preds = %113
+  %116 = tail call fastcc i64 @move(ptr noundef %0, ptr noundef nonnull %10, ptr noundef %2) #10
+  %117 = icmp slt i64 %116, 0
+  br i1 %117, label %187, label %118
 
-117:                                              ; preds = %114
-  %118 = getelementptr inbounds i8, ptr %19, i64 24
-  %119 = getelementptr inbounds i8, ptr %19, i64 32
-  %120 = getelementptr inbounds i8, ptr %19, i64 40
-  %121 = load i64, ptr %119, align 8
+118:                                              ; preds = %115
+  %119 = getelementptr inbounds i8, ptr %20, i64 24
+  %120 = getelementptr inbounds i8, ptr %20, i64 32
+  %121 = getelementptr inbounds i8, ptr %20, i64 40
   %122 = load i64, ptr %120, align 8
-  %123 = mul nsw i64 %122, %121
-  %124 = icmp sgt i64 %123, 0
-  br i1 %124, label %130, label %125
+  %123 = load i64, ptr %121, align 8
+  %124 = mul nsw i64 %123, %122
+  %125 = icmp sgt i64 %124, 0
+  br i1 %125, label %131, label %126
 
-125:                                              ; preds = %130, %117
-  %126 = icmp sgt i64 %64, 0
-  br i1 %126, label %127, label %158
+126:                                              ; preds = %131, %118
+  %127 = icmp sgt i64 %65, 0
+  br i1 %127, label %128, label %159
 
-127:                                              ; preds = %125
-  %128 = getelementptr inbounds i8, ptr %19, i64 144
-  %129 = tail call i64 @llvm.smax.i64(i64 %22, i64 1)
-  br label %141
+128:                                              ; preds = %126
+  %129 = getelementptr inbounds i8, ptr %20, i64 144
+  %130 = tail call i64 @llvm.smax.i64(i64 %23, i64 1)
+  br label %142
 
-130:                                              ; preds = %117, %130
-  %131 = phi i64 [ %136, %130 ], [ 0, %117 ]
-  %132 = getelementptr inbounds double, ptr %53, i64 %131
-  %133 = load double, ptr %132, align 8
-  %134 = load ptr, ptr %118, align 8
-  %135 = getelementptr inbounds double, ptr %134, i64 %131
-  store double %133, ptr %135, align 8
-  %136 = add nuw nsw i64 %131, 1
-  %137 = load i64, ptr %119, align 8
+131:                                              ; preds = %118, %131
+  %132 = phi i64 [ %137, %131 ], [ 0, %118 ]
+  %133 = getelementptr inbounds double, ptr %54, i64 %132
+  %134 = load double, ptr %133, align 8
+  %135 = load ptr, ptr %119, align 8
+  %136 = getelementptr inbounds double, ptr %135, i64 %132
+  store double %134, ptr %136, align 8
+  %137 = add nuw nsw i64 %132, 1
   %138 = load i64, ptr %120, align 8
-  %139 = mul nsw i64 %138, %137
-  %140 = icmp slt i64 %136, %139
-  br i1 %140, label %130, label %125, !llvm.loop !10
+  %139 = load i64, ptr %121, align 8
+  %140 = mul nsw i64 %139, %138
+  %141 = icmp slt i64 %137, %140
+  br i1 %141, label %131, label %126, !llvm.loop !10
 
-141:                                              ; preds = %127, %154
-  %142 = phi i64 [ 0, %127 ], [ %156, %154 ]
-  %143 = getelementptr inbounds double, ptr %66, i64 %142
-  %144 = load ptr, ptr %128, align 8
-  br label %145
+142:                                              ; preds = %128, %155
+  %143 = phi i64 [ 0, %128 ], [ %157, %155 ]
+  %144 = getelementptr inbounds double, ptr %67, i64 %143
+  %145 = load ptr, ptr %129, align 8
+  br label %146
 
-145:                                              ; preds = %141, %145
-  %146 = phi i64 [ %152, %145 ], [ 0, %141 ]
-  %147 = mul nuw nsw i64 %146, %64
-  %148 = getelementptr inbounds double, ptr %143, i64 %147
-  %149 = load double, ptr %148, align 8
-  %150 = fneg double %149
-  %151 = getelementptr inbounds double, ptr %144, i64 %146
-  store double %150, ptr %151, align 8
-  %152 = add nuw nsw i64 %146, 1
-  %153 = icmp eq i64 %152, %129
-  br i1 %153, label %154, label %145, !llvm.loop !11
+146:                                              ; preds = %142, %146
+  %147 = phi i64 [ %153, %146 ], [ 0, %142 ]
+  %148 = mul nuw nsw i64 %147, %65
+  %149 = getelementptr inbounds double, ptr %144, i64 %148
+  %150 = load double, ptr %149, align 8
+  %151 = fneg double %150
+  %152 = getelementptr inbounds double, ptr %145, i64 %147
+  store double %151, ptr %152, align 8
+  %153 = add nuw nsw i64 %147, 1
+  %154 = icmp eq i64 %153, %130
+  br i1 %154, label %155, label %146, !llvm.loop !11
 
-154:                                              ; preds = %145
-  %155 = getelementptr inbounds double, ptr %73, i64 %142
-  call fastcc void @move_positions(ptr noundef nonnull %4, ptr noundef %155, i64 noundef %64) #10
-  %156 = add nuw nsw i64 %142, 1
-  %157 = icmp eq i64 %156, %64
-  br i1 %157, label %158, label %141, !llvm.loop !12
+155:                                              ; preds = %146
+  %156 = getelementptr inbounds double, ptr %74, i64 %143
+  call fastcc void @move_positions(ptr noundef nonnull %5, ptr noundef %156, i64 noundef %65) #10
+  %157 = add nuw nsw i64 %143, 1
+  %158 = icmp eq i64 %157, %65
+  br i1 %158, label %159, label %142, !llvm.loop !12
 
-158:                                              ; preds = %154, %125, %112
-  %159 = icmp sgt i64 %25, 0
-  br i1 %159, label %160, label %186
+159:                                              ; preds = %155, %126, %113
+  %160 = icmp sgt i64 %26, 0
+  br i1 %160, label %161, label %187
 
-160:                                              ; preds = %158
-  %161 = tail call fastcc i64 @move(ptr noundef %0, ptr noundef nonnull %9, ptr noundef %2) #10
-  %162 = icmp slt i64 %161, 0
-  br i1 %162, label %186, label %163
+161:                                              ; preds = %159
+  %162 = tail call fastcc i64 @move(ptr noundef %0, ptr noundef nonnull %10, ptr noundef %2) #10
+  %163 = icmp slt i64 %162, 0
+  br i1 %163, label %187, label %164
 
-163:                                              ; preds = %160
-  %164 = icmp sgt i64 %64, 0
-  br i1 %164, label %165, label %186
+164:                                              ; preds = %161
+  %165 = icmp sgt i64 %65, 0
+  br i1 %165, label %166, label %187
 
-165:                                              ; preds = %163
-  %166 = mul nsw i64 %64, %22
-  %167 = getelementptr inbounds double, ptr %66, i64 %166
-  %168 = getelementptr inbounds i8, ptr %19, i64 144
-  br label %169
+166:                                              ; preds = %164
+  %167 = mul nsw i64 %65, %23
+  %168 = getelementptr inbounds double, ptr %67, i64 %167
+  %169 = getelementptr inbounds i8, ptr %20, i64 144
+  br label %170
 
-169:                                              ; preds = %165, %182
-  %170 = phi i64 [ 0, %165 ], [ %184, %182 ]
-  %171 = getelementptr inbounds double, ptr %167, i64 %170
-  %172 = load ptr, ptr %168, align 8
-  br label %173
+170:                                              ; preds = %166, %183
+  %171 = phi i64 [ 0, %166 ], [ %185, %183 ]
+  %172 = getelementptr inbounds double, ptr %168, i64 %171
+  %173 = load ptr, ptr %169, align 8
+  br label %174
 
-173:                                              ; preds = %169, %173
-  %174 = phi i64 [ %180, %173 ], [ 0, %169 ]
-  %175 = mul nuw nsw i64 %174, %64
-  %176 = getelementptr inbounds double, ptr %171, i64 %175
-  %177 = load double, ptr %176, align 8
-  %178 = fneg double %177
-  %179 = getelementptr inbounds double, ptr %172, i64 %174
-  store double %178, ptr %179, align 8
-  %180 = add nuw nsw i64 %174, 1
-  %181 = icmp eq i64 %180, %25
-  br i1 %181, label %182, label %173, !llvm.loop !11
+174:                                              ; preds = %170, %174
+  %175 = phi i64 [ %181, %174 ], [ 0, %170 ]
+  %176 = mul nuw nsw i64 %175, %65
+  %177 = getelementptr inbounds double, ptr %172, i64 %176
+  %178 = load double, ptr %177, align 8
+  %179 = fneg double %178
+  %180 = getelementptr inbounds double, ptr %173, i64 %175
+  store double %179, ptr %180, align 8
+  %181 = add nuw nsw i64 %175, 1
+  %182 = icmp eq i64 %181, %26
+  br i1 %182, label %183, label %174, !llvm.loop !11
 
-182:                                              ; preds = %173
-  %183 = getelementptr inbounds double, ptr %73, i64 %170
-  call fastcc void @move_speeds(ptr noundef nonnull %4, ptr noundef %183, i64 noundef %64) #10
-  %184 = add nuw nsw i64 %170, 1
-  %185 = icmp eq i64 %184, %64
-  br i1 %185, label %186, label %169, !llvm.loop !13
+183:                                              ; preds = %174
+  %184 = getelementptr inbounds double, ptr %74, i64 %171
+  call fastcc void @move_speeds(ptr noundef nonnull %5, ptr noundef %184, i64 noundef %65) #10
+  %185 = add nuw nsw i64 %171, 1
+  %186 = icmp eq i64 %185, %65
+  br i1 %186, label %187, label %170, !llvm.loop !13
 
-186:                                              ; preds = %182, %163, %158, %160, %114
-  %187 = phi i64 [ 6, %114 ], [ 6, %160 ], [ 0, %158 ], [ 0, %163 ], [ 0, %182 ]
-  br label %188
+187:                                              ; preds = %183, %164, %159, %161, %115
+  %188 = phi i64 [ 6, %115 ], [ 6, %161 ], [ 0, %159 ], [ 0, %164 ], [ 0, %183 ]
+  br label %189
 
-188:                                              ; preds = %3, %186
-  %189 = phi i64 [ %187, %186 ], [ %13, %3 ]
-  ret i64 %189
+189:                                              ; preds = %4, %187
+  %190 = phi i64 [ %188, %187 ], [ %14, %4 ]
+  ret i64 %190
 }
 
 

@@ -1,4 +1,4 @@
-; sources fad207a081d89ccf6b8333261ae735b664f2b535ca92237f9eb5cbca6002030a
+; sources 38b6f465dddaea0e4442951069bcf428ac9f03bcb1e99b4560883eb85faeadef
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Stepper = type { ptr, ptr, ptr }

@@ -1,4 +1,4 @@
-; sources 53fdd933c2c55184d96d53da0a6ce67c58b6d6fbe5ac4a146f8180a4b4b5c139
+; sources 4ec9673ec22fd8ee6b450440ab4af6ab8f31ea1e75ced43f040053552b97f31c
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Stepper = type { ptr, ptr, ptr }
@@ -37,1304 +37,1305 @@ define noundef i64 @step_lanes(ptr noundef %0) #0 {
   %29 = load ptr, ptr %28, align 8
   %30 = getelementptr inbounds i8, ptr %14, i64 8
   %31 = load i64, ptr %30, align 8
-  %32 = getelementptr inbounds i8, ptr %14, i64 32
-  %33 = load i64, ptr %32, align 8
-  %34 = getelementptr inbounds i8, ptr %0, i64 1136
-  %35 = load i64, ptr %34, align 8
-  %36 = icmp sgt i64 %35, 0
-  %37 = getelementptr inbounds i8, ptr %0, i64 528
-  %38 = load ptr, ptr %37, align 8
-  %39 = load i64, ptr %14, align 8
-  %40 = getelementptr inbounds i8, ptr %0, i64 368
-  %41 = load i64, ptr %40, align 8
-  %42 = mul nsw i64 %41, %39
+  %32 = icmp sgt i64 %31, 0
+  %33 = getelementptr inbounds i8, ptr %14, i64 32
+  %34 = load i64, ptr %33, align 8
+  %35 = getelementptr inbounds i8, ptr %0, i64 1136
+  %36 = load i64, ptr %35, align 8
+  %37 = icmp sgt i64 %36, 0
+  %38 = getelementptr inbounds i8, ptr %0, i64 528
+  %39 = load ptr, ptr %38, align 8
+  %40 = load i64, ptr %14, align 8
+  %41 = getelementptr inbounds i8, ptr %0, i64 368
+  %42 = load i64, ptr %41, align 8
+  %43 = mul nsw i64 %42, %40
   store i64 0, ptr %5, align 8
-  %43 = getelementptr inbounds i8, ptr %0, i64 864
-  %44 = load ptr, ptr %43, align 8
-  br label %133
+  %44 = getelementptr inbounds i8, ptr %0, i64 864
+  %45 = load ptr, ptr %44, align 8
+  br label %134
 
-45:                                               ; preds = %133
-  %46 = getelementptr inbounds i8, ptr %0, i64 624
-  %47 = sitofp i64 %27 to double
-  %48 = icmp sgt i64 %31, 0
-  %49 = icmp ne i64 %33, 1
-  %50 = select i1 %36, i1 true, i1 %49
-  %51 = getelementptr inbounds double, ptr %38, i64 %42
-  store i64 %141, ptr %5, align 8
-  %52 = getelementptr inbounds i8, ptr %0, i64 864
-  %53 = getelementptr inbounds i8, ptr %0, i64 744
-  %54 = insertelement <8 x double> poison, double %21, i64 0
-  %55 = shufflevector <8 x double> %54, <8 x double> poison, <8 x i32> zeroinitializer
-  %56 = getelementptr inbounds i8, ptr %0, i64 648
-  %57 = insertelement <8 x double> poison, double %24, i64 0
-  %58 = shufflevector <8 x double> %57, <8 x double> poison, <8 x i32> zeroinitializer
-  %59 = getelementptr inbounds i8, ptr %0, i64 768
-  %60 = getelementptr inbounds i8, ptr %0, i64 792
-  %61 = insertelement <8 x double> poison, double %47, i64 0
-  %62 = shufflevector <8 x double> %61, <8 x double> poison, <8 x i32> zeroinitializer
-  %63 = getelementptr inbounds i8, ptr %0, i64 432
-  %64 = getelementptr inbounds i8, ptr %0, i64 408
-  %65 = getelementptr inbounds i8, ptr %0, i64 24
-  %66 = getelementptr inbounds i8, ptr %0, i64 528
-  %67 = getelementptr inbounds i8, ptr %0, i64 48
-  %68 = getelementptr inbounds i8, ptr %0, i64 72
-  %69 = getelementptr inbounds i8, ptr %0, i64 368
-  %70 = getelementptr inbounds i8, ptr %0, i64 96
-  %71 = getelementptr inbounds i8, ptr %0, i64 168
-  %72 = getelementptr inbounds i8, ptr %0, i64 272
-  %73 = getelementptr inbounds i8, ptr %0, i64 192
-  %74 = getelementptr inbounds i8, ptr %0, i64 240
-  %75 = getelementptr inbounds i8, ptr %0, i64 384
-  %76 = getelementptr inbounds i8, ptr %0, i64 24
-  %77 = getelementptr inbounds i8, ptr %0, i64 528
-  %78 = getelementptr inbounds i8, ptr %0, i64 48
-  %79 = getelementptr inbounds i8, ptr %0, i64 72
-  %80 = getelementptr inbounds i8, ptr %0, i64 384
-  %81 = getelementptr inbounds i8, ptr %0, i64 168
-  %82 = getelementptr inbounds i8, ptr %0, i64 272
-  %83 = getelementptr inbounds i8, ptr %0, i64 192
-  %84 = getelementptr inbounds i8, ptr %0, i64 240
-  %85 = icmp sgt i64 %13, 0
-  %86 = getelementptr inbounds i8, ptr %0, i64 384
-  %87 = getelementptr inbounds i8, ptr %0, i64 504
-  %88 = getelementptr inbounds i8, ptr %0, i64 368
-  %89 = getelementptr inbounds i8, ptr %0, i64 480
-  %90 = getelementptr inbounds i8, ptr %0, i64 600
-  %91 = getelementptr inbounds i8, ptr %0, i64 576
-  %92 = getelementptr inbounds i8, ptr %0, i64 384
+46:                                               ; preds = %134
+  %47 = getelementptr inbounds i8, ptr %0, i64 624
+  %48 = sitofp i64 %27 to double
+  %49 = zext i1 %32 to i32
+  %50 = icmp ne i64 %34, 1
+  %51 = select i1 %37, i1 true, i1 %50
+  %52 = getelementptr inbounds double, ptr %39, i64 %43
+  store i64 %142, ptr %5, align 8
+  %53 = getelementptr inbounds i8, ptr %0, i64 864
+  %54 = getelementptr inbounds i8, ptr %0, i64 744
+  %55 = insertelement <8 x double> poison, double %21, i64 0
+  %56 = shufflevector <8 x double> %55, <8 x double> poison, <8 x i32> zeroinitializer
+  %57 = getelementptr inbounds i8, ptr %0, i64 648
+  %58 = insertelement <8 x double> poison, double %24, i64 0
+  %59 = shufflevector <8 x double> %58, <8 x double> poison, <8 x i32> zeroinitializer
+  %60 = getelementptr inbounds i8, ptr %0, i64 768
+  %61 = getelementptr inbounds i8, ptr %0, i64 792
+  %62 = insertelement <8 x double> poison, double %48, i64 0
+  %63 = shufflevector <8 x double> %62, <8 x double> poison, <8 x i32> zeroinitializer
+  %64 = getelementptr inbounds i8, ptr %0, i64 432
+  %65 = getelementptr inbounds i8, ptr %0, i64 408
+  %66 = getelementptr inbounds i8, ptr %0, i64 24
+  %67 = getelementptr inbounds i8, ptr %0, i64 528
+  %68 = getelementptr inbounds i8, ptr %0, i64 48
+  %69 = getelementptr inbounds i8, ptr %0, i64 72
+  %70 = getelementptr inbounds i8, ptr %0, i64 368
+  %71 = getelementptr inbounds i8, ptr %0, i64 96
+  %72 = getelementptr inbounds i8, ptr %0, i64 168
+  %73 = getelementptr inbounds i8, ptr %0, i64 272
+  %74 = getelementptr inbounds i8, ptr %0, i64 192
+  %75 = getelementptr inbounds i8, ptr %0, i64 240
+  %76 = getelementptr inbounds i8, ptr %0, i64 384
+  %77 = getelementptr inbounds i8, ptr %0, i64 24
+  %78 = getelementptr inbounds i8, ptr %0, i64 528
+  %79 = getelementptr inbounds i8, ptr %0, i64 48
+  %80 = getelementptr inbounds i8, ptr %0, i64 72
+  %81 = getelementptr inbounds i8, ptr %0, i64 384
+  %82 = getelementptr inbounds i8, ptr %0, i64 168
+  %83 = getelementptr inbounds i8, ptr %0, i64 272
+  %84 = getelementptr inbounds i8, ptr %0, i64 192
+  %85 = getelementptr inbounds i8, ptr %0, i64 240
+  %86 = icmp sgt i64 %13, 0
+  %87 = getelementptr inbounds i8, ptr %0, i64 384
+  %88 = getelementptr inbounds i8, ptr %0, i64 504
+  %89 = getelementptr inbounds i8, ptr %0, i64 368
+  %90 = getelementptr inbounds i8, ptr %0, i64 480
+  %91 = getelementptr inbounds i8, ptr %0, i64 600
+  %92 = getelementptr inbounds i8, ptr %0, i64 576
   %93 = getelementptr inbounds i8, ptr %0, i64 384
-  %94 = getelementptr inbounds i8, ptr %0, i64 168
-  %95 = getelementptr inbounds i8, ptr %0, i64 272
-  %96 = getelementptr inbounds i8, ptr %0, i64 192
-  %97 = getelementptr inbounds i8, ptr %0, i64 240
-  %98 = getelementptr inbounds i8, ptr %0, i64 816
-  %99 = sext i1 %49 to i64
-  %100 = uitofp i1 %50 to double
-  %101 = insertelement <8 x double> poison, double %100, i64 0
-  %102 = bitcast <8 x double> %101 to <8 x i64>
-  %103 = shufflevector <8 x i64> %102, <8 x i64> poison, <8 x i32> zeroinitializer
-  %104 = getelementptr inbounds i8, ptr %0, i64 744
-  %105 = getelementptr inbounds i8, ptr %0, i64 368
-  %106 = getelementptr inbounds i8, ptr %0, i64 552
-  %107 = getelementptr inbounds i8, ptr %0, i64 408
-  %108 = getelementptr inbounds i8, ptr %0, i64 96
-  %109 = getelementptr inbounds i8, ptr %0, i64 168
-  %110 = getelementptr inbounds i8, ptr %0, i64 272
-  %111 = getelementptr inbounds i8, ptr %0, i64 192
-  %112 = getelementptr inbounds i8, ptr %0, i64 240
-  %113 = getelementptr inbounds i8, ptr %0, i64 480
-  %114 = getelementptr inbounds i8, ptr %14, i64 16
-  %115 = getelementptr inbounds i8, ptr %0, i64 720
-  %116 = getelementptr inbounds i8, ptr %0, i64 408
-  %117 = getelementptr inbounds i8, ptr %0, i64 888
-  %118 = getelementptr inbounds i8, ptr %0, i64 456
-  %119 = getelementptr inbounds i8, ptr %0, i64 888
-  %120 = getelementptr inbounds i8, ptr %0, i64 384
-  %121 = getelementptr inbounds i8, ptr %0, i64 672
-  %122 = getelementptr inbounds i8, ptr %0, i64 696
-  %123 = getelementptr inbounds i8, ptr %29, i64 24
-  %124 = getelementptr inbounds i8, ptr %29, i64 8
-  %125 = getelementptr inbounds i8, ptr %29, i64 16
-  %126 = getelementptr inbounds i8, ptr %29, i64 32
-  %127 = getelementptr inbounds i8, ptr %29, i64 40
-  %128 = getelementptr inbounds i8, ptr %29, i64 24
-  %129 = getelementptr inbounds i8, ptr %29, i64 32
-  %130 = getelementptr inbounds i8, ptr %0, i64 840
-  %131 = icmp sgt i64 %13, 0
-  %132 = getelementptr inbounds i8, ptr %0, i64 384
-  br label %144
+  %94 = getelementptr inbounds i8, ptr %0, i64 384
+  %95 = getelementptr inbounds i8, ptr %0, i64 168
+  %96 = getelementptr inbounds i8, ptr %0, i64 272
+  %97 = getelementptr inbounds i8, ptr %0, i64 192
+  %98 = getelementptr inbounds i8, ptr %0, i64 240
+  %99 = getelementptr inbounds i8, ptr %0, i64 816
+  %100 = sext i1 %50 to i64
+  %101 = uitofp i1 %51 to double
+  %102 = insertelement <8 x double> poison, double %101, i64 0
+  %103 = bitcast <8 x double> %102 to <8 x i64>
+  %104 = shufflevector <8 x i64> %103, <8 x i64> poison, <8 x i32> zeroinitializer
+  %105 = getelementptr inbounds i8, ptr %0, i64 744
+  %106 = getelementptr inbounds i8, ptr %0, i64 368
+  %107 = getelementptr inbounds i8, ptr %0, i64 552
+  %108 = getelementptr inbounds i8, ptr %0, i64 408
+  %109 = getelementptr inbounds i8, ptr %0, i64 96
+  %110 = getelementptr inbounds i8, ptr %0, i64 168
+  %111 = getelementptr inbounds i8, ptr %0, i64 272
+  %112 = getelementptr inbounds i8, ptr %0, i64 192
+  %113 = getelementptr inbounds i8, ptr %0, i64 240
+  %114 = getelementptr inbounds i8, ptr %0, i64 480
+  %115 = getelementptr inbounds i8, ptr %14, i64 16
+  %116 = getelementptr inbounds i8, ptr %0, i64 720
+  %117 = getelementptr inbounds i8, ptr %0, i64 408
+  %118 = getelementptr inbounds i8, ptr %0, i64 888
+  %119 = getelementptr inbounds i8, ptr %0, i64 456
+  %120 = getelementptr inbounds i8, ptr %0, i64 888
+  %121 = getelementptr inbounds i8, ptr %0, i64 384
+  %122 = getelementptr inbounds i8, ptr %0, i64 672
+  %123 = getelementptr inbounds i8, ptr %0, i64 696
+  %124 = getelementptr inbounds i8, ptr %29, i64 24
+  %125 = getelementptr inbounds i8, ptr %29, i64 8
+  %126 = getelementptr inbounds i8, ptr %29, i64 16
+  %127 = getelementptr inbounds i8, ptr %29, i64 32
+  %128 = getelementptr inbounds i8, ptr %29, i64 40
+  %129 = getelementptr inbounds i8, ptr %29, i64 24
+  %130 = getelementptr inbounds i8, ptr %29, i64 32
+  %131 = getelementptr inbounds i8, ptr %0, i64 840
+  %132 = icmp sgt i64 %13, 0
+  %133 = getelementptr inbounds i8, ptr %0, i64 384
+  br label %145
 
-133:                                              ; preds = %1, %133
-  %134 = phi i64 [ 0, %1 ], [ %142, %133 ]
-  %135 = phi i64 [ 0, %1 ], [ %141, %133 ]
-  %136 = getelementptr inbounds i64, ptr %44, i64 %134
-  %137 = load i64, ptr %136, align 8
-  %138 = icmp sgt i64 %137, -1
-  %139 = zext i1 %138 to i64
-  %140 = shl nuw nsw i64 %139, %134
-  %141 = or i64 %140, %135
-  %142 = add nuw nsw i64 %134, 1
-  %143 = icmp eq i64 %142, 8
-  br i1 %143, label %45, label %133, !llvm.loop !3
+134:                                              ; preds = %1, %134
+  %135 = phi i64 [ 0, %1 ], [ %143, %134 ]
+  %136 = phi i64 [ 0, %1 ], [ %142, %134 ]
+  %137 = getelementptr inbounds i64, ptr %45, i64 %135
+  %138 = load i64, ptr %137, align 8
+  %139 = icmp sgt i64 %138, -1
+  %140 = zext i1 %139 to i64
+  %141 = shl nuw nsw i64 %140, %135
+  %142 = or i64 %141, %136
+  %143 = add nuw nsw i64 %135, 1
+  %144 = icmp eq i64 %143, 8
+  br i1 %144, label %46, label %134, !llvm.loop !3
 
-144:                                              ; preds = %171, %45
-  %145 = phi i32 [ 1, %45 ], [ %172, %171 ]
-  %146 = icmp eq i32 %145, 0
-  br i1 %146, label %173, label %147
+145:                                              ; preds = %172, %46
+  %146 = phi i32 [ 1, %46 ], [ %173, %172 ]
+  %147 = icmp eq i32 %146, 0
+  br i1 %147, label %174, label %148
 
-147:                                              ; preds = %144
-  %148 = call fastcc i64 @fill(ptr noundef nonnull %0, ptr noundef nonnull %5) #10
-  %149 = load i64, ptr %5, align 8
-  %150 = icmp eq i64 %149, 0
-  br i1 %150, label %168, label %151
+148:                                              ; preds = %145
+  %149 = call fastcc i64 @fill(ptr noundef nonnull %0, ptr noundef nonnull %5) #10
+  %150 = load i64, ptr %5, align 8
+  %151 = icmp eq i64 %150, 0
+  br i1 %151, label %169, label %152
 
-151:                                              ; preds = %147
-  %152 = icmp eq i64 %148, 0
-  br i1 %152, label %168, label %153
+152:                                              ; preds = %148
+  %153 = icmp eq i64 %149, 0
+  br i1 %153, label %169, label %154
 
-153:                                              ; preds = %151
-  call fastcc void @start(ptr noundef nonnull %0, ptr noundef nonnull %3, i64 noundef %148) #10
-  br label %154
+154:                                              ; preds = %152
+  call fastcc void @start(ptr noundef nonnull %0, ptr noundef nonnull %3, i64 noundef %149) #10
+  br label %155
 
-154:                                              ; preds = %153, %163
-  %155 = phi i32 [ 0, %153 ], [ %165, %163 ]
-  %156 = phi i64 [ 0, %153 ], [ %166, %163 ]
-  %157 = icmp eq i32 %155, 0
-  br i1 %157, label %158, label %163
+155:                                              ; preds = %154, %164
+  %156 = phi i32 [ 0, %154 ], [ %166, %164 ]
+  %157 = phi i64 [ 0, %154 ], [ %167, %164 ]
+  %158 = icmp eq i32 %156, 0
+  br i1 %158, label %159, label %164
 
-158:                                              ; preds = %154
-  %159 = load ptr, ptr %52, align 8
-  %160 = getelementptr inbounds i64, ptr %159, i64 %156
-  %161 = load i64, ptr %160, align 8
-  %162 = icmp eq i64 %161, -1
-  br label %163
+159:                                              ; preds = %155
+  %160 = load ptr, ptr %53, align 8
+  %161 = getelementptr inbounds i64, ptr %160, i64 %157
+  %162 = load i64, ptr %161, align 8
+  %163 = icmp eq i64 %162, -1
+  br label %164
 
-163:                                              ; preds = %158, %154
-  %164 = phi i1 [ true, %154 ], [ %162, %158 ]
-  %165 = zext i1 %164 to i32
-  %166 = add nuw nsw i64 %156, 1
-  %167 = icmp eq i64 %166, 8
-  br i1 %167, label %168, label %154, !llvm.loop !6
+164:                                              ; preds = %159, %155
+  %165 = phi i1 [ true, %155 ], [ %163, %159 ]
+  %166 = zext i1 %165 to i32
+  %167 = add nuw nsw i64 %157, 1
+  %168 = icmp eq i64 %167, 8
+  br i1 %168, label %169, label %155, !llvm.loop !6
 
-168:                                              ; preds = %163, %151, %147
-  %169 = phi i32 [ 1, %147 ], [ 8, %151 ], [ 0, %163 ]
-  %170 = phi i32 [ %145, %147 ], [ %145, %151 ], [ %165, %163 ]
-  switch i32 %169, label %1097 [
-    i32 0, label %171
-    i32 8, label %173
+169:                                              ; preds = %164, %152, %148
+  %170 = phi i32 [ 1, %148 ], [ 8, %152 ], [ 0, %164 ]
+  %171 = phi i32 [ %146, %148 ], [ %146, %152 ], [ %166, %164 ]
+  switch i32 %170, label %1098 [
+    i32 0, label %172
+    i32 8, label %174
   ]
 
-171:                                              ; preds = %168, %1069, %1095, %227
-  %172 = phi i32 [ %170, %168 ], [ %820, %1069 ], [ 1, %1095 ], [ 1, %227 ]
-  br label %144, !llvm.loop !7
+172:                                              ; preds = %169, %1070, %1096, %228
+  %173 = phi i32 [ %171, %169 ], [ %821, %1070 ], [ 1, %1096 ], [ 1, %228 ]
+  br label %145, !llvm.loop !7
 
-173:                                              ; preds = %168, %144
-  %174 = phi i32 [ %170, %168 ], [ 0, %144 ]
-  %175 = load ptr, ptr %10, align 8
-  %176 = getelementptr inbounds i8, ptr %175, i64 8
-  %177 = load i64, ptr %176, align 8
-  %178 = icmp slt i64 %177, 1
-  br i1 %178, label %1097, label %179
+174:                                              ; preds = %169, %145
+  %175 = phi i32 [ %171, %169 ], [ 0, %145 ]
+  %176 = load ptr, ptr %10, align 8
+  %177 = getelementptr inbounds i8, ptr %176, i64 8
+  %178 = load i64, ptr %177, align 8
+  %179 = icmp slt i64 %178, 1
+  br i1 %179, label %1098, label %180
 
-179:                                              ; preds = %173
-  %180 = add nsw i64 %177, -1
-  store i64 %180, ptr %176, align 8
-  %181 = load i64, ptr %5, align 8
-  %182 = trunc i64 %181 to i8
-  %183 = bitcast i8 %182 to <8 x i1>
-  %184 = load ptr, ptr %46, align 8
-  %185 = load <8 x double>, ptr %184, align 8
-  br i1 %48, label %189, label %186
+180:                                              ; preds = %174
+  %181 = add nsw i64 %178, -1
+  store i64 %181, ptr %177, align 8
+  %182 = load i64, ptr %5, align 8
+  %183 = trunc i64 %182 to i8
+  %184 = bitcast i8 %183 to <8 x i1>
+  %185 = load ptr, ptr %47, align 8
+  %186 = load <8 x double>, ptr %185, align 8
+  br i1 %32, label %190, label %187
 
-186:                                              ; preds = %179
-  %187 = load ptr, ptr %53, align 8
-  %188 = load <8 x double>, ptr %187, align 8
-  br label %189
+187:                                              ; preds = %180
+  %188 = load ptr, ptr %54, align 8
+  %189 = load <8 x double>, ptr %188, align 8
+  br label %190
 
-189:                                              ; preds = %179, %186
-  %190 = phi <8 x double> [ %188, %186 ], [ %55, %179 ]
-  %191 = load ptr, ptr %56, align 8
-  %192 = load <8 x double>, ptr %191, align 8
-  br i1 %48, label %193, label %196
+190:                                              ; preds = %180, %187
+  %191 = phi <8 x double> [ %189, %187 ], [ %56, %180 ]
+  %192 = load ptr, ptr %57, align 8
+  %193 = load <8 x double>, ptr %192, align 8
+  br i1 %32, label %194, label %197
 
-193:                                              ; preds = %189
-  %194 = fcmp olt <8 x double> %192, %58
-  %195 = select <8 x i1> %194, <8 x double> %192, <8 x double> %58
-  br label %202
+194:                                              ; preds = %190
+  %195 = fcmp olt <8 x double> %193, %59
+  %196 = select <8 x i1> %195, <8 x double> %193, <8 x double> %59
+  br label %203
 
-196:                                              ; preds = %189
-  %197 = fsub <8 x double> %190, %185
-  %198 = fdiv <8 x double> %197, %192
-  %199 = fmul <8 x double> %198, <double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1>
-  %200 = tail call <8 x double> @llvm.ceil.v8f64(<8 x double> %199)
-  %201 = fdiv <8 x double> %197, %200
-  br label %202
+197:                                              ; preds = %190
+  %198 = fsub <8 x double> %191, %186
+  %199 = fdiv <8 x double> %198, %193
+  %200 = fmul <8 x double> %199, <double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1, double 0x3FEFFFFFFFFFDCD1>
+  %201 = tail call <8 x double> @llvm.ceil.v8f64(<8 x double> %200)
+  %202 = fdiv <8 x double> %198, %201
+  br label %203
 
-202:                                              ; preds = %196, %193
-  %203 = phi <8 x double> [ %195, %193 ], [ %201, %196 ]
-  %204 = fadd <8 x double> %185, %203
-  %205 = fmul <8 x double> %203, <double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03>
-  %206 = fsub <8 x double> %190, %205
-  %207 = fcmp ogt <8 x double> %204, %206
-  %208 = fsub <8 x double> %190, %185
-  %209 = select <8 x i1> %207, <8 x double> %208, <8 x double> %203
-  %210 = select <8 x i1> %207, <8 x double> %190, <8 x double> %204
-  %211 = select <8 x i1> %183, <8 x double> %209, <8 x double> zeroinitializer
-  %212 = load ptr, ptr %59, align 8
-  %213 = load <8 x double>, ptr %212, align 8
-  %214 = load ptr, ptr %60, align 8
-  %215 = load <8 x double>, ptr %214, align 8
-  %216 = fadd <8 x double> %213, %215
-  %217 = fcmp oge <8 x double> %216, %62
-  %218 = fmul <8 x double> %211, <double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02>
-  %219 = fadd <8 x double> %185, %218
-  %220 = fcmp ule <8 x double> %219, %185
-  %221 = fcmp une <8 x double> %210, %190
-  %222 = and <8 x i1> %220, %221
-  %223 = or <8 x i1> %222, %217
-  %224 = and <8 x i1> %223, %183
-  %225 = bitcast <8 x i1> %224 to i8
-  %226 = icmp eq i8 %225, 0
-  br i1 %226, label %234, label %227
+203:                                              ; preds = %197, %194
+  %204 = phi <8 x double> [ %196, %194 ], [ %202, %197 ]
+  %205 = fadd <8 x double> %186, %204
+  %206 = fmul <8 x double> %204, <double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03, double 1.000000e-03>
+  %207 = fsub <8 x double> %191, %206
+  %208 = fcmp ogt <8 x double> %205, %207
+  %209 = fsub <8 x double> %191, %186
+  %210 = select <8 x i1> %208, <8 x double> %209, <8 x double> %204
+  %211 = select <8 x i1> %208, <8 x double> %191, <8 x double> %205
+  %212 = select <8 x i1> %184, <8 x double> %210, <8 x double> zeroinitializer
+  %213 = load ptr, ptr %60, align 8
+  %214 = load <8 x double>, ptr %213, align 8
+  %215 = load ptr, ptr %61, align 8
+  %216 = load <8 x double>, ptr %215, align 8
+  %217 = fadd <8 x double> %214, %216
+  %218 = fcmp oge <8 x double> %217, %63
+  %219 = fmul <8 x double> %212, <double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02, double 6.250000e-02>
+  %220 = fadd <8 x double> %186, %219
+  %221 = fcmp ule <8 x double> %220, %186
+  %222 = fcmp une <8 x double> %211, %191
+  %223 = and <8 x i1> %221, %222
+  %224 = or <8 x i1> %223, %218
+  %225 = and <8 x i1> %224, %184
+  %226 = bitcast <8 x i1> %225 to i8
+  %227 = icmp eq i8 %226, 0
+  br i1 %227, label %235, label %228
 
-227:                                              ; preds = %202
-  %228 = zext i8 %225 to i64
-  %229 = bitcast <8 x i1> %217 to i8
-  %230 = zext i8 %229 to i64
-  %231 = and i64 %228, %230
-  tail call fastcc void @retire(ptr noundef %0, i64 noundef %231, i64 noundef 1) #10
-  %232 = xor i64 %230, -1
-  %233 = and i64 %228, %232
-  tail call fastcc void @retire(ptr noundef %0, i64 noundef %233, i64 noundef -1) #10
-  br label %171
+228:                                              ; preds = %203
+  %229 = zext i8 %226 to i64
+  %230 = bitcast <8 x i1> %218 to i8
+  %231 = zext i8 %230 to i64
+  %232 = and i64 %229, %231
+  tail call fastcc void @retire(ptr noundef %0, i64 noundef %232, i64 noundef 1) #10
+  %233 = xor i64 %231, -1
+  %234 = and i64 %229, %233
+  tail call fastcc void @retire(ptr noundef %0, i64 noundef %234, i64 noundef -1) #10
+  br label %172
 
-234:                                              ; preds = %202
-  %235 = load ptr, ptr %0, align 8
-  %236 = load i64, ptr %235, align 8
-  %237 = load ptr, ptr %63, align 8
-  store <8 x double> %211, ptr %237, align 8
-  %238 = icmp sgt i64 %236, 1
-  br i1 %238, label %239, label %288
+235:                                              ; preds = %203
+  %236 = load ptr, ptr %0, align 8
+  %237 = load i64, ptr %236, align 8
+  %238 = load ptr, ptr %64, align 8
+  store <8 x double> %212, ptr %238, align 8
+  %239 = icmp sgt i64 %237, 1
+  br i1 %239, label %240, label %289
 
-239:                                              ; preds = %234, %276
-  %240 = phi i64 [ %285, %276 ], [ 0, %234 ]
-  %241 = phi i64 [ %286, %276 ], [ 1, %234 ]
-  %242 = load ptr, ptr %64, align 8
-  %243 = load ptr, ptr %9, align 8
-  %244 = load ptr, ptr %7, align 8
-  %245 = getelementptr inbounds i8, ptr %244, i64 16
-  %246 = load i64, ptr %245, align 8
-  %247 = load ptr, ptr %65, align 8
-  %248 = getelementptr inbounds i64, ptr %247, i64 %241
-  %249 = load i64, ptr %248, align 8
-  %250 = getelementptr i8, ptr %248, i64 8
-  %251 = load i64, ptr %250, align 8
-  %252 = xor i64 %249, -1
-  %253 = add i64 %251, %252
-  %254 = load ptr, ptr %63, align 8
-  %255 = load ptr, ptr %66, align 8
+240:                                              ; preds = %235, %277
+  %241 = phi i64 [ %286, %277 ], [ 0, %235 ]
+  %242 = phi i64 [ %287, %277 ], [ 1, %235 ]
+  %243 = load ptr, ptr %65, align 8
+  %244 = load ptr, ptr %9, align 8
+  %245 = load ptr, ptr %7, align 8
+  %246 = getelementptr inbounds i8, ptr %245, i64 16
+  %247 = load i64, ptr %246, align 8
+  %248 = load ptr, ptr %66, align 8
+  %249 = getelementptr inbounds i64, ptr %248, i64 %242
+  %250 = load i64, ptr %249, align 8
+  %251 = getelementptr i8, ptr %249, i64 8
+  %252 = load i64, ptr %251, align 8
+  %253 = xor i64 %250, -1
+  %254 = add i64 %252, %253
+  %255 = load ptr, ptr %64, align 8
   %256 = load ptr, ptr %67, align 8
-  %257 = getelementptr inbounds i64, ptr %256, i64 %249
-  %258 = load ptr, ptr %68, align 8
-  %259 = getelementptr inbounds double, ptr %258, i64 %249
-  tail call fastcc void @combine(ptr noundef %242, ptr noundef %243, ptr noundef %254, ptr noundef %255, ptr noundef %257, ptr noundef %259, i64 noundef %253, i64 noundef %246) #10
-  %260 = load ptr, ptr %66, align 8
-  %261 = load i64, ptr %69, align 8
-  %262 = mul nsw i64 %261, %241
-  %263 = getelementptr inbounds double, ptr %260, i64 %262
-  %264 = load ptr, ptr %70, align 8
-  %265 = getelementptr inbounds double, ptr %264, i64 %241
-  %266 = load double, ptr %265, align 8
-  %267 = insertelement <8 x double> poison, double %266, i64 0
-  %268 = shufflevector <8 x double> %267, <8 x double> poison, <8 x i32> zeroinitializer
-  %269 = fmul <8 x double> %211, %268
-  %270 = fadd <8 x double> %185, %269
-  %271 = load ptr, ptr %64, align 8
-  %272 = load ptr, ptr %71, align 8
-  store <8 x double> %270, ptr %272, align 8
-  %273 = load i64, ptr %72, align 8
-  %274 = icmp sgt i64 %273, 0
-  br i1 %274, label %275, label %276
+  %257 = load ptr, ptr %68, align 8
+  %258 = getelementptr inbounds i64, ptr %257, i64 %250
+  %259 = load ptr, ptr %69, align 8
+  %260 = getelementptr inbounds double, ptr %259, i64 %250
+  tail call fastcc void @combine(ptr noundef %243, ptr noundef %244, ptr noundef %255, ptr noundef %256, ptr noundef %258, ptr noundef %260, i64 noundef %254, i64 noundef %247) #10
+  %261 = load ptr, ptr %67, align 8
+  %262 = load i64, ptr %70, align 8
+  %263 = mul nsw i64 %262, %242
+  %264 = getelementptr inbounds double, ptr %261, i64 %263
+  %265 = load ptr, ptr %71, align 8
+  %266 = getelementptr inbounds double, ptr %265, i64 %242
+  %267 = load double, ptr %266, align 8
+  %268 = insertelement <8 x double> poison, double %267, i64 0
+  %269 = shufflevector <8 x double> %268, <8 x double> poison, <8 x i32> zeroinitializer
+  %270 = fmul <8 x double> %212, %269
+  %271 = fadd <8 x double> %186, %270
+  %272 = load ptr, ptr %65, align 8
+  %273 = load ptr, ptr %72, align 8
+  store <8 x double> %271, ptr %273, align 8
+  %274 = load i64, ptr %73, align 8
+  %275 = icmp sgt i64 %274, 0
+  br i1 %275, label %276, label %277
 
-275:                                              ; preds = %239
+276:                                              ; preds = %240
   tail call fastcc void @sample(ptr noundef nonnull %7) #10
-  br label %276
+  br label %277
 
-276:                                              ; preds = %239, %275
-  %277 = load ptr, ptr %7, align 8
-  %278 = load i64, ptr %277, align 8
-  %279 = load ptr, ptr %71, align 8
-  %280 = load ptr, ptr %73, align 8
+277:                                              ; preds = %240, %276
+  %278 = load ptr, ptr %7, align 8
+  %279 = load i64, ptr %278, align 8
+  %280 = load ptr, ptr %72, align 8
   %281 = load ptr, ptr %74, align 8
-  %282 = inttoptr i64 %278 to ptr
-  %283 = tail call i32 %282(ptr noundef %279, ptr noundef %271, ptr noundef %280, ptr noundef %281, ptr noundef %263) #11
-  %284 = zext i32 %283 to i64
-  %285 = or i64 %240, %284
-  %286 = add nuw nsw i64 %241, 1
-  %287 = icmp eq i64 %286, %236
-  br i1 %287, label %288, label %239, !llvm.loop !8
+  %282 = load ptr, ptr %75, align 8
+  %283 = inttoptr i64 %279 to ptr
+  %284 = tail call i32 %283(ptr noundef %280, ptr noundef %272, ptr noundef %281, ptr noundef %282, ptr noundef %264) #11
+  %285 = zext i32 %284 to i64
+  %286 = or i64 %241, %285
+  %287 = add nuw nsw i64 %242, 1
+  %288 = icmp eq i64 %287, %237
+  br i1 %288, label %289, label %240, !llvm.loop !8
 
-288:                                              ; preds = %276, %234
-  %289 = phi i64 [ 0, %234 ], [ %285, %276 ]
-  %290 = load ptr, ptr %75, align 8
-  %291 = load ptr, ptr %9, align 8
-  %292 = load ptr, ptr %7, align 8
-  %293 = getelementptr inbounds i8, ptr %292, i64 16
-  %294 = load i64, ptr %293, align 8
-  %295 = load ptr, ptr %76, align 8
-  %296 = getelementptr inbounds i64, ptr %295, i64 %236
-  %297 = load i64, ptr %296, align 8
-  %298 = getelementptr i8, ptr %296, i64 8
-  %299 = load i64, ptr %298, align 8
-  %300 = xor i64 %297, -1
-  %301 = add i64 %299, %300
-  %302 = load ptr, ptr %63, align 8
-  %303 = load ptr, ptr %77, align 8
+289:                                              ; preds = %277, %235
+  %290 = phi i64 [ 0, %235 ], [ %286, %277 ]
+  %291 = load ptr, ptr %76, align 8
+  %292 = load ptr, ptr %9, align 8
+  %293 = load ptr, ptr %7, align 8
+  %294 = getelementptr inbounds i8, ptr %293, i64 16
+  %295 = load i64, ptr %294, align 8
+  %296 = load ptr, ptr %77, align 8
+  %297 = getelementptr inbounds i64, ptr %296, i64 %237
+  %298 = load i64, ptr %297, align 8
+  %299 = getelementptr i8, ptr %297, i64 8
+  %300 = load i64, ptr %299, align 8
+  %301 = xor i64 %298, -1
+  %302 = add i64 %300, %301
+  %303 = load ptr, ptr %64, align 8
   %304 = load ptr, ptr %78, align 8
-  %305 = getelementptr inbounds i64, ptr %304, i64 %297
-  %306 = load ptr, ptr %79, align 8
-  %307 = getelementptr inbounds double, ptr %306, i64 %297
-  tail call fastcc void @combine(ptr noundef %290, ptr noundef %291, ptr noundef %302, ptr noundef %303, ptr noundef %305, ptr noundef %307, i64 noundef %301, i64 noundef %294) #10
-  br i1 %49, label %324, label %308
+  %305 = load ptr, ptr %79, align 8
+  %306 = getelementptr inbounds i64, ptr %305, i64 %298
+  %307 = load ptr, ptr %80, align 8
+  %308 = getelementptr inbounds double, ptr %307, i64 %298
+  tail call fastcc void @combine(ptr noundef %291, ptr noundef %292, ptr noundef %303, ptr noundef %304, ptr noundef %306, ptr noundef %308, i64 noundef %302, i64 noundef %295) #10
+  br i1 %50, label %325, label %309
 
-308:                                              ; preds = %288
-  %309 = load ptr, ptr %80, align 8
+309:                                              ; preds = %289
   %310 = load ptr, ptr %81, align 8
-  store <8 x double> %210, ptr %310, align 8
-  %311 = load i64, ptr %82, align 8
-  %312 = icmp sgt i64 %311, 0
-  br i1 %312, label %313, label %314
+  %311 = load ptr, ptr %82, align 8
+  store <8 x double> %211, ptr %311, align 8
+  %312 = load i64, ptr %83, align 8
+  %313 = icmp sgt i64 %312, 0
+  br i1 %313, label %314, label %315
 
-313:                                              ; preds = %308
+314:                                              ; preds = %309
   tail call fastcc void @sample(ptr noundef nonnull %7) #10
-  br label %314
+  br label %315
 
-314:                                              ; preds = %308, %313
-  %315 = load ptr, ptr %7, align 8
-  %316 = load i64, ptr %315, align 8
-  %317 = load ptr, ptr %81, align 8
-  %318 = load ptr, ptr %83, align 8
+315:                                              ; preds = %309, %314
+  %316 = load ptr, ptr %7, align 8
+  %317 = load i64, ptr %316, align 8
+  %318 = load ptr, ptr %82, align 8
   %319 = load ptr, ptr %84, align 8
-  %320 = inttoptr i64 %316 to ptr
-  %321 = tail call i32 %320(ptr noundef %317, ptr noundef %309, ptr noundef %318, ptr noundef %319, ptr noundef %51) #11
-  %322 = zext i32 %321 to i64
-  %323 = or i64 %289, %322
-  br label %324
+  %320 = load ptr, ptr %85, align 8
+  %321 = inttoptr i64 %317 to ptr
+  %322 = tail call i32 %321(ptr noundef %318, ptr noundef %310, ptr noundef %319, ptr noundef %320, ptr noundef %52) #11
+  %323 = zext i32 %322 to i64
+  %324 = or i64 %290, %323
+  br label %325
 
-324:                                              ; preds = %314, %288
-  %325 = phi i64 [ %323, %314 ], [ %289, %288 ]
-  br i1 %48, label %329, label %326
+325:                                              ; preds = %315, %289
+  %326 = phi i64 [ %324, %315 ], [ %290, %289 ]
+  br i1 %32, label %330, label %327
 
-326:                                              ; preds = %324
-  br i1 %85, label %327, label %502
+327:                                              ; preds = %325
+  br i1 %86, label %328, label %503
 
-327:                                              ; preds = %326
-  %328 = load ptr, ptr %86, align 8
-  br label %492
+328:                                              ; preds = %327
+  %329 = load ptr, ptr %87, align 8
+  br label %493
 
-329:                                              ; preds = %324
-  %330 = load ptr, ptr %7, align 8
-  %331 = load ptr, ptr %0, align 8
-  %332 = getelementptr inbounds i8, ptr %330, i64 24
-  %333 = load i64, ptr %332, align 8
-  %334 = getelementptr inbounds i8, ptr %331, i64 8
-  %335 = load i64, ptr %334, align 8
-  %336 = load ptr, ptr %87, align 8
-  %337 = load i64, ptr %88, align 8
-  %338 = getelementptr inbounds double, ptr %336, i64 %337
-  %339 = icmp sgt i64 %335, 0
-  br i1 %339, label %340, label %342
+330:                                              ; preds = %325
+  %331 = load ptr, ptr %7, align 8
+  %332 = load ptr, ptr %0, align 8
+  %333 = getelementptr inbounds i8, ptr %331, i64 24
+  %334 = load i64, ptr %333, align 8
+  %335 = getelementptr inbounds i8, ptr %332, i64 8
+  %336 = load i64, ptr %335, align 8
+  %337 = load ptr, ptr %88, align 8
+  %338 = load i64, ptr %89, align 8
+  %339 = getelementptr inbounds double, ptr %337, i64 %338
+  %340 = icmp sgt i64 %336, 0
+  br i1 %340, label %341, label %343
 
-340:                                              ; preds = %329
-  %341 = getelementptr inbounds i8, ptr %330, i64 32
-  br label %350
+341:                                              ; preds = %330
+  %342 = getelementptr inbounds i8, ptr %331, i64 32
+  br label %351
 
-342:                                              ; preds = %350, %329
-  %343 = icmp sgt i64 %333, 0
-  br i1 %343, label %344, label %376
+343:                                              ; preds = %351, %330
+  %344 = icmp sgt i64 %334, 0
+  br i1 %344, label %345, label %377
 
-344:                                              ; preds = %342
-  %345 = load ptr, ptr %9, align 8
-  %346 = load ptr, ptr %75, align 8
-  %347 = load ptr, ptr %90, align 8
+345:                                              ; preds = %343
+  %346 = load ptr, ptr %9, align 8
+  %347 = load ptr, ptr %76, align 8
   %348 = load ptr, ptr %91, align 8
-  %349 = load ptr, ptr %87, align 8
-  br label %439
+  %349 = load ptr, ptr %92, align 8
+  %350 = load ptr, ptr %88, align 8
+  br label %440
 
-350:                                              ; preds = %340, %350
-  %351 = phi i64 [ 0, %340 ], [ %374, %350 ]
-  %352 = load i64, ptr %331, align 8
-  %353 = load i64, ptr %341, align 8
-  %354 = load ptr, ptr %87, align 8
-  %355 = load i64, ptr %88, align 8
-  %356 = mul nsw i64 %355, %351
-  %357 = getelementptr inbounds double, ptr %354, i64 %356
-  %358 = load ptr, ptr %89, align 8
-  %359 = load ptr, ptr %76, align 8
-  %360 = getelementptr i64, ptr %359, i64 %352
-  %361 = getelementptr i8, ptr %360, i64 8
-  %362 = getelementptr i64, ptr %361, i64 %351
-  %363 = load i64, ptr %362, align 8
-  %364 = getelementptr i8, ptr %362, i64 8
-  %365 = load i64, ptr %364, align 8
-  %366 = xor i64 %363, -1
-  %367 = add i64 %365, %366
-  %368 = load ptr, ptr %63, align 8
-  %369 = load ptr, ptr %77, align 8
+351:                                              ; preds = %341, %351
+  %352 = phi i64 [ 0, %341 ], [ %375, %351 ]
+  %353 = load i64, ptr %332, align 8
+  %354 = load i64, ptr %342, align 8
+  %355 = load ptr, ptr %88, align 8
+  %356 = load i64, ptr %89, align 8
+  %357 = mul nsw i64 %356, %352
+  %358 = getelementptr inbounds double, ptr %355, i64 %357
+  %359 = load ptr, ptr %90, align 8
+  %360 = load ptr, ptr %77, align 8
+  %361 = getelementptr i64, ptr %360, i64 %353
+  %362 = getelementptr i8, ptr %361, i64 8
+  %363 = getelementptr i64, ptr %362, i64 %352
+  %364 = load i64, ptr %363, align 8
+  %365 = getelementptr i8, ptr %363, i64 8
+  %366 = load i64, ptr %365, align 8
+  %367 = xor i64 %364, -1
+  %368 = add i64 %366, %367
+  %369 = load ptr, ptr %64, align 8
   %370 = load ptr, ptr %78, align 8
-  %371 = getelementptr inbounds i64, ptr %370, i64 %363
-  %372 = load ptr, ptr %79, align 8
-  %373 = getelementptr inbounds double, ptr %372, i64 %363
-  tail call fastcc void @combine(ptr noundef %357, ptr noundef %358, ptr noundef %368, ptr noundef %369, ptr noundef %371, ptr noundef %373, i64 noundef %367, i64 noundef %353) #10
-  %374 = add nuw nsw i64 %351, 1
-  %375 = icmp eq i64 %374, %335
-  br i1 %375, label %342, label %350, !llvm.loop !9
+  %371 = load ptr, ptr %79, align 8
+  %372 = getelementptr inbounds i64, ptr %371, i64 %364
+  %373 = load ptr, ptr %80, align 8
+  %374 = getelementptr inbounds double, ptr %373, i64 %364
+  tail call fastcc void @combine(ptr noundef %358, ptr noundef %359, ptr noundef %369, ptr noundef %370, ptr noundef %372, ptr noundef %374, i64 noundef %368, i64 noundef %354) #10
+  %375 = add nuw nsw i64 %352, 1
+  %376 = icmp eq i64 %375, %336
+  br i1 %376, label %343, label %351, !llvm.loop !9
 
-376:                                              ; preds = %439, %342
-  %377 = phi <8 x double> [ zeroinitializer, %342 ], [ %472, %439 ]
-  %378 = phi <8 x double> [ zeroinitializer, %342 ], [ %470, %439 ]
-  %379 = load ptr, ptr %75, align 8
-  %380 = getelementptr inbounds i8, ptr %330, i64 8
-  %381 = load i64, ptr %380, align 8
-  %382 = add nsw i64 %381, -3
-  %383 = getelementptr i8, ptr %379, i64 64
-  %384 = getelementptr i8, ptr %379, i64 128
-  %385 = getelementptr i8, ptr %379, i64 192
-  %386 = icmp slt i64 %333, %382
-  br i1 %386, label %394, label %387
+377:                                              ; preds = %440, %343
+  %378 = phi <8 x double> [ zeroinitializer, %343 ], [ %473, %440 ]
+  %379 = phi <8 x double> [ zeroinitializer, %343 ], [ %471, %440 ]
+  %380 = load ptr, ptr %76, align 8
+  %381 = getelementptr inbounds i8, ptr %331, i64 8
+  %382 = load i64, ptr %381, align 8
+  %383 = add nsw i64 %382, -3
+  %384 = getelementptr i8, ptr %380, i64 64
+  %385 = getelementptr i8, ptr %380, i64 128
+  %386 = getelementptr i8, ptr %380, i64 192
+  %387 = icmp slt i64 %334, %383
+  br i1 %387, label %395, label %388
 
-387:                                              ; preds = %394, %376
-  %388 = phi <8 x double> [ zeroinitializer, %376 ], [ %404, %394 ]
-  %389 = phi <8 x double> [ zeroinitializer, %376 ], [ %409, %394 ]
-  %390 = phi <8 x double> [ zeroinitializer, %376 ], [ %414, %394 ]
-  %391 = phi <8 x double> [ zeroinitializer, %376 ], [ %419, %394 ]
-  %392 = phi i64 [ %333, %376 ], [ %420, %394 ]
-  %393 = icmp slt i64 %392, %381
-  br i1 %393, label %422, label %432
+388:                                              ; preds = %395, %377
+  %389 = phi <8 x double> [ zeroinitializer, %377 ], [ %405, %395 ]
+  %390 = phi <8 x double> [ zeroinitializer, %377 ], [ %410, %395 ]
+  %391 = phi <8 x double> [ zeroinitializer, %377 ], [ %415, %395 ]
+  %392 = phi <8 x double> [ zeroinitializer, %377 ], [ %420, %395 ]
+  %393 = phi i64 [ %334, %377 ], [ %421, %395 ]
+  %394 = icmp slt i64 %393, %382
+  br i1 %394, label %423, label %433
 
-394:                                              ; preds = %376, %394
-  %395 = phi i64 [ %420, %394 ], [ %333, %376 ]
-  %396 = phi <8 x double> [ %419, %394 ], [ zeroinitializer, %376 ]
-  %397 = phi <8 x double> [ %414, %394 ], [ zeroinitializer, %376 ]
-  %398 = phi <8 x double> [ %409, %394 ], [ zeroinitializer, %376 ]
-  %399 = phi <8 x double> [ %404, %394 ], [ zeroinitializer, %376 ]
-  %400 = shl nsw i64 %395, 6
-  %401 = getelementptr inbounds i8, ptr %379, i64 %400
-  %402 = load <8 x double>, ptr %401, align 8
-  %403 = fmul <8 x double> %402, zeroinitializer
-  %404 = fadd <8 x double> %399, %403
-  %405 = shl i64 %395, 6
-  %406 = getelementptr i8, ptr %383, i64 %405
-  %407 = load <8 x double>, ptr %406, align 8
-  %408 = fmul <8 x double> %407, zeroinitializer
-  %409 = fadd <8 x double> %398, %408
-  %410 = shl i64 %395, 6
-  %411 = getelementptr i8, ptr %384, i64 %410
-  %412 = load <8 x double>, ptr %411, align 8
-  %413 = fmul <8 x double> %412, zeroinitializer
-  %414 = fadd <8 x double> %397, %413
-  %415 = shl i64 %395, 6
-  %416 = getelementptr i8, ptr %385, i64 %415
-  %417 = load <8 x double>, ptr %416, align 8
-  %418 = fmul <8 x double> %417, zeroinitializer
-  %419 = fadd <8 x double> %396, %418
-  %420 = add nsw i64 %395, 4
-  %421 = icmp slt i64 %420, %382
-  br i1 %421, label %394, label %387, !llvm.loop !10
+395:                                              ; preds = %377, %395
+  %396 = phi i64 [ %421, %395 ], [ %334, %377 ]
+  %397 = phi <8 x double> [ %420, %395 ], [ zeroinitializer, %377 ]
+  %398 = phi <8 x double> [ %415, %395 ], [ zeroinitializer, %377 ]
+  %399 = phi <8 x double> [ %410, %395 ], [ zeroinitializer, %377 ]
+  %400 = phi <8 x double> [ %405, %395 ], [ zeroinitializer, %377 ]
+  %401 = shl nsw i64 %396, 6
+  %402 = getelementptr inbounds i8, ptr %380, i64 %401
+  %403 = load <8 x double>, ptr %402, align 8
+  %404 = fmul <8 x double> %403, zeroinitializer
+  %405 = fadd <8 x double> %400, %404
+  %406 = shl i64 %396, 6
+  %407 = getelementptr i8, ptr %384, i64 %406
+  %408 = load <8 x double>, ptr %407, align 8
+  %409 = fmul <8 x double> %408, zeroinitializer
+  %410 = fadd <8 x double> %399, %409
+  %411 = shl i64 %396, 6
+  %412 = getelementptr i8, ptr %385, i64 %411
+  %413 = load <8 x double>, ptr %412, align 8
+  %414 = fmul <8 x double> %413, zeroinitializer
+  %415 = fadd <8 x double> %398, %414
+  %416 = shl i64 %396, 6
+  %417 = getelementptr i8, ptr %386, i64 %416
+  %418 = load <8 x double>, ptr %417, align 8
+  %419 = fmul <8 x double> %418, zeroinitializer
+  %420 = fadd <8 x double> %397, %419
+  %421 = add nsw i64 %396, 4
+  %422 = icmp slt i64 %421, %383
+  br i1 %422, label %395, label %388, !llvm.loop !10
 
-422:                                              ; preds = %387, %422
-  %423 = phi i64 [ %430, %422 ], [ %392, %387 ]
-  %424 = phi <8 x double> [ %429, %422 ], [ %388, %387 ]
-  %425 = shl nsw i64 %423, 6
-  %426 = getelementptr inbounds i8, ptr %379, i64 %425
-  %427 = load <8 x double>, ptr %426, align 8
-  %428 = fmul <8 x double> %427, zeroinitializer
-  %429 = fadd <8 x double> %424, %428
-  %430 = add nsw i64 %423, 1
-  %431 = icmp eq i64 %430, %381
-  br i1 %431, label %432, label %422, !llvm.loop !11
+423:                                              ; preds = %388, %423
+  %424 = phi i64 [ %431, %423 ], [ %393, %388 ]
+  %425 = phi <8 x double> [ %430, %423 ], [ %389, %388 ]
+  %426 = shl nsw i64 %424, 6
+  %427 = getelementptr inbounds i8, ptr %380, i64 %426
+  %428 = load <8 x double>, ptr %427, align 8
+  %429 = fmul <8 x double> %428, zeroinitializer
+  %430 = fadd <8 x double> %425, %429
+  %431 = add nsw i64 %424, 1
+  %432 = icmp eq i64 %431, %382
+  br i1 %432, label %433, label %423, !llvm.loop !11
 
-432:                                              ; preds = %422, %387
-  %433 = phi <8 x double> [ %388, %387 ], [ %429, %422 ]
-  %434 = fadd <8 x double> %389, %433
-  %435 = fadd <8 x double> %390, %391
-  %436 = fadd <8 x double> %435, %434
-  %437 = fadd <8 x double> %378, %436
-  %438 = icmp eq i64 %335, 2
-  br i1 %438, label %475, label %486
+433:                                              ; preds = %423, %388
+  %434 = phi <8 x double> [ %389, %388 ], [ %430, %423 ]
+  %435 = fadd <8 x double> %390, %434
+  %436 = fadd <8 x double> %391, %392
+  %437 = fadd <8 x double> %436, %435
+  %438 = fadd <8 x double> %379, %437
+  %439 = icmp eq i64 %336, 2
+  br i1 %439, label %476, label %487
 
-439:                                              ; preds = %344, %439
-  %440 = phi <8 x double> [ zeroinitializer, %344 ], [ %470, %439 ]
-  %441 = phi <8 x double> [ zeroinitializer, %344 ], [ %472, %439 ]
-  %442 = phi i64 [ 0, %344 ], [ %473, %439 ]
-  %443 = shl nsw i64 %442, 6
-  %444 = getelementptr inbounds i8, ptr %345, i64 %443
-  %445 = load <8 x double>, ptr %444, align 8
-  %446 = getelementptr inbounds i8, ptr %346, i64 %443
-  %447 = load <8 x double>, ptr %446, align 8
-  %448 = getelementptr inbounds double, ptr %347, i64 %442
-  %449 = load double, ptr %448, align 8
-  %450 = insertelement <8 x double> poison, double %449, i64 0
-  %451 = shufflevector <8 x double> %450, <8 x double> poison, <8 x i32> zeroinitializer
-  %452 = getelementptr inbounds double, ptr %348, i64 %442
-  %453 = load double, ptr %452, align 8
-  %454 = insertelement <8 x double> poison, double %453, i64 0
-  %455 = shufflevector <8 x double> %454, <8 x double> poison, <8 x i32> zeroinitializer
-  %456 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %445)
-  %457 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %447)
-  %458 = fcmp ogt <8 x double> %456, %457
-  %459 = select <8 x i1> %458, <8 x double> %456, <8 x double> %457
-  %460 = fmul <8 x double> %459, %455
-  %461 = fadd <8 x double> %451, %460
-  %462 = fdiv <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %461
-  %463 = getelementptr inbounds i8, ptr %349, i64 %443
-  %464 = load <8 x double>, ptr %463, align 8
-  %465 = fmul <8 x double> %464, %462
-  %466 = getelementptr inbounds i8, ptr %338, i64 %443
-  %467 = load <8 x double>, ptr %466, align 8
-  %468 = fmul <8 x double> %467, %462
-  %469 = fmul <8 x double> %465, %465
-  %470 = fadd <8 x double> %440, %469
-  %471 = fmul <8 x double> %468, %468
-  %472 = fadd <8 x double> %441, %471
-  %473 = add nuw nsw i64 %442, 1
-  %474 = icmp eq i64 %473, %333
-  br i1 %474, label %376, label %439, !llvm.loop !12
+440:                                              ; preds = %345, %440
+  %441 = phi <8 x double> [ zeroinitializer, %345 ], [ %471, %440 ]
+  %442 = phi <8 x double> [ zeroinitializer, %345 ], [ %473, %440 ]
+  %443 = phi i64 [ 0, %345 ], [ %474, %440 ]
+  %444 = shl nsw i64 %443, 6
+  %445 = getelementptr inbounds i8, ptr %346, i64 %444
+  %446 = load <8 x double>, ptr %445, align 8
+  %447 = getelementptr inbounds i8, ptr %347, i64 %444
+  %448 = load <8 x double>, ptr %447, align 8
+  %449 = getelementptr inbounds double, ptr %348, i64 %443
+  %450 = load double, ptr %449, align 8
+  %451 = insertelement <8 x double> poison, double %450, i64 0
+  %452 = shufflevector <8 x double> %451, <8 x double> poison, <8 x i32> zeroinitializer
+  %453 = getelementptr inbounds double, ptr %349, i64 %443
+  %454 = load double, ptr %453, align 8
+  %455 = insertelement <8 x double> poison, double %454, i64 0
+  %456 = shufflevector <8 x double> %455, <8 x double> poison, <8 x i32> zeroinitializer
+  %457 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %446)
+  %458 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %448)
+  %459 = fcmp ogt <8 x double> %457, %458
+  %460 = select <8 x i1> %459, <8 x double> %457, <8 x double> %458
+  %461 = fmul <8 x double> %460, %456
+  %462 = fadd <8 x double> %452, %461
+  %463 = fdiv <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>, %462
+  %464 = getelementptr inbounds i8, ptr %350, i64 %444
+  %465 = load <8 x double>, ptr %464, align 8
+  %466 = fmul <8 x double> %465, %463
+  %467 = getelementptr inbounds i8, ptr %339, i64 %444
+  %468 = load <8 x double>, ptr %467, align 8
+  %469 = fmul <8 x double> %468, %463
+  %470 = fmul <8 x double> %466, %466
+  %471 = fadd <8 x double> %441, %470
+  %472 = fmul <8 x double> %469, %469
+  %473 = fadd <8 x double> %442, %472
+  %474 = add nuw nsw i64 %443, 1
+  %475 = icmp eq i64 %474, %334
+  br i1 %475, label %377, label %440, !llvm.loop !12
 
-475:                                              ; preds = %432
-  %476 = fmul <8 x double> %377, <double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02>
-  %477 = fadd <8 x double> %476, %437
-  %478 = sitofp i64 %333 to double
-  %479 = insertelement <8 x double> poison, double %478, i64 0
-  %480 = shufflevector <8 x double> %479, <8 x double> poison, <8 x i32> zeroinitializer
-  %481 = fmul <8 x double> %480, %477
-  %482 = tail call <8 x double> @llvm.sqrt.v8f64(<8 x double> %481)
-  %483 = fdiv <8 x double> %437, %482
-  %484 = fcmp oeq <8 x double> %437, zeroinitializer
-  %485 = select <8 x i1> %484, <8 x double> zeroinitializer, <8 x double> %483
-  br label %502
+476:                                              ; preds = %433
+  %477 = fmul <8 x double> %378, <double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02, double 1.000000e-02>
+  %478 = fadd <8 x double> %477, %438
+  %479 = sitofp i64 %334 to double
+  %480 = insertelement <8 x double> poison, double %479, i64 0
+  %481 = shufflevector <8 x double> %480, <8 x double> poison, <8 x i32> zeroinitializer
+  %482 = fmul <8 x double> %481, %478
+  %483 = tail call <8 x double> @llvm.sqrt.v8f64(<8 x double> %482)
+  %484 = fdiv <8 x double> %438, %483
+  %485 = fcmp oeq <8 x double> %438, zeroinitializer
+  %486 = select <8 x i1> %485, <8 x double> zeroinitializer, <8 x double> %484
+  br label %503
 
-486:                                              ; preds = %432
-  %487 = sitofp i64 %333 to double
-  %488 = insertelement <8 x double> poison, double %487, i64 0
-  %489 = shufflevector <8 x double> %488, <8 x double> poison, <8 x i32> zeroinitializer
-  %490 = fdiv <8 x double> %437, %489
-  %491 = tail call <8 x double> @llvm.sqrt.v8f64(<8 x double> %490)
-  br label %502
+487:                                              ; preds = %433
+  %488 = sitofp i64 %334 to double
+  %489 = insertelement <8 x double> poison, double %488, i64 0
+  %490 = shufflevector <8 x double> %489, <8 x double> poison, <8 x i32> zeroinitializer
+  %491 = fdiv <8 x double> %438, %490
+  %492 = tail call <8 x double> @llvm.sqrt.v8f64(<8 x double> %491)
+  br label %503
 
-492:                                              ; preds = %327, %492
-  %493 = phi <8 x double> [ zeroinitializer, %327 ], [ %499, %492 ]
-  %494 = phi i64 [ 0, %327 ], [ %500, %492 ]
-  %495 = shl nsw i64 %494, 6
-  %496 = getelementptr inbounds i8, ptr %328, i64 %495
-  %497 = load <8 x double>, ptr %496, align 8
-  %498 = fmul <8 x double> %497, zeroinitializer
-  %499 = fadd <8 x double> %493, %498
-  %500 = add nuw nsw i64 %494, 1
-  %501 = icmp eq i64 %500, %13
-  br i1 %501, label %502, label %492, !llvm.loop !13
+493:                                              ; preds = %328, %493
+  %494 = phi <8 x double> [ zeroinitializer, %328 ], [ %500, %493 ]
+  %495 = phi i64 [ 0, %328 ], [ %501, %493 ]
+  %496 = shl nsw i64 %495, 6
+  %497 = getelementptr inbounds i8, ptr %329, i64 %496
+  %498 = load <8 x double>, ptr %497, align 8
+  %499 = fmul <8 x double> %498, zeroinitializer
+  %500 = fadd <8 x double> %494, %499
+  %501 = add nuw nsw i64 %495, 1
+  %502 = icmp eq i64 %501, %13
+  br i1 %502, label %503, label %493, !llvm.loop !13
 
-502:                                              ; preds = %492, %326, %486, %475
-  %503 = phi <8 x double> [ %485, %475 ], [ %491, %486 ], [ zeroinitializer, %326 ], [ %499, %492 ]
-  %504 = fcmp uge <8 x double> %503, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %505 = trunc i64 %325 to i8
-  %506 = bitcast i8 %505 to <8 x i1>
-  %507 = select <8 x i1> %506, <8 x i1> <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>, <8 x i1> %504
-  %508 = xor <8 x i1> %507, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
-  %509 = select <8 x i1> %508, <8 x i1> %183, <8 x i1> zeroinitializer
-  %510 = sext <8 x i1> %509 to <8 x i64>
-  br i1 %36, label %511, label %523
+503:                                              ; preds = %493, %327, %487, %476
+  %504 = phi <8 x double> [ %486, %476 ], [ %492, %487 ], [ zeroinitializer, %327 ], [ %500, %493 ]
+  %505 = fcmp uge <8 x double> %504, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %506 = trunc i64 %326 to i8
+  %507 = bitcast i8 %506 to <8 x i1>
+  %508 = select <8 x i1> %507, <8 x i1> <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>, <8 x i1> %505
+  %509 = xor <8 x i1> %508, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
+  %510 = select <8 x i1> %509, <8 x i1> %184, <8 x i1> zeroinitializer
+  %511 = sext <8 x i1> %510 to <8 x i64>
+  br i1 %37, label %512, label %524
 
-511:                                              ; preds = %502
-  %512 = xor <8 x i1> %507, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
-  %513 = select <8 x i1> %512, <8 x i1> %183, <8 x i1> zeroinitializer
-  %514 = bitcast <8 x i1> %513 to i8
-  %515 = icmp eq i8 %514, 0
-  br i1 %515, label %523, label %516
+512:                                              ; preds = %503
+  %513 = xor <8 x i1> %508, <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>
+  %514 = select <8 x i1> %513, <8 x i1> %184, <8 x i1> zeroinitializer
+  %515 = bitcast <8 x i1> %514 to i8
+  %516 = icmp eq i8 %515, 0
+  br i1 %516, label %524, label %517
 
-516:                                              ; preds = %511
-  %517 = zext i8 %514 to i64
-  store <8 x double> %210, ptr %4, align 16
-  %518 = load ptr, ptr %92, align 8
-  %519 = call fastcc i64 @hold_lanes(ptr noundef nonnull %0, ptr noundef nonnull %4, ptr noundef %518, i64 noundef %517) #10
-  %520 = trunc nuw i64 %519 to i8
-  %521 = bitcast i8 %520 to <8 x i1>
-  %522 = select <8 x i1> %521, <8 x i64> zeroinitializer, <8 x i64> %510
-  br label %523
+517:                                              ; preds = %512
+  %518 = zext i8 %515 to i64
+  store <8 x double> %211, ptr %4, align 16
+  %519 = load ptr, ptr %93, align 8
+  %520 = call fastcc i64 @hold_lanes(ptr noundef nonnull %0, ptr noundef nonnull %4, ptr noundef %519, i64 noundef %518, i32 noundef %49) #10
+  %521 = trunc nuw i64 %520 to i8
+  %522 = bitcast i8 %521 to <8 x i1>
+  %523 = select <8 x i1> %522, <8 x i64> zeroinitializer, <8 x i64> %511
+  br label %524
 
-523:                                              ; preds = %516, %511, %502
-  %524 = phi i64 [ %519, %516 ], [ 0, %511 ], [ 0, %502 ]
-  %525 = phi <8 x i64> [ %522, %516 ], [ %510, %511 ], [ %510, %502 ]
-  %526 = icmp ne <8 x i64> %525, zeroinitializer
-  %527 = bitcast <8 x i1> %526 to i8
-  %528 = icmp ne i8 %527, 0
-  %529 = select i1 %50, i1 %528, i1 false
-  br i1 %529, label %530, label %549
+524:                                              ; preds = %517, %512, %503
+  %525 = phi i64 [ %520, %517 ], [ 0, %512 ], [ 0, %503 ]
+  %526 = phi <8 x i64> [ %523, %517 ], [ %511, %512 ], [ %511, %503 ]
+  %527 = icmp ne <8 x i64> %526, zeroinitializer
+  %528 = bitcast <8 x i1> %527 to i8
+  %529 = icmp ne i8 %528, 0
+  %530 = select i1 %51, i1 %529, i1 false
+  br i1 %530, label %531, label %550
 
-530:                                              ; preds = %523
-  %531 = load ptr, ptr %93, align 8
+531:                                              ; preds = %524
   %532 = load ptr, ptr %94, align 8
-  store <8 x double> %210, ptr %532, align 8
-  %533 = load i64, ptr %95, align 8
-  %534 = icmp sgt i64 %533, 0
-  br i1 %534, label %535, label %536
+  %533 = load ptr, ptr %95, align 8
+  store <8 x double> %211, ptr %533, align 8
+  %534 = load i64, ptr %96, align 8
+  %535 = icmp sgt i64 %534, 0
+  br i1 %535, label %536, label %537
 
-535:                                              ; preds = %530
+536:                                              ; preds = %531
   tail call fastcc void @sample(ptr noundef nonnull %7) #10
-  br label %536
+  br label %537
 
-536:                                              ; preds = %530, %535
-  %537 = load ptr, ptr %7, align 8
-  %538 = load i64, ptr %537, align 8
-  %539 = load ptr, ptr %94, align 8
-  %540 = load ptr, ptr %96, align 8
+537:                                              ; preds = %531, %536
+  %538 = load ptr, ptr %7, align 8
+  %539 = load i64, ptr %538, align 8
+  %540 = load ptr, ptr %95, align 8
   %541 = load ptr, ptr %97, align 8
-  %542 = inttoptr i64 %538 to ptr
-  %543 = tail call i32 %542(ptr noundef %539, ptr noundef %531, ptr noundef %540, ptr noundef %541, ptr noundef %51) #11
-  %544 = zext i32 %543 to i64
-  %545 = or i64 %325, %544
-  %546 = trunc i64 %545 to i8
-  %547 = bitcast i8 %546 to <8 x i1>
-  %548 = select <8 x i1> %547, <8 x i64> zeroinitializer, <8 x i64> %525
-  br label %549
+  %542 = load ptr, ptr %98, align 8
+  %543 = inttoptr i64 %539 to ptr
+  %544 = tail call i32 %543(ptr noundef %540, ptr noundef %532, ptr noundef %541, ptr noundef %542, ptr noundef %52) #11
+  %545 = zext i32 %544 to i64
+  %546 = or i64 %326, %545
+  %547 = trunc i64 %546 to i8
+  %548 = bitcast i8 %547 to <8 x i1>
+  %549 = select <8 x i1> %548, <8 x i64> zeroinitializer, <8 x i64> %526
+  br label %550
 
-549:                                              ; preds = %536, %523
-  %550 = phi <8 x i64> [ %548, %536 ], [ %525, %523 ]
-  %551 = phi i64 [ %545, %536 ], [ %325, %523 ]
-  %552 = load ptr, ptr %98, align 8
-  %553 = load <8 x double>, ptr %552, align 8
-  %554 = load i64, ptr %14, align 8
-  %555 = add i64 %554, %99
-  %556 = sitofp i64 %555 to double
-  %557 = insertelement <8 x double> poison, double %556, i64 0
-  %558 = shufflevector <8 x double> %557, <8 x double> poison, <8 x i32> zeroinitializer
-  %559 = icmp slt <8 x i64> %525, zeroinitializer
-  %560 = select <8 x i1> %559, <8 x i64> %103, <8 x i64> zeroinitializer
-  %561 = bitcast <8 x i64> %560 to <8 x double>
-  %562 = fadd <8 x double> %558, %561
-  %563 = fadd <8 x double> %553, %562
-  store <8 x double> %563, ptr %552, align 8
-  %564 = load ptr, ptr %104, align 8
-  %565 = load <8 x double>, ptr %564, align 8
-  %566 = fcmp olt <8 x double> %565, %210
-  %567 = select <8 x i1> %566, <8 x i64> %550, <8 x i64> zeroinitializer
-  %568 = icmp ne <8 x i64> %567, zeroinitializer
-  %569 = bitcast <8 x i1> %568 to i8
-  %570 = zext i8 %569 to i64
-  %571 = icmp eq i8 %569, 0
-  br i1 %571, label %817, label %572
+550:                                              ; preds = %537, %524
+  %551 = phi <8 x i64> [ %549, %537 ], [ %526, %524 ]
+  %552 = phi i64 [ %546, %537 ], [ %326, %524 ]
+  %553 = load ptr, ptr %99, align 8
+  %554 = load <8 x double>, ptr %553, align 8
+  %555 = load i64, ptr %14, align 8
+  %556 = add i64 %555, %100
+  %557 = sitofp i64 %556 to double
+  %558 = insertelement <8 x double> poison, double %557, i64 0
+  %559 = shufflevector <8 x double> %558, <8 x double> poison, <8 x i32> zeroinitializer
+  %560 = icmp slt <8 x i64> %526, zeroinitializer
+  %561 = select <8 x i1> %560, <8 x i64> %104, <8 x i64> zeroinitializer
+  %562 = bitcast <8 x i64> %561 to <8 x double>
+  %563 = fadd <8 x double> %559, %562
+  %564 = fadd <8 x double> %554, %563
+  store <8 x double> %564, ptr %553, align 8
+  %565 = load ptr, ptr %105, align 8
+  %566 = load <8 x double>, ptr %565, align 8
+  %567 = fcmp olt <8 x double> %566, %211
+  %568 = select <8 x i1> %567, <8 x i64> %551, <8 x i64> zeroinitializer
+  %569 = icmp ne <8 x i64> %568, zeroinitializer
+  %570 = bitcast <8 x i1> %569 to i8
+  %571 = zext i8 %570 to i64
+  %572 = icmp eq i8 %570, 0
+  br i1 %572, label %818, label %573
 
-572:                                              ; preds = %549
-  %573 = load ptr, ptr %0, align 8
-  %574 = load ptr, ptr %7, align 8
-  %575 = getelementptr inbounds i8, ptr %574, i64 16
-  %576 = load i64, ptr %575, align 8
-  %577 = load i64, ptr %573, align 8
-  %578 = load i64, ptr %105, align 8
-  %579 = load ptr, ptr %77, align 8
-  %580 = mul nsw i64 %578, %577
-  %581 = getelementptr inbounds double, ptr %579, i64 %580
-  %582 = load ptr, ptr %106, align 8
-  %583 = add nsw i64 %577, 1
-  %584 = getelementptr inbounds i8, ptr %573, i64 16
-  %585 = load i64, ptr %584, align 8
-  %586 = icmp sgt i64 %585, 0
-  br i1 %586, label %587, label %589
+573:                                              ; preds = %550
+  %574 = load ptr, ptr %0, align 8
+  %575 = load ptr, ptr %7, align 8
+  %576 = getelementptr inbounds i8, ptr %575, i64 16
+  %577 = load i64, ptr %576, align 8
+  %578 = load i64, ptr %574, align 8
+  %579 = load i64, ptr %106, align 8
+  %580 = load ptr, ptr %78, align 8
+  %581 = mul nsw i64 %579, %578
+  %582 = getelementptr inbounds double, ptr %580, i64 %581
+  %583 = load ptr, ptr %107, align 8
+  %584 = add nsw i64 %578, 1
+  %585 = getelementptr inbounds i8, ptr %574, i64 16
+  %586 = load i64, ptr %585, align 8
+  %587 = icmp sgt i64 %586, 0
+  br i1 %587, label %588, label %590
 
-587:                                              ; preds = %572
-  %588 = getelementptr inbounds i8, ptr %573, i64 8
-  br label %600
+588:                                              ; preds = %573
+  %589 = getelementptr inbounds i8, ptr %574, i64 8
+  br label %601
 
-589:                                              ; preds = %635, %572
-  %590 = phi i64 [ 0, %572 ], [ %644, %635 ]
-  %591 = getelementptr inbounds i8, ptr %573, i64 16
-  %592 = load ptr, ptr %7, align 8
-  %593 = getelementptr inbounds i8, ptr %592, i64 8
-  %594 = load i64, ptr %593, align 8
-  %595 = icmp sgt i64 %594, 0
-  br i1 %595, label %596, label %649
+590:                                              ; preds = %636, %573
+  %591 = phi i64 [ 0, %573 ], [ %645, %636 ]
+  %592 = getelementptr inbounds i8, ptr %574, i64 16
+  %593 = load ptr, ptr %7, align 8
+  %594 = getelementptr inbounds i8, ptr %593, i64 8
+  %595 = load i64, ptr %594, align 8
+  %596 = icmp sgt i64 %595, 0
+  br i1 %596, label %597, label %650
 
-596:                                              ; preds = %589
-  %597 = getelementptr inbounds double, ptr %582, i64 %578
-  %598 = shl nsw i64 %578, 4
-  %599 = getelementptr inbounds i8, ptr %582, i64 %598
-  br label %656
+597:                                              ; preds = %590
+  %598 = getelementptr inbounds double, ptr %583, i64 %579
+  %599 = shl nsw i64 %579, 4
+  %600 = getelementptr inbounds i8, ptr %583, i64 %599
+  br label %657
 
-600:                                              ; preds = %587, %635
-  %601 = phi i64 [ 0, %587 ], [ %644, %635 ]
-  %602 = phi i64 [ %583, %587 ], [ %645, %635 ]
-  %603 = load i64, ptr %588, align 8
-  %604 = load ptr, ptr %107, align 8
-  %605 = load ptr, ptr %9, align 8
-  %606 = load ptr, ptr %76, align 8
-  %607 = getelementptr i64, ptr %606, i64 %602
+601:                                              ; preds = %588, %636
+  %602 = phi i64 [ 0, %588 ], [ %645, %636 ]
+  %603 = phi i64 [ %584, %588 ], [ %646, %636 ]
+  %604 = load i64, ptr %589, align 8
+  %605 = load ptr, ptr %108, align 8
+  %606 = load ptr, ptr %9, align 8
+  %607 = load ptr, ptr %77, align 8
   %608 = getelementptr i64, ptr %607, i64 %603
-  %609 = load i64, ptr %608, align 8
-  %610 = getelementptr i8, ptr %608, i64 8
-  %611 = load i64, ptr %610, align 8
-  %612 = xor i64 %609, -1
-  %613 = add i64 %611, %612
-  %614 = load ptr, ptr %63, align 8
-  %615 = load ptr, ptr %77, align 8
+  %609 = getelementptr i64, ptr %608, i64 %604
+  %610 = load i64, ptr %609, align 8
+  %611 = getelementptr i8, ptr %609, i64 8
+  %612 = load i64, ptr %611, align 8
+  %613 = xor i64 %610, -1
+  %614 = add i64 %612, %613
+  %615 = load ptr, ptr %64, align 8
   %616 = load ptr, ptr %78, align 8
-  %617 = getelementptr inbounds i64, ptr %616, i64 %609
-  %618 = load ptr, ptr %79, align 8
-  %619 = getelementptr inbounds double, ptr %618, i64 %609
-  tail call fastcc void @combine(ptr noundef %604, ptr noundef %605, ptr noundef %614, ptr noundef %615, ptr noundef %617, ptr noundef %619, i64 noundef %613, i64 noundef %576) #10
-  %620 = load ptr, ptr %77, align 8
-  %621 = mul nsw i64 %602, %578
-  %622 = getelementptr inbounds double, ptr %620, i64 %621
-  %623 = load ptr, ptr %108, align 8
-  %624 = getelementptr inbounds double, ptr %623, i64 %602
-  %625 = load double, ptr %624, align 8
-  %626 = insertelement <8 x double> poison, double %625, i64 0
-  %627 = shufflevector <8 x double> %626, <8 x double> poison, <8 x i32> zeroinitializer
-  %628 = fmul <8 x double> %211, %627
-  %629 = fadd <8 x double> %185, %628
-  %630 = load ptr, ptr %107, align 8
-  %631 = load ptr, ptr %109, align 8
-  store <8 x double> %629, ptr %631, align 8
-  %632 = load i64, ptr %110, align 8
-  %633 = icmp sgt i64 %632, 0
-  br i1 %633, label %634, label %635
+  %617 = load ptr, ptr %79, align 8
+  %618 = getelementptr inbounds i64, ptr %617, i64 %610
+  %619 = load ptr, ptr %80, align 8
+  %620 = getelementptr inbounds double, ptr %619, i64 %610
+  tail call fastcc void @combine(ptr noundef %605, ptr noundef %606, ptr noundef %615, ptr noundef %616, ptr noundef %618, ptr noundef %620, i64 noundef %614, i64 noundef %577) #10
+  %621 = load ptr, ptr %78, align 8
+  %622 = mul nsw i64 %603, %579
+  %623 = getelementptr inbounds double, ptr %621, i64 %622
+  %624 = load ptr, ptr %109, align 8
+  %625 = getelementptr inbounds double, ptr %624, i64 %603
+  %626 = load double, ptr %625, align 8
+  %627 = insertelement <8 x double> poison, double %626, i64 0
+  %628 = shufflevector <8 x double> %627, <8 x double> poison, <8 x i32> zeroinitializer
+  %629 = fmul <8 x double> %212, %628
+  %630 = fadd <8 x double> %186, %629
+  %631 = load ptr, ptr %108, align 8
+  %632 = load ptr, ptr %110, align 8
+  store <8 x double> %630, ptr %632, align 8
+  %633 = load i64, ptr %111, align 8
+  %634 = icmp sgt i64 %633, 0
+  br i1 %634, label %635, label %636
 
-634:                                              ; preds = %600
+635:                                              ; preds = %601
   tail call fastcc void @sample(ptr noundef nonnull %7) #10
-  br label %635
+  br label %636
 
-635:                                              ; preds = %600, %634
-  %636 = load ptr, ptr %7, align 8
-  %637 = load i64, ptr %636, align 8
-  %638 = load ptr, ptr %109, align 8
-  %639 = load ptr, ptr %111, align 8
+636:                                              ; preds = %601, %635
+  %637 = load ptr, ptr %7, align 8
+  %638 = load i64, ptr %637, align 8
+  %639 = load ptr, ptr %110, align 8
   %640 = load ptr, ptr %112, align 8
-  %641 = inttoptr i64 %637 to ptr
-  %642 = tail call i32 %641(ptr noundef %638, ptr noundef %630, ptr noundef %639, ptr noundef %640, ptr noundef %622) #11
-  %643 = zext i32 %642 to i64
-  %644 = or i64 %601, %643
-  %645 = add nsw i64 %602, 1
-  %646 = load i64, ptr %584, align 8
-  %647 = add nsw i64 %646, %583
-  %648 = icmp slt i64 %645, %647
-  br i1 %648, label %600, label %589, !llvm.loop !14
+  %641 = load ptr, ptr %113, align 8
+  %642 = inttoptr i64 %638 to ptr
+  %643 = tail call i32 %642(ptr noundef %639, ptr noundef %631, ptr noundef %640, ptr noundef %641, ptr noundef %623) #11
+  %644 = zext i32 %643 to i64
+  %645 = or i64 %602, %644
+  %646 = add nsw i64 %603, 1
+  %647 = load i64, ptr %585, align 8
+  %648 = add nsw i64 %647, %584
+  %649 = icmp slt i64 %646, %648
+  br i1 %649, label %601, label %590, !llvm.loop !14
 
-649:                                              ; preds = %656, %589
-  %650 = getelementptr inbounds i8, ptr %573, i64 8
-  %651 = load i64, ptr %650, align 8
-  %652 = load i64, ptr %591, align 8
-  %653 = getelementptr inbounds i8, ptr %573, i64 24
-  %654 = load i64, ptr %653, align 8
-  %655 = icmp sgt i64 %654, 3
-  br i1 %655, label %684, label %709
+650:                                              ; preds = %657, %590
+  %651 = getelementptr inbounds i8, ptr %574, i64 8
+  %652 = load i64, ptr %651, align 8
+  %653 = load i64, ptr %592, align 8
+  %654 = getelementptr inbounds i8, ptr %574, i64 24
+  %655 = load i64, ptr %654, align 8
+  %656 = icmp sgt i64 %655, 3
+  br i1 %656, label %685, label %710
 
-656:                                              ; preds = %596, %656
-  %657 = phi i64 [ 0, %596 ], [ %679, %656 ]
-  %658 = load ptr, ptr %75, align 8
-  %659 = shl nsw i64 %657, 6
-  %660 = getelementptr inbounds i8, ptr %658, i64 %659
-  %661 = load <8 x double>, ptr %660, align 8
-  %662 = load ptr, ptr %9, align 8
-  %663 = getelementptr inbounds i8, ptr %662, i64 %659
-  %664 = load <8 x double>, ptr %663, align 8
-  %665 = fsub <8 x double> %661, %664
-  %666 = load ptr, ptr %77, align 8
-  %667 = getelementptr inbounds i8, ptr %666, i64 %659
-  %668 = load <8 x double>, ptr %667, align 8
-  %669 = fmul <8 x double> %211, %668
-  %670 = fsub <8 x double> %669, %665
-  %671 = getelementptr inbounds i8, ptr %582, i64 %659
-  store <8 x double> %665, ptr %671, align 8
-  %672 = getelementptr inbounds i8, ptr %597, i64 %659
-  store <8 x double> %670, ptr %672, align 8
-  %673 = fsub <8 x double> %665, %670
-  %674 = getelementptr inbounds i8, ptr %581, i64 %659
-  %675 = load <8 x double>, ptr %674, align 8
-  %676 = fmul <8 x double> %211, %675
-  %677 = fsub <8 x double> %673, %676
-  %678 = getelementptr inbounds i8, ptr %599, i64 %659
-  store <8 x double> %677, ptr %678, align 8
-  %679 = add nuw nsw i64 %657, 1
-  %680 = load ptr, ptr %7, align 8
-  %681 = getelementptr inbounds i8, ptr %680, i64 8
-  %682 = load i64, ptr %681, align 8
-  %683 = icmp slt i64 %679, %682
-  br i1 %683, label %656, label %649, !llvm.loop !15
+657:                                              ; preds = %597, %657
+  %658 = phi i64 [ 0, %597 ], [ %680, %657 ]
+  %659 = load ptr, ptr %76, align 8
+  %660 = shl nsw i64 %658, 6
+  %661 = getelementptr inbounds i8, ptr %659, i64 %660
+  %662 = load <8 x double>, ptr %661, align 8
+  %663 = load ptr, ptr %9, align 8
+  %664 = getelementptr inbounds i8, ptr %663, i64 %660
+  %665 = load <8 x double>, ptr %664, align 8
+  %666 = fsub <8 x double> %662, %665
+  %667 = load ptr, ptr %78, align 8
+  %668 = getelementptr inbounds i8, ptr %667, i64 %660
+  %669 = load <8 x double>, ptr %668, align 8
+  %670 = fmul <8 x double> %212, %669
+  %671 = fsub <8 x double> %670, %666
+  %672 = getelementptr inbounds i8, ptr %583, i64 %660
+  store <8 x double> %666, ptr %672, align 8
+  %673 = getelementptr inbounds i8, ptr %598, i64 %660
+  store <8 x double> %671, ptr %673, align 8
+  %674 = fsub <8 x double> %666, %671
+  %675 = getelementptr inbounds i8, ptr %582, i64 %660
+  %676 = load <8 x double>, ptr %675, align 8
+  %677 = fmul <8 x double> %212, %676
+  %678 = fsub <8 x double> %674, %677
+  %679 = getelementptr inbounds i8, ptr %600, i64 %660
+  store <8 x double> %678, ptr %679, align 8
+  %680 = add nuw nsw i64 %658, 1
+  %681 = load ptr, ptr %7, align 8
+  %682 = getelementptr inbounds i8, ptr %681, i64 8
+  %683 = load i64, ptr %682, align 8
+  %684 = icmp slt i64 %680, %683
+  br i1 %684, label %657, label %650, !llvm.loop !15
 
-684:                                              ; preds = %649, %684
-  %685 = phi i64 [ %706, %684 ], [ 3, %649 ]
-  %686 = mul nsw i64 %685, %578
-  %687 = getelementptr inbounds double, ptr %582, i64 %686
-  %688 = load ptr, ptr %113, align 8
-  %689 = load ptr, ptr %76, align 8
-  %690 = getelementptr i64, ptr %689, i64 %583
-  %691 = getelementptr i64, ptr %690, i64 %651
+685:                                              ; preds = %650, %685
+  %686 = phi i64 [ %707, %685 ], [ 3, %650 ]
+  %687 = mul nsw i64 %686, %579
+  %688 = getelementptr inbounds double, ptr %583, i64 %687
+  %689 = load ptr, ptr %114, align 8
+  %690 = load ptr, ptr %77, align 8
+  %691 = getelementptr i64, ptr %690, i64 %584
   %692 = getelementptr i64, ptr %691, i64 %652
-  %693 = getelementptr i64, ptr %692, i64 %685
-  %694 = getelementptr i8, ptr %693, i64 -24
-  %695 = load i64, ptr %694, align 8
-  %696 = getelementptr i8, ptr %693, i64 -16
-  %697 = load i64, ptr %696, align 8
-  %698 = xor i64 %695, -1
-  %699 = add i64 %697, %698
-  %700 = load ptr, ptr %63, align 8
-  %701 = load ptr, ptr %77, align 8
+  %693 = getelementptr i64, ptr %692, i64 %653
+  %694 = getelementptr i64, ptr %693, i64 %686
+  %695 = getelementptr i8, ptr %694, i64 -24
+  %696 = load i64, ptr %695, align 8
+  %697 = getelementptr i8, ptr %694, i64 -16
+  %698 = load i64, ptr %697, align 8
+  %699 = xor i64 %696, -1
+  %700 = add i64 %698, %699
+  %701 = load ptr, ptr %64, align 8
   %702 = load ptr, ptr %78, align 8
-  %703 = getelementptr inbounds i64, ptr %702, i64 %695
-  %704 = load ptr, ptr %79, align 8
-  %705 = getelementptr inbounds double, ptr %704, i64 %695
-  tail call fastcc void @combine(ptr noundef %687, ptr noundef %688, ptr noundef %700, ptr noundef %701, ptr noundef %703, ptr noundef %705, i64 noundef %699, i64 noundef %576) #10
-  %706 = add nuw nsw i64 %685, 1
-  %707 = load i64, ptr %653, align 8
-  %708 = icmp slt i64 %706, %707
-  br i1 %708, label %684, label %709, !llvm.loop !16
+  %703 = load ptr, ptr %79, align 8
+  %704 = getelementptr inbounds i64, ptr %703, i64 %696
+  %705 = load ptr, ptr %80, align 8
+  %706 = getelementptr inbounds double, ptr %705, i64 %696
+  tail call fastcc void @combine(ptr noundef %688, ptr noundef %689, ptr noundef %701, ptr noundef %702, ptr noundef %704, ptr noundef %706, i64 noundef %700, i64 noundef %577) #10
+  %707 = add nuw nsw i64 %686, 1
+  %708 = load i64, ptr %654, align 8
+  %709 = icmp slt i64 %707, %708
+  br i1 %709, label %685, label %710, !llvm.loop !16
 
-709:                                              ; preds = %684, %649
-  %710 = and i64 %590, %570
-  %711 = load ptr, ptr %98, align 8
-  %712 = load <8 x double>, ptr %711, align 8
-  %713 = load i64, ptr %114, align 8
-  %714 = sitofp i64 %713 to double
-  %715 = insertelement <8 x double> poison, double %714, i64 0
-  %716 = bitcast <8 x double> %715 to <8 x i64>
-  %717 = shufflevector <8 x i64> %716, <8 x i64> poison, <8 x i32> zeroinitializer
-  %718 = icmp slt <8 x i64> %567, zeroinitializer
-  %719 = select <8 x i1> %718, <8 x i64> %717, <8 x i64> zeroinitializer
-  %720 = bitcast <8 x i64> %719 to <8 x double>
-  %721 = fadd <8 x double> %712, %720
-  store <8 x double> %721, ptr %711, align 8
-  %722 = icmp eq i64 %710, 0
-  br i1 %722, label %730, label %723
+710:                                              ; preds = %685, %650
+  %711 = and i64 %591, %571
+  %712 = load ptr, ptr %99, align 8
+  %713 = load <8 x double>, ptr %712, align 8
+  %714 = load i64, ptr %115, align 8
+  %715 = sitofp i64 %714 to double
+  %716 = insertelement <8 x double> poison, double %715, i64 0
+  %717 = bitcast <8 x double> %716 to <8 x i64>
+  %718 = shufflevector <8 x i64> %717, <8 x i64> poison, <8 x i32> zeroinitializer
+  %719 = icmp slt <8 x i64> %568, zeroinitializer
+  %720 = select <8 x i1> %719, <8 x i64> %718, <8 x i64> zeroinitializer
+  %721 = bitcast <8 x i64> %720 to <8 x double>
+  %722 = fadd <8 x double> %713, %721
+  store <8 x double> %722, ptr %712, align 8
+  %723 = icmp eq i64 %711, 0
+  br i1 %723, label %731, label %724
 
-723:                                              ; preds = %709
-  tail call fastcc void @retire(ptr noundef nonnull %0, i64 noundef %710, i64 noundef 3) #10
-  %724 = xor i64 %710, -1
-  %725 = and i64 %181, %724
-  store i64 %725, ptr %5, align 8
-  %726 = trunc i64 %725 to i8
-  %727 = bitcast i8 %726 to <8 x i1>
-  %728 = select <8 x i1> %727, <8 x i64> %550, <8 x i64> zeroinitializer
-  %729 = select <8 x i1> %727, <8 x i64> %567, <8 x i64> zeroinitializer
-  br label %730
+724:                                              ; preds = %710
+  tail call fastcc void @retire(ptr noundef nonnull %0, i64 noundef %711, i64 noundef 3) #10
+  %725 = xor i64 %711, -1
+  %726 = and i64 %182, %725
+  store i64 %726, ptr %5, align 8
+  %727 = trunc i64 %726 to i8
+  %728 = bitcast i8 %727 to <8 x i1>
+  %729 = select <8 x i1> %728, <8 x i64> %551, <8 x i64> zeroinitializer
+  %730 = select <8 x i1> %728, <8 x i64> %568, <8 x i64> zeroinitializer
+  br label %731
 
-730:                                              ; preds = %723, %709
-  %731 = phi <8 x i64> [ %729, %723 ], [ %567, %709 ]
-  %732 = phi <8 x i64> [ %728, %723 ], [ %550, %709 ]
-  %733 = phi i32 [ 1, %723 ], [ %174, %709 ]
-  %734 = icmp ne <8 x i64> %731, zeroinitializer
-  %735 = bitcast <8 x i1> %734 to i8
-  %736 = load ptr, ptr %46, align 8
-  %737 = load <8 x double>, ptr %736, align 8
-  %738 = load ptr, ptr %63, align 8
-  %739 = load <8 x double>, ptr %738, align 8
-  %740 = load ptr, ptr %115, align 8
-  %741 = load <8 x double>, ptr %740, align 8
-  %742 = load ptr, ptr %104, align 8
-  %743 = load <8 x double>, ptr %742, align 8
-  %744 = load ptr, ptr %116, align 8
+731:                                              ; preds = %724, %710
+  %732 = phi <8 x i64> [ %730, %724 ], [ %568, %710 ]
+  %733 = phi <8 x i64> [ %729, %724 ], [ %551, %710 ]
+  %734 = phi i32 [ 1, %724 ], [ %175, %710 ]
+  %735 = icmp ne <8 x i64> %732, zeroinitializer
+  %736 = bitcast <8 x i1> %735 to i8
+  %737 = load ptr, ptr %47, align 8
+  %738 = load <8 x double>, ptr %737, align 8
+  %739 = load ptr, ptr %64, align 8
+  %740 = load <8 x double>, ptr %739, align 8
+  %741 = load ptr, ptr %116, align 8
+  %742 = load <8 x double>, ptr %741, align 8
+  %743 = load ptr, ptr %105, align 8
+  %744 = load <8 x double>, ptr %743, align 8
   %745 = load ptr, ptr %117, align 8
-  br label %750
+  %746 = load ptr, ptr %118, align 8
+  br label %751
 
-746:                                              ; preds = %750
-  %747 = icmp eq i8 %735, 0
-  br i1 %747, label %757, label %748
+747:                                              ; preds = %751
+  %748 = icmp eq i8 %736, 0
+  br i1 %748, label %758, label %749
 
-748:                                              ; preds = %746
-  %749 = zext i8 %735 to i64
-  br label %760
+749:                                              ; preds = %747
+  %750 = zext i8 %736 to i64
+  br label %761
 
-750:                                              ; preds = %730, %750
-  %751 = phi i64 [ 0, %730 ], [ %755, %750 ]
-  %752 = getelementptr inbounds i64, ptr %745, i64 %751
-  %753 = load i64, ptr %752, align 8
-  %754 = getelementptr inbounds [8 x i64], ptr %2, i64 0, i64 %751
-  store i64 %753, ptr %754, align 8
-  %755 = add nuw nsw i64 %751, 1
-  %756 = icmp eq i64 %755, 8
-  br i1 %756, label %746, label %750, !llvm.loop !17
+751:                                              ; preds = %731, %751
+  %752 = phi i64 [ 0, %731 ], [ %756, %751 ]
+  %753 = getelementptr inbounds i64, ptr %746, i64 %752
+  %754 = load i64, ptr %753, align 8
+  %755 = getelementptr inbounds [8 x i64], ptr %2, i64 0, i64 %752
+  store i64 %754, ptr %755, align 8
+  %756 = add nuw nsw i64 %752, 1
+  %757 = icmp eq i64 %756, 8
+  br i1 %757, label %747, label %751, !llvm.loop !17
 
-757:                                              ; preds = %784, %746
-  %758 = phi i64 [ 0, %746 ], [ %785, %784 ]
-  %759 = icmp eq i64 %758, 0
-  br i1 %759, label %812, label %796
+758:                                              ; preds = %785, %747
+  %759 = phi i64 [ 0, %747 ], [ %786, %785 ]
+  %760 = icmp eq i64 %759, 0
+  br i1 %760, label %813, label %797
 
-760:                                              ; preds = %748, %784
-  %761 = phi i64 [ %785, %784 ], [ 0, %748 ]
-  %762 = phi i64 [ %794, %784 ], [ %749, %748 ]
-  %763 = load ptr, ptr %104, align 8
-  %764 = load <8 x double>, ptr %763, align 8
-  %765 = fsub <8 x double> %764, %737
-  %766 = fdiv <8 x double> %765, %739
-  %767 = load ptr, ptr %118, align 8
-  store <8 x double> %766, ptr %767, align 8
-  %768 = load ptr, ptr %9, align 8
-  %769 = load ptr, ptr %106, align 8
-  %770 = load i64, ptr %105, align 8
-  %771 = load ptr, ptr %0, align 8
-  %772 = getelementptr inbounds i8, ptr %771, i64 24
-  %773 = load i64, ptr %772, align 8
-  %774 = load ptr, ptr %118, align 8
-  %775 = load ptr, ptr %7, align 8
-  %776 = getelementptr inbounds i8, ptr %775, i64 16
-  %777 = load i64, ptr %776, align 8
-  tail call fastcc void @nested(ptr noundef %744, ptr noundef %768, ptr noundef %769, i64 noundef %770, i64 noundef %773, ptr noundef %774, i64 noundef %777) #10
-  %778 = load i64, ptr %34, align 8
-  %779 = icmp sgt i64 %778, 0
-  br i1 %779, label %780, label %784
+761:                                              ; preds = %749, %785
+  %762 = phi i64 [ %786, %785 ], [ 0, %749 ]
+  %763 = phi i64 [ %795, %785 ], [ %750, %749 ]
+  %764 = load ptr, ptr %105, align 8
+  %765 = load <8 x double>, ptr %764, align 8
+  %766 = fsub <8 x double> %765, %738
+  %767 = fdiv <8 x double> %766, %740
+  %768 = load ptr, ptr %119, align 8
+  store <8 x double> %767, ptr %768, align 8
+  %769 = load ptr, ptr %9, align 8
+  %770 = load ptr, ptr %107, align 8
+  %771 = load i64, ptr %106, align 8
+  %772 = load ptr, ptr %0, align 8
+  %773 = getelementptr inbounds i8, ptr %772, i64 24
+  %774 = load i64, ptr %773, align 8
+  %775 = load ptr, ptr %119, align 8
+  %776 = load ptr, ptr %7, align 8
+  %777 = getelementptr inbounds i8, ptr %776, i64 16
+  %778 = load i64, ptr %777, align 8
+  tail call fastcc void @nested(ptr noundef %745, ptr noundef %769, ptr noundef %770, i64 noundef %771, i64 noundef %774, ptr noundef %775, i64 noundef %778) #10
+  %779 = load i64, ptr %35, align 8
+  %780 = icmp sgt i64 %779, 0
+  br i1 %780, label %781, label %785
 
-780:                                              ; preds = %760
-  %781 = load ptr, ptr %104, align 8
-  %782 = tail call fastcc i64 @hold_lanes(ptr noundef nonnull %0, ptr noundef %781, ptr noundef %744, i64 noundef %762) #10
-  %783 = or i64 %782, %761
-  br label %784
+781:                                              ; preds = %761
+  %782 = load ptr, ptr %105, align 8
+  %783 = tail call fastcc i64 @hold_lanes(ptr noundef nonnull %0, ptr noundef %782, ptr noundef %745, i64 noundef %763, i32 noundef 0) #10
+  %784 = or i64 %783, %762
+  br label %785
 
-784:                                              ; preds = %780, %760
-  %785 = phi i64 [ %783, %780 ], [ %761, %760 ]
-  %786 = xor i64 %785, -1
-  %787 = and i64 %762, %786
-  tail call fastcc void @write_outputs(ptr noundef nonnull %0, ptr noundef %744, i64 noundef %787) #10
-  %788 = load ptr, ptr %104, align 8
-  %789 = load <8 x double>, ptr %788, align 8
-  %790 = fcmp olt <8 x double> %789, %210
-  %791 = bitcast <8 x i1> %790 to i8
-  %792 = zext i8 %791 to i64
-  %793 = and i64 %786, %792
-  %794 = and i64 %793, %762
-  %795 = icmp eq i64 %794, 0
-  br i1 %795, label %757, label %760, !llvm.loop !19
+785:                                              ; preds = %781, %761
+  %786 = phi i64 [ %784, %781 ], [ %762, %761 ]
+  %787 = xor i64 %786, -1
+  %788 = and i64 %763, %787
+  tail call fastcc void @write_outputs(ptr noundef nonnull %0, ptr noundef %745, i64 noundef %788) #10
+  %789 = load ptr, ptr %105, align 8
+  %790 = load <8 x double>, ptr %789, align 8
+  %791 = fcmp olt <8 x double> %790, %211
+  %792 = bitcast <8 x i1> %791 to i8
+  %793 = zext i8 %792 to i64
+  %794 = and i64 %787, %793
+  %795 = and i64 %794, %763
+  %796 = icmp eq i64 %795, 0
+  br i1 %796, label %758, label %761, !llvm.loop !19
 
-796:                                              ; preds = %757, %796
-  %797 = phi i64 [ %810, %796 ], [ %758, %757 ]
-  %798 = tail call range(i64 0, 65) i64 @llvm.cttz.i64(i64 %797, i1 true)
-  %799 = extractelement <8 x double> %741, i64 %798
-  %800 = load ptr, ptr %115, align 8
-  %801 = getelementptr inbounds double, ptr %800, i64 %798
-  store double %799, ptr %801, align 8
-  %802 = extractelement <8 x double> %743, i64 %798
-  %803 = load ptr, ptr %104, align 8
-  %804 = getelementptr inbounds double, ptr %803, i64 %798
-  store double %802, ptr %804, align 8
-  %805 = getelementptr inbounds [8 x i64], ptr %2, i64 0, i64 %798
-  %806 = load i64, ptr %805, align 8
-  %807 = load ptr, ptr %119, align 8
-  %808 = getelementptr inbounds i64, ptr %807, i64 %798
-  store i64 %806, ptr %808, align 8
-  %809 = add nsw i64 %797, -1
-  %810 = and i64 %809, %797
-  %811 = icmp eq i64 %810, 0
-  br i1 %811, label %812, label %796, !llvm.loop !20
+797:                                              ; preds = %758, %797
+  %798 = phi i64 [ %811, %797 ], [ %759, %758 ]
+  %799 = tail call range(i64 0, 65) i64 @llvm.cttz.i64(i64 %798, i1 true)
+  %800 = extractelement <8 x double> %742, i64 %799
+  %801 = load ptr, ptr %116, align 8
+  %802 = getelementptr inbounds double, ptr %801, i64 %799
+  store double %800, ptr %802, align 8
+  %803 = extractelement <8 x double> %744, i64 %799
+  %804 = load ptr, ptr %105, align 8
+  %805 = getelementptr inbounds double, ptr %804, i64 %799
+  store double %803, ptr %805, align 8
+  %806 = getelementptr inbounds [8 x i64], ptr %2, i64 0, i64 %799
+  %807 = load i64, ptr %806, align 8
+  %808 = load ptr, ptr %120, align 8
+  %809 = getelementptr inbounds i64, ptr %808, i64 %799
+  store i64 %807, ptr %809, align 8
+  %810 = add nsw i64 %798, -1
+  %811 = and i64 %810, %798
+  %812 = icmp eq i64 %811, 0
+  br i1 %812, label %813, label %797, !llvm.loop !20
 
-812:                                              ; preds = %796, %757
-  %813 = or i64 %758, %524
-  %814 = trunc nuw i64 %758 to i8
-  %815 = bitcast i8 %814 to <8 x i1>
-  %816 = select <8 x i1> %815, <8 x i64> zeroinitializer, <8 x i64> %732
-  br label %817
+813:                                              ; preds = %797, %758
+  %814 = or i64 %759, %525
+  %815 = trunc nuw i64 %759 to i8
+  %816 = bitcast i8 %815 to <8 x i1>
+  %817 = select <8 x i1> %816, <8 x i64> zeroinitializer, <8 x i64> %733
+  br label %818
 
-817:                                              ; preds = %812, %549
-  %818 = phi i64 [ %524, %549 ], [ %813, %812 ]
-  %819 = phi <8 x i64> [ %550, %549 ], [ %816, %812 ]
-  %820 = phi i32 [ %174, %549 ], [ %733, %812 ]
-  %821 = load ptr, ptr %104, align 8
-  %822 = load <8 x double>, ptr %821, align 8
-  %823 = fcmp oeq <8 x double> %822, %210
-  %824 = icmp ne <8 x i64> %819, zeroinitializer
-  %825 = select <8 x i1> %823, <8 x i1> %824, <8 x i1> zeroinitializer
-  %826 = bitcast <8 x i1> %825 to i8
-  %827 = icmp eq i8 %826, 0
-  br i1 %827, label %830, label %828
+818:                                              ; preds = %813, %550
+  %819 = phi i64 [ %525, %550 ], [ %814, %813 ]
+  %820 = phi <8 x i64> [ %551, %550 ], [ %817, %813 ]
+  %821 = phi i32 [ %175, %550 ], [ %734, %813 ]
+  %822 = load ptr, ptr %105, align 8
+  %823 = load <8 x double>, ptr %822, align 8
+  %824 = fcmp oeq <8 x double> %823, %211
+  %825 = icmp ne <8 x i64> %820, zeroinitializer
+  %826 = select <8 x i1> %824, <8 x i1> %825, <8 x i1> zeroinitializer
+  %827 = bitcast <8 x i1> %826 to i8
+  %828 = icmp eq i8 %827, 0
+  br i1 %828, label %831, label %829
 
-828:                                              ; preds = %817
-  %829 = zext i8 %826 to i64
-  br label %839
+829:                                              ; preds = %818
+  %830 = zext i8 %827 to i64
+  br label %840
 
-830:                                              ; preds = %839, %817
-  %831 = xor <8 x i64> %819, <i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1>
-  %832 = select <8 x i1> %183, <8 x i64> %831, <8 x i64> zeroinitializer
-  %833 = load ptr, ptr %59, align 8
-  %834 = load <8 x double>, ptr %833, align 8
-  %835 = icmp slt <8 x i64> %819, zeroinitializer
-  %836 = select <8 x i1> %835, <8 x i64> <i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408>, <8 x i64> zeroinitializer
-  %837 = bitcast <8 x i64> %836 to <8 x double>
-  %838 = fadd <8 x double> %834, %837
-  store <8 x double> %838, ptr %833, align 8
-  br i1 %48, label %849, label %973
+831:                                              ; preds = %840, %818
+  %832 = xor <8 x i64> %820, <i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1, i64 -1>
+  %833 = select <8 x i1> %184, <8 x i64> %832, <8 x i64> zeroinitializer
+  %834 = load ptr, ptr %60, align 8
+  %835 = load <8 x double>, ptr %834, align 8
+  %836 = icmp slt <8 x i64> %820, zeroinitializer
+  %837 = select <8 x i1> %836, <8 x i64> <i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408>, <8 x i64> zeroinitializer
+  %838 = bitcast <8 x i64> %837 to <8 x double>
+  %839 = fadd <8 x double> %835, %838
+  store <8 x double> %839, ptr %834, align 8
+  br i1 %32, label %850, label %974
 
-839:                                              ; preds = %828, %839
-  %840 = phi i64 [ %847, %839 ], [ %829, %828 ]
-  %841 = load ptr, ptr %120, align 8
-  tail call fastcc void @write_outputs(ptr noundef %0, ptr noundef %841, i64 noundef %840) #10
-  %842 = load ptr, ptr %104, align 8
-  %843 = load <8 x double>, ptr %842, align 8
-  %844 = fcmp oeq <8 x double> %843, %210
-  %845 = bitcast <8 x i1> %844 to i8
-  %846 = zext i8 %845 to i64
-  %847 = and i64 %840, %846
-  %848 = icmp eq i64 %847, 0
-  br i1 %848, label %830, label %839, !llvm.loop !21
+840:                                              ; preds = %829, %840
+  %841 = phi i64 [ %848, %840 ], [ %830, %829 ]
+  %842 = load ptr, ptr %121, align 8
+  tail call fastcc void @write_outputs(ptr noundef %0, ptr noundef %842, i64 noundef %841) #10
+  %843 = load ptr, ptr %105, align 8
+  %844 = load <8 x double>, ptr %843, align 8
+  %845 = fcmp oeq <8 x double> %844, %211
+  %846 = bitcast <8 x i1> %845 to i8
+  %847 = zext i8 %846 to i64
+  %848 = and i64 %841, %847
+  %849 = icmp eq i64 %848, 0
+  br i1 %849, label %831, label %840, !llvm.loop !21
 
-849:                                              ; preds = %830
-  %850 = load ptr, ptr %121, align 8
-  %851 = load <8 x double>, ptr %850, align 8
-  %852 = load ptr, ptr %122, align 8
-  %853 = load <8 x double>, ptr %852, align 8
-  %854 = fcmp ogt <8 x double> %503, <double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10>
-  %855 = bitcast <8 x double> %503 to <8 x i64>
-  %856 = select <8 x i1> %854, <8 x i64> %855, <8 x i64> <i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675>
-  %857 = load double, ptr %123, align 8
-  %858 = insertelement <8 x double> poison, double %857, i64 0
-  %859 = shufflevector <8 x double> %858, <8 x double> poison, <8 x i32> zeroinitializer
-  %860 = load double, ptr %124, align 8
-  %861 = fneg double %860
-  %862 = add <8 x i64> %856, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
-  %863 = ashr <8 x i64> %862, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %864 = and <8 x i64> %862, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
-  %865 = sub <8 x i64> %856, %864
-  %866 = bitcast <8 x i64> %865 to <8 x double>
-  %867 = fadd <8 x double> %866, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
-  %868 = fadd <8 x double> %866, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %869 = fdiv <8 x double> %867, %868
-  %870 = fmul <8 x double> %869, %869
-  %871 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %870, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
-  %872 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %871, <8 x double> %870, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
-  %873 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %872, <8 x double> %870, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
-  %874 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %873, <8 x double> %870, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
-  %875 = trunc nsw <8 x i64> %863 to <8 x i32>
-  %876 = sitofp <8 x i32> %875 to <8 x double>
-  %877 = fmul <8 x double> %869, %874
-  %878 = fadd <8 x double> %877, %876
-  %879 = insertelement <8 x double> poison, double %861, i64 0
-  %880 = shufflevector <8 x double> %879, <8 x double> poison, <8 x i32> zeroinitializer
-  %881 = fmul <8 x double> %878, %880
-  %882 = fcmp ogt <8 x double> %881, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
-  %883 = bitcast <8 x double> %881 to <8 x i64>
-  %884 = select <8 x i1> %882, <8 x i64> %883, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
-  %885 = bitcast <8 x i64> %884 to <8 x double>
-  %886 = fcmp olt <8 x double> %885, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
-  %887 = bitcast <8 x i64> %884 to <8 x double>
-  %888 = select <8 x i1> %886, <8 x double> %887, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
-  %889 = tail call <8 x double> @llvm.rint.v8f64(<8 x double> %888)
-  %890 = fsub <8 x double> %888, %889
-  %891 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %890, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
-  %892 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %891, <8 x double> %890, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
-  %893 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %892, <8 x double> %890, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
-  %894 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %893, <8 x double> %890, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
-  %895 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %894, <8 x double> %890, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
-  %896 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %895, <8 x double> %890, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
-  %897 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %896, <8 x double> %890, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
-  %898 = bitcast <8 x double> %897 to <8 x i64>
-  %899 = fptosi <8 x double> %889 to <8 x i32>
-  %900 = zext <8 x i32> %899 to <8 x i64>
-  %901 = shl <8 x i64> %900, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %902 = add <8 x i64> %901, %898
-  %903 = bitcast <8 x i64> %902 to <8 x double>
-  %904 = fmul <8 x double> %859, %903
-  %905 = load double, ptr %125, align 8
-  %906 = fcmp une double %905, 0.000000e+00
-  br i1 %906, label %907, label %952
+850:                                              ; preds = %831
+  %851 = load ptr, ptr %122, align 8
+  %852 = load <8 x double>, ptr %851, align 8
+  %853 = load ptr, ptr %123, align 8
+  %854 = load <8 x double>, ptr %853, align 8
+  %855 = fcmp ogt <8 x double> %504, <double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10>
+  %856 = bitcast <8 x double> %504 to <8 x i64>
+  %857 = select <8 x i1> %855, <8 x i64> %856, <8 x i64> <i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675>
+  %858 = load double, ptr %124, align 8
+  %859 = insertelement <8 x double> poison, double %858, i64 0
+  %860 = shufflevector <8 x double> %859, <8 x double> poison, <8 x i32> zeroinitializer
+  %861 = load double, ptr %125, align 8
+  %862 = fneg double %861
+  %863 = add <8 x i64> %857, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
+  %864 = ashr <8 x i64> %863, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %865 = and <8 x i64> %863, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
+  %866 = sub <8 x i64> %857, %865
+  %867 = bitcast <8 x i64> %866 to <8 x double>
+  %868 = fadd <8 x double> %867, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
+  %869 = fadd <8 x double> %867, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %870 = fdiv <8 x double> %868, %869
+  %871 = fmul <8 x double> %870, %870
+  %872 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %871, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
+  %873 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %872, <8 x double> %871, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
+  %874 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %873, <8 x double> %871, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
+  %875 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %874, <8 x double> %871, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
+  %876 = trunc nsw <8 x i64> %864 to <8 x i32>
+  %877 = sitofp <8 x i32> %876 to <8 x double>
+  %878 = fmul <8 x double> %870, %875
+  %879 = fadd <8 x double> %878, %877
+  %880 = insertelement <8 x double> poison, double %862, i64 0
+  %881 = shufflevector <8 x double> %880, <8 x double> poison, <8 x i32> zeroinitializer
+  %882 = fmul <8 x double> %879, %881
+  %883 = fcmp ogt <8 x double> %882, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
+  %884 = bitcast <8 x double> %882 to <8 x i64>
+  %885 = select <8 x i1> %883, <8 x i64> %884, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
+  %886 = bitcast <8 x i64> %885 to <8 x double>
+  %887 = fcmp olt <8 x double> %886, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %888 = bitcast <8 x i64> %885 to <8 x double>
+  %889 = select <8 x i1> %887, <8 x double> %888, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %890 = tail call <8 x double> @llvm.rint.v8f64(<8 x double> %889)
+  %891 = fsub <8 x double> %889, %890
+  %892 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %891, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
+  %893 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %892, <8 x double> %891, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
+  %894 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %893, <8 x double> %891, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
+  %895 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %894, <8 x double> %891, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
+  %896 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %895, <8 x double> %891, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
+  %897 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %896, <8 x double> %891, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
+  %898 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %897, <8 x double> %891, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
+  %899 = bitcast <8 x double> %898 to <8 x i64>
+  %900 = fptosi <8 x double> %890 to <8 x i32>
+  %901 = zext <8 x i32> %900 to <8 x i64>
+  %902 = shl <8 x i64> %901, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %903 = add <8 x i64> %902, %899
+  %904 = bitcast <8 x i64> %903 to <8 x double>
+  %905 = fmul <8 x double> %860, %904
+  %906 = load double, ptr %126, align 8
+  %907 = fcmp une double %906, 0.000000e+00
+  br i1 %907, label %908, label %953
 
-907:                                              ; preds = %849
-  %908 = bitcast <8 x double> %851 to <8 x i64>
-  %909 = add <8 x i64> %908, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
-  %910 = ashr <8 x i64> %909, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %911 = and <8 x i64> %909, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
-  %912 = sub <8 x i64> %908, %911
-  %913 = bitcast <8 x i64> %912 to <8 x double>
-  %914 = fadd <8 x double> %913, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
-  %915 = fadd <8 x double> %913, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %916 = fdiv <8 x double> %914, %915
-  %917 = fmul <8 x double> %916, %916
-  %918 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %917, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
-  %919 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %918, <8 x double> %917, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
-  %920 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %919, <8 x double> %917, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
-  %921 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %920, <8 x double> %917, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
-  %922 = trunc nsw <8 x i64> %910 to <8 x i32>
-  %923 = sitofp <8 x i32> %922 to <8 x double>
-  %924 = fmul <8 x double> %916, %921
-  %925 = fadd <8 x double> %924, %923
-  %926 = insertelement <8 x double> poison, double %905, i64 0
-  %927 = shufflevector <8 x double> %926, <8 x double> poison, <8 x i32> zeroinitializer
-  %928 = fmul <8 x double> %927, %925
-  %929 = fcmp ogt <8 x double> %928, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
-  %930 = bitcast <8 x double> %928 to <8 x i64>
-  %931 = select <8 x i1> %929, <8 x i64> %930, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
-  %932 = bitcast <8 x i64> %931 to <8 x double>
-  %933 = fcmp olt <8 x double> %932, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
-  %934 = bitcast <8 x i64> %931 to <8 x double>
-  %935 = select <8 x i1> %933, <8 x double> %934, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
-  %936 = tail call <8 x double> @llvm.rint.v8f64(<8 x double> %935)
-  %937 = fsub <8 x double> %935, %936
-  %938 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %937, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
-  %939 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %938, <8 x double> %937, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
-  %940 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %939, <8 x double> %937, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
-  %941 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %940, <8 x double> %937, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
-  %942 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %941, <8 x double> %937, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
-  %943 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %942, <8 x double> %937, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
-  %944 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %943, <8 x double> %937, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
-  %945 = bitcast <8 x double> %944 to <8 x i64>
-  %946 = fptosi <8 x double> %936 to <8 x i32>
-  %947 = zext <8 x i32> %946 to <8 x i64>
-  %948 = shl <8 x i64> %947, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %949 = add <8 x i64> %948, %945
-  %950 = bitcast <8 x i64> %949 to <8 x double>
-  %951 = fmul <8 x double> %904, %950
-  br label %952
+908:                                              ; preds = %850
+  %909 = bitcast <8 x double> %852 to <8 x i64>
+  %910 = add <8 x i64> %909, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
+  %911 = ashr <8 x i64> %910, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %912 = and <8 x i64> %910, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
+  %913 = sub <8 x i64> %909, %912
+  %914 = bitcast <8 x i64> %913 to <8 x double>
+  %915 = fadd <8 x double> %914, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
+  %916 = fadd <8 x double> %914, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %917 = fdiv <8 x double> %915, %916
+  %918 = fmul <8 x double> %917, %917
+  %919 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %918, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
+  %920 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %919, <8 x double> %918, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
+  %921 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %920, <8 x double> %918, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
+  %922 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %921, <8 x double> %918, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
+  %923 = trunc nsw <8 x i64> %911 to <8 x i32>
+  %924 = sitofp <8 x i32> %923 to <8 x double>
+  %925 = fmul <8 x double> %917, %922
+  %926 = fadd <8 x double> %925, %924
+  %927 = insertelement <8 x double> poison, double %906, i64 0
+  %928 = shufflevector <8 x double> %927, <8 x double> poison, <8 x i32> zeroinitializer
+  %929 = fmul <8 x double> %928, %926
+  %930 = fcmp ogt <8 x double> %929, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
+  %931 = bitcast <8 x double> %929 to <8 x i64>
+  %932 = select <8 x i1> %930, <8 x i64> %931, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
+  %933 = bitcast <8 x i64> %932 to <8 x double>
+  %934 = fcmp olt <8 x double> %933, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %935 = bitcast <8 x i64> %932 to <8 x double>
+  %936 = select <8 x i1> %934, <8 x double> %935, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %937 = tail call <8 x double> @llvm.rint.v8f64(<8 x double> %936)
+  %938 = fsub <8 x double> %936, %937
+  %939 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %938, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
+  %940 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %939, <8 x double> %938, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
+  %941 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %940, <8 x double> %938, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
+  %942 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %941, <8 x double> %938, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
+  %943 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %942, <8 x double> %938, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
+  %944 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %943, <8 x double> %938, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
+  %945 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %944, <8 x double> %938, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
+  %946 = bitcast <8 x double> %945 to <8 x i64>
+  %947 = fptosi <8 x double> %937 to <8 x i32>
+  %948 = zext <8 x i32> %947 to <8 x i64>
+  %949 = shl <8 x i64> %948, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %950 = add <8 x i64> %949, %946
+  %951 = bitcast <8 x i64> %950 to <8 x double>
+  %952 = fmul <8 x double> %905, %951
+  br label %953
 
-952:                                              ; preds = %849, %907
-  %953 = phi <8 x double> [ %951, %907 ], [ %904, %849 ]
-  %954 = load double, ptr %126, align 8
-  %955 = insertelement <8 x double> poison, double %954, i64 0
-  %956 = shufflevector <8 x double> %955, <8 x double> poison, <8 x i32> zeroinitializer
-  %957 = fcmp ogt <8 x double> %953, %956
-  %958 = select <8 x i1> %957, <8 x double> %953, <8 x double> %956
-  %959 = fcmp olt <8 x double> %853, %958
-  %960 = select <8 x i1> %959, <8 x double> %853, <8 x double> %958
-  %961 = fmul <8 x double> %211, %960
-  %962 = fcmp ogt <8 x double> %503, <double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04>
-  %963 = select <8 x i1> %962, <8 x i64> %855, <8 x i64> <i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789>
-  %964 = bitcast <8 x double> %851 to <8 x i64>
-  %965 = select <8 x i1> %835, <8 x i64> %963, <8 x i64> %964
-  store <8 x i64> %965, ptr %850, align 8
-  %966 = load ptr, ptr %122, align 8
-  %967 = load double, ptr %127, align 8
-  %968 = insertelement <8 x double> poison, double %967, i64 0
-  %969 = bitcast <8 x double> %968 to <8 x i64>
-  %970 = shufflevector <8 x i64> %969, <8 x i64> poison, <8 x i32> zeroinitializer
-  %971 = icmp slt <8 x i64> %832, zeroinitializer
-  %972 = select <8 x i1> %971, <8 x i64> <i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408>, <8 x i64> %970
-  store <8 x i64> %972, ptr %966, align 8
-  br label %973
+953:                                              ; preds = %850, %908
+  %954 = phi <8 x double> [ %952, %908 ], [ %905, %850 ]
+  %955 = load double, ptr %127, align 8
+  %956 = insertelement <8 x double> poison, double %955, i64 0
+  %957 = shufflevector <8 x double> %956, <8 x double> poison, <8 x i32> zeroinitializer
+  %958 = fcmp ogt <8 x double> %954, %957
+  %959 = select <8 x i1> %958, <8 x double> %954, <8 x double> %957
+  %960 = fcmp olt <8 x double> %854, %959
+  %961 = select <8 x i1> %960, <8 x double> %854, <8 x double> %959
+  %962 = fmul <8 x double> %212, %961
+  %963 = fcmp ogt <8 x double> %504, <double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04, double 1.000000e-04>
+  %964 = select <8 x i1> %963, <8 x i64> %856, <8 x i64> <i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789, i64 4547007122018943789>
+  %965 = bitcast <8 x double> %852 to <8 x i64>
+  %966 = select <8 x i1> %836, <8 x i64> %964, <8 x i64> %965
+  store <8 x i64> %966, ptr %851, align 8
+  %967 = load ptr, ptr %123, align 8
+  %968 = load double, ptr %128, align 8
+  %969 = insertelement <8 x double> poison, double %968, i64 0
+  %970 = bitcast <8 x double> %969 to <8 x i64>
+  %971 = shufflevector <8 x i64> %970, <8 x i64> poison, <8 x i32> zeroinitializer
+  %972 = icmp slt <8 x i64> %833, zeroinitializer
+  %973 = select <8 x i1> %972, <8 x i64> <i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408>, <8 x i64> %971
+  store <8 x i64> %973, ptr %967, align 8
+  br label %974
 
-973:                                              ; preds = %952, %830
-  %974 = phi <8 x double> [ %961, %952 ], [ %192, %830 ]
-  %975 = icmp ne <8 x i64> %832, zeroinitializer
-  %976 = bitcast <8 x i1> %975 to i8
-  %977 = icmp eq i8 %976, 0
-  br i1 %977, label %1064, label %978
+974:                                              ; preds = %953, %831
+  %975 = phi <8 x double> [ %962, %953 ], [ %193, %831 ]
+  %976 = icmp ne <8 x i64> %833, zeroinitializer
+  %977 = bitcast <8 x i1> %976 to i8
+  %978 = icmp eq i8 %977, 0
+  br i1 %978, label %1065, label %979
 
-978:                                              ; preds = %973
-  %979 = trunc i64 %551 to i8
-  %980 = bitcast i8 %979 to <8 x i1>
-  %981 = trunc nuw i64 %818 to i8
-  %982 = bitcast i8 %981 to <8 x i1>
-  %983 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %503)
-  %984 = fcmp ueq <8 x double> %983, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
-  %985 = select <8 x i1> %984, <8 x i1> <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>, <8 x i1> %980
-  %986 = or <8 x i1> %985, %982
-  br i1 %48, label %987, label %1046
+979:                                              ; preds = %974
+  %980 = trunc i64 %552 to i8
+  %981 = bitcast i8 %980 to <8 x i1>
+  %982 = trunc nuw i64 %819 to i8
+  %983 = bitcast i8 %982 to <8 x i1>
+  %984 = tail call <8 x double> @llvm.fabs.v8f64(<8 x double> %504)
+  %985 = fcmp ueq <8 x double> %984, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
+  %986 = select <8 x i1> %985, <8 x i1> <i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true, i1 true>, <8 x i1> %981
+  %987 = or <8 x i1> %986, %983
+  br i1 %32, label %988, label %1047
 
-987:                                              ; preds = %978
-  %988 = fcmp ogt <8 x double> %503, <double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10>
-  %989 = bitcast <8 x double> %503 to <8 x i64>
-  %990 = select <8 x i1> %988, <8 x i64> %989, <8 x i64> <i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675>
-  %991 = load double, ptr %128, align 8
-  %992 = insertelement <8 x double> poison, double %991, i64 0
-  %993 = shufflevector <8 x double> %992, <8 x double> poison, <8 x i32> zeroinitializer
-  %994 = load double, ptr %29, align 8
-  %995 = fneg double %994
-  %996 = add <8 x i64> %990, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
-  %997 = ashr <8 x i64> %996, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %998 = and <8 x i64> %996, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
-  %999 = sub <8 x i64> %990, %998
-  %1000 = bitcast <8 x i64> %999 to <8 x double>
-  %1001 = fadd <8 x double> %1000, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
-  %1002 = fadd <8 x double> %1000, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
-  %1003 = fdiv <8 x double> %1001, %1002
-  %1004 = fmul <8 x double> %1003, %1003
-  %1005 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %1004, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
-  %1006 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %1005, <8 x double> %1004, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
-  %1007 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %1006, <8 x double> %1004, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
-  %1008 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %1007, <8 x double> %1004, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
-  %1009 = trunc nsw <8 x i64> %997 to <8 x i32>
-  %1010 = sitofp <8 x i32> %1009 to <8 x double>
-  %1011 = fmul <8 x double> %1003, %1008
-  %1012 = fadd <8 x double> %1011, %1010
-  %1013 = insertelement <8 x double> poison, double %995, i64 0
-  %1014 = shufflevector <8 x double> %1013, <8 x double> poison, <8 x i32> zeroinitializer
-  %1015 = fmul <8 x double> %1012, %1014
-  %1016 = fcmp ogt <8 x double> %1015, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
-  %1017 = bitcast <8 x double> %1015 to <8 x i64>
-  %1018 = select <8 x i1> %1016, <8 x i64> %1017, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
-  %1019 = bitcast <8 x i64> %1018 to <8 x double>
-  %1020 = fcmp olt <8 x double> %1019, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
-  %1021 = bitcast <8 x i64> %1018 to <8 x double>
-  %1022 = select <8 x i1> %1020, <8 x double> %1021, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
-  %1023 = tail call <8 x double> @llvm.rint.v8f64(<8 x double> %1022)
-  %1024 = fsub <8 x double> %1022, %1023
-  %1025 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %1024, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
-  %1026 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %1025, <8 x double> %1024, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
-  %1027 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %1026, <8 x double> %1024, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
-  %1028 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %1027, <8 x double> %1024, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
-  %1029 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %1028, <8 x double> %1024, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
-  %1030 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %1029, <8 x double> %1024, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
-  %1031 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %1030, <8 x double> %1024, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
-  %1032 = bitcast <8 x double> %1031 to <8 x i64>
-  %1033 = fptosi <8 x double> %1023 to <8 x i32>
-  %1034 = zext <8 x i32> %1033 to <8 x i64>
-  %1035 = shl <8 x i64> %1034, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
-  %1036 = add <8 x i64> %1035, %1032
-  %1037 = bitcast <8 x i64> %1036 to <8 x double>
-  %1038 = fmul <8 x double> %993, %1037
-  %1039 = load double, ptr %129, align 8
-  %1040 = insertelement <8 x double> poison, double %1039, i64 0
-  %1041 = shufflevector <8 x double> %1040, <8 x double> poison, <8 x i32> zeroinitializer
-  %1042 = fcmp ogt <8 x double> %1038, %1041
-  %1043 = select <8 x i1> %1042, <8 x double> %1038, <8 x double> %1041
-  %1044 = select <8 x i1> %986, <8 x double> <double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01>, <8 x double> %1043
-  %1045 = fmul <8 x double> %211, %1044
-  br label %1046
+988:                                              ; preds = %979
+  %989 = fcmp ogt <8 x double> %504, <double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10, double 1.000000e-10>
+  %990 = bitcast <8 x double> %504 to <8 x i64>
+  %991 = select <8 x i1> %989, <8 x i64> %990, <8 x i64> <i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675, i64 4457293557087583675>
+  %992 = load double, ptr %129, align 8
+  %993 = insertelement <8 x double> poison, double %992, i64 0
+  %994 = shufflevector <8 x double> %993, <8 x double> poison, <8 x i32> zeroinitializer
+  %995 = load double, ptr %29, align 8
+  %996 = fneg double %995
+  %997 = add <8 x i64> %991, <i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189, i64 -4604544271217802189>
+  %998 = ashr <8 x i64> %997, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %999 = and <8 x i64> %997, <i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496, i64 -4503599627370496>
+  %1000 = sub <8 x i64> %991, %999
+  %1001 = bitcast <8 x i64> %1000 to <8 x double>
+  %1002 = fadd <8 x double> %1001, <double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00, double -1.000000e+00>
+  %1003 = fadd <8 x double> %1001, <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>
+  %1004 = fdiv <8 x double> %1002, %1003
+  %1005 = fmul <8 x double> %1004, %1004
+  %1006 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %1005, <8 x double> <double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9, double 0x3FD484B13D7C02A9>, <8 x double> <double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9, double 0x3FDA61762A7ADED9>)
+  %1007 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %1006, <8 x double> %1005, <8 x double> <double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE, double 0x3FE2776C50EF9BFE>)
+  %1008 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %1007, <8 x double> %1005, <8 x double> <double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD, double 0x3FEEC709DC3A03FD>)
+  %1009 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %1008, <8 x double> %1005, <8 x double> <double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE, double 0x40071547652B82FE>)
+  %1010 = trunc nsw <8 x i64> %998 to <8 x i32>
+  %1011 = sitofp <8 x i32> %1010 to <8 x double>
+  %1012 = fmul <8 x double> %1004, %1009
+  %1013 = fadd <8 x double> %1012, %1011
+  %1014 = insertelement <8 x double> poison, double %996, i64 0
+  %1015 = shufflevector <8 x double> %1014, <8 x double> poison, <8 x i32> zeroinitializer
+  %1016 = fmul <8 x double> %1013, %1015
+  %1017 = fcmp ogt <8 x double> %1016, <double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03, double -1.000000e+03>
+  %1018 = bitcast <8 x double> %1016 to <8 x i64>
+  %1019 = select <8 x i1> %1017, <8 x i64> %1018, <8 x i64> <i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432, i64 -4571364728013586432>
+  %1020 = bitcast <8 x i64> %1019 to <8 x double>
+  %1021 = fcmp olt <8 x double> %1020, <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %1022 = bitcast <8 x i64> %1019 to <8 x double>
+  %1023 = select <8 x i1> %1021, <8 x double> %1022, <8 x double> <double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03, double 1.000000e+03>
+  %1024 = tail call <8 x double> @llvm.rint.v8f64(<8 x double> %1023)
+  %1025 = fsub <8 x double> %1023, %1024
+  %1026 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %1025, <8 x double> <double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5, double 0x3EEFFCBFC588B0C5>, <8 x double> <double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786, double 0x3F2430912F86C786>)
+  %1027 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %1026, <8 x double> %1025, <8 x double> <double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730, double 0x3F55D87FE78A6730>)
+  %1028 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %1027, <8 x double> %1025, <8 x double> <double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77, double 0x3F83B2AB6FBA4E77>)
+  %1029 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %1028, <8 x double> %1025, <8 x double> <double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF, double 0x3FAC6B08D704A0BF>)
+  %1030 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %1029, <8 x double> %1025, <8 x double> <double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E, double 0x3FCEBFBDFF82C58E>)
+  %1031 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %1030, <8 x double> %1025, <8 x double> <double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF, double 0x3FE62E42FEFA39EF>)
+  %1032 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %1031, <8 x double> %1025, <8 x double> <double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00, double 1.000000e+00>)
+  %1033 = bitcast <8 x double> %1032 to <8 x i64>
+  %1034 = fptosi <8 x double> %1024 to <8 x i32>
+  %1035 = zext <8 x i32> %1034 to <8 x i64>
+  %1036 = shl <8 x i64> %1035, <i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52, i64 52>
+  %1037 = add <8 x i64> %1036, %1033
+  %1038 = bitcast <8 x i64> %1037 to <8 x double>
+  %1039 = fmul <8 x double> %994, %1038
+  %1040 = load double, ptr %130, align 8
+  %1041 = insertelement <8 x double> poison, double %1040, i64 0
+  %1042 = shufflevector <8 x double> %1041, <8 x double> poison, <8 x i32> zeroinitializer
+  %1043 = fcmp ogt <8 x double> %1039, %1042
+  %1044 = select <8 x i1> %1043, <8 x double> %1039, <8 x double> %1042
+  %1045 = select <8 x i1> %987, <8 x double> <double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01, double 2.500000e-01>, <8 x double> %1044
+  %1046 = fmul <8 x double> %212, %1045
+  br label %1047
 
-1046:                                             ; preds = %978, %987
-  %1047 = phi <8 x double> [ %1045, %987 ], [ zeroinitializer, %978 ]
-  %1048 = select <8 x i1> %986, <8 x i64> <i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400>, <8 x i64> <i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904>
-  %1049 = icmp slt <8 x i64> %832, zeroinitializer
-  %1050 = select <8 x i1> %1049, <8 x double> %1047, <8 x double> %974
-  %1051 = load ptr, ptr %130, align 8
-  %1052 = select <8 x i1> %982, <8 x i64> <i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648>, <8 x i64> %1048
-  %1053 = load <8 x i64>, ptr %1051, align 8
-  %1054 = select <8 x i1> %1049, <8 x i64> %1052, <8 x i64> %1053
-  store <8 x i64> %1054, ptr %1051, align 8
-  %1055 = load ptr, ptr %130, align 8
-  %1056 = select <8 x i1> %980, <8 x i64> <i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152>, <8 x i64> %1048
-  %1057 = load <8 x i64>, ptr %1055, align 8
-  %1058 = select <8 x i1> %1049, <8 x i64> %1056, <8 x i64> %1057
-  store <8 x i64> %1058, ptr %1055, align 8
-  %1059 = load ptr, ptr %60, align 8
-  %1060 = load <8 x double>, ptr %1059, align 8
-  %1061 = select <8 x i1> %1049, <8 x i64> <i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408>, <8 x i64> zeroinitializer
-  %1062 = bitcast <8 x i64> %1061 to <8 x double>
-  %1063 = fadd <8 x double> %1060, %1062
-  store <8 x double> %1063, ptr %1059, align 8
-  br label %1064
+1047:                                             ; preds = %979, %988
+  %1048 = phi <8 x double> [ %1046, %988 ], [ zeroinitializer, %979 ]
+  %1049 = select <8 x i1> %987, <8 x i64> <i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400, i64 4616189618054758400>, <8 x i64> <i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904, i64 4611686018427387904>
+  %1050 = icmp slt <8 x i64> %833, zeroinitializer
+  %1051 = select <8 x i1> %1050, <8 x double> %1048, <8 x double> %975
+  %1052 = load ptr, ptr %131, align 8
+  %1053 = select <8 x i1> %983, <8 x i64> <i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648, i64 4618441417868443648>, <8 x i64> %1049
+  %1054 = load <8 x i64>, ptr %1052, align 8
+  %1055 = select <8 x i1> %1050, <8 x i64> %1053, <8 x i64> %1054
+  store <8 x i64> %1055, ptr %1052, align 8
+  %1056 = load ptr, ptr %131, align 8
+  %1057 = select <8 x i1> %981, <8 x i64> <i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152, i64 4613937818241073152>, <8 x i64> %1049
+  %1058 = load <8 x i64>, ptr %1056, align 8
+  %1059 = select <8 x i1> %1050, <8 x i64> %1057, <8 x i64> %1058
+  store <8 x i64> %1059, ptr %1056, align 8
+  %1060 = load ptr, ptr %61, align 8
+  %1061 = load <8 x double>, ptr %1060, align 8
+  %1062 = select <8 x i1> %1050, <8 x i64> <i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408, i64 4607182418800017408>, <8 x i64> zeroinitializer
+  %1063 = bitcast <8 x i64> %1062 to <8 x double>
+  %1064 = fadd <8 x double> %1061, %1063
+  store <8 x double> %1064, ptr %1060, align 8
+  br label %1065
 
-1064:                                             ; preds = %1046, %973
-  %1065 = phi <8 x double> [ %974, %973 ], [ %1050, %1046 ]
-  %1066 = load ptr, ptr %56, align 8
-  store <8 x double> %1065, ptr %1066, align 8
-  %1067 = load ptr, ptr %46, align 8
-  %1068 = select <8 x i1> %835, <8 x double> %210, <8 x double> %185
-  store <8 x double> %1068, ptr %1067, align 8
-  br i1 %131, label %1077, label %1069
+1065:                                             ; preds = %1047, %974
+  %1066 = phi <8 x double> [ %975, %974 ], [ %1051, %1047 ]
+  %1067 = load ptr, ptr %57, align 8
+  store <8 x double> %1066, ptr %1067, align 8
+  %1068 = load ptr, ptr %47, align 8
+  %1069 = select <8 x i1> %836, <8 x double> %211, <8 x double> %186
+  store <8 x double> %1069, ptr %1068, align 8
+  br i1 %132, label %1078, label %1070
 
-1069:                                             ; preds = %1077, %1064
-  %1070 = load ptr, ptr %104, align 8
-  %1071 = load <8 x double>, ptr %1070, align 8
-  %1072 = fcmp oeq <8 x double> %1071, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
-  %1073 = icmp ne <8 x i64> %819, zeroinitializer
-  %1074 = select <8 x i1> %1072, <8 x i1> %1073, <8 x i1> zeroinitializer
-  %1075 = bitcast <8 x i1> %1074 to i8
-  %1076 = icmp eq i8 %1075, 0
-  br i1 %1076, label %171, label %1095
+1070:                                             ; preds = %1078, %1065
+  %1071 = load ptr, ptr %105, align 8
+  %1072 = load <8 x double>, ptr %1071, align 8
+  %1073 = fcmp oeq <8 x double> %1072, <double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000, double 0x7FF0000000000000>
+  %1074 = icmp ne <8 x i64> %820, zeroinitializer
+  %1075 = select <8 x i1> %1073, <8 x i1> %1074, <8 x i1> zeroinitializer
+  %1076 = bitcast <8 x i1> %1075 to i8
+  %1077 = icmp eq i8 %1076, 0
+  br i1 %1077, label %172, label %1096
 
-1077:                                             ; preds = %1064, %1077
-  %1078 = phi i64 [ %1093, %1077 ], [ 0, %1064 ]
-  %1079 = load ptr, ptr %9, align 8
-  %1080 = load ptr, ptr %132, align 8
-  %1081 = shl nsw i64 %1078, 6
-  %1082 = getelementptr inbounds i8, ptr %1080, i64 %1081
-  %1083 = load <8 x i64>, ptr %1082, align 8
-  %1084 = getelementptr inbounds i8, ptr %1079, i64 %1081
-  %1085 = load <8 x i64>, ptr %1084, align 8
-  %1086 = select <8 x i1> %835, <8 x i64> %1083, <8 x i64> %1085
-  store <8 x i64> %1086, ptr %1084, align 8
-  %1087 = load ptr, ptr %37, align 8
-  %1088 = getelementptr inbounds i8, ptr %51, i64 %1081
-  %1089 = load <8 x i64>, ptr %1088, align 8
-  %1090 = getelementptr inbounds i8, ptr %1087, i64 %1081
-  %1091 = load <8 x i64>, ptr %1090, align 8
-  %1092 = select <8 x i1> %835, <8 x i64> %1089, <8 x i64> %1091
-  store <8 x i64> %1092, ptr %1090, align 8
-  %1093 = add nuw nsw i64 %1078, 1
-  %1094 = icmp eq i64 %1093, %13
-  br i1 %1094, label %1069, label %1077, !llvm.loop !22
+1078:                                             ; preds = %1065, %1078
+  %1079 = phi i64 [ %1094, %1078 ], [ 0, %1065 ]
+  %1080 = load ptr, ptr %9, align 8
+  %1081 = load ptr, ptr %133, align 8
+  %1082 = shl nsw i64 %1079, 6
+  %1083 = getelementptr inbounds i8, ptr %1081, i64 %1082
+  %1084 = load <8 x i64>, ptr %1083, align 8
+  %1085 = getelementptr inbounds i8, ptr %1080, i64 %1082
+  %1086 = load <8 x i64>, ptr %1085, align 8
+  %1087 = select <8 x i1> %836, <8 x i64> %1084, <8 x i64> %1086
+  store <8 x i64> %1087, ptr %1085, align 8
+  %1088 = load ptr, ptr %38, align 8
+  %1089 = getelementptr inbounds i8, ptr %52, i64 %1082
+  %1090 = load <8 x i64>, ptr %1089, align 8
+  %1091 = getelementptr inbounds i8, ptr %1088, i64 %1082
+  %1092 = load <8 x i64>, ptr %1091, align 8
+  %1093 = select <8 x i1> %836, <8 x i64> %1090, <8 x i64> %1092
+  store <8 x i64> %1093, ptr %1091, align 8
+  %1094 = add nuw nsw i64 %1079, 1
+  %1095 = icmp eq i64 %1094, %13
+  br i1 %1095, label %1070, label %1078, !llvm.loop !22
 
-1095:                                             ; preds = %1069
-  %1096 = zext i8 %1075 to i64
-  tail call fastcc void @retire(ptr noundef %0, i64 noundef %1096, i64 noundef 0) #10
-  br label %171
+1096:                                             ; preds = %1070
+  %1097 = zext i8 %1076 to i64
+  tail call fastcc void @retire(ptr noundef %0, i64 noundef %1097, i64 noundef 0) #10
+  br label %172
 
-1097:                                             ; preds = %173, %168
-  %1098 = phi i64 [ 1, %168 ], [ 0, %173 ]
-  ret i64 %1098
+1098:                                             ; preds = %174, %169
+  %1099 = phi i64 [ 1, %169 ], [ 0, %174 ]
+  ret i64 %1099
 }
 
 
@@ -2291,80 +2292,90 @@ define internal fastcc void @retire(ptr noundef readonly %0, i64 noundef %1, i64
   br i1 %126, label %105, label %99, !llvm.loop !38
 }
 
-define internal fastcc range(i64 0, 256) i64 @hold_lanes(ptr noundef readonly %0, ptr noundef readonly %1, ptr noundef %2, i64 noundef %3) unnamed_addr #2 {
-  %5 = getelementptr inbounds i8, ptr %0, i64 1152
-  %6 = load ptr, ptr %5, align 8
-  %7 = getelementptr inbounds i8, ptr %0, i64 144
-  %8 = load ptr, ptr %7, align 8
-  %9 = getelementptr inbounds i8, ptr %8, i64 8
-  %10 = load i64, ptr %9, align 8
-  %11 = icmp eq i64 %3, 0
-  br i1 %11, label %25, label %12
+define internal fastcc range(i64 0, 256) i64 @hold_lanes(ptr noundef readonly %0, ptr noundef readonly %1, ptr noundef %2, i64 noundef %3, i32 noundef %4) unnamed_addr #2 {
+  %6 = getelementptr inbounds i8, ptr %0, i64 1152
+  %7 = load ptr, ptr %6, align 8
+  %8 = getelementptr inbounds i8, ptr %0, i64 144
+  %9 = load ptr, ptr %8, align 8
+  %10 = getelementptr inbounds i8, ptr %9, i64 8
+  %11 = load i64, ptr %10, align 8
+  %12 = icmp eq i64 %3, 0
+  br i1 %12, label %29, label %13
 
-12:                                               ; preds = %4
-  %13 = getelementptr inbounds i8, ptr %0, i64 1128
-  %14 = icmp sgt i64 %10, 0
-  %15 = icmp sgt i64 %10, 0
-  br label %16
+13:                                               ; preds = %5
+  %14 = getelementptr inbounds i8, ptr %0, i64 1128
+  %15 = icmp sgt i64 %11, 0
+  %16 = getelementptr inbounds i8, ptr %0, i64 360
+  %17 = icmp eq i32 %4, 0
+  %18 = icmp sgt i64 %11, 0
+  br label %19
 
-16:                                               ; preds = %12, %49
-  %17 = phi i64 [ 0, %12 ], [ %39, %49 ]
-  %18 = phi i64 [ %3, %12 ], [ %51, %49 ]
-  %19 = tail call range(i64 0, 65) i64 @llvm.cttz.i64(i64 %18, i1 true)
-  %20 = load ptr, ptr %13, align 8
-  %21 = getelementptr inbounds i64, ptr %20, i64 %19
-  %22 = load i64, ptr %21, align 8
-  %23 = inttoptr i64 %22 to ptr
-  %24 = getelementptr inbounds double, ptr %2, i64 %19
-  br i1 %14, label %41, label %27
+19:                                               ; preds = %13, %59
+  %20 = phi i64 [ 0, %13 ], [ %44, %59 ]
+  %21 = phi i64 [ %3, %13 ], [ %61, %59 ]
+  %22 = tail call range(i64 0, 65) i64 @llvm.cttz.i64(i64 %21, i1 true)
+  %23 = load ptr, ptr %14, align 8
+  %24 = getelementptr inbounds i64, ptr %23, i64 %22
+  %25 = load i64, ptr %24, align 8
+  %26 = inttoptr i64 %25 to ptr
+  %27 = getelementptr inbounds i8, ptr %26, i64 312
+  %28 = load ptr, ptr %27, align 8
+  br i1 %15, label %46, label %31
 
-25:                                               ; preds = %49, %4
-  %26 = phi i64 [ 0, %4 ], [ %39, %49 ]
-  ret i64 %26
+29:                                               ; preds = %59, %5
+  %30 = phi i64 [ 0, %5 ], [ %44, %59 ]
+  ret i64 %30
 
-27:                                               ; preds = %41, %16
-  %28 = getelementptr inbounds i8, ptr %23, i64 648
-  %29 = load ptr, ptr %28, align 8
-  %30 = getelementptr inbounds i8, ptr %29, i64 56
-  %31 = load i64, ptr %30, align 8
-  %32 = inttoptr i64 %31 to ptr
-  %33 = getelementptr inbounds double, ptr %1, i64 %19
-  %34 = load double, ptr %33, align 8
-  %35 = tail call i64 %32(ptr noundef %23, double noundef %34, ptr noundef %6) #11
-  %36 = icmp eq i64 %35, 0
-  %37 = shl nuw i64 1, %19
-  %38 = select i1 %36, i64 0, i64 %37
-  %39 = or i64 %38, %17
-  %40 = getelementptr inbounds double, ptr %2, i64 %19
-  br i1 %15, label %53, label %49
+31:                                               ; preds = %46, %19
+  %32 = getelementptr inbounds i8, ptr %26, i64 648
+  %33 = load ptr, ptr %32, align 8
+  %34 = getelementptr inbounds i8, ptr %33, i64 56
+  %35 = load i64, ptr %34, align 8
+  %36 = inttoptr i64 %35 to ptr
+  %37 = getelementptr inbounds double, ptr %1, i64 %22
+  %38 = load double, ptr %37, align 8
+  %39 = select i1 %17, ptr null, ptr %28
+  %40 = tail call i64 %36(ptr noundef %26, double noundef %38, ptr noundef %7, ptr noundef %39) #11
+  %41 = icmp eq i64 %40, 0
+  %42 = shl nuw i64 1, %22
+  %43 = select i1 %41, i64 0, i64 %42
+  %44 = or i64 %43, %20
+  %45 = getelementptr inbounds double, ptr %2, i64 %22
+  br i1 %18, label %63, label %59
 
-41:                                               ; preds = %16, %41
-  %42 = phi i64 [ %47, %41 ], [ 0, %16 ]
-  %43 = shl nsw i64 %42, 6
-  %44 = getelementptr inbounds i8, ptr %24, i64 %43
-  %45 = load double, ptr %44, align 8
-  %46 = getelementptr inbounds double, ptr %6, i64 %42
-  store double %45, ptr %46, align 8
-  %47 = add nuw nsw i64 %42, 1
-  %48 = icmp eq i64 %47, %10
-  br i1 %48, label %27, label %41, !llvm.loop !39
+46:                                               ; preds = %19, %46
+  %47 = phi i64 [ %57, %46 ], [ 0, %19 ]
+  %48 = shl nsw i64 %47, 3
+  %49 = add nuw nsw i64 %48, %22
+  %50 = getelementptr inbounds double, ptr %2, i64 %49
+  %51 = load double, ptr %50, align 8
+  %52 = getelementptr inbounds double, ptr %7, i64 %47
+  store double %51, ptr %52, align 8
+  %53 = load ptr, ptr %16, align 8
+  %54 = getelementptr inbounds double, ptr %53, i64 %49
+  %55 = load double, ptr %54, align 8
+  %56 = getelementptr inbounds double, ptr %28, i64 %47
+  store double %55, ptr %56, align 8
+  %57 = add nuw nsw i64 %47, 1
+  %58 = icmp eq i64 %57, %11
+  br i1 %58, label %31, label %46, !llvm.loop !39
 
-49:                                               ; preds = %53, %27
-  %50 = add nsw i64 %18, -1
-  %51 = and i64 %50, %18
-  %52 = icmp eq i64 %51, 0
-  br i1 %52, label %25, label %16, !llvm.loop !40
+59:                                               ; preds = %63, %31
+  %60 = add nsw i64 %21, -1
+  %61 = and i64 %60, %21
+  %62 = icmp eq i64 %61, 0
+  br i1 %62, label %29, label %19, !llvm.loop !40
 
-53:                                               ; preds = %27, %53
-  %54 = phi i64 [ %59, %53 ], [ 0, %27 ]
-  %55 = getelementptr inbounds double, ptr %6, i64 %54
-  %56 = load double, ptr %55, align 8
-  %57 = shl nsw i64 %54, 6
-  %58 = getelementptr inbounds i8, ptr %40, i64 %57
-  store double %56, ptr %58, align 8
-  %59 = add nuw nsw i64 %54, 1
-  %60 = icmp eq i64 %59, %10
-  br i1 %60, label %49, label %53, !llvm.loop !41
+63:                                               ; preds = %31, %63
+  %64 = phi i64 [ %69, %63 ], [ 0, %31 ]
+  %65 = getelementptr inbounds double, ptr %7, i64 %64
+  %66 = load double, ptr %65, align 8
+  %67 = shl nsw i64 %64, 6
+  %68 = getelementptr inbounds i8, ptr %45, i64 %67
+  store double %66, ptr %68, align 8
+  %69 = add nuw nsw i64 %64, 1
+  %70 = icmp eq i64 %69, %11
+  br i1 %70, label %59, label %63, !llvm.loop !41
 }
 
 define internal fastcc void @write_outputs(ptr noundef readonly %0, ptr noundef readonly %1, i64 noundef %2) unnamed_addr #4 {

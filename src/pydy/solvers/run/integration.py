@@ -357,7 +357,7 @@ class Integration:
         """Move a state that begins a motion onto the constraints, unless it is far from them."""
         before, first, t = x.copy(), wanted.coordinates, float(self.progress.state[at.TIME])
         entry = "project" if self.options.sensitivities is None else "project_columns"
-        code = function_of(entry, bool(self.callbacks))(self._place, t, address(x))
+        code = function_of(entry, bool(self.callbacks))(self._place, t, address(x), 0)
         size = 1.0 + np.abs(before[: self.states])
         size[:first] += min(1.0, float(np.abs(before[:first]).max(initial=0.0)) or 1.0) - 1.0
         moved = np.abs(x[: self.states] - before[: self.states])

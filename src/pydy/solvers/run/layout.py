@@ -40,8 +40,8 @@ SCRATCH = 8  # the address of the table of `Projection`
 TANGENTS = 9  # the address of the table of `Tangents`
 POSITIONS, MOTIONS = 10, 11  # the ranks of ∂h/∂q and ∂v/∂u, where rows may be more
 # Constraints.values, from where the kernel's end: the rank of ∂v/∂u so far, and the step at which
-# it was nearest to losing it.
-RANK, NEARNESS, WHEN, WHERE = range(4)
+# it was nearest to losing it; LATEST is how near it was at the latest projection.
+RANK, NEARNESS, LATEST, WHEN, WHERE = range(5)
 # Tangents.words: the addresses of the projection of the state and of the kernel, and the number of
 # columns.
 OF_STATE, DIRECTIONS, COUNT = range(3)

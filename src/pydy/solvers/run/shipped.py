@@ -45,7 +45,7 @@ def function_of(name: str, python: bool = False) -> Callable[..., int]:
     they raise.
     """
     kind = ctypes.PYFUNCTYPE if python else ctypes.CFUNCTYPE
-    numbers: tuple[Any, ...] = (ctypes.c_double, ctypes.c_int64)
+    numbers: tuple[Any, ...] = (ctypes.c_double, ctypes.c_int64, ctypes.c_int64)
     if not name.startswith("project"):
         numbers = (ctypes.c_int64,) if name == "extend" else ()
     return kind(ctypes.c_int64, ctypes.c_int64, *numbers)(address_of(name))
