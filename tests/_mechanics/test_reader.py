@@ -150,3 +150,15 @@ def test_an_inertia_that_is_not_symmetric_is_named(equations):
     kane.kanes_equations([body])
     with pytest.raises(ValueError, match=r"body plate is not symmetric: it has m at \(A.x\|A.y\)"):
         System(kane, equations=equations)
+
+
+def test_a_body_that_is_given_twice_is_named():
+    q = me.dynamicsymbols("q")
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    point = origin.locatenew("P", q * frame.x)
+    point.set_vel(frame, q.diff(T) * frame.x)
+    body, other = (me.Particle("p", point, sm.Symbol("m")) for _ in range(2))
+    with pytest.raises(ValueError, match="`bodies` has p more than once: its mass would count"):
+        formed([body, body], frame=frame)
+    assert check_bodies([body, other]) == (body, other)

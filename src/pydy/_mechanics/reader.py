@@ -194,8 +194,14 @@ def is_rigid(body: Any) -> bool:
 
 def check_bodies(bodies: Iterable[Any]) -> tuple[Any, ...]:
     """Return bodies as a tuple."""
-    found = tuple(bodies)
+    found, seen = tuple(bodies), set()
     for body in found:
+        if id(body) in seen:
+            raise ValueError(
+                f"`bodies` has {getattr(body, 'name', body)} more than once: its mass would count "
+                "as often. Name it once."
+            )
+        seen.add(id(body))
         if not isinstance(body, (RigidBody, Particle)):
             raise TypeError(
                 f"`bodies` must hold Particle and RigidBody objects, got {body!r} of type "
