@@ -501,3 +501,26 @@ class _With:
 def test_an_energy_may_be_infinite_at_a_switch_but_not_jump_there(plane, force, known):
     frame, _, place = plane
     assert bool(potential(plane, [(place, force * frame.x)]).unknown) != known
+
+
+def test_an_anchor_that_was_given_no_velocity_stands_still_where_it_is_placed():
+    """Its spring's work was handed to SymPy, which integrated it for minutes."""
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    q, u = me.dynamicsymbols("q1:7"), me.dynamicsymbols("u1:7")
+    turned = frame.orientnew("A", "Body", q[3:], "ZXZ")
+    centre = origin.locatenew("P", q[0] * frame.x + q[1] * frame.y + q[2] * frame.z)
+    body = me.RigidBody("b", centre, turned, 1, (me.inertia(turned, 1, 2, 3), centre))
+    end = centre.locatenew("Q", 0.3 * turned.x + 0.1 * turned.y)
+    wall = frame.orientnew("W", "Axis", (0.5, frame.z))
+    anchor = origin.locatenew("G", 0.5 * wall.x).locatenew("H", 1.5 * frame.x)
+    line = end.pos_from(anchor)
+    length = sm.sqrt(line.dot(line))
+    force = -3 * (length - sm.Rational(7, 10)) / length * line
+    definition = Definition(frame, q, u, bodies=[body], loads=[(end, force)])
+    found = find_potential(equations_of_definition(definition))
+    assert not found.unknown
+    at = dict(zip(q, (1.0, 0.2, 0.3, 0.4, 0.5, 0.6), strict=True))
+    long = float(length.subs(at))
+    energy = 3 * (long**2 / 2 - 0.7 * long)
+    assert float(found.expression.subs(at)) == pytest.approx(energy, rel=1e-12)

@@ -179,9 +179,8 @@ class _Search:
 
     def _is_static(self, expression: Any) -> bool:
         """Whether an expression depends on coordinates and constants alone."""
-        time = self.equations.time
         return all(
-            s in self.coordinates or (s.is_Symbol and s != time) for s in find_symbols([expression])
+            s in self.coordinates or self._is_constant(s) for s in find_symbols([expression])
         )
 
     def _static_part(self, expression: Any) -> Any:
@@ -207,7 +206,17 @@ class _Search:
         queue = [point]
         for other in queue:  # nearest first
             queue += [p for p in places(other) if p not in queue]
-        return [p for p in queue if given_velocity(p, self.frame) == 0]
+        still = [p for p in queue if given_velocity(p, self.frame) == 0]
+        for other in still:  # and what is placed from them without a velocity of its own
+            still += [p for p in places(other) if p not in still and self._is_beside(p, other)]
+        return [p for p in queue if p in still]
+
+    def _is_beside(self, point: Point, still: Point) -> bool:
+        """Return whether a point without a velocity is at a constant place from one at rest."""
+        return given_velocity(point, self.frame) is None and all(
+            all(map(self._is_constant, parts)) and frame.ang_vel_in(self.frame) == 0
+            for parts, frame in point.pos_from(still).args
+        )
 
     def _take(self, energy: Any, power: Any) -> None:
         self.energies.append(energy)
@@ -267,10 +276,7 @@ class _Search:
         law, (first, *others) = segments[0][0], lengths
         for length, square in lengths.items():
             law = _in_terms_of(law, square, length, self.turns)
-        law = replace_symbols(law * first, dict.fromkeys(others, sm.S.Zero))
-        if not self._is_constant(law):
-            law = sm.signsimp(law)
-        energy = _integral(-law, first) if self._is_constant(law) else None
+        energy = self._by_law(replace_symbols(law, dict.fromkeys(others, sm.S.Zero)), first)
         whole = sm.Add(*map(sm.sqrt, lengths.values()))
         return None if energy is None else replace_symbols(energy, {first: whole})
 
@@ -282,24 +288,25 @@ class _Search:
             line = point.pos_from(other)
         except ValueError:  # nobody said where they are
             return False
-        ratio = _ratio(force, line, self.turns)
-        if ratio is None:
+        if (ratio := _ratio(force, line, self.turns)) is None:
             return False
         square = line.dot(line)
         if self._is_constant(square):  # it does no work: both are points of one body, say
             self._take(sm.S.Zero, self._power(point, force))
             return True
         distance = sm.Dummy("L", positive=True)
-        law = _in_terms_of(ratio, square, distance, self.turns) * distance
-        if not self._is_constant(law):  # a - b beside b - a, say
-            law = sm.signsimp(law)
-        if not self._is_constant(law):
-            return False
-        energy = _integral(-law, distance)
+        energy = self._by_law(_in_terms_of(ratio, square, distance, self.turns), distance)
         if energy is None:
             return False
         self._take(replace_symbols(energy, {distance: sm.sqrt(square)}), self._power(point, force))
         return True
+
+    def _by_law(self, ratio: Any, distance: Any) -> Any:
+        """Return the energy of so many times the line between two points, None if unknown."""
+        law = ratio * distance
+        if not self._is_constant(law):  # a - b beside b - a, say
+            law = sm.signsimp(law)
+        return _integral(-law, distance) if self._is_constant(law) else None
 
     def _constant_load(self, where: Any, vector: Vector) -> bool:
         """Take a load all of whose terms are constant forces, by the mass there if that changes."""
@@ -394,8 +401,7 @@ class _Search:
             return []
         rest = []
         for term, power in zip(terms, powers, strict=True):
-            energy = integrate([power])
-            if energy is None:
+            if (energy := integrate([power])) is None:
                 rest.append(term)
             else:
                 self._take(energy, power)
@@ -523,8 +529,7 @@ class _Search:
             rest = sm.expand(replace_symbols(force, real) + energy.diff(x))
             if rest.free_symbols & done:  # the work depends on the path, as far as can be seen
                 return None
-            part = _primitive(rest, x)
-            if part is None:
+            if (part := _primitive(rest, x)) is None:
                 return None
             energy -= part
             done.add(x)
@@ -674,8 +679,7 @@ def _beside_constants(total: Any, square: Any, coordinates: Sequence[Any]) -> An
 
 def _integral(law: Any, distance: Any) -> Any:
     """Integrate a law over the distance; None where SymPy finds no elementary function."""
-    powers = _integral_of_powers(law, distance)
-    if powers is not None:
+    if (powers := _integral_of_powers(law, distance)) is not None:
         return powers
     found = sm.S.NaN
     if not law.has(*_SWITCHED):
@@ -726,9 +730,8 @@ def is_potential_of(equations: Equations, potential: Any, powers: Sequence[Any])
     generic = list(states.samples([*blocks, ("energy", (), [energy])], _TRIALS))
     samples = [*generic]
     turned = switches(states.graph, [energy, *lost])
-    for far in (
-        _FAR if turned else ()
-    ):  # an integral of |sin(q)|, say, may hold for some turns alone
+    # An integral of |sin(q)|, say, may hold for some turns alone.
+    for far in _FAR if turned else ():
         near = dict.fromkeys(equations.coordinates, far)
         samples += states.samples(blocks, _TRIALS, near=near)
     for switch in turned:
