@@ -19,10 +19,16 @@ def switches(graph: Graph, nodes: Sequence[int], whole: bool = False) -> list[in
     which angles go to the next turn.
     """
     found: set[int] = set()
-    reached = graph.reachable(nodes)
-    # Of either sign, log|a| is the integral of a'/a: it has one branch.
-    others = {m for n in reached if graph.ops[n] != "log" for m in graph.operands(n)}
-    for n in others.union(nodes):
+    # What a guard chooses by is no switch: both of its ways have the same values.
+    reached, branching = {*nodes}, {*nodes}
+    for n in reversed(graph.reachable(nodes)):
+        if n in reached:
+            guard = graph.ops[n] == "guard"
+            operands = [m for m in graph.operands(n) if not guard or m != graph.args[n][3]]
+            reached.update(operands)
+            # Of either sign, log|a| is the integral of a'/a: it has one branch.
+            branching.update(operands if graph.ops[n] != "log" else ())
+    for n in branching:
         args = graph.args[n]
         if graph.ops[n] in ("max", "min", "lt", "le"):
             found.add(graph.scaled(graph.sub(*args))[1])

@@ -209,7 +209,7 @@ class _Search:
         still = [p for p in queue if given_velocity(p, self.frame) == 0]
         for other in still:  # and what is placed from them without a velocity of its own
             still += [p for p in places(other) if p not in still and self._is_beside(p, other)]
-        return [p for p in queue if p in still]
+        return still
 
     def _is_beside(self, point: Point, still: Point) -> bool:
         """Return whether a point without a velocity is at a constant place from one at rest."""

@@ -59,8 +59,9 @@ class Jumps:
 
     def __call__(self, assembly: Assembly) -> dict[str, list[int]]:
         graph, rates = assembly.graph, [*assembly.rates]
-        masses = switches(graph, assembly.mass_matrix, whole=True)
-        if len(assembly.forcing) == len(assembly.speeds) and not masses:
+        # Without the pivots by which constraints reduce it, which switch, too.
+        matrix = (assembly.velocity and assembly.kinetic_hessian) or assembly.mass_matrix
+        if len(assembly.forcing) == len(assembly.speeds) and not switches(graph, matrix, True):
             rates[self.coordinates : self.coordinates + len(assembly.speeds)] = assembly.forcing
         if self.integral is not None:
             rates.append(node_of(assembly, self.integral, "`integral`"))

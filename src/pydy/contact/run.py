@@ -594,12 +594,12 @@ class Run:
             rows = self.rows.tangent[i]
             gained = float(np.linalg.norm(p.free[rows])) * self.span
             least = eps * max(float(np.linalg.norm(p.slow[rows])), gained)
+            # Derivatives turn ever faster before a stop: there, a turn within errors is the stop.
+            clear = 0.0 if self.carried is not None else self.unresolved(i)
             if solution.modes[i] == STARTING:
-                least = max(least, RESOLVED * atol)
-            along = solution.directions.get(i, np.array([1.0, 0.0]))
-            clear = BEGUN * gained if solution.modes[i] == STARTING else self.unresolved(i)
-            values = [*map(float, along), least or 1.0, clear]
-            found.update(zip(symbols, values, strict=True))
+                least, clear = max(least, RESOLVED * atol), BEGUN * gained
+            along = map(float, solution.directions.get(i, np.array([1.0, 0.0])))
+            found.update(zip(symbols, [*along, least or 1.0, clear], strict=True))
         return found
 
     def settle(self, state: State, held: tuple[int, ...]) -> None:

@@ -1,0 +1,13 @@
+"""What nodes switch at."""
+
+from pydy._graph.branches import switches
+from pydy._graph.node import Graph
+
+
+def test_what_a_guard_chooses_by_is_no_switch():
+    g = Graph()
+    x, y = g.input("x", 0), g.input("x", 1)
+    sound = g.call("lt", x, g.one)
+    (way,) = g.guard([[y]], [g.call("abs", x)], sound, [g.mul(x, y)])
+    assert switches(g, [way]) == [x]  # of the absolute value alone
+    assert len(switches(g, [g.call("select", sound, x, y)])) == 1
