@@ -427,6 +427,21 @@ def test_motions_that_constraints_make_within_a_part_of_a_step_are_not_passed_ov
             assert np.array_equal([many[name].values[0, -1] for name in "xy"], found)
 
 
+def test_measured_motions_that_contradict_their_measured_rates_reject_no_steps():
+    # Noise of the rates alone, which no step explains: as many steps as without projection.
+    w, v = me.dynamicsymbols("w, v")
+    times, noise = np.linspace(0.0, 6.0, 61), np.random.default_rng(0)
+    rates = np.cos(times) + 1e-4 * noise.normal(size=61)
+    system = towed(v - w)
+    system.specifieds = {
+        w: SampledInput(times, np.sin(times), interpolation="pchip"),
+        w.diff(zoo.T): SampledInput(times, rates, interpolation="pchip"),
+    }
+    system.ode_solver = "dop853"
+    _, info = system.integrate(full_output=True, constraints="project", rtol=1e-9, atol=1e-9)
+    assert info["steps"] < 100  # the samples have 20 knots on the way
+
+
 @pytest.mark.filterwarnings("ignore:.*jumps by")
 def test_constraints_that_jump_end_a_projected_motion():
     system = towed(me.dynamicsymbols("v") - sm.Heaviside(zoo.T - 1))

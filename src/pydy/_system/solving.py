@@ -174,6 +174,7 @@ def compile_constraints(model: CompiledModel, definition: Definition) -> Compile
     weighted = mechanism is not None and bool(mechanism.bodies)
     model, (closed, redundant) = with_all(model, definition), equations.left_out
     kernel = model.compiled_by(("projection",), lambda: projection_program(model.assembly))
+    graph, rows = model.assembly.graph, [*model.assembly.holonomic, *model.assembly.velocity]
     return CompiledConstraints(
         kernel=kernel,
         holonomic=len(model.assembly.holonomic),
@@ -182,6 +183,7 @@ def compile_constraints(model: CompiledModel, definition: Definition) -> Compile
         speeds=len(equations.speeds),
         dependent_speeds=len(equations.dependent_speeds),
         weighted=weighted,
+        judged="r" not in graph.inputs_of(rows),
         following=equations.following[1],
         names=ConstraintNames(equations),
         left_out=(len(closed), len(redundant)),

@@ -105,6 +105,8 @@ INLINE int64_t hold_positions(const Run *run, const Held *s, double *x, const do
 int64_t project(const Run *run, double t, double *x, const double *from)
 {
     const Held held = held_by(run), *s = &held;
+    if (!run->constraints.words.at[JUDGED])
+        from = 0;
     set_inputs(&run->problem, t);
     run->progress.counts.at[PROJECTIONS] += 1;
     set_identity(s->scratch->factor.at, s->u);

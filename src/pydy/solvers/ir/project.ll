@@ -1,4 +1,4 @@
-; sources 17b627542c831f91887b5fcdba2fff84dc114757e42bfb97ea777d667485f82e
+; sources 1c8e5bd7eb94522726240c4ad17d6bb7ba95e6bba069f570fdc70f15d1fc98a6
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Held = type { ptr, i64, i64, i64, i64, i64, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr }
@@ -7,7 +7,7 @@ define i64 @project(ptr noundef readonly %0, double noundef %1, ptr noundef %2, 
   %5 = alloca %struct.Held, align 8
   tail call void @llvm.experimental.noalias.scope.decl(metadata !3)
   %6 = getelementptr inbounds i8, ptr %0, i64 648
-  %7 = load ptr, ptr %6, align 8, !noalias !3
+  %7 = load ptr, ptr %6, align 8
   %8 = getelementptr inbounds i8, ptr %7, i64 64
   %9 = load i64, ptr %8, align 8, !noalias !3
   %10 = inttoptr i64 %9 to ptr
@@ -74,697 +74,701 @@ define i64 @project(ptr noundef readonly %0, double noundef %1, ptr noundef %2, 
   store ptr %51, ptr %39, align 8, !alias.scope !3
   %52 = getelementptr inbounds double, ptr %51, i64 %13
   store ptr %52, ptr %40, align 8, !alias.scope !3
-  %53 = getelementptr inbounds i8, ptr %0, i64 144
-  %54 = getelementptr inbounds i8, ptr %0, i64 168
-  %55 = load ptr, ptr %54, align 8
-  store double %1, ptr %55, align 8
-  %56 = getelementptr inbounds i8, ptr %0, i64 248
-  %57 = load i64, ptr %56, align 8
-  %58 = icmp sgt i64 %57, 0
-  br i1 %58, label %59, label %60
+  %53 = getelementptr inbounds i8, ptr %7, i64 96
+  %54 = load i64, ptr %53, align 8
+  %55 = icmp eq i64 %54, 0
+  %56 = select i1 %55, ptr null, ptr %3
+  %57 = getelementptr inbounds i8, ptr %0, i64 144
+  %58 = getelementptr inbounds i8, ptr %0, i64 168
+  %59 = load ptr, ptr %58, align 8
+  store double %1, ptr %59, align 8
+  %60 = getelementptr inbounds i8, ptr %0, i64 248
+  %61 = load i64, ptr %60, align 8
+  %62 = icmp sgt i64 %61, 0
+  br i1 %62, label %63, label %64
 
-59:                                               ; preds = %4
-  tail call fastcc void @sample(ptr noundef nonnull %53) #7
-  br label %60
+63:                                               ; preds = %4
+  tail call fastcc void @sample(ptr noundef nonnull %57) #7
+  br label %64
 
-60:                                               ; preds = %4, %59
-  %61 = getelementptr inbounds i8, ptr %0, i64 600
-  %62 = load ptr, ptr %61, align 8
-  %63 = getelementptr inbounds i8, ptr %62, i64 88
-  %64 = load i64, ptr %63, align 8
-  %65 = add nsw i64 %64, 1
-  store i64 %65, ptr %63, align 8
-  %66 = load ptr, ptr %5, align 8
-  %67 = load ptr, ptr %66, align 8
-  %68 = load i64, ptr %20, align 8
-  %69 = icmp sgt i64 %68, 0
-  br i1 %69, label %70, label %84
+64:                                               ; preds = %4, %63
+  %65 = getelementptr inbounds i8, ptr %0, i64 600
+  %66 = load ptr, ptr %65, align 8
+  %67 = getelementptr inbounds i8, ptr %66, i64 88
+  %68 = load i64, ptr %67, align 8
+  %69 = add nsw i64 %68, 1
+  store i64 %69, ptr %67, align 8
+  %70 = load ptr, ptr %5, align 8
+  %71 = load ptr, ptr %70, align 8
+  %72 = load i64, ptr %20, align 8
+  %73 = icmp sgt i64 %72, 0
+  br i1 %73, label %74, label %88
 
-70:                                               ; preds = %60, %74
-  %71 = phi i64 [ %75, %74 ], [ 0, %60 ]
-  %72 = mul nuw nsw i64 %71, %68
-  %73 = getelementptr double, ptr %67, i64 %72
-  br label %77
+74:                                               ; preds = %64, %78
+  %75 = phi i64 [ %79, %78 ], [ 0, %64 ]
+  %76 = mul nuw nsw i64 %75, %72
+  %77 = getelementptr double, ptr %71, i64 %76
+  br label %81
 
-74:                                               ; preds = %77
-  %75 = add nuw nsw i64 %71, 1
-  %76 = icmp eq i64 %75, %68
-  br i1 %76, label %84, label %70, !llvm.loop !6
+78:                                               ; preds = %81
+  %79 = add nuw nsw i64 %75, 1
+  %80 = icmp eq i64 %79, %72
+  br i1 %80, label %88, label %74, !llvm.loop !6
 
-77:                                               ; preds = %70, %77
-  %78 = phi i64 [ 0, %70 ], [ %82, %77 ]
-  %79 = icmp eq i64 %71, %78
-  %80 = select i1 %79, double 1.000000e+00, double 0.000000e+00
-  %81 = getelementptr double, ptr %73, i64 %78
-  store double %80, ptr %81, align 8
-  %82 = add nuw nsw i64 %78, 1
-  %83 = icmp eq i64 %82, %68
-  br i1 %83, label %74, label %77, !llvm.loop !9
+81:                                               ; preds = %74, %81
+  %82 = phi i64 [ 0, %74 ], [ %86, %81 ]
+  %83 = icmp eq i64 %75, %82
+  %84 = select i1 %83, double 1.000000e+00, double 0.000000e+00
+  %85 = getelementptr double, ptr %77, i64 %82
+  store double %84, ptr %85, align 8
+  %86 = add nuw nsw i64 %82, 1
+  %87 = icmp eq i64 %86, %72
+  br i1 %87, label %78, label %81, !llvm.loop !9
 
-84:                                               ; preds = %74, %60
-  %85 = load ptr, ptr %5, align 8
-  %86 = getelementptr inbounds i8, ptr %85, i64 264
-  %87 = load ptr, ptr %86, align 8
-  %88 = load i64, ptr %11, align 8
-  %89 = icmp sgt i64 %88, 0
-  br i1 %89, label %130, label %90
+88:                                               ; preds = %78, %64
+  %89 = load ptr, ptr %5, align 8
+  %90 = getelementptr inbounds i8, ptr %89, i64 264
+  %91 = load ptr, ptr %90, align 8
+  %92 = load i64, ptr %11, align 8
+  %93 = icmp sgt i64 %92, 0
+  br i1 %93, label %134, label %94
 
-90:                                               ; preds = %130, %84
-  %91 = getelementptr inbounds i8, ptr %0, i64 168
-  %92 = getelementptr inbounds i8, ptr %0, i64 192
-  %93 = getelementptr inbounds i8, ptr %0, i64 672
-  %94 = load ptr, ptr %32, align 8
-  %95 = load ptr, ptr %6, align 8
-  %96 = getelementptr inbounds i8, ptr %95, i64 8
-  %97 = load i64, ptr %96, align 8
-  %98 = load ptr, ptr %91, align 8
-  %99 = load ptr, ptr %92, align 8
-  %100 = load ptr, ptr %93, align 8
-  %101 = inttoptr i64 %97 to ptr
-  %102 = tail call i32 %101(ptr noundef %98, ptr noundef %2, ptr noundef %99, ptr noundef %100, ptr noundef %94) #8
-  %103 = icmp slt i32 %102, 0
-  br i1 %103, label %311, label %104
+94:                                               ; preds = %134, %88
+  %95 = getelementptr inbounds i8, ptr %0, i64 168
+  %96 = getelementptr inbounds i8, ptr %0, i64 192
+  %97 = getelementptr inbounds i8, ptr %0, i64 672
+  %98 = load ptr, ptr %32, align 8
+  %99 = load ptr, ptr %6, align 8
+  %100 = getelementptr inbounds i8, ptr %99, i64 8
+  %101 = load i64, ptr %100, align 8
+  %102 = load ptr, ptr %95, align 8
+  %103 = load ptr, ptr %96, align 8
+  %104 = load ptr, ptr %97, align 8
+  %105 = inttoptr i64 %101 to ptr
+  %106 = tail call i32 %105(ptr noundef %102, ptr noundef %2, ptr noundef %103, ptr noundef %104, ptr noundef %98) #8
+  %107 = icmp slt i32 %106, 0
+  br i1 %107, label %315, label %108
 
-104:                                              ; preds = %90
-  %105 = load i64, ptr %11, align 8
-  %106 = icmp sgt i64 %105, 0
-  %107 = load ptr, ptr %32, align 8
-  %108 = load i64, ptr %26, align 8
-  %109 = icmp eq i64 %108, %105
-  %110 = load ptr, ptr %5, align 8
-  %111 = getelementptr inbounds i8, ptr %110, i64 240
-  %112 = load ptr, ptr %39, align 8
-  %113 = icmp eq ptr %3, null
-  %114 = icmp slt i64 %28, %105
-  %115 = icmp slt i64 %105, 1
-  %116 = icmp sgt i64 %19, 0
-  %117 = getelementptr inbounds i8, ptr %0, i64 552
-  %118 = getelementptr inbounds i8, ptr %0, i64 528
-  %119 = select i1 %114, double 1.000000e-05, double 0x3CE0000000000000
-  %120 = add nsw i64 %68, %19
-  %121 = sitofp i64 %120 to double
-  %122 = icmp eq i64 %25, 1
-  %123 = getelementptr inbounds i8, ptr %85, i64 8
-  %124 = getelementptr inbounds i8, ptr %85, i64 16
-  %125 = getelementptr inbounds i8, ptr %85, i64 24
-  %126 = getelementptr inbounds i8, ptr %85, i64 32
-  %127 = getelementptr inbounds i8, ptr %85, i64 40
-  %128 = getelementptr inbounds i8, ptr %85, i64 144
-  %129 = icmp sgt i64 %105, 0
-  br label %146
+108:                                              ; preds = %94
+  %109 = load i64, ptr %11, align 8
+  %110 = icmp sgt i64 %109, 0
+  %111 = load ptr, ptr %32, align 8
+  %112 = load i64, ptr %26, align 8
+  %113 = icmp eq i64 %112, %109
+  %114 = load ptr, ptr %5, align 8
+  %115 = getelementptr inbounds i8, ptr %114, i64 240
+  %116 = load ptr, ptr %39, align 8
+  %117 = icmp eq ptr %56, null
+  %118 = icmp slt i64 %28, %109
+  %119 = icmp slt i64 %109, 1
+  %120 = icmp sgt i64 %19, 0
+  %121 = getelementptr inbounds i8, ptr %0, i64 552
+  %122 = getelementptr inbounds i8, ptr %0, i64 528
+  %123 = select i1 %118, double 1.000000e-05, double 0x3CE0000000000000
+  %124 = add nsw i64 %72, %19
+  %125 = sitofp i64 %124 to double
+  %126 = icmp eq i64 %25, 1
+  %127 = getelementptr inbounds i8, ptr %89, i64 8
+  %128 = getelementptr inbounds i8, ptr %89, i64 16
+  %129 = getelementptr inbounds i8, ptr %89, i64 24
+  %130 = getelementptr inbounds i8, ptr %89, i64 32
+  %131 = getelementptr inbounds i8, ptr %89, i64 40
+  %132 = getelementptr inbounds i8, ptr %89, i64 144
+  %133 = icmp sgt i64 %109, 0
+  br label %150
 
-130:                                              ; preds = %84, %130
-  %131 = phi i64 [ %133, %130 ], [ 0, %84 ]
-  %132 = getelementptr inbounds double, ptr %87, i64 %131
-  store double 0.000000e+00, ptr %132, align 8
-  %133 = add nuw nsw i64 %131, 1
-  %134 = icmp eq i64 %133, %88
-  br i1 %134, label %90, label %130, !llvm.loop !10
+134:                                              ; preds = %88, %134
+  %135 = phi i64 [ %137, %134 ], [ 0, %88 ]
+  %136 = getelementptr inbounds double, ptr %91, i64 %135
+  store double 0.000000e+00, ptr %136, align 8
+  %137 = add nuw nsw i64 %135, 1
+  %138 = icmp eq i64 %137, %92
+  br i1 %138, label %94, label %134, !llvm.loop !10
 
-135:                                              ; preds = %306
-  %136 = add nuw nsw i32 %149, 1
-  %137 = load ptr, ptr %6, align 8
-  %138 = getelementptr inbounds i8, ptr %137, i64 8
-  %139 = load i64, ptr %138, align 8
-  %140 = load ptr, ptr %91, align 8
-  %141 = load ptr, ptr %92, align 8
-  %142 = load ptr, ptr %93, align 8
-  %143 = inttoptr i64 %139 to ptr
-  %144 = tail call i32 %143(ptr noundef %140, ptr noundef %2, ptr noundef %141, ptr noundef %142, ptr noundef %94) #8
-  %145 = icmp slt i32 %144, 0
-  br i1 %145, label %311, label %146, !llvm.loop !11
+139:                                              ; preds = %310
+  %140 = add nuw nsw i32 %153, 1
+  %141 = load ptr, ptr %6, align 8
+  %142 = getelementptr inbounds i8, ptr %141, i64 8
+  %143 = load i64, ptr %142, align 8
+  %144 = load ptr, ptr %95, align 8
+  %145 = load ptr, ptr %96, align 8
+  %146 = load ptr, ptr %97, align 8
+  %147 = inttoptr i64 %143 to ptr
+  %148 = tail call i32 %147(ptr noundef %144, ptr noundef %2, ptr noundef %145, ptr noundef %146, ptr noundef %98) #8
+  %149 = icmp slt i32 %148, 0
+  br i1 %149, label %315, label %150, !llvm.loop !11
 
-146:                                              ; preds = %104, %135
-  %147 = phi i64 [ undef, %104 ], [ %310, %135 ]
-  %148 = phi double [ 0x7FF0000000000000, %104 ], [ %309, %135 ]
-  %149 = phi i32 [ 0, %104 ], [ %136, %135 ]
-  %150 = phi double [ 0.000000e+00, %104 ], [ %307, %135 ]
-  br i1 %106, label %151, label %188
+150:                                              ; preds = %108, %139
+  %151 = phi i64 [ undef, %108 ], [ %314, %139 ]
+  %152 = phi double [ 0x7FF0000000000000, %108 ], [ %313, %139 ]
+  %153 = phi i32 [ 0, %108 ], [ %140, %139 ]
+  %154 = phi double [ 0.000000e+00, %108 ], [ %311, %139 ]
+  br i1 %110, label %155, label %192
 
-151:                                              ; preds = %146
-  %152 = icmp eq i32 %149, 0
-  %153 = select i1 %152, i1 true, i1 %109
-  br label %158
+155:                                              ; preds = %150
+  %156 = icmp eq i32 %153, 0
+  %157 = select i1 %156, i1 true, i1 %113
+  br label %162
 
-154:                                              ; preds = %184
-  %155 = add nuw nsw i64 %161, 1
-  %156 = icmp slt i64 %155, %105
-  %157 = icmp eq i64 %155, %105
-  br i1 %157, label %188, label %158, !llvm.loop !12
+158:                                              ; preds = %188
+  %159 = add nuw nsw i64 %165, 1
+  %160 = icmp slt i64 %159, %109
+  %161 = icmp eq i64 %159, %109
+  br i1 %161, label %192, label %162, !llvm.loop !12
 
-158:                                              ; preds = %151, %154
-  %159 = phi i1 [ %106, %151 ], [ %156, %154 ]
-  %160 = phi i64 [ %147, %151 ], [ %187, %154 ]
-  %161 = phi i64 [ 0, %151 ], [ %155, %154 ]
-  %162 = phi double [ 0.000000e+00, %151 ], [ %185, %154 ]
-  %163 = getelementptr inbounds double, ptr %107, i64 %161
-  %164 = load double, ptr %163, align 8
-  %165 = tail call double @llvm.fabs.f64(double %164)
-  %166 = fcmp une double %164, 0.000000e+00
-  br i1 %166, label %167, label %184
+162:                                              ; preds = %155, %158
+  %163 = phi i1 [ %110, %155 ], [ %160, %158 ]
+  %164 = phi i64 [ %151, %155 ], [ %191, %158 ]
+  %165 = phi i64 [ 0, %155 ], [ %159, %158 ]
+  %166 = phi double [ 0.000000e+00, %155 ], [ %189, %158 ]
+  %167 = getelementptr inbounds double, ptr %111, i64 %165
+  %168 = load double, ptr %167, align 8
+  %169 = tail call double @llvm.fabs.f64(double %168)
+  %170 = fcmp une double %168, 0.000000e+00
+  br i1 %170, label %171, label %188
 
-167:                                              ; preds = %158
-  br i1 %153, label %173, label %168
+171:                                              ; preds = %162
+  br i1 %157, label %177, label %172
 
-168:                                              ; preds = %167
-  %169 = load ptr, ptr %111, align 8
-  %170 = getelementptr inbounds double, ptr %169, i64 %161
-  %171 = load double, ptr %170, align 8
-  %172 = fcmp ogt double %171, 0.000000e+00
-  br i1 %172, label %173, label %184
-
-173:                                              ; preds = %168, %167
-  %174 = getelementptr inbounds double, ptr %112, i64 %161
+172:                                              ; preds = %171
+  %173 = load ptr, ptr %115, align 8
+  %174 = getelementptr inbounds double, ptr %173, i64 %165
   %175 = load double, ptr %174, align 8
-  %176 = getelementptr inbounds double, ptr %87, i64 %161
-  %177 = load double, ptr %176, align 8
-  %178 = fcmp ogt double %175, %177
-  %179 = select i1 %178, double %175, double %177
-  %180 = fmul double %179, 0x3CB0000000000000
-  %181 = fdiv double %165, %180
-  %182 = fcmp ogt double %181, %162
-  %183 = select i1 %182, double %181, double %162
-  br label %184
+  %176 = fcmp ogt double %175, 0.000000e+00
+  br i1 %176, label %177, label %188
 
-184:                                              ; preds = %173, %168, %158
-  %185 = phi double [ %183, %173 ], [ %162, %168 ], [ %162, %158 ]
-  %186 = fcmp ueq double %165, 0x7FF0000000000000
-  %187 = select i1 %186, i64 6, i64 %160
-  br i1 %186, label %188, label %154
+177:                                              ; preds = %172, %171
+  %178 = getelementptr inbounds double, ptr %116, i64 %165
+  %179 = load double, ptr %178, align 8
+  %180 = getelementptr inbounds double, ptr %91, i64 %165
+  %181 = load double, ptr %180, align 8
+  %182 = fcmp ogt double %179, %181
+  %183 = select i1 %182, double %179, double %181
+  %184 = fmul double %183, 0x3CB0000000000000
+  %185 = fdiv double %169, %184
+  %186 = fcmp ogt double %185, %166
+  %187 = select i1 %186, double %185, double %166
+  br label %188
 
-188:                                              ; preds = %154, %184, %146
-  %189 = phi i1 [ %106, %146 ], [ %156, %154 ], [ %159, %184 ]
-  %190 = phi double [ 0.000000e+00, %146 ], [ %185, %184 ], [ %185, %154 ]
-  %191 = phi i64 [ %147, %146 ], [ %187, %184 ], [ %187, %154 ]
-  br i1 %189, label %306, label %192
+188:                                              ; preds = %177, %172, %162
+  %189 = phi double [ %187, %177 ], [ %166, %172 ], [ %166, %162 ]
+  %190 = fcmp ueq double %169, 0x7FF0000000000000
+  %191 = select i1 %190, i64 6, i64 %164
+  br i1 %190, label %192, label %158
 
-192:                                              ; preds = %188
-  %193 = icmp ne i32 %149, 0
-  %194 = or i1 %113, %193
-  %195 = or i1 %194, %115
-  %196 = select i1 %194, double %150, double 0.000000e+00
-  br i1 %195, label %250, label %197
+192:                                              ; preds = %158, %188, %150
+  %193 = phi i1 [ %110, %150 ], [ %160, %158 ], [ %163, %188 ]
+  %194 = phi double [ 0.000000e+00, %150 ], [ %189, %188 ], [ %189, %158 ]
+  %195 = phi i64 [ %151, %150 ], [ %191, %188 ], [ %191, %158 ]
+  br i1 %193, label %310, label %196
 
-197:                                              ; preds = %192, %245
-  %198 = phi ptr [ %248, %245 ], [ %42, %192 ]
-  %199 = phi double [ %246, %245 ], [ 0.000000e+00, %192 ]
-  %200 = phi i64 [ %247, %245 ], [ 0, %192 ]
-  br i1 %116, label %201, label %204
+196:                                              ; preds = %192
+  %197 = icmp ne i32 %153, 0
+  %198 = or i1 %117, %197
+  %199 = or i1 %198, %119
+  %200 = select i1 %198, double %154, double 0.000000e+00
+  br i1 %199, label %254, label %201
 
-201:                                              ; preds = %197
-  %202 = load ptr, ptr %117, align 8
-  %203 = load ptr, ptr %118, align 8
-  br label %207
+201:                                              ; preds = %196, %249
+  %202 = phi ptr [ %252, %249 ], [ %42, %196 ]
+  %203 = phi double [ %250, %249 ], [ 0.000000e+00, %196 ]
+  %204 = phi i64 [ %251, %249 ], [ 0, %196 ]
+  br i1 %120, label %205, label %208
 
-204:                                              ; preds = %207, %197
-  %205 = phi double [ 0.000000e+00, %197 ], [ %228, %207 ]
-  %206 = fcmp ogt double %205, 0.000000e+00
-  br i1 %206, label %231, label %245
+205:                                              ; preds = %201
+  %206 = load ptr, ptr %121, align 8
+  %207 = load ptr, ptr %122, align 8
+  br label %211
 
-207:                                              ; preds = %201, %207
-  %208 = phi i64 [ 0, %201 ], [ %229, %207 ]
-  %209 = phi double [ 0.000000e+00, %201 ], [ %228, %207 ]
-  %210 = getelementptr inbounds double, ptr %198, i64 %208
-  %211 = load double, ptr %210, align 8
-  %212 = getelementptr inbounds double, ptr %3, i64 %208
-  %213 = load double, ptr %212, align 8
-  %214 = getelementptr inbounds double, ptr %2, i64 %208
+208:                                              ; preds = %211, %201
+  %209 = phi double [ 0.000000e+00, %201 ], [ %232, %211 ]
+  %210 = fcmp ogt double %209, 0.000000e+00
+  br i1 %210, label %235, label %249
+
+211:                                              ; preds = %205, %211
+  %212 = phi i64 [ 0, %205 ], [ %233, %211 ]
+  %213 = phi double [ 0.000000e+00, %205 ], [ %232, %211 ]
+  %214 = getelementptr inbounds double, ptr %202, i64 %212
   %215 = load double, ptr %214, align 8
-  %216 = getelementptr inbounds double, ptr %202, i64 %208
+  %216 = getelementptr inbounds double, ptr %56, i64 %212
   %217 = load double, ptr %216, align 8
-  %218 = getelementptr inbounds double, ptr %203, i64 %208
+  %218 = getelementptr inbounds double, ptr %2, i64 %212
   %219 = load double, ptr %218, align 8
-  %220 = tail call double @llvm.fabs.f64(double %213)
-  %221 = tail call double @llvm.fabs.f64(double %215)
-  %222 = fcmp ogt double %220, %221
-  %223 = select i1 %222, double %220, double %221
-  %224 = fmul double %223, %219
-  %225 = fadd double %217, %224
-  %226 = fmul double %211, %225
-  %227 = fmul double %226, %226
-  %228 = fadd double %209, %227
-  %229 = add nuw nsw i64 %208, 1
-  %230 = icmp eq i64 %229, %19
-  br i1 %230, label %204, label %207, !llvm.loop !13
+  %220 = getelementptr inbounds double, ptr %206, i64 %212
+  %221 = load double, ptr %220, align 8
+  %222 = getelementptr inbounds double, ptr %207, i64 %212
+  %223 = load double, ptr %222, align 8
+  %224 = tail call double @llvm.fabs.f64(double %217)
+  %225 = tail call double @llvm.fabs.f64(double %219)
+  %226 = fcmp ogt double %224, %225
+  %227 = select i1 %226, double %224, double %225
+  %228 = fmul double %227, %223
+  %229 = fadd double %221, %228
+  %230 = fmul double %215, %229
+  %231 = fmul double %230, %230
+  %232 = fadd double %213, %231
+  %233 = add nuw nsw i64 %212, 1
+  %234 = icmp eq i64 %233, %19
+  br i1 %234, label %208, label %211, !llvm.loop !13
 
-231:                                              ; preds = %204
-  %232 = getelementptr inbounds double, ptr %51, i64 %200
-  %233 = load double, ptr %232, align 8
-  %234 = fmul double %205, %121
-  %235 = tail call double @llvm.sqrt.f64(double %234)
-  %236 = fmul double %235, 3.000000e+00
-  %237 = fmul double %119, %233
-  %238 = fadd double %236, %237
-  %239 = getelementptr inbounds double, ptr %94, i64 %200
-  %240 = load double, ptr %239, align 8
-  %241 = tail call double @llvm.fabs.f64(double %240)
-  %242 = fdiv double %241, %238
-  %243 = fcmp ogt double %242, %199
-  %244 = select i1 %243, double %242, double %199
-  br label %245
+235:                                              ; preds = %208
+  %236 = getelementptr inbounds double, ptr %51, i64 %204
+  %237 = load double, ptr %236, align 8
+  %238 = fmul double %209, %125
+  %239 = tail call double @llvm.sqrt.f64(double %238)
+  %240 = fmul double %239, 3.000000e+00
+  %241 = fmul double %123, %237
+  %242 = fadd double %240, %241
+  %243 = getelementptr inbounds double, ptr %98, i64 %204
+  %244 = load double, ptr %243, align 8
+  %245 = tail call double @llvm.fabs.f64(double %244)
+  %246 = fdiv double %245, %242
+  %247 = fcmp ogt double %246, %203
+  %248 = select i1 %247, double %246, double %203
+  br label %249
 
-245:                                              ; preds = %231, %204
-  %246 = phi double [ %244, %231 ], [ %199, %204 ]
-  %247 = add nuw nsw i64 %200, 1
-  %248 = getelementptr inbounds double, ptr %198, i64 %19
-  %249 = icmp eq i64 %247, %105
-  br i1 %249, label %250, label %197, !llvm.loop !14
+249:                                              ; preds = %235, %208
+  %250 = phi double [ %248, %235 ], [ %203, %208 ]
+  %251 = add nuw nsw i64 %204, 1
+  %252 = getelementptr inbounds double, ptr %202, i64 %19
+  %253 = icmp eq i64 %251, %109
+  br i1 %253, label %254, label %201, !llvm.loop !14
 
-250:                                              ; preds = %245, %192
-  %251 = phi double [ %196, %192 ], [ %246, %245 ]
-  %252 = fcmp ugt double %190, 1.000000e+00
-  br i1 %252, label %253, label %306
+254:                                              ; preds = %249, %196
+  %255 = phi double [ %200, %196 ], [ %250, %249 ]
+  %256 = fcmp ugt double %194, 1.000000e+00
+  br i1 %256, label %257, label %310
 
-253:                                              ; preds = %250
-  %254 = fmul double %148, 5.000000e-01
-  %255 = fcmp oge double %190, %254
-  %256 = fcmp ole double %190, 8.000000e+00
-  %257 = and i1 %255, %256
-  br i1 %257, label %306, label %258
+257:                                              ; preds = %254
+  %258 = fmul double %152, 5.000000e-01
+  %259 = fcmp oge double %194, %258
+  %260 = fcmp ole double %194, 8.000000e+00
+  %261 = and i1 %259, %260
+  br i1 %261, label %310, label %262
 
-258:                                              ; preds = %253
-  %259 = icmp eq i32 %149, 9
-  br i1 %259, label %306, label %260
+262:                                              ; preds = %257
+  %263 = icmp eq i32 %153, 9
+  br i1 %263, label %310, label %264
 
-260:                                              ; preds = %258
-  br i1 %122, label %261, label %279
+264:                                              ; preds = %262
+  br i1 %126, label %265, label %283
 
-261:                                              ; preds = %260
-  %262 = load i64, ptr %123, align 8
-  %263 = load i64, ptr %124, align 8
-  %264 = mul nsw i64 %263, %262
-  %265 = icmp sgt i64 %264, 0
-  br i1 %265, label %266, label %277
+265:                                              ; preds = %264
+  %266 = load i64, ptr %127, align 8
+  %267 = load i64, ptr %128, align 8
+  %268 = mul nsw i64 %267, %266
+  %269 = icmp sgt i64 %268, 0
+  br i1 %269, label %270, label %281
 
-266:                                              ; preds = %261, %266
-  %267 = phi i64 [ %272, %266 ], [ 0, %261 ]
-  %268 = getelementptr inbounds double, ptr %48, i64 %267
-  %269 = load double, ptr %268, align 8
-  %270 = load ptr, ptr %85, align 8
-  %271 = getelementptr inbounds double, ptr %270, i64 %267
-  store double %269, ptr %271, align 8
-  %272 = add nuw nsw i64 %267, 1
-  %273 = load i64, ptr %123, align 8
-  %274 = load i64, ptr %124, align 8
-  %275 = mul nsw i64 %274, %273
-  %276 = icmp slt i64 %272, %275
-  br i1 %276, label %266, label %277, !llvm.loop !15
+270:                                              ; preds = %265, %270
+  %271 = phi i64 [ %276, %270 ], [ 0, %265 ]
+  %272 = getelementptr inbounds double, ptr %48, i64 %271
+  %273 = load double, ptr %272, align 8
+  %274 = load ptr, ptr %89, align 8
+  %275 = getelementptr inbounds double, ptr %274, i64 %271
+  store double %273, ptr %275, align 8
+  %276 = add nuw nsw i64 %271, 1
+  %277 = load i64, ptr %127, align 8
+  %278 = load i64, ptr %128, align 8
+  %279 = mul nsw i64 %278, %277
+  %280 = icmp slt i64 %276, %279
+  br i1 %280, label %270, label %281, !llvm.loop !15
 
-277:                                              ; preds = %266, %261
-  %278 = load ptr, ptr %85, align 8
-  tail call fastcc void @factorise(ptr noundef %278, i64 noundef %68) #7
-  br label %279
+281:                                              ; preds = %270, %265
+  %282 = load ptr, ptr %89, align 8
+  tail call fastcc void @factorise(ptr noundef %282, i64 noundef %72) #7
+  br label %283
 
-279:                                              ; preds = %260, %277
-  %280 = load i64, ptr %126, align 8
-  %281 = load i64, ptr %127, align 8
-  %282 = mul nsw i64 %281, %280
-  %283 = icmp sgt i64 %282, 0
-  br i1 %283, label %284, label %295
+283:                                              ; preds = %264, %281
+  %284 = load i64, ptr %130, align 8
+  %285 = load i64, ptr %131, align 8
+  %286 = mul nsw i64 %285, %284
+  %287 = icmp sgt i64 %286, 0
+  br i1 %287, label %288, label %299
 
-284:                                              ; preds = %279, %284
-  %285 = phi i64 [ %290, %284 ], [ 0, %279 ]
-  %286 = getelementptr inbounds double, ptr %44, i64 %285
-  %287 = load double, ptr %286, align 8
-  %288 = load ptr, ptr %125, align 8
-  %289 = getelementptr inbounds double, ptr %288, i64 %285
-  store double %287, ptr %289, align 8
-  %290 = add nuw nsw i64 %285, 1
-  %291 = load i64, ptr %126, align 8
-  %292 = load i64, ptr %127, align 8
-  %293 = mul nsw i64 %292, %291
-  %294 = icmp slt i64 %290, %293
-  br i1 %294, label %284, label %295, !llvm.loop !15
+288:                                              ; preds = %283, %288
+  %289 = phi i64 [ %294, %288 ], [ 0, %283 ]
+  %290 = getelementptr inbounds double, ptr %44, i64 %289
+  %291 = load double, ptr %290, align 8
+  %292 = load ptr, ptr %129, align 8
+  %293 = getelementptr inbounds double, ptr %292, i64 %289
+  store double %291, ptr %293, align 8
+  %294 = add nuw nsw i64 %289, 1
+  %295 = load i64, ptr %130, align 8
+  %296 = load i64, ptr %131, align 8
+  %297 = mul nsw i64 %296, %295
+  %298 = icmp slt i64 %294, %297
+  br i1 %298, label %288, label %299, !llvm.loop !15
 
-295:                                              ; preds = %284, %279
-  %296 = load ptr, ptr %128, align 8
-  br i1 %129, label %297, label %305
+299:                                              ; preds = %288, %283
+  %300 = load ptr, ptr %132, align 8
+  br i1 %133, label %301, label %309
 
-297:                                              ; preds = %295, %297
-  %298 = phi i64 [ %303, %297 ], [ 0, %295 ]
-  %299 = getelementptr inbounds double, ptr %94, i64 %298
-  %300 = load double, ptr %299, align 8
-  %301 = fneg double %300
-  %302 = getelementptr inbounds double, ptr %296, i64 %298
-  store double %301, ptr %302, align 8
-  %303 = add nuw nsw i64 %298, 1
-  %304 = icmp eq i64 %303, %105
-  br i1 %304, label %305, label %297, !llvm.loop !16
+301:                                              ; preds = %299, %301
+  %302 = phi i64 [ %307, %301 ], [ 0, %299 ]
+  %303 = getelementptr inbounds double, ptr %98, i64 %302
+  %304 = load double, ptr %303, align 8
+  %305 = fneg double %304
+  %306 = getelementptr inbounds double, ptr %300, i64 %302
+  store double %305, ptr %306, align 8
+  %307 = add nuw nsw i64 %302, 1
+  %308 = icmp eq i64 %307, %109
+  br i1 %308, label %309, label %301, !llvm.loop !16
 
-305:                                              ; preds = %297, %295
+309:                                              ; preds = %301, %299
   call fastcc void @move_positions(ptr noundef nonnull %5, ptr noundef %2) #7
-  br label %306
+  br label %310
 
-306:                                              ; preds = %305, %258, %253, %250, %188
-  %307 = phi double [ %150, %188 ], [ %251, %253 ], [ %251, %258 ], [ %251, %305 ], [ %251, %250 ]
-  %308 = phi i1 [ false, %188 ], [ false, %253 ], [ false, %258 ], [ true, %305 ], [ false, %250 ]
-  %309 = phi double [ %148, %188 ], [ %148, %253 ], [ %148, %258 ], [ %190, %305 ], [ %148, %250 ]
-  %310 = phi i64 [ %191, %188 ], [ 0, %253 ], [ 6, %258 ], [ %191, %305 ], [ 0, %250 ]
-  br i1 %308, label %135, label %311
+310:                                              ; preds = %309, %262, %257, %254, %192
+  %311 = phi double [ %154, %192 ], [ %255, %257 ], [ %255, %262 ], [ %255, %309 ], [ %255, %254 ]
+  %312 = phi i1 [ false, %192 ], [ false, %257 ], [ false, %262 ], [ true, %309 ], [ false, %254 ]
+  %313 = phi double [ %152, %192 ], [ %152, %257 ], [ %152, %262 ], [ %194, %309 ], [ %152, %254 ]
+  %314 = phi i64 [ %195, %192 ], [ 0, %257 ], [ 6, %262 ], [ %195, %309 ], [ 0, %254 ]
+  br i1 %312, label %139, label %315
 
-311:                                              ; preds = %306, %135, %90
-  %312 = phi double [ 0.000000e+00, %90 ], [ %307, %135 ], [ %307, %306 ]
-  %313 = phi i64 [ 6, %90 ], [ %310, %306 ], [ 6, %135 ]
-  %314 = icmp eq i64 %313, 0
-  br i1 %314, label %315, label %324
+315:                                              ; preds = %310, %139, %94
+  %316 = phi double [ 0.000000e+00, %94 ], [ %311, %139 ], [ %311, %310 ]
+  %317 = phi i64 [ 6, %94 ], [ %314, %310 ], [ 6, %139 ]
+  %318 = icmp eq i64 %317, 0
+  br i1 %318, label %319, label %328
 
-315:                                              ; preds = %311
-  %316 = load i64, ptr %14, align 8
-  %317 = icmp eq i64 %316, 0
-  br i1 %317, label %324, label %318
+319:                                              ; preds = %315
+  %320 = load i64, ptr %14, align 8
+  %321 = icmp eq i64 %320, 0
+  br i1 %321, label %328, label %322
 
-318:                                              ; preds = %315
-  %319 = icmp sgt i64 %316, 0
-  br i1 %319, label %320, label %327
+322:                                              ; preds = %319
+  %323 = icmp sgt i64 %320, 0
+  br i1 %323, label %324, label %331
 
-320:                                              ; preds = %318
-  %321 = load ptr, ptr %32, align 8
-  %322 = load i64, ptr %11, align 8
-  %323 = getelementptr double, ptr %321, i64 %322
-  br label %334
+324:                                              ; preds = %322
+  %325 = load ptr, ptr %32, align 8
+  %326 = load i64, ptr %11, align 8
+  %327 = getelementptr double, ptr %325, i64 %326
+  br label %338
 
-324:                                              ; preds = %315, %311
-  %325 = fcmp ogt double %312, 1.000000e+00
-  %326 = select i1 %325, i64 6, i64 %313
-  br label %558
+328:                                              ; preds = %319, %315
+  %329 = fcmp ogt double %316, 1.000000e+00
+  %330 = select i1 %329, i64 6, i64 %317
+  br label %562
 
-327:                                              ; preds = %334, %318
-  %328 = phi double [ 0.000000e+00, %318 ], [ %340, %334 ]
-  %329 = load i64, ptr %20, align 8
-  %330 = mul nsw i64 %329, %316
-  %331 = icmp sgt i64 %330, 0
-  br i1 %331, label %332, label %343
+331:                                              ; preds = %338, %322
+  %332 = phi double [ 0.000000e+00, %322 ], [ %344, %338 ]
+  %333 = load i64, ptr %20, align 8
+  %334 = mul nsw i64 %333, %320
+  %335 = icmp sgt i64 %334, 0
+  br i1 %335, label %336, label %347
 
-332:                                              ; preds = %327
-  %333 = load ptr, ptr %37, align 8
-  br label %346
+336:                                              ; preds = %331
+  %337 = load ptr, ptr %37, align 8
+  br label %350
 
-334:                                              ; preds = %320, %334
-  %335 = phi i64 [ 0, %320 ], [ %341, %334 ]
-  %336 = phi double [ 0.000000e+00, %320 ], [ %340, %334 ]
-  %337 = getelementptr double, ptr %323, i64 %335
-  %338 = load double, ptr %337, align 8
-  %339 = fmul double %338, 0.000000e+00
-  %340 = fadd double %336, %339
-  %341 = add nuw nsw i64 %335, 1
-  %342 = icmp eq i64 %341, %316
-  br i1 %342, label %327, label %334, !llvm.loop !17
+338:                                              ; preds = %324, %338
+  %339 = phi i64 [ 0, %324 ], [ %345, %338 ]
+  %340 = phi double [ 0.000000e+00, %324 ], [ %344, %338 ]
+  %341 = getelementptr double, ptr %327, i64 %339
+  %342 = load double, ptr %341, align 8
+  %343 = fmul double %342, 0.000000e+00
+  %344 = fadd double %340, %343
+  %345 = add nuw nsw i64 %339, 1
+  %346 = icmp eq i64 %345, %320
+  br i1 %346, label %331, label %338, !llvm.loop !17
 
-343:                                              ; preds = %346, %327
-  %344 = phi double [ %328, %327 ], [ %352, %346 ]
-  %345 = fcmp une double %344, 0.000000e+00
-  br i1 %345, label %558, label %355
+347:                                              ; preds = %350, %331
+  %348 = phi double [ %332, %331 ], [ %356, %350 ]
+  %349 = fcmp une double %348, 0.000000e+00
+  br i1 %349, label %562, label %359
 
-346:                                              ; preds = %332, %346
-  %347 = phi i64 [ 0, %332 ], [ %353, %346 ]
-  %348 = phi double [ %328, %332 ], [ %352, %346 ]
-  %349 = getelementptr inbounds double, ptr %333, i64 %347
-  %350 = load double, ptr %349, align 8
-  %351 = fmul double %350, 0.000000e+00
-  %352 = fadd double %348, %351
-  %353 = add nuw nsw i64 %347, 1
-  %354 = icmp eq i64 %353, %330
-  br i1 %354, label %343, label %346, !llvm.loop !18
+350:                                              ; preds = %336, %350
+  %351 = phi i64 [ 0, %336 ], [ %357, %350 ]
+  %352 = phi double [ %332, %336 ], [ %356, %350 ]
+  %353 = getelementptr inbounds double, ptr %337, i64 %351
+  %354 = load double, ptr %353, align 8
+  %355 = fmul double %354, 0.000000e+00
+  %356 = fadd double %352, %355
+  %357 = add nuw nsw i64 %351, 1
+  %358 = icmp eq i64 %357, %334
+  br i1 %358, label %347, label %350, !llvm.loop !18
 
-355:                                              ; preds = %343
-  %356 = icmp eq ptr %3, null
-  br i1 %356, label %434, label %357
+359:                                              ; preds = %347
+  %360 = icmp eq ptr %56, null
+  br i1 %360, label %438, label %361
 
-357:                                              ; preds = %355
-  %358 = load i64, ptr %17, align 8
-  %359 = load ptr, ptr %32, align 8
-  %360 = load i64, ptr %11, align 8
-  %361 = getelementptr inbounds double, ptr %359, i64 %360
-  %362 = icmp sgt i64 %316, 0
-  br i1 %362, label %363, label %430
+361:                                              ; preds = %359
+  %362 = load i64, ptr %17, align 8
+  %363 = load ptr, ptr %32, align 8
+  %364 = load i64, ptr %11, align 8
+  %365 = getelementptr inbounds double, ptr %363, i64 %364
+  %366 = icmp sgt i64 %320, 0
+  br i1 %366, label %367, label %434
 
-363:                                              ; preds = %357
-  %364 = load i64, ptr %29, align 8
-  %365 = icmp slt i64 %364, %316
-  %366 = load ptr, ptr %37, align 8
-  %367 = icmp sgt i64 %329, 0
-  %368 = getelementptr inbounds i8, ptr %0, i64 552
-  %369 = getelementptr inbounds i8, ptr %0, i64 528
-  %370 = select i1 %365, double 1.000000e-05, double 0x3CE0000000000000
-  %371 = add nsw i64 %358, %329
-  %372 = sitofp i64 %371 to double
-  br label %373
+367:                                              ; preds = %361
+  %368 = load i64, ptr %29, align 8
+  %369 = icmp slt i64 %368, %320
+  %370 = load ptr, ptr %37, align 8
+  %371 = icmp sgt i64 %333, 0
+  %372 = getelementptr inbounds i8, ptr %0, i64 552
+  %373 = getelementptr inbounds i8, ptr %0, i64 528
+  %374 = select i1 %369, double 1.000000e-05, double 0x3CE0000000000000
+  %375 = add nsw i64 %362, %333
+  %376 = sitofp i64 %375 to double
+  br label %377
 
-373:                                              ; preds = %363, %425
-  %374 = phi ptr [ %366, %363 ], [ %428, %425 ]
-  %375 = phi double [ 0.000000e+00, %363 ], [ %426, %425 ]
-  %376 = phi i64 [ 0, %363 ], [ %427, %425 ]
-  br i1 %367, label %377, label %380
+377:                                              ; preds = %367, %429
+  %378 = phi ptr [ %370, %367 ], [ %432, %429 ]
+  %379 = phi double [ 0.000000e+00, %367 ], [ %430, %429 ]
+  %380 = phi i64 [ 0, %367 ], [ %431, %429 ]
+  br i1 %371, label %381, label %384
 
-377:                                              ; preds = %373
-  %378 = load ptr, ptr %368, align 8
-  %379 = load ptr, ptr %369, align 8
-  br label %384
+381:                                              ; preds = %377
+  %382 = load ptr, ptr %372, align 8
+  %383 = load ptr, ptr %373, align 8
+  br label %388
 
-380:                                              ; preds = %384, %373
-  %381 = phi double [ 0.000000e+00, %373 ], [ %407, %384 ]
-  %382 = phi double [ 0.000000e+00, %373 ], [ %410, %384 ]
-  %383 = fcmp ogt double %381, 0.000000e+00
-  br i1 %383, label %413, label %425
+384:                                              ; preds = %388, %377
+  %385 = phi double [ 0.000000e+00, %377 ], [ %411, %388 ]
+  %386 = phi double [ 0.000000e+00, %377 ], [ %414, %388 ]
+  %387 = fcmp ogt double %385, 0.000000e+00
+  br i1 %387, label %417, label %429
 
-384:                                              ; preds = %377, %384
-  %385 = phi i64 [ 0, %377 ], [ %411, %384 ]
-  %386 = phi double [ 0.000000e+00, %377 ], [ %410, %384 ]
-  %387 = phi double [ 0.000000e+00, %377 ], [ %407, %384 ]
-  %388 = getelementptr inbounds double, ptr %374, i64 %385
-  %389 = load double, ptr %388, align 8
-  %390 = add nsw i64 %385, %358
-  %391 = getelementptr inbounds double, ptr %3, i64 %390
-  %392 = load double, ptr %391, align 8
-  %393 = getelementptr inbounds double, ptr %2, i64 %390
-  %394 = load double, ptr %393, align 8
-  %395 = getelementptr inbounds double, ptr %378, i64 %390
+388:                                              ; preds = %381, %388
+  %389 = phi i64 [ 0, %381 ], [ %415, %388 ]
+  %390 = phi double [ 0.000000e+00, %381 ], [ %414, %388 ]
+  %391 = phi double [ 0.000000e+00, %381 ], [ %411, %388 ]
+  %392 = getelementptr inbounds double, ptr %378, i64 %389
+  %393 = load double, ptr %392, align 8
+  %394 = add nsw i64 %389, %362
+  %395 = getelementptr inbounds double, ptr %56, i64 %394
   %396 = load double, ptr %395, align 8
-  %397 = getelementptr inbounds double, ptr %379, i64 %390
+  %397 = getelementptr inbounds double, ptr %2, i64 %394
   %398 = load double, ptr %397, align 8
-  %399 = tail call double @llvm.fabs.f64(double %392)
-  %400 = tail call double @llvm.fabs.f64(double %394)
-  %401 = fcmp ogt double %399, %400
-  %402 = select i1 %401, double %399, double %400
-  %403 = fmul double %402, %398
-  %404 = fadd double %396, %403
-  %405 = fmul double %389, %404
-  %406 = fmul double %405, %405
-  %407 = fadd double %387, %406
-  %408 = fmul double %389, %394
-  %409 = tail call double @llvm.fabs.f64(double %408)
-  %410 = fadd double %386, %409
-  %411 = add nuw nsw i64 %385, 1
-  %412 = icmp eq i64 %411, %329
-  br i1 %412, label %380, label %384, !llvm.loop !13
+  %399 = getelementptr inbounds double, ptr %382, i64 %394
+  %400 = load double, ptr %399, align 8
+  %401 = getelementptr inbounds double, ptr %383, i64 %394
+  %402 = load double, ptr %401, align 8
+  %403 = tail call double @llvm.fabs.f64(double %396)
+  %404 = tail call double @llvm.fabs.f64(double %398)
+  %405 = fcmp ogt double %403, %404
+  %406 = select i1 %405, double %403, double %404
+  %407 = fmul double %406, %402
+  %408 = fadd double %400, %407
+  %409 = fmul double %393, %408
+  %410 = fmul double %409, %409
+  %411 = fadd double %391, %410
+  %412 = fmul double %393, %398
+  %413 = tail call double @llvm.fabs.f64(double %412)
+  %414 = fadd double %390, %413
+  %415 = add nuw nsw i64 %389, 1
+  %416 = icmp eq i64 %415, %333
+  br i1 %416, label %384, label %388, !llvm.loop !13
 
-413:                                              ; preds = %380
-  %414 = fmul double %381, %372
-  %415 = tail call double @llvm.sqrt.f64(double %414)
-  %416 = fmul double %415, 3.000000e+00
-  %417 = fmul double %370, %382
-  %418 = fadd double %417, %416
-  %419 = getelementptr inbounds double, ptr %361, i64 %376
-  %420 = load double, ptr %419, align 8
-  %421 = tail call double @llvm.fabs.f64(double %420)
-  %422 = fdiv double %421, %418
-  %423 = fcmp ogt double %422, %375
-  %424 = select i1 %423, double %422, double %375
-  br label %425
+417:                                              ; preds = %384
+  %418 = fmul double %385, %376
+  %419 = tail call double @llvm.sqrt.f64(double %418)
+  %420 = fmul double %419, 3.000000e+00
+  %421 = fmul double %374, %386
+  %422 = fadd double %421, %420
+  %423 = getelementptr inbounds double, ptr %365, i64 %380
+  %424 = load double, ptr %423, align 8
+  %425 = tail call double @llvm.fabs.f64(double %424)
+  %426 = fdiv double %425, %422
+  %427 = fcmp ogt double %426, %379
+  %428 = select i1 %427, double %426, double %379
+  br label %429
 
-425:                                              ; preds = %413, %380
-  %426 = phi double [ %424, %413 ], [ %375, %380 ]
-  %427 = add nuw nsw i64 %376, 1
-  %428 = getelementptr inbounds double, ptr %374, i64 %329
-  %429 = icmp eq i64 %427, %316
-  br i1 %429, label %430, label %373, !llvm.loop !14
+429:                                              ; preds = %417, %384
+  %430 = phi double [ %428, %417 ], [ %379, %384 ]
+  %431 = add nuw nsw i64 %380, 1
+  %432 = getelementptr inbounds double, ptr %378, i64 %333
+  %433 = icmp eq i64 %431, %320
+  br i1 %433, label %434, label %377, !llvm.loop !14
 
-430:                                              ; preds = %425, %357
-  %431 = phi double [ 0.000000e+00, %357 ], [ %426, %425 ]
-  %432 = fcmp ogt double %431, %312
-  %433 = select i1 %432, double %431, double %312
-  br label %434
+434:                                              ; preds = %429, %361
+  %435 = phi double [ 0.000000e+00, %361 ], [ %430, %429 ]
+  %436 = fcmp ogt double %435, %316
+  %437 = select i1 %436, double %435, double %316
+  br label %438
 
-434:                                              ; preds = %430, %355
-  %435 = phi double [ %312, %355 ], [ %433, %430 ]
-  %436 = load i64, ptr %23, align 8
-  %437 = icmp eq i64 %436, 1
-  br i1 %437, label %438, label %462
+438:                                              ; preds = %434, %359
+  %439 = phi double [ %316, %359 ], [ %437, %434 ]
+  %440 = load i64, ptr %23, align 8
+  %441 = icmp eq i64 %440, 1
+  br i1 %441, label %442, label %466
 
-438:                                              ; preds = %434
-  %439 = load ptr, ptr %38, align 8
-  %440 = load ptr, ptr %5, align 8
-  %441 = getelementptr inbounds i8, ptr %440, i64 8
-  %442 = getelementptr inbounds i8, ptr %440, i64 16
-  %443 = load i64, ptr %441, align 8
-  %444 = load i64, ptr %442, align 8
-  %445 = mul nsw i64 %444, %443
-  %446 = icmp sgt i64 %445, 0
-  br i1 %446, label %447, label %458
+442:                                              ; preds = %438
+  %443 = load ptr, ptr %38, align 8
+  %444 = load ptr, ptr %5, align 8
+  %445 = getelementptr inbounds i8, ptr %444, i64 8
+  %446 = getelementptr inbounds i8, ptr %444, i64 16
+  %447 = load i64, ptr %445, align 8
+  %448 = load i64, ptr %446, align 8
+  %449 = mul nsw i64 %448, %447
+  %450 = icmp sgt i64 %449, 0
+  br i1 %450, label %451, label %462
 
-447:                                              ; preds = %438, %447
-  %448 = phi i64 [ %453, %447 ], [ 0, %438 ]
-  %449 = getelementptr inbounds double, ptr %439, i64 %448
-  %450 = load double, ptr %449, align 8
-  %451 = load ptr, ptr %440, align 8
-  %452 = getelementptr inbounds double, ptr %451, i64 %448
-  store double %450, ptr %452, align 8
-  %453 = add nuw nsw i64 %448, 1
-  %454 = load i64, ptr %441, align 8
-  %455 = load i64, ptr %442, align 8
-  %456 = mul nsw i64 %455, %454
-  %457 = icmp slt i64 %453, %456
-  br i1 %457, label %447, label %458, !llvm.loop !15
+451:                                              ; preds = %442, %451
+  %452 = phi i64 [ %457, %451 ], [ 0, %442 ]
+  %453 = getelementptr inbounds double, ptr %443, i64 %452
+  %454 = load double, ptr %453, align 8
+  %455 = load ptr, ptr %444, align 8
+  %456 = getelementptr inbounds double, ptr %455, i64 %452
+  store double %454, ptr %456, align 8
+  %457 = add nuw nsw i64 %452, 1
+  %458 = load i64, ptr %445, align 8
+  %459 = load i64, ptr %446, align 8
+  %460 = mul nsw i64 %459, %458
+  %461 = icmp slt i64 %457, %460
+  br i1 %461, label %451, label %462, !llvm.loop !15
 
-458:                                              ; preds = %447, %438
-  %459 = load ptr, ptr %5, align 8
-  %460 = load ptr, ptr %459, align 8
-  %461 = load i64, ptr %20, align 8
-  tail call fastcc void @factorise(ptr noundef %460, i64 noundef %461) #7
-  br label %462
+462:                                              ; preds = %451, %442
+  %463 = load ptr, ptr %5, align 8
+  %464 = load ptr, ptr %463, align 8
+  %465 = load i64, ptr %20, align 8
+  tail call fastcc void @factorise(ptr noundef %464, i64 noundef %465) #7
+  br label %466
 
-462:                                              ; preds = %434, %458
-  %463 = load ptr, ptr %32, align 8
-  %464 = load i64, ptr %11, align 8
-  %465 = getelementptr inbounds double, ptr %463, i64 %464
-  %466 = load i64, ptr %14, align 8
-  %467 = load ptr, ptr %5, align 8
-  %468 = getelementptr inbounds i8, ptr %467, i64 144
-  %469 = load ptr, ptr %468, align 8
-  %470 = icmp sgt i64 %466, 0
-  br i1 %470, label %471, label %479
+466:                                              ; preds = %438, %462
+  %467 = load ptr, ptr %32, align 8
+  %468 = load i64, ptr %11, align 8
+  %469 = getelementptr inbounds double, ptr %467, i64 %468
+  %470 = load i64, ptr %14, align 8
+  %471 = load ptr, ptr %5, align 8
+  %472 = getelementptr inbounds i8, ptr %471, i64 144
+  %473 = load ptr, ptr %472, align 8
+  %474 = icmp sgt i64 %470, 0
+  br i1 %474, label %475, label %483
 
-471:                                              ; preds = %462, %471
-  %472 = phi i64 [ %477, %471 ], [ 0, %462 ]
-  %473 = getelementptr inbounds double, ptr %465, i64 %472
-  %474 = load double, ptr %473, align 8
-  %475 = fneg double %474
-  %476 = getelementptr inbounds double, ptr %469, i64 %472
-  store double %475, ptr %476, align 8
-  %477 = add nuw nsw i64 %472, 1
-  %478 = icmp eq i64 %477, %466
-  br i1 %478, label %479, label %471, !llvm.loop !16
+475:                                              ; preds = %466, %475
+  %476 = phi i64 [ %481, %475 ], [ 0, %466 ]
+  %477 = getelementptr inbounds double, ptr %469, i64 %476
+  %478 = load double, ptr %477, align 8
+  %479 = fneg double %478
+  %480 = getelementptr inbounds double, ptr %473, i64 %476
+  store double %479, ptr %480, align 8
+  %481 = add nuw nsw i64 %476, 1
+  %482 = icmp eq i64 %481, %470
+  br i1 %482, label %483, label %475, !llvm.loop !16
 
-479:                                              ; preds = %471, %462
+483:                                              ; preds = %475, %466
   call fastcc void @move_speeds(ptr noundef nonnull %5, ptr noundef %2) #7
-  %480 = load ptr, ptr %53, align 8
-  %481 = getelementptr inbounds i8, ptr %480, i64 8
-  %482 = load i64, ptr %481, align 8
-  %483 = load ptr, ptr %5, align 8
-  %484 = getelementptr inbounds i8, ptr %483, i64 216
-  %485 = load ptr, ptr %484, align 8
-  %486 = getelementptr inbounds i8, ptr %483, i64 240
-  %487 = load ptr, ptr %486, align 8
-  %488 = load ptr, ptr %40, align 8
-  %489 = getelementptr inbounds i8, ptr %488, i64 32
-  %490 = getelementptr inbounds double, ptr %489, i64 %482
-  %491 = load i64, ptr %14, align 8
-  %492 = icmp sgt i64 %491, 0
-  br i1 %492, label %500, label %495
+  %484 = load ptr, ptr %57, align 8
+  %485 = getelementptr inbounds i8, ptr %484, i64 8
+  %486 = load i64, ptr %485, align 8
+  %487 = load ptr, ptr %5, align 8
+  %488 = getelementptr inbounds i8, ptr %487, i64 216
+  %489 = load ptr, ptr %488, align 8
+  %490 = getelementptr inbounds i8, ptr %487, i64 240
+  %491 = load ptr, ptr %490, align 8
+  %492 = load ptr, ptr %40, align 8
+  %493 = getelementptr inbounds i8, ptr %492, i64 32
+  %494 = getelementptr inbounds double, ptr %493, i64 %486
+  %495 = load i64, ptr %14, align 8
+  %496 = icmp sgt i64 %495, 0
+  br i1 %496, label %504, label %499
 
-493:                                              ; preds = %518
-  %494 = sitofp i64 %520 to double
-  br label %495
+497:                                              ; preds = %522
+  %498 = sitofp i64 %524 to double
+  br label %499
 
-495:                                              ; preds = %493, %479
-  %496 = phi double [ 1.000000e+00, %479 ], [ %519, %493 ]
-  %497 = phi double [ 0.000000e+00, %479 ], [ %494, %493 ]
-  %498 = load double, ptr %488, align 8
-  %499 = fcmp olt double %498, %497
-  br i1 %499, label %523, label %525
+499:                                              ; preds = %497, %483
+  %500 = phi double [ 1.000000e+00, %483 ], [ %523, %497 ]
+  %501 = phi double [ 0.000000e+00, %483 ], [ %498, %497 ]
+  %502 = load double, ptr %492, align 8
+  %503 = fcmp olt double %502, %501
+  br i1 %503, label %527, label %529
 
-500:                                              ; preds = %479, %518
-  %501 = phi i64 [ %521, %518 ], [ 0, %479 ]
-  %502 = phi i64 [ %520, %518 ], [ 0, %479 ]
-  %503 = phi double [ %519, %518 ], [ 1.000000e+00, %479 ]
-  %504 = getelementptr inbounds double, ptr %485, i64 %501
-  %505 = load double, ptr %504, align 8
-  %506 = getelementptr inbounds double, ptr %490, i64 %501
-  %507 = load double, ptr %506, align 8
-  %508 = fcmp ogt double %505, %507
-  %509 = select i1 %508, double %505, double %507
-  store double %509, ptr %506, align 8
-  %510 = getelementptr inbounds double, ptr %487, i64 %501
+504:                                              ; preds = %483, %522
+  %505 = phi i64 [ %525, %522 ], [ 0, %483 ]
+  %506 = phi i64 [ %524, %522 ], [ 0, %483 ]
+  %507 = phi double [ %523, %522 ], [ 1.000000e+00, %483 ]
+  %508 = getelementptr inbounds double, ptr %489, i64 %505
+  %509 = load double, ptr %508, align 8
+  %510 = getelementptr inbounds double, ptr %494, i64 %505
   %511 = load double, ptr %510, align 8
-  %512 = fcmp ogt double %511, 0.000000e+00
-  br i1 %512, label %513, label %518
+  %512 = fcmp ogt double %509, %511
+  %513 = select i1 %512, double %509, double %511
+  store double %513, ptr %510, align 8
+  %514 = getelementptr inbounds double, ptr %491, i64 %505
+  %515 = load double, ptr %514, align 8
+  %516 = fcmp ogt double %515, 0.000000e+00
+  br i1 %516, label %517, label %522
 
-513:                                              ; preds = %500
-  %514 = add nsw i64 %502, 1
-  %515 = fdiv double %511, %509
-  %516 = fcmp olt double %515, %503
-  %517 = select i1 %516, double %515, double %503
-  br label %518
+517:                                              ; preds = %504
+  %518 = add nsw i64 %506, 1
+  %519 = fdiv double %515, %513
+  %520 = fcmp olt double %519, %507
+  %521 = select i1 %520, double %519, double %507
+  br label %522
 
-518:                                              ; preds = %513, %500
-  %519 = phi double [ %517, %513 ], [ %503, %500 ]
-  %520 = phi i64 [ %514, %513 ], [ %502, %500 ]
-  %521 = add nuw nsw i64 %501, 1
-  %522 = icmp eq i64 %521, %491
-  br i1 %522, label %493, label %500, !llvm.loop !19
+522:                                              ; preds = %517, %504
+  %523 = phi double [ %521, %517 ], [ %507, %504 ]
+  %524 = phi i64 [ %518, %517 ], [ %506, %504 ]
+  %525 = add nuw nsw i64 %505, 1
+  %526 = icmp eq i64 %525, %495
+  br i1 %526, label %497, label %504, !llvm.loop !19
 
-523:                                              ; preds = %495
-  store double %497, ptr %488, align 8
-  %524 = getelementptr inbounds i8, ptr %488, i64 8
-  store double 1.000000e+00, ptr %524, align 8
-  br label %528
+527:                                              ; preds = %499
+  store double %501, ptr %492, align 8
+  %528 = getelementptr inbounds i8, ptr %492, i64 8
+  store double 1.000000e+00, ptr %528, align 8
+  br label %532
 
-525:                                              ; preds = %495
-  %526 = fcmp ogt double %498, %497
-  br i1 %526, label %527, label %528
+529:                                              ; preds = %499
+  %530 = fcmp ogt double %502, %501
+  br i1 %530, label %531, label %532
 
-527:                                              ; preds = %525
-  br label %528
+531:                                              ; preds = %529
+  br label %532
 
-528:                                              ; preds = %527, %525, %523
-  %529 = phi double [ %496, %523 ], [ 0.000000e+00, %527 ], [ %496, %525 ]
-  %530 = getelementptr inbounds i8, ptr %488, i64 16
-  %531 = load double, ptr %530, align 8
-  %532 = fcmp olt double %529, %531
-  %533 = select i1 %532, double %529, double %531
-  store double %529, ptr %530, align 8
-  %534 = fcmp ogt double %435, 1.000000e+00
-  br i1 %534, label %535, label %541
+532:                                              ; preds = %531, %529, %527
+  %533 = phi double [ %500, %527 ], [ 0.000000e+00, %531 ], [ %500, %529 ]
+  %534 = getelementptr inbounds i8, ptr %492, i64 16
+  %535 = load double, ptr %534, align 8
+  %536 = fcmp olt double %533, %535
+  %537 = select i1 %536, double %533, double %535
+  store double %533, ptr %534, align 8
+  %538 = fcmp ogt double %439, 1.000000e+00
+  br i1 %538, label %539, label %545
 
-535:                                              ; preds = %528
-  %536 = fcmp ult double %533, 5.000000e-02
-  br i1 %536, label %537, label %558
+539:                                              ; preds = %532
+  %540 = fcmp ult double %537, 5.000000e-02
+  br i1 %540, label %541, label %562
 
-537:                                              ; preds = %535
-  %538 = fmul double %435, %533
-  %539 = fmul double %538, 5.000000e-02
-  %540 = fcmp ogt double %539, 1.000000e+00
-  br i1 %540, label %558, label %541
+541:                                              ; preds = %539
+  %542 = fmul double %439, %537
+  %543 = fmul double %542, 5.000000e-02
+  %544 = fcmp ogt double %543, 1.000000e+00
+  br i1 %544, label %562, label %545
 
-541:                                              ; preds = %537, %528
-  %542 = getelementptr inbounds i8, ptr %488, i64 8
-  %543 = load double, ptr %542, align 8
-  %544 = fcmp olt double %529, %543
-  %545 = fcmp ogt double %543, 1.000000e-05
-  %546 = and i1 %544, %545
-  br i1 %546, label %547, label %558
+545:                                              ; preds = %541, %532
+  %546 = getelementptr inbounds i8, ptr %492, i64 8
+  %547 = load double, ptr %546, align 8
+  %548 = fcmp olt double %533, %547
+  %549 = fcmp ogt double %547, 1.000000e-05
+  %550 = and i1 %548, %549
+  br i1 %550, label %551, label %562
 
-547:                                              ; preds = %541
-  store double %529, ptr %542, align 8
-  %548 = getelementptr inbounds i8, ptr %488, i64 24
-  store double %1, ptr %548, align 8
-  %549 = getelementptr inbounds i8, ptr %488, i64 32
-  %550 = icmp sgt i64 %482, 0
-  br i1 %550, label %551, label %558
+551:                                              ; preds = %545
+  store double %533, ptr %546, align 8
+  %552 = getelementptr inbounds i8, ptr %492, i64 24
+  store double %1, ptr %552, align 8
+  %553 = getelementptr inbounds i8, ptr %492, i64 32
+  %554 = icmp sgt i64 %486, 0
+  br i1 %554, label %555, label %562
 
-551:                                              ; preds = %547, %551
-  %552 = phi i64 [ %556, %551 ], [ 0, %547 ]
-  %553 = getelementptr inbounds double, ptr %2, i64 %552
-  %554 = load double, ptr %553, align 8
-  %555 = getelementptr inbounds double, ptr %549, i64 %552
-  store double %554, ptr %555, align 8
-  %556 = add nuw nsw i64 %552, 1
-  %557 = icmp eq i64 %556, %482
-  br i1 %557, label %558, label %551, !llvm.loop !20
+555:                                              ; preds = %551, %555
+  %556 = phi i64 [ %560, %555 ], [ 0, %551 ]
+  %557 = getelementptr inbounds double, ptr %2, i64 %556
+  %558 = load double, ptr %557, align 8
+  %559 = getelementptr inbounds double, ptr %553, i64 %556
+  store double %558, ptr %559, align 8
+  %560 = add nuw nsw i64 %556, 1
+  %561 = icmp eq i64 %560, %486
+  br i1 %561, label %562, label %555, !llvm.loop !20
 
-558:                                              ; preds = %551, %547, %541, %537, %535, %343, %324
-  %559 = phi i64 [ %326, %324 ], [ 6, %343 ], [ 6, %537 ], [ 6, %535 ], [ 0, %541 ], [ 0, %547 ], [ 0, %551 ]
-  ret i64 %559
+562:                                              ; preds = %555, %551, %545, %541, %539, %347, %328
+  %563 = phi i64 [ %330, %328 ], [ 6, %347 ], [ 6, %541 ], [ 6, %539 ], [ 0, %545 ], [ 0, %551 ], [ 0, %555 ]
+  ret i64 %563
 }
 
 

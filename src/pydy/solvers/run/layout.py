@@ -39,6 +39,7 @@ ACTIVE, PROJECTOR, HOLONOMIC, VELOCITY, COORDINATES, SPEEDS, WEIGHTED, PROJECT =
 SCRATCH = 8  # the address of the table of `Projection`
 TANGENTS = 9  # the address of the table of `Tangents`
 POSITIONS, MOTIONS = 10, 11  # the ranks of ∂h/∂q and ∂v/∂u, where rows may be more
+JUDGED = 12  # whether a step may be rejected for where it ends
 # Constraints.values, from where the kernel's end: the rank of ∂v/∂u so far, and the step at which
 # it was nearest to losing it; LATEST is how near it was at the latest projection.
 RANK, NEARNESS, LATEST, WHEN, WHERE = range(5)

@@ -272,12 +272,12 @@ class Workspace:
         wanted = self.options.constraints
         if wanted is None:
             return _NO_CONSTRAINTS
-        words = np.zeros(12, dtype=np.int64)
+        words = np.zeros(13, dtype=np.int64)
         words[at.ACTIVE], words[at.PROJECT] = 1, shipped.address_of("project")
         words[at.PROJECTOR], c = self._bind_kernel(wanted.kernel)
         words[at.HOLONOMIC], words[at.VELOCITY] = wanted.holonomic, wanted.velocity
         words[at.COORDINATES], words[at.SPEEDS] = wanted.coordinates, wanted.speeds
-        words[at.WEIGHTED] = wanted.weighted
+        words[at.WEIGHTED], words[at.JUDGED] = wanted.weighted, wanted.judged
         h, v, q, u = wanted.holonomic, wanted.velocity, wanted.coordinates, wanted.speeds
         words[at.POSITIONS], words[at.MOTIONS] = h - wanted.left_out[0], v - wanted.left_out[1]
         some = max(h, v)
