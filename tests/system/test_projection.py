@@ -429,13 +429,13 @@ def test_motions_that_constraints_make_within_a_part_of_a_step_are_not_passed_ov
 
 def test_measured_motions_that_contradict_their_measured_rates_reject_no_steps():
     # Noise of the rates alone, which no step explains: as many steps as without projection.
-    w, v = me.dynamicsymbols("w, v")
+    belt, v = me.dynamicsymbols("belt, v")
     times, noise = np.linspace(0.0, 6.0, 61), np.random.default_rng(0)
     rates = np.cos(times) + 1e-4 * noise.normal(size=61)
-    system = towed(v - w)
+    system = towed(v - belt)
     system.specifieds = {
-        w: SampledInput(times, np.sin(times), interpolation="pchip"),
-        w.diff(zoo.T): SampledInput(times, rates, interpolation="pchip"),
+        belt: SampledInput(times, np.sin(times), interpolation="pchip"),
+        belt.diff(zoo.T): SampledInput(times, rates, interpolation="pchip"),
     }
     system.ode_solver = "dop853"
     _, info = system.integrate(full_output=True, constraints="project", rtol=1e-9, atol=1e-9)

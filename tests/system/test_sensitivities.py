@@ -646,6 +646,7 @@ def test_jumps_of_angles_and_masses_are_told():
     [
         -K * X * sm.Abs(X),
         -K * sm.atan2(X, 2),
+        -K * sm.Abs(sm.atan2(X, -2)),
         -K * sm.sin(sm.atan2(X, -2)) - X,
         -K * sm.Max(0, X),
         sm.Piecewise((-3 * K * X, X < 0), (-K * X, True)),

@@ -129,7 +129,11 @@ def _passages(
                 value = evaluate(finer)["switches"][:, k]
                 turn = int(np.argmax(np.sign(value) != np.sign(value[0])))
                 beside = finer[turn - 1 : turn + 1]
-            yield k, beside, evaluate(beside), sizes
+            found = evaluate(beside)
+            # What jumps through zero passes a switch of its own there.
+            size = np.abs(along["switches"][:, k]).max()
+            if (np.abs(found["switches"][:, k]) < HALF * size).any():
+                yield k, beside, found, sizes
 
 
 def _shaped(found: _Values) -> _Values:

@@ -174,16 +174,17 @@ def compile_constraints(model: CompiledModel, definition: Definition) -> Compile
     weighted = mechanism is not None and bool(mechanism.bodies)
     model, (closed, redundant) = with_all(model, definition), equations.left_out
     kernel = model.compiled_by(("projection",), lambda: projection_program(model.assembly))
-    graph, rows = model.assembly.graph, [*model.assembly.holonomic, *model.assembly.velocity]
+    assembly = model.assembly
+    moved = assembly.graph.inputs_of([*assembly.holonomic, *assembly.velocity])
     return CompiledConstraints(
         kernel=kernel,
-        holonomic=len(model.assembly.holonomic),
-        velocity=len(model.assembly.velocity),
+        holonomic=len(assembly.holonomic),
+        velocity=len(assembly.velocity),
         coordinates=len(equations.coordinates),
         speeds=len(equations.speeds),
         dependent_speeds=len(equations.dependent_speeds),
         weighted=weighted,
-        judged="r" not in graph.inputs_of(rows),
+        judged="r" not in moved and ("t" in moved or bool(equations.following[1])),
         following=equations.following[1],
         names=ConstraintNames(equations),
         left_out=(len(closed), len(redundant)),

@@ -372,8 +372,8 @@ class Run:
                 limit = float(state.t + 2.0 * v * later)
                 self.first_height.pop(i, None)
                 record = EventRecord(limit, f"{name} rests", i, state.x.copy(), state.x.copy())
-                if self.carried is not None:  # the acceleration changes it by what is as small
-                    slower = v * later * a * slopes.restitution[i]
+                if self.carried is not None:  # with the forces of other contacts held
+                    slower = v * later * a * slopes.restitution[i] + v / a * slopes.free[normal]
                     faster = -e[i] * slopes.speed[normal] - p.speed[normal] * slopes.restitution[i]
                     moved = self.carried.time + 2.0 * later * (faster + slower)
                     record = replace(record, time_sensitivity=moved)

@@ -43,6 +43,7 @@ class Slopes:
     moves: np.ndarray  # (speeds, rows, k)
     restitution: np.ndarray  # (contacts, k)
     mu: np.ndarray
+    free: np.ndarray  # (rows, k), of accelerations without contact forces
 
 
 class Carried:
@@ -87,6 +88,7 @@ class Carried:
                 "`sensitivities` of contacts that depend on specifieds are not supported yet. "
                 "Write a prescribed motion as an expression of time."
             )
+        nodes += [rows.acceleration(g, k, rows.free) for k in range(len(rows.speeds))]
         along = {node: g.input("along", k) for k, node in enumerate(places)}
         slopes = directional(g, nodes, {node: {0: unit} for node, unit in along.items()})
         found = evaluator(g, [row.get(0, g.zero) for row in slopes])
@@ -109,14 +111,14 @@ class Carried:
         found = evaluate(inputs, len(self.symbols)).T
         c, k = len(self.rows.contacts), len(self.rows.speeds)
         n = len(self.rows.equations.speeds)
-        parts = np.split(found, np.cumsum([c, k, k * k, k * n, c]))
+        parts = np.split(found, np.cumsum([c, k, k * k, k * n, c, c]))
         return Slopes(
             parts[0],
             parts[1],
             parts[2].reshape(k, k, -1),
             parts[3].reshape(k, n, -1).transpose(1, 0, 2),
             parts[4],
-            parts[5],
+            *parts[5:],
         )
 
     # -- what transitions do ----------------------------------------------------------------------

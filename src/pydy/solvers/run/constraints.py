@@ -35,8 +35,9 @@ class CompiledConstraints:
     speeds: int
     dependent_speeds: int  # speeds, the last ones, taken from the velocity constraints
     weighted: bool  # whether corrections are measured by the mass matrix; else by their square sum
-    # Whether a step whose errors do not explain its residuals is rejected: not where rows hold
-    # inputs with rates of their own, such as samples, which agree as well as they were measured.
+    # Whether a step whose errors do not explain its residuals is rejected: where rows depend on
+    # time or on residuals, but for inputs that have rates of their own, such as samples, which
+    # agree as well as they were measured.
     judged: bool
     # The coordinates that follow from the others at once: they may be moved as far as it takes.
     following: tuple[int, ...]
