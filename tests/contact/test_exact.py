@@ -656,3 +656,14 @@ def test_times_that_are_all_equal_are_refused():
     contacts = Contacts(system, [floor])
     with pytest.raises(ValueError, match=r"two values that differ, got \[0\.5, 0\.5\]"):
         contacts.simulate()
+
+
+def test_contacts_at_times_that_begin_late():
+    # At 1e8 s a rounding of the time moves the ball by 7e-8 m at its impact.
+    system, floor = ball(restitution=0.5)
+    system.initial_conditions = {y: 1.0}
+    heights = []
+    for start in (0.0, 1e8):
+        system.times = start + np.array([0.0, 0.5, 1.0])
+        heights.append(Contacts(system, [floor]).simulate(rtol=1e-8, atol=1e-8)["y"])
+    assert heights[1] == pytest.approx(heights[0], abs=1e-6)

@@ -65,7 +65,8 @@ def missed(
                 # In large units the relative tolerance tells less of a gap than the other.
                 worst = int(values.argmin())
                 p = run.numbers(float(few[worst]), states[worst])
-                below &= values < -run.unresolved_gap(i, p, states[worst])
+                late = np.spacing(few[worst]) * abs(p.speed[run.rows.normal[i]])
+                below &= values < -run.unresolved_gap(i, p, states[worst]) - late
             if not below.any():
                 continue
             if kind and values[: below.argmax()].max(initial=-np.inf) <= allowed:
