@@ -479,6 +479,45 @@ def test_a_force_that_changes_within_a_part_of_a_step_acts_in_time(solver):
     assert system.integrate(rtol=1e-9, atol=1e-9)[-1, 0] == pytest.approx(1.0, abs=3e-6)
 
 
+def rooted(solved, held, **options):
+    """A particle on a spring whose force is Z/2, Z + Z³ = held + c: as a residual or a formula."""
+    z, c = me.dynamicsymbols("z"), sm.Symbol("c")
+    root = 2 / sm.sqrt(3) * sm.sinh(sm.asinh(3 * sm.sqrt(3) / 2 * (held + c)) / 3)
+    force = z if solved else root
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    place = origin.locatenew("P", X * frame.x)
+    push = me.dynamicsymbols("F") - K * X - force / 2
+    moved = Definition(
+        frame, [X], [V], bodies=[me.Particle("P", place, M)], loads=[(place, push * frame.x)]
+    )
+    settings = {"times": [0.0, 1.0, 2.0], "ode_solver": "dop853", "outputs": {"f": force + X}}
+    if solved:
+        settings["implicit"] = Implicit({z: z + z**3 - held - c})
+    return System(moved, {K: 2.0, c: 0.3}, **settings | options)
+
+
+@pytest.mark.parametrize("held", [X, V])
+@pytest.mark.parametrize("reset", [{X: 0.1 * K}, {X: X / 2, V: -V / 2}])
+def test_derivatives_go_through_resets_as_those_of_the_formula(held, reset):
+    """What is solved for again after a reset has the derivatives of the state there."""
+    wrt, found = ["c", K, X], []
+    for solved in (True, False):
+        system = rooted(solved, held, initial_conditions={X: 0.5, V: 1.0})
+        options = {"events": Event(X - 0.7, reset=reset, name="hit"), **TIGHT}
+        motion = system.simulate(sensitivities=wrt, **options)
+        assert motion.events
+        sample = system.integrate_ensemble(constants={K: [2.0]}, sensitivities=wrt, **options)
+        back = system.adjoint_gradient(wrt, final="f", **options)
+        there = motion.sensitivity["f"][-1]
+        np.testing.assert_allclose([back[q] for q in wrt], there, rtol=1e-8)
+        np.testing.assert_allclose(
+            sample.sensitivity.sel(quantity="f").values[0, -1], there, rtol=1e-8
+        )
+        found.append(there)
+    np.testing.assert_allclose(*found, rtol=1e-8)
+
+
 def test_a_singular_residual_is_named():
     """On the way through the centre of curvature two nearest points meet."""
     with pytest.raises(

@@ -403,10 +403,7 @@ class _Run:
         if self.options.constraints is not None:
             sweeps = [(k, k + 1) for k in range(first, last)]
             ends = np.array([x[:n] for x in (*recording.before[first + 1 : last], end)])
-            projections = Projections(
-                self.task.sensitive.whole.model, self.options.constraints, self.task.wanted,
-                self.task.call, np.array(recording.ends[first:last]), ends,
-            )  # fmt: skip
+            projections = self._projections(np.array(recording.ends[first:last]), ends)
         for k, (start, stop) in reversed(list(enumerate(sweeps))):
             if projections is not None:
                 self._adjoint[:n] = projections.back(k, self._adjoint[:n])
@@ -422,9 +419,17 @@ class _Run:
             self._totals += sweep.totals
             self._seen.append((sweep.times, sweep.kept))
         if projections is not None:
-            totals, kept = projections.totals()
-            self._totals += totals
-            self._seen.append((projections.times, kept[:, kept.shape[1] - self._kept :]))
+            self._projected(projections)
+
+    def _projections(self, times: np.ndarray, states: np.ndarray) -> Projections:
+        task, held = self.task, self.options.constraints
+        return Projections(task.sensitive.whole.model, held, task.wanted, task.call, times, states)
+
+    def _projected(self, projections: Projections) -> None:
+        """Add the derivatives by what is wanted that come from projections."""
+        totals, kept = projections.totals()
+        self._totals += totals
+        self._seen.append((projections.times, kept[:, kept.shape[1] - self._kept :]))
 
     def _jump(self, event: Event, record: EventRecord, slope: float) -> None:
         """Go back through an event.
@@ -436,6 +441,10 @@ class _Run:
         kernel, changed = compiled_event(self.task.sensitive.model, event, self.task.wanted)
         call = self.task.call(kernel)
         x, adjoint, places = record.before, self._adjoint[:n].copy(), [*changed]
+        if changed and self.options.constraints is not None:  # the projection after it
+            held = self._projections(np.array([t]), record.after[None])
+            adjoint = held.back(0, adjoint)
+            self._projected(held)
         r = np.concatenate([call.inputs_at(x, t), call.slopes_at(t)])
         out = kernel.evaluate(np.array([t]), x[None], r[None], call.p)[0][0]
         part = kernel.program.by_block(out)

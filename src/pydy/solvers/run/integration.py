@@ -525,11 +525,17 @@ class Integration:
                 self._stop(EVENT_GRAZES, event=wanted.names[event], depth=jump.depth)
             jump = jump._replace(time=np.full(beside.columns, np.nan))
         table = beside.table(before).copy()
+        moved = jump.after if acting else table
+        if acting and wanted.resetting[event] and (held := self.options.constraints) is not None:
+            # What a reset leaves out follows from the constraints, and so do its derivatives.
+            whole = np.concatenate([after[:n], moved.ravel()])
+            self._project(whole, held, RESET_OFF_CONSTRAINTS, event=wanted.names[event])
+            moved = beside.table(whole)
         return replace(
             record,
             time_sensitivity=jump.time,
             sensitivity_before=table,
-            sensitivity_after=jump.after if acting else table,
+            sensitivity_after=moved,
         )
 
     # -- results ----------------------------------------------------------------------------------
