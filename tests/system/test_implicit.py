@@ -10,7 +10,9 @@ import sympy as sm
 import sympy.physics.mechanics as me
 
 from pydy import System
+from pydy.analysis import Trial
 from pydy.contact import Contacts, Unilateral
+from pydy.control import OptimalControl
 from pydy.errors import IntegrationError
 from pydy.mechanics import Definition, Implicit
 from pydy.solvers import Event
@@ -516,6 +518,58 @@ def test_derivatives_go_through_resets_as_those_of_the_formula(held, reset):
         )
         found.append(there)
     np.testing.assert_allclose(*found, rtol=1e-8)
+
+
+EFFORT = sm.Integral(me.dynamicsymbols("F") ** 2, T)
+
+
+@pytest.mark.parametrize("held", [X, V])
+@pytest.mark.parametrize("method", ["radau", "hermite-simpson", "midpoint"])
+def test_optimal_motions_keep_residuals_from_any_start(held, method):
+    """The unknown at the start follows from what `start` says of the others."""
+    ours = rooted(True, held)
+    motion = ours.optimize_trajectory(
+        EFFORT, 1.0, start={X: 0.2, V: 0.0}, end={X: 1.0, V: 0.0}, mesh=20, method=method
+    )
+    z = motion["z"]
+    np.testing.assert_allclose(z + z**3, motion[held] + 0.3, atol=1e-10)
+    theirs = rooted(False, held).optimize_trajectory(
+        EFFORT, 1.0, start={X: 0.2, V: 0.0}, end={X: 1.0, V: 0.0}, mesh=40
+    )
+    close = 2e-2 if method == "midpoint" else 1e-4
+    assert motion.objective == pytest.approx(theirs.objective, rel=close)
+
+
+@pytest.mark.parametrize("held", [X, V])
+@pytest.mark.parametrize("link", [{}, {V: -V / 2}, {X: X - 0.5}])
+def test_unknowns_follow_after_links_of_phases(held, link):
+    found = []
+    for solved in (True, False):
+        system = rooted(solved, held)
+        there = OptimalControl(system, EFFORT, 1.0, end={X: 0.5}, mesh=4)
+        back = OptimalControl(system, EFFORT, 1.0, end={X: 1.0, V: 0.0}, mesh=4)
+        phases = OptimalControl.phases([there, back], [link]).solve()
+        found.append(phases.objective)
+        for motion in phases if solved else ():
+            left = motion["z"] + motion["z"] ** 3 - motion[held] - 0.3
+            np.testing.assert_allclose(left, 0.0, atol=1e-9)
+    assert found[0] == pytest.approx(found[1], rel=1e-5)
+
+
+def test_a_fit_by_collocation_finds_what_moved():
+    measured = rooted(True, X, initial_conditions={X: 0.5, V: 1.0}).simulate(**TIGHT)
+    system = rooted(True, X)
+    system.constants = {K: 1.5, "c": 0.1}
+    trial = Trial(measured.times, {"x": measured["x"], "f": measured["f"]}, {X: 0.5, V: 1.0})
+    found = system.fit([K, "c"], trial, method="collocation").estimates
+    np.testing.assert_allclose(found, [2.0, 0.3], rtol=1e-6)
+
+
+def test_a_residual_holds_no_control():
+    z, push = me.dynamicsymbols("z, F")
+    system = rooted(True, X, implicit=Implicit({z: z + z**3 - X - sm.Symbol("c") * push}))
+    with pytest.raises(NotImplementedError, match="as a control it would not be"):
+        system.optimize_trajectory(EFFORT, 1.0, end={X: 1.0}, mesh=4)
 
 
 def test_a_singular_residual_is_named():

@@ -196,6 +196,14 @@ class Equations:
             tuple(k for k, q in enumerate(self.coordinates) if q in self.implicit.residuals),
         )
 
+    @property
+    def places_held(self) -> tuple[int, ...]:
+        """The places of holonomic constraints that a discretised motion has to hold as such.
+
+        The enforced ones, then the residuals.
+        """
+        return (*self.enforced, *self.following[0])
+
     @cached_property
     def residual_blocks(self) -> list[tuple[tuple[int, ...], tuple[int, ...]]]:
         """The same in blocks, of which each follows from those before."""
@@ -212,8 +220,7 @@ class Equations:
 
         It is so at random states and constants; with others they may.
         """
-        known = {*self.enforced, *self.following[0]}
-        return tuple(k for k, _ in enumerate(self.holonomic) if k not in known)
+        return tuple(k for k, _ in enumerate(self.holonomic) if k not in self.places_held)
 
     @cached_property
     def left_out(self) -> tuple[tuple[Any, ...], tuple[Any, ...]]:

@@ -93,7 +93,7 @@ class Equations:
         made = model.latest.setdefault("points", {})
         own = cls(graph, [], [], [], atoms, assembly.given, made)
         x = [graph.input("x", k) for k in range(nq + nu)]
-        places, motion = [assembly.holonomic[k] for k in equations.enforced], assembly.velocity
+        places, motion = [assembly.holonomic[k] for k in equations.places_held], assembly.velocity
         if motion:
             forces = equations.constraint_forces.unbalanced(definition.forces)
             unbalanced = own.read(graph, forces, "the equations of motion")

@@ -83,14 +83,18 @@ class Phases:
             for k, (link, (before, after)) in enumerate(zip(given, pairwise(problems), strict=True))
         ]
         self._problems = [problems[0]]
-        for problem, link in zip(problems[1:], self._links, strict=True):
-            other = copy(problem)
-            other._start = {
-                s: _OPEN if s in link and s not in problem._begins else limits
-                for s, limits in problem._start.items()
-            }
+        for k, problem in enumerate(problems[1:]):
+            other, link = copy(problem), self._links[k]
             # The end of a phase satisfies the constraints, which need not hold after a link.
             follow = _followers(self._problems[-1], problem, link)
+            equations, solved = problem._now.definition.equations, set[Any]()
+            if follow < len(equations.places_held):  # residuals give other unknowns then
+                solved = {equations.coordinates[z] for z in equations.following[1]}
+            other._start = {
+                s: _OPEN if s in {*link, *solved} and s not in problem._begins else limits
+                for s, limits in problem._start.items()
+            }
+            self._links[k] = {s: e for s, e in link.items() if s not in solved or e != s}
             other._problem = replace(problem._problem, constraints=problem._held[follow:])
             self._problems.append(other)
 

@@ -525,8 +525,8 @@ class OptimalControl:
         dependent = [states.index(s) for s in equations.dependent_coordinates]
         if dependent and set(dependent) <= set(moving):
             moving = dependent  # the others keep their straight lines
-        if equations.enforced and moving:
-            follow_constraints(made, begin, moving, len(equations.enforced))
+        if equations.places_held and moving:
+            follow_constraints(made, begin, moving, len(equations.places_held))
         x = made.split(begin)[0]  # which is a view
         for row in x if slopes.any() else ():
             row[slopes] = np.gradient(row[~slopes], made.mesh * duration)
@@ -772,7 +772,7 @@ def labels_of(definition: Any) -> tuple[tuple[str, ...], tuple[str, ...]]:
         for part in (equations.coordinates, equations.speeds, definition.auxiliaries)
     )
     constraints = (
-        *(f"constraint {k} of positions" for k in equations.enforced),
+        *(f"constraint {k} of positions" for k in equations.places_held),
         *(f"constraint {k} of velocities" for k in range(len(equations.velocity))),
     )
     labels = (
