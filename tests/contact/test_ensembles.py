@@ -112,3 +112,32 @@ def test_a_sample_that_begins_below_the_floor_is_told_and_others_go_on():
     assert result.status.values.tolist() == [0, 9]
     assert np.isnan(result["y"].values[1]).all()
     assert np.isfinite(result["y"].values[0]).all()
+
+
+@pytest.mark.parametrize("what", ["restitution", "gap", "hypothesis", "events", "masses"])
+def test_a_store_belongs_to_its_contacts(what, tmp_path):
+    def contacts(what=""):
+        weight = 2.0 if what == "masses" else 1.0
+        rail = Definition(N, [x, y], [vx, vy], bodies=[
+            me.Particle("a", O.locatenew("A", x*N.x), 1.0),
+            me.Particle("b", O.locatenew("B", y*N.x), weight),
+        ])  # fmt: skip
+        system = System(rail, initial_conditions={x: 0.0, y: 1.0, vx: 2.0}, ode_solver="dop853",
+                        times=np.linspace(0.0, 1.0, 3))  # fmt: skip
+        gap = Unilateral(y - x - (0.5 if what == "gap" else 0),
+                         restitution=e**2 if what == "restitution" else e)  # fmt: skip
+        poisson = "poisson" if what == "hypothesis" else "newton"
+        return Contacts(system, [gap], {e: 0.5}, hypothesis=poisson)
+
+    def run(what="", **options):
+        made = contacts(what)
+        seen = Event(x - 0.2, terminal=what == "events")
+        return made.system.integrate_ensemble(
+            contacts=made, constants={e: [0.2, 0.8]}, events=seen, chunks=1,
+            store=tmp_path / "found.zarr", **options,
+        )  # fmt: skip
+
+    first = run().load()
+    assert run(resume=True).load().equals(first)
+    with pytest.raises(ValueError, match="was written by another ensemble: its equations, contac"):
+        run(what, resume=True)

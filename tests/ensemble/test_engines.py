@@ -27,6 +27,15 @@ def test_the_size_of_chunks_changes_no_bit(reference, chunks):
     identical(lazy.compute(scheduler="threads"), whole)
 
 
+def test_arrays_that_change_before_it_is_computed_change_nothing(reference):
+    system, values, whole = reference
+    own = {key: {s: np.array(v) for s, v in part.items()} for key, part in values.items()}
+    lazy = system.integrate_ensemble(**own, chunks=20)
+    for array in (v for part in own.values() for v in part.values()):
+        array[...] = 0.5
+    identical(lazy.compute(scheduler="threads"), whole)
+
+
 def test_a_product_is_computed_in_blocks_of_its_dimensions(reference):
     system, _, _ = reference
     grid = {

@@ -310,6 +310,34 @@ def test_values_of_one_call_are_solved_for():
     np.testing.assert_allclose(rates[-2:], [-12.0, 0.0], atol=1e-12)
 
 
+def test_values_of_one_call_are_solved_for_with_the_numbers_of_the_call():
+    system, other = pulled(), pulled()
+    other.constants[A] = 1.5
+    for x in (None, {X: 7.0}):
+        for theme in ("evaluate_ode", "evaluate_outputs", "evaluate_jacobian"):
+            found, expected = (getattr(system, theme)(x, p={A: 1.5}), getattr(other, theme)(x))
+            np.testing.assert_allclose(found, expected, rtol=1e-9, atol=1e-9)
+    whole = np.array([2.5, 1.0, 0.4, 0.1, -0.3])  # is taken as it is
+    assert system.evaluate_constraints(whole, p={A: 1.5}) == pytest.approx(
+        residual_at(2.5, 1.0, 0.4, 1.5, 1.0)
+    )
+    along = system.eigenvalues({A: [1.5, 2.0]}, at={X: 2.5}).eigenvalues
+    np.testing.assert_allclose(along[0], other.linearize({X: 2.5}).eigenvalues, atol=1e-9)
+
+
+def test_the_unknowns_are_those_of_the_time_of_the_call():
+    frame, bodies, _, _ = point()
+    time = me.dynamicsymbols._t
+    loads = [(bodies[0].masscenter, -E * frame.x)]
+    late = System(
+        Definition(frame, [X, Y], [V, W], bodies=bodies, loads=loads), {M: 1.0},
+        implicit=Implicit({E: E + E**3 - X - time}), initial_conditions={X: 1.0},
+    )  # fmt: skip
+    assert late.evaluate_ode({X: 7.0}, t=3.0)[-2] == pytest.approx(-2.0)
+    slope = late.linearize({X: 7.0}, t=3.0).A[2]
+    np.testing.assert_allclose(slope, [-1 / 13, 0, 0, 0], atol=1e-9)
+
+
 def test_linear_models_leave_out_what_follows():
     model = pulled(initial_conditions={X: 2.0}).linearize()
     assert model.states == ("x", "y", "v", "w")

@@ -154,6 +154,7 @@ class LinearModels(Setup):
         names = unique_names(definition.states)
         made = driven(now.model, definition, plan, perturbed=True)
         point = Point(definition, made, t, x, plan.rows(x, t), p, plan)
+        point = point.with_unknowns(at, plan.rows)
         value, slopes, blocks = point.value, point.slopes, point.blocks
         n, s = len(definition.states), len(definition.specifieds)
         T, free = point.tangents()

@@ -170,7 +170,7 @@ class _Axes:
             for d in dims:
                 if d in value.coords and value.coords[d].ndim == 1:
                     own = value.coords[d]
-                    self._label(what, d, Variable((d,), np.asarray(own), dict(own.attrs)))
+                    self._label(what, d, Variable((d,), np.array(own), dict(own.attrs)))
         else:
             array = real_array(value, what)
             if array.ndim > 1:
@@ -280,12 +280,12 @@ def _columns(
 
 
 def _aligned(columns: list[tuple[Any, Any]], dims: Mapping[str, int]) -> tuple[np.ndarray, ...]:
-    """Return arrays with one axis for each dimension, in order."""
+    """Return own arrays, which are computed with later, with one axis for each dimension."""
     result = []
     for own, values in columns:
         order = [own.index(d) for d in dims if d in own]
         shape = [dims[d] if d in own else 1 for d in dims]
-        result.append(np.transpose(values, order).reshape(shape))
+        result.append(np.array(np.transpose(values, order).reshape(shape)))
     return tuple(result)
 
 

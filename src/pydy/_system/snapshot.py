@@ -70,12 +70,24 @@ class At:
     t: np.ndarray  # (m,)
     x: np.ndarray  # (m, n)
     r: np.ndarray  # (m, s), or (1, s) for all states alike
-    p: np.ndarray  # (k,)
+    p: np.ndarray  # (k,), or (m, k)
 
     def some(self, places: Any) -> Self:
         """Return the same at some of the states, by their places."""
         r = self.r[places] if len(self.r) > 1 else self.r
-        return replace(self, t=self.t[places], x=self.x[places], r=r)
+        p = self.p[places] if self.p.ndim > 1 else self.p
+        return replace(self, t=self.t[places], x=self.x[places], r=r, p=p)
+
+    def with_unknowns(self, given: Any, rows: Callable[..., np.ndarray]) -> Self:
+        """Return the same with what the residuals of an `Implicit` give for these numbers.
+
+        A whole state that is `given` is taken as it is; `rows(x, t)` returns the specifieds.
+        """
+        whole = not (given is None or isinstance(given, Mapping))
+        if whole or self.definition.equations.implicit is None:
+            return self
+        x = np.array([solved_residuals(self.some([k])) for k in range(len(self.x))])
+        return replace(self, x=x, r=rows(x, self.t))
 
     def evaluate(self, kernel: Kernel) -> np.ndarray:
         """Return the flat outputs of a Kernel, shape (m, o)."""
@@ -235,10 +247,7 @@ class Snapshot:
     def x_with(self, x: Any, argument: str = "x") -> Any:
         """Return states; a dictionary gives some of the initial conditions instead."""
         if isinstance(x, Mapping):
-            found = self.definition.places["states"].read(argument, x, self.x)
-            if self.definition.equations.implicit is None:
-                return found
-            return solved_residuals(self.at(np.array([self.t]), found[None]))
+            return self.definition.places["states"].read(argument, x, self.x)
         self.definition.places["states"].check_order(x, argument)
         return x
 

@@ -247,7 +247,7 @@ class Sweeps(Setup):
         """
         now = self._now()
         definition = now.definition
-        at = now.x_with(at, "at")
+        given_at, at = at, now.x_with(at, "at")
         if at is not None:
             t = np.zeros(len(at)) if np.ndim(at) == 2 else None
             at, _, single = samples(at, t, lambda: now.x, now.times, len(definition.states))
@@ -262,7 +262,10 @@ class Sweeps(Setup):
                     f"`over`, got {len(at)}."
                 )
             family = Family(now, parameter, unknowns, given, moving)
-            given_z = family.unknowns_at(values, np.broadcast_to(at, (len(values), at.shape[-1])))
+            at = np.broadcast_to(at, (len(values), at.shape[-1]))
+            point = family.balance.at(family.unknowns_at(values, at))
+            at = point.with_unknowns(given_at, lambda x, t: point.r).x
+            given_z = family.unknowns_at(values, at)
             models = family.at
         else:
             family = Family(now, parameter, unknowns, given, moving)

@@ -201,18 +201,23 @@ def sweep(
     if r is None or callable(r) or isinstance(r, Mapping):
         plan = now.plan_with(r)
         plan.check_times(instants, "times" if t is None else "t")
-        rows = plan.rows(states, instants)
+        rows = plan.rows
         model = driven(model, definition, plan, perturbed=perturbed)
     else:
-        rows = specified_rows(r, instants, len(definition.specifieds))
-    at = At(definition, model, instants, states, rows, now.p_with(p))
+        numbers = specified_rows(r, instants, len(definition.specifieds))
+
+        def rows(x: np.ndarray, t: np.ndarray) -> np.ndarray:
+            return numbers
+
+    at = At(definition, model, instants, states, rows(states, instants), now.p_with(p))
+    at = at.with_unknowns(x, rows)
     if look is not None:
         look(at)
     made = kernel(model)
     try:
         out = at.evaluate(made) if vectors is None else _beside(at, made, vectors)
     except SingularMatrixError as error:
-        k = int((states == error.state).all(axis=1).argmax())
+        k = int((at.x == error.state).all(axis=1).argmax())
         explain(error, lambda t, x: at.some([k]))
         raise
     out = out.reshape(len(out), *made.program.blocks[0].shape)

@@ -355,6 +355,13 @@ class Motions:
         self._states, self._constants = definition.states, definition.constants
         self._varied = {definition.specifieds[k]: k for k in columns}
 
+    @property
+    def identity(self) -> Any:
+        """What tells them from others of the same equations, numbers and options."""
+        events = [(e.name, e.expression, e.direction, e.terminal) for e in self._given]
+        held = self.options.get("constraints")
+        return self.contacts.hypothesis, events, held, self.contacts._now()[1].rows.identity
+
     def __call__(
         self, x: np.ndarray, r: np.ndarray, p: np.ndarray, times: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray, dict[str, Any]]:

@@ -175,6 +175,17 @@ class ContactRows:
             for c in self.contacts
         ]
 
+    @property
+    def identity(self) -> Any:
+        """What tells the rows from others: their nodes, numbered when they were read."""
+        g, groups = self.graph, (self.jacobian, self.moves, self.formed.matrix)
+        parts = (self.gaps, self.speeds, self.drift, self.free, *(r for own in groups for r in own))
+        parts += (self.mu, self.static, self.restitution, self.pressed)
+        nodes = [(n, g.ops[n], g.args[n]) for n in g.reachable([n for part in parts for n in part])]
+        inputs = [[*map(str, own)] for own in (self.formed.constants, self.formed.specifieds)]
+        names = [(c.name, c.kind, c.stick is not None and c.stick.plane) for c in self.contacts]
+        return names, inputs, nodes, [list(part) for part in parts]
+
     def _smooth(self, what: str, expression: Any, slopes: bool) -> Any:
         """Return an expression as it may be differentiated, or say what jumps in it."""
         moving = (self.equations.time, *self.equations.coordinates, *self.equations.speeds)

@@ -142,6 +142,10 @@ class Motions(Protocol):
 
     events: tuple[str, ...]  # their names; records hold the places
 
+    @property
+    def identity(self) -> Any:
+        """What tells them from others, besides the Programs, numbers and options."""
+
     def __call__(
         self, x: np.ndarray, r: np.ndarray, p: np.ndarray, times: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray, dict[str, Any]]:

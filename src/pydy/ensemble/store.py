@@ -127,6 +127,7 @@ def token_of(work: Work, samples: Samples, sizes: Sequence[int], name: str = "")
             [(n, c.dims, c.values) for n, c in samples.coordinates.items()],
             [(c, s.breaks, s.values, s.interpolation) for c, s in model.sampled],
             None if beside is None else beside.identity,
+            None if model.motions is None else model.motions.identity,
         )
     )
 
@@ -152,9 +153,9 @@ def check(path: str, token: str, resume: bool) -> bool:
         attrs = {}
     if attrs.get(_TOKEN) != token:
         raise ValueError(
-            f"`store` '{path}' was written by another ensemble: its equations, numbers, options, "
-            "`reduce`, `chunks` or functions differ, or it is not the store of an ensemble, or its "
-            "`zarr.json` is damaged. Pass another path. If only the code of functions differs, but "
+            f"`store` '{path}' was written by another ensemble: its equations, contacts, numbers, "
+            "options, `reduce`, `chunks` or functions differ, or it is not the store of an ensemble, "
+            "or its `zarr.json` is damaged. Pass another path. If only the code of functions differs, but "
             "not their results, name them yourself in both calls, resume='name', instead of True."
         )
     kept, found = attrs.get(_CHECKSUMS, {}), _checksums(path)
@@ -233,7 +234,7 @@ def create(
                 raise
             raise ValueError(
                 f"`store` must be a new path, but another process has made '{path}' meanwhile. "
-                "Pass resume=True in both, or another path in one of them."
+                "Call again with resume=True, or pass another path."
             ) from None
 
 
