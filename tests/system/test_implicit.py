@@ -377,6 +377,14 @@ def test_exports_have_the_state_that_follows(tmp_path):
     np.testing.assert_allclose(names["rates"](0.0, state), system.evaluate_ode(state), rtol=1e-12)
 
 
+def test_exports_refuse_resets_that_residuals_would_follow(tmp_path):
+    system = pulled()
+    system.export(tmp_path / "model.py", events=Event(X - 2.5, reset={V: -V}))
+    for state in (X, E):
+        with pytest.raises(ValueError, match="`step` resets .*, which the residuals of `implicit`"):
+            system.export(tmp_path / "model.js", events=Event(X, reset={state: 0.1}, name="step"))
+
+
 def test_a_system_is_pickled_with_them():
     system = pulled()
     other = pickle.loads(pickle.dumps(system.simulate()))

@@ -17,6 +17,7 @@ from pydy._assembly.model import stored_program
 from pydy._assembly.specifieds import followed
 from pydy._checks import Places, choice, describe, file_of, listed, text
 from pydy._graph.program import Program
+from pydy._mechanics.symbols import find_symbols
 from pydy._names import name_of, unique_names
 from pydy._system.dependents import latest_dependents
 from pydy._system.setup import Setup
@@ -31,6 +32,7 @@ from pydy.codegen.arguments import SpecifiedsPlan
 
 if TYPE_CHECKING:
     from pydy.export import Exported, Model
+    from pydy.solvers.events import Event
     from pydy.viz.live import LiveSystem
 
 
@@ -92,6 +94,22 @@ def _constraint_sizes(definition: Definition) -> dict[str, int]:
         "speeds": len(equations.speeds),
         "weighted": int(mechanism is not None and bool(mechanism.bodies)),
     }
+
+
+def _check_resets(definition: Definition, events: Sequence[Event]) -> None:
+    """Refuse resets after which residuals give other unknowns: exported code does not solve."""
+    implicit = definition.equations.implicit
+    if implicit is None:
+        return
+    held = {*find_symbols(map(definition.equations.in_states, implicit.residuals.values()))}
+    for event in events:
+        if moved := [s for s in event.reset if s in held]:
+            raise ValueError(
+                f"`events`: `{event.name}` resets {describe(moved)}, which the residuals of "
+                "`implicit` hold. They give other values then, but exported code does not solve "
+                "them. Leave the event out, or make it terminal without a reset and begin again "
+                "with values that fit."
+            )
 
 
 def _block_program(assembly: Assembly, name: str) -> Program:
@@ -222,6 +240,7 @@ class Exporting(Setup):
             every = with_all(now.driven, definition).assembly
             builders["projection"] = stored(what, projection_program, every)
         checked = check_events(events, definition.places["states"]) if events is not None else ()
+        _check_resets(definition, checked)
         if checked:
             expressions = tuple(event.expression for event in checked)
             resets = [e.reset.get(s, s) for e in checked for s in definition.states]

@@ -154,9 +154,10 @@ def check(path: str, token: str, resume: bool) -> bool:
     if attrs.get(_TOKEN) != token:
         raise ValueError(
             f"`store` '{path}' was written by another ensemble: its equations, contacts, numbers, "
-            "options, `reduce`, `chunks` or functions differ, or it is not the store of an ensemble, "
-            "or its `zarr.json` is damaged. Pass another path. If only the code of functions differs, but "
-            "not their results, name them yourself in both calls, resume='name', instead of True."
+            "options, `reduce`, `chunks` or functions differ, or it is not the store of an "
+            "ensemble, or its `zarr.json` is damaged. Pass another path. If only the code of "
+            "functions differs, but not their results, name them yourself in both calls, "
+            "resume='name', instead of True."
         )
     kept, found = attrs.get(_CHECKSUMS, {}), _checksums(path)
     if wrong := [name for name in (*kept, *found) if kept.get(name) != found.get(name)]:
