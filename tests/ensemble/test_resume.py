@@ -221,7 +221,9 @@ def test_a_store_that_another_process_made_meanwhile_stays(system, tmp_path, mon
         (path / "results").write_text("of another process")
 
     monkeypatch.setattr(stores, "write_coordinates", raced)
-    with pytest.raises(ValueError, match=r"another process has made '.*s\.zarr' meanwhile\. Call again"):
+    with pytest.raises(
+        ValueError, match=r"another process has made '.*s\.zarr' meanwhile\. Call again"
+    ):
         run(system, path)
     assert (path / "results").read_text() == "of another process"
 

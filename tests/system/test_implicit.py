@@ -381,7 +381,9 @@ def test_exports_refuse_resets_that_residuals_would_follow(tmp_path):
     system = pulled()
     system.export(tmp_path / "model.py", events=Event(X - 2.5, reset={V: -V}))
     for state in (X, E):
-        with pytest.raises(ValueError, match="`step` resets .*, which the residuals of `implicit`"):
+        with pytest.raises(
+            ValueError, match=r"`step` resets .*, which the residuals of `implicit`"
+        ):
             system.export(tmp_path / "model.js", events=Event(X, reset={state: 0.1}, name="step"))
 
 
