@@ -349,6 +349,20 @@ def test_events_see_what_residuals_give():
     assert record.before[2] == pytest.approx(1.0, abs=1e-10)
 
 
+@pytest.mark.parametrize("direction", [0, -1, 1])
+def test_a_reset_may_lead_what_residuals_give_to_the_other_side(direction):
+    frame, bodies, _, _ = point()
+    moved = System(
+        Definition(frame, [X, Y], [V, W], bodies=bodies), {M: 1.0}, ode_solver="dop853",
+        implicit=Implicit({E: E + E**3 - X}), initial_conditions={V: 1.0}, times=[0.0, 3.0, 4.75],
+    )  # fmt: skip
+    back = Event(E - 1.0, direction=direction, reset={X: X - 1.5})
+    trajectory = moved.simulate(events=[back], **TIGHT)
+    times = [] if direction < 0 else [2.0, 3.5]
+    assert [e.time for e in trajectory.events] == pytest.approx(times)
+    assert trajectory["x"][-1] == pytest.approx(4.75 - 1.5 * len(times))
+
+
 def test_contacts_close_on_a_curved_surface():
     """A particle falls on the crest of an ellipse: the gap is the distance to it."""
     normal = sm.Matrix([sm.cos(E) / A, sm.sin(E) / B])

@@ -143,7 +143,8 @@ class _Fit:
         now, argument = self.now, f"initial_conditions of {d.label}"
         states = now.definition.places["states"]
         x = now.x_with(check_mapping(argument, d.trial.initial_conditions), argument)
-        return dict(zip(states.symbols, x.tolist(), strict=True))
+        start = now.at(np.array([d.start]), x[None]).with_unknowns({}, now.plan.rows)
+        return dict(zip(states.symbols, start.x[0].tolist(), strict=True))
 
     def _split(self, d: Data, segments: int) -> list[_Part]:
         m = len(d.times)

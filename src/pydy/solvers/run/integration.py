@@ -442,15 +442,13 @@ class Integration:
             after, n = before, self.states
             if wanted.resetting[k] and wanted.resets is not None:
                 after = call.evaluate(wanted.resets, before, t)[k * n : (k + 1) * n]
-                was, values = (call.evaluate(wanted.values, x, t) for x in (before, after))
-                bounds = call.evaluate(wanted.rates, after, t)[len(values) : 2 * len(values)]
-                off = (values != was) & (np.abs(values) > 8.0 * ROUNDING * bounds)
-                zero.difference_update(np.flatnonzero(off).tolist())
             if not np.isfinite(after).all():
                 self._stop(RESET_NOT_FINITE, event=wanted.names[k], state=after[:n])
             following = np.concatenate([after[:n], before[n:]])
             if wanted.resetting[k] and (held := self.options.constraints) is not None:
                 self._project(following, held, RESET_OFF_CONSTRAINTS, event=wanted.names[k])
+            if wanted.resetting[k]:
+                zero -= self._left(before, after[:n], following)
             self.records.append(self._record(t, k, before, following, acting=True))
             before = following
             if beside is not None:
@@ -471,6 +469,27 @@ class Integration:
             return False
         self._end(EVENTS_ACCUMULATE, event=crowded)
         return True
+
+    def _left(self, before: np.ndarray, after: np.ndarray, projected: np.ndarray) -> set[int]:
+        """Return the events that a reset leads away from zero.
+
+        They are looked at before the projection, which may move them by what is left of
+        constraints; but what a residual gives has jumped where that has.
+        """
+        wanted, held, call = self.options.events, self.options.constraints, self.call
+        assert wanted is not None
+        assert call is not None
+        t = float(self.progress.state[at.TIME])
+        if held is not None and held.following:
+            was, now = (call.evaluate(held.kernel, x, t)[: held.holonomic] for x in (before, after))
+            if (was != now).any():
+                places = list(held.following)
+                after = after.copy()
+                after[places] = projected[places]
+        was, values = (call.evaluate(wanted.values, x, t) for x in (before, after))
+        bounds = call.evaluate(wanted.rates, after, t)[len(values) : 2 * len(values)]
+        off = (values != was) & (np.abs(values) > 8.0 * ROUNDING * bounds)
+        return {*np.flatnonzero(off).tolist()}
 
     def stretches(self) -> list[str]:
         """Tell the events whose expressions stayed at zero, where no sign tells the time."""
