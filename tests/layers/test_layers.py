@@ -248,6 +248,27 @@ def test_after_a_terminal_event_states_are_nan_and_the_last_is_that_of_the_event
     close(many[2, 0], np.cos(0.3), 1e-8)
     with pytest.raises(Exception, match="a terminal event ended the motion"):
         library.jvp(lambda k: layer.final(p={"k0": k}), library.array(1.0), library.array(1.0))
+    several = library.array([1.0, 0.01])  # the first ends at π/2, the second goes on
+    with pytest.raises(Exception, match="a terminal event ended the motion"):
+        library.jvp(lambda k: layer.final(p={"k0": k}), several, several)
+    rows = library.grad(lambda k: layer.simulate(p={"k0": k})[:, 2, 0].sum(), several)
+    close(rows, [-0.5 * np.sin(1.0), -5.0 * np.sin(0.1)], 1e-8)
+
+
+@pytest.mark.filterwarnings("ignore:.*accumulate")
+def test_where_events_accumulate_the_last_state_is_that_of_one_alone(library):
+    y, v = me.dynamicsymbols("y v")
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    ball = origin.locatenew("P", y * frame.y)
+    definition = Definition(frame, [y], [v], bodies=[me.Particle("b", ball, 1)],
+                            loads=[(ball, -sm.Symbol("g") * frame.y)])  # fmt: skip
+    system = System(definition, initial_conditions={y: 1.0}, times=[0.0, 6.0],
+                    ode_solver="dop853")  # fmt: skip
+    bounce = Event(y, direction=-1, reset={v: -v / 2})
+    layer = library.layer(system, events=[bounce], **TIGHT)
+    found = np.asarray(layer.final(p={"g": library.array([9.81, 9.81])}))
+    np.testing.assert_allclose(found, 0.0, atol=1e-9)
 
 
 def test_a_sample_that_fails_is_nan_among_others(library):

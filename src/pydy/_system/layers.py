@@ -24,7 +24,7 @@ from pydy._system.solving import native_solver
 from pydy.codegen.arguments import SpecifiedsPlan
 from pydy.inputs import SampledInput
 from pydy.layers.layer import Function, Layer, Part
-from pydy.solvers.outcome import TERMINATED
+from pydy.solvers.outcome import EVENTS_ACCUMULATE, TERMINATED
 
 _KINDS = {"x": "states", "r": "specifieds", "p": "constants"}
 
@@ -279,8 +279,7 @@ class _Motion:
                 found = self._ensemble(flat)
                 states = np.stack([found[name].values for name in self._names], axis=-1)
                 values = states[:, -1].copy() if self._final else states
-                ended = self._final & (found["status"].values == TERMINATED)
-                rest = np.flatnonzero(ended).tolist()
+                rest = np.flatnonzero(self._late(found)[:, -1] & self._final).tolist()
             else:
                 values, rest = np.empty((m, *self.shape)), [*range(m)]
             for k in rest:
@@ -295,6 +294,12 @@ class _Motion:
             if not lead:
                 raise
             return np.nan
+
+    def _late(self, found: Any) -> np.ndarray:
+        """Return which times of an ensemble's samples are behind their last event, (m, times)."""
+        ended = np.isin(found["status"].values, (TERMINATED, EVENTS_ACCUMULATE))
+        late: np.ndarray = ended[:, None] & (self._times > found["end_time"].values[:, None])
+        return late
 
     def _state(self, row: list[np.ndarray]) -> np.ndarray:
         trajectory = self._one(row)
@@ -320,6 +325,13 @@ class _Motion:
             places.append(np.concatenate(mine) if mine else np.zeros(0, dtype=int))
         return by, places
 
+    def _check_reached(self, missed: Any) -> None:
+        if missed and self._final:
+            raise ValueError(
+                "`final` goes forward to times that are given, but a terminal event ended the "
+                "motion. Use reverse derivatives: jax.grad or jax.vjp, backward() of PyTorch."
+            )
+
     def _jacobian(
         self, by: list[Any], flat: list[np.ndarray], lead: tuple[int, ...], columns: int
     ) -> np.ndarray:
@@ -328,19 +340,17 @@ class _Motion:
         if not by:
             return np.zeros((m, len(self._times), n, 0))
         if self._together(m):
-            whole = self._ensemble(flat, sensitivities=by)["sensitivity"]
-            states = whole.sel(quantity=list(self._names))
-            found: np.ndarray = states.transpose("sample", "time", "quantity", "parameter").values
-            return found
+            whole = self._ensemble(flat, sensitivities=by)
+            states = whole["sensitivity"].sel(quantity=list(self._names))
+            states = states.transpose("sample", "time", "quantity", "parameter").values
+            late = self._late(whole)
+            self._check_reached(late[:, -1].any())
+            return np.where(late[:, :, None, None], 0.0, states)
 
         def slopes(row: list[np.ndarray]) -> np.ndarray:
             values = self._one(row, by).sensitivity.values[:, :n]
             missing = len(self._times) - len(values)
-            if missing and self._final:
-                raise ValueError(
-                    "`final` goes forward to times that are given, but a terminal event ended the "
-                    "motion. Use reverse derivatives: jax.grad or jax.vjp, backward() of PyTorch."
-                )
+            self._check_reached(missing > 0)
             return np.pad(values, ((0, missing), (0, 0), (0, 0)))
 
         result = np.empty((m, len(self._times), n, columns))
