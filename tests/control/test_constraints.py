@@ -356,3 +356,31 @@ def test_a_swing_up_in_cartesian_coordinates_by_every_method():
         np.testing.assert_allclose(
             found.at(found.mesh)["x"], np.sin(best.at(found.mesh)["q"]), atol=10 * off
         )
+
+
+def rod_of_cosines(**options):
+    """A point on a circle by its direction (c, s), whose length the kinematics keep."""
+    c, s, w, F = me.dynamicsymbols("c s w F")
+    frame, origin = ground()
+    place = origin.locatenew("P", c * frame.x + s * frame.y)
+    along = -s * frame.x + c * frame.y
+    place.set_vel(frame, w * along)
+    definition = Definition(
+        frame, [c, s], [w], bodies=[me.Particle("P", place, 1)], loads=[(place, F * along)],
+        kinematic_equations=[c.diff() + s * w, s.diff() - c * w],
+        holonomic_constraints=[c**2 + s**2 - 1], dependent_coordinates=[s],
+    )  # fmt: skip
+    effort, end = sm.Integral(F**2, T), {c: 0.6, w: 0}
+    return OptimalControl(System(definition), effort, 1.0, end=end, mesh=8, **options)
+
+
+def test_what_the_motion_keeps_by_itself_holds_at_the_start():
+    found = rod_of_cosines(start={"c": 0.8, "s": 0.6, "w": 0}).solve()
+    turned = np.arccos(0.6) - np.arccos(0.8)
+    assert found.objective == pytest.approx(12 * turned**2, rel=1e-6)
+    with pytest.raises(
+        ValueError, match=r"does not satisfy the constraints: constraint 0 .* -0.11"
+    ):
+        rod_of_cosines(start={"c": 0.8, "s": 0.5, "w": 0}).check()
+    with pytest.raises(ValueError, match=r"`start` leaves out s\(t\), but what would give them"):
+        rod_of_cosines(start={"c": 0.8, "w": 0}).check()

@@ -40,8 +40,10 @@ from pydy._graph.operations import with_operands
 from pydy._graph.passes.factor import factor_sums
 from pydy._graph.program import Program
 from pydy._graph.rewrite import substitute
+from pydy._graph.rounding import rounding_bounds
 from pydy._graph.simplify import simplify
 from pydy._kernel import Kernel
+from pydy._rank import DIGITS
 from pydy.control.tuning import KEPT
 
 _LANES = 8  # points that one call of the machine code takes
@@ -149,6 +151,21 @@ class Equations:
         atoms = {**self.atoms, duration: graph.input("T", 0)}
         nodes = SymPyReader(graph, atoms, what).all(list(expressions))
         return substitute(graph, nodes, self.given)
+
+
+def violated(at: Any) -> dict[int, float]:
+    """Return what the motion keeps by itself, as norms of quaternions, where it is not zero.
+
+    `at` is a start; the residuals of these holonomic constraints come by their places.
+    """
+    found = at.values(_holonomic) if (places := at.definition.equations.unimplied) else {}
+    rows = {k: [float(found[name][0, k]) for name in ("rows", "bounds")] for k in places}
+    return {k: value for k, (value, bound) in rows.items() if abs(value) > DIGITS * bound}
+
+
+def _holonomic(assembly: Any) -> dict[str, list[int]]:
+    rows = assembly.holonomic
+    return {"rows": rows, "bounds": rounding_bounds(assembly.graph, rows)}
 
 
 class Point:

@@ -30,7 +30,7 @@ from pydy.control.guess import (
     swept,
 )
 from pydy.control.ipopt import SOLVED, Iteration, Solution
-from pydy.control.kernel import Equations
+from pydy.control.kernel import Equations, violated
 from pydy.control.limits import Limit, limit
 from pydy.control.nlp import Nlp
 from pydy.control.phases import Phases
@@ -415,10 +415,23 @@ class OptimalControl:
 
     def _check_start(self, made: Transcription, z: np.ndarray) -> None:
         """Refuse a start that violates the constraints, or that they do not determine."""
+        states = self._now.definition.states
+        if self._fixed and not self._free:
+            at = self._now.at(np.zeros(1), np.array([[self._start[s][0] for s in states]]))
+            for k, value in violated(at).items():
+                raise ValueError(
+                    f"The start does not satisfy the constraints: constraint {k} of positions is "
+                    f"{value:.3g}."
+                )
         if not self._problem.equations.constraints:
+            if self._following:
+                raise ValueError(
+                    f"`start` leaves out {describe(self._following)}, but what would give them is "
+                    "kept by the motion alone. Give all states in `start`."
+                )
             return
         begin = made.beginning()
-        rows, states = np.empty((begin.rows, 1)), self._now.definition.states
+        rows = np.empty((begin.rows, 1))
         X, P, f = z[begin.at], begin.constants, begin.functions
         f("rows", X, begin.data, P, rows)
         J = np.zeros((begin.rows, len(X)))
