@@ -325,6 +325,15 @@ def test_values_of_one_call_are_solved_for_with_the_numbers_of_the_call():
     np.testing.assert_allclose(along[0], other.linearize({X: 2.5}).eigenvalues, atol=1e-9)
 
 
+def test_terms_of_the_equations_are_those_at_what_residuals_give():
+    system = pulled()
+    other = pulled(initial_conditions={X: 7.0, Y: 1.0})
+    other.constants[A] = 1.5
+    start = other.simulate(**TIGHT).states[0]
+    expected = other.bias(start[:3], start[3:])
+    np.testing.assert_allclose(system.bias({X: 7.0}, {W: 0.0}, p={A: 1.5}), expected)
+
+
 def test_the_unknowns_are_those_of_the_time_of_the_call():
     frame, bodies, _, _ = point()
     time = me.dynamicsymbols._t

@@ -187,6 +187,8 @@ class Quantity:
         def look(state: At) -> None:
             _warn_of_rest(state, kernel(state.model).program, at.left)
 
+        equations = now.definition.equations
+        unknown = {k for _, places in equations.residual_blocks for k in places}
         out = sweep(
             now,
             kernel,
@@ -197,7 +199,8 @@ class Quantity:
             p,
             perturbed=any(group == "r" for group, _ in by),
             vectors=at.a,
-            look=look if now.definition.equations.constrained else None,
+            look=look if equations.constrained else None,
+            solve=unknown <= at.left[0],
         )
         return out.reshape(*at.x.shape[:-1], *shape)
 

@@ -188,11 +188,13 @@ def sweep(
     perturbed: bool = False,
     vectors: np.ndarray | None = None,
     look: Callable[[At], None] | None = None,
+    solve: bool = False,
 ) -> np.ndarray:
     """Evaluate a Kernel at one state or several, with the defaults of the evaluations.
 
     `names` returns those of the result's rows; `vectors`, (1, k) or (m, k), are inputs after r;
-    `look` is called with what is evaluated.
+    `look` is called with what is evaluated. With `solve`, what residuals give is solved for in
+    whole states too.
     """
     model, definition = now.model, now.definition
     states, instants, single = samples(
@@ -210,7 +212,7 @@ def sweep(
             return numbers
 
     at = At(definition, model, instants, states, rows(states, instants), now.p_with(p))
-    at = at.with_unknowns(x, rows)
+    at = at.with_unknowns(None if solve else x, rows)
     if look is not None:
         look(at)
     made = kernel(model)
