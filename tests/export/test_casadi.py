@@ -8,6 +8,7 @@ import sympy.physics.mechanics as me
 from _mechanics.test_nearly_singular import truss
 from exported_models import ball, hostile, pendulum
 from pydy import System
+from pydy.mechanics import Definition
 
 casadi = pytest.importorskip("casadi")
 
@@ -109,3 +110,24 @@ def test_expressions_of_users_with_conditions(tmp_path):
     for x in ([0.5, 0.3], [0.1, -0.3], [-0.5, -0.3]):
         found = values(names, x)("rates")[:, 0]
         np.testing.assert_allclose(found, system.evaluate_ode(np.array(x)), rtol=1e-12)
+
+
+def test_redundant_constraints_are_refused(tmp_path):
+    x, y, q, vx, vy, u = me.dynamicsymbols("x y q vx vy u")
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    place = origin.locatenew("P", x * frame.x + y * frame.y)
+    rows = [x - sm.sin(q), y + sm.cos(q), x**2 + y**2 - 1]
+    made = [
+        Definition(
+            frame, [x, y, q], [vx, vy, u], bodies=[me.Particle("p", place, 1)],
+            loads=[(place, -10 * frame.y)], holonomic_constraints=own,
+            configuration={q: 0.5, x: 0.48, y: -0.88},
+        )
+        for own in (rows[:2], rows)
+    ]  # fmt: skip
+    state = [np.sin(0.5), -np.cos(0.5), 0.5, 0.0, 0.0, 0.0]
+    rates = values(module(System(made[0]), tmp_path), state)("rates")
+    assert rates[-1] == pytest.approx(-10 * np.sin(0.5))
+    with pytest.raises(ValueError, match="`target='casadi'` needs constraints that are indep"):
+        System(made[1]).export(tmp_path / "other.py", target="casadi")

@@ -539,6 +539,12 @@ def test_the_norm_of_a_quaternion_is_held_in_sensitivities():
     names = [str(next(iter(system.constants_symbols)))]
     held = system.simulate(sensitivities=names, constraints="project", rtol=1e-5, atol=1e-5)
     assert off_the_constraints(system, held, names) < 1e-12
+    # No speed changes the norm: its row is rounding, which an adjoint must not take for one.
+    system.initial_conditions = {"e0": 1.0, "w1": 1.0, "w2": 2.0, "w3": 0.3}
+    options = {"constraints": "project", "rtol": 1e-9, "atol": 1e-9}
+    forward = system.simulate(sensitivities=["w1"], **options).sensitivity["e1", "w1"][-1]
+    backward = system.adjoint_gradient(["w1"], final="e1", **options)["w1"]
+    assert backward == pytest.approx(forward, rel=1e-6)
 
 
 @pytest.mark.parametrize("speed", [1e-9, 1.0, 1e9])

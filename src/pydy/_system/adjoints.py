@@ -27,7 +27,7 @@ from pydy._graph.program import Program
 from pydy._graph.simplify import simplify
 from pydy._kernel import Inputs, Kernel, KernelCall
 from pydy._optional import progress_of
-from pydy._rank import DEPENDENT, or_one
+from pydy._rank import DEPENDENT, is_zero, or_one
 from pydy._system.causes import explain
 from pydy._system.jumps import node_of, warn_of_jumps
 from pydy._system.parameters import Parameter, by_samples, marker
@@ -133,7 +133,10 @@ class Projections:
         if h:
             gradient = part["gradient"].reshape(h, q)
             reach = part["kinematics"].reshape(q, u) @ inverse
-            correction = reach @ _least(gradient @ reach)
+            terms = np.linalg.norm(np.abs(gradient) @ np.abs(reach), axis=1)
+            moved = gradient @ reach
+            moved[is_zero(np.linalg.norm(moved, axis=1), terms)] = 0.0
+            correction = reach @ _least(moved)
             # Rows that no speed reaches.
             correction = correction + _least(gradient) @ (np.eye(h) - gradient @ correction)
             multipliers[:h] = correction.T @ adjoint[:q]

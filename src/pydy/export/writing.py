@@ -14,7 +14,7 @@ from pydy._backends.writer import Dialect, Template, Writer, stages
 from pydy._checks import Check, checked, flag, one_of
 from pydy._files import write_files
 from pydy._graph.interpret import constrained_sample
-from pydy._graph.operations import Operation, operands, with_operands
+from pydy._graph.operations import Operation, is_constrained, operands, with_operands
 from pydy._graph.program import Program, Tape
 from pydy._graph.tuning import numbered
 from pydy._names import nearest
@@ -108,6 +108,29 @@ _PURPOSES = {
 }
 
 
+def _refuse_redundant(program: Program) -> None:
+    """Refuse constraints of which only numbers tell which ones count, at every state."""
+    todo, seen = [*program.outputs], set()
+    while todo:
+        node = todo.pop()
+        if node in seen:
+            continue
+        seen.add(node)
+        op, args = program.ops[node], program.args[node]
+        if op != "guard":
+            todo += operands(op, args)
+            continue
+        _, entries, column, sound, fast = args
+        never = program.ops[sound] == "bool" and not program.args[sound][0]
+        if never and is_constrained(program, entries):
+            raise ValueError(
+                "`target='casadi'` needs constraints that are independent: which of the redundant "
+                "ones count is found by numbers, and an expression cannot. Leave the redundant "
+                "ones out, or use the target 'numpy' or 'jax'."
+            )
+        todo += [*entries, *column] if never else fast
+
+
 def python_source(model: Model, target: str, head: Sequence[str]) -> str:
     """Return a module for one of `DIALECTS`, with some lines at the top of its docstring."""
     names = ["rates", "outputs"]
@@ -117,6 +140,8 @@ def python_source(model: Model, target: str, head: Sequence[str]) -> str:
         names += [name for name in PARTS if name in model.builders]
     if model.events:
         names += ["events", "resets"]
+    for name in names if target == "casadi" else ():
+        _refuse_redundant(model.program(name))
     parts = {
         "HEAD": "\n".join(_harmless(line) for line in head),
         "STATES": _dictionary(model.states),
