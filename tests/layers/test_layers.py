@@ -9,7 +9,7 @@ import sympy.physics.mechanics as me
 
 from layers.libraries import Jax, Torch
 from pydy.inputs import SampledInput
-from pydy.mechanics import Definition
+from pydy.mechanics import Definition, Implicit
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from pydy.solvers import Event
 from pydy.system import System
@@ -427,3 +427,22 @@ def test_a_missing_library_is_named(monkeypatch):
         monkeypatch.setitem(sys.modules, name, None)
         with pytest.raises(ImportError, match=rf"`as_{name}` needs {name}, .* 'pydy\[{name}\]'"):
             getattr(pendulum(), f"as_{name}")()
+
+
+def test_what_residuals_give_is_no_longer_that_of_before(library):
+    x, v, z = me.dynamicsymbols("x v z")
+    k, c = sm.symbols("k c")
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    place = origin.locatenew("P", x * frame.x)
+    definition = Definition(frame, [x], [v], bodies=[me.Particle("b", place, 1)],
+                            loads=[(place, -k * z * frame.x)])  # fmt: skip
+    system = System(definition, times=[0.0, 1.0], ode_solver="dop853", initial_conditions={x: 1.0},
+                    implicit=Implicit({z: z + z**3 - x - c}))  # fmt: skip
+    layer = library.layer(system)
+    two = library.array(2.0)
+    for given in ({"x": {"x": two}}, {"p": {"c": two}}):
+        with pytest.raises(ValueError, match="`x` must be an array of whole states"):
+            layer.ode(**given)
+    close(layer.ode(p={"k": two}), [0.0, 0.0, -2.0])  # z = 1 depends on x and c
+    close(layer.ode(library.array([8.0, 2.0, 0.0]), p={"c": two})[2], -2.0)

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from pydy._assembly.specifieds import driven
-from pydy._checks import Places
+from pydy._checks import Places, describe
 from pydy._errors import IntegrationError, SingularMatrixError
 from pydy._forks import Lock
 from pydy._graph.products import derivative_program
@@ -61,9 +61,26 @@ class _Values:
         self._of = {part.group: part for part in parts}
         self._plan = _plan(now, self._of.get("r"))
         self._model = driven(now.model, now.definition, self._plan)
+        self._check_unknowns()
         self._kernel = self._model.compiled(block)
         self.shape: tuple[int, ...] = (len(self._kernel.program.outputs),)
         self._products: dict[Any, tuple[Kernel, list[Part]]] = {}
+
+    def _check_unknowns(self) -> None:
+        """Refuse to take the unknowns of an `Implicit` from before, where others follow."""
+        blocks = self.now.definition.equations.residual_blocks
+        if not blocks or ("x" in self._of and self._of["x"].whole):
+            return
+        assembly = self._model.assembly
+        g, rows = assembly.graph, [assembly.holonomic[k] for own, _ in blocks for k in own]
+        held = {g.args[n] for n in g.reachable(rows) if g.ops[n] == "input"}
+        if any((part.group, k) in held for part in self.parts for k in part.places):
+            unknowns = [self.now.definition.states[k] for _, places in blocks for k in places]
+            raise ValueError(
+                f"`x` must be an array of whole states where the values of a call change what the "
+                f"residuals of `implicit` give, {describe(unknowns)}: layers solve for that in "
+                "`simulate` and `final` alone. `evaluate_ode` and `evaluate_outputs` solve for it."
+            )
 
     def _evaluate(
         self, kernel: Kernel, given: tuple[np.ndarray, ...], more: np.ndarray | None = None
