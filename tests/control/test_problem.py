@@ -880,3 +880,11 @@ def test_a_mass_that_the_objective_drives_to_nothing_is_named(unit):
     found = OptimalControl(system, bounds={m: (0.5 * unit, 10.0 * unit)}, **problem).solve()
     assert found.constants[m] == pytest.approx(0.5 * unit, rel=1e-5)
     assert found.objective == pytest.approx(0.1875 / 4, rel=1e-5)
+
+
+def test_an_end_that_exceeds_its_own_float_is_the_end():
+    system, (_x, v, F) = optima.double_integrator()
+    for end in (2 * sm.pi, 2 * np.pi):
+        at_end = [sm.Eq(v.subs(T, end), 1)]
+        found = OptimalControl(system, energy(F), 2 * np.pi, boundary=at_end, mesh=3).solve()
+        assert found[v][-1] == pytest.approx(1.0)

@@ -499,3 +499,10 @@ def test_a_trial_may_not_have_its_own_value_of_what_all_trials_share():
     trials = [Trial(system.times, samples), Trial(system.times, samples, constants={"k0": 9.0})]
     with pytest.raises(ValueError, match=r"`constants of trial 1` gives k0 a value of its own"):
         system.fit(["k0"], trials)
+
+
+def test_trials_keep_their_own_data():
+    buffer = np.arange(3.0)
+    trial = Trial(buffer, {"x": buffer})
+    buffer[:] = 0.0
+    assert trial.times.tolist() == trial.measured["x"].tolist() == [0.0, 1.0, 2.0]

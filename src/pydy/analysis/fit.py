@@ -61,6 +61,13 @@ class Trial:
     start: float | None = None
     name: str = ""
 
+    def __post_init__(self) -> None:
+        if isinstance(self.times, np.ndarray):
+            object.__setattr__(self, "times", self.times.copy())
+        if isinstance(self.measured, Mapping):  # whose buffers may be used again
+            arrays = {k: v.copy() for k, v in self.measured.items() if isinstance(v, np.ndarray)}
+            object.__setattr__(self, "measured", {**self.measured, **arrays})
+
 
 @dataclass(frozen=True, eq=False)
 class FitResult:

@@ -15,6 +15,7 @@ from sympy.core.function import AppliedUndef
 from sympy.core.relational import Relational
 
 from pydy._checks import describe, shown
+from pydy._rank import is_zero
 from pydy.control.transcription import Condition, Instant
 
 
@@ -183,6 +184,8 @@ class Reader:
 
     def _symbol(self, kind: str, index: int, time: Any, what: str) -> Any:
         ratio = sm.simplify(sm.sympify(time) / self.duration)
+        if ratio.is_number and is_zero(complex(ratio - 1).real, 1.0):
+            ratio = sm.Integer(1)  # 2*pi is beyond its own float
         if not (ratio.is_number and ratio.is_real) or not 0 <= ratio <= 1:
             raise ValueError(
                 f"{what} has a value at the time {time}, but instants lie between 0 and "
