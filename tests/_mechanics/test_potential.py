@@ -8,7 +8,7 @@ import sympy.physics.mechanics as me
 from pydy._mechanics.definition import equations_of_definition
 from pydy._mechanics.kane import equations_of_kane
 from pydy._mechanics.potential import _Search, find_potential
-from pydy.mechanics import Definition
+from pydy.mechanics import Definition, Implicit
 from pydy.system import System
 
 Q, U = me.dynamicsymbols("x y"), me.dynamicsymbols("u v")
@@ -524,3 +524,17 @@ def test_an_anchor_that_was_given_no_velocity_stands_still_where_it_is_placed():
     long = float(length.subs(at))
     energy = 3 * (long**2 / 2 - 0.7 * long)
     assert float(found.expression.subs(at)) == pytest.approx(energy, rel=1e-12)
+
+
+def test_what_residuals_give_from_speeds_has_no_potential():
+    # The law of drag D + c D³ = v: D is no constant force.
+    x, v, drag = me.dynamicsymbols("x v D")
+    k, c = sm.symbols("k c")
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    place = origin.locatenew("P", x * frame.x)
+    body, pull = me.Particle("p", place, 1), (place, (-k * x - drag) * frame.x)
+    definition = Definition(frame, [x], [v], bodies=[body], loads=[pull])
+    system = System(definition, {k: 4.0}, implicit=Implicit({drag: drag + c * drag**3 - v}))
+    system.initial_conditions = {x: 1.0, v: 3.0}
+    assert system.evaluate_energy().potential == pytest.approx(2.0)

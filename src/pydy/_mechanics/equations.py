@@ -205,6 +205,15 @@ class Equations:
         return (*self.enforced, *self.following[0])
 
     @cached_property
+    def given_by_speeds(self) -> frozenset[Any]:
+        """The coordinates that residuals give which hold speeds: forces of friction, say."""
+        found = {*self.speeds}
+        for rows, places in self.residual_blocks:
+            if found & {*find_symbols([self.holonomic[k] for k in rows])}:
+                found.update(self.coordinates[k] for k in places)
+        return frozenset(found - {*self.speeds})
+
+    @cached_property
     def residual_blocks(self) -> list[tuple[tuple[int, ...], tuple[int, ...]]]:
         """The same in blocks, of which each follows from those before."""
         rows, places = self.following

@@ -120,7 +120,7 @@ class _Search:
     def __init__(self, equations: Equations, mechanism: Mechanism) -> None:
         self.equations, self.mechanism = equations, mechanism
         self.frame = mechanism.frame
-        self.coordinates = set(equations.coordinates)
+        self.coordinates = {*equations.coordinates} - equations.given_by_speeds
         self.energies: list[Any] = []
         self.powers: list[Any] = []  # of the loads whose energies these are
         self.fixed = cache(self._fixed)
