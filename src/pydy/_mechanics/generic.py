@@ -169,10 +169,16 @@ class GenericStates:
         """Yield the same at states at which a node is zero, too."""
         own = self.holonomic
         self.holonomic = [*own, node]
-        found = list(self.samples([*blocks, *self.closing()], trials, around=True))
-        apart = openness(found) if found else []
-        yield from (s for s, left in zip(found, apart, strict=True) if left < OPEN)
+        yield from self.kept(blocks, trials, around=True)
         self.holonomic = own
+
+    def kept(
+        self, blocks: Sequence[Block], trials: int, **options: Any
+    ) -> list[dict[str, np.ndarray]]:
+        """Return the `samples` that keep the constraints: none where none does."""
+        found = list(self.samples([*blocks, *self.closing()], trials, **options))
+        apart = openness(found) if found else []
+        return [s for s, left in zip(found, apart, strict=True) if left < OPEN]
 
     def uncertain(self, samples: Sequence[dict[str, np.ndarray]], cells: Sequence[int]) -> Any:
         """Return how far values of nodes may be from those where the constraints hold exactly.

@@ -733,7 +733,7 @@ def is_potential_of(equations: Equations, potential: Any, powers: Sequence[Any])
     # An integral of |sin(q)|, say, may hold for some turns alone.
     for far in _FAR if turned else ():
         near = dict.fromkeys(equations.coordinates, far)
-        samples += states.samples(blocks, _TRIALS, near=near)
+        samples += states.kept(blocks, _TRIALS, near=near)
     for switch in turned:
         beyond = list(_beyond(states, switch, blocks))
         if beyond and _jumps(states, switch, energy):
