@@ -59,10 +59,11 @@ class Jumps:
 
     def __call__(self, assembly: Assembly) -> dict[str, list[int]]:
         graph, rates = assembly.graph, [*assembly.rates]
-        # Without the pivots by which constraints reduce it, which switch, too.
-        matrix = (assembly.velocity and assembly.kinetic_hessian) or assembly.mass_matrix
-        if len(assembly.forcing) == len(assembly.speeds) and not switches(graph, matrix, True):
-            rates[self.coordinates : self.coordinates + len(assembly.speeds)] = assembly.forcing
+        if len(assembly.forcing) == len(assembly.speeds):
+            # Without the pivots by which constraints reduce it, which switch, too.
+            matrix = (assembly.velocity and assembly.kinetic_hessian) or assembly.mass_matrix
+            if not switches(graph, matrix, whole=True):
+                rates[self.coordinates : self.coordinates + len(assembly.speeds)] = assembly.forcing
         if self.integral is not None:
             rates.append(node_of(assembly, self.integral, "`integral`"))
         found, blocks = _switched(assembly, rates, "xrp")
@@ -116,6 +117,7 @@ def _passages(
     sizes = np.abs(along["nodes"]).max(axis=0, initial=0.0)
     before = np.searchsorted(resets, times, side="right")
     for k, value in enumerate(along["switches"].T):
+        size = np.abs(value).max()
         places = np.flatnonzero(value)
         turns = np.flatnonzero(np.diff(np.sign(value[places])))
         pairs = np.stack([places[turns], places[turns + 1]], axis=1)
@@ -131,7 +133,6 @@ def _passages(
                 beside = finer[turn - 1 : turn + 1]
             found = evaluate(beside)
             # What jumps through zero passes a switch of its own there.
-            size = np.abs(along["switches"][:, k]).max()
             if (np.abs(found["switches"][:, k]) < HALF * size).any():
                 yield k, beside, found, sizes
 
