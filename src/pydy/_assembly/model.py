@@ -28,7 +28,6 @@ from pydy._graph.lower import lower
 from pydy._graph.operations import OPERATIONS, SHIPPED
 from pydy._graph.passes import ONCE, ROUND
 from pydy._graph.program import Program
-from pydy._graph.solve.choose import FACTORISATIONS, UNKNOWNS
 from pydy._graph.tangent import Tangent, program_from_bytes
 from pydy._kernel import Kernel
 from pydy._names import numbers_of, some, unique_names
@@ -134,11 +133,11 @@ _CIRCUMSTANCES = _made_by()
 
 
 def _as_shipped() -> bool:
-    """Return whether all operations, passes and strategies are the package's own.
+    """Return whether all operations and passes are the package's own.
 
     Others change without a change of the package's files.
     """
-    functions = [function for _, function in (*ONCE, *ROUND, *UNKNOWNS, *FACTORISATIONS)]
+    functions = [function for _, function in (*ONCE, *ROUND)]
     return OPERATIONS == SHIPPED and all(f.__module__.startswith("pydy.") for f in functions)
 
 

@@ -12,9 +12,8 @@ from typing import Any
 import numpy as np
 
 from pydy._graph.node import Graph
-from pydy._graph.operations import OPERATIONS, is_constrained
+from pydy._graph.operations import OPERATIONS, is_constrained, symmetric
 from pydy._graph.program import Program
-from pydy._graph.solve.matrix import symmetric
 from pydy._graph.tuning import INDEPENDENT, REDUNDANT, SINGULAR
 
 Values = list[Any]
@@ -67,7 +66,7 @@ def _value(
 
     if op == "factor":
         kind, n, entries = args
-        return columns(symmetric(n, list(entries)) if kind == "ldl" else entries).reshape(m, n, n)
+        return columns(symmetric(n, entries) if kind == "ldl" else entries).reshape(m, n, n)
     failed = np.zeros(m, dtype=bool)
     if op == "solve":
         return solved(values[args[0]], columns(args[1]), failed)

@@ -14,8 +14,7 @@ from pydy._graph.node import Graph
 from pydy._graph.operations import TRUTHS
 from pydy._graph.passes.share import is_pair, share_pairs
 from pydy._graph.program import NEVER_PUT_OFF, Program, Tape
-from pydy._graph.solve.choose import factorised
-from pydy._graph.solve.matrix import Factor, Matrix, Part
+from pydy._graph.solve.choose import Factor, factorised
 from pydy._graph.switches import Passes
 
 
@@ -108,7 +107,8 @@ class _Lowering:
             return tape.make(op, *args)
         if op == "factor":
             kind, n, entries = args
-            self.factors[node] = self._factorised(kind, n, entries)
+            cells = [new[e] for e in entries]
+            self.factors[node] = factorised(tape, kind, n, cells, self.own, self.passes)
             return -1
         if op == "solve":
             return self.factors[args[0]].solve([new[b] for b in args[1]])
@@ -136,24 +136,6 @@ class _Lowering:
                 self.new[node] = self._node(node)
             tape.called, tape.behind = True, None
         self.put_off.update(own)
-
-    def _factorised(self, kind: str, n: int, entries: Sequence[int]) -> Factor:
-        cells = [self.new[e] for e in entries]
-        matrix = Matrix(
-            self.tape, kind, n, cells, self.graph, entries, self.own, self._sum_of_parts
-        )
-        return factorised(matrix, self.passes)
-
-    def _sum_of_parts(self, parts: dict[Part, float]) -> int:
-        """Return a sum of products of nodes."""
-        tape = self.tape
-        result = tape.const(0.0)
-        for part, coefficient in parts.items():
-            values = [self._power(n, e) for n, e in part]
-            factors = self._chain([tape.const(coefficient), *values])
-            assert factors is not None
-            result = tape.add(result, factors)
-        return result
 
     # -- sums -------------------------------------------------------------------------------------
 

@@ -327,6 +327,12 @@ def is_symmetric(n: int, entries: Sequence[int]) -> bool:
     return all(entries[i * n : i * n + i + 1] == entries[i : i * n + i + 1 : n] for i in rows)
 
 
+def symmetric(n: int, entries: Sequence[int]) -> list[int]:
+    """Return the matrix that the lower triangle stands for, whatever the upper one holds."""
+    rows = ((entries[i * n : i * n + i], entries[i * n + i :: n]) for i in range(n))
+    return [entry for before, below in rows for entry in (*before, *below)]
+
+
 def is_constrained(nodes: Any, entries: Sequence[int]) -> bool:
     """Return whether a guard solves for what constraints hold, by the mark of its last row.
 

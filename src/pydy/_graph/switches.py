@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from pydy._graph.passes import ONCE, ROUND, SHARING
-from pydy._graph.solve.choose import FACTORISATIONS, UNKNOWNS
 
 
 @dataclass(frozen=True)
@@ -23,10 +22,8 @@ class Passes:
     @staticmethod
     def names() -> list[str]:
         """Return all names, in the order in which they run."""
-        first = [name for name, _ in UNKNOWNS]
         rewriting = [name for name, _ in [*ONCE, *ROUND]]
-        factorising = [name for name, _ in FACTORISATIONS]
-        return list(dict.fromkeys([*first, *rewriting, *SHARING, *factorising]))
+        return list(dict.fromkeys(["differences", *rewriting, *SHARING, "ldl", "lu"]))
 
     @classmethod
     def without(cls, *names: str) -> Passes:

@@ -45,11 +45,6 @@ DEEPER = 2
 # beyond, compiling takes longer than the loop loses. Of constants four times as many: they run
 # once.
 UNROLL_LIMIT = 3500
-# Terms of an entry, multiplied out, in the search for separable rows; a chain's entries have two.
-LONGEST_ENTRY = 8
-# How much larger than a diagonal entry the terms may be whose difference it is, where rows
-# separate: four bits at most are lost. In chains of bodies they never are larger.
-CANCELLATION = 16.0
 # A pivot below this share of its row leaves the decision, singular or not, to partial pivoting.
 SMALL_PIVOT = 1e-9
 # Backward error of a solution that is taken, in units of n·eps. Four in a hundred states of a

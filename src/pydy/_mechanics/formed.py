@@ -27,8 +27,7 @@ from pydy._graph.lower import lower
 from pydy._graph.node import Graph
 from pydy._graph.rounding import rounding_bounds
 from pydy._graph.simplify import operations, simplify
-from pydy._graph.solve.choose import solve_accelerations
-from pydy._graph.solve.differences import difference_basis
+from pydy._graph.solve.choose import difference_basis, solve_accelerations
 from pydy._graph.switches import Passes
 from pydy._mechanics.equations import Equations, Mechanism
 from pydy._mechanics.form import Formed, auxiliary_equations, forms, useful_axes
@@ -156,9 +155,8 @@ def _estimated(formed: Formed) -> int:
         if guards:
             roots = list(graph.args[guards[0]][4])
     else:
-        matrix, column = formed.matrix, formed.rest
-        if (chain := difference_basis(graph, matrix, column)) is not None:
-            matrix, column = chain.matrix, chain.column
+        system = formed.matrix, formed.rest
+        matrix, column = difference_basis(graph, *system) or system
         lower = [matrix[i][j] for i in range(n) for j in range(i + 1)]
         filled = sum(node != graph.zero for node in lower) - n
         # What LDLᵀ takes of a matrix with so many entries, less what its structure saves: half.

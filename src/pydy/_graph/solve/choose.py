@@ -1,50 +1,59 @@
-"""How linear systems are solved: two ordered lists of strategies.
+"""How linear systems are solved.
 
-Before equations of motion are simplified, other unknowns may make them shorter (`UNKNOWNS`). When
-they are lowered, whatever factorises the matrix for fewest operations does (`FACTORISATIONS`).
+Before equations of motion are simplified, other unknowns may make them shorter. When they are
+lowered, the factorisation of a matrix is written out where that is short, and else left to a loop.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Container, Sequence
-from typing import Any
+from collections.abc import Container, Sequence
+from itertools import pairwise
+from typing import Protocol
 
 from pydy._graph.node import Graph
+from pydy._graph.operations import symmetric
 from pydy._graph.program import Tape
-from pydy._graph.solve import ldl, lu, semiseparable
-from pydy._graph.solve.differences import difference_basis
-from pydy._graph.solve.matrix import Factor, Matrix, Proposal, symmetric
+from pydy._graph.solve import ldl, lu
+
+
+class Factor(Protocol):
+    """A matrix that is factorised."""
+
+    def solve(self, column: list[int]) -> int:
+        """Return the vector node of the solution."""
 
 
 class LoopFactor:
     """A factorisation that the back end does in a loop."""
 
-    def __init__(self, matrix: Matrix) -> None:
-        self.tape: Tape = matrix.tape
-        lower = matrix.kind == "ldl"
-        cells = symmetric(matrix.n, matrix.cells) if lower else matrix.cells
-        self.node = self.tape.make("factor", matrix.kind, matrix.n, tuple(cells))
+    def __init__(self, tape: Tape, kind: str, n: int, entries: list[int]) -> None:
+        self.tape = tape
+        cells = symmetric(n, entries) if kind == "ldl" else entries
+        self.node = tape.make("factor", kind, n, tuple(cells))
 
     def solve(self, column: list[int]) -> int:
         """Return the vector node of the solution."""
         return self.tape.make("solve", self.node, tuple(column))
 
 
-# Takes a graph, a symmetric matrix and a column; gives None or a system with `matrix`, `column` and
-# `given_unknowns(solution)`.
-_Change = Callable[[Graph, Sequence[Sequence[int]], Sequence[int]], Any]
+def factorised(
+    tape: Tape,
+    kind: str,
+    n: int,
+    entries: list[int],
+    sizes: tuple[int, int, int],
+    passes: Container[str],
+) -> Factor:
+    """Factorise a matrix of nodes of a tape, of the kind that `Graph.solve` describes.
 
-UNKNOWNS: list[tuple[str, _Change]] = [
-    ("differences", difference_basis),
-]
-"""Names (switches in `Passes`) and changes of unknowns: the first that is offered is taken."""
-
-FACTORISATIONS: list[tuple[str, Callable[[Matrix], Proposal | None]]] = [
-    ("semiseparable", semiseparable.propose),
-    ("ldl", ldl.propose),
-    ("lu", lu.propose),
-]
-"""Names and strategies; the cheapest proposal is taken, and a loop where there is none."""
+    Its pivots are chosen at generic inputs of these sizes.
+    """
+    found: Factor | None = None
+    if kind in passes and kind == "ldl":
+        found = ldl.unrolled(tape, n, entries)
+    elif kind in passes:
+        found = lu.unrolled(tape, n, entries, sizes)
+    return found or LoopFactor(tape, kind, n, entries)
 
 
 def solve_accelerations(
@@ -55,18 +64,86 @@ def solve_accelerations(
     passes: Container[str],
 ) -> list[int]:
     """Return the solution of the equations of motion ``M u' = F``."""
-    for name, change in UNKNOWNS if kind == "ldl" else ():
-        if name in passes and (found := change(graph, rows, forcing)) is not None:
-            solution = graph.solve(found.matrix, [found.column], kind, judged=True)[0]
-            unknowns: list[int] = found.given_unknowns(solution)
-            return unknowns
-    return graph.solve(rows, [forcing], kind, judged=True)[0]
+    change = kind == "ldl" and "differences" in passes
+    found = difference_basis(graph, rows, forcing) if change else None
+    if found is None:
+        return graph.solve(rows, [forcing], kind, judged=True)[0]
+    y = graph.solve(found[0], [found[1]], kind, judged=True)[0]
+    return [y[0], *(graph.sub(b, a) for a, b in pairwise(y))]
 
 
-def factorised(matrix: Matrix, passes: Container[str]) -> Factor:
-    """Factorise a matrix in the way that takes fewest operations."""
-    proposals = [propose(matrix) for name, propose in FACTORISATIONS if name in passes]
-    found = [proposal for proposal in proposals if proposal is not None]
-    if not found:
-        return LoopFactor(matrix)
-    return min(found, key=lambda proposal: proposal[0])[1]()
+def difference_basis(
+    graph: Graph, matrix: Sequence[Sequence[int]], column: Sequence[int]
+) -> tuple[list[list[int]], list[int]] | None:
+    """Return a symmetric system in differences, when at least half of its entries vanish.
+
+    Neighbouring rows of M and b agree except for one body where each coordinate carries everything
+    after it. With T the identity less the first superdiagonal, T M Tᵀ is nearly diagonal and T b
+    short: ``(T M Tᵀ) y = T b`` and ``x = Tᵀ y``, that is ``x[i] = y[i] − y[i − 1]``.
+    """
+    n = len(matrix)
+    if n < 3:
+        return None
+    zero = graph.zero
+    if sum(entry != zero for row in matrix for entry in row) < 0.75 * n * n:
+        return None
+    # Symmetric, with a row and a column of zeros after the last.
+    cells = [[matrix[max(i, j)][min(i, j)] for j in range(n)] + [zero] for i in range(n)]
+    cells.append([zero] * (n + 1))
+    known: dict[int, dict[int, float]] = {}
+
+    def terms(cell: int) -> dict[int, float]:
+        if cell not in known:
+            known[cell] = _terms(graph, cell)
+        return known[cell]
+
+    def difference(i: int, j: int) -> dict[int, float]:
+        here, right = cells[i][j], cells[i][j + 1]
+        below, across = cells[i + 1][j], cells[i + 1][j + 1]
+        if (here, below) == (right, across) or (here, right) == (below, across):
+            return {}
+        above = _minus(terms(here), terms(below))
+        return _minus(above, _minus(terms(right), terms(across)))
+
+    # The last rows tell at little cost whether it is worth while.
+    if any(difference(n - 1, j) for j in range(n - 2)):
+        return None
+    steps = [[difference(i, j) for j in range(i + 1)] for i in range(n)]
+    filled = sum(2 * bool(step) for row in steps for step in row)
+    if filled > 0.5 * n * n + n:
+        return None
+    rows = [[zero] * n for _ in range(n)]
+    for i in range(n):
+        for j in range(i + 1):
+            rows[i][j] = rows[j][i] = _node(graph, steps[i][j])
+    right = [_terms(graph, b) for b in column] + [{}]
+    differences = [_node(graph, _minus(right[i], right[i + 1])) for i in range(n)]
+    return rows, differences
+
+
+def _terms(graph: Graph, node: int) -> dict[int, float]:
+    """Return a node as a linear combination, a constant under the key −1."""
+    op, args = graph.ops[node], graph.args[node]
+    if op == "const":
+        return {-1: args[0]} if args[0] else {}
+    if op == "sum":
+        terms = dict(args[1])
+        if args[0]:
+            terms[-1] = args[0]
+        return terms
+    return {node: 1.0}
+
+
+def _minus(a: dict[int, float], b: dict[int, float]) -> dict[int, float]:
+    result = dict(a)
+    for n, c in b.items():
+        rest = result.get(n, 0.0) - c
+        if rest:
+            result[n] = rest
+        else:
+            result.pop(n, None)
+    return result
+
+
+def _node(graph: Graph, terms: dict[int, float]) -> int:
+    return graph.sum([(n, c) for n, c in terms.items() if n >= 0], terms.get(-1, 0.0))

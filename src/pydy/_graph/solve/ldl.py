@@ -9,19 +9,18 @@ from __future__ import annotations
 
 import numpy as np
 
+from pydy._graph.operations import symmetric
 from pydy._graph.program import Tape
-from pydy._graph.solve.matrix import Matrix, Proposal, symmetric
 from pydy._graph.tuning import SINGULAR, UNROLL_LIMIT
 
 
-def propose(matrix: Matrix) -> Proposal | None:
-    """Offer to write the elimination out, unless it is too long."""
-    if matrix.kind != "ldl":
-        return None
-    order, cost = elimination_order(matrix.filled, matrix.fixed.diagonal())
-    if cost > UNROLL_LIMIT * (4 if matrix.fixed.all() else 1):
-        return None
-    return cost, lambda: UnrolledLDL(matrix.tape, matrix.n, matrix.cells, order)
+def unrolled(tape: Tape, n: int, entries: list[int]) -> UnrolledLDL | None:
+    """Write the elimination out, unless it is too long."""
+    filled = np.array(symmetric(n, entries)).reshape(n, n) != tape.const(0.0)
+    fixed = np.array([tape.constant[k] for k in entries]).reshape(n, n)
+    order, cost = elimination_order(filled, fixed.diagonal())
+    long = cost > UNROLL_LIMIT * (4 if fixed.all() else 1)
+    return None if long else UnrolledLDL(tape, n, entries, order)
 
 
 def elimination_order(filled: np.ndarray, fixed: np.ndarray) -> tuple[list[int], int]:

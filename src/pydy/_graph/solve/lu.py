@@ -9,28 +9,30 @@ import numpy as np
 
 from pydy._graph.interpret import run
 from pydy._graph.program import Program, Tape
-from pydy._graph.solve.matrix import Matrix, Proposal
 from pydy._graph.tuning import BACKWARD_ERROR, PIVOT_SHARE, SINGULAR, SMALL_PIVOT, UNROLL_LIMIT
 
 
-def propose(matrix: Matrix) -> Proposal | None:
-    """Offer to write the elimination out, unless it is too long or there is no sound order."""
-    if matrix.kind != "lu" or not matrix.n or (samples := _generic(matrix)) is None:
+def unrolled(
+    tape: Tape, n: int, entries: list[int], sizes: tuple[int, int, int]
+) -> UnrolledLU | None:
+    """Write the elimination out, unless it is too long or there is no sound order."""
+    if not n or (samples := _generic(tape, n, entries, sizes)) is None:
         return None
-    pivots = pivot_order(samples, matrix.filled)
+    filled = np.array(entries).reshape(n, n) != tape.const(0.0)
+    pivots = pivot_order(samples, filled)
     if pivots is None or pivots[2] > UNROLL_LIMIT:
         return None
-    rows, columns, cost = pivots
-    return cost, lambda: UnrolledLU(matrix.tape, matrix.n, matrix.cells, rows, columns)
+    return UnrolledLU(tape, n, entries, *pivots[:2])
 
 
-def _generic(matrix: Matrix) -> np.ndarray | None:
+def _generic(
+    tape: Tape, n: int, entries: list[int], sizes: tuple[int, int, int]
+) -> np.ndarray | None:
     """Return the matrix at generic states, or None where it is hardly ever defined."""
-    n = matrix.n
-    program = Program.from_tape(matrix.tape, matrix.sizes, [("matrix", (n * n,), matrix.cells)])
+    program = Program.from_tape(tape, sizes, [("matrix", (n * n,), entries)])
     rng = np.random.default_rng(0)
     found = []
-    n_x, n_r, n_p = matrix.sizes
+    n_x, n_r, n_p = sizes
     for _ in range(4):
         # States on both sides of zero, constants of different sizes.
         t, x, r = (rng.normal(0.0, 0.5, shape) for shape in ((8,), (8, n_x), (8, n_r)))
