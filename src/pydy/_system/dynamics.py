@@ -36,82 +36,52 @@ from pydy._system.analysis import variables
 from pydy._system.setup import Setup
 from pydy._system.snapshot import At, Snapshot
 from pydy._system.start import first_violation
-from pydy._system.values import sweep
-
-Expressions = Callable[[Equations, Known], Any]
+from pydy._system.values import each_of, sweep
 
 
-@dataclass(frozen=True)
-class Instants:
-    """Where something is evaluated: at one moment or at m."""
-
-    x: np.ndarray  # (n,) or (m, n)
-    t: Any  # a float or (m,)
-    a: np.ndarray  # accelerations (1, k) or (m, k); k is zero where nothing depends on them
-    # The places in x of coordinates, and of speeds, that the user gave no values.
-    left: tuple[frozenset[int], frozenset[int]]
-
-    @classmethod
-    def of(cls, now: Snapshot, q: Any, v: Any, a: Any, t: Any) -> Instants:
-        """Return the user's coordinates, speeds and accelerations as states and inputs."""
-        equations, n = now.definition.equations, len(now.definition.states)
-        nq, nu = len(equations.coordinates), len(equations.speeds)
-        every = n == nq + nu and not any(
-            given is None or isinstance(given, Mapping) for given in (q, v)
-        )
-        own = np.empty(n) if every else now.x  # read only where something is not given
-        parts = {
-            "q": _columns("q", q, equations.coordinates, own[:nq]),
-            "v": _columns("v", v, equations.speeds, own[nq : nq + nu]),
-            "a": a,
-            "t": np.array(now.t) if t is None else real_array(t, "`t`"),
-        }
-        if parts["t"].ndim > 1:
-            raise ValueError(
-                f"`t` must be a number or have the shape (m,), got {parts['t'].shape}."
-            )
-        left = (
-            frozenset(_not_given("q", q, equations.coordinates)),
-            frozenset(nq + k for k in _not_given("v", v, equations.speeds)),
-        )
-        rows = {name: len(p) for name, p in parts.items() if p.ndim == 1 + (name != "t")}
-        if len({*rows.values()}) > 1:
-            found = ", ".join(f"`{name}` has {count}" for name, count in rows.items())
-            raise ValueError(f"All must have as many rows, or be one for all: {found}.")
-        m = next(iter(rows.values()), None)
-        x = np.empty(n if m is None else (m, n))
-        x[..., :nq], x[..., nq : nq + nu], x[..., nq + nu :] = (
-            parts["q"],
-            parts["v"],
-            own[nq + nu :],
-        )
-        if m is None:
-            return cls(x, float(parts["t"]), a[None], left)
-        return cls(x, np.array(np.broadcast_to(parts["t"], m)), np.atleast_2d(a), left)
+def _states(
+    now: Snapshot, q: Any, v: Any, a: np.ndarray, t: Any
+) -> tuple[np.ndarray, Any, tuple[frozenset[int], frozenset[int]]]:
+    """Return the user's states and times, at one moment or at m, and the places they leave out."""
+    equations, n = now.definition.equations, len(now.definition.states)
+    nq, nu = len(equations.coordinates), len(equations.speeds)
+    partly = any(given is None or isinstance(given, Mapping) for given in (q, v))
+    own = now.x if partly or n > nq + nu else np.empty(n)  # read only where something is not given
+    of_q, left_q = _columns("q", q, equations.coordinates, own[:nq])
+    of_v, left_v = _columns("v", v, equations.speeds, own[nq : nq + nu])
+    instants = np.array(now.t) if t is None else real_array(t, "`t`")
+    if instants.ndim > 1:
+        raise ValueError(f"`t` must be a number or have the shape (m,), got {instants.shape}.")
+    parts = {"q": of_q, "v": of_v, "a": a, "t": instants}
+    rows = {name: len(p) for name, p in parts.items() if p.ndim == 1 + (name != "t")}
+    if len({*rows.values()}) > 1:
+        found = ", ".join(f"`{name}` has {count}" for name, count in rows.items())
+        raise ValueError(f"All must have as many rows, or be one for all: {found}.")
+    m = next(iter(rows.values()), None)
+    x = np.empty(n if m is None else (m, n))
+    x[..., :nq], x[..., nq : nq + nu], x[..., nq + nu :] = of_q, of_v, own[nq + nu :]
+    left = frozenset(left_q), frozenset(nq + k for k in left_v)
+    return x, float(instants) if m is None else np.array(np.broadcast_to(instants, m)), left
 
 
-def _columns(argument: str, value: Any, symbols: Sequence[Any], default: np.ndarray) -> np.ndarray:
-    """Return numbers for all symbols, shape (n,) or (m, n)."""
+def _columns(
+    argument: str, value: Any, symbols: Sequence[Any], default: np.ndarray
+) -> tuple[np.ndarray, set[int]]:
+    """Return numbers for all symbols, (n,) or (m, n), and the places of those by default."""
+    n, every = len(symbols), {*range(len(symbols))}
     if value is None:
-        return default
+        return default, every
     if not isinstance(value, np.ndarray):
         kind = "coordinates" if argument == "q" else "speeds"
         places = Places(symbols, f"{kind} of the system")
         if isinstance(value, Mapping):
-            return places.read(argument, value, default)
+            found = places.read(argument, value, default)
+            return found, every - {*places.columns(value, argument).tolist()}
         places.check_order(value, argument)
-    array, n = real_array(value, f"`{argument}`"), len(symbols)
+    array = real_array(value, f"`{argument}`")
     if array.ndim not in (1, 2) or array.shape[-1] != n:
         raise ValueError(f"`{argument}` must have the shape ({n},) or (m, {n}), got {array.shape}.")
-    return array
-
-
-def _not_given(argument: str, value: Any, symbols: Sequence[Any]) -> set[int]:
-    """Return the places of symbols whose numbers are those of the initial conditions."""
-    places = range(len(symbols))
-    if isinstance(value, Mapping):
-        return {*places} - {Places(symbols, "").find(key, argument) for key in value}
-    return {*places} if value is None else set()
+    return array, set()
 
 
 def _accelerations(value: Any, equations: Equations) -> tuple[np.ndarray, Sequence[int]]:
@@ -164,47 +134,11 @@ class Quantity:
     name: str
     key: tuple[Any, ...]  # with the name it says what the expressions are
     shape: tuple[int, ...]
-    expressions: Expressions  # gives them, or the name of a block of the Assembly
+    expressions: Callable[[Known], Any]  # gives them, or the name of a block of the Assembly
     rows: Iterable[str]  # for messages; read once, if at all
     accelerations: Sequence[int] = ()  # of which speeds they are inputs; those of others are zero
 
-    def evaluated(
-        self, now: Snapshot, at: Instants, r: Any, p: Any, wrt: Any, silent: Mapping[Any, float]
-    ) -> np.ndarray:
-        """Return the values, or their derivatives.
-
-        `silent` has values of constants that the motion does not depend on.
-        """
-        by = () if wrt is None else self._by(now.definition, wrt)
-        shape = (*self.shape, len(by)) if by else self.shape
-
-        def kernel(model: CompiledModel) -> Kernel:
-            return model.compiled_by(
-                (self.name, self.key, tuple(self.accelerations), by),
-                lambda: self._program(now.definition, model, by, silent),
-            )
-
-        def look(state: At) -> None:
-            _warn_of_rest(state, kernel(state.model).program, at.left)
-
-        equations = now.definition.equations
-        unknown = {k for _, places in equations.residual_blocks for k in places}
-        out = sweep(
-            now,
-            kernel,
-            lambda: [*self.rows],
-            at.x,
-            at.t,
-            r,
-            p,
-            perturbed=any(group == "r" for group, _ in by),
-            vectors=at.a,
-            look=look if equations.constrained else None,
-            solve=unknown <= at.left[0],
-        )
-        return out.reshape(*at.x.shape[:-1], *shape)
-
-    def _by(self, definition: Definition, wrt: Any) -> tuple[tuple[str, int], ...]:
+    def by(self, definition: Definition, wrt: Any) -> tuple[tuple[str, int], ...]:
         """Return what the user's `wrt` means as inputs."""
         equations = definition.equations
         nq, nu = len(equations.coordinates), len(equations.speeds)
@@ -217,34 +151,29 @@ class Quantity:
             own["accelerations"] = [("r", s + k) for k in range(len(self.accelerations))]
         found: list[tuple[str, int]] = []
         for entry in one_or_more("wrt", wrt):
-            if isinstance(entry, str) and entry in own:
-                found += own[entry]
-                continue
-            by = variables(definition, entry)
-            if isinstance(by, str):
-                size = dict(zip("xrp", map(len, _groups(definition)), strict=True))[by]
-                by = tuple((by, k) for k in range(size))
-            found += by
+            named = isinstance(entry, str) and entry in own
+            found += own[entry] if named else each_of(definition, variables(definition, entry))
         if not found:
             raise ValueError("`wrt` must name at least one variable.")
         return tuple(found)
 
-    def _program(
+    def program(
         self,
         definition: Definition,
         model: CompiledModel,
         by: tuple[tuple[str, int], ...],
         silent: Mapping[Any, float],
     ) -> Program:
+        """Return the Program of the values, or of their derivatives."""
         equations, assembly = definition.equations, model.assembly.fork()
         g, (n, s, c) = assembly.graph, assembly.sizes
         atoms, count = dict(assembly.atoms), len(self.accelerations)
         atoms.update(dict.fromkeys(equations.speed_rates, g.zero))
         for k, place in enumerate(self.accelerations):
             atoms[equations.speed_rates[place]] = g.input("r", s + k)
-        found = self.expressions(equations, Known(atoms, definition.forces, silent))
-        if isinstance(found, tuple):
-            nodes = _of_method(assembly, [atoms[rate] for rate in equations.speed_rates], *found)
+        found = self.expressions(Known(atoms, definition.forces, silent))
+        if isinstance(found, str):
+            nodes = _of_method(assembly, [atoms[rate] for rate in equations.speed_rates], found)
         else:
             read = SymPyReader(g, atoms, f"the {self.name}")
             nodes = substitute(g, read.all(found), assembly.given)
@@ -262,20 +191,13 @@ def _warn_of_rest(at: At, program: Program, left: tuple[frozenset[int], frozense
     q, v = (part & read for part in left)
     first = len(at.definition.equations.coordinates)
     moving = any(first <= k < first + len(at.definition.equations.speeds) for k in read)
-    if not q and not v:
-        return
-    found = first_violation(at, (bool(q), moving))
-    if found:
+    if (q or v) and (found := first_violation(at, (bool(q), moving))):
         states = describe([at.definition.states[k] for k in sorted(q | v)])
         warn_user(
             f"The state does not satisfy the constraints, with the initial conditions for what `q` "
             f"and `v` do not give: {states}. {found[1]} Give these too, or set consistent initial "
             "conditions: `system.set_dependent_initial_conditions()`."
         )
-
-
-def _groups(definition: Definition) -> tuple[Sequence[Any], ...]:
-    return definition.states, definition.specifieds, definition.constants
 
 
 def _of_method(assembly: Assembly, rates: Sequence[int], what: str) -> list[int]:
@@ -317,9 +239,9 @@ def _required(
     speeds = [equations.speeds[k] for k in at] if at is not None else equations.speeds
     bound = () if zero else tuple(k for k in range(len(equations.speeds)) if k not in given)
 
-    def expressions(equations: Equations, known: Known) -> Any:
+    def expressions(known: Known) -> Any:
         if without_bodies(equations):
-            return ("forces",)
+            return "forces"
         return inverse_dynamics(bodies_of(equations), known, at, bound=bound)
 
     rows = (f"the force at {speed}" for speed in speeds)
@@ -400,8 +322,31 @@ class Dynamics(Setup):
     ) -> np.ndarray:
         """Evaluate at the user's q, v, a and t."""
         now = self._now(constants=p)
-        silent = getattr(self._eom_method, "values", {})
-        return made.evaluated(now, Instants.of(now, *at), r, p, wrt, silent)
+        # Values of constants that the motion does not depend on.
+        definition, silent = now.definition, getattr(self._eom_method, "values", {})
+        equations = definition.equations
+        x, t, left = _states(now, *at)
+        by = () if wrt is None else made.by(definition, wrt)
+        key = made.name, made.key, tuple(made.accelerations), by
+
+        def kernel(model: CompiledModel) -> Kernel:
+            return model.compiled_by(key, lambda: made.program(definition, model, by, silent))
+
+        def look(state: At) -> None:
+            _warn_of_rest(state, kernel(state.model).program, left)
+
+        unknown = {k for _, places in equations.residual_blocks for k in places}
+        out = sweep(
+            now,
+            kernel,
+            lambda: [*made.rows],
+            (x, t, r, p),
+            by=by,
+            vectors=np.atleast_2d(at[2]),
+            look=look if equations.constrained else None,
+            solve=unknown <= left[0],
+        )
+        return out.reshape(*x.shape[:-1], *made.shape, *([len(by)] if by else []))
 
     def inverse_dynamics(
         self,
@@ -515,10 +460,8 @@ class Dynamics(Setup):
         equations = self._equations
         n = len(equations.speeds)
 
-        def expressions(equations: Equations, known: Known) -> Any:
-            if not equations.velocity:
-                return ("matrix",)
-            return mass_matrix(bodies_of(equations), known)
+        def expressions(known: Known) -> Any:
+            return mass_matrix(bodies_of(equations), known) if equations.velocity else "matrix"
 
         rows = (f"row {k} of the mass matrix" for k in range(n * n))
         made = Quantity("mass matrix", (), (n, n), expressions, rows)
@@ -603,7 +546,7 @@ class Dynamics(Setup):
             checked_vector(acceleration, "`acceleration`")
         body = bodies_of(equations)
 
-        def expressions(equations: Equations, known: Known) -> Any:
+        def expressions(known: Known) -> Any:
             found = weights(body, known, acceleration)
             if found is None:
                 raise ValueError(
@@ -658,11 +601,10 @@ class Dynamics(Setup):
             raise ValueError(f"`where` must have a point, got the frame {where}.")
         origin = _origin(body, point)
 
-        def expressions(equations: Equations, known: Known) -> Any:
-            return position(body, known, point, origin)
-
         rows = (f"the {axis} of {point}" for axis in "xyz")
-        made = Quantity("position", (point,), (3,), expressions, rows)
+        made = Quantity(
+            "position", (point,), (3,), lambda known: position(body, known, point, origin), rows
+        )
         return self._evaluated(made, (q, None, np.zeros(0), t), r, p, wrt)
 
     def frame_rotation(
@@ -693,11 +635,10 @@ class Dynamics(Setup):
         if frame is None:
             raise ValueError(f"`where` must have a frame, got {where}, which does not turn.")
 
-        def expressions(equations: Equations, known: Known) -> Any:
-            return rotation(body, known, frame)
-
         rows = (f"entry {k} of the rotation of {frame}" for k in range(9))
-        made = Quantity("rotation", (frame,), (3, 3), expressions, rows)
+        made = Quantity(
+            "rotation", (frame,), (3, 3), lambda known: rotation(body, known, frame), rows
+        )
         return self._evaluated(made, (q, None, np.zeros(0), t), r, p, wrt)
 
     def frame_jacobian(
@@ -742,11 +683,13 @@ class Dynamics(Setup):
         if point is not None:
             _origin(body, point)
         n = len(self._equations.speeds)
-
-        def expressions(equations: Equations, known: Known) -> Any:
-            return partial_velocities(body, known, point, frame)
-
         count = 3 * ((point is not None) + (frame is not None))
         rows = (f"entry {k} of the Jacobian of {where}" for k in range(count * n))
-        made = Quantity("frame Jacobian", (point, frame), (count, n), expressions, rows)
+        made = Quantity(
+            "frame Jacobian",
+            (point, frame),
+            (count, n),
+            lambda known: partial_velocities(body, known, point, frame),
+            rows,
+        )
         return self._evaluated(made, (q, None, np.zeros(0), t), r, p, wrt)

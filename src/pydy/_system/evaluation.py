@@ -11,6 +11,7 @@ from pydy import _errors
 from pydy._assembly.definition import Definition
 from pydy._checks import real_array
 from pydy._names import numbers_of, unique_names
+from pydy._system.causes import cause_of
 from pydy._system.snapshot import At, Snapshot
 from pydy.trajectory import Trajectory
 
@@ -88,28 +89,20 @@ def row_names(definition: Definition, block: str) -> list[str]:
     ]
 
 
-def warn_not_finite(
-    out: np.ndarray, at: At, names: Sequence[str], cause: Callable[[At], str | None]
-) -> None:
-    """Warn of values (m, o, …) that are not finite where all that they were computed from is.
-
-    The `names` are those of the o rows; `cause` says of a state what is singular there.
-    """
+def warn_not_finite(out: np.ndarray, at: At, names: Sequence[str]) -> None:
+    """Warn of values (m, o, …) of o names that are not finite where what they follow from is."""
     sound = np.isfinite(at.t) & np.isfinite(at.x).all(axis=1) & np.isfinite(at.r).all(axis=1)
     wrong = ~np.isfinite(out.reshape(*out.shape[:2], -1)).all(axis=2)
     wrong &= (sound & np.isfinite(at.p).all())[:, None]
 
     def place(k: int) -> tuple[str, str | None]:
         state = numbers_of(at.definition.states, at.x[k])
-        return f"t = {float(at.t[k])!r} in the state {state}", cause(at.some([k]))
+        return f"t = {float(at.t[k])!r} in the state {state}", cause_of(at.some([k]))
 
     _errors.warn_not_finite(wrong, names, place)
 
 
-def warn_of_outputs(
-    trajectory: Trajectory, now: Snapshot, cause: Callable[[At], str | None]
-) -> None:
+def warn_of_outputs(trajectory: Trajectory, now: Snapshot) -> None:
     """Warn of outputs along a motion that are not finite where its states are."""
-    names = unique_names(trajectory.outputs_symbols)
     at = now.at(trajectory.times, trajectory.states)
-    warn_not_finite(trajectory.outputs, at, names, cause)
+    warn_not_finite(trajectory.outputs, at, unique_names(trajectory.outputs_symbols))

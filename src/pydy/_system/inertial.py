@@ -7,7 +7,6 @@ from typing import Any, NamedTuple
 import numpy as np
 from sympy.physics.mechanics import RigidBody
 
-from pydy._mechanics.equations import Equations
 from pydy._mechanics.inverse import Known, parameters, regressor
 from pydy._mechanics.reader import Multibody
 from pydy._names import unique_names
@@ -79,11 +78,9 @@ class InertialParameters(Dynamics):
         """
         body = bodies_of(self._equations)
         names = _parameter_names(body)
-
-        def expressions(equations: Equations, known: Known) -> Any:
-            return parameters(body, known)
-
-        made = Quantity("inertial parameters", (), (len(names),), expressions, names)
+        made = Quantity(
+            "inertial parameters", (), (len(names),), lambda known: parameters(body, known), names
+        )
         values = self._evaluated(made, (None, None, np.zeros(0), None), None, p, None)
         return dict(zip(names, values.tolist(), strict=True))
 
@@ -131,7 +128,7 @@ class InertialParameters(Dynamics):
         n, names = len(equations.speeds), _parameter_names(body)
         rates = all_accelerations(a, equations)
 
-        def expressions(equations: Equations, known: Known) -> Any:
+        def expressions(known: Known) -> Any:
             found = regressor(body, known)
             if found is None:
                 raise ValueError(

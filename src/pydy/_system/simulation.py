@@ -15,7 +15,7 @@ from pydy._assembly.model import CompiledModel
 from pydy._assembly.specifieds import driven
 from pydy._checks import choice, flag, number, real_array
 from pydy._errors import IntegrationError, IntegrationInterrupted, SingularMatrixError
-from pydy._system.causes import cause_of, explain
+from pydy._system.causes import explain
 from pydy._system.dependents import (
     check_dependents,
     default_dependents,
@@ -494,7 +494,7 @@ class Simulation(Setup):
             times, states, events=events, statistics=statistics or None, dense=dense, **found
         )
         if not (self._searching or np.isfinite(trajectory.outputs).all()):
-            warn_of_outputs(trajectory, now, cause_of)
+            warn_of_outputs(trajectory, now)
         if wanted is not None and not self._searching:
             warn_of_jumps(now, lambda: trajectory, wanted.sensitive)
         return trajectory

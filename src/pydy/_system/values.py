@@ -23,7 +23,8 @@ from pydy._graph.simplify import simplify
 from pydy._kernel import Kernel
 from pydy._mechanics.symbols import find_symbols
 from pydy._system.analysis import variables
-from pydy._system.causes import cause_of, explain
+from pydy._system.balance import GROUPS
+from pydy._system.causes import explain
 from pydy._system.energy import Energy
 from pydy._system.evaluation import row_names, samples, specified_rows, warn_not_finite
 from pydy._system.setup import Setup
@@ -88,6 +89,16 @@ def target_of(definition: Definition, of: Any, *, scalar: bool = False) -> Targe
     return Target("", tuple(chosen), tuple(f"the derivative of {e}" for e in entries))
 
 
+def each_of(
+    definition: Definition, by: str | tuple[tuple[str, int], ...]
+) -> tuple[tuple[str, int], ...]:
+    """Return what `variables` does with the inputs of a group in place of its name."""
+    if not isinstance(by, str):
+        return by
+    size = len(definition.places[next(kind for kind, group in GROUPS.items() if group == by)])
+    return tuple((by, k) for k in range(size))
+
+
 def _vectors(v: Any, length: int, states: Any) -> tuple[np.ndarray, int, bool]:
     """Return vectors as rows of inputs, how many there are a sample, and whether `v` is one."""
     array = real_array(v, "`v`")
@@ -117,13 +128,13 @@ def evaluate_block(
     def kernel(model: CompiledModel) -> Kernel:
         return model.compiled_jacobian(block, wrt) if wrt else model.compiled(block)
 
-    perturbed = wrt == "r" or (isinstance(wrt, tuple) and any(g == "r" for g, _ in wrt))
     names = partial(row_names, now.definition, block)
     blocks = block in ("constraints", "holonomic"), block in ("constraints", "velocity")
     look = None
     if wrt is None and any(blocks) and any(now.definition.equations.left_out):
         look = partial(warn_of_left_out, blocks=blocks)
-    return sweep(now, kernel, names, x, t, r, p, perturbed=perturbed, look=look)
+    by = () if wrt is None else each_of(now.definition, wrt)
+    return sweep(now, kernel, names, (x, t, r, p), by=by, look=look)
 
 
 def evaluate_product(
@@ -133,9 +144,7 @@ def evaluate_product(
     definition = now.definition
     groups = {"x": definition.states, "r": definition.specifieds, "p": definition.constants}
     target = target_of(definition, of, scalar=kind in ("gradient", "hessian-vector"))
-    by = variables(definition, wrt)
-    if isinstance(by, str):
-        by = tuple((by, k) for k in range(len(groups[by])))
+    by = each_of(definition, variables(definition, wrt))
     vectors, count, squeeze = None, 1, False
     if kind not in ("gradient", "jacobian"):
         length = len(target.names) if kind == "vector-jacobian" else len(by)
@@ -158,8 +167,7 @@ def evaluate_product(
         slopes = [f"the derivative by {groups[group][place]}" for group, place in by]
         return [target.names[0], *slopes] if kind == "gradient" else slopes
 
-    perturbed = any(group == "r" for group, _ in by)
-    out = sweep(now, kernel, names, x, t, r, p, perturbed=perturbed, vectors=vectors)
+    out = sweep(now, kernel, names, (x, t, r, p), by=by, vectors=vectors)
     return out[..., 0] if squeeze else out
 
 
@@ -180,23 +188,20 @@ def sweep(
     now: Snapshot,
     kernel: Callable[[CompiledModel], Kernel],
     names: Callable[[], Sequence[str]],
-    x: Any,
-    t: Any,
-    r: Any,
-    p: Any,
+    given: tuple[Any, Any, Any, Any],
     *,
-    perturbed: bool = False,
+    by: Sequence[tuple[str, int]] = (),
     vectors: np.ndarray | None = None,
     look: Callable[[At], None] | None = None,
     solve: bool = False,
 ) -> np.ndarray:
-    """Evaluate a Kernel at one state or several, with the defaults of the evaluations.
+    """Evaluate a Kernel at a user's x, t, r and p, with the defaults of the evaluations.
 
-    `names` returns those of the result's rows; `vectors`, (1, k) or (m, k), are inputs after r;
-    `look` is called with what is evaluated. With `solve`, what residuals give is solved for in
-    whole states too.
+    `names` returns those of the result's rows, which are derivatives `by` some inputs; `vectors`,
+    (1, k) or (m, k), are inputs after r; `look` is called with what is evaluated. With `solve`,
+    what residuals give is solved for in whole states too.
     """
-    model, definition = now.model, now.definition
+    (x, t, r, p), model, definition = given, now.model, now.definition
     states, instants, single = samples(
         now.x_with(x), t, lambda: now.x, now.times, len(definition.states)
     )
@@ -204,6 +209,7 @@ def sweep(
         plan = now.plan_with(r)
         plan.check_times(instants, "times" if t is None else "t")
         rows = plan.rows
+        perturbed = any(group == "r" for group, _ in by)
         model = driven(model, definition, plan, perturbed=perturbed)
     else:
         numbers = specified_rows(r, instants, len(definition.specifieds))
@@ -224,7 +230,7 @@ def sweep(
         raise
     out = out.reshape(len(out), *made.program.blocks[0].shape)
     if not np.isfinite(out).all():
-        warn_not_finite(out, at, names(), cause_of)
+        warn_not_finite(out, at, names())
     result: np.ndarray = out[0] if single else out
     return result
 
@@ -325,7 +331,7 @@ class Evaluation(Setup):
         """
         now = self._now(constants=p)
         names = partial(row_names, now.definition, "energy")
-        values = sweep(now, now.energies.kernel, names, x, t, r, p)
+        values = sweep(now, now.energies.kernel, names, (x, t, r, p))
         return Energy(*(values.tolist() if values.ndim == 1 else values.T.copy()))
 
     def evaluate_constraints(

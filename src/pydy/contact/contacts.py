@@ -11,7 +11,6 @@ import numpy as np
 
 from pydy._checks import check_mapping, choice, flag, shown
 from pydy._errors import ContactError
-from pydy._system.causes import cause_of
 from pydy._system.evaluation import warn_of_outputs
 from pydy._system.snapshot import Snapshot
 from pydy._system.solving import check_events
@@ -192,7 +191,7 @@ class Contacts:
         run = self._run(events, sensitivities, control_sensitivities, solver_kwargs)
         trajectory = run.trajectory()
         if not np.isfinite(trajectory.outputs).all():
-            warn_of_outputs(trajectory, run.now, cause_of)
+            warn_of_outputs(trajectory, run.now)
         return trajectory
 
     def in_modes(self, modes: Mapping[str, str]) -> System:
