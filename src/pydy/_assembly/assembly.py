@@ -24,7 +24,7 @@ from pydy._graph.rounding import rounding_bounds
 from pydy._graph.simplify import simplify
 from pydy._graph.switches import Passes
 from pydy._graph.tangent import Tangent, jacobian_tangent, worthwhile_parts
-from pydy._mechanics.equations import Mechanism
+from pydy._mechanics.equations import Equations
 from pydy._mechanics.symbols import find_symbols
 
 _BLOCKS = (
@@ -60,9 +60,7 @@ class Assembly:
     # What further expressions may hold; see `expression_program`.
     atoms: Mapping[Any, int] = field(default_factory=dict)
     speeds: list[int] = field(default_factory=list)
-    mechanism: Mechanism | None = None  # the bodies behind the equations
-    # The places of holonomic residuals, and of the coordinates that they alone give.
-    following: tuple[tuple[int, ...], tuple[int, ...]] = ((), ())
+    equations: Equations | None = None  # of a mechanical system
     # The blocks that depend on accelerations, with these as inputs of the group 'a': for a
     # linear solver of the user's. Empty where there is none.
     open: Mapping[str, list[int]] = field(default_factory=dict)
@@ -95,6 +93,18 @@ class Assembly:
         return [*self.holonomic, *self.nonholonomic]
 
     @property
+    def following(self) -> tuple[tuple[int, ...], tuple[int, ...]]:
+        """The places of holonomic residuals, and of the coordinates that they alone give."""
+        return ((), ()) if self.equations is None else self.equations.following
+
+    def with_left_out(self) -> tuple[list[int], list[int]]:
+        """Return the holonomic and velocity constraints, with those left out as redundant last."""
+        assert self.equations is not None
+        closed, redundant = self.equations.left_out
+        holonomic = [*self.holonomic, *self.read(closed, "the holonomic constraints")]
+        return holonomic, [*self.velocity, *self.read(redundant, "the velocity constraints")]
+
+    @property
     def kinetic_energy(self) -> list[int]:
         """The kinetic energy of the bodies: one node, or none where no bodies are known."""
         return substitute(self.graph, self._kinetic_energy(), self.given)
@@ -117,9 +127,10 @@ class Assembly:
         return substitute(g, cells, self.given)
 
     def _kinetic_energy(self, sizes: bool = False) -> list[int]:
-        if self.mechanism is None or not self.mechanism.bodies:
+        mechanism = None if self.equations is None else self.equations.mechanism
+        if mechanism is None or not mechanism.bodies:
             return []
-        energy = [self.mechanism.energy]
+        energy = [mechanism.energy]
         return self._reader("the kinetic energy", energy if sizes else ()).all(energy)
 
     def fork(self) -> Assembly:

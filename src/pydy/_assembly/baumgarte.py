@@ -31,9 +31,7 @@ def stabilised(assembly: Assembly, equations: Equations, gain: float) -> Assembl
     """
     graph, speeds = assembly.graph, assembly.speeds
     n, count, body = len(speeds), len(assembly.velocity), equations.multibody
-    closed, redundant = equations.left_out
-    holonomic = [*assembly.holonomic, *assembly.read(closed, "the holonomic constraints")]
-    velocity = [*assembly.velocity, *assembly.read(redundant, "the velocity constraints")]
+    holonomic, velocity = assembly.with_left_out()
     pull = [
         graph.sum(
             [(v, 2.0 * gain)]

@@ -250,8 +250,7 @@ def assemble_system(
         # A user's solver finds u' from M and F, which what is read later cannot wait for.
         atoms=known if external else known | dict(zip(equations.speed_rates, solved, strict=True)),
         speeds=[atoms[s] for s in u],
-        mechanism=equations.mechanism,
-        following=equations.following,
+        equations=equations,
         open=depending(accelerations)._asdict() if external else {},
     )
 

@@ -11,15 +11,17 @@ import numpy as np
 
 from pydy import _forks
 from pydy._assembly.assembly import Assembly
+from pydy._assembly.definition import Layout
 from pydy._assembly.model import CompiledModel
 from pydy._errors import IntegrationError
 from pydy._graph.derivative import dense_jacobian, jacobian
 from pydy._graph.lower import lower
 from pydy._graph.program import Program
 from pydy._graph.rewrite import substitute
+from pydy._system.energy import EnergyModel
 from pydy._system.snapshot import Snapshot
 from pydy._system.solving import constraint_names
-from pydy._system.start import Rates, Rows, contradiction, measured, rates_along
+from pydy._system.start import bounded, contradiction, measured, rates, rates_along, sized
 from pydy.solvers.kept import Ran, judge, looked_at
 from pydy.solvers.options import Options
 from pydy.solvers.outcome import OUTCOMES
@@ -28,39 +30,13 @@ from pydy.trajectory import EventRecord
 
 
 def part_of(now: Snapshot, name: str) -> Callable[[Assembly], dict[str, list[int]]] | None:
-    """Return what makes a part of `kept.Part` of an Assembly, or None where it is not known."""
-    left_out = now.definition.equations.left_out
-    if name in ("rows", "bounds"):
-        return Rows(*left_out, "sizes" if name == "rows" else name)
-    if name == "products":
-        return Products()
-    if name == "contradictions":
-        unimplied = now.definition.equations.unimplied
-        return Rates(unimplied) if unimplied else None
-    if name == "slopes":
-        return Slopes(*left_out)
-    return _energy(now) if name == "energy" else _moving(now)
-
-
-def _moving(now: Snapshot) -> Moving | None:
-    try:
-        return Moving(now.energies.moving(now.driven.layout))
-    except (ValueError, NotImplementedError):  # not known
+    """Return what makes a part of `kept.Part` of an Assembly, or None where there is none."""
+    if name == "contradictions" and not now.definition.equations.unimplied:
         return None
-
-
-def _energy(now: Snapshot) -> EnergyPart | None:
-    """Return the energies of a model, found once; None where they are not known."""
-    latest = now.driven.latest
-    part: EnergyPart | None
-    energies, part = latest.get("energy", (None, None))
-    if energies is not now.energies:
-        part, left_out = None, now.definition.equations.left_out
-        with suppress(ValueError, NotImplementedError):
-            if now.energies.static:
-                part = EnergyPart(*now.energies.expressions(now.driven.layout), *left_out)
-        latest["energy"] = now.energies, part
-    return part
+    if name in PARTS:
+        return PARTS[name]
+    made = now.energies, now.driven.layout
+    return EnergyPart(*made) if name == "energy" else Moving(*made)
 
 
 # -- one motion ------------------------------------------------------------------------------------
@@ -186,14 +162,11 @@ class KeptPrograms:
     def _program(self, name: str) -> Program | None:
         own = self._model.assembly.fork()
         if name == "screen":
-            left_out = self._now.definition.equations.left_out
-            parts = {**Rows(*left_out, "sizes")(own), **Products()(own)}
+            parts = {**sized(own), **products(own)}
             return own.lowered([(n, (len(p),), p) for n, p in parts.items()], own.graph)
         made = part_of(self._now, name)
-        if made is None:
-            return None
-        blocks = [(n, (len(nodes),), nodes) for n, nodes in made(own).items()]
-        return lower(own.graph, own.sizes, blocks)
+        blocks = [(n, (len(nodes),), nodes) for n, nodes in made(own).items()] if made else ()
+        return lower(own.graph, own.sizes, blocks) if blocks else None
 
     def __reduce__(self) -> tuple[Any, ...]:
         names = "screen rows bounds products contradictions slopes moving energy"
@@ -203,79 +176,69 @@ class KeptPrograms:
 # -- the parts, as nodes of an Assembly ------------------------------------------------------------
 
 
-@dataclass(frozen=True)
-class Products:
-    """The velocity constraints' derivatives by the speeds, each row times each."""
+def products(assembly: Assembly) -> dict[str, list[int]]:
+    """Return the velocity constraints' derivatives by the speeds, each row times each."""
+    graph = assembly.graph
+    rows = jacobian(graph, assembly.velocity, assembly.speeds)
 
-    def __call__(self, assembly: Assembly) -> dict[str, list[int]]:
-        graph = assembly.graph
-        rows = jacobian(graph, assembly.velocity, assembly.speeds)
+    def product(a: dict[int, int], b: dict[int, int]) -> int:
+        return graph.sum([(graph.mul(a[k], b[k]), 1.0) for k in a.keys() & b.keys()])
 
-        def product(a: dict[int, int], b: dict[int, int]) -> int:
-            return graph.sum([(graph.mul(a[k], b[k]), 1.0) for k in a.keys() & b.keys()])
-
-        return {
-            "products": [
-                product(rows[max(i, j)], rows[min(i, j)])
-                for i, _ in enumerate(rows)
-                for j, _ in enumerate(rows)
-            ]
-        }
+    pairs = ((rows[max(i, j)], rows[min(i, j)]) for i in range(len(rows)) for j in range(len(rows)))
+    return {"products": [product(*pair) for pair in pairs]}
 
 
-@dataclass(frozen=True)
-class Slopes:
-    """All constraints, rates of the holonomic ones, and the derivatives of both by the states.
-
-    With the units that states have by themselves: see `rounding.per_unit`.
+def slopes(assembly: Assembly) -> dict[str, list[int]]:
+    """Return all constraints, rates of the holonomic ones, and derivatives of both by the states.
 
     Rows with specifieds of which nothing but values is known have no rate, and are left out.
     """
+    graph = assembly.graph
+    places, motion = assembly.with_left_out()
+    rows = [graph.zero if "r" in graph.inputs_of([n]) else n for n in (*places, *motion)]
+    rates = rates_along(assembly, rows[: len(places)]) + [graph.zero] * len(motion)
+    states = [graph.input("x", k) for k in range(assembly.sizes[0])]
+    turns = dense_jacobian(graph, rates, states)
+    return {"rows": rows, "rates": rates, "turns": turns, **measured(assembly, rows, len(places))}
 
-    closed: tuple[Any, ...]
-    redundant: tuple[Any, ...]
 
-    def __call__(self, assembly: Assembly) -> dict[str, list[int]]:
-        graph = assembly.graph
-        places, motion = self.read(assembly)
-        rows = [graph.zero if "r" in graph.inputs_of([n]) else n for n in (*places, *motion)]
-        rates = rates_along(assembly, rows[: len(places)]) + [graph.zero] * len(motion)
-        states = [graph.input("x", k) for k in range(assembly.sizes[0])]
-        turns = dense_jacobian(graph, rates, states)
-        derived = measured(assembly, rows, len(places))
-        return {"rows": rows, "rates": rates, "turns": turns, **derived}
-
-    def read(self, assembly: Assembly) -> tuple[list[int], list[int]]:
-        """Return the holonomic and the velocity constraints."""
-        closed = assembly.read(self.closed, "the holonomic constraints")
-        redundant = assembly.read(self.redundant, "the velocity constraints")
-        return [*assembly.holonomic, *closed], [*assembly.velocity, *redundant]
+PARTS: dict[str, Callable[[Assembly], dict[str, list[int]]]] = {
+    "rows": sized, "bounds": bounded, "products": products, "contradictions": rates,
+    "slopes": slopes,
+}  # fmt: skip
 
 
 @dataclass(frozen=True)
-class EnergyPart:
+class _OfEnergies:
+    """A part that follows from the energies; there is nothing in it where these are not known."""
+
+    energies: EnergyModel
+    layout: Layout
+
+
+class EnergyPart(_OfEnergies):
     """The energies and forces, and the total energy's derivatives; nothing where it may change.
 
     It is constant where loads have a potential and constraints do no work: neither depends on time
     or specifieds, all that moves moves with the speeds.
     """
 
-    kinetic: Any
-    potential: Any
-    closed: tuple[Any, ...]
-    redundant: tuple[Any, ...]
-
     def __call__(self, assembly: Assembly) -> dict[str, list[int]]:
+        known: tuple[Any, ...] = ()
+        with suppress(ValueError, NotImplementedError):
+            known = self.energies.expressions(self.layout) if self.energies.static else ()
+        if not known:
+            return {}
         graph, speeds = assembly.graph, assembly.speeds
-        kinetic, potential = assembly.read((self.kinetic, self.potential), "the energy")
-        places, motion = Slopes(self.closed, self.redundant).read(assembly)
+        kinetic, potential = assembly.read(known, "the energy")
+        places, motion = assembly.with_left_out()
         first, n = graph.args[speeds[0]][1], len(speeds)
         moves = [*motion, *assembly.rates[:first]]
         driven = graph.inputs_of([kinetic, potential, *places, *moves]) & {"t", "r"}
         momenta = dense_jacobian(graph, [kinetic], speeds)
         rest = substitute(graph, [kinetic, *momenta, *moves], dict.fromkeys(speeds, graph.zero))
         if driven or any(node != graph.zero for node in rest):
-            return {"kinetic": [], "total": [], "slopes": [], "forces": []}
+            return {}
         total = graph.add(kinetic, potential)
         states = [graph.input("x", k) for k in range(assembly.sizes[0])]
         hessian, u_dot = dense_jacobian(graph, momenta, speeds), assembly.rates[first : first + n]
@@ -287,15 +250,15 @@ class EnergyPart:
         return {"kinetic": [kinetic], "total": [total], "slopes": slopes, "forces": forces}
 
 
-@dataclass(frozen=True)
-class Moving:
+class Moving(_OfEnergies):
     """The kinetic energy, and its second derivatives by the states as far as these are speeds."""
-
-    kinetic: Any
 
     def __call__(self, assembly: Assembly) -> dict[str, list[int]]:
         graph, speeds = assembly.graph, assembly.speeds
-        nodes = assembly.read((self.kinetic,), "the energy")
+        try:
+            nodes = assembly.read((self.energies.moving(self.layout),), "the energy")
+        except (ValueError, NotImplementedError):
+            return {}
         rows = dense_jacobian(graph, dense_jacobian(graph, nodes, speeds), speeds)
         first, n, states = graph.args[speeds[0]][1], len(speeds), assembly.sizes[0]
         hessian = [graph.zero] * states**2

@@ -234,14 +234,13 @@ def with_all(model: CompiledModel, definition: Definition) -> CompiledModel:
 
     Those that were kept may lose rank on a regular path, where all together have theirs.
     """
-    closed, redundant = definition.equations.left_out
 
     def change(own: Assembly) -> Assembly:
-        holonomic = [*own.holonomic, *own.read(closed, "the holonomic constraints")]
-        velocity = [*own.velocity, *own.read(redundant, "the velocity constraints")]
+        holonomic, velocity = own.with_left_out()
         return replace(own, holonomic=holonomic, velocity=velocity)
 
-    return model.changed("all constraints", change) if closed or redundant else model
+    whole = not any(definition.equations.left_out)
+    return model if whole else model.changed("all constraints", change)
 
 
 def projection_program(assembly: Assembly) -> Program:

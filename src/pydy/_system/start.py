@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass, replace
-from typing import Any, Literal
+from dataclasses import replace
+from typing import Literal
 
 import numpy as np
 
@@ -43,7 +43,7 @@ def check_start(at: At, whose: str = "", mended: bool = False) -> bool:
     told = "" if held else violations(at, redundant=False)
     equations = at.definition.equations
     unimplied = () if told else equations.unimplied
-    if unimplied and (found := contradicted(at.values(Rates(unimplied)))):
+    if unimplied and (found := contradicted(at.values(rates))):
         why = contradiction(equations, float(at.t[0]), *found[1:])
         raise ValueError(f"No motion satisfies all constraints. {why}")
     if held and not any(equations.left_out):
@@ -63,8 +63,8 @@ def check_start(at: At, whose: str = "", mended: bool = False) -> bool:
 def _check_constant(at: At) -> None:
     """Refuse a constraint of constants alone that is not zero: no motion can satisfy it."""
     equations = at.definition.equations
-    parts = zip((equations.holonomic, equations.velocity), equations.left_out, strict=True)
-    rows = [row for kept, more in parts for row in (*kept, *more)]
+    closed, redundant = equations.left_out
+    rows = [*equations.holonomic, *closed, *equations.velocity, *redundant]
     residuals, bounds = (part[0] for part in evaluated_rows(at, "bounds"))
     constants = set(at.definition.constants)
     for k in np.flatnonzero(np.abs(residuals) > DIGITS * bounds):
@@ -124,13 +124,18 @@ def violations(
         return ""
     residuals, bounds = (part[0] for part in evaluated_rows(at, "bounds"))
     inherited = None if before is None else evaluated_rows(before, "bounds")[0][0]
-    equations = at.definition.equations
-    parts = zip((equations.holonomic, equations.velocity), equations.left_out, strict=True)
-    lengths = [len(rows) for pair in parts for rows in pair]
-    wanted = [block and row for block in blocks for row in (True, redundant)]
-    residuals = np.where(np.repeat(wanted, lengths), residuals, 0.0)
+    equations, (q, v) = at.definition.equations, blocks
+    looked_at = _rows_of(equations, q, q and redundant, v, v and redundant)
+    residuals = np.where(looked_at, residuals, 0.0)
     allowed = allowed_after(DIGITS * bounds, inherited)
     return described(float(at.t[0]), residuals, allowed, ConstraintNames(equations))
+
+
+def _rows_of(equations: Equations, *wanted: bool) -> np.ndarray:
+    """Tell which rows are wanted: holonomic, of these left out, velocity, of these left out."""
+    closed, redundant = equations.left_out
+    parts = equations.holonomic, closed, equations.velocity, redundant
+    return np.repeat(wanted, [len(part) for part in parts])
 
 
 def check_samples(
@@ -187,22 +192,18 @@ def rates_along(assembly: Assembly, rows: Sequence[int]) -> list[int]:
     return dense(graph, directional(graph, known, along), 1)
 
 
-@dataclass(frozen=True)
-class Rates:
-    """The rates of some holonomic constraints, and the velocity constraints beside them."""
-
-    places: tuple[int, ...]
-
-    def __call__(self, assembly: Assembly) -> dict[str, list[int]]:
-        graph = assembly.graph
-        rates = rates_along(assembly, [assembly.holonomic[k] for k in self.places])
-        return {
-            "rates": rates,
-            "sizes": rounding_bounds(graph, rates, True),
-            "slopes": dense_jacobian(graph, rates, assembly.speeds),
-            "left": assembly.velocity,
-            "rows": dense_jacobian(graph, assembly.velocity, assembly.speeds),
-        }
+def rates(assembly: Assembly) -> dict[str, list[int]]:
+    """Return 'contradictions' of `kept.Part`."""
+    graph, equations = assembly.graph, assembly.equations
+    assert equations is not None
+    rows = rates_along(assembly, [assembly.holonomic[k] for k in equations.unimplied])
+    return {
+        "rates": rows,
+        "sizes": rounding_bounds(graph, rows, True),
+        "slopes": dense_jacobian(graph, rows, assembly.speeds),
+        "left": assembly.velocity,
+        "rows": dense_jacobian(graph, assembly.velocity, assembly.speeds),
+    }
 
 
 # -- Constraints that were left out as redundant ---------------------------------------------------
@@ -220,7 +221,7 @@ def check_redundant(at: At) -> None:
     if not any(left_out):
         return
     n = len(equations.coordinates)
-    places = slice(len(equations.holonomic), len(equations.holonomic) + len(left_out[0]))
+    places = _rows_of(equations, False, True, False, False)
     closed, bounds = (part[0, places] for part in evaluated_rows(at, "bounds"))
     if (far := ~(np.abs(closed) <= DIGITS * bounds)).any():
         k = int(np.argmax(far))
@@ -229,14 +230,14 @@ def check_redundant(at: At) -> None:
             f"these numbers it contradicts the others: at t = {t!r} it is {closed[k]:.3g} where "
             "the others hold. Correct it, or the constants and initial conditions."
         )
-    values = at.values(Rows(*left_out, "slopes"))
-    kept, more = (values[name].reshape(-1, at.x.shape[1])[:, n:] for name in ("kept", "more"))
+    slopes = at.values(_velocity_slopes)["slopes"].reshape(-1, at.x.shape[1])[:, n:]
     # The state is known to six digits: what is singular there leaves half of them.
-    needed = rank(np.concatenate([kept, more]), least=DIGITS**0.5)
-    if needed > len(kept):
+    needed = rank(slopes, least=DIGITS**0.5)
+    if needed > len(equations.velocity):
         raise ValueError(
             f"At t = {t!r} there are {needed} independent velocity constraints, but only "
-            f"{len(kept)} were kept: at the states that were tried, the others followed from them. "
+            f"{len(equations.velocity)} were kept: at the states that were tried, the others "
+            "followed from them. "
             "The linkage can be assembled in another way, in which they do. Say which is meant: "
             "`pydy.mechanics.Definition(..., configuration=system.initial_conditions)`."
         )
@@ -248,11 +249,8 @@ def warn_of_left_out(at: At, blocks: tuple[bool, bool]) -> None:
     The `blocks` say whether holonomic constraints are looked at, and velocity constraints.
     """
     equations = at.definition.equations
-    parts = zip((equations.holonomic, equations.velocity), equations.left_out, blocks, strict=True)
-    pairs = [(len(kept), len(more), wanted) for kept, more, wanted in parts]
-    lengths = [n for pair in pairs for n in pair[:2]]
-    kept = np.repeat([True, False] * 2, lengths)
-    left = np.repeat([False, pairs[0][2], False, pairs[1][2]], lengths)
+    kept = _rows_of(equations, True, False, True, False)
+    left = _rows_of(equations, False, blocks[0], False, blocks[1])
     if not left.any() or surely_held(at).all():
         return
     residuals, sizes = evaluated_rows(at, "bounds")
@@ -275,7 +273,7 @@ def evaluated_rows(at: At, what: Literal["sizes", "bounds"]) -> tuple[np.ndarray
     errors with what a search leaves of states that are zero; see `left_by_rounding`. Rows are the
     holonomic constraints, those left out behind the others, then the velocity constraints.
     """
-    found = at.values(Rows(*at.definition.equations.left_out, what))
+    found = at.values(sized if what == "sizes" else bounded)
     sizes = found["sizes"]
     if what == "bounds":
         sizes = sizes + left_by_rounding(found, sizes, at.x) / DIGITS
@@ -298,53 +296,47 @@ def measured(assembly: Assembly, rows: Sequence[int], count: int) -> dict[str, l
     return {"slopes": cells, "solved": solved, "per_unit": per_unit(graph, rows, states)}
 
 
-@dataclass(frozen=True)
-class Rows:
-    """All constraints, those that were left out too, and what is asked of them."""
+def _velocity_slopes(assembly: Assembly) -> dict[str, list[int]]:
+    """Return the derivatives of all velocity constraints by the states."""
+    states = [assembly.graph.input("x", k) for k in range(assembly.sizes[0])]
+    return {"slopes": dense_jacobian(assembly.graph, assembly.with_left_out()[1], states)}
 
-    closed: tuple[Any, ...]
-    redundant: tuple[Any, ...]
-    what: str
 
-    def __call__(self, assembly: Assembly) -> dict[str, list[int]]:
-        graph = assembly.graph
-        closed = assembly.read(self.closed, "the holonomic constraints")
-        more = assembly.read(self.redundant, "the velocity constraints")
-        if self.what == "slopes":
-            states = [graph.input("x", k) for k in range(assembly.sizes[0])]
-            return {
-                "kept": dense_jacobian(graph, assembly.velocity, states),
-                "more": dense_jacobian(graph, more, states),
-            }
-        rows = [*assembly.holonomic, *closed, *assembly.velocity, *more]
-        derived = {}
-        if self.what == "bounds":
-            derived = measured(assembly, rows, len(assembly.holonomic) + len(closed))
-        parts = (assembly.holonomic, closed), (assembly.velocity, more)
-        sizes = [size for part in parts for size in self._sizes(graph, *part)]
-        return {"rows": rows, "sizes": sizes, **derived}
+def sized(assembly: Assembly, inherited: bool = False) -> dict[str, list[int]]:
+    """Return 'rows' of `kept.Part`: all constraints, and the terms of their last sums."""
+    holonomic, velocity = assembly.with_left_out()
+    parts = (holonomic, len(assembly.holonomic)), (velocity, len(assembly.velocity))
+    sizes = [n for rows, kept in parts for n in _sizes(assembly.graph, rows, kept, inherited)]
+    return {"rows": [*holonomic, *velocity], "sizes": sizes}
 
-    def _sizes(self, graph: Graph, kept: list[int], left_out: list[int]) -> list[int]:
-        """Return what rounding is in proportion to.
 
-        SymPy adds up numbers beforehand. A row that is a number is what it left of those of the
-        other rows, or of cosines between directions; so is one that was left out whose terms are
-        no larger than roundings of the rows that were kept.
-        """
-        g, rows, inherited = graph, [*kept, *left_out], self.what == "bounds"
-        of_constants = [n for n in rows if g.constant[n]]
-        sizes = dict(zip(rows, rounding_bounds(g, rows, inherited), strict=True))
-        more = rounding_bounds(g, of_constants, inherited, constants=True)
-        sizes.update(zip(of_constants, more, strict=True))
-        numbers = [n for n in of_constants if g.ops[n] == "const" and n != g.zero]
-        others = [(size, ROUNDED / DIGITS) for n, size in sizes.items() if n not in numbers]
-        sizes.update(dict.fromkeys(numbers, g.sum(others, ROUNDED / DIGITS)))
-        if kept:
-            least = sizes[kept[0]]
-            for n in kept[1:]:
-                least = g.call("min", least, sizes[n])
-            roundings = g.sum([(least, ROUNDED)])
-            for n in {*left_out} - {*numbers}:
-                tiny = g.call("le", sizes[n], roundings)
-                sizes[n] = g.call("select", tiny, g.sum([(least, ROUNDED / DIGITS)]), sizes[n])
-        return [sizes[n] for n in rows]
+def bounded(assembly: Assembly) -> dict[str, list[int]]:
+    """Return 'bounds' of `kept.Part`: the same with bounds on rounding errors."""
+    found = sized(assembly, inherited=True)
+    return {**found, **measured(assembly, found["rows"], len(assembly.with_left_out()[0]))}
+
+
+def _sizes(graph: Graph, rows: list[int], kept: int, inherited: bool) -> list[int]:
+    """Return what rounding is in proportion to.
+
+    SymPy adds up numbers beforehand. A row that is a number is what it left of those of the
+    other rows, or of cosines between directions; so is one that was left out whose terms are
+    no larger than roundings of the rows that were kept.
+    """
+    g = graph
+    of_constants = [n for n in rows if g.constant[n]]
+    sizes = dict(zip(rows, rounding_bounds(g, rows, inherited), strict=True))
+    more = rounding_bounds(g, of_constants, inherited, constants=True)
+    sizes.update(zip(of_constants, more, strict=True))
+    numbers = [n for n in of_constants if g.ops[n] == "const" and n != g.zero]
+    others = [(size, ROUNDED / DIGITS) for n, size in sizes.items() if n not in numbers]
+    sizes.update(dict.fromkeys(numbers, g.sum(others, ROUNDED / DIGITS)))
+    if kept:
+        least = sizes[rows[0]]
+        for n in rows[1:kept]:
+            least = g.call("min", least, sizes[n])
+        roundings = g.sum([(least, ROUNDED)])
+        for n in {*rows[kept:]} - {*numbers}:
+            tiny = g.call("le", sizes[n], roundings)
+            sizes[n] = g.call("select", tiny, g.sum([(least, ROUNDED / DIGITS)]), sizes[n])
+    return [sizes[n] for n in rows]
