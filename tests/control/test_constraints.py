@@ -282,7 +282,7 @@ def test_a_constraint_that_a_control_moves_is_refused():
 def guessed(system, problem, given=None):
     """Return the coordinates x and y of a guess at its nodes and points, and their times."""
     made = Transcription(problem._problem, problem._scheme, problem._mesh)
-    states = made.split(problem._prepared(made, given)[1])[0]
+    states = made.split(problem._joined([problem._mesh], [given])[1])[0]
     rows = {s.name: row for s, row in zip(system.states, states, strict=True)}
     there = ~made.places[1]
     return rows["x"][there], rows["y"][there], made.places[0][there]
@@ -320,7 +320,7 @@ def test_dependent_coordinates_of_a_guess_follow_and_free_ones_keep_their_lines(
     system = System(made)
     problem = OptimalControl(system, effort(system), 1.0, end={"x": 1.0}, mesh=6)
     transcription = Transcription(problem._problem, problem._scheme, problem._mesh)
-    states = transcription.split(problem._prepared(transcription, None)[1])[0]
+    states = transcription.split(problem._joined([problem._mesh], [None])[1])[0]
     rows = {
         s.name: row[~transcription.places[1]] for s, row in zip(system.states, states, strict=True)
     }

@@ -143,18 +143,18 @@ def compare(nlp, z, reference):
         H = [gradient_along(direction) for direction in directions]
         J, g, H = (np.array(a, dtype=float) for a in (J, g, H))
         cost, rows = float(cost), np.array(rows, dtype=float)
-    assert nlp.cost(z) == pytest.approx(cost, rel=1e-13)
-    own = np.empty(nlp.rows)
-    assert nlp.values(z, own)
+    assert nlp.native("cost", z)[0][0] == pytest.approx(cost, rel=1e-13)
+    own, fine = nlp.native("rows", z)
+    assert fine
     np.testing.assert_allclose(own, rows, rtol=1e-12, atol=1e-12)
-    own = np.empty(nlp.size)
-    assert nlp.gradient(z, own)
+    own, fine = nlp.native("gradient", z)
+    assert fine
     np.testing.assert_allclose(own, g, rtol=1e-11, atol=1e-12)
-    own = np.empty(len(nlp.jacobian_at[0]))
-    assert nlp.jacobian(z, own)
+    own, fine = nlp.native("jacobian", z)
+    assert fine
     np.testing.assert_allclose(dense(J.shape, nlp.jacobian_at, own), J, rtol=1e-11, atol=1e-11)
-    own = np.empty(len(nlp.hessian_at[0]))
-    assert nlp.hessian(z, 0.7, multipliers, own)
+    own, fine = nlp.native("hessian", z, 0.7, multipliers)
+    assert fine
     lower = dense((nlp.size, nlp.size), nlp.hessian_at, own)
     assert (nlp.hessian_at[0] >= nlp.hessian_at[1]).all()
     both = lower + np.tril(lower, -1).T
@@ -282,16 +282,14 @@ def test_units_divide_functions_and_derivatives():
     plain, z, _ = nlp_of(problem, 1)
     scaled, _, _ = nlp_of(problem, 1, unit=False)
     y = z / scaled.sizes
-    values = [np.empty(plain.rows), np.empty(plain.rows)]
-    plain.values(z, values[0])
-    scaled.values(y, values[1])
+    values = [plain.native("rows", z)[0], scaled.native("rows", y)[0]]
     np.testing.assert_allclose(values[1] * scaled.row_sizes, values[0], atol=1e-12)
-    J = np.empty(len(plain.jacobian_at[0]))
-    scaled.jacobian(y, J)
+    J = scaled.native("jacobian", y)[0]
     largest = np.zeros(plain.rows)
     np.maximum.at(largest, plain.jacobian_at[0], np.abs(J))
     assert largest.max() <= 1.0 + 1e-12
-    assert scaled.cost(y) * scaled.cost_size == pytest.approx(plain.cost(z))
+    costs = [nlp.native("cost", at)[0][0] for nlp, at in ((scaled, y), (plain, z))]
+    assert costs[0] * scaled.cost_size == pytest.approx(costs[1])
 
 
 def test_evaluation_is_the_same_for_few_and_for_many_points():
@@ -300,8 +298,7 @@ def test_evaluation_is_the_same_for_few_and_for_many_points():
     for mesh in (1, 2, 7, 8, 9, 31):
         problem = OptimalControl(system, sm.Integral(F**2 + x * v, T), 1.0, mesh=mesh, order=2)
         nlp, z, made = nlp_of(problem, 5)
-        own = np.empty(nlp.rows)
-        nlp.values(z, own)
+        own = nlp.native("rows", z)[0]
         states, controls, _, _ = made.split(z)
         (points,) = made.scheme.points(made.mesh)
         rates = np.einsum("cp,ncp->np", points.coefficients, states[:, points.slots])
@@ -405,8 +402,7 @@ def test_the_hessian_of_gauss_and_newton():
             hessian=hessian,
         )  # fmt: skip
         nlp, z, made = nlp_of(problem, 1)
-        own = np.empty(len(nlp.hessian_at[0]))
-        nlp.hessian(z, 0.7, np.zeros(nlp.rows), own)
+        own = nlp.native("hessian", z, 0.7, np.zeros(nlp.rows))[0]
         exact.append(dense((nlp.size, nlp.size), nlp.hessian_at, own))
     # (x − v)⁴ = r² with r = (x − v)²: its exact Hessian is 12 (x − v)², that of r² 8 (x − v)².
     states, _controls, _, _ = made.split(z)

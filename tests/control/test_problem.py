@@ -593,9 +593,9 @@ def test_what_cannot_be_done_yet_is_told():
 
 
 def test_a_jump_that_no_mesh_meets_is_warned_of(monkeypatch, mass):
-    from pydy.control import problem
+    from pydy.control import search
 
-    monkeypatch.setattr(problem, "MOST_REFINEMENTS", 1)
+    monkeypatch.setattr(search, "MOST_REFINEMENTS", 1)
     system, (q1, _q2, _u1, _u2, F) = optima.cart_pole()
     with pytest.warns(PyDyUserWarning, match="After 1 refinements the mesh of 4 intervals"):
         system.optimize_trajectory(energy(F), 1.0, end={q1: 0.3}, mesh=4, mesh_tol=1e-12)

@@ -94,9 +94,8 @@ def _quadrature(made: Transcription, nlp: Nlp, z: np.ndarray, absolute: bool = F
     for piece, points in zip(nlp.pieces, made.points, strict=False):
         if not piece.functions.outputs[1]:
             continue
-        out = np.zeros((1, piece.points))
-        piece.functions("cost", z[piece.at], piece.data, piece.constants, out)
-        cost = np.abs(out[0]) if absolute else out[0]
+        cost = piece.evaluate("cost", z)[0]
+        cost = np.abs(cost) if absolute else cost
         if len(cost) == M + 1:  # nodes, which belong to the intervals on both sides
             cost = cost / points.weights
             found += h / 6 * (cost[:-1] + cost[1:])
@@ -173,13 +172,11 @@ class _Between:
 
     def lagrangian(self) -> np.ndarray:
         """Return L + Λ · r."""
-        f, count = self.piece.functions, self.X.shape[1]
-        rows, cost = np.zeros((self.piece.rows, count)), np.zeros((1, count))
-        if len(rows):
-            f("rows", self.X, self.R, self.piece.constants, rows)
-        if f.outputs[1]:
-            f("cost", self.X, self.R, self.piece.constants, cost)
-        total: np.ndarray = (self.multipliers * rows).sum(axis=0) + cost[0]
+        rows, cost = (
+            self.piece.functions(name, self.X, self.R, self.piece.constants)
+            for name in ("rows", "cost")
+        )
+        total: np.ndarray = (self.multipliers * rows).sum(axis=0) + cost.sum(axis=0)
         return total
 
     def slope(self, i: int, values: np.ndarray) -> np.ndarray:
@@ -191,8 +188,7 @@ class _Between:
             variables = places[:, 1] if name == "jacobian" else places
             if not (variables == own).any():
                 continue
-            entries = np.zeros((len(places), len(values)))
-            f(name, self.X, self.R, P, entries)
+            entries = f(name, self.X, self.R, P)
             for e in np.flatnonzero(variables == own):
                 found += entries[e] * (self.multipliers[places[e, 0]] if places.ndim == 2 else 1.0)
         return found

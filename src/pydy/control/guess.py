@@ -7,13 +7,11 @@ from typing import Any
 
 import numpy as np
 
-from pydy._checks import Places, check_mapping, number, real_array, shown
-from pydy._errors import OptimizationError
+from pydy._checks import Places, check_mapping, number
 from pydy._rank import DIGITS, least_step
-from pydy.control.nlp import Nlp
+from pydy.control.limits import limit
 from pydy.control.transcription import Transcription
-from pydy.control.tuning import LEAST_MESH_TOL, MOST_CLOSING_STEPS
-from pydy.inputs import SampledInput
+from pydy.control.tuning import MOST_CLOSING_STEPS
 from pydy.trajectory import Trajectory
 
 
@@ -59,21 +57,8 @@ class Guess:
             return found
         if symbol not in self._values:
             return None
-        value = self._values[symbol]
-        what = f"`guess[{symbol}]`"
-        if isinstance(value, SampledInput):
-            if value.size != 1:
-                raise ValueError(f"{what} must be samples of one value, got {value.size} a time.")
-            samples: np.ndarray = value.rows(fractions * duration)[:, 0]
-            return samples
-        samples = np.atleast_1d(real_array(value, what))
-        if samples.ndim != 1 or not len(samples) or not np.isfinite(samples).all():
-            raise ValueError(
-                f"{what} must be a finite number, or a row of them, got {shown(value)}."
-            )
-        even = np.linspace(0.0, 1.0, num=len(samples))
-        between: np.ndarray = np.interp(fractions, even, samples)
-        return between
+        given = limit(self._values[symbol], f"`guess[{symbol}]`", duration, finite=True)
+        return given(fractions)
 
     def number(self, symbol: Any, known: float) -> float:
         """Return a free constant to begin with."""
@@ -106,17 +91,14 @@ def follow_constraints(
     slots = own[np.argsort(places[own], kind="stable")]
     piece, states = made.held_at(slots), list(moving)
     f, shift = piece.functions, np.zeros(len(states))
-    rows, entries = np.empty((piece.rows, 1)), np.empty((len(f.jacobian_at), 1))
     J = np.zeros((piece.rows, f.sizes[0]))
     for k in range(len(slots)):
         at, data = piece.at[:, [k]], np.ascontiguousarray(piece.data[:, [k]])
         X = z[at]
         X[states, 0] += shift
         for _ in range(MOST_CLOSING_STEPS):
-            f("rows", X, data, piece.constants, rows)
-            f("jacobian", X, data, piece.constants, entries)
-            J[tuple(f.jacobian_at.T)] = entries[:, 0]
-            left, by = rows[:count, 0], J[:count]
+            J[tuple(f.jacobian_at.T)] = f("jacobian", X, data, piece.constants)[:, 0]
+            left, by = f("rows", X, data, piece.constants)[:count, 0], J[:count]
             if not (np.isfinite(left).all() and np.isfinite(by).all()):
                 break
             if (np.abs(left) <= DIGITS * (np.abs(by) @ np.abs(X[:, 0]))).all():
@@ -135,61 +117,7 @@ def positive_time(value: Any, what: str = "`duration`") -> float:
     return result
 
 
-def check_freedom(nlp: Nlp) -> None:
-    """Refuse more equations than unknowns."""
-    low, high = nlp.row_bounds
-    equal, unknown = int((low == high).sum()), int((nlp.lower < nlp.upper).sum())
-    if equal > unknown:
-        raise ValueError(
-            f"The problem has {equal} equations for {unknown} unknowns on this mesh: there is "
-            "nothing left to choose. Free some of the `start` or `end`, or leave a specified "
-            "without a value, which makes it a control."
-        )
-
-
-def mesh_tolerance(value: Any) -> float | None:
-    """Return a checked `mesh_tol`."""
-    if value is None:
-        return None
-    result = positive_time(value, "`mesh_tol`")
-    if result < LEAST_MESH_TOL:
-        raise ValueError(
-            f"`mesh_tol` must be at least {LEAST_MESH_TOL:.2g}, what rounding leaves on any mesh, "
-            f"got {result:g}."
-        )
-    return result
-
-
 def shown_pair(limits: tuple[float, float]) -> str:
     """Return bounds for a message, as users give them."""
     low, high = (None if np.isinf(value) else value for value in limits)
     return repr(low) if low == high else f"({low!r}, {high!r})"
-
-
-def checked_sweep(values: Any) -> tuple[list[Any], list[np.ndarray]]:
-    """Return what is swept, and as many values for each."""
-    given = check_mapping("values", values)
-    rows = [np.atleast_1d(real_array(v, f"`values[{k}]`")) for k, v in given.items()]
-    for key, row in zip(given, rows, strict=True):
-        if row.ndim != 1 or row.shape != rows[0].shape or not np.isfinite(row).all():
-            raise ValueError(
-                f"`values[{key}]` must be finite numbers, as many as for the others, got the "
-                f"shape {row.shape} after {rows[0].shape}."
-            )
-    if not rows:
-        raise ValueError("`values` must map at least one constant to numbers.")
-    return [*given], rows
-
-
-def swept(rows: Sequence[Any], made: Any, search: Any, guess: Any) -> list[Any]:
-    """Search for one set of values after the other, from the last motion, else from the guess."""
-    found: list[Any] = []
-    for numbers in zip(*rows, strict=True):
-        last = found[-1] if found else None
-        try:
-            found.append(search(made(numbers, last), guess if last is None else last))
-        except OptimizationError:
-            if last is None:
-                raise
-            found.append(search(made(numbers, None), guess))
-    return found

@@ -74,67 +74,32 @@ from pydy.control.tuning import (
 
 @dataclass(frozen=True, eq=False)
 class Experiment:
-    """A measured motion.
+    """A measured motion."""
 
-    Attributes
-    ----------
-    now : Snapshot
-        The System as it was in this experiment.
-    begin : float
-        The time of the initial conditions.
-    times : ndarray, shape (m,)
-    measured : tuple of symbols
-        States and outputs.
-    values, weights : ndarray, shape (m, q)
-        Samples, and one over their noise; zero where there is no sample.
-    unknown : tuple of int
-        States whose values at the start are parameters of this experiment.
-    tied : tuple of int
-        States whose values at the start follow from the constraints.
-    states : ndarray, shape (m', n)
-        Where the search begins, at the times `at`.
-    at : ndarray, shape (m',)
-    """
-
-    now: Any
-    begin: float
-    times: np.ndarray
-    measured: tuple[Any, ...]
-    values: np.ndarray
-    weights: np.ndarray
-    unknown: tuple[int, ...]
-    tied: tuple[int, ...]
-    states: np.ndarray
-    at: np.ndarray
+    now: Any  # the System's snapshot as it was in this experiment
+    begin: float  # the time of the initial conditions
+    times: np.ndarray  # (m,)
+    measured: tuple[Any, ...]  # states and outputs
+    values: np.ndarray  # (m, q), the samples
+    weights: np.ndarray  # (m, q), one over their noise; zero where there is no sample
+    unknown: tuple[int, ...]  # states whose values at the start are parameters of this experiment
+    tied: tuple[int, ...]  # states whose values at the start follow from the constraints
+    states: np.ndarray  # (m', n), where the search begins, at the times `at`
+    at: np.ndarray  # (m',)
 
 
 @dataclass(frozen=True, eq=False)
 class Identified:
-    """What was found.
+    """What was found."""
 
-    Attributes
-    ----------
-    z : ndarray, shape (k,)
-        The parameters.
-    residuals : list of ndarray, shapes (m, q)
-        For each experiment: model minus sample, divided by the noise.
-    values : ndarray, shape (r,)
-        All residuals, those of disturbances included.
-    jacobian : ndarray, shape (r, k)
-        By the parameters, the states and disturbances following them.
-    followed : ndarray, shape (n, k)
-        Derivatives of all unknowns by the parameters.
-    largest : ndarray, shape (n,)
-        How large each state becomes.
-    solution : Solution
-    """
-
-    z: np.ndarray
+    z: np.ndarray  # (k,), the parameters
+    # For each experiment: model minus sample, divided by the noise, (m, q).
     residuals: list[np.ndarray]
-    values: np.ndarray
+    values: np.ndarray  # (r,), all residuals, those of disturbances included
+    # (r, k), by the parameters, the states and disturbances following them; so do all unknowns.
     jacobian: np.ndarray
-    followed: np.ndarray
-    largest: np.ndarray
+    followed: np.ndarray  # (n, k)
+    largest: np.ndarray  # (n,), how large each state becomes
     solution: Solution
 
     @property
@@ -318,8 +283,7 @@ class Identification:
     def _found(self, joined: _Joined, nlp: Nlp, residuals: Nlp, solution: Solution) -> Identified:
         z = joined.at_bounds(nlp, solution)
         k = len(self.limits[0])
-        values = np.empty(residuals.rows)
-        residuals.values(z / residuals.sizes, values)
+        values = residuals.native("rows", z / residuals.sizes)[0]
         parts, start = [], 0
         for e in self.experiments:
             size = e.values.size
@@ -545,9 +509,7 @@ def _start(e: Experiment, made: Transcription, motion: Any) -> np.ndarray:
 
 def _matrix(nlp: Nlp, y: np.ndarray, rows: int, columns: int) -> Any:
     """Return the Jacobian of a program's rows, in units of its own."""
-    values = np.empty(len(nlp.jacobian_at[0]))
-    nlp.jacobian(y, values)
-    return scipy.sparse.csr_array((values, nlp.jacobian_at), (rows, columns))
+    return scipy.sparse.csr_array((nlp.native("jacobian", y)[0], nlp.jacobian_at), (rows, columns))
 
 
 def _system(R: Any, A: Any) -> tuple[Any, Any]:

@@ -22,6 +22,7 @@ from dataclasses import dataclass
 from functools import cache
 from importlib.util import find_spec
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -29,8 +30,7 @@ import numpy as np
 from pydy._checks import shown
 from pydy._errors import MissingDependencyError
 from pydy._interrupts import Interrupts
-from pydy.control.native import SIGNATURES
-from pydy.control.nlp import Nlp
+from pydy.control.nlp import SIGNATURES, Nlp
 from pydy.control.tuning import TOLERANCE, WARM_BARRIER
 
 _INFINITE = 2e19  # beyond 1e19 a bound is none, `nlp_upper_bound_inf`
@@ -174,55 +174,62 @@ def _probe(lib: Any) -> bool:
     The problem min (x − 3)² with 1 ≤ x ≤ 2 has the solution 2.
     """
 
-    class Square:
-        size, rows, cost_size, estimated = 1, 0, 1.0, False
-        lower, upper, sizes = np.array([1.0]), np.array([2.0]), np.ones(1)
-        row_sizes, row_bounds = np.empty(0), (np.empty(0), np.empty(0))
-        jacobian_at = (np.empty(0, np.int32), np.empty(0, np.int32))
-        hessian_at = (np.zeros(1, np.int32), np.zeros(1, np.int32))
-        handle = None
+    def put(address: int, value: float, kind: Any = c_double) -> bool:
+        _view(address, 1, kind)[0] = value
+        return True
 
-        @property
-        def native(self) -> Square:
-            return self
+    def bend(*given: Any) -> bool:
+        weight, (i, j, out) = given[3], given[-4:-1]
+        return put(out, 2.0 * weight) if out else put(i, 0, c_int) and put(j, 0, c_int)
 
-        def __init__(self) -> None:
-            self._calls = [
-                ctypes.CFUNCTYPE(c_bool, *kinds)(getattr(self, "rows_" if name == "rows" else name))
-                for name, kinds in SIGNATURES.items()
-            ]
-            pairs = zip(SIGNATURES, self._calls, strict=True)
-            self.addresses = {name: ctypes.cast(call, c_void_p).value for name, call in pairs}
-
-        def cost(self, _n: int, y: int, _new: bool, out: int, _: Any) -> bool:
-            _view(out, 1)[0] = (_view(y, 1)[0] - 3.0) ** 2
-            return True
-
-        def gradient(self, _n: int, y: int, _new: bool, out: int, _: Any) -> bool:
-            _view(out, 1)[0] = 2.0 * (_view(y, 1)[0] - 3.0)
-            return True
-
-        def rows_(self, *_: Any) -> bool:
-            return True
-
-        jacobian = rows_
-
-        def hessian(
-            self, _n: int, _y: int, _new: bool, weight: float, _m: int, _multipliers: int,
-            _again: bool, _count: int, i: int, j: int, out: int, _: Any,
-        ) -> bool:  # fmt: skip
-            if out:
-                _view(out, 1)[0] = 2.0 * weight
-            else:
-                _view(i, 1, c_int)[0] = _view(j, 1, c_int)[0] = 0
-            return True
-
-    found = _solve(lib, Square(), np.array([1.5]), {}, lambda iteration: None)
+    functions = {
+        "cost": lambda _n, y, _new, out, _: put(out, (_view(y, 1)[0] - 3.0) ** 2),
+        "gradient": lambda _n, y, _new, out, _: put(out, 2.0 * (_view(y, 1)[0] - 3.0)),
+        "hessian": bend,
+    }
+    calls = {
+        name: ctypes.CFUNCTYPE(c_bool, *kinds)(functions.get(name, lambda *_: True))
+        for name, kinds in SIGNATURES.items()
+    }
+    pointers = {name: ctypes.cast(call, c_void_p).value for name, call in calls.items()}
+    none, one, at = np.empty(0), np.ones(1), np.zeros(1, np.int32)
+    square = SimpleNamespace(
+        size=1, rows=0, cost_size=1.0, estimated=False, lower=one, upper=2.0 * one, sizes=one,
+        row_sizes=none, row_bounds=(none, none), jacobian_at=(none, none), hessian_at=(at, at),
+        native=SimpleNamespace(addresses=pointers, handle=None),
+    )  # fmt: skip
+    found = _solve(lib, square, np.array([1.5]), {}, lambda iteration: None)
     return found.status == 0 and abs(found.z[0] - 2.0) < 0.001
 
 
+class Watched:
+    """The iterations of a search, and what was raised on the way, which ends it."""
+
+    def __init__(
+        self, nlp: Any, watch: Callable[[Iteration], None], interrupts: Interrupts
+    ) -> None:
+        self.nlp, self._watch, self._interrupts = nlp, watch, interrupts
+        self.history: list[Iteration] = []
+        self.raised: list[BaseException] = []
+
+    def guarded(
+        self, _mode: int, number: int, objective: float, primal: float, dual: float, barrier: float,
+        *_: Any,
+    ) -> bool:  # fmt: skip
+        """Note an iteration; tell whether to go on. An exception is kept: ctypes would print it."""
+        try:
+            if not self.raised:
+                objective *= self.nlp.cost_size
+                self.history.append(Iteration(number, objective, primal, dual, barrier))
+                self._watch(self.history[-1])
+                self._interrupts.check()
+        except BaseException as error:  # noqa: BLE001
+            self.raised.append(error)
+        return not self.raised
+
+
 @contextmanager
-def _kept(raised: list[BaseException], guard: Callable[..., bool]) -> Iterator[None]:
+def _kept(raised: list[BaseException], guard: Any) -> Iterator[None]:
     """Keep what a signal's handler raises on the way into a function, before it can catch it.
 
     ctypes reports it as unraisable, and answers with whatever lies in the result, often true: the
@@ -296,28 +303,9 @@ def _solve(
     warm: Solution | None = None,
 ) -> Solution:
     n, m = nlp.size, nlp.rows
-    history: list[Iteration] = []
-    raised: list[BaseException] = []
     interrupts = Interrupts()
-
-    def each(
-        _mode: int, number: int, objective: float, primal: float, dual: float, barrier: float,
-        *_: Any,
-    ) -> None:  # fmt: skip
-        history.append(Iteration(number, objective * nlp.cost_size, primal, dual, barrier))
-        watch(history[-1])
-        interrupts.check()
-
-    def guarded(*arguments: Any) -> bool:
-        """Keep an exception, which ctypes would print and go on."""
-        try:
-            if not raised:
-                each(*arguments)
-        except BaseException as error:  # noqa: BLE001
-            raised.append(error)
-        return not raised
-
-    called = _EACH(guarded)
+    watched = Watched(nlp, watch, interrupts)
+    called = _EACH(watched.guarded)
     bounds, native = program_bounds(nlp), nlp.native
     addresses = [native.addresses[k] for k in SIGNATURES]
     problem = c_void_p(
@@ -339,14 +327,14 @@ def _solve(
             multipliers[:], below[:], above[:] = warm.seeds(nlp)
         status, interrupted = None, None
         try:
-            with interrupts, _kept(raised, guarded):
+            with interrupts, _kept(watched.raised, watched.guarded):
                 status = lib.IpoptSolve(
                     problem,
                     *(a.ctypes.data for a in (y, values, objective, multipliers, below, above)),
                     native.handle,
                 )
-                if raised:
-                    raise raised[0]
+                if watched.raised:
+                    raise watched.raised[0]
         except (KeyboardInterrupt, MemoryError) as stop:
             if status is None:
                 raise
@@ -354,8 +342,9 @@ def _solve(
     finally:
         lib.FreeIpoptProblem(problem)
     return Solution.of(
-        nlp, y, multipliers, below, above, float(objective[0]), status, history, interrupted
-    )
+        nlp, y, multipliers, below, above, float(objective[0]), status, watched.history,
+        interrupted,
+    )  # fmt: skip
 
 
 def _failed(nlp: Any, z: np.ndarray, status: int) -> Solution:

@@ -1,7 +1,7 @@
 """Equations of motion in implicit form on a graph, and machine code for functions of points.
 
-This is the one file of the package that knows the expression graph; `native` knows the LLVM back
-end, too.
+This is the one file of the package that knows the expression graph; `nlp` knows the LLVM back end,
+too.
 
 The equations are ``q' − G = 0`` and ``M(q) u' − F = 0``: no linear system is solved, and every
 derivative is a sum of products. Constraints hold themselves, not their derivatives: of velocities,
@@ -30,6 +30,7 @@ from pydy._assembly.model import stored
 from pydy._assembly.specifieds import driven
 from pydy._backends.llvm.backend import LLVMBackend
 from pydy._backends.llvm.native import sweep_by_columns
+from pydy._forks import cached_property
 from pydy._graph.adjoint import adjoints
 from pydy._graph.collector import collector_paused
 from pydy._graph.derivative import jacobian
@@ -251,58 +252,44 @@ class Point:
         of the cost's, or None. `squares` are factors and residuals, of whose squares the cost is
         a sum.
         """
-        key = self._content(rows, cost, hessian, squares)
-        known = self.equations.made
+        costs = [] if cost is None else [cost]
+        roots = [*rows, *costs, *(node for pair in squares for node in pair)]
+        outputs = len(rows), len(costs)
+        key, known = self._content(roots, outputs, hessian), self.equations.made
         made = known.pop(key, None)
         if made is None:
-            derived = stored(
-                (_SOURCE, key),
-                lambda: self._derived(rows, cost, hessian, squares),
-                _Derived.from_bytes,
+            made = stored(
+                (_SOURCE, key), lambda: self._derived(roots, outputs, hessian), Functions.from_bytes
             )
-            made = derived.compiled((len(rows), int(cost is not None)))
         known[key] = made
         while len(known) > KEPT:
             del known[next(iter(known))]
         return made
 
-    def _content(
-        self,
-        rows: Sequence[int],
-        cost: int | None,
-        hessian: str | None,
-        squares: Sequence[tuple[int, int]],
-    ) -> bytes:
+    def _content(self, roots: list[int], outputs: tuple[int, int], hessian: str | None) -> bytes:
         """Return a digest of all that decides what is derived."""
-        g, pairs = self.graph, [node for pair in squares for node in pair]
-        roots = [*rows, *([] if cost is None else [cost]), *pairs]
+        g = self.graph
         order = g.reachable(roots)
         new = {old: k for k, old in enumerate(order)}
         nodes = [(g.ops[n], with_operands(g.ops[n], g.args[n], new)) for n in order]
-        sizes = (len(self._variables), len(self._data), self.constants, len(rows), len(pairs))
+        sizes = (len(self._variables), len(self._data), self.constants, *outputs)
         # Version 2 of the format writes every object in full: equal content gives equal bytes.
-        content = (nodes, [new[n] for n in roots], sizes, cost is None, hessian)
+        content = (nodes, [new[n] for n in roots], sizes, hessian)
         return hashlib.sha256(marshal.dumps(content, 2)).digest()
 
     def _derived(
-        self,
-        rows: Sequence[int],
-        cost: int | None,
-        hessian: str | None,
-        squares: Sequence[tuple[int, int]],
-    ) -> _Derived:
+        self, roots: list[int], outputs: tuple[int, int], hessian: str | None
+    ) -> Functions:
         g = self.graph
         put = {n: g.input("x", k) for k, n in enumerate(self._variables)}
         put |= {n: g.input("r", k) for k, n in enumerate(self._data)}
         put |= {g.input("P", k): g.input("p", k) for k in range(self.constants)}
-        by, data, m = [*put.values()][: len(self._variables)], len(self._data), len(rows)
+        by, data, m = [*put.values()][: len(self._variables)], len(self._data), outputs[0]
         with collector_paused():
-            costs = [] if cost is None else [cost]
-            pairs = [node for pair in squares for node in pair]
-            roots = simplify(g, substitute(g, [*rows, *costs, *pairs], put))
-            pairs, roots = roots[m + len(costs) :], roots[: m + len(costs)]
+            roots = simplify(g, substitute(g, roots, put))
+            pairs, roots = roots[sum(outputs) :], roots[: sum(outputs)]
             rows, costs = roots[:m], roots[m:]
-            weights = [g.input("r", data + k) for k in range(m + len(costs))]
+            weights = [g.input("r", data + k) for k in range(len(roots))]
             slopes = jacobian(g, rows, by)
             gradient = adjoints(g, costs, [g.one], by) if costs else []
             gradient_at = [k for k, n in enumerate(gradient) if n != g.zero]
@@ -329,40 +316,7 @@ class Point:
                     shared = nodes if name in ("cost", "rows") else factor_sums(g, nodes)
                     own = weighted if name == "hessian" else sizes
                     programs[name] = lower(g, own, [(name, (len(nodes),), shared)])
-        return _Derived(programs, sizes, gradient_at, jacobian_at, hessian_at)
-
-
-@dataclass(frozen=True)
-class _Derived:
-    """Functions before they are compiled: Programs, and the places of their outputs."""
-
-    programs: dict[str, Program]
-    sizes: tuple[int, int, int]
-    gradient_at: list[int]
-    jacobian_at: list[tuple[int, int]]
-    hessian_at: list[tuple[int, int]]
-
-    def to_bytes(self) -> bytes:
-        programs = {name: program.to_bytes() for name, program in self.programs.items()}
-        return marshal.dumps(
-            (programs, self.sizes, self.gradient_at, self.jacobian_at, self.hessian_at)
-        )
-
-    @classmethod
-    def from_bytes(cls, data: bytes) -> _Derived:
-        programs, *rest = marshal.loads(data)
-        return cls({name: Program.from_bytes(one) for name, one in programs.items()}, *rest)
-
-    def compiled(self, outputs: tuple[int, int]) -> Functions:
-        backend = LLVMBackend(lanes=_LANES)
-        return Functions(
-            {name: backend.compile(program) for name, program in self.programs.items()},
-            self.sizes,
-            outputs,
-            np.array(self.gradient_at, dtype=int),
-            np.array(self.jacobian_at, dtype=int).reshape(-1, 2),
-            np.array(self.hessian_at, dtype=int).reshape(-1, 2),
-        )
+        return Functions.of(programs, sizes, outputs, gradient_at, jacobian_at, hessian_at)
 
 
 def _normal(
@@ -383,7 +337,7 @@ class Functions:
     """Machine code for rows and a cost at points, and for their derivatives by the variables."""
 
     # 'cost', 'gradient', 'rows', 'jacobian' and 'hessian', as far as they are not empty.
-    kernels: dict[str, Kernel]
+    programs: dict[str, Program]
     sizes: tuple[int, int, int]  # numbers of variables, data and constants
     outputs: tuple[int, int]  # numbers of rows and of costs, which is one or none
     gradient_at: np.ndarray  # (k,), the variables that the cost depends on
@@ -391,35 +345,56 @@ class Functions:
     # triangle.
     jacobian_at: np.ndarray
     hessian_at: np.ndarray
-    _times: dict[int, np.ndarray] = field(default_factory=dict, repr=False)
     _sweeps: dict[str, tuple[np.ndarray, int, Any]] = field(default_factory=dict, repr=False)
+
+    @classmethod
+    def of(
+        cls, programs: Any, sizes: Any, outputs: Any, gradient_at: Any, *pairs: Any
+    ) -> Functions:
+        """Return the functions of Programs, with lists of places."""
+        first, second = (np.array(places, dtype=int).reshape(-1, 2) for places in pairs)
+        return cls(programs, sizes, outputs, np.array(gradient_at, dtype=int), first, second)
+
+    def to_bytes(self) -> bytes:
+        """Return what `from_bytes` reads."""
+        programs = {name: program.to_bytes() for name, program in self.programs.items()}
+        places = [at.tolist() for at in (self.gradient_at, self.jacobian_at, self.hessian_at)]
+        return marshal.dumps((programs, self.sizes, self.outputs, *places))
+
+    @classmethod
+    def from_bytes(cls, data: bytes) -> Functions:
+        """Read what `to_bytes` returns."""
+        programs, sizes, outputs, *places = marshal.loads(data)
+        own = {name: Program.from_bytes(one) for name, one in programs.items()}
+        return cls.of(own, sizes, outputs, *places)
+
+    @cached_property
+    def _kernels(self) -> dict[str, Kernel]:
+        backend = LLVMBackend(lanes=_LANES)
+        return {name: backend.compile(program) for name, program in self.programs.items()}
 
     def sweep(self, name: str) -> tuple[np.ndarray, int, Any]:
         """Return what native code needs for one of the functions; see `sweep_by_columns`."""
         if name not in self._sweeps:
-            self._sweeps[name] = sweep_by_columns(self.kernels[name].program, _LANES)
+            self._sweeps[name] = sweep_by_columns(self.programs[name], _LANES)
         words, scratch, code = self._sweeps[name]
         return words.copy(), scratch, code
 
     def __getstate__(self) -> dict[str, Any]:
-        return {**self.__dict__, "_sweeps": {}}
+        return {k: v for k, v in self.__dict__.items() if k != "_kernels"} | {"_sweeps": {}}
 
-    def __call__(
-        self, name: str, X: np.ndarray, R: np.ndarray, P: np.ndarray, out: np.ndarray
-    ) -> bool:
-        """Evaluate one of the functions; return whether no linear solve failed.
+    def __call__(self, name: str, X: np.ndarray, R: np.ndarray, P: np.ndarray) -> np.ndarray:
+        """Return the values of one of the functions, (entries, points).
 
-        X is (variables, points), R (data, points), P (constants,) and `out` (entries, points), all
-        contiguous. For the Hessian, R ends with the multipliers of the rows and the weight of the
-        cost.
+        X is (variables, points), R (data, points) and P (constants,). For the Hessian, R ends with
+        the multipliers of the rows and the weight of the cost.
         """
         count = X.shape[1]
-        times = self._times.get(count)
-        if times is None:
-            times = self._times[count] = np.zeros(count)
-        if count > 1 and len(X) > 1:  # as they lie: `out` is written in place
-            _, failed = self.kernels[name].evaluate(times, X.T, R.T, P, out.T)
-        else:
-            values, failed = self.kernels[name].evaluate(times, X.T, R.T, P)
-            out[:] = values.T
-        return not failed.any()
+        if name not in self.programs:
+            return np.empty((0, count))
+        times, X, R = np.zeros(count), np.ascontiguousarray(X), np.ascontiguousarray(R)
+        if count > 1 and len(X) > 1:  # as they lie: the values are written in place
+            out = np.empty((len(self.programs[name].outputs), count))
+            self._kernels[name].evaluate(times, X.T, R.T, P, out.T)
+            return out
+        return np.ascontiguousarray(self._kernels[name].evaluate(times, X.T, R.T, P)[0].T)

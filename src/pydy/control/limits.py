@@ -1,4 +1,4 @@
-"""Bounds of states and controls, which may change over the motion."""
+"""Bounds and guesses of states and controls, which may change over the motion."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from pydy.inputs import SampledInput
 
 @dataclass(frozen=True, eq=False)
 class Limit:
-    """A bound as a function of fractions of the duration."""
+    """A bound, or a guess, as a function of fractions of the duration."""
 
     values: Any  # a number, or values at equal distances over the motion, or at times
     duration: float | None = None  # of the motion, for samples at times
@@ -31,8 +31,8 @@ class Limit:
         return between
 
 
-def limit(value: Any, what: str, duration: float | None) -> Limit | float:
-    """Return a side of bounds that the user gave: a number as it is."""
+def limit(value: Any, what: str, duration: float | None, *, finite: bool = False) -> Limit:
+    """Return a guess, or a side of bounds, that the user gave; numbers may have to be finite."""
     if isinstance(value, SampledInput):
         if duration is None:
             raise ValueError(
@@ -44,7 +44,9 @@ def limit(value: Any, what: str, duration: float | None) -> Limit | float:
         return Limit(value, duration)
     samples = real_array(value, what)
     if samples.ndim == 0:
-        return number(value, what)
+        return Limit(number(value, what, finite=finite))
     if samples.ndim != 1 or not len(samples) or not np.isfinite(samples).all():
-        raise ValueError(f"{what} must have rows of finite numbers, got {shown(value)}.")
+        raise ValueError(
+            f"{what} must be a finite number, or rows of finite numbers, got {shown(value)}."
+        )
     return Limit(samples)

@@ -4,21 +4,37 @@
 
 The variables X of a point are some of the unknowns z; the constants P are those of its piece.
 Solvers see it in units of its own: with z = sizes · y, each row and the objective divided by their
-sizes, no tolerance depends on the units in which a model is written.
+sizes, no tolerance depends on the units in which a model is written. No Python runs when a solver
+calls the functions: they are those of ``_backends/core/nlp.c``, with the signatures of IPOPT's C
+interface, and here its structs are filled in.
 """
 
 from __future__ import annotations
 
+import ctypes
 from collections.abc import Sequence
+from ctypes import c_bool, c_double, c_int, c_void_p
 from dataclasses import dataclass, field, replace
+from typing import Any
 
 import numpy as np
 
+from pydy._backends.llvm.native import nlp_functions
 from pydy._forks import cached_property
 from pydy._rank import or_one
 from pydy.control.kernel import Functions
-from pydy.control.native import Native
 from pydy.control.tuning import UNEVEN
+
+SIGNATURES: dict[str, tuple[Any, ...]] = {
+    "cost": (c_int, c_void_p, c_bool, c_void_p, c_void_p),
+    "rows": (c_int, c_void_p, c_bool, c_int, c_void_p, c_void_p),
+    "gradient": (c_int, c_void_p, c_bool, c_void_p, c_void_p),
+    "jacobian": (c_int, c_void_p, c_bool, c_int, c_int, *[c_void_p] * 4),
+    "hessian": (
+        *(c_int, c_void_p, c_bool, c_double, c_int, c_void_p, c_bool, c_int),
+        *[c_void_p] * 4,
+    ),
+}
 
 
 @dataclass(frozen=True, eq=False)
@@ -45,6 +61,10 @@ class Piece:
     def points(self) -> int:
         """Number of points."""
         return len(self.fractions)
+
+    def evaluate(self, name: str, z: np.ndarray) -> np.ndarray:
+        """Return the values of one of the functions at unknowns, (entries, points)."""
+        return self.functions(name, z[self.at], self.data, self.constants)
 
     @property
     def shortest(self) -> np.ndarray:
@@ -129,31 +149,6 @@ class Nlp:
     def __getstate__(self) -> dict[str, object]:
         return {key: value for key, value in self.__dict__.items() if key != "native"}
 
-    def cost(self, y: np.ndarray) -> float:
-        """Return the objective, NaN where it cannot be computed."""
-        out = np.empty(1)
-        self.native.cost(np.ascontiguousarray(y, float), out)
-        return float(out[0])
-
-    def gradient(self, y: np.ndarray, out: np.ndarray) -> bool:
-        """Write the gradient of the objective; return whether it could be computed."""
-        return self.native.gradient(np.ascontiguousarray(y, float), out)
-
-    def values(self, y: np.ndarray, out: np.ndarray) -> bool:
-        """Write the rows; return whether they are finite."""
-        return self.native.rows(np.ascontiguousarray(y, float), out)
-
-    def jacobian(self, y: np.ndarray, out: np.ndarray) -> bool:
-        """Write the entries of the rows' Jacobian; return whether they could be computed."""
-        return self.native.jacobian(np.ascontiguousarray(y, float), out)
-
-    def hessian(
-        self, y: np.ndarray, weight: float, multipliers: np.ndarray, out: np.ndarray
-    ) -> bool:
-        """Write the entries of the Hessian of ``weight · cost + multipliers · rows``."""
-        multipliers = np.ascontiguousarray(multipliers, float)
-        return self.native.hessian(np.ascontiguousarray(y, float), weight, multipliers, out)
-
     # -- units ------------------------------------------------------------------------------------
 
     def in_own_units(self, z: np.ndarray) -> Nlp:
@@ -164,8 +159,7 @@ class Nlp:
         curvature: one that is a sum of squares is flat where a search may begin.
         """
         y = z / self.sizes
-        J = np.empty(len(self.jacobian_at[0]))
-        self.jacobian(y, J)
+        J = self.native("jacobian", y)[0]
         sizes = np.zeros(self.rows)
         np.maximum.at(sizes, self.jacobian_at[0], np.abs(np.nan_to_num(J)))
         start = 0
@@ -176,20 +170,105 @@ class Nlp:
             uneven = piece.shortest < UNEVEN
             groups[:] = np.where(uneven, np.maximum(groups, piece.shortest * largest), largest)
             start = stop
-        slope = np.empty(self.size)
-        self.gradient(y, slope)
+        slope = self.native("gradient", y)[0]
         curved = np.zeros(self.size)
         i, j = self.hessian_at
         if not self.estimated:
-            H = np.zeros(len(i))
-            self.hessian(y, 1.0, np.zeros(self.rows), H)
+            H = self.native("hessian", y, 1.0, np.zeros(self.rows))[0]
             np.add.at(curved, i, np.abs(H) / 2)
             np.add.at(curved, j[i != j], np.abs(H[i != j]) / 2)
         else:
-            self.gradient(y + 1.0, curved)  # by their sizes farther, all at once
+            curved = self.native("gradient", y + 1.0)[0]  # by their sizes farther, all at once
             curved = np.abs(curved - slope) / 2
         size = float(np.max(np.nan_to_num(np.abs(slope) + curved), initial=0.0))
         return replace(self, row_sizes=or_one(sizes), cost_size=size if size > 0.0 else 1.0)
+
+
+class Native:
+    """The compiled functions of an Nlp: `addresses` by the keys of `SIGNATURES`.
+
+    They take the `handle` as their last argument; it is valid as long as this object lives.
+    """
+
+    def __init__(self, nlp: Any) -> None:
+        code = nlp_functions()
+        self.addresses = {name: code.addresses[f"nlp_{name}"] for name in SIGNATURES}
+        self._call = {
+            name: ctypes.CFUNCTYPE(c_bool, *kinds)(self.addresses[name])
+            for name, kinds in SIGNATURES.items()
+        }
+        self._sizes = nlp.size, nlp.rows, len(nlp.jacobian_at[0]), len(nlp.hessian_at[0])
+        self._kept: list[Any] = [code]
+        tables = [
+            np.array([self._part(nlp, k, name) for k, piece in enumerate(nlp.pieces)
+                      if name in piece.functions.programs], np.int64)
+            for name in SIGNATURES
+        ]  # fmt: skip
+        units = [nlp.row_sizes, nlp.sizes / nlp.cost_size, *nlp.derivative_units]
+        words = np.zeros(24, np.int64)
+        words[:17] = [
+            *(nlp.size, nlp.rows),
+            *(len(table) for table in tables),
+            *(self._kept_at(table) for table in tables),
+            *(self._kept_at(np.ascontiguousarray(unit)) for unit in units),
+            self._kept_at(np.empty(nlp.size)),
+        ]
+        words[17:18].view(float)[0] = nlp.cost_size
+        words[18:22] = [self._kept_at(a) for a in (*nlp.jacobian_at, *nlp.hessian_at)]
+        words[22:] = self._sizes[2:]
+        self.handle = self._kept_at(words)
+
+    def _kept_at(self, array: np.ndarray) -> int:
+        """Keep an array, and return where its numbers are."""
+        self._kept.append(array)
+        return int(array.ctypes.data)
+
+    def _part(self, nlp: Any, k: int, name: str) -> list[int]:
+        """Return the words of one function of a piece."""
+        piece = nlp.pieces[k]
+        functions, points = piece.functions, piece.points
+        words, scratch, code = functions.sweep(name)
+        self._kept.append(code)
+        rows, costs = functions.outputs if name == "hessian" else (0, 0)
+        data = np.concatenate([piece.data, np.zeros((rows + costs, points))])
+        words[9:11] = points, len(data) if points > 1 else 0
+        results = len(functions.programs[name].outputs) * points
+        to = piece.at[functions.gradient_at] if name == "gradient" else np.empty(0)
+        arrays = (
+            np.ascontiguousarray(piece.at, np.int64),
+            np.ascontiguousarray(nlp.sizes[piece.at]),
+            data,
+            np.ascontiguousarray(piece.constants, float),
+            np.empty(piece.at.size),
+            np.empty(results if name in ("cost", "gradient") else 0),
+            np.empty(scratch),
+            np.empty(points, np.uint8),
+            np.ascontiguousarray(to, np.int64),
+        )
+        return [*words.tolist(), *(self._kept_at(a) for a in arrays), rows, costs]
+
+    def __call__(
+        self, name: str, y: np.ndarray, weight: float = 1.0, multipliers: Any = None
+    ) -> tuple[np.ndarray, bool]:
+        """Return what a function has at y, and whether all of it is finite."""
+        n, m, slopes, curvatures = self._sizes
+        y = np.ascontiguousarray(y, float)
+        given = np.ascontiguousarray(np.empty(0) if multipliers is None else multipliers, float)
+        count, more = {
+            "cost": (1, ()),
+            "rows": (m, (m,)),
+            "gradient": (n, ()),
+            "jacobian": (slopes, (m, slopes, None, None)),
+            "hessian": (curvatures, (weight, m, _at(given), True, curvatures, None, None)),
+        }[name]
+        out = np.empty(count)
+        fine = self._call[name](n, _at(y), True, *more, _at(out), self.handle)
+        return out, bool(fine)
+
+
+def _at(array: np.ndarray) -> int:
+    assert array.dtype == float and array.flags.c_contiguous  # noqa: PT018
+    return int(array.ctypes.data)
 
 
 def _indices(parts: list[np.ndarray]) -> np.ndarray:

@@ -11,25 +11,19 @@ import numpy as np
 import sympy as sm
 
 from pydy._assembly.specifieds import followed
-from pydy._checks import Places, check_mapping, choice, describe, flag, listed, number, shown, whole
-from pydy._errors import OptimizationError, finished_before
+from pydy._checks import Places, check_mapping, choice, describe, listed, number, shown, whole
+from pydy._errors import OptimizationError
 from pydy._names import some, unique_names
-from pydy._optional import progress_of
 from pydy._rank import DIGITS, rank
 from pydy.codegen.arguments import checked_expression
-from pydy.control.accuracy import relative_errors, warn_of_chatter
 from pydy.control.expressions import Reader, bends
 from pydy.control.guess import (
     Guess,
-    check_freedom,
-    checked_sweep,
     follow_constraints,
-    mesh_tolerance,
     positive_time,
     shown_pair,
-    swept,
 )
-from pydy.control.ipopt import SOLVED, Iteration, Solution
+from pydy.control.ipopt import SOLVED, Solution
 from pydy.control.kernel import Equations, violated
 from pydy.control.limits import Limit, limit
 from pydy.control.nlp import Nlp
@@ -38,24 +32,22 @@ from pydy.control.refine import (
     Moved,
     checked_mesh,
     interval_errors,
-    refined,
     refuse_singular,
     refuse_unsolvable,
-    warn_of_refinements,
-    warn_where_coarse,
 )
-from pydy.control.result import OptimalTrajectory, why_in_vain, worst_rows
+from pydy.control.result import OptimalTrajectory
 from pydy.control.schemes import METHODS, scheme_of
+from pydy.control.search import Search
 from pydy.control.sizes import sizes_of
-from pydy.control.solvers import solver_of
 from pydy.control.transcription import Problem, Transcription
-from pydy.control.tuning import LARGEST_ORDER, MOST_REFINEMENTS
+from pydy.control.tuning import LARGEST_ORDER
 from pydy.inputs import SampledInput
 
 _OPEN = (-np.inf, np.inf)
+_FREE = (Limit(-np.inf), Limit(np.inf))
 
 
-class OptimalControl:
+class OptimalControl(Search[OptimalTrajectory]):
     """The motion of a system that minimises an objective, by direct collocation.
 
     Specifieds of the system without a value are the controls: they are found, with the states.
@@ -200,13 +192,11 @@ class OptimalControl:
         )
         self._start = self._limits("start", start, definition.states)
         self._end = self._limits("end", end, definition.states)
-        # Bounds that are numbers, and those that change over the motion.
-        self._moving: dict[Any, tuple[Limit, Limit]] = {}
-        self._bounds = self._limits("bounds", self._numbers(bounds), self._unknown.symbols)
-        if not self._bounds.get(self._symbol, _OPEN)[1] > 0.0:
+        self._bounds = self._read_bounds(bounds)
+        if not (lengths := self._bounds_at(self._symbol))[1] > 0.0:
             raise ValueError(
                 f"`bounds[{self._symbol}]` must allow a positive duration, got "
-                f"{shown_pair(self._bounds[self._symbol])}."
+                f"{shown_pair(lengths)}."
             )
         self._begins = frozenset(self._start)
         # Those that follow from the constraints, where `start` changes others.
@@ -251,11 +241,7 @@ class OptimalControl:
             labels=labels,
             constraints=() if self._fixed else self._held,
             controls=tuple(definition.specifieds.index(s) for s in self._controls),
-            control_bounds=tuple(
-                (Limit(low), Limit(high)) if s not in self._moving else self._moving[s]
-                for s in self._controls
-                for low, high in [self._bounds.get(s, _OPEN)]
-            ),
+            control_bounds=tuple(self._bounds.get(s, _FREE) for s in self._controls),
             signals=tuple(
                 (int(column), signal_of(samples, k))
                 for columns, samples in plan.sampled
@@ -284,44 +270,45 @@ class OptimalControl:
             f"{self._method} on {len(self._mesh) - 1} intervals>"
         )
 
-    def _numbers(self, bounds: Any) -> dict[Any, Any]:
-        """Return the bounds that are pairs of numbers; keep the others."""
-        given = check_mapping("bounds", bounds)
+    @property
+    def _problems(self) -> list[OptimalControl]:  # type: ignore[override]
+        return [self]
+
+    def _read_bounds(self, bounds: Any) -> dict[Any, tuple[Limit, Limit]]:
+        """Return the bounds by symbol."""
+        given, found = check_mapping("bounds", bounds), {}
         symbols = self._unknown.chosen(given, "bounds")
         moving = (*self._now.definition.states, *self._controls)
-        found = {}
         for symbol, (key, pair) in zip(symbols, given.items(), strict=True):
             what = f"`bounds[{key}]`"
             sides = pair if isinstance(pair, (tuple, list)) and len(pair) == 2 else ()
             if all(map(_constant, sides)):
-                found[key] = pair
-                continue
-            if symbol not in moving:
+                low, high = map(Limit, _pair(pair, what, False))
+            elif symbol not in moving:
                 raise ValueError(f"{what} must be a pair of numbers, got {shown(pair)}.")
-            low, high = (
-                end if side is None else limit(side, what, self._duration)
-                for side, end in zip(sides, _OPEN, strict=True)
-            )
-            self._moving[symbol] = tuple(  # type: ignore[assignment]
-                side if isinstance(side, Limit) else Limit(side) for side in (low, high)
-            )
+            else:
+                low, high = (
+                    end if side is None else limit(side, what, self._duration)
+                    for side, end in zip(sides, _FREE, strict=True)
+                )
+            found[symbol] = low, high
         return found
 
-    def _bound(self, symbol: Any, side: int, fractions: np.ndarray) -> np.ndarray:
-        """Return a side of the bounds of a state or control."""
-        if symbol in self._moving:
-            return self._moving[symbol][side](fractions)
-        return np.full(len(fractions), self._bounds.get(symbol, _OPEN)[side])
+    def _bounds_at(self, symbol: Any, place: float = 0.0) -> tuple[float, float]:
+        """Return the bounds of an unknown after some fraction of the motion."""
+        low, high = (float(side[0]) for side in self._pair_at(symbol, np.array([place])))
+        return low, high
 
     def _pair_at(self, symbol: Any, fractions: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        return self._bound(symbol, 0, fractions), self._bound(symbol, 1, fractions)
+        low, high = self._bounds.get(symbol, _FREE)
+        return low(fractions), high(fractions)
 
     def _limits(self, argument: str, given: Any, symbols: Any) -> dict[Any, tuple[float, float]]:
         """Return pairs of numbers by symbol."""
         places = Places(tuple(symbols), "unknowns of the problem")
         values = check_mapping(argument, given)
         return {
-            symbol: _pair(value, f"`{argument}[{key}]`", argument != "bounds")
+            symbol: _pair(value, f"`{argument}[{key}]`", True)
             for symbol, (key, value) in zip(
                 places.chosen(values, argument), values.items(), strict=True
             )
@@ -388,31 +375,6 @@ class OptimalControl:
 
     # -- before the search ------------------------------------------------------------------------
 
-    def check(self, guess: Any = None) -> None:
-        """Raise what is wrong with the problem before it is solved.
-
-        Parameters
-        ----------
-        guess : dict or Trajectory, optional
-            As for `solve`.
-
-        Raises
-        ------
-        ValueError
-            Ends that contradict bounds, a guess outside of bounds, a free duration without bounds
-            and guess, or fewer unknowns than equations.
-        """
-        self._prepared(Transcription(self._problem, self._scheme, self._mesh), guess)
-
-    def _prepared(self, made: Transcription, guess: Any) -> tuple[Nlp, np.ndarray]:
-        """Return the program and where to start."""
-        lower, upper = self._bounds_of(made)
-        z = self._guess(made, guess, lower, upper)
-        nlp = made.nlp(lower, upper, sizes_of(made, z, lower, upper))
-        self._check_start(made, z)
-        check_freedom(nlp)
-        return nlp.in_own_units(z), z
-
     def _check_start(self, made: Transcription, z: np.ndarray) -> None:
         """Refuse a start that violates the constraints, or that they do not determine."""
         states = self._now.definition.states
@@ -431,20 +393,15 @@ class OptimalControl:
                 )
             return
         begin = made.beginning()
-        rows = np.empty((begin.rows, 1))
-        X, P, f = z[begin.at], begin.constants, begin.functions
-        f("rows", X, begin.data, P, rows)
-        J = np.zeros((begin.rows, len(X)))
-        slopes = np.empty((len(f.jacobian_at), 1))
-        f("jacobian", X, begin.data, P, slopes)
-        J[tuple(f.jacobian_at.T)] = slopes[:, 0]
+        rows, J = begin.evaluate("rows", z)[:, 0], np.zeros((begin.rows, len(begin.at)))
+        J[tuple(begin.functions.jacobian_at.T)] = begin.evaluate("jacobian", z)[:, 0]
         sizes = sizes_of(made, z, *self._bounds_of(made))[begin.at[:, 0]]
         terms = np.abs(J) @ sizes
-        if self._fixed and (np.abs(rows[:, 0]) > DIGITS * terms).any():
-            at = int(np.argmax(np.abs(rows[:, 0]) - DIGITS * terms))
+        if self._fixed and (np.abs(rows) > DIGITS * terms).any():
+            at = int(np.argmax(np.abs(rows) - DIGITS * terms))
             raise ValueError(
                 f"The start does not satisfy the constraints: `{begin.labels[at]}` is "
-                f"{rows[at, 0]:.3g}. Call `system.set_dependent_initial_conditions`, or free "
+                f"{rows[at]:.3g}. Call `system.set_dependent_initial_conditions`, or free "
                 "states that follow from others: start={symbol: None}."
             )
         columns = [k for k, s in enumerate(states) if s in self._following]
@@ -467,17 +424,17 @@ class OptimalControl:
                 np.full((self._problem.algebraic, own), _OPEN[side]),
             )
             for k, s in enumerate(states):
-                own_side = self._bound(s, side, made.places[0])
+                own_side = self._pair_at(s, made.places[0])[side]
                 x[k] = np.where(slopes, _OPEN[side], own_side)
                 x[k, 0] = pick(own_side[0], self._start[s][side])
                 x[k, M] = pick(own_side[M], self._end.get(s, _OPEN)[side])
             for k, s in enumerate(controls):
-                u[k] = self._bound(s, side, made.control_places)
-            constants = [self._bounds.get(s, _OPEN)[side] for s in self._free]
-            least = self._bounds.get(self._symbol, _OPEN)[side]
+                u[k] = self._pair_at(s, made.control_places)[side]
+            constants = [self._bounds_at(s)[side] for s in self._free]
+            least = self._bounds_at(self._symbol)[side]
             sides.append(made.joined(x, u, constants, least if side else max(least, 0.0)))
         lower, upper = sides
-        for s in self._moving:
+        for s in (*states, *controls):
             places = made.places[0] if s in states else made.control_places
             low, high = self._pair_at(s, places)
             if (low > high).any():
@@ -492,20 +449,16 @@ class OptimalControl:
                     given = (self._start if end == "start" else self._end)[s]
                     raise ValueError(
                         f"`{end}[{s}]` is {shown_pair(given)}, which the `bounds` "
-                        f"{shown_pair(self._ends_of(s, made, place))} exclude."
+                        f"{shown_pair(self._bounds_at(s, made.places[0][place]))} exclude."
                     )
         return lower, upper
-
-    def _ends_of(self, s: Any, made: Transcription, place: int) -> tuple[float, float]:
-        low, high = self._pair_at(s, made.places[0][[place]])
-        return float(low[0]), float(high[0])
 
     def _guess(
         self, made: Transcription, given: Any, lower: np.ndarray, upper: np.ndarray
     ) -> np.ndarray:
         """Return where to start: what is given, else straight lines between the ends."""
         guess = Guess(given, self._unknown, self._duration, self._symbol)
-        duration = guess.duration(self._bounds.get(self._symbol, _OPEN))
+        duration = guess.duration(self._bounds_at(self._symbol))
         places, slopes = made.places
         inner = ~slopes
         inner[[0, made.intervals]] = False  # the ends are where `start` and `end` say
@@ -529,10 +482,8 @@ class OptimalControl:
         constants = []
         for s, k in zip(self._free, self._problem.free, strict=True):
             constants.append(guess.number(s, self._problem.constants[k]))
-            guess.check_bounds(s, np.array(constants[-1:]), self._bounds.get(s, _OPEN))
-        guess.check_bounds(
-            self._symbol, np.array([duration]), self._bounds.get(self._symbol, _OPEN)
-        )
+            guess.check_bounds(s, np.array(constants[-1:]), self._bounds_at(s))
+        guess.check_bounds(self._symbol, np.array([duration]), self._bounds_at(self._symbol))
         begin = made.joined(x, u, constants, duration)
         states = self._now.definition.states
         dependent = [states.index(s) for s in equations.dependent_coordinates]
@@ -546,127 +497,6 @@ class OptimalControl:
         begun: np.ndarray = np.clip(begin, lower, upper)
         return begun
 
-    # -- the search -------------------------------------------------------------------------------
-
-    def solve(
-        self,
-        guess: Any = None,
-        *,
-        mesh_tol: float | None = None,
-        options: Mapping[str, Any] | None = None,
-        progress: bool = False,
-        solver: str = "ipopt",
-    ) -> OptimalTrajectory:
-        """Find the motion.
-
-        Parameters
-        ----------
-        guess : dict or Trajectory, optional
-            Where the search begins: from states, controls, free constants and the duration to
-            numbers, to arrays of samples at equal distances over the motion, or to SampledInputs;
-            or a motion, such as a simulation or the solution of a similar problem, whose
-            multipliers are taken over too if it is on the same mesh. By default states lie on
-            straight lines between the ends, dependent coordinates follow from the constraints,
-            and controls are zero.
-        mesh_tol : float, optional
-            The mesh is refined until the `error` of each interval is below it, and that of the
-            objective, as a share of it (but not for 'backward-euler'). By default the mesh stays
-            as it is.
-        options : dict, optional
-            Options of the solver, such as ``{'max_iter': 500, 'tol': 1e-10}``.
-        progress : bool, optional
-            Whether to show the iterations; requires tqdm.
-        solver : {'ipopt', 'cyipopt', 'pounce'}, optional
-            IPOPT from CasADi's wheel, an installed cyipopt, or pounce-solver.
-
-        Returns
-        -------
-        OptimalTrajectory
-
-        Raises
-        ------
-        OptimizationError
-            The search did not converge; the error holds the motion where it ended.
-        AnalysisInterrupted
-            The user interrupted it; the error holds the motion of the latest iteration. So does a
-            MemoryError.
-        ValueError
-            What `check` raises.
-        MissingDependencyError
-            The solver is not installed: ``pip install 'pydy[optimal]'``.
-        """
-        search = solver_of(solver, options)
-        tolerance = mesh_tolerance(mesh_tol)
-        mesh = self._mesh
-        with progress_of(flag(progress, "`progress`"), " iterations") as told:
-            for _ in range(MOST_REFINEMENTS):
-                found = self._solved(mesh, guess, search, told)
-                if tolerance is None:
-                    warn_where_coarse([found.error])
-                    break
-                errors = relative_errors(found, tolerance)
-                worst = float(errors.max())
-                if worst <= tolerance:
-                    break
-                order = self._scheme.convergence
-                mesh, guess = refined(mesh, errors, tolerance, order), found
-            else:
-                intervals = len(found.mesh) - 1
-                warn_of_refinements(MOST_REFINEMENTS, intervals, worst, tolerance)
-        warn_of_chatter(found)
-        return found
-
-    def sweep(
-        self,
-        values: Mapping[Any, Any],
-        guess: Any = None,
-        *,
-        mesh_tol: float | None = None,
-        options: Mapping[str, Any] | None = None,
-        progress: bool = False,
-        solver: str = "ipopt",
-    ) -> list[OptimalTrajectory]:
-        """Find the motions for several values of constants; each search begins at the last motion.
-
-        Parameters
-        ----------
-        values : dict
-            From constants to arrays of the same length.
-        guess, mesh_tol, options, progress, solver
-            As for `solve`; the guess is that of the first motion.
-
-        Returns
-        -------
-        list of OptimalTrajectory
-
-        Raises
-        ------
-        OptimizationError
-            A search did not converge, neither from the last motion nor from the guess.
-        """
-        places = self._now.definition.places["constants"]
-        given, rows = checked_sweep(values)
-        columns = places.columns(given, "values")
-        self._refuse_free(given, columns)
-
-        def made(numbers: Any, last: Any) -> OptimalControl:
-            problem = self._with(columns, numbers)
-            problem._mesh = self._mesh if last is None else last.fractions
-            return problem
-
-        def search(problem: OptimalControl, start: Any) -> OptimalTrajectory:
-            return problem.solve(
-                start, mesh_tol=mesh_tol, options=options, progress=progress, solver=solver
-            )
-
-        return swept(rows, made, search, guess)
-
-    def _refuse_free(self, keys: Iterable[Any], columns: Iterable[int]) -> None:
-        """Refuse to sweep a constant that is found."""
-        for key, k in zip(keys, columns, strict=True):
-            if self._now.definition.constants[k] in self._free:
-                raise ValueError(f"`values` has `{key}`, which is `free`: it is found.")
-
     def _with(self, columns: Sequence[int], numbers: Sequence[float]) -> OptimalControl:
         """Return the same problem with other values of constants, and the same machine code."""
         other = copy(self)
@@ -676,39 +506,6 @@ class OptimalControl:
         other._now = replace(self._now, user={**self._now.user, "constants": known})
         other._problem = replace(self._problem, constants=p)
         return other
-
-    def _solved(self, mesh: np.ndarray, guess: Any, search: Any, told: Any) -> OptimalTrajectory:
-        """Return the motion on a mesh."""
-        made = Transcription(self._problem, self._scheme, mesh)
-        nlp, z = self._prepared(made, guess)
-
-        def watch(iteration: Iteration) -> None:
-            told(1, objective=f"{iteration.objective:.6g}", gap=f"{iteration.violation:.2g}")
-
-        warm = guess.solution if isinstance(guess, OptimalTrajectory) else None
-        if warm is not None and guess.is_on(made):
-            z = np.clip(warm.z, nlp.lower, nlp.upper)
-        else:
-            warm = None
-        solution: Solution = search(nlp, z, watch=watch, warm=warm)
-        trajectory = self._trajectory(made, nlp, z, solution)
-        if solution.interrupted is not None:
-            raise finished_before(
-                solution.interrupted,
-                "The latest iteration of the search for an optimal trajectory is",
-                "The search for an optimal trajectory was interrupted. Its latest iteration is in "
-                "the attribute `results` of this error.",
-                trajectory,
-            ) from None
-        if solution.status not in SOLVED:
-            raise OptimizationError(
-                "The search for an optimal trajectory ended after "
-                f"{max(len(solution.history) - 1, 0)} iterations: "
-                f"{why_in_vain(solution, [(made, nlp, z, self._controls)])}. "
-                f"{worst_rows(nlp, solution, trajectory.duration)}{self._bends}",
-                trajectory,
-            )
-        return trajectory
 
     def _trajectory(
         self, made: Transcription, nlp: Nlp, start: np.ndarray, solution: Solution
@@ -722,7 +519,7 @@ class OptimalControl:
                 None,
             )
         moved = Moved(now.driven.compiled("rates"), now.plan)
-        limits = {s: self._bounds.get(s, _OPEN) for s in self._free}
+        limits = {s: self._bounds_at(s) for s in self._free}
         refuse_singular(moved, made, now.x, solution.z, nlp.sizes, limits)
         if solution.status in SOLVED:
             refuse_unsolvable(moved, made, solution.z, now.definition.constants)

@@ -170,13 +170,9 @@ class OptimalTrajectory(Trajectory):
             own = np.tile(np.arange(M), piece.points // M)  # the points' intervals
             f, stop = piece.functions, start + piece.rows * piece.points
             weights = self.solution.multipliers[start:stop].reshape(piece.rows, -1)
-            start, entries = stop, {}
-            for name, places in (("gradient", f.gradient_at), ("jacobian", f.jacobian_at)):
-                entries[name] = np.zeros((len(places), piece.points))
-                if len(places):
-                    f(name, z[piece.at], piece.data, piece.constants, entries[name])
-            slopes = [*zip(f.gradient_at, entries["gradient"], strict=True)]
-            for (i, j), row in zip(f.jacobian_at, entries["jacobian"], strict=True):
+            start = stop
+            slopes = [*zip(f.gradient_at, piece.evaluate("gradient", z), strict=True)]
+            for (i, j), row in zip(f.jacobian_at, piece.evaluate("jacobian", z), strict=True):
                 slopes.append((j, weights[i] * row))
             for variable, values in slopes:
                 state, slot = np.divmod(piece.at[variable], slots)
@@ -369,12 +365,8 @@ def _simpson_costates(made: Transcription, nlp: Nlp, solution: Solution) -> np.n
         multipliers = solution.multipliers[start:stop].reshape(piece.rows, piece.points)
         slopes = np.zeros((piece.rows + 1, len(piece.at), piece.points))
         # Rows with their derivatives by the variables, the last one that of the objective.
-        for name, places in (("jacobian", f.jacobian_at), ("gradient", f.gradient_at)):
-            entries = np.zeros((len(places), piece.points))
-            if len(places):
-                f(name, solution.z[piece.at], piece.data, piece.constants, entries)
-            at = places.T if name == "jacobian" else (piece.rows, places)
-            slopes[tuple(at)] = entries
+        slopes[tuple(f.jacobian_at.T)] = piece.evaluate("jacobian", solution.z)
+        slopes[piece.rows, f.gradient_at] = piece.evaluate("gradient", solution.z)
         found.append((np.vstack([multipliers, np.ones(piece.points)]), slopes))
         start = stop
     (own, rows), (middle, inner) = found
@@ -414,8 +406,7 @@ def why_in_vain(
 def _stationary(
     made: Transcription, nlp: Nlp, start: np.ndarray, controls: Sequence[Any]
 ) -> list[Any]:
-    J, columns = np.empty(len(nlp.jacobian_at[0])), nlp.jacobian_at[1]
-    nlp.jacobian(start / nlp.sizes, J)
+    J, columns = nlp.native("jacobian", start / nlp.sizes)[0], nlp.jacobian_at[1]
     first, count, found = made.sizes[0], len(made.control_places), []
     for k, symbol in enumerate(controls):
         own = (columns >= first + k * count) & (columns < first + (k + 1) * count)
@@ -427,10 +418,8 @@ def _stationary(
 def worst_rows(nlp: Nlp, solution: Solution, duration: float) -> str:
     """Name the equations that are violated most, in units of their sizes."""
     y = solution.z / nlp.sizes
-    values, slope = np.empty(nlp.rows), np.empty(nlp.size)
-    nlp.values(y, values)
-    nlp.gradient(y, slope)
-    if not (np.isfinite(nlp.cost(y)) and np.isfinite(slope).all()):
+    values = nlp.native("rows", y)[0]
+    if not all(np.isfinite(nlp.native(name, y)[0]).all() for name in ("cost", "gradient")):
         return (
             "The objective or its derivatives are not finite there: begin elsewhere, with another "
             "`guess`, or keep away from such values with `bounds`."

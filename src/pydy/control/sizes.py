@@ -66,12 +66,13 @@ def _slopes(made: Transcription, z: np.ndarray, width: int) -> np.ndarray:
     # be level, where its weight has a torque that no turn changes, but for rounding.
     count = sum(whole.sizes)
     nlp = whole.nlp(np.full(count, -np.inf), np.full(count, np.inf), np.ones(count))
-    values, found = np.zeros((2, len(nlp.jacobian_at[0])))
+    values = np.zeros(len(nlp.jacobian_at[0]))
     for along in (times, *([0 * t + end for t in times] for end in (0.0, 1.0))):
         states = np.where(whole.places[1], 0.0, made.states_at(z, along[0] * duration).T)
         controls = np.zeros((made.problem.algebraic, len(times[1])))
         controls[: len(made.problem.controls)] = made.controls_at(z, along[1] * duration).T
-        nlp.jacobian(whole.joined(states, controls, constants, duration), found)
+        at = whole.joined(states, controls, constants, duration)
+        found = nlp.native("jacobian", at)[0]
         np.maximum(values, np.abs(np.nan_to_num(found)), out=values)
     n = made.problem.states
     owner = np.concatenate([np.repeat(np.arange(n), len(times[0])),

@@ -22,7 +22,7 @@ from pydy._errors import MissingDependencyError
 from pydy._interrupts import Interrupts
 from pydy._optional import require
 from pydy.control import ipopt
-from pydy.control.ipopt import Iteration, Solution, program_bounds, solver_options
+from pydy.control.ipopt import Iteration, Solution, Watched, program_bounds, solver_options
 from pydy.control.nlp import Nlp
 
 
@@ -43,66 +43,47 @@ def fitting_solver_of(name: Any, options: Any) -> Callable[..., Solution]:
     return solver_of(chosen, {**own, **check_mapping("options", options)})
 
 
-class _Program:
+class _Program(Watched):
     """A program as cyipopt and POUNCE ask for it; what cannot be computed is NaN."""
 
-    def __init__(
-        self, nlp: Nlp, watch: Callable[[Iteration], None], interrupts: Interrupts
-    ) -> None:
-        self._nlp, self._watch, self._interrupts = nlp, watch, interrupts
-        self.history: list[Iteration] = []
-        self.raised: list[BaseException] = []
-        self.y = np.full(nlp.size, np.nan)
-
-    def _filled(self, count: int, function: Callable[..., bool], *arguments: Any) -> np.ndarray:
-        out = np.empty(count)
+    def _filled(self, name: str, *given: Any) -> np.ndarray:
         try:
-            if self.raised or not function(*arguments, out):
-                out[:] = np.nan
+            found, fine = self.nlp.native(name, *given)
         except BaseException as error:  # noqa: BLE001  raised after the solver has returned
             self.raised.append(error)
-            out[:] = np.nan
-        return out
+        else:
+            if fine and not self.raised:
+                return found  # type: ignore[no-any-return]
+        size = {"cost": 1, "gradient": self.nlp.size, "rows": self.nlp.rows}
+        places = {"jacobian": self.nlp.jacobian_at, "hessian": self.nlp.hessian_at}
+        return np.full(size[name] if name in size else len(places[name][0]), np.nan)
 
     def objective(self, y: np.ndarray) -> float:
-        def cost(at: np.ndarray, out: np.ndarray) -> bool:
-            out[0] = self._nlp.cost(at)
-            return True
-
-        return float(self._filled(1, cost, y)[0])
+        return float(self._filled("cost", y)[0])
 
     def gradient(self, y: np.ndarray) -> np.ndarray:
-        return self._filled(self._nlp.size, self._nlp.gradient, y)
+        return self._filled("gradient", y)
 
     def constraints(self, y: np.ndarray) -> np.ndarray:
-        return self._filled(self._nlp.rows, self._nlp.values, y)
+        return self._filled("rows", y)
 
-    def jacobianstructure(self) -> tuple[np.ndarray, np.ndarray]:
-        return self._nlp.jacobian_at
+    def jacobianstructure(self) -> Any:
+        return self.nlp.jacobian_at
 
     def jacobian(self, y: np.ndarray) -> np.ndarray:
-        return self._filled(len(self._nlp.jacobian_at[0]), self._nlp.jacobian, y)
+        return self._filled("jacobian", y)
 
-    def hessianstructure(self) -> tuple[np.ndarray, np.ndarray]:
-        return self._nlp.hessian_at
+    def hessianstructure(self) -> Any:
+        return self.nlp.hessian_at
 
     def hessian(self, y: np.ndarray, multipliers: np.ndarray, weight: float) -> np.ndarray:
-        count = len(self._nlp.hessian_at[0])
-        return self._filled(count, self._nlp.hessian, y, weight, multipliers)
+        return self._filled("hessian", y, weight, multipliers)
 
     def intermediate(
         self, alg_mod: int, iter_count: int, obj_value: float, inf_pr: float, inf_du: float,
         mu: float, *_: Any, **_more: Any,
     ) -> bool:  # fmt: skip
-        try:
-            self.history.append(
-                Iteration(iter_count, obj_value * self._nlp.cost_size, inf_pr, inf_du, mu)
-            )
-            self._watch(self.history[-1])
-            self._interrupts.check()
-        except BaseException as error:  # noqa: BLE001  raised after the solver has returned
-            self.raised.append(error)
-        return not self.raised
+        return self.guarded(alg_mod, iter_count, obj_value, inf_pr, inf_du, mu)
 
 
 def _by_package(

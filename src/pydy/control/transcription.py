@@ -471,17 +471,13 @@ class Transcription:
 
     def located(self, kind: str, fraction: float) -> tuple[np.ndarray, np.ndarray, float]:
         """Return slots, their coefficients and the interval's length for a time."""
-        k = int(np.clip(np.searchsorted(self.mesh, fraction, "right") - 1, 0, self.intervals - 1))
-        h = float(self.mesh[k + 1] - self.mesh[k])
-        s = np.array([(fraction - self.mesh[k]) / h])
+        (k,), s = self._local(np.array([fraction]))
+        h = float(np.diff(self.mesh)[k])
         if kind == "state":
-            return (
-                self.scheme.interval_slots(self.intervals)[:, k],
-                self.scheme.basis(s)[0][:, 0],
-                h,
-            )
-        slots = self.scheme.control_slots(self.intervals)[:, k]
-        return slots, self.scheme.control_basis(s)[:, 0], h
+            slots, basis = self.scheme.interval_slots(self.intervals), self.scheme.basis(s)[0]
+        else:
+            slots, basis = self.scheme.control_slots(self.intervals), self.scheme.control_basis(s)
+        return slots[:, k], basis[:, 0], h
 
     # -- between the points -----------------------------------------------------------------------
 

@@ -14,7 +14,6 @@ from fuzz.table import flags, hashable, is_number, key, mapping, target
 from fuzz.world import driven, world
 from pydy.analysis import Trial
 from pydy.control import OptimalControl
-from pydy.control.transcription import Transcription
 
 
 def _no_relations(value: Any) -> bool:
@@ -79,9 +78,8 @@ def _optimal(guess: Any = None, **changes: Any) -> Any:
     }
     system = driven(o, specifieds={o.g: 0.125})
     problem = OptimalControl(system, given.pop("objective"), given.pop("duration"), **given)
-    made = Transcription(problem._problem, problem._scheme, problem._mesh)
-    _, z = problem._prepared(made, guess)
-    return z, *problem._bounds_of(made)
+    program, z, _ = problem._joined([problem._mesh], [guess])
+    return z, program.lower, program.upper
 
 
 @target("OptimalControl.duration", real(above=0.0), "duration")

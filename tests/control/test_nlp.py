@@ -11,8 +11,7 @@ import optima
 from optima import TF, T
 from pydy.control import OptimalControl
 from pydy.control.ipopt import library, solve
-from pydy.control.native import SIGNATURES
-from pydy.control.transcription import Transcription
+from pydy.control.nlp import SIGNATURES
 
 
 def points(nlp, k, y):
@@ -25,11 +24,9 @@ def evaluated(nlp, name, y, data=None):
     found = []
     for k, piece in enumerate(nlp.pieces):
         f = piece.functions
-        if name in f.kernels:
-            out = np.empty((len(f.kernels[name].program.outputs), piece.points))
+        if name in f.programs:
             own = piece.data if data is None else data[k]
-            assert f(name, points(nlp, k, y), own, piece.constants, out)
-            found.append((piece, out))
+            found.append((piece, f(name, points(nlp, k, y), own, piece.constants)))
     return found
 
 
@@ -50,26 +47,26 @@ def test_functions_of_a_program_have_the_bits_of_numpy(method, order, mesh):
         method=method,
         order=order,
     )
-    made = Transcription(problem._problem, problem._scheme, problem._mesh)
-    nlp, z = problem._prepared(made, {TF: 2.0})
+    nlp, z, _ = problem._joined([problem._mesh], [{TF: 2.0}])
     rng = np.random.default_rng(1)
     y = z / nlp.sizes + rng.normal(size=len(z)) / 10
     multipliers, weight = rng.normal(size=nlp.rows), 0.7
 
     cost = sum(float(out.sum()) for _, out in evaluated(nlp, "cost", y)) / nlp.cost_size
-    assert nlp.cost(y) == cost
+    assert nlp.native("cost", y)[0][0] == cost
     slopes = np.zeros(nlp.size)
     for piece, out in evaluated(nlp, "gradient", y):
         at = piece.at[piece.functions.gradient_at].ravel()
         slopes += np.bincount(at, out.ravel(), minlength=nlp.size)
-    gradient, rows = np.empty(nlp.size), np.empty(nlp.rows)
-    J, H = (np.empty(len(at[0])) for at in (nlp.jacobian_at, nlp.hessian_at))
-    assert nlp.gradient(y, gradient)
+    gradient, fine = nlp.native("gradient", y)
+    assert fine
     np.testing.assert_array_equal(gradient, slopes * (nlp.sizes / nlp.cost_size))
-    assert nlp.values(y, rows)
+    rows, fine = nlp.native("rows", y)
+    assert fine
     plain = np.concatenate([out.ravel() for _, out in evaluated(nlp, "rows", y)])
     np.testing.assert_array_equal(rows, plain / nlp.row_sizes)
-    assert nlp.jacobian(y, J)
+    J, fine = nlp.native("jacobian", y)
+    assert fine
     plain = np.concatenate([out.ravel() for _, out in evaluated(nlp, "jacobian", y)])
     np.testing.assert_array_equal(J, plain / nlp.derivative_units[0])
     weighted, first = [], 0
@@ -79,7 +76,8 @@ def test_functions_of_a_program_have_the_bits_of_numpy(method, order, mesh):
         first += m * piece.points
         last = np.full((costs, piece.points), weight / nlp.cost_size)
         weighted.append(np.concatenate([piece.data, own.reshape(m, piece.points), last]))
-    assert nlp.hessian(y, weight, multipliers, H)
+    H, fine = nlp.native("hessian", y, weight, multipliers)
+    assert fine
     plain = np.concatenate([out.ravel() for _, out in evaluated(nlp, "hessian", y, weighted)])
     np.testing.assert_array_equal(H, plain * nlp.derivative_units[1])
 
@@ -87,12 +85,11 @@ def test_functions_of_a_program_have_the_bits_of_numpy(method, order, mesh):
 def test_what_is_not_finite_is_told():
     system, (x, _, F) = optima.double_integrator()
     problem = OptimalControl(system, sm.Integral(F**2 + sm.log(x), T), 1.0, end={x: 1.0}, mesh=9)
-    made = Transcription(problem._problem, problem._scheme, problem._mesh)
-    nlp, z = problem._prepared(made, {x: np.linspace(1.0, 2.0, num=5)})
+    nlp, z, _ = problem._joined([problem._mesh], [{x: np.linspace(1.0, 2.0, num=5)}])
     z[:] = -1.0
-    assert np.isnan(nlp.cost(z / nlp.sizes))
+    assert np.isnan(nlp.native("cost", z / nlp.sizes)[0][0])
     z[:] = np.inf
-    assert not nlp.values(z, np.empty(nlp.rows))
+    assert not nlp.native("rows", z)[1]
 
 
 def test_a_search_calls_python_once_an_iteration_and_no_more():
@@ -100,8 +97,7 @@ def test_a_search_calls_python_once_an_iteration_and_no_more():
     problem = OptimalControl(
         system, TF, TF, end={x: 1.0, v: 0.0}, bounds={F: (-1.0, 1.0), TF: (0.1, 10.0)}
     )
-    made = Transcription(problem._problem, problem._scheme, problem._mesh)
-    nlp, z = problem._prepared(made, None)
+    nlp, z, _ = problem._joined([problem._mesh], [None])
     library()  # which is tried with functions in Python
     assert nlp.native.handle
     calls = []
@@ -113,7 +109,7 @@ def test_a_search_calls_python_once_an_iteration_and_no_more():
     assert len(found.history) > 5
     assert calls.count("guarded") == len(found.history)
     during = calls[calls.index("guarded") : -calls[::-1].index("guarded")]
-    assert {*during} == {"guarded", "each", "__init__", "<lambda>", "check"}
+    assert {*during} == {"guarded", "__init__", "<lambda>", "check"}
 
 
 def test_a_program_is_pickled_without_its_addresses():
@@ -122,4 +118,4 @@ def test_a_program_is_pickled_without_its_addresses():
     other = pickle.loads(pickle.dumps(found._nlp))
     y = found.solution.z / found._nlp.sizes
     assert set(other.native.addresses) == set(SIGNATURES)
-    assert other.cost(y) == found._nlp.cost(y)
+    assert other.native("cost", y) == found._nlp.native("cost", y)

@@ -1,0 +1,359 @@
+"""The search for motions: of one problem, or of several that are solved as one."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from copy import copy
+from dataclasses import replace
+from typing import Any, Generic, TypeVar
+
+import numpy as np
+
+from pydy._checks import check_mapping, flag, real_array, refuse_twice
+from pydy._errors import OptimizationError, finished_before
+from pydy._optional import progress_of
+from pydy.control.accuracy import relative_errors, warn_of_chatter
+from pydy.control.guess import positive_time
+from pydy.control.ipopt import SOLVED, Iteration, Solution
+from pydy.control.nlp import Nlp, Piece
+from pydy.control.refine import refined, warn_of_refinements, warn_where_coarse
+from pydy.control.result import OptimalTrajectory, why_in_vain, worst_rows
+from pydy.control.sizes import sizes_of
+from pydy.control.solvers import solver_of
+from pydy.control.transcription import Transcription
+from pydy.control.tuning import LEAST_MESH_TOL, MOST_REFINEMENTS
+
+Found = TypeVar("Found")
+# A problem on its mesh: its program, and where its unknowns are in the whole one.
+Part = tuple[Transcription, Nlp, np.ndarray]
+
+
+class Search(Generic[Found]):
+    """Optimal control problems that are solved together, and what is found: `Found`."""
+
+    _problems: Sequence[Any]  # of OptimalControl
+
+    def check(self, guess: Any = None) -> None:
+        """Raise what is wrong before the search.
+
+        Parameters
+        ----------
+        guess : dict or Trajectory, optional
+            As for `solve`.
+
+        Raises
+        ------
+        ValueError
+            Ends that contradict bounds, a guess outside of bounds, a free duration without bounds
+            and guess, or fewer unknowns than equations.
+        """
+        self._joined([problem._mesh for problem in self._problems], self._guesses(guess))
+
+    def solve(
+        self,
+        guess: Any = None,
+        *,
+        mesh_tol: float | None = None,
+        options: Mapping[str, Any] | None = None,
+        progress: bool = False,
+        solver: str = "ipopt",
+    ) -> Found:
+        """Find the motion.
+
+        Parameters
+        ----------
+        guess : dict or Trajectory, optional
+            Where the search begins: from states, controls, free constants and the duration to
+            numbers, to arrays of samples at equal distances over the motion, or to SampledInputs;
+            or a motion, such as a simulation or the solution of a similar problem, whose
+            multipliers are taken over too if it is on the same mesh. By default states lie on
+            straight lines between the ends, dependent coordinates follow from the constraints,
+            and controls are zero. For phases a sequence of these, one for each, or a
+            PhasedTrajectory.
+        mesh_tol : float, optional
+            The mesh is refined until the `error` of each interval is below it, and that of the
+            objective, as a share of it (but not for 'backward-euler'). By default the mesh stays
+            as it is.
+        options : dict, optional
+            Options of the solver, such as ``{'max_iter': 500, 'tol': 1e-10}``.
+        progress : bool, optional
+            Whether to show the iterations; requires tqdm.
+        solver : {'ipopt', 'cyipopt', 'pounce'}, optional
+            IPOPT from CasADi's wheel, an installed cyipopt, or pounce-solver.
+
+        Returns
+        -------
+        OptimalTrajectory, or PhasedTrajectory of phases
+
+        Raises
+        ------
+        OptimizationError
+            The search did not converge; the error holds the motion where it ended.
+        AnalysisInterrupted
+            The user interrupted it; the error holds the motion of the latest iteration. So does a
+            MemoryError.
+        ValueError
+            What `check` raises.
+        MissingDependencyError
+            The solver is not installed: ``pip install 'pydy[optimal]'``.
+        """
+        search = solver_of(solver, options)
+        tolerance = _mesh_tolerance(mesh_tol)
+        guesses = self._guesses(guess)
+        meshes = [problem._mesh for problem in self._problems]
+        with progress_of(flag(progress, "`progress`"), " iterations") as told:
+
+            def watch(iteration: Iteration) -> None:
+                told(1, objective=f"{iteration.objective:.6g}", gap=f"{iteration.violation:.2g}")
+
+            for _ in range(MOST_REFINEMENTS):
+                found, phases = self._solved(meshes, guesses, search, watch)
+                if tolerance is None:
+                    warn_where_coarse([phase.error for phase in phases])
+                    break
+                errors = [relative_errors(phase, tolerance, found.objective) for phase in phases]
+                worst = max(float(error.max()) for error in errors)
+                if worst <= tolerance:
+                    break
+                guesses = phases
+                meshes = [
+                    refined(mesh, error, tolerance, problem._scheme.convergence)
+                    for mesh, error, problem in zip(meshes, errors, self._problems, strict=True)
+                ]
+            else:
+                intervals = sum(len(phase.mesh) - 1 for phase in phases)
+                warn_of_refinements(MOST_REFINEMENTS, intervals, worst, tolerance)
+        for phase in phases:
+            warn_of_chatter(phase)
+        result: Found = found
+        return result
+
+    def sweep(
+        self,
+        values: Mapping[Any, Any],
+        guess: Any = None,
+        *,
+        mesh_tol: float | None = None,
+        options: Mapping[str, Any] | None = None,
+        progress: bool = False,
+        solver: str = "ipopt",
+    ) -> list[Found]:
+        """Find the motions for several values of constants; each search begins at the last motion.
+
+        Parameters
+        ----------
+        values : dict
+            From constants, in all phases that have them, to arrays of the same length.
+        guess, mesh_tol, options, progress, solver
+            As for `solve`; the guess is that of the first motion.
+
+        Returns
+        -------
+        list of OptimalTrajectory, or of PhasedTrajectory
+
+        Raises
+        ------
+        OptimizationError
+            A search did not converge, neither from the last motion nor from the guess.
+        """
+        keys, rows = _checked_sweep(values)
+        owners: list[dict[int, int]] = []  # of each problem, from places in p to those of `keys`
+        for problem in self._problems:
+            constants = problem._now.definition.places["constants"]
+            known = [(at, k) for k, key in enumerate(keys)
+                     if (at := constants.get(key, "values")) is not None]  # fmt: skip
+            refuse_twice([constants.symbols[at] for at, _ in known], "values")
+            for at, k in known:
+                if constants.symbols[at] in problem._free:
+                    raise ValueError(f"`values` has `{keys[k]}`, which is `free`: it is found.")
+            owners.append(dict(known))
+        for k, key in enumerate(keys):
+            if not any(k in own.values() for own in owners):
+                self._problems[0]._now.definition.places["constants"].find(key, "values")
+        found: list[Found] = []
+        search = {"mesh_tol": mesh_tol, "options": options, "progress": progress, "solver": solver}
+        for numbers in zip(*rows, strict=True):
+            problems = [
+                problem._with([*own], [numbers[k] for k in own.values()])
+                for problem, own in zip(self._problems, owners, strict=True)
+            ]
+            if found:
+                there = [copy(problem) for problem in problems]
+                for problem, phase in zip(there, self._phases(found[-1]), strict=True):
+                    problem._mesh = phase.fractions
+                try:
+                    found.append(self._of(there).solve(found[-1], **search))
+                    continue
+                except OptimizationError:  # then from the guess
+                    pass
+            found.append(self._of(problems).solve(guess, **search))
+        return found
+
+    # -- what differs where problems are several: see `Phases` -------------------------------------
+
+    _links: Sequence[Any] = ()  # what holds between a problem and the next
+
+    def _guesses(self, guess: Any) -> Sequence[Any]:
+        """Return a guess for each problem."""
+        return [guess]
+
+    def _of(self, problems: Sequence[Any]) -> Any:
+        """Return the same search with other problems."""
+        return problems[0]
+
+    def _phases(self, found: Any) -> Sequence[Any]:
+        """Return the motions of the problems."""
+        return [found]
+
+    def _whole(self, phases: Sequence[Any], solution: Solution) -> Any:
+        """Return what is found, of the motions of the problems."""
+        return phases[0]
+
+    def _link(self, k: int, made: Sequence[Transcription], own: Sequence[np.ndarray]) -> Piece:
+        """Return what holds between two problems."""
+        raise NotImplementedError
+
+    # -- the program of all ------------------------------------------------------------------------
+
+    def _joined(
+        self, meshes: Sequence[np.ndarray], guesses: Sequence[Any]
+    ) -> tuple[Nlp, np.ndarray, list[Part]]:
+        """Return the program, where to start, and the problems on their meshes."""
+        several = len(meshes) > 1
+        made, programs, starts, own = [], [], [], []
+        known: dict[Any, int] = {}
+        size = 0
+        for problem, mesh, guess in zip(self._problems, meshes, guesses, strict=True):
+            one = Transcription(problem._problem, problem._scheme, mesh)
+            lower, upper = problem._bounds_of(one)
+            z = problem._guess(one, guess, lower, upper)
+            made.append(one)
+            starts.append(z)
+            programs.append(one.nlp(lower, upper, sizes_of(one, z, lower, upper)))
+            last = () if problem._symbol is None else (problem._symbol,)
+            shared = [*problem._free, *last]
+            at = np.arange(size, size + len(z))
+            for k, symbol in enumerate(shared, start=len(z) - len(shared)):
+                # Constants and durations of the same symbol are one unknown.
+                at[k] = known.setdefault(symbol, at[k])
+            own.append(at)
+            size += len(z)
+        # Unknowns of which others took the place are left out.
+        used = np.unique(np.concatenate(own))
+        own = [np.searchsorted(used, at) for at in own]
+        lower, upper = np.full(len(used), -np.inf), np.full(len(used), np.inf)
+        start, sizes = np.empty(len(used)), np.zeros(len(used))
+        pieces: list[Piece] = []
+        for k, (program, at, z) in enumerate(zip(programs, own, starts, strict=True)):
+            np.maximum.at(lower, at, program.lower)
+            np.minimum.at(upper, at, program.upper)
+            np.maximum.at(sizes, at, program.sizes)
+            start[at] = z
+            phase = f"phase {k}: " if several else ""
+            pieces += [
+                replace(p, at=at[p.at], labels=tuple(phase + name for name in p.labels))
+                for p in program.pieces
+            ]
+        for symbol, place in known.items():
+            low, high = (float(side[np.searchsorted(used, place)]) for side in (lower, upper))
+            if low > high:
+                raise ValueError(
+                    f"The `bounds` of `{symbol}`, which phases share, exclude each other: it is at "
+                    f"least {low:g} in one phase and at most {high:g} in another."
+                )
+        for k in range(len(self._links)):
+            pieces.append(self._link(k, made[k : k + 2], own[k : k + 2]))
+        nlp = Nlp(pieces, lower, upper, sizes, estimated=all(p.estimated for p in programs))
+        # Those of the later phases begin where links say.
+        self._problems[0]._check_start(made[0], starts[0])
+        _check_freedom(nlp)
+        begin = np.clip(start, lower, upper)
+        return nlp.in_own_units(begin), begin, [*zip(made, programs, own, strict=True)]
+
+    def _solved(
+        self, meshes: Sequence[np.ndarray], guesses: Sequence[Any], search: Any, watch: Any
+    ) -> tuple[Any, Sequence[Any]]:
+        """Return the motion on meshes, and those of the problems."""
+        nlp, start, parts = self._joined(meshes, guesses)
+        several, warm = len(parts) > 1, None
+        last = None if several else guesses[0]
+        if isinstance(last, OptimalTrajectory) and last.is_on(parts[0][0]):
+            warm, start = last.solution, np.clip(last.solution.z, nlp.lower, nlp.upper)
+        solution: Solution = search(nlp, start, watch=watch, warm=warm)
+        phases, first = [], 0
+        for problem, (one, program, at) in zip(self._problems, parts, strict=True):
+            part = solution
+            if several:
+                z, rows = solution.z[at], slice(first, first + program.rows)
+                first += program.rows
+                cost = float(program.native("cost", z / program.sizes)[0][0])
+                part = replace(
+                    solution, z=z, multipliers=solution.multipliers[rows], below=solution.below[at],
+                    above=solution.above[at], objective=cost,
+                )  # fmt: skip
+            program = replace(program, cost_size=nlp.cost_size)
+            phases.append(problem._trajectory(one, program, start[at], part))
+        found = self._whole(phases, solution)
+        if solution.interrupted is not None:
+            raise finished_before(
+                solution.interrupted,
+                "The latest iteration of the search for an optimal trajectory is",
+                "The search for an optimal trajectory was interrupted. Its latest iteration is in "
+                "the attribute `results` of this error.",
+                found,
+            ) from None
+        if solution.status not in SOLVED:
+            begun = [
+                (one, program, start[at], problem._controls)
+                for problem, (one, program, at) in zip(self._problems, parts, strict=True)
+            ]
+            raise OptimizationError(
+                "The search for an optimal trajectory"
+                f"{f' in {len(parts)} phases' if several else ''} ended after "
+                f"{max(len(solution.history) - 1, 0)} iterations: "
+                f"{why_in_vain(solution, begun)}. "
+                f"{worst_rows(nlp, solution, np.nan if several else found.duration)}"
+                + next((one._bends for one in self._problems if one._bends), ""),
+                found,
+            )
+        return found, phases
+
+
+def _check_freedom(nlp: Nlp) -> None:
+    """Refuse more equations than unknowns."""
+    low, high = nlp.row_bounds
+    equal, unknown = int((low == high).sum()), int((nlp.lower < nlp.upper).sum())
+    if equal > unknown:
+        raise ValueError(
+            f"The problem has {equal} equations for {unknown} unknowns on this mesh: there is "
+            "nothing left to choose. Free some of the `start` or `end`, or leave a specified "
+            "without a value, which makes it a control."
+        )
+
+
+def _mesh_tolerance(value: Any) -> float | None:
+    """Return a checked `mesh_tol`."""
+    if value is None:
+        return None
+    result = positive_time(value, "`mesh_tol`")
+    if result < LEAST_MESH_TOL:
+        raise ValueError(
+            f"`mesh_tol` must be at least {LEAST_MESH_TOL:.2g}, what rounding leaves on any mesh, "
+            f"got {result:g}."
+        )
+    return result
+
+
+def _checked_sweep(values: Any) -> tuple[list[Any], list[np.ndarray]]:
+    """Return what is swept, and as many values for each."""
+    given = check_mapping("values", values)
+    rows = [np.atleast_1d(real_array(v, f"`values[{k}]`")) for k, v in given.items()]
+    for key, row in zip(given, rows, strict=True):
+        if row.ndim != 1 or row.shape != rows[0].shape or not np.isfinite(row).all():
+            raise ValueError(
+                f"`values[{key}]` must be finite numbers, as many as for the others, got the "
+                f"shape {row.shape} after {rows[0].shape}."
+            )
+    if not rows:
+        raise ValueError("`values` must map at least one constant to numbers.")
+    return [*given], rows
