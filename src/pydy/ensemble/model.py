@@ -149,7 +149,7 @@ class Motions(Protocol):
     def __call__(
         self, x: np.ndarray, r: np.ndarray, p: np.ndarray, times: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray, dict[str, Any]]:
-        """Return states and outputs up to where a motion came, and as much as `_take` needs."""
+        """Return states and outputs up to where a motion came, and what `Results.note` needs."""
         ...
 
 
@@ -199,30 +199,35 @@ class Results:
     """The results of m samples."""
 
     states: np.ndarray  # (n, m, times)
-    steps: np.ndarray  # steps, rejected, evaluations, status: int64, (m,)
-    rejected: np.ndarray
-    evaluations: np.ndarray
-    status: np.ndarray
-    end_time: np.ndarray  # (m,): the time up to which each was integrated
-    # for each sample, pairs of the number of an event and its time; empty without events
-    events: list[list[tuple[int, float]]] = field(default_factory=list)
+    # (m,): 'steps', 'rejected', 'evaluations' and 'status', 'end_time' up to which each was
+    # integrated, and 'nearness', how near constraints that projection holds came to losing rank
+    told: dict[str, np.ndarray]
+    records: dict[int, list[EventRecord]] = field(default_factory=dict)  # by sample
     columns: np.ndarray | None = None  # (n, k, m, times): sensitivities of the states
-    # for each sample, the derivatives (k,) of the times of its events
-    moments: list[list[np.ndarray]] = field(default_factory=list)
-    # for each sample, the records of events that changed its state
-    resets: list[list[EventRecord]] = field(default_factory=list)
-    # (m,): how near constraints that projection holds came to losing rank
-    nearness: np.ndarray | None = None
     outputs: np.ndarray | None = None  # (o, m, times), of `Motions`
     stretches: list[str] = field(default_factory=list)  # what is to be told of events at zero
 
     def take(self, places: np.ndarray, others: Results) -> None:
-        """Take the results of some samples without events from others."""
+        """Take the results of some samples from others."""
         self.states[:, places] = others.states
-        for name in ("steps", "rejected", "evaluations", "status", "end_time", "nearness"):
-            getattr(self, name)[places] = getattr(others, name)
+        for name in self.told.keys() & others.told.keys():
+            self.told[name][places] = others.told[name]
+        self.records |= {int(places[k]): records for k, records in others.records.items()}
+        self.stretches += others.stretches
+
+    def note(self, k: int, info: Mapping[str, Any]) -> None:
+        """Note what an integration tells of sample k."""
+        self.records[k] = info["events"]
+        for name, values in self.told.items():
+            key = {"status": "code", "end_time": "time"}.get(name, name)
+            values[k] = info.get(key, values[k])
+
+    def resets(self, k: int) -> list[EventRecord]:
+        """Return the events that changed the state of sample k."""
+        return [e for e in self.records.get(k, ()) if (e.after != e.before).any()]
 
 
+COUNTED = ("steps", "rejected", "evaluations", "status")
 _KERNELS: dict[tuple[str, int], Kernel] = {}
 _KEPT = 64  # of several models with all that events need, for blocks that come one by one
 _LOCK = _forks.Lock()
@@ -296,10 +301,8 @@ class Batch:
         m = len(self.x)
         states = np.empty((width, m, len(times))) if states is None else states
         states[:] = np.nan
-        counts = [np.zeros(m, dtype=np.int64) for _ in range(4)]
-        results = Results(states, counts[0], counts[1], counts[2], counts[3], np.full(m, times[0]))
-        results.nearness = np.ones(m)
-        return results
+        told: dict[str, np.ndarray] = {name: np.zeros(m, dtype=np.int64) for name in COUNTED}
+        return Results(states, {**told, "end_time": np.full(m, times[0]), "nearness": np.ones(m)})
 
     def _moved(self, motions: Motions, times: np.ndarray, states: np.ndarray | None) -> Results:
         """Let samples move one after another."""
@@ -312,7 +315,7 @@ class Batch:
             found, outputs, info = motions(self.x[k], self.r[k], self.p[k], times)
             results.states[:, k, : len(found)] = found.T
             results.outputs[:, k, : len(outputs)] = outputs.T
-            _take(results, k, info)
+            results.note(k, info)
         return results
 
     def _integrated(
@@ -331,11 +334,11 @@ class Batch:
             _kernel(model.rates, LANES), model.method, x, self.r, self.p, model.sampled,
             times, model.options, states, self.stopped, controlled, held,
         )  # fmt: skip
-        steps, rejected, evaluations, status = (np.array(c) for c in found.counts.T)
-        results = Results(states, steps, rejected, evaluations, status, found.reached)
+        counts = dict(zip(COUNTED, np.array(found.counts.T), strict=True))
+        results = Results(states, {**counts, "end_time": found.reached})
         if held is not None:
-            results.nearness = held.nearness()
-            lost = np.flatnonzero(status != FINISHED)
+            results.told["nearness"] = held.nearness()
+            lost = np.flatnonzero(counts["status"] != FINISHED)
             if lost.size:  # why, the solver of single trajectories tells
                 results.take(lost, self.some(lost)._one_by_one(times))
         return results
@@ -398,10 +401,11 @@ class Batch:
             results = batch._integrated(times, whole, n)
         else:
             warn_user(f"In one sample or more, {beside.unsolved}")
+            results = batch._begun(times, whole, len(whole))
+            whole[:n, :, 0], results.told["status"] = self.x.T, codes
             part = np.empty((len(whole), int(started.sum()), len(times)))
-            found = batch.some(started)._integrated(times, part, n)
-            whole[:], whole[:n, :, 0], whole[:, started] = np.nan, self.x.T, part
-            results = _among(found, started, codes, t)
+            others = batch.some(started)._integrated(times, part, n)
+            results.take(np.flatnonzero(started), others)
         results.states = whole[:n]
         results.columns = whole[n:].reshape(n, columns, m, len(times))
         if states is not None:
@@ -426,7 +430,7 @@ class Batch:
             except IntegrationError as error:
                 found, info = one.reached(), error.info
             results.states[:, k, : len(found)] = found.T
-            _take(results, k, info)
+            results.note(k, info)
         return results
 
     def evaluate(
@@ -462,39 +466,3 @@ class Batch:
         whole = np.concatenate([states, columns.reshape(n * k, m, number)])
         found = self.beside().evaluate(beside.outputs, times, whole)
         return found.reshape(len(found) // k, k, m, number)
-
-
-def _among(found: Results, started: np.ndarray, codes: np.ndarray, t: float) -> Results:
-    """Return results among those of samples that did not start, which ended with these codes."""
-
-    def placed(values: np.ndarray, others: Any) -> np.ndarray:
-        every = np.full(len(codes), others, dtype=values.dtype)
-        every[started] = values
-        return every
-
-    events, moments, resets = iter(found.events), iter(found.moments), iter(found.resets)
-    return Results(
-        found.states,
-        placed(found.steps, 0),
-        placed(found.rejected, 0),
-        placed(found.evaluations, 0),
-        placed(found.status, 0) + codes,
-        placed(found.end_time, t),
-        events=[next(events, []) if one else [] for one in started],
-        moments=[next(moments, []) if one else [] for one in started],
-        resets=[next(resets, []) if one else [] for one in started],
-        stretches=found.stretches,
-        nearness=None if found.nearness is None else placed(found.nearness, 1.0),
-    )
-
-
-def _take(results: Results, k: int, info: Mapping[str, Any]) -> None:
-    results.steps[k], results.rejected[k] = info["steps"], info["rejected"]
-    results.evaluations[k], results.status[k] = info["evaluations"], info["code"]
-    results.end_time[k] = info["time"]
-    records = info["events"]
-    results.events.append([(record.index, record.time) for record in records])
-    results.moments.append([record.time_sensitivity for record in records])
-    results.resets.append([e for e in records if (e.after != e.before).any()])
-    if results.nearness is not None:
-        results.nearness[k] = info["nearness"]

@@ -16,7 +16,7 @@ from pydy._graph.interpret import run as interpret
 from pydy._kernel import Inputs
 from pydy._names import numbers_of, some
 from pydy._rank import DIGITS
-from pydy.ensemble.model import Batch, Kept, Model, Programs, Results
+from pydy.ensemble.model import COUNTED, Batch, Kept, Model, Programs, Results
 from pydy.ensemble.samples import PARAMETER, QUANTITY, Samples, Variable, to_dataset
 from pydy.ensemble.tuning import SMALLEST_BLOCK
 from pydy.solvers.kept import (
@@ -34,7 +34,7 @@ from pydy.solvers.kept import (
 from pydy.solvers.outcome import FINISHED, OUTCOMES, START_OFF_CONSTRAINTS, TERMINATED
 from pydy.solvers.tuning import NEAR_SINGULAR
 
-COUNTS = ("steps", "rejected", "evaluations", "status", "end_time")
+COUNTS = (*COUNTED, "end_time")
 """What the result tells of each sample beside its states and outputs."""
 _OCCURRENCES = 8
 
@@ -171,18 +171,16 @@ class Work:
             if not (model.kept.mended or model.options.constraints is not None):
                 self._tell_resets(batch, results, model.kept)
             refuse(batch, results, times)
-        if number := int((results.status == START_OFF_CONSTRAINTS).sum()):
+        if number := int((results.told["status"] == START_OFF_CONSTRAINTS).sum()):
             self._tell_start(number, batch)
         if results.stretches and self._first("stretches"):
             warn_user(results.stretches[0])
         outputs: _Outputs = partial(batch.evaluate, model.outputs)
         if (known := results.outputs) is not None:
             outputs = lambda some, _: known[:, :, np.searchsorted(times, some)]  # noqa: E731
-        found = self._reduced(results, times, outputs)
-        if results.columns is not None:
-            found |= self._differentiated(results, times, outputs, batch.output_columns)
+        found = self._reduced(results, times, outputs, batch.output_columns)
         for name in COUNTS:
-            found[name] = Variable((), getattr(results, name))
+            found[name] = Variable((), results.told[name])
         shape, dims = samples.shape, tuple(samples.dims)
         variables = {
             name: Variable(
@@ -212,7 +210,7 @@ class Work:
 
     def _tell_resets(self, batch: Batch, results: Results, kept: Kept) -> None:
         """Warn of the first reset of each event that leaves the constraints."""
-        records = [(k, e) for k, some in enumerate(results.resets) for e in some]
+        records = [(k, e) for k in sorted(results.records) for e in results.resets(k)]
         if not records:
             return
         samples, t = [k for k, _ in records], np.array([[e.time] for _, e in records])
@@ -261,66 +259,57 @@ class Work:
         return values
 
     def _reduced(
-        self, results: Results, times: np.ndarray, outputs: _Outputs
-    ) -> dict[str, Variable]:
-        states = results.states
-        if not self.reductions or self.function:
-            values = self._values(self.names, states, times, outputs)
-            return {name: Variable(("time",), values[name]) for name in self.names}
-        found: dict[str, Variable] = {}
-        extremes = [e for e in self.reductions if isinstance(e, Extreme)]
-        names = [e.name for e in extremes]
-        along = self._values(names, states, times, outputs)
-        for entry in self.reductions:
-            if isinstance(entry, Extreme):
-                take = np.fmax if entry.kind == "max" else np.fmin  # NaN is where there is nothing
-                name = f"{entry.name}_{entry.kind}"
-                attrs = self.attrs.get(entry.name, {})
-                found[name] = Variable((), take.reduce(along[entry.name], axis=1), dict(attrs))
-            elif isinstance(entry, _Final):
-                last = self._values(self.names, states[:, :, -1:], times[-1:], outputs)
-                found |= {name: Variable((), last[name][:, 0]) for name in self.names}
-            elif isinstance(entry, _EventTimes):
-                found |= self._events(results, entry.occurrences)
-        return found
-
-    def _differentiated(
         self, results: Results, times: np.ndarray, outputs: _Outputs, slopes: _Slopes
     ) -> dict[str, Variable]:
-        """Return the sensitivities of what `_reduced` returns.
+        """Return what is kept of states and outputs, and the sensitivities of that.
 
         The derivative of an extreme is that at its time: the time has none of its own among those
         that are kept.
         """
         states, columns = results.states, results.columns
-        assert columns is not None
-        attrs = {"role": SENSITIVITY}
+        found: dict[str, Variable] = {}
+        rows: list[np.ndarray] = []  # of sensitivities, (k, m)
 
-        def every(part: slice) -> np.ndarray:
-            """Return the derivatives of all states and outputs, shape (q, k, m, times)."""
+        def derivatives(part: slice) -> np.ndarray:
+            """Return those of all states and outputs, shape (q, k, m, times)."""
+            assert columns is not None
             own = columns[..., part]
-            further = slopes(times[part], states[..., part], own)
-            return np.concatenate([own, further])
+            return np.concatenate([own, slopes(times[part], states[..., part], own)])
+
+        def kept(dims: tuple[str, ...], table: np.ndarray) -> Variable:
+            whole = np.ascontiguousarray(table)
+            return Variable((*dims, QUANTITY, PARAMETER), whole, {"role": SENSITIVITY})
 
         if not self.reductions or self.function:
-            table = np.ascontiguousarray(every(slice(None)).transpose(2, 3, 0, 1))
-            return {SENSITIVITY: Variable(("time", QUANTITY, PARAMETER), table, attrs)}
-        rows: list[np.ndarray] = []  # (k, m)
-        found: dict[str, Variable] = {}
+            values = self._values(self.names, states, times, outputs)
+            found = {name: Variable(("time",), values[name]) for name in self.names}
+            if columns is not None:
+                every = derivatives(slice(None)).transpose(2, 3, 0, 1)
+                found[SENSITIVITY] = kept(("time",), every)
+            return found
         extremes = [e for e in self.reductions if isinstance(e, Extreme)]
         along = self._values([e.name for e in extremes], states, times, outputs)
-        whole = every(slice(None)) if extremes else columns
+        whole = derivatives(slice(None)) if extremes and columns is not None else None
         for entry in self.reductions:
             if isinstance(entry, Extreme):
-                values = along[entry.name] if entry.kind == "max" else -along[entry.name]
-                when = np.where(np.isnan(values), -np.inf, values).argmax(axis=1)
-                place, m = self.names.index(entry.name), np.arange(len(when))
-                rows.append(whole[place][:, m, when])
+                values_along = along[entry.name]
+                take = np.fmax if entry.kind == "max" else np.fmin  # NaN is where there is nothing
+                attrs = dict(self.attrs.get(entry.name, {}))
+                extreme = Variable((), take.reduce(values_along, axis=1), attrs)
+                found[f"{entry.name}_{entry.kind}"] = extreme
+                if whole is not None:
+                    upward = values_along if entry.kind == "max" else -values_along
+                    when = np.where(np.isnan(upward), -np.inf, upward).argmax(axis=1)
+                    rows.append(whole[self.names.index(entry.name)][:, np.arange(len(when)), when])
             elif isinstance(entry, _Final):
-                rows += list(every(slice(-1, None))[..., 0])
+                last = self._values(self.names, states[:, :, -1:], times[-1:], outputs)
+                found |= {name: Variable((), last[name][:, 0]) for name in self.names}
+                if columns is not None:
+                    rows += list(derivatives(slice(-1, None))[..., 0])
+            elif isinstance(entry, _EventTimes):
+                found |= self._events(results, entry.occurrences)
         if rows:
-            table = np.ascontiguousarray(np.array(rows).transpose(2, 0, 1))
-            found[SENSITIVITY] = Variable((QUANTITY, PARAMETER), table, attrs)
+            found[SENSITIVITY] = kept((), np.array(rows).transpose(2, 0, 1))
         return found
 
     @property
@@ -337,19 +326,19 @@ class Work:
     def _events(self, results: Results, occurrences: int) -> dict[str, Variable]:
         """Return how often each event happened, its first times, and their derivatives."""
         beside = self.model.sensitivities
-        m, columns = len(results.events), 0 if beside is None else len(beside.names)
+        m, columns = len(results.told["status"]), 0 if beside is None else len(beside.names)
         found = {}
         for index, name in enumerate(self.model.event_names):
             when = np.full((m, occurrences), np.nan)
             slopes = np.full((m, occurrences, columns), np.nan)
             count = np.zeros(m, dtype=np.int64)
-            for k, events in enumerate(results.events):
-                mine = [j for j, (number, _) in enumerate(events) if number == index]
+            for k, records in results.records.items():
+                mine = [record for record in records if record.index == index]
                 count[k] = len(mine)
-                for place, j in enumerate(mine[:occurrences]):
-                    when[k, place] = events[j][1]
+                for place, record in enumerate(mine[:occurrences]):
+                    when[k, place] = record.time
                     if columns:
-                        slopes[k, place] = results.moments[k][j]
+                        slopes[k, place] = record.time_sensitivity
             found[f"{name}_count"] = Variable((), count, {"role": "event"})
             found[f"{name}_times"] = Variable(("occurrence",), when, {"role": "event"})
             if columns:
@@ -427,10 +416,10 @@ def refuse(batch: Batch, results: Results, times: np.ndarray) -> None:
     model, kept = batch.model, batch.model.kept
     assert kept is not None
     projected = model.options.constraints is not None
-    ended = np.isin(results.status, (FINISHED, TERMINATED))
+    told = results.told
+    ended = np.isin(told["status"], (FINISHED, TERMINATED))
     if projected:
-        assert results.nearness is not None
-        ended &= kept.every | (results.nearness < NEAR_SINGULAR)
+        ended &= kept.every | (told["nearness"] < NEAR_SINGULAR)
     suspects = np.flatnonzero(ended)
     if not projected:
         suspects = _suspects(batch, kept.programs, suspects, results.states, times)
@@ -448,14 +437,12 @@ def refuse(batch: Batch, results: Results, times: np.ndarray) -> None:
                 ran = Ran(
                     together.times,
                     together.states[j],
-                    float(results.steps[k]) if model.options.step is None else None,
+                    float(told["steps"][k]) if model.options.step is None else None,
                     model.options.rtol,
                     model.options.atol,
-                    float(results.nearness[k])
-                    if projected and results.nearness is not None
-                    else None,
+                    float(told["nearness"][k]) if projected else None,
                     projected or kept.mended,
-                    [(e.time, e.after) for e in results.resets[k]] if results.resets else [],
+                    [(e.time, e.after) for e in results.resets(k)],
                     kept.redundant,
                 )
                 verdict = judge(ran, together.part_of(j))
@@ -542,9 +529,6 @@ def _lose(results: Results, k: int, times: np.ndarray, reached: int, code: int) 
     results.states[:, k, reached:] = np.nan
     if results.columns is not None:
         results.columns[:, :, k, reached:] = np.nan
-    results.status[k], results.end_time[k] = code, times[reached - 1]
-    if results.events:
-        kept = [j for j, (_, t) in enumerate(results.events[k]) if t <= results.end_time[k]]
-        for table in (results.events, results.moments):
-            rows: list[Any] = table[k]
-            table[k] = [rows[j] for j in kept if j < len(rows)]
+    end = results.told["end_time"][k] = times[reached - 1]
+    results.told["status"][k] = code
+    results.records[k] = [record for record in results.records.get(k, ()) if record.time <= end]
