@@ -260,16 +260,19 @@ def test_a_branch_ends_where_its_equations_contradict_each_other():
     """The unknown is p and 2 p: the least square is neither."""
     slopes = np.array([[1.0, -1.0], [1.0, -2.0]])
     points, _, _, ended, _ = pydy.analysis.continuation.trace(
-        lambda z: slopes @ z,
-        lambda z: slopes,
-        lambda z: (np.array([-1.0]), np.array([0.0])),
-        lambda slopes, z: SimpleNamespace(terms=np.ones(2), limit=np.zeros(2), units=np.ones(1)),
+        (
+            lambda z: slopes @ z,
+            lambda z: slopes,
+            lambda z: (np.array([-1.0]), np.array([0.0])),
+            lambda slopes, z: SimpleNamespace(
+                terms=np.ones(2), limit=np.zeros(2), units=np.ones(1)
+            ),
+        ),
+        ("x", "p"),
         np.zeros(2),
         (0.0, 1.0),
-        True,
         0.02,
         100,
-        ("x", "p"),
         lambda value: None,
     )
     assert ended == "lost"

@@ -360,16 +360,17 @@ class Sweeps(Setup):
         most = whole(most, "`most`", 2)
         with progress_of(flag(progress, "`progress`"), " points") as told:
             points, spectra, special, ended, stop = trace(
-                lambda z: balance.residuals(z[None])[0],
-                lambda z: balance.slopes(z[None])[0],
-                spectrum,
-                lambda slopes, z: balance.sizes(slopes[None], z[None])[0],
+                (
+                    lambda z: balance.residuals(z[None])[0],
+                    lambda z: balance.slopes(z[None])[0],
+                    spectrum,
+                    lambda slopes, z: balance.sizes(slopes[None], z[None])[0],
+                ),
+                family.names,
                 start,
-                (float(values.min()), float(values.max())),
-                bool(values[-1] > values[0]),
+                (float(values[0]), float(values[-1])),
                 longest,
                 most,
-                family.names,
                 lambda value: told(1, **{family.names[-1]: f"{value:.6g}"}),
             )
         z = np.array(points)

@@ -16,6 +16,7 @@ from typing import Any
 
 import numpy as np
 
+from pydy._forks import cached_property
 from pydy._names import place_of
 from pydy._optional import require
 from pydy._rank import DEPENDENT, HALF, ROUNDED, or_one, rank_of, unrounded
@@ -30,6 +31,7 @@ from pydy.plot import axes_of
 Function = Callable[[np.ndarray], np.ndarray]
 Spectrum = Callable[[np.ndarray], tuple[np.ndarray, np.ndarray]]
 Measured = Callable[[np.ndarray, np.ndarray], Sizes]
+Functions = tuple[Function, Function, Spectrum, Measured]  # F, its derivatives, and more
 
 _ITERATIONS = 8
 # Points, and how far they are changed, that tell of the rounding of residuals.
@@ -150,19 +152,23 @@ class _Point:
 
 
 class _Curve:
-    """F(z) = 0 with equations and unknowns in units of their own, and what is free held."""
+    """F(z) = 0 through z, in units of equations and unknowns, and what is free held.
+
+    The parameter is the last unknown, whose range has the `span`. The `spectrum` returns the
+    eigenvalues at z and bounds on their rounding. Sizes are `measured` of slopes by the unknowns
+    without the parameter, and z with it.
+    """
 
     def __init__(
         self,
-        F: Function,
-        J: Function,
-        spectrum: Spectrum,
-        measured: Measured,
+        functions: Functions,
         z: np.ndarray,
         span: float,
+        names: tuple[str, ...],
     ):
-        self._F, self._J, self.spectrum = F, J, spectrum
-        first = J(z)
+        self._F, self._J, self.spectrum, measured = functions
+        self.names = names
+        first = self._J(z)
         # Rows that follow from the others, as accelerations do from constraints, have slopes of
         # rounding errors: these tell no size, and the row is as large as the largest.
         known = measured(first[:, :-1], z)
@@ -242,6 +248,11 @@ class _Curve:
         found = self.corrected(a.z + arc * self.scale * a.tangent, a.tangent)
         return None if found is None else self.point(found[0], a.tangent)
 
+    @cached_property
+    def limit(self) -> float:
+        """The real part of an eigenvalue that is zero."""
+        return CROSSED * float(np.abs(self.spectrum(self.origin)[0]).max(initial=0.0))
+
     def point(self, z: np.ndarray, before: np.ndarray) -> _Point:
         whole = self._whole(z)
         square = self.rows @ whole
@@ -252,40 +263,33 @@ class _Curve:
 
 
 def trace(
-    F: Function,
-    J: Function,
-    spectrum: Spectrum,
-    measured: Measured,
+    functions: Functions,
+    names: tuple[str, ...],
     start: np.ndarray,
-    bounds: tuple[float, float],
-    forward: bool,
+    ends: tuple[float, float],
     step: float,
     most: int,
-    names: tuple[str, ...],
     told: Callable[[float], None],
 ) -> tuple[list[np.ndarray], list[np.ndarray], list[SpecialPoint], str, BaseException | None]:
-    """Follow F(z) = 0, with the parameter last in z, from a solution; also say how it ended.
+    """Follow F(z) = 0 from a solution; also say how it ended.
 
     If Ctrl-C or the end of memory stopped it, that is returned last.
 
-    The `spectrum` returns the eigenvalues at z and bounds on their rounding. Sizes are `measured`
-    of slopes by the unknowns without the parameter, and z with it. The parameter stays within
-    `bounds`, ascending at first if `forward`; a `step` is at most such a share of their distance,
-    and there are at `most` so many points. `told` is called with the parameter at each further one.
+    The parameter stays between the `ends`, and goes to the second at first; a `step` is at most
+    such a share of their distance, and there are at `most` so many points. `told` is called with
+    the parameter at each further one.
     """
-    low, high = bounds
-    curve = _Curve(F, J, spectrum, measured, start, high - low)
+    bounds = min(ends), max(ends)
+    curve = _Curve(functions, start, bounds[1] - bounds[0], names)
     towards = np.zeros(len(start))
-    towards[-1] = 1.0 if forward else -1.0
-    point = curve.point(start, towards)
-    if point.tangent[-1] * towards[-1] < 0.0:
+    towards[-1] = 1.0 if ends[1] > ends[0] else -1.0
+    points = [curve.point(start, towards)]
+    if points[0].tangent[-1] * towards[-1] < 0.0:
         raise AssertionError("the tangent points the other way")
-    limit = CROSSED * float(np.abs(point.spectrum).max(initial=0.0))
-    points: list[_Point] = [point]
     special: list[SpecialPoint] = []
     stopped: BaseException | None = None
     try:
-        ended = _followed(curve, points, special, bounds, step, most, limit, names, told)
+        ended = _followed(curve, points, special, bounds, step, most, told)
     except (KeyboardInterrupt, MemoryError) as stop:
         ended, stopped = "interrupted", stop
     return [p.z for p in points], [p.spectrum for p in points], special, ended, stopped
@@ -298,8 +302,6 @@ def _followed(
     bounds: tuple[float, float],
     step: float,
     most: int,
-    limit: float,
-    names: tuple[str, ...],
     told: Callable[[float], None],
 ) -> str:
     """Add points, and what is special between them, one after the other; return why it ended."""
@@ -320,7 +322,7 @@ def _followed(
         if new.tangent @ point.tangent < 0.8 and length > STEEPEST_TURN:
             length *= 0.5
             continue
-        seen = _between(curve, point, new, length, limit, names, len(points) - 1)
+        seen = _between(curve, point, new, length, len(points) - 1)
         if not low <= z[-1] <= high:
             edge = low if z[-1] < low else high
             last = _at(curve, point.z, z, edge)
@@ -346,15 +348,7 @@ def _at(curve: _Curve, a: np.ndarray, b: np.ndarray, edge: float) -> np.ndarray 
     return None if found is None else found[0]
 
 
-def _between(
-    curve: _Curve,
-    a: _Point,
-    b: _Point,
-    length: float,
-    limit: float,
-    names: tuple[str, ...],
-    place: int,
-) -> list[SpecialPoint]:
+def _between(curve: _Curve, a: _Point, b: _Point, length: float, place: int) -> list[SpecialPoint]:
     """Return what is special between two points."""
     found = []
     if a.tangent[-1] * b.tangent[-1] < 0.0:
@@ -363,7 +357,7 @@ def _between(
     if a.sign * b.sign < 0.0:
         arc = _bisected(curve, a, length, lambda p: p.sign)[1]
         found.append(("branch point", arc, 0.0))
-    oscillation = _oscillation(curve, a, b, length, limit)
+    oscillation = _oscillation(curve, a, b, length)
     if oscillation is not None:
         found.append(("Hopf", *oscillation))
     result = []
@@ -372,21 +366,20 @@ def _between(
         if point is None:
             continue
         if kind == "Hopf":
-            pairs = point.spectrum[point.spectrum.imag > limit].imag
+            pairs = point.spectrum[point.spectrum.imag > curve.limit].imag
             frequency = float(pairs[np.abs(pairs - frequency).argmin()])
-        values = dict(zip(names[:-1], point.z[:-1].tolist(), strict=True))
+        values = dict(zip(curve.names[:-1], point.z[:-1].tolist(), strict=True))
         result.append(SpecialPoint(kind, float(point.z[-1]), values, frequency, place))
     return result
 
 
-def _oscillation(
-    curve: _Curve, a: _Point, b: _Point, length: float, limit: float
-) -> tuple[float, float] | None:
+def _oscillation(curve: _Curve, a: _Point, b: _Point, length: float) -> tuple[float, float] | None:
     """Return the arc to a Hopf point between two points, and about its frequency.
 
     Without damping real parts are zero up to rounding until two frequencies meet. Those that a
     little damping leaves are told from rounding by its bounds.
     """
+    limit = curve.limit
     before, after = len(a.pairs(limit, limit)), len(b.pairs(limit, limit))
     unstable = [int((p.spectrum.real > limit).sum()) for p in (a, b)]
     if before == after or abs(unstable[1] - unstable[0] - 2 * (after - before)) > 1:

@@ -183,51 +183,33 @@ class EigenvalueSweep:
 
     def _departed(self, branch: int, inside: int, out: int) -> Crossing:
         """Return the point between two values at which a branch leaves the axis."""
-        values = self.values[[inside, out]]
-
-        def near(share: float) -> tuple[complex, bool]:
-            found, rounding = self._nearest(branch, inside, out, share)
-            return found, found.real > rounding
-
         low, high = 0.0, 1.0
         while high - low > ROUNDED:
             middle = 0.5 * (low + high)
-            low, high = (low, middle) if near(middle)[1] else (middle, high)
-        there = near(high)[0]
-        return Crossing(
-            value=float(values[0] + high * (values[1] - values[0])),
-            eigenvalue=complex(0.0, there.imag),
-            branch=branch,
-            oscillatory=abs(there.imag) > self._nothing,
-            stabilizing=inside > out,
-        )
+            found, rounding = self._nearest(branch, inside, out, middle)
+            low, high = (low, middle) if found.real > rounding else (middle, high)
+        return self._crossing(branch, inside, out, high, inside > out)
 
     def _refined(self, branch: int, first: int, last: int) -> Crossing:
-        a, b = self.values[first], self.values[last]
-        ends = self.eigenvalues[[first, last], branch]
-
-        def near(value: float) -> complex:
-            share = (value - a) / (b - a)
-            start = (1.0 - share) * self.equilibria[first] + share * self.equilibria[last]
-            A = self._models(np.array([value]), start[None])[0]
-            spectrum = np.linalg.eigvals(A[np.ix_(self._active, self._active)])
-            expected = ends[0] + share * (ends[1] - ends[0])
-            return complex(spectrum[np.abs(spectrum - expected).argmin()])
-
-        value = scipy.optimize.brentq(
-            lambda v: near(v).real,
-            a,
-            b,
-            xtol=ROUNDED * abs(b - a),
+        """Return the point between two values at which a branch passes the axis."""
+        share = scipy.optimize.brentq(
+            lambda share: self._nearest(branch, first, last, share)[0].real,
+            0.0,
+            1.0,
+            xtol=ROUNDED,
             rtol=4 * np.finfo(float).eps,
         )
-        there = near(value)
+        stabilizing = bool(self.eigenvalues[last, branch].real < 0.0)
+        return self._crossing(branch, first, last, share, stabilizing)
+
+    def _crossing(self, branch: int, a: int, b: int, share: float, stabilizing: bool) -> Crossing:
+        frequency = self._nearest(branch, a, b, share)[0].imag
         return Crossing(
-            value=float(value),
-            eigenvalue=complex(0.0, there.imag),
+            value=float(self.values[a] + share * (self.values[b] - self.values[a])),
+            eigenvalue=complex(0.0, frequency),
             branch=branch,
-            oscillatory=abs(there.imag) > self._nothing,
-            stabilizing=bool(ends[1].real < 0.0),
+            oscillatory=abs(frequency) > self._nothing,
+            stabilizing=stabilizing,
         )
 
     def to_xarray(self) -> Any:
