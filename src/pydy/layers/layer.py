@@ -1,8 +1,8 @@
 """A Layer: functions of a system that another library differentiates through.
 
 On this side a function takes and returns NumPy arrays, with products of its Jacobian and vectors.
-On the other side stand the arrays of a library. Both are interfaces; a Layer only reads arguments,
-so that each library takes one file.
+On the other side stand the arrays of a library. A Layer only reads arguments, so that each library
+takes one file.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from pydy._checks import Places, describe
+from pydy._checks import describe
 
 
 @dataclass(frozen=True)
@@ -31,8 +31,11 @@ class Part:
         return sum(self.counts)
 
 
+Given = tuple[np.ndarray, ...]
+
+
 class Function(Protocol):
-    """A function of some float64 arrays, and its derivatives.
+    """A function of some float64 arrays, and its derivatives, shape (…, *shape).
 
     All arrays have the same leading axes, one cell of them a sample; ``given[i]`` has one more,
     of the length of part i.
@@ -42,49 +45,13 @@ class Function(Protocol):
     parts: tuple[Part, ...]
 
     def value(self, *given: np.ndarray) -> np.ndarray:
-        """Return the values, shape (…, *shape)."""
+        """Return the values."""
 
-    def forward(
-        self, wanted: tuple[int, ...], given: tuple[np.ndarray, ...], along: tuple[np.ndarray, ...]
-    ) -> np.ndarray:
-        """Return the derivatives along directions of the wanted arguments, shape (…, *shape)."""
+    def forward(self, wanted: tuple[int, ...], given: Given, along: Given) -> np.ndarray:
+        """Return the derivatives along directions of the wanted arguments."""
 
-    def backward(
-        self, wanted: tuple[int, ...], given: tuple[np.ndarray, ...], weights: np.ndarray
-    ) -> tuple[np.ndarray, ...]:
+    def backward(self, wanted: tuple[int, ...], given: Given, weights: np.ndarray) -> Given:
         """Return the derivatives of the weighted sum of the values by the wanted arguments."""
-
-
-class Functions(Protocol):
-    """The functions of a system as it was."""
-
-    def places(self, group: str) -> Places:
-        """Return the symbols of a group."""
-
-    def counts(self, kind: str, group: str, places: tuple[int, ...]) -> tuple[int, ...]:
-        """Return how many numbers each of these is."""
-
-    def start(self) -> np.ndarray:
-        """Return the state that stands for one that is not given."""
-
-    def function(self, kind: str, parts: tuple[Part, ...]) -> Function:
-        """Return the function of a kind with these arguments, the same one at each call."""
-
-
-class Arrays(Protocol):
-    """What a Layer needs of a library."""
-
-    def array(self, value: Any, argument: str) -> Any:
-        """Return an array of float64; anything else is refused by name."""
-
-    def together(self, columns: list[Any]) -> Any:
-        """Return arrays (…, k) side by side, with their leading axes broadcast."""
-
-    def alike(self, arrays: list[Any]) -> list[Any]:
-        """Return arrays with their leading axes broadcast; the last axis of each is kept."""
-
-    def call(self, function: Function, given: list[Any]) -> Any:
-        """Return the value of a Function, with its derivatives known to the library."""
 
 
 class Layer:
@@ -95,7 +62,8 @@ class Layer:
     in front, which are broadcast against each other: each cell of these is a sample.
     """
 
-    def __init__(self, functions: Functions, arrays: Arrays, library: str) -> None:
+    # The `functions` of a system as it was; the `arrays` of a library, as `JaxArrays` are.
+    def __init__(self, functions: Any, arrays: Any, library: str) -> None:
         self._functions, self._arrays, self._library = functions, arrays, library
 
     def __repr__(self) -> str:

@@ -79,14 +79,11 @@ def _primitives() -> tuple[Any, Any, Any]:
     value, forward, backward = (Primitive(f"pydy_{name}") for name in _HOSTS)
     backward.multiple_results = True
 
-    def shapes(function: Function, given: Any, wanted: Any, back: bool) -> Any:
-        if back:
-            return [given[k].update() for k in wanted]
-        return ShapedArray((*given[0].shape[:-1], *function.shape), np.dtype(float))
-
     def rules(primitive: Any, host: Any, back: bool) -> None:
         def shaped(*given: Any, function: Function, wanted: tuple[int, ...] = ()) -> Any:
-            return shapes(function, given, wanted, back)
+            if back:
+                return [given[k].update() for k in wanted]
+            return ShapedArray((*given[0].shape[:-1], *function.shape), np.dtype(float))
 
         def lowered(ctx: Any, *given: Any, **told: Any) -> Any:
             def called(*arrays: Any) -> Any:
@@ -107,7 +104,9 @@ def _primitives() -> tuple[Any, Any, Any]:
             return found, ([0] * len(found) if back else 0)
 
         primitive.def_abstract_eval(shaped)
-        primitive.def_impl(lambda *given, **told: _at_once(primitive, told)(*given))
+        primitive.def_impl(
+            lambda *given, **told: _jit(primitive, tuple(sorted(told.items())))(*given)
+        )
         mlir.register_lowering(primitive, lowered)
         batching.primitive_batchers[primitive] = batched
 
@@ -159,27 +158,16 @@ def _primitives() -> tuple[Any, Any, Any]:
 
 @lru_cache(maxsize=64)
 def _jit(primitive: Any, told: tuple[tuple[str, Any], ...]) -> Any:
+    """Return the compiled form for a call that nothing traces."""
     import jax
 
     return jax.jit(lambda *given: primitive.bind(*given, **dict(told)))
 
 
-def _at_once(primitive: Any, told: dict[str, Any]) -> Any:
-    """Return the compiled form for a call that nothing traces."""
-    return _jit(primitive, tuple(sorted(told.items())))
-
-
-def _forward(given: Any, function: Function, wanted: tuple[int, ...]) -> Any:
-    k = len(function.parts)
-    return function.forward(wanted, given[:k], given[k:])
-
-
-def _backward(given: Any, function: Function, wanted: tuple[int, ...]) -> Any:
-    return function.backward(wanted, given[:-1], given[-1])
-
-
-def _value(given: Any, function: Function) -> Any:
-    return function.value(*given)
-
-
-_HOSTS = {"value": _value, "forward": _forward, "backward": _backward}
+_HOSTS = {
+    "value": lambda given, function: function.value(*given),
+    "forward": lambda given, function, wanted: function.forward(
+        wanted, given[: len(function.parts)], given[len(function.parts) :]
+    ),
+    "backward": lambda given, function, wanted: function.backward(wanted, given[:-1], given[-1]),
+}
