@@ -10,13 +10,13 @@ from scipy.linalg import expm
 import zoo
 from cases import system_of
 from pydy import System
+from pydy._interrupts import Interrupts
 from pydy.errors import IntegrationError, IntegrationInterrupted
 from pydy.inputs import SampledInput
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from pydy.solvers import Event
-from pydy.solvers.run import recording
+from pydy.solvers.run import workspace
 from pydy.solvers.run.backward import WayBack
-from pydy.solvers.run.integration import Integration
 
 TIGHT = {"rtol": 1e-12, "atol": 1e-12}
 NUMBERS = {"m0": 1.3, "k0": 2.0, "c0": 0.2, "x0": 1.0, "v0": 0.3}
@@ -142,10 +142,11 @@ def test_backward_is_forward_to_rounding_in_the_same_steps():
             assert found.trajectory.states.shape == (4, 8)
 
 
-def test_steps_whose_stages_are_not_kept_are_computed_again(monkeypatch):
+def test_all_steps_are_kept_however_many(monkeypatch):
     system = cart()
     kept = system.adjoint_gradient("constants", final="q3", **TIGHT)
-    monkeypatch.setattr(recording, "_ROOM", 1e4)
+    monkeypatch.setattr(workspace, "STEPS_MEMORY", 1)
+    monkeypatch.setattr(workspace, "_STEPS", 50)
     again = system.adjoint_gradient("constants", final="q3", **TIGHT)
     agree(again.values, kept.values, 1e-12)
 
@@ -403,7 +404,7 @@ def test_ctrl_c_hands_over_the_motion(monkeypatch, capsys):
     assert caught.value.state.shape == (2,)
     np.testing.assert_array_equal(caught.value.times, system.times)
     np.testing.assert_allclose(caught.value.states, states, atol=1e-5)
-    monkeypatch.setattr(Integration, "_slice", interrupted)
+    monkeypatch.setattr(Interrupts, "check", interrupted)
     with pytest.raises(IntegrationInterrupted, match="was interrupted at t") as caught:
         system.adjoint_gradient("k0", **run)
     assert caught.value.states.shape == (len(caught.value.times), 2)

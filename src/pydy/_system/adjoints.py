@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from bisect import bisect_right
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import partial
@@ -42,9 +41,7 @@ from pydy.solvers.events import Event, forcing_time, jumped_to
 from pydy.solvers.options import read_options
 from pydy.solvers.outcome import EVENT_GRAZES, EVENT_JUMPS, OUTCOMES, TERMINATED
 from pydy.solvers.run.constraints import CompiledConstraints
-from pydy.solvers.run.recording import Recording
 from pydy.solvers.solver import Solver
-from pydy.solvers.tableaus import tableau_of
 from pydy.trajectory import EventRecord
 
 
@@ -302,10 +299,7 @@ class _Run:
                 given = np.asarray(options[name], dtype=float)
                 options = {**options, name: np.append(given, given.min())}
         options = task.sensitive.stepped(solver, options)
-        self.recording = recording = Recording(n, len(tableau_of(solver.name).stages), rates)
-        read: Any = replace(
-            read_options(solver.name, solver.adaptive, options), recording=recording
-        )
+        read: Any = replace(read_options(solver.name, solver.adaptive, options), recorded=n)
         whole = np.append(x0, np.zeros(more))
         integration = Integration(solver.name, rates, len(whole), times, (), read)
         self.task, self.times, self.n = task, times, n
@@ -319,6 +313,12 @@ class _Run:
         self.stopped = info["code"] == TERMINATED
         ended = integration.memory.x[: len(whole)].copy()
         self.last = ended if self.stopped or not len(states) else states[-1]
+        rows: Any = integration.arrays.kept_steps()
+        starts = rows[rows[:, 1] > 0.0, 0]
+        ends = np.append(starts, self.end)[1:]  # of those that events cut short, too
+        moves = ends > starts
+        self.starts, self.ends = starts[moves], ends[moves]
+        self.before = rows[rows[:, 1] > 0.0, 2:][moves]
         further, kept = len(task.wanted), len(task.sampled)
         self._back = WayBack(solver.name, rates, task.turned(), further, kept)
         self._kept = kept
@@ -354,34 +354,31 @@ class _Run:
 
     def passed(self, now: Snapshot) -> Any:
         """Return the motion as a Trajectory at the solver's own steps."""
-        states = [x[: self.n] for x in (*self.recording.before, self.last)]
-        times = np.append(self.recording.starts, self.end)
-        kept = np.append(np.diff(times) > 0.0, True)
-        return now.trajectory(times[kept], np.array(states)[kept], events=self.records)
+        states = np.vstack([self.before, self.last])[:, : self.n]
+        return now.trajectory(np.append(self.starts, self.end), states, events=self.records)
 
     def gradient(self, start: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Go back to the beginning; return the derivatives by parameters and by the first state.
 
         The derivatives of the first state by the parameters are `start`, shape (n, k).
         """
-        steps = len(self.recording.starts)
-        with progress_of(self.options.progress, " steps back", steps) as self._told:
+        with progress_of(self.options.progress, " steps back", len(self.starts)) as self._told:
             by_state = self._all_back()
         return self._by_parameters() + by_state @ start, by_state
 
     def _all_back(self) -> np.ndarray:
         """Go back to the beginning; return the derivatives by the first state."""
-        recording, events = self.recording, self.options.events
+        events = self.options.events
         if self.stopped:
             self._slope += float(self._adjoint @ self._rates(self.last, self.end))
         acting = []
         if events is not None:
             acts = [a or b for a, b in zip(events.terminal, events.resetting, strict=True)]
             acting = [r for r in self.records if acts[r.index]]
-        last, end = len(recording.starts), self.last
+        last, end = len(self.starts), self.last
         for record in reversed(acting):
-            first = bisect_right(recording.ends, record.time)
-            if first == 0 or (first == len(recording.ends) and not self.stopped):
+            first = int(np.searchsorted(self.ends, record.time, side="right"))
+            if first == 0 or (first == len(self.ends) and not self.stopped):
                 continue  # at the very beginning or end, where it is seen only
             self._through(first, last, end)
             last, end = first, record.before
@@ -400,23 +397,25 @@ class _Run:
         """Go back from the end of step `last` − 1, the state `end`, to where `first` begins."""
         if first == last:
             return
-        recording, n = self.recording, self.n
-        sweeps = [(first, last)]
+        n, sweeps = self.n, [(first, last)]
         projections = None
         if self.options.constraints is not None:
             sweeps = [(k, k + 1) for k in range(first, last)]
-            ends = np.array([x[:n] for x in (*recording.before[first + 1 : last], end)])
-            projections = self._projections(np.array(recording.ends[first:last]), ends)
+            ends = np.vstack([self.before[first + 1 : last, :n], end[:n]])
+            projections = self._projections(self.ends[first:last], ends)
         for k, (start, stop) in reversed(list(enumerate(sweeps))):
             if projections is not None:
                 self._adjoint[:n] = projections.back(k, self._adjoint[:n])
-            sweep = self._back.through(recording, start, stop, self._adjoint, self._told)
+            own = slice(start, stop)
+            steps = self.starts[own], self.ends[own], self.before[own]
+            sweep = self._back.through(*steps, self._adjoint, self._told)
             if not np.isfinite(sweep.adjoint).all():
+                begin, past = float(self.starts[start]), float(self.ends[stop - 1])
                 raise ValueError(
                     "The derivatives of the equations are not finite between t = "
-                    f"{recording.starts[start]!r} and t = {recording.ends[stop - 1]!r}, though the "
-                    "motion is: look there for the square root of zero, or another function "
-                    "without a derivative. `system.evaluate_jacobian` tells which."
+                    f"{begin!r} and t = {past!r}, though the motion is: look there for the square "
+                    "root of zero, or another function without a derivative. "
+                    "`system.evaluate_jacobian` tells which."
                 )
             self._adjoint = sweep.adjoint
             self._totals += sweep.totals

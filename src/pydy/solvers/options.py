@@ -13,7 +13,6 @@ from pydy._checks import Check, checked, flag, number, optional, positive, real_
 from pydy._names import nearest
 from pydy.solvers.events import CompiledEvents
 from pydy.solvers.run.constraints import CompiledConstraints
-from pydy.solvers.run.recording import Recording
 from pydy.solvers.sensitivities import CompiledSensitivities
 
 if TYPE_CHECKING:
@@ -63,7 +62,8 @@ class Options:
     # of a state that has columns of sensitivities after it; `rtol` and `atol` are those of the
     # state alone
     sensitivities: CompiledSensitivities | None = None
-    recording: Recording | None = None  # notes the steps
+    # how many states there are, where integrals follow them: then all steps are kept
+    recorded: int | None = None
     # whether the steps are kept, so that the solution between them is known
     dense_output: bool = False
 

@@ -11,43 +11,45 @@
    Geometric Numerical Integration, 2nd ed., 2006, VI.9; A. Walther, Computational Optimization and
    Applications 36 (2007) 83-108). */
 
-#include "equations.h"
-#include "sums.h"
+#include "run.h"
 
-/* Go back through all steps. Not zero: what the kernel complained. */
-int64_t step_back(const WayBack *table)
+/* Go back through all steps, each of which is taken again. Not zero: what a kernel complained. */
+int64_t step_back(const Run *run, const WayBack *table)
 {
     const Problem *p = &table->problem;
     const Backward *b = &table->backward;
-    const int64_t n = p->words.at[STATES], blocks = p->words.at[BLOCKS], length = b->state.size;
-    const int64_t stages = b->words.at[BACK_STAGES], further = b->words.at[BACK_FURTHER];
+    const Memory *m = &run->memory;
+    const Stepper stepper = STEPPER(run), *s = &stepper;
+    const int64_t n = p->words.at[STATES], blocks = p->words.at[BLOCKS], length = m->x.size;
+    const int64_t stages = run->method.shape.at[STAGES], further = b->words.at[BACK_FURTHER];
     const int64_t kept = b->words.at[BACK_KEPT], *rows = b->rows.at, *offsets = b->offsets.at;
-    const double *coefficients = b->coefficients.at, *out = b->out.at;
+    const double *nodes = run->method.nodes.at, *coefficients = b->coefficients.at, *out = b->out.at;
     double *adjoints = b->adjoints.at, *weights = p->r.at + b->words.at[BACK_WEIGHTS];
     for (int64_t k = b->times.size - 1; k >= 0; k--) {
         const double t = b->times.at[k], h = b->sizes.at[k];
-        store_block(b->step.at, (Block)(h));
-        for (int64_t stage = stages - 1; stage >= 0; stage--) {
-            int64_t first = rows[stage], count = rows[stage + 1] - first;
-            combine(b->state.at, b->states.at + k * length, b->step.at,
-                b->stages.at + k * stages * length, offsets + first, coefficients + first,
-                count > 0 ? count - 1 : 0, count > 0, blocks);
-            first = rows[stages + stage], count = rows[stages + stage + 1] - first;
-            combine(b->weighted.at, b->zero.at, b->step.at, adjoints, offsets + first,
+        for (int64_t i = 0; i < n; i++)
+            m->x.at[i] = b->states.at[k * n + i];
+        int64_t code = rates(&run->problem, t, m->x.at, m->stages.at);
+        if (code == 0)
+            code = take_step(s, t, h, &run->progress.counts.at[EVALUATIONS]);
+        for (int64_t stage = stages - 1; stage >= 0 && code == 0; stage--) {
+            combine_row(s, stage, blocks, m->trial.at, m->x.at, 1);
+            const int64_t first = rows[stage], count = rows[stage + 1] - first;
+            combine(m->new.at, m->zero.at, m->step.at, adjoints, offsets + first,
                 coefficients + first, count, 0, blocks);
             for (int64_t i = 0; i < n; i++)
-                weights[i] = b->weighted.at[i];
-            const int64_t code = rates(p, t + b->nodes.at[stage] * h, b->state.at, b->out.at);
-            if (code != 0) {
-                b->words.at[BACK_WRONG] = k;
-                return code;
-            }
+                weights[i] = m->new.at[i];
+            code = rates(p, t + nodes[stage] * h, m->trial.at, b->out.at);
             for (int64_t i = 0; i < n; i++)
                 adjoints[stage * length + i] = out[i];
             for (int64_t i = 0; i < further; i++)
                 b->totals.at[i] += out[n + i];
             for (int64_t i = 0; i < kept; i++)
                 b->kept.at[(k * stages + stage) * kept + i] = out[n + further - kept + i];
+        }
+        if (code != 0) {
+            b->words.at[BACK_WRONG] = k;
+            return code;
         }
         for (int64_t stage = 0; stage < stages; stage++)
             for (int64_t i = 0; i < n; i++)

@@ -1,4 +1,4 @@
-; sources abcf39c54194b49dd755bf7edc82231e6808b6a09b8e40aad81adcf4568ed49d
+; sources 83a95e624712bc53d2888bab34ca475a5780e7200c9e7e6238c0189896e8813c
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @advance(ptr noundef %0, ptr noundef %1, i64 noundef %2) #0 {

@@ -1,4 +1,4 @@
-; sources 46f54f239da12bb8b2b4836d1395768c5ddf71179370d65e9f296963ef6f92cf
+; sources 8e98cf9582cbf7553797a2ec8468706ed6e8138a770a11a762f569d69ea8e9e2
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 @NODES = internal unnamed_addr constant [3 x double] [double 0x3FC3D8B64657CAEA, double 0x3FE4A36C0803A6DF, double 1.000000e+00], align 16

@@ -1,4 +1,4 @@
-; sources 8d14c74640c5c4ea21ddcc1eb6b843771a91668889ce031989205c9836e6d1d5
+; sources 2b5cf94bf44d16a76c3a18ed07e3d6bd4fcea2234484fc54f6c7aa572f2eb187
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define noundef i64 @evaluate_lanes(ptr noundef readonly %0) #0 {

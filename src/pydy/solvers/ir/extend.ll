@@ -1,4 +1,4 @@
-; sources 232b4a5e4f6ef84845dbaa1073f492d218770939d1b34d611f2f95a54fe53255
+; sources cc7427e1e82a161ddd2a3d3c0f03763c1c919de153d1d63eb2778dc10cdd115e
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 define i64 @extend(ptr noundef %0, ptr noundef readonly %1) #0 {

@@ -1,4 +1,4 @@
-; sources 1c8e5bd7eb94522726240c4ad17d6bb7ba95e6bba069f570fdc70f15d1fc98a6
+; sources 7d2a05cb8c21f8ba1adc7cce9fa47ccc77e12e3bb21083bc9eba77008a3dc05f
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Held = type { ptr, i64, i64, i64, i64, i64, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr }

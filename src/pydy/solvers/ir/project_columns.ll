@@ -1,4 +1,4 @@
-; sources 1d0068bf0dc198dac8d20db943e76da127c6b97ca8a5f719e52d33153cee8fd3
+; sources ce7c7817c21597afc3413784be223c0d8f98075dc26b5e571f7cbe6caf2a4eb4
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Held = type { ptr, i64, i64, i64, i64, i64, i64, i64, ptr, ptr, ptr, ptr, ptr, ptr, ptr }

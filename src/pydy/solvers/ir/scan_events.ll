@@ -1,4 +1,4 @@
-; sources 38b6f465dddaea0e4442951069bcf428ac9f03bcb1e99b4560883eb85faeadef
+; sources 60c944f9f6cc473beacfe36ea627812aed26b10fc298bcd912927af5e99d5f20
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Stepper = type { ptr, ptr, ptr }

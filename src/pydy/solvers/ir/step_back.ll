@@ -1,273 +1,525 @@
-; sources bbf0573482163939235699f6f7ecfbff44d7d95e2577ac7250daf56005cccde6
+; sources 545351d3f79e6156512b0ea92ac17b2aa42c6157b35805a0ef23add938d7fce2
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
-define i64 @step_back(ptr noundef readonly %0) #0 {
-  %2 = getelementptr inbounds i8, ptr %0, i64 168
-  %3 = load ptr, ptr %0, align 8
-  %4 = getelementptr inbounds i8, ptr %3, i64 8
-  %5 = load i64, ptr %4, align 8
-  %6 = getelementptr inbounds i8, ptr %3, i64 16
-  %7 = load i64, ptr %6, align 8
-  %8 = getelementptr inbounds i8, ptr %0, i64 456
-  %9 = getelementptr inbounds i8, ptr %0, i64 464
+define i64 @step_back(ptr noundef readonly %0, ptr noundef readonly %1) #0 {
+  %3 = getelementptr inbounds i8, ptr %1, i64 168
+  %4 = getelementptr inbounds i8, ptr %0, i64 312
+  %5 = getelementptr inbounds i8, ptr %0, i64 144
+  %6 = load ptr, ptr %1, align 8
+  %7 = getelementptr inbounds i8, ptr %6, i64 8
+  %8 = load i64, ptr %7, align 8
+  %9 = getelementptr inbounds i8, ptr %6, i64 16
   %10 = load i64, ptr %9, align 8
-  %11 = load ptr, ptr %2, align 8
+  %11 = getelementptr inbounds i8, ptr %0, i64 320
   %12 = load i64, ptr %11, align 8
-  %13 = getelementptr inbounds i8, ptr %11, i64 16
+  %13 = load ptr, ptr %0, align 8
   %14 = load i64, ptr %13, align 8
-  %15 = getelementptr inbounds i8, ptr %11, i64 24
-  %16 = load i64, ptr %15, align 8
-  %17 = getelementptr inbounds i8, ptr %0, i64 192
-  %18 = load ptr, ptr %17, align 8
-  %19 = getelementptr inbounds i8, ptr %0, i64 216
-  %20 = load ptr, ptr %19, align 8
-  %21 = getelementptr inbounds i8, ptr %0, i64 240
-  %22 = load ptr, ptr %21, align 8
-  %23 = getelementptr inbounds i8, ptr %0, i64 504
-  %24 = load ptr, ptr %23, align 8
-  %25 = getelementptr inbounds i8, ptr %0, i64 384
-  %26 = load ptr, ptr %25, align 8
-  %27 = getelementptr inbounds i8, ptr %0, i64 48
-  %28 = load ptr, ptr %27, align 8
-  %29 = getelementptr inbounds i8, ptr %11, i64 8
-  %30 = load i64, ptr %29, align 8
-  %31 = getelementptr inbounds double, ptr %28, i64 %30
-  %32 = getelementptr inbounds i8, ptr %0, i64 288
-  %33 = getelementptr inbounds i8, ptr %0, i64 296
-  %34 = load i64, ptr %33, align 8
-  %35 = getelementptr inbounds i8, ptr %0, i64 312
-  %36 = getelementptr inbounds i8, ptr %0, i64 408
-  %37 = getelementptr inbounds i8, ptr %0, i64 336
-  %38 = getelementptr inbounds i8, ptr %0, i64 360
-  %39 = getelementptr i64, ptr %18, i64 %12
-  %40 = getelementptr inbounds i8, ptr %0, i64 480
-  %41 = getelementptr inbounds i8, ptr %0, i64 432
-  %42 = icmp sgt i64 %5, 0
-  %43 = getelementptr inbounds i8, ptr %0, i64 264
-  %44 = getelementptr inbounds i8, ptr %0, i64 24
-  %45 = getelementptr inbounds i8, ptr %0, i64 104
-  %46 = getelementptr inbounds i8, ptr %0, i64 72
-  %47 = icmp sgt i64 %5, 0
-  %48 = icmp sgt i64 %14, 0
-  %49 = getelementptr double, ptr %24, i64 %5
-  %50 = getelementptr inbounds i8, ptr %0, i64 528
-  %51 = icmp sgt i64 %16, 0
-  %52 = add nsw i64 %14, %5
-  %53 = sub i64 %52, %16
-  %54 = getelementptr double, ptr %24, i64 %53
-  %55 = getelementptr inbounds i8, ptr %0, i64 552
-  %56 = icmp sgt i64 %12, 0
-  %57 = icmp sgt i64 %5, 0
-  %58 = mul nsw i64 %12, %10
-  %59 = getelementptr double, ptr %26, i64 %58
-  br label %60
+  %15 = load ptr, ptr %3, align 8
+  %16 = getelementptr inbounds i8, ptr %15, i64 8
+  %17 = load i64, ptr %16, align 8
+  %18 = getelementptr inbounds i8, ptr %15, i64 16
+  %19 = load i64, ptr %18, align 8
+  %20 = getelementptr inbounds i8, ptr %1, i64 192
+  %21 = load ptr, ptr %20, align 8
+  %22 = getelementptr inbounds i8, ptr %1, i64 216
+  %23 = load ptr, ptr %22, align 8
+  %24 = getelementptr inbounds i8, ptr %0, i64 96
+  %25 = load ptr, ptr %24, align 8
+  %26 = getelementptr inbounds i8, ptr %1, i64 240
+  %27 = load ptr, ptr %26, align 8
+  %28 = getelementptr inbounds i8, ptr %1, i64 360
+  %29 = load ptr, ptr %28, align 8
+  %30 = getelementptr inbounds i8, ptr %1, i64 336
+  %31 = load ptr, ptr %30, align 8
+  %32 = getelementptr inbounds i8, ptr %1, i64 48
+  %33 = load ptr, ptr %32, align 8
+  %34 = load i64, ptr %15, align 8
+  %35 = getelementptr inbounds double, ptr %33, i64 %34
+  %36 = getelementptr inbounds i8, ptr %1, i64 264
+  %37 = getelementptr inbounds i8, ptr %1, i64 272
+  %38 = load i64, ptr %37, align 8
+  %39 = getelementptr inbounds i8, ptr %1, i64 288
+  %40 = icmp sgt i64 %8, 0
+  %41 = getelementptr inbounds i8, ptr %1, i64 312
+  %42 = getelementptr inbounds i8, ptr %0, i64 480
+  %43 = getelementptr inbounds i8, ptr %0, i64 168
+  %44 = getelementptr inbounds i8, ptr %0, i64 248
+  %45 = getelementptr inbounds i8, ptr %0, i64 192
+  %46 = getelementptr inbounds i8, ptr %0, i64 216
+  %47 = getelementptr inbounds i8, ptr %0, i64 600
+  %48 = getelementptr inbounds i8, ptr %0, i64 384
+  %49 = getelementptr inbounds i8, ptr %0, i64 360
+  %50 = getelementptr inbounds i8, ptr %0, i64 24
+  %51 = getelementptr inbounds i8, ptr %0, i64 480
+  %52 = getelementptr inbounds i8, ptr %0, i64 48
+  %53 = getelementptr inbounds i8, ptr %0, i64 72
+  %54 = getelementptr inbounds i8, ptr %0, i64 320
+  %55 = getelementptr inbounds i8, ptr %0, i64 336
+  %56 = getelementptr inbounds i8, ptr %0, i64 24
+  %57 = getelementptr inbounds i8, ptr %0, i64 480
+  %58 = getelementptr inbounds i8, ptr %0, i64 48
+  %59 = getelementptr inbounds i8, ptr %0, i64 72
+  %60 = icmp sgt i64 %14, 0
+  %61 = getelementptr inbounds i8, ptr %0, i64 360
+  %62 = getelementptr inbounds i8, ptr %0, i64 24
+  %63 = getelementptr inbounds i8, ptr %0, i64 384
+  %64 = getelementptr inbounds i8, ptr %0, i64 480
+  %65 = getelementptr inbounds i8, ptr %0, i64 48
+  %66 = getelementptr inbounds i8, ptr %0, i64 72
+  %67 = getelementptr inbounds i8, ptr %0, i64 336
+  %68 = getelementptr inbounds i8, ptr %0, i64 432
+  %69 = getelementptr inbounds i8, ptr %0, i64 384
+  %70 = icmp sgt i64 %8, 0
+  %71 = getelementptr inbounds i8, ptr %1, i64 24
+  %72 = getelementptr inbounds i8, ptr %1, i64 104
+  %73 = getelementptr inbounds i8, ptr %1, i64 72
+  %74 = icmp sgt i64 %8, 0
+  %75 = icmp sgt i64 %17, 0
+  %76 = getelementptr double, ptr %29, i64 %8
+  %77 = getelementptr inbounds i8, ptr %1, i64 384
+  %78 = icmp sgt i64 %19, 0
+  %79 = add nsw i64 %17, %8
+  %80 = sub i64 %79, %19
+  %81 = getelementptr double, ptr %29, i64 %80
+  %82 = getelementptr inbounds i8, ptr %1, i64 408
+  %83 = icmp sgt i64 %14, 0
+  %84 = icmp sgt i64 %8, 0
+  %85 = mul nsw i64 %14, %12
+  %86 = getelementptr double, ptr %31, i64 %85
+  br label %87
 
-60:                                               ; preds = %201, %1
-  %61 = phi i64 [ %34, %1 ], [ %63, %201 ]
-  %62 = phi i64 [ undef, %1 ], [ %182, %201 ]
-  %63 = add nsw i64 %61, -1
-  %64 = icmp slt i64 %61, 1
-  br i1 %64, label %202, label %65
+87:                                               ; preds = %407, %2
+  %88 = phi i64 [ %38, %2 ], [ %90, %407 ]
+  %89 = phi i64 [ undef, %2 ], [ %408, %407 ]
+  %90 = add nsw i64 %88, -1
+  %91 = icmp slt i64 %88, 1
+  br i1 %91, label %409, label %92
 
-65:                                               ; preds = %60
-  %66 = load ptr, ptr %32, align 8
-  %67 = getelementptr inbounds double, ptr %66, i64 %63
-  %68 = load double, ptr %67, align 8
-  %69 = load ptr, ptr %35, align 8
-  %70 = getelementptr inbounds double, ptr %69, i64 %63
-  %71 = load double, ptr %70, align 8
-  %72 = load ptr, ptr %36, align 8
-  %73 = insertelement <8 x double> poison, double %71, i64 0
-  %74 = shufflevector <8 x double> %73, <8 x double> poison, <8 x i32> zeroinitializer
-  store <8 x double> %74, ptr %72, align 8
-  %75 = mul nsw i64 %63, %10
-  %76 = mul nsw i64 %63, %12
-  %77 = mul nsw i64 %76, %10
-  br label %78
+92:                                               ; preds = %87
+  %93 = load ptr, ptr %36, align 8
+  %94 = getelementptr inbounds double, ptr %93, i64 %90
+  %95 = load double, ptr %94, align 8
+  %96 = load ptr, ptr %39, align 8
+  %97 = getelementptr inbounds double, ptr %96, i64 %90
+  %98 = load double, ptr %97, align 8
+  br i1 %40, label %99, label %101
 
-78:                                               ; preds = %179, %65
-  %79 = phi i64 [ %12, %65 ], [ %81, %179 ]
-  %80 = phi i64 [ %62, %65 ], [ %180, %179 ]
-  %81 = add nsw i64 %79, -1
-  %82 = icmp slt i64 %79, 1
-  br i1 %82, label %181, label %83
+99:                                               ; preds = %92
+  %100 = mul nsw i64 %90, %8
+  br label %118
 
-83:                                               ; preds = %78
-  %84 = getelementptr inbounds i64, ptr %18, i64 %81
-  %85 = load i64, ptr %84, align 8
-  %86 = getelementptr inbounds i64, ptr %18, i64 %79
-  %87 = load i64, ptr %86, align 8
-  %88 = sub nsw i64 %87, %85
-  %89 = load ptr, ptr %8, align 8
-  %90 = load ptr, ptr %37, align 8
-  %91 = getelementptr inbounds double, ptr %90, i64 %75
-  %92 = load ptr, ptr %36, align 8
-  %93 = load ptr, ptr %38, align 8
-  %94 = getelementptr inbounds double, ptr %93, i64 %77
-  %95 = getelementptr inbounds i64, ptr %20, i64 %85
-  %96 = getelementptr inbounds double, ptr %22, i64 %85
-  %97 = icmp sgt i64 %88, 0
-  %98 = add nsw i64 %88, -1
-  %99 = select i1 %97, i64 %98, i64 0
-  %100 = zext i1 %97 to i64
-  tail call fastcc void @combine(ptr noundef %89, ptr noundef %91, ptr noundef %92, ptr noundef %94, ptr noundef %95, ptr noundef %96, i64 noundef %99, i64 noundef %100, i64 noundef %7) #4
-  %101 = getelementptr i64, ptr %39, i64 %81
-  %102 = load i64, ptr %101, align 8
-  %103 = getelementptr i64, ptr %39, i64 %79
-  %104 = load i64, ptr %103, align 8
-  %105 = sub nsw i64 %104, %102
-  %106 = load ptr, ptr %40, align 8
-  %107 = load ptr, ptr %41, align 8
-  %108 = load ptr, ptr %36, align 8
-  %109 = getelementptr inbounds i64, ptr %20, i64 %102
-  %110 = getelementptr inbounds double, ptr %22, i64 %102
-  tail call fastcc void @combine(ptr noundef %106, ptr noundef %107, ptr noundef %108, ptr noundef %26, ptr noundef %109, ptr noundef %110, i64 noundef %105, i64 noundef 0, i64 noundef %7) #4
-  br i1 %42, label %136, label %111
+101:                                              ; preds = %118, %92
+  %102 = load ptr, ptr %4, align 8
+  %103 = load ptr, ptr %42, align 8
+  %104 = load ptr, ptr %43, align 8
+  store double %95, ptr %104, align 8
+  %105 = load i64, ptr %44, align 8
+  %106 = icmp sgt i64 %105, 0
+  br i1 %106, label %107, label %108
 
-111:                                              ; preds = %136, %83
-  %112 = load ptr, ptr %43, align 8
-  %113 = getelementptr inbounds double, ptr %112, i64 %81
-  %114 = load double, ptr %113, align 8
-  %115 = fmul double %71, %114
-  %116 = fadd double %68, %115
-  %117 = load ptr, ptr %8, align 8
-  %118 = load ptr, ptr %23, align 8
-  %119 = load ptr, ptr %44, align 8
-  store double %116, ptr %119, align 8
-  %120 = load i64, ptr %45, align 8
-  %121 = icmp sgt i64 %120, 0
-  br i1 %121, label %122, label %123
+107:                                              ; preds = %101
+  tail call fastcc void @sample(ptr noundef nonnull %5) #4
+  br label %108
 
-122:                                              ; preds = %111
-  tail call fastcc void @sample(ptr noundef %0) #4
-  br label %123
+108:                                              ; preds = %101, %107
+  %109 = load ptr, ptr %5, align 8
+  %110 = load i64, ptr %109, align 8
+  %111 = load ptr, ptr %43, align 8
+  %112 = load ptr, ptr %45, align 8
+  %113 = load ptr, ptr %46, align 8
+  %114 = inttoptr i64 %110 to ptr
+  %115 = tail call i32 %114(ptr noundef %111, ptr noundef %102, ptr noundef %112, ptr noundef %113, ptr noundef %103) #5
+  %116 = sext i32 %115 to i64
+  %117 = icmp eq i32 %115, 0
+  br i1 %117, label %128, label %282
 
-123:                                              ; preds = %111, %122
-  %124 = load ptr, ptr %0, align 8
-  %125 = load i64, ptr %124, align 8
-  %126 = load ptr, ptr %44, align 8
-  %127 = load ptr, ptr %27, align 8
-  %128 = load ptr, ptr %46, align 8
-  %129 = inttoptr i64 %125 to ptr
-  %130 = tail call i32 %129(ptr noundef %126, ptr noundef %117, ptr noundef %127, ptr noundef %128, ptr noundef %118) #5
-  %131 = icmp eq i32 %130, 0
-  br i1 %131, label %132, label %144
+118:                                              ; preds = %99, %118
+  %119 = phi i64 [ 0, %99 ], [ %126, %118 ]
+  %120 = load ptr, ptr %41, align 8
+  %121 = getelementptr double, ptr %120, i64 %100
+  %122 = getelementptr double, ptr %121, i64 %119
+  %123 = load double, ptr %122, align 8
+  %124 = load ptr, ptr %4, align 8
+  %125 = getelementptr inbounds double, ptr %124, i64 %119
+  store double %123, ptr %125, align 8
+  %126 = add nuw nsw i64 %119, 1
+  %127 = icmp eq i64 %126, %8
+  br i1 %127, label %101, label %118, !llvm.loop !3
 
-132:                                              ; preds = %123
-  br i1 %47, label %133, label %148
+128:                                              ; preds = %108
+  %129 = load ptr, ptr %47, align 8
+  %130 = getelementptr inbounds i8, ptr %129, i64 24
+  %131 = load ptr, ptr %0, align 8
+  %132 = load i64, ptr %131, align 8
+  %133 = load ptr, ptr %48, align 8
+  %134 = insertelement <8 x double> poison, double %98, i64 0
+  %135 = shufflevector <8 x double> %134, <8 x double> poison, <8 x i32> zeroinitializer
+  store <8 x double> %135, ptr %133, align 8
+  %136 = icmp sgt i64 %132, 1
+  br i1 %136, label %141, label %225
 
-133:                                              ; preds = %132
-  %134 = mul nsw i64 %81, %10
-  %135 = getelementptr double, ptr %26, i64 %134
-  br label %149
+137:                                              ; preds = %214
+  %138 = add nuw nsw i64 %144, 1
+  %139 = icmp slt i64 %138, %132
+  %140 = icmp eq i64 %138, %132
+  br i1 %140, label %225, label %141, !llvm.loop !6
 
-136:                                              ; preds = %83, %136
-  %137 = phi i64 [ %142, %136 ], [ 0, %83 ]
-  %138 = load ptr, ptr %40, align 8
-  %139 = getelementptr inbounds double, ptr %138, i64 %137
-  %140 = load double, ptr %139, align 8
-  %141 = getelementptr inbounds double, ptr %31, i64 %137
-  store double %140, ptr %141, align 8
-  %142 = add nuw nsw i64 %137, 1
-  %143 = icmp eq i64 %142, %5
-  br i1 %143, label %111, label %136, !llvm.loop !3
+141:                                              ; preds = %128, %137
+  %142 = phi i1 [ %139, %137 ], [ %136, %128 ]
+  %143 = phi i64 [ %224, %137 ], [ undef, %128 ]
+  %144 = phi i64 [ %138, %137 ], [ 1, %128 ]
+  %145 = load ptr, ptr %49, align 8
+  %146 = load ptr, ptr %4, align 8
+  %147 = load ptr, ptr %5, align 8
+  %148 = getelementptr inbounds i8, ptr %147, i64 16
+  %149 = load i64, ptr %148, align 8
+  %150 = icmp sgt i64 %149, 1
+  %151 = zext i1 %150 to i64
+  %152 = load ptr, ptr %50, align 8
+  %153 = getelementptr inbounds i64, ptr %152, i64 %144
+  %154 = load i64, ptr %153, align 8
+  %155 = getelementptr i8, ptr %153, i64 8
+  %156 = load i64, ptr %155, align 8
+  %157 = xor i64 %154, -1
+  %158 = add i64 %156, %157
+  %159 = load ptr, ptr %48, align 8
+  %160 = load ptr, ptr %51, align 8
+  %161 = load ptr, ptr %52, align 8
+  %162 = getelementptr inbounds i64, ptr %161, i64 %154
+  %163 = load ptr, ptr %53, align 8
+  %164 = getelementptr inbounds double, ptr %163, i64 %154
+  tail call fastcc void @combine(ptr noundef %145, ptr noundef %146, ptr noundef %159, ptr noundef %160, ptr noundef %162, ptr noundef %164, i64 noundef %158, i64 noundef %151, i64 noundef %149) #4
+  %165 = icmp eq i64 %149, 1
+  br i1 %165, label %166, label %197
 
-144:                                              ; preds = %123
-  %145 = sext i32 %130 to i64
-  %146 = load ptr, ptr %2, align 8
-  %147 = getelementptr inbounds i8, ptr %146, i64 32
-  store i64 %63, ptr %147, align 8
-  br label %179
+166:                                              ; preds = %141
+  %167 = load ptr, ptr %50, align 8
+  %168 = getelementptr i64, ptr %167, i64 %144
+  %169 = getelementptr i8, ptr %168, i64 8
+  %170 = load i64, ptr %169, align 8
+  %171 = add nsw i64 %170, -1
+  %172 = load ptr, ptr %53, align 8
+  %173 = getelementptr inbounds double, ptr %172, i64 %171
+  %174 = load double, ptr %173, align 8
+  %175 = fmul double %98, %174
+  %176 = load ptr, ptr %51, align 8
+  %177 = load ptr, ptr %52, align 8
+  %178 = getelementptr inbounds i64, ptr %177, i64 %171
+  %179 = load i64, ptr %178, align 8
+  %180 = getelementptr inbounds double, ptr %176, i64 %179
+  %181 = load ptr, ptr %5, align 8
+  %182 = getelementptr inbounds i8, ptr %181, i64 8
+  %183 = load i64, ptr %182, align 8
+  %184 = icmp sgt i64 %183, 0
+  br i1 %184, label %185, label %197
 
-148:                                              ; preds = %149, %132
-  br i1 %48, label %160, label %156
+185:                                              ; preds = %166, %185
+  %186 = phi i64 [ %192, %185 ], [ 0, %166 ]
+  %187 = getelementptr inbounds double, ptr %180, i64 %186
+  %188 = load double, ptr %187, align 8
+  %189 = getelementptr inbounds double, ptr %145, i64 %186
+  %190 = load double, ptr %189, align 8
+  %191 = tail call double @llvm.fma.f64(double %175, double %188, double %190)
+  store double %191, ptr %189, align 8
+  %192 = add nuw nsw i64 %186, 1
+  %193 = load ptr, ptr %5, align 8
+  %194 = getelementptr inbounds i8, ptr %193, i64 8
+  %195 = load i64, ptr %194, align 8
+  %196 = icmp slt i64 %192, %195
+  br i1 %196, label %185, label %197, !llvm.loop !7
 
-149:                                              ; preds = %133, %149
-  %150 = phi i64 [ 0, %133 ], [ %154, %149 ]
-  %151 = getelementptr inbounds double, ptr %24, i64 %150
-  %152 = load double, ptr %151, align 8
-  %153 = getelementptr double, ptr %135, i64 %150
-  store double %152, ptr %153, align 8
-  %154 = add nuw nsw i64 %150, 1
-  %155 = icmp eq i64 %154, %5
-  br i1 %155, label %148, label %149, !llvm.loop !6
+197:                                              ; preds = %185, %166, %141
+  %198 = load ptr, ptr %51, align 8
+  %199 = load i64, ptr %54, align 8
+  %200 = mul nsw i64 %199, %144
+  %201 = getelementptr inbounds double, ptr %198, i64 %200
+  %202 = load i64, ptr %130, align 8
+  %203 = add nsw i64 %202, 1
+  store i64 %203, ptr %130, align 8
+  %204 = load ptr, ptr %24, align 8
+  %205 = getelementptr inbounds double, ptr %204, i64 %144
+  %206 = load double, ptr %205, align 8
+  %207 = fmul double %98, %206
+  %208 = fadd double %95, %207
+  %209 = load ptr, ptr %49, align 8
+  %210 = load ptr, ptr %43, align 8
+  store double %208, ptr %210, align 8
+  %211 = load i64, ptr %44, align 8
+  %212 = icmp sgt i64 %211, 0
+  br i1 %212, label %213, label %214
 
-156:                                              ; preds = %160, %148
-  br i1 %51, label %157, label %179
+213:                                              ; preds = %197
+  tail call fastcc void @sample(ptr noundef nonnull %5) #4
+  br label %214
 
-157:                                              ; preds = %156
-  %158 = add nsw i64 %81, %76
-  %159 = mul nsw i64 %158, %16
-  br label %170
+214:                                              ; preds = %197, %213
+  %215 = load ptr, ptr %5, align 8
+  %216 = load i64, ptr %215, align 8
+  %217 = load ptr, ptr %43, align 8
+  %218 = load ptr, ptr %45, align 8
+  %219 = load ptr, ptr %46, align 8
+  %220 = inttoptr i64 %216 to ptr
+  %221 = tail call i32 %220(ptr noundef %217, ptr noundef %209, ptr noundef %218, ptr noundef %219, ptr noundef %201) #5
+  %222 = sext i32 %221 to i64
+  %223 = icmp eq i32 %221, 0
+  %224 = select i1 %223, i64 %143, i64 %222
+  br i1 %223, label %137, label %225
 
-160:                                              ; preds = %148, %160
-  %161 = phi i64 [ %168, %160 ], [ 0, %148 ]
-  %162 = getelementptr double, ptr %49, i64 %161
-  %163 = load double, ptr %162, align 8
-  %164 = load ptr, ptr %50, align 8
-  %165 = getelementptr inbounds double, ptr %164, i64 %161
-  %166 = load double, ptr %165, align 8
-  %167 = fadd double %163, %166
-  store double %167, ptr %165, align 8
-  %168 = add nuw nsw i64 %161, 1
-  %169 = icmp eq i64 %168, %14
-  br i1 %169, label %156, label %160, !llvm.loop !7
+225:                                              ; preds = %137, %214, %128
+  %226 = phi i1 [ %136, %128 ], [ %139, %137 ], [ %142, %214 ]
+  %227 = phi i64 [ 0, %128 ], [ %222, %214 ], [ %222, %137 ]
+  %228 = phi i64 [ undef, %128 ], [ %224, %214 ], [ %224, %137 ]
+  br i1 %226, label %282, label %229
 
-170:                                              ; preds = %157, %170
-  %171 = phi i64 [ 0, %157 ], [ %177, %170 ]
-  %172 = getelementptr double, ptr %54, i64 %171
-  %173 = load double, ptr %172, align 8
-  %174 = load ptr, ptr %55, align 8
-  %175 = getelementptr double, ptr %174, i64 %159
-  %176 = getelementptr double, ptr %175, i64 %171
-  store double %173, ptr %176, align 8
-  %177 = add nuw nsw i64 %171, 1
-  %178 = icmp eq i64 %177, %16
-  br i1 %178, label %179, label %170, !llvm.loop !8
+229:                                              ; preds = %225
+  %230 = load ptr, ptr %55, align 8
+  %231 = load ptr, ptr %4, align 8
+  %232 = load ptr, ptr %5, align 8
+  %233 = getelementptr inbounds i8, ptr %232, i64 16
+  %234 = load i64, ptr %233, align 8
+  %235 = icmp sgt i64 %234, 1
+  %236 = zext i1 %235 to i64
+  %237 = load ptr, ptr %56, align 8
+  %238 = getelementptr inbounds i64, ptr %237, i64 %132
+  %239 = load i64, ptr %238, align 8
+  %240 = getelementptr i8, ptr %238, i64 8
+  %241 = load i64, ptr %240, align 8
+  %242 = xor i64 %239, -1
+  %243 = add i64 %241, %242
+  %244 = load ptr, ptr %48, align 8
+  %245 = load ptr, ptr %57, align 8
+  %246 = load ptr, ptr %58, align 8
+  %247 = getelementptr inbounds i64, ptr %246, i64 %239
+  %248 = load ptr, ptr %59, align 8
+  %249 = getelementptr inbounds double, ptr %248, i64 %239
+  tail call fastcc void @combine(ptr noundef %230, ptr noundef %231, ptr noundef %244, ptr noundef %245, ptr noundef %247, ptr noundef %249, i64 noundef %243, i64 noundef %236, i64 noundef %234) #4
+  %250 = icmp eq i64 %234, 1
+  br i1 %250, label %251, label %282
 
-179:                                              ; preds = %170, %156, %144
-  %180 = phi i64 [ %145, %144 ], [ %80, %156 ], [ %80, %170 ]
-  br i1 %131, label %78, label %181, !llvm.loop !9
+251:                                              ; preds = %229
+  %252 = load ptr, ptr %56, align 8
+  %253 = getelementptr i64, ptr %252, i64 %132
+  %254 = getelementptr i8, ptr %253, i64 8
+  %255 = load i64, ptr %254, align 8
+  %256 = add nsw i64 %255, -1
+  %257 = load ptr, ptr %59, align 8
+  %258 = getelementptr inbounds double, ptr %257, i64 %256
+  %259 = load double, ptr %258, align 8
+  %260 = fmul double %98, %259
+  %261 = load ptr, ptr %57, align 8
+  %262 = load ptr, ptr %58, align 8
+  %263 = getelementptr inbounds i64, ptr %262, i64 %256
+  %264 = load i64, ptr %263, align 8
+  %265 = getelementptr inbounds double, ptr %261, i64 %264
+  %266 = load ptr, ptr %5, align 8
+  %267 = getelementptr inbounds i8, ptr %266, i64 8
+  %268 = load i64, ptr %267, align 8
+  %269 = icmp sgt i64 %268, 0
+  br i1 %269, label %270, label %282
 
-181:                                              ; preds = %78, %179
-  %182 = phi i64 [ %180, %179 ], [ %80, %78 ]
-  br i1 %82, label %183, label %202
+270:                                              ; preds = %251, %270
+  %271 = phi i64 [ %277, %270 ], [ 0, %251 ]
+  %272 = getelementptr inbounds double, ptr %265, i64 %271
+  %273 = load double, ptr %272, align 8
+  %274 = getelementptr inbounds double, ptr %230, i64 %271
+  %275 = load double, ptr %274, align 8
+  %276 = tail call double @llvm.fma.f64(double %260, double %273, double %275)
+  store double %276, ptr %274, align 8
+  %277 = add nuw nsw i64 %271, 1
+  %278 = load ptr, ptr %5, align 8
+  %279 = getelementptr inbounds i8, ptr %278, i64 8
+  %280 = load i64, ptr %279, align 8
+  %281 = icmp slt i64 %277, %280
+  br i1 %281, label %270, label %282, !llvm.loop !7
 
-183:                                              ; preds = %181
-  br i1 %56, label %184, label %201
+282:                                              ; preds = %270, %251, %225, %229, %108
+  %283 = phi i64 [ %116, %108 ], [ %228, %225 ], [ %227, %229 ], [ %227, %251 ], [ %227, %270 ]
+  %284 = icmp eq i64 %283, 0
+  %285 = select i1 %60, i1 %284, i1 false
+  br i1 %285, label %286, label %294
 
-184:                                              ; preds = %183, %189
-  %185 = phi i64 [ %190, %189 ], [ 0, %183 ]
-  br i1 %57, label %186, label %189
+286:                                              ; preds = %282
+  %287 = mul nsw i64 %90, %14
+  br label %298
 
-186:                                              ; preds = %184
-  %187 = mul nsw i64 %185, %10
-  %188 = getelementptr double, ptr %26, i64 %187
-  br label %192
+288:                                              ; preds = %378, %364
+  %289 = icmp sgt i64 %299, 1
+  %290 = icmp eq i32 %344, 0
+  %291 = select i1 %289, i1 %290, i1 false
+  br i1 %291, label %298, label %292, !llvm.loop !8
 
-189:                                              ; preds = %192, %184
-  %190 = add nuw nsw i64 %185, 1
-  %191 = icmp eq i64 %190, %12
-  br i1 %191, label %201, label %184, !llvm.loop !10
+292:                                              ; preds = %288
+  %293 = sext i32 %344 to i64
+  br label %294
 
-192:                                              ; preds = %186, %192
-  %193 = phi i64 [ 0, %186 ], [ %199, %192 ]
-  %194 = getelementptr double, ptr %188, i64 %193
-  %195 = load double, ptr %194, align 8
-  %196 = getelementptr double, ptr %59, i64 %193
-  %197 = load double, ptr %196, align 8
-  %198 = fadd double %195, %197
-  store double %198, ptr %196, align 8
-  %199 = add nuw nsw i64 %193, 1
-  %200 = icmp eq i64 %199, %5
-  br i1 %200, label %189, label %192, !llvm.loop !11
+294:                                              ; preds = %292, %282
+  %295 = phi i64 [ %283, %282 ], [ %293, %292 ]
+  %296 = phi i1 [ %284, %282 ], [ %290, %292 ]
+  br i1 %296, label %297, label %387
 
-201:                                              ; preds = %189, %183
-  br i1 %82, label %60, label %202, !llvm.loop !12
+297:                                              ; preds = %294
+  br i1 %83, label %390, label %407
 
-202:                                              ; preds = %181, %60, %201
-  %203 = phi i64 [ %182, %201 ], [ 0, %60 ], [ %182, %181 ]
-  ret i64 %203
+298:                                              ; preds = %286, %288
+  %299 = phi i64 [ %14, %286 ], [ %300, %288 ]
+  %300 = add nsw i64 %299, -1
+  %301 = load ptr, ptr %61, align 8
+  %302 = load ptr, ptr %4, align 8
+  %303 = load ptr, ptr %62, align 8
+  %304 = getelementptr inbounds i64, ptr %303, i64 %300
+  %305 = load i64, ptr %304, align 8
+  %306 = getelementptr i8, ptr %304, i64 8
+  %307 = load i64, ptr %306, align 8
+  %308 = xor i64 %305, -1
+  %309 = add i64 %307, %308
+  %310 = load ptr, ptr %63, align 8
+  %311 = load ptr, ptr %64, align 8
+  %312 = load ptr, ptr %65, align 8
+  %313 = getelementptr inbounds i64, ptr %312, i64 %305
+  %314 = load ptr, ptr %66, align 8
+  %315 = getelementptr inbounds double, ptr %314, i64 %305
+  tail call fastcc void @combine(ptr noundef %301, ptr noundef %302, ptr noundef %310, ptr noundef %311, ptr noundef %313, ptr noundef %315, i64 noundef %309, i64 noundef 1, i64 noundef %10) #4
+  %316 = getelementptr inbounds i64, ptr %21, i64 %300
+  %317 = load i64, ptr %316, align 8
+  %318 = getelementptr inbounds i64, ptr %21, i64 %299
+  %319 = load i64, ptr %318, align 8
+  %320 = sub nsw i64 %319, %317
+  %321 = load ptr, ptr %67, align 8
+  %322 = load ptr, ptr %68, align 8
+  %323 = load ptr, ptr %69, align 8
+  %324 = getelementptr inbounds i64, ptr %23, i64 %317
+  %325 = getelementptr inbounds double, ptr %27, i64 %317
+  tail call fastcc void @combine(ptr noundef %321, ptr noundef %322, ptr noundef %323, ptr noundef %31, ptr noundef %324, ptr noundef %325, i64 noundef %320, i64 noundef 0, i64 noundef %10) #4
+  br i1 %70, label %348, label %326
+
+326:                                              ; preds = %348, %298
+  %327 = getelementptr inbounds double, ptr %25, i64 %300
+  %328 = load double, ptr %327, align 8
+  %329 = fmul double %98, %328
+  %330 = fadd double %95, %329
+  %331 = load ptr, ptr %61, align 8
+  %332 = load ptr, ptr %28, align 8
+  %333 = load ptr, ptr %71, align 8
+  store double %330, ptr %333, align 8
+  %334 = load i64, ptr %72, align 8
+  %335 = icmp sgt i64 %334, 0
+  br i1 %335, label %336, label %337
+
+336:                                              ; preds = %326
+  tail call fastcc void @sample(ptr noundef nonnull %1) #4
+  br label %337
+
+337:                                              ; preds = %326, %336
+  %338 = load ptr, ptr %1, align 8
+  %339 = load i64, ptr %338, align 8
+  %340 = load ptr, ptr %71, align 8
+  %341 = load ptr, ptr %32, align 8
+  %342 = load ptr, ptr %73, align 8
+  %343 = inttoptr i64 %339 to ptr
+  %344 = tail call i32 %343(ptr noundef %340, ptr noundef %331, ptr noundef %341, ptr noundef %342, ptr noundef %332) #5
+  br i1 %74, label %345, label %356
+
+345:                                              ; preds = %337
+  %346 = mul nsw i64 %300, %12
+  %347 = getelementptr double, ptr %31, i64 %346
+  br label %357
+
+348:                                              ; preds = %298, %348
+  %349 = phi i64 [ %354, %348 ], [ 0, %298 ]
+  %350 = load ptr, ptr %67, align 8
+  %351 = getelementptr inbounds double, ptr %350, i64 %349
+  %352 = load double, ptr %351, align 8
+  %353 = getelementptr inbounds double, ptr %35, i64 %349
+  store double %352, ptr %353, align 8
+  %354 = add nuw nsw i64 %349, 1
+  %355 = icmp eq i64 %354, %8
+  br i1 %355, label %326, label %348, !llvm.loop !9
+
+356:                                              ; preds = %357, %337
+  br i1 %75, label %368, label %364
+
+357:                                              ; preds = %345, %357
+  %358 = phi i64 [ 0, %345 ], [ %362, %357 ]
+  %359 = getelementptr inbounds double, ptr %29, i64 %358
+  %360 = load double, ptr %359, align 8
+  %361 = getelementptr double, ptr %347, i64 %358
+  store double %360, ptr %361, align 8
+  %362 = add nuw nsw i64 %358, 1
+  %363 = icmp eq i64 %362, %8
+  br i1 %363, label %356, label %357, !llvm.loop !10
+
+364:                                              ; preds = %368, %356
+  br i1 %78, label %365, label %288
+
+365:                                              ; preds = %364
+  %366 = add nsw i64 %300, %287
+  %367 = mul nsw i64 %366, %19
+  br label %378
+
+368:                                              ; preds = %356, %368
+  %369 = phi i64 [ %376, %368 ], [ 0, %356 ]
+  %370 = getelementptr double, ptr %76, i64 %369
+  %371 = load double, ptr %370, align 8
+  %372 = load ptr, ptr %77, align 8
+  %373 = getelementptr inbounds double, ptr %372, i64 %369
+  %374 = load double, ptr %373, align 8
+  %375 = fadd double %371, %374
+  store double %375, ptr %373, align 8
+  %376 = add nuw nsw i64 %369, 1
+  %377 = icmp eq i64 %376, %17
+  br i1 %377, label %364, label %368, !llvm.loop !11
+
+378:                                              ; preds = %365, %378
+  %379 = phi i64 [ 0, %365 ], [ %385, %378 ]
+  %380 = getelementptr double, ptr %81, i64 %379
+  %381 = load double, ptr %380, align 8
+  %382 = load ptr, ptr %82, align 8
+  %383 = getelementptr double, ptr %382, i64 %367
+  %384 = getelementptr double, ptr %383, i64 %379
+  store double %381, ptr %384, align 8
+  %385 = add nuw nsw i64 %379, 1
+  %386 = icmp eq i64 %385, %19
+  br i1 %386, label %288, label %378, !llvm.loop !12
+
+387:                                              ; preds = %294
+  %388 = load ptr, ptr %3, align 8
+  %389 = getelementptr inbounds i8, ptr %388, i64 24
+  store i64 %90, ptr %389, align 8
+  br label %407
+
+390:                                              ; preds = %297, %395
+  %391 = phi i64 [ %396, %395 ], [ 0, %297 ]
+  br i1 %84, label %392, label %395
+
+392:                                              ; preds = %390
+  %393 = mul nsw i64 %391, %12
+  %394 = getelementptr double, ptr %31, i64 %393
+  br label %398
+
+395:                                              ; preds = %398, %390
+  %396 = add nuw nsw i64 %391, 1
+  %397 = icmp eq i64 %396, %14
+  br i1 %397, label %407, label %390, !llvm.loop !13
+
+398:                                              ; preds = %392, %398
+  %399 = phi i64 [ 0, %392 ], [ %405, %398 ]
+  %400 = getelementptr double, ptr %394, i64 %399
+  %401 = load double, ptr %400, align 8
+  %402 = getelementptr double, ptr %86, i64 %399
+  %403 = load double, ptr %402, align 8
+  %404 = fadd double %401, %403
+  store double %404, ptr %402, align 8
+  %405 = add nuw nsw i64 %399, 1
+  %406 = icmp eq i64 %405, %8
+  br i1 %406, label %395, label %398, !llvm.loop !14
+
+407:                                              ; preds = %395, %297, %387
+  %408 = phi i64 [ %295, %387 ], [ %89, %297 ], [ %89, %395 ]
+  br i1 %296, label %87, label %409, !llvm.loop !15
+
+409:                                              ; preds = %87, %407
+  %410 = phi i64 [ %408, %407 ], [ 0, %87 ]
+  ret i64 %410
 }
 
 define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef readonly %1, ptr noundef readonly %2, ptr noundef readonly %3, ptr noundef readonly %4, ptr noundef readonly %5, i64 noundef %6, i64 noundef %7, i64 noundef %8) unnamed_addr #1 {
@@ -325,7 +577,7 @@ define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef reado
   %51 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %40, <8 x double> %50, <8 x double> %32)
   %52 = add nuw nsw i64 %33, 1
   %53 = icmp eq i64 %52, %6
-  br i1 %53, label %54, label %28, !llvm.loop !13
+  br i1 %53, label %54, label %28, !llvm.loop !16
 
 54:                                               ; preds = %28, %22
   %55 = phi <8 x double> [ zeroinitializer, %22 ], [ %48, %28 ]
@@ -374,7 +626,7 @@ define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef reado
   %96 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %85, <8 x double> %95, <8 x double> %76)
   %97 = add nuw nsw i64 %77, 1
   %98 = icmp slt i64 %97, %15
-  br i1 %98, label %72, label %99, !llvm.loop !14
+  br i1 %98, label %72, label %99, !llvm.loop !17
 
 99:                                               ; preds = %72, %54
   %100 = phi <8 x double> [ %67, %54 ], [ %93, %72 ]
@@ -390,7 +642,7 @@ define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef reado
   store <8 x double> %103, ptr %106, align 8
   %107 = add nuw nsw i64 %23, 32
   %108 = icmp sgt i64 %107, %11
-  br i1 %108, label %16, label %22, !llvm.loop !15
+  br i1 %108, label %16, label %22, !llvm.loop !18
 
 109:                                              ; preds = %19, %149
   %110 = phi i64 [ %17, %19 ], [ %151, %149 ]
@@ -421,7 +673,7 @@ define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef reado
   %131 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %126, <8 x double> %130, <8 x double> %121)
   %132 = add nuw nsw i64 %122, 1
   %133 = icmp eq i64 %132, %6
-  br i1 %133, label %114, label %120, !llvm.loop !13
+  br i1 %133, label %114, label %120, !llvm.loop !16
 
 134:                                              ; preds = %114, %134
   %135 = phi <8 x double> [ %146, %134 ], [ %118, %114 ]
@@ -438,22 +690,20 @@ define internal fastcc void @combine(ptr noundef writeonly %0, ptr noundef reado
   %146 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %141, <8 x double> %145, <8 x double> %135)
   %147 = add nuw nsw i64 %136, 1
   %148 = icmp slt i64 %147, %21
-  br i1 %148, label %134, label %149, !llvm.loop !14
+  br i1 %148, label %134, label %149, !llvm.loop !17
 
 149:                                              ; preds = %134, %114
   %150 = phi <8 x double> [ %118, %114 ], [ %146, %134 ]
   store <8 x double> %150, ptr %111, align 8
   %151 = add nuw nsw i64 %110, 8
   %152 = icmp slt i64 %151, %11
-  br i1 %152, label %109, label %153, !llvm.loop !16
+  br i1 %152, label %109, label %153, !llvm.loop !19
 
 153:                                              ; preds = %149, %16
   ret void
 }
 
-declare <8 x double> @llvm.fma.v8f64(<8 x double>, <8 x double>, <8 x double>) #2
-
-define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #3 {
+define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #2 {
   %2 = getelementptr inbounds i8, ptr %0, i64 104
   %3 = load i64, ptr %2, align 8
   %4 = icmp sgt i64 %3, 0
@@ -522,7 +772,7 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #3 {
   %53 = select i1 %51, i64 %48, i64 %45
   %54 = sub nsw i64 %53, %52
   %55 = icmp sgt i64 %54, 1
-  br i1 %55, label %44, label %56, !llvm.loop !17
+  br i1 %55, label %44, label %56, !llvm.loop !20
 
 56:                                               ; preds = %44, %42, %35, %38
   %57 = phi i64 [ %31, %38 ], [ %31, %35 ], [ 0, %42 ], [ %52, %44 ]
@@ -554,13 +804,17 @@ define internal fastcc void @sample(ptr noundef readonly %0) unnamed_addr #3 {
   %81 = add nuw nsw i64 %14, 1
   %82 = load i64, ptr %2, align 8
   %83 = icmp slt i64 %81, %82
-  br i1 %83, label %13, label %12, !llvm.loop !18
+  br i1 %83, label %13, label %12, !llvm.loop !21
 }
+
+declare double @llvm.fma.f64(double, double, double) #3
+
+declare <8 x double> @llvm.fma.v8f64(<8 x double>, <8 x double>, <8 x double>) #3
 
 attributes #0 = { nounwind }
 attributes #1 = { noinline nounwind }
-attributes #2 = { nounwind willreturn memory(none) }
-attributes #3 = { noinline nounwind }
+attributes #2 = { noinline nounwind }
+attributes #3 = { nounwind willreturn memory(none) }
 attributes #4 = { nounwind }
 attributes #5 = { nounwind }
 
@@ -584,3 +838,6 @@ attributes #5 = { nounwind }
 !16 = distinct !{!16, !4, !5}
 !17 = distinct !{!17, !4, !5}
 !18 = distinct !{!18, !4, !5}
+!19 = distinct !{!19, !4, !5}
+!20 = distinct !{!20, !4, !5}
+!21 = distinct !{!21, !4, !5}

@@ -1,4 +1,4 @@
-; sources 4ec9673ec22fd8ee6b450440ab4af6ab8f31ea1e75ced43f040053552b97f31c
+; sources 2bb27cc949f0446654a111285e32419b07489a563ad2107621887872cf883b28
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
 %struct.Stepper = type { ptr, ptr, ptr }

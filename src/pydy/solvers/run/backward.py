@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any
@@ -11,7 +11,8 @@ import numpy as np
 
 from pydy._array_layout import address
 from pydy._interrupts import Interrupts
-from pydy._kernel import Inputs, KernelCall
+from pydy._kernel import KernelCall
+from pydy.solvers.options import Options
 from pydy.solvers.run import layout as at
 from pydy.solvers.run.layout import Backward, rows_of, table_of
 from pydy.solvers.run.problem import (
@@ -21,8 +22,8 @@ from pydy.solvers.run.problem import (
     kernel_problem,
     lined_up,
 )
-from pydy.solvers.run.recording import Recording
 from pydy.solvers.run.shipped import function_of
+from pydy.solvers.run.workspace import Workspace
 from pydy.solvers.tableaus import tableau_of
 from pydy.solvers.tuning import BLOCK
 
@@ -39,40 +40,24 @@ class Sweep:
     kept: np.ndarray  # (m, j): the last j of the totals, stage by stage
 
 
-@dataclass(frozen=True, eq=False)
-class _Ways:
-    """A tableau as the compiled loop reads it."""
-
-    nodes: np.ndarray  # (stages,)
-    table: np.ndarray  # (stages, stages): coefficients a
-    # The terms of each row of a, then of each column with b below it.
-    rows: np.ndarray
-    offsets: np.ndarray
-    coefficients: np.ndarray
-
-
 @lru_cache(maxsize=32)
-def _ways(method: str, length: int) -> _Ways:
+def _turned(method: str, length: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return the terms of each column of a tableau, its weight last, as `Backward` has them."""
     tableau = tableau_of(method)
     stages = len(tableau.stages)
-    table = np.zeros((stages, stages))
-    for k, row in enumerate(tableau.stages):
+    table = np.zeros((stages + 1, stages))
+    for k, row in enumerate((*tableau.stages, tableau.weights)):
         table[k, list(row)] = list(row.values())
-    ahead = np.vstack([table, np.zeros(stages)])
-    ahead[-1, list(tableau.weights)] = list(tableau.weights.values())
-    rows = [*table, *ahead.T]
-    places = [np.flatnonzero(row) for row in rows]
-    return _Ways(
-        np.array(tableau.nodes[:stages]),
-        table,
+    places = [np.flatnonzero(column) for column in table.T]
+    return (
         np.cumsum([0, *map(len, places)]),
         np.concatenate(places) * length,
-        np.concatenate([row[place] for row, place in zip(rows, places, strict=True)]),
+        np.concatenate([column[place] for column, place in zip(table.T, places, strict=True)]),
     )
 
 
 class WayBack:
-    """The way back through the steps of an explicit method.
+    """The way back through the steps of an explicit method, which are taken again.
 
     The calls are of the derivatives of the n states, and of the same inputs with n weights after
     r: the derivatives of Σ weight · rate by the states and by `further` other inputs, of which the
@@ -91,9 +76,9 @@ class WayBack:
         self.n = n = rates.kernel.program.num_states
         self.length = BLOCK * blocks(n)
         self.further, self.kept = further, kept
-        ways = _ways(method, self.length)
-        self.stages, self.nodes, self.table = len(ways.nodes), ways.nodes, ways.table
-        self._rows, self._offsets, self._coefficients = ways.rows, ways.offsets, ways.coefficients
+        self._turned = _turned(method, self.length)
+        self._work = Workspace(method, rates, n, np.zeros(1), (), Options())
+        self.nodes = np.array(tableau_of(method).nodes)[: len(tableau_of(method).stages)]
         self._python = turned.kernel.addresses is None
         self._problem = self._bound(turned)
 
@@ -119,93 +104,55 @@ class WayBack:
 
     def through(
         self,
-        recording: Recording,
-        first: int,
-        last: int,
+        times: np.ndarray,
+        ends: np.ndarray,
+        states: np.ndarray,
         adjoint: np.ndarray,
         told: Callable[[int], None],
     ) -> Sweep:
-        """Go back from the end of step `last` − 1 to the beginning of step `first`.
+        """Go back through some steps, which begin and end at these times, the first in `states`.
 
         The adjoint is of the state at the end; the number of steps is `told` now and then.
         """
         totals = np.zeros(self.further)
-        times: list[np.ndarray] = []
+        instants: list[np.ndarray] = []
         kept: list[np.ndarray] = []
-        most = max(1, _AT_ONCE // (self.stages * self.length))
-        while last > first:
-            start = max(first, last - most)
-            part = self._part(recording, slice(start, last), adjoint)
+        most, last = max(1, _AT_ONCE // (len(self.nodes) * self.length)), len(times)
+        while last:
+            some = slice(max(0, last - most), last)
+            part = self._part(times[some], ends[some] - times[some], states[some], adjoint)
             adjoint, totals = part.adjoint, totals + part.totals
-            times.append(part.times)
+            instants.append(part.times)
             kept.append(part.kept)
-            told(last - start)
-            last = start
+            told(last - some.start)
+            last = some.start
         none = np.zeros((0, self.kept))
-        return Sweep(adjoint, totals, np.concatenate([[], *times]), np.concatenate([none, *kept]))
+        return Sweep(
+            adjoint, totals, np.concatenate([[], *instants]), np.concatenate([none, *kept])
+        )
 
-    def _part(self, recording: Recording, steps: slice, adjoint: np.ndarray) -> Sweep:
-        times = np.array(recording.starts[steps])
-        sizes = np.array(recording.ends[steps]) - times
-        states = np.array(recording.before[steps])
-        stages = self._all_stages(recording.stages[steps], times, sizes, states)
-        number, length, count = len(times), self.length, self.stages
+    def _part(
+        self, times: np.ndarray, sizes: np.ndarray, states: np.ndarray, adjoint: np.ndarray
+    ) -> Sweep:
+        n, length, count = self.n, self.length, len(self.nodes)
         adjoints = lined_up((count + 1) * length)
-        adjoints[count * length : count * length + self.n] = adjoint
+        adjoints[count * length : count * length + n] = adjoint
         back = Backward(
-            words=np.array([count, len(self.rates.r), self.further, self.kept, -1]),
-            rows=self._rows,
-            offsets=self._offsets,
-            coefficients=self._coefficients,
-            nodes=self.nodes,
-            times=times,
-            sizes=sizes,
-            states=states,
-            stages=stages,
-            adjoints=adjoints,
-            step=lined_up(BLOCK),
-            zero=lined_up(length),
-            state=lined_up(length),
-            weighted=lined_up(length),
-            out=np.zeros(self.n + self.further),
-            totals=np.zeros(self.further),
-            kept=np.zeros((number * count, self.kept)),
+            np.array([len(self.rates.r), self.further, self.kept, -1]),
+            *self._turned,
+            np.ascontiguousarray(times),
+            sizes,
+            np.ascontiguousarray(states),
+            adjoints,
+            np.zeros(n + self.further),
+            np.zeros(self.further),
+            np.zeros((len(times) * count, self.kept)),
         )
         table = table_of(rows_of(self._problem), rows_of(back))
-        function_of("step_back", self._python)(address(table))
-        after = adjoints[count * length : count * length + self.n].copy()
+        python = self._python or bool(self._work.callbacks)
+        function_of("step_back", python)(self._work.place, address(table))
+        after = adjoints[count * length : count * length + n].copy()
         if back.words[at.BACK_WRONG] >= 0:
             after[:] = np.nan
         instants = (times[:, None] + np.outer(sizes, self.nodes)).ravel()
         return Sweep(after, back.totals, instants, back.kept)
-
-    def _all_stages(
-        self,
-        known: Sequence[np.ndarray | None],
-        times: np.ndarray,
-        sizes: np.ndarray,
-        states: np.ndarray,
-    ) -> np.ndarray:
-        """Return the stages of some steps; those that were not kept are computed again."""
-        count, length, n = self.stages, self.length, self.n
-        left = [k for k, one in enumerate(known) if one is None]
-        if not left:
-            return np.array(known)
-        h, x = sizes[left, None], states[left][:, :n]
-        again = np.zeros((len(left), count, length))
-        for stage in range(count):
-            moved = np.tensordot(self.table[stage, :stage], again[:, :stage, :n], (0, 1))
-            instants = times[left] + self.nodes[stage] * sizes[left]
-            again[:, stage, :n] = self._evaluate(instants, x + h * moved)
-        result = np.zeros((len(known), count * length))
-        result[left] = again.reshape(len(left), -1)
-        for k, one in enumerate(known):
-            if one is not None:
-                result[k] = one
-        return result
-
-    def _evaluate(self, t: np.ndarray, x: np.ndarray) -> np.ndarray:
-        call = self.rates
-        rows = Inputs(call.r, call.sampled).rows(np.empty((len(t), 0)), t)
-        out, _ = call.kernel.evaluate(t, np.ascontiguousarray(x), rows, call.p)
-        return out

@@ -164,8 +164,8 @@ class Integration:
         self.name, self.n, self.options = method, n, options
         beside = options.sensitivities
         self.states = n if beside is None else beside.states  # without what is beside them
-        if options.recording is not None:
-            self.states = options.recording.states
+        if options.recorded is not None:
+            self.states = options.recorded
         self.interrupts = Interrupts(stopped)
         self._end(NOT_COMPUTED)
         self.records: list[EventRecord] = []
@@ -175,10 +175,10 @@ class Integration:
         self.progress, self.watch = arrays.progress, arrays.watch
         self._tight = self._nearly_exact()
         # Whether Python has more to do than to wait for the end.
-        parts = (options.constraints, options.events, options.recording)
+        parts = (options.constraints, options.events)
         wanted = any(p is not None for p in parts) or options.progress
         attended = wanted or bool(self.callbacks) or self._tight
-        self.reusable = not (options.recording or self.callbacks or self.call is None)
+        self.reusable = not (self.callbacks or self.call is None)
         self._budget = first_budget(method, self.call, bool(self.callbacks))
         arrays.beginning[1][at.BUDGET] = 0 if attended else self._budget
         # Rows are written in whole blocks.
@@ -213,7 +213,7 @@ class Integration:
         self._rows[0] = self._x0 = x0
         self.code = NOT_COMPUTED
         self.records = []
-        if self.options.dense_output:
+        if self.arrays.keeps:
             self.arrays.forget_steps()
         if self.options.events is not None:
             self.watch.rests[:] = np.nan
@@ -250,15 +250,6 @@ class Integration:
 
     # -- running ----------------------------------------------------------------------------------
 
-    def _slice(self, budget: int) -> int:
-        """Take some steps; returns the code of why it stopped."""
-        if self.options.recording is None:
-            self.progress.counts[at.BUDGET] = budget
-            return self._advance(self._rows, False)
-        return self.options.recording.steps(
-            budget, lambda: self._advance(self._rows, False), self.progress, self.memory
-        )
-
     def _run(self) -> None:
         state, count = self.progress.state, self.progress.counts
         budget = self._budget
@@ -269,7 +260,8 @@ class Integration:
             while True:
                 self.interrupts.check()
                 start, taken = perf_counter(), count[at.STEPS] + count[at.REJECTED]
-                code = self._slice(budget)
+                count[at.BUDGET] = budget
+                code = self._advance(self._rows, False)
                 elapsed = perf_counter() - start
                 if bar is not None:
                     bar.update(state[at.TIME] - bar.n - bar.start)

@@ -332,40 +332,34 @@ EVALUATION = (LaneProblem, Evaluation)
 
 # -- Back through explicit steps -------------------------------------------------------------------
 
-# Backward.words: the number of stages, the place in r of the weights, how many outputs of the
-# kernel follow those by the states, how many of these, the last, are kept stage by stage, and the
-# step whose equations could not be evaluated.
-BACK_STAGES, BACK_WEIGHTS, BACK_FURTHER, BACK_KEPT, BACK_WRONG = range(5)
+# Backward.words: the place in r of the weights, how many outputs of the kernel follow those by the
+# states, how many of these, the last, are kept stage by stage, and the step whose equations could
+# not be evaluated.
+BACK_WEIGHTS, BACK_FURTHER, BACK_KEPT, BACK_WRONG = range(4)
 
 
 class Backward(NamedTuple):
     """Explicit steps, and what is needed to go through them from the last to the first.
 
     The kernel gives the derivatives of Σ weight · rate by the states and by what else is wanted.
-    Rows are those of the stages' states, with places in `stages`, then those of their weights, with
-    places in `adjoints`. Vectors are padded to whole blocks.
+    Rows are those of the stages' weights, with places in `adjoints`, whose vectors are padded to
+    whole blocks.
     """
 
     words: Words
     rows: Words  # where each row begins in the two arrays that follow
     offsets: Words
     coefficients: Numbers
-    nodes: Numbers
     times: Numbers  # (steps,): where each begins
     sizes: Numbers  # (steps,)
-    states: NumberRows  # (steps, ·): at the beginning of each
-    stages: NumberRows  # (steps, ·): derivatives, vector after vector
+    states: NumberRows  # (steps, n): at the beginning of each
     adjoints: Numbers  # of each stage's state; that of the state at the end of the step comes last
-    step: Numbers
-    zero: Numbers
-    state: Numbers
-    weighted: Numbers
     out: Numbers
     totals: Numbers  # (further,): sums over all stages
     kept: NumberRows  # (steps · stages, kept)
 
 
-# The parts of the table of `step_back`.
+# The parts of the second table of `step_back`; the first is that of a run of the steps.
 BACK = (Problem, Backward)
 
 

@@ -39,7 +39,8 @@ def address_of(name: str) -> int:
 def function_of(name: str, python: bool = False) -> Callable[..., int]:
     """Return an entry that takes the address of a table, and further arguments.
 
-    A projection also takes a time and an address; `extend` takes the address of another table.
+    A projection also takes a time and an address; `extend` and `step_back` take the address of
+    another table.
 
     It releases the interpreter's lock, unless it may call Python functions: then it raises what
     they raise.
@@ -47,7 +48,7 @@ def function_of(name: str, python: bool = False) -> Callable[..., int]:
     kind = ctypes.PYFUNCTYPE if python else ctypes.CFUNCTYPE
     numbers: tuple[Any, ...] = (ctypes.c_double, ctypes.c_int64, ctypes.c_int64)
     if not name.startswith("project"):
-        numbers = (ctypes.c_int64,) if name == "extend" else ()
+        numbers = (ctypes.c_int64,) if name in ("extend", "step_back") else ()
     return kind(ctypes.c_int64, ctypes.c_int64, *numbers)(address_of(name))
 
 

@@ -124,7 +124,8 @@ class Workspace:
         self.beginning = Beginning(state, count)
         self.progress = Progress(state.copy(), count.copy(), np.array(times, order="C"))
         self.steps = _NO_STEPS
-        if options.dense_output:
+        self.keeps = options.dense_output or options.recorded is not None
+        if self.keeps:
             width = 2 + n * (1 + (3 if method == IMPLICIT else 0))
             room = 4 + _STEPS // width
             self.steps = Steps(np.array([0, room]), np.zeros((room, width)))
@@ -144,7 +145,7 @@ class Workspace:
             _NO_CONSTRAINTS_ROWS if options.constraints is None else rows_of(constraints),
             _NO_EVENTS_ROWS if options.events is None else rows_of(self.watch),
             rows_of(self.beginning),
-            rows_of(self.steps) if options.dense_output else _NO_STEPS_ROWS,
+            rows_of(self.steps) if self.keeps else _NO_STEPS_ROWS,
             self._further,
         )
 
@@ -188,7 +189,7 @@ class Workspace:
         words, rows = self.steps
         self._aside.append(rows[: words[at.KEPT]].copy())
         words[at.KEPT] = 0
-        if len(self._aside) * rows.nbytes > STEPS_MEMORY:
+        if self.options.recorded is None and len(self._aside) * rows.nbytes > STEPS_MEMORY:
             self._aside, words[at.ROOM] = [], 0
 
     def kept_steps(self) -> np.ndarray | None:
