@@ -37,6 +37,9 @@ class StartError(ValueError):
     """A gap is negative at the first time."""
 
 
+Parts = dict[str, tuple[tuple[int, ...], Sequence[int]]]  # shapes and nodes, by name
+
+
 @dataclass(frozen=True)
 class Numbers:
     """The rows at one state."""
@@ -253,21 +256,32 @@ class ContactRows:
         ]
 
     @cached_property
-    def _values(self) -> Any:
-        g = self.graph
-        near, slow = rounding_bounds(g, self.gaps), rounding_bounds(g, self.speeds)
-        free = [self.acceleration(g, k, self.free) for k in range(len(self.speeds))]
-        terms = self._terms()
+    def parts(self) -> Parts:
+        """What `Numbers` has, by its names."""
+        g, e = self.graph, self.equations
+        q, u, k, c = (len(s) for s in (e.coordinates, e.speeds, self.speeds, self.contacts))
+        by_q, by_u = ([g.input("x", j) for j in own] for own in (range(q), range(q, q + u)))
         square = [self.dot(g, row, moved) for row in self.jacobian for moved in self.moves]
-        moves = [n for moved in self.moves for n in moved]
-        others = [*self.pressed, *self.restitution, *self.mu, *self.static]
-        n = len(self.equations.coordinates)
-        u = [g.input("x", n + k) for k in range(len(self.equations.speeds))]
-        q = [g.input("x", k) for k in range(n)]
-        slopes = dense_jacobian(g, self.formed.rates, u), dense_jacobian(g, self.gaps, q)
-        others = [*slopes[0], *slopes[1], *others]
-        nodes = [*self.gaps, *near, *self.speeds, *slow, *free, *terms, *square, *moves, *others]
-        return evaluator(g, nodes)
+        return {
+            "gap": ((c,), self.gaps),
+            "near": ((c,), rounding_bounds(g, self.gaps)),
+            "speed": ((k,), self.speeds),
+            "slow": ((k,), rounding_bounds(g, self.speeds)),
+            "free": ((k,), [self.acceleration(g, row, self.free) for row in range(k)]),
+            "terms": ((k,), self._terms()),
+            "square": ((k, k), square),
+            "moves": ((u, k), [moved[j] for j in range(u) for moved in self.moves]),
+            "kinematics": ((q, u), dense_jacobian(g, self.formed.rates, by_u)),
+            "gradient": ((c, q), dense_jacobian(g, self.gaps, by_q)),
+            "normal": ((c,), self.pressed),
+            "restitution": ((c,), self.restitution),
+            "mu": ((c,), self.mu),
+            "mu_static": ((c,), self.static),
+        }
+
+    @cached_property
+    def _values(self) -> Any:
+        return evaluator(self.graph, [n for _, nodes in self.parts.values() for n in nodes])
 
     @cached_property
     def _ways(self) -> dict[int, Any]:
@@ -305,17 +319,7 @@ class ContactRows:
     def numbers(self, values: dict[Any, float]) -> Numbers:
         """Return the rows, given a number for each symbol."""
         inputs = {node: values.get(symbol, 0.0) for node, symbol in self.symbols.items()}
-        found = self._values(inputs, 1)[0]
-        c, k, n = len(self.contacts), len(self.speeds), len(self.equations.speeds)
-        q = len(self.equations.coordinates)
-        sizes = [c, c, k, k, k, k, k * k, k * n, q * n, c * q, c, c, c, c]
-        parts = np.split(found, np.cumsum(sizes)[:-1])
-        gap, near, speed, slow, free, terms, square, moves, kinematics, gradient, *others = parts
-        pressed, e, mu, static = others
-        return Numbers(
-            gap, near, speed, slow, free, terms, square.reshape(k, k), moves.reshape(k, n).T,
-            kinematics.reshape(q, n), gradient.reshape(c, q), pressed, e, mu, static,
-        )  # fmt: skip
+        return Numbers(**by_name(self.parts, self._values(inputs, 1)[0]))
 
     @staticmethod
     def dot(g: Graph, a: Sequence[int], b: Sequence[int]) -> int:
@@ -325,6 +329,13 @@ class ContactRows:
     def acceleration(self, g: Graph, row: int, rates: Sequence[int]) -> int:
         """Return J u' + b of a row."""
         return g.add(self.dot(g, self.jacobian[row], rates), self.drift[row])
+
+
+def by_name(parts: Parts, found: np.ndarray) -> dict[str, np.ndarray]:
+    """Return the numbers (nodes, …) of all parts, each in its shape."""
+    ends = np.cumsum([len(nodes) for _, nodes in parts.values()])
+    pieces = zip(parts.items(), np.split(found, ends[:-1]), strict=True)
+    return {name: own.reshape(*shape, *found.shape[1:]) for (name, (shape, _)), own in pieces}
 
 
 def _check_direction(name: str, gap: np.ndarray, moves: np.ndarray, axes: np.ndarray) -> None:

@@ -13,7 +13,6 @@ from pydy._names import numbers_of
 from pydy._rank import ROUNDED
 from pydy._system.sensitivities import Wanted
 from pydy._system.snapshot import Snapshot
-from pydy.contact.compiled import Compiled
 from pydy.contact.conditions import check_values
 from pydy.contact.decide import (
     BACKWARD,
@@ -35,7 +34,7 @@ from pydy.contact.decide import (
 )
 from pydy.contact.impacts import RISES, contradiction, newton, poisson
 from pydy.contact.missed import missed
-from pydy.contact.modes import Mode
+from pydy.contact.modes import Compiled, Mode
 from pydy.contact.rows import Numbers, StartError
 from pydy.contact.sensitivities import Carried
 from pydy.contact.trajectory import ContactTrajectory, Piece, Pieces, PieceSensitivities
@@ -336,9 +335,7 @@ class Run:
                 if p.speed[normals[i]] < 0.0
             }
             values = self.values(state.t, before)
-            slopes = self.carried.impact(
-                values, p, blow, kept_of, frozenset(state.touching), self.first
-            )
+            d = self.carried.impact(values, p, blow, kept_of, frozenset(state.touching), self.first)
         state.x = before.copy()
         speeds = slice(self.first, self.first + p.moves.shape[0])
         state.x[speeds] += p.moves @ blow.forces
@@ -373,8 +370,9 @@ class Run:
                 self.first_height.pop(i, None)
                 record = EventRecord(limit, f"{name} rests", i, state.x.copy(), state.x.copy())
                 if self.carried is not None:  # with the forces of other contacts held
-                    slower = v * later * a * slopes.restitution[i] + v / a * slopes.free[normal]
-                    faster = -e[i] * slopes.speed[normal] - p.speed[normal] * slopes.restitution[i]
+                    by_e, by_free, by_speed = d["restitution"][i], d["free"], d["speed"]
+                    slower = v * later * a * by_e + v / a * by_free[normal]
+                    faster = -e[i] * by_speed[normal] - p.speed[normal] * by_e
                     moved = self.carried.time + 2.0 * later * (faster + slower)
                     record = replace(record, time_sensitivity=moved)
                 if limit <= self.times[-1]:
@@ -512,7 +510,7 @@ class Run:
         system.ode_solver = self.users.ode_solver
         system.times = np.concatenate([[state.t], self.times[later]])
         system.initial_conditions = dict(zip(now.definition.states, state.x.tolist(), strict=True))
-        options = dict(self.options)
+        options = {**self.options}
         if held or now.definition.equations.velocity:  # each part would begin with the drift so far
             options["constraints"] = "project"
         self.shorten(p, state, solution, system, options)

@@ -16,7 +16,6 @@ M. di Bernardo et al., Piecewise-smooth Dynamical Systems, Springer, 2008, secti
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -29,21 +28,10 @@ from pydy._system.sensitivities import Sensitive
 from pydy._system.snapshot import Snapshot
 from pydy.contact.decide import CLOSED, OPEN, SLIDES, STARTING, STICKS
 from pydy.contact.impacts import Blow
-from pydy.contact.rows import ContactRows, Numbers
+from pydy.contact.rows import ContactRows, Numbers, by_name
 from pydy.contact.tuning import SLACK
 
-
-@dataclass(frozen=True)
-class Slopes:
-    """Derivatives of the rows at one state, by k parameters; the last axis is theirs."""
-
-    gap: np.ndarray  # (contacts, k)
-    speed: np.ndarray  # (rows, k)
-    square: np.ndarray  # (rows, rows, k)
-    moves: np.ndarray  # (speeds, rows, k)
-    restitution: np.ndarray  # (contacts, k)
-    mu: np.ndarray
-    free: np.ndarray  # (rows, k), of accelerations without contact forces
+_SLOPES = ("gap", "speed", "square", "moves", "restitution", "mu", "free")
 
 
 class Carried:
@@ -74,29 +62,30 @@ class Carried:
 
     @cached_property
     def _slopes(self) -> Any:
-        """The evaluator of the slopes, and the places of their inputs' directions."""
+        """What the slopes are of, their evaluator, and the places of their inputs' directions."""
         rows = self.rows
+        parts = {name: rows.parts[name] for name in _SLOPES}
+        nodes = [n for _, own in parts.values() for n in own]
         g = rows.graph.copy()
         moving = {*self.now.definition.states, self.now.definition.equations.time}
         moving.update(symbol for symbol in self._constants if symbol is not None)
         places = {node: s for node, s in rows.symbols.items() if s in moving}
-        square = [rows.dot(g, row, moved) for row in rows.jacobian for moved in rows.moves]
-        moves = [node for moved in rows.moves for node in moved]
-        nodes = [*rows.gaps, *rows.speeds, *square, *moves, *rows.restitution, *rows.mu]
-        if "r" in g.inputs_of(nodes):
+        if "r" in g.inputs_of(nodes[: -len(rows.speeds)]):  # but for accelerations
             raise NotImplementedError(
                 "`sensitivities` of contacts that depend on specifieds are not supported yet. "
                 "Write a prescribed motion as an expression of time."
             )
-        nodes += [rows.acceleration(g, k, rows.free) for k in range(len(rows.speeds))]
         along = {node: g.input("along", k) for k, node in enumerate(places)}
         slopes = directional(g, nodes, {node: {0: unit} for node, unit in along.items()})
         found = evaluator(g, [row.get(0, g.zero) for row in slopes])
-        return found, {along[node]: symbol for node, symbol in places.items()}
+        return parts, found, {along[node]: symbol for node, symbol in places.items()}
 
-    def slopes(self, values: Mapping[Any, float]) -> Slopes:
-        """Return the derivatives of the rows along D, given a number for each symbol."""
-        evaluate, directions = self._slopes
+    def slopes(self, values: Mapping[Any, float]) -> dict[str, np.ndarray]:
+        """Return derivatives of `Numbers` along D by k parameters, given a number for each symbol.
+
+        The last axis is that of the parameters; accelerations are those without contact forces.
+        """
+        parts, evaluate, directions = self._slopes
         states = list(self.now.definition.states)
         inputs: dict[int, Any] = {
             node: values.get(symbol, 0.0) for node, symbol in self.rows.symbols.items()
@@ -108,18 +97,7 @@ class Carried:
                 inputs[node] = np.eye(len(self.symbols))[self._constants.index(symbol)]
             else:
                 inputs[node] = self.time
-        found = evaluate(inputs, len(self.symbols)).T
-        c, k = len(self.rows.contacts), len(self.rows.speeds)
-        n = len(self.rows.equations.speeds)
-        parts = np.split(found, np.cumsum([c, k, k * k, k * n, c, c]))
-        return Slopes(
-            parts[0],
-            parts[1],
-            parts[2].reshape(k, k, -1),
-            parts[3].reshape(k, n, -1).transpose(1, 0, 2),
-            parts[4],
-            *parts[5:],
-        )
+        return by_name(parts, evaluate(inputs, len(self.symbols)).T)
 
     # -- what transitions do ----------------------------------------------------------------------
 
@@ -136,10 +114,10 @@ class Carried:
         the other contradicts it, friction turned the velocity too quickly at the end. What follows
         does not depend on it: the rows that are held take out what it adds.
         """
-        rest = self.slopes(values).speed[rows]
+        rest = self.slopes(values)["speed"][rows]
         total, time = self.total, self.time
         self.total, self.time = before, np.zeros(len(time))
-        size = np.linalg.norm(self.slopes(values).speed[rows], axis=0)
+        size = np.linalg.norm(self.slopes(values)["speed"][rows], axis=0)
         self.total, self.time = total, time
         self.doubtful |= ~(np.linalg.norm(rest, axis=0) <= SLACK * size)
 
@@ -164,7 +142,7 @@ class Carried:
         kept: Mapping[int, float],
         still: Collection[int],
         first: int,
-    ) -> Slopes:
+    ) -> dict[str, np.ndarray]:
         """Apply the derivatives of an impact; return those of the rows before it.
 
         The `values` are numbers before it, and it is `found` by Newton's hypothesis. `kept` is the
@@ -174,16 +152,16 @@ class Carried:
         d, f = self.slopes(values), found.forces
         size, columns = len(f), len(self.symbols)
         # Velocities after it are those of `start`, by Newton's hypothesis, and A p.
-        start = d.speed.copy()
+        start = d["speed"].copy()
         for i, normal in enumerate(self.rows.normal):
             if normal is None:
                 continue
             if i in kept:
-                more = d.restitution[i] if kept[i] > 0.0 else 0.0
-                start[normal] = d.speed[normal] * (1.0 + kept[i]) + p.speed[normal] * more
+                more = d["restitution"][i] if kept[i] > 0.0 else 0.0
+                start[normal] = d["speed"][normal] * (1.0 + kept[i]) + p.speed[normal] * more
             elif i in still:
                 start[normal] = 0.0
-        moved = start + np.einsum("ijk,j->ik", d.square, f)
+        moved = start + np.einsum("ijk,j->ik", d["square"], f)
         matrix, right = np.eye(size), np.zeros((size, columns))
         told: set[int] = set()  # rows whose accelerations are given; of the others forces are
         for i, mode in enumerate(found.modes):
@@ -204,12 +182,14 @@ class Carried:
             push = p.mu[i] * f[normal]
             matrix[tangent, normal] += p.mu[i] * unit
             matrix[tangent] += push * turning @ p.square[tangent]
-            right[tangent] = -np.outer(unit, d.mu[i] * f[normal]) - push * turning @ moved[tangent]
+            right[tangent] = (
+                -np.outer(unit, d["mu"][i] * f[normal]) - push * turning @ moved[tangent]
+            )
         for row in {*range(size)} - told:
             matrix[row] *= p.square[row, row]
             right[row] *= p.square[row, row]
         slope = _least(matrix, right, p.square.diagonal())
-        change = np.einsum("ijk,j->ik", d.moves, f) + p.moves @ slope
+        change = np.einsum("ijk,j->ik", d["moves"], f) + p.moves @ slope
         self.total = self.total.copy()
         self.total[first : first + len(change)] += change
         return d
@@ -226,12 +206,12 @@ class Carried:
         """Project D on what rows that are held leave free."""
         self.total = self.total.copy()
         if normals:
-            rest = self.slopes(values).gap[[owners[n] for n in normals]]
+            rest = self.slopes(values)["gap"][[owners[n] for n in normals]]
             square = p.square[np.ix_(normals, normals)]
             shares = _least(square, -rest, square.diagonal())
             self.total[:first] += p.kinematics @ (p.moves[:, normals] @ shares)
         if held:
-            rest = self.slopes(values).speed[list(held)]
+            rest = self.slopes(values)["speed"][list(held)]
             square = p.square[np.ix_(held, held)]
             shares = _least(square, -rest, square.diagonal())
             self.total[first : first + len(p.moves)] += p.moves[:, list(held)] @ shares
