@@ -29,24 +29,30 @@ class Piece:
     sensitive: Any = None
 
 
-class Pieces:
+class _Several:
+    """What is evaluated piece by piece."""
+
+    def __init__(self, pieces: Sequence[Piece]) -> None:
+        self.pieces = list(pieces)
+        self._starts = np.array([piece.start for piece in pieces])
+
+    def _each(self, times: np.ndarray, value: Callable[[Piece, Any], np.ndarray]) -> np.ndarray:
+        """Return what the piece of each time gives; at a transition it is the one after it."""
+        places = np.searchsorted(self._starts[1:], times, side="right")
+        masks = [(k, places == k) for k in (np.unique(places) if len(places) else (0,))]
+        values = [(own, value(self.pieces[k], own)) for k, own in masks]
+        table = np.empty((len(times), *values[0][1].shape[1:]))
+        for own, part in values:
+            table[own] = part
+        return table
+
+
+class Pieces(_Several):
     """The model of a motion in several modes; see `pydy.trajectory.Model`."""
 
     def __init__(self, pieces: Sequence[Piece], base: Any) -> None:
-        self.pieces, self._base = list(pieces), base
-        self.starts = np.array([piece.start for piece in pieces])
-
-    def places(self, times: np.ndarray) -> np.ndarray:
-        """Return the piece of each time; at a transition it is the one after it."""
-        found: np.ndarray = np.searchsorted(self.starts[1:], times, side="right")
-        return found
-
-    def _each(self, times: np.ndarray, width: int, value: Any) -> np.ndarray:
-        table, places = np.empty((len(times), width)), self.places(times)
-        for k in np.unique(places):
-            own = places == k
-            table[own] = value(self.pieces[k], own)
-        return table
+        super().__init__(pieces)
+        self._base = base
 
     def states(self, times: np.ndarray) -> np.ndarray:
         """Return the states between the solver's steps."""
@@ -55,21 +61,16 @@ class Pieces:
     def whole(self, times: np.ndarray) -> np.ndarray:
         """Return the states between the solver's steps, and the sensitivities after them."""
         times = np.asarray(times, dtype=float)
-        width = self.pieces[0].dense(np.array([self.pieces[0].start])).shape[1]
-        return self._each(times, width, lambda piece, own: piece.dense(times[own]))
+        return self._each(times, lambda piece, own: piece.dense(times[own]))
 
     def derivatives(self, times: np.ndarray, states: np.ndarray) -> np.ndarray:
         """Return the derivatives of the states, shape (m, n)."""
-        return self._each(
-            times, states.shape[1], lambda p, own: p.model.derivatives(times[own], states[own])
-        )
+        return self._each(times, lambda p, own: p.model.derivatives(times[own], states[own]))
 
     def outputs(self, times: np.ndarray, states: np.ndarray) -> np.ndarray:
         """Return the outputs, shape (m, o)."""
         return self._each(
-            times,
-            len(self.pieces[0].columns),
-            lambda p, own: p.model.outputs(times[own], states[own])[:, p.columns],
+            times, lambda p, own: p.model.outputs(times[own], states[own])[:, p.columns]
         )
 
     def specifieds(self, times: np.ndarray, states: np.ndarray) -> np.ndarray:
@@ -103,21 +104,8 @@ class _Dense:
         return type(None), ()
 
 
-class PieceSensitivities:
+class PieceSensitivities(_Several):
     """The sensitivities of a motion in several modes; see `pydy.trajectory.SensitivityModel`."""
-
-    def __init__(self, pieces: Sequence[Piece]) -> None:
-        self.pieces = pieces
-        self.starts = np.array([piece.start for piece in pieces])
-
-    def _each(self, times: np.ndarray, value: Callable[[Piece, Any], np.ndarray]) -> np.ndarray:
-        places = np.searchsorted(self.starts[1:], times, side="right")
-        parts = [(places == k, self.pieces[k]) for k in np.unique(places)]
-        values = [(own, value(piece, own)) for own, piece in parts]
-        table = np.empty((len(times), *values[0][1].shape[1:]))
-        for own, value_ in values:
-            table[own] = value_
-        return table
 
     def rates(self, times: np.ndarray, states: np.ndarray, values: np.ndarray) -> np.ndarray:
         """Return the derivatives of the sensitivities by time, shape (m, n, k)."""
@@ -191,7 +179,8 @@ class ContactTrajectory(Trajectory):
         It is what the total energy has changed by where nothing else does work. That of friction is
         the integral of its power over the solver's steps, by Gauss's rule with 8 points.
         """
-        powers = [k for k, name in enumerate(self.outputs_symbols) if self._is_power(str(name))]
+        own = {f"{name}_power" for name in self._names}
+        powers = [k for k, symbol in enumerate(self.outputs_symbols) if str(symbol) in own]
         knots = [self.times]
         for piece in self._pieces.pieces:
             inside = np.asarray(getattr(piece.dense, "starts", ()), dtype=float)
@@ -209,6 +198,3 @@ class ContactTrajectory(Trajectory):
             work[nodes >= time] += lost
         found: np.ndarray = work[np.searchsorted(nodes, self.times)]
         return found
-
-    def _is_power(self, name: str) -> bool:
-        return any(name == f"{own}_power" for own in self._names)
