@@ -9,8 +9,7 @@ import sympy as sm
 from sympy.physics.mechanics import Point, ReferenceFrame, Vector, dynamicsymbols
 
 from pydy._checks import shown
-from pydy._mechanics.reader import checked_vector
-from pydy.contact.laws import _check_units, _expressions
+from pydy.contact.laws import _axes, _check_units, _expressions
 from pydy.solvers.events import Event
 
 
@@ -106,9 +105,8 @@ class CompliantContact:
         for argument, function in (("force", force), ("friction", friction)):
             if not callable(function) and (function is not None or argument == "force"):
                 raise TypeError(f"`{argument}` must be a function, got {shown(function)}.")
-        directions = _directions(along)
+        directions = _axes(along)
         _check_units("normal", [normal])
-        _check_units("along", directions)
         if (friction is None) != (not directions):
             raise ValueError("`friction` and `along` belong together: give both or none.")
         if (len(directions) == 2) != (smoothing is not None):
@@ -134,13 +132,3 @@ class CompliantContact:
         size = sm.sqrt(sum(v**2 for v in self.speeds) + small**2)
         share = law(size, self.normal_force) / size
         return tuple(share * v for v in self.speeds)
-
-
-def _directions(along: Any) -> tuple[Any, ...]:
-    found = () if along is None else (along,) if isinstance(along, Vector) else along
-    valid = isinstance(found, (list, tuple)) and len(found) <= 2
-    if not valid or not all(isinstance(v, Vector) for v in found):
-        raise TypeError(f"`along` must be one Vector or two, got {shown(along)}.")
-    for v in found:
-        checked_vector(v, "`along`")
-    return tuple(found)

@@ -11,9 +11,7 @@ import sympy as sm
 from sympy.physics.mechanics import Point, Vector
 
 from pydy._checks import listed, shown
-from pydy._mechanics.reader import checked_vector
-from pydy._rank import ROUNDED
-from pydy.contact.laws import _check_units, _expressions
+from pydy.contact.laws import _axes, _expressions
 from pydy.contact.tuning import CONTACTS
 
 
@@ -236,22 +234,6 @@ def _within(argument: str, value: Any, most: float | None = None) -> None:
     if not (value.is_real and value >= 0 and (most is None or value <= most)):
         range_ = "not be negative" if most is None else f"be from 0 to {most:g}"
         raise ValueError(f"`{argument}` must {range_}, got {value}.")
-
-
-def _axes(along: Any) -> tuple[Vector, ...]:
-    found = () if along is None else (along,) if isinstance(along, Vector) else along
-    valid = isinstance(found, (list, tuple)) and len(found) <= 2
-    if not valid or not all(isinstance(v, Vector) for v in found):
-        raise TypeError(f"`along` must be one Vector or two, got {shown(along)}.")
-    for v in found:
-        checked_vector(v, "`along`")
-    axes: tuple[Any, ...] = tuple(found)
-    if len(axes) == 2:
-        product = sm.simplify(axes[0].dot(axes[1]))
-        if product.is_number and not abs(product) <= ROUNDED:
-            raise ValueError(f"`along` must be orthogonal vectors, got {axes[0]} and {axes[1]}.")
-    _check_units("along", axes)
-    return axes
 
 
 def _named(name: Any) -> str:

@@ -11,8 +11,10 @@ from collections.abc import Iterable
 from typing import Any
 
 import sympy as sm
+from sympy.physics.mechanics import Vector
 
 from pydy._checks import number, shown
+from pydy._mechanics.reader import checked_vector
 from pydy._rank import ROUNDED
 
 
@@ -343,3 +345,19 @@ def _check_units(argument: str, vectors: Iterable[Any]) -> None:
                 f"`{argument}` must be of unit length, got {vector}. Divide it by its length: "
                 "forces are along it."
             )
+
+
+def _axes(along: Any) -> tuple[Vector, ...]:
+    found = () if along is None else (along,) if isinstance(along, Vector) else along
+    valid = isinstance(found, (list, tuple)) and len(found) <= 2
+    if not valid or not all(isinstance(v, Vector) for v in found):
+        raise TypeError(f"`along` must be one Vector or two, got {shown(along)}.")
+    for v in found:
+        checked_vector(v, "`along`")
+    axes: tuple[Any, ...] = tuple(found)
+    if len(axes) == 2:
+        product = sm.simplify(axes[0].dot(axes[1]))
+        if product.is_number and not abs(product) <= ROUNDED:
+            raise ValueError(f"`along` must be orthogonal vectors, got {axes[0]} and {axes[1]}.")
+    _check_units("along", axes)
+    return axes
