@@ -7,7 +7,7 @@ import pytest
 import sympy.physics.mechanics as me
 
 from pydy.contact import Contacts
-from pydy.contact.cones import Cone, innermost
+from pydy.contact.decide import Cone, innermost
 from pydy.contact.decide import OPEN, STARTING, STICKS, Problem, chosen
 from touching import J, falling_body, mu, slope, y
 

@@ -14,10 +14,9 @@ from pydy._errors import ContactError
 from pydy._system.evaluation import warn_of_outputs
 from pydy._system.snapshot import Snapshot
 from pydy._system.solving import check_events
-from pydy.contact.compiled import Compiled
 from pydy.contact.conditions import paired, symbols_of
 from pydy.contact.decide import OPEN, SLIDING, held_rows, independent
-from pydy.contact.modes import modes_of
+from pydy.contact.modes import Compiled, modes_of
 from pydy.contact.rows import StartError
 from pydy.contact.run import Run, State
 from pydy.contact.sensitivities import Carried

@@ -22,9 +22,8 @@ from pydy._backends.llvm.background import Compile, Task
 from pydy._backends.llvm.compiling import CORE, Source, object_code
 from pydy._backends.llvm.emit import SOLVES, solver_names
 from pydy._backends.llvm.sincos import sincos_names
-from pydy._backends.llvm.tangents import pieces, tangent_text
 from pydy._backends.llvm.targets import target
-from pydy._backends.llvm.text import angles_text, is_small, kernel_text
+from pydy._backends.llvm.text import angles_text, is_small, kernel_text, pieces, tangent_text
 from pydy._backends.tuning import LARGE, MOST_RESULTS, MOST_WITHOUT_FALLBACKS, SHORT, TEMPORARY
 from pydy._graph.collector import collector_paused
 from pydy._graph.operations import ANGLES
