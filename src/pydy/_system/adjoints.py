@@ -313,7 +313,7 @@ class _Run:
         self.stopped = info["code"] == TERMINATED
         ended = integration.memory.x[: len(whole)].copy()
         self.last = ended if self.stopped or not len(states) else states[-1]
-        rows: Any = integration.arrays.kept_steps()
+        rows: Any = integration.kept_steps()
         starts = rows[rows[:, 1] > 0.0, 0]
         ends = np.append(starts, self.end)[1:]  # of those that events cut short, too
         moves = ends > starts

@@ -356,9 +356,9 @@ class Batch:
             one = self._single(k, times, one)
             with suppress(IntegrationError):
                 x[k] = one.begin(np.ascontiguousarray(self.x[k]))
-            seen.append(one.arrays.seen.copy())
+            seen.append(one.seen.copy())
         assert one is not None
-        return x, HeldLanes(one.arrays, np.array(seen))
+        return x, HeldLanes(one, np.array(seen))
 
     def _single(self, k: int, times: np.ndarray, before: Integration | None) -> Integration:
         """Return the integration of sample k, which may be that of the sample before."""

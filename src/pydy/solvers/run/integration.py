@@ -144,7 +144,7 @@ _NO_ROWS = np.zeros((0, 0))
 _TOLD: WeakSet[Kernel] = WeakSet()  # whose redundant constraints have been warned of
 
 
-class Integration:
+class Integration(Workspace):
     """An integration that can be run again and again, from other states.
 
     Where it is `reusable`, `rebind` may make it another call's. `stopped` is asked now and then;
@@ -161,18 +161,13 @@ class Integration:
         options: Options,
         stopped: Callable[[], bool] = lambda: False,
     ) -> None:
-        self.name, self.n, self.options = method, n, options
+        super().__init__(method, f, n, times, args, options, Interrupts(stopped))
         beside = options.sensitivities
         self.states = n if beside is None else beside.states  # without what is beside them
         if options.recorded is not None:
             self.states = options.recorded
-        self.interrupts = Interrupts(stopped)
         self._end(NOT_COMPUTED)
         self.records: list[EventRecord] = []
-        self.span = float(times[-1] - times[0])
-        self.arrays = arrays = Workspace(method, f, n, times, args, options, self.interrupts)
-        self.call, self.callbacks, self.memory = arrays.call, arrays.callbacks, arrays.memory
-        self.progress, self.watch = arrays.progress, arrays.watch
         self._tight = self._nearly_exact()
         # Whether Python has more to do than to wait for the end.
         parts = (options.constraints, options.events)
@@ -180,21 +175,18 @@ class Integration:
         attended = wanted or bool(self.callbacks) or self._tight
         self.reusable = not (self.callbacks or self.call is None)
         self._budget = first_budget(method, self.call, bool(self.callbacks))
-        arrays.beginning[1][at.BUDGET] = 0 if attended else self._budget
+        self.beginning.counts[at.BUDGET] = 0 if attended else self._budget
         # Rows are written in whole blocks.
         self._number = len(times)
         self._room = (self._number + -(-BLOCK // max(1, n)), n)
         self._rows = _NO_ROWS  # of the run that is under way, or failed
         entry = "advance_implicit" if method == IMPLICIT else "advance"
-        self._place = arrays.place
-        self._advance = stepper(entry, arrays.place, bool(self.callbacks))
+        self._advance = stepper(entry, self.place, bool(self.callbacks))
 
-    def rebind(self, call: KernelCall | None, times: np.ndarray) -> bool:
-        """Take other times and another call of the same Kernel, or return False."""
-        if call is None or not self.arrays.rebind(call, times):
-            return False
-        self.call, self.span = call, float(times[-1] - times[0])
-        return True
+    @property
+    def span(self) -> float:
+        """The time that it is over."""
+        return float(self.progress.times[-1] - self.progress.times[0])
 
     def renumber(self, p: np.ndarray, r: np.ndarray, times: np.ndarray) -> bool:
         """Take other times and other numbers for the same call, or return False."""
@@ -213,8 +205,8 @@ class Integration:
         self._rows[0] = self._x0 = x0
         self.code = NOT_COMPUTED
         self.records = []
-        if self.arrays.keeps:
-            self.arrays.forget_steps()
+        if self.keeps:
+            self.forget_steps()
         if self.options.events is not None:
             self.watch.rests[:] = np.nan
         return self._advance(self._rows, True)
@@ -250,6 +242,11 @@ class Integration:
 
     # -- running ----------------------------------------------------------------------------------
 
+    def _slice(self, budget: int) -> int:
+        """Take some steps; returns the code of why it stopped."""
+        self.progress.counts[at.BUDGET] = budget
+        return self._advance(self._rows, False)
+
     def _run(self) -> None:
         state, count = self.progress.state, self.progress.counts
         budget = self._budget
@@ -260,8 +257,7 @@ class Integration:
             while True:
                 self.interrupts.check()
                 start, taken = perf_counter(), count[at.STEPS] + count[at.REJECTED]
-                count[at.BUDGET] = budget
-                code = self._advance(self._rows, False)
+                code = self._slice(budget)
                 elapsed = perf_counter() - start
                 if bar is not None:
                     bar.update(state[at.TIME] - bar.n - bar.start)
@@ -275,7 +271,7 @@ class Integration:
                     self._empty_log()
                     state[at.SIZE] = self.options.step or 0.0
                 elif code == at.STEPS_FULL:
-                    self.arrays.put_steps_aside()
+                    self.put_steps_aside()
                 elif code != at.PAUSED:
                     self._fail(code)
                 taken = count[at.STEPS] + count[at.REJECTED] - taken
@@ -309,7 +305,7 @@ class Integration:
         if self._tight:
             self._check_tolerances()
         if self.options.constraints is not None:
-            self.arrays.seen[:] = 0.0
+            self.seen[:] = 0.0
             self._tell_dependent(self.options.constraints)
             self._project(self.memory.x, self.options.constraints, START_OFF_CONSTRAINTS)
         if self.options.events is not None:
@@ -336,7 +332,7 @@ class Integration:
 
         The last number says how near they are to not giving the dependent speeds.
         """
-        wanted, call, seen = self.options.constraints, self.call, self.arrays.seen
+        wanted, call, seen = self.options.constraints, self.call, self.seen
         if wanted is None or call is None or not seen[at.RANK] or not np.isfinite(x).all():
             return 1.0, "", 1.0
         values, longest = call.evaluate(wanted.kernel, x, t), seen[at.WHERE + self.n :]
@@ -349,7 +345,7 @@ class Integration:
         """Move a state that begins a motion onto the constraints, unless it is far from them."""
         before, first, t = x.copy(), wanted.coordinates, float(self.progress.state[at.TIME])
         entry = "project" if self.options.sensitivities is None else "project_columns"
-        code = function_of(entry, bool(self.callbacks))(self._place, t, address(x), 0)
+        code = function_of(entry, bool(self.callbacks))(self.place, t, address(x), 0)
         size = 1.0 + np.abs(before[: self.states])
         size[:first] += min(1.0, float(np.abs(before[:first]).max(initial=0.0)) or 1.0) - 1.0
         moved = np.abs(x[: self.states] - before[: self.states])
@@ -578,14 +574,14 @@ class Integration:
 
     def _nearness(self) -> float:
         """Return how near the constraints that projection holds came to losing rank."""
-        seen = self.arrays.seen
+        seen = self.seen
         return float(seen[at.NEARNESS]) if seen.size and seen[at.RANK] else 1.0
 
     def _extension(self) -> Extension | None:
-        rows = self.arrays.kept_steps()
+        rows = self.kept_steps()
         if rows is None or self.code not in (FINISHED, TERMINATED, EVENTS_ACCUMULATE):
             return None
-        return Extension(self.arrays.again(), rows)
+        return Extension(self.again(), rows)
 
     def _state_name(self, k: int) -> str:
         names = () if self.call is None else self.call.names()

@@ -149,7 +149,7 @@ class Workspace:
             self._further,
         )
 
-    def rebind(self, call: KernelCall, times: np.ndarray) -> bool:
+    def rebind(self, call: KernelCall | None, times: np.ndarray) -> bool:
         """Take other times and another call of the same Kernel, or return False.
 
         Compiled code reads the arrays anew at the beginning of each run.
@@ -157,6 +157,7 @@ class Workspace:
         before = self.call
         if (
             before is None
+            or call is None
             or call.kernel is not before.kernel
             or ((call.sampled or before.sampled) and call.sampled is not before.sampled)
             or call.inputs is not None
