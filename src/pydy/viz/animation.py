@@ -54,17 +54,6 @@ class Framing:
         """Half the diagonal of the box."""
         return float(np.linalg.norm(self.extent)) / 2
 
-    def scaled(self, factor: float) -> Framing:
-        """Return the same view of a scene whose lengths are multiplied by a number."""
-        return replace(
-            self,
-            target=factor * self.target,
-            extent=factor * self.extent,
-            ground=None if self.ground is None else factor * self.ground,
-            cell=factor * self.cell,
-            path=None if self.path is None else factor * self.path,
-        )
-
 
 def frame(animation: Animation, look: Look) -> Framing:
     """Return how an animation is best seen."""
@@ -221,14 +210,6 @@ class Animation:
     def box(self) -> tuple[np.ndarray, np.ndarray]:
         """The lowest and the highest coordinates ever."""
         return self.bounds[:, 0].min(0), self.bounds[:, 1].max(0)
-
-    def scaled(self, factor: float) -> Animation:
-        """Return the animation with all lengths multiplied by a number."""
-        items = tuple(
-            item.changed(lambda a: factor * a, shape=item.shape.scaled(factor))
-            for item in self.items
-        )
-        return replace(self, items=items, bounds=factor * self.bounds)
 
     def at(self, t: Any) -> Animation:
         """Return the animation at a time or at several, between the ones shown if need be."""

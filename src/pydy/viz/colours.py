@@ -52,26 +52,7 @@ NAMES: dict[str, str] = dict(re.findall(r"(\w+)\s+([0-9a-f]{6})\b", _TABLE))
 
 
 def hex_colour(colour: Any, what: str = "`colour`") -> str:
-    """Return a colour as ``#rrggbb``.
-
-    Parameters
-    ----------
-    colour : str or sequence of 3 numbers
-        ``"#rgb"``, ``"#rrggbb"``, a CSS name, or red, green and blue from 0 to 1.
-    what : str
-        Whose colour it is, for the message.
-
-    Raises
-    ------
-    ValueError
-        It is not one of these.
-
-    Examples
-    --------
-    >>> from pydy.viz.colours import hex_colour
-    >>> hex_colour("navy"), hex_colour("#fa0"), hex_colour((1, 0.5, 0))
-    ('#000080', '#ffaa00', '#ff8000')
-    """
+    """Return a CSS name, ``"#rgb"``, or red, green and blue from 0 to 1 as ``#rrggbb``."""
     if isinstance(colour, str):
         text = colour.strip().lower()
         if text in NAMES:

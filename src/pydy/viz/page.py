@@ -180,8 +180,7 @@ def page_data(
     """
     seen = frame(animation, look)
     unit = 2.0 ** float(np.clip(np.round(np.log2(seen.radius)), -1022, 1022))
-    seen, animation = seen.scaled(1 / unit), animation.scaled(1 / unit)
-    tracks = _Tracks(animation, None if live is None else live.witness)
+    tracks = _Tracks(animation, unit, None if live is None else live.witness)
     visuals = [_visual(item, tracks) for item in animation.items]
     more: dict[str, Any] = {}
     if live is not None:
@@ -221,13 +220,13 @@ def page_data(
             "up": seen.up.tolist(),
             "right": seen.right.tolist(),
             "direction": seen.direction.tolist(),
-            "target": seen.target.tolist(),
-            "radius": seen.radius,
-            "extent": seen.extent.tolist(),
-            "ground": seen.ground,
-            "cell": seen.cell,
+            "target": (seen.target / unit).tolist(),
+            "radius": seen.radius / unit,
+            "extent": (seen.extent / unit).tolist(),
+            "ground": None if seen.ground is None else seen.ground / unit,
+            "cell": seen.cell / unit,
             "axes": None if look.axes is None else look.axes / unit,
-            "path": None if seen.path is None else _column(seen.path, live is not None),
+            "path": None if seen.path is None else _column(seen.path / unit, live is not None),
         },
     }
 
@@ -247,14 +246,15 @@ def _column(array: np.ndarray, changing: bool = False) -> dict[str, Any]:
 
 
 class _Tracks:
-    """Motions that visuals share.
+    """Motions that visuals share, written in the page's unit.
 
     On a live page those share one that move rigidly with each other whatever the sliders say, of
     which a witness knows.
     """
 
-    def __init__(self, animation: Animation, witness: Witness | None = None) -> None:
+    def __init__(self, animation: Animation, unit: float, witness: Witness | None = None) -> None:
         low, high = animation.box
+        self.unit = unit
         self.entries: list[dict[str, Any]] = []
         self.places: list[tuple[Any, Any]] = []
         self.witness = witness
@@ -271,7 +271,7 @@ class _Tracks:
             if other is not frame or not self._constant(offset):
                 continue
             if self.witness is None or self.witness.rigid(frame, self.places[k][1], point):
-                return k, offset[0].tolist()
+                return k, (offset[0] / self.unit).tolist()
         rotations = self._frames[frame]
         self.places.append((frame, point))
         self._bases.append((frame, rotations, positions))
@@ -281,7 +281,7 @@ class _Tracks:
         flips = np.sign(np.einsum("mi,mi->m", quaternions[1:], quaternions[:-1]))
         quaternions[1:] *= np.cumprod(np.where(flips == 0, 1.0, flips))[:, None]
         changing = self.witness is not None
-        entry = {"p": _column(positions, changing), "q": _column(quaternions, changing)}
+        entry = {"p": _column(positions / self.unit, changing), "q": _column(quaternions, changing)}
         self.entries.append(entry)
         return len(self._bases) - 1, [0.0, 0.0, 0.0]
 
@@ -311,7 +311,7 @@ class _Tracks:
 
 
 def _visual(item: Item, tracks: _Tracks) -> dict[str, Any]:
-    shape = item.shape
+    shape, unit = item.shape, tracks.unit
     entry: dict[str, Any] = {
         "name": item.visual.name,
         "kind": type(shape).__name__,
@@ -321,14 +321,14 @@ def _visual(item: Item, tracks: _Tracks) -> dict[str, Any]:
     }
     if item.points is not None:
         assert isinstance(shape, shapes.Line)
-        entry["radius"] = shape.radius
+        entry["radius"] = shape.radius and shape.radius / unit
         carried = tracks.carrier(shape.points, item.points)
         changing = tracks.witness is not None
         if carried is None:
-            entry["points"] = _column(item.points, changing)
+            entry["points"] = _column(item.points / unit, changing)
         else:
             # A rod of a rigid body.
-            entry["points"] = _column(carried[1][None])
+            entry["points"] = _column(carried[1][None] / unit)
             entry["track"], entry["offset"] = tracks.find(
                 carried[0], shape.points[0], item.points[:, 0]
             )
@@ -338,14 +338,16 @@ def _visual(item: Item, tracks: _Tracks) -> dict[str, Any]:
     )
     if item.vectors is not None:
         assert isinstance(shape, shapes.Arrow)
-        vectors = _column(item.vectors, tracks.witness is not None)
-        return {**entry, "radius": shape.radius, "vectors": vectors}
+        vectors = _column(item.vectors / unit, tracks.witness is not None)
+        return {**entry, "radius": shape.radius / unit, "vectors": vectors}
     if isinstance(shape, (shapes.Mesh, *_TRIANGLES)):
         vertices, faces = surface(shape)
-        entry["vertices"], entry["faces"] = _packed(vertices), _packed(faces, np.uint32)
+        entry["vertices"], entry["faces"] = _packed(vertices / unit), _packed(faces, np.uint32)
         return {
             **entry,
             "kind": "Mesh",
             "smooth": isinstance(shape, (shapes.TorusKnot, shapes.Tube)),
         }
-    return {**entry, "size": dict(shape.dimensions())}
+    lengths = () if isinstance(shape, shapes.Trace) else shape.lengths  # a trace lasts
+    size = {name: v / unit if name in lengths else v for name, v in shape.dimensions()}
+    return {**entry, "size": size}

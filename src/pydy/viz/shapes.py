@@ -121,17 +121,7 @@ class Shape(metaclass=_Spelling):
             raise AttributeError(f"{type(self).__name__} has no attribute `{name}`.")
 
     def measured(self, values: Mapping[Any, Any]) -> Self:
-        """Return this shape with numbers for lengths.
-
-        Parameters
-        ----------
-        values : mapping of symbols to numbers
-
-        Raises
-        ------
-        ValueError
-            A symbol has no value, or the length comes out as no positive number.
-        """
+        """Return this shape with numbers for lengths, given those of symbols."""
         numbers: dict[str, Any] = {}
         kind = type(self).__name__
         for attribute in self.lengths:
@@ -154,11 +144,6 @@ class Shape(metaclass=_Spelling):
                 )
             numbers[attribute] = value
         return replace(self, **numbers) if numbers else self
-
-    def scaled(self, factor: float) -> Self:
-        """Return this shape, which has been measured, with lengths multiplied by a number."""
-        lengths = {name: getattr(self, name) for name in self.lengths}
-        return replace(self, **{k: factor * v for k, v in lengths.items() if v is not None})
 
     def dimensions(self) -> Iterator[tuple[str, Any]]:
         """Yield the shape's own fields: what says how it looks, except colour and name."""
@@ -272,10 +257,6 @@ class Tube(Shape):
                 f"{shown(self.points)}."
             )
         self._set("points", tuple(map(tuple, points.tolist())))
-
-    def scaled(self, factor: float) -> Self:
-        """Return this tube with its points moved as well."""
-        return replace(super().scaled(factor), points=factor * np.array(self.points))
 
 
 def polyhedron(shape: Shape) -> np.ndarray:
@@ -580,10 +561,6 @@ class Trace(Shape):
 
     duration: Any = None
     lengths = ("duration",)
-
-    def scaled(self, factor: float) -> Self:
-        """Return the trace itself: its duration is a time."""
-        return self
 
 
 @dataclass(eq=False)
