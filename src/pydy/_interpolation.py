@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable
 from typing import Any, Protocol
 
 import numpy as np
@@ -74,78 +73,67 @@ def filled(trajectory: Any, step_of: Callable[[float], float]) -> Any:
     return trajectory.at(np.append(own[k] + gaps[k] * (part / parts[k]), own[-1]))
 
 
-@dataclass(frozen=True, eq=False)
-class Samples:
-    """What is known of a motion at m times."""
+def between(
+    known: Any, times: np.ndarray, values: np.ndarray | None
+) -> tuple[np.ndarray, np.ndarray | None]:
+    """Return the states of a Trajectory at other times, and sensitivities if there are `values`."""
+    m, n = known.states.shape
+    whole = known._dense(times) if known._dense else _hermite(known, times, values)
+    if values is None:
+        return whole, None
+    if whole.shape[1] == n:  # no derivatives by time: straight lines
+        columns = [np.interp(times, known.times, v) for v in values.reshape(m, -1).T]
+        whole = np.column_stack([whole, *columns])
+    return whole[:, :n].copy(), whole[:, n:].reshape(len(times), n, values.shape[2])
 
-    times: np.ndarray  # (m,)
-    states: np.ndarray  # (m, n)
-    derivatives: Callable[[], np.ndarray]  # returns those of the states, shape (m, n)
-    events: Sequence[Any] = ()  # EventRecord
-    model: Model | None = None
-    # the solver's own interpolant; of the states, or of the sensitivities too
-    dense: Callable[[np.ndarray], np.ndarray] | None = None
-    sensitivities: np.ndarray | None = None  # (m, n, k)
-    sensitivity_model: SensitivityModel | None = None
 
-    def at(self, times: np.ndarray) -> tuple[np.ndarray, np.ndarray | None]:
-        """Return the states at other times, and the sensitivities if there are any."""
-        values, (m, n) = self.sensitivities, self.states.shape
-        whole = (self.dense or self._hermite)(times)
-        if values is None:
-            return whole, None
-        if whole.shape[1] == n:  # no derivatives by time: straight lines
-            columns = [np.interp(times, self.times, v) for v in values.reshape(m, -1).T]
-            whole = np.column_stack([whole, *columns])
-        return whole[:, :n].copy(), whole[:, n:].reshape(len(times), n, values.shape[2])
+def _hermite(known: Any, times: np.ndarray, values: np.ndarray | None) -> np.ndarray:
+    """Return the states, and after them the sensitivities if their derivatives are known."""
+    nodes = known.times
+    x, rates = _beside(known, nodes, known.states, known.derivatives, values)
+    if known.events and known._model is not None:
+        nodes, x, rates = _with_events(known, x, rates, values is not None)
+    # The last of equal times, so that an interval has a length wherever there is one.
+    k = np.clip(np.searchsorted(nodes, times, side="right") - 1, 0, len(nodes) - 1)
+    after = np.minimum(k + 1, len(nodes) - 1)
+    h = (nodes[after] - nodes[k])[:, None]
+    s = np.divide((times - nodes[k])[:, None], h, out=np.zeros_like(h), where=h > 0.0)
+    value = x[k] + (3.0 - 2.0 * s) * s**2 * (x[after] - x[k])
+    slope = h * s * (1.0 - s) * ((1.0 - s) * rates[k] - s * rates[after])
+    result: np.ndarray = value + slope
+    return result
 
-    def _hermite(self, times: np.ndarray) -> np.ndarray:
-        """Return the states, and after them the sensitivities if their derivatives are known."""
-        nodes = self.times
-        x, rates = self._beside(nodes, self.states, self.derivatives(), self.sensitivities)
-        if self.events and self.model is not None:
-            nodes, x, rates = self._with_events(self.model, x, rates)
-        # The last of equal times, so that an interval has a length wherever there is one.
-        k = np.clip(np.searchsorted(nodes, times, side="right") - 1, 0, len(nodes) - 1)
-        after = np.minimum(k + 1, len(nodes) - 1)
-        h = (nodes[after] - nodes[k])[:, None]
-        s = np.divide((times - nodes[k])[:, None], h, out=np.zeros_like(h), where=h > 0.0)
-        value = x[k] + (3.0 - 2.0 * s) * s**2 * (x[after] - x[k])
-        slope = h * s * (1.0 - s) * ((1.0 - s) * rates[k] - s * rates[after])
-        result: np.ndarray = value + slope
-        return result
 
-    def _beside(
-        self, times: np.ndarray, states: np.ndarray, rates: np.ndarray, values: np.ndarray | None
-    ) -> tuple[np.ndarray, np.ndarray]:
-        """Return states and their derivatives by time with those of the sensitivities after."""
-        model, m = self.sensitivity_model, len(times)
-        if model is None or values is None:
-            return states, rates
-        slopes = model.rates(times, states, values)
-        return (
-            np.concatenate([states, values.reshape(m, -1)], axis=1),
-            np.concatenate([rates, slopes.reshape(m, -1)], axis=1),
-        )
+def _beside(
+    known: Any, times: np.ndarray, states: np.ndarray, rates: np.ndarray, values: Any
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return states and their derivatives by time with those of the sensitivities after."""
+    model, m = known._sensitivity_model, len(times)
+    if model is None or values is None:
+        return states, rates
+    slopes = model.rates(times, states, values)
+    return (
+        np.concatenate([states, values.reshape(m, -1)], axis=1),
+        np.concatenate([rates, slopes.reshape(m, -1)], axis=1),
+    )
 
-    def _with_events(
-        self, model: Model, x: np.ndarray, rates: np.ndarray
-    ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Return nodes, values and derivatives with both sides of each event among them."""
-        moments = np.repeat([e.time for e in self.events], 2)
-        sides = np.array([side for e in self.events for side in (e.before, e.after)])
-        values = None
-        if self.sensitivities is not None:
-            values = np.array(
-                [v for e in self.events for v in (e.sensitivity_before, e.sensitivity_after)]
-            )
-        own, slopes = self._beside(moments, sides, model.derivatives(moments, sides), values)
-        # A node at the time of an event may be of either side: the event's own replace it.
-        other = ~np.isin(self.times, moments)
-        nodes = np.concatenate([moments, self.times[other]])
-        order = np.argsort(nodes, kind="stable")
-        return (
-            nodes[order],
-            np.concatenate([own, x[other]])[order],
-            np.concatenate([slopes, rates[other]])[order],
-        )
+
+def _with_events(
+    known: Any, x: np.ndarray, rates: np.ndarray, sensitive: bool
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return nodes, values and derivatives with both sides of each event among them."""
+    moments = np.repeat([e.time for e in known.events], 2)
+    sides = np.array([side for e in known.events for side in (e.before, e.after)])
+    values = None
+    if sensitive:
+        pairs = ((e.sensitivity_before, e.sensitivity_after) for e in known.events)
+        values = np.array([value for pair in pairs for value in pair])
+    slopes = known._model.derivatives(moments, sides)
+    own = _beside(known, moments, sides, slopes, values)
+    # A node at the time of an event may be of either side: the event's own replace it.
+    other = ~np.isin(known.times, moments)
+    nodes = np.concatenate([moments, known.times[other]])
+    order = np.argsort(nodes, kind="stable")
+    tables = zip(own, (x, rates), strict=True)
+    x, rates = (np.concatenate([mine, table[other]])[order] for mine, table in tables)
+    return nodes[order], x, rates

@@ -12,7 +12,7 @@ import numpy as np
 from pydy._checks import check_mapping, choice, flag, listed, number, real_array, shown
 from pydy._dataset import ENERGIES, KINDS, OUTPUTS, STATES, read_netcdf, to_dataset, write_netcdf
 from pydy._html import table_of_columns
-from pydy._interpolation import Model, Samples, SensitivityModel, checked_times
+from pydy._interpolation import Model, SensitivityModel, between, checked_times
 from pydy._names import (
     column_names,
     latex_of,
@@ -567,17 +567,7 @@ class Trajectory:
         """
         times = checked_times(times, self.times)
         known = self._sensitivity
-        samples = Samples(
-            self.times,
-            self.states,
-            lambda: self.derivatives,
-            self.events,
-            self._model,
-            self._dense,
-            None if known is None else known.values,
-            self._sensitivity_model,
-        )
-        states, values = samples.at(times)
+        states, values = between(self, times, None if known is None else known.values)
         if self._model is not None:
             outputs = self._model.outputs(times, states)
             specifieds = self._model.specifieds(times, states)
