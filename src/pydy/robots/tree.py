@@ -195,31 +195,18 @@ def cosines(turn: np.ndarray) -> np.ndarray:
 
 def of_quaternion(quaternion: np.ndarray) -> np.ndarray:
     """Return the rotation of a quaternion, scalar part first, of any length but zero."""
-    w, x, y, z = quaternion / np.linalg.norm(quaternion)
-    return cosines(
-        np.array(
-            [
-                [w * w + x * x - y * y - z * z, 2 * (x * y - w * z), 2 * (x * z + w * y)],
-                [2 * (x * y + w * z), w * w - x * x + y * y - z * z, 2 * (y * z - w * x)],
-                [2 * (x * z - w * y), 2 * (y * z + w * x), w * w - x * x - y * y + z * z],
-            ]
-        )
-    )
+    return cosines(scipy.spatial.transform.Rotation.from_quat(np.roll(quaternion, -1)).as_matrix())
 
 
 def to_quaternion(turn: np.ndarray) -> np.ndarray:
     """Return the quaternion of a rotation, scalar part first."""
-    x, y, z, w = scipy.spatial.transform.Rotation.from_matrix(turn).as_quat()
-    return np.array([w, x, y, z])
+    found: np.ndarray = np.roll(scipy.spatial.transform.Rotation.from_matrix(turn).as_quat(), 1)
+    return found
 
 
 def of_roll_pitch_yaw(angles: np.ndarray) -> np.ndarray:
     """Return the rotation about the fixed x, then y, then z."""
-    (cr, cp, cy), (sr, sp, sy) = np.cos(angles), np.sin(angles)
-    about_x = np.array([[1, 0, 0], [0, cr, -sr], [0, sr, cr]])
-    about_y = np.array([[cp, 0, sp], [0, 1, 0], [-sp, 0, cp]])
-    about_z = np.array([[cy, -sy, 0], [sy, cy, 0], [0, 0, 1]])
-    return cosines(about_z @ about_y @ about_x)
+    return cosines(scipy.spatial.transform.Rotation.from_euler("xyz", angles).as_matrix())
 
 
 def turned(inertia: np.ndarray, turn: np.ndarray) -> np.ndarray:
