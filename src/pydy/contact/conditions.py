@@ -174,6 +174,18 @@ class Contact:
             return "friction"
         return "gap" if self.stick is None else "both"
 
+    @property
+    def coefficients(self) -> dict[str, Any]:
+        """What needs numbers beside the gap and the sliding speed, with what stands for nothing."""
+        gap, stick = self.unilateral, self.stick
+        pressed = None if stick is None else stick.normal
+        return {
+            "restitution": sm.S.Zero if gap is None else gap.restitution,
+            "mu": sm.S.One if stick is None else stick.mu,
+            "mu_static": sm.S.One if stick is None else stick.mu_static,
+            "normal": sm.S.Zero if pressed is None else pressed,
+        }
+
 
 def paired(contacts: Any) -> tuple[Contact, ...]:
     """Return the contacts, each with its friction."""
@@ -208,14 +220,14 @@ def paired(contacts: Any) -> tuple[Contact, ...]:
     return tuple(found)
 
 
-def check_values(contacts: Sequence[Contact], numbers: Sequence[dict[str, float]]) -> None:
+def check_values(contacts: Sequence[Contact], numbers: Any) -> None:
     """Check gaps and coefficients when their numbers are known."""
-    for contact, values in zip(contacts, numbers, strict=True):
-        e, mu, static = (values[name] for name in ("restitution", "mu", "mu_static"))
-        if contact.unilateral is not None and not np.isfinite(values["gap"]):
+    columns = (numbers.gap, numbers.restitution, numbers.mu, numbers.mu_static)
+    for contact, gap, e, mu, static in zip(contacts, *columns, strict=True):
+        if contact.unilateral is not None and not np.isfinite(gap):
             raise ValueError(
                 f"The gap of {contact.name!r} must be a number at the first time, got "
-                f"{values['gap']}. Change the initial conditions, or what leaves its domain."
+                f"{gap}. Change the initial conditions, or what leaves its domain."
             )
         if not 0.0 <= e <= 1.0:
             raise ValueError(f"`restitution` of {contact.name!r} must be from 0 to 1, got {e}.")
@@ -240,15 +252,3 @@ def _named(name: Any) -> str:
     if not isinstance(name, str) or not name:
         raise TypeError(f"`name` must be a string that is not empty, got {shown(name)}.")
     return name
-
-
-def symbols_of(contacts: Sequence[Contact]) -> list[Any]:
-    """Return the expressions whose symbols need numbers, other than sliding speeds."""
-    parts: list[Any] = []
-    for contact in contacts:
-        if contact.unilateral is not None:
-            parts += [contact.unilateral.gap, contact.unilateral.restitution]
-        if contact.stick is not None:
-            parts += [contact.stick.mu, contact.stick.mu_static]
-            parts += [sm.S.Zero if contact.stick.normal is None else contact.stick.normal]
-    return parts

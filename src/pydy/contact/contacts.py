@@ -14,7 +14,7 @@ from pydy._errors import ContactError
 from pydy._system.evaluation import warn_of_outputs
 from pydy._system.snapshot import Snapshot
 from pydy._system.solving import check_events
-from pydy.contact.conditions import paired, symbols_of
+from pydy.contact.conditions import paired
 from pydy.contact.decide import OPEN, SLIDING, held_rows, independent
 from pydy.contact.modes import Compiled, modes_of
 from pydy.contact.rows import StartError
@@ -107,13 +107,14 @@ class Contacts:
         self.contacts = paired(contacts)
         self.hypothesis: str = choice(hypothesis, ("newton", "poisson"), "`hypothesis`")
         self.names = tuple(c.name for c in self.contacts)
-        parts = symbols_of(self.contacts)
+        parts: list[Any] = []  # what needs numbers
         frame = getattr(system._equations.mechanism, "frame", None)
         if frame is None:
             raise ValueError("Contacts need a System with bodies and an inertial frame.")
         for c in self.contacts:
-            parts += [] if c.stick is None else c.stick.speeds(frame)
-        self.symbols = [Event(part) for part in parts]  # what needs numbers
+            parts += [] if c.unilateral is None else [c.unilateral.gap]
+            parts += [*c.coefficients.values(), *(c.stick.speeds(frame) if c.stick else ())]
+        self.symbols = [Event(part) for part in parts]
         self._kept: Compiled | None = None
         if given := check_mapping("constants", constants):
             # The System's dictionary may be the user's, who makes other Systems of it: it stays.

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from copy import copy
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 import sympy as sm
@@ -43,16 +43,9 @@ _WATCHED = {
 }
 
 
-@dataclass(frozen=True, eq=False)
-class ModeEquations:
-    """Equations that a System takes as they are."""
-
-    equations: Equations
-
-
-@extract.register(ModeEquations)
-def _(mode: ModeEquations, source: str | None = None, implicit: Any = None) -> Equations:
-    return mode.equations
+@extract.register(Equations)
+def _(equations: Equations, source: str | None = None, implicit: Any = None) -> Equations:
+    return equations
 
 
 def output_symbols(contacts: Sequence[Contact]) -> dict[tuple[int, str], Any]:
@@ -123,20 +116,19 @@ class Mode:
             if c.unilateral is not None and n in held
         ]
         self.held_gaps = len(gaps)
-        self.equations = ModeEquations(
-            replace(
-                base,
-                formed=replace(
-                    formed,
-                    graph=g,
-                    accelerations=accelerations,
-                    forcing=forcing,
-                    rest=forcing,
-                    start=[g.zero] * len(forcing),
-                ),
-                holonomic=(*base.holonomic, *gaps),
-                velocity=(*base.velocity, *(rows.speed_expressions[k] for k in held)),
-            )
+        own = replace(
+            formed,
+            graph=g,
+            accelerations=accelerations,
+            forcing=forcing,
+            rest=forcing,
+            start=[g.zero] * len(forcing),
+        )
+        self.equations = replace(
+            base,
+            formed=own,
+            holonomic=(*base.holonomic, *gaps),
+            velocity=(*base.velocity, *(rows.speed_expressions[k] for k in held)),
         )
         self.outputs = self._outputs()
 
@@ -147,6 +139,7 @@ class Mode:
         """
         rows = self.rows
         unknown: list[dict[int, int]] = []  # the share of each row in each unknown
+        sliding: dict[int, tuple[int, int]] = {}  # normal rows of what slides, and their unknowns
         forces: list[list[tuple[int, float]]] = [[] for _ in rows.speeds]
         for i, mode in enumerate(self.modes):
             normal, tangent = rows.normal[i], rows.tangent[i]
@@ -154,6 +147,8 @@ class Mode:
                 continue
             along = self._direction(i, mode) if mode in SLIDES else []
             if normal is not None:
+                if mode in SLIDES:
+                    sliding[i] = normal, len(unknown)
                 unknown.append({normal: g.one})
                 for row, unit in zip(tangent, along, strict=bool(along)):
                     unknown[-1][row] = g.sum([(g.mul(rows.mu[i], unit), -1.0)])
@@ -180,8 +175,7 @@ class Mode:
         matrix = [[rows.dot(g, rows.jacobian[k], column) for column in columns] for k in held]
         self.pivots = {  # J M⁻¹ of the force that a sliding contact's normal force brings with it
             i: rows.dot(g, rows.jacobian[normal], columns[place])
-            for place, (i, normal) in enumerate(self._unknown_normals())
-            if normal is not None and self.modes[i] in SLIDES
+            for i, (normal, place) in sliding.items()
         }
         if not held:
             found = []
@@ -229,18 +223,6 @@ class Mode:
     def _reference(self, i: int) -> list[int]:
         nodes = {symbol: node for node, symbol in self.rows.symbols.items()}
         return [nodes[s] for s in self.rows.references[i]]
-
-    def _unknown_normals(self) -> list[tuple[int, int | None]]:
-        """Return the contact of each unknown, and its normal row, or None for a tangential one."""
-        found: list[tuple[int, int | None]] = []
-        for i, mode in enumerate(self.modes):
-            if mode == OPEN:
-                continue
-            if self.rows.normal[i] is not None:
-                found.append((i, self.rows.normal[i]))
-            if mode == STICKS:
-                found += [(i, None) for _ in self.rows.tangent[i]]
-        return found
 
     def _expression(self, node: int, name: str) -> Any:
         value = self.graph.value(node)

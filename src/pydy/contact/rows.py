@@ -167,16 +167,8 @@ class ContactRows:
                 raise ValueError(f"The contact {c.name!r} moves with no speed of the system.")
         self.free = self._free()
         self.moves = self._moves()
-        one, zero = g.one, g.zero
-        self.mu = [one if c.stick is None else read(c.stick.mu) for c in self.contacts]
-        self.static = [one if c.stick is None else read(c.stick.mu_static) for c in self.contacts]
-        self.restitution = [
-            zero if c.unilateral is None else read(c.unilateral.restitution) for c in self.contacts
-        ]
-        self.pressed = [
-            zero if c.stick is None or c.stick.normal is None else read(c.stick.normal)
-            for c in self.contacts
-        ]
+        rows = zip(*(map(read, c.coefficients.values()) for c in self.contacts), strict=True)
+        self.restitution, self.mu, self.static, self.pressed = map(list, rows)
 
     @property
     def identity(self) -> Any:

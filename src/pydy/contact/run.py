@@ -179,11 +179,7 @@ class Run:
         """Return the state at the first time, after the impacts that happen there."""
         t, x = float(self.times[0]), self.now.x.copy()
         p = self.numbers(t, x)
-        named = [
-            {"gap": gap, "restitution": e, "mu": mu, "mu_static": static}
-            for gap, e, mu, static in zip(p.gap, p.restitution, p.mu, p.mu_static, strict=True)
-        ]
-        check_values(self.contacts, named)
+        check_values(self.contacts, p)
         for expression in self.rows.switched:
             expression.check(self.values(t, x))
         closed = {i for i, n in enumerate(self.rows.normal) if n is not None and p.is_closed(i)}
