@@ -97,7 +97,6 @@ def _joined(parts: Sequence[Part]) -> tuple[np.ndarray, np.ndarray, np.ndarray, 
 # -- Films of a scene: frames that go to a GIF or to ffmpeg as they are drawn ----------------------
 
 
-_BITS = 5  # of a channel, by which the nearest colour of a film's palette is chosen
 _SHADES = 24  # of each colour of the scene that the palette can tell
 
 
@@ -109,18 +108,14 @@ def save_gif(drawing: Any, rows: Iterable[int], path: Path, fps: float) -> None:
     require("PIL", "plot", "A GIF film of a scene")
     from PIL import Image
 
-    paint, size = _painter(drawing)
+    paint, _ = _painter(drawing)
 
     def frames() -> Iterator[Any]:
-        palette, table = b"", np.zeros(0, np.uint8)
+        palette = None
         for k in rows:
-            pixels = paint(k)
-            if not palette:
-                palette, table = _palette(Image, pixels[:, :, :3], drawing.colours)
-            words = np.bitwise_and(pixels.view("<u4")[:, :, 0], 0xFFFFFF)
-            frame = Image.frombuffer("P", size, table.take(words).tobytes(), "raw", "P", 0, 1)
-            frame.putpalette(palette)
-            yield frame
+            frame = Image.fromarray(paint(k)).convert("RGB")
+            palette = palette or _palette(Image, frame, drawing.colours)
+            yield frame.quantize(palette=palette, dither=Image.Dither.NONE)
 
     rest = frames()
     options = {"save_all": True, "append_images": rest, "duration": int(1000.0 / fps), "loop": 0}
@@ -128,26 +123,17 @@ def save_gif(drawing: Any, rows: Iterable[int], path: Path, fps: float) -> None:
         next(rest).save(file, "GIF", **options)
 
 
-def _palette(image: Any, pixels: np.ndarray, colours: list[np.ndarray]) -> tuple[bytes, np.ndarray]:
-    """Return 256 colours, and for each 24-bit colour which of them is about nearest."""
-    from scipy.spatial import cKDTree
-
+def _palette(image: Any, frame: Any, colours: list[np.ndarray]) -> Any:
+    """Return an image of 256 colours: those of a frame, and shades of the scene's."""
     shades = np.linspace(0.4, 1.0, _SHADES)[:, None, None] * np.array(colours or [np.ones(3)])
     strip = np.tile((255 * shades).astype(np.uint8).reshape(1, -1, 3), (40, 1, 1))
-    sample = np.concatenate([pixels.reshape(-1, 3), strip.reshape(-1, 3)])[None]
-    chosen = image.frombuffer("RGB", sample.shape[1::-1], sample.tobytes(), "raw", "RGB", 0, 1)
+    sample = np.concatenate([np.asarray(frame).reshape(-1, 3), strip.reshape(-1, 3)])[None]
+    chosen = image.fromarray(sample)
     palette = chosen.quantize(method=image.Quantize.FASTOCTREE, dither=image.Dither.NONE)
     entries = np.array(palette.getpalette(), dtype=np.uint8).reshape(-1, 3)
     entries[entries.sum(1).argmax()] = 255  # the octree's white is a little grey
-    levels = np.arange(2**_BITS)
-    levels = (levels << (8 - _BITS)) | (levels >> (2 * _BITS - 8))  # black and white stay so
-    blue, green, red = np.meshgrid(levels, levels, levels, indexing="ij")
-    cells = np.stack([red, green, blue], -1).reshape(-1, 3)
-    _, nearest = cKDTree(entries).query(cells)
-    table = nearest.astype(np.uint8).reshape(3 * (2**_BITS,))
-    for axis in range(3):  # a table for whole pixels is read five times as fast
-        table = table.repeat(2 ** (8 - _BITS), axis)
-    return entries.tobytes(), table.ravel()
+    palette.putpalette(entries.tobytes())
+    return palette
 
 
 def save_mp4(drawing: Any, rows: Iterable[int], path: Path, fps: float) -> None:
