@@ -388,18 +388,18 @@ class Tree:
         speeds: that is a root. A point without one hangs on the nearest that has one, as in SymPy.
         """
         wanted = list(dict.fromkeys(points))
-        seen = list(_breadth_first_from(wanted))
+        seen = list(breadth_first_from(wanted))
         given = [p for p in seen if self.velocity(p) is not None]
         simple = sorted(given, key=lambda p: len(self.velocity(p).args) > 0)
         if simple and self.velocity(simple[0]).args:
             simple = sorted(given, key=lambda p: _length(self.velocity(p)))
-        nearest = _breadth_first_from(given)
+        nearest = breadth_first_from(given)
         rank: dict[Any, int] = {}
         above: dict[Any, Any] = {}
         for root in simple:
             if root in rank:
                 continue
-            for point, base in _breadth_first_from([root]).items():
+            for point, base in breadth_first_from([root]).items():
                 rank[point], above[point] = len(rank), base
         for point in wanted:
             if point not in nearest:
@@ -515,7 +515,8 @@ def _nearer(item: Any, neighbours: Iterable[Any], away: dict[Any, int]) -> Any:
     return next((n for n in neighbours if away[n] < away[item]), None)
 
 
-def _breadth_first_from(roots: Sequence[Any]) -> dict[Any, Any]:
+def breadth_first_from(roots: Sequence[Any]) -> dict[Any, Any]:
+    """Return points and all that are placed from them, the nearest first, each with its parent."""
     parent, todo = dict.fromkeys(roots), deque(roots)
     while todo:
         item = todo.popleft()

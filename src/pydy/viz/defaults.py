@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -12,7 +12,7 @@ from sympy.physics.mechanics import RigidBody
 from sympy.physics.vector import ReferenceFrame, Vector
 
 from pydy._checks import real_array, shown
-from pydy._mechanics.reader import given_velocity, places
+from pydy._mechanics.reader import breadth_first_from, given_velocity
 from pydy._rank import DIGITS
 from pydy.viz.shapes import Arrow, Box, Cylinder, Shape, Sphere
 from pydy.viz.visuals import Visual
@@ -73,19 +73,8 @@ def _round_shape(moments: list[float], mass: float) -> Shape | None:
 
 def find_origin(frame: Any, points: Iterable[Any]) -> Any:
     """Return a point that was said to rest in `frame`, connected with the given ones, or None."""
-    return next((p for p, _ in _connected(points) if given_velocity(p, frame) == Vector(0)), None)
-
-
-def _connected(points: Iterable[Any]) -> Iterator[tuple[Any, Any]]:
-    """Yield points and what is connected with them, nearest first, and where each was met."""
-    met = {point: point for point in points}
-    waiting = list(met)
-    while waiting:
-        point = waiting.pop(0)
-        yield point, met[point]
-        near = [p for p in places(point) if p not in met]
-        met.update(dict.fromkeys(near, point))
-        waiting += near
+    every = breadth_first_from([*points])
+    return next((p for p in every if given_velocity(p, frame) == Vector(0)), None)
 
 
 def arms(joints: Iterable[Any]) -> list[tuple[Any, Any]]:
@@ -124,14 +113,14 @@ def skeleton(
     nothing holds them together: one floats, rolls or slides freely with respect to the other.
     """
     driven = {f for _, vector in loads for f in _functions(vector)}
-    before = dict(_connected([origin]))
+    before = breadth_first_from([origin])
     pairs: dict[tuple[Any, Any], None] = {}
     for point in points:
-        while before.get(point, point) is not point:
-            moving = _functions(point.pos_from(before[point]))
+        while (above := before.get(point)) is not None:
+            moving = _functions(point.pos_from(above))
             if not moving or (len(moving) == 1 and moving <= driven):
-                pairs[before[point], point] = None
-            point = before[point]
+                pairs[above, point] = None
+            point = above
     return list(pairs)
 
 
