@@ -123,7 +123,7 @@ def test_code_keeps_alive_what_it_calls(nothing_cached):
     more = "%y = call double @twice(double %x)\n%z = fadd double %y, 1.0\nret double %z"
     more = f"declare double @twice(double)\ndefine double @more(double %x) {{\n{more}\n}}"
     routines = jit.load(Source("twice", lambda brief: twice, ("twice",)))
-    caller = jit.load(Source("more", lambda brief: more, ("more",)), routines)
+    caller = jit.load(Source("more", lambda brief: more, ("more",)), [routines])
     alive = weakref.ref(routines)
     jit.memory.clear()
     del routines

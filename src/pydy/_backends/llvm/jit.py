@@ -20,35 +20,28 @@ _LOCK = _forks.Lock()
 class Code:
     """Machine code in memory, by `addresses`; it and what it calls live as long as this object."""
 
-    def __init__(self, engine: Any, names: Sequence[str], calls: Code | Joined | None) -> None:
+    def __init__(self, engine: Any, names: Sequence[str], calls: Sequence[Code]) -> None:
         self._engine = engine
         self._calls = calls
         self.addresses: dict[str, int] = {n: engine.get_function_address(n) for n in names}
-
-
-class Joined:
-    """Several pieces of code as one, with all their `addresses`, for what calls them all."""
-
-    def __init__(self, parts: Sequence[Code]) -> None:
-        self._parts = parts
-        self.addresses = {n: a for part in parts for n, a in part.addresses.items()}
 
 
 memory: WeakValueDictionary[str, Code] = WeakValueDictionary()
 """The code of this process that is in use, by the keys of its sources."""
 
 
-def _linked(code: bytes, names: Sequence[str], calls: Code | Joined | None) -> Code:
+def _linked(code: bytes, names: Sequence[str], calls: Sequence[Code]) -> Code:
     with _LOCK:
-        for name, address in calls.addresses.items() if calls else ():
-            binding.add_symbol(name, address)
+        for part in calls:
+            for name, address in part.addresses.items():
+                binding.add_symbol(name, address)
         engine = binding.create_mcjit_compiler(binding.parse_assembly(""), target_machine())
         engine.add_object_file(binding.ObjectFileRef.from_data(code))
         engine.finalize_object()
         return Code(engine, names, calls)
 
 
-def _shared(source: Source, code: bytes, calls: Code | Joined | None) -> Code:
+def _shared(source: Source, code: bytes, calls: Sequence[Code]) -> Code:
     """Return the one code of a source, which may have come into use meanwhile.
 
     Addresses are handed on without their code, which then has to be the one that is kept.
@@ -60,7 +53,7 @@ def _shared(source: Source, code: bytes, calls: Code | Joined | None) -> Code:
     return known
 
 
-def find(source: Source, calls: Code | Joined | None = None) -> Code | None:
+def find(source: Source, calls: Sequence[Code] = ()) -> Code | None:
     """Return compiled code from memory or disk, or None."""
     key = source.key
     known = memory.get(key)
@@ -74,9 +67,7 @@ def find(source: Source, calls: Code | Joined | None = None) -> Code | None:
     return known
 
 
-def load(
-    source: Source, calls: Code | Joined | None = None, compile_source: Compile = object_code
-) -> Code:
+def load(source: Source, calls: Sequence[Code] = (), compile_source: Compile = object_code) -> Code:
     """Return compiled code from memory, from disk, or from LLVM at its best."""
     known = find(source, calls)
     if known is None:
@@ -86,7 +77,7 @@ def load(
     return known
 
 
-def load_quickly(source: Source, calls: Code | Joined | None = None) -> Code:
+def load_quickly(source: Source, calls: Sequence[Code] = ()) -> Code:
     """Return code that LLVM compiles in a tenth of the time and that runs half as fast.
 
     It computes the same bits: what is fused and in which order is written in the IR.

@@ -61,13 +61,13 @@ class Tiers:
         """Return code with all fallbacks, compiled quickly."""
         return jit.load_quickly(self.source, self._routines())
 
-    def _routines(self) -> jit.Joined:
-        return jit.Joined([shared_routines(*call, at_best=False) for call in self.calls])
+    def _routines(self) -> list[jit.Code]:
+        return [shared_routines(*call, at_best=False) for call in self.calls]
 
     def best(self, compile_source: Compile) -> jit.Code:
         """Return the best code, compiled by the given function unless there is some."""
         routines = [shared_routines(*call, True, compile_source) for call in self.calls]
-        return jit.load(self.source, jit.Joined(routines), compile_source)
+        return jit.load(self.source, routines, compile_source)
 
 
 class Entry:
@@ -191,7 +191,7 @@ def wide_code(program: Program | Tangent, lanes: int, width: int | None = None) 
         width = width or width_of(program, lanes)
     calls = _calls(program, width or lanes)
     routines = [shared_routines(*call, at_best=True) for call in calls]
-    return jit.load(_source(program, lanes, width or lanes), jit.Joined(routines))
+    return jit.load(_source(program, lanes, width or lanes), routines)
 
 
 def _source(program: Program | Tangent, lanes: int, width: int, loops: bool = False) -> Source:
@@ -263,7 +263,7 @@ def shared_routines(
         with _ROUTINES_LOCK:  # whoever comes second finds what the first one compiled
             code = jit.load(source)
     else:
-        code = jit.load(source, None, compile_source)
+        code = jit.load(source, (), compile_source)
     if code is not None:
         return _ROUTINES.setdefault((kind, lanes, True), code)
     quick = _ROUTINES.get((kind, lanes, False))
