@@ -134,6 +134,24 @@ def vector(value: Any, size: int, what: str) -> np.ndarray:
     return array
 
 
+def ascending(value: Any, what: str, *, strict: bool = False, remedy: str = "") -> np.ndarray:
+    """Return finite numbers that do not descend, or say which one does."""
+    array = real_array(value, what)
+    if array.ndim != 1:
+        raise ValueError(f"{what} must be one-dimensional, got the shape {array.shape}.")
+    if not np.isfinite(array).all():
+        k = int(np.isfinite(array).argmin())
+        raise ValueError(f"{what} must be finite, got {array[k]} at index {k}.")
+    steps = np.diff(array)
+    if (wrong := steps <= 0.0 if strict else steps < 0.0).any():
+        k = int(wrong.argmax())
+        raise ValueError(
+            f"{what} must be {'strictly ' * strict}ascending, got {array[k + 1]} after {array[k]} "
+            f"at index {k + 1}.{remedy}"
+        )
+    return array
+
+
 def _as_float(value: Any) -> float:
     no_number = (str, bytes, bytearray, np.datetime64, np.timedelta64, np.complexfloating)
     if isinstance(value, no_number) or getattr(value, "dtype", _FLOAT).kind == "c":

@@ -7,7 +7,7 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from pydy._checks import real_array
+from pydy._checks import ascending, real_array
 
 
 class Model(Protocol):
@@ -44,9 +44,7 @@ class SensitivityModel(Protocol):
 
 def checked_times(times: Any, own: np.ndarray) -> np.ndarray:
     """Return ascending times within those of a trajectory, or say what is wrong with them."""
-    checked = np.atleast_1d(real_array(times, "`times`"))
-    if checked.ndim != 1 or not (np.diff(checked) >= 0.0).all():
-        raise ValueError(f"`times` must be one-dimensional and ascending, got {checked!r}.")
+    checked = ascending(np.atleast_1d(real_array(times, "`times`")), "`times`")
     outside = checked[~((checked >= own[0]) & (checked <= own[-1]))]
     if outside.size:
         raise ValueError(

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from pydy._checks import choice, real_array
+from pydy._checks import ascending, choice, real_array
 
 __all__ = ["SampledInput"]
 
@@ -214,16 +214,12 @@ def _check_times(times: Any) -> np.ndarray:
             "`times` of a SampledInput must be one-dimensional with at least two values, got the "
             f"shape {array.shape}. A value that never changes needs no samples: give the number."
         )
-    _refuse_not_finite("times", array)
-    stuck = np.flatnonzero(np.diff(array) <= 0.0)
-    if stuck.size:
-        k = int(stuck[0]) + 1
-        raise ValueError(
-            f"`times` of a SampledInput must be strictly ascending, got {array[k]} after "
-            f"{array[k - 1]} at index {k}. Sort the samples and drop repeated ones; for a jump "
-            "use interpolation='previous'."
-        )
-    return array
+    return ascending(
+        array,
+        "`times` of a SampledInput",
+        strict=True,
+        remedy=" Sort the samples and drop repeated ones; for a jump use interpolation='previous'.",
+    )
 
 
 def _check_values(values: Any, times: np.ndarray) -> np.ndarray:
@@ -234,18 +230,14 @@ def _check_values(values: Any, times: np.ndarray) -> np.ndarray:
             f"`values` of a SampledInput must have the shape ({m},) or ({m}, k), one row for each "
             f"of its {m} times, got {array.shape}."
         )
-    _refuse_not_finite("values", array)
-    return array
-
-
-def _refuse_not_finite(name: str, array: np.ndarray) -> None:
     if not np.isfinite(array).all():
         where = tuple(int(k) for k in np.argwhere(~np.isfinite(array))[0])
         place = where[0] if len(where) == 1 else where
         raise ValueError(
-            f"`{name}` of a SampledInput must be finite, got {array[where]} at index {place}. "
+            f"`values` of a SampledInput must be finite, got {array[where]} at index {place}. "
             "Drop or fill such samples first."
         )
+    return array
 
 
 def _coefficients(breaks: np.ndarray, values: np.ndarray, interpolation: str) -> np.ndarray:

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from pydy._checks import check_mapping, choice, flag, listed, number, real_array, shown
+from pydy._checks import ascending, check_mapping, choice, flag, listed, number, real_array, shown
 from pydy._dataset import ENERGIES, KINDS, OUTPUTS, STATES, read_netcdf, to_dataset, write_netcdf
 from pydy._html import table_of_columns
 from pydy._interpolation import Model, SensitivityModel, between, checked_times
@@ -327,9 +327,7 @@ class Trajectory:
         sensitivities: tuple[Mapping[Any, int], np.ndarray] | None = None,
         sensitivity_model: SensitivityModel | None = None,
     ) -> None:
-        self.times = np.array(real_array(times, "`times`"))
-        if self.times.ndim != 1 or not (np.diff(self.times) >= 0.0).all():
-            raise ValueError(f"`times` must be one-dimensional and ascending, got {shown(times)}.")
+        self.times = np.array(ascending(times, "`times`"))
         m = len(self.times)
         self._columns = symbols if isinstance(symbols, Columns) else Columns(symbols)
         widths = self._columns.widths

@@ -7,8 +7,7 @@ import pytest
 import sympy.physics.mechanics as me
 
 from pydy.contact import Contacts
-from pydy.contact.decide import Cone, innermost
-from pydy.contact.decide import OPEN, STARTING, STICKS, Problem, chosen
+from pydy.contact.decide import OPEN, STARTING, STICKS, Cone, Problem, chosen, innermost
 from touching import J, falling_body, mu, slope, y
 
 t = me.dynamicsymbols._t

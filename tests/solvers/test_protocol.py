@@ -263,7 +263,7 @@ BAD = [
     (([[1.0, 0.0]], [0.0, 1.0]), r"`x0` must be one-dimensional, got the shape \(1, 2\)"),
     (([np.nan, 0.0], [0.0, 1.0]), r"`x0` must be finite, got \[nan"),
     (([1.0, 0.0], [0.0, 2.0, 1.0]), r"`t` must be ascending, got 1\.0 after 2\.0 at index 2"),
-    (([1.0, 0.0], []), r"`t` must be one-dimensional, got the shape \(0,\)"),
+    (([1.0, 0.0], []), "`t` must have one time or more"),
     (([1.0, 0.0], [[0.0, 1.0]]), r"`t` must be one-dimensional"),
     (([1.0, 0.0], [0.0, np.inf]), r"`t` must be finite"),
 ]

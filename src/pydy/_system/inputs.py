@@ -11,7 +11,7 @@ from sympy.core.function import AppliedUndef
 from sympy.physics.mechanics import dynamicsymbols
 
 from pydy._assembly.system import Group, check_accelerations
-from pydy._checks import Places, describe, listed, real_array, resolved, shown
+from pydy._checks import Places, ascending, describe, listed, real_array, resolved, shown
 from pydy._errors import UnsupportedFunctionError
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.symbols import find_symbols, sort_symbols
@@ -46,17 +46,7 @@ def check_times(times: Any) -> np.ndarray:
             f"`times` must be a sequence of time values, got the {type(times).__name__} "
             f"{shown(times)}."
         )
-    if array.ndim != 1:
-        raise ValueError(f"`times` must be one-dimensional, got the shape {array.shape}.")
-    if not np.isfinite(array).all():
-        where = int(np.flatnonzero(~np.isfinite(array))[0])
-        raise ValueError(f"`times` must be finite, got {array[where]} at index {where}.")
-    down = np.flatnonzero(np.diff(array) < 0.0)
-    if down.size:
-        k = int(down[0])
-        raise ValueError(
-            f"`times` must be ascending, got {array[k + 1]} after {array[k]} at index {k + 1}."
-        )
+    ascending(array, "`times`")
     if array.size and array[0] < 0.0:
         raise ValueError(f"`times` must not be negative, got {array[0]} at index 0.")
     return array

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Literal, overload
 
 import numpy as np
 
-from pydy._checks import real_array
+from pydy._checks import ascending, real_array
 from pydy._errors import warn_user
 from pydy._forks import whole
 from pydy.solvers.options import read_options
@@ -221,8 +221,7 @@ class Solver:
             raise ValueError(f"`x0` must be one-dimensional, got the shape {x0.shape}.")
         if not np.isfinite(x0).all():
             raise ValueError(f"`x0` must be finite, got {x0}.")
-        times = real_array(t, "`t`")
-        _check_times(times)
+        times = _checked_times(t)
         if not isinstance(args, tuple):
             args = (args,)
         return _prepared(self.name, f, x0, times, args, read)
@@ -238,16 +237,11 @@ def _prepared(name: str, f: Any, x0: np.ndarray, *rest: Any) -> Prepared:
     return prepared
 
 
-def _check_times(times: np.ndarray) -> None:
-    if times.ndim != 1 or not times.size:
-        raise ValueError(f"`t` must be one-dimensional, got the shape {times.shape}.")
-    if not np.isfinite(times).all():
-        raise ValueError("`t` must be finite.")
-    if times.size > 1 and not (times[1:] >= times[:-1]).all():
-        k = int(np.argmax(times[1:] < times[:-1]))
-        raise ValueError(
-            f"`t` must be ascending, got {times[k + 1]} after {times[k]} at index {k + 1}."
-        )
+def _checked_times(times: Any) -> np.ndarray:
+    array = ascending(times, "`t`")
+    if not array.size:
+        raise ValueError("`t` must have one time or more, got none.")
+    return array
 
 
 # -- the same function again: most of a short call would be to reserve memory and check options ----
@@ -269,7 +263,7 @@ def _taken(f: Any, key: tuple[Any, ...], x0: Any, t: Any, args: Any) -> Prepared
     if not fits or key != prepared.key:
         return None
     if t.tobytes() != prepared.times.tobytes():
-        _check_times(t)
+        _checked_times(t)
     native: Any = f.__dict__["native"]
     return prepared if prepared.rebind(native(args), t) else None
 

@@ -13,7 +13,16 @@ from sympy.core.function import AppliedUndef
 from sympy.physics.mechanics import dynamicsymbols
 
 from pydy._backends.registry import compile_program
-from pydy._checks import Places, check_mapping, describe, listed, number, real_array, refuse_twice
+from pydy._checks import (
+    Places,
+    ascending,
+    check_mapping,
+    describe,
+    listed,
+    number,
+    real_array,
+    refuse_twice,
+)
 from pydy._graph.collector import collector_paused
 from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.lower import lower
@@ -268,21 +277,13 @@ class Model:
 
 def checked_samples(times: Any, states: Any, width: int) -> tuple[np.ndarray, np.ndarray]:
     """Return times (m,) and states (m, width) as arrays, or say what is wrong with them."""
-    t, x = real_array(times, "`times`"), real_array(states, "`states`")
-    if t.ndim != 1 or not len(t):
-        raise ValueError(
-            f"`times` must be a sequence of one time or more, got the shape {t.shape}."
-        )
+    t, x = ascending(times, "`times`"), real_array(states, "`states`")
+    if not len(t):
+        raise ValueError("`times` must be a sequence of one time or more, got none.")
     if x.shape != (len(t), width):
         raise ValueError(
             f"`states` must have the shape ({len(t)}, {width}), a row for each of the times and a "
             f"column for each state, got {x.shape}."
-        )
-    down = np.flatnonzero(~(np.diff(t) >= 0))
-    if down.size or not np.isfinite(t).all():
-        k = int(down[0]) if down.size else len(t) - 2
-        raise ValueError(
-            f"`times` must be finite and ascending, got {t[k + 1]} after {t[k]} at index {k + 1}."
         )
     return np.ascontiguousarray(t), np.ascontiguousarray(x)
 
