@@ -188,7 +188,7 @@ class Contacts:
         PyDyUserWarning
             Outputs are not finite.
         """
-        run = self._run(events, sensitivities, control_sensitivities, solver_kwargs)
+        run = self._run(events, sensitivities, control_sensitivities, **solver_kwargs)
         trajectory = run.trajectory()
         if not np.isfinite(trajectory.outputs).all():
             warn_of_outputs(trajectory, run.now)
@@ -257,36 +257,25 @@ class Contacts:
             "combination of modes, which has it, is returned by `in_modes`."
         )
 
-    def motions(
-        self,
-        now: Snapshot,
-        solver: Solver,
-        specifieds: Mapping[Any, Any],
-        columns: Sequence[int],
-        options: Mapping[str, Any],
-    ) -> Motions:
+    def motions(self, *given: Any) -> Motions:
         """Return how the samples of an ensemble move, for `System.integrate_ensemble`."""
-        return Motions(self, now, solver, specifieds, columns, options)
+        return Motions(self, *given)
 
-    def resumed(
-        self,
-        modes: tuple[str, ...] | None,
-        *,
-        events: Any = (),
-        sensitivities: Any = None,
-        control_sensitivities: Any = False,
-        **solver_kwargs: Any,
-    ) -> ContactTrajectory:
+    def resumed(self, modes: tuple[str, ...] | None, **options: Any) -> ContactTrajectory:
         """Simulate from initial conditions that are near those of some modes.
 
         They are projected on what these hold. Without modes it is what `simulate` does.
         """
-        run = self._run(events, sensitivities, control_sensitivities, solver_kwargs)
+        run = self._run(**options)
         run.begun = modes
         return run.trajectory()
 
     def _run(
-        self, events: Any, sensitivities: Any, control_sensitivities: Any, solver_kwargs: Any
+        self,
+        events: Any = (),
+        sensitivities: Any = None,
+        control_sensitivities: Any = False,
+        **solver_kwargs: Any,
     ) -> Run:
         """Return a simulation that has not begun."""
         held = choice(solver_kwargs.get("constraints"), _HELD, "`constraints`")
@@ -374,7 +363,7 @@ class Motions:
         varied = {symbol: float(r[k]) for symbol, k in self._varied.items()}
         system.specifieds = {**system.specifieds, **varied}
         system.times = times
-        run = contacts._run(self._given, None, False, self.options)
+        run = contacts._run(self._given, **self.options)
         code, motion = FINISHED, None
         try:
             motion = run.trajectory()

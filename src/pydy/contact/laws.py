@@ -13,7 +13,7 @@ from typing import Any
 import sympy as sm
 from sympy.physics.mechanics import Vector
 
-from pydy._checks import number, shown
+from pydy._checks import flag, number, shown
 from pydy._mechanics.reader import checked_vector
 from pydy._rank import ROUNDED
 
@@ -97,8 +97,7 @@ def kelvin_voigt(gap: Any, rate: Any, stiffness: Any, damping: Any, *, pulls: bo
     >>> [float(force.subs({gap: -0.1, rate: v})) for v in (-1.0, 0.0, 6.0)]
     [12.0, 10.0, 0.0]
     """
-    if not isinstance(pulls, bool):
-        raise TypeError(f"`pulls` must be True or False, got {shown(pulls)}.")
+    pulls = flag(pulls, "`pulls`")
     gap, rate, k, c = _expressions(gap=gap, rate=rate, stiffness=stiffness, damping=damping)
     force = -k * gap - c * rate
     return sm.Piecewise((0, gap > 0), (force if pulls else sm.Max(force, 0), True))

@@ -404,7 +404,7 @@ class Compiled:
                 known = self.modes.setdefault(key, (made, system))
         return known[0], copy(known[1])  # it is changed by one simulation, of several at a time
 
-    def columns(self, mode: Mode, definition: Any) -> list[int]:
+    def columns(self, definition: Any) -> list[int]:
         """Return which outputs of a mode are those of the trajectory."""
         own = list(definition.outputs_symbols)
         base = self.definition

@@ -647,7 +647,7 @@ class Run:
         self.states[rows] = part.states[1 : 1 + int(rows.sum())]
         if self.carried is not None:
             self.columns[rows] = part.sensitivity.values[1 : 1 + int(rows.sum())]
-        columns = self.kept.columns(mode, system._now().definition)
+        columns = self.kept.columns(system._now().definition)
         self.pieces.append(
             Piece(
                 state.t, end, mode.modes, part._model, columns, part._dense,

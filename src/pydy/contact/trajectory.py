@@ -53,6 +53,7 @@ class Pieces(_Several):
     def __init__(self, pieces: Sequence[Piece], base: Any) -> None:
         super().__init__(pieces)
         self._base = base
+        self.specifieds, self.energy, self.scene = base.specifieds, base.energy, base.scene
 
     def states(self, times: np.ndarray) -> np.ndarray:
         """Return the states between the solver's steps."""
@@ -72,20 +73,6 @@ class Pieces(_Several):
         return self._each(
             times, lambda p, own: p.model.outputs(times[own], states[own])[:, p.columns]
         )
-
-    def specifieds(self, times: np.ndarray, states: np.ndarray) -> np.ndarray:
-        """Return the specifieds, shape (m, s)."""
-        found: np.ndarray = self._base.specifieds(times, states)
-        return found
-
-    def energy(self, times: np.ndarray, states: np.ndarray) -> np.ndarray:
-        """Return kinetic, potential and total energy, shape (m, 3)."""
-        found: np.ndarray = self._base.energy(times, states)
-        return found
-
-    def scene(self, *visuals: Any, **options: Any) -> Any:
-        """Return a scene that shows the bodies."""
-        return self._base.scene(*visuals, **options)
 
 
 class _Dense:
