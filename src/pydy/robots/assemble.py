@@ -210,13 +210,9 @@ class Assembly:
             size = self._number("armature", joint.name, joint.armature)
             self._bodies.append(me.Particle(f"armature of {joint.name}", point, size))
             self._add_rotor(joint, size, coordinates[3:], speeds[3:])
-        if joint.damping:
-            size = self._number("damping", joint.name, joint.damping)
-            self._loads.append((point, _in(self.world, [-size * v for v in speeds[:3]])))
-            self._loads.append((own, _in(own, [-size * w for w in speeds[3:]])))
-        if friction := self._friction(joint, speeds):
-            self._loads.append((point, _in(self.world, friction[:3])))
-            self._loads.append((own, _in(own, friction[3:])))
+        if drag := self._drag(joint, speeds):
+            self._loads.append((point, _in(self.world, drag[:3])))
+            self._loads.append((own, _in(own, drag[3:])))
         return found
 
     def _joint(self, joint: Joint, inner: Place, name: str, chain: list[_Step]) -> Place:
@@ -297,9 +293,7 @@ class Assembly:
         if joint.stiffness:
             stretch = q - _exact(joint.relaxed)
             force -= self._number("stiffness", joint.name, joint.stiffness) * stretch
-        if joint.damping:
-            force -= self._number("damping", joint.name, joint.damping) * u
-        force += sum(self._friction(joint, [u]))
+        force += sum(self._drag(joint, [u]))
         self._push(axis, force)
         if joint.armature:
             # A particle that moves along an axis of its own as the joint does has the kinetic
@@ -308,26 +302,27 @@ class Assembly:
             point = self.origin.locatenew(self._name("rotor", joint.name), q * self.world.x)
             self._bodies.append(me.Particle(f"armature of {joint.name}", point, size))
 
-    def _friction(self, joint: Joint, speeds: Sequence[Any]) -> list[Any]:
-        """Return the dry friction along each axis of a joint, nothing if it has none."""
-        if not joint.friction:
+    def _drag(self, joint: Joint, speeds: Sequence[Any]) -> list[Any]:
+        """Return damping and dry friction along each axis of a joint, nothing if it has neither."""
+        if not joint.damping and not joint.friction:
             return []
-        if self._creep is None:
+        size = self._number("damping", joint.name, joint.damping)
+        found = [-size * u for u in speeds]
+        if joint.friction and self._creep is None:
             self.tree.left_out.append(
                 f"the dry friction of the joint '{joint.name}' (give `friction_speed` to have it)"
             )
-            return []
-        size = self._number("friction", joint.name, joint.friction)
-        return [-size * sm.tanh(u / self._creep) for u in speeds]
+        elif joint.friction:
+            size = self._number("friction", joint.name, joint.friction)
+            found = [
+                f - size * sm.tanh(u / self._creep) for f, u in zip(found, speeds, strict=True)
+            ]
+        return found if any(found) else []
 
     def _resist_ball(self, joint: Joint, inner: Place, outer: Place) -> None:
         coordinates, speeds, *_ = self.joints[joint.name]
-        if joint.damping:
-            size = self._number("damping", joint.name, joint.damping)
-            torque = _in(outer.frame, [-size * w for w in speeds])
-            self._loads += [(outer.frame, torque), (inner.frame, -torque)]
-        if friction := self._friction(joint, speeds):
-            torque = _in(outer.frame, friction)
+        if drag := self._drag(joint, speeds):
+            torque = _in(outer.frame, drag)
             self._loads += [(outer.frame, torque), (inner.frame, -torque)]
         if joint.armature:
             size = self._number("armature", joint.name, joint.armature)

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from os import PathLike
 from typing import TYPE_CHECKING, Any
 
-from pydy._checks import check_mapping, choice, flag, number, path_of
+from pydy._checks import check_mapping, choice, flag, path_of, positive
 from pydy._errors import RobotFileError
 from pydy._names import few
 from pydy.mechanics import Definition
@@ -223,9 +223,7 @@ def read(
     """
     choice(parameters, ("symbols", "numbers"), "`parameters`")
     if friction_speed is not None:
-        friction_speed = number(friction_speed, "`friction_speed`", finite=True)
-        if not friction_speed > 0.0:
-            raise ValueError(f"`friction_speed` must be positive, got {friction_speed}.")
+        friction_speed = positive(friction_speed, "`friction_speed`", finite=True)
     file = path_of(path, "`path`")
     if not file.is_file():
         raise FileNotFoundError(f"`path` must be a file that exists, got '{path}'.")

@@ -167,7 +167,11 @@ def read_urdf(path: Path, floating: bool = False) -> Tree:
     if root.find("transmission") is not None:
         left_out.append("transmissions: each joint has a force of its own")
     motors = [
-        Motor(joint.name, joint.name, input_range=_both_ways(joint.effort))
+        Motor(
+            joint.name,
+            joint.name,
+            input_range=None if joint.effort is None else (-joint.effort, joint.effort),
+        )
         for link in found
         for joint in link.joints
         if joint.kind in ("hinge", "slide") and joint.mimics is None
@@ -176,10 +180,6 @@ def read_urdf(path: Path, floating: bool = False) -> Tree:
     tree = Tree(root.get("name") or path.stem, found, motors, left_out=left_out)
     _set_free(tree)
     return tree
-
-
-def _both_ways(effort: float | None) -> tuple[float, float] | None:
-    return None if effort is None else (-effort, effort)
 
 
 def _set_free(tree: Tree) -> None:
