@@ -121,7 +121,10 @@ def page(
 def _policy(html: str) -> str:
     """Allow a browser the scripts and styles of this page as they are now, and no others."""
     own = {
-        kind: " ".join(f"'sha256-{_hash(text)}'" for text in re.findall(pattern, html, re.S))
+        kind: " ".join(
+            f"'sha256-{b64encode(sha256(text.encode()).digest()).decode('ascii')}'"
+            for text in re.findall(pattern, html, re.S)
+        )
         for kind, pattern in (
             ("script", r"<script>(.*?)</script>"),
             ("style", r"<style>(.*?)</style>"),
@@ -131,10 +134,6 @@ def _policy(html: str) -> str:
         f"default-src 'none'; script-src {own['script']}; style-src {own['style']}; "
         "img-src data: blob:; media-src blob:; base-uri 'none'; form-action 'none'"
     )
-
-
-def _hash(text: str) -> str:
-    return b64encode(sha256(text.encode()).digest()).decode("ascii")
 
 
 @cache

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from copy import copy
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, Self
 
@@ -15,6 +16,7 @@ from pydy._checks import Keyed, choice, file_of, flag, listed, number, shown, te
 from pydy._files import write_files
 from pydy._names import nearest
 from pydy._rank import ROUNDED
+from pydy.trajectory import Trajectory
 from pydy.viz.animation import Animation, Item, Look, animate
 from pydy.viz.arguments import (
     as_visual,
@@ -69,21 +71,6 @@ class _Frame:
     frame: Any
 
 
-@dataclass(frozen=True, eq=False)
-class _Member:
-    """What is shown of one sample of an ensemble: a Trajectory of names and numbers."""
-
-    times: np.ndarray
-    states: np.ndarray
-    state_symbols: tuple[str, ...]
-    constants: dict[str, float]
-
-    def at(self, times: np.ndarray) -> _Member:
-        """Return the same at other times, by straight lines."""
-        columns = [np.interp(times, self.times, column) for column in self.states.T]
-        return replace(self, times=times, states=np.stack(columns, 1))
-
-
 def runs_of(compare: Any) -> list[tuple[str, Any]]:
     """Return labels and trajectories of `compare`; of an ensemble's members some, evenly."""
     if compare is None:
@@ -126,7 +113,14 @@ def _members(label: str, run: Any) -> Iterator[tuple[str, Any]]:
             roles = one.coords.items()
             constants = {n: float(v) for n, v in roles if v.attrs.get("role") == "constant"}
             times = np.asarray(one["time"], dtype=float)
-            yield label, _Member(times, table, tuple(states), constants)
+            lines = partial(_lines, times, table)
+            kinds = {"coordinate": states}
+            yield label, Trajectory(times, table, kinds, constants=constants, dense=lines)
+
+
+def _lines(own: np.ndarray, table: np.ndarray, times: np.ndarray) -> np.ndarray:
+    """Return states at times between those of a table, by straight lines."""
+    return np.stack([np.interp(times, own, column) for column in table.T], 1)
 
 
 def at_times(run: Any, times: np.ndarray) -> Any:
