@@ -117,14 +117,10 @@ def _kanes_method(definition: Definition) -> me.KanesMethod:
         q_ind=definition.coordinates,
         u_ind=definition.speeds,
         kd_eqs=definition.kinematic_equations,
-        kd_eqs_solver=_solve_identity,  # SymPy's own would eliminate it, in n³ steps
+        kd_eqs_solver=lambda _, rates: rates,  # SymPy's own would eliminate, in n³ steps
     )
     kane.kanes_equations(definition.bodies, definition.loads)
     return kane
-
-
-def _solve_identity(matrix: Any, column: Any) -> Any:
-    return column
 
 
 def n_link_pendulum_on_cart(

@@ -19,23 +19,13 @@ Its options are the keyword arguments that `generate_ode_function` does not know
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 
 from pydy._backends.registry import compile_program
 from pydy._graph.program import Program
 from pydy._kernel import Kernel
-
-
-class Backend(Protocol):
-    """What `generator=` accepts."""
-
-    def __init__(self, **options: Any) -> None: ...
-
-    def compile(self, program: Program) -> Kernel:
-        """Return the Kernel that computes `program`."""
-        ...
 
 
 def strict(program: Program, x: Any, r: Any, p: Any) -> bool:

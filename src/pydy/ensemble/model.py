@@ -330,12 +330,12 @@ class Batch:
         x, held = self.x, None
         if model.options.constraints is not None:
             x, held = self._on_constraints(times)
-        found = integrate_samples(
+        counted, reached = integrate_samples(
             _kernel(model.rates, LANES), model.method, x, self.r, self.p, model.sampled,
             times, model.options, states, self.stopped, controlled, held,
         )  # fmt: skip
-        counts = dict(zip(COUNTED, np.array(found.counts.T), strict=True))
-        results = Results(states, {**counts, "end_time": found.reached})
+        counts = dict(zip(COUNTED, np.array(counted.T), strict=True))
+        results = Results(states, {**counts, "end_time": reached})
         if held is not None:
             results.told["nearness"] = held.nearness()
             lost = np.flatnonzero(counts["status"] != FINISHED)

@@ -17,7 +17,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import dataclass, field
+from dataclasses import dataclass
+from functools import partial
 from math import pi, sin
 from pathlib import Path
 from time import perf_counter
@@ -118,17 +119,12 @@ class Ride:
         return float(np.abs(self.eigenvalues - self.published).max())
 
 
-@dataclass
-class _Clock:
-    """Collects how long each stage takes."""
-
-    seconds: dict[str, float] = field(default_factory=dict)
-
-    @contextmanager
-    def stage(self, name: str) -> Iterator[None]:
-        start = perf_counter()
-        yield
-        self.seconds[name] = self.seconds.get(name, 0.0) + perf_counter() - start
+@contextmanager
+def _stage(seconds: dict[str, float], name: str) -> Iterator[None]:
+    """Note how long a stage takes."""
+    start = perf_counter()
+    yield
+    seconds[name] = seconds.get(name, 0.0) + perf_counter() - start
 
 
 def push(t: float) -> float:
@@ -157,11 +153,12 @@ def ride() -> Ride:
     Ride
         It takes a few seconds, most of them to derive the equations.
     """
-    clock = _Clock()
-    with clock.stage("derive"):
+    seconds: dict[str, float] = {}
+    stage = partial(_stage, seconds)
+    with stage("derive"):
         bicycle = whipple_bicycle.derive()
         kinetic, potential = whipple_bicycle.energy(bicycle)
-    with clock.stage("extract"):
+    with stage("extract"):
         constants = whipple_bicycle.benchmark_parameters(bicycle)
         system = System(
             bicycle.definition,
@@ -170,11 +167,11 @@ def ride() -> Ride:
             outputs={sm.Symbol("energy"): kinetic + potential},
             noncontributing_forces=bicycle.contact_forces,
         )
-    with clock.stage("generate"):
+    with stage("generate"):
         system.generate_ode_function()
 
     straight = whipple_bicycle.equilibrium(bicycle, SPEED)
-    with clock.stage("linearise"):
+    with stage("linearise"):
         system.initial_conditions = straight
         static = system.evaluate_outputs()[-2:]
         A = system.evaluate_jacobian()
@@ -183,7 +180,7 @@ def ride() -> Ride:
     published = np.array(whipple_bicycle.PUBLISHED_EIGENVALUES[SPEED])
     nearest = [int(np.abs(found - value).argmin()) for value in published]
 
-    with clock.stage("initial conditions"):
+    with stage("initial conditions"):
         # Only what is free: where it is, how it leans, rolls and steers, and how fast it goes.
         dependent = bicycle.coordinates[7:] + bicycle.speeds[3:]
         start = {state: straight[state] for state in straight if state not in dependent}
@@ -193,16 +190,16 @@ def ride() -> Ride:
         system.initial_conditions = start
         system.set_dependent_initial_conditions(use_jac=True)
 
-    with clock.stage("simulate"):
+    with stage("simulate"):
         free = system.integrate(**SOLVER)
         system.specifieds = {bicycle.push: lambda x, t: push(t)}
         pushed = system.simulate(**SOLVER)
-    with clock.stage("evaluate"):
+    with stage("evaluate"):
         energy = system.evaluate_outputs(x=free)[:, 0]
         off_ground = np.abs(system.evaluate_holonomic_constraints(x=free)).max()
         holonomic = np.abs(system.evaluate_holonomic_constraints(x=pushed.states)).max(axis=1)
         velocity = np.abs(system.evaluate_velocity_constraints(x=pushed.states)).max(axis=1)
-    with clock.stage("animate"):
+    with stage("animate"):
         scene = bicycle_scene.scene(system, bicycle, TITLE).animate(pushed)
 
     return Ride(
@@ -228,7 +225,7 @@ def ride() -> Ride:
         eigenvalues=found[nearest],
         published=published,
         other_eigenvalues=np.delete(found, nearest),
-        seconds=clock.seconds,
+        seconds=seconds,
         trajectory=pushed,
         scene=scene,
         bicycle=bicycle,

@@ -36,7 +36,7 @@ _METHOD = "dop853"
 _TOLERANCE = 1e-10
 
 
-def write_fmu(model: Model, path: Path, fmi: str, binary: bool) -> None:
+def write_fmu(model: Model, path: Path, fmi: str = "3.0", binary: bool = True) -> tuple[Path, ...]:
     """Write the unit; raise a GeneratorError where there is no C compiler, or it fails."""
     # Names of ours, which meet none in the hand-written sources.
     constants = [replace(v, identifier=f"p_{k}") for k, v in enumerate(model.constants)]
@@ -53,7 +53,7 @@ def write_fmu(model: Model, path: Path, fmi: str, binary: bool) -> None:
         entries["sources/buildDescription.xml"] = _build_description(model).encode()
     if binary:
         folder, suffix = _platform(fmi)
-        entries[f"binaries/{folder}/{model.name}{suffix}"] = _library(sources, fmi, suffix)
+        entries[f"binaries/{folder}/{model.name}{suffix}"] = _library(sources, suffix)
     with (
         replacing(path) as (place,),
         zipfile.ZipFile(place, "w", zipfile.ZIP_DEFLATED) as archive,
@@ -61,6 +61,7 @@ def write_fmu(model: Model, path: Path, fmi: str, binary: bool) -> None:
         for name, data in entries.items():
             # The same model gives the same file.
             archive.writestr(zipfile.ZipInfo(name, (1980, 1, 1, 0, 0, 0)), data)
+    return (path,)
 
 
 # -- sources --------------------------------------------------------------------------------------
@@ -167,7 +168,7 @@ def _words(command: str) -> list[str]:
     return words if posix else [word.strip('"') for word in words]  # keeps backslashes
 
 
-def _library(sources: dict[str, str], fmi: str, suffix: str) -> bytes:
+def _library(sources: dict[str, str], suffix: str) -> bytes:
     command = compiler()
     with temporary_folder(Path(tempfile.gettempdir(), "pydy_fmu_")) as folder:
         for name, text in sources.items():

@@ -321,11 +321,6 @@ def _write_py(model: Model, path: Path, target: str = "numpy") -> tuple[Path, ..
     return (path,)
 
 
-def _write_fmu(model: Model, path: Path, fmi: str = "3.0", binary: bool = True) -> tuple[Path, ...]:
-    write_fmu(model, path, fmi, binary)
-    return (path,)
-
-
 class Format(NamedTuple):
     """A suffix's format: what writes its files, and what checks the options that it takes."""
 
@@ -335,7 +330,7 @@ class Format(NamedTuple):
 
 FORMATS = {
     ".c": Format(_write_c),
-    ".fmu": Format(_write_fmu, {"fmi": one_of("3.0", "2.0"), "binary": flag}),
+    ".fmu": Format(write_fmu, {"fmi": one_of("3.0", "2.0"), "binary": flag}),
     ".js": Format(_write_js),
     ".py": Format(_write_py, {"target": one_of(*DIALECTS)}),
 }

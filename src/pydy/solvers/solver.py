@@ -282,7 +282,7 @@ class Prepared:
     x0 : ndarray, shape (n,)
         The initial state it was prepared with.
     reusable : bool
-        Whether `rebind` may make it another call's.
+        Whether ``rebind(call, times)`` may make it another call's of the same function.
     renumber : callable
         ``renumber(p, r, times)`` takes other numbers, where it may, and tells whether.
     """
@@ -295,7 +295,7 @@ class Prepared:
         self._shape = x0.shape
         self._run = integration.run
         self.reusable = integration.reusable
-        self.renumber = integration.renumber
+        self.renumber, self.rebind = integration.renumber, integration.rebind
 
     def __call__(self, x0: ArrayLike) -> np.ndarray:
         """Return the states at the prepared times, shape (m, n), from another initial state.
@@ -332,10 +332,6 @@ class Prepared:
     def times(self) -> np.ndarray:
         """When the states are given, shape (m,)."""
         return self._integration.progress.times
-
-    def rebind(self, call: Any, times: np.ndarray) -> bool:
-        """Take other times and another call of the same function, or return False."""
-        return self._integration.rebind(call, times)
 
     @property
     def info(self) -> dict[str, Any]:

@@ -168,13 +168,3 @@ class Function:
         self.set("i64", counter, self.let(f"add nsw i64 {i}, {step}"))
         self.do(f"br label {head}")
         self.label(end)
-
-    @contextmanager
-    def when(self, condition: str) -> Iterator[None]:
-        """Write ``if condition:`` around the body."""
-        then, end = self.name("then"), self.name("fi")
-        self.do(f"br i1 {condition}, label {then}, label {end}")
-        self.label(then)
-        yield
-        self.do(f"br label {end}")
-        self.label(end)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from time import perf_counter
 from typing import Any
 
@@ -33,15 +32,6 @@ from pydy.solvers.tuning import LANES, LEAST_TOLERANCE
 _NOT_HELD = Holding(
     np.zeros(2, dtype=np.int64), np.zeros(0, dtype=np.int64), np.zeros(0), np.zeros((0, 0))
 )
-
-
-@dataclass(frozen=True, eq=False)
-class LaneResult:
-    """What became of m samples."""
-
-    # (m, 4): steps, rejected ones, evaluations, and how it ended: a code of `outcome`
-    counts: np.ndarray
-    reached: np.ndarray  # (m,): the time up to which each was integrated
 
 
 class HeldLanes:
@@ -93,7 +83,7 @@ def integrate_samples(
     stopped: Callable[[], bool] = lambda: False,
     controlled: int | None = None,
     held: HeldLanes | None = None,
-) -> LaneResult:
+) -> tuple[np.ndarray, np.ndarray]:
     """Integrate m samples, `LANES` at a time, by an explicit method.
 
     The inputs x, r and p have a row for each, and `sampled` is data in time with its places in r,
@@ -102,6 +92,8 @@ def integrate_samples(
     components, or of so many that come first. Motions may be `held` on constraints, which their
     beginnings satisfy; those that begin with NaN are left out, as not computed. Asked now and then
     whether the work is `stopped`, True ends it with KeyboardInterrupt.
+
+    Returned are `Queue.counts` and the times up to which each sample was integrated.
     """
     step_lanes = function_of("step_lanes")
     m, n = x.shape
@@ -137,7 +129,7 @@ def integrate_samples(
         start = perf_counter()
         code = step_lanes(address(table))
         if code == at.LANES_EMPTY:
-            return LaneResult(queue.counts, queue.reached)
+            return queue.counts, queue.reached
         if stopped():
             raise KeyboardInterrupt
         elapsed = max(perf_counter() - start, np.finfo(float).tiny)
