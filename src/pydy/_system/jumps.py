@@ -14,6 +14,7 @@ from pydy._assembly.specifieds import Plan, differentiated
 from pydy._errors import warn_user
 from pydy._graph.branches import sides, switches
 from pydy._graph.derivative import dense_jacobian
+from pydy._graph.rewrite import substitute
 from pydy._rank import HALF, or_one
 from pydy._system.snapshot import Snapshot
 
@@ -28,16 +29,16 @@ _Values = dict[str, np.ndarray]
 
 
 def _switched(
-    assembly: Assembly, nodes: Sequence[int], inputs: str, others: str = "xrpt"
+    assembly: Assembly, nodes: Sequence[int], searched: Sequence[int], inputs: str, others: str = ""
 ) -> tuple[list[int], dict[str, list[int]]]:
-    """Return what nodes switch at that depends on groups of inputs, and blocks of values.
+    """Return what the `searched` switch at that depends on groups of inputs, and blocks of nodes.
 
     It depends on one of the `inputs` at least, and on none but these and the `others`.
     """
     graph = assembly.graph
     found: list[int] = []
     steps: list[int] = []
-    for switch in switches(graph, nodes, whole=True):
+    for switch in switches(graph, searched, whole=True):
         above, below = sides(graph, nodes, switch)
         held = graph.inputs_of([switch])
         if above != below and held & {*inputs} and held <= {*inputs, *others}:
@@ -58,15 +59,22 @@ class Jumps:
     integral: Any = None
 
     def __call__(self, assembly: Assembly) -> dict[str, list[int]]:
-        graph, rates = assembly.graph, [*assembly.rates]
+        graph, nodes = assembly.graph, [*assembly.rates]
+        if self.integral is not None:
+            nodes.append(node_of(assembly, self.integral, "`integral`"))
+        searched = nodes
         if len(assembly.forcing) == len(assembly.speeds):
             # Without the pivots by which constraints reduce it, which switch, too.
             matrix = (assembly.velocity and assembly.kinetic_hessian) or assembly.mass_matrix
             if not switches(graph, matrix, whole=True):
-                rates[self.coordinates : self.coordinates + len(assembly.speeds)] = assembly.forcing
-        if self.integral is not None:
-            rates.append(node_of(assembly, self.integral, "`integral`"))
-        found, blocks = _switched(assembly, rates, "xrp")
+                own = slice(self.coordinates, self.coordinates + len(assembly.speeds))
+                # What else holds u', as the rates of what residuals give for speeds, is searched
+                # with loads in its place.
+                pairs = zip(nodes[own], assembly.forcing, strict=True)
+                loads = {u: load for u, load in pairs if graph.operands(u)}
+                nodes[own] = assembly.forcing
+                searched = substitute(graph, nodes, loads)
+        found, blocks = _switched(assembly, nodes, searched, "xrp", "t")
         groups = zip("xrp", assembly.sizes, strict=True)
         by = [graph.input(group, k) for group, size in groups for k in range(size)]
         return {**blocks, "slopes": dense_jacobian(graph, found, by)}
@@ -89,7 +97,8 @@ class Impulses:
     plan: Plan = field(compare=False)
 
     def __call__(self, assembly: Assembly) -> dict[str, list[int]]:
-        return _switched(assembly, [*self.nodes(assembly)], "t", "p")[1]
+        nodes = [*self.nodes(assembly)]
+        return _switched(assembly, nodes, nodes, "t", "p")[1]
 
     def nodes(self, assembly: Assembly) -> dict[int, str]:
         """Return what is differentiated, and what to call it."""
