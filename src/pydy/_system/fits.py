@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from copy import copy
 from dataclasses import dataclass
 from itertools import pairwise
@@ -83,6 +83,7 @@ class _Fit:
         if len({d.trial.noise is None for d in self.data}) > 1:
             raise ValueError("Give the `noise` of all trials, or of none.")
         self.own_noise = self.data[0].trial.noise is None
+        self.samples = sum(int(np.isfinite(d.values).sum()) for d in self.data)
         if self.expressions:
             added = {name: expression for expression, name in self.expressions.items()}
             self.runner.outputs = {**system.outputs, **added}
@@ -177,10 +178,7 @@ class _Fit:
                 f"`times` of {d.label} must hold a time after the start, got {float(times[0])!r} "
                 "alone: collocation needs a motion."
             )
-        self._set(z, k, self.parts[k][0])
-        self.runner.times = times
-        if self.tied:
-            self.runner.set_dependent_initial_conditions(self.tied)
+        self._set(z, k, self.parts[k][0], times)
         now = self.runner._now()
         states = np.tile(now.x, (len(times), 1))
         known = {}
@@ -204,7 +202,9 @@ class _Fit:
             states[:, self.order.index(symbol)] = column
         return now, times, states
 
-    def _set(self, z: np.ndarray, k: int, part: _Part) -> tuple[list[Any], list[int]]:
+    def _set(
+        self, z: np.ndarray, k: int, part: _Part, times: np.ndarray
+    ) -> tuple[list[Any], list[int]]:
         """Put numbers into the runner; return what is differentiated by, and its columns."""
         d, runner = self.data[k], self.runner
         constants, specifieds = dict(self.constants[k]), dict(self.specifieds[k])
@@ -229,21 +229,20 @@ class _Fit:
             symbols.append(symbol)
             columns.append(at + j)
         runner.constants, runner.specifieds = constants, specifieds
-        runner.initial_conditions = initial
+        runner.initial_conditions, runner.times = initial, times
+        if self.tied:
+            runner.set_dependent_initial_conditions(self.tied)
         return symbols, columns
 
     def ride(self, z: np.ndarray, k: int, part: _Part) -> tuple[Any, list[int], int]:
         """Simulate a part; return the trajectory, the columns, and the first sample's place."""
         d = self.data[k]
-        symbols, columns = self._set(z, k, part)
         times = d.times[part.first : part.last]
         skip = int(not len(times) or times[0] > part.begin)
         times = np.append(part.begin, times) if skip else times
         if len(times) < 2:
             times = np.append(times, times)  # a single sample, where the part begins
-        self.runner.times = times
-        if self.tied:
-            self.runner.set_dependent_initial_conditions(self.tied)
+        symbols, columns = self._set(z, k, part, times)
         ride = self.runner.simulate(sensitivities=symbols, **self.options)
         self.largest = np.maximum(self.largest, np.abs(ride.states).max(axis=0))
         if len(ride.times) < len(times):
@@ -432,15 +431,20 @@ def _collocated(
     for d, missed in zip(work.data, found.residuals, strict=True):
         table = np.where(np.isfinite(d.values), -missed * d.noise, np.nan)
         tables.append(dict(zip(d.names, table.T, strict=True)))
-    pulls = [(found.z[k] - mean) / s for k, mean, s in priors]
+    missed, J = _with_priors(found.values, found.jacobian, found.z, priors)
+    ended = found.success, found.message
+    counts = work.samples + len(priors), found.iterations, len(found.followed)
+    return _result(work, found.z, missed, J, tables, limits, counts, ended)
+
+
+def _with_priors(
+    values: np.ndarray, J: np.ndarray, z: np.ndarray, priors: list[tuple[int, float, float]]
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return residuals and their derivatives with those of what is known before."""
+    pulls = [(z[k] - mean) / s for k, mean, s in priors]
     rows = np.zeros((len(pulls), len(z)))
     rows[np.arange(len(pulls)), [k for k, _, _ in priors]] = [1.0 / s for _, _, s in priors]
-    missed = np.append(found.values, pulls)
-    J = np.vstack([found.jacobian, rows])
-    samples = sum(int(np.isfinite(d.values).sum()) for d in work.data) + len(pulls)
-    ended = found.success, found.message
-    counts = samples, found.iterations, len(found.followed)
-    return _result(work, found.z, missed, J, tables, limits, counts, ended)
+    return np.append(values, pulls), np.vstack([J, rows])
 
 
 def _disturbances(work: _Fit, given: Any) -> dict[int, float]:
@@ -517,13 +521,6 @@ def _result(
     )
 
 
-def _places(work: _Fit, given: Mapping[Any, Any], argument: str) -> list[list[int]]:
-    """Return the parameters that each key means, none of them twice."""
-    found = [_meant(work, key, argument) for key in given]
-    refuse_twice([work.names[place] for places in found for place in places], argument)
-    return found
-
-
 def _meant(work: _Fit, key: Any, argument: str) -> list[int]:
     """Return the parameters that a key means; a state means that of each trial."""
     shared = Places([s for _, s in work.shared], "parameters of the fit")
@@ -544,32 +541,34 @@ def _meant(work: _Fit, key: Any, argument: str) -> list[int]:
     return found
 
 
+def _pairs(
+    work: _Fit, given: Any, argument: str, sound: Callable[[np.ndarray], Any], what: str
+) -> list[tuple[list[int], tuple[float, float]]]:
+    """Return pairs of numbers, and the parameters that each is for, none of them twice."""
+    given = check_mapping(argument, given)
+    found = []
+    meant = [_meant(work, key, argument) for key in given]
+    refuse_twice([work.names[place] for places in meant for place in places], argument)
+    for places, (key, pair) in zip(meant, given.items(), strict=True):
+        numbers = real_array(pair, f"`{argument}[{key}]`")
+        if numbers.shape != (2,) or not sound(numbers):
+            raise ValueError(f"`{argument}[{key}]` must be a pair of the {what}, got {pair}.")
+        found.append((places, (float(numbers[0]), float(numbers[1]))))
+    return found
+
+
 def _bounds(work: _Fit, bounds: Any, size: int) -> tuple[np.ndarray, np.ndarray]:
     low, high = np.full(size, -np.inf), np.full(size, np.inf)
-    given = check_mapping("bounds", bounds)
-    for places, (key, pair) in zip(_places(work, given, "bounds"), given.items(), strict=True):
-        limits = real_array(pair, f"`bounds[{key}]`")
-        if limits.shape != (2,) or not limits[0] < limits[1]:
-            raise ValueError(
-                f"`bounds[{key}]` must be a pair of the lowest and the highest value, got {pair}."
-            )
+    what = "lowest and the highest value"
+    for places, limits in _pairs(work, bounds, "bounds", lambda n: n[0] < n[1], what):
         low[places], high[places] = limits
     return low, high
 
 
 def _priors(work: _Fit, priors: Any) -> list[tuple[int, float, float]]:
-    found = []
-    given = check_mapping("priors", priors)
-    for places, (key, pair) in zip(_places(work, given, "priors"), given.items(), strict=True):
-        numbers = real_array(pair, f"`priors[{key}]`")
-        if numbers.shape != (2,) or not (np.isfinite(numbers).all() and numbers[1] > 0.0):
-            raise ValueError(
-                f"`priors[{key}]` must be a pair of the mean and the positive standard deviation, "
-                f"got {pair}."
-            )
-        mean, spread = float(numbers[0]), float(numbers[1])
-        found += [(place, mean, spread) for place in places]
-    return found
+    what = "mean and the positive standard deviation"
+    pairs = _pairs(work, priors, "priors", lambda n: np.isfinite(n).all() and n[1] > 0.0, what)
+    return [(place, *pair) for places, pair in pairs for place in places]
 
 
 def _check_method(
@@ -731,13 +730,9 @@ class Fitting(Setup):
                     raise
                 values, slopes = np.full(size, np.nan), np.zeros((size, len(z)))
             told(1, residual=f"{np.sqrt(np.mean(values**2)):.4g}")
-            more = np.zeros((len(known), len(z)))
-            more[np.arange(len(known)), [k for k, _, _ in known]] = [1.0 / s for _, _, s in known]
-            pulls = [(z[k] - mean) / s for k, mean, s in known]
-            return np.append(values, pulls), np.vstack([slopes, more])
+            return _with_priors(values, slopes, z, known)
 
-        samples = sum(int(np.isfinite(d.values).sum()) for d in work.data)
-        size = samples + (len(z) - work.count)
+        size = work.samples + (len(z) - work.count)
         stages = _STAGES if len(z) > work.count else (0.0,)
         with progress_of(progress, " evaluations") as told:
             for stage in stages:
@@ -746,5 +741,5 @@ class Fitting(Setup):
                 z, values, J, found = estimate(evaluate, z, limits, work.names, most, told=last)
         values, J, tables = _shot(work, values, J)
         ended = bool(found.success), str(found.message)
-        counts = samples + len(known), count, 1
+        counts = work.samples + len(known), count, 1
         return _result(work, z, values, J, tables, limits, counts, ended)
