@@ -23,6 +23,10 @@ from pydy._rank import DEPENDENT, DIGITS, HALF, ROUNDED, null_space, or_one, ran
 from pydy.analysis.directions import direction_text
 from pydy.analysis.tuning import BENT, NEARLY_STRAIGHT, SETTLED
 
+Bounds = tuple[np.ndarray, np.ndarray]  # the lowest and the highest values of unknowns
+Found = tuple[np.ndarray, float, tuple[str, ...]]  # what `solve_equilibrium` returns
+Function = Callable[[np.ndarray], np.ndarray]
+
 _POLISH = 20
 # Nothing moves so slowly: its powers would leave the range of floats.
 _SMALLEST = float(np.finfo(float).tiny ** 0.25)
@@ -79,15 +83,15 @@ class Equilibrium:
 class Problem:
     """Equations of equilibrium ``residual(z) = 0``, and what is known of their sizes."""
 
-    residual: Callable[[np.ndarray], np.ndarray]  # of z (k,): shape (m,)
-    jacobian: Callable[[np.ndarray], np.ndarray]  # of z: shape (m, k)
+    residual: Function  # of z (k,): shape (m,)
+    jacobian: Function  # of z: shape (m, k)
     unknowns: Sequence[str]
     rows: Sequence[str]
     rates: Mapping[int, int]  # the rows that are rates of an unknown, and its place
     held: int  # how many of the rows, the last ones, are constraints
     sizes: Callable[[np.ndarray, np.ndarray], Sizes]  # of the Jacobian and z
     # of z: the sizes of what constants, specifieds and loads make of the rows
-    terms: Callable[[np.ndarray], np.ndarray]
+    terms: Function
 
 
 class Sizes:
@@ -119,6 +123,7 @@ class Sizes:
         speed = float(np.abs(np.linalg.eigvals(between)).max(initial=0.0))
         if not speed > _SMALLEST:
             speed = 1.0
+        self.speed = speed  # of the fastest motion
         units[columns] *= speed ** (powers[own] - 1.0)
         self.rows = or_one(rows * speed**powers)  # what such motions make of each row
         self._linked = np.where(powers == 1.0, rows, 0.0)
@@ -141,9 +146,7 @@ class Sizes:
         return result
 
 
-def solve_equilibrium(
-    problem: Problem, start: np.ndarray, bounds: tuple[np.ndarray, np.ndarray]
-) -> tuple[np.ndarray, float, tuple[str, ...]]:
+def solve_equilibrium(problem: Problem, start: np.ndarray, bounds: Bounds) -> Found:
     """Solve a `Problem` between the lowest and the highest values of its unknowns.
 
     Return the solution, its largest residual, and the combinations of unknowns that the equations
@@ -155,9 +158,7 @@ def solve_equilibrium(
         begin = z
         with np.errstate(all="ignore"):
             if attempt == "settled":
-                begin = settled(
-                    problem.residual, problem.jacobian, z, bounds, problem.rates, problem.held
-                )
+                begin = settled(problem, z, bounds)
             slopes = problem.jacobian(begin)
             found, message = begin, ""
             if np.isfinite(slopes).all():
@@ -209,12 +210,7 @@ def left_ahead(ahead: Problem, z: np.ndarray) -> tuple[str, float, np.ndarray] |
     return None
 
 
-def _as_begun(
-    accepted: tuple[np.ndarray, float, tuple[str, ...]],
-    problem: Problem,
-    start: np.ndarray,
-    bounds: tuple[np.ndarray, np.ndarray],
-) -> tuple[np.ndarray, float, tuple[str, ...]]:
+def _as_begun(accepted: Found, problem: Problem, start: np.ndarray, bounds: Bounds) -> Found:
     """Return the same equilibrium with what is free as it was at the start, where that is one too.
 
     The search moves what no equation tells of as well: a sleigh comes to rest anywhere.
@@ -231,7 +227,7 @@ def _as_begun(
         if not np.isfinite(slopes).all():
             return accepted
         sizes = problem.sizes(slopes, begin)
-        there = _polished(*_scaled(problem, sizes.rows), begin, *bounds, sizes.units)
+        there = _polished(*_scaled(problem, sizes.rows), begin, bounds, sizes.units)
         try:
             again = _accepted(problem, there, bounds, "")
         except EquilibriumError:
@@ -240,33 +236,18 @@ def _as_begun(
     return again if nearer else accepted
 
 
-def _scaled(
-    problem: Problem, rows: np.ndarray
-) -> tuple[Callable[[np.ndarray], np.ndarray], Callable[[np.ndarray], np.ndarray]]:
+def _scaled(problem: Problem, rows: np.ndarray) -> tuple[Function, Function]:
     """Return residuals and Jacobian with each row in units of its size."""
-
-    def share(z: np.ndarray) -> np.ndarray:
-        shares: np.ndarray = problem.residual(z) / rows
-        return shares
-
-    def slopes(z: np.ndarray) -> np.ndarray:
-        shares: np.ndarray = problem.jacobian(z) / rows[:, None]
-        return shares
-
-    return share, slopes
+    return lambda z: problem.residual(z) / rows, lambda z: problem.jacobian(z) / rows[:, None]
 
 
 def _search(
-    problem: Problem,
-    z: np.ndarray,
-    bounds: tuple[np.ndarray, np.ndarray],
-    rows: np.ndarray,
-    units: np.ndarray,
+    problem: Problem, z: np.ndarray, bounds: Bounds, rows: np.ndarray, units: np.ndarray
 ) -> tuple[np.ndarray, str]:
     """Return what is found with rows and unknowns in such units, and why it is no better."""
     low, high = bounds
     share, slopes = _scaled(problem, rows)
-    near = _quickly(problem, share, slopes, z, low, high, units)
+    near = _quickly(problem, share, slopes, z, bounds, units)
     if near is not None:
         return near, ""
     try:
@@ -278,16 +259,15 @@ def _search(
     except ValueError as error:  # residuals that are not finite at the start
         return z, str(error)
     found_z = np.clip(found.x * units, low, high)
-    return _polished(share, slopes, found_z, low, high, units), found.message
+    return _polished(share, slopes, found_z, bounds, units), found.message
 
 
 def _quickly(
     problem: Problem,
-    residual: Callable[[np.ndarray], np.ndarray],
-    jacobian: Callable[[np.ndarray], np.ndarray],
+    residual: Function,
+    jacobian: Function,
     z: np.ndarray,
-    low: np.ndarray,
-    high: np.ndarray,
+    bounds: Bounds,
     units: np.ndarray,
 ) -> np.ndarray | None:
     """Return what Newton's method finds if it converges from the start, at least tenfold a step.
@@ -305,9 +285,9 @@ def _quickly(
         largest = np.maximum(largest, np.abs(step))
         unknowns = problem.sizes(problem.jacobian(z), z).unknowns
         if (np.abs(step) <= HALF * np.maximum(unknowns, largest)).all():
-            return _polished(residual, jacobian, z, low, high, units)
+            return _polished(residual, jacobian, z, bounds, units)
         z = z - step
-        if (z < low).any() or (z > high).any():
+        if (np.clip(z, *bounds) != z).any():
             return None
         values = residual(z)
         if not np.abs(values).max(initial=0.0) <= 0.1 * size:
@@ -315,9 +295,7 @@ def _quickly(
     return None
 
 
-def _accepted(
-    problem: Problem, z: np.ndarray, bounds: tuple[np.ndarray, np.ndarray], message: str
-) -> tuple[np.ndarray, float, tuple[str, ...]]:
+def _accepted(problem: Problem, z: np.ndarray, bounds: Bounds, message: str) -> Found:
     """Return what `solve_equilibrium` does, if the residuals are rounding errors."""
     low, high = bounds
     values, slopes = problem.residual(z), problem.jacobian(z)
@@ -364,8 +342,8 @@ def _accepted(
 
 
 def solve_many(
-    residuals: Callable[[np.ndarray], np.ndarray],
-    slopes: Callable[[np.ndarray], np.ndarray],
+    residuals: Function,
+    slopes: Function,
     z: np.ndarray,
     measured: Callable[[np.ndarray, np.ndarray], list[Sizes]],
 ) -> tuple[np.ndarray, np.ndarray]:
@@ -399,7 +377,7 @@ def solve_many(
         z[left], best[left] = after, values
         sizes[left] = np.abs(values / rows[left]).max(axis=1)
         J[left] = slopes(after)
-    sound = np.isfinite(J).all(axis=(1, 2)) & np.isfinite(best).all(axis=1)
+    sound = np.array(np.isfinite(J).all(axis=(1, 2)) & np.isfinite(best).all(axis=1))
     places = np.flatnonzero(sound)
     found = measured(J[places, :, :-1], z[places]) if places.size else []
     for k, own in zip(places, found, strict=True):
@@ -408,12 +386,7 @@ def solve_many(
 
 
 def _polished(
-    residual: Callable[[np.ndarray], np.ndarray],
-    jacobian: Callable[[np.ndarray], np.ndarray],
-    z: np.ndarray,
-    low: np.ndarray,
-    high: np.ndarray,
-    units: np.ndarray,
+    residual: Function, jacobian: Function, z: np.ndarray, bounds: Bounds, units: np.ndarray
 ) -> np.ndarray:
     """Go on by Newton's method as long as the residual falls."""
     best = residual(z)
@@ -422,7 +395,7 @@ def _polished(
         if not (np.isfinite(slopes).all() and np.isfinite(best).all()) or not best.any():
             break
         step = scaled_step(slopes, best, units)
-        after = np.clip(z - step, low, high)
+        after = np.clip(z - step, *bounds)
         values = residual(after)
         if not np.abs(values).max() < np.abs(best).max():
             break
@@ -482,31 +455,22 @@ _TRIALS = 400
 _LONGER = 3.0
 
 
-def settled(
-    residual: Callable[[np.ndarray], np.ndarray],
-    jacobian: Callable[[np.ndarray], np.ndarray],
-    z: np.ndarray,
-    bounds: tuple[np.ndarray, np.ndarray],
-    rates: Mapping[int, int],
-    held: int,
-) -> np.ndarray:
-    """Return where the unknowns settle, or have come to when this was given up.
-
-    The parameters are parts of a `Problem`, where to begin, and bounds.
-    """
-    values, slopes = residual(z), jacobian(z)
-    own, columns = list(rates), list(rates.values())
-    hard = np.arange(len(values) - held, len(values))
-    soft = np.arange(len(values) - held)
+def settled(problem: Problem, z: np.ndarray, bounds: Bounds) -> np.ndarray:
+    """Return where the unknowns settle, or have come to when this was given up."""
+    values, slopes = problem.residual(z), problem.jacobian(z)
+    own, columns = list(problem.rates), list(problem.rates.values())
+    hard = np.arange(len(values) - problem.held, len(values))
+    soft = np.arange(len(values) - problem.held)
     moves = np.zeros_like(slopes)
     moves[own, columns] = 1.0
     fastest, length, share = 0.0, 0.0, 1.0
     for _ in range(_TRIALS):
         if not (np.isfinite(slopes).all() and np.isfinite(values).all()):
             break
-        units, speed = unknown_units(slopes, own, columns)
+        sizes_there = problem.sizes(slopes, z)
+        units = sizes_there.units
         if not length:
-            fastest, length = speed, 1.0 / speed
+            fastest, length = sizes_there.speed, 1.0 / sizes_there.speed
         scaled = slopes * units
         sizes = or_one(np.abs(scaled).max(axis=1, initial=0.0))
         sizes[own] = units[columns] / length
@@ -516,13 +480,13 @@ def settled(
         right = values[soft] / sizes[soft] - whole @ step
         step = step + along @ np.linalg.lstsq(whole @ along, right, rcond=None)[0]
         after = np.clip(z + units * step, *bounds)
-        found = residual(after)
+        found = problem.residual(after)
         bent = np.abs((found - values - slopes @ (after - z)) / sizes).max(initial=0.0)
         moved = np.abs(step).max(initial=0.0)
         if not bent <= BENT * moved:
             length, share = length / _LONGER, share / _LONGER
             continue
-        z, values, slopes = after, found, jacobian(after)
+        z, values, slopes = after, found, problem.jacobian(after)
         share = min(1.0, _LONGER * share)
         if bent <= NEARLY_STRAIGHT * moved:
             length *= _LONGER
@@ -539,29 +503,3 @@ def _constrained(rows: np.ndarray, values: np.ndarray) -> tuple[np.ndarray, np.n
     rank = rank_of(singular)
     solved = (left.T @ values)[:rank] / singular[:rank]
     return -right[:rank].T @ solved, right[rank:].T
-
-
-def unknown_units(
-    slopes: np.ndarray, own: Sequence[int], columns: Sequence[int]
-) -> tuple[np.ndarray, float]:
-    """Return units of the unknowns in which rates are balanced, and the fastest of these.
-
-    That leaves a factor common to all, which no step depends on. The rows `own` of the slopes (m,
-    k) are rates of the unknowns `columns`; the units of others follow from those of the rows that
-    they are in.
-    """
-    k = slopes.shape[1]
-    between = slopes[np.ix_(own, columns)]
-    units = np.ones(k)
-    if len(own):
-        with np.errstate(invalid="ignore"):  # in what `separate` is not asked for
-            balanced = scipy.linalg.matrix_balance(between, permute=False, separate=True)
-        units[columns] = balanced[1][0]
-    between = between * units[columns] / units[columns][:, None]
-    speed = float(or_one(np.abs(np.linalg.eigvals(between)).max(initial=0.0)))
-    others = np.setdiff1d(np.arange(k), columns)
-    sizes = np.abs(slopes[:, columns] * units[columns]).max(axis=1, initial=0.0)
-    sizes[own] = units[columns] * speed
-    sizes = np.where(sizes > 0.0, sizes, np.inf)
-    units[others] = 1.0 / or_one(np.abs(slopes[:, others] / sizes[:, None]).max(axis=0))
-    return units, speed
