@@ -146,12 +146,9 @@ class _Between:
         self, nlp: Nlp, solution: Solution, k: np.ndarray, s: np.ndarray
     ) -> np.ndarray:
         """Return the multipliers of rows that are integrated, shape (rows, points)."""
-        made, values, start = self.made, [], 0
-        for piece, points in zip(nlp.pieces, made.points, strict=False):
-            stop = start + piece.rows * piece.points
-            rows = solution.multipliers[start:stop].reshape(piece.rows, -1)
-            values.append(rows / points.weights)
-            start = stop
+        made = self.made
+        parts = zip(nlp.by_piece(solution.multipliers), made.points, strict=False)
+        values = [rows / points.weights for (_, rows), points in parts]
         first, M, K = values[0], made.intervals, made.scheme.order
         if made.scheme.name == "hermite-simpson":
             nodes, at = np.array([0.0, 0.5, 1.0]), [first[:, k], values[1][:, k], first[:, k + 1]]

@@ -7,7 +7,7 @@ begins at t = 0.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import sympy as sm
@@ -49,27 +49,23 @@ class Reader:
                     f"instants, got {shown(expression)}."
                 )
             running += factor * integral.function
-        self._refuse_instants(running)
+        if self._instants_in(running):
+            raise ValueError(
+                f"`objective` has the integrand {running}, with a value at an instant: "
+                f"integrands are functions of {self.time}."
+            )
         return running, self.at_instants(rest.xreplace(none), "`objective`")
 
     def _check_limits(self, integral: Any) -> None:
         limits = integral.limits
         variable, *ends = limits[0]
-        whole = not ends or (len(ends) == 2 and ends[0] == 0 and self._is_end(ends[1]))
+        whole = not ends or (
+            len(ends) == 2 and ends[0] == 0 and sm.simplify(ends[1] - self.duration) == 0
+        )
         if len(limits) != 1 or variable != self.time or not whole:
             raise ValueError(
                 f"`objective` has {integral}, but integrals are over the whole motion: write "
                 f"Integral(expression, {self.time})."
-            )
-
-    def _is_end(self, value: Any) -> bool:
-        return bool(sm.simplify(value - self.duration) == 0)
-
-    def _refuse_instants(self, expression: Any) -> None:
-        if self._instants_in(expression):
-            raise ValueError(
-                f"`objective` has the integrand {expression}, with a value at an instant: "
-                f"integrands are functions of {self.time}."
             )
 
     def squares(self, expression: Any) -> tuple[tuple[Any, Any], ...]:
@@ -100,11 +96,10 @@ class Reader:
 
     def conditions(self, argument: str, relations: Sequence[Any]) -> tuple[Condition, ...]:
         """Return relations between instants as conditions."""
-        found = []
-        for condition in self.path(argument, relations):
-            expression = self.at_instants(condition.expression, f"`{argument}`")
-            found.append(Condition(expression, condition.low, condition.high, condition.label))
-        return tuple(found)
+        return tuple(
+            replace(c, expression=self.at_instants(c.expression, f"`{argument}`"))
+            for c in self.path(argument, relations)
+        )
 
     def path(self, argument: str, relations: Sequence[Any]) -> tuple[Condition, ...]:
         """Return relations as conditions, which hold what the relations hold."""
@@ -116,13 +111,8 @@ class Reader:
                     f"`a >= b`, got {shown(relation)}."
                 )
             expression = relation.lhs - relation.rhs
-            low, high = float("-inf"), float("inf")
-            if isinstance(relation, sm.Eq):
-                low, high = 0.0, 0.0
-            elif isinstance(relation, (sm.Ge, sm.Gt)):
-                low = 0.0
-            else:
-                high = 0.0
+            low = 0.0 if isinstance(relation, (sm.Eq, sm.Ge, sm.Gt)) else float("-inf")
+            high = float("inf") if isinstance(relation, (sm.Ge, sm.Gt)) else 0.0
             found.append(Condition(expression, low, high, str(relation)))
         return tuple(found)
 

@@ -119,28 +119,15 @@ class Identified:
 
 
 class Identification:
-    """A fit as a nonlinear program.
-
-    Parameters
-    ----------
-    experiments : sequence of Experiment
-    shared : sequence of (str, int)
-        Parameters of all experiments: 'constants', 'specifieds' or 'states', and the place.
-    noise : mapping of int to float
-        From places in r to the intensities of their disturbances.
-    limits : (ndarray, ndarray), shapes (k,)
-        Bounds of the parameters: those that are shared, then those of each experiment.
-    priors : sequence of (int, float, float)
-        Parameters with their mean and standard deviation.
-    """
+    """A fit as a nonlinear program."""
 
     def __init__(
         self,
         experiments: Sequence[Experiment],
-        shared: Sequence[tuple[str, int]],
-        noise: Mapping[int, float],
-        limits: tuple[np.ndarray, np.ndarray],
-        priors: Sequence[tuple[int, float, float]],
+        shared: Sequence[tuple[str, int]],  # parameters of all: kind of symbol, and place
+        noise: Mapping[int, float],  # intensities of disturbances, by places in r
+        limits: tuple[np.ndarray, np.ndarray],  # of shared parameters, then of each experiment's
+        priors: Sequence[tuple[int, float, float]],  # parameters with mean and deviation
     ) -> None:
         self.experiments, self.shared = experiments, shared
         self.noise, self.limits, self.priors = noise, limits, priors

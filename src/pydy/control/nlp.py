@@ -139,6 +139,15 @@ class Nlp:
         low, high = (np.concatenate([b[k] for b in bounds]) for k in (0, 1))
         return low, high
 
+    def by_piece(self, values: np.ndarray) -> list[tuple[Piece, np.ndarray]]:
+        """Return what each piece has of all rows, as views (rows, points)."""
+        ends = np.cumsum([piece.rows * piece.points for piece in self.pieces])
+        parts = np.split(values, ends[:-1])
+        return [
+            (piece, part.reshape(piece.rows, piece.points))
+            for piece, part in zip(self.pieces, parts, strict=True)
+        ]
+
     # -- functions of y, in units of their own ----------------------------------------------------
 
     @cached_property
@@ -162,14 +171,10 @@ class Nlp:
         J = self.native("jacobian", y)[0]
         sizes = np.zeros(self.rows)
         np.maximum.at(sizes, self.jacobian_at[0], np.abs(np.nan_to_num(J)))
-        start = 0
-        for piece in self.pieces:
-            stop = start + piece.rows * piece.points
-            groups = sizes[start:stop].reshape(piece.rows, piece.points)
+        for piece, groups in self.by_piece(sizes):
             largest = groups.max(axis=1, keepdims=True, initial=0.0)
             uneven = piece.shortest < UNEVEN
             groups[:] = np.where(uneven, np.maximum(groups, piece.shortest * largest), largest)
-            start = stop
         slope = self.native("gradient", y)[0]
         curved = np.zeros(self.size)
         i, j = self.hessian_at

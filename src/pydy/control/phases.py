@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from copy import copy
 from dataclasses import replace
 from itertools import pairwise
@@ -49,9 +49,6 @@ class PhasedTrajectory(Sequence[OptimalTrajectory]):
 
     def __getitem__(self, key: Any) -> Any:
         return self._phases[key]
-
-    def __iter__(self) -> Iterator[OptimalTrajectory]:
-        return iter(self._phases)
 
     def __repr__(self) -> str:
         return (

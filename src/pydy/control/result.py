@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -110,7 +111,7 @@ class OptimalTrajectory(Trajectory):
             constants=moved.constants,
             statistics={"iterations": len(solution.history) - 1},
             model=moved,
-            dense=_States(transcription, z),
+            dense=partial(transcription.states_at, z),
         )
 
     def __repr__(self) -> str:
@@ -164,13 +165,11 @@ class OptimalTrajectory(Trajectory):
                 )
             return dict(zip(self._states, _simpson_costates(made, nlp, self.solution), strict=True))
         slots, M, n = len(made.places[0]), made.intervals, made.problem.states
-        found, start = np.zeros((n, M + 1)), 0
+        found = np.zeros((n, M + 1))
         nodes = np.arange(n)[:, None] * slots
-        for piece in nlp.pieces[: len(made.points)]:
+        for piece, weights in nlp.by_piece(self.solution.multipliers)[: len(made.points)]:
             own = np.tile(np.arange(M), piece.points // M)  # the points' intervals
-            f, stop = piece.functions, start + piece.rows * piece.points
-            weights = self.solution.multipliers[start:stop].reshape(piece.rows, -1)
-            start = stop
+            f = piece.functions
             slopes = [*zip(f.gradient_at, piece.evaluate("gradient", z), strict=True)]
             for (i, j), row in zip(f.jacobian_at, piece.evaluate("jacobian", z), strict=True):
                 slopes.append((j, weights[i] * row))
@@ -298,17 +297,6 @@ class _Controls(OfTime):
         return self.transcription.controls_at(self.z, np.clip(times, 0.0, duration))
 
 
-@dataclass(frozen=True, eq=False)
-class _States:
-    """The states as a function of times."""
-
-    transcription: Transcription
-    z: np.ndarray
-
-    def __call__(self, times: np.ndarray) -> np.ndarray:
-        return self.transcription.states_at(self.z, np.asarray(times))
-
-
 def moving(
     now: Any,
     transcription: Transcription,
@@ -334,17 +322,13 @@ def _multipliers(
     parts: dict[str, list[np.ndarray]] = {}
     when: dict[str, list[np.ndarray]] = {}
     fractions: list[np.ndarray] = []
-    start = 0
-    for piece in nlp.pieces:
-        stop = start + piece.rows * piece.points
-        values = -solution.multipliers[start:stop].reshape(piece.rows, piece.points)
+    for piece, values in nlp.by_piece(-solution.multipliers):
         names = unique_names(piece.labels)
         for name, row in zip(names, values, strict=True):
             parts.setdefault(name, []).append(row)
             when.setdefault(name, []).append(piece.fractions)
         if piece.collocated:
             fractions.append(piece.fractions)
-        start = stop
     found = {}
     for name, rows in parts.items():
         order = np.argsort(np.concatenate(when[name]), kind="stable")
@@ -358,17 +342,16 @@ def _simpson_costates(made: Transcription, nlp: Nlp, solution: Solution) -> np.n
     The equations of a node serve the intervals on both sides, which have a share each in their
     multipliers: the Lagrangian of either side alone is stationary in the slope at the node.
     """
-    n, M, start = made.problem.states, made.intervals, 0
+    n, M = made.problem.states, made.intervals
     found = []
-    for piece in nlp.pieces[:2]:  # at nodes, and in the middle of intervals
-        f, stop = piece.functions, start + piece.rows * piece.points
-        multipliers = solution.multipliers[start:stop].reshape(piece.rows, piece.points)
+    # At nodes, and in the middle of intervals.
+    for piece, multipliers in nlp.by_piece(solution.multipliers)[:2]:
+        f = piece.functions
         slopes = np.zeros((piece.rows + 1, len(piece.at), piece.points))
         # Rows with their derivatives by the variables, the last one that of the objective.
         slopes[tuple(f.jacobian_at.T)] = piece.evaluate("jacobian", solution.z)
         slopes[piece.rows, f.gradient_at] = piece.evaluate("gradient", solution.z)
         found.append((np.vstack([multipliers, np.ones(piece.points)]), slopes))
-        start = stop
     (own, rows), (middle, inner) = found
     x0, x1, v0 = np.einsum("rm,rvm->vm", middle, inner)[: 3 * n].reshape(3, n, M)
     h = np.diff(made.mesh)
@@ -426,11 +409,9 @@ def worst_rows(nlp: Nlp, solution: Solution, duration: float) -> str:
         )
     low, high = (side / nlp.row_sizes for side in nlp.row_bounds)
     violated = np.nan_to_num(np.maximum(np.maximum(low - values, values - high), 0.0), nan=np.inf)
-    found, start = [], 0
-    for piece in nlp.pieces:
-        for label in piece.labels:
-            part = violated[start : start + piece.points]
-            start += piece.points
+    found = []
+    for piece, parts in nlp.by_piece(violated):
+        for label, part in zip(piece.labels, parts, strict=True):
             at = int(part.argmax())
             when = piece.fractions[at] * duration
             place = "" if np.isnan(when) else f" at t = {when:.6g}"
