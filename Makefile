@@ -21,11 +21,12 @@ export PYTHONDONTWRITEBYTECODE :=
 
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.PHONY: help demo test test-browser test-fuzz test-mechanisms test-mutations test-lowest test-newest test-pyright test-arm64 test-undefined docs bench bench-analysis bench-control bench-pages bench-peers bench-solvers solvers-ir three clean
+.PHONY: help demo test test-whole test-browser test-fuzz test-mechanisms test-mutations test-lowest test-newest test-pyright test-arm64 test-undefined docs bench bench-analysis bench-control bench-pages bench-peers bench-solvers solvers-ir three clean
 
 help:
 	@echo "make demo   install into $(VENV), run the bicycle demo, plot and animate it into build/"
 	@echo "make test   lint, format check, types, tests and doctests"
+	@echo "make test-whole  all cases of the tests of which make test tries a part"
 	@echo "make test-browser  open the animation pages in Chromium and check them"
 	@echo "make test-fuzz  every public argument with every bad value; make test tries a part of them"
 	@echo "make test-mechanisms SEEDS=0:600  random mechanisms against an oracle; failures shrink to a script"
@@ -58,8 +59,11 @@ test: $(VENV)/.installed-test
 test-browser: $(VENV)/.installed-test $(VENV)/.installed-browser
 	$(PY) -m pytest tests/browser
 
+test-whole: $(VENV)/.installed-test
+	PYDY_PART=all $(PY) -m pytest $(PYTEST_JOBS)
+
 test-fuzz: $(VENV)/.installed-test
-	PYDY_FUZZ_PARTS=1 $(PY) -m pytest $(PYTEST_JOBS) tests/fuzz
+	PYDY_PART=all $(PY) -m pytest $(PYTEST_JOBS) tests/fuzz
 
 # A range of seeds, or one seed with every answer by every front end.
 SEEDS ?= 0:600

@@ -10,6 +10,8 @@ from pathlib import Path
 
 import pytest
 
+from parts import drawn
+
 if "PYTEST_XDIST_WORKER" not in os.environ:  # workers share that of the process that starts them
     _FOLDER = tempfile.TemporaryDirectory(prefix="pydy-tests-", ignore_cleanup_errors=True)
     os.environ["PYDY_CACHE_DIR"] = _FOLDER.name
@@ -41,6 +43,28 @@ _raise_on_old_names()
 gc.set_threshold(100_000, 10, 2)
 
 ROOT = Path(__file__).parents[1]
+PARTS = 6
+
+
+def pytest_collection_modifyitems(config, items):
+    """Of the cases of tests marked `in_parts`, keep one part, and one of each at least.
+
+    Where files or tests are named, all of their cases are tried.
+    """
+    if not any(Path(argument).resolve() == ROOT / "tests" for argument in config.args):
+        return
+    cases = {}
+    for item in items:
+        if item.get_closest_marker("in_parts"):
+            cases.setdefault(item.nodeid.partition("[")[0], []).append(item)
+    put_off = {
+        item
+        for of_one in cases.values()
+        for place, item in enumerate(of_one)
+        if not drawn(place, min(PARTS, len(of_one)))
+    }
+    items[:] = [item for item in items if item not in put_off]
+    config.hook.pytest_deselected(items=[*put_off])
 
 
 @pytest.fixture(scope="session", autouse=True)

@@ -232,6 +232,7 @@ def test_kernels_can_be_emitted_for_every_system_and_call_nothing_unknown(triple
 LIBRARY = {"memcmp", "memcpy", "memset", "hypot", "sqrt", "__chkstk", "_chkstk"}
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("triple", TRIPLES)
 def test_loops_sweeps_and_gates_can_be_emitted_for_every_system(triple):
     binding.initialize_all_targets()

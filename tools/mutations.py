@@ -387,6 +387,7 @@ def record(paths: list[str], jobs: int) -> None:
     for file in RECORDS.glob("*.jsonl"):
         file.unlink()
     variables = os.environ | {"MUTATIONS_RECORD": str(RECORDS), "PYTHONPATH": str(ROOT / "tools")}
+    variables["PYDY_PART"] = "all"
     command = [*PYTEST, "-n", str(jobs), "--dist", "worksteal", *(paths or ["tests"])]
     subprocess.run(command, env=variables, cwd=ROOT, check=False)
 

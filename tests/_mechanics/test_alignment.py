@@ -102,6 +102,7 @@ def chain(joints, *, set_velocities=False, last=None, plain=False):
 SKEW = [([("z", 0.4), ("x", -1.1)], (0, 0, 1)), ([("x", 0.7)], (0, 1, 0)), ([], (1, 2, 3))]
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize(
     "joints",
     [
@@ -189,6 +190,7 @@ def check_numbers(system, formed, values):
 
 
 # Nearly parallel hinges as files of robots have them, whose right angles have twelve digits.
+@pytest.mark.in_parts
 @pytest.mark.parametrize("bend", [4.9e-12, 2.1e-13, 3e-9, 1e-5])
 def test_hinges_that_are_nearly_parallel_keep_their_joints_within_reach(bend):
     # The other point of such an axis, from which two components lead on, lay 1e11 lengths away.

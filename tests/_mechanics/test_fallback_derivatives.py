@@ -47,6 +47,7 @@ def turntable_slopes(bend, held=False):
     return x, differences(accelerations, exact, system.states)
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("generator", ["llvm", "lambdify"])
 @pytest.mark.parametrize("bend", [0.5, 3e-2, 1e-3, 1e-4, 1e-6])
 def test_a_jacobian_is_exact_however_nearly_the_arm_is_stretched(bend, generator):

@@ -215,6 +215,7 @@ def test_both_give_the_same_accelerations(name):
         )
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("order", ["XYZ", "ZYX", "ZXZ"])
 @pytest.mark.parametrize("fixed", ["body", "space"])
 def test_kinematic_equations_are_solved_where_sympys_pivots_are_zero(order, fixed):

@@ -85,6 +85,7 @@ MASSES = [
 ]  # fmt: skip
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("method", ["definition", "lagrange"])
 @pytest.mark.parametrize(("name", "masses"), MASSES)
 def test_constraints_carry_what_is_massless(name, method, masses):

@@ -52,6 +52,7 @@ def tensions(system):
     return dict(zip(sm.symbols("t0 t1"), system.constraint_forces.values(), strict=False))
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("front", ["definition", "lagrange"])
 @pytest.mark.parametrize(
     ("metre", "kilogram"), [(1.0, 1.0), (1e-9, 1e9), (1e9, 1e-9), (1e9, 1.0), (1e-9, 1e-9)]
@@ -103,6 +104,7 @@ def test_derivatives_hold_in_a_truss():
     np.testing.assert_allclose(gradient[4:], 0.0, atol=1e-12)
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("rate", [0.0, 6.0])
 @pytest.mark.parametrize("angle", [3e-2, 3e-3, 1e-4, 1e-6])
 def test_three_cranks_nearly_in_line_turn_as_one_body(rate, angle):

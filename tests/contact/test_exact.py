@@ -571,6 +571,7 @@ def test_a_load_that_jumps_beyond_friction_sets_a_block_going(solver, kind, opti
     assert motion["v_x"][-1] == pytest.approx(4.0 - 1.013, abs=1e-9)
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize(("number", "height"), [(2, 0.1), (3, 0.01), (3, 0.2), (3, 0.3)])
 def test_feet_in_a_row_hold_together_until_all_slip(number, height):
     """The forces that the feet share are not determined: the least ones leave a cone before."""

@@ -243,6 +243,7 @@ def test_a_body_that_turns_as_it_begins_to_slide_does_not_stop_there(turns, most
     assert motion.states[-1, :2] == pytest.approx(truth.y[:2, -1], abs=1e-7)
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize(
     ("number", "spin", "speed"), [(3, 2.0, 0.5), (3, -4.0, 0.2), (4, 2.0, 0.5)]
 )

@@ -145,6 +145,7 @@ def test_a_body_that_comes_to_rest_by_rebounds_ever_faster():
     assert set(exact.modes[-1][2].values()) == {"sticks"}
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("mass", [1e-15, 1e12, 1e30])
 @pytest.mark.parametrize("friction", [0.1, 2.0])
 def test_derivatives_through_an_impact_are_the_same_in_any_unit_of_mass(mass, friction):
@@ -192,6 +193,7 @@ def pulled(pull, start, constants, value=0.3, **friction):
     return Contacts(system, [stick], {mu: value})
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("solver", ["dop853", "radau"])
 @pytest.mark.parametrize("tolerance", [1e-6, 1e-9, 1e-12])
 def test_a_block_that_begins_to_slide_in_a_plane(tolerance, solver):
@@ -233,6 +235,7 @@ def test_the_time_of_a_stop_in_a_plane_is_right_or_not_known():
         assert np.isfinite(motion.sensitivity.values).all()
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize(("angle", "value"), [(1.3, 0.25), (1.45, 0.1), (1.5, 0.2)])
 def test_the_foot_of_a_rod_that_falls_slips_where_friction_reaches_its_limit(angle, value):
     # Its acceleration grows from zero, or from a rounding of either sign.

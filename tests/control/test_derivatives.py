@@ -164,6 +164,7 @@ def compare(nlp, z, reference):
 METHODS = [("radau", 2), ("hermite-simpson", 1), ("midpoint", 1)]
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize(("method", "order"), METHODS)
 def test_a_pendulum_on_a_cart_with_everything_free(method, order):
     system, (q1, q2, u1, u2, F) = optima.cart_pole()

@@ -216,6 +216,7 @@ def linkage(make, **given):
     return System(made, constants={"g": 9.81}, initial_conditions=start, times=times)
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize(
     ("method", "options"),
     [

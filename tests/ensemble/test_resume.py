@@ -243,6 +243,7 @@ def store(tmp_path):
     return path, go_on, go_on()
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("name", ["q1/c/1/0", "rejected/c/1", "end_time/c/1", "status/c/1"])
 @pytest.mark.parametrize("content", [b"", b"half", None])
 def test_a_chunk_that_is_lost_or_does_not_decode_is_computed_again(store, computed, name, content):

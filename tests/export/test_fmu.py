@@ -258,6 +258,7 @@ def test_adjoint_derivatives_are_the_same_transposed(units):
     )
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("known", ["__GNUC__", "__FP_FAST_FMA", "nothing"])
 @pytest.mark.parametrize("fmi", VERSIONS)
 def test_its_sources_compile_without_a_warning(units, tmp_path, fmi, known):
@@ -366,6 +367,7 @@ def test_every_system_has_its_library_and_options(
     assert library.endswith(suffix)
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize(
     ("name", "fmi"),
     [

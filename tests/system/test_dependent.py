@@ -250,6 +250,7 @@ def test_what_was_given_is_kept_where_nobody_chose_the_dependent_states(known):
     close(residuals(system), np.zeros(2), 1e-12)
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("unit", [1e-9, 1.0, 1e9])
 def test_a_speed_that_the_user_gave_is_kept(unit):
     """The bicycle's forward speed depends on the rear wheel's; a user gives the former."""

@@ -242,6 +242,7 @@ def test_r_overrides_the_specifieds_for_this_call(kind):
     close(system.evaluate_ode(x, t), oracle(model).xdot(x, t))
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("method", METHODS)
 def test_the_overrides_reach_every_evaluation(method):
     model = zoo.lifted()

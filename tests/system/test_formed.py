@@ -40,6 +40,7 @@ def undone(name):
     return MECHANISMS[name].__wrapped__()
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("name", MECHANISMS)
 def test_a_method_without_equations_is_formed_from_its_bodies(name):
     model = undone(name)
@@ -398,6 +399,7 @@ def exactly(kane, numbers, x):
     return np.array(matrix.LUsolve(forcing), dtype=float).ravel()
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize(("free", "dependent"), [(1, 1), (2, 1), (3, 1), (1, 2), (2, 2), (2, 3)])
 @pytest.mark.parametrize("size", [1.0, 1e-2, 1e-4, 1e-6, 1e-8])
 def test_dependent_speeds_that_hardly_follow_from_the_constraint_cost_no_accuracy(
@@ -414,6 +416,7 @@ def test_dependent_speeds_that_hardly_follow_from_the_constraint_cost_no_accurac
         np.testing.assert_allclose(found, expected, rtol=0, atol=atol)
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize(("free", "dependent"), [(1, 3), (2, 4), (3, 4)])
 @pytest.mark.parametrize("size", [1e-2, 1e-3, 1e-4, 1e-5, 1e-6])
 def test_constraints_that_are_nearly_parallel_lose_only_the_digits_that_they_share(

@@ -54,6 +54,7 @@ def checked(system):
     return x, check
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize(
     ("name", "solver", "tolerance"),
     [
@@ -76,6 +77,7 @@ def test_a_stabilised_mechanism_that_leaves_them_is_refused_too():
     refused(loop("three_cranks"), LEFT_CONSTRAINTS, **options)
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("full_output", [False, True])
 @pytest.mark.parametrize("solver", ["odeint", "RK45", "DOP853", "Radau", "BDF", "LSODA"])
 def test_scipys_solvers_are_looked_at(solver, full_output):
@@ -190,6 +192,7 @@ def test_passing_singular_positions_by_projection_is_sound(solver, tolerance):
     system.integrate(constraints="project", rtol=tolerance, atol=tolerance)
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("metre", [1e-6, 1.0, 1e6])
 def test_units_make_no_difference(metre):
     lengths = (1.0 * metre, 1.5 * metre)

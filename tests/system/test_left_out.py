@@ -100,6 +100,7 @@ def in_order(system, states):
 PROJECT, BAUMGARTE = {"constraints": "project"}, {"constraints": "baumgarte", "gain": 10.0}
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize(
     ("unit", "last", "options"),
     [
@@ -184,6 +185,7 @@ SCALED = {
 }
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("name", SCALED)
 def test_loops_move_alike_in_any_units(name):
     found = []

@@ -87,6 +87,7 @@ def mechanism():
     return andrews.derive()
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("solver", ["dop853", "tsit5", "vern9", "radau"])
 def test_andrews_mechanism_ends_at_the_published_angles(solver):
     model = mechanism()
@@ -105,6 +106,7 @@ def test_andrews_mechanism_ends_at_the_published_angles(solver):
     assert velocity < 40.0 * 1e-10
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("solver", ALL)
 @pytest.mark.parametrize("name", CONSTRAINED)
 def test_residuals_are_rounding_and_energy_is_kept(name, solver):

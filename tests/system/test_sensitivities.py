@@ -474,6 +474,7 @@ def derivative(function, size):
     return (45.0 * values[0] - 9.0 * values[1] + values[2]) / (60.0 * size)
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("held", HELD, ids=["free", "project", "baumgarte"])
 def test_dependent_initial_conditions_and_constraints_are_differentiated(held):
     found = linkage().simulate(sensitivities=FOURBAR, **held, **TIGHT).sensitivity

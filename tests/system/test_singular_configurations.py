@@ -52,6 +52,7 @@ def passes_or_says_why(case, solver, tolerance, max_step, end=10.0):
 # -- residuals that are all rounding --------------------------------------------------------------
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("solver", ALL)
 @pytest.mark.parametrize("form", ["squared", "root"])
 def test_a_bead_on_a_circle_of_any_size_is_held(form, solver):
@@ -92,6 +93,7 @@ def test_the_n_four_bar_passes_its_singular_positions_with_its_rods_parallel(win
             np.testing.assert_allclose(rates, rates[:, :1] * np.ones(windows + 1), rtol=1e-9)
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("windows", [1, 2, 3])
 def test_the_n_four_bar_passes_its_singular_positions_implicitly(windows):
     system = n_four_bar(windows).system

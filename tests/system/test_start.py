@@ -185,6 +185,7 @@ def test_what_rounding_leaves_of_a_start_is_not_told_of(metre, second):
     system.integrate(atol=1e-9 * rate)
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("metre", UNITS)
 @pytest.mark.parametrize("second", UNITS)
 def test_speeds_that_are_off_are_told_in_any_units(metre, second):

@@ -50,6 +50,7 @@ def sample(assembly, m):
 
 
 # Every width on one model, one division of the columns on the others.
+@pytest.mark.in_parts
 @pytest.mark.parametrize(
     ("name", "widths"),
     [
@@ -184,6 +185,7 @@ def beside(name, count):
     return assembly, columns, columns.tangent(*assembly.simplified("rates"), *parts, "rates")
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize(
     ("name", "count"),
     [
@@ -213,6 +215,7 @@ def test_columns_beside_states_are_those_of_one_program_in_any_lanes(name, count
             np.testing.assert_array_equal(several, found)
 
 
+@pytest.mark.in_parts
 @pytest.mark.parametrize("name", ["disc", "pendulum"])
 @pytest.mark.parametrize("lanes", [2, 4, 8])
 def test_jacobians_of_several_states_have_the_bits_of_one(name, lanes):
