@@ -154,29 +154,17 @@ class Solves:
         return pivots, scales, bad
 
     def factor(self, node: int, kind: str, n: int, entries: tuple[int, ...]) -> None:
-        f = self.f
-        a = self._buffer(entries)
-        every = str((1 << self.lanes) - 1)
-        if kind == "lu":
-            pivots, scales, bad = self._lu(a, n, every)
-            self._report(bad)
-            self._factors[node] = {
-                "a": a,
-                "pivots": pivots,
-                "scales": scales,
-                "mask": every,
-            }
-            return
-        spd = self._buffer(entries)
-        inverse = f.slot(self.v, n)
-        need = f.let(f"call i32 @{self._routines[1]}(ptr {spd}, ptr {inverse}, i64 {n})")
-        # With an empty mask this call returns at once.
-        pivots, scales, bad = self._lu(a, n, need)
+        f, a = self.f, self._buffer(entries)
+        lanes, fast = str((1 << self.lanes) - 1), dict[str, str]()
+        if kind == "ldl":
+            fast = {"spd": self._buffer(entries), "inverse": f.slot(self.v, n)}
+            where = f"ptr {fast['spd']}, ptr {fast['inverse']}, i64 {n}"
+            lanes = f.let(
+                f"call i32 @{self._routines[1]}({where})"
+            )  # with none, LU returns at once
+        pivots, scales, bad = self._lu(a, n, lanes)
         self._report(bad)
-        self._factors[node] = {
-            "a": a, "pivots": pivots, "scales": scales, "mask": need,
-            "spd": spd, "inverse": inverse,
-        }  # fmt: skip
+        self._factors[node] = {"a": a, "pivots": pivots, "scales": scales, "mask": lanes, **fast}
 
     def solve(self, node: int, factor: int, column: tuple[int, ...]) -> None:
         f = self.f

@@ -158,13 +158,8 @@ def tiers_of(program: Program | Tangent) -> Tiers:
     short = None
     if len(program.without_fallbacks()) < MOST_WITHOUT_FALLBACKS * len(program.ops):
         name = f"kernel {program.digest} without fallbacks"
-        short = Source(name, partial(_short_text, program), ("kernel", "prepare"))
+        short = Source(name, _Text(program, 1, 1, fallbacks=False), ("kernel", "prepare"))
     return Tiers(_source(program, 1, 1, loops=_repeats(program)), _calls(program, 1), short)
-
-
-@collector_paused()
-def _short_text(program: Program, brief: bool) -> str:
-    return kernel_text(program, 1, brief=brief, fallbacks=False)
 
 
 @dataclass(frozen=True)
@@ -174,12 +169,13 @@ class _Text:
     program: Program | Tangent
     lanes: int
     width: int
+    fallbacks: bool = True
 
     @collector_paused()
     def __call__(self, brief: bool) -> str:
         if isinstance(self.program, Tangent):
             return tangent_text(self.program, self.lanes, brief)
-        return kernel_text(self.program, self.lanes, self.width, brief)
+        return kernel_text(self.program, self.lanes, self.width, brief, self.fallbacks)
 
     def __reduce__(self) -> tuple[Any, ...]:
         return _read_text, (self.program.to_bytes(), self.lanes, self.width)
