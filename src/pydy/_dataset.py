@@ -37,6 +37,11 @@ class Parts:
     # and outputs
     sensitivity: tuple[list[str], np.ndarray] | None = None
 
+    def table(self, *roles: str) -> np.ndarray:
+        """Return the columns of some roles, shape (m, columns)."""
+        found = [own for role in roles for own in self.columns.get(role, {}).values()]
+        return np.array(found).reshape(len(found), len(self.times)).T
+
 
 SENSITIVITY = "sensitivity"
 _CONSTANT = " (constant)"

@@ -743,21 +743,12 @@ class Trajectory:
         """
         xarray = require("xarray", "labels", "Trajectory.load")
         parts, statistics, events = read_netcdf(xarray, path, EventRecord)
-        m = len(parts.times)
-        table = {
-            kind: np.array(list(columns.values())).reshape(len(columns), m).T
-            for kind, columns in parts.columns.items()
-        }
-
-        def together(*kinds: str) -> np.ndarray:
-            return np.concatenate([table.get(kind, np.empty((m, 0))) for kind in kinds], axis=1)
-
         loaded = Trajectory(  # modes, costates and the like are not in the file
             parts.times,
-            together(*STATES),
+            parts.table(*STATES),
             {kind: tuple(parts.columns.get(kind, ())) for kind in KINDS},
-            outputs=together(*OUTPUTS),
-            specifieds=together("specified"),
+            outputs=parts.table(*OUTPUTS),
+            specifieds=parts.table("specified"),
             constants=parts.constants,
             events=events,
             statistics=statistics,
@@ -765,6 +756,8 @@ class Trajectory:
         if parts.sensitivity is not None:
             loaded._take_sensitivity(*parts.sensitivity)
         loaded._columns.latex_by_name = parts.latex
-        loaded._derivatives = table.get("derivative")
-        loaded._energy = table.get("energy")
+        if "derivative" in parts.columns:
+            loaded._derivatives = parts.table("derivative")
+        if "energy" in parts.columns:
+            loaded._energy = parts.table("energy")
         return loaded
