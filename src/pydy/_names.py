@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Container, Iterable, Mapping, Sequence
 from difflib import get_close_matches
+from itertools import chain, count
 from typing import Any
 
 
@@ -24,6 +25,12 @@ def place_of(key: Any, names: Sequence[str], what: str) -> int:
     return list(names).index(name)
 
 
+def untaken(name: str, taken: Container[str], between: str = "_") -> str:
+    """Return a name, or, where it is taken, with the first number that is free."""
+    numbered = (f"{name}{between}{k}" for k in count(2))
+    return next(one for one in chain([name], numbered) if one not in taken)
+
+
 def unique_names(symbols: Sequence[Any]) -> tuple[str, ...]:
     """Return a name for each symbol, none twice.
 
@@ -33,10 +40,7 @@ def unique_names(symbols: Sequence[Any]) -> tuple[str, ...]:
     names = told_apart(symbols, [name_of(s) for s in symbols], str, written_out)
     taken: set[str] = set()
     for k, name in enumerate(names):
-        number = 2
-        while names[k] in taken:
-            names[k] = f"{name} {number}"
-            number += 1
+        names[k] = untaken(name, taken, " ")
         taken.add(names[k])
     return tuple(names)
 

@@ -24,6 +24,7 @@ from xml.sax.saxutils import quoteattr
 from pydy._backends.c.source import HELPERS
 from pydy._errors import GeneratorError
 from pydy._files import replacing, temporary_folder
+from pydy._names import untaken
 from pydy._processes import output_of, started
 from pydy._version import __version__
 from pydy.export.c import c_header, c_literal, c_model_source, c_string
@@ -217,11 +218,7 @@ def _rows(model: Model) -> Iterator[tuple[str, str, dict[str, Any]]]:
     taken = {"time"}
 
     def own(name: str) -> str:
-        plain = chosen = plain_text(name)
-        number = 2
-        while chosen in taken:
-            chosen = f"{plain} {number}"
-            number += 1
+        chosen = untaken(plain_text(name), taken, " ")
         taken.add(chosen)
         return chosen
 

@@ -13,6 +13,7 @@ from pathlib import Path
 
 from pydy._forks import cached_property
 from pydy._graph.program import Program
+from pydy._names import untaken
 
 # -- The hand-written parts of what is exported ----------------------------------------------------
 
@@ -204,10 +205,7 @@ def identifiers(names: Iterable[str], taken: Iterable[str] = ()) -> list[str]:
     names, used = list(names), set(taken)
     result = [*map(_identifier, names)]
     for k in sorted(range(len(names)), key=lambda k: result[k] != names[k]):
-        plain, number = result[k], 2
-        while result[k] in used:
-            result[k] = f"{plain}_{number}"
-            number += 1
+        result[k] = untaken(result[k], used)
         used.add(result[k])
     return result
 

@@ -10,6 +10,7 @@ import numpy as np
 import sympy as sm
 import sympy.physics.mechanics as me
 
+from pydy._names import untaken
 from pydy.mechanics import Definition
 from pydy.robots.tree import Joint, Link, Motor, Tie, Tree
 
@@ -100,11 +101,7 @@ class Assembly:
     def _name(self, prefix: str, name: str) -> str:
         """Return a name that nothing else has, of letters, digits and underscores."""
         clean = re.sub(r"\W+", "_", name).strip("_")
-        base = wanted = f"{prefix}_{clean}" if prefix and clean else prefix or clean
-        count = 1
-        while wanted in self._taken:
-            count += 1
-            wanted = f"{base}_{count}"
+        wanted = untaken(f"{prefix}_{clean}" if prefix and clean else prefix or clean, self._taken)
         self._taken.add(wanted)
         return wanted
 

@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 
 from pydy._errors import RobotFileError
+from pydy._names import untaken
 from pydy._optional import require
 from pydy.robots.tree import (
     Joint,
@@ -22,7 +23,6 @@ from pydy.robots.tree import (
     Motor,
     Tie,
     Tree,
-    another,
     of_quaternion,
     turned,
 )
@@ -119,7 +119,7 @@ class _Model:
             names = [self.mujoco.mj_id2name(self.model, of_kind, i) for i in indices]
             self._names[kind] = names
             for i in indices:
-                names[i] = names[i] or another(self.without_name(kind, i), names)
+                names[i] = names[i] or untaken(self.without_name(kind, i), names)
         return self._names[kind][k]
 
     def disabled(self, what: str) -> bool:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
 from dataclasses import dataclass, field
 from functools import partial
 from typing import Any
@@ -176,15 +175,6 @@ def _drop_rounding(link: Link) -> None:
     for k in range(3):
         if least <= link.inertia[k, k] < 0.0:
             link.inertia[k, k] = 0.0
-
-
-def another(name: str, taken: Collection[str]) -> str:
-    """Return the name, or, where something else has it, the name with a number."""
-    found, count = name, 1
-    while found in taken:
-        count += 1
-        found = f"{name}_{count}"
-    return found
 
 
 def cosines(turn: np.ndarray) -> np.ndarray:

@@ -18,6 +18,7 @@ from xml.parsers import expat
 import numpy as np
 
 from pydy._errors import RobotFileError, warn_user
+from pydy._names import untaken
 from pydy._rank import ROUNDED
 from pydy.robots.tree import (
     Joint,
@@ -25,7 +26,6 @@ from pydy.robots.tree import (
     Look,
     Motor,
     Tree,
-    another,
     of_roll_pitch_yaw,
     to_quaternion,
     turned,
@@ -162,7 +162,7 @@ def read_urdf(path: Path, floating: bool = False) -> Tree:
         found.append(_link(reader, name, links[name], above.get(name), found, left_out))
     _warn_of_inertias(reader, links)
     if floating:
-        name = another("root", [joint.get("name", "") for joint in joints])
+        name = untaken("root", [joint.get("name", "") for joint in joints])
         found[0].joints = [Joint(name, "free", where=found[0].where)]
     if root.find("transmission") is not None:
         left_out.append("transmissions: each joint has a force of its own")
@@ -343,7 +343,7 @@ def _joints(reader: _Reader, element: ElementTree.Element, left_out: list[str]) 
         along = np.cross(normal, np.eye(3)[np.argmin(np.abs(normal))])
         along /= np.linalg.norm(along)
         taken = [other.get("name", "") for other in reader.root.findall("joint")]
-        x, y, turn = (another(f"{name}_{end}", taken) for end in ("x", "y", "turn"))
+        x, y, turn = (untaken(f"{name}_{end}", taken) for end in ("x", "y", "turn"))
         return [
             Joint(x, "slide", along, where=where),
             Joint(y, "slide", np.cross(normal, along), where=where),
