@@ -53,17 +53,8 @@ class _Arithmetic:
     def number(self, value: float) -> str:
         return literal(value, self.lanes)
 
-    def add(self, a: str, b: str) -> str:
-        return self.f.let(f"fadd {self.v} {a}, {b}")
-
-    def sub(self, a: str, b: str) -> str:
-        return self.f.let(f"fsub {self.v} {a}, {b}")
-
-    def mul(self, a: str, b: str) -> str:
-        return self.f.let(f"fmul {self.v} {a}, {b}")
-
-    def neg(self, a: str) -> str:
-        return self.f.let(f"fneg {self.v} {a}")
+    def __call__(self, op: str, *args: str) -> str:
+        return self.f.let(f"{op} {self.v} {', '.join(args)}")
 
     def fma(self, a: str, b: str, c: str) -> str:
         v = self.v
@@ -84,27 +75,27 @@ def _near(f: Function, x: str, lanes: int) -> tuple[str, str, str]:
     # The quadrant, as a number and as an integer.
     shifted = m.fma(x, m.number(_TWO_OVER_PI), m.number(_ROUND))
     quadrant = f.let(f"bitcast {v} {shifted} to {bits}")
-    k = m.sub(shifted, m.number(_ROUND))
+    k = m("fsub", shifted, m.number(_ROUND))
     # Head and tail of x − k·π/2. The first difference r is exact. It is a multiple of 2⁻⁵³, hence
     # of the last bit of w, and so the short two-sum loses nothing, whichever of r and w is larger
     # (Boldo, Graillat, Muller, ACM TOMS 44, 2017). The tail is written with its sign turned, which
     # keeps the sign of −0.
-    r = m.fma(m.neg(k), m.number(PI_2[0]), x)
-    w = m.mul(k, m.number(PI_2[1]))
-    w_error = m.fma(k, m.number(PI_2[1]), m.neg(w))
-    head = m.sub(r, w)
-    minus_tail = m.add(m.add(m.sub(head, r), w), m.fma(k, m.number(PI_2[2]), w_error))
+    r = m.fma(m("fneg", k), m.number(PI_2[0]), x)
+    w = m("fmul", k, m.number(PI_2[1]))
+    w_error = m.fma(k, m.number(PI_2[1]), m("fneg", w))
+    head = m("fsub", r, w)
+    minus_tail = m("fadd", m("fadd", m("fsub", head, r), w), m.fma(k, m.number(PI_2[2]), w_error))
     # sin(head + tail) and cos(head + tail) as fdlibm's kernels, arranged for short chains: what
     # comes before a value decides how long a right-hand side with few operations takes.
-    z = m.mul(head, head)
-    z2 = m.mul(z, z)
-    cube = m.mul(z, head)
+    z = m("fmul", head, head)
+    z2 = m("fmul", z, z)
+    cube = m("fmul", z, head)
     lead = m.fma(m.number(-0.5), z, m.number(1.0))
     s = m.polynomial(z, z2, tuple(-c for c in SIN))
-    sine = m.sub(head, m.fma(cube, s, m.mul(minus_tail, lead)))
-    rest = m.fma(m.number(-0.5), z, m.sub(m.number(1.0), lead))
+    sine = m("fsub", head, m.fma(cube, s, m("fmul", minus_tail, lead)))
+    rest = m.fma(m.number(-0.5), z, m("fsub", m.number(1.0), lead))
     rest = m.fma(head, minus_tail, rest)
-    cosine = m.add(lead, m.fma(z2, m.polynomial(z, z2, COS), rest))
+    cosine = m("fadd", lead, m.fma(z2, m.polynomial(z, z2, COS), rest))
     # Quadrants 1 and 3 swap them; signs follow from the quadrant's bits.
 
     def splat(n: int) -> str:
