@@ -16,11 +16,11 @@ from pydy.solvers.options import Options
 from pydy.solvers.run import layout as at
 from pydy.solvers.run.layout import Backward, rows_of, table_of
 from pydy.solvers.run.problem import (
+    Bound,
     Callback,
     blocks,
-    callback_problem,
-    kernel_problem,
     lined_up,
+    problem_of,
 )
 from pydy.solvers.run.shipped import function_of
 from pydy.solvers.run.workspace import Workspace
@@ -86,7 +86,7 @@ class WayBack:
         """Return the derivatives as the compiled loop reads them."""
         n = self.n
         if not self._python:
-            return kernel_problem(call, n)
+            return problem_of(Bound(call.kernel, call.p), n, call)
         s = len(call.r) - n
         problem: list[np.ndarray] = []
 
@@ -98,7 +98,7 @@ class WayBack:
 
         outputs = n + self.further
         self._callback = Callback(called, n, outputs, "The derivatives", Interrupts())
-        made = callback_problem(self._callback, n, call)
+        made = problem_of(self._callback, n, call)
         problem.append(made.r)
         return made
 

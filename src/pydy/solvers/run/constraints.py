@@ -89,8 +89,7 @@ class CompiledConstraints:
         finite. The combination of the constraints that are named then vanishes.
         """
         part = self.kernel.program.by_block(values)
-        rows = part["velocity_gradient"].reshape(self.velocity, self.speeds)
-        rows = self._measured(part, rows)
+        rows = self._measured(part, part["velocity_gradient"].reshape(self.velocity, self.speeds))
         if not np.isfinite(rows).all():
             return 1.0, []
         left, sizes, _ = np.linalg.svd(rows / np.where(longest > 0.0, longest, 1.0)[:, None])

@@ -14,7 +14,7 @@ from pydy._array_layout import address
 from pydy._checks import vector
 from pydy._interrupts import Interrupts
 from pydy._kernel import Kernel, KernelCall
-from pydy.solvers.run.layout import PROBES, Problem, Watch
+from pydy.solvers.run.layout import Problem
 from pydy.solvers.run.shipped import callback_address
 from pydy.solvers.tuning import BLOCK
 
@@ -58,26 +58,6 @@ def lined_up(*shape: int) -> np.ndarray:
 @lru_cache(maxsize=256)
 def _prepare(place: int) -> Callable[[int, int], None]:
     return _PREPARE(place)
-
-
-def kernel_problem(call: KernelCall, n: int, bound: Bound | None = None) -> Problem:
-    """Return the arrays for a Kernel, which may be bound already."""
-    bound = bound or Bound(call.kernel, call.p)
-    tables, knots, cubics = tables_of(call.sampled)
-    return Problem(
-        words=np.array([bound.address, n, blocks(n), n, blocks(n)]),
-        clock=np.zeros(1),
-        r=_inputs(call),
-        c=bound.c,
-        tables=tables,
-        knots=knots,
-        cubics=cubics,
-    )
-
-
-def _inputs(call: KernelCall) -> np.ndarray:
-    r = np.array(call.r, dtype=float)
-    return r if r.size else np.zeros(1)
 
 
 def tables_of(
@@ -142,43 +122,10 @@ class Callback:
         self._out[:] = found
 
 
-def callback_problem(callback: Callback, n: int, call: KernelCall | None) -> Problem:
-    """Return the arrays for a Python function, and the inputs for other Kernels of its `call`."""
+def problem_of(called: Bound | Callback, n: int, call: KernelCall | None) -> Problem:
+    """Return the arrays for what is called, with inputs that its `call` has as numbers."""
     r, tables = np.zeros(1), tables_of(())
     if call is not None and call.inputs is None:
-        r, tables = _inputs(call), tables_of(call.sampled)
-    words = np.array([callback.address, n, blocks(n), n, blocks(n)])
-    return Problem(words, np.zeros(1), r, callback.c, *tables)
-
-
-def watch_arrays(
-    addresses: tuple[int, int],
-    c: np.ndarray,
-    directions: Sequence[int],
-    acting: Sequence[bool],
-    linear: Sequence[bool],
-    slopes: tuple[int, ...],
-    n: int,
-    rows: int,
-) -> Watch:
-    """Return the arrays for events, with the addresses of their kernel and of the scan for them.
-
-    There are `rows` places in the log, and as many for slopes as their shape tells.
-    """
-    number = len(directions)
-    return Watch(
-        words=np.array([addresses[0], number, addresses[1]]),
-        c=c,
-        directions=np.array(directions, dtype=np.int64),
-        acting=np.array(acting, dtype=np.int64),
-        linear=np.array(linear, dtype=np.int64),
-        slopes=np.full(slopes, np.inf),
-        sides=np.zeros(number, dtype=np.int64),
-        fired=np.zeros(number, dtype=np.int64),
-        values=np.zeros(PROBES * number + 1),
-        rests=np.full(2 * number, np.nan),
-        trial=np.zeros(BLOCK * blocks(n)),
-        log_times=np.zeros(rows),
-        log_events=np.zeros(rows, dtype=np.int64),
-        log_states=np.zeros((rows, n)),
-    )
+        r, tables = np.array(call.r if len(call.r) else r, dtype=float), tables_of(call.sampled)
+    words = np.array([called.address, n, blocks(n), n, blocks(n)])
+    return Problem(words, np.zeros(1), r, called.c, *tables)

@@ -35,10 +35,8 @@ from pydy.solvers.run.problem import (
     Bound,
     Callback,
     blocks,
-    callback_problem,
-    kernel_problem,
     lined_up,
-    watch_arrays,
+    problem_of,
 )
 from pydy.solvers.sensitivities import CompiledSensitivities
 from pydy.solvers.tableaus import IMPLICIT, method_arrays
@@ -49,7 +47,7 @@ _STEPS = 2**13  # numbers of kept steps, likewise
 
 # Compiled code neither reads nor writes these any further.
 _NO_CONSTRAINTS = Constraints(np.zeros(12, dtype=np.int64), np.zeros(1), np.zeros(1))
-_NO_EVENTS = watch_arrays((0, 0), np.zeros(1), (), (), (), (0, 1), 1, 0)
+_NO_EVENTS = Watch(*[np.zeros(4)] * len(Watch._fields))
 _NO_STEPS = Steps(np.zeros(2, dtype=np.int64), np.zeros((1, 1)))
 _NO_CONSTRAINTS_ROWS, _NO_EVENTS_ROWS = rows_of(_NO_CONSTRAINTS), rows_of(_NO_EVENTS)
 _NO_STEPS_ROWS = rows_of(_NO_STEPS)
@@ -218,7 +216,7 @@ class Workspace:
                     f"`x0` must have {call.kernel.program.num_states} values, one for each state, "
                     f"got {n}."
                 )
-            return kernel_problem(call, n, self._bind_native(call.kernel, call.p))
+            return problem_of(self._bind_native(call.kernel, call.p), n, call)
         what = "What `f(x, t)` returns, one derivative for each state of `x0`,"
 
         def called(x: np.ndarray, t: float) -> Any:
@@ -229,7 +227,7 @@ class Workspace:
                 raise
 
         callback = self._callback(called, n, what)
-        return callback_problem(callback, n, call)
+        return problem_of(callback, n, call)
 
     def _bind_kernel(self, kernel: Kernel) -> tuple[int, np.ndarray]:
         """Return the address and constants of a further Kernel of the system."""
@@ -326,12 +324,25 @@ class Workspace:
         stops = zip(wanted.terminal, wanted.resetting, strict=True)
         acting = [end or resets for end, resets in stops]
         rows = _LOG + number if number else 0
-        scan = shipped.address_of("scan_events")
         # Steps of fixed size are as the user set them.
         linear = [known or self.options.step is not None for known in wanted.linear]
         shape = wanted.rates.program.blocks[-1].shape if all(wanted.linear) else (0, 1)
-        directions = wanted.directions
-        return watch_arrays((place, scan), c, directions, acting, linear, shape, self.n, rows)
+        return Watch(
+            words=np.array([place, number, shipped.address_of("scan_events")]),
+            c=c,
+            directions=np.array(wanted.directions, dtype=np.int64),
+            acting=np.array(acting, dtype=np.int64),
+            linear=np.array(linear, dtype=np.int64),
+            slopes=np.full(shape, np.inf),
+            sides=np.zeros(number, dtype=np.int64),
+            fired=np.zeros(number, dtype=np.int64),
+            values=np.zeros(at.PROBES * number + 1),
+            rests=np.full(2 * number, np.nan),
+            trial=np.zeros(BLOCK * blocks(self.n)),
+            log_times=np.zeros(rows),
+            log_events=np.zeros(rows, dtype=np.int64),
+            log_states=np.zeros((rows, self.n)),
+        )
 
     def _reserve_newton(self) -> list[int]:
         n, call, beside = self.n, self.call, self.options.sensitivities
