@@ -19,7 +19,7 @@ from pydy._mechanics.symbols import find_symbols
 from pydy._rank import HALF
 from pydy.viz.arguments import check_kind
 from pydy.viz.defaults import arms, find_origin, gravities, guess_up, load_arrows, skeleton
-from pydy.viz.motion import Geometry, Model, Names, place
+from pydy.viz.motion import Geometry, Model, Motion, Names, place
 from pydy.viz.scene import Scene
 from pydy.viz.shapes import Line
 from pydy.viz.visuals import Visual
@@ -170,12 +170,14 @@ def up_in_lagrangian(
     geometry = Geometry(mechanism.frame, origin, (), tuple(masses), (), series)
     rng = np.random.default_rng(0)
     try:
-        placed = place(geometry, Names(names.states, names.specifieds, constants))(
+        drawn = Motion(
+            Names(names.states, names.specifieds, constants),
             np.zeros(_STATES),
             rng.uniform(0.1, 1.0, (_STATES, len(names.states))),
             rng.uniform(0.1, 1.0, (_STATES, len(names.specifieds))),
             np.array([values.get(s, 1.0) for s in constants]),
         )
+        placed = place(geometry, drawn)
     except ValueError:  # a symbol without a value, or a point that hangs in the air
         return None
     energy = placed.series["energy"]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -140,12 +140,6 @@ class Item:
     vectors: np.ndarray | None = None  # (m, 3): of an Arrow, scaled
     points: np.ndarray | None = None  # (m, k, 3): of a Line
 
-    def changed(self, change: Callable[[np.ndarray], np.ndarray], **more: Any) -> Item:
-        """Return the item with its positions, vectors and points changed, and more of it."""
-        arrays = {k: getattr(self, k) for k in ("positions", "vectors", "points")}
-        moved: dict[str, Any] = {k: change(a) for k, a in arrays.items() if a is not None}
-        return replace(self, **moved, **more)
-
     @property
     def rigid(self) -> bool:
         """Whether it is a body: triangles that only turn and move."""
@@ -239,9 +233,13 @@ class Animation:
                 done[id(r)] = rows
             return done[id(r)]
 
-        items = tuple(item.changed(blend, rotations=turned(item.rotations)) for item in self.items)
+        items = []
+        for item in self.items:
+            arrays = {k: getattr(item, k) for k in ("positions", "vectors", "points")}
+            moved: dict[str, Any] = {k: blend(a) for k, a in arrays.items() if a is not None}
+            items.append(replace(item, rotations=turned(item.rotations), **moved))
         series = {label: blend(values) for label, values in self.series.items()}
-        return Animation(wanted, items, series, self.bounds)
+        return Animation(wanted, tuple(items), series, self.bounds)
 
 
 def animate(
@@ -260,9 +258,7 @@ def animate(
     arrows = [v for v in visuals if isinstance(v.shape, Arrow)]
     vectors = tuple(v.shape.vector for v in arrows if isinstance(v.shape, Arrow))
     geometry = Geometry(reference, origin, tuple(frames), tuple(points), vectors, tuple(series))
-    placed = place(geometry, motion.names)(
-        motion.times, motion.states, motion.specifieds, motion.constants
-    )
+    placed = place(geometry, motion)
     _check(placed, geometry, motion.times)
     return _assemble(visuals, placed, motion)
 

@@ -86,23 +86,19 @@ def pose_program(geometry: Geometry, names: Names) -> Program:
     return _Poses(geometry, names).program()
 
 
-def place(geometry: Geometry, names: Names) -> Callable[..., Placement]:
-    """Return ``evaluate(t, x, r, p) -> Placement``, compiled."""
-    program = pose_program(geometry, names)
-    kernel = compile_program(program, "llvm", {})
-
-    def evaluate(t: np.ndarray, x: np.ndarray, r: np.ndarray, p: np.ndarray) -> Placement:
-        out, _ = kernel.evaluate(t, x, r, p)
-        blocks = program.by_block(out)
-        rotations, positions = blocks["rotations"], blocks["positions"]
-        return Placement(
-            {f: rotations[:, k] for k, f in enumerate(geometry.frames)},
-            {p: positions[:, k] for k, p in enumerate(geometry.points)},
-            blocks["vectors"],
-            {label: blocks["series"][:, k] for k, (label, _) in enumerate(geometry.series)},
-        )
-
-    return evaluate
+def place(geometry: Geometry, motion: Motion) -> Placement:
+    """Return where everything is along a motion."""
+    program = pose_program(geometry, motion.names)
+    numbers = (motion.times, motion.states, motion.specifieds, motion.constants)
+    out, _ = compile_program(program, "llvm", {}).evaluate(*numbers)
+    blocks = program.by_block(out)
+    rotations, positions = blocks["rotations"], blocks["positions"]
+    return Placement(
+        {f: rotations[:, k] for k, f in enumerate(geometry.frames)},
+        {p: positions[:, k] for k, p in enumerate(geometry.points)},
+        blocks["vectors"],
+        {label: blocks["series"][:, k] for k, (label, _) in enumerate(geometry.series)},
+    )
 
 
 class _Poses:
