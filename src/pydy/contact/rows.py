@@ -313,6 +313,11 @@ class ContactRows:
         inputs = {node: values.get(symbol, 0.0) for node, symbol in self.symbols.items()}
         return Numbers(**by_name(self.parts, self._values(inputs, 1)[0]))
 
+    def owners_of(self, held: Sequence[int]) -> dict[int, int]:
+        """Return the contacts of the normal rows among those that are held, in their order."""
+        owners = {n: i for i, n in enumerate(self.normal) if n is not None}
+        return {n: owners[n] for n in held if n in owners}
+
     @staticmethod
     def dot(g: Graph, a: Sequence[int], b: Sequence[int]) -> int:
         """Return the product of two rows of nodes."""

@@ -331,7 +331,7 @@ class Run:
                 if p.speed[normals[i]] < 0.0
             }
             values = self.values(state.t, before)
-            d = self.carried.impact(values, p, blow, kept_of, frozenset(state.touching), self.first)
+            d = self.carried.impact(values, p, blow, kept_of, frozenset(state.touching))
         state.x = before.copy()
         speeds = slice(self.first, self.first + p.moves.shape[0])
         state.x[speeds] += p.moves @ blow.forces
@@ -486,11 +486,8 @@ class Run:
                 self.quickest.pop(i, None)
         self.settle(state, held)
         if self.carried is not None and held:
-            owners = {n: i for i, n in enumerate(normals) if n in held}
-            self.carried.project(
-                self.values(state.t, state.x), self.numbers(state.t, state.x), held,
-                [n for n in held if n in owners], owners, self.first,
-            )  # fmt: skip
+            settled = self.numbers(state.t, state.x)
+            self.carried.project(self.values(state.t, state.x), settled, held)
         mode, system = self.kept.mode(solution.modes, held, every)
         events, kinds = mode.events
         kinds = [("turns", i) if what == "closes" and i in state.rising else (what, i)
@@ -598,11 +595,11 @@ class Run:
 
     def settle(self, state: State, held: tuple[int, ...]) -> None:
         """Remove what rounding has left of gaps and speeds that are held, by Newton's method."""
-        owners = {n: i for i, n in enumerate(self.rows.normal) if n in held}
-        normals = [n for n in held if n in owners]
+        owners = self.rows.owners_of(held)
+        normals = list(owners)
         for _ in range(SETTLING if held else 0):
             p = self.numbers(state.t, state.x)
-            rest = p.gap[[owners[n] for n in normals]]
+            rest = p.gap[list(owners.values())]
             if not rest.any() and not p.speed[list(held)].any():
                 return
             x = state.x.copy()

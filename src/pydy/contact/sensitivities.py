@@ -47,6 +47,7 @@ class Carried:
         self, rows: ContactRows, now: Snapshot, wanted: Any, controlled: bool, solved: Any
     ) -> None:
         self.rows, self.now, self.controlled = rows, now, controlled
+        self._first = len(rows.equations.coordinates)  # the place of the first speed
         sensitive = Sensitive.of(now, now.model, now.plan, wanted, solved)
         parameters = sensitive.parameters
         if sampled := [p.symbol for p in parameters if p.samples is not None]:
@@ -141,13 +142,12 @@ class Carried:
         found: Blow,
         kept: Mapping[int, float],
         still: Collection[int],
-        first: int,
     ) -> dict[str, np.ndarray]:
         """Apply the derivatives of an impact; return those of the rows before it.
 
         The `values` are numbers before it, and it is `found` by Newton's hypothesis. `kept` is the
         restitution of each contact that closes, zero where it rests; those that are `still` touched
-        before it. `first` is the place of the first speed among the states.
+        before it.
         """
         d, f = self.slopes(values), found.forces
         size, columns = len(f), len(self.symbols)
@@ -191,22 +191,16 @@ class Carried:
         slope = _least(matrix, right, p.square.diagonal())
         change = np.einsum("ijk,j->ik", d["moves"], f) + p.moves @ slope
         self.total = self.total.copy()
-        self.total[first : first + len(change)] += change
+        self.total[self._first : self._first + len(change)] += change
         return d
 
-    def project(
-        self,
-        values: Mapping[Any, float],
-        p: Numbers,
-        held: Sequence[int],
-        normals: Sequence[int],
-        owners: Mapping[int, int],
-        first: int,
-    ) -> None:
+    def project(self, values: Mapping[Any, float], p: Numbers, held: Sequence[int]) -> None:
         """Project D on what rows that are held leave free."""
+        owners, first = self.rows.owners_of(held), self._first
+        normals = list(owners)
         self.total = self.total.copy()
         if normals:
-            rest = self.slopes(values)["gap"][[owners[n] for n in normals]]
+            rest = self.slopes(values)["gap"][list(owners.values())]
             square = p.square[np.ix_(normals, normals)]
             shares = _least(square, -rest, square.diagonal())
             self.total[:first] += p.kinematics @ (p.moves[:, normals] @ shares)
