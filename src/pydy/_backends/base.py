@@ -25,7 +25,7 @@ import numpy as np
 
 from pydy._backends.registry import compile_program
 from pydy._graph.program import Program
-from pydy._kernel import Kernel
+from pydy._kernel import Call, Kernel
 
 
 def strict(program: Program, x: Any, r: Any, p: Any) -> bool:
@@ -38,6 +38,19 @@ def strict(program: Program, x: Any, r: Any, p: Any) -> bool:
         and a.flags.c_contiguous
         for a, size in zip((x, r, p), sizes, strict=True)
     )
+
+
+def call_of(program: Program, sweep: Callable[..., tuple[np.ndarray, np.ndarray]]) -> Call:
+    """Return the `Kernel.gate` of a Program that a sweep evaluates."""
+
+    def call(x: Any, t: Any, r: Any, p: Any, out: np.ndarray) -> int:
+        if type(t) is not float or not strict(program, x, r, p):
+            return -1
+        values, failed = sweep(np.array([t]), x[None, :], r[None, :], p)
+        out[:] = values[0]
+        return int(failed[0])
+
+    return call
 
 
 def kernel_of(
@@ -58,11 +71,4 @@ def kernel_of(
     ) -> tuple[np.ndarray, np.ndarray]:
         return evaluate(t, x, np.broadcast_to(r, (len(t), r.shape[1])), p)
 
-    def call(x: Any, t: Any, r: Any, p: Any, out: np.ndarray) -> int:
-        if not strict(program, x, r, p):
-            return -1
-        values, failed = evaluate(np.array([t], float), x[None, :], r[None, :], p)
-        out[:] = values[0]
-        return int(failed[0])
-
-    return Kernel(program, sweep, call, compile_program, (generator, options))
+    return Kernel(program, sweep, call_of(program, evaluate), compile_program, (generator, options))

@@ -18,7 +18,7 @@ from typing import Any, Literal, cast
 import numpy as np
 
 from pydy import _array_layout, _cache_folder
-from pydy._backends.base import strict
+from pydy._backends.base import call_of
 from pydy._backends.llvm import background, jit
 from pydy._backends.llvm.background import Compile, Task
 from pydy._backends.llvm.compiling import CORE, Source
@@ -131,11 +131,17 @@ def gates() -> _Gates:
     return _Gates()
 
 
+def _sizes(program: Program | Tangent) -> tuple[int, int, int, int, int]:
+    """Return the numbers of states, specifieds, constants, what is carried, and outputs."""
+    inputs = program.num_states, program.num_specifieds, program.num_constants
+    return *inputs, len(program.carried), len(program.outputs)
+
+
 def _make_sweep(
     program: Program | Tangent, entry: Entry, lanes: int, strided: int
 ) -> Callable[..., tuple[np.ndarray, np.ndarray]]:
-    n, s, outputs = program.num_states, program.num_specifieds, len(program.outputs)
-    sizes = (n, s, program.num_constants, len(program.carried), outputs)
+    sizes = _sizes(program)
+    n, outputs = sizes[0], sizes[-1]
     native = gates().code.addresses["sweep_1"] if lanes == 1 else wide_sweep(lanes)
     room = scratch_size(lanes, *sizes)
     run, columns = gates().sweep, strided != 0
@@ -205,13 +211,7 @@ def sweep_by_columns(program: Program, lanes: int) -> tuple[np.ndarray, int, Any
     memory it needs, and what keeps the code alive.
     """
     code = wide_code(program, lanes)
-    sizes = (
-        program.num_states,
-        program.num_specifieds,
-        program.num_constants,
-        len(program.carried),
-        len(program.outputs),
-    )
+    sizes = _sizes(program)
     entries = [code.addresses[name] for name in ("kernel", "prepare", "strided")]
     words = np.array([*entries, wide_sweep(lanes), *sizes, 0, 0, 1], np.int64)
     return words, scratch_size(lanes, *sizes), code
@@ -225,23 +225,10 @@ def _make_call(
 ) -> Callable[..., int]:
     if lanes == 1 and _array_layout.FITS and not sysconfig.get_config_var("Py_GIL_DISABLED"):
         words = np.zeros(_CALL_WORDS + program.num_constants + len(program.carried), dtype=np.int64)
-        words[2:7] = [
-            program.num_states,
-            program.num_specifieds,
-            program.num_constants,
-            len(program.carried),
-            len(program.outputs),
-        ]
+        words[2:7] = _sizes(program)
         entry.bind(words)
         gate: Callable[..., int] = gates().call.function(words)
         return gate
 
     # Without the interpreter's lock the gate's shared binding of constants would be a race.
-    def call(x: Any, t: Any, r: Any, p: Any, out: np.ndarray) -> int:
-        if type(t) is not float or not strict(cast("Program", program), x, r, p):
-            return -1
-        values, failed = sweep(np.array([t], float), x[None, :], r[None, :], p)
-        out[:] = values[0]
-        return int(failed[0])
-
-    return call
+    return call_of(cast("Program", program), sweep)
