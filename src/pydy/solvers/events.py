@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from pydy._checks import shown
+from pydy._checks import flag, text
 from pydy._kernel import Kernel, KernelCall
 from pydy.solvers.tuning import CLOSE, CROWD, CROWDED, ROUNDING, ROUNDINGS
 from pydy.trajectory import EventRecord
@@ -86,8 +86,7 @@ class Event:
         number = isinstance(self.direction, Real) and not isinstance(self.direction, bool)
         if not number or self.direction not in (-1, 0, 1):
             raise ValueError(f"`direction` must be −1, 0 or 1, got {self.direction!r}.")
-        if not isinstance(self.terminal, bool | np.bool_ | int) or self.terminal not in (0, 1):
-            raise TypeError(f"`terminal` must be True or False, got {self.terminal!r}.")
+        flag(self.terminal, "`terminal`")
         if self.reset is None:
             object.__setattr__(self, "reset", {})
         if not isinstance(self.reset, Mapping):
@@ -96,9 +95,7 @@ class Event:
             )
         for state, value in self.reset.items():
             _check_expression(value, f"`reset[{state}]`")
-        if not isinstance(self.name, str):
-            raise TypeError(f"`name` must be a string, got {shown(self.name)}.")
-        if not self.name:
+        if not text(self.name, "`name`"):
             object.__setattr__(self, "name", str(expression))
 
 

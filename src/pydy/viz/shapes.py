@@ -17,7 +17,7 @@ import numpy as np
 import sympy as sm
 from sympy.physics.vector import Point
 
-from pydy._checks import choice, number, real_array, shown
+from pydy._checks import choice, number, real_array, shown, text
 from pydy._errors import warn_user
 from pydy._mechanics.reader import checked_vector
 from pydy._names import nearest
@@ -93,8 +93,8 @@ class Shape(metaclass=_Spelling):
         self._set("opacity", opacity)
         if hasattr(self, "axis"):
             choice(self.axis, ("x", "y", "z"), f"`axis` of {kind}")
-        if self.name is not None and not isinstance(self.name, str):
-            raise TypeError(f"`name` of {kind} must be a string, got {self.name!r}.")
+        if self.name is not None:
+            text(self.name, f"`name` of {kind}")
 
     def _set(self, attribute: str, value: Any) -> None:
         object.__setattr__(self, attribute, value)  # the shape is still in the making

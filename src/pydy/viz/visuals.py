@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, NoReturn
 from sympy.physics.mechanics import Particle, RigidBody
 from sympy.physics.vector import Point, ReferenceFrame
 
-from pydy._checks import flag
+from pydy._checks import flag, text
 from pydy.viz.shapes import Line, Shape
 
 # -- Names of PyDy's viz package that have no counterpart, with what to use instead ----------------
@@ -90,9 +90,7 @@ class Visual:
             name = shape.name
         if name is None:
             name = str(body or point).removesuffix("_masscenter")
-        if not isinstance(name, str):
-            raise TypeError(f"`name` of Visual must be a string, got {name!r}.")
-        values = (shape, frame, point, name, body, flag(trail, "`trail`"))
+        values = (shape, frame, point, text(name, "`name` of Visual"), body, flag(trail, "`trail`"))
         for attribute, value in zip(self.__dataclass_fields__, values, strict=True):
             self.__dict__[attribute] = value
         self.__dict__["_changes"] = 0
