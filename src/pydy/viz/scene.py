@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from copy import copy
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, Self
@@ -64,13 +64,6 @@ _FAINT = 0.3
 _MEMBERS = 12  # of an ensemble
 
 
-@dataclass(frozen=True, eq=False)
-class _Frame:
-    """A frame in another run: it turns otherwise than that of the run shown."""
-
-    frame: Any
-
-
 def runs_of(compare: Any) -> list[tuple[str, Any]]:
     """Return labels and trajectories of `compare`; of an ensemble's members some, evenly."""
     if compare is None:
@@ -123,19 +116,17 @@ def _lines(own: np.ndarray, table: np.ndarray, times: np.ndarray) -> np.ndarray:
     return np.stack([np.interp(times, own, column) for column in table.T], 1)
 
 
-def at_times(run: Any, times: np.ndarray) -> Any:
-    """Return a run at the times of another; before and after its own it rests."""
-    return run.at(np.clip(times, run.times[0], run.times[-1]))
-
-
 def compared(animation: Animation, compare: Any, animated: Callable[[Any], Animation]) -> Animation:
     """Return an animation with what moves in other runs, fainter."""
-    others = [(label, animated(at_times(run, animation.times))) for label, run in runs_of(compare)]
+    others = []
+    for label, run in runs_of(compare):  # before and after its own times it rests
+        times = np.clip(animation.times, run.times[0], run.times[-1])
+        others.append((label, animated(run.at(times))))
     if not others:
         return animation
     items, bounds = list(animation.items), [animation.bounds]
     for label, other in others:
-        frames: dict[Any, _Frame | None] = {None: None}
+        frames: dict[Any, Any] = {None: None}  # which turn otherwise in another run
         bounds.append(other.bounds)
         for item, own in zip(other.items, animation.items, strict=True):
             if not isinstance(item.shape, (Plane, Trace)) and _moves(item):
@@ -150,9 +141,9 @@ def _moves(item: Item) -> bool:
     return any(a is not None and np.ptp(a, axis=0).any() for a in arrays)
 
 
-def _ghost(item: Item, own: Item, label: str, frames: dict[Any, _Frame | None]) -> Item:
+def _ghost(item: Item, own: Item, label: str, frames: dict[Any, Any]) -> Item:
     visual = copy(item.visual)
-    frame = frames.setdefault(visual.frame, _Frame(visual.frame))
+    frame = frames.setdefault(visual.frame, object())
     for attribute, value in (("frame", frame), ("name", label), ("trail", False)):
         object.__setattr__(visual, attribute, value)  # a copy of our own
     shape = replace(item.shape, colour=own.shape.colour, opacity=_FAINT * item.shape.opacity)

@@ -107,13 +107,7 @@ class Extension:
         self._in_use = _forks.Lock()  # by one of several threads
         # Not the ends of steps that an event cut short.
         self._steps = np.flatnonzero(np.append(rows[:-1, 1] > 0.0, True))
-        self._starts = rows[self._steps, 0]
-
-    @property
-    def starts(self) -> np.ndarray:
-        """The times at which the steps begin."""
-        found: np.ndarray = self._starts
-        return found
+        self.starts = rows[self._steps, 0]  # the times at which the steps begin
 
     @_forks.cached_property
     def _workspace(self) -> Workspace:
@@ -122,7 +116,7 @@ class Extension:
     def __call__(self, times: np.ndarray) -> np.ndarray:
         """Return states, with all beside them, at ascending times of the run, shape (m, n)."""
         work, n, m = self._workspace, self._workspace.n, len(times)
-        places = np.searchsorted(self._starts, times, side="right") - 1
+        places = np.searchsorted(self.starts, times, side="right") - 1
         out = np.full(m * n + BLOCK, np.nan)
         wanted = Wanted(
             self._rows, np.array(times, dtype=float), self._steps[np.maximum(places, 0)], out
