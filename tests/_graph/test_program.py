@@ -213,12 +213,12 @@ def test_a_pickled_program_keeps_its_digest_and_its_values():
 SCRIPT = """
 from sympy.physics.mechanics.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from pydy._mechanics.extract import extract
-from pydy._assembly.system import _other_symbols, assemble_system
-from pydy._mechanics.symbols import sort_symbols
+from pydy._assembly.system import assemble_system
+from pydy._system.inputs import sort_out
 for kane in (n_link_pendulum_on_cart(3, cart_force=True, joint_torques=True),
              multi_mass_spring_damper(4, True, True)):
     equations = extract(kane)
-    constants, specifieds = map(sort_symbols, _other_symbols(equations))
+    constants, specifieds = sort_out(equations)
     assembly = assemble_system(equations, (), (), specifieds, constants)
     print(assembly.program("rates").digest, assembly.jacobian_program("rates", "x").digest)
 """

@@ -151,30 +151,23 @@ class Assembly:
         more = dict.fromkeys(absent, self.graph.zero)
         return SymPyReader(self.graph, {**self.atoms, **more} if more else self.atoms, what)
 
-    def program(self, *names: str) -> Program:
-        """Return the Program of the named blocks."""
+    def program(self, *names: str, bounded: str | None = None) -> Program:
+        """Return the Program of the named blocks; for `bounded` see `lowered`."""
         if names == ("rates",):
             graph, nodes = self.simplified("rates")
             with collector_paused():
-                return lower(
-                    graph, self.sizes, [("rates", (len(nodes),), nodes)], passes=self.passes
-                )
+                blocks = [("rates", (len(nodes),), nodes)]
+                return lower(graph, self.sizes, blocks, passes=self.passes)
         own = self.fork()
-        blocks: list[tuple[str, tuple[int, ...], list[int]]] = []
-        for name in names:
-            nodes = getattr(own, name)
-            n = len(self.speeds)
-            square = name == "kinetic_hessian" and nodes
-            blocks.append((name, (n, n) if square else (len(nodes),), nodes))
-        return own.lowered(blocks, own.graph)
+        parts = {name: getattr(own, name) for name in names}
+        squares = {"kinetic_hessian": len(self.speeds), "mass_matrix": len(self.forcing)}
+        shapes = {name: (n, n) for name, n in squares.items() if parts.get(name)}
+        return own.lowered(parts, shapes, bounded=bounded)
 
     def expression_program(self, name: str, shape: tuple[int, ...], expressions: Any) -> Program:
-        """Return the Program of one block of further expressions in the states and symbols.
-
-        They may hold q' and u', but not u' where a solver of the user's finds it.
-        """
+        """Return the Program of one block of further expressions, which may hold q' and u'."""
         own = self.fork()
-        return own.lowered([(name, shape, own.read(expressions, name))], own.graph)
+        return own.lowered({name: own.read(expressions, name)}, {name: shape})
 
     def open_program(self, *names: str) -> Program:
         """Return the Program of blocks that takes the accelerations, at the end of its r."""
@@ -182,17 +175,9 @@ class Assembly:
         n, s, c = self.sizes
         count = len(self.forcing)
         places = {own.graph.input("a", k): own.graph.input("r", s + k) for k in range(count)}
-        blocks = []
-        for name in names:
-            nodes = substitute(own.graph, self.open.get(name) or getattr(own, name), places)
-            blocks.append((name, (len(nodes),), nodes))
-        return own.lowered(blocks, own.graph, (n, s + count, c))
-
-    def bounded_program(self, name: str) -> Program:
-        """Return the Program of a block and of bounds on its rounding errors, as 'rounding'."""
-        own = self.fork()
-        nodes: list[int] = getattr(own, name)
-        return own.lowered([(name, (len(nodes),), nodes)], own.graph, bounded=name)
+        parts = {name: self.open.get(name) or getattr(own, name) for name in names}
+        parts = {name: substitute(own.graph, nodes, places) for name, nodes in parts.items()}
+        return own.lowered(parts, sizes=(n, s + count, c))
 
     def jacobian_program(self, name: str, by: str | Sequence[tuple[str, int]]) -> Program:
         """Return the Program of a block's Jacobian."""
@@ -243,33 +228,27 @@ class Assembly:
 
     def lowered(
         self,
-        blocks: Sequence[tuple[str, tuple[int, ...], Sequence[int]]],
-        graph: Graph | None = None,
+        parts: Mapping[str, Sequence[int]],
+        shapes: Mapping[str, tuple[int, ...]] | None = None,
+        *,
         sizes: tuple[int, int, int] | None = None,
         bounded: str | None = None,
+        as_is: bool = False,
     ) -> Program:
-        """Simplify and lower blocks of nodes, of this graph and of its sizes by default.
+        """Simplify, unless they stay `as_is`, and lower named nodes of this graph, that of a fork.
 
-        The rounding bounds of the block `bounded` follow as a further block, 'rounding'; they are
-        those of the nodes as simplified, which are what is computed.
-
-        Each Program starts from the equations as they are: it does not depend on which others were
-        made before.
+        The rounding bounds of the block `bounded`, as it is computed, follow as 'rounding'.
         """
         with collector_paused():
-            graph = self.graph.copy() if graph is None else graph
-            nodes = [n for _, _, part in blocks for n in part]
-            nodes = simplify(graph, nodes, self.passes)
-            new = []
-            start = 0
-            for name, shape, part in blocks:
-                new.append((name, shape, nodes[start : start + len(part)]))
-                start += len(part)
-                if name == bounded:
-                    bounds = rounding_bounds(graph, new[-1][2])
+            whole = [n for part in parts.values() for n in part]
+            nodes = iter(whole if as_is else simplify(self.graph, whole, self.passes))
+            new = {name: [next(nodes) for _ in part] for name, part in parts.items()}
             if bounded is not None:
-                new.append(("rounding", (len(bounds),), bounds))
-            return lower(graph, sizes or self.sizes, new, passes=self.passes)
+                new["rounding"] = rounding_bounds(self.graph, new[bounded])
+            own = shapes or {}
+            blocks = [(name, own.get(name, (len(part),)), part) for name, part in new.items()]
+            passes = None if as_is else self.passes
+            return lower(self.graph, sizes or self.sizes, blocks, passes=passes)
 
     def fingerprint(self) -> bytes:
         """Return a digest of all that Programs are made from."""

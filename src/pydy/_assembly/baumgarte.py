@@ -15,7 +15,6 @@ from pydy._assembly.assembly import Assembly
 from pydy._graph.derivative import dense, dense_jacobian, directional
 from pydy._graph.rewrite import substitute
 from pydy._graph.solve.choose import solve_accelerations
-from pydy._mechanics.equations import Equations
 from pydy._mechanics.generic import evaluator_of, generic_inputs
 from pydy._mechanics.multipliers import Constraints, accelerations, accelerations_of_held
 from pydy._rank import DEPENDENT, HALF, ROUNDED
@@ -23,14 +22,15 @@ from pydy._rank import DEPENDENT, HALF, ROUNDED
 _TRIALS = 3
 
 
-def stabilised(assembly: Assembly, equations: Equations, gain: float) -> Assembly:
+def stabilised(assembly: Assembly, gain: float) -> Assembly:
     """Return the system whose constraint residuals c obey c'' + 2 g c' + g² c = 0.
 
     A nonholonomic residual v obeys v' + 2 g v = 0. Where the rows that determine the dependent
     speeds may change as the system moves, the redundant ones are stabilised with the others.
     """
     graph, speeds = assembly.graph, assembly.speeds
-    n, count, body = len(speeds), len(assembly.velocity), equations.multibody
+    n, count = len(speeds), len(assembly.velocity)
+    body = None if assembly.equations is None else assembly.equations.multibody
     holonomic, velocity = assembly.with_left_out()
     pull = [
         graph.sum(

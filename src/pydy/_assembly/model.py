@@ -24,7 +24,6 @@ from pydy._checks import real_array, shown
 from pydy._errors import SingularMatrixError
 from pydy._forks import cached_property
 from pydy._graph.interpret import run
-from pydy._graph.lower import lower
 from pydy._graph.operations import OPERATIONS, SHIPPED
 from pydy._graph.passes import ONCE, ROUND
 from pydy._graph.program import Program
@@ -43,29 +42,22 @@ LinearSolver = Callable[[np.ndarray, np.ndarray], np.ndarray]
 
 def resolve_solver(solver: Any) -> LinearSolver | str | None:
     """Return what `linear_sys_solver` means: None (built in), a function, or 'sympy[:METHOD]'."""
-    if solver is None or (isinstance(solver, str) and solver == "builtin"):
-        return None
-    if callable(solver):
-        function: LinearSolver = solver
-        return function
-    if not isinstance(solver, str):
-        raise _refused(solver)
-    if solver == "numpy":
-        return np.linalg.solve
-    if solver == "scipy":
+    if solver is None or callable(solver):
+        found: LinearSolver | None = solver
+        return found
+    name = solver if isinstance(solver, str) else ""
+    if name == "scipy":
         import scipy.linalg
 
         return scipy.linalg.solve  # type: ignore[no-any-return]
-    if solver.partition(":")[0] == "sympy":
-        return str(solver)
-    raise _refused(solver)
-
-
-def _refused(solver: Any) -> ValueError:
-    return ValueError(
-        f"`linear_sys_solver` is {shown(solver)}, but it must be 'builtin', 'numpy', 'scipy', "
-        "'sympy', 'sympy:METHOD' or a function solve(A, b)."
-    )
+    if name.partition(":")[0] == "sympy":
+        return name
+    if name not in ("builtin", "numpy"):
+        raise ValueError(
+            f"`linear_sys_solver` is {shown(solver)}, but it must be 'builtin', 'numpy', 'scipy', "
+            "'sympy', 'sympy:METHOD' or a function solve(A, b)."
+        )
+    return None if name == "builtin" else np.linalg.solve
 
 
 def solve_symbolically(matrix: Any, column: Sequence[Any], solver: str) -> list[Any]:
@@ -190,7 +182,7 @@ class CompiledModel:
     definition: Definition | None = None  # what it was made of, where that is a mechanical system
     # What its users made of it for their latest call, by what it is; it is never pickled.
     latest: dict[str, Any] = field(default_factory=dict)
-    _programs: dict[tuple[str, ...], Program] = field(default_factory=dict)
+    _programs: dict[str, Program | Tangent] = field(default_factory=dict)
     _kernels: dict[tuple[Any, ...], Kernel] = field(default_factory=dict)
     _variants: dict[Any, CompiledModel] = field(default_factory=dict)
     _evaluated: dict[Any, _Evaluated] = field(default_factory=dict)
@@ -255,49 +247,43 @@ class CompiledModel:
         return kernel
 
     def program(self, *blocks: str) -> Program:
-        """Return the Program of some blocks of the assembly, made at most once."""
-        known, assembly = self._programs.get(blocks), self.assembly
-        if known is None:
-            if any(name.startswith("kinetic") for name in blocks):
-                known = assembly.program(*blocks)  # made from the bodies, which have no fingerprint
-            else:
-                what = ", ".join(blocks)
-                known = stored_program(assembly, what, lambda: assembly.program(*blocks))
-            self._programs[blocks] = known
-        return known
+        """Return the Program of some blocks of the assembly."""
+        # What is made from the bodies has no fingerprint.
+        whole = not any(name.startswith("kinetic") for name in blocks)
+        return self._program(", ".join(blocks), lambda: self.assembly.program(*blocks), whole)
 
     def jacobian_program(self, block: str, by: str | tuple[tuple[str, int], ...]) -> Program:
-        """Return the Program of a Jacobian, made at most once; see `Assembly.jacobian_program`."""
-        key, assembly = (f"{block} by {by}",), self.assembly
-        known = self._programs.get(key)
+        """Return the Program of a Jacobian; see `Assembly.jacobian_program`."""
+        return self._program(f"{block} by {by}", lambda: self.assembly.jacobian_program(block, by))
+
+    def _program(self, what: str, make: Callable[[], _T], storable: bool = True) -> _T:
+        """Return what `make` gives, at most once, also from the cache where it is `storable`."""
+        known = self._programs.get(what)
         if known is None:
-            known = self._programs[key] = stored_program(
-                assembly, key[0], lambda: assembly.jacobian_program(block, by)
-            )
-        return known
+            known = stored_program(self.assembly, what, make) if storable else make()
+            self._programs[what] = known
+        return cast("_T", known)
 
     def compiled_jacobian(self, block: str, by: str | tuple[tuple[str, int], ...]) -> Kernel:
         """Return the Kernel of a Jacobian; see `Assembly.jacobian_program`."""
-        return self.kernel_by((block, "by", by), lambda: self._jacobian(block, by))
+        in_parts, assembly = getattr(self.backend, "tangents", False), self.assembly
 
-    def _jacobian(self, block: str, by: str | tuple[tuple[str, int], ...]) -> Kernel:
-        assembly = self.assembly
-        if not getattr(self.backend, "tangents", False):
-            return compiled_by(self.backend, self.jacobian_program(block, by))
-        made = stored_program(
-            assembly, f"{block} by {by}, in parts", lambda: assembly.jacobian_in_parts(block, by)
-        )
-        return compiled_by(self.backend, made)
+        def build() -> Program | Tangent:
+            if not in_parts:
+                return self.jacobian_program(block, by)
+            what = f"{block} by {by}, in parts"
+            return stored_program(assembly, what, lambda: assembly.jacobian_in_parts(block, by))
+
+        return self.compiled_by((block, "by", by), build)
 
     def compiled_bounded(self, block: str) -> Kernel:
-        """Return the Kernel of a block and its rounding bounds; see `Assembly.bounded_program`."""
-        assembly = self.assembly
-        return self.compiled_by(
-            (block, "bounded"),
-            lambda: stored_program(
-                assembly, f"{block}, bounded", lambda: assembly.bounded_program(block)
-            ),
-        )
+        """Return the Kernel of a block and its rounding bounds; see `Assembly.lowered`."""
+        assembly, what = self.assembly, f"{block}, bounded"
+
+        def make() -> Program:
+            return assembly.program(block, bounded=block)
+
+        return self.compiled_by((block, "bounded"), lambda: stored_program(assembly, what, make))
 
     def compiled_expressions(
         self, name: str, shape: tuple[int, ...], expressions: tuple[Any, ...]
@@ -310,13 +296,9 @@ class CompiledModel:
 
     def compiled_by(self, key: tuple[Any, ...], build: Callable[[], Program | Tangent]) -> Kernel:
         """Return the Kernel of what `build` makes, at most once for each key."""
-        return self.kernel_by(key, lambda: compiled_by(self.backend, build()))
-
-    def kernel_by(self, key: tuple[Any, ...], make: Callable[[], Kernel]) -> Kernel:
-        """Return the Kernel that `make` gives, at most once for each key."""
         kernel = self._kernels.get(key)
         if kernel is None:
-            kernel = self._kernels[key] = make()
+            kernel = self._kernels[key] = compiled_by(self.backend, build())
         return kernel
 
     def interpreted(
@@ -331,8 +313,7 @@ class CompiledModel:
         found = self._evaluated.get(parts)
         if found is None:
             own = self.assembly.fork()
-            blocks = [(name, (len(nodes),), nodes) for name, nodes in parts(own).items()]
-            found = self._evaluated[parts] = _Evaluated(lower(own.graph, own.sizes, blocks))
+            found = self._evaluated[parts] = _Evaluated(own.lowered(parts(own), as_is=True))
         return found(*at)
 
     # -- other equations -------------------------------------------------------------------------

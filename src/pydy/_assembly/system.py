@@ -255,20 +255,10 @@ def assemble_system(
     )
 
 
-def check_accelerations(equations: Equations) -> None:
+def check_accelerations(equations: Equations, constants: Any, specifieds: Any) -> None:
     """Refuse equations of motion that are nonlinear in the derivatives of the speeds."""
     if any(rate in equations.symbols for rate in equations.speed_rates):
-        constants, specifieds = _other_symbols(equations)
         assemble_system(equations, (), (), specifieds, constants)
-
-
-def _other_symbols(equations: Equations) -> tuple[list[Any], list[Any]]:
-    t = equations.time
-    states = {*equations.coordinates, *equations.speeds}
-    rates = (*equations.coordinate_rates, *equations.speed_rates)
-    known = {*states, *rates, *equations.zeros, t}
-    rest = [s for s in equations.symbols if s not in known]
-    return [s for s in rest if s.is_Symbol], [s for s in rest if not s.is_Symbol]
 
 
 def _collect_accelerations(

@@ -44,17 +44,17 @@ class Unknowns:
 
     def __init__(self, definition: Definition, symbols: Sequence[Any]) -> None:
         self.symbols: list[Any] = []
-        self.columns: dict[str, list[int]] = {kind: [] for kind in GROUPS}
         self.order: list[tuple[str, int]] = []
         for symbol in symbols:
             kind, place = located(definition, symbol, "unknowns")
             self.order.append((kind, place))
             self.symbols.append(definition.places[kind].symbols[place])
         refuse_twice(self.symbols, "unknowns")
-        self._found: dict[str, tuple[list[int], list[int]]] = {}
-        for kind in GROUPS:
-            found = [(k, place) for k, (what, place) in enumerate(self.order) if what == kind]
-            self._found[kind] = [k for k, _ in found], [place for _, place in found]
+        self._found = {
+            kind: ([k for k, (what, _) in enumerate(self.order) if what == kind],
+                   [place for what, place in self.order if what == kind])
+            for kind in GROUPS
+        }  # fmt: skip
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -392,12 +392,10 @@ class Balance:
         Constants that are unknowns have one sample each: nothing else is evaluated one by one.
         """
         m, k = len(z), slopes.shape[2]
-        natural, rows = (
-            np.concatenate(part)
-            for part in zip(
-                *((self._natural(at), self._inertia(at)) for at in self.at(z).alone()), strict=True
-            )
-        )
+        points = self.at(z).alone()
+        own = self.wanted.order
+        sizes = [np.stack([at.natural[kind][:, k] for kind, k in own], axis=1) for at in points]
+        natural, rows = np.concatenate(sizes), np.concatenate([*map(self._inertia, points)])
         rates = {row: column for row, column in self.pairs.items() if column < k}
         powers = np.zeros(len(self.titles))
         first = len(self.definition.equations.coordinates)
@@ -408,24 +406,17 @@ class Balance:
             Sizes(slopes[i], z[i, :k], natural[i, :k], rates, (rows[i], powers)) for i in range(m)
         ]
 
-    def _natural(self, at: Point) -> np.ndarray:
-        """Return how large the unknowns are by themselves, shape (m, l); see `Point.natural`."""
-        return np.stack([at.natural[kind][:, k] for kind, k in self.wanted.order], axis=1)
-
     def _inertia(self, at: Point) -> np.ndarray:
         """Return how large rows are for motions of one energy, shape (m, rows); see `Sizes`."""
         equations = self.definition.equations
         first, n = len(equations.coordinates), len(equations.speeds)
         rates = at.motions
 
-        def moved(block: str, by: slice) -> np.ndarray:
-            return np.asarray((at.steepness(block)[:, :, by] @ rates[:, by, None])[:, :, 0])
-
+        moving = {"holonomic": slice(first), "velocity": slice(first, first + n)}
         parts = [rates[:, self.rows]]
-        if "holonomic" in self.blocks:
-            parts.append(moved("holonomic", slice(first)))
-        if "velocity" in self.blocks:
-            parts.append(moved("velocity", slice(first, first + n)))
+        for block in self.blocks[1:]:
+            by = moving[block]
+            parts.append((at.steepness(block)[:, :, by] @ rates[:, by, None])[:, :, 0])
         return np.concatenate(parts, axis=1)
 
     def terms(self, z: np.ndarray) -> np.ndarray:

@@ -11,14 +11,14 @@ import sympy as sm
 
 from pydy._assembly.definition import Definition, lower_derivatives
 from pydy._assembly.system import Group, auxiliary_groups
-from pydy._checks import Places, check_mapping, describe, listed
+from pydy._checks import Places, check_mapping, describe
 from pydy._errors import UnsupportedFunctionError, warn_user
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.symbols import find_symbols, sort_symbols
 from pydy._names import name_of
 from pydy._system.energy import EnergyModel
-from pydy._system.inputs import check_forces, named_outputs, output_groups, sort_out
-from pydy.codegen.arguments import SpecifiedsPlan, symbolic_entries
+from pydy._system.inputs import named_outputs, output_groups, sort_out
+from pydy.codegen.arguments import SpecifiedsPlan, one_format, symbolic_entries
 from pydy.solvers.events import Event, identified
 
 _CANDIDATES = (sm.Basic, sm.MatrixBase, list, tuple, np.ndarray)
@@ -35,12 +35,9 @@ class Given:
 
 def given_in(specifieds: Mapping[Any, Any]) -> Given:
     """Return what a dictionary of specifieds, in either format, says about symbols."""
-    ordered = "symbols" in specifieds and "values" in specifieds
+    ordered = {"symbols", "values"} <= specifieds.keys()
     if ordered:
-        symbols = listed(
-            "specifieds['symbols']", specifieds["symbols"], "specifieds", hashable=True
-        )
-        specifieds = {tuple(symbols): specifieds["values"]}
+        specifieds, _ = one_format(specifieds, "specifieds")
     keys: list[Any] = []
     expressions: dict[Any, Any] = {}
     for key, value in specifieds.items():
@@ -181,9 +178,8 @@ def define(
     """
     constants, specifieds = base
     groups = output_groups({**outputs, **residuals})
-    names = check_forces(equations, forces)
-    if names:
-        groups.append(Group(tuple(names), equations.auxiliary_equations))
+    if forces:
+        groups.append(Group(tuple(forces), equations.auxiliary_equations))
     results = [n for group in groups for n in group.names]
     taken = {*equations.coordinates, *equations.speeds, *constants, *specifieds, equations.time}
     for k, name in enumerate(results):
@@ -223,7 +219,7 @@ def define(
         tuple(sort_symbols({*constants, *more_constants} - aux)),
         _ordered(sort_symbols({*specifieds, *more_specifieds}), given, set(results), more),
         tuple(residuals),
-        tuple(names),
+        tuple(forces),
     )
 
 

@@ -179,7 +179,7 @@ class Quantity:
             nodes = substitute(g, read.all(found), assembly.given)
         sizes = n, s + count, c
         if not by:
-            return assembly.lowered([(self.name, (len(nodes),), nodes)], g, sizes)
+            return assembly.lowered({self.name: nodes}, sizes=sizes)
         nodes = simplify(g, nodes, assembly.passes)
         return derivative_program(g, nodes, by, "jacobian", sizes, assembly.passes)
 

@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from functools import partial
+from operator import methodcaller
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -15,7 +16,7 @@ from pydy._assembly.assembly import Assembly
 from pydy._assembly.definition import Definition
 from pydy._assembly.model import stored_program
 from pydy._assembly.specifieds import followed
-from pydy._checks import Places, choice, describe, file_of, listed, text
+from pydy._checks import choice, describe, file_of, listed, text
 from pydy._graph.program import Program
 from pydy._mechanics.symbols import find_symbols
 from pydy._names import name_of, unique_names
@@ -54,16 +55,8 @@ def _input_places(
     definition: Definition, plan: SpecifiedsPlan, inputs: Iterable[Any]
 ) -> tuple[int, ...]:
     """Return which specifieds are inputs of what is exported."""
-    known: Places = definition.places["specifieds"]
-    wanted = set()
-    for key in listed("inputs", inputs, "specifieds of the system", hashable=True):
-        place = known.get(key, "inputs")
-        if place is None:
-            raise ValueError(
-                f"`inputs` has `{key}`, which is not one of the specifieds of the system: "
-                f"{describe(definition.specifieds)}."
-            )
-        wanted.add(place)
+    keys = listed("inputs", inputs, "specifieds of the system", hashable=True)
+    wanted = {definition.places["specifieds"].find(key, "inputs") for key in keys}
     given = followed(definition, plan)
     for columns, what in (
         *((part[0], "a Python function") for part in plan.functions),
@@ -80,22 +73,6 @@ def _input_places(
     return tuple(k for k, symbol in enumerate(definition.specifieds) if symbol not in given)
 
 
-def _constraint_sizes(definition: Definition) -> dict[str, int]:
-    equations = definition.equations
-    if not (equations.holonomic or equations.velocity):
-        raise ValueError("`constraints='project'` holds constraints, but the system has none.")
-    mechanism, (closed, redundant) = equations.mechanism, equations.left_out
-    return {
-        "holonomic": len(equations.holonomic) + len(closed),
-        "velocity": len(equations.velocity) + len(redundant),
-        "positions": len(equations.holonomic),
-        "motions": len(equations.velocity),
-        "coordinates": len(equations.coordinates),
-        "speeds": len(equations.speeds),
-        "weighted": int(mechanism is not None and bool(mechanism.bodies)),
-    }
-
-
 def _check_resets(definition: Definition, events: Sequence[Event]) -> None:
     """Refuse resets after which residuals give other unknowns: exported code does not solve."""
     implicit = definition.equations.implicit
@@ -110,15 +87,6 @@ def _check_resets(definition: Definition, events: Sequence[Event]) -> None:
                 "them. Leave the event out, or make it terminal without a reset and begin again "
                 "with values that fit."
             )
-
-
-def _block_program(assembly: Assembly, name: str) -> Program:
-    """Return the Program of a block, of the mass matrix as a matrix."""
-    program = assembly.program(name)
-    if name != "mass_matrix":
-        return program
-    count = len(assembly.forcing)
-    return replace(program, blocks=(replace(program.blocks[0], shape=(count, count)),))
 
 
 def _names(symbols: Sequence[Any]) -> list[str]:
@@ -225,39 +193,44 @@ class Exporting(Setup):
             return both.jacobian_program("rates", by)
 
         builders = {
-            "rates": stored("rates", lambda a: a.program("rates")),
-            "outputs": stored("outputs", lambda a: a.program("outputs")),
+            "rates": stored("rates", methodcaller("program", "rates")),
+            "outputs": stored("outputs", methodcaller("program", "outputs")),
             "jacobian": stored(f"exported jacobian {places}", jacobian),
         }
-        for part in PARTS:
-            if getattr(assembly, part):
-                make = partial(_block_program, name=part)
-                builders[part] = stored(f"exported {part}", make)
+        for part in (part for part in PARTS if getattr(assembly, part)):
+            builders[part] = stored(f"exported {part}", methodcaller("program", part))
         held: dict[str, int] = {}
         if choice(constraints, (None, "project"), "`constraints`") is not None:
-            held = _constraint_sizes(definition)
+            if not (assembly.holonomic or assembly.velocity):
+                raise ValueError(
+                    "`constraints='project'` holds constraints, but the system has none."
+                )
             what = f"projection {assembly.following}" if any(assembly.following) else "projection"
             every = with_all(now.driven, definition).assembly
+            mechanism = definition.equations.mechanism
+            held = {
+                "holonomic": len(every.holonomic),
+                "velocity": len(every.velocity),
+                "positions": len(assembly.holonomic),
+                "motions": len(assembly.velocity),
+                "coordinates": len(definition.equations.coordinates),
+                "speeds": len(definition.equations.speeds),
+                "weighted": int(mechanism is not None and bool(mechanism.bodies)),
+            }
             builders["projection"] = stored(what, projection_program, every)
         checked = check_events(events, definition.places["states"]) if events is not None else ()
         _check_resets(definition, checked)
         if checked:
             expressions = tuple(event.expression for event in checked)
             resets = [e.reset.get(s, s) for e in checked for s in definition.states]
-            shape = (len(checked), n)
-
-            def formulas(name: str, shape: tuple[int, ...], entries: Sequence[Any]) -> Any:
-                program = partial(assembly.expression_program, name, shape, entries)
-                return lambda: with_inputs(program(), places)
-
-            builders["events"] = formulas("the events", (len(checked),), expressions)
-            builders["resets"] = formulas("the resets of the events", shape, resets)
-            builders["event_rates"] = lambda: with_inputs(
-                event_rates_program(assembly, expressions), places
-            )
-            builders["event_bounds"] = lambda: with_inputs(
-                event_bounds_program(assembly, expressions), places
-            )
+            count, formulas = len(checked), assembly.expression_program
+            for part, make in {
+                "events": partial(formulas, "the events", (count,), expressions),
+                "resets": partial(formulas, "the resets of the events", (count, n), resets),
+                "event_rates": partial(event_rates_program, assembly, expressions),
+                "event_bounds": partial(event_bounds_program, assembly, expressions),
+            }.items():
+                builders[part] = partial(lambda make: with_inputs(make(), places), make)
         r = plan(x0, start) if s else np.zeros(0)
         symbols = [
             *definition.states,

@@ -78,7 +78,7 @@ def base_symbols(
     found: tuple[list[Any], list[Any]] = ([], [])
     if constants is None or specifieds is None:
         found = sort_out(equations)
-        check_accelerations(equations)
+        check_accelerations(equations, *found)
     if constants is not None:
         constants = check_symbols("constants_symbols", constants, "constant", equations)
     if specifieds is not None:
@@ -181,7 +181,6 @@ def named_outputs(outputs: Mapping[Any, Any]) -> dict[Any, Any]:
 def output_groups(outputs: Mapping[Any, Any]) -> list[Group]:
     """Return the entries of an outputs dictionary as groups of names and expressions."""
     groups = []
-    seen: set[Any] = set()
     for key, value in outputs.items():
         several = isinstance(key, (tuple, list))
         names = tuple(key) if several else (key,)
@@ -194,9 +193,6 @@ def output_groups(outputs: Mapping[Any, Any]) -> list[Group]:
                     f"`outputs` has the key `{key!r}`, but keys must be a symbol or a function of "
                     "time, or a tuple of them."
                 )
-            if name in seen:
-                raise ValueError(f"`outputs` gives `{name}` more than once.")
-            seen.add(name)
         if isinstance(value, (tuple, list, sm.MatrixBase)):
             expressions = tuple(_expression(names, e) for e in value)
         else:
@@ -214,23 +210,19 @@ def _expression(names: Sequence[Any], value: Any) -> Any:
     return checked_expression(value, f"`outputs` for {describe(names)}")
 
 
-def named_forces(equations: Equations, forces: Any) -> list[Any] | None:
-    """Return noncontributing forces as a list, with symbols in place of names."""
+def check_forces(equations: Equations, forces: Any) -> list[Any]:
+    """Return the symbols of noncontributing forces that a user gave by themselves or by name."""
     if forces is None:
-        return None
+        return []
     several = isinstance(forces, Iterable) and not isinstance(forces, str)
-    return resolved(
+    names = resolved(
         "noncontributing_forces",
         listed("noncontributing_forces", forces) if several else [forces],
         find_symbols(equations.auxiliary_equations),
         "symbols of the auxiliary equations",
     )
-
-
-def check_forces(equations: Equations, names: list[Any] | None) -> list[Any]:
-    """Return the names of the noncontributing forces."""
     if not names:
-        return []
+        return names
     wanted = len(equations.auxiliary_equations)
     if not wanted:
         raise RuntimeError(

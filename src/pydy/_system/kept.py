@@ -15,7 +15,6 @@ from pydy._assembly.definition import Layout
 from pydy._assembly.model import CompiledModel
 from pydy._errors import IntegrationError
 from pydy._graph.derivative import dense_jacobian, jacobian
-from pydy._graph.lower import lower
 from pydy._graph.program import Program
 from pydy._graph.rewrite import substitute
 from pydy._system.energy import EnergyModel
@@ -162,11 +161,10 @@ class KeptPrograms:
     def _program(self, name: str) -> Program | None:
         own = self._model.assembly.fork()
         if name == "screen":
-            parts = {**sized(own), **products(own)}
-            return own.lowered([(n, (len(p),), p) for n, p in parts.items()], own.graph)
+            return own.lowered({**sized(own), **products(own)})
         made = part_of(self._now, name)
-        blocks = [(n, (len(nodes),), nodes) for n, nodes in made(own).items()] if made else ()
-        return lower(own.graph, own.sizes, blocks) if blocks else None
+        parts = made(own) if made else {}
+        return own.lowered(parts, as_is=True) if parts else None
 
     def __reduce__(self) -> tuple[Any, ...]:
         names = "screen rows bounds products contradictions slopes moving energy"

@@ -23,7 +23,7 @@ from pydy._mechanics.implicit import Implicit
 from pydy._names import name_of, some, unique_names
 from pydy._system.definition import Definer
 from pydy._system.energy import EnergyModel, check_potential
-from pydy._system.inputs import SymbolSet, base_symbols, check_forces, check_times, named_forces
+from pydy._system.inputs import SymbolSet, base_symbols, check_forces, check_times
 from pydy._system.scipy_solvers import resolve_ode_solver
 from pydy._system.snapshot import Snapshot, checked_plan, read_numbers
 from pydy.codegen.ode_function_generators import make_function
@@ -236,7 +236,7 @@ class Setup:
         return Snapshot(made.definition, made.model, user, self._times, self._energies, self._told)
 
     def _set_outputs(self, outputs: Any, forces: Any) -> None:
-        names = check_forces(self._equations, named_forces(self._equations, forces))
+        names = check_forces(self._equations, forces)
         own = self._define.users(outputs, self._forces)
         self._define(own, names, self._specifieds)
         self._outputs, self._forces = self._define.merged(own, names), names

@@ -13,7 +13,7 @@ from pydy._assembly.baumgarte import stabilised
 from pydy._assembly.definition import Definition
 from pydy._assembly.model import CompiledModel
 from pydy._assembly.specifieds import driven
-from pydy._checks import choice, flag, number, real_array
+from pydy._checks import choice, flag, positive, real_array
 from pydy._errors import IntegrationError, IntegrationInterrupted, SingularMatrixError
 from pydy._system.causes import explain
 from pydy._system.dependents import (
@@ -52,65 +52,13 @@ from pydy.trajectory import Trajectory
 SolverFunction = Callable[..., Any]
 
 
-def prepare(
-    solver: Any,
-    definition: Definition,
-    model: CompiledModel,
-    plan: SpecifiedsPlan,
-    options: dict[str, Any],
-) -> tuple[CompiledModel, dict[str, Any]]:
-    """Return what is integrated, and the options for its solver.
-
-    Of the options of `System.integrate`, events and constraints are compiled; the expressions of
-    `plan` are compiled into the model, which takes all specifieds as inputs before.
-    """
-    options = dict(options)
-    native = isinstance(solver, Solver)
-    constraints, events = options.pop("constraints", None), options.pop("events", None)
-    gain = options.pop("gain", None)
-    constraints = choice(constraints, (None, "project", "baumgarte"), "`constraints`")
-    equations = definition.equations
-    if constraints == "project" and not (equations.holonomic or equations.velocity):
-        raise ValueError("`constraints='project'` holds constraints, but the system has none.")
-    if constraints == "baumgarte" and not equations.velocity:
-        raise ValueError(
-            "`constraints='baumgarte'` works on velocity constraints, but the system has none. "
-            "Give KanesMethod `velocity_constraints`, or use constraints='project'."
-        )
-    if (gain is None) == (constraints == "baumgarte"):
-        raise ValueError(
-            "`gain` and `constraints='baumgarte'` belong together: the gain g > 0, in 1/s, lets "
-            "residuals die out about as exp(−g t). Pass both or neither."
-        )
-    if constraints == "baumgarte":
-        gain = number(gain, "`gain`", finite=True)
-        if gain <= 0.0:
-            raise ValueError(f"`gain` must be positive, got {gain}.")
-        key = ("baumgarte", gain)
-        model = model.changed(key, lambda assembly: stabilised(assembly, equations, gain))
-    if not native and (constraints == "project" or events is not None):
-        what = "constraints='project'" if constraints == "project" else "events"
-        raise ValueError(
-            f"`{what}` needs a native solver: set `system.ode_solver = 'dop853'`, or another one "
-            "of pydy.solvers."
-        )
-    model = driven(model, definition, plan)
-    if constraints == "project":
-        options["constraints"] = compile_constraints(model, definition)
-    if events is not None:
-        checked = check_events(events, definition.places["states"])
-        if checked:
-            options["events"] = compile_events(model, definition, checked)
-    return model, options
-
-
 _PLAIN = frozenset((float, int, bool, str, type(None)))  # an array may be edited between two calls
 
 
 class Ready:
     """What is integrated but for its numbers: a call that differs in these alone takes it as it is.
 
-    Its `model` and `options` are those that `prepare` returns.
+    Of the options of `System.integrate`, events and constraints are compiled.
     """
 
     def __init__(
@@ -124,9 +72,47 @@ class Ready:
         self._plan, self._solver, self._given = plan, solver, dict(given)
         self._events = identified(given.get("events"))
         self.constrained = definition.equations.constrained
-        self.model, self.options = prepare(solver, definition, model, plan, given)
+        self.model, self.options = self._prepared(definition, model)
         self.read: Options | None = None  # as the solver has read them
         self.free: list[Prepared] = []  # what the latest call has reserved, if no other has it
+
+    def _prepared(
+        self, definition: Definition, model: CompiledModel
+    ) -> tuple[CompiledModel, dict[str, Any]]:
+        """Return the model with what changes the equations compiled in, and the options left."""
+        options, equations = dict(self._given), definition.equations
+        constraints, events, gain = (
+            options.pop(name, None) for name in ("constraints", "events", "gain")
+        )
+        constraints = choice(constraints, (None, "project", "baumgarte"), "`constraints`")
+        if constraints == "project" and not (equations.holonomic or equations.velocity):
+            raise ValueError("`constraints='project'` holds constraints, but the system has none.")
+        if constraints == "baumgarte" and not equations.velocity:
+            raise ValueError(
+                "`constraints='baumgarte'` works on velocity constraints, but the system has none. "
+                "Give KanesMethod `velocity_constraints`, or use constraints='project'."
+            )
+        if (gain is None) == (constraints == "baumgarte"):
+            raise ValueError(
+                "`gain` and `constraints='baumgarte'` belong together: the gain g > 0, in 1/s, "
+                "lets residuals die out about as exp(−g t). Pass both or neither."
+            )
+        if constraints == "baumgarte":
+            gain = positive(gain, "`gain`", finite=True)
+            model = model.changed(("baumgarte", gain), lambda own: stabilised(own, gain))
+        projected = constraints == "project"
+        if not isinstance(self._solver, Solver) and (projected or events is not None):
+            what = "constraints='project'" if projected else "events"
+            raise ValueError(
+                f"`{what}` needs a native solver: set `system.ode_solver = 'dop853'`, or another "
+                "one of pydy.solvers."
+            )
+        model = driven(model, definition, self._plan)
+        if projected:
+            options["constraints"] = compile_constraints(model, definition)
+        if events is not None and (checked := check_events(events, definition.places["states"])):
+            options["events"] = compile_events(model, definition, checked)
+        return model, options
 
     def suits(self, plan: SpecifiedsPlan, solver: Any, given: dict[str, Any]) -> bool:
         """Return whether a call differs in numbers alone, as far as that can be seen.

@@ -10,9 +10,8 @@ from pydy._assembly.assembly import Assembly
 from pydy._assembly.definition import Definition
 from pydy._assembly.model import CompiledModel
 from pydy._checks import Places, describe
-from pydy._graph.derivative import dense_jacobian, dense_rows, directional, jacobian
+from pydy._graph.derivative import dense, dense_jacobian, dense_rows, directional, jacobian
 from pydy._graph.from_sympy import NodeExpression
-from pydy._graph.lower import lower
 from pydy._graph.node import Graph
 from pydy._graph.operations import FLAT
 from pydy._graph.program import Program
@@ -102,7 +101,7 @@ def compile_events(
         for event in events:
             own_after = [event.reset.get(s, s) for s in states]
             after += own.read(own_after, f"`reset` of the event `{event.name}`")
-        return own.lowered([("resets", (len(events), len(states)), after)], own.graph)
+        return own.lowered({"resets": after}, {"resets": (len(events), len(states))})
 
     resetting = tuple(bool(event.reset) for event in events)
     key = ("resets of the events", *(tuple(event.reset.items()) for event in events))
@@ -149,22 +148,19 @@ def event_rates_program(
     along = {graph.input("x", k): {0: rate} for k, rate in enumerate(own.rates)}
     rows = directional(graph, nodes, {**along, graph.input("t", 0): {0: graph.one}})
     totals = [row.get(0, graph.zero) for row in rows]
-    blocks: list[tuple[str, tuple[int, ...], list[int]]] = [("rates", (len(totals),), totals)]
     if linear is None:
-        return own.lowered(blocks, graph)
-    blocks.append(("bounds", (len(nodes),), rounding_bounds(graph, nodes)))
+        return own.lowered({"rates": totals})
+    parts, width = {"rates": totals, "bounds": rounding_bounds(graph, nodes)}, own.sizes[0] + 1
     if linear:
-        width = own.sizes[0] + 1
-        cells = [row.get(k, graph.zero) for row in _slopes(own, graph, nodes) for k in range(width)]
-        blocks.append(("slopes", (len(nodes), width), cells))
-    return lower(graph, own.sizes, blocks)
+        parts["slopes"] = dense(graph, _slopes(own, graph, nodes), width)
+    return own.lowered(parts, {"slopes": (len(nodes), width)}, as_is=True)
 
 
 def event_bounds_program(assembly: Assembly, expressions: Sequence[Any]) -> Program:
     """Return the Program of bounds on the roundings of the events' expressions."""
     own = assembly.fork()
     nodes = own.read(expressions, "the events")
-    return own.lowered([("bounds", (len(nodes),), rounding_bounds(own.graph, nodes))], own.graph)
+    return own.lowered({"bounds": rounding_bounds(own.graph, nodes)})
 
 
 def compile_constraints(model: CompiledModel, definition: Definition) -> CompiledConstraints:
@@ -263,8 +259,7 @@ def projection_program(assembly: Assembly) -> Program:
         "velocity_gradient": dense_jacobian(graph, assembly.velocity, speeds),
         "kinetic_hessian": assembly.kinetic_hessian,
     }
-    blocks = [(name, (len(nodes),), nodes) for name, nodes in parts.items()]
-    return assembly.lowered(blocks, graph, bounded="holonomic")
+    return assembly.lowered(parts, bounded="holonomic")
 
 
 def _separate(
