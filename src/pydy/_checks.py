@@ -1,8 +1,4 @@
-"""What users pass as numbers, arrays and dictionaries into floats in order, or an error.
-
-The error says what it was instead. This is the one place where symbols are looked up, by
-themselves or by name.
-"""
+"""What users pass as numbers, arrays, dictionaries and symbols: floats in order, or an error."""
 
 from __future__ import annotations
 
@@ -102,10 +98,7 @@ def number(value: Any, what: str, *, finite: bool = False) -> float:
 
 
 def real_array(value: Any, what: str) -> np.ndarray:
-    """Return a value as a C-contiguous float array of its own shape.
-
-    NumPy alone would turn None into NaN, read text as numbers, and drop masks and imaginary parts.
-    """
+    """Return a value as a C-contiguous float array; NumPy would read text, None and masks."""
     if type(value) is not np.ndarray:
         _refuse_masked(value, what)
     try:
@@ -185,10 +178,7 @@ def whole(value: Any, what: str, least: int = 1) -> int:
 
 
 def flag(value: Any, what: str) -> bool:
-    """Return True or False, or say what it was instead; 0, 1 and NumPy's booleans stand for them.
-
-    Any object has a truth value: ``'no'`` would be true.
-    """
+    """Return True or False, for which 0, 1 and NumPy's stand, or say what it was instead."""
     if isinstance(value, (bool, np.bool_)) or (type(value) is int and value in (0, 1)):
         return bool(value)
     raise TypeError(f"{what} must be True or False, got {shown(value)}.")
@@ -284,10 +274,7 @@ def file_of(value: Any, what: str) -> Path:
 
 
 class Keyed(UserDict[Any, Any]):
-    """A user's dictionary, in which a symbol and its name are one key: the one that was first.
-
-    Changes are made in the dictionary itself.
-    """
+    """A view of a user's dictionary, in which a symbol and its name are one key: the first."""
 
     def __init__(self, data: dict[Any, Any]) -> None:
         self.data = data
@@ -346,10 +333,7 @@ def refuse_twice(symbols: Sequence[Any], argument: str) -> None:
 
 
 class Places:
-    """Where each of some symbols lies in an array; its name stands for it where no other has it.
-
-    `what` says what they are, for messages: ``'constants of the system'``.
-    """
+    """Where symbols lie in an array, themselves or by a name that no other has; `what` they are."""
 
     def __init__(self, symbols: Sequence[Any], what: str) -> None:
         self.symbols = tuple(symbols)
@@ -416,10 +400,7 @@ class Places:
         return place
 
     def meant(self, key: Any) -> str:
-        """Return a sentence, after a space, about what an unknown key may stand for, or nothing.
-
-        That is a symbol of nearly this name, or one that differs in its assumptions alone.
-        """
+        """Return a sentence, after a space, about symbols that a key is like, or nothing."""
         if isinstance(key, str):
             close = nearest(key, sorted(map(name_of, self.symbols)), or_all=False)
             return f" {key!r} is a str, the name of a symbol. {close}" if close else ""
@@ -445,10 +426,7 @@ class Places:
     def by_symbol(
         self, values: Mapping[Any, Any], argument: str, *, others: bool = False
     ) -> dict[Any, Any]:
-        """Return a dictionary with symbols for keys, none of which may be given twice.
-
-        Unknown keys are refused, unless `others` are kept as they are; then keys may be tuples.
-        """
+        """Return a dictionary with symbols for keys, each once; `others` may be kept."""
         if not others:
             return dict(zip(self.chosen(values, argument), values.values(), strict=True))
         keys = [self.meaning(key, argument) for key in values]
@@ -473,10 +451,7 @@ class Places:
         )
 
     def groups(self, values: Mapping[Any, Any], argument: str) -> list[tuple[Any, ...]]:
-        """Return (symbols, places, whether it is a tuple) for each key of a dictionary.
-
-        Keys are symbols, names, or tuples of these; none may occur twice.
-        """
+        """Return (symbols, places, whether it is a tuple) for each key of a dictionary."""
         keys = [*values]
         known, groups = self._groups
         if keys != known:
@@ -500,11 +475,7 @@ class Places:
     def read(
         self, argument: str, values: Mapping[Any, Any], base: np.ndarray | float | None = None
     ) -> np.ndarray:
-        """Return the numbers of a dictionary, called `argument` in messages, in order.
-
-        Symbols that are not given have those of `base`; the others must be finite then. Without it
-        all must be given.
-        """
+        """Return a dictionary's numbers in order; others have those of `base`, if any."""
         keys = [*values]
         known, columns = self._some
         if keys != known:

@@ -86,7 +86,9 @@ def test_a_specified_that_only_python_can_compute_is_named(tmp_path, value, what
 
 
 def test_an_unknown_input_is_named(tmp_path):
-    with pytest.raises(ValueError, match="`inputs` has `G`, which is not one of the specifieds"):
+    with pytest.raises(
+        ValueError, match="`inputs` has the key `G`, which is not one of the specifieds"
+    ):
         pendulum().export(tmp_path / "pendulum.py", inputs=["G"])
 
 

@@ -1,8 +1,4 @@
-"""A whole system as nodes of one graph: the named blocks that Programs are lowered from.
-
-A Program is lowered from any selection of the blocks, so that a solver pays for the state
-derivatives alone and an evaluation of outputs for nothing else.
-"""
+"""A whole system as nodes of one graph: named blocks, of which any are lowered to Programs."""
 
 from __future__ import annotations
 
@@ -111,11 +107,7 @@ class Assembly:
 
     @property
     def kinetic_hessian(self) -> list[int]:
-        """Second derivatives of the kinetic energy by all speeds, dependent ones included.
-
-        This is the mass matrix before any constraint reduces it, row by row. Specifieds are held,
-        those that are given as expressions too.
-        """
+        """The mass matrix of all speeds before any constraint reduces it, row by row."""
         energy = self._kinetic_energy(sizes=True)
         if not energy:
             return []
@@ -138,10 +130,7 @@ class Assembly:
         return replace(self, graph=self.graph.copy())
 
     def read(self, expressions: Iterable[Any], what: str, *, sizes: bool = False) -> list[int]:
-        """Return further expressions in the states and symbols as nodes; `what` is for messages.
-
-        Where their `sizes` are wanted, symbols that cancel from the equations count as zero.
-        """
+        """Return expressions as nodes; with `sizes`, symbols that the equations lack are zero."""
         expressions = [*expressions]
         reader = self._reader(what, expressions if sizes else ())
         return substitute(self.graph, reader.all(expressions), self.given)
@@ -202,10 +191,7 @@ class Assembly:
         return [(by, k) for k in range(dict(zip("xrp", self.sizes, strict=True))[by])]
 
     def simplified(self, name: str) -> tuple[Graph, list[int]]:
-        """Return a block's nodes after simplification, in a graph of their own.
-
-        Functions and derivatives start from the same nodes, which are found once.
-        """
+        """Return a block's nodes after simplification, in a graph of their own; found once."""
         known = self._simplified.get(name)
         if known is None and name == "rates" and self.ready and self.ready[0] == self.rates:
             known = self.ready[1:]

@@ -23,11 +23,7 @@ _TRIALS = 3
 
 
 def stabilised(assembly: Assembly, gain: float) -> Assembly:
-    """Return the system whose constraint residuals c obey c'' + 2 g c' + g² c = 0.
-
-    A nonholonomic residual v obeys v' + 2 g v = 0. Where the rows that determine the dependent
-    speeds may change as the system moves, the redundant ones are stabilised with the others.
-    """
+    """Return the system whose constraint residuals c obey c'' + 2 g c' + g² c = 0."""
     graph, speeds = assembly.graph, assembly.speeds
     n, count = len(speeds), len(assembly.velocity)
     body = None if assembly.equations is None else assembly.equations.multibody

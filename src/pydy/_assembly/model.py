@@ -125,10 +125,7 @@ _CIRCUMSTANCES = _made_by()
 
 
 def _as_shipped() -> bool:
-    """Return whether all operations and passes are the package's own.
-
-    Others change without a change of the package's files.
-    """
+    """Return whether all operations and passes are the package's own."""
     functions = [function for _, function in (*ONCE, *ROUND)]
     return OPERATIONS == SHIPPED and all(f.__module__.startswith("pydy.") for f in functions)
 
@@ -143,10 +140,7 @@ _S = TypeVar("_S", bound=Storable)
 
 
 def stored(parts: Sequence[bytes], make: Callable[[], _S], read: Callable[[bytes], _S]) -> _S:
-    """Return what the cache has, or make it and put it there.
-
-    `parts` are all that decides what is made, but for the sources of the graph and the assembly.
-    """
+    """Return what the cache has by `parts`, all that decides it, or make it and put it there."""
     if not _as_shipped():
         return make()
     key = hashlib.sha256(b"".join((_CIRCUMSTANCES, *parts))).hexdigest()
@@ -168,10 +162,7 @@ def stored_program(assembly: Assembly, what: str, make: Callable[[], _T]) -> _T:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class CompiledModel:
-    """Equations, outputs and constraints of one definition, and the machine code made of them.
-
-    It never changes. A Kernel or Jacobian is compiled when it is first called for, once.
-    """
+    """Equations and outputs of one definition, and Kernels, each compiled when first called for."""
 
     layout: Layout  # the orders of the arrays x, r and p, and of the outputs
     assembly: Assembly  # the blocks that Kernels are made from
@@ -306,10 +297,7 @@ class CompiledModel:
         parts: Callable[[Assembly], dict[str, list[int]]],
         at: tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray],
     ) -> dict[str, np.ndarray]:
-        """Return the values of some nodes, shape (m, o) for each name.
-
-        They are not compiled until they have been asked for so often that it pays.
-        """
+        """Return the values of some nodes, (m, o) for each name, compiled only where it pays."""
         found = self._evaluated.get(parts)
         if found is None:
             own = self.assembly.fork()

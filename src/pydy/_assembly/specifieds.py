@@ -1,9 +1,4 @@
-"""Specifieds that are given as SymPy expressions: compiled into the equations.
-
-In the graph of the equations a specified is an input node. Here the node of its expression takes
-the place of that input; every block that is lowered afterwards, and every derivative, then follows
-the expression.
-"""
+"""Specifieds that are given as SymPy expressions: their nodes take the place of the inputs."""
 
 from __future__ import annotations
 

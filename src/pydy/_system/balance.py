@@ -85,10 +85,7 @@ def located(
 def members(
     definition: Definition, keys: Iterable[Any], without: Mapping[str, Iterable[Any]] | None = None
 ) -> list[Any]:
-    """Return symbols and names, with all symbols of a group in place of its name.
-
-    A group does not stand for those in `without`.
-    """
+    """Return symbols and names, with the symbols of a group, but for some, in place of its name."""
     found: list[Any] = []
     for key in keys:
         if isinstance(key, str) and key in GROUPS:
@@ -101,10 +98,7 @@ def members(
 
 @dataclass(frozen=True, eq=False)
 class Point(At):
-    """States, times and numbers at which a System is looked at, m of them.
-
-    The model has additions to the specifieds that are expressions as inputs; p is (k,) or (m, k).
-    """
+    """States, times and numbers, m of them; what is added to specifieds is an input."""
 
     plan: SpecifiedsPlan
 
@@ -132,12 +126,7 @@ class Point(At):
 
     @cached_property
     def natural(self) -> dict[str, np.ndarray]:
-        """How large states, specifieds and constants are by themselves; 0 where nothing tells.
-
-        The argument of a sine or an exponential function is a number without a unit. What makes it
-        change by one is large: an angle of 1 rad, or a thousandth of a speed in tanh(1000 v). Each
-        of `GROUPS` has an array (m, n).
-        """
+        """How large what is in sines and the like is by itself, (m, n) by kind; else 0."""
         sizes, m = self.model.assembly.sizes, len(self.x)
         r = np.broadcast_to(self.r, (m, self.r.shape[1]))
         numbers = replace(self, r=r, p=np.atleast_2d(self.p)[0])
@@ -163,10 +152,7 @@ class Point(At):
 
     @cached_property
     def motions(self) -> np.ndarray:
-        """How fast coordinates and speeds change in motions of one energy, shape (m, n).
-
-        What has no mass is as fast as constraints let the others move it, else 1.
-        """
+        """How fast coordinates and speeds change in motions of one energy, shape (m, n)."""
         first, n = (len(getattr(self.definition.equations, s)) for s in ("coordinates", "speeds"))
         masses, moving = self.inertias(n), slice(first, first + n)
         speeds = np.where(masses > 0.0, 1.0 / np.sqrt(or_one(masses)), 0.0)
@@ -206,11 +192,8 @@ class Point(At):
         return [b for b in ("holonomic", "velocity") if getattr(self.definition.equations, b)]
 
     def tangents(self) -> tuple[np.ndarray, np.ndarray]:
-        """Return T, shape (m, n, k), and the places of the independent states.
-
-        Coordinates are tied first: in one system with the speeds, units of time would decide which
-        states are independent.
-        """
+        """Return T, shape (m, n, k), and the places of the independent states."""
+        # Coordinates first: in one system with speeds, units of time would decide what is bound.
         definition, n = self.definition, self.x.shape[1]
         equations, moving = definition.equations, n - len(definition.auxiliaries)
         first = len(equations.coordinates)
@@ -233,12 +216,9 @@ class Point(At):
         return T, free
 
     def _units(self, block: str, gradient: np.ndarray, own: range) -> tuple[np.ndarray, np.ndarray]:
-        """Return units of the rows (m, c, 1) of a block's gradient, and of the states (m, n).
-
-        A row that vanishes in a singular configuration is rounding errors there: its size is taken
-        beside it, as far as the states are large. A coordinate that is zero is as large as it is by
-        itself, as an angle of 1 rad, or as the others in units of the columns.
-        """
+        """Return units of the rows (m, c, 1) of a block's gradient, and of the states (m, n)."""
+        # A row that vanishes in a singular configuration is rounding errors there: its size is
+        # taken beside it.
         n, places = gradient.shape[2], len(self.definition.equations.coordinates)
         large = np.maximum(np.abs(self.x), self.natural["states"])
         motions = np.concatenate([at.motions for at in self.alone()])
@@ -258,11 +238,7 @@ class Point(At):
 
 
 class Balance:
-    """Derivatives of the states and residuals of the constraints as functions of unknowns z.
-
-    The `unknowns` are by default all coordinates and speeds that are neither `given` a value, nor
-    `moving` steadily, nor `varied`: these are further unknowns, the last ones.
-    """
+    """Derivatives of the states and residuals of the constraints as functions of unknowns z."""
 
     def __init__(
         self,
@@ -387,10 +363,7 @@ class Balance:
         return np.concatenate([parts[0][:, self.rows], *parts[1:]], axis=1)
 
     def sizes(self, slopes: np.ndarray, z: np.ndarray) -> list[Sizes]:
-        """Return how large unknowns and rows are, with slopes (m, rows, k) by the first k unknowns.
-
-        Constants that are unknowns have one sample each: nothing else is evaluated one by one.
-        """
+        """Return how large unknowns and rows are; slopes (m, rows, k) are by k unknowns."""
         m, k = len(z), slopes.shape[2]
         points = self.at(z).alone()
         own = self.wanted.order
@@ -420,10 +393,7 @@ class Balance:
         return np.concatenate(parts, axis=1)
 
     def terms(self, z: np.ndarray) -> np.ndarray:
-        """Return how large the terms of the residuals are that constants, specifieds, loads make.
-
-        What constraints carry is in no acceleration, but its rounding is.
-        """
+        """Return how large the residuals' terms are that constants, specifieds, loads make."""
         at = self.at(z[None]).alone()[0]
         numbers = {"r": at.r[0], "p": np.atleast_2d(at.p)[0]}
         arrays = at.t, at.x, at.r, numbers["p"]
@@ -503,10 +473,7 @@ class Balance:
         return ahead
 
     def _warn_of_time(self, z: np.ndarray, rates: np.ndarray) -> None:
-        """Warn once if what was found at all unknowns z is none at other times.
-
-        Functions of users, and samples, are asked within the System's times alone.
-        """
+        """Warn once if what was found at all unknowns z is none at other times."""
         graph, assembly, plan = self.made.assembly.graph, self.made.assembly, self.plan
         nodes = [node for block in self.blocks for node in getattr(assembly, block)]
         if plan.constant and "t" not in graph.inputs_of(nodes):
@@ -579,12 +546,7 @@ def point_at(now: Snapshot, times: np.ndarray, states: np.ndarray) -> Point:
 def energetic_motions(
     now: Snapshot, times: np.ndarray, states: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Return what tells the sizes of states, the least of it at any of the states (m, n).
-
-    The first array (n,) is how large coordinates are by themselves, and the integrals of speeds,
-    which may change several; the second, how large speeds and rates of the coordinates are in
-    motions of one energy. Both are 0 where nothing tells.
-    """
+    """Return least sizes of coordinates, and of changes at one energy; 0 if unknown."""
     m, q = len(states), len(now.definition.equations.coordinates)
     at = point_at(now, times, states)
     masses = at.inertias(states.shape[1] - q)
@@ -636,14 +598,9 @@ class _Free:
 
 
 def feedback(plan: SpecifiedsPlan, x: np.ndarray, t: np.ndarray) -> np.ndarray:
-    """Return how the specifieds that are functions change with the states, shape (m, s, n).
-
-    These are central differences; expressions are compiled into the equations instead. A function
-    of a state in micrometres may be anything a micrometre away: where half the step has another
-    result, by more than rounding, shorter ones are tried, and of all that of the best agreement is
-    taken. Where rounding is all that is left, as of a state in nanometres, longer ones are tried
-    while they agree with the shorter ones.
-    """
+    """Return how specifieds that are functions change with states, (m, s, n), by differences."""
+    # A function of micrometres may be anything a micrometre away: where half the step has another
+    # result, shorter ones are tried; where rounding is all that is left, longer ones.
     m, n = x.shape
     slopes = np.zeros((m, len(plan.symbols), n))
     for k in range(n if plan.functions else 0):
@@ -675,10 +632,7 @@ def feedback(plan: SpecifiedsPlan, x: np.ndarray, t: np.ndarray) -> np.ndarray:
 def _central(
     plan: SpecifiedsPlan, x: np.ndarray, t: np.ndarray, k: int, size: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return central differences by state k, what rounding does to them, and what half steps miss.
-
-    All of shape (m, s). Half a step misses nothing if it differs by rounding alone.
-    """
+    """Return central differences by state k, their rounding, and what half steps miss, (m, s)."""
     found = []
     for share in (1.0, 0.5):
         step = np.zeros_like(x)

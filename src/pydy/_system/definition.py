@@ -52,11 +52,7 @@ def given_in(specifieds: Mapping[Any, Any]) -> Given:
 
 
 class Definer:
-    """Makes the Definition of what a user set; the latest is kept while that stays the same.
-
-    The constants and specifieds of the equations of motion, as found or as the user gave them, are
-    the `base`; others may be held by `energies` alone.
-    """
+    """Makes the Definition of what a user set; the latest is kept while that stays the same."""
 
     latest: Definition  # that was sound
 
@@ -84,10 +80,7 @@ class Definer:
         forces: Sequence[Any],
         specifieds: Mapping[Any, Any],
     ) -> Definition:
-        """Return the Definition of outputs, names of noncontributing forces, and specifieds.
-
-        The user may have edited the outputs, which are with residuals and forces or without.
-        """
+        """Return the Definition of outputs, names of noncontributing forces, and specifieds."""
         if self._key is not None:
             known, names, given = self._key
             same = known == outputs and names == [*outputs, *forces]
@@ -170,12 +163,7 @@ def define(
     given: Given,
     more: Callable[[], Iterable[Any]],
 ) -> Definition:
-    """Check the outputs and forces of a System and sort out its symbols.
-
-    Symbols that occur only in expressions for specifieds are added, and so are motions of which the
-    equations hold derivatives only. What `more` returns, the specifieds that energies hold, is
-    asked for where one is given that nothing else holds.
-    """
+    """Check outputs of a System and sort out its symbols, those of energies where needed."""
     constants, specifieds = base
     groups = output_groups({**outputs, **residuals})
     if forces:
@@ -226,10 +214,7 @@ def define(
 def _ordered(
     found: list[Any], given: Given, outputs: set[Any], more: Callable[[], Iterable[Any]]
 ) -> tuple[Any, ...]:
-    """Return the specifieds in the order of r, with motions that occur by derivatives only.
-
-    So are their derivatives in between, where they follow: energies hold them.
-    """
+    """Return the specifieds in the order of r, with motions that occur by derivatives only."""
     lower = {s for d in found if isinstance(d, sm.Derivative) for s in lower_derivatives(d)}
     others = sort_symbols(lower - {*found} - outputs)
     places = Places([*found, *others], "specifieds of the system")
@@ -272,11 +257,7 @@ def _symbols_of(
 
 
 def unfollowed(definition: Definition, plan: SpecifiedsPlan) -> list[tuple[Any, Any]]:
-    """Return derivatives that are zero for want of a value although their function moves.
-
-    Each comes with what is given as a function or as samples, of which no derivative is taken: the
-    function, or a derivative of it. Numbers and expressions have derivatives that follow.
-    """
+    """Return derivatives without a value whose function moves as a function says, with it."""
     if plan.constant or not definition.lower_derivatives:
         return []
     places = [part[0] for part in plan.sampled] + [part[0] for part in plan.functions]

@@ -67,11 +67,7 @@ def check_dependents(
 def given_values(
     now: Snapshot, keys: Iterable[Any], latest: Mapping[Any, float]
 ) -> dict[Any, float]:
-    """Find the initial conditions that are to stay, among those with `keys`.
-
-    Not what was solved for `latest`, nor a zero, which all have that were not given; a whole state
-    is what a search begins with.
-    """
+    """Find initial conditions that are to stay: not zeros, nor solved for `latest`."""
     states = now.definition.states
     values = {s: float(now.x[states.index(s)]) for s in keys}
     given = {s: v for s, v in values.items() if latest.get(s) != v}
@@ -79,12 +75,7 @@ def given_values(
 
 
 def default_dependents(now: Snapshot, given: Iterable[Any]) -> list[Any]:
-    """Return the coordinates and speeds to solve for where the user names none.
-
-    The dependent states; but where one of them is `given` an initial condition, others that are not
-    and that the constraints determine there, as far as there are such. Coordinates that the user
-    made dependent are what a search begins with.
-    """
+    """Return what to solve for: dependent states, or, where these are given, others."""
     definition = now.definition
     equations = definition.equations
     found: list[Any] = []
@@ -154,10 +145,7 @@ def _refined(
     slopes: Callable[[np.ndarray], np.ndarray],
     z: np.ndarray,
 ) -> np.ndarray:
-    """Go on by Newton's method as long as residuals fall, in units of their rounding bounds.
-
-    Root finders stop at a precision that is for rows and unknowns of one size.
-    """
+    """Go on by Newton's method as long as residuals fall, in units of their rounding bounds."""
     left, rounding = np.split(bounded(z), 2)
     for _ in range(_REFINED):
         gradient = slopes(z)
@@ -237,11 +225,7 @@ def solve_dependents(
     use_jac: bool,
     root_kwargs: dict[str, Any],
 ) -> np.ndarray:
-    """Return the initial state with its dependent coordinates and speeds, at `places`, solved for.
-
-    The Snapshot holds the independent values and the guesses. Values that are `given` are to stay,
-    and are told of where they cannot. `root_kwargs` are for `scipy.optimize.root`.
-    """
+    """Return the initial state, `places` solved for; say where that moves the `given`."""
     model, definition, t = now.driven, now.definition, now.t
     x = now.x.copy()
     now.plan.check_times(np.array([t]), "times")

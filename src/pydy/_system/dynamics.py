@@ -85,11 +85,7 @@ def _columns(
 
 
 def _accelerations(value: Any, equations: Equations) -> tuple[np.ndarray, Sequence[int]]:
-    """Return accelerations, and of which speeds: of all, or of those that all others follow from.
-
-    Of independent speeds alone a dictionary may name some: no constraint holds the others, and
-    theirs are zero.
-    """
+    """Return accelerations, and of which speeds: of all, or of those that others follow from."""
     n = len(equations.speeds)
     free = n - len(equations.dependent_speeds)
     if value is None:
@@ -232,10 +228,7 @@ def without_bodies(equations: Equations) -> bool:
 def _required(
     equations: Equations, given: Sequence[int], at: tuple[int, ...] | None, *, zero: bool = False
 ) -> Quantity:
-    """Return the forces that accelerations take, of which those of some speeds are given.
-
-    The others follow from these, or all are zero.
-    """
+    """Return the forces for accelerations of some speeds; others follow or are `zero`."""
     speeds = [equations.speeds[k] for k in at] if at is not None else equations.speeds
     bound = () if zero else tuple(k for k in range(len(equations.speeds)) if k not in given)
 

@@ -19,10 +19,7 @@ from pydy.trajectory import Trajectory
 def samples(
     x: Any, t: Any, default: Callable[[], np.ndarray], times: np.ndarray, n: int
 ) -> tuple[np.ndarray, np.ndarray, bool]:
-    """Return states (m, n), times (m,), and whether there is only one sample.
-
-    None stands for the state that `default` gives, and for `times`.
-    """
+    """Return states (m, n), times (m,), and whether there is only one sample."""
     if x is None:
         states = default()
     else:

@@ -168,11 +168,7 @@ class Exporting(Setup):
         constraints: Any = None,
         inputs: Iterable[Any] = (),
     ) -> Model:
-        """Return the Programs, names and numbers of what is exported.
-
-        `constraints` are None or 'project'; `inputs` are specifieds that become inputs although a
-        function or samples give them.
-        """
+        """Return the Programs, names and numbers of what is exported."""
         from pydy.export.model import PARTS, EventData, Model, Variable, identifiers, with_inputs
 
         now = self._now(events)
@@ -263,10 +259,7 @@ class Exporting(Setup):
         )
 
     def _live_system(self, *, constraints: Any = "auto", **options: Any) -> LiveSystem:
-        """Return what a page that simulates needs; `options` are those of `_exportable`.
-
-        Constraints are held where there are any, unless `constraints` is None.
-        """
+        """Return what a page that simulates needs; `options` are those of `_exportable`."""
         from pydy.viz.live import LiveSystem
 
         now = self._now()

@@ -26,12 +26,7 @@ def _parameter_names(body: Multibody) -> list[str]:
 
 
 def _per_length(columns: np.ndarray, powers: np.ndarray) -> float:
-    """Return how much larger entries are of parameters with one more power of length.
-
-    This is one number for all rows, whatever their units: a median, which rounding errors among the
-    entries do not move. Without it inertias in metres would be taken for rounding beside masses in
-    nanometres.
-    """
+    """Return how much larger entries are of parameters with one more power of length."""
     sizes = [np.abs(columns[:, powers == k]).max(axis=1, initial=0.0) for k in range(3)]
     found = []
     for i, j in ((0, 1), (1, 2), (0, 2)):

@@ -92,11 +92,7 @@ def base_symbols(
 def sort_out(
     equations: Equations, expressions: Iterable[Any] | None = None, known: Iterable[Any] = ()
 ) -> tuple[list[Any], list[Any]]:
-    """Return the constants and the specifieds that occur in expressions, sorted.
-
-    By default these are the expressions of the equations, which tell what is a state. Names that
-    are `known`, such as those of outputs, are neither.
-    """
+    """Return constants and specifieds in expressions, by default the equations'."""
     t = equations.time
     states = {*equations.coordinates, *equations.speeds}
     skip = {*states, *equations.zeros, *known, t}
@@ -151,10 +147,7 @@ def _term_with(symbol: Any, expressions: Iterable[Any]) -> Any:
 
 
 def named_outputs(outputs: Mapping[Any, Any]) -> dict[Any, Any]:
-    """Return an outputs dictionary with symbols in place of names.
-
-    A name is that of a symbol in its own expressions, or a new symbol.
-    """
+    """Return an outputs dictionary with symbols in place of names."""
     result: dict[Any, Any] = {}
     for key, value in outputs.items():
         several = isinstance(key, (tuple, list))

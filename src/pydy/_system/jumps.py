@@ -31,10 +31,7 @@ _Values = dict[str, np.ndarray]
 def _switched(
     assembly: Assembly, nodes: Sequence[int], searched: Sequence[int], inputs: str, others: str = ""
 ) -> tuple[list[int], dict[str, list[int]]]:
-    """Return what the `searched` switch at that depends on groups of inputs, and blocks of nodes.
-
-    It depends on one of the `inputs` at least, and on none but these and the `others`.
-    """
+    """Return what the `searched` switch at by `inputs`, and `others`, and blocks of nodes."""
     graph = assembly.graph
     found: list[int] = []
     steps: list[int] = []
@@ -49,11 +46,7 @@ def _switched(
 
 @dataclass(frozen=True)
 class Jumps:
-    """What rates switch at, its derivatives by states, specifieds and constants, and their steps.
-
-    They are the rates of the states, of which the speeds' are the loads unless masses switch, too,
-    and, last, what is integrated: an expression, or the place of an output.
-    """
+    """What rates, and last the `integral`, switch at, its derivatives, and their steps."""
 
     coordinates: int
     integral: Any = None
@@ -87,11 +80,7 @@ def node_of(assembly: Assembly, term: Any, argument: str) -> int:
 
 @dataclass(frozen=True)
 class Impulses:
-    """At which times what equations hold derivatives of switches, and its steps.
-
-    These are prescribed motions whose derivatives follow from them, and constraints: what they are
-    is a property of the model that has the expressions of the `plan` compiled in.
-    """
+    """At which times what equations hold derivatives of switches, and its steps."""
 
     definition: Definition = field(compare=False)
     plan: Plan = field(compare=False)
@@ -117,11 +106,7 @@ class Impulses:
 def _passages(
     evaluate: Callable[[np.ndarray], _Values], times: np.ndarray, resets: Sequence[float] = ()
 ) -> Iterator[tuple[int, np.ndarray, _Values, np.ndarray]]:
-    """Yield switches that a motion passes, with two times right beside, the largest steps first.
-
-    After them come the values there, with `steps` of shape (2, k, nodes), and the sizes of nodes.
-    Where an event resets the state it is no passage: derivatives know that.
-    """
+    """Yield switches that a motion passes, two times beside, values there, and sizes."""
     along = evaluate(times)
     sizes = np.abs(along["nodes"]).max(axis=0, initial=0.0)
     before = np.searchsorted(resets, times, side="right")
@@ -174,11 +159,7 @@ def _switches(now: Snapshot, parts: Any) -> bool:
 def warn_of_jumps(
     now: Snapshot, motion_of: Callable[[], Any], sensitive: Any = None, integral: Any = None
 ) -> None:
-    """Warn where a motion passes a jump of the rates, of which derivatives along it know nothing.
-
-    These are by the initial state, or by the parameters of `sensitive`. Rates that meet at a switch
-    differ by nothing there, up to half of the digits.
-    """
+    """Warn where a motion passes a jump of the rates, of which derivatives know nothing."""
     equations, states = now.definition.equations, now.definition.states
     n, r = len(states), len(now.definition.specifieds)
     parts = Jumps(len(equations.coordinates), integral)

@@ -86,10 +86,7 @@ class Motion:
 
 
 def check_kept(motion: Motion) -> None:
-    """Refuse a motion that left the constraints, redundant ones too, or changed its energy.
-
-    Or one that is brought back onto constraints which its velocities do not keep.
-    """
+    """Refuse a motion that left the constraints, or changed its energy without a cause."""
     equations, projected = motion.now.definition.equations, "constraints" in motion.options
     held = motion.info["nearness"] >= NEAR_SINGULAR if projected else False
     if held and not equations.beyond_projection:
@@ -140,11 +137,7 @@ def kept_programs(now: Snapshot, model: CompiledModel) -> KeptPrograms:
 
 
 class KeptPrograms:
-    """The parts of `kept.Part` as Programs, each made when it is first asked for.
-
-    The model has all expressions compiled in. Few motions need more than the first; those that
-    travel to other processes take all along.
-    """
+    """The parts of `kept.Part` as Programs; those that travel to other processes take all along."""
 
     def __init__(self, now: Snapshot, model: CompiledModel) -> None:
         self._now, self._model = now, model
@@ -187,10 +180,7 @@ def products(assembly: Assembly) -> dict[str, list[int]]:
 
 
 def slopes(assembly: Assembly) -> dict[str, list[int]]:
-    """Return all constraints, rates of the holonomic ones, and derivatives of both by the states.
-
-    Rows with specifieds of which nothing but values is known have no rate, and are left out.
-    """
+    """Return 'slopes' of `kept.Part`; specifieds of which values alone are known have no rate."""
     graph = assembly.graph
     places, motion = assembly.with_left_out()
     rows = [graph.zero if "r" in graph.inputs_of([n]) else n for n in (*places, *motion)]
@@ -215,11 +205,7 @@ class _OfEnergies:
 
 
 class EnergyPart(_OfEnergies):
-    """The energies and forces, and the total energy's derivatives; nothing where it may change.
-
-    It is constant where loads have a potential and constraints do no work: neither depends on time
-    or specifieds, all that moves moves with the speeds.
-    """
+    """The energies and forces, and the total energy's derivatives; nothing where it may change."""
 
     def __call__(self, assembly: Assembly) -> dict[str, list[int]]:
         known: tuple[Any, ...] = ()

@@ -46,11 +46,7 @@ def read_parameters(
     argument: str = "sensitivities",
     dependent: Sequence[Any] = (),
 ) -> tuple[Parameter, ...]:
-    """Return the parameters that a user `wanted`, in the argument of a name.
-
-    A group stands for all of its symbols that may be parameters: states that are not `dependent`,
-    and specifieds that are numbers or samples.
-    """
+    """Return the parameters that a user `wanted`; a group stands for all that may be parameters."""
     following = _following(definition, plan)
     symbols = members(
         definition,

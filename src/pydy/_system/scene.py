@@ -39,12 +39,7 @@ def make_scene(
     trajectory: Callable[[Any, Any], Any] | None = None,
     live: Callable[..., Any] | None = None,
 ) -> Scene:
-    """Return a scene, with what was not said taken from the bodies and loads.
-
-    The `constants` tell which way gravity pulls; `assembly` gives the equations of motion, where
-    the scene holds derivatives of the speeds. For `times`, `trajectory` and `live` see
-    `pydy.viz.motion.Model`.
-    """
+    """Return a scene, with what was not said taken from the bodies and loads."""
     equations = definition.equations
     options = dict(options)
     loads = flag(options.pop("loads", False), "`loads`")
@@ -145,13 +140,7 @@ _STATES = 8  # more than a straight line through them has freedoms
 def up_in_lagrangian(
     mechanism: Mechanism, origin: Any, names: Names, values: Mapping[Any, float]
 ) -> str | None:
-    """Return the axis along which a Lagrangian's energy of weights grows, or None.
-
-    That energy is what the potential one has of a symbol `g`, or of the masses, or all of it where
-    these are numbers. At random states it must be a multiple of the masses' first moment about one
-    of the axes, apart from a constant. The `names` are those of states and specifieds; constants
-    without one of the `values` are 1.
-    """
+    """Return the axis along which a Lagrangian's energy of weights grows, or None."""
     lagrangian = sm.sympify(mechanism.lagrangian)
     potential = -lagrangian.xreplace(dict.fromkeys(lagrangian.atoms(sm.Derivative), 0))
     masses = {body.masscenter: sm.sympify(body.mass) for body in mechanism.bodies}

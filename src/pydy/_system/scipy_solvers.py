@@ -75,11 +75,7 @@ def call_odeint(
     names: Sequence[Any],
     options: dict[str, Any],
 ) -> tuple[np.ndarray, dict[str, Any]]:
-    """Return the states and the information of ``odeint(f, x0, times, args, full_output=True)``.
-
-    Where it gives up, its rows hold whatever lay in memory, or NaN: that is an IntegrationError, in
-    which the states have `names`.
-    """
+    """Return the states and information of `odeint`; an IntegrationError where it gives up."""
     refuse_nested("odeint")
     options = check_scipy_options(options)
     _check_scales(options, x0)
@@ -128,12 +124,7 @@ METHODS = ("RK45", "RK23", "DOP853", "Radau", "BDF", "LSODA")
 
 
 def resolve_ode_solver(solver: Any) -> Any:
-    """Return the function that an `ode_solver` stands for, called as odeint is; None for odeint.
-
-    A name is ``'odeint'`` or ``'lsoda'``, that of a native solver, or of a method of
-    `scipy.integrate.solve_ivp`; a class is such a method. SciPy's integrators take as long to load
-    as SymPy: they are loaded when they are first used.
-    """
+    """Return what an `ode_solver` or its name stands for, called as odeint is; None for odeint."""
     if solver is None:
         return None
     if not isinstance(solver, str):
@@ -171,11 +162,7 @@ def _called(solver: Any) -> Any:
 
 
 class _Rates:
-    """Derivatives for SciPy, and where they first were not finite.
-
-    SciPy's explicit methods never end if that is where they begin; its implicit ones raise what
-    their linear algebra does.
-    """
+    """Derivatives for SciPy, and where they first were not finite."""
 
     def __init__(self, f: Callable[[float, np.ndarray], Any]) -> None:
         self._f, self._first = f, True
@@ -189,6 +176,7 @@ class _Rates:
         if self.undefined is None and not np.isfinite(found).all():
             self.undefined = float(t), np.array(x, dtype=float)
             if self._first:
+                # SciPy's explicit methods never end where they begin like this.
                 raise FloatingPointError("the derivatives are not finite where it begins")
         self._first = False
         return found

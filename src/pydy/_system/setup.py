@@ -49,11 +49,7 @@ class Generated:
     _functions: dict[bool, Any] = field(default_factory=dict)
 
     def function(self, *, any_layout: bool) -> Any:
-        """Return the function that users call; made once for each way to take arrays.
-
-        With `any_layout`, states that are not contiguous are copied, where the back end leaves it
-        open.
-        """
+        """Return the function that users call; made once for each way to take arrays."""
         side = RightHandSide(self.model, any_layout=any_layout, **self.arguments)
         if side.refuse_strided not in self._functions:
             self._functions[side.refuse_strided] = make_function(side)
@@ -80,10 +76,7 @@ def checked_options(options: dict[str, Any]) -> dict[str, Any]:
 
 
 def generate(definition: Definition, eom_method: Any, options: Mapping[str, Any]) -> Generated:
-    """Return the model of a definition, by options of `generate_ode_function`.
-
-    Nothing is compiled as yet. The `eom_method` has the mass matrix, for a symbolic solution.
-    """
+    """Return a definition's model, by options of `generate_ode_function`, not compiled yet."""
     options = dict(options)
     solver = resolve_solver(options.pop("linear_sys_solver", None))
     equations = definition.equations
@@ -106,11 +99,7 @@ def generate(definition: Definition, eom_method: Any, options: Mapping[str, Any]
 
 
 class Setup:
-    """The state of a System: all that can be set, and the names and symbols that follow.
-
-    It is checked when it is set and again when it is used, as a dictionary may have been edited in
-    place. The themes of System inherit from this class, and work on what `_now` returns.
-    """
+    """The state of a System, checked when set and when used: it may be edited in place."""
 
     def __init__(
         self,
@@ -218,10 +207,7 @@ class Setup:
         return made
 
     def _now(self, events: Any = None, constants: Any = None) -> Snapshot:
-        """Return everything as it is now: each public call takes one and works on that.
-
-        What the call is given may bring constants that the equations do not hold.
-        """
+        """Return everything as it is now, with the symbols that one call brings."""
         more = constants if isinstance(constants, Mapping) else {}
         definition = self._defined({**self._constants, **more} if more else self._constants)
         if events is not None:

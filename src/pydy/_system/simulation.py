@@ -56,10 +56,7 @@ _PLAIN = frozenset((float, int, bool, str, type(None)))  # an array may be edite
 
 
 class Ready:
-    """What is integrated but for its numbers: a call that differs in these alone takes it as it is.
-
-    Of the options of `System.integrate`, events and constraints are compiled.
-    """
+    """What is integrated but for its numbers, which alone may differ in another call."""
 
     def __init__(
         self,
@@ -115,10 +112,7 @@ class Ready:
         return model, options
 
     def suits(self, plan: SpecifiedsPlan, solver: Any, given: dict[str, Any]) -> bool:
-        """Return whether a call differs in numbers alone, as far as that can be seen.
-
-        A plan by `SpecifiedsPlan.again` has the other one's expressions, samples and functions.
-        """
+        """Return whether a call differs in numbers alone, as far as that can be seen."""
         if solver is not self._solver or [*given] != [*self._given]:
             return False
         for name, value in given.items():

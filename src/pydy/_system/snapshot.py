@@ -79,10 +79,7 @@ class At:
         return replace(self, t=self.t[places], x=self.x[places], r=r, p=p)
 
     def with_unknowns(self, given: Any, rows: Callable[..., np.ndarray]) -> Self:
-        """Return the same with what the residuals of an `Implicit` give for these numbers.
-
-        A whole state that is `given` is taken as it is; `rows(x, t)` returns the specifieds.
-        """
+        """Return the same with what residuals give, unless a whole state is `given`."""
         whole = not (given is None or isinstance(given, Mapping))
         if whole or self.definition.equations.implicit is None:
             return self
@@ -117,11 +114,7 @@ class _Residuals:
 
 
 def solved_residuals(at: At) -> np.ndarray:
-    """Return a state with the coordinates that the residuals of an `Implicit` give.
-
-    Those of the state are where the search begins: by a safeguarded method, then by Newton's to the
-    last digit.
-    """
+    """Return a state with what residuals of an `Implicit` give, searched from it."""
     x: np.ndarray = at.x[0].copy()
     for rows, places in at.definition.equations.residual_blocks:
         x[[*places]] = _solved_block(replace(at, x=x[None]), _Residuals(rows, places))
@@ -162,10 +155,7 @@ def _solved_block(at: At, parts: _Residuals) -> np.ndarray:
 
 @dataclass(frozen=True, eq=False)
 class Snapshot:
-    """What a System is while one of its methods runs; it does not change with the System.
-
-    A Trajectory keeps it as its `trajectory.Model`.
-    """
+    """What a System is while one of its methods runs; it does not change with the System."""
 
     definition: Definition
     model: CompiledModel  # takes all specifieds as inputs

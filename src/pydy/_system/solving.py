@@ -136,12 +136,7 @@ def _slopes(assembly: Assembly, graph: Graph, nodes: Sequence[int]) -> list[dict
 def event_rates_program(
     assembly: Assembly, expressions: Sequence[Any], linear: bool | None = None
 ) -> Program:
-    """Return the Program of the events' time derivatives along the motion.
-
-    A simulation, which knows whether all are linear, wants them at its ends and at events only: to
-    simplify them would take longer. It wants bounds on the roundings of the expressions there, too,
-    behind the others, and the slopes of linear ones.
-    """
+    """Return the Program of the events' rates; of bounds and slopes too if `linear` is told."""
     own = assembly.fork()
     graph = own.graph
     nodes = own.read(expressions, "the events")
@@ -201,10 +196,7 @@ def constraint_names(equations: Equations, redundant: bool = False) -> tuple[str
 
 
 class ConstraintNames(Sequence[str]):
-    """The names of constraints, made when one is needed.
-
-    To print those of a Stewart platform takes longer than to compile them.
-    """
+    """The names of constraints, made when one is needed: to print them may take long."""
 
     def __init__(self, equations: Equations) -> None:
         self._equations: Equations | None = equations
@@ -226,10 +218,7 @@ class ConstraintNames(Sequence[str]):
 
 
 def with_all(model: CompiledModel, definition: Definition) -> CompiledModel:
-    """Return the same with all constraints, those that were left out as redundant last.
-
-    Those that were kept may lose rank on a regular path, where all together have theirs.
-    """
+    """Return the same with all constraints, those that were left out as redundant last."""
 
     def change(own: Assembly) -> Assembly:
         holonomic, velocity = own.with_left_out()

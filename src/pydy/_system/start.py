@@ -31,12 +31,7 @@ from pydy.trajectory import EventRecord
 
 
 def check_start(at: At, whose: str = "", mended: bool = False) -> bool:
-    """Warn where a motion starts off the constraints; return whether it does.
-
-    Where it does not, what was left out as redundant must hold too, and the velocity constraints
-    must keep the holonomic ones. The warning says `whose` initial conditions are meant; there is
-    none where the motion is `mended`, that is, brought onto the constraints.
-    """
+    """Warn where a motion starts off the constraints; return whether it does."""
     held = surely_held(at)[0]
     if not held:
         _check_constant(at)
@@ -145,11 +140,7 @@ def check_samples(
     shape: tuple[int, ...],
     mended: bool,
 ) -> None:
-    """Warn of the first sample of an ensemble that is off the constraints, of 64 that are tried.
-
-    The `columns` of x, r and p hold an array for each symbol that can be broadcast to `shape`;
-    `at` knows the specifieds of which no sample has its own. See `check_start`.
-    """
+    """Warn of the first sample of an ensemble that is off the constraints, of 64 that are tried."""
     total = int(np.prod(shape))
     varied = np.array([np.size(a) > 1 for a in columns[1]], dtype=bool)
     for number in np.unique(np.linspace(0, total - 1, min(total, TRIED)).astype(int)):
@@ -166,11 +157,7 @@ def check_samples(
 
 
 def contradiction(equations: Equations, t: float, unimplied: int, rate: float) -> str:
-    """Say that velocity constraints hold, but do not keep one of the `unimplied` holonomic ones.
-
-    Which of them imply the rates of those is known at random states and constants; the rates that
-    are not among these are judged by the numbers.
-    """
+    """Say that velocity constraints hold, but do not keep one of the `unimplied` holonomic ones."""
     name = constraint_names(equations)[equations.unimplied[unimplied]]
     return (
         f"At t = {t!r} the velocity constraints hold, but with these speeds the rate of the "
@@ -180,10 +167,7 @@ def contradiction(equations: Equations, t: float, unimplied: int, rate: float) -
 
 
 def rates_along(assembly: Assembly, rows: Sequence[int]) -> list[int]:
-    """Return the derivatives of rows of coordinates and time, as the kinematic equations say.
-
-    Rows with specifieds of which nothing but values is known have none that could be told: zero.
-    """
+    """Return rates of rows of coordinates and time; zero where specifieds are numbers."""
     graph = assembly.graph
     first = graph.args[assembly.speeds[0]][1]
     along = {graph.input("x", k): {0: rate} for k, rate in enumerate(assembly.rates[:first])}
@@ -212,10 +196,7 @@ def rates(assembly: Assembly) -> dict[str, list[int]]:
 
 
 def check_redundant(at: At) -> None:
-    """Refuse a state that keeps the constraints, where more of them are independent than were kept.
-
-    Refuse one, too, where a constraint that was left out does not hold.
-    """
+    """Refuse a state where constraints left out do not hold, or not follow from others."""
     equations, t = at.definition.equations, float(at.t[0])
     left_out = equations.left_out
     if not any(left_out):
@@ -244,10 +225,7 @@ def check_redundant(at: At) -> None:
 
 
 def warn_of_left_out(at: At, blocks: tuple[bool, bool]) -> None:
-    """Warn of states that keep all constraints but those that were left out as redundant.
-
-    The `blocks` say whether holonomic constraints are looked at, and velocity constraints.
-    """
+    """Warn of states that keep all constraints but those that were left out as redundant."""
     equations = at.definition.equations
     kept = _rows_of(equations, True, False, True, False)
     left = _rows_of(equations, False, blocks[0], False, blocks[1])
@@ -281,11 +259,7 @@ def evaluated_rows(at: At, what: Literal["sizes", "bounds"]) -> tuple[np.ndarray
 
 
 def measured(assembly: Assembly, rows: Sequence[int], count: int) -> dict[str, list[int]]:
-    """Return what tells the rounding of rows: ``slopes``, ``solved`` and ``per_unit`` of `Part`.
-
-    The first `count` rows are solved for the states, those behind for the speeds, where the
-    coordinates are known: their derivatives by the other states are zero.
-    """
+    """Return ``slopes``, ``solved``, ``per_unit`` of `Part`; `count` rows hold all states."""
     graph, n = assembly.graph, assembly.sizes[0]
     states = [graph.input("x", k) for k in range(n)]
     moving, cells = {*assembly.speeds}, dense_jacobian(graph, rows, states)

@@ -195,12 +195,7 @@ def sweep(
     look: Callable[[At], None] | None = None,
     solve: bool = False,
 ) -> np.ndarray:
-    """Evaluate a Kernel at a user's x, t, r and p, with the defaults of the evaluations.
-
-    `names` returns those of the result's rows, which are derivatives `by` some inputs; `vectors`,
-    (1, k) or (m, k), are inputs after r; `look` is called with what is evaluated. With `solve`,
-    what residuals give is solved for in whole states too.
-    """
+    """Evaluate a Kernel at a user's x, t, r and p, with the defaults of the evaluations."""
     (x, t, r, p), model, definition = given, now.model, now.definition
     states, instants, single = samples(
         now.x_with(x), t, lambda: now.x, now.times, len(definition.states)

@@ -54,11 +54,7 @@ class ConstantsArgument:
 
 
 class SpecifiedsArgument:
-    """Reads the argument r: an array, a function, or a dictionary of numbers and functions.
-
-    Without `arg_type` that depends on each value; with `time_first`, functions are called as g(t,
-    x).
-    """
+    """Reads the argument r: an array, a function, or a dictionary of numbers and functions."""
 
     def __init__(
         self, symbols: Sequence[Any], arg_type: str | None = None, time_first: bool = False
@@ -128,10 +124,7 @@ def _plain(places: Places, values: dict[Any, Any], arg_type: str | None) -> Any:
 
 
 def one_format(values: Mapping[Any, Any], argument: str) -> tuple[Mapping[Any, Any], bool]:
-    """Return a dictionary of specifieds in the first format, and whether it was in the second.
-
-    The second has the keys 'symbols' and 'values'.
-    """
+    """Return specifieds in the first format, and whether they had 'symbols' and 'values'."""
     if "symbols" not in values and "values" not in values:
         return values, False
     if set(values) != {"symbols", "values"}:
@@ -327,10 +320,7 @@ class SpecifiedsPlan:
         return tuple((columns, f, describe(f.names)) for columns, f in self._functions)
 
     def again(self, values: Mapping[Any, Any]) -> SpecifiedsPlan | None:
-        """Return the plan of a dictionary that differs from this plan's in floats alone, or None.
-
-        What may have been edited in place, as an array may, counts as another value.
-        """
+        """Return the plan of a dictionary that surely differs in floats alone, or None."""
         keys, before = self._given
         given, moved = [*values.values()], []
         if [*values] != keys:

@@ -151,11 +151,7 @@ _NOTHING = np.empty(0)
 
 
 class RightHandSide:
-    """The implementation of a generated function: a model, and how its arguments are read.
-
-    With `any_layout`, states that are not contiguous are copied where the back end leaves it open;
-    see `pydy._backends.base`.
-    """
+    """The implementation of a generated function: a model, and how its arguments are read."""
 
     def __init__(
         self,
@@ -260,11 +256,7 @@ class RightHandSide:
         return rhs
 
     def native(self, args: tuple[Any, ...]) -> KernelCall | None:
-        """Return how native solvers call the generated function with `args` after x and t.
-
-        None where it has to be called itself: it returns more than derivatives, takes time first,
-        or the specifieds are a function.
-        """
+        """Return how native solvers call the function with these `args`, or None."""
         symbols = self.layout.specifieds
         if self.time_first or self.num_outputs or len(args) != (2 if symbols else 1):
             return None
@@ -310,11 +302,7 @@ class RightHandSide:
 
 
 def rates_function(model: CompiledModel, plan: SpecifiedsPlan) -> Any:
-    """Return ``f(x, t, r, p)`` for solvers: the derivatives alone, from arrays r and p.
-
-    Unless the plan is constant, it gives r at each state and time, in place of the argument. Native
-    solvers find a `KernelCall` through the attribute ``native``.
-    """
+    """Return ``f(x, t, r, p)`` for solvers; a plan that is not constant gives r itself."""
     kernel = model.compiled("rates")
     empty, n = np.empty, len(model.layout.states)
     call = kernel.gate
