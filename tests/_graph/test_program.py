@@ -214,7 +214,7 @@ SCRIPT = """
 from sympy.physics.mechanics.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from pydy._mechanics.extract import extract
 from pydy._assembly.system import assemble_system
-from pydy._system.inputs import sort_out
+from pydy._system.definition import sort_out
 for kane in (n_link_pendulum_on_cart(3, cart_force=True, joint_torques=True),
              multi_mass_spring_damper(4, True, True)):
     equations = extract(kane)

@@ -94,6 +94,24 @@ class Definition:
         """Where states, specifieds and constants lie in x, r and p; and outputs among all."""
         return {what: Places(s, f"{what} of the system") for what, s in vars(self.layout).items()}
 
+    def row_names(self, block: str) -> list[str]:
+        """Return what to call the values of a block in messages."""
+        equations = self.equations
+        if block == "rates":
+            return [f"the derivative of {s}" for s in self.states]
+        if block == "outputs":
+            return [getattr(s, "name", str(s)) for s in self.outputs_symbols]
+        if block == "energy":
+            return ["the kinetic energy", "the potential energy", "the total energy"]
+        if block.startswith("kinetic"):
+            return ["the kinetic energy"] if block == "kinetic_energy" else []
+        kinds = ("holonomic", "nonholonomic") if block == "constraints" else (block,)
+        return [
+            f"the residual of {kind} constraint {k}"
+            for kind in kinds
+            for k, _ in enumerate(getattr(equations, kind))
+        ]
+
     def assemble(self, equations: Equations, *, external: bool, passes: Passes) -> Assembly:
         """Return the graph of everything; `equations` may be these, solved beforehand."""
         return assemble_system(

@@ -17,7 +17,6 @@ import pydy._graph
 from pydy import _cache_folder
 from pydy._assembly.assembly import Assembly
 from pydy._assembly.definition import Definition, Layout
-from pydy._assembly.tuning import INTERPRETED
 from pydy._backends.base import strict
 from pydy._backends.registry import compile_program, compiled_by
 from pydy._checks import real_array, shown
@@ -31,6 +30,9 @@ from pydy._graph.tangent import Tangent, program_from_bytes
 from pydy._kernel import Kernel
 from pydy._names import numbers_of, some, unique_names
 
+# How often a Program is interpreted before it is compiled: an operation takes about a microsecond
+# each time, and some 50 to be compiled. Who waits for both waits twice as long as need be at most.
+_INTERPRETED = 64
 # Small systems are simplified sooner than a file is read.
 _WORTH_STORING = 300
 _T = TypeVar("_T", bound="Program | Tangent")
@@ -346,7 +348,7 @@ class _Evaluated:
 
     def __init__(self, program: Program) -> None:
         self.program = program
-        self._left = INTERPRETED
+        self._left = _INTERPRETED
         self._solves = not {"solve", "factor", "guard"}.isdisjoint(program.ops)
 
     @cached_property

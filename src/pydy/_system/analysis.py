@@ -14,10 +14,9 @@ from pydy._checks import Places, listed, one_or_more
 from pydy._errors import warn_user
 from pydy._names import unique_names
 from pydy._system.balance import GROUPS, Point, located, members
-from pydy._system.evaluation import samples
+from pydy._system.kept import first_violation
 from pydy._system.setup import Setup
-from pydy._system.snapshot import At, Snapshot
-from pydy._system.start import first_violation
+from pydy._system.snapshot import At, Snapshot, samples
 from pydy.analysis.equilibria import Equilibrium
 from pydy.analysis.linear import LinearModel
 

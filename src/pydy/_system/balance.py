@@ -23,7 +23,6 @@ from pydy._kernel import Kernel
 from pydy._mechanics.inverse import Known, inverse_dynamics, mass_matrix
 from pydy._names import some, unique_names
 from pydy._rank import HALF, ROUNDING, equilibrated, is_zero, or_one
-from pydy._system.evaluation import row_names
 from pydy._system.setup import Setup
 from pydy._system.snapshot import At, Snapshot
 from pydy._system.tuning import BESIDE
@@ -306,8 +305,8 @@ class Balance:
     @property
     def titles(self) -> list[str]:
         """What the rows of the residual are called."""
-        names = row_names(self.definition, "rates")
-        rest = [t for b in self.blocks[1:] for t in row_names(self.definition, b)]
+        names = self.definition.row_names("rates")
+        rest = [t for b in self.blocks[1:] for t in self.definition.row_names(b)]
         return [names[k] for k in self.rows] + rest
 
     @property

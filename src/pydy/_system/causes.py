@@ -12,12 +12,14 @@ from typing import Any
 
 import numpy as np
 
+from pydy import _errors
 from pydy._assembly.assembly import Assembly
 from pydy._checks import describe
 from pydy._errors import IntegrationError, SingularMatrixError
 from pydy._graph.derivative import dense_jacobian
+from pydy._names import numbers_of, unique_names
 from pydy._rank import DEPENDENT, DIGITS, equilibrated, independent_columns
-from pydy._system.snapshot import At
+from pydy._system.snapshot import At, Snapshot
 from pydy.solvers.outcome import (
     CONSTRAINTS_NOT_MET,
     NOT_FINITE,
@@ -25,6 +27,7 @@ from pydy.solvers.outcome import (
     SINGULAR,
     STEP_UNDERFLOW,
 )
+from pydy.trajectory import Trajectory
 
 # What a solver squares over tolerances, which are seldom below the precision of floats.
 _LARGEST = float(np.sqrt(np.finfo(float).max) * np.finfo(float).eps)
@@ -210,3 +213,22 @@ def _bad_dependents(equations: Any, rows: np.ndarray) -> str | None:
         f"{describe(chosen)}: their matrix is singular in this configuration. Choose others, such "
         f"as {describe(others)}, as `u_dependent` of KanesMethod, with `q_dependent` to match."
     )
+
+
+def warn_not_finite(out: np.ndarray, at: At, names: Sequence[str]) -> None:
+    """Warn of values (m, o, …) of o names that are not finite where what they follow from is."""
+    sound = np.isfinite(at.t) & np.isfinite(at.x).all(axis=1) & np.isfinite(at.r).all(axis=1)
+    wrong = ~np.isfinite(out.reshape(*out.shape[:2], -1)).all(axis=2)
+    wrong &= (sound & np.isfinite(at.p).all())[:, None]
+
+    def place(k: int) -> tuple[str, str | None]:
+        state = numbers_of(at.definition.states, at.x[k])
+        return f"t = {float(at.t[k])!r} in the state {state}", cause_of(at.some([k]))
+
+    _errors.warn_not_finite(wrong, names, place)
+
+
+def warn_of_outputs(trajectory: Trajectory, now: Snapshot) -> None:
+    """Warn of outputs along a motion that are not finite where its states are."""
+    at = now.at(trajectory.times, trajectory.states)
+    warn_not_finite(trajectory.outputs, at, unique_names(trajectory.outputs_symbols))

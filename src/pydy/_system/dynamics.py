@@ -33,9 +33,9 @@ from pydy._mechanics.inverse import (
 from pydy._mechanics.reader import Multibody, checked_vector, distances, places
 from pydy._names import name_of
 from pydy._system.analysis import variables
+from pydy._system.kept import first_violation
 from pydy._system.setup import Setup
 from pydy._system.snapshot import At, Snapshot
-from pydy._system.start import first_violation
 from pydy._system.values import each_of, sweep
 
 

@@ -23,14 +23,13 @@ from pydy._checks import (
 )
 from pydy._dataset import SENSITIVITY
 from pydy._names import column_names, latex_of, name_of, some, unique_names
-from pydy._system.inputs import check_times
-from pydy._system.kept import kept_programs
+from pydy._system.definition import check_times
+from pydy._system.kept import check_samples, kept_programs
 from pydy._system.sensitivities import Sensitive, changed_by, program_of_event
 from pydy._system.setup import Setup
 from pydy._system.simulation import Ready
 from pydy._system.snapshot import At, Snapshot
 from pydy._system.solving import ConstraintNames, native_solver, with_residuals_held
-from pydy._system.start import check_samples
 from pydy._version import __version__
 from pydy.codegen.arguments import SpecifiedsPlan, symbolic_entries
 from pydy.ensemble.engine import Ensemble

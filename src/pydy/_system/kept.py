@@ -1,11 +1,11 @@
-"""Motions that left their constraints, or changed their energy without a cause, are errors."""
+"""Whether motions begin on the constraints, keep them, and change their energy with a cause."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass
-from typing import Any
+from dataclasses import dataclass, replace
+from typing import Any, Literal
 
 import numpy as np
 
@@ -13,19 +13,324 @@ from pydy import _forks
 from pydy._assembly.assembly import Assembly
 from pydy._assembly.definition import Layout
 from pydy._assembly.model import CompiledModel
-from pydy._errors import IntegrationError
-from pydy._graph.derivative import dense_jacobian, jacobian
+from pydy._errors import IntegrationError, warn_user
+from pydy._graph.derivative import dense, dense_jacobian, directional, jacobian
+from pydy._graph.node import Graph
 from pydy._graph.program import Program
 from pydy._graph.rewrite import substitute
+from pydy._graph.rounding import per_unit, rounding_bounds
+from pydy._mechanics.equations import Equations
+from pydy._mechanics.symbols import find_symbols
+from pydy._mechanics.tuning import ROUNDED
+from pydy._rank import DIGITS, rank
 from pydy._system.energy import EnergyModel
-from pydy._system.snapshot import Snapshot
-from pydy._system.solving import constraint_names
-from pydy._system.start import bounded, contradiction, measured, rates, rates_along, sized
-from pydy.solvers.kept import Ran, judge, looked_at
+from pydy._system.snapshot import At, Snapshot
+from pydy._system.solving import ConstraintNames, constraint_names
+from pydy.solvers.kept import (
+    Ran,
+    allowed_after,
+    contradicted,
+    described,
+    judge,
+    left_by_rounding,
+    looked_at,
+    warn_of_reset,
+)
 from pydy.solvers.options import Options
 from pydy.solvers.outcome import OUTCOMES
-from pydy.solvers.tuning import NEAR_SINGULAR
+from pydy.solvers.tuning import NEAR_SINGULAR, TRIED
 from pydy.trajectory import EventRecord
+
+# -- where a motion begins, and after resets -------------------------------------------------------
+
+
+def check_start(at: At, whose: str = "", mended: bool = False) -> bool:
+    """Warn where a motion starts off the constraints; return whether it does."""
+    held = surely_held(at)[0]
+    if not held:
+        _check_constant(at)
+    told = "" if held else violations(at, redundant=False)
+    equations = at.definition.equations
+    unimplied = () if told else equations.unimplied
+    if unimplied and (found := contradicted(at.values(rates))):
+        why = contradiction(equations, float(at.t[0]), *found[1:])
+        raise ValueError(f"No motion satisfies all constraints. {why}")
+    if held and not any(equations.left_out):
+        return False
+    if not told:
+        check_redundant(at)
+        told = violations(at)
+    if told and not mended:
+        warn_user(
+            f"The initial conditions{whose} do not satisfy the constraints, and nothing will bring "
+            f"the motion back onto them. {told} Call "
+            "`system.set_dependent_initial_conditions()` first."
+        )
+    return bool(told)
+
+
+def _check_constant(at: At) -> None:
+    """Refuse a constraint of constants alone that is not zero: no motion can satisfy it."""
+    equations = at.definition.equations
+    closed, redundant = equations.left_out
+    rows = [*equations.holonomic, *closed, *equations.velocity, *redundant]
+    residuals, bounds = (part[0] for part in evaluated_rows(at, "bounds"))
+    constants = set(at.definition.constants)
+    for k in np.flatnonzero(np.abs(residuals) > DIGITS * bounds):
+        if find_symbols([rows[k]]).keys() <= constants:
+            name = constraint_names(equations, redundant=True)[k]
+            raise ValueError(
+                f"No motion satisfies the {name}, which depends on constants alone: it is "
+                f"{residuals[k]:.3g}. Leave it out, or correct it."
+            )
+
+
+def check_resets(
+    records: Iterable[EventRecord], at: Callable[[np.ndarray, np.ndarray], At]
+) -> None:
+    """Warn of the first reset of each event that leaves the constraints."""
+    told: set[str] = set()
+    for record in records:
+        if record.name in told or (record.after == record.before).all():
+            continue
+        time = np.array([record.time])
+        if off := violations(at(time, record.after[None]), before=at(time, record.before[None])):
+            told.add(record.name)
+            warn_of_reset(record.name, off)
+
+
+def surely_held(at: At) -> np.ndarray:
+    """Return which of m states have no `violations`, as far as the last operations tell."""
+    residuals, sizes = evaluated_rows(at, "sizes")
+    held: np.ndarray = (np.abs(residuals) <= DIGITS * sizes).all(axis=1)  # NaN is not
+    return held
+
+
+def first_violation(at: At, blocks: tuple[bool, bool] = (True, True)) -> tuple[int, str] | None:
+    """Return the first state that has `violations`, of those that are tried, and these."""
+    m = len(at.x)
+    tried = np.unique(np.linspace(0, m - 1, min(m, TRIED)).astype(int))
+    for k in tried[~surely_held(at.some(tried))]:
+        if told := violations(at.some([k]), blocks=blocks):
+            return int(k), told
+    return None
+
+
+def violations(
+    at: At,
+    redundant: bool = True,
+    before: At | None = None,
+    blocks: tuple[bool, bool] = (True, True),
+) -> str:
+    """Name the residuals of a state that is farther from the constraints than six digits are.
+
+    A residual is compared with the bound on its rounding errors, if six digits were computed with.
+    Constraints that were left out as `redundant` are judged too. What there was `before` a reset
+    counts as drift that it has not made. The `blocks` say whether holonomic constraints are looked
+    at, and velocity constraints. What is returned is a sentence, or nothing.
+    """
+    if surely_held(at)[0]:
+        return ""
+    residuals, bounds = (part[0] for part in evaluated_rows(at, "bounds"))
+    inherited = None if before is None else evaluated_rows(before, "bounds")[0][0]
+    equations, (q, v) = at.definition.equations, blocks
+    looked_at = _rows_of(equations, q, q and redundant, v, v and redundant)
+    residuals = np.where(looked_at, residuals, 0.0)
+    allowed = allowed_after(DIGITS * bounds, inherited)
+    return described(float(at.t[0]), residuals, allowed, ConstraintNames(equations))
+
+
+def _rows_of(equations: Equations, *wanted: bool) -> np.ndarray:
+    """Tell which rows are wanted: holonomic, of these left out, velocity, of these left out."""
+    closed, redundant = equations.left_out
+    parts = equations.holonomic, closed, equations.velocity, redundant
+    return np.repeat(wanted, [len(part) for part in parts])
+
+
+def check_samples(
+    at: Callable[[np.ndarray, np.ndarray], At],
+    t: float,
+    columns: tuple[Sequence[np.ndarray], Sequence[np.ndarray], Sequence[np.ndarray]],
+    shape: tuple[int, ...],
+    mended: bool,
+) -> None:
+    """Warn of the first sample of an ensemble that is off the constraints, of 64 that are tried."""
+    total = int(np.prod(shape))
+    varied = np.array([np.size(a) > 1 for a in columns[1]], dtype=bool)
+    for number in np.unique(np.linspace(0, total - 1, min(total, TRIED)).astype(int)):
+        place = np.unravel_index(number, shape)
+        x, r, p = (np.array([np.broadcast_to(a, shape)[place] for a in part]) for part in columns)
+        common = at(np.array([t]), x[None])
+        sample = replace(common, r=np.where(varied, r, common.r), p=p)
+        whose = f" of sample {', '.join(map(str, place))}" if shape else ""
+        if check_start(sample, whose, mended):
+            return
+
+
+# -- Velocity constraints that do not keep the holonomic ones --------------------------------------
+
+
+def contradiction(equations: Equations, t: float, unimplied: int, rate: float) -> str:
+    """Say that velocity constraints hold, but do not keep one of the `unimplied` holonomic ones."""
+    name = constraint_names(equations)[equations.unimplied[unimplied]]
+    return (
+        f"At t = {t!r} the velocity constraints hold, but with these speeds the rate of the "
+        f"{name}, is {rate:.3g}. Correct it, or the velocity constraints "
+        "(`velocity_constraints`): all motions that they allow must keep the holonomic ones."
+    )
+
+
+def rates_along(assembly: Assembly, rows: Sequence[int]) -> list[int]:
+    """Return rates of rows of coordinates and time; zero where specifieds are numbers."""
+    graph = assembly.graph
+    first = graph.args[assembly.speeds[0]][1]
+    along = {graph.input("x", k): {0: rate} for k, rate in enumerate(assembly.rates[:first])}
+    along[graph.input("t", 0)] = {0: graph.one}
+    known = [graph.zero if "r" in graph.inputs_of([n]) else n for n in rows]
+    return dense(graph, directional(graph, known, along), 1)
+
+
+def rates(assembly: Assembly) -> dict[str, list[int]]:
+    """Return 'contradictions' of `kept.Part`."""
+    graph, equations = assembly.graph, assembly.equations
+    assert equations is not None
+    rows = rates_along(assembly, [assembly.holonomic[k] for k in equations.unimplied])
+    return {
+        "rates": rows,
+        "sizes": rounding_bounds(graph, rows, True),
+        "slopes": dense_jacobian(graph, rows, assembly.speeds),
+        "left": assembly.velocity,
+        "rows": dense_jacobian(graph, assembly.velocity, assembly.speeds),
+    }
+
+
+# -- Constraints that were left out as redundant ---------------------------------------------------
+# They were chosen at random states. A linkage may be assembled in other ways than in those, and a
+# constraint may contradict others in a length that was random there.
+
+
+def check_redundant(at: At) -> None:
+    """Refuse a state where constraints left out do not hold, or not follow from others."""
+    equations, t = at.definition.equations, float(at.t[0])
+    left_out = equations.left_out
+    if not any(left_out):
+        return
+    n = len(equations.coordinates)
+    places = _rows_of(equations, False, True, False, False)
+    closed, bounds = (part[0, places] for part in evaluated_rows(at, "bounds"))
+    if (far := ~(np.abs(closed) <= DIGITS * bounds)).any():
+        k = int(np.argmax(far))
+        raise ValueError(
+            f"The holonomic constraint `{left_out[0][k]}` was left out as redundant, but with "
+            f"these numbers it contradicts the others: at t = {t!r} it is {closed[k]:.3g} where "
+            "the others hold. Correct it, or the constants and initial conditions."
+        )
+    slopes = at.values(_velocity_slopes)["slopes"].reshape(-1, at.x.shape[1])[:, n:]
+    # The state is known to six digits: what is singular there leaves half of them.
+    needed = rank(slopes, least=DIGITS**0.5)
+    if needed > len(equations.velocity):
+        raise ValueError(
+            f"At t = {t!r} there are {needed} independent velocity constraints, but only "
+            f"{len(equations.velocity)} were kept: at the states that were tried, the others "
+            "followed from them. "
+            "The linkage can be assembled in another way, in which they do. Say which is meant: "
+            "`pydy.mechanics.Definition(..., configuration=system.initial_conditions)`."
+        )
+
+
+def warn_of_left_out(at: At, blocks: tuple[bool, bool]) -> None:
+    """Warn of states that keep all constraints but those that were left out as redundant."""
+    equations = at.definition.equations
+    kept = _rows_of(equations, True, False, True, False)
+    left = _rows_of(equations, False, blocks[0], False, blocks[1])
+    if not left.any() or surely_held(at).all():
+        return
+    residuals, sizes = evaluated_rows(at, "bounds")
+    off = np.abs(residuals) > DIGITS * sizes
+    states = np.flatnonzero(off[:, left].any(axis=1) & ~off[:, kept].any(axis=1))
+    if states.size:
+        k, names = states[0], constraint_names(equations, redundant=True)
+        row = int(np.argmax(off[k] & left))
+        warn_user(
+            f"A constraint that was left out as redundant does not hold at t = {float(at.t[k])!r} "
+            f"although the others do: the residual is {residuals[k, row]:.3g} in the {names[row]}. "
+            "The others lost rank on the way there, and the mechanism has come apart."
+        )
+
+
+def evaluated_rows(at: At, what: Literal["sizes", "bounds"]) -> tuple[np.ndarray, np.ndarray]:
+    """Return the residuals of all constraints, (m, rows), and what rounding is in proportion to.
+
+    That is 'sizes', the terms of the last sum, which are quickly found, or 'bounds' on rounding
+    errors with what a search leaves of states that are zero; see `left_by_rounding`. Rows are the
+    holonomic constraints, those left out behind the others, then the velocity constraints.
+    """
+    found = at.values(sized if what == "sizes" else bounded)
+    sizes = found["sizes"]
+    if what == "bounds":
+        sizes = sizes + left_by_rounding(found, sizes, at.x) / DIGITS
+    return found["rows"], sizes
+
+
+def measured(assembly: Assembly, rows: Sequence[int], count: int) -> dict[str, list[int]]:
+    """Return ``slopes``, ``solved``, ``per_unit`` of `Part`; `count` rows hold all states."""
+    graph, n = assembly.graph, assembly.sizes[0]
+    states = [graph.input("x", k) for k in range(n)]
+    moving, cells = {*assembly.speeds}, dense_jacobian(graph, rows, states)
+    solved = [
+        cell if k < count * n or states[k % n] in moving else graph.zero
+        for k, cell in enumerate(cells)
+    ]
+    return {"slopes": cells, "solved": solved, "per_unit": per_unit(graph, rows, states)}
+
+
+def _velocity_slopes(assembly: Assembly) -> dict[str, list[int]]:
+    """Return the derivatives of all velocity constraints by the states."""
+    states = [assembly.graph.input("x", k) for k in range(assembly.sizes[0])]
+    return {"slopes": dense_jacobian(assembly.graph, assembly.with_left_out()[1], states)}
+
+
+def sized(assembly: Assembly, inherited: bool = False) -> dict[str, list[int]]:
+    """Return 'rows' of `kept.Part`: all constraints, and the terms of their last sums."""
+    holonomic, velocity = assembly.with_left_out()
+    parts = (holonomic, len(assembly.holonomic)), (velocity, len(assembly.velocity))
+    sizes = [n for rows, kept in parts for n in _sizes(assembly.graph, rows, kept, inherited)]
+    return {"rows": [*holonomic, *velocity], "sizes": sizes}
+
+
+def bounded(assembly: Assembly) -> dict[str, list[int]]:
+    """Return 'bounds' of `kept.Part`: the same with bounds on rounding errors."""
+    found = sized(assembly, inherited=True)
+    return {**found, **measured(assembly, found["rows"], len(assembly.with_left_out()[0]))}
+
+
+def _sizes(graph: Graph, rows: list[int], kept: int, inherited: bool) -> list[int]:
+    """Return what rounding is in proportion to.
+
+    SymPy adds up numbers beforehand. A row that is a number is what it left of those of the
+    other rows, or of cosines between directions; so is one that was left out whose terms are
+    no larger than roundings of the rows that were kept.
+    """
+    g = graph
+    of_constants = [n for n in rows if g.constant[n]]
+    sizes = dict(zip(rows, rounding_bounds(g, rows, inherited), strict=True))
+    more = rounding_bounds(g, of_constants, inherited, constants=True)
+    sizes.update(zip(of_constants, more, strict=True))
+    numbers = [n for n in of_constants if g.ops[n] == "const" and n != g.zero]
+    others = [(size, ROUNDED / DIGITS) for n, size in sizes.items() if n not in numbers]
+    sizes.update(dict.fromkeys(numbers, g.sum(others, ROUNDED / DIGITS)))
+    if kept:
+        least = sizes[rows[0]]
+        for n in rows[1:kept]:
+            least = g.call("min", least, sizes[n])
+        roundings = g.sum([(least, ROUNDED)])
+        for n in {*rows[kept:]} - {*numbers}:
+            tiny = g.call("le", sizes[n], roundings)
+            sizes[n] = g.call("select", tiny, g.sum([(least, ROUNDED / DIGITS)]), sizes[n])
+    return [sizes[n] for n in rows]
+
+
+# -- along a motion --------------------------------------------------------------------------------
 
 
 def part_of(now: Snapshot, name: str) -> Callable[[Assembly], dict[str, list[int]]] | None:

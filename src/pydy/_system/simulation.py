@@ -15,16 +15,15 @@ from pydy._assembly.model import CompiledModel
 from pydy._assembly.specifieds import driven
 from pydy._checks import choice, flag, positive, real_array
 from pydy._errors import IntegrationError, IntegrationInterrupted, SingularMatrixError
-from pydy._system.causes import explain
+from pydy._system.causes import explain, warn_of_outputs
 from pydy._system.dependents import (
     check_dependents,
     default_dependents,
     given_values,
     solve_dependents,
 )
-from pydy._system.evaluation import warn_of_outputs
 from pydy._system.jumps import warn_of_impulses, warn_of_jumps
-from pydy._system.kept import Motion, check_kept
+from pydy._system.kept import Motion, check_kept, check_resets, check_start
 from pydy._system.scipy_solvers import (
     SolveIvp,
     call_odeint,
@@ -41,7 +40,6 @@ from pydy._system.solving import (
     compile_events,
     with_residuals_held,
 )
-from pydy._system.start import check_resets, check_start
 from pydy.codegen.arguments import SpecifiedsPlan
 from pydy.codegen.right_hand_side import rates_function
 from pydy.solvers.events import identified

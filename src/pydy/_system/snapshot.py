@@ -13,16 +13,15 @@ from pydy._assembly.assembly import Assembly
 from pydy._assembly.definition import Definition
 from pydy._assembly.model import CompiledModel
 from pydy._assembly.specifieds import driven
-from pydy._checks import describe, vector
+from pydy._checks import describe, real_array, vector
 from pydy._errors import warn_user
 from pydy._forks import cached_property
 from pydy._graph.derivative import dense_jacobian
 from pydy._graph.rounding import rounding_bounds
 from pydy._kernel import Kernel
 from pydy._names import name_of
-from pydy._system.definition import unfollowed
+from pydy._system.definition import check_times, unfollowed
 from pydy._system.energy import EnergyModel
-from pydy._system.inputs import check_times
 from pydy.codegen.arguments import SpecifiedsPlan
 from pydy.solvers.run.constraints import satisfied
 from pydy.trajectory import Columns, Trajectory
@@ -347,3 +346,46 @@ def _warned_of(definition: Definition, plan: SpecifiedsPlan, told: set[Any]) -> 
                 f"derivatives follow, or give `{rate}` a function too."
             )
     return plan
+
+
+def samples(
+    x: Any, t: Any, default: Callable[[], np.ndarray], times: np.ndarray, n: int
+) -> tuple[np.ndarray, np.ndarray, bool]:
+    """Return states (m, n), times (m,), and whether there is only one sample."""
+    if x is None:
+        states = default()
+    else:
+        states = real_array(x, "`x`")
+        if states.ndim not in (1, 2) or states.shape[-1] != n:
+            raise ValueError(
+                f"`x` must have the shape ({n},) or (m, {n}), one column for each state, got "
+                f"{states.shape}."
+            )
+    single = states.ndim == 1
+    if t is None:
+        if single:
+            instants = times[:1] if len(times) else np.zeros(1)
+        else:
+            instants = times if len(times) else np.zeros(len(states))
+        source = "the System's `times`"
+    else:
+        instants = real_array(t, "`t`")
+        source = "`t`"
+        if single:
+            if instants.ndim != 0:
+                raise ValueError(
+                    f"`t` must be a scalar for `x` of the shape {states.shape}, got the shape "
+                    f"{np.shape(t)}."
+                )
+            instants = instants.reshape(1)
+        elif instants.ndim != 1:
+            raise ValueError(
+                f"`t` must have the shape ({len(states)},) for `x` of the shape {states.shape}, "
+                f"got the shape {np.shape(t)}."
+            )
+    if not single and len(instants) != len(states):
+        raise ValueError(
+            f"`x` and `t` must have as many rows as times: `x` has the shape {states.shape}, "
+            f"{source} the shape {instants.shape}."
+        )
+    return (states[None] if single else states), np.ascontiguousarray(instants), single

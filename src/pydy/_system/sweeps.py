@@ -14,9 +14,8 @@ from pydy._names import unique_names
 from pydy._optional import progress_of
 from pydy._rank import ROUNDED, equilibrated, least_step
 from pydy._system.balance import Balance, located
-from pydy._system.evaluation import samples
 from pydy._system.setup import Setup
-from pydy._system.snapshot import Snapshot
+from pydy._system.snapshot import Snapshot, samples
 from pydy.analysis.continuation import EquilibriumBranch, trace
 from pydy.analysis.equilibria import solve_many
 from pydy.analysis.sweeps import EigenvalueSweep, Models, spectra_of, with_rounding

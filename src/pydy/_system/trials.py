@@ -22,7 +22,7 @@ from pydy._checks import (
 )
 from pydy._mechanics.symbols import find_symbols
 from pydy._names import some, unique_names
-from pydy._system.inputs import sort_out
+from pydy._system.definition import sort_out
 from pydy._system.tuning import LARGEST_SAMPLE
 from pydy.analysis.fit import Trial
 

@@ -24,12 +24,11 @@ from pydy._kernel import Kernel
 from pydy._mechanics.symbols import find_symbols
 from pydy._system.analysis import variables
 from pydy._system.balance import GROUPS
-from pydy._system.causes import explain
+from pydy._system.causes import explain, warn_not_finite
 from pydy._system.energy import Energy
-from pydy._system.evaluation import row_names, samples, specified_rows, warn_not_finite
+from pydy._system.kept import warn_of_left_out
 from pydy._system.setup import Setup
-from pydy._system.snapshot import At, Snapshot
-from pydy._system.start import warn_of_left_out
+from pydy._system.snapshot import At, Snapshot, samples
 
 BLOCKS = {"ode": "rates", "outputs": "outputs", "holonomic": "holonomic", "velocity": "velocity"}
 """What the user calls the blocks of an Assembly that can be differentiated."""
@@ -60,7 +59,7 @@ class Target:
 def target_of(definition: Definition, of: Any, *, scalar: bool = False) -> Target:
     """Return what a user's `of` means: a block, or outputs and expressions; one if `scalar`."""
     if isinstance(of, str) and of in BLOCKS and not scalar:
-        names = row_names(definition, BLOCKS[of])
+        names = definition.row_names(BLOCKS[of])
         if not names:
             raise ValueError(f"`of` is {of!r}, but the system has nothing of this kind.")
         return Target(BLOCKS[of], (), tuple(names))
@@ -128,7 +127,7 @@ def evaluate_block(
     def kernel(model: CompiledModel) -> Kernel:
         return model.compiled_jacobian(block, wrt) if wrt else model.compiled(block)
 
-    names = partial(row_names, now.definition, block)
+    names = partial(now.definition.row_names, block)
     blocks = block in ("constraints", "holonomic"), block in ("constraints", "velocity")
     look = None
     if wrt is None and any(blocks) and any(now.definition.equations.left_out):
@@ -182,6 +181,14 @@ def _beside(at: At, kernel: Kernel, vectors: np.ndarray) -> np.ndarray:
         r[:, :split], r[:, split:] = some.r, vectors[rows] if len(vectors) > 1 else vectors
         out[rows] = replace(some, r=r).evaluate(kernel)
     return out
+
+
+def specified_rows(r: Any, t: np.ndarray, size: int) -> np.ndarray:
+    """Return an array of all specifieds for m samples: shape (1, s) for all alike, or (m, s)."""
+    array = real_array(r, "`r`")
+    if array.shape == (size,) or array.shape == (len(t), size):
+        return np.atleast_2d(array)
+    raise ValueError(f"`r` must have the shape ({size},) or ({len(t)}, {size}), got {array.shape}.")
 
 
 def sweep(
@@ -325,7 +332,7 @@ class Evaluation(Setup):
         array([5., 2.])
         """
         now = self._now(constants=p)
-        names = partial(row_names, now.definition, "energy")
+        names = partial(now.definition.row_names, "energy")
         values = sweep(now, now.energies.kernel, names, (x, t, r, p))
         return Energy(*(values.tolist() if values.ndim == 1 else values.T.copy()))
 

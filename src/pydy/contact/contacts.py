@@ -11,7 +11,7 @@ import numpy as np
 
 from pydy._checks import check_mapping, choice, flag, shown
 from pydy._errors import ContactError
-from pydy._system.evaluation import warn_of_outputs
+from pydy._system.causes import warn_of_outputs
 from pydy._system.snapshot import Snapshot
 from pydy._system.solving import check_events
 from pydy.contact.conditions import paired
