@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import partial
 from typing import Any
@@ -12,7 +11,7 @@ import scipy
 
 from pydy._assembly.definition import Definition
 from pydy._checks import Places, describe, listed
-from pydy._errors import PyDyUserWarning, SingularMatrixError, warn_user
+from pydy._errors import SingularMatrixError, warn_user
 from pydy._names import few
 from pydy._rank import (
     DIGITS,
@@ -208,12 +207,10 @@ def _solve_coordinates(
     x[coordinates] = solution.x
     if not met:
         names = [definition.states[k] for k in coordinates]
-        warnings.warn(
+        warn_user(
             f"The holonomic constraints did not converge for {describe(names)}: the largest "
             f"residual is {np.abs(left).max():.3g} ({' '.join(str(solution.message).split())}) "
-            "Give initial conditions nearer to a solution, or another `method`.",
-            PyDyUserWarning,
-            stacklevel=4,
+            "Give initial conditions nearer to a solution, or another `method`."
         )
     return met
 
@@ -274,12 +271,10 @@ def solve_dependents(
         rounding = ROUNDED * units[:, 0] * np.abs(x[moving] / columns[0]).max()
         if (left > HALF * size + rounding).any():
             names = [definition.states[k] for k in speeds]
-            warnings.warn(
+            warn_user(
                 f"The velocity constraints do not hold for {describe(names)}: the largest residual "
                 f"is {left.max():.3g}. They are solved as linear equations, but a specified in "
-                "them depends on these speeds nonlinearly. Give their initial conditions yourself.",
-                PyDyUserWarning,
-                stacklevel=3,
+                "them depends on these speeds nonlinearly. Give their initial conditions yourself."
             )
     if met:
         _warn_of_changes(definition, given, x)

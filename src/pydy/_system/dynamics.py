@@ -220,6 +220,12 @@ def bodies_of(equations: Equations) -> Multibody:
     return body
 
 
+def named(items: Sequence[Any], key: Any) -> Any:
+    """Return the one of some bodies or joints that has a name; other keys as they are."""
+    found = [item for item in items if isinstance(key, str) and name_of(item) == key]
+    return found[0] if len(found) == 1 else key
+
+
 def without_bodies(equations: Equations) -> bool:
     """Return whether the method's own equations of motion are all there is, or what holds."""
     return equations.formed is None and not equations.velocity
@@ -268,8 +274,7 @@ def _place(equations: Equations, eom_method: Any, where: Any) -> tuple[Any, Any]
     bodies, known = bodies_of(equations).bodies, getattr(eom_method, "frames", None) or {}
     if isinstance(where, str) and where in known:
         return (*known[where],)
-    named = [body for body in bodies if isinstance(where, str) and name_of(body) == where]
-    body = named[0] if len(named) == 1 else where
+    body = named(bodies, where)
     if isinstance(body, RigidBody):
         return body.frame, body.masscenter
     if isinstance(body, Particle):

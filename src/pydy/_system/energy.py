@@ -99,26 +99,20 @@ class EnergyModel:
 
     def expressions(self, layout: Layout) -> tuple[Any, Any]:
         """Return the kinetic and the potential energy; 1 stands for constants without a value."""
-        kinetic, potential = self._in(layout, self._moving, self.potential)
-        return kinetic, potential
+        return self.moving(layout), self._in(layout, self.potential)
 
     def moving(self, layout: Layout) -> Any:
         """Return the kinetic energy likewise, whether or not the loads have a potential."""
-        return self._in(layout, self._moving)[0]
+        mechanism = self.equations.mechanism
+        known = None if mechanism is None else mechanism.known_energy
+        return self._in(layout, self.kinetic if known is None else known)
 
-    @property
-    def _moving(self) -> Any:
-        kinetic, mechanism = self.kinetic, self.equations.mechanism
-        if mechanism is not None and mechanism.known_energy is not None:
-            return mechanism.known_energy
-        return kinetic
-
-    def _in(self, layout: Layout, *energies: Any) -> list[Any]:
+    def _in(self, layout: Layout, energy: Any) -> Any:
         ones = dict.fromkeys({*self.symbols} - {*layout.constants}, sm.Float(1.0))
-        found = [replace_symbols(e, ones) if ones else e for e in energies]
+        found = replace_symbols(energy, ones) if ones else energy
         known = {*layout.states, *layout.constants, *layout.specifieds, self.equations.time}
         known.update(self.equations.coordinate_rates)
-        missing = [s for s in find_symbols(found) if s not in known]
+        missing = [s for s in find_symbols([found]) if s not in known]
         if missing:
             raise ValueError(
                 f"The energy holds {describe(missing)}, which the equations of motion do not. Give "

@@ -15,6 +15,7 @@ from pydy._mechanics.equations import Equations
 from pydy._mechanics.forces import ConstraintForces
 from pydy._mechanics.reader import read_loads
 from pydy._names import name_of
+from pydy._system.dynamics import named
 from pydy._system.setup import Setup
 
 
@@ -82,9 +83,13 @@ def _forces(equations: Equations, *, bodies: bool) -> ConstraintForces:
     return forces
 
 
+def _joints(equations: Equations) -> tuple[Any, ...]:
+    return equations.mechanism.joints if equations.mechanism is not None else ()
+
+
 def _beyond(equations: Equations, forces: ConstraintForces, joint: Any) -> list[Any]:
     """Return the bodies that a joint holds: its child, and what hangs on that by other joints."""
-    joints = equations.mechanism.joints if equations.mechanism is not None else ()
+    joints = _joints(equations)
     if not any(joint is other for other in joints):
         raise ValueError(
             f"The joint {joint.name} is not one of the joints of `eom_method`: "
@@ -112,11 +117,9 @@ def _several(bodies: Any) -> list[Any]:
 
 def _member(forces: ConstraintForces, item: Any) -> Any:
     bodies = forces.body.bodies
-    if isinstance(item, (Point, ReferenceFrame)) or any(item is body for body in bodies):
-        return item
-    named = [body for body in bodies if isinstance(item, str) and name_of(body) == item]
-    if len(named) == 1:
-        return named[0]
+    found = named(bodies, item)
+    if isinstance(item, (Point, ReferenceFrame)) or any(found is body for body in bodies):
+        return found
     raise ValueError(
         f"`bodies` has {shown(item)}, which is not one of the system's bodies: "
         f"{describe(list(bodies))}. Give the RigidBody or Particle, or its name; or a joint alone."
@@ -242,12 +245,8 @@ class Forces(Setup):
         """
         equations = self._equations
         forces = _forces(equations, bodies=True)
-        if isinstance(bodies, str) and not any(
-            name_of(body) == bodies for body in forces.body.bodies
-        ):
-            joints = equations.mechanism.joints if equations.mechanism is not None else ()
-            named = [joint for joint in joints if joint.name == bodies]
-            bodies = named[0] if len(named) == 1 else bodies
+        if isinstance(bodies, str) and bodies not in map(name_of, forces.body.bodies):
+            bodies = named(_joints(equations), bodies)
         if isinstance(bodies, Joint):
             point = bodies.child_point if point is None else point
             bodies = _beyond(equations, forces, bodies)

@@ -400,31 +400,23 @@ def check_kept(motion: Motion) -> None:
     verdict = judge(ran, motion.part)
     if verdict is None:
         return
-    if "unimplied" in verdict.details:
-        t = float(ran.times[verdict.place])
-        why = contradiction(equations, t, **verdict.details)
-        text = f"cannot keep all constraints. {why}"
-        raise _refused(motion, verdict.code, verdict.place, text)
-    details, outcome = verdict.details, OUTCOMES[verdict.code]
-    if "row" in details:
-        names = constraint_names(equations, redundant=True)
-        details = {**details, "row": names[details["row"]]}
-    status, t = outcome.text.format(**details), float(ran.times[verdict.place])
-    text = f"{status} at t = {t!r}. {outcome.remedy}"
-    raise _refused(motion, verdict.code, verdict.place, text, status)
-
-
-def _refused(
-    motion: Motion, code: int, place: int, text: str, status: str | None = None
-) -> IntegrationError:
-    ran = motion.ran
-    return IntegrationError(
+    details, t = verdict.details, float(ran.times[verdict.place])
+    if "unimplied" in details:
+        status = text = f"cannot keep all constraints. {contradiction(equations, t, **details)}"
+    else:
+        outcome = OUTCOMES[verdict.code]
+        if "row" in details:
+            names = constraint_names(equations, redundant=True)
+            details = {**details, "row": names[details["row"]]}
+        status = outcome.text.format(**details)
+        text = f"{status} at t = {t!r}. {outcome.remedy}"
+    raise IntegrationError(
         f"`{motion.info.get('method', 'odeint')}` {text}",
         motion.times,
         motion.states,
-        float(ran.times[place]),
-        ran.states[place],
-        {**motion.info, "code": code, "status": text if status is None else status},
+        t,
+        ran.states[verdict.place],
+        {**motion.info, "code": verdict.code, "status": status},
     )
 
 
