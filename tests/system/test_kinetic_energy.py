@@ -105,4 +105,4 @@ def test_the_hessian_holds_specifieds_that_are_expressions():
     assert out[0, 0] == pytest.approx(float((m * n**2).xreplace(model.constants)))
     kinetic = system.kinetic_energy.xreplace({rate: 0.3 * u}).xreplace(model.constants)
     expected = float(kinetic.xreplace({q: x[0], u: x[1]}))
-    assert evaluate_block(now, "kinetic_energy", x, t, None, None)[0] == pytest.approx(expected)
+    assert evaluate_block(now, "kinetic_energy", (x, t, None, None))[0] == pytest.approx(expected)

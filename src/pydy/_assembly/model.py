@@ -260,6 +260,9 @@ class CompiledModel:
     def compiled_jacobian(self, block: str, by: str | tuple[tuple[str, int], ...]) -> Kernel:
         """Return the Kernel of a Jacobian; see `Assembly.jacobian_program`."""
         in_parts, assembly = getattr(self.backend, "tangents", False), self.assembly
+        for group, size in zip("xrp", assembly.sizes, strict=True):
+            if by == tuple((group, k) for k in range(size)):
+                by = group
 
         def build() -> Program | Tangent:
             if not in_parts:

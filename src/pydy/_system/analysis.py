@@ -7,36 +7,17 @@ from typing import Any
 
 import numpy as np
 
-from pydy._assembly.definition import Definition
 from pydy._assembly.model import CompiledModel
 from pydy._assembly.specifieds import driven
-from pydy._checks import Places, listed, one_or_more
+from pydy._checks import Places, listed
 from pydy._errors import warn_user
 from pydy._names import unique_names
-from pydy._system.balance import GROUPS, Point, located, members
+from pydy._system.balance import Point
 from pydy._system.kept import first_violation
 from pydy._system.setup import Setup
 from pydy._system.snapshot import At, Snapshot, samples
 from pydy.analysis.equilibria import Equilibrium
 from pydy.analysis.linear import LinearModel
-
-
-def variables(definition: Definition, wrt: Any) -> str | tuple[tuple[str, int], ...]:
-    """Return the inputs that a user's `wrt` means: a group, or some of any."""
-    if isinstance(wrt, str) and wrt in GROUPS:
-        return GROUPS[wrt]
-    if isinstance(wrt, str):
-        kinds = ", ".join(map(repr, GROUPS))
-        if all(definition.places[kind].get(wrt, "wrt") is None for kind in GROUPS):
-            raise ValueError(
-                f"`wrt` must be one of {kinds}, or states, constants and specifieds of the system, "
-                f"got {wrt!r}."
-            )
-    symbols = members(definition, one_or_more("wrt", wrt))
-    if not symbols:
-        raise ValueError("`wrt` must name at least one state, constant or specified.")
-    found = (located(definition, symbol, "wrt") for symbol in symbols)
-    return tuple((GROUPS[kind], place) for kind, place in found)
 
 
 def _which(k: int, m: int) -> str:

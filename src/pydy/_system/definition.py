@@ -88,14 +88,65 @@ class Definer:
             if same and ((not specifieds and not given.keys) or given == given_in(specifieds)):
                 return self.latest
         given = given_in(specifieds)
-        own = self.users(outputs, forces)
-        self.latest = define(
-            self._equations, own, self.residuals, forces, self._base, given,
-            lambda: self.energies.motions,
-        )  # fmt: skip
+        self.latest = self._made(self.users(outputs, forces), forces, given)
         self._key = (dict(outputs), [*outputs, *forces], given)
         self._warn(self.latest)
         return self.latest
+
+    def _made(self, outputs: Mapping[Any, Any], forces: Sequence[Any], given: Given) -> Definition:
+        """Check outputs and sort out symbols, those of expressions for specifieds too."""
+        equations, (constants, specifieds) = self._equations, self._base
+        groups = output_groups({**outputs, **self.residuals})
+        if forces:
+            groups.append(Group(tuple(forces), equations.auxiliary_equations))
+        results = [n for group in groups for n in group.names]
+        taken = {*equations.coordinates, *equations.speeds, *constants, *specifieds, equations.time}
+        states = {name_of(s): s for s in (*equations.coordinates, *equations.speeds)}
+        own = {n for key in outputs for n in (key if isinstance(key, tuple) else (key,))}
+        for k, name in enumerate(results):
+            if name in taken:
+                raise ValueError(
+                    f"`outputs` has the name `{name}`, which is a state, constant or specified of "
+                    "the system already. Choose another name."
+                )
+            if name in results[:k]:
+                raise ValueError(f"`outputs` gives `{name}` more than once.")
+            if name in own and name_of(name) in states:
+                raise ValueError(
+                    f"`outputs` has the name `{name}`, but results already have the state "
+                    f"`{states[name_of(name)]}` under the name {name_of(name)!r}. Choose another "
+                    "name."
+                )
+        more = sort_out(equations, [e for group in groups for e in group.expressions], results)
+        integrated = auxiliary_groups(equations, groups)
+        auxiliaries = tuple(
+            sm.Symbol(f"∫ {name} dt")
+            for group, flag in zip(groups, integrated, strict=True)
+            if flag
+            for name in group.names
+        )
+        for symbol, expression in given.expressions.items():
+            try:
+                found = sort_out(equations, [expression], auxiliaries)
+            except (ValueError, UnsupportedFunctionError) as error:
+                raise type(error)(f"`specifieds` for {symbol}: {error}") from None
+            for mine, part in zip(more, found, strict=True):
+                mine += part
+                if held := [name for name in part if name in results]:
+                    raise ValueError(
+                        f"`specifieds` for {symbol} holds `{held[0]}`, the name of an output. "
+                        "Outputs follow from the specifieds: write the output's expression instead."
+                    )
+        r = sort_symbols({*specifieds, *more[1]})
+        return Definition(
+            equations,
+            tuple(groups),
+            auxiliaries,
+            tuple(sort_symbols({*constants, *more[0]} - {*auxiliaries})),
+            _ordered(r, given, {*results}, lambda: self.energies.motions),
+            tuple(self.residuals),
+            tuple(forces),
+        )
 
     def holding(self, definition: Definition, silent: Iterable[Any]) -> Definition:
         """Return a Definition with those of some constants that events or energies hold."""
@@ -155,63 +206,6 @@ class Definer:
                 )
 
 
-def define(
-    equations: Equations,
-    outputs: Mapping[Any, Any],
-    residuals: Mapping[Any, Any],
-    forces: Any,
-    base: tuple[Sequence[Any], Sequence[Any]],
-    given: Given,
-    more: Callable[[], Iterable[Any]],
-) -> Definition:
-    """Check outputs of a System and sort out its symbols, those of energies where needed."""
-    constants, specifieds = base
-    groups = output_groups({**outputs, **residuals})
-    if forces:
-        groups.append(Group(tuple(forces), equations.auxiliary_equations))
-    results = [n for group in groups for n in group.names]
-    taken = {*equations.coordinates, *equations.speeds, *constants, *specifieds, equations.time}
-    for k, name in enumerate(results):
-        if name in taken:
-            raise ValueError(
-                f"`outputs` has the name `{name}`, which is a state, constant or specified of the "
-                "system already. Choose another name."
-            )
-        if name in results[:k]:
-            raise ValueError(f"`outputs` gives `{name}` more than once.")
-    states = {name_of(s): s for s in (*equations.coordinates, *equations.speeds)}
-    for name in (n for key in outputs for n in (key if isinstance(key, tuple) else (key,))):
-        if name_of(name) in states:
-            raise ValueError(
-                f"`outputs` has the name `{name}`, but results already have the state "
-                f"`{states[name_of(name)]}` under the name {name_of(name)!r}. Choose another name."
-            )
-    more_constants, more_specifieds = sort_out(
-        equations, [e for group in groups for e in group.expressions], results
-    )
-    integrated = auxiliary_groups(equations, groups)
-    auxiliaries = tuple(
-        sm.Symbol(f"∫ {name} dt")
-        for group, flag in zip(groups, integrated, strict=True)
-        if flag
-        for name in group.names
-    )
-    aux = set(auxiliaries)
-    for symbol, expression in given.expressions.items():
-        found = _symbols_of(symbol, expression, equations, set(results), auxiliaries)
-        more_constants += found[0]
-        more_specifieds += found[1]
-    return Definition(
-        equations,
-        tuple(groups),
-        auxiliaries,
-        tuple(sort_symbols({*constants, *more_constants} - aux)),
-        _ordered(sort_symbols({*specifieds, *more_specifieds}), given, set(results), more),
-        tuple(residuals),
-        tuple(forces),
-    )
-
-
 def _ordered(
     found: list[Any], given: Given, outputs: set[Any], more: Callable[[], Iterable[Any]]
 ) -> tuple[Any, ...]:
@@ -234,27 +228,6 @@ def _ordered(
         if s in chosen or (s.is_Derivative and not moving.isdisjoint(lower_derivatives(s)))
     ]
     return tuple(sort_symbols([*found, *motions]) if motions else found)
-
-
-def _symbols_of(
-    symbol: Any,
-    expression: Any,
-    equations: Equations,
-    outputs: set[Any],
-    auxiliaries: Sequence[Any],
-) -> tuple[list[Any], list[Any]]:
-    """Return the constants and specifieds in the expression for a specified."""
-    try:
-        constants, specifieds = sort_out(equations, [expression], auxiliaries)
-    except (ValueError, UnsupportedFunctionError) as error:
-        raise type(error)(f"`specifieds` for {symbol}: {error}") from None
-    for name in (*constants, *specifieds):
-        if name in outputs:
-            raise ValueError(
-                f"`specifieds` for {symbol} holds `{name}`, the name of an output. Outputs follow "
-                "from the specifieds: write the output's expression instead."
-            )
-    return constants, specifieds
 
 
 def unfollowed(definition: Definition, plan: SpecifiedsPlan) -> list[tuple[Any, Any]]:

@@ -32,11 +32,10 @@ from pydy._mechanics.inverse import (
 )
 from pydy._mechanics.reader import Multibody, checked_vector, distances, places
 from pydy._names import name_of
-from pydy._system.analysis import variables
 from pydy._system.kept import first_violation
 from pydy._system.setup import Setup
 from pydy._system.snapshot import At, Snapshot
-from pydy._system.values import each_of, sweep
+from pydy._system.values import sweep, variables
 
 
 def _states(
@@ -148,7 +147,7 @@ class Quantity:
         found: list[tuple[str, int]] = []
         for entry in one_or_more("wrt", wrt):
             named = isinstance(entry, str) and entry in own
-            found += own[entry] if named else each_of(definition, variables(definition, entry))
+            found += own[entry] if named else variables(definition, entry)
         if not found:
             raise ValueError("`wrt` must name at least one variable.")
         return tuple(found)

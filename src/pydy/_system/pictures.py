@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from functools import partial
-from operator import attrgetter
 from typing import TYPE_CHECKING, Any
 
 from pydy._system.exporting import Exporting
@@ -67,18 +65,9 @@ class Pictures(Simulation, Exporting):
 
         definition = self._definition
         constants = read_numbers(definition, "constants", self._constants)
-        return make_scene(
-            definition,
-            dict(zip(definition.constants, constants.tolist(), strict=True)),
-            partial(attrgetter("model.assembly"), self),
-            visuals,
-            reference_frame,
-            origin,
-            options,
-            partial(attrgetter("_times"), self),
-            self._motion,
-            self._live_system,
-        )
+        given = {"reference_frame": reference_frame, "origin": origin, **options}
+        numbers = dict(zip(definition.constants, constants.tolist(), strict=True))
+        return make_scene(self, definition, numbers, visuals, given)
 
     def plot(self, names: list[Any] | None = None, **options: Any) -> Any:
         """Simulate, and plot the states or selected quantities over time.

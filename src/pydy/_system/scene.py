@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from functools import partial
+from operator import attrgetter
 from typing import Any
 
 import numpy as np
@@ -28,20 +30,20 @@ _LINES = "#7d8796"  # grey, to be seen on white and on nearly black
 
 
 def make_scene(
+    source: Any,
     definition: Definition,
     constants: Mapping[Any, float],
-    assembly: Callable[[], Assembly],
     visuals: Sequence[Any],
-    reference_frame: Any,
-    origin: Any,
     options: dict[str, Any],
-    times: Callable[[], Any] | None = None,
-    trajectory: Callable[[Any, Any], Any] | None = None,
-    live: Callable[..., Any] | None = None,
 ) -> Scene:
-    """Return a scene, with what was not said taken from the bodies and loads."""
+    """Return a scene of a System or Snapshot, with what was not said from the bodies and loads."""
+    assembly = partial(attrgetter("model.assembly"), source)  # made where u' is shown
+    moving: tuple[Any, ...] = ()
+    if hasattr(source, "_live_system"):
+        moving = partial(attrgetter("_times"), source), source._motion, source._live_system
     equations = definition.equations
     options = dict(options)
+    reference_frame, origin = (options.pop(k, None) for k in ("reference_frame", "origin"))
     loads = flag(options.pop("loads", False), "`loads`")
     mechanism = equations.mechanism
     bodies = mechanism.bodies if mechanism is not None else ()
@@ -75,7 +77,7 @@ def make_scene(
     rates = zip(equations.coordinate_rates, equations.coordinate_derivatives, strict=True)
     definitions = _Definitions(equations, assembly)
     definitions.update({**dict(rates), **dict.fromkeys(equations.zeros, 0)})
-    model = Model(definition.states, definitions, times, trajectory, live)
+    model = Model(definition.states, definitions, *moving)
     if not visuals:
         # Bodies, and lines that show how they hang together.
         assert mechanism is not None

@@ -308,21 +308,11 @@ class Snapshot:
             **more,
         )
 
-    def scene(
-        self, *visuals: Any, reference_frame: Any = None, origin: Any = None, **options: Any
-    ) -> Any:
+    def scene(self, *visuals: Any, **options: Any) -> Any:
         """Return a scene that shows the bodies, or some visuals; see `System.scene`."""
         from pydy._system.scene import make_scene
 
-        return make_scene(
-            self.definition,
-            self.constants,
-            lambda: self.model.assembly,
-            visuals,
-            reference_frame,
-            origin,
-            options,
-        )
+        return make_scene(self, self.definition, self.constants, visuals, options)
 
 
 def checked_plan(

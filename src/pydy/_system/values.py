@@ -14,7 +14,7 @@ from pydy._assembly.assembly import Assembly
 from pydy._assembly.definition import Definition
 from pydy._assembly.model import CompiledModel
 from pydy._assembly.specifieds import driven
-from pydy._checks import flag, listed, real_array, shown
+from pydy._checks import flag, listed, one_or_more, real_array, shown
 from pydy._errors import SingularMatrixError
 from pydy._graph.node import Graph
 from pydy._graph.products import derivative_program
@@ -22,8 +22,7 @@ from pydy._graph.program import Program
 from pydy._graph.simplify import simplify
 from pydy._kernel import Kernel
 from pydy._mechanics.symbols import find_symbols
-from pydy._system.analysis import variables
-from pydy._system.balance import GROUPS
+from pydy._system.balance import GROUPS, located, members
 from pydy._system.causes import explain, warn_not_finite
 from pydy._system.energy import Energy
 from pydy._system.kept import warn_of_left_out
@@ -88,14 +87,20 @@ def target_of(definition: Definition, of: Any, *, scalar: bool = False) -> Targe
     return Target("", tuple(chosen), tuple(f"the derivative of {e}" for e in entries))
 
 
-def each_of(
-    definition: Definition, by: str | tuple[tuple[str, int], ...]
-) -> tuple[tuple[str, int], ...]:
-    """Return what `variables` does with the inputs of a group in place of its name."""
-    if not isinstance(by, str):
-        return by
-    size = len(definition.places[next(kind for kind, group in GROUPS.items() if group == by)])
-    return tuple((by, k) for k in range(size))
+def variables(definition: Definition, wrt: Any) -> tuple[tuple[str, int], ...]:
+    """Return the inputs that a user's `wrt` means: groups, or some of any."""
+    if isinstance(wrt, str) and wrt not in GROUPS:
+        kinds = ", ".join(map(repr, GROUPS))
+        if all(definition.places[kind].get(wrt, "wrt") is None for kind in GROUPS):
+            raise ValueError(
+                f"`wrt` must be one of {kinds}, or states, constants and specifieds of the system, "
+                f"got {wrt!r}."
+            )
+    symbols = members(definition, one_or_more("wrt", wrt))
+    if not symbols and not isinstance(wrt, str):
+        raise ValueError("`wrt` must name at least one state, constant or specified.")
+    found = (located(definition, symbol, "wrt") for symbol in symbols)
+    return tuple((GROUPS[kind], place) for kind, place in found)
 
 
 def _vectors(v: Any, length: int, states: Any) -> tuple[np.ndarray, int, bool]:
@@ -120,34 +125,33 @@ def _vectors(v: Any, length: int, states: Any) -> tuple[np.ndarray, int, bool]:
 
 
 def evaluate_block(
-    now: Snapshot, block: str, x: Any, t: Any, r: Any, p: Any, wrt: Any = None
+    now: Snapshot, block: str, given: tuple[Any, Any, Any, Any], wrt: Any = None
 ) -> np.ndarray:
     """Evaluate a block of the equations, or its Jacobian by `wrt`, as `variables` returns it."""
 
     def kernel(model: CompiledModel) -> Kernel:
-        return model.compiled_jacobian(block, wrt) if wrt else model.compiled(block)
+        return model.compiled(block) if wrt is None else model.compiled_jacobian(block, wrt)
 
     names = partial(now.definition.row_names, block)
     blocks = block in ("constraints", "holonomic"), block in ("constraints", "velocity")
     look = None
     if wrt is None and any(blocks) and any(now.definition.equations.left_out):
         look = partial(warn_of_left_out, blocks=blocks)
-    by = () if wrt is None else each_of(now.definition, wrt)
-    return sweep(now, kernel, names, (x, t, r, p), by=by, look=look)
+    return sweep(now, kernel, names, given, by=wrt or (), look=look)
 
 
 def evaluate_product(
-    now: Snapshot, kind: str, of: Any, wrt: Any, v: Any, x: Any, t: Any, r: Any, p: Any
+    now: Snapshot, kind: str, of: Any, wrt: Any, v: Any, given: tuple[Any, Any, Any, Any]
 ) -> np.ndarray:
     """Evaluate a product with derivatives, of one of `pydy._graph.products.KINDS`."""
     definition = now.definition
     groups = {"x": definition.states, "r": definition.specifieds, "p": definition.constants}
     target = target_of(definition, of, scalar=kind in ("gradient", "hessian-vector"))
-    by = each_of(definition, variables(definition, wrt))
+    by = variables(definition, wrt)
     vectors, count, squeeze = None, 1, False
     if kind not in ("gradient", "jacobian"):
         length = len(target.names) if kind == "vector-jacobian" else len(by)
-        vectors, count, squeeze = _vectors(v, length, x)
+        vectors, count, squeeze = _vectors(v, length, given[0])
 
     def kernel(model: CompiledModel) -> Kernel:
         assembly = model.assembly
@@ -166,7 +170,7 @@ def evaluate_product(
         slopes = [f"the derivative by {groups[group][place]}" for group, place in by]
         return [target.names[0], *slopes] if kind == "gradient" else slopes
 
-    out = sweep(now, kernel, names, (x, t, r, p), by=by, vectors=vectors)
+    out = sweep(now, kernel, names, given, by=by, vectors=vectors)
     return out[..., 0] if squeeze else out
 
 
@@ -276,7 +280,7 @@ class Evaluation(Setup):
         >>> system.evaluate_ode([1.0, 0.0])
         array([ 0., -1.])
         """
-        return evaluate_block(self._now(), "rates", x, t, r, p)
+        return evaluate_block(self._now(), "rates", (x, t, r, p))
 
     def evaluate_outputs(
         self, x: Any = None, t: Any = None, *, r: Any = None, p: Any = None
@@ -299,7 +303,7 @@ class Evaluation(Setup):
         >>> system.evaluate_outputs([1.0, 3.0])
         array([3., 2.])
         """
-        return evaluate_block(self._now(), "outputs", x, t, r, p)
+        return evaluate_block(self._now(), "outputs", (x, t, r, p))
 
     def evaluate_energy(
         self, x: Any = None, t: Any = None, *, r: Any = None, p: Any = None
@@ -359,7 +363,7 @@ class Evaluation(Setup):
             All of them hold, but one that was left out as redundant does not.
         """
         self._need(self.num_constraints, "constraints")
-        return evaluate_block(self._now(), "constraints", x, t, r, p)
+        return evaluate_block(self._now(), "constraints", (x, t, r, p))
 
     def evaluate_holonomic_constraints(
         self, x: Any = None, t: Any = None, *, r: Any = None, p: Any = None
@@ -379,7 +383,7 @@ class Evaluation(Setup):
             The system has no holonomic constraints.
         """
         self._need(self.num_holonomic_constraints, "holonomic constraints")
-        return evaluate_block(self._now(), "holonomic", x, t, r, p)
+        return evaluate_block(self._now(), "holonomic", (x, t, r, p))
 
     def evaluate_velocity_constraints(
         self, x: Any = None, t: Any = None, *, r: Any = None, p: Any = None
@@ -399,7 +403,7 @@ class Evaluation(Setup):
             The system has no velocity constraints.
         """
         self._need(self.num_velocity_constraints, "velocity constraints")
-        return evaluate_block(self._now(), "velocity", x, t, r, p)
+        return evaluate_block(self._now(), "velocity", (x, t, r, p))
 
     @staticmethod
     def _need(count: int, what: str) -> None:
@@ -457,8 +461,8 @@ class Evaluation(Setup):
         """
         if isinstance(of, str) and of in BLOCKS:
             by = variables(self._definition, wrt)
-            return evaluate_block(self._now(), BLOCKS[of], x, t, r, p, by)
-        return evaluate_product(self._now(), "jacobian", of, wrt, None, x, t, r, p)
+            return evaluate_block(self._now(), BLOCKS[of], (x, t, r, p), by)
+        return evaluate_product(self._now(), "jacobian", of, wrt, None, (x, t, r, p))
 
     def evaluate_gradient(
         self,
@@ -503,7 +507,7 @@ class Evaluation(Setup):
         >>> system.evaluate_gradient(system.kinetic_energy + 3*x0**2, {'x0': 0.5, 'v0': 2.0})
         array([3., 2.])
         """
-        out = evaluate_product(self._now(), "gradient", of, wrt, None, x, t, r, p)
+        out = evaluate_product(self._now(), "gradient", of, wrt, None, (x, t, r, p))
         if not flag(value, "`value`"):
             return out[..., 1:]
         return (float(out[0]) if out.ndim == 1 else out[:, 0]), out[..., 1:]
@@ -539,7 +543,7 @@ class Evaluation(Setup):
         >>> multi_mass_spring_damper().evaluate_jacobian_vector([1.0, 2.0])
         array([ 2., -3.])
         """
-        return evaluate_product(self._now(), "jacobian-vector", of, wrt, v, x, t, r, p)
+        return evaluate_product(self._now(), "jacobian-vector", of, wrt, v, (x, t, r, p))
 
     def evaluate_vector_jacobian(
         self,
@@ -572,7 +576,7 @@ class Evaluation(Setup):
         >>> multi_mass_spring_damper().evaluate_vector_jacobian([0.0, 1.0], wrt=['v0', 'x0'])
         array([-1., -1.])
         """
-        return evaluate_product(self._now(), "vector-jacobian", of, wrt, v, x, t, r, p)
+        return evaluate_product(self._now(), "vector-jacobian", of, wrt, v, (x, t, r, p))
 
     def evaluate_hessian_vector(
         self,
@@ -612,4 +616,4 @@ class Evaluation(Setup):
         array([[10.,  2.],
                [ 2.,  0.]])
         """
-        return evaluate_product(self._now(), "hessian-vector", of, wrt, v, x, t, r, p)
+        return evaluate_product(self._now(), "hessian-vector", of, wrt, v, (x, t, r, p))
