@@ -320,7 +320,7 @@ def _spellings(key: Any) -> set[str]:
     return {name_of(key), str(key), str(key).removesuffix("(t)")}
 
 
-def refuse_twice(symbols: Sequence[Any], argument: str) -> None:
+def refuse_twice(symbols: Iterable[Any], argument: str) -> None:
     """Refuse symbols, as keys were read, of which one is there twice."""
     seen: set[Any] = set()
     for symbol in symbols:
@@ -416,7 +416,7 @@ class Places:
     def columns(self, keys: Iterable[Any], argument: str) -> np.ndarray:
         """Return the places of some symbols or names, none of which may occur twice."""
         columns = np.array([self.find(key, argument) for key in keys], dtype=np.int64)
-        self._refuse_twice(columns.tolist(), argument)
+        refuse_twice(map(self.symbols.__getitem__, columns), argument)
         return columns
 
     def chosen(self, keys: Iterable[Any], argument: str) -> list[Any]:
@@ -464,13 +464,9 @@ class Places:
                     [self.find(k, argument) for k in (key if several else (key,))], dtype=np.int64
                 )
                 groups.append((tuple(self.symbols[k] for k in places), places, several))
-            self._refuse_twice([k for _, places, _ in groups for k in places.tolist()], argument)
+            refuse_twice([symbol for symbols, _, _ in groups for symbol in symbols], argument)
             self._groups = (keys, groups)
         return groups
-
-    def _refuse_twice(self, places: list[int], argument: str) -> None:
-        if len(set(places)) < len(places):
-            refuse_twice([self.symbols[k] for k in places], argument)
 
     def read(
         self, argument: str, values: Mapping[Any, Any], base: np.ndarray | float | None = None
@@ -500,16 +496,6 @@ class Places:
                 value if usual else number(value, f"`{argument}[{key}]`", finite=finite)
             )
         return result
-
-    def fits(self, values: Mapping[Any, Any]) -> bool:
-        """Return whether a dictionary surely gives all symbols finite floats; makes no array."""
-        if [*values] != self._known[0]:
-            return False
-        try:
-            total = sum(values.values())
-        except (TypeError, ValueError, OverflowError):
-            return False
-        return type(total) is float and isfinite(total)
 
     def plain(self, values: Mapping[Any, Any], *, finite: bool = False) -> np.ndarray | None:
         """Return the numbers of a dictionary that gives all symbols plain ones, else None."""

@@ -277,7 +277,7 @@ def test_names_for_messages_are_not_printed_before_there_is_one(monkeypatch):
     def never(*_):
         raise AssertionError
 
-    monkeypatch.setattr("pydy._system.values.row_names", never)
+    monkeypatch.setattr("pydy._assembly.definition.Definition.row_names", never)
     model = zoo.timed()
     x, t = model.sample()
     close(system_of(model).evaluate_ode(x, t), oracle(model).xdot(x, t))

@@ -13,7 +13,16 @@ from sympy.physics.mechanics import dynamicsymbols
 
 from pydy._assembly.definition import Definition, lower_derivatives
 from pydy._assembly.system import Group, auxiliary_groups, check_accelerations
-from pydy._checks import Places, ascending, check_mapping, describe, listed, real_array, resolved, shown
+from pydy._checks import (
+    Places,
+    ascending,
+    check_mapping,
+    describe,
+    listed,
+    real_array,
+    resolved,
+    shown,
+)
 from pydy._errors import UnsupportedFunctionError, warn_user
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.symbols import find_symbols, sort_symbols

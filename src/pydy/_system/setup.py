@@ -391,9 +391,7 @@ class Setup:
     @constants.setter
     def constants(self, constants: Mapping[Any, Any] | None) -> None:
         values = check_mapping("constants", constants)
-        definition = self._defined(values)
-        if not definition.places["constants"].fits(values):
-            read_numbers(definition, "constants", values)
+        read_numbers(self._defined(values), "constants", values)
         self.__dict__["_constants"] = values  # by itself, as a short call
 
     @property
