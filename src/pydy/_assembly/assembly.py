@@ -6,7 +6,7 @@ import hashlib
 import marshal
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any, NamedTuple
+from typing import Any
 
 from pydy._graph.collector import collector_paused
 from pydy._graph.derivative import jacobian
@@ -27,14 +27,6 @@ _BLOCKS = (
     "rates", "ordinary", "outputs", "holonomic", "velocity", "nonholonomic", "mass_matrix",
     "forcing",
 )  # fmt: skip
-
-
-class Depending(NamedTuple):
-    """The blocks of an `Assembly` that depend on the accelerations."""
-
-    rates: list[int]
-    ordinary: list[int]
-    outputs: list[int]
 
 
 @dataclass(repr=False)

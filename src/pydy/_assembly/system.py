@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from pydy._assembly.assembly import Assembly, Depending
+from pydy._assembly.assembly import Assembly
 from pydy._checks import describe
 from pydy._graph.collector import collector_paused
 from pydy._graph.derivative import dense_rows, jacobian
@@ -60,21 +60,21 @@ def assemble_form(
         opened = [*first, *(graph.input("a", k) for k in range(n))]
     read.what = "`outputs`"
 
-    def depending(derivatives: list[int]) -> Depending:
+    def depending(derivatives: list[int]) -> dict[str, Any]:
         own = SymPyReader(graph, dict(read.atoms), read.what)
         for symbol, node in zip(states, derivatives, strict=True):
             own.define(symbol.diff(time), node)
         values = own.all(outputs)
-        return Depending(derivatives, values, values)
+        return {"rates": derivatives, "ordinary": values, "outputs": values}
 
     return Assembly(
         graph,
         sizes,
-        *depending(rates),
+        **depending(rates),
         mass_matrix=matrix,
         forcing=forcing,
         passes=passes or Passes(),
-        open=depending(opened)._asdict() if external else {},
+        open=depending(opened) if external else {},
     )
 
 
@@ -218,28 +218,28 @@ def assemble_system(
     read.what = "the outputs"
     integrated = auxiliary_groups(equations, groups)
 
-    def depending(u_dot: Sequence[int]) -> Depending:
+    def depending(u_dot: Sequence[int]) -> dict[str, Any]:
         """Return the blocks that depend on the accelerations, which are given."""
         known = dict(zip(accelerations, u_dot, strict=True))
         values = evaluate_groups(graph, read, groups, known)
         parts = [*zip(values, integrated, strict=True)]
         moving = substitute(graph, kinematics, known)
-        return Depending(
-            rates=[*moving, *u_dot, *(n for part, own in parts if own for n in part)],
-            ordinary=[n for part, own in parts if not own for n in part],
-            outputs=[n for part in values for n in part],
-        )
+        return {
+            "rates": [*moving, *u_dot, *(n for part, own in parts if own for n in part)],
+            "ordinary": [n for part, own in parts if not own for n in part],
+            "outputs": [n for part in values for n in part],
+        }
 
     blocks = depending(solved)
     ready = None
     if formed is not None and formed.simplified is not None and passes == Passes():
         # What residuals with speeds give moves with u' too, and is not simplified yet.
-        first = moved or any(integrated) or blocks.rates[: len(q)] != kinematics
-        ready = None if first else (blocks.rates, *formed.simplified)
+        first = moved or any(integrated) or blocks["rates"][: len(q)] != kinematics
+        ready = None if first else (blocks["rates"], *formed.simplified)
     return Assembly(
         graph,
         sizes,
-        *blocks,
+        **blocks,
         ready=ready,
         holonomic=holonomic,
         velocity=velocity,
@@ -251,7 +251,7 @@ def assemble_system(
         atoms=known if external else known | dict(zip(equations.speed_rates, solved, strict=True)),
         speeds=[atoms[s] for s in u],
         equations=equations,
-        open=depending(accelerations)._asdict() if external else {},
+        open=depending(accelerations) if external else {},
     )
 
 

@@ -218,13 +218,11 @@ def _solve(
                 "**options)."
             )
         raise
-    except IntegrationInterrupted as stop:
-        if wanted is not None:
-            wanted.cut(stop)
-        raise
-    except (IntegrationError, SingularMatrixError) as error:
+    except (IntegrationInterrupted, IntegrationError, SingularMatrixError) as error:
         if wanted is not None:
             wanted.cut(error)
+        if isinstance(error, IntegrationInterrupted):
+            raise
         explain(error, lambda t, x: replace(now.at(t, x), model=ready.model))
         if ready.constrained and native and free and isinstance(error, IntegrationError):
             told: Any = error.info
