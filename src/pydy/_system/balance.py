@@ -17,7 +17,6 @@ from pydy._errors import EquilibriumError, warn_user
 from pydy._forks import cached_property
 from pydy._graph.derivative import dense_jacobian
 from pydy._graph.interpret import run
-from pydy._graph.program import Program
 from pydy._graph.rounding import sizes_of_terms
 from pydy._kernel import Kernel
 from pydy._mechanics.inverse import Known, inverse_dynamics, mass_matrix
@@ -401,7 +400,8 @@ class Balance:
             part = np.zeros(len(getattr(self.made.assembly, block)))
             for group, values in numbers.items():
                 if len(values):
-                    slopes = run(self._by(block, group), *arrays)[0].reshape(len(part), -1)
+                    program = self.made.jacobian_program(block, group)
+                    slopes = run(program, *arrays)[0].reshape(len(part), -1)
                     part += np.abs(np.nan_to_num(slopes)) @ np.abs(values)
             parts.append(part)
         first, n = len(self.definition.equations.coordinates), len(self.made.assembly.speeds)
@@ -409,14 +409,6 @@ class Balance:
         speeds = at.motions[0, first : first + n]
         parts[0][first : first + n] += np.max(forces * speeds, initial=0.0) * speeds
         return np.concatenate([parts[0][self.rows], *parts[1:]])
-
-    def _by(self, block: str, group: str) -> Program:
-        """The derivatives of a block by constants or specifieds, lowered once."""
-        programs: dict[tuple[str, str], Program] = self.made.latest.setdefault("terms", {})
-        known = programs.get((block, group))
-        if known is None:
-            known = programs[block, group] = self.made.assembly.jacobian_program(block, group)
-        return known
 
     def problem(self, last: float | None = None) -> Problem:
         """Return the conditions of equilibrium; the `last` unknown may be given."""

@@ -30,17 +30,26 @@ _USUAL = frozenset((float, FunctionType))
 _UNCHANGING = frozenset((float, int, FunctionType, SampledInput))
 
 
-class ConstantsArgument:
-    """Reads the argument p: an array or a dictionary; without `arg_type`, as each value is."""
+class _Argument:
+    """How an argument of the generated functions is read; without `arg_type`, as each value is."""
+
+    def __init__(self, places: Places, arg_type: str | None) -> None:
+        self.places, self.arg_type = places, arg_type
+
+    def plain(self, values: dict[Any, Any]) -> Any:
+        """Return a dictionary that gives all symbols plain numbers as an array, or itself."""
+        if self.arg_type not in (None, "dictionary"):
+            return values
+        numbers = self.places.plain(values)
+        return values if numbers is None else numbers
+
+
+class ConstantsArgument(_Argument):
+    """Reads the argument p: an array or a dictionary."""
 
     def __init__(self, symbols: Sequence[Any], arg_type: str | None = None) -> None:
         choice(arg_type, (None, "array", "dictionary"), "`constants_arg_type`")
-        self.places = Places(symbols, "constants of the equations")
-        self.arg_type = arg_type
-
-    def plain(self, p: dict[Any, Any]) -> Any:
-        """Return a dictionary that gives all constants plain numbers as an array, or itself."""
-        return _plain(self.places, p, self.arg_type)
+        super().__init__(Places(symbols, "constants of the equations"), arg_type)
 
     def __call__(self, p: Any) -> np.ndarray:
         """Return p as an array of shape (k,)."""
@@ -53,20 +62,15 @@ class ConstantsArgument:
         return self.places.read("p", p)
 
 
-class SpecifiedsArgument:
+class SpecifiedsArgument(_Argument):
     """Reads the argument r: an array, a function, or a dictionary of numbers and functions."""
 
     def __init__(
         self, symbols: Sequence[Any], arg_type: str | None = None, time_first: bool = False
     ) -> None:
         choice(arg_type, (None, *ARGUMENT_TYPES), "`specifieds_arg_type`")
-        self.places = Places(symbols, _SPECIFIEDS)
-        self.arg_type = arg_type
+        super().__init__(Places(symbols, _SPECIFIEDS), arg_type)
         self.time_first = time_first
-
-    def plain(self, r: dict[Any, Any]) -> Any:
-        """Return a dictionary that gives all specifieds plain numbers as an array, or itself."""
-        return _plain(self.places, r, self.arg_type)
 
     def __call__(self, r: Any, x: np.ndarray, t: float) -> np.ndarray:
         """Return r at one state and time as an array of shape (s,)."""
@@ -114,13 +118,6 @@ class SpecifiedsArgument:
                 value = evaluate_function(value, names, x, t, self.time_first)
             result[columns] = value
         return result
-
-
-def _plain(places: Places, values: dict[Any, Any], arg_type: str | None) -> Any:
-    if arg_type is not None and arg_type != "dictionary":
-        return values
-    numbers = places.plain(values)
-    return values if numbers is None else numbers
 
 
 def one_format(values: Mapping[Any, Any], argument: str) -> tuple[Mapping[Any, Any], bool]:
