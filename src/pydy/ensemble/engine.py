@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, Executor, Future, ThreadPoolExecutor, wait
 from dataclasses import dataclass
 from math import prod
@@ -16,7 +16,7 @@ import numpy as np
 from pydy._checks import path_of
 from pydy._errors import EnsembleInterrupted, note_finished, warn_user
 from pydy._forks import cached_property
-from pydy._optional import bar_of, require
+from pydy._optional import progress_of, require
 from pydy._processes import LOOK
 from pydy.ensemble import store as stores
 from pydy.ensemble.identity import UnidentifiedError
@@ -145,21 +145,21 @@ class Ensemble:
         labels = self.work.labels
         return to_dataset(variables, self.samples.coordinates, times, self.attrs, labels)
 
-    def _blocks(self) -> list[Block]:
-        return [block for _, block in self.samples.blocks(self.sizes)]
-
     def _on_threads(
         self,
         blocks: Sequence[Block],
         do: Callable[[Block, Callable[[], bool]], None],
     ) -> None:
         """Call ``do(block, stop)`` for each block; it ends soon when ``stop()`` is true."""
-        stop, bar = Event(), self._bar(blocks)
+        stop, total = Event(), sum(map(_size, blocks))
         workers = _startable(min(self._threads(), len(blocks)))
         most = max(1, 2 * workers)
         todo = iter(blocks)
         running: dict[Future[None], Block] = {}
-        with ThreadPoolExecutor(workers, "ensemble") if workers else _Here() as pool:
+        with (
+            progress_of(self.progress, " samples", total) as told,
+            ThreadPoolExecutor(workers, "ensemble") if workers else _Here() as pool,
+        ):
             try:
                 while True:
                     while len(running) < most and (block := next(todo, None)) is not None:
@@ -169,20 +169,11 @@ class Ensemble:
                     for future in wait(running, LOOK, FIRST_COMPLETED).done:
                         block = running.pop(future)
                         _check(future, block, self.samples)
-                        if bar is not None:
-                            bar.update(prod(s.stop - s.start for s in block))
+                        told(_size(block))
             finally:
                 stop.set()  # blocks that are under way end within a moment
                 for future in running:
                     future.cancel()
-                if bar is not None:
-                    bar.close()
-
-    def _bar(self, blocks: Iterable[Block]) -> Any:
-        if not self.progress:
-            return None
-        total = sum(prod(s.stop - s.start for s in block) for block in blocks)
-        return bar_of(total=total, unit=" samples")
 
     # -- lazily -------------------------------------------------------------------------------
 
@@ -244,7 +235,7 @@ class Ensemble:
             # that a signal handler raises here, while what is written there is being removed.
             with ThreadPoolExecutor(1, "store") if _startable(1) else _Here() as pool:
                 pool.submit(stores.create, *about).result()
-        left = stores.missing(path, self._blocks())
+        left = stores.missing(path, [block for _, block in self.samples.blocks(self.sizes)])
         scheduler = self._scheduler()
         if scheduler is None:
             self._on_threads(
@@ -286,6 +277,11 @@ class Ensemble:
         except ImportError:
             return None
         return get_scheduler()
+
+
+def _size(block: Block) -> int:
+    """Return the number of samples in a block."""
+    return prod(s.stop - s.start for s in block)
 
 
 def _processors() -> int:

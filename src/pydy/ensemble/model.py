@@ -40,7 +40,7 @@ class EnsembleSensitivities:
     gradients: tuple[Program, ...]  # the derivatives of each block of constraints by the states
     unknowns: tuple[range, ...]  # the places of the states that each block is solved for
     residuals: Tangent | None  # the derivatives of the constraints, shape (c, k)
-    held: Tangent | None  # those of all constraints, as they are projected on
+    held: Any  # those of all constraints, as they are projected on
     unsolved: str  # what to say where the dependent ones do not follow
     # (places, SampledInput): the derivatives of sampled inputs by their samples, at the end
     # of r
@@ -109,28 +109,20 @@ class EnsembleSensitivities:
         n, columns = self.start.shape
         scales = None if self.sized is None else scales_of(self.sized, x, r, p, columns)
 
-        def event(k: int) -> tuple[Kernel, tuple[int, ...]]:
-            program, changed = self.jumps[k]
-            return kernel(program), changed
-
-        def constraints() -> Kernel:
-            assert self.held is not None
-            return kernel(self.held)
-
-        return CompiledSensitivities(n, self.sources, scales, event, constraints)
-
-
-class Programs(Protocol):
-    """The Programs of `kept.Part` by name; None for what is not known."""
-
-    def __getitem__(self, name: str) -> Program | None: ...
+        return CompiledSensitivities(
+            n,
+            self.sources,
+            scales,
+            lambda k: (kernel(self.jumps[k][0]), self.jumps[k][1]),
+            lambda: kernel(self.held),
+        )
 
 
 @dataclass(frozen=True, eq=False)
 class Kept:
     """What tells whether motions kept their constraints and energy."""
 
-    programs: Programs  # also 'screen', which is both rows and products
+    programs: Any  # of `kept.Part` by name, None where unknown; 'screen' is both rows and products
     redundant: bool  # whether constraints were left out
     every: bool  # whether rows that projection does not hold are looked at: see `check_kept`
     mended: bool  # whether motions are brought back onto the constraints

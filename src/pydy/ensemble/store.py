@@ -42,14 +42,7 @@ _OF_ZARR = "zarr.json"
 
 
 def file_names(names: Iterable[str]) -> dict[str, str]:
-    r"""Return a file name for each name; the same one if it is valid everywhere.
-
-    Examples
-    --------
-    >>> from pydy.ensemble.store import file_names
-    >>> file_names(["q", "Q", "\\theta", "aux"])
-    {'q': 'q', 'Q': 'Q_2', '\\theta': '_theta', 'aux': '_aux'}
-    """
+    """Return a file name for each name; the same one if it is valid everywhere."""
     given = list(dict.fromkeys(names))
     plain = {name for name in given if _serves(name)}
     found: dict[str, str] = {}

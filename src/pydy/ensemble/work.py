@@ -16,11 +16,10 @@ from pydy._graph.interpret import run as interpret
 from pydy._kernel import Inputs
 from pydy._names import numbers_of, some
 from pydy._rank import DIGITS
-from pydy.ensemble.model import COUNTED, Batch, Kept, Model, Programs, Results
+from pydy.ensemble.model import COUNTED, Batch, Kept, Model, Results
 from pydy.ensemble.samples import PARAMETER, QUANTITY, Samples, Variable, to_dataset
 from pydy.ensemble.tuning import SMALLEST_BLOCK
 from pydy.solvers.kept import (
-    Part,
     Ran,
     allowed_after,
     beyond_digits,
@@ -240,7 +239,7 @@ class Work:
         warn_not_finite(wrong.reshape(len(outputs), -1).T, self.model.output_names, place)
 
     def _described(self, variables: dict[str, Variable]) -> dict[str, Variable]:
-        own = {**self.attrs, "status": _STATUS_ATTRS, **_STATISTICS}
+        own = {**self.attrs, **_STATISTICS}
         return {
             name: Variable(v.dims, v.values, {**v.attrs, **own.get(name, {})})
             for name, v in variables.items()
@@ -390,12 +389,12 @@ def _moved(result: Any, name: Any, given: Any) -> bool:
     return any(result.sizes.get(d, size) != size for d, size in given.sizes.items())
 
 
-_STATUS_ATTRS = {
-    "long_name": "how the integration ended",
-    "flag_values": list(OUTCOMES),
-    "flag_meanings": " ".join(outcome.name for outcome in OUTCOMES.values()),
-}
-_STATISTICS = {
+_STATISTICS: dict[str, dict[str, Any]] = {
+    "status": {
+        "long_name": "how the integration ended",
+        "flag_values": list(OUTCOMES),
+        "flag_meanings": " ".join(outcome.name for outcome in OUTCOMES.values()),
+    },
     "steps": {"long_name": "accepted steps"},
     "rejected": {"long_name": "rejected steps"},
     "evaluations": {"long_name": "evaluations of the equations"},
@@ -430,13 +429,13 @@ def refuse(batch: Batch, results: Results, times: np.ndarray) -> None:
     for places, samples in alike.items():
         for start in range(0, len(samples), SMALLEST_BLOCK):
             some = samples[start : start + SMALLEST_BLOCK]
-            states = results.states[:, some][:, :, list(places)].transpose(1, 2, 0)
+            states = results.states[:, some][:, :, list(places)].transpose(1, 2, 0).copy()
             at = times[list(places)]
-            together = _Together(batch.some(np.array(some)), kept.programs, at, states)
+            part_of = _together(batch.some(np.array(some)), kept.programs, at, states)
             for j, k in enumerate(some):
                 ran = Ran(
-                    together.times,
-                    together.states[j],
+                    at,
+                    states[j],
                     float(told["steps"][k]) if model.options.step is None else None,
                     model.options.rtol,
                     model.options.atol,
@@ -445,40 +444,35 @@ def refuse(batch: Batch, results: Results, times: np.ndarray) -> None:
                     [(e.time, e.after) for e in results.resets(k)],
                     kept.redundant,
                 )
-                verdict = judge(ran, together.part_of(j))
+                verdict = judge(ran, partial(part_of, j))
                 if verdict is not None:
                     _lose(results, k, times, places[max(0, verdict.place - 1)] + 1, verdict.code)
 
 
-class _Together:
-    """Samples that are looked at at the same times: what is asked of one is found for all."""
+def _together(
+    batch: Batch, programs: Any, times: np.ndarray, states: np.ndarray
+) -> Callable[..., dict[str, np.ndarray]]:
+    """Return what gives `kept.Part` of one of m samples, of states (m, f, n) at the same times.
 
-    def __init__(
-        self, batch: Batch, programs: Programs, times: np.ndarray, states: np.ndarray
-    ) -> None:
-        self._batch, self._programs = batch, programs
-        self.times, self.states = times, np.ascontiguousarray(states)  # (f,), (m, f, n)
-        self._found: dict[str, dict[str, np.ndarray]] = {}
+    What is asked of one at these times is found for all.
+    """
+    known: dict[str, dict[str, np.ndarray]] = {}
 
-    def part_of(self, j: int) -> Part:
-        """Return what gives `kept.Part` along one of the samples."""
+    def part(j: int, name: str, t: np.ndarray, x: np.ndarray) -> dict[str, np.ndarray]:
+        if t is not times:
+            found, place = _values(batch, programs, name, [j], t, x[None]), 0
+        else:
+            if name not in known:
+                known[name] = _values(batch, programs, name, range(len(states)), t, states)
+            found, place = known[name], j
+        return {name: values[place] for name, values in found.items()}
 
-        def part(name: str, t: np.ndarray, x: np.ndarray) -> dict[str, np.ndarray]:
-            if t is not self.times:
-                found, place = _values(self._batch, self._programs, name, [j], t, x[None]), 0
-            else:
-                every, x = range(len(self.states)), self.states
-                if name not in self._found:
-                    self._found[name] = _values(self._batch, self._programs, name, every, t, x)
-                found, place = self._found[name], j
-            return {name: values[place] for name, values in found.items()}
-
-        return part
+    return part
 
 
 def _values(
     batch: Batch,
-    programs: Programs,
+    programs: Any,
     name: str,
     places: Sequence[int],
     t: np.ndarray,
@@ -494,11 +488,12 @@ def _values(
         rows.append(np.broadcast_to(inputs.rows(states, times), (f, batch.r.shape[1])))
     p = np.repeat(batch.p[list(places)], f, axis=0)
     flat, _ = interpret(program, t.ravel(), x.reshape(m * f, n), np.concatenate(rows), p)
-    return program.by_block(flat.reshape(m, f, -1))
+    found: dict[str, np.ndarray] = program.by_block(flat.reshape(m, f, -1))
+    return found
 
 
 def _suspects(
-    batch: Batch, programs: Programs, ended: np.ndarray, states: np.ndarray, times: np.ndarray
+    batch: Batch, programs: Any, ended: np.ndarray, states: np.ndarray, times: np.ndarray
 ) -> np.ndarray:
     """Return the samples that need a closer look, of some: many are looked at together.
 
