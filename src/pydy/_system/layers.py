@@ -23,7 +23,7 @@ from pydy._system.snapshot import Snapshot
 from pydy._system.solving import native_solver
 from pydy.codegen.arguments import SpecifiedsPlan
 from pydy.inputs import SampledInput
-from pydy.layers.layer import Function, Layer, Part
+from pydy.layers.layer import Function, Given, Layer, Part
 from pydy.solvers.outcome import EVENTS_ACCUMULATE, TERMINATED
 
 _KINDS = {"x": "states", "r": "specifieds", "p": "constants"}
@@ -82,9 +82,7 @@ class _Values:
                 "`simulate` and `final` alone. `evaluate_ode` and `evaluate_outputs` solve for it."
             )
 
-    def _evaluate(
-        self, kernel: Kernel, given: tuple[np.ndarray, ...], more: np.ndarray | None = None
-    ) -> np.ndarray:
+    def _evaluate(self, kernel: Kernel, given: Given, more: np.ndarray | None = None) -> np.ndarray:
         """Return the outputs of a Kernel, (…, o); `more` are inputs after r."""
         lead = given[0].shape[:-1]
         if not lead:
@@ -103,9 +101,7 @@ class _Values:
         whole = found[0] if len(found) == 1 else np.concatenate(found)
         return whole.reshape(*lead, -1)
 
-    def _at(
-        self, kernel: Kernel, given: tuple[np.ndarray, ...], more: np.ndarray | None
-    ) -> np.ndarray:
+    def _at(self, kernel: Kernel, given: Given, more: np.ndarray | None) -> np.ndarray:
         """Do the same at one state, where the time of a call counts."""
         now, plan = self.now, self._plan
         own = {"x": now.x, "p": now.p}
@@ -164,7 +160,7 @@ class _Values:
         self._products[kind, wanted] = kernel, parts
         return kernel, parts
 
-    def _slopes(self, wanted: tuple[int, ...], given: tuple[np.ndarray, ...]) -> np.ndarray:
+    def _slopes(self, wanted: tuple[int, ...], given: Given) -> np.ndarray:
         """Return the derivatives of sampled specifieds by time, (…, s)."""
         t = np.full(given[0].shape[:-1], self.now.t)
         for part, one in zip(self.parts, given, strict=True):
@@ -178,9 +174,7 @@ class _Values:
             slopes[..., list(own.places)] = 0.0
         return slopes
 
-    def forward(
-        self, wanted: tuple[int, ...], given: tuple[np.ndarray, ...], along: tuple[np.ndarray, ...]
-    ) -> np.ndarray:
+    def forward(self, wanted: tuple[int, ...], given: Given, along: Given) -> np.ndarray:
         kernel, parts = self._product("jacobian-vector", wanted)
         directions = [*along]
         if len(parts) > len(wanted):
@@ -188,9 +182,7 @@ class _Values:
             directions.append(along[k] * self._slopes(wanted, given))
         return self._evaluate(kernel, given, np.concatenate(directions, axis=-1))
 
-    def backward(
-        self, wanted: tuple[int, ...], given: tuple[np.ndarray, ...], weights: np.ndarray
-    ) -> tuple[np.ndarray, ...]:
+    def backward(self, wanted: tuple[int, ...], given: Given, weights: np.ndarray) -> Given:
         kernel, parts = self._product("vector-jacobian", wanted)
         found = self._evaluate(kernel, given, weights)
         stops = [*accumulate(part.size for part in parts)]
@@ -266,7 +258,7 @@ class _Motion:
         if self._dependent:
             self._twin.set_dependent_initial_conditions(self._dependent)
 
-    def _flat(self, given: tuple[np.ndarray, ...]) -> list[np.ndarray]:
+    def _flat(self, given: Given) -> list[np.ndarray]:
         return [one.reshape(-1, one.shape[-1]) for one in given]
 
     def _together(self, m: int) -> bool:
@@ -375,9 +367,7 @@ class _Motion:
             result[k] = self._or_nan(lead, slopes, [one[k] for one in flat])
         return result
 
-    def forward(
-        self, wanted: tuple[int, ...], given: tuple[np.ndarray, ...], along: tuple[np.ndarray, ...]
-    ) -> np.ndarray:
+    def forward(self, wanted: tuple[int, ...], given: Given, along: Given) -> np.ndarray:
         by, places = self._columns(wanted)
         lead = given[0].shape[:-1]
         distinct, back = _distinct(self._flat(given))
@@ -389,9 +379,7 @@ class _Motion:
         found: np.ndarray = product
         return found.reshape(*lead, *self.shape)
 
-    def backward(
-        self, wanted: tuple[int, ...], given: tuple[np.ndarray, ...], weights: np.ndarray
-    ) -> tuple[np.ndarray, ...]:
+    def backward(self, wanted: tuple[int, ...], given: Given, weights: np.ndarray) -> Given:
         by, places = self._columns(wanted)
         flat, lead = self._flat(given), given[0].shape[:-1]
         weights = weights.reshape(len(flat[0]), *self.shape)
