@@ -47,35 +47,10 @@ class Optimisation(Simulation):
             ``q.subs(t, tf)``, constants, and the duration.
         duration : float or Symbol
             In s; the motion begins at t = 0. A Symbol is found, between its `bounds`.
-        start, end : dict, optional
-            From states to numbers, pairs (low, high), or None for free ones. At the start, states
-            that are not given have the initial conditions; at the end, they are free.
-        boundary : sequence of relations, optional
-            Between values at instants.
-        path : sequence of relations, optional
-            That hold at every collocation point.
-        bounds : dict, optional
-            From states, controls, free constants and the duration to pairs (low, high).
-        free : sequence of constants, optional
-            Constants that are found.
-        mesh : int or array_like, optional
-            The number of equal intervals, or ascending nodes.
-        method : {'radau', 'hermite-simpson', 'midpoint', 'backward-euler'}, optional
-        order : int, optional
-            The number of Radau points in an interval.
-        hessian : {'exact', 'gauss-newton', 'lbfgs'}, optional
-            Exact second derivatives, those of a sum of squares by first derivatives, or estimates.
-        guess : dict or Trajectory, optional
-            Where the search begins: from unknowns to numbers, arrays or SampledInputs, or a motion.
-        mesh_tol : float, optional
-            The mesh is refined until the error of each interval is below it, and that of the
-            objective, as a share of it.
-        options : dict, optional
-            Options of the solver.
-        progress : bool, optional
-            Whether to show the iterations; requires tqdm.
-        solver : {'ipopt', 'cyipopt', 'pounce'}, optional
-            IPOPT from CasADi's wheel, an installed cyipopt, or pounce-solver.
+        start, end, boundary, path, bounds, free, mesh, method, order, hessian
+            As for `pydy.control.OptimalControl`.
+        guess, mesh_tol, options, progress, solver
+            As for `pydy.control.OptimalControl.solve`.
 
         Returns
         -------

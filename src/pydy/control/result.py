@@ -50,11 +50,6 @@ class OptimalTrajectory(Trajectory):
     error : ndarray, shape (M,)
         The error of each interval: how far a solver that starts at the interval's first state, with
         these controls, ends from its last one, relative to how large each state becomes.
-    objective_error : ndarray, shape (M,)
-        An estimate of how much each interval adds to the least objective minus this one. Of what
-        raises that, such as controls that leave their bounds between the points, and what lowers it
-        it is the larger one, since one need not make up for the other: where controls jump inside
-        intervals, as they do at the ends of singular arcs, it is a bound rather than an estimate.
     multipliers : dict of str to ndarray
         The multipliers of each equation, path condition and boundary condition, by the labels that
         messages use: at `collocation_times` or, of boundary conditions, shape (1,). They are the
@@ -62,8 +57,6 @@ class OptimalTrajectory(Trajectory):
         Those of constraints of 'midpoint' are at the nodes after the first, those of
         'hermite-simpson' at `collocation_times` after the start.
     collocation_times : ndarray
-    costates : dict of symbols to ndarray, shape (M + 1,)
-        For each state, at the times of the nodes, `mesh`.
     status : int
         As IPOPT returns it; 0 is solved.
     message : str
@@ -137,14 +130,16 @@ class OptimalTrajectory(Trajectory):
 
         An estimate of what a finer mesh would gain or lose, to second order: what the equations
         miss between the collocation points, and what controls within their bounds would gain
-        there, each by the multipliers. NaN for systems with constraints under 'midpoint' and
+        there, each by the multipliers. The larger of the two counts, since one need not make up for
+        the other: where controls jump inside intervals, as at the ends of singular arcs, it is a
+        bound rather than an estimate. NaN for systems with constraints under 'midpoint' and
         'hermite-simpson'.
         """
         return objective_errors(self._transcription, self._nlp, self.solution)
 
     @property
     def costates(self) -> dict[Any, np.ndarray]:
-        """The derivatives of the objective, from a node on, by the states there.
+        """The derivatives of the objective, from a node on, by each state there, shape (M + 1,).
 
         These are the adjoint variables of Pontryagin's principle for ``H = L + costates · rates``
         with the integrand L that is minimised, and the gradient of the value function. They are
