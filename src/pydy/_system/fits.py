@@ -17,8 +17,8 @@ from pydy._checks import (
     describe,
     flag,
     listed,
-    number,
     one_or_more,
+    positive,
     real_array,
     refuse_twice,
     whole,
@@ -137,6 +137,8 @@ class _Fit:
         self.start = np.array(start)
         self.spread = np.ones(len(self.free))
         self.largest, self.sizes = np.zeros(len(self.order)), np.ones(len(self.order))
+        self.limits = np.empty(0), np.empty(0)
+        self.priors: list[tuple[int, float, float]] = []
         self.gaps = 0.0
         self.is_gap = np.empty(0, dtype=bool)
 
@@ -347,6 +349,17 @@ class _Fit:
             self.spread = np.maximum(np.std(found, axis=0), least)
         return z
 
+    def with_priors(
+        self, values: np.ndarray, J: np.ndarray, z: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """Return residuals and their derivatives with those of what is known before."""
+        pulls = [(z[k] - mean) / s for k, mean, s in self.priors]
+        rows = np.zeros((len(pulls), len(z)))
+        rows[np.arange(len(pulls)), [k for k, _, _ in self.priors]] = [
+            1.0 / s for _, _, s in self.priors
+        ]
+        return np.append(values, pulls), np.vstack([J, rows])
+
 
 def _shot(
     work: _Fit, values: np.ndarray, J: np.ndarray
@@ -377,8 +390,6 @@ def _shot(
 def _collocated(
     work: _Fit,
     z: np.ndarray,
-    limits: tuple[np.ndarray, np.ndarray],
-    priors: list[tuple[int, float, float]],
     asked: tuple[Any, dict[int, float], tuple[str, dict[str, Any]], bool],
 ) -> FitResult:
     """Fit by collocation."""
@@ -405,7 +416,7 @@ def _collocated(
             )
         )  # fmt: skip
     shared = [(kind, definition.places[kind].symbols.index(s)) for kind, s in work.shared]
-    fit = Identification(experiments, shared, noise, limits, priors)
+    fit = Identification(experiments, shared, noise, work.limits, work.priors)
 
     def watch(iteration: Any) -> None:
         told(1, objective=f"{iteration.objective:.4g}", gap=f"{iteration.violation:.2g}")
@@ -431,20 +442,9 @@ def _collocated(
     for d, missed in zip(work.data, found.residuals, strict=True):
         table = np.where(np.isfinite(d.values), -missed * d.noise, np.nan)
         tables.append(dict(zip(d.names, table.T, strict=True)))
-    missed, J = _with_priors(found.values, found.jacobian, found.z, priors)
-    ended = found.success, found.message
-    counts = work.samples + len(priors), found.iterations, len(found.followed)
-    return _result(work, found.z, missed, J, tables, limits, counts, ended)
-
-
-def _with_priors(
-    values: np.ndarray, J: np.ndarray, z: np.ndarray, priors: list[tuple[int, float, float]]
-) -> tuple[np.ndarray, np.ndarray]:
-    """Return residuals and their derivatives with those of what is known before."""
-    pulls = [(z[k] - mean) / s for k, mean, s in priors]
-    rows = np.zeros((len(pulls), len(z)))
-    rows[np.arange(len(pulls)), [k for k, _, _ in priors]] = [1.0 / s for _, _, s in priors]
-    return np.append(values, pulls), np.vstack([J, rows])
+    missed, J = work.with_priors(found.values, found.jacobian, found.z)
+    ended = found.success, found.message, found.iterations
+    return _result(work, found.z, missed, J, tables, len(found.followed), ended)
 
 
 def _disturbances(work: _Fit, given: Any) -> dict[int, float]:
@@ -454,10 +454,7 @@ def _disturbances(work: _Fit, given: Any) -> dict[int, float]:
     given = check_mapping("process_noise", given)
     columns = places.columns(given, "process_noise").tolist()
     for place, (key, value) in zip(columns, given.items(), strict=True):
-        intensity = number(value, f"`process_noise[{key}]`", finite=True)
-        if not intensity > 0.0:
-            raise ValueError(f"`process_noise[{key}]` must be positive, got {intensity!r}.")
-        found[place] = intensity
+        found[place] = positive(value, f"`process_noise[{key}]`", finite=True)
     if found and work.own_noise:
         raise ValueError(
             "`process_noise` needs the `noise` of each Trial: what is noise of the samples and "
@@ -472,17 +469,16 @@ def _result(
     values: np.ndarray,
     J: np.ndarray,
     residuals: list[dict[str, np.ndarray]],
-    limits: tuple[np.ndarray, np.ndarray],
-    counts: tuple[int, int, int],
-    ended: tuple[bool, str],
+    equations: int,
+    ended: tuple[bool, str, int],
 ) -> FitResult:
     """Return what is told of a fit: J are the derivatives of the values by the parameters.
 
-    The `counts` are those of samples, evaluations, and equations that were solved for a motion.
+    So many `equations` were solved for a motion; it `ended` so after some evaluations.
     """
     names, k = tuple(work.names[: work.count]), work.count
-    measured, evaluations, equations = counts
-    degrees = measured - k
+    degrees = work.samples + len(work.priors) - k
+    success, message, evaluations = ended
     noise = float(np.sqrt(values @ values / degrees)) if degrees > 0 else np.nan
     sizes = np.maximum(np.abs(z[:k]), work.scales())
     # Motions are not more accurate than their tolerance, to which each equation is solved.
@@ -491,7 +487,7 @@ def _result(
     covariance, undetermined = covariance_of(J, sizes, names, least)
     if work.own_noise:
         covariance = covariance * noise**2
-    held = held_by(z[:k], (limits[0][:k], limits[1][:k]), names)
+    held = held_by(z[:k], (work.limits[0][:k], work.limits[1][:k]), names)
     if undetermined:
         warn_user(
             f"The data do not determine these relative changes of parameters: "
@@ -516,8 +512,8 @@ def _result(
         noise=noise,
         degrees=degrees,
         evaluations=evaluations,
-        success=ended[0],
-        message=ended[1],
+        success=success,
+        message=message,
     )
 
 
@@ -697,11 +693,10 @@ class Fitting(Setup):
         _check_method(collocated, segments, own, solver_kwargs)
         work = _Fit(self, parameters, given, segments, {} if collocated else solver_kwargs)
         z = work.guess()
-        limits = _bounds(work, bounds, len(z))
-        if not ((limits[0] <= z) & (z <= limits[1])).all():
-            z = np.clip(z, *limits)
-        known = _priors(work, priors)
-        if known and work.own_noise:
+        work.limits = _bounds(work, bounds, len(z))
+        z = np.clip(z, *work.limits)
+        work.priors = _priors(work, priors)
+        if work.priors and work.own_noise:
             # Without it a residual would count as one in its unit, metre or millimetre, does.
             raise ValueError(
                 "`priors` need the `noise` of each Trial: how much the samples count beside the "
@@ -715,7 +710,7 @@ class Fitting(Setup):
                 "ipopt" if solver is None else solver,
                 {"max_iter": min(most, _MOST), **solver_kwargs},
             )
-            return _collocated(work, z, limits, known, (mesh, disturbed, searching, progress))
+            return _collocated(work, z, (mesh, disturbed, searching, progress))
         count = 0
 
         def evaluate(z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -730,7 +725,7 @@ class Fitting(Setup):
                     raise
                 values, slopes = np.full(size, np.nan), np.zeros((size, len(z)))
             told(1, residual=f"{np.sqrt(np.mean(values**2)):.4g}")
-            return _with_priors(values, slopes, z, known)
+            return work.with_priors(values, slopes, z)
 
         size = work.samples + (len(z) - work.count)
         stages = _STAGES if len(z) > work.count else (0.0,)
@@ -738,8 +733,9 @@ class Fitting(Setup):
             for stage in stages:
                 work.gaps = stage
                 last = stage == stages[-1]
-                z, values, J, found = estimate(evaluate, z, limits, work.names, most, told=last)
+                z, values, J, found = estimate(
+                    evaluate, z, work.limits, work.names, most, told=last
+                )
         values, J, tables = _shot(work, values, J)
-        ended = bool(found.success), str(found.message)
-        counts = work.samples + len(known), count, 1
-        return _result(work, z, values, J, tables, limits, counts, ended)
+        ended = bool(found.success), str(found.message), count
+        return _result(work, z, values, J, tables, 1, ended)

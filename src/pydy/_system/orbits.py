@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from pydy._checks import flag, listed, number, shown
+from pydy._checks import flag, listed, positive, shown
 from pydy._errors import PeriodicOrbitError, finished_before
 from pydy._names import some, unique_names
 from pydy._optional import progress_of
@@ -108,9 +108,7 @@ class Orbits(Simulation, Evaluation):
         (True, True)
         """
         now = self._now()
-        guess = number(period, "`period`", finite=True)
-        if not guess > 0.0:
-            raise ValueError(f"`period` must be positive, got {guess!r}.")
+        guess = positive(period, "`period`", finite=True)
         if not now.t + guess / _SAMPLES > now.t:
             raise ValueError(
                 f"`period` must be long enough for {_SAMPLES} times from {now.t:g} on that differ "

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from pydy._assembly.definition import Definition
-from pydy._checks import check_mapping, flag, number, real_array, whole
+from pydy._checks import check_mapping, flag, positive, real_array, whole
 from pydy._errors import EquilibriumError, finished_before
 from pydy._names import unique_names
 from pydy._optional import progress_of
@@ -343,9 +343,7 @@ class Sweeps(Setup):
         now = self._now()
         definition = now.definition
         parameter, values = parameter_of(definition, over)
-        longest = number(step, "`step`", finite=True)
-        if not longest > 0.0:
-            raise ValueError(f"`step` must be positive, got {longest!r}.")
+        longest = positive(step, "`step`", finite=True)
         family = Family(now, parameter, unknowns, given, moving)
         balance = family.balance
         if len(family.names) < 2:

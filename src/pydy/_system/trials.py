@@ -12,6 +12,7 @@ import sympy.physics.mechanics as me
 from pydy._assembly.definition import Definition
 from pydy._checks import (
     Places,
+    ascending,
     check_mapping,
     describe,
     number,
@@ -59,14 +60,7 @@ def checked_trial(k: int, trial: Any, definition: Definition, expressions: dict[
     times = real_array(trial.times, f"`times` of {label}")
     if times.ndim != 1 or not len(times):
         raise ValueError(f"`times` of {label} must have the shape (m,), got {times.shape}.")
-    if not np.isfinite(times).all():
-        at = int(np.flatnonzero(~np.isfinite(times))[0])
-        raise ValueError(f"`times` of {label} must be finite, got {times[at]!r} at {at}.")
-    if (np.diff(times) <= 0.0).any():
-        at = int(np.flatnonzero(np.diff(times) <= 0.0)[0]) + 1
-        raise ValueError(
-            f"`times` of {label} must ascend, got {times[at]!r} after {times[at - 1]!r}."
-        )
+    ascending(times, f"`times` of {label}", strict=True)
     begin = float(times[0])
     if trial.start is not None:
         begin = number(trial.start, f"`start` of {label}", finite=True)
