@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import cached_property
+from itertools import islice
 from typing import Any
 
 import numpy as np
@@ -141,7 +142,9 @@ class EigenvalueSweep:
                 stable = len(beyond) and real[last] < 0.0
                 ends = sorted((int(place), last))
                 if abs(last - place) > 1 and not (stable and not self._rests(branch, *ends)):
-                    found += self._on_axis(branch, int(place), last, way)
+                    steps = range(int(place) + way, last, way)
+                    on_axis = (k for k in steps if self._is_on_axis(branch, k))
+                    found += [(k, k - way) for k in islice(on_axis, 1)]
         return found
 
     def _rests(self, branch: int, first: int, last: int) -> bool:
@@ -170,13 +173,6 @@ class EigenvalueSweep:
         spectrum, rounding = self._spectrum(self._models(np.array([value]), start[None])[0])
         k = np.abs(spectrum - expected).argmin()
         return complex(spectrum[k]), float(rounding[k])
-
-    def _on_axis(self, branch: int, place: int, last: int, way: int) -> list[tuple[int, int]]:
-        """Return the next value at which nothing but rounding is left, and the one before it."""
-        for k in range(place + way, last, way):
-            if self._is_on_axis(branch, k):
-                return [(k, k - way)]
-        return []
 
     def _spectrum(self, A: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         return with_rounding(A[np.ix_(self._active, self._active)])
