@@ -87,7 +87,9 @@ class Reference:
         def value(kind, index, fraction):
             places, weights, h = made.located(kind, fraction)
             values = (x if kind == "state" else u)[index]
-            powers = made.scheme.basis(np.zeros(1))[1] if kind == "state" else [0] * len(places)
+            powers = (
+                made.scheme.states.basis(np.zeros(1))[1] if kind == "state" else [0] * len(places)
+            )
             return sum(
                 values[s] * mp.mpf(w) * (duration * mp.mpf(h)) ** int(e)
                 for s, w, e in zip(places, weights, powers, strict=True)

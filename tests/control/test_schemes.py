@@ -33,7 +33,7 @@ def test_derivatives_of_polynomials_are_exact():
 
 
 def slots_of(scheme, function, slope, duration):
-    times, slopes = scheme.places(MESH)
+    times, slopes = scheme.states.places(MESH)
     return np.where(slopes, slope(times * duration), function(times * duration))
 
 
@@ -64,24 +64,24 @@ def test_weights_integrate_over_the_mesh(scheme):
 
 @pytest.mark.parametrize("scheme", SCHEMES, ids=str)
 def test_interpolants_pass_through_their_slots(scheme):
-    slots = scheme.interval_slots(len(MESH) - 1)
-    times, slopes = scheme.places(MESH)
+    slots = scheme.states.of_intervals(len(MESH) - 1)
+    times, slopes = scheme.states.places(MESH)
     for k in range(len(MESH) - 1):
         own = slots[:, k][~slopes[slots[:, k]]]
         s = (times[own] - MESH[k]) / (MESH[k + 1] - MESH[k])
-        basis, powers = scheme.basis(s)
+        basis, powers = scheme.states.basis(s)
         unit = np.eye(len(own))
         np.testing.assert_allclose(basis[: len(own)], unit, atol=1e-13)
         assert not powers[: len(own)].any()
-    controls = scheme.control_slots(len(MESH) - 1)
-    assert sorted(set(controls.ravel())) == list(range(len(scheme.control_places(MESH))))
+    controls = scheme.controls.of_intervals(len(MESH) - 1)
+    assert sorted(set(controls.ravel())) == list(range(len(scheme.controls.places(MESH)[0])))
 
 
 def test_the_cubic_of_hermite_simpson_has_the_given_slopes():
     scheme = Scheme("hermite-simpson")
     ends = np.array([0.0, 1.0])
     step = 1e-6
-    left, right = (scheme.basis(np.clip(ends + d, 0, 1))[0] for d in (-step, step))
+    left, right = (scheme.states.basis(np.clip(ends + d, 0, 1))[0] for d in (-step, step))
     slopes = (right - left)[2:] / step
     np.testing.assert_allclose(slopes, np.eye(2), atol=1e-5)
 
@@ -94,7 +94,7 @@ def test_constraints_hold_at_every_node_but_the_first(scheme):
     assert 0.0 not in held
     # As many multipliers as rows that determine them.
     start = sum(p.rows == "start" for p in points)
-    assert len(held) + start == len(scheme.control_places(MESH))
+    assert len(held) + start == len(scheme.controls.places(MESH)[0])
     # Motion and objective are those of motions without constraints.
     motion = [p for p in points if p.rows != "constraints"]
     for name in ("fractions", "weights"):

@@ -114,11 +114,11 @@ class _Between:
         states, controls, _, T = made.split(z)
         M, length = made.intervals, np.diff(made.mesh)[k]
         self.fractions, h = made.mesh[k] + s * length, length * T
-        basis, powers = scheme.basis(s)
+        basis, powers = scheme.states.basis(s)
         # The derivatives of the basis, from its values at the nodes of polynomials of that degree.
         nodes = np.append(0.0, radau_points(max(scheme.order, 3)))
-        rates = scheme.basis(nodes)[0] @ derivatives(nodes).T @ lagrange(nodes, s)
-        y = states[:, scheme.interval_slots(M)[:, k]] * h ** powers[:, None]
+        rates = scheme.states.basis(nodes)[0] @ derivatives(nodes).T @ lagrange(nodes, s)
+        y = states[:, scheme.states.of_intervals(M)[:, k]] * h ** powers[:, None]
         x, dx = (y * basis).sum(axis=1), (y * rates).sum(axis=1)
         none, one, K = np.zeros(len(s)), np.ones(len(s)), scheme.order
         if scheme.name == "radau":
@@ -127,7 +127,7 @@ class _Between:
             slots, given = [x - dx / 2, x + dx / 2], []
         else:
             slots, given = [x, dx / h], []
-        u = controls[:, scheme.control_slots(M)[:, k]] * scheme.control_basis(s)
+        u = controls[:, scheme.controls.of_intervals(M)[:, k]] * scheme.controls.basis(s)[0]
         u = u.sum(axis=1)
         self.made, self.piece, self.first = made, nlp.pieces[0], sum(map(len, slots))
         self.X = np.ascontiguousarray([*np.concatenate(slots), *u, *z[made._numbers_at(len(s))]])
@@ -230,10 +230,10 @@ def _passed_bounds(
     scheme, M, h = made.scheme, made.intervals, np.diff(made.mesh)
     x = made.states_at(solution.z, (made.mesh[k] + s * h[k]) * made.split(solution.z)[3]).T
     if scheme.name == "radau" and scheme.order > 1:
-        nodes, slots = radau_points(scheme.order), scheme.interval_slots(M)[1:]
+        nodes, slots = radau_points(scheme.order), scheme.states.of_intervals(M)[1:]
         weights = made.points[0].weights.reshape(scheme.order, M)
     else:
-        nodes, slots = np.array([0.0, 1.0]), scheme.interval_slots(M)[:2]
+        nodes, slots = np.array([0.0, 1.0]), scheme.states.of_intervals(M)[:2]
         around = np.append(h, 0.0) + np.append(0.0, h)
         weights = np.array([around[:-1], around[1:]]) / 2
     basis = lagrange(nodes, s)

@@ -1,18 +1,60 @@
-"""Where a search begins, as users give it."""
+"""Where a search begins and between which bounds, as users give it."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
-from pydy._checks import Places, check_mapping, number
+from pydy._checks import Places, check_mapping, number, positive, real_array, shown
 from pydy._rank import DIGITS, least_step
-from pydy.control.limits import limit
 from pydy.control.transcription import Transcription
 from pydy.control.tuning import MOST_CLOSING_STEPS
+from pydy.inputs import SampledInput
 from pydy.trajectory import Trajectory
+
+
+@dataclass(frozen=True, eq=False)
+class Limit:
+    """A bound, or a guess, as a function of fractions of the duration."""
+
+    values: Any  # a number, or values at equal distances over the motion, or at times
+    duration: float | None = None  # of the motion, for samples at times
+
+    def __call__(self, fractions: np.ndarray) -> np.ndarray:
+        """Return the values at fractions of the duration."""
+        if isinstance(self.values, SampledInput):
+            assert self.duration is not None
+            found: np.ndarray = self.values.rows(fractions * self.duration)[:, 0]
+            return found
+        if np.ndim(self.values) == 0:
+            return np.full(len(fractions), float(self.values))
+        even = np.linspace(0.0, 1.0, num=len(self.values))
+        between: np.ndarray = np.interp(fractions, even, self.values)
+        return between
+
+
+def limit(value: Any, what: str, duration: float | None, *, finite: bool = False) -> Limit:
+    """Return a guess, or a side of bounds, that the user gave; numbers may have to be finite."""
+    if isinstance(value, SampledInput):
+        if duration is None:
+            raise ValueError(
+                f"{what} has samples at times, and the duration is free. Give an array, whose "
+                "values lie at equal distances over the motion."
+            )
+        if value.size != 1:
+            raise ValueError(f"{what} must be samples of one value, got {value.size} a time.")
+        return Limit(value, duration)
+    samples = real_array(value, what)
+    if samples.ndim == 0:
+        return Limit(number(value, what, finite=finite))
+    if samples.ndim != 1 or not len(samples) or not np.isfinite(samples).all():
+        raise ValueError(
+            f"{what} must be a finite number, or rows of finite numbers, got {shown(value)}."
+        )
+    return Limit(samples)
 
 
 class Guess:
@@ -36,7 +78,7 @@ class Guess:
         if self._motion is not None:
             return float(self._motion.times[-1] - self._motion.times[0])
         if symbol in self._values:
-            return positive_time(self._values[symbol], f"`guess[{symbol}]`")
+            return positive(self._values[symbol], f"`guess[{symbol}]`", finite=True)
         if not np.isfinite(bounds).all():
             raise ValueError(
                 f"The duration `{symbol}` is free: give `bounds` for it, {{{symbol}: (low, high)}},"
@@ -106,15 +148,6 @@ def follow_constraints(
                 z[at[states, 0]] = X[states, 0]
                 break
             X[states, 0] -= least_step(by[:, states], left)
-
-
-def positive_time(value: Any, what: str = "`duration`") -> float:
-    """Return a positive number, or say what it was instead."""
-    result = number(value, what, finite=True)
-    if not result > 0.0:
-        hint = ", or a Symbol for one that is found" if what == "`duration`" else ""
-        raise ValueError(f"{what} must be positive{hint}, got {result!r}.")
-    return result
 
 
 def shown_pair(limits: tuple[float, float]) -> str:

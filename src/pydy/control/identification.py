@@ -50,15 +50,14 @@ import scipy.sparse
 
 from pydy._assembly.specifieds import driven
 from pydy._errors import warn_user
+from pydy.control.guess import Limit
 from pydy.control.ipopt import SOLVED, STATUS, Iteration, Solution
 from pydy.control.kernel import Equations
-from pydy.control.limits import Limit
 from pydy.control.nlp import Nlp, Piece
 from pydy.control.problem import labels_of, signal_of
 from pydy.control.refine import Moved, checked_mesh, interval_errors, refined
 from pydy.control.schemes import Scheme, scheme_of
-from pydy.control.sizes import sizes_of
-from pydy.control.transcription import Problem, Transcription
+from pydy.control.transcription import Problem, Transcription, sizes_of
 from pydy.control.tuning import (
     FEWEST_INTERVALS,
     FIT_ORDER,
@@ -371,11 +370,8 @@ class _Joined:
         data = np.array([np.zeros(count), np.zeros(count), slope])
         for k, mean, deviation in self.asked.priors:
             data[:2, k] = mean, 1.0 / deviation
-        none = np.empty(0)
-        return Piece(
-            problem.of_parameters(), self.parameters[None], data, none, none, none, (),
-            np.full(count, np.nan), False,
-        )  # fmt: skip
+        at, none = self.parameters[None], np.empty(0)
+        return Piece(problem.of_parameters(), at, data, none, (), np.full(count, np.nan))
 
     def disturbances(self) -> tuple[np.ndarray, np.ndarray]:
         """Return the disturbances' unknowns, and what makes residuals of them."""

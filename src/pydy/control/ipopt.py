@@ -30,7 +30,7 @@ import numpy as np
 from pydy._checks import shown
 from pydy._errors import MissingDependencyError
 from pydy._interrupts import Interrupts
-from pydy.control.nlp import SIGNATURES, Nlp
+from pydy.control.nlp import SIGNATURES
 from pydy.control.tuning import TOLERANCE, WARM_BARRIER
 
 _INFINITE = 2e19  # beyond 1e19 a bound is none, `nlp_upper_bound_inf`
@@ -198,7 +198,7 @@ def _probe(lib: Any) -> bool:
         row_sizes=none, row_bounds=(none, none), jacobian_at=(none, none), hessian_at=(at, at),
         native=SimpleNamespace(addresses=pointers, handle=None),
     )  # fmt: skip
-    found = _solve(lib, square, np.array([1.5]), {}, lambda iteration: None)
+    found = solve(square, np.array([1.5]), lib=lib)
     return found.status == 0 and abs(found.z[0] - 2.0) < 0.001
 
 
@@ -279,29 +279,20 @@ def solver_options(nlp: Any, warm: Solution | None) -> dict[str, Any]:
 
 
 def solve(
-    nlp: Nlp,
+    nlp: Any,
     z: np.ndarray,
     *,
     options: Mapping[str, Any] | None = None,
     watch: Callable[[Iteration], None] = lambda iteration: None,
     warm: Solution | None = None,
+    lib: Any = None,
 ) -> Solution:
     """Solve a nonlinear program from z on, and `watch` each iteration.
 
     `warm` is the Solution of a program with the same unknowns and rows: the search begins with its
-    multipliers.
+    multipliers. The library is `library` by default.
     """
-    return _solve(library(), nlp, z, dict(options or {}), watch, warm)
-
-
-def _solve(
-    lib: Any,
-    nlp: Any,
-    z: np.ndarray,
-    options: dict[str, Any],
-    watch: Callable[[Iteration], None],
-    warm: Solution | None = None,
-) -> Solution:
+    lib = library() if lib is None else lib
     n, m = nlp.size, nlp.rows
     interrupts = Interrupts()
     watched = Watched(nlp, watch, interrupts)
@@ -316,9 +307,10 @@ def _solve(
         )
     )
     if not problem:
-        return _failed(nlp, z, -11)
+        none = np.zeros(n)
+        return Solution(z, np.zeros(m), none, none, np.nan, -11, (), None)
     try:
-        for name, value in {**solver_options(nlp, warm), **options}.items():
+        for name, value in {**solver_options(nlp, warm), **(options or {})}.items():
             _set_option(lib, problem, name, value)
         lib.SetIntermediateCallback(problem, ctypes.cast(called, c_void_p))
         y, values, objective = np.array(z / nlp.sizes), np.empty(m), np.zeros(1)
@@ -345,11 +337,6 @@ def _solve(
         nlp, y, multipliers, below, above, float(objective[0]), status, watched.history,
         interrupted,
     )  # fmt: skip
-
-
-def _failed(nlp: Any, z: np.ndarray, status: int) -> Solution:
-    none = np.zeros(nlp.size)
-    return Solution(z, np.zeros(nlp.rows), none, none, np.nan, status, (), None)
 
 
 def _set_option(lib: Any, problem: Any, name: str, value: Any) -> None:

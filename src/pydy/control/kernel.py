@@ -215,10 +215,6 @@ class Point:
         """Return the equations with nodes in place of their inputs; see `Points.rows`."""
         return self._placed(self.equations.rows(kind), at)
 
-    def constraints(self, at: Mapping[tuple[str, int], int]) -> list[int]:
-        """Return the constraints with nodes in place of their inputs."""
-        return self._placed(self.equations.constraints, at)
-
     def read(
         self,
         expressions: Sequence[Any],

@@ -45,12 +45,16 @@ class Piece:
     at: np.ndarray  # (variables, points), which unknowns the points' variables are
     data: np.ndarray  # (data, points)
     constants: np.ndarray  # the numbers P
-    low: np.ndarray  # (rows,)
-    high: np.ndarray  # (rows,)
     labels: tuple[str, ...]  # what each row is, for messages
     # (points,), the times of the points, as fractions of the duration; NaN where they have none.
     fractions: np.ndarray
-    collocated: bool  # whether these are collocation points
+    low: Any = 0.0  # (rows,), bounds, by default those of equations
+    high: Any = 0.0
+    collocated: bool = False  # whether these are collocation points
+
+    def __post_init__(self) -> None:
+        for side in ("low", "high"):
+            object.__setattr__(self, side, np.broadcast_to(getattr(self, side), self.rows))
 
     @property
     def rows(self) -> int:

@@ -132,11 +132,9 @@ class Phases(Search[PhasedTrajectory]):
         begins = np.arange(after.states) * len(made[1].places[0])
         numbers = np.arange(sum(made[0].sizes[:2]), sum(made[0].sizes))
         at = np.concatenate([own[0][ends], own[1][begins], own[0][numbers]])
-        zeros = np.zeros(len(link))
-        return Piece(
-            before.once(key, compiled), at[:, None], np.empty((0, 1)), before.numbers, zeros, zeros,
-            tuple(f"link {k} of {s}" for s in link), np.full(1, np.nan), False,
-        )  # fmt: skip
+        labels = tuple(f"link {k} of {s}" for s in link)
+        functions, none = before.once(key, compiled), np.empty((0, 1))
+        return Piece(functions, at[:, None], none, before.numbers, labels, np.full(1, np.nan))
 
 
 def _followers(before: Any, after: Any, link: Mapping[Any, Any]) -> int:

@@ -17,15 +17,9 @@ from pydy._names import some, unique_names
 from pydy._rank import DIGITS, rank
 from pydy.codegen.arguments import checked_expression
 from pydy.control.expressions import Reader, bends
-from pydy.control.guess import (
-    Guess,
-    follow_constraints,
-    positive_time,
-    shown_pair,
-)
+from pydy.control.guess import Guess, Limit, follow_constraints, limit, shown_pair
 from pydy.control.ipopt import SOLVED, Solution
 from pydy.control.kernel import Equations, violated
-from pydy.control.limits import Limit, limit
 from pydy.control.nlp import Nlp
 from pydy.control.phases import Phases
 from pydy.control.refine import (
@@ -38,8 +32,7 @@ from pydy.control.refine import (
 from pydy.control.result import OptimalTrajectory
 from pydy.control.schemes import METHODS, scheme_of
 from pydy.control.search import Search
-from pydy.control.sizes import sizes_of
-from pydy.control.transcription import Problem, Transcription
+from pydy.control.transcription import Problem, Transcription, sizes_of
 from pydy.control.tuning import LARGEST_ORDER
 from pydy.inputs import SampledInput
 
@@ -172,7 +165,14 @@ class OptimalControl(Search[OptimalTrajectory]):
         constants = definition.places["constants"]
         self._free = tuple(constants.chosen(listed("free", free), "free"))
         self._symbol = duration if isinstance(duration, sm.Symbol) else None
-        self._duration = None if self._symbol is not None else positive_time(duration)
+        self._duration = None
+        if self._symbol is None:
+            self._duration = number(duration, "`duration`", finite=True)
+            if not self._duration > 0.0:
+                raise ValueError(
+                    "`duration` must be positive, or a Symbol for one that is found, got "
+                    f"{self._duration!r}."
+                )
         if self._symbol is not None and self._symbol in (*definition.constants, time):
             raise ValueError(
                 f"`duration` is `{duration}`, which the equations hold already. Give the duration "

@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from pydy._checks import real_array, shown, whole
+from pydy._checks import ascending, real_array, shown, whole
 from pydy._errors import OptimizationError, warn_user
 from pydy._kernel import Kernel
 from pydy._rank import ROUNDING, or_one
@@ -168,11 +168,7 @@ def checked_mesh(mesh: Any) -> np.ndarray:
             "`mesh` must be a number of intervals, or at least two finite nodes, got "
             f"{shown(mesh)}."
         )
-    if (np.diff(nodes) <= 0.0).any():
-        at = int(np.flatnonzero(np.diff(nodes) <= 0.0)[0]) + 1
-        raise ValueError(
-            f"`mesh` must ascend, got {float(nodes[at])} after {float(nodes[at - 1])}."
-        )
+    ascending(nodes, "`mesh`", strict=True)
     fractions: np.ndarray = (nodes - nodes[0]) / (nodes[-1] - nodes[0])
     return fractions
 

@@ -82,6 +82,47 @@ class Points:
 
 
 @dataclass(frozen=True)
+class Slots:
+    """Values at the nodes of a mesh, if any, then those at each of some fractions of intervals.
+
+    A second block of nodes has the slopes there.
+    """
+
+    blocks: int
+    inner: tuple[float, ...] = ()
+
+    def places(self, mesh: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Return the times of the slots and whether they are slopes.
+
+        `mesh` holds the nodes as fractions of the duration, M + 1 of them.
+        """
+        h, left = np.diff(mesh), mesh[:-1]
+        times = np.concatenate([*[mesh] * self.blocks, *(left + c * h for c in self.inner)])
+        slopes = np.zeros(len(times), dtype=bool)
+        slopes[len(mesh) : self.blocks * len(mesh)] = True
+        return times, slopes
+
+    def of_intervals(self, intervals: int) -> np.ndarray:
+        """Return the slots of each interval, shape (y, M), in the order of `basis`."""
+        k, first = np.arange(intervals), self.blocks * (intervals + 1)
+        if self.blocks == 2:
+            return np.array([k, k + 1, intervals + 1 + k, intervals + 2 + k])
+        inner = [first + j * intervals + k for j in range(len(self.inner))]
+        return np.array([k, *inner, k + 1] if self.blocks else inner)
+
+    def basis(self, s: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Return the interpolant at fractions s of an interval.
+
+        The values (y, len(s)) are of each slot of an interval; the powers (y,) of h go with them.
+        """
+        if self.blocks == 2:
+            values = [(1 + 2 * s) * (1 - s) ** 2, s**2 * (3 - 2 * s), s * (1 - s) ** 2]
+            return np.array([*values, -(s**2) * (1 - s)]), np.array([0, 0, 1, 1])
+        nodes = np.array([0.0, *self.inner, 1.0] if self.blocks else self.inner)
+        return lagrange(nodes, s), np.zeros(len(nodes), dtype=int)
+
+
+@dataclass(frozen=True)
 class Scheme:
     """A collocation method."""
 
@@ -93,71 +134,19 @@ class Scheme:
         """The order of the states' error at the nodes in the length of the intervals."""
         return {"radau": 2 * self.order - 1, "midpoint": 2, "hermite-simpson": 4}[self.name]
 
-    # -- where values lie ------------------------------------------------------------------------
-
-    def places(self, mesh: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Return the times of the slots of states and whether they are slopes.
-
-        `mesh` holds the nodes as fractions of the duration, M + 1 of them.
-        """
-        h, left = np.diff(mesh), mesh[:-1]
-        if self.name == "radau":
-            inner = [left + c * h for c in radau_points(self.order)[:-1]]
-            times = np.concatenate([mesh, *inner])
-            return times, np.zeros(len(times), dtype=bool)
-        if self.name == "midpoint":
-            return mesh, np.zeros(len(mesh), dtype=bool)
-        return np.tile(mesh, 2), np.repeat([False, True], len(mesh))
-
-    def control_places(self, mesh: np.ndarray) -> np.ndarray:
-        """Return the times of the slots of controls."""
-        h, left = np.diff(mesh), mesh[:-1]
-        if self.name == "radau":
-            return np.concatenate([left + c * h for c in radau_points(self.order)])
-        if self.name == "midpoint":
-            return left + 0.5 * h
-        return np.concatenate([mesh, left + 0.5 * h])
-
-    def interval_slots(self, intervals: int) -> np.ndarray:
-        """Return the slots of each interval, shape (y, M), in the order of `basis`."""
-        k = np.arange(intervals)
-        if self.name == "radau":
-            first = intervals + 1
-            inner = [first + j * intervals + k for j in range(self.order - 1)]
-            return np.array([k, *inner, k + 1])
-        if self.name == "midpoint":
-            return np.array([k, k + 1])
-        return np.array([k, k + 1, intervals + 1 + k, intervals + 2 + k])
-
-    def control_slots(self, intervals: int) -> np.ndarray:
-        """Return the slots of controls of each interval, in the order of `control_basis`."""
-        k = np.arange(intervals)
+    @property
+    def states(self) -> Slots:
+        """Where states lie."""
         if self.name == "hermite-simpson":
-            return np.array([k, intervals + 1 + k, k + 1])
-        return np.array([j * intervals + k for j in range(self.order)])
+            return Slots(2)
+        return Slots(1, tuple(radau_points(self.order)[:-1].tolist()))
 
-    # -- between the points ----------------------------------------------------------------------
-
-    def basis(self, s: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Return the states' interpolant at fractions s of an interval.
-
-        The values (y, len(s)) are of each slot of an interval; the powers (y,) of h go with them.
-        """
-        if self.name == "hermite-simpson":
-            values = [(1 + 2 * s) * (1 - s) ** 2, s**2 * (3 - 2 * s), s * (1 - s) ** 2]
-            return np.array([*values, -(s**2) * (1 - s)]), np.array([0, 0, 1, 1])
-        if self.name == "midpoint":
-            return np.array([1 - s, s]), np.zeros(2, dtype=int)
-        nodes = np.append(0.0, radau_points(self.order))
-        return lagrange(nodes, s), np.zeros(len(nodes), dtype=int)
-
-    def control_basis(self, s: np.ndarray) -> np.ndarray:
-        """Return the controls' interpolant, shape (slots, len(s))."""
-        if self.name == "hermite-simpson":
-            return lagrange(np.array([0.0, 0.5, 1.0]), s)
-        if self.name == "midpoint":
-            return np.ones((1, len(s)))
-        return lagrange(radau_points(self.order), s)
+    @property
+    def controls(self) -> Slots:
+        """Where controls lie."""
+        if self.name == "radau":
+            return Slots(0, tuple(radau_points(self.order).tolist()))
+        return Slots(int(self.name == "hermite-simpson"), (0.5,))
 
     # -- collocation points ----------------------------------------------------------------------
 
@@ -169,11 +158,11 @@ class Scheme:
         """
         h, M, left = np.diff(mesh), len(mesh) - 1, mesh[:-1]
         k = np.arange(M)
-        slots = self.interval_slots(M)
+        slots = self.states.of_intervals(M)
         if self.name == "radau":
             K = self.order
             c = radau_points(K)
-            D, w = radau_matrices(K)
+            D, w = derivatives(np.append(0.0, c)), quadrature(c)
             order = [[j, *(i for i in range(K + 1) if i != j)] for j in range(1, K + 1)]
             return (
                 Points(
@@ -235,13 +224,6 @@ def radau_points(K: int) -> np.ndarray:
     c: np.ndarray = np.sort((1.0 - np.real(flipped)) / 2)
     c[-1] = 1.0
     return c
-
-
-@cache
-def radau_matrices(K: int) -> tuple[np.ndarray, np.ndarray]:
-    """Return the derivatives of the polynomials at the start and the points, and the weights."""
-    c = radau_points(K)
-    return derivatives(np.append(0.0, c)), quadrature(c)
 
 
 def lagrange(nodes: np.ndarray, s: np.ndarray) -> np.ndarray:

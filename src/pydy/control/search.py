@@ -9,18 +9,16 @@ from typing import Any, Generic, TypeVar
 
 import numpy as np
 
-from pydy._checks import check_mapping, flag, real_array, refuse_twice
+from pydy._checks import check_mapping, flag, positive, real_array, refuse_twice
 from pydy._errors import OptimizationError, finished_before
 from pydy._optional import progress_of
 from pydy.control.accuracy import relative_errors, warn_of_chatter
-from pydy.control.guess import positive_time
 from pydy.control.ipopt import SOLVED, Iteration, Solution
 from pydy.control.nlp import Nlp, Piece
 from pydy.control.refine import refined, warn_of_refinements, warn_where_coarse
 from pydy.control.result import OptimalTrajectory, why_in_vain, worst_rows
-from pydy.control.sizes import sizes_of
 from pydy.control.solvers import solver_of
-from pydy.control.transcription import Transcription
+from pydy.control.transcription import Transcription, sizes_of
 from pydy.control.tuning import LEAST_MESH_TOL, MOST_REFINEMENTS
 
 Found = TypeVar("Found")
@@ -335,7 +333,7 @@ def _mesh_tolerance(value: Any) -> float | None:
     """Return a checked `mesh_tol`."""
     if value is None:
         return None
-    result = positive_time(value, "`mesh_tol`")
+    result = positive(value, "`mesh_tol`", finite=True)
     if result < LEAST_MESH_TOL:
         raise ValueError(
             f"`mesh_tol` must be at least {LEAST_MESH_TOL:.2g}, what rounding leaves on any mesh, "

@@ -7,15 +7,17 @@ The unknowns are ordered as states by slots, controls by slots, constants, and t
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from typing import Any, Literal, TypeVar
 
 import numpy as np
 
 from pydy._forks import cached_property
+from pydy._rank import or_one
 from pydy.control.kernel import Equations, Functions, Point
 from pydy.control.nlp import Nlp, Piece
-from pydy.control.schemes import Points, Scheme
+from pydy.control.schemes import Points, Scheme, Slots
+from pydy.control.tuning import NARROW, TOLERANCE, WIDE
 
 Compiled = TypeVar("Compiled")
 
@@ -186,7 +188,7 @@ class Problem:
         numbers, T = self.unknown_numbers(point)
         at = {("t", 0): self._time(point, T, point.graph.zero), ("T", 0): T}
         at |= self._inputs(point, x, numbers)
-        rows = point.constraints(at)
+        rows = point.residuals(at, "constraints")
         return point.functions(rows[len(rows) - count :], None, hessian=self.hessian)
 
     def _point(self) -> Point:
@@ -218,24 +220,24 @@ class Problem:
         return self.once("samples", lambda: self._at_samples(scheme))
 
     def _at_samples(self, scheme: Scheme) -> tuple[Functions, Functions]:
-        point, n, one = self._point(), self.states, np.zeros(1)
-        g, powers = point.graph, scheme.basis(one)[1].tolist()
-        slots = [point.variables(n) for _ in powers]
-        controls = [point.variables(len(self.controls)) for _ in scheme.control_basis(one)]
+        point = self._point()
+        g = point.graph
+        counts = self.states, len(self.controls)
+        powers = [kind.basis(np.zeros(1))[1].tolist() for kind in (scheme.states, scheme.controls)]
+        slots = [[point.variables(n) for _ in own] for n, own in zip(counts, powers, strict=True)]
         numbers, T = self.unknown_numbers(point)
         fraction, length = point.data(2)
-        basis, flat = point.data(len(slots)), point.data(len(controls))
+        bases = [point.data(len(own)) for own in powers]
         h = g.mul(T, length)
-        x = [
-            point.combined(
-                [(row[k], [b], p) for row, b, p in zip(slots, basis, powers, strict=True)], h
-            )
-            for k in range(n)
-        ]
-        c = [
-            point.combined([(row[k], [b], 0) for row, b in zip(controls, flat, strict=True)], h)
-            for k in range(len(self.controls))
-        ]
+        x, c = (
+            [
+                point.combined(
+                    [(row[k], [b], p) for row, b, p in zip(rows, basis, own, strict=True)], h
+                )
+                for k in range(n)
+            ]
+            for n, rows, basis, own in zip(counts, slots, bases, powers, strict=True)
+        )
         at = {("t", 0): self._time(point, T, fraction), ("T", 0): T}
         at |= self._inputs(point, x, numbers, c)
         model = point.read(self.measured, "`measured`", at)
@@ -259,11 +261,9 @@ class Problem:
         atoms = {s: constants[k] for s, k in self.symbols.items()}
         if self.duration_symbol is not None:
             atoms[self.duration_symbol] = T
-        start = np.zeros(1)
-        powers = scheme.basis(start)[1].tolist()
-        flat = [0] * len(scheme.control_basis(start))
         for instant in self.instants:
-            own = powers if instant.kind == "state" else flat
+            kind = scheme.states if instant.kind == "state" else scheme.controls
+            own = kind.basis(np.zeros(1))[1].tolist()
             nodes, data = point.variables(len(own)), point.data(len(own))
             terms = [(v, [c], p) for v, c, p in zip(nodes, data, own, strict=True)]
             # Each instant has an interval of its own.
@@ -291,12 +291,12 @@ class Transcription:
     @cached_property
     def places(self) -> tuple[np.ndarray, np.ndarray]:
         """The times of the states' slots as fractions, and whether they are slopes."""
-        return self.scheme.places(self.mesh)
+        return self.scheme.states.places(self.mesh)
 
     @cached_property
     def control_places(self) -> np.ndarray:
         """The times of the controls' slots as fractions."""
-        return self.scheme.control_places(self.mesh)
+        return self.scheme.controls.places(self.mesh)[0]
 
     @property
     def intervals(self) -> int:
@@ -374,10 +374,10 @@ class Transcription:
             np.concatenate([np.array([*states, *controls]), self._numbers_at(count)]),
             np.ascontiguousarray(data),
             p.numbers,
-            *_limits(len(labels), path),
             (*labels, *(c.label for c in path)),
             points.fractions,
-            points.rows != "constraints",
+            *_limits(len(labels), path),
+            collocated=points.rows != "constraints",
         )
 
     def beginning(self) -> Piece:
@@ -391,10 +391,8 @@ class Transcription:
             np.concatenate([states, self._numbers_at(1)[:, 0]])[:, None],
             np.array(signals, dtype=float).reshape(-1, 1),
             p.numbers,
-            *_limits(count, ()),
             p.constraints or tuple(p.labels[-count:]),
             np.zeros(1),
-            False,
         )
 
     def held_at(self, slots: np.ndarray) -> Piece:
@@ -425,10 +423,9 @@ class Transcription:
             np.concatenate(at)[:, None],
             np.concatenate([[], *data])[:, None],
             p.numbers,
-            *_limits(0, p.boundary),
             tuple(c.label for c in p.boundary),
             np.array([fractions.pop() if len(fractions) == 1 else np.nan]),
-            False,
+            *_limits(0, p.boundary),
         )
 
     def samples(
@@ -442,25 +439,25 @@ class Transcription:
         p = self.problem
         assert p.duration is not None
         k, s = self._local((times - p.begin) / p.duration)
-        own = (len(self.places[0]), len(self.control_places))
-        states = self.scheme.interval_slots(self.intervals)[:, k]
-        controls = self.scheme.control_slots(self.intervals)[:, k]
-        at = [j * own[0] + row for row in states for j in range(p.states)]
-        at += [self.sizes[0] + j * own[1] + row for row in controls for j in range(len(p.controls))]
+        at, bases, scheme = [], [], self.scheme
+        for slots, count, first, width in (
+            (scheme.states, p.states, 0, len(self.places[0])),
+            (scheme.controls, len(p.controls), self.sizes[0], len(self.control_places)),
+        ):
+            own = slots.of_intervals(self.intervals)[:, k]
+            at += [first + j * width + row for row in own for j in range(count)]
+            bases += [*slots.basis(s)[0]]
         signals = [signal(times) for _, signal in p.signals]
         lengths = np.diff(self.mesh)[k]
-        bases = [*self.scheme.basis(s)[0], *self.scheme.control_basis(s)]
         fractions = (times - p.begin) / p.duration
-        data = [fractions, lengths, *bases, *signals, *values.T, *weights.T]
-        cost, rows = p.at_samples(self.scheme)
+        rows = [fractions, lengths, *bases, *signals, *values.T, *weights.T]
+        data, (cost, residuals) = np.ascontiguousarray(rows), p.at_samples(self.scheme)
         names = tuple(str(symbol) for symbol in p.measured)
         places = np.concatenate([np.array(at), self._numbers_at(len(times))])
-        made = Piece(
-            cost, places, np.ascontiguousarray(data), p.numbers, *_limits(0, ()), (), fractions,
-            False,
-        )  # fmt: skip
-        low, high = _limits(len(names), ())
-        return made, replace(made, functions=rows, low=low, high=high, labels=names)
+        return (
+            Piece(cost, places, data, p.numbers, (), fractions),
+            Piece(residuals, places, data, p.numbers, names, fractions),
+        )
 
     def numbers(self, z: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Return the constants p and the specifieds r, with those that were found."""
@@ -473,11 +470,8 @@ class Transcription:
         """Return slots, their coefficients and the interval's length for a time."""
         (k,), s = self._local(np.array([fraction]))
         h = float(np.diff(self.mesh)[k])
-        if kind == "state":
-            slots, basis = self.scheme.interval_slots(self.intervals), self.scheme.basis(s)[0]
-        else:
-            slots, basis = self.scheme.control_slots(self.intervals), self.scheme.control_basis(s)
-        return slots[:, k], basis[:, 0], h
+        slots = self.scheme.states if kind == "state" else self.scheme.controls
+        return slots.of_intervals(self.intervals)[:, k], slots.basis(s)[0][:, 0], h
 
     # -- between the points -----------------------------------------------------------------------
 
@@ -485,11 +479,16 @@ class Transcription:
         """Return the states at m times by the collocation polynomials, shape (m, n)."""
         values, _, _, duration = self.split(z)
         k, s = self._local(times / duration)
-        basis, powers = self.scheme.basis(s)
-        h = np.diff(self.mesh)[k] * duration
-        slots = self.scheme.interval_slots(self.intervals)[:, k]
-        weights = basis * h ** powers[:, None]
-        found: np.ndarray = np.einsum("nym,ym->mn", values[:, slots], weights)
+        return self._between(values, self.scheme.states, k, s, duration)
+
+    def _between(
+        self, values: np.ndarray, slots: Slots, k: np.ndarray, s: np.ndarray, duration: float
+    ) -> np.ndarray:
+        """Return values (n, slots) at fractions s of intervals k, shape (m, n)."""
+        basis, powers = slots.basis(s)
+        weights = basis * (np.diff(self.mesh)[k] * duration) ** powers[:, None]
+        own = values[:, slots.of_intervals(self.intervals)[:, k]]
+        found: np.ndarray = np.einsum("nym,ym->mn", own, weights)
         return found
 
     def controls_at(self, z: np.ndarray, times: np.ndarray) -> np.ndarray:
@@ -503,10 +502,9 @@ class Transcription:
         """
         if not self.problem.controls:
             return np.empty((len(k), 0))
-        slots = self.scheme.control_slots(self.intervals)[:, k]
-        basis = self.scheme.control_basis(s)
-        values = self.split(z)[1][: len(self.problem.controls)]
-        found: np.ndarray = np.einsum("cym,ym->mc", values[:, slots], basis)
+        _, controls, _, duration = self.split(z)
+        values = controls[: len(self.problem.controls)]
+        found = self._between(values, self.scheme.controls, k, s, duration)
         fractions = self.mesh[k] + s * np.diff(self.mesh)[k]
         for column, (low, high) in zip(found.T, self.problem.control_bounds, strict=True):
             np.clip(column, low(fractions), high(fractions), out=column)
@@ -524,3 +522,99 @@ def _limits(equations: int, conditions: Sequence[Condition]) -> tuple[np.ndarray
     zeros = [0.0] * equations
     low, high = ([getattr(c, side) for c in conditions] for side in ("low", "high"))
     return np.array([*zeros, *low]), np.array([*zeros, *high])
+
+
+# -- how large each unknown becomes: the units in which a program is solved ------------------------
+
+
+def sizes_of(
+    made: Transcription, z: np.ndarray, lower: np.ndarray, upper: np.ndarray
+) -> np.ndarray:
+    """Return how large each unknown becomes, by what is known of it.
+
+    That is its guess, its ends and bounds. What is zero everywhere gets the size at which it
+    decides one of the equations, whose terms are then of known size: the speed that covers a
+    known distance in the duration, the force that brings it about. Bounds that are far wider than
+    all else tells are no sizes. A state that moves little, far from zero, is as large as it moves:
+    tolerances relative to its distance from zero would let it stay.
+    """
+    states, first, finite = made.split(z)[0], np.zeros_like(z), np.isfinite
+    nodes = states[:, ~made.places[1]]
+    low, high, far = nodes.min(axis=1), nodes.max(axis=1), np.abs(nodes).max(axis=1)
+    narrow = (low < high) & (high - low < NARROW * far)
+    shift = np.where(narrow, 0.5 * (low + high), 0.0)
+    made.split(first)[0][:, ~made.places[1]] = shift[:, None]
+    known = [np.where(finite(v), np.abs(v - first), 0.0) for v in (z, lower, upper)]
+    parts = [made.split(value) for value in known]
+    # The rounding of what is that far from zero must be below the tolerance.
+    least = np.where(narrow, 8 * np.finfo(float).eps / TOLERANCE * far, 0.0)
+    x = np.array([p[0].max(axis=1, where=~made.places[1], initial=0.0) for p in parts])
+    u = np.array([p[1].max(axis=1, initial=0.0) for p in parts])
+    c = np.array([p[2] for p in parts])
+    x[0] = np.maximum(x[0], least)
+    duration = made.split(z)[3]
+    xu, n = np.concatenate([x, u], axis=1), x.shape[1]
+    if (xu[1:] > WIDE * xu[0]).any() or not xu.any(axis=0).all():
+        table = _slopes(made, z, xu.shape[1])
+        _leave_out_wide(xu, _spread(table, xu[0]))
+        sizes = _spread(table, xu.max(axis=0))
+    else:
+        sizes = xu.max(axis=0)
+    _leave_out_wide(c, c[0])
+    x, u, c = or_one(sizes[:n]), or_one(sizes[n:]), c.max(axis=0)
+    slopes = np.where(made.places[1], 1.0 / duration, 1.0)
+    return made.joined(
+        x[:, None] * slopes, np.repeat(u[:, None], len(made.control_places), 1), or_one(c),
+        duration,
+    )  # fmt: skip
+
+
+def _leave_out_wide(sizes: np.ndarray, told: np.ndarray) -> None:
+    """Let bounds, the second and third row, be none where they are far wider than what is told."""
+    sizes[1:][(sizes[1:] > WIDE * told) & (told > 0.0)] = 0.0
+
+
+def _slopes(made: Transcription, z: np.ndarray, width: int) -> np.ndarray:
+    """Return how much each equation changes with each state and control, shape (rows, width)."""
+    # The equations of a single interval: its derivatives are changes in the whole duration.
+    whole = Transcription(made.problem, made.scheme, np.array([0.0, 1.0]))
+    times = [whole.places[0], whole.control_places]
+    _, _, constants, duration = made.split(z)
+    # Along the motion, and as if it stayed where it begins or ends: in its middle alone an arm may
+    # be level, where its weight has a torque that no turn changes, but for rounding.
+    count = sum(whole.sizes)
+    nlp = whole.nlp(np.full(count, -np.inf), np.full(count, np.inf), np.ones(count))
+    values = np.zeros(len(nlp.jacobian_at[0]))
+    for along in (times, *([0 * t + end for t in times] for end in (0.0, 1.0))):
+        states = np.where(whole.places[1], 0.0, made.states_at(z, along[0] * duration).T)
+        controls = np.zeros((made.problem.algebraic, len(times[1])))
+        controls[: len(made.problem.controls)] = made.controls_at(z, along[1] * duration).T
+        at = whole.joined(states, controls, constants, duration)
+        found = nlp.native("jacobian", at)[0]
+        np.maximum(values, np.abs(np.nan_to_num(found)), out=values)
+    n = made.problem.states
+    owner = np.concatenate([np.repeat(np.arange(n), len(times[0])),
+                            n + np.repeat(np.arange(width - n), len(times[1]))])  # fmt: skip
+    owner = np.append(owner, np.full(count - len(owner), width))
+    slope = np.tile(whole.places[1], n)
+    table = np.zeros((nlp.rows, width + 1))
+    rows, columns = nlp.jacobian_at
+    weights = np.ones(count)
+    weights[: len(slope)][slope] = 1.0 / duration
+    entries = values * weights[columns]
+    np.maximum.at(table, (rows, owner[columns]), entries)
+    return table[:, :width]
+
+
+def _spread(table: np.ndarray, sizes: np.ndarray) -> np.ndarray:
+    """Return sizes of states and controls where zeros are found from the equations, or stay."""
+    for _ in range(len(sizes)):
+        reach = (table * sizes).max(axis=1, initial=0.0)
+        need = np.where((table > 0.0) & (reach[:, None] > 0.0),
+                        reach[:, None] / np.where(table > 0.0, table, 1.0), np.inf)  # fmt: skip
+        found = need.min(axis=0, initial=np.inf)
+        new = (sizes == 0.0) & np.isfinite(found)
+        if not new.any():
+            break
+        sizes = np.where(new, found, sizes)
+    return sizes
