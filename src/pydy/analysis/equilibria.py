@@ -247,9 +247,6 @@ def _search(
     """Return what is found with rows and unknowns in such units, and why it is no better."""
     low, high = bounds
     share, slopes = _scaled(problem, rows)
-    near = _quickly(problem, share, slopes, z, bounds, units)
-    if near is not None:
-        return near, ""
     try:
         found = scipy.optimize.least_squares(
             lambda w: share(w * units), z / units, lambda w: slopes(w * units) * units,
@@ -260,39 +257,6 @@ def _search(
         return z, str(error)
     found_z = np.clip(found.x * units, low, high)
     return _polished(share, slopes, found_z, bounds, units), found.message
-
-
-def _quickly(
-    problem: Problem,
-    residual: Function,
-    jacobian: Function,
-    z: np.ndarray,
-    bounds: Bounds,
-    units: np.ndarray,
-) -> np.ndarray | None:
-    """Return what Newton's method finds if it converges from the start, at least tenfold a step.
-
-    Else the neighbourhood has to be found first: None. A step of half the digits is the last but
-    one: its square is rounding.
-    """
-    values, largest = residual(z), np.zeros(len(z))
-    for _ in range(_POLISH):
-        size = np.abs(values).max(initial=0.0)
-        slopes = jacobian(z)
-        if not (np.isfinite(size) and np.isfinite(slopes).all()):
-            return None
-        step = scaled_step(slopes, values, units)
-        largest = np.maximum(largest, np.abs(step))
-        unknowns = problem.sizes(problem.jacobian(z), z).unknowns
-        if (np.abs(step) <= HALF * np.maximum(unknowns, largest)).all():
-            return _polished(residual, jacobian, z, bounds, units)
-        z = z - step
-        if (np.clip(z, *bounds) != z).any():
-            return None
-        values = residual(z)
-        if not np.abs(values).max(initial=0.0) <= 0.1 * size:
-            return None
-    return None
 
 
 def _accepted(problem: Problem, z: np.ndarray, bounds: Bounds, message: str) -> Found:
