@@ -11,10 +11,9 @@ chosen by how often that is so at random states; what is chosen holds everywhere
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
-from dataclasses import dataclass
+from collections.abc import Sequence
 from itertools import combinations
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
@@ -34,7 +33,6 @@ from pydy._mechanics.multipliers import (
 from pydy._mechanics.tuning import (
     CLEAR,
     GUARDED_UP_TO,
-    LARGE_PART,
     LESS_OFTEN,
     LIGHT,
     LIGHTEST,
@@ -66,8 +64,7 @@ def reduced(
     rows, drift = _constraints(kinematics, kinematics.body.velocity)
     held = [row[p:] for row in rows]
     columns = [[g.neg(row[i]) for row in rows] for i in range(p)] + [[g.neg(x) for x in drift]]
-    apart, loose = nearly_parallel(g, matrix, rows)
-    solved, groups = divided(g, held, columns, loose) or (g.solve(held, columns, "lu"), [])
+    solved, determinants = divided(g, held, columns) or (g.solve(held, columns, "lu"), [])
     moves = [[*unit, *own] for unit, own in zip(identity(g, p), solved[:p], strict=True)]
     upper = [[dot(g, move, [row[j] for row in matrix]) for j in range(n)] for move in moves]
     force = [dot(g, move, forcing) for move in moves]
@@ -80,8 +77,10 @@ def reduced(
     if kinematics.body.changing and definite(g, matrix):
         return *whole, accelerations_of_held(g, matrix, forcing, bound)
     base = [g.zero] * p + solved[p]
-    basis = _Basis(g, moves, upper, base, apart)
-    sound = _clear(g, groups, loose, matrix, moves)
+    basis = _Basis(g, moves, upper, base, _nearly_parallel(g, matrix, rows))
+    sound = g.boolean(True)
+    for determinant in determinants:
+        sound = g.call("and", sound, _is_clear(g, determinant))
     if len(bound.rows) > d:
         # Rows that were kept may lose rank on a regular path, where it takes all of them.
         sound = g.boolean(False)
@@ -169,32 +168,6 @@ class _Basis:
         ]
 
 
-def _clear(
-    g: Graph,
-    groups: Sequence[Group],
-    loose: Collection[int],
-    matrix: Sequence[list[int]],
-    moves: Sequence[list[int]],
-) -> int:
-    """Return whether no group of dependent speeds is nearly singular.
-
-    The determinant with an independent speed j in place of a dependent one k is a share du_k'/du_j'
-    of what it is; speeds are in units of what has equal energy.
-    """
-    p = len(moves)
-    found = g.boolean(True)
-    for group in groups:
-        others = [
-            (g.mul(matrix[p + k][p + k], g.powi(move[p + k], 2), g.powi(matrix[j][j], -1)), 1.0)
-            for k in sorted(set(group.unknowns) & set(loose))
-            for j, move in enumerate(moves)
-            if matrix[j][j] != g.zero
-        ]
-        clear = group.clear(g, g.sum(others, 1.0) if others else None)
-        found = g.call("and", found, clear)
-    return found
-
-
 def _held(kinematics: Kinematics, rows: list[list[int]], drift: list[int]) -> Constraints:
     """Return the constraints with the redundant ones, and their residuals."""
     body, read, dt = kinematics.body, kinematics.read, kinematics.dt
@@ -240,43 +213,30 @@ def slopes(graph: Graph, nodes: Sequence[int], by: Sequence[int]) -> list[list[i
 # -- dependent speeds by divisions -----------------------------------------------------------------
 
 
-@dataclass(frozen=True)
-class Group:
-    """Unknowns that are solved for together."""
-
-    unknowns: tuple[int, ...]
-    determinant: int  # by minors
-    size: int  # its absolute value, in whatever way it was found
-
-    def clear(self, graph: Graph, spread: int | None = None) -> int:
-        """Return whether the determinant is not small beside what it is at other states."""
-        if graph.constant[self.determinant]:
-            return graph.boolean(True)
-        (usual,) = usual_sizes(graph, [graph.call("abs", self.determinant)])
-        size, limit = self.size, graph.sum([(usual, CLEAR)])
-        if spread is not None:
-            size, limit = graph.mul(size, size, spread), graph.mul(limit, limit)
-        # Where there is no usual size, as at places that an expression does not reach, none is
-        # small.
-        return graph.call("not", graph.call("le", size, limit))
+def _is_clear(graph: Graph, determinant: int) -> int:
+    """Return whether a determinant is not small beside what it is at other states."""
+    if graph.constant[determinant]:
+        return graph.boolean(True)
+    size = graph.call("abs", determinant)
+    (usual,) = usual_sizes(graph, [size])
+    # Where there is no usual size, as at places that an expression does not reach, none is small.
+    return graph.call("not", graph.call("le", size, graph.sum([(usual, CLEAR)])))
 
 
 def divided(
     graph: Graph,
     matrix: Sequence[Sequence[int]],
     columns: Sequence[Sequence[int]],
-    loose: Collection[int] = (),
-) -> tuple[list[list[int]], list[Group]] | None:
-    """Return the solutions of ``matrix · x = column``, and the groups of unknowns.
+) -> tuple[list[list[int]], list[int]] | None:
+    """Return the solutions of ``matrix · x = column``, and determinants of groups of unknowns.
 
-    None where larger groups hang together. Groups with `loose` unknowns are eliminated with
-    pivoting: where two of three singular values are small, Cramer's rule loses the digits of both.
+    None where larger groups hang together.
     """
     ordered = _groups(graph, matrix)
     if ordered is None:
         return None
     solutions: list[dict[int, int]] = [{} for _ in columns]
-    groups = []
+    determinants = []
     for rows, own in ordered:
         block = [[matrix[i][j] for j in own] for i in rows]
         rests = [
@@ -289,56 +249,12 @@ def divided(
             ]
             for column, found in zip(columns, solutions, strict=True)
         ]
-        determinant = _determinant(graph, block)
-        size = graph.call("abs", determinant)
-        if len(own) > 1 and not set(own).isdisjoint(loose):
-            values, size = _eliminated(graph, block, rests)
-        else:
-            inverse = _inverse(graph, block)
-            values = [turned(graph, inverse, rest) for rest in rests]
+        inverse = _inverse(graph, block)
+        values = [turned(graph, inverse, rest) for rest in rests]
         for found, several in zip(solutions, values, strict=True):
             found.update(zip(own, several, strict=True))
-        groups.append(Group(own, determinant, size))
-    return [[found[j] for j in range(len(matrix))] for found in solutions], groups
-
-
-def _eliminated(
-    graph: Graph, block: Sequence[list[int]], rests: Sequence[list[int]]
-) -> tuple[list[list[int]], int]:
-    """Return the solutions, and the size of the determinant.
-
-    Rows are exchanged by size of the pivot, in units of the largest entry of each.
-    """
-    g, n = graph, len(block)
-    lines = [[*row, *(rest[i] for rest in rests)] for i, row in enumerate(block)]
-    for i, row in enumerate(block):
-        size = g.call("abs", row[0])
-        for other in row[1:]:
-            size = g.call("max", size, g.call("abs", other))
-        lines[i].append(size)
-    for k in range(n):
-        for i in range(k + 1, n):
-            one, two = lines[k], lines[i]
-            here = g.mul(g.call("abs", one[k]), two[-1])
-            there = g.mul(g.call("abs", two[k]), one[-1])
-            swap = g.call("lt", here, there)
-            lines[k], lines[i] = (
-                [
-                    b if place < k else g.call("select", swap, a, b)
-                    for place, (a, b) in enumerate(zip(*pair, strict=True))
-                ]
-                for pair in ((two, one), (one, two))
-            )
-        for i in range(k + 1, n):
-            share = g.div(lines[i][k], lines[k][k])
-            for j in (*range(k + 1, n), *range(n, n + len(rests))):
-                lines[i][j] = g.sub(lines[i][j], g.mul(share, lines[k][j]))
-    found = [[g.zero] * n for _ in rests]
-    for c, values in enumerate(found):
-        for k in reversed(range(n)):
-            terms = [(g.mul(lines[k][j], values[j]), -1.0) for j in range(k + 1, n)]
-            values[k] = g.div(g.sum([(lines[k][n + c], 1.0), *terms]), lines[k][k])
-    return found, g.call("abs", g.mul(*(lines[k][k] for k in range(n))))
+        determinants.append(_determinant(graph, block))
+    return [[found[j] for j in range(len(matrix))] for found in solutions], determinants
 
 
 def _groups(
@@ -392,32 +308,24 @@ def _minor(graph: Graph, matrix: list[list[int]], i: int, j: int) -> int:
 # -- motions that are nearly parallel --------------------------------------------------------------
 
 
-class Spread(NamedTuple):
-    """What is done about motions that are nearly parallel."""
-
-    apart: list[int]  # the independent speeds to take apart from one another
-    loose: set[int]  # the dependent speeds, of d, that these motions mostly consist of
-
-
-def nearly_parallel(
+def _nearly_parallel(
     graph: Graph, matrix: Sequence[Sequence[int]], rows: Sequence[Sequence[int]]
-) -> Spread:
+) -> list[int]:
     """Return which independent speeds are to be taken apart from one another."""
     n, d = len(matrix), len(rows)
     p = n - d
-    none = Spread([], set())
     if not 1 < p <= GUARDED_UP_TO:
-        return none
+        return []
     values = _at_states(graph, [*(e for row in matrix for e in row), *(e for r in rows for e in r)])
     if values is None:
-        return none
+        return []
     masses = values[:, : n * n].reshape(-1, n, n)
     held = values[:, n * n :].reshape(-1, d, n)
     with np.errstate(all="ignore"):
         try:
             given = np.linalg.solve(held[:, :, p:], -held[:, :, :p])
         except np.linalg.LinAlgError:
-            return none
+            return []
         unit = np.broadcast_to(np.eye(p), (len(values), p, p))
         moves = np.concatenate([unit, given], axis=1)
         square = np.swapaxes(moves, 1, 2) @ masses @ moves
@@ -433,12 +341,7 @@ def nearly_parallel(
             if min(shares) > LESS_OFTEN * share:
                 break
             share, found = min(zip(shares, tried, strict=True))
-        weights = np.diagonal(masses, axis1=1, axis2=2)
-        sizes = np.diagonal(square, axis1=1, axis2=2)[:, found]
-        part = weights[:, p:, None] * given[:, :, found] ** 2 / sizes[:, None, :]
-        large = (part > LARGE_PART) & (weights[:, None, found] < SOUND_PIVOT * sizes[:, None, :])
-        loose = np.flatnonzero(large.any(axis=2).any(axis=0))
-    return Spread(sorted(found), {int(k) for k in loose})
+    return sorted(found)
 
 
 def definite(graph: Graph, matrix: Sequence[Sequence[int]]) -> bool:

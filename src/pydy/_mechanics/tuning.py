@@ -68,9 +68,6 @@ OFTEN, LESS_OFTEN = 0.03, 0.7
 """The share of random states from which independent speeds whose motions are nearly parallel are
 taken apart, a ninth with a rider's arms, none with a bicycle; and how far that must lower it."""
 
-LARGE_PART = 0.01
-"""The part of such a motion from which a dependent speed is solved for with pivoting."""
-
 LIGHT, LIGHTEST = 2e-7, 1e-4
 """What an independent speed moves by itself, as a share of what moves with it: below, three digits
 of the dependent speeds' derivatives are lost; the second where pivots are not looked at, since of
