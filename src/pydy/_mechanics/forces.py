@@ -32,7 +32,7 @@ from pydy._mechanics.components import numbers_of, turned
 from pydy._mechanics.elimination import composite
 from pydy._mechanics.form import lagranges_equations, moving
 from pydy._mechanics.frames import orientation_rows, rotations
-from pydy._mechanics.inertia import Load, euler, loads_and_inertias, newton
+from pydy._mechanics.inertia import euler, loads_and_inertias, newton
 from pydy._mechanics.kinematics import Kinematics, Vec
 from pydy._mechanics.multipliers import multipliers_of
 from pydy._mechanics.reader import Multibody, distances, given_velocity, is_rigid, oriented, places
@@ -67,11 +67,7 @@ class ConstraintForces:
 
     @cached_property
     def _kinematics(self) -> Kinematics:
-        return moving(self.body, in_bodies=True)
-
-    @cached_property
-    def _rates(self) -> _Rates:
-        return _Rates(self._kinematics)
+        return moving(self.body, in_bodies=True, driven=True)
 
     def multipliers(self, noncontributing: Iterable[Any] = ()) -> dict[Any, Any]:
         """λ of each constraint: symbols lambda0, lambda1, … to expressions in q, u and u'."""
@@ -116,16 +112,10 @@ class ConstraintForces:
     def _unbalanced(self) -> Vec:
         """Return F − M u' with all speeds free."""
         kinematics = self._kinematics
-        g, a = kinematics.graph, kinematics.accelerations
         if self.body.lagrangian is not None:
-            matrix, forcing = lagranges_equations(kinematics)
-            return [g.sub(f, n) for f, n in zip(forcing, kinematics.turned(matrix, a), strict=True)]
-        inertias, loads = loads_and_inertias(kinematics)
-        for part in inertias:
-            needed = kinematics.turned(part.matrix, self._rates(part.velocity))
-            loads.append(Load(part.velocity, [g.neg(x) for x in needed]))
-        parts = (g, kinematics.rows, kinematics.groups, kinematics.speeds)
-        return composite(*parts, [], loads)[1]
+            return lagranges_equations(kinematics)[1]
+        parts = (kinematics.graph, kinematics.rows, kinematics.groups, kinematics.speeds)
+        return composite(*parts, [], loads_and_inertias(kinematics)[1])[1]
 
     def _shortest(self, columns: Sequence[Vec], force: Vec) -> Vec:
         """Return the least multipliers where more constraints than are independent share a force.
@@ -157,7 +147,7 @@ class ConstraintForces:
         members = list(members)
         kinematics = self._kinematics
         with collector_paused():
-            force, torque = _Balance(kinematics, self._rates, point, frame).of(
+            force, torque = _Balance(kinematics, point, frame).of(
                 [b for b in self.body.bodies if b in members],
                 [*self._loads_on(members), *loads],
             )
@@ -346,39 +336,11 @@ def _steps_between(start: Any, end: Any) -> list[Any] | None:
     return steps
 
 
-class _Rates:
-    """Derivatives of velocities by time that come from u', through the anchors between."""
-
-    def __init__(self, kinematics: Kinematics) -> None:
-        self.graph, self.rows = kinematics.graph, kinematics.rows
-        self.known = dict(zip(kinematics.speeds, kinematics.accelerations, strict=True))
-
-    def __call__(self, velocity: Vec) -> Vec:
-        """Return what u' adds to the accelerations at u' = 0."""
-        rows = [self.rows(n) for n in velocity]
-        todo = [(k, False) for row in rows for k in row]
-        while todo:
-            anchor, ready = todo.pop()
-            if anchor in self.known:
-                continue
-            row = self.rows.through(anchor)
-            if ready:
-                self.known[anchor] = self._sum(row)
-            else:
-                todo.append((anchor, True))
-                todo += [(k, False) for k in row]
-        return [self._sum(row) for row in rows]
-
-    def _sum(self, row: dict[int, int]) -> int:
-        g = self.graph
-        return g.sum([(g.mul(d, self.known[k]), 1.0) for k, d in row.items()])
-
-
 class _Balance:
     """Newton's and Euler's laws for some bodies, about a point."""
 
-    def __init__(self, kinematics: Kinematics, rates: _Rates, point: Any, frame: Any) -> None:
-        self.kinematics, self.rates, self.point, self.frame = kinematics, rates, point, frame
+    def __init__(self, kinematics: Kinematics, point: Any, frame: Any) -> None:
+        self.kinematics, self.point, self.frame = kinematics, point, frame
         zero = kinematics.graph.zero
         self.force, self.torque = [zero] * 3, [zero] * 3
 
@@ -386,9 +348,9 @@ class _Balance:
         """Return force and torque: what the bodies need beyond the loads."""
         k = self.kinematics
         for body in bodies:
-            if (moved := newton(k, body, self.rates)) is not None:
+            if (moved := newton(k, body)) is not None:
                 self._push(body.masscenter, k.expressed(moved[3], moved[0], self.frame))
-            if (turned := euler(k, body, self.rates)) is not None:
+            if (turned := euler(k, body)) is not None:
                 self.torque = k.plus(self.torque, k.expressed(turned[3], turned[0], self.frame))
         for where, vector in loads:
             opposite = [k.graph.neg(n) for n in k.vector(vector, self.frame)]

@@ -212,18 +212,11 @@ def useful_axes(body: Multibody) -> list[bool]:
 
 def auxiliary_equations(body: Multibody) -> list[NodeExpression]:
     """Return what is zero for each auxiliary speed: its active less its inertia force."""
-    kinematics = moving(body, in_bodies=True, auxiliary=True)
-    inertias, loads = loads_and_inertias(kinematics)
+    kinematics = moving(body, in_bodies=True, auxiliary=True, driven=True)
     g, n = kinematics.graph, len(kinematics.speeds)
     every = [*kinematics.speeds, *kinematics.auxiliary]
-    matrix, forcing = composite(g, kinematics.rows, kinematics.groups, every, inertias, loads)
-    rest = [
-        g.sum(
-            [(forcing[i], 1.0)]
-            + [(g.mul(matrix[i][j], kinematics.accelerations[j]), -1.0) for j in range(n)]
-        )
-        for i in range(len(every))
-    ]
+    _, loads = loads_and_inertias(kinematics)
+    _, rest = composite(g, kinematics.rows, kinematics.groups, every, [], loads)
     found = rest[n:]
     if d := len(body.velocity):
         nodes = kinematics.read.all(body.velocity)

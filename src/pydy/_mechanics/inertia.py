@@ -19,7 +19,7 @@ left of a body is no body: its mass is zero. Sums with the body before are what 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -104,29 +104,20 @@ def without_rest(
 _Law = tuple[Any, Vec, list[Vec], Vec]
 
 
-def newton(
-    kinematics: Kinematics, body: Any, rates: Callable[[Vec], Vec] | None = None
-) -> _Law | None:
-    """Return the velocity of a mass centre, and the force m a + m' v that it needs.
-
-    With `rates`, which gives what u' adds to an acceleration, it is that at these u'.
-    """
+def newton(kinematics: Kinematics, body: Any) -> _Law | None:
+    """Return the velocity of a mass centre, and the force m a + m' v that it needs."""
     g = kinematics.graph
     mass = kinematics.read(body.mass)
     if mass == g.zero:
         return None
     home, v, _ = kinematics.motion(body.masscenter)
     a = kinematics.acceleration(body.masscenter)
-    if rates is not None:
-        a = kinematics.plus(a, rates(v))
     (change,) = kinematics.dt([mass])
     needed = [g.add(g.mul(mass, x), g.mul(change, y)) for x, y in zip(a, v, strict=True)]
     return home, v, [[mass if i == j else g.zero for j in range(3)] for i in range(3)], needed
 
 
-def euler(
-    kinematics: Kinematics, body: Any, rates: Callable[[Vec], Vec] | None = None
-) -> _Law | None:
+def euler(kinematics: Kinematics, body: Any) -> _Law | None:
     """Return a body's angular velocity and the torque I α + ω × I ω + I' ω, as `newton` does."""
     terms = tuple(body.central_inertia.args) if is_rigid(body) else ()
     if not terms:
@@ -134,8 +125,6 @@ def euler(
     home, tensor, change = inertia_seen(kinematics, body.frame, terms)
     w, _ = kinematics.spin(body.frame, home)
     alpha = kinematics.angular_acceleration(body.frame, home)
-    if rates is not None:
-        alpha = kinematics.plus(alpha, rates(w))
     momentum = kinematics.turned(tensor, w)
     needed = kinematics.plus(
         kinematics.turned(tensor, alpha),
