@@ -16,7 +16,6 @@ from pydy._graph.operations import OPERATIONS, is_constrained, symmetric
 from pydy._graph.program import Program
 from pydy._graph.tuning import INDEPENDENT, REDUNDANT, SINGULAR
 
-Values = list[Any]
 Evaluator = Callable[[Mapping[int, Any], int], np.ndarray]
 
 
@@ -29,54 +28,11 @@ def evaluator(graph: Graph, nodes: Sequence[int]) -> Evaluator:
     order = graph.reachable(nodes)
 
     def values_at(inputs: Mapping[int, Any], m: int) -> np.ndarray:
-        values: dict[int, Any] = {}
-        with np.errstate(all="ignore"):
-            for node in order:
-                values[node] = _value(graph, node, values, inputs, m)
-            return stacked([values[n] for n in nodes], m)
+        samples = _Samples(graph, inputs.__getitem__, m, {})
+        samples.evaluate(order, np.ones(m, dtype=bool))
+        return samples.columns(nodes)
 
     return values_at
-
-
-def _value(
-    graph: Graph, node: int, values: Mapping[int, Any], inputs: Mapping[int, Any], m: int
-) -> Any:
-    op, args = graph.ops[node], graph.args[node]
-    if op == "sum":
-        total = args[0]
-        for n, c in args[1]:
-            total = total + values[n] * c
-        return total
-    if op == "prod":
-        whole = 1.0
-        for n, e in args:
-            whole = whole * (values[n] if e == 1 else np.power(values[n], float(e)))
-        return whole
-    if op == "input":
-        return inputs[node]
-    if op in ("const", "bool"):
-        return args[0]
-    if op == "item":
-        return values[args[0]][:, args[1]]
-    if op in OPERATIONS:
-        return OPERATIONS[op].numpy(*[values[n] for n in args])
-
-    def columns(nodes: Sequence[int]) -> np.ndarray:
-        return stacked([values[n] for n in nodes], m)
-
-    if op == "factor":
-        kind, n, entries = args
-        return columns(symmetric(n, entries) if kind == "ldl" else entries).reshape(m, n, n)
-    failed = np.zeros(m, dtype=bool)
-    if op == "solve":
-        return solved(values[args[0]], columns(args[1]), failed)
-    n, entries, column, sound, fast = args
-    found, weak = columns(fast), ~np.broadcast_to(values[sound], m)
-    if weak.any():
-        solve = constrained if is_constrained(graph, entries) else solved
-        matrix = columns(entries).reshape(m, n, n)[weak]
-        found[weak] = solve(matrix, columns(column)[weak], failed[weak])
-    return found
 
 
 def run(
@@ -87,56 +43,84 @@ def run(
     Return the flat outputs (m, o), NaN where they depend on a singular solve, and at which of the
     samples a linear solve met a singular matrix.
     """
-    m = len(t)
-    inputs: dict[str, Callable[[int], Any]] = {
-        "x": lambda i: x[:, i],
-        "t": lambda i: t,
-        "r": lambda i: r[:, i],
-        "p": lambda i: p[..., i],
-    }
-    values: Values = [None] * len(program.ops)
-    failed = np.zeros(m, dtype=bool)
+    inputs = {"x": x, "t": t[:, None], "r": r, "p": p}
 
-    def evaluate(nodes: Iterable[int], samples: np.ndarray) -> None:
-        for k in nodes:
-            op, args = program.ops[k], program.args[k]
-            if op in ("const", "bool"):
-                values[k] = args[0]
-            elif op == "input":
-                values[k] = inputs[args[0]](args[1])
-            elif op == "factor":
-                values[k] = _columns(values, args[2], m).reshape(m, args[1], args[1])
-            elif op == "solve":
-                values[k] = solved(values[args[0]], _columns(values, args[1], m), failed)
-            elif op == "guard":
-                values[k] = guard(k, args, samples)
-            elif op == "item":
-                values[k] = values[args[0]][:, args[1]]
-            else:
-                values[k] = OPERATIONS[op].numpy(*(values[a] for a in args))
+    def leaf(node: int) -> Any:
+        group, index = program.args[node]
+        return inputs[group][..., index]
 
-    def guard(k: int, args: tuple[Any, ...], samples: np.ndarray) -> np.ndarray:
-        """Take the unrolled solution where its pivots are sound, and pivot where they are not."""
-        n, entries, column, sound, fast = args
-        x = _columns(values, fast, m) if fast else np.full((m, len(column)), np.nan)
-        weak = samples & ~np.broadcast_to(values[sound], m)
-        if weak.any():
-            evaluate(program.fallback[k], weak)
-            matrix = _columns(values, entries, m).reshape(m, n, n)[weak]
-            bad = np.zeros(len(matrix), dtype=bool)
-            solve = constrained if is_constrained(program, entries) else solved
-            x[weak] = solve(matrix, _columns(values, column, m)[weak], bad)
-            failed[weak] |= bad
-        return x
-
+    samples = _Samples(program, leaf, len(t), program.fallback)
     put_off = {k for nodes in program.fallback.values() for k in nodes}
-    with np.errstate(all="ignore"):
-        evaluate((k for k in range(len(values)) if k not in put_off), np.ones(m, dtype=bool))
-        return _columns(values, program.outputs, m), failed
+    order = (k for k in range(len(program.ops)) if k not in put_off)
+    samples.evaluate(order, np.ones(len(t), dtype=bool))
+    return samples.columns(program.outputs), samples.failed
 
 
-def _columns(values: Values, nodes: tuple[int, ...], m: int) -> np.ndarray:
-    return stacked([values[node] for node in nodes], m)
+class _Samples:
+    """Values of operations at m samples; what only the fallbacks of guards need is put off."""
+
+    def __init__(
+        self,
+        nodes: Graph | Program,
+        leaf: Callable[[int], Any],
+        m: int,
+        fallback: Mapping[int, Iterable[int]],
+    ) -> None:
+        self.nodes, self.leaf, self.m, self.fallback = nodes, leaf, m, fallback
+        self.values: dict[int, Any] = {}
+        self.failed = np.zeros(m, dtype=bool)
+
+    def columns(self, nodes: Sequence[int]) -> np.ndarray:
+        """Return values as the columns of an array."""
+        return stacked([self.values[node] for node in nodes], self.m)
+
+    def evaluate(self, order: Iterable[int], at: np.ndarray) -> None:
+        """Evaluate nodes, which are needed at some of the samples."""
+        with np.errstate(all="ignore"):
+            for node in order:
+                self.values[node] = self._value(node, at)
+
+    def _value(self, node: int, at: np.ndarray) -> Any:
+        op, args, values = self.nodes.ops[node], self.nodes.args[node], self.values
+        if op in OPERATIONS:
+            return OPERATIONS[op].numpy(*[values[n] for n in args])
+        if op == "sum":
+            total = args[0]
+            for n, c in args[1]:
+                total = total + values[n] * c
+            return total
+        if op == "prod":
+            whole = 1.0
+            for n, e in args:
+                whole = whole * (values[n] if e == 1 else np.power(values[n], float(e)))
+            return whole
+        if op == "input":
+            return self.leaf(node)
+        if op in ("const", "bool"):
+            return args[0]
+        if op == "item":
+            return values[args[0]][:, args[1]]
+        if op == "factor":
+            kind, n, entries = args
+            cells = symmetric(n, entries) if kind == "ldl" else entries
+            return self.columns(cells).reshape(self.m, n, n)
+        if op == "solve":
+            return solved(values[args[0]], self.columns(args[1]), self.failed)
+        return self._guarded(node, at)
+
+    def _guarded(self, guard: int, at: np.ndarray) -> np.ndarray:
+        """Take the unrolled solution where its pivots are sound, and pivot where they are not."""
+        n, entries, column, sound, fast = self.nodes.args[guard]
+        found = self.columns(fast) if fast else np.full((self.m, len(column)), np.nan)
+        weak = at & ~np.broadcast_to(self.values[sound], self.m)
+        if weak.any():
+            self.evaluate(self.fallback.get(guard, ()), weak)
+            matrix = self.columns(entries).reshape(self.m, n, n)[weak]
+            bad = np.zeros(len(matrix), dtype=bool)
+            solve = constrained if is_constrained(self.nodes, entries) else solved
+            found[weak] = solve(matrix, self.columns(column)[weak], bad)
+            self.failed[weak] |= bad
+        return found
 
 
 def stacked(columns: Sequence[Any], m: int) -> np.ndarray:
