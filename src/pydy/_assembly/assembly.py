@@ -93,29 +93,19 @@ class Assembly:
         return holonomic, [*self.velocity, *self.read(redundant, "the velocity constraints")]
 
     @property
-    def kinetic_energy(self) -> list[int]:
-        """The kinetic energy of the bodies: one node, or none where no bodies are known."""
-        return substitute(self.graph, self._kinetic_energy(), self.given)
-
-    @property
     def kinetic_hessian(self) -> list[int]:
         """The mass matrix of all speeds before any constraint reduces it, row by row."""
-        energy = self._kinetic_energy(sizes=True)
-        if not energy:
-            return []
-        g, n = self.graph, len(self.speeds)
-        momenta = jacobian(g, energy, self.speeds)[0]
-        rows = jacobian(g, [momenta.get(k, g.zero) for k in range(n)], self.speeds)
-        # One triangle for both, so that the matrix is symmetric to the last bit.
-        cells = [rows[max(i, j)].get(min(i, j), g.zero) for i in range(n) for j in range(n)]
-        return substitute(g, cells, self.given)
-
-    def _kinetic_energy(self, sizes: bool = False) -> list[int]:
         mechanism = None if self.equations is None else self.equations.mechanism
         if mechanism is None or not mechanism.bodies:
             return []
         energy = [mechanism.energy]
-        return self._reader("the kinetic energy", energy if sizes else ()).all(energy)
+        g, n = self.graph, len(self.speeds)
+        reader = self._reader("the kinetic energy", energy)
+        momenta = jacobian(g, reader.all(energy), self.speeds)[0]
+        rows = jacobian(g, [momenta.get(k, g.zero) for k in range(n)], self.speeds)
+        # One triangle for both, so that the matrix is symmetric to the last bit.
+        cells = [rows[max(i, j)].get(min(i, j), g.zero) for i in range(n) for j in range(n)]
+        return substitute(g, cells, self.given)
 
     def fork(self) -> Assembly:
         """Return the same with a graph of its own: what is read into it leaves this one alone."""

@@ -103,8 +103,6 @@ class Definition:
             return [getattr(s, "name", str(s)) for s in self.outputs_symbols]
         if block == "energy":
             return ["the kinetic energy", "the potential energy", "the total energy"]
-        if block.startswith("kinetic"):
-            return ["the kinetic energy"] if block == "kinetic_energy" else []
         kinds = ("holonomic", "nonholonomic") if block == "constraints" else (block,)
         return [
             f"the residual of {kind} constraint {k}"

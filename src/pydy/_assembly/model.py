@@ -220,7 +220,7 @@ class CompiledModel:
         """Return the Kernel of some blocks of the assembly.
 
         ``compiled('kinetic_hessian')`` is the mass matrix of all speeds, before any constraint
-        reduces it; it is assembled only when asked for, as is ``'kinetic_energy'``.
+        reduces it; it is assembled only when asked for.
         """
         kernel = self._kernels.get(blocks)
         if kernel is not None:
@@ -242,8 +242,8 @@ class CompiledModel:
     def program(self, *blocks: str) -> Program:
         """Return the Program of some blocks of the assembly."""
         # What is made from the bodies has no fingerprint.
-        whole = not any(name.startswith("kinetic") for name in blocks)
-        return self._program(", ".join(blocks), lambda: self.assembly.program(*blocks), whole)
+        storable = "kinetic_hessian" not in blocks
+        return self._program(", ".join(blocks), lambda: self.assembly.program(*blocks), storable)
 
     def jacobian_program(self, block: str, by: str | tuple[tuple[str, int], ...]) -> Program:
         """Return the Program of a Jacobian; see `Assembly.jacobian_program`."""

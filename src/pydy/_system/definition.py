@@ -28,7 +28,7 @@ from pydy._mechanics.equations import Equations
 from pydy._mechanics.symbols import find_symbols, sort_symbols
 from pydy._names import name_of, told_apart
 from pydy._system.energy import EnergyModel
-from pydy.codegen.arguments import SpecifiedsPlan, checked_expression, one_format, symbolic_entries
+from pydy.codegen.arguments import checked_expression, one_format, symbolic_entries
 from pydy.solvers.events import Event, identified
 
 _CANDIDATES = (sm.Basic, sm.MatrixBase, list, tuple, np.ndarray)
@@ -237,21 +237,6 @@ def _ordered(
         if s in chosen or (s.is_Derivative and not moving.isdisjoint(lower_derivatives(s)))
     ]
     return tuple(sort_symbols([*found, *motions]) if motions else found)
-
-
-def unfollowed(definition: Definition, plan: SpecifiedsPlan) -> list[tuple[Any, Any]]:
-    """Return derivatives without a value whose function moves as a function says, with it."""
-    if plan.constant or not definition.lower_derivatives:
-        return []
-    places = [part[0] for part in plan.sampled] + [part[0] for part in plan.functions]
-    moving = {plan.symbols[k] for columns in places for k in columns.tolist()}
-    result = []
-    for symbol, lower in definition.lower_derivatives.items():
-        if symbol not in plan.given:
-            nearest = next((s for s in reversed(lower) if s in plan.given), None)
-            if nearest in moving:
-                result.append((symbol, nearest))
-    return result
 
 
 # -- What users hand over, as plain data ----------------------------------------------------------

@@ -17,8 +17,12 @@ class Pictures(Simulation, Exporting):
     """Scenes, plots and animations."""
 
     def _motion(self, times: Any, states: Any) -> Trajectory:
-        """Return a trajectory of checked arrays."""
-        return self._now().motion(times, states)
+        """Return a trajectory of checked arrays, with what moves a scene."""
+        now = self._now()
+        kinds = now.definition.symbols_by_kind
+        symbols = {k: v for k, v in kinds.items() if k not in ("output", "constraint", "force")}
+        along = now.specifieds(times, states)
+        return Trajectory(times, states, symbols, specifieds=along, constants=now.constants)
 
     def scene(
         self, *visuals: Any, reference_frame: Any = None, origin: Any = None, **options: Any

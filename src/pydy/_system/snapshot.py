@@ -20,7 +20,7 @@ from pydy._graph.derivative import dense_jacobian
 from pydy._graph.rounding import rounding_bounds
 from pydy._kernel import Kernel
 from pydy._names import name_of
-from pydy._system.definition import check_times, unfollowed
+from pydy._system.definition import check_times
 from pydy._system.energy import EnergyModel
 from pydy.codegen.arguments import SpecifiedsPlan
 from pydy.solvers.run.constraints import satisfied
@@ -260,13 +260,6 @@ class Snapshot:
         plan = self.plan.updated(SpecifiedsPlan(r, places, argument="r"))
         return _warned_of(self.definition, plan, self.told)
 
-    def motion(self, times: np.ndarray, states: np.ndarray) -> Trajectory:
-        """Return states at some times with what moves a scene: names, specifieds, constants."""
-        kinds = {**self.definition.symbols_by_kind}
-        symbols = {k: v for k, v in kinds.items() if k not in ("output", "constraint", "force")}
-        along = self.specifieds(times, states)
-        return Trajectory(times, states, symbols, specifieds=along, constants=self.constants)
-
     # -- along a trajectory -----------------------------------------------------------------------
 
     def specifieds(self, times: np.ndarray, states: np.ndarray) -> np.ndarray:
@@ -325,9 +318,17 @@ def checked_plan(
 
 
 def _warned_of(definition: Definition, plan: SpecifiedsPlan, told: set[Any]) -> SpecifiedsPlan:
-    """Warn once of derivatives that stay zero although their function moves."""
-    for rate, function in unfollowed(definition, plan):
-        if rate not in told:
+    """Warn once of derivatives that are zero for want of a value although their function moves.
+
+    Numbers and expressions have derivatives that follow; samples and functions have not.
+    """
+    if plan.constant or not definition.lower_derivatives:
+        return plan
+    places = [part[0] for part in plan.sampled] + [part[0] for part in plan.functions]
+    moving = {plan.symbols[k] for columns in places for k in columns.tolist()}
+    for rate, lower in definition.lower_derivatives.items():
+        function = next((s for s in reversed(lower) if s in plan.given), None)
+        if rate not in plan.given and function in moving and rate not in told:
             told.add(rate)
             warn_user(
                 f"`specifieds` gives `{function}` as a function or as samples, but the "
