@@ -7,11 +7,9 @@ from typing import Any
 
 import sympy as sm
 
-from pydy._assembly.assembly import Assembly
-from pydy._assembly.system import Group, assemble_system
+from pydy._assembly.system import Group
 from pydy._checks import Places
 from pydy._forks import cached_property
-from pydy._graph.switches import Passes
 from pydy._mechanics.equations import Equations
 from pydy._names import name_of
 
@@ -109,18 +107,6 @@ class Definition:
             for kind in kinds
             for k, _ in enumerate(getattr(equations, kind))
         ]
-
-    def assemble(self, equations: Equations, *, external: bool, passes: Passes) -> Assembly:
-        """Return the graph of everything; `equations` may be these, solved beforehand."""
-        return assemble_system(
-            equations,
-            self.groups,
-            self.auxiliaries,
-            self.specifieds,
-            self.constants,
-            external=external,
-            passes=passes,
-        )
 
 
 def lower_derivatives(derivative: Any) -> tuple[Any, ...]:

@@ -14,6 +14,7 @@ import sympy as sm
 from pydy._assembly.definition import Definition
 from pydy._assembly.model import CompiledModel, resolve_solver, solve_symbolically
 from pydy._assembly.specifieds import check_expressions
+from pydy._assembly.system import assemble_system
 from pydy._checks import Keyed, check_mapping, flag
 from pydy._errors import warn_user
 from pydy._graph.switches import Passes
@@ -92,8 +93,10 @@ def generate(definition: Definition, eom_method: Any, options: Mapping[str, Any]
     passes = Passes() if flag(options.get("cse", True), "`cse`") else Passes.none()
     arguments = {k: options.pop(k) for k in _ARGUMENTS if k in options}
     backend = make_backend(options.pop("generator", "llvm"), options)
-    assembly = definition.assemble(equations, external=solver is not None, passes=passes)
-    model = CompiledModel(definition.layout, assembly, backend, solver, definition)
+    layout, external = definition.layout, solver is not None
+    given = definition.groups, definition.auxiliaries, layout.specifieds, layout.constants
+    assembly = assemble_system(equations, *given, external=external, passes=passes)
+    model = CompiledModel(layout, assembly, backend, solver, definition)
     return Generated(definition, model, arguments)
 
 
