@@ -19,7 +19,7 @@ from harness.program import assembly_of, compiled_jacobian
 from harness.report import table
 
 from pydy import System
-from pydy._backends.llvm.backend import LLVMBackend
+from pydy._backends.llvm.native import LLVMBackend
 from pydy.analysis import Trial
 from pydy.examples import whipple_bicycle
 from pydy.models import n_link_pendulum_on_cart

@@ -21,7 +21,7 @@ from harness.sensitive import COLUMNS
 from harness.serve import Repeated
 from trees import HUMANOID, definition, tree
 
-from pydy._backends.llvm.backend import LLVMBackend
+from pydy._backends.llvm.native import LLVMBackend
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from pydy.system import System
 

@@ -25,7 +25,7 @@ from harness.report import save, seconds, table
 from harness.samples import samples
 from harness.serve import in_child, time_of
 
-from pydy._backends.llvm.backend import LLVMBackend
+from pydy._backends.llvm.native import LLVMBackend
 
 MASSES = (10, 30, 100, 300)
 LARGE = ("pendulum-20", "pendulum-50", "rods-10")

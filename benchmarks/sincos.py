@@ -15,7 +15,7 @@ import numpy as np
 from harness.report import save, table
 from mpmath.libmp import from_float, mpf_cos_sin, mpf_sub, to_float
 
-from pydy._backends.llvm.backend import LLVMBackend
+from pydy._backends.llvm.native import LLVMBackend
 from pydy._graph.lower import lower
 from pydy._graph.node import Graph
 

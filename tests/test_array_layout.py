@@ -12,7 +12,7 @@ import pytest
 from graphs import P, T, X, program_of
 from pydy import _array_layout
 from pydy._backends.llvm import native
-from pydy._backends.llvm.backend import LLVMBackend
+from pydy._backends.llvm.native import LLVMBackend
 
 MODEL = program_of([X[0] * P[0] + T, X[1] - X[3], X[0] / X[1], P[1] * X[2]])
 

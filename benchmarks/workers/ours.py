@@ -17,8 +17,8 @@ from harness.program import assembly_of, equations_of
 from harness.serve import time_of
 from sympy.physics.mechanics import dynamicsymbols
 
-from pydy._backends.llvm.backend import LLVMBackend
 from pydy._backends.llvm.jit import memory
+from pydy._backends.llvm.native import LLVMBackend
 
 WIDTH = int(sys.argv[1]) if len(sys.argv) > 1 else None
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from graphs import on_tape
-from pydy._backends.llvm.backend import LLVMBackend
+from pydy._backends.llvm.native import LLVMBackend
 from pydy._graph.interpret import run
 from pydy._graph.node import Graph
 

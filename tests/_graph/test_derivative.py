@@ -6,7 +6,7 @@ import pytest
 import sympy as sm
 
 from graphs import BINARY, UNARY, P, X, nodes_of, on_tape, values
-from pydy._backends.llvm.backend import LLVMBackend
+from pydy._backends.llvm.native import LLVMBackend
 from pydy._graph.derivative import jacobian
 from pydy._graph.node import Graph
 from pydy._graph.switches import Passes

@@ -9,7 +9,7 @@ from sympy.functions.elementary.piecewise import ExprCondPair
 from sympy.physics.biomechanics import TendonForceLengthDeGroote2016
 
 from graphs import P, T, X, evaluate, nodes_of, on_tape, program_of, values
-from pydy._backends.llvm.backend import LLVMBackend
+from pydy._backends.llvm.native import LLVMBackend
 from pydy._errors import UnsupportedFunctionError
 from pydy._graph.from_sympy import HANDLERS, Formula, NodeExpression, SymPyReader
 from pydy._graph.node import Graph

@@ -6,7 +6,7 @@ import sympy as sm
 
 from graphs import ELEMENTARY, on_tape
 from pydy._backends.c.cython_ import CythonBackend
-from pydy._backends.llvm.backend import LLVMBackend
+from pydy._backends.llvm.native import LLVMBackend
 from pydy._backends.numpy_ import NumPyBackend
 from pydy._graph import operations
 from pydy._graph.derivative import jacobian

@@ -13,7 +13,7 @@ from sympy.core.cache import clear_cache
 import zoo
 from graphs import P, X, program_of
 from parts import PART, WHOLE
-from pydy._backends.llvm.backend import LLVMBackend
+from pydy._backends.llvm.native import LLVMBackend
 from pydy._backends.numpy_ import NumPyBackend
 from pydy._graph.switches import Passes
 from pydy.system import System

@@ -9,7 +9,7 @@ import sympy as sm
 
 import zoo
 from cases import system_of
-from pydy._backends.llvm.backend import LLVMBackend
+from pydy._backends.llvm.native import LLVMBackend
 from pydy.ensemble import model as ensembles
 from pydy.models import multi_mass_spring_damper
 from pydy.solvers import Event

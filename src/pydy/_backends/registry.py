@@ -18,7 +18,7 @@ from pydy._names import nearest
 
 # Names to classes, or to where a class lies: a back end's own imports wait until it is asked for.
 _BACKENDS: dict[str, Any] = {
-    "llvm": "pydy._backends.llvm.backend:LLVMBackend",
+    "llvm": "pydy._backends.llvm.native:LLVMBackend",
     "lambdify": "pydy._backends.numpy_:NumPyBackend",
     "cython": "pydy._backends.c.cython_:CythonBackend",
 }

@@ -28,8 +28,7 @@ import numpy as np
 
 from pydy._assembly.model import stored
 from pydy._assembly.specifieds import driven
-from pydy._backends.llvm.backend import LLVMBackend
-from pydy._backends.llvm.native import sweep_by_columns
+from pydy._backends.llvm.native import LLVMBackend, sweep_by_columns
 from pydy._forks import cached_property
 from pydy._graph.adjoint import adjoints
 from pydy._graph.collector import collector_paused

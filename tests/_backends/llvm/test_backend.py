@@ -23,7 +23,7 @@ from graphs import (
     solve_program,
 )
 from pydy._backends.llvm import ir, jit
-from pydy._backends.llvm.backend import LLVMBackend
+from pydy._backends.llvm.native import LLVMBackend
 from pydy._backends.llvm.text import kernel_text
 from pydy._graph.interpret import run
 from pydy._graph.node import Graph

@@ -18,8 +18,8 @@ import pytest
 
 from graphs import on_tape
 from pydy._backends.llvm import background, compiling, jit
-from pydy._backends.llvm.backend import LLVMBackend
 from pydy._backends.llvm.compiling import Source
+from pydy._backends.llvm.native import LLVMBackend
 from pydy._backends.llvm.tiers import _Text
 from pydy._graph.node import Graph
 
@@ -180,7 +180,7 @@ print(len(compiling.object_code(source)) > 100)
 def test_it_ends_with_the_program():
     code = """
 from pydy._backends.llvm import background
-from pydy._backends.llvm.backend import LLVMBackend
+from pydy._backends.llvm.native import LLVMBackend
 import test_compiling, time
 background.QUIET_SECONDS = 0.0
 kernel = test_compiling.begun(5)
@@ -207,7 +207,7 @@ def test_a_forked_child_leaves_the_process_to_its_parent(helper):
     helper.compile(SOURCE)
     child = os.fork()
     if child == 0:
-        helper.leave()
+        helper.close(ours=False)
         os._exit(0)
     assert os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]) == 0
     assert helper.compile(SOURCE)
@@ -319,7 +319,7 @@ RESIDENT = """
 import gc, sys
 import numpy as np
 import test_compiling
-from pydy._backends.llvm.backend import LLVMBackend
+from pydy._backends.llvm.native import LLVMBackend
 
 def resident():
     return int(open("/proc/self/statm").read().split()[1]) * 4096

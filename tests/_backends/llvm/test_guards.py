@@ -7,7 +7,7 @@ import pytest
 from graphs import on_tape
 from pydy._backends.c.cython_ import CythonBackend
 from pydy._backends.llvm import jit, tiers
-from pydy._backends.llvm.backend import LLVMBackend
+from pydy._backends.llvm.native import LLVMBackend
 from pydy._backends.numpy_ import NumPyBackend
 from pydy._graph.adjoint import adjoints
 from pydy._graph.derivative import jacobian

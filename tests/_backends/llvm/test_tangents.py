@@ -13,7 +13,7 @@ from _backends.llvm.test_guards import by_hand, states
 from cases import system_of
 from graphs import on_tape
 from pydy._backends.llvm import jit
-from pydy._backends.llvm.backend import LLVMBackend
+from pydy._backends.llvm.native import LLVMBackend
 from pydy._backends.registry import compile_program
 from pydy._graph.columns import Columns
 from pydy._graph.derivative import dense_jacobian

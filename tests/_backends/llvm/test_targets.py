@@ -15,7 +15,7 @@ from harness import frozen
 from harness.program import assembly_of
 
 from graphs import solve_program
-from pydy._backends.llvm.backend import LLVMBackend
+from pydy._backends.llvm.native import LLVMBackend
 from pydy._backends.llvm.targets import TABLE, chosen, registers_for, target
 from pydy._backends.llvm.text import kernel_text
 from pydy._backends.llvm.tiers import width_of
@@ -132,7 +132,7 @@ import zoo
 from cases import system_of
 from harness import frozen
 from harness.program import assembly_of
-from pydy._backends.llvm.backend import LLVMBackend
+from pydy._backends.llvm.native import LLVMBackend
 from pydy._backends.llvm.tiers import width_of
 
 def say(what, values):

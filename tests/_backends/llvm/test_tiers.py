@@ -13,8 +13,8 @@ import pytest
 import zoo
 from graphs import on_tape
 from pydy._backends.llvm import background, jit
-from pydy._backends.llvm.backend import LLVMBackend
 from pydy._backends.llvm.compiling import Source
+from pydy._backends.llvm.native import LLVMBackend
 from pydy._backends.llvm.tiers import _repeats
 from pydy._backends.tuning import LARGE
 from pydy._graph.interpret import run

@@ -65,7 +65,7 @@ def _begin_anew() -> None:
     global _TASKS, _SUBMITTED, _ENDING, _thread
     _TASKS = WeakKeyDictionary()
     _SUBMITTED, _ENDING = threading.Event(), threading.Event()
-    _helper.leave()
+    _helper.close(ours=False)
     _thread = None
 
 

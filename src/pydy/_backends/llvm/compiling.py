@@ -192,22 +192,16 @@ class Helper:
         except (OSError, EOFError, ValueError) as error:
             raise HelperError("the process that compiles does not answer") from error
 
-    def close(self) -> None:
-        """End the process, whatever it is doing."""
+    def close(self, ours: bool = True) -> None:
+        """End the process, whatever it is doing; one of the process forked from is only left."""
         process, self._process = self._process, None
-        if process is not None:
+        if process is None:
+            return
+        if ours:
             process.kill()
             process.wait()
-            self._leave(process)
-
-    def leave(self) -> None:
-        """Have no more to do with the process: it belongs to the one that this was forked from."""
-        process, self._process = self._process, None
-        if process is not None:
+        else:
             process.returncode = 0
-            self._leave(process)
-
-    def _leave(self, process: Any) -> None:
         for pipe in (process.stdin, process.stdout):
             with suppress(OSError):
                 pipe.close()

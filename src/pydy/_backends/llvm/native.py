@@ -22,8 +22,10 @@ from pydy._backends.base import call_of
 from pydy._backends.llvm import background, jit
 from pydy._backends.llvm.background import Compile, Task
 from pydy._backends.llvm.compiling import CORE, Source
+from pydy._backends.llvm.ir import WIDTHS
 from pydy._backends.llvm.jit import Code
-from pydy._backends.llvm.tiers import Entry, wide_code
+from pydy._backends.llvm.tiers import Entry, tiers_of, wide_code
+from pydy._backends.registry import compile_program
 from pydy._backends.tuning import SWEPT
 from pydy._forks import once
 from pydy._graph.program import Program
@@ -232,3 +234,48 @@ def _make_call(
 
     # Without the interpreter's lock the gate's shared binding of constants would be a race.
     return call_of(cast("Program", program), sweep)
+
+
+# -- The back end ----------------------------------------------------------------------------------
+
+
+class LLVMBackend:
+    """Compiles Programs with LLVM.
+
+    Parameters
+    ----------
+    cse : bool, optional
+        Accepted for scripts that pass it; common sub-expressions are always shared.
+    lanes : {1, 2, 4, 8}, optional
+        How many states the native code takes at once. Right-hand sides for Python need 1.
+    width : {2, 4, 8}, optional
+        How many of several lanes the equations' code takes at once; the rest follow in further
+        turns. By default what suits the processor's registers. It does not change the bits.
+    """
+
+    tangents = True  # see `base`
+
+    def __init__(self, cse: bool = True, lanes: int = 1, width: int | None = None) -> None:
+        if lanes not in WIDTHS:
+            raise ValueError(f"`lanes` is {lanes!r}, but it must be 1, 2, 4 or 8.")
+        if width is not None and (width not in WIDTHS[1:] or width > lanes):
+            raise ValueError(f"`width` is {width!r}, but it must be 2, 4 or 8 and at most `lanes`.")
+        self.options: dict[str, Any] = {"cse": cse, "lanes": lanes}
+        if width is not None:
+            self.options["width"] = width
+
+    def compile(self, program: Program | Tangent) -> Kernel:
+        """Return the Kernel of a Program or Tangent.
+
+        Nothing is compiled before the Kernel is called or asked for its best code; see `tiers`.
+        Wide kernels get the best at once.
+        """
+        lanes: int = self.options["lanes"]
+        recipe = ("llvm", self.options)
+        if lanes == 1:
+            return native_kernel(program, Entry(tiers_of(program)), 1, compile_program, recipe)
+        code = wide_code(program, lanes, self.options.get("width"))
+        entry = Entry()
+        entry.replace((code.addresses["kernel"], code.addresses["prepare"]), code)
+        strided = code.addresses.get("strided", 0)
+        return native_kernel(program, entry, lanes, compile_program, recipe, strided)

@@ -303,7 +303,11 @@ class Integration(Workspace):
             self._tell_dependent(self.options.constraints)
             self._project(self.memory.x, self.options.constraints, START_OFF_CONSTRAINTS)
         if self.options.events is not None:
-            self._check_events(self.options.events)
+            for name, constant in zip(
+                self.options.events.names, self.options.events.constant, strict=True
+            ):
+                if constant:
+                    self._stop(EVENT_CONSTANT, event=name)
             self._look_at_start(self.options.events)
 
     def _tell_dependent(self, wanted: CompiledConstraints) -> None:
@@ -349,11 +353,6 @@ class Integration(Workspace):
             mended = f"moved {self._state_name(k)} from {before[k]:.6g} to {x[k]:.6g}"
             x[:] = before
             self._stop(off, change="did not converge" if code else mended, **details)
-
-    def _check_events(self, events: CompiledEvents) -> None:
-        for name, constant in zip(events.names, events.constant, strict=True):
-            if constant:
-                self._stop(EVENT_CONSTANT, event=name)
 
     # -- events -----------------------------------------------------------------------------------
 
