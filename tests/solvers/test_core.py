@@ -9,7 +9,7 @@ import solvers_ir
 
 from pydy._array_layout import address
 from pydy._backends.llvm import jit
-from pydy._backends.llvm.compiling import Source, target_lines
+from pydy._backends.llvm.compiling import Source, _finished
 from pydy.solvers import tuning
 
 pytest.importorskip("ziglang")
@@ -31,7 +31,7 @@ int64_t sweep(const double *x, double *out, int64_t count)
 
 
 def ir(text, brief):
-    return target_lines() + text
+    return _finished(text, brief)
 
 
 @cache

@@ -110,14 +110,16 @@ def _level_axes(up: np.ndarray, extent: np.ndarray) -> tuple[np.ndarray, np.ndar
     return right, np.cross(right, up)
 
 
+def followed(items: Sequence[Item]) -> list[int]:
+    """Return the visuals whose middle the camera follows: those that move."""
+    moving = (np.ptp(i.positions, axis=0).any() and not isinstance(i.shape, Plane) for i in items)
+    return [k for k, moves in enumerate(moving) if moves]
+
+
 def _path(animation: Animation, up: np.ndarray) -> np.ndarray:
     """Return how the middle of what moves moves, levelled."""
-    moving = [
-        item.positions
-        for item in animation.items
-        if np.ptp(item.positions, axis=0).any() and not isinstance(item.shape, Plane)
-    ] or [animation.items[0].positions]
-    path = np.mean(moving, axis=0)
+    moving = followed(animation.items) or [0]
+    path = np.mean([animation.items[k].positions for k in moving], axis=0)
     path -= path[0]
     level: np.ndarray = path - np.outer(path @ up, up)
     return level

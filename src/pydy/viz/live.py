@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import ChainMap
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -21,10 +21,10 @@ from pydy._names import name_of, some
 from pydy._rank import HALF
 from pydy.export.javascript import javascript_object
 from pydy.export.model import Model, Variable
-from pydy.viz.animation import Animation, Item
+from pydy.viz.animation import Animation, Item, followed
 from pydy.viz.arguments import unknowns_beside
 from pydy.viz.motion import Geometry, Motion, Names, pose_program
-from pydy.viz.shapes import Arrow, Line, Plane
+from pydy.viz.shapes import Arrow, Line
 
 
 @dataclass(frozen=True)
@@ -301,7 +301,7 @@ def _page(
             "series": plotted,
             "starts": starts,
             "dependents": unknowns if model.constraints else None,
-            "path": _followed(items),
+            "path": followed(items),
         }
         return javascript_object(model, ("poses", "sizes", "start")), data
 
@@ -445,12 +445,3 @@ def _series(
             plotted.append(["f", len(formulas)])
             formulas.append((label, wanted))
     return plotted, tuple(formulas)
-
-
-def _followed(items: Iterable[Item]) -> list[int]:
-    """Return the visuals whose middle the camera follows, as `pydy.viz.animation` does."""
-    return [
-        k
-        for k, item in enumerate(items)
-        if not isinstance(item.shape, Plane) and np.ptp(item.positions, axis=0).any()
-    ]

@@ -60,12 +60,6 @@ def target_machine(quick: bool = False) -> Any:
     )
 
 
-def target_lines() -> str:
-    """Return the lines of IR that say what LLVM compiles for: passes lay data out by them."""
-    layout = _emitter(False).target_data
-    return f'target datalayout = "{layout}"\ntarget triple = "{target().triple}"\n'
-
-
 @dataclass(frozen=True)
 class Source:
     """What can be compiled."""
@@ -153,7 +147,9 @@ CORE = Shipped(Path(__file__).parents[1] / "core")
 
 
 def _finished(text: str, brief: bool) -> str:
-    return target_lines() + text
+    """Return the IR with what LLVM compiles for: passes lay data out by that."""
+    layout = _emitter(False).target_data
+    return f'target datalayout = "{layout}"\ntarget triple = "{target().triple}"\n{text}'
 
 
 # -- another process ------------------------------------------------------------------------------

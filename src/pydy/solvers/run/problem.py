@@ -11,11 +11,11 @@ from typing import Any
 import numpy as np
 
 from pydy._array_layout import address
+from pydy._backends.llvm.native import gates
 from pydy._checks import vector
 from pydy._interrupts import Interrupts
 from pydy._kernel import Kernel, KernelCall
 from pydy.solvers.run.layout import Problem
-from pydy.solvers.run.shipped import callback_address
 from pydy.solvers.tuning import BLOCK
 
 _NO_TABLES = np.zeros((0, 4), dtype=np.int64), np.zeros(0), np.zeros((0, 4))
@@ -109,7 +109,7 @@ class Callback:
         self._interrupts = interrupts
         self._buffer = np.zeros(1 + n + outputs)  # time, state, values
         self._x, self._out = self._buffer[1 : 1 + n], self._buffer[1 + n :]
-        self.address = callback_address()
+        self.address = gates().code.addresses["call_python"]
         self.c = np.array([id(self), address(self._buffer), n, outputs]).view(float)
 
     def __call__(self) -> None:

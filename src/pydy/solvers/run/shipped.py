@@ -63,8 +63,3 @@ def stepper(name: str, place: int, python: bool) -> Callable[[np.ndarray, bool],
     kind = ctypes.PYFUNCTYPE if python else ctypes.CFUNCTYPE
     step = kind(*[ctypes.c_int64] * 4)(address_of(name))
     return lambda states, fresh: step(place, address(states), fresh)
-
-
-def callback_address() -> int:
-    """Return the address of the kernel that calls a Python object, whose constants name it."""
-    return gates().code.addresses["call_python"]
