@@ -145,7 +145,6 @@ def platform(metre, *, given):
     return made, start, dict(zip(legs, lengths, strict=True)), forces
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("given", [False, True])
 @pytest.mark.parametrize("metre", [1e-9, 1.0, 1.5e11])
 def test_a_plate_on_legs_of_given_lengths_stands_in_all_units(metre, given):

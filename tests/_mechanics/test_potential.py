@@ -97,7 +97,6 @@ def test_a_force_on_one_side_alone_has_that_of_its_depth(plane, push):
         assert rise == pytest.approx(force(*at, y), rel=1e-5, abs=1e-6)
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize(
     "size",
     [
@@ -487,7 +486,6 @@ class _With:
         self.__dict__.update(vars(module) | own)
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize(
     ("force", "known"),
     [

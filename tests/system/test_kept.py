@@ -77,7 +77,6 @@ def test_a_stabilised_mechanism_that_leaves_them_is_refused_too():
     refused(loop("three_cranks"), LEFT_CONSTRAINTS, **options)
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("full_output", [False, True])
 @pytest.mark.parametrize("solver", ["odeint", "RK45", "DOP853", "Radau", "BDF", "LSODA"])
 def test_scipys_solvers_are_looked_at(solver, full_output):

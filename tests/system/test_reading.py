@@ -93,7 +93,6 @@ def is_what_is_computed(system, x):
     assert np.abs(rates[:, 0] - moved).max() <= 1e-12 * np.abs(moved).max()
 
 
-@pytest.mark.in_parts
 @pytest.mark.parametrize("name", [n for n in MODELS if n not in ("added_mass", "timed")])
 def test_what_is_read_is_what_is_computed(name):
     system = system_of(MODELS[name](), specifieds=None)
