@@ -147,7 +147,10 @@ class ConstraintForces:
         members = list(members)
         kinematics = self._kinematics
         with collector_paused():
-            force, torque = _Balance(kinematics, point, frame).of(
+            force, torque = _balance(
+                kinematics,
+                point,
+                frame,
                 [b for b in self.body.bodies if b in members],
                 [*self._loads_on(members), *loads],
             )
@@ -336,32 +339,23 @@ def _steps_between(start: Any, end: Any) -> list[Any] | None:
     return steps
 
 
-class _Balance:
-    """Newton's and Euler's laws for some bodies, about a point."""
-
-    def __init__(self, kinematics: Kinematics, point: Any, frame: Any) -> None:
-        self.kinematics, self.point, self.frame = kinematics, point, frame
-        zero = kinematics.graph.zero
-        self.force, self.torque = [zero] * 3, [zero] * 3
-
-    def of(self, bodies: Iterable[Any], loads: Iterable[tuple[Any, Any]]) -> tuple[Vec, Vec]:
-        """Return force and torque: what the bodies need beyond the loads."""
-        k = self.kinematics
-        for body in bodies:
-            if (moved := newton(k, body)) is not None:
-                self._push(body.masscenter, k.expressed(moved[3], moved[0], self.frame))
-            if (turned := euler(k, body)) is not None:
-                self.torque = k.plus(self.torque, k.expressed(turned[3], turned[0], self.frame))
-        for where, vector in loads:
-            opposite = [k.graph.neg(n) for n in k.vector(vector, self.frame)]
-            if isinstance(where, Point):
-                self._push(where, opposite)
-            else:
-                self.torque = k.plus(self.torque, opposite)
-        return self.force, self.torque
-
-    def _push(self, where: Any, force: Vec) -> None:
-        k = self.kinematics
-        arm = k.vector(where.pos_from(self.point), self.frame)
-        self.force = k.plus(self.force, force)
-        self.torque = k.plus(self.torque, k.cross(arm, force))
+def _balance(
+    k: Kinematics, point: Any, frame: Any, bodies: Iterable[Any], loads: Iterable[tuple[Any, Any]]
+) -> tuple[Vec, Vec]:
+    """Return force and torque about a point by Newton's and Euler's laws: beyond the loads."""
+    pushes: list[tuple[Any, Vec]] = []
+    couples: list[Vec] = []
+    for body in bodies:
+        if (moved := newton(k, body)) is not None:
+            pushes.append((body.masscenter, k.expressed(moved[3], moved[0], frame)))
+        if (turned := euler(k, body)) is not None:
+            couples.append(k.expressed(turned[3], turned[0], frame))
+    for where, vector in loads:
+        opposite = [k.graph.neg(n) for n in k.vector(vector, frame)]
+        if isinstance(where, Point):
+            pushes.append((where, opposite))
+        else:
+            couples.append(opposite)
+    couples += [k.cross(k.vector(p.pos_from(point), frame), force) for p, force in pushes]
+    nothing = [k.graph.zero] * 3
+    return k.plus(nothing, *(force for _, force in pushes)), k.plus(nothing, *couples)
