@@ -415,9 +415,10 @@ class Places:
 
     def columns(self, keys: Iterable[Any], argument: str) -> np.ndarray:
         """Return the places of some symbols or names, none of which may occur twice."""
-        columns = np.array([self.find(key, argument) for key in keys], dtype=np.int64)
-        refuse_twice(map(self.symbols.__getitem__, columns), argument)
-        return columns
+        places = [self.find(key, argument) for key in keys]
+        if len({*places}) < len(places):
+            refuse_twice(map(self.symbols.__getitem__, places), argument)
+        return np.array(places, dtype=np.int64)
 
     def chosen(self, keys: Iterable[Any], argument: str) -> list[Any]:
         """Return the symbols that keys stand for, none of which may occur twice."""

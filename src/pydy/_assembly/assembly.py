@@ -6,6 +6,7 @@ import hashlib
 import marshal
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cache
 from typing import Any
 
 from pydy._graph.collector import collector_paused
@@ -27,6 +28,12 @@ _BLOCKS = (
     "rates", "ordinary", "outputs", "holonomic", "velocity", "nonholonomic", "mass_matrix",
     "forcing",
 )  # fmt: skip
+
+
+@cache
+def every_input(group: str, size: int) -> tuple[tuple[str, int], ...]:
+    """Return all inputs of a group."""
+    return tuple((group, k) for k in range(size))
 
 
 @dataclass(repr=False)
@@ -170,7 +177,7 @@ class Assembly:
     def _places(self, by: str | Sequence[tuple[str, int]]) -> Sequence[tuple[str, int]]:
         if not isinstance(by, str):
             return by
-        return [(by, k) for k in range(dict(zip("xrp", self.sizes, strict=True))[by])]
+        return every_input(by, self.sizes["xrp".index(by)])
 
     def simplified(self, name: str) -> tuple[Graph, list[int]]:
         """Return a block's nodes after simplification, in a graph of their own; found once."""

@@ -15,7 +15,7 @@ import sympy as sm
 import pydy._assembly
 import pydy._graph
 from pydy import _cache_folder
-from pydy._assembly.assembly import Assembly
+from pydy._assembly.assembly import Assembly, every_input
 from pydy._assembly.definition import Definition, Layout
 from pydy._backends.base import strict
 from pydy._backends.registry import compile_program, compiled_by
@@ -260,9 +260,8 @@ class CompiledModel:
     def compiled_jacobian(self, block: str, by: str | tuple[tuple[str, int], ...]) -> Kernel:
         """Return the Kernel of a Jacobian; see `Assembly.jacobian_program`."""
         in_parts, assembly = getattr(self.backend, "tangents", False), self.assembly
-        for group, size in zip("xrp", assembly.sizes, strict=True):
-            if by == tuple((group, k) for k in range(size)):
-                by = group
+        for group, size in () if isinstance(by, str) else zip("xrp", assembly.sizes, strict=True):
+            by = group if by == every_input(group, size) else by
 
         def build() -> Program | Tangent:
             if not in_parts:

@@ -308,16 +308,10 @@ class Balance:
         rest = [t for b in self.blocks[1:] for t in self.definition.row_names(b)]
         return [names[k] for k in self.rows] + rest
 
-    @property
-    def pairs(self) -> dict[int, int]:
-        """The rows of the residual that are rates of unknown states, and which of the unknowns."""
+    def pairs(self, k: int) -> dict[int, int]:
+        """Return the rows that are rates of states among the first k unknowns, and of which."""
         column = dict(zip(*reversed(self.wanted.of("states")), strict=True))
-        return {row: column[k] for row, k in enumerate(self.rows) if k in column}
-
-    @property
-    def held(self) -> int:
-        """How many rows of the residual are constraints; they are the last ones."""
-        return len(self.titles) - len(self.rows)
+        return {row: column[q] for row, q in enumerate(self.rows) if column.get(q, k) < k}
 
     def at(self, z: np.ndarray) -> Point:
         """Return where unknowns z (m, l) are; p has rows where it is among them."""
@@ -367,14 +361,14 @@ class Balance:
         own = self.wanted.order
         sizes = [np.stack([at.natural[kind][:, k] for kind, k in own], axis=1) for at in points]
         natural, rows = np.concatenate(sizes), np.concatenate([*map(self._inertia, points)])
-        rates = {row: column for row, column in self.pairs.items() if column < k}
         powers = np.zeros(len(self.titles))
         first = len(self.definition.equations.coordinates)
         powers[: len(self.rows)] = np.array(self.rows) >= first
         held = len(self.definition.equations.holonomic)
         powers[len(self.rows) : len(self.rows) + held] = -1.0
         return [
-            Sizes(slopes[i], z[i, :k], natural[i, :k], rates, (rows[i], powers)) for i in range(m)
+            Sizes(slopes[i], z[i, :k], natural[i, :k], self.pairs(k), (rows[i], powers))
+            for i in range(m)
         ]
 
     def _inertia(self, at: Point) -> np.ndarray:
@@ -423,8 +417,8 @@ class Balance:
             jacobian=lambda z: self.slopes(whole(z)[None])[0, :, :k],
             unknowns=self.wanted.names[:k],
             rows=self.titles,
-            rates={row: column for row, column in self.pairs.items() if column < k},
-            held=self.held,
+            rates=self.pairs(k),
+            held=len(self.titles) - len(self.rows),
             sizes=lambda slopes, z: self.sizes(slopes[None], whole(z)[None])[0],
             terms=lambda z: self.terms(whole(z)),
         )

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from math import prod
 from typing import Any
 
 import numpy as np
@@ -130,7 +131,7 @@ class Quantity:
     key: tuple[Any, ...]  # with the name it says what the expressions are
     shape: tuple[int, ...]
     expressions: Callable[[Known], Any]  # gives them, or the name of a block of the Assembly
-    rows: Iterable[str]  # for messages; read once, if at all
+    rows: Iterable[str] = ()  # for messages; read once, if at all; by default entries
     accelerations: Sequence[int] = ()  # of which speeds they are inputs; those of others are zero
 
     def by(self, definition: Definition, wrt: Any) -> tuple[tuple[str, int], ...]:
@@ -324,6 +325,7 @@ class Dynamics(Setup):
         equations = definition.equations
         x, t, left = _states(now, *at)
         by = () if wrt is None else made.by(definition, wrt)
+        size = prod(made.shape)
         key = made.name, made.key, tuple(made.accelerations), by
 
         def kernel(model: CompiledModel) -> Kernel:
@@ -336,7 +338,7 @@ class Dynamics(Setup):
         out = sweep(
             now,
             kernel,
-            lambda: [*made.rows],
+            lambda: [*made.rows] or [f"entry {k} of the {made.name}" for k in range(size)],
             (x, t, r, p),
             by=by,
             vectors=np.atleast_2d(at[2]),
@@ -460,8 +462,7 @@ class Dynamics(Setup):
         def expressions(known: Known) -> Any:
             return mass_matrix(bodies_of(equations), known) if equations.velocity else "matrix"
 
-        rows = (f"row {k} of the mass matrix" for k in range(n * n))
-        made = Quantity("mass matrix", (), (n, n), expressions, rows)
+        made = Quantity("mass matrix", (), (n, n), expressions)
         return self._evaluated(made, (q, None, np.zeros(0), t), r, p, wrt)
 
     def bias(
@@ -632,10 +633,7 @@ class Dynamics(Setup):
         if frame is None:
             raise ValueError(f"`where` must have a frame, got {where}, which does not turn.")
 
-        rows = (f"entry {k} of the rotation of {frame}" for k in range(9))
-        made = Quantity(
-            "rotation", (frame,), (3, 3), lambda known: rotation(body, known, frame), rows
-        )
+        made = Quantity("rotation", (frame,), (3, 3), lambda known: rotation(body, known, frame))
         return self._evaluated(made, (q, None, np.zeros(0), t), r, p, wrt)
 
     def frame_jacobian(
@@ -681,12 +679,10 @@ class Dynamics(Setup):
             _origin(body, point)
         n = len(self._equations.speeds)
         count = 3 * ((point is not None) + (frame is not None))
-        rows = (f"entry {k} of the Jacobian of {where}" for k in range(count * n))
         made = Quantity(
             "frame Jacobian",
             (point, frame),
             (count, n),
             lambda known: partial_velocities(body, known, point, frame),
-            rows,
         )
         return self._evaluated(made, (q, None, np.zeros(0), t), r, p, wrt)

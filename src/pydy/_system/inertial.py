@@ -132,8 +132,7 @@ class InertialParameters(Dynamics):
                 )
             return found
 
-        rows = (f"entry {k} of the regressor" for k in range(n * len(names)))
-        made = Quantity("regressor", (), (n, len(names)), expressions, rows, range(n))
+        made = Quantity("regressor", (), (n, len(names)), expressions, (), range(n))
         return self._evaluated(made, (q, v, rates, t), r, p, None)
 
     def base_parameters(

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import sympy as sm
 
-from pydy._assembly.assembly import Assembly
+from pydy._assembly.assembly import Assembly, every_input
 from pydy._assembly.definition import Definition
 from pydy._assembly.model import CompiledModel
 from pydy._assembly.specifieds import driven
@@ -89,7 +89,9 @@ def target_of(definition: Definition, of: Any, *, scalar: bool = False) -> Targe
 
 def variables(definition: Definition, wrt: Any) -> tuple[tuple[str, int], ...]:
     """Return the inputs that a user's `wrt` means: groups, or some of any."""
-    if isinstance(wrt, str) and wrt not in GROUPS:
+    if isinstance(wrt, str):
+        if wrt in GROUPS:
+            return every_input(GROUPS[wrt], len(definition.places[wrt]))
         kinds = ", ".join(map(repr, GROUPS))
         if all(definition.places[kind].get(wrt, "wrt") is None for kind in GROUPS):
             raise ValueError(
@@ -97,7 +99,7 @@ def variables(definition: Definition, wrt: Any) -> tuple[tuple[str, int], ...]:
                 f"got {wrt!r}."
             )
     symbols = members(definition, one_or_more("wrt", wrt))
-    if not symbols and not isinstance(wrt, str):
+    if not symbols:
         raise ValueError("`wrt` must name at least one state, constant or specified.")
     found = (located(definition, symbol, "wrt") for symbol in symbols)
     return tuple((GROUPS[kind], place) for kind, place in found)
