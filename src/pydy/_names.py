@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable, Container, Iterable, Mapping, Sequence
 from difflib import get_close_matches
-from itertools import chain, count
+from itertools import count
 from typing import Any
 
 
@@ -27,8 +27,9 @@ def place_of(key: Any, names: Sequence[str], what: str) -> int:
 
 def untaken(name: str, taken: Container[str], between: str = "_") -> str:
     """Return a name, or, where it is taken, with the first number that is free."""
-    numbered = (f"{name}{between}{k}" for k in count(2))
-    return next(one for one in chain([name], numbered) if one not in taken)
+    if name not in taken:
+        return name
+    return next(one for k in count(2) if (one := f"{name}{between}{k}") not in taken)
 
 
 def unique_names(symbols: Sequence[Any]) -> tuple[str, ...]:
