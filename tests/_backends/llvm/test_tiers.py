@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ctypes
 import gc
+import pickle
 import threading
 import weakref
 
@@ -15,7 +16,7 @@ from graphs import on_tape
 from pydy._backends.llvm import background, jit
 from pydy._backends.llvm.compiling import Source
 from pydy._backends.llvm.native import LLVMBackend
-from pydy._backends.llvm.tiers import _repeats
+from pydy._backends.llvm.tiers import _repeats, tiers_of
 from pydy._backends.tuning import LARGE
 from pydy._graph.interpret import run
 from pydy._graph.node import Graph
@@ -109,6 +110,13 @@ def test_where_no_thread_can_be_started_who_needs_a_task_does_it(monkeypatch):
     assert not done
     task.run()
     assert len(done) == 1
+
+
+def test_code_without_fallbacks_has_none_in_another_process():
+    tiers = tiers_of(rates_kernel("disc").program)
+    assert tiers.short is not None
+    for source in (tiers.source, tiers.short):
+        assert pickle.loads(pickle.dumps(source)).text(True) == source.text(True)
 
 
 def test_an_unknown_symbol_does_not_reach_the_cache(nothing_cached):

@@ -178,7 +178,7 @@ class _Text:
         return kernel_text(self.program, self.lanes, self.width, brief, self.fallbacks)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return _read_text, (self.program.to_bytes(), self.lanes, self.width)
+        return _read_text, (self.program.to_bytes(), self.lanes, self.width, self.fallbacks)
 
 
 def wide_code(program: Program | Tangent, lanes: int, width: int | None = None) -> jit.Code:
@@ -204,8 +204,8 @@ def _calls(program: Program | Tangent, lanes: int) -> tuple[tuple[str, int], ...
     return tuple(sorted(called))
 
 
-def _read_text(program: bytes, lanes: int, width: int) -> _Text:
-    return _Text(program_from_bytes(program), lanes, width)
+def _read_text(program: bytes, lanes: int, width: int, fallbacks: bool) -> _Text:
+    return _Text(program_from_bytes(program), lanes, width, fallbacks)
 
 
 def width_of(program: Program, lanes: int) -> int:
