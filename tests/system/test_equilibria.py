@@ -383,6 +383,26 @@ def test_a_chain_far_from_rest_hangs_by_equal_forces_in_any_units(
     assert np.diff(np.tan(angles), n=2) == pytest.approx(0.0, abs=1e-9)
 
 
+@pytest.mark.parametrize(
+    ("start", "upright"),
+    [
+        ((0.117, 0.0717, -0.1998, 0.0272), True),
+        ((-0.0517, -0.1259, -0.1837, -0.0205), True),
+        ((0.2246, 0.4904, 0.0818, -0.37), False),
+        ((-0.2875, 0.48, 0.0609, -0.5196), False),
+        ((-0.2913, -0.3408, 0.1263, -0.3165), False),
+    ],
+)
+def test_a_chain_that_nearly_stands_comes_to_an_equilibrium(start, upright):
+    system = n_link_pendulum_on_cart(3, cart_force=False)
+    system.constants = {s: 1.0 + 0.1 * k for k, s in enumerate(system.constants_symbols)}
+    system.initial_conditions = dict(zip(system.coordinates, start, strict=True))
+    found = system.find_equilibrium()
+    angles = np.array([found.values[q] for q in system.coordinates[1:]])
+    assert np.abs(np.sin(angles)).max() < 1e-9
+    assert not upright or np.abs(angles).max() < 1e-9
+
+
 @pytest.mark.parametrize("metre", [1e-6, 1.0, 1e9])
 def test_carts_hang_and_what_falls_has_no_equilibrium_in_any_units(metre):
     """In nanometres the search used to end 4e7 turns away; in megametres a free fall was rest."""

@@ -123,7 +123,6 @@ class Sizes:
         speed = float(np.abs(np.linalg.eigvals(between)).max(initial=0.0))
         if not speed > _SMALLEST:
             speed = 1.0
-        self.speed = speed  # of the fastest motion
         units[columns] *= speed ** (powers[own] - 1.0)
         self.rows = or_one(rows * speed**powers)  # what such motions make of each row
         self._linked = np.where(powers == 1.0, rows, 0.0)
@@ -431,10 +430,9 @@ def settled(problem: Problem, z: np.ndarray, bounds: Bounds) -> np.ndarray:
     for _ in range(_TRIALS):
         if not (np.isfinite(slopes).all() and np.isfinite(values).all()):
             break
-        sizes_there = problem.sizes(slopes, z)
-        units = sizes_there.units
+        units, speed = _balanced(slopes, own, columns)
         if not length:
-            fastest, length = sizes_there.speed, 1.0 / sizes_there.speed
+            fastest, length = speed, 1.0 / speed
         scaled = slopes * units
         sizes = or_one(np.abs(scaled).max(axis=1, initial=0.0))
         sizes[own] = units[columns] / length
@@ -457,6 +455,25 @@ def settled(problem: Problem, z: np.ndarray, bounds: Bounds) -> np.ndarray:
         if not moved or length * fastest > SETTLED:
             break
     return z
+
+
+def _balanced(slopes: np.ndarray, own: list[int], columns: list[int]) -> tuple[np.ndarray, float]:
+    """Return units of the unknowns in which rates are balanced, and the fastest rate.
+
+    In units of motions of one energy, upright chains were left for places far away.
+    """
+    units, between = np.ones(slopes.shape[1]), slopes[np.ix_(own, columns)]
+    if own:
+        with np.errstate(invalid="ignore"):  # in what `separate` is not asked for
+            found = scipy.linalg.matrix_balance(between, permute=False, separate=True)
+        units[columns] = found[1][0]
+    speed = float(or_one(np.abs(np.linalg.eigvals(between)).max(initial=0.0)))
+    rows = np.abs(slopes[:, columns] * units[columns]).max(axis=1, initial=0.0)
+    rows[own] = units[columns] * speed
+    others = np.setdiff1d(np.arange(len(units)), columns)
+    shares = slopes[:, others] / np.where(rows > 0.0, rows, np.inf)[:, None]
+    units[others] = 1.0 / or_one(np.abs(shares).max(axis=0, initial=0.0))
+    return units, speed
 
 
 def _constrained(rows: np.ndarray, values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
