@@ -14,6 +14,8 @@ from contextlib import contextmanager
 from pydy import _forks
 
 _pausing: int | None = None  # the thread
+_put_aside = 0  # how many objects
+_limit: int | None = None
 
 
 @contextmanager
@@ -27,9 +29,37 @@ def collector_paused() -> Iterator[None]:
     _pausing = threading.get_ident()
     try:
         yield
+        _let_age()  # but a Ctrl-C does not wait for it
     finally:
         _pausing = None
         gc.enable()
+
+
+def _let_age() -> None:
+    """Put all objects among the old ones, which the next full collection looks at.
+
+    Else the next allocation would have all that was built walked through at once. It also puts off
+    that full collection, for ever in a loop of builds: it is done here whenever half of all objects
+    may have come since the last one, but not before the thresholds would have it.
+    """
+    global _put_aside, _limit
+    if gc.get_freeze_count():  # nobody else's are to be thawed
+        return
+    often, seldom, rarely = gc.get_threshold()
+    due = False
+    if _limit is not None:  # the first time most is needed: what was imported, and a model
+        young, middle, old = gc.get_count()  # the last two in collections of those before them
+        _put_aside += young + often * (middle + seldom * old)
+        due = _put_aside > max(_limit, often * seldom * rarely)
+    gc.freeze()
+    try:
+        if _limit is None:
+            _limit = gc.get_freeze_count() // 2
+    finally:
+        gc.unfreeze()
+    if due and often:  # with a threshold of zero nothing is to be collected
+        _put_aside, _limit = 0, None
+        gc.collect()
 
 
 @_forks.in_child
