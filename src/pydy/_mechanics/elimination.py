@@ -26,6 +26,7 @@ from pydy._graph.rewrite import substitute
 from pydy._graph.tuning import SINGULAR
 from pydy._mechanics.components import transposed
 from pydy._mechanics.inertia import Inertia, Load
+from pydy._mechanics.planes import Detours, joined_turns, split, turn_of
 
 
 @dataclass(frozen=True)
@@ -34,6 +35,14 @@ class Solution:
 
     accelerations: list[int]  # u'
     sound: int  # A truth value
+
+
+@dataclass(frozen=True)
+class _Passed:
+    """A group of anchors that handed over: their rows, and those in one step."""
+
+    rows: dict[int, Row]
+    whole: dict[int, Row]
 
 
 @dataclass(frozen=True)
@@ -72,20 +81,21 @@ def eliminated(
     inertias: Sequence[Inertia],
     loads: Sequence[Load],
     plain: Sequence[Inertia],
+    detours: Detours,
 ) -> Solution:
     """Return the accelerations by articulated-body elimination.
 
     `plain` are the inertias of whole bodies, where `inertias` are divided up in another way.
     """
-    push = _Push(graph, rows, groups, speeds, inertias, loads, plain)
+    push = _Push(graph, rows, detours.arranged(groups), speeds, inertias, loads, plain, detours)
     sizes = _Sizes(push)
     left = dict.fromkeys(speeds)
-    done: list[dict[int, Row] | _Gone] = []  # groups of anchors that handed over, with their rows
+    done: list[_Passed | _Gone] = []
     pivots: list[tuple[int, int]] = []
     for group in push.order:
-        rows_of = push.pass_on(group)
-        done.append(rows_of)
-        columns = dict.fromkeys(c for row in rows_of.values() for c in row)
+        cut = push.pass_on(group)
+        done.append(cut)
+        columns = dict.fromkeys(c for row in cut.rows.values() for c in row)
         ready = [c for c in columns if c in left and not push.waiting[c]]
         for speed in sorted(ready, key=lambda c: (len(push.near[c]), -c)):
             del left[speed]
@@ -101,7 +111,7 @@ def eliminated(
             terms += [(graph.mul(share, found[s]), -1.0) for s, share in step.shares.items()]
             found[step.speed] = graph.sum(terms)
         else:
-            for node, row in step.items():
+            for node, row in step.whole.items():
                 found[node] = graph.sum([(graph.mul(d, found[c]), 1.0) for c, d in row.items()])
     floors = {s: graph.sum([part[:2] for part in push.floors[s]]) for s in speeds}
     fixed = dict(zip(floors, _without_state(graph, list(floors.values())), strict=True))
@@ -129,10 +139,12 @@ class _Push:
         inertias: Sequence[Inertia],
         loads: Sequence[Load],
         plain: Sequence[Inertia] = (),
+        detours: Detours | None = None,
     ) -> None:
         self.graph, self.speeds = graph, list(speeds)
-        # Rows of the anchors in one step.
-        self.own = {k: rows.through(k) for group in groups for k in group}
+        # Rows of the anchors in one step, and as the form takes it.
+        self.whole = {k: rows.through(k) for group in groups for k in group}
+        self.own = dict(self.whole)
         self.cells: dict[tuple[int, int], list[tuple[int, float]]] = defaultdict(list)
         self.near: dict[int, set[int]] = defaultdict(set)
         self.forces: dict[int, list[tuple[int, float]]] = defaultdict(list)
@@ -154,10 +166,17 @@ class _Push:
                 for a, d in rows(n).items():
                     self.forces[a].append((graph.mul(d, force), 1.0))
         wanted = {a for key in (*self.cells, *self.first) for a in key} | set(self.forces)
-        order = _sorted_groups([list(group) for group in groups], self.own)[::-1]
+        order = _sorted_groups([list(group) for group in groups], self.whole)[::-1]
         self._moves(order)
-        self.order = _needed(order, self.own, wanted)
+        self.groups = _needed(order, self.whole, set(wanted))
+        self.order = self.groups
+        if detours is not None and (turning := detours.paying(graph, order, self.whole)):
+            self.own.update((k, detours.rows[k]) for k in turning)
+            groups = split(groups, self.own, turning)
+            order = _sorted_groups(groups, self.own)[::-1]
+            self.order = _needed(order, self.own, wanted)
         self.waiting = Counter(c for group in self.order for k in group for c in self.own[k])
+        self.order = joined_turns(graph, self.order, self.own)
 
     def _products(self, inertia: Inertia, rows: list[Row]) -> Iterator[tuple[int, int, int, float]]:
         """Give the entries that an inertia has at the anchors."""
@@ -207,8 +226,8 @@ class _Push:
         terms = [graph.mul(x, y) for x, y in zip(a, b, strict=True) if x != zero and y != zero]
         return terms[0] if len(terms) == 1 else graph.add(*terms)
 
-    def pass_on(self, group: list[int]) -> dict[int, Row]:
-        """Let a group of anchors hand its form and forces over to what it is made of: its rows."""
+    def pass_on(self, group: list[int]) -> _Passed:
+        """Let a group of anchors hand its form and forces over to what it is made of."""
         graph = self.graph
         rows = {k: self.own[k] for k in group}
         within = [[self.entry(a, b) for b in group] for a in group]
@@ -216,19 +235,24 @@ class _Push:
         across = transposed([[self.entry(k, s) for s in others] for k in group])
         columns = sorted({c for row in rows.values() for c in row})
         forces = [graph.sum(self.forces[k]) for k in group]
+        turned = self._turn(group, within)
         for c in columns:
             slope = [rows[k].get(c, graph.zero) for k in group]
-            self._reduce(c, columns, [rows[k] for k in group], within)
+            if not turned:
+                self._reduce(c, columns, [rows[k] for k in group], within)
             for s, column in zip(others, across, strict=True):
                 self.add(c, s, self._dot(slope, column), 2.0 if c == s else 1.0)
             if c in self.floors:
                 self._found(c, dict(zip(group, slope, strict=True)))
+        whole = {k: self.whole[k] for k in group}
+        for c in sorted({c for row in whole.values() for c in row}):
+            slope = [row.get(c, graph.zero) for row in whole.values()]
             self.forces[c].append((self._dot(slope, forces), 1.0))
         for k in group:
             self._forget(k)
             for c in rows[k]:
                 self.waiting[c] -= 1
-        return rows
+        return _Passed(rows, whole)
 
     def _reduce(self, c: int, columns: list[int], rows: list[Row], within: list[list[int]]) -> None:
         """Add the column c, up to the diagonal, of Rᵀ K R."""
@@ -238,6 +262,26 @@ class _Push:
         for d in columns:
             if d <= c:
                 self.add(c, d, self._dot([row.get(d, zero) for row in rows], image))
+
+    def _turn(self, group: list[int], within: list[list[int]]) -> bool:
+        """Add Rᵀ K R where all anchors turn by one angle; say whether they do."""
+        pairs = [group[k : k + 2] for k in range(0, len(group), 2)]
+        turns = [turn_of(self.graph, self.own, pair) for pair in pairs]
+        used = {c for turn in turns if turn for c in turn.columns}
+        same = {turn and (turn.cosine, turn.sine) for turn in turns}
+        if None in same or len(same) > 1 or len(used) < len(group):
+            return False
+        for i, one in enumerate(turns):
+            for j, two in enumerate(turns[: i + 1]):
+                if one is None or two is None:
+                    continue
+                block = [line[2 * j : 2 * j + 2] for line in within[2 * i : 2 * i + 2]]
+                image = one.of(self.graph, block, two)
+                for r, a in enumerate(one.columns):
+                    for c, b in enumerate(two.columns):
+                        if i != j or c <= r:
+                            self.add(a, b, image[r][c])
+        return True
 
     def _moves(self, order: list[list[int]]) -> None:
         """Find out which speeds move each anchor, and those that weigh together with it."""
@@ -346,7 +390,7 @@ class _Sizes:
     """
 
     def __init__(self, push: _Push) -> None:
-        self.graph, self.own, self.order = push.graph, push.own, push.order
+        self.graph, self.own, self.order = push.graph, push.whole, push.groups
         self.weights = push.weights
 
     def of(self, speeds: Iterable[int]) -> dict[int, int]:

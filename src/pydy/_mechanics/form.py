@@ -174,7 +174,7 @@ def forms(
         )
     ]
     if not body.velocity and not moved:
-        solution = eliminated(*parts, plain)
+        solution = eliminated(*parts, plain, kinematics.detours)
         beyond = g.guard(matrix, rest, solution.sound, solution.accelerations)
         found.append(replace(found[0], accelerations=kinematics.plus(start, beyond)))
     return [_without_idle(formed) for formed in found] if body.auxiliary else found

@@ -13,6 +13,7 @@ from pydy._graph.from_sympy import SymPyReader
 from pydy._graph.identities import signatures
 from pydy._graph.node import Graph
 from pydy._mechanics.components import identity, numbers_of, turned, unrounded
+from pydy._mechanics.planes import plane_rotations
 from pydy._mechanics.reader import InputReader, Tree, distances, oriented
 from pydy._mechanics.tuning import ROUNDED
 
@@ -33,6 +34,7 @@ class Frames:
         self.turns: dict[Any, Vec | None] = {}
         self.written: dict[Any, tuple[Any, list[Vec] | None]] = {}
         self.steps: dict[Any, list[Vec]] = {}
+        self._planes: dict[Any, list[list[Vec]]] = {}
 
     def insert(self, axes: Any, above: Any, step: list[Vec], turns: Vec | None, depth: int) -> None:
         """Add axes behind others, which turn so beside them; None if they are fixed."""
@@ -83,6 +85,12 @@ class Frames:
             above = self.tree.parent(axes)
             self.steps[axes] = [self.in_axes(row, above)[0] for row in self.given(axes, above)]
         return self.steps[axes]
+
+    def planes(self, axes: Any) -> list[list[Vec]]:
+        """Return rotations one after the other that together are the step to axes."""
+        if axes not in self._planes:
+            self._planes[axes] = plane_rotations(self.graph, self.step(axes))
+        return self._planes[axes]
 
     def given(self, frame: Any, parent: Any) -> list[Vec]:
         """Return the user's matrix that gives components in a frame from those in its parent."""

@@ -21,6 +21,7 @@ from pydy._graph.identities import signatures
 from pydy._graph.node import Graph, input_nodes, input_symbols
 from pydy._mechanics.components import in_rows, turned, unrounded
 from pydy._mechanics.frames import Frames
+from pydy._mechanics.planes import Detours
 from pydy._mechanics.reader import InputReader, Multibody, Tree, checked_vector
 
 Vec = list[int]
@@ -81,6 +82,7 @@ class Kinematics:
         variables = [*self.speeds, *self.auxiliary]
         self.rows = Rows(g, {n: {n: g.one} for n in variables})
         self.groups: list[list[int]] = []
+        self.detours = Detours()
         self._referred = referred
         self.tree = Tree(body.frame)
         self.frames = Frames(g, self.tree, self.read)
@@ -215,7 +217,7 @@ class Kinematics:
 
     # -- anchors ----------------------------------------------------------------------------------
 
-    def anchored(self, v: Vec) -> Vec:
+    def anchored(self, v: Vec, groups: list[list[int]] | None = None) -> Vec:
         """Let derivatives stop at the components of a velocity; add them to the groups."""
         g, known, group = self.graph, self.rows.known, []
         for n in v:
@@ -230,8 +232,18 @@ class Kinematics:
                     known[node] = {core: g.const(size)}
             group.append(core)
         if group:
-            self.groups.append(group)
+            (self.groups if groups is None else groups).append(group)
         return v
+
+    def _handed(self, v: Vec, frame: Any, to: Any) -> Vec:
+        """Return a velocity's components in another frame, as anchors."""
+        count = len(self.groups)
+        found = self.anchored(self.expressed(v, frame, to))
+        direct = self.inertial not in (frame, to) and self.frames.parent(to) is frame
+        if direct and len(self.groups) > count and len(planes := self.frames.planes(to)) > 1:
+            parts = (self.graph, self.rows, (frame, to), (count, self.groups[count]), planes)
+            self.detours.add(*parts, (v, found), self.anchored)
+        return found
 
     # -- frames -----------------------------------------------------------------------------------
 
@@ -261,7 +273,7 @@ class Kinematics:
             base = self.frames.above[base]
         w, alpha = self.spin(base)
         own = self.relative_spin(frame, home)
-        carried = self.anchored(self.expressed(w, base, home))
+        carried = self._handed(w, base, home)
         whole = self.plus(carried, own)
         # d/dt of `own` in the inertial frame takes the angular velocity of the axes it is in.
         turning = whole if home is frame else carried if home is base else self.spin(home)[0]
@@ -427,7 +439,7 @@ class Kinematics:
                 # The plane rotations between two hinges, one after the other.
                 v, a = self._carried(base, home, v, a, above)
                 home = above
-            moved = self.anchored(self.expressed(v, home, to)), self.expressed(a, home, to)
+            moved = self._handed(v, home, to), self.expressed(a, home, to)
             if base is None:
                 return moved
             self._moved[key] = moved
