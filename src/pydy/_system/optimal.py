@@ -58,13 +58,8 @@ class Optimisation(Simulation):
 
         Raises
         ------
-        OptimizationError
-            The search did not converge; the error holds the motion where it ended.
-        AnalysisInterrupted
-            The user interrupted it; the error holds the motion of the latest iteration. So does a
-            MemoryError.
-        MissingDependencyError
-            IPOPT is not installed: ``pip install 'pydy[optimal]'``.
+        OptimizationError, AnalysisInterrupted, MissingDependencyError
+            As `pydy.control.OptimalControl.solve` raises them.
 
         Examples
         --------
