@@ -8,7 +8,10 @@ import sympy as sm
 import sympy.physics.mechanics as me
 
 from layers.libraries import Jax, Torch
+from pydy._system.layers import _Frozen
+from pydy.errors import PyDyUserWarning
 from pydy.inputs import SampledInput
+from pydy.layers.layer import Part
 from pydy.mechanics import Definition, Implicit
 from pydy.models import multi_mass_spring_damper, n_link_pendulum_on_cart
 from pydy.solvers import Event
@@ -446,3 +449,15 @@ def test_what_residuals_give_is_no_longer_that_of_before(library):
             layer.ode(**given)
     close(layer.ode(p={"k": two}), [0.0, 0.0, -2.0])  # z = 1 depends on x and c
     close(layer.ode(library.array([8.0, 2.0, 0.0]), p={"c": two})[2], -2.0)
+
+
+def test_the_way_back_tells_of_jumps_that_derivatives_miss():
+    x, force = me.dynamicsymbols("x"), sm.Symbol("F")
+    frame, point = me.ReferenceFrame("N"), me.Point("P")
+    point.set_vel(frame, x.diff() * frame.x)
+    loads = [(point, -force * sm.sign(x) * frame.x)]
+    definition = Definition(frame, [x], bodies=[me.Particle("b", point, 1)], loads=loads)
+    system = System(definition, {force: 1.0}, {x: 1.0}, times=[0.0, 2.0])
+    function = _Frozen(system, {}).function("final", (Part("p", (0,), (1,), False),))
+    with pytest.warns(PyDyUserWarning, match="the load on .* jumps by 2,"):
+        function.backward((0,), (np.ones(1),), np.ones(2))

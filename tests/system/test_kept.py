@@ -72,6 +72,12 @@ def test_a_mechanism_that_leaves_its_constraints_is_refused(name, solver, tolera
     system.integrate(constraints="project", rtol=tolerance, atol=tolerance)
 
 
+def test_no_gradient_is_given_of_a_mechanism_that_left_them():
+    system = loop("kite")
+    with pytest.raises(IntegrationError, match="`dop853` left the constraints"):
+        system.adjoint_gradient("constants", final=system.states[0], rtol=1e-9, atol=1e-9)
+
+
 def test_a_stabilised_mechanism_that_leaves_them_is_refused_too():
     options = {"constraints": "baumgarte", "gain": 10.0, "rtol": 1e-10, "atol": 1e-10}
     refused(loop("three_cranks"), LEFT_CONSTRAINTS, **options)

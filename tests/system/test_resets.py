@@ -57,6 +57,15 @@ def test_a_reset_that_leaves_the_constraints_warns_with_residual_and_remedy(meth
         assert result.shape == (9, 4)
 
 
+def test_a_gradient_tells_it_and_refuses_a_motion_that_left_the_constraints():
+    system, (x, _, vx, vy) = bob()
+    system.times = system.times[:9]
+    with pytest.warns(PyDyUserWarning, match="reset of the event `wall` leaves") as told:
+        system.adjoint_gradient("l", final=x, events=[wall(x, {vx: -vx})])
+    assert len(told) == 1
+    system.adjoint_gradient("l", final=x, events=[wall(x, {vx: -vx, vy: -vy})])
+
+
 @pytest.mark.parametrize("more", [{}, {"sensitivities": "l"}, {"reduce": "final"}])
 def test_an_ensemble_tells_it_once(more):
     system, (x, _, vx, vy) = bob()

@@ -630,6 +630,9 @@ def test_a_motion_that_passes_a_jump_of_a_load_warns_of_its_derivatives(force):
     if force.has(X):
         with pytest.warns(PyDyUserWarning, match="jumps by"):
             system.adjoint_gradient(wanted, final=X)
+    with pytest.warns(PyDyUserWarning, match=r"t = [012]\S* the load on .* jumps by [12],") as told:
+        system.integrate_ensemble(constants={K: np.full(9, 1.0)}, sensitivities=wanted)
+    assert len(told) == 1
 
 
 def test_jumps_of_angles_and_masses_are_told():
@@ -668,6 +671,7 @@ def test_a_motion_without_a_jump_does_not(force):
     system = pushed(force)
     system.simulate(sensitivities=[K])  # a warning would be an error
     system.adjoint_gradient([K], final=X)
+    system.integrate_ensemble(constants={K: [1.0, 1.1]}, sensitivities=[K])
 
 
 def test_jumps_of_all_that_is_integrated_are_told():
@@ -703,12 +707,17 @@ def test_jumps_between_the_outputs_are_told():
         system.simulate(sensitivities=[K])
     with pytest.warns(PyDyUserWarning, match="jumps by 0.222,"):
         system.adjoint_gradient([K], final=X)
+    for options in ({}, {"reduce": "final"}, {"ode_solver": "radau"}):
+        with pytest.warns(PyDyUserWarning, match="jumps by 0.222,"):
+            system.integrate_ensemble(sensitivities=[K], **options)
 
 
 def test_a_jump_that_an_event_makes_is_known():
     system = pushed(-K * sm.sign(X))
     speed = system.speeds[0]
-    system.simulate(sensitivities=[K], events=[Event(X, reset={speed: 0.5 * speed})])
+    events = [Event(X, reset={speed: 0.5 * speed})]
+    system.simulate(sensitivities=[K], events=events)
+    system.integrate_ensemble(sensitivities=[K], events=events)
 
 
 @pytest.mark.filterwarnings("ignore::RuntimeWarning")

@@ -27,12 +27,11 @@ from pydy._graph.simplify import simplify
 from pydy._kernel import Inputs, Kernel, KernelCall
 from pydy._optional import progress_of
 from pydy._rank import DEPENDENT, is_zero, or_one
-from pydy._system.causes import explain
 from pydy._system.jumps import node_of, warn_of_jumps
 from pydy._system.parameters import Parameter, by_samples, marker
 from pydy._system.sensitivities import Sensitive, compiled_event
 from pydy._system.setup import Setup
-from pydy._system.simulation import begin
+from pydy._system.simulation import begin, explain_failure, judge_motion
 from pydy._system.snapshot import Snapshot
 from pydy._system.solving import native_solver, with_residuals_held
 from pydy.analysis.adjoint import AdjointGradient
@@ -551,8 +550,8 @@ class Gradients(Setup):
         Warns
         -----
         PyDyUserWarning
-            A load, another rate or what is integrated jumps on the way: the derivatives know
-            nothing of it.
+            As in `integrate`; or a load, another rate or what is integrated jumps on the way: the
+            derivatives know nothing of it.
 
         Examples
         --------
@@ -587,7 +586,6 @@ class Gradients(Setup):
             times = run.times[:reached].copy()
             return now.trajectory(times, states, events=run.records, statistics=run.info)
 
-        warn_of_jumps(now, partial(run.passed, now), sensitive, integral)
         counts = {p.symbol: p.count for p in sensitive.parameters}
         statistics = {k: v for k, v in run.info.items() if k not in ("events", "reached")}
         return AdjointGradient(run.value, values, counts, by_state, run.end, statistics, motion)
@@ -618,7 +616,9 @@ class Gradients(Setup):
         They are those of the objective, or of the last state's sum with some `weights`.
         """
         definition, plan = now.definition, now.plan
-        ready, instants = begin(now, solver, with_residuals_held(definition, solver, given))
+        given = with_residuals_held(definition, solver, given)
+        free = given.get("constraints") is None
+        ready, instants = begin(now, solver, given)
         model = ready.model
         sensitive = Sensitive.of(now, model, plan, wrt, self._dependent, "wrt")
         task = _Task(sensitive, final, integral)
@@ -630,12 +630,15 @@ class Gradients(Setup):
             if not isinstance(error, SingularMatrixError):
                 error.states, error.state = error.states[:, :n], error.state[:n]
             if not isinstance(error, IntegrationInterrupted):
-                explain(error, lambda t, x: replace(now.at(t, x), model=model))
+                explain_failure(error, now, ready, free)
             raise
+        reached = run.info["reached"]
+        if ready.constrained:
+            judge_motion(now, instants, run.states[:, :n], run.info, ready.options, free)
+        warn_of_jumps(now, partial(run.passed, now), sensitive, integral)
         try:
             values, by_state = run.gradient(beginning)
         except KeyboardInterrupt as stop:
-            reached = run.info["reached"]
             raise IntegrationInterrupted(
                 "The gradient was interrupted on the way back through the motion, which is whole: "
                 "it is in the attributes `times` and `states` of this error.",

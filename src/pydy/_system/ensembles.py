@@ -24,6 +24,7 @@ from pydy._checks import (
 from pydy._dataset import SENSITIVITY
 from pydy._names import column_names, latex_of, name_of, some, unique_names
 from pydy._system.definition import check_times
+from pydy._system.jumps import watched
 from pydy._system.kept import check_samples, kept_programs
 from pydy._system.sensitivities import Sensitive, changed_by, program_of_event
 from pydy._system.setup import Setup
@@ -50,9 +51,13 @@ if TYPE_CHECKING:
 
 
 def differentiated(
-    sensitive: Sensitive, options: Mapping[str, Any], control: bool
+    at: At, sensitive: Sensitive, options: Mapping[str, Any], control: bool
 ) -> EnsembleSensitivities:
     """Return the sensitivities of an ensemble as Programs and numbers."""
+    watch = watched(at, sensitive)
+    if watch is not None:
+        own = at.model.assembly.fork()
+        watch = replace(watch, nodes=own.lowered(watch.nodes(own), as_is=True))
     model, definition = sensitive.model, sensitive.definition
     tied, wanted = sensitive.tied, sensitive.columns.wanted
     events = options.get("events")
@@ -74,6 +79,7 @@ def differentiated(
             (program_of_event(model, event, wanted), changed_by(event, definition.states))
             for event in (() if events is None else events.sources)
         ),
+        watched=watch,
     )
 
 
@@ -423,7 +429,8 @@ class Ensembles(Setup):
         -----
         PyDyUserWarning
             Outputs are not finite, or samples do not begin on the constraints: dependent initial
-            conditions are not solved for again where others vary. Or a reset leaves them.
+            conditions are not solved for again where others vary. Or a reset leaves them; or a load
+            jumps on the way, which `sensitivities` do not know.
 
         Notes
         -----
@@ -501,16 +508,15 @@ class Ensembles(Setup):
         given: dict[str, Any] = {**solver_kwargs}
         if definition.equations.implicit is not None:
             given = with_residuals_held(definition, solver, given)
-        kept = None
+        kept, moved = None, driven(now.model, definition, plan)
+
+        def at(t: np.ndarray, x: np.ndarray) -> At:
+            return At(definition, moved, t, x, plan.rows(x, t), now.p)
+
         if definition.equations.constrained:
             start, shape = float(times[0]), tuple(axes.dims.values())
             columns = samples.x, samples.r, samples.p
             mended = given.get("constraints") is not None
-            moved = driven(now.model, definition, plan)
-
-            def at(t: np.ndarray, x: np.ndarray) -> At:
-                return At(definition, moved, t, x, plan.rows(x, t), now.p)
-
             check_samples(at, start, columns, shape, mended)
             equations = definition.equations
             left_out, every = any(equations.left_out), equations.beyond_projection
@@ -525,7 +531,7 @@ class Ensembles(Setup):
         if sensitivities is not None:
             sensitive = Sensitive.of(now, integrated, plan, sensitivities, self._dependent)
             options = sensitive.stepped(solver, options)
-            beside = differentiated(sensitive, options, control)
+            beside = differentiated(at(times[:1], now.x[None]), sensitive, options, control)
             if "events" in options:  # workers need no SymPy
                 options = {**options, "events": replace(options["events"], sources=())}
         read = ready.read

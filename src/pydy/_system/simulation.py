@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from contextlib import suppress
 from dataclasses import replace
 from typing import Any, Literal, overload
@@ -207,9 +207,10 @@ def _solve(
             else:
                 result, pair = solver(f, x0, times, args=args, **options), False
         if ready.constrained:
-            if native and free:
-                check_resets(result[1]["events"], now.at)
-            if motion := _motion(now, solver, times, result, options, not free):
+            if native:
+                states, info = result
+                judge_motion(now, times, states, info, options, free)
+            elif motion := _motion(now, solver, times, result, options, not free):
                 check_kept(motion)
     except TypeError as error:
         if not isinstance(solver, (Solver, SolveIvp)):
@@ -223,12 +224,32 @@ def _solve(
             wanted.cut(error)
         if isinstance(error, IntegrationInterrupted):
             raise
-        explain(error, lambda t, x: replace(now.at(t, x), model=ready.model))
-        if ready.constrained and native and free and isinstance(error, IntegrationError):
-            told: Any = error.info
-            check_resets(told["events"], now.at)
+        explain_failure(error, now, ready, native and free)
         raise
     return result[0] if pair and not full else result
+
+
+def judge_motion(
+    now: Snapshot,
+    times: np.ndarray,
+    states: np.ndarray,
+    info: Mapping[str, Any],
+    options: dict[str, Any],
+    free: bool,
+) -> None:
+    """Warn of resets that leave the constraints, and refuse a native solver's motion that did."""
+    if free:
+        check_resets(info["events"], now.at)
+    n = len(now.definition.states)
+    check_kept(Motion(now, times, states[:, :n], options, info, not free))
+
+
+def explain_failure(error: Any, now: Snapshot, ready: Ready, free: bool) -> None:
+    """Say why a motion failed, and warn of resets that left the constraints before."""
+    explain(error, lambda t, x: replace(now.at(t, x), model=ready.model))
+    if ready.constrained and free and isinstance(error, IntegrationError):
+        told: Any = error.info
+        check_resets(told["events"], now.at)
 
 
 def _motion(
@@ -239,16 +260,16 @@ def _motion(
     options: dict[str, Any],
     mended: bool,
 ) -> Motion | None:
-    """Return what a solver returned, if it came to the end and its states can be told."""
+    """Return what SciPy's or a user's solver returned, if it ended and its states can be told."""
     states, info = result if isinstance(result, tuple) and len(result) == 2 else (result, {})
     if isinstance(solver, SolveIvp):
         if not (defaults := solver.tolerances(options)):
             info = {"method": solver.name}  # a method of the user's, whose errors are not known
         options = {**defaults, **options}
-    elif not isinstance(solver, Solver) and is_odeint(solver):
+    elif is_odeint(solver):
         if not came_to_the_end(states, info):
             return None
-    elif not isinstance(solver, Solver):  # the user's
+    else:  # the user's
         info = {"method": getattr(solver, "__name__", "ode_solver")}
         try:
             states = np.asarray(states, dtype=float)

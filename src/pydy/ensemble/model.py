@@ -15,6 +15,7 @@ from pydy._graph.program import Program
 from pydy._graph.tangent import Tangent
 from pydy._kernel import Inputs, Kernel, KernelCall
 from pydy.analysis.dependence import follow
+from pydy.analysis.jumps import Passed, Watched
 from pydy.solvers.options import Options
 from pydy.solvers.outcome import DEPENDENTS_NOT_GIVEN, FINISHED
 from pydy.solvers.sensitivities import CompiledSensitivities, Sized, scales_of
@@ -49,6 +50,7 @@ class EnsembleSensitivities:
     sized: tuple[Sized, ...] | None
     sources: np.ndarray  # (k, 2): see `solvers.sensitivities`
     jumps: tuple[tuple[Program, tuple[int, ...]], ...]  # what each event does, and to which states
+    watched: Watched | None = None  # what derivatives do not know, if the rates switch at all
 
     @property
     def programs(self) -> list[Any]:
@@ -380,15 +382,10 @@ class Batch:
         """Integrate states with their sensitivities, where these are determined at the start."""
         from pydy._errors import warn_user
 
-        (m, n), columns, t = self.x.shape, len(beside.names), float(times[0])
-        batch = self.beside()
+        (m, n), columns = self.x.shape, len(beside.names)
         whole = np.empty((n * (1 + columns), m, len(times)))
-        start, codes = np.empty((m, len(whole))), np.zeros(m, dtype=np.int64)
-        for k in range(m):
-            inputs = Inputs(batch.r[k], batch.model.sampled)
-            codes[k], values = beside.beginning(self.x[k], t, inputs, self.p[k], _single)
-            start[k, :n], start[k, n:] = self.x[k], values.ravel()
-        batch, started = replace(batch, x=start), codes == FINISHED
+        batch, codes = self._begun_with_columns(beside, float(times[0]))
+        started = codes == FINISHED
         if started.all():
             results = batch._integrated(times, whole, n)
         else:
@@ -404,6 +401,44 @@ class Batch:
             states[:] = results.states
             results.states = states
         return results
+
+    def _begun_with_columns(
+        self, beside: EnsembleSensitivities, t: float
+    ) -> tuple[Batch, np.ndarray]:
+        """Return samples that begin with their sensitivities, and whether there are any."""
+        (m, n), batch = self.x.shape, self.beside()
+        start, codes = np.empty((m, n + beside.start.size)), np.zeros(m, dtype=np.int64)
+        for k in range(m):
+            inputs = Inputs(batch.r[k], batch.model.sampled)
+            codes[k], values = beside.beginning(self.x[k], t, inputs, self.p[k], _single)
+            start[k, :n], start[k, n:] = self.x[k], values.ravel()
+        return replace(batch, x=start), codes
+
+    def passed(self, k: int, times: np.ndarray) -> tuple[Passed, Any] | None:
+        """Return how sample k moves, and its states at any times; None where it fails."""
+        from pydy._errors import IntegrationError
+
+        beside, n = self.model.sensitivities, self.x.shape[1]
+        assert beside is not None
+        batch, codes = self.some(np.array([k]))._begun_with_columns(beside, float(times[0]))
+        options = replace(batch.model.options, dense_output=True, progress=False)
+        one = replace(batch, model=replace(batch.model, options=options))._single(0, times, None)
+        if codes[0] != FINISHED:
+            return None
+        try:
+            reached = len(one.run(batch.x[0]))
+        except IntegrationError:
+            return None
+        info = one.info()
+        dense, own = info["dense_output"], times[: min(reached, info["reached"])]
+
+        def columns(t: np.ndarray) -> np.ndarray:
+            found: np.ndarray = dense(t)[:, n:].reshape(len(t), n, -1)
+            return found
+
+        if dense is None or not len(own):
+            return None
+        return Passed.of(own, dense, info["events"], columns), lambda t: dense(t)[:, :n]
 
     def _one_by_one(self, times: np.ndarray, states: np.ndarray | None = None) -> Results:
         """Integrate with the solver of single trajectories."""

@@ -16,6 +16,7 @@ from pydy._graph.interpret import run as interpret
 from pydy._kernel import Inputs
 from pydy._names import numbers_of, some
 from pydy._rank import DIGITS
+from pydy.analysis.jumps import Watched, told_of_jump
 from pydy.ensemble.model import COUNTED, Batch, Kept, Model, Results
 from pydy.ensemble.samples import PARAMETER, QUANTITY, Samples, Variable, to_dataset
 from pydy.ensemble.tuning import SMALLEST_BLOCK
@@ -31,7 +32,7 @@ from pydy.solvers.kept import (
     warn_of_reset,
 )
 from pydy.solvers.outcome import FINISHED, OUTCOMES, START_OFF_CONSTRAINTS, TERMINATED
-from pydy.solvers.tuning import NEAR_SINGULAR
+from pydy.solvers.tuning import NEAR_SINGULAR, TRIED
 
 COUNTS = (*COUNTED, "end_time")
 """What the result tells of each sample beside its states and outputs."""
@@ -172,6 +173,8 @@ class Work:
             refuse(batch, results, times)
         if number := int((results.told["status"] == START_OFF_CONSTRAINTS).sum()):
             self._tell_start(number, batch)
+        if model.sensitivities is not None and (watched := model.sensitivities.watched) is not None:
+            self._tell_jumps(batch, times, watched)
         if results.stretches and self._first("stretches"):
             warn_user(results.stretches[0])
         outputs: _Outputs = partial(batch.evaluate, model.outputs)
@@ -224,6 +227,24 @@ class Work:
             off = described(record.time, own["rows"][0], allowed, kept.names)
             if off and self._first(f"reset of {record.name}"):
                 warn_of_reset(record.name, off, "In one sample or more, the")
+
+    def _tell_jumps(self, batch: Batch, times: np.ndarray, watched: Watched) -> None:
+        """Warn of the first of some samples that pass a jump, of which derivatives know nothing."""
+        m = len(batch.x)
+        for k in np.unique(np.linspace(0, m - 1, min(m, TRIED)).astype(int)).tolist():
+            if "jumps" in self.told or batch.stopped():
+                return
+            motion = batch.passed(k, times)
+            if motion is None:
+                continue
+            passed, states = motion
+
+            def evaluate(t: np.ndarray, k: int = k, states: Any = states) -> dict[str, np.ndarray]:
+                found = _values(batch, {"nodes": watched.nodes}, "nodes", [k], t, states(t)[None])
+                return {name: values[0] for name, values in found.items()}
+
+            if (told := told_of_jump(passed, watched, evaluate)) and self._first("jumps"):
+                warn_user(f"In one sample or more: {told[0].lower()}{told[1:]}")
 
     def _tell_outputs(self, outputs: np.ndarray, times: np.ndarray, states: np.ndarray) -> None:
         """Warn of outputs (o, m, times) that are not finite where states (n, m, times) are."""
