@@ -508,7 +508,9 @@ class Ensembles(Setup):
         given: dict[str, Any] = {**solver_kwargs}
         if definition.equations.implicit is not None:
             given = with_residuals_held(definition, solver, given)
-        kept, moved = None, driven(now.model, definition, plan)
+        kept, moved = None, now.model
+        if definition.equations.constrained or sensitivities is not None:
+            moved = driven(moved, definition, plan)
 
         def at(t: np.ndarray, x: np.ndarray) -> At:
             return At(definition, moved, t, x, plan.rows(x, t), now.p)
