@@ -107,212 +107,10 @@ class Orbits(Simulation, Evaluation):
         >>> bool(np.allclose(np.abs(orbit.multipliers), np.exp(-np.pi))), orbit.stable
         (True, True)
         """
-        now = self._now()
-        guess = positive(period, "`period`", finite=True)
-        if not now.t + guess / _SAMPLES > now.t:
-            raise ValueError(
-                f"`period` must be long enough for {_SAMPLES} times from {now.t:g} on that differ "
-                f"as floats, got {guess!r}."
-            )
-        if until is not None and not isinstance(until, Event):
-            raise TypeError(f"`until` must be a pydy.solvers.Event, got {type(until).__name__}.")
-        definition = now.definition
-        equations, states = definition.equations, definition.places["states"]
-        steady = sorted(states.columns(listed("moving", moving), "moving").tolist())
-        dependent = latest_dependents(definition, self._dependent)
-        if not dependent and (equations.holonomic or equations.velocity):
-            raise ValueError(
-                "A periodic orbit can be searched for only where it is known which states follow "
-                "from the others by the constraints; none is named as dependent. Call "
-                "`set_dependent_initial_conditions(dep_vars=…)` first, with as many as constraints."
-            )
-        tied = {definition.states.index(s) for s in dependent}
-        count = len(equations.coordinates) + len(equations.speeds)
-        free = [k for k in range(count) if k not in tied.union(steady)]
-        if not free:
-            raise ValueError(
-                "There is no state to search for: `moving` and the constraints determine all of "
-                "them. The motion is the one that `simulate` returns."
-            )
-        kept = [definition.states[k] for k in range(count) if k not in tied]
-        names = unique_names(definition.states)
-        columns = [kept.index(definition.states[k]) for k in free]
-        rows = [definition.states.index(s) for s in kept]
-        advancing = [kept.index(definition.states[k]) for k in steady if k not in tied]
-        pushed = np.zeros(len(free))  # by how much the end changes as those advance that move
-        runner = copy(self)
-        runner._searching = True
-        runner.ode_solver = native_solver(self.ode_solver)
-        held = None  # the modes of contacts at the start
-        if contacts is not None:
-            if getattr(contacts, "system", None) is not self:
-                raise TypeError(
-                    f"`contacts` must be Contacts of this System, got {shown(contacts)}."
-                )
-            contacts = copy(contacts)
-            contacts.system = runner
-        options = {"rtol": ORBIT, **solver_kwargs}
-        chosen = "atol" not in solver_kwargs
-        if tied:
-            options.setdefault("constraints", "project")
-        t0 = now.t
-        autonomous = until is None and not _depends_on_time(now)
-        if contacts is not None:
-            autonomous &= not contacts.depends_on_time
-
-        def begin(z: np.ndarray) -> None:
-            """Set the states at the start; the dependent ones follow."""
-            x = now.x.copy()
-            x[free] = z
-            runner.initial_conditions = dict(zip(definition.states, x.tolist(), strict=True))
-            if tied:
-                runner.set_dependent_initial_conditions(dependent)
-
-        def rates_of(ride: Any, x: np.ndarray, t: float, last: int = -1) -> np.ndarray:
-            """Return the derivatives of the states, where a motion ends or begins."""
-            if contacts is None:
-                return np.array(runner.evaluate_ode(x, t))
-            found: np.ndarray = ride.end(last)[1](np.array([t]), x[None])[0]
-            return found
-
-        def run(times: Any, modes: Any = None, **more: Any) -> Any:
-            runner.times = times
-            # A state that stays would be followed in steps that are too long for its neighbours.
-            more = {"sensitivities": kept, "control_sensitivities": True, **more, **options}
-            return runner.simulate(**more) if contacts is None else contacts.resumed(modes, **more)
-
-        nearest: dict[str, Any] = {
-            "period": guess,
-            "initial_conditions": dict(self.initial_conditions),
-        }
-        least = np.inf
-        speeds = np.arange(len(now.x)) >= len(equations.coordinates)
-
-        def fly(z: np.ndarray, length: float) -> Flight:
-            nonlocal least
-            begin(z)
-            started = dict(runner.initial_conditions)
-            flight = flown(z, length)
-            gap = float((np.abs(flight.end - z) / begun[free]).max(initial=0.0))
-            if gap < least:
-                least = gap
-                nearest.update(period=flight.period, initial_conditions=started)
-            told(1, gap=f"{gap:.3g}")
-            return flight
-
-        def flown(z: np.ndarray, length: float) -> Flight:
-            if until is None:
-                ride = run(np.linspace(t0, t0 + length, num=_ON_THE_WAY), held)
-                end, slopes, instant = ride.states[-1], ride.sensitivity.values[-1], t0 + length
-                start = ride.states[0]
-                rates = rates_of(ride, end, instant)
-                advance = np.abs(end - start)[[rows[k] for k in advancing]]
-                pushed[:] = np.abs(slopes[np.ix_(free, advancing)]) @ advance
-            else:
-                first = run([t0, t0 + BEGINNING * guess], held)
-                start, modes = first.states[0], None if contacts is None else first.end()[0]
-                runner.initial_conditions = dict(
-                    zip(definition.states, first.states[-1].tolist(), strict=True)
-                )
-                ending = replace(until, terminal=True)
-                times = np.linspace(t0 + BEGINNING * guess, t0 + _PATIENCE * guess, num=_ON_THE_WAY)
-                ride = run(times, modes, events=ending)
-                happened = [event for event in ride.events if event.name == ending.name]
-                if not happened:
-                    raise PeriodicOrbitError(
-                        f"The event `{until.name}` does not happen within {_PATIENCE:g} times the "
-                        f"`period` of {guess:g} s. Give a period nearer to it, or other initial "
-                        "conditions.",
-                        z,
-                        np.full(len(z), np.nan),
-                    )
-                event = happened[-1]
-                end, instant = event.after, event.time
-                rates = rates_of(ride, end, instant)
-                after = event.sensitivity_after + np.outer(rates, event.time_sensitivity)
-                slopes = after @ first.sensitivity.values[-1][rows]
-            return Flight(
-                end[free],
-                slopes[np.ix_(free, columns)],
-                rates[free],
-                instant - t0,
-                sizes_along(ride.times, ride.states, end, rates, instant - t0),
-                None if contacts is None else start[free],
-            )
-
-        def sizes_along(
-            times: np.ndarray,
-            states: np.ndarray,
-            end: np.ndarray,
-            rates: np.ndarray,
-            length: float,
-        ) -> np.ndarray:
-            """Return the sizes of all states on a flight."""
-            natural, moved = energetic_motions(now, times, states)
-            most = np.abs(np.concatenate([states, end[None]])).max(axis=0)
-            return Measure(free, speeds, natural, moved).sizes(most, rates, length)
-
-        start = now.x[free]
-        slope = None
-        begin(start)
-        beginning = np.array([runner.initial_conditions[s] for s in definition.states])
-        if contacts is None:
-            rates = runner.evaluate_ode()
-        else:
-            ride = run([t0, t0 + BEGINNING * guess])
-            held, rates = ride.end(0)[0], rates_of(ride, ride.states[0], t0, 0)
-        at_start = np.array([t0]), beginning[None], beginning
-        if autonomous:
-            slope = rates[free]
-            own = sizes_along(*at_start, np.zeros_like(rates), guess)[free]
-            if (np.abs(slope) * guess <= ORBIT_CLOSED * own * start.any()).all():
-                raise ValueError(
-                    "The initial conditions are an equilibrium, which is no orbit. Start "
-                    "elsewhere, or use `find_equilibrium`."
-                )
-            slope = slope / np.linalg.norm(slope)
-        begun = sizes_along(*at_start, rates, guess)
-        if chosen:
-            options["atol"] = ORBIT * begun
-        with progress_of(flag(progress, "`progress`"), " flights") as told:
+        search = _Search(self, period, moving, until, contacts, solver_kwargs)
+        with progress_of(flag(progress, "`progress`"), " flights") as search.told:
             try:
-                z, flight = start, fly(start, guess)
-                begun = flight.sizes
-                for _ in range(_RESIZED):
-                    sizes = flight.sizes
-                    if chosen:
-                        coarse = (options["atol"] > 2.0 * ORBIT * sizes).any()
-                        options["atol"] = ORBIT * sizes
-                        if coarse:
-                            flight = fly(z, flight.period)
-                    z, flight, residual = shoot(
-                        fly, flight, sizes[free], z, flight.period, slope,
-                        [names[k] for k in free], float(np.max(options["rtol"])),
-                    )  # fmt: skip
-                    # A first flight that led far away told nothing of the orbit.
-                    again = flight.sizes
-                    if (again >= 0.5 * sizes).all() or (again <= ORBIT * begun).all():
-                        break
-                if (pushed > ORBIT_CLOSED * flight.sizes[free]).any():
-                    on = names[free[int((pushed / flight.sizes[free]).argmax())]]
-                    raise ValueError(
-                        f"`moving` must not have coordinates that the motion depends on, got "
-                        f"{some(names[k] for k in steady)}, on which {on} depends: a motion "
-                        "in which they advance does not repeat. Leave them out, or end the period "
-                        "with an event `until` that sets them back."
-                    )
-                begin(z)
-                initial = dict(runner.initial_conditions)
-                runner.times = np.linspace(t0, t0 + flight.period, num=_SAMPLES)
-                runner._searching = False
-                if contacts is None:
-                    trajectory = runner.simulate(**options)
-                    warn_of_jumps(now, lambda: trajectory)
-                    if until is None and not autonomous:
-                        _check_period(runner, trajectory, flight.period)
-                else:  # what contacts hold is projected at the start
-                    trajectory = contacts.resumed(held, **options)
-                    initial = dict(zip(initial, trajectory.states[0].tolist(), strict=True))
+                return search.found()
             except (KeyboardInterrupt, MemoryError) as stop:
                 raise finished_before(
                     stop,
@@ -320,19 +118,279 @@ class Orbits(Simulation, Evaluation):
                     "The search for a periodic orbit was interrupted. The period and the initial "
                     "conditions that came nearest to one are in the attribute `results` of this "
                     "error.",
-                    nearest,
+                    search.nearest,
                 ) from None
+
+
+class _Search:
+    """A System that flies for a period, from start to start."""
+
+    def __init__(
+        self,
+        system: Orbits,
+        period: float,
+        moving: Iterable[Any],
+        until: Event | None,
+        contacts: Any,
+        options: dict[str, Any],
+    ) -> None:
+        self.now = now = system._now()
+        self.t0, self.guess = now.t, positive(period, "`period`", finite=True)
+        if not now.t + self.guess / _SAMPLES > now.t:
+            raise ValueError(
+                f"`period` must be long enough for {_SAMPLES} times from {now.t:g} on that differ "
+                f"as floats, got {self.guess!r}."
+            )
+        if until is not None and not isinstance(until, Event):
+            raise TypeError(f"`until` must be a pydy.solvers.Event, got {type(until).__name__}.")
+        self.until = until
+        self._choose_states(system, moving)
+        self.runner = copy(system)
+        self.runner._searching = True
+        self.runner.ode_solver = native_solver(system.ode_solver)
+        self.autonomous = until is None and not _depends_on_time(now)
+        if contacts is not None:
+            if getattr(contacts, "system", None) is not system:
+                raise TypeError(
+                    f"`contacts` must be Contacts of this System, got {shown(contacts)}."
+                )
+            self.autonomous &= not contacts.depends_on_time
+            contacts = copy(contacts)
+            contacts.system = self.runner
+        self.contacts = contacts
+        self.held: Any = None  # the modes of contacts at the start
+        self.options = {"rtol": ORBIT, **options}
+        self.chosen = "atol" not in options
+        if self.dependent:
+            self.options.setdefault("constraints", "project")
+        self.nearest: dict[str, Any] = {
+            "period": self.guess,
+            "initial_conditions": dict(system.initial_conditions),
+        }
+        self.least = np.inf  # the gap of that
+        self.told: Any = None  # what shows the progress
+
+    def _choose_states(self, system: Orbits, moving: Iterable[Any]) -> None:
+        """Divide the states into those to search for, those that advance, and dependent ones."""
+        definition = self.now.definition
+        equations, states = definition.equations, definition.places["states"]
+        self.steady = sorted(states.columns(listed("moving", moving), "moving").tolist())
+        self.dependent = latest_dependents(definition, system._dependent)
+        if not self.dependent and (equations.holonomic or equations.velocity):
+            raise ValueError(
+                "A periodic orbit can be searched for only where it is known which states follow "
+                "from the others by the constraints; none is named as dependent. Call "
+                "`set_dependent_initial_conditions(dep_vars=…)` first, with as many as constraints."
+            )
+        tied = {definition.states.index(s) for s in self.dependent}
+        count = len(equations.coordinates) + len(equations.speeds)
+        self.free = [k for k in range(count) if k not in tied.union(self.steady)]
+        if not self.free:
+            raise ValueError(
+                "There is no state to search for: `moving` and the constraints determine all of "
+                "them. The motion is the one that `simulate` returns."
+            )
+        self.rows = [k for k in range(count) if k not in tied]
+        self.kept = [definition.states[k] for k in self.rows]
+        self.columns = [self.rows.index(k) for k in self.free]
+        self.advancing = [self.rows.index(k) for k in self.steady if k not in tied]
+        # By how much the end changes as those advance that move.
+        self.pushed = np.zeros(len(self.free))
+        self.names = unique_names(definition.states)
+
+    def begin(self, z: np.ndarray) -> None:
+        """Set the states at the start; the dependent ones follow."""
+        x = self.now.x.copy()
+        x[self.free] = z
+        self._set(x)
+        if self.dependent:
+            self.runner.set_dependent_initial_conditions(self.dependent)
+
+    def _set(self, x: np.ndarray) -> None:
+        states = self.now.definition.states
+        self.runner.initial_conditions = dict(zip(states, x.tolist(), strict=True))
+
+    def run(self, times: Any, modes: Any = None, **more: Any) -> Any:
+        """Simulate with sensitivities, and with contacts in `modes` at the start."""
+        self.runner.times = times
+        # A state that stays would be followed in steps that are too long for its neighbours.
+        own = {"sensitivities": self.kept, "control_sensitivities": True}
+        more = {**own, **more, **self.options}
+        if self.contacts is None:
+            return self.runner.simulate(**more)
+        return self.contacts.resumed(modes, **more)
+
+    def rates_of(self, ride: Any, x: np.ndarray, t: float, last: int = -1) -> np.ndarray:
+        """Return the derivatives of the states, where a motion ends or begins."""
+        if self.contacts is None:
+            return np.array(self.runner.evaluate_ode(x, t))
+        found: np.ndarray = ride.end(last)[1](np.array([t]), x[None])[0]
+        return found
+
+    def sizes_along(
+        self,
+        times: np.ndarray,
+        states: np.ndarray,
+        end: np.ndarray,
+        rates: np.ndarray,
+        length: float,
+    ) -> np.ndarray:
+        """Return the sizes of all states on a flight."""
+        natural, moved = energetic_motions(self.now, times, states)
+        most = np.abs(np.concatenate([states, end[None]])).max(axis=0)
+        speeds = np.arange(len(end)) >= len(self.now.definition.equations.coordinates)
+        return Measure(self.free, speeds, natural, moved).sizes(most, rates, length)
+
+    def fly(self, z: np.ndarray, length: float) -> Flight:
+        """Fly for a period from states `z`; the start that comes nearest to its end is kept."""
+        self.begin(z)
+        started = dict(self.runner.initial_conditions)
+        flight = self._for_a_time(length) if self.until is None else self._until(self.until, z)
+        gap = float((np.abs(flight.end - z) / self.begun[self.free]).max(initial=0.0))
+        if gap < self.least:
+            self.least = gap
+            self.nearest.update(period=flight.period, initial_conditions=started)
+        self.told(1, gap=f"{gap:.3g}")
+        return flight
+
+    def _for_a_time(self, length: float) -> Flight:
+        instant = self.t0 + length
+        ride = self.run(np.linspace(self.t0, instant, num=_ON_THE_WAY), self.held)
+        start, end, slopes = ride.states[0], ride.states[-1], ride.sensitivity.values[-1]
+        advance = np.abs(end - start)[[self.rows[k] for k in self.advancing]]
+        self.pushed[:] = np.abs(slopes[np.ix_(self.free, self.advancing)]) @ advance
+        return self._flight(ride, start, end, self.rates_of(ride, end, instant), slopes, instant)
+
+    def _until(self, until: Event, z: np.ndarray) -> Flight:
+        t0, guess = self.t0, self.guess
+        first = self.run([t0, t0 + BEGINNING * guess], self.held)
+        modes = None if self.contacts is None else first.end()[0]
+        self._set(first.states[-1])
+        ending = replace(until, terminal=True)
+        times = np.linspace(t0 + BEGINNING * guess, t0 + _PATIENCE * guess, num=_ON_THE_WAY)
+        ride = self.run(times, modes, events=ending)
+        happened = [event for event in ride.events if event.name == ending.name]
+        if not happened:
+            raise PeriodicOrbitError(
+                f"The event `{until.name}` does not happen within {_PATIENCE:g} times the "
+                f"`period` of {guess:g} s. Give a period nearer to it, or other initial "
+                "conditions.",
+                z,
+                np.full(len(z), np.nan),
+            )
+        event = happened[-1]
+        rates = self.rates_of(ride, event.after, event.time)
+        after = event.sensitivity_after + np.outer(rates, event.time_sensitivity)
+        slopes = after @ first.sensitivity.values[-1][self.rows]
+        return self._flight(ride, first.states[0], event.after, rates, slopes, event.time)
+
+    def _flight(
+        self,
+        ride: Any,
+        start: np.ndarray,
+        end: np.ndarray,
+        rates: np.ndarray,
+        slopes: np.ndarray,
+        instant: float,
+    ) -> Flight:
+        period, free = instant - self.t0, self.free
+        return Flight(
+            end[free],
+            slopes[np.ix_(free, self.columns)],
+            rates[free],
+            period,
+            self.sizes_along(ride.times, ride.states, end, rates, period),
+            None if self.contacts is None else start[free],
+        )
+
+    def _slope_at_start(self) -> np.ndarray | None:
+        """Measure the start; return the direction in which the motion leaves, if it may be late.
+
+        Where the equations depend on time, or the period has an end of its own, it may not.
+        """
+        t0, guess, free = self.t0, self.guess, self.free
+        self.begin(self.now.x[free])
+        conditions = self.runner.initial_conditions
+        beginning = np.array([conditions[s] for s in self.now.definition.states])
+        if self.contacts is None:
+            rates = self.runner.evaluate_ode()
+        else:
+            ride = self.run([t0, t0 + BEGINNING * guess])
+            self.held, rates = ride.end(0)[0], self.rates_of(ride, ride.states[0], t0, 0)
+        at_start = np.array([t0]), beginning[None], beginning
+        slope: np.ndarray | None = None
+        if self.autonomous:
+            slope = rates[free]
+            own = self.sizes_along(*at_start, np.zeros_like(rates), guess)[free]
+            moves = self.now.x[free].any()
+            if (np.abs(slope) * guess <= ORBIT_CLOSED * own * moves).all():
+                raise ValueError(
+                    "The initial conditions are an equilibrium, which is no orbit. Start "
+                    "elsewhere, or use `find_equilibrium`."
+                )
+            slope = slope / np.linalg.norm(slope)
+        self.begun = self.sizes_along(*at_start, rates, guess)
+        if self.chosen:
+            self.options["atol"] = ORBIT * self.begun
+        return slope
+
+    def found(self) -> PeriodicOrbit:
+        """Search until states come back, in units of the sizes that they have on the way."""
+        slope, free = self._slope_at_start(), self.free
+        z = self.now.x[free]
+        flight = self.fly(z, self.guess)
+        self.begun = flight.sizes
+        names = [self.names[k] for k in free]
+        for _ in range(_RESIZED):
+            sizes = flight.sizes
+            if self.chosen:
+                coarse = (self.options["atol"] > 2.0 * ORBIT * sizes).any()
+                self.options["atol"] = ORBIT * sizes
+                if coarse:
+                    flight = self.fly(z, flight.period)
+            tolerance = float(np.max(self.options["rtol"]))
+            z, flight, residual = shoot(
+                self.fly, flight, sizes[free], z, flight.period, slope, names, tolerance
+            )
+            # A first flight that led far away told nothing of the orbit.
+            again = flight.sizes
+            if (again >= 0.5 * sizes).all() or (again <= ORBIT * self.begun).all():
+                break
+        if (self.pushed > ORBIT_CLOSED * flight.sizes[free]).any():
+            on = names[int((self.pushed / flight.sizes[free]).argmax())]
+            raise ValueError(
+                f"`moving` must not have coordinates that the motion depends on, got "
+                f"{some(self.names[k] for k in self.steady)}, on which {on} depends: a motion "
+                "in which they advance does not repeat. Leave them out, or end the period "
+                "with an event `until` that sets them back."
+            )
+        initial, trajectory = self._motion(z, flight.period)
         moved = np.ptp(trajectory.states[:, free], axis=0)
         return PeriodicOrbit(
             period=flight.period,
             initial_conditions=initial,
-            states=tuple(names[k] for k in free),
+            states=tuple(names),
             monodromy=flight.by_start,
             residual=residual,
-            autonomous=autonomous,
-            equilibrium=bool((moved <= ORBIT * begun[free]).all()),
+            autonomous=self.autonomous,
+            equilibrium=bool((moved <= ORBIT * self.begun[free]).all()),
             trajectory=trajectory,
         )
+
+    def _motion(self, z: np.ndarray, period: float) -> tuple[dict[Any, float], Any]:
+        """Simulate the orbit: its initial conditions, and the trajectory."""
+        self.begin(z)
+        initial, runner = dict(self.runner.initial_conditions), self.runner
+        runner.times = np.linspace(self.t0, self.t0 + period, num=_SAMPLES)
+        runner._searching = False
+        if self.contacts is not None:  # what contacts hold is projected at the start
+            trajectory = self.contacts.resumed(self.held, **self.options)
+            return dict(zip(initial, trajectory.states[0].tolist(), strict=True)), trajectory
+        trajectory = runner.simulate(**self.options)
+        warn_of_jumps(self.now, lambda: trajectory)
+        if self.until is None and not self.autonomous:
+            _check_period(runner, trajectory, period)
+        return initial, trajectory
 
 
 def _check_period(system: Any, motion: Any, period: float) -> None:
