@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import os
 import tempfile
+from functools import partial
 from pathlib import Path
 from statistics import median
 from typing import Any
@@ -95,7 +96,7 @@ def _compare(links: int, options: Any) -> dict[str, Any]:
         }
         wanted = {(who, p.tolerance) for (who, _), points in brackets.items() for p in points}
         rounds = in_turn(
-            {key: lambda key=key: run(*key, options.count) for key in sorted(wanted, key=str)},
+            {key: partial(run, *key, options.count) for key in sorted(wanted, key=str)},
             least=options.rounds,
             most=options.rounds,
         )

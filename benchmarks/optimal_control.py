@@ -240,7 +240,7 @@ def show_shares(lines: Lines) -> None:
 
 # -- known optima -------------------------------------------------------------------------------
 
-OPTIMA = {
+OPTIMA: dict[str, dict[str, list[tuple[Any, ...]]]] = {
     # The smallest of these that reaches the optimum is timed; the peer's alike.
     "swing-up": {
         "ours": [("radau", *pair) for pair in ((3, 20), (3, 30), (3, 40), (5, 30))],

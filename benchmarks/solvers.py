@@ -27,10 +27,10 @@ SCRIPTS = {
     RELEASED: ("solve_released.py",),
     **{peer: (f"solve_{peer}.py",) for peer in PEERS},
 }
-PARTS = ("precision", "integrate", "overhead", "first-use")
+PARTS = ("precision", "integrate", "first-use")
 # What `integrate()` is asked to gain on the default odeint, by the number of links.
 GAINS = {"1": 15.0, "10": 2.0}
-OVERHEAD, WARM, COLD = 2.0, 0.05, 2.0
+WARM, COLD = 0.05, 2.0
 ROUNDS = 5, 25
 
 
@@ -47,7 +47,6 @@ def main() -> None:
     measures = {
         "precision": _precision,
         "integrate": _integrate,
-        "overhead": _overhead,
         "first-use": _first_use,
     }
     take_parts("solvers", options.parts, measures, options)
@@ -137,7 +136,7 @@ def _report_misses(misses: list[str]) -> None:
 
 
 def _integrate(options: argparse.Namespace) -> Any:
-    lines = []
+    lines: list[dict[str, Any]] = []
     for model in GAINS:
         print(f"integrate, {model} links …", file=sys.stderr)
         with ExitStack() as stack:
@@ -177,47 +176,6 @@ def _integrate(options: argparse.Namespace) -> Any:
     ]
     header = ("links", "dop853", "odeint", RELEASED, "odeint / dop853", "asked", f"{RELEASED} / it")
     table("integrate(), 10 s, 1,001 points, tolerances 1e-9", header, rows)
-
-
-# -- what an evaluation costs beyond the right-hand side ----------------------------------------
-
-
-def _overhead(options: argparse.Namespace) -> Any:
-    lines = []
-    for model in ("pendulum-1", "pendulum-10"):
-        for method in ("dop853", "tsit5", "vern9"):
-            print(f"overhead, {model} {method} …", file=sys.stderr)
-            with _worker(options, OURS, "overhead.py") as worker:
-                counts = worker.ask("load", name=model, method=method)
-                taken = in_turn({"all": lambda w=worker: w.ask("time")}, **rounds(options, *ROUNDS))
-            times = {key: [r["all"][key] for r in taken] for key in taken[0]["all"]}
-            ratios = {
-                key: pairwise(
-                    [a - b for a, b in zip(times[key], times["kernel"], strict=True)],
-                    times["bare"],
-                )
-                for key in ("run", "further")
-            }
-            line = {"model": model, "method": method, **counts, "seconds": times, "ratios": ratios}
-            lines.append(line)
-            yield [line]
-    keys = ("short", "run", "further", "kernel", "bare")
-    rows = [
-        [
-            f"{line['model']} {line['method']}",
-            line["evaluations"],
-            *(seconds(median(line["seconds"][key])) for key in keys),
-            f"{line['ratios']['run']:.2f}",
-            f"{line['ratios']['further']:.2f}",
-        ]
-        for line in lines
-    ]
-    header = (
-        *("solver", "evaluations", "shortest call", "run", "further", "kernel", "combinations"),
-        *("(run − kernel) / comb.", "(further − kernel) / comb."),
-    )
-    title = "For each evaluation; (run − kernel) / combinations is asked to be at most"
-    table(f"{title} {OVERHEAD:g}", header, rows)
 
 
 # -- first use ----------------------------------------------------------------------------------

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import json
+import os
 import re
+import subprocess
 import sys
 from pathlib import Path
 
@@ -76,6 +78,24 @@ def test_every_script_writes_its_results_with_where_they_were_taken():
         assert not re.search(r"json\.dump\(|\.write_text\(", script.read_text(encoding="utf-8")), (
             script
         )
+
+
+def test_scripts_call_what_there_is():
+    """They measure internals, too, and nobody runs them for months."""
+    folder = Path(__file__).parents[1] / "benchmarks"
+    scripts = [*folder.glob("*.py"), *folder.glob("workers/*ours*.py")]
+    options = [
+        "--ignore-missing-imports", "--follow-imports=silent", "--explicit-package-bases",
+        "--cache-dir", str(folder.parent / ".mypy_cache" / "benchmarks"), "--config-file", os.devnull,
+    ]  # fmt: skip
+    found = subprocess.run(
+        [sys.executable, "-m", "mypy", *options, *map(str, scripts)],
+        cwd=folder, env=os.environ | {"MYPYPATH": f"{folder.parent / 'src'}:{folder}"},
+        check=False, capture_output=True, text=True,
+    )  # fmt: skip
+    assert "source files" in found.stdout, found
+    wrong = re.findall(r".*\[(?:attr-defined|call-arg|import-not-found)\]", found.stdout)
+    assert not wrong
 
 
 def test_caches_are_told_by_level_and_kind(tmp_path):

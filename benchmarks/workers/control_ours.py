@@ -7,6 +7,8 @@ import re
 import sys
 import tempfile
 import time
+from ctypes import CFUNCTYPE, c_bool
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -19,9 +21,11 @@ from harness.optimal import TASKS, Task, model_of, point
 from harness.serve import Repeated, serve
 
 from pydy import System, models
+from pydy._array_layout import address
 from pydy.control import OptimalControl
 from pydy.control.ipopt import library
 from pydy.control.ipopt import solve as search
+from pydy.control.nlp import SIGNATURES
 from pydy.control.transcription import Transcription
 from pydy.mechanics import Definition
 
@@ -86,21 +90,26 @@ class Ours:
         z, d, given = point(self.task, self.nodes)
         none = np.full(len(z), np.inf)
         nlp = made.nlp(-none, none, np.ones(len(z)))
-        rows, J, H = (np.empty(k) for k in (nlp.rows, *(len(at[0]) for at in _at(nlp))))
-        count = len(given)
-        multipliers = np.zeros(nlp.rows)
+        native, (i, j), (k, l) = nlp.native, nlp.jacobian_at, nlp.hessian_at
+        rows, J, H = np.empty(nlp.rows), np.empty(len(i)), np.empty(len(k))
+        count, m = len(given), nlp.rows
+        multipliers = np.zeros(m)
         multipliers[:count] = given
-        gradient = np.empty(len(z))
+        curved = 1.0, m, address(multipliers), True, len(k), None, None
+
+        def called(name: str, out: np.ndarray, *more: Any) -> Any:
+            """Return a call as IPOPT makes it, with everything in place."""
+            function = CFUNCTYPE(c_bool, *SIGNATURES[name])(native.addresses[name])
+            return partial(function, len(z), address(z), True, *more, address(out), native.handle)
+
         calls = {
-            "rows": lambda: nlp.values(z, rows),
-            "jacobian": lambda: nlp.jacobian(z, J),
-            "hessian": lambda: nlp.hessian(z, 1.0, multipliers, H),
-            "gradient": lambda: nlp.gradient(z, gradient),
+            "rows": called("rows", rows, m),
+            "jacobian": called("jacobian", J, m, len(i), None, None),
+            "hessian": called("hessian", H, *curved),
         }
         for call in calls.values():
             call()
         self.runs = {name: Repeated(call) for name, call in calls.items()}
-        (i, j), (k, l) = _at(nlp)
         slopes = np.bincount(i, J * d[j], nlp.rows)
         curved = H * d[k] * d[l] * np.where(k == l, 1.0, 2.0)
         return {"rows": rows[:count].tolist(), "slopes": slopes[:count].tolist(),
@@ -119,9 +128,7 @@ class Ours:
 
     def search(self, options: dict[str, Any]) -> Any:
         """Time IPOPT alone, as CasADi's solver does: no bounds, guess, errors or trajectory."""
-        p = self.problem
-        made = Transcription(p._problem, p._scheme, p._mesh)
-        nlp, z = p._prepared(made, self.guess)
+        nlp, z, _ = self.problem._joined([self.problem._mesh], [self.guess])
         start = time.perf_counter()
         search(nlp, z, options=options)
         return {"seconds": time.perf_counter() - start}
@@ -143,10 +150,6 @@ class Ours:
             key: float(re.search(pattern.format(name), text, re.MULTILINE)[1])  # type: ignore[index]
             for key, name in names.items()
         }
-
-
-def _at(nlp: Any) -> Any:
-    return nlp.jacobian_at, nlp.hessian_at
 
 
 if __name__ == "__main__":

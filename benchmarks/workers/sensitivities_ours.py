@@ -59,7 +59,7 @@ class OurSensitivities(SolverPeer):
 
         def solve() -> np.ndarray:
             state, values = columns.apart(run(whole)[-1])
-            return joined(state, values[:, : sensitive.count])
+            return joined(state, values[:, : columns.count])
 
         return solve
 
