@@ -86,7 +86,8 @@ def test_scripts_call_what_there_is():
     scripts = [*folder.glob("*.py"), *folder.glob("workers/*ours*.py")]
     options = [
         "--ignore-missing-imports", "--follow-imports=silent", "--explicit-package-bases",
-        "--cache-dir", str(folder.parent / ".mypy_cache" / "benchmarks"), "--config-file", os.devnull,
+        "--cache-dir", str(folder.parent / ".mypy_cache" / "benchmarks"),
+        "--config-file", os.devnull,
     ]  # fmt: skip
     found = subprocess.run(
         [sys.executable, "-m", "mypy", *options, *map(str, scripts)],

@@ -109,6 +109,7 @@ class Ours:
         }
         for call in calls.values():
             call()
+        self.kept = nlp, z, multipliers, rows, J, H  # of which the calls have addresses
         self.runs = {name: Repeated(call) for name, call in calls.items()}
         slopes = np.bincount(i, J * d[j], nlp.rows)
         curved = H * d[k] * d[l] * np.where(k == l, 1.0, 2.0)
