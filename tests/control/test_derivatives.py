@@ -77,7 +77,7 @@ class Reference:
                         ]
                     )
                 time = mp.mpf(p.begin) + duration * mp.mpf(points.fractions[j])
-                signals = [mp.mpf(s(np.array([float(time)]))[0]) for _, s in p.signals]
+                signals = [value for _, s in p.signals for value in signal(s, time)]
                 controls = [row[points.controls[j]] for row in u]
                 at = (*sides, controls, signals, c, time, duration)
                 table.append(self.rows(*at))
@@ -97,6 +97,13 @@ class Reference:
 
         found += self.ends(value, duration, c)
         return cost + self.cost(value, duration, c), found
+
+
+def signal(samples, time):
+    """Return the values of a SampledInput at a time."""
+    k = int(np.searchsorted(samples.breaks, float(time), "right")) - 1
+    s = time - mp.mpf(samples.breaks[k])
+    return [mp.polyval([mp.mpf(a) for a in cubic], s) for cubic in samples.coefficients[k].T]
 
 
 def slopes(function, z):
@@ -240,6 +247,47 @@ def test_a_known_signal_time_and_a_fixed_duration():
         lambda value, tf, c: [], lambda value, tf, c: mp.mpf(0), symbols,
     )  # fmt: skip
     compare(nlp, z, reference)
+
+
+@pytest.mark.in_parts
+@pytest.mark.parametrize(("method", "order"), METHODS)
+def test_known_signals_at_times_that_move_with_the_duration(method, order):
+    x, v, F, wind, gust, push = me.dynamicsymbols("x v F wind gust push")
+    system = optima.first_order([x], v, F * v + wind * x + gust * sm.sin(v) + push * wind, 2)
+    times = np.array([0.0, 0.31, 0.47, 0.8, 1.6])
+    values = np.random.default_rng(6).normal(size=(5, 2))
+    system.specifieds = {
+        (gust, wind): SampledInput(times, values, "pchip"),
+        push: SampledInput([-0.1, 0.5, 1.3], [1.0, 3.0, -2.0]),
+    }
+    integrand = sm.exp(F) * wind + push**2
+    problem = OptimalControl(
+        system,
+        sm.Integral(integrand, T),
+        TF,
+        path=[F * gust <= T],
+        bounds={TF: (0.1, 1.3)},
+        mesh=[0.0, 0.3, 1.0],
+        method=method,
+        order=order,
+    )
+    nlp, z, made = nlp_of(problem, 4)
+    force = F * v + wind * x + gust * sm.sin(v) + push * wind
+    names = {"gust": gust, "wind": wind, "push": push}
+    order = [names[str(problem._now.plan.symbols[k].func)] for c, _ in made.problem.signals
+             for k in c]  # fmt: skip
+    symbols = {"x": [x, v], "d": [x.diff(), v.diff()], "u": [F], "s": order, "c": []}
+    reference = Reference(
+        problem, made, [x.diff() - v, 2 * v.diff() - force], [F * gust - T], integrand,
+        lambda value, tf, c: [], lambda value, tf, c: mp.mpf(0), symbols,
+    )  # fmt: skip
+    for duration in (z[-1], 0.62, 1.29):
+        z[-1] = duration
+        compare(nlp, z, reference)
+    np.testing.assert_array_equal(
+        nlp.native("rows", z)[0],
+        np.concatenate([p.evaluate("rows", z).ravel() for p in nlp.pieces]),
+    )
 
 
 @pytest.mark.parametrize("seed", range(2))

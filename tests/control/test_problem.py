@@ -138,6 +138,75 @@ def test_known_signals_as_expressions_and_samples():
     assert objectives[1] == pytest.approx(objectives[0], rel=1e-5)
 
 
+@pytest.mark.parametrize("method", ["radau", "hermite-simpson"])
+def test_known_samples_under_a_free_duration(method):
+    x, v, F, wind = me.dynamicsymbols("x v F wind")
+    system = optima.first_order([x], v, F + wind)
+    times = np.linspace(0.0, 4.0, 161)
+    samples = SampledInput(times, np.sin(3 * times), "pchip")
+    search = {"end": {x: 1.0, v: 0.0}, "bounds": {F: (-1.0, 1.0), TF: (0.1, 4.0)},
+              "method": method, "mesh_tol": 1e-6}  # fmt: skip
+    found = {}
+    for name, value in (("formula", sm.sin(3 * T)), ("samples", samples)):
+        system.specifieds = {wind: value}
+        found[name] = system.optimize_trajectory(TF, TF, **search)
+    assert found["samples"].duration == pytest.approx(found["formula"].duration, rel=1e-5)
+    np.testing.assert_allclose(
+        found["samples"][wind], samples(found["samples"].times), rtol=0, atol=1e-15
+    )
+    last = found["samples"]
+    system.specifieds = {**system.specifieds, **last.inputs()}
+    system.times, system.ode_solver = last.mesh, dop853
+    end = system.simulate(rtol=1e-10, atol=1e-10).states[-1]
+    np.testing.assert_allclose(end, last.states[-1], atol=1e-5)  # ten times mesh_tol
+
+
+def test_phases_share_a_duration_that_samples_depend_on():
+    # The force w(t) = t of each phase's own clock: x' = t²/2 gains v by tf²/2 in each.
+    x, v, F, wind = me.dynamicsymbols("x v F wind")
+    system = optima.first_order([x], v, F + wind)
+    system.specifieds = {wind: SampledInput([0.0, 1.0, 4.0], [0.0, 1.0, 4.0])}
+    bounds = {F: (-1e-9, 1e-9), TF: (0.1, 4.0)}
+    ends = [{}, {v: 4.0}]
+    both = [OptimalControl(system, TF, TF, end=end, bounds=bounds, mesh=3) for end in ends]
+    found = OptimalControl.phases(both).solve()
+    assert found.duration == pytest.approx(4.0, rel=1e-7)
+    assert found[1].duration == pytest.approx(2.0, rel=1e-7)
+
+
+def test_constraints_move_with_samples_under_a_free_duration():
+    # A bead whose speed along x the samples give, by a force of constraint.
+    x, y, v, w, F, given = me.dynamicsymbols("x y v w F given")
+    ground, rest = me.ReferenceFrame("N"), me.Point("O")
+    rest.set_vel(ground, 0)
+    bead = rest.locatenew("P", x * ground.x + y * ground.y)
+    bead.set_vel(ground, v * ground.x + w * ground.y)
+    definition = Definition(
+        ground, [x, y], [v, w], bodies=[me.Particle("bead", bead, 1)],
+        loads=[(bead, F * ground.y)], velocity_constraints=[v - given],
+    )  # fmt: skip
+    system = System(definition, initial_conditions={v: 1.0})
+    times = np.linspace(0.0, 3.0, 61)
+    rows = np.array([np.exp(-times), -np.exp(-times)]).T
+    system.specifieds = {(given, given.diff()): SampledInput(times, rows, "pchip")}
+    found = system.optimize_trajectory(
+        sm.Integral(F**2, T) + TF, TF, end={x: 0.75, y: 0.1}, bounds={TF: (0.1, 3.0)}
+    )
+    np.testing.assert_allclose(found[v], found[given], atol=1e-8)
+    assert found.duration == pytest.approx(np.log(4.0), rel=1e-5)  # 1 − exp(−t) = 3/4
+
+
+def test_a_search_that_ends_where_samples_bend_is_told():
+    x, v, F, wind = me.dynamicsymbols("x v F wind")
+    system = optima.first_order([x], v, F + wind)
+    system.specifieds = {wind: SampledInput([0.0, 1.0, 4.0], [0.0, 1.0, -4.0])}
+    with pytest.raises(OptimizationError, match=r"samples for wind\(t\) bend.*'pchip'"):
+        system.optimize_trajectory(
+            TF, TF, end={x: 1.0, v: 0.0}, bounds={F: (-1, 1), TF: (0.1, 4.0)},
+            options={"max_iter": 2},
+        )  # fmt: skip
+
+
 def test_no_control_is_a_boundary_value_problem():
     x, v = me.dynamicsymbols("x v")
     system = optima.first_order([x], v, -x)
@@ -589,8 +658,12 @@ def test_what_cannot_be_done_yet_is_told():
     system = optima.first_order([x], v, F + wind)
     system.specifieds = {wind: lambda x, t: 1.0}
     refused("gives a Python function for wind", system, energy(F), 1.0)
+    system.specifieds = {wind: SampledInput([0.0, 1.0], [0.0, 1.0], "previous")}
+    refused("'previous' for wind.*would jump", system, TF, TF, bounds={TF: (0.5, 1)})
     system.specifieds = {wind: SampledInput([0.0, 1.0], [0.0, 1.0])}
-    refused("the duration is free", system, TF, TF, bounds={TF: (1, 2)}, error=NotImplementedError)
+    for bounds, got in (({TF: (1, 2)}, "0.0 to 2.0"), ({}, "0.0 to inf")):
+        refused(rf"`bounds\[tf\]` must .* wind\(t\), 0.0 to 1.0, got {got}", system, TF, TF,
+                bounds=bounds)  # fmt: skip
     refused("`duration` must lie within the times of the SampledInput", system, energy(F), 2.0)
 
 

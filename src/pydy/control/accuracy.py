@@ -131,8 +131,7 @@ class _Between:
         u = u.sum(axis=1)
         self.made, self.piece, self.first = made, nlp.pieces[0], sum(map(len, slots))
         self.X = np.ascontiguousarray([*np.concatenate(slots), *u, *z[made._numbers_at(len(s))]])
-        times = p.begin + self.fractions * (1.0 if p.duration is None else p.duration)
-        signals = [signal(times) for _, signal in p.signals]
+        signals = p.signals_at(p.begin + self.fractions * T)
         self.R = np.ascontiguousarray([self.fractions, length, one, *given, *signals])
         self.multipliers = self._multipliers(nlp, solution, k, s)
         self.sizes = or_one(np.abs(controls).max(axis=1, initial=0.0))

@@ -42,7 +42,8 @@ def limit(value: Any, what: str, duration: float | None, *, finite: bool = False
         if duration is None:
             raise ValueError(
                 f"{what} has samples at times, and the duration is free. Give an array, whose "
-                "values lie at equal distances over the motion."
+                "values lie at equal distances over the motion; or a condition in `path`, on a "
+                "specified that has these samples and stands in one of the outputs."
             )
         if value.size != 1:
             raise ValueError(f"{what} must be samples of one value, got {value.size} a time.")
@@ -133,9 +134,9 @@ def follow_constraints(
     slots = own[np.argsort(places[own], kind="stable")]
     piece, states = made.held_at(slots), list(moving)
     f, shift = piece.functions, np.zeros(len(states))
-    J = np.zeros((piece.rows, f.sizes[0]))
+    J, every = np.zeros((piece.rows, f.sizes[0])), piece.data_at(z)
     for k in range(len(slots)):
-        at, data = piece.at[:, [k]], np.ascontiguousarray(piece.data[:, [k]])
+        at, data = piece.at[:, [k]], np.ascontiguousarray(every[:, [k]])
         X = z[at]
         X[states, 0] += shift
         for _ in range(MOST_CLOSING_STEPS):

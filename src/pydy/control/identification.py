@@ -54,7 +54,7 @@ from pydy.control.guess import Limit
 from pydy.control.ipopt import SOLVED, STATUS, Iteration, Solution
 from pydy.control.kernel import Equations
 from pydy.control.nlp import Nlp, Piece
-from pydy.control.problem import labels_of, signal_of
+from pydy.control.problem import labels_of
 from pydy.control.refine import Moved, checked_mesh, interval_errors, refined
 from pydy.control.schemes import Scheme, scheme_of
 from pydy.control.transcription import Problem, Transcription, sizes_of
@@ -141,15 +141,10 @@ class Identification:
         columns = [
             k + count * (kind == "specifieds") for kind, k in self.shared if kind != "states"
         ]
-        signals = tuple(
-            (int(column), signal_of(samples, k))
-            for columns_, samples in plan.sampled
-            for k, column in enumerate(columns_)
-        )
         numbers = {
             "constants": now.p,
             "specifieds": plan.values,
-            "signals": signals,
+            "signals": plan.sampled,
             "duration": float(e.times[-1]) - e.begin,
             "begin": e.begin,
         }
@@ -160,7 +155,7 @@ class Identification:
         for other, made in zip(self.experiments, self.problems, strict=False):
             # Equal equations and kinds of inputs share their machine code.
             same = other.now.driven is now.driven and made.measured == e.measured
-            if same and [k for k, _ in made.signals] == [k for k, _ in signals]:
+            if same and [*map(_places, made.signals)] == [*map(_places, plan.sampled)]:
                 return replace(made, **numbers)
         return Problem(
             equations=Equations.of(now, disturbed=self._disturbed(e)),
@@ -488,6 +483,10 @@ def _start(e: Experiment, made: Transcription, motion: Any) -> np.ndarray:
     p = made.problem
     numbers = np.concatenate([p.constants, p.specifieds])[list(p.free)]
     return made.joined(states, controls, numbers, duration)
+
+
+def _places(signal: tuple[np.ndarray, Any]) -> list[int]:
+    return signal[0].tolist()  # type: ignore[no-any-return]
 
 
 def _matrix(nlp: Nlp, y: np.ndarray, rows: int, columns: int) -> Any:

@@ -24,6 +24,7 @@ from pydy._forks import cached_property
 from pydy._rank import or_one
 from pydy.control.kernel import Functions
 from pydy.control.tuning import UNEVEN
+from pydy.solvers.run.problem import tables_of
 
 SIGNATURES: dict[str, tuple[Any, ...]] = {
     "cost": (c_int, c_void_p, c_bool, c_void_p, c_void_p),
@@ -51,6 +52,9 @@ class Piece:
     low: Any = 0.0  # (rows,), bounds, by default those of equations
     high: Any = 0.0
     collocated: bool = False  # whether these are collocation points
+    # Places in r and SampledInputs whose `pieces_at` the points' times are the last rows of the
+    # data. The times move with the duration, which is the last variable.
+    signals: Sequence[tuple[np.ndarray, Any]] = ()
 
     def __post_init__(self) -> None:
         for side in ("low", "high"):
@@ -68,12 +72,30 @@ class Piece:
 
     def evaluate(self, name: str, z: np.ndarray) -> np.ndarray:
         """Return the values of one of the functions at unknowns, (entries, points)."""
-        return self.functions(name, z[self.at], self.data, self.constants)
+        return self.functions(name, z[self.at], self.data_at(z), self.constants)
+
+    def data_at(self, z: np.ndarray) -> np.ndarray:
+        """Return the data at unknowns."""
+        if not self.signals:
+            return self.data
+        rows = pieces_at(self.signals, self.constants[-1] + z[self.at[-1]] * self.data[0])
+        return np.concatenate([self.data[: -len(rows)], rows])
 
     @property
     def shortest(self) -> np.ndarray:
         """The shortest interval of the mesh, as a share of each collocation point's."""
         return self.data[1].min() / self.data[1] if self.collocated else np.ones(1)
+
+
+def pieces_at(signals: Sequence[tuple[np.ndarray, Any]], times: np.ndarray) -> list[np.ndarray]:
+    """Return five rows for each signal: the knot before each time, and the cubic from there on."""
+    rows = []
+    for _, samples in signals:
+        knots, cubics = samples.breaks, samples.coefficients
+        k = np.clip(np.searchsorted(knots, times, "right") - 1, 0, len(cubics) - 1)
+        for cubic in np.moveaxis(cubics[k], 2, 0):
+            rows += [knots[k], *cubic[:, ::-1].T]
+    return rows
 
 
 @dataclass(frozen=True, eq=False)
@@ -254,7 +276,11 @@ class Native:
             np.empty(points, np.uint8),
             np.ascontiguousarray(to, np.int64),
         )
-        return [*words.tolist(), *(self._kept_at(a) for a in arrays), rows, costs]
+        tables = tables_of(piece.signals)
+        return [
+            *(*words.tolist(), *(self._kept_at(a) for a in arrays), rows, costs),
+            *(len(tables[0]), len(piece.data) - 5 * len(tables[0]), *map(self._kept_at, tables)),
+        ]
 
     def __call__(
         self, name: str, y: np.ndarray, weight: float = 1.0, multipliers: Any = None

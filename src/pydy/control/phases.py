@@ -140,7 +140,7 @@ class Phases(Search[PhasedTrajectory]):
 def _followers(before: Any, after: Any, link: Mapping[Any, Any]) -> int:
     """Return how many of the constraints, the first ones, hold after a link as they did before."""
     definition, equations = after._now.definition, after._problem.equations
-    signals = [k for k, _ in after._problem.signals]
+    signals = [k for columns, _ in after._problem.signals for k in columns.tolist()]
     if not (
         before._now.definition is definition
         and np.array_equal(before._now.p, after._now.p)

@@ -45,7 +45,8 @@ class OptimalControl(Search[OptimalTrajectory]):
 
     Specifieds of the system without a value are the controls: they are found, with the states.
     Those with a value (a number, a SymPy expression or a `pydy.inputs.SampledInput`) are known
-    signals. Symbols may be given by themselves or by name.
+    signals; samples have to cover the longest duration that is allowed. Symbols may be given by
+    themselves or by name.
 
     Parameters
     ----------
@@ -90,7 +91,7 @@ class OptimalControl(Search[OptimalTrajectory]):
     TypeError, ValueError
         An argument is not what it should be; the message names it.
     NotImplementedError
-        The system has constraints and no bodies; or samples are given for a free duration.
+        The system has constraints and no bodies.
 
     Examples
     --------
@@ -178,14 +179,6 @@ class OptimalControl(Search[OptimalTrajectory]):
                 f"`duration` is `{duration}`, which the equations hold already. Give the duration "
                 "a symbol of its own."
             )
-        if self._duration is None and plan.sampled:
-            names = describe([definition.specifieds[k] for k in plan.sampled[0][0]])
-            raise NotImplementedError(
-                f"`specifieds` gives samples for {names}, and the duration is free: samples are "
-                "taken at known times. Give an expression of time, or a number as `duration`."
-            )
-        if plan.sampled:
-            plan.check_times(np.array([0.0, self._duration]), "duration")
         last = () if self._symbol is None else (self._symbol,)
         self._unknown = Places(
             (*definition.states, *self._controls, *self._free, *last), "unknowns of the problem"
@@ -198,6 +191,7 @@ class OptimalControl(Search[OptimalTrajectory]):
                 f"`bounds[{self._symbol}]` must allow a positive duration, got "
                 f"{shown_pair(lengths)}."
             )
+        kinks = self._check_samples(plan)
         self._begins = frozenset(self._start)
         # Those that follow from the constraints, where `start` changes others.
         dependent = {*equations.dependent_coordinates, *equations.dependent_speeds}
@@ -208,7 +202,8 @@ class OptimalControl(Search[OptimalTrajectory]):
         known = {*definition.constants, *last}
         reader = Reader(time, definition.states, self._controls, known, duration)
         objective = checked_expression(objective, "`objective`")
-        self._bends, (running, terminal) = bends(objective), reader.objective(objective)
+        self._bends = bends(objective) or kinks
+        running, terminal = reader.objective(objective)
         second = choice(hessian, ("exact", "gauss-newton", "lbfgs"), "`hessian`")
         squares = [reader.squares(e) for e in (running, terminal) if second == "gauss-newton"]
         if squares and not any(squares):
@@ -242,11 +237,7 @@ class OptimalControl(Search[OptimalTrajectory]):
             constraints=() if self._fixed else self._held,
             controls=tuple(definition.specifieds.index(s) for s in self._controls),
             control_bounds=tuple(self._bounds.get(s, _FREE) for s in self._controls),
-            signals=tuple(
-                (int(column), signal_of(samples, k))
-                for columns, samples in plan.sampled
-                for k, column in enumerate(columns)
-            ),
+            signals=plan.sampled,
             free=tuple(definition.constants.index(s) for s in self._free),
             constants=now.p,
             specifieds=plan.values,
@@ -273,6 +264,30 @@ class OptimalControl(Search[OptimalTrajectory]):
     @property
     def _problems(self) -> list[OptimalControl]:  # type: ignore[override]
         return [self]
+
+    def _check_samples(self, plan: Any) -> str:
+        """Refuse samples that do not tell all of a motion, or jump as its duration changes.
+
+        Returns what to say of a search that failed where they bend.
+        """
+        if self._duration is not None:
+            plan.check_times(np.array([0.0, self._duration]), "duration")
+            return ""
+        longest = self._bounds_at(self._symbol)[1]
+        plan.check_times(np.array([0.0, longest]), f"bounds[{self._symbol}]")
+        kinds = {samples.interpolation: columns for columns, samples in plan.sampled}
+        names = {kind: describe([plan.symbols[k] for k in own]) for kind, own in kinds.items()}
+        if "previous" in names:
+            raise ValueError(
+                f"`specifieds` has samples with interpolation='previous' for {names['previous']}, "
+                "and the duration is free: which of them a collocation point meets would jump as "
+                "the search changes it. Use 'linear' or 'pchip', with two samples close to each "
+                "other where the signal jumps, or `phases` that end there."
+            )
+        return "" if "linear" not in names else (
+            f" The samples for {names['linear']} bend: a search that ends where a collocation "
+            "point meets one of them finds no minimum. Use interpolation='pchip'."
+        )  # fmt: skip
 
     def _read_bounds(self, bounds: Any) -> dict[Any, tuple[Limit, Limit]]:
         """Return the bounds by symbol."""
@@ -567,11 +582,6 @@ def _middle(limits: tuple[float, float], otherwise: float) -> float:
     if np.isfinite(low) and np.isfinite(high):
         return 0.5 * (low + high)
     return min(max(otherwise, low), high)
-
-
-def signal_of(samples: SampledInput, column: int) -> Any:
-    """Return a column of samples as a function of times."""
-    return lambda times: samples.rows(times)[:, column]
 
 
 def labels_of(definition: Any) -> tuple[tuple[str, ...], tuple[str, ...]]:

@@ -15,7 +15,7 @@ import numpy as np
 from pydy._forks import cached_property
 from pydy._rank import or_one
 from pydy.control.kernel import Equations, Functions, Point
-from pydy.control.nlp import Nlp, Piece
+from pydy.control.nlp import Nlp, Piece, pieces_at
 from pydy.control.schemes import Points, Scheme, Slots
 from pydy.control.tuning import NARROW, TOLERANCE, WIDE
 
@@ -53,7 +53,7 @@ class Problem:
     constraints: tuple[str, ...]
     controls: tuple[int, ...]  # places in r
     control_bounds: tuple[tuple[Any, Any], ...]  # low and high, at fractions of the duration
-    signals: tuple[tuple[int, Any], ...]  # places in r of known signals, and their values at times
+    signals: tuple[tuple[np.ndarray, Any], ...]  # places in r, and SampledInputs
     free: tuple[int, ...]  # places in (p, r) of constants that are unknown
     # P and r; those that are unknown or signals do not count.
     constants: np.ndarray
@@ -136,8 +136,8 @@ class Problem:
                 rows.append(point.combined([(values[y][k], c, p) for (y, _, p), c in parts], h))
             forms.append(rows)
         x, slopes = forms
-        at = {("t", 0): self._time(point, T, fraction), ("T", 0): T}
-        at |= self._inputs(point, x, numbers, controls)
+        time = self._time(point, T, fraction)
+        at = {("T", 0): T, **self._inputs(point, time, x, numbers, controls)}
         at |= {("d", k): node for k, node in enumerate(slopes)}
         own = len(self.controls)
         at |= {("s", k): node for k, node in enumerate(controls[own:])}
@@ -165,18 +165,36 @@ class Problem:
         return point.graph.add(begin, point.graph.mul(T, fraction))
 
     def _inputs(
-        self, point: Point, x: Sequence[int], numbers: Sequence[int], controls: Sequence[int] = ()
-    ) -> dict[tuple[str, int], int]:
-        """Return the nodes of states, constants and specifieds."""
+        self, point: Point, time: int, x: Sequence[int], numbers: Sequence[int],
+        controls: Sequence[int] = (),
+    ) -> dict[tuple[str, int], int]:  # fmt: skip
+        """Return the nodes of time, states, constants and specifieds."""
         known = len(self.constants)
-        at = {("x", k): node for k, node in enumerate(x)}
+        at = {("t", 0): time}
+        at |= {("x", k): node for k, node in enumerate(x)}
         at |= {("p", k): node for k, node in enumerate(numbers[:known])}
         at |= {("r", k): node for k, node in enumerate(numbers[known:])}
-        signals = point.data(len(self.signals))
-        at |= {("r", k): node for (k, _), node in zip(self.signals, signals, strict=True)}
+        for columns, _ in self.signals:
+            at |= {("r", k): self._signal(point, time) for k in columns.tolist()}
         for k, node in zip(self.controls, controls, strict=False):
             at["r", k] = point.graph.add(at["r", k], node) if self.noise else node
         return at
+
+    def _signal(self, point: Point, time: int) -> int:
+        """Return the node of a known signal, of the rows of `signals_at`."""
+        if self.duration is not None:
+            return point.data(1)[0]
+        g, (knot, *cubic) = point.graph, point.data(5)
+        since, value = g.sub(time, knot), cubic[3]
+        for coefficient in cubic[2::-1]:
+            value = g.add(coefficient, g.mul(since, value))
+        return value
+
+    def signals_at(self, times: np.ndarray) -> list[np.ndarray]:
+        """Return the data of known signals, which move with a duration that is unknown."""
+        if self.duration is None:
+            return pieces_at(self.signals, times)
+        return [row for _, samples in self.signals for row in samples.rows(times).T]
 
     def at_start(self, count: int) -> Functions:
         """Return the last `count` of the constraints at the start."""
@@ -186,8 +204,8 @@ class Problem:
         point = self._point()
         x = point.variables(self.states)
         numbers, T = self.unknown_numbers(point)
-        at = {("t", 0): self._time(point, T, point.graph.zero), ("T", 0): T}
-        at |= self._inputs(point, x, numbers)
+        time = self._time(point, T, point.graph.zero)
+        at = {("T", 0): T, **self._inputs(point, time, x, numbers)}
         rows = point.residuals(at, "constraints")
         return point.functions(rows[len(rows) - count :], None, hessian=self.hessian)
 
@@ -238,8 +256,8 @@ class Problem:
             ]
             for n, rows, basis, own in zip(counts, slots, bases, powers, strict=True)
         )
-        at = {("t", 0): self._time(point, T, fraction), ("T", 0): T}
-        at |= self._inputs(point, x, numbers, c)
+        time = self._time(point, T, fraction)
+        at = {("T", 0): T, **self._inputs(point, time, x, numbers, c)}
         model = point.read(self.measured, "`measured`", at)
         samples, weights = point.data(len(model)), point.data(len(model))
         rows = [g.mul(w, g.sub(m, y)) for m, y, w in zip(model, samples, weights, strict=True)]
@@ -366,7 +384,7 @@ class Transcription:
         first = self.sizes[0]
         controls = [first + k * own + points.controls for k in range(p.algebraic)]
         times = p.begin + points.fractions * (1.0 if p.duration is None else p.duration)
-        signals = [signal(times) for _, signal in p.signals]
+        signals = p.signals_at(times)
         data = [points.fractions, points.lengths, points.weights, *points.coefficients, *signals]
         labels, path = p.labels_at(points), p.path_at(points)
         return Piece(
@@ -378,6 +396,7 @@ class Transcription:
             points.fractions,
             *_limits(len(labels), path),
             collocated=points.rows != "constraints",
+            signals=p.signals if p.duration is None else (),
         )
 
     def beginning(self) -> Piece:
@@ -385,7 +404,7 @@ class Transcription:
         p = self.problem
         count = len(p.constraints) or len(p.equations.constraints)
         states = np.arange(p.states) * len(self.places[0])
-        signals = [signal(np.full(1, p.begin)) for _, signal in p.signals]
+        signals = p.signals_at(np.full(1, p.begin))
         return Piece(
             p.at_start(count),
             np.concatenate([states, self._numbers_at(1)[:, 0]])[:, None],
@@ -447,7 +466,7 @@ class Transcription:
             own = slots.of_intervals(self.intervals)[:, k]
             at += [first + j * width + row for row in own for j in range(count)]
             bases += [*slots.basis(s)[0]]
-        signals = [signal(times) for _, signal in p.signals]
+        signals = p.signals_at(times)
         lengths = np.diff(self.mesh)[k]
         fractions = (times - p.begin) / p.duration
         rows = [fractions, lengths, *bases, *signals, *values.T, *weights.T]

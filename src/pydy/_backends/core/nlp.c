@@ -17,6 +17,11 @@ typedef struct {
     uint8_t *failed;
     const int64_t *to;      /* of gradients, [result][point]: places of unknowns */
     int64_t rows, costs;    /* of Hessians: how many weights there are */
+    /* Known signals, if the duration is the last variable: how many, their first item of data,
+       [signal][place in r, first knot, number of knots, 0], and the cubics from each knot on. */
+    int64_t signals, first;
+    const int64_t *tables;
+    const double *knots, *cubics;
 } Part;
 
 enum { COST, ROWS, GRADIENT, JACOBIAN, HESSIAN, KINDS };
@@ -37,6 +42,33 @@ typedef const double *restrict In;
 
 static int finite(double value) { return value - value == 0.0; }
 
+/* Write the data of known signals: the knot before each point's time, and the cubic from there on,
+   of which kernels make values and derivatives. The first and last cubic go on outside. */
+static void look_up(const Part *a)
+{
+    const int64_t m = a->words.m;
+    const double begin = a->numbers[a->words.k - 1];
+    In durations = a->x + (a->words.n - 1) * m, fractions = a->data;
+    for (int64_t k = 0; k < a->signals; k++) {
+        const int64_t first = a->tables[4 * k + 1], number = a->tables[4 * k + 2];
+        In knots = a->knots + first, cubics = a->cubics + 4 * first;
+        Out rows = a->data + (a->first + 5 * k) * m;
+        for (int64_t j = 0; j < m; j++) {
+            const double t = begin + durations[j] * fractions[j];
+            int64_t low = 0, high = number - 1;
+            while (high - low > 1) {
+                const int64_t middle = (low + high) / 2;
+                if (knots[middle] <= t)
+                    low = middle;
+                else
+                    high = middle;
+            }
+            rows[j] = knots[low];
+            for (int64_t i = 0; i < 4; i++) rows[(1 + i) * m + j] = cubics[4 * low + i];
+        }
+    }
+}
+
 /* Evaluate a part; gives whether no linear solve failed. */
 static int evaluated(const Part *a, const double *y, double *out)
 {
@@ -46,6 +78,7 @@ static int evaluated(const Part *a, const double *y, double *out)
     uint8_t *restrict failed = a->failed;
     for (int64_t k = 0; k < count; k++) x[k] = unknowns[at[k]] * units[k];
     for (int64_t k = 0; k < m; k++) failed[k] = 0;
+    if (a->signals) look_up(a);
     /* Kernels do not read the time. */
     a->words.sweep(&a->words, a->x, a->x, a->data, a->numbers, out, a->failed, a->scratch);
     int any = 0;

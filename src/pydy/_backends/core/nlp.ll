@@ -1,7 +1,7 @@
-; sources 2b85f0b5af5ea83830739df0bda38c3ec3c50cea02be4ea8559fa53f3f6384eb
+; sources 4b977e9a30b5a01166897887c146255310d11d3e8744daa564560ffdd629eaf1
 ; Made by tools/solvers_ir.py with ziglang 0.14.1.
 
-%struct.Part = type { %struct.Words, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, i64, i64 }
+%struct.Part = type { %struct.Words, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, ptr, i64, i64, i64, i64, ptr, ptr, ptr }
 %struct.Words = type { ptr, ptr, ptr, ptr, i64, i64, i64, i64, i64, i64, i64, i64 }
 
 define zeroext i1 @nlp_cost(i32 noundef %0, ptr noundef readonly %1, i1 noundef zeroext %2, ptr noundef writeonly %3, ptr noundef readonly %4) #0 {
@@ -14,8 +14,8 @@ define zeroext i1 @nlp_cost(i32 noundef %0, ptr noundef readonly %1, i1 noundef 
   %10 = getelementptr inbounds i8, ptr %4, i64 56
   br label %18
 
-11:                                               ; preds = %88, %5
-  %12 = phi double [ 0.000000e+00, %5 ], [ %90, %88 ]
+11:                                               ; preds = %32, %5
+  %12 = phi double [ 0.000000e+00, %5 ], [ %34, %32 ]
   %13 = getelementptr inbounds i8, ptr %4, i64 136
   %14 = load double, ptr %13, align 8
   %15 = fdiv double %12, %14
@@ -24,106 +24,230 @@ define zeroext i1 @nlp_cost(i32 noundef %0, ptr noundef readonly %1, i1 noundef 
   %17 = fcmp oeq double %16, 0.000000e+00
   ret i1 %17
 
-18:                                               ; preds = %9, %88
-  %19 = phi double [ 0.000000e+00, %9 ], [ %90, %88 ]
-  %20 = phi i64 [ 0, %9 ], [ %91, %88 ]
+18:                                               ; preds = %9, %32
+  %19 = phi double [ 0.000000e+00, %9 ], [ %34, %32 ]
+  %20 = phi i64 [ 0, %9 ], [ %35, %32 ]
   %21 = load ptr, ptr %10, align 8
   %22 = getelementptr inbounds %struct.Part, ptr %21, i64 %20
   %23 = getelementptr inbounds i8, ptr %22, i64 136
   %24 = load ptr, ptr %23, align 8
-  %25 = getelementptr inbounds i8, ptr %22, i64 72
-  %26 = load i64, ptr %25, align 8
-  %27 = getelementptr inbounds i8, ptr %22, i64 32
-  %28 = load i64, ptr %27, align 8
-  %29 = mul nsw i64 %28, %26
-  %30 = getelementptr inbounds i8, ptr %22, i64 96
-  %31 = load ptr, ptr %30, align 8
-  %32 = getelementptr inbounds i8, ptr %22, i64 104
-  %33 = load ptr, ptr %32, align 8
-  %34 = getelementptr inbounds i8, ptr %22, i64 128
-  %35 = load ptr, ptr %34, align 8
-  %36 = getelementptr inbounds i8, ptr %22, i64 152
-  %37 = load ptr, ptr %36, align 8
-  %38 = icmp sgt i64 %29, 0
-  br i1 %38, label %41, label %39
+  %25 = tail call fastcc i32 @evaluated(ptr noundef %22, ptr noundef %1, ptr noundef %24) #3
+  %26 = icmp eq i32 %25, 0
+  br i1 %26, label %32, label %27
 
-39:                                               ; preds = %41, %18
-  %40 = icmp sgt i64 %26, 0
-  br i1 %40, label %64, label %53
+27:                                               ; preds = %18
+  %28 = load ptr, ptr %23, align 8
+  %29 = getelementptr inbounds i8, ptr %22, i64 72
+  %30 = load i64, ptr %29, align 8
+  %31 = tail call fastcc double @sum(ptr noundef %28, i64 noundef %30) #3
+  br label %32
 
-41:                                               ; preds = %18, %41
-  %42 = phi i64 [ %51, %41 ], [ 0, %18 ]
-  %43 = getelementptr inbounds i64, ptr %31, i64 %42
-  %44 = load i64, ptr %43, align 8
-  %45 = getelementptr inbounds double, ptr %1, i64 %44
-  %46 = load double, ptr %45, align 8
-  %47 = getelementptr inbounds double, ptr %33, i64 %42
-  %48 = load double, ptr %47, align 8
-  %49 = fmul double %46, %48
-  %50 = getelementptr inbounds double, ptr %35, i64 %42
-  store double %49, ptr %50, align 8
-  %51 = add nuw nsw i64 %42, 1
-  %52 = icmp eq i64 %51, %29
-  br i1 %52, label %39, label %41, !llvm.loop !3
-
-53:                                               ; preds = %64, %39
-  %54 = getelementptr inbounds i8, ptr %22, i64 24
-  %55 = load ptr, ptr %54, align 8
-  %56 = load ptr, ptr %34, align 8
-  %57 = getelementptr inbounds i8, ptr %22, i64 112
-  %58 = load ptr, ptr %57, align 8
-  %59 = getelementptr inbounds i8, ptr %22, i64 120
-  %60 = load ptr, ptr %59, align 8
-  %61 = load ptr, ptr %36, align 8
-  %62 = getelementptr inbounds i8, ptr %22, i64 144
-  %63 = load ptr, ptr %62, align 8
-  tail call void %55(ptr noundef %22, ptr noundef %56, ptr noundef %56, ptr noundef %58, ptr noundef %60, ptr noundef %24, ptr noundef %61, ptr noundef %63) #3
-  br i1 %40, label %72, label %81
-
-64:                                               ; preds = %39, %64
-  %65 = phi i64 [ %67, %64 ], [ 0, %39 ]
-  %66 = getelementptr inbounds i8, ptr %37, i64 %65
-  store i8 0, ptr %66, align 1
-  %67 = add nuw nsw i64 %65, 1
-  %68 = icmp eq i64 %67, %26
-  br i1 %68, label %53, label %64, !llvm.loop !6
-
-69:                                               ; preds = %72
-  %70 = icmp eq i32 %78, 0
-  %71 = zext i1 %70 to i32
-  br label %81
-
-72:                                               ; preds = %53, %72
-  %73 = phi i64 [ %79, %72 ], [ 0, %53 ]
-  %74 = phi i32 [ %78, %72 ], [ 0, %53 ]
-  %75 = getelementptr inbounds i8, ptr %37, i64 %73
-  %76 = load i8, ptr %75, align 1
-  %77 = zext i8 %76 to i32
-  %78 = or i32 %74, %77
-  %79 = add nuw nsw i64 %73, 1
-  %80 = icmp eq i64 %79, %26
-  br i1 %80, label %69, label %72, !llvm.loop !7
-
-81:                                               ; preds = %53, %69
-  %82 = phi i32 [ 1, %53 ], [ %71, %69 ]
-  %83 = icmp eq i32 %82, 0
-  br i1 %83, label %88, label %84
-
-84:                                               ; preds = %81
-  %85 = load ptr, ptr %23, align 8
-  %86 = load i64, ptr %25, align 8
-  %87 = tail call fastcc double @sum(ptr noundef %85, i64 noundef %86) #4
-  br label %88
-
-88:                                               ; preds = %81, %84
-  %89 = phi double [ %87, %84 ], [ 0x7FF8000000000000, %81 ]
-  %90 = fadd double %19, %89
-  %91 = add nuw nsw i64 %20, 1
-  %92 = load i64, ptr %6, align 8
-  %93 = icmp slt i64 %91, %92
-  br i1 %93, label %18, label %11, !llvm.loop !8
+32:                                               ; preds = %18, %27
+  %33 = phi double [ %31, %27 ], [ 0x7FF8000000000000, %18 ]
+  %34 = fadd double %19, %33
+  %35 = add nuw nsw i64 %20, 1
+  %36 = load i64, ptr %6, align 8
+  %37 = icmp slt i64 %35, %36
+  br i1 %37, label %18, label %11, !llvm.loop !3
 }
 
+
+define internal fastcc range(i32 0, 2) i32 @evaluated(ptr noundef %0, ptr noundef readonly %1, ptr noundef %2) unnamed_addr #0 {
+  %4 = getelementptr inbounds i8, ptr %0, i64 72
+  %5 = load i64, ptr %4, align 8
+  %6 = getelementptr inbounds i8, ptr %0, i64 32
+  %7 = load i64, ptr %6, align 8
+  %8 = mul nsw i64 %7, %5
+  %9 = getelementptr inbounds i8, ptr %0, i64 96
+  %10 = load ptr, ptr %9, align 8
+  %11 = getelementptr inbounds i8, ptr %0, i64 104
+  %12 = load ptr, ptr %11, align 8
+  %13 = getelementptr inbounds i8, ptr %0, i64 128
+  %14 = load ptr, ptr %13, align 8
+  %15 = getelementptr inbounds i8, ptr %0, i64 152
+  %16 = load ptr, ptr %15, align 8
+  %17 = icmp sgt i64 %8, 0
+  br i1 %17, label %20, label %18
+
+18:                                               ; preds = %20, %3
+  %19 = icmp sgt i64 %5, 0
+  br i1 %19, label %36, label %32
+
+20:                                               ; preds = %3, %20
+  %21 = phi i64 [ %30, %20 ], [ 0, %3 ]
+  %22 = getelementptr inbounds i64, ptr %10, i64 %21
+  %23 = load i64, ptr %22, align 8
+  %24 = getelementptr inbounds double, ptr %1, i64 %23
+  %25 = load double, ptr %24, align 8
+  %26 = getelementptr inbounds double, ptr %12, i64 %21
+  %27 = load double, ptr %26, align 8
+  %28 = fmul double %25, %27
+  %29 = getelementptr inbounds double, ptr %14, i64 %21
+  store double %28, ptr %29, align 8
+  %30 = add nuw nsw i64 %21, 1
+  %31 = icmp eq i64 %30, %8
+  br i1 %31, label %18, label %20, !llvm.loop !6
+
+32:                                               ; preds = %36, %18
+  %33 = getelementptr inbounds i8, ptr %0, i64 184
+  %34 = load i64, ptr %33, align 8
+  %35 = icmp eq i64 %34, 0
+  br i1 %35, label %130, label %41
+
+36:                                               ; preds = %18, %36
+  %37 = phi i64 [ %39, %36 ], [ 0, %18 ]
+  %38 = getelementptr inbounds i8, ptr %16, i64 %37
+  store i8 0, ptr %38, align 1
+  %39 = add nuw nsw i64 %37, 1
+  %40 = icmp eq i64 %39, %5
+  br i1 %40, label %32, label %36, !llvm.loop !7
+
+41:                                               ; preds = %32
+  %42 = load i64, ptr %4, align 8
+  %43 = getelementptr inbounds i8, ptr %0, i64 120
+  %44 = load ptr, ptr %43, align 8
+  %45 = getelementptr inbounds i8, ptr %0, i64 48
+  %46 = load i64, ptr %45, align 8
+  %47 = getelementptr double, ptr %44, i64 %46
+  %48 = getelementptr i8, ptr %47, i64 -8
+  %49 = load double, ptr %48, align 8
+  %50 = load ptr, ptr %13, align 8
+  %51 = load i64, ptr %6, align 8
+  %52 = add nsw i64 %51, -1
+  %53 = mul nsw i64 %52, %42
+  %54 = getelementptr inbounds double, ptr %50, i64 %53
+  %55 = getelementptr inbounds i8, ptr %0, i64 112
+  %56 = load ptr, ptr %55, align 8
+  %57 = icmp sgt i64 %34, 0
+  br i1 %57, label %58, label %130
+
+58:                                               ; preds = %41
+  %59 = getelementptr inbounds i8, ptr %0, i64 200
+  %60 = getelementptr inbounds i8, ptr %0, i64 208
+  %61 = getelementptr inbounds i8, ptr %0, i64 216
+  %62 = getelementptr inbounds i8, ptr %0, i64 192
+  %63 = icmp sgt i64 %42, 0
+  br label %64
+
+64:                                               ; preds = %88, %58
+  %65 = phi i64 [ 0, %58 ], [ %89, %88 ]
+  %66 = load ptr, ptr %59, align 8
+  %67 = shl nsw i64 %65, 2
+  %68 = or disjoint i64 %67, 1
+  %69 = getelementptr inbounds i64, ptr %66, i64 %68
+  %70 = load i64, ptr %69, align 8
+  %71 = load ptr, ptr %60, align 8
+  %72 = getelementptr inbounds double, ptr %71, i64 %70
+  %73 = load ptr, ptr %61, align 8
+  %74 = shl nsw i64 %70, 5
+  %75 = getelementptr inbounds i8, ptr %73, i64 %74
+  %76 = load ptr, ptr %55, align 8
+  %77 = load i64, ptr %62, align 8
+  %78 = mul nuw nsw i64 %65, 5
+  %79 = add nsw i64 %77, %78
+  %80 = mul nsw i64 %79, %42
+  %81 = getelementptr inbounds double, ptr %76, i64 %80
+  br i1 %63, label %82, label %88
+
+82:                                               ; preds = %64
+  %83 = or disjoint i64 %67, 2
+  %84 = getelementptr inbounds i64, ptr %66, i64 %83
+  %85 = load i64, ptr %84, align 8
+  %86 = add nsw i64 %85, -1
+  %87 = icmp sgt i64 %85, 2
+  br label %92
+
+88:                                               ; preds = %119, %64
+  %89 = add nuw nsw i64 %65, 1
+  %90 = load i64, ptr %33, align 8
+  %91 = icmp slt i64 %89, %90
+  br i1 %91, label %64, label %130, !llvm.loop !8
+
+92:                                               ; preds = %119, %82
+  %93 = phi i64 [ 0, %82 ], [ %120, %119 ]
+  %94 = getelementptr inbounds double, ptr %54, i64 %93
+  %95 = load double, ptr %94, align 8
+  %96 = getelementptr inbounds double, ptr %56, i64 %93
+  %97 = load double, ptr %96, align 8
+  %98 = fmul double %95, %97
+  %99 = fadd double %49, %98
+  br i1 %87, label %100, label %112
+
+100:                                              ; preds = %92, %100
+  %101 = phi i64 [ %109, %100 ], [ %86, %92 ]
+  %102 = phi i64 [ %108, %100 ], [ 0, %92 ]
+  %103 = add nsw i64 %102, %101
+  %104 = sdiv i64 %103, 2
+  %105 = getelementptr inbounds double, ptr %72, i64 %104
+  %106 = load double, ptr %105, align 8
+  %107 = fcmp ugt double %106, %99
+  %108 = select i1 %107, i64 %102, i64 %104
+  %109 = select i1 %107, i64 %104, i64 %101
+  %110 = sub nsw i64 %109, %108
+  %111 = icmp sgt i64 %110, 1
+  br i1 %111, label %100, label %112, !llvm.loop !9
+
+112:                                              ; preds = %100, %92
+  %113 = phi i64 [ 0, %92 ], [ %108, %100 ]
+  %114 = getelementptr inbounds double, ptr %72, i64 %113
+  %115 = load double, ptr %114, align 8
+  %116 = getelementptr inbounds double, ptr %81, i64 %93
+  store double %115, ptr %116, align 8
+  %117 = shl i64 %113, 5
+  %118 = getelementptr i8, ptr %75, i64 %117
+  br label %122
+
+119:                                              ; preds = %122
+  %120 = add nuw nsw i64 %93, 1
+  %121 = icmp eq i64 %120, %42
+  br i1 %121, label %88, label %92, !llvm.loop !10
+
+122:                                              ; preds = %122, %112
+  %123 = phi i64 [ 0, %112 ], [ %126, %122 ]
+  %124 = getelementptr double, ptr %118, i64 %123
+  %125 = load double, ptr %124, align 8
+  %126 = add nuw nsw i64 %123, 1
+  %127 = mul nuw nsw i64 %126, %42
+  %128 = getelementptr double, ptr %116, i64 %127
+  store double %125, ptr %128, align 8
+  %129 = icmp eq i64 %126, 4
+  br i1 %129, label %119, label %122, !llvm.loop !11
+
+130:                                              ; preds = %88, %41, %32
+  %131 = getelementptr inbounds i8, ptr %0, i64 24
+  %132 = load ptr, ptr %131, align 8
+  %133 = load ptr, ptr %13, align 8
+  %134 = getelementptr inbounds i8, ptr %0, i64 112
+  %135 = load ptr, ptr %134, align 8
+  %136 = getelementptr inbounds i8, ptr %0, i64 120
+  %137 = load ptr, ptr %136, align 8
+  %138 = load ptr, ptr %15, align 8
+  %139 = getelementptr inbounds i8, ptr %0, i64 144
+  %140 = load ptr, ptr %139, align 8
+  tail call void %132(ptr noundef %0, ptr noundef %133, ptr noundef %133, ptr noundef %135, ptr noundef %137, ptr noundef %2, ptr noundef %138, ptr noundef %140) #4
+  %141 = icmp sgt i64 %5, 0
+  br i1 %141, label %147, label %145
+
+142:                                              ; preds = %147
+  %143 = icmp eq i32 %153, 0
+  %144 = zext i1 %143 to i32
+  br label %145
+
+145:                                              ; preds = %142, %130
+  %146 = phi i32 [ 1, %130 ], [ %144, %142 ]
+  ret i32 %146
+
+147:                                              ; preds = %130, %147
+  %148 = phi i64 [ %154, %147 ], [ 0, %130 ]
+  %149 = phi i32 [ %153, %147 ], [ 0, %130 ]
+  %150 = getelementptr inbounds i8, ptr %16, i64 %148
+  %151 = load i8, ptr %150, align 1
+  %152 = zext i8 %151 to i32
+  %153 = or i32 %149, %152
+  %154 = add nuw nsw i64 %148, 1
+  %155 = icmp eq i64 %154, %5
+  br i1 %155, label %142, label %147, !llvm.loop !12
+}
 
 define internal fastcc double @sum(ptr noundef %0, i64 noundef %1) unnamed_addr #2 {
   %3 = alloca [8 x double], align 16
@@ -137,10 +261,10 @@ define internal fastcc double @sum(ptr noundef %0, i64 noundef %1) unnamed_addr 
 7:                                                ; preds = %2
   %8 = lshr i64 %1, 1
   %9 = and i64 %8, 4611686018427387896
-  %10 = tail call fastcc double @sum(ptr noundef %0, i64 noundef %9) #4
+  %10 = tail call fastcc double @sum(ptr noundef %0, i64 noundef %9) #3
   %11 = getelementptr inbounds double, ptr %0, i64 %9
   %12 = sub nsw i64 %1, %9
-  %13 = tail call fastcc double @sum(ptr noundef %11, i64 noundef %12) #4
+  %13 = tail call fastcc double @sum(ptr noundef %11, i64 noundef %12) #3
   %14 = fadd double %10, %13
   br label %5
 
@@ -160,7 +284,7 @@ define internal fastcc double @sum(ptr noundef %0, i64 noundef %1) unnamed_addr 
   %24 = fadd double %21, %23
   %25 = add nuw nsw i64 %20, 1
   %26 = icmp eq i64 %25, %1
-  br i1 %26, label %5, label %19, !llvm.loop !9
+  br i1 %26, label %5, label %19, !llvm.loop !13
 
 27:                                               ; preds = %15
   br label %31
@@ -178,7 +302,7 @@ define internal fastcc double @sum(ptr noundef %0, i64 noundef %1) unnamed_addr 
   store double %34, ptr %35, align 8
   %36 = add nuw nsw i64 %32, 1
   %37 = icmp eq i64 %36, 8
-  br i1 %37, label %28, label %31, !llvm.loop !10
+  br i1 %37, label %28, label %31, !llvm.loop !14
 
 38:                                               ; preds = %28, %38
   %39 = phi i64 [ %46, %38 ], [ 8, %28 ]
@@ -191,7 +315,7 @@ define internal fastcc double @sum(ptr noundef %0, i64 noundef %1) unnamed_addr 
   store double %45, ptr %43, align 8
   %46 = add nuw nsw i64 %39, 1
   %47 = icmp eq i64 %46, %29
-  br i1 %47, label %48, label %38, !llvm.loop !11
+  br i1 %47, label %48, label %38, !llvm.loop !15
 
 48:                                               ; preds = %38, %28
   %49 = phi i64 [ 8, %28 ], [ %46, %38 ]
@@ -228,7 +352,7 @@ define internal fastcc double @sum(ptr noundef %0, i64 noundef %1) unnamed_addr 
   %78 = fadd double %74, %77
   %79 = add nuw nsw i64 %75, 1
   %80 = icmp eq i64 %79, %1
-  br i1 %80, label %81, label %73, !llvm.loop !12
+  br i1 %80, label %81, label %73, !llvm.loop !16
 
 81:                                               ; preds = %73, %48
   %82 = phi double [ %71, %48 ], [ %78, %73 ]
@@ -237,162 +361,82 @@ define internal fastcc double @sum(ptr noundef %0, i64 noundef %1) unnamed_addr 
 
 
 define zeroext i1 @nlp_rows(i32 noundef %0, ptr noundef readonly %1, i1 noundef zeroext %2, i32 noundef %3, ptr noundef %4, ptr noundef readonly %5) #0 {
-  %7 = tail call fastcc i32 @written(ptr noundef %5, i32 noundef 1, ptr noundef %1, ptr noundef %4) #4
-  %8 = getelementptr inbounds i8, ptr %5, i64 96
-  %9 = load ptr, ptr %8, align 8
-  %10 = icmp sgt i32 %3, 0
-  br i1 %10, label %11, label %13
-
-11:                                               ; preds = %6
-  %12 = zext nneg i32 %3 to i64
-  br label %17
-
-13:                                               ; preds = %17, %6
-  %14 = icmp sgt i32 %3, 0
-  br i1 %14, label %15, label %26
-
-15:                                               ; preds = %13
-  %16 = zext nneg i32 %3 to i64
-  br label %29
-
-17:                                               ; preds = %11, %17
-  %18 = phi i64 [ 0, %11 ], [ %24, %17 ]
-  %19 = getelementptr inbounds double, ptr %9, i64 %18
-  %20 = load double, ptr %19, align 8
-  %21 = getelementptr inbounds double, ptr %4, i64 %18
-  %22 = load double, ptr %21, align 8
-  %23 = fdiv double %22, %20
-  store double %23, ptr %21, align 8
-  %24 = add nuw nsw i64 %18, 1
-  %25 = icmp eq i64 %24, %12
-  br i1 %25, label %13, label %17, !llvm.loop !13
-
-26:                                               ; preds = %29, %13
-  %27 = phi i32 [ %7, %13 ], [ %36, %29 ]
-  %28 = icmp ne i32 %27, 0
-  ret i1 %28
-
-29:                                               ; preds = %15, %29
-  %30 = phi i64 [ 0, %15 ], [ %37, %29 ]
-  %31 = phi i32 [ %7, %15 ], [ %36, %29 ]
-  %32 = getelementptr inbounds double, ptr %4, i64 %30
-  %33 = load double, ptr %32, align 8
-  %34 = fsub double %33, %33
-  %35 = fcmp oeq double %34, 0.000000e+00
-  %36 = select i1 %35, i32 %31, i32 0
-  %37 = add nuw nsw i64 %30, 1
-  %38 = icmp eq i64 %37, %16
-  br i1 %38, label %26, label %29, !llvm.loop !14
-}
-
-define internal fastcc range(i32 0, 2) i32 @written(ptr noundef readonly %0, i32 noundef %1, ptr noundef readonly %2, ptr noundef %3) unnamed_addr #0 {
-  %5 = getelementptr inbounds i8, ptr %0, i64 16
-  %6 = zext nneg i32 %1 to i64
-  %7 = getelementptr inbounds [5 x i64], ptr %5, i64 0, i64 %6
+  %7 = getelementptr inbounds i8, ptr %5, i64 24
   %8 = load i64, ptr %7, align 8
   %9 = icmp sgt i64 %8, 0
-  br i1 %9, label %10, label %13
+  br i1 %9, label %10, label %29
 
-10:                                               ; preds = %4
-  %11 = getelementptr inbounds i8, ptr %0, i64 56
-  %12 = getelementptr inbounds [5 x ptr], ptr %11, i64 0, i64 %6
-  br label %15
+10:                                               ; preds = %6
+  %11 = getelementptr inbounds i8, ptr %5, i64 64
+  br label %12
 
-13:                                               ; preds = %77, %4
-  %14 = phi i32 [ 1, %4 ], [ %79, %77 ]
-  ret i32 %14
+12:                                               ; preds = %12, %10
+  %13 = phi i32 [ 1, %10 ], [ %19, %12 ]
+  %14 = phi i64 [ 0, %10 ], [ %26, %12 ]
+  %15 = phi ptr [ %4, %10 ], [ %25, %12 ]
+  %16 = load ptr, ptr %11, align 8
+  %17 = getelementptr inbounds %struct.Part, ptr %16, i64 %14
+  %18 = tail call fastcc i32 @evaluated(ptr noundef %17, ptr noundef readonly %1, ptr noundef %15) #3
+  %19 = and i32 %18, %13
+  %20 = getelementptr inbounds i8, ptr %17, i64 64
+  %21 = load i64, ptr %20, align 8
+  %22 = getelementptr inbounds i8, ptr %17, i64 72
+  %23 = load i64, ptr %22, align 8
+  %24 = mul nsw i64 %23, %21
+  %25 = getelementptr inbounds double, ptr %15, i64 %24
+  %26 = add nuw nsw i64 %14, 1
+  %27 = load i64, ptr %7, align 8
+  %28 = icmp slt i64 %26, %27
+  br i1 %28, label %12, label %29, !llvm.loop !17
 
-15:                                               ; preds = %10, %77
-  %16 = phi i32 [ 1, %10 ], [ %79, %77 ]
-  %17 = phi i64 [ 0, %10 ], [ %85, %77 ]
-  %18 = phi ptr [ %3, %10 ], [ %84, %77 ]
-  %19 = load ptr, ptr %12, align 8
-  %20 = getelementptr inbounds %struct.Part, ptr %19, i64 %17
-  %21 = getelementptr inbounds i8, ptr %20, i64 72
-  %22 = load i64, ptr %21, align 8
-  %23 = getelementptr inbounds i8, ptr %20, i64 32
-  %24 = load i64, ptr %23, align 8
-  %25 = mul nsw i64 %24, %22
-  %26 = getelementptr inbounds i8, ptr %20, i64 96
-  %27 = load ptr, ptr %26, align 8
-  %28 = getelementptr inbounds i8, ptr %20, i64 104
-  %29 = load ptr, ptr %28, align 8
-  %30 = getelementptr inbounds i8, ptr %20, i64 128
-  %31 = load ptr, ptr %30, align 8
-  %32 = getelementptr inbounds i8, ptr %20, i64 152
-  %33 = load ptr, ptr %32, align 8
-  %34 = icmp sgt i64 %25, 0
-  br i1 %34, label %37, label %35
+29:                                               ; preds = %12, %6
+  %30 = phi i32 [ 1, %6 ], [ %19, %12 ]
+  %31 = getelementptr inbounds i8, ptr %5, i64 96
+  %32 = load ptr, ptr %31, align 8
+  %33 = icmp sgt i32 %3, 0
+  br i1 %33, label %34, label %36
 
-35:                                               ; preds = %37, %15
-  %36 = icmp sgt i64 %22, 0
-  br i1 %36, label %60, label %49
+34:                                               ; preds = %29
+  %35 = zext nneg i32 %3 to i64
+  br label %41
 
-37:                                               ; preds = %15, %37
-  %38 = phi i64 [ %47, %37 ], [ 0, %15 ]
-  %39 = getelementptr inbounds i64, ptr %27, i64 %38
-  %40 = load i64, ptr %39, align 8
-  %41 = getelementptr inbounds double, ptr %2, i64 %40
-  %42 = load double, ptr %41, align 8
-  %43 = getelementptr inbounds double, ptr %29, i64 %38
+36:                                               ; preds = %41, %29
+  %37 = icmp sgt i32 %3, 0
+  br i1 %37, label %38, label %50
+
+38:                                               ; preds = %36
+  %39 = zext nneg i32 %3 to i64
+  %40 = and i32 %30, 1
+  br label %53
+
+41:                                               ; preds = %34, %41
+  %42 = phi i64 [ 0, %34 ], [ %48, %41 ]
+  %43 = getelementptr inbounds double, ptr %32, i64 %42
   %44 = load double, ptr %43, align 8
-  %45 = fmul double %42, %44
-  %46 = getelementptr inbounds double, ptr %31, i64 %38
-  store double %45, ptr %46, align 8
-  %47 = add nuw nsw i64 %38, 1
-  %48 = icmp eq i64 %47, %25
-  br i1 %48, label %35, label %37, !llvm.loop !3
+  %45 = getelementptr inbounds double, ptr %4, i64 %42
+  %46 = load double, ptr %45, align 8
+  %47 = fdiv double %46, %44
+  store double %47, ptr %45, align 8
+  %48 = add nuw nsw i64 %42, 1
+  %49 = icmp eq i64 %48, %35
+  br i1 %49, label %36, label %41, !llvm.loop !18
 
-49:                                               ; preds = %60, %35
-  %50 = getelementptr inbounds i8, ptr %20, i64 24
-  %51 = load ptr, ptr %50, align 8
-  %52 = load ptr, ptr %30, align 8
-  %53 = getelementptr inbounds i8, ptr %20, i64 112
-  %54 = load ptr, ptr %53, align 8
-  %55 = getelementptr inbounds i8, ptr %20, i64 120
-  %56 = load ptr, ptr %55, align 8
-  %57 = load ptr, ptr %32, align 8
-  %58 = getelementptr inbounds i8, ptr %20, i64 144
-  %59 = load ptr, ptr %58, align 8
-  tail call void %51(ptr noundef %20, ptr noundef %52, ptr noundef %52, ptr noundef %54, ptr noundef %56, ptr noundef %18, ptr noundef %57, ptr noundef %59) #3
-  br i1 %36, label %68, label %77
+50:                                               ; preds = %53, %36
+  %51 = phi i32 [ %30, %36 ], [ %60, %53 ]
+  %52 = icmp ne i32 %51, 0
+  ret i1 %52
 
-60:                                               ; preds = %35, %60
-  %61 = phi i64 [ %63, %60 ], [ 0, %35 ]
-  %62 = getelementptr inbounds i8, ptr %33, i64 %61
-  store i8 0, ptr %62, align 1
-  %63 = add nuw nsw i64 %61, 1
-  %64 = icmp eq i64 %63, %22
-  br i1 %64, label %49, label %60, !llvm.loop !6
-
-65:                                               ; preds = %68
-  %66 = icmp eq i32 %74, 0
-  %67 = zext i1 %66 to i32
-  br label %77
-
-68:                                               ; preds = %49, %68
-  %69 = phi i64 [ %75, %68 ], [ 0, %49 ]
-  %70 = phi i32 [ %74, %68 ], [ 0, %49 ]
-  %71 = getelementptr inbounds i8, ptr %33, i64 %69
-  %72 = load i8, ptr %71, align 1
-  %73 = zext i8 %72 to i32
-  %74 = or i32 %70, %73
-  %75 = add nuw nsw i64 %69, 1
-  %76 = icmp eq i64 %75, %22
-  br i1 %76, label %65, label %68, !llvm.loop !7
-
-77:                                               ; preds = %49, %65
-  %78 = phi i32 [ 1, %49 ], [ %67, %65 ]
-  %79 = and i32 %78, %16
-  %80 = getelementptr inbounds i8, ptr %20, i64 64
-  %81 = load i64, ptr %80, align 8
-  %82 = load i64, ptr %21, align 8
-  %83 = mul nsw i64 %82, %81
-  %84 = getelementptr inbounds double, ptr %18, i64 %83
-  %85 = add nuw nsw i64 %17, 1
-  %86 = load i64, ptr %7, align 8
-  %87 = icmp slt i64 %85, %86
-  br i1 %87, label %15, label %13, !llvm.loop !15
+53:                                               ; preds = %38, %53
+  %54 = phi i64 [ 0, %38 ], [ %61, %53 ]
+  %55 = phi i32 [ %40, %38 ], [ %60, %53 ]
+  %56 = getelementptr inbounds double, ptr %4, i64 %54
+  %57 = load double, ptr %56, align 8
+  %58 = fsub double %57, %57
+  %59 = fcmp oeq double %58, 0.000000e+00
+  %60 = select i1 %59, i32 %55, i32 0
+  %61 = add nuw nsw i64 %54, 1
+  %62 = icmp eq i64 %61, %39
+  br i1 %62, label %50, label %53, !llvm.loop !19
 }
 
 define zeroext i1 @nlp_gradient(i32 noundef %0, ptr noundef readonly %1, i1 noundef zeroext %2, ptr noundef %3, ptr noundef readonly %4) #0 {
@@ -427,24 +471,24 @@ define zeroext i1 @nlp_gradient(i32 noundef %0, ptr noundef readonly %1, i1 noun
   store double 0.000000e+00, ptr %25, align 8
   %26 = add nuw nsw i64 %24, 1
   %27 = icmp eq i64 %26, %12
-  br i1 %27, label %13, label %23, !llvm.loop !16
+  br i1 %27, label %13, label %23, !llvm.loop !20
 
-28:                                               ; preds = %126
-  %29 = icmp ne i32 %105, 0
+28:                                               ; preds = %71
+  %29 = icmp ne i32 %50, 0
   br label %30
 
 30:                                               ; preds = %28, %13
   %31 = phi i1 [ true, %13 ], [ %29, %28 ]
   %32 = icmp sgt i32 %0, 0
-  br i1 %32, label %33, label %139
+  br i1 %32, label %33, label %84
 
 33:                                               ; preds = %30
   %34 = zext nneg i32 %0 to i64
-  br label %140
+  br label %85
 
-35:                                               ; preds = %17, %126
-  %36 = phi i32 [ 1, %17 ], [ %105, %126 ]
-  %37 = phi i64 [ 0, %17 ], [ %127, %126 ]
+35:                                               ; preds = %17, %71
+  %36 = phi i32 [ 1, %17 ], [ %50, %71 ]
+  %37 = phi i64 [ 0, %17 ], [ %72, %71 ]
   %38 = load ptr, ptr %18, align 8
   %39 = getelementptr inbounds %struct.Part, ptr %38, i64 %37
   %40 = getelementptr inbounds i8, ptr %39, i64 64
@@ -456,144 +500,72 @@ define zeroext i1 @nlp_gradient(i32 noundef %0, ptr noundef readonly %1, i1 noun
   %46 = load ptr, ptr %45, align 8
   %47 = getelementptr inbounds i8, ptr %39, i64 136
   %48 = load ptr, ptr %47, align 8
-  %49 = getelementptr inbounds i8, ptr %39, i64 32
-  %50 = load i64, ptr %49, align 8
-  %51 = mul nsw i64 %50, %43
-  %52 = getelementptr inbounds i8, ptr %39, i64 96
-  %53 = load ptr, ptr %52, align 8
-  %54 = getelementptr inbounds i8, ptr %39, i64 104
-  %55 = load ptr, ptr %54, align 8
-  %56 = getelementptr inbounds i8, ptr %39, i64 128
-  %57 = load ptr, ptr %56, align 8
-  %58 = getelementptr inbounds i8, ptr %39, i64 152
-  %59 = load ptr, ptr %58, align 8
-  %60 = icmp sgt i64 %51, 0
-  br i1 %60, label %63, label %61
+  %49 = tail call fastcc i32 @evaluated(ptr noundef %39, ptr noundef %1, ptr noundef %48) #3
+  %50 = and i32 %49, %36
+  %51 = load ptr, ptr %47, align 8
+  br i1 %19, label %54, label %52
 
-61:                                               ; preds = %63, %35
-  %62 = icmp sgt i64 %43, 0
-  br i1 %62, label %86, label %75
+52:                                               ; preds = %54, %35
+  %53 = icmp sgt i64 %44, 0
+  br i1 %53, label %60, label %59
 
-63:                                               ; preds = %35, %63
-  %64 = phi i64 [ %73, %63 ], [ 0, %35 ]
-  %65 = getelementptr inbounds i64, ptr %53, i64 %64
-  %66 = load i64, ptr %65, align 8
-  %67 = getelementptr inbounds double, ptr %1, i64 %66
-  %68 = load double, ptr %67, align 8
-  %69 = getelementptr inbounds double, ptr %55, i64 %64
-  %70 = load double, ptr %69, align 8
-  %71 = fmul double %68, %70
-  %72 = getelementptr inbounds double, ptr %57, i64 %64
-  store double %71, ptr %72, align 8
-  %73 = add nuw nsw i64 %64, 1
-  %74 = icmp eq i64 %73, %51
-  br i1 %74, label %61, label %63, !llvm.loop !3
+54:                                               ; preds = %35, %54
+  %55 = phi i64 [ %57, %54 ], [ 0, %35 ]
+  %56 = getelementptr inbounds double, ptr %7, i64 %55
+  store double 0.000000e+00, ptr %56, align 8
+  %57 = add nuw nsw i64 %55, 1
+  %58 = icmp eq i64 %57, %21
+  br i1 %58, label %52, label %54, !llvm.loop !21
 
-75:                                               ; preds = %86, %61
-  %76 = getelementptr inbounds i8, ptr %39, i64 24
-  %77 = load ptr, ptr %76, align 8
-  %78 = load ptr, ptr %56, align 8
-  %79 = getelementptr inbounds i8, ptr %39, i64 112
-  %80 = load ptr, ptr %79, align 8
-  %81 = getelementptr inbounds i8, ptr %39, i64 120
-  %82 = load ptr, ptr %81, align 8
-  %83 = load ptr, ptr %58, align 8
-  %84 = getelementptr inbounds i8, ptr %39, i64 144
-  %85 = load ptr, ptr %84, align 8
-  tail call void %77(ptr noundef %39, ptr noundef %78, ptr noundef %78, ptr noundef %80, ptr noundef %82, ptr noundef %48, ptr noundef %83, ptr noundef %85) #3
-  br i1 %62, label %94, label %103
+59:                                               ; preds = %60, %52
+  br i1 %20, label %75, label %71
 
-86:                                               ; preds = %61, %86
-  %87 = phi i64 [ %89, %86 ], [ 0, %61 ]
-  %88 = getelementptr inbounds i8, ptr %59, i64 %87
-  store i8 0, ptr %88, align 1
-  %89 = add nuw nsw i64 %87, 1
-  %90 = icmp eq i64 %89, %43
-  br i1 %90, label %75, label %86, !llvm.loop !6
+60:                                               ; preds = %52, %60
+  %61 = phi i64 [ %69, %60 ], [ 0, %52 ]
+  %62 = getelementptr inbounds double, ptr %51, i64 %61
+  %63 = load double, ptr %62, align 8
+  %64 = getelementptr inbounds i64, ptr %46, i64 %61
+  %65 = load i64, ptr %64, align 8
+  %66 = getelementptr inbounds double, ptr %7, i64 %65
+  %67 = load double, ptr %66, align 8
+  %68 = fadd double %63, %67
+  store double %68, ptr %66, align 8
+  %69 = add nuw nsw i64 %61, 1
+  %70 = icmp eq i64 %69, %44
+  br i1 %70, label %59, label %60, !llvm.loop !22
 
-91:                                               ; preds = %94
-  %92 = icmp eq i32 %100, 0
-  %93 = zext i1 %92 to i32
-  br label %103
+71:                                               ; preds = %75, %59
+  %72 = add nuw nsw i64 %37, 1
+  %73 = load i64, ptr %14, align 8
+  %74 = icmp slt i64 %72, %73
+  br i1 %74, label %35, label %28, !llvm.loop !23
 
-94:                                               ; preds = %75, %94
-  %95 = phi i64 [ %101, %94 ], [ 0, %75 ]
-  %96 = phi i32 [ %100, %94 ], [ 0, %75 ]
-  %97 = getelementptr inbounds i8, ptr %59, i64 %95
-  %98 = load i8, ptr %97, align 1
-  %99 = zext i8 %98 to i32
-  %100 = or i32 %96, %99
-  %101 = add nuw nsw i64 %95, 1
-  %102 = icmp eq i64 %101, %43
-  br i1 %102, label %91, label %94, !llvm.loop !7
+75:                                               ; preds = %59, %75
+  %76 = phi i64 [ %82, %75 ], [ 0, %59 ]
+  %77 = getelementptr inbounds double, ptr %7, i64 %76
+  %78 = load double, ptr %77, align 8
+  %79 = getelementptr inbounds double, ptr %3, i64 %76
+  %80 = load double, ptr %79, align 8
+  %81 = fadd double %78, %80
+  store double %81, ptr %79, align 8
+  %82 = add nuw nsw i64 %76, 1
+  %83 = icmp eq i64 %82, %22
+  br i1 %83, label %71, label %75, !llvm.loop !24
 
-103:                                              ; preds = %75, %91
-  %104 = phi i32 [ 1, %75 ], [ %93, %91 ]
-  %105 = and i32 %104, %36
-  %106 = load ptr, ptr %47, align 8
-  br i1 %19, label %109, label %107
-
-107:                                              ; preds = %109, %103
-  %108 = icmp sgt i64 %44, 0
-  br i1 %108, label %115, label %114
-
-109:                                              ; preds = %103, %109
-  %110 = phi i64 [ %112, %109 ], [ 0, %103 ]
-  %111 = getelementptr inbounds double, ptr %7, i64 %110
-  store double 0.000000e+00, ptr %111, align 8
-  %112 = add nuw nsw i64 %110, 1
-  %113 = icmp eq i64 %112, %21
-  br i1 %113, label %107, label %109, !llvm.loop !17
-
-114:                                              ; preds = %115, %107
-  br i1 %20, label %130, label %126
-
-115:                                              ; preds = %107, %115
-  %116 = phi i64 [ %124, %115 ], [ 0, %107 ]
-  %117 = getelementptr inbounds double, ptr %106, i64 %116
-  %118 = load double, ptr %117, align 8
-  %119 = getelementptr inbounds i64, ptr %46, i64 %116
-  %120 = load i64, ptr %119, align 8
-  %121 = getelementptr inbounds double, ptr %7, i64 %120
-  %122 = load double, ptr %121, align 8
-  %123 = fadd double %118, %122
-  store double %123, ptr %121, align 8
-  %124 = add nuw nsw i64 %116, 1
-  %125 = icmp eq i64 %124, %44
-  br i1 %125, label %114, label %115, !llvm.loop !18
-
-126:                                              ; preds = %130, %114
-  %127 = add nuw nsw i64 %37, 1
-  %128 = load i64, ptr %14, align 8
-  %129 = icmp slt i64 %127, %128
-  br i1 %129, label %35, label %28, !llvm.loop !19
-
-130:                                              ; preds = %114, %130
-  %131 = phi i64 [ %137, %130 ], [ 0, %114 ]
-  %132 = getelementptr inbounds double, ptr %7, i64 %131
-  %133 = load double, ptr %132, align 8
-  %134 = getelementptr inbounds double, ptr %3, i64 %131
-  %135 = load double, ptr %134, align 8
-  %136 = fadd double %133, %135
-  store double %136, ptr %134, align 8
-  %137 = add nuw nsw i64 %131, 1
-  %138 = icmp eq i64 %137, %22
-  br i1 %138, label %126, label %130, !llvm.loop !20
-
-139:                                              ; preds = %140, %30
+84:                                               ; preds = %85, %30
   ret i1 %31
 
-140:                                              ; preds = %33, %140
-  %141 = phi i64 [ 0, %33 ], [ %147, %140 ]
-  %142 = getelementptr inbounds double, ptr %9, i64 %141
-  %143 = load double, ptr %142, align 8
-  %144 = getelementptr inbounds double, ptr %3, i64 %141
-  %145 = load double, ptr %144, align 8
-  %146 = fmul double %143, %145
-  store double %146, ptr %144, align 8
-  %147 = add nuw nsw i64 %141, 1
-  %148 = icmp eq i64 %147, %34
-  br i1 %148, label %139, label %140, !llvm.loop !21
+85:                                               ; preds = %33, %85
+  %86 = phi i64 [ 0, %33 ], [ %92, %85 ]
+  %87 = getelementptr inbounds double, ptr %9, i64 %86
+  %88 = load double, ptr %87, align 8
+  %89 = getelementptr inbounds double, ptr %3, i64 %86
+  %90 = load double, ptr %89, align 8
+  %91 = fmul double %88, %90
+  store double %91, ptr %89, align 8
+  %92 = add nuw nsw i64 %86, 1
+  %93 = icmp eq i64 %92, %34
+  br i1 %93, label %84, label %85, !llvm.loop !25
 }
 
 define zeroext i1 @nlp_jacobian(i32 noundef %0, ptr noundef readonly %1, i1 noundef zeroext %2, i32 noundef %3, i32 noundef %4, ptr noundef writeonly %5, ptr noundef writeonly %6, ptr noundef %7, ptr noundef readonly %8) #0 {
@@ -604,7 +576,7 @@ define zeroext i1 @nlp_jacobian(i32 noundef %0, ptr noundef readonly %1, i1 noun
   %12 = getelementptr inbounds i8, ptr %8, i64 176
   %13 = load i64, ptr %12, align 8
   %14 = icmp sgt i64 %13, 0
-  br i1 %14, label %15, label %49
+  br i1 %14, label %15, label %72
 
 15:                                               ; preds = %11
   %16 = getelementptr inbounds i8, ptr %8, i64 144
@@ -626,38 +598,67 @@ define zeroext i1 @nlp_jacobian(i32 noundef %0, ptr noundef readonly %1, i1 noun
   %28 = add nuw nsw i64 %19, 1
   %29 = load i64, ptr %12, align 8
   %30 = icmp slt i64 %28, %29
-  br i1 %30, label %18, label %49, !llvm.loop !22
+  br i1 %30, label %18, label %72, !llvm.loop !26
 
 31:                                               ; preds = %9
-  %32 = tail call fastcc i32 @written(ptr noundef %8, i32 noundef 3, ptr noundef %1, ptr noundef nonnull %7) #4
-  %33 = getelementptr inbounds i8, ptr %8, i64 112
-  %34 = load ptr, ptr %33, align 8
-  %35 = icmp sgt i32 %4, 0
-  br i1 %35, label %36, label %38
+  %32 = getelementptr inbounds i8, ptr %8, i64 40
+  %33 = load i64, ptr %32, align 8
+  %34 = icmp sgt i64 %33, 0
+  br i1 %34, label %35, label %56
 
-36:                                               ; preds = %31
-  %37 = zext nneg i32 %4 to i64
-  br label %40
+35:                                               ; preds = %31
+  %36 = getelementptr inbounds i8, ptr %8, i64 80
+  br label %37
 
-38:                                               ; preds = %40, %31
-  %39 = icmp ne i32 %32, 0
-  br label %49
+37:                                               ; preds = %37, %35
+  %38 = phi i32 [ 1, %35 ], [ %44, %37 ]
+  %39 = phi i64 [ 0, %35 ], [ %51, %37 ]
+  %40 = phi ptr [ %7, %35 ], [ %50, %37 ]
+  %41 = load ptr, ptr %36, align 8
+  %42 = getelementptr inbounds %struct.Part, ptr %41, i64 %39
+  %43 = tail call fastcc i32 @evaluated(ptr noundef %42, ptr noundef readonly %1, ptr noundef %40) #3
+  %44 = and i32 %43, %38
+  %45 = getelementptr inbounds i8, ptr %42, i64 64
+  %46 = load i64, ptr %45, align 8
+  %47 = getelementptr inbounds i8, ptr %42, i64 72
+  %48 = load i64, ptr %47, align 8
+  %49 = mul nsw i64 %48, %46
+  %50 = getelementptr inbounds double, ptr %40, i64 %49
+  %51 = add nuw nsw i64 %39, 1
+  %52 = load i64, ptr %32, align 8
+  %53 = icmp slt i64 %51, %52
+  br i1 %53, label %37, label %54, !llvm.loop !17
 
-40:                                               ; preds = %36, %40
-  %41 = phi i64 [ 0, %36 ], [ %47, %40 ]
-  %42 = getelementptr inbounds double, ptr %34, i64 %41
-  %43 = load double, ptr %42, align 8
-  %44 = getelementptr inbounds double, ptr %7, i64 %41
-  %45 = load double, ptr %44, align 8
-  %46 = fdiv double %45, %43
-  store double %46, ptr %44, align 8
-  %47 = add nuw nsw i64 %41, 1
-  %48 = icmp eq i64 %47, %37
-  br i1 %48, label %38, label %40, !llvm.loop !23
+54:                                               ; preds = %37
+  %55 = icmp ne i32 %44, 0
+  br label %56
 
-49:                                               ; preds = %18, %11, %38
-  %50 = phi i1 [ %39, %38 ], [ true, %11 ], [ true, %18 ]
-  ret i1 %50
+56:                                               ; preds = %54, %31
+  %57 = phi i1 [ true, %31 ], [ %55, %54 ]
+  %58 = getelementptr inbounds i8, ptr %8, i64 112
+  %59 = load ptr, ptr %58, align 8
+  %60 = icmp sgt i32 %4, 0
+  br i1 %60, label %61, label %72
+
+61:                                               ; preds = %56
+  %62 = zext nneg i32 %4 to i64
+  br label %63
+
+63:                                               ; preds = %61, %63
+  %64 = phi i64 [ 0, %61 ], [ %70, %63 ]
+  %65 = getelementptr inbounds double, ptr %59, i64 %64
+  %66 = load double, ptr %65, align 8
+  %67 = getelementptr inbounds double, ptr %7, i64 %64
+  %68 = load double, ptr %67, align 8
+  %69 = fdiv double %68, %66
+  store double %69, ptr %67, align 8
+  %70 = add nuw nsw i64 %64, 1
+  %71 = icmp eq i64 %70, %62
+  br i1 %71, label %72, label %63, !llvm.loop !27
+
+72:                                               ; preds = %63, %18, %56, %11
+  %73 = phi i1 [ true, %11 ], [ %57, %56 ], [ true, %18 ], [ %57, %63 ]
+  ret i1 %73
 }
 
 define zeroext i1 @nlp_hessian(i32 noundef %0, ptr noundef readonly %1, i1 noundef zeroext %2, double noundef %3, i32 noundef %4, ptr noundef readonly %5, i1 noundef zeroext %6, i32 noundef %7, ptr noundef writeonly %8, ptr noundef writeonly %9, ptr noundef %10, ptr noundef readonly %11) #0 {
@@ -674,13 +675,13 @@ define zeroext i1 @nlp_hessian(i32 noundef %0, ptr noundef readonly %1, i1 nound
   %19 = getelementptr inbounds i8, ptr %11, i64 88
   %20 = getelementptr inbounds i8, ptr %11, i64 96
   %21 = getelementptr inbounds i8, ptr %11, i64 136
-  br label %49
+  br label %74
 
 22:                                               ; preds = %12
   %23 = getelementptr inbounds i8, ptr %11, i64 184
   %24 = load i64, ptr %23, align 8
   %25 = icmp sgt i64 %24, 0
-  br i1 %25, label %26, label %110
+  br i1 %25, label %26, label %133
 
 26:                                               ; preds = %22
   %27 = getelementptr inbounds i8, ptr %11, i64 160
@@ -702,100 +703,129 @@ define zeroext i1 @nlp_hessian(i32 noundef %0, ptr noundef readonly %1, i1 nound
   %39 = add nuw nsw i64 %30, 1
   %40 = load i64, ptr %23, align 8
   %41 = icmp slt i64 %39, %40
-  br i1 %41, label %29, label %110, !llvm.loop !22
+  br i1 %41, label %29, label %133, !llvm.loop !26
 
-42:                                               ; preds = %89, %14
-  %43 = tail call fastcc i32 @written(ptr noundef %11, i32 noundef 4, ptr noundef %1, ptr noundef nonnull %10) #4
-  %44 = getelementptr inbounds i8, ptr %11, i64 120
-  %45 = load ptr, ptr %44, align 8
-  %46 = icmp sgt i32 %7, 0
-  br i1 %46, label %47, label %99
+42:                                               ; preds = %114, %14
+  %43 = getelementptr inbounds i8, ptr %11, i64 48
+  %44 = load i64, ptr %43, align 8
+  %45 = icmp sgt i64 %44, 0
+  br i1 %45, label %46, label %67
 
-47:                                               ; preds = %42
-  %48 = zext nneg i32 %7 to i64
-  br label %101
+46:                                               ; preds = %42
+  %47 = getelementptr inbounds i8, ptr %11, i64 88
+  br label %48
 
-49:                                               ; preds = %18, %89
-  %50 = phi i64 [ 0, %18 ], [ %90, %89 ]
-  %51 = phi i64 [ 0, %18 ], [ %91, %89 ]
-  %52 = load ptr, ptr %19, align 8
-  %53 = getelementptr inbounds %struct.Part, ptr %52, i64 %51
-  %54 = getelementptr inbounds i8, ptr %53, i64 72
-  %55 = load i64, ptr %54, align 8
-  %56 = getelementptr inbounds i8, ptr %53, i64 168
+48:                                               ; preds = %48, %46
+  %49 = phi i32 [ 1, %46 ], [ %55, %48 ]
+  %50 = phi i64 [ 0, %46 ], [ %62, %48 ]
+  %51 = phi ptr [ %10, %46 ], [ %61, %48 ]
+  %52 = load ptr, ptr %47, align 8
+  %53 = getelementptr inbounds %struct.Part, ptr %52, i64 %50
+  %54 = tail call fastcc i32 @evaluated(ptr noundef %53, ptr noundef readonly %1, ptr noundef %51) #3
+  %55 = and i32 %54, %49
+  %56 = getelementptr inbounds i8, ptr %53, i64 64
   %57 = load i64, ptr %56, align 8
-  %58 = mul nsw i64 %57, %55
-  %59 = getelementptr inbounds i8, ptr %53, i64 176
-  %60 = load i64, ptr %59, align 8
-  %61 = add i64 %60, %57
-  %62 = mul i64 %61, %55
-  %63 = getelementptr inbounds i8, ptr %53, i64 112
-  %64 = load ptr, ptr %63, align 8
-  %65 = getelementptr inbounds i8, ptr %53, i64 40
-  %66 = load i64, ptr %65, align 8
-  %67 = mul nsw i64 %66, %55
-  %68 = getelementptr inbounds double, ptr %64, i64 %67
-  %69 = sub i64 0, %62
-  %70 = getelementptr inbounds double, ptr %68, i64 %69
-  %71 = getelementptr inbounds double, ptr %5, i64 %50
-  %72 = load ptr, ptr %20, align 8
-  %73 = getelementptr inbounds double, ptr %72, i64 %50
-  %74 = load double, ptr %21, align 8
-  %75 = fdiv double %3, %74
-  %76 = icmp sgt i64 %58, 0
-  br i1 %76, label %79, label %77
+  %58 = getelementptr inbounds i8, ptr %53, i64 72
+  %59 = load i64, ptr %58, align 8
+  %60 = mul nsw i64 %59, %57
+  %61 = getelementptr inbounds double, ptr %51, i64 %60
+  %62 = add nuw nsw i64 %50, 1
+  %63 = load i64, ptr %43, align 8
+  %64 = icmp slt i64 %62, %63
+  br i1 %64, label %48, label %65, !llvm.loop !17
 
-77:                                               ; preds = %79, %49
-  %78 = icmp slt i64 %58, %62
-  br i1 %78, label %94, label %89
+65:                                               ; preds = %48
+  %66 = icmp ne i32 %55, 0
+  br label %67
 
-79:                                               ; preds = %49, %79
-  %80 = phi i64 [ %87, %79 ], [ 0, %49 ]
-  %81 = getelementptr inbounds double, ptr %71, i64 %80
-  %82 = load double, ptr %81, align 8
-  %83 = getelementptr inbounds double, ptr %73, i64 %80
-  %84 = load double, ptr %83, align 8
-  %85 = fdiv double %82, %84
-  %86 = getelementptr inbounds double, ptr %70, i64 %80
-  store double %85, ptr %86, align 8
-  %87 = add nuw nsw i64 %80, 1
-  %88 = icmp eq i64 %87, %58
-  br i1 %88, label %77, label %79, !llvm.loop !24
+67:                                               ; preds = %65, %42
+  %68 = phi i1 [ true, %42 ], [ %66, %65 ]
+  %69 = getelementptr inbounds i8, ptr %11, i64 120
+  %70 = load ptr, ptr %69, align 8
+  %71 = icmp sgt i32 %7, 0
+  br i1 %71, label %72, label %133
 
-89:                                               ; preds = %94, %77
-  %90 = add nsw i64 %58, %50
-  %91 = add nuw nsw i64 %51, 1
-  %92 = load i64, ptr %15, align 8
-  %93 = icmp slt i64 %91, %92
-  br i1 %93, label %49, label %42, !llvm.loop !25
+72:                                               ; preds = %67
+  %73 = zext nneg i32 %7 to i64
+  br label %124
 
-94:                                               ; preds = %77, %94
-  %95 = phi i64 [ %97, %94 ], [ %58, %77 ]
-  %96 = getelementptr inbounds double, ptr %70, i64 %95
-  store double %75, ptr %96, align 8
-  %97 = add nsw i64 %95, 1
-  %98 = icmp eq i64 %97, %62
-  br i1 %98, label %89, label %94, !llvm.loop !26
+74:                                               ; preds = %18, %114
+  %75 = phi i64 [ 0, %18 ], [ %115, %114 ]
+  %76 = phi i64 [ 0, %18 ], [ %116, %114 ]
+  %77 = load ptr, ptr %19, align 8
+  %78 = getelementptr inbounds %struct.Part, ptr %77, i64 %76
+  %79 = getelementptr inbounds i8, ptr %78, i64 72
+  %80 = load i64, ptr %79, align 8
+  %81 = getelementptr inbounds i8, ptr %78, i64 168
+  %82 = load i64, ptr %81, align 8
+  %83 = mul nsw i64 %82, %80
+  %84 = getelementptr inbounds i8, ptr %78, i64 176
+  %85 = load i64, ptr %84, align 8
+  %86 = add i64 %85, %82
+  %87 = mul i64 %86, %80
+  %88 = getelementptr inbounds i8, ptr %78, i64 112
+  %89 = load ptr, ptr %88, align 8
+  %90 = getelementptr inbounds i8, ptr %78, i64 40
+  %91 = load i64, ptr %90, align 8
+  %92 = mul nsw i64 %91, %80
+  %93 = getelementptr inbounds double, ptr %89, i64 %92
+  %94 = sub i64 0, %87
+  %95 = getelementptr inbounds double, ptr %93, i64 %94
+  %96 = getelementptr inbounds double, ptr %5, i64 %75
+  %97 = load ptr, ptr %20, align 8
+  %98 = getelementptr inbounds double, ptr %97, i64 %75
+  %99 = load double, ptr %21, align 8
+  %100 = fdiv double %3, %99
+  %101 = icmp sgt i64 %83, 0
+  br i1 %101, label %104, label %102
 
-99:                                               ; preds = %101, %42
-  %100 = icmp ne i32 %43, 0
-  br label %110
+102:                                              ; preds = %104, %74
+  %103 = icmp slt i64 %83, %87
+  br i1 %103, label %119, label %114
 
-101:                                              ; preds = %47, %101
-  %102 = phi i64 [ 0, %47 ], [ %108, %101 ]
-  %103 = getelementptr inbounds double, ptr %45, i64 %102
-  %104 = load double, ptr %103, align 8
-  %105 = getelementptr inbounds double, ptr %10, i64 %102
-  %106 = load double, ptr %105, align 8
-  %107 = fmul double %104, %106
-  store double %107, ptr %105, align 8
-  %108 = add nuw nsw i64 %102, 1
-  %109 = icmp eq i64 %108, %48
-  br i1 %109, label %99, label %101, !llvm.loop !27
+104:                                              ; preds = %74, %104
+  %105 = phi i64 [ %112, %104 ], [ 0, %74 ]
+  %106 = getelementptr inbounds double, ptr %96, i64 %105
+  %107 = load double, ptr %106, align 8
+  %108 = getelementptr inbounds double, ptr %98, i64 %105
+  %109 = load double, ptr %108, align 8
+  %110 = fdiv double %107, %109
+  %111 = getelementptr inbounds double, ptr %95, i64 %105
+  store double %110, ptr %111, align 8
+  %112 = add nuw nsw i64 %105, 1
+  %113 = icmp eq i64 %112, %83
+  br i1 %113, label %102, label %104, !llvm.loop !28
 
-110:                                              ; preds = %29, %22, %99
-  %111 = phi i1 [ %100, %99 ], [ true, %22 ], [ true, %29 ]
-  ret i1 %111
+114:                                              ; preds = %119, %102
+  %115 = add nsw i64 %83, %75
+  %116 = add nuw nsw i64 %76, 1
+  %117 = load i64, ptr %15, align 8
+  %118 = icmp slt i64 %116, %117
+  br i1 %118, label %74, label %42, !llvm.loop !29
+
+119:                                              ; preds = %102, %119
+  %120 = phi i64 [ %122, %119 ], [ %83, %102 ]
+  %121 = getelementptr inbounds double, ptr %95, i64 %120
+  store double %100, ptr %121, align 8
+  %122 = add nsw i64 %120, 1
+  %123 = icmp eq i64 %122, %87
+  br i1 %123, label %114, label %119, !llvm.loop !30
+
+124:                                              ; preds = %72, %124
+  %125 = phi i64 [ 0, %72 ], [ %131, %124 ]
+  %126 = getelementptr inbounds double, ptr %70, i64 %125
+  %127 = load double, ptr %126, align 8
+  %128 = getelementptr inbounds double, ptr %10, i64 %125
+  %129 = load double, ptr %128, align 8
+  %130 = fmul double %127, %129
+  store double %130, ptr %128, align 8
+  %131 = add nuw nsw i64 %125, 1
+  %132 = icmp eq i64 %131, %73
+  br i1 %132, label %133, label %124, !llvm.loop !31
+
+133:                                              ; preds = %124, %29, %67, %22
+  %134 = phi i1 [ true, %22 ], [ %68, %67 ], [ true, %29 ], [ %68, %124 ]
+  ret i1 %134
 }
 
 attributes #0 = { nounwind }
@@ -834,3 +864,7 @@ attributes #5 = { nounwind }
 !25 = distinct !{!25, !4, !5}
 !26 = distinct !{!26, !4, !5}
 !27 = distinct !{!27, !4, !5}
+!28 = distinct !{!28, !4, !5}
+!29 = distinct !{!29, !4, !5}
+!30 = distinct !{!30, !4, !5}
+!31 = distinct !{!31, !4, !5}
