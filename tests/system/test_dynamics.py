@@ -155,8 +155,9 @@ def test_a_loop_that_no_force_at_a_speed_can_drive_is_told():
         dependent_coordinates=[y], dependent_speeds=[y.diff(T)],
     )  # fmt: skip
     system = System(circle)
-    with pytest.raises(SingularMatrixError, match="`at` and `a` leave"):
+    with pytest.raises(SingularMatrixError, match="`at` and `a` leave") as found:
         system.inverse_dynamics([1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], at=[x.diff(T)])
+    np.testing.assert_array_equal(found.value.state, [1.0, 0.0, 0.0, 1.0])  # the states alone
 
 
 def test_states_in_rows_give_the_same_as_one_by_one():
@@ -490,10 +491,34 @@ def test_shapes_that_do_not_fit_are_told(argument, value):
         system.mass_matrix(wrt="accelerations")
 
 
+def operations(system, name):
+    (kernel,) = (kernel for key, kernel in system.model._kernels.items() if key[0] == name)
+    return sum(kernel.program.operation_count["run"].values())
+
+
 def test_forces_take_fewer_operations_than_accelerations():
     system = n_link_pendulum_on_cart(6)
     forward = sum(system.model.program("rates").operation_count["run"].values())
     system.inverse_dynamics()
-    (key,) = (k for k in system.model._kernels if k[0] == "inverse dynamics")
-    inverse = sum(system.model._kernels[key].program.operation_count["run"].values())
-    assert inverse <= 0.65 * forward
+    assert operations(system, "inverse dynamics") <= 0.65 * forward
+
+
+def test_forces_that_hold_weights_take_half_of_the_operations_of_those_that_move_masses():
+    # Links on hinges at odd angles, where the axes that frames are given in suit no hinge.
+    frame, point = me.ReferenceFrame("N"), me.Point("O")
+    point.set_vel(frame, 0)
+    N, angles, bodies, loads = frame, me.dynamicsymbols("q:4"), [], []
+    for k, angle in enumerate(angles):
+        skew = frame.orientnew(f"S{k}", "Axis", (0.4 + k, frame.x + 2 * frame.y - frame.z))
+        frame = skew.orientnew(f"B{k}", "Axis", (angle, skew.x + 0.3 * skew.y - 0.7 * skew.z))
+        centre = point.locatenew(f"C{k}", 0.2 * frame.x - 0.1 * frame.y + 0.3 * frame.z)
+        point = point.locatenew(f"P{k}", 0.5 * frame.x + 0.2 * frame.y - 0.4 * frame.z)
+        inertia = me.inertia(frame, 1.0, 1.1, 1.2, 0.1, 0.2, 0.3)
+        bodies.append(me.RigidBody(f"b{k}", centre, frame, 1.5, (inertia, centre)))
+        loads.append((centre, -1.5 * 9.81 * N.z))
+    system = System(Definition(N, angles, bodies=bodies, loads=loads))
+    q = np.array([0.3, -0.8, 1.1, 0.4])
+    slopes = system.evaluate_gradient(system.potential_energy, [*q, 0.0, 0.0, 0.0, 0.0])[:4]
+    close(system.gravity(q), slopes, 1e-14)
+    close(system.gravity(q), system.inverse_dynamics(q, np.zeros(4), np.zeros(4)), 1e-14)
+    assert operations(system, "gravity") <= 0.5 * operations(system, "inverse dynamics")

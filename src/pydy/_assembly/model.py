@@ -341,7 +341,7 @@ class CompiledModel:
             "or inertia is zero, that no constraint is redundant there, and that the "
             "configuration is not singular.",
             float(t),
-            np.array(x, dtype=float),
+            np.array(x[: len(self.layout.states)], dtype=float),
         )
 
 

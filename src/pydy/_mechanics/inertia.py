@@ -198,6 +198,11 @@ def lumped(kinematics: Kinematics) -> tuple[list[Inertia], list[Load], list[Iner
     return _Lumps(kinematics).contributions()
 
 
+def weights_of(kinematics: Kinematics, fall: Vec) -> list[Load]:
+    """Return the weights of all bodies, which `fall` in the inertial frame pulls with."""
+    return _Lumps(kinematics).weights(fall)
+
+
 class _Lumps:
     def __init__(self, kinematics: Kinematics) -> None:
         self.kinematics, self.graph = kinematics, kinematics.graph
@@ -215,12 +220,25 @@ class _Lumps:
         self.loads += loads
         for (frame, point), lump in self.lumps.items():
             self.plain.append(self._inertia(frame, point, lump))
-        for key in sorted(self.lumps, key=lambda key: -k.tree.oriented.get(key[0], 0)):
-            self._hand_on(*key)
+        self._hand_all_on()
         for (frame, point), lump in self.lumps.items():
             self._place(frame, point, lump)
         inertias, self.loads = without_rest(k, self.inertias, self.loads)
         return inertias, self.loads, without_rest(k, self.plain, [])[0]
+
+    def weights(self, fall: Vec) -> list[Load]:
+        k, g, loads = self.kinematics, self.graph, []
+        for body in k.body.bodies:
+            if not self._joined(body):
+                home, v, _ = k.motion(body.masscenter)
+                down, mass = k.expressed(fall, k.inertial, home), k.read(body.mass)
+                loads.append(Load(v, [g.mul(mass, x) for x in down]))
+        self._hand_all_on()
+        for (frame, point), lump in self.lumps.items():
+            down = k.expressed(fall, k.inertial, frame)
+            loads.append(Load(k.motion_in(point, frame)[0], [g.mul(lump.mass, x) for x in down]))
+            loads.append(Load(k.spin(frame)[0], k.cross(lump.first, down)))
+        return loads
 
     # -- bodies -----------------------------------------------------------------------------------
 
@@ -340,6 +358,11 @@ class _Lumps:
         return g.add(*(moment(a, a) for a in range(3) if a != i))
 
     # -- joints -----------------------------------------------------------------------------------
+
+    def _hand_all_on(self) -> None:
+        turns = self.kinematics.tree.oriented
+        for key in sorted(self.lumps, key=lambda key: -turns.get(key[0], 0)):
+            self._hand_on(*key)
 
     def _hand_on(self, frame: Any, point: Any) -> None:
         """Let what a joint leaves in place move with the body before."""

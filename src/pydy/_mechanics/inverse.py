@@ -31,7 +31,7 @@ from pydy._mechanics.form import (
     moving,
     useful_axes,
 )
-from pydy._mechanics.inertia import Load, loads_and_inertias, lumped
+from pydy._mechanics.inertia import Load, loads_and_inertias, lumped, weights_of
 from pydy._mechanics.kinematics import Kinematics, Vec
 from pydy._mechanics.reader import Multibody, distances, is_rigid, places
 
@@ -139,19 +139,17 @@ def weights(body: Multibody, known: Known, pull: Any = None) -> Expressions | No
 
     It pulls as `pull`, by default as what is common to the loads at all mass centres.
     """
-    kinematics = moving(body, in_bodies=True)
-    g, inertial = kinematics.graph, kinematics.inertial
-    fall = None if pull is None else kinematics.vector(pull, inertial)
+    plain = Kinematics(body, in_bodies=True)
+    fall = None if pull is None else plain.vector(pull, plain.inertial)
     if fall is None and body.lagrangian is None:
-        fall = _common_pull(kinematics)
+        fall = _common_pull(plain)
     if fall is None:
         return None
-    loads = []
-    for item in body.bodies:
-        home, v, _ = kinematics.motion(item.masscenter)
-        mass, down = kinematics.read(item.mass), kinematics.expressed(fall, inertial, home)
-        loads.append(Load(v, [g.neg(g.mul(mass, x)) for x in down]))
-    return known.expressions(kinematics, _pushed(kinematics, loads))
+    kinematics = moving(body, in_bodies=True, falling=True)
+    symbols, g = plain.symbols(), kinematics.graph
+    down = kinematics.read.all([NodeExpression.of(plain.graph, node, symbols) for node in fall])
+    forces = _pushed(kinematics, weights_of(kinematics, down))
+    return known.expressions(kinematics, [g.neg(node) for node in forces])
 
 
 @collector_paused()

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass
 from math import prod
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from sympy.physics.mechanics import Particle, Point, ReferenceFrame, RigidBody
@@ -42,7 +41,7 @@ from pydy._system.values import sweep, variables
 def _states(
     now: Snapshot, q: Any, v: Any, a: np.ndarray, t: Any
 ) -> tuple[np.ndarray, Any, tuple[frozenset[int], frozenset[int]]]:
-    """Return the user's states and times, at one moment or at m, and the places they leave out."""
+    """Return the user's x, then a, and times, at one moment or at m, and the places left out."""
     equations, n = now.definition.equations, len(now.definition.states)
     nq, nu = len(equations.coordinates), len(equations.speeds)
     partly = any(given is None or isinstance(given, Mapping) for given in (q, v))
@@ -52,36 +51,38 @@ def _states(
     instants = np.array(now.t) if t is None else real_array(t, "`t`")
     if instants.ndim > 1:
         raise ValueError(f"`t` must be a number or have the shape (m,), got {instants.shape}.")
-    parts = {"q": of_q, "v": of_v, "a": a, "t": instants}
-    rows = {name: len(p) for name, p in parts.items() if p.ndim == 1 + (name != "t")}
+    parts = {"q": of_q, "v": of_v, "a": a, "t": instants[..., None]}
+    rows = {name: len(part) for name, part in parts.items() if part.ndim > 1}
     if len({*rows.values()}) > 1:
         found = ", ".join(f"`{name}` has {count}" for name, count in rows.items())
         raise ValueError(f"All must have as many rows, or be one for all: {found}.")
     m = next(iter(rows.values()), None)
-    x = np.empty(n if m is None else (m, n))
-    x[..., :nq], x[..., nq : nq + nu], x[..., nq + nu :] = of_q, of_v, own[nq + nu :]
+    x = np.empty(n + a.shape[-1] if m is None else (m, n + a.shape[-1]))
+    x[..., :nq], x[..., nq : nq + nu], x[..., n:] = of_q, of_v, a
+    if n > nq + nu:
+        x[..., nq + nu : n] = own[nq + nu :]
     left = frozenset(left_q), frozenset(nq + k for k in left_v)
-    return x, float(instants) if m is None else np.array(np.broadcast_to(instants, m)), left
+    return x, float(instants) if m is None else np.full(m, instants), left
 
 
 def _columns(
     argument: str, value: Any, symbols: Sequence[Any], default: np.ndarray
-) -> tuple[np.ndarray, set[int]]:
+) -> tuple[np.ndarray, Iterable[int]]:
     """Return numbers for all symbols, (n,) or (m, n), and the places of those by default."""
-    n, every = len(symbols), {*range(len(symbols))}
+    n = len(symbols)
     if value is None:
-        return default, every
+        return default, range(n)
     if not isinstance(value, np.ndarray):
         kind = "coordinates" if argument == "q" else "speeds"
         places = Places(symbols, f"{kind} of the system")
         if isinstance(value, Mapping):
             found = places.read(argument, value, default)
-            return found, every - {*places.columns(value, argument).tolist()}
+            return found, {*range(n)}.difference(places.columns(value, argument).tolist())
         places.check_order(value, argument)
     array = real_array(value, f"`{argument}`")
     if array.ndim not in (1, 2) or array.shape[-1] != n:
         raise ValueError(f"`{argument}` must have the shape ({n},) or (m, {n}), got {array.shape}.")
-    return array, set()
+    return array, ()
 
 
 def _accelerations(value: Any, equations: Equations) -> tuple[np.ndarray, Sequence[int]]:
@@ -123,8 +124,7 @@ def all_accelerations(value: Any, equations: Equations) -> np.ndarray:
     return array
 
 
-@dataclass(frozen=True)
-class Quantity:
+class Quantity(NamedTuple):
     """What is evaluated."""
 
     name: str
@@ -143,8 +143,8 @@ class Quantity:
             "speeds": [("x", nq + k) for k in range(nu)],
         }
         if self.accelerations:
-            s = len(definition.specifieds)
-            own["accelerations"] = [("r", s + k) for k in range(len(self.accelerations))]
+            n = len(definition.states)
+            own["accelerations"] = [("x", n + k) for k in range(len(self.accelerations))]
         found: list[tuple[str, int]] = []
         for entry in one_or_more("wrt", wrt):
             named = isinstance(entry, str) and entry in own
@@ -166,14 +166,14 @@ class Quantity:
         atoms, count = dict(assembly.atoms), len(self.accelerations)
         atoms.update(dict.fromkeys(equations.speed_rates, g.zero))
         for k, place in enumerate(self.accelerations):
-            atoms[equations.speed_rates[place]] = g.input("r", s + k)
+            atoms[equations.speed_rates[place]] = g.input("x", n + k)
         found = self.expressions(Known(atoms, definition.forces, silent))
         if isinstance(found, str):
             nodes = _of_method(assembly, [atoms[rate] for rate in equations.speed_rates], found)
         else:
             read = SymPyReader(g, atoms, f"the {self.name}")
             nodes = substitute(g, read.all(found), assembly.given)
-        sizes = n, s + count, c
+        sizes = n + count, s, c
         if not by:
             return assembly.lowered({self.name: nodes}, sizes=sizes)
         nodes = simplify(g, nodes, assembly.passes)
@@ -341,7 +341,7 @@ class Dynamics(Setup):
             lambda: [*made.rows] or [f"entry {k} of the {made.name}" for k in range(size)],
             (x, t, r, p),
             by=by,
-            vectors=np.atleast_2d(at[2]),
+            more=at[2].shape[-1],
             look=look if equations.constrained else None,
             solve=unknown <= left[0],
         )

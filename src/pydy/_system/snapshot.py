@@ -85,9 +85,9 @@ class At:
         x = np.array([solved_residuals(self.some([k])) for k in range(len(self.x))])
         return replace(self, x=x, r=rows(x, self.t))
 
-    def evaluate(self, kernel: Kernel) -> np.ndarray:
-        """Return the flat outputs of a Kernel, shape (m, o)."""
-        return self.model.evaluate(kernel, self.t, self.x, self.r, self.p)
+    def evaluate(self, kernel: Kernel, x: np.ndarray | None = None) -> np.ndarray:
+        """Return the flat outputs of a Kernel, shape (m, o); x may have more than the states."""
+        return self.model.evaluate(kernel, self.t, self.x if x is None else x, self.r, self.p)
 
     def values(self, parts: Callable[[Assembly], dict[str, list[int]]]) -> dict[str, np.ndarray]:
         """Return the values of nodes, shape (m, o) for each name; few are worth compiling."""

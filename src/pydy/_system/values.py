@@ -205,14 +205,18 @@ def sweep(
     *,
     by: Sequence[tuple[str, int]] = (),
     vectors: np.ndarray | None = None,
+    more: int = 0,
     look: Callable[[At], None] | None = None,
     solve: bool = False,
 ) -> np.ndarray:
-    """Evaluate a Kernel at a user's x, t, r and p, with the defaults of the evaluations."""
+    """Evaluate a Kernel at a user's x, t, r and p, with the defaults of the evaluations.
+
+    Further inputs are `vectors`, after r, or `more` columns of x, after the states.
+    """
     (x, t, r, p), model, definition = given, now.model, now.definition
-    states, instants, single = samples(
-        now.x_with(x), t, lambda: now.x, now.times, len(definition.states)
-    )
+    n = len(definition.states)
+    wide, instants, single = samples(now.x_with(x), t, lambda: now.x, now.times, n + more)
+    states = wide[:, :n]
     if r is None or callable(r) or isinstance(r, Mapping):
         plan = now.plan_with(r)
         plan.check_times(instants, "times" if t is None else "t")
@@ -227,11 +231,13 @@ def sweep(
 
     at = At(definition, model, instants, states, rows(states, instants), now.p_with(p))
     at = at.with_unknowns(None if solve else x, rows)
+    if at.x is not states:
+        wide = np.hstack([at.x, wide[:, n:]])
     if look is not None:
         look(at)
     made = kernel(model)
     try:
-        out = at.evaluate(made) if vectors is None else _beside(at, made, vectors)
+        out = at.evaluate(made, wide) if vectors is None else _beside(at, made, vectors)
     except SingularMatrixError as error:
         k = int((at.x == error.state).all(axis=1).argmax())
         explain(error, lambda t, x: at.some([k]))
