@@ -12,6 +12,7 @@ from pydy._system.kept import Motion, check_kept
 from pydy.ensemble import work
 from pydy.ensemble.model import Batch
 from pydy.errors import IntegrationError
+from pydy.inputs import SampledInput
 from pydy.mechanics import Definition
 from pydy.solvers import Event
 from pydy.solvers.kept import is_near
@@ -70,6 +71,45 @@ def test_a_mechanism_that_leaves_its_constraints_is_refused(name, solver, tolera
     assert f"`{solver}` left the constraints, with a residual of " in str(error)
     assert "constraints='project'" in str(error)
     system.integrate(constraints="project", rtol=tolerance, atol=tolerance)
+
+
+@pytest.mark.parametrize("many", [False, True])
+def test_constraints_on_inputs_are_looked_at(many):
+    x, y, r = me.dynamicsymbols("x y r")
+    frame, place = me.ReferenceFrame("N"), me.Point("P")
+    origin = me.Point("O")
+    origin.set_vel(frame, 0)
+    place.set_pos(origin, x * frame.x + y * frame.y)
+    definition = Definition(
+        frame, [x, y], bodies=[me.Particle("bob", place, 1)], loads=[(place, -9 * frame.y)],
+        holonomic_constraints=[x**2 + y**2 - r**2],
+    )  # fmt: skip
+    system = System(definition, times=np.linspace(0.0, 3.0, 31), ode_solver="dop853")
+    system.initial_conditions = {x: 1.0}
+    rates = [
+        lambda x, t: 1.0 + 0.1 * (1.0 - np.cos(t)),
+        lambda x, t: 0.1 * np.sin(t),
+        lambda x, t: 0.1 * np.cos(t),
+    ]
+    symbols = [r, r.diff(), r.diff().diff()]
+
+    def run(specifieds):
+        system.specifieds = specifieds
+        if many:
+            return system.integrate_ensemble(initial_conditions={y: np.zeros(3)}).status.values
+        return system.integrate()
+
+    run({r: 1.0})
+    run(dict(zip(symbols, rates, strict=True)))
+    times = np.linspace(0.0, 3.0, 31)  # each is interpolated for itself: the rows hold to that
+    samples = [SampledInput(times, rate(None, times)) for rate in rates]
+    run(dict(zip(symbols, samples, strict=True)))
+    wrong = {**dict(zip(symbols, rates, strict=True)), symbols[2]: rates[1]}
+    if many:
+        assert (run(wrong) == LEFT_CONSTRAINTS).all()
+    else:
+        with pytest.raises(IntegrationError, match="left the constraints"):
+            run(wrong)
 
 
 def test_no_gradient_is_given_of_a_mechanism_that_left_them():

@@ -523,7 +523,7 @@ class Ensembles(Setup):
             equations = definition.equations
             left_out, every = any(equations.left_out), equations.beyond_projection
             names_of = ConstraintNames(equations) if "events" in given else ()
-            kept = Kept(kept_programs(now, moved), left_out, every, mended, names_of)
+            kept = Kept(kept_programs(now, moved, plan), left_out, every, mended, names_of)
         ready: Ready | None = now.model.latest.get("ensemble")
         if motions is not None:  # it has the events, and holds the constraints
             given, kept = {k: v for k, v in given.items() if k not in _ABOUT_MODES}, None

@@ -11,7 +11,7 @@ import numpy as np
 
 from pydy import _forks
 from pydy._assembly.assembly import Assembly
-from pydy._assembly.definition import Layout
+from pydy._assembly.definition import Definition, Layout
 from pydy._assembly.model import CompiledModel
 from pydy._errors import IntegrationError, warn_user
 from pydy._graph.derivative import dense, dense_jacobian, directional, jacobian
@@ -26,6 +26,7 @@ from pydy._rank import DIGITS, rank
 from pydy._system.energy import EnergyModel
 from pydy._system.snapshot import At, Snapshot
 from pydy._system.solving import ConstraintNames, constraint_names
+from pydy.codegen.arguments import SpecifiedsPlan
 from pydy.solvers.kept import (
     Ran,
     allowed_after,
@@ -40,6 +41,8 @@ from pydy.solvers.options import Options
 from pydy.solvers.outcome import OUTCOMES
 from pydy.solvers.tuning import NEAR_SINGULAR, TRIED
 from pydy.trajectory import EventRecord
+
+NO_INPUTS: Mapping[int, int | None] = {}
 
 # -- where a motion begins, and after resets -------------------------------------------------------
 
@@ -180,14 +183,41 @@ def contradiction(equations: Equations, t: float, unimplied: int, rate: float) -
     )
 
 
-def rates_along(assembly: Assembly, rows: Sequence[int]) -> list[int]:
-    """Return rates of rows of coordinates and time; zero where specifieds are numbers."""
+def rates_along(
+    assembly: Assembly, rows: Sequence[int], inputs: Mapping[int, int | None] = NO_INPUTS
+) -> list[int]:
+    """Return rates of rows of coordinates, time, and inputs whose rates are inputs, or zero."""
     graph = assembly.graph
     first = graph.args[assembly.speeds[0]][1]
     along = {graph.input("x", k): {0: rate} for k, rate in enumerate(assembly.rates[:first])}
     along[graph.input("t", 0)] = {0: graph.one}
-    known = [graph.zero if "r" in graph.inputs_of([n]) else n for n in rows]
-    return dense(graph, directional(graph, known, along), 1)
+    for k, rate in inputs.items():
+        along[graph.input("r", k)] = {} if rate is None else {0: graph.input("r", rate)}
+    return dense(graph, directional(graph, known_rows(graph, rows, inputs), along), 1)
+
+
+def known_rows(graph: Graph, rows: Sequence[int], inputs: Mapping[int, int | None]) -> list[int]:
+    """Return rows, zero in place of those that hold other inputs, whose rates are not known."""
+    others = {n for n in graph.reachable(rows) if graph.ops[n] == "input"}
+    others = {n for n in others if graph.args[n][0] == "r" and graph.args[n][1] not in inputs}
+    return [n if others.isdisjoint(graph.reachable([n])) else graph.zero for n in rows]
+
+
+def rates_of_inputs(definition: Definition, plan: SpecifiedsPlan) -> dict[int, int | None]:
+    """Return specifieds whose rates are known, with the places of these, None for zero.
+
+    Samples are interpolated each for itself: their rates are not those of their derivatives.
+    """
+    sampled, functions = (
+        {k for part in parts for k in part[0].tolist()} for parts in (plan.sampled, plan.functions)
+    )
+    places = {s: k for k, s in enumerate(definition.specifieds)}
+    found: dict[int, int | None] = {}
+    for s, k in places.items():
+        rate = places.get(s.diff(definition.equations.time))
+        if not {k, rate} & sampled and (rate is not None or k not in functions):
+            found[k] = rate
+    return found
 
 
 def rates(assembly: Assembly) -> dict[str, list[int]]:
@@ -333,12 +363,16 @@ def _sizes(graph: Graph, rows: list[int], kept: int, inherited: bool) -> list[in
 # -- along a motion --------------------------------------------------------------------------------
 
 
-def part_of(now: Snapshot, name: str) -> Callable[[Assembly], dict[str, list[int]]] | None:
+def part_of(
+    now: Snapshot, plan: SpecifiedsPlan, name: str
+) -> Callable[[Assembly], dict[str, list[int]]] | None:
     """Return what makes a part of `kept.Part` of an Assembly, or None where there is none."""
     if name == "contradictions" and not now.definition.equations.unimplied:
         return None
     if name in PARTS:
         return PARTS[name]
+    if name == "slopes":
+        return Slopes(tuple(rates_of_inputs(now.definition, plan).items()))
     made = now.energies, now.driven.layout
     return EnergyPart(*made) if name == "energy" else Moving(*made)
 
@@ -361,7 +395,7 @@ class Motion:
 
     def part(self, name: str, t: np.ndarray, x: np.ndarray) -> dict[str, np.ndarray]:
         """Return values along the motion; see `kept.Part`."""
-        made = part_of(self.now, name)
+        made = part_of(self.now, self.now.plan, name)
         return {} if made is None else self.now.at(t, x).values(made)
 
     @property
@@ -423,12 +457,12 @@ def check_kept(motion: Motion) -> None:
 # -- the motions of an ensemble --------------------------------------------------------------------
 
 
-def kept_programs(now: Snapshot, model: CompiledModel) -> KeptPrograms:
+def kept_programs(now: Snapshot, model: CompiledModel, plan: SpecifiedsPlan) -> KeptPrograms:
     """Return the parts as Programs, those that the latest ensemble of a model made."""
-    energies, found = model.latest.get("kept", (None, None))
-    if energies is not now.energies:
-        found = KeptPrograms(now, model)
-        model.latest["kept"] = now.energies, found
+    energies, by, found = model.latest.get("kept", (None, None, None))
+    if energies is not now.energies or by is not plan:
+        found = KeptPrograms(now, model, plan)
+        model.latest["kept"] = now.energies, plan, found
     made: KeptPrograms = found
     return made
 
@@ -436,8 +470,8 @@ def kept_programs(now: Snapshot, model: CompiledModel) -> KeptPrograms:
 class KeptPrograms:
     """The parts of `kept.Part` as Programs; those that travel to other processes take all along."""
 
-    def __init__(self, now: Snapshot, model: CompiledModel) -> None:
-        self._now, self._model = now, model
+    def __init__(self, now: Snapshot, model: CompiledModel, plan: SpecifiedsPlan) -> None:
+        self._now, self._model, self._plan = now, model, plan
         self._made: dict[str, Program | None] = {}
         self._lock = _forks.Lock()
 
@@ -452,7 +486,7 @@ class KeptPrograms:
         own = self._model.assembly.fork()
         if name == "screen":
             return own.lowered({**sized(own), **products(own)})
-        made = part_of(self._now, name)
+        made = part_of(self._now, self._plan, name)
         parts = made(own) if made else {}
         return own.lowered(parts, as_is=True) if parts else None
 
@@ -476,20 +510,26 @@ def products(assembly: Assembly) -> dict[str, list[int]]:
     return {"products": [product(*pair) for pair in pairs]}
 
 
-def slopes(assembly: Assembly) -> dict[str, list[int]]:
-    """Return 'slopes' of `kept.Part`; specifieds of which values alone are known have no rate."""
-    graph = assembly.graph
-    places, motion = assembly.with_left_out()
-    rows = [graph.zero if "r" in graph.inputs_of([n]) else n for n in (*places, *motion)]
-    rates = rates_along(assembly, rows[: len(places)]) + [graph.zero] * len(motion)
-    states = [graph.input("x", k) for k in range(assembly.sizes[0])]
-    turns = dense_jacobian(graph, rates, states)
-    return {"rows": rows, "rates": rates, "turns": turns, **measured(assembly, rows, len(places))}
+@dataclass(frozen=True)
+class Slopes:
+    """'slopes' of `kept.Part`; the `inputs` are those of `rates_of_inputs`."""
+
+    inputs: tuple[tuple[int, int | None], ...]
+
+    def __call__(self, assembly: Assembly) -> dict[str, list[int]]:
+        graph, inputs = assembly.graph, dict(self.inputs)
+        places, motion = assembly.with_left_out()
+        rows = known_rows(graph, [*places, *motion], inputs)
+        rates = rates_along(assembly, rows[: len(places)], inputs) + [graph.zero] * len(motion)
+        states = [graph.input("x", k) for k in range(assembly.sizes[0])]
+        turns = dense_jacobian(graph, rates, states)
+        return {
+            "rows": rows, "rates": rates, "turns": turns, **measured(assembly, rows, len(places))
+        }  # fmt: skip
 
 
 PARTS: dict[str, Callable[[Assembly], dict[str, list[int]]]] = {
-    "rows": sized, "bounds": bounded, "products": products, "contradictions": rates,
-    "slopes": slopes,
+    "rows": sized, "bounds": bounded, "products": products, "contradictions": rates
 }  # fmt: skip
 
 
