@@ -64,28 +64,28 @@ def _integrated(
 ) -> np.ndarray:
     """Return the states at the ends of the intervals, by as many equal steps in each."""
     tableau = tableau_of("dop853")
-    problem, (p, found) = made.problem, made.numbers(z)
+    problem, (p, found), M = made.problem, made.numbers(z), made.intervals
     left, lengths = problem.begin + made.mesh[:-1] * duration, np.diff(made.mesh) * duration
-    controls, every = list(problem.controls), np.arange(made.intervals)
+    # Known and chosen inputs do not depend on states: they are found for all stages at once.
+    nodes = np.array(tableau.nodes[: len(tableau.stages)])
+    s = ((np.arange(steps)[:, None] + nodes) / steps).ravel()
+    times = left + s[:, None] * lengths
+    known = moved.signals.rows(np.empty((times.size, x.shape[1])), times.ravel())
+    r = np.array(np.broadcast_to(known, (times.size, known.shape[1])))
     numbers = [k - len(p) for k in problem.free if k >= len(p)]
+    r[:, numbers] = found[numbers]
+    controls = list(problem.controls)
+    moves = made.controls_in(z, np.tile(np.arange(M), len(s)), np.repeat(s, M))
+    r[:, controls] = moves + (r[:, controls] if problem.noise else 0.0)
+    instants, inputs = iter(times), iter(r.reshape(len(s), M, -1))
     x, h = x.copy(), (lengths / steps)[:, None]
-
-    def rates(s: float, x: np.ndarray) -> np.ndarray:
-        times = left + s * lengths
-        r = moved.signals.rows(x, times)
-        r = np.array(np.broadcast_to(r, (len(times), r.shape[1])))
-        r[:, numbers] = found[numbers]
-        moves = made.controls_in(z, every, np.full(len(every), s))
-        r[:, controls] = moves + (r[:, controls] if problem.noise else 0.0)
-        slopes: np.ndarray = moved.kernel.evaluate(times, np.ascontiguousarray(x), r, p)[0]
-        return slopes
-
     with np.errstate(all="ignore"):  # a motion that runs away has an infinite error
-        for step in range(steps):
+        for _ in range(steps):
             stages: list[np.ndarray] = []
-            for node, row in zip(tableau.nodes, tableau.stages, strict=False):
+            for row in tableau.stages:
                 at = x + h * sum((a * stages[j] for j, a in row.items()), np.zeros(1))
-                stages.append(rates((step + node) / steps, at))
+                slopes = moved.kernel.evaluate(next(instants), at, next(inputs), p)[0]
+                stages.append(slopes)
             x = x + h * sum((b * stages[j] for j, b in tableau.weights.items()), np.zeros(1))
     return x
 

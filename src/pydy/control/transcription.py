@@ -362,6 +362,13 @@ class Transcription:
         return Nlp(self.pieces, lower, upper, sizes, estimated=self.problem.hessian is None)
 
     @cached_property
+    def whole(self) -> tuple[Transcription, Nlp]:
+        """The same of a single interval: its derivatives are changes in the whole duration."""
+        whole = Transcription(self.problem, self.scheme, np.array([0.0, 1.0]))
+        open_ = np.full(sum(whole.sizes), np.inf)
+        return whole, whole.nlp(-open_, open_, np.ones(len(open_)))
+
+    @cached_property
     def points(self) -> tuple[Points, ...]:
         """The collocation points, of which `pieces` begin with the functions."""
         constrained = bool(self.problem.equations.constraints)
@@ -595,14 +602,12 @@ def _leave_out_wide(sizes: np.ndarray, told: np.ndarray) -> None:
 
 def _slopes(made: Transcription, z: np.ndarray, width: int) -> np.ndarray:
     """Return how much each equation changes with each state and control, shape (rows, width)."""
-    # The equations of a single interval: its derivatives are changes in the whole duration.
-    whole = Transcription(made.problem, made.scheme, np.array([0.0, 1.0]))
+    whole, nlp = made.whole
     times = [whole.places[0], whole.control_places]
     _, _, constants, duration = made.split(z)
     # Along the motion, and as if it stayed where it begins or ends: in its middle alone an arm may
     # be level, where its weight has a torque that no turn changes, but for rounding.
     count = sum(whole.sizes)
-    nlp = whole.nlp(np.full(count, -np.inf), np.full(count, np.inf), np.ones(count))
     values = np.zeros(len(nlp.jacobian_at[0]))
     for along in (times, *([0 * t + end for t in times] for end in (0.0, 1.0))):
         states = np.where(whole.places[1], 0.0, made.states_at(z, along[0] * duration).T)
