@@ -19,7 +19,7 @@ LIMITS = {
     **{"pendulum-1": 1.0, "pendulum-5": 0.6, "pendulum-10": 0.6, "bicycle": 0.6, "rods-3": 0.6},
     **{"rider-bicycle": 1.0, "springs-100-absolute": 1.0},
 }
-PEERS = ("heyoka", "casadi", "diffsol")
+PEERS = ("heyoka", "casadi", "diffsol", "sundae")
 RELEASED = "0.9.4"
 SCRIPTS = {
     OURS: ("solve_ours.py",),
