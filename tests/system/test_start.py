@@ -124,8 +124,12 @@ def test_a_sample_of_an_ensemble_that_is_off_is_named():
         system.integrate_ensemble(initial_conditions=angles)
     angles = {q2: [start, start + 1e-9]}
     system.integrate_ensemble(initial_conditions=angles)
-    with pytest.warns(PyDyUserWarning, match="initial conditions of sample 1 do not satisfy"):
+    with pytest.warns(PyDyUserWarning, match="of sample 1 do not satisfy .* those of each sample"):
         system.integrate_ensemble(constants={sm.Symbol("la"): [0.8, 0.9, 0.8]})
+    many = np.full(300, start)
+    many[101] += 0.1
+    with pytest.warns(PyDyUserWarning, match="initial conditions of sample 101 do not satisfy"):
+        system.integrate_ensemble(initial_conditions={q2: many})
 
 
 @pytest.mark.parametrize("length", [1.0, 1e-3, 1e-6, 7e6])

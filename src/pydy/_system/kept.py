@@ -42,6 +42,7 @@ from pydy.solvers.outcome import OUTCOMES
 from pydy.solvers.tuning import NEAR_SINGULAR, TRIED
 from pydy.trajectory import EventRecord
 
+_TOGETHER = 4096  # samples that are looked at together
 NO_INPUTS: Mapping[int, int | None] = {}
 
 # -- where a motion begins, and after resets -------------------------------------------------------
@@ -64,10 +65,16 @@ def check_start(at: At, whose: str = "", mended: bool = False) -> bool:
         check_redundant(at)
         told = violations(at)
     if told and not mended:
+        remedy = "Call `system.set_dependent_initial_conditions()` first."
+        if whose:
+            remedy = (
+                "Dependent initial conditions are those of the System unless they are passed, also "
+                "where constants or other initial conditions vary: pass those of each sample in "
+                "`initial_conditions`."
+            )
         warn_user(
             f"The initial conditions{whose} do not satisfy the constraints, and nothing will bring "
-            f"the motion back onto them. {told} Call "
-            "`system.set_dependent_initial_conditions()` first."
+            f"the motion back onto them. {told} {remedy}"
         )
     return bool(told)
 
@@ -157,17 +164,33 @@ def check_samples(
     shape: tuple[int, ...],
     mended: bool,
 ) -> None:
-    """Warn of the first sample of an ensemble that is off the constraints, of 64 that are tried."""
+    """Warn of the first sample of an ensemble that is off the constraints; 64 are tried closely."""
     total = int(np.prod(shape))
     varied = np.array([np.size(a) > 1 for a in columns[1]], dtype=bool)
-    for number in np.unique(np.linspace(0, total - 1, min(total, TRIED)).astype(int)):
-        place = np.unravel_index(number, shape)
-        x, r, p = (np.array([np.broadcast_to(a, shape)[place] for a in part]) for part in columns)
-        common = at(np.array([t]), x[None])
-        sample = replace(common, r=np.where(varied, r, common.r), p=p)
-        whose = f" of sample {', '.join(map(str, place))}" if shape else ""
-        if check_start(sample, whose, mended):
-            return
+
+    def some(numbers: np.ndarray) -> At:
+        m = len(numbers)
+        x, r, p = (
+            np.array([np.broadcast_to(a, shape).flat[numbers] for a in part]).T.reshape(m, -1)
+            for part in columns
+        )
+        common = at(np.full(len(numbers), t), x)
+        return replace(common, r=np.where(varied, r, common.r), p=p)
+
+    def told(numbers: np.ndarray) -> bool:
+        for number in numbers[np.unique(np.linspace(0, len(numbers) - 1, TRIED).astype(int))]:
+            places = np.unravel_index(number, shape)
+            whose = f" of sample {', '.join(map(str, places))}" if shape else ""
+            if check_start(some(np.array([number])), whose, mended):
+                return True
+        return False
+
+    if not told(np.arange(total)):
+        for start in range(0, total, _TOGETHER):
+            numbers = np.arange(start, min(start + _TOGETHER, total))
+            off = numbers[~surely_held(some(numbers))]
+            if off.size and told(off):
+                return
 
 
 # -- Velocity constraints that do not keep the holonomic ones --------------------------------------
