@@ -672,8 +672,32 @@ def test_a_jump_that_no_mesh_meets_is_warned_of(monkeypatch, mass):
 
     monkeypatch.setattr(search, "MOST_REFINEMENTS", 1)
     system, (q1, _q2, _u1, _u2, F) = optima.cart_pole()
-    with pytest.warns(PyDyUserWarning, match="After 1 refinements the mesh of 4 intervals"):
+    with pytest.warns(PyDyUserWarning, match="After 0 refinements the mesh of 4 intervals"):
         system.optimize_trajectory(energy(F), 1.0, end={q1: 0.3}, mesh=4, mesh_tol=1e-12)
+
+
+def test_refinement_ends_where_it_is_in_vain():
+    # Cheap control: an impulse at the start, which no mesh resolves, makes the objective zero.
+    system, (x, v, F) = optima.double_integrator()
+    off = sm.Integral((x - sm.sin(3 * T)) ** 2, T)
+    problem = OptimalControl(system, off, 3.0, start={x: 1.0, v: 3.0})
+    with pytest.warns(PyDyUserWarning, match=r"After 2 .* 320 intervals has an objective of .* ± "):
+        found = problem.solve(mesh_tol=1e-6)
+    assert len(found.error) == 320
+    # Nor where the motion has an error that never falls.
+    system, (_, angle, _, _, F) = optima.cart_pole()
+    off = sm.Integral((angle - sm.sin(3 * T)) ** 2, T)
+    problem = OptimalControl(system, off, 3.0, start={angle: 1.0})
+    with pytest.warns(
+        PyDyUserWarning, match=r"of 320 intervals has an error of .* 1 above `mesh_tol`"
+    ):
+        problem.solve(mesh_tol=1e-5)
+    # Jumps take more meshes, and few intervals.
+    system, (x, v, F) = optima.double_integrator()
+    problem = OptimalControl(
+        system, TF, TF, end={x: 1.0, v: 0.0}, bounds={F: (-1.0, 1.0), TF: (0.1, 9.0)}, mesh=3
+    )
+    assert problem.solve(mesh_tol=1e-6).error.max() <= 1e-6
 
 
 def test_a_trajectory_is_pickled(mass):

@@ -108,6 +108,17 @@ def refined(mesh: np.ndarray, error: np.ndarray, tolerance: float, order: int) -
     return np.concatenate([*pieces, mesh[-1:]])
 
 
+def most_intervals(mesh: np.ndarray, order: int, tolerance: float) -> float:
+    """Return how many intervals a mesh may get if most errors of this one are below one.
+
+    Where a control jumps, errors fall more slowly than the order of the method tells, but few
+    intervals are divided. Where it is rough all along, as where it decides nothing, all are, again
+    and again.
+    """
+    enough: float = (len(mesh) - 1) * (1.0 / tolerance) ** (1.0 / max(order, 2))
+    return MOST_PARTS * enough
+
+
 def refuse_singular(
     moved: Moved,
     made: Transcription,
@@ -194,10 +205,24 @@ def warn_where_coarse(errors: Sequence[np.ndarray]) -> None:
         )
 
 
-def warn_of_refinements(count: int, intervals: int, worst: float, tolerance: float | None) -> None:
-    """Say that a mesh has been refined as often as it may be, in vain."""
+def warn_of_refinements(count: int, phases: Sequence[Any], tolerance: float) -> None:
+    """Say that meshes have been refined in vain."""
+    errors = np.concatenate([phase.error for phase in phases])
+    if (errors > tolerance).any():
+        what = (
+            f"an error of {errors.max():.2g}, and {int((errors > tolerance).sum())} above "
+            f"`mesh_tol` = {tolerance:g}"
+        )
+    else:
+        off = sum(float(np.abs(phase.objective_error).sum()) for phase in phases)
+        total = sum(phase.objective for phase in phases)
+        what = (
+            f"an objective of {total:.3g} ± {off:.1g}, which is not as accurate as "
+            f"`mesh_tol` = {tolerance:g} of it"
+        )
     warn_user(
-        f"After {count} refinements the mesh of {intervals} intervals has an error of "
-        f"{worst:.2g}, above `mesh_tol` = {tolerance:g}. Where controls jump, nodes of `mesh` near "
-        "the jumps help; so does a larger `mesh_tol`."
+        f"After {count} refinements the mesh of {len(errors)} intervals has {what}. Where controls "
+        "jump, nodes of `mesh` near the jumps help; where they decide nothing, as on singular "
+        "arcs, a small multiple of the integral of their squares in the objective; so does a "
+        "larger `mesh_tol`."
     )

@@ -39,8 +39,8 @@ MOST_PARTS = 4
 error fall more slowly than the order of the method tells; a next refinement then sees where."""
 
 MOST_REFINEMENTS = 12
-"""How often a mesh is refined, at most. Intervals are halved at least: they have then become 4096
-times shorter, which puts a jump of a control within that share of the motion."""
+"""Meshes that are tried, at most. Intervals are halved at least: the last ones are 2048 times
+shorter, which puts a jump of a control within that share of the motion."""
 
 LARGEST_ORDER = 50
 """Points of an interval, at most. Derivatives at K points are of the size K², so that rounding
