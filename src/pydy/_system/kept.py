@@ -22,7 +22,7 @@ from pydy._graph.rounding import per_unit, rounding_bounds
 from pydy._mechanics.equations import Equations
 from pydy._mechanics.symbols import find_symbols
 from pydy._mechanics.tuning import ROUNDED
-from pydy._rank import DIGITS, rank
+from pydy._rank import DIGITS, or_one, rank
 from pydy._system.energy import EnergyModel
 from pydy._system.snapshot import At, Snapshot
 from pydy._system.solving import ConstraintNames, constraint_names
@@ -164,21 +164,22 @@ def check_samples(
     shape: tuple[int, ...],
     mended: bool,
 ) -> None:
-    """Warn of the first sample of an ensemble that is off the constraints; 64 are tried closely."""
+    """Warn of a sample of an ensemble that is off the constraints, of 64, or of the worst."""
     total = int(np.prod(shape))
     varied = np.array([np.size(a) > 1 for a in columns[1]], dtype=bool)
 
     def some(numbers: np.ndarray) -> At:
-        m = len(numbers)
-        x, r, p = (
-            np.array([np.broadcast_to(a, shape).flat[numbers] for a in part]).T.reshape(m, -1)
-            for part in columns
-        )
-        common = at(np.full(len(numbers), t), x)
+        m, parts = len(numbers), []
+        for part in columns:
+            values = [np.broadcast_to(a, shape).flat[numbers] for a in part]
+            parts.append(np.ascontiguousarray(np.array(values).T.reshape(m, -1)))
+        x, r, p = parts
+        common = at(np.full(m, t), x)
         return replace(common, r=np.where(varied, r, common.r), p=p)
 
     def told(numbers: np.ndarray) -> bool:
-        for number in numbers[np.unique(np.linspace(0, len(numbers) - 1, TRIED).astype(int))]:
+        m = len(numbers)
+        for number in numbers[np.unique(np.linspace(0, m - 1, min(m, TRIED)).astype(int))]:
             places = np.unravel_index(number, shape)
             whose = f" of sample {', '.join(map(str, places))}" if shape else ""
             if check_start(some(np.array([number])), whose, mended):
@@ -188,8 +189,10 @@ def check_samples(
     if not told(np.arange(total)):
         for start in range(0, total, _TOGETHER):
             numbers = np.arange(start, min(start + _TOGETHER, total))
-            off = numbers[~surely_held(some(numbers))]
-            if off.size and told(off):
+            residuals, sizes = evaluated_rows(some(numbers), "sizes")
+            shares = np.nan_to_num((np.abs(residuals) / or_one(sizes)).max(axis=1), nan=np.inf)
+            off = np.flatnonzero(shares > DIGITS)
+            if told(numbers[off[np.argsort(-shares[off], kind="stable")[:TRIED]]]):
                 return
 
 
