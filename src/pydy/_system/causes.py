@@ -57,7 +57,7 @@ def explain_columns(error: Any, columns: np.ndarray) -> None:
 
 def cause_of(at: At) -> str | None:
     """Return what is singular at one state, in words, or None if it is not one of the usual."""
-    definition, model, p = at.definition, at.model, at.p
+    definition, model = at.definition, at.model
     for symbol, value in zip(definition.specifieds, at.r[0], strict=False):
         if not np.isfinite(value):
             return f"The specified `{symbol}` is {value} there."
@@ -78,54 +78,70 @@ def cause_of(at: At) -> str | None:
             "angular velocities of frames hold these speeds, and that bodies have mass and inertia."
         )
     values = {name: part[0] for name, part in at.values(_parts).items()}
-    kinematics = values["kinematics"].reshape(len(equations.coordinates), -1)
-    beside = replace(at, x=np.random.default_rng(0).uniform(0.3, 1.3, at.x.shape))
-
-    def elsewhere(part: str, constants: np.ndarray) -> np.ndarray:
-        return np.asarray(replace(beside, p=constants).values(_parts)[part][0])
-
-    wild = _wild(kinematics, elsewhere("kinematics", p).reshape(kinematics.shape))
-    if wild.any():
-        names = [q for q, bad in zip(equations.coordinates, wild, strict=True) if bad]
-        residuals = {} if equations.implicit is None else equations.implicit.residuals
-        if given := [z for z in names if z in residuals]:
-            return (
-                f"The residuals of `implicit` cannot be solved for {describe(given)} there: their "
-                f"derivatives by {describe(given)} are singular, as where two solutions meet. In "
-                f"`{residuals[given[0]]}`, check whether the motion may come there, as to a centre "
-                "of curvature."
-            )
-        return (
-            f"The kinematic equations `kd_eqs` are singular there, as angles are in gimbal lock: "
-            f"the derivatives of {describe(names)} divide by zero. Choose other angles, another "
-            "order of rotations or a quaternion."
-        )
     rows = values["slopes"].reshape(len(equations.velocity), len(equations.speeds))
-    if len(rows) and not np.isfinite(rows).all():
+    return (
+        _in_kinematics(at, values["kinematics"])
+        or (_in_constraints(equations, rows, values["matrix"]) if len(rows) else None)
+        or (None if len(rows) else _in_masses(at, values["matrix"]))
+    )
+
+
+def _elsewhere(at: At, part: str, constants: np.ndarray) -> np.ndarray:
+    """Return a part in a state that is nothing special."""
+    x = np.random.default_rng(0).uniform(0.3, 1.3, at.x.shape)
+    return np.asarray(replace(at, x=x, p=constants).values(_parts)[part][0])
+
+
+def _in_kinematics(at: At, kinematics: np.ndarray) -> str | None:
+    equations = at.definition.equations
+    kinematics = kinematics.reshape(len(equations.coordinates), -1)
+    wild = _wild(kinematics, _elsewhere(at, "kinematics", at.p).reshape(kinematics.shape))
+    if not wild.any():
+        return None
+    names = [q for q, bad in zip(equations.coordinates, wild, strict=True) if bad]
+    residuals = {} if equations.implicit is None else equations.implicit.residuals
+    if given := [z for z in names if z in residuals]:
+        return (
+            f"The residuals of `implicit` cannot be solved for {describe(given)} there: their "
+            f"derivatives by {describe(given)} are singular, as where two solutions meet. In "
+            f"`{residuals[given[0]]}`, check whether the motion may come there, as to a centre "
+            "of curvature."
+        )
+    return (
+        f"The kinematic equations `kd_eqs` are singular there, as angles are in gimbal lock: "
+        f"the derivatives of {describe(names)} divide by zero. Choose other angles, another "
+        "order of rotations or a quaternion."
+    )
+
+
+def _in_constraints(equations: Any, rows: np.ndarray, matrix: np.ndarray) -> str | None:
+    if not np.isfinite(rows).all():
         return "The velocity constraints divide by zero there. Write them without the quotient."
-    if len(rows) and equations.dependent_speeds:
-        cause = _bad_dependents(equations, rows)
-        if cause:
-            return cause
-        if not np.isfinite(values["matrix"]).all():
-            return (
-                "The mass matrix is not finite there, although the constraints can be solved for "
-                "the dependent speeds: SymPy divides by a pivot that is zero. Pass "
-                "`constraint_solver='CRAMER'` to KanesMethod in place of its default, 'LU', or "
-                "name the dependent speeds in another order."
-            )
-    if not len(rows):
-        generic = elsewhere("matrix", p)
-        cause = _without_inertia(equations.speeds, values["matrix"], generic)
-        if cause and _weightless(generic).size:
-            for k in np.flatnonzero(p == 0.0):
-                other = p.copy()
-                other[k] = 1.0
-                if not _weightless(elsewhere("matrix", other)).size:
-                    name = definition.constants[k]
-                    return f"{cause} The cause is the constant `{name}`, which is zero."
-        return cause
-    return None
+    if not equations.dependent_speeds:
+        return None
+    cause = _bad_dependents(equations, rows)
+    if not cause and not np.isfinite(matrix).all():
+        return (
+            "The mass matrix is not finite there, although the constraints can be solved for "
+            "the dependent speeds: SymPy divides by a pivot that is zero. Pass "
+            "`constraint_solver='CRAMER'` to KanesMethod in place of its default, 'LU', or "
+            "name the dependent speeds in another order."
+        )
+    return cause
+
+
+def _in_masses(at: At, matrix: np.ndarray) -> str | None:
+    definition, p = at.definition, at.p
+    generic = _elsewhere(at, "matrix", p)
+    cause = _without_inertia(definition.equations.speeds, matrix, generic)
+    if cause and _weightless(generic).size:
+        for k in np.flatnonzero(p == 0.0):
+            other = p.copy()
+            other[k] = 1.0
+            if not _weightless(_elsewhere(at, "matrix", other)).size:
+                name = definition.constants[k]
+                return f"{cause} The cause is the constant `{name}`, which is zero."
+    return cause
 
 
 def _without_inertia(speeds: Sequence[Any], here: np.ndarray, beside: np.ndarray) -> str | None:
