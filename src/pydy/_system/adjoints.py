@@ -26,20 +26,21 @@ from pydy._graph.program import Program
 from pydy._graph.simplify import simplify
 from pydy._kernel import Inputs, Kernel, KernelCall
 from pydy._optional import progress_of
-from pydy._rank import DEPENDENT, is_zero, or_one
+from pydy._rank import DEPENDENT, HALF, is_zero, or_one
 from pydy._system.jumps import node_of, warn_of_jumps
 from pydy._system.parameters import Parameter, by_samples, marker
 from pydy._system.sensitivities import Sensitive, compiled_event
 from pydy._system.setup import Setup
-from pydy._system.simulation import begin, explain_failure, judge_motion
+from pydy._system.simulation import Ready, begin, explain_failure, judge_motion
 from pydy._system.snapshot import Snapshot
 from pydy._system.solving import native_solver, with_residuals_held
 from pydy.analysis.adjoint import AdjointGradient
 from pydy.inputs import SampledInput
-from pydy.solvers.events import Event, forcing_time, jumped_to
+from pydy.solvers.events import forcing_time, jumped_to
 from pydy.solvers.options import read_options
 from pydy.solvers.outcome import EVENT_GRAZES, EVENT_JUMPS, OUTCOMES, TERMINATED
 from pydy.solvers.run.constraints import CompiledConstraints
+from pydy.solvers.sensitivities import CompiledSensitivities
 from pydy.solvers.solver import Solver
 from pydy.trajectory import EventRecord
 
@@ -186,7 +187,7 @@ Place = tuple[str, int]
 
 
 @dataclass(frozen=True, eq=False)
-class _Task:
+class Task:
     """What is integrated and differentiated."""
 
     sensitive: Sensitive  # its model is of the states alone
@@ -209,6 +210,10 @@ class _Task:
         """See `samples.marker`."""
         return marker(self.sensitive.parameters)
 
+    @property
+    def _plain(self) -> list[Parameter]:
+        return [p for p in self.sensitive.parameters if p.kind != "states" and p.samples is None]
+
     @cached_property
     def sampled(self) -> list[Parameter]:
         """The parameters that are samples."""
@@ -218,9 +223,7 @@ class _Task:
     def wanted(self) -> tuple[Place, ...]:
         """The inputs to differentiate by; those that are samples come last."""
         groups = {"constants": "p", "specifieds": "r"}
-        parameters = self.sensitive.parameters
-        plain = [p for p in parameters if p.kind in groups and p.samples is None]
-        return tuple((groups[p.kind], p.place) for p in (*plain, *self.sampled))
+        return tuple((groups[p.kind], p.place) for p in (*self._plain, *self.sampled))
 
     def call_whole(self, kernel: Kernel, further: int = 0) -> KernelCall:
         """Return the call of a Kernel of `whole` with so many inputs after r."""
@@ -241,6 +244,26 @@ class _Task:
         return KernelCall(kernel, self.sensitive.p, r, plan.sampled, None, names)
 
     # -- compiled ---------------------------------------------------------------------------------
+
+    def guided(
+        self, whole: np.ndarray, columns: np.ndarray, options: dict[str, Any]
+    ) -> tuple[KernelCall, np.ndarray, CompiledSensitivities]:
+        """Return equations with derivatives beside the states, and what the solver knows of them.
+
+        The `columns` (n, n + w) are by some states, then by what is wanted. Where they turn more
+        quickly than states, their errors choose the steps.
+        """
+        own = self.sensitive
+        states = [Parameter(s, "states", k) for k, s in enumerate(own.definition.states)]
+        others = [replace(p, samples=None) for p in (*self._plain, *self.sampled)]
+        moving = [k for k, p in enumerate([*states, *others]) if p in others or columns[:, k].any()]
+        parameters = tuple([*states, *others][k] for k in moving)
+        beside = replace(own, model=self.whole, parameters=parameters, width=len(whole))
+        compiled = beside.compiled(beside.scales(True, options, whole), ())
+        values = np.zeros((len(whole), len(moving)))
+        values[: len(states)] = columns[:, moving]
+        call = self.call_whole(beside.kernel())
+        return call, beside.columns.together(whole, values), compiled
 
     def turned(self) -> KernelCall:
         """Return the derivatives of Σ weight · rate; see `WayBack`."""
@@ -275,17 +298,20 @@ class _Task:
         return self.call(model.compiled_by(key, make))
 
 
-class _Run:
-    """A motion of the states and the integral, to the state `last`; its steps are noted."""
+class Stretch:
+    """A motion of the states and the integral, to the state `last`; its steps are noted.
+
+    Derivatives may `guide` its steps; see `Task.guided`.
+    """
 
     def __init__(
         self,
-        task: _Task,
+        task: Task,
         solver: Solver,
         x0: np.ndarray,
         times: np.ndarray,
         options: dict[str, Any],
-        weights: np.ndarray | None = None,
+        guide: np.ndarray | None = None,
     ) -> None:
         from pydy.solvers.run.backward import WayBack
         from pydy.solvers.run.integration import Integration
@@ -298,26 +324,30 @@ class _Run:
                 given = np.asarray(options[name], dtype=float)
                 options = {**options, name: np.append(given, given.min())}
         options = task.sensitive.stepped(solver, options)
+        whole, call = np.append(x0, np.zeros(more)), rates
+        if guide is not None:
+            call, whole, beside = task.guided(whole, guide, options)
+            options = {**options, "sensitivities": beside}
         read: Any = replace(read_options(solver.name, solver.adaptive, options), recorded=n)
-        whole = np.append(x0, np.zeros(more))
-        integration = Integration(solver.name, rates, len(whole), times, (), read)
-        self.task, self.times, self.n = task, times, n
+        integration = Integration(solver.name, call, len(whole), times, (), read)
+        self.task, self.times, self.n, self._first = task, times, n, x0
         self.options: Any = read
-        self.states = states = integration.run(whole)
+        width = n + more
+        self.states = states = integration.run(whole)[:, :width]
         for told in integration.stretches():
             warn_user(told)
         self.info = info = integration.info()
         self.records: list[EventRecord] = info["events"]
         self.end: float = info["time"]
         self.stopped = info["code"] == TERMINATED
-        ended = integration.memory.x[: len(whole)].copy()
+        ended = integration.memory.x[:width].copy()
         self.last = ended if self.stopped or not len(states) else states[-1]
         rows: Any = integration.kept_steps()
         starts = rows[rows[:, 1] > 0.0, 0]
         ends = np.append(starts, self.end)[1:]  # of those that events cut short, too
         moves = ends > starts
         self.starts, self.ends = starts[moves], ends[moves]
-        self.before = rows[rows[:, 1] > 0.0, 2:][moves]
+        self.before = rows[rows[:, 1] > 0.0, 2 : 2 + width][moves]
         further, kept = len(task.wanted), len(task.sampled)
         self._back = WayBack(solver.name, rates, task.turned(), further, kept)
         self._kept = kept
@@ -328,14 +358,19 @@ class _Run:
         self._adjoint = np.zeros(len(self.last))
         self._adjoint[n : n + integrals] = 1.0
         self._slope = 0.0  # of the objective along the motion at its end
-        if weights is not None:  # of the last state
-            self._adjoint[:n] = weights
-        if task.final is not None:
-            self._finish()
+        self._followed = False  # whether the motion goes on from where this one ends
 
-    def _finish(self) -> None:
-        """Take the terms at the end."""
-        call, n, t = self.task.objective(), self.n, self.end
+    def finish(self, weights: np.ndarray | None = None, moves: bool = True) -> None:
+        """Take the terms at the end; the last state's sum with some `weights` is one.
+
+        Whether an event that ends the motion `moves` its end.
+        """
+        n, t, self._followed = self.n, self.end, not moves
+        if weights is not None:
+            self._adjoint[:n] = weights
+        if self.task.final is None:
+            return
+        call = self.task.objective()
         found = call.evaluate(call.kernel, self.last, t)
         self.value += float(found[0])
         s = len(call.r)
@@ -351,6 +386,14 @@ class _Run:
         if self._kept:
             self._seen.append((np.array([t]), part[None, len(part) - self._kept :]))
 
+    def interrupted(self, times: np.ndarray, states: np.ndarray) -> IntegrationInterrupted:
+        """Return the error of a way back that was interrupted, with the whole motion."""
+        return IntegrationInterrupted(
+            "The gradient was interrupted on the way back through the motion, which is whole: it "
+            "is in the attributes `times` and `states` of this error.",
+            times.copy(), states.copy(), self.end, self.last[: self.n].copy(), self.info,
+        )  # fmt: skip
+
     def passed(self, now: Snapshot) -> Any:
         """Return the motion as a Trajectory at the solver's own steps."""
         states = np.vstack([self.before, self.last])[:, : self.n]
@@ -361,17 +404,50 @@ class _Run:
 
         The derivatives of the first state by the parameters are `start`, shape (n, k).
         """
+        by_state = self.back()
+        return self.by_parameters(by_state @ start), by_state
+
+    def back(self) -> np.ndarray:
+        """Go back to the beginning; return the derivatives by the first state."""
         with progress_of(self.options.progress, " steps back", len(self.starts)) as self._told:
-            by_state = self._all_back()
-        return self._by_parameters() + by_state @ start, by_state
+            return self._all_back()
+
+    def through(
+        self, matrix: np.ndarray, time: np.ndarray, earlier: Stretch | None = None
+    ) -> np.ndarray:
+        """Go back through a transition that leads here; return the derivatives by the state before.
+
+        The `matrix` (n, n + w) has the derivatives of the state after it by that state, then by
+        what is wanted, at a fixed time, `time` (n + w,) those of its time, NaN where they are not
+        known. An `earlier` stretch that leads to it takes over what has been found.
+        """
+        n, t = self.n, float(self.times[0])
+        turned = self._adjoint[:n] @ matrix
+        if earlier is not None:
+            jump = (earlier._rates(earlier.last, t) - self._rates(self._first, t))[n:]
+            if (moved := float(self._adjoint[n:] @ jump)) and np.isnan(time).any():
+                steps = zip(earlier.before, earlier.starts, strict=True)
+                sizes = [np.abs(earlier._rates(x, t)[n:]).max() for x, t in steps]
+                if not abs(moved) <= HALF * max(sizes, default=0.0):
+                    raise NotImplementedError(
+                        f"`integral` jumps at t = {t!r}, where a body comes to rest in a plane: "
+                        "how that time depends on parameters is not known. Integrate what is "
+                        "continuous there."
+                    )
+                moved = 0.0
+            turned = turned + (moved * time if moved else 0.0)
+            earlier._adjoint[:n] = turned[:n]
+            earlier._totals, earlier._seen, earlier._followed = self._totals, self._seen, True
+        self._add(turned[n:], t)
+        found: np.ndarray = turned[:n]
+        return found
 
     def _all_back(self) -> np.ndarray:
-        """Go back to the beginning; return the derivatives by the first state."""
         events = self.options.events
-        if self.stopped:
+        if self.stopped and not self._followed:
             self._slope += float(self._adjoint @ self._rates(self.last, self.end))
         acting = []
-        if events is not None:
+        if events is not None and not self._followed:
             acts = [a or b for a, b in zip(events.terminal, events.resetting, strict=True)]
             acting = [r for r in self.records if acts[r.index]]
         last, end = len(self.starts), self.last
@@ -379,12 +455,12 @@ class _Run:
             first = int(np.searchsorted(self.ends, record.time, side="right"))
             if first == 0 or (first == len(self.ends) and not self.stopped):
                 continue  # at the very beginning or end, where it is seen only
-            self._through(first, last, end)
+            self._steps_back(first, last, end)
             last, end = first, record.before
             terminal = events.terminal[record.index]
-            self._jump(events.sources[record.index], record, self._slope if terminal else 0.0)
+            self._jump(record, self._slope if terminal else 0.0)
             self._slope = 0.0 if terminal else self._slope
-        self._through(0, last, end)
+        self._steps_back(0, last, end)
         return self._adjoint[: self.n].copy()
 
     def _rates(self, x: np.ndarray, t: float) -> np.ndarray:
@@ -392,7 +468,7 @@ class _Run:
         found: np.ndarray = self.rates.evaluate(self.rates.kernel, whole, t)
         return found
 
-    def _through(self, first: int, last: int, end: np.ndarray) -> None:
+    def _steps_back(self, first: int, last: int, end: np.ndarray) -> None:
         """Go back from the end of step `last` − 1, the state `end`, to where `first` begins."""
         if first == last:
             return
@@ -432,44 +508,65 @@ class _Run:
         self._totals += totals
         self._seen.append((projections.times, kept[:, kept.shape[1] - self._kept :]))
 
-    def _jump(self, event: Event, record: EventRecord, slope: float) -> None:
+    def _jump(self, record: EventRecord, slope: float) -> None:
         """Go back through an event.
 
         With the adjoint λ after it, its time t_e moves the objective by λ · (Ṙ − f⁺) at a fixed
         time, and by its own slope where the motion ends there; dt_e/dθ = −(g_x S + g_θ) / ġ.
         """
         n, t = self.n, record.time
-        kernel, changed = compiled_event(self.task.sensitive.model, event, self.task.wanted)
-        call = self.task.call(kernel)
-        x, adjoint, places = record.before, self._adjoint[:n].copy(), [*changed]
+        x, adjoint = record.before, self._adjoint[:n].copy()
+        part, changed, time = self.moment(record)
+        places = [*changed]
         if changed and self.options.constraints is not None:  # the projection after it
             held = self._projections(np.array([t]), record.after[None])
             adjoint = held.back(0, adjoint)
             self._projected(held)
-        r = np.concatenate([call.inputs_at(x, t), call.slopes_at(t)])
-        out = kernel.evaluate(np.array([t]), x[None], r[None], call.p)[0][0]
-        part = kernel.program.by_block(out)
-        rate, curvature = float(part["rate"][0]), float(part["curvature"][0])
-        events = self.options.events
-        assert events is not None
-        share = 0.0  # where an input that jumps makes it happen, its time is given
-        if forcing_time(call, events, record.index, x, t) is None:
-            sizes = self.options.atol + self.options.rtol * np.abs(x)
-            error = float(np.abs(part["crossing"][:n]) @ sizes[:n])
-            value = jumped_to(call, events, record.index, x, t, error)
-            if value is not None:
-                self._refuse(EVENT_JUMPS, record, value=value)
-            depth = rate * rate / (2.0 * abs(curvature)) if curvature else abs(rate) * np.inf
-            if not depth > error:  # it only grazes: its time has no derivative
-                self._refuse(EVENT_GRAZES, record, depth=depth)
+        moved = slope
+        if time.any():
             before, after = self._rates(x, t), self._rates(record.after, t)
-            moved = float(adjoint @ (part["after_rates"] - after[:n]))
+            moved += float(adjoint @ (part["after_rates"] - after[:n]))
             moved += float(self._adjoint[n:] @ (before - after)[n:])
-            share = -(moved + slope) / rate
-        turned = adjoint[places] @ part["after"] + share * part["crossing"]
+        turned = adjoint[places] @ part["after"] + moved * time
         adjoint[places] = 0.0
         self._adjoint[:n] = adjoint + turned[:n]
         self._add(turned[n:], t)
+
+    def moment(
+        self, record: EventRecord, untimed: bool = False
+    ) -> tuple[dict[str, np.ndarray], tuple[int, ...], np.ndarray]:
+        """Return what an event does to derivatives, which states it changes, and those of its time.
+
+        These are by the state before it, then by what is wanted: (n + w,). They are refused where
+        it only grazes, or NaN where it may be `untimed`.
+        """
+        n, t, x = self.n, record.time, record.before
+        events = self.options.events
+        assert events is not None
+        source, wanted = events.sources[record.index], self.task.wanted
+        kernel, changed = compiled_event(self.task.sensitive.model, source, wanted)
+        call = self.task.call(kernel)
+        r = np.concatenate([call.inputs_at(x, t), call.slopes_at(t)])
+        out = kernel.evaluate(np.array([t]), x[None, :n], r[None], call.p)[0][0]
+        part = kernel.program.by_block(out)
+        time = np.zeros(len(part["crossing"]))
+        # Where an input that jumps makes it happen, its time is given.
+        if forcing_time(call, events, record.index, x, t) is None:
+            rate, curvature = float(part["rate"][0]), float(part["curvature"][0])
+            tolerances = self.options.atol, self.options.rtol
+            atol, rtol = (np.broadcast_to(one, len(self.last))[:n] for one in tolerances)
+            error = float(np.abs(part["crossing"][:n]) @ (atol + rtol * np.abs(x)))
+            value = jumped_to(call, events, record.index, x, t, error)
+            depth = rate * rate / (2.0 * abs(curvature)) if curvature else abs(rate) * np.inf
+            if value is None and depth > error:
+                time = -part["crossing"] / rate
+            elif untimed:
+                time[:] = np.nan
+            elif value is not None:
+                self._refuse(EVENT_JUMPS, record, value=value)
+            else:  # it only grazes: its time has no derivative
+                self._refuse(EVENT_GRAZES, record, depth=depth)
+        return part, changed, time
 
     def _refuse(self, code: int, record: EventRecord, **details: float) -> NoReturn:
         outcome = OUTCOMES[code]
@@ -480,8 +577,8 @@ class _Run:
             self.times[:k], self.states[:k, : self.n], record.time, record.before, self.info,
         )  # fmt: skip
 
-    def _by_parameters(self) -> np.ndarray:
-        """Return the derivatives by all parameters, except what goes through the first state."""
+    def by_parameters(self, start: np.ndarray) -> np.ndarray:
+        """Return the derivatives by all parameters, of which the first state gives some."""
         task = self.task
         place = {one: k for k, one in enumerate(task.wanted)}
         sampled = {p.symbol: k for k, p in enumerate(task.sampled)}
@@ -497,7 +594,35 @@ class _Run:
                 for times, kept in self._seen:
                     total += kept[:, sampled[parameter.symbol]] @ weights.rows(times)
                 found += total.tolist()
-        return np.array(found)
+        both: np.ndarray = start + np.array(found)
+        return both
+
+
+def travelled(
+    now: Snapshot,
+    solver: Solver,
+    ready: Ready,
+    times: np.ndarray,
+    task: Task,
+    free: bool,
+    guide: np.ndarray | None = None,
+) -> Stretch:
+    """Return a motion from the initial conditions, or say why it could not go on.
+
+    It is `free` if its constraints were not to be held.
+    """
+    n = len(now.definition.states)
+    try:
+        found = Stretch(task, solver, now.x, times, ready.options, guide)
+    except (IntegrationError, IntegrationInterrupted, SingularMatrixError) as error:
+        if not isinstance(error, SingularMatrixError):
+            error.states, error.state = error.states[:, :n], error.state[:n]
+        if not isinstance(error, IntegrationInterrupted):
+            explain_failure(error, now, ready, free)
+        raise
+    if ready.constrained:
+        judge_motion(now, times, found.states[:, :n], found.info, ready.options, free)
+    return found
 
 
 class Gradients(Setup):
@@ -509,6 +634,7 @@ class Gradients(Setup):
         *,
         final: Any = None,
         integral: Any = None,
+        contacts: Any = None,
         **solver_kwargs: Any,
     ) -> AdjointGradient:
         """Return a scalar of a simulation and its derivatives with respect to many parameters.
@@ -527,6 +653,9 @@ class Gradients(Setup):
             times, or after a terminal event, whose time also depends on the parameters.
         integral : output or expression, optional
             Integrated from the first time to the end, as an additional state under error control.
+        contacts : pydy.contact.Contacts, optional
+            Contacts of this System, through whose transitions and impacts the motion goes; terms
+            may hold their outputs, and parameters be their constants.
         **solver_kwargs
             Options of an explicit native solver (``'dop853'`` if `ode_solver` is not native);
             `events`, `constraints` and `gain` as in `integrate`. ``progress=True`` shows a bar for
@@ -543,6 +672,9 @@ class Gradients(Setup):
             explicit.
         SingularMatrixError, IntegrationError
             As in `integrate`; also if the motion only grazes an event that changes it.
+        NotImplementedError
+            With contacts: Poisson's hypothesis, events with resets, and what `Contacts.simulate`
+            has no sensitivities of; or an integral that jumps where a body stops in a plane.
         IntegrationInterrupted
             The user interrupted it; the error holds the motion so far, or all of it if it was
             interrupted on the way back.
@@ -566,12 +698,16 @@ class Gradients(Setup):
         >>> round(found.value, 8), round(found['k0'], 8), round(found['m0'], 8)
         (0.54030231, -0.42073549, 0.42073549)
         """
-        now, solver = self._now(solver_kwargs.get("events")), self._explicit()
         if final is None and integral is None:
             raise ValueError(
                 "`final` or `integral` must be given: an output or an expression of states, "
                 "specifieds, constants and time."
             )
+        if self._checked_contacts(contacts) is not None:
+            self._explicit()
+            found: AdjointGradient = contacts.gradient(wrt, final, integral, **solver_kwargs)
+            return found
+        now, solver = self._now(solver_kwargs.get("events")), self._explicit()
         final, integral = (
             None if term is None else read_term(now.definition, term, name)
             for term, name in ((final, "final"), (integral, "integral"))
@@ -610,7 +746,7 @@ class Gradients(Setup):
         integral: Any,
         given: dict[str, Any],
         weights: np.ndarray | None = None,
-    ) -> tuple[_Run, Sensitive, np.ndarray, np.ndarray]:
+    ) -> tuple[Stretch, Sensitive, np.ndarray, np.ndarray]:
         """Return a motion and the derivatives by the parameters and by the first state.
 
         They are those of the objective, or of the last state's sum with some `weights`.
@@ -621,28 +757,14 @@ class Gradients(Setup):
         ready, instants = begin(now, solver, given)
         model = ready.model
         sensitive = Sensitive.of(now, model, plan, wrt, self._dependent, "wrt")
-        task = _Task(sensitive, final, integral)
         beginning = sensitive.start(now.x, float(instants[0]))
         n = len(definition.states)
-        try:
-            run = _Run(task, solver, now.x, instants, ready.options, weights)
-        except (IntegrationError, IntegrationInterrupted, SingularMatrixError) as error:
-            if not isinstance(error, SingularMatrixError):
-                error.states, error.state = error.states[:, :n], error.state[:n]
-            if not isinstance(error, IntegrationInterrupted):
-                explain_failure(error, now, ready, free)
-            raise
-        reached = run.info["reached"]
-        if ready.constrained:
-            judge_motion(now, instants, run.states[:, :n], run.info, ready.options, free)
+        run = travelled(now, solver, ready, instants, Task(sensitive, final, integral), free)
+        run.finish(weights)
         warn_of_jumps(now, partial(run.passed, now), sensitive, integral)
         try:
             values, by_state = run.gradient(beginning)
         except KeyboardInterrupt as stop:
-            raise IntegrationInterrupted(
-                "The gradient was interrupted on the way back through the motion, which is whole: "
-                "it is in the attributes `times` and `states` of this error.",
-                instants[:reached].copy(), run.states[:reached, :n].copy(), run.end,
-                run.last[:n].copy(), run.info,
-            ) from stop  # fmt: skip
+            reached = run.info["reached"]
+            raise run.interrupted(instants[:reached], run.states[:reached, :n]) from stop
         return run, sensitive, values, by_state

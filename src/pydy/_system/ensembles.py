@@ -17,7 +17,6 @@ from pydy._checks import (
     number,
     real_array,
     refuse_twice,
-    shown,
     text,
     whole,
 )
@@ -458,10 +457,8 @@ class Ensembles(Setup):
         control = flag(control_sensitivities, "`control_sensitivities`")
         if not (isinstance(resume, str) and resume):
             resume = flag(resume, "`resume`, unless it is a name for functions,")
-        if contacts is None:
+        if self._checked_contacts(contacts) is None:
             now = self._now(solver_kwargs.get("events"), constants)
-        elif getattr(contacts, "system", None) is not self:
-            raise TypeError(f"`contacts` must be Contacts of this System, got {shown(contacts)}.")
         else:
             now = self._now(contacts.symbols, constants)
         definition = now.definition

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from pydy._checks import flag, listed, positive, shown
+from pydy._checks import flag, listed, positive
 from pydy._errors import PeriodicOrbitError, finished_before
 from pydy._names import some, unique_names
 from pydy._optional import progress_of
@@ -149,11 +149,7 @@ class _Search:
         self.runner._searching = True
         self.runner.ode_solver = native_solver(system.ode_solver)
         self.autonomous = until is None and not _depends_on_time(now)
-        if contacts is not None:
-            if getattr(contacts, "system", None) is not system:
-                raise TypeError(
-                    f"`contacts` must be Contacts of this System, got {shown(contacts)}."
-                )
+        if system._checked_contacts(contacts) is not None:
             self.autonomous &= not contacts.depends_on_time
             contacts = copy(contacts)
             contacts.system = self.runner

@@ -45,6 +45,7 @@ class Sensitive:
     p: np.ndarray
     argument: str = "sensitivities"  # that named the parameters
     dependent: tuple[int, ...] = ()  # the places of states that follow from the others
+    width: int = 0  # of the states with what is integrated after them, if there is any
     columns: Columns = field(init=False)
 
     @staticmethod
@@ -80,7 +81,7 @@ class Sensitive:
                 for _ in range(parameter.count):
                     directions.append(("r", parameter.place, s + weights))
                     weights += 1
-        n = len(self.definition.states)
+        n = self.width or len(self.definition.states)
         object.__setattr__(self, "columns", Columns(n, tuple(directions), weights))
 
     def stepped(self, solver: Solver, options: dict[str, Any]) -> dict[str, Any]:
@@ -107,6 +108,15 @@ class Sensitive:
             return found
         least = (atol / rtol).tolist()
         return tuple(s._replace(least=least[s.place]) if s.group == "x" else s for s in found)
+
+    def scales(
+        self, controlled: bool, options: Mapping[str, Any], x: np.ndarray
+    ) -> np.ndarray | None:
+        """Return the sizes of the columns' parameters, if the step control looks at them."""
+        sized = self.sized(controlled, options)
+        if sized is None:
+            return None
+        return scales_of(sized, x, self.plan.values, self.p, self.columns.count)
 
     @property
     def whole(self) -> Sensitive:
@@ -334,9 +344,7 @@ class Wanted:
         columns = sensitive.columns
         if isinstance(solver, Solver):
             options = sensitive.stepped(solver, options)
-            scales, sized = None, sensitive.sized(self.controlled, options)
-            if sized is not None:
-                scales = scales_of(sized, now.x, now.plan.values, now.p, columns.count)
+            scales = sensitive.scales(self.controlled, options, now.x)
             events = options.get("events")
             compiled = sensitive.compiled(scales, () if events is None else events.sources)
             compiled = replace(compiled, untimed=self.untimed)

@@ -15,7 +15,7 @@ from pydy._assembly.definition import Definition
 from pydy._assembly.model import CompiledModel, resolve_solver, solve_symbolically
 from pydy._assembly.specifieds import check_expressions
 from pydy._assembly.system import assemble_system
-from pydy._checks import Keyed, check_mapping, flag
+from pydy._checks import Keyed, check_mapping, flag, shown
 from pydy._errors import warn_user
 from pydy._graph.switches import Passes
 from pydy._html import html_table
@@ -222,6 +222,12 @@ class Setup:
             "initial_conditions": dict(self._initial_conditions),
         }
         return Snapshot(made.definition, made.model, user, self._times, self._energies, self._told)
+
+    def _checked_contacts(self, contacts: Any) -> Any:
+        """Return an argument `contacts`, None or Contacts of this System."""
+        if contacts is not None and getattr(contacts, "system", None) is not self:
+            raise TypeError(f"`contacts` must be Contacts of this System, got {shown(contacts)}.")
+        return contacts
 
     def _set_outputs(self, outputs: Any, forces: Any) -> None:
         names = check_forces(self._equations, forces)

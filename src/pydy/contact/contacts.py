@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from copy import copy
 from dataclasses import replace
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -14,6 +15,7 @@ from pydy._errors import ContactError
 from pydy._system.causes import warn_of_outputs
 from pydy._system.snapshot import Snapshot
 from pydy._system.solving import check_events
+from pydy.analysis.adjoint import AdjointGradient
 from pydy.contact.conditions import paired
 from pydy.contact.decide import OPEN, SLIDING, held_rows, independent
 from pydy.contact.modes import Compiled, modes_of
@@ -26,6 +28,8 @@ from pydy.solvers.outcome import CONTACTS_IMPOSSIBLE, FINISHED, START_OFF_CONSTR
 from pydy.solvers.solver import Solver
 from pydy.system import System
 
+# Methods of a System that take contacts.
+_TAKE_CONTACTS = ("adjoint_gradient", "find_periodic_orbit", "integrate_ensemble")
 # How `constraints` may be given; closed contacts are held by projection.
 _HELD = (None, "project", "baumgarte")
 
@@ -188,7 +192,8 @@ class Contacts:
         PyDyUserWarning
             Outputs are not finite.
         """
-        run = self._run(events, sensitivities, control_sensitivities, **solver_kwargs)
+        columns = _columns(sensitivities, control_sensitivities)
+        run = self._run(events, columns, **solver_kwargs)
         trajectory = run.trajectory()
         if not np.isfinite(trajectory.outputs).all():
             warn_of_outputs(trajectory, run.now)
@@ -197,8 +202,8 @@ class Contacts:
     def in_modes(self, modes: Mapping[str, str]) -> System:
         """Return the System that moves in some modes, for what knows no transitions.
 
-        Linear models, equilibria, adjoints and exports are those of one combination of modes: what
-        it holds are constraints, and nothing ends it.
+        Linear models, equilibria and exports are those of one combination of modes: what it holds
+        are constraints, and nothing ends it.
 
         Parameters
         ----------
@@ -252,6 +257,8 @@ class Contacts:
     def __getattr__(self, name: str) -> Any:
         if name.startswith("_") or not hasattr(System, name):
             raise AttributeError(f"Contacts have no attribute {name!r}.")
+        if name in _TAKE_CONTACTS:
+            raise AttributeError(f"Contacts have no `{name}`. Call system.{name}(contacts=…).")
         raise AttributeError(
             f"Contacts have no `{name}`: that of a System knows no transitions. A System of one "
             "combination of modes, which has it, is returned by `in_modes`."
@@ -266,15 +273,25 @@ class Contacts:
 
         They are projected on what these hold. Without modes it is what `simulate` does.
         """
-        run = self._run(**options)
+        control = options.pop("control_sensitivities", False)
+        columns = _columns(options.pop("sensitivities", None), control)
+        run = self._run(options.pop("events", ()), columns, **options)
         run.begun = modes
         return run.trajectory()
+
+    def gradient(
+        self, wrt: Any, final: Any, integral: Any, *, events: Any = (), **options: Any
+    ) -> AdjointGradient:
+        """Return the gradient of a motion, for `System.adjoint_gradient`."""
+        from pydy.contact.backward import Noted, gradient
+
+        terms = {"final": final, "integral": integral}
+        return gradient(self._run(events, partial(Noted, wrt, terms), **options))
 
     def _run(
         self,
         events: Any = (),
-        sensitivities: Any = None,
-        control_sensitivities: Any = False,
+        columns: Callable[..., Any] | None = None,
         **solver_kwargs: Any,
     ) -> Run:
         """Return a simulation that has not begun."""
@@ -302,16 +319,20 @@ class Contacts:
                 "`times` must have at least two values that differ, got "
                 f"{shown(times.tolist())}. Set `system.times`."
             )
-        carried = None
-        if sensitivities is not None:
-            if self.hypothesis == "poisson":
-                raise NotImplementedError(
-                    "`sensitivities` are not supported with `hypothesis='poisson'`. Use "
-                    "`hypothesis='newton'`."
-                )
-            control = flag(control_sensitivities, "`control_sensitivities`")
-            carried = Carried(kept.rows, now, sensitivities, control, self.system._dependent)
+        if columns is not None and self.hypothesis == "poisson":
+            raise NotImplementedError(
+                "Derivatives are not supported with `hypothesis='poisson'`. Use "
+                "`hypothesis='newton'`."
+            )
+        carried = columns and columns(kept.rows, now, self.system._dependent)
         return Run(kept, self.system, now, times, given, solver_kwargs, carried)
+
+
+def _columns(wanted: Any, controlled: Any) -> Callable[..., Carried] | None:
+    """Return what makes sensitivities, if any are wanted."""
+    if wanted is None:
+        return None
+    return partial(Carried, wanted, flag(controlled, "`control_sensitivities`"))
 
 
 class Motions:

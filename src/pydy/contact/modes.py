@@ -324,6 +324,11 @@ class Mode:
         return found, kinds
 
     @property
+    def turns(self) -> bool:
+        """Whether friction turns a velocity, and derivatives quickly where it stops it."""
+        return not {STARTING, SLIDING}.isdisjoint(self.modes)
+
+    @property
     def untimed(self) -> frozenset[int]:
         """Events of sliding in a plane, whose times do not matter where nothing slides on.
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection
 from dataclasses import dataclass, field, replace
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -11,7 +12,6 @@ import numpy as np
 from pydy._errors import ContactError, IntegrationError, IntegrationInterrupted, note_finished
 from pydy._names import numbers_of
 from pydy._rank import ROUNDED
-from pydy._system.sensitivities import Wanted
 from pydy._system.snapshot import Snapshot
 from pydy.contact.conditions import check_values
 from pydy.contact.decide import (
@@ -37,7 +37,7 @@ from pydy.contact.missed import missed
 from pydy.contact.modes import Compiled, Mode
 from pydy.contact.rows import Numbers, StartError
 from pydy.contact.sensitivities import Carried
-from pydy.contact.trajectory import ContactTrajectory, Piece, Pieces, PieceSensitivities
+from pydy.contact.trajectory import ContactTrajectory, Piece, Pieces
 from pydy.contact.tuning import (
     BEGUN,
     ERRORS,
@@ -81,7 +81,7 @@ class Run:
         times: np.ndarray,
         events: list[Any],
         options: dict[str, Any],
-        carried: Carried | None = None,
+        carried: Any = None,  # Transitions
     ) -> None:
         self.carried = carried
         self.begun: tuple[str, ...] | None = None  # the modes at the start, if they are given
@@ -96,9 +96,6 @@ class Run:
         self.n = len(now.definition.states)
         self.first = len(now.definition.equations.coordinates)
         self.states = np.full((len(times), self.n), np.nan)
-        width = 0 if carried is None else len(carried.symbols)
-        self.columns = np.full((len(times), self.n, width), np.nan)
-        self.arriving: np.ndarray | None = None  # sensitivities before the last event
         self.pieces: list[Piece] = []
         self.records: list[EventRecord] = []
         self.impacts: list[tuple[float, dict[str, tuple[float, ...]], float]] = []
@@ -365,7 +362,7 @@ class Run:
                 limit = float(state.t + 2.0 * v * later)
                 self.first_height.pop(i, None)
                 record = EventRecord(limit, f"{name} rests", i, state.x.copy(), state.x.copy())
-                if self.carried is not None:  # with the forces of other contacts held
+                if isinstance(self.carried, Carried):  # with the forces of other contacts held
                     by_e, by_free, by_speed = d["restitution"][i], d["free"], d["speed"]
                     slower = v * later * a * by_e + v / a * by_free[normal]
                     faster = -e[i] * by_speed[normal] - p.speed[normal] * by_e
@@ -507,18 +504,14 @@ class Run:
         if held or now.definition.equations.velocity:  # each part would begin with the drift so far
             options["constraints"] = "project"
         self.shorten(p, state, solution, system, options)
+        simulate = system.simulate
         if self.carried is not None:
             slides = any(solution.modes[i] in SLIDES for i in state.resting)
             given = self.carried.starts(system.evaluate_ode(state.x, state.t), slides)
-            self.columns[here] = given
-            # Friction turns the columns quickly where it stops a slide that is straight, too.
-            turning = not {STARTING, SLIDING}.isdisjoint(solution.modes)
-            controlled = self.carried.controlled or turning
-            wanted = Wanted(self.carried.symbols, controlled, None, given, mode.untimed)
-            options["sensitivities"] = wanted
+            simulate = partial(self.carried.simulate, system, given, mode)
         system._searching = True  # outputs are looked at over the whole motion
         try:
-            part = system.simulate(events=[*events, *self.user_events], **options)
+            part = simulate(events=[*events, *self.user_events], **options)
         except (IntegrationError, IntegrationInterrupted, MemoryError) as error:
             states = getattr(error, "states", np.empty((0, self.n)))[1:, : self.n]
             self.states[np.flatnonzero(later)[: len(states)]] = states
@@ -629,21 +622,12 @@ class Run:
         if broken := missed(self, part, state.resting, end, last, told_of):
             return False, broken
         if self.carried is not None:
-            begun = {
-                "time_sensitivity": np.where(self.carried.doubtful, np.nan, self.carried.time),
-                "sensitivity_before": self.arriving,
-                "sensitivity_after": part.sensitivity.values[0],
-            }
-            for k, record in enumerate(self.records):
-                if record.time == state.t and record.time_sensitivity is None:
-                    self.records[k] = replace(record, **begun)
+            self.carried.took(part, end, self.records)
         for record in part.events:
             if record.index >= own and (record.time > state.t or not self.pieces):
                 self.records.append(replace(record, index=record.index + len(self.contacts) - own))
         rows = (self.times > state.t) & (self.times <= end)
         self.states[rows] = part.states[1 : 1 + int(rows.sum())]
-        if self.carried is not None:
-            self.columns[rows] = part.sensitivity.values[1 : 1 + int(rows.sum())]
         columns = self.kept.columns(system._now().definition)
         self.pieces.append(
             Piece(
@@ -656,12 +640,11 @@ class Run:
         if self.carried is not None and acting:
             one = next((r for r in acting if kinds[r.index][0] not in _NOTED), acting[-1])
             rates = system.evaluate_ode(one.before[: self.n], end)
-            self.carried.ends(one, rates)
+            self.carried.ended(one, rates)
             what, i = kinds[one.index]
             if what in ("stops", "bends") and len(self.rows.tangent[i]) == 2:
                 values = self.values(end, one.before[: self.n])
-                self.carried.doubt(values, self.rows.tangent[i], one.sensitivity_before)
-            self.arriving = one.sensitivity_before
+                self.carried.doubt(values, self.rows.tangent[i])
         after = at_end[-1].after[: self.n].copy()
         p, lasted = self.numbers(end, after), end - state.t
         for i in [i for i in state.resting if mode.modes[i] in SLIDES]:
@@ -770,11 +753,8 @@ class Run:
         kinds["output"] = (*kinds["output"], *self.kept.stated)
         model, last = Pieces(self.pieces, self.now), self.pieces[-1].end
         records = sorted((r for r in self.records if r.time <= last), key=lambda r: r.time)
-        sensitive: dict[str, Any] = {}
-        if self.carried is not None:
-            values = self.columns[self.reached]
-            sensitive["sensitivities"] = self.carried.counts, values
-            sensitive["sensitivity_model"] = PieceSensitivities(self.pieces)
+        carried = self.carried
+        more = {} if carried is None else carried.results(self.reached, self.pieces)
         return ContactTrajectory(
             times,
             states,
@@ -787,5 +767,5 @@ class Run:
             pieces=model,
             names=[c.name for c in self.contacts],
             impacts=self.impacts,
-            **sensitive,
+            **more,
         )

@@ -16,6 +16,7 @@ M. di Bernardo et al., Piecewise-smooth Dynamical Systems, Springer, 2008, secti
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -24,42 +25,35 @@ from pydy._forks import cached_property
 from pydy._graph.derivative import directional
 from pydy._graph.interpret import evaluator
 from pydy._rank import DEPENDENT
-from pydy._system.sensitivities import Sensitive
+from pydy._system.sensitivities import Sensitive, Wanted
 from pydy._system.snapshot import Snapshot
 from pydy.contact.decide import CLOSED, OPEN, SLIDES, STARTING, STICKS
 from pydy.contact.impacts import Blow
+from pydy.contact.modes import Mode
 from pydy.contact.rows import ContactRows, Numbers, by_name
+from pydy.contact.trajectory import Piece, PieceSensitivities
 from pydy.contact.tuning import SLACK
+from pydy.trajectory import EventRecord
 
 _SLOPES = ("gap", "speed", "square", "moves", "restitution", "mu", "free")
 
 
-class Carried:
-    """Sensitivities that are carried from mode to mode.
+class Transitions:
+    """Derivatives of the state at transitions, by columns.
 
     `total` (n, k) is D, the derivatives of the state where the motion is, at the time that moves;
-    `time` (k,) has those of that time, and `counts` the number of columns of each parameter. Where
-    `controlled`, the step control looks at them too; `solved` are the initial conditions that were
-    solved for.
+    `time` (k,) has those of that time. Columns are by the `constants`, or, where that is None, by
+    what no transition holds.
     """
 
     def __init__(
-        self, rows: ContactRows, now: Snapshot, wanted: Any, controlled: bool, solved: Any
+        self, rows: ContactRows, now: Snapshot, constants: Sequence[Any], total: np.ndarray
     ) -> None:
-        self.rows, self.now, self.controlled = rows, now, controlled
+        self.rows, self.now, self._constants = rows, now, constants
         self._first = len(rows.equations.coordinates)  # the place of the first speed
-        sensitive = Sensitive.of(now, now.model, now.plan, wanted, solved)
-        parameters = sensitive.parameters
-        if sampled := [p.symbol for p in parameters if p.samples is not None]:
-            raise NotImplementedError(
-                f"`sensitivities` by samples ({sampled[0]}) are not supported with contacts yet."
-            )
-        self.counts = {p.symbol: p.count for p in parameters}
-        self.symbols = [p.symbol for p in parameters]
-        self._constants = [p.symbol if p.kind == "constants" else None for p in parameters]
-        self.total = sensitive.start(now.x, float(now.times[0]))
-        self.time = np.zeros(len(self.symbols))
-        self.doubtful = np.zeros(len(self.symbols), dtype=bool)  # whose time is not known
+        self.total = total
+        self.time = np.zeros(len(constants))
+        self.doubtful = np.zeros(len(constants), dtype=bool)  # whose time is not known
 
     @cached_property
     def _slopes(self) -> Any:
@@ -95,32 +89,21 @@ class Carried:
             if symbol in self.now.definition.states:
                 inputs[node] = self.total[states.index(symbol)]
             elif symbol in self._constants:
-                inputs[node] = np.eye(len(self.symbols))[self._constants.index(symbol)]
+                inputs[node] = np.eye(len(self.time))[self._constants.index(symbol)]
             else:
                 inputs[node] = self.time
-        return by_name(parts, evaluate(inputs, len(self.symbols)).T)
+        return by_name(parts, evaluate(inputs, len(self.time)).T)
 
     # -- what transitions do ----------------------------------------------------------------------
 
-    def ends(self, record: Any, rates: np.ndarray) -> None:
-        """Take the derivatives at the event that ends a mode."""
-        self.doubtful = np.isnan(record.time_sensitivity)
-        self.time = np.where(self.doubtful, 0.0, record.time_sensitivity)
-        self.total = record.sensitivity_before + np.outer(rates, self.time)
+    def ends(self, before: np.ndarray, time: np.ndarray, rates: np.ndarray) -> None:
+        """Take the derivatives at the event that ends a mode: S before it, and those of its time.
 
-    def doubt(self, values: Mapping[Any, float], rows: Sequence[int], before: np.ndarray) -> None:
-        """Tell of which parameters the time of a stop in a plane is not known.
-
-        Both sliding speeds are zero there, for all parameters. One of them gives the time; where
-        the other contradicts it, friction turned the velocity too quickly at the end. What follows
-        does not depend on it: the rows that are held take out what it adds.
+        These are NaN where they are not known.
         """
-        rest = self.slopes(values)["speed"][rows]
-        total, time = self.total, self.time
-        self.total, self.time = before, np.zeros(len(time))
-        size = np.linalg.norm(self.slopes(values)["speed"][rows], axis=0)
-        self.total, self.time = total, time
-        self.doubtful |= ~(np.linalg.norm(rest, axis=0) <= SLACK * size)
+        self.doubtful = np.isnan(time)
+        self.time = np.where(self.doubtful, 0.0, time)
+        self.total = before + np.outer(rates, self.time)
 
     def starts(self, rates: np.ndarray, slides: bool) -> np.ndarray:
         """Return S⁺ of the mode that begins, in which something that was at rest `slides` or not.
@@ -150,7 +133,7 @@ class Carried:
         before it.
         """
         d, f = self.slopes(values), found.forces
-        size, columns = len(f), len(self.symbols)
+        size, columns = len(f), len(self.time)
         # Velocities after it are those of `start`, by Newton's hypothesis, and A p.
         start = d["speed"].copy()
         for i, normal in enumerate(self.rows.normal):
@@ -209,6 +192,81 @@ class Carried:
             square = p.square[np.ix_(held, held)]
             shares = _least(square, -rest, square.diagonal())
             self.total[first : first + len(p.moves)] += p.moves[:, list(held)] @ shares
+
+
+class Carried(Transitions):
+    """Sensitivities that are carried from mode to mode.
+
+    `counts` has the number of columns of each parameter. Where `controlled`, the step control looks
+    at them too; `solved` are the initial conditions that were solved for.
+    """
+
+    def __init__(
+        self, wanted: Any, controlled: bool, rows: ContactRows, now: Snapshot, solved: Any
+    ) -> None:
+        sensitive = Sensitive.of(now, now.model, now.plan, wanted, solved)
+        parameters = sensitive.parameters
+        if sampled := [p.symbol for p in parameters if p.samples is not None]:
+            raise NotImplementedError(
+                f"`sensitivities` by samples ({sampled[0]}) are not supported with contacts yet."
+            )
+        constants = [p.symbol if p.kind == "constants" else None for p in parameters]
+        super().__init__(rows, now, constants, sensitive.start(now.x, float(now.times[0])))
+        self._controlled = controlled
+        self._counts = {p.symbol: p.count for p in parameters}
+        self._before: np.ndarray | None = None  # the last event; None if there was none
+        self._columns = np.full((len(now.times), *self.total.shape), np.nan)
+
+    def simulate(self, system: Any, given: np.ndarray, mode: Mode, **options: Any) -> Any:
+        """Simulate in one mode, with S at the start `given`."""
+        self._columns[self.now.times == system.times[0]] = given
+        controlled = self._controlled or mode.turns
+        wanted = Wanted([*self._counts], controlled, None, given, mode.untimed)
+        return system.simulate(sensitivities=wanted, **options)
+
+    def took(self, part: Any, end: float, records: list[EventRecord]) -> None:
+        """Keep a part of the motion; note in records of its start what that does to columns."""
+        start, values = part.times[0], part.sensitivity.values
+        begun = {
+            "time_sensitivity": np.where(self.doubtful, np.nan, self.time),
+            "sensitivity_before": self._before,
+            "sensitivity_after": values[0],
+        }
+        for k, record in enumerate(records):
+            if record.time == start and record.time_sensitivity is None:
+                records[k] = replace(record, **begun)
+        rows = (self.now.times > start) & (self.now.times <= end)
+        self._columns[rows] = values[1 : 1 + int(rows.sum())]
+
+    def ended(self, record: EventRecord, rates: np.ndarray) -> None:
+        """Take the derivatives at the event that ends a mode."""
+        assert record.sensitivity_before is not None
+        assert record.time_sensitivity is not None
+        self._before = record.sensitivity_before
+        self.ends(self._before, record.time_sensitivity, rates)
+
+    def doubt(self, values: Mapping[Any, float], rows: Sequence[int]) -> None:
+        """Tell of which parameters the time of a stop in a plane is not known.
+
+        Both sliding speeds are zero there, for all parameters. One of them gives the time; where
+        the other contradicts it, friction turned the velocity too quickly at the end. What follows
+        does not depend on it: the rows that are held take out what it adds.
+        """
+        rest = self.slopes(values)["speed"][rows]
+        total, time = self.total, self.time
+        assert self._before is not None
+        self.total, self.time = self._before, np.zeros(len(time))
+        size = np.linalg.norm(self.slopes(values)["speed"][rows], axis=0)
+        self.total, self.time = total, time
+        self.doubtful |= ~(np.linalg.norm(rest, axis=0) <= SLACK * size)
+
+    def results(self, reached: np.ndarray, pieces: Sequence[Piece]) -> dict[str, Any]:
+        """Return what a trajectory takes beside the states."""
+        model = PieceSensitivities(pieces)
+        return {
+            "sensitivities": (self._counts, self._columns[reached]),
+            "sensitivity_model": model,
+        }
 
 
 def _least(matrix: np.ndarray, right: np.ndarray, square: np.ndarray) -> np.ndarray:

@@ -281,6 +281,11 @@ def _(v):
     return _system().integrate_ensemble(contacts=v, initial_conditions={_block().y: [1.0]})
 
 
+@target("adjoint_gradient.contacts", nothing("symbols", "texts", allowed=lambda v: v is None))
+def _(v):
+    return _system().adjoint_gradient("states", final=_block().y, contacts=v).values
+
+
 @target("find_periodic_orbit.contacts", nothing("symbols", "texts", allowed=lambda v: v is None))
 def _(v):
     return None if v is None else _system().find_periodic_orbit(1.0, contacts=v)

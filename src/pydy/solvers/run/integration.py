@@ -432,8 +432,8 @@ class Integration(Workspace):
                 zero -= self._left(before, after[:n], following)
             self.records.append(self._record(t, k, before, following, acting=True))
             before = following
-            if beside is not None:
-                beside.table(before)[:] = self.records[-1].sensitivity_after
+            if (moved := self.records[-1].sensitivity_after) is not None and beside is not None:
+                beside.table(before)[:] = moved
         self.memory.x[: self.n] = before
         if any(wanted.terminal[k] for k in fired):
             last = next(wanted.names[k] for k in fired if wanted.terminal[k])
@@ -510,7 +510,7 @@ class Integration(Workspace):
         wanted, beside, n = self.options.events, self.options.sensitivities, self.states
         assert wanted is not None
         record = EventRecord(t, wanted.names[event], event, before[:n].copy(), after[:n].copy())
-        if beside is None:
+        if beside is None or self.options.recorded is not None:  # where they but guide the steps
             return record
         assert self.call is not None
         rtol, atol = (np.broadcast_to(a, n) for a in (self.options.rtol, self.options.atol))
