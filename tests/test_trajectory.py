@@ -388,6 +388,22 @@ def test_a_file_cut_short_anywhere_is_a_named_error(tmp_path):
             Trajectory.load(path)
 
 
+def test_a_flipped_bit_is_seen(tmp_path):
+    pytest.importorskip("xarray")
+    path = tmp_path / "run.nc"
+    _, trajectory = simulated("bare")
+    trajectory.save(path)
+    content = path.read_bytes()
+    for place in (content.index(trajectory.states[1, :1].astype(">f8").tobytes()), -5):
+        wrong = bytearray(content)
+        wrong[place + 3] ^= 4
+        path.write_bytes(wrong)
+        with pytest.raises(ValueError, match="its content is not what its checksum tells"):
+            Trajectory.load(path)
+    path.write_bytes(content)
+    assert (Trajectory.load(path).states == trajectory.states).all()
+
+
 @pytest.mark.parametrize("name", [b"pydy_events", b"role", b"latex", b"time", b"before", b'"nfe"'])
 def test_a_file_with_a_damaged_name_is_a_named_error(name, tmp_path):
     pytest.importorskip("xarray")

@@ -8,6 +8,7 @@ from __future__ import annotations
 import json
 import os
 import re
+import zlib
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
@@ -45,6 +46,7 @@ class Parts:
 
 SENSITIVITY = "sensitivity"
 _CONSTANT = " (constant)"
+_CHECKSUM = "pydy_checksum"
 
 
 def to_dataset(
@@ -130,8 +132,20 @@ def write_netcdf(
     dataset = dataset.rename({n: p for n, p in plain.items() if n != p})
     dataset.attrs["pydy_statistics"] = json.dumps(statistics, default=_plain)
     dataset.attrs["pydy_events"] = json.dumps(list(events), default=_plain)
+    dataset.attrs[_CHECKSUM] = _checksum(dataset)
     with replacing(path) as (place,):
         dataset.to_netcdf(place, engine="scipy", format="NETCDF3_64BIT")
+
+
+def _checksum(dataset: Any) -> str:
+    """Return a checksum of all that is in a Dataset: NetCDF 3 has none of its own."""
+    parts: list[Any] = [sorted(dataset.attrs.items())]
+    for name, variable in sorted(dataset.variables.items()):
+        values = np.asarray(variable)
+        numbers = np.issubdtype(values.dtype, np.number)
+        content = zlib.crc32(values.astype("<f8").tobytes()) if numbers else values.tolist()
+        parts.append((name, variable.dims, sorted(variable.attrs.items()), content))
+    return f"{zlib.crc32(json.dumps(parts).encode()):08x}"
 
 
 def _plain(value: Any) -> Any:
@@ -162,6 +176,8 @@ def read_netcdf(
     try:
         with xarray.open_dataset(path, engine="scipy") as opened:
             dataset = opened.load()
+        written = dataset.attrs.pop(_CHECKSUM, None)  # older files have none
+        sound = written in (None, _checksum(dataset))
         if "pydy_events" in dataset.attrs:
             names = {n: variable.attrs.pop("name", n) for n, variable in dataset.variables.items()}
             dataset = dataset.rename({n: name for n, name in names.items() if n != name})
@@ -170,7 +186,10 @@ def read_netcdf(
                 record(**{k: np.array(v) if isinstance(v, list) else v for k, v in e.items()})
                 for e in json.loads(dataset.attrs["pydy_events"])
             ]
-            return from_dataset(dataset), statistics, events
+            parts = from_dataset(dataset)
+            if not sound:
+                raise ValueError("its content is not what its checksum tells")
+            return parts, statistics, events
     except OSError:
         raise  # no such file, no permission
     except Exception as error:  # SciPy, xarray and json raise of all kinds

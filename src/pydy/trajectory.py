@@ -701,9 +701,10 @@ class Trajectory:
     def save(self, path: str | PathLike[str]) -> None:
         """Write the trajectory to a NetCDF file.
 
-        The format is NetCDF 3, which every NetCDF library reads. Derivatives are also written, and
-        energies if they are known, so that a loaded trajectory can be interpolated and plotted; the
-        solver's dense output is not, nor is it pickled.
+        The format is NetCDF 3, which every NetCDF library reads, with a checksum that `load`
+        compares. Derivatives are also written, and energies if they are known, so that a loaded
+        trajectory can be interpolated and plotted; the solver's dense output is not, nor is it
+        pickled.
 
         Parameters
         ----------
