@@ -84,6 +84,41 @@ def test_accelerations_are_those_of_mujoco(tmp_path, parameters):
         assert [rates[u] for u in speeds] == pytest.approx(data.qacc, abs=1e-11 * size)
 
 
+ROTORS = """<mujoco>
+<default><geom density="700"/><joint armature="0.3"/></default>
+<worldbody><body name="cart"><joint name="rail" type="slide" axis="0.6 0 0.8"/>
+<geom type="box" size="0.2 0.1 0.3" pos="0.05 0.02 0"/>
+<body name="pole" pos="0 0.1 0.2"><joint name="hinge" axis="1 2 0"/>
+<geom type="capsule" size="0.03" fromto="0 0 0 0.3 0.1 0.4"/></body></body>
+<body name="buoy" pos="3 0 0"><joint name="sea" type="free"/>
+<geom size="0.1" pos="0 0.1 0.2"/></body>
+</worldbody></mujoco>"""
+
+
+def test_armatures_have_no_part_in_gravity(tmp_path):
+    path = written(tmp_path, ROTORS)
+    model = mujoco.MjModel.from_xml_path(str(path))
+    model.opt.disableflags |= OFF
+    data, robot, rng = mujoco.MjData(model), read(path), np.random.default_rng(2)
+    system = robot.system()
+    coordinates, speeds = order_of(robot, model)
+    state(rng, model, data)
+    data.qvel[:] = 0.0
+    mujoco.mj_forward(model, data)
+    values = dict(zip([*coordinates, *speeds], [*data.qpos, *data.qvel], strict=True))
+    q, v = ({s: values[s] for s in symbols} for symbols in (coordinates, speeds))
+    forces = dict(zip(system.speeds, system.gravity(q), strict=True))
+    size = abs(data.qfrc_bias).max()
+    assert [forces[u] for u in speeds] == pytest.approx(data.qfrc_bias, abs=1e-13 * size)
+
+    a = rng.normal(size=len(speeds))
+    columns = system.regressor(q, v, a)
+    found = columns @ list(system.inertial_parameters().values())
+    assert found == pytest.approx(system.inverse_dynamics(q, v, a), abs=1e-13 * size)
+    free = len([name for name in system.inertial_parameters() if "armature of sea" in name])
+    assert free == 3 + 10  # along x, y and z, and turning
+
+
 def test_the_start_is_the_pose_of_the_file(tmp_path):
     path = written(tmp_path, BRANCHED)
     model = mujoco.MjModel.from_xml_path(str(path))

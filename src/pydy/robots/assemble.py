@@ -205,7 +205,8 @@ class Assembly:
         found = Place(own, point)
         if joint.armature:
             size = self._number("armature", joint.name, joint.armature)
-            self._bodies.append(me.Particle(f"armature of {joint.name}", point, size))
+            for axis, q in zip("xyz", coordinates[:3], strict=True):
+                self._add_slider(f"{joint.name}, {axis}", size, q)
             self._add_rotor(joint, size, coordinates[3:], speeds[3:])
         if drag := self._drag(joint, speeds):
             self._loads.append((point, _in(self.world, drag[:3])))
@@ -267,9 +268,7 @@ class Assembly:
         else:
             body = me.Particle(link.name, point, mass)
         self._bodies.append(body)
-        weight = _exact(1.0 - link.lightened) * mass
-        if weight and any(self._gravity):
-            self._loads.append((point, _in(self.world, [weight * g for g in self._gravity])))
+        self._weigh(point, _exact(1.0 - link.lightened) * mass)
 
     # -- forces along joints -----------------------------------------------------------------------
 
@@ -293,11 +292,8 @@ class Assembly:
         force += sum(self._drag(joint, [u]))
         self._push(axis, force)
         if joint.armature:
-            # A particle that moves along an axis of its own as the joint does has the kinetic
-            # energy of the rotor, and adds its inertia to the joint's entry of the mass matrix.
             size = self._number("armature", joint.name, joint.armature)
-            point = self.origin.locatenew(self._name("rotor", joint.name), q * self.world.x)
-            self._bodies.append(me.Particle(f"armature of {joint.name}", point, size))
+            self._add_slider(joint.name, size, q)
 
     def _drag(self, joint: Joint, speeds: Sequence[Any]) -> list[Any]:
         """Return damping and dry friction along each axis of a joint, nothing if it has neither."""
@@ -324,6 +320,24 @@ class Assembly:
         if joint.armature:
             size = self._number("armature", joint.name, joint.armature)
             self._add_rotor(joint, size, coordinates, speeds)
+
+    def _add_slider(self, name: str, size: Any, q: Any) -> None:
+        """Add a particle that moves along an axis of the world as a coordinate does.
+
+        It has the kinetic energy of the rotor, and adds its inertia to the coordinate's entry of
+        the mass matrix. On a level axis its weight does no work, and gravity is what all masses
+        have in common.
+        """
+        level = [e for e, pull in zip(self.world, self._gravity, strict=True) if not pull]
+        way = q * (level or [self.world.x])[0]
+        point = self.origin.locatenew(self._name("rotor", name), way)
+        self._bodies.append(me.Particle(f"armature of {name}", point, size))
+        if level:
+            self._weigh(point, size)
+
+    def _weigh(self, point: Any, mass: Any) -> None:
+        if mass and any(self._gravity):
+            self._loads.append((point, _in(self.world, [mass * g for g in self._gravity])))
 
     def _add_rotor(self, joint: Joint, size: Any, turn: Any, spin: Any) -> None:
         """Add a ball in the world that turns as the joint does."""
