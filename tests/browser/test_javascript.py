@@ -5,9 +5,12 @@ import json
 import numpy as np
 import pytest
 import sympy as sm
+import sympy.physics.mechanics as me
 
 from exported_models import TIMES, ball, pendulum, spring_of
 from pydy.examples import whipple_bicycle
+from pydy.export.javascript import javascript_module
+from pydy.mechanics import Definition, Implicit
 from pydy.solvers import Event
 from pydy.system import System
 
@@ -219,3 +222,56 @@ def test_what_simulate_cannot_use_is_named(tmp_path, loaded):
         "times: new Float64Array([2]), atol: 0, initial: [1, 1]": "finished",
     }.items():
         assert page.evaluate(said, given) == message
+
+
+SAID = """text => {
+    const given = eval(`({ times: [0, 0.1], ${text} })`);
+    try { return model.simulate(given).status; } catch (e) { return e.message; }
+}"""
+
+
+def test_what_residuals_give_is_not_kept_where_other_values_are_given(tmp_path, loaded):
+    """In Python it is solved for again."""
+    x, z = me.dynamicsymbols("x z")
+    k = sm.Symbol("k")
+    frame, place = me.ReferenceFrame("N"), me.Point("P")
+    place.set_vel(frame, x.diff() * frame.x)
+    bodies, loads = [me.Particle("b", place, 1)], [(place, -z * frame.x)]
+    definition = Definition(frame, [x], bodies=bodies, loads=loads)
+    system = System(definition, {k: 1.0}, implicit=Implicit({z: z**3 + z - k * x}))
+    system.initial_conditions = {x: 1.0}
+    page = loaded(system.export(tmp_path / "implicit.js").path)
+    needed = (
+        "initial must give z too, with which the residuals of `implicit` are zero: what is given "
+        "may change it"
+    )
+    for given, said in {
+        "": "finished",
+        "initial: {x: 2}": needed,
+        "constants: {k: 2}": needed,
+        "initial: {x: 2, z: 1}": "finished",
+        "constants: {k: 2}, initial: {z: 1}": "finished",
+    }.items():
+        assert page.evaluate(SAID, given) == said
+
+
+def test_a_start_far_from_the_constraints_is_refused_as_in_python(tmp_path, loaded):
+    x, y = me.dynamicsymbols("x y")
+    frame, origin = me.ReferenceFrame("N"), me.Point("O")
+    origin.set_vel(frame, 0)
+    place = origin.locatenew("P", x * frame.x + y * frame.y)
+    definition = Definition(
+        frame, [x, y], bodies=[me.Particle("b", place, 1)], loads=[(place, -9 * frame.y)],
+        holonomic_constraints=[x**2 + y**2 - 1],
+    )  # fmt: skip
+    system = System(definition, initial_conditions={x: 1.0})
+    module = javascript_module(system._exportable(constraints="project"), ["a pendulum"])
+    (tmp_path / "pendulum.js").write_text(module, encoding="utf-8")
+    page = loaded(tmp_path / "pendulum.js")
+    for given, said in {
+        "initial: [1, 0, 0, 0]": "finished",
+        "initial: [1.0005, 0, 0, 0]": "finished",
+        "initial: [1.2, 0, 0, 0]": "the initial conditions do not satisfy the constraints",
+        "initial: [1, 0, 1, 0]": "the initial conditions do not satisfy the constraints",
+    }.items():
+        assert page.evaluate(SAID, given) == said

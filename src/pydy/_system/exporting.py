@@ -195,7 +195,7 @@ class Exporting(Setup):
         }
         for part in (part for part in PARTS if getattr(assembly, part)):
             builders[part] = stored(f"exported {part}", methodcaller("program", part))
-        held: dict[str, int] = {}
+        held: dict[str, Any] = {}
         if choice(constraints, (None, "project"), "`constraints`") is not None:
             if not (assembly.holonomic or assembly.velocity):
                 raise ValueError(
@@ -212,6 +212,7 @@ class Exporting(Setup):
                 "coordinates": len(definition.equations.coordinates),
                 "speeds": len(definition.equations.speeds),
                 "weighted": int(mechanism is not None and bool(mechanism.bodies)),
+                "following": definition.equations.following[1],
             }
             builders["projection"] = stored(what, projection_program, every)
         checked = check_events(events, definition.places["states"]) if events is not None else ()
@@ -256,6 +257,7 @@ class Exporting(Setup):
             start=start,
             stop=stop,
             constraints=held,
+            unknowns=definition.equations.following[1],
         )
 
     def _live_system(self, *, constraints: Any = "auto", **options: Any) -> LiveSystem:

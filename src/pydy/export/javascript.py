@@ -15,7 +15,7 @@ from pydy._graph.tuning import numbered
 from pydy.export.model import Model, Variable, plain_text, resource
 from pydy.solvers.run.layout import ALPHA, BETA, EXPONENT
 from pydy.solvers.tableaus import method_arrays, tableau_of
-from pydy.solvers.tuning import ROUNDINGS, SOUND
+from pydy.solvers.tuning import ROUNDINGS, SOUND, STARTING_MOVE
 
 # -- A Program as straight-line JavaScript ---------------------------------------------------------
 # The expressions are those of C, which are also valid JavaScript once functions with the names of
@@ -177,7 +177,9 @@ def javascript_object(model: Model, extra: Sequence[str] = ()) -> str:
         "KEPT": kept,
         "BOUND": bound,
         "INTEGRATOR": resource("integrator.js").replace("{{ROUNDINGS}}", repr(ROUNDINGS)),
-        "PROJECTION": resource("projection.js").replace("{{SOUND}}", repr(SOUND))
+        "PROJECTION": resource("projection.js")
+        .replace("{{SOUND}}", repr(SOUND))
+        .replace("{{STARTING_MOVE}}", repr(STARTING_MOVE))
         if model.constraints
         else "",
         "METHOD": literal(_method()),
@@ -189,6 +191,7 @@ def javascript_object(model: Model, extra: Sequence[str] = ()) -> str:
                 "inputs": _variables(model.inputs),
                 "constants": _variables(model.constants),
                 "outputs": _variables(model.outputs),
+                "unknowns": model.unknowns,
                 "start": model.start,
                 "stop": model.stop,
             }

@@ -10,6 +10,7 @@ from dataclasses import dataclass, field, replace
 from functools import cache
 from importlib.resources import files
 from pathlib import Path
+from typing import Any
 
 from pydy._forks import cached_property
 from pydy._graph.program import Program
@@ -95,8 +96,10 @@ class Model:
     events : EventData
     start, stop : float
         The default time span for importers.
-    constraints : mapping of str to int
-        Sizes for the projection; empty without projection.
+    constraints : mapping of str to int, or places
+        Sizes for the projection, and what follows; empty without projection.
+    unknowns : sequence of int
+        The places of states that residuals give.
     """
 
     name: str
@@ -109,7 +112,8 @@ class Model:
     events: EventData = field(default_factory=EventData)
     start: float = 0.0
     stop: float = 1.0
-    constraints: Mapping[str, int] = field(default_factory=dict)
+    constraints: Mapping[str, Any] = field(default_factory=dict)
+    unknowns: Sequence[int] = ()
 
     @cached_property
     def _made(self) -> dict[str, Program]:

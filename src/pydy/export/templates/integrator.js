@@ -72,7 +72,7 @@ class Integration {
     /** "running", "finished", "stopped" by a terminal event, or why it failed. */
     this.status = "running";
     this.started = false;
-    if (system.projection && !system.projection(this.t, this.x)) this.status = "the constraints could not be met";
+    if (system.projection) this.status = system.projection.begin(this.t, this.x) || this.status;
     if (system.events) {
       this.sides = new Int8Array(system.events.count);
       [this.values, this.probe, this.divided, ...this.ends] = Array.from({ length: PARTS + 4 }, () => new Float64Array(system.events.count));

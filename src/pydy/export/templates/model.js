@@ -73,6 +73,10 @@ const self = {
    */
   simulate({ times, initial, inputs, constants, ...options } = {}) {
     const n = info.states.length, states = [];
+    for (const k of info.unknowns) { // residuals give them where other values are given: Python solves these
+      const { id } = info.states[k], known = ordered(initial, info.states.map((one, i) => ({ ...one, value: i === k ? NaN : 0 })), "initial");
+      if ((initial || inputs || constants) && Number.isNaN(known[k])) throw new RangeError(`initial must give ${id} too, with which the residuals of \`implicit\` are zero: what is given may change it`);
+    }
     bind(constants);
     const x0 = ordered(initial, info.states, "initial"), r = ordered(inputs, info.inputs, "inputs");
     const run = self.integration(times, x0, r, (k, t, x) => states[k].set(x), options);

@@ -95,7 +95,7 @@ function minimumNorm(m, n, rows, right, rank) {
  * gradient by speeds, mass matrix, and what rounding may make of the first.
  */
 function projector(sizes, evaluate) {
-  const { holonomic: h, velocity: v, positions, motions, coordinates: q, speeds: u, weighted } = sizes;
+  const { holonomic: h, velocity: v, positions, motions, coordinates: q, speeds: u, weighted, following } = sizes;
   const starts = [0];
   for (const size of [h, v, h * q, q * u, v * u, weighted ? u * u : 0, h]) starts.push(starts[starts.length - 1] + size);
   const values = new Float64Array(starts[7]);
@@ -155,6 +155,14 @@ function projector(sizes, evaluate) {
     }
     return true;
   };
+  /** Move a state that begins a motion; return why not, as where it is far from the constraints. */
+  project.begin = (t, x) => {
+    const before = Float64Array.from(x);
+    if (!project(t, x)) return "the constraints could not be met";
+    const unit = Math.min(1, before.subarray(0, q).reduce((most, one) => Math.max(most, Math.abs(one)), 0) || 1);
+    const far = (one, k) => !following.includes(k) && Math.abs(x[k] - one) > STARTING_MOVE * ((k < q ? unit : 1) + Math.abs(one));
+    return before.some(far) ? "the initial conditions do not satisfy the constraints" : "";
+  };
   /** Solve for some coordinates and speeds, the others held. */
   project.settle = (t, x, dependentQ, dependentU) => {
     const move = (rows, width, right, places, first, rank) => {
@@ -180,3 +188,4 @@ function projector(sizes, evaluate) {
   return project;
 }
 const SOUND = {{SOUND}}; // rows that are this much shorter without others make room for redundant ones
+const STARTING_MOVE = {{STARTING_MOVE}}; // how far a state is moved onto the constraints unasked, in units of 1 + |x|
